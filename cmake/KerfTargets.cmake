@@ -1,0 +1,37 @@
+# kerf_library(NAME DEPENDS ... PRIVATE_DEPENDS ...)
+#   the folder's *.cpp as one static library, target kerf_NAME, alias kerf::NAME
+# kerf_tests(NAME DEPENDS ...)
+#   the folder's *.cpp as one GoogleTest executable NAME_tests, every test in it known to CTest
+
+add_library(kerf_warnings INTERFACE)
+target_compile_options(kerf_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wold-style-cast -Wdouble-promotion
+  $<$<BOOL:${KERF_STRICT}>:-Werror>)
+
+function(kerf_library name)
+  cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  set(target kerf_${name})
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  add_library(${target} STATIC ${sources})
+  add_library(kerf::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/kerf>)
+  target_link_libraries(${target} PUBLIC ${arg_DEPENDS}
+    PRIVATE $<BUILD_INTERFACE:kerf_warnings> ${arg_PRIVATE_DEPENDS})
+  set_property(GLOBAL APPEND PROPERTY KERF_LIBRARIES ${target})
+endfunction()
+
+function(kerf_tests name)
+  cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name}_tests ${sources})
+  target_link_libraries(${name}_tests PRIVATE ${arg_DEPENDS} kerf_warnings GTest::gtest_main)
+  target_include_directories(${name}_tests PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_compile_definitions(${name}_tests PRIVATE KERF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${name}_tests DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
+endfunction()

@@ -1,0 +1,35 @@
+// The curves a program can be made of: exact, valid by construction, parametrised by arc length.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "curves/arc.hpp"
+#include "curves/curve_error.hpp"
+#include "curves/line.hpp"
+#include "curves/nurbs_curve.hpp"
+#include "curves/nurbs_piece.hpp"
+
+namespace kerf::curves {
+
+// What the tick side evaluates: trivially copyable, s counted from the start of its curve.
+using Piece = std::variant<Line, Arc, NurbsPiece>;
+static_assert(std::is_trivially_copyable_v<Piece>);
+
+// What the look-ahead plans on. A NurbsCurve holds its pieces in order.
+using Curve = std::variant<Line, Arc, NurbsCurve>;
+
+// s_mm outside [0, length] is clamped. At s >= length the answer is the programmed end, exactly.
+Position position_at(const Piece& piece, double s_mm) noexcept;
+PathDerivatives derivatives_at(const Piece& piece, double s_mm) noexcept;
+// Arc lengths, from the start of the curve, that the piece covers.
+double s_begin_mm(const Piece& piece) noexcept;
+double s_end_mm(const Piece& piece) noexcept;
+
+double length_mm(const Curve& curve) noexcept;
+PathDerivatives derivatives_at(const Curve& curve, double s_mm) noexcept;
+Extents extents(const Curve& curve);
+
+}  // namespace kerf::curves

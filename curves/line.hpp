@@ -1,0 +1,30 @@
+// A straight line.
+#pragma once
+
+#include <tl/expected.hpp>
+
+#include "curves/curve_error.hpp"
+#include "curves/position.hpp"
+
+namespace kerf::curves {
+
+class Line {
+ public:
+  // Error: the two points are equal (zero length) or not finite.
+  static tl::expected<Line, CurveError> between(const Position& start_mm, const Position& end_mm);
+
+  [[nodiscard]] double length_mm() const noexcept { return length_mm_; }
+  [[nodiscard]] const Position& direction() const noexcept { return direction_; }
+  [[nodiscard]] Position at(double s_mm) const noexcept;
+  [[nodiscard]] PathDerivatives derivatives_at(double s_mm) const noexcept;
+  [[nodiscard]] Extents extents() const noexcept;
+
+ private:
+  Line() = default;
+  Position start_mm_{};
+  Position end_mm_{};
+  Position direction_{};
+  double length_mm_ = 0.0;
+};
+
+}  // namespace kerf::curves

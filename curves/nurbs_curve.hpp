@@ -1,0 +1,47 @@
+// A non-uniform rational B-spline, smooth (tangent-continuous) from end to end.
+#pragma once
+
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "curves/curve_error.hpp"
+#include "curves/nurbs_piece.hpp"
+#include "curves/position.hpp"
+
+namespace kerf::curves {
+
+struct ControlPoint {
+  Position position_mm{};
+  double weight = 1.0;  // > 0
+};
+
+// Degree p (order p + 1), n control points, n + p + 1 knots.
+struct NurbsData {
+  int degree = 3;
+  std::vector<ControlPoint> points;
+  std::vector<double> knots;
+};
+
+class NurbsCurve {
+ public:
+  // Cuts the curve where its tangent turns abruptly (knots of multiplicity degree) and returns the
+  // smooth parts in order, normally one. Errors: degree outside 1..9, fewer points than the order,
+  // count of knots not n + p + 1, decreasing or not finite knots, end knots not repeated p + 1 times, a
+  // jump in position, weight not positive or not finite, zero length, a cusp.
+  static tl::expected<std::vector<NurbsCurve>, CurveError> make(const NurbsData& data);
+
+  [[nodiscard]] double length_mm() const noexcept { return pieces_.back().s_end_mm; }
+  [[nodiscard]] const std::vector<NurbsPiece>& pieces() const noexcept { return pieces_; }
+  // Index of the piece that holds s_mm (clamped): binary search.
+  [[nodiscard]] std::size_t piece_index(double s_mm) const noexcept;
+  [[nodiscard]] Position at(double s_mm) const noexcept;
+  [[nodiscard]] PathDerivatives derivatives_at(double s_mm) const noexcept;
+  [[nodiscard]] Extents extents() const;
+
+ private:
+  explicit NurbsCurve(std::vector<NurbsPiece> pieces) : pieces_(std::move(pieces)) {}
+  std::vector<NurbsPiece> pieces_;  // not empty
+};
+
+}  // namespace kerf::curves

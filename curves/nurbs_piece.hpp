@@ -1,0 +1,35 @@
+// A stretch of a NURBS curve short enough that u(s) is one polynomial: what a tick evaluates.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "curves/position.hpp"
+
+namespace kerf::curves {
+
+inline constexpr int kMaxDegree = 9;
+
+// Homogeneous polynomials in a local parameter x in [-1, 1] about the middle of the piece, and
+// x(s) as a polynomial in arc length, scaled to [-1, 1] as well. One evaluation is two Horner
+// schemes and a division: the point lies on the curve to rounding whatever the error of x(s),
+// which is below kArcLengthTolerance_mm (arc_length.hpp) along the path.
+struct NurbsPiece {
+  static constexpr int kMapDegree = 9;
+  double s_begin_mm = 0.0;
+  double s_end_mm = 0.0;
+  double u_begin = 0.0;
+  double u_end = 0.0;
+  std::int32_t degree = 0;
+  bool ends_curve = false;  // at(s_end) is end_mm then, exactly
+  Position end_mm{};
+  std::array<double, kMapDegree + 1> local_by_length{};  // x = sum c_k y^k, y in [-1, 1]
+  std::array<std::array<double, 4>, kMaxDegree + 1> coefficients{};  // (w x, w y, w z, w) by x^k
+
+  // s_mm counts from the start of the whole curve.
+  [[nodiscard]] Position at(double s_mm) const noexcept;
+  [[nodiscard]] PathDerivatives derivatives_at(double s_mm) const noexcept;
+  [[nodiscard]] double u_at(double s_mm) const noexcept;
+};
+
+}  // namespace kerf::curves

@@ -1,0 +1,24 @@
+// What a machine is told at one tick.
+#pragma once
+
+#include <cstdint>
+
+#include "curves/position.hpp"
+
+namespace kerf::interp {
+
+using curves::Position;
+
+struct Setpoint {
+  std::int64_t tick = 0;  // counts interpolation periods from 0
+  std::uint32_t line = 0;  // of the block that the point belongs to
+  double s_mm = 0.0;       // path length since the program's start
+  double v_mm_s = 0.0;     // along the path, as planned
+  double a_mm_s2 = 0.0;
+  double j_mm_s3 = 0.0;
+  Position position_mm{};
+  Position velocity_mm_s{};
+  Position acceleration_mm_s2{};
+};
+
+}  // namespace kerf::interp

@@ -1,0 +1,25 @@
+// The limits that a plan keeps. Infinity: does not bind.
+#pragma once
+
+#include <array>
+#include <limits>
+
+namespace kerf::lookahead {
+
+inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+// Of one axis, or along the path.
+struct MotionLimits {
+  double velocity_mm_s = kUnbounded;
+  double acceleration_mm_s2 = kUnbounded;
+  double jerk_mm_s3 = kUnbounded;
+};
+
+struct PlanLimits {
+  double period_s = 0.001;
+  MotionLimits path{};
+  std::array<MotionLimits, 3> axes{};
+  double chord_tolerance_mm = kUnbounded;
+};
+
+}  // namespace kerf::lookahead

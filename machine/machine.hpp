@@ -1,0 +1,43 @@
+// Where setpoints go: a drive, or its simulation.
+#pragma once
+
+#include <cstdint>
+
+#include "interp/setpoint.hpp"
+
+namespace kerf::machine {
+
+using curves::Position;
+using interp::Setpoint;
+
+enum class Fault : std::uint8_t {
+  none,
+  soft_limit,       // a setpoint outside the travel
+  following_error,  // an axis fell too far behind
+  not_finite,       // a setpoint or an encoder that is not a number
+};
+
+struct MachineState {
+  Position actual_mm{};
+  Position following_error_mm{};  // commanded - actual
+  double contour_error_mm = 0.0;  // distance of the actual position from the commanded path
+  Fault fault = Fault::none;
+  std::int8_t fault_axis = -1;  // 0..2, -1 where no axis is to blame
+};
+
+// Called from the tick: no member allocates, locks, logs or throws.
+class Machine {
+ public:
+  virtual ~Machine() = default;
+  Machine() = default;
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  // Switches the drives on at rest at position_mm and clears a fault.
+  virtual void enable(const Position& position_mm) noexcept = 0;
+  // Takes the setpoint of the next tick. After a fault setpoints are ignored.
+  virtual void write(const Setpoint& setpoint) noexcept = 0;
+  [[nodiscard]] virtual MachineState read() const noexcept = 0;
+};
+
+}  // namespace kerf::machine

@@ -1,0 +1,22 @@
+// An error or a warning about the program's text, as a value.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "parser/move.hpp"
+
+namespace kerf::parser {
+
+enum class Severity : unsigned char { error, warning };
+
+struct Diagnostic {
+  Severity severity = Severity::error;
+  SourcePosition source;
+  std::string message;  // what was found and what was expected
+};
+
+// "file:line:column: error: message", the form that editors understand.
+std::string to_string(const Diagnostic& diagnostic, std::string_view file);
+
+}  // namespace kerf::parser

@@ -1,0 +1,85 @@
+// What the parser hands on: one motion or one event, modal state resolved, in mm, seconds and mm/s.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace kerf::parser {
+
+using Point = std::array<double, 3>;  // x, y, z in mm
+
+struct SourcePosition {
+  std::uint32_t line = 0;    // 1-based
+  std::uint32_t column = 0;  // 1-based, in bytes
+};
+
+struct LineMove {
+  Point end_mm{};
+};
+
+// The plane of an arc names its axes in right-handed order: (first, second, normal).
+enum class Plane : std::uint8_t { xy, zx, yz };
+
+// A circular arc or, where the normal axis moves too, a helix.
+// The radius at the start and at the end may differ by what the control tolerates.
+struct ArcMove {
+  Plane plane = Plane::xy;
+  Point centre_mm{};  // the component along the normal axis is not used
+  Point end_mm{};
+  bool clockwise = false;  // seen against the direction of the normal axis, as G2 is
+  int turns = 1;           // 1: up to one full circle (end = start: exactly one); n: n - 1 circles more
+};
+
+struct NurbsPoint {
+  Point position_mm{};
+  double weight = 1.0;
+};
+
+// A curve as written. Whether it is one (knots, counts, weights, place of the first point) is
+// checked where it is built; knot_lines and point_lines say which line to blame.
+struct NurbsMove {
+  int degree = 3;  // order - 1
+  std::vector<NurbsPoint> points;
+  std::vector<double> knots;
+  std::vector<std::uint32_t> point_lines;
+  std::vector<std::uint32_t> knot_lines;
+};
+
+struct DwellMove {
+  double duration_s = 0.0;
+};
+
+enum class EventKind : std::uint8_t {
+  program_stop,   // M0
+  optional_stop,  // M1
+  program_end,    // M2, M30, closing %
+  spindle_cw,     // M3, value = S
+  spindle_ccw,    // M4, value = S
+  spindle_off,    // M5
+  tool_change,    // M6, value = T
+  mist_on,        // M7
+  flood_on,       // M8
+  coolant_off,    // M9
+};
+
+// Something the machine does with the tool at rest.
+struct EventMove {
+  EventKind kind = EventKind::program_stop;
+  double value = 0.0;
+};
+
+enum class PathMode : std::uint8_t { exact_path, exact_stop, blend };  // G61, G61.1, G64
+
+struct Move {
+  std::variant<LineMove, ArcMove, NurbsMove, DwellMove, EventMove> shape;
+  SourcePosition source;
+  Point start_mm{};
+  bool rapid = false;          // G0: as fast as the machine goes
+  double feedrate_mm_s = 0.0;  // along the path; not used by rapids, dwells and events
+  PathMode mode = PathMode::exact_path;
+  double blend_tolerance_mm = 0.0;  // G64 P; 0 where none was given
+};
+
+}  // namespace kerf::parser

@@ -1,0 +1,49 @@
+// The parser's door: bytes in, in pieces of any size; moves and diagnostics out.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "parser/diagnostic.hpp"
+#include "parser/move.hpp"
+
+namespace kerf::parser {
+
+struct ReaderOptions {
+  Point start_mm{};            // where the tool is when the program starts
+  bool block_delete = false;   // leave out blocks that begin with '/'
+  std::size_t max_errors = 100;
+};
+
+// Reads one program. Memory does not grow with its length: a line, the modal state and one NURBS
+// curve are all that is held. After an error reading goes on at the next block; moves that come
+// after an error only serve to find further errors and must not be run.
+class ProgramReader {
+ public:
+  explicit ProgramReader(ReaderOptions options = {});
+  ~ProgramReader();
+  ProgramReader(ProgramReader&&) noexcept;
+  ProgramReader& operator=(ProgramReader&&) noexcept;
+
+  // Takes the next bytes of the program. Precondition: finish() was not called.
+  void feed(std::string_view bytes);
+  // Says that no bytes will follow.
+  void finish();
+
+  // The next move, if the bytes so far make one up. False: feed() more, or the end if finished.
+  bool next(Move& move);
+
+  // True once the program's end was met: M2, M30, the closing % or the last byte.
+  [[nodiscard]] bool at_end() const;
+  [[nodiscard]] bool has_errors() const;
+  // Errors and warnings in the order of the text, at most max_errors errors.
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace kerf::parser

@@ -1,0 +1,2 @@
+// Placeholder until the shapes stand beside it.
+#pragma once

@@ -1,0 +1,20 @@
+// The normalised transition that every feedrate profile is: phi(0) = 0, phi(1) = 1,
+// phi(x) + phi(1 - x) = 1 for x in [0, 1].
+#pragma once
+
+namespace kerf::profiles {
+
+struct ShapeValue {
+  double integral = 0.0;  // of phi from 0 to x; 1/2 at x = 1
+  double phi = 0.0;
+  double slope = 0.0;      // phi'
+  double curvature = 0.0;  // phi''
+};
+
+// What a transition may not exceed. Infinity where a limit does not bind.
+struct RampLimits {
+  double acceleration_mm_s2 = 0.0;  // > 0
+  double jerk_mm_s3 = 0.0;          // > 0
+};
+
+}  // namespace kerf::profiles
