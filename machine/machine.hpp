@@ -12,6 +12,7 @@ using interp::Setpoint;
 
 enum class Fault : std::uint8_t {
   none,
+  not_enabled,      // no enable() yet
   soft_limit,       // a setpoint outside the travel
   following_error,  // an axis fell too far behind
   not_finite,       // a setpoint or an encoder that is not a number
@@ -33,9 +34,12 @@ class Machine {
   Machine(const Machine&) = delete;
   Machine& operator=(const Machine&) = delete;
 
-  // Switches the drives on at rest at position_mm and clears a fault.
+  // Switches the drives on at rest at position_mm and clears a fault. A position that is not finite
+  // is the fault not_finite at once.
   virtual void enable(const Position& position_mm) noexcept = 0;
-  // Takes the setpoint of the next tick. After a fault setpoints are ignored.
+  // Takes the setpoint of the next tick; one call is one period of time. A setpoint that is not
+  // finite or outside the travel is refused with its fault. After a fault setpoints are ignored
+  // and all axes come to rest together, until enable().
   virtual void write(const Setpoint& setpoint) noexcept = 0;
   [[nodiscard]] virtual MachineState read() const noexcept = 0;
 };

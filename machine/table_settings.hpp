@@ -11,17 +11,19 @@ struct Travel {
   double max_mm = std::numeric_limits<double>::infinity();
 };
 
+// Forces and gains are divided by the moved inertia, so that no mass appears: a torque is the
+// acceleration that it would give, in mm/s2 at the table.
 struct AxisDrive {
   Travel travel{};
-  double max_velocity_mm_s = 500.0;       // what the motor can do
-  double max_acceleration_mm_s2 = 10e3;   // saturates the motor's torque
-  double screw_lead_mm = 10.0;
-  double counts_per_rev = 10'000.0;
-  double position_gain_per_s = 150.0;     // Kv of the outer loop
-  double velocity_gain_per_s = 1500.0;    // proportional gain of the inner loop, by inertia
-  double velocity_integral_per_s2 = 0.0;  // integral gain of the inner loop, by inertia
-  double feed_forward = 1.0;              // share of the commanded velocity fed forward, 0..1
-  double coulomb_friction_mm_s2 = 0.0;    // friction force by inertia
+  double drive_velocity_mm_s = 500.0;      // what the motor can do; saturates the velocity command
+  double drive_acceleration_mm_s2 = 20e3;  // the motor's largest torque
+  double screw_lead_mm = 10.0;             // table travel per motor revolution
+  double counts_per_rev = 10'000.0;        // encoder resolution; infinity: no quantisation
+  double position_gain_per_s = 150.0;      // Kv of the outer loop
+  double velocity_gain_per_s = 1500.0;     // proportional gain of the inner loop
+  double velocity_integral_per_s2 = 0.0;   // integral gain of the inner loop
+  double feed_forward = 1.0;               // share of the commanded velocity fed forward, 0..1
+  double coulomb_friction_mm_s2 = 0.0;     // opposes motion, and holds at rest up to this force
   double viscous_friction_per_s = 0.0;
   double max_following_error_mm = 5.0;
 };
@@ -30,5 +32,10 @@ struct TableSettings {
   double period_s = 0.001;
   std::array<AxisDrive, 3> axes{};
 };
+
+// Every number is of its kind (gains, lead, counts and drive limits positive, friction and integral
+// not negative, feed_forward in 0..1, min < max, period in 1e-5..0.1 s) and finite where the struct
+// does not say otherwise.
+[[nodiscard]] bool is_valid(const TableSettings& settings) noexcept;
 
 }  // namespace kerf::machine

@@ -1,0 +1,80 @@
+// One axis of the simulated table: ball screw, encoder, cascaded servo, motor.
+//
+// The model. A proportional position loop with velocity feed-forward commands a velocity, a PI
+// velocity loop commands a torque, and the torque moves the table against friction:
+//
+//   vc = Kv (r - encoder) + ff r'             |vc| <= drive_velocity
+//   m  = Kp (vc - v) + Ki integral(vc - v)    |m|  <= drive_acceleration
+//   v' = m - viscous v - coulomb sign(v)      sticks at v = 0 while |m| <= coulomb
+//   x' = v
+//
+// r runs straight from one setpoint to the next within a tick. The position loop sees the encoder,
+// which counts in steps of screw_lead / counts_per_rev; the velocity loop sees v itself, as behind
+// the speed observer of a drive. Without friction, quantisation and saturation, and with Ki = 0,
+//
+//   X/R = Kp (ff s + Kv) / (s^2 + Kp s + Kp Kv),   error on a ramp = v (1 - ff) / Kv.
+//
+// The integration. Sub-steps of at most 50 us, their number fixed by the period, so a tick costs
+// the same always. In a sub-step vc and the integral are held, as in a drive of 20 kHz, and the
+// linear equation that is left is solved exactly: stable for any gain. Known weakness: a change of
+// saturation or of the sign of friction acts from the next sub-step, which costs
+// drive_acceleration * 50 us in speed at that place.
+//
+// Called from the tick: nothing here allocates or throws.
+#pragma once
+
+#include <cstdint>
+
+#include "machine/table_settings.hpp"
+
+namespace kerf::machine {
+
+// What an encoder may do wrong, for trying out what the faults do.
+enum class EncoderFailure : std::uint8_t { none, frozen, not_finite };
+
+class AxisModel {
+ public:
+  // drive must be valid (see is_valid); period_s in 1e-5..0.1.
+  AxisModel(const AxisDrive& drive, double period_s) noexcept;
+
+  // At rest there, nothing stored in the loops, the encoder whole again.
+  void reset(double position_mm) noexcept;
+  // One tick towards the setpoint.
+  void follow(double setpoint_mm) noexcept;
+  // From now on stop(): the velocity goes to 0 along a straight ramp of ramp_s, then stays there.
+  // The position loop is open, since its encoder may be what failed.
+  void begin_stop(double ramp_s) noexcept;
+  void stop() noexcept;  // one tick of it
+
+  void fail_encoder(EncoderFailure failure) noexcept;
+
+  [[nodiscard]] double encoder_mm() const noexcept;  // not a number where the encoder failed so
+  [[nodiscard]] double position_mm() const noexcept { return position_mm_; }  // without encoder
+  [[nodiscard]] double velocity_mm_s() const noexcept { return velocity_mm_s_; }
+  // How long a ramp to rest takes with half of the motor's torque.
+  [[nodiscard]] double stopping_time_s() const noexcept;
+
+ private:
+  void substep(double velocity_command_mm_s) noexcept;
+  void integrate(double velocity_error_mm_s, double motor_mm_s2) noexcept;
+
+  AxisDrive drive_;
+  double period_s_;
+  int substeps_;
+  double substep_s_;
+  double resolution_mm_;  // of the encoder, 0: none
+  double rate_per_s_;     // of the closed velocity loop
+  double decay_;          // 1 - exp(-rate substep)
+
+  double command_mm_ = 0.0;
+  double position_mm_ = 0.0;
+  double velocity_mm_s_ = 0.0;
+  double integral_mm_s2_ = 0.0;
+  double frozen_mm_ = 0.0;
+  EncoderFailure failure_ = EncoderFailure::none;
+  double stop_from_mm_s_ = 0.0;
+  double stop_left_ = 0.0;  // of the ramp, 1 at its start, 0 at its end
+  double stop_step_ = 0.0;  // of stop_left_ in one sub-step
+};
+
+}  // namespace kerf::machine

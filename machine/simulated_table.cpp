@@ -1,0 +1,137 @@
+#include "machine/simulated_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace kerf::machine {
+namespace {
+
+// The axis of the first coordinate that is not finite.
+std::optional<std::int8_t> not_finite_axis(const Position& position) {
+  for (std::int8_t axis = 0; axis < 3; ++axis) {
+    if (!std::isfinite(position[static_cast<std::size_t>(axis)])) {
+      return axis;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::int8_t> not_finite_axis(const Setpoint& setpoint) {
+  for (const Position* vector :
+       {&setpoint.position_mm, &setpoint.velocity_mm_s, &setpoint.acceleration_mm_s2}) {
+    if (const auto axis = not_finite_axis(*vector)) {
+      return axis;
+    }
+  }
+  const bool finite = std::isfinite(setpoint.s_mm) && std::isfinite(setpoint.v_mm_s) &&
+                      std::isfinite(setpoint.a_mm_s2) && std::isfinite(setpoint.j_mm_s3);
+  return finite ? std::nullopt : std::optional<std::int8_t>(std::int8_t{-1});
+}
+
+Envelope bounded(Envelope envelope) {
+  for (Travel& travel : envelope) {
+    travel.min_mm = std::max(travel.min_mm, -SimulatedTable::kFarthestMm);
+    travel.max_mm = std::min(travel.max_mm, SimulatedTable::kFarthestMm);
+  }
+  return envelope;
+}
+
+TableSettings valid_or_default(const TableSettings& settings) {
+  return is_valid(settings) ? settings : TableSettings{};
+}
+
+}  // namespace
+
+SimulatedTable::SimulatedTable(const TableSettings& settings) noexcept
+    : settings_(valid_or_default(settings)),
+      envelope_(bounded(envelope_of(settings_))),
+      axes_{AxisModel(settings_.axes[0], settings_.period_s),
+            AxisModel(settings_.axes[1], settings_.period_s),
+            AxisModel(settings_.axes[2], settings_.period_s)},
+      valid_(is_valid(settings)) {}
+
+void SimulatedTable::enable(const Position& position_mm) noexcept {
+  if (!valid_) {
+    return;
+  }
+  if (const auto axis = not_finite_axis(position_mm)) {
+    state_.fault = Fault::none;
+    fault(Fault::not_finite, *axis);
+    return;
+  }
+  commanded_mm_ = position_mm;
+  path_.restart(position_mm);
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    axes_[axis].reset(position_mm[axis]);
+  }
+  state_ = {};
+  observe();
+}
+
+void SimulatedTable::write(const Setpoint& setpoint) noexcept {
+  if (state_.fault == Fault::none && accepts(setpoint)) {
+    commanded_mm_ = setpoint.position_mm;
+    path_.append(commanded_mm_);
+    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+      axes_[axis].follow(commanded_mm_[axis]);
+    }
+  } else {
+    for (AxisModel& axis : axes_) {
+      axis.stop();
+    }
+  }
+  observe();
+}
+
+void SimulatedTable::fail_encoder(std::size_t axis, EncoderFailure failure) noexcept {
+  if (axis < axes_.size()) {
+    axes_[axis].fail_encoder(failure);
+  }
+}
+
+bool SimulatedTable::accepts(const Setpoint& setpoint) noexcept {
+  if (const auto axis = not_finite_axis(setpoint)) {
+    fault(Fault::not_finite, *axis);
+    return false;
+  }
+  if (const auto excess = outside_travel(envelope_, setpoint.position_mm)) {
+    fault(Fault::soft_limit, excess->axis);
+    return false;
+  }
+  return true;
+}
+
+void SimulatedTable::observe() noexcept {
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    const double actual_mm = axes_[axis].encoder_mm();
+    if (!std::isfinite(actual_mm)) {
+      fault(Fault::not_finite, static_cast<std::int8_t>(axis));
+      continue;
+    }
+    state_.actual_mm[axis] = actual_mm;
+    state_.following_error_mm[axis] = commanded_mm_[axis] - actual_mm;
+    if (std::abs(state_.following_error_mm[axis]) > settings_.axes[axis].max_following_error_mm) {
+      fault(Fault::following_error, static_cast<std::int8_t>(axis));
+    }
+  }
+  state_.contour_error_mm = path_.distance_mm(state_.actual_mm);
+}
+
+// The first fault stays until enable(). Every axis takes as long to rest as the slowest one.
+void SimulatedTable::fault(Fault kind, std::int8_t axis) noexcept {
+  if (state_.fault != Fault::none && state_.fault != Fault::not_enabled) {
+    return;
+  }
+  state_.fault = kind;
+  state_.fault_axis = axis;
+  double ramp_s = 0.0;
+  for (const AxisModel& model : axes_) {
+    ramp_s = std::max(ramp_s, model.stopping_time_s());
+  }
+  for (AxisModel& model : axes_) {
+    model.begin_stop(ramp_s);
+  }
+}
+
+}  // namespace kerf::machine

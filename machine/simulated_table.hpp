@@ -1,0 +1,50 @@
+// A three-axis table with servo drives, simulated.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "machine/axis_model.hpp"
+#include "machine/envelope.hpp"
+#include "machine/machine.hpp"
+#include "machine/path_history.hpp"
+#include "machine/table_settings.hpp"
+
+namespace kerf::machine {
+
+// Deterministic: the same calls give the same states to the last bit. One write() is one period;
+// its work is bounded (see AxisModel and PathHistory) and allocates nothing.
+//
+// State: actual_mm is what the encoders read, whole counts; after an encoder failed, its last good
+// reading. The commanded position is the last setpoint that was not refused. contour_error_mm is
+// the distance to the path through the setpoints (PathHistory), so lag along it does not count.
+class SimulatedTable final : public Machine {
+ public:
+  // Setpoints beyond this are a soft limit on a table without travel, too: 10 km.
+  static constexpr double kFarthestMm = 1e7;
+
+  // A table whose settings are not valid (is_valid) stays in the fault not_enabled.
+  explicit SimulatedTable(const TableSettings& settings) noexcept;
+
+  void enable(const Position& position_mm) noexcept override;
+  void write(const Setpoint& setpoint) noexcept override;
+  [[nodiscard]] MachineState read() const noexcept override { return state_; }
+
+  // Breaks the encoder of an axis (0..2; others are ignored) until enable().
+  void fail_encoder(std::size_t axis, EncoderFailure failure) noexcept;
+
+ private:
+  [[nodiscard]] bool accepts(const Setpoint& setpoint) noexcept;
+  void observe() noexcept;
+  void fault(Fault kind, std::int8_t axis) noexcept;
+
+  TableSettings settings_;
+  Envelope envelope_;
+  std::array<AxisModel, 3> axes_;
+  PathHistory path_;
+  Position commanded_mm_{};
+  MachineState state_{.fault = Fault::not_enabled};
+  bool valid_;
+};
+
+}  // namespace kerf::machine
