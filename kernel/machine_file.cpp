@@ -1,0 +1,296 @@
+#include "kernel/machine_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "kernel/machine_file_schema.hpp"
+#include "kernel/machine_file_spelling.hpp"
+
+// Header-only, so that an error is a value: the packaged shared library is built with exceptions.
+#undef TOML_HEADER_ONLY
+#undef TOML_SHARED_LIB
+#undef TOML_EXCEPTIONS
+#define TOML_HEADER_ONLY 1
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+namespace kerf {
+namespace {
+
+constexpr std::size_t kLargestFileBytes = std::size_t{1} << 20;
+constexpr std::array<std::string_view, 3> kSections{"tick", "path", "axes"};
+constexpr std::array<std::string_view, 3> kAxisNames{"x", "y", "z"};
+
+std::string text_of(double number) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
+  return {buffer.data(), end.ptr};
+}
+
+// Keys come from the file: one line, of bounded length, without control characters.
+std::string quoted(std::string_view key) {
+  constexpr std::size_t kLongest = 60;
+  std::string text(key.substr(0, kLongest));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; }, '?');
+  return "'" + text + (key.size() > kLongest ? "...'" : "'");
+}
+
+std::string_view name_of(toml::node_type type) {
+  switch (type) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "an array";
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "a boolean";
+    case toml::node_type::date:
+    case toml::node_type::time:
+    case toml::node_type::date_time:
+      return "a date or time";
+    case toml::node_type::none:
+      break;
+  }
+  return "nothing";
+}
+
+// A table of the file under the name that messages give it: "" for the whole file, "axes.x".
+struct Section {
+  const toml::table* table;
+  std::string name;
+
+  [[nodiscard]] std::string path_to(std::string_view key) const {
+    return name.empty() ? std::string(key) : name + "." + std::string(key);
+  }
+};
+
+class Reader {
+ public:
+  tl::expected<MachineSettings, std::vector<SettingsError>> read(const toml::table& root) {
+    const Section file{&root, ""};
+    check_keys(file, kSections);
+    if (const auto tick = subsection(file, "tick")) {
+      read_numbers(*tick, tick_rules(), 0);
+    }
+    const auto path = subsection(file, "path");
+    if (path) {
+      read_numbers(*path, path_rules(), 0);
+    }
+    std::array<std::optional<Section>, 3> axes;
+    if (const auto section = subsection(file, "axes")) {
+      check_keys(*section, kAxisNames);
+      for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+        axes[axis] = subsection(*section, kAxisNames[axis]);
+        if (axes[axis]) {
+          read_axis(*axes[axis], axis);
+        }
+      }
+    }
+    check_bounds(root, path, axes);
+    settings_.table.period_s = settings_.limits.period_s;
+    if (errors_.empty()) {
+      return settings_;
+    }
+    std::stable_sort(errors_.begin(), errors_.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.line, a.column) < std::tie(b.line, b.column);
+    });
+    return tl::unexpected(std::move(errors_));
+  }
+
+ private:
+  void report(const toml::source_region& where, std::string message) {
+    errors_.push_back({where.begin.line, where.begin.column, std::move(message)});
+  }
+
+  void check_keys(const Section& section, std::span<const std::string_view> known) {
+    for (const auto& [key, value] : *section.table) {
+      if (std::find(known.begin(), known.end(), key.str()) != known.end()) {
+        continue;
+      }
+      std::string message = "unknown key " + quoted(key.str());
+      message += section.name.empty() ? "" : " in [" + section.name + "]";
+      if (const auto meant = nearest_word(key.str(), known)) {
+        message += ", did you mean '" + std::string(*meant) + "'?";
+      }
+      report(key.source(), std::move(message));
+    }
+  }
+
+  std::optional<Section> subsection(const Section& section, std::string_view key) {
+    const toml::node* node = section.table->get(key);
+    if (node == nullptr) {
+      return std::nullopt;
+    }
+    if (const toml::table* table = node->as_table()) {
+      return Section{table, section.path_to(key)};
+    }
+    report(node->source(), section.path_to(key) + ": found " + std::string(name_of(node->type())) +
+                               ", expected a table");
+    return std::nullopt;
+  }
+
+  void read_numbers(const Section& section, std::span<const NumberRule> rules, std::size_t axis) {
+    std::vector<std::string_view> keys;
+    for (const NumberRule& rule : rules) {
+      keys.push_back(rule.key);
+      if (const toml::node* node = section.table->get(rule.key)) {
+        if (const auto number = read_number(section, rule, *node)) {
+          rule.field(settings_, axis) = *number;
+        }
+      }
+    }
+    check_keys(section, keys);
+  }
+
+  std::optional<double> read_number(const Section& section, const NumberRule& rule,
+                                    const toml::node& node) {
+    double number = 0.0;
+    if (const auto* integer = node.as_integer()) {
+      number = static_cast<double>(integer->get());
+    } else if (const auto* floating = node.as_floating_point()) {
+      number = floating->get();
+    } else {
+      report(node.source(), section.path_to(rule.key) + ": found " +
+                                std::string(name_of(node.type())) + ", expected a number");
+      return std::nullopt;
+    }
+    if (!(number >= rule.min && number <= rule.max)) {
+      report(node.source(), section.path_to(rule.key) + ": found " + text_of(number) +
+                                ", expected a number from " + text_of(rule.min) + " to " +
+                                text_of(rule.max));
+      return std::nullopt;
+    }
+    return number;
+  }
+
+  void read_axis(const Section& section, std::size_t axis) {
+    const std::size_t errors_before = errors_.size();
+    read_numbers(section, axis_rules(), axis);
+    if (errors_.size() == errors_before) {
+      check_travel(section, axis);
+      check_drive(section, axis);
+      check_gains(section, axis);
+    }
+  }
+
+  void check_travel(const Section& section, std::size_t axis) {
+    const machine::Travel& travel = settings_.table.axes[axis].travel;
+    if (travel.min_mm < travel.max_mm) {
+      return;
+    }
+    report(section.table->get("max_mm")->source(),
+           section.path_to("max_mm") + ": found " + text_of(travel.max_mm) +
+               ", expected more than min_mm, " + text_of(travel.min_mm));
+  }
+
+  // The plan must stay within what the motor can do. A drive that the file is silent about can do
+  // twice of what is asked of it, where that is more than the default.
+  void check_drive(const Section& section, std::size_t axis) {
+    const lookahead::MotionLimits& limits = settings_.limits.axes[axis];
+    machine::AxisDrive& drive = settings_.table.axes[axis];
+    check_drive_limit(section, {"drive_velocity_mm_s", "max_velocity_mm_s"}, limits.velocity_mm_s,
+                      drive.drive_velocity_mm_s);
+    check_drive_limit(section, {"drive_acceleration_mm_s2", "max_acceleration_mm_s2"},
+                      limits.acceleration_mm_s2, drive.drive_acceleration_mm_s2);
+  }
+
+  struct DriveKeys {
+    std::string_view drive;
+    std::string_view plan;
+  };
+  void check_drive_limit(const Section& section, DriveKeys keys, double planned, double& possible) {
+    const toml::node* node = section.table->get(keys.drive);
+    if (!std::isfinite(planned)) {
+      return;
+    }
+    if (node == nullptr) {
+      possible = std::max(possible, 2.0 * planned);
+    } else if (possible < planned) {
+      report(node->source(), section.path_to(keys.drive) + ": found " + text_of(possible) +
+                                 ", expected at least " + std::string(keys.plan) + ", " +
+                                 text_of(planned));
+    }
+  }
+
+  // An outer loop faster than the inner one oscillates, and with an integral it may be unstable.
+  void check_gains(const Section& section, std::size_t axis) {
+    const machine::AxisDrive& drive = settings_.table.axes[axis];
+    if (drive.position_gain_per_s <= drive.velocity_gain_per_s) {
+      return;
+    }
+    const bool outer_given = section.table->contains("position_gain_per_s");
+    const std::string_view key = outer_given ? "position_gain_per_s" : "velocity_gain_per_s";
+    report(section.table->get(key)->source(),
+           section.path_to(key) +
+               ": the position loop is faster than the velocity loop, expected "
+               "position_gain_per_s, " +
+               text_of(drive.position_gain_per_s) + ", at most velocity_gain_per_s, " +
+               text_of(drive.velocity_gain_per_s));
+  }
+
+  // A key counts even where its value is wrong: that has its own error.
+  void check_bounds(const toml::table& root, const std::optional<Section>& path,
+                    const std::array<std::optional<Section>, 3>& axes) {
+    for (const BoundRule& rule : bound_rules()) {
+      if (path && path->table->contains(rule.key)) {
+        continue;
+      }
+      std::string missing;
+      for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+        if (!axes[axis] || !axes[axis]->table->contains(rule.key)) {
+          missing += (missing.empty() ? "axes." : ", axes.") + std::string(kAxisNames[axis]);
+        }
+      }
+      if (!missing.empty()) {
+        const std::string key(rule.key);
+        std::string message = "nothing bounds the " + std::string(rule.quantity) + ": expected " +
+                              key + " in [path] or in every axis (missing in " + missing + ")";
+        report(path ? root.find("path")->first.source() : toml::source_region{},
+               std::move(message));
+      }
+    }
+  }
+
+  MachineSettings settings_{};
+  std::vector<SettingsError> errors_;
+};
+
+}  // namespace
+
+std::string to_string(const SettingsError& error, std::string_view file) {
+  std::string text(file);
+  if (error.line > 0) {
+    text += ":" + std::to_string(error.line) + ":" + std::to_string(error.column);
+  }
+  return text + ": error: " + error.message;
+}
+
+tl::expected<MachineSettings, std::vector<SettingsError>> parse_machine_file(
+    std::string_view toml) {
+  if (toml.size() > kLargestFileBytes) {
+    return tl::unexpected(std::vector{SettingsError{
+        .message = "found " + std::to_string(toml.size()) + " bytes, expected at most 1 MiB"}});
+  }
+  const toml::parse_result parsed = toml::parse(toml);
+  if (!parsed) {
+    const toml::parse_error& error = parsed.error();
+    const toml::source_position where = error.source().begin;
+    return tl::unexpected(std::vector{SettingsError{
+        .line = where.line, .column = where.column, .message = std::string(error.description())}});
+  }
+  return Reader().read(parsed.table());
+}
+
+}  // namespace kerf

@@ -1,0 +1,87 @@
+#include "kernel/machine_file_schema.hpp"
+
+#include <array>
+
+namespace kerf {
+namespace {
+
+using Settings = MachineSettings;
+
+constexpr std::array kTick{
+    NumberRule{"period_s", 1e-5, 0.1,
+               [](Settings& s, std::size_t) -> double& { return s.limits.period_s; }},
+};
+
+constexpr std::array kPath{
+    NumberRule{"max_velocity_mm_s", 1e-6, 1e6,
+               [](Settings& s, std::size_t) -> double& { return s.limits.path.velocity_mm_s; }},
+    NumberRule{
+        "max_acceleration_mm_s2", 1e-6, 1e9,
+        [](Settings& s, std::size_t) -> double& { return s.limits.path.acceleration_mm_s2; }},
+    NumberRule{"max_jerk_mm_s3", 1e-6, 1e12,
+               [](Settings& s, std::size_t) -> double& { return s.limits.path.jerk_mm_s3; }},
+    NumberRule{"chord_tolerance_mm", 1e-9, 1e3,
+               [](Settings& s, std::size_t) -> double& { return s.limits.chord_tolerance_mm; }},
+};
+
+// What the planner keeps on one axis.
+template <double lookahead::MotionLimits::*kMember>
+double& limit(Settings& settings, std::size_t axis) {
+  return settings.limits.axes[axis].*kMember;
+}
+
+template <double machine::AxisDrive::*kMember>
+double& drive(Settings& settings, std::size_t axis) {
+  return settings.table.axes[axis].*kMember;
+}
+
+template <double machine::Travel::*kMember>
+double& travel(Settings& settings, std::size_t axis) {
+  return settings.table.axes[axis].travel.*kMember;
+}
+
+using lookahead::MotionLimits;
+using machine::AxisDrive;
+using machine::Travel;
+
+constexpr std::array kAxis{
+    NumberRule{"min_mm", -1e6, 1e6, travel<&Travel::min_mm>},
+    NumberRule{"max_mm", -1e6, 1e6, travel<&Travel::max_mm>},
+    NumberRule{"max_velocity_mm_s", 1e-6, 1e6, limit<&MotionLimits::velocity_mm_s>},
+    NumberRule{"max_acceleration_mm_s2", 1e-6, 1e9, limit<&MotionLimits::acceleration_mm_s2>},
+    NumberRule{"max_jerk_mm_s3", 1e-6, 1e12, limit<&MotionLimits::jerk_mm_s3>},
+    NumberRule{"screw_lead_mm", 1e-3, 1e3, drive<&AxisDrive::screw_lead_mm>},
+    NumberRule{"counts_per_rev", 1.0, 1e9, drive<&AxisDrive::counts_per_rev>},
+    NumberRule{"drive_velocity_mm_s", 1e-6, 1e6, drive<&AxisDrive::drive_velocity_mm_s>},
+    NumberRule{"drive_acceleration_mm_s2", 1e-6, 1e9, drive<&AxisDrive::drive_acceleration_mm_s2>},
+    NumberRule{"position_gain_per_s", 1e-3, 1e4, drive<&AxisDrive::position_gain_per_s>},
+    NumberRule{"velocity_gain_per_s", 1e-3, 1e5, drive<&AxisDrive::velocity_gain_per_s>},
+    NumberRule{"velocity_integral_per_s2", 0.0, 1e8, drive<&AxisDrive::velocity_integral_per_s2>},
+    NumberRule{"feed_forward", 0.0, 1.0, drive<&AxisDrive::feed_forward>},
+    NumberRule{"coulomb_friction_mm_s2", 0.0, 1e6, drive<&AxisDrive::coulomb_friction_mm_s2>},
+    NumberRule{"viscous_friction_per_s", 0.0, 1e5, drive<&AxisDrive::viscous_friction_per_s>},
+    NumberRule{"max_following_error_mm", 1e-6, 1e3, drive<&AxisDrive::max_following_error_mm>},
+};
+
+constexpr std::array kBounds{
+    BoundRule{"max_velocity_mm_s", "velocity"},
+    BoundRule{"max_acceleration_mm_s2", "acceleration"},
+    BoundRule{"max_jerk_mm_s3", "jerk"},
+};
+
+}  // namespace
+
+std::span<const NumberRule> tick_rules() {
+  return kTick;
+}
+std::span<const NumberRule> path_rules() {
+  return kPath;
+}
+std::span<const NumberRule> axis_rules() {
+  return kAxis;
+}
+std::span<const BoundRule> bound_rules() {
+  return kBounds;
+}
+
+}  // namespace kerf

@@ -1,0 +1,33 @@
+// Which keys a machine file may have, what their values may be, and where they go.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "kernel/settings.hpp"
+
+namespace kerf {
+
+// One number. The bounds are included; they are wide, but keep every product that planning forms
+// far from overflow.
+struct NumberRule {
+  std::string_view key;
+  double min = 0.0;
+  double max = 0.0;
+  // Where the number goes; axis is 0..2 in an [axes.*] table, else ignored.
+  double& (*field)(MachineSettings& settings, std::size_t axis);
+};
+
+std::span<const NumberRule> tick_rules();
+std::span<const NumberRule> path_rules();
+std::span<const NumberRule> axis_rules();
+
+// The keys that bound one quantity of a plan, in [path] or in [axes.*] under the same name.
+struct BoundRule {
+  std::string_view key;
+  std::string_view quantity;  // "velocity"
+};
+std::span<const BoundRule> bound_rules();
+
+}  // namespace kerf
