@@ -1,10 +1,12 @@
-// A feedrate law by name: the fastest transition it allows, and how far it reaches.
+// A feedrate law by name: the fastest transition it allows, how far it reaches, and the plateau
+// that two transitions leave room for.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <string_view>
 
+#include "profiles/reach.hpp"
 #include "profiles/transition.hpp"
 
 namespace kerf::profiles {
@@ -13,26 +15,51 @@ enum class ProfileKind : std::uint8_t { trapezoid, s_curve, sine, quintic, sine_
 
 // "trapezoid", "s-curve", "sine", "quintic", "sine-series", "sigmoid".
 std::string_view name_of(ProfileKind kind);
+// Empty for any other name; case matters.
 std::optional<ProfileKind> profile_kind(std::string_view name);
+
+// A block as two transitions with a plateau between them see it.
+struct Room {
+  double length_mm = 0.0;   // >= 0
+  double v_cap_mm_s = 0.0;  // the plateau is not to be faster; may be infinite
+};
 
 class Profile {
  public:
-  // sigmoid_shape fixes s of the sigmoid (> 0); without it s is chosen for each transition.
+  // sigmoid_shape fixes s of the sigmoid, within Sigmoid's domain (clamped to it); without it s is
+  // chosen for each transition. The other laws ignore it.
   explicit Profile(ProfileKind kind, std::optional<double> sigmoid_shape = std::nullopt);
 
   [[nodiscard]] ProfileKind kind() const noexcept { return kind_; }
 
   // The shortest duration of a change of feedrate by change_mm_s (either sign): MATH section 1,
-  // T = max(a* |dv| / A, sqrt(j* |dv| / J)). The trapezoid does not know jerk.
+  // T = max(a* |dv| / A, sqrt(j* |dv| / J)). The trapezoid does not know jerk. 0 where no limit
+  // binds.
   [[nodiscard]] double duration_s(double change_mm_s, const RampLimits& limits) const;
+  // The length of the transition of that duration; exactly what fastest().length_mm() is.
+  [[nodiscard]] double length_mm(const Ramp& ramp, const RampLimits& limits) const;
   // The transition of that duration.
   [[nodiscard]] Transition fastest(const Ramp& ramp, const RampLimits& limits) const;
-  // The largest feedrate >= v_mm_s that a transition from v_mm_s attains within length_mm.
-  // By symmetry also the largest from which v_mm_s is attained. Never too large: the transition to
-  // the answer fits into length_mm. Infinite where no limit binds.
-  [[nodiscard]] double reach_mm_s(double v_mm_s, double length_mm, const RampLimits& limits) const;
+
+  // The largest feedrate >= approach.v_mm_s that a transition from there attains within
+  // approach.length_mm. By symmetry also the largest from which v_mm_s is attained. Never too
+  // large: length_mm of the transition to the answer is not above approach.length_mm, and the
+  // answer is within some units in the last place of the largest double of which that is true.
+  // Infinite where no limit binds.
+  [[nodiscard]] double reach_mm_s(const Approach& approach, const RampLimits& limits) const;
+
+  // The largest plateau feedrate in [max(ends), room.v_cap_mm_s] so that the transitions from
+  // ends.v_begin_mm_s up to it and from it down to ends.v_end_mm_s fit into room.length_mm
+  // together. Preconditions: the direct transition between the ends fits, and neither end is above
+  // the cap; where the direct transition misses by rounding the answer is max(ends). Never too
+  // large in the sense of reach_mm_s.
+  [[nodiscard]] double peak_mm_s(const Ramp& ends, const Room& room,
+                                 const RampLimits& limits) const;
 
  private:
+  [[nodiscard]] double peak_bound(const Ramp& ends, double length_mm,
+                                  const RampLimits& limits) const;
+
   ProfileKind kind_;
   std::optional<double> sigmoid_shape_;
 };

@@ -1,0 +1,61 @@
+// With w = sqrt(rise) both lengths are polynomials of w, or of sqrt(d + w^2) with d the difference
+// of the ends, where jerk alone binds, and polynomials of w^2 where acceleration does too, joined
+// with a continuous derivative. All of these are convex, so Newton's method from above falls
+// monotonically to the root; in the rise itself the slope would be infinite at 0.
+#include "profiles/plateau.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::profiles {
+namespace {
+
+struct Growth {
+  double length_mm = 0.0;
+  double per_w = 0.0;  // d length / dw
+};
+
+// An S-curve from v to v + change, change = base + w^2.
+Growth s_curve_growth(double v_mm_s, double change_mm_s, double w, const RampLimits& limits) {
+  const double jerk_phase_s = limits.acceleration_mm_s2 / limits.jerk_mm_s3;
+  if (change_mm_s > limits.acceleration_mm_s2 * jerk_phase_s) {
+    const double mean = v_mm_s + 0.5 * change_mm_s;
+    const double duration = change_mm_s / limits.acceleration_mm_s2 + jerk_phase_s;
+    return {.length_mm = mean * duration,
+            .per_w = 2.0 * w * (0.5 * duration + mean / limits.acceleration_mm_s2)};
+  }
+  const double root = std::sqrt(change_mm_s);
+  const double scale = 1.0 / std::sqrt(limits.jerk_mm_s3);
+  const double w_by_root = root > 0.0 ? w / root : 1.0;  // base = 0: root is w
+  return {.length_mm = (2.0 * v_mm_s + change_mm_s) * root * scale,
+          .per_w = w_by_root * (2.0 * v_mm_s + 3.0 * change_mm_s) * scale};
+}
+
+}  // namespace
+
+double s_curve_plateau_rise(const PlateauSearch& search, const RampLimits& limits) noexcept {
+  const auto [slower, faster] = std::minmax(search.ends.v_begin_mm_s, search.ends.v_end_mm_s);
+  double w = std::sqrt(search.largest_rise_mm_s);
+  constexpr int kMostSteps = 40;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Growth from_faster = s_curve_growth(faster, w * w, w, limits);
+    const Growth from_slower = s_curve_growth(slower, faster - slower + w * w, w, limits);
+    const double excess = from_faster.length_mm + from_slower.length_mm - search.length_mm;
+    const double per_w = from_faster.per_w + from_slower.per_w;
+    if (!(excess > 0.0) || !(per_w > 0.0)) {
+      break;
+    }
+    const double next = w - excess / per_w;
+    if (!(next > 0.0)) {
+      return 0.0;
+    }
+    const bool settled = next >= w * (1.0 - 1e-15);
+    w = next;
+    if (settled) {
+      break;
+    }
+  }
+  return w * w;
+}
+
+}  // namespace kerf::profiles
