@@ -1,0 +1,131 @@
+#include "interp/interpolator.hpp"
+
+#include <algorithm>
+
+namespace kerf::interp {
+
+using curves::to_position;
+using curves::vec;
+
+namespace {
+
+double distance_to_chord_mm(const Position& point, const Position& from, const Position& to) noexcept {
+  const Eigen::Vector3d chord = vec(to) - vec(from);
+  const Eigen::Vector3d offset = vec(point) - vec(from);
+  const double squared = chord.squaredNorm();
+  const double share = squared > 0.0 ? std::clamp(offset.dot(chord) / squared, 0.0, 1.0) : 0.0;
+  return (offset - share * chord).norm();
+}
+
+}  // namespace
+
+Interpolator::Interpolator(MotionQueue& queue, double period_s, const Position& start_mm) noexcept
+    : queue_(&queue), period_s_(period_s), position_before_mm_(start_mm) {
+  now_.tick = -1;
+  now_.position_mm = start_mm;
+}
+
+double Interpolator::time_into_s(const Phase& phase) const noexcept {
+  return static_cast<double>(plan_tick_ - phase.begin.tick) * period_s_ - phase.begin.offset_s;
+}
+
+bool Interpolator::advance_phase() noexcept {
+  for (std::size_t i = 0; i < MotionQueue::kPhases; ++i) {
+    const Phase* next = queue_->next_phase();
+    if (next == nullptr || time_into_s(*next) < 0.0) {
+      break;
+    }
+    phase_ = *next;
+    has_phase_ = true;
+    queue_->pop_phase();
+  }
+  return has_phase_;
+}
+
+void Interpolator::advance_piece(double s_mm) noexcept {
+  for (std::size_t i = 0; i < MotionQueue::kPieces; ++i) {
+    const PathPiece* next = queue_->next_piece();
+    const bool needed =
+        next != nullptr &&
+        (piece_.curve != phase_.curve ||
+         (next->curve == phase_.curve && s_mm > curves::s_end_mm(piece_.geometry)));
+    if (!needed) {
+      break;
+    }
+    piece_ = *next;
+    queue_->pop_piece();
+  }
+}
+
+void Interpolator::fill(const profiles::PathMotion& motion, double s_mm) noexcept {
+  now_.line = phase_.line;
+  now_.v_mm_s = motion.v_mm_s;
+  now_.a_mm_s2 = motion.a_mm_s2;
+  now_.j_mm_s3 = motion.j_mm_s3;
+  now_.s_mm = phase_.path_begin_mm + s_mm;
+  s_now_mm_ = s_mm;
+  if (phase_.curve == 0) {
+    return;
+  }
+  const curves::PathDerivatives path = curves::derivatives_at(piece_.geometry, s_mm);
+  const double v = motion.v_mm_s;
+  now_.position_mm = path.position_mm;
+  now_.velocity_mm_s = to_position(vec(path.first) * v);
+  now_.acceleration_mm_s2 =
+      to_position(vec(path.first) * motion.a_mm_s2 + vec(path.second_per_mm) * (v * v));
+}
+
+TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
+  position_before_mm_ = now_.position_mm;
+  s_before_mm_ = s_now_mm_;
+  if (piece_before_.curve != piece_.curve ||
+      curves::s_begin_mm(piece_before_.geometry) != curves::s_begin_mm(piece_.geometry)) {
+    piece_before_ = piece_;
+  }
+  ++now_.tick;
+  TickStatus status = TickStatus::starved;
+  if (advance_phase()) {
+    const double t = time_into_s(phase_);
+    const bool over = t >= phase_.law.duration_s();
+    profiles::PathMotion motion = phase_.law.at(t);
+    double s = phase_.s_begin_mm + motion.s_mm;
+    if (over || s > phase_.s_end_mm) {
+      s = phase_.s_end_mm;
+    }
+    if (over && phase_.ends_at_rest) {
+      motion = {};
+    }
+    advance_piece(s);
+    fill(motion, s);
+    if (!over) {
+      status = TickStatus::running;
+    } else if (phase_.ends_program) {
+      status = TickStatus::finished;
+    }
+  }
+  plan_tick_ += status == TickStatus::running ? 1 : 0;
+  setpoint = now_;
+  return status;
+}
+
+double Interpolator::chord_error_mm() const noexcept {
+  const Position& from = position_before_mm_;
+  const Position& to = now_.position_mm;
+  double error = 0.0;
+  if (piece_.curve != piece_before_.curve) {
+    const double end = curves::s_end_mm(piece_before_.geometry);
+    const Position joint = curves::position_at(piece_before_.geometry, end);
+    return piece_before_.curve == 0 ? 0.0 : distance_to_chord_mm(joint, from, to);
+  }
+  for (const double share : {0.25, 0.5, 0.75}) {
+    const double s = s_before_mm_ + share * (s_now_mm_ - s_before_mm_);
+    const bool before = s <= curves::s_end_mm(piece_before_.geometry);
+    if (before || s >= curves::s_begin_mm(piece_.geometry)) {
+      const Position point = curves::position_at((before ? piece_before_ : piece_).geometry, s);
+      error = std::max(error, distance_to_chord_mm(point, from, to));
+    }
+  }
+  return error;
+}
+
+}  // namespace kerf::interp

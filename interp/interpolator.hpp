@@ -1,0 +1,53 @@
+// Planned motion to setpoints: one call, one tick.
+#pragma once
+
+#include <cstdint>
+
+#include "interp/motion_queue.hpp"
+#include "interp/setpoint.hpp"
+
+namespace kerf::interp {
+
+enum class TickStatus : std::uint8_t {
+  running,   // the setpoint moves, dwells or passes a rest
+  starved,   // at rest: nothing more is planned yet; the setpoint repeats the rest
+  finished,  // this setpoint is the program's last, or repeats it
+};
+
+// The tick is absolute: the n-th setpoint lies at s(n period) on the curve, so errors do not
+// accumulate. next() allocates nothing, takes no lock, throws nothing; its work is bounded by what
+// the queue can hold.
+class Interpolator {
+ public:
+  // Rests at start_mm until the first motion.
+  Interpolator(MotionQueue& queue, double period_s, const Position& start_mm) noexcept;
+
+  TickStatus next(Setpoint& setpoint) noexcept;
+
+  // How far the path leaves the straight line between the last two setpoints: the largest distance
+  // of three points of the path between them, and of the joint if they lie on two curves.
+  [[nodiscard]] double chord_error_mm() const noexcept;
+
+ private:
+  [[nodiscard]] double time_into_s(const Phase& phase) const noexcept;
+  // The phase that holds the present tick. False: there was none yet.
+  bool advance_phase() noexcept;
+  // The piece of the present phase's curve that holds s_mm.
+  void advance_piece(double s_mm) noexcept;
+  void fill(const profiles::PathMotion& motion, double s_mm) noexcept;
+
+  MotionQueue* queue_;
+  double period_s_;
+  std::int64_t plan_tick_ = 0;  // of the next setpoint in the plan's time, which stands while starved
+  bool has_phase_ = false;
+  Phase phase_{};
+  PathPiece piece_{};
+  Setpoint now_{};
+  // The setpoint before, for the chord between the two.
+  PathPiece piece_before_{};
+  Position position_before_mm_{};
+  double s_now_mm_ = 0.0;
+  double s_before_mm_ = 0.0;
+};
+
+}  // namespace kerf::interp

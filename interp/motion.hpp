@@ -1,0 +1,44 @@
+// What crosses from the look-ahead to the tick side: geometry and time laws, as two streams of
+// trivially copyable values.
+//
+// q(t) = r(s(t)): a PathPiece is a stretch of r, a Phase a stretch of s(t). Both name the curve they
+// belong to by its number in the program, so neither needs to be cut where the other ends.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "curves/curve.hpp"
+#include "profiles/transition.hpp"
+
+namespace kerf::interp {
+
+struct PathPiece {
+  std::uint64_t curve = 0;
+  curves::Piece geometry = curves::NurbsPiece{};
+};
+
+// An instant as a whole number of ticks and the rest of a tick, so that time does not lose digits
+// however long a program runs.
+struct TickTime {
+  std::int64_t tick = 0;
+  double offset_s = 0.0;  // in [0, period)
+};
+
+// One transition, cruise or rest. The first phase after a rest begins on a tick.
+struct Phase {
+  std::uint64_t curve = 0;  // 0: a rest before the first motion
+  TickTime begin{};
+  double s_begin_mm = 0.0;     // on the curve
+  double s_end_mm = 0.0;       // reached exactly when the law is over
+  double path_begin_mm = 0.0;  // path length of all curves before this one
+  profiles::Transition law{};
+  std::uint32_t line = 0;
+  bool ends_at_rest = false;
+  bool ends_program = false;
+};
+
+static_assert(std::is_trivially_copyable_v<PathPiece>);
+static_assert(std::is_trivially_copyable_v<Phase>);
+
+}  // namespace kerf::interp

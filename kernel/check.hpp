@@ -1,0 +1,30 @@
+// A look at a whole program before anything moves: text, curves and soft limits.
+#pragma once
+
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "curves/position.hpp"
+#include "kernel/kernel.hpp"
+#include "kernel/settings.hpp"
+#include "parser/diagnostic.hpp"
+
+namespace kerf {
+
+struct CheckReport {
+  std::vector<parser::Diagnostic> diagnostics;   // of the text and of curves that cannot be built
+  std::vector<parser::Diagnostic> limit_faults;  // paths that leave the travel, one for each block
+  curves::Extents extents{};                     // of all motion, with the bulge of arcs and splines
+  bool moves = false;                            // false: extents mean nothing
+
+  [[nodiscard]] bool has_errors() const;
+};
+
+// Gives the next bytes of the program; empty at its end.
+using TextSource = std::function<std::string_view()>;
+
+CheckReport check_program(const TextSource& text, const MachineSettings& settings,
+                          const KernelOptions& options = {});
+
+}  // namespace kerf

@@ -1,0 +1,60 @@
+// The motion kernel in one object: G-code text in, one setpoint a tick out.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "interp/interpolator.hpp"
+#include "kernel/settings.hpp"
+#include "lookahead/planner.hpp"
+#include "parser/diagnostic.hpp"
+#include "profiles/profile.hpp"
+
+namespace kerf {
+
+struct KernelOptions {
+  profiles::Profile profile{profiles::ProfileKind::s_curve};
+  std::size_t window_blocks = 1000;      // of the look-ahead, >= 2
+  bool block_delete = false;             // leave out blocks that begin with '/'
+  std::array<double, 3> start_mm{};      // where the tool is
+};
+
+// Feeding and planning happen in the caller's thread; tick() only reads what was planned and is safe
+// in a real-time thread of its own. A program with an error stops on the path before the block that is
+// wrong; check_program (check.hpp) finds errors before anything moves.
+class Kernel {
+ public:
+  explicit Kernel(const MachineSettings& settings, const KernelOptions& options = {});
+  ~Kernel();
+  Kernel(Kernel&&) noexcept;
+  Kernel& operator=(Kernel&&) noexcept;
+
+  // Takes the next bytes of the program, in pieces of any size.
+  void feed(std::string_view text);
+  // No more text follows.
+  void finish();
+
+  // Plans ahead until the queue is full or more text is needed. True: more text is needed.
+  bool plan();
+  // One setpoint. Real time: allocates nothing, takes no lock, throws nothing.
+  interp::TickStatus tick(interp::Setpoint& setpoint) noexcept;
+  // plan() and tick(): for callers with one thread and no clock. Starved means: feed() or finish().
+  interp::TickStatus next(interp::Setpoint& setpoint);
+
+  // Lets the tool come to rest on the path as soon as the limits allow, and ends the program there.
+  void stop();
+
+  [[nodiscard]] double chord_error_mm() const noexcept;
+  [[nodiscard]] bool has_errors() const;
+  [[nodiscard]] const std::vector<parser::Diagnostic>& diagnostics() const;
+  [[nodiscard]] const lookahead::PlanTotals& totals() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,37 @@
+// What the look-ahead plans: one smooth curve with its limits, or a rest.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "curves/curve.hpp"
+#include "lookahead/ceiling.hpp"
+#include "profiles/shape_value.hpp"
+
+namespace kerf::lookahead {
+
+// Limits along the path that hold from end to end of a curve.
+struct BlockLimits {
+  double feedrate_mm_s = 0.0;
+  profiles::RampLimits ramp{};
+};
+
+// The direction and curvature of the path where two blocks meet, and what bounds them there.
+struct BlockEnd {
+  curves::Position tangent{};
+  curves::Position curvature_per_mm{};
+  double third_per_mm2 = 0.0;  // bound of |q'''| of the curve, 0 where it does not bind
+};
+
+struct Block {
+  curves::Curve curve;
+  std::uint32_t line = 0;
+  double length_mm = 0.0;
+  BlockLimits limits{};
+  BlockEnd begin{};
+  BlockEnd end{};
+  bool stop_after = false;  // exact stop
+  Ceiling ceiling{};        // empty: limits.feedrate_mm_s everywhere
+};
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,92 @@
+#include "lookahead/block_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::lookahead {
+
+namespace {
+
+// Of an axis' limits on an arc: the shares given to centripetal acceleration, to the jerk of turning
+// at constant feedrate and to the jerk of accelerating in the turn. Squares add up across and along,
+// so the rest of acceleration is 0.6 and of jerk 0.8 - 0.3. A full circle runs at 0.89 of the feedrate
+// that acceleration alone would allow.
+constexpr double kCentripetalShare = 0.8;
+constexpr double kTurningJerkShare = 0.3;
+constexpr double kCrossJerkShare = 0.6;
+
+BlockLimits along_path(double feedrate_mm_s, const MotionLimits& path) {
+  return {.feedrate_mm_s = std::min(feedrate_mm_s, path.velocity_mm_s),
+          .ramp = {.acceleration_mm_s2 = path.acceleration_mm_s2, .jerk_mm_s3 = path.jerk_mm_s3}};
+}
+
+void bind_share(BlockLimits& block, const MotionLimits& axis, double share) {
+  if (share > 0.0) {
+    const double inverse = 1.0 / share;
+    block.feedrate_mm_s = std::min(block.feedrate_mm_s, axis.velocity_mm_s * inverse);
+    block.ramp.acceleration_mm_s2 =
+        std::min(block.ramp.acceleration_mm_s2, axis.acceleration_mm_s2 * inverse);
+    block.ramp.jerk_mm_s3 = std::min(block.ramp.jerk_mm_s3, axis.jerk_mm_s3 * inverse);
+  }
+}
+
+MotionLimits weaker(const MotionLimits& a, const MotionLimits& b) {
+  return {.velocity_mm_s = std::min(a.velocity_mm_s, b.velocity_mm_s),
+          .acceleration_mm_s2 = std::min(a.acceleration_mm_s2, b.acceleration_mm_s2),
+          .jerk_mm_s3 = std::min(a.jerk_mm_s3, b.jerk_mm_s3)};
+}
+
+// The feedrate at which one tick's chord leaves an arc of radius_mm by the tolerance (MATH
+// section 5): the tick spans 2 sqrt(2 r d - d^2) in the plane, at the most the diameter.
+double chord_feedrate_mm_s(double radius_mm, const PlanLimits& limits) {
+  const double d = std::min(limits.chord_tolerance_mm, radius_mm);
+  return 2.0 / limits.period_s * std::sqrt(2.0 * radius_mm * d - d * d);
+}
+
+}  // namespace
+
+BlockLimits line_limits(const curves::Line& line, double feedrate_mm_s, const PlanLimits& limits) {
+  BlockLimits block = along_path(feedrate_mm_s, limits.path);
+  for (std::size_t k = 0; k < 3; ++k) {
+    bind_share(block, limits.axes[k], std::abs(line.direction()[k]));
+  }
+  return block;
+}
+
+BlockLimits arc_limits(const curves::Arc& arc, double feedrate_mm_s, const PlanLimits& limits) {
+  BlockLimits block = along_path(feedrate_mm_s, limits.path);
+  const auto normal = static_cast<std::size_t>(arc.normal_axis());
+  bind_share(block, limits.axes[normal], std::abs(arc.normal_share()));
+
+  const MotionLimits axis =
+      weaker(limits.axes[(normal + 1) % 3], limits.axes[(normal + 2) % 3]);
+  const double c = arc.in_plane_share();
+  const double r = arc.radius_mm();
+  double& v = block.feedrate_mm_s;
+  v = std::min({v, axis.velocity_mm_s / c, chord_feedrate_mm_s(r, limits) / c,
+                std::sqrt(kCentripetalShare * axis.acceleration_mm_s2 * r) / c,
+                std::cbrt(kTurningJerkShare * axis.jerk_mm_s3 * r * r) / c});
+
+  const double curvature = c * c / r;
+  double& a = block.ramp.acceleration_mm_s2;
+  if (std::isfinite(axis.acceleration_mm_s2)) {
+    const double across = curvature * v * v;
+    a = std::min(a, std::sqrt(axis.acceleration_mm_s2 * axis.acceleration_mm_s2 - across * across) / c);
+  }
+  if (std::isfinite(axis.jerk_mm_s3)) {
+    const double j = axis.jerk_mm_s3;
+    a = std::min(a, kCrossJerkShare * j / (3.0 * curvature * v));
+    const double across = 3.0 * curvature * v * a;
+    const double turning = c * curvature * v * v * v / r;
+    block.ramp.jerk_mm_s3 =
+        std::min(block.ramp.jerk_mm_s3, (std::sqrt(j * j - across * across) - turning) / c);
+  }
+  return block;
+}
+
+BlockLimits nurbs_limits(double feedrate_mm_s, const PlanLimits& limits) {
+  const MotionLimits weakest = weaker(weaker(limits.axes[0], limits.axes[1]), limits.axes[2]);
+  return along_path(feedrate_mm_s, weaker(limits.path, weakest));
+}
+
+}  // namespace kerf::lookahead

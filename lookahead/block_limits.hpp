@@ -1,0 +1,25 @@
+// Limits of the machine, seen from one curve.
+#pragma once
+
+#include "curves/arc.hpp"
+#include "curves/line.hpp"
+#include "lookahead/block.hpp"
+#include "lookahead/limits.hpp"
+
+namespace kerf::lookahead {
+
+// feedrate_mm_s: programmed, infinity for a rapid.
+
+// An axis moves by its share of the direction, so its limits divided by that share bind.
+BlockLimits line_limits(const curves::Line& line, double feedrate_mm_s, const PlanLimits& limits);
+
+// On an arc of radius R and in-plane share c an axis sees c a along and c^2 v^2 / R across, and in jerk
+// c j - c^3 v^3 / R^2 along and 3 c^2 v a / R across. The feedrate is kept where the centripetal
+// terms leave room, and a and j are what remains there: one set of constants for the whole arc.
+BlockLimits arc_limits(const curves::Arc& arc, double feedrate_mm_s, const PlanLimits& limits);
+
+// Along a NURBS the limits of the path bind, and no axis asks for more tangential acceleration or
+// jerk than the weakest axis has; what curvature adds on an axis does not bind.
+BlockLimits nurbs_limits(double feedrate_mm_s, const PlanLimits& limits);
+
+}  // namespace kerf::lookahead

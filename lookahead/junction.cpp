@@ -1,0 +1,100 @@
+#include "lookahead/junction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr double kCoastTicks = 3.0;  // the support of a third difference
+// Below these a joint is as smooth as positions in double precision can tell.
+constexpr double kSmoothTangent = 1e-12;
+constexpr double kSmoothCurvature_per_mm = 1e-12;
+// Passing saves about 2 sqrt(F / J) against a stop and costs two coasts, so it pays from
+// F = (kCoastTicks Ts)^2 J on.
+constexpr double kWorthwhile = kCoastTicks * kCoastTicks;
+
+struct Cubic {
+  double linear = 0.0;
+  double quadratic = 0.0;
+  double cubic = 0.0;
+};
+
+// The largest F with linear F + quadratic F^2 + cubic F^3 <= bound; all terms >= 0. Newton from above on a
+// convex, rising function descends to the root without passing it; rounding is taken off at the end.
+double largest_below(const Cubic& f, double bound) {
+  if (!std::isfinite(bound)) {
+    return kUnbounded;
+  }
+  double x = kUnbounded;
+  if (f.linear > 0.0) {
+    x = std::min(x, bound / f.linear);
+  }
+  if (f.quadratic > 0.0) {
+    x = std::min(x, std::sqrt(bound / f.quadratic));
+  }
+  if (f.cubic > 0.0) {
+    x = std::min(x, std::cbrt(bound / f.cubic));
+  }
+  if (!std::isfinite(x) || (f.quadratic == 0.0 && f.cubic == 0.0)) {
+    return x;
+  }
+  for (int i = 0; i < 8; ++i) {
+    const double value = x * (f.linear + x * (f.quadratic + x * f.cubic)) - bound;
+    const double slope = f.linear + x * (2.0 * f.quadratic + x * 3.0 * f.cubic);
+    x -= value / slope;
+  }
+  return x * (1.0 - 1e-12);
+}
+
+double limit_or_path(double axis, double path) { return std::isfinite(axis) ? axis : path; }
+
+}  // namespace
+
+double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after, const PlanLimits& limits) {
+  const double ts = limits.period_s;
+  const double third = std::max(before.third_per_mm2, after.third_per_mm2);
+  double feedrate = kUnbounded;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const MotionLimits& axis = limits.axes[k];
+    const double turn = std::abs(after.tangent[k] - before.tangent[k]);
+    const double bend = std::abs(after.curvature_per_mm[k] - before.curvature_per_mm[k]);
+    if (turn <= kSmoothTangent && bend <= kSmoothCurvature_per_mm) {
+      continue;
+    }
+    const double curvature =
+        std::max(std::abs(before.curvature_per_mm[k]), std::abs(after.curvature_per_mm[k]));
+    const Cubic acceleration{.linear = turn / ts, .quadratic = curvature};
+    const Cubic jerk{.linear = turn / (ts * ts), .quadratic = 0.75 * bend / ts, .cubic = third};
+    feedrate = std::min(
+        {feedrate,
+         largest_below(acceleration,
+                       limit_or_path(axis.acceleration_mm_s2, limits.path.acceleration_mm_s2)),
+         largest_below(jerk, limit_or_path(axis.jerk_mm_s3, limits.path.jerk_mm_s3))});
+  }
+  return feedrate;
+}
+
+Junction junction(const JunctionQuery& query, const PlanLimits& limits) {
+  const Block& before = *query.before;
+  const Block& after = *query.after;
+  const double cap = std::min(before.limits.feedrate_mm_s, after.limits.feedrate_mm_s);
+  if (before.stop_after) {
+    return {.feedrate_mm_s = 0.0};
+  }
+  const double corner = corner_feedrate_mm_s(before.end, after.begin, limits);
+  if (corner == kUnbounded) {
+    return {.feedrate_mm_s = cap};
+  }
+  const double coast = kCoastTicks * limits.period_s;
+  const double fits = std::min(before.length_mm, after.length_mm) / (2.0 * coast);
+  const double feedrate = std::min({cap, corner, fits});
+  const double jerk = std::min(before.limits.ramp.jerk_mm_s3, after.limits.ramp.jerk_mm_s3);
+  if (feedrate < kWorthwhile * jerk * limits.period_s * limits.period_s) {
+    return {.feedrate_mm_s = 0.0};
+  }
+  return {.feedrate_mm_s = feedrate, .coast_s = coast};
+}
+
+}  // namespace kerf::lookahead

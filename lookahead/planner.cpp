@@ -1,0 +1,206 @@
+#include "lookahead/planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lookahead/junction.hpp"
+#include "lookahead/split.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+// A rest that ends this close behind a tick ends on it: rounding of sums of durations.
+constexpr double kTickRounding = 1e-9;
+
+}  // namespace
+
+Planner::Planner(const PlannerSettings& settings) : settings_(settings) {}
+
+bool Planner::wants_block() const noexcept {
+  return !draining_ && blocks_.size() < settings_.window_blocks;
+}
+
+void Planner::push(Block block) {
+  ++totals_.blocks;
+  totals_.path_length_mm += block.length_mm;
+  join_to_last(block);
+  append_spans(block);
+  blocks_.push_back(std::move(block));
+}
+
+void Planner::join_to_last(const Block& block) {
+  if (blocks_.empty()) {
+    return;
+  }
+  Span& last = window_.back().span;
+  Junction joint = junction({.before = &blocks_.back(), .after = &block}, settings_.limits);
+  if (!blocks_.back().ceiling.empty()) {
+    joint.feedrate_mm_s = std::min(joint.feedrate_mm_s, blocks_.back().ceiling.back().v_mm_s);
+  }
+  if (!block.ceiling.empty()) {
+    joint.feedrate_mm_s = std::min(joint.feedrate_mm_s, block.ceiling.front().v_mm_s);
+  }
+  last.end = joint;
+}
+
+void Planner::append_spans(const Block& block) {
+  const std::size_t first = window_.size();
+  if (block.ceiling.empty()) {
+    window_.push_back({.span = whole_span(block)});
+  } else {
+    for (Span& span : split(block)) {
+      window_.push_back({.span = std::move(span)});
+    }
+  }
+  window_[first].span.begin_coast_s = first > 0 ? window_[first - 1].span.end.coast_s : 0.0;
+  totals_.spans += window_.size() - first;
+}
+
+void Planner::push_rest(double duration_s, std::uint32_t line) {
+  rest_ = {.duration_s = duration_s, .line = line};
+  rest_pending_ = true;
+  draining_ = true;
+  ready_spans_ = 0;
+}
+
+void Planner::finish(std::uint32_t line) {
+  push_rest(0.0, line);
+  rest_.ends_program = true;
+}
+
+void Planner::plan_window() {
+  backward_pass(window_, settings_.profile);
+  if (draining_) {
+    ready_spans_ = window_.size();
+    return;
+  }
+  std::size_t blocks_left = std::max<std::size_t>(settings_.window_blocks / 2, 1);
+  ready_spans_ = 0;
+  while (blocks_left > 0) {
+    blocks_left -= window_[ready_spans_].span.ends_block ? 1 : 0;
+    ++ready_spans_;
+  }
+}
+
+bool Planner::emit(Outbox& outbox) {
+  if (window_.empty()) {
+    if (rest_pending_) {
+      emit_rest(outbox);
+      return true;
+    }
+    return false;
+  }
+  if (ready_spans_ == 0) {
+    if (wants_block()) {
+      return false;
+    }
+    plan_window();
+  }
+  emit_span(outbox);
+  --ready_spans_;
+  return true;
+}
+
+void Planner::begin_block(Outbox& outbox) {
+  ++curve_;
+  s_mm_ = 0.0;
+  block_begun_ = true;
+  const curves::Curve& curve = blocks_.front().curve;
+  if (const auto* nurbs = std::get_if<curves::NurbsCurve>(&curve)) {
+    for (const curves::NurbsPiece& piece : nurbs->pieces()) {
+      outbox.pieces.push_back({.curve = curve_, .geometry = piece});
+    }
+  } else if (const auto* line = std::get_if<curves::Line>(&curve)) {
+    outbox.pieces.push_back({.curve = curve_, .geometry = *line});
+  } else {
+    outbox.pieces.push_back({.curve = curve_, .geometry = std::get<curves::Arc>(curve)});
+  }
+}
+
+void Planner::emit_span(Outbox& outbox) {
+  if (!block_begun_) {
+    begin_block(outbox);
+  }
+  const WindowSpan& item = window_.front();
+  const Span& span = item.span;
+  SpanEnds ends{.v_begin_mm_s = v_mm_s_, .v_end_mm_s = item.v_end_mm_s};
+  if (ends.v_end_mm_s > ends.v_begin_mm_s) {
+    ends.v_end_mm_s =
+        std::min(ends.v_end_mm_s, reach_forward_mm_s(span, v_mm_s_, settings_.profile));
+  }
+  const SpanPlan plan = plan_span(span, ends, settings_.profile);
+  const double s_end = span.ends_block ? blocks_.front().length_mm : span.s_begin_mm + span.length_mm;
+  double s = s_mm_;
+  const std::size_t first = outbox.phases.size();
+  for (const profiles::Transition* law :
+       {&plan.begin_coast, &plan.acceleration, &plan.cruise, &plan.deceleration, &plan.end_coast}) {
+    if (law->duration_s() > 0.0) {
+      s = std::min(s + law->length_mm(), s_end);
+      emit_phase(outbox, *law, s);
+    }
+  }
+  if (outbox.phases.size() > first) {
+    outbox.phases.back().s_end_mm = s_end;
+  }
+  s_mm_ = s_end;
+  v_mm_s_ = ends.v_end_mm_s;
+  if (v_mm_s_ == 0.0) {
+    outbox.phases.back().ends_at_rest = true;
+    align_to_tick();
+  }
+  if (span.ends_block) {
+    path_begin_mm_ += blocks_.front().length_mm;
+    blocks_.pop_front();
+    block_begun_ = false;
+  }
+  window_.pop_front();
+}
+
+void Planner::emit_phase(Outbox& outbox, const profiles::Transition& law, double s_end_mm) {
+  outbox.phases.push_back({.curve = curve_,
+                           .begin = clock_,
+                           .s_begin_mm = s_mm_,
+                           .s_end_mm = s_end_mm,
+                           .path_begin_mm = path_begin_mm_,
+                           .law = law,
+                           .line = blocks_.front().line});
+  s_mm_ = s_end_mm;
+  advance_clock(law.duration_s());
+}
+
+void Planner::emit_rest(Outbox& outbox) {
+  interp::Phase phase{.curve = curve_,
+                      .begin = clock_,
+                      .s_begin_mm = s_mm_,
+                      .s_end_mm = s_mm_,
+                      .law = profiles::Transition::rest(rest_.duration_s),
+                      .line = rest_.line,
+                      .ends_at_rest = true,
+                      .ends_program = rest_.ends_program};
+  phase.path_begin_mm = path_begin_mm_ - s_mm_;
+  outbox.phases.push_back(phase);
+  advance_clock(rest_.duration_s);
+  align_to_tick();
+  totals_.ticks = clock_.tick;
+  rest_pending_ = false;
+  draining_ = rest_.ends_program;
+}
+
+void Planner::advance_clock(double duration_s) {
+  const double period = settings_.limits.period_s;
+  const double offset = clock_.offset_s + duration_s;
+  const double whole = std::floor(offset / period);
+  clock_.tick += static_cast<std::int64_t>(whole);
+  clock_.offset_s = std::max(offset - whole * period, 0.0);
+}
+
+void Planner::align_to_tick() {
+  if (clock_.offset_s > kTickRounding * settings_.limits.period_s) {
+    ++clock_.tick;
+  }
+  clock_.offset_s = 0.0;
+}
+
+}  // namespace kerf::lookahead

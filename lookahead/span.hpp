@@ -1,0 +1,57 @@
+// A stretch of one block between two feedrates that are planned: ACC + CF + DEC.
+#pragma once
+
+#include <cstdint>
+
+#include "lookahead/block.hpp"
+#include "lookahead/junction.hpp"
+#include "lookahead/slope.hpp"
+#include "profiles/profile.hpp"
+
+namespace kerf::lookahead {
+
+struct Span {
+  double length_mm = 0.0;
+  BlockLimits limits{};
+  double begin_coast_s = 0.0;
+  Junction end{};      // what bounds the feedrate at its end
+  double s_begin_mm = 0.0;  // on the block's curve
+  bool ends_block = true;
+  Slope rise{};  // from its beginning
+  Slope fall{};  // from its end
+};
+
+// The feedrates at the two ends of a span.
+struct SpanEnds {
+  double v_begin_mm_s = 0.0;
+  double v_end_mm_s = 0.0;
+};
+
+// What a span does, in this order; parts that are not there have no duration.
+struct SpanPlan {
+  profiles::Transition begin_coast{};
+  profiles::Transition acceleration{};
+  profiles::Transition cruise{};
+  profiles::Transition deceleration{};
+  profiles::Transition end_coast{};
+
+  [[nodiscard]] double duration_s() const noexcept;
+};
+
+// The largest feedrate <= span.end.feedrate_mm_s that the span attains at its end when it begins
+// with v_begin_mm_s. Precondition: the span can end with some feedrate <= that (backward pass).
+double reach_forward_mm_s(const Span& span, double v_begin_mm_s, const profiles::Profile& profile);
+
+struct BackwardQuery {
+  double v_end_mm_s = 0.0;
+  double cap_mm_s = 0.0;
+};
+// The largest feedrate <= cap at its beginning from which the span can end with v_end_mm_s.
+double reach_backward_mm_s(const Span& span, const BackwardQuery& query,
+                           const profiles::Profile& profile);
+
+// The fastest plan of the span's kind: the plateau as high as length and ceiling allow; under a ceiling
+// the plateau of least time. Precondition: the ends can be joined.
+SpanPlan plan_span(const Span& span, const SpanEnds& ends, const profiles::Profile& profile);
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,32 @@
+// The feedrates at the ends of the spans in the window.
+#pragma once
+
+#include <deque>
+
+#include "lookahead/span.hpp"
+
+namespace kerf::lookahead {
+
+// A span in the window and what the passes found for it.
+struct WindowSpan {
+  Span span{};
+  double v_end_mm_s = 0.0;  // the highest from which the window can still end at rest
+};
+
+// From the last span, which ends at rest, back to the first: each end gets the highest feedrate
+// that its junction allows and from which the rest of the window can be braked.
+//
+//        F  _____            ______
+//          /     \__________/      \            junctions cap the valleys, the backward pass bends
+//         /                         \           every end below the braking curve to the final rest
+//        /                           \___ 0
+//
+// 1. The last end is 0: the machine can stop there whatever comes later.
+// 2. An end is min(its junction, the most from which the span after it still reaches its own end).
+// 3. The forward pass is not a loop of its own: when a span is planned for good its beginning is
+//    known, and its end is lowered to what it reaches from there.
+// Acceleration is 0 at every end, which is what keeps a span's plan independent of its neighbours, and
+// the known weakness: a run of short spans climbs one small step in each.
+void backward_pass(std::deque<WindowSpan>& window, const profiles::Profile& profile);
+
+}  // namespace kerf::lookahead
