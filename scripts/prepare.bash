@@ -1,0 +1,86 @@
+# Shared by ./kerf and ./test: the Debian packages, one build at a time, the configured build folder.
+# The caller sets `root`, the checkout. Nothing here writes to standard output: what kerf prints stays clean.
+# shellcheck shell=bash
+: "${root:?}"
+
+kBuildPackages=(g++ cmake ninja-build libeigen3-dev libboost-dev libspdlog-dev libcli11-dev libtomlplusplus-dev
+  nlohmann-json3-dev libexpected-dev libfast-float-dev)
+# shellcheck disable=SC2034  # used by ./test
+kTestPackages=("${kBuildPackages[@]}" libgtest-dev libgmock-dev libbenchmark-dev python3 clang-format)
+kCannotRun=125  # as env and timeout have it: the command itself was not reached
+
+say() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
+
+give_up() {
+  say "$@"
+  exit "$kCannotRun"
+}
+
+# missing_packages NAME...: those that are not installed, one a line.
+missing_packages() {
+  local name
+  for name in "$@"; do
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null) == installed ]] || printf '%s\n' "$name"
+  done
+}
+
+# Sets `as_root` to what runs a command as root, or fails.
+find_root() {
+  if ((EUID == 0)); then
+    as_root=()
+  elif command -v sudo >/dev/null && { sudo -n true 2>/dev/null || { [[ -t 0 && -t 2 ]] && sudo -v; }; }; then
+    as_root=(sudo)
+  else
+    return 1
+  fi
+}
+
+install_packages() {
+  local log="$root/build/packages.log" missing=("$@") as_root
+  find_root || give_up "these Debian packages are missing: ${missing[*]}" \
+    $'\n'"  neither root nor sudo is at hand here; as root: apt-get install --no-install-recommends ${missing[*]}"
+  say "installing Debian packages: ${missing[*]}"
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300)
+  local install=("${apt[@]}" install -y --no-install-recommends "${missing[@]}")
+  "${install[@]}" >"$log" 2>&1 </dev/null && return
+  # Most often there are no package lists yet, or old ones.
+  "${apt[@]}" update >>"$log" 2>&1 </dev/null
+  "${install[@]}" >>"$log" 2>&1 </dev/null && return
+  tail -n 20 "$log" >&2
+  mapfile -t missing < <(missing_packages "$@")
+  give_up "these Debian packages are missing and could not be installed: ${missing[*]} (log: $log)"
+}
+
+# require_packages NAME...: installs what is missing. A stamp newer than dpkg's own record makes the next call free.
+require_packages() {
+  local status=/var/lib/dpkg/status stamp="$root/build/.packages" wanted="$*" missing
+  command -v dpkg-query >/dev/null || return 0  # not Debian: the build says what it lacks
+  if [[ -f $stamp && $stamp -nt $status ]] && grep -qxF -- "$wanted" "$stamp"; then
+    return 0
+  fi
+  mapfile -t missing < <(missing_packages "$@")
+  ((${#missing[@]} == 0)) || install_packages "${missing[@]}"
+  [[ $stamp -nt $status ]] || : >"$stamp"
+  printf '%s\n' "$wanted" >>"$stamp"
+}
+
+# Holds the checkout's build lock on descriptor 9 until unlock.
+lock() {
+  exec 9>"$root/build/.lock"
+  flock -n 9 || { say "waiting for another build"; flock 9; }
+}
+
+unlock() { exec 9>&-; }
+
+# configure PRESET [OPTION...]: from nothing if the folder was configured for another place.
+configure() {
+  local preset=$1 folder="$root/build/$1" fresh=()
+  shift
+  if [[ -f $folder/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
+    fresh=(--fresh)
+  fi
+  if command -v ccache >/dev/null; then
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  fi
+  (cd -- "$root" && cmake --preset "$preset" "${fresh[@]}" "$@")
+}
