@@ -1,6 +1,7 @@
 // The curves a program can be made of: exact, valid by construction, parametrised by arc length.
 #pragma once
 
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -21,7 +22,8 @@ static_assert(std::is_trivially_copyable_v<Piece>);
 // What the look-ahead plans on. A NurbsCurve holds its pieces in order.
 using Curve = std::variant<Line, Arc, NurbsCurve>;
 
-// s_mm outside [0, length] is clamped. At s >= length the answer is the programmed end, exactly.
+// s_mm outside the piece's or the curve's range is clamped. At s >= length the answer is the
+// programmed end, exactly.
 Position position_at(const Piece& piece, double s_mm) noexcept;
 PathDerivatives derivatives_at(const Piece& piece, double s_mm) noexcept;
 // Arc lengths, from the start of the curve, that the piece covers.
@@ -29,7 +31,21 @@ double s_begin_mm(const Piece& piece) noexcept;
 double s_end_mm(const Piece& piece) noexcept;
 
 double length_mm(const Curve& curve) noexcept;
+Position position_at(const Curve& curve, double s_mm) noexcept;
 PathDerivatives derivatives_at(const Curve& curve, double s_mm) noexcept;
 Extents extents(const Curve& curve);
+
+// Calls use(const Piece&) for the pieces of the curve in order.
+template <typename Use>
+void for_each_piece(const Curve& curve, Use&& use) {
+  if (const auto* nurbs = std::get_if<NurbsCurve>(&curve)) {
+    for (const NurbsPiece& piece : nurbs->pieces())
+      use(Piece(piece));
+  } else if (const auto* arc = std::get_if<Arc>(&curve)) {
+    use(Piece(*arc));
+  } else {
+    use(Piece(*std::get_if<Line>(&curve)));
+  }
+}
 
 }  // namespace kerf::curves

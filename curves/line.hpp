@@ -10,11 +10,12 @@ namespace kerf::curves {
 
 class Line {
  public:
-  // Error: the two points are equal (zero length) or not finite.
+  // Error: the two points are equal (zero length), not finite or beyond kMaxCoordinate_mm.
   static tl::expected<Line, CurveError> between(const Position& start_mm, const Position& end_mm);
 
   [[nodiscard]] double length_mm() const noexcept { return length_mm_; }
   [[nodiscard]] const Position& direction() const noexcept { return direction_; }
+  // s_mm is clamped to [0, length]; both ends are exact.
   [[nodiscard]] Position at(double s_mm) const noexcept;
   [[nodiscard]] PathDerivatives derivatives_at(double s_mm) const noexcept;
   [[nodiscard]] Extents extents() const noexcept;

@@ -1,6 +1,7 @@
 // A non-uniform rational B-spline, smooth (tangent-continuous) from end to end.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <tl/expected.hpp>
@@ -10,6 +11,8 @@
 #include "curves/position.hpp"
 
 namespace kerf::curves {
+
+struct BezierSpan;  // bezier_span.hpp
 
 struct ControlPoint {
   Position position_mm{};
@@ -25,11 +28,17 @@ struct NurbsData {
 
 class NurbsCurve {
  public:
-  // Cuts the curve where its tangent turns abruptly (knots of multiplicity degree) and returns the
-  // smooth parts in order, normally one. Errors: degree outside 1..9, fewer points than the order,
-  // count of knots not n + p + 1, decreasing or not finite knots, end knots not repeated p + 1 times, a
-  // jump in position, weight not positive or not finite, zero length, a cusp.
+  // Cuts the curve where its tangent turns by more than 1e-9 rad at a knot (of multiplicity degree,
+  // or where control points coincide) and returns the smooth parts in order, normally one. Errors:
+  // degree outside 1..9, fewer points than the order, count of knots not n + p + 1, decreasing or
+  // not finite knots, end knots not repeated p + 1 times, a jump in position, weight not positive
+  // or not finite, a coordinate not finite or beyond kMaxCoordinate_mm, zero length (below 1e-9
+  // mm), a cusp: turning back between two knots, with its u and place.
   static tl::expected<std::vector<NurbsCurve>, CurveError> make(const NurbsData& data);
+  // The same from Bezier spans, each beginning where and in the direction in which the one before
+  // ends; end_mm is their end as the program wrote it.
+  static tl::expected<NurbsCurve, CurveError> from_spans(std::span<const BezierSpan> spans,
+                                                         const Position& end_mm);
 
   [[nodiscard]] double length_mm() const noexcept { return pieces_.back().s_end_mm; }
   [[nodiscard]] const std::vector<NurbsPiece>& pieces() const noexcept { return pieces_; }
@@ -37,6 +46,7 @@ class NurbsCurve {
   [[nodiscard]] std::size_t piece_index(double s_mm) const noexcept;
   [[nodiscard]] Position at(double s_mm) const noexcept;
   [[nodiscard]] PathDerivatives derivatives_at(double s_mm) const noexcept;
+  // Touched by the curve, and passed by it by less than 1e-9 mm.
   [[nodiscard]] Extents extents() const;
 
  private:

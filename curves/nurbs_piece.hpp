@@ -13,7 +13,8 @@ inline constexpr int kMaxDegree = 9;
 // Homogeneous polynomials in a local parameter x in [-1, 1] about the middle of the piece, and
 // x(s) as a polynomial in arc length, scaled to [-1, 1] as well. One evaluation is two Horner
 // schemes and a division: the point lies on the curve to rounding whatever the error of x(s),
-// which is below kArcLengthTolerance_mm (arc_length.hpp) along the path.
+// which is below kArcLengthTolerance_mm (arc_length.hpp) along the path. Coordinates count from a
+// point on the piece, so that rounding is that of one addition to the machine's coordinates.
 struct NurbsPiece {
   static constexpr int kMapDegree = 9;
   double s_begin_mm = 0.0;
@@ -22,14 +23,22 @@ struct NurbsPiece {
   double u_end = 0.0;
   std::int32_t degree = 0;
   bool ends_curve = false;  // at(s_end) is end_mm then, exactly
+  Position origin_mm{};     // the curve at x = 0
   Position end_mm{};
   std::array<double, kMapDegree + 1> local_by_length{};  // x = sum c_k y^k, y in [-1, 1]
-  std::array<std::array<double, 4>, kMaxDegree + 1> coefficients{};  // (w x, w y, w z, w) by x^k
+  // (w x, w y, w z, w) by x^k, about origin_mm, w = 1 at x = 0
+  std::array<std::array<double, 4>, kMaxDegree + 1> coefficients{};
 
-  // s_mm counts from the start of the whole curve.
+  // s_mm counts from the start of the whole curve; outside [s_begin, s_end] it is clamped.
   [[nodiscard]] Position at(double s_mm) const noexcept;
+  // Exact at the point x(s): from the derivatives of the homogeneous polynomials. At a point where
+  // the curve's parametrisation stands still (|C'(u)| = 0) the curvature has no limit in general;
+  // the derivatives of a point less than 1e-11 mm away are given instead.
   [[nodiscard]] PathDerivatives derivatives_at(double s_mm) const noexcept;
   [[nodiscard]] double u_at(double s_mm) const noexcept;
 };
+
+// |dC/dx| at the local parameter x: the arc length per x.
+double speed_mm(const NurbsPiece& piece, double x) noexcept;
 
 }  // namespace kerf::curves
