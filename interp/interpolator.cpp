@@ -26,7 +26,7 @@ Interpolator::Interpolator(MotionQueue& queue, double period_s, const Position& 
 }
 
 double Interpolator::time_into_s(const Phase& phase) const noexcept {
-  return static_cast<double>(plan_tick_ - phase.begin.tick) * period_s_ - phase.begin.offset_s;
+  return static_cast<double>(plan_tick() - phase.begin.tick) * period_s_ - phase.begin.offset_s;
 }
 
 bool Interpolator::advance_phase() noexcept {
@@ -103,7 +103,9 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
       status = TickStatus::finished;
     }
   }
-  plan_tick_ += status == TickStatus::running ? 1 : 0;
+  if (status == TickStatus::running) {
+    plan_tick_.store(plan_tick() + 1, std::memory_order_relaxed);
+  }
   setpoint = now_;
   return status;
 }

@@ -1,6 +1,7 @@
 // Planned motion to setpoints: one call, one tick.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 #include "interp/motion_queue.hpp"
@@ -24,6 +25,12 @@ class Interpolator {
 
   TickStatus next(Setpoint& setpoint) noexcept;
 
+  // The tick of the next setpoint in the plan's time, which stands still while starved. May be read
+  // by the planning thread.
+  [[nodiscard]] std::int64_t plan_tick() const noexcept {
+    return plan_tick_.load(std::memory_order_relaxed);
+  }
+
   // How far the path leaves the straight line between the last two setpoints: the largest distance
   // of three points of the path between them, and of the joint if they lie on two curves.
   [[nodiscard]] double chord_error_mm() const noexcept;
@@ -38,7 +45,7 @@ class Interpolator {
 
   MotionQueue* queue_;
   double period_s_;
-  std::int64_t plan_tick_ = 0;  // of the next setpoint in the plan's time, which stands while starved
+  std::atomic<std::int64_t> plan_tick_ = 0;
   bool has_phase_ = false;
   Phase phase_{};
   PathPiece piece_{};

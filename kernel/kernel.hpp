@@ -18,6 +18,7 @@ namespace kerf {
 struct KernelOptions {
   profiles::Profile profile{profiles::ProfileKind::s_curve};
   std::size_t window_blocks = 1000;      // of the look-ahead, >= 2
+  double horizon_s = 0.25;               // how far ahead of the tick motion is frozen
   bool block_delete = false;             // leave out blocks that begin with '/'
   std::array<double, 3> start_mm{};      // where the tool is
 };
@@ -37,7 +38,7 @@ class Kernel {
   // No more text follows.
   void finish();
 
-  // Plans ahead until the queue is full or more text is needed. True: more text is needed.
+  // Plans ahead until the horizon is reached or more text is needed. True: more text is needed.
   bool plan();
   // One setpoint. Real time: allocates nothing, takes no lock, throws nothing.
   interp::TickStatus tick(interp::Setpoint& setpoint) noexcept;

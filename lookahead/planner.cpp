@@ -14,6 +14,16 @@ namespace {
 // A rest that ends this close behind a tick ends on it: rounding of sums of durations.
 constexpr double kTickRounding = 1e-9;
 
+// What is left of a span whose first part, up to a cruise at v_mm_s, has left.
+void cut_front(Span& span, double s_mm, double v_mm_s) {
+  span.length_mm -= s_mm - span.s_begin_mm;
+  span.s_begin_mm = s_mm;
+  span.begin_coast_s = 0.0;
+  if (!span.rise.empty()) {
+    span.rise = Slope({{.distance_mm = 0.0, .v_mm_s = v_mm_s}});
+  }
+}
+
 }  // namespace
 
 Planner::Planner(const PlannerSettings& settings) : settings_(settings) {}
@@ -79,9 +89,22 @@ void Planner::plan_window() {
   std::size_t blocks_left = std::max<std::size_t>(settings_.window_blocks / 2, 1);
   ready_spans_ = 0;
   while (blocks_left > 0) {
-    blocks_left -= window_[ready_spans_].span.ends_block ? 1 : 0;
+    blocks_left -= window_[ready_spans_].span.ends_block ? 1U : 0U;
     ++ready_spans_;
   }
+}
+
+void Planner::stop(std::uint32_t line) {
+  backward_pass(window_, settings_.profile);
+  double v = v_mm_s_;
+  std::size_t kept = 0;
+  while (kept < window_.size() && v > 0.0) {
+    WindowSpan& item = window_[kept++];
+    v = brake(item.span, {.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s}, settings_.profile);
+    item.v_end_mm_s = v;
+  }
+  window_.resize(kept);
+  finish(line);
 }
 
 bool Planner::emit(Outbox& outbox) {
@@ -99,7 +122,6 @@ bool Planner::emit(Outbox& outbox) {
     plan_window();
   }
   emit_span(outbox);
-  --ready_spans_;
   return true;
 }
 
@@ -123,39 +145,56 @@ void Planner::emit_span(Outbox& outbox) {
   if (!block_begun_) {
     begin_block(outbox);
   }
-  const WindowSpan& item = window_.front();
-  const Span& span = item.span;
+  WindowSpan& item = window_.front();
   SpanEnds ends{.v_begin_mm_s = v_mm_s_, .v_end_mm_s = item.v_end_mm_s};
   if (ends.v_end_mm_s > ends.v_begin_mm_s) {
     ends.v_end_mm_s =
-        std::min(ends.v_end_mm_s, reach_forward_mm_s(span, v_mm_s_, settings_.profile));
+        std::min(ends.v_end_mm_s, reach_forward_mm_s(item.span, v_mm_s_, settings_.profile));
   }
-  const SpanPlan plan = plan_span(span, ends, settings_.profile);
-  const double s_end = span.ends_block ? blocks_.front().length_mm : span.s_begin_mm + span.length_mm;
-  double s = s_mm_;
-  const std::size_t first = outbox.phases.size();
+  SpanPlan plan = plan_span(item.span, ends, settings_.profile);
+  if (plan.cruise.duration_s() > 2.0 * settings_.longest_cruise_s) {
+    const double v = plan.cruise.ramp().v_begin_mm_s;
+    plan.cruise = profiles::Transition::cruise(v, v * settings_.longest_cruise_s);
+    plan.deceleration = {};
+    plan.end_coast = {};
+    emit_plan(outbox, plan);
+    v_mm_s_ = v;
+    cut_front(item.span, s_mm_, v);
+    return;
+  }
+  emit_plan(outbox, plan);
+  v_mm_s_ = ends.v_end_mm_s;
+  leave_span();
+  interp::Phase& last = outbox.phases.back();
+  last.s_end_mm = s_mm_;
+  if (v_mm_s_ == 0.0) {
+    last.ends_at_rest = true;
+    align_to_tick();
+  }
+}
+
+void Planner::emit_plan(Outbox& outbox, const SpanPlan& plan) {
+  const Span& span = window_.front().span;
+  const double s_end = span.s_begin_mm + span.length_mm;
   for (const profiles::Transition* law :
        {&plan.begin_coast, &plan.acceleration, &plan.cruise, &plan.deceleration, &plan.end_coast}) {
     if (law->duration_s() > 0.0) {
-      s = std::min(s + law->length_mm(), s_end);
-      emit_phase(outbox, *law, s);
+      emit_phase(outbox, *law, std::min(s_mm_ + law->length_mm(), s_end));
     }
   }
-  if (outbox.phases.size() > first) {
-    outbox.phases.back().s_end_mm = s_end;
-  }
-  s_mm_ = s_end;
-  v_mm_s_ = ends.v_end_mm_s;
-  if (v_mm_s_ == 0.0) {
-    outbox.phases.back().ends_at_rest = true;
-    align_to_tick();
-  }
+}
+
+void Planner::leave_span() {
+  const Span& span = window_.front().span;
+  s_mm_ = span.s_begin_mm + span.length_mm;
   if (span.ends_block) {
-    path_begin_mm_ += blocks_.front().length_mm;
+    s_mm_ = blocks_.front().length_mm;
+    path_begin_mm_ += s_mm_;
     blocks_.pop_front();
     block_begun_ = false;
   }
   window_.pop_front();
+  --ready_spans_;
 }
 
 void Planner::emit_phase(Outbox& outbox, const profiles::Transition& law, double s_end_mm) {
@@ -179,7 +218,7 @@ void Planner::emit_rest(Outbox& outbox) {
                       .line = rest_.line,
                       .ends_at_rest = true,
                       .ends_program = rest_.ends_program};
-  phase.path_begin_mm = path_begin_mm_ - s_mm_;
+  phase.path_begin_mm = block_begun_ ? path_begin_mm_ : path_begin_mm_ - s_mm_;
   outbox.phases.push_back(phase);
   advance_clock(rest_.duration_s);
   align_to_tick();

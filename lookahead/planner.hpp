@@ -23,6 +23,8 @@ struct PlannerSettings {
   PlanLimits limits{};
   profiles::Profile profile{profiles::ProfileKind::s_curve};
   std::size_t window_blocks = 1000;  // >= 2
+  // A cruise leaves in parts of this duration, so that a stop need not wait for its end.
+  double longest_cruise_s = 0.1;
 };
 
 struct PlanTotals {
@@ -49,7 +51,11 @@ class Planner {
   // The program ends at rest after what was pushed. Precondition: wants_block().
   void finish(std::uint32_t line);
 
-  // Appends the motion of one span, or of a rest. False: nothing is ready; push or finish.
+  // Lets the motion end at rest as soon as the limits allow after what was emitted, and the program
+  // with it. The tool stays on the path.
+  void stop(std::uint32_t line);
+
+  // Appends the motion of one span, of a part of it, or of a rest. False: nothing is ready; push or finish.
   bool emit(Outbox& outbox);
 
   [[nodiscard]] const PlanTotals& totals() const noexcept { return totals_; }
@@ -65,6 +71,8 @@ class Planner {
   void append_spans(const Block& block);
   void plan_window();
   void emit_span(Outbox& outbox);
+  void emit_plan(Outbox& outbox, const SpanPlan& plan);
+  void leave_span();
   void begin_block(Outbox& outbox);
   void emit_phase(Outbox& outbox, const profiles::Transition& law, double s_end_mm);
   void emit_rest(Outbox& outbox);
@@ -84,7 +92,7 @@ class Planner {
   std::uint64_t curve_ = 0;
   double v_mm_s_ = 0.0;
   double s_mm_ = 0.0;  // on the curve
-  double path_begin_mm_ = 0.0;
+  double path_begin_mm_ = 0.0;  // of all curves before this one
   interp::TickTime clock_{};
   PlanTotals totals_{};
 };

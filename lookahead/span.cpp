@@ -33,7 +33,8 @@ double reach_mm_s(const Span& span, const Climb& climb, const Profile& profile) 
   const double length = span.length_mm - climb.near_coast_s * climb.v_low_mm_s;
   if (climb.slope->empty() && climb.far_coast_s == 0.0) {
     return std::min(climb.cap_mm_s,
-                    profile.reach_mm_s(climb.v_low_mm_s, length, span.limits.ramp));
+                    profile.reach_mm_s({.v_mm_s = climb.v_low_mm_s, .length_mm = length},
+                                       span.limits.ramp));
   }
   const auto fits = [&](double v) {
     const Ramp ramp{.v_begin_mm_s = climb.v_low_mm_s, .v_end_mm_s = v};
@@ -158,6 +159,31 @@ double reach_backward_mm_s(const Span& span, const BackwardQuery& query, const P
                      .near_coast_s = span.end.coast_s,
                      .far_coast_s = span.begin_coast_s},
                     profile);
+}
+
+double brake(Span& span, const SpanEnds& ends, const Profile& profile) {
+  const double coast_mm = ends.v_begin_mm_s * span.begin_coast_s;
+  const double stop_mm =
+      coast_mm + profile.length_mm({ends.v_begin_mm_s, 0.0}, span.limits.ramp);
+  if (stop_mm <= span.length_mm) {
+    // The fall ends before the ceiling does, so it is below it wherever the plan to the end was.
+    span.ends_block = span.ends_block && stop_mm == span.length_mm;
+    span.length_mm = stop_mm;
+    span.end = {.feedrate_mm_s = 0.0};
+    span.fall = {};
+    span.rise = {};
+    span.limits.feedrate_mm_s = ends.v_begin_mm_s;
+    return 0.0;
+  }
+  double low = 0.0;
+  double high = ends.v_end_mm_s;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    const double reached = reach_backward_mm_s(
+        span, {.v_end_mm_s = middle, .cap_mm_s = ends.v_begin_mm_s}, profile);
+    (reached >= ends.v_begin_mm_s ? high : low) = middle;
+  }
+  return high;
 }
 
 SpanPlan plan_span(const Span& span, const SpanEnds& ends, const Profile& profile) {

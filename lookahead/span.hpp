@@ -54,4 +54,8 @@ double reach_backward_mm_s(const Span& span, const BackwardQuery& query,
 // the plateau of least time. Precondition: the ends can be joined.
 SpanPlan plan_span(const Span& span, const SpanEnds& ends, const profiles::Profile& profile);
 
+// The lowest feedrate that a span which begins with ends.v_begin can have at its end, at the most
+// ends.v_end. Where it can stop, it is cut short there. Precondition: the ends can be joined.
+double brake(Span& span, const SpanEnds& ends, const profiles::Profile& profile);
+
 }  // namespace kerf::lookahead

@@ -1,0 +1,92 @@
+#include "kernel/check.hpp"
+
+#include <algorithm>
+
+#include "lookahead/block_builder.hpp"
+#include "machine/envelope.hpp"
+#include "parser/program_reader.hpp"
+
+namespace kerf {
+
+namespace {
+
+void unite(curves::Extents& all, const curves::Extents& part, bool first) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    all.min_mm[k] = first ? part.min_mm[k] : std::min(all.min_mm[k], part.min_mm[k]);
+    all.max_mm[k] = first ? part.max_mm[k] : std::max(all.max_mm[k], part.max_mm[k]);
+  }
+}
+
+class Checker {
+ public:
+  explicit Checker(const MachineSettings& settings)
+      : envelope_(machine::envelope_of(settings.table)) {}
+
+  void look_at(const parser::Move& move, CheckReport& report) {
+    curves_.clear();
+    if (const auto built = lookahead::append_curves(move, curves_); !built) {
+      report.diagnostics.push_back({.source = {.line = built.error().line, .column = 1},
+                                    .message = built.error().message});
+      return;
+    }
+    for (const curves::Curve& curve : curves_) {
+      const curves::Extents extents = curves::extents(curve);
+      unite(report.extents, extents, !report.moves);
+      report.moves = true;
+      check_travel(extents, move.source, report);
+    }
+  }
+
+ private:
+  void check_travel(const curves::Extents& extents, const parser::SourcePosition& source,
+                    CheckReport& report) const {
+    const auto excess = machine::outside_travel(envelope_, extents);
+    const bool named =
+        !report.limit_faults.empty() && report.limit_faults.back().source.line == source.line;
+    if (excess && !named && report.limit_faults.size() < kMaxLimitFaults) {
+      report.limit_faults.push_back({.source = source, .message = machine::describe(*excess)});
+    }
+  }
+
+  static constexpr std::size_t kMaxLimitFaults = 100;
+  machine::Envelope envelope_;
+  std::vector<curves::Curve> curves_;
+};
+
+}  // namespace
+
+bool CheckReport::has_errors() const {
+  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const parser::Diagnostic& d) {
+    return d.severity == parser::Severity::error;
+  });
+}
+
+CheckReport check_program(const TextSource& text, const MachineSettings& settings,
+                          const KernelOptions& options) {
+  parser::ProgramReader reader(
+      {.start_mm = options.start_mm, .block_delete = options.block_delete});
+  CheckReport report;
+  Checker checker(settings);
+  bool more_text = true;
+  for (parser::Move move;;) {
+    if (reader.next(move)) {
+      checker.look_at(move, report);
+    } else if (reader.at_end() || !more_text) {
+      break;
+    } else if (const std::string_view piece = text(); piece.empty()) {
+      reader.finish();
+      more_text = false;
+    } else {
+      reader.feed(piece);
+    }
+  }
+  const std::vector<parser::Diagnostic>& found = reader.diagnostics();
+  report.diagnostics.insert(report.diagnostics.end(), found.begin(), found.end());
+  std::stable_sort(report.diagnostics.begin(), report.diagnostics.end(),
+                   [](const parser::Diagnostic& a, const parser::Diagnostic& b) {
+                     return a.source.line < b.source.line;
+                   });
+  return report;
+}
+
+}  // namespace kerf

@@ -1,0 +1,192 @@
+#include "kernel/kernel.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "lookahead/block_builder.hpp"
+#include "parser/program_reader.hpp"
+
+namespace kerf {
+
+using interp::MotionQueue;
+using lookahead::Outbox;
+using parser::Diagnostic;
+using parser::Move;
+
+class Kernel::Impl {
+ public:
+  Impl(const MachineSettings& settings, const KernelOptions& options)
+      : limits_(settings.limits),
+        reader_({.start_mm = options.start_mm, .block_delete = options.block_delete}),
+        planner_({.limits = settings.limits,
+                  .profile = options.profile,
+                  .window_blocks = options.window_blocks}),
+        interpolator_(queue_, settings.limits.period_s, options.start_mm),
+        horizon_ticks_(static_cast<std::int64_t>(
+            std::ceil(options.horizon_s / settings.limits.period_s))) {}
+
+  void feed(std::string_view text) { reader_.feed(text); }
+  void finish() { reader_.finish(); }
+
+  bool plan() {
+    while (deliver()) {
+      if (planner_.emit(outbox_)) {
+        continue;
+      }
+      if (finished_) {
+        return false;
+      }
+      if (!take_move()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  interp::TickStatus tick(interp::Setpoint& setpoint) noexcept {
+    return interpolator_.next(setpoint);
+  }
+
+  // Half of the horizon is used up.
+  [[nodiscard]] bool low() const noexcept {
+    return frozen_until_tick_ - interpolator_.plan_tick() <= horizon_ticks_ / 2;
+  }
+
+  void stop() {
+    if (!finished_) {
+      planner_.stop(line_);
+      finished_ = true;
+    }
+  }
+
+  [[nodiscard]] double chord_error_mm() const noexcept { return interpolator_.chord_error_mm(); }
+  [[nodiscard]] bool has_errors() const { return reader_.has_errors() || plan_failed_; }
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const {
+    return plan_failed_ ? all_diagnostics_ : reader_.diagnostics();
+  }
+  [[nodiscard]] const lookahead::PlanTotals& totals() const { return planner_.totals(); }
+
+ private:
+  // Moves what was planned into the queue, pieces first: a phase follows only once the piece that it
+  // begins on is there. True: all of it went.
+  bool deliver() {
+    while (pieces_sent_ < outbox_.pieces.size() && queue_.push(outbox_.pieces[pieces_sent_])) {
+      ++pieces_sent_;
+    }
+    const std::int64_t horizon = interpolator_.plan_tick() + horizon_ticks_;
+    while (phases_sent_ < outbox_.phases.size()) {
+      const interp::Phase& phase = outbox_.phases[phases_sent_];
+      if (phase.begin.tick > horizon || !begins_on_sent_piece(phase) || !queue_.push(phase)) {
+        break;
+      }
+      frozen_until_tick_ = phase.begin.tick;
+      ++phases_sent_;
+    }
+    if (pieces_sent_ < outbox_.pieces.size() || phases_sent_ < outbox_.phases.size()) {
+      return false;
+    }
+    outbox_.pieces.clear();
+    outbox_.phases.clear();
+    pieces_sent_ = 0;
+    phases_sent_ = 0;
+    return true;
+  }
+
+  [[nodiscard]] bool begins_on_sent_piece(const interp::Phase& phase) const {
+    if (pieces_sent_ == outbox_.pieces.size()) {
+      return true;
+    }
+    const interp::PathPiece& waiting = outbox_.pieces[pieces_sent_];
+    return phase.curve < waiting.curve ||
+           (phase.curve == waiting.curve &&
+            phase.s_begin_mm < curves::s_begin_mm(waiting.geometry));
+  }
+
+  // The next move of the program into the window. False: there is no more text.
+  bool take_move() {
+    Move move;
+    const bool read = reader_.next(move);
+    if (reader_.has_errors()) {
+      end_program();
+      return true;
+    }
+    if (!read) {
+      if (reader_.at_end()) {
+        end_program();
+        return true;
+      }
+      return false;
+    }
+    line_ = move.source.line;
+    if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
+      planner_.push_rest(dwell->duration_s, line_);
+    } else if (std::holds_alternative<parser::EventMove>(move.shape)) {
+      planner_.push_rest(0.0, line_);
+    } else {
+      push_blocks(move);
+    }
+    return true;
+  }
+
+  void push_blocks(const Move& move) {
+    blocks_.clear();
+    if (const auto built = lookahead::append_blocks(move, limits_, blocks_); !built) {
+      plan_failed_ = true;
+      all_diagnostics_ = reader_.diagnostics();
+      all_diagnostics_.push_back({.source = {.line = built.error().line, .column = 1},
+                                  .message = built.error().message});
+      end_program();
+      return;
+    }
+    for (lookahead::Block& block : blocks_) {
+      planner_.push(std::move(block));
+    }
+  }
+
+  void end_program() {
+    planner_.finish(line_);
+    finished_ = true;
+  }
+
+  lookahead::PlanLimits limits_;
+  parser::ProgramReader reader_;
+  lookahead::Planner planner_;
+  MotionQueue queue_;
+  interp::Interpolator interpolator_;
+  std::int64_t horizon_ticks_;
+  std::int64_t frozen_until_tick_ = 0;  // the last phase sent begins there
+  Outbox outbox_;
+  std::size_t pieces_sent_ = 0;
+  std::size_t phases_sent_ = 0;
+  std::vector<lookahead::Block> blocks_;
+  std::uint32_t line_ = 0;
+  bool finished_ = false;
+  bool plan_failed_ = false;
+  std::vector<Diagnostic> all_diagnostics_;
+};
+
+Kernel::Kernel(const MachineSettings& settings, const KernelOptions& options)
+    : impl_(std::make_unique<Impl>(settings, options)) {}
+Kernel::~Kernel() = default;
+Kernel::Kernel(Kernel&&) noexcept = default;
+Kernel& Kernel::operator=(Kernel&&) noexcept = default;
+
+void Kernel::feed(std::string_view text) { impl_->feed(text); }
+void Kernel::finish() { impl_->finish(); }
+bool Kernel::plan() { return impl_->plan(); }
+interp::TickStatus Kernel::tick(interp::Setpoint& setpoint) noexcept { return impl_->tick(setpoint); }
+
+interp::TickStatus Kernel::next(interp::Setpoint& setpoint) {
+  if (impl_->low()) {
+    impl_->plan();
+  }
+  return impl_->tick(setpoint);
+}
+
+void Kernel::stop() { impl_->stop(); }
+double Kernel::chord_error_mm() const noexcept { return impl_->chord_error_mm(); }
+bool Kernel::has_errors() const { return impl_->has_errors(); }
+const std::vector<Diagnostic>& Kernel::diagnostics() const { return impl_->diagnostics(); }
+const lookahead::PlanTotals& Kernel::totals() const { return impl_->totals(); }
+
+}  // namespace kerf
