@@ -15,31 +15,43 @@ struct Growth {
   double per_w = 0.0;  // d length / dw
 };
 
-// An S-curve from v to v + change, change = base + w^2.
-Growth s_curve_growth(double v_mm_s, double change_mm_s, double w, const RampLimits& limits) {
-  const double jerk_phase_s = limits.acceleration_mm_s2 / limits.jerk_mm_s3;
-  if (change_mm_s > limits.acceleration_mm_s2 * jerk_phase_s) {
+// What the lengths of S-curves under the same limits have in common.
+struct SCurveTimes {
+  double acceleration_mm_s2;
+  double jerk_phase_s;        // A / J
+  double largest_triangular;  // A^2 / J [mm/s]
+  double by_root_jerk;        // 1 / sqrt(J)
+};
+
+// An S-curve from v to v + change, where change = constant + w^2.
+Growth s_curve_growth(double v_mm_s, double change_mm_s, double w, const SCurveTimes& times) {
+  if (change_mm_s > times.largest_triangular) {
     const double mean = v_mm_s + 0.5 * change_mm_s;
-    const double duration = change_mm_s / limits.acceleration_mm_s2 + jerk_phase_s;
+    const double duration = change_mm_s / times.acceleration_mm_s2 + times.jerk_phase_s;
     return {.length_mm = mean * duration,
-            .per_w = 2.0 * w * (0.5 * duration + mean / limits.acceleration_mm_s2)};
+            .per_w = 2.0 * w * (0.5 * duration + mean / times.acceleration_mm_s2)};
   }
   const double root = std::sqrt(change_mm_s);
-  const double scale = 1.0 / std::sqrt(limits.jerk_mm_s3);
-  const double w_by_root = root > 0.0 ? w / root : 1.0;  // base = 0: root is w
-  return {.length_mm = (2.0 * v_mm_s + change_mm_s) * root * scale,
-          .per_w = w_by_root * (2.0 * v_mm_s + 3.0 * change_mm_s) * scale};
+  const double w_by_root = root > 0.0 ? w / root : 1.0;  // both are 0 only where root is w
+  return {.length_mm = (2.0 * v_mm_s + change_mm_s) * root * times.by_root_jerk,
+          .per_w = w_by_root * (2.0 * v_mm_s + 3.0 * change_mm_s) * times.by_root_jerk};
 }
 
 }  // namespace
 
 double s_curve_plateau_rise(const PlateauSearch& search, const RampLimits& limits) noexcept {
-  const auto [slower, faster] = std::minmax(search.ends.v_begin_mm_s, search.ends.v_end_mm_s);
+  const double faster = std::max(search.ends.v_begin_mm_s, search.ends.v_end_mm_s);
+  const double slower = std::min(search.ends.v_begin_mm_s, search.ends.v_end_mm_s);
+  const double jerk_phase_s = limits.acceleration_mm_s2 / limits.jerk_mm_s3;
+  const SCurveTimes times{.acceleration_mm_s2 = limits.acceleration_mm_s2,
+                          .jerk_phase_s = jerk_phase_s,
+                          .largest_triangular = limits.acceleration_mm_s2 * jerk_phase_s,
+                          .by_root_jerk = 1.0 / std::sqrt(limits.jerk_mm_s3)};
   double w = std::sqrt(search.largest_rise_mm_s);
   constexpr int kMostSteps = 40;
   for (int step = 0; step < kMostSteps; ++step) {
-    const Growth from_faster = s_curve_growth(faster, w * w, w, limits);
-    const Growth from_slower = s_curve_growth(slower, faster - slower + w * w, w, limits);
+    const Growth from_faster = s_curve_growth(faster, w * w, w, times);
+    const Growth from_slower = s_curve_growth(slower, faster - slower + w * w, w, times);
     const double excess = from_faster.length_mm + from_slower.length_mm - search.length_mm;
     const double per_w = from_faster.per_w + from_slower.per_w;
     if (!(excess > 0.0) || !(per_w > 0.0)) {

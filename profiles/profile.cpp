@@ -33,6 +33,10 @@ double rounded_down(double candidate, double floor, Fits fits) {
   return floor;
 }
 
+bool knows_no_jerk(ProfileKind kind, const RampLimits& limits) {
+  return kind == ProfileKind::trapezoid || std::isinf(limits.jerk_mm_s3);
+}
+
 }  // namespace
 
 std::string_view name_of(ProfileKind kind) {
@@ -97,82 +101,82 @@ Transition Profile::fastest(const Ramp& ramp, const RampLimits& limits) const {
   return {ramp, duration_s(change, limits), shape()};
 }
 
-double Profile::reach_mm_s(const Approach& approach, const RampLimits& limits) const {
-  const auto change = [&] {
-    switch (kind_) {
-      case ProfileKind::trapezoid:
-        return reachable_change(approach, kTrapezoidPeaks, limits);
-      case ProfileKind::s_curve:
-        return s_curve_reachable_change(approach, limits);
-      case ProfileKind::sine:
-        return reachable_change(approach, Sine::kPeaks, limits);
-      case ProfileKind::quintic:
-        return reachable_change(approach, Quintic::kPeaks, limits);
-      case ProfileKind::sine_series:
-        return SineSeries::reachable_change(approach, limits);
-      case ProfileKind::sigmoid:
-        break;
-    }
-    return sigmoid_shape_ ? reachable_change(approach, Sigmoid{*sigmoid_shape_}.peaks(), limits)
-                          : Sigmoid::reachable_change(approach, limits);
-  }();
-  if (std::isinf(change)) {
-    return kInfinity;
-  }
-  return rounded_down(approach.v_mm_s + change, approach.v_mm_s, [&](double v_mm_s) {
-    return length_mm({.v_begin_mm_s = approach.v_mm_s, .v_end_mm_s = v_mm_s}, limits) <=
-           approach.length_mm;
-  });
+double Profile::length_over_mm(const Ramp& ends, double plateau_mm_s,
+                               const RampLimits& limits) const {
+  return length_mm({.v_begin_mm_s = ends.v_begin_mm_s, .v_end_mm_s = plateau_mm_s}, limits) +
+         length_mm({.v_begin_mm_s = plateau_mm_s, .v_end_mm_s = ends.v_end_mm_s}, limits);
 }
 
-// A feedrate not below the peak, and not below either end. Each end reaches no further than with
-// the length that is left when the other leg takes its least, and one leg has no more than half.
-double Profile::peak_bound(const Ramp& ends, double length_mm, const RampLimits& limits) const {
-  const auto [slower, faster] = std::minmax(ends.v_begin_mm_s, ends.v_end_mm_s);
-  const double direct_mm = this->length_mm(ends, limits);
-  const double left_mm = std::max(0.0, length_mm - direct_mm);
-  const double from_faster = reach_mm_s({.v_mm_s = faster, .length_mm = left_mm}, limits);
-  const double from_half =
-      std::max(reach_mm_s({.v_mm_s = faster, .length_mm = 0.5 * length_mm}, limits),
-               reach_mm_s({.v_mm_s = slower, .length_mm = 0.5 * length_mm}, limits));
-  // Both are rounded down, which a bound must not be.
-  return std::min(from_faster, from_half) * (1.0 + 1e-14);
+double Profile::reachable_change(const Approach& approach, const RampLimits& limits) const {
+  switch (kind_) {
+    case ProfileKind::trapezoid:
+      return profiles::reachable_change(approach, kTrapezoidPeaks, limits);
+    case ProfileKind::s_curve:
+      return s_curve_reachable_change(approach, limits);
+    case ProfileKind::sine:
+      return profiles::reachable_change(approach, Sine::kPeaks, limits);
+    case ProfileKind::quintic:
+      return profiles::reachable_change(approach, Quintic::kPeaks, limits);
+    case ProfileKind::sine_series:
+      return SineSeries::reachable_change(approach, limits);
+    case ProfileKind::sigmoid:
+      break;
+  }
+  return sigmoid_shape_
+             ? profiles::reachable_change(approach, Sigmoid{*sigmoid_shape_}.peaks(), limits)
+             : Sigmoid::reachable_change(approach, limits);
+}
+
+double Profile::reach_mm_s(const Approach& approach, const RampLimits& limits) const {
+  const auto fits = [&](double v_mm_s) {
+    return length_mm({.v_begin_mm_s = approach.v_mm_s, .v_end_mm_s = v_mm_s}, limits) <=
+           approach.length_mm;
+  };
+  const double cap = approach.v_cap_mm_s;
+  if (std::isfinite(cap) && fits(cap)) {
+    return cap;
+  }
+  const double reach = std::min(cap, approach.v_mm_s + reachable_change(approach, limits));
+  return std::isinf(reach) ? reach : rounded_down(reach, approach.v_mm_s, fits);
+}
+
+// The leg from the slower end takes at least the direct transition to the faster end, so the faster
+// end reaches no higher than with what that leaves: the bound that the searches start from.
+double Profile::plateau_rise(const Ramp& ends, const Room& room, const RampLimits& limits) const {
+  const double faster = std::max(ends.v_begin_mm_s, ends.v_end_mm_s);
+  const double left_mm = std::max(0.0, room.length_mm - length_mm(ends, limits));
+  if (ends.v_begin_mm_s == ends.v_end_mm_s || knows_no_jerk(kind_, limits)) {
+    // Both legs beyond the direct transition are equal; without jerk, v^2 grows with the length.
+    return reachable_change({.v_mm_s = faster, .length_mm = 0.5 * left_mm}, limits);
+  }
+  const double rise = std::min(room.v_cap_mm_s - faster,
+                               reachable_change({.v_mm_s = faster, .length_mm = left_mm}, limits));
+  if (std::isinf(rise)) {
+    return rise;
+  }
+  if (kind_ == ProfileKind::s_curve) {
+    return s_curve_plateau_rise(
+        {.ends = ends, .length_mm = room.length_mm, .largest_rise_mm_s = rise}, limits);
+  }
+  // By the square root of the rise, in which the length is smooth at 0.
+  const double root = bracketed_root({.positive = std::sqrt(rise), .other = 0.0}, [&](double w) {
+    return length_over_mm(ends, faster + w * w, limits) - room.length_mm;
+  });
+  return root * root;
 }
 
 double Profile::peak_mm_s(const Ramp& ends, const Room& room, const RampLimits& limits) const {
-  const auto [slower, faster] = std::minmax(ends.v_begin_mm_s, ends.v_end_mm_s);
-  const auto length_at = [&](double v_mm_s) {
-    return length_mm({.v_begin_mm_s = ends.v_begin_mm_s, .v_end_mm_s = v_mm_s}, limits) +
-           length_mm({.v_begin_mm_s = v_mm_s, .v_end_mm_s = ends.v_end_mm_s}, limits);
+  const double faster = std::max(ends.v_begin_mm_s, ends.v_end_mm_s);
+  const auto fits = [&](double v_mm_s) {
+    return length_over_mm(ends, v_mm_s, limits) <= room.length_mm;
   };
-  const auto fits = [&](double v_mm_s) { return length_at(v_mm_s) <= room.length_mm; };
   if (!(room.v_cap_mm_s > faster)) {
     return faster;
   }
   if (std::isfinite(room.v_cap_mm_s) && fits(room.v_cap_mm_s)) {
     return room.v_cap_mm_s;
   }
-  double peak = 0.0;
-  if (slower == faster) {
-    peak = reach_mm_s({.v_mm_s = faster, .length_mm = 0.5 * room.length_mm}, limits);
-  } else {
-    peak = peak_bound(ends, room.length_mm, limits);
-    const double rise = std::min(peak, room.v_cap_mm_s) - faster;
-    if (std::isinf(rise) || !(rise > 0.0)) {
-      peak = faster + std::max(0.0, rise);
-    } else if (kind_ == ProfileKind::s_curve && std::isfinite(limits.jerk_mm_s3)) {
-      peak = faster +
-             s_curve_plateau_rise(
-                 {.ends = ends, .length_mm = room.length_mm, .largest_rise_mm_s = rise}, limits);
-    } else {
-      // By the square root of the rise, in which the length is smooth at 0.
-      const double root =
-          bracketed_root({.positive = std::sqrt(rise), .other = 0.0},
-                         [&](double w) { return length_at(faster + w * w) - room.length_mm; });
-      peak = faster + root * root;
-    }
-  }
-  peak = std::min(peak, room.v_cap_mm_s);
+  const double peak = std::min(faster + plateau_rise(ends, room, limits), room.v_cap_mm_s);
   return std::isinf(peak) ? peak : rounded_down(peak, faster, fits);
 }
 

@@ -45,7 +45,7 @@ class Profile {
   // approach.length_mm. By symmetry also the largest from which v_mm_s is attained. Never too
   // large: length_mm of the transition to the answer is not above approach.length_mm, and the
   // answer is within some units in the last place of the largest double of which that is true.
-  // Infinite where no limit binds.
+  // approach.v_cap_mm_s where that is attained; infinite where neither it nor a limit binds.
   [[nodiscard]] double reach_mm_s(const Approach& approach, const RampLimits& limits) const;
 
   // The largest plateau feedrate in [max(ends), room.v_cap_mm_s] so that the transitions from
@@ -57,8 +57,13 @@ class Profile {
                                  const RampLimits& limits) const;
 
  private:
-  [[nodiscard]] double peak_bound(const Ramp& ends, double length_mm,
-                                  const RampLimits& limits) const;
+  // Before rounding down; of the plateau, its rise above the faster end.
+  [[nodiscard]] double reachable_change(const Approach& approach, const RampLimits& limits) const;
+  [[nodiscard]] double plateau_rise(const Ramp& ends, const Room& room,
+                                    const RampLimits& limits) const;
+  // Of both transitions, to the plateau and from it.
+  [[nodiscard]] double length_over_mm(const Ramp& ends, double plateau_mm_s,
+                                      const RampLimits& limits) const;
 
   ProfileKind kind_;
   std::optional<double> sigmoid_shape_;

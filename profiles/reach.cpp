@@ -1,7 +1,9 @@
 #include "profiles/reach.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace kerf::profiles {
@@ -23,27 +25,32 @@ double change_by_acceleration(const Approach& approach, double acceleration_mm_s
   return quadratic_root(approach.v_mm_s, 2.0 * approach.length_mm * acceleration_mm_s2);
 }
 
-// T = sqrt(dv / jerk): with w = sqrt(dv), f(w) = w^3 + 2 v w - 2 L sqrt(jerk) = 0. f is convex and
-// rising for w > 0, and each term alone bounds w from above, so Newton's method from the smaller
-// bound falls monotonically; at its worst (both terms equal) it needs five steps.
+// Within 4 % of the cube root of a positive normal number: a third of its bits is a third of its
+// exponent, the constant restores the bias and centres the error.
+double rough_cube_root(double value) noexcept {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) / 3 + 0x2a9f8a7be393b600U);
+}
+
+// T = sqrt(dv / jerk): with w = sqrt(dv), f(w) = w^3 + 2 v w - 2 L sqrt(jerk) = 0. The planner asks
+// this for every block, so no library cube root: a rational start within 10 % of the root for every
+// ratio of the two terms (it is exact where one of them vanishes, but for the rough cube root),
+// then three of Halley's cubically convergent steps, each of which has f, f' and f'' > 0.
 double change_by_jerk(const Approach& approach, double jerk_mm_s3) noexcept {
   if (std::isinf(jerk_mm_s3)) {
     return kInfinity;
   }
   const double target = 2.0 * approach.length_mm * std::sqrt(jerk_mm_s3);
-  const double linear = 2.0 * approach.v_mm_s;
-  double w = std::cbrt(target);
-  if (linear * w > target) {
-    w = target / linear;
+  if (!(target > std::numeric_limits<double>::min())) {
+    return 0.0;
   }
-  constexpr int kMostSteps = 8;
-  for (int step = 0; step < kMostSteps && w > 0.0; ++step) {
-    const double next = (2.0 * w * w * w + target) / (3.0 * w * w + linear);
-    const bool settled = next >= w * (1.0 - 1e-15);
-    w = next;
-    if (settled) {
-      break;
-    }
+  const double linear = 2.0 * approach.v_mm_s;
+  const double c = rough_cube_root(target);
+  const double c2 = c * c;
+  double w = target * (c2 + 0.6 * linear) / (c2 * c2 + 0.77 * c2 * linear + 0.6 * linear * linear);
+  for (int step = 0; step < 3; ++step) {
+    const double f = w * (w * w + linear) - target;
+    const double slope = 3.0 * w * w + linear;
+    w -= f * slope / (slope * slope - 3.0 * w * f);
   }
   return w * w;
 }

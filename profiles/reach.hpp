@@ -6,6 +6,8 @@
 // is the larger of two, the change that fits is the smaller of two.
 #pragma once
 
+#include <limits>
+
 #include "profiles/feedrate_shape.hpp"
 
 namespace kerf::profiles {
@@ -14,6 +16,8 @@ namespace kerf::profiles {
 struct Approach {
   double v_mm_s = 0.0;     // >= 0
   double length_mm = 0.0;  // >= 0
+  // Feedrates above are of no interest; most questions are answered by trying it. >= v_mm_s.
+  double v_cap_mm_s = std::numeric_limits<double>::infinity();
 };
 
 // T = max(a* |dv| / A, sqrt(j* |dv| / J)). 0 where no limit binds.
@@ -21,8 +25,8 @@ double duration_s(double change_mm_s, const Peaks& peaks, const RampLimits& limi
 // T = |dv| / A + A / J where |dv| >= A^2 / J, else 2 sqrt(|dv| / J).
 double s_curve_duration_s(double change_mm_s, const RampLimits& limits) noexcept;
 
-// The largest change dv >= 0 [mm/s] whose transition from approach.v_mm_s upwards fits, to some
-// units in the last place; rounded to either side. Infinite where no limit binds.
+// The cap aside, the largest change dv >= 0 [mm/s] whose transition from approach.v_mm_s upwards
+// fits, to some units in the last place; rounded to either side. Infinite where no limit binds.
 double reachable_change(const Approach& approach, const Peaks& peaks,
                         const RampLimits& limits) noexcept;
 double s_curve_reachable_change(const Approach& approach, const RampLimits& limits) noexcept;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 namespace kerf::profiles {
@@ -57,6 +58,12 @@ PathMotion Transition::at(double t_s) const noexcept {
 Transition Transition::stretched(double factor) const noexcept {
   Transition result = *this;
   result.duration_s_ *= factor;
+  return result;
+}
+
+Transition Transition::reversed() const noexcept {
+  Transition result = *this;
+  std::swap(result.ramp_.v_begin_mm_s, result.ramp_.v_end_mm_s);
   return result;
 }
 

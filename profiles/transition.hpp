@@ -30,10 +30,15 @@ class Transition {
   [[nodiscard]] double length_mm() const noexcept {
     return 0.5 * (ramp_.v_begin_mm_s + ramp_.v_end_mm_s) * duration_s_;
   }
-  // Motion t_s after the start; s counts from 0 there. t_s outside [0, duration] is clamped.
+  // Motion t_s after the start; s counts from 0 there. t_s outside [0, duration] is clamped. Exact
+  // at both ends: v_begin and s = 0 there, v_end and s = length_mm() here. Of duration 0 it is at
+  // its end throughout.
   [[nodiscard]] PathMotion at(double t_s) const noexcept;
   // The same shape over factor times the duration: slower, longer, gentler. Precondition: > 0.
   [[nodiscard]] Transition stretched(double factor) const noexcept;
+  // The same motion backwards in time: from v_end to v_begin, a mirror image by the symmetry of
+  // every shape.
+  [[nodiscard]] Transition reversed() const noexcept;
 
  private:
   Ramp ramp_{};
