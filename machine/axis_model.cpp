@@ -8,6 +8,7 @@ namespace kerf::machine {
 namespace {
 
 constexpr double kLongestSubstepS = 50e-6;
+constexpr double kRestMmS = 1e-15;
 
 // To the nearest whole number, ties to even, for |value| below 2^51: the sum has no bits left for a
 // fraction. std::nearbyint is a call on plain x86-64.
@@ -49,6 +50,7 @@ void AxisModel::follow(double setpoint_mm) noexcept {
 
 void AxisModel::begin_stop(double ramp_s) noexcept {
   stop_from_mm_s_ = velocity_mm_s_;
+  integral_mm_s2_ = 0.0;  // what it holds against friction would push on after the ramp
   stop_left_ = ramp_s > 0.0 ? 1.0 : 0.0;
   stop_step_ = ramp_s > 0.0 ? substep_s_ / ramp_s : 0.0;
 }
@@ -114,8 +116,10 @@ void AxisModel::substep(double velocity_command_mm_s) noexcept {
   integrate(command_mm_s - v, motor_mm_s2);
   position_mm_ += moved_mm;
   velocity_mm_s_ = v + change_mm_s;
-  // Dry friction brings the axis to rest, it never turns it round.
-  if (coulomb_mm_s2 > 0.0 && velocity_mm_s_ * v < 0.0) {
+  // Dry friction brings the axis to rest, it never turns it round. A speed that only decays is
+  // cut off before it becomes a denormal number, which is slow to compute with.
+  const bool turned_by_friction = coulomb_mm_s2 > 0.0 && velocity_mm_s_ * v < 0.0;
+  if (turned_by_friction || std::abs(velocity_mm_s_) < kRestMmS) {
     velocity_mm_s_ = 0.0;
   }
 }

@@ -1,8 +1,8 @@
 #include "machine/envelope.hpp"
 
+#include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <limits>
 
 namespace kerf::machine {
@@ -18,6 +18,14 @@ TravelExcess excess_of(const Travel& travel, double coordinate_mm, bool above) {
   return {.above = above,
           .limit_mm = limit_mm,
           .by_mm = beyond ? std::abs(coordinate_mm - limit_mm) : 0.0};
+}
+
+// Six digits, whatever the locale.
+std::string text_of(double number) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number,
+                                 std::chars_format::general, 6);
+  return {buffer.data(), end.ptr};
 }
 
 }  // namespace
@@ -50,15 +58,12 @@ std::optional<TravelExcess> outside_travel(const Envelope& envelope,
 }
 
 std::string describe(const TravelExcess& excess) {
-  const char name = "xyz"[excess.axis];
-  char text[96];
+  const std::string name(1, "xyz"[excess.axis]);
   if (!std::isfinite(excess.by_mm)) {
-    std::snprintf(text, sizeof text, "%c is not a finite number", name);
-  } else {
-    std::snprintf(text, sizeof text, "%c goes %.6g mm beyond its %s limit of %.9g mm", name,
-                  excess.by_mm, excess.above ? "upper" : "lower", excess.limit_mm);
+    return name + " is not a finite number";
   }
-  return text;
+  return name + " goes " + text_of(excess.by_mm) + " mm beyond its " +
+         (excess.above ? "upper" : "lower") + " limit of " + text_of(excess.limit_mm) + " mm";
 }
 
 }  // namespace kerf::machine
