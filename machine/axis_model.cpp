@@ -50,7 +50,6 @@ void AxisModel::follow(double setpoint_mm) noexcept {
 
 void AxisModel::begin_stop(double ramp_s) noexcept {
   stop_from_mm_s_ = velocity_mm_s_;
-  integral_mm_s2_ = 0.0;  // what it holds against friction would push on after the ramp
   stop_left_ = ramp_s > 0.0 ? 1.0 : 0.0;
   stop_step_ = ramp_s > 0.0 ? substep_s_ / ramp_s : 0.0;
 }
@@ -58,6 +57,7 @@ void AxisModel::begin_stop(double ramp_s) noexcept {
 void AxisModel::stop() noexcept {
   for (int i = 0; i < substeps_; ++i) {
     stop_left_ = std::max(0.0, stop_left_ - stop_step_);
+    integral_mm_s2_ = 0.0;  // what it holds would push on after the ramp
     substep(stop_from_mm_s_ * stop_left_);
   }
 }

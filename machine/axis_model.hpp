@@ -42,7 +42,7 @@ class AxisModel {
   // One tick towards the setpoint.
   void follow(double setpoint_mm) noexcept;
   // From now on stop(): the velocity goes to 0 along a straight ramp of ramp_s, then stays there.
-  // The position loop is open, since its encoder may be what failed.
+  // The position loop is open, since its encoder may be what failed, and the integral is off.
   void begin_stop(double ramp_s) noexcept;
   void stop() noexcept;  // one tick of it
 
