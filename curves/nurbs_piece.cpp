@@ -38,34 +38,71 @@ Position placed(const NurbsPiece& piece, const Homogeneous& value) noexcept {
           piece.origin_mm[2] + scale * value[2]};
 }
 
-// Derivatives by x, the point seen from the origin of the piece.
+// The polynomials' values and derivatives; f2 is divided by 2 and f3 by 6 so far.
+struct Taylor {
+  Homogeneous f, f1, f2, f3;
+};
+
+template <int kDegree>
+Taylor expand(const NurbsPiece& piece, double x) noexcept {
+  const int degree = kDegree > 0 ? kDegree : piece.degree;
+  Taylor t{coefficient(piece, degree), Homogeneous::Zero(), Homogeneous::Zero(),
+           Homogeneous::Zero()};
+  for (int i = 1; i <= degree; ++i) {  // the first steps without the products by zero
+    if (i > 3)
+      t.f3 = t.f3 * x;
+    if (i > 2)
+      t.f3 += t.f2;
+    if (i > 2)
+      t.f2 = t.f2 * x;
+    if (i > 1)
+      t.f2 += t.f1;
+    if (i > 1)
+      t.f1 = t.f1 * x;
+    t.f1 += t.f;
+    t.f = t.f * x + coefficient(piece, degree - i);
+  }
+  return t;
+}
+
+// The usual degrees with their loop unrolled.
+Taylor expand(const NurbsPiece& piece, double x) noexcept {
+  switch (piece.degree) {
+    case 2:
+      return expand<2>(piece, x);
+    case 3:
+      return expand<3>(piece, x);
+    default:
+      return expand<0>(piece, x);
+  }
+}
+
+// The point seen from the origin of the piece, and its derivatives by x. All four lanes go through
+// the quotient rule together; what comes out in the fourth is 1 for the point and 0 for the others.
 struct ByParameter {
-  Homogeneous value = Homogeneous::Zero();
-  Eigen::Vector3d first, second, third;
+  Homogeneous point, first, second, third;
 };
 
 ByParameter derivatives_by_x(const NurbsPiece& piece, double x) noexcept {
-  Homogeneous f = coefficient(piece, piece.degree);
-  Homogeneous f1 = Homogeneous::Zero();
-  Homogeneous f2 = Homogeneous::Zero();  // by 2
-  Homogeneous f3 = Homogeneous::Zero();  // by 6
-  for (int k = piece.degree - 1; k >= 0; --k) {
-    f3 = f3 * x + f2;
-    f2 = f2 * x + f1;
-    f1 = f1 * x + f;
-    f = f * x + coefficient(piece, k);
-  }
-  f2 *= 2.0;
-  f3 *= 6.0;
-  const double scale = 1.0 / f[3];
+  const Taylor t = expand(piece, x);
+  const double scale = 1.0 / t.f[3];
+  const double w1 = scale * t.f1[3];
+  const double w2 = scale * 2.0 * t.f2[3];
+  const double w3 = scale * 6.0 * t.f3[3];
   ByParameter d;
-  d.value = f;
-  const Eigen::Vector3d point = scale * f.head<3>().matrix();
-  d.first = scale * (f1.head<3>().matrix() - f1[3] * point);
-  d.second = scale * (f2.head<3>().matrix() - 2.0 * f1[3] * d.first - f2[3] * point);
-  d.third = scale * (f3.head<3>().matrix() - 3.0 * f1[3] * d.second - 3.0 * f2[3] * d.first -
-                     f3[3] * point);
+  d.point = scale * t.f;
+  d.first = scale * t.f1 - w1 * d.point;
+  d.second = (2.0 * scale) * t.f2 - (2.0 * w1) * d.first - w2 * d.point;
+  d.third = (6.0 * scale) * t.f3 - (3.0 * w1) * d.second - (3.0 * w2) * d.first - w3 * d.point;
   return d;
+}
+
+double dot(const Homogeneous& a, const Homogeneous& b) noexcept {
+  return (a * b).sum();
+}
+
+Position first_three(const Homogeneous& v) noexcept {
+  return {v[0], v[1], v[2]};
 }
 
 }  // namespace
@@ -84,30 +121,34 @@ PathDerivatives NurbsPiece::derivatives_at(double s_mm) const noexcept {
   const double x = local_parameter(*this, s_mm);
   ByParameter d = derivatives_by_x(*this, x);
   PathDerivatives result;
-  result.position_mm = ends_curve && s_mm >= s_end_mm ? end_mm : placed(*this, d.value);
+  result.position_mm = ends_curve && s_mm >= s_end_mm
+                           ? end_mm
+                           : Position{origin_mm[0] + d.point[0], origin_mm[1] + d.point[1],
+                                      origin_mm[2] + d.point[2]};
 
   // Only pieces around a point where the parametrisation stands still fall below the floor.
   const double floor_mm = 1e-4 * 0.5 * (s_end_mm - s_begin_mm);
-  double speed_squared = d.first.squaredNorm();
+  double speed_squared = dot(d.first, d.first);
   for (const double elsewhere : {0.5, -0.5}) {
     if (speed_squared > floor_mm * floor_mm)
       break;
     d = derivatives_by_x(*this, elsewhere);
-    speed_squared = d.first.squaredNorm();
+    speed_squared = dot(d.first, d.first);
   }
 
+  // With C1, C2, C3 for the derivatives by x and v = |C1|: tangent t = C1 / v, curvature
+  // k = (C2 - (t C2) t) / v^2 and dk/ds = (C3 - (t C3) t) / v^3 - 3 (t C2) / v^2 k - |k|^2 t.
   const double per_speed = 1.0 / std::sqrt(speed_squared);
-  const Eigen::Vector3d tangent = per_speed * d.first;
-  const double change = tangent.dot(d.second) * per_speed;  // d|C'|/dx by |C'|
   const double per_squared = per_speed * per_speed;
-  const Eigen::Vector3d curvature = per_squared * d.second - change * per_speed * tangent;
-  const Eigen::Vector3d across = d.third - tangent.dot(d.third) * tangent;
-  const Eigen::Vector3d third = per_squared * per_speed * across -
-                                3.0 * change * per_speed * curvature -
-                                curvature.squaredNorm() * tangent;
-  result.first = to_position(tangent);
-  result.second_per_mm = to_position(curvature);
-  result.third_per_mm2 = to_position(third);
+  const Homogeneous tangent = per_speed * d.first;
+  const double change = dot(tangent, d.second) * per_squared;
+  const Homogeneous curvature = per_squared * d.second - change * tangent;
+  const double along = dot(tangent, d.third) * per_squared * per_speed + dot(curvature, curvature);
+  const Homogeneous third =
+      (per_squared * per_speed) * d.third - (3.0 * change) * curvature - along * tangent;
+  result.first = first_three(tangent);
+  result.second_per_mm = first_three(curvature);
+  result.third_per_mm2 = first_three(third);
   return result;
 }
 
@@ -124,8 +165,8 @@ double speed_mm(const NurbsPiece& piece, double x) noexcept {
     f = f * x + coefficient(piece, k);
   }
   const double scale = 1.0 / f[3];
-  const Eigen::Vector3d point = scale * f.head<3>().matrix();
-  return (scale * (f1.head<3>().matrix() - f1[3] * point)).norm();
+  const Homogeneous first = scale * f1 - (scale * f1[3] * scale) * f;
+  return std::sqrt(dot(first, first));
 }
 
 }  // namespace kerf::curves
