@@ -29,7 +29,7 @@ struct ArcMove {
   Point centre_mm{};  // the component along the normal axis is not used
   Point end_mm{};
   bool clockwise = false;  // seen against the direction of the normal axis, as G2 is
-  int turns = 1;           // 1: up to one full circle (end = start: exactly one); n: n - 1 circles more
+  int turns = 1;  // 1: up to one full circle (end = start: exactly one); n: n - 1 circles more
 };
 
 struct NurbsPoint {

@@ -12,8 +12,8 @@
 namespace kerf::parser {
 
 struct ReaderOptions {
-  Point start_mm{};            // where the tool is when the program starts
-  bool block_delete = false;   // leave out blocks that begin with '/'
+  Point start_mm{};           // where the tool is when the program starts
+  bool block_delete = false;  // leave out blocks that begin with '/'
   std::size_t max_errors = 100;
 };
 

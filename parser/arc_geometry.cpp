@@ -1,0 +1,191 @@
+#include "parser/arc_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kHalfCircleTolerance_mm = 0.01;
+constexpr double kRadiusTolerance_mm = 0.0283;
+constexpr double kRadiusTolerance = 0.001;
+constexpr double kLargestRadiusDifference_mm = 2.83;
+
+struct InPlane {
+  double first;
+  double second;
+};
+InPlane in_plane(const Point& point, PlaneAxes axes) {
+  return {point[axes.first], point[axes.second]};
+}
+double distance(InPlane a, InPlane b) {
+  return std::hypot(a.first - b.first, a.second - b.second);
+}
+
+bool fail(Fault& fault, std::uint32_t offset, std::string message) {
+  fault = {offset, std::move(message)};
+  return false;
+}
+
+bool radii_agree(double at_start, double at_end) {
+  const double difference = std::fabs(at_start - at_end);
+  return difference <= kRadiusTolerance_mm ||
+         (difference <= kLargestRadiusDifference_mm &&
+          difference <= kRadiusTolerance * std::max(at_start, at_end));
+}
+
+bool turns_from(const Block& block, ArcMove& arc, Fault& fault) {
+  constexpr double kMostTurns = 1e6;
+  if (!block.has('P')) {
+    arc.turns = 1;
+    return true;
+  }
+  const Word& word = block.word('P');
+  if (word.value != std::floor(word.value)) {
+    return fail(fault, word.offset, "P (turns of an arc) must be a whole number");
+  }
+  if (word.value < 1.0 || word.value > kMostTurns) {
+    return fail(fault, word.offset,
+                joined({"P (turns of an arc) must be 1 or more, found ", shortest(word.value)}));
+  }
+  arc.turns = static_cast<int>(word.value);
+  return true;
+}
+
+bool centre_from_radius(const Block& block, const ModalState& state, ArcMove& arc, Fault& fault) {
+  const PlaneAxes axes = axes_of(arc.plane);
+  const Word& word = block.word('R');
+  const double radius = word.value * mm_per_unit(state.units);
+  const InPlane start = in_plane(state.position_mm, axes);
+  const InPlane end = in_plane(arc.end_mm, axes);
+  const double chord = distance(start, end);
+  if (radius == 0.0) {
+    return fail(fault, word.offset, "R must not be 0");
+  }
+  if (!block.has_any(letter_bit(axis_letter(axes.first)) | letter_bit(axis_letter(axes.second)))) {
+    return fail(fault, word.offset, "an arc given by R needs an end point");
+  }
+  if (chord == 0.0) {
+    return fail(fault, word.offset,
+                "an arc given by R cannot be a full circle: the end point is the start point");
+  }
+  const double size = std::fabs(radius);
+  if (size < chord / 2 - kHalfCircleTolerance_mm) {
+    return fail(fault, word.offset,
+                joined({"R", shortest(word.value), " is too small: the end point is ", in_mm(chord),
+                        " mm away, a radius of at least ", in_mm(chord / 2), " mm is needed"}));
+  }
+  // Square root of r^2 - (chord/2)^2 without cancellation.
+  const double height = std::sqrt(std::max(0.0, (size - chord / 2) * (size + chord / 2)));
+  const double left = (arc.clockwise == (radius > 0.0)) ? -height : height;
+  arc.centre_mm[axes.first] =
+      (start.first + end.first) / 2 - left * (end.second - start.second) / chord;
+  arc.centre_mm[axes.second] =
+      (start.second + end.second) / 2 + left * (end.first - start.first) / chord;
+  return true;
+}
+
+std::string radii_differ(InPlane start, InPlane end, InPlane centre) {
+  const double at_start = distance(centre, start);
+  const double at_end = distance(centre, end);
+  return joined({"the arc's radius differs by ", in_mm(std::fabs(at_start - at_end)),
+                 " mm between start (", in_mm(at_start), ") and end (", in_mm(at_end), ")"});
+}
+
+bool check_radii(const Block& block, const ModalState& state, const ArcMove& arc, Fault& fault) {
+  const PlaneAxes axes = axes_of(arc.plane);
+  const InPlane start = in_plane(state.position_mm, axes);
+  const InPlane end = in_plane(arc.end_mm, axes);
+  const InPlane centre = in_plane(arc.centre_mm, axes);
+  const char first = centre_letter(axes.first);
+  const char second = centre_letter(axes.second);
+  const Word& word = block.word(block.has(first) ? first : second);
+  if (distance(centre, start) == 0.0) {
+    return fail(fault, word.offset, "the arc's centre is its start point (radius 0)");
+  }
+  if (radii_agree(distance(centre, start), distance(centre, end))) {
+    return true;
+  }
+  const double unit = mm_per_unit(state.units);
+  const InPlane as_absolute{block.value_or(first, 0.0) * unit, block.value_or(second, 0.0) * unit};
+  std::string message = radii_differ(start, end, centre);
+  if (!state.absolute_centre &&
+      radii_agree(distance(as_absolute, start), distance(as_absolute, end))) {
+    message += " (is the centre meant absolute? G91.1 is active)";
+  }
+  return fail(fault, word.offset, std::move(message));
+}
+
+bool centre_from_words(const Block& block, const ModalState& state, ArcMove& arc, Fault& fault) {
+  const PlaneAxes axes = axes_of(arc.plane);
+  const char first = centre_letter(axes.first);
+  const char second = centre_letter(axes.second);
+  if (state.absolute_centre && !(block.has(first) && block.has(second))) {
+    const Word& word = block.word(block.has(first) ? first : second);
+    return fail(fault, word.offset,
+                joined({"G90.1 is active: ", named(std::min(first, second)), " and ",
+                        named(std::max(first, second)), " must both be given"}));
+  }
+  const double unit = mm_per_unit(state.units);
+  for (const std::size_t axis : {axes.first, axes.second}) {
+    const double origin = state.absolute_centre ? 0.0 : state.position_mm[axis];
+    arc.centre_mm[axis] = origin + block.value_or(centre_letter(axis), 0.0) * unit;
+  }
+  return check_radii(block, state, arc, fault);
+}
+
+bool check_words(const Block& block, Plane plane, Fault& fault) {
+  const PlaneAxes axes = axes_of(plane);
+  const Letters centre =
+      letter_bit(centre_letter(axes.first)) | letter_bit(centre_letter(axes.second));
+  const char normal = centre_letter(axes.normal);
+  if (block.has(normal)) {
+    return fail(
+        fault, block.word(normal).offset,
+        joined({named(normal), " is not used by an arc in the ", plane_name(plane), " plane"}));
+  }
+  if (block.has('R') && block.has_any(centre)) {
+    return fail(fault, block.word('R').offset, "R and a centre are both given");
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string_view plane_name(Plane plane) {
+  return plane == Plane::xy ? "XY" : plane == Plane::zx ? "XZ" : "YZ";
+}
+
+bool build_arc(const Block& block, const ModalState& state, const Point& end_mm, ArcMove& arc,
+               Fault& fault) {
+  arc.plane = state.plane;
+  arc.clockwise = state.motion == Motion::arc_clockwise;
+  arc.centre_mm = state.position_mm;
+  arc.end_mm = end_mm;
+  if (!check_words(block, arc.plane, fault) || !turns_from(block, arc, fault)) {
+    return false;
+  }
+  return block.has('R') ? centre_from_radius(block, state, arc, fault)
+                        : centre_from_words(block, state, arc, fault);
+}
+
+double arc_length_mm(const ArcMove& arc, const Point& start_mm) {
+  const PlaneAxes axes = axes_of(arc.plane);
+  const InPlane centre = in_plane(arc.centre_mm, axes);
+  const InPlane start = in_plane(start_mm, axes);
+  const InPlane end = in_plane(arc.end_mm, axes);
+  double angle = std::atan2(end.second - centre.second, end.first - centre.first) -
+                 std::atan2(start.second - centre.second, start.first - centre.first);
+  angle = arc.clockwise ? -angle : angle;
+  const bool closed = start.first == end.first && start.second == end.second;
+  angle = closed ? 2 * kPi : angle <= 0.0 ? angle + 2 * kPi : angle;
+  angle += 2 * kPi * (arc.turns - 1);
+  const double radius = (distance(centre, start) + distance(centre, end)) / 2;
+  return std::hypot(radius * angle, arc.end_mm[axes.normal] - start_mm[axes.normal]);
+}
+
+}  // namespace kerf::parser

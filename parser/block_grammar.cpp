@@ -1,0 +1,197 @@
+// line := ['/' [1-9]] ['N' unsigned] *(word | comment) [remark]
+// word := letter number
+//
+// The grammar is Spirit X3 over bytes. Its leaves are ours: X3's own number parsers take nan, inf
+// and exponents and round wrongly, and its character classes must not see bytes from 0x80. It has
+// no recursion, so no input can overflow the stack, and it fills the block in place.
+#include "parser/block_grammar.hpp"
+
+#include <boost/spirit/home/x3.hpp>
+
+#include "parser/number.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+namespace x3 = boost::spirit::x3;
+
+struct BlockTag {};
+
+constexpr bool is_letter(char c) {
+  return static_cast<unsigned char>((c | 0x20) - 'a') < 26;
+}
+constexpr char to_upper(char c) {
+  return static_cast<char>(c & ~0x20);
+}
+
+template <class Context>
+Block& block_of(const Context& context) {
+  return x3::get<BlockTag>(context).get();
+}
+
+std::uint32_t offset_in(const Block& block, const char* at) {
+  return static_cast<std::uint32_t>(at - block.line.data());
+}
+
+struct Blanks : x3::parser<Blanks> {
+  using attribute_type = x3::unused_type;
+  static constexpr bool has_attribute = false;
+  template <class Iterator, class Context, class RContext, class Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context&, RContext&, Attribute&) const {
+    while (first != last && detail::is_blank(*first)) {
+      ++first;
+    }
+    return true;
+  }
+};
+
+// A byte of a comment: all but NUL and, between brackets, the brackets.
+struct CommentByte : x3::parser<CommentByte> {
+  using attribute_type = x3::unused_type;
+  static constexpr bool has_attribute = false;
+  bool brackets = false;
+  template <class Iterator, class Context, class RContext, class Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context&, RContext&, Attribute&) const {
+    if (first == last || *first == '\0' || (!brackets && (*first == '(' || *first == ')'))) {
+      return false;
+    }
+    ++first;
+    return true;
+  }
+};
+
+// An address letter other than N, which has its own place.
+struct Letter : x3::parser<Letter> {
+  using attribute_type = const char*;
+  static constexpr bool has_attribute = true;
+  template <class Iterator, class Context, class RContext, class Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context&, RContext&,
+             Attribute& at) const {
+    if (first == last || !is_letter(*first) || to_upper(*first) == 'N') {
+      return false;
+    }
+    at = first++;
+    return true;
+  }
+};
+
+struct Number : x3::parser<Number> {
+  using attribute_type = ScannedNumber;
+  static constexpr bool has_attribute = true;
+  template <class Iterator, class Context, class RContext, class Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context&, RContext&,
+             Attribute& number) const {
+    number = scan_number(first, last);
+    if (number.end == nullptr) {
+      return false;
+    }
+    first = number.end;
+    return true;
+  }
+};
+
+// Where the grammar is, without taking anything.
+struct Here : x3::parser<Here> {
+  using attribute_type = const char*;
+  static constexpr bool has_attribute = true;
+  template <class Iterator, class Context, class RContext, class Attribute>
+  bool parse(Iterator& first, const Iterator&, const Context&, RContext&, Attribute& at) const {
+    at = first;
+    return true;
+  }
+};
+
+// The place for a word in the block, or nullptr where it may not stand again.
+Word* place_for(Block& block, char letter) {
+  if (letter == 'G') {
+    if (block.g_count == Block::kMaxG) {
+      block.stop = Stop::too_many_g;
+      return nullptr;
+    }
+    return &block.g[block.g_count++];
+  }
+  if (letter == 'M') {
+    if (block.m_count == Block::kMaxM) {
+      block.stop = Stop::too_many_m;
+      return nullptr;
+    }
+    return &block.m[block.m_count++];
+  }
+  if (block.has(letter)) {
+    block.stop = Stop::repeated;
+    return nullptr;
+  }
+  block.present |= letter_bit(letter);
+  return &block.words[static_cast<std::size_t>(letter - 'A')];
+}
+
+bool store_word(Block& block, const char* at, const ScannedNumber& number) {
+  const bool first = block.empty();
+  Word* const word = place_for(block, to_upper(*at));
+  if (word == nullptr) {
+    return false;
+  }
+  word->value = number.value;
+  word->offset = offset_in(block, at);
+  word->length = static_cast<std::uint32_t>(number.end - at);
+  if (first) {
+    block.first_word = word->offset;
+  }
+  if (number.blank_inside && block.blank_in_number == 0) {
+    block.blank_in_number = word->offset + 1;
+  }
+  return true;
+}
+
+constexpr auto keep_word = [](auto& context) {
+  const auto& parts = x3::_attr(context);
+  x3::_pass(context) =
+      store_word(block_of(context), boost::fusion::at_c<0>(parts), boost::fusion::at_c<1>(parts));
+};
+constexpr auto keep_line_number = [](auto& context) {
+  const auto& parts = x3::_attr(context);
+  const char* const at = boost::fusion::at_c<0>(parts);
+  Block& block = block_of(context);
+  const ScannedNumber& number = boost::fusion::at_c<1>(parts);
+  const std::string_view text(at, static_cast<std::size_t>(number.end - at));
+  x3::_pass(context) = text.find('-') == std::string_view::npos && store_word(block, at, number);
+  block.line_number_decimal = text.find('.') != std::string_view::npos;
+};
+constexpr auto keep_delete = [](auto& context) { block_of(context).deleted = true; };
+constexpr auto keep_delete_switch = [](auto& context) { block_of(context).numbered_delete = true; };
+constexpr auto keep_comment = [](auto& context) { block_of(context).has_comment = true; };
+constexpr auto keep_remark = [](auto& context) {
+  Block& block = block_of(context);
+  block.remark = offset_in(block, x3::_attr(context)) + 1;
+};
+
+const Blanks blanks{};
+const Letter letter{};
+const Number number{};
+const Here here{};
+const CommentByte inside_brackets{};
+const CommentByte to_the_end{{}, true};
+
+const auto comment = x3::lit('(')[keep_comment] >> x3::omit[*inside_brackets] >>
+                     x3::lit(')') >> blanks;
+const auto remark = (here >> x3::lit(';'))[keep_remark] >> x3::omit[*to_the_end];
+const auto word = (letter >> blanks >> number)[keep_word] >> blanks;
+const auto line_number =
+    (here >> x3::omit[x3::lit('N') | x3::lit('n')] >> blanks >> number)[keep_line_number] >> blanks;
+const auto block_delete = x3::lit('/')[keep_delete] >>
+                          -(x3::char_('1', '9')[keep_delete_switch]) >> blanks;
+const auto line = blanks >> -block_delete >> -line_number >> *(word | comment) >> -remark;
+
+}  // namespace
+
+bool read_block(std::string_view text, Block& block) {
+  block.clear(text);
+  const char* at = text.data();
+  const char* const end = at + text.size();
+  x3::parse(at, end, x3::with<BlockTag>(std::ref(block))[line]);
+  block.stopped_at = offset_in(block, at);
+  return at == end;
+}
+
+}  // namespace kerf::parser

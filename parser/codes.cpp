@@ -1,0 +1,146 @@
+#include "parser/codes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+enum class Status : std::uint8_t { unknown, not_yet, known };
+
+struct Code {
+  Status status = Status::unknown;
+  Group group = Group::other;
+};
+
+constexpr std::size_t kCodes = 1000;  // up to 99.9
+using Table = std::array<Code, kCodes>;
+
+constexpr bool is_m_group(Group group) {
+  return group >= Group::stop;
+}
+
+template <std::size_t size>
+constexpr void know(Table& table, Group group, const std::array<int, size>& tenths) {
+  for (const int code : tenths) {
+    table[static_cast<std::size_t>(code)] = {Status::known, group};
+  }
+}
+
+template <std::size_t size>
+constexpr void later(Table& table, const std::array<int, size>& tenths) {
+  for (const int code : tenths) {
+    table[static_cast<std::size_t>(code)].status = Status::not_yet;
+  }
+}
+
+constexpr Table g_table() {
+  Table table{};
+  know(table, Group::other, std::array{40, 530});
+  know(table, Group::motion, std::array{0, 10, 20, 30, 50, 51, 52, 53, 62, 63, 800});
+  know(table, Group::plane, std::array{170, 180, 190});
+  know(table, Group::distance, std::array{900, 910});
+  know(table, Group::arc_distance, std::array{901, 911});
+  know(table, Group::feed_mode, std::array{930, 940});
+  know(table, Group::units, std::array{200, 210});
+  know(table, Group::cutter_compensation, std::array{400});
+  know(table, Group::length_offset, std::array{490});
+  know(table, Group::work_offset, std::array{540, 550, 560, 570, 580, 590});
+  know(table, Group::path, std::array{610, 611, 640});
+  later(table,
+        std::array{70,  80,  100, 150, 160, 280, 281, 300, 301, 330, 331, 382, 383, 384, 385, 410,
+                   411, 420, 421, 430, 431, 432, 500, 510, 520, 541, 591, 592, 593, 650, 660, 670,
+                   680, 690, 700, 710, 711, 712, 720, 721, 722, 730, 740, 760, 810, 820, 830, 840,
+                   850, 860, 870, 880, 890, 920, 921, 922, 923, 950, 960, 970, 980, 990});
+  return table;
+}
+
+constexpr Table m_table() {
+  Table table{};
+  know(table, Group::stop, std::array{0, 10, 20, 300});
+  know(table, Group::tool, std::array{60});
+  know(table, Group::spindle, std::array{30, 40, 50});
+  know(table, Group::coolant, std::array{70, 80, 90});
+  later(table, std::array{190, 480, 490, 500, 510, 520, 530, 600, 610, 620, 630,
+                          640, 650, 660, 670, 680, 700, 710, 720, 730, 980, 990});
+  return table;
+}
+
+constexpr Table kG = g_table();
+constexpr Table kM = m_table();
+
+bool is_printer_code(double m) {
+  for (const int known : {82, 83, 84, 104, 105, 106, 107, 109, 117, 140, 190, 201, 203, 204, 205}) {
+    if (m == known) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The code's place in its table; kCodes where it has none.
+std::size_t place_of(double value) {
+  const double tenths = value * 10.0;
+  const double whole = std::nearbyint(tenths);
+  if (!(whole >= 0.0 && whole < static_cast<double>(kCodes)) || std::fabs(tenths - whole) > 1e-9) {
+    return kCodes;
+  }
+  return static_cast<std::size_t>(whole);
+}
+
+std::string why_not(const Block& block, const Word& word, const Code& code, bool is_m) {
+  const std::string name = upper(block.text(word));
+  if (code.status == Status::not_yet) {
+    return name + " is not supported yet";
+  }
+  if (is_m && word.value >= 0.0 && word.value != std::floor(word.value)) {
+    return name + ": an M code must be a whole number";
+  }
+  return name + " is not known" +
+         (is_m && is_printer_code(word.value) ? " (3D-printer file?)" : "");
+}
+
+template <std::size_t size>
+bool sort_words(const Block& block, const std::array<Word, size>& words, std::size_t count,
+                bool is_m, BlockCodes& codes, Fault& fault) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Word& word = words[i];
+    const std::size_t place = place_of(word.value);
+    const Code code = place < kCodes ? (is_m ? kM : kG)[place] : Code{};
+    if (code.status != Status::known) {
+      fault = {word.offset, why_not(block, word, code, is_m)};
+      return false;
+    }
+    BlockCodes::Entry& entry = codes.by_group[static_cast<std::size_t>(code.group)];
+    if (entry.tenths != kNoCode) {
+      fault = {word.offset, joined({upper(block.text(words[entry.index])), " and ",
+                                    upper(block.text(word)), " are in the same modal group"})};
+      return false;
+    }
+    entry = {static_cast<Tenths>(place), static_cast<std::uint8_t>(i)};
+  }
+  return true;
+}
+
+}  // namespace
+
+bool sort_codes(const Block& block, BlockCodes& codes, Fault& fault) {
+  codes = {};
+  Fault other;
+  const bool g = sort_words(block, block.g, block.g_count, false, codes, fault);
+  const bool m = sort_words(block, block.m, block.m_count, true, codes, other);
+  if (!m && (g || other.offset < fault.offset)) {
+    fault = std::move(other);
+  }
+  return g && m;
+}
+
+const Word& code_word(const Block& block, const BlockCodes& codes, Group group) {
+  const std::size_t index = codes.by_group[static_cast<std::size_t>(group)].index;
+  return is_m_group(group) ? block.m[index] : block.g[index];
+}
+
+}  // namespace kerf::parser

@@ -1,0 +1,72 @@
+#include "parser/curve_block.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point, Fault& fault) {
+  point = from_mm;
+  const double unit = mm_per_unit(at.state.units);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const char letter = axis_letter(axis);
+    if (!at.block.has(letter)) {
+      continue;
+    }
+    const double value = at.block.value(letter) * unit;
+    point[axis] = at.state.incremental ? from_mm[axis] + value : value;
+    if (!(std::fabs(point[axis]) <= kLargestCoordinate_mm)) {
+      const Word& word = at.block.word(letter);
+      fault = {word.offset, joined({named(letter), ": ", upper(at.block.text(word).substr(1, 40)),
+                                    " leads outside -999999.999..999999.999 mm"})};
+      return false;
+    }
+  }
+  return true;
+}
+
+const Word* leftmost(const Block& block, Letters set) {
+  const Word* first = nullptr;
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if ((set & letter_bit(letter)) != 0 && block.has(letter) &&
+        (first == nullptr || block.word(letter).offset < first->offset)) {
+      first = &block.word(letter);
+    }
+  }
+  return first;
+}
+
+char letter_of(const Block& block, const Word& word) {
+  return static_cast<char>(block.line[word.offset] & ~0x20);
+}
+
+bool check_plane_axes(const CurveBlock& at, std::string_view name, Fault& fault) {
+  const Plane plane = at.state.plane;
+  const Letters wanted = plane_letters(plane);
+  const Block& block = at.block;
+  if (const Word* const foreign = leftmost(block, kAxisLetters & ~wanted)) {
+    fault = {foreign->offset, joined({name, ": ", named(letter_of(block, *foreign)),
+                                      " is not an axis of the ", plane_name(plane), " plane"})};
+    return false;
+  }
+  if ((block.present & wanted) == wanted || !block.has_any(wanted)) {
+    return true;
+  }
+  const PlaneAxes axes = axes_of(plane);
+  const auto low = std::min(axes.first, axes.second);
+  const auto high = std::max(axes.first, axes.second);
+  fault = {leftmost(block, wanted)->offset,
+           joined({name, ": ", named(axis_letter(low)), " and ", named(axis_letter(high)),
+                   " must both be given"})};
+  return false;
+}
+
+bool is_a_point(const NurbsMove& curve) {
+  return std::all_of(curve.points.begin(), curve.points.end(), [&](const NurbsPoint& point) {
+    return point.position_mm == curve.points.front().position_mm;
+  });
+}
+
+}  // namespace kerf::parser

@@ -1,0 +1,51 @@
+// One block of a curve as its collector sees it, and what the collectors share.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "parser/arc_geometry.hpp"
+#include "parser/block.hpp"
+#include "parser/codes.hpp"
+#include "parser/fault.hpp"
+#include "parser/modal_state.hpp"
+#include "parser/move.hpp"
+
+namespace kerf::parser {
+
+struct CurveBlock {
+  const Block& block;
+  const BlockCodes& codes;
+  const ModalState& state;
+  std::uint32_t line = 0;
+};
+
+// Orders (degree + 1) that the curves can have, and how long a curve may become in memory.
+inline constexpr int kLowestOrder = 2;
+inline constexpr int kHighestOrder = 10;
+inline constexpr std::size_t kMostControlPoints = 250'000;
+inline constexpr double kLargestCoordinate_mm = 999999.999;
+
+// The block's end point in mm: absolute or from `from_mm`, axes without a word keep their place.
+// False, with the fault: beyond +-999999.999 mm.
+bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point, Fault& fault);
+
+// The first word of `set` in the order of the line; nullptr where there is none.
+const Word* leftmost(const Block& block, Letters set);
+// The capital letter of a word.
+char letter_of(const Block& block, const Word& word);
+
+// The two letters of the axes of a plane.
+constexpr Letters plane_letters(Plane plane) {
+  return letter_bit(axis_letter(axes_of(plane).first)) |
+         letter_bit(axis_letter(axes_of(plane).second));
+}
+
+// For curves of two axes: either both or none of the plane's axes. `name` begins the message.
+bool check_plane_axes(const CurveBlock& at, std::string_view name, Fault& fault);
+
+// True where the curve has no extent.
+bool is_a_point(const NurbsMove& curve);
+
+}  // namespace kerf::parser

@@ -1,0 +1,13 @@
+#include "parser/diagnostic.hpp"
+
+namespace kerf::parser {
+
+std::string to_string(const Diagnostic& diagnostic, std::string_view file) {
+  std::string text(file);
+  text += ':' + std::to_string(diagnostic.source.line);
+  text += ':' + std::to_string(diagnostic.source.column);
+  text += diagnostic.severity == Severity::error ? ": error: " : ": warning: ";
+  return text + diagnostic.message;
+}
+
+}  // namespace kerf::parser

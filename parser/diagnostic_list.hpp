@@ -1,0 +1,46 @@
+// Collects diagnostics up to a limit, so that a hopeless file cannot fill the memory.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "parser/diagnostic.hpp"
+
+namespace kerf::parser {
+
+class DiagnosticList {
+ public:
+  explicit DiagnosticList(std::size_t max_errors) : max_errors_(max_errors) {}
+
+  void error(SourcePosition source, std::string message) {
+    if (!full()) {
+      ++errors_;
+      list_.push_back({Severity::error, source, std::move(message)});
+    }
+  }
+
+  // Warnings have a limit of their own; the last one says that there are more.
+  void warning(SourcePosition source, std::string message) {
+    constexpr std::size_t kMaxWarnings = 100;
+    if (warnings_ > kMaxWarnings) {
+      return;
+    }
+    if (warnings_++ == kMaxWarnings) {
+      message = "more than 100 warnings: the rest is not shown";
+    }
+    list_.push_back({Severity::warning, source, std::move(message)});
+  }
+
+  [[nodiscard]] bool full() const { return errors_ >= max_errors_; }
+  [[nodiscard]] bool has_errors() const { return errors_ > 0; }
+  [[nodiscard]] const std::vector<Diagnostic>& all() const { return list_; }
+
+ private:
+  std::vector<Diagnostic> list_;
+  std::size_t errors_ = 0;
+  std::size_t warnings_ = 0;
+  std::size_t max_errors_;
+};
+
+}  // namespace kerf::parser

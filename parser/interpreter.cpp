@@ -1,0 +1,256 @@
+#include "parser/interpreter.hpp"
+
+#include <cmath>
+
+#include "parser/lexical_error.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+constexpr Tenths kG4 = 40;
+constexpr Tenths kG64 = 640;
+constexpr Tenths kG80 = 800;
+constexpr double kLargestLineNumber = 99'999'999.0;
+
+// Letters that the motion takes beside the axes.
+Letters letters_of(Motion motion) {
+  switch (motion) {
+    case Motion::arc_clockwise:
+    case Motion::arc_counterclockwise:
+      return letters('I', 'J', 'K', 'R', 'P');
+    case Motion::cubic_spline:
+      return letters('I', 'J', 'P', 'Q');
+    case Motion::quadratic_spline:
+      return letters('I', 'J', 'Q');
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
+Interpreter::Interpreter(const Point& start_mm, DiagnosticList& diagnostics)
+    : diagnostics_(&diagnostics), nurbs_(diagnostics) {
+  state_.position_mm = start_mm;
+}
+
+bool Interpreter::fail(std::uint32_t offset, std::string message) {
+  fault_ = {offset, std::move(message)};
+  return false;
+}
+
+void Interpreter::report(const Fault& fault) {
+  if (reported_line_ != line_) {
+    diagnostics_->error({line_, fault.offset + 1}, fault.message);
+    reported_line_ = line_;
+  }
+}
+
+void Interpreter::warn(std::uint32_t offset, std::string message) {
+  diagnostics_->warning({line_, offset + 1}, std::move(message));
+}
+
+Move& Interpreter::push_move() {
+  Move& move = moves_.push();
+  move.source = {line_, block_->first_word + 1};
+  move.start_mm = state_.position_mm;
+  move.rapid = false;
+  move.feedrate_mm_s = 0.0;
+  move.mode = state_.path_mode;
+  move.blend_tolerance_mm = state_.blend_tolerance_mm;
+  return move;
+}
+
+void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
+  block_ = &block;
+  line_ = line;
+  const bool sorted = sort_codes(block, codes_, fault_);
+  if (skipped_curve_ != kNoCode) {
+    if (!sorted || !complete || !leave_skipped_curve()) {
+      recover();
+      return;
+    }
+  }
+  if (sorted && !complete) {
+    fault_ = explain_stop(block);
+  }
+  if (sorted && complete && execute()) {
+    return;
+  }
+  report(fault_);
+  if (curve_open()) {
+    abandon_curve();
+  }
+  recover();
+}
+
+void Interpreter::end(std::uint32_t last_line, std::string_view where) {
+  line_ = last_line;
+  if (curve_open()) {
+    report({0, nurbs_.active() ? nurbs_.unfinished(where) : uniform_.unfinished(where)});
+    abandon_curve();
+  }
+}
+
+void Interpreter::end_program(SourcePosition source) {
+  Move& move = moves_.push();
+  move = Move{EventMove{EventKind::program_end, 0.0}, source, state_.position_mm};
+  program_ended_ = true;
+}
+
+bool Interpreter::execute() {
+  if (curve_open()) {
+    if (!reports_open_curve()) {
+      return continue_curve();
+    }
+    abandon_curve();
+    skipped_curve_ = kNoCode;
+  }
+  if (begins_curve()) {
+    return begin_curve();
+  }
+  if (!check_words()) {
+    return false;
+  }
+  if (block_->g_count > 0) {
+    set_modes();
+    if (!set_path_mode()) {
+      return false;
+    }
+  }
+  if (block_->has_any(letters('F', 'S', 'T')) && !(set_feed() && set_speed_and_tool())) {
+    return false;
+  }
+  if (block_->m_count > 0 || block_->has('S')) {
+    start_spindle();
+    switch_coolant();
+  }
+  if (codes_[Group::other] == kG4 && !dwell()) {
+    return false;
+  }
+  if (!move()) {
+    return false;
+  }
+  if (block_->m_count > 0) {
+    stop();
+  }
+  return true;
+}
+
+// Every word of the block must have somebody who uses it.
+bool Interpreter::check_words() {
+  const Block& block = *block_;
+  const Tenths code = codes_[Group::motion];
+  const Motion motion = code == kNoCode ? state_.motion : static_cast<Motion>(code);
+  const bool dwells = codes_[Group::other] == kG4;
+  const bool blends = codes_[Group::path] == kG64;
+  Letters usable = letters('N', 'F', 'S', 'T', 'O') | kAxisLetters | letters_of(motion);
+  usable |= (dwells || blends ? letters('P') : 0) | (blends ? letters('Q') : 0);
+  if (const Letters unused = block.present & ~usable; unused != 0) {
+    return explain_unused(*leftmost(block, unused));
+  }
+  if (block.has('N') && block.value('N') > kLargestLineNumber) {
+    return fail(block.word('N').offset,
+                joined({"N: line number ", upper(block.text(block.word('N')).substr(1, 40)),
+                        " is out of range"}));
+  }
+  if (block.has_any(letters('I', 'J', 'K', 'P', 'Q', 'R'))) {
+    const int users =
+        (dwells ? 1 : 0) + (blends ? 1 : 0) + ((letters_of(motion) & letters('P')) != 0 ? 1 : 0);
+    if (block.has('P') && users > 1) {
+      return fail(block.word('P').offset, "P has two users in this block");
+    }
+    for (const char letter : {'I', 'J', 'K', 'P', 'Q', 'R'}) {
+      if (block.has(letter) &&
+          !(std::fabs(block.value(letter)) * mm_per_unit(state_.units) <= kLargestCoordinate_mm)) {
+        return fail(
+            block.word(letter).offset,
+            joined({named(letter), ": value ", upper(block.text(block.word(letter)).substr(1, 40)),
+                    " is outside -999999.999..999999.999"}));
+      }
+    }
+  }
+  return !block.has_any(kAxisLetters | letters('I', 'J', 'K', 'R')) || check_axis_users();
+}
+
+bool Interpreter::check_axis_users() {
+  const Word& word = *leftmost(*block_, kAxisLetters | letters('I', 'J', 'K', 'R'));
+  const std::string_view letter = named(letter_of(*block_, word));
+  const Tenths code = codes_[Group::motion];
+  if (codes_[Group::other] == kG4 && code == kNoCode) {
+    return fail(word.offset, joined({"G4 takes the time in P, not in ", letter}));
+  }
+  if (code == kG80 || code == 53 || code == 63) {
+    const std::string name = upper(block_->text(code_word(*block_, codes_, Group::motion)));
+    return fail(word.offset, joined({"axis words are given but ", name, " uses none"}));
+  }
+  if (code == kNoCode && state_.motion == Motion::none) {
+    return fail(word.offset,
+                "axis words are given but no motion mode is active (G0, G1, G2 ... is expected)");
+  }
+  return true;
+}
+
+bool Interpreter::explain_unused(const Word& word) {
+  const char letter = letter_of(*block_, word);
+  const std::string_view name = named(letter);
+  switch (letter) {
+    case 'A':
+    case 'B':
+    case 'C':
+    case 'U':
+    case 'V':
+    case 'W':
+      return fail(word.offset, joined({"axis ", name, " does not exist on this machine"}));
+    case 'D':
+    case 'H':
+      return fail(word.offset, joined({name, " (tool offset number) is not supported yet"}));
+    case 'E': {
+      const char before = word.offset > 0 ? block_->line[word.offset - 1] : ' ';
+      const std::string_view text = block_->text(word);
+      const bool exponent = (before >= '0' && before <= '9') || before == '.';
+      if (exponent && text.find('.') == std::string_view::npos) {
+        return fail(word.offset, "exponent notation is not allowed (E is an address letter)");
+      }
+      return fail(word.offset, "E is not used in this block (3D-printer file?)");
+    }
+    default:
+      return fail(word.offset, joined({name, " is not used in this block"}));
+  }
+}
+
+// Takes over what can be told of a block with an error; see the class.
+void Interpreter::recover() {
+  const Block& block = *block_;
+  for (std::size_t i = 0; i < block.g_count; ++i) {
+    recover_code(block.g[i].value);
+  }
+  const CurveBlock here = curve_block();
+  Point end;
+  Fault ignored;
+  if (block.has_any(kAxisLetters) && resolve_point(here, state_.position_mm, end, ignored)) {
+    state_.position_mm = end;
+  }
+  if (block.has('F') && block.value('F') > 0.0 && state_.feed_mode == FeedMode::per_minute) {
+    state_.feedrate_mm_s = feedrate_mm_s_from(block.value('F'), state_.units);
+  }
+}
+
+void Interpreter::recover_code(double g) {
+  const auto is = [g](double code) { return std::fabs(g - code) < 1e-9; };
+  if (is(0) || is(1) || is(2) || is(3)) {
+    set_motion(static_cast<Tenths>(std::lround(g * 10)));
+  } else if (is(17) || is(18) || is(19)) {
+    state_.plane = is(17) ? Plane::xy : is(18) ? Plane::zx : Plane::yz;
+  } else if (is(20) || is(21)) {
+    set_units(is(20) ? Units::inch : Units::mm);
+  } else if (is(90) || is(91)) {
+    state_.incremental = is(91);
+  } else if (is(80)) {
+    set_motion(kG80);
+  }
+}
+
+}  // namespace kerf::parser

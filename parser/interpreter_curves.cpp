@@ -1,0 +1,130 @@
+// G6.2 and G5.2 ... G5.3: which blocks belong to a curve, and what follows an error in one.
+#include "parser/interpreter.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+constexpr Tenths kG52 = 52;
+constexpr Tenths kG53 = 53;
+constexpr Tenths kG62 = 62;
+constexpr Tenths kG63 = 63;
+
+bool ends_program(const BlockCodes& codes) {
+  return codes[Group::stop] == 20 || codes[Group::stop] == 300;
+}
+
+}  // namespace
+
+bool Interpreter::begins_curve() const {
+  const Tenths code = codes_[Group::motion];
+  if (code != kNoCode) {
+    return code == kG62 || code == kG52;
+  }
+  return state_.motion == Motion::nurbs && block_->has_any(kAxisLetters | letters('K', 'R'));
+}
+
+bool Interpreter::curve_feed() {
+  if (state_.feed_mode == FeedMode::inverse_time) {
+    return fail(motion_offset(), joined({state_.motion == Motion::nurbs ? "G6.2" : "G5.2",
+                                         " cannot be used with G93"}));
+  }
+  return cutting_feedrate(0.0, curve_feedrate_mm_s_);
+}
+
+bool Interpreter::begin_curve() {
+  set_modes();
+  curve_source_ = {line_, block_->first_word + 1};
+  const bool nurbs = state_.motion == Motion::nurbs;
+  const bool fine =
+      set_feed() && curve_feed() &&
+      (nurbs ? nurbs_.begin(curve_block(), fault_) : uniform_.begin(curve_block(), fault_));
+  if (!fine) {
+    skipped_curve_ = nurbs ? kG62 : kG52;
+  }
+  return fine;
+}
+
+// A block that is no part of the open curve but shows that its end is missing.
+bool Interpreter::reports_open_curve() {
+  const Tenths code = codes_[Group::motion];
+  std::string_view where;
+  if (nurbs_.active() && code != kNoCode && code != kG62) {
+    where = "before this block";
+  } else if (ends_program(codes_)) {
+    where = "at the end of the program";
+  } else {
+    return false;
+  }
+  const Word& word = code_word(*block_, codes_, ends_program(codes_) ? Group::stop : Group::motion);
+  const std::string name = joined({"at ", upper(block_->text(word))});
+  report({word.offset, nurbs_.active() ? nurbs_.unfinished(name) : uniform_.unfinished(name)});
+  return true;
+}
+
+bool Interpreter::continue_curve() {
+  const CurveBlock here = curve_block();
+  if (nurbs_.active()) {
+    const auto result = nurbs_.add(here, fault_);
+    if (result == NurbsCollector::Result::complete) {
+      return deliver_curve(nurbs_.take(), nurbs_.last_point_line(), "G6.2") && set_feed();
+    }
+    if (result == NurbsCollector::Result::failed) {
+      state_.position_mm = nurbs_.last_point_mm();
+      skipped_curve_ = kG62;
+      return false;
+    }
+    return set_feed();
+  }
+  const auto result = uniform_.add(here, fault_);
+  if (result == UniformCollector::Result::complete) {
+    set_motion(kG53);
+    return deliver_curve(uniform_.take(), line_, "G5.2");
+  }
+  if (result == UniformCollector::Result::failed) {
+    state_.position_mm = uniform_.last_point_mm();
+    skipped_curve_ = codes_[Group::motion] == kG53 ? kNoCode : kG52;
+    return false;
+  }
+  return set_feed();
+}
+
+// Hands the curve on, as far as it has any extent; the tool is then at its last control point.
+bool Interpreter::deliver_curve(NurbsMove curve, std::uint32_t line, std::string_view name) {
+  if (is_a_point(curve)) {
+    diagnostics_->warning({line, 1}, joined({name, ": the curve has zero length and is left out"}));
+    return true;
+  }
+  const Point end = curve.points.back().position_mm;
+  Move& move = push_move();
+  move.shape = std::move(curve);
+  move.source = curve_source_;
+  move.feedrate_mm_s = curve_feedrate_mm_s_;
+  state_.position_mm = end;
+  return true;
+}
+
+void Interpreter::abandon_curve() {
+  const bool nurbs = nurbs_.active();
+  state_.position_mm = nurbs ? nurbs_.last_point_mm() : uniform_.last_point_mm();
+  skipped_curve_ = nurbs ? kG62 : kG52;
+  nurbs_.abort();
+  uniform_.abort();
+}
+
+// After an error in a curve its blocks are passed over up to the next other code of group 1, the
+// start of a new curve, or the end of the program. True: the block is to be run.
+bool Interpreter::leave_skipped_curve() {
+  const Tenths code = codes_[Group::motion];
+  const bool new_curve = code == skipped_curve_ && code == kG62 && block_->has('P');
+  const bool other = code != kNoCode && code != skipped_curve_;
+  if (!new_curve && !other && !ends_program(codes_)) {
+    return false;
+  }
+  skipped_curve_ = kNoCode;
+  state_.motion = Motion::none;
+  return code != kG53 && code != kG63;
+}
+
+}  // namespace kerf::parser

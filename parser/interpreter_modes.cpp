@@ -1,0 +1,231 @@
+// Modal words, events and dwell.
+#include <cmath>
+
+#include "parser/interpreter.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+constexpr double kLargestFeed = 1e9;
+constexpr double kLargestTool = 99'999'999.0;
+
+}  // namespace
+
+void Interpreter::set_units(Units units) {
+  state_.feed_from_other_units = state_.feed_from_other_units != (units != state_.units);
+  state_.units = units;
+}
+
+// A change of the feed mode forgets the persistent F [NISTIR 6556, 3.5.19].
+void Interpreter::set_feed_mode(FeedMode mode) {
+  if (mode != state_.feed_mode) {
+    state_.feed_mode = mode;
+    state_.feedrate_mm_s.reset();
+  }
+}
+
+void Interpreter::set_modes() {
+  if (codes_.has(Group::units)) {
+    set_units(codes_[Group::units] == 200 ? Units::inch : Units::mm);
+  }
+  if (codes_.has(Group::feed_mode)) {
+    set_feed_mode(codes_[Group::feed_mode] == 930 ? FeedMode::inverse_time : FeedMode::per_minute);
+  }
+  if (codes_.has(Group::plane)) {
+    const Tenths code = codes_[Group::plane];
+    state_.plane = code == 170 ? Plane::xy : code == 180 ? Plane::zx : Plane::yz;
+  }
+  if (codes_.has(Group::distance)) {
+    state_.incremental = codes_[Group::distance] == 910;
+  }
+  if (codes_.has(Group::arc_distance)) {
+    state_.absolute_centre = codes_[Group::arc_distance] == 901;
+  }
+  if (codes_.has(Group::motion)) {
+    set_motion(codes_[Group::motion]);
+  }
+}
+
+bool Interpreter::set_path_mode() {
+  const Tenths code = codes_[Group::path];
+  if (code == kNoCode) {
+    return true;
+  }
+  state_.path_mode = code == 640   ? PathMode::blend
+                     : code == 611 ? PathMode::exact_stop
+                                   : PathMode::exact_path;
+  state_.blend_tolerance_mm = 0.0;
+  if (code != 640) {
+    return true;
+  }
+  if (block_->has('P')) {
+    const Word& word = block_->word('P');
+    if (word.value < 0.0) {
+      return fail(word.offset, "G64: P (tolerance) must not be negative");
+    }
+    state_.blend_tolerance_mm = word.value * mm_per_unit(state_.units);
+  }
+  if (block_->has('Q')) {
+    warn(block_->word('Q').offset,
+         "G64: Q (merging of short lines) is not supported yet, no lines are merged");
+  }
+  return true;
+}
+
+bool Interpreter::set_feed() {
+  if (!block_->has('F')) {
+    return true;
+  }
+  const Word& word = block_->word('F');
+  if (word.value < 0.0) {
+    return fail(word.offset, "F must not be negative");
+  }
+  if (word.value > kLargestFeed) {
+    return fail(word.offset,
+                joined({"F: value ", upper(block_->text(word).substr(1, 40)), " is out of range"}));
+  }
+  state_.feed_word = word.value;
+  state_.feed_from_other_units = false;
+  if (state_.feed_mode == FeedMode::per_minute) {
+    state_.feedrate_mm_s = feedrate_mm_s_from(word.value, state_.units);
+  }
+  return true;
+}
+
+bool Interpreter::set_speed_and_tool() {
+  if (block_->has('S')) {
+    const Word& word = block_->word('S');
+    if (word.value < 0.0) {
+      return fail(word.offset, "S must not be negative");
+    }
+    if (word.value > kLargestFeed) {
+      return fail(word.offset, joined({"S: value ", upper(block_->text(word).substr(1, 40)),
+                                       " is out of range"}));
+    }
+    state_.spindle_speed = word.value;
+  }
+  if (block_->has('T')) {
+    const Word& word = block_->word('T');
+    if (word.value < 0.0) {
+      return fail(word.offset, "T must not be negative");
+    }
+    if (word.value != std::floor(word.value)) {
+      return fail(word.offset, "T must be a whole number");
+    }
+    if (word.value > kLargestTool) {
+      return fail(word.offset, joined({"T: value ", upper(block_->text(word).substr(1, 40)),
+                                       " is out of range"}));
+    }
+    state_.tool = word.value;
+    state_.tool_selected = true;
+  }
+  return true;
+}
+
+void Interpreter::push_event(EventKind kind, double value) {
+  push_move().shape = EventMove{kind, value};
+}
+
+// M6, M3 to M5; a new S while the spindle turns is sent as its direction once more.
+void Interpreter::start_spindle() {
+  if (codes_.has(Group::tool)) {
+    if (!state_.tool_selected) {
+      warn(code_word(*block_, codes_, Group::tool).offset, "M6 with no tool selected (T)");
+    }
+    push_event(EventKind::tool_change, state_.tool);
+  }
+  const Tenths code = codes_[Group::spindle];
+  if (code == 50) {
+    state_.spindle = Spindle::off;
+    push_event(EventKind::spindle_off, 0.0);
+    return;
+  }
+  if (code != kNoCode) {
+    state_.spindle = code == 30 ? Spindle::clockwise : Spindle::counterclockwise;
+  }
+  const bool changed = code != kNoCode || block_->has('S');
+  if (changed && state_.spindle != Spindle::off) {
+    push_event(
+        state_.spindle == Spindle::clockwise ? EventKind::spindle_cw : EventKind::spindle_ccw,
+        state_.spindle_speed);
+  }
+}
+
+void Interpreter::switch_coolant() {
+  const Tenths code = codes_[Group::coolant];
+  if (code != kNoCode) {
+    push_event(code == 70   ? EventKind::mist_on
+               : code == 80 ? EventKind::flood_on
+                            : EventKind::coolant_off,
+               0.0);
+  }
+}
+
+bool Interpreter::dwell() {
+  const Word& code = code_word(*block_, codes_, Group::other);
+  if (!block_->has('P')) {
+    return fail(code.offset, "G4 needs P (seconds)");
+  }
+  const Word& word = block_->word('P');
+  if (word.value < 0.0) {
+    return fail(word.offset, "G4: P must not be negative");
+  }
+  push_move().shape = DwellMove{word.value};
+  return true;
+}
+
+void Interpreter::stop() {
+  const Tenths code = codes_[Group::stop];
+  if (code == kNoCode) {
+    return;
+  }
+  if (code == 20 || code == 300) {
+    push_event(EventKind::program_end, 0.0);
+    program_ended_ = true;
+    return;
+  }
+  push_event(code == 0 ? EventKind::program_stop : EventKind::optional_stop, 0.0);
+}
+
+// The feedrate of a cutting move of this block; `length_mm` is what G93 divides by the time.
+bool Interpreter::cutting_feedrate(double length_mm, double& feedrate_mm_s) {
+  const auto name = [this] {
+    return joined({"G", shortest(static_cast<double>(state_.motion) / 10.0)});
+  };
+  if (state_.feed_mode == FeedMode::inverse_time) {
+    if (!block_->has('F')) {
+      return fail(motion_offset(), "G93 is active: F is needed in every cutting block");
+    }
+    if (block_->value('F') == 0.0) {
+      return fail(block_->word('F').offset, "F must be greater than 0 with G93");
+    }
+    feedrate_mm_s = feedrate_mm_s_from(InverseTime{length_mm, block_->value('F')});
+    return true;
+  }
+  if (!state_.feedrate_mm_s) {
+    if (!no_feed_reported_) {
+      no_feed_reported_ = true;
+      return fail(motion_offset(), joined({"no feed set: ", name(), " needs F"}));
+    }
+    feedrate_mm_s = 1.0;
+    return true;
+  }
+  if (*state_.feedrate_mm_s == 0.0) {
+    return fail(block_->has('F') ? block_->word('F').offset : motion_offset(),
+                joined({"feed is zero: ", name(), " needs F greater than 0"}));
+  }
+  if (state_.feed_from_other_units) {
+    state_.feed_from_other_units = false;
+    const bool was_inch = state_.units == Units::mm;
+    warn(motion_offset(),
+         joined({"units changed: F", shortest(state_.feed_word), was_inch ? " in/min" : " mm/min",
+                 " is now ", in_mm(*state_.feedrate_mm_s * 60.0 / mm_per_unit(state_.units)),
+                 was_inch ? " mm/min" : " in/min"}));
+  }
+  feedrate_mm_s = *state_.feedrate_mm_s;
+  return true;
+}
+
+}  // namespace kerf::parser

@@ -1,0 +1,142 @@
+// Straight moves and arcs.
+#include <algorithm>
+#include <cmath>
+
+#include "parser/interpreter.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+constexpr Tenths kG53 = 530;
+
+double distance_mm(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+}  // namespace
+
+// Where a message about the motion points: at its code, else at the first word that moves.
+std::uint32_t Interpreter::motion_offset() const {
+  if (codes_.has(Group::motion)) {
+    return code_word(*block_, codes_, Group::motion).offset;
+  }
+  const Word* const word = leftmost(*block_, kAxisLetters | letters('I', 'J', 'K', 'R'));
+  return word != nullptr ? word->offset : block_->first_word;
+}
+
+void Interpreter::set_motion(Tenths code) {
+  if (code == 53 || code == 63) {  // G5.3 and G6.3 leave no mode behind
+    code = static_cast<Tenths>(Motion::none);
+  }
+  const auto motion = static_cast<Motion>(code);
+  if (motion != Motion::cubic_spline) {
+    state_.spline_handle_mm.reset();
+  }
+  state_.motion = motion;
+}
+
+bool Interpreter::check_machine_coordinates() {
+  const Word& code = code_word(*block_, codes_, Group::other);
+  if (state_.motion != Motion::rapid && state_.motion != Motion::line) {
+    return fail(code.offset, "G53 can be used only with G0 or G1");
+  }
+  if (state_.incremental) {
+    return fail(code.offset, "G53 needs G90 (G91 is active)");
+  }
+  if (!block_->has_any(kAxisLetters)) {
+    return fail(code.offset, "G53 needs an axis word");
+  }
+  return true;
+}
+
+bool Interpreter::move() {
+  if (codes_[Group::other] == kG53 && !check_machine_coordinates()) {
+    return false;
+  }
+  switch (state_.motion) {
+    case Motion::rapid:
+    case Motion::line:
+      return !block_->has_any(kAxisLetters) || straight_move();
+    case Motion::arc_clockwise:
+    case Motion::arc_counterclockwise:
+      return (!codes_.has(Group::motion) &&
+              !block_->has_any(kAxisLetters | letters('I', 'J', 'K', 'R'))) ||
+             arc_move();
+    case Motion::cubic_spline:
+      return (!codes_.has(Group::motion) && !block_->has_any(kAxisLetters | letters('I', 'J'))) ||
+             cubic_spline();
+    case Motion::quadratic_spline:
+      return (!codes_.has(Group::motion) && !block_->has_any(kAxisLetters | letters('I', 'J'))) ||
+             quadratic_spline();
+    case Motion::none:
+      if (codes_[Group::motion] == 53) {
+        return fail(motion_offset(), "G5.3 without G5.2");
+      }
+      return true;
+    default:
+      return true;
+  }
+}
+
+// A move of zero length is checked but not delivered.
+bool Interpreter::straight_move() {
+  Point end;
+  if (!resolve_point(curve_block(), state_.position_mm, end, fault_)) {
+    return false;
+  }
+  const bool rapid = state_.motion == Motion::rapid;
+  double feedrate_mm_s = 0.0;
+  const bool inverse = state_.feed_mode == FeedMode::inverse_time;
+  if (!rapid &&
+      !cutting_feedrate(inverse ? distance_mm(state_.position_mm, end) : 0.0, feedrate_mm_s)) {
+    return false;
+  }
+  if (end == state_.position_mm) {
+    return true;
+  }
+  Move& move = push_move();
+  move.shape = LineMove{end};
+  move.rapid = rapid;
+  move.feedrate_mm_s = feedrate_mm_s;
+  state_.position_mm = end;
+  return true;
+}
+
+bool Interpreter::arc_move() {
+  const Letters centre = plane_letters(state_.plane) >> ('X' - 'I');
+  if (!block_->has_any(centre | letters('R'))) {
+    const PlaneAxes axes = axes_of(state_.plane);
+    const char low = std::min(centre_letter(axes.first), centre_letter(axes.second));
+    const char high = std::max(centre_letter(axes.first), centre_letter(axes.second));
+    const std::string_view plane = plane_name(state_.plane);
+    if (!codes_.has(Group::motion)) {
+      return fail(motion_offset(),
+                  joined({"an arc (G", state_.motion == Motion::arc_clockwise ? "2" : "3",
+                          " is still active) in the ", plane, " plane needs ", named(low), ", ",
+                          named(high), " or R"}));
+    }
+    const bool bare = !block_->has_any(kAxisLetters);
+    return fail(motion_offset(),
+                joined({"an arc in the ", plane, " plane needs ", bare ? "an end point and " : "",
+                        "a centre (", named(low), ", ", named(high), ") or a radius (R)"}));
+  }
+  Point end;
+  if (!resolve_point(curve_block(), state_.position_mm, end, fault_)) {
+    return false;
+  }
+  ArcMove arc;
+  double feedrate_mm_s = 0.0;
+  if (!build_arc(*block_, state_, end, arc, fault_) ||
+      !cutting_feedrate(arc_length_mm(arc, state_.position_mm), feedrate_mm_s)) {
+    return false;
+  }
+  Move& move = push_move();
+  move.shape = arc;
+  move.feedrate_mm_s = feedrate_mm_s;
+  state_.position_mm = end;
+  return true;
+}
+
+}  // namespace kerf::parser

@@ -1,0 +1,302 @@
+#include "parser/lexical_error.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <initializer_list>
+
+#include "parser/number.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+using detail::is_blank;
+using detail::is_digit;
+
+constexpr bool is_letter(char c) {
+  return static_cast<unsigned char>((c | 0x20) - 'a') < 26;
+}
+
+std::string hex(unsigned value, int digits) {
+  std::array<char, 16> buffer{};
+  std::snprintf(buffer.data(), buffer.size(), "%0*X", digits, value);
+  return buffer.data();
+}
+
+// The code point of the UTF-8 sequence at the start of `bytes`, or 0 where there is none.
+unsigned code_point(std::string_view bytes, std::size_t& length) {
+  const auto byte = [&](std::size_t i) {
+    return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
+  };
+  const unsigned lead = byte(0);
+  length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  if (lead < 0xC2 || lead > 0xF4 || bytes.size() < length) {
+    return 0;
+  }
+  unsigned value = lead & (0xFFU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) {
+      return 0;
+    }
+    value = value << 6U | (byte(i) & 0x3FU);
+  }
+  return value;
+}
+
+std::string explain_non_ascii(std::string_view rest) {
+  std::size_t length = 0;
+  const unsigned code = code_point(rest, length);
+  if (code == 0) {
+    return joined({"byte 0x", hex(static_cast<unsigned char>(rest[0]), 2),
+                   " is not allowed outside a comment"});
+  }
+  const std::string shown = joined({"'", rest.substr(0, length), "' (U+", hex(code, 4), ")"});
+  if (code == 0x2212 || (code >= 0x2010 && code <= 0x2015)) {
+    return shown + " is not a minus sign: use '-'";
+  }
+  if (code == 0xA0) {
+    return "bytes 0xC2 0xA0 (no-break space) are not allowed outside a comment: use a blank";
+  }
+  return "non-ASCII character " + shown + " is not allowed outside a comment";
+}
+
+std::string explain_character(std::string_view rest) {
+  const char c = rest[0];
+  if (static_cast<unsigned char>(c) >= 0x80) {
+    return explain_non_ascii(rest);
+  }
+  if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+    return joined({"byte 0x", hex(static_cast<unsigned char>(c), 2), " is not allowed"});
+  }
+  const std::string_view shown = rest.substr(0, 1);
+  const std::string not_here = joined({"character '", shown, "' is not allowed here"});
+  switch (c) {
+    case '#':
+      return "'#': variables are not supported yet, a number is expected";
+    case '[':
+    case ']':
+      return joined({"'", shown, "': expressions are not supported yet, a number is expected"});
+    case ')':
+      return "')' without '('";
+    case '/':
+      return "'/' is allowed only at the start of a block";
+    case '%':
+      return "'%' must stand alone on its line";
+    case '=':
+      return not_here + " (Siemens program?)";
+    case '*':
+      return not_here + " (3D-printer checksum?)";
+    case '$':
+      return not_here + " (grbl command?)";
+    default:
+      return not_here;
+  }
+}
+
+std::string_view letters_at(std::string_view rest) {
+  return rest.substr(0, static_cast<std::size_t>(
+                            std::find_if_not(rest.begin(), rest.end(), is_letter) - rest.begin()));
+}
+
+std::string dialect_hint(const std::string& name) {
+  for (const char* const known : {"BSPLINE", "ASPLINE", "CSPLINE", "CYCLE", "POLY", "CALL"}) {
+    if (name.rfind(known, 0) == 0) {
+      return " (Siemens program?)";
+    }
+  }
+  return "";
+}
+
+// A malformed number that begins at `rest`, or nothing where it does not look like a number.
+std::string explain_malformed_number(std::string_view rest) {
+  std::size_t length = 0;
+  std::size_t signs = 0;
+  std::size_t points = 0;
+  bool digits = false;
+  for (; length < rest.size(); ++length) {
+    const char c = rest[length];
+    if (c != '-' && c != '+' && c != '.' && !is_digit(c)) {
+      break;
+    }
+    if ((c == '-' || c == '+') && (digits || points > 0)) {
+      break;
+    }
+    signs += c == '-' || c == '+' ? 1 : 0;
+    points += c == '.' ? 1 : 0;
+    digits = digits || is_digit(c);
+  }
+  if (length == 0) {
+    return "";
+  }
+  const std::string what = joined({"malformed number ", quoted(rest.substr(0, length)), ": "});
+  if (signs > 1) {
+    return what + "more than one sign";
+  }
+  if (!digits) {
+    return what + "no digits";
+  }
+  return what + (points > 1 ? "more than one decimal point" : "not a number");
+}
+
+// What stands after address `letter` where its number should be.
+Fault explain_missing_number(const Block& block, std::size_t letter_at) {
+  const std::string_view line = block.line;
+  std::size_t at = letter_at + 1;
+  while (at < line.size() && is_blank(line[at])) {
+    ++at;
+  }
+  const std::string_view rest = line.substr(at);
+  const std::string letter = upper(line.substr(letter_at, 1));
+  const std::string expected =
+      joined({"a number is expected after address '", letter, "', found "});
+  const Fault here{static_cast<std::uint32_t>(letter_at), {}};
+  const Fault there{static_cast<std::uint32_t>(at), {}};
+  if (rest.empty()) {
+    return {here.offset, expected + "the end of the line"};
+  }
+  if (rest[0] == '(' || rest[0] == ';') {
+    return {there.offset, expected + "a comment (expressions stand in [ ])"};
+  }
+  const bool sign = rest[0] == '-' || rest[0] == '+';
+  if (const auto name = letters_at(rest.substr(sign ? 1 : 0)); sign && name.size() > 1) {
+    return {there.offset, joined({expected, quoted(rest.substr(0, name.size() + 1))})};
+  }
+  if (const std::string malformed = explain_malformed_number(rest); !malformed.empty()) {
+    return {there.offset, letter == "N" && rest[0] == '-'
+                              ? "N: the line number must not be negative"
+                              : malformed};
+  }
+  if (!is_letter(rest[0])) {
+    return {there.offset, explain_character(rest)};
+  }
+  const std::string_view found = letters_at(rest);
+  const std::string hint = dialect_hint(letter + upper(found));
+  if (found.size() > 1 && hint.empty() && upper(found) != "OYOZO") {
+    return {there.offset, joined({expected, quoted(found)})};
+  }
+  const bool zero = rest[0] == 'O' || rest[0] == 'o';
+  const bool one = rest[0] == 'l';
+  const std::string_view guess = zero ? " (zero?)" : one ? " (one?)" : std::string_view(hint);
+  return {there.offset,
+          joined({expected, zero || one ? "the letter " : "", quoted(rest.substr(0, 1)), guess})};
+}
+
+// Words of macro programs, which the grammar takes for addresses.
+bool is_macro_word(const std::string& word) {
+  for (const char* const known : {"IF", "THEN", "GOTO", "WHILE", "DO", "END"}) {
+    const std::string_view name(known);
+    if (word.rfind(name, 0) == 0 && (word.size() == name.size() || name == "IF")) {
+      return true;
+    }
+  }
+  return false;
+}
+
+Fault explain_comment(const Block& block, std::size_t at) {
+  for (std::size_t i = at + 1; i < block.line.size(); ++i) {
+    if (block.line[i] == '(') {
+      return {static_cast<std::uint32_t>(i), "'(' inside a comment"};
+    }
+    if (block.line[i] == '\0') {
+      return {static_cast<std::uint32_t>(i), "byte 0x00 is not allowed"};
+    }
+  }
+  return {static_cast<std::uint32_t>(at), "the comment opened here is not closed on this line"};
+}
+
+Fault explain_letter(const Block& block, std::size_t at) {
+  const char letter = static_cast<char>(block.line[at] & ~0x20);
+  const auto offset = static_cast<std::uint32_t>(at);
+  if (block.stop == Stop::repeated) {
+    return {offset, joined({named(letter), " is given twice in this block"})};
+  }
+  if (block.stop == Stop::too_many_g) {
+    return {offset,
+            joined({"too many G codes in one block (at most ", std::to_string(Block::kMaxG), ")"})};
+  }
+  if (block.stop == Stop::too_many_m) {
+    return {offset,
+            joined({"too many M codes in one block (at most ", std::to_string(Block::kMaxM), ")"})};
+  }
+  const std::string_view word = letters_at(block.line.substr(at));
+  if (is_macro_word(upper(word))) {
+    return {offset, joined({"macro statements (", upper(word), ") are not supported yet"})};
+  }
+  if (block.has('O')) {
+    return {block.word('O').offset, "O: subprograms and o-words are not supported yet"};
+  }
+  if (letter == 'N' && at + 1 < block.line.size() && is_digit(block.line[at + 1])) {
+    return {offset, block.has('N') ? "N is given twice in this block"
+                                   : "N must be the first word of a block"};
+  }
+  return explain_missing_number(block, at);
+}
+
+// A character straight after a number that cannot go on there.
+Fault explain_after_number(const Block& block, std::size_t at) {
+  std::size_t start = at;
+  while (start > 0 && (is_digit(block.line[start - 1]) || block.line[start - 1] == '.')) {
+    --start;
+  }
+  const char c = block.line[at];
+  std::string message = joined({"unexpected character '", block.line.substr(at, 1),
+                                "' after number ", block.line.substr(start, at - start)});
+  if (c == ',') {
+    message += " (the decimal separator is '.')";
+  }
+  return {static_cast<std::uint32_t>(at), message};
+}
+
+bool splits_number(const Block& block, std::size_t at) {
+  return is_digit(block.line[at]) && at > 0 && block.line[at - 1] == ')';
+}
+
+}  // namespace
+
+Fault explain_stop(const Block& block) {
+  const std::size_t at = block.stopped_at;
+  const std::string_view line = block.line;
+  const char c = line[at];
+  if (c == '(') {
+    return explain_comment(block, at);
+  }
+  if (is_letter(c)) {
+    return explain_letter(block, at);
+  }
+  if (splits_number(block, at)) {
+    const auto open = line.rfind('(', at);
+    return {static_cast<std::uint32_t>(open),
+            joined({"a comment splits a number: ", quoted(line.substr(open - 1, at + 2 - open))})};
+  }
+  const bool after_number = at > 0 && (is_digit(line[at - 1]) || line[at - 1] == '.');
+  if (after_number && (c == ',' || c == '-' || c == '+' || c == '.')) {
+    return explain_after_number(block, at);
+  }
+  if (is_digit(c) || c == '-' || c == '+' || c == '.') {
+    return {static_cast<std::uint32_t>(at), "an address letter is expected before a number"};
+  }
+  return {static_cast<std::uint32_t>(at), explain_character(line.substr(at))};
+}
+
+Fault explain_first_line(std::string_view line) {
+  const auto byte = [&](std::size_t i) {
+    return i < line.size() ? static_cast<unsigned char>(line[i]) : 0x100U;
+  };
+  if ((byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF)) {
+    return {0, "the file is UTF-16, ASCII or UTF-8 is expected"};
+  }
+  if (is_letter(static_cast<char>(byte(0) & 0x7FU)) && byte(1) == 0) {
+    return {0, "the file is UTF-16 without a byte order mark, ASCII or UTF-8 is expected"};
+  }
+  if (byte(0) < 0x20 && byte(0) != '\t') {
+    return {0, joined({"the file is not text (byte 0x", hex(byte(0), 2), " at its start)"})};
+  }
+  if (line.substr(0, 200).find("BEGIN PGM") != std::string_view::npos) {
+    return {0, "this is a HEIDENHAIN program ('BEGIN PGM'), G-code is expected"};
+  }
+  return {};
+}
+
+}  // namespace kerf::parser

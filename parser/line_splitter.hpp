@@ -1,0 +1,46 @@
+// Bytes in pieces to numbered lines.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace kerf::parser {
+
+struct Line {
+  std::string_view text;  // without its end; valid until the next call of the splitter
+  std::uint32_t number = 0;
+  bool too_long = false;  // text is then its beginning, the rest is dropped
+};
+
+// CR, LF, CRLF and LFCR each end a line, wherever the pieces are cut. What is held is the rest of
+// the piece fed last and at most kMaxLine bytes of an unfinished line.
+class LineSplitter {
+ public:
+  static constexpr std::size_t kMaxLine = 64 * 1024;
+
+  void feed(std::string_view bytes);
+  void finish() { finished_ = true; }
+  // False: feed more, or the end.
+  bool next(Line& line);
+  [[nodiscard]] bool finished() const { return finished_; }
+  [[nodiscard]] std::uint32_t lines() const { return lines_; }
+
+ private:
+  bool skip_rest_of_line_end();
+  bool drop_rest_of_long_line();
+  std::size_t find_line_end();
+  void take(std::size_t length, Line& line);
+
+  std::string buffer_;
+  std::size_t at_ = 0;       // start of the next line
+  std::size_t scanned_ = 0;  // no line end before this
+  std::size_t next_cr_ = 0;  // place of the first CR from at_ on, or the buffer's end
+  std::uint32_t lines_ = 0;
+  char ended_by_ = '\0';  // the byte that ended the line before
+  bool dropping_ = false;
+  bool finished_ = false;
+};
+
+}  // namespace kerf::parser

@@ -1,0 +1,325 @@
+#include "parser/nurbs_collector.hpp"
+
+#include <cmath>
+
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+constexpr double kFirstPointTolerance_mm = 0.0005;  // half of Fanuc's least increment
+constexpr Tenths kG62 = 62;
+constexpr std::string_view kName = "G6.2";
+
+bool fail(Fault& fault, std::uint32_t offset, std::initializer_list<std::string_view> parts) {
+  fault = {offset, joined({kName, ": ", joined(parts)})};
+  return false;
+}
+
+std::string counted(std::size_t n) {
+  return std::to_string(n);
+}
+
+}  // namespace
+
+bool NurbsCollector::read_order(const CurveBlock& at, Fault& fault) {
+  order_ = 4;
+  if (!at.block.has('P')) {
+    return true;
+  }
+  const Word& word = at.block.word('P');
+  if (word.value != std::floor(word.value)) {
+    return fail(fault, word.offset,
+                {"P (order) must be a whole number, found ", shortest(word.value)});
+  }
+  if (word.value < kLowestOrder || word.value > kHighestOrder) {
+    return fail(fault, word.offset,
+                {"P (order) must be ", counted(kLowestOrder), " to ", counted(kHighestOrder),
+                 ", found ", shortest(word.value)});
+  }
+  order_ = static_cast<std::size_t>(word.value);
+  return true;
+}
+
+bool NurbsCollector::read_form(const CurveBlock& at, Fault& fault) {
+  in_plane_ = at.block.has('Q');
+  if (!in_plane_) {
+    return true;
+  }
+  const Word& word = at.block.word('Q');
+  if (word.value != 1.0 && word.value != 2.0 && word.value != 3.0) {
+    return fail(fault, word.offset, {"Q must be 1, 2 or 3, found ", shortest(word.value)});
+  }
+  return true;
+}
+
+// Words and codes that no block of a curve may hold.
+bool NurbsCollector::check_foreign(const CurveBlock& at, Fault& fault) const {
+  if (at.block.m_count > 0) {
+    return fail(fault, at.block.m[0].offset,
+                {upper(at.block.text(at.block.m[0])), " is not allowed inside a curve"});
+  }
+  for (std::size_t i = 0; active_ && i < at.block.g_count; ++i) {
+    const Word& word = at.block.g[i];
+    if (std::fabs(word.value - 6.2) > 1e-9) {
+      return fail(fault, word.offset,
+                  {upper(at.block.text(word)), " is not allowed inside a curve"});
+    }
+  }
+  const Letters usable =
+      letters('N', 'F', 'K', 'R') | kAxisLetters | (active_ ? Letters{0} : letters('P', 'Q'));
+  if (const Word* const word = leftmost(at.block, ~usable)) {
+    const char letter = letter_of(at.block, *word);
+    const bool first_block_only = letter == 'P' || letter == 'Q';
+    return fail(fault, word->offset,
+                {named(letter), first_block_only ? " can be given only in the first block"
+                                                 : " is not allowed inside a curve"});
+  }
+  return true;
+}
+
+bool NurbsCollector::check_axes(const CurveBlock& at, Fault& fault) {
+  if (in_plane_ && !check_plane_axes(at, kName, fault)) {
+    return false;
+  }
+  if (axes_ == 0) {
+    axes_ = at.block.present & kAxisLetters;
+  }
+  if (const Word* const word = leftmost(at.block, kAxisLetters & ~axes_)) {
+    return fail(fault, word->offset,
+                {named(letter_of(at.block, *word)),
+                 " was not given in the block of the first control point"});
+  }
+  return true;
+}
+
+bool NurbsCollector::begin(const CurveBlock& at, Fault& fault) {
+  curve_ = {};
+  last_point_mm_ = at.state.position_mm;
+  tail_ = run_ = 0;
+  axes_ = 0;
+  active_ = false;
+  if (!check_foreign(at, fault) || !read_order(at, fault) || !read_form(at, fault)) {
+    return false;
+  }
+  const Block& block = at.block;
+  const bool implicit = at.codes[Group::motion] != kG62;
+  const bool has_axes = block.has_any(kAxisLetters);
+  if (!has_axes && implicit) {
+    return fail(fault, block.first_word,
+                {"the curve is complete, a control point is expected with K"});
+  }
+  if (!has_axes && !block.has('P')) {
+    return fail(fault, block.first_word, {"P and a control point are expected in the first block"});
+  }
+  if (implicit && !block.has('K')) {
+    return fail(fault, leftmost(block, kAxisLetters)->offset,
+                {"K is missing (G6.2 is still active)"});
+  }
+  if (!check_axes(at, fault) || !first_point(at, fault)) {
+    return false;
+  }
+  if (implicit) {
+    diagnostics_->warning({at.line, block.first_word + 1},
+                          "G6.2: a new curve without G6.2, order 4 is assumed");
+  }
+  curve_.degree = static_cast<int>(order_) - 1;
+  active_ = true;
+  return true;
+}
+
+bool NurbsCollector::first_point(const CurveBlock& at, Fault& fault) {
+  Point point;
+  const Point& here = at.state.position_mm;
+  if (!resolve_point(at, here, point, fault)) {
+    return false;
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!(std::fabs(point[axis] - here[axis]) <= kFirstPointTolerance_mm)) {
+      return fail(
+          fault, leftmost(at.block, kAxisLetters)->offset,
+          {"the first control point ", in_mm(point), " is not the current position ", in_mm(here)});
+    }
+  }
+  const double weight = at.block.value_or('R', 1.0);
+  if (!(weight > 0.0)) {
+    return fail(fault, at.block.word('R').offset,
+                {"weight R must be greater than 0, found ", shortest(weight)});
+  }
+  curve_.points.push_back({here, weight});
+  curve_.point_lines.push_back(at.line);
+  knot_pending_ = !at.block.has('K');
+  if (!knot_pending_) {
+    push_knot(at.block.value('K'), at.line);
+  }
+  return true;
+}
+
+void NurbsCollector::push_knot(double knot, std::uint32_t line) {
+  run_ = !curve_.knots.empty() && knot == curve_.knots.back() ? run_ + 1 : 1;
+  curve_.knots.push_back(knot);
+  curve_.knot_lines.push_back(line);
+}
+
+bool NurbsCollector::check_knot(const CurveBlock& at, double knot, Fault& fault) const {
+  const auto& knots = curve_.knots;
+  const std::uint32_t offset = at.block.word('K').offset;
+  if (knots.empty()) {
+    return true;
+  }
+  if (knot < knots.back()) {
+    return fail(fault, offset,
+                {"knot ", shortest(knot), " is smaller than the knot before it (",
+                 shortest(knots.back()), ")"});
+  }
+  if (knots.size() < order_ && knot != knots.front()) {
+    return fail(fault, offset,
+                {"the first ", counted(order_), " knots must be equal, found ", shortest(knot),
+                 " after ", shortest(knots.front())});
+  }
+  const bool in_tail = !at.block.has_any(kAxisLetters);  // judged when the row is complete
+  if (!in_tail && knot == knots.back() && run_ == order_) {
+    const bool at_start = knot == knots.front();
+    return fail(fault, offset,
+                {"knot ", shortest(knot), " is repeated ", counted(run_ + 1), " times, at most ",
+                 counted(at_start ? order_ : order_ - 1),
+                 at_start ? " are allowed at the start (P is the order: degree + 1)"
+                          : " are allowed inside the curve"});
+  }
+  return true;
+}
+
+bool NurbsCollector::add_point(const CurveBlock& at, Fault& fault) {
+  const Block& block = at.block;
+  const Word* const first_axis = leftmost(block, kAxisLetters);
+  if (!block.has('K')) {
+    return fail(fault, first_axis->offset, {"K is missing"});
+  }
+  if (tail_ > 0) {
+    return fail(fault, first_axis->offset,
+                {"a control point after the knot-only blocks (", counted(order_ - tail_),
+                 " more of them are expected)"});
+  }
+  if (!check_axes(at, fault)) {
+    return false;
+  }
+  Point point;
+  if (!resolve_point(at, last_point_mm_, point, fault)) {
+    return false;
+  }
+  last_point_mm_ = point;
+  const double weight = block.value_or('R', 1.0);
+  if (!(weight > 0.0)) {
+    return fail(fault, block.word('R').offset,
+                {"weight R must be greater than 0, found ", shortest(weight)});
+  }
+  const double knot = block.value('K');
+  if (knot_pending_) {
+    push_knot(knot, curve_.point_lines.front());
+    knot_pending_ = false;
+  }
+  if (!check_knot(at, knot, fault)) {
+    return false;
+  }
+  if (curve_.points.size() == kMostControlPoints) {
+    return fail(fault, first_axis->offset,
+                {"more than ", counted(kMostControlPoints), " control points"});
+  }
+  push_knot(knot, at.line);
+  curve_.points.push_back({point, weight});
+  curve_.point_lines.push_back(at.line);
+  return true;
+}
+
+bool NurbsCollector::check_tail(const CurveBlock& at, Fault& fault) const {
+  const Block& block = at.block;
+  if (block.has('R')) {
+    return fail(fault, block.word('R').offset, {"R without a control point"});
+  }
+  if (curve_.points.size() < order_) {
+    return fail(fault, block.word('K').offset,
+                {"order ", counted(order_), " needs at least ", counted(order_),
+                 " control points, found ", counted(curve_.points.size())});
+  }
+  const double knot = block.value('K');
+  if (tail_ > 0 && knot > curve_.knots.back()) {
+    return fail(fault, block.word('K').offset,
+                {"the last ", counted(order_), " knots must be equal, found ", shortest(knot),
+                 " after ", shortest(curve_.knots.back())});
+  }
+  return check_knot(at, knot, fault);
+}
+
+bool NurbsCollector::add_knot(const CurveBlock& at, Fault& fault) {
+  if (!check_tail(at, fault)) {
+    return false;
+  }
+  ++tail_;
+  push_knot(at.block.value('K'), at.line);
+  return tail_ < order_ || check_whole(at, fault);
+}
+
+// What only the complete row of knots shows.
+bool NurbsCollector::check_whole(const CurveBlock& at, Fault& fault) const {
+  const auto& knots = curve_.knots;
+  const std::uint32_t offset = at.block.word('K').offset;
+  if (knots.front() == knots.back()) {
+    return fail(fault, offset,
+                {"the first and the last knot are equal (", shortest(knots.back()),
+                 "): the curve has no parameter range"});
+  }
+  if (run_ > order_) {
+    return fail(fault, offset,
+                {"knot ", shortest(knots.back()), " is repeated ", counted(run_),
+                 " times at the end, ", counted(order_), " are allowed"});
+  }
+  // P equal knots inside: the curve jumps from control point i - 1 to control point i.
+  for (std::size_t i = order_; i + order_ < knots.size(); ++i) {
+    if (i + order_ <= curve_.points.size() && knots[i] == knots[i + order_ - 1] &&
+        curve_.points[i].position_mm != curve_.points[i - 1].position_mm) {
+      return fail(fault, offset,
+                  {"knot ", shortest(knots[i]), " (line ", std::to_string(curve_.knot_lines[i]),
+                   ") is repeated ", counted(order_), " times, at most ", counted(order_ - 1),
+                   " are allowed inside the curve"});
+    }
+  }
+  return true;
+}
+
+std::string NurbsCollector::unfinished(std::string_view where) const {
+  if (tail_ == 0) {
+    return joined({kName, ": the curve is not finished ", where, " (", counted(order_),
+                   " knot-only blocks are missing)"});
+  }
+  return joined({kName, ": the curve is not finished ", where, ": ", counted(order_),
+                 " knot-only blocks are needed at its end, found ", counted(tail_)});
+}
+
+NurbsCollector::Result NurbsCollector::add(const CurveBlock& at, Fault& fault) {
+  const Block& block = at.block;
+  if (!check_foreign(at, fault)) {
+    return failed();
+  }
+  if (block.has('F')) {
+    diagnostics_->warning({at.line, block.word('F').offset + 1},
+                          "G6.2: F inside a curve takes effect at the next curve");
+  }
+  if (block.has_any(kAxisLetters)) {
+    return add_point(at, fault) ? Result::more : failed();
+  }
+  if (!block.has_any(letters('K', 'R'))) {
+    return Result::more;
+  }
+  if (!block.has('K')) {
+    fail(fault, block.word('R').offset, {"R without a control point"});
+    return failed();
+  }
+  if (!add_knot(at, fault)) {
+    return failed();
+  }
+  active_ = tail_ < order_;
+  return active_ ? Result::more : Result::complete;
+}
+
+}  // namespace kerf::parser

@@ -1,0 +1,22 @@
+// Words and numbers for messages, the same in every locale.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "parser/move.hpp"
+
+namespace kerf::parser {
+
+std::string in_mm(double value);            // three decimals
+std::string shortest(double value);         // as few digits as tell it apart
+std::string in_mm(const Point& point);      // "(1.000 2.000 3.000)"
+std::string upper(std::string_view text);   // capitals, blanks taken out
+std::string quoted(std::string_view text);  // 'text', cut short where it is long
+
+std::string joined(std::initializer_list<std::string_view> parts);
+// A capital letter as text.
+std::string_view named(char letter);
+
+}  // namespace kerf::parser
