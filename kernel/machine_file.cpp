@@ -84,21 +84,18 @@ class Reader {
     if (const auto tick = subsection(file, "tick")) {
       read_numbers(*tick, tick_rules(), 0);
     }
-    const auto path = subsection(file, "path");
-    if (path) {
+    if (const auto path = subsection(file, "path")) {
       read_numbers(*path, path_rules(), 0);
     }
-    std::array<std::optional<Section>, 3> axes;
-    if (const auto section = subsection(file, "axes")) {
-      check_keys(*section, kAxisNames);
-      for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-        axes[axis] = subsection(*section, kAxisNames[axis]);
-        if (axes[axis]) {
-          read_axis(*axes[axis], axis);
+    if (const auto axes = subsection(file, "axes")) {
+      check_keys(*axes, kAxisNames);
+      for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
+        if (const auto section = subsection(*axes, kAxisNames[axis])) {
+          read_axis(*section, axis);
         }
       }
     }
-    check_bounds(root, path, axes);
+    check_bounds(file);
     settings_.table.period_s = settings_.limits.period_s;
     if (errors_.empty()) {
       return settings_;
@@ -240,25 +237,31 @@ class Reader {
                text_of(drive.velocity_gain_per_s));
   }
 
-  // A key counts even where its value is wrong: that has its own error.
-  void check_bounds(const toml::table& root, const std::optional<Section>& path,
-                    const std::array<std::optional<Section>, 3>& axes) {
+  // A key counts even where its value is wrong, and a section that is no table might have had it:
+  // both have their own error.
+  static bool may_have(const Section& file, std::string_view section, std::string_view key) {
+    const toml::node_view node = file.table->at_path(section);
+    return node && (!node.is_table() || node.as_table()->contains(key));
+  }
+
+  void check_bounds(const Section& file) {
     for (const BoundRule& rule : bound_rules()) {
-      if (path && path->table->contains(rule.key)) {
+      if (may_have(file, "path", rule.key)) {
         continue;
       }
       std::string missing;
-      for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-        if (!axes[axis] || !axes[axis]->table->contains(rule.key)) {
-          missing += (missing.empty() ? "axes." : ", axes.") + std::string(kAxisNames[axis]);
+      for (const std::string_view axis : kAxisNames) {
+        const std::string section = "axes." + std::string(axis);
+        if (!may_have(file, section, rule.key)) {
+          missing += (missing.empty() ? "" : ", ") + section;
         }
       }
       if (!missing.empty()) {
-        const std::string key(rule.key);
-        std::string message = "nothing bounds the " + std::string(rule.quantity) + ": expected " +
-                              key + " in [path] or in every axis (missing in " + missing + ")";
-        report(path ? root.find("path")->first.source() : toml::source_region{},
-               std::move(message));
+        const auto path = file.table->find("path");
+        report(path != file.table->end() ? path->first.source() : toml::source_region{},
+               "nothing bounds the " + std::string(rule.quantity) + ": expected " +
+                   std::string(rule.key) + " in [path] or in every axis (missing in " + missing +
+                   ")");
       }
     }
   }

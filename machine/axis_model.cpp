@@ -24,9 +24,11 @@ AxisModel::AxisModel(const AxisDrive& drive, double period_s) noexcept
       period_s_(period_s),
       substeps_(std::max(1, static_cast<int>(std::ceil(period_s / kLongestSubstepS - 1e-9)))),
       substep_s_(period_s / substeps_),
+      substeps_per_s_(substeps_ / period_s),
       resolution_mm_(drive.screw_lead_mm / drive.counts_per_rev),
-      rate_per_s_(drive.velocity_gain_per_s + drive.viscous_friction_per_s),
-      decay_(-std::expm1(-rate_per_s_ * substep_s_)) {}
+      counts_per_mm_(drive.counts_per_rev / drive.screw_lead_mm),
+      time_constant_s_(1.0 / (drive.velocity_gain_per_s + drive.viscous_friction_per_s)),
+      decay_(-std::expm1(-substep_s_ / time_constant_s_)) {}
 
 void AxisModel::reset(double position_mm) noexcept {
   command_mm_ = position_mm;
@@ -77,7 +79,7 @@ double AxisModel::encoder_mm() const noexcept {
     case EncoderFailure::none:
       break;
   }
-  return resolution_mm_ > 0.0 ? nearest_whole(position_mm_ / resolution_mm_) * resolution_mm_
+  return resolution_mm_ > 0.0 ? nearest_whole(position_mm_ * counts_per_mm_) * resolution_mm_
                               : position_mm_;
 }
 
@@ -100,12 +102,12 @@ void AxisModel::substep(double velocity_command_mm_s) noexcept {
   }
   const double friction_mm_s2 = std::copysign(coulomb_mm_s2, v != 0.0 ? v : drive_mm_s2);
 
-  // v' = rate (settled - v) over the sub-step, then the motor's mean torque over it.
-  const double settled_mm_s = (drive_mm_s2 - friction_mm_s2) / rate_per_s_;
+  // v' = (settled - v) / time constant over the sub-step, then the motor's mean torque over it.
+  const double settled_mm_s = (drive_mm_s2 - friction_mm_s2) * time_constant_s_;
   double change_mm_s = (settled_mm_s - v) * decay_;
-  double moved_mm = settled_mm_s * substep_s_ - change_mm_s / rate_per_s_;
+  double moved_mm = settled_mm_s * substep_s_ - change_mm_s * time_constant_s_;
   double motor_mm_s2 =
-      (change_mm_s + drive_.viscous_friction_per_s * moved_mm) / substep_s_ + friction_mm_s2;
+      (change_mm_s + drive_.viscous_friction_per_s * moved_mm) * substeps_per_s_ + friction_mm_s2;
   if (std::abs(motor_mm_s2) > drive_.drive_acceleration_mm_s2) {
     const double viscous_per_s = drive_.viscous_friction_per_s;
     motor_mm_s2 = std::copysign(drive_.drive_acceleration_mm_s2, motor_mm_s2);

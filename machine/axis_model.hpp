@@ -62,9 +62,11 @@ class AxisModel {
   double period_s_;
   int substeps_;
   double substep_s_;
+  double substeps_per_s_;
   double resolution_mm_;  // of the encoder, 0: none
-  double rate_per_s_;     // of the closed velocity loop
-  double decay_;          // 1 - exp(-rate substep)
+  double counts_per_mm_;
+  double time_constant_s_;  // of the closed velocity loop
+  double decay_;            // 1 - exp(-substep / time constant)
 
   double command_mm_ = 0.0;
   double position_mm_ = 0.0;

@@ -22,7 +22,10 @@ AxisDrive linear_drive() {
           .counts_per_rev = std::numeric_limits<double>::infinity(),
           .position_gain_per_s = 100.0,
           .velocity_gain_per_s = 600.0,
-          .feed_forward = 0.0};
+          .velocity_integral_per_s2 = 0.0,
+          .feed_forward = 0.0,
+          .coulomb_friction_mm_s2 = 0.0,
+          .viscous_friction_per_s = 0.0};
 }
 
 // Runs at speed long enough for every transient to have died, and returns the following error.

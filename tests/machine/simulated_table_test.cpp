@@ -36,12 +36,19 @@ TableSettings lagging() {
                    .drive_velocity_mm_s = 1e5,
                    .drive_acceleration_mm_s2 = 1e8,
                    .counts_per_rev = std::numeric_limits<double>::infinity(),
-                   .feed_forward = 0.0});
+                   .position_gain_per_s = 150.0,
+                   .velocity_gain_per_s = 1500.0,
+                   .velocity_integral_per_s2 = 0.0,
+                   .feed_forward = 0.0,
+                   .coulomb_friction_mm_s2 = 0.0,
+                   .viscous_friction_per_s = 0.0});
 }
 
 // A real table: friction, encoders, limits.
 TableSettings real() {
   return table_of({.travel = {.min_mm = -300.0, .max_mm = 300.0},
+                   .position_gain_per_s = 150.0,
+                   .velocity_gain_per_s = 1500.0,
                    .velocity_integral_per_s2 = 20e3,
                    .feed_forward = 0.9,
                    .coulomb_friction_mm_s2 = 300.0,
