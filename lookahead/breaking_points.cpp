@@ -1,10 +1,14 @@
 #include "lookahead/breaking_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kerf::lookahead {
 
 namespace {
+
+// A dip or a hump of less than this share of the feedrate is noise, not a valley or a hill.
+constexpr double kNoise = 0.01;
 
 double slope_mm_s(const FeedSample& a, const FeedSample& b) {
   return (b.v_mm_s - a.v_mm_s) / (b.u - a.u);
@@ -40,10 +44,27 @@ std::vector<std::size_t> breaking_points(const Ceiling& ceiling, double screenin
 
 std::vector<std::size_t> valleys(const Ceiling& ceiling, const std::vector<std::size_t>& breaking) {
   std::vector<std::size_t> found;
-  for (std::size_t k = 1; k + 1 < breaking.size(); ++k) {
-    const double here = ceiling[breaking[k]].v_mm_s;
-    if (here < ceiling[breaking[k - 1]].v_mm_s && here < ceiling[breaking[k + 1]].v_mm_s) {
-      found.push_back(breaking[k]);
+  if (breaking.empty()) {
+    return found;
+  }
+  std::size_t lowest = breaking.front();  // since the last hill
+  double highest_mm_s = ceiling[lowest].v_mm_s;  // since the last valley
+  bool descending = false;  // from a hill high enough
+  for (const std::size_t i : breaking) {
+    const double v = ceiling[i].v_mm_s;
+    if (descending) {
+      lowest = v < ceiling[lowest].v_mm_s ? i : lowest;
+      if (v > ceiling[lowest].v_mm_s * (1.0 + kNoise)) {
+        found.push_back(lowest);
+        descending = false;
+        highest_mm_s = v;
+      }
+    } else {
+      highest_mm_s = std::max(highest_mm_s, v);
+      if (v < highest_mm_s * (1.0 - kNoise)) {
+        descending = true;
+        lowest = i;
+      }
     }
   }
   return found;

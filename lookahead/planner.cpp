@@ -147,10 +147,7 @@ void Planner::emit_span(Outbox& outbox) {
   }
   WindowSpan& item = window_.front();
   SpanEnds ends{.v_begin_mm_s = v_mm_s_, .v_end_mm_s = item.v_end_mm_s};
-  if (ends.v_end_mm_s > ends.v_begin_mm_s) {
-    ends.v_end_mm_s =
-        std::min(ends.v_end_mm_s, reach_forward_mm_s(item.span, v_mm_s_, settings_.profile));
-  }
+  ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, settings_.profile);
   SpanPlan plan = plan_span(item.span, ends, settings_.profile);
   if (plan.cruise.duration_s() > 2.0 * settings_.longest_cruise_s) {
     const double v = plan.cruise.ramp().v_begin_mm_s;

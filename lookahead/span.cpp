@@ -1,7 +1,6 @@
 #include "lookahead/span.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace kerf::lookahead {
 
@@ -141,24 +140,46 @@ double SpanPlan::duration_s() const noexcept {
          deceleration.duration_s() + end_coast.duration_s();
 }
 
-double reach_forward_mm_s(const Span& span, double v_begin_mm_s, const Profile& profile) {
-  return reach_mm_s(span,
-                    {.slope = &span.rise,
-                     .v_low_mm_s = v_begin_mm_s,
-                     .cap_mm_s = span.end.feedrate_mm_s,
-                     .near_coast_s = span.begin_coast_s,
-                     .far_coast_s = span.end.coast_s},
-                    profile);
+double reach_backward_mm_s(const Span& span, const BackwardQuery& query, const Profile& profile) {
+  Climb climb{.slope = &span.fall,
+              .v_low_mm_s = query.v_end_mm_s,
+              .cap_mm_s = query.cap_mm_s,
+              .near_coast_s = span.end.coast_s,
+              .far_coast_s = span.begin_coast_s};
+  const double reached = reach_mm_s(span, climb, profile);
+  if (span.end.coast_s == 0.0 || reached >= query.cap_mm_s) {
+    return reached;
+  }
+  climb.v_low_mm_s = 0.0;
+  return std::max(reached, reach_mm_s(span, climb, profile));
 }
 
-double reach_backward_mm_s(const Span& span, const BackwardQuery& query, const Profile& profile) {
-  return reach_mm_s(span,
-                    {.slope = &span.fall,
-                     .v_low_mm_s = query.v_end_mm_s,
-                     .cap_mm_s = query.cap_mm_s,
-                     .near_coast_s = span.end.coast_s,
-                     .far_coast_s = span.begin_coast_s},
-                    profile);
+double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, const Profile& profile) {
+  if (wanted.v_end_mm_s > wanted.v_begin_mm_s) {
+    return reach_mm_s(span,
+                      {.slope = &span.rise,
+                       .v_low_mm_s = wanted.v_begin_mm_s,
+                       .cap_mm_s = wanted.v_end_mm_s,
+                       .near_coast_s = span.begin_coast_s,
+                       .far_coast_s = span.end.coast_s},
+                      profile);
+  }
+  const auto fits = [&](double v_end) {
+    const Ramp fall{.v_begin_mm_s = v_end, .v_end_mm_s = wanted.v_begin_mm_s};
+    return climb_to(span.fall, fall, span, profile).length_mm() +
+               span.begin_coast_s * wanted.v_begin_mm_s + span.end.coast_s * v_end <=
+           span.length_mm;
+  };
+  if (span.end.coast_s == 0.0 || fits(wanted.v_end_mm_s)) {
+    return wanted.v_end_mm_s;
+  }
+  double low = 0.0;
+  double high = wanted.v_end_mm_s;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
 }
 
 double brake(Span& span, const SpanEnds& ends, const Profile& profile) {

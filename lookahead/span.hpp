@@ -38,17 +38,18 @@ struct SpanPlan {
   [[nodiscard]] double duration_s() const noexcept;
 };
 
-// The largest feedrate <= span.end.feedrate_mm_s that the span attains at its end when it begins
-// with v_begin_mm_s. Precondition: the span can end with some feedrate <= that (backward pass).
-double reach_forward_mm_s(const Span& span, double v_begin_mm_s, const profiles::Profile& profile);
-
 struct BackwardQuery {
   double v_end_mm_s = 0.0;
   double cap_mm_s = 0.0;
 };
-// The largest feedrate <= cap at its beginning from which the span can end with v_end_mm_s.
+// The largest feedrate <= cap at its beginning from which the span can end with v_end_mm_s, or with
+// less where a coast at v_end would take the room to brake in.
 double reach_backward_mm_s(const Span& span, const BackwardQuery& query,
                            const profiles::Profile& profile);
+
+// The largest feedrate <= wanted.v_end with which the span can end that begins with wanted.v_begin.
+// Precondition: v_begin is at most what reach_backward gives for v_end.
+double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, const profiles::Profile& profile);
 
 // The fastest plan of the span's kind: the plateau as high as length and ceiling allow; under a ceiling
 // the plateau of least time. Precondition: the ends can be joined.

@@ -1,0 +1,193 @@
+#include "tests/kernel/random_program.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace kerf::test {
+
+namespace {
+
+using Vec = std::array<double, 3>;
+constexpr double kLongestMove_s = 0.7;
+constexpr double kTravel_mm = 2000.0;
+
+class Writer {
+ public:
+  Writer(std::uint64_t seed, const Mix& mix) : random_(seed), mix_(mix) {}
+
+  RandomProgram write() {
+    add_line("G21 G90 G17 G94 G40 G49 G80 G91.1", 0.0, false);
+    for (int i = 0; i < mix_.blocks; ++i) {
+      const double pick = uniform(0.0, 1.0);
+      if (mix_.nurbs && pick < 0.15) {
+        nurbs();
+      } else if (mix_.arcs && pick < 0.5) {
+        arc();
+      } else {
+        line();
+      }
+    }
+    add_line("M2", 0.0, false);
+    program_.end_mm = here_;
+    return std::move(program_);
+  }
+
+ private:
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  double log_uniform(double low, double high) {
+    return std::exp(uniform(std::log(low), std::log(high)));
+  }
+
+  void add_line(const std::string& text, double feedrate_mm_s, bool nurbs) {
+    program_.text += text + "\n";
+    program_.feedrate_mm_s.push_back(feedrate_mm_s);
+    program_.is_nurbs.push_back(nurbs);
+  }
+
+  // What a control reads from seven printed decimals.
+  static double rounded(double x, std::string& text) {
+    std::array<char, 40> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%.7f", x);
+    text += buffer.data();
+    return std::strtod(buffer.data(), nullptr);
+  }
+
+  double feed_word(double length_mm, std::string& text) {
+    const double slowest_mm_min = std::max(1e-3, length_mm / kLongestMove_s * 60.0);
+    const double feed = log_uniform(std::min(slowest_mm_min, 1e5), 1e5);
+    text += " F";
+    return rounded(feed, text) / 60.0;
+  }
+
+  Vec direction() {
+    Vec d{};
+    if (uniform(0.0, 1.0) < 0.2 && last_ != Vec{}) {
+      const double wobble = log_uniform(1e-9, 1e-1);  // nearly straight on
+      for (std::size_t k = 0; k < 3; ++k) {
+        d[k] = last_[k] + uniform(-wobble, wobble);
+      }
+    } else {
+      for (double& x : d) {
+        x = uniform(0.0, 1.0) < 0.2 ? 0.0 : uniform(-1.0, 1.0);
+      }
+      d[0] = d == Vec{} ? 1.0 : d[0];
+    }
+    const double norm = std::sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+    for (double& x : d) {
+      x /= norm;
+    }
+    last_ = d;
+    return d;
+  }
+
+  // Towards the origin once the travel is left.
+  void keep_inside(Vec& d) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (std::abs(here_[k]) > kTravel_mm) {
+        d[k] = std::copysign(std::abs(d[k]), -here_[k]);
+      }
+    }
+  }
+
+  void line() {
+    const double length = log_uniform(1e-6, 1e3);
+    Vec d = direction();
+    keep_inside(d);
+    std::string text = "G1";
+    const char* names = "XYZ";
+    for (std::size_t k = 0; k < 3; ++k) {
+      text += std::string(" ") + names[k];
+      here_[k] = rounded(here_[k] + length * d[k], text);
+    }
+    const double feedrate = feed_word(length, text);
+    add_line(text, feedrate, false);
+  }
+
+  void arc() {
+    const double radius = log_uniform(1e-3, 300.0);
+    const double sweep = uniform(0.0, 1.0) < 0.15 ? 2.0 * 3.141592653589793 : uniform(0.05, 6.0);
+    const auto plane = static_cast<std::size_t>(uniform(0.0, 2.999));  // normal axis
+    const std::size_t first = (plane + 1) % 3;
+    const std::size_t second = (plane + 2) % 3;
+    const double begin = uniform(0.0, 6.28);
+    const bool clockwise = uniform(0.0, 1.0) < 0.5;
+    const double end = begin + (clockwise ? -sweep : sweep);
+    const bool full = sweep > 6.1;
+    const double rise = uniform(0.0, 1.0) < 0.4 ? uniform(-1.0, 1.0) * radius * sweep : 0.0;
+    const char* planes[] = {"G19", "G18", "G17"};
+    const char* names = "XYZ";
+    const char* offsets = "IJK";
+    const Vec centre_offset = [&] {
+      Vec c{};
+      c[first] = -radius * std::cos(begin);
+      c[second] = -radius * std::sin(begin);
+      return c;
+    }();
+    std::string text = std::string(planes[plane]) + (clockwise ? " G2" : " G3");
+    Vec to = here_;
+    to[first] += full ? 0.0 : centre_offset[first] + radius * std::cos(end);
+    to[second] += full ? 0.0 : centre_offset[second] + radius * std::sin(end);
+    to[plane] += rise;
+    for (std::size_t k = 0; k < 3; ++k) {
+      text += std::string(" ") + names[k];
+      here_[k] = rounded(to[k], text);
+    }
+    for (const std::size_t k : {first, second}) {
+      text += std::string(" ") + offsets[k];
+      rounded(centre_offset[k], text);
+    }
+    const double feedrate = feed_word(std::hypot(radius * sweep, rise), text);
+    add_line(text, feedrate, false);
+    last_ = {};
+  }
+
+  void nurbs() {
+    const int degree = 1 + static_cast<int>(uniform(0.0, 5.0));
+    const int points = degree + 1 + static_cast<int>(uniform(0.0, 6.0));
+    const double size = log_uniform(1e-2, 100.0);
+    const int order = degree + 1;
+    std::vector<double> knots(static_cast<std::size_t>(order), 0.0);
+    for (int i = 1; i <= points - order; ++i) {
+      knots.push_back(knots.back() + std::floor(uniform(1.0, 4.0)));
+    }
+    knots.insert(knots.end(), static_cast<std::size_t>(order), knots.back() + 1.0);
+    // Points march on, so that the curve has no cusp; the march is what bounds its length.
+    Vec d = direction();
+    keep_inside(d);
+    double feedrate = 0.0;
+    for (int i = 0; i < points; ++i) {
+      std::string text = i == 0 ? "G6.2 P" + std::to_string(order) : "";
+      text += " K" + std::to_string(knots[static_cast<std::size_t>(i)]);
+      const char* names = "XYZ";
+      for (std::size_t k = 0; k < 3; ++k) {
+        text += std::string(" ") + names[k];
+        const double step = i == 0 ? 0.0 : size * (d[k] + uniform(-0.4, 0.4));
+        here_[k] = rounded(here_[k] + step, text);
+      }
+      text += " R";
+      rounded(uniform(0.3, 3.0), text);
+      feedrate = i == 0 ? feed_word(1.5 * size * points, text) : feedrate;
+      add_line(text, i == 0 ? feedrate : 0.0, true);
+    }
+    for (int i = 0; i < order; ++i) {
+      add_line("K" + std::to_string(knots.back()), 0.0, true);
+    }
+    last_ = {};
+  }
+
+  std::mt19937_64 random_;
+  Mix mix_;
+  RandomProgram program_;
+  Vec here_{};
+  Vec last_{};
+};
+
+}  // namespace
+
+RandomProgram random_program(std::uint64_t seed, const Mix& mix) { return Writer(seed, mix).write(); }
+
+}  // namespace kerf::test

@@ -1,0 +1,28 @@
+// Random part programs: lines, arcs, helices and NURBS over many decades of length and feed.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace kerf::test {
+
+struct RandomProgram {
+  std::string text;
+  std::array<double, 3> end_mm{};      // as printed in the last motion block
+  std::vector<double> feedrate_mm_s;   // by source line, line 1 first; 0 where no motion starts
+  std::vector<bool> is_nurbs;          // by source line
+};
+
+// kinds of motion that a program may hold
+struct Mix {
+  bool arcs = true;
+  bool nurbs = true;
+  int blocks = 12;
+};
+
+RandomProgram random_program(std::uint64_t seed, const Mix& mix);
+
+}  // namespace kerf::test

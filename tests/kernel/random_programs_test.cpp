@@ -1,0 +1,96 @@
+// Seeded random programs: every limit at every tick, the end where the program says, never a hang.
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "kernel/kernel.hpp"
+#include "tests/kernel/random_program.hpp"
+#include "tests/kernel/tick_checker.hpp"
+
+namespace kerf::test {
+namespace {
+
+using profiles::Profile;
+using profiles::ProfileKind;
+
+constexpr std::int64_t kMostTicks = 3'000'000;
+
+// KERF_RANDOM_PROGRAMS and KERF_RANDOM_SEED override count and first seed.
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+MachineSettings machine_for(std::uint64_t seed) {
+  MachineSettings settings;
+  settings.limits.chord_tolerance_mm = 1e-3;
+  const auto pick = [state = seed * 2654435761U + 1]() mutable {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return static_cast<double>(state >> 11U) / 9007199254740992.0;
+  };
+  for (lookahead::MotionLimits& axis : settings.limits.axes) {
+    axis = {.velocity_mm_s = 50.0 + 450.0 * pick(),
+            .acceleration_mm_s2 = 500.0 * std::pow(20.0, pick()),
+            .jerk_mm_s3 = 5e3 * std::pow(100.0, pick())};
+  }
+  if (pick() < 0.5) {
+    settings.limits.path = {.velocity_mm_s = 400.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 6e4};
+  }
+  return settings;
+}
+
+struct Outcome {
+  std::string complaint;
+  interp::Setpoint last{};
+};
+
+Outcome run(const RandomProgram& program, const MachineSettings& settings, ProfileKind kind) {
+  Kernel kernel(settings, {.profile = Profile(kind)});
+  kernel.feed(program.text);
+  kernel.finish();
+  TickChecker checker(settings.limits, kind != ProfileKind::trapezoid);
+  Outcome outcome;
+  for (auto status = interp::TickStatus::running; status == interp::TickStatus::running;) {
+    status = kernel.next(outcome.last);
+    const std::size_t line = outcome.last.line;
+    const bool known = line >= 1 && line <= program.feedrate_mm_s.size();
+    checker.add({.setpoint = outcome.last,
+                 .feedrate_mm_s = known ? program.feedrate_mm_s[line - 1] : 0.0,
+                 .axis_limits_bind = !known || !program.is_nurbs[line - 1]});
+    if (!checker.complaint().empty() || checker.ticks() > kMostTicks) {
+      outcome.complaint = checker.complaint().empty() ? "does not end" : checker.complaint();
+      return outcome;
+    }
+    if (status == interp::TickStatus::starved) {
+      outcome.complaint = "starved";
+    }
+  }
+  if (kernel.has_errors()) {
+    outcome.complaint = kernel.diagnostics().empty() ? "error" : kernel.diagnostics().back().message;
+  }
+  return outcome;
+}
+
+void expect_clean(std::uint64_t seed, const Mix& mix, ProfileKind kind) {
+  SCOPED_TRACE("seed " + std::to_string(seed) + ", profile " +
+               std::string(profiles::name_of(kind)));
+  const RandomProgram program = random_program(seed, mix);
+  const Outcome outcome = run(program, machine_for(seed), kind);
+  EXPECT_EQ(outcome.complaint, "") << program.text;
+  EXPECT_EQ(outcome.last.position_mm, program.end_mm) << program.text;
+}
+
+TEST(RandomPrograms, KeepEveryLimitAtEveryTickAndEndWhereTheySay) {
+  const std::uint64_t count = from_environment("KERF_RANDOM_PROGRAMS", 10'000);
+  const std::uint64_t first = from_environment("KERF_RANDOM_SEED", 1);
+  std::cout << "seeds " << first << " to " << first + count - 1 << "\n";
+  for (std::uint64_t seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
+    const Mix mix{.arcs = seed % 4 != 0, .nurbs = seed % 4 == 1, .blocks = 6};
+    expect_clean(seed, mix, static_cast<ProfileKind>(seed % 6));
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

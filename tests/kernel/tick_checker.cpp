@@ -1,0 +1,82 @@
+#include "tests/kernel/tick_checker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace kerf::test {
+
+namespace {
+
+// Positions are doubles of up to some 1e3 mm, s of up to 1e5: half a unit in the last place of each of
+// the four values, as an acceleration and as a jerk.
+constexpr double kRounding_mm = 1e-11;
+constexpr double kRelative = 1e-6;
+
+}  // namespace
+
+void TickChecker::add(const Tick& tick) {
+  if (count_ == 0) {
+    last_.fill(tick);
+  }
+  std::copy_backward(last_.begin(), last_.end() - 1, last_.end());
+  last_[0] = tick;
+  ++count_;
+  judge_path();
+  const bool binds = std::all_of(last_.begin(), last_.end(),
+                                 [](const Tick& t) { return t.axis_limits_bind; });
+  for (std::size_t k = 0; binds && k < 3; ++k) {
+    judge_axis(k);
+  }
+}
+
+void TickChecker::judge_path() {
+  const double ts = limits_.period_s;
+  std::array<double, 4> s{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    s[i] = last_[i].setpoint.s_mm;
+  }
+  const double feedrate = std::max(last_[0].feedrate_mm_s, last_[1].feedrate_mm_s);
+  judge("feedrate", (s[0] - s[1]) / ts, std::min(feedrate, limits_.path.velocity_mm_s));
+  judge("backward motion", (s[1] - s[0]) / ts, 0.0);
+  judge("path acceleration", std::abs(s[0] - 2.0 * s[1] + s[2]) / (ts * ts),
+        limits_.path.acceleration_mm_s2);
+  if (jerk_binds_) {
+    judge("path jerk", std::abs(s[0] - 3.0 * (s[1] - s[2]) - s[3]) / (ts * ts * ts),
+          limits_.path.jerk_mm_s3);
+  }
+}
+
+void TickChecker::judge_axis(std::size_t axis) {
+  const double ts = limits_.period_s;
+  std::array<double, 4> x{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    x[i] = last_[i].setpoint.position_mm[axis];
+  }
+  const lookahead::MotionLimits& limit = limits_.axes[axis];
+  judge("axis velocity", std::abs(x[0] - x[1]) / ts, limit.velocity_mm_s);
+  judge("axis acceleration", std::abs(x[0] - 2.0 * x[1] + x[2]) / (ts * ts),
+        limit.acceleration_mm_s2);
+  if (jerk_binds_) {
+    judge("axis jerk", std::abs(x[0] - 3.0 * (x[1] - x[2]) - x[3]) / (ts * ts * ts),
+          limit.jerk_mm_s3);
+  }
+}
+
+void TickChecker::judge(const char* what, double found, double limit) {
+  const std::string name = what;
+  const double ts = limits_.period_s;
+  const double power = name.find("jerk") != std::string::npos           ? ts * ts * ts
+                       : name.find("acceleration") != std::string::npos ? ts * ts
+                                                                        : ts;
+  if (complaint_.empty() && !(found <= limit * (1.0 + kRelative) + kRounding_mm / power)) {
+    std::ostringstream text;
+    text.precision(12);
+    text << what << " " << found << " is above " << limit << " at tick "
+         << last_[0].setpoint.tick << ", line " << last_[0].setpoint.line << ", s "
+         << last_[0].setpoint.s_mm;
+    complaint_ = text.str();
+  }
+}
+
+}  // namespace kerf::test
