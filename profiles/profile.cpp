@@ -11,7 +11,6 @@
 namespace kerf::profiles {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr Peaks kTrapezoidPeaks{.acceleration = 1.0, .jerk = 0.0};
 
 constexpr std::array<std::string_view, 6> kNames{"trapezoid", "s-curve",     "sine",
