@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <tuple>
 #include <utility>
 
+#include "kernel/machine_file_checks.hpp"
 #include "kernel/machine_file_schema.hpp"
-#include "kernel/machine_file_spelling.hpp"
+#include "kernel/machine_file_text.hpp"
 
 // Header-only, so that an error is a value: the packaged shared library is built with exceptions.
 #undef TOML_HEADER_ONLY
@@ -27,21 +26,6 @@ namespace {
 constexpr std::size_t kLargestFileBytes = std::size_t{1} << 20;
 constexpr std::array<std::string_view, 3> kSections{"tick", "path", "axes"};
 constexpr std::array<std::string_view, 3> kAxisNames{"x", "y", "z"};
-
-std::string text_of(double number) {
-  std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
-  return {buffer.data(), end.ptr};
-}
-
-// Keys come from the file: one line, of bounded length, without control characters.
-std::string quoted(std::string_view key) {
-  constexpr std::size_t kLongest = 60;
-  std::string text(key.substr(0, kLongest));
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; }, '?');
-  return "'" + text + (key.size() > kLongest ? "...'" : "'");
-}
 
 std::string_view name_of(toml::node_type type) {
   switch (type) {
@@ -175,66 +159,15 @@ class Reader {
   void read_axis(const Section& section, std::size_t axis) {
     const std::size_t errors_before = errors_.size();
     read_numbers(section, axis_rules(), axis);
-    if (errors_.size() == errors_before) {
-      check_travel(section, axis);
-      check_drive(section, axis);
-      check_gains(section, axis);
-    }
-  }
-
-  void check_travel(const Section& section, std::size_t axis) {
-    const machine::Travel& travel = settings_.table.axes[axis].travel;
-    if (travel.min_mm < travel.max_mm) {
+    if (errors_.size() > errors_before) {
       return;
     }
-    report(section.table->get("max_mm")->source(),
-           section.path_to("max_mm") + ": found " + text_of(travel.max_mm) +
-               ", expected more than min_mm, " + text_of(travel.min_mm));
-  }
-
-  // The plan must stay within what the motor can do. A drive that the file is silent about can do
-  // twice of what is asked of it, where that is more than the default.
-  void check_drive(const Section& section, std::size_t axis) {
-    const lookahead::MotionLimits& limits = settings_.limits.axes[axis];
-    machine::AxisDrive& drive = settings_.table.axes[axis];
-    check_drive_limit(section, {"drive_velocity_mm_s", "max_velocity_mm_s"}, limits.velocity_mm_s,
-                      drive.drive_velocity_mm_s);
-    check_drive_limit(section, {"drive_acceleration_mm_s2", "max_acceleration_mm_s2"},
-                      limits.acceleration_mm_s2, drive.drive_acceleration_mm_s2);
-  }
-
-  struct DriveKeys {
-    std::string_view drive;
-    std::string_view plan;
-  };
-  void check_drive_limit(const Section& section, DriveKeys keys, double planned, double& possible) {
-    const toml::node* node = section.table->get(keys.drive);
-    if (!std::isfinite(planned)) {
-      return;
+    const auto has_key = [&](std::string_view key) { return section.table->contains(key); };
+    raise_silent_drive(settings_, axis, has_key);
+    for (const KeyProblem& problem : check_axis(settings_, axis, has_key)) {
+      report(section.table->get(problem.key)->source(),
+             section.path_to(problem.key) + ": " + problem.message);
     }
-    if (node == nullptr) {
-      possible = std::max(possible, 2.0 * planned);
-    } else if (possible < planned) {
-      report(node->source(), section.path_to(keys.drive) + ": found " + text_of(possible) +
-                                 ", expected at least " + std::string(keys.plan) + ", " +
-                                 text_of(planned));
-    }
-  }
-
-  // An outer loop faster than the inner one oscillates, and with an integral it may be unstable.
-  void check_gains(const Section& section, std::size_t axis) {
-    const machine::AxisDrive& drive = settings_.table.axes[axis];
-    if (drive.position_gain_per_s <= drive.velocity_gain_per_s) {
-      return;
-    }
-    const bool outer_given = section.table->contains("position_gain_per_s");
-    const std::string_view key = outer_given ? "position_gain_per_s" : "velocity_gain_per_s";
-    report(section.table->get(key)->source(),
-           section.path_to(key) +
-               ": the position loop is faster than the velocity loop, expected "
-               "position_gain_per_s, " +
-               text_of(drive.position_gain_per_s) + ", at most velocity_gain_per_s, " +
-               text_of(drive.velocity_gain_per_s));
   }
 
   // A key counts even where its value is wrong, and a section that is no table might have had it:

@@ -26,9 +26,9 @@ struct AxisDrive {
   double counts_per_rev = 10'000.0;        // encoder resolution; infinity: no quantisation
   double position_gain_per_s = 120.0;      // Kv of the outer loop
   double velocity_gain_per_s = 1000.0;     // proportional gain of the inner loop
-  double velocity_integral_per_s2 = 0.0;   // integral gain of the inner loop
+  double velocity_integral_per_s2 = 50e3;  // integral gain of the inner loop
   double feed_forward = 1.0;               // share of the commanded velocity fed forward, 0..1
-  double coulomb_friction_mm_s2 = 0.0;     // opposes motion, and holds at rest up to this force
+  double coulomb_friction_mm_s2 = 500.0;   // opposes motion, and holds at rest up to this force
   double viscous_friction_per_s = 5.0;
   double max_following_error_mm = 5.0;
 };

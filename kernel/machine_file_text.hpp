@@ -1,11 +1,18 @@
-// Which known word a misspelt one was meant to be.
+// Words for messages about a machine file.
 #pragma once
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace kerf {
+
+// The shortest text that reads back as the same number, whatever the locale.
+std::string text_of(double number);
+
+// A key of the file in quotes: on one line, of bounded length, without control characters.
+std::string quoted(std::string_view key);
 
 // The known word that the fewest changed, missing, surplus or swapped neighbouring characters turn
 // into `word` (upper and lower case count as one). Nothing where that takes more than a third of

@@ -1,7 +1,8 @@
-#include "kernel/machine_file_spelling.hpp"
+#include "kernel/machine_file_text.hpp"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cstddef>
 
 namespace kerf {
@@ -39,6 +40,23 @@ std::size_t distance(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::string text_of(double number) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number);
+  return {buffer.data(), end.ptr};
+}
+
+std::string quoted(std::string_view key) {
+  std::size_t length = std::min(key.size(), kLongest);
+  while (length < key.size() && length > 0 && (key[length] & '\xc0') == '\x80') {
+    --length;  // not within a character of UTF-8
+  }
+  std::string text(key.substr(0, length));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return (c >= '\0' && c < ' ') || c == '\x7f'; }, '?');
+  return "'" + text + (length < key.size() ? "...'" : "'");
+}
 
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              std::span<const std::string_view> known) {

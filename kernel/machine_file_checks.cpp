@@ -1,0 +1,67 @@
+#include "kernel/machine_file_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernel/machine_file_text.hpp"
+
+namespace kerf {
+namespace {
+
+constexpr std::string_view kDriveVelocity = "drive_velocity_mm_s";
+constexpr std::string_view kDriveAcceleration = "drive_acceleration_mm_s2";
+
+void raise(double& possible, double planned) {
+  if (std::isfinite(planned)) {
+    possible = std::max(possible, 2.0 * planned);
+  }
+}
+
+}  // namespace
+
+void raise_silent_drive(MachineSettings& settings, std::size_t axis,
+                        const std::function<bool(std::string_view)>& has_key) {
+  const lookahead::MotionLimits& limits = settings.limits.axes[axis];
+  machine::AxisDrive& drive = settings.table.axes[axis];
+  if (!has_key(kDriveVelocity)) {
+    raise(drive.drive_velocity_mm_s, limits.velocity_mm_s);
+  }
+  if (!has_key(kDriveAcceleration)) {
+    raise(drive.drive_acceleration_mm_s2, limits.acceleration_mm_s2);
+  }
+}
+
+std::vector<KeyProblem> check_axis(const MachineSettings& settings, std::size_t axis,
+                                   const std::function<bool(std::string_view)>& has_key) {
+  const lookahead::MotionLimits& limits = settings.limits.axes[axis];
+  const machine::AxisDrive& drive = settings.table.axes[axis];
+  std::vector<KeyProblem> problems;
+  const auto blame = [&](std::string_view key, double found, const std::string& expected) {
+    problems.push_back({key, "found " + text_of(found) + ", expected " + expected});
+  };
+  if (!(drive.travel.min_mm < drive.travel.max_mm)) {
+    blame("max_mm", drive.travel.max_mm, "more than min_mm, " + text_of(drive.travel.min_mm));
+  }
+  if (std::isfinite(limits.velocity_mm_s) && drive.drive_velocity_mm_s < limits.velocity_mm_s) {
+    blame(kDriveVelocity, drive.drive_velocity_mm_s,
+          "at least max_velocity_mm_s, " + text_of(limits.velocity_mm_s));
+  }
+  if (std::isfinite(limits.acceleration_mm_s2) &&
+      drive.drive_acceleration_mm_s2 < limits.acceleration_mm_s2) {
+    blame(kDriveAcceleration, drive.drive_acceleration_mm_s2,
+          "at least max_acceleration_mm_s2, " + text_of(limits.acceleration_mm_s2));
+  }
+  // An outer loop faster than the inner one oscillates, and with an integral it may be unstable.
+  if (drive.position_gain_per_s > drive.velocity_gain_per_s) {
+    if (has_key("position_gain_per_s")) {
+      blame("position_gain_per_s", drive.position_gain_per_s,
+            "at most velocity_gain_per_s, " + text_of(drive.velocity_gain_per_s));
+    } else {
+      blame("velocity_gain_per_s", drive.velocity_gain_per_s,
+            "at least position_gain_per_s, " + text_of(drive.position_gain_per_s));
+    }
+  }
+  return problems;
+}
+
+}  // namespace kerf
