@@ -14,6 +14,8 @@ constexpr double kSmoothCurvature_per_mm = 1e-12;
 // Passing saves about 2 sqrt(F / J) against a stop and costs two coasts, so it pays from
 // F = (kCoastTicks Ts)^2 J on.
 constexpr double kWorthwhile = kCoastTicks * kCoastTicks;
+// Two coasts at most fill a block; that much less, and sums of their lengths fit after rounding too.
+constexpr double kBelowRounding = 1.0 - 1e-9;
 
 struct Cubic {
   double linear = 0.0;
@@ -88,7 +90,8 @@ Junction junction(const JunctionQuery& query, const PlanLimits& limits) {
     return {.feedrate_mm_s = cap};
   }
   const double coast = kCoastTicks * limits.period_s;
-  const double fits = std::min(before.length_mm, after.length_mm) / (2.0 * coast);
+  const double fits =
+      kBelowRounding * std::min(before.length_mm, after.length_mm) / (2.0 * coast);
   const double feedrate = std::min({cap, corner, fits});
   const double jerk = std::min(before.limits.ramp.jerk_mm_s3, after.limits.ramp.jerk_mm_s3);
   if (feedrate < kWorthwhile * jerk * limits.period_s * limits.period_s) {
