@@ -40,7 +40,8 @@ constexpr void later(Table& table, const std::array<int, size>& tenths) {
 constexpr Table g_table() {
   Table table{};
   know(table, Group::other, std::array{40, 530});
-  know(table, Group::motion, std::array{0, 10, 20, 30, 50, 51, 52, 53, 62, 63, 800});
+  know(table, Group::motion, std::array{0, 10, 20, 30, 50, 51, 52, 53, 62, 63});
+  know(table, Group::cycle_cancel, std::array{800});
   know(table, Group::plane, std::array{170, 180, 190});
   know(table, Group::distance, std::array{900, 910});
   know(table, Group::arc_distance, std::array{901, 911});
@@ -132,6 +133,10 @@ bool sort_codes(const Block& block, BlockCodes& codes, Fault& fault) {
   Fault other;
   const bool g = sort_words(block, block.g, block.g_count, false, codes, fault);
   const bool m = sort_words(block, block.m, block.m_count, true, codes, other);
+  auto& motion = codes.by_group[static_cast<std::size_t>(Group::motion)];
+  if (motion.tenths == kNoCode) {
+    motion = codes.by_group[static_cast<std::size_t>(Group::cycle_cancel)];
+  }
   if (!m && (g || other.offset < fault.offset)) {
     fault = std::move(other);
   }

@@ -13,6 +13,7 @@ namespace kerf::parser {
 enum class Group : std::uint8_t {
   other,  // G4, G53: for one block
   motion,
+  cycle_cancel,  // G80: beside another motion code, that one counts
   plane,
   distance,
   arc_distance,

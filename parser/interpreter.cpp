@@ -248,7 +248,9 @@ void Interpreter::recover_code(double g) {
     set_units(is(20) ? Units::inch : Units::mm);
   } else if (is(90) || is(91)) {
     state_.incremental = is(91);
-  } else if (is(80)) {
+  } else if (is(93) || is(94)) {
+    set_feed_mode(is(93) ? FeedMode::inverse_time : FeedMode::per_minute);
+  } else if (is(80) && codes_[Group::motion] == kG80) {
     set_motion(kG80);
   }
 }

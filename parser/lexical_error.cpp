@@ -159,6 +159,9 @@ Fault explain_missing_number(const Block& block, std::size_t letter_at) {
   if (rest[0] == '(' || rest[0] == ';') {
     return {there.offset, expected + "a comment (expressions stand in [ ])"};
   }
+  if (letter == "O" && rest[0] == '<') {
+    return {here.offset, "O: subprograms and o-words are not supported yet"};
+  }
   const bool sign = rest[0] == '-' || rest[0] == '+';
   if (const auto name = letters_at(rest.substr(sign ? 1 : 0)); sign && name.size() > 1) {
     return {there.offset, joined({expected, quoted(rest.substr(0, name.size() + 1))})};

@@ -27,27 +27,17 @@ void LineSplitter::feed(std::string_view bytes) {
   next_cr_ = find(buffer_, '\r', scanned_);
 }
 
-// The second byte of CRLF or LFCR. False: it cannot be told yet.
-bool LineSplitter::skip_rest_of_line_end() {
-  while (ended_by_ != '\0') {
-    if (at_ == buffer_.size()) {
-      return finished_;
-    }
-    const char c = buffer_[at_];
-    if (ended_by_ == '\r') {
-      at_ += c == '\n' ? 1 : 0;
+// What belongs to the line end before: one LF behind a CR, any CRs behind an LF. (LF CR LF counts
+// the same whether it is read as LF, CRLF or as LFCR, LF.)
+void LineSplitter::skip_rest_of_line_end() {
+  while (ended_by_ != '\0' && at_ < buffer_.size()) {
+    const char rest = ended_by_ == '\r' ? '\n' : '\r';
+    const bool skipped = buffer_[at_] == rest;
+    at_ += skipped ? 1 : 0;
+    if (!skipped || rest == '\n') {
       ended_by_ = '\0';
-    } else if (c != '\r') {
-      ended_by_ = '\0';
-    } else if (at_ + 1 == buffer_.size() && !finished_) {
-      return false;
-    } else if (at_ + 1 < buffer_.size() && buffer_[at_ + 1] == '\n') {
-      ended_by_ = '\0';  // an empty line that ends with CRLF
-    } else {
-      ++at_;
     }
   }
-  return true;
 }
 
 std::size_t LineSplitter::find_line_end() {
@@ -77,9 +67,10 @@ void LineSplitter::take(std::size_t length, Line& line) {
 }
 
 bool LineSplitter::next(Line& line) {
-  if ((dropping_ && !drop_rest_of_long_line()) || !skip_rest_of_line_end()) {
+  if (dropping_ && !drop_rest_of_long_line()) {
     return false;
   }
+  skip_rest_of_line_end();
   const std::size_t end = find_line_end();
   if (end - at_ > kMaxLine) {
     take(kMaxLine, line);

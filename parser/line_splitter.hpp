@@ -26,9 +26,10 @@ class LineSplitter {
   bool next(Line& line);
   [[nodiscard]] bool finished() const { return finished_; }
   [[nodiscard]] std::uint32_t lines() const { return lines_; }
+  [[nodiscard]] std::size_t held_bytes() const { return buffer_.capacity(); }
 
  private:
-  bool skip_rest_of_line_end();
+  void skip_rest_of_line_end();
   bool drop_rest_of_long_line();
   std::size_t find_line_end();
   void take(std::size_t length, Line& line);
