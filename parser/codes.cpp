@@ -130,6 +130,9 @@ bool sort_words(const Block& block, const std::array<Word, size>& words, std::si
 
 bool sort_codes(const Block& block, BlockCodes& codes, Fault& fault) {
   codes = {};
+  if (block.g_count + block.m_count == 0) {
+    return true;
+  }
   Fault other;
   const bool g = sort_words(block, block.g, block.g_count, false, codes, fault);
   const bool m = sort_words(block, block.m, block.m_count, true, codes, other);

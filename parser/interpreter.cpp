@@ -10,6 +10,8 @@ namespace kerf::parser {
 namespace {
 
 constexpr Tenths kG4 = 40;
+constexpr Tenths kG53 = 53;  // G5.3
+constexpr Tenths kG63 = 63;  // G6.3
 constexpr Tenths kG64 = 640;
 constexpr Tenths kG80 = 800;
 constexpr double kLargestLineNumber = 99'999'999.0;
@@ -176,21 +178,24 @@ bool Interpreter::check_words() {
 }
 
 bool Interpreter::check_axis_users() {
-  const Word& word = *leftmost(*block_, kAxisLetters | letters('I', 'J', 'K', 'R'));
-  const std::string_view letter = named(letter_of(*block_, word));
   const Tenths code = codes_[Group::motion];
-  if (codes_[Group::other] == kG4 && code == kNoCode) {
-    return fail(word.offset, joined({"G4 takes the time in P, not in ", letter}));
-  }
-  if (code == kG80 || code == 53 || code == 63) {
+  const bool moves = code == kNoCode ? state_.motion != Motion::none && codes_[Group::other] != kG4
+                                     : code != kG80 && code != kG53 && code != kG63;
+  return moves || explain_idle_axes();
+}
+
+bool Interpreter::explain_idle_axes() {
+  const Word& word = *leftmost(*block_, kAxisLetters | letters('I', 'J', 'K', 'R'));
+  if (codes_.has(Group::motion)) {
     const std::string name = upper(block_->text(code_word(*block_, codes_, Group::motion)));
     return fail(word.offset, joined({"axis words are given but ", name, " uses none"}));
   }
-  if (code == kNoCode && state_.motion == Motion::none) {
+  if (codes_[Group::other] == kG4) {
     return fail(word.offset,
-                "axis words are given but no motion mode is active (G0, G1, G2 ... is expected)");
+                joined({"G4 takes the time in P, not in ", named(letter_of(*block_, word))}));
   }
-  return true;
+  return fail(word.offset,
+              "axis words are given but no motion mode is active (G0, G1, G2 ... is expected)");
 }
 
 bool Interpreter::explain_unused(const Word& word) {

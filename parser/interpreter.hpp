@@ -41,8 +41,8 @@ class Interpreter {
   bool execute();
   bool check_words();
   bool check_axis_users();
+  bool explain_idle_axes();
   bool explain_unused(const Word& word);
-  bool is_cutting() const;
   void recover();
   void recover_code(double g);
   bool fail(std::uint32_t offset, std::string message);
