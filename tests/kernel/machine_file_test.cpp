@@ -1,53 +1,25 @@
+// What a machine file says, where it goes, and the files that are shipped.
 #include "kernel/machine_file.hpp"
 
-#include <array>
 #include <cmath>
-#include <fstream>
-#include <functional>
-#include <iterator>
+#include <cstddef>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "kernel/machine_file_schema.hpp"
-#include "kernel/machine_file_text.hpp"
+#include "tests/kernel/machine_file_helpers.hpp"
 
 namespace {
 
 using kerf::MachineSettings;
 using kerf::NumberRule;
 using kerf::parse_machine_file;
-using kerf::SettingsError;
+using kerf::test::kBounded;
+using kerf::test::read_text;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// Bounds everything, and stands before the lines that a test is about.
-const std::string kBounded =
-    "[path]\n"
-    "max_velocity_mm_s = 100\n"
-    "max_acceleration_mm_s2 = 3000\n"
-    "max_jerk_mm_s3 = 55_000\n";
-constexpr unsigned kBoundedLines = 4;
-
-std::string read_text(const std::string& path) {
-  std::ifstream file(std::string(KERF_SOURCE_DIR) + "/" + path, std::ios::binary);
-  EXPECT_TRUE(file.good()) << path;
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-std::vector<std::string> errors_of(const std::string& toml) {
-  std::vector<std::string> lines;
-  if (const auto settings = parse_machine_file(toml); !settings) {
-    for (const SettingsError& error : settings.error()) {
-      lines.push_back(to_string(error, "m.toml"));
-    }
-  }
-  return lines;
-}
-
-using Lines = std::vector<std::string>;
 
 TEST(MachineFile, ReadsEveryKeyIntoItsPlace) {
   const auto read = parse_machine_file(
@@ -162,235 +134,6 @@ TEST(MachineFile, ThePapersLimitsAreTheirOwn) {
   EXPECT_NEAR(corner_mm_s * 60.0, 530.3, 0.05);
 }
 
-TEST(MachineFile, NamesAnUnknownKeyInEverySection) {
-  for (const char* section : {"tick", "path", "axes", "axes.x", "axes.y", "axes.z"}) {
-    const std::string name(section);
-    std::string toml = kBounded;
-    std::string place = ":6:2: ";
-    if (name == "path") {
-      toml += " wobble = 1\n";
-      place = ":5:2: ";
-    } else {
-      toml += "[" + name + "]\n wobble = 1\n";
-    }
-    EXPECT_EQ(errors_of(toml),
-              Lines{"m.toml" + place + "error: unknown key 'wobble' in [" + name + "]"});
-  }
-  EXPECT_EQ(errors_of("wobble = 1\n" + kBounded), Lines{"m.toml:1:1: error: unknown key 'wobble'"});
-  EXPECT_EQ(errors_of(kBounded + "[wobble.x]\nfoo = 1\n"),
-            Lines{"m.toml:5:2: error: unknown key 'wobble'"});
-}
-
-TEST(MachineFile, AsksWhetherANearKeyWasMeant) {
-  EXPECT_EQ(errors_of(kBounded + "max_velocty_mm_s = 3\n"),
-            Lines{"m.toml:5:1: error: unknown key 'max_velocty_mm_s' in [path], did you mean "
-                  "'max_velocity_mm_s'?"});
-  EXPECT_EQ(errors_of(kBounded + "[axes.X]\n"),
-            Lines{"m.toml:5:7: error: unknown key 'X' in [axes], did you mean 'x'?"});
-  EXPECT_EQ(errors_of(kBounded + "[axis.x]\n"),
-            Lines{"m.toml:5:2: error: unknown key 'axis', did you mean 'axes'?"});
-  EXPECT_EQ(errors_of(kBounded + "[axes.u]\n"),
-            Lines{"m.toml:5:7: error: unknown key 'u' in [axes]"});
-}
-
-// The section of the rule, its key with the value, under kBounded where the key is not there yet.
-struct Written {
-  std::string toml;
-  std::string path;
-  std::string place;
-};
-Written write(const std::string& section, const NumberRule& rule, const std::string& value) {
-  const std::string key(rule.key);
-  const std::string column = std::to_string(key.size() + 4);
-  if (section != "path") {
-    return {kBounded + "[" + section + "]\n" + key + " = " + value + "\n", section + "." + key,
-            "m.toml:" + std::to_string(kBoundedLines + 2) + ":" + column + ": error: "};
-  }
-  std::string toml = "[path]\n" + key + " = " + value + "\n";
-  for (const NumberRule& other : kerf::path_rules()) {
-    toml += other.key != rule.key ? std::string(other.key) + " = 1\n" : "";
-  }
-  return {toml, "path." + key, "m.toml:2:" + column + ": error: "};
-}
-
-void for_every_key(const std::function<void(const std::string&, const NumberRule&)>& test) {
-  for (const NumberRule& rule : kerf::tick_rules()) {
-    test("tick", rule);
-  }
-  for (const NumberRule& rule : kerf::path_rules()) {
-    test("path", rule);
-  }
-  for (const char* axis : {"axes.x", "axes.y", "axes.z"}) {
-    for (const NumberRule& rule : kerf::axis_rules()) {
-      test(axis, rule);
-    }
-  }
-}
-
-TEST(MachineFile, RefusesAWrongTypeOfEveryKey) {
-  const std::vector<std::array<std::string, 2>> values{
-      {"\"1\"", "a string"},
-      {"true", "a boolean"},
-      {"[1]", "an array"},
-      {"{a = 1}", "a table"},
-      {"1979-05-27", "a date or time"},
-      {"07:32:00", "a date or time"},
-  };
-  for_every_key([&](const std::string& section, const NumberRule& rule) {
-    for (const auto& [value, found] : values) {
-      const Written written = write(section, rule, value);
-      EXPECT_EQ(errors_of(written.toml),
-                Lines{written.place + written.path + ": found " + found + ", expected a number"});
-    }
-  });
-}
-
-TEST(MachineFile, RefusesAnImpossibleValueOfEveryKey) {
-  for_every_key([](const std::string& section, const NumberRule& rule) {
-    const std::string range =
-        ", expected a number from " + kerf::text_of(rule.min) + " to " + kerf::text_of(rule.max);
-    std::vector<double> values{std::nextafter(rule.min, -kInfinity),
-                               std::nextafter(rule.max, kInfinity), -1e300, 1e300};
-    if (rule.min > 0.0) {
-      values.push_back(0.0);
-      values.push_back(-1.0);
-    }
-    for (const double value : values) {
-      std::string text = kerf::text_of(value);
-      text += text.find_first_of(".e") == std::string::npos ? ".0" : "";
-      const Written written = write(section, rule, text);
-      EXPECT_EQ(errors_of(written.toml),
-                Lines{written.place + written.path + ": found " + kerf::text_of(value) + range});
-    }
-    for (const char* value : {"inf", "-inf", "nan"}) {
-      const Written written = write(section, rule, value);
-      EXPECT_EQ(errors_of(written.toml),
-                Lines{written.place + written.path + ": found " + value + range});
-    }
-  });
-}
-
-TEST(MachineFile, TakesEveryKeyAtBothEndsOfItsRange) {
-  for_every_key([](const std::string& section, const NumberRule& rule) {
-    for (const double value : {rule.min, rule.max}) {
-      // What the ends of the range would contradict in the same table.
-      std::string partner;
-      if (rule.key == "position_gain_per_s") {
-        partner = "velocity_gain_per_s = 1e5\n";
-      } else if (rule.key == "velocity_gain_per_s") {
-        partner = "position_gain_per_s = 1e-3\n";
-      }
-      const Written written = write(section, rule, kerf::text_of(value));
-      const auto read = parse_machine_file(written.toml + partner);
-      ASSERT_TRUE(read) << written.toml << to_string(read.error()[0], "m.toml");
-      MachineSettings settings = *read;
-      const std::size_t axis = section.size() == 6 ? static_cast<std::size_t>(section[5] - 'x') : 0;
-      EXPECT_EQ(rule.field(settings, axis), value) << written.path;
-      EXPECT_TRUE(kerf::machine::is_valid(settings.table)) << written.path;
-    }
-  });
-}
-
-TEST(MachineFile, WantsTheTravelToHaveALength) {
-  for (const char* max_mm : {"3", "2.5"}) {
-    EXPECT_EQ(errors_of(kBounded + "[axes.z]\nmin_mm = 3\nmax_mm = " + max_mm + "\n"),
-              Lines{"m.toml:7:10: error: axes.z.max_mm: found " + std::string(max_mm) +
-                    ", expected more than min_mm, 3"});
-  }
-}
-
-TEST(MachineFile, WantsADriveThatCanDoWhatIsPlanned) {
-  EXPECT_EQ(
-      errors_of(kBounded + "[axes.x]\nmax_velocity_mm_s = 200\ndrive_velocity_mm_s = 100\n"
-                           "max_acceleration_mm_s2 = 9\ndrive_acceleration_mm_s2 = 8\n"),
-      (Lines{"m.toml:7:23: error: axes.x.drive_velocity_mm_s: found 100, expected at least "
-             "max_velocity_mm_s, 200",
-             "m.toml:9:28: error: axes.x.drive_acceleration_mm_s2: found 8, expected at least "
-             "max_acceleration_mm_s2, 9"}));
-}
-
-TEST(MachineFile, WantsTheInnerLoopToBeTheFasterOne) {
-  EXPECT_EQ(errors_of(kBounded + "[axes.x]\nposition_gain_per_s = 2000\n"),
-            Lines{"m.toml:6:23: error: axes.x.position_gain_per_s: found 2000, expected at most "
-                  "velocity_gain_per_s, 1000"});
-  EXPECT_EQ(errors_of(kBounded + "[axes.x]\nvelocity_gain_per_s = 50\n"),
-            Lines{"m.toml:6:23: error: axes.x.velocity_gain_per_s: found 50, expected at least "
-                  "position_gain_per_s, 120"});
-}
-
-TEST(MachineFile, WantsEveryQuantityBoundedAlongThePathOrOnAllAxes) {
-  for (const kerf::BoundRule& rule : kerf::bound_rules()) {
-    const std::string key(rule.key);
-    std::string others = "[path]\n";
-    for (const kerf::BoundRule& other : kerf::bound_rules()) {
-      others += other.key != rule.key ? std::string(other.key) + " = 100\n" : "";
-    }
-    const auto axis = [&](const char* name) {
-      return "[axes." + std::string(name) + "]\n" + key + " = 100\n";
-    };
-    const std::string expected = "m.toml:1:2: error: nothing bounds the " +
-                                 std::string(rule.quantity) + ": expected " + key +
-                                 " in [path] or in every axis (missing in ";
-    EXPECT_EQ(errors_of(others), Lines{expected + "axes.x, axes.y, axes.z)"});
-    EXPECT_EQ(errors_of(others + axis("x") + axis("z")), Lines{expected + "axes.y)"});
-    EXPECT_EQ(errors_of(others + axis("x") + axis("y") + axis("z")), Lines{});
-    // A value that is wrong has its own error, and no second one.
-    EXPECT_EQ(errors_of(others + key + " = 0\n").size(), 1U);
-  }
-}
-
-TEST(MachineFile, AnEmptyFileLacksAllBoundsAndNoPlaceIsToBlame) {
-  const Lines errors = errors_of("");
-  ASSERT_EQ(errors.size(), 3U);
-  EXPECT_EQ(
-      errors[0],
-      "m.toml: error: nothing bounds the velocity: expected max_velocity_mm_s in [path] or in "
-      "every axis (missing in axes.x, axes.y, axes.z)");
-}
-
-TEST(MachineFile, ReportsAllErrorsInTheOrderOfTheText) {
-  const Lines errors = errors_of(
-      "[axes.z]\nfeed_forward = 1.5\nfoo = 1\n[path]\nmax_velocity_mm_s = 'a'\n"
-      "max_acceleration_mm_s2 = -1\nmax_jerk_mm_s3 = 5\n[tick]\nperiod_s = 1\n[more]\n");
-  ASSERT_EQ(errors.size(), 6U);
-  const std::vector<std::string> places{"2:16", "3:1", "5:21", "6:26", "9:12", "10:2"};
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    EXPECT_EQ(errors[i].find("m.toml:" + places[i] + ": error: "), 0U) << errors[i];
-  }
-}
-
-TEST(MachineFile, WantsSectionsToBeTables) {
-  EXPECT_EQ(errors_of("tick = 3\n" + kBounded),
-            Lines{"m.toml:1:8: error: tick: found a number, expected a table"});
-  EXPECT_EQ(errors_of(kBounded + "[axes]\n  y = [1]\n"),
-            Lines{"m.toml:6:7: error: axes.y: found an array, expected a table"});
-  const Lines errors = errors_of("[[path]]\nmax_velocity_mm_s = 1\n");
-  ASSERT_EQ(errors.size(), 1U);
-  EXPECT_NE(errors[0].find("path: found an array, expected a table"), std::string::npos);
-}
-
-TEST(MachineFile, PlacesWhatIsNotToml) {
-  const Lines broken = errors_of("[path]\nmax_velocity_mm_s = \n");
-  ASSERT_EQ(broken.size(), 1U);
-  EXPECT_EQ(broken[0].find("m.toml:2:21: error: "), 0U) << broken[0];
-  const Lines twice = errors_of(kBounded + "max_velocity_mm_s = 1\n");
-  ASSERT_EQ(twice.size(), 1U);
-  EXPECT_EQ(twice[0].find("m.toml:5:"), 0U) << twice[0];
-  const Lines control = errors_of("\x01");
-  ASSERT_EQ(control.size(), 1U);
-  EXPECT_EQ(control[0].find("m.toml:1:1: error: "), 0U) << control[0];
-  EXPECT_EQ(errors_of("\xff\xfe").size(), 1U);
-}
-
-TEST(MachineFile, SurvivesDeepNestingAndOddKeys) {
-  EXPECT_EQ(errors_of(kBounded + "a = " + std::string(100'000, '[')).size(), 1U);
-  EXPECT_EQ(errors_of("\"a\\u0001b\\n\" = 1\n" + kBounded),
-            Lines{"m.toml:1:1: error: unknown key 'a?b?'"});
-  const Lines lengthy = errors_of(std::string(5000, 'k') + " = 1\n" + kBounded);
-  ASSERT_EQ(lengthy.size(), 1U);
-  EXPECT_LT(lengthy[0].size(), 120U);
-}
-
 TEST(MachineFile, TakesAByteOrderMarkCrlfAndInlineTables) {
   std::string crlf;
   for (const char c : kBounded) {
@@ -399,13 +142,6 @@ TEST(MachineFile, TakesAByteOrderMarkCrlfAndInlineTables) {
   EXPECT_TRUE(parse_machine_file("\xef\xbb\xbf" + crlf));
   EXPECT_TRUE(
       parse_machine_file(kBounded + "[axes]\nx = { min_mm = 0, max_mm = 1 }\ny.min_mm = 3"));
-}
-
-TEST(MachineFile, RefusesMoreThanAMebibyte) {
-  const std::string comment = "#" + std::string((1U << 20) - kBounded.size() - 2, 'x') + "\n";
-  EXPECT_TRUE(parse_machine_file(kBounded + comment));
-  EXPECT_EQ(errors_of(kBounded + comment + "\n"),
-            Lines{"m.toml: error: found 1048577 bytes, expected at most 1 MiB"});
 }
 
 TEST(MachineFile, DocumentsEveryKeyWithItsDefaultAndEveryShippedMachine) {
