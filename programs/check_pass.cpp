@@ -1,0 +1,40 @@
+#include "programs/check_pass.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "programs/interrupt.hpp"
+#include "programs/progress.hpp"
+#include "programs/progress_bar.hpp"
+
+namespace kerf::program {
+
+tl::expected<CheckReport, std::string> check_pass(ProgramFile& file,
+                                                  const MachineSettings& settings,
+                                                  const KernelOptions& options,
+                                                  bool shows_progress) {
+  Progress progress;
+  const ProgressBar bar(
+      "checking", [&] { return progress.read_share(); }, shows_progress);
+  std::optional<std::string> error;
+  const auto size = static_cast<double>(std::max<std::uint64_t>(file.size_bytes(), 1));
+  const TextSource text = [&]() -> std::string_view {
+    if (stop_requested()) {
+      return {};
+    }
+    const auto piece = file.read();
+    if (!piece) {
+      error = piece.error();
+      return {};
+    }
+    progress.set_read(static_cast<double>(file.bytes_read()) / size);
+    return *piece;
+  };
+  CheckReport report = check_program(text, settings, options);
+  if (error) {
+    return tl::unexpected(*error);
+  }
+  return report;
+}
+
+}  // namespace kerf::program

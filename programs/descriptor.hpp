@@ -1,0 +1,38 @@
+// A file descriptor with an owner, and whole writes to one.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <unistd.h>
+#include <utility>
+
+namespace kerf::program {
+
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) noexcept : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+
+  [[nodiscard]] int number() const noexcept { return number_; }
+  [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
+
+  // 0, or the errno of what the system could not write after all.
+  int close() noexcept;
+
+ private:
+  int number_ = -1;
+};
+
+// Writes all of it, however many calls that takes. 0, or the errno.
+int write_all(int descriptor, std::string_view bytes) noexcept;
+
+// "No space left on device", the same in every locale.
+std::string error_text(int error_number);
+
+}  // namespace kerf::program

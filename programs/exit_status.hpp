@@ -1,0 +1,23 @@
+// What `kerf` returns to the shell.
+#pragma once
+
+namespace kerf::program {
+
+enum class ExitStatus : int {
+  done = 0,
+  program_error = 1,   // the part program has errors; nothing moved
+  wrong_use = 2,       // of the command line
+  settings_error = 3,  // the machine file has errors
+  machine_fault = 4,   // a soft limit, before motion or in it, or another fault of the machine
+  io_error = 5,        // a file cannot be read or written
+  internal_error = 6,  // a defect of kerf
+  hung_up = 129,       // SIGHUP, SIGINT, SIGTERM: 128 + signal number, after a stop on the path
+  interrupted = 130,
+  terminated = 143,
+};
+
+constexpr int to_int(ExitStatus status) noexcept {
+  return static_cast<int>(status);
+}
+
+}  // namespace kerf::program

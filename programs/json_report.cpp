@@ -1,0 +1,89 @@
+#include "programs/json_report.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace kerf::program {
+
+namespace {
+
+// Keys in the order in which they are set.
+using Json = nlohmann::ordered_json;
+
+Json peaks_json(const Peaks& peaks) {
+  return {{"v_mm_s", peaks.v_mm_s}, {"a_mm_s2", peaks.a_mm_s2}, {"j_mm_s3", peaks.j_mm_s3}};
+}
+
+Json axes_json(const std::array<double, 3>& values) {
+  return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}};
+}
+
+void set_plan(Json& json, const PlanReport& plan) {
+  json["cycle_time_s"] = plan.cycle_time_s;
+  json["ticks"] = plan.ticks;
+  json["path_length_mm"] = plan.path_length_mm;
+  json["blocks"] = plan.blocks;
+  json["extents"] = {{"min_mm", axes_json(plan.extents.min_mm)},
+                     {"max_mm", axes_json(plan.extents.max_mm)}};
+}
+
+void set_motion(Json& json, const FileReport& report) {
+  const MotionReport& motion = *report.motion;
+  json["max"] = {{"path", peaks_json(motion.path)},
+                 {"axes",
+                  {{"x", peaks_json(motion.axes[0])},
+                   {"y", peaks_json(motion.axes[1])},
+                   {"z", peaks_json(motion.axes[2])}}}};
+  json["limits_exceeded"] = Json::array();
+  for (const LimitUse& use : limit_uses(motion, report.limits)) {
+    if (use.is_exceeded()) {
+      json["limits_exceeded"].push_back({{"where", use.where},
+                                         {"quantity", use.quantity},
+                                         {"unit", use.unit},
+                                         {"value", use.peak},
+                                         {"limit", use.limit},
+                                         {"ratio", use.ratio()}});
+    }
+  }
+  json["chord_error_mm"] = motion.chord_error_mm;
+  json["contour_error"] = {{"max_mm", motion.max_contour_error_mm},
+                           {"mean_mm", motion.mean_contour_error_mm}};
+  json["following_error"] = {{"max_mm", axes_json(motion.max_following_error_mm)}};
+  json["starved_ticks"] = motion.starved_ticks;
+}
+
+}  // namespace
+
+std::string json_report(const FileReport& report) {
+  Json json;
+  json["schema_version"] = kJsonSchemaVersion;
+  json["file"] = report.file;
+  json["command"] = name_of(report.command);
+  json["exit_status"] = to_int(report.status);
+  json["machine"] = report.machine;
+  json["profile"] = report.profile;
+  json["period_s"] = report.period_s;
+  if (report.plan) {
+    set_plan(json, *report.plan);
+  }
+  if (report.motion) {
+    set_motion(json, report);
+  }
+  if (report.clock) {
+    json["late_ticks"] = report.clock->late_ticks;
+    json["worst_delay_s"] = report.clock->worst_delay_s;
+  }
+  json["warnings"] = report.warnings;
+  json["errors"] = Json::array();
+  for (const parser::Diagnostic& error : report.errors) {
+    json["errors"].push_back(
+        {{"line", error.source.line}, {"column", error.source.column}, {"message", error.message}});
+  }
+  for (const std::string& failure : report.failures) {
+    json["errors"].push_back({{"message", failure}});
+  }
+  json["elapsed"] = {{"check_s", report.check_duration_s}, {"run_s", report.run_duration_s}};
+  // What is not UTF-8 in a file name or a message becomes U+FFFD; what is not a number, null.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace kerf::program

@@ -1,0 +1,151 @@
+#include "programs/options.hpp"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "profiles/sigmoid.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+using profiles::ProfileKind;
+
+constexpr std::size_t kMostWindowBlocks = 1'000'000;
+
+constexpr std::array kProfiles{ProfileKind::trapezoid,   ProfileKind::s_curve,
+                               ProfileKind::sine,        ProfileKind::quintic,
+                               ProfileKind::sine_series, ProfileKind::sigmoid};
+
+std::vector<std::string> profile_names() {
+  std::vector<std::string> names;
+  for (const ProfileKind kind : kProfiles) {
+    names.emplace_back(name_of(kind));
+  }
+  return names;
+}
+
+// What the options of all commands are read into before they mean something.
+struct Raw {
+  Options options;
+  std::string profile{name_of(ProfileKind::s_curve)};
+};
+
+void add_common(CLI::App& command, Raw& raw) {
+  Options& options = raw.options;
+  command.add_option("--machine", options.machine_file, "machine file (default: a small mill)")
+      ->type_name("FILE.toml");
+  command.add_option("--profile", raw.profile, "feedrate profile")
+      ->check(CLI::IsMember(profile_names()))
+      ->capture_default_str();
+  command
+      .add_option("--sigmoid-shape", options.sigmoid_shape,
+                  "shape s of the sigmoid (default: chosen for each transition)")
+      ->check(CLI::Range(profiles::Sigmoid::kSmallestShape, profiles::Sigmoid::kLargestShape))
+      ->type_name("S");
+  command.add_option("--window", options.window_blocks, "blocks that the look-ahead sees")
+      ->check(CLI::Range(std::size_t{2}, kMostWindowBlocks))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_flag("--block-delete", options.block_delete, "leave out blocks that begin with /");
+  command.add_flag("--json", options.json, "report as JSON on standard output");
+  command.add_flag("-q,--quiet", options.quiet, "no summary, no progress bar, no warnings");
+}
+
+void add_outputs(CLI::App& command, Options& options) {
+  command
+      .add_option("--trace", options.trace_file, "write one row per tick (- is standard output)")
+      ->type_name("FILE.csv");
+  command.add_option("--plot", options.plot_file, "draw the path and v, a, j over time")
+      ->type_name("FILE.svg");
+}
+
+CLI::App* add_command(CLI::App& app, Command command, const std::string& description, Raw& raw) {
+  CLI::App* added = app.add_subcommand(std::string(name_of(command)), description);
+  CLI::Option* files =
+      added->add_option("FILE", raw.options.files, "part program (- is standard input)")
+          ->required();
+  if (command == Command::run) {
+    files->expected(1);
+  }
+  add_common(*added, raw);
+  if (command != Command::check) {
+    add_outputs(*added, raw.options);
+  }
+  return added;
+}
+
+Leave wrong_use(const std::string& message) {
+  return {.status = ExitStatus::wrong_use, .text = "kerf: " + message + "\nTry: kerf --help\n"};
+}
+
+// What no single option can say of itself.
+std::optional<std::string> contradiction(const Options& options) {
+  if (options.files.size() > 1 && (options.trace_file || options.plot_file)) {
+    return "--trace and --plot take one FILE at a time";
+  }
+  if (options.json && options.trace_file == "-") {
+    return "--json and --trace - both write to standard output";
+  }
+  if (options.sigmoid_shape && options.profile != ProfileKind::sigmoid) {
+    return "--sigmoid-shape goes with --profile sigmoid";
+  }
+  if (std::count(options.files.begin(), options.files.end(), "-") > 1) {
+    return "standard input can be read only once";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string_view name_of(Command command) noexcept {
+  switch (command) {
+    case Command::run:
+      return "run";
+    case Command::check:
+      return "check";
+    case Command::dry_run:
+      break;
+  }
+  return "dry-run";
+}
+
+std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
+  Raw raw;
+  CLI::App app(
+      "Kerf: a motion kernel for CNC machines.\n"
+      "Exit status: 0 done, 1 program error, 2 wrong use, 3 machine file error,\n"
+      "4 limit or machine fault, 5 input or output failed, 130 interrupted.",
+      "kerf");
+  app.set_version_flag("--version", "kerf " KERF_VERSION);
+  app.require_subcommand(1);
+  const CLI::App* dry_run =
+      add_command(app, Command::dry_run, "run on the simulated table without a clock", raw);
+  const CLI::App* run = add_command(app, Command::run, "run in real time", raw);
+  add_command(app, Command::check, "read and plan only", raw);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    std::ostringstream out;
+    std::ostringstream err;
+    if (app.exit(error, out, err) == 0) {
+      return Leave{.status = ExitStatus::done, .text = out.str()};
+    }
+    return wrong_use(error.what());
+  }
+  Options& options = raw.options;
+  options.command = dry_run->parsed() ? Command::dry_run
+                    : run->parsed()   ? Command::run
+                                      : Command::check;
+  options.profile = *profiles::profile_kind(raw.profile);
+  if (const auto message = contradiction(options)) {
+    return wrong_use(*message);
+  }
+  return options;
+}
+
+}  // namespace kerf::program

@@ -1,0 +1,42 @@
+// The command line.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "profiles/profile.hpp"
+#include "programs/exit_status.hpp"
+
+namespace kerf::program {
+
+enum class Command : unsigned char { dry_run, run, check };
+
+std::string_view name_of(Command command) noexcept;
+
+struct Options {
+  Command command = Command::dry_run;
+  std::vector<std::string> files;
+  std::optional<std::string> machine_file;
+  profiles::ProfileKind profile = profiles::ProfileKind::s_curve;
+  std::optional<double> sigmoid_shape;
+  std::optional<std::string> trace_file;
+  std::optional<std::string> plot_file;
+  std::size_t window_blocks = 1000;
+  bool block_delete = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+// Help or version was asked for (text for standard output), or the command line is wrong (text for
+// standard error).
+struct Leave {
+  ExitStatus status = ExitStatus::done;
+  std::string text;
+};
+
+std::variant<Options, Leave> parse_options(int argc, const char* const* argv);
+
+}  // namespace kerf::program

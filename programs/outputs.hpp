@@ -1,0 +1,38 @@
+// The files that a run writes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "programs/options.hpp"
+#include "programs/plot_file.hpp"
+#include "programs/recorder.hpp"
+#include "programs/svg_plot.hpp"
+
+namespace kerf::program {
+
+class Outputs {
+ public:
+  // Before anything moves, so that what cannot be written is known by then. extents: of the whole
+  // path.
+  static tl::expected<Outputs, std::string> open(const Options& options, double period_s,
+                                                 const curves::Extents& extents);
+
+  [[nodiscard]] Recorder& recorder() noexcept { return recorder_; }
+
+  // After the motion: ends the trace and draws the plot. What went wrong, if anything did. dropped:
+  // ticks that the recorder never saw.
+  std::optional<std::string> close_trace(std::uint64_t dropped);
+  std::optional<std::string> write_plot(const PlotCaption& caption);
+
+ private:
+  Outputs() = default;
+
+  Recorder recorder_;
+  std::optional<PlotFile> plot_file_;
+};
+
+}  // namespace kerf::program

@@ -1,0 +1,91 @@
+#include "programs/plan_only.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "lookahead/block_builder.hpp"
+#include "lookahead/planner.hpp"
+#include "parser/program_reader.hpp"
+#include "programs/interrupt.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+// The next move, with text from the file as it takes. Nothing at the end.
+tl::expected<bool, std::string> next_move(parser::ProgramReader& reader, ProgramFile& file,
+                                          parser::Move& move) {
+  while (!reader.next(move)) {
+    if (reader.at_end()) {
+      return false;
+    }
+    const auto piece = file.read();
+    if (!piece) {
+      return tl::unexpected(piece.error());
+    }
+    if (piece->empty()) {
+      reader.finish();
+    } else {
+      reader.feed(*piece);
+    }
+  }
+  return true;
+}
+
+void push(lookahead::Planner& planner, const parser::Move& move,
+          const lookahead::PlanLimits& limits, std::vector<lookahead::Block>& blocks) {
+  if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
+    planner.push_rest(dwell->duration_s, move.source.line);
+  } else if (std::holds_alternative<parser::EventMove>(move.shape)) {
+    planner.push_rest(0.0, move.source.line);
+  } else {
+    blocks.clear();
+    if (lookahead::append_blocks(move, limits, blocks)) {
+      for (lookahead::Block& block : blocks) {
+        planner.push(std::move(block));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
+                                                           const MachineSettings& settings,
+                                                           const KernelOptions& options,
+                                                           Progress& progress) {
+  parser::ProgramReader reader(
+      {.start_mm = options.start_mm, .block_delete = options.block_delete});
+  lookahead::Planner planner({.limits = settings.limits,
+                              .profile = options.profile,
+                              .window_blocks = options.window_blocks});
+  const auto size = static_cast<double>(std::max<std::uint64_t>(file.size_bytes(), 1));
+  lookahead::Outbox outbox;
+  std::vector<lookahead::Block> blocks;
+  bool finished = false;
+  for (parser::Move move; !stop_requested();) {
+    outbox.pieces.clear();
+    outbox.phases.clear();
+    if (planner.emit(outbox)) {
+      continue;
+    }
+    if (finished) {
+      break;
+    }
+    const auto found = next_move(reader, file, move);
+    if (!found) {
+      return tl::unexpected(found.error());
+    }
+    if (*found) {
+      push(planner, move, settings.limits, blocks);
+    } else {
+      planner.finish(move.source.line);
+      finished = true;
+    }
+    progress.set_read(static_cast<double>(file.bytes_read()) / size);
+  }
+  return planner.totals();
+}
+
+}  // namespace kerf::program

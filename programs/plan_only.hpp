@@ -1,0 +1,21 @@
+// A plan without ticks: how long a program takes and how far it goes.
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "kernel/kernel.hpp"
+#include "programs/program_file.hpp"
+#include "programs/progress.hpp"
+
+namespace kerf::program {
+
+// Preconditions: check_program() found no error; the file is rewound. Memory does not grow with the
+// length of the program. Ends early when a stop is requested. Error: the file cannot be read.
+tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
+                                                           const MachineSettings& settings,
+                                                           const KernelOptions& options,
+                                                           Progress& progress);
+
+}  // namespace kerf::program

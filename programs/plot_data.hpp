@@ -1,0 +1,35 @@
+// What a plot keeps of a run, in bounded memory.
+#pragma once
+
+#include "curves/position.hpp"
+#include "programs/min_max_series.hpp"
+#include "programs/path_outline.hpp"
+#include "programs/projection.hpp"
+#include "programs/tick_record.hpp"
+
+namespace kerf::program {
+
+class PlotData {
+ public:
+  // extents: of the whole path, known before it runs; they set how fine the outline is.
+  explicit PlotData(const curves::Extents& extents);
+
+  void add(const TickRecord& record);
+
+  [[nodiscard]] View view() const noexcept { return view_; }
+  [[nodiscard]] const PathOutline& outline() const noexcept { return outline_; }
+  [[nodiscard]] const MinMaxSeries& v() const noexcept { return v_; }
+  [[nodiscard]] const MinMaxSeries& a() const noexcept { return a_; }
+  [[nodiscard]] const MinMaxSeries& j() const noexcept { return j_; }
+  [[nodiscard]] std::int64_t last_tick() const noexcept { return last_tick_; }
+
+ private:
+  View view_;
+  PathOutline outline_;
+  MinMaxSeries v_;
+  MinMaxSeries a_;
+  MinMaxSeries j_;
+  std::int64_t last_tick_ = 0;
+};
+
+}  // namespace kerf::program

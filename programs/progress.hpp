@@ -1,0 +1,32 @@
+// How far a program is, shared between the threads that work and the one that shows it.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+
+namespace kerf::program {
+
+// Writers store, nobody waits. What is known is the share of the text that was read, the path
+// length that it gave so far, and how far the tool is on it.
+class Progress {
+ public:
+  void set_read(double share) noexcept { read_.store(share, kOrder); }
+  void set_planned(double length_mm) noexcept { planned_mm_.store(length_mm, kOrder); }
+  void set_done(double s_mm) noexcept { done_mm_.store(s_mm, kOrder); }
+
+  // 0..1.
+  [[nodiscard]] double share() const noexcept {
+    const double planned = planned_mm_.load(kOrder);
+    const double read = read_.load(kOrder);
+    return planned > 0.0 ? std::clamp(done_mm_.load(kOrder) / planned, 0.0, 1.0) * read : 0.0;
+  }
+  [[nodiscard]] double read_share() const noexcept { return read_.load(kOrder); }
+
+ private:
+  static constexpr std::memory_order kOrder = std::memory_order_relaxed;
+  std::atomic<double> read_{0.0};
+  std::atomic<double> planned_mm_{0.0};
+  std::atomic<double> done_mm_{0.0};
+};
+
+}  // namespace kerf::program

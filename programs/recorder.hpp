@@ -1,0 +1,61 @@
+// Where ticks go to be kept: the trace, the plot, both or neither.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include <boost/lockfree/spsc_queue.hpp>
+
+#include "programs/plot_data.hpp"
+#include "programs/trace_writer.hpp"
+
+namespace kerf::program {
+
+struct Recorder {
+  std::optional<TraceWriter> trace;
+  std::optional<PlotData> plot;
+
+  [[nodiscard]] bool wants_ticks() const noexcept { return trace || plot; }
+
+  void add(const TickRecord& record) {
+    if (trace) {
+      trace->add(record);
+    }
+    if (plot) {
+      plot->add(record);
+    }
+  }
+};
+
+// A recorder behind a ring, with a thread of its own. push() is for the tick: it waits for nothing
+// and never sees the disk. What does not fit into the ring is left out and counted.
+class RecorderThread {
+ public:
+  explicit RecorderThread(Recorder& recorder);
+  ~RecorderThread();
+  RecorderThread(const RecorderThread&) = delete;
+  RecorderThread& operator=(const RecorderThread&) = delete;
+
+  void push(const TickRecord& record) noexcept;
+  // Waits until everything pushed is recorded. No push() may follow.
+  void finish();
+
+  [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
+
+ private:
+  static constexpr std::size_t kRingRecords = 16'384;
+  using Ring = boost::lockfree::spsc_queue<TickRecord, boost::lockfree::capacity<kRingRecords>>;
+
+  void work();
+
+  Recorder* recorder_;
+  std::unique_ptr<Ring> ring_ = std::make_unique<Ring>();
+  std::atomic<bool> over_{false};
+  std::uint64_t dropped_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace kerf::program

@@ -1,0 +1,85 @@
+// What there is to say about one program once it is over.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "curves/position.hpp"
+#include "kernel/run_statistics.hpp"
+#include "lookahead/limits.hpp"
+#include "parser/diagnostic.hpp"
+#include "programs/exit_status.hpp"
+#include "programs/options.hpp"
+
+namespace kerf::program {
+
+// Known once a program is planned, whether it ran or not.
+struct PlanReport {
+  double cycle_time_s = 0.0;
+  std::int64_t ticks = 0;
+  double path_length_mm = 0.0;
+  std::uint64_t blocks = 0;
+  curves::Extents extents{};
+};
+
+// Known once it ran.
+struct MotionReport {
+  Peaks path{};
+  std::array<Peaks, 3> axes{};
+  double chord_error_mm = 0.0;
+  double max_contour_error_mm = 0.0;
+  double mean_contour_error_mm = 0.0;
+  std::array<double, 3> max_following_error_mm{};
+  std::uint64_t starved_ticks = 0;
+};
+
+// Known once it ran by the clock.
+struct ClockReport {
+  std::uint64_t late_ticks = 0;
+  double worst_delay_s = 0.0;
+};
+
+struct FileReport {
+  std::string file;
+  Command command = Command::dry_run;
+  std::string machine;  // the machine file, or "default"
+  std::string_view profile;
+  double period_s = 0.001;
+  lookahead::PlanLimits limits{};
+  ExitStatus status = ExitStatus::done;
+  std::vector<parser::Diagnostic> errors;  // with a place in the program
+  std::vector<std::string> failures;       // without one: files, faults of the machine
+  std::vector<std::string> warnings;
+  std::optional<PlanReport> plan;
+  std::optional<MotionReport> motion;
+  std::optional<ClockReport> clock;
+  double check_duration_s =
+      0.0;  // how long kerf itself took; the only figures that a second run changes
+  double run_duration_s = 0.0;
+};
+
+// One figure beside its limit.
+struct LimitUse {
+  std::string_view where;     // "path", "x", "y", "z"
+  std::string_view quantity;  // "velocity", "acceleration", "jerk"
+  std::string_view unit;
+  double peak = 0.0;
+  double limit = 0.0;  // infinite: does not bind
+
+  [[nodiscard]] double ratio() const noexcept { return peak / limit; }
+  // By more than what finite differences between ticks may overstate.
+  [[nodiscard]] bool is_exceeded() const noexcept { return peak > 1.005 * limit; }
+};
+
+// Path, x, y, z; for each of them velocity, acceleration, jerk.
+[[nodiscard]] std::array<LimitUse, 12> limit_uses(const MotionReport& motion,
+                                                  const lookahead::PlanLimits& limits);
+
+// "axis x jerk 1.24e6 mm/s3 is 22.5 times its limit of 55000 mm/s3"
+[[nodiscard]] std::string describe(const LimitUse& use);
+
+}  // namespace kerf::program

@@ -1,0 +1,101 @@
+#include "programs/run_loop.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "programs/interrupt.hpp"
+#include "programs/tick_timer.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+constexpr std::uint64_t kHungTicks = 100'000;
+constexpr std::chrono::milliseconds kPlanningPause{1};
+
+// Keeps the queue of the kernel full until the last tick.
+class PlanningThread {
+ public:
+  explicit PlanningThread(Feeder& feeder) : feeder_(&feeder) {
+    feeder_->pump();  // the first tick finds its motion planned
+    thread_ = std::thread([this] { work(); });
+  }
+  ~PlanningThread() {
+    over_.store(true, std::memory_order_relaxed);
+    thread_.join();
+  }
+  PlanningThread(const PlanningThread&) = delete;
+  PlanningThread& operator=(const PlanningThread&) = delete;
+
+ private:
+  void work() {
+    while (!over_.load(std::memory_order_relaxed)) {
+      if (stop_requested()) {
+        feeder_->stop();
+      }
+      feeder_->pump();
+      std::this_thread::sleep_for(kPlanningPause);
+    }
+  }
+
+  Feeder* feeder_;
+  std::atomic<bool> over_{false};
+  std::thread thread_;
+};
+
+bool is_over(interp::TickStatus status, const TickStage& ticks) noexcept {
+  return status == interp::TickStatus::finished || ticks.fault().kind != machine::Fault::none;
+}
+
+}  // namespace
+
+RunOutcome run_without_clock(const RunStage& stage) {
+  RunOutcome outcome;
+  std::uint64_t starved_in_a_row = 0;
+  for (TickRecord record;;) {
+    if (stop_requested()) {
+      stage.feeder.stop();
+    }
+    stage.feeder.pump();
+    const interp::TickStatus status = stage.ticks.step(record);
+    stage.recorder.add(record);
+    stage.progress.set_done(record.motion.s_mm);
+    if (is_over(status, stage.ticks)) {
+      return outcome;
+    }
+    const bool starved = status == interp::TickStatus::starved;
+    outcome.starved_ticks += starved ? 1 : 0;
+    starved_in_a_row = starved ? starved_in_a_row + 1 : 0;
+    if (starved_in_a_row == kHungTicks) {
+      outcome.hung = true;
+      return outcome;
+    }
+  }
+}
+
+RunOutcome run_in_real_time(const RunStage& stage, double period_s) {
+  RunOutcome outcome;
+  RecorderThread recorder(stage.recorder);
+  {
+    const PlanningThread planning(stage.feeder);
+    TickTimer timer(period_s);
+    for (TickRecord record;;) {
+      timer.wait();
+      const interp::TickStatus status = stage.ticks.step(record);
+      recorder.push(record);
+      stage.progress.set_done(record.motion.s_mm);
+      outcome.starved_ticks += status == interp::TickStatus::starved ? 1 : 0;
+      if (is_over(status, stage.ticks)) {
+        break;
+      }
+    }
+    outcome.late_ticks = timer.late();
+    outcome.worst_delay_s = timer.worst_delay_s();
+  }
+  recorder.finish();
+  outcome.dropped_records = recorder.dropped();
+  return outcome;
+}
+
+}  // namespace kerf::program

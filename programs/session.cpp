@@ -1,0 +1,199 @@
+#include "programs/session.hpp"
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "programs/check_pass.hpp"
+#include "programs/interrupt.hpp"
+#include "programs/motion_report.hpp"
+#include "programs/number_text.hpp"
+#include "programs/outputs.hpp"
+#include "programs/plan_only.hpp"
+#include "programs/progress_bar.hpp"
+#include "programs/run_loop.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double elapsed_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+class Session {
+ public:
+  Session(const Options& options, const MachineSettings& settings)
+      : options_(options),
+        settings_(settings),
+        kernel_options_{.profile = profiles::Profile(options.profile, options.sigmoid_shape),
+                        .window_blocks = options.window_blocks,
+                        .block_delete = options.block_delete} {
+    report_.command = options.command;
+    report_.machine = options.machine_file.value_or("default");
+    report_.profile = name_of(options.profile);
+    report_.period_s = settings.limits.period_s;
+    report_.limits = settings.limits;
+  }
+
+  FileReport process(const std::string& path) {
+    report_.file = path == "-" ? "<stdin>" : path;
+    auto file = ProgramFile::open(path);
+    if (stop_requested()) {
+      report_.status = *stop_requested();
+    } else if (!file) {
+      fail(ExitStatus::io_error, file.error());
+    } else if (check(*file)) {
+      file->rewind();
+      const Stopwatch watch;
+      options_.command == Command::check ? plan(*file) : run(*file);
+      report_.run_duration_s = watch.elapsed_s();
+    }
+    return std::move(report_);
+  }
+
+ private:
+  void fail(ExitStatus status, std::string message) {
+    if (report_.status == ExitStatus::done) {
+      report_.status = status;
+    }
+    report_.failures.push_back(std::move(message));
+  }
+
+  [[nodiscard]] bool shows_progress() const {
+    return !options_.quiet && ProgressBar::has_terminal();
+  }
+
+  // True: the program may run.
+  bool check(ProgramFile& file) {
+    const Stopwatch watch;
+    const auto found = check_pass(file, settings_, kernel_options_, shows_progress());
+    report_.check_duration_s = watch.elapsed_s();
+    if (stop_requested()) {
+      report_.status = *stop_requested();
+    } else if (!found) {
+      fail(ExitStatus::io_error, found.error());
+    } else {
+      judge(*found);
+    }
+    return report_.status == ExitStatus::done;
+  }
+
+  void judge(const CheckReport& found) {
+    for (const parser::Diagnostic& diagnostic : found.diagnostics) {
+      if (diagnostic.severity == parser::Severity::error) {
+        report_.errors.push_back(diagnostic);
+      } else {
+        report_.warnings.push_back(
+            fmt::format("line {}: {}", diagnostic.source.line, diagnostic.message));
+      }
+    }
+    if (found.has_errors()) {
+      report_.status = ExitStatus::program_error;
+    } else if (!found.limit_faults.empty()) {
+      report_.errors = found.limit_faults;
+      report_.status = ExitStatus::machine_fault;
+    }
+    extents_ = found.moves ? std::optional(found.extents) : std::nullopt;
+  }
+
+  void plan(ProgramFile& file) {
+    Progress progress;
+    const ProgressBar bar(
+        "planning", [&] { return progress.read_share(); }, shows_progress());
+    const auto totals = plan_only(file, settings_, kernel_options_, progress);
+    if (!totals) {
+      fail(ExitStatus::io_error, totals.error());
+    } else if (stop_requested()) {
+      report_.status = *stop_requested();
+    } else {
+      report_.plan =
+          PlanReport{.cycle_time_s = static_cast<double>(totals->ticks) * report_.period_s,
+                     .ticks = totals->ticks,
+                     .path_length_mm = totals->path_length_mm,
+                     .blocks = totals->blocks,
+                     .extents = extents_.value_or(curves::Extents{})};
+    }
+  }
+
+  void run(ProgramFile& file) {
+    auto outputs = Outputs::open(options_, report_.period_s, extents_.value_or(curves::Extents{}));
+    if (!outputs) {
+      fail(ExitStatus::io_error, outputs.error());
+      return;
+    }
+    Kernel kernel(settings_, kernel_options_);
+    Progress progress;
+    Feeder feeder(kernel, file, progress);
+    TickStage ticks(kernel, settings_, kernel_options_.start_mm);
+    const RunStage stage{feeder, ticks, outputs->recorder(), progress};
+    RunOutcome outcome;
+    {
+      const ProgressBar bar(
+          "running ", [&] { return progress.share(); }, shows_progress());
+      outcome = options_.command == Command::run ? run_in_real_time(stage, report_.period_s)
+                                                 : run_without_clock(stage);
+    }
+    report_motion(report_, kernel, ticks.statistics(), outcome);
+    note_end(kernel, ticks.fault(), feeder.error(), outcome);
+    for (auto& error :
+         {outputs->close_trace(outcome.dropped_records), outputs->write_plot(plot_caption())}) {
+      if (error) {
+        fail(ExitStatus::io_error, *error);
+      }
+    }
+  }
+
+  // Why the run is over, the gravest reason first.
+  void note_end(const Kernel& kernel, const MachineFault& fault,
+                const std::optional<std::string>& read_error, const RunOutcome& outcome) {
+    if (outcome.hung) {
+      fail(ExitStatus::internal_error,
+           "internal error: the program is read and nothing is planned");
+    } else if (fault.kind != machine::Fault::none) {
+      fail(ExitStatus::machine_fault, describe(fault, report_.period_s));
+    } else if (stop_requested()) {
+      report_.status = *stop_requested();
+    } else if (read_error) {
+      fail(ExitStatus::io_error, *read_error);
+    } else if (kernel.has_errors()) {
+      report_.errors = kernel.diagnostics();
+      report_.status = ExitStatus::program_error;
+    } else if (extents_) {
+      report_.plan->extents = *extents_;  // of the curves; ticks need not meet their extremes
+    }
+  }
+
+  [[nodiscard]] PlotCaption plot_caption() const {
+    const PlanReport& plan = *report_.plan;
+    return {.title = report_.file,
+            .subtitle =
+                fmt::format("{} \u00b7 {:.1f} mm in {} \u00b7 {}", clock_time(plan.cycle_time_s),
+                            plan.path_length_mm, counted(plan.blocks, "block"), report_.profile),
+            .period_s = report_.period_s,
+            .limits = report_.limits.path};
+  }
+
+  const Options& options_;
+  const MachineSettings& settings_;
+  KernelOptions kernel_options_;
+  FileReport report_;
+  std::optional<curves::Extents> extents_;  // of the whole path, if there is one
+};
+
+}  // namespace
+
+FileReport process_file(const std::string& path, const Options& options,
+                        const MachineSettings& settings) {
+  return Session(options, settings).process(path);
+}
+
+}  // namespace kerf::program

@@ -1,0 +1,21 @@
+// The picture of a run: the path coloured by feedrate, and v, a and j over time under it.
+#pragma once
+
+#include <string>
+
+#include "lookahead/limits.hpp"
+#include "programs/plot_data.hpp"
+
+namespace kerf::program {
+
+struct PlotCaption {
+  std::string title;
+  std::string subtitle;
+  double period_s = 0.001;
+  lookahead::MotionLimits limits{};  // along the path; drawn where they are finite
+};
+
+// A whole SVG document.
+[[nodiscard]] std::string svg_plot(const PlotData& data, const PlotCaption& caption);
+
+}  // namespace kerf::program

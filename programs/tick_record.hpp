@@ -1,0 +1,34 @@
+// What is kept of one tick for traces and plots.
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "interp/setpoint.hpp"
+#include "machine/machine.hpp"
+#include "profiles/path_motion.hpp"
+
+namespace kerf::program {
+
+struct TickRecord {
+  std::int64_t tick = 0;
+  std::uint32_t line = 0;
+  profiles::PathMotion motion{};
+  curves::Position position_mm{};
+  curves::Position actual_mm{};
+};
+static_assert(std::is_trivially_copyable_v<TickRecord>);
+
+inline TickRecord record_of(const interp::Setpoint& setpoint,
+                            const machine::MachineState& state) noexcept {
+  return {.tick = setpoint.tick,
+          .line = setpoint.line,
+          .motion = {.s_mm = setpoint.s_mm,
+                     .v_mm_s = setpoint.v_mm_s,
+                     .a_mm_s2 = setpoint.a_mm_s2,
+                     .j_mm_s3 = setpoint.j_mm_s3},
+          .position_mm = setpoint.position_mm,
+          .actual_mm = state.actual_mm};
+}
+
+}  // namespace kerf::program
