@@ -124,6 +124,22 @@ TEST(AxisModel, AcceleratesWithTheWholeTorqueAndNoMore) {
               1e-9);
 }
 
+TEST(AxisModel, FullTorqueAgainstViscousFrictionApproachesItsTerminalSpeed) {
+  AxisDrive drive = linear_drive();
+  drive.drive_acceleration_mm_s2 = 5000.0;
+  drive.viscous_friction_per_s = 40.0;
+  AxisModel axis(drive, kTick);
+  axis.reset(0.0);
+  axis.follow(1e4);
+  const double v0 = axis.velocity_mm_s();
+  for (int tick = 1; tick <= 60; ++tick) {
+    axis.follow(1e4);
+    const double left = std::exp(-40.0 * tick * kTick);
+    // The sub-steps take the mean of the friction at their ends: (b h)^2 / 12 * v b t exp(-b t).
+    EXPECT_NEAR(axis.velocity_mm_s(), 125.0 + (v0 - 125.0) * left, 2e-5);
+  }
+}
+
 TEST(AxisModel, NeverRunsFasterThanItsMotor) {
   AxisDrive drive = linear_drive();
   drive.drive_velocity_mm_s = 80.0;

@@ -91,6 +91,13 @@ TEST(SimulatedTableFaults, CannotBeEnabledAtAPointThatIsNotFinite) {
   EXPECT_EQ(table.read().fault, Fault::not_finite);
   EXPECT_EQ(table.read().fault_axis, 2);
   EXPECT_TRUE(std::isfinite(table.read().actual_mm[2]));
+
+  table.enable({});
+  table.write(at({0.0, 400.0, 0.0}));
+  ASSERT_EQ(table.read().fault, Fault::soft_limit);
+  table.enable({kNaN, 0.0, 0.0});
+  EXPECT_EQ(table.read().fault, Fault::not_finite);
+  EXPECT_EQ(table.read().fault_axis, 0);
 }
 
 void run_at_speed(SimulatedTable& table, int ticks) {
