@@ -9,7 +9,8 @@ using curves::vec;
 
 namespace {
 
-double distance_to_chord_mm(const Position& point, const Position& from, const Position& to) noexcept {
+double distance_to_chord_mm(const Position& point, const Position& from,
+                            const Position& to) noexcept {
   const Eigen::Vector3d chord = vec(to) - vec(from);
   const Eigen::Vector3d offset = vec(point) - vec(from);
   const double squared = chord.squaredNorm();
@@ -45,10 +46,9 @@ bool Interpolator::advance_phase() noexcept {
 void Interpolator::advance_piece(double s_mm) noexcept {
   for (std::size_t i = 0; i < MotionQueue::kPieces; ++i) {
     const PathPiece* next = queue_->next_piece();
-    const bool needed =
-        next != nullptr &&
-        (piece_.curve != phase_.curve ||
-         (next->curve == phase_.curve && s_mm > curves::s_end_mm(piece_.geometry)));
+    const bool needed = next != nullptr &&
+                        (piece_.curve != phase_.curve ||
+                         (next->curve == phase_.curve && s_mm > curves::s_end_mm(piece_.geometry)));
     if (!needed) {
       break;
     }

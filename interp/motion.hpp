@@ -1,8 +1,8 @@
 // What crosses from the look-ahead to the tick side: geometry and time laws, as two streams of
 // trivially copyable values.
 //
-// q(t) = r(s(t)): a PathPiece is a stretch of r, a Phase a stretch of s(t). Both name the curve they
-// belong to by its number in the program, so neither needs to be cut where the other ends.
+// q(t) = r(s(t)): a PathPiece is a stretch of r, a Phase a stretch of s(t). Both name the curve
+// they belong to by its number in the program, so neither needs to be cut where the other ends.
 #pragma once
 
 #include <cstdint>

@@ -25,8 +25,8 @@ class Checker {
   void look_at(const parser::Move& move, CheckReport& report) {
     curves_.clear();
     if (const auto built = lookahead::append_curves(move, curves_); !built) {
-      report.diagnostics.push_back({.source = {.line = built.error().line, .column = 1},
-                                    .message = built.error().message});
+      report.diagnostics.push_back(
+          {.source = {.line = built.error().line, .column = 1}, .message = built.error().message});
       return;
     }
     for (const curves::Curve& curve : curves_) {

@@ -22,8 +22,8 @@ class Kernel::Impl {
                   .profile = options.profile,
                   .window_blocks = options.window_blocks}),
         interpolator_(queue_, settings.limits.period_s, options.start_mm),
-        horizon_ticks_(static_cast<std::int64_t>(
-            std::ceil(options.horizon_s / settings.limits.period_s))) {}
+        horizon_ticks_(
+            static_cast<std::int64_t>(std::ceil(options.horizon_s / settings.limits.period_s))) {}
 
   void feed(std::string_view text) { reader_.feed(text); }
   void finish() { reader_.finish(); }
@@ -67,8 +67,8 @@ class Kernel::Impl {
   [[nodiscard]] const lookahead::PlanTotals& totals() const { return planner_.totals(); }
 
  private:
-  // Moves what was planned into the queue, pieces first: a phase follows only once the piece that it
-  // begins on is there. True: all of it went.
+  // Moves what was planned into the queue, pieces first: a phase follows only once the piece that
+  // it begins on is there. True: all of it went.
   bool deliver() {
     while (pieces_sent_ < outbox_.pieces.size() && queue_.push(outbox_.pieces[pieces_sent_])) {
       ++pieces_sent_;
@@ -97,9 +97,8 @@ class Kernel::Impl {
       return true;
     }
     const interp::PathPiece& waiting = outbox_.pieces[pieces_sent_];
-    return phase.curve < waiting.curve ||
-           (phase.curve == waiting.curve &&
-            phase.s_begin_mm < curves::s_begin_mm(waiting.geometry));
+    return phase.curve < waiting.curve || (phase.curve == waiting.curve &&
+                                           phase.s_begin_mm < curves::s_begin_mm(waiting.geometry));
   }
 
   // The next move of the program into the window. False: there is no more text.
@@ -133,8 +132,8 @@ class Kernel::Impl {
     if (const auto built = lookahead::append_blocks(move, limits_, blocks_); !built) {
       plan_failed_ = true;
       all_diagnostics_ = reader_.diagnostics();
-      all_diagnostics_.push_back({.source = {.line = built.error().line, .column = 1},
-                                  .message = built.error().message});
+      all_diagnostics_.push_back(
+          {.source = {.line = built.error().line, .column = 1}, .message = built.error().message});
       end_program();
       return;
     }
@@ -171,10 +170,18 @@ Kernel::~Kernel() = default;
 Kernel::Kernel(Kernel&&) noexcept = default;
 Kernel& Kernel::operator=(Kernel&&) noexcept = default;
 
-void Kernel::feed(std::string_view text) { impl_->feed(text); }
-void Kernel::finish() { impl_->finish(); }
-bool Kernel::plan() { return impl_->plan(); }
-interp::TickStatus Kernel::tick(interp::Setpoint& setpoint) noexcept { return impl_->tick(setpoint); }
+void Kernel::feed(std::string_view text) {
+  impl_->feed(text);
+}
+void Kernel::finish() {
+  impl_->finish();
+}
+bool Kernel::plan() {
+  return impl_->plan();
+}
+interp::TickStatus Kernel::tick(interp::Setpoint& setpoint) noexcept {
+  return impl_->tick(setpoint);
+}
 
 interp::TickStatus Kernel::next(interp::Setpoint& setpoint) {
   if (impl_->low()) {
@@ -183,10 +190,20 @@ interp::TickStatus Kernel::next(interp::Setpoint& setpoint) {
   return impl_->tick(setpoint);
 }
 
-void Kernel::stop() { impl_->stop(); }
-double Kernel::chord_error_mm() const noexcept { return impl_->chord_error_mm(); }
-bool Kernel::has_errors() const { return impl_->has_errors(); }
-const std::vector<Diagnostic>& Kernel::diagnostics() const { return impl_->diagnostics(); }
-const lookahead::PlanTotals& Kernel::totals() const { return impl_->totals(); }
+void Kernel::stop() {
+  impl_->stop();
+}
+double Kernel::chord_error_mm() const noexcept {
+  return impl_->chord_error_mm();
+}
+bool Kernel::has_errors() const {
+  return impl_->has_errors();
+}
+const std::vector<Diagnostic>& Kernel::diagnostics() const {
+  return impl_->diagnostics();
+}
+const lookahead::PlanTotals& Kernel::totals() const {
+  return impl_->totals();
+}
 
 }  // namespace kerf

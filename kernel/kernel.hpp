@@ -17,15 +17,15 @@ namespace kerf {
 
 struct KernelOptions {
   profiles::Profile profile{profiles::ProfileKind::s_curve};
-  std::size_t window_blocks = 1000;      // of the look-ahead, >= 2
-  double horizon_s = 0.25;               // how far ahead of the tick motion is frozen
-  bool block_delete = false;             // leave out blocks that begin with '/'
-  std::array<double, 3> start_mm{};      // where the tool is
+  std::size_t window_blocks = 1000;  // of the look-ahead, >= 2
+  double horizon_s = 0.25;           // how far ahead of the tick motion is frozen
+  bool block_delete = false;         // leave out blocks that begin with '/'
+  std::array<double, 3> start_mm{};  // where the tool is
 };
 
-// Feeding and planning happen in the caller's thread; tick() only reads what was planned and is safe
-// in a real-time thread of its own. A program with an error stops on the path before the block that is
-// wrong; check_program (check.hpp) finds errors before anything moves.
+// Feeding and planning happen in the caller's thread; tick() only reads what was planned and is
+// safe in a real-time thread of its own. A program with an error stops on the path before the block
+// that is wrong; check_program (check.hpp) finds errors before anything moves.
 class Kernel {
  public:
   explicit Kernel(const MachineSettings& settings, const KernelOptions& options = {});

@@ -18,13 +18,14 @@ struct Peaks {
   double j_mm_s3 = 0.0;
 };
 
-// Figures along the path come from the arc length between ticks, those of the axes from positions, both
-// by finite differences: what a drive sees, not what the plan says of itself.
+// Figures along the path come from the arc length between ticks, those of the axes from positions,
+// both by finite differences: what a drive sees, not what the plan says of itself.
 class RunStatistics {
  public:
   explicit RunStatistics(double period_s) : period_s_(period_s) {}
 
-  void add(const interp::Setpoint& setpoint, double chord_error_mm, const machine::MachineState& state);
+  void add(const interp::Setpoint& setpoint, double chord_error_mm,
+           const machine::MachineState& state);
 
   [[nodiscard]] std::int64_t ticks() const noexcept { return count_ > 0 ? count_ - 1 : 0; }
   [[nodiscard]] double cycle_time_s() const noexcept {

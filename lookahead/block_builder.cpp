@@ -77,18 +77,21 @@ Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits
   }
   block.begin = block_end(curves::derivatives_at(block.curve, 0.0));
   block.end = block_end(curves::derivatives_at(block.curve, block.length_mm));
-  if (const auto* arc = std::get_if<curves::Arc>(&block.curve)) {
-    block.limits = arc_limits(*arc, feedrate, limits);
-    const double c = arc->in_plane_share();
-    block.begin.third_per_mm2 = c * c * c / (arc->radius_mm() * arc->radius_mm());
-    block.end.third_per_mm2 = block.begin.third_per_mm2;
+  const auto* nurbs = std::get_if<curves::NurbsCurve>(&block.curve);
+  if (const auto* arc = std::get_if<ArcMove>(&move.shape)) {
+    const Bend bend = nurbs != nullptr ? bend_of(*nurbs, normal_axis(arc->plane))
+                                       : bend_of(std::get<curves::Arc>(block.curve));
+    block.limits = arc_limits(bend, feedrate, limits);
+    block.begin.third_per_mm2 = bend.third_per_mm2;
+    block.end.third_per_mm2 = bend.third_per_mm2;
   } else {
     block.limits = nurbs_limits(feedrate, limits);
-    block.ceiling = scan_feedrate(std::get<curves::NurbsCurve>(block.curve),
-                                  {.feedrate_mm_s = block.limits.feedrate_mm_s,
-                                   .jerk_mm_s3 = block.limits.ramp.jerk_mm_s3,
-                                   .period_s = limits.period_s,
-                                   .chord_tolerance_mm = limits.chord_tolerance_mm});
+  }
+  if (nurbs != nullptr) {
+    block.ceiling = scan_feedrate(*nurbs, {.feedrate_mm_s = block.limits.feedrate_mm_s,
+                                           .jerk_mm_s3 = block.limits.ramp.jerk_mm_s3,
+                                           .period_s = limits.period_s,
+                                           .chord_tolerance_mm = limits.chord_tolerance_mm});
   }
   return block;
 }

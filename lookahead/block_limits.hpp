@@ -3,6 +3,7 @@
 
 #include "curves/arc.hpp"
 #include "curves/line.hpp"
+#include "curves/nurbs_curve.hpp"
 #include "lookahead/block.hpp"
 #include "lookahead/limits.hpp"
 
@@ -13,10 +14,25 @@ namespace kerf::lookahead {
 // An axis moves by its share of the direction, so its limits divided by that share bind.
 BlockLimits line_limits(const curves::Line& line, double feedrate_mm_s, const PlanLimits& limits);
 
-// On an arc of radius R and in-plane share c an axis sees c a along and c^2 v^2 / R across, and in jerk
-// c j - c^3 v^3 / R^2 along and 3 c^2 v a / R across. The feedrate is kept where the centripetal
-// terms leave room, and a and j are what remains there: one set of constants for the whole arc.
-BlockLimits arc_limits(const curves::Arc& arc, double feedrate_mm_s, const PlanLimits& limits);
+// How a path turns in the plane of an arc: bounds over its whole length.
+struct Bend {
+  int normal_axis = 2;
+  double in_plane_share = 1.0;  // of the unit tangent: 1, less for a helix
+  double normal_share = 0.0;
+  double curvature_per_mm = 0.0;
+  double third_per_mm2 = 0.0;       // of the third derivative by arc length
+  bool third_along_tangent = true;  // on a circle
+};
+
+Bend bend_of(const curves::Arc& arc);
+// Of an arc whose ends have different radii and that became a spiral: sampled, with a margin.
+Bend bend_of(const curves::NurbsCurve& spiral, int normal_axis);
+
+// On an arc of radius R and in-plane share c an axis sees c a along and c^2 v^2 / R across, and in
+// jerk c j - c^3 v^3 / R^2 along and 3 c^2 v a / R across. The feedrate is kept where the
+// centripetal terms leave room, and a and j are what remains there: one set of constants for the
+// whole arc.
+BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits& limits);
 
 // Along a NURBS the limits of the path bind, and no axis asks for more tangential acceleration or
 // jerk than the weakest axis has; what curvature adds on an axis does not bind.

@@ -47,9 +47,9 @@ std::vector<std::size_t> valleys(const Ceiling& ceiling, const std::vector<std::
   if (breaking.empty()) {
     return found;
   }
-  std::size_t lowest = breaking.front();  // since the last hill
+  std::size_t lowest = breaking.front();         // since the last hill
   double highest_mm_s = ceiling[lowest].v_mm_s;  // since the last valley
-  bool descending = false;  // from a hill high enough
+  bool descending = false;                       // from a hill high enough
   for (const std::size_t i : breaking) {
     const double v = ceiling[i].v_mm_s;
     if (descending) {

@@ -14,8 +14,8 @@ namespace kerf::lookahead {
 // 2. of these candidates those stay where v does not go on in the same direction.
 std::vector<std::size_t> breaking_points(const Ceiling& ceiling, double screening_mm_s);
 
-// The breaking points that are valleys: the lowest between two hills that both rise above it by more
-// than noise.
+// The breaking points that are valleys: the lowest between two hills that both rise above it by
+// more than noise.
 std::vector<std::size_t> valleys(const Ceiling& ceiling, const std::vector<std::size_t>& breaking);
 
 }  // namespace kerf::lookahead

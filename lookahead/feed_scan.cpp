@@ -10,8 +10,8 @@ using curves::vec;
 
 namespace {
 
-constexpr int kChordPoints = 7;      // inside a tick
-constexpr int kMaxAdjustments = 30;  // 2 to 4 are usual
+constexpr int kChordPoints = 7;         // inside a tick
+constexpr int kMaxAdjustments = 30;     // 2 to 4 are usual
 constexpr double kLeastStep_mm = 1e-7;  // below any curve's features: keeps the walk finite
 // The feedrate aims this far inside the tolerance, so that the adjustment ends.
 constexpr double kAim = 0.9995;
@@ -90,7 +90,8 @@ Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
     s += std::max(step, kLeastStep_mm);
   }
   if (ceiling.back().s_mm < length) {
-    ceiling.push_back({.u = curve.pieces().back().u_end, .s_mm = length, .v_mm_s = ceiling.back().v_mm_s});
+    ceiling.push_back(
+        {.u = curve.pieces().back().u_end, .s_mm = length, .v_mm_s = ceiling.back().v_mm_s});
   }
   return ceiling;
 }

@@ -15,14 +15,15 @@ struct ScanLimits {
 };
 
 // Walks the curve; at each place finds the longest tick whose chord stays within the tolerance, by
-// measuring the chord error and shrinking the feedrate with the square root of its excess until it fits
-// (Sigmoid, section 3.1; MATH section 5). The walk goes by arc length, so a step needs no Taylor series.
+// measuring the chord error and shrinking the feedrate with the square root of its excess until it
+// fits (Sigmoid, section 3.1; MATH section 5). The walk goes by arc length, so a step needs no
+// Taylor series.
 //
-// A tick judged at its start s covers [s, s + v Ts]; what it bounds is its mean feedrate, which is the
-// feedrate at its middle in time but for J Ts^2 / 24. So the sample stands at s + v Ts / 2, less that
-// difference, and a plan below the samples keeps the tolerance wherever its ticks fall.
-// Steps are half a tick, and no longer than a quarter of a piece of the arc-length map, which is short
-// where the curve is sharp; no feature is stepped over.
+// A tick judged at its start s covers [s, s + v Ts]; what it bounds is its mean feedrate, which is
+// the feedrate at its middle in time but for J Ts^2 / 24. So the sample stands at s + v Ts / 2,
+// less that difference, and a plan below the samples keeps the tolerance wherever its ticks fall.
+// Steps are half a tick, and no longer than a quarter of a piece of the arc-length map, which is
+// short where the curve is sharp; no feature is stepped over.
 Ceiling scan_feedrate(const curves::NurbsCurve& curve, const ScanLimits& limits);
 
 }  // namespace kerf::lookahead

@@ -14,7 +14,8 @@ constexpr double kSmoothCurvature_per_mm = 1e-12;
 // Passing saves about 2 sqrt(F / J) against a stop and costs two coasts, so it pays from
 // F = (kCoastTicks Ts)^2 J on.
 constexpr double kWorthwhile = kCoastTicks * kCoastTicks;
-// Two coasts at most fill a block; that much less, and sums of their lengths fit after rounding too.
+// Two coasts at most fill a block; that much less, and sums of their lengths fit after rounding
+// too.
 constexpr double kBelowRounding = 1.0 - 1e-9;
 
 struct Cubic {
@@ -23,8 +24,9 @@ struct Cubic {
   double cubic = 0.0;
 };
 
-// The largest F with linear F + quadratic F^2 + cubic F^3 <= bound; all terms >= 0. Newton from above on a
-// convex, rising function descends to the root without passing it; rounding is taken off at the end.
+// The largest F with linear F + quadratic F^2 + cubic F^3 <= bound; all terms >= 0. Newton from
+// above on a convex, rising function descends to the root without passing it; rounding is taken off
+// at the end.
 double largest_below(const Cubic& f, double bound) {
   if (!std::isfinite(bound)) {
     return kUnbounded;
@@ -50,11 +52,14 @@ double largest_below(const Cubic& f, double bound) {
   return x * (1.0 - 1e-12);
 }
 
-double limit_or_path(double axis, double path) { return std::isfinite(axis) ? axis : path; }
+double limit_or_path(double axis, double path) {
+  return std::isfinite(axis) ? axis : path;
+}
 
 }  // namespace
 
-double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after, const PlanLimits& limits) {
+double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
+                            const PlanLimits& limits) {
   const double ts = limits.period_s;
   const double third = std::max(before.third_per_mm2, after.third_per_mm2);
   double feedrate = kUnbounded;
@@ -69,11 +74,11 @@ double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after, const
         std::max(std::abs(before.curvature_per_mm[k]), std::abs(after.curvature_per_mm[k]));
     const Cubic acceleration{.linear = turn / ts, .quadratic = curvature};
     const Cubic jerk{.linear = turn / (ts * ts), .quadratic = 0.75 * bend / ts, .cubic = third};
-    feedrate = std::min(
-        {feedrate,
-         largest_below(acceleration,
-                       limit_or_path(axis.acceleration_mm_s2, limits.path.acceleration_mm_s2)),
-         largest_below(jerk, limit_or_path(axis.jerk_mm_s3, limits.path.jerk_mm_s3))});
+    feedrate =
+        std::min({feedrate,
+                  largest_below(acceleration, limit_or_path(axis.acceleration_mm_s2,
+                                                            limits.path.acceleration_mm_s2)),
+                  largest_below(jerk, limit_or_path(axis.jerk_mm_s3, limits.path.jerk_mm_s3))});
   }
   return feedrate;
 }
@@ -90,8 +95,7 @@ Junction junction(const JunctionQuery& query, const PlanLimits& limits) {
     return {.feedrate_mm_s = cap};
   }
   const double coast = kCoastTicks * limits.period_s;
-  const double fits =
-      kBelowRounding * std::min(before.length_mm, after.length_mm) / (2.0 * coast);
+  const double fits = kBelowRounding * std::min(before.length_mm, after.length_mm) / (2.0 * coast);
   const double feedrate = std::min({cap, corner, fits});
   const double jerk = std::min(before.limits.ramp.jerk_mm_s3, after.limits.ramp.jerk_mm_s3);
   if (feedrate < kWorthwhile * jerk * limits.period_s * limits.period_s) {

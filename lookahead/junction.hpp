@@ -7,14 +7,14 @@
 namespace kerf::lookahead {
 
 // A joint changes the direction of the path by du and its curvature vector by dk. Seen in ticks of
-// Ts, passing it at feedrate F with constant speed gives an axis (MATH section 4; the third difference
-// of positions is x''' averaged with a quadratic B-spline, whose peak is 3/4 of 1/Ts)
+// Ts, passing it at feedrate F with constant speed gives an axis (MATH section 4; the third
+// difference of positions is x''' averaged with a quadratic B-spline, whose peak is 3/4 of 1/Ts)
 //
 //   acceleration  F |du| / Ts + F^2 max|k|            <= A
 //   jerk          F |du| / Ts^2 + 3/4 F^2 |dk| / Ts + F^3 max|q'''| <= J
 //
-// which is solved for the largest F. The plan keeps the feedrate constant for coast_s on both sides,
-// so that nothing else adds to it in any window of ticks that sees the joint.
+// which is solved for the largest F. The plan keeps the feedrate constant for coast_s on both
+// sides, so that nothing else adds to it in any window of ticks that sees the joint.
 struct Junction {
   double feedrate_mm_s = kUnbounded;  // 0: stop
   double coast_s = 0.0;               // 0 where the joint is smooth or a stop
@@ -29,6 +29,7 @@ struct JunctionQuery {
 Junction junction(const JunctionQuery& query, const PlanLimits& limits);
 
 // The bound alone, without regard to lengths and without the choice to stop.
-double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after, const PlanLimits& limits);
+double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
+                            const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

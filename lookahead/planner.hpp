@@ -34,11 +34,11 @@ struct PlanTotals {
   std::int64_t ticks = 0;  // whole program's, once finished
 };
 
-// Blocks go in while wants_block(); motion comes out of emit(), one span a call. A span is emitted once
-// half a window of blocks is known behind it, or once the program rests there anyway. Whatever has
-// been emitted can be followed by a stop: the window always ends at rest.
-// Amortised each block is visited twice by the backward pass and once by the forward pass, whatever
-// the length of the program.
+// Blocks go in while wants_block(); motion comes out of emit(), one span a call. A span is emitted
+// once half a window of blocks is known behind it, or once the program rests there anyway. Whatever
+// has been emitted can be followed by a stop: the window always ends at rest. Amortised each block
+// is visited twice by the backward pass and once by the forward pass, whatever the length of the
+// program.
 class Planner {
  public:
   explicit Planner(const PlannerSettings& settings);
@@ -46,7 +46,8 @@ class Planner {
   // False: emit() before the next move. The blocks of one move may exceed the window.
   [[nodiscard]] bool wants_block() const noexcept;
   void push(Block block);
-  // The tool rests for duration_s (0 for an event) once it has come to a stop. Precondition: wants_block().
+  // The tool rests for duration_s (0 for an event) once it has come to a stop. Precondition:
+  // wants_block().
   void push_rest(double duration_s, std::uint32_t line);
   // The program ends at rest after what was pushed. Precondition: wants_block().
   void finish(std::uint32_t line);
@@ -55,7 +56,8 @@ class Planner {
   // with it. The tool stays on the path.
   void stop(std::uint32_t line);
 
-  // Appends the motion of one span, of a part of it, or of a rest. False: nothing is ready; push or finish.
+  // Appends the motion of one span, of a part of it, or of a rest. False: nothing is ready; push or
+  // finish.
   bool emit(Outbox& outbox);
 
   [[nodiscard]] const PlanTotals& totals() const noexcept { return totals_; }
@@ -91,7 +93,7 @@ class Planner {
   bool block_begun_ = false;
   std::uint64_t curve_ = 0;
   double v_mm_s_ = 0.0;
-  double s_mm_ = 0.0;  // on the curve
+  double s_mm_ = 0.0;           // on the curve
   double path_begin_mm_ = 0.0;  // of all curves before this one
   interp::TickTime clock_{};
   PlanTotals totals_{};

@@ -9,8 +9,8 @@
 
 namespace kerf::lookahead {
 
-// The feedrate allowed at a distance from the foot, made monotone: at each point the lowest that the
-// ceiling comes down to between there and the top. Empty: no ceiling, any feedrate is allowed.
+// The feedrate allowed at a distance from the foot, made monotone: at each point the lowest that
+// the ceiling comes down to between there and the top. Empty: no ceiling, any feedrate is allowed.
 class Slope {
  public:
   struct Sample {
@@ -27,9 +27,9 @@ class Slope {
   [[nodiscard]] double top_mm_s() const noexcept;
 
   // How long a transition from the foot upwards must be made to stay below the ceiling, as a factor
-  // >= 1 on the length and duration of climb. A stretched transition passes through the same feedrates
-  // at the same shares of its length, so each of its points asks for a length of its own and the
-  // largest decides: no iteration. Judged at kClimbPoints points of the transition.
+  // >= 1 on the length and duration of climb. A stretched transition passes through the same
+  // feedrates at the same shares of its length, so each of its points asks for a length of its own
+  // and the largest decides: no iteration. Judged at kClimbPoints points of the transition.
   [[nodiscard]] double stretch_for(const profiles::Transition& climb) const;
 
  private:

@@ -10,8 +10,8 @@ using profiles::Transition;
 
 namespace {
 
-// A climb from a known feedrate at one end of a span towards a cap at the other; a descent is a climb
-// seen from the other end. Coasts lengthen with the feedrate at their end.
+// A climb from a known feedrate at one end of a span towards a cap at the other; a descent is a
+// climb seen from the other end. Coasts lengthen with the feedrate at their end.
 struct Climb {
   const Slope* slope = nullptr;
   double v_low_mm_s = 0.0;
@@ -20,7 +20,8 @@ struct Climb {
   double far_coast_s = 0.0;
 };
 
-Transition climb_to(const Slope& slope, const Ramp& ramp, const Span& span, const Profile& profile) {
+Transition climb_to(const Slope& slope, const Ramp& ramp, const Span& span,
+                    const Profile& profile) {
   const Transition fastest = profile.fastest(ramp, span.limits.ramp);
   return slope.empty() ? fastest : fastest.stretched(slope.stretch_for(fastest));
 }
@@ -31,13 +32,14 @@ double reach_mm_s(const Span& span, const Climb& climb, const Profile& profile) 
   }
   const double length = span.length_mm - climb.near_coast_s * climb.v_low_mm_s;
   if (climb.slope->empty() && climb.far_coast_s == 0.0) {
-    return std::min(climb.cap_mm_s,
-                    profile.reach_mm_s({.v_mm_s = climb.v_low_mm_s, .length_mm = length},
-                                       span.limits.ramp));
+    return std::min(
+        climb.cap_mm_s,
+        profile.reach_mm_s({.v_mm_s = climb.v_low_mm_s, .length_mm = length}, span.limits.ramp));
   }
   const auto fits = [&](double v) {
     const Ramp ramp{.v_begin_mm_s = climb.v_low_mm_s, .v_end_mm_s = v};
-    return climb_to(*climb.slope, ramp, span, profile).length_mm() + climb.far_coast_s * v <= length;
+    return climb_to(*climb.slope, ramp, span, profile).length_mm() + climb.far_coast_s * v <=
+           length;
   };
   if (fits(climb.cap_mm_s)) {
     return climb.cap_mm_s;
@@ -56,9 +58,9 @@ struct Hill {
   Transition down_mirrored{};  // climbs from the end's feedrate
 };
 
-// Under a ceiling a higher plateau asks for gentler slopes, so the highest is not the fastest: bisect
-// for the highest that fits, then search the least time below it.
-// Weakness: takes time over the plateau to fall and then to rise, with one valley between.
+// Under a ceiling a higher plateau asks for gentler slopes, so the highest is not the fastest:
+// bisect for the highest that fits, then search the least time below it. Weakness: takes time over
+// the plateau to fall and then to rise, with one valley between.
 class PlateauSearch {
  public:
   PlateauSearch(const Span& span, const SpanEnds& ends, double length_mm, const Profile& profile)
@@ -66,8 +68,8 @@ class PlateauSearch {
 
   [[nodiscard]] double best_mm_s() const {
     double low = std::max(ends_.v_begin_mm_s, ends_.v_end_mm_s);
-    double high = std::max(low, std::min({span_.limits.feedrate_mm_s, span_.rise.top_mm_s(),
-                                          span_.fall.top_mm_s()}));
+    double high = std::max(
+        low, std::min({span_.limits.feedrate_mm_s, span_.rise.top_mm_s(), span_.fall.top_mm_s()}));
     if (spare_mm(hill(high)) < 0.0) {
       double fits = low;
       for (int i = 0; i < 40; ++i) {
@@ -80,8 +82,9 @@ class PlateauSearch {
   }
 
   [[nodiscard]] Hill hill(double plateau_mm_s) const {
-    return {.up = climb_to(span_.rise, {ends_.v_begin_mm_s, plateau_mm_s}, span_, profile_),
-            .down_mirrored = climb_to(span_.fall, {ends_.v_end_mm_s, plateau_mm_s}, span_, profile_)};
+    return {
+        .up = climb_to(span_.rise, {ends_.v_begin_mm_s, plateau_mm_s}, span_, profile_),
+        .down_mirrored = climb_to(span_.fall, {ends_.v_end_mm_s, plateau_mm_s}, span_, profile_)};
   }
 
  private:
@@ -184,8 +187,7 @@ double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, const Profile
 
 double brake(Span& span, const SpanEnds& ends, const Profile& profile) {
   const double coast_mm = ends.v_begin_mm_s * span.begin_coast_s;
-  const double stop_mm =
-      coast_mm + profile.length_mm({ends.v_begin_mm_s, 0.0}, span.limits.ramp);
+  const double stop_mm = coast_mm + profile.length_mm({ends.v_begin_mm_s, 0.0}, span.limits.ramp);
   if (stop_mm <= span.length_mm) {
     // The fall ends before the ceiling does, so it is below it wherever the plan to the end was.
     span.ends_block = span.ends_block && stop_mm == span.length_mm;
@@ -200,8 +202,8 @@ double brake(Span& span, const SpanEnds& ends, const Profile& profile) {
   double high = ends.v_end_mm_s;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
-    const double reached = reach_backward_mm_s(
-        span, {.v_end_mm_s = middle, .cap_mm_s = ends.v_begin_mm_s}, profile);
+    const double reached =
+        reach_backward_mm_s(span, {.v_end_mm_s = middle, .cap_mm_s = ends.v_begin_mm_s}, profile);
     (reached >= ends.v_begin_mm_s ? high : low) = middle;
   }
   return high;
@@ -211,8 +213,7 @@ SpanPlan plan_span(const Span& span, const SpanEnds& ends, const Profile& profil
   SpanPlan plan;
   plan.begin_coast = coast(ends.v_begin_mm_s, span.begin_coast_s);
   plan.end_coast = coast(ends.v_end_mm_s, span.end.coast_s);
-  const double length =
-      span.length_mm - plan.begin_coast.length_mm() - plan.end_coast.length_mm();
+  const double length = span.length_mm - plan.begin_coast.length_mm() - plan.end_coast.length_mm();
   double plateau = 0.0;
   if (span.rise.empty()) {
     plateau = profile.peak_mm_s({ends.v_begin_mm_s, ends.v_end_mm_s},

@@ -14,7 +14,7 @@ struct Span {
   double length_mm = 0.0;
   BlockLimits limits{};
   double begin_coast_s = 0.0;
-  Junction end{};      // what bounds the feedrate at its end
+  Junction end{};           // what bounds the feedrate at its end
   double s_begin_mm = 0.0;  // on the block's curve
   bool ends_block = true;
   Slope rise{};  // from its beginning
@@ -49,10 +49,11 @@ double reach_backward_mm_s(const Span& span, const BackwardQuery& query,
 
 // The largest feedrate <= wanted.v_end with which the span can end that begins with wanted.v_begin.
 // Precondition: v_begin is at most what reach_backward gives for v_end.
-double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, const profiles::Profile& profile);
+double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted,
+                         const profiles::Profile& profile);
 
-// The fastest plan of the span's kind: the plateau as high as length and ceiling allow; under a ceiling
-// the plateau of least time. Precondition: the ends can be joined.
+// The fastest plan of the span's kind: the plateau as high as length and ceiling allow; under a
+// ceiling the plateau of least time. Precondition: the ends can be joined.
 SpanPlan plan_span(const Span& span, const SpanEnds& ends, const profiles::Profile& profile);
 
 // The lowest feedrate that a span which begins with ends.v_begin can have at its end, at the most

@@ -8,8 +8,8 @@ namespace kerf::lookahead {
 
 namespace {
 
-// Between samples half a tick apart any change of slope is a candidate here; the second step and the
-// comparison with the neighbours sort out what is a valley.
+// Between samples half a tick apart any change of slope is a candidate here; the second step and
+// the comparison with the neighbours sort out what is a valley.
 constexpr double kScreening_mm_s = 0.0;
 
 struct SampleRange {

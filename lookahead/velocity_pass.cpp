@@ -9,8 +9,8 @@ void backward_pass(std::deque<WindowSpan>& window, const profiles::Profile& prof
     const auto before = std::next(item);
     if (before != window.rend()) {
       v_begin_of_next = reach_backward_mm_s(
-          item->span,
-          {.v_end_mm_s = item->v_end_mm_s, .cap_mm_s = before->span.end.feedrate_mm_s}, profile);
+          item->span, {.v_end_mm_s = item->v_end_mm_s, .cap_mm_s = before->span.end.feedrate_mm_s},
+          profile);
     }
   }
 }

@@ -25,8 +25,8 @@ struct WindowSpan {
 // 2. An end is min(its junction, the most from which the span after it still reaches its own end).
 // 3. The forward pass is not a loop of its own: when a span is planned for good its beginning is
 //    known, and its end is lowered to what it reaches from there.
-// Acceleration is 0 at every end, which is what keeps a span's plan independent of its neighbours, and
-// the known weakness: a run of short spans climbs one small step in each.
+// Acceleration is 0 at every end, which is what keeps a span's plan independent of its neighbours,
+// and the known weakness: a run of short spans climbs one small step in each.
 void backward_pass(std::deque<WindowSpan>& window, const profiles::Profile& profile);
 
 }  // namespace kerf::lookahead

@@ -188,6 +188,8 @@ class Writer {
 
 }  // namespace
 
-RandomProgram random_program(std::uint64_t seed, const Mix& mix) { return Writer(seed, mix).write(); }
+RandomProgram random_program(std::uint64_t seed, const Mix& mix) {
+  return Writer(seed, mix).write();
+}
 
 }  // namespace kerf::test

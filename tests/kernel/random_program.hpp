@@ -11,9 +11,9 @@ namespace kerf::test {
 
 struct RandomProgram {
   std::string text;
-  std::array<double, 3> end_mm{};      // as printed in the last motion block
-  std::vector<double> feedrate_mm_s;   // by source line, line 1 first; 0 where no motion starts
-  std::vector<bool> is_nurbs;          // by source line
+  std::array<double, 3> end_mm{};     // as printed in the last motion block
+  std::vector<double> feedrate_mm_s;  // by source line, line 1 first; 0 where no motion starts
+  std::vector<bool> is_nurbs;         // by source line
 };
 
 // kinds of motion that a program may hold

@@ -26,7 +26,7 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 MachineSettings machine_for(std::uint64_t seed) {
   MachineSettings settings;
   settings.limits.chord_tolerance_mm = 1e-3;
-  const auto pick = [state = seed * 2654435761U + 1]() mutable {
+  auto pick = [state = seed * 2654435761U + 1]() mutable {
     state = state * 6364136223846793005U + 1442695040888963407U;
     return static_cast<double>(state >> 11U) / 9007199254740992.0;
   };
@@ -36,7 +36,8 @@ MachineSettings machine_for(std::uint64_t seed) {
             .jerk_mm_s3 = 5e3 * std::pow(100.0, pick())};
   }
   if (pick() < 0.5) {
-    settings.limits.path = {.velocity_mm_s = 400.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 6e4};
+    settings.limits.path = {
+        .velocity_mm_s = 400.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 6e4};
   }
   return settings;
 }
@@ -68,7 +69,8 @@ Outcome run(const RandomProgram& program, const MachineSettings& settings, Profi
     }
   }
   if (kernel.has_errors()) {
-    outcome.complaint = kernel.diagnostics().empty() ? "error" : kernel.diagnostics().back().message;
+    outcome.complaint =
+        kernel.diagnostics().empty() ? "error" : kernel.diagnostics().back().message;
   }
   return outcome;
 }

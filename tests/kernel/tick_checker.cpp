@@ -8,8 +8,8 @@ namespace kerf::test {
 
 namespace {
 
-// Positions are doubles of up to some 1e3 mm, s of up to 1e5: half a unit in the last place of each of
-// the four values, as an acceleration and as a jerk.
+// Positions are doubles of up to some 1e3 mm, s of up to 1e5: half a unit in the last place of each
+// of the four values, as an acceleration and as a jerk.
 constexpr double kRounding_mm = 1e-11;
 constexpr double kRelative = 1e-6;
 
@@ -23,8 +23,8 @@ void TickChecker::add(const Tick& tick) {
   last_[0] = tick;
   ++count_;
   judge_path();
-  const bool binds = std::all_of(last_.begin(), last_.end(),
-                                 [](const Tick& t) { return t.axis_limits_bind; });
+  const bool binds =
+      std::all_of(last_.begin(), last_.end(), [](const Tick& t) { return t.axis_limits_bind; });
   for (std::size_t k = 0; binds && k < 3; ++k) {
     judge_axis(k);
   }
@@ -72,9 +72,8 @@ void TickChecker::judge(const char* what, double found, double limit) {
   if (complaint_.empty() && !(found <= limit * (1.0 + kRelative) + kRounding_mm / power)) {
     std::ostringstream text;
     text.precision(12);
-    text << what << " " << found << " is above " << limit << " at tick "
-         << last_[0].setpoint.tick << ", line " << last_[0].setpoint.line << ", s "
-         << last_[0].setpoint.s_mm;
+    text << what << " " << found << " is above " << limit << " at tick " << last_[0].setpoint.tick
+         << ", line " << last_[0].setpoint.line << ", s " << last_[0].setpoint.s_mm;
     complaint_ = text.str();
   }
 }
