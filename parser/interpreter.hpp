@@ -81,7 +81,7 @@ class Interpreter {
   bool reports_open_curve();
   void abandon_curve();
   bool leave_skipped_curve();
-  bool deliver_curve(NurbsMove curve, std::uint32_t line, std::string_view name);
+  bool deliver_curve(NurbsMove curve, std::string_view name);
   bool curve_feed();
 
   // interpreter_splines.cpp

@@ -68,7 +68,7 @@ bool Interpreter::continue_curve() {
   if (nurbs_.active()) {
     const auto result = nurbs_.add(here, fault_);
     if (result == NurbsCollector::Result::complete) {
-      return deliver_curve(nurbs_.take(), nurbs_.last_point_line(), "G6.2") && set_feed();
+      return deliver_curve(nurbs_.take(), "G6.2") && set_feed();
     }
     if (result == NurbsCollector::Result::failed) {
       state_.position_mm = nurbs_.last_point_mm();
@@ -80,7 +80,7 @@ bool Interpreter::continue_curve() {
   const auto result = uniform_.add(here, fault_);
   if (result == UniformCollector::Result::complete) {
     set_motion(kG53);
-    return deliver_curve(uniform_.take(), line_, "G5.2");
+    return deliver_curve(uniform_.take(), "G5.2");
   }
   if (result == UniformCollector::Result::failed) {
     state_.position_mm = uniform_.last_point_mm();
@@ -91,9 +91,10 @@ bool Interpreter::continue_curve() {
 }
 
 // Hands the curve on, as far as it has any extent; the tool is then at its last control point.
-bool Interpreter::deliver_curve(NurbsMove curve, std::uint32_t line, std::string_view name) {
+bool Interpreter::deliver_curve(NurbsMove curve, std::string_view name) {
   if (is_a_point(curve)) {
-    diagnostics_->warning({line, 1}, joined({name, ": the curve has zero length and is left out"}));
+    diagnostics_->warning({curve.point_lines.back(), 1},
+                          joined({name, ": the curve has zero length and is left out"}));
     return true;
   }
   const Point end = curve.points.back().position_mm;

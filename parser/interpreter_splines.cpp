@@ -50,8 +50,7 @@ bool Interpreter::check_spline_axes(std::string_view name) {
 
 bool Interpreter::deliver_spline(NurbsMove curve, std::string_view name) {
   curve_source_ = {line_, block_->first_word + 1};
-  return cutting_feedrate(0.0, curve_feedrate_mm_s_) &&
-         deliver_curve(std::move(curve), line_, name);
+  return cutting_feedrate(0.0, curve_feedrate_mm_s_) && deliver_curve(std::move(curve), name);
 }
 
 bool Interpreter::cubic_spline() {

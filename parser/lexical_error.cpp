@@ -252,8 +252,11 @@ Fault explain_after_number(const Block& block, std::size_t at) {
   return {static_cast<std::uint32_t>(at), message};
 }
 
-bool splits_number(const Block& block, std::size_t at) {
-  return is_digit(block.line[at]) && at > 0 && block.line[at - 1] == ')';
+// Where the comment opened that stands between two digits, the second of them at `at`.
+std::size_t comment_in_number(std::string_view line, std::size_t at) {
+  const std::size_t open = line[at - 1] == ')' ? line.rfind('(', at) : std::string_view::npos;
+  const bool digit_before = open != std::string_view::npos && open > 0 && is_digit(line[open - 1]);
+  return digit_before ? open : std::string_view::npos;
 }
 
 }  // namespace
@@ -268,10 +271,12 @@ Fault explain_stop(const Block& block) {
   if (is_letter(c)) {
     return explain_letter(block, at);
   }
-  if (splits_number(block, at)) {
-    const auto open = line.rfind('(', at);
-    return {static_cast<std::uint32_t>(open),
-            joined({"a comment splits a number: ", quoted(line.substr(open - 1, at + 2 - open))})};
+  if (is_digit(c) && at > 0) {
+    if (const std::size_t open = comment_in_number(line, at); open != std::string_view::npos) {
+      return {
+          static_cast<std::uint32_t>(open),
+          joined({"a comment splits a number: ", quoted(line.substr(open - 1, at + 2 - open))})};
+    }
   }
   const bool after_number = at > 0 && (is_digit(line[at - 1]) || line[at - 1] == '.');
   if (after_number && (c == ',' || c == '-' || c == '+' || c == '.')) {

@@ -32,9 +32,7 @@ class NurbsCollector {
   void abort() { active_ = false; }
 
   [[nodiscard]] NurbsMove take() { return std::move(curve_); }
-  [[nodiscard]] const NurbsMove& curve() const { return curve_; }
   [[nodiscard]] const Point& last_point_mm() const { return last_point_mm_; }
-  [[nodiscard]] std::uint32_t last_point_line() const { return curve_.point_lines.back(); }
 
  private:
   bool read_order(const CurveBlock& at, Fault& fault);

@@ -23,7 +23,6 @@ class UniformCollector {
   void abort() { active_ = false; }
 
   [[nodiscard]] NurbsMove take() { return std::move(curve_); }
-  [[nodiscard]] const NurbsMove& curve() const { return curve_; }
   [[nodiscard]] const Point& last_point_mm() const { return last_point_mm_; }
 
  private:

@@ -1,0 +1,89 @@
+// Any bytes, cut into any pieces: the parser must not crash, must end, must say where an error is,
+// and must hand on only moves that a curve builder can work with.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+
+#include "parser/program_reader.hpp"
+
+namespace {
+
+using namespace kerf::parser;
+
+void require(bool holds) {
+  if (!holds) {
+    std::abort();
+  }
+}
+
+bool is_sane(const Point& point) {
+  constexpr double kLimit_mm = 1e7;
+  return std::fabs(point[0]) <= kLimit_mm && std::fabs(point[1]) <= kLimit_mm &&
+         std::fabs(point[2]) <= kLimit_mm;
+}
+
+void check(const NurbsMove& curve) {
+  require(curve.degree >= 1 && curve.degree <= 9);
+  require(curve.knots.size() == curve.points.size() + static_cast<std::size_t>(curve.degree) + 1);
+  require(curve.point_lines.size() == curve.points.size());
+  require(curve.knot_lines.size() == curve.knots.size());
+  for (const NurbsPoint& point : curve.points) {
+    require(is_sane(point.position_mm) && point.weight > 0.0 && std::isfinite(point.weight));
+  }
+  for (std::size_t i = 1; i < curve.knots.size(); ++i) {
+    require(curve.knots[i] >= curve.knots[i - 1]);
+  }
+}
+
+void check(const ArcMove& arc) {
+  require(is_sane(arc.end_mm) && std::isfinite(arc.centre_mm[0] + arc.centre_mm[1]));
+  require(arc.turns >= 1);
+}
+
+void check(const Move& move) {
+  require(move.source.line >= 1 && move.source.column >= 1);
+  require(is_sane(move.start_mm));
+  require(std::isfinite(move.feedrate_mm_s) && move.feedrate_mm_s >= 0.0);
+  if (const auto* line = std::get_if<LineMove>(&move.shape)) {
+    require(is_sane(line->end_mm) && line->end_mm != move.start_mm);
+    require(move.rapid || move.feedrate_mm_s > 0.0);
+  } else if (const auto* arc = std::get_if<ArcMove>(&move.shape)) {
+    check(*arc);
+  } else if (const auto* curve = std::get_if<NurbsMove>(&move.shape)) {
+    check(*curve);
+  } else if (const auto* dwell = std::get_if<DwellMove>(&move.shape)) {
+    require(dwell->duration_s >= 0.0 && std::isfinite(dwell->duration_s));
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size < 1) {
+    return 0;
+  }
+  const std::size_t piece = 1 + data[0];
+  const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
+  ReaderOptions options;
+  options.block_delete = data[0] % 2 == 0;
+  ProgramReader reader(options);
+  Move move;
+  for (std::size_t at = 0; at < text.size(); at += piece) {
+    reader.feed(text.substr(at, piece));
+    while (reader.next(move)) {
+      check(move);
+    }
+  }
+  reader.finish();
+  while (reader.next(move)) {
+    check(move);
+  }
+  require(reader.at_end());
+  for (const Diagnostic& diagnostic : reader.diagnostics()) {
+    require(diagnostic.source.line >= 1 && diagnostic.source.column >= 1);
+    require(!diagnostic.message.empty());
+  }
+  return 0;
+}
