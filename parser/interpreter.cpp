@@ -146,9 +146,11 @@ bool Interpreter::check_words() {
   const Block& block = *block_;
   const Tenths code = codes_[Group::motion];
   const Motion motion = code == kNoCode ? state_.motion : static_cast<Motion>(code);
+  const bool moves = code != kNoCode || block.has_any(kAxisLetters | letters('I', 'J', 'K', 'R'));
   const bool dwells = codes_[Group::other] == kG4;
   const bool blends = codes_[Group::path] == kG64;
-  Letters usable = letters('N', 'F', 'S', 'T', 'O') | kAxisLetters | letters_of(motion);
+  const Letters of_motion = moves ? letters_of(motion) : 0;
+  Letters usable = letters('N', 'F', 'S', 'T', 'O') | kAxisLetters | of_motion;
   usable |= (dwells || blends ? letters('P') : 0) | (blends ? letters('Q') : 0);
   if (const Letters unused = block.present & ~usable; unused != 0) {
     return explain_unused(*leftmost(block, unused));
@@ -160,7 +162,7 @@ bool Interpreter::check_words() {
   }
   if (block.has_any(letters('I', 'J', 'K', 'P', 'Q', 'R'))) {
     const int users =
-        (dwells ? 1 : 0) + (blends ? 1 : 0) + ((letters_of(motion) & letters('P')) != 0 ? 1 : 0);
+        (dwells ? 1 : 0) + (blends ? 1 : 0) + ((of_motion & letters('P')) != 0 ? 1 : 0);
     if (block.has('P') && users > 1) {
       return fail(block.word('P').offset, "P has two users in this block");
     }

@@ -1,4 +1,6 @@
 // G6.2 and G5.2 ... G5.3: which blocks belong to a curve, and what follows an error in one.
+#include <algorithm>
+
 #include "parser/interpreter.hpp"
 #include "parser/text.hpp"
 
@@ -10,6 +12,15 @@ constexpr Tenths kG52 = 52;
 constexpr Tenths kG53 = 53;
 constexpr Tenths kG62 = 62;
 constexpr Tenths kG63 = 63;
+
+constexpr double kLargestWeightRatio = 1e6;
+
+double weight_ratio(const NurbsMove& curve) {
+  const auto [least, most] = std::minmax_element(
+      curve.points.begin(), curve.points.end(),
+      [](const NurbsPoint& a, const NurbsPoint& b) { return a.weight < b.weight; });
+  return most->weight / least->weight;
+}
 
 bool ends_program(const BlockCodes& codes) {
   return codes[Group::stop] == 20 || codes[Group::stop] == 300;
@@ -96,6 +107,10 @@ bool Interpreter::deliver_curve(NurbsMove curve, std::string_view name) {
     diagnostics_->warning({curve.point_lines.back(), 1},
                           joined({name, ": the curve has zero length and is left out"}));
     return true;
+  }
+  if (weight_ratio(curve) > kLargestWeightRatio) {
+    diagnostics_->warning({curve.point_lines.back(), 1},
+                          joined({name, ": the weights differ by more than a factor of 1e6"}));
   }
   const Point end = curve.points.back().position_mm;
   Move& move = push_move();

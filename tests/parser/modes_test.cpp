@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include "tests/parser/program.hpp"
+
+namespace kerf::parser {
+namespace {
+
+TEST(Modes, ALineOfZeroLengthIsNoMove) {
+  EXPECT_EQ(moves_of("F60 G1 X1\nG1 X1\nX1 Y0\nG0 X1").size(), 1U);
+}
+
+TEST(Modes, WordsOfOtherCodesDoNotDisturbAModalArc) {
+  EXPECT_EQ(first_message("F60 G2 X2 I1\nG4 P1\nG64 P0.1\nM8\nS5"), "no message");
+  EXPECT_EQ(first_message("F60 G2 X2 I1\nP3"), "2:1: error: P is not used in this block");
+}
+
+TEST(Modes, FeedSurvivesAChangeOfUnitsAsASpeed) {
+  const auto moves = moves_of("G21 F254 G1 X1\nG20 X2");
+  EXPECT_DOUBLE_EQ(moves.at(1).feedrate_mm_s, 254.0 / 60.0);
+}
+
+TEST(Modes, FeedInTheBlockOfAChangeOfUnitsIsInTheNewUnits) {
+  EXPECT_DOUBLE_EQ(moves_of("G20 G1 X1 F10").at(0).feedrate_mm_s, 254.0 / 60.0);
+}
+
+TEST(Modes, AChangeOfTheFeedModeForgetsTheFeed) {
+  EXPECT_NE(first_message("F60 G1 X1\nG93\nG94\nX2").find("no feed set"), std::string::npos);
+  EXPECT_EQ(first_message("F60 G1 X1\nG94\nX2"), "no message");
+}
+
+TEST(Modes, MissingFeedIsReportedOnce) {
+  const Program program = read_program("G1 X1\nX2\nX3\nM2\n");
+  EXPECT_EQ(program.diagnostics.size(), 1U);
+}
+
+TEST(Modes, CancelWordsAreAccepted) {
+  EXPECT_EQ(first_message("G40 G49 G80 G17 G54 G94 G91.1 G21 G90 G61"), "no message");
+  EXPECT_EQ(first_message("G0 G40 G80 X1"), "no message");
+}
+
+TEST(Modes, WorkOffsetsAreZero) {
+  EXPECT_EQ(text_of(moves_of("G55 G0 X1\nG53 G0 X1 Y2").at(1)), "2: rapid to 1 2 0");
+}
+
+TEST(Modes, ADwellAndAMoveOfOneBlockComeInThatOrder) {
+  const auto moves = moves_of("G4 P0.5 G0 X1");
+  ASSERT_EQ(moves.size(), 2U);
+  EXPECT_DOUBLE_EQ(std::get<DwellMove>(moves[0].shape).duration_s, 0.5);
+}
+
+TEST(Modes, PointAtTheFirstWordOfTheirBlock) {
+  const auto moves = moves_of("\n  N7 G0 X1");
+  EXPECT_EQ(moves.at(0).source.line, 2U);
+  EXPECT_EQ(moves.at(0).source.column, 3U);
+}
+
+TEST(Modes, EveryCodeUpToAThousandIsKnownOrRefused) {
+  int known = 0;
+  int later = 0;
+  for (int tenths = 0; tenths < 10'000; ++tenths) {
+    const std::string code = std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+    const std::string message = first_message("F60 G" + code);
+    later += message.find("is not supported yet") != std::string::npos ? 1 : 0;
+    known += message.find("is not known") == std::string::npos ? 1 : 0;
+  }
+  EXPECT_GT(later, 40);
+  EXPECT_EQ(known - later, 35) << "codes that run";
+}
+
+}  // namespace
+}  // namespace kerf::parser
