@@ -1,0 +1,97 @@
+// Planning cost: moves to motion, without the parser and without ticks.
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "lookahead/block_builder.hpp"
+#include "lookahead/planner.hpp"
+
+namespace kerf::bench {
+namespace {
+
+using lookahead::Planner;
+
+lookahead::PlanLimits table_limits() {
+  lookahead::PlanLimits limits;
+  limits.axes.fill({.velocity_mm_s = 250.0, .acceleration_mm_s2 = 2500.0, .jerk_mm_s3 = 50'000.0});
+  limits.chord_tolerance_mm = 1e-3;
+  return limits;
+}
+
+// A finishing pass over a wavy surface in steps of step_mm, as moves without end.
+class WavyPath {
+ public:
+  explicit WavyPath(double step_mm) : step_mm_(step_mm) {}
+
+  const parser::Move& next() {
+    ++count_;
+    const double s = step_mm_ * static_cast<double>(count_);
+    move_.start_mm = here_;
+    here_ = {std::fmod(s, 1e3), 20.0 * std::sin(s / 17.0), 3.0 * std::sin(s / 5.0)};
+    if (here_[0] < move_.start_mm[0]) {
+      move_.start_mm[0] -= 1e3;
+    }
+    move_.shape = parser::LineMove{here_};
+    move_.feedrate_mm_s = 100.0;
+    move_.source.line = static_cast<std::uint32_t>(count_);
+    return move_;
+  }
+
+ private:
+  double step_mm_;
+  std::int64_t count_ = 0;
+  parser::Point here_{};
+  parser::Move move_{};
+};
+
+void plan_lines(benchmark::State& state, profiles::ProfileKind kind) {
+  const std::int64_t count = state.range(0);
+  const lookahead::PlanLimits limits = table_limits();
+  for ([[maybe_unused]] auto _ : state) {
+    Planner planner({.limits = limits, .profile = profiles::Profile(kind)});
+    WavyPath path(0.5);
+    lookahead::Outbox outbox;
+    std::vector<lookahead::Block> blocks;
+    const auto drain = [&] {
+      while (planner.emit(outbox)) {
+        outbox.pieces.clear();
+        outbox.phases.clear();
+      }
+    };
+    for (std::int64_t i = 0; i < count; ++i) {
+      if (!planner.wants_block()) {
+        drain();
+      }
+      blocks.clear();
+      if (!lookahead::append_blocks(path.next(), limits, blocks)) {
+        state.SkipWithError("a move was refused");
+        return;
+      }
+      planner.push(std::move(blocks.front()));
+    }
+    drain();
+    planner.finish(0);
+    drain();
+    benchmark::DoNotOptimize(planner.totals().ticks);
+  }
+  state.SetItemsProcessed(state.iterations() * count);
+}
+
+void plan_lines_s_curve(benchmark::State& state) {
+  plan_lines(state, profiles::ProfileKind::s_curve);
+}
+void plan_lines_trapezoid(benchmark::State& state) {
+  plan_lines(state, profiles::ProfileKind::trapezoid);
+}
+
+BENCHMARK(plan_lines_s_curve)
+    ->Arg(10'000)
+    ->Arg(100'000)
+    ->Arg(1'000'000)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(plan_lines_trapezoid)->Arg(100'000)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace kerf::bench
