@@ -89,7 +89,14 @@ tl::expected<NurbsCurve, CurveError> spiral(const ArcShape& shape, const ArcSwee
     spans[i].origin_mm[first] -= static_cast<Wide>(sweep.from_centre_mm.x());
     spans[i].origin_mm[second] -= static_cast<Wide>(sweep.from_centre_mm.y());
   }
-  return NurbsCurve::from_spans(spans, shape.end_mm);
+  auto curves = NurbsCurve::from_spans(spans, shape.end_mm);
+  if (!curves)
+    return tl::unexpected(curves.error());
+  if (curves->size() != 1) {
+    return tl::unexpected(CurveError{"the arc from " + to_text(shape.start_mm) + " to " +
+                                     to_text(shape.end_mm) + " is too small to be drawn"});
+  }
+  return std::move(curves->front());
 }
 
 }  // namespace

@@ -8,7 +8,9 @@
 //
 // Where |C'(u)| tends to zero x(s) is singular (like a root of s). Halving then closes in on the
 // point geometrically until the piece is shorter than the tolerance, where any x(s) will do: about
-// 20 to 40 pieces. A piece that short whose ends point in opposite directions is a cusp.
+// 20 to 40 pieces. What the curve does across such a point shows in the tangents on both sides:
+// it goes on, turns back (a cusp) or turns a corner; corners also come of large weights, which pull
+// a curve onto its control polygon to within 1e-12 mm.
 //
 // Weakness: a near-cusp sharper than 1e-12 mm is taken for a cusp, and curves whose coordinates
 // differ by less than 1e-12 mm are taken for points.
@@ -30,7 +32,9 @@ constexpr Wide kPointLike_mm = 1e-12L;
 // looked for.
 constexpr Wide kCoincident = 1e-6L;
 constexpr Wide kMostWeightRatio = 16.0L;  // in one piece, so that its polynomials lose no digits
-constexpr double kShortestCurve_mm = 1e-9;
+constexpr double kShortestCurve_mm = 1e-11;
+constexpr Wide kTurnsBack = -0.999L;    // cosine of the angle between the tangents
+constexpr Wide kTurnsCorner = 0.9988L;  // 0.05 rad, more than any smooth curve turns in 1e-12 mm
 constexpr int kDepth = 90;
 
 using Rule = ArcLengthRule;
@@ -119,19 +123,13 @@ double fit(NurbsPiece& piece) {
   return length_mm;
 }
 
-CurveError cusp_at(Wide u, const Position& p_mm) {
-  return {"the curve turns back on itself in a cusp at u = " + to_text(static_cast<double>(u)) +
-          ", " + to_text(p_mm)};
-}
-
 // Maps one span after the other, left to right.
 class Mapper {
  public:
-  std::vector<NurbsPiece> pieces;
-  Wide length_mm = 0.0L;
+  std::vector<std::vector<NurbsPiece>> curves{1};
+  Wide length_mm = 0.0L;  // of the last one so far
 
   tl::expected<void, CurveError> add(const BezierSpan& span) {
-    last_direction_ = WideVector::Zero();
     pending_.assign(1, {span, 0});
     while (!pending_.empty()) {
       const auto [current, depth] = pending_.back();
@@ -139,28 +137,34 @@ class Mapper {
       const auto [left, right] = halve(current);
       const Wide polygon_mm = current.polygon_length_mm();
       NurbsPiece piece = geometry_of(current, right);
-      double piece_mm = -1.0;
       if (polygon_mm <= kPointLike_mm) {
-        piece_mm = static_cast<double>(polygon_mm);
         piece.local_by_length = {0.0, 1.0};
-      } else if (current.weight_ratio() <= kMostWeightRatio) {
-        piece_mm = fit(piece);
+        points_.push_back({piece, static_cast<double>(polygon_mm)});
+        continue;
       }
+      const double piece_mm = current.weight_ratio() <= kMostWeightRatio ? fit(piece) : -1.0;
       if (piece_mm >= 0.0) {
-        if (turns_back(current, polygon_mm)) {
-          return tl::unexpected(cusp_at(current.u_begin, current.begin_mm()));
-        }
+        if (auto passed = pass_points(current, polygon_mm); !passed)
+          return passed;
         append(piece, piece_mm);
       } else if (depth < kDepth) {
         pending_.push_back({right, depth + 1});
         pending_.push_back({left, depth + 1});
       } else {
-        return tl::unexpected(
-            CurveError{"the curve cannot be resolved at u = " + to_text(piece.u_begin) + ", " +
-                       to_text(current.begin_mm())});
+        return tl::unexpected(error_at("the curve cannot be resolved", current));
       }
     }
     return {};
+  }
+
+  // Takes what is still held back, and ends the last curve.
+  void finish(const Position& end_mm) {
+    for (auto& [piece, piece_mm] : points_)
+      append(piece, piece_mm);
+    end_curve(end_mm);
+    std::erase_if(curves, [](const auto& pieces) {
+      return pieces.empty() || !(pieces.back().s_end_mm > kShortestCurve_mm);
+    });
   }
 
  private:
@@ -168,15 +172,36 @@ class Mapper {
     BezierSpan span;
     int depth;
   };
+  struct Point {
+    NurbsPiece piece;
+    double length_mm;
+  };
 
-  // Within the piece, if it is as short as a point, or against the piece before it.
-  bool turns_back(const BezierSpan& span, Wide polygon_mm) {
-    const WideVector begin = span.begin_direction(kCoincident * polygon_mm);
-    const WideVector end = span.end_direction(kCoincident * polygon_mm);
-    const bool inside = polygon_mm <= kPointLike_mm && begin.dot(end) < 0.0L;
-    const bool at_begin = last_direction_.dot(begin) < 0.0L;
-    last_direction_ = end;
-    return inside || at_begin;
+  static CurveError error_at(const std::string& what, const BezierSpan& span) {
+    return {what + " at u = " + to_text(static_cast<double>(span.u_begin)) + ", " +
+            to_text(span.begin_mm())};
+  }
+
+  // Compares the tangents before and after the pieces without extent that were held back, keeps
+  // them where the curve goes on smoothly and drops them for a corner.
+  tl::expected<void, CurveError> pass_points(const BezierSpan& next, Wide polygon_mm) {
+    const WideVector direction = next.begin_direction(kCoincident * polygon_mm);
+    const bool inside = !curves.back().empty() && last_direction_.squaredNorm() > 0.0L;
+    const Wide cosine = inside ? last_direction_.dot(direction) : 1.0L;
+    last_direction_ = next.end_direction(kCoincident * polygon_mm);
+    if (cosine < kTurnsBack) {
+      return tl::unexpected(error_at("the curve turns back on itself in a cusp", next));
+    }
+    if (cosine < kTurnsCorner) {
+      end_curve(next.begin_mm());
+      curves.emplace_back();
+      length_mm = 0.0L;
+    } else {
+      for (auto& [piece, piece_mm] : points_)
+        append(piece, piece_mm);
+    }
+    points_.clear();
+    return {};
   }
 
   void append(NurbsPiece& piece, double piece_mm) {
@@ -184,31 +209,33 @@ class Mapper {
     length_mm += static_cast<Wide>(piece_mm);
     piece.s_end_mm = static_cast<double>(length_mm);
     if (piece.s_end_mm > piece.s_begin_mm)
-      pieces.push_back(piece);
+      curves.back().push_back(piece);
+  }
+
+  void end_curve(const Position& end_mm) {
+    if (curves.back().empty())
+      return;
+    curves.back().back().ends_curve = true;
+    curves.back().back().end_mm = end_mm;
+    curves.back().shrink_to_fit();
   }
 
   std::vector<Pending> pending_;
+  std::vector<Point> points_;  // pieces without extent since the last one with any
   WideVector last_direction_ = WideVector::Zero();
 };
 
 }  // namespace
 
-tl::expected<std::vector<NurbsPiece>, CurveError> map_arc_length(std::span<const BezierSpan> spans,
-                                                                 const Position& end_mm) {
+tl::expected<std::vector<std::vector<NurbsPiece>>, CurveError> map_arc_length(
+    std::span<const BezierSpan> spans, const Position& end_mm) {
   Mapper mapper;
   for (const BezierSpan& span : spans) {
     if (auto added = mapper.add(span); !added)
       return tl::unexpected(added.error());
   }
-  if (!(mapper.length_mm > static_cast<Wide>(kShortestCurve_mm))) {
-    return tl::unexpected(
-        CurveError{"the curve has no length: " + to_text(static_cast<double>(mapper.length_mm)) +
-                   " mm at " + to_text(end_mm)});
-  }
-  mapper.pieces.back().ends_curve = true;
-  mapper.pieces.back().end_mm = end_mm;
-  mapper.pieces.shrink_to_fit();
-  return std::move(mapper.pieces);
+  mapper.finish(end_mm);
+  return std::move(mapper.curves);
 }
 
 }  // namespace kerf::curves

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "curves/arc_length.hpp"
 #include "curves/nurbs_data.hpp"
@@ -10,8 +11,8 @@ namespace kerf::curves {
 namespace {
 
 constexpr Wide kCorner_rad = 1e-9L;
-constexpr Wide kNoise = 1e-14L;  // of a span's size: control points this close coincide
-constexpr Wide kPointLike_mm = 1e-12L;
+constexpr Wide kNoise = 1e-14L;     // of a span's size: control points this close coincide
+constexpr Wide kPoint_mm = 1e-15L;  // a span this small is a point to rounding
 
 // A part of the curve without corners.
 struct SmoothRun {
@@ -39,7 +40,7 @@ std::vector<SmoothRun> cut_at_corners(const NurbsData& data) {
   std::vector<SmoothRun> runs(1);
   for (const std::size_t k : span_knots(data)) {
     const BezierSpan span = bezier_span(data, k);
-    if (span.polygon_length_mm() <= kPointLike_mm)
+    if (span.polygon_length_mm() <= kPoint_mm)
       continue;
     if (!runs.back().spans.empty()) {
       const BezierSpan& before = runs.back().spans.back();
@@ -58,12 +59,15 @@ std::vector<SmoothRun> cut_at_corners(const NurbsData& data) {
 
 }  // namespace
 
-tl::expected<NurbsCurve, CurveError> NurbsCurve::from_spans(std::span<const BezierSpan> spans,
-                                                            const Position& end_mm) {
-  auto pieces = map_arc_length(spans, end_mm);
-  if (!pieces)
-    return tl::unexpected(pieces.error());
-  return NurbsCurve(std::move(*pieces));
+tl::expected<std::vector<NurbsCurve>, CurveError> NurbsCurve::from_spans(
+    std::span<const BezierSpan> spans, const Position& end_mm) {
+  auto mapped = map_arc_length(spans, end_mm);
+  if (!mapped)
+    return tl::unexpected(mapped.error());
+  std::vector<NurbsCurve> curves;
+  for (auto& pieces : *mapped)
+    curves.push_back(NurbsCurve(std::move(pieces)));
+  return curves;
 }
 
 tl::expected<std::vector<NurbsCurve>, CurveError> NurbsCurve::make(const NurbsData& data) {
@@ -71,10 +75,14 @@ tl::expected<std::vector<NurbsCurve>, CurveError> NurbsCurve::make(const NurbsDa
     return tl::unexpected(valid.error());
   std::vector<NurbsCurve> curves;
   for (const SmoothRun& run : cut_at_corners(data)) {
-    auto curve = from_spans(run.spans, run.end_mm);
-    if (!curve)
-      return tl::unexpected(curve.error());
-    curves.push_back(std::move(*curve));
+    auto parts = from_spans(run.spans, run.end_mm);
+    if (!parts)
+      return tl::unexpected(parts.error());
+    std::move(parts->begin(), parts->end(), std::back_inserter(curves));
+  }
+  if (curves.empty()) {
+    return tl::unexpected(CurveError{"the curve has no length: all of it lies at " +
+                                     to_text(data.points.front().position_mm)});
   }
   return curves;
 }

@@ -78,7 +78,7 @@ Taylor expand(const NurbsPiece& piece, double x) noexcept {
 }
 
 // The point seen from the origin of the piece, and its derivatives by x. All four lanes go through
-// the quotient rule together; what comes out in the fourth is 1 for the point and 0 for the others.
+// the quotient rule together; the fourth of the derivatives is 0.
 struct ByParameter {
   Homogeneous point, first, second, third;
 };
@@ -92,8 +92,11 @@ ByParameter derivatives_by_x(const NurbsPiece& piece, double x) noexcept {
   ByParameter d;
   d.point = scale * t.f;
   d.first = scale * t.f1 - w1 * d.point;
+  d.first[3] = 0.0;
   d.second = (2.0 * scale) * t.f2 - (2.0 * w1) * d.first - w2 * d.point;
+  d.second[3] = 0.0;
   d.third = (6.0 * scale) * t.f3 - (3.0 * w1) * d.second - (3.0 * w2) * d.first - w3 * d.point;
+  d.third[3] = 0.0;
   return d;
 }
 
@@ -165,7 +168,8 @@ double speed_mm(const NurbsPiece& piece, double x) noexcept {
     f = f * x + coefficient(piece, k);
   }
   const double scale = 1.0 / f[3];
-  const Homogeneous first = scale * f1 - (scale * f1[3] * scale) * f;
+  Homogeneous first = scale * f1 - (scale * f1[3] * scale) * f;
+  first[3] = 0.0;
   return std::sqrt(dot(first, first));
 }
 

@@ -120,6 +120,22 @@ TEST(NurbsCurve, IsCutWhereRepeatedControlPointsMakeACorner) {
   EXPECT_EQ(made->front().at(6.1), (Position{6.0, 0.0, 0.0}));
 }
 
+TEST(NurbsCurve, IsCutWhereAWeightPullsItIntoACorner) {
+  // A hyperbola that hugs its control polygon to within 1e-14 mm at the middle point.
+  NurbsData data = polynomial(2, {{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {3.0, 4.0, 0.0}});
+  data.points[1].weight = 1e14;
+  const auto made = NurbsCurve::make(data);
+  ASSERT_TRUE(made) << made.error().message;
+  ASSERT_EQ(made->size(), 2U);
+  EXPECT_NEAR(made->front().length_mm(), 3.0, 1e-11);
+  EXPECT_NEAR(made->back().length_mm(), 4.0, 1e-11);
+  EXPECT_LT(distance_mm(made->front().at(3.1), {3.0, 0.0, 0.0}), 1e-11);
+  EXPECT_LT(distance_mm(made->back().at(0.0), {3.0, 0.0, 0.0}), 1e-11);
+  // A smaller weight leaves a turn that can be driven, of a radius about 5 / weight^2.
+  data.points[1].weight = 1e3;
+  EXPECT_EQ(NurbsCurve::make(data)->size(), 1U);
+}
+
 TEST(NurbsCurve, SkipsSpansWithoutLength) {
   // Four equal control points: a whole span of a cubic stands still.
   const NurbsData data = polynomial(3, {{0.0, 0.0, 0.0},
