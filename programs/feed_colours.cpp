@@ -12,16 +12,15 @@ namespace {
 
 using Rgb = std::array<double, 3>;
 
-// plasma at 0, 0.11, 0.22, .. 0.88.
-constexpr std::array<Rgb, 9> kStops{{{13, 8, 135},
+// plasma at 0, 0.11, 0.22, .. 0.77.
+constexpr std::array<Rgb, 8> kStops{{{13, 8, 135},
                                      {71, 3, 159},
                                      {115, 1, 168},
                                      {156, 23, 158},
                                      {189, 55, 134},
                                      {216, 87, 107},
                                      {237, 121, 83},
-                                     {251, 159, 58},
-                                     {253, 202, 38}}};
+                                     {251, 159, 58}}};
 
 }  // namespace
 

@@ -12,7 +12,20 @@ std::string short_number(double value) {
   }
   const std::string digits = fmt::format("{:.2e}", value);
   const std::size_t e = digits.find('e');
-  return fmt::format("{}e{}", digits.substr(0, e), std::stoi(digits.substr(e + 1)));
+  std::string mantissa = digits.substr(0, e);
+  mantissa.erase(mantissa.find_last_not_of('0') + 1);
+  if (mantissa.back() == '.') {
+    mantissa.pop_back();
+  }
+  return fmt::format("{}e{}", mantissa, std::stoi(digits.substr(e + 1)));
+}
+
+std::string fixed_number(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find_first_not_of("-0.") == std::string::npos && text.front() == '-') {
+    text.erase(0, 1);
+  }
+  return text;
 }
 
 std::string clock_time(double duration_s) {

@@ -21,9 +21,14 @@ PathOutline::PathOutline(const OutlineTolerance& tolerance, std::size_t max_poin
 
 bool PathOutline::extend_stretch(const OutlinePoint& point) {
   const OutlinePoint& from = kept_.back();
-  max_v_mm_s_ = std::max(max_v_mm_s_, point.v_mm_s);
-  if (std::abs(point.v_mm_s - from.v_mm_s) > tolerance_.v_share * max_v_mm_s_) {
+  if (point.rapid != from.rapid) {
     return false;
+  }
+  if (!point.rapid) {
+    max_v_mm_s_ = std::max(max_v_mm_s_, point.v_mm_s);
+    if (std::abs(point.v_mm_s - from.v_mm_s) > tolerance_.v_share * max_v_mm_s_) {
+      return false;
+    }
   }
   const double du = point.at.u_mm - from.at.u_mm;
   const double dv = point.at.v_mm - from.at.v_mm;

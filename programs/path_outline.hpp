@@ -12,24 +12,26 @@ namespace kerf::program {
 struct OutlinePoint {
   PaperPoint at{};
   double v_mm_s = 0.0;
+  bool rapid = false;
 };
 
 // How far the outline may differ from the path.
 struct OutlineTolerance {
   double distance_mm = 0.0;
-  double v_share = 1.0 / 64.0;  // of the largest feedrate so far
+  double v_share = 1.0 / 64.0;  // of the largest feedrate so far that is no rapid's
 };
 
 // Points go in one by one; one is kept where the straight line from the last kept point would leave
-// the tolerance or the feedrate has changed by more than its own. When the kept points run out, the
-// tolerances double and the outline is thinned by the same rule.
+// the tolerance, the feedrate has changed by more than its own, or a rapid begins or ends. The
+// feedrate of rapids does not matter. When the kept points run out, the tolerances double and the
+// outline is thinned by the same rule.
 //
 // The rule is a sleeve: the directions from the last kept point that pass every point since within
 // the tolerance form a sector, which only narrows. A point outside the sector ends the stretch. The
 // cost of a point is constant; the result is at most some tens of percent longer than the best one.
 class PathOutline {
  public:
-  explicit PathOutline(const OutlineTolerance& tolerance, std::size_t max_points = 40'000);
+  explicit PathOutline(const OutlineTolerance& tolerance, std::size_t max_points = 30'000);
 
   void add(const OutlinePoint& point);
 

@@ -14,13 +14,15 @@ class PlotData {
   // extents: of the whole path, known before it runs; they set how fine the outline is.
   explicit PlotData(const curves::Extents& extents);
 
-  void add(const TickRecord& record);
+  void add(const TickRecord& record, bool rapid);
 
   [[nodiscard]] View view() const noexcept { return view_; }
   [[nodiscard]] const PathOutline& outline() const noexcept { return outline_; }
   [[nodiscard]] const MinMaxSeries& v() const noexcept { return v_; }
   [[nodiscard]] const MinMaxSeries& a() const noexcept { return a_; }
   [[nodiscard]] const MinMaxSeries& j() const noexcept { return j_; }
+  // The largest feedrate outside rapids; 0 where there is none.
+  [[nodiscard]] double max_feedrate_mm_s() const noexcept { return max_feedrate_mm_s_; }
   [[nodiscard]] std::int64_t last_tick() const noexcept { return last_tick_; }
 
  private:
@@ -29,6 +31,7 @@ class PlotData {
   MinMaxSeries v_;
   MinMaxSeries a_;
   MinMaxSeries j_;
+  double max_feedrate_mm_s_ = 0.0;
   std::int64_t last_tick_ = 0;
 };
 

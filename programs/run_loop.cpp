@@ -44,15 +44,29 @@ class PlanningThread {
   std::thread thread_;
 };
 
-bool is_over(interp::TickStatus status, const TickStage& ticks) noexcept {
-  return status == interp::TickStatus::finished || ticks.fault().kind != machine::Fault::none;
-}
+// What follows from a tick for the run: counts, and whether it was the last.
+class Judge {
+ public:
+  bool is_over(interp::TickStatus status, const TickStage& ticks, RunOutcome& outcome) noexcept {
+    if (status == interp::TickStatus::starved) {
+      ++outcome.starved_ticks;
+      outcome.hung = ++starved_in_a_row_ == kHungTicks;
+    } else {
+      starved_in_a_row_ = 0;
+    }
+    return status == interp::TickStatus::finished || outcome.hung ||
+           ticks.fault().kind != machine::Fault::none;
+  }
+
+ private:
+  std::uint64_t starved_in_a_row_ = 0;
+};
 
 }  // namespace
 
 RunOutcome run_without_clock(const RunStage& stage) {
   RunOutcome outcome;
-  std::uint64_t starved_in_a_row = 0;
+  Judge judge;
   for (TickRecord record;;) {
     if (stop_requested()) {
       stage.feeder.stop();
@@ -61,14 +75,7 @@ RunOutcome run_without_clock(const RunStage& stage) {
     const interp::TickStatus status = stage.ticks.step(record);
     stage.recorder.add(record);
     stage.progress.set_done(record.motion.s_mm);
-    if (is_over(status, stage.ticks)) {
-      return outcome;
-    }
-    const bool starved = status == interp::TickStatus::starved;
-    outcome.starved_ticks += starved ? 1 : 0;
-    starved_in_a_row = starved ? starved_in_a_row + 1 : 0;
-    if (starved_in_a_row == kHungTicks) {
-      outcome.hung = true;
+    if (judge.is_over(status, stage.ticks, outcome)) {
       return outcome;
     }
   }
@@ -80,13 +87,13 @@ RunOutcome run_in_real_time(const RunStage& stage, double period_s) {
   {
     const PlanningThread planning(stage.feeder);
     TickTimer timer(period_s);
+    Judge judge;
     for (TickRecord record;;) {
       timer.wait();
       const interp::TickStatus status = stage.ticks.step(record);
       recorder.push(record);
       stage.progress.set_done(record.motion.s_mm);
-      outcome.starved_ticks += status == interp::TickStatus::starved ? 1 : 0;
-      if (is_over(status, stage.ticks)) {
+      if (judge.is_over(status, stage.ticks, outcome)) {
         break;
       }
     }

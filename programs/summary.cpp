@@ -35,8 +35,8 @@ std::string verdict(ExitStatus status) {
 std::string extents_text(const curves::Extents& extents) {
   std::string text;
   for (std::size_t k = 0; k < 3; ++k) {
-    text += fmt::format("{}{} {:.3f} to {:.3f}", k == 0 ? "" : ", ", "xyz"[k],
-                        extents.min_mm[k] + 0.0, extents.max_mm[k] + 0.0);
+    text += fmt::format("{}{} {} to {}", k == 0 ? "" : ", ", "xyz"[k],
+                        fixed_number(extents.min_mm[k], 3), fixed_number(extents.max_mm[k], 3));
   }
   return text + " mm";
 }

@@ -88,12 +88,16 @@ void SvgCanvas::line(const Pixel& from, const Pixel& to, const Stroke& stroke_wi
   svg_ += "/>\n";
 }
 
-void SvgCanvas::polyline(std::span<const Pixel> points, const Stroke& stroke_with) {
-  svg_ += "<polyline fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\"";
+void SvgCanvas::polylines(std::span<const std::vector<Pixel>> lines, const Stroke& stroke_with) {
+  svg_ += "<path fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\"";
   stroke(stroke_with);
-  svg_ += " points=\"";
-  for (const Pixel& point : points) {
-    fmt::format_to(std::back_inserter(svg_), "{:.2f},{:.2f} ", point.x, point.y);
+  svg_ += " d=\"";
+  for (const std::vector<Pixel>& line : lines) {
+    char command = 'M';
+    for (const Pixel& point : line) {
+      fmt::format_to(std::back_inserter(svg_), "{}{:.1f} {:.1f}", command, point.x, point.y);
+      command = 'L';
+    }
   }
   svg_ += "\"/>\n";
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kerf::program {
 
@@ -42,7 +43,8 @@ class SvgCanvas {
   SvgCanvas(double width, double height);
 
   void line(const Pixel& from, const Pixel& to, const Stroke& stroke);
-  void polyline(std::span<const Pixel> points, const Stroke& stroke);
+  // Several lines of one look.
+  void polylines(std::span<const std::vector<Pixel>> lines, const Stroke& stroke);
   void box(const PixelBox& box, std::string_view fill, const Stroke& stroke);
   void dot(const Pixel& at, double radius, std::string_view fill, const Stroke& stroke);
   // Any text: what means something to XML is escaped, what it does not allow becomes '?'.

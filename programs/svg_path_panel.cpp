@@ -1,6 +1,7 @@
 #include "programs/svg_path_panel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@ constexpr double kMargin = 18.0;
 constexpr double kGridRoom = 34.0;  // for numbers at the left and at the bottom
 
 const Stroke kFrame{.colour = "#c8ccd2"};
+const Stroke kRapid{.colour = "#a9b0b8", .width = 1.0, .dashes = "4 3"};
 const Stroke kGrid{.colour = "#eceff2"};
 
 // Paper to pixels.
@@ -120,27 +122,40 @@ void draw_colour_bar(SvgCanvas& canvas, const PixelBox& bar, double max_v_mm_s) 
   canvas.text({.x = bar.left, .y = bar.top - 10.0}, "feedrate, mm/s", {.size = 11.0});
 }
 
-// Runs of one colour as one line each.
-void draw_path(SvgCanvas& canvas, const std::vector<OutlinePoint>& points, const Scale& scale,
-               double max_v_mm_s) {
-  std::vector<Pixel> run;
-  std::size_t level = 0;
-  const auto flush = [&] {
-    if (run.size() > 1) {
-      canvas.polyline(run, {.colour = colour_of(level), .width = 1.7});
-    }
-  };
+void draw_rapid_key(SvgCanvas& canvas, const Pixel& at) {
+  canvas.line(at, {.x = at.x + 22.0, .y = at.y}, kRapid);
+  canvas.text({.x = at.x + 28.0, .y = at.y + 4.0}, "rapid", {.size = 11.0});
+}
+
+// The lines of each colour; the last level is for rapids.
+using Runs = std::array<std::vector<std::vector<Pixel>>, kColourLevels + 1>;
+
+Runs runs_of(const std::vector<OutlinePoint>& points, const Scale& scale, double max_v_mm_s) {
+  Runs runs;
+  std::size_t level = kColourLevels + 1;
   for (std::size_t i = 1; i < points.size(); ++i) {
     const double v = (points[i - 1].v_mm_s + points[i].v_mm_s) / 2.0;
-    const std::size_t here = colour_level(v, max_v_mm_s);
-    if (run.empty() || here != level) {
-      flush();
-      run.assign(1, scale.at(points[i - 1].at));
+    const std::size_t here = points[i].rapid ? kColourLevels : colour_level(v, max_v_mm_s);
+    if (here != level) {
+      runs[here].push_back({scale.at(points[i - 1].at)});
       level = here;
     }
-    run.push_back(scale.at(points[i].at));
+    runs[here].back().push_back(scale.at(points[i].at));
   }
-  flush();
+  return runs;
+}
+
+// Rapids at the bottom and the slowest on top: where lines cross, that is what one looks for.
+void draw_path(SvgCanvas& canvas, const std::vector<OutlinePoint>& points, const Scale& scale,
+               double max_v_mm_s) {
+  const Runs runs = runs_of(points, scale, max_v_mm_s);
+  for (std::size_t level = kColourLevels + 1; level-- > 0;) {
+    if (!runs[level].empty()) {
+      canvas.polylines(runs[level], level == kColourLevels
+                                        ? kRapid
+                                        : Stroke{.colour = colour_of(level), .width = 1.8});
+    }
+  }
   const Stroke ring{.colour = "#222", .width = 1.4};
   canvas.dot(scale.at(points.back().at), 4.5, "none", ring);
   canvas.dot(scale.at(points.front().at), 2.5, "#222", ring);
@@ -158,10 +173,7 @@ void draw_path_panel(SvgCanvas& canvas, const PixelBox& place, const PlotData& d
     canvas.box(frame, "none", kFrame);
     return;
   }
-  double max_v_mm_s = 0.0;
-  for (const SeriesPoint& point : data.v().points()) {
-    max_v_mm_s = std::max(max_v_mm_s, point.value);
-  }
+  const double max_v_mm_s = data.max_feedrate_mm_s();
   const Scale scale(box_around(points), {.left = frame.left + kMargin,
                                          .top = frame.top + kMargin,
                                          .width = frame.width - 2.0 * kMargin,
@@ -173,13 +185,15 @@ void draw_path_panel(SvgCanvas& canvas, const PixelBox& place, const PlotData& d
   }
   canvas.box(frame, "none", kFrame);
   draw_path(canvas, points, scale, max_v_mm_s);
-  if (max_v_mm_s > 0.0) {
-    draw_colour_bar(canvas,
-                    {.left = frame.right() + 20.0,
+  const PixelBox bar{.left = frame.right() + 20.0,
                      .top = frame.top + 22.0,
                      .width = kBarWidth,
-                     .height = frame.height - 22.0},
-                    max_v_mm_s);
+                     .height = frame.height - 22.0};
+  if (max_v_mm_s > 0.0) {
+    draw_colour_bar(canvas, bar, max_v_mm_s);
+  }
+  if (std::any_of(points.begin(), points.end(), [](const OutlinePoint& p) { return p.rapid; })) {
+    draw_rapid_key(canvas, {.x = bar.left, .y = bar.bottom() + 17.0});
   }
 }
 

@@ -84,8 +84,8 @@ void draw_time_panel(SvgCanvas& canvas, const PixelBox& frame, const TimeCurve& 
       draw_limit(canvas, frame, y_of(-curve.limit));
     }
   }
-  canvas.polyline(pixels_of(points, frame, axis, range),
-                  {.colour = std::string(curve.colour), .width = 1.1});
+  const std::vector<std::vector<Pixel>> line{pixels_of(points, frame, axis, range)};
+  canvas.polylines(line, {.colour = std::string(curve.colour), .width = 1.1});
   canvas.box(frame, "none", {.colour = "#c8ccd2"});
   canvas.text({.x = frame.left, .y = frame.top - 7.0}, curve.label, {.size = 12.0, .bold = true});
   if (has_limit) {
