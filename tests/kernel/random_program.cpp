@@ -188,6 +188,21 @@ class Writer {
 
 }  // namespace
 
+double RandomProgram::fastest_mm_s(std::size_t from_line, std::size_t to_line) const {
+  double fastest = 0.0;
+  for (std::size_t line = from_line; line <= to_line; ++line) {
+    fastest = std::max(fastest, feedrate_mm_s[line - 1]);
+  }
+  return fastest;
+}
+
+bool RandomProgram::holds_nurbs(std::size_t from_line, std::size_t to_line) const {
+  const auto begin = is_nurbs.begin();
+  return std::find(begin + static_cast<std::ptrdiff_t>(from_line - 1),
+                   begin + static_cast<std::ptrdiff_t>(to_line),
+                   true) != begin + static_cast<std::ptrdiff_t>(to_line);
+}
+
 RandomProgram random_program(std::uint64_t seed, const Mix& mix) {
   return Writer(seed, mix).write();
 }

@@ -1,4 +1,5 @@
 // Seeded random programs: every limit at every tick, the end where the program says, never a hang.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -53,13 +54,14 @@ Outcome run(const RandomProgram& program, const MachineSettings& settings, Profi
   kernel.finish();
   TickChecker checker(settings.limits, kind != ProfileKind::trapezoid);
   Outcome outcome;
+  std::size_t line_before = 1;
   for (auto status = interp::TickStatus::running; status == interp::TickStatus::running;) {
     status = kernel.next(outcome.last);
-    const std::size_t line = outcome.last.line;
-    const bool known = line >= 1 && line <= program.feedrate_mm_s.size();
+    const std::size_t line = std::clamp<std::size_t>(outcome.last.line, 1, program.lines());
     checker.add({.setpoint = outcome.last,
-                 .feedrate_mm_s = known ? program.feedrate_mm_s[line - 1] : 0.0,
-                 .axis_limits_bind = !known || !program.is_nurbs[line - 1]});
+                 .feedrate_mm_s = program.fastest_mm_s(line_before, line),
+                 .axis_limits_bind = !program.holds_nurbs(line_before, line)});
+    line_before = line;
     if (!checker.complaint().empty() || checker.ticks() > kMostTicks) {
       outcome.complaint = checker.complaint().empty() ? "does not end" : checker.complaint();
       return outcome;

@@ -36,8 +36,8 @@ void TickChecker::judge_path() {
   for (std::size_t i = 0; i < 4; ++i) {
     s[i] = last_[i].setpoint.s_mm;
   }
-  const double feedrate = std::max(last_[0].feedrate_mm_s, last_[1].feedrate_mm_s);
-  judge("feedrate", (s[0] - s[1]) / ts, std::min(feedrate, limits_.path.velocity_mm_s));
+  judge("feedrate", (s[0] - s[1]) / ts,
+        std::min(last_[0].feedrate_mm_s, limits_.path.velocity_mm_s));
   judge("backward motion", (s[1] - s[0]) / ts, 0.0);
   judge("path acceleration", std::abs(s[0] - 2.0 * s[1] + s[2]) / (ts * ts),
         limits_.path.acceleration_mm_s2);

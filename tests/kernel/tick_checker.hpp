@@ -15,7 +15,8 @@ class TickChecker {
  public:
   struct Tick {
     interp::Setpoint setpoint;
-    double feedrate_mm_s = 0.0;  // programmed for the block
+    // Of the blocks since the tick before: the highest programmed, and whether axis limits bind.
+    double feedrate_mm_s = 0.0;
     bool axis_limits_bind = true;
   };
 
