@@ -38,7 +38,7 @@ def point(position):
 
 
 def head(title, source, start):
-    return [f"({title})", f"(source: {source})", "G21 G90 G17", "G0 " + point(start)]
+    return [f"({title})", f"(source: {source})", "G21 G90 G17", "G0 " + point(start), "S12000 M3"]
 
 
 def data_file(curve):
@@ -56,7 +56,7 @@ def fanuc(curve):
             block += " R" + number(weight)
         lines.append(f"G6.2 P{order} {block} F6000." if i == 0 else block)
     lines += ["K" + number(knot) for knot in knots[-order:]]
-    return lines + ["M30"]
+    return lines + ["M5", "M30"]
 
 
 def linuxcnc(curve):
@@ -75,7 +75,7 @@ def linuxcnc(curve):
         block = f"{point(position)} R{number(weight)} K{knots[i]}"
         lines.append(f"G6.2 {block} P{order} Q1" if i == 0 else block)
     lines += [f"G6.2 K{knot}" for knot in knots[-order:]]
-    return lines + ["M30"]
+    return lines + ["M5", "M30"]
 
 
 # Corners A to F. The paper gives corner feedrates only; these corners have them where the greatest change of the unit
@@ -92,7 +92,7 @@ def polygon():
     for name, corner in zip("BCDEFA", POLYGON[1:] + POLYGON[:1]):
         feedrate = f" (corner {name}: {CORNER_FEEDRATES[name]} mm/min)" if name in CORNER_FEEDRATES else " (A)"
         lines.append("G1 " + point(corner) + feedrate)
-    return lines + ["M30"]
+    return lines + ["M5", "M30"]
 
 
 def ring(half_x, half_y, corner, centre_form):

@@ -41,7 +41,10 @@ def curve_line(program):
 
 
 def cut_approach(trace, program, curve, cut):
-    """Writes to `cut` the rows from the last tick before the curve on."""
+    """Writes to `cut` the rows from the tick on where the tool rests on the curve's first point.
+
+    That tick counts for the curve or, where it still carries the line of what was before, is the last before it.
+    """
     with open(trace, newline="", encoding="ascii") as handle:
         header = handle.readline().rstrip("\r\n")
         if header != HEADER:
@@ -52,11 +55,12 @@ def cut_approach(trace, program, curve, cut):
     if not first:
         raise Unusable(f"{trace}: no tick of the curve, or none before it")
     point = [*curve["control_points"][0], 0.0][:3]
-    gap = math.dist([float(c) for c in rows[first - 1][6:9]], point)
-    if gap > 1e-9:
-        raise Unusable(f"{trace}: the last tick before the curve is {gap:.3g} mm from its first point")
+    gaps = {i: math.dist([float(c) for c in rows[i][6:9]], point) for i in (first, first - 1)}
+    first = next((i for i, gap in gaps.items() if gap <= 1e-9), None)
+    if first is None:
+        raise Unusable(f"{trace}: no tick rests on the curve's first point; the nearest is {min(gaps.values()):.3g} mm away")
     with open(cut, "w", encoding="ascii") as handle:
-        handle.write(header + "\n" + "".join(",".join(row) + "\n" for row in rows[first - 1:]))
+        handle.write(header + "\n" + "".join(",".join(row) + "\n" for row in rows[first:]))
 
 
 def judge(args, profile, folder):

@@ -51,10 +51,10 @@ def circle_rows(v=40.0, duration_ticks=230):
     """A turn of the unit circle from rest to rest in whole ticks, after three ticks of approach at rest."""
     duration = duration_ticks * TS
     rise = duration - 2 * math.pi / v
-    rows = [[line, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0] for line in (3, 4, 4)]
+    rows = [[line, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0] for line in (4, 5, 5)]
     for i in range(1, duration_ticks + 1):
         s, speed, a, j = motion(i * TS, v, rise, duration - 2 * rise)
-        rows.append([5, s, speed, a, j, math.cos(s), math.sin(s), 0.0])
+        rows.append([6, s, speed, a, j, math.cos(s), math.sin(s), 0.0])
     return rows
 
 
@@ -124,7 +124,7 @@ class Judges(unittest.TestCase):
         self.fails(circle_rows()[:-1], "ends: the last tick is")
 
     def test_fail_a_start_in_motion(self):
-        self.fails([[4, *row[1:]] if i < 60 else row for i, row in enumerate(circle_rows())], "the last tick before the curve is")
+        self.fails([[5, *row[1:]] if i < 60 else row for i, row in enumerate(circle_rows())], "no tick rests on the curve's first point")
         self.fails(circle_rows()[:2] + circle_rows()[60:], "rest")
 
     def test_fail_a_lost_tick(self):
