@@ -1,10 +1,9 @@
 #include "parser/lexical_error.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <initializer_list>
 
+#include "parser/character_error.hpp"
 #include "parser/number.hpp"
 #include "parser/text.hpp"
 
@@ -17,82 +16,6 @@ using detail::is_digit;
 
 constexpr bool is_letter(char c) {
   return static_cast<unsigned char>((c | 0x20) - 'a') < 26;
-}
-
-std::string hex(unsigned value, int digits) {
-  std::array<char, 16> buffer{};
-  std::snprintf(buffer.data(), buffer.size(), "%0*X", digits, value);
-  return buffer.data();
-}
-
-// The code point of the UTF-8 sequence at the start of `bytes`, or 0 where there is none.
-unsigned code_point(std::string_view bytes, std::size_t& length) {
-  const auto byte = [&](std::size_t i) {
-    return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
-  };
-  const unsigned lead = byte(0);
-  length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || bytes.size() < length) {
-    return 0;
-  }
-  unsigned value = lead & (0xFFU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) {
-      return 0;
-    }
-    value = value << 6U | (byte(i) & 0x3FU);
-  }
-  return value;
-}
-
-std::string explain_non_ascii(std::string_view rest) {
-  std::size_t length = 0;
-  const unsigned code = code_point(rest, length);
-  if (code == 0) {
-    return joined({"byte 0x", hex(static_cast<unsigned char>(rest[0]), 2),
-                   " is not allowed outside a comment"});
-  }
-  const std::string shown = joined({"'", rest.substr(0, length), "' (U+", hex(code, 4), ")"});
-  if (code == 0x2212 || (code >= 0x2010 && code <= 0x2015)) {
-    return shown + " is not a minus sign: use '-'";
-  }
-  if (code == 0xA0) {
-    return "bytes 0xC2 0xA0 (no-break space) are not allowed outside a comment: use a blank";
-  }
-  return "non-ASCII character " + shown + " is not allowed outside a comment";
-}
-
-std::string explain_character(std::string_view rest) {
-  const char c = rest[0];
-  if (static_cast<unsigned char>(c) >= 0x80) {
-    return explain_non_ascii(rest);
-  }
-  if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
-    return joined({"byte 0x", hex(static_cast<unsigned char>(c), 2), " is not allowed"});
-  }
-  const std::string_view shown = rest.substr(0, 1);
-  const std::string not_here = joined({"character '", shown, "' is not allowed here"});
-  switch (c) {
-    case '#':
-      return "'#': variables are not supported yet, a number is expected";
-    case '[':
-    case ']':
-      return joined({"'", shown, "': expressions are not supported yet, a number is expected"});
-    case ')':
-      return "')' without '('";
-    case '/':
-      return "'/' is allowed only at the start of a block";
-    case '%':
-      return "'%' must stand alone on its line";
-    case '=':
-      return not_here + " (Siemens program?)";
-    case '*':
-      return not_here + " (3D-printer checksum?)";
-    case '$':
-      return not_here + " (grbl command?)";
-    default:
-      return not_here;
-  }
 }
 
 std::string_view letters_at(std::string_view rest) {

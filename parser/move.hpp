@@ -55,8 +55,8 @@ enum class EventKind : std::uint8_t {
   program_stop,   // M0
   optional_stop,  // M1
   program_end,    // M2, M30, closing %
-  spindle_cw,     // M3, value = S
-  spindle_ccw,    // M4, value = S
+  spindle_cw,     // M3, or a new S while turning so; value = S
+  spindle_ccw,    // M4, or a new S while turning so; value = S
   spindle_off,    // M5
   tool_change,    // M6, value = T
   mist_on,        // M7

@@ -29,7 +29,7 @@ class ProgramReader::Impl {
   LineSplitter lines_;
 
   bool next(Move& move);
-  [[nodiscard]] bool at_end() const { return ended_ && interpreter_at_rest_; }
+  [[nodiscard]] bool at_end() const { return ended_ && all_fetched_; }
   [[nodiscard]] const DiagnosticList& diagnostics() const { return diagnostics_; }
 
  private:
@@ -46,8 +46,8 @@ class ProgramReader::Impl {
   DiagnosticList diagnostics_;
   Interpreter interpreter_;
   Block block_;
-  bool ended_ = false;               // the program, not the bytes
-  bool interpreter_at_rest_ = true;  // all its moves are fetched
+  bool ended_ = false;       // the program, not the bytes
+  bool all_fetched_ = true;  // all its moves are fetched
   bool any_block_ = false;
   bool opened_by_percent_ = false;
   bool closed_by_percent_ = false;
@@ -210,7 +210,7 @@ bool ProgramReader::Impl::next(Move& move) {
     ended_ = ended_ || interpreter_.program_ended();
   }
   interpreter_.moves().pop(move);
-  interpreter_at_rest_ = interpreter_.moves().empty();
+  all_fetched_ = interpreter_.moves().empty();
   return true;
 }
 

@@ -17,8 +17,13 @@ struct ReaderOptions {
   std::size_t max_errors = 100;
 };
 
-// Reads one program. Memory does not grow with its length: a line, the modal state and one NURBS
-// curve are all that is held. After an error reading goes on at the next block; moves that come
+// Reads one program. Memory does not grow with its length: the piece fed last, a line of at most
+// 64 KiB, the modal state and one NURBS curve of at most 250,000 control points are all that is
+// held; so fetch the moves of a piece before feeding the next one.
+//
+// A straight move of zero length and a curve that is a single point are checked but not delivered.
+// A program that ends with its last byte, without M2, M30 or a closing %, gets a warning and no
+// program_end event. After an error reading goes on at the next block; moves that come
 // after an error only serve to find further errors and must not be run.
 class ProgramReader {
  public:
