@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <deque>
 #include <optional>
 #include <string>
 #include <variant>
@@ -99,7 +98,7 @@ Run from_rest(const Block& block, const MachineSettings& settings,
 
 // As the papers run it: from the feedrate that the curve allows at its start to that at its end.
 double in_motion_s(const Block& block, const profiles::Profile& profile) {
-  std::deque<WindowSpan> window;
+  std::vector<WindowSpan> window;
   for (lookahead::Span& span : lookahead::split(block)) {
     window.push_back({.span = std::move(span)});
   }

@@ -1,7 +1,6 @@
 #include "lookahead/planner.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "lookahead/junction.hpp"
@@ -103,7 +102,7 @@ void Planner::stop(std::uint32_t line) {
     v = brake(item.span, {.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s}, settings_.profile);
     item.v_end_mm_s = v;
   }
-  window_.resize(kept);
+  window_.keep_front(kept);
   finish(line);
 }
 
@@ -227,9 +226,9 @@ void Planner::emit_rest(Outbox& outbox) {
 void Planner::advance_clock(double duration_s) {
   const double period = settings_.limits.period_s;
   const double offset = clock_.offset_s + duration_s;
-  const double whole = std::floor(offset / period);
-  clock_.tick += static_cast<std::int64_t>(whole);
-  clock_.offset_s = std::max(offset - whole * period, 0.0);
+  const auto whole = static_cast<std::int64_t>(offset / period);
+  clock_.tick += whole;
+  clock_.offset_s = std::max(offset - static_cast<double>(whole) * period, 0.0);
 }
 
 void Planner::align_to_tick() {

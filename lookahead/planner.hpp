@@ -3,12 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <vector>
 
 #include "interp/motion.hpp"
 #include "lookahead/block.hpp"
 #include "lookahead/velocity_pass.hpp"
+#include "lookahead/window.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::lookahead {
@@ -82,8 +82,8 @@ class Planner {
   void advance_clock(double duration_s);
 
   PlannerSettings settings_;
-  std::deque<Block> blocks_;  // front: the one being emitted
-  std::deque<WindowSpan> window_;
+  Window<Block> blocks_;  // front: the one being emitted
+  Window<WindowSpan> window_;
   std::size_t ready_spans_ = 0;  // of window_, planned and allowed to leave
   bool draining_ = false;        // everything in the window may leave: it ends at rest
   bool rest_pending_ = false;

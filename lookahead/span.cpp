@@ -32,10 +32,9 @@ double reach_mm_s(const Span& span, const Climb& climb, const Profile& profile) 
   }
   const double length = span.length_mm - climb.near_coast_s * climb.v_low_mm_s;
   if (climb.slope->empty() && climb.far_coast_s == 0.0) {
-    return profile.reach_mm_s({.v_mm_s = climb.v_low_mm_s,
-                               .length_mm = length,
-                               .v_cap_mm_s = climb.cap_mm_s},
-                              span.limits.ramp);
+    return profile.reach_mm_s(
+        {.v_mm_s = climb.v_low_mm_s, .length_mm = length, .v_cap_mm_s = climb.cap_mm_s},
+        span.limits.ramp);
   }
   const auto fits = [&](double v) {
     const Ramp ramp{.v_begin_mm_s = climb.v_low_mm_s, .v_end_mm_s = v};

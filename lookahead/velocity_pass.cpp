@@ -2,14 +2,15 @@
 
 namespace kerf::lookahead {
 
-void backward_pass(std::deque<WindowSpan>& window, const profiles::Profile& profile) {
+void backward_pass(Window<WindowSpan>& window, const profiles::Profile& profile) {
   double v_begin_of_next = 0.0;
-  for (auto item = window.rbegin(); item != window.rend(); ++item) {
-    item->v_end_mm_s = v_begin_of_next;
-    const auto before = std::next(item);
-    if (before != window.rend()) {
+  for (std::size_t i = window.size(); i-- > 0;) {
+    WindowSpan& item = window[i];
+    item.v_end_mm_s = v_begin_of_next;
+    if (i > 0) {
       v_begin_of_next = reach_backward_mm_s(
-          item->span, {.v_end_mm_s = item->v_end_mm_s, .cap_mm_s = before->span.end.feedrate_mm_s},
+          item.span,
+          {.v_end_mm_s = item.v_end_mm_s, .cap_mm_s = window[i - 1].span.end.feedrate_mm_s},
           profile);
     }
   }

@@ -1,9 +1,8 @@
 // The feedrates at the ends of the spans in the window.
 #pragma once
 
-#include <deque>
-
 #include "lookahead/span.hpp"
+#include "lookahead/window.hpp"
 
 namespace kerf::lookahead {
 
@@ -27,6 +26,6 @@ struct WindowSpan {
 //    known, and its end is lowered to what it reaches from there.
 // Acceleration is 0 at every end, which is what keeps a span's plan independent of its neighbours,
 // and the known weakness: a run of short spans climbs one small step in each.
-void backward_pass(std::deque<WindowSpan>& window, const profiles::Profile& profile);
+void backward_pass(Window<WindowSpan>& window, const profiles::Profile& profile);
 
 }  // namespace kerf::lookahead
