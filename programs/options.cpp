@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <CLI/CLI.hpp>
+#include <spdlog/fmt/fmt.h>
 
 #include "profiles/sigmoid.hpp"
 
@@ -45,7 +46,6 @@ void add_common(CLI::App& command, Raw& raw) {
   command
       .add_option("--sigmoid-shape", options.sigmoid_shape,
                   "shape s of the sigmoid (default: chosen for each transition)")
-      ->check(CLI::Range(profiles::Sigmoid::kSmallestShape, profiles::Sigmoid::kLargestShape))
       ->type_name("S");
   command.add_option("--window", options.window_blocks, "blocks that the look-ahead sees")
       ->check(CLI::Range(std::size_t{2}, kMostWindowBlocks))
@@ -93,6 +93,13 @@ std::optional<std::string> contradiction(const Options& options) {
   }
   if (options.sigmoid_shape && options.profile != ProfileKind::sigmoid) {
     return "--sigmoid-shape goes with --profile sigmoid";
+  }
+  // Not CLI::Range: it lets NaN pass.
+  using profiles::Sigmoid;
+  if (options.sigmoid_shape && !(*options.sigmoid_shape >= Sigmoid::kSmallestShape &&
+                                 *options.sigmoid_shape <= Sigmoid::kLargestShape)) {
+    return fmt::format("--sigmoid-shape: s is to be {} to {}", Sigmoid::kSmallestShape,
+                       Sigmoid::kLargestShape);
   }
   if (std::count(options.files.begin(), options.files.end(), "-") > 1) {
     return "standard input can be read only once";

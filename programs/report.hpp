@@ -64,9 +64,9 @@ struct FileReport {
 
 // One figure beside its limit.
 struct LimitUse {
-  std::string_view where;     // "path", "x", "y", "z"
-  std::string_view quantity;  // "velocity", "acceleration", "jerk"
-  std::string_view unit;
+  std::string_view where{};     // "path", "x", "y", "z"
+  std::string_view quantity{};  // "velocity", "acceleration", "jerk"
+  std::string_view unit{};
   double peak = 0.0;
   double limit = 0.0;  // infinite: does not bind
 

@@ -1,0 +1,74 @@
+#include "programs/json_report.hpp"
+
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/program/sample_report.hpp"
+
+namespace kerf::program {
+namespace {
+
+using nlohmann::json;
+
+TEST(JsonReport, IsOneLineWithTheFiguresAsNumbers) {
+  const std::string text = json_report(sample_report());
+  EXPECT_EQ(text.find('\n'), text.size() - 1);
+  const json report = json::parse(text);
+  EXPECT_EQ(report["schema_version"], kJsonSchemaVersion);
+  EXPECT_EQ(report["file"], "wing.ngc");
+  EXPECT_EQ(report["exit_status"], 0);
+  EXPECT_EQ(report["cycle_time_s"], 4.449);
+  EXPECT_EQ(report["ticks"], 4449);
+  EXPECT_EQ(report["path_length_mm"], 383.1234);
+  EXPECT_EQ(report["blocks"], 1);
+  EXPECT_EQ(report["max"]["path"]["j_mm_s3"], 55e3);
+  EXPECT_EQ(report["max"]["axes"]["x"]["j_mm_s3"], 1.24e6);
+  EXPECT_EQ(report["extents"]["max_mm"]["x"], 100.0);
+  EXPECT_EQ(report["contour_error"]["mean_mm"], 0.004);
+  EXPECT_TRUE(report["warnings"].is_array());
+  EXPECT_FALSE(report.contains("late_ticks"));
+}
+
+TEST(JsonReport, NamesTheLimitsThatAreExceeded) {
+  const json report = json::parse(json_report(sample_report()));
+  ASSERT_EQ(report["limits_exceeded"].size(), 1U);
+  EXPECT_EQ(report["limits_exceeded"][0]["where"], "x");
+  EXPECT_EQ(report["limits_exceeded"][0]["quantity"], "jerk");
+  EXPECT_NEAR(report["limits_exceeded"][0]["ratio"].get<double>(), 1.24e6 / 55e3, 1e-9);
+}
+
+TEST(JsonReport, NeverHoldsWhatIsNoNumber) {
+  FileReport report = sample_report();
+  report.motion->chord_error_mm = std::numeric_limits<double>::quiet_NaN();
+  report.motion->max_contour_error_mm = std::numeric_limits<double>::infinity();
+  const json parsed = json::parse(json_report(report));
+  EXPECT_TRUE(parsed["chord_error_mm"].is_null());
+  EXPECT_TRUE(parsed["contour_error"]["max_mm"].is_null());
+}
+
+TEST(JsonReport, OfAProgramWithErrorsHasThemAndNoFigures) {
+  FileReport report;
+  report.file = "wrong.ngc";
+  report.status = ExitStatus::program_error;
+  report.errors = {{.source = {.line = 3, .column = 7}, .message = "found G99"}};
+  report.failures = {"and the disk is full"};
+  const json parsed = json::parse(json_report(report));
+  EXPECT_EQ(parsed["exit_status"], 1);
+  EXPECT_EQ(parsed["errors"][0]["line"], 3);
+  EXPECT_EQ(parsed["errors"][0]["column"], 7);
+  EXPECT_EQ(parsed["errors"][0]["message"], "found G99");
+  EXPECT_EQ(parsed["errors"][1]["message"], "and the disk is full");
+  EXPECT_FALSE(parsed.contains("cycle_time_s"));
+}
+
+TEST(JsonReport, BearsAFileNameThatIsNotUtf8) {
+  FileReport report = sample_report();
+  report.file = "fr\xe4sen.ngc";
+  EXPECT_EQ(json::parse(json_report(report))["file"], "fr\xef\xbf\xbdsen.ngc");
+}
+
+}  // namespace
+}  // namespace kerf::program

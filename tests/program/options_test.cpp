@@ -1,0 +1,91 @@
+#include "programs/options.hpp"
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace kerf::program {
+namespace {
+
+std::variant<Options, Leave> parse(std::vector<const char*> words) {
+  words.insert(words.begin(), "kerf");
+  return parse_options(static_cast<int>(words.size()), words.data());
+}
+
+std::string refusal(const std::vector<const char*>& words) {
+  const auto parsed = parse(words);
+  const auto* leave = std::get_if<Leave>(&parsed);
+  if (leave == nullptr) {
+    return "accepted";
+  }
+  EXPECT_EQ(leave->status, ExitStatus::wrong_use);
+  return leave->text;
+}
+
+TEST(CommandLine, HasDefaults) {
+  const auto parsed = parse({"dry-run", "a.ngc"});
+  const auto& options = std::get<Options>(parsed);
+  EXPECT_EQ(options.command, Command::dry_run);
+  EXPECT_EQ(options.files, std::vector<std::string>{"a.ngc"});
+  EXPECT_EQ(options.profile, profiles::ProfileKind::s_curve);
+  EXPECT_EQ(options.window_blocks, 1000U);
+  EXPECT_FALSE(options.machine_file || options.trace_file || options.plot_file);
+  EXPECT_FALSE(options.json || options.quiet || options.block_delete);
+}
+
+TEST(CommandLine, TakesEveryOption) {
+  const auto parsed = parse({"run", "--machine", "m.toml", "--profile", "sigmoid",
+                             "--sigmoid-shape", "2.5", "--trace", "t.csv", "--plot", "p.svg",
+                             "--window", "50", "--block-delete", "--json", "--quiet", "-"});
+  const auto& options = std::get<Options>(parsed);
+  EXPECT_EQ(options.command, Command::run);
+  EXPECT_EQ(options.files, std::vector<std::string>{"-"});
+  EXPECT_EQ(options.machine_file, "m.toml");
+  EXPECT_EQ(options.profile, profiles::ProfileKind::sigmoid);
+  EXPECT_EQ(options.sigmoid_shape, 2.5);
+  EXPECT_EQ(options.trace_file, "t.csv");
+  EXPECT_EQ(options.plot_file, "p.svg");
+  EXPECT_EQ(options.window_blocks, 50U);
+  EXPECT_TRUE(options.json && options.quiet && options.block_delete);
+}
+
+TEST(CommandLine, TakesSeveralFilesWhereThatMakesSense) {
+  for (const char* command : {"dry-run", "check"}) {
+    const auto parsed = parse({command, "a.ngc", "b.ngc", "--json"});
+    EXPECT_EQ(std::get<Options>(parsed).files.size(), 2U);
+  }
+  EXPECT_NE(refusal({"run", "a.ngc", "b.ngc"}), "accepted");
+  EXPECT_NE(refusal({"dry-run", "a.ngc", "b.ngc", "--trace", "t.csv"}), "accepted");
+}
+
+TEST(CommandLine, SaysWhatIsWrong) {
+  EXPECT_NE(refusal({}), "accepted");
+  EXPECT_NE(refusal({"dry-run"}), "accepted");
+  EXPECT_NE(refusal({"mill", "a.ngc"}), "accepted");
+  EXPECT_NE(refusal({"dry-run", "a.ngc", "--speed", "3"}).find("--speed"), std::string::npos);
+  EXPECT_NE(refusal({"dry-run", "a.ngc", "--profile", "cubic"}).find("quintic"), std::string::npos);
+  EXPECT_NE(refusal({"dry-run", "a.ngc", "--window", "1"}).find("--window"), std::string::npos);
+  EXPECT_NE(refusal({"dry-run", "a.ngc", "--window", "many"}), "accepted");
+  EXPECT_NE(refusal({"dry-run", "a.ngc", "--sigmoid-shape", "3"}), "accepted");
+  EXPECT_NE(refusal({"dry-run", "a.ngc", "--profile", "sigmoid", "--sigmoid-shape", "60"}),
+            "accepted");
+  EXPECT_NE(refusal({"dry-run", "a.ngc", "--profile", "sigmoid", "--sigmoid-shape", "nan"}),
+            "accepted");
+  EXPECT_NE(refusal({"check", "a.ngc", "--trace", "t.csv"}), "accepted");
+  EXPECT_NE(refusal({"dry-run", "a.ngc", "--json", "--trace", "-"}), "accepted");
+  EXPECT_NE(refusal({"check", "-", "-"}), "accepted");
+}
+
+TEST(CommandLine, GivesHelpAndVersionWithoutAFile) {
+  for (const char* flag : {"--help", "--version"}) {
+    const auto parsed = parse({flag});
+    const auto& leave = std::get<Leave>(parsed);
+    EXPECT_EQ(leave.status, ExitStatus::done);
+    EXPECT_NE(leave.text.find("kerf"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace kerf::program

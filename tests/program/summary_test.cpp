@@ -1,0 +1,92 @@
+#include "programs/summary.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/program/sample_report.hpp"
+
+namespace kerf::program {
+namespace {
+
+TEST(Summary, SaysWhatAMachinistReadsAtAGlance) {
+  EXPECT_EQ(summary(sample_report()),
+            "wing.ngc: done\n"
+            "  cycle time      0:00:04.449   4449 ticks of 1 ms, s-curve\n"
+            "  path            383.123 mm in 1 block\n"
+            "  extents         x 0.000 to 100.000, y -2.000 to 65.667, z 0.000 to 5.000 mm\n"
+            "  largest         velocity mm/s     acceleration mm/s2      jerk mm/s3\n"
+            "    path          100    50 %           3000   100 %          55000   100 %\n"
+            "    x              99    99 %           2900       -         1.24e6  2255 %\n"
+            "    y              98    98 %           2800       -          54000    98 %\n"
+            "    z               0     0 %              0       -              0     0 %\n"
+            "  chord error     0.000250 mm, 50 % of 0.0005 mm\n"
+            "  contour error   0.020000 mm at most, 0.004000 mm in the mean\n"
+            "  following error x 0.0300, y 0.0250, z 0.0000 mm at most\n");
+}
+
+TEST(Summary, EndsWithTheWarnings) {
+  FileReport report = sample_report();
+  report.warnings = {"first", "second"};
+  const std::string text = summary(report);
+  EXPECT_NE(text.find("  warning         first\n  warning         second\n"), std::string::npos);
+}
+
+TEST(Summary, SaysThatARunWasStopped) {
+  FileReport report = sample_report();
+  report.status = ExitStatus::interrupted;
+  EXPECT_EQ(summary(report).rfind("wing.ngc: stopped on the path, as asked for\n", 0), 0U);
+  report.status = ExitStatus::machine_fault;
+  EXPECT_EQ(summary(report).rfind("wing.ngc: stopped by a fault of the machine\n", 0), 0U);
+}
+
+TEST(Summary, CountsLateTicksOfARunInRealTime) {
+  FileReport report = sample_report();
+  report.clock = ClockReport{.late_ticks = 3, .worst_delay_s = 0.0012};
+  EXPECT_NE(summary(report).find("clock           3 late ticks, the worst delay 1.200 ms"),
+            std::string::npos);
+}
+
+TEST(Summary, OfAProgramWithErrorsIsNothing) {
+  FileReport report = sample_report();
+  report.plan.reset();
+  report.motion.reset();
+  EXPECT_EQ(summary(report), "");
+}
+
+TEST(Summary, OfACheckHasNoMotion) {
+  FileReport report = sample_report();
+  report.command = Command::check;
+  report.motion.reset();
+  const std::string text = summary(report);
+  EXPECT_EQ(text.rfind("wing.ngc: ok, planned\n", 0), 0U);
+  EXPECT_EQ(text.find("largest"), std::string::npos);
+}
+
+TEST(LimitUse, SaysByHowMuchALimitIsExceeded) {
+  const LimitUse use{
+      .where = "x", .quantity = "jerk", .unit = "mm/s3", .peak = 1.24e6, .limit = 55e3};
+  EXPECT_EQ(describe(use), "axis x jerk 1.24e6 mm/s3 is 22.5 times its limit of 55000 mm/s3");
+  EXPECT_TRUE(use.is_exceeded());
+}
+
+TEST(LimitUse, AllowsForRoundingAndForLimitsThatAreNone) {
+  EXPECT_FALSE((LimitUse{.peak = 100.4, .limit = 100.0}.is_exceeded()));
+  EXPECT_TRUE((LimitUse{.peak = 100.6, .limit = 100.0}.is_exceeded()));
+  EXPECT_FALSE((LimitUse{.peak = 1e300, .limit = lookahead::kUnbounded}.is_exceeded()));
+}
+
+TEST(LimitUse, ComesForThePathAndEachAxisInOrder) {
+  const FileReport report = sample_report();
+  const auto uses = limit_uses(*report.motion, report.limits);
+  EXPECT_EQ(uses[0].where, "path");
+  EXPECT_EQ(uses[0].peak, 100.0);
+  EXPECT_EQ(uses[0].limit, 200.0);
+  EXPECT_EQ(uses[5].where, "x");
+  EXPECT_EQ(uses[5].quantity, "jerk");
+  EXPECT_EQ(uses[5].peak, 1.24e6);
+  EXPECT_EQ(uses[11].where, "z");
+}
+
+}  // namespace
+}  // namespace kerf::program

@@ -1,0 +1,85 @@
+#include "programs/svg_plot.hpp"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "programs/svg_canvas.hpp"
+
+namespace kerf::program {
+namespace {
+
+constexpr curves::Extents kFlat{.min_mm = {0.0, 0.0, 0.0}, .max_mm = {100.0, 50.0, 0.0}};
+
+PlotData data_of(int ticks, const curves::Extents& extents = kFlat) {
+  PlotData data(extents);
+  for (int tick = 0; tick < ticks; ++tick) {
+    const double x = 0.01 * tick;
+    data.add({.tick = tick,
+              .motion = {.s_mm = x, .v_mm_s = 10.0 + std::sin(x), .a_mm_s2 = std::cos(x)},
+              .position_mm = {x, 0.5 * x, 0.0}},
+             false);
+  }
+  return data;
+}
+
+TEST(SvgPlot, IsADocumentWithAxesUnitsAndLimits) {
+  const std::string svg =
+      svg_plot(data_of(5000), {.title = "wing.ngc",
+                               .subtitle = "s-curve",
+                               .limits = {.velocity_mm_s = 12.0, .acceleration_mm_s2 = 2.0}});
+  EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
+  EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
+  for (const char* words : {"wing.ngc", "s-curve", "v, mm/s<", "a, mm/s\u00b2", "j, mm/s\u00b3",
+                            "time, s", "limit 12<", "limit 2<", "feedrate, mm/s", "x, y in mm"}) {
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  }
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(SvgPlot, StaysSmallHoweverLongTheRun) {
+  EXPECT_LT(svg_plot(data_of(1'000'000), {}).size(), std::size_t{1'500'000});
+}
+
+TEST(SvgPlot, OfNothingIsADocumentToo) {
+  for (const int ticks : {0, 1}) {
+    const std::string svg = svg_plot(data_of(ticks, {}), {});
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+    EXPECT_EQ(svg.find("inf"), std::string::npos);
+    EXPECT_NE(svg.find("</svg>"), std::string::npos);
+  }
+}
+
+TEST(SvgPlot, ShowsAPathThatIsNotFlatIsometrically) {
+  const curves::Extents deep{.min_mm = {0, 0, -20}, .max_mm = {100, 50, 0}};
+  EXPECT_EQ(view_of(deep), View::isometric);
+  const std::string svg = svg_plot(data_of(100, deep), {});
+  EXPECT_EQ(svg.find("x, y in mm"), std::string::npos);
+  EXPECT_NE(svg.find(">z<"), std::string::npos);
+}
+
+TEST(SvgCanvas, EscapesWhatXmlWouldTakeForItself) {
+  SvgCanvas canvas(10.0, 10.0);
+  canvas.text({}, "<a&b>\x01 f\xc3\xbcr");
+  EXPECT_NE(canvas.take().find(">&lt;a&amp;b&gt;? f\xc3\xbcr<"), std::string::npos);
+}
+
+TEST(SvgCanvas, ReplacesBytesThatAreNotUtf8) {
+  SvgCanvas canvas(10.0, 10.0);
+  canvas.text({}, "fr\xe4sen");
+  EXPECT_NE(canvas.take().find(">fr?sen<"), std::string::npos);
+}
+
+TEST(Projection, PutsTheBoxAroundEveryCorner) {
+  const curves::Extents cube{.min_mm = {0, 0, 0}, .max_mm = {10, 10, 10}};
+  const PaperBox box = box_of(View::isometric, cube);
+  EXPECT_NEAR(box.width_mm(), 20.0 * std::sqrt(3.0) / 2.0, 1e-12);
+  EXPECT_NEAR(box.height_mm(), 20.0, 1e-12);
+  const PaperBox flat = box_of(View::top, cube);
+  EXPECT_EQ(flat.width_mm(), 10.0);
+}
+
+}  // namespace
+}  // namespace kerf::program

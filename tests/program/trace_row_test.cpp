@@ -1,0 +1,78 @@
+#include "programs/trace_row.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace kerf::program {
+namespace {
+
+std::string row_of(const TickRecord& record, double period_s) {
+  std::array<char, kMaxRowBytes> buffer{};
+  char* const end = write_row(buffer.data(), record, TickClock(period_s));
+  return {buffer.data(), end};
+}
+
+std::string time_of(std::int64_t tick, double period_s) {
+  std::array<char, kMaxRowBytes> buffer{};
+  char* const end = TickClock(period_s).write(buffer.data(), tick);
+  return {buffer.data(), end};
+}
+
+TEST(TraceRow, HasTheColumnsOfTheHeaderWithTheirDecimals) {
+  const TickRecord record{
+      .tick = 1234,
+      .line = 56,
+      .motion = {.s_mm = 1.5, .v_mm_s = 100.0, .a_mm_s2 = -2500.25, .j_mm_s3 = 5e4},
+      .position_mm = {1.0 / 3.0, -2.0, 0.0},
+      .actual_mm = {0.3333, -1.999, 1e-10}};
+  EXPECT_EQ(row_of(record, 0.001),
+            "1.234000,56,1.5000000000,100.000000,-2500.250000,50000.000000,"
+            "0.3333333333,-2.0000000000,0.0000000000,0.3333000000,-1.9990000000,0.0000000001\n");
+  const std::string row = row_of(record, 0.001);
+  EXPECT_EQ(std::count(row.begin(), row.end(), ','),
+            std::count(kTraceHeader.begin(), kTraceHeader.end(), ','));
+}
+
+TEST(TraceRow, WritesNoNegativeZero) {
+  const TickRecord record{.motion = {.s_mm = 0.0, .v_mm_s = -1e-9, .a_mm_s2 = -0.0},
+                          .position_mm = {-1e-11, -0.0, -0.6e-10}};
+  EXPECT_EQ(row_of(record, 0.001),
+            "0.000000,0,0.0000000000,0.000000,0.000000,0.000000,"
+            "0.0000000000,0.0000000000,-0.0000000001,0.0000000000,0.0000000000,0.0000000000\n");
+}
+
+TEST(TraceRow, FitsEvenWhereEveryNumberIsTheLargest) {
+  constexpr double kLargest = -std::numeric_limits<double>::max();
+  const TickRecord record{.tick = std::numeric_limits<std::int64_t>::max() / 1000,
+                          .line = std::numeric_limits<std::uint32_t>::max(),
+                          .motion = {kLargest, kLargest, kLargest, kLargest},
+                          .position_mm = {kLargest, kLargest, kLargest},
+                          .actual_mm = {kLargest, kLargest, kLargest}};
+  EXPECT_LT(row_of(record, 0.001).size(), kMaxRowBytes);
+}
+
+TEST(TickClock, IsExactHoweverManyTicks) {
+  EXPECT_EQ(time_of(0, 0.001), "0.000000");
+  EXPECT_EQ(time_of(1, 0.001), "0.001000");
+  EXPECT_EQ(time_of(86'400'001, 0.001), "86400.001000");
+  EXPECT_EQ(time_of(9'007'199'254'740'993, 0.001), "9007199254740.993000");
+}
+
+TEST(TickClock, TakesAsManyDecimalsAsThePeriodNeeds) {
+  EXPECT_EQ(time_of(3, 0.000125), "0.000375");
+  EXPECT_EQ(time_of(3, 0.0000625), "0.0001875");
+  EXPECT_EQ(time_of(7, 0.00001), "0.000070");
+}
+
+TEST(TickClock, RoundsWhereThePeriodIsNoDecimalFraction) {
+  EXPECT_EQ(time_of(1, 1.0 / 3000.0), "0.000333333333");
+  EXPECT_EQ(time_of(3000, 1.0 / 3000.0), "1.000000000000");
+}
+
+}  // namespace
+}  // namespace kerf::program

@@ -1,0 +1,73 @@
+#include "programs/trace_writer.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace kerf::program {
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::filesystem::path temporary(const std::string& name) {
+  return std::filesystem::path(testing::TempDir()) / ("kerf_" + name);
+}
+
+TEST(TraceWriter, WritesTheHeaderAndEveryRow) {
+  const auto path = temporary("trace_writer.csv");
+  auto writer = TraceWriter::create(path.string(), 0.001);
+  ASSERT_TRUE(writer.has_value());
+  constexpr int kRows = 20'000;  // several buffers
+  for (int tick = 0; tick < kRows; ++tick) {
+    writer->add({.tick = tick});
+  }
+  writer->close();
+  EXPECT_FALSE(writer->error().has_value());
+  const std::string text = text_of(path);
+  EXPECT_EQ(text.substr(0, kTraceHeader.size()), kTraceHeader);
+  std::istringstream lines(text.substr(kTraceHeader.size()));
+  int tick = 0;
+  for (std::string line; std::getline(lines, line); ++tick) {
+    ASSERT_NEAR(std::stod(line), 0.001 * tick, 1e-9);
+  }
+  EXPECT_EQ(tick, kRows);
+  std::filesystem::remove(path);
+}
+
+TEST(TraceWriter, SaysThatTheDiskIsFullAndGoesOn) {
+  auto writer = TraceWriter::create("/dev/full", 0.001);
+  ASSERT_TRUE(writer.has_value());
+  for (int tick = 0; tick < 20'000; ++tick) {
+    writer->add({.tick = tick});
+  }
+  ASSERT_TRUE(writer->error().has_value());
+  EXPECT_EQ(*writer->error(), "/dev/full: No space left on device");
+  writer->add({});
+  writer->close();
+}
+
+TEST(TraceWriter, SaysSoAlsoWhenOnlyTheLastBufferMeetsTheFullDisk) {
+  auto writer = TraceWriter::create("/dev/full", 0.001);
+  ASSERT_TRUE(writer.has_value());
+  writer->add({});
+  EXPECT_FALSE(writer->error().has_value());
+  writer->close();
+  EXPECT_TRUE(writer->error().has_value());
+}
+
+TEST(TraceWriter, RefusesAFolderThatIsNotThere) {
+  const auto writer = TraceWriter::create("/nowhere/at/all.csv", 0.001);
+  ASSERT_FALSE(writer.has_value());
+  EXPECT_EQ(writer.error(), "/nowhere/at/all.csv: No such file or directory");
+}
+
+}  // namespace
+}  // namespace kerf::program
