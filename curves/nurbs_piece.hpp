@@ -35,6 +35,7 @@ struct NurbsPiece {
   // the curve's parametrisation stands still (|C'(u)| = 0) the curvature has no limit in general;
   // the derivatives of a point less than 1e-11 mm away are given instead.
   [[nodiscard]] PathDerivatives derivatives_at(double s_mm) const noexcept;
+  // To the resolution of double in u, however much path that is.
   [[nodiscard]] double u_at(double s_mm) const noexcept;
 };
 

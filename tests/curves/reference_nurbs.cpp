@@ -92,10 +92,30 @@ WideVector reference_point_mm(const NurbsData& data, Wide u) {
   return v.head<3>() / v.w();
 }
 
-Wide reference_speed(const NurbsData& data, Wide u) {
+WideVector reference_derivative(const NurbsData& data, Wide u) {
   const WidePoint v = value(data, u);
   const WidePoint d = derivative(data, u);
-  return ((d.head<3>() - d.w() * (v.head<3>() / v.w())) / v.w()).norm();
+  return (d.head<3>() - d.w() * (v.head<3>() / v.w())) / v.w();
+}
+
+Wide reference_parameter(const NurbsData& data, const Position& near_mm, Wide u) {
+  const WideVector target_mm = vec(near_mm).cast<Wide>();
+  const auto clamp = [&](Wide at) {
+    return std::clamp(at, static_cast<Wide>(data.knots.front()),
+                      static_cast<Wide>(data.knots.back()));
+  };
+  for (int step = 0; step < 30; ++step) {
+    const WideVector d = reference_derivative(data, u);
+    const Wide speed_squared = d.squaredNorm();
+    if (!(speed_squared > 0.0L))
+      break;
+    u = clamp(u + d.dot(target_mm - reference_point_mm(data, u)) / speed_squared);
+  }
+  return u;
+}
+
+Wide reference_speed(const NurbsData& data, Wide u) {
+  return reference_derivative(data, u).norm();
 }
 
 Wide reference_length_mm(const NurbsData& data, Wide u_from, Wide u_to) {

@@ -14,6 +14,9 @@ using Wide = long double;
 using WideVector = Eigen::Matrix<Wide, 3, 1>;
 
 WideVector reference_point_mm(const NurbsData& data, Wide u);
+WideVector reference_derivative(const NurbsData& data, Wide u);
+// The parameter near u where the curve passes closest to a point next to it (Newton's method).
+Wide reference_parameter(const NurbsData& data, const Position& near_mm, Wide u);
 // |dC/du|
 Wide reference_speed(const NurbsData& data, Wide u);
 // Arc length between two parameters, by adaptive Gauss quadrature between the knots.
