@@ -1,0 +1,124 @@
+// The chord-error scan against the closed form of a circle, and against ticks of planned motion at
+// many phases.
+#include "lookahead/feed_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/curves/shipped_curves.hpp"
+#include "tests/lookahead/blocks.hpp"
+#include "tests/lookahead/motion.hpp"
+
+namespace kerf::lookahead::test {
+namespace {
+
+using curves::testing::shipped_curve;
+using curves::testing::shipped_curves;
+using profiles::Profile;
+using profiles::ProfileKind;
+
+// The largest distance of 40 points of the path between two ticks from their chord.
+double chord_error_mm(const curves::NurbsCurve& curve, double s_from, double s_to) {
+  const Position a = curve.at(s_from);
+  const Position b = curve.at(s_to);
+  const Eigen::Vector3d chord = curves::vec(b) - curves::vec(a);
+  double largest = 0.0;
+  for (int k = 1; k < 40; ++k) {
+    const Position p = curve.at(s_from + (s_to - s_from) * k / 40.0);
+    const Eigen::Vector3d offset = curves::vec(p) - curves::vec(a);
+    const double along = chord.squaredNorm() > 0.0
+                             ? std::clamp(offset.dot(chord) / chord.squaredNorm(), 0.0, 1.0)
+                             : 0.0;
+    largest = std::max(largest, (offset - along * chord).norm());
+  }
+  return largest;
+}
+
+TEST(FeedScan, OfACircleIsTheClosedForm) {
+  for (const double radius : {0.01, 0.5, 20.0, 400.0}) {
+    SCOPED_TRACE(radius);
+    const double d = 5e-4;
+    const double expected = 2.0 / 0.001 * std::sqrt(2.0 * radius * d - d * d);
+    const Ceiling ceiling = scan_feedrate(smooth_curve(nurbs_circle(radius)),
+                                          {.period_s = 0.001, .chord_tolerance_mm = d});
+    ASSERT_GE(ceiling.size(), 3U);
+    for (const FeedSample& sample : ceiling) {
+      EXPECT_LE(sample.v_mm_s, expected * (1.0 + 1e-9));
+      EXPECT_GE(sample.v_mm_s, expected * 0.999);
+    }
+  }
+}
+
+TEST(FeedScan, TakesTheProgrammedFeedrateWhereTheChordAllowsMore) {
+  const Ceiling ceiling =
+      scan_feedrate(smooth_curve(nurbs_circle(20.0)),
+                    {.feedrate_mm_s = 50.0, .jerk_mm_s3 = 55'000.0, .chord_tolerance_mm = 5e-4});
+  for (const FeedSample& sample : ceiling) {
+    EXPECT_EQ(sample.v_mm_s, 50.0);
+  }
+}
+
+TEST(FeedScan, CoversTheCurveFromEndToEndInOrder) {
+  for (const auto& named : shipped_curves()) {
+    SCOPED_TRACE(named.name);
+    for (const auto& part : smooth_parts(named.data)) {
+      const Ceiling ceiling =
+          scan_feedrate(part, {.feedrate_mm_s = 100.0, .chord_tolerance_mm = 5e-4});
+      EXPECT_EQ(ceiling.front().s_mm, 0.0);
+      EXPECT_EQ(ceiling.back().s_mm, part.length_mm());
+      for (std::size_t i = 1; i < ceiling.size(); ++i) {
+        ASSERT_GT(ceiling[i].s_mm, ceiling[i - 1].s_mm);
+        ASSERT_GE(ceiling[i].u, ceiling[i - 1].u);
+        ASSERT_GT(ceiling[i].v_mm_s, 0.0);
+        ASSERT_LE(ceiling[i].v_mm_s, 100.0);
+      }
+    }
+  }
+}
+
+TEST(FeedScan, StepsNoFartherThanATick) {
+  for (const auto& named : shipped_curves()) {
+    SCOPED_TRACE(named.name);
+    for (const auto& part : smooth_parts(named.data)) {
+      const Ceiling ceiling =
+          scan_feedrate(part, {.feedrate_mm_s = 100.0, .chord_tolerance_mm = 5e-4});
+      for (std::size_t i = 1; i < ceiling.size(); ++i) {
+        EXPECT_LE(ceiling[i].s_mm - ceiling[i - 1].s_mm, 0.1);
+      }
+    }
+  }
+}
+
+// Between samples the ceiling is a straight line, which may pass over what the curve allows there:
+// by 2e-4 of the tolerance on the butterfly.
+TEST(FeedScan, KeepsTheChordToleranceOfPlannedTicksAtEveryPhaseToAThousandth) {
+  const PlanLimits limits = butterfly_limits();
+  for (const auto& named : shipped_curves()) {
+    SCOPED_TRACE(named.name);
+    for (const auto& part : smooth_parts(named.data)) {
+      Block block = blocks_of({nurbs_move(named.data)}, limits).front();
+      block.curve = part;
+      block.length_mm = part.length_mm();
+      block.ceiling = scan_feedrate(part, {.feedrate_mm_s = 100.0,
+                                           .jerk_mm_s3 = 55'000.0,
+                                           .chord_tolerance_mm = limits.chord_tolerance_mm});
+      const Motion motion = plan({block}, {.limits = limits});
+      double largest = 0.0;
+      for (int phase = 0; phase < 7; ++phase) {
+        double before = motion.at(0.0).s_mm;
+        for (double t = phase * 0.001 / 7.0; t < motion.duration_s() + 0.001; t += 0.001) {
+          const double s = motion.at(t).s_mm;
+          largest = std::max(largest, chord_error_mm(part, before, s));
+          before = s;
+        }
+      }
+      EXPECT_LE(largest, 1.001 * limits.chord_tolerance_mm);
+      EXPECT_GT(largest, 0.0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf::lookahead::test

@@ -1,0 +1,372 @@
+// One span: closed forms of the S-curve and the trapezoid, the four situations, the ceiling between
+// samples, coasts, braking.
+#include "lookahead/span.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "lookahead/split.hpp"
+#include "tests/curves/shipped_curves.hpp"
+#include "tests/lookahead/blocks.hpp"
+
+namespace kerf::lookahead::test {
+namespace {
+
+using profiles::Profile;
+using profiles::ProfileKind;
+using profiles::Transition;
+
+constexpr double kA = 3000.0;
+constexpr double kJ = 55'000.0;
+
+const std::vector<ProfileKind>& all_kinds() {
+  static const std::vector<ProfileKind> kinds{ProfileKind::trapezoid,   ProfileKind::s_curve,
+                                              ProfileKind::sine,        ProfileKind::quintic,
+                                              ProfileKind::sine_series, ProfileKind::sigmoid};
+  return kinds;
+}
+
+std::vector<ProfileKind> jerk_limited_kinds() {
+  return {std::next(all_kinds().begin()), all_kinds().end()};
+}
+
+Span flat_span(double length_mm, double feedrate_mm_s) {
+  return {.length_mm = length_mm,
+          .limits = {.feedrate_mm_s = feedrate_mm_s,
+                     .ramp = {.acceleration_mm_s2 = kA, .jerk_mm_s3 = kJ}}};
+}
+
+// The S-curve's duration, MATH section 1.
+double s_curve_s(double change) {
+  return change >= kA * kA / kJ ? change / kA + kA / kJ : 2.0 * std::sqrt(change / kJ);
+}
+
+double length_of(const SpanPlan& plan) {
+  return plan.begin_coast.length_mm() + plan.acceleration.length_mm() + plan.cruise.length_mm() +
+         plan.deceleration.length_mm() + plan.end_coast.length_mm();
+}
+
+const std::vector<const Transition SpanPlan::*>& parts() {
+  static const std::vector<const Transition SpanPlan::*> all{
+      &SpanPlan::begin_coast, &SpanPlan::acceleration, &SpanPlan::cruise, &SpanPlan::deceleration,
+      &SpanPlan::end_coast};
+  return all;
+}
+
+// Feedrates join, begin and end where asked for, and the lengths add up to the span's.
+void expect_joined(const Span& span, const SpanEnds& ends, const SpanPlan& plan) {
+  EXPECT_NEAR(length_of(plan), span.length_mm, 1e-9 * span.length_mm + 1e-12);
+  double v = ends.v_begin_mm_s;
+  for (const auto part : parts()) {
+    const Transition& law = plan.*part;
+    if (law.duration_s() > 0.0) {
+      EXPECT_NEAR(law.ramp().v_begin_mm_s, v, 1e-9 * (1.0 + v));
+      v = law.ramp().v_end_mm_s;
+    }
+  }
+  EXPECT_NEAR(v, ends.v_end_mm_s, 1e-9 * (1.0 + v));
+}
+
+struct Excess {
+  double feedrate_mm_s = 0.0;
+  double share = 0.0;  // of what is allowed
+};
+
+// The largest excess of the plan over a piecewise linear ceiling, at 2000 points of each part.
+template <class Allowed>
+Excess excess_of(const SpanPlan& plan, const Allowed& allowed_mm_s) {
+  Excess worst;
+  double s = 0.0;
+  for (const auto part : parts()) {
+    const Transition& law = plan.*part;
+    for (int i = 0; i <= 2000 && law.duration_s() > 0.0; ++i) {
+      const auto point = law.at(law.duration_s() * i / 2000.0);
+      const double allowed = allowed_mm_s(s + point.s_mm);
+      worst.feedrate_mm_s = std::max(worst.feedrate_mm_s, point.v_mm_s - allowed);
+      worst.share = std::max(worst.share, point.v_mm_s / allowed - 1.0);
+    }
+    s += law.length_mm();
+  }
+  return worst;
+}
+
+double ceiling_at(const Ceiling& ceiling, double s_mm) {
+  const auto after =
+      std::upper_bound(ceiling.begin(), ceiling.end(), s_mm,
+                       [](double s, const FeedSample& sample) { return s < sample.s_mm; });
+  if (after == ceiling.begin() || after == ceiling.end()) {
+    return after == ceiling.end() ? ceiling.back().v_mm_s : ceiling.front().v_mm_s;
+  }
+  const FeedSample& high = *after;
+  const FeedSample& low = *std::prev(after);
+  return low.v_mm_s + (high.v_mm_s - low.v_mm_s) * (s_mm - low.s_mm) / (high.s_mm - low.s_mm);
+}
+
+TEST(Span, FromRestToRestIsTheSCurvesClosedForm) {
+  const Profile profile{ProfileKind::s_curve};
+  // Long: both limits and the feedrate are reached. T = 2 (V/A + A/J) + (L - V (V/A + A/J)) / V.
+  const double v = 200.0;
+  const double up = v / kA + kA / kJ;
+  const SpanPlan plan = plan_span(flat_span(100.0, v), {}, profile);
+  EXPECT_NEAR(plan.duration_s(), 2.0 * up + (100.0 - v * up) / v, 1e-12);
+  // Short: the jerk alone binds, four phases of T/4: L = J T^3 / 32.
+  const double length = 0.5;
+  EXPECT_NEAR(plan_span(flat_span(length, v), {}, profile).duration_s(),
+              std::cbrt(32.0 * length / kJ), 1e-9);
+}
+
+TEST(Span, FromRestToRestIsTheTrapezoidsClosedForm) {
+  const Profile profile{ProfileKind::trapezoid};
+  EXPECT_NEAR(plan_span(flat_span(100.0, 200.0), {}, profile).duration_s(),
+              200.0 / kA + 100.0 / 200.0, 1e-12);
+  EXPECT_NEAR(plan_span(flat_span(2.0, 200.0), {}, profile).duration_s(), 2.0 * std::sqrt(2.0 / kA),
+              1e-12);
+}
+
+TEST(Span, OfASituationHasItsParts) {
+  const Profile profile{ProfileKind::s_curve};
+  struct Case {
+    const char* name;
+    double length_mm;
+    SpanEnds ends;
+    bool acceleration, cruise, deceleration;
+  };
+  const std::vector<Case> cases{{"ACC + CF", 50.0, {0.0, 100.0}, true, true, false},
+                                {"CF + DEC", 50.0, {100.0, 20.0}, false, true, true},
+                                {"ACC + DEC", 2.0, {20.0, 10.0}, true, false, true},
+                                {"ACC + CF + DEC", 50.0, {20.0, 10.0}, true, true, true},
+                                {"CF", 50.0, {100.0, 100.0}, false, true, false}};
+  for (const Case& c : cases) {
+    SCOPED_TRACE(c.name);
+    const Span span = flat_span(c.length_mm, 100.0);
+    const SpanPlan plan = plan_span(span, c.ends, profile);
+    expect_joined(span, c.ends, plan);
+    EXPECT_EQ(plan.acceleration.duration_s() > 0.0, c.acceleration);
+    EXPECT_EQ(plan.cruise.duration_s() > 1e-6, c.cruise);
+    EXPECT_EQ(plan.deceleration.duration_s() > 0.0, c.deceleration);
+  }
+}
+
+TEST(Span, WithoutACruiseTakesItsWholeLengthForTheTwoTransitions) {
+  const Profile profile{ProfileKind::s_curve};
+  const SpanEnds ends{.v_begin_mm_s = 20.0, .v_end_mm_s = 10.0};
+  const SpanPlan plan = plan_span(flat_span(2.0, 100.0), ends, profile);
+  const double peak = plan.acceleration.ramp().v_end_mm_s;
+  EXPECT_NEAR(
+      0.5 * (20.0 + peak) * s_curve_s(peak - 20.0) + 0.5 * (10.0 + peak) * s_curve_s(peak - 10.0),
+      2.0, 1e-9);
+}
+
+TEST(Span, OfAnyLengthJoinsItsEndsUnderEveryLaw) {
+  const unsigned seed = 20'261'121;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int i = 0; i < 3000; ++i) {
+    const Profile profile{all_kinds()[static_cast<std::size_t>(i) % all_kinds().size()]};
+    const double cap = 200.0 * share(random);
+    Span span = flat_span(std::pow(10.0, -6.0 + 9.0 * share(random)), cap);
+    SpanEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = cap * share(random)};
+    ends.v_begin_mm_s = reach_backward_mm_s(
+        span, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap * share(random)}, profile);
+    ends.v_end_mm_s = end_feedrate_mm_s(span, ends, profile);
+    const SpanPlan plan = plan_span(span, ends, profile);
+    expect_joined(span, ends, plan);
+    for (const auto part : parts()) {
+      EXPECT_LE((plan.*part).ramp().v_end_mm_s, cap * (1.0 + 1e-12));
+    }
+    if (testing::Test::HasFailure()) {
+      FAIL() << "case " << i << ", length " << span.length_mm;
+    }
+  }
+}
+
+TEST(Span, ReachesBackwardWhatItReachesForward) {
+  for (const ProfileKind kind : all_kinds()) {
+    SCOPED_TRACE(profiles::name_of(kind));
+    const Profile profile{kind};
+    for (const double length : {1e-5, 0.01, 0.4, 3.0}) {
+      for (const double v : {0.0, 0.5, 30.0}) {
+        const Span span = flat_span(length, 1e4);
+        const double up = end_feedrate_mm_s(span, {.v_begin_mm_s = v, .v_end_mm_s = 1e4}, profile);
+        const double down = reach_backward_mm_s(span, {.v_end_mm_s = v, .cap_mm_s = 1e4}, profile);
+        EXPECT_GT(up, v);
+        EXPECT_NEAR(up, down, 1e-9 * up);
+        // From what was reached upwards the span is braked to where it began.
+        EXPECT_NEAR(0.5 * (v + up) * profile.duration_s(up - v, span.limits.ramp), length,
+                    1e-9 * length + 1e-10);
+      }
+    }
+  }
+}
+
+TEST(Span, CoastsAtBothEnds) {
+  const Profile profile{ProfileKind::s_curve};
+  Span span = flat_span(5.0, 100.0);
+  span.begin_coast_s = 0.003;
+  span.end = {.feedrate_mm_s = 20.0, .coast_s = 0.003};
+  const SpanEnds ends{.v_begin_mm_s = 30.0, .v_end_mm_s = 20.0};
+  const SpanPlan plan = plan_span(span, ends, profile);
+  expect_joined(span, ends, plan);
+  EXPECT_NEAR(plan.begin_coast.duration_s(), 0.003, 1e-15);
+  EXPECT_NEAR(plan.end_coast.duration_s(), 0.003, 1e-15);
+  EXPECT_EQ(plan.end_coast.ramp().v_begin_mm_s, 20.0);
+}
+
+TEST(Span, WithCoastsReachesFromWhereItsPlanFits) {
+  const Profile profile{ProfileKind::s_curve};
+  const unsigned seed = 7;
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int i = 0; i < 2000; ++i) {
+    Span span = flat_span(std::pow(10.0, -4.0 + 5.0 * share(random)), 200.0);
+    span.begin_coast_s = 0.003;
+    span.end.coast_s = 0.003;
+    const double fits = span.length_mm / 0.006;  // as a junction promises
+    const double v_end = std::min(fits, 200.0) * share(random);
+    const double cap = std::min(fits, 200.0) * share(random);
+    SpanEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = v_end};
+    ends.v_begin_mm_s = reach_backward_mm_s(span, {.v_end_mm_s = v_end, .cap_mm_s = cap}, profile);
+    ASSERT_LE(ends.v_begin_mm_s, cap);
+    ends.v_end_mm_s = end_feedrate_mm_s(span, ends, profile);
+    ASSERT_LE(ends.v_end_mm_s, v_end);
+    expect_joined(span, ends, plan_span(span, ends, profile));
+    ASSERT_FALSE(testing::Test::HasFailure()) << "case " << i;
+  }
+}
+
+// Ceilings as scans give them: the butterfly's and the scroll's, cut at their valleys.
+TEST(Span, IsNeverAboveTheCeilingOfACurve) {
+  for (const char* name : {"butterfly", "star", "trident7"}) {
+    SCOPED_TRACE(name);
+    const Block block =
+        blocks_of({nurbs_move(curves::testing::shipped_curve(name))}, butterfly_limits()).front();
+    for (const ProfileKind kind : jerk_limited_kinds()) {
+      SCOPED_TRACE(profiles::name_of(kind));
+      const Profile profile{kind};
+      double v_begin = 0.0;
+      double s_begin = 0.0;
+      for (const Span& span : split(block)) {
+        EXPECT_NEAR(span.s_begin_mm, s_begin, 1e-12);
+        SpanEnds ends{.v_begin_mm_s = v_begin, .v_end_mm_s = span.end.feedrate_mm_s};
+        const double cap = ceiling_at(block.ceiling, s_begin);
+        ends.v_begin_mm_s = std::min(
+            v_begin,
+            reach_backward_mm_s(span, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap}, profile));
+        ends.v_end_mm_s = end_feedrate_mm_s(span, ends, profile);
+        const SpanPlan plan = plan_span(span, ends, profile);
+        expect_joined(span, ends, plan);
+        const Excess excess =
+            excess_of(plan, [&](double s) { return ceiling_at(block.ceiling, s_begin + s); });
+        EXPECT_LE(excess.share, 1e-3) << "span at " << s_begin;
+        v_begin = ends.v_end_mm_s;
+        s_begin += span.length_mm;
+      }
+      EXPECT_NEAR(s_begin, block.length_mm, 1e-9);
+    }
+  }
+}
+
+TEST(Slope, DoesNotStretchAClimbThatStaysBelow) {
+  const Profile profile{ProfileKind::s_curve};
+  const Transition climb = profile.fastest({0.0, 50.0}, {kA, kJ});
+  EXPECT_EQ(Slope{}.stretch_for(climb), 1.0);
+  const Slope high({{.distance_mm = 0.0, .v_mm_s = 60.0}, {.distance_mm = 1.0, .v_mm_s = 70.0}});
+  EXPECT_EQ(high.stretch_for(climb), 1.0);
+}
+
+TEST(Slope, StretchesAClimbUntilItTouches) {
+  const Profile profile{ProfileKind::s_curve};
+  const Transition climb = profile.fastest({10.0, 50.0}, {kA, kJ});
+  const double length = 4.0 * climb.length_mm();
+  const Slope slope(
+      {{.distance_mm = 0.0, .v_mm_s = 10.0}, {.distance_mm = length, .v_mm_s = 50.0}});
+  const Transition stretched = climb.stretched(slope.stretch_for(climb));
+  double nearest = 1e9;
+  for (int i = 1; i <= 1000; ++i) {
+    const auto point = stretched.at(stretched.duration_s() * i / 1000.0);
+    const double allowed = 10.0 + 40.0 * std::min(point.s_mm / length, 1.0);
+    EXPECT_LE(point.v_mm_s, allowed * (1.0 + 1e-3));
+    nearest = std::min(nearest, allowed - point.v_mm_s);
+  }
+  EXPECT_LT(nearest, 0.05);
+}
+
+TEST(Slope, LooksThroughADipOnTheWayUp) {
+  const Slope slope({{.distance_mm = 0.0, .v_mm_s = 20.0},
+                     {.distance_mm = 1.0, .v_mm_s = 60.0},
+                     {.distance_mm = 2.0, .v_mm_s = 30.0},
+                     {.distance_mm = 3.0, .v_mm_s = 80.0}});
+  EXPECT_EQ(slope.top_mm_s(), 80.0);
+  const Profile profile{ProfileKind::s_curve};
+  const Transition climb = profile.fastest({20.0, 40.0}, {1e6, 1e9});
+  // More than 30 mm/s is not allowed before the dip at 2 mm is over.
+  const Transition stretched = climb.stretched(slope.stretch_for(climb));
+  double s_at_30 = 0.0;
+  for (int i = 0; i <= 10'000; ++i) {
+    const auto point = stretched.at(stretched.duration_s() * i / 10'000.0);
+    s_at_30 = point.v_mm_s <= 30.0 ? point.s_mm : s_at_30;
+  }
+  EXPECT_NEAR(s_at_30, 2.0, 0.1);
+}
+
+TEST(Brake, StopsInTheSpanWhereItCan) {
+  const Profile profile{ProfileKind::s_curve};
+  Span span = flat_span(50.0, 100.0);
+  const double v = 100.0;
+  EXPECT_EQ(brake(span, {.v_begin_mm_s = v, .v_end_mm_s = 80.0}, profile), 0.0);
+  EXPECT_NEAR(span.length_mm, 0.5 * v * s_curve_s(v), 1e-9);
+  EXPECT_FALSE(span.ends_block);
+  const SpanPlan plan = plan_span(span, {.v_begin_mm_s = v, .v_end_mm_s = 0.0}, profile);
+  EXPECT_NEAR(plan.duration_s(), s_curve_s(v), 1e-9);
+  expect_joined(span, {.v_begin_mm_s = v, .v_end_mm_s = 0.0}, plan);
+}
+
+TEST(Brake, EndsAsSlowAsAShortSpanAllows) {
+  const Profile profile{ProfileKind::s_curve};
+  Span span = flat_span(1.0, 100.0);
+  const double end = brake(span, {.v_begin_mm_s = 100.0, .v_end_mm_s = 100.0}, profile);
+  EXPECT_GT(end, 0.0);
+  EXPECT_EQ(span.length_mm, 1.0);
+  EXPECT_NEAR(0.5 * (100.0 + end) * s_curve_s(100.0 - end), 1.0, 1e-6);
+}
+
+TEST(Brake, KeepsTheCoastThatItBeginsWith) {
+  const Profile profile{ProfileKind::s_curve};
+  Span span = flat_span(50.0, 100.0);
+  span.begin_coast_s = 0.003;
+  EXPECT_EQ(brake(span, {.v_begin_mm_s = 40.0, .v_end_mm_s = 40.0}, profile), 0.0);
+  EXPECT_NEAR(span.length_mm, 40.0 * 0.003 + 0.5 * 40.0 * s_curve_s(40.0), 1e-9);
+}
+
+// Where the plan to the span's end keeps the ceiling, so does the fall to rest.
+TEST(Brake, StaysBelowTheCeilingOfACurve) {
+  const Block block =
+      blocks_of({nurbs_move(curves::testing::shipped_curve("butterfly"))}, butterfly_limits())
+          .front();
+  for (const ProfileKind kind : jerk_limited_kinds()) {
+    SCOPED_TRACE(profiles::name_of(kind));
+    const Profile profile{kind};
+    for (const Span& whole : split(block)) {
+      const double cap = ceiling_at(block.ceiling, whole.s_begin_mm);
+      Span span = whole;
+      SpanEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = span.end.feedrate_mm_s};
+      ends.v_begin_mm_s =
+          reach_backward_mm_s(span, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap}, profile);
+      ends.v_end_mm_s = end_feedrate_mm_s(span, ends, profile);
+      ends.v_end_mm_s = brake(span, ends, profile);
+      const SpanPlan plan = plan_span(span, ends, profile);
+      expect_joined(span, ends, plan);
+      const Excess excess = excess_of(
+          plan, [&](double s) { return ceiling_at(block.ceiling, whole.s_begin_mm + s); });
+      EXPECT_LE(excess.share, 1e-3) << "span at " << whole.s_begin_mm;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace kerf::lookahead::test
