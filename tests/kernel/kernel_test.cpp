@@ -1,0 +1,297 @@
+// The kernel from text to ticks: pieces of text, repetition, errors, starvation, stops.
+#include "kernel/kernel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+
+#include "kernel/check.hpp"
+#include "tests/kernel/shipped_text.hpp"
+#include "tests/kernel/tick_checker.hpp"
+
+namespace kerf::test {
+namespace {
+
+using interp::Setpoint;
+using interp::TickStatus;
+using profiles::Profile;
+using profiles::ProfileKind;
+
+constexpr std::int64_t kMostTicks = 200'000;
+
+std::vector<Setpoint> rest_of(Kernel& kernel) {
+  std::vector<Setpoint> ticks;
+  Setpoint setpoint;
+  TickStatus status = TickStatus::running;
+  while (status == TickStatus::running && ticks.size() < kMostTicks) {
+    status = kernel.next(setpoint);
+    ticks.push_back(setpoint);
+  }
+  EXPECT_EQ(status, TickStatus::finished);
+  return ticks;
+}
+
+std::vector<Setpoint> ticks_of(const std::string& text, const KernelOptions& options = {}) {
+  Kernel kernel(mill(), options);
+  kernel.feed(text);
+  kernel.finish();
+  auto ticks = rest_of(kernel);
+  EXPECT_FALSE(kernel.has_errors());
+  for (const auto& found : kernel.diagnostics()) {
+    ADD_FAILURE() << found.source.line << ": " << found.message;
+  }
+  return ticks;
+}
+
+bool same_bits(const Setpoint& a, const Setpoint& b) {
+  return a.tick == b.tick && a.line == b.line &&
+         std::memcmp(&a.s_mm, &b.s_mm, sizeof a.s_mm) == 0 &&
+         std::memcmp(&a.v_mm_s, &b.v_mm_s, sizeof a.v_mm_s) == 0 &&
+         std::memcmp(&a.a_mm_s2, &b.a_mm_s2, sizeof a.a_mm_s2) == 0 &&
+         std::memcmp(&a.j_mm_s3, &b.j_mm_s3, sizeof a.j_mm_s3) == 0 &&
+         std::memcmp(&a.position_mm, &b.position_mm, sizeof a.position_mm) == 0 &&
+         std::memcmp(&a.velocity_mm_s, &b.velocity_mm_s, sizeof a.velocity_mm_s) == 0 &&
+         std::memcmp(&a.acceleration_mm_s2, &b.acceleration_mm_s2, sizeof a.acceleration_mm_s2) ==
+             0;
+}
+
+void expect_same_bits(const std::vector<Setpoint>& a, const std::vector<Setpoint>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ASSERT_TRUE(same_bits(a[i], b[i])) << "tick " << i;
+  }
+}
+
+TEST(Kernel, GivesTheSameTicksToTheLastBitASecondTime) {
+  for (const ProfileKind kind :
+       {ProfileKind::s_curve, ProfileKind::sigmoid, ProfileKind::sine_series}) {
+    const KernelOptions options{.profile = Profile{kind}};
+    expect_same_bits(ticks_of(mixed_program(), options), ticks_of(mixed_program(), options));
+  }
+}
+
+TEST(Kernel, GivesTheSameTicksHoweverTheTextIsCut) {
+  const std::string text = mixed_program();
+  const auto whole = ticks_of(text);
+  for (const std::size_t size : {1U, 2U, 3U, 7U, 64U, 1000U}) {
+    SCOPED_TRACE(size);
+    Kernel kernel(mill());
+    for (std::size_t at = 0; at < text.size(); at += size) {
+      kernel.feed(std::string_view(text).substr(at, size));
+    }
+    kernel.finish();
+    expect_same_bits(whole, rest_of(kernel));
+  }
+}
+
+TEST(Kernel, GivesTheSameTicksWhenTextComesAsPlanAsksForIt) {
+  const std::string text = mixed_program();
+  Kernel kernel(mill());
+  std::vector<Setpoint> ticks;
+  std::size_t at = 0;
+  for (auto status = TickStatus::running; status == TickStatus::running;) {
+    while (kernel.plan()) {
+      if (at < text.size()) {
+        kernel.feed(std::string_view(text).substr(at, 5));
+        at += 5;
+      } else {
+        kernel.finish();
+      }
+    }
+    ticks.emplace_back();
+    status = kernel.tick(ticks.back());
+  }
+  expect_same_bits(ticks_of(text), ticks);
+}
+
+TEST(Kernel, NumbersTicksFromZeroWithoutAGap) {
+  const auto ticks = ticks_of(mixed_program());
+  for (std::size_t i = 0; i < ticks.size(); ++i) {
+    ASSERT_EQ(ticks[i].tick, static_cast<std::int64_t>(i));
+  }
+}
+
+TEST(Kernel, BeginsAndEndsAtRestExactlyWhereTheProgramSays) {
+  for (const ProfileKind kind :
+       {ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::sine, ProfileKind::quintic,
+        ProfileKind::sine_series, ProfileKind::sigmoid}) {
+    SCOPED_TRACE(profiles::name_of(kind));
+    Kernel kernel(mill(), {.profile = Profile{kind}});
+    kernel.feed("G21 G90 G1 X1.234567 Y-2.345678 Z0.1 F3000\nG2 X3.3 Y-2.345678 I1.0327165\nM2\n");
+    kernel.finish();
+    const auto ticks = rest_of(kernel);
+    EXPECT_EQ(ticks.front().position_mm, (curves::Position{0, 0, 0}));
+    EXPECT_EQ(ticks.back().position_mm, (curves::Position{3.3, -2.345678, 0.1}));
+    EXPECT_EQ(ticks.back().v_mm_s, 0.0);
+    EXPECT_EQ(ticks.back().a_mm_s2, 0.0);
+    EXPECT_EQ(kernel.totals().ticks, ticks.back().tick);
+    Setpoint again;
+    EXPECT_EQ(kernel.next(again), TickStatus::finished);
+    EXPECT_EQ(again.position_mm, ticks.back().position_mm);
+  }
+}
+
+TEST(Kernel, KeepsEveryLimitAtEveryTick) {
+  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::sine, ProfileKind::quintic,
+                                 ProfileKind::sine_series, ProfileKind::sigmoid}) {
+    SCOPED_TRACE(profiles::name_of(kind));
+    TickChecker checker(mill().limits, true);
+    for (const Setpoint& tick : ticks_of(mixed_program(), {.profile = Profile{kind}})) {
+      const bool on_curve = tick.line >= 11 && tick.line <= 18;
+      checker.add({.setpoint = tick, .feedrate_mm_s = 150.0, .axis_limits_bind = !on_curve});
+    }
+    EXPECT_EQ(checker.complaint(), "");
+  }
+}
+
+TEST(Kernel, DwellsForAWholeNumberOfTicks) {
+  const auto ticks = ticks_of("G21 G90 G1 X1 F600\nG4 P0.2503\nG1 X2\nM2\n");
+  std::int64_t resting = 0;
+  for (const Setpoint& tick : ticks) {
+    resting += tick.position_mm[0] == 1.0 ? 1 : 0;
+  }
+  // 251 periods hold the dwell; it begins and ends with a tick, both at rest.
+  EXPECT_GE(resting, 252);
+  EXPECT_LE(resting, 253);
+}
+
+TEST(Kernel, StopsAtRestBeforeABlockThatIsWrong) {
+  Kernel kernel(mill());
+  kernel.feed("G21 G90 G1 X10 F3000\nX20\nX30 Q1 @\nX40\nM2\n");
+  kernel.finish();
+  const auto ticks = rest_of(kernel);
+  EXPECT_TRUE(kernel.has_errors());
+  ASSERT_FALSE(kernel.diagnostics().empty());
+  EXPECT_EQ(kernel.diagnostics().front().source.line, 3U);
+  EXPECT_EQ(ticks.back().position_mm, (curves::Position{20, 0, 0}));
+  TickChecker checker(mill().limits, true);
+  for (const Setpoint& tick : ticks) {
+    checker.add({.setpoint = tick, .feedrate_mm_s = 50.0});
+  }
+  EXPECT_EQ(checker.complaint(), "");
+}
+
+TEST(Kernel, StopsAtRestBeforeACurveThatCannotBeBuilt) {
+  Kernel kernel(mill());
+  kernel.feed(
+      "G21 G90 G1 X10 F3000\nG6.2 P3 K0 X10 Y0 F1000\nK0 X20 Y0\nK0 X10 Y0\nK1\nK1\nK1\nG1 X40\n"
+      "M2\n");
+  kernel.finish();
+  const auto ticks = rest_of(kernel);  // a cusp: there and back on one line
+  EXPECT_TRUE(kernel.has_errors());
+  ASSERT_FALSE(kernel.diagnostics().empty());
+  EXPECT_GE(kernel.diagnostics().back().source.line, 2U);
+  EXPECT_LE(kernel.diagnostics().back().source.line, 7U);
+  EXPECT_EQ(ticks.back().position_mm, (curves::Position{10, 0, 0}));
+}
+
+TEST(Kernel, StarvesAtRestBeforeTheFirstText) {
+  Kernel kernel(mill(), {.start_mm = {1, 2, 3}});
+  Setpoint setpoint;
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(kernel.next(setpoint), TickStatus::starved);
+    EXPECT_EQ(setpoint.position_mm, (curves::Position{1, 2, 3}));
+    EXPECT_EQ(setpoint.tick, i);
+  }
+  kernel.feed("G21 G90 G1 X5 Y2 Z3 F1000\nM2\n");
+  kernel.finish();
+  TickChecker checker(mill().limits, true);
+  checker.add({.setpoint = setpoint, .feedrate_mm_s = 1000.0 / 60.0});
+  for (const Setpoint& tick : rest_of(kernel)) {
+    checker.add({.setpoint = tick, .feedrate_mm_s = 1000.0 / 60.0});
+  }
+  EXPECT_EQ(checker.complaint(), "");
+}
+
+TEST(Kernel, StarvesAtRestBehindADwellAndResumesWithoutAJump) {
+  Kernel kernel(mill());
+  kernel.feed("G21 G90 G1 X10 F3000\nG4 P0.01\n");
+  TickChecker checker(mill().limits, true);
+  Setpoint setpoint;
+  int starved = 0;
+  for (int i = 0; i < 3000 && starved < 50; ++i) {
+    starved += kernel.next(setpoint) == TickStatus::starved ? 1 : 0;
+    checker.add({.setpoint = setpoint, .feedrate_mm_s = 50.0});
+  }
+  EXPECT_EQ(starved, 50);
+  EXPECT_EQ(setpoint.position_mm[0], 10.0);
+  kernel.feed("X20\nM2\n");
+  kernel.finish();
+  for (const Setpoint& tick : rest_of(kernel)) {
+    checker.add({.setpoint = tick, .feedrate_mm_s = 50.0});
+    setpoint = tick;
+  }
+  EXPECT_EQ(checker.complaint(), "");
+  EXPECT_EQ(setpoint.position_mm[0], 20.0);
+}
+
+struct Stopped {
+  std::int64_t ticks_after = 0;
+  Setpoint last{};
+  std::string complaint;
+};
+
+Stopped stop_at(std::int64_t tick, ProfileKind kind, std::size_t window) {
+  Kernel kernel(mill(), {.profile = Profile{kind}, .window_blocks = window});
+  kernel.feed(mixed_program());
+  kernel.finish();
+  TickChecker checker(mill().limits, kind != ProfileKind::trapezoid);
+  Stopped stopped;
+  TickStatus status = TickStatus::running;
+  for (std::int64_t i = 0; status == TickStatus::running && i < kMostTicks; ++i) {
+    if (i == tick) {
+      kernel.stop();
+    }
+    status = kernel.next(stopped.last);
+    stopped.ticks_after += i >= tick ? 1 : 0;
+    const bool on_curve = stopped.last.line >= 11 && stopped.last.line <= 18;
+    checker.add({.setpoint = stopped.last, .feedrate_mm_s = 150.0, .axis_limits_bind = !on_curve});
+  }
+  stopped.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
+  return stopped;
+}
+
+TEST(Stop, KeepsEveryLimitAndEndsAtRestOnThePathWhenever) {
+  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::quintic}) {
+    const auto whole = ticks_of(mixed_program(), {.profile = Profile{kind}});
+    for (std::size_t window : {3U, 1000U}) {
+      for (std::int64_t tick = 1; tick < whole.back().tick; tick += 97) {
+        SCOPED_TRACE(std::string(profiles::name_of(kind)) + ", window " + std::to_string(window) +
+                     ", tick " + std::to_string(tick));
+        const Stopped stopped = stop_at(tick, kind, window);
+        EXPECT_EQ(stopped.complaint, "");
+        EXPECT_EQ(stopped.last.v_mm_s, 0.0);
+        // On the path: between the two ticks of the whole run around its path length.
+        const auto after = std::lower_bound(whole.begin(), whole.end(), stopped.last.s_mm,
+                                            [](const Setpoint& a, double s) { return a.s_mm < s; });
+        ASSERT_NE(after, whole.end());
+        const Eigen::Vector3d offset =
+            curves::vec(after->position_mm) - curves::vec(stopped.last.position_mm);
+        EXPECT_LE(offset.norm(), after->s_mm - stopped.last.s_mm + 1e-9);
+        ASSERT_FALSE(testing::Test::HasFailure());
+      }
+    }
+  }
+}
+
+// What is frozen, 0.25 s, a span's ramps of at most some 0.3 s, and the fall to rest.
+TEST(Stop, TakesNoLongerThanWhatIsFrozenAndARamp) {
+  Kernel kernel(mill());
+  std::string text = "G21 G90 F6000\n";
+  for (int i = 1; i <= 100; ++i) {
+    text += "G1 X" + std::to_string(20 * i) + "\n";
+  }
+  kernel.feed(text + "M2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  for (int i = 0; i < 2000; ++i) {
+    ASSERT_EQ(kernel.next(setpoint), TickStatus::running);
+  }
+  kernel.stop();
+  EXPECT_LE(rest_of(kernel).size(), 1200U);
+}
+
+}  // namespace
+}  // namespace kerf::test
