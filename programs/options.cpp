@@ -42,6 +42,7 @@ void add_common(CLI::App& command, Raw& raw) {
       ->type_name("FILE.toml");
   command.add_option("--profile", raw.profile, "feedrate profile")
       ->check(CLI::IsMember(profile_names()))
+      ->type_name("NAME")
       ->capture_default_str();
   command
       .add_option("--sigmoid-shape", options.sigmoid_shape,
@@ -68,7 +69,8 @@ CLI::App* add_command(CLI::App& app, Command command, const std::string& descrip
   CLI::App* added = app.add_subcommand(std::string(name_of(command)), description);
   CLI::Option* files =
       added->add_option("FILE", raw.options.files, "part program (- is standard input)")
-          ->required();
+          ->required()
+          ->type_name("");
   if (command == Command::run) {
     files->expected(1);
   }

@@ -72,17 +72,31 @@ void append_motion(std::string& text, const FileReport& report) {
                  following[1], following[2]);
 }
 
+// A check is over in a line: there are often many files.
+std::string check_line(const FileReport& report) {
+  const PlanReport& plan = *report.plan;
+  std::string text =
+      fmt::format("{}: ok, {}, {:.3f} mm in {}, {}\n", report.file, clock_time(plan.cycle_time_s),
+                  plan.path_length_mm, counted(plan.blocks, "block"), extents_text(plan.extents));
+  for (const std::string& warning : report.warnings) {
+    fmt::format_to(std::back_inserter(text), "  warning         {}\n", warning);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string summary(const FileReport& report) {
   if (!report.plan) {
     return {};
   }
+  if (report.command == Command::check) {
+    return check_line(report);
+  }
   const PlanReport& plan = *report.plan;
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {}\n", report.file,
-                 report.command == Command::check ? "ok, planned" : verdict(report.status));
+  fmt::format_to(out, "{}: {}\n", report.file, verdict(report.status));
   fmt::format_to(out, "  cycle time      {}   {} of {:g} ms, {}\n", clock_time(plan.cycle_time_s),
                  counted(static_cast<unsigned long long>(plan.ticks), "tick"),
                  1000.0 * report.period_s, report.profile);

@@ -286,6 +286,12 @@ class Json(Case):
 
 
 class Check(Case):
+    def test_is_a_line_for_each_file(self):
+        path = self.path("square.ngc", SQUARE)
+        done = self.kerf("check", path, self.path("wrong.ngc", WRONG), path, status=1)
+        line = r".*/square\.ngc: ok, 0:00:0\d\.\d{3}, 80\.000 mm in 4 blocks, x 0\.000 to 20\.000, .* mm\n"
+        self.assertRegex(done.stdout, f"^{line}{line}$")
+
     def test_plans_the_same_as_a_dry_run(self):
         for name in ("butterfly", "pocket", "polygon"):
             program = os.path.join(SOURCE, "programs", name + ".ngc")
