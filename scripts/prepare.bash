@@ -16,11 +16,12 @@ give_up() {
   exit "$kCannotRun"
 }
 
-# missing_packages NAME...: those that are not installed, one a line.
-missing_packages() {
+# find_missing NAME...: sets `missing` to those that are not installed.
+find_missing() {
   local name
+  missing=()
   for name in "$@"; do
-    [[ $(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null) == installed ]] || printf '%s\n' "$name"
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$name" 2>/dev/null) == installed ]] || missing+=("$name")
   done
 }
 
@@ -47,7 +48,7 @@ install_packages() {
   "${apt[@]}" update >>"$log" 2>&1 </dev/null
   "${install[@]}" >>"$log" 2>&1 </dev/null && return
   tail -n 20 "$log" >&2
-  mapfile -t missing < <(missing_packages "$@")
+  find_missing "$@"
   give_up "these Debian packages are missing and could not be installed: ${missing[*]} (log: $log)"
 }
 
@@ -58,7 +59,7 @@ require_packages() {
   if [[ -f $stamp && $stamp -nt $status ]] && grep -qxF -- "$wanted" "$stamp"; then
     return 0
   fi
-  mapfile -t missing < <(missing_packages "$@")
+  find_missing "$@"
   ((${#missing[@]} == 0)) || install_packages "${missing[@]}"
   [[ $stamp -nt $status ]] || : >"$stamp"
   printf '%s\n' "$wanted" >>"$stamp"
