@@ -1,0 +1,138 @@
+// The tick path allocates nothing, takes no lock, throws nothing and writes nothing.
+#include <cstdio>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "machine/simulated_table.hpp"
+#include "tests/kernel/shipped_text.hpp"
+#include "tests/kernel/tick_path/trap.hpp"
+
+namespace kerf::test {
+namespace {
+
+using profiles::Profile;
+using profiles::ProfileKind;
+
+class TickPath : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (KERF_TRAP_WORKS == 0) {
+      GTEST_SKIP() << "a sanitizer has a malloc of its own, which cannot be trapped";
+    }
+  }
+};
+
+TEST_F(TickPath, TrapSeesWhatItIsFor) {
+  std::mutex mutex;
+  {
+    const Trap trap;
+    int* volatile single = new int(1);
+    delete single;
+    void* volatile block = std::malloc(100);
+    block = std::realloc(block, 200);
+    std::free(block);
+    block = std::aligned_alloc(64, 128);
+    std::free(block);
+    block = std::calloc(2, 8);
+    std::free(block);
+  }
+  EXPECT_EQ(Trap::counts().allocations, 5);
+  EXPECT_EQ(Trap::counts().frees, 4);
+  {
+    const Trap trap;
+    mutex.lock();
+    mutex.unlock();
+  }
+  EXPECT_EQ(Trap::counts().locks, 1);
+  {
+    const Trap trap;
+    try {
+      throw std::runtime_error("for the trap");
+    } catch (const std::runtime_error&) {
+    }
+  }
+  EXPECT_EQ(Trap::counts().throws, 1);
+  {
+    const Trap trap;
+    std::fwrite("", 1, 0, stderr);
+  }
+  EXPECT_EQ(Trap::counts().writes, 1);
+  { const Trap trap; }
+  EXPECT_EQ(Trap::counts().total(), 0);
+}
+
+void expect_quiet_ticks(const std::string& program, const MachineSettings& settings,
+                        const Profile& profile) {
+  auto kernel = std::make_unique<Kernel>(settings, KernelOptions{.profile = profile});
+  auto table = std::make_unique<machine::SimulatedTable>(settings.table);
+  table->enable({0, 0, 0});
+  kernel->feed(program);
+  kernel->finish();
+  interp::Setpoint setpoint;
+  machine::MachineState state;
+  double chord_mm = 0.0;
+  auto status = interp::TickStatus::running;
+  std::int64_t ticks = 0;
+  while (status == interp::TickStatus::running) {
+    kernel->plan();
+    {
+      const Trap trap;
+      status = kernel->tick(setpoint);
+      table->write(setpoint);
+      state = table->read();
+      chord_mm = std::max(chord_mm, kernel->chord_error_mm());
+    }
+    ASSERT_EQ(Trap::counts().total(), 0) << "tick " << setpoint.tick << ", line " << setpoint.line;
+    ++ticks;
+  }
+  EXPECT_EQ(status, interp::TickStatus::finished);
+  EXPECT_FALSE(kernel->has_errors());
+  EXPECT_GT(ticks, 1000);
+  EXPECT_GT(chord_mm, 0.0);
+  EXPECT_EQ(state.fault, machine::Fault::none);
+}
+
+TEST_F(TickPath, IsQuietUnderEveryLaw) {
+  for (const ProfileKind kind :
+       {ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::sine, ProfileKind::quintic,
+        ProfileKind::sine_series, ProfileKind::sigmoid}) {
+    SCOPED_TRACE(profiles::name_of(kind));
+    expect_quiet_ticks(mixed_program(), mill(), Profile{kind});
+  }
+}
+
+TEST_F(TickPath, IsQuietWhileStarvedAndThroughAMachineFault) {
+  MachineSettings settings = mill();
+  settings.table.axes[0].travel = {.min_mm = -1.0, .max_mm = 5.0};
+  auto kernel = std::make_unique<Kernel>(settings);
+  auto table = std::make_unique<machine::SimulatedTable>(settings.table);
+  table->enable({0, 0, 0});
+  kernel->feed("G21 G90 G1 X10 F3000\nG4 P0.01\n");
+  interp::Setpoint setpoint;
+  machine::MachineState state;
+  auto status = interp::TickStatus::running;
+  for (int i = 0; i < 1000; ++i) {
+    kernel->plan();
+    const Trap trap;
+    status = kernel->tick(setpoint);
+    table->write(setpoint);
+    state = table->read();
+    ASSERT_EQ(Trap::counts().total(), 0) << "tick " << setpoint.tick;
+  }
+  EXPECT_EQ(status, interp::TickStatus::starved);
+  EXPECT_EQ(state.fault, machine::Fault::soft_limit);
+}
+
+TEST_F(TickPath, IsQuietOnTheButterfly) {
+  MachineSettings settings;
+  settings.limits.path = {
+      .velocity_mm_s = 100.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 55'000.0};
+  settings.limits.chord_tolerance_mm = 5e-4;
+  expect_quiet_ticks(shipped_program("butterfly.ngc"), settings, Profile{ProfileKind::s_curve});
+}
+
+}  // namespace
+}  // namespace kerf::test
