@@ -1,0 +1,117 @@
+// A look at a program before anything moves.
+#include "kernel/check.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/kernel/shipped_text.hpp"
+
+namespace kerf::test {
+namespace {
+
+CheckReport check(const std::string& text, const MachineSettings& settings = {}) {
+  bool given = false;
+  return check_program(
+      [&]() -> std::string_view {
+        const bool first = !given;
+        given = true;
+        return first ? std::string_view(text) : std::string_view{};
+      },
+      settings);
+}
+
+MachineSettings table_of(double min_mm, double max_mm) {
+  MachineSettings settings;
+  for (auto& axis : settings.table.axes) {
+    axis.travel = {.min_mm = min_mm, .max_mm = max_mm};
+  }
+  return settings;
+}
+
+TEST(Check, FindsNothingWrongInARightProgram) {
+  const CheckReport report = check(mixed_program());
+  EXPECT_FALSE(report.has_errors());
+  EXPECT_TRUE(report.limit_faults.empty());
+  EXPECT_TRUE(report.moves);
+}
+
+TEST(Check, NamesTheLineOfEveryErrorInOrder) {
+  const CheckReport report = check(
+      "G21 G90 F1000\n"
+      "G1 X1 @\n"
+      "G1 X2\n"
+      "G6.2 P3 K0 X9 Y9\n"  // not where the tool is
+      "K0 X20 Y20\nK0 X30 Y0\nK1\nK1\nK1\n"
+      "G1 X3\n"
+      "G1 X4 X5\n"
+      "M2\n");
+  EXPECT_TRUE(report.has_errors());
+  ASSERT_EQ(report.diagnostics.size(), 3U);
+  EXPECT_EQ(report.diagnostics[0].source.line, 2U);
+  EXPECT_EQ(report.diagnostics[1].source.line, 4U);
+  EXPECT_EQ(report.diagnostics[2].source.line, 11U);
+}
+
+TEST(Check, TakesTheBulgeOfAnArcIntoTheExtents) {
+  const CheckReport report = check("G21 G90 G1 X10 Y0 F600\nG3 X-10 Y0 I-10\nM2\n");
+  ASSERT_TRUE(report.moves);
+  EXPECT_NEAR(report.extents.max_mm[1], 10.0, 1e-12);
+  EXPECT_EQ(report.extents.min_mm[0], -10.0);
+  EXPECT_EQ(report.extents.max_mm[0], 10.0);
+  EXPECT_EQ(report.extents.min_mm[1], 0.0);
+}
+
+TEST(Check, TakesTheBulgeOfACurveIntoTheExtents) {
+  // A quadratic Bezier curve, from 0 over (5, 10) to (10, 0): its top is at y = 5.
+  const CheckReport report =
+      check("G21 G90\nG6.2 P3 K0 X0 Y0 F600\nK0 X5 Y10\nK0 X10 Y0\nK1\nK1\nK1\nM2\n");
+  ASSERT_FALSE(report.has_errors());
+  EXPECT_NEAR(report.extents.max_mm[1], 5.0, 1e-9);
+}
+
+TEST(Check, SaysThatAProgramDoesNotMove) {
+  const CheckReport report = check("G21 G90\nM3 S100\nG4 P1\nM2\n");
+  EXPECT_FALSE(report.has_errors());
+  EXPECT_FALSE(report.moves);
+}
+
+TEST(Check, NamesTheBlockThatLeavesTheTravel) {
+  const CheckReport report =
+      check("G21 G90 G1 X10 F600\nX30\nX0\nY-21\nY0\nM2\n", table_of(-20.0, 20.0));
+  EXPECT_FALSE(report.has_errors());
+  // Out, and back: both blocks are outside.
+  ASSERT_EQ(report.limit_faults.size(), 4U);
+  EXPECT_EQ(report.limit_faults[0].source.line, 2U);
+  EXPECT_NE(report.limit_faults[0].message.find("x goes 10 mm beyond"), std::string::npos)
+      << report.limit_faults[0].message;
+  EXPECT_EQ(report.limit_faults[1].source.line, 3U);
+  EXPECT_EQ(report.limit_faults[2].source.line, 4U);
+  EXPECT_EQ(report.limit_faults[3].source.line, 5U);
+}
+
+TEST(Check, SeesAnArcThatOnlyBulgesOutOfTheTravel) {
+  const std::string text = "G21 G90 G1 X18 Y0 F600\nG3 X18 Y10 J5\nG1 X0\nM2\n";
+  EXPECT_TRUE(check(text, table_of(-30.0, 23.1)).limit_faults.empty());
+  const CheckReport report = check(text, table_of(-30.0, 22.9));
+  ASSERT_EQ(report.limit_faults.size(), 1U);
+  EXPECT_EQ(report.limit_faults[0].source.line, 2U);
+}
+
+TEST(Check, ReadsTextInPiecesOfAnySize) {
+  const std::string text = "G21 G90 G1 X10 F600\nG1 X20 @\nM2\n";
+  std::size_t at = 0;
+  const CheckReport report = check_program(
+      [&]() -> std::string_view {
+        const std::string_view piece =
+            at < text.size() ? std::string_view(text).substr(at, 1) : std::string_view{};
+        ++at;
+        return piece;
+      },
+      MachineSettings{});
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  EXPECT_EQ(report.diagnostics[0].source.line, 2U);
+}
+
+}  // namespace
+}  // namespace kerf::test
