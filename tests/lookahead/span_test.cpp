@@ -172,7 +172,7 @@ TEST(Span, OfAnyLengthJoinsItsEndsUnderEveryLaw) {
     SpanEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = cap * share(random)};
     ends.v_begin_mm_s = reach_backward_mm_s(
         span, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap * share(random)}, profile);
-    ends.v_end_mm_s = end_feedrate_mm_s(span, ends, profile);
+    ends.v_end_mm_s = end_feedrate_mm_s(span, ends, ends.v_end_mm_s, profile);
     const SpanPlan plan = plan_span(span, ends, profile);
     expect_joined(span, ends, plan);
     for (const auto part : parts()) {
@@ -191,7 +191,8 @@ TEST(Span, ReachesBackwardWhatItReachesForward) {
     for (const double length : {1e-5, 0.01, 0.4, 3.0}) {
       for (const double v : {0.0, 0.5, 30.0}) {
         const Span span = flat_span(length, 1e4);
-        const double up = end_feedrate_mm_s(span, {.v_begin_mm_s = v, .v_end_mm_s = 1e4}, profile);
+        const double up =
+            end_feedrate_mm_s(span, {.v_begin_mm_s = v, .v_end_mm_s = 1e4}, 1e4, profile);
         const double down = reach_backward_mm_s(span, {.v_end_mm_s = v, .cap_mm_s = 1e4}, profile);
         EXPECT_GT(up, v);
         EXPECT_NEAR(up, down, 1e-9 * up);
@@ -232,7 +233,7 @@ TEST(Span, WithCoastsReachesFromWhereItsPlanFits) {
     SpanEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = v_end};
     ends.v_begin_mm_s = reach_backward_mm_s(span, {.v_end_mm_s = v_end, .cap_mm_s = cap}, profile);
     ASSERT_LE(ends.v_begin_mm_s, cap);
-    ends.v_end_mm_s = end_feedrate_mm_s(span, ends, profile);
+    ends.v_end_mm_s = end_feedrate_mm_s(span, ends, ends.v_end_mm_s, profile);
     ASSERT_LE(ends.v_end_mm_s, v_end);
     expect_joined(span, ends, plan_span(span, ends, profile));
     ASSERT_FALSE(testing::Test::HasFailure()) << "case " << i;
@@ -257,7 +258,7 @@ TEST(Span, IsNeverAboveTheCeilingOfACurve) {
         ends.v_begin_mm_s = std::min(
             v_begin,
             reach_backward_mm_s(span, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap}, profile));
-        ends.v_end_mm_s = end_feedrate_mm_s(span, ends, profile);
+        ends.v_end_mm_s = end_feedrate_mm_s(span, ends, ends.v_end_mm_s, profile);
         const SpanPlan plan = plan_span(span, ends, profile);
         expect_joined(span, ends, plan);
         const Excess excess =
@@ -357,7 +358,7 @@ TEST(Brake, StaysBelowTheCeilingOfACurve) {
       SpanEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = span.end.feedrate_mm_s};
       ends.v_begin_mm_s =
           reach_backward_mm_s(span, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap}, profile);
-      ends.v_end_mm_s = end_feedrate_mm_s(span, ends, profile);
+      ends.v_end_mm_s = end_feedrate_mm_s(span, ends, ends.v_end_mm_s, profile);
       ends.v_end_mm_s = brake(span, ends, profile);
       const SpanPlan plan = plan_span(span, ends, profile);
       expect_joined(span, ends, plan);
