@@ -115,7 +115,7 @@ double in_motion_s(const Block& block, const profiles::Profile& profile) {
   double time_s = 0.0;
   for (const WindowSpan& item : window) {
     lookahead::SpanEnds ends{.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
-    ends.v_end_mm_s = lookahead::end_feedrate_mm_s(item.span, ends, profile);
+    ends.v_end_mm_s = lookahead::end_feedrate_mm_s(item.span, ends, 0.0, profile);
     time_s += lookahead::plan_span(item.span, ends, profile).duration_s();
     v = ends.v_end_mm_s;
   }

@@ -99,7 +99,9 @@ void Planner::stop(std::uint32_t line) {
   std::size_t kept = 0;
   while (kept < window_.size() && v > 0.0) {
     WindowSpan& item = window_[kept++];
-    v = brake(item.span, {.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s}, settings_.profile);
+    SpanEnds ends{.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
+    ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, item.v_end_before_mm_s, settings_.profile);
+    v = brake(item.span, ends, settings_.profile);
     item.v_end_mm_s = v;
   }
   window_.keep_front(kept);
@@ -146,7 +148,7 @@ void Planner::emit_span(Outbox& outbox) {
   }
   WindowSpan& item = window_.front();
   SpanEnds ends{.v_begin_mm_s = v_mm_s_, .v_end_mm_s = item.v_end_mm_s};
-  ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, settings_.profile);
+  ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, item.v_end_before_mm_s, settings_.profile);
   SpanPlan plan = plan_span(item.span, ends, settings_.profile);
   if (plan.cruise.duration_s() > 2.0 * settings_.longest_cruise_s) {
     const double v = plan.cruise.ramp().v_begin_mm_s;

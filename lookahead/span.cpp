@@ -10,6 +10,9 @@ using profiles::Transition;
 
 namespace {
 
+// What the backward pass found to fit, summed in another order, may miss by rounding.
+constexpr double kAboveRounding = 1.0 + 1e-12;
+
 // A climb from a known feedrate at one end of a span towards a cap at the other; a descent is a
 // climb seen from the other end. Coasts lengthen with the feedrate at their end.
 struct Climb {
@@ -157,7 +160,8 @@ double reach_backward_mm_s(const Span& span, const BackwardQuery& query, const P
   return std::max(reached, reach_mm_s(span, climb, profile));
 }
 
-double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, const Profile& profile) {
+double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, double v_end_known_mm_s,
+                         const Profile& profile) {
   if (wanted.v_end_mm_s > wanted.v_begin_mm_s) {
     return reach_mm_s(span,
                       {.slope = &span.rise,
@@ -171,12 +175,13 @@ double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, const Profile
     const Ramp fall{.v_begin_mm_s = v_end, .v_end_mm_s = wanted.v_begin_mm_s};
     return climb_to(span.fall, fall, span, profile).length_mm() +
                span.begin_coast_s * wanted.v_begin_mm_s + span.end.coast_s * v_end <=
-           span.length_mm;
+           span.length_mm * kAboveRounding;
   };
   if (span.end.coast_s == 0.0 || fits(wanted.v_end_mm_s)) {
     return wanted.v_end_mm_s;
   }
-  double low = 0.0;
+  const double known = std::min(v_end_known_mm_s, wanted.v_end_mm_s);
+  double low = fits(known) ? known : 0.0;
   double high = wanted.v_end_mm_s;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);

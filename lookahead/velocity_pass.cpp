@@ -6,6 +6,7 @@ void backward_pass(Window<WindowSpan>& window, const profiles::Profile& profile)
   double v_begin_of_next = 0.0;
   for (std::size_t i = window.size(); i-- > 0;) {
     WindowSpan& item = window[i];
+    item.v_end_before_mm_s = item.v_end_mm_s;
     item.v_end_mm_s = v_begin_of_next;
     if (i > 0) {
       v_begin_of_next = reach_backward_mm_s(

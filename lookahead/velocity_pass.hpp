@@ -9,7 +9,8 @@ namespace kerf::lookahead {
 // A span in the window and what the passes found for it.
 struct WindowSpan {
   Span span{};
-  double v_end_mm_s = 0.0;  // the highest from which the window can still end at rest
+  double v_end_mm_s = 0.0;         // the highest from which the window can still end at rest
+  double v_end_before_mm_s = 0.0;  // the same of the pass before, when the window was shorter
 };
 
 // From the last span, which ends at rest, back to the first: each end gets the highest feedrate

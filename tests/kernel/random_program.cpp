@@ -21,7 +21,9 @@ class Writer {
     add_line("G21 G90 G17 G94 G40 G49 G80 G91.1", 0.0, false);
     for (int i = 0; i < mix_.blocks; ++i) {
       const double pick = uniform(0.0, 1.0);
-      if (mix_.nurbs && pick < 0.15) {
+      if (mix_.contour) {
+        contour_line();
+      } else if (mix_.nurbs && pick < 0.15) {
         nurbs();
       } else if (mix_.arcs && pick < 0.5) {
         arc();
@@ -107,6 +109,31 @@ class Writer {
     add_line(text, feedrate, false);
   }
 
+  // One of a run of short lines, as a finishing pass has them.
+  void contour_line() {
+    const double turn = log_uniform(1e-4, 0.3);
+    if (last_ == Vec{}) {
+      contour_step_mm_ = log_uniform(0.02, 3.0);
+      contour_feed_mm_min_ = log_uniform(300.0, 2e4);
+      last_ = {1.0, 0.0, 0.0};
+    }
+    double norm = 0.0;
+    for (double& x : last_) {
+      x += uniform(-turn, turn);
+      norm += x * x;
+    }
+    std::string text = "G1";
+    const char* names = "XYZ";
+    for (std::size_t k = 0; k < 3; ++k) {
+      last_[k] /= std::sqrt(norm);
+      text += std::string(" ") + names[k];
+      here_[k] = rounded(here_[k] + contour_step_mm_ * uniform(0.9, 1.1) * last_[k], text);
+    }
+    text += " F";
+    const double feedrate = rounded(contour_feed_mm_min_, text) / 60.0;
+    add_line(text, feedrate, false);
+  }
+
   void arc() {
     const double radius = log_uniform(1e-3, 300.0);
     const double sweep = uniform(0.0, 1.0) < 0.15 ? 2.0 * 3.141592653589793 : uniform(0.05, 6.0);
@@ -184,6 +211,8 @@ class Writer {
   RandomProgram program_;
   Vec here_{};
   Vec last_{};
+  double contour_step_mm_ = 0.0;
+  double contour_feed_mm_min_ = 0.0;
 };
 
 }  // namespace

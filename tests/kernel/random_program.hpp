@@ -25,6 +25,7 @@ struct RandomProgram {
 struct Mix {
   bool arcs = true;
   bool nurbs = true;
+  bool contour = false;  // many short lines with gentle turns instead of everything else
   int blocks = 12;
 };
 

@@ -48,8 +48,14 @@ struct Outcome {
   interp::Setpoint last{};
 };
 
-Outcome run(const RandomProgram& program, const MachineSettings& settings, ProfileKind kind) {
-  Kernel kernel(settings, {.profile = Profile(kind)});
+struct Way {
+  ProfileKind kind = ProfileKind::s_curve;
+  std::size_t window_blocks = 1000;
+};
+
+Outcome run(const RandomProgram& program, const MachineSettings& settings, const Way& way) {
+  const ProfileKind kind = way.kind;
+  Kernel kernel(settings, {.profile = Profile(kind), .window_blocks = way.window_blocks});
   kernel.feed(program.text);
   kernel.finish();
   TickChecker checker(settings.limits, kind != ProfileKind::trapezoid);
@@ -77,24 +83,36 @@ Outcome run(const RandomProgram& program, const MachineSettings& settings, Profi
   return outcome;
 }
 
-void expect_clean(std::uint64_t seed, const Mix& mix, ProfileKind kind) {
+void expect_clean(std::uint64_t seed, const Mix& mix, const Way& way) {
   SCOPED_TRACE("seed " + std::to_string(seed) + ", profile " +
-               std::string(profiles::name_of(kind)));
+               std::string(profiles::name_of(way.kind)) + ", window " +
+               std::to_string(way.window_blocks));
   const RandomProgram program = random_program(seed, mix);
-  const Outcome outcome = run(program, machine_for(seed), kind);
+  const Outcome outcome = run(program, machine_for(seed), way);
   EXPECT_EQ(outcome.complaint, "") << program.text;
   EXPECT_EQ(outcome.last.position_mm, program.end_mm) << program.text;
 }
 
-TEST(RandomPrograms, KeepEveryLimitAtEveryTickAndEndWhereTheySay) {
-  const std::uint64_t count = from_environment("KERF_RANDOM_PROGRAMS", 10'000);
-  const std::uint64_t first = from_environment("KERF_RANDOM_SEED", 1);
+constexpr std::uint64_t kShards = 8;
+
+class RandomPrograms : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RandomPrograms, KeepEveryLimitAtEveryTickAndEndWhereTheySay) {
+  const std::uint64_t count = from_environment("KERF_RANDOM_PROGRAMS", 10'000) / kShards;
+  const std::uint64_t first = from_environment("KERF_RANDOM_SEED", 1) + GetParam() * count;
   std::cout << "seeds " << first << " to " << first + count - 1 << "\n";
   for (std::uint64_t seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
-    const Mix mix{.arcs = seed % 4 != 0, .nurbs = seed % 4 == 1, .blocks = 6};
-    expect_clean(seed, mix, static_cast<ProfileKind>(seed % 6));
+    const Mix mix{.arcs = seed % 4 != 0,
+                  .nurbs = seed % 4 == 1,
+                  .contour = seed % 8 == 0,
+                  .blocks = seed % 8 == 0 ? 60 : 6};
+    const Way way{.kind = static_cast<ProfileKind>(seed % 6),
+                  .window_blocks = seed % 5 < 3 ? 2 + seed % 7 : 1000};
+    expect_clean(seed, mix, way);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Shard, RandomPrograms, testing::Range<std::uint64_t>(0, kShards));
 
 }  // namespace
 }  // namespace kerf::test
