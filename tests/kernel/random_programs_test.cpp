@@ -94,11 +94,16 @@ void expect_clean(std::uint64_t seed, const Mix& mix, const Way& way) {
 }
 
 constexpr std::uint64_t kShards = 8;
+#ifdef KERF_SLOW_BUILD
+constexpr std::uint64_t kPrograms = 800;
+#else
+constexpr std::uint64_t kPrograms = 10'000;
+#endif
 
 class RandomPrograms : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RandomPrograms, KeepEveryLimitAtEveryTickAndEndWhereTheySay) {
-  const std::uint64_t count = from_environment("KERF_RANDOM_PROGRAMS", 10'000) / kShards;
+  const std::uint64_t count = from_environment("KERF_RANDOM_PROGRAMS", kPrograms) / kShards;
   const std::uint64_t first = from_environment("KERF_RANDOM_SEED", 1) + GetParam() * count;
   std::cout << "seeds " << first << " to " << first + count - 1 << "\n";
   for (std::uint64_t seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
