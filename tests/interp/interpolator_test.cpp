@@ -17,6 +17,7 @@ namespace {
 using curves::Arc;
 using curves::Line;
 using curves::NurbsCurve;
+using curves::testing::Wide;
 using profiles::Profile;
 using profiles::ProfileKind;
 using profiles::Transition;
@@ -215,11 +216,11 @@ TEST(Interpolator, FollowsEveryCurveWithoutFluctuation) {
     script.rest(0.0, true);
     Setpoint setpoint;
     double s_before = 0.0;
-    curves::testing::Wide u_before = curve.pieces().front().u_begin;
+    Wide u_before = static_cast<Wide>(curve.pieces().front().u_begin);
     while (script.interpolator().next(setpoint) == TickStatus::running) {
       const double s = setpoint.s_mm;
       const std::size_t index = curve.piece_index(s);
-      const double u = curve.pieces()[index].u_at(s);
+      const auto u = static_cast<Wide>(curve.pieces()[index].u_at(s));
       // On the curve: the point of the second evaluator at the same parameter.
       const auto point = curves::testing::reference_point_mm(named.data, u);
       for (int k = 0; k < 3; ++k) {
