@@ -38,8 +38,9 @@ INCLUDE = re.compile(r"^\s*#\s*include(_next)?\b\s*(.*)$")
 TARGET = re.compile(r'^(?:"([^"]+)"|<([^>]+)>)')
 
 
-def violations_in(text, folder, root):
+def violations_in(text, path, root):
     """(line, message) of every include of one file that its folder may not have."""
+    folder = path.relative_to(root).parts[0]
     for number, line in enumerate(text.splitlines(), 1):
         directive = INCLUDE.match(line)
         if not directive:
@@ -50,7 +51,8 @@ def violations_in(text, folder, root):
             continue
         header = target.group(1) or target.group(2)
         top = header.split("/")[0]
-        if target.group(1) and not (root / header).is_file():
+        sibling = folder not in LIBRARY and (path.parent / header).is_file()
+        if target.group(1) and not sibling and not (root / header).is_file():
             yield number, f'"{header}" is no file of the project; the include path is its root'
         if folder not in LIBRARY:
             continue
@@ -68,7 +70,7 @@ def violations(root):
         # A project built against the installed library (tests/embedding) has another include path.
         if relative.parts[:2] == ("tests", "embedding"):
             continue
-        for line, message in violations_in(path.read_text(encoding="utf-8"), relative.parts[0], root):
+        for line, message in violations_in(path.read_text(encoding="utf-8"), path, root):
             yield f"{relative}:{line}: error: {message}"
 
 

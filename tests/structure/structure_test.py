@@ -70,6 +70,13 @@ class IncludeRule(Checkout):
         self.write("curves/line.cpp", '#include "../parser/move.hpp"\n')
         self.assertEqual(len(self.found()), 1)
 
+    def test_lets_a_test_name_its_neighbour(self):
+        self.write("tests/curves/reference.hpp", "#pragma once\n")
+        self.write("tests/curves/arc_test.cpp", '#include "reference.hpp"\n')
+        self.assertEqual(self.found(), [])
+        self.write("tests/parser/wrong_test.cpp", '#include "reference.hpp"\n')
+        self.assertEqual(len(self.found()), 1)
+
     def test_refuses_a_header_named_by_a_macro(self):
         self.write("curves/line.cpp", "#include HEADER\n")
         self.assertEqual(len(self.found()), 1)
