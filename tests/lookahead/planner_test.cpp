@@ -321,7 +321,7 @@ TEST(Planner, StopsOnRequestBelowThePlan) {
   const double v = last.law.ramp().v_end_mm_s;
   const double s = last.path_begin_mm + last.s_end_mm;
   ASSERT_GT(v, 50.0);
-  planner.stop(9);
+  planner.stop();
   while (planner.emit(outbox)) {
   }
   expect_contiguous(outbox.phases);
