@@ -114,17 +114,23 @@ double Interpolator::chord_error_mm() const noexcept {
   const Position& from = position_before_mm_;
   const Position& to = now_.position_mm;
   double error = 0.0;
-  if (piece_.curve != piece_before_.curve) {
-    const double end = curves::s_end_mm(piece_before_.geometry);
-    const Position joint = curves::position_at(piece_before_.geometry, end);
-    return piece_before_.curve == 0 ? 0.0 : distance_to_chord_mm(joint, from, to);
-  }
-  for (const double share : {0.25, 0.5, 0.75}) {
+  const auto look = [&](const PathPiece& piece, double s_mm) {
+    error =
+        std::max(error, distance_to_chord_mm(curves::position_at(piece.geometry, s_mm), from, to));
+  };
+  const double s_joint = curves::s_end_mm(piece_before_.geometry);
+  const bool joint = piece_.curve != piece_before_.curve && piece_before_.curve != 0;
+  for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+    if (joint) {
+      look(piece_before_, s_before_mm_ + share * (s_joint - s_before_mm_));
+      look(piece_, share * s_now_mm_);
+      continue;
+    }
     const double s = s_before_mm_ + share * (s_now_mm_ - s_before_mm_);
-    const bool before = s <= curves::s_end_mm(piece_before_.geometry);
-    if (before || s >= curves::s_begin_mm(piece_.geometry)) {
-      const Position point = curves::position_at((before ? piece_before_ : piece_).geometry, s);
-      error = std::max(error, distance_to_chord_mm(point, from, to));
+    if (piece_before_.curve != 0 && s <= s_joint) {
+      look(piece_before_, s);
+    } else if (s >= curves::s_begin_mm(piece_.geometry)) {
+      look(piece_, s);
     }
   }
   return error;

@@ -32,7 +32,8 @@ class Interpolator {
   }
 
   // How far the path leaves the straight line between the last two setpoints: the largest distance
-  // of three points of the path between them, and of the joint if they lie on two curves.
+  // of points of the path between them, the joint among them if they lie on two curves. Blocks that
+  // lie wholly between the two are not looked at.
   [[nodiscard]] double chord_error_mm() const noexcept;
 
  private:

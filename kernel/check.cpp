@@ -22,11 +22,15 @@ class Checker {
   explicit Checker(const MachineSettings& settings)
       : envelope_(machine::envelope_of(settings.table)) {}
 
-  void look_at(const parser::Move& move, CheckReport& report) {
+  // Of what follows an error only the curves are looked at: it may start anywhere.
+  void look_at(const parser::Move& move, bool after_error, CheckReport& report) {
     curves_.clear();
     if (const auto built = lookahead::append_curves(move, curves_); !built) {
       report.diagnostics.push_back(
           {.source = {.line = built.error().line, .column = 1}, .message = built.error().message});
+      return;
+    }
+    if (after_error || report.has_errors()) {
       return;
     }
     for (const curves::Curve& curve : curves_) {
@@ -70,7 +74,7 @@ CheckReport check_program(const TextSource& text, const MachineSettings& setting
   bool more_text = true;
   for (parser::Move move;;) {
     if (reader.next(move)) {
-      checker.look_at(move, report);
+      checker.look_at(move, reader.has_errors(), report);
     } else if (reader.at_end() || !more_text) {
       break;
     } else if (const std::string_view piece = text(); piece.empty()) {

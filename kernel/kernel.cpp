@@ -1,6 +1,7 @@
 #include "kernel/kernel.hpp"
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "lookahead/block_builder.hpp"
@@ -52,11 +53,16 @@ class Kernel::Impl {
     return frozen_until_tick_ - interpolator_.plan_tick() <= horizon_ticks_ / 2;
   }
 
-  void stop() {
+  void drain() {
     if (!finished_) {
-      planner_.stop(line_);
-      finished_ = true;
+      planner_.drain();
+      plan();
     }
+  }
+
+  void stop() {
+    planner_.stop();
+    finished_ = true;
   }
 
   [[nodiscard]] double chord_error_mm() const noexcept { return interpolator_.chord_error_mm(); }
@@ -128,18 +134,26 @@ class Kernel::Impl {
   }
 
   void push_blocks(const Move& move) {
+    if (const char* what = lookahead::unbounded(limits_); what != nullptr) {
+      fail({line_, std::string("the machine has no limit of ") + what});
+      return;
+    }
     blocks_.clear();
     if (const auto built = lookahead::append_blocks(move, limits_, blocks_); !built) {
-      plan_failed_ = true;
-      all_diagnostics_ = reader_.diagnostics();
-      all_diagnostics_.push_back(
-          {.source = {.line = built.error().line, .column = 1}, .message = built.error().message});
-      end_program();
+      fail(built.error());
       return;
     }
     for (lookahead::Block& block : blocks_) {
       planner_.push(std::move(block));
     }
+  }
+
+  void fail(const lookahead::PlanError& error) {
+    plan_failed_ = true;
+    all_diagnostics_ = reader_.diagnostics();
+    all_diagnostics_.push_back(
+        {.source = {.line = error.line, .column = 1}, .message = error.message});
+    end_program();
   }
 
   void end_program() {
@@ -184,12 +198,15 @@ interp::TickStatus Kernel::tick(interp::Setpoint& setpoint) noexcept {
 }
 
 interp::TickStatus Kernel::next(interp::Setpoint& setpoint) {
-  if (impl_->low()) {
-    impl_->plan();
+  if (impl_->low() && impl_->plan() && impl_->low()) {
+    impl_->drain();
   }
   return impl_->tick(setpoint);
 }
 
+void Kernel::drain() {
+  impl_->drain();
+}
 void Kernel::stop() {
   impl_->stop();
 }

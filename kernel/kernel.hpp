@@ -26,6 +26,8 @@ struct KernelOptions {
 // Feeding and planning happen in the caller's thread; tick() only reads what was planned and is
 // safe in a real-time thread of its own. A program with an error stops on the path before the block
 // that is wrong; check_program (check.hpp) finds errors before anything moves.
+// Precondition: settings.limits bound velocity, acceleration and jerk, along the path or on all
+// axes, as parse_machine_file demands; else the program ends before its first move with an error.
 class Kernel {
  public:
   explicit Kernel(const MachineSettings& settings, const KernelOptions& options = {});
@@ -45,6 +47,9 @@ class Kernel {
   // plan() and tick(): for callers with one thread and no clock. Starved means: feed() or finish().
   interp::TickStatus next(interp::Setpoint& setpoint);
 
+  // Lets the tool come to rest after all that was read: for when more text does not come before the
+  // horizon is used up. next() does so by itself.
+  void drain();
   // Lets the tool come to rest on the path as soon as the limits allow, and ends the program there.
   void stop();
 

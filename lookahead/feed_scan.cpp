@@ -13,6 +13,8 @@ namespace {
 constexpr int kChordPoints = 7;         // inside a tick
 constexpr int kMaxAdjustments = 30;     // 2 to 4 are usual
 constexpr double kLeastStep_mm = 1e-7;  // below any curve's features: keeps the walk finite
+// What straight lines between samples may miss of the bound.
+constexpr double kInside = 0.9998;
 // The feedrate aims this far inside the tolerance, so that the adjustment ends.
 constexpr double kAim = 0.9995;
 
@@ -77,7 +79,7 @@ Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
   Ceiling ceiling;
   for (double s = 0.0; s < length;) {
     const double v = tick_bound_mm_s(curve, s, limits);
-    const double allowed = v < limits.feedrate_mm_s ? std::max(v - slack, 0.9 * v) : v;
+    const double allowed = v < limits.feedrate_mm_s ? kInside * std::max(v - slack, 0.9 * v) : v;
     const double middle = std::min(s + v * half_tick, length);
     const curves::NurbsPiece& piece = curve.pieces()[curve.piece_index(s)];
     if (ceiling.empty()) {

@@ -14,8 +14,8 @@ struct ScanLimits {
   double chord_tolerance_mm = kUnbounded;
 };
 
-// Walks the curve; at each place finds the longest tick whose chord stays within the tolerance, by
-// measuring the chord error and shrinking the feedrate with the square root of its excess until it
+// Walks the curve; at each place begins with the feedrate that the curvature there allows, measures
+// the chord error of the tick and shrinks the feedrate with the square root of its excess until it
 // fits (Sigmoid, section 3.1; MATH section 5). The walk goes by arc length, so a step needs no
 // Taylor series.
 //

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "profiles/profile.hpp"
+
 namespace kerf::lookahead {
 
 namespace {
@@ -11,9 +13,6 @@ constexpr double kCoastTicks = 3.0;  // the support of a third difference
 // Below these a joint is as smooth as positions in double precision can tell.
 constexpr double kSmoothTangent = 1e-12;
 constexpr double kSmoothCurvature_per_mm = 1e-12;
-// Passing saves about 2 sqrt(F / J) against a stop and costs two coasts, so it pays from
-// F = (kCoastTicks Ts)^2 J on.
-constexpr double kWorthwhile = kCoastTicks * kCoastTicks;
 // Two coasts at most fill a block; that much less, and sums of their lengths fit after rounding
 // too.
 constexpr double kBelowRounding = 1.0 - 1e-9;
@@ -54,6 +53,17 @@ double largest_below(const Cubic& f, double bound) {
 
 double limit_or_path(double axis, double path) {
   return std::isfinite(axis) ? axis : path;
+}
+
+// About what passing at a feedrate saves against a stop: half of braking to rest and half of
+// accelerating from it, by the fastest law there is. It costs the two coasts.
+double saved_s(double feedrate_mm_s, const Block& before, const Block& after) {
+  static const profiles::Profile fastest(profiles::ProfileKind::s_curve);
+  const profiles::RampLimits& a = before.limits.ramp;
+  const profiles::RampLimits& b = after.limits.ramp;
+  return fastest.duration_s(
+      feedrate_mm_s, {.acceleration_mm_s2 = std::min(a.acceleration_mm_s2, b.acceleration_mm_s2),
+                      .jerk_mm_s3 = std::min(a.jerk_mm_s3, b.jerk_mm_s3)});
 }
 
 }  // namespace
@@ -97,8 +107,7 @@ Junction junction(const JunctionQuery& query, const PlanLimits& limits) {
   const double coast = kCoastTicks * limits.period_s;
   const double fits = kBelowRounding * std::min(before.length_mm, after.length_mm) / (2.0 * coast);
   const double feedrate = std::min({cap, corner, fits});
-  const double jerk = std::min(before.limits.ramp.jerk_mm_s3, after.limits.ramp.jerk_mm_s3);
-  if (feedrate < kWorthwhile * jerk * limits.period_s * limits.period_s) {
+  if (saved_s(feedrate, before, after) < 2.0 * coast) {
     return {.feedrate_mm_s = 0.0};
   }
   return {.feedrate_mm_s = feedrate, .coast_s = coast};

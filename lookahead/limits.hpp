@@ -22,4 +22,8 @@ struct PlanLimits {
   double chord_tolerance_mm = kUnbounded;
 };
 
+// What of "velocity", "acceleration" or "jerk" is bounded neither along the path nor on all axes: a
+// rapid would have no end. Null: nothing.
+const char* unbounded(const PlanLimits& limits);
+
 }  // namespace kerf::lookahead

@@ -32,8 +32,6 @@ bool Planner::wants_block() const noexcept {
 }
 
 void Planner::push(Block block) {
-  ++totals_.blocks;
-  totals_.path_length_mm += block.length_mm;
   join_to_last(block);
   append_spans(block);
   blocks_.push_back(std::move(block));
@@ -64,7 +62,6 @@ void Planner::append_spans(const Block& block) {
     }
   }
   window_[first].span.begin_coast_s = first > 0 ? window_[first - 1].span.end.coast_s : 0.0;
-  totals_.spans += window_.size() - first;
 }
 
 void Planner::push_rest(double duration_s, std::uint32_t line) {
@@ -93,7 +90,15 @@ void Planner::plan_window() {
   }
 }
 
-void Planner::stop(std::uint32_t line) {
+void Planner::drain() {
+  draining_ = true;
+  ready_spans_ = 0;
+}
+
+void Planner::stop() {
+  if (rest_.ends_program && !rest_pending_) {
+    return;
+  }
   backward_pass(window_, settings_.profile);
   double v = v_mm_s_;
   std::size_t kept = 0;
@@ -105,7 +110,7 @@ void Planner::stop(std::uint32_t line) {
     item.v_end_mm_s = v;
   }
   window_.keep_front(kept);
-  finish(line);
+  finish(0);
 }
 
 bool Planner::emit(Outbox& outbox) {
@@ -114,6 +119,7 @@ bool Planner::emit(Outbox& outbox) {
       emit_rest(outbox);
       return true;
     }
+    draining_ = rest_.ends_program;
     return false;
   }
   if (ready_spans_ == 0) {
@@ -128,6 +134,7 @@ bool Planner::emit(Outbox& outbox) {
 
 void Planner::begin_block(Outbox& outbox) {
   ++curve_;
+  ++totals_.blocks;
   s_mm_ = 0.0;
   block_begun_ = true;
   const curves::Curve& curve = blocks_.front().curve;
@@ -184,6 +191,7 @@ void Planner::emit_plan(Outbox& outbox, const SpanPlan& plan) {
 
 void Planner::leave_span() {
   const Span& span = window_.front().span;
+  ++totals_.spans;
   s_mm_ = span.s_begin_mm + span.length_mm;
   if (span.ends_block) {
     s_mm_ = blocks_.front().length_mm;
@@ -191,6 +199,7 @@ void Planner::leave_span() {
     blocks_.pop_front();
     block_begun_ = false;
   }
+  totals_.path_length_mm = path_begin_mm_ + (block_begun_ ? s_mm_ : 0.0);
   window_.pop_front();
   --ready_spans_;
 }
@@ -204,6 +213,7 @@ void Planner::emit_phase(Outbox& outbox, const profiles::Transition& law, double
                            .law = law,
                            .line = blocks_.front().line});
   s_mm_ = s_end_mm;
+  line_ = blocks_.front().line;
   advance_clock(law.duration_s());
 }
 
@@ -213,7 +223,7 @@ void Planner::emit_rest(Outbox& outbox) {
                       .s_begin_mm = s_mm_,
                       .s_end_mm = s_mm_,
                       .law = profiles::Transition::rest(rest_.duration_s),
-                      .line = rest_.line,
+                      .line = rest_.line != 0 ? rest_.line : line_,
                       .ends_at_rest = true,
                       .ends_program = rest_.ends_program};
   phase.path_begin_mm = block_begun_ ? path_begin_mm_ : path_begin_mm_ - s_mm_;

@@ -27,11 +27,12 @@ struct PlannerSettings {
   double longest_cruise_s = 0.1;
 };
 
+// Of what was emitted.
 struct PlanTotals {
   std::uint64_t blocks = 0;
   std::uint64_t spans = 0;
   double path_length_mm = 0.0;
-  std::int64_t ticks = 0;  // whole program's, once finished
+  std::int64_t ticks = 0;
 };
 
 // Blocks go in while wants_block(); motion comes out of emit(), one span a call. A span is emitted
@@ -52,9 +53,12 @@ class Planner {
   // The program ends at rest after what was pushed. Precondition: wants_block().
   void finish(std::uint32_t line);
 
+  // Everything pushed so far may be emitted; it ends at rest. For when no further move comes in
+  // time.
+  void drain();
   // Lets the motion end at rest as soon as the limits allow after what was emitted, and the program
-  // with it. The tool stays on the path.
-  void stop(std::uint32_t line);
+  // with it. The tool stays on the path. Nothing happens once the program's end was emitted.
+  void stop();
 
   // Appends the motion of one span, of a part of it, or of a rest. False: nothing is ready; push or
   // finish.
@@ -65,7 +69,7 @@ class Planner {
  private:
   struct Rest {
     double duration_s = 0.0;
-    std::uint32_t line = 0;
+    std::uint32_t line = 0;  // 0: that of the last motion
     bool ends_program = false;
   };
 
@@ -95,6 +99,7 @@ class Planner {
   double v_mm_s_ = 0.0;
   double s_mm_ = 0.0;           // on the curve
   double path_begin_mm_ = 0.0;  // of all curves before this one
+  std::uint32_t line_ = 0;
   interp::TickTime clock_{};
   PlanTotals totals_{};
 };

@@ -17,16 +17,14 @@ double Slope::top_mm_s() const noexcept {
   return samples_.empty() ? kHighest : samples_.back().v_mm_s;
 }
 
-double Slope::stretch_for(const profiles::Transition& climb) const {
-  const double length = climb.length_mm();
-  if (samples_.empty() || length <= 0.0) {
-    return 1.0;
+template <typename Visit>
+void Slope::walk(const profiles::Transition& climb, int points, const Visit& visit) const {
+  if (samples_.empty() || climb.length_mm() <= 0.0) {
+    return;
   }
-  double stretch = 1.0;
   std::size_t i = 0;  // the first sample that allows the point's feedrate
-  for (int k = 1; k <= kClimbPoints; ++k) {
-    const double t = climb.duration_s() * k / kClimbPoints;
-    const profiles::PathMotion point = climb.at(t);
+  for (int k = 1; k <= points; ++k) {
+    const profiles::PathMotion point = climb.at(climb.duration_s() * k / points);
     while (i + 1 < samples_.size() && samples_[i].v_mm_s < point.v_mm_s) {
       ++i;
     }
@@ -37,10 +35,24 @@ double Slope::stretch_for(const profiles::Transition& climb) const {
     const Sample& high = samples_[i];
     const double rise = high.v_mm_s - low.v_mm_s;
     const double share = rise > 0.0 ? std::min((point.v_mm_s - low.v_mm_s) / rise, 1.0) : 1.0;
-    const double needed = low.distance_mm + share * (high.distance_mm - low.distance_mm);
-    stretch = std::max(stretch, needed / point.s_mm);
+    visit(point, low.distance_mm + share * (high.distance_mm - low.distance_mm));
   }
+}
+
+double Slope::stretch_for(const profiles::Transition& climb) const {
+  double stretch = 1.0;
+  walk(climb, kClimbPoints, [&stretch](const profiles::PathMotion& point, double allowed_from_mm) {
+    stretch = std::max(stretch, allowed_from_mm / point.s_mm);
+  });
   return stretch;
+}
+
+double Slope::delay_for_mm(const profiles::Transition& climb) const {
+  double delay_mm = 0.0;
+  walk(climb, kStartPoints, [&delay_mm](const profiles::PathMotion& point, double allowed_from_mm) {
+    delay_mm = std::max(delay_mm, allowed_from_mm - point.s_mm);
+  });
+  return delay_mm;
 }
 
 }  // namespace kerf::lookahead

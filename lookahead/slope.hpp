@@ -31,10 +31,18 @@ class Slope {
   // feedrates at the same shares of its length, so each of its points asks for a length of its own
   // and the largest decides: no iteration. Judged at kClimbPoints points of the transition.
   [[nodiscard]] double stretch_for(const profiles::Transition& climb) const;
+  // How far from the foot the climb must begin instead, unstretched: for a law whose acceleration
+  // jumps, which no stretch keeps below a ceiling that is flat at the foot. Judged at kStartPoints.
+  [[nodiscard]] double delay_for_mm(const profiles::Transition& climb) const;
 
  private:
   static constexpr int kClimbPoints = 64;
+  static constexpr int kStartPoints = 512;  // where a jump of acceleration meets the ceiling
   static constexpr double kHighest = std::numeric_limits<double>::infinity();
+  // Calls visit(motion of the climb, distance from which its feedrate is allowed) point by point.
+  template <typename Visit>
+  void walk(const profiles::Transition& climb, int points, const Visit& visit) const;
+
   std::vector<Sample> samples_;
 };
 

@@ -23,10 +23,27 @@ struct Climb {
   double far_coast_s = 0.0;
 };
 
-Transition climb_to(const Slope& slope, const Ramp& ramp, const Span& span,
-                    const Profile& profile) {
+// A transition from a span's end upwards, and how far it cruises at that end first.
+struct Ascent {
+  Transition law{};
+  double foot_mm = 0.0;
+
+  [[nodiscard]] double length_mm() const { return foot_mm + law.length_mm(); }
+  [[nodiscard]] double duration_s() const {
+    const double v = law.ramp().v_begin_mm_s;
+    return law.duration_s() + (foot_mm > 0.0 ? foot_mm / v : 0.0);
+  }
+};
+
+Ascent climb_to(const Slope& slope, const Ramp& ramp, const Span& span, const Profile& profile) {
   const Transition fastest = profile.fastest(ramp, span.limits.ramp);
-  return slope.empty() ? fastest : fastest.stretched(slope.stretch_for(fastest));
+  if (slope.empty()) {
+    return {.law = fastest};
+  }
+  if (profile.kind() == profiles::ProfileKind::trapezoid && ramp.v_begin_mm_s > 0.0) {
+    return {.law = fastest, .foot_mm = slope.delay_for_mm(fastest)};
+  }
+  return {.law = fastest.stretched(slope.stretch_for(fastest))};
 }
 
 double reach_mm_s(const Span& span, const Climb& climb, const Profile& profile) {
@@ -57,8 +74,8 @@ double reach_mm_s(const Span& span, const Climb& climb, const Profile& profile) 
 }
 
 struct Hill {
-  Transition up{};
-  Transition down_mirrored{};  // climbs from the end's feedrate
+  Ascent up{};
+  Ascent down_mirrored{};  // climbs from the end's feedrate
 };
 
 // Under a ceiling a higher plateau asks for gentler slopes, so the highest is not the fastest:
@@ -133,6 +150,13 @@ class PlateauSearch {
   double length_mm_;
   const Profile& profile_;
 };
+
+// Makes a cruise at an end of a span longer.
+void lengthen(Transition& coast, double v_mm_s, double by_mm) {
+  if (by_mm > 0.0) {
+    coast = Transition::cruise(v_mm_s, coast.length_mm() + by_mm);
+  }
+}
 
 Transition coast(double v_mm_s, double duration_s) {
   const double length = v_mm_s * duration_s;
@@ -230,10 +254,14 @@ SpanPlan plan_span(const Span& span, const SpanEnds& ends, const Profile& profil
     const PlateauSearch search(span, ends, length, profile);
     plateau = search.best_mm_s();
     const Hill hill = search.hill(plateau);
-    plan.acceleration = hill.up;
-    plan.deceleration = hill.down_mirrored.reversed();
+    plan.acceleration = hill.up.law;
+    plan.deceleration = hill.down_mirrored.law.reversed();
+    lengthen(plan.begin_coast, ends.v_begin_mm_s, hill.up.foot_mm);
+    lengthen(plan.end_coast, ends.v_end_mm_s, hill.down_mirrored.foot_mm);
   }
-  const double spare = length - plan.acceleration.length_mm() - plan.deceleration.length_mm();
+  const double spare = span.length_mm - plan.begin_coast.length_mm() -
+                       plan.acceleration.length_mm() - plan.deceleration.length_mm() -
+                       plan.end_coast.length_mm();
   if (spare > 0.0) {
     plan.cruise = Transition::cruise(plateau, spare);
   }

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "curves/arc_length_rule.hpp"
-#include "reference_nurbs.hpp"
-#include "shipped_curves.hpp"
+#include "tests/curves/reference_nurbs.hpp"
+#include "tests/curves/shipped_curves.hpp"
 
 namespace kerf::curves {
 namespace {

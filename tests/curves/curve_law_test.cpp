@@ -6,8 +6,8 @@
 
 #include "curves/arc_builder.hpp"
 #include "curves/curve.hpp"
-#include "reference_nurbs.hpp"
-#include "shipped_curves.hpp"
+#include "tests/curves/reference_nurbs.hpp"
+#include "tests/curves/shipped_curves.hpp"
 
 namespace kerf::curves {
 namespace {

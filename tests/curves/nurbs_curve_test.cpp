@@ -8,8 +8,8 @@
 
 #include "curves/arc.hpp"
 #include "curves/arc_length.hpp"
-#include "reference_nurbs.hpp"
-#include "shipped_curves.hpp"
+#include "tests/curves/reference_nurbs.hpp"
+#include "tests/curves/shipped_curves.hpp"
 
 namespace kerf::curves {
 namespace {

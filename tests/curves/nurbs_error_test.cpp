@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "curves/nurbs_curve.hpp"
-#include "reference_nurbs.hpp"
+#include "tests/curves/reference_nurbs.hpp"
 
 namespace kerf::curves {
 namespace {

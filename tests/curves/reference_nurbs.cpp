@@ -1,4 +1,4 @@
-#include "reference_nurbs.hpp"
+#include "tests/curves/reference_nurbs.hpp"
 
 #include <algorithm>
 #include <cmath>

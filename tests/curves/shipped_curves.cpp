@@ -1,4 +1,4 @@
-#include "shipped_curves.hpp"
+#include "tests/curves/shipped_curves.hpp"
 
 #include <stdexcept>
 

@@ -86,5 +86,9 @@ TEST(Valleys, AreOneForEachPeriodOfACosine) {
   EXPECT_EQ(found, (Indices{50, 150, 250, 350, 450}));
 }
 
+TEST(BreakingPoints, AreTheEndsOfAScanOfTwoSamples) {
+  EXPECT_EQ(breaking_points(ceiling_of({1, 5}), 1.0), (Indices{0, 1}));
+}
+
 }  // namespace
 }  // namespace kerf::lookahead::test

@@ -229,5 +229,15 @@ TEST(Junction, CoastsNoFasterThanTwoCoastsFitIntoTheShorterBlock) {
   EXPECT_GE(2.0 * joint.coast_s * joint.feedrate_mm_s, 0.999 * blocks[1].length_mm);
 }
 
+TEST(Junction, PassesACornerWhereNothingLimitsJerk) {
+  const PlanLimits limits = axis_limits({.velocity_mm_s = 100.0, .acceleration_mm_s2 = 3000.0});
+  const auto blocks = blocks_of(
+      {line_move({{0, 0, 0}, {10, 0, 0}}, 50.0), line_move({{10, 0, 0}, {20, 1, 0}}, 50.0)},
+      limits);
+  const Junction joint = junction({.before = &blocks[0], .after = &blocks[1]}, limits);
+  // |du| of y is 1 / sqrt(101), and A Ts / |du| = 3 mm/s sqrt(101).
+  EXPECT_NEAR(joint.feedrate_mm_s, 3.0 * std::sqrt(101.0), 1e-9);
+}
+
 }  // namespace
 }  // namespace kerf::lookahead::test

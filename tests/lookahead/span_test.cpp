@@ -246,7 +246,7 @@ TEST(Span, IsNeverAboveTheCeilingOfACurve) {
     SCOPED_TRACE(name);
     const Block block =
         blocks_of({nurbs_move(curves::testing::shipped_curve(name))}, butterfly_limits()).front();
-    for (const ProfileKind kind : jerk_limited_kinds()) {
+    for (const ProfileKind kind : all_kinds()) {
       SCOPED_TRACE(profiles::name_of(kind));
       const Profile profile{kind};
       double v_begin = 0.0;

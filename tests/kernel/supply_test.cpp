@@ -1,0 +1,87 @@
+// What the kernel does where its supply fails: no more text, no limits, a stop after the last byte.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "kernel/kernel.hpp"
+#include "tests/kernel/shipped_text.hpp"
+#include "tests/kernel/tick_checker.hpp"
+
+namespace kerf::test {
+namespace {
+
+using interp::Setpoint;
+using interp::TickStatus;
+
+std::int64_t ticks_to_the_end(Kernel& kernel, Setpoint& setpoint) {
+  std::int64_t ticks = 0;
+  while (kernel.next(setpoint) == TickStatus::running && ticks < 100'000) {
+    ++ticks;
+  }
+  return ticks;
+}
+
+TEST(Stop, WorksInAProgramThatEndsWithItsLastByte) {
+  Kernel kernel(mill());
+  kernel.feed("G21 G90 G1 X1000 F6000\n");
+  kernel.finish();
+  Setpoint setpoint;
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_EQ(kernel.next(setpoint), TickStatus::running);
+  }
+  kernel.stop();
+  EXPECT_LE(ticks_to_the_end(kernel, setpoint), 1200);
+  EXPECT_EQ(setpoint.v_mm_s, 0.0);
+  EXPECT_EQ(setpoint.line, 1U);
+}
+
+TEST(Stop, DoesNothingOnceTheProgramHasEnded) {
+  Kernel kernel(mill());
+  kernel.feed("G21 G90 G1 X1 F6000\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  ticks_to_the_end(kernel, setpoint);
+  kernel.stop();
+  EXPECT_EQ(kernel.next(setpoint), TickStatus::finished);
+  EXPECT_EQ(setpoint.position_mm[0], 1.0);
+}
+
+TEST(Kernel, StarvesAtRestWhereTheTextStopsComing) {
+  Kernel kernel(mill(), {.window_blocks = 4});
+  std::string text = "G21 G90 F3000\n";
+  for (int i = 1; i <= 11; ++i) {
+    text += "G1 X" + std::to_string(2 * i) + "\n";
+  }
+  kernel.feed(text);
+  TickChecker checker(mill().limits, true);
+  Setpoint setpoint;
+  int starved = 0;
+  for (int i = 0; i < 3000 && starved < 50; ++i) {
+    starved += kernel.next(setpoint) == TickStatus::starved ? 1 : 0;
+    checker.add({.setpoint = setpoint, .feedrate_mm_s = 50.0});
+  }
+  EXPECT_EQ(starved, 50);
+  EXPECT_EQ(setpoint.position_mm[0], 22.0);
+  kernel.feed("G1 X40\nM2\n");
+  kernel.finish();
+  for (TickStatus status = TickStatus::running; status == TickStatus::running;) {
+    status = kernel.next(setpoint);
+    checker.add({.setpoint = setpoint, .feedrate_mm_s = 50.0});
+  }
+  EXPECT_EQ(checker.complaint(), "");
+  EXPECT_EQ(setpoint.position_mm[0], 40.0);
+}
+
+TEST(Kernel, RefusesToMoveAMachineWithoutLimits) {
+  Kernel kernel(MachineSettings{});
+  kernel.feed("G21 G90 G0 X10\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  ticks_to_the_end(kernel, setpoint);
+  EXPECT_EQ(setpoint.position_mm[0], 0.0);
+  ASSERT_TRUE(kernel.has_errors());
+  EXPECT_EQ(kernel.diagnostics().back().message, "the machine has no limit of velocity");
+}
+
+}  // namespace
+}  // namespace kerf::test
