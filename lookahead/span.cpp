@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "lookahead/ascent.hpp"
+#include "lookahead/plateau.hpp"
+
 namespace kerf::lookahead {
 
 using profiles::Profile;
@@ -22,29 +25,6 @@ struct Climb {
   double near_coast_s = 0.0;
   double far_coast_s = 0.0;
 };
-
-// A transition from a span's end upwards, and how far it cruises at that end first.
-struct Ascent {
-  Transition law{};
-  double foot_mm = 0.0;
-
-  [[nodiscard]] double length_mm() const { return foot_mm + law.length_mm(); }
-  [[nodiscard]] double duration_s() const {
-    const double v = law.ramp().v_begin_mm_s;
-    return law.duration_s() + (foot_mm > 0.0 ? foot_mm / v : 0.0);
-  }
-};
-
-Ascent climb_to(const Slope& slope, const Ramp& ramp, const Span& span, const Profile& profile) {
-  const Transition fastest = profile.fastest(ramp, span.limits.ramp);
-  if (slope.empty()) {
-    return {.law = fastest};
-  }
-  if (profile.kind() == profiles::ProfileKind::trapezoid && ramp.v_begin_mm_s > 0.0) {
-    return {.law = fastest, .foot_mm = slope.delay_for_mm(fastest)};
-  }
-  return {.law = fastest.stretched(slope.stretch_for(fastest))};
-}
 
 double reach_mm_s(const Span& span, const Climb& climb, const Profile& profile) {
   if (climb.v_low_mm_s >= climb.cap_mm_s) {
@@ -72,84 +52,6 @@ double reach_mm_s(const Span& span, const Climb& climb, const Profile& profile) 
   }
   return low;
 }
-
-struct Hill {
-  Ascent up{};
-  Ascent down_mirrored{};  // climbs from the end's feedrate
-};
-
-// Under a ceiling a higher plateau asks for gentler slopes, so the highest is not the fastest:
-// bisect for the highest that fits, then search the least time below it. Weakness: takes time over
-// the plateau to fall and then to rise, with one valley between.
-class PlateauSearch {
- public:
-  PlateauSearch(const Span& span, const SpanEnds& ends, double length_mm, const Profile& profile)
-      : span_(span), ends_(ends), length_mm_(length_mm), profile_(profile) {}
-
-  [[nodiscard]] double best_mm_s() const {
-    double low = std::max(ends_.v_begin_mm_s, ends_.v_end_mm_s);
-    double high = std::max(
-        low, std::min({span_.limits.feedrate_mm_s, span_.rise.top_mm_s(), span_.fall.top_mm_s()}));
-    if (spare_mm(hill(high)) < 0.0) {
-      double fits = low;
-      for (int i = 0; i < 40; ++i) {
-        const double middle = 0.5 * (fits + high);
-        (spare_mm(hill(middle)) >= 0.0 ? fits : high) = middle;
-      }
-      high = fits;
-    }
-    return fastest_between(low, high);
-  }
-
-  [[nodiscard]] Hill hill(double plateau_mm_s) const {
-    return {
-        .up = climb_to(span_.rise, {ends_.v_begin_mm_s, plateau_mm_s}, span_, profile_),
-        .down_mirrored = climb_to(span_.fall, {ends_.v_end_mm_s, plateau_mm_s}, span_, profile_)};
-  }
-
- private:
-  static constexpr double kGolden = 0.6180339887498949;
-
-  [[nodiscard]] double spare_mm(const Hill& hill) const {
-    return length_mm_ - hill.up.length_mm() - hill.down_mirrored.length_mm();
-  }
-
-  [[nodiscard]] double time_s(double plateau_mm_s) const {
-    const Hill h = hill(plateau_mm_s);
-    return h.up.duration_s() + h.down_mirrored.duration_s() + spare_mm(h) / plateau_mm_s;
-  }
-
-  [[nodiscard]] double fastest_between(double low, double high) const {
-    double a = low;
-    double b = high;
-    double x1 = b - kGolden * (b - a);
-    double x2 = a + kGolden * (b - a);
-    double t1 = time_s(x1);
-    double t2 = time_s(x2);
-    for (int i = 0; i < 24; ++i) {
-      if (t1 < t2) {
-        b = x2;
-        x2 = x1;
-        t2 = t1;
-        x1 = b - kGolden * (b - a);
-        t1 = time_s(x1);
-      } else {
-        a = x1;
-        x1 = x2;
-        t1 = t2;
-        x2 = a + kGolden * (b - a);
-        t2 = time_s(x2);
-      }
-    }
-    const double inner = t1 < t2 ? x1 : x2;
-    return time_s(high) <= std::min(t1, t2) ? high : inner;
-  }
-
-  const Span& span_;
-  const SpanEnds& ends_;
-  double length_mm_;
-  const Profile& profile_;
-};
 
 // Makes a cruise at an end of a span longer.
 void lengthen(Transition& coast, double v_mm_s, double by_mm) {

@@ -1,0 +1,68 @@
+#include "lookahead/plateau.hpp"
+
+#include <algorithm>
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr double kGolden = 0.6180339887498949;
+
+}  // namespace
+
+double PlateauSearch::best_mm_s() const {
+  double low = std::max(ends_.v_begin_mm_s, ends_.v_end_mm_s);
+  double high = std::max(
+      low, std::min({span_.limits.feedrate_mm_s, span_.rise.top_mm_s(), span_.fall.top_mm_s()}));
+  if (spare_mm(hill(high)) < 0.0) {
+    double fits = low;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (fits + high);
+      (spare_mm(hill(middle)) >= 0.0 ? fits : high) = middle;
+    }
+    high = fits;
+  }
+  return fastest_between(low, high);
+}
+
+Hill PlateauSearch::hill(double plateau_mm_s) const {
+  return {.up = climb_to(span_.rise, {ends_.v_begin_mm_s, plateau_mm_s}, span_, profile_),
+          .down_mirrored = climb_to(span_.fall, {ends_.v_end_mm_s, plateau_mm_s}, span_, profile_)};
+}
+
+double PlateauSearch::spare_mm(const Hill& hill) const {
+  return length_mm_ - hill.up.length_mm() - hill.down_mirrored.length_mm();
+}
+
+double PlateauSearch::time_s(double plateau_mm_s) const {
+  const Hill h = hill(plateau_mm_s);
+  return h.up.duration_s() + h.down_mirrored.duration_s() + spare_mm(h) / plateau_mm_s;
+}
+
+double PlateauSearch::fastest_between(double low_mm_s, double high_mm_s) const {
+  double a = low_mm_s;
+  double b = high_mm_s;
+  double x1 = b - kGolden * (b - a);
+  double x2 = a + kGolden * (b - a);
+  double t1 = time_s(x1);
+  double t2 = time_s(x2);
+  for (int i = 0; i < 24; ++i) {
+    if (t1 < t2) {
+      b = x2;
+      x2 = x1;
+      t2 = t1;
+      x1 = b - kGolden * (b - a);
+      t1 = time_s(x1);
+    } else {
+      a = x1;
+      x1 = x2;
+      t1 = t2;
+      x2 = a + kGolden * (b - a);
+      t2 = time_s(x2);
+    }
+  }
+  const double inner = t1 < t2 ? x1 : x2;
+  return time_s(high_mm_s) <= std::min(t1, t2) ? high_mm_s : inner;
+}
+
+}  // namespace kerf::lookahead
