@@ -20,38 +20,24 @@ lookahead::PlanLimits table_limits() {
   return limits;
 }
 
-// A finishing pass over a wavy surface in steps of step_mm, as moves without end.
-class WavyPath {
- public:
-  explicit WavyPath(double step_mm) : step_mm_(step_mm) {}
-
-  const parser::Move& next() {
-    ++count_;
-    const double s = step_mm_ * static_cast<double>(count_);
-    move_.start_mm = here_;
-    here_ = {std::fmod(s, 1e3), 20.0 * std::sin(s / 17.0), 3.0 * std::sin(s / 5.0)};
-    if (here_[0] < move_.start_mm[0]) {
-      move_.start_mm[0] -= 1e3;
-    }
-    move_.shape = parser::LineMove{here_};
-    move_.feedrate_mm_s = 100.0;
-    move_.source.line = static_cast<std::uint32_t>(count_);
-    return move_;
+// A finishing pass over a wavy surface in steps of half a millimetre.
+std::vector<parser::Point> wavy_path(std::int64_t blocks) {
+  std::vector<parser::Point> points;
+  for (std::int64_t i = 0; i <= blocks; ++i) {
+    const double s = 0.5 * static_cast<double>(i);
+    points.push_back({s, 20.0 * std::sin(s / 17.0), 3.0 * std::sin(s / 5.0)});
   }
-
- private:
-  double step_mm_;
-  std::int64_t count_ = 0;
-  parser::Point here_{};
-  parser::Move move_{};
-};
+  return points;
+}
 
 void plan_lines(benchmark::State& state, profiles::ProfileKind kind) {
   const std::int64_t count = state.range(0);
   const lookahead::PlanLimits limits = table_limits();
+  const std::vector<parser::Point> points = wavy_path(count);
   for ([[maybe_unused]] auto _ : state) {
     Planner planner({.limits = limits, .profile = profiles::Profile(kind)});
-    WavyPath path(0.5);
+    parser::Move move;
+    move.feedrate_mm_s = 100.0;
     lookahead::Outbox outbox;
     std::vector<lookahead::Block> blocks;
     const auto drain = [&] {
@@ -65,7 +51,11 @@ void plan_lines(benchmark::State& state, profiles::ProfileKind kind) {
         drain();
       }
       blocks.clear();
-      if (!lookahead::append_blocks(path.next(), limits, blocks)) {
+      const auto k = static_cast<std::size_t>(i);
+      move.source.line = static_cast<std::uint32_t>(i);
+      move.start_mm = points[k];
+      move.shape = parser::LineMove{points[k + 1]};
+      if (!lookahead::append_blocks(move, limits, blocks)) {
         state.SkipWithError("a move was refused");
         return;
       }

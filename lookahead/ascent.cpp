@@ -17,4 +17,10 @@ Ascent climb_to(const Slope& slope, const Ramp& ramp, const Span& span, const Pr
   return {.law = fastest.stretched(slope.stretch_for(fastest))};
 }
 
+double climb_length_mm(const Slope& slope, const Ramp& ramp, const Span& span,
+                       const Profile& profile) {
+  return slope.empty() ? profile.length_mm(ramp, span.limits.ramp)
+                       : climb_to(slope, ramp, span, profile).length_mm();
+}
+
 }  // namespace kerf::lookahead

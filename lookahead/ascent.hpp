@@ -22,4 +22,8 @@ struct Ascent {
 Ascent climb_to(const Slope& slope, const profiles::Ramp& ramp, const Span& span,
                 const profiles::Profile& profile);
 
+// The length of that ascent, cheaper where there is no slope.
+double climb_length_mm(const Slope& slope, const profiles::Ramp& ramp, const Span& span,
+                       const profiles::Profile& profile);
+
 }  // namespace kerf::lookahead

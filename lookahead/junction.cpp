@@ -27,6 +27,9 @@ struct Cubic {
 // above on a convex, rising function descends to the root without passing it; rounding is taken off
 // at the end.
 double largest_below(const Cubic& f, double bound) {
+  if (f.quadratic == 0.0 && f.cubic == 0.0) {
+    return f.linear > 0.0 ? bound / f.linear : kUnbounded;  // between lines: always
+  }
   if (!std::isfinite(bound)) {
     return kUnbounded;
   }
@@ -40,7 +43,7 @@ double largest_below(const Cubic& f, double bound) {
   if (f.cubic > 0.0) {
     x = std::min(x, std::cbrt(bound / f.cubic));
   }
-  if (!std::isfinite(x) || (f.quadratic == 0.0 && f.cubic == 0.0)) {
+  if (!std::isfinite(x)) {
     return x;
   }
   for (int i = 0; i < 8; ++i) {

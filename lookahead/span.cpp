@@ -38,8 +38,7 @@ double reach_mm_s(const Span& span, const Climb& climb, const Profile& profile) 
   }
   const auto fits = [&](double v) {
     const Ramp ramp{.v_begin_mm_s = climb.v_low_mm_s, .v_end_mm_s = v};
-    return climb_to(*climb.slope, ramp, span, profile).length_mm() + climb.far_coast_s * v <=
-           length;
+    return climb_length_mm(*climb.slope, ramp, span, profile) + climb.far_coast_s * v <= length;
   };
   if (fits(climb.cap_mm_s)) {
     return climb.cap_mm_s;
@@ -99,7 +98,7 @@ double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, double v_end_
   }
   const auto fits = [&](double v_end) {
     const Ramp fall{.v_begin_mm_s = v_end, .v_end_mm_s = wanted.v_begin_mm_s};
-    return climb_to(span.fall, fall, span, profile).length_mm() +
+    return climb_length_mm(span.fall, fall, span, profile) +
                span.begin_coast_s * wanted.v_begin_mm_s + span.end.coast_s * v_end <=
            span.length_mm * kAboveRounding;
   };
