@@ -11,7 +11,8 @@ namespace kerf::interp {
 
 enum class TickStatus : std::uint8_t {
   running,   // the setpoint moves, dwells or passes a rest
-  starved,   // at rest: nothing more is planned yet; the setpoint repeats the rest
+  starved,   // nothing more is planned yet; the setpoint repeats the last, a rest if the queue was
+             // kept
   finished,  // this setpoint is the program's last, or repeats it
 };
 

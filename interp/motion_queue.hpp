@@ -9,9 +9,9 @@
 
 namespace kerf::interp {
 
-// Two wait-free rings of fixed size, for one producing and one consuming thread. The planner pushes
-// the pieces of a curve before the phases that run on it, and only whole stretches that end at rest
-// or that are followed by one already planned.
+// Two wait-free rings of fixed size, for one producing and one consuming thread. A phase is pushed
+// after the piece that it begins on. What lies here need not end at rest: the planner holds the
+// rest of the way to a stop, and must push it before the tick has used up what is here.
 class MotionQueue {
  public:
   static constexpr std::size_t kPieces = 1024;
