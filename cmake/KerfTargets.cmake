@@ -1,5 +1,5 @@
 # kerf_library(NAME DEPENDS ... PRIVATE_DEPENDS ...)
-#   the folder's *.cpp as one static library, target kerf_NAME, alias kerf::NAME
+#   the folder's *.cpp, those of its subfolders too, as one static library, target kerf_NAME, alias kerf::NAME
 # kerf_tests(NAME DEPENDS ...)
 #   the folder's *.cpp as one GoogleTest executable NAME_tests, every test in it known to CTest
 
@@ -13,7 +13,7 @@ target_compile_options(kerf_warnings INTERFACE
 function(kerf_library name)
   cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   set(target kerf_${name})
-  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
   add_library(${target} STATIC ${sources})
   add_library(kerf::${name} ALIAS ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)

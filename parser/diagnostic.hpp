@@ -4,16 +4,16 @@
 #include <string>
 #include <string_view>
 
+#include "parser/errors/error_page.hpp"
 #include "parser/move.hpp"
 
 namespace kerf::parser {
-
-enum class Severity : unsigned char { error, warning };
 
 struct Diagnostic {
   Severity severity = Severity::error;
   SourcePosition source;
   std::string message;  // what was found and what was expected
+  const ErrorPage* page = nullptr;
 };
 
 // "file:line:column: error: message", the form that editors understand.

@@ -13,15 +13,15 @@ class DiagnosticList {
  public:
   explicit DiagnosticList(std::size_t max_errors) : max_errors_(max_errors) {}
 
-  void error(SourcePosition source, std::string message) {
+  void error(SourcePosition source, std::string message, const ErrorPage* page = nullptr) {
     if (!full()) {
       ++errors_;
-      list_.push_back({Severity::error, source, std::move(message)});
+      list_.push_back({Severity::error, source, std::move(message), page});
     }
   }
 
   // Warnings have a limit of their own; the last one says that there are more.
-  void warning(SourcePosition source, std::string message) {
+  void warning(SourcePosition source, std::string message, const ErrorPage* page = nullptr) {
     constexpr std::size_t kMaxWarnings = 100;
     if (warnings_ > kMaxWarnings) {
       return;
@@ -29,7 +29,7 @@ class DiagnosticList {
     if (warnings_++ == kMaxWarnings) {
       message = "more than 100 warnings: the rest is not shown";
     }
-    list_.push_back({Severity::warning, source, std::move(message)});
+    list_.push_back({Severity::warning, source, std::move(message), page});
   }
 
   [[nodiscard]] bool full() const { return errors_ >= max_errors_; }

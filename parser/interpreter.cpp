@@ -43,15 +43,24 @@ bool Interpreter::fail(std::uint32_t offset, std::string message) {
   return false;
 }
 
+bool Interpreter::fail(std::uint32_t offset, const ErrorPage& page, std::string message) {
+  fault_ = {offset, std::move(message), &page};
+  return false;
+}
+
 void Interpreter::report(const Fault& fault) {
   if (reported_line_ != line_) {
-    diagnostics_->error({line_, fault.offset + 1}, fault.message);
+    diagnostics_->error({line_, fault.offset + 1}, fault.message, fault.page);
     reported_line_ = line_;
   }
 }
 
 void Interpreter::warn(std::uint32_t offset, std::string message) {
   diagnostics_->warning({line_, offset + 1}, std::move(message));
+}
+
+void Interpreter::warn(std::uint32_t offset, const ErrorPage& page, std::string message) {
+  diagnostics_->warning({line_, offset + 1}, std::move(message), &page);
 }
 
 Move& Interpreter::push_move() {

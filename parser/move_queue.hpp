@@ -1,10 +1,10 @@
-// The moves of one block, in order, until they are fetched. Never allocates.
+// The moves of one block, in order, until they are fetched. Allocates only while it grows to the
+// longest block so far: a canned cycle with many repeats makes thousands of moves.
 #pragma once
 
-#include <array>
-#include <cassert>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "parser/move.hpp"
 
@@ -12,13 +12,14 @@ namespace kerf::parser {
 
 class MoveQueue {
  public:
-  // A block makes at most six: tool, spindle, coolant, dwell, motion, stop.
-  static constexpr std::size_t kCapacity = 8;
+  MoveQueue() : slots_(kUsual) {}
 
   [[nodiscard]] bool empty() const { return begin_ == end_; }
   // A place for one more move; what an earlier move left there is to be overwritten.
   Move& push() {
-    assert(end_ < kCapacity);
+    if (end_ == slots_.size()) {
+      slots_.resize(2 * slots_.size());
+    }
     return slots_[end_++];
   }
   // Precondition: not empty.
@@ -30,7 +31,10 @@ class MoveQueue {
   }
 
  private:
-  std::array<Move, kCapacity> slots_;
+  // Tool, spindle, coolant, dwell, motion, stop, and some.
+  static constexpr std::size_t kUsual = 8;
+
+  std::vector<Move> slots_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
 };
