@@ -2,19 +2,32 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "parser/diagnostic.hpp"
+#include "parser/dialect.hpp"
 #include "parser/move.hpp"
 
 namespace kerf::parser {
+
+// The whole text of a subprogram that is not in the program itself, by its name in lower case
+// ("pocket" of `o<Pocket> call`, "1000" of M98 P1000); nothing where there is none.
+using SubprogramSource = std::function<std::optional<std::string>(std::string_view name)>;
 
 struct ReaderOptions {
   Point start_mm{};           // where the tool is when the program starts
   bool block_delete = false;  // leave out blocks that begin with '/'
   std::size_t max_errors = 100;
+  Dialect dialect = Dialect::rs274;
+  SubprogramSource subprograms{};  // empty: only those in the program's own text
+  // Lines read since the last motion that end the program as an endless loop.
+  std::uint64_t max_idle_steps = 10'000'000;
 };
 
 // Reads one program. Memory does not grow with its length: the piece fed last, a line of at most
