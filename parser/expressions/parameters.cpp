@@ -1,0 +1,164 @@
+#include "parser/expressions/parameters.hpp"
+
+#include <algorithm>
+
+namespace kerf::parser {
+
+namespace {
+
+constexpr std::size_t kNgcLocals = 30;
+constexpr std::size_t kFanucLocals = 33;
+// The first that the interpreter may have: the probe's result #5061, Fanuc's system variables.
+constexpr std::size_t kNgcFirstPredefined = 5001;
+constexpr std::size_t kFanucFirstPredefined = 1000;
+constexpr std::size_t kNgcEnd = 5602;
+constexpr std::size_t kFanucEnd = 1000;
+
+// Tool number, tool offsets and the current position [LinuxCNC 2.9, "Numbered parameters"; rs274].
+constexpr bool is_read_only(int number) {
+  return (number >= 5400 && number <= 5413) || (number >= 5420 && number <= 5428);
+}
+
+constexpr bool is_plain(char c) {
+  return c != ' ' && c != '\t' && (c < 'A' || c > 'Z');
+}
+
+}  // namespace
+
+Parameters::Parameters(Dialect dialect)
+    : dialect_(dialect),
+      locals_(dialect == Dialect::fanuc ? kFanucLocals : kNgcLocals),
+      plain_end_(dialect == Dialect::fanuc ? kFanucLocals + 1 : kNgcFirstPredefined),
+      first_predefined_(dialect == Dialect::fanuc ? kFanucFirstPredefined : kNgcFirstPredefined),
+      empty_(dialect == Dialect::fanuc ? kVacant : 0.0),
+      numbered_(dialect == Dialect::fanuc ? kFanucEnd : kNgcEnd, empty_) {}
+
+bool Parameters::keeps(int number) const {
+  if (number < 1 || static_cast<std::size_t>(number) >= numbered_.size()) {
+    return false;
+  }
+  return dialect_ == Dialect::rs274 || static_cast<std::size_t>(number) <= locals_ ||
+         (number >= 100 && number <= 199) || number >= 500;
+}
+
+std::optional<double> Parameters::get_other(int number) const {
+  if (predefined_ != nullptr && number >= static_cast<int>(first_predefined_)) {
+    if (const auto value = predefined_->number(number)) {
+      return value;
+    }
+  }
+  if (number == 0 && dialect_ == Dialect::fanuc) {
+    return kVacant;
+  }
+  return keeps(number) ? std::optional(numbered_[static_cast<std::size_t>(number)]) : std::nullopt;
+}
+
+Write Parameters::may_set(int number) const {
+  if (dialect_ == Dialect::rs274 && is_read_only(number)) {
+    return Write::read_only;
+  }
+  if (dialect_ == Dialect::fanuc && number == 0) {
+    return Write::read_only;
+  }
+  return get(number) ? Write::done : Write::no_such_parameter;
+}
+
+Write Parameters::set(int number, double value) {
+  if (const Write write = may_set(number); write != Write::done) {
+    return write;
+  }
+  if (static_cast<std::size_t>(number) >= first_predefined_ && predefined_ != nullptr &&
+      predefined_->take(number, value)) {
+    return Write::done;
+  }
+  if (!keeps(number)) {
+    return Write::read_only;
+  }
+  numbered_[static_cast<std::size_t>(number)] = value;
+  return Write::done;
+}
+
+// The name in lower case and without blanks.
+std::string_view Parameters::plain(std::string_view name) const {
+  if (std::all_of(name.begin(), name.end(), is_plain)) {
+    return name;
+  }
+  scratch_.clear();
+  for (const char c : name) {
+    if (c != ' ' && c != '\t') {
+      scratch_ += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+  }
+  return scratch_;
+}
+
+std::size_t Parameters::find_local(std::string_view plain_name) const {
+  std::size_t i = first_name_;
+  while (i < local_names_.size() && local_names_[i].name != plain_name) {
+    ++i;
+  }
+  return i;
+}
+
+std::optional<double> Parameters::find(std::string_view plain_name) const {
+  if (plain_name.starts_with('_')) {
+    const auto found = shared_names_.find(plain_name);
+    return found == shared_names_.end() ? std::nullopt : std::optional(found->second);
+  }
+  const std::size_t i = find_local(plain_name);
+  return i < local_names_.size() ? std::optional(local_names_[i].value) : std::nullopt;
+}
+
+std::optional<double> Parameters::get(std::string_view name) const {
+  const std::string_view wanted = plain(name);
+  if (const auto value = find(wanted)) {
+    return value;
+  }
+  return predefined_ == nullptr ? std::nullopt : predefined_->name(wanted);
+}
+
+Write Parameters::may_set(std::string_view name) const {
+  const std::string_view wanted = plain(name);
+  const bool taken = predefined_ != nullptr && !find(wanted) && predefined_->name(wanted);
+  return taken ? Write::read_only : Write::done;
+}
+
+Write Parameters::set(std::string_view name, double value) {
+  if (const Write write = may_set(name); write != Write::done) {
+    return write;
+  }
+  const std::string_view wanted = plain(name);
+  if (wanted.starts_with('_')) {
+    if (const auto found = shared_names_.find(wanted); found != shared_names_.end()) {
+      found->second = value;
+    } else {
+      shared_names_.emplace(wanted, value);
+    }
+  } else if (const std::size_t i = find_local(wanted); i < local_names_.size()) {
+    local_names_[i].value = value;
+  } else {
+    local_names_.push_back({std::string(wanted), value});
+  }
+  return Write::done;
+}
+
+void Parameters::push_frame(std::span<const double> arguments) {
+  Frame& frame = frames_.emplace_back();
+  frame.first_name = first_name_;
+  first_name_ = local_names_.size();
+  const auto locals = numbered_.begin() + 1;
+  std::copy_n(locals, locals_, frame.saved.begin());
+  const std::size_t given = std::min(arguments.size(), locals_);
+  std::copy_n(arguments.begin(), given, locals);
+  std::fill_n(locals + static_cast<std::ptrdiff_t>(given), locals_ - given, empty_);
+}
+
+void Parameters::pop_frame() {
+  const Frame& frame = frames_.back();
+  std::copy_n(frame.saved.begin(), locals_, numbered_.begin() + 1);
+  local_names_.resize(first_name_);
+  first_name_ = frame.first_name;
+  frames_.pop_back();
+}
+
+}  // namespace kerf::parser
