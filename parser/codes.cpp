@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/errors/codes.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {
@@ -92,16 +93,21 @@ std::size_t place_of(double value) {
   return static_cast<std::size_t>(whole);
 }
 
-std::string why_not(const Block& block, const Word& word, const Code& code, bool is_m) {
+Fault why_not(const Block& block, const Word& word, const Code& code, bool is_m) {
   const std::string name = upper(block.text(word));
   if (code.status == Status::not_yet) {
-    return name + " is not supported yet";
+    return {word.offset, name + " is not supported yet", &errors::kCodeNotSupported};
   }
-  if (is_m && word.value >= 0.0 && word.value != std::floor(word.value)) {
-    return name + ": an M code must be a whole number";
+  if (!is_m) {
+    return {word.offset, name + " is not known", &errors::kUnknownGCode};
   }
-  return name + " is not known" +
-         (is_m && is_printer_code(word.value) ? " (3D-printer file?)" : "");
+  if (word.value >= 0.0 && word.value != std::floor(word.value)) {
+    return {word.offset, name + ": an M code must be a whole number", &errors::kDecimalMCode};
+  }
+  if (is_printer_code(word.value)) {
+    return {word.offset, name + " is not known (3D-printer file?)", &errors::kPrinterCode};
+  }
+  return {word.offset, name + " is not known", &errors::kUnknownMCode};
 }
 
 template <std::size_t size>
@@ -112,13 +118,15 @@ bool sort_words(const Block& block, const std::array<Word, size>& words, std::si
     const std::size_t place = place_of(word.value);
     const Code code = place < kCodes ? (is_m ? kM : kG)[place] : Code{};
     if (code.status != Status::known) {
-      fault = {word.offset, why_not(block, word, code, is_m)};
+      fault = why_not(block, word, code, is_m);
       return false;
     }
     BlockCodes::Entry& entry = codes.by_group[static_cast<std::size_t>(code.group)];
     if (entry.tenths != kNoCode) {
-      fault = {word.offset, joined({upper(block.text(words[entry.index])), " and ",
-                                    upper(block.text(word)), " are in the same modal group"})};
+      fault = {word.offset,
+               joined({upper(block.text(words[entry.index])), " and ", upper(block.text(word)),
+                       " are in the same modal group"}),
+               &errors::kSameModalGroup};
       return false;
     }
     entry = {static_cast<Tenths>(place), static_cast<std::uint8_t>(i)};

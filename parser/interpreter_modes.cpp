@@ -1,6 +1,8 @@
 // Modal words, events and dwell.
 #include <cmath>
 
+#include "parser/errors/modes.hpp"
+#include "parser/errors/motion.hpp"
 #include "parser/interpreter.hpp"
 #include "parser/text.hpp"
 
@@ -63,12 +65,13 @@ bool Interpreter::set_path_mode() {
   if (block_->has('P')) {
     const Word& word = block_->word('P');
     if (word.value < 0.0) {
-      return fail(word.offset, "G64: P (tolerance) must not be negative");
+      return fail(word.offset, errors::kNegativeBlendTolerance,
+                  "G64: P (tolerance) must not be negative");
     }
     state_.blend_tolerance_mm = word.value * mm_per_unit(state_.units);
   }
   if (block_->has('Q')) {
-    warn(block_->word('Q').offset,
+    warn(block_->word('Q').offset, errors::kLineMergingIgnored,
          "G64: Q (merging of short lines) is not supported yet, no lines are merged");
   }
   return true;
@@ -80,10 +83,10 @@ bool Interpreter::set_feed() {
   }
   const Word& word = block_->word('F');
   if (word.value < 0.0) {
-    return fail(word.offset, "F must not be negative");
+    return fail(word.offset, errors::kNegativeFeed, "F must not be negative");
   }
   if (word.value > kLargestFeed) {
-    return fail(word.offset,
+    return fail(word.offset, errors::kFeedOutOfRange,
                 joined({"F: value ", upper(block_->text(word).substr(1, 40)), " is out of range"}));
   }
   state_.feed_word = word.value;
@@ -98,25 +101,27 @@ bool Interpreter::set_speed_and_tool() {
   if (block_->has('S')) {
     const Word& word = block_->word('S');
     if (word.value < 0.0) {
-      return fail(word.offset, "S must not be negative");
+      return fail(word.offset, errors::kNegativeSpeed, "S must not be negative");
     }
     if (word.value > kLargestFeed) {
-      return fail(word.offset, joined({"S: value ", upper(block_->text(word).substr(1, 40)),
-                                       " is out of range"}));
+      return fail(
+          word.offset, errors::kSpeedOutOfRange,
+          joined({"S: value ", upper(block_->text(word).substr(1, 40)), " is out of range"}));
     }
     state_.spindle_speed = word.value;
   }
   if (block_->has('T')) {
     const Word& word = block_->word('T');
     if (word.value < 0.0) {
-      return fail(word.offset, "T must not be negative");
+      return fail(word.offset, errors::kNegativeTool, "T must not be negative");
     }
     if (word.value != std::floor(word.value)) {
-      return fail(word.offset, "T must be a whole number");
+      return fail(word.offset, errors::kToolNotWhole, "T must be a whole number");
     }
     if (word.value > kLargestTool) {
-      return fail(word.offset, joined({"T: value ", upper(block_->text(word).substr(1, 40)),
-                                       " is out of range"}));
+      return fail(
+          word.offset, errors::kToolOutOfRange,
+          joined({"T: value ", upper(block_->text(word).substr(1, 40)), " is out of range"}));
     }
     state_.tool = word.value;
     state_.tool_selected = true;
@@ -132,7 +137,8 @@ void Interpreter::push_event(EventKind kind, double value) {
 void Interpreter::start_spindle() {
   if (codes_.has(Group::tool)) {
     if (!state_.tool_selected) {
-      warn(code_word(*block_, codes_, Group::tool).offset, "M6 with no tool selected (T)");
+      warn(code_word(*block_, codes_, Group::tool).offset, errors::kToolChangeWithoutTool,
+           "M6 with no tool selected (T)");
     }
     push_event(EventKind::tool_change, state_.tool);
   }
@@ -166,11 +172,11 @@ void Interpreter::switch_coolant() {
 bool Interpreter::dwell() {
   const Word& code = code_word(*block_, codes_, Group::other);
   if (!block_->has('P')) {
-    return fail(code.offset, "G4 needs P (seconds)");
+    return fail(code.offset, errors::kDwellWithoutTime, "G4 needs P (seconds)");
   }
   const Word& word = block_->word('P');
   if (word.value < 0.0) {
-    return fail(word.offset, "G4: P must not be negative");
+    return fail(word.offset, errors::kNegativeDwell, "G4: P must not be negative");
   }
   push_move().shape = DwellMove{word.value};
   return true;
@@ -196,10 +202,12 @@ bool Interpreter::cutting_feedrate(double length_mm, double& feedrate_mm_s) {
   };
   if (state_.feed_mode == FeedMode::inverse_time) {
     if (!block_->has('F')) {
-      return fail(motion_offset(), "G93 is active: F is needed in every cutting block");
+      return fail(motion_offset(), errors::kInverseTimeWithoutFeed,
+                  "G93 is active: F is needed in every cutting block");
     }
     if (block_->value('F') == 0.0) {
-      return fail(block_->word('F').offset, "F must be greater than 0 with G93");
+      return fail(block_->word('F').offset, errors::kInverseTimeZeroFeed,
+                  "F must be greater than 0 with G93");
     }
     feedrate_mm_s = feedrate_mm_s_from(InverseTime{length_mm, block_->value('F')});
     return true;
@@ -207,19 +215,19 @@ bool Interpreter::cutting_feedrate(double length_mm, double& feedrate_mm_s) {
   if (!state_.feedrate_mm_s) {
     if (!no_feed_reported_) {
       no_feed_reported_ = true;
-      return fail(motion_offset(), joined({"no feed set: ", name(), " needs F"}));
+      return fail(motion_offset(), errors::kNoFeed, joined({"no feed set: ", name(), " needs F"}));
     }
     feedrate_mm_s = 1.0;
     return true;
   }
   if (*state_.feedrate_mm_s == 0.0) {
-    return fail(block_->has('F') ? block_->word('F').offset : motion_offset(),
+    return fail(block_->has('F') ? block_->word('F').offset : motion_offset(), errors::kZeroFeed,
                 joined({"feed is zero: ", name(), " needs F greater than 0"}));
   }
   if (state_.feed_from_other_units) {
     state_.feed_from_other_units = false;
     const bool was_inch = state_.units == Units::mm;
-    warn(motion_offset(),
+    warn(motion_offset(), errors::kFeedFromOtherUnits,
          joined({"units changed: F", shortest(state_.feed_word), was_inch ? " in/min" : " mm/min",
                  " is now ", in_mm(*state_.feedrate_mm_s * 60.0 / mm_per_unit(state_.units)),
                  was_inch ? " mm/min" : " in/min"}));

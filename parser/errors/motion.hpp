@@ -1,0 +1,57 @@
+// Pages of the feed of a cutting move and of straight moves.
+#pragma once
+
+#include <array>
+
+#include "parser/errors/error_page.hpp"
+
+namespace kerf::parser::errors {
+
+inline constexpr ErrorPage kInverseTimeWithoutFeed{
+    200,
+    Severity::error,
+    "no F in a block of inverse time",
+    "With G93 the F word says how long its own block takes, so it does not carry over: every "
+    "cutting block needs one.",
+    "Give the block an F word, or go back to feed per minute with G94.",
+    "G93 G1 X10 F2\nX20\nM2\n"};
+
+inline constexpr ErrorPage kInverseTimeZeroFeed{
+    201,
+    Severity::error,
+    "F0 in a block of inverse time",
+    "With G93 a block takes 1/F minutes; F0 would take for ever.",
+    "Write F greater than 0, or go back to feed per minute with G94.",
+    "G93 G1 X10 F0\nM2\n"};
+
+inline constexpr ErrorPage kNoFeed{
+    202,
+    Severity::error,
+    "no feed set",
+    "A cutting move (G1, G2, G3, a spline) needs a feed, and no F word was given so far. A change "
+    "between G93, G94 and G95 forgets the feed.",
+    "Write F in this block or before it.",
+    "G1 X10\nM2\n"};
+
+inline constexpr ErrorPage kZeroFeed{
+    203,
+    Severity::error,
+    "feed is zero",
+    "The feed in force is F0, at which a cutting move would never end.",
+    "Write F greater than 0 in this block or before it.",
+    "F0\nG1 X10\nM2\n"};
+
+inline constexpr ErrorPage kFeedFromOtherUnits{
+    204,
+    Severity::warning,
+    "the feed was set in the other units",
+    "Between the F word and this move the program changed between inch (G20) and millimetres "
+    "(G21). The feed keeps the speed that it had when it was written; other controls may read the "
+    "old number in the new units, which is 25.4 times as much or as little.",
+    "Write F again after G20 or G21.",
+    "G21 F100\nG20\nG1 X1\nM2\n"};
+
+inline constexpr std::array kMotionPages{&kInverseTimeWithoutFeed, &kInverseTimeZeroFeed, &kNoFeed,
+                                         &kZeroFeed, &kFeedFromOtherUnits};
+
+}  // namespace kerf::parser::errors
