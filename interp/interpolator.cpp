@@ -59,6 +59,7 @@ void Interpolator::advance_piece(double s_mm) noexcept {
 
 void Interpolator::fill(const profiles::PathMotion& motion, double s_mm) noexcept {
   now_.line = phase_.line;
+  now_.rapid = phase_.rapid;
   now_.v_mm_s = motion.v_mm_s;
   now_.a_mm_s2 = motion.a_mm_s2;
   now_.j_mm_s3 = motion.j_mm_s3;

@@ -34,6 +34,7 @@ struct Phase {
   double path_begin_mm = 0.0;  // path length of all curves before this one
   profiles::Transition law{};
   std::uint32_t line = 0;
+  bool rapid = false;
   bool ends_at_rest = false;
   bool ends_program = false;
 };

@@ -12,6 +12,7 @@ using curves::Position;
 struct Setpoint {
   std::int64_t tick = 0;   // counts interpolation periods from 0
   std::uint32_t line = 0;  // of the block that the point belongs to
+  bool rapid = false;      // on a G0
   double s_mm = 0.0;       // path length since the program's start
   double v_mm_s = 0.0;     // along the path, as planned
   double a_mm_s2 = 0.0;

@@ -26,6 +26,7 @@ struct BlockEnd {
 struct Block {
   curves::Curve curve;
   std::uint32_t line = 0;
+  bool rapid = false;
   double length_mm = 0.0;
   BlockLimits limits{};
   BlockEnd begin{};

@@ -66,6 +66,7 @@ BlockEnd block_end(const curves::PathDerivatives& path) {
 Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits) {
   Block block{.curve = std::move(curve)};
   block.line = move.source.line;
+  block.rapid = move.rapid;
   block.length_mm = curves::length_mm(block.curve);
   block.stop_after = move.mode == parser::PathMode::exact_stop;
   const double feedrate = move.rapid ? kUnbounded : move.feedrate_mm_s;

@@ -211,7 +211,8 @@ void Planner::emit_phase(Outbox& outbox, const profiles::Transition& law, double
                            .s_end_mm = s_end_mm,
                            .path_begin_mm = path_begin_mm_,
                            .law = law,
-                           .line = blocks_.front().line});
+                           .line = blocks_.front().line,
+                           .rapid = blocks_.front().rapid});
   s_mm_ = s_end_mm;
   line_ = blocks_.front().line;
   advance_clock(law.duration_s());

@@ -7,7 +7,6 @@
 namespace kerf::program {
 
 tl::expected<Outputs, std::string> Outputs::open(const Options& options, double period_s,
-                                                 const ProgramFile& program,
                                                  const curves::Extents& extents) {
   Outputs outputs;
   if (options.trace_file) {
@@ -23,12 +22,7 @@ tl::expected<Outputs, std::string> Outputs::open(const Options& options, double 
       return tl::unexpected(plot.error());
     }
     outputs.plot_file_.emplace(std::move(*plot));
-    auto reader = program.second_reader();
-    if (!reader) {
-      return tl::unexpected(reader.error());
-    }
-    outputs.recorder_.plot.emplace(
-        PlotRecorder{PlotData(extents), RapidLines(std::move(*reader), options.block_delete)});
+    outputs.recorder_.plot.emplace(extents);
   }
   return outputs;
 }
@@ -51,7 +45,7 @@ std::optional<std::string> Outputs::write_plot(const PlotCaption& caption) {
   if (!plot_file_) {
     return std::nullopt;
   }
-  const auto written = plot_file_->write(svg_plot(recorder_.plot->data, caption));
+  const auto written = plot_file_->write(svg_plot(*recorder_.plot, caption));
   return written ? std::nullopt : std::optional(written.error());
 }
 

@@ -19,7 +19,6 @@ class Outputs {
   // Before anything moves, so that what cannot be written is known by then. extents: of the whole
   // path.
   static tl::expected<Outputs, std::string> open(const Options& options, double period_s,
-                                                 const ProgramFile& program,
                                                  const curves::Extents& extents);
 
   [[nodiscard]] Recorder& recorder() noexcept { return recorder_; }

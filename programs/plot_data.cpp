@@ -17,10 +17,11 @@ OutlineTolerance tolerance_of(const curves::Extents& extents) {
 PlotData::PlotData(const curves::Extents& extents)
     : view_(view_of(extents)), outline_(tolerance_of(extents)) {}
 
-void PlotData::add(const TickRecord& record, bool rapid) {
-  outline_.add(
-      {.at = project(view_, record.position_mm), .v_mm_s = record.motion.v_mm_s, .rapid = rapid});
-  if (!rapid) {
+void PlotData::add(const TickRecord& record) {
+  outline_.add({.at = project(view_, record.position_mm),
+                .v_mm_s = record.motion.v_mm_s,
+                .rapid = record.rapid});
+  if (!record.rapid) {
     max_feedrate_mm_s_ = std::max(max_feedrate_mm_s_, record.motion.v_mm_s);
   }
   v_.add(record.tick, record.motion.v_mm_s);

@@ -14,7 +14,7 @@ class PlotData {
   // extents: of the whole path, known before it runs; they set how fine the outline is.
   explicit PlotData(const curves::Extents& extents);
 
-  void add(const TickRecord& record, bool rapid);
+  void add(const TickRecord& record);
 
   [[nodiscard]] View view() const noexcept { return view_; }
   [[nodiscard]] const PathOutline& outline() const noexcept { return outline_; }

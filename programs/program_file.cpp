@@ -87,17 +87,6 @@ tl::expected<ProgramFile, std::string> ProgramFile::open(const std::string& path
   return file;
 }
 
-tl::expected<ProgramFile, std::string> ProgramFile::second_reader() const {
-  Descriptor descriptor(::fcntl(descriptor_.number(), F_DUPFD_CLOEXEC, 0));
-  if (!descriptor.is_open()) {
-    return fault(name_, errno);
-  }
-  ProgramFile reader(name_, std::move(descriptor));
-  reader.size_bytes_ = size_bytes_;
-  reader.changed_ = changed_;
-  return reader;
-}
-
 tl::expected<void, std::string> ProgramFile::take_stock() {
   struct stat about {};
   if (::fstat(descriptor_.number(), &about) != 0) {

@@ -32,8 +32,6 @@ class ProgramFile {
   // The next piece, valid until the next call; empty at the end.
   tl::expected<std::string_view, std::string> read();
   void rewind() noexcept { offset_ = 0; }
-  // The same bytes for a second reader with a place of its own. Error: no descriptor is left.
-  [[nodiscard]] tl::expected<ProgramFile, std::string> second_reader() const;
 
  private:
   ProgramFile(std::string name, Descriptor descriptor);

@@ -10,20 +10,13 @@
 #include <boost/lockfree/spsc_queue.hpp>
 
 #include "programs/plot_data.hpp"
-#include "programs/rapid_lines.hpp"
 #include "programs/trace_writer.hpp"
 
 namespace kerf::program {
 
-// What a plot needs beside the ticks.
-struct PlotRecorder {
-  PlotData data;
-  RapidLines rapids;
-};
-
 struct Recorder {
   std::optional<TraceWriter> trace;
-  std::optional<PlotRecorder> plot;
+  std::optional<PlotData> plot;
 
   [[nodiscard]] bool wants_ticks() const noexcept { return trace || plot; }
 
@@ -32,7 +25,7 @@ struct Recorder {
       trace->add(record);
     }
     if (plot) {
-      plot->data.add(record, plot->rapids.is_rapid(record.line));
+      plot->add(record);
     }
   }
 };

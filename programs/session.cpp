@@ -125,8 +125,7 @@ class Session {
   }
 
   void run(ProgramFile& file) {
-    auto outputs =
-        Outputs::open(options_, report_.period_s, file, extents_.value_or(curves::Extents{}));
+    auto outputs = Outputs::open(options_, report_.period_s, extents_.value_or(curves::Extents{}));
     if (!outputs) {
       fail(ExitStatus::io_error, outputs.error());
       return;

@@ -13,6 +13,7 @@ namespace kerf::program {
 struct TickRecord {
   std::int64_t tick = 0;
   std::uint32_t line = 0;
+  bool rapid = false;
   profiles::PathMotion motion{};
   curves::Position position_mm{};
   curves::Position actual_mm{};
@@ -23,6 +24,7 @@ inline TickRecord record_of(const interp::Setpoint& setpoint,
                             const machine::MachineState& state) noexcept {
   return {.tick = setpoint.tick,
           .line = setpoint.line,
+          .rapid = setpoint.rapid,
           .motion = {.s_mm = setpoint.s_mm,
                      .v_mm_s = setpoint.v_mm_s,
                      .a_mm_s2 = setpoint.a_mm_s2,

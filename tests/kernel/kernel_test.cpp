@@ -106,6 +106,16 @@ TEST(Kernel, GivesTheSameTicksWhenTextComesAsPlanAsksForIt) {
   expect_same_bits(ticks_of(text), ticks);
 }
 
+TEST(Kernel, TellsRapidsFromOtherMotion) {
+  const auto ticks = ticks_of("G21 G90\nG0 X1\nG1 X2 F100\nG4 P0.01\nG0 X4\nY1\nG1 X5\nM30\n");
+  for (const Setpoint& setpoint : ticks) {
+    if (setpoint.v_mm_s > 0.0) {
+      EXPECT_EQ(setpoint.rapid, setpoint.line == 2 || setpoint.line == 5 || setpoint.line == 6)
+          << "line " << setpoint.line;
+    }
+  }
+}
+
 TEST(Kernel, NumbersTicksFromZeroWithoutAGap) {
   const auto ticks = ticks_of(mixed_program());
   for (std::size_t i = 0; i < ticks.size(); ++i) {

@@ -8,7 +8,6 @@
 
 #include "programs/progress.hpp"
 #include "programs/progress_bar.hpp"
-#include "programs/rapid_lines.hpp"
 
 namespace kerf::program {
 namespace {
@@ -68,16 +67,6 @@ TEST_F(ProgramFileTest, RefusesAFileThatIsWrittenToMeanwhile) {
   EXPECT_EQ(piece.error(), path_.string() + ": changed while it was read");
 }
 
-TEST_F(ProgramFileTest, HasASecondReaderWithAPlaceOfItsOwn) {
-  write("G0 X1\nG1 X2\n");
-  auto file = ProgramFile::open(path_.string());
-  ASSERT_TRUE(file.has_value());
-  EXPECT_EQ(rest_of(*file), "G0 X1\nG1 X2\n");
-  auto second = file->second_reader();
-  ASSERT_TRUE(second.has_value());
-  EXPECT_EQ(rest_of(*second), "G0 X1\nG1 X2\n");
-}
-
 TEST_F(ProgramFileTest, SaysWhyAFileCannotBeRead) {
   const auto missing = ProgramFile::open("/nowhere/part.ngc");
   ASSERT_FALSE(missing.has_value());
@@ -85,22 +74,6 @@ TEST_F(ProgramFileTest, SaysWhyAFileCannotBeRead) {
   const auto folder = ProgramFile::open(testing::TempDir());
   ASSERT_FALSE(folder.has_value());
   EXPECT_NE(folder.error().find("Is a directory"), std::string::npos);
-}
-
-TEST_F(ProgramFileTest, TellsRapidsFromOtherMotion) {
-  write("G21 G90\nG0 X1\nG1 X2 F100\n\nX3\nG0 X4\nY1\nG1 X5\nM30\n");
-  auto file = ProgramFile::open(path_.string());
-  ASSERT_TRUE(file.has_value());
-  RapidLines rapids(std::move(*file), false);
-  EXPECT_FALSE(rapids.is_rapid(0));
-  EXPECT_TRUE(rapids.is_rapid(2));
-  EXPECT_TRUE(rapids.is_rapid(2));
-  EXPECT_FALSE(rapids.is_rapid(3));
-  EXPECT_FALSE(rapids.is_rapid(5));
-  EXPECT_TRUE(rapids.is_rapid(6));
-  EXPECT_TRUE(rapids.is_rapid(7));
-  EXPECT_FALSE(rapids.is_rapid(8));
-  EXPECT_FALSE(rapids.is_rapid(100));
 }
 
 TEST(ProgressLine, HasABarOfConstantWidth) {

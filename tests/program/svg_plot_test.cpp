@@ -18,8 +18,7 @@ PlotData data_of(int ticks, const curves::Extents& extents = kFlat) {
     const double x = 0.01 * tick;
     data.add({.tick = tick,
               .motion = {.s_mm = x, .v_mm_s = 10.0 + std::sin(x), .a_mm_s2 = std::cos(x)},
-              .position_mm = {x, 0.5 * x, 0.0}},
-             false);
+              .position_mm = {x, 0.5 * x, 0.0}});
   }
   return data;
 }
