@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "parser/diagnostic.hpp"
@@ -16,7 +19,7 @@ class DiagnosticList {
   void error(SourcePosition source, std::string message, const ErrorPage* page = nullptr) {
     if (!full()) {
       ++errors_;
-      list_.push_back({Severity::error, source, std::move(message), page});
+      add(Severity::error, source, std::move(message), page);
     }
   }
 
@@ -29,7 +32,14 @@ class DiagnosticList {
     if (warnings_++ == kMaxWarnings) {
       message = "more than 100 warnings: the rest is not shown";
     }
-    list_.push_back({Severity::warning, source, std::move(message), page});
+    add(Severity::warning, source, std::move(message), page);
+  }
+
+  // What follows is about a subprogram's file, or with index 0 about the program again.
+  // `name` must outlive the list's use.
+  void enter_file(std::uint16_t index, std::string_view name) {
+    file_ = index;
+    file_name_ = name;
   }
 
   [[nodiscard]] bool full() const { return errors_ >= max_errors_; }
@@ -37,10 +47,17 @@ class DiagnosticList {
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return list_; }
 
  private:
+  void add(Severity severity, SourcePosition source, std::string message, const ErrorPage* page) {
+    source.file = file_;
+    list_.push_back({severity, source, std::move(message), page, std::string(file_name_)});
+  }
+
   std::vector<Diagnostic> list_;
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
   std::size_t max_errors_;
+  std::uint16_t file_ = 0;
+  std::string_view file_name_;
 };
 
 }  // namespace kerf::parser

@@ -65,7 +65,7 @@ void Interpreter::warn(std::uint32_t offset, const ErrorPage& page, std::string 
 
 Move& Interpreter::push_move() {
   Move& move = moves_.push();
-  move.source = {line_, block_->first_word + 1};
+  move.source = {line_, block_->first_word + 1, file_};
   move.start_mm = state_.position_mm;
   move.rapid = false;
   move.feedrate_mm_s = 0.0;
@@ -106,6 +106,7 @@ void Interpreter::end(std::uint32_t last_line, std::string_view where) {
 }
 
 void Interpreter::end_program(SourcePosition source) {
+  source.file = file_;
   Move& move = moves_.push();
   move = Move{EventMove{EventKind::program_end, 0.0}, source, state_.position_mm};
   program_ended_ = true;

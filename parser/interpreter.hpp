@@ -28,6 +28,11 @@ class Interpreter {
 
   // `complete` is false where the grammar stopped inside the line.
   void run(const Block& block, std::uint32_t line, bool complete);
+  // The blocks that follow are of this file: the index in their moves' SourcePosition.
+  void enter_file(std::uint16_t file) {
+    file_ = file;
+    reported_line_ = 0;
+  }
   // Says that no block will follow: a curve that is still open is an error.
   void end(std::uint32_t last_line, std::string_view where);
 
@@ -106,6 +111,7 @@ class Interpreter {
   BlockCodes codes_;
   Fault fault_;
   std::uint32_t line_ = 0;
+  std::uint16_t file_ = 0;
   std::uint32_t reported_line_ = 0;  // one error per block
   bool no_feed_reported_ = false;
   bool program_ended_ = false;

@@ -46,7 +46,7 @@ bool Interpreter::curve_feed() {
 
 bool Interpreter::begin_curve() {
   set_modes();
-  curve_source_ = {line_, block_->first_word + 1};
+  curve_source_ = {line_, block_->first_word + 1, file_};
   const bool nurbs = state_.motion == Motion::nurbs;
   const bool fine =
       set_feed() && curve_feed() &&

@@ -49,7 +49,7 @@ bool Interpreter::check_spline_axes(std::string_view name) {
 }
 
 bool Interpreter::deliver_spline(NurbsMove curve, std::string_view name) {
-  curve_source_ = {line_, block_->first_word + 1};
+  curve_source_ = {line_, block_->first_word + 1, file_};
   return cutting_feedrate(0.0, curve_feedrate_mm_s_) && deliver_curve(std::move(curve), name);
 }
 

@@ -13,6 +13,7 @@ using Point = std::array<double, 3>;  // x, y, z in mm
 struct SourcePosition {
   std::uint32_t line = 0;    // 1-based
   std::uint32_t column = 0;  // 1-based, in bytes
+  std::uint16_t file = 0;    // 0: the program itself; else ProgramReader::file_name() has it
 };
 
 struct LineMove {

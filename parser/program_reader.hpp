@@ -16,9 +16,13 @@
 
 namespace kerf::parser {
 
+struct SubprogramText {
+  std::string file;  // its name, for messages
+  std::string text;
+};
 // The whole text of a subprogram that is not in the program itself, by its name in lower case
 // ("pocket" of `o<Pocket> call`, "1000" of M98 P1000); nothing where there is none.
-using SubprogramSource = std::function<std::optional<std::string>(std::string_view name)>;
+using SubprogramSource = std::function<std::optional<SubprogramText>(std::string_view name)>;
 
 struct ReaderOptions {
   Point start_mm{};           // where the tool is when the program starts
