@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lookahead/block_builder.hpp"
+#include "machine/envelope.hpp"
 #include "parser/program_reader.hpp"
 
 namespace kerf {
@@ -18,6 +19,8 @@ class Kernel::Impl {
  public:
   Impl(const MachineSettings& settings, const KernelOptions& options)
       : limits_(settings.limits),
+        envelope_(machine::envelope_of(settings.table)),
+        checks_travel_(options.checks_travel),
         reader_({.start_mm = options.start_mm, .block_delete = options.block_delete}),
         planner_({.limits = settings.limits,
                   .profile = options.profile,
@@ -48,8 +51,7 @@ class Kernel::Impl {
     return interpolator_.next(setpoint);
   }
 
-  // Half of the horizon is used up.
-  [[nodiscard]] bool low() const noexcept {
+  [[nodiscard]] bool runs_low() const noexcept {
     return frozen_until_tick_ - interpolator_.plan_tick() <= horizon_ticks_ / 2;
   }
 
@@ -67,6 +69,7 @@ class Kernel::Impl {
 
   [[nodiscard]] double chord_error_mm() const noexcept { return interpolator_.chord_error_mm(); }
   [[nodiscard]] bool has_errors() const { return reader_.has_errors() || plan_failed_; }
+  [[nodiscard]] bool left_travel() const noexcept { return left_travel_; }
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const {
     return plan_failed_ ? all_diagnostics_ : reader_.diagnostics();
   }
@@ -143,9 +146,23 @@ class Kernel::Impl {
       fail(built.error());
       return;
     }
+    if (checks_travel_ && leaves_travel()) {
+      return;
+    }
     for (lookahead::Block& block : blocks_) {
       planner_.push(std::move(block));
     }
+  }
+
+  bool leaves_travel() {
+    for (const lookahead::Block& block : blocks_) {
+      if (const auto excess = machine::outside_travel(envelope_, curves::extents(block.curve))) {
+        left_travel_ = true;
+        fail({line_, machine::describe(*excess)});
+        return true;
+      }
+    }
+    return false;
   }
 
   void fail(const lookahead::PlanError& error) {
@@ -162,6 +179,8 @@ class Kernel::Impl {
   }
 
   lookahead::PlanLimits limits_;
+  machine::Envelope envelope_;
+  bool checks_travel_;
   parser::ProgramReader reader_;
   lookahead::Planner planner_;
   MotionQueue queue_;
@@ -175,6 +194,7 @@ class Kernel::Impl {
   std::uint32_t line_ = 0;
   bool finished_ = false;
   bool plan_failed_ = false;
+  bool left_travel_ = false;
   std::vector<Diagnostic> all_diagnostics_;
 };
 
@@ -198,7 +218,7 @@ interp::TickStatus Kernel::tick(interp::Setpoint& setpoint) noexcept {
 }
 
 interp::TickStatus Kernel::next(interp::Setpoint& setpoint) {
-  if (impl_->low() && impl_->plan() && impl_->low()) {
+  if (impl_->runs_low() && impl_->plan() && impl_->runs_low()) {
     impl_->drain();
   }
   return impl_->tick(setpoint);
@@ -207,11 +227,17 @@ interp::TickStatus Kernel::next(interp::Setpoint& setpoint) {
 void Kernel::drain() {
   impl_->drain();
 }
+bool Kernel::runs_low() const noexcept {
+  return impl_->runs_low();
+}
 void Kernel::stop() {
   impl_->stop();
 }
 double Kernel::chord_error_mm() const noexcept {
   return impl_->chord_error_mm();
+}
+bool Kernel::left_travel() const noexcept {
+  return impl_->left_travel();
 }
 bool Kernel::has_errors() const {
   return impl_->has_errors();

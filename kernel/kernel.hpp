@@ -20,6 +20,7 @@ struct KernelOptions {
   std::size_t window_blocks = 1000;  // of the look-ahead, >= 2
   double horizon_s = 0.25;           // how far ahead of the tick motion is frozen
   bool block_delete = false;         // leave out blocks that begin with '/'
+  bool checks_travel = false;        // a block that leaves the table is an error, as in the check
   std::array<double, 3> start_mm{};  // where the tool is
 };
 
@@ -50,11 +51,15 @@ class Kernel {
   // Lets the tool come to rest after all that was read: for when more text does not come before the
   // horizon is used up. next() does so by itself.
   void drain();
+  // Less than half of the horizon is planned. Belongs to the planning side.
+  [[nodiscard]] bool runs_low() const noexcept;
   // Lets the tool come to rest on the path as soon as the limits allow, and ends the program there.
   void stop();
 
   [[nodiscard]] double chord_error_mm() const noexcept;
   [[nodiscard]] bool has_errors() const;
+  // The error is a block that leaves the travel (KernelOptions::checks_travel).
+  [[nodiscard]] bool left_travel() const noexcept;
   [[nodiscard]] const std::vector<parser::Diagnostic>& diagnostics() const;
   [[nodiscard]] const lookahead::PlanTotals& totals() const;
 

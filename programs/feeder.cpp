@@ -1,28 +1,33 @@
 #include "programs/feeder.hpp"
 
-#include <algorithm>
-
 namespace kerf::program {
 
 void Feeder::pump() {
   while (kernel_->plan() && !stopped_) {
-    feed_piece();
+    if (!feed_piece()) {
+      if (kernel_->runs_low()) {
+        kernel_->drain();
+      }
+      return;
+    }
   }
 }
 
-void Feeder::feed_piece() {
-  const auto piece = file_->read();
+bool Feeder::feed_piece() {
+  const auto piece = text_->read();
   if (!piece) {
     error_ = piece.error();
     stop();
-  } else if (piece->empty()) {
+  } else if (piece->state == TextPiece::State::not_yet) {
+    return false;
+  } else if (piece->state == TextPiece::State::end) {
     kernel_->finish();
   } else {
-    kernel_->feed(*piece);
+    kernel_->feed(piece->bytes);
   }
-  const auto size = static_cast<double>(std::max<std::uint64_t>(file_->size_bytes(), 1));
   progress_->set_planned(kernel_->totals().path_length_mm);
-  progress_->set_read(static_cast<double>(file_->bytes_read()) / size);
+  progress_->set_read(text_->share_read());
+  return true;
 }
 
 void Feeder::stop() {

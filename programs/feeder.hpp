@@ -1,21 +1,21 @@
-// Text from the file into the kernel, as it asks for it.
+// Text into the kernel, as it asks for it.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "kernel/kernel.hpp"
-#include "programs/program_file.hpp"
 #include "programs/progress.hpp"
+#include "programs/text_feed.hpp"
 
 namespace kerf::program {
 
-// Belongs to the thread that plans. A file that cannot be read any more, and a request to stop, let
-// the tool come to rest on the path.
+// Belongs to the thread that plans. Text that cannot be read any more, and a request to stop, let
+// the tool come to rest on the path; so does text that is late, until it comes.
 class Feeder {
  public:
-  Feeder(Kernel& kernel, ProgramFile& file, Progress& progress) noexcept
-      : kernel_(&kernel), file_(&file), progress_(&progress) {}
+  Feeder(Kernel& kernel, TextFeed& text, Progress& progress) noexcept
+      : kernel_(&kernel), text_(&text), progress_(&progress) {}
 
   // Plans as far ahead as there is room.
   void pump();
@@ -24,10 +24,11 @@ class Feeder {
   [[nodiscard]] const std::optional<std::string>& error() const noexcept { return error_; }
 
  private:
-  void feed_piece();
+  // False: none is there yet.
+  bool feed_piece();
 
   Kernel* kernel_;
-  ProgramFile* file_;
+  TextFeed* text_;
   Progress* progress_;
   bool stopped_ = false;
   std::optional<std::string> error_;

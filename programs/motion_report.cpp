@@ -30,8 +30,9 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
     }
   }
   if (outcome.starved_ticks > 0) {
-    report.warnings.push_back("planning fell behind: " + counted(outcome.starved_ticks, "tick") +
-                              " at rest");
+    report.warnings.push_back(
+        std::string(report.live ? "waited for text: " : "planning fell behind: ") +
+        counted(outcome.starved_ticks, "tick") + " at rest");
   }
   if (outcome.late_ticks > 0) {
     report.warnings.push_back(counted(outcome.late_ticks, "tick") + " late by a period or more");

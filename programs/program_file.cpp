@@ -57,6 +57,12 @@ tl::expected<Descriptor, std::string> spool(const std::string& name, int from) {
 ProgramFile::ProgramFile(std::string name, Descriptor descriptor)
     : name_(std::move(name)), descriptor_(std::move(descriptor)), buffer_(kPieceBytes) {}
 
+bool ProgramFile::is_live(const std::string& path) noexcept {
+  struct stat about {};
+  const int failed = path == "-" ? ::fstat(STDIN_FILENO, &about) : ::stat(path.c_str(), &about);
+  return failed == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode);
+}
+
 tl::expected<ProgramFile, std::string> ProgramFile::open(const std::string& path) {
   const bool is_input = path == "-";
   const std::string name = is_input ? "<stdin>" : path;

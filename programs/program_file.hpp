@@ -21,6 +21,10 @@ class ProgramFile {
  public:
   static constexpr std::size_t kPieceBytes = std::size_t{64} * 1024;
 
+  // Can `path` be read only once, and may more of it be still to come? A pipe, a terminal. Not what
+  // cannot be opened.
+  [[nodiscard]] static bool is_live(const std::string& path) noexcept;
+
   // path "-" is standard input. Error: what the system says, with the path.
   static tl::expected<ProgramFile, std::string> open(const std::string& path);
 

@@ -48,6 +48,7 @@ struct FileReport {
   Command command = Command::dry_run;
   std::string machine;  // the machine file, or "default"
   std::string_view profile;
+  bool live = false;  // ran as its text came, without a check of the whole before
   double period_s = 0.001;
   lookahead::PlanLimits limits{};
   ExitStatus status = ExitStatus::done;

@@ -47,10 +47,12 @@ class PlanningThread {
 // What follows from a tick for the run: counts, and whether it was the last.
 class Judge {
  public:
+  explicit Judge(bool waits_for_text) noexcept : waits_for_text_(waits_for_text) {}
+
   bool is_over(interp::TickStatus status, const TickStage& ticks, RunOutcome& outcome) noexcept {
     if (status == interp::TickStatus::starved) {
       ++outcome.starved_ticks;
-      outcome.hung = ++starved_in_a_row_ == kHungTicks;
+      outcome.hung = ++starved_in_a_row_ >= kHungTicks && !waits_for_text_;
     } else {
       starved_in_a_row_ = 0;
     }
@@ -59,6 +61,7 @@ class Judge {
   }
 
  private:
+  bool waits_for_text_;
   std::uint64_t starved_in_a_row_ = 0;
 };
 
@@ -66,7 +69,7 @@ class Judge {
 
 RunOutcome run_without_clock(const RunStage& stage) {
   RunOutcome outcome;
-  Judge judge;
+  Judge judge(stage.waits_for_text);
   for (TickRecord record;;) {
     if (stop_requested()) {
       stage.feeder.stop();
@@ -87,7 +90,7 @@ RunOutcome run_in_real_time(const RunStage& stage, double period_s) {
   {
     const PlanningThread planning(stage.feeder);
     TickTimer timer(period_s);
-    Judge judge;
+    Judge judge(stage.waits_for_text);
     for (TickRecord record;;) {
       timer.wait();
       const interp::TickStatus status = stage.ticks.step(record);

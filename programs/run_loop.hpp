@@ -14,6 +14,7 @@ struct RunStage {
   TickStage& ticks;
   Recorder& recorder;
   Progress& progress;
+  bool waits_for_text = false;  // a tick without motion is no defect: the text is still to come
 };
 
 struct RunOutcome {

@@ -1,6 +1,8 @@
 #include "programs/session.hpp"
 
+#include <cerrno>
 #include <chrono>
+#include <fcntl.h>
 #include <optional>
 #include <utility>
 
@@ -14,6 +16,7 @@
 #include "programs/plan_only.hpp"
 #include "programs/progress_bar.hpp"
 #include "programs/run_loop.hpp"
+#include "programs/text_feed.hpp"
 
 namespace kerf::program {
 
@@ -46,6 +49,10 @@ class Session {
 
   FileReport process(const std::string& path) {
     report_.file = path == "-" ? "<stdin>" : path;
+    if (options_.command == Command::run && ProgramFile::is_live(path)) {
+      run_live(path);
+      return std::move(report_);
+    }
     auto file = ProgramFile::open(path);
     if (stop_requested()) {
       report_.status = *stop_requested();
@@ -54,7 +61,12 @@ class Session {
     } else if (check(*file)) {
       file->rewind();
       const Stopwatch watch;
-      options_.command == Command::check ? plan(*file) : run(*file);
+      if (options_.command == Command::check) {
+        plan(*file);
+      } else {
+        FileFeed text(*file);
+        run(text);
+      }
       report_.run_duration_s = watch.elapsed_s();
     }
     return std::move(report_);
@@ -87,8 +99,8 @@ class Session {
     return report_.status == ExitStatus::done;
   }
 
-  void judge(const CheckReport& found) {
-    for (const parser::Diagnostic& diagnostic : found.diagnostics) {
+  void take(const std::vector<parser::Diagnostic>& diagnostics) {
+    for (const parser::Diagnostic& diagnostic : diagnostics) {
       if (diagnostic.severity == parser::Severity::error) {
         report_.errors.push_back(diagnostic);
       } else {
@@ -96,6 +108,10 @@ class Session {
             fmt::format("line {}: {}", diagnostic.source.line, diagnostic.message));
       }
     }
+  }
+
+  void judge(const CheckReport& found) {
+    take(found.diagnostics);
     if (found.has_errors()) {
       report_.status = ExitStatus::program_error;
     } else if (!found.limit_faults.empty()) {
@@ -124,7 +140,23 @@ class Session {
     }
   }
 
-  void run(ProgramFile& file) {
+  // Text that can be read only once runs as it comes: each block is checked before it is planned,
+  // and a wrong one ends the program at rest before it.
+  void run_live(const std::string& path) {
+    Descriptor source(path == "-" ? ::dup(STDIN_FILENO)
+                                  : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!source.is_open()) {
+      fail(ExitStatus::io_error, report_.file + ": " + error_text(errno));
+      return;
+    }
+    report_.live = kernel_options_.checks_travel = true;
+    const Stopwatch watch;
+    LiveFeed text(report_.file, std::move(source));
+    run(text);
+    report_.run_duration_s = watch.elapsed_s();
+  }
+
+  void run(TextFeed& text) {
     auto outputs = Outputs::open(options_, report_.period_s, extents_.value_or(curves::Extents{}));
     if (!outputs) {
       fail(ExitStatus::io_error, outputs.error());
@@ -132,9 +164,9 @@ class Session {
     }
     Kernel kernel(settings_, kernel_options_);
     Progress progress;
-    Feeder feeder(kernel, file, progress);
+    Feeder feeder(kernel, text, progress);
     TickStage ticks(kernel, settings_, kernel_options_.start_mm);
-    const RunStage stage{feeder, ticks, outputs->recorder(), progress};
+    const RunStage stage{feeder, ticks, outputs->recorder(), progress, report_.live};
     RunOutcome outcome;
     {
       const ProgressBar bar(
@@ -165,8 +197,10 @@ class Session {
     } else if (read_error) {
       fail(ExitStatus::io_error, *read_error);
     } else if (kernel.has_errors()) {
-      report_.errors = kernel.diagnostics();
-      report_.status = ExitStatus::program_error;
+      take(kernel.diagnostics());
+      report_.status = kernel.left_travel() ? ExitStatus::machine_fault : ExitStatus::program_error;
+    } else if (report_.live) {
+      take(kernel.diagnostics());
     } else if (extents_) {
       report_.plan->extents = *extents_;  // of the curves; ticks need not meet their extremes
     }

@@ -43,6 +43,54 @@ class Case(unittest.TestCase):
         return done
 
 
+class LiveInput(Case):
+    """`kerf run -` on a pipe: motion begins before the text ends."""
+
+    def start(self, *words):
+        child = subprocess.Popen([KERF, "run", "-", "--json", *words], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                 stderr=subprocess.PIPE, text=True)
+        self.addCleanup(child.kill)
+        return child
+
+    def finish(self, child, more="", status=0):
+        out, err = child.communicate(more, timeout=60)
+        self.assertEqual(child.returncode, status, out + err)
+        return json.loads(out), err
+
+    def test_moves_while_the_input_is_still_open(self):
+        child = self.start()
+        child.stdin.write("G21 G90\nF3000\nG1 X10\n")
+        child.stdin.flush()
+        time.sleep(2.0)
+        report, _ = self.finish(child, "G1 X20\nM30\n")
+        self.assertEqual(report["extents"]["max_mm"]["x"], 20.0)
+        # Had it waited for the end, nothing would have stood still between the two moves.
+        waited = [w for w in report["warnings"] if w.startswith("waited for text: ")]
+        self.assertEqual(len(waited), 1, report["warnings"])
+        self.assertGreater(report["cycle_time_s"], 1.0)
+
+    def test_is_stopped_by_a_request_while_it_waits(self):
+        child = self.start()
+        child.stdin.write("G21 G90\nG1 X10 F3000\n")
+        child.stdin.flush()
+        time.sleep(1.5)
+        child.send_signal(signal.SIGINT)
+        out, err = child.communicate(timeout=30)
+        self.assertEqual(child.returncode, 130, out + err)
+
+    def test_stops_at_rest_before_a_wrong_block(self):
+        child = self.start()
+        report, err = self.finish(child, "G21 G90\nG1 X10 F3000\nG77\nG1 X20\nM30\n", status=1)
+        self.assertIn("<stdin>:3:1: error: G77 is not known", err)
+        self.assertEqual(report["extents"]["max_mm"]["x"], 10.0)
+
+    def test_stops_at_rest_before_a_block_that_leaves_the_table(self):
+        child = self.start()
+        report, err = self.finish(child, TOO_FAR, status=4)
+        self.assertIn("<stdin>:3:1: error: ", err)
+        self.assertEqual(report["extents"]["max_mm"]["x"], 10.0)
+
+
 class DryRun(Case):
     def test_prints_a_summary_and_nothing_on_standard_error(self):
         done = self.kerf("dry-run", self.path("square.ngc", SQUARE))
