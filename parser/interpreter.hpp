@@ -36,6 +36,7 @@ class Interpreter {
   // Says that no block will follow: a curve that is still open is an error.
   void end(std::uint32_t last_line, std::string_view where);
 
+  [[nodiscard]] const ModalState& state() const { return state_; }
   [[nodiscard]] MoveQueue& moves() { return moves_; }
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   // Ends the program as M2 does.

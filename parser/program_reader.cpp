@@ -31,6 +31,7 @@ class ProgramReader::Impl {
   bool next(Move& move);
   [[nodiscard]] bool at_end() const { return ended_ && all_fetched_; }
   [[nodiscard]] const DiagnosticList& diagnostics() const { return diagnostics_; }
+  [[nodiscard]] const std::optional<WatchedBlock>& watched_block() const { return watched_block_; }
 
  private:
   void read_line(const Line& line);
@@ -53,6 +54,7 @@ class ProgramReader::Impl {
   bool closed_by_percent_ = false;
   bool rest_reported_ = false;
   std::uint32_t opening_line_ = 0;
+  std::optional<WatchedBlock> watched_block_;
 };
 
 void ProgramReader::Impl::refuse(std::uint32_t line, std::uint32_t column, std::string message) {
@@ -167,6 +169,9 @@ void ProgramReader::Impl::read_line(const Line& given) {
       (line.text[at] == '/' && options_.block_delete)) {
     return;
   }
+  if (line.number == options_.watched_line && !watched_block_) {
+    watched_block_ = WatchedBlock{std::string(line.text), interpreter_.state()};
+  }
   const bool complete = read_block(line.text, block_);
   warn_about(block_, line.number);
   if (complete && (block_.empty() || is_program_number(block_, line.number))) {
@@ -230,6 +235,9 @@ bool ProgramReader::next(Move& move) {
 }
 bool ProgramReader::at_end() const {
   return impl_->at_end();
+}
+const std::optional<WatchedBlock>& ProgramReader::watched_block() const {
+  return impl_->watched_block();
 }
 bool ProgramReader::has_errors() const {
   return impl_->diagnostics().has_errors();

@@ -13,6 +13,7 @@
 #include "parser/diagnostic.hpp"
 #include "parser/dialect.hpp"
 #include "parser/move.hpp"
+#include "parser/watched_block.hpp"
 
 namespace kerf::parser {
 
@@ -32,6 +33,7 @@ struct ReaderOptions {
   SubprogramSource subprograms{};  // empty: only those in the program's own text
   // Lines read since the last motion that end the program as an endless loop.
   std::uint64_t max_idle_steps = 10'000'000;
+  std::uint32_t watched_line = 0;  // of the program's own text; 0: none
 };
 
 // Reads one program. Memory does not grow with its length: the piece fed last, a line of at most
@@ -60,6 +62,8 @@ class ProgramReader {
   // True once the program's end was met: M2, M30, the closing % or the last byte.
   [[nodiscard]] bool at_end() const;
   [[nodiscard]] bool has_errors() const;
+  // The watched line as it was about to run for the first time; nothing before.
+  [[nodiscard]] const std::optional<WatchedBlock>& watched_block() const;
   // Errors and warnings in the order of the text, at most max_errors errors.
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
 

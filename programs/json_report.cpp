@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "parser/codes_in_force.hpp"
+
 namespace kerf::program {
 
 namespace {
@@ -24,6 +26,19 @@ void set_plan(Json& json, const PlanReport& plan) {
   json["blocks"] = plan.blocks;
   json["extents"] = {{"min_mm", axes_json(plan.extents.min_mm)},
                      {"max_mm", axes_json(plan.extents.max_mm)}};
+}
+
+void set_block(Json& json, const BlockReport& report) {
+  const parser::ModalState& state = report.block.state;
+  json["block"] = {{"line", report.line},
+                   {"text", report.block.text},
+                   {"begin_s", report.begin_s},
+                   {"duration_s", report.duration_s},
+                   {"codes", parser::codes_in_force(state)},
+                   {"position_mm", axes_json(state.position_mm)},
+                   {"feedrate_mm_s", state.feedrate_mm_s ? Json(*state.feedrate_mm_s) : Json()},
+                   {"spindle_speed", state.spindle_speed},
+                   {"tool", state.tool}};
 }
 
 void set_motion(Json& json, const FileReport& report) {
@@ -64,6 +79,9 @@ std::string json_report(const FileReport& report) {
   json["period_s"] = report.period_s;
   if (report.plan) {
     set_plan(json, *report.plan);
+  }
+  if (report.block) {
+    set_block(json, *report.block);
   }
   if (report.motion) {
     set_motion(json, report);

@@ -71,11 +71,16 @@ CLI::App* add_command(CLI::App& app, Command command, const std::string& descrip
       added->add_option("FILE", raw.options.files, "part program (- is standard input)")
           ->required()
           ->type_name("");
-  if (command == Command::run) {
+  if (command == Command::run || command == Command::explain) {
     files->expected(1);
   }
   add_common(*added, raw);
-  if (command != Command::check) {
+  if (command == Command::explain) {
+    added->add_option("--line", raw.options.explained_line, "the line to explain")
+        ->required()
+        ->check(CLI::PositiveNumber)
+        ->type_name("N");
+  } else if (command != Command::check) {
     add_outputs(*added, raw.options);
   }
   return added;
@@ -117,6 +122,8 @@ std::string_view name_of(Command command) noexcept {
       return "run";
     case Command::check:
       return "check";
+    case Command::explain:
+      return "explain";
     case Command::dry_run:
       break;
   }
@@ -135,7 +142,8 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   const CLI::App* dry_run =
       add_command(app, Command::dry_run, "run on the simulated table without a clock", raw);
   const CLI::App* run = add_command(app, Command::run, "run in real time", raw);
-  add_command(app, Command::check, "read and plan only", raw);
+  const CLI::App* check = add_command(app, Command::check, "read and plan only", raw);
+  add_command(app, Command::explain, "what is in force at a line of the program, and when", raw);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -149,7 +157,8 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   Options& options = raw.options;
   options.command = dry_run->parsed() ? Command::dry_run
                     : run->parsed()   ? Command::run
-                                      : Command::check;
+                    : check->parsed() ? Command::check
+                                      : Command::explain;
   options.profile = *profiles::profile_kind(raw.profile);
   if (const auto message = contradiction(options)) {
     return wrong_use(*message);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -12,7 +13,7 @@
 
 namespace kerf::program {
 
-enum class Command : unsigned char { dry_run, run, check };
+enum class Command : unsigned char { dry_run, run, check, explain };
 
 std::string_view name_of(Command command) noexcept;
 
@@ -25,6 +26,7 @@ struct Options {
   std::optional<std::string> trace_file;
   std::optional<std::string> plot_file;
   std::size_t window_blocks = 1000;
+  std::uint32_t explained_line = 0;  // of Command::explain
   bool block_delete = false;
   bool json = false;
   bool quiet = false;

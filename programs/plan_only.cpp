@@ -33,18 +33,30 @@ tl::expected<bool, std::string> next_move(parser::ProgramReader& reader, Program
   return true;
 }
 
-void push(lookahead::Planner& planner, const parser::Move& move,
-          const lookahead::PlanLimits& limits, std::vector<lookahead::Block>& blocks) {
+// Into the planner's window: how many curves the move became, or that it is one rest.
+std::uint64_t push(lookahead::Planner& planner, const parser::Move& move,
+                   const lookahead::PlanLimits& limits, std::vector<lookahead::Block>& blocks) {
   if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
     planner.push_rest(dwell->duration_s, move.source.line);
-  } else if (std::holds_alternative<parser::EventMove>(move.shape)) {
+    return 1;
+  }
+  if (std::holds_alternative<parser::EventMove>(move.shape)) {
     planner.push_rest(0.0, move.source.line);
-  } else {
-    blocks.clear();
-    if (lookahead::append_blocks(move, limits, blocks)) {
-      for (lookahead::Block& block : blocks) {
-        planner.push(std::move(block));
-      }
+    return 1;
+  }
+  blocks.clear();
+  if (lookahead::append_blocks(move, limits, blocks)) {
+    for (lookahead::Block& block : blocks) {
+      planner.push(std::move(block));
+    }
+  }
+  return blocks.size();
+}
+
+void report(const lookahead::Outbox& outbox, BlockWatch* watch) {
+  if (watch != nullptr) {
+    for (const interp::Phase& phase : outbox.phases) {
+      watch->planned(phase);
     }
   }
 }
@@ -54,9 +66,10 @@ void push(lookahead::Planner& planner, const parser::Move& move,
 tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
                                                            const MachineSettings& settings,
                                                            const KernelOptions& options,
-                                                           Progress& progress) {
-  parser::ProgramReader reader(
-      {.start_mm = options.start_mm, .block_delete = options.block_delete});
+                                                           Progress& progress, BlockWatch* watch) {
+  parser::ProgramReader reader({.start_mm = options.start_mm,
+                                .block_delete = options.block_delete,
+                                .watched_line = watch != nullptr ? watch->line() : 0});
   lookahead::Planner planner({.limits = settings.limits,
                               .profile = options.profile,
                               .window_blocks = options.window_blocks});
@@ -68,6 +81,7 @@ tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
     outbox.pieces.clear();
     outbox.phases.clear();
     if (planner.emit(outbox)) {
+      report(outbox, watch);
       continue;
     }
     if (finished) {
@@ -77,8 +91,14 @@ tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
     if (!found) {
       return tl::unexpected(found.error());
     }
+    if (watch != nullptr) {
+      watch->read(reader);
+    }
     if (*found) {
-      push(planner, move, settings.limits, blocks);
+      const std::uint64_t items = push(planner, move, settings.limits, blocks);
+      if (watch != nullptr) {
+        watch->pushed(items);
+      }
     } else {
       planner.finish(move.source.line);
       finished = true;

@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "kernel/kernel.hpp"
+#include "programs/block_watch.hpp"
 #include "programs/program_file.hpp"
 #include "programs/progress.hpp"
 
@@ -13,9 +14,11 @@ namespace kerf::program {
 
 // Preconditions: check_program() found no error; the file is rewound. Memory does not grow with the
 // length of the program. Ends early when a stop is requested. Error: the file cannot be read.
+// watch: told of what is read and planned, if there is one.
 tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
                                                            const MachineSettings& settings,
                                                            const KernelOptions& options,
-                                                           Progress& progress);
+                                                           Progress& progress,
+                                                           BlockWatch* watch = nullptr);
 
 }  // namespace kerf::program

@@ -12,6 +12,7 @@
 #include "kernel/run_statistics.hpp"
 #include "lookahead/limits.hpp"
 #include "parser/diagnostic.hpp"
+#include "parser/program_reader.hpp"
 #include "programs/exit_status.hpp"
 #include "programs/options.hpp"
 
@@ -24,6 +25,14 @@ struct PlanReport {
   double path_length_mm = 0.0;
   std::uint64_t blocks = 0;
   curves::Extents extents{};
+};
+
+// What is in force just before a block runs for the first time, and when that is.
+struct BlockReport {
+  std::uint32_t line = 0;
+  parser::WatchedBlock block;
+  double begin_s = 0.0;
+  double duration_s = 0.0;  // 0: neither motion nor dwell
 };
 
 // Known once it ran.
@@ -56,6 +65,7 @@ struct FileReport {
   std::vector<std::string> failures;       // without one: files, faults of the machine
   std::vector<std::string> warnings;
   std::optional<PlanReport> plan;
+  std::optional<BlockReport> block;  // of Command::explain
   std::optional<MotionReport> motion;
   std::optional<ClockReport> clock;
   double check_duration_s =

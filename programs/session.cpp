@@ -61,7 +61,7 @@ class Session {
     } else if (check(*file)) {
       file->rewind();
       const Stopwatch watch;
-      if (options_.command == Command::check) {
+      if (options_.command == Command::check || options_.command == Command::explain) {
         plan(*file);
       } else {
         FileFeed text(*file);
@@ -125,7 +125,8 @@ class Session {
     Progress progress;
     const ProgressBar bar(
         "planning", [&] { return progress.read_share(); }, shows_progress());
-    const auto totals = plan_only(file, settings_, kernel_options_, progress);
+    BlockWatch watch(options_.explained_line, report_.period_s);
+    const auto totals = plan_only(file, settings_, kernel_options_, progress, &watch);
     if (!totals) {
       fail(ExitStatus::io_error, totals.error());
     } else if (stop_requested()) {
@@ -137,7 +138,23 @@ class Session {
                      .path_length_mm = totals->path_length_mm,
                      .blocks = totals->blocks,
                      .extents = extents_.value_or(curves::Extents{})};
+      explain(watch);
     }
+  }
+
+  void explain(const BlockWatch& watch) {
+    if (options_.command != Command::explain) {
+      return;
+    }
+    if (!watch.block()) {
+      fail(ExitStatus::program_error,
+           fmt::format("{}: line {} is never run", report_.file, options_.explained_line));
+      return;
+    }
+    report_.block = BlockReport{.line = options_.explained_line,
+                                .block = *watch.block(),
+                                .begin_s = watch.begin_s().value_or(report_.plan->cycle_time_s),
+                                .duration_s = watch.duration_s()};
   }
 
   // Text that can be read only once runs as it comes: each block is checked before it is planned,

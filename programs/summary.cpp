@@ -5,6 +5,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "programs/block_text.hpp"
 #include "programs/number_text.hpp"
 
 namespace kerf::program {
@@ -89,6 +90,9 @@ std::string check_line(const FileReport& report) {
 std::string summary(const FileReport& report) {
   if (!report.plan) {
     return {};
+  }
+  if (report.command == Command::explain) {
+    return block_text(report);
   }
   if (report.command == Command::check) {
     return check_line(report);

@@ -43,6 +43,52 @@ class Case(unittest.TestCase):
         return done
 
 
+class Explain(Case):
+    def test_finds_the_time_that_the_trace_of_a_run_has(self):
+        program = str(pathlib.Path(SOURCE) / "programs" / "pocket.ngc")
+        trace = self.path("t.csv")
+        self.kerf("dry-run", program, "--trace", trace, "-q")
+        with open(trace) as file:
+            rows = [(float(row["t_s"]), int(row["line"])) for row in csv.DictReader(file)]
+        lines = sorted({line for _, line in rows})
+        for line in lines[2:-1:7]:
+            with self.subTest(line=line):
+                block = json.loads(self.kerf("explain", program, "--line", str(line), "--json").stdout)["block"]
+                times = [t for t, at in rows if at == line]
+                # A tick belongs to the phase that holds its instant.
+                self.assertLess(abs(times[0] - block["begin_s"]), 0.0011)
+                self.assertLess(abs(times[-1] - times[0] - block["duration_s"]), 0.0021)
+
+    def test_shows_what_is_in_force_before_the_line(self):
+        path = self.path("modes.ngc", "G21 G90 G18\nG1 X1 F600\nG91 G2 X2 I1\nM3 S500\nG0 X3\nM30\n")
+        block = json.loads(self.kerf("explain", path, "--line", "3", "--json").stdout)["block"]
+        self.assertEqual(block["text"], "G91 G2 X2 I1")
+        self.assertEqual(block["position_mm"], {"x": 1.0, "y": 0.0, "z": 0.0})
+        for code in ("G1", "G18", "G90", "G94", "M5"):
+            self.assertIn(code, block["codes"])
+        block = json.loads(self.kerf("explain", path, "--line", "5", "--json").stdout)["block"]
+        for code in ("G2", "G91", "M3"):
+            self.assertIn(code, block["codes"])
+        self.assertEqual(block["spindle_speed"], 500.0)
+        self.assertEqual(block["position_mm"]["x"], 3.0)
+
+    def test_counts_dwells_and_events_as_time_of_their_line(self):
+        path = self.path("dwell.ngc", "G21 G90\nG1 X1 F600\nG4 P0.5\nG4 P0.25\nM3 S1\nG90\nG1 X2\nM30\n")
+        blocks = [json.loads(self.kerf("explain", path, "--line", str(line), "--json").stdout)["block"]
+                  for line in (3, 4, 5, 6, 7)]
+        self.assertAlmostEqual(blocks[0]["duration_s"], 0.5)
+        self.assertAlmostEqual(blocks[1]["begin_s"] - blocks[0]["begin_s"], 0.5)
+        self.assertAlmostEqual(blocks[1]["duration_s"], 0.25)
+        for block in blocks[2:]:
+            self.assertAlmostEqual(block["begin_s"] - blocks[1]["begin_s"], 0.25)
+        self.assertEqual(blocks[3]["duration_s"], 0.0)
+
+    def test_says_so_where_a_line_is_never_run(self):
+        path = self.path("square.ngc", SQUARE)
+        self.assertIn("line 99 is never run", self.kerf("explain", path, "--line", "99", status=1).stderr)
+        self.kerf("explain", path, status=2)
+
+
 class LiveInput(Case):
     """`kerf run -` on a pipe: motion begins before the text ends."""
 

@@ -1,0 +1,49 @@
+#include "programs/block_text.hpp"
+
+#include <iterator>
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
+
+#include "parser/codes_in_force.hpp"
+#include "programs/number_text.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+std::string point_text(const parser::Point& point_mm) {
+  return fmt::format("x {}, y {}, z {} mm", fixed_number(point_mm[0], 3),
+                     fixed_number(point_mm[1], 3), fixed_number(point_mm[2], 3));
+}
+
+std::string feed_text(const parser::ModalState& state) {
+  return state.feedrate_mm_s ? short_number(60.0 * *state.feedrate_mm_s) + " mm/min" : "none yet";
+}
+
+}  // namespace
+
+std::string block_text(const FileReport& report) {
+  if (!report.block) {
+    return {};
+  }
+  const BlockReport& block = *report.block;
+  const parser::ModalState& state = block.block.state;
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}:{}: {}\n", report.file, block.line, block.block.text);
+  fmt::format_to(out, "  begins at       {} of {}", clock_time(block.begin_s),
+                 clock_time(report.plan->cycle_time_s));
+  if (block.duration_s > 0.0) {
+    fmt::format_to(out, ", takes {} s", short_number(block.duration_s));
+  }
+  text += "\n  in force before it:\n";
+  fmt::format_to(out, "  codes           {}\n", fmt::join(parser::codes_in_force(state), " "));
+  fmt::format_to(out, "  position        {}\n", point_text(state.position_mm));
+  fmt::format_to(out, "  feed            {}\n", feed_text(state));
+  fmt::format_to(out, "  spindle         S{}\n", short_number(state.spindle_speed));
+  fmt::format_to(out, "  tool            T{}\n", short_number(state.tool));
+  return text;
+}
+
+}  // namespace kerf::program

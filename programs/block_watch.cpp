@@ -1,0 +1,31 @@
+#include "programs/block_watch.hpp"
+
+namespace kerf::program {
+
+void BlockWatch::read(const parser::ProgramReader& reader) {
+  if (!block_ && reader.watched_block()) {
+    block_ = reader.watched_block();
+    items_before_ = items_pushed_;
+  }
+}
+
+void BlockWatch::planned(const interp::Phase& phase) {
+  const bool rest = phase.s_begin_mm == phase.s_end_mm;
+  if (rest || phase.curve != curve_) {
+    ++items_planned_;
+    curve_ = phase.curve;
+  }
+  if (!block_ || over_ || items_planned_ <= items_before_) {
+    return;
+  }
+  if (!begin_s_) {
+    begin_s_ = end_s_ = seconds(phase.begin);
+  }
+  if (phase.line == line_) {
+    end_s_ = seconds(phase.begin) + phase.law.duration_s();
+  } else {
+    over_ = true;
+  }
+}
+
+}  // namespace kerf::program
