@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "parser/errors/blocks.hpp"
 #include "parser/lexical_error.hpp"
 #include "parser/text.hpp"
 
@@ -166,7 +167,7 @@ bool Interpreter::check_words() {
     return explain_unused(*leftmost(block, unused));
   }
   if (block.has('N') && block.value('N') > kLargestLineNumber) {
-    return fail(block.word('N').offset,
+    return fail(block.word('N').offset, errors::kLineNumberOutOfRange,
                 joined({"N: line number ", upper(block.text(block.word('N')).substr(1, 40)),
                         " is out of range"}));
   }
@@ -174,13 +175,13 @@ bool Interpreter::check_words() {
     const int users =
         (dwells ? 1 : 0) + (blends ? 1 : 0) + ((of_motion & letters('P')) != 0 ? 1 : 0);
     if (block.has('P') && users > 1) {
-      return fail(block.word('P').offset, "P has two users in this block");
+      return fail(block.word('P').offset, errors::kTwoUsersOfP, "P has two users in this block");
     }
     for (const char letter : {'I', 'J', 'K', 'P', 'Q', 'R'}) {
       if (block.has(letter) &&
           !(std::fabs(block.value(letter)) * mm_per_unit(state_.units) <= kLargestCoordinate_mm)) {
         return fail(
-            block.word(letter).offset,
+            block.word(letter).offset, errors::kParameterOutOfRange,
             joined({named(letter), ": value ", upper(block.text(block.word(letter)).substr(1, 40)),
                     " is outside -999999.999..999999.999"}));
       }
@@ -200,13 +201,14 @@ bool Interpreter::explain_idle_axes() {
   const Word& word = *leftmost(*block_, kAxisLetters | letters('I', 'J', 'K', 'R'));
   if (codes_.has(Group::motion)) {
     const std::string name = upper(block_->text(code_word(*block_, codes_, Group::motion)));
-    return fail(word.offset, joined({"axis words are given but ", name, " uses none"}));
+    return fail(word.offset, errors::kIdleAxisWords,
+                joined({"axis words are given but ", name, " uses none"}));
   }
   if (codes_[Group::other] == kG4) {
-    return fail(word.offset,
+    return fail(word.offset, errors::kDwellWithAxis,
                 joined({"G4 takes the time in P, not in ", named(letter_of(*block_, word))}));
   }
-  return fail(word.offset,
+  return fail(word.offset, errors::kNoMotionMode,
               "axis words are given but no motion mode is active (G0, G1, G2 ... is expected)");
 }
 
@@ -220,21 +222,25 @@ bool Interpreter::explain_unused(const Word& word) {
     case 'U':
     case 'V':
     case 'W':
-      return fail(word.offset, joined({"axis ", name, " does not exist on this machine"}));
+      return fail(word.offset, errors::kUnknownAxis,
+                  joined({"axis ", name, " does not exist on this machine"}));
     case 'D':
     case 'H':
-      return fail(word.offset, joined({name, " (tool offset number) is not supported yet"}));
+      return fail(word.offset, errors::kToolOffsetWord,
+                  joined({name, " (tool offset number) is not supported yet"}));
     case 'E': {
       const char before = word.offset > 0 ? block_->line[word.offset - 1] : ' ';
       const std::string_view text = block_->text(word);
       const bool exponent = (before >= '0' && before <= '9') || before == '.';
       if (exponent && text.find('.') == std::string_view::npos) {
-        return fail(word.offset, "exponent notation is not allowed (E is an address letter)");
+        return fail(word.offset, errors::kExponent,
+                    "exponent notation is not allowed (E is an address letter)");
       }
-      return fail(word.offset, "E is not used in this block (3D-printer file?)");
+      return fail(word.offset, errors::kExtruderWord,
+                  "E is not used in this block (3D-printer file?)");
     }
     default:
-      return fail(word.offset, joined({name, " is not used in this block"}));
+      return fail(word.offset, errors::kUnusedWord, joined({name, " is not used in this block"}));
   }
 }
 

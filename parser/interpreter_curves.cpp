@@ -1,6 +1,7 @@
 // G6.2 and G5.2 ... G5.3: which blocks belong to a curve, and what follows an error in one.
 #include <algorithm>
 
+#include "parser/errors/curves.hpp"
 #include "parser/interpreter.hpp"
 #include "parser/text.hpp"
 
@@ -38,8 +39,9 @@ bool Interpreter::begins_curve() const {
 
 bool Interpreter::curve_feed() {
   if (state_.feed_mode == FeedMode::inverse_time) {
-    return fail(motion_offset(), joined({state_.motion == Motion::nurbs ? "G6.2" : "G5.2",
-                                         " cannot be used with G93"}));
+    return fail(
+        motion_offset(), errors::kCurveInverseTime,
+        joined({state_.motion == Motion::nurbs ? "G6.2" : "G5.2", " cannot be used with G93"}));
   }
   return cutting_feedrate(0.0, curve_feedrate_mm_s_);
 }
@@ -105,12 +107,14 @@ bool Interpreter::continue_curve() {
 bool Interpreter::deliver_curve(NurbsMove curve, std::string_view name) {
   if (is_a_point(curve)) {
     diagnostics_->warning({curve.point_lines.back(), 1},
-                          joined({name, ": the curve has zero length and is left out"}));
+                          joined({name, ": the curve has zero length and is left out"}),
+                          &errors::kCurveIsAPoint);
     return true;
   }
   if (weight_ratio(curve) > kLargestWeightRatio) {
     diagnostics_->warning({curve.point_lines.back(), 1},
-                          joined({name, ": the weights differ by more than a factor of 1e6"}));
+                          joined({name, ": the weights differ by more than a factor of 1e6"}),
+                          &errors::kWeightsFarApart);
   }
   const Point end = curve.points.back().position_mm;
   Move& move = push_move();

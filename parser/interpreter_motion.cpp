@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/errors/arcs.hpp"
+#include "parser/errors/motion.hpp"
+#include "parser/errors/splines.hpp"
 #include "parser/interpreter.hpp"
 #include "parser/text.hpp"
 
@@ -40,13 +43,13 @@ void Interpreter::set_motion(Tenths code) {
 bool Interpreter::check_machine_coordinates() {
   const Word& code = code_word(*block_, codes_, Group::other);
   if (state_.motion != Motion::rapid && state_.motion != Motion::line) {
-    return fail(code.offset, "G53 can be used only with G0 or G1");
+    return fail(code.offset, errors::kMachineMotionMode, "G53 can be used only with G0 or G1");
   }
   if (state_.incremental) {
-    return fail(code.offset, "G53 needs G90 (G91 is active)");
+    return fail(code.offset, errors::kMachineIncremental, "G53 needs G90 (G91 is active)");
   }
   if (!block_->has_any(kAxisLetters)) {
-    return fail(code.offset, "G53 needs an axis word");
+    return fail(code.offset, errors::kMachineWithoutAxis, "G53 needs an axis word");
   }
   return true;
 }
@@ -72,7 +75,7 @@ bool Interpreter::move() {
              quadratic_spline();
     case Motion::none:
       if (codes_[Group::motion] == 53) {
-        return fail(motion_offset(), "G5.3 without G5.2");
+        return fail(motion_offset(), errors::kOpenWithoutCurve, "G5.3 without G5.2");
       }
       return true;
     default:
@@ -112,13 +115,13 @@ bool Interpreter::arc_move() {
     const char high = std::max(centre_letter(axes.first), centre_letter(axes.second));
     const std::string_view plane = plane_name(state_.plane);
     if (!codes_.has(Group::motion)) {
-      return fail(motion_offset(),
+      return fail(motion_offset(), errors::kArcStillActive,
                   joined({"an arc (G", state_.motion == Motion::arc_clockwise ? "2" : "3",
                           " is still active) in the ", plane, " plane needs ", named(low), ", ",
                           named(high), " or R"}));
     }
     const bool bare = !block_->has_any(kAxisLetters);
-    return fail(motion_offset(),
+    return fail(motion_offset(), errors::kArcWithoutCentre,
                 joined({"an arc in the ", plane, " plane needs ", bare ? "an end point and " : "",
                         "a centre (", named(low), ", ", named(high), ") or a radius (R)"}));
   }

@@ -1,4 +1,5 @@
 // G5 and G5.1: one Bezier curve per block.
+#include "parser/errors/splines.hpp"
 #include "parser/interpreter.hpp"
 #include "parser/text.hpp"
 
@@ -34,16 +35,20 @@ bool Interpreter::is_high_speed_mode() const {
 
 bool Interpreter::check_spline_axes(std::string_view name) {
   if (state_.plane != Plane::xy) {
-    return fail(motion_offset(), joined({name, " works only in the XY plane (G17)"}));
+    return fail(motion_offset(), errors::kSplineOutsideXy,
+                joined({name, " works only in the XY plane (G17)"}));
   }
   if (block_->has('Z')) {
-    return fail(block_->word('Z').offset, joined({"Z is not used by ", name}));
+    return fail(block_->word('Z').offset, errors::kSplineWithZ,
+                joined({"Z is not used by ", name}));
   }
   if (!block_->has_any(letters('X', 'Y'))) {
-    return fail(motion_offset(), joined({name, " needs an end point (X, Y)"}));
+    return fail(motion_offset(), errors::kSplineWithoutEnd,
+                joined({name, " needs an end point (X, Y)"}));
   }
   if (state_.feed_mode == FeedMode::inverse_time) {
-    return fail(motion_offset(), joined({name, " cannot be used with G93"}));
+    return fail(motion_offset(), errors::kSplineInverseTime,
+                joined({name, " cannot be used with G93"}));
   }
   return true;
 }
@@ -56,9 +61,10 @@ bool Interpreter::deliver_spline(NurbsMove curve, std::string_view name) {
 bool Interpreter::cubic_spline() {
   const Block& block = *block_;
   if (is_high_speed_mode()) {
-    warn(motion_offset(), joined({upper(block.text(code_word(block, codes_, Group::motion))), " ",
-                                  upper(block.text(*leftmost(block, letters('P', 'Q')))),
-                                  " (high-speed mode) is ignored"}));
+    warn(motion_offset(), errors::kHighSpeedMode,
+         joined({upper(block.text(code_word(block, codes_, Group::motion))), " ",
+                 upper(block.text(*leftmost(block, letters('P', 'Q')))),
+                 " (high-speed mode) is ignored"}));
     set_motion(static_cast<Tenths>(Motion::none));
     return true;
   }
@@ -66,14 +72,15 @@ bool Interpreter::cubic_spline() {
     return false;
   }
   if (!block.has('P') || !block.has('Q')) {
-    return fail(motion_offset(), "G5 needs P and Q");
+    return fail(motion_offset(), errors::kSplineWithoutHandle, "G5 needs P and Q");
   }
   if (block.has('I') != block.has('J')) {
-    return fail(leftmost(block, letters('I', 'J'))->offset,
+    return fail(leftmost(block, letters('I', 'J'))->offset, errors::kHalfSplineStart,
                 "G5: I and J must both be given or both left out");
   }
   if (!block.has('I') && !state_.spline_handle_mm) {
-    return fail(motion_offset(), "G5: the first spline of a series needs I and J");
+    return fail(motion_offset(), errors::kFirstSplineWithoutStart,
+                "G5: the first spline of a series needs I and J");
   }
   Point end;
   if (!resolve_point(curve_block(), state_.position_mm, end, fault_)) {
@@ -97,8 +104,9 @@ bool Interpreter::cubic_spline() {
 bool Interpreter::quadratic_spline() {
   const Block& block = *block_;
   if (is_high_speed_mode()) {
-    warn(motion_offset(), joined({"G5.1 ", upper(block.text(*leftmost(block, letters('P', 'Q')))),
-                                  " (contour control) is ignored"}));
+    warn(motion_offset(), errors::kHighSpeedMode,
+         joined({"G5.1 ", upper(block.text(*leftmost(block, letters('P', 'Q')))),
+                 " (contour control) is ignored"}));
     set_motion(static_cast<Tenths>(Motion::none));
     return true;
   }
@@ -106,10 +114,11 @@ bool Interpreter::quadratic_spline() {
     return false;
   }
   if (block.has('Q')) {
-    return fail(block.word('Q').offset, "Q is not used by G5.1 with an end point");
+    return fail(block.word('Q').offset, errors::kSplineUnusedQ,
+                "Q is not used by G5.1 with an end point");
   }
   if (!block.has_any(letters('I', 'J'))) {
-    return fail(motion_offset(), "G5.1 needs I or J");
+    return fail(motion_offset(), errors::kQuadraticWithoutHandle, "G5.1 needs I or J");
   }
   Point end;
   if (!resolve_point(curve_block(), state_.position_mm, end, fault_)) {

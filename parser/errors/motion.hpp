@@ -51,7 +51,38 @@ inline constexpr ErrorPage kFeedFromOtherUnits{
     "Write F again after G20 or G21.",
     "G21 F100\nG20\nG1 X1\nM2\n"};
 
-inline constexpr std::array kMotionPages{&kInverseTimeWithoutFeed, &kInverseTimeZeroFeed, &kNoFeed,
-                                         &kZeroFeed, &kFeedFromOtherUnits};
+inline constexpr ErrorPage kMachineMotionMode{
+    210,
+    Severity::error,
+    "G53 without G0 or G1",
+    "G53 takes the coordinates of its block as those of the machine. It works with straight moves "
+    "only, since the centre of an arc would have no clear meaning.",
+    "Write G0 or G1 in the block.",
+    "G53 X10\nM2\n"};
+
+inline constexpr ErrorPage kMachineIncremental{
+    211,
+    Severity::error,
+    "G53 with incremental distances",
+    "G53 names a place of the machine; with G91 the words are distances and name no place.",
+    "Write G90 before the block or in it.",
+    "G91\nG53 G0 X10\nM2\n"};
+
+inline constexpr ErrorPage kMachineWithoutAxis{
+    212,
+    Severity::error,
+    "G53 without an axis word",
+    "G53 holds for its own block only, so without coordinates in it there is nothing to do.",
+    "Give the block X, Y or Z, or take G53 out. It is not a mode: each block needs its own.",
+    "G53 G0\nM2\n"};
+
+inline constexpr std::array kMotionPages{&kInverseTimeWithoutFeed,
+                                         &kInverseTimeZeroFeed,
+                                         &kNoFeed,
+                                         &kZeroFeed,
+                                         &kFeedFromOtherUnits,
+                                         &kMachineMotionMode,
+                                         &kMachineIncremental,
+                                         &kMachineWithoutAxis};
 
 }  // namespace kerf::parser::errors
