@@ -38,6 +38,19 @@ bool radii_agree(double at_start, double at_end) {
           difference <= kRadiusTolerance * std::max(at_start, at_end));
 }
 
+// I, J and K as a place on the machine, absolute or from where the tool is.
+Point centre_in_machine(const Block& block, const ModalState& state, bool absolute) {
+  const double unit = mm_per_unit(state.units);
+  Point words{block.value_or('I', 0.0) * unit, block.value_or('J', 0.0) * unit,
+              block.value_or('K', 0.0) * unit};
+  if (!state.coordinates.plain()) {
+    words =
+        absolute ? state.coordinates.to_machine(words) : state.coordinates.turned_to_machine(words);
+  }
+  const Point& from = state.position_mm;
+  return absolute ? words : Point{from[0] + words[0], from[1] + words[1], from[2] + words[2]};
+}
+
 bool turns_from(const Block& block, ArcMove& arc, Fault& fault) {
   constexpr double kMostTurns = 1e6;
   if (!block.has('P')) {
@@ -110,8 +123,7 @@ bool check_radii(const Block& block, const ModalState& state, const ArcMove& arc
   if (radii_agree(distance(centre, start), distance(centre, end))) {
     return true;
   }
-  const double unit = mm_per_unit(state.units);
-  const InPlane as_absolute{block.value_or(first, 0.0) * unit, block.value_or(second, 0.0) * unit};
+  const InPlane as_absolute = in_plane(centre_in_machine(block, state, true), axes);
   std::string message = radii_differ(start, end, centre);
   if (!state.absolute_centre &&
       radii_agree(distance(as_absolute, start), distance(as_absolute, end))) {
@@ -130,10 +142,9 @@ bool centre_from_words(const Block& block, const ModalState& state, ArcMove& arc
                 joined({"G90.1 is active: ", named(std::min(first, second)), " and ",
                         named(std::max(first, second)), " must both be given"}));
   }
-  const double unit = mm_per_unit(state.units);
+  const Point centre = centre_in_machine(block, state, state.absolute_centre);
   for (const std::size_t axis : {axes.first, axes.second}) {
-    const double origin = state.absolute_centre ? 0.0 : state.position_mm[axis];
-    arc.centre_mm[axis] = origin + block.value_or(centre_letter(axis), 0.0) * unit;
+    arc.centre_mm[axis] = centre[axis];
   }
   return check_radii(block, state, arc, fault);
 }

@@ -40,34 +40,36 @@ constexpr void later(Table& table, const std::array<int, size>& tenths) {
 
 constexpr Table g_table() {
   Table table{};
-  know(table, Group::other, std::array{40, 530});
+  know(table, Group::other, std::array{40, 100, 280, 281, 300, 301, 520, 530, 920});
   know(table, Group::motion, std::array{0, 10, 20, 30, 50, 51, 52, 53, 62, 63});
   know(table, Group::cycle_cancel, std::array{800});
   know(table, Group::plane, std::array{170, 180, 190});
   know(table, Group::distance, std::array{900, 910});
   know(table, Group::arc_distance, std::array{901, 911});
-  know(table, Group::feed_mode, std::array{930, 940});
+  know(table, Group::feed_mode, std::array{930, 940, 950});
   know(table, Group::units, std::array{200, 210});
   know(table, Group::cutter_compensation, std::array{400});
-  know(table, Group::length_offset, std::array{490});
-  know(table, Group::work_offset, std::array{540, 550, 560, 570, 580, 590});
+  know(table, Group::length_offset, std::array{430, 431, 432, 490});
+  know(table, Group::work_offset, std::array{540, 550, 560, 570, 580, 590, 591, 592, 593});
   know(table, Group::path, std::array{610, 611, 640});
-  later(table,
-        std::array{70,  80,  100, 150, 160, 280, 281, 300, 301, 330, 331, 382, 383, 384, 385, 410,
-                   411, 420, 421, 430, 431, 432, 500, 510, 520, 541, 591, 592, 593, 650, 660, 670,
-                   680, 690, 700, 710, 711, 712, 720, 721, 722, 730, 740, 760, 810, 820, 830, 840,
-                   850, 860, 870, 880, 890, 920, 921, 922, 923, 950, 960, 970, 980, 990});
+  know(table, Group::spindle_mode, std::array{960, 970});
+  know(table, Group::local_offset, std::array{921, 922, 923});
+  later(table, std::array{150, 160, 330, 331, 382, 383, 384, 385, 410, 411, 420, 421, 500, 510,
+                          541, 650, 660, 670, 680, 690, 700, 710, 711, 712, 720, 721, 722, 730,
+                          740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890, 980, 990});
   return table;
 }
 
 constexpr Table m_table() {
   Table table{};
-  know(table, Group::stop, std::array{0, 10, 20, 300});
-  know(table, Group::tool, std::array{60});
-  know(table, Group::spindle, std::array{30, 40, 50});
+  know(table, Group::stop, std::array{0, 10, 20, 300, 600});
+  know(table, Group::tool, std::array{60, 610});
+  know(table, Group::spindle, std::array{30, 40, 50, 190});
   know(table, Group::coolant, std::array{70, 80, 90});
-  later(table, std::array{190, 480, 490, 500, 510, 520, 530, 600, 610, 620, 630,
-                          640, 650, 660, 670, 680, 700, 710, 720, 730, 980, 990});
+  know(table, Group::in_out, std::array{620, 630, 640, 650, 660, 670, 680});
+  know(table, Group::overrides, std::array{480, 490, 500, 510, 520, 530});
+  know(table, Group::state, std::array{700, 710, 720, 730});
+  later(table, std::array{980, 990});
   return table;
 }
 
@@ -95,6 +97,10 @@ std::size_t place_of(double value) {
 
 Fault why_not(const Block& block, const Word& word, const Code& code, bool is_m) {
   const std::string name = upper(block.text(word));
+  if (!is_m && (word.value == 7.0 || word.value == 8.0)) {
+    return {word.offset, name + " (diameter or radius on X) is for lathes, this machine is a mill",
+            &errors::kLatheCode};
+  }
   if (code.status == Status::not_yet) {
     return {word.offset, name + " is not supported yet", &errors::kCodeNotSupported};
   }

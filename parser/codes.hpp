@@ -11,7 +11,7 @@ namespace kerf::parser {
 
 // The modal groups of RS274/NGC (NISTIR 6556, table 4), as far as they hold a code that runs here.
 enum class Group : std::uint8_t {
-  other,  // G4, G53: for one block
+  other,  // for one block: G4, G10, G28, G28.1, G30, G30.1, G52, G53, G92
   motion,
   cycle_cancel,  // G80: beside another motion code, that one counts
   plane,
@@ -23,10 +23,15 @@ enum class Group : std::uint8_t {
   length_offset,
   work_offset,
   path,
-  stop,
+  spindle_mode,  // G96, G97
+  local_offset,  // G92.1, G92.2, G92.3
+  stop,          // from here on M codes
   tool,
   spindle,
   coolant,
+  in_out,     // M62 to M68
+  overrides,  // M48 to M53
+  state,      // M70 to M73
   count
 };
 

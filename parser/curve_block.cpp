@@ -7,16 +7,47 @@
 
 namespace kerf::parser {
 
+namespace {
+
+constexpr Tenths kG53 = 530;
+
+// Where coordinates are not those of the machine. Axes without a word keep their place to the last
+// bit, unless the turn makes them move with another.
+Point resolved_with_offsets(const CurveBlock& at, const Point& from_mm) {
+  const Coordinates& coordinates = at.state.coordinates;
+  const double unit = mm_per_unit(at.state.units);
+  const bool incremental = at.state.incremental;
+  Point program = incremental ? Point{} : coordinates.to_program(from_mm);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (at.block.has(axis_letter(axis))) {
+      program[axis] = at.block.value(axis_letter(axis)) * unit;
+    }
+  }
+  Point point =
+      incremental ? coordinates.turned_to_machine(program) : coordinates.to_machine(program);
+  const bool together = coordinates.turned() && at.block.has_any(letters('X', 'Y'));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool moves = at.block.has(axis_letter(axis)) || (together && axis < 2);
+    point[axis] = !moves ? from_mm[axis] : incremental ? from_mm[axis] + point[axis] : point[axis];
+  }
+  return point;
+}
+
+}  // namespace
+
 bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point, Fault& fault) {
-  point = from_mm;
+  const bool plain = at.state.coordinates.plain() || at.codes[Group::other] == kG53;
+  point = plain ? from_mm : resolved_with_offsets(at, from_mm);
   const double unit = mm_per_unit(at.state.units);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const char letter = axis_letter(axis);
     if (!at.block.has(letter)) {
       continue;
     }
-    const double value = at.block.value(letter) * unit;
-    point[axis] = at.state.incremental ? from_mm[axis] + value : value;
+    if (plain) {
+      const double value = at.block.value(letter) * unit;
+      point[axis] = at.state.incremental ? from_mm[axis] + value : value;
+    }
     if (!(std::fabs(point[axis]) <= kLargestCoordinate_mm)) {
       const Word& word = at.block.word(letter);
       fault = {word.offset, joined({named(letter), ": ", upper(at.block.text(word).substr(1, 40)),

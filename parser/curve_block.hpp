@@ -27,7 +27,8 @@ inline constexpr int kHighestOrder = 10;
 inline constexpr std::size_t kMostControlPoints = 250'000;
 inline constexpr double kLargestCoordinate_mm = 999999.999;
 
-// The block's end point in mm: absolute or from `from_mm`, axes without a word keep their place.
+// The block's end point in machine coordinates: absolute or from `from_mm`, axes without a word
+// keep their place.
 // False, with the fault: beyond +-999999.999 mm.
 bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point, Fault& fault);
 

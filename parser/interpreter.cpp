@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "parser/errors/blocks.hpp"
+#include "parser/errors/offsets.hpp"
 #include "parser/lexical_error.hpp"
+#include "parser/offsets/word_users.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {
@@ -34,9 +36,16 @@ Letters letters_of(Motion motion) {
 
 }  // namespace
 
-Interpreter::Interpreter(const Point& start_mm, DiagnosticList& diagnostics)
-    : diagnostics_(&diagnostics), nurbs_(diagnostics) {
+Interpreter::Interpreter(const Point& start_mm, DiagnosticList& diagnostics, MachineData machine,
+                         Dialect dialect)
+    : machine_(std::move(machine)),
+      dialect_(dialect),
+      diagnostics_(&diagnostics),
+      nurbs_(diagnostics) {
   state_.position_mm = start_mm;
+  for (std::size_t system = 0; system < Coordinates::kSystems; ++system) {
+    state_.coordinates.set_work(system, machine_.work[system]);
+  }
 }
 
 bool Interpreter::fail(std::uint32_t offset, std::string message) {
@@ -128,20 +137,21 @@ bool Interpreter::execute() {
     return false;
   }
   if (block_->g_count > 0) {
-    set_modes();
-    if (!set_path_mode()) {
+    set_units_and_feed_mode();
+  }
+  if (block_->has_any(letters('F', 'S', 'T')) && !(set_feed() && set_speed() && select_tool())) {
+    return false;
+  }
+  if ((block_->m_count > 0 || block_->has('S')) && !switch_machine()) {
+    return false;
+  }
+  if (block_->g_count > 0) {
+    if (codes_[Group::other] == kG4 && !dwell()) {
       return false;
     }
-  }
-  if (block_->has_any(letters('F', 'S', 'T')) && !(set_feed() && set_speed_and_tool())) {
-    return false;
-  }
-  if (block_->m_count > 0 || block_->has('S')) {
-    start_spindle();
-    switch_coolant();
-  }
-  if (codes_[Group::other] == kG4 && !dwell()) {
-    return false;
+    if (!set_modes()) {
+      return false;
+    }
   }
   if (!move()) {
     return false;
@@ -157,37 +167,71 @@ bool Interpreter::check_words() {
   const Block& block = *block_;
   const Tenths code = codes_[Group::motion];
   const Motion motion = code == kNoCode ? state_.motion : static_cast<Motion>(code);
-  const bool moves = code != kNoCode || block.has_any(kAxisLetters | letters('I', 'J', 'K', 'R'));
-  const bool dwells = codes_[Group::other] == kG4;
-  const bool blends = codes_[Group::path] == kG64;
+  const bool coded = block.g_count + block.m_count > 0;
+  axis_taker_ = block.g_count > 0 ? taker_of_axes(block, codes_) : Group::count;
+  const bool moves = axis_taker_ == Group::count &&
+                     (code != kNoCode || block.has_any(kAxisLetters | letters('I', 'J', 'K', 'R')));
   const Letters of_motion = moves ? letters_of(motion) : 0;
-  Letters usable = letters('N', 'F', 'S', 'T', 'O') | kAxisLetters | of_motion;
-  usable |= (dwells || blends ? letters('P') : 0) | (blends ? letters('Q') : 0);
-  if (const Letters unused = block.present & ~usable; unused != 0) {
-    return explain_unused(*leftmost(block, unused));
+  const Letters usable = letters('N', 'F', 'S', 'T', 'O') | kAxisLetters | of_motion |
+                         (coded ? letters_of_codes(codes_) : 0);
+  if (Letters unused = block.present & ~usable; unused != 0) {
+    warn_idle_offset_numbers(unused);
+    unused &= ~letters('D', 'H');
+    if (unused != 0) {
+      return explain_unused(*leftmost(block, unused));
+    }
   }
   if (block.has('N') && block.value('N') > kLargestLineNumber) {
     return fail(block.word('N').offset, errors::kLineNumberOutOfRange,
                 joined({"N: line number ", upper(block.text(block.word('N')).substr(1, 40)),
                         " is out of range"}));
   }
-  if (block.has_any(letters('I', 'J', 'K', 'P', 'Q', 'R'))) {
-    const int users =
-        (dwells ? 1 : 0) + (blends ? 1 : 0) + ((of_motion & letters('P')) != 0 ? 1 : 0);
-    if (block.has('P') && users > 1) {
-      return fail(block.word('P').offset, errors::kTwoUsersOfP, "P has two users in this block");
-    }
-    for (const char letter : {'I', 'J', 'K', 'P', 'Q', 'R'}) {
-      if (block.has(letter) &&
-          !(std::fabs(block.value(letter)) * mm_per_unit(state_.units) <= kLargestCoordinate_mm)) {
-        return fail(
-            block.word(letter).offset, errors::kParameterOutOfRange,
-            joined({named(letter), ": value ", upper(block.text(block.word(letter)).substr(1, 40)),
-                    " is outside -999999.999..999999.999"}));
-      }
+  const bool taken = axis_taker_ != Group::count;
+  const Letters ranged = letters('I', 'J', 'K', 'P', 'Q', 'R') | (taken ? kAxisLetters : 0);
+  if (block.has_any(ranged) && !check_parameters(ranged, of_motion)) {
+    return false;
+  }
+  if (taken) {
+    return check_axis_taker(axis_taker_);
+  }
+  const bool turns = codes_[Group::spindle] == 190;  // M19 R
+  return !block.has_any(kAxisLetters | letters('I', 'J', 'K') | (turns ? 0 : letters('R'))) ||
+         check_axis_users();
+}
+
+// Words that somebody uses: no two may, and their values must be coordinates at most.
+bool Interpreter::check_parameters(Letters ranged, Letters of_motion) {
+  const Block& block = *block_;
+  for (const char letter : {'P', 'Q', 'R'}) {
+    if (block.has(letter) &&
+        users_of(codes_, letter) + ((of_motion & letter_bit(letter)) != 0 ? 1 : 0) > 1) {
+      return fail(block.word(letter).offset, errors::kTwoUsersOfP,
+                  joined({named(letter), " has two users in this block"}));
     }
   }
-  return !block.has_any(kAxisLetters | letters('I', 'J', 'K', 'R')) || check_axis_users();
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    if ((ranged & letter_bit(letter)) != 0 && block.has(letter) &&
+        !(std::fabs(block.value(letter)) * mm_per_unit(state_.units) <= kLargestCoordinate_mm)) {
+      return fail(
+          block.word(letter).offset, errors::kParameterOutOfRange,
+          joined({named(letter), ": value ", upper(block.text(block.word(letter)).substr(1, 40)),
+                  " is outside -999999.999..999999.999"}));
+    }
+  }
+  return true;
+}
+
+// Of D and H it is plain that they name an offset; programs carry them along where nothing takes
+// them up, so they are no reason to stop.
+void Interpreter::warn_idle_offset_numbers(Letters unused) {
+  for (const char letter : {'D', 'H'}) {
+    if ((unused & letter_bit(letter)) != 0) {
+      const Word& word = block_->word(letter);
+      warn(word.offset, errors::kIdleOffsetNumber,
+           joined({upper(block_->text(word)), " is not used in this block (",
+                   letter == 'D' ? "D needs G41 or G42)" : "H needs G43)"}));
+    }
+  }
 }
 
 bool Interpreter::check_axis_users() {
@@ -224,10 +268,6 @@ bool Interpreter::explain_unused(const Word& word) {
     case 'W':
       return fail(word.offset, errors::kUnknownAxis,
                   joined({"axis ", name, " does not exist on this machine"}));
-    case 'D':
-    case 'H':
-      return fail(word.offset, errors::kToolOffsetWord,
-                  joined({name, " (tool offset number) is not supported yet"}));
     case 'E': {
       const char before = word.offset > 0 ? block_->line[word.offset - 1] : ' ';
       const std::string_view text = block_->text(word);
@@ -253,7 +293,8 @@ void Interpreter::recover() {
   const CurveBlock here = curve_block();
   Point end;
   Fault ignored;
-  if (block.has_any(kAxisLetters) && resolve_point(here, state_.position_mm, end, ignored)) {
+  if (block.has_any(kAxisLetters) && taker_of_axes(block, codes_) == Group::count &&
+      resolve_point(here, state_.position_mm, end, ignored)) {
     state_.position_mm = end;
   }
   if (block.has('F') && block.value('F') > 0.0 && state_.feed_mode == FeedMode::per_minute) {
@@ -271,8 +312,10 @@ void Interpreter::recover_code(double g) {
     set_units(is(20) ? Units::inch : Units::mm);
   } else if (is(90) || is(91)) {
     state_.incremental = is(91);
-  } else if (is(93) || is(94)) {
-    set_feed_mode(is(93) ? FeedMode::inverse_time : FeedMode::per_minute);
+  } else if (is(93) || is(94) || is(95)) {
+    set_feed_mode(is(93)   ? FeedMode::inverse_time
+                  : is(95) ? FeedMode::per_revolution
+                           : FeedMode::per_minute);
   } else if (is(80) && codes_[Group::motion] == kG80) {
     set_motion(kG80);
   }

@@ -1,30 +1,38 @@
 // Blocks to moves: keeps the modal state and does each block's words in the order of RS274/NGC.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "parser/block.hpp"
 #include "parser/codes.hpp"
 #include "parser/curve_block.hpp"
 #include "parser/diagnostic_list.hpp"
+#include "parser/dialect.hpp"
 #include "parser/fault.hpp"
 #include "parser/modal_state.hpp"
 #include "parser/move_queue.hpp"
 #include "parser/nurbs_collector.hpp"
+#include "parser/offsets/machine_data.hpp"
+#include "parser/offsets/saved_modes.hpp"
 #include "parser/uniform_collector.hpp"
 
 namespace kerf::parser {
 
-// The order within a block: units, feed mode and modes of reading; F; S; T; M6; spindle; coolant;
-// dwell; motion; stop. A block is checked for words that nothing in it uses before anything is
-// done.
+// The order within a block: units and feed mode; F; S; T; inputs and outputs; M6; spindle; saved
+// modes; coolant; overrides; dwell; plane, distance, tool length, work offset, path; G10, G28, G52
+// and their like or motion; stop. It is that of LinuxCNC but for units, which come before F. A
+// block is checked for words that nothing in it uses before anything is done.
 //
 // After an error the block's plain effects (codes of motion, plane, units, distance; end point) are
 // still taken over, so that one mistake is not reported again by the blocks behind it.
 class Interpreter {
  public:
-  Interpreter(const Point& start_mm, DiagnosticList& diagnostics);
+  Interpreter(const Point& start_mm, DiagnosticList& diagnostics, MachineData machine = {},
+              Dialect dialect = Dialect::rs274);
 
   // `complete` is false where the grammar stopped inside the line.
   void run(const Block& block, std::uint32_t line, bool complete);
@@ -35,6 +43,10 @@ class Interpreter {
   }
   // Says that no block will follow: a curve that is still open is an error.
   void end(std::uint32_t last_line, std::string_view where);
+
+  // A subprogram begins and ends, for M70 to M73.
+  void enter_subprogram();
+  void leave_subprogram();
 
   [[nodiscard]] const ModalState& state() const { return state_; }
   [[nodiscard]] MoveQueue& moves() { return moves_; }
@@ -49,6 +61,8 @@ class Interpreter {
   bool check_axis_users();
   bool explain_idle_axes();
   bool explain_unused(const Word& word);
+  bool check_parameters(Letters ranged, Letters of_motion);
+  void warn_idle_offset_numbers(Letters unused);
   void recover();
   void recover_code(double g);
   bool fail(std::uint32_t offset, std::string message);
@@ -59,18 +73,59 @@ class Interpreter {
   Move& push_move();
 
   // interpreter_modes.cpp
-  void set_modes();
+  void set_units_and_feed_mode();
+  bool set_modes();
   void set_units(Units units);
   void set_feed_mode(FeedMode mode);
   bool set_path_mode();
   bool set_feed();
-  bool set_speed_and_tool();
-  void start_spindle();
-  void switch_coolant();
   bool dwell();
-  void stop();
-  void push_event(EventKind kind, double value);
   bool cutting_feedrate(double length_mm, double& feedrate_mm_s);
+
+  // offsets/interpreter_offsets.cpp
+  bool check_axis_taker(Group taker);
+  void select_work_offset();
+  [[nodiscard]] Point axis_words_mm() const;
+  bool needs_axis_words();
+  bool do_once();
+  void push_rapid(const Point& end_mm);
+  bool go_home(const Point& home_mm);
+  bool set_local_offset();
+  void change_local_offset();
+  bool set_length_offset();
+  bool set_length_from_table();
+  bool add_length_offset();
+  const Tool* tool_of_h();
+  const Tool* table_tool(double number, std::uint32_t offset);
+
+  // offsets/interpreter_data.cpp
+  bool set_data();
+  bool check_data_words(std::string_view name, Letters usable);
+  std::optional<int> data_number(std::string_view name, int least, int most);
+  bool set_work_data(bool from_position);
+  bool set_tool_data(int kind);
+
+  // offsets/interpreter_spindle.cpp
+  bool set_speed();
+  bool set_spindle_mode();
+  [[nodiscard]] double spindle_per_min() const;
+  bool start_spindle();
+  bool orient_spindle();
+  bool feedrate_per_revolution(double& feedrate_mm_s);
+
+  // offsets/interpreter_switches.cpp, interpreter_in_out.cpp, interpreter_saved_modes.cpp
+  void push_event(EventKind kind, double value, int index = 0);
+  bool select_tool();
+  bool switch_machine();
+  bool change_tool();
+  void switch_coolant();
+  bool switch_overrides();
+  void stop();
+  std::optional<int> channel(char letter, int count);
+  bool switch_in_out();
+  bool wait_for_input();
+  bool keep_modes();
+  void bring_back(const SavedModes& saved);
 
   // interpreter_motion.cpp
   void set_motion(Tenths code);
@@ -96,10 +151,15 @@ class Interpreter {
   bool cubic_spline();
   bool quadratic_spline();
   bool is_high_speed_mode() const;
+  [[nodiscard]] std::array<double, 2> handle_mm(double x_word, double y_word) const;
   bool check_spline_axes(std::string_view name);
   bool deliver_spline(NurbsMove curve, std::string_view name);
 
   ModalState state_;
+  MachineData machine_;
+  Dialect dialect_;
+  // One place for the main program and for each call that is open.
+  std::vector<std::optional<SavedModes>> saved_modes_{1};
   MoveQueue moves_;
   DiagnosticList* diagnostics_;
   NurbsCollector nurbs_;
@@ -110,11 +170,13 @@ class Interpreter {
 
   const Block* block_ = nullptr;  // of the running block
   BlockCodes codes_;
+  Group axis_taker_ = Group::count;  // the code that takes the block's axis words from the motion
   Fault fault_;
   std::uint32_t line_ = 0;
   std::uint16_t file_ = 0;
   std::uint32_t reported_line_ = 0;  // one error per block
   bool no_feed_reported_ = false;
+  bool stopped_spindle_reported_ = false;
   bool program_ended_ = false;
 };
 

@@ -47,7 +47,10 @@ bool Interpreter::curve_feed() {
 }
 
 bool Interpreter::begin_curve() {
-  set_modes();
+  set_units_and_feed_mode();
+  if (!set_modes()) {
+    return false;
+  }
   curve_source_ = {line_, block_->first_word + 1, file_};
   const bool nurbs = state_.motion == Motion::nurbs;
   const bool fine =

@@ -1,4 +1,4 @@
-// Modal words, events and dwell.
+// Modal words, feed and dwell.
 #include <cmath>
 
 #include "parser/errors/modes.hpp"
@@ -11,7 +11,6 @@ namespace kerf::parser {
 namespace {
 
 constexpr double kLargestFeed = 1e9;
-constexpr double kLargestTool = 99'999'999.0;
 
 }  // namespace
 
@@ -25,16 +24,25 @@ void Interpreter::set_feed_mode(FeedMode mode) {
   if (mode != state_.feed_mode) {
     state_.feed_mode = mode;
     state_.feedrate_mm_s.reset();
+    state_.feed_per_revolution_mm.reset();
+    stopped_spindle_reported_ = false;
   }
 }
 
-void Interpreter::set_modes() {
+// What F needs to know.
+void Interpreter::set_units_and_feed_mode() {
   if (codes_.has(Group::units)) {
     set_units(codes_[Group::units] == 200 ? Units::inch : Units::mm);
   }
   if (codes_.has(Group::feed_mode)) {
-    set_feed_mode(codes_[Group::feed_mode] == 930 ? FeedMode::inverse_time : FeedMode::per_minute);
+    const Tenths code = codes_[Group::feed_mode];
+    set_feed_mode(code == 930   ? FeedMode::inverse_time
+                  : code == 950 ? FeedMode::per_revolution
+                                : FeedMode::per_minute);
   }
+}
+
+bool Interpreter::set_modes() {
   if (codes_.has(Group::plane)) {
     const Tenths code = codes_[Group::plane];
     state_.plane = code == 170 ? Plane::xy : code == 180 ? Plane::zx : Plane::yz;
@@ -48,6 +56,12 @@ void Interpreter::set_modes() {
   if (codes_.has(Group::motion)) {
     set_motion(codes_[Group::motion]);
   }
+  if (codes_.has(Group::length_offset) && !set_length_offset()) {
+    return false;
+  }
+  select_work_offset();
+  change_local_offset();
+  return set_path_mode();
 }
 
 bool Interpreter::set_path_mode() {
@@ -93,80 +107,10 @@ bool Interpreter::set_feed() {
   state_.feed_from_other_units = false;
   if (state_.feed_mode == FeedMode::per_minute) {
     state_.feedrate_mm_s = feedrate_mm_s_from(word.value, state_.units);
+  } else if (state_.feed_mode == FeedMode::per_revolution) {
+    state_.feed_per_revolution_mm = word.value * mm_per_unit(state_.units);
   }
   return true;
-}
-
-bool Interpreter::set_speed_and_tool() {
-  if (block_->has('S')) {
-    const Word& word = block_->word('S');
-    if (word.value < 0.0) {
-      return fail(word.offset, errors::kNegativeSpeed, "S must not be negative");
-    }
-    if (word.value > kLargestFeed) {
-      return fail(
-          word.offset, errors::kSpeedOutOfRange,
-          joined({"S: value ", upper(block_->text(word).substr(1, 40)), " is out of range"}));
-    }
-    state_.spindle_speed = word.value;
-  }
-  if (block_->has('T')) {
-    const Word& word = block_->word('T');
-    if (word.value < 0.0) {
-      return fail(word.offset, errors::kNegativeTool, "T must not be negative");
-    }
-    if (word.value != std::floor(word.value)) {
-      return fail(word.offset, errors::kToolNotWhole, "T must be a whole number");
-    }
-    if (word.value > kLargestTool) {
-      return fail(
-          word.offset, errors::kToolOutOfRange,
-          joined({"T: value ", upper(block_->text(word).substr(1, 40)), " is out of range"}));
-    }
-    state_.tool = word.value;
-    state_.tool_selected = true;
-  }
-  return true;
-}
-
-void Interpreter::push_event(EventKind kind, double value) {
-  push_move().shape = EventMove{kind, value};
-}
-
-// M6, M3 to M5; a new S while the spindle turns is sent as its direction once more.
-void Interpreter::start_spindle() {
-  if (codes_.has(Group::tool)) {
-    if (!state_.tool_selected) {
-      warn(code_word(*block_, codes_, Group::tool).offset, errors::kToolChangeWithoutTool,
-           "M6 with no tool selected (T)");
-    }
-    push_event(EventKind::tool_change, state_.tool);
-  }
-  const Tenths code = codes_[Group::spindle];
-  if (code == 50) {
-    state_.spindle = Spindle::off;
-    push_event(EventKind::spindle_off, 0.0);
-    return;
-  }
-  if (code != kNoCode) {
-    state_.spindle = code == 30 ? Spindle::clockwise : Spindle::counterclockwise;
-  }
-  const bool changed = code != kNoCode || block_->has('S');
-  if (changed && state_.spindle != Spindle::off) {
-    push_event(
-        state_.spindle == Spindle::clockwise ? EventKind::spindle_cw : EventKind::spindle_ccw,
-        state_.spindle_speed);
-  }
-}
-
-void Interpreter::switch_coolant() {
-  const Tenths code = codes_[Group::coolant];
-  if (code != kNoCode) {
-    push_event(code == 70   ? EventKind::mist_on
-               : code == 80 ? EventKind::flood_on
-                            : EventKind::coolant_off,
-               0.0);
-  }
 }
 
 bool Interpreter::dwell() {
@@ -180,19 +124,6 @@ bool Interpreter::dwell() {
   }
   push_move().shape = DwellMove{word.value};
   return true;
-}
-
-void Interpreter::stop() {
-  const Tenths code = codes_[Group::stop];
-  if (code == kNoCode) {
-    return;
-  }
-  if (code == 20 || code == 300) {
-    push_event(EventKind::program_end, 0.0);
-    program_ended_ = true;
-    return;
-  }
-  push_event(code == 0 ? EventKind::program_stop : EventKind::optional_stop, 0.0);
 }
 
 // The feedrate of a cutting move of this block; `length_mm` is what G93 divides by the time.
@@ -211,6 +142,9 @@ bool Interpreter::cutting_feedrate(double length_mm, double& feedrate_mm_s) {
     }
     feedrate_mm_s = feedrate_mm_s_from(InverseTime{length_mm, block_->value('F')});
     return true;
+  }
+  if (state_.feed_mode == FeedMode::per_revolution && state_.feed_per_revolution_mm) {
+    return feedrate_per_revolution(feedrate_mm_s);
   }
   if (!state_.feedrate_mm_s) {
     if (!no_feed_reported_) {

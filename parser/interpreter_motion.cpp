@@ -4,6 +4,7 @@
 
 #include "parser/errors/arcs.hpp"
 #include "parser/errors/motion.hpp"
+#include "parser/errors/offsets.hpp"
 #include "parser/errors/splines.hpp"
 #include "parser/interpreter.hpp"
 #include "parser/text.hpp"
@@ -58,6 +59,12 @@ bool Interpreter::move() {
   if (codes_[Group::other] == kG53 && !check_machine_coordinates()) {
     return false;
   }
+  if (codes_.has(Group::other) && !do_once()) {
+    return false;
+  }
+  if (axis_taker_ != Group::count) {
+    return true;
+  }
   switch (state_.motion) {
     case Motion::rapid:
     case Motion::line:
@@ -108,6 +115,11 @@ bool Interpreter::straight_move() {
 }
 
 bool Interpreter::arc_move() {
+  if (state_.plane != Plane::xy && state_.coordinates.turned()) {
+    return fail(motion_offset(), errors::kTurnedArcPlane,
+                joined({"an arc in the ", plane_name(state_.plane),
+                        " plane cannot be run while the work offset is turned (G10 L2 R)"}));
+  }
   const Letters centre = plane_letters(state_.plane) >> ('X' - 'I');
   if (!block_->has_any(centre | letters('R'))) {
     const PlaneAxes axes = axes_of(state_.plane);

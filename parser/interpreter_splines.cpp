@@ -33,6 +33,14 @@ bool Interpreter::is_high_speed_mode() const {
   return codes_.has(Group::motion) && (given == letters('P') || given == letters('Q'));
 }
 
+// Two words of the program as a distance along the machine's X and Y.
+std::array<double, 2> Interpreter::handle_mm(double x_word, double y_word) const {
+  const double unit = mm_per_unit(state_.units);
+  const Point along{x_word * unit, y_word * unit, 0.0};
+  const Point turned = state_.coordinates.turned_to_machine(along);
+  return {turned[0], turned[1]};
+}
+
 bool Interpreter::check_spline_axes(std::string_view name) {
   if (state_.plane != Plane::xy) {
     return fail(motion_offset(), errors::kSplineOutsideXy,
@@ -86,11 +94,10 @@ bool Interpreter::cubic_spline() {
   if (!resolve_point(curve_block(), state_.position_mm, end, fault_)) {
     return false;
   }
-  const double unit = mm_per_unit(state_.units);
   const auto first =
-      block.has('I') ? std::array{block.value('I') * unit, block.value('J') * unit}
+      block.has('I') ? handle_mm(block.value('I'), block.value('J'))
                      : std::array{-(*state_.spline_handle_mm)[0], -(*state_.spline_handle_mm)[1]};
-  const std::array second{block.value('P') * unit, block.value('Q') * unit};
+  const auto second = handle_mm(block.value('P'), block.value('Q'));
   const Point& start = state_.position_mm;
   const std::array points{start, moved(start, first[0], first[1]), moved(end, second[0], second[1]),
                           end};
@@ -124,10 +131,9 @@ bool Interpreter::quadratic_spline() {
   if (!resolve_point(curve_block(), state_.position_mm, end, fault_)) {
     return false;
   }
-  const double unit = mm_per_unit(state_.units);
   const Point& start = state_.position_mm;
-  const Point handle =
-      moved(start, block.value_or('I', 0.0) * unit, block.value_or('J', 0.0) * unit);
+  const auto offset = handle_mm(block.value_or('I', 0.0), block.value_or('J', 0.0));
+  const Point handle = moved(start, offset[0], offset[1]);
   return deliver_spline(bezier({start, handle, end, end}, 3, line_), "G5.1");
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "parser/move.hpp"
+#include "parser/offsets/coordinates.hpp"
 #include "parser/units.hpp"
 
 namespace kerf::parser {
@@ -22,26 +23,56 @@ enum class Motion : std::int16_t {
   nurbs = 62,
 };
 
-enum class FeedMode : std::uint8_t { per_minute, inverse_time };  // G94, G93
+enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_revolution };  // G94, G93, G95
 enum class Spindle : std::uint8_t { off, clockwise, counterclockwise };
 
+// What the last G38 found; not set before the first one.
+struct ProbeResult {
+  Point position_mm{};  // in program coordinates
+  bool touched = false;
+};
+
+// G96: the spindle follows the distance from the axis X = 0.
+struct SurfaceSpeed {
+  bool active = false;
+  double most_per_min = 1e9;  // D of G96, revolutions
+};
+
+// What M48 to M53 allow the operator and the machine to change while a program runs.
+struct Overrides {
+  bool feed = true;
+  bool speed = true;
+  bool adaptive_feed = false;
+  bool feed_hold = true;
+};
+
 struct ModalState {
-  Point position_mm{};
+  Point position_mm{};  // of the machine's axes, what the moves carry
+  Coordinates coordinates;
+  Point stored_local_mm{};  // of G52 or G92, for G92.3
   Motion motion = Motion::none;
   Plane plane = Plane::xy;
   Units units = Units::mm;
   bool incremental = false;      // G91
   bool absolute_centre = false;  // G90.1
   FeedMode feed_mode = FeedMode::per_minute;
-  std::optional<double> feedrate_mm_s;  // of G94; nothing before an F
-  bool feed_from_other_units = false;   // G20 or G21 came after F
-  double feed_word = 0.0;               // F as written
+  std::optional<double> feedrate_mm_s;           // of G94; nothing before an F
+  std::optional<double> feed_per_revolution_mm;  // of G95
+  bool feed_from_other_units = false;            // G20 or G21 came after F
+  double feed_word = 0.0;                        // F as written
   PathMode path_mode = PathMode::exact_path;
   double blend_tolerance_mm = 0.0;
-  double spindle_speed = 0.0;
+  double spindle_speed = 0.0;  // S: revolutions per minute; m or feet per minute under G96
   Spindle spindle = Spindle::off;
-  double tool = 0.0;
+  SurfaceSpeed surface_speed;
+  double tool = 0.0;  // selected by T, for the next M6
   bool tool_selected = false;
+  std::int32_t loaded_tool = 0;  // in the spindle
+  bool mist = false;
+  bool flood = false;
+  Overrides overrides;
+  double input = 0.0;  // what the last M66 read, -1 after a wait in vain
+  ProbeResult probe;
   // The second handle of the G5 just before, for a G5 that leaves out I and J.
   std::optional<std::array<double, 2>> spline_handle_mm;
 };

@@ -53,22 +53,34 @@ struct DwellMove {
 };
 
 enum class EventKind : std::uint8_t {
-  program_stop,   // M0
-  optional_stop,  // M1
-  program_end,    // M2, M30, closing %
-  spindle_cw,     // M3, or a new S while turning so; value = S
-  spindle_ccw,    // M4, or a new S while turning so; value = S
-  spindle_off,    // M5
-  tool_change,    // M6, value = T
-  mist_on,        // M7
-  flood_on,       // M8
-  coolant_off,    // M9
+  program_stop,       // M0
+  optional_stop,      // M1
+  program_end,        // M2, M30, closing %
+  spindle_cw,         // M3, or a new speed while turning so; value = revolutions per minute
+  spindle_ccw,        // M4, or a new speed while turning so; value = revolutions per minute
+  spindle_off,        // M5
+  tool_change,        // M6, value = T
+  mist_on,            // M7
+  flood_on,           // M8
+  coolant_off,        // M9
+  pallet_change,      // M60, a stop
+  tool_number,        // M61: the tool in the spindle is `value`, nothing is changed
+  spindle_orient,     // M19, value = angle in rad
+  digital_output,     // M64, M65: output `index` to value 1 or 0
+  analog_output,      // M68: output `index` to `value`
+  digital_at_motion,  // M62, M63: as the next motion begins, without a rest
+  analog_at_motion,   // M67
 };
 
-// Something the machine does with the tool at rest.
+// How many outputs of each kind there are: `index` counts from 0.
+inline constexpr int kDigitalOutputs = 64;
+inline constexpr int kAnalogOutputs = 8;
+
+// Something the machine does with the tool at rest, but for the two kinds that say otherwise.
 struct EventMove {
   EventKind kind = EventKind::program_stop;
   double value = 0.0;
+  std::int32_t index = 0;
 };
 
 enum class PathMode : std::uint8_t { exact_path, exact_stop, blend };  // G61, G61.1, G64

@@ -24,7 +24,7 @@ class ProgramReader::Impl {
   explicit Impl(const ReaderOptions& options)
       : options_(options),
         diagnostics_(options.max_errors),
-        interpreter_(options.start_mm, diagnostics_) {}
+        interpreter_(options.start_mm, diagnostics_, options.machine, options.dialect) {}
 
   LineSplitter lines_;
 

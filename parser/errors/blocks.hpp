@@ -69,15 +69,6 @@ inline constexpr ErrorPage kUnknownAxis{
     "Make the program for a machine with three axes, or name the axis in the machine file.",
     "G0 X10 A90\nM2\n"};
 
-inline constexpr ErrorPage kToolOffsetWord{
-    147,
-    Severity::error,
-    "D or H without a code that uses it",
-    "D and H choose a line of the tool table: H the length with G43, D the radius with G41 and "
-    "G42. No code of this block takes one.",
-    "Write the code that the word belongs to, or take the word out.",
-    "G0 X10 H1\nM2\n"};
-
 inline constexpr ErrorPage kExponent{
     148,
     Severity::error,
@@ -105,9 +96,8 @@ inline constexpr ErrorPage kUnusedWord{
     "G0 X10 K5\nM2\n"};
 
 inline constexpr std::array kBlocksPages{
-    &kLineNumberOutOfRange, &kTwoUsersOfP,    &kParameterOutOfRange,
-    &kIdleAxisWords,        &kDwellWithAxis,  &kNoMotionMode,
-    &kUnknownAxis,          &kToolOffsetWord, &kExponent,
+    &kLineNumberOutOfRange, &kTwoUsersOfP,  &kParameterOutOfRange, &kIdleAxisWords,
+    &kDwellWithAxis,        &kNoMotionMode, &kUnknownAxis,         &kExponent,
     &kExtruderWord,         &kUnusedWord};
 
 }  // namespace kerf::parser::errors

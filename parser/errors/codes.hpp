@@ -61,7 +61,16 @@ inline constexpr ErrorPage kSameModalGroup{
     "Take one of the two codes out, or give each a block of its own.",
     "G1 G2 X10 Y0 I5 F100\nM2\n"};
 
+inline constexpr ErrorPage kLatheCode{
+    106,
+    Severity::error,
+    "code of a lathe",
+    "G7 and G8 say whether X is a diameter or a radius. On a mill it is neither: X is a place.",
+    "Take the code out; a program for a lathe cannot be run on a mill.",
+    "G7\nM2\n"};
+
 inline constexpr std::array kCodesPages{&kUnknownGCode,     &kUnknownMCode, &kDecimalMCode,
-                                        &kCodeNotSupported, &kPrinterCode,  &kSameModalGroup};
+                                        &kCodeNotSupported, &kPrinterCode,  &kSameModalGroup,
+                                        &kLatheCode};
 
 }  // namespace kerf::parser::errors

@@ -103,10 +103,17 @@ inline std::string text_of(const Move& move) {
     out << "dwell " << dwell->duration_s;
   } else {
     static constexpr const char* kNames[] = {
-        "program stop", "optional stop", "program end", "spindle cw", "spindle ccw",
-        "spindle off",  "tool",          "mist on",     "flood on",   "coolant off"};
+        "program stop",    "optional stop", "program end", "spindle cw",
+        "spindle ccw",     "spindle off",   "tool",        "mist on",
+        "flood on",        "coolant off",   "pallet",      "tool number",
+        "orient",          "digital",       "analog",      "digital at motion",
+        "analog at motion"};
     const auto& event = std::get<EventMove>(move.shape);
-    out << kNames[static_cast<int>(event.kind)] << ' ' << event.value;
+    out << kNames[static_cast<int>(event.kind)] << ' ';
+    if (event.kind >= EventKind::digital_output) {
+      out << event.index << " = ";
+    }
+    out << event.value;
     return out.str();
   }
   if (!move.rapid && !std::holds_alternative<DwellMove>(move.shape)) {

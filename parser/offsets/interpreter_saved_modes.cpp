@@ -1,0 +1,94 @@
+// M70 to M73: modes saved and brought back.
+#include "parser/errors/switches.hpp"
+#include "parser/interpreter.hpp"
+#include "parser/offsets/saved_modes.hpp"
+
+namespace kerf::parser {
+
+void restore_modes(const SavedModes& saved, ModalState& state) {
+  const ModalState& from = saved.state;
+  state.plane = from.plane;
+  state.units = from.units;
+  state.incremental = from.incremental;
+  state.absolute_centre = from.absolute_centre;
+  state.feed_mode = from.feed_mode;
+  state.feedrate_mm_s = from.feedrate_mm_s;
+  state.feed_per_revolution_mm = from.feed_per_revolution_mm;
+  state.feed_from_other_units = from.feed_from_other_units;
+  state.feed_word = from.feed_word;
+  state.path_mode = from.path_mode;
+  state.blend_tolerance_mm = from.blend_tolerance_mm;
+  state.spindle_speed = from.spindle_speed;
+  state.spindle = from.spindle;
+  state.surface_speed = from.surface_speed;
+  state.mist = from.mist;
+  state.flood = from.flood;
+  state.overrides = from.overrides;
+  state.coordinates.select(from.coordinates.system());
+  state.coordinates.set_tool(from.coordinates.tool_mm());
+}
+
+bool Interpreter::keep_modes() {
+  switch (codes_[Group::state]) {
+    case 700:
+    case 730:
+      if (codes_[Group::state] == 730 && saved_modes_.size() == 1) {
+        return fail(code_word(*block_, codes_, Group::state).offset, errors::kNoReturnToRestoreAt,
+                    "M73 outside a subprogram: there is no return at which it could restore");
+      }
+      saved_modes_.back() = SavedModes{state_, codes_[Group::state] == 730};
+      return true;
+    case 710:
+      saved_modes_.back().reset();
+      return true;
+    case 720:
+      if (!saved_modes_.back()) {
+        return fail(code_word(*block_, codes_, Group::state).offset, errors::kNoSavedModes,
+                    "M72 without M70: no modes are saved here");
+      }
+      bring_back(*saved_modes_.back());
+      return true;
+    default:
+      return true;
+  }
+}
+
+void Interpreter::bring_back(const SavedModes& saved) {
+  const ModalState before = state_;
+  restore_modes(saved, state_);
+  if (state_.spindle != before.spindle || state_.spindle_speed != before.spindle_speed) {
+    const EventKind kind = state_.spindle == Spindle::off         ? EventKind::spindle_off
+                           : state_.spindle == Spindle::clockwise ? EventKind::spindle_cw
+                                                                  : EventKind::spindle_ccw;
+    push_event(kind, state_.spindle == Spindle::off ? 0.0 : spindle_per_min());
+  }
+  if (state_.mist == before.mist && state_.flood == before.flood) {
+    return;
+  }
+  if ((before.mist && !state_.mist) || (before.flood && !state_.flood)) {
+    push_event(EventKind::coolant_off, 0.0);
+  }
+  if (state_.mist) {
+    push_event(EventKind::mist_on, 0.0);
+  }
+  if (state_.flood) {
+    push_event(EventKind::flood_on, 0.0);
+  }
+}
+
+void Interpreter::enter_subprogram() {
+  saved_modes_.emplace_back();
+}
+
+void Interpreter::leave_subprogram() {
+  if (saved_modes_.size() == 1) {
+    return;
+  }
+  const std::optional<SavedModes> saved = std::move(saved_modes_.back());
+  saved_modes_.pop_back();
+  if (saved && saved->restore_at_return) {
+    bring_back(*saved);
+  }
+}
+
+}  // namespace kerf::parser

@@ -1,0 +1,23 @@
+// What a program takes from the machine that it runs on.
+#pragma once
+
+#include <array>
+
+#include "parser/move.hpp"
+#include "parser/offsets/coordinates.hpp"
+#include "parser/offsets/tool_table.hpp"
+
+namespace kerf::parser {
+
+struct MachineData {
+  std::array<WorkOffset, Coordinates::kSystems> work{};  // G54 to G59.3
+  Point first_home_mm{};                                 // G28, in machine coordinates
+  Point second_home_mm{};                                // G30
+  ToolTable tools;
+};
+
+// Of the default machine: no offsets, and a tool changer with 60 places. T1 (10 mm, 12.5 mm long),
+// T2 (6 mm) and T3 (20 mm, -3 mm) are measured, the others have length and diameter 0.
+MachineData default_machine_data();
+
+}  // namespace kerf::parser
