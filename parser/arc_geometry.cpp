@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/errors/arcs.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {
@@ -26,8 +27,8 @@ double distance(InPlane a, InPlane b) {
   return std::hypot(a.first - b.first, a.second - b.second);
 }
 
-bool fail(Fault& fault, std::uint32_t offset, std::string message) {
-  fault = {offset, std::move(message)};
+bool fail(Fault& fault, std::uint32_t offset, const ErrorPage& page, std::string message) {
+  fault = {offset, std::move(message), &page};
   return false;
 }
 
@@ -59,10 +60,11 @@ bool turns_from(const Block& block, ArcMove& arc, Fault& fault) {
   }
   const Word& word = block.word('P');
   if (word.value != std::floor(word.value)) {
-    return fail(fault, word.offset, "P (turns of an arc) must be a whole number");
+    return fail(fault, word.offset, errors::kTurnsNotWhole,
+                "P (turns of an arc) must be a whole number");
   }
   if (word.value < 1.0 || word.value > kMostTurns) {
-    return fail(fault, word.offset,
+    return fail(fault, word.offset, errors::kTurnsOutOfRange,
                 joined({"P (turns of an arc) must be 1 or more, found ", shortest(word.value)}));
   }
   arc.turns = static_cast<int>(word.value);
@@ -77,18 +79,19 @@ bool centre_from_radius(const Block& block, const ModalState& state, ArcMove& ar
   const InPlane end = in_plane(arc.end_mm, axes);
   const double chord = distance(start, end);
   if (radius == 0.0) {
-    return fail(fault, word.offset, "R must not be 0");
+    return fail(fault, word.offset, errors::kZeroRadius, "R must not be 0");
   }
   if (!block.has_any(letter_bit(axis_letter(axes.first)) | letter_bit(axis_letter(axes.second)))) {
-    return fail(fault, word.offset, "an arc given by R needs an end point");
+    return fail(fault, word.offset, errors::kRadiusWithoutEnd,
+                "an arc given by R needs an end point");
   }
   if (chord == 0.0) {
-    return fail(fault, word.offset,
+    return fail(fault, word.offset, errors::kRadiusFullCircle,
                 "an arc given by R cannot be a full circle: the end point is the start point");
   }
   const double size = std::fabs(radius);
   if (size < chord / 2 - kHalfCircleTolerance_mm) {
-    return fail(fault, word.offset,
+    return fail(fault, word.offset, errors::kRadiusTooSmall,
                 joined({"R", shortest(word.value), " is too small: the end point is ", in_mm(chord),
                         " mm away, a radius of at least ", in_mm(chord / 2), " mm is needed"}));
   }
@@ -118,7 +121,8 @@ bool check_radii(const Block& block, const ModalState& state, const ArcMove& arc
   const char second = centre_letter(axes.second);
   const Word& word = block.word(block.has(first) ? first : second);
   if (distance(centre, start) == 0.0) {
-    return fail(fault, word.offset, "the arc's centre is its start point (radius 0)");
+    return fail(fault, word.offset, errors::kCentreIsStart,
+                "the arc's centre is its start point (radius 0)");
   }
   if (radii_agree(distance(centre, start), distance(centre, end))) {
     return true;
@@ -129,7 +133,7 @@ bool check_radii(const Block& block, const ModalState& state, const ArcMove& arc
       radii_agree(distance(as_absolute, start), distance(as_absolute, end))) {
     message += " (is the centre meant absolute? G91.1 is active)";
   }
-  return fail(fault, word.offset, std::move(message));
+  return fail(fault, word.offset, errors::kRadiiDiffer, std::move(message));
 }
 
 bool centre_from_words(const Block& block, const ModalState& state, ArcMove& arc, Fault& fault) {
@@ -138,7 +142,7 @@ bool centre_from_words(const Block& block, const ModalState& state, ArcMove& arc
   const char second = centre_letter(axes.second);
   if (state.absolute_centre && !(block.has(first) && block.has(second))) {
     const Word& word = block.word(block.has(first) ? first : second);
-    return fail(fault, word.offset,
+    return fail(fault, word.offset, errors::kAbsoluteCentreIncomplete,
                 joined({"G90.1 is active: ", named(std::min(first, second)), " and ",
                         named(std::max(first, second)), " must both be given"}));
   }
@@ -156,11 +160,12 @@ bool check_words(const Block& block, Plane plane, Fault& fault) {
   const char normal = centre_letter(axes.normal);
   if (block.has(normal)) {
     return fail(
-        fault, block.word(normal).offset,
+        fault, block.word(normal).offset, errors::kCentreOutsidePlane,
         joined({named(normal), " is not used by an arc in the ", plane_name(plane), " plane"}));
   }
   if (block.has('R') && block.has_any(centre)) {
-    return fail(fault, block.word('R').offset, "R and a centre are both given");
+    return fail(fault, block.word('R').offset, errors::kRadiusAndCentre,
+                "R and a centre are both given");
   }
   return true;
 }

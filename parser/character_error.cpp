@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 
+#include "parser/errors/characters.hpp"
+#include "parser/errors/words.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {
@@ -35,55 +37,64 @@ unsigned code_point(std::string_view bytes, std::size_t& length) {
   return value;
 }
 
-std::string explain_non_ascii(std::string_view rest) {
+Fault explain_non_ascii(std::string_view rest, std::uint32_t offset) {
   std::size_t length = 0;
   const unsigned code = code_point(rest, length);
   if (code == 0) {
-    return joined({"byte 0x", hex(static_cast<unsigned char>(rest[0]), 2),
-                   " is not allowed outside a comment"});
+    return {offset,
+            joined({"byte 0x", hex(static_cast<unsigned char>(rest[0]), 2),
+                    " is not allowed outside a comment"}),
+            &errors::kBadEncoding};
   }
   const std::string shown = joined({"'", rest.substr(0, length), "' (U+", hex(code, 4), ")"});
   if (code == 0x2212 || (code >= 0x2010 && code <= 0x2015)) {
-    return shown + " is not a minus sign: use '-'";
+    return {offset, shown + " is not a minus sign: use '-'", &errors::kNotAMinus};
   }
   if (code == 0xA0) {
-    return "bytes 0xC2 0xA0 (no-break space) are not allowed outside a comment: use a blank";
+    return {offset,
+            "bytes 0xC2 0xA0 (no-break space) are not allowed outside a comment: use a blank",
+            &errors::kNoBreakSpace};
   }
-  return "non-ASCII character " + shown + " is not allowed outside a comment";
+  return {offset, "non-ASCII character " + shown + " is not allowed outside a comment",
+          &errors::kNonAscii};
 }
 
 }  // namespace
 
-std::string explain_character(std::string_view rest) {
+Fault explain_character(std::string_view rest, std::uint32_t offset) {
   const char c = rest[0];
   if (static_cast<unsigned char>(c) >= 0x80) {
-    return explain_non_ascii(rest);
+    return explain_non_ascii(rest, offset);
   }
   if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
-    return joined({"byte 0x", hex(static_cast<unsigned char>(c), 2), " is not allowed"});
+    return {offset, joined({"byte 0x", hex(static_cast<unsigned char>(c), 2), " is not allowed"}),
+            &errors::kControlByte};
   }
   const std::string_view shown = rest.substr(0, 1);
   const std::string not_here = joined({"character '", shown, "' is not allowed here"});
   switch (c) {
     case '#':
-      return "'#': variables are not supported yet, a number is expected";
+      return {offset, "'#': variables are not supported yet, a number is expected",
+              &errors::kMisplacedExpression};
     case '[':
     case ']':
-      return joined({"'", shown, "': expressions are not supported yet, a number is expected"});
+      return {offset,
+              joined({"'", shown, "': expressions are not supported yet, a number is expected"}),
+              &errors::kMisplacedExpression};
     case ')':
-      return "')' without '('";
+      return {offset, "')' without '('", &errors::kUnmatchedParenthesis};
     case '/':
-      return "'/' is allowed only at the start of a block";
+      return {offset, "'/' is allowed only at the start of a block", &errors::kMisplacedSlash};
     case '%':
-      return "'%' must stand alone on its line";
+      return {offset, "'%' must stand alone on its line", &errors::kMisplacedPercent};
     case '=':
-      return not_here + " (Siemens program?)";
+      return {offset, not_here + " (Siemens program?)", &errors::kForeignSyntax};
     case '*':
-      return not_here + " (3D-printer checksum?)";
+      return {offset, not_here + " (3D-printer checksum?)", &errors::kForeignSyntax};
     case '$':
-      return not_here + " (grbl command?)";
+      return {offset, not_here + " (grbl command?)", &errors::kForeignSyntax};
     default:
-      return not_here;
+      return {offset, not_here, &errors::kMisplacedCharacter};
   }
 }
 

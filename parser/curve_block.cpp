@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/errors/curves.hpp"
+#include "parser/errors/motion.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {
@@ -50,8 +52,10 @@ bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point, Fau
     }
     if (!(std::fabs(point[axis]) <= kLargestCoordinate_mm)) {
       const Word& word = at.block.word(letter);
-      fault = {word.offset, joined({named(letter), ": ", upper(at.block.text(word).substr(1, 40)),
-                                    " leads outside -999999.999..999999.999 mm"})};
+      fault = {word.offset,
+               joined({named(letter), ": ", upper(at.block.text(word).substr(1, 40)),
+                       " leads outside -999999.999..999999.999 mm"}),
+               &errors::kPositionOutOfRange};
       return false;
     }
   }
@@ -78,8 +82,10 @@ bool check_plane_axes(const CurveBlock& at, std::string_view name, Fault& fault)
   const Letters wanted = plane_letters(plane);
   const Block& block = at.block;
   if (const Word* const foreign = leftmost(block, kAxisLetters & ~wanted)) {
-    fault = {foreign->offset, joined({name, ": ", named(letter_of(block, *foreign)),
-                                      " is not an axis of the ", plane_name(plane), " plane"})};
+    fault = {foreign->offset,
+             joined({name, ": ", named(letter_of(block, *foreign)), " is not an axis of the ",
+                     plane_name(plane), " plane"}),
+             &errors::kCurveForeignAxis};
     return false;
   }
   if ((block.present & wanted) == wanted || !block.has_any(wanted)) {
@@ -90,7 +96,8 @@ bool check_plane_axes(const CurveBlock& at, std::string_view name, Fault& fault)
   const auto high = std::max(axes.first, axes.second);
   fault = {leftmost(block, wanted)->offset,
            joined({name, ": ", named(axis_letter(low)), " and ", named(axis_letter(high)),
-                   " must both be given"})};
+                   " must both be given"}),
+           &errors::kCurveOneAxis};
   return false;
 }
 

@@ -35,6 +35,15 @@ class DiagnosticList {
     add(Severity::warning, source, std::move(message), page);
   }
 
+  // An error or a warning, as its page says.
+  void add(SourcePosition source, const ErrorPage& page, std::string message) {
+    if (page.severity == Severity::error) {
+      error(source, std::move(message), &page);
+    } else {
+      warning(source, std::move(message), &page);
+    }
+  }
+
   // What follows is about a subprogram's file, or with index 0 about the program again.
   // `name` must outlive the list's use.
   void enter_file(std::uint16_t index, std::string_view name) {

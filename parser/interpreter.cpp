@@ -110,7 +110,7 @@ void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
 void Interpreter::end(std::uint32_t last_line, std::string_view where) {
   line_ = last_line;
   if (curve_open()) {
-    report({0, nurbs_.active() ? nurbs_.unfinished(where) : uniform_.unfinished(where)});
+    report(nurbs_.active() ? nurbs_.unfinished(0, where) : uniform_.unfinished(0, where));
     abandon_curve();
   }
 }

@@ -75,7 +75,8 @@ bool Interpreter::reports_open_curve() {
   }
   const Word& word = code_word(*block_, codes_, ends_program(codes_) ? Group::stop : Group::motion);
   const std::string name = joined({"at ", upper(block_->text(word))});
-  report({word.offset, nurbs_.active() ? nurbs_.unfinished(name) : uniform_.unfinished(name)});
+  report(nurbs_.active() ? nurbs_.unfinished(word.offset, name)
+                         : uniform_.unfinished(word.offset, name));
   return true;
 }
 

@@ -4,6 +4,9 @@
 #include <initializer_list>
 
 #include "parser/character_error.hpp"
+#include "parser/errors/characters.hpp"
+#include "parser/errors/files.hpp"
+#include "parser/errors/words.hpp"
 #include "parser/number.hpp"
 #include "parser/text.hpp"
 
@@ -77,36 +80,42 @@ Fault explain_missing_number(const Block& block, std::size_t letter_at) {
   const Fault here{static_cast<std::uint32_t>(letter_at), {}};
   const Fault there{static_cast<std::uint32_t>(at), {}};
   if (rest.empty()) {
-    return {here.offset, expected + "the end of the line"};
+    return {here.offset, expected + "the end of the line", &errors::kNumberExpected};
   }
   if (rest[0] == '(' || rest[0] == ';') {
-    return {there.offset, expected + "a comment (expressions stand in [ ])"};
+    return {there.offset, expected + "a comment (expressions stand in [ ])",
+            &errors::kNumberExpected};
   }
   if (letter == "O" && rest[0] == '<') {
-    return {here.offset, "O: subprograms and o-words are not supported yet"};
+    return {here.offset, "O: subprograms and o-words are not supported yet",
+            &errors::kProgramNumberNotFirst};
   }
   const bool sign = rest[0] == '-' || rest[0] == '+';
   if (const auto name = letters_at(rest.substr(sign ? 1 : 0)); sign && name.size() > 1) {
-    return {there.offset, joined({expected, quoted(rest.substr(0, name.size() + 1))})};
+    return {there.offset, joined({expected, quoted(rest.substr(0, name.size() + 1))}),
+            &errors::kNumberExpected};
   }
   if (const std::string malformed = explain_malformed_number(rest); !malformed.empty()) {
-    return {there.offset, letter == "N" && rest[0] == '-'
-                              ? "N: the line number must not be negative"
-                              : malformed};
+    if (letter == "N" && rest[0] == '-') {
+      return {there.offset, "N: the line number must not be negative",
+              &errors::kNegativeLineNumber};
+    }
+    return {there.offset, malformed, &errors::kMalformedNumber};
   }
   if (!is_letter(rest[0])) {
-    return {there.offset, explain_character(rest)};
+    return explain_character(rest, there.offset);
   }
   const std::string_view found = letters_at(rest);
   const std::string hint = dialect_hint(letter + upper(found));
   if (found.size() > 1 && hint.empty() && upper(found) != "OYOZO") {
-    return {there.offset, joined({expected, quoted(found)})};
+    return {there.offset, joined({expected, quoted(found)}), &errors::kNumberExpected};
   }
   const bool zero = rest[0] == 'O' || rest[0] == 'o';
   const bool one = rest[0] == 'l';
   const std::string_view guess = zero ? " (zero?)" : one ? " (one?)" : std::string_view(hint);
   return {there.offset,
-          joined({expected, zero || one ? "the letter " : "", quoted(rest.substr(0, 1)), guess})};
+          joined({expected, zero || one ? "the letter " : "", quoted(rest.substr(0, 1)), guess}),
+          zero || one ? &errors::kLetterForDigit : &errors::kNumberExpected};
 }
 
 // Words of macro programs, which the grammar takes for addresses.
@@ -123,39 +132,47 @@ bool is_macro_word(const std::string& word) {
 Fault explain_comment(const Block& block, std::size_t at) {
   for (std::size_t i = at + 1; i < block.line.size(); ++i) {
     if (block.line[i] == '(') {
-      return {static_cast<std::uint32_t>(i), "'(' inside a comment"};
+      return {static_cast<std::uint32_t>(i), "'(' inside a comment", &errors::kNestedComment};
     }
     if (block.line[i] == '\0') {
-      return {static_cast<std::uint32_t>(i), "byte 0x00 is not allowed"};
+      return {static_cast<std::uint32_t>(i), "byte 0x00 is not allowed", &errors::kControlByte};
     }
   }
-  return {static_cast<std::uint32_t>(at), "the comment opened here is not closed on this line"};
+  return {static_cast<std::uint32_t>(at), "the comment opened here is not closed on this line",
+          &errors::kUnclosedComment};
 }
 
 Fault explain_letter(const Block& block, std::size_t at) {
   const char letter = static_cast<char>(block.line[at] & ~0x20);
   const auto offset = static_cast<std::uint32_t>(at);
   if (block.stop == Stop::repeated) {
-    return {offset, joined({named(letter), " is given twice in this block"})};
+    return {offset, joined({named(letter), " is given twice in this block"}),
+            &errors::kRepeatedWord};
   }
   if (block.stop == Stop::too_many_g) {
     return {offset,
-            joined({"too many G codes in one block (at most ", std::to_string(Block::kMaxG), ")"})};
+            joined({"too many G codes in one block (at most ", std::to_string(Block::kMaxG), ")"}),
+            &errors::kTooManyGCodes};
   }
   if (block.stop == Stop::too_many_m) {
     return {offset,
-            joined({"too many M codes in one block (at most ", std::to_string(Block::kMaxM), ")"})};
+            joined({"too many M codes in one block (at most ", std::to_string(Block::kMaxM), ")"}),
+            &errors::kTooManyMCodes};
   }
   const std::string_view word = letters_at(block.line.substr(at));
   if (is_macro_word(upper(word))) {
-    return {offset, joined({"macro statements (", upper(word), ") are not supported yet"})};
+    return {offset, joined({"macro statements (", upper(word), ") are not supported yet"}),
+            &errors::kMacroStatement};
   }
   if (block.has('O')) {
-    return {block.word('O').offset, "O: subprograms and o-words are not supported yet"};
+    return {block.word('O').offset, "O: subprograms and o-words are not supported yet",
+            &errors::kProgramNumberNotFirst};
   }
   if (letter == 'N' && at + 1 < block.line.size() && is_digit(block.line[at + 1])) {
-    return {offset, block.has('N') ? "N is given twice in this block"
-                                   : "N must be the first word of a block"};
+    return {
+        offset,
+        block.has('N') ? "N is given twice in this block" : "N must be the first word of a block",
+        block.has('N') ? &errors::kRepeatedWord : &errors::kLineNumberNotFirst};
   }
   return explain_missing_number(block, at);
 }
@@ -172,7 +189,7 @@ Fault explain_after_number(const Block& block, std::size_t at) {
   if (c == ',') {
     message += " (the decimal separator is '.')";
   }
-  return {static_cast<std::uint32_t>(at), message};
+  return {static_cast<std::uint32_t>(at), message, &errors::kUnexpectedAfterNumber};
 }
 
 // Where the comment opened that stands between two digits, the second of them at `at`.
@@ -196,9 +213,9 @@ Fault explain_stop(const Block& block) {
   }
   if (is_digit(c) && at > 0) {
     if (const std::size_t open = comment_in_number(line, at); open != std::string_view::npos) {
-      return {
-          static_cast<std::uint32_t>(open),
-          joined({"a comment splits a number: ", quoted(line.substr(open - 1, at + 2 - open))})};
+      return {static_cast<std::uint32_t>(open),
+              joined({"a comment splits a number: ", quoted(line.substr(open - 1, at + 2 - open))}),
+              &errors::kCommentInNumber};
     }
   }
   const bool after_number = at > 0 && (is_digit(line[at - 1]) || line[at - 1] == '.');
@@ -206,9 +223,10 @@ Fault explain_stop(const Block& block) {
     return explain_after_number(block, at);
   }
   if (is_digit(c) || c == '-' || c == '+' || c == '.') {
-    return {static_cast<std::uint32_t>(at), "an address letter is expected before a number"};
+    return {static_cast<std::uint32_t>(at), "an address letter is expected before a number",
+            &errors::kAddressExpected};
   }
-  return {static_cast<std::uint32_t>(at), explain_character(line.substr(at))};
+  return explain_character(line.substr(at), static_cast<std::uint32_t>(at));
 }
 
 Fault explain_first_line(std::string_view line) {
@@ -216,16 +234,19 @@ Fault explain_first_line(std::string_view line) {
     return i < line.size() ? static_cast<unsigned char>(line[i]) : 0x100U;
   };
   if ((byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF)) {
-    return {0, "the file is UTF-16, ASCII or UTF-8 is expected"};
+    return {0, "the file is UTF-16, ASCII or UTF-8 is expected", &errors::kUtf16};
   }
   if (is_letter(static_cast<char>(byte(0) & 0x7FU)) && byte(1) == 0) {
-    return {0, "the file is UTF-16 without a byte order mark, ASCII or UTF-8 is expected"};
+    return {0, "the file is UTF-16 without a byte order mark, ASCII or UTF-8 is expected",
+            &errors::kUtf16};
   }
   if (byte(0) < 0x20 && byte(0) != '\t') {
-    return {0, joined({"the file is not text (byte 0x", hex(byte(0), 2), " at its start)"})};
+    return {0, joined({"the file is not text (byte 0x", hex(byte(0), 2), " at its start)"}),
+            &errors::kNotText};
   }
   if (line.substr(0, 200).find("BEGIN PGM") != std::string_view::npos) {
-    return {0, "this is a HEIDENHAIN program ('BEGIN PGM'), G-code is expected"};
+    return {0, "this is a HEIDENHAIN program ('BEGIN PGM'), G-code is expected",
+            &errors::kHeidenhain};
   }
   return {};
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "parser/errors/nurbs.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {
@@ -12,8 +13,9 @@ constexpr double kFirstPointTolerance_mm = 0.0005;  // half of Fanuc's least inc
 constexpr Tenths kG62 = 62;
 constexpr std::string_view kName = "G6.2";
 
-bool fail(Fault& fault, std::uint32_t offset, std::initializer_list<std::string_view> parts) {
-  fault = {offset, joined({kName, ": ", joined(parts)})};
+bool fail(Fault& fault, std::uint32_t offset, const ErrorPage& page,
+          std::initializer_list<std::string_view> parts) {
+  fault = {offset, joined({kName, ": ", joined(parts)}), &page};
   return false;
 }
 
@@ -30,11 +32,11 @@ bool NurbsCollector::read_order(const CurveBlock& at, Fault& fault) {
   }
   const Word& word = at.block.word('P');
   if (word.value != std::floor(word.value)) {
-    return fail(fault, word.offset,
+    return fail(fault, word.offset, errors::kNurbsOrder,
                 {"P (order) must be a whole number, found ", shortest(word.value)});
   }
   if (word.value < kLowestOrder || word.value > kHighestOrder) {
-    return fail(fault, word.offset,
+    return fail(fault, word.offset, errors::kNurbsOrder,
                 {"P (order) must be ", counted(kLowestOrder), " to ", counted(kHighestOrder),
                  ", found ", shortest(word.value)});
   }
@@ -49,7 +51,8 @@ bool NurbsCollector::read_form(const CurveBlock& at, Fault& fault) {
   }
   const Word& word = at.block.word('Q');
   if (word.value != 1.0 && word.value != 2.0 && word.value != 3.0) {
-    return fail(fault, word.offset, {"Q must be 1, 2 or 3, found ", shortest(word.value)});
+    return fail(fault, word.offset, errors::kNurbsForm,
+                {"Q must be 1, 2 or 3, found ", shortest(word.value)});
   }
   return true;
 }
@@ -67,22 +70,23 @@ bool NurbsCollector::begin(const CurveBlock& at, Fault& fault) {
   const bool implicit = at.codes[Group::motion] != kG62;
   const bool has_axes = block.has_any(kAxisLetters);
   if (!has_axes && implicit) {
-    return fail(fault, block.first_word,
+    return fail(fault, block.first_word, errors::kPointMissing,
                 {"the curve is complete, a control point is expected with K"});
   }
   if (!has_axes && !block.has('P')) {
-    return fail(fault, block.first_word, {"P and a control point are expected in the first block"});
+    return fail(fault, block.first_word, errors::kPointMissing,
+                {"P and a control point are expected in the first block"});
   }
   if (implicit && !block.has('K')) {
-    return fail(fault, leftmost(block, kAxisLetters)->offset,
+    return fail(fault, leftmost(block, kAxisLetters)->offset, errors::kKnotMissing,
                 {"K is missing (G6.2 is still active)"});
   }
   if (!check_axes(at, fault) || !first_point(at, fault)) {
     return false;
   }
   if (implicit) {
-    diagnostics_->warning({at.line, block.first_word + 1},
-                          "G6.2: a new curve without G6.2, order 4 is assumed");
+    diagnostics_->add({at.line, block.first_word + 1}, errors::kImplicitNurbs,
+                      "G6.2: a new curve without G6.2, order 4 is assumed");
   }
   curve_.degree = static_cast<int>(order_) - 1;
   active_ = true;
@@ -98,13 +102,13 @@ bool NurbsCollector::first_point(const CurveBlock& at, Fault& fault) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!(std::fabs(point[axis] - here[axis]) <= kFirstPointTolerance_mm)) {
       return fail(
-          fault, leftmost(at.block, kAxisLetters)->offset,
+          fault, leftmost(at.block, kAxisLetters)->offset, errors::kFirstPoint,
           {"the first control point ", in_mm(point), " is not the current position ", in_mm(here)});
     }
   }
   const double weight = at.block.value_or('R', 1.0);
   if (!(weight > 0.0)) {
-    return fail(fault, at.block.word('R').offset,
+    return fail(fault, at.block.word('R').offset, errors::kNurbsWeight,
                 {"weight R must be greater than 0, found ", shortest(weight)});
   }
   curve_.points.push_back({here, weight});
@@ -126,10 +130,10 @@ bool NurbsCollector::add_point(const CurveBlock& at, Fault& fault) {
   const Block& block = at.block;
   const Word* const first_axis = leftmost(block, kAxisLetters);
   if (!block.has('K')) {
-    return fail(fault, first_axis->offset, {"K is missing"});
+    return fail(fault, first_axis->offset, errors::kKnotMissing, {"K is missing"});
   }
   if (tail_ > 0) {
-    return fail(fault, first_axis->offset,
+    return fail(fault, first_axis->offset, errors::kPointAfterTail,
                 {"a control point after the knot-only blocks (", counted(order_ - tail_),
                  " more of them are expected)"});
   }
@@ -143,7 +147,7 @@ bool NurbsCollector::add_point(const CurveBlock& at, Fault& fault) {
   last_point_mm_ = point;
   const double weight = block.value_or('R', 1.0);
   if (!(weight > 0.0)) {
-    return fail(fault, block.word('R').offset,
+    return fail(fault, block.word('R').offset, errors::kNurbsWeight,
                 {"weight R must be greater than 0, found ", shortest(weight)});
   }
   const double knot = block.value('K');
@@ -155,7 +159,7 @@ bool NurbsCollector::add_point(const CurveBlock& at, Fault& fault) {
     return false;
   }
   if (curve_.points.size() == kMostControlPoints) {
-    return fail(fault, first_axis->offset,
+    return fail(fault, first_axis->offset, errors::kNurbsTooManyPoints,
                 {"more than ", counted(kMostControlPoints), " control points"});
   }
   push_knot(knot, at.line);
@@ -173,13 +177,18 @@ bool NurbsCollector::add_knot(const CurveBlock& at, Fault& fault) {
   return tail_ < order_ || check_whole(at, fault);
 }
 
-std::string NurbsCollector::unfinished(std::string_view where) const {
+Fault NurbsCollector::unfinished(std::uint32_t offset, std::string_view where) const {
+  Fault fault;
   if (tail_ == 0) {
-    return joined({kName, ": the curve is not finished ", where, " (", counted(order_),
-                   " knot-only blocks are missing)"});
+    fail(fault, offset, errors::kNurbsUnfinished,
+         {"the curve is not finished ", where, " (", counted(order_),
+          " knot-only blocks are missing)"});
+  } else {
+    fail(fault, offset, errors::kNurbsUnfinished,
+         {"the curve is not finished ", where, ": ", counted(order_),
+          " knot-only blocks are needed at its end, found ", counted(tail_)});
   }
-  return joined({kName, ": the curve is not finished ", where, ": ", counted(order_),
-                 " knot-only blocks are needed at its end, found ", counted(tail_)});
+  return fault;
 }
 
 NurbsCollector::Result NurbsCollector::add(const CurveBlock& at, Fault& fault) {
@@ -188,8 +197,8 @@ NurbsCollector::Result NurbsCollector::add(const CurveBlock& at, Fault& fault) {
     return failed();
   }
   if (block.has('F')) {
-    diagnostics_->warning({at.line, block.word('F').offset + 1},
-                          "G6.2: F inside a curve takes effect at the next curve");
+    diagnostics_->add({at.line, block.word('F').offset + 1}, errors::kFeedInNurbs,
+                      "G6.2: F inside a curve takes effect at the next curve");
   }
   if (block.has_any(kAxisLetters)) {
     return add_point(at, fault) ? Result::more : failed();
@@ -198,7 +207,7 @@ NurbsCollector::Result NurbsCollector::add(const CurveBlock& at, Fault& fault) {
     return Result::more;
   }
   if (!block.has('K')) {
-    fail(fault, block.word('R').offset, {"R without a control point"});
+    fail(fault, block.word('R').offset, errors::kNurbsWeightAlone, {"R without a control point"});
     return failed();
   }
   if (!add_knot(at, fault)) {

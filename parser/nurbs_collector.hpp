@@ -28,7 +28,7 @@ class NurbsCollector {
   // A further block. Precondition: active. After `complete` and `failed` it is active no more.
   Result add(const CurveBlock& at, Fault& fault);
   // Why the curve is not complete, where the text ends here.
-  [[nodiscard]] std::string unfinished(std::string_view where) const;
+  [[nodiscard]] Fault unfinished(std::uint32_t offset, std::string_view where) const;
   void abort() { active_ = false; }
 
   [[nodiscard]] NurbsMove take() { return std::move(curve_); }

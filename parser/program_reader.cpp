@@ -1,6 +1,9 @@
 #include "parser/program_reader.hpp"
 
 #include "parser/block_grammar.hpp"
+#include "parser/errors/characters.hpp"
+#include "parser/errors/files.hpp"
+#include "parser/errors/words.hpp"
 #include "parser/interpreter.hpp"
 #include "parser/lexical_error.hpp"
 #include "parser/line_splitter.hpp"
@@ -41,7 +44,7 @@ class ProgramReader::Impl {
   void warn_about(const Block& block, std::uint32_t line);
   bool is_program_number(const Block& block, std::uint32_t line);
   void reach_end();
-  void refuse(std::uint32_t line, std::uint32_t column, std::string message);
+  void refuse(std::uint32_t line, Fault fault);
 
   ReaderOptions options_;
   DiagnosticList diagnostics_;
@@ -57,8 +60,8 @@ class ProgramReader::Impl {
   std::optional<WatchedBlock> watched_block_;
 };
 
-void ProgramReader::Impl::refuse(std::uint32_t line, std::uint32_t column, std::string message) {
-  diagnostics_.error({line, column}, std::move(message));
+void ProgramReader::Impl::refuse(std::uint32_t line, Fault fault) {
+  diagnostics_.add({line, fault.offset + 1}, *fault.page, std::move(fault.message));
   ended_ = true;
   rest_reported_ = true;
 }
@@ -67,11 +70,11 @@ void ProgramReader::Impl::refuse(std::uint32_t line, std::uint32_t column, std::
 bool ProgramReader::Impl::read_first_line(Line& line) {
   if (line.text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     line.text.remove_prefix(kByteOrderMark.size());
-    diagnostics_.warning({1, 1}, "byte order mark ignored");
+    diagnostics_.add({1, 1}, errors::kByteOrderMark, "byte order mark ignored");
   }
   Fault fault = explain_first_line(line.text);
   if (!fault.message.empty()) {
-    refuse(1, fault.offset + 1, std::move(fault.message));
+    refuse(1, std::move(fault));
     return false;
   }
   return true;
@@ -86,8 +89,8 @@ bool ProgramReader::Impl::read_percent(const Line& line, std::size_t at) {
   }
   const std::size_t rest = line.text.find_first_not_of(kBlanks, at + 1);
   if (rest != std::string_view::npos && line.text[rest] != '(' && line.text[rest] != ';') {
-    diagnostics_.error({line.number, static_cast<std::uint32_t>(at) + 1},
-                       "'%' must stand alone on its line");
+    diagnostics_.add({line.number, static_cast<std::uint32_t>(at) + 1}, errors::kPercentNotAlone,
+                     "'%' must stand alone on its line");
     return true;
   }
   interpreter_.end(line.number, "at the closing %");
@@ -104,31 +107,33 @@ void ProgramReader::Impl::read_rest(const Line& line) {
     return;
   }
   rest_reported_ = true;
-  diagnostics_.warning({line.number, static_cast<std::uint32_t>(at) + 1},
-                       closed_by_percent_ ? "text after the closing '%' is ignored"
-                                          : "blocks after the program's end are never executed");
+  diagnostics_.add({line.number, static_cast<std::uint32_t>(at) + 1},
+                   closed_by_percent_ ? errors::kTextAfterPercent : errors::kBlocksAfterEnd,
+                   closed_by_percent_ ? "text after the closing '%' is ignored"
+                                      : "blocks after the program's end are never executed");
 }
 
 void ProgramReader::Impl::warn_about(const Block& block, std::uint32_t line) {
   if (block.blank_in_number != 0) {
     const std::string_view rest = block.line.substr(block.blank_in_number - 1, 40);
-    diagnostics_.warning({line, block.blank_in_number},
-                         joined({"a number contains a blank: ", quoted(rest), " is read as one"}));
+    diagnostics_.add({line, block.blank_in_number}, errors::kBlankInNumber,
+                     joined({"a number contains a blank: ", quoted(rest), " is read as one"}));
   }
   if (block.numbered_delete) {
-    diagnostics_.warning({line, 1}, "numbered block delete is taken as '/'");
+    diagnostics_.add({line, 1}, errors::kNumberedBlockDelete,
+                     "numbered block delete is taken as '/'");
   }
   if (block.line_number_decimal) {
-    diagnostics_.warning({line, block.word('N').offset + 1},
-                         joined({upper(block.text(block.word('N')).substr(0, 40)),
-                                 ": the line number has a decimal part"}));
+    diagnostics_.add({line, block.word('N').offset + 1}, errors::kLineNumberWithPoint,
+                     joined({upper(block.text(block.word('N')).substr(0, 40)),
+                             ": the line number has a decimal part"}));
   }
   if (block.remark != 0) {
     const std::string_view remark = block.line.substr(block.remark);
     const std::size_t last = remark.find_last_not_of(kBlanks);
     if (last != std::string_view::npos && remark[last] == ';') {
-      diagnostics_.warning({line, block.remark},
-                           joined({"the text after ';' is taken as a comment: ", quoted(remark)}));
+      diagnostics_.add({line, block.remark}, errors::kSemicolonAtEnd,
+                       joined({"the text after ';' is taken as a comment: ", quoted(remark)}));
     }
   }
 }
@@ -142,9 +147,9 @@ bool ProgramReader::Impl::is_program_number(const Block& block, std::uint32_t li
   const double number = block.value('O');
   if (any_block_ || !alone || number < 0.0 || number > 99'999'999.0 ||
       number != static_cast<double>(static_cast<long>(number))) {
-    diagnostics_.error({line, block.word('O').offset + 1},
-                       "O: subprograms and o-words are not supported yet, a program number is "
-                       "expected only at the head of the program");
+    diagnostics_.add({line, block.word('O').offset + 1}, errors::kProgramNumberNotFirst,
+                     "O: subprograms and o-words are not supported yet, a program number is "
+                     "expected only at the head of the program");
   }
   return true;
 }
@@ -155,9 +160,10 @@ void ProgramReader::Impl::read_line(const Line& given) {
     return;
   }
   if (line.too_long) {
-    diagnostics_.error({line.number, static_cast<std::uint32_t>(LineSplitter::kMaxLine) + 1},
-                       joined({"the line is longer than the limit of ",
-                               std::to_string(LineSplitter::kMaxLine), " bytes"}));
+    diagnostics_.add({line.number, static_cast<std::uint32_t>(LineSplitter::kMaxLine) + 1},
+                     errors::kLineTooLong,
+                     joined({"the line is longer than the limit of ",
+                             std::to_string(LineSplitter::kMaxLine), " bytes"}));
     any_block_ = true;
     return;
   }
@@ -186,11 +192,13 @@ void ProgramReader::Impl::reach_end() {
   const std::uint32_t last = lines_.lines();
   interpreter_.end(last, "at the end of the file");
   if (!any_block_) {
-    diagnostics_.error({1, 1}, "the program is empty");
+    diagnostics_.add({1, 1}, errors::kEmptyProgram, "the program is empty");
   } else if (opened_by_percent_) {
-    diagnostics_.warning({opening_line_, 1}, "the file starts with '%' but has no closing '%'");
+    diagnostics_.add({opening_line_, 1}, errors::kUnclosedPercent,
+                     "the file starts with '%' but has no closing '%'");
   } else {
-    diagnostics_.warning({last, 1}, "the program has no M2, M30 or '%' at its end");
+    diagnostics_.add({last, 1}, errors::kNoProgramEnd,
+                     "the program has no M2, M30 or '%' at its end");
   }
 }
 
@@ -209,7 +217,8 @@ bool ProgramReader::Impl::next(Move& move) {
     }
     read_line(line);
     if (diagnostics_.full()) {
-      diagnostics_.warning({line.number, 1}, "too many errors: the rest is not read");
+      diagnostics_.add({line.number, 1}, errors::kTooManyErrors,
+                       "too many errors: the rest is not read");
       ended_ = rest_reported_ = true;
     }
     ended_ = ended_ || interpreter_.program_ended();

@@ -31,7 +31,7 @@ struct ReaderOptions {
   bool block_delete = false;  // leave out blocks that begin with '/'
   std::size_t max_errors = 100;
   Dialect dialect = Dialect::rs274;
-  MachineData machine{};  // work offsets, G28, G30 and tools as the program finds them
+  MachineData machine{};           // work offsets, G28, G30 and tools as the program finds them
   SubprogramSource subprograms{};  // empty: only those in the program's own text
   // Lines read since the last motion that end the program as an endless loop.
   std::uint64_t max_idle_steps = 10'000'000;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/errors/bsplines.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {
@@ -14,8 +15,9 @@ constexpr Tenths kG53 = 53;
 constexpr int kLowest = 3;
 constexpr std::string_view kName = "G5.2";
 
-bool fail(Fault& fault, std::uint32_t offset, std::initializer_list<std::string_view> parts) {
-  fault = {offset, joined({kName, ": ", joined(parts)})};
+bool fail(Fault& fault, std::uint32_t offset, const ErrorPage& page,
+          std::initializer_list<std::string_view> parts) {
+  fault = {offset, joined({kName, ": ", joined(parts)}), &page};
   return false;
 }
 
@@ -23,7 +25,7 @@ bool check_weight(const Block& block, Fault& fault) {
   if (block.value_or('P', 1.0) > 0.0) {
     return true;
   }
-  return fail(fault, block.word('P').offset,
+  return fail(fault, block.word('P').offset, errors::kSplineWeight,
               {"weight P must be greater than 0, found ", shortest(block.value('P'))});
 }
 
@@ -36,7 +38,7 @@ bool UniformCollector::read_order(const CurveBlock& at, Fault& fault) {
   }
   const Word& word = at.block.word('L');
   if (word.value != std::floor(word.value) || word.value < kLowest || word.value > kHighestOrder) {
-    return fail(fault, word.offset,
+    return fail(fault, word.offset, errors::kSplineOrder,
                 {"L (order) must be a whole number from ", std::to_string(kLowest), " to ",
                  std::to_string(kHighestOrder), ", found ", shortest(word.value)});
   }
@@ -46,13 +48,14 @@ bool UniformCollector::read_order(const CurveBlock& at, Fault& fault) {
 
 bool UniformCollector::check_foreign(const CurveBlock& at, Fault& fault) const {
   if (at.block.m_count > 0) {
-    return fail(fault, at.block.m[0].offset,
+    return fail(fault, at.block.m[0].offset, errors::kForeignInSpline,
                 {upper(at.block.text(at.block.m[0])), " is not allowed before G5.3"});
   }
   for (std::size_t i = 0; active_ && i < at.block.g_count; ++i) {
     const Word& word = at.block.g[i];
     if (at.codes[Group::motion] == kNoCode || at.block.g_count > 1) {
-      return fail(fault, word.offset, {upper(at.block.text(word)), " is not allowed before G5.3"});
+      return fail(fault, word.offset, errors::kForeignInSpline,
+                  {upper(at.block.text(word)), " is not allowed before G5.3"});
     }
   }
   const Letters usable =
@@ -60,6 +63,7 @@ bool UniformCollector::check_foreign(const CurveBlock& at, Fault& fault) const {
   if (const Word* const word = leftmost(at.block, ~usable)) {
     const char letter = letter_of(at.block, *word);
     return fail(fault, word->offset,
+                letter == 'L' ? errors::kOrderNotFirst : errors::kForeignInSpline,
                 {named(letter), letter == 'L' ? " can be given only in the first block"
                                               : " is not allowed before G5.3"});
   }
@@ -97,7 +101,7 @@ bool UniformCollector::add_point(const CurveBlock& at, Fault& fault) {
     return false;
   }
   if (curve_.points.size() == kMostControlPoints) {
-    return fail(fault, at.block.first_word,
+    return fail(fault, at.block.first_word, errors::kSplineTooManyPoints,
                 {"more than ", std::to_string(kMostControlPoints), " control points"});
   }
   curve_.points.push_back({point, at.block.value_or('P', 1.0)});
@@ -118,10 +122,11 @@ void UniformCollector::make_knots(std::uint32_t line) {
 
 bool UniformCollector::close(const CurveBlock& at, Fault& fault) {
   if (const Word* const word = leftmost(at.block, ~letters('N'))) {
-    return fail(fault, word->offset, {named(letter_of(at.block, *word)), " is not used by G5.3"});
+    return fail(fault, word->offset, errors::kForeignInSplineEnd,
+                {named(letter_of(at.block, *word)), " is not used by G5.3"});
   }
   if (curve_.points.size() < order_) {
-    return fail(fault, at.block.g[0].offset,
+    return fail(fault, at.block.g[0].offset, errors::kSplineFewPoints,
                 {"order ", std::to_string(order_), " needs at least ", std::to_string(order_),
                  " control points, found ", std::to_string(curve_.points.size())});
   }
@@ -129,8 +134,11 @@ bool UniformCollector::close(const CurveBlock& at, Fault& fault) {
   return true;
 }
 
-std::string UniformCollector::unfinished(std::string_view where) const {
-  return joined({kName, ": the curve is not finished ", where, " (G5.3 is missing)"});
+Fault UniformCollector::unfinished(std::uint32_t offset, std::string_view where) const {
+  Fault fault;
+  fail(fault, offset, errors::kSplineUnfinished,
+       {"the curve is not finished ", where, " (G5.3 is missing)"});
+  return fault;
 }
 
 UniformCollector::Result UniformCollector::add(const CurveBlock& at, Fault& fault) {
@@ -143,12 +151,14 @@ UniformCollector::Result UniformCollector::add(const CurveBlock& at, Fault& faul
   }
   if (fine && code != kNoCode && code != kG52) {
     const Word& word = code_word(block, at.codes, Group::motion);
-    fine = fail(fault, word.offset, {upper(block.text(word)), " is not allowed before G5.3"});
+    fine = fail(fault, word.offset, errors::kForeignInSpline,
+                {upper(block.text(word)), " is not allowed before G5.3"});
   }
   if (fine && block.has_any(kAxisLetters)) {
     fine = add_point(at, fault);
   } else if (fine && block.has('P')) {
-    fine = fail(fault, block.word('P').offset, {"weight P without a control point"});
+    fine = fail(fault, block.word('P').offset, errors::kSplineWeightAlone,
+                {"weight P without a control point"});
   }
   active_ = fine;
   return fine ? Result::more : Result::failed;

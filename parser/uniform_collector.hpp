@@ -19,7 +19,7 @@ class UniformCollector {
   bool begin(const CurveBlock& at, Fault& fault);
   // Precondition: active. After `complete` and `failed` it is active no more.
   Result add(const CurveBlock& at, Fault& fault);
-  [[nodiscard]] std::string unfinished(std::string_view where) const;
+  [[nodiscard]] Fault unfinished(std::uint32_t offset, std::string_view where) const;
   void abort() { active_ = false; }
 
   [[nodiscard]] NurbsMove take() { return std::move(curve_); }

@@ -33,6 +33,25 @@ inline constexpr ErrorPage kWeightsFarApart{
     "See whether the weights were scaled as they should be.",
     "G5.2 P1 X0 Y0 L3 F100\nX10 Y0 P1\nX10 Y10 P10000000\nX0 Y10 P1\nG5.3\nM2\n"};
 
-inline constexpr std::array kCurvesPages{&kCurveInverseTime, &kCurveIsAPoint, &kWeightsFarApart};
+inline constexpr ErrorPage kCurveForeignAxis{
+    303,
+    Severity::error,
+    "axis outside the curve's plane",
+    "The curve lies in the active plane (G17, G18, G19), and this axis is not one of the plane's "
+    "two.",
+    "Take the word out, or choose the plane that is meant before the curve.",
+    "G5.2 P1 X0 Y5 L3 F100\nX10 Y0 Z5\nG5.3\nM2\n"};
+
+inline constexpr ErrorPage kCurveOneAxis{
+    304,
+    Severity::error,
+    "control point with one coordinate",
+    "A control point in a plane has two coordinates. One left out is not taken over from the point "
+    "before.",
+    "Give both coordinates of the control point.",
+    "G5.2 P1 X0 Y5 L3 F100\nX10\nG5.3\nM2\n"};
+
+inline constexpr std::array kCurvesPages{&kCurveInverseTime, &kCurveIsAPoint, &kWeightsFarApart,
+                                         &kCurveForeignAxis, &kCurveOneAxis};
 
 }  // namespace kerf::parser::errors

@@ -5,9 +5,17 @@
 #include <cstdint>
 #include <string_view>
 
+#include "parser/dialect.hpp"
+
 namespace kerf::parser {
 
 enum class Severity : std::uint8_t { error, warning };
+
+// Text too long to be written out.
+struct Repeated {
+  std::string_view text;
+  std::uint32_t times = 0;
+};
 
 struct ErrorPage {
   std::uint16_t number = 0;  // shown as E0123; never used again for another cause
@@ -16,6 +24,8 @@ struct ErrorPage {
   std::string_view meaning;  // what the program says and why that cannot be run
   std::string_view remedy;   // how to mend it
   std::string_view trigger;  // a whole program that has this fault and, as its first, no other
+  Dialect dialect = Dialect::rs274;  // the one that the trigger is written in
+  Repeated more{};                   // what the trigger goes on with
 };
 
 }  // namespace kerf::parser

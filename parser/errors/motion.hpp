@@ -76,6 +76,15 @@ inline constexpr ErrorPage kMachineWithoutAxis{
     "Give the block X, Y or Z, or take G53 out. It is not a mode: each block needs its own.",
     "G53 G0\nM2\n"};
 
+inline constexpr ErrorPage kPositionOutOfRange{
+    213,
+    Severity::error,
+    "position outside the work range",
+    "The move leads to a coordinate beyond -999999.999 to 999999.999 mm, which is larger than any "
+    "machine and which a double no longer holds exactly.",
+    "Correct the value: a missing decimal point or two numbers run together are the usual causes.",
+    "G0 X1000000\nM2\n"};
+
 inline constexpr std::array kMotionPages{&kInverseTimeWithoutFeed,
                                          &kInverseTimeZeroFeed,
                                          &kNoFeed,
@@ -83,6 +92,7 @@ inline constexpr std::array kMotionPages{&kInverseTimeWithoutFeed,
                                          &kFeedFromOtherUnits,
                                          &kMachineMotionMode,
                                          &kMachineIncremental,
-                                         &kMachineWithoutAxis};
+                                         &kMachineWithoutAxis,
+                                         &kPositionOutOfRange};
 
 }  // namespace kerf::parser::errors
