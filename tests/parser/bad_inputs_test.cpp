@@ -54,6 +54,7 @@ TEST_P(BadInputFile, GetsTheVerdictOnTheRightLine) {
   const BadInput& wanted = GetParam();
   ReaderOptions options;
   options.dialect = wanted.dialect;
+  options.machine = default_machine_data();
   const Program program = read_program(read_file(folder() / wanted.file), options);
   EXPECT_TRUE(program.at_end);
   const Diagnostic* const error = first_of(program, Severity::error);
