@@ -67,8 +67,9 @@ bool CheckReport::has_errors() const {
 
 CheckReport check_program(const TextSource& text, const MachineSettings& settings,
                           const KernelOptions& options) {
-  parser::ProgramReader reader(
-      {.start_mm = options.start_mm, .block_delete = options.block_delete});
+  parser::ProgramReader reader({.start_mm = options.start_mm,
+                                .block_delete = options.block_delete,
+                                .machine = settings.program});
   CheckReport report;
   Checker checker(settings);
   bool more_text = true;

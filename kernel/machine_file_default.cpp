@@ -14,6 +14,7 @@ MachineSettings default_machine() {
     axis.travel = {.min_mm = -300.0, .max_mm = 300.0};
   }
   settings.table.axes[2].travel = {.min_mm = -200.0, .max_mm = 200.0};
+  settings.program = parser::default_machine_data();
   return settings;
 }
 

@@ -63,6 +63,39 @@ constexpr std::array kAxis{
     NumberRule{"max_following_error_mm", 1e-6, 1e3, drive<&AxisDrive::max_following_error_mm>},
 };
 
+constexpr std::array<std::string_view, 11> kOffsetSections{
+    "g54", "g55", "g56", "g57", "g58", "g59", "g59_1", "g59_2", "g59_3", "g28", "g30"};
+
+template <std::size_t kAxisOfPoint>
+double& offset(Settings& settings, std::size_t section) {
+  parser::MachineData& data = settings.program;
+  constexpr std::size_t kSystems = parser::Coordinates::kSystems;
+  return section < kSystems    ? data.work[section].origin_mm[kAxisOfPoint]
+         : section == kSystems ? data.first_home_mm[kAxisOfPoint]
+                               : data.second_home_mm[kAxisOfPoint];
+}
+
+constexpr double kFarthest = 999999.999;
+
+constexpr std::array kOffset{
+    NumberRule{"x_mm", -kFarthest, kFarthest, offset<0>},
+    NumberRule{"y_mm", -kFarthest, kFarthest, offset<1>},
+    NumberRule{"z_mm", -kFarthest, kFarthest, offset<2>},
+    NumberRule{"rotation_deg", -360.0, 360.0,
+               [](Settings& s, std::size_t section) -> double& {
+                 return s.program.work[section].rotation_deg;
+               }},
+};
+
+constexpr std::array kTool{
+    NumberRule{"number", 0.0, double{parser::ToolTable::kHighestNumber}, nullptr},
+    NumberRule{"pocket", 0.0, double{parser::ToolTable::kHighestNumber}, nullptr},
+    NumberRule{"diameter_mm", 0.0, kFarthest, nullptr},
+    NumberRule{"x_mm", -kFarthest, kFarthest, nullptr},
+    NumberRule{"y_mm", -kFarthest, kFarthest, nullptr},
+    NumberRule{"z_mm", -kFarthest, kFarthest, nullptr},
+};
+
 constexpr std::array kBounds{
     BoundRule{"max_velocity_mm_s", "velocity"},
     BoundRule{"max_acceleration_mm_s2", "acceleration"},
@@ -79,6 +112,16 @@ std::span<const NumberRule> path_rules() {
 }
 std::span<const NumberRule> axis_rules() {
   return kAxis;
+}
+std::span<const std::string_view> offset_sections() {
+  return kOffsetSections;
+}
+std::span<const NumberRule> offset_rules(std::size_t section) {
+  const bool turns = section < parser::Coordinates::kSystems;
+  return std::span(kOffset).first(turns ? 4 : 3);
+}
+std::span<const NumberRule> tool_rules() {
+  return kTool;
 }
 std::span<const BoundRule> bound_rules() {
   return kBounds;

@@ -15,13 +15,20 @@ struct NumberRule {
   std::string_view key;
   double min = 0.0;
   double max = 0.0;
-  // Where the number goes; axis is 0..2 in an [axes.*] table, else ignored.
+  // Where the number goes; axis is 0..2 in an [axes.*] table, the place of the section in
+  // offset_sections() in an [offsets.*] table, else ignored. Null in tool_rules().
   double& (*field)(MachineSettings& settings, std::size_t axis);
 };
 
 std::span<const NumberRule> tick_rules();
 std::span<const NumberRule> path_rules();
 std::span<const NumberRule> axis_rules();
+
+// [offsets.*]: G54 to G59.3, then the positions of G28 and G30, which have no rotation.
+std::span<const std::string_view> offset_sections();
+std::span<const NumberRule> offset_rules(std::size_t section);
+// The keys of one [[tools.tool]], in the order: number, pocket, diameter, x, y, z.
+std::span<const NumberRule> tool_rules();
 
 // The keys that bound one quantity of a plan, in [path] or in [axes.*] under the same name.
 struct BoundRule {

@@ -1,8 +1,11 @@
 // Everything a machine file says.
 #pragma once
 
+#include <string>
+
 #include "lookahead/limits.hpp"
 #include "machine/table_settings.hpp"
+#include "parser/offsets/machine_data.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf {
@@ -10,6 +13,9 @@ namespace kerf {
 struct MachineSettings {
   lookahead::PlanLimits limits{};
   machine::TableSettings table{};
+  parser::MachineData program{};  // offsets and tools, where a program starts from
+  // A tool table that the file names but does not hold; empty: none. Whoever opens files reads it.
+  std::string tool_file{};
 };
 
 }  // namespace kerf

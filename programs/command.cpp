@@ -60,7 +60,8 @@ ExitStatus print_report(const FileReport& report, const Options& options) {
 }
 
 ExitStatus process_all(const Options& options) {
-  const auto settings = choose_machine(options.machine_file);
+  const auto settings =
+      choose_machine({.machine = options.machine_file, .tools = options.tool_file});
   if (!settings) {
     for (const std::string& message : settings.error().messages) {
       write_error_line(message);

@@ -3,8 +3,10 @@
 #include <array>
 #include <cerrno>
 #include <fcntl.h>
+#include <filesystem>
 
 #include "kernel/machine_file.hpp"
+#include "parser/offsets/tool_table.hpp"
 #include "programs/descriptor.hpp"
 
 namespace kerf::program {
@@ -35,28 +37,67 @@ tl::expected<std::string, int> read_text(const std::string& path) {
   return text;
 }
 
+tl::unexpected<MachineRefusal> unreadable(const std::string& path, int error) {
+  return tl::unexpected(MachineRefusal{.status = ExitStatus::io_error,
+                                       .messages = {path + ": error: " + error_text(error)}});
+}
+
+tl::expected<MachineSettings, MachineRefusal> read_machine(const std::string& path) {
+  const auto text = read_text(path);
+  if (!text) {
+    return unreadable(path, text.error());
+  }
+  auto settings = parse_machine_file(*text);
+  if (settings) {
+    return *std::move(settings);
+  }
+  MachineRefusal refusal;
+  for (const SettingsError& error : settings.error()) {
+    refusal.messages.push_back(to_string(error, path));
+  }
+  return tl::unexpected(refusal);
+}
+
+tl::expected<parser::ToolTable, MachineRefusal> read_tools(const std::string& path) {
+  const auto text = read_text(path);
+  if (!text) {
+    return unreadable(path, text.error());
+  }
+  auto table = parser::read_tool_table(*text);
+  if (table) {
+    return *std::move(table);
+  }
+  MachineRefusal refusal;
+  for (const parser::ToolTableError& error : table.error()) {
+    refusal.messages.push_back(path + ":" + std::to_string(error.line) + ":" +
+                               std::to_string(error.column) + ": error: " + error.message);
+  }
+  return tl::unexpected(refusal);
+}
+
 }  // namespace
 
-tl::expected<MachineSettings, MachineRefusal> choose_machine(
-    const std::optional<std::string>& machine_file) {
-  if (!machine_file) {
-    return default_machine();
-  }
-  const auto text = read_text(*machine_file);
-  if (!text) {
-    return tl::unexpected(
-        MachineRefusal{.status = ExitStatus::io_error,
-                       .messages = {*machine_file + ": error: " + error_text(text.error())}});
-  }
-  const auto settings = parse_machine_file(*text);
-  if (!settings) {
-    MachineRefusal refusal;
-    for (const SettingsError& error : settings.error()) {
-      refusal.messages.push_back(to_string(error, *machine_file));
+tl::expected<MachineSettings, MachineRefusal> choose_machine(const MachineFiles& files) {
+  MachineSettings settings = default_machine();
+  if (files.machine) {
+    auto read = read_machine(*files.machine);
+    if (!read) {
+      return tl::unexpected(read.error());
     }
-    return tl::unexpected(refusal);
+    settings = *std::move(read);
   }
-  return *settings;
+  std::string tools = files.tools.value_or("");
+  if (tools.empty() && !settings.tool_file.empty()) {
+    tools = std::filesystem::path(*files.machine).replace_filename(settings.tool_file).string();
+  }
+  if (!tools.empty()) {
+    auto table = read_tools(tools);
+    if (!table) {
+      return tl::unexpected(table.error());
+    }
+    settings.program.tools = *std::move(table);
+  }
+  return settings;
 }
 
 }  // namespace kerf::program

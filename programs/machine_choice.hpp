@@ -17,8 +17,13 @@ struct MachineRefusal {
   std::vector<std::string> messages;  // with file, line and column where there is a place
 };
 
-// Without a file the default table.
-tl::expected<MachineSettings, MachineRefusal> choose_machine(
-    const std::optional<std::string>& machine_file);
+// Which files the command line names; without a machine file it is the default table.
+struct MachineFiles {
+  std::optional<std::string> machine;
+  std::optional<std::string> tools;  // in place of the machine's tool table
+};
+
+// A tool table that the machine file names is looked for beside it.
+tl::expected<MachineSettings, MachineRefusal> choose_machine(const MachineFiles& files);
 
 }  // namespace kerf::program

@@ -40,6 +40,9 @@ void add_common(CLI::App& command, Raw& raw) {
   Options& options = raw.options;
   command.add_option("--machine", options.machine_file, "machine file (default: a small mill)")
       ->type_name("FILE.toml");
+  command
+      .add_option("--tools", options.tool_file, "tool table (default: that of the machine file)")
+      ->type_name("FILE");
   command.add_option("--profile", raw.profile, "feedrate profile")
       ->check(CLI::IsMember(profile_names()))
       ->type_name("NAME")

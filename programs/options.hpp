@@ -21,6 +21,7 @@ struct Options {
   Command command = Command::dry_run;
   std::vector<std::string> files;
   std::optional<std::string> machine_file;
+  std::optional<std::string> tool_file;
   profiles::ProfileKind profile = profiles::ProfileKind::s_curve;
   std::optional<double> sigmoid_shape;
   std::optional<std::string> trace_file;

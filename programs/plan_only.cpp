@@ -69,6 +69,7 @@ tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
                                                            Progress& progress, BlockWatch* watch) {
   parser::ProgramReader reader({.start_mm = options.start_mm,
                                 .block_delete = options.block_delete,
+                                .machine = settings.program,
                                 .watched_line = watch != nullptr ? watch->line() : 0});
   lookahead::Planner planner({.limits = settings.limits,
                               .profile = options.profile,

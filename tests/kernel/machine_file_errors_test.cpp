@@ -262,4 +262,28 @@ TEST(MachineFileErrors, RefusesMoreThanAMebibyte) {
             Lines{"m.toml: error: found 1048577 bytes, expected at most 1 MiB"});
 }
 
+TEST(MachineFileErrors, NamesWhatIsWrongWithOffsets) {
+  EXPECT_EQ(errors_of(kBounded + "[offsets.g54]\nx_mm = 1\nrotation = 2\n"),
+            (Lines{"m.toml:7:1: error: unknown key 'rotation' in [offsets.g54], did you mean "
+                   "'rotation_deg'?"}));
+  EXPECT_EQ(errors_of(kBounded + "[offsets.g28]\nrotation_deg = 2\n").size(), 1U);
+  EXPECT_EQ(errors_of(kBounded + "[offsets.g60]\nx_mm = 1\n").size(), 1U);
+}
+
+TEST(MachineFileErrors, NamesWhatIsWrongWithTools) {
+  EXPECT_EQ(errors_of(kBounded + "[[tools.tool]]\nnumber = 1\nnumbr = 2\n").size(), 1U);
+  EXPECT_EQ(errors_of(kBounded + "[tools]\nfile = 3\n"),
+            (Lines{"m.toml:6:8: error: tools.file: found a number, expected the name of a file"}));
+  EXPECT_EQ(errors_of(kBounded + "[tools]\nfile = \"a\"\ntool = []\n"),
+            (Lines{"m.toml:6:8: error: tools: found a file and tools, expected one of them"}));
+  EXPECT_EQ(errors_of(kBounded + "[tools]\ntool = 3\n"),
+            (Lines{"m.toml:6:8: error: tools.tool: found a number, expected an array of tables "
+                   "([[tools.tool]])"}));
+  EXPECT_EQ(errors_of(kBounded + "[tools]\ntool = [{ number = 1.5 }]\n"),
+            (Lines{"m.toml:6:20: error: tools.tool.number: expected the tool's number, a whole "
+                   "one"}));
+  EXPECT_EQ(errors_of(kBounded + "[tools]\ntool = [{ number = 1 }, { number = 1 }]\n"),
+            (Lines{"m.toml:6:36: error: tools.tool: T1 is listed twice"}));
+}
+
 }  // namespace

@@ -100,6 +100,48 @@ TEST(MachineFile, TheDefaultMachineIsTheTableThatIsShipped) {
       }
     }
   }
+  const auto& tools = shipped.program.tools.listed();
+  const auto& built_in_tools = built_in.program.tools.listed();
+  EXPECT_TRUE(shipped.program.tools.given());
+  ASSERT_EQ(tools.size(), built_in_tools.size());
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    EXPECT_EQ(tools[i].number, built_in_tools[i].number);
+    EXPECT_EQ(tools[i].pocket, built_in_tools[i].pocket);
+    EXPECT_EQ(tools[i].offset_mm, built_in_tools[i].offset_mm);
+    EXPECT_EQ(tools[i].diameter_mm, built_in_tools[i].diameter_mm);
+  }
+}
+
+TEST(MachineFile, HoldsOffsetsAndTools) {
+  const auto read =
+      parse_machine_file(kBounded +
+                         "[offsets.g54]\nx_mm = 1\nrotation_deg = 30\n[offsets.g59_3]\nz_mm = -5\n"
+                         "[offsets.g28]\ny_mm = 7\n[offsets.g30]\nz_mm = 8\n"
+                         "[[tools.tool]]\nnumber = 7\npocket = 3\ndiameter_mm = 6\nz_mm = 40\n");
+  ASSERT_TRUE(read);
+  const kerf::parser::MachineData& data = read->program;
+  EXPECT_EQ(data.work[0].origin_mm, (kerf::parser::Point{1.0, 0.0, 0.0}));
+  EXPECT_EQ(data.work[0].rotation_deg, 30.0);
+  EXPECT_EQ(data.work[8].origin_mm[2], -5.0);
+  EXPECT_EQ(data.first_home_mm[1], 7.0);
+  EXPECT_EQ(data.second_home_mm[2], 8.0);
+  ASSERT_NE(data.tools.find(7), nullptr);
+  EXPECT_EQ(data.tools.find(7)->pocket, 3);
+  EXPECT_EQ(data.tools.find(7)->diameter_mm, 6.0);
+  EXPECT_EQ(data.tools.find(7)->offset_mm[2], 40.0);
+  EXPECT_EQ(data.tools.find(8), nullptr);
+}
+
+TEST(MachineFile, WithoutToolsKnowsEveryTool) {
+  const auto read = parse_machine_file(kBounded);
+  ASSERT_TRUE(read);
+  EXPECT_NE(read->program.tools.find(99), nullptr);
+}
+
+TEST(MachineFile, MayNameAFileOfTools) {
+  const auto read = parse_machine_file(kBounded + "[tools]\nfile = \"t.tbl\"\n");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->tool_file, "t.tbl");
 }
 
 TEST(MachineFile, EveryShippedMachineLoadsAndCanBeSimulated) {

@@ -1,0 +1,64 @@
+// Reads the tables of a machine file into settings. Internal to kernel/machine_file*.cpp.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/machine_file.hpp"
+#include "kernel/machine_file_schema.hpp"
+
+// Header-only, so that an error is a value: the packaged shared library is built with exceptions.
+#undef TOML_HEADER_ONLY
+#undef TOML_SHARED_LIB
+#undef TOML_EXCEPTIONS
+#define TOML_HEADER_ONLY 1
+#define TOML_EXCEPTIONS 0
+#include <toml++/toml.h>
+
+namespace kerf {
+
+// A table of the file under the name that messages give it: "" for the whole file, "axes.x".
+struct Section {
+  const toml::table* table;
+  std::string name;
+
+  [[nodiscard]] std::string path_to(std::string_view key) const {
+    return name.empty() ? std::string(key) : name + "." + std::string(key);
+  }
+};
+
+// What a value is, for messages: "a table".
+std::string_view name_of(toml::node_type type);
+
+class MachineFileReader {
+ public:
+  // All that the file says, or all that is wrong with it in the order of the text.
+  tl::expected<MachineSettings, std::vector<SettingsError>> read(const toml::table& root);
+
+ private:
+  // machine_file_reader.cpp
+  void report(const toml::source_region& where, std::string message);
+  void check_keys(const Section& section, std::span<const std::string_view> known);
+  std::optional<Section> subsection(const Section& section, std::string_view key);
+  void read_numbers(const Section& section, std::span<const NumberRule> rules, std::size_t index);
+  std::optional<double> read_number(const Section& section, const NumberRule& rule,
+                                    const toml::node& node);
+  void read_axis(const Section& section, std::size_t axis);
+  void check_bounds(const Section& file);
+
+  // machine_file_tools.cpp
+  void read_offsets(const Section& offsets);
+  void read_tools(const Section& tools);
+  void read_tool_file(const toml::node& file);
+  void read_tool_list(const toml::node& list);
+  void read_tool(const Section& section);
+
+  MachineSettings settings_{};
+  std::vector<SettingsError> errors_;
+};
+
+}  // namespace kerf
