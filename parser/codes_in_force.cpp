@@ -14,6 +14,20 @@ const char* plane_code(Plane plane) {
   return plane == Plane::xy ? "G17" : plane == Plane::zx ? "G18" : "G19";
 }
 
+const char* feed_code(FeedMode mode) {
+  return mode == FeedMode::per_minute ? "G94" : mode == FeedMode::inverse_time ? "G93" : "G95";
+}
+
+std::string work_code(std::size_t system) {
+  constexpr std::size_t kWhole = 6;  // G54 to G59, then G59.1 to G59.3
+  return system < kWhole ? "G" + std::to_string(54 + system)
+                         : "G59." + std::to_string(system - kWhole + 1);
+}
+
+bool is_zero(const Point& point_mm) {
+  return point_mm == Point{};
+}
+
 const char* path_code(PathMode mode) {
   return mode == PathMode::blend ? "G64" : mode == PathMode::exact_stop ? "G61.1" : "G61";
 }
@@ -25,16 +39,29 @@ const char* spindle_code(Spindle spindle) {
 }  // namespace
 
 std::vector<std::string> codes_in_force(const ModalState& state) {
-  return {
+  std::vector<std::string> codes = {
       motion_code(state.motion),
       plane_code(state.plane),
       state.units == Units::mm ? "G21" : "G20",
       state.incremental ? "G91" : "G90",
       state.absolute_centre ? "G90.1" : "G91.1",
-      state.feed_mode == FeedMode::per_minute ? "G94" : "G93",
+      feed_code(state.feed_mode),
+      is_zero(state.coordinates.tool_mm()) ? "G49" : "G43",
+      work_code(state.coordinates.system()),
       path_code(state.path_mode),
+      state.surface_speed.active ? "G96" : "G97",
       spindle_code(state.spindle),
   };
+  if (!state.mist && !state.flood) {
+    codes.emplace_back("M9");
+  }
+  if (state.mist) {
+    codes.emplace_back("M7");
+  }
+  if (state.flood) {
+    codes.emplace_back("M8");
+  }
+  return codes;
 }
 
 }  // namespace kerf::parser

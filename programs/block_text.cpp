@@ -21,6 +21,17 @@ std::string feed_text(const parser::ModalState& state) {
   return state.feedrate_mm_s ? short_number(60.0 * *state.feedrate_mm_s) + " mm/min" : "none yet";
 }
 
+void append_offsets(std::string& text, const parser::Coordinates& coordinates) {
+  const auto out = std::back_inserter(text);
+  const parser::WorkOffset& work = coordinates.work(coordinates.system());
+  fmt::format_to(out, "  work offset     {}", point_text(work.origin_mm));
+  if (work.rotation_deg != 0.0) {
+    fmt::format_to(out, ", turned by {} degrees", short_number(work.rotation_deg));
+  }
+  fmt::format_to(out, "\n  G52, G92        {}\n  tool offset     {}\n",
+                 point_text(coordinates.local_mm()), point_text(coordinates.tool_mm()));
+}
+
 }  // namespace
 
 std::string block_text(const FileReport& report) {
@@ -39,10 +50,17 @@ std::string block_text(const FileReport& report) {
   }
   text += "\n  in force before it:\n";
   fmt::format_to(out, "  codes           {}\n", fmt::join(parser::codes_in_force(state), " "));
-  fmt::format_to(out, "  position        {}\n", point_text(state.position_mm));
+  const parser::Coordinates& coordinates = state.coordinates;
+  fmt::format_to(out, "  position        {} on the machine\n", point_text(state.position_mm));
+  if (!coordinates.plain()) {
+    fmt::format_to(out, "                  {} in the program\n",
+                   point_text(coordinates.to_program(state.position_mm)));
+    append_offsets(text, coordinates);
+  }
   fmt::format_to(out, "  feed            {}\n", feed_text(state));
   fmt::format_to(out, "  spindle         S{}\n", short_number(state.spindle_speed));
-  fmt::format_to(out, "  tool            T{}\n", short_number(state.tool));
+  fmt::format_to(out, "  tool            T{} loaded, T{} selected\n", state.loaded_tool,
+                 short_number(state.tool));
   return text;
 }
 

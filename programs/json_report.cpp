@@ -30,15 +30,23 @@ void set_plan(Json& json, const PlanReport& plan) {
 
 void set_block(Json& json, const BlockReport& report) {
   const parser::ModalState& state = report.block.state;
-  json["block"] = {{"line", report.line},
-                   {"text", report.block.text},
-                   {"begin_s", report.begin_s},
-                   {"duration_s", report.duration_s},
-                   {"codes", parser::codes_in_force(state)},
-                   {"position_mm", axes_json(state.position_mm)},
-                   {"feedrate_mm_s", state.feedrate_mm_s ? Json(*state.feedrate_mm_s) : Json()},
-                   {"spindle_speed", state.spindle_speed},
-                   {"tool", state.tool}};
+  const parser::WorkOffset& work = state.coordinates.work(state.coordinates.system());
+  json["block"] = {
+      {"line", report.line},
+      {"text", report.block.text},
+      {"begin_s", report.begin_s},
+      {"duration_s", report.duration_s},
+      {"codes", parser::codes_in_force(state)},
+      {"position_mm", axes_json(state.position_mm)},
+      {"program_position_mm", axes_json(state.coordinates.to_program(state.position_mm))},
+      {"work_offset_mm", axes_json(work.origin_mm)},
+      {"work_rotation_deg", work.rotation_deg},
+      {"local_offset_mm", axes_json(state.coordinates.local_mm())},
+      {"tool_offset_mm", axes_json(state.coordinates.tool_mm())},
+      {"feedrate_mm_s", state.feedrate_mm_s ? Json(*state.feedrate_mm_s) : Json()},
+      {"spindle_speed", state.spindle_speed},
+      {"tool", state.loaded_tool},
+      {"selected_tool", state.tool}};
 }
 
 void set_motion(Json& json, const FileReport& report) {

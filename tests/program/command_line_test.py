@@ -72,6 +72,20 @@ class Explain(Case):
         self.assertEqual(block["spindle_speed"], 500.0)
         self.assertEqual(block["position_mm"]["x"], 3.0)
 
+    def test_shows_the_offsets_in_force(self):
+        path = self.path("offsets.ngc", "G21 G90\nG10 L2 P2 X10 Y20 Z0 R90\nG55 T1 M6\nG43.1 Z12.5\nM8\nG0 X1 Y2 Z3\nM30\n")
+        block = json.loads(self.kerf("explain", path, "--line", "7", "--json").stdout)["block"]
+        for code in ("G55", "G43", "M8", "G97"):
+            self.assertIn(code, block["codes"])
+        # Turned by a quarter: X of the program is Y of the machine, Y is -X.
+        for axis, value in (("x", 10 - 2), ("y", 20 + 1), ("z", 3 + 12.5)):
+            self.assertAlmostEqual(block["position_mm"][axis], value)
+        self.assertAlmostEqual(block["program_position_mm"]["y"], 2.0)
+        self.assertEqual((block["tool"], block["tool_offset_mm"]["z"]), (1, 12.5))
+        text = self.kerf("explain", path, "--line", "7").stdout
+        self.assertIn("x 8.000, y 21.000, z 15.500 mm on the machine", text)
+        self.assertIn("turned by 90 degrees", text)
+
     def test_counts_dwells_and_events_as_time_of_their_line(self):
         path = self.path("dwell.ngc", "G21 G90\nG1 X1 F600\nG4 P0.5\nG4 P0.25\nM3 S1\nG90\nG1 X2\nM30\n")
         blocks = [json.loads(self.kerf("explain", path, "--line", str(line), "--json").stdout)["block"]
