@@ -1,42 +1,17 @@
 // The parser's door: bytes in, in pieces of any size; moves and diagnostics out.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "parser/diagnostic.hpp"
-#include "parser/dialect.hpp"
 #include "parser/move.hpp"
-#include "parser/offsets/machine_data.hpp"
+#include "parser/reader_options.hpp"
 #include "parser/watched_block.hpp"
 
 namespace kerf::parser {
-
-struct SubprogramText {
-  std::string file;  // its name, for messages
-  std::string text;
-};
-// The whole text of a subprogram that is not in the program itself, by its name in lower case
-// ("pocket" of `o<Pocket> call`, "1000" of M98 P1000); nothing where there is none.
-using SubprogramSource = std::function<std::optional<SubprogramText>(std::string_view name)>;
-
-struct ReaderOptions {
-  Point start_mm{};           // where the tool is when the program starts
-  bool block_delete = false;  // leave out blocks that begin with '/'
-  std::size_t max_errors = 100;
-  Dialect dialect = Dialect::rs274;
-  MachineData machine{};           // work offsets, G28, G30 and tools as the program finds them
-  SubprogramSource subprograms{};  // empty: only those in the program's own text
-  // Lines read since the last motion that end the program as an endless loop.
-  std::uint64_t max_idle_steps = 10'000'000;
-  std::uint32_t watched_line = 0;  // of the program's own text; 0: none
-};
 
 // Reads one program. Memory does not grow with its length: the piece fed last, a line of at most
 // 64 KiB, the modal state and one NURBS curve of at most 250,000 control points are all that is

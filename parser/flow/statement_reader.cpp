@@ -1,0 +1,320 @@
+#include "parser/flow/statement_reader.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "parser/errors/flow.hpp"
+#include "parser/errors/macros.hpp"
+#include "parser/errors/subprograms.hpp"
+#include "parser/number.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+using detail::is_blank;
+using detail::is_digit;
+
+constexpr char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+}
+constexpr bool is_letter(char c) {
+  return static_cast<unsigned char>((c | 0x20) - 'a') < 26;
+}
+
+struct Word {
+  std::string_view text;
+  Keyword keyword;
+};
+constexpr std::array<Word, 16> kOWords{{{"sub", Keyword::sub},
+                                        {"endsub", Keyword::endsub},
+                                        {"return", Keyword::return_},
+                                        {"call", Keyword::call},
+                                        {"if", Keyword::if_},
+                                        {"elseif", Keyword::elseif},
+                                        {"else", Keyword::else_},
+                                        {"endif", Keyword::endif},
+                                        {"while", Keyword::while_},
+                                        {"endwhile", Keyword::endwhile},
+                                        {"do", Keyword::do_},
+                                        {"repeat", Keyword::repeat},
+                                        {"endrepeat", Keyword::endrepeat},
+                                        {"break", Keyword::break_},
+                                        {"continue", Keyword::continue_},
+                                        {"", Keyword::program}}};
+
+// Offset behind the label that begins at `at`; `at` where there is none.
+std::size_t behind_label(std::string_view line, std::size_t at) {
+  if (at < line.size() && line[at] == '<') {
+    const std::size_t end = line.find('>', at);
+    return end == std::string_view::npos ? at : end + 1;
+  }
+  if (at < line.size() && line[at] == '[') {
+    return behind_brackets(line, at).value_or(at);
+  }
+  std::size_t end = at;
+  for (std::size_t i = at; i < line.size() && (is_digit(line[i]) || is_blank(line[i])); ++i) {
+    end = is_digit(line[i]) ? i + 1 : end;
+  }
+  return end;
+}
+
+Fault fault_at(std::size_t at, const ErrorPage& page, std::string message) {
+  return {static_cast<std::uint32_t>(at), std::move(message), &page};
+}
+
+void refuse(Statement& statement, Fault& fault, Fault found) {
+  fault = std::move(found);
+  statement.keyword = Keyword::wrong;
+}
+
+// Letters from `at` on, blanks between them left out, as RS274/NGC reads them.
+std::string keyword_text(std::string_view line, std::size_t& at) {
+  constexpr std::size_t kLongest = 24;
+  std::string text;
+  std::size_t end = at;
+  for (std::size_t i = at; i < line.size() && text.size() < kLongest; ++i) {
+    if (is_letter(line[i])) {
+      text += lower(line[i]);
+      end = i + 1;
+    } else if (!is_blank(line[i])) {
+      break;
+    }
+  }
+  at = end;
+  return text;
+}
+
+void read_o_word(std::string_view line, std::size_t at, Dialect dialect, Statement& statement,
+                 Fault& fault) {
+  const std::size_t label = skip_blanks(line, at + 1);
+  const std::size_t label_end = behind_label(line, label);
+  statement.label_at = static_cast<std::uint32_t>(label);
+  if (label_end == label) {
+    refuse(statement, fault,
+           fault_at(at, errors::kNoLabel,
+                    "a number, a <name> or an [expression] is expected after "
+                    "'O'"));
+    return;
+  }
+  statement.computed_label = line[label] == '[';
+  std::size_t end = skip_blanks(line, label_end);
+  statement.keyword_at = static_cast<std::uint32_t>(end);
+  const std::string text = keyword_text(line, end);
+  statement.rest = static_cast<std::uint32_t>(end);
+  const std::string name = shown_label(plain_label(line, statement));
+  const auto* const word = std::find_if(kOWords.begin(), kOWords.end(),
+                                        [&](const Word& known) { return known.text == text; });
+  if (word == kOWords.end()) {
+    refuse(statement, fault,
+           fault_at(statement.keyword_at, errors::kUnknownOWord,
+                    joined({name, ": '", text, "' is not known (sub, call, if, while ...)"})));
+    return;
+  }
+  statement.keyword = word->keyword;
+  const bool program = word->keyword == Keyword::program;
+  if (dialect == Dialect::fanuc && !program) {
+    refuse(statement, fault,
+           fault_at(at, errors::kOWordInFanuc,
+                    joined({name, " ", text,
+                            ": o-words belong to RS274/NGC, not to the Fanuc "
+                            "dialect"})));
+  } else if (statement.computed_label && word->keyword == Keyword::sub) {
+    refuse(statement, fault,
+           fault_at(label, errors::kComputedSub,
+                    "a sub needs a number or a name, not an "
+                    "expression"));
+  } else if (program && (statement.computed_label || !only_comment_left(line, statement.rest))) {
+    refuse(statement, fault,
+           fault_at(statement.rest, errors::kUnknownOWord,
+                    joined({name, ": sub, call, if, while ... is expected, found ",
+                            quoted(line.substr(statement.rest))})));
+  }
+}
+
+// IF [..] GOTO, IF [..] THEN
+void read_if(std::string_view line, std::size_t behind, Statement& statement, Fault& fault) {
+  statement.keyword = Keyword::macro_if;
+  const std::size_t open = skip_blanks(line, behind);
+  statement.rest = static_cast<std::uint32_t>(open);
+  const auto close = open < line.size() && line[open] == '[' ? behind_brackets(line, open)
+                                                             : std::optional<std::size_t>{};
+  if (!close) {
+    refuse(statement, fault,
+           fault_at(open, errors::kNoCondition, "IF: a condition in [ ] is expected"));
+    return;
+  }
+  const std::size_t then = skip_blanks(line, *close);
+  statement.keyword_at = static_cast<std::uint32_t>(then);
+  if (behind_keyword(line, then, "goto") == 0 && behind_keyword(line, then, "then") == 0) {
+    refuse(statement, fault,
+           fault_at(then, errors::kNoThen, "THEN or GOTO is expected after IF [...]"));
+  }
+}
+
+// The number behind DO or END, 1 to 3.
+void read_loop_number(std::string_view line, std::size_t at, std::string_view name,
+                      Statement& statement, Fault& fault) {
+  const std::size_t from = skip_blanks(line, at);
+  std::size_t end = from;
+  std::uint32_t number = 0;
+  for (; end < line.size() && is_digit(line[end]) && number < 1000; ++end) {
+    number = number * 10 + static_cast<std::uint32_t>(line[end] - '0');
+  }
+  statement.label = number;
+  statement.rest = static_cast<std::uint32_t>(end);
+  if (end == from || number < 1 || number > 3) {
+    refuse(statement, fault,
+           fault_at(from, errors::kLoopNumber,
+                    joined({name, ": the loop's number must be 1, 2 or 3, found ",
+                            end == from ? "none" : line.substr(from, end - from)})));
+  } else if (!only_comment_left(line, end)) {
+    refuse(statement, fault,
+           fault_at(end, errors::kTextBehindStatement,
+                    joined({"nothing may follow ", name, ", found ", quoted(line.substr(end))})));
+  }
+}
+
+void read_while(std::string_view line, std::size_t behind, Statement& statement, Fault& fault) {
+  statement.keyword = Keyword::macro_while;
+  const std::size_t open = skip_blanks(line, behind);
+  statement.keyword_at = static_cast<std::uint32_t>(open);
+  const auto close = open < line.size() && line[open] == '[' ? behind_brackets(line, open)
+                                                             : std::optional<std::size_t>{};
+  if (!close) {
+    refuse(statement, fault,
+           fault_at(open, errors::kNoCondition, "WHILE: a condition in [ ] is expected"));
+    return;
+  }
+  const std::size_t at = skip_blanks(line, *close);
+  const std::size_t number = behind_keyword(line, at, "do");
+  if (number == 0) {
+    refuse(statement, fault,
+           fault_at(at, errors::kNoDo,
+                    "DO1, DO2 or DO3 is expected after "
+                    "WHILE [...]"));
+    return;
+  }
+  read_loop_number(line, number, "DO", statement, fault);
+}
+
+bool read_macro(std::string_view line, std::size_t at, Statement& statement, Fault& fault) {
+  if (const std::size_t behind = behind_keyword(line, at, "if"); behind != 0) {
+    read_if(line, behind, statement, fault);
+  } else if (const std::size_t goto_ = behind_keyword(line, at, "goto"); goto_ != 0) {
+    statement.keyword = Keyword::macro_goto;
+    statement.rest = static_cast<std::uint32_t>(goto_);
+    statement.keyword_at = static_cast<std::uint32_t>(at);
+  } else if (const std::size_t while_ = behind_keyword(line, at, "while"); while_ != 0) {
+    read_while(line, while_, statement, fault);
+  } else if (const std::size_t do_ = behind_keyword(line, at, "do"); do_ != 0) {
+    statement.keyword = Keyword::macro_do;
+    read_loop_number(line, do_, "DO", statement, fault);
+  } else if (const std::size_t end = behind_keyword(line, at, "end"); end != 0) {
+    statement.keyword = Keyword::macro_end;
+    read_loop_number(line, end, "END", statement, fault);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::size_t skip_blanks(std::string_view line, std::size_t at) {
+  while (at < line.size() && is_blank(line[at])) {
+    ++at;
+  }
+  return at;
+}
+
+std::size_t behind_keyword(std::string_view line, std::size_t at, std::string_view keyword) {
+  for (const char wanted : keyword) {
+    at = skip_blanks(line, at);
+    if (at >= line.size() || lower(line[at]) != wanted) {
+      return 0;
+    }
+    ++at;
+  }
+  return at;
+}
+
+bool only_comment_left(std::string_view line, std::size_t at) {
+  at = skip_blanks(line, at);
+  while (at < line.size() && line[at] == '(') {
+    const std::size_t close = line.find(')', at);
+    if (close == std::string_view::npos) {
+      return false;
+    }
+    at = skip_blanks(line, close + 1);
+  }
+  return at >= line.size() || line[at] == ';';
+}
+
+std::optional<std::size_t> behind_brackets(std::string_view line, std::size_t at) {
+  std::size_t depth = 0;
+  for (std::size_t i = at; i < line.size(); ++i) {
+    depth += line[i] == '[' ? 1U : 0U;
+    if (line[i] == ']' && --depth == 0) {
+      return i + 1;
+    }
+  }
+  return std::nullopt;
+}
+
+BlockStart find_block_start(std::string_view line) {
+  BlockStart start{skip_blanks(line, 0), std::nullopt};
+  if (start.at < line.size() && line[start.at] == '/') {
+    start.at = skip_blanks(line, start.at + 1);
+    if (start.at < line.size() && line[start.at] >= '1' && line[start.at] <= '9') {
+      start.at = skip_blanks(line, start.at + 1);
+    }
+  }
+  if (start.at >= line.size() || lower(line[start.at]) != 'n') {
+    return start;
+  }
+  std::size_t at = skip_blanks(line, start.at + 1);
+  const std::size_t digits = at;
+  std::uint32_t number = 0;
+  while (at < line.size() && is_digit(line[at]) && at - digits < 9) {
+    number = number * 10 + static_cast<std::uint32_t>(line[at++] - '0');
+  }
+  const bool whole = at > digits && (at >= line.size() || (line[at] != '.' && !is_digit(line[at])));
+  if (whole) {
+    start = {skip_blanks(line, at), number};
+  }
+  return start;
+}
+
+std::string plain_label(std::string_view line, const Statement& statement) {
+  const std::size_t from = statement.label_at;
+  const std::string_view label = line.substr(from, behind_label(line, from) - from);
+  std::string plain;
+  for (const char c : label) {
+    if (!is_blank(c) && !(label[0] == '<' && (c == '<' || c == '>'))) {
+      plain += lower(c);
+    }
+  }
+  if (!label.empty() && is_digit(label[0])) {
+    plain.erase(0, std::min(plain.find_first_not_of('0'), plain.size() - 1));
+  }
+  return plain;
+}
+
+std::string shown_label(std::string_view plain_label) {
+  const bool bare = !plain_label.empty() && (is_digit(plain_label[0]) || plain_label[0] == '[');
+  return bare ? joined({"o", plain_label}) : joined({"o<", plain_label, ">"});
+}
+
+bool read_statement(std::string_view line, std::size_t at, Dialect dialect, Statement& statement,
+                    Fault& fault) {
+  const char first = at < line.size() ? lower(line[at]) : ' ';
+  if (first == 'o' || (first == ':' && dialect == Dialect::fanuc)) {
+    read_o_word(line, at, dialect, statement, fault);
+    return true;
+  }
+  return dialect == Dialect::fanuc && read_macro(line, at, statement, fault);
+}
+
+}  // namespace kerf::parser
