@@ -139,7 +139,8 @@ bool Interpreter::execute() {
   if (block_->g_count > 0) {
     set_units_and_feed_mode();
   }
-  if (block_->has_any(letters('F', 'S', 'T')) && !(set_feed() && set_speed() && select_tool())) {
+  if ((block_->has_any(letters('F', 'S', 'T')) || codes_.has(Group::spindle_mode)) &&
+      !(set_feed() && set_speed() && select_tool())) {
     return false;
   }
   if ((block_->m_count > 0 || block_->has('S')) && !switch_machine()) {

@@ -17,6 +17,7 @@
 #include "parser/move_queue.hpp"
 #include "parser/nurbs_collector.hpp"
 #include "parser/offsets/machine_data.hpp"
+#include "parser/offsets/machine_values.hpp"
 #include "parser/offsets/saved_modes.hpp"
 #include "parser/uniform_collector.hpp"
 
@@ -33,6 +34,8 @@ class Interpreter {
  public:
   Interpreter(const Point& start_mm, DiagnosticList& diagnostics, MachineData machine = {},
               Dialect dialect = Dialect::rs274);
+  Interpreter(const Interpreter&) = delete;
+  Interpreter& operator=(const Interpreter&) = delete;
 
   // `complete` is false where the grammar stopped inside the line.
   void run(const Block& block, std::uint32_t line, bool complete);
@@ -49,6 +52,8 @@ class Interpreter {
   void leave_subprogram();
 
   [[nodiscard]] const ModalState& state() const { return state_; }
+  // Parameters that show the interpreter's state; good as long as it is.
+  [[nodiscard]] PredefinedValues& values() { return values_; }
   [[nodiscard]] MoveQueue& moves() { return moves_; }
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   // Ends the program as M2 does.
@@ -174,6 +179,7 @@ class Interpreter {
   Fault fault_;
   std::uint32_t line_ = 0;
   std::uint16_t file_ = 0;
+  MachineValues values_{{&state_, &machine_, &line_, &saved_modes_}};
   std::uint32_t reported_line_ = 0;  // one error per block
   bool no_feed_reported_ = false;
   bool stopped_spindle_reported_ = false;

@@ -50,6 +50,8 @@ struct ModalState {
   Point position_mm{};  // of the machine's axes, what the moves carry
   Coordinates coordinates;
   Point stored_local_mm{};  // of G52 or G92, for G92.3
+  bool local_active = false;
+  bool tool_length_active = false;  // G43, not G49
   Motion motion = Motion::none;
   Plane plane = Plane::xy;
   Units units = Units::mm;

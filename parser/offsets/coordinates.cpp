@@ -33,13 +33,20 @@ Turn turn_from_degrees(double degrees) {
 }
 
 void Coordinates::select(std::size_t system) {
+  if (system == system_) {
+    return;
+  }
   system_ = system;
+  chosen_ = work_[system];
   refresh();
 }
 
 void Coordinates::set_work(std::size_t system, const WorkOffset& offset) {
   work_[system] = offset;
-  refresh();
+  if (system == system_) {
+    chosen_ = offset;
+    refresh();
+  }
 }
 
 void Coordinates::set_local(const Point& local_mm) {
@@ -53,11 +60,10 @@ void Coordinates::set_tool(const Point& tool_mm) {
 }
 
 void Coordinates::refresh() {
-  const WorkOffset& work = work_[system_];
-  const Turn turn = turn_from_degrees(work.rotation_deg);
+  const Turn turn = turn_from_degrees(chosen_.rotation_deg);
   cosine_ = turn.cosine;
   sine_ = turn.sine;
-  shift_mm_ = sum(sum(turned_by(turn, local_mm_), work.origin_mm), tool_mm_);
+  shift_mm_ = sum(sum(turned_by(turn, local_mm_), chosen_.origin_mm), tool_mm_);
   plain_ = !turned() && shift_mm_ == Point{};
 }
 
@@ -74,7 +80,7 @@ Point Coordinates::turned_to_machine(const Point& distance_mm) const {
 }
 
 Point Coordinates::local_for(const Point& machine_mm, const Point& program_mm) const {
-  const Point fixed = sum(work_[system_].origin_mm, tool_mm_);
+  const Point fixed = sum(chosen_.origin_mm, tool_mm_);
   return difference(turned_by({cosine_, -sine_}, difference(machine_mm, fixed)), program_mm);
 }
 

@@ -28,11 +28,13 @@ class Coordinates {
   [[nodiscard]] bool turned() const { return sine_ != 0.0 || cosine_ != 1.0; }
 
   [[nodiscard]] std::size_t system() const { return system_; }
-  // Preconditions of the three: system < kSystems.
+  // Precondition of these four: system < kSystems. The one in force is not read anew.
   void select(std::size_t system);
   [[nodiscard]] const WorkOffset& work(std::size_t system) const { return work_[system]; }
   // A change of the chosen system takes effect at once.
   void set_work(std::size_t system, const WorkOffset& offset);
+  // Takes effect when the system is chosen the next time.
+  void store_work(std::size_t system, const WorkOffset& offset) { work_[system] = offset; }
 
   [[nodiscard]] const Point& local_mm() const { return local_mm_; }
   void set_local(const Point& local_mm);
@@ -53,6 +55,7 @@ class Coordinates {
 
   std::array<WorkOffset, kSystems> work_{};
   std::size_t system_ = 0;
+  WorkOffset chosen_{};
   Point local_mm_{};
   Point tool_mm_{};
 

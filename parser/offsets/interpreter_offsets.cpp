@@ -131,6 +131,7 @@ bool Interpreter::set_local_offset() {
   }
   state_.coordinates.set_local(local);
   state_.stored_local_mm = local;
+  state_.local_active = true;
   return true;
 }
 
@@ -143,6 +144,7 @@ void Interpreter::change_local_offset() {
   if (code == 921) {
     state_.stored_local_mm = {};
   }
+  state_.local_active = code == 923;
   state_.coordinates.set_local(code == 923 ? state_.stored_local_mm : Point{});
 }
 
@@ -151,6 +153,7 @@ bool Interpreter::set_length_offset() {
   if (code == kNoCode) {
     return true;
   }
+  state_.tool_length_active = code != 490;
   if (code == 490) {
     state_.coordinates.set_tool({});
     return true;

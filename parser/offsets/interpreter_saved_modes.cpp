@@ -26,6 +26,7 @@ void restore_modes(const SavedModes& saved, ModalState& state) {
   state.overrides = from.overrides;
   state.coordinates.select(from.coordinates.system());
   state.coordinates.set_tool(from.coordinates.tool_mm());
+  state.tool_length_active = from.tool_length_active;
 }
 
 bool Interpreter::keep_modes() {

@@ -1,0 +1,154 @@
+#include "parser/offsets/machine_values.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+constexpr int kProbe = 5061;
+constexpr int kProbeSuccess = 5070;
+constexpr int kFirstHome = 5161;
+constexpr int kSecondHome = 5181;
+constexpr int kLocalActive = 5210;
+constexpr int kLocal = 5211;
+constexpr int kSystem = 5220;
+constexpr int kWork = 5221;
+constexpr int kWorkEnd = kWork + 20 * static_cast<int>(Coordinates::kSystems - 1) + 10;
+constexpr int kInput = 5399;
+constexpr int kTool = 5400;
+constexpr int kToolEnd = 5414;
+constexpr int kPosition = 5420;
+constexpr int kAxes = 9;  // X Y Z A B C U V W
+
+// The axis of parameter `number` in the nine that begin at `first`; kAxes where it is not in them.
+int axis_in(int number, int first) {
+  return number >= first && number < first + kAxes ? number - first : kAxes;
+}
+
+// Axes that a mill does not have are at 0.
+double coordinate(const Point& point, int axis) {
+  return axis < 3 ? point[static_cast<std::size_t>(axis)] : 0.0;
+}
+
+double* coordinate_of(Point& point, int axis) {
+  return axis < 3 ? &point[static_cast<std::size_t>(axis)] : nullptr;
+}
+
+// Which number of which system: 20 to a system, X to W and then R.
+struct WorkNumber {
+  std::size_t system;
+  int axis;
+};
+WorkNumber work_number(int number) {
+  return {static_cast<std::size_t>((number - kWork) / 20), (number - kWork) % 20};
+}
+
+constexpr int kRotation = 9;
+
+}  // namespace
+
+std::optional<double> MachineValues::number(int number) const {
+  const ModalState& state = *from_.state;
+  const double unit = mm_per_unit(state.units);
+  if (const int axis = axis_in(number, kProbe); axis < kAxes) {
+    return coordinate(state.probe.position_mm, axis) / unit;
+  }
+  if (const int axis = axis_in(number, kFirstHome); axis < kAxes) {
+    return coordinate(from_.machine->first_home_mm, axis);
+  }
+  if (const int axis = axis_in(number, kSecondHome); axis < kAxes) {
+    return coordinate(from_.machine->second_home_mm, axis);
+  }
+  if (const int axis = axis_in(number, kLocal); axis < kAxes) {
+    return coordinate(state.stored_local_mm, axis);
+  }
+  if (const int axis = axis_in(number, kPosition); axis < kAxes) {
+    return coordinate(state.coordinates.to_program(state.position_mm), axis) / unit;
+  }
+  if (number >= kTool && number < kToolEnd) {
+    return tool_value(number);
+  }
+  if (number >= kWork && number < kWorkEnd) {
+    return work_value(number);
+  }
+  switch (number) {
+    case kProbeSuccess:
+      return state.probe.touched ? 1.0 : 0.0;
+    case kLocalActive:
+      return state.local_active ? 1.0 : 0.0;
+    case kSystem:
+      return static_cast<double>(state.coordinates.system() + 1);
+    case kInput:
+      return state.input;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<double> MachineValues::tool_value(int number) const {
+  const Tool* const listed = from_.machine->tools.find(from_.state->loaded_tool);
+  const Tool tool = listed != nullptr ? *listed : Tool{};
+  switch (number - kTool) {
+    case 0:
+      return static_cast<double>(from_.state->loaded_tool);
+    case 10:
+      return tool.diameter_mm;
+    case 11:
+      return tool.front_angle_deg;
+    case 12:
+      return tool.back_angle_deg;
+    case 13:
+      return static_cast<double>(tool.orientation);
+    default:
+      return coordinate(tool.offset_mm, number - kTool - 1);
+  }
+}
+
+std::optional<double> MachineValues::work_value(int number) const {
+  const WorkNumber which = work_number(number);
+  const WorkOffset& offset = from_.state->coordinates.work(which.system);
+  if (which.axis > kRotation) {
+    return std::nullopt;
+  }
+  return which.axis == kRotation ? offset.rotation_deg : coordinate(offset.origin_mm, which.axis);
+}
+
+bool MachineValues::take(int number, double value) {
+  ModalState& state = *from_.state;
+  const auto take_axis = [value](Point& point, int axis) {
+    double* const place = coordinate_of(point, axis);
+    if (place != nullptr) {
+      *place = value;
+    }
+    return place != nullptr;
+  };
+  if (const int axis = axis_in(number, kFirstHome); axis < kAxes) {
+    return take_axis(from_.machine->first_home_mm, axis);
+  }
+  if (const int axis = axis_in(number, kSecondHome); axis < kAxes) {
+    return take_axis(from_.machine->second_home_mm, axis);
+  }
+  if (const int axis = axis_in(number, kLocal); axis < kAxes) {
+    return take_axis(state.stored_local_mm, axis);
+  }
+  if (const int axis = axis_in(number, kProbe); axis < kAxes) {
+    return take_axis(state.probe.position_mm, axis);
+  }
+  if (number == kInput) {
+    state.input = value;
+    return true;
+  }
+  if (number < kWork || number >= kWorkEnd) {
+    return false;
+  }
+  const WorkNumber which = work_number(number);
+  WorkOffset offset = state.coordinates.work(which.system);
+  if (which.axis == kRotation) {
+    offset.rotation_deg = value;
+  } else if (!take_axis(offset.origin_mm, which.axis)) {
+    return false;
+  }
+  state.coordinates.store_work(which.system, offset);
+  return true;
+}
+
+}  // namespace kerf::parser

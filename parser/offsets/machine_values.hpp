@@ -1,0 +1,48 @@
+// The parameters #5061 to #5599 and #<_x> and its like that the machine's state gives.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "parser/expressions/predefined_values.hpp"
+#include "parser/modal_state.hpp"
+#include "parser/offsets/machine_data.hpp"
+#include "parser/offsets/saved_modes.hpp"
+
+namespace kerf::parser {
+
+// As LinuxCNC documents them. In the machine's unit, mm, whatever the program's: #5161 to #5169
+// (G28), #5181 to #5189 (G30), #5211 to #5219 (G52, G92), #5221 to #5390 (work offsets, ten
+// numbers each behind #5220, the number of the one in force, R in degrees), #5401 to #5413 (tool
+// in the spindle). In the program's units: #5061 to #5069 (G38), #5420 to #5428 (position).
+// #5399 is what M66 read.
+//
+// Writing an offset in force takes effect when it is chosen anew, writing #5211 to #5219 at the
+// next G92.3. #5400 to #5413 and #5420 to #5428 cannot be written.
+class MachineValues final : public PredefinedValues {
+ public:
+  // What the interpreter keeps; all must outlive this object.
+  struct Sources {
+    ModalState* state;
+    MachineData* machine;
+    const std::uint32_t* line;
+    const std::vector<std::optional<SavedModes>>* calls;  // one, and one for each open call
+  };
+  explicit MachineValues(const Sources& sources) : from_(sources) {}
+
+  [[nodiscard]] std::optional<double> number(int number) const override;
+  [[nodiscard]] std::optional<double> name(std::string_view name) const override;
+  bool take(int number, double value) override;
+
+ private:
+  [[nodiscard]] std::optional<double> tool_value(int number) const;
+  [[nodiscard]] std::optional<double> work_value(int number) const;
+  [[nodiscard]] std::optional<double> special(std::string_view name) const;
+  [[nodiscard]] std::optional<double> place(std::string_view name) const;
+
+  Sources from_;
+};
+
+}  // namespace kerf::parser
