@@ -1,0 +1,103 @@
+// Cutter radius compensation: programmed moves in, the moves of the tool's centre out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <string>
+
+#include "parser/compensation/held_move.hpp"
+#include "parser/compensation/path_sender.hpp"
+#include "parser/diagnostic_list.hpp"
+
+namespace kerf::parser {
+
+enum class CutterSide : std::uint8_t { left, right };  // of the contour, seen along its travel
+
+struct CompensationStart {
+  CutterSide side = CutterSide::left;
+  double radius_mm = 0.0;   // >= 0
+  Plane plane = Plane::xy;  // xy or zx
+  // Of a turning tool's tip in the plane zx, 0 to 9 as in LinuxCNC's tool table: where the
+  // controlled point lies from the centre of the tip's circle. 0 and 9, and every mill: there.
+  int orientation = 0;
+};
+
+// Between start() and the first move after stop() every move goes through take(), in the order of
+// the program and in machine coordinates; ready() holds what the machine is to do instead.
+//
+// The first move in the plane is the entry, a line to the point beside its programmed end; the
+// first line after stop() is the exit, straight to its programmed end. Between them the centre
+// keeps the radius from the contour: about outside corners on an arc of that radius, which has the
+// source and the feedrate of the move behind the corner; from inside corners it stays away. Lines
+// along the plane's normal, dwells and events stay where the program has them.
+//
+// A move is held until the corner at its end is known and kWindow further moves in the plane are,
+// so that the tool's way past one is compared with the contour of all of them: what it would cut
+// into is an error before it moves. Moves at another depth (no common range along the normal) and
+// rapids have no contour to keep away from, and a rapid ends what is compared.
+//
+// Errors go to the list with the source of the move to blame. After one the corner or the move is
+// left out, and what follows is still checked.
+class CutterCompensation {
+ public:
+  static constexpr std::size_t kWindow = 8;
+  static constexpr std::size_t kMostHeld = 1000;  // moves, those without motion in the plane too
+
+  explicit CutterCompensation(DiagnosticList& diagnostics) : diagnostics_(&diagnostics) {}
+
+  // Precondition: not on().
+  void start(const CompensationStart& start);
+  void stop();
+  // Says that the program ends here: sends all that is held and is off.
+  void finish(SourcePosition source);
+
+  // From start() to stop().
+  [[nodiscard]] bool on() const { return on_; }
+  // The next line is the exit, even if its programmed length is 0.
+  [[nodiscard]] bool leaving() const { return leaving_; }
+  // Moves must go through take().
+  [[nodiscard]] bool busy() const { return on_ || leaving_; }
+
+  void take(const Move& move);
+  [[nodiscard]] MoveQueue& ready() { return sender_.sent(); }
+
+ private:
+  void take_entry(const Move& move);
+  void take_contour(const Move& move);
+  void take_exit(const Move& move);
+  void hold_idle(const Move& move);
+  HeldMove& hold(const Move& move, HeldRole role);
+  [[nodiscard]] HeldMove* last_curve();
+  void join(HeldMove& first, HeldMove& second);
+  void join_inside(HeldMove& first, HeldMove& second, const Corner& corner);
+  bool has_room(HeldMove& held);
+  void settle(HeldMove& mover);
+  void settle_last();
+  void settle_behind(HeldMove& contour);
+  void report_cut(HeldMove& mover, HeldMove& contour, double depth_mm);
+  void send_surplus();
+  void send_all();
+  void error(HeldMove& held, const ErrorPage& page, std::string message);
+
+  [[nodiscard]] planar::Curve curve_of(const Move& move) const;
+  [[nodiscard]] bool moves_in_plane(const Move& move) const;
+  [[nodiscard]] double left_mm() const {
+    return start_.side == CutterSide::left ? start_.radius_mm : -start_.radius_mm;
+  }
+
+  DiagnosticList* diagnostics_;
+  PathSender sender_;
+  CompensationStart start_;
+  bool on_ = false;
+  bool leaving_ = false;
+  bool displaced_ = false;  // started right after a G40: the tool was still beside a contour
+  bool placed_ = false;     // the sender knows where the machine is
+  bool entered_ = false;    // the entry was taken
+  std::deque<HeldMove> held_;
+  std::size_t curves_ = 0;  // in held_, without the idle ones
+  std::uint64_t number_ = 0;
+  std::uint32_t run_ = 1;
+};
+
+}  // namespace kerf::parser

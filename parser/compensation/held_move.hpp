@@ -1,0 +1,33 @@
+// A move that cutter compensation holds until it knows what follows.
+#pragma once
+
+#include <cstdint>
+
+#include "parser/compensation/corner.hpp"
+#include "parser/move.hpp"
+
+namespace kerf::parser {
+
+// What a move is to the contour. Idle ones do not move in the plane.
+enum class HeldRole : std::uint8_t { idle, entry, contour, exit };
+
+struct HeldMove {
+  Move move;  // as programmed
+  HeldRole role = HeldRole::idle;
+  OffsetCurve curve;  // both without regard to corners
+  planar::Curve way;  // of the tool's centre: curve.path with its ends where the corners put them
+  // The tool first rolls about the corner at the start, along `corner`. An entry has the corner at
+  // its end here, to be compared with the contour and not to be sent.
+  bool has_corner = false;
+  bool corner_is_of_entry = false;  // is sent and not compared
+  planar::Curve corner;
+  double lost_at_start_mm = 0.0;  // of curve.path, to inside corners
+  double lost_at_end_mm = 0.0;
+  bool faulty = false;       // has been reported
+  std::uint64_t number = 0;  // counts curves
+  std::uint32_t run = 0;     // only moves of the same run can cut into each other; 0: of none
+  double low_mm = 0.0;       // along the plane's normal
+  double high_mm = 0.0;
+};
+
+}  // namespace kerf::parser

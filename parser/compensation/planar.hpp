@@ -1,0 +1,82 @@
+// Lines and arcs in the plane of cutter compensation: offsets, meeting points and distances.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+namespace kerf::parser::planar {
+
+// A point or a direction, along the plane's first and second axis.
+struct Vec {
+  double x = 0.0;
+  double y = 0.0;
+
+  friend constexpr Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y}; }
+  friend constexpr Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
+  friend constexpr Vec operator*(double k, Vec a) { return {k * a.x, k * a.y}; }
+  friend constexpr bool operator==(Vec a, Vec b) { return a.x == b.x && a.y == b.y; }
+};
+
+constexpr double dot(Vec a, Vec b) {
+  return a.x * b.x + a.y * b.y;
+}
+constexpr double cross(Vec a, Vec b) {
+  return a.x * b.y - a.y * b.x;
+}
+constexpr Vec left_of(Vec direction) {
+  return {-direction.y, direction.x};
+}
+inline double length(Vec a) {
+  return std::hypot(a.x, a.y);
+}
+inline double angle_rad(Vec a) {
+  return std::atan2(a.y, a.x);
+}
+
+// A line, or an arc about `centre_mm`. The radii at an arc's ends may differ by what the control
+// tolerates; neither is 0. A line is longer than 0 unless both its ends were cut back to one point.
+struct Curve {
+  Vec start_mm;
+  Vec end_mm;
+  Vec centre_mm;           // of an arc
+  double sweep_rad = 0.0;  // counterclockwise positive, whole turns included; 0: a line
+
+  [[nodiscard]] bool is_arc() const { return sweep_rad != 0.0; }
+  [[nodiscard]] double start_radius_mm() const { return length(start_mm - centre_mm); }
+  [[nodiscard]] double end_radius_mm() const { return length(end_mm - centre_mm); }
+};
+
+// From the first to the second, less than a turn: counterclockwise in [0, 2 pi), clockwise in
+// (-2 pi, 0].
+double turn_rad(Vec from, Vec to, bool clockwise);
+
+Vec start_direction(const Curve& curve);  // unit length, the way of travel
+Vec end_direction(const Curve& curve);
+double length_mm(const Curve& curve);  // of an arc with the mean of its radii
+
+// The curve moved `left_mm` to the left of its travel (negative: right). Nothing where that is at
+// or beyond an arc's centre.
+std::optional<Curve> offset(const Curve& curve, double left_mm);
+
+// Where the curves meet if each is carried on beyond its ends; an arc with two radii has the one
+// next to the joint, which is the first's end and the second's start.
+struct Crossings {
+  std::array<Vec, 2> points_mm;
+  std::size_t count = 0;
+};
+Crossings crossings(const Curve& first, const Curve& second);
+
+// How far along the curve the point, which lies on it or its continuation, is behind its start or
+// before its end; negative if outside a line.
+double ahead_of_start_mm(const Curve& curve, Vec point_mm);
+double before_end_mm(const Curve& curve, Vec point_mm);
+
+// The smallest distance between two curves, 0 where they cross.
+double distance_mm(const Curve& a, const Curve& b);
+
+// Whether the curves are certainly farther apart than that, told at little cost.
+bool far_apart(const Curve& a, const Curve& b, double distance_mm);
+
+}  // namespace kerf::parser::planar
