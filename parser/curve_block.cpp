@@ -35,6 +35,16 @@ Point resolved_with_offsets(const CurveBlock& at, const Point& from_mm) {
   return point;
 }
 
+// In a turned coordinate system the word to blame may be that of the other axis.
+Fault out_of_range(const Block& block, char letter) {
+  const Word& word =
+      block.has(letter) ? block.word(letter) : *leftmost(block, letters('X', 'Y', 'Z'));
+  return {word.offset,
+          joined({upper(block.text(word).substr(0, 1)), ": ", upper(block.text(word).substr(1, 40)),
+                  " leads outside -999999.999..999999.999 mm"}),
+          &errors::kPositionOutOfRange};
+}
+
 }  // namespace
 
 bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point, Fault& fault) {
@@ -43,7 +53,8 @@ bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point, Fau
   const double unit = mm_per_unit(at.state.units);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const char letter = axis_letter(axis);
-    if (!at.block.has(letter)) {
+    const bool named = at.block.has(letter);
+    if (plain && !named) {
       continue;
     }
     if (plain) {
@@ -51,11 +62,7 @@ bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point, Fau
       point[axis] = at.state.incremental ? from_mm[axis] + value : value;
     }
     if (!(std::fabs(point[axis]) <= kLargestCoordinate_mm)) {
-      const Word& word = at.block.word(letter);
-      fault = {word.offset,
-               joined({named(letter), ": ", upper(at.block.text(word).substr(1, 40)),
-                       " leads outside -999999.999..999999.999 mm"}),
-               &errors::kPositionOutOfRange};
+      fault = out_of_range(at.block, letter);
       return false;
     }
   }
