@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 
 #include "parser/program_reader.hpp"
@@ -58,27 +59,53 @@ void check(const Move& move) {
   }
 }
 
+ReaderOptions options_of(std::uint8_t bits) {
+  ReaderOptions options;
+  options.block_delete = (bits & 1) != 0;
+  options.dialect = (bits & 2) != 0 ? Dialect::fanuc : Dialect::rs274;
+  options.machine = default_machine_data();
+  options.max_idle_steps = 2000;
+  options.subprograms = [](std::string_view name) -> std::optional<SubprogramText> {
+    if (name != "ring") {
+      return std::nullopt;
+    }
+    return SubprogramText{"ring.ngc", "o<ring> sub\nG91 G1 X#1 F100\nG90\no<ring> endsub [#1+1]\n"};
+  };
+  return options;
+}
+
+// A program may move for ever; this many moves are looked at.
+constexpr int kMoves = 3000;
+
+// False where there were too many moves.
+bool fetch(ProgramReader& reader, int& moves) {
+  Move move;
+  while (moves < kMoves && reader.next(move)) {
+    check(move);
+    ++moves;
+  }
+  return moves < kMoves;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size < 1) {
+  if (size < 2) {
     return 0;
   }
   const std::size_t piece = 1 + data[0];
-  const std::string_view text(reinterpret_cast<const char*>(data) + 1, size - 1);
-  ReaderOptions options;
-  options.block_delete = data[0] % 2 == 0;
-  ProgramReader reader(options);
-  Move move;
+  const std::string_view text(reinterpret_cast<const char*>(data) + 2, size - 2);
+  ProgramReader reader(options_of(data[1]));
+  int moves = 0;
   for (std::size_t at = 0; at < text.size(); at += piece) {
     reader.feed(text.substr(at, piece));
-    while (reader.next(move)) {
-      check(move);
+    if (!fetch(reader, moves)) {
+      return 0;
     }
   }
   reader.finish();
-  while (reader.next(move)) {
-    check(move);
+  if (!fetch(reader, moves)) {
+    return 0;
   }
   require(reader.at_end());
   for (const Diagnostic& diagnostic : reader.diagnostics()) {
