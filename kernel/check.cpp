@@ -4,6 +4,7 @@
 
 #include "lookahead/block_builder.hpp"
 #include "machine/envelope.hpp"
+#include "parser/errors/machine.hpp"
 #include "parser/program_reader.hpp"
 
 namespace kerf {
@@ -26,8 +27,9 @@ class Checker {
   void look_at(const parser::Move& move, bool after_error, CheckReport& report) {
     curves_.clear();
     if (const auto built = lookahead::append_curves(move, curves_); !built) {
-      report.diagnostics.push_back(
-          {.source = {.line = built.error().line, .column = 1}, .message = built.error().message});
+      report.diagnostics.emplace_back(
+          parser::SourcePosition{.line = built.error().line, .column = 1},
+          parser::errors::kCurveRefused, built.error().message);
       return;
     }
     if (after_error || report.has_errors()) {
@@ -48,7 +50,8 @@ class Checker {
     const bool named =
         !report.limit_faults.empty() && report.limit_faults.back().source.line == source.line;
     if (excess && !named && report.limit_faults.size() < kMaxLimitFaults) {
-      report.limit_faults.push_back({.source = source, .message = machine::describe(*excess)});
+      report.limit_faults.emplace_back(source, parser::errors::kOutsideTravel,
+                                       machine::describe(*excess));
     }
   }
 

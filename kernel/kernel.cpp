@@ -6,6 +6,7 @@
 
 #include "lookahead/block_builder.hpp"
 #include "machine/envelope.hpp"
+#include "parser/errors/machine.hpp"
 #include "parser/program_reader.hpp"
 
 namespace kerf {
@@ -140,12 +141,13 @@ class Kernel::Impl {
 
   void push_blocks(const Move& move) {
     if (const char* what = lookahead::unbounded(limits_); what != nullptr) {
-      fail({line_, std::string("the machine has no limit of ") + what});
+      fail({line_, std::string("the machine has no limit of ") + what},
+           parser::errors::kMachineWithoutLimit);
       return;
     }
     blocks_.clear();
     if (const auto built = lookahead::append_blocks(move, limits_, blocks_); !built) {
-      fail(built.error());
+      fail(built.error(), parser::errors::kCurveRefused);
       return;
     }
     if (checks_travel_ && leaves_travel()) {
@@ -160,18 +162,18 @@ class Kernel::Impl {
     for (const lookahead::Block& block : blocks_) {
       if (const auto excess = machine::outside_travel(envelope_, curves::extents(block.curve))) {
         left_travel_ = true;
-        fail({line_, machine::describe(*excess)});
+        fail({line_, machine::describe(*excess)}, parser::errors::kOutsideTravel);
         return true;
       }
     }
     return false;
   }
 
-  void fail(const lookahead::PlanError& error) {
+  void fail(const lookahead::PlanError& error, const parser::ErrorPage& page) {
     plan_failed_ = true;
     all_diagnostics_ = reader_.diagnostics();
-    all_diagnostics_.push_back(
-        {.source = {.line = error.line, .column = 1}, .message = error.message});
+    all_diagnostics_.emplace_back(parser::SourcePosition{.line = error.line, .column = 1}, page,
+                                  error.message);
     end_program();
   }
 

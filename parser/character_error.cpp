@@ -6,6 +6,7 @@
 #include "parser/errors/characters.hpp"
 #include "parser/errors/words.hpp"
 #include "parser/text.hpp"
+#include "parser/utf8.hpp"
 
 namespace kerf::parser {
 
@@ -17,29 +18,8 @@ std::string hex(unsigned value, int digits) {
 
 namespace {
 
-// The code point of the UTF-8 sequence at the start of `bytes`, or 0 where there is none.
-unsigned code_point(std::string_view bytes, std::size_t& length) {
-  const auto byte = [&](std::size_t i) {
-    return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U;
-  };
-  const unsigned lead = byte(0);
-  length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || bytes.size() < length) {
-    return 0;
-  }
-  unsigned value = lead & (0xFFU >> (length + 1));
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) {
-      return 0;
-    }
-    value = value << 6U | (byte(i) & 0x3FU);
-  }
-  return value;
-}
-
 Fault explain_non_ascii(std::string_view rest, std::uint32_t offset) {
-  std::size_t length = 0;
-  const unsigned code = code_point(rest, length);
+  const auto [code, length] = utf8_at(rest);
   if (code == 0) {
     return {offset,
             joined({"byte 0x", hex(static_cast<unsigned char>(rest[0]), 2),

@@ -16,32 +16,15 @@ class DiagnosticList {
  public:
   explicit DiagnosticList(std::size_t max_errors) : max_errors_(max_errors) {}
 
-  void error(SourcePosition source, std::string message, const ErrorPage* page = nullptr) {
-    if (!full()) {
-      ++errors_;
-      add(Severity::error, source, std::move(message), page);
-    }
-  }
+  // An error or a warning, as its page says. Each kind has a limit; the last warning says that
+  // there are more.
+  void add(SourcePosition source, const ErrorPage& page, std::string message);
 
-  // Warnings have a limit of their own; the last one says that there are more.
-  void warning(SourcePosition source, std::string message, const ErrorPage* page = nullptr) {
-    constexpr std::size_t kMaxWarnings = 100;
-    if (warnings_ > kMaxWarnings) {
-      return;
-    }
-    if (warnings_++ == kMaxWarnings) {
-      message = "more than 100 warnings: the rest is not shown";
-    }
-    add(Severity::warning, source, std::move(message), page);
-  }
-
-  // An error or a warning, as its page says.
-  void add(SourcePosition source, const ErrorPage& page, std::string message) {
-    if (page.severity == Severity::error) {
-      error(source, std::move(message), &page);
-    } else {
-      warning(source, std::move(message), &page);
-    }
+  // The line that is being read: its text goes with what is said about it. `text` must be good
+  // until the next call.
+  void at_line(std::uint32_t number, std::string_view text) {
+    line_ = number;
+    text_ = text;
   }
 
   // What follows is about a subprogram's file, or with index 0 about the program again.
@@ -56,10 +39,7 @@ class DiagnosticList {
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return list_; }
 
  private:
-  void add(Severity severity, SourcePosition source, std::string message, const ErrorPage* page) {
-    source.file = file_;
-    list_.push_back({severity, source, std::move(message), page, std::string(file_name_)});
-  }
+  void keep(SourcePosition source, const ErrorPage& page, std::string message);
 
   std::vector<Diagnostic> list_;
   std::size_t errors_ = 0;
@@ -67,6 +47,8 @@ class DiagnosticList {
   std::size_t max_errors_;
   std::uint16_t file_ = 0;
   std::string_view file_name_;
+  std::uint32_t line_ = 0;
+  std::string_view text_;
 };
 
 }  // namespace kerf::parser

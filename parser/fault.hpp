@@ -3,15 +3,21 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 
 #include "parser/errors/error_page.hpp"
 
 namespace kerf::parser {
 
+// Whoever says that something is wrong says why: without a page there is no fault.
 struct Fault {
+  Fault() = default;  // nothing is wrong
+  Fault(std::uint32_t offset_in_line, std::string what, const ErrorPage* why)
+      : offset(offset_in_line), message(std::move(what)), page(why) {}
+
   std::uint32_t offset = 0;  // bytes from the start of the line
   std::string message;
-  const ErrorPage* page = nullptr;
+  const ErrorPage* page = nullptr;  // nothing is wrong: null
 };
 
 }  // namespace kerf::parser

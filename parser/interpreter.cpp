@@ -48,11 +48,6 @@ Interpreter::Interpreter(const Point& start_mm, DiagnosticList& diagnostics, Mac
   }
 }
 
-bool Interpreter::fail(std::uint32_t offset, std::string message) {
-  fault_ = {offset, std::move(message)};
-  return false;
-}
-
 bool Interpreter::fail(std::uint32_t offset, const ErrorPage& page, std::string message) {
   fault_ = {offset, std::move(message), &page};
   return false;
@@ -60,17 +55,13 @@ bool Interpreter::fail(std::uint32_t offset, const ErrorPage& page, std::string 
 
 void Interpreter::report(const Fault& fault) {
   if (reported_line_ != line_) {
-    diagnostics_->error({line_, fault.offset + 1}, fault.message, fault.page);
+    diagnostics_->add({line_, fault.offset + 1}, *fault.page, fault.message);
     reported_line_ = line_;
   }
 }
 
-void Interpreter::warn(std::uint32_t offset, std::string message) {
-  diagnostics_->warning({line_, offset + 1}, std::move(message));
-}
-
 void Interpreter::warn(std::uint32_t offset, const ErrorPage& page, std::string message) {
-  diagnostics_->warning({line_, offset + 1}, std::move(message), &page);
+  diagnostics_->add({line_, offset + 1}, page, std::move(message));
 }
 
 Move& Interpreter::push_move() {
@@ -94,7 +85,7 @@ void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
       return;
     }
   }
-  if (sorted && !complete) {
+  if (!complete && (sorted || block.stop == Stop::too_many_g)) {
     fault_ = explain_stop(block);
   }
   if (sorted && complete && execute()) {

@@ -70,10 +70,8 @@ class Interpreter {
   void warn_idle_offset_numbers(Letters unused);
   void recover();
   void recover_code(double g);
-  bool fail(std::uint32_t offset, std::string message);
   bool fail(std::uint32_t offset, const ErrorPage& page, std::string message);
   void report(const Fault& fault);
-  void warn(std::uint32_t offset, std::string message);
   void warn(std::uint32_t offset, const ErrorPage& page, std::string message);
   Move& push_move();
 

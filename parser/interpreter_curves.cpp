@@ -110,15 +110,13 @@ bool Interpreter::continue_curve() {
 // Hands the curve on, as far as it has any extent; the tool is then at its last control point.
 bool Interpreter::deliver_curve(NurbsMove curve, std::string_view name) {
   if (is_a_point(curve)) {
-    diagnostics_->warning({curve.point_lines.back(), 1},
-                          joined({name, ": the curve has zero length and is left out"}),
-                          &errors::kCurveIsAPoint);
+    diagnostics_->add({curve.point_lines.back(), 1}, errors::kCurveIsAPoint,
+                      joined({name, ": the curve has zero length and is left out"}));
     return true;
   }
   if (weight_ratio(curve) > kLargestWeightRatio) {
-    diagnostics_->warning({curve.point_lines.back(), 1},
-                          joined({name, ": the weights differ by more than a factor of 1e6"}),
-                          &errors::kWeightsFarApart);
+    diagnostics_->add({curve.point_lines.back(), 1}, errors::kWeightsFarApart,
+                      joined({name, ": the weights differ by more than a factor of 1e6"}));
   }
   const Point end = curve.points.back().position_mm;
   Move& move = push_move();

@@ -77,43 +77,41 @@ Fault explain_missing_number(const Block& block, std::size_t letter_at) {
   const std::string letter = upper(line.substr(letter_at, 1));
   const std::string expected =
       joined({"a number is expected after address '", letter, "', found "});
-  const Fault here{static_cast<std::uint32_t>(letter_at), {}};
-  const Fault there{static_cast<std::uint32_t>(at), {}};
+  const auto here = static_cast<std::uint32_t>(letter_at);
+  const auto there = static_cast<std::uint32_t>(at);
   if (rest.empty()) {
-    return {here.offset, expected + "the end of the line", &errors::kNumberExpected};
+    return {here, expected + "the end of the line", &errors::kNumberExpected};
   }
   if (rest[0] == '(' || rest[0] == ';') {
-    return {there.offset, expected + "a comment (expressions stand in [ ])",
-            &errors::kNumberExpected};
+    return {there, expected + "a comment (expressions stand in [ ])", &errors::kNumberExpected};
   }
   if (letter == "O" && rest[0] == '<') {
-    return {here.offset, "O: subprograms and o-words are not supported yet",
+    return {here, "O: subprograms and o-words are not supported yet",
             &errors::kProgramNumberNotFirst};
   }
   const bool sign = rest[0] == '-' || rest[0] == '+';
   if (const auto name = letters_at(rest.substr(sign ? 1 : 0)); sign && name.size() > 1) {
-    return {there.offset, joined({expected, quoted(rest.substr(0, name.size() + 1))}),
+    return {there, joined({expected, quoted(rest.substr(0, name.size() + 1))}),
             &errors::kNumberExpected};
   }
   if (const std::string malformed = explain_malformed_number(rest); !malformed.empty()) {
     if (letter == "N" && rest[0] == '-') {
-      return {there.offset, "N: the line number must not be negative",
-              &errors::kNegativeLineNumber};
+      return {there, "N: the line number must not be negative", &errors::kNegativeLineNumber};
     }
-    return {there.offset, malformed, &errors::kMalformedNumber};
+    return {there, malformed, &errors::kMalformedNumber};
   }
   if (!is_letter(rest[0])) {
-    return explain_character(rest, there.offset);
+    return explain_character(rest, there);
   }
   const std::string_view found = letters_at(rest);
   const std::string hint = dialect_hint(letter + upper(found));
   if (found.size() > 1 && hint.empty() && upper(found) != "OYOZO") {
-    return {there.offset, joined({expected, quoted(found)}), &errors::kNumberExpected};
+    return {there, joined({expected, quoted(found)}), &errors::kNumberExpected};
   }
   const bool zero = rest[0] == 'O' || rest[0] == 'o';
   const bool one = rest[0] == 'l';
   const std::string_view guess = zero ? " (zero?)" : one ? " (one?)" : std::string_view(hint);
-  return {there.offset,
+  return {there,
           joined({expected, zero || one ? "the letter " : "", quoted(rest.substr(0, 1)), guess}),
           zero || one ? &errors::kLetterForDigit : &errors::kNumberExpected};
 }

@@ -189,6 +189,7 @@ void ProgramReader::Impl::read_line(const Line& given) {
 
 void ProgramReader::Impl::reach_end() {
   ended_ = true;
+  diagnostics_.at_line(0, {});
   const std::uint32_t last = lines_.lines();
   interpreter_.end(last, "at the end of the file");
   if (!any_block_) {
@@ -211,6 +212,7 @@ bool ProgramReader::Impl::next(Move& move) {
       }
       return false;
     }
+    diagnostics_.at_line(line.number, line.text);
     if (ended_) {
       read_rest(line);
       continue;

@@ -13,7 +13,7 @@ enum class Severity : std::uint8_t { error, warning };
 
 // Text too long to be written out.
 struct Repeated {
-  std::string_view text;
+  std::string_view text;  // '@' stands for 1, 2, 3 ...
   std::uint32_t times = 0;
 };
 

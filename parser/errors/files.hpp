@@ -95,7 +95,7 @@ inline constexpr ErrorPage kTextAfterPercent{
     "text after the closing '%'",
     "What stands behind the closing '%' does not belong to the program and is never run.",
     "Take the text out, or move '%' behind it if it is meant to be run.",
-    "%\nG0 X1\nM2\n%\nG0 X2\n"};
+    "%\nG0 X1\n%\nG0 X2\n"};
 
 inline constexpr ErrorPage kBlocksAfterEnd{
     11,

@@ -58,7 +58,7 @@ inline constexpr ErrorPage kMachineMotionMode{
     "G53 takes the coordinates of its block as those of the machine. It works with straight moves "
     "only, since the centre of an arc would have no clear meaning.",
     "Write G0 or G1 in the block.",
-    "G53 X10\nM2\n"};
+    "G2 X10 Y0 I5 F100\nG53 X0 Y0 I-5\nM2\n"};
 
 inline constexpr ErrorPage kMachineIncremental{
     211,

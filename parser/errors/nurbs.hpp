@@ -85,7 +85,7 @@ inline constexpr ErrorPage kNurbsTooManyPoints{
     "Cut the curve into several.",
     "G6.2 P3 K0 X0 Y0 F100\nK0 X1 Y1\nK0 X1 Y1\n",
     Dialect::rs274,
-    {"K1 X1 Y1\n", 250'000}};
+    {"K@ X1 Y1\n", 250'000}};
 
 inline constexpr ErrorPage kNurbsNewAxis{
     319,

@@ -32,7 +32,7 @@ inline constexpr ErrorPage kNegativeOffsetNumber{
     "negative offset number",
     "H and D are numbers of tools in the tool table and count from 0.",
     "Write the number of a tool.",
-    "G43 H-5 Z5\nM2\n"};
+    "G43 H-5\nM2\n"};
 
 inline constexpr ErrorPage kOffsetNumberNotWhole{
     603,

@@ -27,7 +27,7 @@ std::string expectation_for(std::filesystem::path program) {
 std::string messages_of(const Program& program) {
   std::string text;
   for (const Diagnostic& diagnostic : program.diagnostics) {
-    text += to_string(diagnostic, "").substr(1) + '\n';
+    text += message_line(diagnostic, "").substr(1) + '\n';
   }
   return text;
 }

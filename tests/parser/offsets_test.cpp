@@ -13,7 +13,7 @@ std::vector<std::string> ends_of(std::string_view text) {
       read_program(std::string(text) + "\nM2\n", {.machine = default_machine_data()});
   std::vector<std::string> ends;
   for (const Diagnostic& diagnostic : program.diagnostics) {
-    ends.push_back(to_string(diagnostic, "program"));
+    ends.push_back(message_line(diagnostic, "program"));
   }
   for (const Move& move : program.moves) {
     if (const auto* line = std::get_if<LineMove>(&move.shape)) {
@@ -31,7 +31,7 @@ std::string first_message_with_table(std::string_view text) {
   const Program program =
       read_program(std::string(text) + "\nM2\n", {.machine = default_machine_data()});
   return program.diagnostics.empty() ? "no message"
-                                     : to_string(program.diagnostics.front(), "").substr(1);
+                                     : message_line(program.diagnostics.front(), "").substr(1);
 }
 
 using Ends = std::vector<std::string>;

@@ -24,6 +24,13 @@ struct Program {
   bool has_errors = false;
 };
 
+// "file:line:column: error: message", without the identifier.
+inline std::string message_line(const Diagnostic& diagnostic, std::string_view file) {
+  std::string text = to_string(diagnostic, file);
+  text.erase(text.rfind(" [E"));
+  return text;
+}
+
 inline Program read_program(std::string_view text, const ReaderOptions& options = {},
                             std::size_t piece = std::numeric_limits<std::size_t>::max()) {
   ProgramReader reader(options);
@@ -53,7 +60,7 @@ inline std::vector<Move> moves_of(std::string_view text) {
   if (program.has_errors || moves.empty()) {
     throw std::runtime_error(program.diagnostics.empty()
                                  ? "no moves"
-                                 : to_string(program.diagnostics.front(), "program"));
+                                 : message_line(program.diagnostics.front(), "program"));
   }
   moves.pop_back();
   return moves;
@@ -63,7 +70,7 @@ inline std::vector<Move> moves_of(std::string_view text) {
 inline std::string first_message(std::string_view text) {
   const Program program = read_program(std::string(text) + "\nM2\n");
   return program.diagnostics.empty() ? "no message"
-                                     : to_string(program.diagnostics.front(), "").substr(1);
+                                     : message_line(program.diagnostics.front(), "").substr(1);
 }
 
 inline std::string text_of(const Point& point) {

@@ -146,13 +146,8 @@ TEST(ProgramReader, SaysWhereALineIsTooLong) {
   const std::string text = "G0 X1\nG1 (" + std::string(70'000, 'c') + ")\nM2\n";
   const Program program = read_program(text);
   ASSERT_EQ(program.diagnostics.size(), 1U);
-  EXPECT_EQ(to_string(program.diagnostics[0], "f"),
+  EXPECT_EQ(message_line(program.diagnostics[0], "f"),
             "f:2:65537: error: the line is longer than the limit of 65536 bytes");
-}
-
-TEST(Diagnostic, HasTheFormThatEditorsUnderstand) {
-  EXPECT_EQ(to_string({Severity::error, {12, 5}, "what"}, "a/b.ngc"), "a/b.ngc:12:5: error: what");
-  EXPECT_EQ(to_string({Severity::warning, {1, 1}, "what"}, "x"), "x:1:1: warning: what");
 }
 
 }  // namespace

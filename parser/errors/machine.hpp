@@ -1,0 +1,40 @@
+// Pages of what the machine cannot do, found once the text is understood.
+#pragma once
+
+#include <array>
+
+#include "parser/errors/error_page.hpp"
+
+namespace kerf::parser::errors {
+
+inline constexpr ErrorPage kOutsideTravel{
+    1000,
+    Severity::error,
+    "path outside the travel",
+    "The path of the block, bulges of arcs and splines included, leaves the travel of an axis as "
+    "the machine file gives it. The program is not started.",
+    "See whether the work offset and the units (G20, G21) are those that the program was made "
+    "for. If they are, the part must be clamped elsewhere, or needs a larger machine.",
+    "G0 X100000\nM2\n"};
+
+inline constexpr ErrorPage kCurveRefused{
+    1001,
+    Severity::error,
+    "curve that cannot be run",
+    "The words of the block are right, but the curve that they give cannot be followed: it is "
+    "bent beyond what numbers can hold, or its length cannot be measured.",
+    "Correct the points or radii that the message names.",
+    "G2 X0.000001 Y0 R1000 F100\nM2\n"};
+
+inline constexpr ErrorPage kMachineWithoutLimit{
+    1002,
+    Severity::error,
+    "machine without a limit",
+    "A motion needs a limit of velocity, acceleration and jerk along its path, and the machine "
+    "file leaves one open.",
+    "Write the limit into the machine file.",
+    "G0 X1\nM2\n"};
+
+inline constexpr std::array kMachinePages{&kOutsideTravel, &kCurveRefused, &kMachineWithoutLimit};
+
+}  // namespace kerf::parser::errors

@@ -1,0 +1,67 @@
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "parser/errors/catalogue.hpp"
+#include "parser/errors/files.hpp"
+#include "tests/parser/program.hpp"
+
+namespace kerf::parser {
+namespace {
+
+constexpr std::uint16_t kFirstMachinePage = 1000;  // tests/kernel has their triggers
+
+std::vector<const ErrorPage*> pages_of_the_text() {
+  std::vector<const ErrorPage*> pages;
+  for (const ErrorPage* page : errors::catalogue()) {
+    if (page->number < kFirstMachinePage) {
+      pages.push_back(page);
+    }
+  }
+  return pages;
+}
+
+std::string name_of(const testing::TestParamInfo<const ErrorPage*>& info) {
+  return identifier(*info.param);
+}
+
+TEST(ErrorPages, HaveNumbersOfTheirOwn) {
+  std::set<std::uint16_t> numbers;
+  for (const ErrorPage* page : errors::catalogue()) {
+    EXPECT_TRUE(numbers.insert(page->number).second) << identifier(*page) << ": " << page->title;
+    EXPECT_GT(page->number, 0U);
+    EXPECT_LT(page->number, 10'000U);
+    EXPECT_EQ(errors::find_page(page->number), page);
+  }
+  EXPECT_EQ(errors::find_page(9999), nullptr);
+}
+
+TEST(ErrorPages, SayWhatIsMeantAndHowToMendIt) {
+  for (const ErrorPage* page : errors::catalogue()) {
+    EXPECT_FALSE(page->title.empty()) << identifier(*page);
+    EXPECT_NE(page->title.back(), '.') << identifier(*page);
+    EXPECT_EQ(page->meaning.substr(page->meaning.size() - 1), ".") << identifier(*page);
+    EXPECT_EQ(page->remedy.substr(page->remedy.size() - 1), ".") << identifier(*page);
+  }
+}
+
+class ErrorPageTrigger : public testing::TestWithParam<const ErrorPage*> {};
+
+TEST_P(ErrorPageTrigger, GivesThisVeryPageFirst) {
+  const ErrorPage& page = *GetParam();
+  const Program program = read_program(
+      errors::trigger_of(page), {.dialect = page.dialect, .machine = default_machine_data()});
+  ASSERT_FALSE(program.diagnostics.empty()) << page.title;
+  // What says that there is more can only come last.
+  const bool of_many = &page == &errors::kTooManyErrors || &page == &errors::kTooManyWarnings;
+  const Diagnostic& found = of_many && program.diagnostics.size() > 100
+                                ? program.diagnostics[100]
+                                : program.diagnostics.front();
+  EXPECT_EQ(identifier(*found.page), identifier(page)) << to_string(found, "trigger");
+  EXPECT_TRUE(program.at_end);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ErrorPageTrigger, testing::ValuesIn(pages_of_the_text()), name_of);
+
+}  // namespace
+}  // namespace kerf::parser
