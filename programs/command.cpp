@@ -34,7 +34,7 @@ ExitStatus print(int descriptor, std::string_view text) {
 
 void print_messages(const FileReport& report, bool warns) {
   for (const parser::Diagnostic& error : report.errors) {
-    write_error_line(parser::to_string(error, report.file));
+    write_error_line(parser::to_text(error, report.file));
   }
   for (const std::string& failure : report.failures) {
     spdlog::error("{}", failure);

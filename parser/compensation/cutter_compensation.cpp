@@ -48,9 +48,8 @@ void CutterCompensation::stop() {
 
 void CutterCompensation::finish(SourcePosition source) {
   if (on_) {
-    diagnostics_->warning(source,
-                          "cutter compensation is still on at the program's end (G40 is missing)",
-                          &errors::kCompensationLeftOn);
+    diagnostics_->add(source, errors::kCompensationLeftOn,
+                      "cutter compensation is still on at the program's end (G40 is missing)");
   }
   settle_last();
   send_all();
@@ -123,11 +122,10 @@ void CutterCompensation::hold_idle(const Move& move) {
   if (!entered_) {
     send_all();
   } else if (held_.size() >= kMostHeld) {
-    diagnostics_->error(move.source,
-                        joined({"cutter compensation: ", std::to_string(kMostHeld),
-                                " blocks without motion in the plane, the corner behind them "
-                                "cannot be looked up"}),
-                        &errors::kCompensationHoldsTooMuch);
+    diagnostics_->add(move.source, errors::kCompensationHoldsTooMuch,
+                      joined({"cutter compensation: ", std::to_string(kMostHeld),
+                              " blocks without motion in the plane, the corner behind them "
+                              "cannot be looked up"}));
     settle_last();
     send_all();
   }
@@ -137,9 +135,8 @@ void CutterCompensation::take_entry(const Move& move) {
   entered_ = true;
   if (std::holds_alternative<ArcMove>(move.shape)) {
     const std::string_view name = start_.side == CutterSide::left ? "G41" : "G42";
-    diagnostics_->error(move.source,
-                        joined({name, " must start on a G0 or G1 move, not on an arc"}),
-                        &errors::kCompensationStartedOnArc);
+    diagnostics_->add(move.source, errors::kCompensationStartedOnArc,
+                      joined({name, " must start on a G0 or G1 move, not on an arc"}));
     sender_.set_place(*end_of(move));
     return;
   }
@@ -190,8 +187,8 @@ void CutterCompensation::take_exit(const Move& move) {
     return;
   }
   if (std::holds_alternative<ArcMove>(move.shape)) {
-    diagnostics_->error(move.source, "the first move after G40 must be a straight line, not an arc",
-                        &errors::kCompensationExitOnArc);
+    diagnostics_->add(move.source, errors::kCompensationExitOnArc,
+                      "the first move after G40 must be a straight line, not an arc");
     send_all();
     ready().push() = move;
   } else {

@@ -129,21 +129,19 @@ void CutterCompensation::report_cut(HeldMove& mover, HeldMove& contour, double d
   mover.faulty = true;
   const SourcePosition source = mover.move.source;
   if (seam) {
-    diagnostics_->warning(source,
-                          joined({"the contour begins and ends in an inside corner: ", cut}),
-                          &errors::kCompensationSeam);
+    diagnostics_->add(source, errors::kCompensationSeam,
+                      joined({"the contour begins and ends in an inside corner: ", cut}));
   } else if (mover.role == HeldRole::entry) {
-    diagnostics_->warning(source, joined({"on the entry move ", cut}),
-                          &errors::kCompensationEntryGouges);
+    diagnostics_->add(source, errors::kCompensationEntryGouges,
+                      joined({"on the entry move ", cut}));
   } else {
-    diagnostics_->warning(source, joined({"on the exit move ", cut}),
-                          &errors::kCompensationExitGouges);
+    diagnostics_->add(source, errors::kCompensationExitGouges, joined({"on the exit move ", cut}));
   }
 }
 
 void CutterCompensation::error(HeldMove& held, const ErrorPage& page, std::string message) {
   if (!held.faulty) {
-    diagnostics_->error(held.move.source, std::move(message), &page);
+    diagnostics_->add(held.move.source, page, std::move(message));
     ++run_;  // what comes behind is not measured against a contour that is wrong already
   }
   held.faulty = true;
