@@ -1,0 +1,118 @@
+// Real programs by others: each runs, or is refused on the line and for the reason that
+// tests/programs.tsv gives. The programs are not ours to ship; they are looked for in the folder
+// that KERF_PROGRAMS_DIR names, else in ../shared/reference/programs beside the checkout.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "parser/program_reader.hpp"
+
+namespace kerf::conformance {
+namespace {
+
+using parser::Diagnostic;
+using parser::ProgramReader;
+
+struct RealProgram {
+  std::string file;
+  std::string dialect;  // rs274 or fanuc
+  std::string verdict;  // runs or refused
+  std::string line;     // of the first error; - where it runs
+  std::string error;    // its identifier
+  std::string reason;
+};
+
+std::filesystem::path programs_folder() {
+  const char* const given = std::getenv("KERF_PROGRAMS_DIR");
+  return given != nullptr
+             ? std::filesystem::path(given)
+             : std::filesystem::path(KERF_SOURCE_DIR).parent_path() / "shared/reference/programs";
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+std::vector<RealProgram> table() {
+  std::istringstream lines(
+      read_file(std::filesystem::path(KERF_SOURCE_DIR) / "tests/programs.tsv"));
+  std::vector<RealProgram> programs;
+  std::string line;
+  std::getline(lines, line);  // the names of the columns
+  while (std::getline(lines, line)) {
+    std::istringstream columns(line);
+    RealProgram program;
+    for (std::string* column : {&program.file, &program.dialect, &program.verdict, &program.line,
+                                &program.error, &program.reason}) {
+      std::getline(columns, *column, '\t');
+    }
+    programs.push_back(program);
+  }
+  return programs;
+}
+
+std::string name_of(const testing::TestParamInfo<RealProgram>& info) {
+  std::string name = info.param.file;
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+// Reads to the end, or to more moves than any of these programs has.
+const Diagnostic* first_error(ProgramReader& reader, const std::string& text) {
+  constexpr int kMoves = 1'000'000;
+  parser::Move move;
+  int moves = 0;
+  reader.feed(text);
+  reader.finish();
+  while (reader.next(move)) {
+    if (++moves > kMoves) {
+      ADD_FAILURE() << "it has no end";
+      break;
+    }
+  }
+  const auto& all = reader.diagnostics();
+  const auto found = std::find_if(all.begin(), all.end(), [](const Diagnostic& one) {
+    return one.severity == parser::Severity::error;
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string identifier_of(const Diagnostic& error) {
+  const std::string number = std::to_string(error.page == nullptr ? 0 : error.page->number);
+  return "E" + std::string(4 - std::min<std::size_t>(4, number.size()), '0') + number;
+}
+
+class RealProgramFile : public testing::TestWithParam<RealProgram> {};
+
+TEST_P(RealProgramFile, RunsOrIsRefusedForTheReasonGiven) {
+  const RealProgram& wanted = GetParam();
+  const std::filesystem::path path = programs_folder() / wanted.file;
+  if (!std::filesystem::exists(path)) {
+    GTEST_SKIP() << path << " is not here; KERF_PROGRAMS_DIR names the folder";
+  }
+  parser::ReaderOptions options;
+  options.dialect = wanted.dialect == "fanuc" ? parser::Dialect::fanuc : parser::Dialect::rs274;
+  options.machine = parser::default_machine_data();
+  ProgramReader reader(options);
+  const Diagnostic* const error = first_error(reader, read_file(path));
+  const std::string said = error == nullptr ? "nothing" : to_string(*error, wanted.file);
+  EXPECT_EQ(error == nullptr ? "runs" : "refused", wanted.verdict) << said;
+  if (error != nullptr) {
+    EXPECT_EQ(std::to_string(error->source.line), wanted.line) << said;
+    EXPECT_EQ(identifier_of(*error), wanted.error) << said;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Programs, RealProgramFile, testing::ValuesIn(table()), name_of);
+
+}  // namespace
+}  // namespace kerf::conformance
