@@ -43,6 +43,17 @@ bool Interpolator::advance_phase() noexcept {
   return has_phase_;
 }
 
+void Interpolator::advance_switches() noexcept {
+  for (std::size_t i = 0; i < MotionQueue::kSwitches; ++i) {
+    const SwitchAtTick* next = queue_->next_switch();
+    if (next == nullptr || next->tick > plan_tick()) {
+      break;
+    }
+    apply(next->change, now_.outputs);
+    queue_->pop_switch();
+  }
+}
+
 void Interpolator::advance_piece(double s_mm) noexcept {
   for (std::size_t i = 0; i < MotionQueue::kPieces; ++i) {
     const PathPiece* next = queue_->next_piece();
@@ -84,6 +95,7 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
     piece_before_ = piece_;
   }
   ++now_.tick;
+  advance_switches();
   TickStatus status = TickStatus::starved;
   if (advance_phase()) {
     const double t = time_into_s(phase_);

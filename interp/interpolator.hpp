@@ -41,6 +41,8 @@ class Interpolator {
   [[nodiscard]] double time_into_s(const Phase& phase) const noexcept;
   // The phase that holds the present tick. False: there was none yet.
   bool advance_phase() noexcept;
+  // Switches what the plan switches up to the present tick.
+  void advance_switches() noexcept;
   // The piece of the present phase's curve that holds s_mm.
   void advance_piece(double s_mm) noexcept;
   void fill(const profiles::PathMotion& motion, double s_mm) noexcept;

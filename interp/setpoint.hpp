@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "curves/position.hpp"
+#include "interp/outputs.hpp"
 
 namespace kerf::interp {
 
@@ -20,6 +21,7 @@ struct Setpoint {
   Position position_mm{};
   Position velocity_mm_s{};
   Position acceleration_mm_s2{};
+  Outputs outputs{};
 };
 
 }  // namespace kerf::interp

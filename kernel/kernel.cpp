@@ -4,7 +4,9 @@
 #include <string>
 #include <utility>
 
+#include "kernel/delivery.hpp"
 #include "lookahead/block_builder.hpp"
+#include "lookahead/switches.hpp"
 #include "machine/envelope.hpp"
 #include "parser/errors/machine.hpp"
 #include "parser/program_reader.hpp"
@@ -12,7 +14,6 @@
 namespace kerf {
 
 using interp::MotionQueue;
-using lookahead::Outbox;
 using parser::Diagnostic;
 using parser::Move;
 
@@ -36,8 +37,8 @@ class Kernel::Impl {
   void finish() { reader_.finish(); }
 
   bool plan() {
-    while (deliver()) {
-      if (planner_.emit(outbox_)) {
+    while (delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
+      if (planner_.emit(delivery_.outbox())) {
         continue;
       }
       if (finished_) {
@@ -55,7 +56,7 @@ class Kernel::Impl {
   }
 
   [[nodiscard]] bool runs_low() const noexcept {
-    return frozen_until_tick_ - interpolator_.plan_tick() <= horizon_ticks_ / 2;
+    return delivery_.frozen_until_tick() - interpolator_.plan_tick() <= horizon_ticks_ / 2;
   }
 
   void drain() {
@@ -79,40 +80,6 @@ class Kernel::Impl {
   [[nodiscard]] const lookahead::PlanTotals& totals() const { return planner_.totals(); }
 
  private:
-  // Moves what was planned into the queue, pieces first: a phase follows only once the piece that
-  // it begins on is there. True: all of it went.
-  bool deliver() {
-    while (pieces_sent_ < outbox_.pieces.size() && queue_.push(outbox_.pieces[pieces_sent_])) {
-      ++pieces_sent_;
-    }
-    const std::int64_t horizon = interpolator_.plan_tick() + horizon_ticks_;
-    while (phases_sent_ < outbox_.phases.size()) {
-      const interp::Phase& phase = outbox_.phases[phases_sent_];
-      if (phase.begin.tick > horizon || !begins_on_sent_piece(phase) || !queue_.push(phase)) {
-        break;
-      }
-      frozen_until_tick_ = phase.begin.tick;
-      ++phases_sent_;
-    }
-    if (pieces_sent_ < outbox_.pieces.size() || phases_sent_ < outbox_.phases.size()) {
-      return false;
-    }
-    outbox_.pieces.clear();
-    outbox_.phases.clear();
-    pieces_sent_ = 0;
-    phases_sent_ = 0;
-    return true;
-  }
-
-  [[nodiscard]] bool begins_on_sent_piece(const interp::Phase& phase) const {
-    if (pieces_sent_ == outbox_.pieces.size()) {
-      return true;
-    }
-    const interp::PathPiece& waiting = outbox_.pieces[pieces_sent_];
-    return phase.curve < waiting.curve || (phase.curve == waiting.curve &&
-                                           phase.s_begin_mm < curves::s_begin_mm(waiting.geometry));
-  }
-
   // The next move of the program into the window. False: there is no more text.
   bool take_move() {
     Move move;
@@ -131,8 +98,8 @@ class Kernel::Impl {
     line_ = move.source.line;
     if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
       planner_.push_rest(dwell->duration_s, line_);
-    } else if (std::holds_alternative<parser::EventMove>(move.shape)) {
-      planner_.push_rest(0.0, line_);
+    } else if (const auto* event = std::get_if<parser::EventMove>(&move.shape)) {
+      lookahead::push_event(*event, line_, planner_);
     } else {
       push_blocks(move);
     }
@@ -190,10 +157,7 @@ class Kernel::Impl {
   MotionQueue queue_;
   interp::Interpolator interpolator_;
   std::int64_t horizon_ticks_;
-  std::int64_t frozen_until_tick_ = 0;  // the last phase sent begins there
-  Outbox outbox_;
-  std::size_t pieces_sent_ = 0;
-  std::size_t phases_sent_ = 0;
+  Delivery delivery_{queue_};
   std::vector<lookahead::Block> blocks_;
   std::uint32_t line_ = 0;
   bool finished_ = false;

@@ -10,9 +10,6 @@ namespace kerf::lookahead {
 
 namespace {
 
-// A rest that ends this close behind a tick ends on it: rounding of sums of durations.
-constexpr double kTickRounding = 1e-9;
-
 // What is left of a span whose first part, up to a cruise at v_mm_s, has left.
 void cut_front(Span& span, double s_mm, double v_mm_s) {
   span.length_mm -= s_mm - span.s_begin_mm;
@@ -32,6 +29,7 @@ bool Planner::wants_block() const noexcept {
 }
 
 void Planner::push(Block block) {
+  ++pushed_blocks_;
   join_to_last(block);
   append_spans(block);
   blocks_.push_back(std::move(block));
@@ -62,18 +60,6 @@ void Planner::append_spans(const Block& block) {
     }
   }
   window_[first].span.begin_coast_s = first > 0 ? window_[first - 1].span.end.coast_s : 0.0;
-}
-
-void Planner::push_rest(double duration_s, std::uint32_t line) {
-  rest_ = {.duration_s = duration_s, .line = line};
-  rest_pending_ = true;
-  draining_ = true;
-  ready_spans_ = 0;
-}
-
-void Planner::finish(std::uint32_t line) {
-  push_rest(0.0, line);
-  rest_.ends_program = true;
 }
 
 void Planner::plan_window() {
@@ -137,6 +123,7 @@ void Planner::begin_block(Outbox& outbox) {
   ++totals_.blocks;
   s_mm_ = 0.0;
   block_begun_ = true;
+  emit_switches(outbox);
   const curves::Curve& curve = blocks_.front().curve;
   if (const auto* nurbs = std::get_if<curves::NurbsCurve>(&curve)) {
     for (const curves::NurbsPiece& piece : nurbs->pieces()) {
@@ -216,39 +203,6 @@ void Planner::emit_phase(Outbox& outbox, const profiles::Transition& law, double
   s_mm_ = s_end_mm;
   line_ = blocks_.front().line;
   advance_clock(law.duration_s());
-}
-
-void Planner::emit_rest(Outbox& outbox) {
-  interp::Phase phase{.curve = curve_,
-                      .begin = clock_,
-                      .s_begin_mm = s_mm_,
-                      .s_end_mm = s_mm_,
-                      .law = profiles::Transition::rest(rest_.duration_s),
-                      .line = rest_.line != 0 ? rest_.line : line_,
-                      .ends_at_rest = true,
-                      .ends_program = rest_.ends_program};
-  phase.path_begin_mm = block_begun_ ? path_begin_mm_ : path_begin_mm_ - s_mm_;
-  outbox.phases.push_back(phase);
-  advance_clock(rest_.duration_s);
-  align_to_tick();
-  totals_.ticks = clock_.tick;
-  rest_pending_ = false;
-  draining_ = rest_.ends_program;
-}
-
-void Planner::advance_clock(double duration_s) {
-  const double period = settings_.limits.period_s;
-  const double offset = clock_.offset_s + duration_s;
-  const auto whole = static_cast<std::int64_t>(offset / period);
-  clock_.tick += whole;
-  clock_.offset_s = std::max(offset - static_cast<double>(whole) * period, 0.0);
-}
-
-void Planner::align_to_tick() {
-  if (clock_.offset_s > kTickRounding * settings_.limits.period_s) {
-    ++clock_.tick;
-  }
-  clock_.offset_s = 0.0;
 }
 
 }  // namespace kerf::lookahead

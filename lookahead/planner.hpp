@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "interp/motion.hpp"
+#include "interp/outputs.hpp"
 #include "lookahead/block.hpp"
 #include "lookahead/velocity_pass.hpp"
 #include "lookahead/window.hpp"
@@ -17,6 +19,7 @@ namespace kerf::lookahead {
 struct Outbox {
   std::vector<interp::PathPiece> pieces;
   std::vector<interp::Phase> phases;
+  std::vector<interp::SwitchAtTick> switches;  // by tick, which lies in the phases
 };
 
 struct PlannerSettings {
@@ -50,6 +53,10 @@ class Planner {
   // The tool rests for duration_s (0 for an event) once it has come to a stop. Precondition:
   // wants_block().
   void push_rest(double duration_s, std::uint32_t line);
+  // The change comes once the tool is at rest. Precondition: wants_block().
+  void push_switch_at_rest(const interp::Switch& change, std::uint32_t line);
+  // The change comes at the first tick on the block that is pushed next.
+  void push_switch_at_motion(const interp::Switch& change);
   // The program ends at rest after what was pushed. Precondition: wants_block().
   void finish(std::uint32_t line);
 
@@ -67,10 +74,18 @@ class Planner {
   [[nodiscard]] const PlanTotals& totals() const noexcept { return totals_; }
 
  private:
+  // A rest that ends this close behind a tick ends on it: rounding of sums of durations.
+  static constexpr double kTickRounding = 1e-9;
+
   struct Rest {
     double duration_s = 0.0;
     std::uint32_t line = 0;  // 0: that of the last motion
     bool ends_program = false;
+    std::optional<interp::Switch> change{};
+  };
+  struct SwitchAtBlock {
+    std::uint64_t block = 0;  // counts the blocks that were pushed, from 1
+    interp::Switch change{};
   };
 
   void join_to_last(const Block& block);
@@ -80,6 +95,7 @@ class Planner {
   void emit_plan(Outbox& outbox, const SpanPlan& plan);
   void leave_span();
   void begin_block(Outbox& outbox);
+  void emit_switches(Outbox& outbox);
   void emit_phase(Outbox& outbox, const profiles::Transition& law, double s_end_mm);
   void emit_rest(Outbox& outbox);
   void align_to_tick();
@@ -92,6 +108,8 @@ class Planner {
   bool draining_ = false;        // everything in the window may leave: it ends at rest
   bool rest_pending_ = false;
   Rest rest_{};
+  std::uint64_t pushed_blocks_ = 0;
+  Window<SwitchAtBlock> switches_;
 
   // Where emission stands.
   bool block_begun_ = false;

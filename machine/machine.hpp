@@ -22,6 +22,8 @@ struct MachineState {
   Position actual_mm{};
   Position following_error_mm{};  // commanded - actual
   double contour_error_mm = 0.0;  // distance of the actual position from the commanded path
+  interp::Outputs outputs{};      // of the last setpoint that was not refused; after a fault
+                                  // spindle and coolant are off
   Fault fault = Fault::none;
   std::int8_t fault_axis = -1;  // 0..2, -1 where no axis is to blame
 };

@@ -72,6 +72,7 @@ void SimulatedTable::enable(const Position& position_mm) noexcept {
 void SimulatedTable::write(const Setpoint& setpoint) noexcept {
   if (state_.fault == Fault::none && accepts(setpoint)) {
     commanded_mm_ = setpoint.position_mm;
+    state_.outputs = setpoint.outputs;
     path_.append(commanded_mm_);
     for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
       axes_[axis].follow(commanded_mm_[axis]);
@@ -125,6 +126,7 @@ void SimulatedTable::fault(Fault kind, std::int8_t axis) noexcept {
   }
   state_.fault = kind;
   state_.fault_axis = axis;
+  interp::apply({.kind = interp::SwitchKind::all_off}, state_.outputs);
   double ramp_s = 0.0;
   for (const AxisModel& model : axes_) {
     ramp_s = std::max(ramp_s, model.stopping_time_s());

@@ -6,6 +6,7 @@
 
 #include "lookahead/block_builder.hpp"
 #include "lookahead/planner.hpp"
+#include "lookahead/switches.hpp"
 #include "parser/program_reader.hpp"
 #include "programs/interrupt.hpp"
 
@@ -40,8 +41,8 @@ std::uint64_t push(lookahead::Planner& planner, const parser::Move& move,
     planner.push_rest(dwell->duration_s, move.source.line);
     return 1;
   }
-  if (std::holds_alternative<parser::EventMove>(move.shape)) {
-    planner.push_rest(0.0, move.source.line);
+  if (const auto* event = std::get_if<parser::EventMove>(&move.shape)) {
+    lookahead::push_event(*event, move.source.line, planner);
     return 1;
   }
   blocks.clear();

@@ -1,0 +1,75 @@
+// Rests, the clock, and what is switched between motions.
+#include <algorithm>
+
+#include "lookahead/planner.hpp"
+
+namespace kerf::lookahead {
+
+void Planner::push_rest(double duration_s, std::uint32_t line) {
+  rest_ = {.duration_s = duration_s, .line = line};
+  rest_pending_ = true;
+  draining_ = true;
+  ready_spans_ = 0;
+}
+
+void Planner::push_switch_at_rest(const interp::Switch& change, std::uint32_t line) {
+  push_rest(0.0, line);
+  rest_.change = change;
+}
+
+void Planner::push_switch_at_motion(const interp::Switch& change) {
+  switches_.push_back({.block = pushed_blocks_ + 1, .change = change});
+}
+
+void Planner::finish(std::uint32_t line) {
+  push_rest(0.0, line);
+  rest_.ends_program = true;
+}
+
+// At the first tick that is on the block, or past it where the block is shorter than a tick.
+void Planner::emit_switches(Outbox& outbox) {
+  const bool between = clock_.offset_s > kTickRounding * settings_.limits.period_s;
+  while (!switches_.empty() && switches_.front().block <= totals_.blocks) {
+    outbox.switches.push_back(
+        {.tick = clock_.tick + (between ? 1 : 0), .change = switches_.front().change});
+    switches_.pop_front();
+  }
+}
+
+void Planner::emit_rest(Outbox& outbox) {
+  interp::Phase phase{.curve = curve_,
+                      .begin = clock_,
+                      .s_begin_mm = s_mm_,
+                      .s_end_mm = s_mm_,
+                      .law = profiles::Transition::rest(rest_.duration_s),
+                      .line = rest_.line != 0 ? rest_.line : line_,
+                      .ends_at_rest = true,
+                      .ends_program = rest_.ends_program};
+  phase.path_begin_mm = block_begun_ ? path_begin_mm_ : path_begin_mm_ - s_mm_;
+  if (rest_.change) {
+    outbox.switches.push_back({.tick = clock_.tick, .change = *rest_.change});
+  }
+  outbox.phases.push_back(phase);
+  advance_clock(rest_.duration_s);
+  align_to_tick();
+  totals_.ticks = clock_.tick;
+  rest_pending_ = false;
+  draining_ = rest_.ends_program;
+}
+
+void Planner::advance_clock(double duration_s) {
+  const double period = settings_.limits.period_s;
+  const double offset = clock_.offset_s + duration_s;
+  const auto whole = static_cast<std::int64_t>(offset / period);
+  clock_.tick += whole;
+  clock_.offset_s = std::max(offset - static_cast<double>(whole) * period, 0.0);
+}
+
+void Planner::align_to_tick() {
+  if (clock_.offset_s > kTickRounding * settings_.limits.period_s) {
+    ++clock_.tick;
+  }
+  clock_.offset_s = 0.0;
+}
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,67 @@
+#include "lookahead/switches.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr double kRadPerRevolution = 6.283185307179586477;
+
+double rad_s_from(double per_min) {
+  return per_min * kRadPerRevolution / 60.0;
+}
+
+}  // namespace
+
+std::optional<interp::Switch> switch_of(const parser::EventMove& event) {
+  using interp::Switch;
+  using interp::SwitchKind;
+  using parser::EventKind;
+  switch (event.kind) {
+    case EventKind::program_end:
+      return Switch{.kind = SwitchKind::all_off};
+    case EventKind::spindle_cw:
+      return Switch{.kind = SwitchKind::spindle, .value = rad_s_from(event.value)};
+    case EventKind::spindle_ccw:
+      return Switch{.kind = SwitchKind::spindle, .value = -rad_s_from(event.value)};
+    case EventKind::spindle_off:
+      return Switch{.kind = SwitchKind::spindle};
+    case EventKind::spindle_orient:
+      return Switch{.kind = SwitchKind::hold_spindle, .value = event.value};
+    case EventKind::tool_change:
+      return Switch{.kind = SwitchKind::tool_change, .value = event.value};
+    case EventKind::tool_number:
+      return Switch{.kind = SwitchKind::tool_number, .value = event.value};
+    case EventKind::mist_on:
+      return Switch{.kind = SwitchKind::mist_on};
+    case EventKind::flood_on:
+      return Switch{.kind = SwitchKind::flood_on};
+    case EventKind::coolant_off:
+      return Switch{.kind = SwitchKind::coolant_off};
+    case EventKind::digital_output:
+    case EventKind::digital_at_motion:
+      return Switch{.kind = SwitchKind::digital, .index = event.index, .value = event.value};
+    case EventKind::analog_output:
+    case EventKind::analog_at_motion:
+      return Switch{.kind = SwitchKind::analog, .index = event.index, .value = event.value};
+    default:
+      return std::nullopt;
+  }
+}
+
+bool is_at_motion(parser::EventKind kind) {
+  return kind == parser::EventKind::digital_at_motion ||
+         kind == parser::EventKind::analog_at_motion;
+}
+
+void push_event(const parser::EventMove& event, std::uint32_t line, Planner& planner) {
+  const auto change = switch_of(event);
+  if (!change) {
+    planner.push_rest(0.0, line);
+  } else if (is_at_motion(event.kind)) {
+    planner.push_switch_at_motion(*change);
+  } else {
+    planner.push_switch_at_rest(*change, line);
+  }
+}
+
+}  // namespace kerf::lookahead

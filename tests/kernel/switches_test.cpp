@@ -1,0 +1,126 @@
+// Spindle, coolant, tool and outputs reach the machine in step with the motion.
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "kernel/kernel.hpp"
+#include "kernel/machine_file.hpp"
+#include "machine/simulated_table.hpp"
+
+namespace {
+
+using kerf::interp::Outputs;
+using kerf::interp::Setpoint;
+using kerf::interp::TickStatus;
+
+constexpr double kTwoPi = 6.283185307179586477;
+
+struct Tick {
+  Setpoint setpoint;
+  Outputs seen;  // by the simulated table
+};
+
+std::vector<Tick> run(std::string_view program) {
+  const kerf::MachineSettings settings = kerf::default_machine();
+  kerf::Kernel kernel(settings);
+  kerf::machine::SimulatedTable table(settings.table);
+  table.enable({});
+  kernel.feed(program);
+  kernel.finish();
+  std::vector<Tick> ticks;
+  for (Setpoint setpoint; ticks.size() < 100'000;) {
+    const TickStatus status = kernel.next(setpoint);
+    table.write(setpoint);
+    ticks.push_back({setpoint, table.read().outputs});
+    if (status == TickStatus::finished) {
+      break;
+    }
+  }
+  EXPECT_FALSE(kernel.has_errors());
+  return ticks;
+}
+
+// The first tick at which it is so.
+const Setpoint& first(const std::vector<Tick>& ticks, const std::function<bool(const Tick&)>& is) {
+  for (const Tick& tick : ticks) {
+    if (is(tick)) {
+      return tick.setpoint;
+    }
+  }
+  ADD_FAILURE() << "it never is so";
+  return ticks.back().setpoint;
+}
+
+TEST(Switches, AtMotionComeAtTheJointWithoutARest) {
+  const auto ticks = run("F600\nG1 X5\nM62 P3\nG1 X10\nM63 P3 \nM67 E2 Q1.5\nG1 X15\nM2\n");
+  const Setpoint& on = first(ticks, [](const Tick& t) { return t.seen.digital == 8U; });
+  const Setpoint& on_block = first(ticks, [](const Tick& t) { return t.setpoint.line == 4; });
+  EXPECT_EQ(on.tick, on_block.tick);
+  EXPECT_NEAR(on.v_mm_s, 10.0, 1e-9) << "the joint is passed at the feedrate";
+  EXPECT_NEAR(on.position_mm[0], 5.0, 0.01) << "one tick at 10 mm/s";
+  const Setpoint& off =
+      first(ticks, [](const Tick& t) { return t.setpoint.line > 4 && t.seen.digital == 0U; });
+  const Setpoint& next = first(ticks, [](const Tick& t) { return t.setpoint.line == 7; });
+  EXPECT_EQ(off.tick, next.tick);
+  EXPECT_NEAR(off.position_mm[0], 10.0, 0.01);
+  EXPECT_EQ(first(ticks, [](const Tick& t) { return t.seen.analog[2] == 1.5; }).tick, next.tick);
+}
+
+TEST(Switches, AtMotionWaitForAMotionAcrossRests) {
+  const auto ticks = run("F600\nG1 X5\nM62 P0\nG4 P0.5\nG1 X10\nM62 P1\nM2\n");
+  const Setpoint& on = first(ticks, [](const Tick& t) { return t.seen.digital == 1U; });
+  EXPECT_EQ(on.tick, first(ticks, [](const Tick& t) { return t.setpoint.line == 5; }).tick);
+  for (const Tick& tick : ticks) {
+    ASSERT_LE(tick.seen.digital, 1U) << "no motion follows M62 P1";
+  }
+}
+
+TEST(Switches, AtOnceComeWithTheToolAtRest) {
+  const auto ticks =
+      run("F600\nM3 S600\nG1 X5\nM8\nM64 P5\nG1 X10\nM65 P5 M4 S300\nM7\nG1 X15\nM9\nM2\n");
+  EXPECT_NEAR(ticks.front().seen.spindle_rad_s, 10.0 * kTwoPi, 1e-9);
+  const Setpoint& flood = first(ticks, [](const Tick& t) { return t.seen.flood; });
+  EXPECT_EQ(flood.position_mm[0], 5.0);
+  EXPECT_EQ(flood.v_mm_s, 0.0);
+  EXPECT_EQ(flood.tick, first(ticks, [](const Tick& t) { return t.seen.digital == 32U; }).tick);
+  const Setpoint& reversed = first(ticks, [](const Tick& t) { return t.seen.spindle_rad_s < 0.0; });
+  EXPECT_EQ(reversed.position_mm[0], 10.0);
+  EXPECT_NEAR(reversed.outputs.spindle_rad_s, -5.0 * kTwoPi, 1e-9);
+  EXPECT_EQ(reversed.outputs.digital, 0U);
+  EXPECT_TRUE(reversed.outputs.mist);
+  const Setpoint& dry = first(ticks, [&](const Tick& t) {
+    return t.setpoint.tick > reversed.tick && !t.seen.mist && !t.seen.flood;
+  });
+  EXPECT_EQ(dry.position_mm[0], 15.0);
+}
+
+TEST(Switches, OfTheToolStopTheSpindle) {
+  const auto ticks = run("M3 S600\nG0 X5\nT7 M6\nG0 X10\nM61 Q2\nM19 R90\nG0 X15\nM2\n");
+  const Setpoint& changed = first(ticks, [](const Tick& t) { return t.seen.tool == 7; });
+  EXPECT_EQ(changed.position_mm[0], 5.0);
+  EXPECT_EQ(changed.outputs.spindle_rad_s, 0.0);
+  EXPECT_EQ(first(ticks, [](const Tick& t) { return t.seen.tool == 2; }).position_mm[0], 10.0);
+  const Setpoint& held = first(ticks, [](const Tick& t) { return t.seen.spindle_held; });
+  EXPECT_NEAR(held.outputs.spindle_angle_rad, kTwoPi / 4.0, 1e-12);
+}
+
+TEST(Switches, EndWithTheProgram) {
+  const auto ticks = run("M3 S600 M8\nM64 P1\nG0 X5\nM2\n");
+  EXPECT_EQ(ticks.back().seen.spindle_rad_s, 0.0);
+  EXPECT_FALSE(ticks.back().seen.flood);
+  EXPECT_EQ(ticks.back().seen.digital, 2U) << "outputs stay";
+}
+
+TEST(Switches, ManyInARowAllCome) {
+  std::string program;
+  for (int i = 0; i < 5000; ++i) {
+    program += "M68 E0 Q" + std::to_string(i) + "\nM62 P" + std::to_string(i % 64) + "\n";
+  }
+  const auto ticks = run(program + "G0 X1\nM2\n");
+  EXPECT_EQ(ticks.back().seen.analog[0], 4999.0);
+  EXPECT_EQ(ticks.back().seen.digital, ~std::uint64_t{0});
+}
+
+}  // namespace
