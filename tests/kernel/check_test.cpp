@@ -2,6 +2,9 @@
 #include "kernel/check.hpp"
 
 #include <cmath>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -88,6 +91,15 @@ TEST(Check, NamesTheBlockThatLeavesTheTravel) {
   EXPECT_EQ(report.limit_faults[1].source.line, 3U);
   EXPECT_EQ(report.limit_faults[2].source.line, 4U);
   EXPECT_EQ(report.limit_faults[3].source.line, 5U);
+}
+
+TEST(Check, RefusesTheBadInputThatLeavesTheTravel) {
+  std::ifstream file(std::string(KERF_SOURCE_DIR) +
+                     "/tests/parser/bad_inputs/142_axis_soft_limit.ngc");
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const CheckReport report = check(text, table_of(-300.0, 300.0));
+  ASSERT_FALSE(report.limit_faults.empty());
+  EXPECT_EQ(report.limit_faults[0].source.line, 5U);
 }
 
 TEST(Check, SeesAnArcThatOnlyBulgesOutOfTheTravel) {

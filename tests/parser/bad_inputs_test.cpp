@@ -31,6 +31,9 @@ std::vector<BadInput> index() {
     BadInput input;
     std::string dialect;
     columns >> input.file >> dialect >> input.verdict >> input.line;
+    if (dialect == "machine") {
+      continue;  // only a machine's limits tell: tests/kernel/check_test.cpp
+    }
     input.dialect = dialect == "fanuc" ? Dialect::fanuc : Dialect::rs274;
     inputs.push_back(input);
   }
@@ -81,7 +84,8 @@ TEST(BadInputs, AreAllInTheIndex) {
   }
   for (const auto& entry : std::filesystem::directory_iterator(folder())) {
     const std::string name = entry.path().filename().string();
-    EXPECT_TRUE(name == "index.tsv" || name == "README.md" || listed.count(name) == 1) << name;
+    EXPECT_TRUE(name == "index.tsv" || name == "142_axis_soft_limit.ngc" || listed.count(name) == 1)
+        << name;
   }
   EXPECT_GE(listed.size(), 200U);
 }
