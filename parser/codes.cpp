@@ -48,15 +48,15 @@ constexpr Table g_table() {
   know(table, Group::arc_distance, std::array{901, 911});
   know(table, Group::feed_mode, std::array{930, 940, 950});
   know(table, Group::units, std::array{200, 210});
-  know(table, Group::cutter_compensation, std::array{400});
+  know(table, Group::cutter_compensation, std::array{400, 410, 411, 420, 421});
   know(table, Group::length_offset, std::array{430, 431, 432, 490});
   know(table, Group::work_offset, std::array{540, 550, 560, 570, 580, 590, 591, 592, 593});
   know(table, Group::path, std::array{610, 611, 640});
   know(table, Group::spindle_mode, std::array{960, 970});
   know(table, Group::local_offset, std::array{921, 922, 923});
-  later(table, std::array{150, 160, 330, 331, 382, 383, 384, 385, 410, 411, 420, 421, 500, 510,
-                          541, 650, 660, 670, 680, 690, 700, 710, 711, 712, 720, 721, 722, 730,
-                          740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890, 980, 990});
+  later(table, std::array{150, 160, 330, 331, 382, 383, 384, 385, 500, 510, 541, 650, 660,
+                          670, 680, 690, 700, 710, 711, 712, 720, 721, 722, 730, 740, 760,
+                          810, 820, 830, 840, 850, 860, 870, 880, 890, 980, 990});
   return table;
 }
 

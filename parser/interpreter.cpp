@@ -41,6 +41,7 @@ Interpreter::Interpreter(const Point& start_mm, DiagnosticList& diagnostics, Mac
     : machine_(std::move(machine)),
       dialect_(dialect),
       diagnostics_(&diagnostics),
+      compensation_(diagnostics),
       nurbs_(diagnostics) {
   state_.position_mm = start_mm;
   for (std::size_t system = 0; system < Coordinates::kSystems; ++system) {
@@ -54,6 +55,7 @@ bool Interpreter::fail(std::uint32_t offset, const ErrorPage& page, std::string 
 }
 
 void Interpreter::report(const Fault& fault) {
+  compensation_.forget_faults();
   if (reported_line_ != line_) {
     diagnostics_->add({line_, fault.offset + 1}, *fault.page, fault.message);
     reported_line_ = line_;
@@ -88,14 +90,16 @@ void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
   if (!complete && (sorted || block.stop == Stop::too_many_g)) {
     fault_ = explain_stop(block);
   }
-  if (sorted && complete && execute()) {
-    return;
+  if (!(sorted && complete && execute())) {
+    report(fault_);
+    if (curve_open()) {
+      abandon_curve();
+    }
+    recover();
   }
-  report(fault_);
-  if (curve_open()) {
-    abandon_curve();
+  if (compensation_.busy()) {
+    compensate_moves();
   }
-  recover();
 }
 
 void Interpreter::end(std::uint32_t last_line, std::string_view where) {
@@ -103,6 +107,10 @@ void Interpreter::end(std::uint32_t last_line, std::string_view where) {
   if (curve_open()) {
     report(nurbs_.active() ? nurbs_.unfinished(0, where) : uniform_.unfinished(0, where));
     abandon_curve();
+  }
+  if (compensation_.busy()) {
+    compensation_.finish({last_line, 1, file_});
+    compensate_moves();
   }
 }
 
@@ -114,6 +122,9 @@ void Interpreter::end_program(SourcePosition source) {
 }
 
 bool Interpreter::execute() {
+  if (compensation_.on() && !allowed_while_compensating()) {
+    return false;
+  }
   if (curve_open()) {
     if (!reports_open_curve()) {
       return continue_curve();
@@ -310,6 +321,8 @@ void Interpreter::recover_code(double g) {
                            : FeedMode::per_minute);
   } else if (is(80) && codes_[Group::motion] == kG80) {
     set_motion(kG80);
+  } else if (is(40) && compensation_.on()) {
+    compensation_.stop();
   }
 }
 

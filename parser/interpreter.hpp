@@ -9,6 +9,7 @@
 
 #include "parser/block.hpp"
 #include "parser/codes.hpp"
+#include "parser/compensation/cutter_compensation.hpp"
 #include "parser/curve_block.hpp"
 #include "parser/diagnostic_list.hpp"
 #include "parser/dialect.hpp"
@@ -130,6 +131,16 @@ class Interpreter {
   bool keep_modes();
   void bring_back(const SavedModes& saved);
 
+  // compensation/interpreter_compensation.cpp
+  bool allowed_while_compensating();
+  bool check_motion_while_compensating();
+  bool set_compensation();
+  bool start_compensation();
+  bool compensation_radius(CompensationStart& start);
+  bool radius_of_d(CompensationStart& start);
+  bool tip_of_l(CompensationStart& start);
+  void compensate_moves();
+
   // interpreter_motion.cpp
   void set_motion(Tenths code);
   bool move();
@@ -165,6 +176,7 @@ class Interpreter {
   std::vector<std::optional<SavedModes>> saved_modes_{1};
   MoveQueue moves_;
   DiagnosticList* diagnostics_;
+  CutterCompensation compensation_;
   NurbsCollector nurbs_;
   UniformCollector uniform_;
   SourcePosition curve_source_;

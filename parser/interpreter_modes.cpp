@@ -47,6 +47,9 @@ bool Interpreter::set_modes() {
     const Tenths code = codes_[Group::plane];
     state_.plane = code == 170 ? Plane::xy : code == 180 ? Plane::zx : Plane::yz;
   }
+  if (codes_.has(Group::cutter_compensation) && !set_compensation()) {
+    return false;
+  }
   if (codes_.has(Group::distance)) {
     state_.incremental = codes_[Group::distance] == 910;
   }

@@ -103,7 +103,7 @@ bool Interpreter::straight_move() {
       !cutting_feedrate(inverse ? distance_mm(state_.position_mm, end) : 0.0, feedrate_mm_s)) {
     return false;
   }
-  if (end == state_.position_mm) {
+  if (end == state_.position_mm && !compensation_.leaving()) {
     return true;
   }
   Move& move = push_move();

@@ -51,7 +51,8 @@ struct ModalState {
   Coordinates coordinates;
   Point stored_local_mm{};  // of G52 or G92, for G92.3
   bool local_active = false;
-  bool tool_length_active = false;  // G43, not G49
+  std::int16_t cutter_compensation = 400;  // G40, as ten times the number
+  bool tool_length_active = false;         // G43, not G49
   Motion motion = Motion::none;
   Plane plane = Plane::xy;
   Units units = Units::mm;

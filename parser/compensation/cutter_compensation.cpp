@@ -57,7 +57,7 @@ void CutterCompensation::finish(SourcePosition source) {
 }
 
 void CutterCompensation::take(const Move& move) {
-  if (start_.radius_mm == 0.0) {
+  if (!busy() || start_.radius_mm == 0.0) {
     ready().push() = move;
     leaving_ = false;
     return;
@@ -145,7 +145,7 @@ void CutterCompensation::take_entry(const Move& move) {
   held.curve.path = held.way = *offset(held.curve.programmed, left_mm());
   held.way.start_mm = sender_.centre_mm();
   if (size <= start_.radius_mm) {
-    error(held, errors::kCompensationEntryTooShort,
+    blame(held, errors::kCompensationEntryTooShort,
           joined({"the entry move into cutter compensation is ", in_mm(size),
                   " mm long, it must be longer than the tool radius of ", in_mm(start_.radius_mm),
                   " mm"}));
@@ -153,7 +153,7 @@ void CutterCompensation::take_entry(const Move& move) {
 }
 
 void CutterCompensation::take_contour(const Move& move) {
-  HeldMove* const first = last_curve();
+  HeldMove* const first = goes_on_at(move.start_mm) ? last_curve() : nullptr;
   HeldMove& second = hold(move, HeldRole::contour);
   if (move.rapid) {
     second.run = 0;
@@ -162,13 +162,14 @@ void CutterCompensation::take_contour(const Move& move) {
   const std::optional<planar::Curve> path = offset(second.curve.programmed, left_mm());
   if (!path) {
     const planar::Curve& arc = second.curve.programmed;
-    error(second, errors::kCompensationArcTooSmall,
+    blame(second, errors::kCompensationArcTooSmall,
           joined({"the tool does not fit inside the arc: radius ",
                   in_mm(std::min(arc.start_radius_mm(), arc.end_radius_mm())),
                   " mm, the tool's is ", in_mm(start_.radius_mm), " mm"}));
-    held_.pop_back();
-    --curves_;
-    settle_last();
+    if (first != nullptr) {
+      settle(*first);
+    }
+    second.left_out = true;
     send_all();
     return;
   }
@@ -201,29 +202,6 @@ void CutterCompensation::take_exit(const Move& move) {
     send_all();
   }
   leaving_ = false;
-}
-
-HeldMove* CutterCompensation::last_curve() {
-  const auto last = std::find_if(held_.rbegin(), held_.rend(), [](const HeldMove& held) {
-    return held.role == HeldRole::entry || held.role == HeldRole::contour;
-  });
-  return last != held_.rend() ? &*last : nullptr;
-}
-
-void CutterCompensation::send_surplus() {
-  while (curves_ > kWindow + 1) {
-    curves_ -= held_.front().role != HeldRole::idle ? 1U : 0U;
-    sender_.send(held_.front());
-    held_.pop_front();
-  }
-}
-
-void CutterCompensation::send_all() {
-  for (const HeldMove& held : held_) {
-    sender_.send(held);
-  }
-  held_.clear();
-  curves_ = 0;
 }
 
 }  // namespace kerf::parser

@@ -37,8 +37,8 @@ struct CompensationStart {
 // into is an error before it moves. Moves at another depth (no common range along the normal) and
 // rapids have no contour to keep away from, and a rapid ends what is compared.
 //
-// Errors go to the list with the source of the move to blame. After one the corner or the move is
-// left out, and what follows is still checked.
+// Errors go to the list with the source of the move to blame, when that move is sent. After one the
+// corner or the move is left out, and what follows is still checked.
 class CutterCompensation {
  public:
   static constexpr std::size_t kWindow = 8;
@@ -60,6 +60,8 @@ class CutterCompensation {
   [[nodiscard]] bool busy() const { return on_ || leaving_; }
 
   void take(const Move& move);
+  // Leaves untold what is wrong with the moves held: another error has spoilt the contour.
+  void forget_faults();
   [[nodiscard]] MoveQueue& ready() { return sender_.sent(); }
 
  private:
@@ -68,6 +70,7 @@ class CutterCompensation {
   void take_exit(const Move& move);
   void hold_idle(const Move& move);
   HeldMove& hold(const Move& move, HeldRole role);
+  [[nodiscard]] bool goes_on_at(const Point& start_mm);
   [[nodiscard]] HeldMove* last_curve();
   void join(HeldMove& first, HeldMove& second);
   void join_inside(HeldMove& first, HeldMove& second, const Corner& corner);
@@ -78,7 +81,8 @@ class CutterCompensation {
   void report_cut(HeldMove& mover, HeldMove& contour, double depth_mm);
   void send_surplus();
   void send_all();
-  void error(HeldMove& held, const ErrorPage& page, std::string message);
+  void send(const HeldMove& held);
+  void blame(HeldMove& held, const ErrorPage& page, std::string message);
 
   [[nodiscard]] planar::Curve curve_of(const Move& move) const;
   [[nodiscard]] bool moves_in_plane(const Move& move) const;

@@ -19,7 +19,7 @@ std::string line_of(const Move& move) {
 void CutterCompensation::join(HeldMove& first, HeldMove& second) {
   const Corner corner = corner_between(first.curve, second.curve, left_mm());
   if (corner.kind == CornerKind::too_tight) {
-    error(second, errors::kCompensationCornerTooTight,
+    blame(second, errors::kCompensationCornerTooTight,
           joined({"the tool (radius ", in_mm(start_.radius_mm),
                   " mm) does not fit into the inside corner between ", line_of(first.move),
                   " and this move"}));
@@ -71,7 +71,7 @@ bool CutterCompensation::has_room(HeldMove& held) {
   if (held.role == HeldRole::entry || lost <= whole + kNoise_mm) {
     return true;
   }
-  error(held, errors::kCompensationMoveTooShort,
+  blame(held, errors::kCompensationMoveTooShort,
         joined({"the tool (radius ", in_mm(start_.radius_mm), " mm) cannot reach ",
                 line_of(held.move), " without gouging: its path beside this move is ", in_mm(whole),
                 " mm long, the inside corners at its ends take ", in_mm(lost), " mm"}));
@@ -122,29 +122,28 @@ void CutterCompensation::report_cut(HeldMove& mover, HeldMove& contour, double d
               " mm into the contour of ", line_of(contour.move)});
   const bool seam = mover.role == HeldRole::contour && meet_at_seam(mover, contour);
   if (mover.role == HeldRole::contour && !seam) {
-    error(mover, errors::kCompensationGouge, joined({"on this move ", cut}));
+    blame(mover, errors::kCompensationGouge, joined({"on this move ", cut}));
     contour.faulty = true;
     return;
   }
-  mover.faulty = true;
-  const SourcePosition source = mover.move.source;
   if (seam) {
-    diagnostics_->add(source, errors::kCompensationSeam,
-                      joined({"the contour begins and ends in an inside corner: ", cut}));
+    blame(mover, errors::kCompensationSeam,
+          joined({"the contour begins and ends in an inside corner: ", cut}));
   } else if (mover.role == HeldRole::entry) {
-    diagnostics_->add(source, errors::kCompensationEntryGouges,
-                      joined({"on the entry move ", cut}));
+    blame(mover, errors::kCompensationEntryGouges, joined({"on the entry move ", cut}));
   } else {
-    diagnostics_->add(source, errors::kCompensationExitGouges, joined({"on the exit move ", cut}));
+    blame(mover, errors::kCompensationExitGouges, joined({"on the exit move ", cut}));
   }
 }
 
-void CutterCompensation::error(HeldMove& held, const ErrorPage& page, std::string message) {
+void CutterCompensation::blame(HeldMove& held, const ErrorPage& page, std::string message) {
   if (!held.faulty) {
-    diagnostics_->add(held.move.source, page, std::move(message));
-    ++run_;  // what comes behind is not measured against a contour that is wrong already
+    held.fault = HeldFault{std::move(message), &page};
   }
   held.faulty = true;
+  if (page.severity == Severity::error) {
+    ++run_;  // what comes behind is not measured against a contour that is wrong already
+  }
 }
 
 }  // namespace kerf::parser

@@ -2,14 +2,22 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 #include "parser/compensation/corner.hpp"
+#include "parser/errors/error_page.hpp"
 #include "parser/move.hpp"
 
 namespace kerf::parser {
 
 // What a move is to the contour. Idle ones do not move in the plane.
 enum class HeldRole : std::uint8_t { idle, entry, contour, exit };
+
+struct HeldFault {
+  std::string message;
+  const ErrorPage* page = nullptr;
+};
 
 struct HeldMove {
   Move move;  // as programmed
@@ -23,10 +31,12 @@ struct HeldMove {
   planar::Curve corner;
   double lost_at_start_mm = 0.0;  // of curve.path, to inside corners
   double lost_at_end_mm = 0.0;
-  bool faulty = false;       // has been reported
-  std::uint64_t number = 0;  // counts curves
-  std::uint32_t run = 0;     // only moves of the same run can cut into each other; 0: of none
-  double low_mm = 0.0;       // along the plane's normal
+  bool left_out = false;           // only its fault is told
+  bool faulty = false;             // not compared any more
+  std::optional<HeldFault> fault;  // to be told when the move is sent
+  std::uint64_t number = 0;        // counts curves
+  std::uint32_t run = 0;           // only moves of the same run can cut into each other; 0: of none
+  double low_mm = 0.0;             // along the plane's normal
   double high_mm = 0.0;
 };
 
