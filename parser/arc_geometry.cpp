@@ -74,7 +74,8 @@ bool turns_from(const Block& block, ArcMove& arc, Fault& fault) {
 bool centre_from_radius(const Block& block, const ModalState& state, ArcMove& arc, Fault& fault) {
   const PlaneAxes axes = axes_of(arc.plane);
   const Word& word = block.word('R');
-  const double radius = word.value * mm_per_unit(state.units);
+  const double scale = std::fabs(state.coordinates.scaling().factor[axes.first]);
+  const double radius = word.value * mm_per_unit(state.units) * scale;
   const InPlane start = in_plane(state.position_mm, axes);
   const InPlane end = in_plane(arc.end_mm, axes);
   const double chord = distance(start, end);
@@ -179,7 +180,7 @@ std::string_view plane_name(Plane plane) {
 bool build_arc(const Block& block, const ModalState& state, const Point& end_mm, ArcMove& arc,
                Fault& fault) {
   arc.plane = state.plane;
-  arc.clockwise = state.motion == Motion::arc_clockwise;
+  arc.clockwise = (state.motion == Motion::arc_clockwise) != state.coordinates.mirrors(state.plane);
   arc.centre_mm = state.position_mm;
   arc.end_mm = end_mm;
   if (!check_words(block, arc.plane, fault) || !turns_from(block, arc, fault)) {

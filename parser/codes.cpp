@@ -10,7 +10,7 @@ namespace kerf::parser {
 
 namespace {
 
-enum class Status : std::uint8_t { unknown, not_yet, known };
+enum class Status : std::uint8_t { unknown, not_yet, fanuc, known };
 
 struct Code {
   Status status = Status::unknown;
@@ -28,6 +28,13 @@ template <std::size_t size>
 constexpr void know(Table& table, Group group, const std::array<int, size>& tenths) {
   for (const int code : tenths) {
     table[static_cast<std::size_t>(code)] = {Status::known, group};
+  }
+}
+
+template <std::size_t size>
+constexpr void know_fanuc(Table& table, Group group, const std::array<int, size>& tenths) {
+  for (const int code : tenths) {
+    table[static_cast<std::size_t>(code)] = {Status::fanuc, group};
   }
 }
 
@@ -54,9 +61,12 @@ constexpr Table g_table() {
   know(table, Group::path, std::array{610, 611, 640});
   know(table, Group::spindle_mode, std::array{960, 970});
   know(table, Group::local_offset, std::array{921, 922, 923});
-  later(table, std::array{150, 160, 330, 331, 382, 383, 384, 385, 500, 510, 541, 650, 660,
-                          670, 680, 690, 700, 710, 711, 712, 720, 721, 722, 730, 740, 760,
-                          810, 820, 830, 840, 850, 860, 870, 880, 890, 980, 990});
+  know_fanuc(table, Group::work_offset, std::array{541});
+  know_fanuc(table, Group::scaling, std::array{500, 510});
+  know_fanuc(table, Group::program_turn, std::array{680, 690});
+  later(table,
+        std::array{150, 160, 330, 331, 382, 383, 384, 385, 650, 660, 670, 700, 710, 711, 712, 720,
+                   721, 722, 730, 740, 760, 810, 820, 830, 840, 850, 860, 870, 880, 890, 980, 990});
   return table;
 }
 
@@ -101,6 +111,9 @@ Fault why_not(const Block& block, const Word& word, const Code& code, bool is_m)
     return {word.offset, name + " (diameter or radius on X) is for lathes, this machine is a mill",
             &errors::kLatheCode};
   }
+  if (code.status == Status::fanuc) {
+    return {word.offset, name + " is a code of the Fanuc dialect", &errors::kFanucCode};
+  }
   if (code.status == Status::not_yet) {
     return {word.offset, name + " is not supported yet", &errors::kCodeNotSupported};
   }
@@ -118,12 +131,14 @@ Fault why_not(const Block& block, const Word& word, const Code& code, bool is_m)
 
 template <std::size_t size>
 bool sort_words(const Block& block, const std::array<Word, size>& words, std::size_t count,
-                bool is_m, BlockCodes& codes, Fault& fault) {
+                bool is_m, Dialect dialect, BlockCodes& codes, Fault& fault) {
   for (std::size_t i = 0; i < count; ++i) {
     const Word& word = words[i];
     const std::size_t place = place_of(word.value);
     const Code code = place < kCodes ? (is_m ? kM : kG)[place] : Code{};
-    if (code.status != Status::known) {
+    const bool known =
+        code.status == Status::known || (code.status == Status::fanuc && dialect == Dialect::fanuc);
+    if (!known) {
       fault = why_not(block, word, code, is_m);
       return false;
     }
@@ -142,14 +157,14 @@ bool sort_words(const Block& block, const std::array<Word, size>& words, std::si
 
 }  // namespace
 
-bool sort_codes(const Block& block, BlockCodes& codes, Fault& fault) {
+bool sort_codes(const Block& block, Dialect dialect, BlockCodes& codes, Fault& fault) {
   codes = {};
   if (block.g_count + block.m_count == 0) {
     return true;
   }
   Fault other;
-  const bool g = sort_words(block, block.g, block.g_count, false, codes, fault);
-  const bool m = sort_words(block, block.m, block.m_count, true, codes, other);
+  const bool g = sort_words(block, block.g, block.g_count, false, dialect, codes, fault);
+  const bool m = sort_words(block, block.m, block.m_count, true, dialect, codes, other);
   auto& motion = codes.by_group[static_cast<std::size_t>(Group::motion)];
   if (motion.tenths == kNoCode) {
     motion = codes.by_group[static_cast<std::size_t>(Group::cycle_cancel)];

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "parser/block.hpp"
+#include "parser/dialect.hpp"
 #include "parser/fault.hpp"
 
 namespace kerf::parser {
@@ -25,6 +26,8 @@ enum class Group : std::uint8_t {
   path,
   spindle_mode,  // G96, G97
   local_offset,  // G92.1, G92.2, G92.3
+  scaling,       // Fanuc: G50, G51
+  program_turn,  // Fanuc: G68, G69
   stop,          // from here on M codes
   tool,
   spindle,
@@ -54,7 +57,7 @@ struct BlockCodes {
 
 // Sorts the block's codes into their groups. False, with the fault of the leftmost wrong code:
 // not known, not supported yet, or a second one of its group.
-bool sort_codes(const Block& block, BlockCodes& codes, Fault& fault);
+bool sort_codes(const Block& block, Dialect dialect, BlockCodes& codes, Fault& fault);
 
 // The word that put a code into `group`. Precondition: codes.has(group).
 const Word& code_word(const Block& block, const BlockCodes& codes, Group group);

@@ -19,6 +19,9 @@ const char* feed_code(FeedMode mode) {
 }
 
 std::string work_code(std::size_t system) {
+  if (system >= Coordinates::kSystems) {
+    return "G54.1 P" + std::to_string(system - Coordinates::kSystems + 1);
+  }
   constexpr std::size_t kWhole = 6;  // G54 to G59, then G59.1 to G59.3
   return system < kWhole ? "G" + std::to_string(54 + system)
                          : "G59." + std::to_string(system - kWhole + 1);

@@ -80,7 +80,7 @@ Move& Interpreter::push_move() {
 void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
   block_ = &block;
   line_ = line;
-  const bool sorted = sort_codes(block, codes_, fault_);
+  const bool sorted = sort_codes(block, dialect_, codes_, fault_);
   if (skipped_curve_ != kNoCode) {
     if (!sorted || !complete || !leave_skipped_curve()) {
       recover();

@@ -88,7 +88,7 @@ class Interpreter {
 
   // offsets/interpreter_offsets.cpp
   bool check_axis_taker(Group taker);
-  void select_work_offset();
+  bool select_work_offset();
   [[nodiscard]] Point axis_words_mm() const;
   bool needs_axis_words();
   bool do_once();
@@ -102,11 +102,20 @@ class Interpreter {
   const Tool* tool_of_h();
   const Tool* table_tool(double number, std::uint32_t offset);
 
+  // offsets/interpreter_shape.cpp
+  bool select_extended_offset();
+  bool shape_program();
+  bool scale_program();
+  bool scale_factor(char letter, double& factor);
+  bool turn_program();
+  bool check_unshaped();
+
   // offsets/interpreter_data.cpp
   bool set_data();
   bool check_data_words(std::string_view name, Letters usable);
   std::optional<int> data_number(std::string_view name, int least, int most);
   bool set_work_data(bool from_position);
+  bool set_extended_data();
   bool set_tool_data(int kind);
 
   // offsets/interpreter_spindle.cpp

@@ -62,8 +62,13 @@ bool Interpreter::set_modes() {
   if (codes_.has(Group::length_offset) && !set_length_offset()) {
     return false;
   }
-  select_work_offset();
+  if (!select_work_offset()) {
+    return false;
+  }
   change_local_offset();
+  if (dialect_ == Dialect::fanuc && !shape_program()) {
+    return false;
+  }
   return set_path_mode();
 }
 

@@ -5,6 +5,7 @@
 #include "parser/errors/arcs.hpp"
 #include "parser/errors/motion.hpp"
 #include "parser/errors/offsets.hpp"
+#include "parser/errors/shape.hpp"
 #include "parser/errors/splines.hpp"
 #include "parser/interpreter.hpp"
 #include "parser/text.hpp"
@@ -115,6 +116,14 @@ bool Interpreter::straight_move() {
 }
 
 bool Interpreter::arc_move() {
+  const Point& factor = state_.coordinates.scaling().factor;
+  const PlaneAxes plane_axes = axes_of(state_.plane);
+  if (std::fabs(factor[plane_axes.first]) != std::fabs(factor[plane_axes.second])) {
+    return fail(
+        motion_offset(), errors::kArcUnevenlyScaled,
+        joined({"an arc in the ", plane_name(state_.plane), " plane cannot be scaled by ",
+                shortest(factor[plane_axes.first]), " and ", shortest(factor[plane_axes.second])}));
+  }
   if (state_.plane != Plane::xy && state_.coordinates.turned()) {
     return fail(motion_offset(), errors::kTurnedArcPlane,
                 joined({"an arc in the ", plane_name(state_.plane),

@@ -15,6 +15,7 @@
 #include "parser/errors/motion.hpp"
 #include "parser/errors/nurbs.hpp"
 #include "parser/errors/offsets.hpp"
+#include "parser/errors/shape.hpp"
 #include "parser/errors/splines.hpp"
 #include "parser/errors/switches.hpp"
 #include "parser/errors/words.hpp"
@@ -37,7 +38,7 @@ constexpr auto in_order(const std::array<Page, sizes>&... topics) {
 constexpr std::array kPages =
     in_order(kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages, kCurvesPages,
              kFilesPages, kMachinePages, kModesPages, kMotionPages, kNurbsPages, kOffsetsPages,
-             kSplinesPages, kSwitchesPages, kWordsPages);
+             kShapePages, kSplinesPages, kSwitchesPages, kWordsPages);
 
 }  // namespace
 

@@ -69,8 +69,19 @@ inline constexpr ErrorPage kLatheCode{
     "Take the code out; a program for a lathe cannot be run on a mill.",
     "G7\nM2\n"};
 
+inline constexpr ErrorPage kFanucCode{
+    107,
+    Severity::error,
+    "code of the Fanuc dialect",
+    "G50, G51, G54.1, G68 and G69 scale, turn and place a program on Fanuc controls. RS274/NGC, "
+    "the "
+    "language that this program is read in, does not have them.",
+    "Read the program as one for Fanuc (--dialect fanuc), or do without the code: G10 L2 R turns a "
+    "work offset.",
+    "G68 X0 Y0 R45\nM2\n"};
+
 inline constexpr std::array kCodesPages{&kUnknownGCode,     &kUnknownMCode, &kDecimalMCode,
                                         &kCodeNotSupported, &kPrinterCode,  &kSameModalGroup,
-                                        &kLatheCode};
+                                        &kLatheCode,        &kFanucCode};
 
 }  // namespace kerf::parser::errors

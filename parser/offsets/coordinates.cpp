@@ -37,12 +37,33 @@ void Coordinates::select(std::size_t system) {
     return;
   }
   system_ = system;
-  chosen_ = work_[system];
+  chosen_ = work(system);
   refresh();
 }
 
+const WorkOffset& Coordinates::work(std::size_t system) const {
+  static constexpr WorkOffset kNever{};
+  if (system < kSystems) {
+    return work_[system];
+  }
+  const std::size_t extended = system - kSystems;
+  return extended < extended_.size() ? extended_[extended] : kNever;
+}
+
+void Coordinates::store_work(std::size_t system, const WorkOffset& offset) {
+  if (system < kSystems) {
+    work_[system] = offset;
+    return;
+  }
+  const std::size_t extended = system - kSystems;
+  if (extended >= extended_.size()) {
+    extended_.resize(extended + 1);
+  }
+  extended_[extended] = offset;
+}
+
 void Coordinates::set_work(std::size_t system, const WorkOffset& offset) {
-  work_[system] = offset;
+  store_work(system, offset);
   if (system == system_) {
     chosen_ = offset;
     refresh();
@@ -59,29 +80,50 @@ void Coordinates::set_tool(const Point& tool_mm) {
   refresh();
 }
 
+void Coordinates::set_scaling(const Scaling& scaling) {
+  scaling_ = scaling;
+  refresh();
+}
+
+void Coordinates::set_program_turn(const ProgramTurn& turn) {
+  turn_ = turn;
+  refresh();
+}
+
 void Coordinates::refresh() {
-  const Turn turn = turn_from_degrees(chosen_.rotation_deg);
-  cosine_ = turn.cosine;
-  sine_ = turn.sine;
-  shift_mm_ = sum(sum(turned_by(turn, local_mm_), chosen_.origin_mm), tool_mm_);
-  plain_ = !turned() && shift_mm_ == Point{};
-}
+  const Turn work = turn_from_degrees(chosen_.rotation_deg);
+  const Turn turn68 = turn_from_degrees(turn_.angle_deg);
+  const Turn both = turn_from_degrees(chosen_.rotation_deg + turn_.angle_deg);
+  const Point& k = scaling_.factor;
+  x_from_x_ = both.cosine * k[0];
+  x_from_y_ = -both.sine * k[1];
+  y_from_x_ = both.sine * k[0];
+  y_from_y_ = both.cosine * k[1];
+  z_from_z_ = k[2];
 
-Point Coordinates::to_machine(const Point& program_mm) const {
-  return sum(turned_by({cosine_, sine_}, program_mm), shift_mm_);
-}
-
-Point Coordinates::to_program(const Point& machine_mm) const {
-  return turned_by({cosine_, -sine_}, difference(machine_mm, shift_mm_));
+  const Point& about = scaling_.centre_mm;
+  const Point kept{(1.0 - k[0]) * about[0], (1.0 - k[1]) * about[1], (1.0 - k[2]) * about[2]};
+  const Point moved = difference(turn_.centre_mm, turned_by(turn68, turn_.centre_mm));
+  const Point before_turn = sum(sum(turned_by(turn68, kept), moved), local_mm_);
+  shift_mm_ = sum(sum(turned_by(work, before_turn), chosen_.origin_mm), tool_mm_);
+  plain_ =
+      !turned() && x_from_x_ == 1.0 && y_from_y_ == 1.0 && z_from_z_ == 1.0 && shift_mm_ == Point{};
 }
 
 Point Coordinates::turned_to_machine(const Point& distance_mm) const {
-  return turned_by({cosine_, sine_}, distance_mm);
+  return {x_from_x_ * distance_mm[0] + x_from_y_ * distance_mm[1],
+          y_from_x_ * distance_mm[0] + y_from_y_ * distance_mm[1], z_from_z_ * distance_mm[2]};
 }
 
-Point Coordinates::local_for(const Point& machine_mm, const Point& program_mm) const {
-  const Point fixed = sum(chosen_.origin_mm, tool_mm_);
-  return difference(turned_by({cosine_, -sine_}, difference(machine_mm, fixed)), program_mm);
+Point Coordinates::to_machine(const Point& program_mm) const {
+  return sum(turned_to_machine(program_mm), shift_mm_);
+}
+
+Point Coordinates::to_program(const Point& machine_mm) const {
+  const Point d = difference(machine_mm, shift_mm_);
+  const double area = x_from_x_ * y_from_y_ - x_from_y_ * y_from_x_;
+  return {(y_from_y_ * d[0] - x_from_y_ * d[1]) / area,
+          (x_from_x_ * d[1] - y_from_x_ * d[0]) / area, d[2] / z_from_z_};
 }
 
 }  // namespace kerf::parser

@@ -1,8 +1,10 @@
-// Where the program's coordinates lie on the machine: G54 to G59.3, G52, G92, G43 in one place.
+// Where the program's coordinates lie on the machine: G54 to G59.3, G52, G92, G43, and with Fanuc
+// G54.1, G51 and G68, in one place.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "parser/move.hpp"
 
@@ -14,55 +16,90 @@ struct WorkOffset {
   double rotation_deg = 0.0;  // counterclockwise, as G10 L2 R gives it
 };
 
-// machine = turn(program + local) + origin + tool
+// G51: distances from the centre are taken times the factors; a negative one mirrors.
+struct Scaling {
+  Point centre_mm{};  // in program coordinates
+  Point factor{1.0, 1.0, 1.0};
+
+  friend bool operator==(const Scaling&, const Scaling&) = default;
+};
+
+// G68: a turn of the program about a line along Z.
+struct ProgramTurn {
+  Point centre_mm{};  // in program coordinates; Z is not used
+  double angle_deg = 0.0;
+
+  friend bool operator==(const ProgramTurn&, const ProgramTurn&) = default;
+};
+
+// machine = turn(turn68(scale51(program)) + local) + origin + tool
 //
 // turn and origin are those of the chosen work offset, local is G52 or G92, tool is G43. This is
 // the order in which LinuxCNC applies them: a local offset lies in the turned axes, the tool's does
 // not. As long as all of it is zero `plain()` says so, and nobody needs to compute anything.
 class Coordinates {
  public:
-  static constexpr std::size_t kSystems = 9;  // 0: G54 ... 5: G59, 6: G59.1, 7: G59.2, 8: G59.3
+  static constexpr std::size_t kSystems = 9;     // 0: G54 ... 5: G59, 6: G59.1, 7: G59.2, 8: G59.3
+  static constexpr std::size_t kExtended = 300;  // behind these: G54.1 P1 ... P300
 
   [[nodiscard]] bool plain() const { return plain_; }
-  // The axes X and Y of the program are not those of the machine.
-  [[nodiscard]] bool turned() const { return sine_ != 0.0 || cosine_ != 1.0; }
+  // A motion along X or Y of the program is one of both axes of the machine.
+  [[nodiscard]] bool turned() const { return x_from_y_ != 0.0 || y_from_x_ != 0.0; }
+  // G51 turns the sense of arcs in the plane round.
+  [[nodiscard]] bool mirrors(Plane plane) const {
+    const Point& k = scaling_.factor;
+    return (plane == Plane::xy   ? k[0] * k[1]
+            : plane == Plane::zx ? k[2] * k[0]
+                                 : k[1] * k[2]) < 0.0;
+  }
+  // G51 or G68 is in force.
+  [[nodiscard]] bool shaped() const { return scaling_ != Scaling{} || turn_ != ProgramTurn{}; }
 
   [[nodiscard]] std::size_t system() const { return system_; }
-  // Precondition of these four: system < kSystems. The one in force is not read anew.
+  // Precondition of these four: system < kSystems + kExtended.
+  // The one in force is not read anew.
   void select(std::size_t system);
-  [[nodiscard]] const WorkOffset& work(std::size_t system) const { return work_[system]; }
+  [[nodiscard]] const WorkOffset& work(std::size_t system) const;
   // A change of the chosen system takes effect at once.
   void set_work(std::size_t system, const WorkOffset& offset);
   // Takes effect when the system is chosen the next time.
-  void store_work(std::size_t system, const WorkOffset& offset) { work_[system] = offset; }
+  void store_work(std::size_t system, const WorkOffset& offset);
 
   [[nodiscard]] const Point& local_mm() const { return local_mm_; }
   void set_local(const Point& local_mm);
   [[nodiscard]] const Point& tool_mm() const { return tool_mm_; }
   void set_tool(const Point& tool_mm);
 
+  [[nodiscard]] const Scaling& scaling() const { return scaling_; }
+  // Precondition: no factor is 0.
+  void set_scaling(const Scaling& scaling);
+  [[nodiscard]] const ProgramTurn& program_turn() const { return turn_; }
+  void set_program_turn(const ProgramTurn& turn);
+
   [[nodiscard]] Point to_machine(const Point& program_mm) const;
   [[nodiscard]] Point to_program(const Point& machine_mm) const;
   // A distance along the program's axes as one along the machine's.
   [[nodiscard]] Point turned_to_machine(const Point& distance_mm) const;
 
-  // The local offset with which the tool's place `machine_mm` has the program coordinates
-  // `program_mm`: what G92 sets.
-  [[nodiscard]] Point local_for(const Point& machine_mm, const Point& program_mm) const;
-
  private:
   void refresh();
 
   std::array<WorkOffset, kSystems> work_{};
+  std::vector<WorkOffset> extended_;  // as far as any was written
   std::size_t system_ = 0;
   WorkOffset chosen_{};
   Point local_mm_{};
   Point tool_mm_{};
+  Scaling scaling_{};
+  ProgramTurn turn_{};
 
-  // Of the above, for the block: machine = turn(program) + shift.
+  // Of the above, for the block: machine = matrix * program + shift. Z stays by itself.
   bool plain_ = true;
-  double cosine_ = 1.0;
-  double sine_ = 0.0;
+  double x_from_x_ = 1.0;
+  double x_from_y_ = 0.0;
+  double y_from_x_ = 0.0;
+  double y_from_y_ = 1.0;
+  double z_from_z_ = 1.0;
   Point shift_mm_{};
 };
 

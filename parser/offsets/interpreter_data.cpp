@@ -21,6 +21,9 @@ bool Interpreter::set_data() {
     return fail(code.offset, errors::kG10WithoutKind, "G10 needs L");
   }
   const Word& kind = block_->word('L');
+  if (kind.value == 20.0 && dialect_ == Dialect::fanuc) {
+    return set_extended_data();
+  }
   if (kind.value == 2.0 || kind.value == 20.0) {
     return set_work_data(kind.value == 20.0);
   }
@@ -100,6 +103,24 @@ bool Interpreter::set_work_data(bool from_position) {
     }
   }
   coordinates.set_work(system, offset);
+  return true;
+}
+
+// Fanuc's L20 writes the offset of G54.1 P.
+bool Interpreter::set_extended_data() {
+  const auto number = data_number("G10 L20", 1, static_cast<int>(Coordinates::kExtended));
+  if (!number || !check_data_words("G10 L20", 0)) {
+    return false;
+  }
+  const std::size_t system = Coordinates::kSystems + static_cast<std::size_t>(*number - 1);
+  WorkOffset offset = state_.coordinates.work(system);
+  const Point words = axis_words_mm();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (block_->has(axis_letter(axis))) {
+      offset.origin_mm[axis] = words[axis] + (state_.incremental ? offset.origin_mm[axis] : 0.0);
+    }
+  }
+  state_.coordinates.set_work(system, offset);
   return true;
 }
 

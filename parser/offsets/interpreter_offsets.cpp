@@ -37,12 +37,17 @@ bool Interpreter::check_axis_taker(Group taker) {
                       upper(block_->text(motion)), " both use the axis words"}));
 }
 
-void Interpreter::select_work_offset() {
+bool Interpreter::select_work_offset() {
   const Tenths code = codes_[Group::work_offset];
-  if (code != kNoCode) {
-    const int system = code > 590 ? 5 + code % 10 : (code - 540) / 10;
-    state_.coordinates.select(static_cast<std::size_t>(system));
+  if (code == kNoCode) {
+    return true;
   }
+  if (code == 541) {
+    return select_extended_offset();
+  }
+  const int system = code > 590 ? 5 + code % 10 : (code - 540) / 10;
+  state_.coordinates.select(static_cast<std::size_t>(system));
+  return true;
 }
 
 // The axis words in mm; 0 for an axis without one.
@@ -117,7 +122,7 @@ bool Interpreter::go_home(const Point& home_mm) {
 
 // G52 X5 puts the local origin to X5 of the work offset; G92 X5 names the tool's place X5.
 bool Interpreter::set_local_offset() {
-  if (!needs_axis_words()) {
+  if (!needs_axis_words() || !check_unshaped()) {
     return false;
   }
   const Point words = axis_words_mm();

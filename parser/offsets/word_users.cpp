@@ -15,6 +15,9 @@ struct Use {
 constexpr std::array kUses{
     Use{Group::other, 40, letters('P')},
     Use{Group::other, 100, letters('P', 'L', 'R', 'I', 'J', 'Q')},
+    Use{Group::work_offset, 541, letters('P')},
+    Use{Group::scaling, 510, letters('P', 'I', 'J', 'K')},
+    Use{Group::program_turn, 680, letters('R')},
     Use{Group::path, 640, letters('P', 'Q')},
     Use{Group::cutter_compensation, 410, letters('D')},
     Use{Group::cutter_compensation, 411, letters('D', 'L')},
@@ -67,6 +70,12 @@ Group taker_of_axes(const Block& block, const BlockCodes& codes) {
       return Group::other;
     default:
       break;
+  }
+  if (codes[Group::scaling] == 510) {
+    return Group::scaling;
+  }
+  if (codes[Group::program_turn] == 680) {
+    return Group::program_turn;
   }
   const Tenths length = codes[Group::length_offset];
   const bool takes = length == 431 || (length == 432 && !block.has('H'));

@@ -13,7 +13,8 @@ Letters letters_of_codes(const BlockCodes& codes);
 int users_of(const BlockCodes& codes, char letter);
 
 // The code that takes the block's axis words instead of a motion: G10, G28, G30, G52, G92, G43.1,
-// and G43.2 without H. Group::count where there is none. Precondition: the block has axis words.
+// G43.2 without H, G51, G68. Group::count where there is none. Precondition: the block has axis
+// words.
 Group taker_of_axes(const Block& block, const BlockCodes& codes);
 
 }  // namespace kerf::parser

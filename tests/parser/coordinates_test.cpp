@@ -55,14 +55,25 @@ TEST(Coordinates, GoBackToWhereTheyCameFrom) {
   expect_near(here.to_program(here.to_machine(program)), program);
 }
 
-TEST(Coordinates, FindTheLocalOffsetThatNamesAPlace) {
+TEST(Coordinates, ScaleFirstThenTurnTheProgram) {
   Coordinates here;
-  here.set_work(0, {{10.0, 20.0, 30.0}, 30.0});
-  here.set_tool({0.0, 0.0, 5.0});
-  here.set_local({3.0, 3.0, 3.0});
-  const Point machine{7.0, 8.0, 9.0};
-  here.set_local(here.local_for(machine, {1.0, 2.0, 3.0}));
-  expect_near(here.to_program(machine), {1.0, 2.0, 3.0});
+  here.set_scaling({{1.0, 1.0, 0.0}, {2.0, 2.0, 1.0}});
+  expect_near(here.to_machine({3.0, 1.0, 5.0}), {5.0, 1.0, 5.0});
+  here.set_program_turn({{1.0, 1.0, 0.0}, 90.0});
+  expect_near(here.to_machine({3.0, 1.0, 5.0}), {1.0, 5.0, 5.0});
+  here.set_local({10.0, 0.0, 0.0});
+  here.set_work(0, {{0.0, 100.0, 0.0}, 90.0});
+  expect_near(here.to_machine({3.0, 1.0, 5.0}), {-5.0, 111.0, 5.0});
+  expect_near(here.to_program({-5.0, 111.0, 5.0}), {3.0, 1.0, 5.0});
+  EXPECT_TRUE(here.shaped());
+}
+
+TEST(Coordinates, ReachToTheExtendedWorkOffsets) {
+  Coordinates here;
+  EXPECT_EQ(here.work(Coordinates::kSystems + 299).origin_mm, Point{});
+  here.select(Coordinates::kSystems + 4);
+  here.set_work(Coordinates::kSystems + 4, {{7.0, 0.0, 0.0}, 0.0});
+  expect_near(here.to_machine({1.0, 0.0, 0.0}), {8.0, 0.0, 0.0});
 }
 
 TEST(Coordinates, QuarterTurnsAreExact) {
