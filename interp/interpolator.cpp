@@ -63,8 +63,23 @@ void Interpolator::advance_piece(double s_mm) noexcept {
     if (!needed) {
       break;
     }
+    if (i > 0) {
+      note_passed_piece();
+    }
     piece_ = *next;
     queue_->pop_piece();
+  }
+}
+
+void Interpolator::note_passed_piece() noexcept {
+  if (passed_points_ == passed_mm_.size()) {
+    return;
+  }
+  const double begin = curves::s_begin_mm(piece_.geometry);
+  const double length = curves::s_end_mm(piece_.geometry) - begin;
+  for (std::size_t k = 1; k <= kChordPoints; ++k) {
+    const double share = static_cast<double>(k) / kChordPoints;
+    passed_mm_[passed_points_++] = curves::position_at(piece_.geometry, begin + share * length);
   }
 }
 
@@ -90,6 +105,7 @@ void Interpolator::fill(const profiles::PathMotion& motion, double s_mm) noexcep
 TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   position_before_mm_ = now_.position_mm;
   s_before_mm_ = s_now_mm_;
+  passed_points_ = 0;
   if (piece_before_.curve != piece_.curve ||
       curves::s_begin_mm(piece_before_.geometry) != curves::s_begin_mm(piece_.geometry)) {
     piece_before_ = piece_;
@@ -124,16 +140,17 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
 }
 
 double Interpolator::chord_error_mm() const noexcept {
-  const Position& from = position_before_mm_;
-  const Position& to = now_.position_mm;
   double error = 0.0;
+  const auto look_at = [&](const Position& point) {
+    error = std::max(error, distance_to_chord_mm(point, position_before_mm_, now_.position_mm));
+  };
   const auto look = [&](const PathPiece& piece, double s_mm) {
-    error =
-        std::max(error, distance_to_chord_mm(curves::position_at(piece.geometry, s_mm), from, to));
+    look_at(curves::position_at(piece.geometry, s_mm));
   };
   const double s_joint = curves::s_end_mm(piece_before_.geometry);
   const bool joint = piece_.curve != piece_before_.curve && piece_before_.curve != 0;
-  for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+  for (std::size_t k = 1; k <= kChordPoints; ++k) {
+    const double share = static_cast<double>(k) / kChordPoints;
     if (joint) {
       look(piece_before_, s_before_mm_ + share * (s_joint - s_before_mm_));
       look(piece_, share * s_now_mm_);
@@ -146,6 +163,7 @@ double Interpolator::chord_error_mm() const noexcept {
       look(piece_, s);
     }
   }
+  std::for_each_n(passed_mm_.begin(), passed_points_, look_at);
   return error;
 }
 

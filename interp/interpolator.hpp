@@ -1,7 +1,9 @@
 // Planned motion to setpoints: one call, one tick.
 #pragma once
 
+#include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 
 #include "interp/motion_queue.hpp"
@@ -33,11 +35,14 @@ class Interpolator {
   }
 
   // How far the path leaves the straight line between the last two setpoints: the largest distance
-  // of points of the path between them, the joint among them if they lie on two curves. Blocks that
-  // lie wholly between the two are not looked at.
+  // of points of the path between them, joints among them. Where a tick passes over more than
+  // kPassedPieces whole pieces, those after them are not looked at.
   [[nodiscard]] double chord_error_mm() const noexcept;
 
  private:
+  static constexpr std::size_t kPassedPieces = 16;
+  static constexpr std::size_t kChordPoints = 4;  // of each piece, its end among them
+
   [[nodiscard]] double time_into_s(const Phase& phase) const noexcept;
   // The phase that holds the present tick. False: there was none yet.
   bool advance_phase() noexcept;
@@ -46,6 +51,7 @@ class Interpolator {
   // The piece of the present phase's curve that holds s_mm.
   void advance_piece(double s_mm) noexcept;
   void fill(const profiles::PathMotion& motion, double s_mm) noexcept;
+  void note_passed_piece() noexcept;
 
   MotionQueue* queue_;
   double period_s_;
@@ -59,6 +65,9 @@ class Interpolator {
   Position position_before_mm_{};
   double s_now_mm_ = 0.0;
   double s_before_mm_ = 0.0;
+  // Points of the pieces that lie wholly between the two.
+  std::array<Position, kPassedPieces * kChordPoints> passed_mm_{};
+  std::size_t passed_points_ = 0;
 };
 
 }  // namespace kerf::interp
