@@ -61,6 +61,28 @@ Differences largest_differences(const Block& before, const Block& after, double 
   return largest;
 }
 
+// How far the path leaves the chord of any tick that sees the joint, passed at constant feedrate.
+double largest_chord_error_mm(const Block& before, const Block& after, double feedrate_mm_s) {
+  const auto at = [&](double s) {
+    const Position point = s < 0.0 ? curves::position_at(before.curve, before.length_mm + s)
+                                   : curves::position_at(after.curve, s);
+    return Eigen::Vector3d(curves::vec(point));
+  };
+  const double tick_mm = feedrate_mm_s * kTs;
+  double largest = 0.0;
+  for (int phase = 0; phase <= 100; ++phase) {
+    const double s_from = -tick_mm * phase / 100.0;
+    const Eigen::Vector3d from = at(s_from);
+    const Eigen::Vector3d chord = at(s_from + tick_mm) - from;
+    for (int i = 1; i < 100; ++i) {
+      const Eigen::Vector3d offset = at(s_from + tick_mm * i / 100.0) - from;
+      const double share = std::clamp(offset.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+      largest = std::max(largest, (offset - share * chord).norm());
+    }
+  }
+  return largest;
+}
+
 TEST(Junction, OfARightAngleThatBisectsTheAxesIsThePapersCornerD) {
   constexpr double kQuarter = std::numbers::pi / 4.0;
   const double f = corner_feedrate_mm_s(straight(kQuarter), straight(-kQuarter), quintic_paper());
@@ -88,6 +110,23 @@ TEST(Junction, IsBoundByJerkWhereThatIsLess) {
   const PlanLimits limits = axis_limits({.acceleration_mm_s2 = 12'500.0, .jerk_mm_s3 = 55'000.0});
   const double f = corner_feedrate_mm_s(straight(0.0), straight(0.01), limits);
   EXPECT_NEAR(f, 55'000.0 * kTs * kTs / std::sin(0.01), 1e-9);
+}
+
+// A tick that has the corner in its middle leaves it by v Ts / 2 sin(turn / 2).
+TEST(Junction, IsBoundByTheChordToleranceWhereThatIsLess) {
+  PlanLimits limits = quintic_paper();
+  limits.chord_tolerance_mm = 1e-4;
+  for (const double turn : {0.01, 0.3, 1.5, 2.8}) {
+    SCOPED_TRACE(turn);
+    const double f = corner_feedrate_mm_s(straight(0.4), straight(0.4 + turn), limits);
+    EXPECT_NEAR(0.5 * f * kTs * std::sin(0.5 * turn), limits.chord_tolerance_mm, 1e-12);
+  }
+}
+
+TEST(Junction, DoesNotAskTheChordToleranceWhereThePathIsSmooth) {
+  PlanLimits limits = quintic_paper();
+  limits.chord_tolerance_mm = 1e-9;
+  EXPECT_EQ(corner_feedrate_mm_s(straight(0.7), straight(0.7), limits), kUnbounded);
 }
 
 TEST(Junction, TakesTheWeakestAxisThatTurns) {
@@ -173,6 +212,20 @@ TEST(Junction, KeepsItsBoundInTicksAtEveryPhaseAndNearlyReachesIt) {
     } else {
       EXPECT_GE(found.acceleration_mm_s2, 0.999 * joint.axis.acceleration_mm_s2);
     }
+  }
+}
+
+TEST(Junction, KeepsTheChordToleranceInTicksAtEveryPhaseAndNearlyReachesIt) {
+  for (const JointCase& joint : joint_cases()) {
+    SCOPED_TRACE(joint.name);
+    PlanLimits limits = axis_limits({.acceleration_mm_s2 = 1e7, .jerk_mm_s3 = 1e10});
+    limits.chord_tolerance_mm = 1e-3;
+    const auto blocks = blocks_of({joint.before, joint.after}, limits);
+    const double f = corner_feedrate_mm_s(blocks[0].end, blocks[1].begin, limits);
+    ASSERT_TRUE(std::isfinite(f));
+    const double found_mm = largest_chord_error_mm(blocks[0], blocks[1], f);
+    EXPECT_LE(found_mm, limits.chord_tolerance_mm * (1.0 + 1e-6));
+    EXPECT_GE(found_mm, 0.85 * limits.chord_tolerance_mm);
   }
 }
 
