@@ -13,22 +13,42 @@ namespace {
 constexpr int kChordPoints = 7;         // inside a tick
 constexpr int kMaxAdjustments = 30;     // 2 to 4 are usual
 constexpr double kLeastStep_mm = 1e-7;  // below any curve's features: keeps the walk finite
+// A bound that lies this share below the line of its neighbours is looked at more closely around,
+// each time at half the distance: the line's own excess is a quarter of it at the most.
+constexpr double kConvex = 4e-4;
+constexpr int kRefinements = 6;
 // What straight lines between samples may miss of the bound.
 constexpr double kInside = 0.9998;
 // The feedrate aims this far inside the tolerance, so that the adjustment ends.
 constexpr double kAim = 0.9995;
 
+// The farthest of kChordPoints points of the tick, then of those half and a quarter of their
+// distance beside it.
 double chord_error_mm(const NurbsCurve& curve, double s_from_mm, double step_mm) {
   const curves::Position from = curve.at(s_from_mm);
   const curves::Position to = curve.at(s_from_mm + step_mm);
   const Eigen::Vector3d chord = vec(to) - vec(from);
   const double squared = chord.squaredNorm();
   double worst = 0.0;
-  for (int k = 1; k <= kChordPoints; ++k) {
-    const curves::Position point = curve.at(s_from_mm + step_mm * k / (kChordPoints + 1));
+  double worst_share = 0.5;
+  const auto look = [&](double share) {
+    const curves::Position point = curve.at(s_from_mm + step_mm * share);
     const Eigen::Vector3d offset = vec(point) - vec(from);
-    const double share = squared > 0.0 ? std::clamp(offset.dot(chord) / squared, 0.0, 1.0) : 0.0;
-    worst = std::max(worst, (offset - share * chord).squaredNorm());
+    const double along = squared > 0.0 ? std::clamp(offset.dot(chord) / squared, 0.0, 1.0) : 0.0;
+    const double error = (offset - along * chord).squaredNorm();
+    if (error > worst) {
+      worst = error;
+      worst_share = share;
+    }
+  };
+  constexpr double kApart = 1.0 / (kChordPoints + 1);
+  for (int k = 1; k <= kChordPoints; ++k) {
+    look(kApart * k);
+  }
+  for (const double beside : {0.5 * kApart, 0.25 * kApart}) {
+    const double middle = worst_share;
+    look(middle - beside);
+    look(middle + beside);
   }
   return std::sqrt(worst);
 }
@@ -60,6 +80,50 @@ double tick_bound_mm_s(const NurbsCurve& curve, double s_mm, const ScanLimits& l
   return v;
 }
 
+// Of the tick that begins at s_mm.
+struct TickBound {
+  double s_mm = 0.0;
+  double v_mm_s = 0.0;
+};
+
+std::vector<TickBound> walk(const NurbsCurve& curve, const ScanLimits& limits) {
+  std::vector<TickBound> bounds;
+  for (double s = 0.0; s < curve.length_mm();) {
+    const double v = tick_bound_mm_s(curve, s, limits);
+    bounds.push_back({.s_mm = s, .v_mm_s = v});
+    const curves::NurbsPiece& piece = curve.pieces()[curve.piece_index(s)];
+    const double step =
+        std::min(0.5 * v * limits.period_s, 0.25 * (piece.s_end_mm - piece.s_begin_mm));
+    s += std::max(step, kLeastStep_mm);
+  }
+  return bounds;
+}
+
+bool is_convex(const TickBound& before, const TickBound& at, const TickBound& after) {
+  const double share = (at.s_mm - before.s_mm) / (after.s_mm - before.s_mm);
+  const double line = before.v_mm_s + share * (after.v_mm_s - before.v_mm_s);
+  return line - at.v_mm_s > kConvex * at.v_mm_s;
+}
+
+// True: there are more of them now.
+bool refine(std::vector<TickBound>& bounds, const NurbsCurve& curve, const ScanLimits& limits) {
+  std::vector<TickBound> finer;
+  bool convex = false;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const bool convex_before = convex;
+    convex = i > 0 && i + 1 < bounds.size() && is_convex(bounds[i - 1], bounds[i], bounds[i + 1]);
+    if (i > 0 && (convex || convex_before) &&
+        bounds[i].s_mm - bounds[i - 1].s_mm > 2.0 * kLeastStep_mm) {
+      const double middle = 0.5 * (bounds[i - 1].s_mm + bounds[i].s_mm);
+      finer.push_back({.s_mm = middle, .v_mm_s = tick_bound_mm_s(curve, middle, limits)});
+    }
+    finer.push_back(bounds[i]);
+  }
+  const bool more = finer.size() > bounds.size();
+  bounds = std::move(finer);
+  return more;
+}
+
 void append(Ceiling& ceiling, const FeedSample& sample) {
   if (!ceiling.empty() && sample.s_mm <= ceiling.back().s_mm) {
     ceiling.back().v_mm_s = std::min(ceiling.back().v_mm_s, sample.v_mm_s);
@@ -71,25 +135,23 @@ void append(Ceiling& ceiling, const FeedSample& sample) {
 }  // namespace
 
 Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
+  std::vector<TickBound> bounds = walk(curve, limits);
+  for (int i = 0; i < kRefinements && refine(bounds, curve, limits); ++i) {
+  }
   const double length = curve.length_mm();
-  const double half_tick = 0.5 * limits.period_s;
   const double slack = std::isfinite(limits.jerk_mm_s3)
                            ? limits.jerk_mm_s3 * limits.period_s * limits.period_s / 24.0
                            : 0.0;
   Ceiling ceiling;
-  for (double s = 0.0; s < length;) {
-    const double v = tick_bound_mm_s(curve, s, limits);
+  for (const auto& [s, v] : bounds) {
     const double allowed = v < limits.feedrate_mm_s ? kInside * std::max(v - slack, 0.9 * v) : v;
-    const double middle = std::min(s + v * half_tick, length);
-    const curves::NurbsPiece& piece = curve.pieces()[curve.piece_index(s)];
+    const double middle = std::min(s + 0.5 * v * limits.period_s, length);
     if (ceiling.empty()) {
-      ceiling.push_back({.u = piece.u_at(0.0), .s_mm = 0.0, .v_mm_s = allowed});
+      ceiling.push_back({.u = curve.pieces().front().u_at(0.0), .s_mm = 0.0, .v_mm_s = allowed});
     }
     append(ceiling, {.u = curve.pieces()[curve.piece_index(middle)].u_at(middle),
                      .s_mm = middle,
                      .v_mm_s = allowed});
-    const double step = std::min(v * half_tick, 0.25 * (piece.s_end_mm - piece.s_begin_mm));
-    s += std::max(step, kLeastStep_mm);
   }
   if (ceiling.back().s_mm < length) {
     ceiling.push_back(

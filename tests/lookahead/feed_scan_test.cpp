@@ -120,5 +120,50 @@ TEST(FeedScan, KeepsTheChordToleranceOfPlannedTicksAtEveryPhaseToAThousandth) {
   }
 }
 
+// A quadratic whose curvature falls to a tenth and rises again at its inner knots.
+curves::NurbsData curvature_jumps() {
+  curves::NurbsData data{.degree = 2, .points = {}, .knots = {0, 0, 0, 1, 2, 3, 3, 3}};
+  for (const Position& point :
+       {Position{0, 0, 0}, {4, 3, 0}, {9, 3.2, 0}, {14, 3.2, 0}, {18, 0, 0}}) {
+    data.points.push_back({.position_mm = point});
+  }
+  return data;
+}
+
+double feedrate_at_mm_s(const Ceiling& ceiling, double s_mm) {
+  const auto after =
+      std::upper_bound(ceiling.begin() + 1, ceiling.end() - 1, s_mm,
+                       [](double s, const FeedSample& sample) { return s < sample.s_mm; });
+  const FeedSample& a = *(after - 1);
+  const FeedSample& b = *after;
+  return a.v_mm_s + (b.v_mm_s - a.v_mm_s) * (s_mm - a.s_mm) / (b.s_mm - a.s_mm);
+}
+
+// Any tick that is run at the ceiling of its middle, wherever it falls between samples.
+TEST(FeedScan, KeepsTheChordToleranceBetweenItsSamplesToAThousandth) {
+  const double ts = 0.001;
+  std::vector<curves::testing::NamedCurve> curves = shipped_curves();
+  curves.push_back({"curvature jumps", curvature_jumps()});
+  for (const auto& named : curves) {
+    SCOPED_TRACE(named.name);
+    for (const auto& part : smooth_parts(named.data)) {
+      for (const double d : {2e-5, 5e-4}) {
+        const Ceiling ceiling =
+            scan_feedrate(part, {.feedrate_mm_s = 100.0, .period_s = ts, .chord_tolerance_mm = d});
+        double largest = 0.0;
+        for (double s = 0.0; s < part.length_mm();) {
+          const double half_mm = 0.5 * ts * feedrate_at_mm_s(ceiling, s);
+          if (s >= half_mm && s + half_mm <= part.length_mm()) {
+            largest = std::max(largest, chord_error_mm(part, s - half_mm, s + half_mm));
+          }
+          s += 0.13 * half_mm;
+        }
+        EXPECT_LE(largest, 1.001 * d);
+        EXPECT_GT(largest, 0.0);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kerf::lookahead::test
