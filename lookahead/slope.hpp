@@ -29,19 +29,19 @@ class Slope {
   // How long a transition from the foot upwards must be made to stay below the ceiling, as a factor
   // >= 1 on the length and duration of climb. A stretched transition passes through the same
   // feedrates at the same shares of its length, so each of its points asks for a length of its own
-  // and the largest decides: no iteration. Judged at kClimbPoints points of the transition.
+  // and the largest decides: no iteration. The climb is then nowhere more than 5e-5 of its feedrate
+  // above the ceiling.
   [[nodiscard]] double stretch_for(const profiles::Transition& climb) const;
   // How far from the foot the climb must begin instead, unstretched: for a law whose acceleration
-  // jumps, which no stretch keeps below a ceiling that is flat at the foot. Judged at kStartPoints.
+  // jumps, which no stretch keeps below a ceiling that is flat at the foot.
   [[nodiscard]] double delay_for_mm(const profiles::Transition& climb) const;
 
  private:
-  static constexpr int kClimbPoints = 64;
-  static constexpr int kStartPoints = 512;  // where a jump of acceleration meets the ceiling
+  template <typename Ask>
+  class Search;
   static constexpr double kHighest = std::numeric_limits<double>::infinity();
-  // Calls visit(motion of the climb, distance from which its feedrate is allowed) point by point.
-  template <typename Visit>
-  void walk(const profiles::Transition& climb, int points, const Visit& visit) const;
+  // The distance from which a feedrate is allowed; that of the top for more than is allowed there.
+  [[nodiscard]] double allowed_from_mm(double v_mm_s) const;
 
   std::vector<Sample> samples_;
 };

@@ -272,49 +272,6 @@ TEST(Span, IsNeverAboveTheCeilingOfACurve) {
   }
 }
 
-TEST(Slope, DoesNotStretchAClimbThatStaysBelow) {
-  const Profile profile{ProfileKind::s_curve};
-  const Transition climb = profile.fastest({0.0, 50.0}, {kA, kJ});
-  EXPECT_EQ(Slope{}.stretch_for(climb), 1.0);
-  const Slope high({{.distance_mm = 0.0, .v_mm_s = 60.0}, {.distance_mm = 1.0, .v_mm_s = 70.0}});
-  EXPECT_EQ(high.stretch_for(climb), 1.0);
-}
-
-TEST(Slope, StretchesAClimbUntilItTouches) {
-  const Profile profile{ProfileKind::s_curve};
-  const Transition climb = profile.fastest({10.0, 50.0}, {kA, kJ});
-  const double length = 4.0 * climb.length_mm();
-  const Slope slope(
-      {{.distance_mm = 0.0, .v_mm_s = 10.0}, {.distance_mm = length, .v_mm_s = 50.0}});
-  const Transition stretched = climb.stretched(slope.stretch_for(climb));
-  double nearest = 1e9;
-  for (int i = 1; i <= 1000; ++i) {
-    const auto point = stretched.at(stretched.duration_s() * i / 1000.0);
-    const double allowed = 10.0 + 40.0 * std::min(point.s_mm / length, 1.0);
-    EXPECT_LE(point.v_mm_s, allowed * (1.0 + 1e-3));
-    nearest = std::min(nearest, allowed - point.v_mm_s);
-  }
-  EXPECT_LT(nearest, 0.05);
-}
-
-TEST(Slope, LooksThroughADipOnTheWayUp) {
-  const Slope slope({{.distance_mm = 0.0, .v_mm_s = 20.0},
-                     {.distance_mm = 1.0, .v_mm_s = 60.0},
-                     {.distance_mm = 2.0, .v_mm_s = 30.0},
-                     {.distance_mm = 3.0, .v_mm_s = 80.0}});
-  EXPECT_EQ(slope.top_mm_s(), 80.0);
-  const Profile profile{ProfileKind::s_curve};
-  const Transition climb = profile.fastest({20.0, 40.0}, {1e6, 1e9});
-  // More than 30 mm/s is not allowed before the dip at 2 mm is over.
-  const Transition stretched = climb.stretched(slope.stretch_for(climb));
-  double s_at_30 = 0.0;
-  for (int i = 0; i <= 10'000; ++i) {
-    const auto point = stretched.at(stretched.duration_s() * i / 10'000.0);
-    s_at_30 = point.v_mm_s <= 30.0 ? point.s_mm : s_at_30;
-  }
-  EXPECT_NEAR(s_at_30, 2.0, 0.1);
-}
-
 TEST(Brake, StopsInTheSpanWhereItCan) {
   const Profile profile{ProfileKind::s_curve};
   Span span = flat_span(50.0, 100.0);

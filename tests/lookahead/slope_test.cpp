@@ -1,0 +1,109 @@
+// The ceiling seen from the foot of a hill: how long a climb must be made, or how late it begins.
+#include "lookahead/slope.hpp"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+namespace kerf::lookahead::test {
+namespace {
+
+using profiles::Profile;
+using profiles::ProfileKind;
+using profiles::Transition;
+
+constexpr profiles::RampLimits kRamp{.acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 55'000.0};
+
+TEST(Slope, DoesNotStretchAClimbThatStaysBelow) {
+  const Profile profile{ProfileKind::s_curve};
+  const Transition climb = profile.fastest({0.0, 50.0}, kRamp);
+  EXPECT_EQ(Slope{}.stretch_for(climb), 1.0);
+  const Slope high({{.distance_mm = 0.0, .v_mm_s = 60.0}, {.distance_mm = 1.0, .v_mm_s = 70.0}});
+  EXPECT_EQ(high.stretch_for(climb), 1.0);
+}
+
+TEST(Slope, StretchesAClimbUntilItTouches) {
+  const Profile profile{ProfileKind::s_curve};
+  const Transition climb = profile.fastest({10.0, 50.0}, kRamp);
+  const double length = 4.0 * climb.length_mm();
+  const Slope slope(
+      {{.distance_mm = 0.0, .v_mm_s = 10.0}, {.distance_mm = length, .v_mm_s = 50.0}});
+  const Transition stretched = climb.stretched(slope.stretch_for(climb));
+  double nearest = 1e9;
+  for (int i = 1; i <= 1000; ++i) {
+    const auto point = stretched.at(stretched.duration_s() * i / 1000.0);
+    const double allowed = 10.0 + 40.0 * std::min(point.s_mm / length, 1.0);
+    EXPECT_LE(point.v_mm_s, allowed * (1.0 + 1e-3));
+    nearest = std::min(nearest, allowed - point.v_mm_s);
+  }
+  EXPECT_LT(nearest, 0.05);
+}
+
+TEST(Slope, LooksThroughADipOnTheWayUp) {
+  const Slope slope({{.distance_mm = 0.0, .v_mm_s = 20.0},
+                     {.distance_mm = 1.0, .v_mm_s = 60.0},
+                     {.distance_mm = 2.0, .v_mm_s = 30.0},
+                     {.distance_mm = 3.0, .v_mm_s = 80.0}});
+  EXPECT_EQ(slope.top_mm_s(), 80.0);
+  const Profile profile{ProfileKind::s_curve};
+  const Transition climb = profile.fastest({20.0, 40.0}, {1e6, 1e9});
+  // More than 30 mm/s is not allowed before the dip at 2 mm is over.
+  const Transition stretched = climb.stretched(slope.stretch_for(climb));
+  double s_at_30 = 0.0;
+  for (int i = 0; i <= 10'000; ++i) {
+    const auto point = stretched.at(stretched.duration_s() * i / 10'000.0);
+    s_at_30 = point.v_mm_s <= 30.0 ? point.s_mm : s_at_30;
+  }
+  EXPECT_NEAR(s_at_30, 2.0, 0.1);
+}
+
+// Flat, then far above within the step between two ticks: where curvature jumps.
+struct Step {
+  double at_mm = 0.0;
+  double low_mm_s = 0.0;
+
+  [[nodiscard]] Slope slope() const {
+    return Slope({{.distance_mm = 0.0, .v_mm_s = low_mm_s - 1.0},
+                  {.distance_mm = 0.01, .v_mm_s = low_mm_s},
+                  {.distance_mm = at_mm, .v_mm_s = low_mm_s},
+                  {.distance_mm = at_mm + 0.001, .v_mm_s = 90.0}});
+  }
+};
+
+TEST(Slope, StretchesAClimbForAStepWhereverItLies) {
+  for (int kind = 1; kind <= static_cast<int>(ProfileKind::sigmoid); ++kind) {
+    const Profile profile{static_cast<ProfileKind>(kind)};
+    SCOPED_TRACE(profiles::name_of(profile.kind()));
+    const Transition climb = profile.fastest({40.0, 80.0}, kRamp);
+    for (double low = 41.5; low < 79.0; low += 0.37) {
+      const Step step{.at_mm = 1.3 * climb.length_mm(), .low_mm_s = low};
+      const Transition stretched = climb.stretched(step.slope().stretch_for(climb));
+      double highest = 0.0;  // before the step
+      for (int i = 0; i <= 10'000; ++i) {
+        const auto point = stretched.at(stretched.duration_s() * i / 10'000.0);
+        highest = point.s_mm > 0.01 && point.s_mm <= step.at_mm ? point.v_mm_s : highest;
+      }
+      ASSERT_LE(highest, low * (1.0 + 1e-4)) << low;
+      ASSERT_GE(highest, low * (1.0 - 1e-3)) << low;
+    }
+  }
+}
+
+TEST(Slope, DelaysAClimbForAStepWhereverItLies) {
+  const Profile profile{ProfileKind::trapezoid};
+  const Transition climb = profile.fastest({40.0, 80.0}, kRamp);
+  for (double low = 41.5; low < 79.0; low += 0.37) {
+    const Step step{.at_mm = 2.0, .low_mm_s = low};
+    const double foot = step.slope().delay_for_mm(climb);
+    double highest = 0.0;
+    for (int i = 0; i <= 10'000; ++i) {
+      const auto point = climb.at(climb.duration_s() * i / 10'000.0);
+      highest = foot + point.s_mm <= step.at_mm ? point.v_mm_s : highest;
+    }
+    ASSERT_LE(highest, low * (1.0 + 1e-4)) << low;
+    ASSERT_GE(highest, low * (1.0 - 1e-3)) << low;
+  }
+}
+
+}  // namespace
+}  // namespace kerf::lookahead::test
