@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+
+#include "tests/kernel/printed_words.hpp"
 
 namespace kerf::test {
 
 namespace {
 
-using Vec = std::array<double, 3>;
 constexpr double kLongestMove_s = 0.7;
 constexpr double kTravel_mm = 2000.0;
 
@@ -50,19 +49,19 @@ class Writer {
     program_.is_nurbs.push_back(nurbs);
   }
 
-  // What a control reads from seven printed decimals.
-  static double rounded(double x, std::string& text) {
-    std::array<char, 40> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.7f", x);
-    text += buffer.data();
-    return std::strtod(buffer.data(), nullptr);
+  // A G1 to a place that far away.
+  void line_by(const Vec& step, std::string& text) {
+    const Vec from = here_;
+    text = "G1";
+    here_ = print_axes({from[0] + step[0], from[1] + step[1], from[2] + step[2]}, text);
+    program_.path.push_back(line_stretch(from, here_));
   }
 
   double feed_word(double length_mm, std::string& text) {
     const double slowest_mm_min = std::max(1e-3, length_mm / kLongestMove_s * 60.0);
     const double feed = log_uniform(std::min(slowest_mm_min, 1e5), 1e5);
     text += " F";
-    return rounded(feed, text) / 60.0;
+    return print_number(feed, text) / 60.0;
   }
 
   Vec direction() {
@@ -99,12 +98,8 @@ class Writer {
     const double length = log_uniform(1e-6, 1e3);
     Vec d = direction();
     keep_inside(d);
-    std::string text = "G1";
-    const char* names = "XYZ";
-    for (std::size_t k = 0; k < 3; ++k) {
-      text += std::string(" ") + names[k];
-      here_[k] = rounded(here_[k] + length * d[k], text);
-    }
+    std::string text;
+    line_by({length * d[0], length * d[1], length * d[2]}, text);
     const double feedrate = feed_word(length, text);
     add_line(text, feedrate, false);
   }
@@ -122,15 +117,15 @@ class Writer {
       x += uniform(-turn, turn);
       norm += x * x;
     }
-    std::string text = "G1";
-    const char* names = "XYZ";
+    Vec step{};
     for (std::size_t k = 0; k < 3; ++k) {
       last_[k] /= std::sqrt(norm);
-      text += std::string(" ") + names[k];
-      here_[k] = rounded(here_[k] + contour_step_mm_ * uniform(0.9, 1.1) * last_[k], text);
+      step[k] = contour_step_mm_ * uniform(0.9, 1.1) * last_[k];
     }
+    std::string text;
+    line_by(step, text);
     text += " F";
-    const double feedrate = rounded(contour_feed_mm_min_, text) / 60.0;
+    const double feedrate = print_number(contour_feed_mm_min_, text) / 60.0;
     add_line(text, feedrate, false);
   }
 
@@ -146,8 +141,6 @@ class Writer {
     const bool full = sweep > 6.1;
     const double rise = uniform(0.0, 1.0) < 0.4 ? uniform(-1.0, 1.0) * radius * sweep : 0.0;
     const char* planes[] = {"G19", "G18", "G17"};
-    const char* names = "XYZ";
-    const char* offsets = "IJK";
     const Vec centre_offset = [&] {
       Vec c{};
       c[first] = -radius * std::cos(begin);
@@ -155,18 +148,17 @@ class Writer {
       return c;
     }();
     std::string text = std::string(planes[plane]) + (clockwise ? " G2" : " G3");
+    ArcWords words{.from_mm = here_, .normal = plane, .clockwise = clockwise, .full_turn = full};
     Vec to = here_;
     to[first] += full ? 0.0 : centre_offset[first] + radius * std::cos(end);
     to[second] += full ? 0.0 : centre_offset[second] + radius * std::sin(end);
     to[plane] += rise;
-    for (std::size_t k = 0; k < 3; ++k) {
-      text += std::string(" ") + names[k];
-      here_[k] = rounded(to[k], text);
-    }
+    words.to_mm = here_ = print_axes(to, text);
     for (const std::size_t k : {first, second}) {
-      text += std::string(" ") + offsets[k];
-      rounded(centre_offset[k], text);
+      text += std::string(" ") + "IJK"[k];
+      words.centre_offset_mm[k] = print_number(centre_offset[k], text);
     }
+    program_.path.push_back(arc_stretch(words));
     const double feedrate = feed_word(std::hypot(radius * sweep, rise), text);
     add_line(text, feedrate, false);
     last_ = {};
@@ -186,22 +178,26 @@ class Writer {
     Vec d = direction();
     keep_inside(d);
     double feedrate = 0.0;
+    std::vector<WeightedPoint> control_points;
     for (int i = 0; i < points; ++i) {
       std::string text = i == 0 ? "G6.2 P" + std::to_string(order) : "";
       text += " K" + std::to_string(knots[static_cast<std::size_t>(i)]);
-      const char* names = "XYZ";
+      Vec to = here_;
       for (std::size_t k = 0; k < 3; ++k) {
-        text += std::string(" ") + names[k];
-        const double step = i == 0 ? 0.0 : size * (d[k] + uniform(-0.4, 0.4));
-        here_[k] = rounded(here_[k] + step, text);
+        to[k] += i == 0 ? 0.0 : size * (d[k] + uniform(-0.4, 0.4));
       }
+      here_ = print_axes(to, text);
       text += " R";
-      rounded(uniform(0.3, 3.0), text);
+      control_points.push_back(
+          {.position_mm = here_, .weight = print_number(uniform(0.3, 3.0), text)});
       feedrate = i == 0 ? feed_word(1.5 * size * points, text) : feedrate;
       add_line(text, i == 0 ? feedrate : 0.0, true);
     }
     for (int i = 0; i < order; ++i) {
       add_line("K" + std::to_string(knots.back()), 0.0, true);
+    }
+    for (Stretch& stretch : nurbs_stretches(control_points, knots)) {
+      program_.path.push_back(std::move(stretch));
     }
     last_ = {};
   }

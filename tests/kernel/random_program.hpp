@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/kernel/program_path.hpp"
+
 namespace kerf::test {
 
 struct RandomProgram {
@@ -14,6 +16,7 @@ struct RandomProgram {
   std::array<double, 3> end_mm{};     // as printed in the last motion block
   std::vector<double> feedrate_mm_s;  // by source line, line 1 first; 0 where no motion starts
   std::vector<bool> is_nurbs;         // by source line
+  std::vector<Stretch> path;
 
   [[nodiscard]] std::size_t lines() const { return feedrate_mm_s.size(); }
   // Of the blocks that a tick from one line to another may touch.

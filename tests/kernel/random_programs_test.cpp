@@ -1,4 +1,5 @@
-// Seeded random programs: every limit at every tick, the end where the program says, never a hang.
+// Seeded random programs: every limit at every tick, every tick on the path, the chord between two
+// ticks within the tolerance of it, the end where the program says, never a hang.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/kernel.hpp"
+#include "tests/kernel/chord_checker.hpp"
 #include "tests/kernel/random_program.hpp"
 #include "tests/kernel/tick_checker.hpp"
 
@@ -26,7 +28,6 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 
 MachineSettings machine_for(std::uint64_t seed) {
   MachineSettings settings;
-  settings.limits.chord_tolerance_mm = 1e-3;
   auto pick = [state = seed * 2654435761U + 1]() mutable {
     state = state * 6364136223846793005U + 1442695040888963407U;
     return static_cast<double>(state >> 11U) / 9007199254740992.0;
@@ -40,6 +41,7 @@ MachineSettings machine_for(std::uint64_t seed) {
     settings.limits.path = {
         .velocity_mm_s = 400.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 6e4};
   }
+  settings.limits.chord_tolerance_mm = 1e-5 * std::pow(1000.0, pick());
   return settings;
 }
 
@@ -59,6 +61,7 @@ Outcome run(const RandomProgram& program, const MachineSettings& settings, const
   kernel.feed(program.text);
   kernel.finish();
   TickChecker checker(settings.limits, kind != ProfileKind::trapezoid);
+  ChordChecker chords(program.path, settings.limits.chord_tolerance_mm);
   Outcome outcome;
   std::size_t line_before = 1;
   for (auto status = interp::TickStatus::running; status == interp::TickStatus::running;) {
@@ -67,9 +70,13 @@ Outcome run(const RandomProgram& program, const MachineSettings& settings, const
     checker.add({.setpoint = outcome.last,
                  .feedrate_mm_s = program.fastest_mm_s(line_before, line),
                  .axis_limits_bind = !program.holds_nurbs(line_before, line)});
+    chords.add(outcome.last, kernel.chord_error_mm());
     line_before = line;
-    if (!checker.complaint().empty() || checker.ticks() > kMostTicks) {
-      outcome.complaint = checker.complaint().empty() ? "does not end" : checker.complaint();
+    outcome.complaint = checker.complaint() + chords.complaint();
+    if (outcome.complaint.empty() && checker.ticks() > kMostTicks) {
+      outcome.complaint = "does not end";
+    }
+    if (!outcome.complaint.empty()) {
       return outcome;
     }
     if (status == interp::TickStatus::starved) {

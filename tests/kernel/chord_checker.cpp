@@ -1,0 +1,136 @@
+#include "tests/kernel/chord_checker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace kerf::test {
+
+namespace {
+
+constexpr int kPoints = 8;  // of a stretch between two ticks
+constexpr int kMostSteps = 40;
+// What the scan's straight lines between its samples may miss of a curve's bound.
+constexpr double kRelative = 1e-3;
+// The kernel looks at the quarters of a tick, this checker at the eighths of each stretch: where
+// the path bends unevenly the two see different points of it, and the kernel less.
+constexpr double kLeastAccount = 0.5;
+constexpr double kMostAccount = 1.05;
+
+Vec minus(const Vec& a, const Vec& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+double dot(const Vec& a, const Vec& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+double norm(const Vec& a) {
+  return std::sqrt(dot(a, a));
+}
+
+struct Chord {
+  Vec from_mm{};
+  Vec to_mm{};
+};
+
+double distance_mm(const Vec& point, const Chord& chord) {
+  const Vec along = minus(chord.to_mm, chord.from_mm);
+  const Vec offset = minus(point, chord.from_mm);
+  const double squared = dot(along, along);
+  const double share = squared > 0.0 ? std::clamp(dot(offset, along) / squared, 0.0, 1.0) : 0.0;
+  return norm(
+      {offset[0] - share * along[0], offset[1] - share * along[1], offset[2] - share * along[2]});
+}
+
+Vec slope(const Stretch& stretch, double u) {
+  constexpr double kStep = 1e-5;
+  const double from = std::min(u, 1.0 - kStep);
+  const Vec difference = minus(stretch.at_mm(from + kStep), stretch.at_mm(from));
+  return {difference[0] / kStep, difference[1] / kStep, difference[2] / kStep};
+}
+
+// The parameter from u_from on where the stretch comes closest to a point not far from there
+// (Newton's method).
+double closest(const Stretch& stretch, const Vec& point_mm, double u_from) {
+  double u = u_from;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const Vec d = slope(stretch, u);
+    const double before = u;
+    u = std::clamp(u + dot(minus(point_mm, stretch.at_mm(u)), d) / dot(d, d), u_from, 1.0);
+    if (std::abs(u - before) < 1e-14) {
+      break;
+    }
+  }
+  return u;
+}
+
+}  // namespace
+
+ChordChecker::Place ChordChecker::find(const Vec& point_mm, const Place& from) const {
+  for (Place place = from; place.stretch < path_->size(); ++place.stretch, place.u = 0.0) {
+    const Stretch& stretch = (*path_)[place.stretch];
+    place.u = closest(stretch, point_mm, place.u);
+    if (norm(minus(stretch.at_mm(place.u), point_mm)) <= stretch.freedom_mm) {
+      return place;
+    }
+  }
+  return {.stretch = path_->size()};
+}
+
+double ChordChecker::chord_error_mm(const Place& from, const Place& to) const {
+  const Chord chord{.from_mm = (*path_)[from.stretch].at_mm(from.u),
+                    .to_mm = (*path_)[to.stretch].at_mm(to.u)};
+  double worst = 0.0;
+  for (std::size_t i = from.stretch; i <= to.stretch; ++i) {
+    const double begin = i == from.stretch ? from.u : 0.0;
+    const double end = i == to.stretch ? to.u : 1.0;
+    for (int k = 0; k <= kPoints; ++k) {
+      const double u = begin + (end - begin) * k / kPoints;
+      worst = std::max(worst, distance_mm((*path_)[i].at_mm(u), chord));
+    }
+  }
+  return worst;
+}
+
+void ChordChecker::add(const interp::Setpoint& setpoint, double kernel_says_mm) {
+  if (!complaint_.empty() || setpoint.position_mm == position_mm_) {
+    return;
+  }
+  position_mm_ = setpoint.position_mm;
+  const Place before = here_;
+  here_ = find(position_mm_, before);
+  if (here_.stretch == path_->size()) {
+    complain("distance from the path", 0.0, 0.0, setpoint);
+    return;
+  }
+  const double found_mm = chord_error_mm(before, here_);
+  largest_mm_ = std::max(largest_mm_, found_mm);
+  const double freedom_mm =
+      2.0 * std::max((*path_)[before.stretch].freedom_mm, (*path_)[here_.stretch].freedom_mm);
+  const double limit_mm = tolerance_mm_ * (1.0 + kRelative) + freedom_mm;
+  if (!(found_mm <= limit_mm)) {
+    complain("chord error", found_mm, limit_mm, setpoint);
+  }
+  if (!(kernel_says_mm <= limit_mm)) {
+    complain("chord error by the kernel's account", kernel_says_mm, limit_mm, setpoint);
+  }
+  if (!(kernel_says_mm >= kLeastAccount * found_mm - freedom_mm &&
+        kernel_says_mm <= kMostAccount * found_mm + freedom_mm)) {
+    complain("wrong account of the chord error", kernel_says_mm, found_mm, setpoint);
+  }
+}
+
+void ChordChecker::complain(const std::string& what, double found_mm, double limit_mm,
+                            const interp::Setpoint& setpoint) {
+  if (!complaint_.empty()) {
+    return;
+  }
+  std::ostringstream text;
+  text.precision(12);
+  text << what << " " << found_mm << " against " << limit_mm << " mm at tick " << setpoint.tick
+       << ", line " << setpoint.line << ", s " << setpoint.s_mm;
+  complaint_ = text.str();
+}
+
+}  // namespace kerf::test
