@@ -83,7 +83,8 @@ void CutterCompensation::settle(HeldMove& mover) {
   double deepest = 0.0;
   HeldMove* cut = nullptr;
   for (HeldMove& contour : held_) {
-    if (const double depth = depth_of_cut_mm(mover, contour, start_.radius_mm); depth > deepest) {
+    const double depth = depth_of_cut_mm(mover, contour, start_.radius_mm);
+    if (depth > deepest && !is_lead(held_, mover, contour)) {
       deepest = depth;
       cut = &contour;
     }
@@ -100,7 +101,7 @@ void CutterCompensation::settle_behind(HeldMove& contour) {
   for (HeldMove& mover : held_) {
     const double depth =
         &mover != &contour ? depth_of_cut_mm(mover, contour, start_.radius_mm) : 0.0;
-    if (depth > deepest) {
+    if (depth > deepest && !is_lead(held_, mover, contour)) {
       deepest = depth;
       cutter = &mover;
     }

@@ -1,6 +1,9 @@
 // A gouge is a point of the contour that is nearer to the way of the tool's centre than the radius.
 // That is asked for whole curves at once, by their smallest distance.
 //
+// The move or two that lead on to a closed contour are no wall: its last moves come back to where
+// the first began and cross them, as the moves that lead away cross the first (is_lead).
+//
 // Weakness: contours at the same depth are all taken for walls to be kept. A pocket that is roughed
 // and finished without G40, a rapid or another depth between is refused, if the two passes come
 // within one window.
@@ -39,6 +42,23 @@ double depth_mm(const planar::Curve& way, const planar::Curve& contour, double r
   return depth > kTolerance_mm + radii_differ_mm(way) + radii_differ_mm(contour) ? depth : 0.0;
 }
 
+// Whether the programmed path of `back`, other than by following on `lead`, meets the joint: a full
+// circle does by its other end.
+bool comes_back(const HeldMove& back, const HeldMove& lead, const planar::Vec& joint) {
+  constexpr double kSamePlace_mm = 1e-3;
+  const planar::Curve& path = back.curve.programmed;
+  const std::uint64_t apart =
+      back.number > lead.number ? back.number - lead.number : lead.number - back.number;
+  if (apart == 0) {
+    return false;
+  }
+  if (apart == 1) {
+    const planar::Vec other = back.number > lead.number ? path.end_mm : path.start_mm;
+    return length(other - joint) < kSamePlace_mm;
+  }
+  return distance_mm(path, {joint, joint, {}}) < kSamePlace_mm;
+}
+
 }  // namespace
 
 double depth_of_cut_mm(const HeldMove& mover, const HeldMove& contour, double radius_mm) {
@@ -58,6 +78,25 @@ double depth_of_cut_mm(const HeldMove& mover, const HeldMove& contour, double ra
     }
   }
   return depth;
+}
+
+bool is_lead(const std::deque<HeldMove>& held, const HeldMove& mover, const HeldMove& contour) {
+  const bool towards = contour.number < mover.number;
+  const std::uint64_t next = towards ? contour.number + 1 : contour.number - 1;
+  for (const HeldMove& lead : held) {
+    if (lead.role != HeldRole::contour || (lead.number != contour.number && lead.number != next)) {
+      continue;
+    }
+    const planar::Curve& path = lead.curve.programmed;
+    const planar::Vec joint = towards ? path.end_mm : path.start_mm;
+    for (const HeldMove& back : held) {
+      if (back.role == HeldRole::contour && back.number + 1 >= mover.number &&
+          back.number <= mover.number + 1 && comes_back(back, lead, joint)) {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 bool meet_at_seam(const HeldMove& mover, const HeldMove& contour) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -41,7 +42,9 @@ Step read_step(const std::string& line) {
   std::istringstream in(line);
   Step step;
   in >> step.kind;
-  if (step.kind == "dwell") {
+  if (step.kind == "event") {
+    std::getline(in >> std::ws, step.way);
+  } else if (step.kind == "dwell") {
     in >> step.time_s;
   } else if (step.kind != "spline") {
     step.end_mm = read_point(in);
@@ -65,6 +68,34 @@ const char* name_of(parser::Plane plane) {
   return plane == parser::Plane::xy ? "xy" : plane == parser::Plane::zx ? "zx" : "yz";
 }
 
+std::string text_of(const parser::EventMove& event) {
+  using parser::EventKind;
+  constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+  static const std::map<EventKind, std::string> kNames{
+      {EventKind::program_stop, "stop"},
+      {EventKind::optional_stop, "optional_stop"},
+      {EventKind::spindle_cw, "spindle_cw"},
+      {EventKind::spindle_ccw, "spindle_ccw"},
+      {EventKind::spindle_off, "spindle_off"},
+      {EventKind::tool_change, "tool"},
+      {EventKind::mist_on, "mist"},
+      {EventKind::flood_on, "flood"},
+      {EventKind::coolant_off, "coolant_off"},
+      {EventKind::pallet_change, "pallet"},
+      {EventKind::tool_number, "tool_number"},
+      {EventKind::spindle_orient, "orient"},
+      {EventKind::digital_output, "digital"},
+      {EventKind::analog_output, "analog"},
+      {EventKind::digital_at_motion, "digital_at_motion"},
+      {EventKind::analog_at_motion, "analog_at_motion"}};
+  const auto name = kNames.find(event.kind);
+  const double value =
+      event.kind == EventKind::spindle_orient ? event.value * kDegrees : event.value;
+  std::ostringstream text;
+  text << (name == kNames.end() ? "unknown" : name->second) << ' ' << value << ' ' << event.index;
+  return text.str();
+}
+
 std::optional<Step> step_of(const Move& move) {
   constexpr double kSecondsPerMinute = 60.0;
   Step step;
@@ -84,7 +115,12 @@ std::optional<Step> step_of(const Move& move) {
     step.kind = "dwell";
     step.time_s = dwell->duration_s;
   } else {
-    return std::nullopt;
+    const auto& event = std::get<parser::EventMove>(move.shape);
+    if (event.kind == parser::EventKind::program_end) {
+      return std::nullopt;
+    }
+    step.kind = "event";
+    step.way = text_of(event);
   }
   return step;
 }
@@ -103,7 +139,7 @@ std::vector<Step> moving_steps(const Answer& answer, double shortest_mm) {
   std::vector<Step> steps;
   Point position{};
   for (const Step& step : answer.steps) {
-    const bool has_end = step.kind != "dwell" && step.kind != "spline";
+    const bool has_end = step.kind != "dwell" && step.kind != "spline" && step.kind != "event";
     if (is_straight(step) && distance_mm(step.end_mm, position) <= shortest_mm) {
       continue;
     }
@@ -122,7 +158,7 @@ bool agree(const Step& wanted, const Step& found, double tolerance_mm) {
   if (wanted.kind == "dwell") {
     return std::fabs(wanted.time_s - found.time_s) <= kTime_s;
   }
-  if (wanted.kind == "spline") {
+  if (wanted.kind == "spline" || wanted.kind == "event") {
     return true;
   }
   const bool same_feed = is_straight(wanted) && wanted.kind == "rapid"
@@ -180,11 +216,13 @@ Answer kerf_answer(const std::filesystem::path& program) {
   options.machine.tools =
       parser::read_tool_table(read_file(program.parent_path().parent_path() / "tools.tbl")).value();
   parser::ProgramReader reader(options);
+  const bool events = program.parent_path().filename() == "events";
   Answer answer;
   Move move;
   const auto fetch = [&] {
     while (reader.next(move)) {
-      if (const std::optional<Step> step = step_of(move)) {
+      const std::optional<Step> step = step_of(move);
+      if (step && (events || step->kind != "event")) {
         answer.steps.push_back(*step);
       }
     }
@@ -208,6 +246,9 @@ std::string text_of(const Step& step) {
   }
   if (step.kind == "spline") {
     return text;
+  }
+  if (step.kind == "event") {
+    return text + ' ' + step.way;
   }
   text += ' ' + text_of(step.end_mm);
   if (step.kind == "feed" || step.kind == "arc" || step.kind == "probe") {

@@ -12,7 +12,7 @@ namespace kerf::conformance {
 
 // One move as a line of a golden file says it.
 struct Step {
-  std::string kind;          // rapid, feed, probe, arc, spline, tap, dwell
+  std::string kind;          // rapid, feed, probe, arc, spline, tap, dwell, event
   parser::Point end_mm{};    // in machine coordinates; not used by spline and dwell
   double feed_mm_min = 0.0;  // of feed, probe and arc
   parser::Point centre_mm{};
@@ -30,6 +30,7 @@ struct Answer {
 Answer read_answer(const std::filesystem::path& golden);
 
 // What Kerf makes of a program, with the tools of tools.tbl and the files of called/ beside it.
+// Events are part of it where the program is in events/.
 Answer kerf_answer(const std::filesystem::path& program);
 
 // The first difference in words, or nothing. Moves of no length count as none.
