@@ -42,6 +42,7 @@ void CutterCompensation::start(const CompensationStart& start) {
 
 void CutterCompensation::stop() {
   settle_last();
+  leads_left_ = 0;
   leaving_ = entered_ || displaced_;
   on_ = false;
 }
@@ -174,10 +175,10 @@ void CutterCompensation::take_contour(const Move& move) {
     return;
   }
   second.curve.path = second.way = *path;
+  find_leads(second);
   if (first != nullptr) {
     join(*first, second);
     settle(*first);
-    settle_behind(second);
   }
   send_surplus();
 }
@@ -198,7 +199,7 @@ void CutterCompensation::take_exit(const Move& move) {
     held.way = {before != nullptr ? before->way.end_mm : sender_.centre_mm(),
                 sender_.centre_for(*end_of(move)),
                 {}};
-    settle(held);
+    report(cuts_of(held));
     send_all();
   }
   leaving_ = false;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <vector>
 
 #include "parser/compensation/held_move.hpp"
 #include "parser/compensation/path_sender.hpp"
@@ -65,6 +66,14 @@ class CutterCompensation {
   [[nodiscard]] MoveQueue& ready() { return sender_.sent(); }
 
  private:
+  struct Cut {
+    HeldMove* mover;
+    HeldMove* contour;
+    double depth_mm;
+
+    [[nodiscard]] bool is_error() const;
+  };
+
   void take_entry(const Move& move);
   void take_contour(const Move& move);
   void take_exit(const Move& move);
@@ -75,10 +84,13 @@ class CutterCompensation {
   void join(HeldMove& first, HeldMove& second);
   void join_inside(HeldMove& first, HeldMove& second, const Corner& corner);
   bool has_room(HeldMove& held);
-  void settle(HeldMove& mover);
+  [[nodiscard]] bool is_first(const HeldMove& move) const;
+  void find_leads(HeldMove& newest);
+  void settle(HeldMove& move);
   void settle_last();
-  void settle_behind(HeldMove& contour);
-  void report_cut(HeldMove& mover, HeldMove& contour, double depth_mm);
+  [[nodiscard]] std::vector<Cut> cuts_of(HeldMove& mover);
+  void report(std::vector<Cut> cuts);
+  void report_cut(const Cut& cut);
   void send_surplus();
   void send_all();
   void send(const HeldMove& held);
@@ -101,6 +113,7 @@ class CutterCompensation {
   std::deque<HeldMove> held_;
   std::size_t curves_ = 0;  // in held_, without the idle ones
   std::uint64_t number_ = 0;
+  int leads_left_ = 0;  // moves behind the place where a contour has closed
   std::uint32_t run_ = 1;
 };
 

@@ -1,5 +1,7 @@
 // Where two held curves meet, whether the tool can reach them, and what it would cut into.
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "parser/compensation/cutter_compensation.hpp"
 #include "parser/compensation/gouge.hpp"
@@ -78,36 +80,69 @@ bool CutterCompensation::has_room(HeldMove& held) {
   return false;
 }
 
-// The way past `mover` is known now: what does it cut most?
-void CutterCompensation::settle(HeldMove& mover) {
-  double deepest = 0.0;
-  HeldMove* cut = nullptr;
-  for (HeldMove& contour : held_) {
-    const double depth = depth_of_cut_mm(mover, contour, start_.radius_mm);
-    if (depth > deepest && !is_lead(held_, mover, contour)) {
-      deepest = depth;
-      cut = &contour;
+bool CutterCompensation::is_first(const HeldMove& move) const {
+  return !held_.empty() && held_.front().role == HeldRole::entry &&
+         held_.front().number + 1 == move.number;
+}
+
+// Which moves are no walls; told as soon as a move is known, before anything is compared with it.
+void CutterCompensation::find_leads(HeldMove& newest) {
+  const bool closed = is_closed(newest);
+  bool returns = false;
+  std::uint64_t leads_up_to = 0;
+  for (const HeldMove& held : held_) {
+    if (held.role != HeldRole::contour || held.number == newest.number) {
+      continue;
+    }
+    const bool neighbour = held.number + 1 == newest.number;
+    returns = returns || (neighbour ? is_closed(held) : starts_on(newest, held));
+    if (neighbour ? closed : ends_on(held, newest)) {
+      leads_up_to = held.number;
     }
   }
-  if (cut != nullptr) {
-    report_cut(mover, *cut, deepest);
+  constexpr int kLeadOut = 2;
+  leads_left_ = returns ? kLeadOut : leads_left_;
+  newest.lead = leads_left_ > 0 || is_first(newest);
+  leads_left_ -= leads_left_ > 0 ? 1 : 0;
+  for (HeldMove& held : held_) {
+    const bool part_of_contour = !newest.lead && meet_at_seam(held, newest);
+    held.lead = (held.lead && !part_of_contour) || held.number <= leads_up_to;
   }
 }
 
-// The contour of the newest move is known now: which way before it cuts it most?
-void CutterCompensation::settle_behind(HeldMove& contour) {
-  double deepest = 0.0;
-  HeldMove* cutter = nullptr;
+// Both ends of the move are settled and what it is: how its way and the contours up to it go
+// together, and the ways before it and its contour.
+void CutterCompensation::settle(HeldMove& move) {
+  std::vector<Cut> cuts = cuts_of(move);
   for (HeldMove& mover : held_) {
-    const double depth =
-        &mover != &contour ? depth_of_cut_mm(mover, contour, start_.radius_mm) : 0.0;
-    if (depth > deepest && !is_lead(held_, mover, contour)) {
-      deepest = depth;
-      cutter = &mover;
+    if (const double depth = depth_of_cut_mm(mover, move, start_.radius_mm);
+        mover.number < move.number && depth > 0.0) {
+      cuts.push_back({&mover, &move, depth});
     }
   }
-  if (cutter != nullptr) {
-    report_cut(*cutter, contour, deepest);
+  report(std::move(cuts));
+}
+
+std::vector<CutterCompensation::Cut> CutterCompensation::cuts_of(HeldMove& mover) {
+  std::vector<Cut> cuts;
+  for (HeldMove& contour : held_) {
+    if (const double depth = depth_of_cut_mm(mover, contour, start_.radius_mm);
+        contour.number <= mover.number && depth > 0.0) {
+      cuts.push_back({&mover, &contour, depth});
+    }
+  }
+  return cuts;
+}
+
+// One move is told of once, so the errors come first and the deepest cuts before the others.
+void CutterCompensation::report(std::vector<Cut> cuts) {
+  const auto order = [](const Cut& cut) { return std::pair(!cut.is_error(), -cut.depth_mm); };
+  std::stable_sort(cuts.begin(), cuts.end(),
+                   [&](const Cut& a, const Cut& b) { return order(a) < order(b); });
+  for (const Cut& cut : cuts) {
+    if (!cut.mover->faulty && !cut.contour->faulty) {
+      report_cut(cut);
+    }
   }
 }
 
@@ -117,23 +152,24 @@ void CutterCompensation::settle_last() {
   }
 }
 
-void CutterCompensation::report_cut(HeldMove& mover, HeldMove& contour, double depth_mm) {
-  const std::string cut =
-      joined({"the tool (radius ", in_mm(start_.radius_mm), " mm) would cut ", in_mm(depth_mm),
-              " mm into the contour of ", line_of(contour.move)});
-  const bool seam = mover.role == HeldRole::contour && meet_at_seam(mover, contour);
-  if (mover.role == HeldRole::contour && !seam) {
-    blame(mover, errors::kCompensationGouge, joined({"on this move ", cut}));
-    contour.faulty = true;
-    return;
-  }
-  if (seam) {
-    blame(mover, errors::kCompensationSeam,
-          joined({"the contour begins and ends in an inside corner: ", cut}));
-  } else if (mover.role == HeldRole::entry) {
-    blame(mover, errors::kCompensationEntryGouges, joined({"on the entry move ", cut}));
+bool CutterCompensation::Cut::is_error() const {
+  return mover->role == HeldRole::contour && !meet_at_seam(*mover, *contour);
+}
+
+void CutterCompensation::report_cut(const Cut& cut) {
+  const std::string what =
+      joined({"the tool (radius ", in_mm(start_.radius_mm), " mm) would cut ", in_mm(cut.depth_mm),
+              " mm into the contour of ", line_of(cut.contour->move)});
+  if (cut.is_error()) {
+    blame(*cut.mover, errors::kCompensationGouge, joined({"on this move ", what}));
+    cut.contour->faulty = true;
+  } else if (cut.mover->role == HeldRole::entry) {
+    blame(*cut.mover, errors::kCompensationEntryGouges, joined({"on the entry move ", what}));
+  } else if (cut.mover->role == HeldRole::exit) {
+    blame(*cut.mover, errors::kCompensationExitGouges, joined({"on the exit move ", what}));
   } else {
-    blame(mover, errors::kCompensationExitGouges, joined({"on the exit move ", cut}));
+    blame(*cut.mover, errors::kCompensationSeam,
+          joined({"the contour begins and ends in an inside corner: ", what}));
   }
 }
 

@@ -1,8 +1,6 @@
 // Whether the tool on its way past one move cuts into the contour of another.
 #pragma once
 
-#include <deque>
-
 #include "parser/compensation/held_move.hpp"
 
 namespace kerf::parser {
@@ -13,10 +11,10 @@ namespace kerf::parser {
 // contour's first and last point (see gouge.cpp) does not count either.
 double depth_of_cut_mm(const HeldMove& mover, const HeldMove& contour, double radius_mm);
 
-// Whether the contour of the one leads the tool on to, or away from, a closed contour that the other
-// is part of: the programmed path comes back to where the lead joins it. Such a lead is no wall, the
-// contour's last pass crosses it. Looks at the neighbours of both among `held`.
-bool is_lead(const std::deque<HeldMove>& held, const HeldMove& mover, const HeldMove& contour);
+// Whether one move begins or ends on the contour of another, and whether it ends where it begins.
+bool starts_on(const HeldMove& move, const HeldMove& other);
+bool ends_on(const HeldMove& move, const HeldMove& other);
+bool is_closed(const HeldMove& move);
 
 // Whether the two meet where a closed contour begins and ends. There is no corner in the program's
 // order, so LinuxCNC (and Kerf) do nothing about it: at an inside corner each of them ends or

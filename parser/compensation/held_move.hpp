@@ -31,6 +31,7 @@ struct HeldMove {
   planar::Curve corner;
   double lost_at_start_mm = 0.0;  // of curve.path, to inside corners
   double lost_at_end_mm = 0.0;
+  bool lead = false;               // leads in or out: other moves may pass over it, see gouge.cpp
   bool left_out = false;           // only its fault is told
   bool faulty = false;             // not compared any more
   std::optional<HeldFault> fault;  // to be told when the move is sent

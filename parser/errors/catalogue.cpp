@@ -8,6 +8,7 @@
 #include "parser/errors/bsplines.hpp"
 #include "parser/errors/characters.hpp"
 #include "parser/errors/codes.hpp"
+#include "parser/errors/compensation.hpp"
 #include "parser/errors/curves.hpp"
 #include "parser/errors/files.hpp"
 #include "parser/errors/machine.hpp"
@@ -35,10 +36,10 @@ constexpr auto in_order(const std::array<Page, sizes>&... topics) {
   return pages;
 }
 
-constexpr std::array kPages =
-    in_order(kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages, kCurvesPages,
-             kFilesPages, kMachinePages, kModesPages, kMotionPages, kNurbsPages, kOffsetsPages,
-             kShapePages, kSplinesPages, kSwitchesPages, kWordsPages);
+constexpr std::array kPages = in_order(
+    kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages, kCompensationPages,
+    kCurvesPages, kFilesPages, kMachinePages, kModesPages, kMotionPages, kNurbsPages, kOffsetsPages,
+    kShapePages, kSplinesPages, kSwitchesPages, kWordsPages);
 
 }  // namespace
 

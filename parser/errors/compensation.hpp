@@ -89,7 +89,7 @@ inline constexpr ErrorPage kCompensationCornerTooTight{
     "Beside the two moves of this inside corner the paths of the tool's centre do not meet: "
     "wherever the tool touches one of them it cuts into the other.",
     "Use a smaller tool, or widen the corner. If the tool side is wrong, exchange G41 and G42.",
-    "G41.1 D10\nG1 F100 X20\nX50\nG2 X50 Y4 J2\nG1 X40 Y20\nG40 X0\nM2\n"};
+    "G41.1 D10\nG1 F100 X20\nX50\nG3 X38 I-6\nG1 Y-40\nG40 X0\nM2\n"};
 
 inline constexpr ErrorPage kCompensationGouge{
     709,
@@ -100,7 +100,7 @@ inline constexpr ErrorPage kCompensationGouge{
     "looked at before the tool moves.",
     "Use a smaller tool or widen the contour there. A roughing pass that is to be cut over needs a "
     "G40 between it and the next pass.",
-    "G41.1 D10\nG1 F100 X20\nX50\nY40\nX60\nY50\nX42\nY8\nX20\nG40 X0\nM2\n"};
+    "G41.1 D10\nG1 F100 X20\nX60\nY40\nX70\nY50\nX52\nY8\nX30\nY20\nG40 X0 Y60\nM2\n"};
 
 inline constexpr ErrorPage kCompensationEntryGouges{
     710,
@@ -223,7 +223,9 @@ inline constexpr ErrorPage kCompensationHoldsTooMuch{
     "The corner at the end of a move depends on the next move in the plane, so what stands between "
     "is held back. This program has more there than is held.",
     "Cancel with G40 before long sequences of dwells, events or moves along the plane's normal.",
-    "G41.1 D5\nG1 F100 X20\nX50\no1 repeat [1001]\nG4 P0\no1 endrepeat\nY20\nG40 X20\nM2\n"};
+    "G41.1 D5\nG1 F100 X20\nX50\n",
+    Dialect::rs274,
+    {"G4 P@\n", 1001}};
 
 inline constexpr ErrorPage kCompensationWithoutRadius{
     724,
@@ -251,34 +253,18 @@ inline constexpr ErrorPage kCompensationSeam{
     "no move behind the last one that the tool could turn into, so the first and the last move run "
     "up to the corner and cut into each other by as much as the tool radius.",
     "Begin the contour in the middle of a straight move or at an outside corner.",
-    "G42.1 D10\nG1 F100 X10\nY50\nX60\nY0\nX10\nG40 X0 Y-20\nM2\n"};
+    "G0 X30 Y30\nG41.1 D10\nG1 F100 X10 Y10\nX60\nY60\nX10\nY10\nG40 X30 Y30\nM2\n"};
 
-inline constexpr std::array kCompensationPages{&kCompensationTwice,
-                                               &kCompensationPlane,
-                                               &kCompensationPlaneChange,
-                                               &kCompensationStartedOnArc,
-                                               &kCompensationEntryTooShort,
-                                               &kCompensationExitOnArc,
-                                               &kCompensationArcTooSmall,
-                                               &kCompensationMoveTooShort,
-                                               &kCompensationCornerTooTight,
-                                               &kCompensationGouge,
-                                               &kCompensationEntryGouges,
-                                               &kCompensationExitGouges,
-                                               &kCompensationLeftOn,
-                                               &kNotWhileCompensating,
-                                               &kCurveWhileCompensating,
-                                               &kCycleWhileCompensating,
-                                               &kCompensationNegativeD,
-                                               &kCompensationDNotWhole,
-                                               &kCompensationWithoutD,
-                                               &kCompensationUnknownTool,
-                                               &kCompensationOrientation,
-                                               &kCompensationOrientationPlane,
-                                               &kCompensationOtherSide,
-                                               &kCompensationHoldsTooMuch,
-                                               &kCompensationWithoutRadius,
-                                               &kCompensationTurned,
-                                               &kCompensationSeam};
+inline constexpr std::array kCompensationPages{
+    &kCompensationTwice,        &kCompensationPlane,         &kCompensationPlaneChange,
+    &kCompensationStartedOnArc, &kCompensationEntryTooShort, &kCompensationExitOnArc,
+    &kCompensationArcTooSmall,  &kCompensationMoveTooShort,  &kCompensationCornerTooTight,
+    &kCompensationGouge,        &kCompensationEntryGouges,   &kCompensationExitGouges,
+    &kCompensationLeftOn,       &kNotWhileCompensating,      &kCurveWhileCompensating,
+
+    &kCompensationNegativeD,    &kCompensationDNotWhole,     &kCompensationWithoutD,
+    &kCompensationUnknownTool,  &kCompensationOrientation,   &kCompensationOrientationPlane,
+    &kCompensationOtherSide,    &kCompensationHoldsTooMuch,  &kCompensationWithoutRadius,
+    &kCompensationTurned,       &kCompensationSeam};
 
 }  // namespace kerf::parser::errors
