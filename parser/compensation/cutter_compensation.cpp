@@ -107,7 +107,7 @@ HeldMove& CutterCompensation::hold(const Move& move, HeldRole role) {
     return held;
   }
   ++curves_;
-  held.curve.programmed = curve_of(move);
+  held.curve.programmed = held.wall = curve_of(move);
   const std::size_t normal = axes_of(start_.plane).normal;
   const double from = move.start_mm[normal];
   const double to = (*end_of(move))[normal];

@@ -85,6 +85,7 @@ class CutterCompensation {
   void join_inside(HeldMove& first, HeldMove& second, const Corner& corner);
   bool has_room(HeldMove& held);
   [[nodiscard]] bool is_first(const HeldMove& move) const;
+  static void cut_off_overrun(const HeldMove& first, HeldMove& newest);
   void find_leads(HeldMove& newest);
   void settle(HeldMove& move);
   void settle_last();

@@ -85,6 +85,13 @@ bool CutterCompensation::is_first(const HeldMove& move) const {
          held_.front().number + 1 == move.number;
 }
 
+// Where a contour runs on beyond its beginning, what is beyond is no wall.
+void CutterCompensation::cut_off_overrun(const HeldMove& first, HeldMove& newest) {
+  if (newest.number > first.number + 1 && starts_on(first, newest)) {
+    newest.wall = up_to(newest.curve.programmed, first.curve.programmed.start_mm);
+  }
+}
+
 // Which moves are no walls; told as soon as a move is known, before anything is compared with it.
 void CutterCompensation::find_leads(HeldMove& newest) {
   const bool closed = is_closed(newest);
@@ -93,6 +100,9 @@ void CutterCompensation::find_leads(HeldMove& newest) {
   for (const HeldMove& held : held_) {
     if (held.role != HeldRole::contour || held.number == newest.number) {
       continue;
+    }
+    if (is_first(held)) {
+      cut_off_overrun(held, newest);
     }
     const bool neighbour = held.number + 1 == newest.number;
     returns = returns || (neighbour ? is_closed(held) : starts_on(newest, held));

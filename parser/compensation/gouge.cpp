@@ -59,9 +59,9 @@ double depth_of_cut_mm(const HeldMove& mover, const HeldMove& contour, double ra
   if (!comparable(mover, contour)) {
     return 0.0;
   }
-  double depth = depth_mm(mover.way, contour.curve.programmed, radius_mm);
+  double depth = depth_mm(mover.way, contour.wall, radius_mm);
   if (mover.has_corner && !mover.corner_is_of_entry) {
-    depth = std::max(depth, depth_mm(mover.corner, contour.curve.programmed, radius_mm));
+    depth = std::max(depth, depth_mm(mover.corner, contour.wall, radius_mm));
   }
   if (depth > 0.0 && mover.role != HeldRole::contour) {
     const planar::Vec end = mover.role == HeldRole::entry ? mover.curve.programmed.end_mm
@@ -92,7 +92,7 @@ bool meet_at_seam(const HeldMove& mover, const HeldMove& contour) {
   const HeldMove& first = later ? mover : contour;
   const HeldMove& last = later ? contour : mover;
   return last.number > first.number + 1 &&
-         length(first.curve.programmed.start_mm - last.curve.programmed.end_mm) < kSamePlace_mm;
+         length(first.curve.programmed.start_mm - last.wall.end_mm) < kSamePlace_mm;
 }
 
 }  // namespace kerf::parser

@@ -22,8 +22,9 @@ struct HeldFault {
 struct HeldMove {
   Move move;  // as programmed
   HeldRole role = HeldRole::idle;
-  OffsetCurve curve;  // both without regard to corners
-  planar::Curve way;  // of the tool's centre: curve.path with its ends where the corners put them
+  OffsetCurve curve;   // both without regard to corners
+  planar::Curve wall;  // what is to be kept of curve.programmed
+  planar::Curve way;   // of the tool's centre: curve.path with its ends where the corners put them
   // The tool first rolls about the corner at the start, along `corner`. An entry has the corner at
   // its end here, to be compared with the contour and not to be sent.
   bool has_corner = false;

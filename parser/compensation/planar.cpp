@@ -137,4 +137,14 @@ double before_end_mm(const Curve& curve, Vec point_mm) {
   return turn > kTurn_rad - kAngleNoise_rad ? 0.0 : turn * curve.end_radius_mm();
 }
 
+Curve up_to(const Curve& curve, Vec point_mm) {
+  Curve part = curve;
+  part.end_mm = point_mm;
+  if (curve.is_arc()) {
+    part.sweep_rad =
+        turn_rad(curve.start_mm - curve.centre_mm, point_mm - curve.centre_mm, clockwise(curve));
+  }
+  return part;
+}
+
 }  // namespace kerf::parser::planar

@@ -73,6 +73,9 @@ Crossings crossings(const Curve& first, const Curve& second);
 double ahead_of_start_mm(const Curve& curve, Vec point_mm);
 double before_end_mm(const Curve& curve, Vec point_mm);
 
+// The curve up to the point, which lies on it.
+Curve up_to(const Curve& curve, Vec point_mm);
+
 // The smallest distance between two curves, 0 where they cross.
 double distance_mm(const Curve& a, const Curve& b);
 
