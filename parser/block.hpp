@@ -8,6 +8,8 @@
 
 namespace kerf::parser {
 
+struct Fault;
+
 // Letters as a set, one bit each.
 using Letters = std::uint32_t;
 constexpr Letters letter_bit(char upper_case) {
@@ -26,7 +28,7 @@ struct Word {
 };
 
 // Why the grammar stopped before the end of the line, where the bytes alone do not show it.
-enum class Stop : std::uint8_t { none, repeated, too_many_g, too_many_m };
+enum class Stop : std::uint8_t { none, repeated, too_many_g, too_many_m, value };
 
 struct Block {
   static constexpr std::size_t kMaxG = 16;
@@ -34,6 +36,9 @@ struct Block {
 
   std::string_view line;
   Letters present = 0;  // of the words in `words`; G and M are counted apart
+  // Words whose value has a decimal point or was worked out; what is left may be meant in least
+  // increments.
+  Letters pointed = 0;
   std::uint8_t g_count = 0;
   std::uint8_t m_count = 0;
   Stop stop = Stop::none;
@@ -45,17 +50,21 @@ struct Block {
   std::uint32_t blank_in_number = 0;  // offset + 1 of the first word with a blank inside its number
   std::uint32_t remark = 0;           // offset + 1 of a ';' comment
   std::uint32_t first_word = 0;       // offset of the first word
+  std::uint32_t assignment = 0;       // offset + 1 of the first assignment to a variable
+  std::uint32_t stale_read = 0;       // offset + 1 of a variable read behind its assignment
+  const Fault* fault = nullptr;       // why, of Stop::value; the evaluator's
   std::array<Word, kMaxG> g;
   std::array<Word, kMaxM> m;
   std::array<Word, 26> words;
 
   void clear(std::string_view text) {
     line = text;
-    present = 0;
+    present = pointed = 0;
     g_count = m_count = 0;
     stop = Stop::none;
     deleted = numbered_delete = line_number_decimal = has_comment = false;
-    stopped_at = blank_in_number = remark = first_word = 0;
+    stopped_at = blank_in_number = remark = first_word = assignment = stale_read = 0;
+    fault = nullptr;
   }
   [[nodiscard]] bool has(char upper_case) const { return (present & letter_bit(upper_case)) != 0; }
   [[nodiscard]] bool has_any(Letters set) const { return (present & set) != 0; }

@@ -1,13 +1,17 @@
-// line := ['/' [1-9]] ['N' unsigned] *(word | comment) [remark]
-// word := letter number
+// line := ['/' [1-9]] ['N' unsigned] *(word | comment | assignment) [remark]
+// word := letter (number | value)
 //
 // The grammar is Spirit X3 over bytes. Its leaves are ours: X3's own number parsers take nan, inf
 // and exponents and round wrongly, and its character classes must not see bytes from 0x80. It has
-// no recursion, so no input can overflow the stack, and it fills the block in place.
+// no recursion, so no input can overflow the stack, and it fills the block in place. Values that
+// are no plain numbers, and assignments, are the evaluator's: see expressions/.
 #include "parser/block_grammar.hpp"
+
+#include <cmath>
 
 #include <boost/spirit/home/x3.hpp>
 
+#include "parser/errors/variables.hpp"
 #include "parser/number.hpp"
 
 namespace kerf::parser {
@@ -25,9 +29,13 @@ constexpr char to_upper(char c) {
   return static_cast<char>(c & ~0x20);
 }
 
+struct Target {
+  Block& block;
+  Evaluator& evaluator;
+};
 template <class Context>
 Block& block_of(const Context& context) {
-  return x3::get<BlockTag>(context).get();
+  return x3::get<BlockTag>(context).get().block;
 }
 
 std::uint32_t offset_in(const Block& block, const char* at) {
@@ -91,6 +99,66 @@ struct Number : x3::parser<Number> {
   }
 };
 
+// What a word has that does not begin as a number, or does and is none. Out of the way of plain
+// blocks.
+[[gnu::noinline]] bool read_worked_out(const Target& target, const char*& at,
+                                       ScannedNumber& number) {
+  const std::string_view line = target.block.line;
+  Cursor cursor{line, static_cast<std::size_t>(at - line.data())};
+  if (!target.evaluator.value_begins(cursor)) {
+    return false;
+  }
+  if (!target.evaluator.read_value(cursor, number.value)) {
+    target.block.stop = Stop::value;
+    return false;
+  }
+  at = cursor.position();
+  number = {number.value, at, false, true, true};
+  return true;
+}
+
+struct Value : x3::parser<Value> {
+  using attribute_type = ScannedNumber;
+  static constexpr bool has_attribute = true;
+  template <class Iterator, class Context, class RContext, class Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context& context, RContext&,
+             Attribute& number) const {
+    // '+' to '9': the signs, the point, the digits, and ',' and '/', which no value begins with.
+    if (first != last && static_cast<unsigned char>(*first - '+') <= '9' - '+') {
+      number = scan_number(first, last);
+      if (number.end != nullptr) {
+        first = number.end;
+        return true;
+      }
+    }
+    return read_worked_out(x3::get<BlockTag>(context).get(), first, number);
+  }
+};
+
+struct Assignment : x3::parser<Assignment> {
+  using attribute_type = x3::unused_type;
+  static constexpr bool has_attribute = false;
+  template <class Iterator, class Context, class RContext, class Attribute>
+  bool parse(Iterator& first, const Iterator& last, const Context& context, RContext&,
+             Attribute&) const {
+    return first != last && *first == '#' &&
+           read_assignment(x3::get<BlockTag>(context).get(), first);
+  }
+  [[gnu::noinline]] static bool read_assignment(const Target& target, const char*& at) {
+    Block& block = target.block;
+    Cursor cursor{block.line, static_cast<std::size_t>(at - block.line.data())};
+    if (block.assignment == 0) {
+      block.assignment = static_cast<std::uint32_t>(cursor.at) + 1;
+    }
+    if (!target.evaluator.read_assignment(cursor)) {
+      block.stop = Stop::value;
+      return false;
+    }
+    at = cursor.position();
+    return true;
+  }
+};
+
 // Where the grammar is, without taking anything.
 struct Here : x3::parser<Here> {
   using attribute_type = const char*;
@@ -126,18 +194,35 @@ Word* place_for(Block& block, char letter) {
   return &block.words[static_cast<std::size_t>(letter - 'A')];
 }
 
+// What rounding left of a code or a number of something. G codes have tenths [rs274: G[1.00005] is
+// G1, G[1.0005] is refused].
+double settled(char letter, double value) {
+  constexpr Letters kWhole = letters('D', 'H', 'L', 'M', 'O', 'T');
+  if (letter == 'G') {
+    const double tenths = std::round(value * 10.0);
+    return std::fabs(value * 10.0 - tenths) <= 1e-3 ? tenths / 10.0 : value;
+  }
+  const double tolerance = (kWhole & letter_bit(letter)) != 0 ? 1e-4 : letter == 'P' ? 1e-9 : 0.0;
+  const double whole = std::round(value);
+  return std::fabs(value - whole) <= tolerance ? whole : value;
+}
+
 bool store_word(Block& block, const char* at, const ScannedNumber& number) {
+  if (is_vacant(number.value)) {
+    return true;
+  }
   const bool first = block.empty();
   Word* const word = place_for(block, to_upper(*at));
   if (word == nullptr) {
     return false;
   }
-  word->value = number.value;
+  word->value = number.worked_out ? settled(to_upper(*at), number.value) : number.value;
   word->offset = offset_in(block, at);
   word->length = static_cast<std::uint32_t>(number.end - at);
   if (first) {
     block.first_word = word->offset;
   }
+  block.pointed |= Letters{number.point} << static_cast<unsigned>(to_upper(*at) - 'A');
   if (number.blank_inside && block.blank_in_number == 0) {
     block.blank_in_number = word->offset + 1;
   }
@@ -169,6 +254,8 @@ constexpr auto keep_remark = [](auto& context) {
 const Blanks blanks{};
 const Letter letter{};
 const Number number{};
+const Value value{};
+const Assignment assignment{};
 const Here here{};
 const CommentByte inside_brackets{};
 const CommentByte to_the_end{{}, true};
@@ -176,22 +263,43 @@ const CommentByte to_the_end{{}, true};
 const auto comment = x3::lit('(')[keep_comment] >> x3::omit[*inside_brackets] >>
                      x3::lit(')') >> blanks;
 const auto remark = (here >> x3::lit(';'))[keep_remark] >> x3::omit[*to_the_end];
-const auto word = (letter >> blanks >> number)[keep_word] >> blanks;
+const auto word = (letter >> blanks >> value)[keep_word] >> blanks;
 const auto line_number =
     (here >> x3::omit[x3::lit('N') | x3::lit('n')] >> blanks >> number)[keep_line_number] >> blanks;
 const auto block_delete = x3::lit('/')[keep_delete] >>
                           -(x3::char_('1', '9')[keep_delete_switch]) >> blanks;
-const auto line = blanks >> -block_delete >> -line_number >> *(word | comment) >> -remark;
+// False: the line is not complete.
+[[gnu::noinline]] bool finish_assignments(Block& block, Evaluator& evaluator) {
+  evaluator.commit();
+  block.stale_read = evaluator.stale_read();
+  if (block.stopped_at != block.line.size()) {
+    return false;
+  }
+  const bool alone = (block.present & ~letter_bit('N')) == 0 && block.g_count + block.m_count == 0;
+  if (evaluator.dialect() == Dialect::fanuc && !alone) {
+    evaluator.fail(block.line.data() + block.assignment - 1, errors::kAssignmentBesideWords,
+                   "an assignment must stand alone in its block");
+    block.stop = Stop::value;
+    return false;
+  }
+  return true;
+}
+
+const auto line = blanks >> -block_delete >> -line_number >>
+                  *(word | comment | (assignment >> blanks)) >> -remark;
 
 }  // namespace
 
-bool read_block(std::string_view text, Block& block) {
+bool read_block(std::string_view text, Block& block, Evaluator& evaluator) {
   block.clear(text);
+  evaluator.begin_line();
   const char* at = text.data();
   const char* const end = at + text.size();
-  x3::parse(at, end, x3::with<BlockTag>(std::ref(block))[line]);
+  const Target target{block, evaluator};
+  x3::parse(at, end, x3::with<BlockTag>(std::cref(target))[line]);
   block.stopped_at = offset_in(block, at);
-  return at == end;
+  block.fault = &evaluator.fault();
+  return block.assignment == 0 ? at == end : finish_assignments(block, evaluator);
 }
 
 }  // namespace kerf::parser

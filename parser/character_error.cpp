@@ -54,13 +54,13 @@ Fault explain_character(std::string_view rest, std::uint32_t offset) {
   const std::string not_here = joined({"character '", shown, "' is not allowed here"});
   switch (c) {
     case '#':
-      return {offset, "'#': variables are not supported yet, a number is expected",
+      return {offset, "'#' begins a value: the letter that it belongs to is expected before it",
               &errors::kMisplacedExpression};
     case '[':
-    case ']':
-      return {offset,
-              joined({"'", shown, "': expressions are not supported yet, a number is expected"}),
+      return {offset, "'[' begins a value: the letter that it belongs to is expected before it",
               &errors::kMisplacedExpression};
+    case ']':
+      return {offset, "']' without '['", &errors::kMisplacedExpression};
     case ')':
       return {offset, "')' without '('", &errors::kUnmatchedParenthesis};
     case '/':

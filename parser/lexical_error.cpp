@@ -6,6 +6,7 @@
 #include "parser/character_error.hpp"
 #include "parser/errors/characters.hpp"
 #include "parser/errors/files.hpp"
+#include "parser/errors/variables.hpp"
 #include "parser/errors/words.hpp"
 #include "parser/number.hpp"
 #include "parser/text.hpp"
@@ -197,14 +198,43 @@ std::size_t comment_in_number(std::string_view line, std::size_t at) {
   return digit_before ? open : std::string_view::npos;
 }
 
+// Whether an operator at `at` follows a value that is no plain number of a word: #1, [..], #<name>
+// or what was assigned.
+bool is_operator_behind_value(std::string_view line, std::size_t at) {
+  constexpr std::string_view kOperators = "+-*/";
+  if (kOperators.find(line[at]) == std::string_view::npos) {
+    return false;
+  }
+  std::size_t end = at;
+  while (end > 0 && is_blank(line[end - 1])) {
+    --end;
+  }
+  std::size_t start = end;
+  while (start > 0 && (is_digit(line[start - 1]) || line[start - 1] == '.')) {
+    --start;
+  }
+  const std::size_t before = line.find_last_not_of(" \t+-", start == 0 ? 0 : start - 1);
+  const char c = start == 0 || before == std::string_view::npos ? ' ' : line[before];
+  return start < end ? c == '#' || c == '=' : c == ']' || c == '>';
+}
+
 }  // namespace
 
 Fault explain_stop(const Block& block) {
+  if (block.stop == Stop::value) {
+    return *block.fault;
+  }
   const std::size_t at = block.stopped_at;
   const std::string_view line = block.line;
   const char c = line[at];
   if (c == '(') {
     return explain_comment(block, at);
+  }
+  if (is_operator_behind_value(line, at)) {
+    return {static_cast<std::uint32_t>(at),
+            joined({"operator '", line.substr(at, 1),
+                    "' outside of brackets: an expression stands in [ ]"}),
+            &errors::kOperatorOutsideBrackets};
   }
   if (is_letter(c)) {
     return explain_letter(block, at);

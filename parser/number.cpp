@@ -70,7 +70,8 @@ ScannedNumber scan_long_number(const char* first, const char* last) {
     return {};
   }
   const double magnitude = convert(got.digits);
-  return {got.negative && magnitude != 0.0 ? -magnitude : magnitude, got.end, got.blank_inside};
+  return {got.negative && magnitude != 0.0 ? -magnitude : magnitude, got.end, got.blank_inside,
+          got.digits.find('.') != std::string::npos};
 }
 
 }  // namespace kerf::parser

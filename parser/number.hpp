@@ -10,6 +10,8 @@ struct ScannedNumber {
   double value = 0.0;
   const char* end = nullptr;  // nullptr: no number here
   bool blank_inside = false;
+  bool point = false;       // has a decimal point
+  bool worked_out = false;  // by the evaluator
 };
 
 // The rule that takes any number of digits and the blanks that RS274/NGC allows inside a number.
@@ -72,7 +74,7 @@ inline ScannedNumber scan_number(const char* first, const char* last) {
   }
   const double magnitude =
       static_cast<double>(mantissa) / detail::kPowersOfTen[static_cast<std::size_t>(decimals)];
-  return {negative && mantissa != 0 ? -magnitude : magnitude, at, false};
+  return {negative && mantissa != 0 ? -magnitude : magnitude, at, false, at - digits != count};
 }
 
 }  // namespace kerf::parser

@@ -3,6 +3,7 @@
 #include "parser/block_grammar.hpp"
 #include "parser/errors/characters.hpp"
 #include "parser/errors/files.hpp"
+#include "parser/errors/variables.hpp"
 #include "parser/errors/words.hpp"
 #include "parser/interpreter.hpp"
 #include "parser/lexical_error.hpp"
@@ -27,7 +28,11 @@ class ProgramReader::Impl {
   explicit Impl(const ReaderOptions& options)
       : options_(options),
         diagnostics_(options.max_errors),
-        interpreter_(options.start_mm, diagnostics_, options.machine, options.dialect) {}
+        interpreter_(options.start_mm, diagnostics_, options.machine, options.dialect),
+        parameters_(options.dialect),
+        evaluator_(parameters_) {
+    parameters_.use(interpreter_.values());
+  }
 
   LineSplitter lines_;
 
@@ -49,6 +54,8 @@ class ProgramReader::Impl {
   ReaderOptions options_;
   DiagnosticList diagnostics_;
   Interpreter interpreter_;
+  Parameters parameters_;
+  Evaluator evaluator_;
   Block block_;
   bool ended_ = false;       // the program, not the bytes
   bool all_fetched_ = true;  // all its moves are fetched
@@ -119,6 +126,12 @@ void ProgramReader::Impl::warn_about(const Block& block, std::uint32_t line) {
     diagnostics_.add({line, block.blank_in_number}, errors::kBlankInNumber,
                      joined({"a number contains a blank: ", quoted(rest), " is read as one"}));
   }
+  if (block.stale_read != 0) {
+    const std::string_view rest = block.line.substr(block.stale_read - 1, 40);
+    diagnostics_.add({line, block.stale_read}, errors::kStaleRead,
+                     joined({"the variable at ", quoted(rest),
+                             " is set in the same block: its value from before is used"}));
+  }
   if (block.numbered_delete) {
     diagnostics_.add({line, 1}, errors::kNumberedBlockDelete,
                      "numbered block delete is taken as '/'");
@@ -178,8 +191,9 @@ void ProgramReader::Impl::read_line(const Line& given) {
   if (line.number == options_.watched_line && !watched_block_) {
     watched_block_ = WatchedBlock{std::string(line.text), interpreter_.state()};
   }
-  const bool complete = read_block(line.text, block_);
+  const bool complete = read_block(line.text, block_, evaluator_);
   warn_about(block_, line.number);
+  any_block_ = any_block_ || block_.assignment != 0;
   if (complete && (block_.empty() || is_program_number(block_, line.number))) {
     return;
   }

@@ -10,6 +10,7 @@
 #include "parser/errors/codes.hpp"
 #include "parser/errors/compensation.hpp"
 #include "parser/errors/curves.hpp"
+#include "parser/errors/expressions.hpp"
 #include "parser/errors/files.hpp"
 #include "parser/errors/machine.hpp"
 #include "parser/errors/modes.hpp"
@@ -19,6 +20,7 @@
 #include "parser/errors/shape.hpp"
 #include "parser/errors/splines.hpp"
 #include "parser/errors/switches.hpp"
+#include "parser/errors/variables.hpp"
 #include "parser/errors/words.hpp"
 
 namespace kerf::parser::errors {
@@ -36,10 +38,11 @@ constexpr auto in_order(const std::array<Page, sizes>&... topics) {
   return pages;
 }
 
-constexpr std::array kPages = in_order(
-    kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages, kCompensationPages,
-    kCurvesPages, kFilesPages, kMachinePages, kModesPages, kMotionPages, kNurbsPages, kOffsetsPages,
-    kShapePages, kSplinesPages, kSwitchesPages, kWordsPages);
+constexpr std::array kPages =
+    in_order(kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages,
+             kCompensationPages, kCurvesPages, kExpressionsPages, kFilesPages, kMachinePages,
+             kModesPages, kMotionPages, kNurbsPages, kOffsetsPages, kShapePages, kSplinesPages,
+             kSwitchesPages, kVariablesPages, kWordsPages);
 
 }  // namespace
 

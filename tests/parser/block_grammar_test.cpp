@@ -7,10 +7,16 @@
 namespace kerf::parser {
 namespace {
 
+bool read(std::string_view line, Block& block) {
+  static Parameters parameters;
+  static Evaluator evaluator(parameters);
+  return read_block(line, block, evaluator);
+}
+
 TEST(Block, HoldsItsWordsWithTheirPlaces) {
   const std::string line = "/N7 g1x-2.5 Y 3 (note) m3 M8 G17;rest";
   Block block;
-  ASSERT_TRUE(read_block(line, block));
+  ASSERT_TRUE(read(line, block));
   EXPECT_TRUE(block.deleted);
   EXPECT_EQ(block.value('N'), 7.0);
   EXPECT_EQ(block.value('X'), -2.5);
@@ -29,15 +35,15 @@ TEST(Block, HoldsItsWordsWithTheirPlaces) {
 TEST(Block, IsEmptyWhereTheLineHasNoWords) {
   Block block;
   for (const char* const line : {"", "  \t", "(only a comment)", "; rest", "/", "(a)(b) ; c"}) {
-    EXPECT_TRUE(read_block(line, block)) << line;
+    EXPECT_TRUE(read(line, block)) << line;
     EXPECT_TRUE(block.empty()) << line;
   }
 }
 
 TEST(Block, ForgetsTheLineBefore) {
   Block block;
-  ASSERT_TRUE(read_block("N1 G1 X1 M3", block));
-  ASSERT_TRUE(read_block("Y2", block));
+  ASSERT_TRUE(read("N1 G1 X1 M3", block));
+  ASSERT_TRUE(read("Y2", block));
   EXPECT_EQ(block.present, letter_bit('Y'));
   EXPECT_EQ(block.g_count + block.m_count, 0);
 }
@@ -45,15 +51,15 @@ TEST(Block, ForgetsTheLineBefore) {
 TEST(Block, StopsWhereTheLineIsWrongWithTheWordsBeforeIt) {
   Block block;
   const std::string line = "G1 X1 Y? Z2";
-  EXPECT_FALSE(read_block(line, block));
+  EXPECT_FALSE(read(line, block));
   EXPECT_EQ(block.stopped_at, 6U);
   EXPECT_EQ(block.present, letter_bit('X'));
 }
 
 TEST(Block, KeepsBytesOfAnyEncodingInComments) {
   Block block;
-  EXPECT_TRUE(read_block("X1 (\xE4\xF6\xFC \xC3\xA9 \x7F)", block));
-  EXPECT_TRUE(read_block("X1 ; \xFF\x80", block));
+  EXPECT_TRUE(read("X1 (\xE4\xF6\xFC \xC3\xA9 \x7F)", block));
+  EXPECT_TRUE(read("X1 ; \xFF\x80", block));
 }
 
 TEST(Block, SurvivesEveryByteInEveryPlace) {
@@ -64,7 +70,7 @@ TEST(Block, SurvivesEveryByteInEveryPlace) {
     for (int byte = 0; byte < 256; ++byte) {
       std::string line = good;
       line[place] = static_cast<char>(byte);
-      const bool complete = read_block(line, block);
+      const bool complete = read(line, block);
       refused += complete ? 0 : 1;
       ASSERT_LE(block.stopped_at, line.size());
       ASSERT_EQ(complete, block.stopped_at == line.size());

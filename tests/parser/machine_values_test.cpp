@@ -16,7 +16,7 @@ class MachineValuesOf : public testing::Test {
   void run(std::initializer_list<std::string_view> blocks) {
     for (const std::string_view text : blocks) {
       Block block;
-      const bool complete = read_block(text, block);
+      const bool complete = read_block(text, block, evaluator_);
       interpreter_.run(block, ++line_, complete);
     }
     EXPECT_TRUE(diagnostics_.all().empty()) << diagnostics_.all().front().message;
@@ -26,6 +26,8 @@ class MachineValuesOf : public testing::Test {
 
   DiagnosticList diagnostics_{10};
   std::uint32_t line_ = 0;
+  Parameters parameters_;
+  Evaluator evaluator_{parameters_};
   Interpreter interpreter_{{}, diagnostics_, default_machine_data()};
 };
 

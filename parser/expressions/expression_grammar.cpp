@@ -1,0 +1,187 @@
+// value      := number | [sign] (bracket | variable | function)
+// bracket    := '[' expression ']'
+// variable   := '#' (digits | '<' name '>' | value)
+// function   := ATAN arguments ['/' bracket] | EXISTS '[' variable ']' | name arguments
+// arguments  := '[' expression [',' expression] ']'            (the comma: Fanuc)
+// expression := operands joined by the operators of each level, from left to right
+//
+// Spirit X3, working out each value where it is read; nothing is kept of the text. Every
+// alternative begins with a character of its own, so the one that was begun is the one that was
+// meant: what fails inside it keeps its fault in the evaluator, and the whole line fails. Brackets
+// and ## come back through parse_expression and parse_value, plain functions that count how deep
+// they are; that is the only recursion.
+#include "parser/expressions/expression_grammar.hpp"
+
+#include <boost/spirit/home/x3.hpp>
+
+#include "parser/errors/expressions.hpp"
+#include "parser/expressions/evaluator.hpp"
+#include "parser/expressions/expression_leaves.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+namespace x3 = boost::spirit::x3;
+namespace fusion = boost::fusion;
+using namespace leaves;
+
+// Keeps an outcome as the rule's value, or its fault.
+template <class Context>
+void keep(const Context& context, const char* at, Outcome&& outcome) {
+  if (outcome.page != nullptr) {
+    x3::_pass(context) = evaluator_of(context).fail(at, *outcome.page, std::move(outcome.message));
+    return;
+  }
+  x3::_val(context) = outcome.value;
+}
+
+constexpr auto take = [](auto& context) { x3::_val(context) = x3::_attr(context); };
+constexpr auto combine = [](auto& context) {
+  const Join& join = fusion::at_c<0>(x3::_attr(context));
+  const Operands operands{x3::_val(context), fusion::at_c<1>(x3::_attr(context))};
+  keep(context, join.at, apply(join.op, operands, evaluator_of(context).dialect()));
+};
+constexpr auto negate = [](auto& context) {
+  const double value = fusion::at_c<1>(x3::_attr(context));
+  x3::_val(context) = fusion::at_c<0>(x3::_attr(context)) && value != 0.0 ? -value : value;
+};
+constexpr auto number_variable = [](auto& context) {
+  x3::_val(context).at = fusion::at_c<0>(x3::_attr(context));
+  x3::_val(context).number = fusion::at_c<1>(x3::_attr(context));
+};
+constexpr auto name_variable = [](auto& context) {
+  x3::_val(context).at = fusion::at_c<0>(x3::_attr(context));
+  x3::_val(context).name = fusion::at_c<1>(x3::_attr(context));
+  x3::_val(context).named = true;
+};
+constexpr auto look_up = [](auto& context) {
+  x3::_pass(context) = evaluator_of(context).read(x3::_attr(context), x3::_val(context));
+};
+constexpr auto call_exists = [](auto& context) {
+  x3::_val(context) = evaluator_of(context).exists(fusion::at_c<1>(x3::_attr(context))) ? 1.0 : 0.0;
+};
+constexpr auto call_plain = [](auto& context) {
+  const auto& [at, function] = fusion::at_c<0>(x3::_attr(context));
+  const double first = fusion::at_c<1>(x3::_attr(context));
+  const boost::optional<double>& second = fusion::at_c<2>(x3::_attr(context));
+  Evaluator& evaluator = evaluator_of(context);
+  if (second.has_value() != (function == Function::pow)) {
+    x3::_pass(context) = evaluator.fail(
+        at, errors::kFunctionForm,
+        second ? "the function takes one value" : "POW needs the form POW[base,exponent]");
+    return;
+  }
+  keep(context, at,
+       second ? apply(Operator::power, {first, *second}, Dialect::fanuc)
+              : apply(function, first, evaluator.dialect()));
+};
+constexpr auto call_atan = [](auto& context) {
+  const char* const at = fusion::at_c<0>(x3::_attr(context)).at;
+  const double y = fusion::at_c<1>(x3::_attr(context));
+  const boost::optional<double>& inside = fusion::at_c<2>(x3::_attr(context));
+  const boost::optional<double>& over = fusion::at_c<3>(x3::_attr(context));
+  Evaluator& evaluator = evaluator_of(context);
+  const bool one = !inside && !over;
+  if ((inside && over) || (one && evaluator.dialect() != Dialect::fanuc)) {
+    x3::_pass(context) =
+        evaluator.fail(at, errors::kFunctionForm, "ATAN needs the form ATAN[a]/[b]");
+    return;
+  }
+  keep(context, at,
+       one ? apply(Function::atan, y, Dialect::fanuc)
+           : Outcome{
+                 arc_tangent_deg(y, inside ? *inside : *over, evaluator.dialect()), nullptr, {}});
+};
+
+constexpr FunctionName named(Function only) {
+  FunctionName name;
+  name.only = only;
+  return name;
+}
+constexpr OperatorOf operator_of(int level) {
+  OperatorOf leaf;
+  leaf.level = level;
+  return leaf;
+}
+
+const Blanks blanks{};
+const Sign sign{};
+const Number number{};
+const Comma comma{};
+const Hash hash{};
+const Name name{};
+const Expected<'[', explain_no_bracket> open{};
+const Expected<']', explain_not_closed> close{};
+const Deeper<parse_expression> inner{};
+const Deeper<parse_value> inner_value{};
+const Digits digits{};
+const VariableBegins variable_begins{};
+const NoValue no_value{};
+const NoReference no_reference{};
+const Opening opening{};
+
+template <class Value>
+constexpr auto rule(const char* what) {
+  return x3::rule<struct RuleTag, Value>{what};
+}
+
+// A rule of its own for each alternative gives them one attribute.
+const auto by_name = rule<Reference>("named variable") = (hash >> blanks >> name)[name_variable];
+const auto index = rule<double>("number of a variable") = digits | (variable_begins >> inner_value);
+const auto by_number = rule<Reference>("numbered variable") =
+    (hash >> blanks >> index)[number_variable];
+const auto reference = rule<Reference>("variable") = by_name | by_number;
+const auto variable = rule<double>("value of a variable") = reference[look_up];
+
+const auto bracket = open >> blanks >> inner >> blanks >> close;
+const auto arguments = open >> blanks >> inner >> blanks >>
+                       -(comma >> blanks >> inner >> blanks) >> close;
+const auto plain_of = rule<double>("function") =
+    (named(Function::none) >> blanks >> arguments)[call_plain];
+const auto atan_of = rule<double>("ATAN") =
+    (named(Function::atan) >> blanks >> arguments >>
+     -(blanks >> x3::lit('/') >> blanks >> bracket))[call_atan];
+const auto of_variable = rule<Reference>("variable of EXISTS") = reference | no_reference;
+const auto exists_of = rule<double>("EXISTS") =
+    (named(Function::exists) >> blanks >> open >> blanks >> of_variable >> blanks >>
+     close)[call_exists];
+
+const auto unsigned_value = rule<double>("unsigned value") =
+    (opening >> bracket) | variable | plain_of | atan_of | exists_of | no_value;
+const auto signed_value = rule<double>("signed value") = (sign >> unsigned_value)[negate];
+const auto any_value = rule<double>("value") = number | signed_value;
+
+// The operands of a level are the expressions of the next higher one.
+template <int level>
+constexpr auto level_rule() {
+  if constexpr (level > kHighestLevel) {
+    return any_value;
+  } else {
+    return rule<double>("expression") =
+               level_rule<level + 1>()[take] >>
+               *(blanks >> operator_of(level) >> blanks >> level_rule<level + 1>())[combine];
+  }
+}
+const auto expression = level_rule<kLowestLevel>();
+
+template <class Grammar, class Value>
+bool parse_with(const Grammar& grammar, const Reading& reading, Value& result) {
+  const Surroundings here{reading.begin, &reading.evaluator};
+  return x3::parse(reading.at, reading.end, x3::with<Here>(std::cref(here))[grammar], result) &&
+         !reading.evaluator.failed();
+}
+
+}  // namespace
+
+bool parse_value(const Reading& reading, double& result) {
+  return parse_with(any_value, reading, result);
+}
+bool parse_expression(const Reading& reading, double& result) {
+  return parse_with(expression, reading, result);
+}
+bool parse_reference(const Reading& reading, Reference& result) {
+  return parse_with(reference, reading, result);
+}
+
+}  // namespace kerf::parser

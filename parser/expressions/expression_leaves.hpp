@@ -1,0 +1,243 @@
+// The leaves of the grammar of values. Part of expression_grammar.cpp and of nothing else.
+#pragma once
+
+#include <string_view>
+#include <type_traits>
+
+#include <boost/spirit/home/x3.hpp>
+
+#include "parser/errors/expressions.hpp"
+#include "parser/errors/variables.hpp"
+#include "parser/expressions/evaluator.hpp"
+#include "parser/expressions/expression_grammar.hpp"
+#include "parser/expressions/expression_scan.hpp"
+#include "parser/number.hpp"
+
+namespace kerf::parser::leaves {
+
+namespace x3 = boost::spirit::x3;
+
+// What the leaves know beside the text.
+struct Surroundings {
+  const char* begin;
+  Evaluator* evaluator;
+};
+struct Here {};
+
+template <class Context>
+Evaluator& evaluator_of(const Context& context) {
+  return *x3::get<Here>(context).get().evaluator;
+}
+template <class Context>
+Reading reading_at(const char*& at, const char* end, const Context& context) {
+  return {at, end, x3::get<Here>(context).get().begin, evaluator_of(context)};
+}
+
+// A leaf is a function object that moves `at` and fills its attribute.
+template <class Self, class Attribute>
+struct Leaf : x3::parser<Self> {
+  using attribute_type = Attribute;
+  static constexpr bool has_attribute = !std::is_same_v<Attribute, x3::unused_type>;
+  template <class Context, class RContext, class Actual>
+  bool parse(const char*& first, const char* last, const Context& context, RContext&,
+             Actual& actual) const {
+    if constexpr (std::is_same_v<Actual, Attribute>) {
+      return this->derived()(reading_at(first, last, context), actual);
+    } else {
+      Attribute ignored{};
+      return this->derived()(reading_at(first, last, context), ignored);
+    }
+  }
+};
+using Nothing = x3::unused_type;
+
+struct Blanks : Leaf<Blanks, Nothing> {
+  bool operator()(const Reading& reading, Nothing&) const {
+    reading.at = skip_blanks(reading.at, reading.end);
+    return true;
+  }
+};
+
+struct Sign : Leaf<Sign, bool> {
+  bool operator()(const Reading& reading, bool& negative) const {
+    negative = false;
+    if (reading.at != reading.end && (*reading.at == '-' || *reading.at == '+')) {
+      negative = *reading.at == '-';
+      reading.at = skip_blanks(reading.at + 1, reading.end);
+    }
+    return true;
+  }
+};
+
+struct Number : Leaf<Number, double> {
+  bool operator()(const Reading& reading, double& value) const {
+    const char* start = reading.at;
+    const char c = start == reading.end ? ' ' : *start;
+    if (c == '-' || c == '+') {
+      start = skip_blanks(start + 1, reading.end);
+    }
+    if (start == reading.end || (!detail::is_digit(*start) && *start != '.')) {
+      return false;
+    }
+    const ScannedNumber number = scan_number(start, reading.end);
+    if (number.end == nullptr) {
+      return explain_bad_number(reading);
+    }
+    if (number.blank_inside) {
+      while (detail::is_digit(*start) || *start == '.') {
+        ++start;
+      }
+      reading.at = skip_blanks(start, reading.end);
+      return explain_not_closed(reading);
+    }
+    value = c == '-' && number.value != 0.0 ? -number.value : number.value;
+    reading.at = number.end;
+    return true;
+  }
+};
+
+// Comes back to the grammar one level deeper.
+template <bool (*parse_inside)(const Reading&, double&)>
+struct Deeper : Leaf<Deeper<parse_inside>, double> {
+  bool operator()(const Reading& reading, double& value) const {
+    if (!reading.evaluator.enter(reading.at)) {
+      return false;
+    }
+    const bool good = parse_inside(reading, value);
+    reading.evaluator.leave();
+    return good;
+  }
+};
+
+// Expected characters, whose absence is a fault.
+template <char wanted, bool (*explain)(const Reading&)>
+struct Expected : Leaf<Expected<wanted, explain>, Nothing> {
+  bool operator()(const Reading& reading, Nothing&) const {
+    if (reading.at == reading.end || *reading.at != wanted) {
+      return explain(reading);
+    }
+    ++reading.at;
+    return true;
+  }
+};
+
+struct NoValue : Leaf<NoValue, double> {
+  bool operator()(const Reading& reading, double&) const { return explain_no_value(reading); }
+};
+
+struct NoReference : Leaf<NoReference, Reference> {
+  bool operator()(const Reading& reading, Reference&) const {
+    return reading.evaluator.fail(reading.at, errors::kFunctionForm,
+                                  "EXISTS needs the form EXISTS[#<name>]");
+  }
+};
+// Whether '[' is next, without taking it.
+struct Opening : Leaf<Opening, Nothing> {
+  bool operator()(const Reading& reading, Nothing&) const {
+    return reading.at != reading.end && *reading.at == '[';
+  }
+};
+
+// The number behind '#': digits, which end at a blank, or any value but a letter's.
+struct Digits : Leaf<Digits, double> {
+  bool operator()(const Reading& reading, double& number) const {
+    const char* at = reading.at;
+    double value = 0.0;
+    for (; at != reading.end && detail::is_digit(*at); ++at) {
+      value = value * 10.0 + (*at - '0');
+    }
+    if (at == reading.at || (at != reading.end && *at == '.')) {
+      return false;
+    }
+    number = value;
+    reading.at = at;
+    return true;
+  }
+};
+struct VariableBegins : Leaf<VariableBegins, Nothing> {
+  bool operator()(const Reading& reading, Nothing&) const {
+    const Cursor here{{reading.at, static_cast<std::size_t>(reading.end - reading.at)}, 0};
+    const char c = reading.at == reading.end ? ' ' : *reading.at;
+    const bool number = detail::is_digit(c) || c == '.' || c == '-' || c == '+';
+    return number || reading.evaluator.value_begins(here) || explain_no_variable(reading);
+  }
+};
+struct Name : Leaf<Name, std::string_view> {
+  bool operator()(const Reading& reading, std::string_view& name) const {
+    if (reading.at == reading.end || *reading.at != '<') {
+      return false;
+    }
+    const char* at = reading.at + 1;
+    while (at != reading.end && *at != '>') {
+      ++at;
+    }
+    if (at == reading.end) {
+      return reading.evaluator.fail(at, errors::kNameNotClosed, "'>' is expected to close '#<'");
+    }
+    name = {reading.at + 1, static_cast<std::size_t>(at - reading.at - 1)};
+    reading.at = at + 1;
+    return true;
+  }
+};
+struct Hash : Leaf<Hash, const char*> {
+  bool operator()(const Reading& reading, const char*& at) const {
+    if (reading.at == reading.end || *reading.at != '#') {
+      return false;
+    }
+    at = reading.at++;
+    return true;
+  }
+};
+
+struct Call {
+  const char* at = nullptr;
+  Function function = Function::none;
+};
+// A function's name; with `only`, that function's, else any but those of another form.
+struct FunctionName : Leaf<FunctionName, Call> {
+  Function only = Function::none;
+  bool operator()(const Reading& reading, Call& call) const {
+    const ScannedName name = scan_name(reading.at, reading.end);
+    const Function found = find_function(name.text(), reading.evaluator.dialect());
+    const bool special = found == Function::atan || found == Function::exists;
+    if (found == Function::none || (only == Function::none ? special : found != only)) {
+      return false;
+    }
+    call = {reading.at, found};
+    reading.at = name.end;
+    return true;
+  }
+};
+
+struct Comma : Leaf<Comma, Nothing> {
+  bool operator()(const Reading& reading, Nothing&) const {
+    if (reading.at == reading.end || *reading.at != ',' ||
+        reading.evaluator.dialect() != Dialect::fanuc) {
+      return false;
+    }
+    ++reading.at;
+    return true;
+  }
+};
+
+struct Join {
+  const char* at = nullptr;
+  Operator op = Operator::none;
+};
+struct OperatorOf : Leaf<OperatorOf, Join> {
+  int level = 0;
+  bool operator()(const Reading& reading, Join& join) const {
+    if (reading.at == reading.end || *reading.at == ']') {
+      return false;
+    }
+    const ScannedOperator found = scan_operator(reading.at, reading.end);
+    if (found.op == Operator::none || level_of(found.op, reading.evaluator.dialect()) != level) {
+      return false;
+    }
+    join = {reading.at, found.op};
+    reading.at = found.end;
+    return true;
+  }
+};
+
+}  // namespace kerf::parser::leaves
