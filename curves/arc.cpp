@@ -36,8 +36,9 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 
 // Angle in (0, 2 pi] from the start to the end as seen from the centre, in the sense of rotation.
 double swept_angle_rad(const ArcSweep& sweep, bool clockwise) {
-  if (sweep.chord_mm.norm() <= kClosedChord_mm)
+  if (sweep.chord_mm.norm() <= kClosedChord_mm) {
     return kFullTurn_rad;
+  }
   const Eigen::Vector2d end_mm = sweep.from_centre_mm + sweep.chord_mm;
   // The chord, not the end, keeps the digits of a short arc of large radius.
   const double sine = cross(sweep.from_centre_mm, sweep.chord_mm);
@@ -82,8 +83,9 @@ tl::expected<ArcSweep, CurveError> sweep_of(const ArcShape& shape) {
 
 tl::expected<Arc, CurveError> Arc::make(const ArcShape& shape) {
   auto swept = sweep_of(shape);
-  if (!swept)
+  if (!swept) {
     return tl::unexpected(swept.error());
+  }
   ArcSweep& sweep = *swept;
   const double rounding_mm =
       8.0 * std::numeric_limits<double>::epsilon() * largest_coordinate_mm(shape);
@@ -124,10 +126,12 @@ tl::expected<Arc, CurveError> Arc::make(const ArcShape& shape) {
 }
 
 Position Arc::at(double s_mm) const noexcept {
-  if (s_mm >= length_mm_)
+  if (s_mm >= length_mm_) {
     return end_mm_;
-  if (!(s_mm > 0.0))
+  }
+  if (!(s_mm > 0.0)) {
     return start_mm_;
+  }
   // By the half angle: start + out (cos - 1) + forward sin, exact however large the radius.
   const double half_rad = 0.5 * rad_per_mm_ * s_mm;
   const double sine = std::sin(half_rad);
@@ -172,10 +176,12 @@ Extents Arc::extents() const noexcept {
     for (const double side : {1.0, -1.0}) {
       // The angle, in the sense of travel, to the circle's outermost point on this side.
       double to_rad = std::atan2(side * forward_mm_[i], side * outward_mm_[i]);
-      if (to_rad < 0.0)
+      if (to_rad < 0.0) {
         to_rad += kFullTurn_rad;
-      if (to_rad >= angle_rad)
+      }
+      if (to_rad >= angle_rad) {
         continue;
+      }
       const double edge_mm = centre_mm + side * radius_mm_;
       box.min_mm[axes[i]] = std::min(box.min_mm[axes[i]], edge_mm);
       box.max_mm[axes[i]] = std::max(box.max_mm[axes[i]], edge_mm);

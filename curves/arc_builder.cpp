@@ -39,8 +39,9 @@ SpiralSeries series_of(const Chunk& chunk) {
   for (std::size_t k = 0; k <= kMaxDegree; ++k) {
     result.out[k] = chunk.middle_radius_mm * unit.out[k];
     result.forward[k] = chunk.middle_radius_mm * unit.forward[k];
-    if (k == 0)
+    if (k == 0) {
       continue;
+    }
     result.out[k] += chunk.half_growth_mm * unit.out[k - 1];
     result.forward[k] += chunk.half_growth_mm * unit.forward[k - 1];
   }
@@ -90,8 +91,9 @@ tl::expected<NurbsCurve, CurveError> spiral(const ArcShape& shape, const ArcSwee
     spans[i].origin_mm[second] -= static_cast<Wide>(sweep.from_centre_mm.y());
   }
   auto curves = NurbsCurve::from_spans(spans, shape.end_mm);
-  if (!curves)
+  if (!curves) {
     return tl::unexpected(curves.error());
+  }
   if (curves->size() != 1) {
     return tl::unexpected(CurveError{"the arc from " + to_text(shape.start_mm) + " to " +
                                      to_text(shape.end_mm) + " is too small to be drawn"});
@@ -105,11 +107,13 @@ tl::expected<std::variant<Arc, NurbsCurve>, CurveError> make_arc(const ArcShape&
   using Result = std::variant<Arc, NurbsCurve>;
   const auto to_result = [](auto made) { return Result(std::move(made)); };
   const auto sweep = sweep_of(shape);
-  if (!sweep)
+  if (!sweep) {
     return tl::unexpected(sweep.error());
+  }
   const double differ_mm = std::abs(sweep->start_radius_mm - sweep->end_radius_mm);
-  if (differ_mm <= kAgree_mm)
+  if (differ_mm <= kAgree_mm) {
     return Arc::make(shape).map(to_result);
+  }
 
   const double chord_mm = sweep->chord_mm.norm();
   if (chord_mm > 0.0) {

@@ -25,23 +25,24 @@ Legendre legendre(Wide x) {
 
 // Integral from -1 to x of P_k.
 Wide integral(const Legendre& at_x, std::size_t k) {
-  if (k == 0)
+  if (k == 0) {
     return at_x[1] + 1.0L;
+  }
   return (at_x[k + 1] - at_x[k - 1]) / (2.0L * static_cast<Wide>(k) + 1.0L);
 }
 
 }  // namespace
 
 ArcLengthRule::ArcLengthRule() {
-  constexpr Wide n = kNodes;
+  constexpr Wide kCount = kNodes;
   std::array<Legendre, kNodes> at_node{};
   std::array<Wide, kNodes> node_weight{};
   for (std::size_t i = 0; i < kNodes; ++i) {
-    Wide x = -std::cos(std::numbers::pi_v<Wide> * (static_cast<Wide>(i) + 0.75L) / (n + 0.5L));
+    Wide x = -std::cos(std::numbers::pi_v<Wide> * (static_cast<Wide>(i) + 0.75L) / (kCount + 0.5L));
     Wide slope = 1.0L;
     for (int step = 0; step < 12; ++step) {
       const Legendre p = legendre(x);
-      slope = n * (p[kNodes - 1] - x * p[kNodes]) / (1.0L - x * x);
+      slope = kCount * (p[kNodes - 1] - x * p[kNodes]) / (1.0L - x * x);
       x -= p[kNodes] / slope;
     }
     at_node[i] = legendre(x);
@@ -55,8 +56,9 @@ ArcLengthRule::ArcLengthRule() {
   };
   const auto integral_weight = [&](const Legendre& at_x, std::size_t i) {
     Wide sum = 0.0L;
-    for (std::size_t k = 0; k < kNodes; ++k)
+    for (std::size_t k = 0; k < kNodes; ++k) {
       sum += coefficient_weight(k, i) * integral(at_x, k);
+    }
     return static_cast<double>(sum);
   };
   const auto fill = [&](auto& matrix, const auto& points) {
@@ -84,8 +86,8 @@ ArcLengthRule::ArcLengthRule() {
 }
 
 const ArcLengthRule& ArcLengthRule::get() {
-  static const ArcLengthRule rule;
-  return rule;
+  static const ArcLengthRule kRule;
+  return kRule;
 }
 
 }  // namespace kerf::curves

@@ -6,10 +6,12 @@ namespace {
 // std::visit may throw on a variant without a value; a curve always has one, so this never does.
 template <typename Variant, typename Use>
 auto dispatch(const Variant& shape, const Use& use) noexcept {
-  if (const auto* line = std::get_if<0>(&shape))
+  if (const auto* line = std::get_if<0>(&shape)) {
     return use(*line);
-  if (const auto* arc = std::get_if<1>(&shape))
+  }
+  if (const auto* arc = std::get_if<1>(&shape)) {
     return use(*arc);
+  }
   return use(*std::get_if<2>(&shape));
 }
 
@@ -29,10 +31,12 @@ double s_begin_mm(const Piece& piece) noexcept {
 }
 
 double s_end_mm(const Piece& piece) noexcept {
-  if (const auto* nurbs = std::get_if<NurbsPiece>(&piece))
+  if (const auto* nurbs = std::get_if<NurbsPiece>(&piece)) {
     return nurbs->s_end_mm;
-  if (const auto* arc = std::get_if<Arc>(&piece))
+  }
+  if (const auto* arc = std::get_if<Arc>(&piece)) {
     return arc->length_mm();
+  }
   return std::get_if<Line>(&piece)->length_mm();
 }
 
@@ -49,10 +53,12 @@ PathDerivatives derivatives_at(const Curve& curve, double s_mm) noexcept {
 }
 
 Extents extents(const Curve& curve) {
-  if (const auto* line = std::get_if<Line>(&curve))
+  if (const auto* line = std::get_if<Line>(&curve)) {
     return line->extents();
-  if (const auto* arc = std::get_if<Arc>(&curve))
+  }
+  if (const auto* arc = std::get_if<Arc>(&curve)) {
     return arc->extents();
+  }
   return std::get_if<NurbsCurve>(&curve)->extents();
 }
 

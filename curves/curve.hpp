@@ -39,8 +39,9 @@ Extents extents(const Curve& curve);
 template <typename Use>
 void for_each_piece(const Curve& curve, Use&& use) {
   if (const auto* nurbs = std::get_if<NurbsCurve>(&curve)) {
-    for (const NurbsPiece& piece : nurbs->pieces())
+    for (const NurbsPiece& piece : nurbs->pieces()) {
       use(Piece(piece));
+    }
   } else if (const auto* arc = std::get_if<Arc>(&curve)) {
     use(Piece(*arc));
   } else {

@@ -27,10 +27,12 @@ tl::expected<Line, CurveError> Line::between(const Position& start_mm, const Pos
 }
 
 Position Line::at(double s_mm) const noexcept {
-  if (s_mm >= length_mm_)
+  if (s_mm >= length_mm_) {
     return end_mm_;
-  if (!(s_mm > 0.0))
+  }
+  if (!(s_mm > 0.0)) {
     return start_mm_;
+  }
   return {start_mm_[0] + s_mm * direction_[0], start_mm_[1] + s_mm * direction_[1],
           start_mm_[2] + s_mm * direction_[2]};
 }

@@ -36,12 +36,13 @@ bool stands_still(const BezierSpan& before, const BezierSpan& after) {
 // The tangent can turn at a knot of multiplicity p, or where the derivative vanishes there; at any
 // other knot it is continuous, and comparing would only see rounding.
 std::vector<SmoothRun> cut_at_corners(const NurbsData& data) {
-  const std::size_t p = static_cast<std::size_t>(data.degree);
+  const auto p = static_cast<std::size_t>(data.degree);
   std::vector<SmoothRun> runs(1);
   for (const std::size_t k : span_knots(data)) {
     const BezierSpan span = bezier_span(data, k);
-    if (span.polygon_length_mm() <= kPoint_mm)
+    if (span.polygon_length_mm() <= kPoint_mm) {
       continue;
+    }
     if (!runs.back().spans.empty()) {
       const BezierSpan& before = runs.back().spans.back();
       const bool repeated = data.knots[k + 1 - p] == data.knots[k];
@@ -62,22 +63,26 @@ std::vector<SmoothRun> cut_at_corners(const NurbsData& data) {
 tl::expected<std::vector<NurbsCurve>, CurveError> NurbsCurve::from_spans(
     std::span<const BezierSpan> spans, const Position& end_mm) {
   auto mapped = map_arc_length(spans, end_mm);
-  if (!mapped)
+  if (!mapped) {
     return tl::unexpected(mapped.error());
+  }
   std::vector<NurbsCurve> curves;
-  for (auto& pieces : *mapped)
+  for (auto& pieces : *mapped) {
     curves.push_back(NurbsCurve(std::move(pieces)));
+  }
   return curves;
 }
 
 tl::expected<std::vector<NurbsCurve>, CurveError> NurbsCurve::make(const NurbsData& data) {
-  if (auto valid = check(data); !valid)
+  if (auto valid = check(data); !valid) {
     return tl::unexpected(valid.error());
+  }
   std::vector<NurbsCurve> curves;
   for (const SmoothRun& run : cut_at_corners(data)) {
     auto parts = from_spans(run.spans, run.end_mm);
-    if (!parts)
+    if (!parts) {
       return tl::unexpected(parts.error());
+    }
     std::move(parts->begin(), parts->end(), std::back_inserter(curves));
   }
   if (curves.empty()) {

@@ -85,8 +85,9 @@ tl::expected<void, CurveError> check_knots(const NurbsData& data) {
                     std::to_string(data.degree));
     }
   }
-  if (knots[0] == knots[last])
+  if (knots[0] == knots[last]) {
     return whole("all knots are " + to_text(knots[0]));
+  }
   return {};
 }
 
@@ -103,8 +104,9 @@ tl::expected<void, CurveError> check_continuity(const NurbsData& data) {
     }
   }
   for (std::size_t k = 1; k + order < knots.size() - 1; ++k) {
-    if (knots[k] != knots[k + order - 1])
+    if (knots[k] != knots[k + order - 1]) {
       continue;
+    }
     const Position& before = data.points[k - 1].position_mm;
     const Position& after = data.points[k].position_mm;
     if ((vec(before) - vec(after)).norm() > kJump_mm) {
@@ -119,12 +121,15 @@ tl::expected<void, CurveError> check_continuity(const NurbsData& data) {
 }  // namespace
 
 tl::expected<void, CurveError> check(const NurbsData& data) {
-  if (auto ok = check_counts(data); !ok)
+  if (auto ok = check_counts(data); !ok) {
     return ok;
-  if (auto ok = check_points(data); !ok)
+  }
+  if (auto ok = check_points(data); !ok) {
     return ok;
-  if (auto ok = check_knots(data); !ok)
+  }
+  if (auto ok = check_knots(data); !ok) {
     return ok;
+  }
   return check_continuity(data);
 }
 
@@ -133,7 +138,7 @@ tl::expected<void, CurveError> check(const NurbsData& data) {
 // point i (Ramshaw 1989; Farin, Curves and Surfaces for CAGD, chapter 8).
 BezierSpan bezier_span(const NurbsData& data, std::size_t knot) {
   const auto wide_knot = [&](std::size_t k) { return static_cast<Wide>(data.knots[k]); };
-  const std::size_t p = static_cast<std::size_t>(data.degree);
+  const auto p = static_cast<std::size_t>(data.degree);
   BezierSpan span;
   span.degree = data.degree;
   span.u_begin = wide_knot(knot);
@@ -163,8 +168,9 @@ BezierSpan bezier_span(const NurbsData& data, std::size_t knot) {
 std::vector<std::size_t> span_knots(const NurbsData& data) {
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k + 1 < data.knots.size(); ++k) {
-    if (data.knots[k] < data.knots[k + 1])
+    if (data.knots[k] < data.knots[k + 1]) {
       result.push_back(k);
+    }
   }
   return result;
 }

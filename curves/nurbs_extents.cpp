@@ -35,8 +35,9 @@ bool inside(const BezierSpan& span, const Extents& box) {
   for (std::size_t i = 0; i < span.count(); ++i) {
     const Position p_mm = narrow(span.origin_mm + span.seen(i));
     for (std::size_t k = 0; k < 3; ++k) {
-      if (p_mm[k] < box.min_mm[k] - kSlack_mm || p_mm[k] > box.max_mm[k] + kSlack_mm)
+      if (p_mm[k] < box.min_mm[k] - kSlack_mm || p_mm[k] > box.max_mm[k] + kSlack_mm) {
         return false;
+      }
     }
   }
   return true;
@@ -46,8 +47,9 @@ bool inside(const BezierSpan& span, const Extents& box) {
 
 Extents NurbsCurve::extents() const {
   Extents box{.min_mm = pieces_.back().end_mm, .max_mm = pieces_.back().end_mm};
-  for (const NurbsPiece& piece : pieces_)
+  for (const NurbsPiece& piece : pieces_) {
     include(box, piece.at(piece.s_begin_mm));
+  }
   struct Pending {
     BezierSpan span;
     int depth;
@@ -58,8 +60,9 @@ Extents NurbsCurve::extents() const {
     while (!pending.empty()) {
       const auto [span, depth] = pending.back();
       pending.pop_back();
-      if (depth >= kDepth || inside(span, box))
+      if (depth >= kDepth || inside(span, box)) {
         continue;
+      }
       const auto [left, right] = halve(span);
       include(box, right.begin_mm());
       pending.push_back({left, depth + 1});

@@ -9,10 +9,12 @@ using Homogeneous = Eigen::Array4d;
 
 // y in [-1, 1]; not a number counts as the begin.
 double scaled_length(const NurbsPiece& piece, double s_mm) noexcept {
-  if (s_mm >= piece.s_end_mm)
+  if (s_mm >= piece.s_end_mm) {
     return 1.0;
-  if (!(s_mm > piece.s_begin_mm))
+  }
+  if (!(s_mm > piece.s_begin_mm)) {
     return -1.0;
+  }
   return 2.0 * ((s_mm - piece.s_begin_mm) / (piece.s_end_mm - piece.s_begin_mm)) - 1.0;
 }
 
@@ -49,16 +51,21 @@ Taylor expand(const NurbsPiece& piece, double x) noexcept {
   Taylor t{coefficient(piece, degree), Homogeneous::Zero(), Homogeneous::Zero(),
            Homogeneous::Zero()};
   for (int i = 1; i <= degree; ++i) {  // the first steps without the products by zero
-    if (i > 3)
+    if (i > 3) {
       t.f3 = t.f3 * x;
-    if (i > 2)
+    }
+    if (i > 2) {
       t.f3 += t.f2;
-    if (i > 2)
+    }
+    if (i > 2) {
       t.f2 = t.f2 * x;
-    if (i > 1)
+    }
+    if (i > 1) {
       t.f2 += t.f1;
-    if (i > 1)
+    }
+    if (i > 1) {
       t.f1 = t.f1 * x;
+    }
     t.f1 += t.f;
     t.f = t.f * x + coefficient(piece, degree - i);
   }
@@ -111,12 +118,14 @@ Position first_three(const Homogeneous& v) noexcept {
 }  // namespace
 
 Position NurbsPiece::at(double s_mm) const noexcept {
-  if (ends_curve && s_mm >= s_end_mm)
+  if (ends_curve && s_mm >= s_end_mm) {
     return end_mm;
+  }
   const double x = local_parameter(*this, s_mm);
   Homogeneous f = coefficient(*this, degree);
-  for (int k = degree - 1; k >= 0; --k)
+  for (int k = degree - 1; k >= 0; --k) {
     f = f * x + coefficient(*this, k);
+  }
   return placed(*this, f);
 }
 
@@ -133,8 +142,9 @@ PathDerivatives NurbsPiece::derivatives_at(double s_mm) const noexcept {
   const double floor_mm = 1e-4 * 0.5 * (s_end_mm - s_begin_mm);
   double speed_squared = dot(d.first, d.first);
   for (const double elsewhere : {0.5, -0.5}) {
-    if (speed_squared > floor_mm * floor_mm)
+    if (speed_squared > floor_mm * floor_mm) {
       break;
+    }
     d = derivatives_by_x(*this, elsewhere);
     speed_squared = dot(d.first, d.first);
   }
