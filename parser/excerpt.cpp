@@ -53,6 +53,15 @@ std::size_t start_of_character(std::string_view line, std::size_t at) {
   return at;
 }
 
+std::uint32_t characters_before(std::string_view line, std::size_t place) {
+  std::uint32_t count = 0;
+  for (std::size_t at = 0; at < place;) {
+    at += utf8_at(line.substr(at)).length;
+    count += at <= place ? 1 : 0;
+  }
+  return count;
+}
+
 }  // namespace
 
 Excerpt excerpt_of(std::string_view line, std::uint32_t offset) {
@@ -63,6 +72,7 @@ Excerpt excerpt_of(std::string_view line, std::uint32_t offset) {
                               ? start_of_character(line, place + kBehind)
                               : line.size();
   Excerpt excerpt;
+  excerpt.characters = characters_before(line, place);
   std::uint32_t column = 0;
   const auto show = [&](std::string_view text, std::uint32_t columns) {
     excerpt.text += text;

@@ -8,8 +8,9 @@
 namespace kerf::parser {
 
 struct Excerpt {
-  std::string text;         // valid UTF-8, without tabs and control characters
-  std::uint32_t caret = 0;  // columns before the place, as a terminal shows the text
+  std::string text;              // valid UTF-8, without tabs and control characters
+  std::uint32_t caret = 0;       // columns before the place, as a terminal shows the text
+  std::uint32_t characters = 0;  // of the whole line before the place
 };
 
 // What to show of `line` for the byte at `offset` (at most its length). Of a long line it is some

@@ -2,14 +2,17 @@
 
 #include <cerrno>
 #include <exception>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <unistd.h>
 #include <variant>
+#include <vector>
 
 #include <spdlog/spdlog.h>
 
 #include "programs/descriptor.hpp"
+#include "programs/diagnostic_document.hpp"
 #include "programs/interrupt.hpp"
 #include "programs/json_report.hpp"
 #include "programs/log.hpp"
@@ -32,54 +35,91 @@ ExitStatus print(int descriptor, std::string_view text) {
   return ExitStatus::io_error;
 }
 
-void print_messages(const FileReport& report, bool warns) {
-  for (const parser::Diagnostic& error : report.errors) {
-    write_error_line(parser::to_text(error, report.file));
+void print_messages(const FileReport& report, const Options& options) {
+  for (const parser::Diagnostic& diagnostic : report.diagnostics) {
+    if (!options.quiet || diagnostic.severity == parser::Severity::error) {
+      write_error_line(parser::to_text(diagnostic, report.file));
+    }
   }
   for (const std::string& failure : report.failures) {
     spdlog::error("{}", failure);
   }
   for (const std::string& warning : report.warnings) {
-    if (warns) {
+    // The summary has them, too.
+    if (options.json || !report.plan) {
       spdlog::warn("{}: {}", report.file, warning);
     }
   }
 }
 
 ExitStatus print_report(const FileReport& report, const Options& options) {
-  // The summary has the warnings, too.
-  print_messages(report, options.json || !report.plan);
+  const bool text = options.format == DiagnosticFormat::text;
+  if (text) {
+    print_messages(report, options);
+  }
   if (options.json) {
     return print(STDOUT_FILENO, json_report(report));
   }
-  if (options.quiet) {
+  // Where the trace goes to standard output, nothing else does; a document stands alone, too.
+  const bool traced = options.trace_file == "-";
+  if (options.quiet || (!text && (traced || options.command == Command::check))) {
     return ExitStatus::done;
   }
-  // Where the trace goes to standard output, nothing else does.
-  return print(options.trace_file == "-" ? STDERR_FILENO : STDOUT_FILENO, summary(report));
+  return print(traced ? STDERR_FILENO : STDOUT_FILENO, summary(report));
+}
+
+// All diagnostics of all files, as one document.
+ExitStatus print_document(const std::vector<FileReport>& reports, const Options& options) {
+  if (options.format == DiagnosticFormat::text) {
+    return ExitStatus::done;
+  }
+  return print(options.command == Command::check ? STDOUT_FILENO : STDERR_FILENO,
+               options.format == DiagnosticFormat::json ? json_diagnostics(reports)
+                                                        : sarif_diagnostics(reports));
+}
+
+ExitStatus first_failure(std::initializer_list<ExitStatus> parts) {
+  for (const ExitStatus part : parts) {
+    if (part != ExitStatus::done) {
+      return part;
+    }
+  }
+  return ExitStatus::done;
+}
+
+ExitStatus refuse_machine(const MachineRefusal& refusal, const Options& options) {
+  if (options.format == DiagnosticFormat::text) {
+    for (const std::string& message : refusal.messages) {
+      write_error_line(message);
+    }
+    return refusal.status;
+  }
+  FileReport report;
+  report.file = options.files.front();
+  report.status = refusal.status;
+  report.failures = refusal.messages;
+  print_document({report}, options);
+  return refusal.status;
 }
 
 ExitStatus process_all(const Options& options) {
   const auto settings =
       choose_machine({.machine = options.machine_file, .tools = options.tool_file});
   if (!settings) {
-    for (const std::string& message : settings.error().messages) {
-      write_error_line(message);
-    }
-    return settings.error().status;
+    return refuse_machine(settings.error(), options);
   }
   ExitStatus status = ExitStatus::done;
+  std::vector<FileReport> reports;
   for (const std::string& path : options.files) {
-    const FileReport report = process_file(path, options, *settings);
-    const ExitStatus printed = print_report(report, options);
-    for (const ExitStatus part : {report.status, printed}) {
-      status = status == ExitStatus::done ? part : status;
-    }
+    reports.push_back(process_file(path, options, *settings));
+    const ExitStatus ended = reports.back().status;
+    status = first_failure({status, ended, print_report(reports.back(), options)});
     if (const auto requested = stop_requested()) {
-      return report.status == ExitStatus::done ? *requested : report.status;
+      status = first_failure({ended, *requested});
+      break;
     }
   }
-  return status;
+  return first_failure({status, print_document(reports, options)});
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "programs/json_report.hpp"
 
 #include <nlohmann/json.hpp>
+#include <spdlog/fmt/fmt.h>
 
 #include "parser/codes_in_force.hpp"
 
@@ -98,11 +99,21 @@ std::string json_report(const FileReport& report) {
     json["late_ticks"] = report.clock->late_ticks;
     json["worst_delay_s"] = report.clock->worst_delay_s;
   }
-  json["warnings"] = report.warnings;
+  json["warnings"] = Json::array();
   json["errors"] = Json::array();
-  for (const parser::Diagnostic& error : report.errors) {
-    json["errors"].push_back(
-        {{"line", error.source.line}, {"column", error.source.column}, {"message", error.message}});
+  for (const parser::Diagnostic& diagnostic : report.diagnostics) {
+    if (diagnostic.severity == parser::Severity::warning) {
+      json["warnings"].push_back(
+          fmt::format("line {}: {}", diagnostic.source.line, diagnostic.message));
+    } else {
+      json["errors"].push_back({{"line", diagnostic.source.line},
+                                {"column", diagnostic.source.column},
+                                {"message", diagnostic.message},
+                                {"id", parser::identifier(*diagnostic.page)}});
+    }
+  }
+  for (const std::string& warning : report.warnings) {
+    json["warnings"].push_back(warning);
   }
   for (const std::string& failure : report.failures) {
     json["errors"].push_back({{"message", failure}});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <sstream>
 #include <string_view>
 
@@ -9,6 +10,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "profiles/sigmoid.hpp"
+#include "programs/error_page_text.hpp"
 
 namespace kerf::program {
 
@@ -21,6 +23,10 @@ constexpr std::size_t kMostWindowBlocks = 1'000'000;
 constexpr std::array kProfiles{ProfileKind::trapezoid,   ProfileKind::s_curve,
                                ProfileKind::sine,        ProfileKind::quintic,
                                ProfileKind::sine_series, ProfileKind::sigmoid};
+
+const std::map<std::string, DiagnosticFormat> kFormats{{"text", DiagnosticFormat::text},
+                                                       {"json", DiagnosticFormat::json},
+                                                       {"sarif", DiagnosticFormat::sarif}};
 
 std::vector<std::string> profile_names() {
   std::vector<std::string> names;
@@ -57,6 +63,11 @@ void add_common(CLI::App& command, Raw& raw) {
       ->capture_default_str();
   command.add_flag("--block-delete", options.block_delete, "leave out blocks that begin with /");
   command.add_flag("--json", options.json, "report as JSON on standard output");
+  command
+      .add_option("--format", options.format,
+                  "errors and warnings as text, json or sarif (check: on standard output)")
+      ->transform(CLI::CheckedTransformer(kFormats))
+      ->type_name("NAME");
   command.add_flag("-q,--quiet", options.quiet, "no summary, no progress bar, no warnings");
 }
 
@@ -89,6 +100,31 @@ CLI::App* add_command(CLI::App& app, Command command, const std::string& descrip
   return added;
 }
 
+// `kerf errors`: the list of all pages, one of them, or docs/errors.md.
+class ErrorPageCommand {
+ public:
+  explicit ErrorPageCommand(CLI::App& app)
+      : command_(app.add_subcommand("errors", "what the errors and warnings mean")) {
+    command_->add_option("ID", identifier_, "show this page (E0123)")->type_name("");
+    command_->add_flag("--markdown", markdown_, "all pages, as docs/errors.md has them");
+  }
+  ErrorPageCommand(const ErrorPageCommand&) = delete;
+  ErrorPageCommand& operator=(const ErrorPageCommand&) = delete;
+
+  [[nodiscard]] bool chosen() const { return command_->parsed(); }
+  [[nodiscard]] tl::expected<std::string, std::string> text() const {
+    if (markdown_) {
+      return error_pages_markdown();
+    }
+    return identifier_.empty() ? error_page_list() : error_page_text(identifier_);
+  }
+
+ private:
+  CLI::App* command_;
+  std::string identifier_;
+  bool markdown_ = false;
+};
+
 Leave wrong_use(const std::string& message) {
   return {.status = ExitStatus::wrong_use, .text = "kerf: " + message + "\nTry: kerf --help\n"};
 }
@@ -100,6 +136,10 @@ std::optional<std::string> contradiction(const Options& options) {
   }
   if (options.json && options.trace_file == "-") {
     return "--json and --trace - both write to standard output";
+  }
+  if (options.json && options.command == Command::check &&
+      options.format != DiagnosticFormat::text) {
+    return "--json and --format both write to standard output";
   }
   if (options.sigmoid_shape && options.profile != ProfileKind::sigmoid) {
     return "--sigmoid-shape goes with --profile sigmoid";
@@ -146,6 +186,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
       add_command(app, Command::dry_run, "run on the simulated table without a clock", raw);
   const CLI::App* run = add_command(app, Command::run, "run in real time", raw);
   const CLI::App* check = add_command(app, Command::check, "read and plan only", raw);
+  const ErrorPageCommand error_pages(app);
   add_command(app, Command::explain, "what is in force at a line of the program, and when", raw);
   try {
     app.parse(argc, argv);
@@ -156,6 +197,10 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
       return Leave{.status = ExitStatus::done, .text = out.str()};
     }
     return wrong_use(error.what());
+  }
+  if (error_pages.chosen()) {
+    const auto text = error_pages.text();
+    return text ? Leave{.status = ExitStatus::done, .text = *text} : wrong_use(text.error());
   }
   Options& options = raw.options;
   options.command = dry_run->parsed() ? Command::dry_run

@@ -17,6 +17,9 @@ enum class Command : unsigned char { dry_run, run, check, explain };
 
 std::string_view name_of(Command command) noexcept;
 
+// How errors and warnings are written: for people, or as one document for programs.
+enum class DiagnosticFormat : unsigned char { text, json, sarif };
+
 struct Options {
   Command command = Command::dry_run;
   std::vector<std::string> files;
@@ -28,6 +31,7 @@ struct Options {
   std::optional<std::string> plot_file;
   std::size_t window_blocks = 1000;
   std::uint32_t explained_line = 0;  // of Command::explain
+  DiagnosticFormat format = DiagnosticFormat::text;
   bool block_delete = false;
   bool json = false;
   bool quiet = false;

@@ -61,9 +61,9 @@ struct FileReport {
   double period_s = 0.001;
   lookahead::PlanLimits limits{};
   ExitStatus status = ExitStatus::done;
-  std::vector<parser::Diagnostic> errors;  // with a place in the program
-  std::vector<std::string> failures;       // without one: files, faults of the machine
-  std::vector<std::string> warnings;
+  std::vector<parser::Diagnostic> diagnostics;  // errors and warnings with a place in the program
+  std::vector<std::string> failures;            // errors without one: files, faults of the machine
+  std::vector<std::string> warnings;            // without a place
   std::optional<PlanReport> plan;
   std::optional<BlockReport> block;  // of Command::explain
   std::optional<MotionReport> motion;

@@ -8,6 +8,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "programs/block_lookup.hpp"
 #include "programs/check_pass.hpp"
 #include "programs/interrupt.hpp"
 #include "programs/motion_report.hpp"
@@ -81,7 +82,8 @@ class Session {
   }
 
   [[nodiscard]] bool shows_progress() const {
-    return !options_.quiet && ProgressBar::has_terminal();
+    return !options_.quiet && options_.format == DiagnosticFormat::text &&
+           ProgressBar::has_terminal();
   }
 
   // True: the program may run.
@@ -95,19 +97,13 @@ class Session {
       fail(ExitStatus::io_error, found.error());
     } else {
       judge(*found);
+      fill_in_blocks(report_.diagnostics, file);
     }
     return report_.status == ExitStatus::done;
   }
 
   void take(const std::vector<parser::Diagnostic>& diagnostics) {
-    for (const parser::Diagnostic& diagnostic : diagnostics) {
-      if (diagnostic.severity == parser::Severity::error) {
-        report_.errors.push_back(diagnostic);
-      } else {
-        report_.warnings.push_back(
-            fmt::format("line {}: {}", diagnostic.source.line, diagnostic.message));
-      }
-    }
+    report_.diagnostics.insert(report_.diagnostics.end(), diagnostics.begin(), diagnostics.end());
   }
 
   void judge(const CheckReport& found) {
@@ -115,7 +111,7 @@ class Session {
     if (found.has_errors()) {
       report_.status = ExitStatus::program_error;
     } else if (!found.limit_faults.empty()) {
-      report_.errors = found.limit_faults;
+      take(found.limit_faults);
       report_.status = ExitStatus::machine_fault;
     }
     extents_ = found.moves ? std::optional(found.extents) : std::nullopt;

@@ -21,10 +21,10 @@ inline constexpr ErrorPage kCurveRefused{
     1001,
     Severity::error,
     "curve that cannot be run",
-    "The words of the block are right, but the curve that they give cannot be followed: it is "
-    "bent beyond what numbers can hold, or its length cannot be measured.",
+    "Each word of the block is right, but the curve that they give together cannot be followed: "
+    "an arc without a radius, a spiral of more than 1000 turns, points beyond 1e9 mm.",
     "Correct the points or radii that the message names.",
-    "G2 X0.000001 Y0 R1000 F100\nM2\n"};
+    "G2 X10.02 Y0 I5 P2000 F100\nM2\n"};
 
 inline constexpr ErrorPage kMachineWithoutLimit{
     1002,

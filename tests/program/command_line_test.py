@@ -205,9 +205,22 @@ class Errors(Case):
         for command in ("dry-run", "run", "check"):
             done = self.kerf(command, path, status=1)
             lines = done.stderr.splitlines()
-            self.assertRegex(lines[0], r"^.*/wrong\.ngc:3:\d+: error: .+")
-            self.assertRegex(lines[1], r"^.*/wrong\.ngc:5:\d+: error: .+")
+            self.assertRegex(lines[0], r"^.*/wrong\.ngc:3:5: error: .+ \[E0040\]$")
+            self.assertEqual(lines[1:3], ["    G1 Xq", "        ^"])
+            self.assertRegex(lines[3], r"^.*/wrong\.ngc:5:1: error: .+ \[E0100\]$")
+            self.assertEqual(lines[4:6], ["    G77", "    ^"])
             self.assertEqual(done.stdout, "")
+
+    def test_a_path_beyond_the_travel_shows_its_block(self):
+        lines = self.kerf("check", self.path("far.ngc", TOO_FAR), status=4).stderr.splitlines()
+        at = next(i for i, line in enumerate(lines) if "[E1000]" in line)
+        self.assertEqual(lines[at + 1:at + 3], ["    G1 X1000", "    ^"])
+
+    def test_warnings_have_the_same_form_and_quiet_leaves_them_out(self):
+        path = self.path("open.ngc", "G21 G90\nM6\n")
+        done = self.kerf("dry-run", path)
+        self.assertRegex(done.stderr, r"open\.ngc:2:1: warning: .+ \[E0127\]\n    M6\n    \^\n")
+        self.assertEqual(self.kerf("dry-run", "--quiet", path).stderr, "")
 
     def test_a_wrong_program_leaves_no_trace(self):
         self.kerf("dry-run", self.path("wrong.ngc", WRONG), "--trace", self.path("t.csv"), status=1)
@@ -391,6 +404,70 @@ class Json(Case):
         self.assertGreater(jerk["ratio"], 2)
         self.assertTrue(any("axis x jerk" in warning for warning in report["warnings"]))
         self.assertIn("kerf: warning: ", done.stderr)
+
+
+class Format(Case):
+    def test_of_a_check_is_one_document_on_standard_output(self):
+        files = [self.path("square.ngc", SQUARE), self.path("wrong.ngc", WRONG), self.path("far.ngc", TOO_FAR)]
+        done = self.kerf("check", "--format", "json", *files, status=1)
+        document = json.loads(done.stdout)
+        self.assertEqual((document["schema"], document["schema_version"]), ("kerf-diagnostics", 1))
+        errors = [d for d in document["diagnostics"] if d["severity"] == "error"]
+        self.assertEqual([(d["file"], d["line"], d["id"]) for d in errors],
+                         [(files[1], 3, "E0040"), (files[1], 5, "E0100"), (files[2], 3, "E1000")])
+        self.assertEqual(done.stderr, "")
+
+    def test_of_a_run_is_on_standard_error(self):
+        path = self.path("wrong.ngc", WRONG)
+        for command in ("dry-run", "run"):
+            done = self.kerf(command, "--format", "json", path, status=1)
+            self.assertEqual(json.loads(done.stderr)["diagnostics"][0]["line"], 3)
+            self.assertEqual(done.stdout, "")
+
+    def test_of_a_good_run_leaves_the_summary_and_the_report_alone(self):
+        path = self.path("square.ngc", SQUARE)
+        done = self.kerf("dry-run", "--format", "sarif", path)
+        self.assertEqual(json.loads(done.stderr)["runs"][0]["results"], [])
+        self.assertIn("cycle time", done.stdout)
+        done = self.kerf("dry-run", "--format", "json", "--json", path)
+        self.assertEqual(json.loads(done.stdout)["exit_status"], 0)
+        self.assertEqual(json.loads(done.stderr)["diagnostics"], [])
+
+    def test_sarif_names_files_lines_and_rules(self):
+        path = self.path("wrong.ngc", WRONG)
+        run = json.loads(self.kerf("check", "--format", "sarif", path, status=1).stdout)["runs"][0]
+        first = run["results"][0]
+        place = first["locations"][0]["physicalLocation"]
+        self.assertEqual(place["region"], {"startLine": 3, "startColumn": 5})
+        self.assertEqual(place["artifactLocation"]["uri"], pathlib.Path(path).resolve().as_uri())
+        self.assertEqual(run["tool"]["driver"]["rules"][first["ruleIndex"]]["id"], first["ruleId"])
+        self.assertEqual(run["invocations"][0]["exitCode"], 1)
+
+    def test_holds_what_has_no_place(self):
+        done = self.kerf("check", "--format", "json", self.path("none.ngc"), status=5)
+        self.assertIn("none.ngc", json.loads(done.stdout)["failures"][0]["message"])
+        machine = self.path("mill.toml", "[tick]\nspeed = 3\n")
+        done = self.kerf("check", "--format", "sarif", "--machine", machine, self.path("square.ngc", SQUARE), status=3)
+        run = json.loads(done.stdout)["runs"][0]
+        self.assertFalse(run["invocations"][0]["executionSuccessful"])
+        self.assertEqual(done.stderr, "")
+
+    def test_does_not_share_standard_output_with_the_report(self):
+        path = self.path("square.ngc", SQUARE)
+        self.assertIn("--format", self.kerf("check", "--json", "--format", "sarif", path, status=2).stderr)
+        self.assertIn("--format", self.kerf("check", "--format", "xml", path, status=2).stderr)
+
+
+class ErrorPages(Case):
+    def test_are_listed_and_shown(self):
+        listed = self.kerf("errors").stdout.splitlines()
+        self.assertIn("E0100  error    unknown G code", listed)
+        self.assertTrue(self.kerf("errors", "E0100").stdout.startswith("E0100: error: unknown G code\n"))
+        self.assertIn("E9999", self.kerf("errors", "E9999", status=2).stderr)
+
+    def test_are_the_document(self):
+        document = (pathlib.Path(SOURCE) / "docs/errors.md").read_text()
+        self.assertEqual(self.kerf("errors", "--markdown").stdout, document)
 
 
 class Check(Case):

@@ -54,13 +54,14 @@ TEST(JsonReport, OfAProgramWithErrorsHasThemAndNoFigures) {
   FileReport report;
   report.file = "wrong.ngc";
   report.status = ExitStatus::program_error;
-  report.errors = {parser::Diagnostic({3, 7}, parser::errors::kUnknownGCode, "found G99")};
+  report.diagnostics = {parser::Diagnostic({3, 7}, parser::errors::kUnknownGCode, "found G99")};
   report.failures = {"and the disk is full"};
   const json parsed = json::parse(json_report(report));
   EXPECT_EQ(parsed["exit_status"], 1);
   EXPECT_EQ(parsed["errors"][0]["line"], 3);
   EXPECT_EQ(parsed["errors"][0]["column"], 7);
   EXPECT_EQ(parsed["errors"][0]["message"], "found G99");
+  EXPECT_EQ(parsed["errors"][0]["id"], "E0100");
   EXPECT_EQ(parsed["errors"][1]["message"], "and the disk is full");
   EXPECT_FALSE(parsed.contains("cycle_time_s"));
 }

@@ -1,0 +1,16 @@
+// Finds the lines that diagnostics are about once reading has gone past them.
+#pragma once
+
+#include <vector>
+
+#include "parser/diagnostic.hpp"
+#include "programs/program_file.hpp"
+
+namespace kerf::program {
+
+// Gives each diagnostic about the program's own text its block, where it has none yet: those of
+// curves and of the machine come late. Reads the file once more, if it must; what cannot be read
+// stays without.
+void fill_in_blocks(std::vector<parser::Diagnostic>& diagnostics, ProgramFile& file);
+
+}  // namespace kerf::program

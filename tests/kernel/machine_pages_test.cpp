@@ -1,0 +1,60 @@
+// The triggers of the pages about the machine, and that no other page hides among them.
+#include <gtest/gtest.h>
+
+#include "kernel/check.hpp"
+#include "kernel/kernel.hpp"
+#include "parser/errors/catalogue.hpp"
+#include "parser/errors/machine.hpp"
+
+namespace kerf::test {
+namespace {
+
+namespace errors = parser::errors;
+
+std::vector<parser::Diagnostic> found_in(const parser::ErrorPage& page) {
+  MachineSettings settings;
+  for (auto& axis : settings.table.axes) {
+    axis.travel = {.min_mm = -300.0, .max_mm = 300.0};
+  }
+  std::string text = errors::trigger_of(page);
+  const CheckReport report = check_program(
+      [&text, read = false]() mutable {
+        const std::string_view piece = read ? std::string_view{} : std::string_view(text);
+        read = true;
+        return piece;
+      },
+      settings);
+  std::vector<parser::Diagnostic> all = report.diagnostics;
+  all.insert(all.end(), report.limit_faults.begin(), report.limit_faults.end());
+  return all;
+}
+
+TEST(MachinePages, OfTheCheckHaveTheirTriggers) {
+  for (const parser::ErrorPage* page : {&errors::kOutsideTravel, &errors::kCurveRefused}) {
+    const auto found = found_in(*page);
+    ASSERT_FALSE(found.empty()) << page->title;
+    EXPECT_EQ(found.front().page, page) << found.front().message;
+  }
+}
+
+TEST(MachinePages, OfAMachineWithoutALimitHasItsTrigger) {
+  MachineSettings settings;
+  settings.limits = {};
+  Kernel kernel(settings, {});
+  kernel.feed(errors::trigger_of(errors::kMachineWithoutLimit));
+  kernel.finish();
+  kernel.plan();
+  ASSERT_FALSE(kernel.diagnostics().empty());
+  EXPECT_EQ(kernel.diagnostics().front().page, &errors::kMachineWithoutLimit);
+}
+
+TEST(MachinePages, AreAllTriedHere) {
+  for (const parser::ErrorPage* page : errors::catalogue()) {
+    const bool tried = page == &errors::kOutsideTravel || page == &errors::kCurveRefused ||
+                       page == &errors::kMachineWithoutLimit;
+    EXPECT_TRUE(page->number < 1000 || tried) << page->title;
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test
