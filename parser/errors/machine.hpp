@@ -22,9 +22,9 @@ inline constexpr ErrorPage kCurveRefused{
     Severity::error,
     "curve that cannot be run",
     "Each word of the block is right, but the curve that they give together cannot be followed: "
-    "an arc without a radius, a spiral of more than 1000 turns, points beyond 1e9 mm.",
+    "an arc whose centre is its end, a spiral of very many turns, points beyond 1e9 mm.",
     "Correct the points or radii that the message names.",
-    "G2 X10.02 Y0 I5 P2000 F100\nM2\n"};
+    "G2 X0.01 Y0 I0.01 F100\nM2\n"};
 
 inline constexpr ErrorPage kMachineWithoutLimit{
     1002,
