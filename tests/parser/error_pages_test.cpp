@@ -1,4 +1,3 @@
-#include <array>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -12,15 +11,10 @@ namespace {
 
 constexpr std::uint16_t kFirstMachinePage = 1000;  // tests/kernel has their triggers
 
-// Their triggers need words that are not read yet, or give another page first.
-constexpr std::array<std::uint16_t, 4> kAwaited{708, 715, 723, 726};
-
 std::vector<const ErrorPage*> pages_of_the_text() {
   std::vector<const ErrorPage*> pages;
   for (const ErrorPage* page : errors::catalogue()) {
-    const bool awaited =
-        std::find(kAwaited.begin(), kAwaited.end(), page->number) != kAwaited.end();
-    if (page->number < kFirstMachinePage && !awaited) {
+    if (page->number < kFirstMachinePage) {
       pages.push_back(page);
     }
   }
