@@ -139,9 +139,9 @@ const auto arguments = open >> blanks >> inner >> blanks >>
                        -(comma >> blanks >> inner >> blanks) >> close;
 const auto plain_of = rule<double>("function") =
     (named(Function::none) >> blanks >> arguments)[call_plain];
+const auto divisor = rule<double>("what ATAN divides by") = blanks >> x3::lit('/') >> blanks >> bracket;
 const auto atan_of = rule<double>("ATAN") =
-    (named(Function::atan) >> blanks >> arguments >>
-     -(blanks >> x3::lit('/') >> blanks >> bracket))[call_atan];
+    (named(Function::atan) >> blanks >> arguments >> -divisor)[call_atan];
 const auto of_variable = rule<Reference>("variable of EXISTS") = reference | no_reference;
 const auto exists_of = rule<double>("EXISTS") =
     (named(Function::exists) >> blanks >> open >> blanks >> of_variable >> blanks >>
