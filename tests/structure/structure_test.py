@@ -9,6 +9,7 @@ import unittest
 sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
+import error_pages  # noqa: E402
 import includes  # noqa: E402
 import paths  # noqa: E402
 
@@ -100,6 +101,37 @@ class PlaceRule(Checkout):
     def test_leaves_addresses_relative_paths_and_the_system_alone(self):
         self.write("README.md", "#!/bin/bash https://example.org/home/x ../work/y docs/root/z /usr/include /var/lib/dpkg\n")
         self.assertEqual(list(paths.findings(self.root)), [])
+
+
+class ErrorPageRule(Checkout):
+    def setUp(self):
+        super().setUp()
+        self.write("parser/arc.cpp", "fail(errors::kShort); fail(errors::kLong);\n")
+        self.write("parser/errors/catalogue.cpp", "in_order(kArcsPages)\n")
+        self.topic("&kShort,\n  &kLong")
+
+    def topic(self, names):
+        self.write("parser/errors/arcs.hpp", "inline constexpr ErrorPage kShort{1};\ninline constexpr ErrorPage kLong{2};\n"
+                   f"inline constexpr std::array kArcsPages{{{names}}};\n")
+
+    def found(self):
+        return list(error_pages.findings(self.root))
+
+    def test_accepts_pages_that_are_listed_and_used(self):
+        self.assertEqual(self.found(), [])
+
+    def test_finds_a_page_that_is_in_no_list(self):
+        self.topic("&kShort")
+        self.assertEqual(self.found(), ["parser/errors/arcs.hpp:2: error: kLong is in no list of this file"])
+
+    def test_finds_a_list_that_is_not_in_the_catalogue(self):
+        self.write("parser/errors/catalogue.cpp", "")
+        self.assertEqual(self.found(), ["parser/errors/arcs.hpp:1: error: kArcsPages is not in the catalogue"])
+
+    def test_finds_a_page_that_nothing_gives(self):
+        self.write("parser/arc.cpp", "fail(errors::kShort);\n")
+        self.write("tests/parser/arc_test.cpp", "errors::kLong\n")
+        self.assertEqual(self.found(), ["parser/errors/arcs.hpp:2: error: nothing gives kLong"])
 
 
 if __name__ == "__main__":
