@@ -1,6 +1,7 @@
 #include "kernel/kernel.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -126,14 +127,15 @@ class Kernel::Impl {
   }
 
   bool leaves_travel() {
-    for (const lookahead::Block& block : blocks_) {
-      if (const auto excess = machine::outside_travel(envelope_, curves::extents(block.curve))) {
-        left_travel_ = true;
-        fail({line_, machine::describe(*excess)}, parser::errors::kOutsideTravel);
-        return true;
-      }
+    std::optional<machine::TravelExcess> excess;
+    for (std::size_t i = 0; i < blocks_.size() && !excess; ++i) {
+      excess = machine::outside_travel(envelope_, curves::extents(blocks_[i].curve));
     }
-    return false;
+    if (excess) {
+      left_travel_ = true;
+      fail({line_, machine::describe(*excess)}, parser::errors::kOutsideTravel);
+    }
+    return excess.has_value();
   }
 
   void fail(const lookahead::PlanError& error, const parser::ErrorPage& page) {

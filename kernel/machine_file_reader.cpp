@@ -17,9 +17,24 @@ constexpr std::array<std::string_view, 3> kAxisNames{"x", "y", "z"};
 
 // A key counts even where its value is wrong, and a section that is no table might have had it:
 // both have their own error.
-bool may_have(const Section& file, std::string_view section, std::string_view key) {
+bool may_have(const Section& file, std::string_view section, const BoundRule& rule) {
   const toml::node_view node = file.table->at_path(section);
-  return node && (!node.is_table() || node.as_table()->contains(key));
+  return node && (!node.is_table() || node.as_table()->contains(rule.key));
+}
+
+// The axes whose section lacks the bound, "axes.x, axes.z"; none where [path] has it.
+std::string axes_without(const Section& file, const BoundRule& rule) {
+  if (may_have(file, "path", rule)) {
+    return "";
+  }
+  std::string missing;
+  for (const std::string_view axis : kAxisNames) {
+    const std::string section = "axes." + std::string(axis);
+    if (!may_have(file, section, rule)) {
+      missing += (missing.empty() ? "" : ", ") + section;
+    }
+  }
+  return missing;
 }
 
 }  // namespace
@@ -165,16 +180,7 @@ void MachineFileReader::read_axis(const Section& section, std::size_t axis) {
 
 void MachineFileReader::check_bounds(const Section& file) {
   for (const BoundRule& rule : bound_rules()) {
-    if (may_have(file, "path", rule.key)) {
-      continue;
-    }
-    std::string missing;
-    for (const std::string_view axis : kAxisNames) {
-      const std::string section = "axes." + std::string(axis);
-      if (!may_have(file, section, rule.key)) {
-        missing += (missing.empty() ? "" : ", ") + section;
-      }
-    }
+    const std::string missing = axes_without(file, rule);
     if (!missing.empty()) {
       const auto path = file.table->find("path");
       report(path != file.table->end() ? path->first.source() : toml::source_region{},

@@ -12,11 +12,13 @@
 #include "kernel/machine_file_schema.hpp"
 
 // Header-only, so that an error is a value: the packaged shared library is built with exceptions.
+// NOLINTBEGIN(cppcoreguidelines-macro-usage): toml++ is configured by macros.
 #undef TOML_HEADER_ONLY
 #undef TOML_SHARED_LIB
 #undef TOML_EXCEPTIONS
 #define TOML_HEADER_ONLY 1
 #define TOML_EXCEPTIONS 0
+// NOLINTEND(cppcoreguidelines-macro-usage)
 #include <toml++/toml.h>
 
 namespace kerf {

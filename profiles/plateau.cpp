@@ -23,8 +23,16 @@ struct SCurveTimes {
   double by_root_jerk;        // 1 / sqrt(J)
 };
 
-// An S-curve from v to v + change, where change = constant + w^2.
-Growth s_curve_growth(double v_mm_s, double change_mm_s, double w, const SCurveTimes& times) {
+// What is left of the feedrates where the search stands at w.
+struct Rise {
+  double v_mm_s;
+  double change_mm_s;  // constant + w^2
+  double w;
+};
+
+// An S-curve from v to v + change.
+Growth s_curve_growth(const Rise& rise, const SCurveTimes& times) {
+  const auto [v_mm_s, change_mm_s, w] = rise;
   if (change_mm_s > times.largest_triangular) {
     const double mean = v_mm_s + 0.5 * change_mm_s;
     const double duration = change_mm_s / times.acceleration_mm_s2 + times.jerk_phase_s;
@@ -50,8 +58,8 @@ double s_curve_plateau_rise(const PlateauSearch& search, const RampLimits& limit
   double w = std::sqrt(search.largest_rise_mm_s);
   constexpr int kMostSteps = 40;
   for (int step = 0; step < kMostSteps; ++step) {
-    const Growth from_faster = s_curve_growth(faster, w * w, w, times);
-    const Growth from_slower = s_curve_growth(slower, faster - slower + w * w, w, times);
+    const Growth from_faster = s_curve_growth({faster, w * w, w}, times);
+    const Growth from_slower = s_curve_growth({slower, faster - slower + w * w, w}, times);
     const double excess = from_faster.length_mm + from_slower.length_mm - search.length_mm;
     const double per_w = from_faster.per_w + from_slower.per_w;
     if (!(excess > 0.0) || !(per_w > 0.0)) {

@@ -43,7 +43,7 @@ std::string_view name_of(ProfileKind kind) {
 }
 
 std::optional<ProfileKind> profile_kind(std::string_view name) {
-  const auto found = std::find(kNames.begin(), kNames.end(), name);
+  const auto* const found = std::find(kNames.begin(), kNames.end(), name);
   if (found == kNames.end()) {
     return std::nullopt;
   }

@@ -11,6 +11,8 @@ namespace {
 static_assert(std::is_trivially_copyable_v<Transition>);
 static_assert(sizeof(Transition) <= 64);
 
+// A Shape holds a law always: its alternatives are trivially copyable, so none can fail to be made.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 ShapeValue value_at(const Shape& shape, double x) noexcept {
   return std::visit([x](const auto& law) { return law.at(x); }, shape);
 }
@@ -30,6 +32,7 @@ Transition Transition::rest(double duration_s) {
 
 // The second half is measured from the end: there both the feedrate and the distance to go are
 // exact to their last places, not to those of the whole transition, and the end is met exactly.
+// NOLINTNEXTLINE(bugprone-exception-escape): see value_at.
 PathMotion Transition::at(double t_s) const noexcept {
   const double change = ramp_.v_end_mm_s - ramp_.v_begin_mm_s;
   const bool at_end = t_s >= duration_s_;

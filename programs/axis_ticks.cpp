@@ -27,8 +27,12 @@ std::vector<double> axis_ticks(const ValueRange& range, int count) {
   }
   std::vector<double> ticks;
   const double slack = 1e-9 * range.width();
-  for (double i = std::ceil((range.min - slack) / step); i * step <= range.max + slack; i += 1.0) {
-    ticks.push_back(i * step + 0.0);
+  const double first = std::ceil((range.min - slack) / step);
+  const double last = std::floor((range.max + slack) / step);
+  const auto more =
+      static_cast<int>(last - first);  // one number of a step fits count times at most
+  for (int i = 0; i <= more; ++i) {
+    ticks.push_back((first + i) * step + 0.0);
   }
   return ticks;
 }

@@ -13,7 +13,12 @@ namespace kerf::program {
 // read, by up to a window; so the block is found by counting curves and rests on both sides.
 class BlockWatch {
  public:
-  BlockWatch(std::uint32_t line, double period_s) noexcept : line_(line), period_s_(period_s) {}
+  struct Settings {
+    std::uint32_t line = 0;
+    double period_s = 0.001;
+  };
+  explicit BlockWatch(const Settings& settings) noexcept
+      : line_(settings.line), period_s_(settings.period_s) {}
 
   [[nodiscard]] std::uint32_t line() const noexcept { return line_; }
 

@@ -18,8 +18,7 @@ void MinMaxSeries::merge(Bucket& into, const Bucket& from) noexcept {
 void MinMaxSeries::halve() noexcept {
   ticks_per_bucket_ *= 2;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < buckets_.size(); ++i) {
-    Bucket bucket = buckets_[i];
+  for (Bucket bucket : buckets_) {
     bucket.number /= 2;
     if (kept > 0 && buckets_[kept - 1].number == bucket.number) {
       merge(buckets_[kept - 1], bucket);

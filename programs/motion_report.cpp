@@ -42,7 +42,7 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
 std::string describe(const MachineFault& fault, double period_s) {
   std::string axis;
   if (fault.axis >= 0 && fault.axis < 3) {
-    axis = fmt::format(" of axis {}", "xyz"[static_cast<std::size_t>(fault.axis)]);
+    axis = fmt::format(" of axis {}", "xyz"[static_cast<std::uint8_t>(fault.axis)]);
   }
   std::string what;
   switch (fault.kind) {

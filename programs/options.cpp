@@ -30,6 +30,7 @@ const std::map<std::string, DiagnosticFormat> kFormats{{"text", DiagnosticFormat
 
 std::vector<std::string> profile_names() {
   std::vector<std::string> names;
+  names.reserve(kProfiles.size());
   for (const ProfileKind kind : kProfiles) {
     names.emplace_back(name_of(kind));
   }

@@ -65,15 +65,19 @@ void PathOutline::keep(const OutlinePoint& point) {
 }
 
 void PathOutline::add(const OutlinePoint& point) {
+  append(point);
+  if (kept_.size() >= max_points_) {
+    thin();
+  }
+}
+
+void PathOutline::append(const OutlinePoint& point) {
   if (kept_.empty()) {
     keep(point);
     return;
   }
   if (!extend_stretch(point) && last_) {
     keep(*last_);
-    if (kept_.size() >= max_points_) {
-      thin();
-    }
     extend_stretch(point);
   }
   last_ = point;
@@ -82,15 +86,19 @@ void PathOutline::add(const OutlinePoint& point) {
 void PathOutline::thin() {
   tolerance_.distance_mm *= 2.0;
   tolerance_.v_share *= 2.0;
+  const std::optional<OutlinePoint> last = last_;
   PathOutline thinner(tolerance_, max_points_);
   for (const OutlinePoint& point : kept_) {
-    thinner.add(point);
+    thinner.append(point);
   }
   // Closed at its end, as this outline is here.
   if (thinner.last_) {
     thinner.keep(*thinner.last_);
   }
   *this = std::move(thinner);
+  if (last) {
+    append(*last);
+  }
 }
 
 std::vector<OutlinePoint> PathOutline::points() const {

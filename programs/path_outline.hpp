@@ -48,6 +48,7 @@ class PathOutline {
 
   // False: the stretch ends before the point.
   bool extend_stretch(const OutlinePoint& point);
+  void append(const OutlinePoint& point);
   void keep(const OutlinePoint& point);
   void thin();
 

@@ -54,11 +54,9 @@ std::uint64_t push(lookahead::Planner& planner, const parser::Move& move,
   return blocks.size();
 }
 
-void report(const lookahead::Outbox& outbox, BlockWatch* watch) {
-  if (watch != nullptr) {
-    for (const interp::Phase& phase : outbox.phases) {
-      watch->planned(phase);
-    }
+void report(const lookahead::Outbox& outbox, BlockWatch& watch) {
+  for (const interp::Phase& phase : outbox.phases) {
+    watch.planned(phase);
   }
 }
 
@@ -67,11 +65,11 @@ void report(const lookahead::Outbox& outbox, BlockWatch* watch) {
 tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
                                                            const MachineSettings& settings,
                                                            const KernelOptions& options,
-                                                           Progress& progress, BlockWatch* watch) {
+                                                           Progress& progress, BlockWatch& watch) {
   parser::ProgramReader reader({.start_mm = options.start_mm,
                                 .block_delete = options.block_delete,
                                 .machine = settings.program,
-                                .watched_line = watch != nullptr ? watch->line() : 0});
+                                .watched_line = watch.line()});
   lookahead::Planner planner({.limits = settings.limits,
                               .profile = options.profile,
                               .window_blocks = options.window_blocks});
@@ -93,14 +91,9 @@ tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
     if (!found) {
       return tl::unexpected(found.error());
     }
-    if (watch != nullptr) {
-      watch->read(reader);
-    }
+    watch.read(reader);
     if (*found) {
-      const std::uint64_t items = push(planner, move, settings.limits, blocks);
-      if (watch != nullptr) {
-        watch->pushed(items);
-      }
+      watch.pushed(push(planner, move, settings.limits, blocks));
     } else {
       planner.finish(move.source.line);
       finished = true;

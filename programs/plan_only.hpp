@@ -14,11 +14,10 @@ namespace kerf::program {
 
 // Preconditions: check_program() found no error; the file is rewound. Memory does not grow with the
 // length of the program. Ends early when a stop is requested. Error: the file cannot be read.
-// watch: told of what is read and planned, if there is one.
+// watch: told of what is read and planned.
 tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
                                                            const MachineSettings& settings,
                                                            const KernelOptions& options,
-                                                           Progress& progress,
-                                                           BlockWatch* watch = nullptr);
+                                                           Progress& progress, BlockWatch& watch);
 
 }  // namespace kerf::program

@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <memory>
 #include <utility>
 
 #include "programs/interrupt.hpp"
@@ -17,13 +18,8 @@ tl::unexpected<std::string> fault(const std::string& name, int error_number) {
 
 // A file without a name: it goes when the process does, whatever ends it.
 Descriptor temporary_file() {
-  std::FILE* file = std::tmpfile();
-  if (file == nullptr) {
-    return {};
-  }
-  Descriptor copy(::dup(::fileno(file)));
-  std::fclose(file);
-  return copy;
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), &std::fclose);
+  return file ? Descriptor(::dup(::fileno(file.get()))) : Descriptor();
 }
 
 // What `from` still gives, in a temporary file.

@@ -121,8 +121,8 @@ class Session {
     Progress progress;
     const ProgressBar bar(
         "planning", [&] { return progress.read_share(); }, shows_progress());
-    BlockWatch watch(options_.explained_line, report_.period_s);
-    const auto totals = plan_only(file, settings_, kernel_options_, progress, &watch);
+    BlockWatch watch({.line = options_.explained_line, .period_s = report_.period_s});
+    const auto totals = plan_only(file, settings_, kernel_options_, progress, watch);
     if (!totals) {
       fail(ExitStatus::io_error, totals.error());
     } else if (stop_requested()) {
@@ -189,7 +189,7 @@ class Session {
     }
     report_motion(report_, kernel, ticks.statistics(), outcome);
     note_end(kernel, ticks.fault(), feeder.error(), outcome);
-    for (auto& error :
+    for (const auto& error :
          {outputs->close_trace(outcome.dropped_records), outputs->write_plot(plot_caption())}) {
       if (error) {
         fail(ExitStatus::io_error, *error);

@@ -1,5 +1,6 @@
 #include "programs/svg_canvas.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -9,25 +10,29 @@ namespace kerf::program {
 
 namespace {
 
+// Of the sequence that begins with the byte; 0 where none does.
+std::size_t sequence_length(unsigned char lead) {
+  if (lead < 0x80U) {
+    return 1;
+  }
+  return lead >= 0xF5U ? 0 : lead >= 0xF0U ? 4 : lead >= 0xE0U ? 3 : lead >= 0xC2U ? 2 : 0;
+}
+
 // Bytes from 0x80 pass: a file name in UTF-8 is what it is. Those that are not UTF-8 would make the
 // document unreadable.
 bool is_utf8(std::string_view text) {
-  std::size_t follow = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (follow > 0) {
-      if ((byte & 0xC0U) != 0x80U) {
-        return false;
-      }
-      --follow;
-    } else if (byte >= 0x80U) {
-      follow = byte >= 0xF5U ? 9 : byte >= 0xF0U ? 3 : byte >= 0xE0U ? 2 : byte >= 0xC2U ? 1 : 9;
-      if (follow == 9) {
-        return false;
-      }
+  while (!text.empty()) {
+    const std::size_t length = sequence_length(static_cast<unsigned char>(text.front()));
+    const std::string_view rest = text.substr(0, length).substr(1);
+    const bool follows = std::all_of(rest.begin(), rest.end(), [](char c) {
+      return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+    });
+    if (length == 0 || rest.size() + 1 < length || !follows) {
+      return false;
     }
+    text.remove_prefix(length);
   }
-  return follow == 0;
+  return true;
 }
 
 std::string escaped(std::string_view words) {
@@ -73,23 +78,23 @@ SvgCanvas::SvgCanvas(double width, double height) {
 }
 
 void SvgCanvas::stroke(const Stroke& stroke) {
-  fmt::format_to(std::back_inserter(svg_), " stroke=\"{}\" stroke-width=\"{:.2f}\"", stroke.colour,
+  fmt::format_to(std::back_inserter(svg_), R"( stroke="{}" stroke-width="{:.2f}")", stroke.colour,
                  stroke.width);
   if (!stroke.dashes.empty()) {
-    fmt::format_to(std::back_inserter(svg_), " stroke-dasharray=\"{}\"", stroke.dashes);
+    fmt::format_to(std::back_inserter(svg_), R"( stroke-dasharray="{}")", stroke.dashes);
   }
 }
 
 void SvgCanvas::line(const Pixel& from, const Pixel& to, const Stroke& stroke_with) {
   fmt::format_to(std::back_inserter(svg_),
-                 "<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\"", from.x, from.y,
-                 to.x, to.y);
+                 R"(<line x1="{:.2f}" y1="{:.2f}" x2="{:.2f}" y2="{:.2f}")", from.x, from.y, to.x,
+                 to.y);
   stroke(stroke_with);
   svg_ += "/>\n";
 }
 
 void SvgCanvas::polylines(std::span<const std::vector<Pixel>> lines, const Stroke& stroke_with) {
-  svg_ += "<path fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\"";
+  svg_ += R"(<path fill="none" stroke-linejoin="round" stroke-linecap="round")";
   stroke(stroke_with);
   svg_ += " d=\"";
   for (const std::vector<Pixel>& line : lines) {
@@ -104,7 +109,7 @@ void SvgCanvas::polylines(std::span<const std::vector<Pixel>> lines, const Strok
 
 void SvgCanvas::box(const PixelBox& box, std::string_view fill, const Stroke& stroke_with) {
   fmt::format_to(std::back_inserter(svg_),
-                 "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"",
+                 R"(<rect x="{:.2f}" y="{:.2f}" width="{:.2f}" height="{:.2f}" fill="{}")",
                  box.left, box.top, box.width, box.height, fill);
   stroke(stroke_with);
   svg_ += "/>\n";
@@ -113,7 +118,7 @@ void SvgCanvas::box(const PixelBox& box, std::string_view fill, const Stroke& st
 void SvgCanvas::dot(const Pixel& at, double radius, std::string_view fill,
                     const Stroke& stroke_with) {
   fmt::format_to(std::back_inserter(svg_),
-                 "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2f}\" fill=\"{}\"", at.x, at.y, radius,
+                 R"(<circle cx="{:.2f}" cy="{:.2f}" r="{:.2f}" fill="{}")", at.x, at.y, radius,
                  fill);
   stroke(stroke_with);
   svg_ += "/>\n";

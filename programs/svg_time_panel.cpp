@@ -20,16 +20,19 @@ double time_to_x(const PixelBox& frame, const TimeAxis& axis, double units) noex
   return frame.left + frame.width * units / axis.end;
 }
 
+double value_to_y(const PixelBox& frame, const ValueRange& range, double value) noexcept {
+  return frame.bottom() - (value - range.min) / range.width() * frame.height;
+}
+
 // Steps at their own tick: a curve that holds its value until the next point would lie about v.
 std::vector<Pixel> pixels_of(const std::vector<SeriesPoint>& points, const PixelBox& frame,
                              const TimeAxis& axis, const ValueRange& range) {
   std::vector<Pixel> pixels;
   pixels.reserve(points.size());
   for (const SeriesPoint& point : points) {
-    const double share = (point.value - range.min) / range.width();
     pixels.push_back(
         {.x = time_to_x(frame, axis, static_cast<double>(point.tick) / axis.ticks_per_unit),
-         .y = frame.bottom() - share * frame.height});
+         .y = value_to_y(frame, range, point.value)});
   }
   return pixels;
 }
@@ -53,6 +56,25 @@ TimeAxis time_axis(std::int64_t last_tick, double period_s) {
           .end = seconds / unit_s};
 }
 
+namespace {
+
+void draw_grid(SvgCanvas& canvas, const PixelBox& frame, const ValueRange& range,
+               const TimeAxis& axis) {
+  for (const double value : axis_ticks(range, 4)) {
+    const double y = value_to_y(frame, range, value);
+    canvas.line({.x = frame.left, .y = y}, {.x = frame.right(), .y = y},
+                {.colour = value == 0.0 ? "#b5bac2" : "#eceff2"});
+    canvas.text({.x = frame.left - 6.0, .y = y + 4.0}, fmt::format("{:g}", value),
+                {.anchor = Anchor::end, .size = 11.0});
+  }
+  for (const double t : axis_ticks({.min = 0.0, .max = axis.end}, 9)) {
+    const double x = time_to_x(frame, axis, t);
+    canvas.line({.x = x, .y = frame.top}, {.x = x, .y = frame.bottom()}, {.colour = "#eceff2"});
+  }
+}
+
+}  // namespace
+
 void draw_time_panel(SvgCanvas& canvas, const PixelBox& frame, const TimeCurve& curve,
                      const TimeAxis& axis) {
   const std::vector<SeriesPoint> points = curve.series->points();
@@ -64,24 +86,11 @@ void draw_time_panel(SvgCanvas& canvas, const PixelBox& frame, const TimeCurve& 
   const bool draws_limit = has_limit && (peak == 0.0 || curve.limit <= kFarLimit * peak);
   const double top = std::max({draws_limit ? curve.limit : 0.0, peak, 1e-300}) * 1.1;
   const ValueRange range{.min = curve.is_signed ? -top : 0.0, .max = top};
-  const auto y_of = [&](double value) {
-    return frame.bottom() - (value - range.min) / range.width() * frame.height;
-  };
-  for (const double value : axis_ticks(range, 4)) {
-    const double y = y_of(value);
-    canvas.line({.x = frame.left, .y = y}, {.x = frame.right(), .y = y},
-                {.colour = value == 0.0 ? "#b5bac2" : "#eceff2"});
-    canvas.text({.x = frame.left - 6.0, .y = y + 4.0}, fmt::format("{:g}", value),
-                {.anchor = Anchor::end, .size = 11.0});
-  }
-  for (const double t : axis_ticks({.min = 0.0, .max = axis.end}, 9)) {
-    const double x = time_to_x(frame, axis, t);
-    canvas.line({.x = x, .y = frame.top}, {.x = x, .y = frame.bottom()}, {.colour = "#eceff2"});
-  }
+  draw_grid(canvas, frame, range, axis);
   if (draws_limit) {
-    draw_limit(canvas, frame, y_of(curve.limit));
+    draw_limit(canvas, frame, value_to_y(frame, range, curve.limit));
     if (curve.is_signed) {
-      draw_limit(canvas, frame, y_of(-curve.limit));
+      draw_limit(canvas, frame, value_to_y(frame, range, -curve.limit));
     }
   }
   const std::vector<std::vector<Pixel>> line{pixels_of(points, frame, axis, range)};

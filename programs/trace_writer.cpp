@@ -11,9 +11,9 @@ TraceWriter::TraceWriter(std::string name, Descriptor descriptor, double period_
     : name_(std::move(name)),
       descriptor_(std::move(descriptor)),
       clock_(period_s),
-      buffer_(kBufferBytes) {
+      buffer_(kBufferBytes),
+      used_(kTraceHeader.size()) {
   std::copy(kTraceHeader.begin(), kTraceHeader.end(), buffer_.begin());
-  used_ = kTraceHeader.size();
 }
 
 tl::expected<TraceWriter, std::string> TraceWriter::create(const std::string& path,
