@@ -139,6 +139,7 @@ class Interpreter {
   bool wait_for_input();
   bool keep_modes();
   void bring_back(const SavedModes& saved);
+  void bring_back_tool_offset(const ModalState& from);
 
   // compensation/interpreter_compensation.cpp
   bool allowed_while_compensating();

@@ -25,8 +25,10 @@ void restore_modes(const SavedModes& saved, ModalState& state) {
   state.flood = from.flood;
   state.overrides = from.overrides;
   state.coordinates.select(from.coordinates.system());
-  state.coordinates.set_tool(from.coordinates.tool_mm());
-  state.tool_length_active = from.tool_length_active;
+  if (from.local_active != state.local_active) {
+    state.local_active = from.local_active;
+    state.coordinates.set_local(from.local_active ? state.stored_local_mm : Point{});
+  }
 }
 
 bool Interpreter::keep_modes() {
@@ -54,9 +56,26 @@ bool Interpreter::keep_modes() {
   }
 }
 
+// Only whether there is a tool offset comes back, as with LinuxCNC: an offset that is in force may
+// belong to a tool that came into the spindle meanwhile.
+void Interpreter::bring_back_tool_offset(const ModalState& from) {
+  if (from.tool_length_active == state_.tool_length_active) {
+    return;
+  }
+  state_.tool_length_active = from.tool_length_active;
+  if (!from.tool_length_active) {
+    state_.coordinates.set_tool({});
+  } else if (from.loaded_tool == state_.loaded_tool) {
+    state_.coordinates.set_tool(from.coordinates.tool_mm());
+  } else if (const Tool* const tool = machine_.tools.find(state_.loaded_tool)) {
+    state_.coordinates.set_tool(tool->offset_mm);
+  }
+}
+
 void Interpreter::bring_back(const SavedModes& saved) {
   const ModalState before = state_;
   restore_modes(saved, state_);
+  bring_back_tool_offset(saved.state);
   if (state_.spindle != before.spindle || state_.spindle_speed != before.spindle_speed) {
     const EventKind kind = state_.spindle == Spindle::off         ? EventKind::spindle_off
                            : state_.spindle == Spindle::clockwise ? EventKind::spindle_cw

@@ -106,6 +106,22 @@ TEST(SavedModes, ComeBack) {
             "1:1: error: M73 outside a subprogram: there is no return at which it could restore");
 }
 
+// As rs274 answers.
+TEST(SavedModes, SwitchG92BackOffAndOn) {
+  EXPECT_EQ(lines_of("M70\nG92 X5\nM72\nG0 X1\nG92.3\nX1"),
+            (Lines{"4: rapid to 1 0 0", "6: rapid to -4 0 0"}));
+  EXPECT_EQ(lines_of("G92 X5\nM70\nG92.2\nM72\nG0 X1"), (Lines{"5: rapid to -4 0 0"}));
+  EXPECT_EQ(lines_of("G92 X5\nM70\nG92 X7\nM72\nG0 X1"), (Lines{"5: rapid to -6 0 0"}));
+}
+
+TEST(SavedModes, LeaveTheOffsetOfAnotherToolAlone) {
+  const std::string tools = "G10 L1 P1 Z1\nG10 L1 P2 Z2\n";
+  EXPECT_EQ(lines_of(tools + "G43 H1\nM70\nG43 H2\nM72\nG0 Z0").back(), "7: rapid to 0 0 2");
+  EXPECT_EQ(lines_of(tools + "G43 H1\nM70\nG49\nM72\nG0 Z0").back(), "7: rapid to 0 0 1");
+  EXPECT_EQ(lines_of(tools + "G43 H1\nM70\nM61 Q2\nG49\nM72\nG0 Z0").back(), "8: rapid to 0 0 2");
+  EXPECT_EQ(lines_of(tools + "M70\nG43 H1\nM72\nG0 Z5").back(), "6: rapid to 0 0 5");
+}
+
 TEST(SavedModes, KeepWhereOffsetsLie) {
   EXPECT_EQ(lines_of("M70\nG10 L2 P1 X5\nG55\nM72\nG0 X1"), (Lines{"5: rapid to 6 0 0"}));
 }
