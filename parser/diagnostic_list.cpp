@@ -10,29 +10,37 @@ constexpr std::size_t kMaxWarnings = 100;
 
 }  // namespace
 
+DiagnosticPlace DiagnosticList::place(SourcePosition source) const {
+  source.file = file_;
+  const bool known = source.line == line_ && source.column > 0;
+  return {source, known ? excerpt_of(text_, source.column - 1) : Excerpt{}, file_name_};
+}
+
 void DiagnosticList::add(SourcePosition source, const ErrorPage& page, std::string message) {
+  add_at(place(source), page, std::move(message));
+}
+
+void DiagnosticList::add_at(DiagnosticPlace place, const ErrorPage& page, std::string message) {
   if (page.severity == Severity::error) {
     if (!full()) {
       ++errors_;
-      keep(source, page, std::move(message));
+      keep(std::move(place), page, std::move(message));
     }
     return;
   }
   if (warnings_ < kMaxWarnings) {
-    keep(source, page, std::move(message));
+    keep(std::move(place), page, std::move(message));
   } else if (warnings_ == kMaxWarnings) {
-    keep(source, errors::kTooManyWarnings, "more than 100 warnings: the rest is not shown");
+    keep(std::move(place), errors::kTooManyWarnings,
+         "more than 100 warnings: the rest is not shown");
   }
   warnings_ += warnings_ <= kMaxWarnings ? 1 : 0;
 }
 
-void DiagnosticList::keep(SourcePosition source, const ErrorPage& page, std::string message) {
-  source.file = file_;
-  Diagnostic& diagnostic = list_.emplace_back(source, page, std::move(message));
-  diagnostic.file = file_name_;
-  if (source.line == line_ && source.column > 0) {
-    diagnostic.block = excerpt_of(text_, source.column - 1);
-  }
+void DiagnosticList::keep(DiagnosticPlace place, const ErrorPage& page, std::string message) {
+  Diagnostic& diagnostic = list_.emplace_back(place.source, page, std::move(message));
+  diagnostic.file = place.file;
+  diagnostic.block = std::move(place.block);
 }
 
 }  // namespace kerf::parser

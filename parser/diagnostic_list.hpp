@@ -12,6 +12,13 @@
 
 namespace kerf::parser {
 
+// A place in the text with what will be shown of it, for what turns out wrong only later.
+struct DiagnosticPlace {
+  SourcePosition source;
+  Excerpt block;
+  std::string_view file;
+};
+
 class DiagnosticList {
  public:
   explicit DiagnosticList(std::size_t max_errors) : max_errors_(max_errors) {}
@@ -19,6 +26,10 @@ class DiagnosticList {
   // An error or a warning, as its page says. Each kind has a limit; the last warning says that
   // there are more.
   void add(SourcePosition source, const ErrorPage& page, std::string message);
+
+  void add_at(DiagnosticPlace place, const ErrorPage& page, std::string message);
+  // The place as it is known now, while its line is being read.
+  [[nodiscard]] DiagnosticPlace place(SourcePosition source) const;
 
   // The line that is being read: its text goes with what is said about it. `text` must be good
   // until the next call.
@@ -39,7 +50,7 @@ class DiagnosticList {
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return list_; }
 
  private:
-  void keep(SourcePosition source, const ErrorPage& page, std::string message);
+  void keep(DiagnosticPlace place, const ErrorPage& page, std::string message);
 
   std::vector<Diagnostic> list_;
   std::size_t errors_ = 0;

@@ -230,6 +230,10 @@ void Interpreter::warn_idle_offset_numbers(Letters unused) {
   for (const char letter : {'D', 'H'}) {
     if ((unused & letter_bit(letter)) != 0) {
       const Word& word = block_->word(letter);
+      if (letter == 'D' && dialect_ == Dialect::fanuc && !compensation_.on()) {
+        state_.cutter_offset = word.value;
+        continue;
+      }
       warn(word.offset, errors::kIdleOffsetNumber,
            joined({upper(block_->text(word)), " is not used in this block (",
                    letter == 'D' ? "D needs G41 or G42)" : "H needs G43)"}));

@@ -52,6 +52,7 @@ struct ModalState {
   Point stored_local_mm{};  // of G52 or G92, for G92.3
   bool local_active = false;
   std::int16_t cutter_compensation = 400;  // G40, as ten times the number
+  double cutter_offset = 0.0;              // D, which stays in force with Fanuc
   bool tool_length_active = false;         // G43, not G49
   Motion motion = Motion::none;
   Plane plane = Plane::xy;

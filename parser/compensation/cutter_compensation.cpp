@@ -107,6 +107,7 @@ HeldMove& CutterCompensation::hold(const Move& move, HeldRole role) {
     return held;
   }
   ++curves_;
+  held.place = diagnostics_->place(move.source);
   held.curve.programmed = held.wall = curve_of(move);
   const std::size_t normal = axes_of(start_.plane).normal;
   const double from = move.start_mm[normal];

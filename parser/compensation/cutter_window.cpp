@@ -44,7 +44,7 @@ void CutterCompensation::send_all() {
 
 void CutterCompensation::send(const HeldMove& held) {
   if (held.fault) {
-    diagnostics_->add(held.move.source, *held.fault->page, held.fault->message);
+    diagnostics_->add_at(held.place, *held.fault->page, held.fault->message);
   }
   if (!held.left_out) {
     sender_.send(held);

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "parser/compensation/corner.hpp"
-#include "parser/errors/error_page.hpp"
+#include "parser/diagnostic_list.hpp"
 #include "parser/move.hpp"
 
 namespace kerf::parser {
@@ -20,7 +20,8 @@ struct HeldFault {
 };
 
 struct HeldMove {
-  Move move;  // as programmed
+  Move move;              // as programmed
+  DiagnosticPlace place;  // of curves
   HeldRole role = HeldRole::idle;
   OffsetCurve curve;   // both without regard to corners
   planar::Curve wall;  // what is to be kept of curve.programmed

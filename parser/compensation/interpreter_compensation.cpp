@@ -172,22 +172,24 @@ bool Interpreter::tip_of_l(CompensationStart& start) {
   return true;
 }
 
-// G41 and G42: of the tool D, or of the one in the spindle without D and with D0.
+// G41 and G42: of the tool D. LinuxCNC takes the one in the spindle without D and with D0; with
+// Fanuc D stays in force from an earlier block, and D0 is no offset.
 bool Interpreter::radius_of_d(CompensationStart& start) {
   std::uint32_t offset = code_word(*block_, codes_, Group::cutter_compensation).offset;
-  double number = state_.loaded_tool;
+  double number = dialect_ == Dialect::fanuc ? state_.cutter_offset : state_.loaded_tool;
   if (block_->has('D')) {
-    const Word& word = block_->word('D');
-    offset = word.offset;
-    if (word.value < 0.0) {
-      return fail(offset, errors::kCompensationNegativeD, "D must not be negative");
-    }
-    if (word.value != std::floor(word.value)) {
-      return fail(offset, errors::kCompensationDNotWhole,
-                  "D must be a whole number (of a tool; G41.1 and G42.1 take a diameter)");
-    }
-    number = word.value == 0.0 ? number : word.value;
+    offset = block_->word('D').offset;
+    const double d = block_->value('D');
+    number = d == 0.0 && dialect_ == Dialect::rs274 ? number : d;
   }
+  if (number < 0.0) {
+    return fail(offset, errors::kCompensationNegativeD, "D must not be negative");
+  }
+  if (number != std::floor(number)) {
+    return fail(offset, errors::kCompensationDNotWhole,
+                "D must be a whole number (of a tool; G41.1 and G42.1 take a diameter)");
+  }
+  state_.cutter_offset = number;
   const Tool* const tool = table_tool(number, offset);
   if (tool == nullptr) {
     fault_.page = &errors::kCompensationUnknownTool;

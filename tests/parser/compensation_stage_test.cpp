@@ -190,6 +190,21 @@ TEST(CompensationStage, WarnsOfASeamInAnInsideCorner) {
   EXPECT_EQ(first_page(result), &errors::kCompensationSeam);
 }
 
+TEST(CompensationStage, LetsLeadInsAndLeadOutsBeCrossed) {
+  Contour bore({50, 50, 0});
+  bore.line(60, 40).arc({70, 50, 60, 50}).arc({70, 50, 50, 50}).arc({60, 60, 60, 50}).line(50, 50);
+  EXPECT_TRUE(compensated(bore, kLeft).diagnostics.empty());
+  Contour pocket({30, 30, 0});  // by two moves each
+  pocket.line(40, 40).line(40, 20).arc({30, 10, 30, 20, true}).line(10, 10).line(10, 60);
+  pocket.line(60, 60).line(60, 10).line(30, 10).arc({20, 20, 30, 20, true}).line(20, 40);
+  pocket.line(30, 30);
+  EXPECT_EQ(text_of(compensated(pocket, kRight)).find("cut"), std::string::npos);
+  Contour overrun({-20, -20, 0});
+  overrun.line(0, 0).line(-10, 17).line(0, 34).line(20, 34).line(30, 17).line(20, 0).line(-5, 0);
+  overrun.line(-20, -20);
+  EXPECT_TRUE(compensated(overrun, kLeft).diagnostics.empty());
+}
+
 // A closed contour of lines and arcs about the origin that begins in the middle of a line.
 Contour random_contour(std::mt19937& random) {
   const auto within = [&random](double low, double high) {
