@@ -64,34 +64,35 @@ constexpr auto call_exists = [](auto& context) {
 constexpr auto call_plain = [](auto& context) {
   const auto& [at, function] = fusion::at_c<0>(x3::_attr(context));
   const double first = fusion::at_c<1>(x3::_attr(context));
-  const boost::optional<double>& second = fusion::at_c<2>(x3::_attr(context));
+  const boost::optional<double>& other = fusion::at_c<2>(x3::_attr(context));
   Evaluator& evaluator = evaluator_of(context);
-  if (second.has_value() != (function == Function::pow)) {
+  if (other.has_value() != (function == Function::pow)) {
     x3::_pass(context) = evaluator.fail(
         at, errors::kFunctionForm,
-        second ? "the function takes one value" : "POW needs the form POW[base,exponent]");
+        other ? "the function takes one value" : "POW needs the form POW[base,exponent]");
     return;
   }
   keep(context, at,
-       second ? apply(Operator::power, {first, *second}, Dialect::fanuc)
-              : apply(function, first, evaluator.dialect()));
+       other ? apply(Operator::power, {first, *other}, Dialect::fanuc)
+             : apply(function, first, evaluator.dialect()));
 };
 constexpr auto call_atan = [](auto& context) {
   const char* const at = fusion::at_c<0>(x3::_attr(context)).at;
   const double y = fusion::at_c<1>(x3::_attr(context));
   const boost::optional<double>& inside = fusion::at_c<2>(x3::_attr(context));
-  const boost::optional<double>& over = fusion::at_c<3>(x3::_attr(context));
+  const boost::optional<double>& divisor = fusion::at_c<3>(x3::_attr(context));
   Evaluator& evaluator = evaluator_of(context);
-  const bool one = !inside && !over;
-  if ((inside && over) || (one && evaluator.dialect() != Dialect::fanuc)) {
+  const bool one = !inside && !divisor;
+  if ((inside && divisor) || (one && evaluator.dialect() != Dialect::fanuc)) {
     x3::_pass(context) =
         evaluator.fail(at, errors::kFunctionForm, "ATAN needs the form ATAN[a]/[b]");
     return;
   }
-  keep(context, at,
-       one ? apply(Function::atan, y, Dialect::fanuc)
-           : Outcome{
-                 arc_tangent_deg(y, inside ? *inside : *over, evaluator.dialect()), nullptr, {}});
+  keep(
+      context, at,
+      one ? apply(Function::atan, y, Dialect::fanuc)
+          : Outcome{
+                arc_tangent_deg(y, inside ? *inside : *divisor, evaluator.dialect()), nullptr, {}});
 };
 
 constexpr FunctionName named(Function only) {
@@ -134,14 +135,14 @@ const auto by_number = rule<Reference>("numbered variable") =
 const auto reference = rule<Reference>("variable") = by_name | by_number;
 const auto variable = rule<double>("value of a variable") = reference[look_up];
 
-const auto bracket = open >> blanks >> inner >> blanks >> close;
-const auto arguments = open >> blanks >> inner >> blanks >>
-                       -(comma >> blanks >> inner >> blanks) >> close;
+const auto bracket = rule<double>("bracket") = open >> blanks >> inner >> blanks >> close;
+const auto second = rule<double>("second argument") = comma >> blanks >> inner >> blanks;
+const auto arguments = open >> blanks >> inner >> blanks >> -second >> close;
+const auto over = rule<double>("second leg") = blanks >> x3::lit('/') >> blanks >> bracket;
 const auto plain_of = rule<double>("function") =
     (named(Function::none) >> blanks >> arguments)[call_plain];
-const auto divisor = rule<double>("what ATAN divides by") = blanks >> x3::lit('/') >> blanks >> bracket;
 const auto atan_of = rule<double>("ATAN") =
-    (named(Function::atan) >> blanks >> arguments >> -divisor)[call_atan];
+    (named(Function::atan) >> blanks >> arguments >> -over)[call_atan];
 const auto of_variable = rule<Reference>("variable of EXISTS") = reference | no_reference;
 const auto exists_of = rule<double>("EXISTS") =
     (named(Function::exists) >> blanks >> open >> blanks >> of_variable >> blanks >>

@@ -44,6 +44,7 @@ struct Leaf : x3::parser<Self> {
     if constexpr (std::is_same_v<Actual, Attribute>) {
       return this->derived()(reading_at(first, last, context), actual);
     } else {
+      static_assert(std::is_same_v<std::remove_const_t<Actual>, x3::unused_type>);
       Attribute ignored{};
       return this->derived()(reading_at(first, last, context), ignored);
     }

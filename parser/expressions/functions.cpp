@@ -139,7 +139,8 @@ Function find_function(std::string_view name, Dialect dialect) {
 }
 
 double arc_tangent_deg(double y, double x, Dialect dialect) {
-  const double angle = std::atan2(y, x) * kDegrees;
+  // A zero has no sign here: adding +0 takes it off.
+  const double angle = std::atan2(y + 0.0, x + 0.0) * kDegrees;
   return dialect == Dialect::fanuc && angle < 0.0 ? angle + 360.0 : angle;
 }
 
