@@ -21,6 +21,10 @@ std::size_t first_visible(std::string_view text) {
   return text.find_first_not_of(kBlanks);
 }
 
+bool has_words_beside_number(const Block& block) {
+  return block.g_count + block.m_count != 0 || (block.present & ~letter_bit('N')) != 0;
+}
+
 }  // namespace
 
 class ProgramReader::Impl {
@@ -131,6 +135,9 @@ void ProgramReader::Impl::warn_about(const Block& block, std::uint32_t line) {
     diagnostics_.add({line, block.stale_read}, errors::kStaleRead,
                      joined({"the variable at ", quoted(rest),
                              " is set in the same block: its value from before is used"}));
+  } else if (block.assignment != 0 && has_words_beside_number(block)) {
+    diagnostics_.add({line, block.assignment}, errors::kAssignmentAmongWords,
+                     "the assignment takes effect behind the words of its block");
   }
   if (block.numbered_delete) {
     diagnostics_.add({line, 1}, errors::kNumberedBlockDelete,

@@ -103,9 +103,18 @@ inline constexpr ErrorPage kStaleRead{
     "Put the assignment into the block before if the new value is meant.",
     "#1=5 G0 X#1\nM2\n"};
 
+inline constexpr ErrorPage kAssignmentAmongWords{
+    411,
+    Severity::warning,
+    "assignment and words in one block",
+    "The assignment takes effect when the block has been carried out, wherever it stands in it. "
+    "Other controls refuse such a block.",
+    "Give the assignment a block of its own.",
+    "G0 X1 #1=5\nM2\n"};
+
 inline constexpr std::array kVariablesPages{
     &kVariableExpected,        &kNoSuchVariable,        &kVariableNotWhole, &kReadOnlyVariable,
     &kVariableNotSet,          &kNameNotClosed,         &kEqualsExpected,   &kValueExpected,
-    &kOperatorOutsideBrackets, &kAssignmentBesideWords, &kStaleRead};
+    &kOperatorOutsideBrackets, &kAssignmentBesideWords, &kStaleRead,        &kAssignmentAmongWords};
 
 }  // namespace kerf::parser::errors
