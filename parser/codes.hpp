@@ -24,6 +24,7 @@ enum class Group : std::uint8_t {
   length_offset,
   work_offset,
   path,
+  retract,       // G98, G99
   spindle_mode,  // G96, G97
   local_offset,  // G92.1, G92.2, G92.3
   scaling,       // Fanuc: G50, G51

@@ -52,6 +52,7 @@ std::vector<std::string> codes_in_force(const ModalState& state) {
       is_zero(state.coordinates.tool_mm()) ? "G49" : "G43",
       work_code(state.coordinates.system()),
       path_code(state.path_mode),
+      state.to_initial_level ? "G98" : "G99",
       state.surface_speed.active ? "G96" : "G97",
       spindle_code(state.spindle),
   };

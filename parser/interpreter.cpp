@@ -1,7 +1,9 @@
 #include "parser/interpreter.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "parser/cycles/drill_cycle.hpp"
 #include "parser/errors/blocks.hpp"
 #include "parser/errors/offsets.hpp"
 #include "parser/lexical_error.hpp"
@@ -20,7 +22,7 @@ constexpr Tenths kG80 = 800;
 constexpr double kLargestLineNumber = 99'999'999.0;
 
 // Letters that the motion takes beside the axes.
-Letters letters_of(Motion motion) {
+Letters letters_of(Motion motion, Dialect dialect) {
   switch (motion) {
     case Motion::arc_clockwise:
     case Motion::arc_counterclockwise:
@@ -30,7 +32,7 @@ Letters letters_of(Motion motion) {
     case Motion::quadratic_spline:
       return letters('I', 'J', 'Q');
     default:
-      return 0;
+      return is_cycle(motion) ? letters_of_cycle(motion, dialect) : 0;
   }
 }
 
@@ -44,6 +46,7 @@ Interpreter::Interpreter(const Point& start_mm, DiagnosticList& diagnostics, Mac
       compensation_(diagnostics),
       nurbs_(diagnostics) {
   state_.position_mm = start_mm;
+  state_.to_initial_level = dialect == Dialect::fanuc;
   for (std::size_t system = 0; system < Coordinates::kSystems; ++system) {
     state_.coordinates.set_work(system, machine_.work[system]);
   }
@@ -174,7 +177,7 @@ bool Interpreter::check_words() {
   axis_taker_ = block.g_count > 0 ? taker_of_axes(block, codes_) : Group::count;
   const bool moves = axis_taker_ == Group::count &&
                      (code != kNoCode || block.has_any(kAxisLetters | letters('I', 'J', 'K', 'R')));
-  const Letters of_motion = moves ? letters_of(motion) : 0;
+  const Letters of_motion = moves ? letters_of(motion, dialect_) : 0;
   const Letters usable = letters('N', 'F', 'S', 'T', 'O') | kAxisLetters | of_motion |
                          (coded ? letters_of_codes(codes_) : 0);
   if (Letters unused = block.present & ~usable; unused != 0) {
@@ -300,7 +303,8 @@ void Interpreter::recover() {
   const CurveBlock here = curve_block();
   Point end;
   Fault ignored;
-  if (block.has_any(kAxisLetters) && taker_of_axes(block, codes_) == Group::count &&
+  if (block.has_any(kAxisLetters) && !is_cycle(state_.motion) &&
+      taker_of_axes(block, codes_) == Group::count &&
       resolve_point(here, state_.position_mm, end, ignored)) {
     state_.position_mm = end;
   }
@@ -311,8 +315,9 @@ void Interpreter::recover() {
 
 void Interpreter::recover_code(double g) {
   const auto is = [g](double code) { return std::fabs(g - code) < 1e-9; };
-  if (is(0) || is(1) || is(2) || is(3)) {
-    set_motion(static_cast<Tenths>(std::lround(g * 10)));
+  const auto tenths = static_cast<Tenths>(std::lround(std::clamp(g, 0.0, 99.0) * 10.0));
+  if (is(0) || is(1) || is(2) || is(3) || is_cycle(static_cast<Motion>(tenths))) {
+    set_motion(tenths);
   } else if (is(17) || is(18) || is(19)) {
     state_.plane = is(17) ? Plane::xy : is(18) ? Plane::zx : Plane::yz;
   } else if (is(20) || is(21)) {

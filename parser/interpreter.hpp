@@ -11,6 +11,7 @@
 #include "parser/codes.hpp"
 #include "parser/compensation/cutter_compensation.hpp"
 #include "parser/curve_block.hpp"
+#include "parser/cycles/drill_cycle.hpp"
 #include "parser/diagnostic_list.hpp"
 #include "parser/dialect.hpp"
 #include "parser/fault.hpp"
@@ -151,6 +152,19 @@ class Interpreter {
   bool tip_of_l(CompensationStart& start);
   void compensate_moves();
 
+  // cycles/interpreter_cycles.cpp
+  bool drill_cycle();
+  bool take_cycle_words();
+  bool read_cycle(DrillCycle& cycle);
+  bool set_cycle_levels(DrillCycle& cycle);
+  bool set_cycle_repeats(DrillCycle& cycle);
+  bool set_back_bore(DrillCycle& cycle);
+  bool check_cycle_modes();
+  bool check_cycle_spindle();
+  bool run_cycle(const DrillCycle& cycle, const Point& from_mm);
+  void push_cycle_step(const CycleStep& step, double feedrate_mm_s);
+  [[nodiscard]] std::string motion_name() const;
+
   // interpreter_motion.cpp
   void set_motion(Tenths code);
   bool move();
@@ -189,6 +203,7 @@ class Interpreter {
   CutterCompensation compensation_;
   NurbsCollector nurbs_;
   UniformCollector uniform_;
+  std::vector<CycleStep> cycle_steps_;  // of the running block
   SourcePosition curve_source_;
   double curve_feedrate_mm_s_ = 0.0;
   Tenths skipped_curve_ = kNoCode;  // the code of a curve with an error whose blocks still come

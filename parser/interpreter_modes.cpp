@@ -56,6 +56,9 @@ bool Interpreter::set_modes() {
   if (codes_.has(Group::arc_distance)) {
     state_.absolute_centre = codes_[Group::arc_distance] == 901;
   }
+  if (codes_.has(Group::retract)) {
+    state_.to_initial_level = codes_[Group::retract] == 980;
+  }
   if (codes_.has(Group::motion)) {
     set_motion(codes_[Group::motion]);
   }

@@ -39,6 +39,12 @@ void Interpreter::set_motion(Tenths code) {
   if (motion != Motion::cubic_spline) {
     state_.spline_handle_mm.reset();
   }
+  if (!is_cycle(motion)) {
+    state_.cycle.in_series = false;
+  }
+  if (motion != state_.motion && !(is_cycle(state_.motion) && dialect_ == Dialect::fanuc)) {
+    state_.cycle.words = {};
+  }
   state_.motion = motion;
 }
 
@@ -87,7 +93,7 @@ bool Interpreter::move() {
       }
       return true;
     default:
-      return true;
+      return drill_cycle();
   }
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "parser/cycles/cycle_words.hpp"
 #include "parser/move.hpp"
 #include "parser/offsets/coordinates.hpp"
 #include "parser/units.hpp"
@@ -21,6 +22,17 @@ enum class Motion : std::int16_t {
   quadratic_spline = 51,
   uniform_nurbs = 52,
   nurbs = 62,
+  chip_breaking = 730,
+  tap_left = 740,
+  drill = 810,
+  drill_with_dwell = 820,
+  peck = 830,
+  tap = 840,
+  bore = 850,
+  bore_with_stop = 860,
+  back_bore = 870,
+  bore_by_hand = 880,
+  bore_with_dwell = 890,
 };
 
 enum class FeedMode : std::uint8_t { per_minute, inverse_time, per_revolution };  // G94, G93, G95
@@ -77,6 +89,8 @@ struct ModalState {
   Overrides overrides;
   double input = 0.0;  // what the last M66 read, -1 after a wait in vain
   ProbeResult probe;
+  bool to_initial_level = false;  // G98, not G99: where a canned cycle ends
+  CycleState cycle;
   // The second handle of the G5 just before, for a G5 that leaves out I and J.
   std::optional<std::array<double, 2>> spline_handle_mm;
 };

@@ -10,6 +10,7 @@
 #include "parser/errors/codes.hpp"
 #include "parser/errors/compensation.hpp"
 #include "parser/errors/curves.hpp"
+#include "parser/errors/cycles.hpp"
 #include "parser/errors/expressions.hpp"
 #include "parser/errors/files.hpp"
 #include "parser/errors/machine.hpp"
@@ -40,9 +41,9 @@ constexpr auto in_order(const std::array<Page, sizes>&... topics) {
 
 constexpr std::array kPages =
     in_order(kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages,
-             kCompensationPages, kCurvesPages, kExpressionsPages, kFilesPages, kMachinePages,
-             kModesPages, kMotionPages, kNurbsPages, kOffsetsPages, kShapePages, kSplinesPages,
-             kSwitchesPages, kVariablesPages, kWordsPages);
+             kCompensationPages, kCurvesPages, kCyclesPages, kExpressionsPages, kFilesPages,
+             kMachinePages, kModesPages, kMotionPages, kNurbsPages, kOffsetsPages, kShapePages,
+             kSplinesPages, kSwitchesPages, kVariablesPages, kWordsPages);
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 // Where coordinates lie: G54 to G59.3, G43, G52, G92, G28 and G30.
 #include <cmath>
 
+#include "parser/errors/cycles.hpp"
 #include "parser/errors/offsets.hpp"
 #include "parser/interpreter.hpp"
 #include "parser/offsets/word_users.hpp"
@@ -104,6 +105,12 @@ void Interpreter::push_rapid(const Point& end_mm) {
 // By way of the point that the axis words name; then only the axes that have a word go home, or
 // all where none has.
 bool Interpreter::go_home(const Point& home_mm) {
+  if (is_cycle(state_.motion)) {
+    const Word& code = code_word(*block_, codes_, Group::other);
+    return fail(code.offset, errors::kHomeInCycle,
+                joined({upper(block_->text(code)),
+                        " while a canned cycle is active: cancel with G80 first"}));
+  }
   if (!block_->has_any(kAxisLetters)) {
     push_rapid(home_mm);
     return true;

@@ -133,14 +133,17 @@ bool is_straight(const Step& step) {
   return step.kind == "rapid" || step.kind == "feed";
 }
 
-// Both sides leave out straight moves that go nowhere, one where they are met and one in its
-// answer.
+// Both sides leave out straight moves that go nowhere and dwells of no time, one where they are met
+// and one in its answer.
 std::vector<Step> moving_steps(const Answer& answer, double shortest_mm) {
   std::vector<Step> steps;
   Point position{};
   for (const Step& step : answer.steps) {
     const bool has_end = step.kind != "dwell" && step.kind != "spline" && step.kind != "event";
     if (is_straight(step) && distance_mm(step.end_mm, position) <= shortest_mm) {
+      continue;
+    }
+    if (step.kind == "dwell" && step.time_s == 0.0) {
       continue;
     }
     position = has_end ? step.end_mm : position;

@@ -1,0 +1,281 @@
+// G73, G74, G81 to G89: from the words of a block to the holes it makes.
+#include <cmath>
+
+#include "parser/arc_geometry.hpp"
+#include "parser/errors/compensation.hpp"
+#include "parser/errors/cycles.hpp"
+#include "parser/errors/motion.hpp"
+#include "parser/interpreter.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+constexpr double kMostSteps = 200'000.0;
+constexpr double kStepsPerHole = 14.0;  // of G87, the longest but for pecks
+
+bool needs_peck(Motion motion) {
+  return motion == Motion::peck || motion == Motion::chip_breaking;
+}
+
+bool needs_dwell(Motion motion) {
+  return motion == Motion::drill_with_dwell || motion == Motion::bore_with_stop ||
+         motion == Motion::bore_by_hand || motion == Motion::bore_with_dwell;
+}
+
+}  // namespace
+
+std::string Interpreter::motion_name() const {
+  return joined({"G", shortest(static_cast<double>(state_.motion) / 10.0)});
+}
+
+bool Interpreter::drill_cycle() {
+  const bool fanuc_r = dialect_ == Dialect::fanuc && block_->has('R');
+  if (!block_->has_any(kAxisLetters) && !fanuc_r) {
+    if (!codes_.has(Group::motion) && !block_->has_any(letters('R', 'I', 'J', 'K'))) {
+      return true;
+    }
+    return fail(motion_offset(), errors::kCycleWithoutAxis,
+                joined({motion_name(), " needs at least one axis word"}));
+  }
+  if (!check_cycle_modes() || !take_cycle_words()) {
+    return false;
+  }
+  DrillCycle cycle;
+  const Point from = state_.coordinates.to_program(state_.position_mm);
+  cycle.plane = state_.plane;
+  cycle.hole_mm = from;
+  return read_cycle(cycle) && (cycle.holes == 0 || run_cycle(cycle, from));
+}
+
+bool Interpreter::check_cycle_modes() {
+  if (compensation_.on()) {
+    return fail(motion_offset(), errors::kCycleWhileCompensating,
+                joined({motion_name(), " cannot be used while G41/G42 is active"}));
+  }
+  if (state_.feed_mode == FeedMode::inverse_time) {
+    return fail(motion_offset(), errors::kCycleInverseTime,
+                joined({motion_name(), " cannot be used with G93: write G94 or G95"}));
+  }
+  if (dialect_ == Dialect::fanuc && state_.motion == Motion::back_bore) {
+    return fail(motion_offset(), errors::kFanucBackBore,
+                "G87 with Fanuc's words (Q: the shift) is not supported");
+  }
+  return check_cycle_spindle();
+}
+
+bool Interpreter::check_cycle_spindle() {
+  const Motion motion = state_.motion;
+  const char* wanted = nullptr;
+  if (motion == Motion::tap && state_.spindle != Spindle::clockwise) {
+    wanted = " running clockwise (M3)";
+  } else if (motion == Motion::tap_left && state_.spindle != Spindle::counterclockwise) {
+    wanted = " running counterclockwise (M4)";
+  } else if (state_.spindle == Spindle::off &&
+             (motion == Motion::bore_with_stop || motion == Motion::bore_by_hand ||
+              motion == Motion::back_bore)) {
+    wanted = " running (M3 or M4)";
+  }
+  return wanted == nullptr || fail(motion_offset(), errors::kCycleSpindle,
+                                   joined({motion_name(), " needs the spindle", wanted}));
+}
+
+// The block's words join those that hold from before; what is then still missing is an error, said
+// once and not again for each block behind it.
+bool Interpreter::take_cycle_words() {
+  CycleWords& words = state_.cycle.words;
+  const double unit = mm_per_unit(state_.units);
+  const char up = axis_letter(axes_of(state_.plane).normal);
+  const auto take = [this](char letter, double factor, std::optional<double>& word) {
+    if (block_->has(letter)) {
+      word = block_->value(letter) * factor;
+    }
+  };
+  take('R', unit, words.clearance_mm);
+  take(up, unit, words.bottom_mm);
+  take('Q', unit, words.peck_mm);
+  take('P', dialect_ == Dialect::fanuc ? 0.001 : 1.0, words.dwell_s);
+  for (std::size_t axis = 0; axis < 3 && state_.motion == Motion::back_bore; ++axis) {
+    take(centre_letter(axis), unit, words.offset_mm[axis]);
+  }
+  const auto missing = [this](std::optional<double>& word, const ErrorPage& page, char letter,
+                              double assumed) {
+    word = assumed;
+    return fail(motion_offset(), page, joined({motion_name(), " needs ", named(letter)}));
+  };
+  if (!words.clearance_mm) {
+    return missing(words.clearance_mm, errors::kCycleWithoutClearance, 'R', 0.0);
+  }
+  if (!words.bottom_mm) {
+    return missing(words.bottom_mm, errors::kCycleWithoutBottom, up, *words.clearance_mm);
+  }
+  if (needs_peck(state_.motion) && !words.peck_mm) {
+    return missing(words.peck_mm, errors::kCycleWithoutPeck, 'Q', 1.0);
+  }
+  if (needs_dwell(state_.motion) && !words.dwell_s && dialect_ == Dialect::rs274) {
+    return missing(words.dwell_s, errors::kCycleWithoutDwell, 'P', 0.0);
+  }
+  return true;
+}
+
+bool Interpreter::read_cycle(DrillCycle& cycle) {
+  CycleWords& words = state_.cycle.words;
+  cycle.kind = state_.motion;
+  cycle.to_initial = state_.to_initial_level;
+  if (needs_peck(cycle.kind)) {
+    cycle.peck_mm = *words.peck_mm;
+    if (!(cycle.peck_mm > 0.0)) {
+      words.peck_mm = 1.0;
+      return fail(block_->has('Q') ? block_->word('Q').offset : motion_offset(),
+                  errors::kCyclePeckNotPositive,
+                  joined({motion_name(), ": Q must be greater than 0"}));
+    }
+  }
+  const bool dwells =
+      needs_dwell(cycle.kind) || cycle.kind == Motion::tap || cycle.kind == Motion::tap_left;
+  cycle.dwell_s = dwells ? words.dwell_s.value_or(0.0) : 0.0;
+  if (cycle.dwell_s < 0.0) {
+    words.dwell_s = 0.0;
+    return fail(block_->has('P') ? block_->word('P').offset : motion_offset(),
+                errors::kCycleNegativeDwell, joined({motion_name(), ": P must not be negative"}));
+  }
+  return set_cycle_levels(cycle) && set_back_bore(cycle) && set_cycle_repeats(cycle);
+}
+
+bool Interpreter::set_cycle_levels(DrillCycle& cycle) {
+  CycleState& memory = state_.cycle;
+  const std::size_t up = axes_of(cycle.plane).normal;
+  if (!memory.in_series) {
+    memory.in_series = true;
+    memory.initial_mm = cycle.hole_mm[up];
+  }
+  DrillLevels& levels = cycle.levels;
+  levels.initial_mm = memory.initial_mm;
+  const bool adds = state_.incremental;
+  levels.clearance_mm = *memory.words.clearance_mm + (adds ? levels.initial_mm : 0.0);
+  levels.bottom_mm = *memory.words.bottom_mm + (adds ? levels.clearance_mm : 0.0);
+  if (levels.clearance_mm < levels.bottom_mm) {
+    const char letter = axis_letter(up);
+    const double unit = mm_per_unit(state_.units);
+    memory.words.bottom_mm = adds ? 0.0 : *memory.words.clearance_mm;
+    return fail(block_->has(letter) ? block_->word(letter).offset : motion_offset(),
+                errors::kCycleClearanceBelowBottom,
+                joined({motion_name(), ": R (", in_mm(levels.clearance_mm / unit), ") is below ",
+                        named(letter), " (", in_mm(levels.bottom_mm / unit), ")"}));
+  }
+  return true;
+}
+
+// I, J and K: two of them are the way aside in the plane, that of the drilling axis is where the
+// boring upwards ends; with G91 it is counted from the bottom.
+bool Interpreter::set_back_bore(DrillCycle& cycle) {
+  if (cycle.kind != Motion::back_bore) {
+    return true;
+  }
+  CycleWords& words = state_.cycle.words;
+  const std::size_t up = axes_of(cycle.plane).normal;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (!words.offset_mm[axis]) {
+      words.offset_mm[axis] = 0.0;
+      return fail(motion_offset(), errors::kBackBoreWordMissing,
+                  joined({"G87 needs ", named(centre_letter(axis))}));
+    }
+    cycle.aside_mm[axis] = axis == up ? 0.0 : *words.offset_mm[axis];
+  }
+  cycle.counter_mm = *words.offset_mm[up] + (state_.incremental ? cycle.levels.bottom_mm : 0.0);
+  return true;
+}
+
+bool Interpreter::set_cycle_repeats(DrillCycle& cycle) {
+  const double unit = mm_per_unit(state_.units);
+  const std::size_t up = axes_of(cycle.plane).normal;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const char letter = axis_letter(axis);
+    if (axis == up || !block_->has(letter)) {
+      continue;
+    }
+    const double value = block_->value(letter) * unit;
+    cycle.hole_mm[axis] = value + (state_.incremental ? cycle.hole_mm[axis] : 0.0);
+    cycle.between_mm[axis] = state_.incremental ? value : 0.0;
+  }
+  const char letter = dialect_ == Dialect::fanuc && block_->has('K') ? 'K' : 'L';
+  const double holes = block_->value_or(letter, 1.0);
+  const std::string name = joined({motion_name(), " ", named(letter)});
+  if (!(holes >= 0.0) || holes != std::floor(holes)) {
+    return fail(
+        block_->word(letter).offset, errors::kCycleRepeats,
+        joined({name, " (repeats) must be a whole number, 1 or more, found ", shortest(holes)}));
+  }
+  const double moves = holes * (kStepsPerHole + 3.0 * feeds_of(cycle));
+  if (!(moves <= kMostSteps)) {
+    return fail(motion_offset(), errors::kCycleTooLong,
+                joined({motion_name(), ": the block makes more than 200000 moves"}));
+  }
+  if (holes == 0.0 && dialect_ == Dialect::rs274) {
+    warn(block_->word(letter).offset, errors::kCycleZeroRepeats,
+         joined({name, "0: nothing is drilled"}));
+  }
+  cycle.holes = static_cast<std::uint32_t>(holes);
+  return true;
+}
+
+bool Interpreter::run_cycle(const DrillCycle& cycle, const Point& from_mm) {
+  double feedrate_mm_s = 0.0;
+  if (!cutting_feedrate(0.0, feedrate_mm_s)) {
+    return false;
+  }
+  cycle_steps_.clear();
+  expand(cycle, from_mm, cycle_steps_);
+  for (CycleStep& step : cycle_steps_) {
+    step.end_mm = state_.coordinates.to_machine(step.end_mm);
+    for (const double coordinate : step.end_mm) {
+      if (!(std::fabs(coordinate) <= kLargestCoordinate_mm)) {
+        return fail(motion_offset(), errors::kPositionOutOfRange,
+                    joined({motion_name(), " leads outside -999999.999..999999.999 mm"}));
+      }
+    }
+  }
+  for (const CycleStep& step : cycle_steps_) {
+    push_cycle_step(step, feedrate_mm_s);
+  }
+  return true;
+}
+
+// Cycles run on the exact path, also while G64 would let the corners go.
+void Interpreter::push_cycle_step(const CycleStep& step, double feedrate_mm_s) {
+  Move& move = push_move();
+  if (move.mode == PathMode::blend) {
+    move.mode = PathMode::exact_path;
+    move.blend_tolerance_mm = 0.0;
+  }
+  const bool clockwise =
+      (state_.spindle == Spindle::clockwise) != (step.kind == StepKind::spindle_turned);
+  switch (step.kind) {
+    case StepKind::rapid:
+    case StepKind::feed:
+      move.shape = LineMove{step.end_mm};
+      move.rapid = step.kind == StepKind::rapid;
+      move.feedrate_mm_s = move.rapid ? 0.0 : feedrate_mm_s;
+      state_.position_mm = step.end_mm;
+      break;
+    case StepKind::dwell:
+      move.shape = DwellMove{step.duration_s};
+      break;
+    case StepKind::spindle_off:
+      move.shape = EventMove{EventKind::spindle_off, 0.0};
+      break;
+    case StepKind::spindle_orient:
+      move.shape = EventMove{EventKind::spindle_orient, 0.0};
+      break;
+    case StepKind::program_stop:
+      move.shape = EventMove{EventKind::program_stop, 0.0};
+      break;
+    default:
+      move.shape =
+          EventMove{clockwise ? EventKind::spindle_cw : EventKind::spindle_ccw, spindle_per_min()};
+      break;
+  }
+}
+
+}  // namespace kerf::parser
