@@ -135,7 +135,8 @@ void ProgramReader::Impl::warn_about(const Block& block, std::uint32_t line) {
     diagnostics_.add({line, block.stale_read}, errors::kStaleRead,
                      joined({"the variable at ", quoted(rest),
                              " is set in the same block: its value from before is used"}));
-  } else if (block.assignment != 0 && has_words_beside_number(block)) {
+  } else if (options_.dialect == Dialect::rs274 && block.assignment != 0 &&
+             has_words_beside_number(block)) {
     diagnostics_.add({line, block.assignment}, errors::kAssignmentAmongWords,
                      "the assignment takes effect behind the words of its block");
   }
