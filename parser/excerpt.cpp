@@ -74,6 +74,7 @@ Excerpt excerpt_of(std::string_view line, std::uint32_t offset) {
   Excerpt excerpt;
   excerpt.characters = characters_before(line, place);
   std::uint32_t column = 0;
+  std::size_t unreadable = 0;
   const auto show = [&](std::string_view text, std::uint32_t columns) {
     excerpt.text += text;
     column += columns;
@@ -90,6 +91,7 @@ Excerpt excerpt_of(std::string_view line, std::uint32_t offset) {
       show(" ", 1);
     } else if (character.code == 0 || is_control(character.code)) {
       show(kReplacement, 1);
+      ++unreadable;
     } else {
       show(line.substr(at, character.length), columns_of(character.code));
     }
@@ -100,6 +102,9 @@ Excerpt excerpt_of(std::string_view line, std::uint32_t offset) {
   }
   if (end < line.size()) {
     show(kLeftOut, kLeftOut.size());
+  }
+  if (unreadable * 3 > end - begin) {
+    excerpt.text.clear();  // binary data: there is nothing to see
   }
   excerpt.text.erase(excerpt.text.find_last_not_of(' ') + 1);
   return excerpt;

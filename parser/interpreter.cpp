@@ -97,6 +97,8 @@ void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
     report(fault_);
     if (curve_open()) {
       abandon_curve();
+    } else {
+      skip_curve_of_wrong_block();
     }
     recover();
   }

@@ -181,6 +181,7 @@ class Interpreter {
   bool continue_curve();
   bool reports_open_curve();
   void abandon_curve();
+  void skip_curve_of_wrong_block();
   bool leave_skipped_curve();
   bool deliver_curve(NurbsMove curve, std::string_view name);
   bool curve_feed();

@@ -1,5 +1,6 @@
 // G6.2 and G5.2 ... G5.3: which blocks belong to a curve, and what follows an error in one.
 #include <algorithm>
+#include <cmath>
 
 #include "parser/errors/curves.hpp"
 #include "parser/interpreter.hpp"
@@ -133,6 +134,17 @@ void Interpreter::abandon_curve() {
   skipped_curve_ = nurbs ? kG62 : kG52;
   nurbs_.abort();
   uniform_.abort();
+}
+
+// The block that should have begun a curve has an error: the curve's blocks mean nothing.
+void Interpreter::skip_curve_of_wrong_block() {
+  for (std::size_t i = 0; i < block_->g_count; ++i) {
+    for (const Tenths code : {kG52, kG62}) {
+      if (std::fabs(block_->g[i].value * 10.0 - code) < 1e-8) {
+        skipped_curve_ = code;
+      }
+    }
+  }
 }
 
 // After an error in a curve its blocks are passed over up to the next other code of group 1, the

@@ -5,7 +5,6 @@
 
 #include "parser/character_error.hpp"
 #include "parser/errors/characters.hpp"
-#include "parser/errors/files.hpp"
 #include "parser/errors/variables.hpp"
 #include "parser/errors/words.hpp"
 #include "parser/number.hpp"
@@ -191,6 +190,17 @@ Fault explain_after_number(const Block& block, std::size_t at) {
   return {static_cast<std::uint32_t>(at), message, &errors::kUnexpectedAfterNumber};
 }
 
+// Fanuc's chamfers and roundings: ',C2' and ',R2'.
+Fault explain_corner(std::string_view line, std::size_t at) {
+  const std::string word = upper(line.substr(at, 2));
+  const bool known = word == ",C" || word == ",R";
+  return {static_cast<std::uint32_t>(at),
+          joined({"'", word, "': ",
+                  known ? "chamfers and roundings of corners are not supported"
+                        : "a comma may not stand before a word"}),
+          &errors::kCornerWord};
+}
+
 // Where the comment opened that stands between two digits, the second of them at `at`.
 std::size_t comment_in_number(std::string_view line, std::size_t at) {
   const std::size_t open = line[at - 1] == ')' ? line.rfind('(', at) : std::string_view::npos;
@@ -250,33 +260,14 @@ Fault explain_stop(const Block& block) {
   if (after_number && (c == ',' || c == '-' || c == '+' || c == '.')) {
     return explain_after_number(block, at);
   }
+  if (c == ',' && at + 1 < line.size() && is_letter(line[at + 1])) {
+    return explain_corner(line, at);
+  }
   if (is_digit(c) || c == '-' || c == '+' || c == '.') {
     return {static_cast<std::uint32_t>(at), "an address letter is expected before a number",
             &errors::kAddressExpected};
   }
   return explain_character(line.substr(at), static_cast<std::uint32_t>(at));
-}
-
-Fault explain_first_line(std::string_view line) {
-  const auto byte = [&](std::size_t i) {
-    return i < line.size() ? static_cast<unsigned char>(line[i]) : 0x100U;
-  };
-  if ((byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF)) {
-    return {0, "the file is UTF-16, ASCII or UTF-8 is expected", &errors::kUtf16};
-  }
-  if (is_letter(static_cast<char>(byte(0) & 0x7FU)) && byte(1) == 0) {
-    return {0, "the file is UTF-16 without a byte order mark, ASCII or UTF-8 is expected",
-            &errors::kUtf16};
-  }
-  if (byte(0) < 0x20 && byte(0) != '\t') {
-    return {0, joined({"the file is not text (byte 0x", hex(byte(0), 2), " at its start)"}),
-            &errors::kNotText};
-  }
-  if (line.substr(0, 200).find("BEGIN PGM") != std::string_view::npos) {
-    return {0, "this is a HEIDENHAIN program ('BEGIN PGM'), G-code is expected",
-            &errors::kHeidenhain};
-  }
-  return {};
 }
 
 }  // namespace kerf::parser

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "parser/errors/files.hpp"
-#include "parser/lexical_error.hpp"
+#include "parser/file_error.hpp"
 
 namespace kerf::parser {
 

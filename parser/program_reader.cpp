@@ -5,8 +5,8 @@
 #include "parser/errors/files.hpp"
 #include "parser/errors/variables.hpp"
 #include "parser/errors/words.hpp"
+#include "parser/file_error.hpp"
 #include "parser/interpreter.hpp"
-#include "parser/lexical_error.hpp"
 #include "parser/line_splitter.hpp"
 #include "parser/text.hpp"
 

@@ -125,9 +125,17 @@ inline constexpr ErrorPage kTooManyWarnings{
     Dialect::rs274,
     {"G5 P0\n", 102}};
 
+inline constexpr ErrorPage kMarkup{
+    14,
+    Severity::error,
+    "the file is HTML or XML",
+    "The file begins with '<'. A download that failed leaves a web page under the program's name.",
+    "Load the file again, and look at it in an editor first.",
+    "<!DOCTYPE html>\n"};
+
 inline constexpr std::array kFilesPages{
     &kNotText,        &kUtf16,           &kHeidenhain,      &kEmptyProgram, &kByteOrderMark,
     &kLineTooLong,    &kPercentNotAlone, &kUnclosedPercent, &kNoProgramEnd, &kTextAfterPercent,
-    &kBlocksAfterEnd, &kTooManyErrors,   &kTooManyWarnings};
+    &kBlocksAfterEnd, &kTooManyErrors,   &kTooManyWarnings, &kMarkup};
 
 }  // namespace kerf::parser::errors

@@ -113,10 +113,19 @@ inline constexpr ErrorPage kProgramNumberNotFirst{
     "Move the program number to the head of the file, or take it out.",
     "G0 X1\nO100\nM2\n"};
 
+inline constexpr ErrorPage kCornerWord{
+    53,
+    Severity::error,
+    "comma before a word",
+    "Fanuc controls take ',C' and ',R' at the end of a straight move as a chamfer or a rounding of "
+    "the corner to the next move. Kerf does not.",
+    "Have the CAM system write the chamfer as a line and the rounding as an arc.",
+    "G1 X10 ,C2 F100\nM2\n"};
+
 inline constexpr std::array kWordsPages{
-    &kNumberExpected,       &kMalformedNumber,    &kNegativeLineNumber, &kUnexpectedAfterNumber,
-    &kAddressExpected,      &kLetterForDigit,     &kRepeatedWord,       &kTooManyGCodes,
-    &kTooManyMCodes,        &kLineNumberNotFirst, &kMacroStatement,     &kMisplacedExpression,
-    &kProgramNumberNotFirst};
+    &kNumberExpected,        &kMalformedNumber,    &kNegativeLineNumber, &kUnexpectedAfterNumber,
+    &kAddressExpected,       &kLetterForDigit,     &kRepeatedWord,       &kTooManyGCodes,
+    &kTooManyMCodes,         &kLineNumberNotFirst, &kMacroStatement,     &kMisplacedExpression,
+    &kProgramNumberNotFirst, &kCornerWord};
 
 }  // namespace kerf::parser::errors

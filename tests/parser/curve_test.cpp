@@ -138,6 +138,21 @@ TEST(Nurbs, AfterACurveWithAnErrorTheNextCurveIsChecked) {
   EXPECT_EQ(program.diagnostics[1].source.line, 7U);
 }
 
+TEST(Nurbs, WhoseFirstBlockIsWrongIsNotReportedAgainByItsOtherBlocks) {
+  const std::string rest = "K0 X5 Y5\nK0 X10 Y0\nK1\nK1\nK1\nG1 X5 Q1\nM2\n";
+  for (const std::string first :
+       {"G6.2 P3 K0 X0 Yq", "G6.2 G1 P3 K0 X0 Y0", "G41.1 D1 F60\nG6.2 P3 K0 X0 Y0"}) {
+    const Program program = read_program("F60\n" + first + "\n" + rest);
+    ASSERT_GE(program.diagnostics.size(), 2U) << first;
+    const auto line = static_cast<std::uint32_t>(std::count(first.begin(), first.end(), '\n'));
+    EXPECT_EQ(program.diagnostics[0].source.line, 2U + line) << first;
+    EXPECT_EQ(program.diagnostics[1].source.line, 8U + line) << first;
+  }
+  const Program uniform =
+      read_program("F60\nG5.2 P1 Xq L3\nX5 Y5 P1\nX10 Y0 P1\nG5.3\nG1 X5\nM2\n");
+  EXPECT_EQ(uniform.diagnostics.size(), 1U);
+}
+
 TEST(Nurbs, LeavesRoomForOtherBlocksOnceItIsComplete) {
   const auto moves = moves_of("F60\nG6.2 P2 K0 X0 Y0\nK0 X1\nK1\nK1\nM8\nG4 P1\nG64\nG1 X2");
   ASSERT_EQ(moves.size(), 4U);

@@ -79,9 +79,14 @@ TEST(Excerpt, CountsCharactersAndNotBytes) {
 }
 
 TEST(Excerpt, ShowsTabsAsOneBlankAndWhatIsNoCharacterAsAMark) {
-  const Excerpt excerpt = excerpt_of("\tG1\tX\xFF\x01Y", 7);
-  EXPECT_EQ(excerpt.text, " G1 X\xEF\xBF\xBD\xEF\xBF\xBDY");
+  const Excerpt excerpt = excerpt_of("\tG1\tX\xFF\x01Y Z1", 7);
+  EXPECT_EQ(excerpt.text, " G1 X\xEF\xBF\xBD\xEF\xBF\xBDY Z1");
   EXPECT_EQ(excerpt.caret, 7U);
+}
+
+TEST(Excerpt, OfBinaryDataHasNoText) {
+  using std::string_view_literals::operator""sv;
+  EXPECT_EQ(excerpt_of("G\0001\0 \0X\0"sv, 3).text, "");
 }
 
 }  // namespace
