@@ -64,6 +64,7 @@ constexpr Table g_table() {
   know(table, Group::spindle_mode, std::array{960, 970});
   know(table, Group::local_offset, std::array{921, 922, 923});
   know_fanuc(table, Group::work_offset, std::array{541});
+  know_fanuc(table, Group::length_offset, std::array{440});
   know_fanuc(table, Group::scaling, std::array{500, 510});
   know_fanuc(table, Group::program_turn, std::array{680, 690});
   later(table, std::array{150, 160, 330, 331, 382, 383, 384, 385, 650, 660, 670, 700, 710, 711, 712,

@@ -215,7 +215,7 @@ class Interpreter {
   Fault fault_;
   std::uint32_t line_ = 0;
   std::uint16_t file_ = 0;
-  MachineValues values_{{&state_, &machine_, &line_, &saved_modes_}};
+  MachineValues values_{{&state_, &machine_, &dialect_, &line_, &saved_modes_}};
   std::uint32_t reported_line_ = 0;  // one error per block
   bool no_feed_reported_ = false;
   bool stopped_spindle_reported_ = false;

@@ -73,7 +73,8 @@ inline constexpr ErrorPage kFanucCode{
     107,
     Severity::error,
     "code of the Fanuc dialect",
-    "G50, G51, G54.1, G68 and G69 scale, turn and place a program on Fanuc controls. RS274/NGC, "
+    "G44, G50, G51, G54.1, G68 and G69 place, scale and turn a program on Fanuc controls. "
+    "RS274/NGC, "
     "the "
     "language that this program is read in, does not have them.",
     "Read the program as one for Fanuc (--dialect fanuc), or do without the code: G10 L2 R turns a "

@@ -170,7 +170,7 @@ bool Interpreter::set_length_offset() {
     state_.coordinates.set_tool({});
     return true;
   }
-  if (code == 430 || (code == 432 && block_->has('H'))) {
+  if (code == 430 || code == 440 || (code == 432 && block_->has('H'))) {
     return code == 432 ? add_length_offset() : set_length_from_table();
   }
   if (!needs_axis_words()) {
@@ -192,7 +192,9 @@ bool Interpreter::set_length_from_table() {
   if (tool == nullptr) {
     return false;
   }
-  state_.coordinates.set_tool(tool->offset_mm);
+  const bool negative = codes_[Group::length_offset] == 440;  // Fanuc's G44
+  const Point& offset = tool->offset_mm;
+  state_.coordinates.set_tool(negative ? Point{-offset[0], -offset[1], -offset[2]} : offset);
   return true;
 }
 

@@ -47,6 +47,9 @@ constexpr int kRotation = 9;
 }  // namespace
 
 std::optional<double> MachineValues::number(int number) const {
+  if (*from_.dialect == Dialect::fanuc) {
+    return fanuc_number(number);
+  }
   const ModalState& state = *from_.state;
   const double unit = mm_per_unit(state.units);
   if (const int axis = axis_in(number, kProbe); axis < kAxes) {
@@ -113,6 +116,9 @@ std::optional<double> MachineValues::work_value(int number) const {
 }
 
 bool MachineValues::take(int number, double value) {
+  if (*from_.dialect == Dialect::fanuc) {
+    return fanuc_take(number, value);
+  }
   ModalState& state = *from_.state;
   const auto take_axis = [value](Point& point, int axis) {
     double* const place = coordinate_of(point, axis);

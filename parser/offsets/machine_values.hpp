@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "parser/dialect.hpp"
 #include "parser/expressions/predefined_values.hpp"
 #include "parser/modal_state.hpp"
 #include "parser/offsets/machine_data.hpp"
@@ -19,14 +20,20 @@ namespace kerf::parser {
 // in the spindle). In the program's units: #5061 to #5069 (G38), #5420 to #5428 (position).
 // #5399 is what M66 read.
 //
+// Fanuc's numbers, all in the program's units: #5001.. and #5041.. (position), #5021.. (on the
+// machine), #5061.. (G31), #5081.. (tool offset), #5221.. to #5321.., #7001.. and #14001.. (work
+// offsets), #2001.., #11001.. (lengths of tools), #13001.. (radii), #4001.. and #4109, #4119, #4120
+// (modes).
+//
 // Writing an offset in force takes effect when it is chosen anew, writing #5211 to #5219 at the
-// next G92.3. #5400 to #5413 and #5420 to #5428 cannot be written.
+// next G92.3; Fanuc's take effect at once. #5400 to #5413 and #5420 to #5428 cannot be written.
 class MachineValues final : public PredefinedValues {
  public:
   // What the interpreter keeps; all must outlive this object.
   struct Sources {
     ModalState* state;
     MachineData* machine;
+    const Dialect* dialect;
     const std::uint32_t* line;
     const std::vector<std::optional<SavedModes>>* calls;  // one, and one for each open call
   };
@@ -37,6 +44,8 @@ class MachineValues final : public PredefinedValues {
   bool take(int number, double value) override;
 
  private:
+  [[nodiscard]] std::optional<double> fanuc_number(int number) const;
+  bool fanuc_take(int number, double value);
   [[nodiscard]] std::optional<double> tool_value(int number) const;
   [[nodiscard]] std::optional<double> work_value(int number) const;
   [[nodiscard]] std::optional<double> special(std::string_view name) const;

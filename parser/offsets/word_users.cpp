@@ -25,6 +25,7 @@ constexpr std::array kUses{
     Use{Group::cutter_compensation, 421, letters('D', 'L')},
     Use{Group::length_offset, 430, letters('H')},
     Use{Group::length_offset, 432, letters('H')},
+    Use{Group::length_offset, 440, letters('H')},
     Use{Group::spindle_mode, 960, letters('D')},
     Use{Group::tool, 610, letters('Q')},
     Use{Group::spindle, 190, letters('R', 'P', 'Q')},

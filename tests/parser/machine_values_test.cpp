@@ -149,5 +149,42 @@ TEST_F(MachineValuesOf, AWaitInVainLeavesMinusOne) {
   EXPECT_EQ(value(5399), -1.0);
 }
 
+TEST(FanucVariables, ShowOffsetsPositionsAndModes) {
+  DiagnosticList diagnostics(10);
+  Interpreter interpreter({}, diagnostics, default_machine_data(), Dialect::fanuc);
+  Parameters parameters(Dialect::fanuc);
+  Evaluator evaluator(parameters);
+  std::uint32_t line = 0;
+  const auto run = [&](std::string_view text) {
+    Block block;
+    const bool complete = read_block(text, block, evaluator);
+    interpreter.run(block, ++line, complete);
+  };
+  for (const std::string_view text :
+       {"G10 L2 P2 X5 Y6", "G55 G43 H1", "F100 S500 T3", "G10 L20 P3 Z9", "G1 X1 Y2 Z3"}) {
+    run(text);
+  }
+  EXPECT_TRUE(diagnostics.all().empty());
+  PredefinedValues& values = interpreter.values();
+  const std::initializer_list<std::pair<int, double>> wanted{
+      {5241, 5.0},  {5242, 6.0},   {5221, 0.0},   {7043, 9.0},  {5001, 1.0},   {5042, 2.0},
+      {5021, 6.0},  {5023, 15.5},  {5083, 12.5},  {2001, 12.5}, {11001, 12.5}, {13001, 5.0},
+      {10001, 0.0}, {13099, 0.0},  {4001, 1.0},   {4003, 90.0}, {4006, 21.0},  {4014, 55.0},
+      {4008, 43.0}, {4109, 100.0}, {4119, 500.0}, {4120, 3.0}};
+  for (const auto& [number, value] : wanted) {
+    EXPECT_EQ(values.number(number).value_or(-999.0), value) << number;
+  }
+  EXPECT_FALSE(values.number(5004));
+  EXPECT_FALSE(values.number(5420));
+  EXPECT_TRUE(values.take(5241, 10.0));
+  EXPECT_EQ(values.number(5001), -4.0) << "at once";
+  EXPECT_TRUE(values.take(11002, 33.0));
+  run("G43 H2");
+  EXPECT_EQ(values.number(5083), 33.0);
+  run("G44 H2");
+  EXPECT_EQ(values.number(5083), -33.0);
+  EXPECT_FALSE(values.take(5021, 1.0));
+}
+
 }  // namespace
 }  // namespace kerf::parser
