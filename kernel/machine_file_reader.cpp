@@ -12,7 +12,8 @@ namespace kerf {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> kSections{"tick", "path", "axes", "offsets", "tools"};
+constexpr std::array<std::string_view, 6> kSections{"tick",    "path",  "axes",
+                                                    "offsets", "tools", "probe"};
 constexpr std::array<std::string_view, 3> kAxisNames{"x", "y", "z"};
 
 // A key counts even where its value is wrong, and a section that is no table might have had it:
@@ -85,6 +86,9 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
   }
   if (const auto tools = subsection(file, "tools")) {
     read_tools(*tools);
+  }
+  if (const auto probe = subsection(file, "probe")) {
+    read_probe(*probe);
   }
   check_bounds(file);
   settings_.table.period_s = settings_.limits.period_s;

@@ -58,6 +58,7 @@ class MachineFileReader {
   void read_tool_file(const toml::node& file);
   void read_tool_list(const toml::node& list);
   void read_tool(const Section& section);
+  void read_probe(const Section& probe);
 
   MachineSettings settings_{};
   std::vector<SettingsError> errors_;

@@ -87,6 +87,21 @@ constexpr std::array kOffset{
                }},
 };
 
+template <std::size_t kAxisOfPoint, bool kUpper>
+double& probe_face(Settings& settings, std::size_t /*unused*/) {
+  parser::TouchBox& box = *settings.program.touch_box;
+  return (kUpper ? box.max_mm : box.min_mm)[kAxisOfPoint];
+}
+
+constexpr std::array kProbe{
+    NumberRule{"x_min_mm", -kFarthest, kFarthest, probe_face<0, false>},
+    NumberRule{"x_max_mm", -kFarthest, kFarthest, probe_face<0, true>},
+    NumberRule{"y_min_mm", -kFarthest, kFarthest, probe_face<1, false>},
+    NumberRule{"y_max_mm", -kFarthest, kFarthest, probe_face<1, true>},
+    NumberRule{"z_min_mm", -kFarthest, kFarthest, probe_face<2, false>},
+    NumberRule{"z_max_mm", -kFarthest, kFarthest, probe_face<2, true>},
+};
+
 constexpr std::array kTool{
     NumberRule{"number", 0.0, double{parser::ToolTable::kHighestNumber}, nullptr},
     NumberRule{"pocket", 0.0, double{parser::ToolTable::kHighestNumber}, nullptr},
@@ -122,6 +137,9 @@ std::span<const NumberRule> offset_rules(std::size_t section) {
 }
 std::span<const NumberRule> tool_rules() {
   return kTool;
+}
+std::span<const NumberRule> probe_rules() {
+  return kProbe;
 }
 std::span<const BoundRule> bound_rules() {
   return kBounds;

@@ -29,6 +29,8 @@ std::span<const std::string_view> offset_sections();
 std::span<const NumberRule> offset_rules(std::size_t section);
 // The keys of one [[tools.tool]], in the order: number, pocket, diameter, x, y, z.
 std::span<const NumberRule> tool_rules();
+// Lower and upper face of x, y and z in turn. Precondition of the fields: there is a touch_box.
+std::span<const NumberRule> probe_rules();
 
 // The keys that bound one quantity of a plan, in [path] or in [axes.*] under the same name.
 struct BoundRule {

@@ -48,7 +48,7 @@ constexpr void later(Table& table, const std::array<int, size>& tenths) {
 constexpr Table g_table() {
   Table table{};
   know(table, Group::other, std::array{40, 100, 280, 281, 300, 301, 520, 530, 920});
-  know(table, Group::motion, std::array{0, 10, 20, 30, 50, 51, 52, 53, 62, 63});
+  know(table, Group::motion, std::array{0, 10, 20, 30, 50, 51, 52, 53, 62, 63, 382, 383, 384, 385});
   know(table, Group::motion, std::array{730, 740, 810, 820, 830, 840, 850, 860, 870, 880, 890});
   know(table, Group::retract, std::array{980, 990});
   know(table, Group::cycle_cancel, std::array{800});
@@ -67,8 +67,8 @@ constexpr Table g_table() {
   know_fanuc(table, Group::length_offset, std::array{440});
   know_fanuc(table, Group::scaling, std::array{500, 510});
   know_fanuc(table, Group::program_turn, std::array{680, 690});
-  later(table, std::array{150, 160, 330, 331, 382, 383, 384, 385, 650, 660, 670, 700, 710, 711, 712,
-                          720, 721, 722, 760});
+  later(table,
+        std::array{150, 160, 330, 331, 650, 660, 670, 700, 710, 711, 712, 720, 721, 722, 760});
   return table;
 }
 

@@ -165,6 +165,11 @@ class Interpreter {
   void push_cycle_step(const CycleStep& step, double feedrate_mm_s);
   [[nodiscard]] std::string motion_name() const;
 
+  // cycles/interpreter_probe.cpp
+  bool probe();
+  bool find_contact(Point& end_mm);
+  void push_probe_move(const Point& end_mm, double feedrate_mm_s);
+
   // interpreter_motion.cpp
   void set_motion(Tenths code);
   bool move();

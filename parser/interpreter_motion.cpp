@@ -93,7 +93,7 @@ bool Interpreter::move() {
       }
       return true;
     default:
-      return drill_cycle();
+      return is_cycle(state_.motion) ? drill_cycle() : probe();
   }
 }
 

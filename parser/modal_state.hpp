@@ -22,6 +22,10 @@ enum class Motion : std::int16_t {
   quadratic_spline = 51,
   uniform_nurbs = 52,
   nurbs = 62,
+  probe_on = 382,      // G38.2: until contact, or an error
+  probe_on_if = 383,   // G38.3: until contact or the end
+  probe_off = 384,     // G38.4: until contact ends, or an error
+  probe_off_if = 385,  // G38.5
   chip_breaking = 730,
   tap_left = 740,
   drill = 810,

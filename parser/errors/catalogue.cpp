@@ -18,6 +18,7 @@
 #include "parser/errors/motion.hpp"
 #include "parser/errors/nurbs.hpp"
 #include "parser/errors/offsets.hpp"
+#include "parser/errors/probing.hpp"
 #include "parser/errors/shape.hpp"
 #include "parser/errors/splines.hpp"
 #include "parser/errors/switches.hpp"
@@ -42,8 +43,8 @@ constexpr auto in_order(const std::array<Page, sizes>&... topics) {
 constexpr std::array kPages =
     in_order(kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages,
              kCompensationPages, kCurvesPages, kCyclesPages, kExpressionsPages, kFilesPages,
-             kMachinePages, kModesPages, kMotionPages, kNurbsPages, kOffsetsPages, kShapePages,
-             kSplinesPages, kSwitchesPages, kVariablesPages, kWordsPages);
+             kMachinePages, kModesPages, kMotionPages, kNurbsPages, kOffsetsPages, kProbingPages,
+             kShapePages, kSplinesPages, kSwitchesPages, kVariablesPages, kWordsPages);
 
 }  // namespace
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
+#include "parser/cycles/touch_box.hpp"
 #include "parser/move.hpp"
 #include "parser/offsets/coordinates.hpp"
 #include "parser/offsets/tool_table.hpp"
@@ -14,10 +16,12 @@ struct MachineData {
   Point first_home_mm{};                                 // G28, in machine coordinates
   Point second_home_mm{};                                // G30
   ToolTable tools;
+  std::optional<TouchBox> touch_box{};  // what G38 finds
 };
 
 // Of the default machine: no offsets, and a tool changer with 60 places. T1 (10 mm, 12.5 mm long),
-// T2 (6 mm) and T3 (20 mm, -3 mm) are measured, the others have length and diameter 0.
+// T2 (6 mm) and T3 (20 mm, -3 mm) are measured, the others have length and diameter 0. A probe
+// touches the table's top at Z-150.
 MachineData default_machine_data();
 
 }  // namespace kerf::parser
