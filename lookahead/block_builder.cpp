@@ -69,7 +69,10 @@ Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits
   block.rapid = move.rapid;
   block.length_mm = curves::length_mm(block.curve);
   block.stop_after = move.mode == parser::PathMode::exact_stop;
-  const double feedrate = move.rapid ? kUnbounded : move.feedrate_mm_s;
+  double feedrate = move.feedrate_mm_s;
+  if (move.rapid) {
+    feedrate = kUnbounded;
+  }
   if (const auto* line = std::get_if<curves::Line>(&block.curve)) {
     block.limits = line_limits(*line, feedrate, limits);
     block.begin.tangent = line->direction();

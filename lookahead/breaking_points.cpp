@@ -17,8 +17,11 @@ double slope_mm_s(const FeedSample& a, const FeedSample& b) {
 }  // namespace
 
 std::vector<std::size_t> breaking_points(const Ceiling& ceiling, double screening_mm_s) {
-  if (ceiling.size() < 2) {
-    return std::vector<std::size_t>(ceiling.size(), 0);
+  if (ceiling.empty()) {
+    return {};
+  }
+  if (ceiling.size() == 1) {
+    return {0};
   }
   std::vector<std::size_t> candidates{0};
   for (std::size_t i = 1; i + 1 < ceiling.size(); ++i) {

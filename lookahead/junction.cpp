@@ -73,10 +73,10 @@ double limit_or_path(double axis, double path) {
 // About what passing at a feedrate saves against a stop: half of braking to rest and half of
 // accelerating from it, by the fastest law there is. It costs the two coasts.
 double saved_s(double feedrate_mm_s, const Block& before, const Block& after) {
-  static const profiles::Profile fastest(profiles::ProfileKind::s_curve);
+  static const profiles::Profile kFastest(profiles::ProfileKind::s_curve);
   const profiles::RampLimits& a = before.limits.ramp;
   const profiles::RampLimits& b = after.limits.ramp;
-  return fastest.duration_s(
+  return kFastest.duration_s(
       feedrate_mm_s, {.acceleration_mm_s2 = std::min(a.acceleration_mm_s2, b.acceleration_mm_s2),
                       .jerk_mm_s3 = std::min(a.jerk_mm_s3, b.jerk_mm_s3)});
 }

@@ -10,19 +10,26 @@ namespace kerf::lookahead {
 
 namespace {
 
-// What is left of a span whose first part, up to a cruise at v_mm_s, has left.
-void cut_front(Span& span, double s_mm, double v_mm_s) {
-  span.length_mm -= s_mm - span.s_begin_mm;
-  span.s_begin_mm = s_mm;
+// Within a cruise.
+struct CruisePoint {
+  double s_mm = 0.0;
+  double v_mm_s = 0.0;
+};
+
+// What is left of a span once its first part has left.
+void cut_front(Span& span, const CruisePoint& cut) {
+  span.length_mm -= cut.s_mm - span.s_begin_mm;
+  span.s_begin_mm = cut.s_mm;
   span.begin_coast_s = 0.0;
   if (!span.rise.empty()) {
-    span.rise = Slope({{.distance_mm = 0.0, .v_mm_s = v_mm_s}});
+    span.rise = Slope({{.distance_mm = 0.0, .v_mm_s = cut.v_mm_s}});
   }
 }
 
 }  // namespace
 
-Planner::Planner(const PlannerSettings& settings) : settings_(settings) {}
+Planner::Planner(const PlannerSettings& settings)
+    : settings_(settings), clock_(settings.limits.period_s) {}
 
 bool Planner::wants_block() const noexcept {
   return !draining_ && blocks_.size() < settings_.window_blocks;
@@ -151,7 +158,7 @@ void Planner::emit_span(Outbox& outbox) {
     plan.end_coast = {};
     emit_plan(outbox, plan);
     v_mm_s_ = v;
-    cut_front(item.span, s_mm_, v);
+    cut_front(item.span, {.s_mm = s_mm_, .v_mm_s = v});
     return;
   }
   emit_plan(outbox, plan);
@@ -161,7 +168,7 @@ void Planner::emit_span(Outbox& outbox) {
   last.s_end_mm = s_mm_;
   if (v_mm_s_ == 0.0) {
     last.ends_at_rest = true;
-    align_to_tick();
+    clock_.align_to_tick();
   }
 }
 
@@ -193,7 +200,7 @@ void Planner::leave_span() {
 
 void Planner::emit_phase(Outbox& outbox, const profiles::Transition& law, double s_end_mm) {
   outbox.phases.push_back({.curve = curve_,
-                           .begin = clock_,
+                           .begin = clock_.now(),
                            .s_begin_mm = s_mm_,
                            .s_end_mm = s_end_mm,
                            .path_begin_mm = path_begin_mm_,
@@ -202,7 +209,7 @@ void Planner::emit_phase(Outbox& outbox, const profiles::Transition& law, double
                            .rapid = blocks_.front().rapid});
   s_mm_ = s_end_mm;
   line_ = blocks_.front().line;
-  advance_clock(law.duration_s());
+  clock_.advance(law.duration_s());
 }
 
 }  // namespace kerf::lookahead

@@ -9,6 +9,7 @@
 #include "interp/motion.hpp"
 #include "interp/outputs.hpp"
 #include "lookahead/block.hpp"
+#include "lookahead/plan_clock.hpp"
 #include "lookahead/velocity_pass.hpp"
 #include "lookahead/window.hpp"
 #include "profiles/profile.hpp"
@@ -74,9 +75,6 @@ class Planner {
   [[nodiscard]] const PlanTotals& totals() const noexcept { return totals_; }
 
  private:
-  // A rest that ends this close behind a tick ends on it: rounding of sums of durations.
-  static constexpr double kTickRounding = 1e-9;
-
   struct Rest {
     double duration_s = 0.0;
     std::uint32_t line = 0;  // 0: that of the last motion
@@ -98,8 +96,6 @@ class Planner {
   void emit_switches(Outbox& outbox);
   void emit_phase(Outbox& outbox, const profiles::Transition& law, double s_end_mm);
   void emit_rest(Outbox& outbox);
-  void align_to_tick();
-  void advance_clock(double duration_s);
 
   PlannerSettings settings_;
   Window<Block> blocks_;  // front: the one being emitted
@@ -118,7 +114,7 @@ class Planner {
   double s_mm_ = 0.0;           // on the curve
   double path_begin_mm_ = 0.0;  // of all curves before this one
   std::uint32_t line_ = 0;
-  interp::TickTime clock_{};
+  PlanClock clock_;
   PlanTotals totals_{};
 };
 

@@ -1,6 +1,4 @@
-// Rests, the clock, and what is switched between motions.
-#include <algorithm>
-
+// Rests, and what is switched between motions.
 #include "lookahead/planner.hpp"
 
 namespace kerf::lookahead {
@@ -28,17 +26,15 @@ void Planner::finish(std::uint32_t line) {
 
 // At the first tick that is on the block, or past it where the block is shorter than a tick.
 void Planner::emit_switches(Outbox& outbox) {
-  const bool between = clock_.offset_s > kTickRounding * settings_.limits.period_s;
   while (!switches_.empty() && switches_.front().block <= totals_.blocks) {
-    outbox.switches.push_back(
-        {.tick = clock_.tick + (between ? 1 : 0), .change = switches_.front().change});
+    outbox.switches.push_back({.tick = clock_.next_tick(), .change = switches_.front().change});
     switches_.pop_front();
   }
 }
 
 void Planner::emit_rest(Outbox& outbox) {
   interp::Phase phase{.curve = curve_,
-                      .begin = clock_,
+                      .begin = clock_.now(),
                       .s_begin_mm = s_mm_,
                       .s_end_mm = s_mm_,
                       .law = profiles::Transition::rest(rest_.duration_s),
@@ -47,29 +43,14 @@ void Planner::emit_rest(Outbox& outbox) {
                       .ends_program = rest_.ends_program};
   phase.path_begin_mm = block_begun_ ? path_begin_mm_ : path_begin_mm_ - s_mm_;
   if (rest_.change) {
-    outbox.switches.push_back({.tick = clock_.tick, .change = *rest_.change});
+    outbox.switches.push_back({.tick = clock_.now().tick, .change = *rest_.change});
   }
   outbox.phases.push_back(phase);
-  advance_clock(rest_.duration_s);
-  align_to_tick();
-  totals_.ticks = clock_.tick;
+  clock_.advance(rest_.duration_s);
+  clock_.align_to_tick();
+  totals_.ticks = clock_.now().tick;
   rest_pending_ = false;
   draining_ = rest_.ends_program;
-}
-
-void Planner::advance_clock(double duration_s) {
-  const double period = settings_.limits.period_s;
-  const double offset = clock_.offset_s + duration_s;
-  const auto whole = static_cast<std::int64_t>(offset / period);
-  clock_.tick += whole;
-  clock_.offset_s = std::max(offset - static_cast<double>(whole) * period, 0.0);
-}
-
-void Planner::align_to_tick() {
-  if (clock_.offset_s > kTickRounding * settings_.limits.period_s) {
-    ++clock_.tick;
-  }
-  clock_.offset_s = 0.0;
 }
 
 }  // namespace kerf::lookahead

@@ -22,7 +22,7 @@ double PlateauSearch::best_mm_s() const {
     }
     high = fits;
   }
-  return fastest_between(low, high);
+  return fastest_in({.low_mm_s = low, .high_mm_s = high});
 }
 
 Hill PlateauSearch::hill(double plateau_mm_s) const {
@@ -39,9 +39,9 @@ double PlateauSearch::time_s(double plateau_mm_s) const {
   return h.up.duration_s() + h.down_mirrored.duration_s() + spare_mm(h) / plateau_mm_s;
 }
 
-double PlateauSearch::fastest_between(double low_mm_s, double high_mm_s) const {
-  double a = low_mm_s;
-  double b = high_mm_s;
+double PlateauSearch::fastest_in(const Bracket& plateau) const {
+  double a = plateau.low_mm_s;
+  double b = plateau.high_mm_s;
   double x1 = b - kGolden * (b - a);
   double x2 = a + kGolden * (b - a);
   double t1 = time_s(x1);
@@ -62,7 +62,7 @@ double PlateauSearch::fastest_between(double low_mm_s, double high_mm_s) const {
     }
   }
   const double inner = t1 < t2 ? x1 : x2;
-  return time_s(high_mm_s) <= std::min(t1, t2) ? high_mm_s : inner;
+  return time_s(plateau.high_mm_s) <= std::min(t1, t2) ? plateau.high_mm_s : inner;
 }
 
 }  // namespace kerf::lookahead

@@ -27,9 +27,14 @@ class PlateauSearch {
   [[nodiscard]] Hill hill(double plateau_mm_s) const;
 
  private:
+  struct Bracket {
+    double low_mm_s = 0.0;
+    double high_mm_s = 0.0;
+  };
+
   [[nodiscard]] double spare_mm(const Hill& hill) const;
   [[nodiscard]] double time_s(double plateau_mm_s) const;
-  [[nodiscard]] double fastest_between(double low_mm_s, double high_mm_s) const;
+  [[nodiscard]] double fastest_in(const Bracket& plateau) const;
 
   const Span& span_;
   const SpanEnds& ends_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <ranges>
 #include <utility>
 
 namespace kerf::lookahead {
@@ -17,14 +18,17 @@ constexpr int kMostHalvings = 16;
 
 Slope::Slope(std::vector<Sample> samples) : samples_(std::move(samples)) {
   double lowest = kHighest;
-  for (auto sample = samples_.rbegin(); sample != samples_.rend(); ++sample) {
-    lowest = std::min(lowest, sample->v_mm_s);
-    sample->v_mm_s = lowest;
+  for (Sample& sample : samples_ | std::views::reverse) {
+    lowest = std::min(lowest, sample.v_mm_s);
+    sample.v_mm_s = lowest;
   }
 }
 
 double Slope::top_mm_s() const noexcept {
-  return samples_.empty() ? kHighest : samples_.back().v_mm_s;
+  if (samples_.empty()) {
+    return kHighest;
+  }
+  return samples_.back().v_mm_s;
 }
 
 double Slope::allowed_from_mm(double v_mm_s) const {
@@ -59,7 +63,7 @@ class Slope::Search {
       }
     }
     for (std::size_t k = 1; k < points.size(); ++k) {
-      look_between(points[k - 1], points[k], kMostHalvings);
+      look_between(points[k - 1], points[k]);
     }
     return most_;
   }
@@ -86,16 +90,32 @@ class Slope::Search {
     }
   }
 
-  void look_between(const Point& low, const Point& high, int halvings) {
-    if (halvings == 0 || high.allowed_from_mm <= 0.0 ||
-        high.v_mm_s - low.v_mm_s <= kStrict * high.v_mm_s ||
-        ask_(high.allowed_from_mm, low.s_mm) <= most_) {
-      return;
+  struct Gap {
+    Point low{};
+    Point high{};
+    int halvings = 0;
+  };
+
+  [[nodiscard]] bool may_ask_for_more(const Gap& gap) const {
+    return gap.halvings < kMostHalvings && gap.high.allowed_from_mm > 0.0 &&
+           gap.high.v_mm_s - gap.low.v_mm_s > kStrict * gap.high.v_mm_s &&
+           ask_(gap.high.allowed_from_mm, gap.low.s_mm) > most_;
+  }
+
+  void look_between(const Point& low, const Point& high) {
+    std::array<Gap, kMostHalvings + 1> open;  // each halving leaves one behind
+    std::size_t count = 0;
+    open[count++] = {.low = low, .high = high};
+    while (count > 0) {
+      const Gap gap = open[--count];
+      if (!may_ask_for_more(gap)) {
+        continue;
+      }
+      const Point middle = point_at(0.5 * (gap.low.t_s + gap.high.t_s));
+      hear(middle);
+      open[count++] = {.low = gap.low, .high = middle, .halvings = gap.halvings + 1};
+      open[count++] = {.low = middle, .high = gap.high, .halvings = gap.halvings + 1};
     }
-    const Point middle = point_at(0.5 * (low.t_s + high.t_s));
-    hear(middle);
-    look_between(middle, high, halvings - 1);
-    look_between(low, middle, halvings - 1);
   }
 
   const Slope& slope_;
