@@ -42,6 +42,7 @@ struct Entry {
 constexpr std::array kModes{
     Entry{"_motion_mode", [](const ModalState& s) { return static_cast<double>(s.motion); }},
     Entry{"_plane", [](const ModalState& s) { return code_of(s.plane); }},
+    Entry{"_ccomp", [](const ModalState& s) { return static_cast<double>(s.cutter_compensation); }},
     Entry{"_metric", [](const ModalState& s) { return flag(s.units == Units::mm); }},
     Entry{"_imperial", [](const ModalState& s) { return flag(s.units == Units::inch); }},
     Entry{"_absolute", [](const ModalState& s) { return flag(!s.incremental); }},
@@ -55,6 +56,8 @@ constexpr std::array kModes{
     Entry{"_coord_system",
           [](const ModalState& s) { return code_of_system(s.coordinates.system()); }},
     Entry{"_tool_offset", [](const ModalState& s) { return flag(s.tool_length_active); }},
+    Entry{"_retract_r_plane", [](const ModalState& s) { return flag(!s.to_initial_level); }},
+    Entry{"_retract_old_z", [](const ModalState& s) { return flag(s.to_initial_level); }},
     Entry{"_spindle_rpm_mode", [](const ModalState& s) { return flag(!s.surface_speed.active); }},
     Entry{"_spindle_css_mode", [](const ModalState& s) { return flag(s.surface_speed.active); }},
     Entry{"_ijk_absolute_mode", [](const ModalState& s) { return flag(s.absolute_centre); }},
