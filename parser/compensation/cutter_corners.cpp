@@ -12,6 +12,10 @@ namespace kerf::parser {
 
 namespace {
 
+// Cuts that are no deeper come of coordinates written with two decimals where the tool fits
+// exactly.
+constexpr double kCoordinateRounding_mm = 0.01;
+
 std::string line_of(const Move& move) {
   return joined({"line ", std::to_string(move.source.line)});
 }
@@ -163,7 +167,8 @@ void CutterCompensation::settle_last() {
 }
 
 bool CutterCompensation::Cut::is_error() const {
-  return mover->role == HeldRole::contour && !meet_at_seam(*mover, *contour);
+  return mover->role == HeldRole::contour && depth_mm > kCoordinateRounding_mm &&
+         !meet_at_seam(*mover, *contour);
 }
 
 void CutterCompensation::report_cut(const Cut& cut) {
@@ -177,6 +182,8 @@ void CutterCompensation::report_cut(const Cut& cut) {
     blame(*cut.mover, errors::kCompensationEntryGouges, joined({"on the entry move ", what}));
   } else if (cut.mover->role == HeldRole::exit) {
     blame(*cut.mover, errors::kCompensationExitGouges, joined({"on the exit move ", what}));
+  } else if (cut.depth_mm <= kCoordinateRounding_mm) {
+    blame(*cut.mover, errors::kCompensationScratch, joined({"on this move ", what}));
   } else {
     blame(*cut.mover, errors::kCompensationSeam,
           joined({"the contour begins and ends in an inside corner: ", what}));

@@ -255,6 +255,15 @@ inline constexpr ErrorPage kCompensationSeam{
     "Begin the contour in the middle of a straight move or at an outside corner.",
     "G0 X30 Y30\nG41.1 D10\nG1 F100 X10 Y10\nX60\nY60\nX10\nY10\nG40 X30 Y30\nM2\n"};
 
+inline constexpr ErrorPage kCompensationScratch{
+    727,
+    Severity::warning,
+    "tool cuts a hundredth into the contour",
+    "The tool comes nearer to another part of the contour than its radius, but by no more than "
+    "0.01 mm. Rounded coordinates do this where the tool fits an inside arc or a slot exactly.",
+    "If that depth matters use a smaller tool, or more decimals in the program.",
+    "G41.1 D10\nG1 F100 X20\nX60\nY40\nX70\nY50\nX52\nY9.995\nX30\nY20\nG40 X0 Y60\nM2\n"};
+
 inline constexpr std::array kCompensationPages{
     &kCompensationTwice,        &kCompensationPlane,         &kCompensationPlaneChange,
     &kCompensationStartedOnArc, &kCompensationEntryTooShort, &kCompensationExitOnArc,
@@ -265,6 +274,6 @@ inline constexpr std::array kCompensationPages{
     &kCompensationNegativeD,    &kCompensationDNotWhole,     &kCompensationWithoutD,
     &kCompensationUnknownTool,  &kCompensationOrientation,   &kCompensationOrientationPlane,
     &kCompensationOtherSide,    &kCompensationHoldsTooMuch,  &kCompensationWithoutRadius,
-    &kCompensationTurned,       &kCompensationSeam};
+    &kCompensationTurned,       &kCompensationSeam,          &kCompensationScratch};
 
 }  // namespace kerf::parser::errors
