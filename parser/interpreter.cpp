@@ -16,6 +16,7 @@ namespace {
 
 constexpr Tenths kG4 = 40;
 constexpr Tenths kG53 = 53;  // G5.3
+constexpr Tenths kG53Machine = 530;
 constexpr Tenths kG63 = 63;  // G6.3
 constexpr Tenths kG64 = 640;
 constexpr Tenths kG80 = 800;
@@ -247,6 +248,9 @@ void Interpreter::warn_idle_offset_numbers(Letters unused) {
 }
 
 bool Interpreter::check_axis_users() {
+  if (dialect_ == Dialect::fanuc && codes_[Group::other] == kG53Machine) {
+    return true;
+  }
   const Tenths code = codes_[Group::motion];
   const bool moves = code == kNoCode ? state_.motion != Motion::none && codes_[Group::other] != kG4
                                      : code != kG80 && code != kG53 && code != kG63;
@@ -330,6 +334,8 @@ void Interpreter::recover_code(double g) {
     set_feed_mode(is(93)   ? FeedMode::inverse_time
                   : is(95) ? FeedMode::per_revolution
                            : FeedMode::per_minute);
+  } else if (tenths >= 540 && tenths <= 593 && codes_[Group::work_offset] == tenths) {
+    select_work_offset();
   } else if (is(80) && codes_[Group::motion] == kG80) {
     set_motion(kG80);
   } else if (is(40) && compensation_.on()) {

@@ -176,6 +176,7 @@ class Interpreter {
   bool straight_move();
   bool arc_move();
   bool check_machine_coordinates();
+  bool rapid_to_words();
   [[nodiscard]] CurveBlock curve_block() const { return {*block_, codes_, state_, line_}; }
   [[nodiscard]] std::uint32_t motion_offset() const;
 

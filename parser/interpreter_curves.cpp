@@ -39,10 +39,11 @@ bool Interpreter::begins_curve() const {
 }
 
 bool Interpreter::curve_feed() {
-  if (state_.feed_mode == FeedMode::inverse_time) {
-    return fail(
-        motion_offset(), errors::kCurveInverseTime,
-        joined({state_.motion == Motion::nurbs ? "G6.2" : "G5.2", " cannot be used with G93"}));
+  const bool nurbs = state_.motion == Motion::nurbs;
+  if (state_.feed_mode == FeedMode::inverse_time ||
+      (nurbs && state_.feed_mode == FeedMode::per_revolution)) {
+    return fail(motion_offset(), errors::kCurveInverseTime,
+                nurbs ? "G6.2 cannot be used with G93 or G95" : "G5.2 cannot be used with G93");
   }
   return cutting_feedrate(0.0, curve_feedrate_mm_s_);
 }

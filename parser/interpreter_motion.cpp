@@ -50,7 +50,8 @@ void Interpreter::set_motion(Tenths code) {
 
 bool Interpreter::check_machine_coordinates() {
   const Word& code = code_word(*block_, codes_, Group::other);
-  if (state_.motion != Motion::rapid && state_.motion != Motion::line) {
+  const bool by_itself = dialect_ == Dialect::fanuc && !codes_.has(Group::motion);
+  if (state_.motion != Motion::rapid && state_.motion != Motion::line && !by_itself) {
     return fail(code.offset, errors::kMachineMotionMode, "G53 can be used only with G0 or G1");
   }
   if (state_.incremental) {
@@ -62,9 +63,24 @@ bool Interpreter::check_machine_coordinates() {
   return true;
 }
 
-bool Interpreter::move() {
-  if (codes_[Group::other] == kG53 && !check_machine_coordinates()) {
+// Fanuc's G53 is a rapid whatever the motion mode.
+bool Interpreter::rapid_to_words() {
+  Point end;
+  if (!resolve_point(curve_block(), state_.position_mm, end, fault_)) {
     return false;
+  }
+  push_rapid(end);
+  return true;
+}
+
+bool Interpreter::move() {
+  if (codes_[Group::other] == kG53) {
+    if (!check_machine_coordinates()) {
+      return false;
+    }
+    if (state_.motion != Motion::rapid && state_.motion != Motion::line) {
+      return rapid_to_words();
+    }
   }
   if (codes_.has(Group::other) && !do_once()) {
     return false;

@@ -51,7 +51,7 @@ struct ProbeResult {
 // G96: the spindle follows the distance from the axis X = 0.
 struct SurfaceSpeed {
   bool active = false;
-  double most_per_min = 1e9;  // D of G96, revolutions
+  double most_per_min = 1e5;  // D of G96, revolutions; no spindle turns faster
 };
 
 // What M48 to M53 allow the operator and the machine to change while a program runs.

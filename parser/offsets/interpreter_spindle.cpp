@@ -39,6 +39,7 @@ bool Interpreter::set_speed() {
 
 bool Interpreter::set_spindle_mode() {
   if (codes_[Group::spindle_mode] == 970) {
+    state_.spindle_speed = spindle_per_min();  // until S says otherwise
     state_.surface_speed = {};
     return true;
   }

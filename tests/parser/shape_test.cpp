@@ -62,6 +62,11 @@ TEST(Shape, ChoosesExtendedWorkOffsets) {
             "program:2:7: error: G54.1: P must be 1 to 300, found 500");
 }
 
+TEST(Fanuc, GoesToMachineCoordinatesAtRapidWhateverTheMode) {
+  EXPECT_EQ(lines_of("G54 G52 X5\nG53 Z-3"), (Lines{"2: rapid to 0 0 -3"}));
+  EXPECT_EQ(lines_of("G52 X5\nF60 G2 X7 I1\nG53 X0").back(), "3: rapid to 0 0 0");
+}
+
 TEST(Shape, SaysWhatIsWrong) {
   EXPECT_EQ(lines_of("G68 X0 Y0").front(), "program:1:1: error: G68 needs R");
   EXPECT_EQ(lines_of("G51 X0 Y0 P0").front(), "program:1:11: error: G51: scale must not be 0");

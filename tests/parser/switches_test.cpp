@@ -90,6 +90,8 @@ TEST(Spindle, KeepsTheSurfaceSpeedWhereItIsTold) {
             "2: spindle cw 318.309886184");
   EXPECT_EQ(lines_of("G0 X50\nG96 S100 M3\nG97 S200\nG96 D300 S100").at(3), "4: spindle cw 300");
   EXPECT_EQ(lines_of("G96 D300 S100 M3").at(0), "1: spindle cw 300") << "at X0";
+  EXPECT_EQ(lines_of("G0 X50\nG96 S100 M3\nG97 M4").at(2), "3: spindle ccw 318.309886184")
+      << "the speed there was";
   EXPECT_EQ(first_message("G96"), "1:1: error: G96 needs S (surface speed)");
   EXPECT_EQ(first_message("G96 S1 D-1"), "1:8: error: G96: D (highest speed) must not be negative");
 }
