@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "parser/errors/compensation.hpp"
+#include "parser/errors/gouges.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {

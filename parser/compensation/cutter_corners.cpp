@@ -5,7 +5,7 @@
 
 #include "parser/compensation/cutter_compensation.hpp"
 #include "parser/compensation/gouge.hpp"
-#include "parser/errors/compensation.hpp"
+#include "parser/errors/gouges.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {

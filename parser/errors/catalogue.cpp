@@ -13,6 +13,7 @@
 #include "parser/errors/cycles.hpp"
 #include "parser/errors/expressions.hpp"
 #include "parser/errors/files.hpp"
+#include "parser/errors/gouges.hpp"
 #include "parser/errors/machine.hpp"
 #include "parser/errors/modes.hpp"
 #include "parser/errors/motion.hpp"
@@ -40,11 +41,11 @@ constexpr auto in_order(const std::array<Page, sizes>&... topics) {
   return pages;
 }
 
-constexpr std::array kPages =
-    in_order(kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages,
-             kCompensationPages, kCurvesPages, kCyclesPages, kExpressionsPages, kFilesPages,
-             kMachinePages, kModesPages, kMotionPages, kNurbsPages, kOffsetsPages, kProbingPages,
-             kShapePages, kSplinesPages, kSwitchesPages, kVariablesPages, kWordsPages);
+constexpr std::array kPages = in_order(
+    kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages, kCompensationPages,
+    kCurvesPages, kCyclesPages, kExpressionsPages, kFilesPages, kGougesPages, kMachinePages,
+    kModesPages, kMotionPages, kNurbsPages, kOffsetsPages, kProbingPages, kShapePages,
+    kSplinesPages, kSwitchesPages, kVariablesPages, kWordsPages);
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 
 #include "contour.hpp"
 #include "parser/errors/compensation.hpp"
+#include "parser/errors/gouges.hpp"
 
 namespace kerf::parser {
 namespace {
