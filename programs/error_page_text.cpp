@@ -73,18 +73,22 @@ std::string visible(std::string_view trigger) {
   return text;
 }
 
-std::string example_of(const ErrorPage& page) {
-  std::string text = visible(page.trigger);
-  if (page.more.times > 0) {
-    const bool blanks = page.more.text.find_first_not_of(' ') == std::string_view::npos;
-    std::string more =
-        blanks ? fmt::format("({} blanks)", page.more.times) : visible(page.more.text);
-    if (!blanks && more.back() == '\n') {
-      more.pop_back();
-    }
-    text += blanks ? more + "\n" : fmt::format("{}\n... ({} of these)\n", more, page.more.times);
+// What the trigger goes on with, as far as it need be shown.
+std::string more_of(const parser::Repeated& more) {
+  if (more.text.find_first_not_of(' ') == std::string_view::npos) {
+    return fmt::format("({} blanks)\n", more.times);
   }
-  return text;
+  std::string text = visible(more.text);
+  const std::size_t counter = text.find('@');
+  if (counter != std::string::npos) {
+    text.replace(counter, 1, "1");
+  }
+  return fmt::format("{}... ({} of these{})\n", text, more.times,
+                     counter == std::string::npos ? "" : ", counted on");
+}
+
+std::string example_of(const ErrorPage& page) {
+  return visible(page.trigger) + (page.more.times > 0 ? more_of(page.more) : std::string());
 }
 
 std::string indented(std::string_view text, std::string_view indent) {
