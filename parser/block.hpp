@@ -33,6 +33,7 @@ enum class Stop : std::uint8_t { none, repeated, too_many_g, too_many_m, value }
 struct Block {
   static constexpr std::size_t kMaxG = 16;
   static constexpr std::size_t kMaxM = 4;
+  static constexpr std::uint32_t kNoWord = 0xFFFFFFFF;
 
   std::string_view line;
   Letters present = 0;  // of the words in `words`; G and M are counted apart
@@ -46,13 +47,14 @@ struct Block {
   bool numbered_delete = false;  // /1 to /9
   bool line_number_decimal = false;
   bool has_comment = false;
+  bool remarkable = false;            // one of the things below that are worth a warning
   std::uint32_t stopped_at = 0;       // offset of what the grammar did not take
   std::uint32_t blank_in_number = 0;  // offset + 1 of the first word with a blank inside its number
   std::uint32_t remark = 0;           // offset + 1 of a ';' comment
-  std::uint32_t first_word = 0;       // offset of the first word
-  std::uint32_t assignment = 0;       // offset + 1 of the first assignment to a variable
-  std::uint32_t stale_read = 0;       // offset + 1 of a variable read behind its assignment
-  const Fault* fault = nullptr;       // why, of Stop::value; the evaluator's
+  std::uint32_t first_word = kNoWord;  // offset of the first word, or kNoWord
+  std::uint32_t assignment = 0;        // offset + 1 of the first assignment to a variable
+  std::uint32_t stale_read = 0;        // offset + 1 of a variable read behind its assignment
+  const Fault* fault = nullptr;        // why, of Stop::value; the evaluator's
   std::array<Word, kMaxG> g;
   std::array<Word, kMaxM> m;
   std::array<Word, 26> words;
@@ -62,8 +64,9 @@ struct Block {
     present = pointed = 0;
     g_count = m_count = 0;
     stop = Stop::none;
-    deleted = numbered_delete = line_number_decimal = has_comment = false;
-    stopped_at = blank_in_number = remark = first_word = assignment = stale_read = 0;
+    deleted = numbered_delete = line_number_decimal = has_comment = remarkable = false;
+    stopped_at = blank_in_number = remark = assignment = stale_read = 0;
+    first_word = kNoWord;
     fault = nullptr;
   }
   [[nodiscard]] bool has(char upper_case) const { return (present & letter_bit(upper_case)) != 0; }

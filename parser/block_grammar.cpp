@@ -7,11 +7,13 @@
 // are no plain numbers, and assignments, are the evaluator's: see expressions/.
 #include "parser/block_grammar.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <boost/spirit/home/x3.hpp>
 
 #include "parser/errors/variables.hpp"
+#include "parser/expressions/expression_scan.hpp"
 #include "parser/number.hpp"
 
 namespace kerf::parser {
@@ -99,11 +101,17 @@ struct Number : x3::parser<Number> {
   }
 };
 
-// What a word has that does not begin as a number, or does and is none. Out of the way of plain
-// blocks.
-[[gnu::noinline]] bool read_worked_out(const Target& target, const char*& at,
-                                       ScannedNumber& number) {
+// A word's value that is not a number straight behind its letter. Out of the way of plain blocks.
+[[gnu::noinline]] bool read_other_value(const Target& target, const char*& at,
+                                        ScannedNumber& number) {
   const std::string_view line = target.block.line;
+  const char* const end = line.data() + line.size();
+  at = skip_blanks(at, end);
+  number = scan_number(at, end);
+  if (number.end != nullptr) {
+    at = number.end;
+    return true;
+  }
   Cursor cursor{line, static_cast<std::size_t>(at - line.data())};
   if (!target.evaluator.value_begins(cursor)) {
     return false;
@@ -131,7 +139,7 @@ struct Value : x3::parser<Value> {
         return true;
       }
     }
-    return read_worked_out(x3::get<BlockTag>(context).get(), first, number);
+    return read_other_value(x3::get<BlockTag>(context).get(), first, number);
   }
 };
 
@@ -170,8 +178,16 @@ struct Here : x3::parser<Here> {
   }
 };
 
-// The place for a word in the block, or nullptr where it may not stand again.
-Word* place_for(Block& block, char letter) {
+[[gnu::noinline]] void note_blank(Block& block, std::uint32_t offset) {
+  if (block.blank_in_number == 0) {
+    block.blank_in_number = offset + 1;
+    block.remarkable = true;
+  }
+}
+
+// The place for a word whose letter has been before, or is G or M; nullptr where it may not stand
+// again.
+[[gnu::noinline]] Word* place_for(Block& block, char letter) {
   if (letter == 'G') {
     if (block.g_count == Block::kMaxG) {
       block.stop = Stop::too_many_g;
@@ -186,12 +202,8 @@ Word* place_for(Block& block, char letter) {
     }
     return &block.m[block.m_count++];
   }
-  if (block.has(letter)) {
-    block.stop = Stop::repeated;
-    return nullptr;
-  }
-  block.present |= letter_bit(letter);
-  return &block.words[static_cast<std::size_t>(letter - 'A')];
+  block.stop = Stop::repeated;
+  return nullptr;
 }
 
 // What rounding left of a code or a number of something. G codes have tenths [rs274: G[1.00005] is
@@ -207,48 +219,64 @@ double settled(char letter, double value) {
   return std::fabs(value - whole) <= tolerance ? whole : value;
 }
 
+// A word is stored after one test of its letter's bit; only G, M and a letter that was there
+// before need a closer look.
 bool store_word(Block& block, const char* at, const ScannedNumber& number) {
-  if (is_vacant(number.value)) {
-    return true;
+  const auto index = static_cast<unsigned>((*at | 0x20) - 'a');
+  const Letters bit = Letters{1} << index;
+  Word* word = &block.words[index];
+  if (((block.present | letters('G', 'M')) & bit) != 0) {
+    word = place_for(block, to_upper(*at));
+    if (word == nullptr) {
+      return false;
+    }
+  } else {
+    block.present |= bit;
   }
-  const bool first = block.empty();
-  Word* const word = place_for(block, to_upper(*at));
-  if (word == nullptr) {
-    return false;
-  }
-  word->value = number.worked_out ? settled(to_upper(*at), number.value) : number.value;
+  word->value = number.value;
   word->offset = offset_in(block, at);
   word->length = static_cast<std::uint32_t>(number.end - at);
-  if (first) {
+  block.pointed |= Letters{number.point} << index;
+  if (block.first_word == Block::kNoWord) {
     block.first_word = word->offset;
   }
-  block.pointed |= Letters{number.point} << static_cast<unsigned>(to_upper(*at) - 'A');
-  if (number.blank_inside && block.blank_in_number == 0) {
-    block.blank_in_number = word->offset + 1;
+  if (number.blank_inside) {
+    note_blank(block, word->offset);
   }
   return true;
 }
 
+// The same for a value of the evaluator: a vacant one makes no word.
+[[gnu::noinline]] bool store_worked_out(Block& block, const char* at, ScannedNumber number) {
+  number.value = settled(to_upper(*at), number.value);
+  return is_vacant(number.value) || store_word(block, at, number);
+}
+
 constexpr auto keep_word = [](auto& context) {
-  const auto& parts = x3::_attr(context);
-  x3::_pass(context) =
-      store_word(block_of(context), boost::fusion::at_c<0>(parts), boost::fusion::at_c<1>(parts));
+  const char* const at = boost::fusion::at_c<0>(x3::_attr(context));
+  const ScannedNumber& number = boost::fusion::at_c<1>(x3::_attr(context));
+  x3::_pass(context) = number.worked_out ? store_worked_out(block_of(context), at, number)
+                                         : store_word(block_of(context), at, number);
 };
 constexpr auto keep_line_number = [](auto& context) {
   const auto& parts = x3::_attr(context);
   const char* const at = boost::fusion::at_c<0>(parts);
   Block& block = block_of(context);
   const ScannedNumber& number = boost::fusion::at_c<1>(parts);
-  const std::string_view text(at, static_cast<std::size_t>(number.end - at));
-  x3::_pass(context) = text.find('-') == std::string_view::npos && store_word(block, at, number);
-  block.line_number_decimal = text.find('.') != std::string_view::npos;
+  const auto* const sign = std::find(at, number.end, '-');
+  x3::_pass(context) = sign == number.end && store_word(block, at, number);
+  block.line_number_decimal = number.point;
+  block.remarkable = block.remarkable || number.point;
 };
 constexpr auto keep_delete = [](auto& context) { block_of(context).deleted = true; };
-constexpr auto keep_delete_switch = [](auto& context) { block_of(context).numbered_delete = true; };
+constexpr auto keep_delete_switch = [](auto& context) {
+  block_of(context).numbered_delete = block_of(context).remarkable = true;
+};
 constexpr auto keep_comment = [](auto& context) { block_of(context).has_comment = true; };
 constexpr auto keep_remark = [](auto& context) {
   Block& block = block_of(context);
   block.remark = offset_in(block, x3::_attr(context)) + 1;
+  block.remarkable = true;
 };
 
 const Blanks blanks{};
@@ -263,7 +291,7 @@ const CommentByte to_the_end{{}, true};
 const auto comment = x3::lit('(')[keep_comment] >> x3::omit[*inside_brackets] >>
                      x3::lit(')') >> blanks;
 const auto remark = (here >> x3::lit(';'))[keep_remark] >> x3::omit[*to_the_end];
-const auto word = (letter >> blanks >> value)[keep_word] >> blanks;
+const auto word = (letter >> value)[keep_word] >> blanks;
 const auto line_number =
     (here >> x3::omit[x3::lit('N') | x3::lit('n')] >> blanks >> number)[keep_line_number] >> blanks;
 const auto block_delete = x3::lit('/')[keep_delete] >>
@@ -272,6 +300,7 @@ const auto block_delete = x3::lit('/')[keep_delete] >>
 [[gnu::noinline]] bool finish_assignments(Block& block, Evaluator& evaluator) {
   evaluator.commit();
   block.stale_read = evaluator.stale_read();
+  block.remarkable = block.remarkable || block.stale_read != 0;
   if (block.stopped_at != block.line.size()) {
     return false;
   }

@@ -160,10 +160,13 @@ bool sort_words(const Block& block, const std::array<Word, size>& words, std::si
 }  // namespace
 
 bool sort_codes(const Block& block, Dialect dialect, BlockCodes& codes, Fault& fault) {
-  codes = {};
+  if (codes.filled) {
+    codes = {};
+  }
   if (block.g_count + block.m_count == 0) {
     return true;
   }
+  codes.filled = true;
   Fault other;
   const bool g = sort_words(block, block.g, block.g_count, false, dialect, codes, fault);
   const bool m = sort_words(block, block.m, block.m_count, true, dialect, codes, other);

@@ -49,6 +49,7 @@ struct BlockCodes {
     std::uint8_t index = 0;  // in Block::g or Block::m
   };
   std::array<Entry, static_cast<std::size_t>(Group::count)> by_group;
+  bool filled = false;  // an entry may hold a code; most blocks have none and need no clearing
 
   [[nodiscard]] Tenths operator[](Group group) const {
     return by_group[static_cast<std::size_t>(group)].tenths;

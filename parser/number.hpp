@@ -31,50 +31,66 @@ constexpr bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
 
+// Takes digits at `at` into the mantissa; returns where they end.
+inline const char* take_digits(const char* at, const char* last, std::uint64_t& mantissa) {
+  std::uint64_t taken = mantissa;
+  while (at != last) {
+    const auto digit = static_cast<unsigned>(static_cast<unsigned char>(*at)) - '0';
+    if (digit > 9) {
+      break;
+    }
+    taken = taken * 10 + digit;
+    ++at;
+  }
+  mantissa = taken;
+  return at;
+}
+
+// Whether a number goes on behind the blanks at `at`, or has a second point there.
+inline bool goes_on(const char* at, const char* last) {
+  while (at != last && is_blank(*at)) {
+    ++at;
+  }
+  return at != last && (is_digit(*at) || *at == '.');
+}
+
 }  // namespace detail
 
 // Reads one number at `first`. Where mantissa and power of ten are both exact in a double (at most
 // 2^53 and 10^22), their quotient is the correctly rounded value [Clinger 1990]; all other numbers
 // take the long way. `end` is behind the number's last digit.
 inline ScannedNumber scan_number(const char* first, const char* last) {
-  using detail::is_digit;
   const char* at = first;
-  const bool negative = at != last && *at == '-';
+  bool negative = false;
   if (at != last && (*at == '-' || *at == '+')) {
-    ++at;
+    negative = *at++ == '-';
   }
   std::uint64_t mantissa = 0;
   const char* const digits = at;
-  for (; at != last && is_digit(*at); ++at) {
-    mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
-  }
+  at = detail::take_digits(at, last, mantissa);
   auto count = at - digits;
   std::ptrdiff_t decimals = 0;
+  bool point = false;
   if (at != last && *at == '.') {
-    const char* const point = ++at;
-    for (; at != last && is_digit(*at); ++at) {
-      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*at - '0');
-    }
-    decimals = at - point;
+    const char* const behind = ++at;
+    at = detail::take_digits(at, last, mantissa);
+    decimals = at - behind;
     count += decimals;
+    point = true;
   }
+  // Fifteen digits are always below 2^53; 0 wraps to the largest.
   constexpr std::uint64_t kExact = std::uint64_t{1} << 53;
-  const bool more = at != last && (detail::is_blank(*at) || *at == '.');
-  if (count == 0 || count > 19 || mantissa > kExact) {
+  if (static_cast<std::size_t>(count) - 1 >= 15 &&
+      (count == 0 || count > 19 || mantissa > kExact)) {
     return scan_long_number(first, last);
   }
-  if (more) {
-    const char* next = at;
-    while (next != last && detail::is_blank(*next)) {
-      ++next;
-    }
-    if (next != last && (is_digit(*next) || *next == '.')) {
-      return scan_long_number(first, last);
-    }
+  if (at != last && (detail::is_blank(*at) || *at == '.') && detail::goes_on(at, last)) {
+    return scan_long_number(first, last);
   }
-  const double magnitude =
-      static_cast<double>(mantissa) / detail::kPowersOfTen[static_cast<std::size_t>(decimals)];
-  return {negative && mantissa != 0 ? -magnitude : magnitude, at, false, at - digits != count};
+  const auto whole = static_cast<std::int64_t>(mantissa);
+  const double value = static_cast<double>(negative ? -whole : whole) /
+                       detail::kPowersOfTen[static_cast<std::size_t>(decimals)];
+  return {value, at, false, point, false};
 }
 
 }  // namespace kerf::parser

@@ -200,7 +200,9 @@ void ProgramReader::Impl::read_line(const Line& given) {
     watched_block_ = WatchedBlock{std::string(line.text), interpreter_.state()};
   }
   const bool complete = read_block(line.text, block_, evaluator_);
-  warn_about(block_, line.number);
+  if (block_.remarkable) {
+    warn_about(block_, line.number);
+  }
   any_block_ = any_block_ || block_.assignment != 0;
   if (complete && (block_.empty() || is_program_number(block_, line.number))) {
     return;
