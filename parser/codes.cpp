@@ -10,7 +10,7 @@ namespace kerf::parser {
 
 namespace {
 
-enum class Status : std::uint8_t { unknown, not_yet, fanuc, known };
+enum class Status : std::uint8_t { unknown, refused, fanuc, known };
 
 struct Code {
   Status status = Status::unknown;
@@ -39,9 +39,9 @@ constexpr void know_fanuc(Table& table, Group group, const std::array<int, size>
 }
 
 template <std::size_t size>
-constexpr void later(Table& table, const std::array<int, size>& tenths) {
+constexpr void refuse(Table& table, const std::array<int, size>& tenths) {
   for (const int code : tenths) {
-    table[static_cast<std::size_t>(code)].status = Status::not_yet;
+    table[static_cast<std::size_t>(code)].status = Status::refused;
   }
 }
 
@@ -67,8 +67,8 @@ constexpr Table g_table() {
   know_fanuc(table, Group::length_offset, std::array{440});
   know_fanuc(table, Group::scaling, std::array{500, 510});
   know_fanuc(table, Group::program_turn, std::array{680, 690});
-  later(table,
-        std::array{150, 160, 330, 331, 650, 660, 670, 700, 710, 711, 712, 720, 721, 722, 760});
+  refuse(table,
+         std::array{150, 160, 330, 331, 650, 660, 670, 700, 710, 711, 712, 720, 721, 722, 760});
   return table;
 }
 
@@ -81,7 +81,7 @@ constexpr Table m_table() {
   know(table, Group::in_out, std::array{620, 630, 640, 650, 660, 670, 680});
   know(table, Group::overrides, std::array{480, 490, 500, 510, 520, 530});
   know(table, Group::state, std::array{700, 710, 720, 730});
-  later(table, std::array{980, 990});
+  refuse(table, std::array{980, 990});
   return table;
 }
 
@@ -107,6 +107,17 @@ std::size_t place_of(double value) {
   return static_cast<std::size_t>(whole);
 }
 
+// Why a known G code is not run.
+std::string_view reason_for(double g) {
+  if (g == 15.0 || g == 16.0) {
+    return " (polar coordinates)";
+  }
+  if (g >= 33.0 && g < 34.0) {
+    return " (motion in step with the spindle needs the spindle's encoder)";
+  }
+  return (g >= 70.0 && g < 73.0) || g == 76.0 ? " (a cycle of lathes)" : "";
+}
+
 Fault why_not(const Block& block, const Word& word, const Code& code, bool is_m) {
   const std::string name = upper(block.text(word));
   if (!is_m && (word.value == 7.0 || word.value == 8.0)) {
@@ -116,8 +127,9 @@ Fault why_not(const Block& block, const Word& word, const Code& code, bool is_m)
   if (code.status == Status::fanuc) {
     return {word.offset, name + " is a code of the Fanuc dialect", &errors::kFanucCode};
   }
-  if (code.status == Status::not_yet) {
-    return {word.offset, name + " is not supported yet", &errors::kCodeNotSupported};
+  if (code.status == Status::refused) {
+    return {word.offset, joined({name, " is not supported", reason_for(word.value)}),
+            &errors::kCodeNotSupported};
   }
   if (!is_m) {
     return {word.offset, name + " is not known", &errors::kUnknownGCode};

@@ -58,7 +58,7 @@ struct BlockCodes {
 };
 
 // Sorts the block's codes into their groups. False, with the fault of the leftmost wrong code:
-// not known, not supported yet, or a second one of its group.
+// not known, not supported, or a second one of its group.
 bool sort_codes(const Block& block, Dialect dialect, BlockCodes& codes, Fault& fault);
 
 // The word that put a code into `group`. Precondition: codes.has(group).
