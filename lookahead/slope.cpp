@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 #include <utility>
 
 namespace kerf::lookahead {
@@ -18,10 +17,10 @@ constexpr int kMostHalvings = 16;
 
 Slope::Slope(std::vector<Sample> samples) : samples_(std::move(samples)) {
   double lowest = kHighest;
-  for (Sample& sample : samples_ | std::views::reverse) {
+  std::for_each(samples_.rbegin(), samples_.rend(), [&lowest](Sample& sample) {
     lowest = std::min(lowest, sample.v_mm_s);
     sample.v_mm_s = lowest;
-  }
+  });
 }
 
 double Slope::top_mm_s() const noexcept {

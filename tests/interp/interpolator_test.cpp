@@ -1,105 +1,18 @@
-// Ticks of motion made by hand: places, times, the last tick, starvation, the chord.
+// Ticks of motion made by hand: places, times, the last tick, starvation.
 #include "interp/interpolator.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include <gtest/gtest.h>
 
-#include "profiles/profile.hpp"
 #include "tests/curves/reference_nurbs.hpp"
 #include "tests/curves/shipped_curves.hpp"
+#include "tests/interp/script.hpp"
 
 namespace kerf::interp::test {
 namespace {
 
-using curves::Arc;
-using curves::Line;
-using curves::NurbsCurve;
 using curves::testing::Wide;
-using profiles::Profile;
-using profiles::ProfileKind;
-using profiles::Transition;
-
-constexpr double kTs = 0.001;
-constexpr profiles::RampLimits kRamp{.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 2e4};
-
-// Pushes laws one behind the other along curves, as the planner does.
-class Script {
- public:
-  explicit Script(const Position& start_mm = {})
-      : queue_(std::make_unique<MotionQueue>()),
-        interpolator_(std::make_unique<Interpolator>(*queue_, kTs, start_mm)) {}
-
-  void curve(const curves::Curve& curve) {
-    path_begin_mm_ += s_mm_;
-    s_mm_ = 0.0;
-    ++curve_;
-    curves::for_each_piece(curve, [this](const curves::Piece& piece) {
-      ASSERT_TRUE(queue_->push(PathPiece{.curve = curve_, .geometry = piece}));
-    });
-  }
-
-  void law(const Transition& law) { push(law, s_mm_ + law.length_mm(), {}); }
-  // The last of a motion: the next one begins on a tick.
-  void law_to_rest(const Transition& law, double s_end_mm) {
-    EXPECT_NEAR(s_mm_ + law.length_mm(), s_end_mm, 1e-9);
-    push(law, s_end_mm, {.at_rest = true});
-    to_next_tick();
-  }
-  void rest(double duration_s, bool ends_program) {
-    push(Transition::rest(duration_s), s_mm_, {.at_rest = true, .program = ends_program});
-    to_next_tick();
-  }
-
-  Interpolator& interpolator() { return *interpolator_; }
-  [[nodiscard]] double time_s() const { return time_s_; }
-  [[nodiscard]] const std::vector<Phase>& phases() const { return phases_; }
-
-  // From rest to rest over length_mm, by one profile, without a cruise.
-  void hill(double length_mm, const Profile& profile) {
-    const double v = profile.peak_mm_s({}, {.length_mm = length_mm, .v_cap_mm_s = 1e9}, kRamp);
-    law(profile.fastest({0.0, v}, kRamp));
-    law_to_rest(profile.fastest({v, 0.0}, kRamp), length_mm);
-  }
-
- private:
-  struct Ends {
-    bool at_rest = false;
-    bool program = false;
-  };
-  void push(const Transition& law, double s_end_mm, const Ends& ends) {
-    const double tick = std::floor(time_s_ / kTs + 1e-9);
-    Phase phase{.curve = curve_,
-                .begin = {.tick = static_cast<std::int64_t>(tick),
-                          .offset_s = std::max(time_s_ - tick * kTs, 0.0)},
-                .s_begin_mm = s_mm_,
-                .s_end_mm = s_end_mm,
-                .path_begin_mm = path_begin_mm_,
-                .law = law,
-                .line = 3,
-                .ends_at_rest = ends.at_rest,
-                .ends_program = ends.program};
-    ASSERT_TRUE(queue_->push(phase));
-    phases_.push_back(phase);
-    s_mm_ = phase.s_end_mm;
-    time_s_ += law.duration_s();
-  }
-  void to_next_tick() { time_s_ = std::ceil(time_s_ / kTs - 1e-9) * kTs; }
-
-  std::unique_ptr<MotionQueue> queue_;
-  std::unique_ptr<Interpolator> interpolator_;
-  std::vector<Phase> phases_;
-  std::uint64_t curve_ = 0;
-  double s_mm_ = 0.0;
-  double path_begin_mm_ = 0.0;
-  double time_s_ = 0.0;
-};
-
-Line line(const Position& from, const Position& to) {
-  return Line::between(from, to).value();
-}
 
 TEST(Interpolator, IsAtTheLawsLengthAtEveryTick) {
   Script script;
@@ -261,129 +174,6 @@ TEST(Interpolator, GivesVelocityAndAccelerationOfTheAxesOnAnArc) {
       ASSERT_NEAR(ticks[i].acceleration_mm_s2[k], (after - 2.0 * now + before) / (kTs * kTs), 1.0);
     }
   }
-}
-
-TEST(ChordError, OfAnArcIsTheSagittaOfOneTick) {
-  const double radius = 10.0;
-  const auto arc =
-      Arc::make({.start_mm = {radius, 0, 0}, .end_mm = {0, radius, 0}, .centre_mm = {0, 0, 0}})
-          .value();
-  Script script({radius, 0, 0});
-  script.curve(arc);
-  script.hill(arc.length_mm(), Profile{ProfileKind::s_curve});
-  script.rest(0.0, true);
-  Setpoint setpoint;
-  double s_before = 0.0;
-  double largest = 0.0;
-  while (script.interpolator().next(setpoint) == TickStatus::running) {
-    const double half_angle = 0.5 * (setpoint.s_mm - s_before) / radius;
-    const double sagitta = radius * (1.0 - std::cos(half_angle));
-    ASSERT_NEAR(script.interpolator().chord_error_mm(), sagitta, 1e-9);
-    largest = std::max(largest, sagitta);
-    s_before = setpoint.s_mm;
-  }
-  EXPECT_GT(largest, 1e-6);
-}
-
-TEST(ChordError, OfALineIsNothing) {
-  Script script;
-  script.curve(line({0, 0, 0}, {3, 4, 5}));
-  script.hill(std::sqrt(50.0), Profile{ProfileKind::s_curve});
-  script.rest(0.0, true);
-  Setpoint setpoint;
-  while (script.interpolator().next(setpoint) == TickStatus::running) {
-    ASSERT_NEAR(script.interpolator().chord_error_mm(), 0.0, 1e-12);
-  }
-}
-
-TEST(ChordError, OfACornerPassedBetweenTicksIsTheCornersDistance) {
-  Script script;
-  const double v = 40.0;
-  script.curve(line({0, 0, 0}, {1.02, 0, 0}));
-  script.law(Transition::cruise(v, 1.02));
-  script.curve(line({1.02, 0, 0}, {1.02, 1, 0}));
-  script.law(Transition::cruise(v, 1.0));
-  Setpoint setpoint;
-  double largest = 0.0;
-  for (int i = 0; i < 50; ++i) {
-    script.interpolator().next(setpoint);
-    largest = std::max(largest, script.interpolator().chord_error_mm());
-  }
-  // Ticks 0.02 mm before and behind a right angle: its height over the hypotenuse.
-  EXPECT_NEAR(largest, 0.02 / std::sqrt(2.0), 1e-9);
-}
-
-// The largest distance of 64 points of the curve between two arc lengths from their chord.
-double many_points_mm(const NurbsCurve& curve, double s_from_mm, double s_to_mm) {
-  const Position from = curve.at(s_from_mm);
-  const Position to = curve.at(s_to_mm);
-  const Eigen::Vector3d chord = curves::vec(to) - curves::vec(from);
-  double largest = 0.0;
-  for (int i = 1; i < 64 && chord.norm() > 0.0; ++i) {
-    const Position point = curve.at(s_from_mm + (s_to_mm - s_from_mm) * i / 64.0);
-    const Eigen::Vector3d offset = curves::vec(point) - curves::vec(from);
-    const double share = std::clamp(offset.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
-    largest = std::max(largest, (offset - share * chord).norm());
-  }
-  return largest;
-}
-
-TEST(ChordError, OfACurveIsWhatManyPointsGive) {
-  const auto parts = NurbsCurve::make(curves::testing::shipped_curve("rational4")).value();
-  const NurbsCurve& curve = parts.front();
-  Script script(curve.at(0.0));
-  script.curve(curve);
-  script.hill(curve.length_mm(), Profile{ProfileKind::s_curve});
-  script.rest(0.0, true);
-  Setpoint setpoint;
-  double s_before = 0.0;
-  double largest = 0.0;
-  while (script.interpolator().next(setpoint) == TickStatus::running) {
-    const double brute = many_points_mm(curve, s_before, setpoint.s_mm);
-    ASSERT_NEAR(script.interpolator().chord_error_mm(), brute, 1e-10 + 0.01 * brute);
-    largest = std::max(largest, brute);
-    s_before = setpoint.s_mm;
-  }
-  EXPECT_GT(largest, 1e-6);
-}
-
-// The pieces of a curve are short where it is sharp: a tick may pass several of them.
-TEST(ChordError, LooksAtPiecesThatATickPassesOver) {
-  const auto parts = NurbsCurve::make(curves::testing::shipped_curve("butterfly")).value();
-  const NurbsCurve& curve = parts.front();
-  const double tick_mm = curve.length_mm() / 150.3;
-  Script script(curve.at(0.0));
-  script.curve(curve);
-  script.law(Transition::cruise(tick_mm / kTs, curve.length_mm()));
-  Setpoint setpoint;
-  ASSERT_EQ(script.interpolator().next(setpoint), TickStatus::running);
-  std::size_t most_passed = 0;
-  for (double s = 0.0; s + tick_mm < curve.length_mm(); s += tick_mm) {
-    ASSERT_EQ(script.interpolator().next(setpoint), TickStatus::running);
-    most_passed = std::max(most_passed, curve.piece_index(s + tick_mm) - curve.piece_index(s));
-    const double brute = many_points_mm(curve, s, s + tick_mm);
-    ASSERT_NEAR(script.interpolator().chord_error_mm(), brute, 0.1 * brute) << setpoint.tick;
-  }
-  EXPECT_GE(most_passed, 5U);
-}
-
-TEST(ChordError, LooksAtBlocksThatATickPassesOver) {
-  Script script;
-  const std::vector<Position> corners{
-      {0, 0, 0}, {1.005, 0, 0}, {1.02, 0, 0}, {1.02, 0.01, 0}, {1.0, 0.01, 0}};
-  for (std::size_t i = 1; i < corners.size(); ++i) {
-    const Line leg = line(corners[i - 1], corners[i]);
-    script.curve(leg);
-    script.law(Transition::cruise(40.0, leg.length_mm()));
-  }
-  Setpoint setpoint;
-  double largest = 0.0;
-  for (int i = 0; i < 27; ++i) {
-    script.interpolator().next(setpoint);
-    largest = std::max(largest, script.interpolator().chord_error_mm());
-  }
-  // Ticks at (1, 0) and (1.01, 0.01): the joint of the two blocks between lies at (1.02, 0).
-  EXPECT_NEAR(largest, 0.02 / std::sqrt(2.0), 1e-9);
 }
 
 }  // namespace

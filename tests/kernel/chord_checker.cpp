@@ -139,7 +139,8 @@ void ChordChecker::add(const interp::Setpoint& setpoint, double kernel_says_mm) 
     complain("chord error by the kernel's account", kernel_says_mm, limit_mm, setpoint);
   }
   if (!(kernel_says_mm >= kLeastAccount * found_mm - freedom_mm)) {
-    complain("too little of the chord error seen by the kernel", kernel_says_mm, found_mm, setpoint);
+    complain("too little of the chord error seen by the kernel", kernel_says_mm, found_mm,
+             setpoint);
   }
 }
 

@@ -8,42 +8,15 @@
 #include <gtest/gtest.h>
 
 #include "kernel/check.hpp"
+#include "tests/kernel/run.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"
 
 namespace kerf::test {
 namespace {
 
-using interp::Setpoint;
-using interp::TickStatus;
 using profiles::Profile;
 using profiles::ProfileKind;
-
-constexpr std::int64_t kMostTicks = 200'000;
-
-std::vector<Setpoint> rest_of(Kernel& kernel) {
-  std::vector<Setpoint> ticks;
-  Setpoint setpoint;
-  TickStatus status = TickStatus::running;
-  while (status == TickStatus::running && ticks.size() < kMostTicks) {
-    status = kernel.next(setpoint);
-    ticks.push_back(setpoint);
-  }
-  EXPECT_EQ(status, TickStatus::finished);
-  return ticks;
-}
-
-std::vector<Setpoint> ticks_of(const std::string& text, const KernelOptions& options = {}) {
-  Kernel kernel(mill(), options);
-  kernel.feed(text);
-  kernel.finish();
-  auto ticks = rest_of(kernel);
-  EXPECT_FALSE(kernel.has_errors());
-  for (const auto& found : kernel.diagnostics()) {
-    ADD_FAILURE() << found.source.line << ": " << found.message;
-  }
-  return ticks;
-}
 
 bool same_bits(const Setpoint& a, const Setpoint& b) {
   return a.tick == b.tick && a.line == b.line &&
@@ -235,72 +208,6 @@ TEST(Kernel, StarvesAtRestBehindADwellAndResumesWithoutAJump) {
   }
   EXPECT_EQ(checker.complaint(), "");
   EXPECT_EQ(setpoint.position_mm[0], 20.0);
-}
-
-struct Stopped {
-  std::int64_t ticks_after = 0;
-  Setpoint last{};
-  std::string complaint;
-};
-
-Stopped stop_at(std::int64_t tick, ProfileKind kind, std::size_t window) {
-  Kernel kernel(mill(), {.profile = Profile{kind}, .window_blocks = window});
-  kernel.feed(mixed_program());
-  kernel.finish();
-  TickChecker checker(mill().limits, kind != ProfileKind::trapezoid);
-  Stopped stopped;
-  TickStatus status = TickStatus::running;
-  for (std::int64_t i = 0; status == TickStatus::running && i < kMostTicks; ++i) {
-    if (i == tick) {
-      kernel.stop();
-    }
-    status = kernel.next(stopped.last);
-    stopped.ticks_after += i >= tick ? 1 : 0;
-    const bool on_curve = stopped.last.line >= 11 && stopped.last.line <= 18;
-    checker.add({.setpoint = stopped.last, .feedrate_mm_s = 150.0, .axis_limits_bind = !on_curve});
-  }
-  stopped.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
-  return stopped;
-}
-
-TEST(Stop, KeepsEveryLimitAndEndsAtRestOnThePathWhenever) {
-  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::quintic}) {
-    const auto whole = ticks_of(mixed_program(), {.profile = Profile{kind}});
-    for (std::size_t window : {3U, 1000U}) {
-      for (std::int64_t tick = 1; tick < whole.back().tick; tick += 97) {
-        SCOPED_TRACE(std::string(profiles::name_of(kind)) + ", window " + std::to_string(window) +
-                     ", tick " + std::to_string(tick));
-        const Stopped stopped = stop_at(tick, kind, window);
-        EXPECT_EQ(stopped.complaint, "");
-        EXPECT_EQ(stopped.last.v_mm_s, 0.0);
-        // On the path: between the two ticks of the whole run around its path length.
-        const auto after = std::lower_bound(whole.begin(), whole.end(), stopped.last.s_mm,
-                                            [](const Setpoint& a, double s) { return a.s_mm < s; });
-        ASSERT_NE(after, whole.end());
-        const Eigen::Vector3d offset =
-            curves::vec(after->position_mm) - curves::vec(stopped.last.position_mm);
-        EXPECT_LE(offset.norm(), after->s_mm - stopped.last.s_mm + 1e-9);
-        ASSERT_FALSE(testing::Test::HasFailure());
-      }
-    }
-  }
-}
-
-// What is frozen, 0.25 s, a span's ramps of at most some 0.3 s, and the fall to rest.
-TEST(Stop, TakesNoLongerThanWhatIsFrozenAndARamp) {
-  Kernel kernel(mill());
-  std::string text = "G21 G90 F6000\n";
-  for (int i = 1; i <= 100; ++i) {
-    text += "G1 X" + std::to_string(20 * i) + "\n";
-  }
-  kernel.feed(text + "M2\n");
-  kernel.finish();
-  Setpoint setpoint;
-  for (int i = 0; i < 2000; ++i) {
-    ASSERT_EQ(kernel.next(setpoint), TickStatus::running);
-  }
-  kernel.stop();
-  EXPECT_LE(rest_of(kernel).size(), 1200U);
 }
 
 }  // namespace

@@ -11,99 +11,10 @@
 #include "lookahead/split.hpp"
 #include "tests/curves/shipped_curves.hpp"
 #include "tests/lookahead/blocks.hpp"
+#include "tests/lookahead/spans.hpp"
 
 namespace kerf::lookahead::test {
 namespace {
-
-using profiles::Profile;
-using profiles::ProfileKind;
-using profiles::Transition;
-
-constexpr double kA = 3000.0;
-constexpr double kJ = 55'000.0;
-
-const std::vector<ProfileKind>& all_kinds() {
-  static const std::vector<ProfileKind> kinds{ProfileKind::trapezoid,   ProfileKind::s_curve,
-                                              ProfileKind::sine,        ProfileKind::quintic,
-                                              ProfileKind::sine_series, ProfileKind::sigmoid};
-  return kinds;
-}
-
-std::vector<ProfileKind> jerk_limited_kinds() {
-  return {std::next(all_kinds().begin()), all_kinds().end()};
-}
-
-Span flat_span(double length_mm, double feedrate_mm_s) {
-  return {.length_mm = length_mm,
-          .limits = {.feedrate_mm_s = feedrate_mm_s,
-                     .ramp = {.acceleration_mm_s2 = kA, .jerk_mm_s3 = kJ}}};
-}
-
-// The S-curve's duration, MATH section 1.
-double s_curve_s(double change) {
-  return change >= kA * kA / kJ ? change / kA + kA / kJ : 2.0 * std::sqrt(change / kJ);
-}
-
-double length_of(const SpanPlan& plan) {
-  return plan.begin_coast.length_mm() + plan.acceleration.length_mm() + plan.cruise.length_mm() +
-         plan.deceleration.length_mm() + plan.end_coast.length_mm();
-}
-
-const std::vector<const Transition SpanPlan::*>& parts() {
-  static const std::vector<const Transition SpanPlan::*> all{
-      &SpanPlan::begin_coast, &SpanPlan::acceleration, &SpanPlan::cruise, &SpanPlan::deceleration,
-      &SpanPlan::end_coast};
-  return all;
-}
-
-// Feedrates join, begin and end where asked for, and the lengths add up to the span's.
-void expect_joined(const Span& span, const SpanEnds& ends, const SpanPlan& plan) {
-  EXPECT_NEAR(length_of(plan), span.length_mm, 1e-9 * span.length_mm + 1e-12);
-  double v = ends.v_begin_mm_s;
-  for (const auto part : parts()) {
-    const Transition& law = plan.*part;
-    if (law.duration_s() > 0.0) {
-      EXPECT_NEAR(law.ramp().v_begin_mm_s, v, 1e-9 * (1.0 + v));
-      v = law.ramp().v_end_mm_s;
-    }
-  }
-  EXPECT_NEAR(v, ends.v_end_mm_s, 1e-9 * (1.0 + v));
-}
-
-struct Excess {
-  double feedrate_mm_s = 0.0;
-  double share = 0.0;  // of what is allowed
-};
-
-// The largest excess of the plan over a piecewise linear ceiling, at 2000 points of each part.
-template <class Allowed>
-Excess excess_of(const SpanPlan& plan, const Allowed& allowed_mm_s) {
-  Excess worst;
-  double s = 0.0;
-  for (const auto part : parts()) {
-    const Transition& law = plan.*part;
-    for (int i = 0; i <= 2000 && law.duration_s() > 0.0; ++i) {
-      const auto point = law.at(law.duration_s() * i / 2000.0);
-      const double allowed = allowed_mm_s(s + point.s_mm);
-      worst.feedrate_mm_s = std::max(worst.feedrate_mm_s, point.v_mm_s - allowed);
-      worst.share = std::max(worst.share, point.v_mm_s / allowed - 1.0);
-    }
-    s += law.length_mm();
-  }
-  return worst;
-}
-
-double ceiling_at(const Ceiling& ceiling, double s_mm) {
-  const auto after =
-      std::upper_bound(ceiling.begin(), ceiling.end(), s_mm,
-                       [](double s, const FeedSample& sample) { return s < sample.s_mm; });
-  if (after == ceiling.begin() || after == ceiling.end()) {
-    return after == ceiling.end() ? ceiling.back().v_mm_s : ceiling.front().v_mm_s;
-  }
-  const FeedSample& high = *after;
-  const FeedSample& low = *std::prev(after);
-  return low.v_mm_s + (high.v_mm_s - low.v_mm_s) * (s_mm - low.s_mm) / (high.s_mm - low.s_mm);
-}
 
 TEST(Span, FromRestToRestIsTheSCurvesClosedForm) {
   const Profile profile{ProfileKind::s_curve};
@@ -268,60 +179,6 @@ TEST(Span, IsNeverAboveTheCeilingOfACurve) {
         s_begin += span.length_mm;
       }
       EXPECT_NEAR(s_begin, block.length_mm, 1e-9);
-    }
-  }
-}
-
-TEST(Brake, StopsInTheSpanWhereItCan) {
-  const Profile profile{ProfileKind::s_curve};
-  Span span = flat_span(50.0, 100.0);
-  const double v = 100.0;
-  EXPECT_EQ(brake(span, {.v_begin_mm_s = v, .v_end_mm_s = 80.0}, profile), 0.0);
-  EXPECT_NEAR(span.length_mm, 0.5 * v * s_curve_s(v), 1e-9);
-  EXPECT_FALSE(span.ends_block);
-  const SpanPlan plan = plan_span(span, {.v_begin_mm_s = v, .v_end_mm_s = 0.0}, profile);
-  EXPECT_NEAR(plan.duration_s(), s_curve_s(v), 1e-9);
-  expect_joined(span, {.v_begin_mm_s = v, .v_end_mm_s = 0.0}, plan);
-}
-
-TEST(Brake, EndsAsSlowAsAShortSpanAllows) {
-  const Profile profile{ProfileKind::s_curve};
-  Span span = flat_span(1.0, 100.0);
-  const double end = brake(span, {.v_begin_mm_s = 100.0, .v_end_mm_s = 100.0}, profile);
-  EXPECT_GT(end, 0.0);
-  EXPECT_EQ(span.length_mm, 1.0);
-  EXPECT_NEAR(0.5 * (100.0 + end) * s_curve_s(100.0 - end), 1.0, 1e-6);
-}
-
-TEST(Brake, KeepsTheCoastThatItBeginsWith) {
-  const Profile profile{ProfileKind::s_curve};
-  Span span = flat_span(50.0, 100.0);
-  span.begin_coast_s = 0.003;
-  EXPECT_EQ(brake(span, {.v_begin_mm_s = 40.0, .v_end_mm_s = 40.0}, profile), 0.0);
-  EXPECT_NEAR(span.length_mm, 40.0 * 0.003 + 0.5 * 40.0 * s_curve_s(40.0), 1e-9);
-}
-
-// Where the plan to the span's end keeps the ceiling, so does the fall to rest.
-TEST(Brake, StaysBelowTheCeilingOfACurve) {
-  const Block block =
-      blocks_of({nurbs_move(curves::testing::shipped_curve("butterfly"))}, butterfly_limits())
-          .front();
-  for (const ProfileKind kind : jerk_limited_kinds()) {
-    SCOPED_TRACE(profiles::name_of(kind));
-    const Profile profile{kind};
-    for (const Span& whole : split(block)) {
-      const double cap = ceiling_at(block.ceiling, whole.s_begin_mm);
-      Span span = whole;
-      SpanEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = span.end.feedrate_mm_s};
-      ends.v_begin_mm_s =
-          reach_backward_mm_s(span, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap}, profile);
-      ends.v_end_mm_s = end_feedrate_mm_s(span, ends, ends.v_end_mm_s, profile);
-      ends.v_end_mm_s = brake(span, ends, profile);
-      const SpanPlan plan = plan_span(span, ends, profile);
-      expect_joined(span, ends, plan);
-      const Excess excess = excess_of(
-          plan, [&](double s) { return ceiling_at(block.ceiling, whole.s_begin_mm + s); });
-      EXPECT_LE(excess.share, 1e-3) << "span at " << whole.s_begin_mm;
     }
   }
 }

@@ -1,0 +1,45 @@
+// Programs run to their end, for the kernel's tests.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "kernel/kernel.hpp"
+#include "tests/kernel/shipped_text.hpp"
+
+namespace kerf::test {
+
+using interp::Setpoint;
+using interp::TickStatus;
+
+inline constexpr std::int64_t kMostTicks = 200'000;
+
+inline std::vector<Setpoint> rest_of(Kernel& kernel) {
+  std::vector<Setpoint> ticks;
+  Setpoint setpoint;
+  TickStatus status = TickStatus::running;
+  while (status == TickStatus::running && ticks.size() < kMostTicks) {
+    status = kernel.next(setpoint);
+    ticks.push_back(setpoint);
+  }
+  EXPECT_EQ(status, TickStatus::finished);
+  return ticks;
+}
+
+// On the mill.
+inline std::vector<Setpoint> ticks_of(const std::string& text, const KernelOptions& options = {}) {
+  Kernel kernel(mill(), options);
+  kernel.feed(text);
+  kernel.finish();
+  auto ticks = rest_of(kernel);
+  EXPECT_FALSE(kernel.has_errors());
+  for (const auto& found : kernel.diagnostics()) {
+    ADD_FAILURE() << found.source.line << ": " << found.message;
+  }
+  return ticks;
+}
+
+}  // namespace kerf::test
