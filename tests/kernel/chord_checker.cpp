@@ -116,13 +116,23 @@ double ChordChecker::chord_error_mm(const Place& from, const Place& to) const {
   return worst;
 }
 
+// Behind a corner that turns back the path runs so close to itself that only the block tells where
+// a tick is.
+ChordChecker::Place ChordChecker::first_of_line(std::size_t line, const Place& from) const {
+  Place place = from;
+  while (place.stretch < path_->size() && (*path_)[place.stretch].line < line) {
+    place = {.stretch = place.stretch + 1};
+  }
+  return place.stretch < path_->size() ? place : from;
+}
+
 void ChordChecker::add(const interp::Setpoint& setpoint, double kernel_says_mm) {
   if (!complaint_.empty() || setpoint.position_mm == position_mm_) {
     return;
   }
   position_mm_ = setpoint.position_mm;
   const Place before = here_;
-  here_ = find(position_mm_, before);
+  here_ = find(position_mm_, first_of_line(setpoint.line, before));
   if (here_.stretch == path_->size()) {
     complain("distance from the path", 0.0, 0.0, setpoint);
     return;

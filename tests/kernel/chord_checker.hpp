@@ -10,8 +10,8 @@
 
 namespace kerf::test {
 
-// Follows the ticks along the path: finds the parameter of each by its position, nothing else that
-// the kernel says, and looks at the path between two of them.
+// Follows the ticks along the path: finds the parameter of each by its position, on the block that
+// it belongs to or later, and looks at the path between two of them.
 class ChordChecker {
  public:
   ChordChecker(const std::vector<Stretch>& path, double tolerance_mm)
@@ -31,6 +31,7 @@ class ChordChecker {
 
   // The first place from `from` on where the path passes through point; nowhere: past the end.
   [[nodiscard]] Place find(const Vec& point_mm, const Place& from) const;
+  [[nodiscard]] Place first_of_line(std::size_t line, const Place& from) const;
   [[nodiscard]] double chord_error_mm(const Place& from, const Place& to) const;
   void complain(const std::string& what, double found_mm, double limit_mm,
                 const interp::Setpoint& setpoint);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct Stretch {
   // How far a right path may be from this one: an arc whose printed centre fits its ends only to
   // the last decimal may be drawn in more than one way.
   double freedom_mm = 1e-9;
+  std::size_t line = 0;  // of the block that asks for it
 };
 
 struct WeightedPoint {

@@ -49,12 +49,17 @@ class Writer {
     program_.is_nurbs.push_back(nurbs);
   }
 
+  void add_stretch(Stretch stretch, std::size_t line) {
+    stretch.line = line;
+    program_.path.push_back(std::move(stretch));
+  }
+
   // A G1 to a place that far away.
   void line_by(const Vec& step, std::string& text) {
     const Vec from = here_;
     text = "G1";
     here_ = print_axes({from[0] + step[0], from[1] + step[1], from[2] + step[2]}, text);
-    program_.path.push_back(line_stretch(from, here_));
+    add_stretch(line_stretch(from, here_), program_.lines() + 1);
   }
 
   double feed_word(double length_mm, std::string& text) {
@@ -158,7 +163,7 @@ class Writer {
       text += std::string(" ") + "IJK"[k];
       words.centre_offset_mm[k] = print_number(centre_offset[k], text);
     }
-    program_.path.push_back(arc_stretch(words));
+    add_stretch(arc_stretch(words), program_.lines() + 1);
     const double feedrate = feed_word(std::hypot(radius * sweep, rise), text);
     add_line(text, feedrate, false);
     last_ = {};
@@ -179,6 +184,7 @@ class Writer {
     keep_inside(d);
     double feedrate = 0.0;
     std::vector<WeightedPoint> control_points;
+    const std::size_t first_line = program_.lines() + 1;
     for (int i = 0; i < points; ++i) {
       std::string text = i == 0 ? "G6.2 P" + std::to_string(order) : "";
       text += " K" + std::to_string(knots[static_cast<std::size_t>(i)]);
@@ -197,7 +203,7 @@ class Writer {
       add_line("K" + std::to_string(knots.back()), 0.0, true);
     }
     for (Stretch& stretch : nurbs_stretches(control_points, knots)) {
-      program_.path.push_back(std::move(stretch));
+      add_stretch(std::move(stretch), first_line);
     }
     last_ = {};
   }
