@@ -1,7 +1,9 @@
 #include "kernel/check.hpp"
 
 #include <algorithm>
+#include <tuple>
 
+#include "kernel/reader_options.hpp"
 #include "lookahead/block_builder.hpp"
 #include "machine/envelope.hpp"
 #include "parser/errors/machine.hpp"
@@ -28,7 +30,7 @@ class Checker {
     curves_.clear();
     if (const auto built = lookahead::append_curves(move, curves_); !built) {
       report.diagnostics.emplace_back(
-          parser::SourcePosition{.line = built.error().line, .column = 1},
+          parser::SourcePosition{.line = built.error().line, .column = 1, .file = move.source.file},
           parser::errors::kCurveRefused, built.error().message);
       return;
     }
@@ -47,8 +49,9 @@ class Checker {
   void check_travel(const curves::Extents& extents, const parser::SourcePosition& source,
                     CheckReport& report) const {
     const auto excess = machine::outside_travel(envelope_, extents);
-    const bool named =
-        !report.limit_faults.empty() && report.limit_faults.back().source.line == source.line;
+    const bool named = !report.limit_faults.empty() &&
+                       report.limit_faults.back().source.line == source.line &&
+                       report.limit_faults.back().source.file == source.file;
     if (excess && !named && report.limit_faults.size() < kMaxLimitFaults) {
       report.limit_faults.emplace_back(source, parser::errors::kOutsideTravel,
                                        machine::describe(*excess));
@@ -60,6 +63,12 @@ class Checker {
   std::vector<curves::Curve> curves_;
 };
 
+void name_files(const parser::ProgramReader& reader, std::vector<parser::Diagnostic>& diagnostics) {
+  for (parser::Diagnostic& diagnostic : diagnostics) {
+    diagnostic.file = reader.file_name(diagnostic.source.file);
+  }
+}
+
 }  // namespace
 
 bool CheckReport::has_errors() const {
@@ -69,14 +78,12 @@ bool CheckReport::has_errors() const {
 }
 
 CheckReport check_program(const TextSource& text, const MachineSettings& settings,
-                          const KernelOptions& options) {
-  parser::ProgramReader reader({.start_mm = options.start_mm,
-                                .block_delete = options.block_delete,
-                                .machine = settings.program});
+                          const KernelOptions& options, const StopRequest& stop) {
+  parser::ProgramReader reader(reader_options(settings, options));
   CheckReport report;
   Checker checker(settings);
   bool more_text = true;
-  for (parser::Move move;;) {
+  for (parser::Move move; !stop || !stop();) {
     if (reader.next(move)) {
       checker.look_at(move, reader.has_errors(), report);
     } else if (reader.at_end() || !more_text) {
@@ -90,9 +97,12 @@ CheckReport check_program(const TextSource& text, const MachineSettings& setting
   }
   const std::vector<parser::Diagnostic>& found = reader.diagnostics();
   report.diagnostics.insert(report.diagnostics.end(), found.begin(), found.end());
+  name_files(reader, report.diagnostics);
+  name_files(reader, report.limit_faults);
   std::stable_sort(report.diagnostics.begin(), report.diagnostics.end(),
                    [](const parser::Diagnostic& a, const parser::Diagnostic& b) {
-                     return a.source.line < b.source.line;
+                     return std::tie(a.source.file, a.source.line) <
+                            std::tie(b.source.file, b.source.line);
                    });
   return report;
 }

@@ -24,7 +24,10 @@ struct CheckReport {
 // Gives the next bytes of the program; empty at its end.
 using TextSource = std::function<std::string_view()>;
 
+// Asked before each move; true ends the check early. A program may loop for ever.
+using StopRequest = std::function<bool()>;
+
 CheckReport check_program(const TextSource& text, const MachineSettings& settings,
-                          const KernelOptions& options = {});
+                          const KernelOptions& options = {}, const StopRequest& stop = {});
 
 }  // namespace kerf

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "kernel/delivery.hpp"
+#include "kernel/reader_options.hpp"
 #include "lookahead/block_builder.hpp"
 #include "lookahead/switches.hpp"
 #include "machine/envelope.hpp"
@@ -24,9 +25,7 @@ class Kernel::Impl {
       : limits_(settings.limits),
         envelope_(machine::envelope_of(settings.table)),
         checks_travel_(options.checks_travel),
-        reader_({.start_mm = options.start_mm,
-                 .block_delete = options.block_delete,
-                 .machine = settings.program}),
+        reader_(reader_options(settings, options)),
         planner_({.limits = settings.limits,
                   .profile = options.profile,
                   .window_blocks = options.window_blocks}),

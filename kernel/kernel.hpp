@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "kernel/settings.hpp"
 #include "lookahead/planner.hpp"
 #include "parser/diagnostic.hpp"
+#include "parser/reader_options.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf {
@@ -22,6 +24,8 @@ struct KernelOptions {
   bool block_delete = false;         // leave out blocks that begin with '/'
   bool checks_travel = false;        // a block that leaves the table is an error, as in the check
   std::array<double, 3> start_mm{};  // where the tool is
+  std::optional<parser::Dialect> dialect{};  // nothing: the machine's
+  parser::SubprogramSource subprograms{};    // those that are not in the program's own text
 };
 
 // Feeding and planning happen in the caller's thread; tick() only reads what was planned and is

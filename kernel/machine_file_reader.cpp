@@ -12,8 +12,9 @@ namespace kerf {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kSections{"tick",    "path",  "axes",
-                                                    "offsets", "tools", "probe"};
+constexpr std::array<std::string_view, 7> kSections{"tick",  "path",  "axes",   "offsets",
+                                                    "tools", "probe", "program"};
+constexpr std::array<std::string_view, 1> kProgramKeys{"dialect"};
 constexpr std::array<std::string_view, 3> kAxisNames{"x", "y", "z"};
 
 // A key counts even where its value is wrong, and a section that is no table might have had it:
@@ -89,6 +90,9 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
   }
   if (const auto probe = subsection(file, "probe")) {
     read_probe(*probe);
+  }
+  if (const auto program = subsection(file, "program")) {
+    read_program(*program);
   }
   check_bounds(file);
   settings_.table.period_s = settings_.limits.period_s;
@@ -179,6 +183,22 @@ void MachineFileReader::read_axis(const Section& section, std::size_t axis) {
   for (const KeyProblem& problem : check_axis(settings_, axis, has_key)) {
     report(section.table->get(problem.key)->source(),
            section.path_to(problem.key) + ": " + problem.message);
+  }
+}
+
+void MachineFileReader::read_program(const Section& section) {
+  check_keys(section, kProgramKeys);
+  const toml::node* const node = section.table->get("dialect");
+  if (node == nullptr) {
+    return;
+  }
+  const std::optional<std::string> name = node->value_exact<std::string>();
+  if (name == "fanuc") {
+    settings_.dialect = parser::Dialect::fanuc;
+  } else if (name != "rs274") {
+    report(node->source(), section.path_to("dialect") + ": found " +
+                               (name ? quoted(*name) : std::string(name_of(node->type()))) +
+                               ", expected 'rs274' or 'fanuc'");
   }
 }
 

@@ -50,6 +50,7 @@ class MachineFileReader {
   std::optional<double> read_number(const Section& section, const NumberRule& rule,
                                     const toml::node& node);
   void read_axis(const Section& section, std::size_t axis);
+  void read_program(const Section& section);
   void check_bounds(const Section& file);
 
   // machine_file_tools.cpp

@@ -5,6 +5,7 @@
 
 #include "lookahead/limits.hpp"
 #include "machine/table_settings.hpp"
+#include "parser/dialect.hpp"
 #include "parser/offsets/machine_data.hpp"
 #include "profiles/profile.hpp"
 
@@ -13,6 +14,7 @@ namespace kerf {
 struct MachineSettings {
   lookahead::PlanLimits limits{};
   machine::TableSettings table{};
+  parser::Dialect dialect = parser::Dialect::rs274;  // of its programs, unless told otherwise
   parser::MachineData program{};  // offsets and tools, where a program starts from
   // A tool table that the file names but does not hold; empty: none. Whoever opens files reads it.
   std::string tool_file{};

@@ -1,5 +1,7 @@
 #include "parser/diagnostic_list.hpp"
 
+#include <algorithm>
+
 #include "parser/errors/files.hpp"
 
 namespace kerf::parser {
@@ -20,7 +22,18 @@ void DiagnosticList::add(SourcePosition source, const ErrorPage& page, std::stri
   add_at(place(source), page, std::move(message));
 }
 
+// A loop runs into the same fault each time; it is said once.
+bool DiagnosticList::known(const SourcePosition& source, std::string_view message) const {
+  return std::any_of(list_.begin(), list_.end(), [&](const Diagnostic& one) {
+    return one.source.line == source.line && one.source.column == source.column &&
+           one.source.file == source.file && one.message == message;
+  });
+}
+
 void DiagnosticList::add_at(DiagnosticPlace place, const ErrorPage& page, std::string message) {
+  if (known(place.source, message)) {
+    return;
+  }
   if (page.severity == Severity::error) {
     if (!full()) {
       ++errors_;

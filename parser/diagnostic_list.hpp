@@ -50,6 +50,7 @@ class DiagnosticList {
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return list_; }
 
  private:
+  [[nodiscard]] bool known(const SourcePosition& source, std::string_view message) const;
   void keep(DiagnosticPlace place, const ErrorPage& page, std::string message);
 
   std::vector<Diagnostic> list_;

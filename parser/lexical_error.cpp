@@ -5,6 +5,7 @@
 
 #include "parser/character_error.hpp"
 #include "parser/errors/characters.hpp"
+#include "parser/errors/flow.hpp"
 #include "parser/errors/variables.hpp"
 #include "parser/errors/words.hpp"
 #include "parser/number.hpp"
@@ -86,8 +87,7 @@ Fault explain_missing_number(const Block& block, std::size_t letter_at) {
     return {there, expected + "a comment (expressions stand in [ ])", &errors::kNumberExpected};
   }
   if (letter == "O" && rest[0] == '<') {
-    return {here, "O: subprograms and o-words are not supported yet",
-            &errors::kProgramNumberNotFirst};
+    return {here, "an o-word must be the first word of a block", &errors::kOWordNotFirst};
   }
   const bool sign = rest[0] == '-' || rest[0] == '+';
   if (const auto name = letters_at(rest.substr(sign ? 1 : 0)); sign && name.size() > 1) {
@@ -159,12 +159,11 @@ Fault explain_letter(const Block& block, std::size_t at) {
   }
   const std::string_view word = letters_at(block.line.substr(at));
   if (is_macro_word(upper(word))) {
-    return {offset, joined({"macro statements (", upper(word), ") are not supported yet"}),
+    return {offset,
+            joined({upper(word),
+                    " is a statement of the Fanuc dialect (--dialect fanuc); "
+                    "RS274/NGC has o-words"}),
             &errors::kMacroStatement};
-  }
-  if (block.has('O')) {
-    return {block.word('O').offset, "O: subprograms and o-words are not supported yet",
-            &errors::kProgramNumberNotFirst};
   }
   if (letter == 'N' && at + 1 < block.line.size() && is_digit(block.line[at + 1])) {
     return {

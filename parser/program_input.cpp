@@ -13,6 +13,7 @@ bool ProgramInput::accept_first(Line& line) {
     line.text.remove_prefix(kByteOrderMark.size());
     diagnostics_->add({1, 1}, errors::kByteOrderMark, "byte order mark ignored");
   }
+  diagnostics_->at_line(line.number, line.text);
   Fault fault = explain_first_line(line.text);
   if (fault.message.empty()) {
     return true;

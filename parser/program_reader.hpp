@@ -15,7 +15,9 @@ namespace kerf::parser {
 
 // Reads one program. Memory does not grow with its length: the piece fed last, a line of at most
 // 64 KiB, the modal state and one NURBS curve of at most 250,000 control points are all that is
-// held; so fetch the moves of a piece before feeding the next one.
+// held; so fetch the moves of a piece before feeding the next one. A program with o-words or calls
+// has its text held from the first of them on; in the Fanuc dialect from its beginning, as long as
+// that is at most 4 MiB without a macro statement.
 //
 // A straight move of zero length and a curve that is a single point are checked but not delivered.
 // A program that ends with its last byte, without M2, M30 or a closing %, gets a warning and no
@@ -41,6 +43,10 @@ class ProgramReader {
   [[nodiscard]] bool has_errors() const;
   // The watched line as it was about to run for the first time; nothing before.
   [[nodiscard]] const std::optional<WatchedBlock>& watched_block() const;
+  // Bytes of program text held because it may be read again; 0 for a program without flow.
+  [[nodiscard]] std::size_t held_bytes() const;
+  // Of the file that SourcePosition::file names; empty for 0, the program itself.
+  [[nodiscard]] std::string_view file_name(std::uint16_t file) const;
   // Errors and warnings in the order of the text, at most max_errors errors.
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
 

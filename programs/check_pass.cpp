@@ -30,7 +30,8 @@ tl::expected<CheckReport, std::string> check_pass(ProgramFile& file,
     progress.set_read(static_cast<double>(file.bytes_read()) / size);
     return *piece;
   };
-  CheckReport report = check_program(text, settings, options);
+  CheckReport report =
+      check_program(text, settings, options, [] { return stop_requested().has_value(); });
   if (error) {
     return tl::unexpected(*error);
   }

@@ -62,6 +62,15 @@ void add_common(CLI::App& command, Raw& raw) {
       ->check(CLI::Range(std::size_t{2}, kMostWindowBlocks))
       ->type_name("N")
       ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--dialect",
+          [&options](const std::string& name) {
+            options.dialect = name == "fanuc" ? parser::Dialect::fanuc : parser::Dialect::rs274;
+          },
+          "language of the program: rs274 or fanuc (default: that of the machine file)")
+      ->check(CLI::IsMember({"rs274", "fanuc"}))
+      ->type_name("NAME");
   command.add_flag("--block-delete", options.block_delete, "leave out blocks that begin with /");
   command.add_flag("--json", options.json, "report as JSON on standard output");
   command

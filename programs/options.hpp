@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "parser/dialect.hpp"
 #include "profiles/profile.hpp"
 #include "programs/exit_status.hpp"
 
@@ -32,6 +33,7 @@ struct Options {
   std::size_t window_blocks = 1000;
   std::uint32_t explained_line = 0;  // of Command::explain
   DiagnosticFormat format = DiagnosticFormat::text;
+  std::optional<parser::Dialect> dialect;  // nothing: that of the machine file
   bool block_delete = false;
   bool json = false;
   bool quiet = false;

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/reader_options.hpp"
 #include "lookahead/block_builder.hpp"
 #include "lookahead/planner.hpp"
 #include "lookahead/switches.hpp"
@@ -66,10 +67,9 @@ tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
                                                            const MachineSettings& settings,
                                                            const KernelOptions& options,
                                                            Progress& progress, BlockWatch& watch) {
-  parser::ProgramReader reader({.start_mm = options.start_mm,
-                                .block_delete = options.block_delete,
-                                .machine = settings.program,
-                                .watched_line = watch.line()});
+  parser::ReaderOptions reading = reader_options(settings, options);
+  reading.watched_line = watch.line();
+  parser::ProgramReader reader(std::move(reading));
   lookahead::Planner planner({.limits = settings.limits,
                               .profile = options.profile,
                               .window_blocks = options.window_blocks});

@@ -17,6 +17,7 @@
 #include "programs/plan_only.hpp"
 #include "programs/progress_bar.hpp"
 #include "programs/run_loop.hpp"
+#include "programs/subprogram_folder.hpp"
 #include "programs/text_feed.hpp"
 
 namespace kerf::program {
@@ -40,7 +41,8 @@ class Session {
         settings_(settings),
         kernel_options_{.profile = profiles::Profile(options.profile, options.sigmoid_shape),
                         .window_blocks = options.window_blocks,
-                        .block_delete = options.block_delete} {
+                        .block_delete = options.block_delete,
+                        .dialect = options.dialect} {
     report_.command = options.command;
     report_.machine = options.machine_file.value_or("default");
     report_.profile = name_of(options.profile);
@@ -50,6 +52,10 @@ class Session {
 
   FileReport process(const std::string& path) {
     report_.file = path == "-" ? "<stdin>" : path;
+    if (path != "-") {
+      kernel_options_.subprograms =
+          subprograms_beside(path, options_.dialect.value_or(settings_.dialect));
+    }
     if (options_.command == Command::run && ProgramFile::is_live(path)) {
       run_live(path);
       return std::move(report_);

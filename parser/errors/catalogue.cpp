@@ -13,8 +13,10 @@
 #include "parser/errors/cycles.hpp"
 #include "parser/errors/expressions.hpp"
 #include "parser/errors/files.hpp"
+#include "parser/errors/flow.hpp"
 #include "parser/errors/gouges.hpp"
 #include "parser/errors/machine.hpp"
+#include "parser/errors/macros.hpp"
 #include "parser/errors/modes.hpp"
 #include "parser/errors/motion.hpp"
 #include "parser/errors/nurbs.hpp"
@@ -22,6 +24,7 @@
 #include "parser/errors/probing.hpp"
 #include "parser/errors/shape.hpp"
 #include "parser/errors/splines.hpp"
+#include "parser/errors/subprograms.hpp"
 #include "parser/errors/switches.hpp"
 #include "parser/errors/variables.hpp"
 #include "parser/errors/words.hpp"
@@ -41,11 +44,12 @@ constexpr auto in_order(const std::array<Page, sizes>&... topics) {
   return pages;
 }
 
-constexpr std::array kPages = in_order(
-    kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages, kCompensationPages,
-    kCurvesPages, kCyclesPages, kExpressionsPages, kFilesPages, kGougesPages, kMachinePages,
-    kModesPages, kMotionPages, kNurbsPages, kOffsetsPages, kProbingPages, kShapePages,
-    kSplinesPages, kSwitchesPages, kVariablesPages, kWordsPages);
+constexpr std::array kPages =
+    in_order(kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages,
+             kCompensationPages, kCurvesPages, kCyclesPages, kExpressionsPages, kFilesPages,
+             kFlowPages, kMacrosPages, kSubprogramsPages, kGougesPages, kMachinePages, kModesPages,
+             kMotionPages, kNurbsPages, kOffsetsPages, kProbingPages, kShapePages, kSplinesPages,
+             kSwitchesPages, kVariablesPages, kWordsPages);
 
 }  // namespace
 

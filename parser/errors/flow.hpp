@@ -156,35 +156,20 @@ inline constexpr ErrorPage kNegativeCount{
     "Correct the count.",
     "o1 repeat [-1]\no1 endrepeat\nM2\n"};
 
-inline constexpr ErrorPage kNestedTooDeep{
-    518,
-    Severity::error,
-    "structures nested too deep",
-    "At most 64 structures may stand inside each other.",
-    "Move inner parts into subprograms.",
-    "o1 if [1]\no2 if [1]\no3 if [1]\no4 if [1]\no5 if [1]\no6 if [1]\no7 if [1]\no8 if [1]\no9 if "
-    "[1]\no10 if [1]\no11 if [1]\no12 if [1]\no13 if [1]\no14 if [1]\no15 if [1]\no16 if [1]\no17 "
-    "if [1]\no18 if [1]\no19 if [1]\no20 if [1]\no21 if [1]\no22 if [1]\no23 if [1]\no24 if "
-    "[1]\no25 if [1]\no26 if [1]\no27 if [1]\no28 if [1]\no29 if [1]\no30 if [1]\no31 if [1]\no32 "
-    "if [1]\no33 if [1]\no34 if [1]\no35 if [1]\no36 if [1]\no37 if [1]\no38 if [1]\no39 if "
-    "[1]\no40 if [1]\no41 if [1]\no42 if [1]\no43 if [1]\no44 if [1]\no45 if [1]\no46 if [1]\no47 "
-    "if [1]\no48 if [1]\no49 if [1]\no50 if [1]\no51 if [1]\no52 if [1]\no53 if [1]\no54 if "
-    "[1]\no55 if [1]\no56 if [1]\no57 if [1]\no58 if [1]\no59 if [1]\no60 if [1]\no61 if [1]\no62 "
-    "if [1]\no63 if [1]\no64 if [1]\no65 if [1]\no65 endif\no64 endif\no63 endif\no62 endif\no61 "
-    "endif\no60 endif\no59 endif\no58 endif\no57 endif\no56 endif\no55 endif\no54 endif\no53 "
-    "endif\no52 endif\no51 endif\no50 endif\no49 endif\no48 endif\no47 endif\no46 endif\no45 "
-    "endif\no44 endif\no43 endif\no42 endif\no41 endif\no40 endif\no39 endif\no38 endif\no37 "
-    "endif\no36 endif\no35 endif\no34 endif\no33 endif\no32 endif\no31 endif\no30 endif\no29 "
-    "endif\no28 endif\no27 endif\no26 endif\no25 endif\no24 endif\no23 endif\no22 endif\no21 "
-    "endif\no20 endif\no19 endif\no18 endif\no17 endif\no16 endif\no15 endif\no14 endif\no13 "
-    "endif\no12 endif\no11 endif\no10 endif\no9 endif\no8 endif\no7 endif\no6 endif\no5 endif\no4 "
-    "endif\no3 endif\no2 endif\no1 endif\nM2\n"};
+inline constexpr ErrorPage kStructuresTooDeep{518,
+                                              Severity::error,
+                                              "structures nested too deep",
+                                              "At most 64 structures may stand inside each other.",
+                                              "Move inner parts into subprograms.",
+                                              "o100 if [1]\n",
+                                              Dialect::rs274,
+                                              {"o@ if [1]\n", 65}};
 
 inline constexpr std::array kFlowPages{
     &kNoLabel,         &kUnknownOWord,  &kOWordNotFirst,    &kTextBehindStatement,
     &kNestedSub,       &kNoClose,       &kNoOpener,         &kWrongLabel,
     &kBranchAfterElse, &kOutsideLoop,   &kOutsideSub,       &kSubNotFound,
     &kSubTwice,        &kTooDeep,       &kTooManyArguments, &kEndlessLoop,
-    &kNoCondition,     &kNegativeCount, &kNestedTooDeep};
+    &kNoCondition,     &kNegativeCount, &kStructuresTooDeep};
 
 }  // namespace kerf::parser::errors

@@ -64,17 +64,8 @@ inline constexpr ErrorPage kJumpIntoLoop{
     "jump into a loop",
     "GOTO may leave a loop, but not enter one: its condition would not have been looked at.",
     "Jump to a block outside the loop.",
-    "GOTO 10\nWHILE [1 EQ 1] DO1\nN10 G0 X1\nEND1\nM30\n",
+    "GOTO 10\nWHILE [1 EQ 0] DO1\nN10 G0 X1\nEND1\nM30\n",
     Dialect::fanuc};
-
-inline constexpr ErrorPage kTextNotKept{
-    537,
-    Severity::error,
-    "jump back into text that was not kept",
-    "Only the first 4 MiB of a program are kept until a macro statement is met; what came before "
-    "it in a longer program can no longer be reached.",
-    "Move the macro statements to the beginning of the program.",
-    ""};
 
 inline constexpr ErrorPage kTargetNumber{538,
                                          Severity::error,
@@ -111,7 +102,7 @@ inline constexpr ErrorPage kRunsIntoProgram{
     Dialect::fanuc};
 
 inline constexpr std::array kMacrosPages{
-    &kLabelMissing, &kLoopNumber,  &kNoDo,         &kNoThen,   &kLoopsCross,   &kLoopNumberInUse,
-    &kJumpIntoLoop, &kTextNotKept, &kTargetNumber, &kArgument, &kProgramTwice, &kRunsIntoProgram};
+    &kLabelMissing, &kLoopNumber,   &kNoDo,     &kNoThen,       &kLoopsCross,     &kLoopNumberInUse,
+    &kJumpIntoLoop, &kTargetNumber, &kArgument, &kProgramTwice, &kRunsIntoProgram};
 
 }  // namespace kerf::parser::errors

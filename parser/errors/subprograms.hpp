@@ -54,23 +54,6 @@ inline constexpr ErrorPage kWrongCall{
     "Use the call that fits.",
     "o100 sub\no100 endsub\nM98 P100\nM2\n"};
 
-inline constexpr ErrorPage kNotInFile{
-    525,
-    Severity::error,
-    "file without the subprogram",
-    "A file was found for the called name, but it does not define a sub of that name.",
-    "Name the sub in the file as the file.",
-    ""};
-
-inline constexpr ErrorPage kMacroInRs274{
-    526,
-    Severity::error,
-    "macro statement in RS274/NGC",
-    "IF [..] GOTO, WHILE [..] DO, GOTO and END are statements of Fanuc's custom macro B. In "
-    "RS274/NGC o-words do this.",
-    "Choose the Fanuc dialect (--dialect fanuc, or dialect = \"fanuc\" in the machine file).",
-    "IF [1 EQ 1] GOTO 10\nN10\nM2\n"};
-
 inline constexpr ErrorPage kOWordInFanuc{
     527,
     Severity::error,
@@ -97,8 +80,8 @@ inline constexpr ErrorPage kM99InSub{529,
                                      "Write `o100 return`.",
                                      "o1 sub\nM99\no1 endsub\no1 call\nM2\n"};
 
-inline constexpr std::array kSubprogramsPages{
-    &kM98WithoutP, &kProgramNumber, &kRepeatCount,  &kM99InMain,   &kNoM99,   &kWrongCall,
-    &kNotInFile,   &kMacroInRs274,  &kOWordInFanuc, &kComputedSub, &kM99InSub};
+inline constexpr std::array kSubprogramsPages{&kM98WithoutP,  &kProgramNumber, &kRepeatCount,
+                                              &kM99InMain,    &kNoM99,         &kWrongCall,
+                                              &kOWordInFanuc, &kComputedSub,   &kM99InSub};
 
 }  // namespace kerf::parser::errors

@@ -105,14 +105,6 @@ inline constexpr ErrorPage kMisplacedExpression{
     "Write the letter that the value belongs to.",
     "[1+2]\nM2\n"};
 
-inline constexpr ErrorPage kProgramNumberNotFirst{
-    52,
-    Severity::error,
-    "O word that is no program number",
-    "O with a number alone in its block names the program and stands before all other blocks.",
-    "Move the program number to the head of the file, or take it out.",
-    "G0 X1\nO100\nM2\n"};
-
 inline constexpr ErrorPage kCornerWord{
     53,
     Severity::error,
@@ -123,9 +115,9 @@ inline constexpr ErrorPage kCornerWord{
     "G1 X10 ,C2 F100\nM2\n"};
 
 inline constexpr std::array kWordsPages{
-    &kNumberExpected,        &kMalformedNumber,    &kNegativeLineNumber, &kUnexpectedAfterNumber,
-    &kAddressExpected,       &kLetterForDigit,     &kRepeatedWord,       &kTooManyGCodes,
-    &kTooManyMCodes,         &kLineNumberNotFirst, &kMacroStatement,     &kMisplacedExpression,
-    &kProgramNumberNotFirst, &kCornerWord};
+    &kNumberExpected,  &kMalformedNumber,    &kNegativeLineNumber, &kUnexpectedAfterNumber,
+    &kAddressExpected, &kLetterForDigit,     &kRepeatedWord,       &kTooManyGCodes,
+    &kTooManyMCodes,   &kLineNumberNotFirst, &kMacroStatement,     &kMisplacedExpression,
+    &kCornerWord};
 
 }  // namespace kerf::parser::errors

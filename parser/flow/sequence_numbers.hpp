@@ -31,6 +31,8 @@ class SequenceNumbers {
     const auto found = chains_.find(number);
     return found == chains_.end() ? nullptr : &all_[found->second.first];
   }
+  // The number added last; 0: none.
+  [[nodiscard]] std::uint32_t last() const { return all_.empty() ? 0 : all_.back().number; }
   [[nodiscard]] const SequenceNumber* behind(const SequenceNumber& one) const {
     return one.next == 0 ? nullptr : &all_[one.next - 1];
   }

@@ -129,7 +129,7 @@ void Structure::drop_above(std::size_t depth, std::vector<StatementFault>& fault
 void Structure::open(std::uint32_t index, std::vector<StatementFault>& faults) {
   Statement& statement = at(index);
   if (open_.size() == kMaxDepth) {
-    add(faults, statement, errors::kNestedTooDeep,
+    add(faults, statement, errors::kStructuresTooDeep,
         joined({"structures are nested too deep (at most ", std::to_string(kMaxDepth), ")"}));
   }
   if (statement.keyword == Keyword::sub) {

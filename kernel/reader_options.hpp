@@ -1,0 +1,19 @@
+// How the program is read, said once: the check, the plan and the run must read the same program.
+#pragma once
+
+#include "kernel/kernel.hpp"
+#include "kernel/settings.hpp"
+#include "parser/reader_options.hpp"
+
+namespace kerf {
+
+inline parser::ReaderOptions reader_options(const MachineSettings& settings,
+                                            const KernelOptions& options) {
+  return {.start_mm = options.start_mm,
+          .block_delete = options.block_delete,
+          .dialect = options.dialect.value_or(settings.dialect),
+          .machine = settings.program,
+          .subprograms = options.subprograms};
+}
+
+}  // namespace kerf

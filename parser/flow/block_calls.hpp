@@ -1,0 +1,45 @@
+// Calls in blocks: M98, M99, G65, G66 and G67 as words.
+#pragma once
+
+#include <string_view>
+
+#include "parser/block.hpp"
+#include "parser/dialect.hpp"
+#include "parser/expressions/evaluator.hpp"
+#include "parser/fault.hpp"
+#include "parser/flow/call.hpp"
+
+namespace kerf::parser {
+
+// The first call code of a block; nullptr: it has none. One compare for each code.
+inline const Word* find_m98_or_m99(const Block& block) {
+  for (std::size_t i = 0; i < block.m_count; ++i) {
+    if (block.m[i].value == 98.0 || block.m[i].value == 99.0) {
+      return &block.m[i];
+    }
+  }
+  return nullptr;
+}
+inline const Word* find_macro_code(const Block& block) {
+  for (std::size_t i = 0; i < block.g_count; ++i) {
+    if (block.g[i].value >= 65.0 && block.g[i].value <= 67.0) {
+      return &block.g[i];
+    }
+  }
+  return nullptr;
+}
+
+// M98 P and L. Fanuc writes the repeats before a program number of four digits too: P30100.
+// False: the fault says why.
+bool read_m98(const Block& block, Dialect dialect, Call& call, Fault& fault);
+// M99 and its P.
+bool read_m99(const Block& block, Return& back, Fault& fault);
+// Takes the code and its words out of the block, so that the rest can be run.
+void remove_call(Block& block, const Word& code);
+
+// G65 and G66 with their arguments, read from the words' own text, since I, J and K may stand there
+// several times: A B C D E F H I J K M Q R S T U V W X Y Z are #1 #2 #3 #7 #8 #9 #11 #4 #5 #6 #13
+// #17 to #26; the n-th set of I J K is #3n+1 to #3n+3, n up to 10. The others are vacant.
+bool read_macro_call(std::string_view line, Evaluator& evaluator, Call& call, Fault& fault);
+
+}  // namespace kerf::parser

@@ -1,0 +1,235 @@
+#include "parser/flow/flow.hpp"
+
+#include <utility>
+
+#include "parser/errors/flow.hpp"
+#include "parser/errors/subprograms.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+Flow::Flow(const ReaderOptions& options, ProgramInput& input, Evaluator& evaluator,
+           DiagnosticList& diagnostics, Interpreter& interpreter)
+    : options_(&options),
+      input_(&input),
+      evaluator_(&evaluator),
+      diagnostics_(&diagnostics),
+      interpreter_(&interpreter) {}
+
+void Flow::start(const Line& line, Start how) {
+  main_ = std::make_unique<ProgramText>(TextOrigin{.dialect = options_->dialect,
+                                                   .block_delete = options_->block_delete,
+                                                   .first_line = line.number});
+  text_ = main_.get();
+  main_->take(line);
+  report_faults(*main_);
+  cursor_ = how.has_run ? 1 : 0;
+  current_ = 0;
+  active_ = true;
+  keeping_ = how.keeping;
+}
+
+// Fanuc: so much text without a statement that the rest may as well be plain.
+void Flow::forget() {
+  main_.reset();
+  text_ = nullptr;
+  active_ = keeping_ = false;
+  forgotten_ = true;
+}
+
+void Flow::fault(std::uint32_t index, std::uint32_t offset, const ErrorPage& page,
+                 std::string message) {
+  diagnostics_->at_line(text_->number_of(index), text_->line(index).view());
+  diagnostics_->add({text_->number_of(index), offset + 1}, page, std::move(message));
+}
+
+void Flow::report_faults(ProgramText& text) {
+  if (!text.has_faults()) {
+    return;
+  }
+  diagnostics_->enter_file(text.origin().file, text.origin().file_name);
+  for (StatementFault& found : text.take_faults()) {
+    diagnostics_->at_line(text.number_of(found.line), text.line(found.line).view());
+    diagnostics_->add({text.number_of(found.line), found.offset + 1}, *found.page,
+                      std::move(found.message));
+  }
+  diagnostics_->enter_file(text_->origin().file, text_->origin().file_name);
+}
+
+// Takes in one more line of the program. False: there is none (yet).
+bool Flow::grow() {
+  if (main_->closed()) {
+    return false;
+  }
+  Line line;
+  const bool more = input_->next(line);
+  if (more) {
+    main_->take(line);
+  } else if (input_->finished()) {
+    main_->close();
+  }
+  report_faults(*main_);
+  return more;
+}
+
+void Flow::take_rest() {
+  while (grow()) {
+  }
+}
+
+void Flow::enter_text(ProgramText& text, std::uint32_t line) {
+  if (&text != text_) {
+    text_ = &text;
+    diagnostics_->enter_file(text.origin().file, text.origin().file_name);
+    interpreter_->enter_file(text.origin().file);
+  }
+  cursor_ = line;
+}
+
+void Flow::jump(std::uint32_t line) {
+  if (line <= current_) {
+    loop_text_ = text_;
+    loop_line_ = line;
+  }
+  cursor_ = line;
+}
+
+void Flow::set_goal(Goal goal, std::uint32_t statement) {
+  goal_ = goal;
+  statement_ = statement;
+}
+
+// One try. False: more of the program's text is needed for it.
+bool Flow::pass_goal() {
+  const Statement& statement = text_->statement(statement_);
+  switch (goal_) {
+    case Goal::close:
+    case Goal::behind:
+      if (statement.close == 0) {
+        return false;
+      }
+      jump(text_->statement(statement.close).line + (goal_ == Goal::behind ? 1 : 0));
+      break;
+    case Goal::next_clause:
+      if (statement.next == 0) {
+        return false;
+      }
+      goal_ = Goal::none;
+      try_clause(statement.next);
+      return true;
+    case Goal::call:
+      if (!find_and_enter()) {
+        return false;
+      }
+      break;
+    case Goal::target:
+      if (!find_target()) {
+        return false;
+      }
+      break;
+    case Goal::none:
+      return true;
+  }
+  goal_ = Goal::none;
+  return true;
+}
+
+// False: feed more, or it cannot be reached and the flow has stopped or goes on behind it.
+bool Flow::reach_goal() {
+  while (goal_ != Goal::none && !stopped_) {
+    if (pass_goal() || grow()) {
+      continue;
+    }
+    if (!main_->closed()) {
+      return false;
+    }
+    if (pass_goal()) {
+      continue;  // the text's end was what had to be known
+    }
+    if (goal_ == Goal::call) {
+      call_not_found();
+    } else if (goal_ == Goal::target) {
+      target_not_found();
+    } else {
+      stopped_ = true;  // a structure without a close has been reported by now
+    }
+    goal_ = Goal::none;
+  }
+  return true;
+}
+
+void Flow::stop_endless_loop() {
+  if (loop_text_ != nullptr) {
+    enter_text(*loop_text_, loop_line_);
+    current_ = loop_line_;
+  }
+  const StoredLine& line = text_->line(current_);
+  const std::size_t at = line.view().find_first_not_of(" \t");
+  fault(current_, at == std::string_view::npos ? 0 : static_cast<std::uint32_t>(at),
+        errors::kEndlessLoop,
+        joined({"the loop ran ", std::to_string(options_->max_idle_steps),
+                " lines without motion: it is taken to be endless"}));
+  stopped_ = true;
+}
+
+// No line is next in this text.
+Flow::Step Flow::at_end_of_text() {
+  if (text_ == main_.get() && !main_->closed()) {
+    return Step::more_text;
+  }
+  if (frames_.empty() || stopped_) {
+    return Step::end;
+  }
+  if (frames_.back().kind != CallKind::sub) {
+    fault(text_->size() - 1, 0, errors::kNoM99,
+          "the subprogram has no M99 before the end of the text");
+  }
+  stopped_ = text_ == main_.get();
+  if (!stopped_) {
+    leave();
+  }
+  return stopped_ ? Step::end : Step::block;
+}
+
+Flow::Step Flow::next(Line& line) {
+  while (!stopped_) {
+    if (goal_ != Goal::none) {
+      if (!reach_goal()) {
+        return Step::more_text;
+      }
+      continue;
+    }
+    if (cursor_ >= text_->size()) {
+      if (keeping_ && main_->text_bytes() > kKeptText) {
+        forget();
+        return Step::plain;
+      }
+      if (text_ == main_.get() && grow()) {
+        continue;
+      }
+      if (const Step step = at_end_of_text(); step != Step::block) {
+        return step;
+      }
+      continue;
+    }
+    const StoredLine& stored = text_->line(cursor_);
+    current_ = cursor_++;
+    if (++idle_steps_ > options_->max_idle_steps) {
+      stop_endless_loop();
+      break;
+    }
+    if (stored.statement == 0) {
+      line = {stored.view(), text_->number_of(current_), stored.too_long != 0};
+      return Step::block;
+    }
+    run(stored.statement);
+    if (has_ready_) {
+      has_ready_ = false;
+      line = {scratch_, text_->number_of(current_), false};
+      return Step::block;
+    }
+  }
+  return Step::end;
+}
+
+}  // namespace kerf::parser

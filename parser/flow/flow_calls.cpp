@@ -1,0 +1,202 @@
+// Calls: where a subprogram is found, and the way in and back.
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "parser/errors/flow.hpp"
+#include "parser/errors/macros.hpp"
+#include "parser/errors/subprograms.hpp"
+#include "parser/flow/flow.hpp"
+#include "parser/flow/statement_reader.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+// As the caller wrote it, for messages.
+std::string shown(const Call& call) {
+  return call.kind == CallKind::sub ? joined({"sub ", shown_label(call.label)})
+                                    : joined({"program O", call.label});
+}
+
+}  // namespace
+
+Flow::Found Flow::find_in(ProgramText& text, const Call& call) {
+  const LabelUse use = text.labels().find(call.label);
+  const std::uint32_t statement = call.kind == CallKind::sub ? use.sub : use.program;
+  return statement == 0 ? Found{} : Found{&text, statement};
+}
+
+ProgramText* Flow::load(const std::string& label) {
+  if (const auto known = file_of_label_.find(label); known != file_of_label_.end()) {
+    return known->second;
+  }
+  constexpr std::size_t kMostFiles = 0xFFFF;
+  ProgramText*& file = file_of_label_[label];
+  if (!options_->subprograms || files_.size() == kMostFiles) {
+    return file;
+  }
+  auto source = options_->subprograms(label);
+  if (!source) {
+    return file;
+  }
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  std::string_view bytes = source->text;
+  if (bytes.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
+    bytes.remove_prefix(kByteOrderMark.size());
+  }
+  files_.push_back(std::make_unique<ProgramText>(
+      TextOrigin{.dialect = options_->dialect,
+                 .block_delete = options_->block_delete,
+                 .file = static_cast<std::uint16_t>(files_.size() + 1),
+                 .file_name = std::move(source->file)}));
+  file = files_.back().get();
+  LineSplitter lines;
+  lines.feed(bytes);
+  lines.finish();
+  for (Line line; !file->closed() && lines.next(line);) {
+    file->take(line);
+  }
+  file->close();
+  report_faults(*file);
+  return file;
+}
+
+Flow::Found Flow::find_in_file() {
+  ProgramText* const file = load(call_.label);
+  if (file == nullptr) {
+    return {};
+  }
+  const LabelUse use = file->labels().find(call_.label);
+  if (call_.kind == CallKind::sub) {
+    return {use.sub == 0 ? nullptr : file, use.sub};
+  }
+  // A file of a program may leave out its number.
+  return {use.sub == 0 ? file : nullptr, use.program};
+}
+
+// LinuxCNC looks into the text so far, then for a file, then ahead. For Fanuc a program of the same
+// file goes before one of another.
+bool Flow::find_and_enter() {
+  Found found = find_in(*text_, call_);
+  if (found.text == nullptr) {
+    found = find_in(*main_, call_);
+  }
+  if (found.text == nullptr && (options_->dialect == Dialect::rs274 || main_->closed())) {
+    found = find_in_file();
+  }
+  if (found.text == nullptr) {
+    return false;
+  }
+  enter(found);
+  return true;
+}
+
+void Flow::call_not_found() {
+  const auto refuse = [&](const ErrorPage& page, std::string message) {
+    fault(call_.line, call_.offset, page, std::move(message));
+  };
+  ProgramText* const file = load(call_.label);
+  for (ProgramText* const text : {text_, main_.get(), file}) {
+    const LabelUse use = text == nullptr ? LabelUse{} : text->labels().find(call_.label);
+    if (use.sub != 0 || use.program != 0) {
+      return refuse(
+          errors::kWrongCall,
+          use.sub != 0 ? joined({"O", call_.label, " begins with sub: call it with `o", call_.label,
+                                 " call`"})
+                       : joined({"O", call_.label, " is no sub: call it with M98 P", call_.label}));
+    }
+  }
+  refuse(errors::kSubNotFound,
+         joined({shown(call_), " is not found",
+                 file != nullptr ? joined({": ", file->origin().file_name, " does not define it"})
+                 : forgotten_    ? ": the text before it was not kept"
+                                 : ""}));
+}
+
+void Flow::call(Call call) {
+  keeping_ = false;
+  call_ = std::move(call);
+  call_.line = current_;
+  if (call_.runs > 0) {
+    set_goal(Goal::call, 0);
+  }
+}
+
+void Flow::enter(const Found& found) {
+  if (frames_.size() == kMaxCalls) {
+    fault(
+        call_.line, call_.offset, errors::kTooDeep,
+        joined({"subprogram calls are nested too deep (at most ", std::to_string(kMaxCalls), ")"}));
+    stopped_ = true;
+    return;
+  }
+  const std::uint32_t entry =
+      found.statement == 0 ? 0 : found.text->statement(found.statement).line + 1;
+  frames_.push_back({.kind = call_.kind,
+                     .text = text_,
+                     .line = cursor_,
+                     .entry = entry,
+                     .runs = call_.runs - 1,
+                     .counters = first_counter_,
+                     .arguments = arguments_.size()});
+  first_counter_ = counters_.size();
+  if (call_.kind != CallKind::program) {
+    const std::span<const double> values(call_.values.data(), call_.arguments);
+    evaluator_->parameters().push_frame(values);
+    if (call_.runs > 1) {
+      arguments_.insert(arguments_.end(), values.begin(), values.end());
+    }
+  }
+  interpreter_->enter_subprogram();
+  enter_text(*found.text, entry);
+}
+
+// Back to the caller, or once more through a subprogram that was called with L.
+void Flow::leave() {
+  Frame& frame = frames_.back();
+  Parameters& parameters = evaluator_->parameters();
+  if (frame.kind != CallKind::program) {
+    parameters.pop_frame();
+  }
+  if (frame.runs > 0) {
+    --frame.runs;
+    if (frame.kind != CallKind::program) {
+      parameters.push_frame(std::span(arguments_).subspan(frame.arguments));
+    }
+    return jump(frame.entry);
+  }
+  interpreter_->leave_subprogram();
+  counters_.resize(std::min(first_counter_, counters_.size()));
+  first_counter_ = frame.counters;
+  arguments_.resize(frame.arguments);
+  ProgramText* const caller = frame.text;
+  const std::uint32_t line = frame.line;
+  frames_.pop_back();
+  enter_text(*caller, line);
+}
+
+bool Flow::return_from_call(const Return& from) {
+  if (frames_.empty()) {
+    return false;
+  }
+  if (frames_.back().kind == CallKind::sub) {
+    fault(current_, from.offset, errors::kM99InSub,
+          "M99 in a sub: use return or endsub (M99 ends programs that M98 calls)");
+  }
+  if (from.line_number != 0) {
+    frames_.back().runs = 0;
+  }
+  const std::size_t depth = frames_.size();
+  leave();
+  if (from.line_number != 0 && frames_.size() < depth) {
+    const std::uint32_t caller = cursor_ == 0 ? 0 : cursor_ - 1;
+    target_ = {from.line_number, caller, text_->structure_around(caller), from.number_offset};
+    current_ = caller;
+    set_goal(Goal::target, 0);
+  }
+  return true;
+}
+
+}  // namespace kerf::parser

@@ -1,0 +1,124 @@
+// The statements of custom macro B: IF, GOTO, WHILE and END.
+#include <cmath>
+
+#include "parser/errors/flow.hpp"
+#include "parser/errors/macros.hpp"
+#include "parser/flow/flow.hpp"
+#include "parser/flow/statement_reader.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+void Flow::run_macro(std::uint32_t index, const Statement& statement) {
+  switch (statement.keyword) {
+    case Keyword::macro_if:
+      return jump_if(statement);
+    case Keyword::macro_goto:
+      evaluator_->begin_line();
+      return go_to(statement.rest, statement.around);
+    case Keyword::macro_while: {
+      evaluator_->begin_line();
+      std::size_t at = statement.keyword_at;
+      double value = 0.0;
+      if (!read_value(at, value) || value == 0.0) {
+        set_goal(Goal::behind, index);
+      }
+      return;
+    }
+    case Keyword::macro_end:
+      return jump(text_->statement(statement.head).line);
+    default:
+      return;  // DO; what was wrong
+  }
+}
+
+// IF [..] GOTO n jumps; IF [..] THEN .. runs the rest of its line, which is handed out with the
+// condition blanked out, so that columns stay what they are.
+void Flow::jump_if(const Statement& statement) {
+  evaluator_->begin_line();
+  std::size_t at = statement.rest;
+  double value = 0.0;
+  if (!read_value(at, value) || value == 0.0) {
+    return;
+  }
+  const std::string_view line = text_->line(current_).view();
+  if (const std::size_t target = behind_keyword(line, statement.keyword_at, "goto")) {
+    return go_to(target, statement.around);
+  }
+  const std::size_t then = behind_keyword(line, statement.keyword_at, "then");
+  if (const std::size_t target = behind_keyword(line, then, "goto")) {
+    return go_to(target, statement.around);
+  }
+  scratch_.assign(then, ' ');
+  scratch_ += line.substr(then);
+  has_ready_ = true;
+}
+
+// The number behind GOTO, at `at`.
+void Flow::go_to(std::size_t at, std::uint32_t around) {
+  constexpr double kMost = 999'999'999.0;
+  const std::string_view line = text_->line(current_).view();
+  at = skip_blanks(line, at);
+  const auto offset = static_cast<std::uint32_t>(at);
+  double number = 0.0;
+  if (!read_value(at, number) || !expect_end(at)) {
+    return;
+  }
+  if (!(number >= 1.0 && number <= kMost) || number != std::floor(number)) {
+    fault(current_, offset, errors::kTargetNumber,
+          joined({"GOTO: the sequence number must be a whole number from 1 to 999999999, found ",
+                  shortest(number)}));
+    return;
+  }
+  target_ = {static_cast<std::uint32_t>(number), current_, around, offset};
+  set_goal(Goal::target, 0);
+}
+
+// Whether the structure that is opened by `structure` (0: none) is around the jump as well.
+bool Flow::may_enter(std::uint32_t structure) const {
+  std::uint32_t around = target_.around;
+  while (around != 0 && around != structure) {
+    around = text_->statement(around).around;
+  }
+  return around == structure;
+}
+
+// Forward to the end of the program first, then from its beginning, as the control searches.
+bool Flow::find_target() {
+  SequenceNumbers& numbers = text_->sequence_numbers();
+  const ProgramText::Range program = text_->program_around(target_.from);
+  const bool whole = program.end < text_->size() || text_->closed();
+  if (target_.walked && !whole && numbers.last() != target_.number) {
+    return false;
+  }
+  target_.walked = true;
+  const SequenceNumber* found = nullptr;
+  for (const SequenceNumber* one = numbers.first(target_.number);
+       one != nullptr && one->line < program.end; one = numbers.behind(*one)) {
+    if (one->line > target_.from) {
+      found = one;
+      break;
+    }
+    found = found == nullptr && whole && one->line >= program.begin ? one : found;
+  }
+  if (found == nullptr) {
+    return false;
+  }
+  if (!may_enter(found->around)) {
+    fault(target_.from, target_.offset, errors::kJumpIntoLoop,
+          joined({"N", std::to_string(target_.number),
+                  " stands inside a loop: a jump into it is "
+                  "not allowed"}));
+    return true;
+  }
+  jump(found->line);
+  return true;
+}
+
+void Flow::target_not_found() {
+  fault(target_.from, target_.offset, errors::kLabelMissing,
+        joined({"N", std::to_string(target_.number), " is not found",
+                forgotten_ ? " in the text that was kept (only 4 MiB are kept before the first macro statement)" : " in this program"}));
+}
+
+}  // namespace kerf::parser

@@ -1,0 +1,224 @@
+// O-words, each run by the places that its structure has in the text.
+#include <algorithm>
+#include <cmath>
+
+#include "parser/errors/flow.hpp"
+#include "parser/errors/macros.hpp"
+#include "parser/errors/subprograms.hpp"
+#include "parser/flow/flow.hpp"
+#include "parser/flow/statement_reader.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+void Flow::run(std::uint32_t index) {
+  const Statement& statement = text_->statement(index);
+  keeping_ = keeping_ && statement.keyword == Keyword::program;
+  if (statement.keyword == Keyword::program) {
+    meet_program_number(index);
+  } else if (statement.keyword >= Keyword::macro_if) {
+    run_macro(index, statement);
+  } else {
+    run_o_word(index, statement);
+  }
+}
+
+void Flow::run_o_word(std::uint32_t index, const Statement& statement) {
+  switch (statement.keyword) {
+    case Keyword::sub:
+      return set_goal(Goal::behind, index);
+    case Keyword::endsub:
+    case Keyword::return_:
+      return return_value(statement);
+    case Keyword::call:
+      return call_sub(statement);
+    case Keyword::if_:
+      return holds(statement) ? void() : set_goal(Goal::next_clause, index);
+    // Reached from above: another branch has run.
+    case Keyword::elseif:
+    case Keyword::else_:
+      return set_goal(Goal::behind, statement.head);
+    case Keyword::while_:
+      return holds(statement) ? void() : set_goal(Goal::behind, index);
+    case Keyword::endwhile:
+      return jump(text_->statement(statement.head).line);
+    case Keyword::do_while:
+      return holds(statement) ? jump(text_->statement(statement.head).line + 1) : void();
+    case Keyword::repeat:
+      return begin_repeat(index, statement);
+    case Keyword::endrepeat:
+      return end_repeat(statement);
+    case Keyword::break_:
+      return set_goal(Goal::behind, statement.head);
+    case Keyword::continue_:
+      return continue_loop(statement);
+    default:
+      return;  // endif, do
+  }
+}
+
+// A value of the line that is being run, in brackets, at `at`, which moves behind it.
+bool Flow::read_value(std::size_t& at, double& value) {
+  const std::string_view line = text_->line(current_).view();
+  Cursor cursor{line, at};
+  if (!evaluator_->read_value(cursor, value)) {
+    const Fault& found = evaluator_->fault();
+    fault(current_, found.offset, *found.page, found.message);
+    return false;
+  }
+  at = cursor.at;
+  value = is_vacant(value) ? 0.0 : value;
+  return true;
+}
+
+bool Flow::expect_end(std::size_t at) {
+  const std::string_view line = text_->line(current_).view();
+  if (only_comment_left(line, at)) {
+    return true;
+  }
+  at = skip_blanks(line, at);
+  fault(current_, static_cast<std::uint32_t>(at), errors::kTextBehindStatement,
+        joined({"only a comment may follow here, found ", quoted(line.substr(at))}));
+  return false;
+}
+
+// The one value that follows the statement's keyword.
+bool Flow::value_of(const Statement& statement, double& value) {
+  const std::string_view line = text_->line(current_).view();
+  std::size_t at = skip_blanks(line, statement.rest);
+  if (at >= line.size() || line[at] != '[') {
+    fault(current_, static_cast<std::uint32_t>(at), errors::kNoCondition,
+          joined({quoted(line.substr(statement.keyword_at, at - statement.keyword_at)),
+                  " needs a value in [ ]"}));
+    return false;
+  }
+  evaluator_->begin_line();
+  return read_value(at, value) && expect_end(at);
+}
+
+bool Flow::holds(const Statement& statement) {
+  double value = 0.0;
+  return value_of(statement, value) && value != 0.0;
+}
+
+void Flow::try_clause(std::uint32_t index) {
+  const Statement& clause = text_->statement(index);
+  current_ = clause.line;
+  cursor_ = clause.line + 1;
+  if (clause.keyword == Keyword::elseif && !holds(clause)) {
+    set_goal(Goal::next_clause, index);
+  }
+}
+
+void Flow::begin_repeat(std::uint32_t index, const Statement& statement) {
+  constexpr double kMost = 1e15;
+  double count = 0.0;
+  if (!value_of(statement, count)) {
+    return set_goal(Goal::behind, index);
+  }
+  const double whole = std::round(count);
+  if (whole < 0.0) {
+    fault(current_, statement.keyword_at, errors::kNegativeCount,
+          joined({"the repeat count is negative (", shortest(whole), "): nothing is repeated"}));
+  }
+  if (whole < 1.0) {
+    return set_goal(Goal::behind, index);
+  }
+  const std::size_t place = first_counter_ + statement.repeats;
+  if (counters_.size() <= place) {
+    counters_.resize(place + 1);
+  }
+  counters_[place] = static_cast<std::uint64_t>(std::min(whole, kMost));
+}
+
+void Flow::end_repeat(const Statement& statement) {
+  const std::size_t place = first_counter_ + statement.repeats;
+  if (place < counters_.size() && counters_[place] > 1) {
+    --counters_[place];
+    jump(text_->statement(statement.head).line + 1);
+  }
+}
+
+// On to where the loop decides whether it goes on.
+void Flow::continue_loop(const Statement& statement) {
+  const Statement& loop = text_->statement(statement.head);
+  if (loop.keyword == Keyword::while_) {
+    return jump(loop.line);
+  }
+  set_goal(Goal::close, statement.head);
+}
+
+// endsub and return: the value goes into #<_value>.
+void Flow::return_value(const Statement& statement) {
+  const std::string_view line = text_->line(current_).view();
+  const std::size_t at = skip_blanks(line, statement.rest);
+  const bool given = at < line.size() && line[at] == '[';
+  double value = 0.0;
+  const bool ok = given ? value_of(statement, value) : expect_end(at);
+  Parameters& parameters = evaluator_->parameters();
+  parameters.set("_value", ok && given ? value : 0.0);
+  parameters.set("_value_returned", ok && given ? 1.0 : 0.0);
+  if (!frames_.empty()) {
+    leave();
+  }
+}
+
+bool Flow::read_arguments(const Statement& statement) {
+  constexpr std::size_t kMost = 30;
+  const std::string_view line = text_->line(current_).view();
+  std::size_t at = skip_blanks(line, statement.rest);
+  call_.arguments = 0;
+  while (at < line.size() && line[at] == '[') {
+    if (call_.arguments == kMost) {
+      fault(current_, static_cast<std::uint32_t>(at), errors::kTooManyArguments,
+            joined({"a call takes at most ", std::to_string(kMost), " arguments"}));
+      return false;
+    }
+    if (!read_value(at, call_.values[call_.arguments++])) {
+      return false;
+    }
+    at = skip_blanks(line, at);
+  }
+  return expect_end(at);
+}
+
+void Flow::call_sub(const Statement& statement) {
+  evaluator_->begin_line();
+  if (statement.computed_label) {
+    std::size_t at = statement.label_at;
+    double number = 0.0;
+    if (!read_value(at, number)) {
+      return;
+    }
+    if (number != std::floor(number) || number < 0.0) {
+      return fault(current_, statement.label_at, errors::kNoLabel,
+                   joined({"the label must be a whole number, found ", shortest(number)}));
+    }
+    call_.label = shortest(number);
+  } else {
+    call_.label = text_->labels().name(statement.label);
+  }
+  call_.kind = CallKind::sub;
+  call_.runs = 1;
+  call_.line = current_;
+  call_.offset = statement.keyword_at;
+  if (read_arguments(statement)) {
+    set_goal(Goal::call, 0);
+  }
+}
+
+// The flow runs into O1234. RS274/NGC goes on; on a Fanuc control the program ends before it.
+void Flow::meet_program_number(std::uint32_t index) {
+  if (!frames_.empty() && frames_.back().kind != CallKind::sub) {
+    fault(current_, text_->statement(index).label_at, errors::kNoM99,
+          "the subprogram before this one has no M99");
+    return leave();
+  }
+  if (frames_.empty() && options_->dialect == Dialect::fanuc && !text_->is_head(index)) {
+    fault(current_, text_->statement(index).label_at, errors::kRunsIntoProgram,
+          "the program ends here, it has no M30, M2 or M99");
+    stopped_ = true;
+  }
+}
+
+}  // namespace kerf::parser

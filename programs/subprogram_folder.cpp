@@ -1,0 +1,82 @@
+#include "programs/subprogram_folder.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace kerf::program {
+
+namespace {
+
+using parser::SubprogramText;
+
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20U;
+
+std::vector<std::string> file_names(std::string_view name, parser::Dialect dialect) {
+  std::vector<std::string> names;
+  const bool number = name.find_first_not_of("0123456789") == std::string_view::npos;
+  if (dialect == parser::Dialect::fanuc && number) {
+    const std::string four = std::string(name.size() < 4 ? 4 - name.size() : 0, '0');
+    for (const char letter : {'O', 'o'}) {
+      for (const char* const extension : {".nc", ".NC", ".ngc", ""}) {
+        names.push_back((letter + four).append(name).append(extension));
+      }
+    }
+  }
+  names.push_back(std::string(name) + ".ngc");
+  return names;
+}
+
+std::optional<SubprogramText> read(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error) ||
+      std::filesystem::file_size(path, error) > kMostBytes || error) {
+    return std::nullopt;
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    return std::nullopt;
+  }
+  return SubprogramText{path.string(), {std::istreambuf_iterator<char>(file), {}}};
+}
+
+class Folder {
+ public:
+  Folder(std::filesystem::path path, parser::Dialect dialect)
+      : path_(std::move(path)), dialect_(dialect) {}
+
+  std::optional<SubprogramText> find(std::string_view name) {
+    const auto [known, fresh] = texts_.try_emplace(std::string(name));
+    // A name is one file of this folder, never a way to another.
+    if (fresh && name.find('/') == std::string_view::npos) {
+      for (const std::string& file : file_names(name, dialect_)) {
+        if (known->second = read(path_ / file); known->second) {
+          break;
+        }
+      }
+    }
+    return known->second;
+  }
+
+ private:
+  std::filesystem::path path_;
+  parser::Dialect dialect_;
+  std::map<std::string, std::optional<SubprogramText>> texts_;
+};
+
+}  // namespace
+
+parser::SubprogramSource subprograms_beside(const std::string& program, parser::Dialect dialect) {
+  const auto folder =
+      std::make_shared<Folder>(std::filesystem::path(program).parent_path(), dialect);
+  return [folder](std::string_view name) { return folder->find(name); };
+}
+
+}  // namespace kerf::program
