@@ -300,7 +300,7 @@ const auto block_delete = x3::lit('/')[keep_delete] >>
 [[gnu::noinline]] bool finish_assignments(Block& block, Evaluator& evaluator) {
   evaluator.commit();
   block.stale_read = evaluator.stale_read();
-  block.remarkable = block.remarkable || block.stale_read != 0;
+  block.remarkable = true;
   if (block.stopped_at != block.line.size()) {
     return false;
   }
