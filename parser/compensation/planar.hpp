@@ -29,7 +29,7 @@ constexpr Vec left_of(Vec direction) {
   return {-direction.y, direction.x};
 }
 inline double length(Vec a) {
-  return std::hypot(a.x, a.y);
+  return std::sqrt(dot(a, a));  // coordinates are far from where squares overflow
 }
 inline double angle_rad(Vec a) {
   return std::atan2(a.y, a.x);
