@@ -1,7 +1,9 @@
 #include "programs/diagnostic_document.hpp"
 
-#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <string_view>
 #include <system_error>
@@ -55,24 +57,20 @@ Json rule_of(const ErrorPage& page) {
           {"defaultConfiguration", {{"level", level(page.severity)}}}};
 }
 
-// The pages found, each once and in the order of their numbers, and where each stands.
+// The pages found, each once and in the order of their numbers.
 class Rules {
  public:
   explicit Rules(const std::vector<FileReport>& reports) {
     for (const FileReport& report : reports) {
       for (const Diagnostic& diagnostic : report.diagnostics) {
-        places_.emplace(diagnostic.page->number, 0);
         pages_.emplace(diagnostic.page->number, diagnostic.page);
       }
     }
-    std::size_t place = 0;
-    for (auto& entry : places_) {
-      entry.second = place++;
-    }
   }
 
-  [[nodiscard]] std::size_t place_of(const ErrorPage& page) const {
-    return places_.at(page.number);
+  // Counted from 0. Precondition: the page was found.
+  [[nodiscard]] std::ptrdiff_t place_of(const ErrorPage& page) const {
+    return std::distance(pages_.begin(), pages_.find(page.number));
   }
   [[nodiscard]] Json json() const {
     Json rules = Json::array();
@@ -84,7 +82,6 @@ class Rules {
 
  private:
   std::map<std::uint16_t, const ErrorPage*> pages_;
-  std::map<std::uint16_t, std::size_t> places_;
 };
 
 Json artifact(const std::string& file) {

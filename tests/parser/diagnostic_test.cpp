@@ -1,9 +1,12 @@
 #include "parser/diagnostic.hpp"
 
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "parser/errors/codes.hpp"
 #include "parser/errors/modes.hpp"
+#include "parser/utf8.hpp"
 #include "tests/parser/program.hpp"
 
 namespace kerf::parser {
@@ -87,6 +90,29 @@ TEST(Excerpt, ShowsTabsAsOneBlankAndWhatIsNoCharacterAsAMark) {
 TEST(Excerpt, OfBinaryDataHasNoText) {
   using std::string_view_literals::operator""sv;
   EXPECT_EQ(excerpt_of("G\0001\0 \0X\0"sv, 3).text, "");
+}
+
+TEST(Excerpt, OfAnyBytesIsShortValidTextWithTheCaretInsideIt) {
+  constexpr unsigned kSeed = 11;
+  std::mt19937 random(kSeed);
+  constexpr std::string_view kBytes =
+      "G1 X\t\xC3\xA4\xE2\x88\x92\xF0\x9F\x99\x82\xFF\x80\xCC\x81\x01";
+  std::uniform_int_distribution<std::size_t> pick(0, kBytes.size() - 1);
+  std::uniform_int_distribution<std::size_t> length(0, 300);
+  for (int round = 0; round < 500; ++round) {
+    std::string line(length(random), ' ');
+    std::generate(line.begin(), line.end(), [&] { return kBytes[pick(random)]; });
+    for (std::uint32_t at = 0; at <= line.size() + 1; at += 7) {
+      const Excerpt excerpt = excerpt_of(line, at);
+      for (std::size_t i = 0; i < excerpt.text.size();) {
+        const Utf8 character = utf8_at(std::string_view(excerpt.text).substr(i));
+        ASSERT_GE(character.code, 0x20U) << line;
+        i += character.length;
+      }
+      EXPECT_LE(excerpt.text.size(), 3U * 110U);
+      EXPECT_LE(excerpt.caret, 3U + 2U * 61U);
+    }
+  }
 }
 
 }  // namespace
