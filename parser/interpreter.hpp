@@ -64,18 +64,20 @@ class Interpreter {
  private:
   // interpreter.cpp
   bool execute();
-  bool check_words();
-  bool check_axis_users();
-  bool explain_idle_axes();
-  bool explain_unused(const Word& word);
-  bool check_parameters(Letters ranged, Letters of_motion);
-  void warn_idle_offset_numbers(Letters unused);
   void recover();
   void recover_code(double g);
   bool fail(std::uint32_t offset, const ErrorPage& page, std::string message);
   void report(const Fault& fault);
   void warn(std::uint32_t offset, const ErrorPage& page, std::string message);
   Move& push_move();
+
+  // interpreter_words.cpp
+  bool check_words();
+  bool check_axis_users();
+  bool explain_idle_axes();
+  bool explain_unused(const Word& word);
+  bool check_parameters(Letters ranged, Letters of_motion);
+  void warn_idle_offset_numbers(Letters unused);
 
   // interpreter_modes.cpp
   void set_units_and_feed_mode();

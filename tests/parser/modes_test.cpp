@@ -68,7 +68,7 @@ TEST(Modes, EveryCodeUpToAThousandIsKnownOrRefused) {
     later += message.find("is not supported") != std::string::npos ? 1 : 0;
     known += message.find("is not known") == std::string::npos ? 1 : 0;
   }
-    EXPECT_GT(known - later, 60) << "codes that run";
+  EXPECT_GT(known - later, 60) << "codes that run";
 }
 
 }  // namespace

@@ -244,6 +244,20 @@ class Errors(Case):
         done = self.kerf("dry-run", self.path("square.ngc", SQUARE), "--machine", machine, status=3)
         self.assertRegex(done.stderr, r"mill\.toml:3:\d+: error: ")
 
+    def test_the_tool_table_comes_from_the_option_or_from_beside_the_machine_file(self):
+        program = self.path("long.ngc", "G43 H7 G0 Z1\nM2\n")
+        refused = self.kerf("check", program, "--tools", self.path("short.tbl", "T1 Z3\n"), status=1)
+        self.assertIn("H7 is not in the tool table", refused.stderr)
+        taken = self.kerf("check", program, "--tools", self.path("own.tbl", "T7 Z30 ;long\n"))
+        self.assertIn("z 0.000 to 31.000 mm", taken.stdout)
+        limits = "[path]\nmax_velocity_mm_s = 9\nmax_acceleration_mm_s2 = 9\nmax_jerk_mm_s3 = 9\n"
+        machine = self.path("mill.toml", limits + '[tools]\nfile = "own.tbl"\n')
+        self.assertIn("z 0.000 to 31.000 mm", self.kerf("check", program, "--machine", machine).stdout)
+        wrong = self.kerf("check", program, "--tools", self.path("wrong.tbl", "T1\nT2 D-1\n"), status=3)
+        self.assertIn("wrong.tbl:2:4: error: D (diameter) must not be negative", wrong.stderr)
+        missing = self.kerf("check", program, "--tools", self.path("none.tbl"), status=5)
+        self.assertIn("none.tbl: error: ", missing.stderr)
+
     def test_a_program_beyond_the_travel_is_4_and_names_the_line(self):
         done = self.kerf("dry-run", self.path("far.ngc", TOO_FAR), status=4)
         self.assertRegex(done.stderr, r"far\.ngc:3:\d+: error: .*x.*limit")
