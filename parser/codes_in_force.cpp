@@ -27,10 +27,6 @@ std::string work_code(std::size_t system) {
                          : "G59." + std::to_string(system - kWhole + 1);
 }
 
-bool is_zero(const Point& point_mm) {
-  return point_mm == Point{};
-}
-
 const char* path_code(PathMode mode) {
   return mode == PathMode::blend ? "G64" : mode == PathMode::exact_stop ? "G61.1" : "G61";
 }
@@ -49,7 +45,7 @@ std::vector<std::string> codes_in_force(const ModalState& state) {
       state.incremental ? "G91" : "G90",
       state.absolute_centre ? "G90.1" : "G91.1",
       feed_code(state.feed_mode),
-      is_zero(state.coordinates.tool_mm()) ? "G49" : "G43",
+      state.tool_length_active ? "G43" : "G49",
       work_code(state.coordinates.system()),
       path_code(state.path_mode),
       state.to_initial_level ? "G98" : "G99",

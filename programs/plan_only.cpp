@@ -44,7 +44,7 @@ std::uint64_t push(lookahead::Planner& planner, const parser::Move& move,
   }
   if (const auto* event = std::get_if<parser::EventMove>(&move.shape)) {
     lookahead::push_event(*event, move.source.line, planner);
-    return 1;
+    return lookahead::is_at_motion(event->kind) ? 0 : 1;
   }
   blocks.clear();
   if (lookahead::append_blocks(move, limits, blocks)) {

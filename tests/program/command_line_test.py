@@ -44,6 +44,16 @@ class Case(unittest.TestCase):
 
 
 class Explain(Case):
+    def test_outputs_at_motion_take_no_time_and_a_tool_of_no_length_is_in_force(self):
+        program = self.path("out.ngc", "G1 X10 F600\nM62 P1\nG1 X20\nT2 M6\nG43 H2\nG0 X0\nM2\n")
+        trace = self.path("out.csv")
+        self.kerf("dry-run", program, "--trace", trace, "-q")
+        with open(trace) as file:
+            rapid = [float(row["t_s"]) for row in csv.DictReader(file) if int(row["line"]) == 6]
+        told = json.loads(self.kerf("explain", program, "--line", "6", "--json").stdout)["block"]
+        self.assertAlmostEqual(told["begin_s"], rapid[0], delta=0.0011)
+        self.assertIn("G43", told["codes"])
+
     def test_finds_the_time_that_the_trace_of_a_run_has(self):
         program = str(pathlib.Path(SOURCE) / "programs" / "pocket.ngc")
         trace = self.path("t.csv")
