@@ -153,6 +153,7 @@ class Interpreter {
   bool radius_of_d(CompensationStart& start);
   bool tip_of_l(CompensationStart& start);
   void compensate_moves();
+  void keep_contour_in_place(const ModalState& before);
 
   // cycles/interpreter_cycles.cpp
   bool drill_cycle();

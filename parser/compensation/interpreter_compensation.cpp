@@ -200,6 +200,24 @@ bool Interpreter::radius_of_d(CompensationStart& start) {
   return true;
 }
 
+// M72, or the return from a subprogram with M73, has brought modes back: the plane and the place of
+// the coordinates must be what they were.
+void Interpreter::keep_contour_in_place(const ModalState& before) {
+  constexpr Point kOrigin{0.0, 0.0, 0.0};
+  constexpr Point kElsewhere{1.0, 2.0, 3.0};
+  const auto same_place = [&](const Point& point) {
+    return state_.coordinates.to_machine(point) == before.coordinates.to_machine(point);
+  };
+  if (state_.plane == before.plane && same_place(kOrigin) && same_place(kElsewhere)) {
+    return;
+  }
+  state_.plane = before.plane;
+  state_.coordinates = before.coordinates;
+  diagnostics_->add({line_, 1, file_}, errors::kNotWhileCompensating,
+                    "the saved modes (M70, M73) have another plane or other offsets: they cannot "
+                    "come back while cutter compensation is active");
+}
+
 // Takes what the block has put out through the compensation.
 void Interpreter::compensate_moves() {
   Move move;

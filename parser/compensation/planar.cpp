@@ -96,7 +96,8 @@ std::optional<Curve> offset(const Curve& curve, double left_mm) {
   constexpr double kSmallestRadius_mm = 1e-6;
   if (curve.is_arc()) {
     const double inwards = clockwise(curve) ? -left_mm : left_mm;
-    if (std::min(curve.start_radius_mm(), curve.end_radius_mm()) - inwards < kSmallestRadius_mm) {
+    const double radius = std::min(curve.start_radius_mm(), curve.end_radius_mm());
+    if (std::min(radius, radius - inwards) < kSmallestRadius_mm) {
       return std::nullopt;
     }
   }

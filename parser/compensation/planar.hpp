@@ -57,7 +57,7 @@ Vec end_direction(const Curve& curve);
 double length_mm(const Curve& curve);  // of an arc with the mean of its radii
 
 // The curve moved `left_mm` to the left of its travel (negative: right). Nothing where that is at
-// or beyond an arc's centre.
+// or beyond an arc's centre, or the arc is but a point.
 std::optional<Curve> offset(const Curve& curve, double left_mm);
 
 // Where the curves meet if each is carried on beyond its ends; an arc with two radii has the one

@@ -76,6 +76,9 @@ void Interpreter::bring_back(const SavedModes& saved) {
   const ModalState before = state_;
   restore_modes(saved, state_);
   bring_back_tool_offset(saved.state);
+  if (compensation_.on()) {
+    keep_contour_in_place(before);
+  }
   if (state_.spindle != before.spindle || state_.spindle_speed != before.spindle_speed) {
     const EventKind kind = state_.spindle == Spindle::off         ? EventKind::spindle_off
                            : state_.spindle == Spindle::clockwise ? EventKind::spindle_cw

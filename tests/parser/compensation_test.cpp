@@ -103,6 +103,14 @@ TEST(Compensation, RefusesWhatWouldShiftTheContour) {
   EXPECT_EQ(messages(std::string(kOn) + "G40 G49 G54 G53 G1 X90 Y60\nM2\n"), "");
 }
 
+TEST(Compensation, LetsNoSavedModesMoveTheContour) {
+  EXPECT_EQ(
+      messages("F600 M70\nG55\nG10 L2 P2 X5\n" + std::string(kOn) + "M72\nX60\nG40 Y40\nM2\n"),
+      "6:1: the saved modes (M70, M73) have another plane or other offsets: they cannot come "
+      "back while cutter compensation is active\n");
+  EXPECT_EQ(messages("F600 M70\n" + std::string(kOn) + "M72\nX60\nG40 Y40\nM2\n"), "");
+}
+
 TEST(Compensation, ChecksItsWords) {
   EXPECT_EQ(messages("G41 D-1\nM2\n"), "1:5: D must not be negative\n");
   EXPECT_EQ(messages("G41 D1.5\nM2\n"),
