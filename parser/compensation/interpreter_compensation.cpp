@@ -1,6 +1,7 @@
 // G40, G41, G42, G41.1, G42.1, and what may not stand between them.
 #include <cmath>
 
+#include "parser/errors/blocks.hpp"
 #include "parser/errors/compensation.hpp"
 #include "parser/interpreter.hpp"
 #include "parser/text.hpp"
@@ -149,7 +150,14 @@ bool Interpreter::compensation_radius(CompensationStart& start) {
                 errors::kCompensationWithoutD,
                 joined({code_name(code), " needs D (the tool's diameter)"}));
   }
-  start.radius_mm = block_->value('D') * mm_per_unit(state_.units) / 2;
+  const double diameter_mm = block_->value('D') * mm_per_unit(state_.units);
+  if (!(std::fabs(diameter_mm) <= kLargestCoordinate_mm)) {
+    const Word& word = block_->word('D');
+    return fail(word.offset, errors::kParameterOutOfRange,
+                joined({"D: value ", upper(block_->text(word).substr(1, 40)),
+                        " is outside -999999.999..999999.999"}));
+  }
+  start.radius_mm = diameter_mm / 2;
   return tip_of_l(start);
 }
 

@@ -87,6 +87,7 @@ class Expansion {
       move_to(StepKind::rapid, depth_mm + kChipGap_mm);
     }
     move_to(StepKind::feed, cycle_.levels.bottom_mm);
+    dwell();
     move_to(StepKind::rapid, end_mm_);
   }
 
@@ -162,7 +163,7 @@ Letters letters_of_cycle(Motion motion, Dialect dialect) {
   switch (motion) {
     case Motion::chip_breaking:
     case Motion::peck:
-      return common | letters('Q');
+      return common | letters('Q') | (dialect == Dialect::fanuc ? letters('P') : 0);
     case Motion::drill:
     case Motion::bore:
       return common;

@@ -132,8 +132,9 @@ bool Interpreter::read_cycle(DrillCycle& cycle) {
                   joined({motion_name(), ": Q must be greater than 0"}));
     }
   }
-  const bool dwells =
-      needs_dwell(cycle.kind) || cycle.kind == Motion::tap || cycle.kind == Motion::tap_left;
+  const bool dwells = needs_dwell(cycle.kind) || cycle.kind == Motion::tap ||
+                      cycle.kind == Motion::tap_left ||
+                      (dialect_ == Dialect::fanuc && needs_peck(cycle.kind));
   cycle.dwell_s = dwells ? words.dwell_s.value_or(0.0) : 0.0;
   if (cycle.dwell_s < 0.0) {
     words.dwell_s = 0.0;

@@ -118,5 +118,13 @@ TEST(Cycles, OfFanucStoreTheirWordsWithK0) {
   EXPECT_EQ(text_of(program.moves[1]), "2: rapid to 6 0 1");
 }
 
+TEST(Cycles, FanucPecksMayDwellAtTheBottom) {
+  const Program program =
+      read_program("G0 Z5\nG83 X5 Z-3 R1 Q5 P500 F60\nM2\n", {.dialect = Dialect::fanuc});
+  ASSERT_FALSE(program.has_errors);
+  EXPECT_TRUE(std::any_of(program.moves.begin(), program.moves.end(),
+                          [](const Move& move) { return text_of(move) == "2: dwell 0.5"; }));
+}
+
 }  // namespace
 }  // namespace kerf::parser
