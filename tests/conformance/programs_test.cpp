@@ -112,6 +112,19 @@ TEST_P(RealProgramFile, RunsOrIsRefusedForTheReasonGiven) {
   }
 }
 
+TEST(RealPrograms, AreAllInTheTable) {
+  if (!std::filesystem::is_directory(programs_folder())) {
+    GTEST_SKIP() << programs_folder() << " is not here; KERF_PROGRAMS_DIR names the folder";
+  }
+  const std::vector<RealProgram> programs = table();
+  for (const auto& entry : std::filesystem::directory_iterator(programs_folder())) {
+    const std::string name = entry.path().filename().string();
+    const bool listed = std::any_of(programs.begin(), programs.end(),
+                                    [&](const RealProgram& one) { return one.file == name; });
+    EXPECT_TRUE(listed || name == "index.tsv") << name;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Programs, RealProgramFile, testing::ValuesIn(table()), name_of);
 
 }  // namespace
