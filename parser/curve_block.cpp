@@ -84,6 +84,28 @@ char letter_of(const Block& block, const Word& word) {
   return static_cast<char>(block.line[word.offset] & ~0x20);
 }
 
+void append_point(NurbsMove& curve, const NurbsPoint& point, std::uint32_t line) {
+  curve.points.push_back(point);
+  curve.point_lines.push_back(line);
+}
+
+bool CurveCode::fail(Fault& fault, std::uint32_t offset, const ErrorPage& page,
+                     std::initializer_list<std::string_view> parts) const {
+  fault = {offset, joined({name, ": ", joined(parts)}), &page};
+  return false;
+}
+
+bool CurveCode::read_weight(const Block& block, const WeightRule& rule, double& weight,
+                            Fault& fault) const {
+  weight = block.value_or(rule.letter, 1.0);
+  if (weight > 0.0) {
+    return true;
+  }
+  return fail(fault, block.word(rule.letter).offset, *rule.page,
+              {"weight ", std::string_view(&rule.letter, 1), " must be greater than 0, found ",
+               shortest(weight)});
+}
+
 bool check_plane_axes(const CurveBlock& at, std::string_view name, Fault& fault) {
   const Plane plane = at.state.plane;
   const Letters wanted = plane_letters(plane);

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include "parser/arc_geometry.hpp"
 #include "parser/block.hpp"
@@ -42,6 +44,26 @@ constexpr Letters plane_letters(Plane plane) {
   return letter_bit(axis_letter(axes_of(plane).first)) |
          letter_bit(axis_letter(axes_of(plane).second));
 }
+
+// Adds a control point and the line that it comes from.
+void append_point(NurbsMove& curve, const NurbsPoint& point, std::uint32_t line);
+
+// The word that gives a control point its weight, and the page of a wrong one.
+struct WeightRule {
+  char letter;
+  const ErrorPage* page;
+};
+
+// The code of a curve, with which each of its messages begins.
+struct CurveCode {
+  std::string_view name;
+
+  // Puts a fault together from parts of its message. Returns false for the caller to return.
+  bool fail(Fault& fault, std::uint32_t offset, const ErrorPage& page,
+            std::initializer_list<std::string_view> parts) const;
+  // 1 where the block has no such word. False, with the fault: not greater than 0.
+  bool read_weight(const Block& block, const WeightRule& rule, double& weight, Fault& fault) const;
+};
 
 // For curves of two axes: either both or none of the plane's axes. `name` begins the message.
 bool check_plane_axes(const CurveBlock& at, std::string_view name, Fault& fault);

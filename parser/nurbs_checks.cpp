@@ -9,31 +9,21 @@ namespace kerf::parser {
 
 namespace {
 
-constexpr std::string_view kName = "G6.2";
-
-bool fail(Fault& fault, std::uint32_t offset, const ErrorPage& page,
-          std::initializer_list<std::string_view> parts) {
-  fault = {offset, joined({kName, ": ", joined(parts)}), &page};
-  return false;
-}
-
-std::string counted(std::size_t n) {
-  return std::to_string(n);
-}
+constexpr CurveCode kCurve{"G6.2"};
 
 }  // namespace
 
 // Words and codes that no block of a curve may hold.
 bool NurbsCollector::check_foreign(const CurveBlock& at, Fault& fault) const {
   if (at.block.m_count > 0) {
-    return fail(fault, at.block.m[0].offset, errors::kForeignInNurbs,
-                {upper(at.block.text(at.block.m[0])), " is not allowed inside a curve"});
+    return kCurve.fail(fault, at.block.m[0].offset, errors::kForeignInNurbs,
+                       {upper(at.block.text(at.block.m[0])), " is not allowed inside a curve"});
   }
   for (std::size_t i = 0; active_ && i < at.block.g_count; ++i) {
     const Word& word = at.block.g[i];
     if (std::fabs(word.value - 6.2) > 1e-9) {
-      return fail(fault, word.offset, errors::kForeignInNurbs,
-                  {upper(at.block.text(word)), " is not allowed inside a curve"});
+      return kCurve.fail(fault, word.offset, errors::kForeignInNurbs,
+                         {upper(at.block.text(word)), " is not allowed inside a curve"});
     }
   }
   const Letters usable =
@@ -41,25 +31,25 @@ bool NurbsCollector::check_foreign(const CurveBlock& at, Fault& fault) const {
   if (const Word* const word = leftmost(at.block, ~usable)) {
     const char letter = letter_of(at.block, *word);
     const bool first_block_only = letter == 'P' || letter == 'Q';
-    return fail(fault, word->offset,
-                first_block_only ? errors::kFirstBlockOnly : errors::kForeignInNurbs,
-                {named(letter), first_block_only ? " can be given only in the first block"
-                                                 : " is not allowed inside a curve"});
+    return kCurve.fail(fault, word->offset,
+                       first_block_only ? errors::kFirstBlockOnly : errors::kForeignInNurbs,
+                       {named(letter), first_block_only ? " can be given only in the first block"
+                                                        : " is not allowed inside a curve"});
   }
   return true;
 }
 
 bool NurbsCollector::check_axes(const CurveBlock& at, Fault& fault) {
-  if (in_plane_ && !check_plane_axes(at, kName, fault)) {
+  if (in_plane_ && !check_plane_axes(at, kCurve.name, fault)) {
     return false;
   }
   if (axes_ == 0) {
     axes_ = at.block.present & kAxisLetters;
   }
   if (const Word* const word = leftmost(at.block, kAxisLetters & ~axes_)) {
-    return fail(fault, word->offset, errors::kNurbsNewAxis,
-                {named(letter_of(at.block, *word)),
-                 " was not given in the block of the first control point"});
+    return kCurve.fail(fault, word->offset, errors::kNurbsNewAxis,
+                       {named(letter_of(at.block, *word)),
+                        " was not given in the block of the first control point"});
   }
   return true;
 }
@@ -71,23 +61,23 @@ bool NurbsCollector::check_knot(const CurveBlock& at, double knot, Fault& fault)
     return true;
   }
   if (knot < knots.back()) {
-    return fail(fault, offset, errors::kKnotDecreases,
-                {"knot ", shortest(knot), " is smaller than the knot before it (",
-                 shortest(knots.back()), ")"});
+    return kCurve.fail(fault, offset, errors::kKnotDecreases,
+                       {"knot ", shortest(knot), " is smaller than the knot before it (",
+                        shortest(knots.back()), ")"});
   }
   if (knots.size() < order_ && knot != knots.front()) {
-    return fail(fault, offset, errors::kHeadKnots,
-                {"the first ", counted(order_), " knots must be equal, found ", shortest(knot),
-                 " after ", shortest(knots.front())});
+    return kCurve.fail(fault, offset, errors::kHeadKnots,
+                       {"the first ", std::to_string(order_), " knots must be equal, found ",
+                        shortest(knot), " after ", shortest(knots.front())});
   }
   const bool in_tail = !at.block.has_any(kAxisLetters);  // judged when the row is complete
   if (!in_tail && knot == knots.back() && run_ == order_) {
     const bool at_start = knot == knots.front();
-    return fail(fault, offset, errors::kKnotTooOften,
-                {"knot ", shortest(knot), " is repeated ", counted(run_ + 1), " times, at most ",
-                 counted(at_start ? order_ : order_ - 1),
-                 at_start ? " are allowed at the start (P is the order: degree + 1)"
-                          : " are allowed inside the curve"});
+    return kCurve.fail(fault, offset, errors::kKnotTooOften,
+                       {"knot ", shortest(knot), " is repeated ", std::to_string(run_ + 1),
+                        " times, at most ", std::to_string(at_start ? order_ : order_ - 1),
+                        at_start ? " are allowed at the start (P is the order: degree + 1)"
+                                 : " are allowed inside the curve"});
   }
   return true;
 }
@@ -95,19 +85,20 @@ bool NurbsCollector::check_knot(const CurveBlock& at, double knot, Fault& fault)
 bool NurbsCollector::check_tail(const CurveBlock& at, Fault& fault) const {
   const Block& block = at.block;
   if (block.has('R')) {
-    return fail(fault, block.word('R').offset, errors::kNurbsWeightAlone,
-                {"R without a control point"});
+    return kCurve.fail(fault, block.word('R').offset, errors::kNurbsWeightAlone,
+                       {"R without a control point"});
   }
   if (curve_.points.size() < order_) {
-    return fail(fault, block.word('K').offset, errors::kNurbsFewPoints,
-                {"order ", counted(order_), " needs at least ", counted(order_),
-                 " control points, found ", counted(curve_.points.size())});
+    return kCurve.fail(
+        fault, block.word('K').offset, errors::kNurbsFewPoints,
+        {"order ", std::to_string(order_), " needs at least ", std::to_string(order_),
+         " control points, found ", std::to_string(curve_.points.size())});
   }
   const double knot = block.value('K');
   if (tail_ > 0 && knot > curve_.knots.back()) {
-    return fail(fault, block.word('K').offset, errors::kTailKnots,
-                {"the last ", counted(order_), " knots must be equal, found ", shortest(knot),
-                 " after ", shortest(curve_.knots.back())});
+    return kCurve.fail(fault, block.word('K').offset, errors::kTailKnots,
+                       {"the last ", std::to_string(order_), " knots must be equal, found ",
+                        shortest(knot), " after ", shortest(curve_.knots.back())});
   }
   return check_knot(at, knot, fault);
 }
@@ -117,23 +108,24 @@ bool NurbsCollector::check_whole(const CurveBlock& at, Fault& fault) const {
   const auto& knots = curve_.knots;
   const std::uint32_t offset = at.block.word('K').offset;
   if (knots.front() == knots.back()) {
-    return fail(fault, offset, errors::kNoParameterRange,
-                {"the first and the last knot are equal (", shortest(knots.back()),
-                 "): the curve has no parameter range"});
+    return kCurve.fail(fault, offset, errors::kNoParameterRange,
+                       {"the first and the last knot are equal (", shortest(knots.back()),
+                        "): the curve has no parameter range"});
   }
   if (run_ > order_) {
-    return fail(fault, offset, errors::kKnotTooOften,
-                {"knot ", shortest(knots.back()), " is repeated ", counted(run_),
-                 " times at the end, ", counted(order_), " are allowed"});
+    return kCurve.fail(fault, offset, errors::kKnotTooOften,
+                       {"knot ", shortest(knots.back()), " is repeated ", std::to_string(run_),
+                        " times at the end, ", std::to_string(order_), " are allowed"});
   }
   // P equal knots inside: the curve jumps from control point i - 1 to control point i.
   for (std::size_t i = order_; i + order_ < knots.size(); ++i) {
     if (i + order_ <= curve_.points.size() && knots[i] == knots[i + order_ - 1] &&
         curve_.points[i].position_mm != curve_.points[i - 1].position_mm) {
-      return fail(fault, offset, errors::kKnotTooOften,
-                  {"knot ", shortest(knots[i]), " (line ", std::to_string(curve_.knot_lines[i]),
-                   ") is repeated ", counted(order_), " times, at most ", counted(order_ - 1),
-                   " are allowed inside the curve"});
+      return kCurve.fail(
+          fault, offset, errors::kKnotTooOften,
+          {"knot ", shortest(knots[i]), " (line ", std::to_string(curve_.knot_lines[i]),
+           ") is repeated ", std::to_string(order_), " times, at most ", std::to_string(order_ - 1),
+           " are allowed inside the curve"});
     }
   }
   return true;

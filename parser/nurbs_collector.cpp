@@ -11,17 +11,8 @@ namespace {
 
 constexpr double kFirstPointTolerance_mm = 0.0005;  // half of Fanuc's least increment
 constexpr Tenths kG62 = 62;
-constexpr std::string_view kName = "G6.2";
-
-bool fail(Fault& fault, std::uint32_t offset, const ErrorPage& page,
-          std::initializer_list<std::string_view> parts) {
-  fault = {offset, joined({kName, ": ", joined(parts)}), &page};
-  return false;
-}
-
-std::string counted(std::size_t n) {
-  return std::to_string(n);
-}
+constexpr CurveCode kCurve{"G6.2"};
+constexpr WeightRule kWeight{'R', &errors::kNurbsWeight};
 
 }  // namespace
 
@@ -32,13 +23,13 @@ bool NurbsCollector::read_order(const CurveBlock& at, Fault& fault) {
   }
   const Word& word = at.block.word('P');
   if (word.value != std::floor(word.value)) {
-    return fail(fault, word.offset, errors::kNurbsOrder,
-                {"P (order) must be a whole number, found ", shortest(word.value)});
+    return kCurve.fail(fault, word.offset, errors::kNurbsOrder,
+                       {"P (order) must be a whole number, found ", shortest(word.value)});
   }
   if (word.value < kLowestOrder || word.value > kHighestOrder) {
-    return fail(fault, word.offset, errors::kNurbsOrder,
-                {"P (order) must be ", counted(kLowestOrder), " to ", counted(kHighestOrder),
-                 ", found ", shortest(word.value)});
+    return kCurve.fail(fault, word.offset, errors::kNurbsOrder,
+                       {"P (order) must be ", std::to_string(kLowestOrder), " to ",
+                        std::to_string(kHighestOrder), ", found ", shortest(word.value)});
   }
   order_ = static_cast<std::size_t>(word.value);
   return true;
@@ -51,8 +42,8 @@ bool NurbsCollector::read_form(const CurveBlock& at, Fault& fault) {
   }
   const Word& word = at.block.word('Q');
   if (word.value != 1.0 && word.value != 2.0 && word.value != 3.0) {
-    return fail(fault, word.offset, errors::kNurbsForm,
-                {"Q must be 1, 2 or 3, found ", shortest(word.value)});
+    return kCurve.fail(fault, word.offset, errors::kNurbsForm,
+                       {"Q must be 1, 2 or 3, found ", shortest(word.value)});
   }
   return true;
 }
@@ -70,16 +61,16 @@ bool NurbsCollector::begin(const CurveBlock& at, Fault& fault) {
   const bool implicit = at.codes[Group::motion] != kG62;
   const bool has_axes = block.has_any(kAxisLetters);
   if (!has_axes && implicit) {
-    return fail(fault, block.first_word, errors::kPointMissing,
-                {"the curve is complete, a control point is expected with K"});
+    return kCurve.fail(fault, block.first_word, errors::kPointMissing,
+                       {"the curve is complete, a control point is expected with K"});
   }
   if (!has_axes && !block.has('P')) {
-    return fail(fault, block.first_word, errors::kPointMissing,
-                {"P and a control point are expected in the first block"});
+    return kCurve.fail(fault, block.first_word, errors::kPointMissing,
+                       {"P and a control point are expected in the first block"});
   }
   if (implicit && !block.has('K')) {
-    return fail(fault, leftmost(block, kAxisLetters)->offset, errors::kKnotMissing,
-                {"K is missing (G6.2 is still active)"});
+    return kCurve.fail(fault, leftmost(block, kAxisLetters)->offset, errors::kKnotMissing,
+                       {"K is missing (G6.2 is still active)"});
   }
   if (!check_axes(at, fault) || !first_point(at, fault)) {
     return false;
@@ -101,18 +92,16 @@ bool NurbsCollector::first_point(const CurveBlock& at, Fault& fault) {
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!(std::fabs(point[axis] - here[axis]) <= kFirstPointTolerance_mm)) {
-      return fail(
+      return kCurve.fail(
           fault, leftmost(at.block, kAxisLetters)->offset, errors::kFirstPoint,
           {"the first control point ", in_mm(point), " is not the current position ", in_mm(here)});
     }
   }
-  const double weight = at.block.value_or('R', 1.0);
-  if (!(weight > 0.0)) {
-    return fail(fault, at.block.word('R').offset, errors::kNurbsWeight,
-                {"weight R must be greater than 0, found ", shortest(weight)});
+  double weight = 1.0;
+  if (!kCurve.read_weight(at.block, kWeight, weight, fault)) {
+    return false;
   }
-  curve_.points.push_back({here, weight});
-  curve_.point_lines.push_back(at.line);
+  append_point(curve_, {here, weight}, at.line);
   knot_pending_ = !at.block.has('K');
   if (!knot_pending_) {
     push_knot(at.block.value('K'), at.line);
@@ -130,12 +119,12 @@ bool NurbsCollector::add_point(const CurveBlock& at, Fault& fault) {
   const Block& block = at.block;
   const Word* const first_axis = leftmost(block, kAxisLetters);
   if (!block.has('K')) {
-    return fail(fault, first_axis->offset, errors::kKnotMissing, {"K is missing"});
+    return kCurve.fail(fault, first_axis->offset, errors::kKnotMissing, {"K is missing"});
   }
   if (tail_ > 0) {
-    return fail(fault, first_axis->offset, errors::kPointAfterTail,
-                {"a control point after the knot-only blocks (", counted(order_ - tail_),
-                 " more of them are expected)"});
+    return kCurve.fail(fault, first_axis->offset, errors::kPointAfterTail,
+                       {"a control point after the knot-only blocks (",
+                        std::to_string(order_ - tail_), " more of them are expected)"});
   }
   if (!check_axes(at, fault)) {
     return false;
@@ -145,10 +134,9 @@ bool NurbsCollector::add_point(const CurveBlock& at, Fault& fault) {
     return false;
   }
   last_point_mm_ = point;
-  const double weight = block.value_or('R', 1.0);
-  if (!(weight > 0.0)) {
-    return fail(fault, block.word('R').offset, errors::kNurbsWeight,
-                {"weight R must be greater than 0, found ", shortest(weight)});
+  double weight = 1.0;
+  if (!kCurve.read_weight(block, kWeight, weight, fault)) {
+    return false;
   }
   const double knot = block.value('K');
   if (knot_pending_) {
@@ -159,12 +147,11 @@ bool NurbsCollector::add_point(const CurveBlock& at, Fault& fault) {
     return false;
   }
   if (curve_.points.size() == kMostControlPoints) {
-    return fail(fault, first_axis->offset, errors::kNurbsTooManyPoints,
-                {"more than ", counted(kMostControlPoints), " control points"});
+    return kCurve.fail(fault, first_axis->offset, errors::kNurbsTooManyPoints,
+                       {"more than ", std::to_string(kMostControlPoints), " control points"});
   }
   push_knot(knot, at.line);
-  curve_.points.push_back({point, weight});
-  curve_.point_lines.push_back(at.line);
+  append_point(curve_, {point, weight}, at.line);
   return true;
 }
 
@@ -180,13 +167,13 @@ bool NurbsCollector::add_knot(const CurveBlock& at, Fault& fault) {
 Fault NurbsCollector::unfinished(std::uint32_t offset, std::string_view where) const {
   Fault fault;
   if (tail_ == 0) {
-    fail(fault, offset, errors::kNurbsUnfinished,
-         {"the curve is not finished ", where, " (", counted(order_),
-          " knot-only blocks are missing)"});
+    kCurve.fail(fault, offset, errors::kNurbsUnfinished,
+                {"the curve is not finished ", where, " (", std::to_string(order_),
+                 " knot-only blocks are missing)"});
   } else {
-    fail(fault, offset, errors::kNurbsUnfinished,
-         {"the curve is not finished ", where, ": ", counted(order_),
-          " knot-only blocks are needed at its end, found ", counted(tail_)});
+    kCurve.fail(fault, offset, errors::kNurbsUnfinished,
+                {"the curve is not finished ", where, ": ", std::to_string(order_),
+                 " knot-only blocks are needed at its end, found ", std::to_string(tail_)});
   }
   return fault;
 }
@@ -207,7 +194,8 @@ NurbsCollector::Result NurbsCollector::add(const CurveBlock& at, Fault& fault) {
     return Result::more;
   }
   if (!block.has('K')) {
-    fail(fault, block.word('R').offset, errors::kNurbsWeightAlone, {"R without a control point"});
+    kCurve.fail(fault, block.word('R').offset, errors::kNurbsWeightAlone,
+                {"R without a control point"});
     return failed();
   }
   if (!add_knot(at, fault)) {
