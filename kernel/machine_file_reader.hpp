@@ -46,7 +46,7 @@ class MachineFileReader {
   void report(const toml::source_region& where, std::string message);
   void check_keys(const Section& section, std::span<const std::string_view> known);
   std::optional<Section> subsection(const Section& section, std::string_view key);
-  void read_numbers(const Section& section, std::span<const NumberRule> rules, std::size_t index);
+  void read_numbers(const Section& section, std::span<const NumberRule> rules, std::size_t axis);
   std::optional<double> read_number(const Section& section, const NumberRule& rule,
                                     const toml::node& node);
   void read_axis(const Section& section, std::size_t axis);

@@ -33,6 +33,7 @@ class Transition {
   // Motion t_s after the start; s counts from 0 there. t_s outside [0, duration] is clamped. Exact
   // at both ends: v_begin and s = 0 there, v_end and s = length_mm() here. Of duration 0 it is at
   // its end throughout.
+  // NOLINTNEXTLINE(bugprone-exception-escape): std::visit throws on a Shape without a law only.
   [[nodiscard]] PathMotion at(double t_s) const noexcept;
   // The same shape over factor times the duration: slower, longer, gentler. Precondition: > 0.
   [[nodiscard]] Transition stretched(double factor) const noexcept;
