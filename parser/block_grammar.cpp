@@ -325,7 +325,8 @@ bool read_block(std::string_view text, Block& block, Evaluator& evaluator) {
   const char* at = text.data();
   const char* const end = at + text.size();
   const Target target{block, evaluator};
-  x3::parse(at, end, x3::with<BlockTag>(std::cref(target))[line]);
+  const auto surroundings = std::cref(target);
+  line.parse(at, end, x3::make_context<BlockTag>(surroundings), x3::unused, x3::unused);
   block.stopped_at = offset_in(block, at);
   block.fault = &evaluator.fault();
   return block.assignment == 0 ? at == end : finish_assignments(block, evaluator);

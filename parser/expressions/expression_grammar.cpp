@@ -168,8 +168,11 @@ const auto expression = level_rule<kLowestLevel>();
 
 template <class Grammar, class Value>
 bool parse_with(const Grammar& grammar, const Reading& reading, Value& result) {
+  // The context is made by hand: x3::with would copy the grammar for each value.
   const Surroundings here{reading.begin, &reading.evaluator};
-  return x3::parse(reading.at, reading.end, x3::with<Here>(std::cref(here))[grammar], result) &&
+  const auto surroundings = std::cref(here);
+  const auto context = x3::make_context<Here>(surroundings);
+  return grammar.parse(reading.at, reading.end, context, x3::unused, result) &&
          !reading.evaluator.failed();
 }
 
