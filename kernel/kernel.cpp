@@ -95,6 +95,7 @@ class Kernel::Impl {
       }
       return false;
     }
+    source_ = move.source;
     line_ = move.source.line;
     if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
       planner_.push_rest(dwell->duration_s, line_);
@@ -140,8 +141,13 @@ class Kernel::Impl {
   void fail(const lookahead::PlanError& error, const parser::ErrorPage& page) {
     plan_failed_ = true;
     all_diagnostics_ = reader_.diagnostics();
-    all_diagnostics_.emplace_back(parser::SourcePosition{.line = error.line, .column = 1}, page,
-                                  error.message);
+    parser::SourcePosition place = source_;
+    if (error.line != place.line) {  // inside a curve of many blocks
+      place.line = error.line;
+      place.column = 1;
+    }
+    Diagnostic& diagnostic = all_diagnostics_.emplace_back(place, page, error.message);
+    diagnostic.file = reader_.file_name(place.file);
     end_program();
   }
 
@@ -160,6 +166,7 @@ class Kernel::Impl {
   std::int64_t horizon_ticks_;
   Delivery delivery_{queue_};
   std::vector<lookahead::Block> blocks_;
+  parser::SourcePosition source_;  // of the move taken last
   std::uint32_t line_ = 0;
   bool finished_ = false;
   bool plan_failed_ = false;

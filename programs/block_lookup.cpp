@@ -1,6 +1,8 @@
 #include "programs/block_lookup.hpp"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include "parser/line_splitter.hpp"
 
@@ -8,13 +10,12 @@ namespace kerf::program {
 
 using parser::Diagnostic;
 
-void fill_in_blocks(std::vector<Diagnostic>& diagnostics, ProgramFile& file) {
-  std::vector<Diagnostic*> open;
-  for (Diagnostic& diagnostic : diagnostics) {
-    if (diagnostic.block.text.empty() && diagnostic.file.empty() && diagnostic.source.column > 0) {
-      open.push_back(&diagnostic);
-    }
-  }
+namespace {
+
+// Diagnostics about one file that have no block yet.
+using Open = std::vector<Diagnostic*>;
+
+void fill_in(Open open, ProgramFile& file) {
   std::stable_sort(open.begin(), open.end(), [](const Diagnostic* a, const Diagnostic* b) {
     return a->source.line < b->source.line;
   });
@@ -37,6 +38,24 @@ void fill_in_blocks(std::vector<Diagnostic>& diagnostics, ProgramFile& file) {
     }
     for (parser::Line line; next != open.end() && lines.next(line);) {
       take(line);
+    }
+  }
+}
+
+}  // namespace
+
+void fill_in_blocks(std::vector<Diagnostic>& diagnostics, ProgramFile& program) {
+  std::map<std::string, Open> files;
+  for (Diagnostic& diagnostic : diagnostics) {
+    if (diagnostic.block.text.empty() && diagnostic.source.column > 0) {
+      files[diagnostic.file].push_back(&diagnostic);
+    }
+  }
+  for (const auto& [name, open] : files) {
+    if (name.empty()) {
+      fill_in(open, program);
+    } else if (auto subprogram = ProgramFile::open(name)) {
+      fill_in(open, *subprogram);
     }
   }
 }

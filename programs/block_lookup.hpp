@@ -8,9 +8,9 @@
 
 namespace kerf::program {
 
-// Gives each diagnostic about the program's own text its block, where it has none yet: those of
-// curves and of the machine come late. Reads the file once more, if it must; what cannot be read
+// Gives each diagnostic its block, where it has none yet: those of curves and of the machine come
+// late. Reads the program and files of subprograms once more, if it must; what cannot be read
 // stays without.
-void fill_in_blocks(std::vector<parser::Diagnostic>& diagnostics, ProgramFile& file);
+void fill_in_blocks(std::vector<parser::Diagnostic>& diagnostics, ProgramFile& program);
 
 }  // namespace kerf::program

@@ -226,6 +226,12 @@ class Errors(Case):
         at = next(i for i, line in enumerate(lines) if "[E1000]" in line)
         self.assertEqual(lines[at + 1:at + 3], ["    G1 X1000", "    ^"])
 
+    def test_a_path_beyond_the_travel_in_a_subprogram_names_its_file_and_shows_its_block(self):
+        self.path("big.ngc", "o<big> sub\n  G1 X1000 F100\no<big> endsub\nM2\n")
+        lines = self.kerf("check", self.path("main.ngc", "G21\n\no<big> call\nM2\n"), status=4).stderr.splitlines()
+        self.assertRegex(lines[0], r"^\S*big\.ngc:2:3: error: x goes .+ \[E1000\]$")
+        self.assertEqual(lines[1:3], ["      G1 X1000 F100", "      ^"])
+
     def test_warnings_have_the_same_form_and_quiet_leaves_them_out(self):
         path = self.path("open.ngc", "G21 G90\nM6\n")
         done = self.kerf("dry-run", path)
