@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "parser/cycles/drill_cycle.hpp"
+#include "parser/fanuc/least_increment.hpp"
 #include "parser/lexical_error.hpp"
 #include "parser/offsets/word_users.hpp"
 
@@ -60,6 +61,11 @@ Move& Interpreter::push_move() {
 
 void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
   block_ = &block;
+  if (dialect_ == Dialect::fanuc && machine_.least_increment_mm != 0.0) {
+    counted_block_ = block;
+    count_in_least_increments(state_, machine_.least_increment_mm, counted_block_);
+    block_ = &counted_block_;
+  }
   line_ = line;
   const bool sorted = sort_codes(block, dialect_, codes_, fault_);
   if (skipped_curve_ != kNoCode) {

@@ -168,6 +168,12 @@ class Interpreter {
   void push_cycle_step(const CycleStep& step, double feedrate_mm_s);
   [[nodiscard]] std::string motion_name() const;
 
+  // fanuc/interpreter_fanuc.cpp
+  [[nodiscard]] Letters letters_of_fanuc() const;
+  bool fanuc_dwell();
+  bool check_reference_point();
+  bool set_offset_memory(int kind);
+
   // cycles/interpreter_probe.cpp
   bool probe();
   bool find_contact(Point& end_mm);
@@ -219,6 +225,7 @@ class Interpreter {
   Tenths skipped_curve_ = kNoCode;  // the code of a curve with an error whose blocks still come
 
   const Block* block_ = nullptr;  // of the running block
+  Block counted_block_;           // with numbers that count in least increments
   BlockCodes codes_;
   Group axis_taker_ = Group::count;  // the code that takes the block's axis words from the motion
   Fault fault_;

@@ -125,6 +125,9 @@ bool Interpreter::set_feed() {
 }
 
 bool Interpreter::dwell() {
+  if (dialect_ == Dialect::fanuc) {
+    return fanuc_dwell();
+  }
   const Word& code = code_word(*block_, codes_, Group::other);
   if (!block_->has('P')) {
     return fail(code.offset, errors::kDwellWithoutTime, "G4 needs P (seconds)");

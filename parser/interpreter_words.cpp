@@ -43,11 +43,16 @@ bool Interpreter::check_words() {
   const Motion motion = code == kNoCode ? state_.motion : static_cast<Motion>(code);
   const bool coded = block.g_count + block.m_count > 0;
   axis_taker_ = block.g_count > 0 ? taker_of_axes(block, codes_) : Group::count;
+  const bool fanuc = dialect_ == Dialect::fanuc;
+  if (fanuc && codes_[Group::other] == kG4) {
+    axis_taker_ = Group::other;  // X is a time
+  }
   const bool moves = axis_taker_ == Group::count &&
                      (code != kNoCode || block.has_any(kAxisLetters | letters('I', 'J', 'K', 'R')));
   const Letters of_motion = moves ? letters_of(motion, dialect_) : 0;
   const Letters usable = letters('N', 'F', 'S', 'T', 'O') | kAxisLetters | of_motion |
-                         (coded ? letters_of_codes(codes_) : 0);
+                         (coded ? letters_of_codes(codes_) : 0) |
+                         (coded && fanuc ? letters_of_fanuc() : 0);
   if (Letters unused = block.present & ~usable; unused != 0) {
     warn_idle_offset_numbers(unused);
     unused &= ~letters('D', 'H');

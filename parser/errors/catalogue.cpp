@@ -12,6 +12,7 @@
 #include "parser/errors/curves.hpp"
 #include "parser/errors/cycles.hpp"
 #include "parser/errors/expressions.hpp"
+#include "parser/errors/fanuc.hpp"
 #include "parser/errors/files.hpp"
 #include "parser/errors/flow.hpp"
 #include "parser/errors/gouges.hpp"
@@ -46,10 +47,10 @@ constexpr auto in_order(const std::array<Page, sizes>&... topics) {
 
 constexpr std::array kPages =
     in_order(kArcsPages, kBlocksPages, kBsplinesPages, kCharactersPages, kCodesPages,
-             kCompensationPages, kCurvesPages, kCyclesPages, kExpressionsPages, kFilesPages,
-             kFlowPages, kMacrosPages, kSubprogramsPages, kGougesPages, kMachinePages, kModesPages,
+             kCompensationPages, kCurvesPages, kCyclesPages, kExpressionsPages, kFanucPages,
+             kFilesPages, kFlowPages, kGougesPages, kMachinePages, kMacrosPages, kModesPages,
              kMotionPages, kNurbsPages, kOffsetsPages, kProbingPages, kShapePages, kSplinesPages,
-             kSwitchesPages, kVariablesPages, kWordsPages);
+             kSubprogramsPages, kSwitchesPages, kVariablesPages, kWordsPages);
 
 }  // namespace
 

@@ -27,6 +27,10 @@ bool Interpreter::set_data() {
   if (kind.value == 2.0 || kind.value == 20.0) {
     return set_work_data(kind.value == 20.0);
   }
+  if (dialect_ == Dialect::fanuc && kind.value >= 10.0 && kind.value <= 13.0 &&
+      kind.value == std::floor(kind.value)) {
+    return set_offset_memory(static_cast<int>(kind.value));
+  }
   if (kind.value == 1.0 || kind.value == 10.0 || kind.value == 11.0) {
     return set_tool_data(static_cast<int>(kind.value));
   }

@@ -75,7 +75,8 @@ bool Interpreter::do_once() {
       return set_data();
     case kG28:
     case kG30:
-      return go_home(codes_[Group::other] == kG28 ? machine_.first_home_mm
+      return check_reference_point() &&
+             go_home(codes_[Group::other] == kG28 ? machine_.first_home_mm
                                                   : machine_.second_home_mm);
     case kStoreG28:
       machine_.first_home_mm = state_.position_mm;

@@ -17,6 +17,8 @@ struct MachineData {
   Point second_home_mm{};                                // G30
   ToolTable tools;
   std::optional<TouchBox> touch_box{};  // what G38 finds
+  // What a number without a decimal point counts in, in the Fanuc dialect; 0: millimetres.
+  double least_increment_mm = 0.0;
 };
 
 // Of the default machine: no offsets, and a tool changer with 60 places. T1 (10 mm, 12.5 mm long),

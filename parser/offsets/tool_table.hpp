@@ -20,6 +20,8 @@ struct Tool {
   double front_angle_deg = 0.0;  // of turning tools, as I, J and Q are
   double back_angle_deg = 0.0;
   std::int32_t orientation = 0;
+  double length_wear_mm = 0.0;  // of Fanuc; part of offset_mm
+  double radius_wear_mm = 0.0;  // part of diameter_mm / 2
 };
 
 // Kept by tool number. A table that nobody gave knows every tool: all have length and diameter 0.

@@ -1,0 +1,107 @@
+// What only the Fanuc dialect has: G4 with X and U, G30 P, G10 L10 to L13.
+#include <cmath>
+
+#include "parser/errors/blocks.hpp"
+#include "parser/errors/fanuc.hpp"
+#include "parser/errors/modes.hpp"
+#include "parser/interpreter.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+constexpr Tenths kG4 = 40;
+constexpr Tenths kG30 = 300;
+
+}  // namespace
+
+// Letters that codes take here and not in RS274.
+Letters Interpreter::letters_of_fanuc() const {
+  const Tenths other = codes_[Group::other];
+  return other == kG4    ? letters('U')
+         : other == kG30 ? letters('P')
+         : codes_[Group::motion] == static_cast<Tenths>(Motion::quadratic_spline) &&
+                 !block_->has_any(kAxisLetters)
+             ? letters('R')  // G5.1 Q1 R: the level of contour control
+             : 0;
+}
+
+// P in milliseconds, X and U in seconds.
+bool Interpreter::fanuc_dwell() {
+  const Word& code = code_word(*block_, codes_, Group::other);
+  if (const Word* const word = leftmost(*block_, letters('Y', 'Z'))) {
+    return fail(
+        word->offset, errors::kDwellWithAxis,
+        joined({"G4 takes the time in P, X or U, not in ", named(letter_of(*block_, *word))}));
+  }
+  const Word* const time = leftmost(*block_, letters('P', 'X', 'U'));
+  if (time == nullptr) {
+    return fail(code.offset, errors::kDwellWithoutTime,
+                "G4 needs P (milliseconds), X or U (seconds)");
+  }
+  const char letter = letter_of(*block_, *time);
+  if (block_->has_any(letters('P', 'X', 'U') & ~letter_bit(letter))) {
+    return fail(time->offset, errors::kDwellTwice, "G4: the time is given in two words");
+  }
+  if (time->value < 0.0) {
+    return fail(time->offset, errors::kNegativeDwell,
+                joined({"G4: ", named(letter), " must not be negative"}));
+  }
+  constexpr double kSecondsPerMs = 0.001;
+  push_move().shape = DwellMove{time->value * (letter == 'P' ? kSecondsPerMs : 1.0)};
+  return true;
+}
+
+// G30 P2 is the second reference point, which G30 without P is too; there are no more here.
+bool Interpreter::check_reference_point() {
+  if (!block_->has('P') || block_->value('P') == 2.0) {
+    return true;
+  }
+  const Word& word = block_->word('P');
+  return fail(word.offset, errors::kReferencePoint,
+              joined({"G30: P must be 2 (this machine has no other reference point), found ",
+                      shortest(word.value)}));
+}
+
+// L10 and L11: length of offset number P and its wear; L12 and L13: radius and its wear. What
+// counts is their sum. G91 adds to what is there.
+bool Interpreter::set_offset_memory(int kind) {
+  const std::string name = joined({"G10 L", std::to_string(kind)});
+  const auto number = data_number(name, 1, ToolTable::kHighestNumber);
+  if (!number || !check_data_words(name, letters('R'))) {
+    return false;
+  }
+  if (!block_->has('R')) {
+    return fail(code_word(*block_, codes_, Group::other).offset, errors::kOffsetMemoryValue,
+                joined({name, " needs R (the value)"}));
+  }
+  if (const Word* const word = leftmost(*block_, kAxisLetters)) {
+    return fail(word->offset, errors::kOffsetMemoryValue,
+                joined({name, " takes the value in R, not in ", named(letter_of(*block_, *word))}));
+  }
+  const Tool* const listed = table_tool(*number, block_->word('P').offset);
+  if (listed == nullptr) {
+    return false;
+  }
+  Tool tool = *listed;
+  tool.number = *number;
+  const double value = block_->value('R') * mm_per_unit(state_.units);
+  const bool length = kind < 12;
+  double& wear = length ? tool.length_wear_mm : tool.radius_wear_mm;
+  double whole = length ? tool.offset_mm[2] : tool.diameter_mm / 2;
+  const bool of_wear = kind == 11 || kind == 13;
+  const double before = of_wear ? wear : whole - wear;
+  const double after = value + (state_.incremental ? before : 0.0);
+  whole += after - before;
+  wear = of_wear ? after : wear;
+  if (length) {
+    tool.offset_mm[2] = whole;
+  } else {
+    tool.diameter_mm = 2 * whole;
+  }
+  machine_.tools.put(tool);
+  return true;
+}
+
+}  // namespace kerf::parser
