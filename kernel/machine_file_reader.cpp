@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kSections{"tick",  "path",  "axes",   "offsets",
                                                     "tools", "probe", "program"};
-constexpr std::array<std::string_view, 1> kProgramKeys{"dialect"};
+constexpr std::array<std::string_view, 2> kProgramKeys{"dialect", "least_increment_mm"};
 constexpr std::array<std::string_view, 3> kAxisNames{"x", "y", "z"};
 
 // A key counts even where its value is wrong, and a section that is no table might have had it:
@@ -188,6 +188,11 @@ void MachineFileReader::read_axis(const Section& section, std::size_t axis) {
 
 void MachineFileReader::read_program(const Section& section) {
   check_keys(section, kProgramKeys);
+  constexpr NumberRule kIncrement{"least_increment_mm", 0.0, 1.0, nullptr};
+  if (const toml::node* const increment = section.table->get(kIncrement.key)) {
+    settings_.program.least_increment_mm =
+        read_number(section, kIncrement, *increment).value_or(0.0);
+  }
   const toml::node* const node = section.table->get("dialect");
   if (node == nullptr) {
     return;

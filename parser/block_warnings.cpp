@@ -7,6 +7,7 @@
 #include "parser/errors/files.hpp"
 #include "parser/errors/variables.hpp"
 #include "parser/errors/words.hpp"
+#include "parser/fanuc/end_of_block.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {
@@ -48,7 +49,8 @@ void warn_about(const Block& block, LineInDialect where, DiagnosticList& diagnos
   if (block.remark != 0) {
     const std::string_view remark = block.line.substr(block.remark);
     const std::size_t last = remark.find_last_not_of(" \t");
-    if (last != std::string_view::npos && remark[last] == ';') {
+    const bool is_block = where.dialect == Dialect::fanuc && reads_as_block(remark);
+    if (!is_block && last != std::string_view::npos && remark[last] == ';') {
       diagnostics.add({line, block.remark}, errors::kSemicolonAtEnd,
                       joined({"the text after ';' is taken as a comment: ", quoted(remark)}));
     }

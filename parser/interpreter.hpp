@@ -173,6 +173,7 @@ class Interpreter {
   bool fanuc_dwell();
   bool check_reference_point();
   bool set_offset_memory(int kind);
+  void warn_of_order();
 
   // cycles/interpreter_probe.cpp
   bool probe();

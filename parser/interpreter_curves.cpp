@@ -60,6 +60,8 @@ bool Interpreter::begin_curve() {
       (nurbs ? nurbs_.begin(curve_block(), fault_) : uniform_.begin(curve_block(), fault_));
   if (!fine) {
     skipped_curve_ = nurbs ? kG62 : kG52;
+  } else if (nurbs && dialect_ == Dialect::fanuc) {
+    warn_of_order();
   }
   return fine;
 }

@@ -6,6 +6,7 @@
 #include "parser/block_grammar.hpp"
 #include "parser/block_warnings.hpp"
 #include "parser/errors/characters.hpp"
+#include "parser/errors/fanuc.hpp"
 #include "parser/errors/files.hpp"
 #include "parser/errors/flow.hpp"
 #include "parser/errors/macros.hpp"
@@ -13,6 +14,7 @@
 #include "parser/errors/words.hpp"
 #include "parser/expressions/evaluator.hpp"
 #include "parser/expressions/parameters.hpp"
+#include "parser/fanuc/end_of_block.hpp"
 #include "parser/flow/block_calls.hpp"
 #include "parser/flow/flow.hpp"
 #include "parser/flow/statement_reader.hpp"
@@ -61,6 +63,7 @@ class ProgramReader::Impl {
   bool begins_flow(std::string_view text) const;
   void read_line(const Line& line);
   void read_code(const Line& line);
+  void read_behind_semicolon(const Line& line);
   bool read_percent(const Line& line, std::size_t at);
   void read_rest(const Line& line);
   bool is_program_number(const Block& block, std::uint32_t line);
@@ -80,6 +83,7 @@ class ProgramReader::Impl {
   Evaluator evaluator_;
   Flow flow_;
   Block block_;
+  std::string behind_semicolon_;    // the rest of a Fanuc line with more than one block
   std::optional<Call> modal_call_;  // G66
   std::size_t modal_depth_ = 0;     // of the calls where it was given
   bool ended_ = false;              // the program, not the bytes
@@ -240,6 +244,33 @@ void ProgramReader::Impl::read_line(const Line& line) {
     watched_block_ = WatchedBlock{std::string(line.text), interpreter_.state()};
   }
   read_code(line);
+  if (options_.dialect == Dialect::fanuc && block_.remark != 0) {
+    read_behind_semicolon(line);
+  }
+}
+
+// The blocks that follow in the line, each with blanks in place of those before it, so that columns
+// stay what they are.
+void ProgramReader::Impl::read_behind_semicolon(const Line& line) {
+  const std::size_t depth = flow_.call_depth();
+  Line rest = line;
+  while (block_.remark != 0 && reads_as_block(rest.text.substr(block_.remark)) &&
+         !interpreter_.program_ended()) {
+    if (flow_.call_depth() != depth) {
+      diagnostics_.add({line.number, block_.remark}, errors::kBlockBehindCall,
+                       "a block behind ';' cannot follow a call in the same line");
+      return;
+    }
+    const std::size_t begin = block_.remark;
+    diagnostics_.add({line.number, block_.remark}, errors::kSemicolonEndsBlock,
+                     joined({"';' ends the block: ", quoted(rest.text.substr(begin)),
+                             " is run as another one"}));
+    std::string blocks(begin, ' ');
+    blocks += rest.text.substr(begin);
+    behind_semicolon_ = std::move(blocks);
+    rest.text = behind_semicolon_;
+    read_code(rest);
+  }
 }
 
 void ProgramReader::Impl::read_code(const Line& line) {

@@ -37,6 +37,40 @@ inline constexpr ErrorPage kOffsetMemoryValue{
     "G10 L10 P1 Z5.\nM2\n",
     Dialect::fanuc};
 
-inline constexpr std::array kFanucPages{&kDwellTwice, &kReferencePoint, &kOffsetMemoryValue};
+inline constexpr ErrorPage kSemicolonEndsBlock{
+    903,
+    Severity::warning,
+    "more than one block in a line",
+    "In the Fanuc dialect ';' ends a block where words follow it; in RS274 it begins a comment. "
+    "The "
+    "words behind it are run as a block of their own.",
+    "Write each block on a line of its own, or the remark in brackets.",
+    "G1 X5 F100; G1 Y7;\nM2\n",
+    Dialect::fanuc};
+
+inline constexpr ErrorPage kBlockBehindCall{
+    904,
+    Severity::error,
+    "block behind a call in one line",
+    "The subprogram runs behind the line that calls it, so a block that follows the call in the "
+    "same line would come too early.",
+    "Write the block on a line of its own.",
+    "M98 P100; G0 X5\nM30\nO100\nG0 X1\nM99\n",
+    Dialect::fanuc};
+
+inline constexpr ErrorPage kOrderExtension{
+    905,
+    Severity::warning,
+    "order of a curve above Fanuc's",
+    "Fanuc's G06.2 takes P (order, degree + 1) from 2 to 4 and answers others with PS5115. Kerf "
+    "runs "
+    "orders up to 10.",
+    "Nothing to mend for Kerf. For a Fanuc control let the CAM system write curves of order 4.",
+    "G6.2 P5 K0 X0 Y0 F100\nM30\n",
+    Dialect::fanuc};
+
+inline constexpr std::array kFanucPages{&kOrderExtension,  &kSemicolonEndsBlock,
+                                        &kBlockBehindCall, &kDwellTwice,
+                                        &kReferencePoint,  &kOffsetMemoryValue};
 
 }  // namespace kerf::parser::errors

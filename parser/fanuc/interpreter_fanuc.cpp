@@ -16,6 +16,16 @@ constexpr Tenths kG30 = 300;
 
 }  // namespace
 
+// G06.2 P goes to 4 on the control; a program with more is for Kerf, or wrong.
+void Interpreter::warn_of_order() {
+  constexpr double kHighestOfFanuc = 4.0;
+  if (block_->has('P') && block_->value('P') > kHighestOfFanuc) {
+    warn(block_->word('P').offset, errors::kOrderExtension,
+         joined({"G6.2: P (order) ", shortest(block_->value('P')),
+                 " is an extension: Fanuc takes 2 to 4"}));
+  }
+}
+
 // Letters that codes take here and not in RS274.
 Letters Interpreter::letters_of_fanuc() const {
   const Tenths other = codes_[Group::other];

@@ -66,6 +66,21 @@ TEST(Fanuc, TakesTheLevelOfContourControl) {
   EXPECT_EQ(run("G05.1 Q1 R5\nG1 X5. F60\nG05.1 Q0"), (Lines{"2: line to 5 0 0 feed 1"}));
 }
 
+TEST(Fanuc, EndsABlockAtASemicolonThatWordsFollow) {
+  EXPECT_EQ(run("G1 X5. F60; Y7.; (a remark)"),
+            (Lines{"1: line to 5 0 0 feed 1", "1: line to 5 7 0 feed 1"}));
+  EXPECT_EQ(run("#1=5; G0 X#1; #1=6; Y#1;"), (Lines{"1: rapid to 5 0 0", "1: rapid to 5 6 0"}));
+}
+
+TEST(Fanuc, TakesWhatIsNoBlockBehindASemicolonForARemark) {
+  EXPECT_EQ(run("G1 X5. F60; Y7 is next"), (Lines{"1: line to 5 0 0 feed 1"}));
+  EXPECT_EQ(run("G1 X5. F60;"), (Lines{"1: line to 5 0 0 feed 1"}));
+}
+
+TEST(Fanuc, CountsColumnsBehindASemicolonFromTheStartOfTheLine) {
+  EXPECT_EQ(run("G1 X5. F60; G999").at(0), "p:1:13: error: G999 is not known [E0100]");
+}
+
 TEST(LeastIncrement, IsTheUnitOfNumbersWithoutAPoint) {
   EXPECT_EQ(run("G1 X1000 Y2. F60", 0.001), (Lines{"1: line to 1 2 0 feed 1"}));
   EXPECT_EQ(run("G2 X1000 Y1000 I500 J500 F60", 0.001),
