@@ -171,7 +171,7 @@ bool sort_words(const Block& block, const std::array<Word, size>& words, std::si
 
 }  // namespace
 
-bool sort_codes(const Block& block, Dialect dialect, BlockCodes& codes, Fault& fault) {
+bool sort_some_codes(const Block& block, Dialect dialect, BlockCodes& codes, Fault& fault) {
   if (codes.filled) {
     codes = {};
   }

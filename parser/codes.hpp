@@ -57,9 +57,15 @@ struct BlockCodes {
   [[nodiscard]] bool has(Group group) const { return (*this)[group] != kNoCode; }
 };
 
+// For sort_codes, which keeps blocks without codes away from it.
+bool sort_some_codes(const Block& block, Dialect dialect, BlockCodes& codes, Fault& fault);
+
 // Sorts the block's codes into their groups. False, with the fault of the leftmost wrong code:
 // not known, not supported, or a second one of its group.
-bool sort_codes(const Block& block, Dialect dialect, BlockCodes& codes, Fault& fault);
+inline bool sort_codes(const Block& block, Dialect dialect, BlockCodes& codes, Fault& fault) {
+  return (block.g_count + block.m_count == 0 && !codes.filled) ||
+         sort_some_codes(block, dialect, codes, fault);
+}
 
 // The word that put a code into `group`. Precondition: codes.has(group).
 const Word& code_word(const Block& block, const BlockCodes& codes, Group group);

@@ -203,6 +203,10 @@ bool Evaluator::read_assignment(Cursor& cursor) {
   double value = 0.0;
   const bool fanuc = dialect() == Dialect::fanuc;
   if (!(fanuc ? read_expression(cursor, value) : read_value(cursor, value))) {
+    if (variable.named && !parameters_->get(variable.name)) {
+      // Else each later use of the name would be reported as well.
+      pending_.push_back({0, variable.name, 0.0});
+    }
     return false;
   }
   if (!fanuc) {

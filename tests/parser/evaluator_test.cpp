@@ -143,6 +143,12 @@ TEST(Assignment, MayUseItsOwnVariable) {
   EXPECT_EQ(blocks.parameters.get("n"), 2.0);
 }
 
+TEST(Assignment, ThatFailsIsNotReportedAgainWhereItsNameIsUsed) {
+  Blocks blocks;
+  EXPECT_EQ(blocks.x_of("#<depth>=[1/0]"), "12: division by zero");
+  EXPECT_EQ(blocks.x_of("X#<depth>"), "0");
+}
+
 TEST(Word, RoundsACodeToItsTenth) {
   Blocks blocks;
   blocks.x_of("G[1.00005] G[38.2+0.00001] M[3.00005] T[6.99995]");
