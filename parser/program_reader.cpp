@@ -83,6 +83,7 @@ class ProgramReader::Impl {
   Evaluator evaluator_;
   Flow flow_;
   Block block_;
+  bool called_ = false;  // the block is a call or a return
   std::string behind_semicolon_;    // the rest of a Fanuc line with more than one block
   std::optional<Call> modal_call_;  // G66
   std::size_t modal_depth_ = 0;     // of the calls where it was given
@@ -252,11 +253,10 @@ void ProgramReader::Impl::read_line(const Line& line) {
 // The blocks that follow in the line, each with blanks in place of those before it, so that columns
 // stay what they are.
 void ProgramReader::Impl::read_behind_semicolon(const Line& line) {
-  const std::size_t depth = flow_.call_depth();
   Line rest = line;
   while (block_.remark != 0 && reads_as_block(rest.text.substr(block_.remark)) &&
          !interpreter_.program_ended()) {
-    if (flow_.call_depth() != depth) {
+    if (called_) {
       diagnostics_.add({line.number, block_.remark}, errors::kBlockBehindCall,
                        "a block behind ';' cannot follow a call in the same line");
       return;
@@ -274,6 +274,7 @@ void ProgramReader::Impl::read_behind_semicolon(const Line& line) {
 }
 
 void ProgramReader::Impl::read_code(const Line& line) {
+  called_ = false;
   const bool complete = read_block(line.text, block_, evaluator_);
   if (block_.remarkable) {
     warn_about(block_, {line.number, options_.dialect}, diagnostics_);
@@ -286,7 +287,8 @@ void ProgramReader::Impl::read_code(const Line& line) {
     return;
   }
   any_block_ = true;
-  if (block_.g_count + block_.m_count > 0 && run_call(line, complete)) {
+  called_ = block_.g_count + block_.m_count > 0 && run_call(line, complete);
+  if (called_) {
     return;
   }
   const bool idle = interpreter_.moves().empty();
