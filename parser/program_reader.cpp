@@ -83,7 +83,7 @@ class ProgramReader::Impl {
   Evaluator evaluator_;
   Flow flow_;
   Block block_;
-  bool called_ = false;  // the block is a call or a return
+  bool called_ = false;             // the block is a call or a return
   std::string behind_semicolon_;    // the rest of a Fanuc line with more than one block
   std::optional<Call> modal_call_;  // G66
   std::size_t modal_depth_ = 0;     // of the calls where it was given

@@ -116,9 +116,13 @@ bool Flow::find_target() {
 }
 
 void Flow::target_not_found() {
-  fault(target_.from, target_.offset, errors::kLabelMissing,
-        joined({"N", std::to_string(target_.number), " is not found",
-                forgotten_ ? " in the text that was kept (only 4 MiB are kept before the first macro statement)" : " in this program"}));
+  fault(
+      target_.from, target_.offset, errors::kLabelMissing,
+      joined(
+          {"N", std::to_string(target_.number), " is not found",
+           forgotten_
+               ? " in the text that was kept (only 4 MiB are kept before the first macro statement)"
+               : " in this program"}));
 }
 
 }  // namespace kerf::parser
