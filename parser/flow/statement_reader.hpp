@@ -3,22 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <string_view>
 
 #include "parser/dialect.hpp"
 #include "parser/fault.hpp"
 #include "parser/flow/statement.hpp"
+#include "parser/flow/statement_text.hpp"
 
 namespace kerf::parser {
-
-// Where a block's words begin: behind blanks, block delete and line number.
-struct BlockStart {
-  std::size_t at = 0;
-  std::optional<std::uint32_t> line_number;  // of a whole N of at most nine digits
-};
-BlockStart find_block_start(std::string_view line);
 
 // One look at the byte where the words begin. False: the line is no statement for sure.
 inline bool may_be_statement(std::string_view line, std::size_t at, Dialect dialect) {
@@ -33,18 +25,5 @@ inline bool may_be_statement(std::string_view line, std::size_t at, Dialect dial
 // keyword is then Keyword::wrong.
 bool read_statement(std::string_view line, std::size_t at, Dialect dialect, Statement& statement,
                     Fault& fault);
-
-// A label as it is compared: `0100` is "100", `<Foo Bar>` is "foobar"; `[#1]` stays itself.
-std::string plain_label(std::string_view line, const Statement& statement);
-// As a message names it: o100 or o<foobar>.
-std::string shown_label(std::string_view plain_label);
-
-// Whether only blanks and comments are left from `at` on.
-bool only_comment_left(std::string_view line, std::size_t at);
-// Offset behind the bracket that closes the one at `at`; nothing where none does.
-std::optional<std::size_t> behind_brackets(std::string_view line, std::size_t at);
-std::size_t skip_blanks(std::string_view line, std::size_t at);
-// Offset behind `keyword` (lower case) at `at`, whatever its case and the blanks in it; 0: no.
-std::size_t behind_keyword(std::string_view line, std::size_t at, std::string_view keyword);
 
 }  // namespace kerf::parser

@@ -1,65 +1,16 @@
 #include "parser/flow/structure.hpp"
 
-#include <array>
 #include <utility>
 
 #include "parser/errors/flow.hpp"
 #include "parser/errors/macros.hpp"
-#include "parser/flow/statement_reader.hpp"
+#include "parser/flow/keyword_names.hpp"
+#include "parser/flow/statement_text.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {
 
 namespace {
-
-std::string_view name_of(Keyword keyword) {
-  switch (keyword) {
-    case Keyword::sub:
-      return "sub";
-    case Keyword::endsub:
-      return "endsub";
-    case Keyword::if_:
-      return "if";
-    case Keyword::elseif:
-      return "elseif";
-    case Keyword::else_:
-      return "else";
-    case Keyword::endif:
-      return "endif";
-    case Keyword::while_:
-    case Keyword::do_while:
-      return "while";
-    case Keyword::endwhile:
-      return "endwhile";
-    case Keyword::do_:
-      return "do";
-    case Keyword::repeat:
-      return "repeat";
-    case Keyword::endrepeat:
-      return "endrepeat";
-    case Keyword::break_:
-      return "break";
-    case Keyword::continue_:
-      return "continue";
-    default:
-      return "";
-  }
-}
-
-std::string_view close_of(Keyword opener) {
-  switch (opener) {
-    case Keyword::sub:
-      return "endsub";
-    case Keyword::if_:
-      return "endif";
-    case Keyword::while_:
-      return "endwhile";
-    case Keyword::do_:
-      return "while";
-    default:
-      return "endrepeat";
-  }
-}
 
 bool is_loop(Keyword keyword) {
   return keyword == Keyword::while_ || keyword == Keyword::do_ || keyword == Keyword::repeat;

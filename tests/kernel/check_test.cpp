@@ -56,6 +56,45 @@ TEST(Check, NamesTheLineOfEveryErrorInOrder) {
   EXPECT_EQ(report.diagnostics[2].source.line, 11U);
 }
 
+TEST(Check, ReadsInTheDialectOfTheMachineOrOfTheOptions) {
+  const std::string macro = "O1\nIF [1 EQ 1] GOTO 5\nG1 X1 @\nN5 M30\n";
+  EXPECT_TRUE(check(macro).has_errors());
+  MachineSettings settings;
+  settings.dialect = parser::Dialect::fanuc;
+  EXPECT_FALSE(check(macro, settings).has_errors());
+}
+
+TEST(Check, NamesTheFileOfASubprogramThatLeavesTheTravel) {
+  KernelOptions options;
+  options.subprograms = [](std::string_view) {
+    return parser::SubprogramText{"s.ngc", "o<s> sub\nG0 X500\no<s> endsub\n"};
+  };
+  bool given = false;
+  const CheckReport report = check_program(
+      [&]() -> std::string_view {
+        const bool first = !given;
+        given = true;
+        return first ? "G21 G90\no<s> call\nM2\n" : "";
+      },
+      table_of(-100.0, 100.0), options);
+  ASSERT_EQ(report.limit_faults.size(), 1U);
+  EXPECT_EQ(report.limit_faults[0].file, "s.ngc");
+  EXPECT_EQ(report.limit_faults[0].source.line, 2U);
+}
+
+TEST(Check, EndsWhenItIsAskedTo) {
+  bool given = false;
+  int asked = 0;
+  check_program(
+      [&]() -> std::string_view {
+        const bool first = !given;
+        given = true;
+        return first ? "o1 while [1]\nG0 X1\nG0 X0\no1 endwhile\n" : "";
+      },
+      {}, {}, [&] { return ++asked > 1000; });
+  EXPECT_EQ(asked, 1001);
+}
+
 TEST(Check, TakesTheBulgeOfAnArcIntoTheExtents) {
   const CheckReport report = check("G21 G90 G1 X10 Y0 F600\nG3 X-10 Y0 I-10\nM2\n");
   ASSERT_TRUE(report.moves);

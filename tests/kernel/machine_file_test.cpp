@@ -21,6 +21,16 @@ using kerf::test::read_text;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+TEST(MachineFile, SaysWhichDialectProgramsAreIn) {
+  EXPECT_EQ(parse_machine_file(kBounded)->dialect, kerf::parser::Dialect::rs274);
+  const std::string section = std::string(kBounded) + "[program]\n";
+  EXPECT_EQ(parse_machine_file(section + "dialect = 'fanuc'\n")->dialect,
+            kerf::parser::Dialect::fanuc);
+  EXPECT_FALSE(parse_machine_file(section + "dialect = 'heidenhain'\n"));
+  EXPECT_FALSE(parse_machine_file(section + "dialect = 3\n"));
+  EXPECT_FALSE(parse_machine_file(section + "dialekt = 'fanuc'\n"));
+}
+
 TEST(MachineFile, ReadsEveryKeyIntoItsPlace) {
   const auto read = parse_machine_file(
       "[tick]\nperiod_s = 0.002\n"

@@ -35,6 +35,15 @@ TEST(CommandLine, HasDefaults) {
   EXPECT_FALSE(options.json || options.quiet || options.block_delete);
 }
 
+TEST(CommandLine, TakesADialect) {
+  EXPECT_FALSE(std::get<Options>(parse({"check", "a.nc"})).dialect);
+  EXPECT_EQ(std::get<Options>(parse({"check", "--dialect", "fanuc", "a.nc"})).dialect,
+            parser::Dialect::fanuc);
+  EXPECT_EQ(std::get<Options>(parse({"run", "--dialect", "rs274", "a.nc"})).dialect,
+            parser::Dialect::rs274);
+  EXPECT_NE(refusal({"run", "--dialect", "heidenhain", "a.nc"}), "accepted");
+}
+
 TEST(CommandLine, TakesEveryOption) {
   const auto parsed = parse({"run", "--machine", "m.toml", "--profile", "sigmoid",
                              "--sigmoid-shape", "2.5", "--trace", "t.csv", "--plot", "p.svg",

@@ -1,0 +1,184 @@
+// One line of a program: its words, its calls, and what it makes the tool do.
+#include <string>
+#include <utility>
+
+#include "parser/block_grammar.hpp"
+#include "parser/block_warnings.hpp"
+#include "parser/errors/fanuc.hpp"
+#include "parser/errors/files.hpp"
+#include "parser/errors/flow.hpp"
+#include "parser/errors/subprograms.hpp"
+#include "parser/fanuc/end_of_block.hpp"
+#include "parser/flow/block_calls.hpp"
+#include "parser/flow/statement_reader.hpp"
+#include "parser/program_reader_impl.hpp"
+#include "parser/text.hpp"
+
+namespace kerf::parser {
+
+// O1234 at the head of the program. True: the block is done with.
+bool ProgramReader::Impl::is_program_number(const Block& block, std::uint32_t line) {
+  if (!block.has('O')) {
+    return false;
+  }
+  const bool alone =
+      (block.present & ~letter_bit('N')) == letter_bit('O') && block.g_count + block.m_count == 0;
+  const double number = block.value('O');
+  if (any_block_ || !alone || number < 0.0 || number > 99'999'999.0 ||
+      number != static_cast<double>(static_cast<long>(number))) {
+    diagnostics_.add({line, block.word('O').offset + 1}, errors::kOWordNotFirst,
+                     "an o-word must be the first word of a block");
+  }
+  return true;
+}
+
+void ProgramReader::Impl::call(const Line& line, Call call) {
+  if (!flow_.active()) {
+    flow_.start(line, {.has_run = true});
+  }
+  flow_.call(std::move(call));
+}
+
+// M98 P100 L2, M99 P10, with whatever else the block says done before.
+void ProgramReader::Impl::run_program_call(const Line& line, const Word& code) {
+  Call called;
+  Return back;
+  Fault fault;
+  const bool calls = code.value == 98.0;
+  if (!(calls ? read_m98(block_, options_.dialect, called, fault)
+              : read_m99(block_, back, fault))) {
+    diagnostics_.add({line.number, fault.offset + 1}, *fault.page, std::move(fault.message));
+    return;
+  }
+  remove_call(block_, code);
+  if ((block_.present & ~letter_bit('N')) != 0 || block_.g_count + block_.m_count > 0) {
+    interpreter_.run(block_, line.number, true);
+  }
+  if (calls) {
+    call(line, std::move(called));
+  } else {
+    return_from_call(line, back);
+  }
+}
+
+void ProgramReader::Impl::return_from_call(const Line& line, const Return& back) {
+  if (flow_.active() && flow_.return_from_call(back)) {
+    return;
+  }
+  diagnostics_.add({line.number, back.offset + 1}, errors::kM99InMain,
+                   "M99 in the main program: it would repeat without end and is ended here");
+  interpreter_.end(line.number, "at M99");
+  interpreter_.end_program({line.number, back.offset + 1});
+}
+
+// G65 calls once; G66 calls after each block that moves, until G67.
+void ProgramReader::Impl::run_macro_call(const Line& line, const Word& code) {
+  if (code.value == 67.0) {
+    modal_call_.reset();
+    return;
+  }
+  Call called;
+  Fault fault;
+  called.offset = code.offset;
+  if (!read_macro_call(line.text, evaluator_, called, fault)) {
+    diagnostics_.add({line.number, fault.offset + 1}, *fault.page, std::move(fault.message));
+  } else if (code.value == 65.0) {
+    call(line, std::move(called));
+  } else {
+    modal_call_ = std::move(called);
+    modal_depth_ = flow_.call_depth();
+  }
+}
+
+// True: the block is done with.
+bool ProgramReader::Impl::run_call(const Line& line, bool complete) {
+  if (options_.dialect == Dialect::fanuc) {
+    if (const Word* const code = find_macro_code(block_)) {
+      run_macro_call(line, *code);
+      return true;
+    }
+  }
+  const Word* const code = complete ? find_m98_or_m99(block_) : nullptr;
+  if (code != nullptr) {
+    run_program_call(line, *code);
+  }
+  return code != nullptr;
+}
+
+void ProgramReader::Impl::read_line(const Line& line) {
+  if (line.too_long) {
+    diagnostics_.add({line.number, static_cast<std::uint32_t>(LineSplitter::kMaxLine) + 1},
+                     errors::kLineTooLong,
+                     joined({"the line is longer than the limit of ",
+                             std::to_string(LineSplitter::kMaxLine), " bytes"}));
+    any_block_ = true;
+    return;
+  }
+  const std::size_t at = skip_blanks(line.text, 0);
+  if (at == line.text.size()) {
+    return;
+  }
+  if ((line.text[at] == '%' && read_percent(line, at)) ||
+      (line.text[at] == '/' && options_.block_delete)) {
+    return;
+  }
+  if (line.number == options_.watched_line && !watched_block_ &&
+      (!flow_.active() || flow_.in_program_text())) {
+    watched_block_ = WatchedBlock{std::string(line.text), interpreter_.state()};
+  }
+  read_code(line);
+  if (options_.dialect == Dialect::fanuc && block_.remark != 0) {
+    read_behind_semicolon(line);
+  }
+}
+
+// The blocks that follow in the line, each with blanks in place of those before it, so that columns
+// stay what they are.
+void ProgramReader::Impl::read_behind_semicolon(const Line& line) {
+  Line rest = line;
+  while (block_.remark != 0 && reads_as_block(rest.text.substr(block_.remark)) &&
+         !interpreter_.program_ended()) {
+    if (called_) {
+      diagnostics_.add({line.number, block_.remark}, errors::kBlockBehindCall,
+                       "a block behind ';' cannot follow a call in the same line");
+      return;
+    }
+    const std::size_t begin = block_.remark;
+    diagnostics_.add({line.number, block_.remark}, errors::kSemicolonEndsBlock,
+                     joined({"';' ends the block: ", quoted(rest.text.substr(begin)),
+                             " is run as another one"}));
+    std::string blocks(begin, ' ');
+    blocks += rest.text.substr(begin);
+    behind_semicolon_ = std::move(blocks);
+    rest.text = behind_semicolon_;
+    read_code(rest);
+  }
+}
+
+void ProgramReader::Impl::read_code(const Line& line) {
+  called_ = false;
+  const bool complete = read_block(line.text, block_, evaluator_);
+  if (block_.remarkable) {
+    warn_about(block_, {line.number, options_.dialect}, diagnostics_);
+  }
+  any_block_ = any_block_ || block_.assignment != 0;
+  if (complete && block_.empty()) {
+    return;
+  }
+  if (is_program_number(block_, line.number)) {
+    return;
+  }
+  any_block_ = true;
+  called_ = block_.g_count + block_.m_count > 0 && run_call(line, complete);
+  if (called_) {
+    return;
+  }
+  const bool idle = interpreter_.moves().empty();
+  interpreter_.run(block_, line.number, complete);
+  if (modal_call_ && idle && !interpreter_.moves().empty() && block_.has_any(kAxisLetters) &&
+      flow_.call_depth() == modal_depth_) {
+    call(line, *modal_call_);
+  }
+}
+
+}  // namespace kerf::parser

@@ -1,0 +1,87 @@
+// What a ProgramReader does, in two parts: which line is next, and what is done with it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "parser/block.hpp"
+#include "parser/diagnostic_list.hpp"
+#include "parser/expressions/evaluator.hpp"
+#include "parser/expressions/parameters.hpp"
+#include "parser/flow/call.hpp"
+#include "parser/flow/flow.hpp"
+#include "parser/interpreter.hpp"
+#include "parser/program_input.hpp"
+#include "parser/program_reader.hpp"
+
+namespace kerf::parser {
+
+class ProgramReader::Impl {
+ public:
+  explicit Impl(const ReaderOptions& options)
+      : options_(options),
+        diagnostics_(options.max_errors),
+        input_(diagnostics_),
+        interpreter_(options.start_mm, diagnostics_, options.machine, options.dialect),
+        parameters_(options.dialect),
+        evaluator_(parameters_),
+        flow_(options_, input_, evaluator_, diagnostics_, interpreter_) {
+    parameters_.use(interpreter_.values());
+  }
+
+  ProgramInput& input() { return input_; }
+  bool next(Move& move);  // program_lines.cpp
+  [[nodiscard]] bool at_end() const { return ended_ && all_fetched_ && !flow_.needs_rest(); }
+  [[nodiscard]] const DiagnosticList& diagnostics() const { return diagnostics_; }
+  [[nodiscard]] const std::optional<WatchedBlock>& watched_block() const { return watched_block_; }
+  [[nodiscard]] std::size_t held_bytes() const { return flow_.held_bytes(); }
+  [[nodiscard]] std::string_view file_name(std::uint16_t file) const {
+    return flow_.file_name(file);
+  }
+
+ private:
+  // program_lines.cpp
+  bool next_line(Line& line);
+  bool next_plain_line(Line& line);
+  bool begins_flow(std::string_view text) const;
+  bool read_percent(const Line& line, std::size_t at);
+  void read_rest(const Line& line);
+  void reach_end();
+
+  // program_blocks.cpp
+  void read_line(const Line& line);
+  void read_code(const Line& line);
+  void read_behind_semicolon(const Line& line);
+  bool is_program_number(const Block& block, std::uint32_t line);
+  bool run_call(const Line& line, bool complete);
+  void run_program_call(const Line& line, const Word& code);
+  void run_macro_call(const Line& line, const Word& code);
+  void call(const Line& line, Call call);
+  void return_from_call(const Line& line, const Return& back);
+
+  ReaderOptions options_;
+  DiagnosticList diagnostics_;
+  ProgramInput input_;
+  Interpreter interpreter_;
+  Parameters parameters_;
+  Evaluator evaluator_;
+  Flow flow_;
+  Block block_;
+  bool called_ = false;             // the block is a call or a return
+  std::string behind_semicolon_;    // the rest of a Fanuc line with more than one block
+  std::optional<Call> modal_call_;  // G66
+  std::size_t modal_depth_ = 0;     // of the calls where it was given
+  bool ended_ = false;              // the program, not the bytes
+  bool all_fetched_ = true;         // all its moves are fetched
+  bool any_block_ = false;
+  bool opened_by_percent_ = false;
+  bool closed_by_percent_ = false;
+  bool rest_reported_ = false;
+  std::uint32_t opening_line_ = 0;
+  std::optional<WatchedBlock> watched_block_;
+};
+
+}  // namespace kerf::parser

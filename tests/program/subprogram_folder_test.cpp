@@ -1,0 +1,63 @@
+#include "programs/subprogram_folder.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace kerf::program {
+namespace {
+
+using parser::Dialect;
+
+class SubprogramFolder : public testing::Test {
+ protected:
+  SubprogramFolder() { std::filesystem::create_directories(folder_); }
+  ~SubprogramFolder() override { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+  [[nodiscard]] parser::SubprogramSource source(Dialect dialect = Dialect::rs274) const {
+    return subprograms_beside((folder_ / "main.ngc").string(), dialect);
+  }
+
+  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "subprogram_folder";
+};
+
+TEST_F(SubprogramFolder, FindsAFileByItsName) {
+  write("drill.ngc", "o<drill> sub\n");
+  const auto found = source()("drill");
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->text, "o<drill> sub\n");
+  EXPECT_EQ(found->file, (folder_ / "drill.ngc").string());
+  EXPECT_FALSE(source()("mill"));
+}
+
+TEST_F(SubprogramFolder, ReadsAFileOnce) {
+  write("drill.ngc", "first");
+  const auto subprograms = source();
+  EXPECT_EQ(subprograms("drill")->text, "first");
+  write("drill.ngc", "second");
+  EXPECT_EQ(subprograms("drill")->text, "first");
+  EXPECT_EQ(source()("drill")->text, "second");
+}
+
+TEST_F(SubprogramFolder, LeavesTheFolderForNoName) {
+  write("drill.ngc", "text");
+  EXPECT_FALSE(source()("../subprogram_folder/drill"));
+  std::filesystem::create_directories(folder_ / "sub.ngc");
+  EXPECT_FALSE(source()("sub")) << "a folder is no file";
+}
+
+TEST_F(SubprogramFolder, KnowsHowFanucProgramsAreNamed) {
+  write("O0007.NC", "seven");
+  write("12345.ngc", "long");
+  EXPECT_EQ(source(Dialect::fanuc)("7")->text, "seven");
+  EXPECT_EQ(source(Dialect::fanuc)("12345")->text, "long");
+  EXPECT_FALSE(source(Dialect::rs274)("7"));
+}
+
+}  // namespace
+}  // namespace kerf::program
