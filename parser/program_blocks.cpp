@@ -44,9 +44,9 @@ void ProgramReader::Impl::run_program_call(const Line& line, const Word& code) {
   Call called;
   Return back;
   Fault fault;
-  const bool calls = code.value == 98.0;
-  if (!(calls ? read_m98(block_, options_.dialect, called, fault)
-              : read_m99(block_, back, fault))) {
+  const bool calls = code.value != 99.0;
+  if (!(calls ? read_program_call(block_, code, options_.dialect, called, fault)
+              : read_m99(block_, code, back, fault))) {
     diagnostics_.add({line.number, fault.offset + 1}, *fault.page, std::move(fault.message));
     return;
   }
@@ -98,7 +98,7 @@ bool ProgramReader::Impl::run_call(const Line& line, bool complete) {
       return true;
     }
   }
-  const Word* const code = complete ? find_m98_or_m99(block_) : nullptr;
+  const Word* const code = complete ? find_program_code(block_, options_.dialect) : nullptr;
   if (code != nullptr) {
     run_program_call(line, *code);
   }

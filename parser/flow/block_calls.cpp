@@ -167,21 +167,25 @@ class MacroCall {
 
 }  // namespace
 
-bool read_m98(const Block& block, Dialect dialect, Call& call, Fault& fault) {
-  const Word& code = *find_m98_or_m99(block);
-  call.kind = CallKind::program;
+bool read_program_call(const Block& block, const Word& code, Dialect dialect, Call& call,
+                       Fault& fault) {
+  const bool local = code.value == 97.0;
+  const std::string_view name = local ? "M97" : "M98";
+  call.kind = local ? CallKind::local : CallKind::program;
   call.offset = code.offset;
   if (!block.has('P')) {
-    fault = fault_at(code.offset, errors::kM98WithoutP, "M98 needs P (the subprogram's number)");
+    fault = fault_at(code.offset, errors::kM98WithoutP,
+                     joined({name, local ? " needs P (the number of the block to go to)"
+                                         : " needs P (the subprogram's number)"}));
     return false;
   }
-  Numbers numbers{.name = "M98",
+  Numbers numbers{.name = name,
                   .program = block.value('P'),
                   .runs = block.value_or('L', 1.0),
                   .program_at = block.word('P').offset,
                   .runs_at = block.has('L') ? block.word('L').offset : code.offset};
-  const bool both = dialect == Dialect::fanuc && !block.has('L') && numbers.program > 9999.0 &&
-                    is_whole(numbers.program, 0.0, kLargestNumber);
+  const bool both = dialect == Dialect::fanuc && !local && !block.has('L') &&
+                    numbers.program > 9999.0 && is_whole(numbers.program, 0.0, kLargestNumber);
   if (both) {
     numbers.runs = std::floor(numbers.program / 10000.0);
     numbers.program -= numbers.runs * 10000.0;
@@ -189,9 +193,9 @@ bool read_m98(const Block& block, Dialect dialect, Call& call, Fault& fault) {
   return set_numbers(numbers, call, fault);
 }
 
-bool read_m99(const Block& block, Return& back, Fault& fault) {
+bool read_m99(const Block& block, const Word& code, Return& back, Fault& fault) {
   constexpr double kLargestLineNumber = 999'999'999.0;
-  back.offset = find_m98_or_m99(block)->offset;
+  back.offset = code.offset;
   if (!block.has('P')) {
     return true;
   }

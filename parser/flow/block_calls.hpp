@@ -1,4 +1,4 @@
-// Calls in blocks: M98, M99, G65, G66 and G67 as words.
+// Calls in blocks: M97, M98, M99, G65, G66 and G67 as words.
 #pragma once
 
 #include <string_view>
@@ -12,9 +12,10 @@
 namespace kerf::parser {
 
 // The first call code of a block; nullptr: it has none. One compare for each code.
-inline const Word* find_m98_or_m99(const Block& block) {
+inline const Word* find_program_code(const Block& block, Dialect dialect) {
+  const double first = dialect == Dialect::fanuc ? 97.0 : 98.0;
   for (std::size_t i = 0; i < block.m_count; ++i) {
-    if (block.m[i].value == 98.0 || block.m[i].value == 99.0) {
+    if (block.m[i].value >= first && block.m[i].value <= 99.0) {
       return &block.m[i];
     }
   }
@@ -29,11 +30,12 @@ inline const Word* find_macro_code(const Block& block) {
   return nullptr;
 }
 
-// M98 P and L. Fanuc writes the repeats before a program number of four digits too: P30100.
-// False: the fault says why.
-bool read_m98(const Block& block, Dialect dialect, Call& call, Fault& fault);
+// M98 or M97 (`code`), P and L. Fanuc writes the repeats before a program number of four digits
+// too: P30100. False: the fault says why.
+bool read_program_call(const Block& block, const Word& code, Dialect dialect, Call& call,
+                       Fault& fault);
 // M99 and its P.
-bool read_m99(const Block& block, Return& back, Fault& fault);
+bool read_m99(const Block& block, const Word& code, Return& back, Fault& fault);
 // Takes the code and its words out of the block, so that the rest can be run.
 void remove_call(Block& block, const Word& code);
 

@@ -12,7 +12,11 @@ enum class CallKind : std::uint8_t {
   sub,      // o100 call: locals of its own, ends at endsub or return
   program,  // M98: shares its caller's locals, ends at M99
   macro,    // G65: locals of its own, ends at M99
+  local,    // M97: as program, but begins at an N of the calling program (Haas)
 };
+constexpr bool has_own_locals(CallKind kind) {
+  return kind == CallKind::sub || kind == CallKind::macro;
+}
 
 struct Call {
   CallKind kind = CallKind::sub;

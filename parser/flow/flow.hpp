@@ -114,7 +114,7 @@ class Flow {
   };
   struct Found {
     ProgramText* text = nullptr;  // nullptr: none
-    std::uint32_t statement = 0;  // 0: the text's beginning
+    std::uint32_t entry = 0;      // the subprogram's first line
   };
 
   // flow.cpp
@@ -150,6 +150,7 @@ class Flow {
   bool find_and_enter();
   static Found find_in(ProgramText& text, const Call& call);
   Found find_in_file();
+  Found find_local();
   ProgramText* load(const std::string& label);
   void enter(const Found& found);
   void leave();
@@ -159,6 +160,7 @@ class Flow {
   void run_macro(std::uint32_t index, const Statement& statement);
   void jump_if(const Statement& statement);
   void go_to(std::size_t at, std::uint32_t around);
+  const SequenceNumber* find_number();
   bool find_target();
   void target_not_found();
   [[nodiscard]] bool may_enter(std::uint32_t structure) const;

@@ -16,8 +16,9 @@ namespace {
 
 // As the caller wrote it, for messages.
 std::string shown(const Call& call) {
-  return call.kind == CallKind::sub ? joined({"sub ", shown_label(call.label)})
-                                    : joined({"program O", call.label});
+  return call.kind == CallKind::sub     ? joined({"sub ", shown_label(call.label)})
+         : call.kind == CallKind::local ? joined({"N", call.label})
+                                        : joined({"program O", call.label});
 }
 
 }  // namespace
@@ -25,7 +26,7 @@ std::string shown(const Call& call) {
 Flow::Found Flow::find_in(ProgramText& text, const Call& call) {
   const LabelUse use = text.labels().find(call.label);
   const std::uint32_t statement = call.kind == CallKind::sub ? use.sub : use.program;
-  return statement == 0 ? Found{} : Found{&text, statement};
+  return statement == 0 ? Found{} : Found{&text, text.statement(statement).line + 1};
 }
 
 ProgramText* Flow::load(const std::string& label) {
@@ -68,22 +69,27 @@ Flow::Found Flow::find_in_file() {
   if (file == nullptr) {
     return {};
   }
-  const LabelUse use = file->labels().find(call_.label);
-  if (call_.kind == CallKind::sub) {
-    return {use.sub == 0 ? nullptr : file, use.sub};
-  }
+  const Found found = find_in(*file, call_);
   // A file of a program may leave out its number.
-  return {use.sub == 0 ? file : nullptr, use.program};
+  const bool whole = call_.kind != CallKind::sub && file->labels().find(call_.label).sub == 0;
+  return found.text == nullptr && whole ? Found{file, 0} : found;
+}
+
+// M97: a block of the calling program.
+Flow::Found Flow::find_local() {
+  const SequenceNumber* const found = find_number();
+  return found == nullptr ? Found{} : Found{text_, found->line};
 }
 
 // LinuxCNC looks into the text so far, then for a file, then ahead. For Fanuc a program of the same
 // file goes before one of another.
 bool Flow::find_and_enter() {
-  Found found = find_in(*text_, call_);
-  if (found.text == nullptr) {
+  const bool local = call_.kind == CallKind::local;
+  Found found = local ? find_local() : find_in(*text_, call_);
+  if (found.text == nullptr && !local) {
     found = find_in(*main_, call_);
   }
-  if (found.text == nullptr && (options_->dialect == Dialect::rs274 || main_->closed())) {
+  if (found.text == nullptr && !local && (options_->dialect == Dialect::rs274 || main_->closed())) {
     found = find_in_file();
   }
   if (found.text == nullptr) {
@@ -97,6 +103,9 @@ void Flow::call_not_found() {
   const auto refuse = [&](const ErrorPage& page, std::string message) {
     fault(call_.line, call_.offset, page, std::move(message));
   };
+  if (call_.kind == CallKind::local) {
+    return target_not_found();
+  }
   ProgramText* const file = load(call_.label);
   for (ProgramText* const text : {text_, main_.get(), file}) {
     const LabelUse use = text == nullptr ? LabelUse{} : text->labels().find(call_.label);
@@ -119,6 +128,11 @@ void Flow::call(Call call) {
   keeping_ = false;
   call_ = std::move(call);
   call_.line = current_;
+  if (call_.kind == CallKind::local) {
+    target_ = {.number = static_cast<std::uint32_t>(std::stoul(call_.label)),
+               .from = current_,
+               .offset = call_.offset};
+  }
   if (call_.runs > 0) {
     set_goal(Goal::call, 0);
   }
@@ -132,17 +146,15 @@ void Flow::enter(const Found& found) {
     stopped_ = true;
     return;
   }
-  const std::uint32_t entry =
-      found.statement == 0 ? 0 : found.text->statement(found.statement).line + 1;
   frames_.push_back({.kind = call_.kind,
                      .text = text_,
                      .line = cursor_,
-                     .entry = entry,
+                     .entry = found.entry,
                      .runs = call_.runs - 1,
                      .counters = first_counter_,
                      .arguments = arguments_.size()});
   first_counter_ = counters_.size();
-  if (call_.kind != CallKind::program) {
+  if (has_own_locals(call_.kind)) {
     const std::span<const double> values(call_.values.data(), call_.arguments);
     evaluator_->parameters().push_frame(values);
     if (call_.runs > 1) {
@@ -150,19 +162,19 @@ void Flow::enter(const Found& found) {
     }
   }
   interpreter_->enter_subprogram();
-  enter_text(*found.text, entry);
+  enter_text(*found.text, found.entry);
 }
 
 // Back to the caller, or once more through a subprogram that was called with L.
 void Flow::leave() {
   Frame& frame = frames_.back();
   Parameters& parameters = evaluator_->parameters();
-  if (frame.kind != CallKind::program) {
+  if (has_own_locals(frame.kind)) {
     parameters.pop_frame();
   }
   if (frame.runs > 0) {
     --frame.runs;
-    if (frame.kind != CallKind::program) {
+    if (has_own_locals(frame.kind)) {
       parameters.push_frame(std::span(arguments_).subspan(frame.arguments));
     }
     return jump(frame.entry);

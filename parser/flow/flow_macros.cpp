@@ -84,12 +84,12 @@ bool Flow::may_enter(std::uint32_t structure) const {
 }
 
 // Forward to the end of the program first, then from its beginning, as the control searches.
-bool Flow::find_target() {
+const SequenceNumber* Flow::find_number() {
   SequenceNumbers& numbers = text_->sequence_numbers();
   const ProgramText::Range program = text_->program_around(target_.from);
   const bool whole = program.end < text_->size() || text_->closed();
   if (target_.walked && !whole && numbers.last() != target_.number) {
-    return false;
+    return nullptr;
   }
   target_.walked = true;
   const SequenceNumber* found = nullptr;
@@ -101,6 +101,11 @@ bool Flow::find_target() {
     }
     found = found == nullptr && whole && one->line >= program.begin ? one : found;
   }
+  return found;
+}
+
+bool Flow::find_target() {
+  const SequenceNumber* const found = find_number();
   if (found == nullptr) {
     return false;
   }

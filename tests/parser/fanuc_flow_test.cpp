@@ -29,6 +29,14 @@ TEST(FanucFlow, CallsAProgramOfTheSameFile) {
       << "repeats before a number of four digits";
 }
 
+TEST(FanucFlow, CallsABlockOfItsOwnProgram) {
+  EXPECT_EQ(path("O1\nG0 X1\nM97 P15\nG0 X4\nM97 P15 L2\nM30\nN15 G91 G0 X1\nG90\nM99"),
+            "1 2 4 5 6");
+  EXPECT_EQ(messages("O1\nM97 P15\nM30\n"), "2:1: error: N15 is not found in this program\n");
+  EXPECT_EQ(messages("O1\nM97\nM30\n"),
+            "2:1: error: M97 needs P (the number of the block to go to)\n");
+}
+
 TEST(FanucFlow, GoesToANumberedBlock) {
   EXPECT_EQ(path("G0 X1\nGOTO 20\nG0 X2\nN20 G0 X3"), "1 3");
   EXPECT_EQ(path("N10 G0 X#1\n#1=#1+1\nIF [#1 LT 3] GOTO 10\nG0 X9"), "1 2 9")
