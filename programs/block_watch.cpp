@@ -2,6 +2,15 @@
 
 namespace kerf::program {
 
+namespace {
+
+// Not told by the path: a slow ramp may be too short for its ends to differ.
+bool stands_still(const profiles::Transition& law) {
+  return law.ramp().v_begin_mm_s == 0.0 && law.ramp().v_end_mm_s == 0.0;
+}
+
+}  // namespace
+
 void BlockWatch::read(const parser::ProgramReader& reader) {
   if (!block_ && reader.watched_block()) {
     block_ = reader.watched_block();
@@ -10,7 +19,7 @@ void BlockWatch::read(const parser::ProgramReader& reader) {
 }
 
 void BlockWatch::planned(const interp::Phase& phase) {
-  const bool rest = phase.s_begin_mm == phase.s_end_mm;
+  const bool rest = stands_still(phase.law);
   if (rest || phase.curve != curve_) {
     ++items_planned_;
     curve_ = phase.curve;

@@ -55,14 +55,17 @@ class Explain(Case):
         self.assertIn("G43", told["codes"])
 
     def test_finds_the_time_that_the_trace_of_a_run_has(self):
-        program = str(pathlib.Path(SOURCE) / "programs" / "pocket.ngc")
+        for name, step in (("pocket.ngc", 7), ("raster.ngc", 700)):
+            self.compare_with_trace(str(pathlib.Path(SOURCE) / "programs" / name), step)
+
+    def compare_with_trace(self, program, step):
         trace = self.path("t.csv")
         self.kerf("dry-run", program, "--trace", trace, "-q")
         with open(trace) as file:
             rows = [(float(row["t_s"]), int(row["line"])) for row in csv.DictReader(file)]
         lines = sorted({line for _, line in rows})
-        for line in lines[2:-1:7]:
-            with self.subTest(line=line):
+        for line in lines[2:-1:step]:
+            with self.subTest(program=program, line=line):
                 block = json.loads(self.kerf("explain", program, "--line", str(line), "--json").stdout)["block"]
                 times = [t for t, at in rows if at == line]
                 # A tick belongs to the phase that holds its instant.
