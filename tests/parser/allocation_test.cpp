@@ -27,6 +27,11 @@ void* operator new(std::size_t size) {
 void* operator new[](std::size_t size) {
   return count_and_allocate(size);
 }
+// std::stable_sort takes this one for its buffer; without it the buffer would come from elsewhere
+// than where the operators below give it back.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return count_and_allocate(size);
+}
 void operator delete(void* memory) noexcept {
   std::free(memory);
 }
