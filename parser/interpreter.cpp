@@ -18,13 +18,14 @@ constexpr Tenths kG80 = 800;
 }  // namespace
 
 Interpreter::Interpreter(const Point& start_mm, DiagnosticList& diagnostics, MachineData machine,
-                         Dialect dialect)
+                         Dialect dialect, const ExtraWords& start_extra_deg_mm)
     : machine_(std::move(machine)),
       dialect_(dialect),
       diagnostics_(&diagnostics),
       compensation_(diagnostics),
       nurbs_(diagnostics) {
   state_.position_mm = start_mm;
+  state_.extra_deg_mm = start_extra_deg_mm;
   state_.to_initial_level = dialect == Dialect::fanuc;
   for (std::size_t system = 0; system < Coordinates::kSystems; ++system) {
     state_.coordinates.set_work(system, machine_.work[system]);
@@ -54,6 +55,7 @@ Move& Interpreter::push_move() {
   move.start_mm = state_.position_mm;
   move.rapid = false;
   move.feedrate_mm_s = 0.0;
+  carry_extra(move, state_.extra_deg_mm);
   move.mode = state_.path_mode;
   move.blend_tolerance_mm = state_.blend_tolerance_mm;
   return move;
@@ -107,6 +109,7 @@ void Interpreter::end_program(SourcePosition source) {
   source.file = file_;
   Move& move = moves_.push();
   move = Move{EventMove{EventKind::program_end, 0.0}, source, state_.position_mm};
+  carry_extra(move, state_.extra_deg_mm);
   program_ended_ = true;
 }
 
@@ -162,11 +165,13 @@ void Interpreter::recover() {
   }
   const CurveBlock here = curve_block();
   Point end;
+  ExtraWords extra_end;
   Fault ignored;
-  if (block.has_any(kAxisLetters) && !is_cycle(state_.motion) &&
+  if (block.has_any(axis_letters()) && !is_cycle(state_.motion) &&
       taker_of_axes(block, codes_) == Group::count &&
-      resolve_point(here, state_.position_mm, end, ignored)) {
+      resolve_point(here, state_.position_mm, end, ignored) && resolve_extra(extra_end)) {
     state_.position_mm = end;
+    state_.extra_deg_mm = extra_end;
   }
   if (block.has('F') && block.value('F') > 0.0 && state_.feed_mode == FeedMode::per_minute) {
     state_.feedrate_mm_s = feedrate_mm_s_from(block.value('F'), state_.units);

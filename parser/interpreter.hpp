@@ -35,12 +35,14 @@ namespace kerf::parser {
 class Interpreter {
  public:
   Interpreter(const Point& start_mm, DiagnosticList& diagnostics, MachineData machine = {},
-              Dialect dialect = Dialect::rs274);
+              Dialect dialect = Dialect::rs274, const ExtraWords& start_extra_deg_mm = {});
   Interpreter(const Interpreter&) = delete;
   Interpreter& operator=(const Interpreter&) = delete;
 
   // `complete` is false where the grammar stopped inside the line.
   void run(const Block& block, std::uint32_t line, bool complete);
+  // X, Y, Z and those extra axes that the machine has.
+  [[nodiscard]] Letters axis_letters() const { return kAxisLetters | machine_.extra_axes; }
   // The blocks that follow are of this file: the index in their moves' SourcePosition.
   void enter_file(std::uint16_t file) {
     file_ = file;
@@ -95,15 +97,23 @@ class Interpreter {
   [[nodiscard]] Point axis_words_mm() const;
   bool needs_axis_words();
   bool do_once();
-  void push_rapid(const Point& end_mm);
-  bool go_home(const Point& home_mm);
-  bool set_local_offset();
-  void change_local_offset();
+  void push_rapid(const Point& end_mm, const ExtraWords& extra_deg_mm);
+  bool go_home(const Point& home_mm, const ExtraWords& home_extra_deg_mm);
   bool set_length_offset();
   bool set_length_from_table();
   bool add_length_offset();
   const Tool* tool_of_h();
   const Tool* table_tool(double number, std::uint32_t offset);
+
+  // offsets/interpreter_local.cpp, interpreter_extra.cpp
+  bool set_local_offset();
+  void change_local_offset();
+  bool resolve_extra(ExtraWords& end_deg_mm);
+  bool refuse_extra(std::string_view where);
+  void carry_extra(Move& move, const ExtraWords& end_deg_mm);
+  void set_extra_origin(WorkOffset& offset, bool from_position) const;
+  bool straight_move_with_extra(const Point& end_mm);
+  bool extra_feedrate(const ExtraWay& alone, double& feedrate_mm_s);
 
   // offsets/interpreter_shape.cpp
   bool select_extended_offset();

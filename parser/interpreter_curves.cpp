@@ -35,7 +35,7 @@ bool Interpreter::begins_curve() const {
   if (code != kNoCode) {
     return code == kG62 || code == kG52;
   }
-  return state_.motion == Motion::nurbs && block_->has_any(kAxisLetters | letters('K', 'R'));
+  return state_.motion == Motion::nurbs && block_->has_any(axis_letters() | letters('K', 'R'));
 }
 
 bool Interpreter::curve_feed() {

@@ -27,7 +27,7 @@ std::uint32_t Interpreter::motion_offset() const {
   if (codes_.has(Group::motion)) {
     return code_word(*block_, codes_, Group::motion).offset;
   }
-  const Word* const word = leftmost(*block_, kAxisLetters | letters('I', 'J', 'K', 'R'));
+  const Word* const word = leftmost(*block_, axis_letters() | letters('I', 'J', 'K', 'R'));
   return word != nullptr ? word->offset : block_->first_word;
 }
 
@@ -57,7 +57,7 @@ bool Interpreter::check_machine_coordinates() {
   if (state_.incremental) {
     return fail(code.offset, errors::kMachineIncremental, "G53 needs G90 (G91 is active)");
   }
-  if (!block_->has_any(kAxisLetters)) {
+  if (!block_->has_any(axis_letters())) {
     return fail(code.offset, errors::kMachineWithoutAxis, "G53 needs an axis word");
   }
   return true;
@@ -66,10 +66,11 @@ bool Interpreter::check_machine_coordinates() {
 // Fanuc's G53 is a rapid whatever the motion mode.
 bool Interpreter::rapid_to_words() {
   Point end;
-  if (!resolve_point(curve_block(), state_.position_mm, end, fault_)) {
+  ExtraWords extra_end;
+  if (!resolve_point(curve_block(), state_.position_mm, end, fault_) || !resolve_extra(extra_end)) {
     return false;
   }
-  push_rapid(end);
+  push_rapid(end, extra_end);
   return true;
 }
 
@@ -91,17 +92,17 @@ bool Interpreter::move() {
   switch (state_.motion) {
     case Motion::rapid:
     case Motion::line:
-      return !block_->has_any(kAxisLetters) || straight_move();
+      return !block_->has_any(axis_letters()) || straight_move();
     case Motion::arc_clockwise:
     case Motion::arc_counterclockwise:
       return (!codes_.has(Group::motion) &&
-              !block_->has_any(kAxisLetters | letters('I', 'J', 'K', 'R'))) ||
+              !block_->has_any(axis_letters() | letters('I', 'J', 'K', 'R'))) ||
              arc_move();
     case Motion::cubic_spline:
-      return (!codes_.has(Group::motion) && !block_->has_any(kAxisLetters | letters('I', 'J'))) ||
+      return (!codes_.has(Group::motion) && !block_->has_any(axis_letters() | letters('I', 'J'))) ||
              cubic_spline();
     case Motion::quadratic_spline:
-      return (!codes_.has(Group::motion) && !block_->has_any(kAxisLetters | letters('I', 'J'))) ||
+      return (!codes_.has(Group::motion) && !block_->has_any(axis_letters() | letters('I', 'J'))) ||
              quadratic_spline();
     case Motion::none:
       if (codes_[Group::motion] == 53) {
@@ -118,6 +119,9 @@ bool Interpreter::straight_move() {
   Point end;
   if (!resolve_point(curve_block(), state_.position_mm, end, fault_)) {
     return false;
+  }
+  if (block_->has_any(machine_.extra_axes)) {
+    return straight_move_with_extra(end);
   }
   const bool rapid = state_.motion == Motion::rapid;
   double feedrate_mm_s = 0.0;
@@ -163,13 +167,14 @@ bool Interpreter::arc_move() {
                           " is still active) in the ", plane, " plane needs ", named(low), ", ",
                           named(high), " or R"}));
     }
-    const bool bare = !block_->has_any(kAxisLetters);
+    const bool bare = !block_->has_any(axis_letters());
     return fail(motion_offset(), errors::kArcWithoutCentre,
                 joined({"an arc in the ", plane, " plane needs ", bare ? "an end point and " : "",
                         "a centre (", named(low), ", ", named(high), ") or a radius (R)"}));
   }
   Point end;
-  if (!resolve_point(curve_block(), state_.position_mm, end, fault_)) {
+  ExtraWords extra_end;
+  if (!resolve_point(curve_block(), state_.position_mm, end, fault_) || !resolve_extra(extra_end)) {
     return false;
   }
   ArcMove arc;
@@ -181,6 +186,7 @@ bool Interpreter::arc_move() {
   Move& move = push_move();
   move.shape = arc;
   move.feedrate_mm_s = feedrate_mm_s;
+  carry_extra(move, extra_end);
   state_.position_mm = end;
   return true;
 }

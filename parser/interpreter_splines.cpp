@@ -28,7 +28,7 @@ Point moved(const Point& from, double x_mm, double y_mm) {
 
 // Fanuc writes its high-speed modes as G05 P10000, G05 P0 and G05.1 Q1: no axes, one parameter.
 bool Interpreter::is_high_speed_mode() const {
-  const Letters parameters = letters('P', 'Q', 'I', 'J') | kAxisLetters;
+  const Letters parameters = letters('P', 'Q', 'I', 'J') | axis_letters();
   const Letters given = block_->present & parameters;
   return codes_.has(Group::motion) && (given == letters('P') || given == letters('Q'));
 }
@@ -49,6 +49,9 @@ bool Interpreter::check_spline_axes(std::string_view name) {
   if (block_->has('Z')) {
     return fail(block_->word('Z').offset, errors::kSplineWithZ,
                 joined({"Z is not used by ", name}));
+  }
+  if (!refuse_extra(joined({"with ", name}))) {
+    return false;
   }
   if (!block_->has_any(letters('X', 'Y'))) {
     return fail(motion_offset(), errors::kSplineWithoutEnd,

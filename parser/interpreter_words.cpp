@@ -47,10 +47,11 @@ bool Interpreter::check_words() {
   if (fanuc && codes_[Group::other] == kG4) {
     axis_taker_ = Group::other;  // X is a time
   }
-  const bool moves = axis_taker_ == Group::count &&
-                     (code != kNoCode || block.has_any(kAxisLetters | letters('I', 'J', 'K', 'R')));
+  const bool moves =
+      axis_taker_ == Group::count &&
+      (code != kNoCode || block.has_any(axis_letters() | letters('I', 'J', 'K', 'R')));
   const Letters of_motion = moves ? letters_of(motion, dialect_) : 0;
-  const Letters usable = letters('N', 'F', 'S', 'T', 'O') | kAxisLetters | of_motion |
+  const Letters usable = letters('N', 'F', 'S', 'T', 'O') | axis_letters() | of_motion |
                          (coded ? letters_of_codes(codes_) : 0) |
                          (coded && fanuc ? letters_of_fanuc() : 0);
   if (Letters unused = block.present & ~usable; unused != 0) {
@@ -66,7 +67,7 @@ bool Interpreter::check_words() {
                         " is out of range"}));
   }
   const bool taken = axis_taker_ != Group::count;
-  const Letters ranged = letters('I', 'J', 'K', 'P', 'Q', 'R') | (taken ? kAxisLetters : 0);
+  const Letters ranged = letters('I', 'J', 'K', 'P', 'Q', 'R') | (taken ? axis_letters() : 0);
   if (block.has_any(ranged) && !check_parameters(ranged, of_motion)) {
     return false;
   }
@@ -74,7 +75,7 @@ bool Interpreter::check_words() {
     return check_axis_taker(axis_taker_);
   }
   const bool turns = codes_[Group::spindle] == 190;  // M19 R
-  return !block.has_any(kAxisLetters | letters('I', 'J', 'K') | (turns ? 0 : letters('R'))) ||
+  return !block.has_any(axis_letters() | letters('I', 'J', 'K') | (turns ? 0 : letters('R'))) ||
          check_axis_users();
 }
 
@@ -89,8 +90,10 @@ bool Interpreter::check_parameters(Letters ranged, Letters of_motion) {
     }
   }
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    const bool is_angle = letter <= 'C';
+    const double unit = is_angle ? 1.0 : mm_per_unit(state_.units);
     if ((ranged & letter_bit(letter)) != 0 && block.has(letter) &&
-        !(std::fabs(block.value(letter)) * mm_per_unit(state_.units) <= kLargestCoordinate_mm)) {
+        !(std::fabs(block.value(letter)) * unit <= kLargestCoordinate_mm)) {
       return fail(
           block.word(letter).offset, errors::kParameterOutOfRange,
           joined({named(letter), ": value ", upper(block.text(block.word(letter)).substr(1, 40)),
@@ -128,7 +131,7 @@ bool Interpreter::check_axis_users() {
 }
 
 bool Interpreter::explain_idle_axes() {
-  const Word& word = *leftmost(*block_, kAxisLetters | letters('I', 'J', 'K', 'R'));
+  const Word& word = *leftmost(*block_, axis_letters() | letters('I', 'J', 'K', 'R'));
   if (codes_.has(Group::motion)) {
     const std::string name = upper(block_->text(code_word(*block_, codes_, Group::motion)));
     return fail(word.offset, errors::kIdleAxisWords,

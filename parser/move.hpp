@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include "parser/extra_axes.hpp"
+
 namespace kerf::parser {
 
 using Point = std::array<double, 3>;  // x, y, z in mm
@@ -16,6 +18,7 @@ struct SourcePosition {
   std::uint16_t file = 0;    // 0: the program itself; else ProgramReader::file_name() has it
 };
 
+// To where it starts: X, Y and Z rest, and only the extra axes move.
 struct LineMove {
   Point end_mm{};
 };
@@ -89,8 +92,11 @@ struct Move {
   std::variant<LineMove, ArcMove, NurbsMove, DwellMove, EventMove> shape;
   SourcePosition source;
   Point start_mm{};
-  bool rapid = false;          // G0: as fast as the machine goes
-  double feedrate_mm_s = 0.0;  // along the path; not used by rapids, dwells and events
+  bool rapid = false;  // G0: as fast as the machine goes
+  // Along the path; not used by rapids, dwells and events. Where X, Y and Z rest: along U, V, W, or
+  // in rad/s if only A, B, C move.
+  double feedrate_mm_s = 0.0;
+  ExtraWay extra{};  // does not move on a NurbsMove
   PathMode mode = PathMode::exact_path;
   double blend_tolerance_mm = 0.0;  // G64 P; 0 where none was given
 };

@@ -175,8 +175,8 @@ void ProgramReader::Impl::read_code(const Line& line) {
   }
   const bool idle = interpreter_.moves().empty();
   interpreter_.run(block_, line.number, complete);
-  if (modal_call_ && idle && !interpreter_.moves().empty() && block_.has_any(kAxisLetters) &&
-      flow_.call_depth() == modal_depth_) {
+  if (modal_call_ && idle && !interpreter_.moves().empty() &&
+      block_.has_any(interpreter_.axis_letters()) && flow_.call_depth() == modal_depth_) {
     call(line, *modal_call_);
   }
 }

@@ -25,7 +25,8 @@ class ProgramReader::Impl {
       : options_(options),
         diagnostics_(options.max_errors),
         input_(diagnostics_),
-        interpreter_(options.start_mm, diagnostics_, options.machine, options.dialect),
+        interpreter_(options.start_mm, diagnostics_, options.machine, options.dialect,
+                     words_of(options.start_extra_rad_mm)),
         parameters_(options.dialect),
         evaluator_(parameters_),
         flow_(options_, input_, evaluator_, diagnostics_, interpreter_) {

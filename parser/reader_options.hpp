@@ -1,6 +1,7 @@
 // What a reader is told about the program and the machine before it begins.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -23,8 +24,9 @@ struct SubprogramText {
 using SubprogramSource = std::function<std::optional<SubprogramText>(std::string_view name)>;
 
 struct ReaderOptions {
-  Point start_mm{};           // where the tool is when the program starts
-  bool block_delete = false;  // leave out blocks that begin with '/'
+  Point start_mm{};                                     // where the tool is when the program starts
+  std::array<double, kExtraAxes> start_extra_rad_mm{};  // A, B, C in rad
+  bool block_delete = false;                            // leave out blocks that begin with '/'
   std::size_t max_errors = 100;
   Dialect dialect = Dialect::rs274;
   MachineData machine{};           // work offsets, G28, G30 and tools as the program finds them

@@ -16,6 +16,13 @@ constexpr double feedrate_mm_s_from(double f_word, Units units) {
   return f_word * mm_per_unit(units) / 60.0;
 }
 
+inline constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180.0;
+
+// F of G94 where A, B, C move alone: degrees per minute, whatever the unit of lengths.
+constexpr double feedrate_rad_s_from(double f_word) {
+  return f_word * kRadiansPerDegree / 60.0;
+}
+
 // F of G93: one over the minutes that the block takes.
 struct InverseTime {
   double length_mm;

@@ -32,6 +32,9 @@ std::string Interpreter::motion_name() const {
 
 bool Interpreter::drill_cycle() {
   const bool fanuc_r = dialect_ == Dialect::fanuc && block_->has('R');
+  if (!refuse_extra("in a canned cycle")) {
+    return false;
+  }
   if (!block_->has_any(kAxisLetters) && !fanuc_r) {
     if (!codes_.has(Group::motion) && !block_->has_any(letters('R', 'I', 'J', 'K'))) {
       return true;

@@ -29,6 +29,9 @@ bool must_succeed(Motion motion) {
 }  // namespace
 
 bool Interpreter::probe() {
+  if (!refuse_extra(joined({"with ", motion_name()}))) {
+    return false;
+  }
   if (!block_->has_any(kAxisLetters)) {
     return !codes_.has(Group::motion) ||
            fail(motion_offset(), errors::kProbeWithoutAxis,
@@ -53,7 +56,8 @@ bool Interpreter::probe() {
     return false;
   }
   push_probe_move(end, feedrate_mm_s);
-  state_.probe = {state_.coordinates.to_program(end), found};
+  state_.probe = {state_.coordinates.to_program(end),
+                  state_.coordinates.extra_to_program(state_.extra_deg_mm), found};
   if (!found && must_succeed(state_.motion)) {
     return fail(
         motion_offset(), errors::kProbeInVain,

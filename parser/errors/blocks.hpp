@@ -64,10 +64,21 @@ inline constexpr ErrorPage kUnknownAxis{
     146,
     Severity::error,
     "axis that this machine does not have",
-    "The machine has the axes X, Y and Z. A word for another axis is refused and not passed over, "
-    "since the part would come out wrong without it.",
+    "The machine has the axes X, Y and Z, and of A, B, C, U, V and W those that the machine file "
+    "names. A word for another axis is refused and not passed over, since the part would come out "
+    "wrong without it.",
     "Make the program for a machine with three axes, or name the axis in the machine file.",
     "G0 X10 A90\nM2\n"};
+
+inline constexpr ErrorPage kExtraAxisHere{
+    151,
+    Severity::error,
+    "A, B, C, U, V or W where only X, Y and Z can move",
+    "The machine has this axis, but it moves only with G0, G1, G2, G3, G28, G30 and G53. In "
+    "splines, "
+    "canned cycles and probing, under G41 and G42 and in the data of tools it cannot be used.",
+    "Write the axis in a block of its own, before or after.",
+    "G99 G81 X1 Z-1 R1 A90 F100\nM2\n"};
 
 inline constexpr ErrorPage kExponent{
     148,
@@ -96,8 +107,9 @@ inline constexpr ErrorPage kUnusedWord{
     "G0 X10 K5\nM2\n"};
 
 inline constexpr std::array kBlocksPages{
-    &kLineNumberOutOfRange, &kTwoUsersOfP,  &kParameterOutOfRange, &kIdleAxisWords,
-    &kDwellWithAxis,        &kNoMotionMode, &kUnknownAxis,         &kExponent,
+    &kLineNumberOutOfRange, &kTwoUsersOfP,   &kParameterOutOfRange,
+    &kIdleAxisWords,        &kDwellWithAxis, &kNoMotionMode,
+    &kUnknownAxis,          &kExtraAxisHere, &kExponent,
     &kExtruderWord,         &kUnusedWord};
 
 }  // namespace kerf::parser::errors

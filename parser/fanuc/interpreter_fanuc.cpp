@@ -32,7 +32,7 @@ Letters Interpreter::letters_of_fanuc() const {
   return other == kG4    ? letters('U')
          : other == kG30 ? letters('P')
          : codes_[Group::motion] == static_cast<Tenths>(Motion::quadratic_spline) &&
-                 !block_->has_any(kAxisLetters)
+                 !block_->has_any(axis_letters())
              ? letters('R')  // G5.1 Q1 R: the level of contour control
              : 0;
 }
@@ -40,7 +40,7 @@ Letters Interpreter::letters_of_fanuc() const {
 // P in milliseconds, X and U in seconds.
 bool Interpreter::fanuc_dwell() {
   const Word& code = code_word(*block_, codes_, Group::other);
-  if (const Word* const word = leftmost(*block_, letters('Y', 'Z'))) {
+  if (const Word* const word = leftmost(*block_, axis_letters() & ~letters('X', 'U'))) {
     return fail(
         word->offset, errors::kDwellWithAxis,
         joined({"G4 takes the time in P, X or U, not in ", named(letter_of(*block_, *word))}));
@@ -86,7 +86,7 @@ bool Interpreter::set_offset_memory(int kind) {
     return fail(code_word(*block_, codes_, Group::other).offset, errors::kOffsetMemoryValue,
                 joined({name, " needs R (the value)"}));
   }
-  if (const Word* const word = leftmost(*block_, kAxisLetters)) {
+  if (const Word* const word = leftmost(*block_, axis_letters())) {
     return fail(word->offset, errors::kOffsetMemoryValue,
                 joined({name, " takes the value in R, not in ", named(letter_of(*block_, *word))}));
   }

@@ -27,9 +27,10 @@ bool has_cycle(const Block& block, const ModalState& state) {
   return !moves && is_cycle(state.motion);
 }
 
-// Letters whose numbers are lengths in this block.
+// Letters whose numbers are lengths, or angles of A, B and C, in this block.
 Letters lengths_of(const Block& block, const ModalState& state) {
-  Letters lengths = letters('X', 'Y', 'Z', 'I', 'J', 'K', 'R', 'Q', 'U', 'V', 'W');
+  Letters lengths =
+      letters('X', 'Y', 'Z', 'I', 'J', 'K', 'R', 'Q', 'U', 'V', 'W') | letters('A', 'B', 'C');
   if (has_cycle(block, state)) {
     lengths &= ~letters('K');  // repeats
   }
@@ -65,7 +66,8 @@ void count_in_least_increments(const ModalState& state, double least_increment_m
       continue;
     }
     const bool thousandths = waits || (turns && letter == 'R');
-    word.value *= thousandths ? kThousandth : length;
+    const bool is_angle = letter <= 'C';
+    word.value *= thousandths ? kThousandth : is_angle ? least_increment_mm : length;
   }
 }
 

@@ -70,8 +70,9 @@ void Coordinates::set_work(std::size_t system, const WorkOffset& offset) {
   }
 }
 
-void Coordinates::set_local(const Point& local_mm) {
+void Coordinates::set_local(const Point& local_mm, const ExtraWords& extra_deg_mm) {
   local_mm_ = local_mm;
+  local_extra_deg_mm_ = extra_deg_mm;
   refresh();
 }
 
@@ -124,6 +125,22 @@ Point Coordinates::to_program(const Point& machine_mm) const {
   const double area = x_from_x_ * y_from_y_ - x_from_y_ * y_from_x_;
   return {(y_from_y_ * d[0] - x_from_y_ * d[1]) / area,
           (x_from_x_ * d[1] - y_from_x_ * d[0]) / area, d[2] / z_from_z_};
+}
+
+ExtraWords Coordinates::extra_to_machine(const ExtraWords& program_deg_mm) const {
+  ExtraWords machine;
+  for (std::size_t k = 0; k < kExtraAxes; ++k) {
+    machine[k] = program_deg_mm[k] + (local_extra_deg_mm_[k] + chosen_.extra_deg_mm[k]);
+  }
+  return machine;
+}
+
+ExtraWords Coordinates::extra_to_program(const ExtraWords& machine_deg_mm) const {
+  ExtraWords program;
+  for (std::size_t k = 0; k < kExtraAxes; ++k) {
+    program[k] = machine_deg_mm[k] - (local_extra_deg_mm_[k] + chosen_.extra_deg_mm[k]);
+  }
+  return program;
 }
 
 }  // namespace kerf::parser

@@ -14,6 +14,7 @@ namespace kerf::parser {
 struct WorkOffset {
   Point origin_mm{};          // in machine coordinates
   double rotation_deg = 0.0;  // counterclockwise, as G10 L2 R gives it
+  ExtraWords extra_deg_mm{};  // the origin of the extra axes
 };
 
 // G51: distances from the centre are taken times the factors; a negative one mirrors.
@@ -66,7 +67,8 @@ class Coordinates {
   void store_work(std::size_t system, const WorkOffset& offset);
 
   [[nodiscard]] const Point& local_mm() const { return local_mm_; }
-  void set_local(const Point& local_mm);
+  [[nodiscard]] const ExtraWords& local_extra_deg_mm() const { return local_extra_deg_mm_; }
+  void set_local(const Point& local_mm, const ExtraWords& extra_deg_mm = {});
   [[nodiscard]] const Point& tool_mm() const { return tool_mm_; }
   void set_tool(const Point& tool_mm);
 
@@ -78,6 +80,9 @@ class Coordinates {
 
   [[nodiscard]] Point to_machine(const Point& program_mm) const;
   [[nodiscard]] Point to_program(const Point& machine_mm) const;
+  // The same for the extra axes, which are only moved, by local + origin.
+  [[nodiscard]] ExtraWords extra_to_machine(const ExtraWords& program_deg_mm) const;
+  [[nodiscard]] ExtraWords extra_to_program(const ExtraWords& machine_deg_mm) const;
   // A distance along the program's axes as one along the machine's.
   [[nodiscard]] Point turned_to_machine(const Point& distance_mm) const;
 
@@ -89,6 +94,7 @@ class Coordinates {
   std::size_t system_ = 0;
   WorkOffset chosen_{};
   Point local_mm_{};
+  ExtraWords local_extra_deg_mm_{};
   Point tool_mm_{};
   Scaling scaling_{};
   ProgramTurn turn_{};

@@ -106,6 +106,7 @@ bool Interpreter::set_work_data(bool from_position) {
       }
     }
   }
+  set_extra_origin(offset, from_position);
   coordinates.set_work(system, offset);
   return true;
 }
@@ -124,6 +125,7 @@ bool Interpreter::set_extended_data() {
       offset.origin_mm[axis] = words[axis] + (state_.incremental ? offset.origin_mm[axis] : 0.0);
     }
   }
+  set_extra_origin(offset, false);
   state_.coordinates.set_work(system, offset);
   return true;
 }
@@ -134,7 +136,8 @@ bool Interpreter::set_extended_data() {
 bool Interpreter::set_tool_data(int kind) {
   const std::string name = joined({"G10 L", std::to_string(kind)});
   const auto number = data_number(name, 1, ToolTable::kHighestNumber);
-  if (!number || !check_data_words(name, letters('R', 'I', 'J', 'Q'))) {
+  if (!number || !check_data_words(name, letters('R', 'I', 'J', 'Q')) ||
+      !refuse_extra(joined({"with ", name}))) {
     return false;
   }
   const Tool* const listed = table_tool(*number, block_->word('P').offset);

@@ -1,4 +1,4 @@
-// Where coordinates lie: G54 to G59.3, G43, G52, G92, G28 and G30.
+// Where coordinates lie: G54 to G59.3, G43, G28 and G30.
 #include <cmath>
 
 #include "parser/errors/cycles.hpp"
@@ -25,7 +25,7 @@ constexpr Tenths kG92 = 920;
 // rapid it is plain what it means: `G0 G91 G28 Z0` is usual with Fanuc.
 bool Interpreter::check_axis_taker(Group taker) {
   if (!codes_.has(Group::motion) || codes_[Group::motion] == 800 ||
-      !block_->has_any(kAxisLetters)) {
+      !block_->has_any(axis_letters())) {
     return true;
   }
   const Tenths code = codes_[taker];
@@ -59,7 +59,7 @@ Point Interpreter::axis_words_mm() const {
 }
 
 bool Interpreter::needs_axis_words() {
-  if (block_->has_any(kAxisLetters)) {
+  if (block_->has_any(axis_letters())) {
     return true;
   }
   const Group taker = taker_of_axes(*block_, codes_);
@@ -76,13 +76,16 @@ bool Interpreter::do_once() {
     case kG28:
     case kG30:
       return check_reference_point() &&
-             go_home(codes_[Group::other] == kG28 ? machine_.first_home_mm
-                                                  : machine_.second_home_mm);
+             (codes_[Group::other] == kG28
+                  ? go_home(machine_.first_home_mm, machine_.first_home_extra_deg_mm)
+                  : go_home(machine_.second_home_mm, machine_.second_home_extra_deg_mm));
     case kStoreG28:
       machine_.first_home_mm = state_.position_mm;
+      machine_.first_home_extra_deg_mm = state_.extra_deg_mm;
       break;
     case kStoreG30:
       machine_.second_home_mm = state_.position_mm;
+      machine_.second_home_extra_deg_mm = state_.extra_deg_mm;
       break;
     case kG52:
     case kG92:
@@ -93,72 +96,44 @@ bool Interpreter::do_once() {
   return true;
 }
 
-void Interpreter::push_rapid(const Point& end_mm) {
-  if (end_mm == state_.position_mm) {
+void Interpreter::push_rapid(const Point& end_mm, const ExtraWords& extra_deg_mm) {
+  if (end_mm == state_.position_mm && extra_deg_mm == state_.extra_deg_mm) {
     return;
   }
   Move& move = push_move();
   move.shape = LineMove{end_mm};
   move.rapid = true;
+  carry_extra(move, extra_deg_mm);
   state_.position_mm = end_mm;
 }
 
 // By way of the point that the axis words name; then only the axes that have a word go home, or
 // all where none has.
-bool Interpreter::go_home(const Point& home_mm) {
+bool Interpreter::go_home(const Point& home_mm, const ExtraWords& home_extra_deg_mm) {
   if (is_cycle(state_.motion)) {
     const Word& code = code_word(*block_, codes_, Group::other);
     return fail(code.offset, errors::kHomeInCycle,
                 joined({upper(block_->text(code)),
                         " while a canned cycle is active: cancel with G80 first"}));
   }
-  if (!block_->has_any(kAxisLetters)) {
-    push_rapid(home_mm);
+  if (!block_->has_any(axis_letters())) {
+    push_rapid(home_mm, home_extra_deg_mm);
     return true;
   }
   Point via;
-  if (!resolve_point(curve_block(), state_.position_mm, via, fault_)) {
+  ExtraWords extra_via;
+  if (!resolve_point(curve_block(), state_.position_mm, via, fault_) || !resolve_extra(extra_via)) {
     return false;
   }
-  push_rapid(via);
+  push_rapid(via, extra_via);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     via[axis] = block_->has(axis_letter(axis)) ? home_mm[axis] : via[axis];
   }
-  push_rapid(via);
+  for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
+    extra_via[axis] = block_->has(kExtraNames[axis]) ? home_extra_deg_mm[axis] : extra_via[axis];
+  }
+  push_rapid(via, extra_via);
   return true;
-}
-
-// G52 X5 puts the local origin to X5 of the work offset; G92 X5 names the tool's place X5.
-bool Interpreter::set_local_offset() {
-  if (!needs_axis_words() || !check_unshaped()) {
-    return false;
-  }
-  const Point words = axis_words_mm();
-  const Point here = state_.coordinates.to_program(state_.position_mm);
-  Point local = state_.coordinates.local_mm();
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (block_->has(axis_letter(axis))) {
-      local[axis] =
-          codes_[Group::other] == kG52 ? words[axis] : local[axis] + here[axis] - words[axis];
-    }
-  }
-  state_.coordinates.set_local(local);
-  state_.stored_local_mm = local;
-  state_.local_active = true;
-  return true;
-}
-
-// G92.1 forgets the local offset, G92.2 lays it aside, G92.3 takes it up again.
-void Interpreter::change_local_offset() {
-  const Tenths code = codes_[Group::local_offset];
-  if (code == kNoCode) {
-    return;
-  }
-  if (code == 921) {
-    state_.stored_local_mm = {};
-  }
-  state_.local_active = code == 923;
-  state_.coordinates.set_local(code == 923 ? state_.stored_local_mm : Point{});
 }
 
 bool Interpreter::set_length_offset() {
@@ -174,7 +149,7 @@ bool Interpreter::set_length_offset() {
   if (code == 430 || code == 440 || (code == 432 && block_->has('H'))) {
     return code == 432 ? add_length_offset() : set_length_from_table();
   }
-  if (!needs_axis_words()) {
+  if (!needs_axis_words() || !refuse_extra("with G43.1 and G43.2")) {
     return false;
   }
   const Point words = axis_words_mm();

@@ -27,7 +27,11 @@ void restore_modes(const SavedModes& saved, ModalState& state) {
   state.coordinates.select(from.coordinates.system());
   if (from.local_active != state.local_active) {
     state.local_active = from.local_active;
-    state.coordinates.set_local(from.local_active ? state.stored_local_mm : Point{});
+    if (from.local_active) {
+      state.coordinates.set_local(state.stored_local_mm, state.stored_local_extra_deg_mm);
+    } else {
+      state.coordinates.set_local({});
+    }
   }
 }
 

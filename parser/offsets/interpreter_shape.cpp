@@ -56,6 +56,9 @@ bool Interpreter::scale_factor(char letter, double& factor) {
 // G51 X Y Z P, or I J K for one factor an axis. Axes without a word have the tool's place as
 // centre; without any factor nothing is scaled.
 bool Interpreter::scale_program() {
+  if (!refuse_extra("with G51")) {
+    return false;
+  }
   const Point here = state_.coordinates.to_program(state_.position_mm);
   const Point words = axis_words_mm();
   Scaling scaling;
@@ -83,6 +86,9 @@ bool Interpreter::turn_program() {
   const Word& code = code_word(*block_, codes_, Group::program_turn);
   if (!block_->has('R')) {
     return fail(code.offset, errors::kTurnWithoutAngle, "G68 needs R");
+  }
+  if (!refuse_extra("with G68")) {
+    return false;
   }
   if (state_.plane != Plane::xy) {
     return fail(code.offset, errors::kTurnPlane, "G68 works only in the XY plane (G17)");

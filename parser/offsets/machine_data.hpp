@@ -15,6 +15,9 @@ struct MachineData {
   std::array<WorkOffset, Coordinates::kSystems> work{};  // G54 to G59.3
   Point first_home_mm{};                                 // G28, in machine coordinates
   Point second_home_mm{};                                // G30
+  Letters extra_axes = 0;  // those of A, B, C, U, V, W that the machine has
+  ExtraWords first_home_extra_deg_mm{};
+  ExtraWords second_home_extra_deg_mm{};
   ToolTable tools;
   std::optional<TouchBox> touch_box{};  // what G38 finds
   // What a number without a decimal point counts in, in the Fanuc dialect; 0: millimetres.

@@ -24,13 +24,15 @@ int axis_in(int number, int first) {
   return number >= first && number < first + kAxes ? number - first : kAxes;
 }
 
-// Axes that a mill does not have are at 0.
-double coordinate(const Point& point, int axis) {
-  return axis < 3 ? point[static_cast<std::size_t>(axis)] : 0.0;
+// Axes that the machine does not have are at 0.
+double coordinate(const Point& point, const ExtraWords& extra, int axis) {
+  return axis < 3 ? point[static_cast<std::size_t>(axis)]
+                  : extra[static_cast<std::size_t>(axis - 3)];
 }
 
-double* coordinate_of(Point& point, int axis) {
-  return axis < 3 ? &point[static_cast<std::size_t>(axis)] : nullptr;
+// Angles do not change with the unit of lengths.
+double unit_of(int axis, double mm_per_unit) {
+  return axis < 3 || !turns(static_cast<std::size_t>(axis - 3)) ? mm_per_unit : 1.0;
 }
 
 // Which number of which system: 20 to a system, X to W and then R.
@@ -53,19 +55,22 @@ std::optional<double> MachineValues::number(int number) const {
   const ModalState& state = *from_.state;
   const double unit = mm_per_unit(state.units);
   if (const int axis = axis_in(number, kProbe); axis < kAxes) {
-    return coordinate(state.probe.position_mm, axis) / unit;
+    return coordinate(state.probe.position_mm, state.probe.extra_deg_mm, axis) /
+           unit_of(axis, unit);
   }
   if (const int axis = axis_in(number, kFirstHome); axis < kAxes) {
-    return coordinate(from_.machine->first_home_mm, axis);
+    return coordinate(from_.machine->first_home_mm, from_.machine->first_home_extra_deg_mm, axis);
   }
   if (const int axis = axis_in(number, kSecondHome); axis < kAxes) {
-    return coordinate(from_.machine->second_home_mm, axis);
+    return coordinate(from_.machine->second_home_mm, from_.machine->second_home_extra_deg_mm, axis);
   }
   if (const int axis = axis_in(number, kLocal); axis < kAxes) {
-    return coordinate(state.stored_local_mm, axis);
+    return coordinate(state.stored_local_mm, state.stored_local_extra_deg_mm, axis);
   }
   if (const int axis = axis_in(number, kPosition); axis < kAxes) {
-    return coordinate(state.coordinates.to_program(state.position_mm), axis) / unit;
+    return coordinate(state.coordinates.to_program(state.position_mm),
+                      state.coordinates.extra_to_program(state.extra_deg_mm), axis) /
+           unit_of(axis, unit);
   }
   if (number >= kTool && number < kToolEnd) {
     return tool_value(number);
@@ -102,7 +107,7 @@ std::optional<double> MachineValues::tool_value(int number) const {
     case 13:
       return static_cast<double>(tool.orientation);
     default:
-      return coordinate(tool.offset_mm, number - kTool - 1);
+      return coordinate(tool.offset_mm, {}, number - kTool - 1);
   }
 }
 
@@ -112,7 +117,8 @@ std::optional<double> MachineValues::work_value(int number) const {
   if (which.axis > kRotation) {
     return std::nullopt;
   }
-  return which.axis == kRotation ? offset.rotation_deg : coordinate(offset.origin_mm, which.axis);
+  return which.axis == kRotation ? offset.rotation_deg
+                                 : coordinate(offset.origin_mm, offset.extra_deg_mm, which.axis);
 }
 
 bool MachineValues::take(int number, double value) {
@@ -120,24 +126,30 @@ bool MachineValues::take(int number, double value) {
     return fanuc_take(number, value);
   }
   ModalState& state = *from_.state;
-  const auto take_axis = [value](Point& point, int axis) {
-    double* const place = coordinate_of(point, axis);
-    if (place != nullptr) {
-      *place = value;
+  const auto take_axis = [&](Point& point, ExtraWords& extra, int axis) {
+    if (axis >= kAxes) {
+      return false;
     }
-    return place != nullptr;
+    if (axis < 3) {
+      point[static_cast<std::size_t>(axis)] = value;
+      return true;
+    }
+    const auto k = static_cast<std::size_t>(axis - 3);
+    const bool named = (from_.machine->extra_axes & letter_bit(kExtraNames[k])) != 0;
+    extra[k] = named ? value : extra[k];
+    return named;
   };
   if (const int axis = axis_in(number, kFirstHome); axis < kAxes) {
-    return take_axis(from_.machine->first_home_mm, axis);
+    return take_axis(from_.machine->first_home_mm, from_.machine->first_home_extra_deg_mm, axis);
   }
   if (const int axis = axis_in(number, kSecondHome); axis < kAxes) {
-    return take_axis(from_.machine->second_home_mm, axis);
+    return take_axis(from_.machine->second_home_mm, from_.machine->second_home_extra_deg_mm, axis);
   }
   if (const int axis = axis_in(number, kLocal); axis < kAxes) {
-    return take_axis(state.stored_local_mm, axis);
+    return take_axis(state.stored_local_mm, state.stored_local_extra_deg_mm, axis);
   }
   if (const int axis = axis_in(number, kProbe); axis < kAxes) {
-    return take_axis(state.probe.position_mm, axis);
+    return take_axis(state.probe.position_mm, state.probe.extra_deg_mm, axis);
   }
   if (number == kInput) {
     state.input = value;
@@ -150,7 +162,7 @@ bool MachineValues::take(int number, double value) {
   WorkOffset offset = state.coordinates.work(which.system);
   if (which.axis == kRotation) {
     offset.rotation_deg = value;
-  } else if (!take_axis(offset.origin_mm, which.axis)) {
+  } else if (!take_axis(offset.origin_mm, offset.extra_deg_mm, which.axis)) {
     return false;
   }
   state.coordinates.store_work(which.system, offset);

@@ -14,11 +14,11 @@
 
 namespace kerf::parser {
 
-// As LinuxCNC documents them. In the machine's unit, mm, whatever the program's: #5161 to #5169
-// (G28), #5181 to #5189 (G30), #5211 to #5219 (G52, G92), #5221 to #5390 (work offsets, ten
-// numbers each behind #5220, the number of the one in force, R in degrees), #5401 to #5413 (tool
-// in the spindle). In the program's units: #5061 to #5069 (G38), #5420 to #5428 (position).
-// #5399 is what M66 read.
+// As LinuxCNC documents them, A, B, C in degrees. In the machine's unit, mm, whatever the
+// program's: #5161 to #5169 (G28), #5181 to #5189 (G30), #5211 to #5219 (G52, G92), #5221 to #5390
+// (work offsets, ten numbers each behind #5220, the number of the one in force, R in degrees),
+// #5401 to #5413 (tool in the spindle). In the program's units: #5061 to #5069 (G38), #5420 to
+// #5428 (position). #5399 is what M66 read.
 //
 // Fanuc's numbers, all in the program's units: #5001.. and #5041.. (position), #5021.. (on the
 // machine), #5061.. (G31), #5081.. (tool offset), #5221.. to #5321.., #7001.. and #14001.. (work

@@ -38,9 +38,14 @@ void expect(std::istream& in, const std::string& wanted) {
   }
 }
 
-Step read_step(const std::string& line) {
-  std::istringstream in(line);
+Step read_step(std::string line) {
   Step step;
+  if (const auto at = line.find(" turned "); at != std::string::npos) {
+    std::istringstream angles(line.substr(at + 8));
+    angles >> step.turned_deg[0] >> step.turned_deg[1] >> step.turned_deg[2];
+    line.erase(at);
+  }
+  std::istringstream in(line);
   in >> step.kind;
   if (step.kind == "event") {
     std::getline(in >> std::ws, step.way);
@@ -64,13 +69,14 @@ Step read_step(const std::string& line) {
   return step;
 }
 
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+
 const char* name_of(parser::Plane plane) {
   return plane == parser::Plane::xy ? "xy" : plane == parser::Plane::zx ? "zx" : "yz";
 }
 
 std::string text_of(const parser::EventMove& event) {
   using parser::EventKind;
-  constexpr double kDegrees = 180.0 / 3.14159265358979323846;
   static const std::map<EventKind, std::string> kNames{
       {EventKind::program_stop, "stop"},
       {EventKind::optional_stop, "optional_stop"},
@@ -100,7 +106,12 @@ std::optional<Step> step_of(const Move& move) {
   constexpr double kSecondsPerMinute = 60.0;
   Step step;
   step.feed_mm_min = move.feedrate_mm_s * kSecondsPerMinute;
+  for (std::size_t k = 0; k < 3; ++k) {
+    step.turned_deg[k] = move.extra.end_rad_mm[k] * kDegrees;
+  }
   if (const auto* line = std::get_if<parser::LineMove>(&move.shape)) {
+    const bool turns_alone = line->end_mm == move.start_mm && move.extra.moves();
+    step.feed_mm_min *= turns_alone ? kDegrees : 1.0;
     step.kind = move.rapid ? "rapid" : "feed";
     step.end_mm = line->end_mm;
   } else if (const auto* arc = std::get_if<parser::ArcMove>(&move.shape)) {
@@ -138,15 +149,18 @@ bool is_straight(const Step& step) {
 std::vector<Step> moving_steps(const Answer& answer, double shortest_mm) {
   std::vector<Step> steps;
   Point position{};
+  Point turned_deg{};
   for (const Step& step : answer.steps) {
     const bool has_end = step.kind != "dwell" && step.kind != "spline" && step.kind != "event";
-    if (is_straight(step) && distance_mm(step.end_mm, position) <= shortest_mm) {
+    if (is_straight(step) && distance_mm(step.end_mm, position) <= shortest_mm &&
+        distance_mm(step.turned_deg, turned_deg) <= shortest_mm) {
       continue;
     }
     if (step.kind == "dwell" && step.time_s == 0.0) {
       continue;
     }
     position = has_end ? step.end_mm : position;
+    turned_deg = has_end ? step.turned_deg : turned_deg;
     steps.push_back(step);
   }
   return steps;
@@ -174,6 +188,7 @@ bool agree(const Step& wanted, const Step& found, double tolerance_mm) {
                                                                           : 0;
   centre[normal] = wanted.centre_mm[normal];
   return same_feed && distance_mm(wanted.end_mm, found.end_mm) <= 2 * tolerance_mm &&
+         distance_mm(wanted.turned_deg, found.turned_deg) <= 2 * tolerance_mm &&
          (wanted.kind != "arc" ||
           distance_mm(wanted.centre_mm, centre) <= 2 * kRadiusDigits * tolerance_mm);
 }
@@ -218,6 +233,9 @@ Answer kerf_answer(const std::filesystem::path& program) {
   };
   options.machine.tools =
       parser::read_tool_table(read_file(program.parent_path().parent_path() / "tools.tbl")).value();
+  options.machine.extra_axes = program.parent_path().filename() == "axes"
+                                   ? parser::letters('A', 'B', 'C')
+                                   : parser::Letters{0};
   parser::ProgramReader reader(options);
   const bool events = program.parent_path().filename() == "events";
   Answer answer;
@@ -253,7 +271,7 @@ std::string text_of(const Step& step) {
   if (step.kind == "event") {
     return text + ' ' + step.way;
   }
-  text += ' ' + text_of(step.end_mm);
+  text += ' ' + text_of(step.end_mm) + " turned " + text_of(step.turned_deg);
   if (step.kind == "feed" || step.kind == "arc" || step.kind == "probe") {
     text += " at " + std::to_string(step.feed_mm_min);
   }

@@ -2,6 +2,7 @@
 // the two differ.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,8 +17,9 @@ struct Step {
   parser::Point end_mm{};    // in machine coordinates; not used by spline and dwell
   double feed_mm_min = 0.0;  // of feed, probe and arc
   parser::Point centre_mm{};
-  std::string way;      // of an arc: "cw xy turns 1"
-  double time_s = 0.0;  // of a dwell
+  std::string way;                     // of an arc: "cw xy turns 1"
+  std::array<double, 3> turned_deg{};  // A, B, C; of programs in axes/
+  double time_s = 0.0;                 // of a dwell
 };
 
 struct Answer {
@@ -30,7 +32,8 @@ struct Answer {
 Answer read_answer(const std::filesystem::path& golden);
 
 // What Kerf makes of a program, with the tools of tools.tbl and the files of called/ beside it.
-// Events are part of it where the program is in events/.
+// Events are part of it where the program is in events/; the machine has A, B and C where it is in
+// axes/.
 Answer kerf_answer(const std::filesystem::path& program);
 
 // The first difference in words, or nothing. Moves of no length count as none.

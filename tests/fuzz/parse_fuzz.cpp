@@ -46,9 +46,12 @@ void check(const ArcMove& arc) {
 void check(const Move& move) {
   require(move.source.line >= 1 && move.source.column >= 1);
   require(is_sane(move.start_mm));
+  for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
+    require(std::fabs(move.extra.end_rad_mm[axis]) <= 1e6);
+  }
   require(std::isfinite(move.feedrate_mm_s) && move.feedrate_mm_s >= 0.0);
   if (const auto* line = std::get_if<LineMove>(&move.shape)) {
-    require(is_sane(line->end_mm) && line->end_mm != move.start_mm);
+    require(is_sane(line->end_mm) && (line->end_mm != move.start_mm || move.extra.moves()));
     require(move.rapid || move.feedrate_mm_s > 0.0);
   } else if (const auto* arc = std::get_if<ArcMove>(&move.shape)) {
     check(*arc);
@@ -64,6 +67,7 @@ ReaderOptions options_of(std::uint8_t bits) {
   options.block_delete = (bits & 1) != 0;
   options.dialect = (bits & 2) != 0 ? Dialect::fanuc : Dialect::rs274;
   options.machine = default_machine_data();
+  options.machine.extra_axes = (bits & 4) != 0 ? kExtraLetters : 0;
   options.max_idle_steps = 2000;
   options.subprograms = [](std::string_view name) -> std::optional<SubprogramText> {
     if (name != "ring") {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "parser/errors/blocks.hpp"
 #include "parser/errors/catalogue.hpp"
 #include "parser/errors/files.hpp"
 #include "tests/parser/program.hpp"
@@ -49,8 +50,10 @@ class ErrorPageTrigger : public testing::TestWithParam<const ErrorPage*> {};
 
 TEST_P(ErrorPageTrigger, GivesThisVeryPageFirst) {
   const ErrorPage& page = *GetParam();
-  const Program program = read_program(
-      errors::trigger_of(page), {.dialect = page.dialect, .machine = default_machine_data()});
+  MachineData machine = default_machine_data();
+  machine.extra_axes = &page == &errors::kExtraAxisHere ? letters('A') : 0;
+  const Program program =
+      read_program(errors::trigger_of(page), {.dialect = page.dialect, .machine = machine});
   ASSERT_FALSE(program.diagnostics.empty()) << page.title;
   // What says that there is more can only come last.
   const bool of_many = &page == &errors::kTooManyErrors || &page == &errors::kTooManyWarnings;

@@ -50,7 +50,7 @@ TEST(ToolTable, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(first_error("T1 Z"), "1:4: a number is expected after Z");
   EXPECT_EQ(first_error("T1 Z1 Z2"), "1:7: Z is given twice for this tool");
   EXPECT_EQ(first_error("T1 H1"), "1:4: found 'H', expected one of T P D X Y Z I J Q or ';'");
-  EXPECT_EQ(first_error("T1 A4"), "1:4: axis A does not exist on this machine");
+  EXPECT_EQ(first_error("T1 A4"), "1:4: A: tools have offsets along X, Y and Z only");
   EXPECT_EQ(first_error("T1 A0"), "no error");
   EXPECT_EQ(first_error("T1\nT1 Z1"), "2:1: T1 is listed twice");
   EXPECT_EQ(first_error("T1 Z1000000"), "1:4: Z: 1000000 is outside -999999.999..999999.999");

@@ -1,0 +1,44 @@
+// The axes beside X, Y and Z that a machine file may name: A, B, C turn, U, V, W go straight.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "parser/block.hpp"
+#include "parser/units.hpp"
+
+namespace kerf::parser {
+
+inline constexpr std::size_t kExtraAxes = 6;  // A, B, C, U, V, W, in this order everywhere
+inline constexpr std::string_view kExtraNames = "ABCUVW";
+inline constexpr Letters kExtraLetters = letters('A', 'B', 'C', 'U', 'V', 'W');
+
+constexpr bool turns(std::size_t extra_axis) {
+  return extra_axis < 3;
+}
+
+// As a program has them: A, B, C in degrees, U, V, W in mm.
+using ExtraWords = std::array<double, kExtraAxes>;
+
+// The word of an extra axis. Precondition: the block has it.
+double extra_word_deg_mm(const Block& block, std::size_t extra_axis, Units units);
+
+// What a move does to them: A, B, C in rad, U, V, W in mm. In step with the path: linear in its
+// length.
+struct ExtraWay {
+  std::array<double, kExtraAxes> begin_rad_mm{};
+  std::array<double, kExtraAxes> end_rad_mm{};
+
+  [[nodiscard]] bool moves() const { return begin_rad_mm != end_rad_mm; }
+  // Its own length, for a move on which X, Y and Z rest: along U, V, W in mm if one of them moves,
+  // else along A, B, C in rad.
+  [[nodiscard]] double length_rad_mm() const;
+  // U, V and W rest.
+  [[nodiscard]] bool only_turns() const;
+};
+
+ExtraWords words_of(const std::array<double, kExtraAxes>& rad_mm);
+ExtraWay extra_way(const ExtraWords& begin_deg_mm, const ExtraWords& end_deg_mm);
+
+}  // namespace kerf::parser
