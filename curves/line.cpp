@@ -26,6 +26,21 @@ tl::expected<Line, CurveError> Line::between(const Position& start_mm, const Pos
   return line;
 }
 
+tl::expected<Line, CurveError> Line::resting(const Position& point_mm, double length_mm) {
+  if (!is_usable(point_mm)) {
+    return tl::unexpected(
+        CurveError{"the point " + to_text(point_mm) + " is not finite or beyond 1e9 mm",
+                   CurveError::Where::point, 0U});
+  }
+  if (!(length_mm > 0.0) || !is_usable(length_mm)) {
+    return tl::unexpected(CurveError{"the way of the extra axes has no usable length"});
+  }
+  Line line;
+  line.start_mm_ = line.end_mm_ = point_mm;
+  line.length_mm_ = length_mm;
+  return line;
+}
+
 Position Line::at(double s_mm) const noexcept {
   if (s_mm >= length_mm_) {
     return end_mm_;

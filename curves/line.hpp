@@ -13,6 +13,10 @@ class Line {
   // Error: the two points are equal (zero length), not finite or beyond kMaxCoordinate_mm.
   static tl::expected<Line, CurveError> between(const Position& start_mm, const Position& end_mm);
 
+  // A line that stays at one point: for a move on which only other axes move, along which s counts
+  // their way. Error: the point is not usable, or the length is not positive and finite.
+  static tl::expected<Line, CurveError> resting(const Position& point_mm, double length_mm);
+
   [[nodiscard]] double length_mm() const noexcept { return length_mm_; }
   [[nodiscard]] const Position& direction() const noexcept { return direction_; }
   // s_mm is clamped to [0, length]; both ends are exact.

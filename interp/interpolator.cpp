@@ -20,10 +20,12 @@ double distance_to_chord_mm(const Position& point, const Position& from,
 
 }  // namespace
 
-Interpolator::Interpolator(MotionQueue& queue, double period_s, const Position& start_mm) noexcept
+Interpolator::Interpolator(MotionQueue& queue, double period_s, const Position& start_mm,
+                           const curves::ExtraPosition& start_extra_rad_mm) noexcept
     : queue_(&queue), period_s_(period_s), position_before_mm_(start_mm) {
   now_.tick = -1;
   now_.position_mm = start_mm;
+  now_.extra_rad_mm = start_extra_rad_mm;
 }
 
 double Interpolator::time_into_s(const Phase& phase) const noexcept {
@@ -86,14 +88,16 @@ void Interpolator::note_passed_piece() noexcept {
 void Interpolator::fill(const profiles::PathMotion& motion, double s_mm) noexcept {
   now_.line = phase_.line;
   now_.rapid = phase_.rapid;
-  now_.v_mm_s = motion.v_mm_s;
-  now_.a_mm_s2 = motion.a_mm_s2;
-  now_.j_mm_s3 = motion.j_mm_s3;
-  now_.s_mm = phase_.path_begin_mm + s_mm;
+  const bool rests = piece_.extra.alone;
+  now_.v_mm_s = rests ? 0.0 : motion.v_mm_s;
+  now_.a_mm_s2 = rests ? 0.0 : motion.a_mm_s2;
+  now_.j_mm_s3 = rests ? 0.0 : motion.j_mm_s3;
+  now_.s_mm = phase_.path_begin_mm + (rests ? 0.0 : s_mm);
   s_now_mm_ = s_mm;
   if (phase_.curve == 0) {
     return;
   }
+  now_.extra_rad_mm = piece_.extra.at(s_mm);
   const curves::PathDerivatives path = curves::derivatives_at(piece_.geometry, s_mm);
   const double v = motion.v_mm_s;
   now_.position_mm = path.position_mm;

@@ -23,8 +23,9 @@ enum class TickStatus : std::uint8_t {
 // the queue can hold.
 class Interpolator {
  public:
-  // Rests at start_mm until the first motion.
-  Interpolator(MotionQueue& queue, double period_s, const Position& start_mm) noexcept;
+  // Rests at start_mm and start_extra_rad_mm until the first motion.
+  Interpolator(MotionQueue& queue, double period_s, const Position& start_mm,
+               const curves::ExtraPosition& start_extra_rad_mm = {}) noexcept;
 
   TickStatus next(Setpoint& setpoint) noexcept;
 

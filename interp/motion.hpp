@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "curves/curve.hpp"
+#include "curves/extra_way.hpp"
 #include "profiles/transition.hpp"
 
 namespace kerf::interp {
@@ -16,6 +17,7 @@ namespace kerf::interp {
 struct PathPiece {
   std::uint64_t curve = 0;
   curves::Piece geometry = curves::NurbsPiece{};
+  curves::ExtraWay extra{};  // along the whole curve
 };
 
 // An instant as a whole number of ticks and the rest of a tick, so that time does not lose digits

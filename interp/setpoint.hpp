@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "curves/extra_way.hpp"
 #include "curves/position.hpp"
 #include "interp/outputs.hpp"
 
@@ -14,13 +15,14 @@ struct Setpoint {
   std::int64_t tick = 0;   // counts interpolation periods from 0
   std::uint32_t line = 0;  // of the block that the point belongs to
   bool rapid = false;      // on a G0
-  double s_mm = 0.0;       // path length since the program's start
-  double v_mm_s = 0.0;     // along the path, as planned
+  double s_mm = 0.0;       // path length since the program's start, of X, Y and Z
+  double v_mm_s = 0.0;     // along the path, as planned; 0 where only extra axes move
   double a_mm_s2 = 0.0;
   double j_mm_s3 = 0.0;
   Position position_mm{};
   Position velocity_mm_s{};
   Position acceleration_mm_s2{};
+  curves::ExtraPosition extra_rad_mm{};  // A, B, C, U, V, W; at rest if the machine has none
   Outputs outputs{};
 };
 

@@ -20,10 +20,17 @@ void unite(curves::Extents& all, const curves::Extents& part, bool first) {
   }
 }
 
+void unite(curves::ExtraExtents& all, const curves::ExtraPosition& position, bool first) {
+  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+    all.min_rad_mm[k] = first ? position[k] : std::min(all.min_rad_mm[k], position[k]);
+    all.max_rad_mm[k] = first ? position[k] : std::max(all.max_rad_mm[k], position[k]);
+  }
+}
+
 class Checker {
  public:
   explicit Checker(const MachineSettings& settings)
-      : envelope_(machine::envelope_of(settings.table)) {}
+      : envelope_(machine::envelope_of(settings.table)), extra_envelope_(settings.table.extra) {}
 
   // Of what follows an error only the curves are looked at: it may start anywhere.
   void look_at(const parser::Move& move, bool after_error, CheckReport& report) {
@@ -37,18 +44,24 @@ class Checker {
     if (after_error || report.has_errors()) {
       return;
     }
+    if (curves_.empty()) {
+      return;
+    }
+    unite(report.extra_extents, move.extra.begin_rad_mm, !report.moves);
+    unite(report.extra_extents, move.extra.end_rad_mm, false);
+    check_travel(machine::outside_travel(extra_envelope_, move.extra.end_rad_mm), move.source,
+                 report);
     for (const curves::Curve& curve : curves_) {
       const curves::Extents extents = curves::extents(curve);
       unite(report.extents, extents, !report.moves);
       report.moves = true;
-      check_travel(extents, move.source, report);
+      check_travel(machine::outside_travel(envelope_, extents), move.source, report);
     }
   }
 
  private:
-  void check_travel(const curves::Extents& extents, const parser::SourcePosition& source,
-                    CheckReport& report) const {
-    const auto excess = machine::outside_travel(envelope_, extents);
+  static void check_travel(const std::optional<machine::TravelExcess>& excess,
+                           const parser::SourcePosition& source, CheckReport& report) {
     const bool named = !report.limit_faults.empty() &&
                        report.limit_faults.back().source.line == source.line &&
                        report.limit_faults.back().source.file == source.file;
@@ -60,6 +73,7 @@ class Checker {
 
   static constexpr std::size_t kMaxLimitFaults = 100;
   machine::Envelope envelope_;
+  machine::ExtraEnvelope extra_envelope_;
   std::vector<curves::Curve> curves_;
 };
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "curves/extra_way.hpp"
 #include "curves/position.hpp"
 #include "kernel/kernel.hpp"
 #include "kernel/settings.hpp"
@@ -15,8 +16,9 @@ namespace kerf {
 struct CheckReport {
   std::vector<parser::Diagnostic> diagnostics;   // of the text and of curves that cannot be built
   std::vector<parser::Diagnostic> limit_faults;  // paths that leave the travel, one for each block
-  curves::Extents extents{};  // of all motion, with the bulge of arcs and splines
-  bool moves = false;         // false: extents mean nothing
+  curves::Extents extents{};             // of all motion, with the bulge of arcs and splines
+  curves::ExtraExtents extra_extents{};  // of A, B, C, U, V, W
+  bool moves = false;                    // false: extents mean nothing
 
   [[nodiscard]] bool has_errors() const;
 };

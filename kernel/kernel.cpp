@@ -24,12 +24,14 @@ class Kernel::Impl {
   Impl(const MachineSettings& settings, const KernelOptions& options)
       : limits_(settings.limits),
         envelope_(machine::envelope_of(settings.table)),
+        extra_envelope_(settings.table.extra),
         checks_travel_(options.checks_travel),
         reader_(reader_options(settings, options)),
         planner_({.limits = settings.limits,
                   .profile = options.profile,
                   .window_blocks = options.window_blocks}),
-        interpolator_(queue_, settings.limits.period_s, options.start_mm),
+        interpolator_(queue_, settings.limits.period_s, options.start_mm,
+                      options.start_extra_rad_mm),
         horizon_ticks_(
             static_cast<std::int64_t>(std::ceil(options.horizon_s / settings.limits.period_s))) {}
 
@@ -118,7 +120,7 @@ class Kernel::Impl {
       fail(built.error(), parser::errors::kCurveRefused);
       return;
     }
-    if (checks_travel_ && leaves_travel()) {
+    if (checks_travel_ && leaves_travel(move)) {
       return;
     }
     for (lookahead::Block& block : blocks_) {
@@ -126,8 +128,8 @@ class Kernel::Impl {
     }
   }
 
-  bool leaves_travel() {
-    std::optional<machine::TravelExcess> excess;
+  bool leaves_travel(const Move& move) {
+    auto excess = machine::outside_travel(extra_envelope_, move.extra.end_rad_mm);
     for (std::size_t i = 0; i < blocks_.size() && !excess; ++i) {
       excess = machine::outside_travel(envelope_, curves::extents(blocks_[i].curve));
     }
@@ -158,6 +160,7 @@ class Kernel::Impl {
 
   lookahead::PlanLimits limits_;
   machine::Envelope envelope_;
+  machine::ExtraEnvelope extra_envelope_;
   bool checks_travel_;
   parser::ProgramReader reader_;
   lookahead::Planner planner_;

@@ -24,8 +24,9 @@ struct KernelOptions {
   bool block_delete = false;         // leave out blocks that begin with '/'
   bool checks_travel = false;        // a block that leaves the table is an error, as in the check
   std::array<double, 3> start_mm{};  // where the tool is
-  std::optional<parser::Dialect> dialect{};  // nothing: the machine's
-  parser::SubprogramSource subprograms{};    // those that are not in the program's own text
+  std::array<double, curves::kExtraAxes> start_extra_rad_mm{};  // A, B, C in rad, U, V, W in mm
+  std::optional<parser::Dialect> dialect{};                     // nothing: the machine's
+  parser::SubprogramSource subprograms{};  // those that are not in the program's own text
 };
 
 // Feeding and planning happen in the caller's thread; tick() only reads what was planned and is

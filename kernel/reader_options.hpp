@@ -10,6 +10,7 @@ namespace kerf {
 inline parser::ReaderOptions reader_options(const MachineSettings& settings,
                                             const KernelOptions& options) {
   return {.start_mm = options.start_mm,
+          .start_extra_rad_mm = options.start_extra_rad_mm,
           .block_delete = options.block_delete,
           .dialect = options.dialect.value_or(settings.dialect),
           .machine = settings.program,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "curves/curve.hpp"
+#include "curves/extra_way.hpp"
 #include "lookahead/ceiling.hpp"
 #include "profiles/shape_value.hpp"
 
@@ -20,11 +21,13 @@ struct BlockLimits {
 struct BlockEnd {
   curves::Position tangent{};
   curves::Position curvature_per_mm{};
-  double third_per_mm2 = 0.0;  // bound of |q'''| of the curve, 0 where it does not bind
+  double third_per_mm2 = 0.0;            // bound of |q'''| of the curve, 0 where it does not bind
+  curves::ExtraPosition extra_per_mm{};  // what the extra axes move by the path's length
 };
 
 struct Block {
   curves::Curve curve;
+  curves::ExtraWay extra{};
   std::uint32_t line = 0;
   bool rapid = false;
   double length_mm = 0.0;

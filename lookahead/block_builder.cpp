@@ -1,6 +1,7 @@
 #include "lookahead/block_builder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <variant>
 
@@ -63,6 +64,45 @@ BlockEnd block_end(const curves::PathDerivatives& path) {
   return {.tangent = path.first, .curvature_per_mm = path.second_per_mm, .third_per_mm2 = 0.0};
 }
 
+// X, Y and Z rest, and the length is that of the extra axes' own way.
+bool moves_extra_alone(const Move& move) {
+  const auto* line = std::get_if<LineMove>(&move.shape);
+  return line != nullptr && line->end_mm == move.start_mm && move.extra.moves();
+}
+
+tl::expected<curves::Line, curves::CurveError> make_line(const Move& move, const LineMove& line) {
+  return moves_extra_alone(move) ? curves::Line::resting(move.start_mm, move.extra.length_rad_mm())
+                                 : curves::Line::between(move.start_mm, line.end_mm);
+}
+
+curves::ExtraWay extra_along(const Block& block, const Move& move) {
+  return {.begin_rad_mm = move.extra.begin_rad_mm,
+          .end_rad_mm = move.extra.end_rad_mm,
+          .length_mm = move.extra.moves() ? block.length_mm : 0.0,
+          .alone = moves_extra_alone(move)};
+}
+
+// What the limits along the path do not bind.
+BlockLimits free_limits(double feedrate_mm_s) {
+  return {.feedrate_mm_s = feedrate_mm_s,
+          .ramp = {.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded}};
+}
+
+bool is_bounded(const BlockLimits& limits) {
+  return std::isfinite(limits.feedrate_mm_s) && std::isfinite(limits.ramp.acceleration_mm_s2) &&
+         std::isfinite(limits.ramp.jerk_mm_s3);
+}
+
+void bind_extra_axes(const PlanLimits& limits, Block& block) {
+  if (block.extra.length_mm == 0.0) {
+    return;
+  }
+  bind_extra(block.extra, limits, block.limits);
+  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+    block.begin.extra_per_mm[k] = block.end.extra_per_mm[k] = block.extra.slope_per_mm(k);
+  }
+}
+
 Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits) {
   Block block{.curve = std::move(curve)};
   block.line = move.source.line;
@@ -73,10 +113,12 @@ Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits
   if (move.rapid) {
     feedrate = kUnbounded;
   }
+  block.extra = extra_along(block, move);
   if (const auto* line = std::get_if<curves::Line>(&block.curve)) {
-    block.limits = line_limits(*line, feedrate, limits);
+    block.limits = block.extra.alone ? free_limits(feedrate) : line_limits(*line, feedrate, limits);
     block.begin.tangent = line->direction();
     block.end = block.begin;
+    bind_extra_axes(limits, block);
     return block;
   }
   block.begin = block_end(curves::derivatives_at(block.curve, 0.0));
@@ -91,6 +133,7 @@ Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits
   } else {
     block.limits = nurbs_limits(feedrate, limits);
   }
+  bind_extra_axes(limits, block);
   if (nurbs != nullptr) {
     block.ceiling = scan_feedrate(*nurbs, {.feedrate_mm_s = block.limits.feedrate_mm_s,
                                            .jerk_mm_s3 = block.limits.ramp.jerk_mm_s3,
@@ -107,7 +150,7 @@ tl::expected<void, PlanError> append_curves(const Move& move, std::vector<curves
     return tl::make_unexpected(PlanError{line_to_blame(move, error), error.message});
   };
   if (const auto* line = std::get_if<LineMove>(&move.shape)) {
-    const auto built = curves::Line::between(move.start_mm, line->end_mm);
+    const auto built = make_line(move, *line);
     if (!built) {
       return refuse(built.error());
     }
@@ -131,12 +174,21 @@ tl::expected<void, PlanError> append_curves(const Move& move, std::vector<curves
 tl::expected<void, PlanError> append_blocks(const Move& move, const PlanLimits& limits,
                                             std::vector<Block>& blocks) {
   if (const auto* line = std::get_if<LineMove>(&move.shape)) {
-    const auto built = curves::Line::between(move.start_mm, line->end_mm);
+    const auto built = make_line(move, *line);
     if (!built) {
       return tl::make_unexpected(PlanError{move.source.line, built.error().message});
     }
-    blocks.push_back(make_block(*built, move, limits));
+    Block block = make_block(*built, move, limits);
+    if (block.extra.alone && !is_bounded(block.limits)) {
+      return tl::make_unexpected(
+          PlanError{move.source.line, "the machine has no limits of the axes that move"});
+    }
+    blocks.push_back(std::move(block));
     return {};
+  }
+  if (std::holds_alternative<NurbsMove>(move.shape) && move.extra.moves()) {
+    return tl::make_unexpected(
+        PlanError{move.source.line, "A, B, C, U, V and W cannot move on a spline"});
   }
   std::vector<curves::Curve> curves;
   if (auto built = append_curves(move, curves); !built) {

@@ -57,6 +57,12 @@ BlockLimits line_limits(const curves::Line& line, double feedrate_mm_s, const Pl
   return block;
 }
 
+void bind_extra(const curves::ExtraWay& extra, const PlanLimits& limits, BlockLimits& block) {
+  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+    bind_share(block, limits.extra[k], std::abs(extra.slope_per_mm(k)));
+  }
+}
+
 Bend bend_of(const curves::Arc& arc) {
   const double c = arc.in_plane_share();
   const double r = arc.radius_mm();

@@ -105,6 +105,14 @@ double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
                                                             limits.path.acceleration_mm_s2)),
                   largest_below(jerk, limit_or_path(axis.jerk_mm_s3, limits.path.jerk_mm_s3))});
   }
+  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+    const double turn = std::abs(after.extra_per_mm[k] - before.extra_per_mm[k]);
+    if (turn > kSmoothTangent) {
+      const MotionLimits& axis = limits.extra[k];
+      feedrate = std::min(
+          {feedrate, axis.acceleration_mm_s2 * ts / turn, axis.jerk_mm_s3 * ts * ts / turn});
+    }
+  }
   if (feedrate == kUnbounded || limits.chord_tolerance_mm == kUnbounded) {
     return feedrate;
   }

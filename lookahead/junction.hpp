@@ -14,7 +14,8 @@ namespace kerf::lookahead {
 //   jerk          F |du| / Ts^2 + 3/4 F^2 |dk| / Ts + F^3 max|q'''| <= J
 //   chord         F |du| Ts / 4 + F^2 max|k| Ts^2 / 8 <= tolerance
 //
-// which is solved for the largest F. The last is the path's distance from the straight line between
+// (of an extra axis, which is linear in the path's length, only the terms with |du|), which is
+// solved for the largest F. The last is the path's distance from the straight line between
 // the ticks on both sides, as Green's function of a chord bounds it. The plan keeps the feedrate
 // constant for coast_s on both sides, so that nothing else adds to it in any window of ticks that
 // sees the joint.

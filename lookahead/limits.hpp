@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "curves/extra_way.hpp"
+
 namespace kerf::lookahead {
 
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
@@ -19,6 +21,9 @@ struct PlanLimits {
   double period_s = 0.001;
   MotionLimits path{};
   std::array<MotionLimits, 3> axes{};
+  // A, B, C, with rad in place of mm, then U, V, W. They bind whatever the limits along the path,
+  // which do not count where only these axes move.
+  std::array<MotionLimits, curves::kExtraAxes> extra{};
   double chord_tolerance_mm = kUnbounded;
 };
 

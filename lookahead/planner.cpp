@@ -132,14 +132,17 @@ void Planner::begin_block(Outbox& outbox) {
   block_begun_ = true;
   emit_switches(outbox);
   const curves::Curve& curve = blocks_.front().curve;
+  const curves::ExtraWay& extra = blocks_.front().extra;
+  rests_ = extra.alone;
   if (const auto* nurbs = std::get_if<curves::NurbsCurve>(&curve)) {
     for (const curves::NurbsPiece& piece : nurbs->pieces()) {
-      outbox.pieces.push_back({.curve = curve_, .geometry = piece});
+      outbox.pieces.push_back({.curve = curve_, .geometry = piece, .extra = extra});
     }
   } else if (const auto* line = std::get_if<curves::Line>(&curve)) {
-    outbox.pieces.push_back({.curve = curve_, .geometry = *line});
+    outbox.pieces.push_back({.curve = curve_, .geometry = *line, .extra = extra});
   } else {
-    outbox.pieces.push_back({.curve = curve_, .geometry = std::get<curves::Arc>(curve)});
+    outbox.pieces.push_back(
+        {.curve = curve_, .geometry = std::get<curves::Arc>(curve), .extra = extra});
   }
 }
 
@@ -189,11 +192,11 @@ void Planner::leave_span() {
   s_mm_ = span.s_begin_mm + span.length_mm;
   if (span.ends_block) {
     s_mm_ = blocks_.front().length_mm;
-    path_begin_mm_ += s_mm_;
+    path_begin_mm_ += rests_ ? 0.0 : s_mm_;
     blocks_.pop_front();
     block_begun_ = false;
   }
-  totals_.path_length_mm = path_begin_mm_ + (block_begun_ ? s_mm_ : 0.0);
+  totals_.path_length_mm = path_begin_mm_ + (block_begun_ && !rests_ ? s_mm_ : 0.0);
   window_.pop_front();
   --ready_spans_;
 }

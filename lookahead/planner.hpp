@@ -110,6 +110,7 @@ class Planner {
   // Where emission stands.
   bool block_begun_ = false;
   std::uint64_t curve_ = 0;
+  bool rests_ = false;  // on it X, Y and Z rest: it adds nothing to the path
   double v_mm_s_ = 0.0;
   double s_mm_ = 0.0;           // on the curve
   double path_begin_mm_ = 0.0;  // of all curves before this one

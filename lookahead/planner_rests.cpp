@@ -41,7 +41,7 @@ void Planner::emit_rest(Outbox& outbox) {
                       .line = rest_.line != 0 ? rest_.line : line_,
                       .ends_at_rest = true,
                       .ends_program = rest_.ends_program};
-  phase.path_begin_mm = block_begun_ ? path_begin_mm_ : path_begin_mm_ - s_mm_;
+  phase.path_begin_mm = block_begun_ || rests_ ? path_begin_mm_ : path_begin_mm_ - s_mm_;
   if (rest_.change) {
     outbox.switches.push_back({.tick = clock_.now().tick, .change = *rest_.change});
   }

@@ -8,6 +8,13 @@
 namespace kerf::machine {
 namespace {
 
+constexpr double kDegreesPerRadian = 180.0 / 3.14159265358979323846;
+
+struct Range {
+  double low = 0.0;
+  double high = 0.0;
+};
+
 // Beyond max_mm where above, else below min_mm. Not a number counts as infinitely far outside.
 TravelExcess excess_of(const Travel& travel, double coordinate_mm, bool above) {
   const double limit_mm = above ? travel.max_mm : travel.min_mm;
@@ -18,6 +25,24 @@ TravelExcess excess_of(const Travel& travel, double coordinate_mm, bool above) {
   return {.above = above,
           .limit_mm = limit_mm,
           .by_mm = beyond ? std::abs(coordinate_mm - limit_mm) : 0.0};
+}
+
+// The worse of `worst` and what of the range lies outside the travel of one more axis.
+TravelExcess worse(const TravelExcess& worst, std::size_t axis, const Travel& travel,
+                   const Range& range) {
+  TravelExcess result = worst;
+  for (const bool above : {false, true}) {
+    TravelExcess excess = excess_of(travel, above ? range.high : range.low, above);
+    if (excess.by_mm > result.by_mm) {
+      excess.axis = static_cast<std::int8_t>(axis);
+      result = excess;
+    }
+  }
+  return result;
+}
+
+std::optional<TravelExcess> beyond_tolerance(const TravelExcess& worst) {
+  return worst.by_mm > kTravelToleranceMm ? std::optional(worst) : std::nullopt;
 }
 
 // Six digits, whatever the locale.
@@ -37,19 +62,10 @@ Envelope envelope_of(const TableSettings& settings) noexcept {
 std::optional<TravelExcess> outside_travel(const Envelope& envelope,
                                            const curves::Extents& box) noexcept {
   TravelExcess worst{.by_mm = kTravelToleranceMm};
-  bool outside = false;
   for (std::size_t axis = 0; axis < envelope.size(); ++axis) {
-    for (const bool above : {false, true}) {
-      TravelExcess excess =
-          excess_of(envelope[axis], above ? box.max_mm[axis] : box.min_mm[axis], above);
-      if (excess.by_mm > worst.by_mm) {
-        excess.axis = static_cast<std::int8_t>(axis);
-        worst = excess;
-        outside = true;
-      }
-    }
+    worst = worse(worst, axis, envelope[axis], {.low = box.min_mm[axis], .high = box.max_mm[axis]});
   }
-  return outside ? std::optional(worst) : std::nullopt;
+  return beyond_tolerance(worst);
 }
 
 std::optional<TravelExcess> outside_travel(const Envelope& envelope,
@@ -57,13 +73,28 @@ std::optional<TravelExcess> outside_travel(const Envelope& envelope,
   return outside_travel(envelope, curves::Extents{.min_mm = point, .max_mm = point});
 }
 
+std::optional<TravelExcess> outside_travel(const ExtraEnvelope& envelope,
+                                           const curves::ExtraPosition& position_rad_mm) noexcept {
+  TravelExcess worst{.by_mm = kTravelToleranceMm};
+  for (std::size_t k = 0; k < envelope.size(); ++k) {
+    worst =
+        worse(worst, 3 + k, {.min_mm = envelope[k].min_rad_mm, .max_mm = envelope[k].max_rad_mm},
+              {.low = position_rad_mm[k], .high = position_rad_mm[k]});
+  }
+  return beyond_tolerance(worst);
+}
+
 std::string describe(const TravelExcess& excess) {
-  const std::string name(1, "xyz"[excess.axis]);
+  const std::string name(1, "xyzabcuvw"[excess.axis]);
   if (!std::isfinite(excess.by_mm)) {
     return name + " is not a finite number";
   }
-  return name + " goes " + text_of(excess.by_mm) + " mm beyond its " +
-         (excess.above ? "upper" : "lower") + " limit of " + text_of(excess.limit_mm) + " mm";
+  const bool turns = excess.axis >= 3 && excess.axis < 6;
+  const double factor = turns ? kDegreesPerRadian : 1.0;
+  const std::string unit = turns ? " deg" : " mm";
+  return name + " goes " + text_of(factor * excess.by_mm) + unit + " beyond its " +
+         (excess.above ? "upper" : "lower") + " limit of " + text_of(factor * excess.limit_mm) +
+         unit;
 }
 
 }  // namespace kerf::machine

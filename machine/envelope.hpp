@@ -13,17 +13,18 @@
 
 namespace kerf::machine {
 
-using Envelope = std::array<Travel, 3>;  // x, y, z
+using Envelope = std::array<Travel, 3>;                             // x, y, z
+using ExtraEnvelope = std::array<ExtraTravel, curves::kExtraAxes>;  // a, b, c, u, v, w
 
 // A path that ends or turns on the limit itself may round beyond it. One nanometre is a thousand
 // times what the interpolation rounds and a thousandth of an encoder count.
 inline constexpr double kTravelToleranceMm = 1e-6;
 
 struct TravelExcess {
-  std::int8_t axis = 0;   // 0..2
+  std::int8_t axis = 0;   // x, y, z, a, b, c, u, v, w
   bool above = false;     // beyond max_mm, else below min_mm
-  double limit_mm = 0.0;  // the limit that is passed
-  double by_mm = 0.0;     // how far; infinite for a coordinate that is not a number
+  double limit_mm = 0.0;  // the limit that is passed; of a, b, c in rad
+  double by_mm = 0.0;     // how far, likewise; infinite for a coordinate that is not a number
 };
 
 [[nodiscard]] Envelope envelope_of(const TableSettings& settings) noexcept;
@@ -33,6 +34,9 @@ struct TravelExcess {
                                                          const curves::Position& point) noexcept;
 [[nodiscard]] std::optional<TravelExcess> outside_travel(const Envelope& envelope,
                                                          const curves::Extents& box) noexcept;
+
+[[nodiscard]] std::optional<TravelExcess> outside_travel(
+    const ExtraEnvelope& envelope, const curves::ExtraPosition& position_rad_mm) noexcept;
 
 // "x goes 12.5 mm beyond its upper limit of 300 mm". Allocates: not for the tick.
 [[nodiscard]] std::string describe(const TravelExcess& excess);

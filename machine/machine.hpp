@@ -25,7 +25,7 @@ struct MachineState {
   interp::Outputs outputs{};      // of the last setpoint that was not refused; after a fault
                                   // spindle and coolant are off
   Fault fault = Fault::none;
-  std::int8_t fault_axis = -1;  // 0..2, -1 where no axis is to blame
+  std::int8_t fault_axis = -1;  // x, y, z, a, b, c, u, v, w; -1 where no axis is to blame
 };
 
 // Called from the tick: no member allocates, locks, logs or throws.

@@ -7,11 +7,12 @@
 namespace kerf::machine {
 namespace {
 
-// The axis of the first coordinate that is not finite.
-std::optional<std::int8_t> not_finite_axis(const Position& position) {
-  for (std::int8_t axis = 0; axis < 3; ++axis) {
-    if (!std::isfinite(position[static_cast<std::size_t>(axis)])) {
-      return axis;
+// The place of the first coordinate that is not finite.
+template <std::size_t count>
+std::optional<std::int8_t> not_finite_axis(const std::array<double, count>& position) {
+  for (std::size_t axis = 0; axis < count; ++axis) {
+    if (!std::isfinite(position[axis])) {
+      return static_cast<std::int8_t>(axis);
     }
   }
   return std::nullopt;
@@ -23,6 +24,9 @@ std::optional<std::int8_t> not_finite_axis(const Setpoint& setpoint) {
     if (const auto axis = not_finite_axis(*vector)) {
       return axis;
     }
+  }
+  if (const auto axis = not_finite_axis(setpoint.extra_rad_mm)) {
+    return static_cast<std::int8_t>(3 + *axis);
   }
   const bool finite = std::isfinite(setpoint.s_mm) && std::isfinite(setpoint.v_mm_s) &&
                       std::isfinite(setpoint.a_mm_s2) && std::isfinite(setpoint.j_mm_s3);
@@ -97,6 +101,10 @@ bool SimulatedTable::accepts(const Setpoint& setpoint) noexcept {
     return false;
   }
   if (const auto excess = outside_travel(envelope_, setpoint.position_mm)) {
+    fault(Fault::soft_limit, excess->axis);
+    return false;
+  }
+  if (const auto excess = outside_travel(settings_.extra, setpoint.extra_rad_mm)) {
     fault(Fault::soft_limit, excess->axis);
     return false;
   }

@@ -18,6 +18,9 @@ namespace kerf::machine {
 // State: actual_mm is what the encoders read, whole counts; after an encoder failed, its last good
 // reading. The commanded position is the last setpoint that was not refused. contour_error_mm is
 // the distance to the path through the setpoints (PathHistory), so lag along it does not count.
+//
+// The axes A, B, C, U, V, W have no drives here: they are where the setpoint says, and only their
+// travel is checked.
 class SimulatedTable final : public Machine {
  public:
   // Setpoints beyond this are a soft limit on a table without travel, too: 10 km.

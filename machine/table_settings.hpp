@@ -4,11 +4,19 @@
 #include <array>
 #include <limits>
 
+#include "curves/extra_way.hpp"
+
 namespace kerf::machine {
 
 struct Travel {
   double min_mm = -std::numeric_limits<double>::infinity();
   double max_mm = std::numeric_limits<double>::infinity();
+};
+
+// Of A, B, C in rad, of U, V, W in mm.
+struct ExtraTravel {
+  double min_rad_mm = -std::numeric_limits<double>::infinity();
+  double max_rad_mm = std::numeric_limits<double>::infinity();
 };
 
 // Forces and gains are divided by the moved inertia, so that no mass appears: a torque is the
@@ -36,6 +44,7 @@ struct AxisDrive {
 struct TableSettings {
   double period_s = 0.001;
   std::array<AxisDrive, 3> axes{};
+  std::array<ExtraTravel, curves::kExtraAxes> extra{};  // without drives: see SimulatedTable
 };
 
 // Every number is of its kind (gains, lead, counts and drive limits positive, friction and integral

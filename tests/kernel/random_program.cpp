@@ -22,6 +22,8 @@ class Writer {
       const double pick = uniform(0.0, 1.0);
       if (mix_.contour) {
         contour_line();
+      } else if (mix_.extra && uniform(0.0, 1.0) < 0.3) {
+        extra_line();
       } else if (mix_.nurbs && pick < 0.15) {
         nurbs();
       } else if (mix_.arcs && pick < 0.5) {
@@ -99,12 +101,35 @@ class Writer {
     }
   }
 
+  // Where A and U go, for some of the blocks.
+  void extra_words(double share, std::string& text) {
+    if (mix_.extra && uniform(0.0, 1.0) < share) {
+      text += " A";
+      program_.end_a_deg =
+          print_number(program_.end_a_deg + uniform(-1.0, 1.0) * log_uniform(1e-3, 60.0), text);
+    }
+    if (mix_.extra && uniform(0.0, 1.0) < share) {
+      text += " U";
+      program_.end_u_mm =
+          print_number(program_.end_u_mm + uniform(-1.0, 1.0) * log_uniform(1e-3, 20.0), text);
+    }
+  }
+
+  void extra_line() {
+    std::string text =
+        uniform(0.0, 1.0) < 0.2 ? "G0" : "G1 F" + std::to_string(log_uniform(600.0, 1e5));
+    extra_words(0.7, text);
+    add_line(text, 0.0, false);
+    last_ = {};
+  }
+
   void line() {
     const double length = log_uniform(1e-6, 1e3);
     Vec d = direction();
     keep_inside(d);
     std::string text;
     line_by({length * d[0], length * d[1], length * d[2]}, text);
+    extra_words(0.4, text);
     const double feedrate = feed_word(length, text);
     add_line(text, feedrate, false);
   }
@@ -163,6 +188,7 @@ class Writer {
       text += std::string(" ") + "IJK"[k];
       words.centre_offset_mm[k] = print_number(centre_offset[k], text);
     }
+    extra_words(0.4, text);
     add_stretch(arc_stretch(words), program_.lines() + 1);
     const double feedrate = feed_word(std::hypot(radius * sweep, rise), text);
     add_line(text, feedrate, false);

@@ -13,7 +13,9 @@ namespace kerf::test {
 
 struct RandomProgram {
   std::string text;
-  std::array<double, 3> end_mm{};     // as printed in the last motion block
+  std::array<double, 3> end_mm{};  // as printed in the last motion block
+  double end_a_deg = 0.0;
+  double end_u_mm = 0.0;
   std::vector<double> feedrate_mm_s;  // by source line, line 1 first; 0 where no motion starts
   std::vector<bool> is_nurbs;         // by source line
   std::vector<Stretch> path;
@@ -28,6 +30,7 @@ struct RandomProgram {
 struct Mix {
   bool arcs = true;
   bool nurbs = true;
+  bool extra = false;    // A and U beside lines and arcs, and alone
   bool contour = false;  // many short lines with gentle turns instead of everything else
   int blocks = 12;
 };

@@ -42,6 +42,12 @@ MachineSettings machine_for(std::uint64_t seed) {
         .velocity_mm_s = 400.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 6e4};
   }
   settings.limits.chord_tolerance_mm = 1e-5 * std::pow(1000.0, pick());
+  settings.program.extra_axes = parser::letters('A', 'U');
+  for (const std::size_t axis : {0U, 3U}) {
+    settings.limits.extra[axis] = {.velocity_mm_s = 2.0 + 20.0 * pick(),
+                                   .acceleration_mm_s2 = 20.0 * std::pow(20.0, pick()),
+                                   .jerk_mm_s3 = 5e2 * std::pow(50.0, pick())};
+  }
   return settings;
 }
 
@@ -98,6 +104,9 @@ void expect_clean(std::uint64_t seed, const Mix& mix, const Way& way) {
   const Outcome outcome = run(program, machine_for(seed), way);
   EXPECT_EQ(outcome.complaint, "") << program.text;
   EXPECT_EQ(outcome.last.position_mm, program.end_mm) << program.text;
+  constexpr double kDegree = 3.14159265358979323846 / 180.0;
+  EXPECT_EQ(outcome.last.extra_rad_mm[0], program.end_a_deg * kDegree) << program.text;
+  EXPECT_EQ(outcome.last.extra_rad_mm[3], program.end_u_mm) << program.text;
 }
 
 constexpr std::uint64_t kShards = 8;
@@ -116,6 +125,7 @@ TEST_P(RandomPrograms, KeepEveryLimitAtEveryTickAndEndWhereTheySay) {
   for (std::uint64_t seed = first; seed < first + count && !testing::Test::HasFailure(); ++seed) {
     const Mix mix{.arcs = seed % 4 != 0,
                   .nurbs = seed % 4 == 1,
+                  .extra = seed % 7 == 3,
                   .contour = seed % 8 == 0,
                   .blocks = seed % 8 == 0 ? 60 : 6};
     const Way way{.kind = static_cast<ProfileKind>(seed % 6),

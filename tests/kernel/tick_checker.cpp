@@ -25,8 +25,18 @@ void TickChecker::add(const Tick& tick) {
   judge_path();
   const bool binds =
       std::all_of(last_.begin(), last_.end(), [](const Tick& t) { return t.axis_limits_bind; });
+  std::array<double, 4> x{};
   for (std::size_t k = 0; binds && k < 3; ++k) {
-    judge_axis(k);
+    for (std::size_t i = 0; i < 4; ++i) {
+      x[i] = last_[i].setpoint.position_mm[k];
+    }
+    judge_axis(x, limits_.axes[k]);
+  }
+  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      x[i] = last_[i].setpoint.extra_rad_mm[k];
+    }
+    judge_axis(x, limits_.extra[k]);
   }
 }
 
@@ -47,13 +57,8 @@ void TickChecker::judge_path() {
   }
 }
 
-void TickChecker::judge_axis(std::size_t axis) {
+void TickChecker::judge_axis(const std::array<double, 4>& x, const lookahead::MotionLimits& limit) {
   const double ts = limits_.period_s;
-  std::array<double, 4> x{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    x[i] = last_[i].setpoint.position_mm[axis];
-  }
-  const lookahead::MotionLimits& limit = limits_.axes[axis];
   judge("axis velocity", std::abs(x[0] - x[1]) / ts, limit.velocity_mm_s);
   judge("axis acceleration", std::abs(x[0] - 2.0 * x[1] + x[2]) / (ts * ts),
         limit.acceleration_mm_s2);

@@ -30,7 +30,7 @@ class TickChecker {
 
  private:
   void judge_path();
-  void judge_axis(std::size_t axis);
+  void judge_axis(const std::array<double, 4>& x, const lookahead::MotionLimits& limit);
   void judge(const char* what, double found, double limit);
 
   lookahead::PlanLimits limits_;

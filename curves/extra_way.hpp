@@ -1,0 +1,47 @@
+// The axes beside X, Y and Z: they move in step with a curve, linear in its length.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace kerf::curves {
+
+inline constexpr std::size_t kExtraAxes = 6;
+
+using ExtraPosition = std::array<double, kExtraAxes>;  // A, B, C in rad, then U, V, W in mm
+
+struct ExtraWay {
+  ExtraPosition begin_rad_mm{};
+  ExtraPosition end_rad_mm{};
+  double length_mm = 0.0;  // of the curve; 0: they rest at end_rad_mm
+  // X, Y and Z rest. The curve's length is then the way's own, in rad where only A, B, C move.
+  bool alone = false;
+
+  // s_mm is clamped to [0, length]; both ends are exact.
+  [[nodiscard]] ExtraPosition at(double s_mm) const noexcept {
+    if (s_mm >= length_mm) {
+      return end_rad_mm;
+    }
+    if (!(s_mm > 0.0)) {
+      return begin_rad_mm;
+    }
+    const double share = s_mm / length_mm;
+    ExtraPosition position;
+    for (std::size_t k = 0; k < kExtraAxes; ++k) {
+      position[k] = begin_rad_mm[k] + share * (end_rad_mm[k] - begin_rad_mm[k]);
+    }
+    return position;
+  }
+  // Of an axis by the curve's length.
+  [[nodiscard]] double slope_per_mm(std::size_t axis) const noexcept {
+    return length_mm > 0.0 ? (end_rad_mm[axis] - begin_rad_mm[axis]) / length_mm : 0.0;
+  }
+};
+
+// The box that a way fills.
+struct ExtraExtents {
+  ExtraPosition min_rad_mm{};
+  ExtraPosition max_rad_mm{};
+};
+
+}  // namespace kerf::curves
