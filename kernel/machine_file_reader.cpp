@@ -15,7 +15,10 @@ namespace {
 constexpr std::array<std::string_view, 7> kSections{"tick",  "path",  "axes",   "offsets",
                                                     "tools", "probe", "program"};
 constexpr std::array<std::string_view, 2> kProgramKeys{"dialect", "least_increment_mm"};
-constexpr std::array<std::string_view, 3> kAxisNames{"x", "y", "z"};
+constexpr std::array<std::string_view, 9> kAllAxisNames{"x", "y", "z", "a", "b",
+                                                        "c", "u", "v", "w"};
+constexpr auto kAxisNames = std::span(kAllAxisNames).first<3>();
+constexpr auto kExtraAxisNames = std::span(kAllAxisNames).last<6>();
 
 // A key counts even where its value is wrong, and a section that is no table might have had it:
 // both have their own error.
@@ -75,10 +78,15 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
     read_numbers(*path, path_rules(), 0);
   }
   if (const auto axes = subsection(file, "axes")) {
-    check_keys(*axes, kAxisNames);
+    check_keys(*axes, kAllAxisNames);
     for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
       if (const auto section = subsection(*axes, kAxisNames[axis])) {
         read_axis(*section, axis);
+      }
+    }
+    for (std::size_t axis = 0; axis < kExtraAxisNames.size(); ++axis) {
+      if (const auto section = subsection(*axes, kExtraAxisNames[axis])) {
+        read_extra_axis(*section, axis);
       }
     }
   }
@@ -144,7 +152,7 @@ void MachineFileReader::read_numbers(const Section& section, std::span<const Num
     keys.push_back(rule.key);
     if (const toml::node* node = section.table->get(rule.key)) {
       if (const auto number = read_number(section, rule, *node)) {
-        rule.field(settings_, axis) = *number;
+        rule.field(settings_, axis) = *number * rule.factor;
       }
     }
   }

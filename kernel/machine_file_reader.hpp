@@ -53,6 +53,10 @@ class MachineFileReader {
   void read_program(const Section& section);
   void check_bounds(const Section& file);
 
+  // machine_file_axes.cpp
+  void read_extra_axis(const Section& section, std::size_t axis);
+  void check_offset_axes(const Section& section, std::span<const NumberRule> extra_rules);
+
   // machine_file_tools.cpp
   void read_offsets(const Section& offsets);
   void read_tools(const Section& tools);

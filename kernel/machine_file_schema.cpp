@@ -63,6 +63,37 @@ constexpr std::array kAxis{
     NumberRule{"max_following_error_mm", 1e-6, 1e3, drive<&AxisDrive::max_following_error_mm>},
 };
 
+template <double lookahead::MotionLimits::*kMember>
+double& extra_limit(Settings& settings, std::size_t axis) {
+  return settings.limits.extra[axis].*kMember;
+}
+
+template <double machine::ExtraTravel::*kMember>
+double& extra_travel(Settings& settings, std::size_t axis) {
+  return settings.table.extra[axis].*kMember;
+}
+
+using machine::ExtraTravel;
+
+constexpr std::array kStraightAxis{
+    NumberRule{"min_mm", -1e6, 1e6, extra_travel<&ExtraTravel::min_rad_mm>},
+    NumberRule{"max_mm", -1e6, 1e6, extra_travel<&ExtraTravel::max_rad_mm>},
+    NumberRule{"max_velocity_mm_s", 1e-6, 1e6, extra_limit<&MotionLimits::velocity_mm_s>},
+    NumberRule{"max_acceleration_mm_s2", 1e-6, 1e9, extra_limit<&MotionLimits::acceleration_mm_s2>},
+    NumberRule{"max_jerk_mm_s3", 1e-6, 1e12, extra_limit<&MotionLimits::jerk_mm_s3>},
+};
+
+constexpr double kRad = 3.14159265358979323846 / 180.0;  // of a degree
+
+constexpr std::array kTurningAxis{
+    NumberRule{"min_deg", -1e6, 1e6, extra_travel<&ExtraTravel::min_rad_mm>, kRad},
+    NumberRule{"max_deg", -1e6, 1e6, extra_travel<&ExtraTravel::max_rad_mm>, kRad},
+    NumberRule{"max_velocity_deg_s", 1e-6, 1e6, extra_limit<&MotionLimits::velocity_mm_s>, kRad},
+    NumberRule{"max_acceleration_deg_s2", 1e-6, 1e9, extra_limit<&MotionLimits::acceleration_mm_s2>,
+               kRad},
+    NumberRule{"max_jerk_deg_s3", 1e-6, 1e12, extra_limit<&MotionLimits::jerk_mm_s3>, kRad},
+};
+
 constexpr std::array<std::string_view, 11> kOffsetSections{
     "g54", "g55", "g56", "g57", "g58", "g59", "g59_1", "g59_2", "g59_3", "g28", "g30"};
 
@@ -75,12 +106,27 @@ double& offset(Settings& settings, std::size_t section) {
                                : data.second_home_mm[kAxisOfPoint];
 }
 
+template <std::size_t kAxisOfExtra>
+double& extra_offset(Settings& settings, std::size_t section) {
+  parser::MachineData& data = settings.program;
+  constexpr std::size_t kSystems = parser::Coordinates::kSystems;
+  return section < kSystems    ? data.work[section].extra_deg_mm[kAxisOfExtra]
+         : section == kSystems ? data.first_home_extra_deg_mm[kAxisOfExtra]
+                               : data.second_home_extra_deg_mm[kAxisOfExtra];
+}
+
 constexpr double kFarthest = 999999.999;
 
 constexpr std::array kOffset{
     NumberRule{"x_mm", -kFarthest, kFarthest, offset<0>},
     NumberRule{"y_mm", -kFarthest, kFarthest, offset<1>},
     NumberRule{"z_mm", -kFarthest, kFarthest, offset<2>},
+    NumberRule{"a_deg", -kFarthest, kFarthest, extra_offset<0>},
+    NumberRule{"b_deg", -kFarthest, kFarthest, extra_offset<1>},
+    NumberRule{"c_deg", -kFarthest, kFarthest, extra_offset<2>},
+    NumberRule{"u_mm", -kFarthest, kFarthest, extra_offset<3>},
+    NumberRule{"v_mm", -kFarthest, kFarthest, extra_offset<4>},
+    NumberRule{"w_mm", -kFarthest, kFarthest, extra_offset<5>},
     NumberRule{"rotation_deg", -360.0, 360.0,
                [](Settings& s, std::size_t section) -> double& {
                  return s.program.work[section].rotation_deg;
@@ -128,12 +174,15 @@ std::span<const NumberRule> path_rules() {
 std::span<const NumberRule> axis_rules() {
   return kAxis;
 }
+std::span<const NumberRule> extra_axis_rules(bool turns) {
+  return turns ? kTurningAxis : kStraightAxis;
+}
 std::span<const std::string_view> offset_sections() {
   return kOffsetSections;
 }
 std::span<const NumberRule> offset_rules(std::size_t section) {
   const bool turns = section < parser::Coordinates::kSystems;
-  return std::span(kOffset).first(turns ? 4 : 3);
+  return std::span(kOffset).first(turns ? 10 : 9);
 }
 std::span<const NumberRule> tool_rules() {
   return kTool;

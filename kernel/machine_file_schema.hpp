@@ -18,13 +18,18 @@ struct NumberRule {
   // Where the number goes; axis is 0..2 in an [axes.*] table, the place of the section in
   // offset_sections() in an [offsets.*] table, else ignored. Null in tool_rules().
   double& (*field)(MachineSettings& settings, std::size_t axis);
+  double factor = 1.0;  // from the unit of the key to the one inside
 };
 
 std::span<const NumberRule> tick_rules();
 std::span<const NumberRule> path_rules();
 std::span<const NumberRule> axis_rules();
+// Of [axes.a] to [axes.c] (turns) or [axes.u] to [axes.w], with axis 0..5: first the travel, then
+// three limits that must be there.
+std::span<const NumberRule> extra_axis_rules(bool turns);
 
-// [offsets.*]: G54 to G59.3, then the positions of G28 and G30, which have no rotation.
+// [offsets.*]: G54 to G59.3, then the positions of G28 and G30, which have no rotation. The keys of
+// the nine axes come first.
 std::span<const std::string_view> offset_sections();
 std::span<const NumberRule> offset_rules(std::size_t section);
 // The keys of one [[tools.tool]], in the order: number, pocket, diameter, x, y, z.

@@ -53,8 +53,8 @@ TEST(MachineFileErrors, AsksWhetherANearKeyWasMeant) {
             Lines{"m.toml:5:7: error: unknown key 'X' in [axes], did you mean 'x'?"});
   EXPECT_EQ(errors_of(kBounded + "[axis.x]\n"),
             Lines{"m.toml:5:2: error: unknown key 'axis', did you mean 'axes'?"});
-  EXPECT_EQ(errors_of(kBounded + "[axes.u]\n"),
-            Lines{"m.toml:5:7: error: unknown key 'u' in [axes]"});
+  EXPECT_EQ(errors_of(kBounded + "[axes.q]\n"),
+            Lines{"m.toml:5:7: error: unknown key 'q' in [axes]"});
 }
 
 // The section of the rule, its key with the value, under kBounded where the key is not there yet.
