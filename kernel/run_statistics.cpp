@@ -26,12 +26,31 @@ void shift_in(std::array<T, 4>& values, const T& newest) {
 
 }  // namespace
 
+void RunStatistics::add_extra(const curves::ExtraPosition& position_rad_mm) {
+  if (count_ == 0) {
+    extra_extents_ = {.min_rad_mm = position_rad_mm, .max_rad_mm = position_rad_mm};
+  }
+  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+    const double x = position_rad_mm[k];
+    if (count_ == 0) {
+      extra_rad_mm_[k].fill(x);
+    }
+    shift_in(extra_rad_mm_[k], x);
+    raise(extra_[k], extra_rad_mm_[k], period_s_);
+    extra_extents_.min_rad_mm[k] = std::min(extra_extents_.min_rad_mm[k], x);
+    extra_extents_.max_rad_mm[k] = std::max(extra_extents_.max_rad_mm[k], x);
+  }
+}
+
 void RunStatistics::add(const interp::Setpoint& setpoint, double chord_error_mm,
                         const machine::MachineState& state) {
   if (count_ == 0) {
     s_mm_.fill(setpoint.s_mm);
     position_mm_.fill(setpoint.position_mm);
     extents_ = {.min_mm = setpoint.position_mm, .max_mm = setpoint.position_mm};
+  }
+  if (has_extra_axes_) {
+    add_extra(setpoint.extra_rad_mm);
   }
   ++count_;
   shift_in(s_mm_, setpoint.s_mm);

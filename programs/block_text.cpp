@@ -6,6 +6,7 @@
 #include <spdlog/fmt/ranges.h>
 
 #include "parser/codes_in_force.hpp"
+#include "programs/extra_axes.hpp"
 #include "programs/number_text.hpp"
 
 namespace kerf::program {
@@ -52,6 +53,11 @@ std::string block_text(const FileReport& report) {
   fmt::format_to(out, "  codes           {}\n", fmt::join(parser::codes_in_force(state), " "));
   const parser::Coordinates& coordinates = state.coordinates;
   fmt::format_to(out, "  position        {} on the machine\n", point_text(state.position_mm));
+  for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
+    fmt::format_to(out, "                  {} {} {} on the machine, {} in the program\n", axis.name,
+                   fixed_number(state.extra_deg_mm[axis.index], 3), axis.unit,
+                   fixed_number(coordinates.extra_to_program(state.extra_deg_mm)[axis.index], 3));
+  }
   if (!coordinates.plain()) {
     fmt::format_to(out, "                  {} in the program\n",
                    point_text(coordinates.to_program(state.position_mm)));

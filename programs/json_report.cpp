@@ -4,6 +4,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "parser/codes_in_force.hpp"
+#include "programs/extra_axes.hpp"
 
 namespace kerf::program {
 
@@ -20,16 +21,41 @@ Json axes_json(const std::array<double, 3>& values) {
   return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}};
 }
 
-void set_plan(Json& json, const PlanReport& plan) {
+// The straight ones of the machine's other axes go beside x, y and z, the turning ones into a table
+// of their own.
+void add_extra(Json& in_mm, Json& in_deg, const FileReport& report,
+               const curves::ExtraPosition& values_rad_mm) {
+  for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
+    (axis.unit == "deg" ? in_deg : in_mm)[axis.name] = axis.factor * values_rad_mm[axis.index];
+  }
+}
+
+Json extents_json(const FileReport& report) {
+  const PlanReport& plan = *report.plan;
+  Json extents{{"min_mm", axes_json(plan.extents.min_mm)},
+               {"max_mm", axes_json(plan.extents.max_mm)}};
+  Json min_deg;
+  Json max_deg;
+  add_extra(extents["min_mm"], min_deg, report, plan.extra_extents.min_rad_mm);
+  add_extra(extents["max_mm"], max_deg, report, plan.extra_extents.max_rad_mm);
+  if (!min_deg.empty()) {
+    extents["min_deg"] = min_deg;
+    extents["max_deg"] = max_deg;
+  }
+  return extents;
+}
+
+void set_plan(Json& json, const FileReport& report) {
+  const PlanReport& plan = *report.plan;
   json["cycle_time_s"] = plan.cycle_time_s;
   json["ticks"] = plan.ticks;
   json["path_length_mm"] = plan.path_length_mm;
   json["blocks"] = plan.blocks;
-  json["extents"] = {{"min_mm", axes_json(plan.extents.min_mm)},
-                     {"max_mm", axes_json(plan.extents.max_mm)}};
+  json["extents"] = extents_json(report);
 }
 
-void set_block(Json& json, const BlockReport& report) {
+void set_block(Json& json, const FileReport& file) {
+  const BlockReport& report = *file.block;
   const parser::ModalState& state = report.block.state;
   const parser::WorkOffset& work = state.coordinates.work(state.coordinates.system());
   json["block"] = {
@@ -48,6 +74,12 @@ void set_block(Json& json, const BlockReport& report) {
       {"spindle_speed", state.spindle_speed},
       {"tool", state.loaded_tool},
       {"selected_tool", state.tool}};
+  for (const ExtraAxis& axis : extra_axes(file.extra_axes)) {
+    const std::string unit = fmt::format("_{}", axis.unit);
+    json["block"]["position" + unit][axis.name] = state.extra_deg_mm[axis.index];
+    json["block"]["program_position" + unit][axis.name] =
+        state.coordinates.extra_to_program(state.extra_deg_mm)[axis.index];
+  }
 }
 
 void set_motion(Json& json, const FileReport& report) {
@@ -57,8 +89,16 @@ void set_motion(Json& json, const FileReport& report) {
                   {{"x", peaks_json(motion.axes[0])},
                    {"y", peaks_json(motion.axes[1])},
                    {"z", peaks_json(motion.axes[2])}}}};
+  for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
+    const Peaks& peaks = motion.extra[axis.index];
+    const double k = axis.factor;
+    json["max"]["axes"][axis.name] = axis.unit == "mm" ? peaks_json(peaks)
+                                                       : Json{{"v_deg_s", k * peaks.v_mm_s},
+                                                              {"a_deg_s2", k * peaks.a_mm_s2},
+                                                              {"j_deg_s3", k * peaks.j_mm_s3}};
+  }
   json["limits_exceeded"] = Json::array();
-  for (const LimitUse& use : limit_uses(motion, report.limits)) {
+  for (const LimitUse& use : limit_uses(motion, report.limits, report.extra_axes)) {
     if (use.is_exceeded()) {
       json["limits_exceeded"].push_back({{"where", use.where},
                                          {"quantity", use.quantity},
@@ -87,10 +127,10 @@ std::string json_report(const FileReport& report) {
   json["profile"] = report.profile;
   json["period_s"] = report.period_s;
   if (report.plan) {
-    set_plan(json, *report.plan);
+    set_plan(json, report);
   }
   if (report.block) {
-    set_block(json, *report.block);
+    set_block(json, report);
   }
   if (report.motion) {
     set_motion(json, report);

@@ -12,9 +12,11 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
                            .ticks = statistics.ticks(),
                            .path_length_mm = statistics.path_length_mm(),
                            .blocks = kernel.totals().blocks,
-                           .extents = statistics.extents()};
+                           .extents = statistics.extents(),
+                           .extra_extents = statistics.extra_extents()};
   report.motion = MotionReport{.path = statistics.path(),
                                .axes = statistics.axes(),
+                               .extra = statistics.extra_axes(),
                                .chord_error_mm = statistics.chord_error_mm(),
                                .max_contour_error_mm = statistics.max_contour_error_mm(),
                                .mean_contour_error_mm = statistics.mean_contour_error_mm(),
@@ -24,7 +26,7 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
     report.clock =
         ClockReport{.late_ticks = outcome.late_ticks, .worst_delay_s = outcome.worst_delay_s};
   }
-  for (const LimitUse& use : limit_uses(*report.motion, report.limits)) {
+  for (const LimitUse& use : limit_uses(*report.motion, report.limits, report.extra_axes)) {
     if (use.is_exceeded()) {
       report.warnings.push_back(describe(use));
     }
@@ -41,8 +43,8 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
 
 std::string describe(const MachineFault& fault, double period_s) {
   std::string axis;
-  if (fault.axis >= 0 && fault.axis < 3) {
-    axis = fmt::format(" of axis {}", "xyz"[static_cast<std::uint8_t>(fault.axis)]);
+  if (fault.axis >= 0 && fault.axis < 9) {
+    axis = fmt::format(" of axis {}", "xyzabcuvw"[static_cast<std::uint8_t>(fault.axis)]);
   }
   std::string what;
   switch (fault.kind) {

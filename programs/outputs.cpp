@@ -6,11 +6,13 @@
 
 namespace kerf::program {
 
-tl::expected<Outputs, std::string> Outputs::open(const Options& options, double period_s,
+tl::expected<Outputs, std::string> Outputs::open(const Options& options,
+                                                 const MachineSettings& settings,
                                                  const curves::Extents& extents) {
   Outputs outputs;
   if (options.trace_file) {
-    auto trace = TraceWriter::create(*options.trace_file, period_s);
+    auto trace = TraceWriter::create(*options.trace_file, settings.limits.period_s,
+                                     settings.program.extra_axes);
     if (!trace) {
       return tl::unexpected(trace.error());
     }

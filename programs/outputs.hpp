@@ -7,6 +7,7 @@
 
 #include <tl/expected.hpp>
 
+#include "kernel/settings.hpp"
 #include "programs/options.hpp"
 #include "programs/plot_file.hpp"
 #include "programs/recorder.hpp"
@@ -18,7 +19,8 @@ class Outputs {
  public:
   // Before anything moves, so that what cannot be written is known by then. extents: of the whole
   // path.
-  static tl::expected<Outputs, std::string> open(const Options& options, double period_s,
+  static tl::expected<Outputs, std::string> open(const Options& options,
+                                                 const MachineSettings& settings,
                                                  const curves::Extents& extents);
 
   [[nodiscard]] Recorder& recorder() noexcept { return recorder_; }

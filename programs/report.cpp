@@ -2,20 +2,33 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "programs/extra_axes.hpp"
 #include "programs/number_text.hpp"
 
 namespace kerf::program {
 
-std::array<LimitUse, 12> limit_uses(const MotionReport& motion,
-                                    const lookahead::PlanLimits& limits) {
+std::vector<LimitUse> limit_uses(const MotionReport& motion, const lookahead::PlanLimits& limits,
+                                 parser::Letters extra_axes) {
   constexpr std::array<std::string_view, 4> kWhere{"path", "x", "y", "z"};
-  std::array<LimitUse, 12> uses;
+  std::vector<LimitUse> uses(12);
   for (std::size_t i = 0; i < kWhere.size(); ++i) {
     const Peaks& peaks = i == 0 ? motion.path : motion.axes[i - 1];
     const lookahead::MotionLimits& bound = i == 0 ? limits.path : limits.axes[i - 1];
     uses[3 * i] = {kWhere[i], "velocity", "mm/s", peaks.v_mm_s, bound.velocity_mm_s};
     uses[3 * i + 1] = {kWhere[i], "acceleration", "mm/s2", peaks.a_mm_s2, bound.acceleration_mm_s2};
     uses[3 * i + 2] = {kWhere[i], "jerk", "mm/s3", peaks.j_mm_s3, bound.jerk_mm_s3};
+  }
+  for (const ExtraAxis& axis : program::extra_axes(extra_axes)) {
+    const Peaks& peaks = motion.extra[axis.index];
+    const lookahead::MotionLimits& bound = limits.extra[axis.index];
+    const bool turns = parser::turns(axis.index);
+    const double k = axis.factor;
+    uses.push_back({axis.name, "velocity", turns ? "deg/s" : "mm/s", k * peaks.v_mm_s,
+                    k * bound.velocity_mm_s});
+    uses.push_back({axis.name, "acceleration", turns ? "deg/s2" : "mm/s2", k * peaks.a_mm_s2,
+                    k * bound.acceleration_mm_s2});
+    uses.push_back(
+        {axis.name, "jerk", turns ? "deg/s3" : "mm/s3", k * peaks.j_mm_s3, k * bound.jerk_mm_s3});
   }
   return uses;
 }

@@ -25,6 +25,7 @@ struct PlanReport {
   double path_length_mm = 0.0;
   std::uint64_t blocks = 0;
   curves::Extents extents{};
+  curves::ExtraExtents extra_extents{};
 };
 
 // What is in force just before a block runs for the first time, and when that is.
@@ -39,6 +40,7 @@ struct BlockReport {
 struct MotionReport {
   Peaks path{};
   std::array<Peaks, 3> axes{};
+  std::array<Peaks, curves::kExtraAxes> extra{};  // of A, B, C in rad
   double chord_error_mm = 0.0;
   double max_contour_error_mm = 0.0;
   double mean_contour_error_mm = 0.0;
@@ -60,6 +62,7 @@ struct FileReport {
   bool live = false;  // ran as its text came, without a check of the whole before
   double period_s = 0.001;
   lookahead::PlanLimits limits{};
+  parser::Letters extra_axes = 0;  // that the machine has
   ExitStatus status = ExitStatus::done;
   std::vector<parser::Diagnostic> diagnostics;  // errors and warnings with a place in the program
   std::vector<std::string> failures;            // errors without one: files, faults of the machine
@@ -75,7 +78,7 @@ struct FileReport {
 
 // One figure beside its limit.
 struct LimitUse {
-  std::string_view where{};     // "path", "x", "y", "z"
+  std::string_view where{};     // "path", "x", "y", "z", and "a" and so on
   std::string_view quantity{};  // "velocity", "acceleration", "jerk"
   std::string_view unit{};
   double peak = 0.0;
@@ -86,9 +89,11 @@ struct LimitUse {
   [[nodiscard]] bool is_exceeded() const noexcept { return peak > 1.005 * limit; }
 };
 
-// Path, x, y, z; for each of them velocity, acceleration, jerk.
-[[nodiscard]] std::array<LimitUse, 12> limit_uses(const MotionReport& motion,
-                                                  const lookahead::PlanLimits& limits);
+// Path, x, y, z and the machine's other axes, in degrees where they turn; for each of them
+// velocity, acceleration, jerk.
+[[nodiscard]] std::vector<LimitUse> limit_uses(const MotionReport& motion,
+                                               const lookahead::PlanLimits& limits,
+                                               parser::Letters extra_axes = 0);
 
 // "axis x jerk 1.24e6 mm/s3 is 22.5 times its limit of 55000 mm/s3"
 [[nodiscard]] std::string describe(const LimitUse& use);

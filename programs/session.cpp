@@ -48,6 +48,7 @@ class Session {
     report_.profile = name_of(options.profile);
     report_.period_s = settings.limits.period_s;
     report_.limits = settings.limits;
+    report_.extra_axes = settings.program.extra_axes;
   }
 
   FileReport process(const std::string& path) {
@@ -121,6 +122,7 @@ class Session {
       report_.status = ExitStatus::machine_fault;
     }
     extents_ = found.moves ? std::optional(found.extents) : std::nullopt;
+    extra_extents_ = found.extra_extents;
   }
 
   void plan(ProgramFile& file) {
@@ -139,7 +141,8 @@ class Session {
                      .ticks = totals->ticks,
                      .path_length_mm = totals->path_length_mm,
                      .blocks = totals->blocks,
-                     .extents = extents_.value_or(curves::Extents{})};
+                     .extents = extents_.value_or(curves::Extents{}),
+                     .extra_extents = extra_extents_};
       explain(watch);
     }
   }
@@ -176,7 +179,7 @@ class Session {
   }
 
   void run(TextFeed& text) {
-    auto outputs = Outputs::open(options_, report_.period_s, extents_.value_or(curves::Extents{}));
+    auto outputs = Outputs::open(options_, settings_, extents_.value_or(curves::Extents{}));
     if (!outputs) {
       fail(ExitStatus::io_error, outputs.error());
       return;
@@ -221,6 +224,7 @@ class Session {
     } else if (report_.live) {
       take(kernel.diagnostics());
     } else if (extents_) {
+      report_.plan->extra_extents = extra_extents_;
       report_.plan->extents = *extents_;  // of the curves; ticks need not meet their extremes
     }
   }
@@ -240,6 +244,7 @@ class Session {
   KernelOptions kernel_options_;
   FileReport report_;
   std::optional<curves::Extents> extents_;  // of the whole path, if there is one
+  curves::ExtraExtents extra_extents_{};
 };
 
 }  // namespace

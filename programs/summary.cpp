@@ -6,6 +6,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "programs/block_text.hpp"
+#include "programs/extra_axes.hpp"
 #include "programs/number_text.hpp"
 
 namespace kerf::program {
@@ -33,23 +34,34 @@ std::string verdict(ExitStatus status) {
   }
 }
 
-std::string extents_text(const curves::Extents& extents) {
+std::string extents_text(const FileReport& report) {
+  const curves::Extents& extents = report.plan->extents;
   std::string text;
   for (std::size_t k = 0; k < 3; ++k) {
     text += fmt::format("{}{} {} to {}", k == 0 ? "" : ", ", "xyz"[k],
                         fixed_number(extents.min_mm[k], 3), fixed_number(extents.max_mm[k], 3));
   }
-  return text + " mm";
+  text += " mm";
+  const curves::ExtraExtents& extra = report.plan->extra_extents;
+  for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
+    text += fmt::format(", {} {} to {} {}", axis.name,
+                        fixed_number(axis.factor * extra.min_rad_mm[axis.index], 3),
+                        fixed_number(axis.factor * extra.max_rad_mm[axis.index], 3), axis.unit);
+  }
+  return text;
 }
 
 void append_peaks(std::string& text, const FileReport& report) {
   text += "  largest         velocity mm/s     acceleration mm/s2      jerk mm/s3\n";
-  const auto uses = limit_uses(*report.motion, report.limits);
+  const auto uses = limit_uses(*report.motion, report.limits, report.extra_axes);
   for (std::size_t row = 0; row < uses.size(); row += 3) {
     fmt::format_to(std::back_inserter(text), "    {:<4} ", uses[row].where);
     for (std::size_t i = row; i < row + 3; ++i) {
       fmt::format_to(std::back_inserter(text), "{:>12} {:>7}   ", short_number(uses[i].peak),
                      percent(uses[i].peak, uses[i].limit));
+    }
+    if (uses[row].unit == "deg/s") {
+      text += "in degrees";
     }
     text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';
@@ -78,7 +90,7 @@ std::string check_line(const FileReport& report) {
   const PlanReport& plan = *report.plan;
   std::string text =
       fmt::format("{}: ok, {}, {:.3f} mm in {}, {}\n", report.file, clock_time(plan.cycle_time_s),
-                  plan.path_length_mm, counted(plan.blocks, "block"), extents_text(plan.extents));
+                  plan.path_length_mm, counted(plan.blocks, "block"), extents_text(report));
   for (const std::string& warning : report.warnings) {
     fmt::format_to(std::back_inserter(text), "  warning         {}\n", warning);
   }
@@ -106,7 +118,7 @@ std::string summary(const FileReport& report) {
                  1000.0 * report.period_s, report.profile);
   fmt::format_to(out, "  path            {:.3f} mm in {}\n", plan.path_length_mm,
                  counted(plan.blocks, "block"));
-  fmt::format_to(out, "  extents         {}\n", extents_text(plan.extents));
+  fmt::format_to(out, "  extents         {}\n", extents_text(report));
   if (report.motion) {
     append_motion(text, report);
   }

@@ -17,6 +17,7 @@ struct TickRecord {
   profiles::PathMotion motion{};
   curves::Position position_mm{};
   curves::Position actual_mm{};
+  curves::ExtraPosition extra_rad_mm{};
 };
 static_assert(std::is_trivially_copyable_v<TickRecord>);
 
@@ -30,7 +31,8 @@ inline TickRecord record_of(const interp::Setpoint& setpoint,
                      .a_mm_s2 = setpoint.a_mm_s2,
                      .j_mm_s3 = setpoint.j_mm_s3},
           .position_mm = setpoint.position_mm,
-          .actual_mm = state.actual_mm};
+          .actual_mm = state.actual_mm,
+          .extra_rad_mm = setpoint.extra_rad_mm};
 }
 
 }  // namespace kerf::program

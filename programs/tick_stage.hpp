@@ -19,7 +19,9 @@ struct MachineFault {
 class TickStage {
  public:
   TickStage(Kernel& kernel, const MachineSettings& settings, const curves::Position& start_mm)
-      : kernel_(&kernel), table_(settings.table), statistics_(settings.limits.period_s) {
+      : kernel_(&kernel),
+        table_(settings.table),
+        statistics_(settings.limits.period_s, settings.program.extra_axes != 0) {
     table_.enable(start_mm);
   }
 

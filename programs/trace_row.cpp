@@ -61,7 +61,16 @@ char* TickClock::write(char* at, std::int64_t tick) const noexcept {
   return at + decimals_;
 }
 
-char* write_row(char* at, const TickRecord& record, const TickClock& clock) noexcept {
+std::string trace_header(std::span<const ExtraAxis> axes) {
+  std::string header(kTraceHeader.substr(0, kTraceHeader.size() - 1));
+  for (const ExtraAxis& axis : axes) {
+    header.append(",").append(axis.name).append("_").append(axis.unit);
+  }
+  return header + "\n";
+}
+
+char* write_row(char* at, const TickRecord& record, const TickClock& clock,
+                std::span<const ExtraAxis> axes) noexcept {
   at = clock.write(at, record.tick);
   *at++ = ',';
   at = std::to_chars(at, at + kMaxNumberBytes, record.line).ptr;
@@ -76,6 +85,10 @@ char* write_row(char* at, const TickRecord& record, const TickClock& clock) noex
       *at++ = ',';
       at = write_number<kLengthDecimals>(at, coordinate);
     }
+  }
+  for (const ExtraAxis& axis : axes) {
+    *at++ = ',';
+    at = write_number<kLengthDecimals>(at, axis.factor * record.extra_rad_mm[axis.index]);
   }
   *at++ = '\n';
   return at;

@@ -2,14 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string>
 #include <string_view>
 
+#include "programs/extra_axes.hpp"
 #include "programs/tick_record.hpp"
 
 namespace kerf::program {
 
 inline constexpr std::string_view kTraceHeader =
     "t_s,line,s_mm,v_mm_s,a_mm_s2,j_mm_s3,x_mm,y_mm,z_mm,actual_x_mm,actual_y_mm,actual_z_mm\n";
+// With a column for each further axis of the machine behind these: "a_deg", "u_mm".
+[[nodiscard]] std::string trace_header(std::span<const ExtraAxis> axes);
 
 // The time of a tick as decimal digits. Where the period is a whole number of 1e-6, 1e-7 .. 1e-12 s
 // they are exact, however many ticks; else the nearest 1e-12 s.
@@ -27,11 +32,12 @@ class TickClock {
   std::int64_t period_units_ = 0;  // 0: the period is no whole number of units
 };
 
-// No row is longer: 11 numbers of at most 309 + 1 + 10 digits and the time.
-inline constexpr std::size_t kMaxRowBytes = 4096;
+// No row is longer: 17 numbers of at most 309 + 1 + 10 digits and the time.
+inline constexpr std::size_t kMaxRowBytes = 8192;
 
 // Lengths with 10 decimals, v, a and j with 6; a decimal point whatever the locale. Returns the end
 // of what was written at `at`, which has room for kMaxRowBytes.
-char* write_row(char* at, const TickRecord& record, const TickClock& clock) noexcept;
+char* write_row(char* at, const TickRecord& record, const TickClock& clock,
+                std::span<const ExtraAxis> axes = {}) noexcept;
 
 }  // namespace kerf::program

@@ -18,7 +18,8 @@ namespace kerf::program {
 class TraceWriter {
  public:
   // path "-" is standard output. Error: what the system says, with the path.
-  static tl::expected<TraceWriter, std::string> create(const std::string& path, double period_s);
+  static tl::expected<TraceWriter, std::string> create(const std::string& path, double period_s,
+                                                       parser::Letters extra_axes = 0);
 
   void add(const TickRecord& record);
   // Writes what is left. The writer takes no more rows.
@@ -31,13 +32,14 @@ class TraceWriter {
  private:
   static constexpr std::size_t kBufferBytes = std::size_t{256} * 1024;
 
-  TraceWriter(std::string name, Descriptor descriptor, double period_s);
+  TraceWriter(std::string name, Descriptor descriptor, double period_s, parser::Letters extra_axes);
   void flush();
   void note(int error_number);
 
   std::string name_;
   Descriptor descriptor_;
   TickClock clock_;
+  std::vector<ExtraAxis> axes_;
   std::vector<char> buffer_;
   std::size_t used_ = 0;
   std::optional<std::string> error_;

@@ -33,6 +33,24 @@ TEST(JsonReport, IsOneLineWithTheFiguresAsNumbers) {
   EXPECT_FALSE(report.contains("late_ticks"));
 }
 
+TEST(JsonReport, HasTheFurtherAxesOfTheMachineInTheirUnits) {
+  FileReport report = sample_report();
+  EXPECT_FALSE(json::parse(json_report(report))["max"]["axes"].contains("a"));
+  report.extra_axes = parser::letters('A', 'W');
+  report.plan->extra_extents.max_rad_mm = {3.14159265358979323846, 0, 0, 0, 0, 7.0};
+  report.motion->extra[0] = {.v_mm_s = 1.0, .a_mm_s2 = 2.0, .j_mm_s3 = 3.0};
+  report.motion->extra[5] = {.v_mm_s = 11.0};
+  report.limits.extra[5] = {.velocity_mm_s = 10.0};
+  const json parsed = json::parse(json_report(report));
+  EXPECT_EQ(parsed["extents"]["max_deg"]["a"], 180.0);
+  EXPECT_EQ(parsed["extents"]["min_deg"]["a"], 0.0);
+  EXPECT_EQ(parsed["extents"]["max_mm"]["w"], 7.0);
+  EXPECT_FALSE(parsed["extents"]["max_mm"].contains("u"));
+  EXPECT_NEAR(parsed["max"]["axes"]["a"]["j_deg_s3"].get<double>(), 171.887, 1e-3);
+  EXPECT_EQ(parsed["max"]["axes"]["w"]["v_mm_s"], 11.0);
+  EXPECT_EQ(parsed["limits_exceeded"][1]["where"], "w");
+}
+
 TEST(JsonReport, NamesTheLimitsThatAreExceeded) {
   const json report = json::parse(json_report(sample_report()));
   ASSERT_EQ(report["limits_exceeded"].size(), 1U);

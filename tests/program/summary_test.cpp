@@ -63,6 +63,20 @@ TEST(Summary, OfACheckIsOneLine) {
             "x 0.000 to 100.000, y -2.000 to 65.667, z 0.000 to 5.000 mm\n");
 }
 
+TEST(Summary, TellsOfTheFurtherAxesOfTheMachine) {
+  FileReport report = sample_report();
+  report.extra_axes = parser::letters('A', 'U');
+  report.plan->extra_extents.max_rad_mm = {3.14159265358979323846 / 2, 0, 0, 4.0, 0, 0};
+  report.motion->extra[0] = {.v_mm_s = 1.0};
+  report.limits.extra[0] = {.velocity_mm_s = 2.0};
+  const std::string text = summary(report);
+  EXPECT_NE(text.find("z 0.000 to 5.000 mm, a 0.000 to 90.000 deg, u 0.000 to 4.000 mm\n"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("    a         57.2958    50 %"), std::string::npos) << text;
+  EXPECT_NE(text.find("in degrees\n"), std::string::npos) << text;
+}
+
 TEST(LimitUse, SaysByHowMuchALimitIsExceeded) {
   const LimitUse use{
       .where = "x", .quantity = "jerk", .unit = "mm/s3", .peak = 1.24e6, .limit = 55e3};
