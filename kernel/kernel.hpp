@@ -19,11 +19,11 @@ namespace kerf {
 
 struct KernelOptions {
   profiles::Profile profile{profiles::ProfileKind::s_curve};
-  std::size_t window_blocks = 1000;  // of the look-ahead, >= 2
-  double horizon_s = 0.25;           // how far ahead of the tick motion is frozen
-  bool block_delete = false;         // leave out blocks that begin with '/'
-  bool checks_travel = false;        // a block that leaves the table is an error, as in the check
-  std::array<double, 3> start_mm{};  // where the tool is
+  std::size_t window_blocks = 1000;    // of the look-ahead, >= 2
+  double horizon_s = 0.25;             // how far ahead of the tick motion is frozen
+  parser::BlockDelete block_delete{};  // which blocks that begin with '/' are left out
+  bool checks_travel = false;          // a block that leaves the table is an error, as in the check
+  std::array<double, 3> start_mm{};    // where the tool is
   std::array<double, curves::kExtraAxes> start_extra_rad_mm{};  // A, B, C in rad, U, V, W in mm
   std::optional<parser::Dialect> dialect{};                     // nothing: the machine's
   parser::SubprogramSource subprograms{};  // those that are not in the program's own text

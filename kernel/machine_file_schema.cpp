@@ -94,16 +94,18 @@ constexpr std::array kTurningAxis{
     NumberRule{"max_jerk_deg_s3", 1e-6, 1e12, extra_limit<&MotionLimits::jerk_mm_s3>, kRad},
 };
 
-constexpr std::array<std::string_view, 11> kOffsetSections{
-    "g54", "g55", "g56", "g57", "g58", "g59", "g59_1", "g59_2", "g59_3", "g28", "g30"};
+constexpr std::array<std::string_view, 13> kOffsetSections{"g54", "g55",    "g56",   "g57",   "g58",
+                                                           "g59", "g59_1",  "g59_2", "g59_3", "g28",
+                                                           "g30", "g30_p3", "g30_p4"};
 
 template <std::size_t kAxisOfPoint>
 double& offset(Settings& settings, std::size_t section) {
   parser::MachineData& data = settings.program;
   constexpr std::size_t kSystems = parser::Coordinates::kSystems;
-  return section < kSystems    ? data.work[section].origin_mm[kAxisOfPoint]
-         : section == kSystems ? data.first_home_mm[kAxisOfPoint]
-                               : data.second_home_mm[kAxisOfPoint];
+  return section < kSystems        ? data.work[section].origin_mm[kAxisOfPoint]
+         : section == kSystems     ? data.first_home_mm[kAxisOfPoint]
+         : section == kSystems + 1 ? data.second_home_mm[kAxisOfPoint]
+                                   : data.further_homes[section - kSystems - 2].mm[kAxisOfPoint];
 }
 
 template <std::size_t kAxisOfExtra>
@@ -112,7 +114,9 @@ double& extra_offset(Settings& settings, std::size_t section) {
   constexpr std::size_t kSystems = parser::Coordinates::kSystems;
   return section < kSystems    ? data.work[section].extra_deg_mm[kAxisOfExtra]
          : section == kSystems ? data.first_home_extra_deg_mm[kAxisOfExtra]
-                               : data.second_home_extra_deg_mm[kAxisOfExtra];
+         : section == kSystems + 1
+             ? data.second_home_extra_deg_mm[kAxisOfExtra]
+             : data.further_homes[section - kSystems - 2].extra_deg_mm[kAxisOfExtra];
 }
 
 constexpr double kFarthest = 999999.999;

@@ -12,9 +12,11 @@
 
 #include <boost/spirit/home/x3.hpp>
 
+#include "parser/errors/fanuc.hpp"
 #include "parser/errors/variables.hpp"
 #include "parser/expressions/expression_scan.hpp"
 #include "parser/number.hpp"
+#include "parser/text.hpp"
 
 namespace kerf::parser {
 
@@ -246,17 +248,36 @@ bool store_word(Block& block, const char* at, const ScannedNumber& number) {
   return true;
 }
 
+// Fanuc's ROUND means another thing where an address has a least increment.
+bool rounds_to_increment(const Evaluator& evaluator, char letter) {
+  constexpr Letters kOfIncrements =
+      letters('A', 'B', 'C', 'E', 'F', 'I', 'J', 'K', 'Q', 'R', 'U', 'V', 'W', 'X', 'Y', 'Z');
+  return evaluator.rounding() != nullptr && evaluator.dialect() == Dialect::fanuc &&
+         (kOfIncrements & letter_bit(letter)) != 0;
+}
+
 // The same for a value of the evaluator: a vacant one makes no word.
-[[gnu::noinline]] bool store_worked_out(Block& block, const char* at, ScannedNumber number) {
-  number.value = settled(to_upper(*at), number.value);
+[[gnu::noinline]] bool store_worked_out(const Target& target, const char* at,
+                                        ScannedNumber number) {
+  Block& block = target.block;
+  const char letter = to_upper(*at);
+  if (rounds_to_increment(target.evaluator, letter)) {
+    block.stop = Stop::value;
+    return target.evaluator.fail(
+        target.evaluator.rounding(), errors::kRoundInAddress,
+        joined({"ROUND in the value of ", named(letter),
+                " (Fanuc: to the least increment) is not supported: round in a statement before"}));
+  }
+  number.value = settled(letter, number.value);
   return is_vacant(number.value) || store_word(block, at, number);
 }
 
 constexpr auto keep_word = [](auto& context) {
   const char* const at = boost::fusion::at_c<0>(x3::_attr(context));
   const ScannedNumber& number = boost::fusion::at_c<1>(x3::_attr(context));
-  x3::_pass(context) = number.worked_out ? store_worked_out(block_of(context), at, number)
-                                         : store_word(block_of(context), at, number);
+  x3::_pass(context) = number.worked_out
+                           ? store_worked_out(x3::get<BlockTag>(context).get(), at, number)
+                           : store_word(block_of(context), at, number);
 };
 constexpr auto keep_line_number = [](auto& context) {
   const auto& parts = x3::_attr(context);

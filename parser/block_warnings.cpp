@@ -37,9 +37,10 @@ void warn_about(const Block& block, LineInDialect where, DiagnosticList& diagnos
     diagnostics.add({line, block.assignment}, errors::kAssignmentAmongWords,
                     "the assignment takes effect behind the words of its block");
   }
-  if (block.numbered_delete) {
+  if (block.numbered_delete && where.dialect == Dialect::rs274) {
     diagnostics.add({line, 1}, errors::kNumberedBlockDelete,
-                    "numbered block delete is taken as '/'");
+                    joined({"numbered block delete '", block.line.substr(block.line.find('/'), 2),
+                            "' belongs to the Fanuc dialect"}));
   }
   if (block.line_number_decimal) {
     diagnostics.add({line, block.word('N').offset + 1}, errors::kLineNumberWithPoint,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/cycles/drill_cycle.hpp"
 #include "parser/errors/codes.hpp"
 #include "parser/text.hpp"
 
@@ -51,7 +52,7 @@ constexpr Table g_table() {
   know(table, Group::motion, std::array{0, 10, 20, 30, 50, 51, 52, 53, 62, 63, 382, 383, 384, 385});
   know(table, Group::motion, std::array{730, 740, 810, 820, 830, 840, 850, 860, 870, 880, 890});
   know(table, Group::retract, std::array{980, 990});
-  know(table, Group::cycle_cancel, std::array{800});
+  know(table, Group::cycle, std::array{800});
   know(table, Group::plane, std::array{170, 180, 190});
   know(table, Group::distance, std::array{900, 910});
   know(table, Group::arc_distance, std::array{901, 911});
@@ -66,6 +67,7 @@ constexpr Table g_table() {
   know_fanuc(table, Group::work_offset, std::array{541});
   know_fanuc(table, Group::length_offset, std::array{440});
   know_fanuc(table, Group::scaling, std::array{500, 510});
+  know_fanuc(table, Group::mirror, std::array{501, 511});
   know_fanuc(table, Group::program_turn, std::array{680, 690});
   refuse(table,
          std::array{150, 160, 330, 331, 650, 660, 670, 700, 710, 711, 712, 720, 721, 722, 760});
@@ -108,7 +110,10 @@ std::size_t place_of(double value) {
 }
 
 // Why a known G code is not run.
-std::string_view reason_for(double g) {
+std::string_view reason_for(double g, Dialect dialect) {
+  if (g == 76.0 && dialect == Dialect::fanuc) {
+    return " (fine boring: the way aside is a parameter of the control): write the moves out";
+  }
   if (g == 15.0 || g == 16.0) {
     return " (polar coordinates)";
   }
@@ -118,7 +123,7 @@ std::string_view reason_for(double g) {
   return (g >= 70.0 && g < 73.0) || g == 76.0 ? " (a cycle of lathes)" : "";
 }
 
-Fault why_not(const Block& block, const Word& word, const Code& code, bool is_m) {
+Fault why_not(const Block& block, const Word& word, const Code& code, bool is_m, Dialect dialect) {
   const std::string name = upper(block.text(word));
   if (!is_m && (word.value == 7.0 || word.value == 8.0)) {
     return {word.offset, name + " (diameter or radius on X) is for lathes, this machine is a mill",
@@ -128,7 +133,7 @@ Fault why_not(const Block& block, const Word& word, const Code& code, bool is_m)
     return {word.offset, name + " is a code of the Fanuc dialect", &errors::kFanucCode};
   }
   if (code.status == Status::refused) {
-    return {word.offset, joined({name, " is not supported", reason_for(word.value)}),
+    return {word.offset, joined({name, " is not supported", reason_for(word.value, dialect)}),
             &errors::kCodeNotSupported};
   }
   if (!is_m) {
@@ -143,6 +148,27 @@ Fault why_not(const Block& block, const Word& word, const Code& code, bool is_m)
   return {word.offset, name + " is not known", &errors::kUnknownMCode};
 }
 
+// Fanuc has cycles and G80 in a group of their own (09).
+Group group_of(const Code& code, std::size_t place, Dialect dialect) {
+  const bool cycle = dialect == Dialect::fanuc && code.group == Group::motion &&
+                     is_cycle(static_cast<Motion>(place));
+  return cycle ? Group::cycle : code.group;
+}
+
+// A motion goes before G80. Of a motion and a cycle, with Fanuc, the one that is written last
+// counts; the other takes its place in the cycle's group.
+void join_cycle_and_motion(const Block& block, BlockCodes& codes) {
+  constexpr Tenths kG80 = 800;
+  auto& motion = codes.by_group[static_cast<std::size_t>(Group::motion)];
+  auto& cycle = codes.by_group[static_cast<std::size_t>(Group::cycle)];
+  if (motion.tenths == kNoCode) {
+    motion = cycle;
+  } else if (cycle.tenths != kNoCode && cycle.tenths != kG80 &&
+             block.g[cycle.index].offset > block.g[motion.index].offset) {
+    std::swap(motion, cycle);
+  }
+}
+
 template <std::size_t size>
 bool sort_words(const Block& block, const std::array<Word, size>& words, std::size_t count,
                 bool is_m, Dialect dialect, BlockCodes& codes, Fault& fault) {
@@ -153,10 +179,11 @@ bool sort_words(const Block& block, const std::array<Word, size>& words, std::si
     const bool known =
         code.status == Status::known || (code.status == Status::fanuc && dialect == Dialect::fanuc);
     if (!known) {
-      fault = why_not(block, word, code, is_m);
+      fault = why_not(block, word, code, is_m, dialect);
       return false;
     }
-    BlockCodes::Entry& entry = codes.by_group[static_cast<std::size_t>(code.group)];
+    const Group group = is_m ? code.group : group_of(code, place, dialect);
+    BlockCodes::Entry& entry = codes.by_group[static_cast<std::size_t>(group)];
     if (entry.tenths != kNoCode) {
       fault = {word.offset,
                joined({upper(block.text(words[entry.index])), " and ", upper(block.text(word)),
@@ -182,10 +209,7 @@ bool sort_some_codes(const Block& block, Dialect dialect, BlockCodes& codes, Fau
   Fault other;
   const bool g = sort_words(block, block.g, block.g_count, false, dialect, codes, fault);
   const bool m = sort_words(block, block.m, block.m_count, true, dialect, codes, other);
-  auto& motion = codes.by_group[static_cast<std::size_t>(Group::motion)];
-  if (motion.tenths == kNoCode) {
-    motion = codes.by_group[static_cast<std::size_t>(Group::cycle_cancel)];
-  }
+  join_cycle_and_motion(block, codes);
   if (!m && (g || other.offset < fault.offset)) {
     fault = std::move(other);
   }

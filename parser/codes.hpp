@@ -14,7 +14,7 @@ namespace kerf::parser {
 enum class Group : std::uint8_t {
   other,  // for one block: G4, G10, G28, G28.1, G30, G30.1, G52, G53, G92
   motion,
-  cycle_cancel,  // G80: beside another motion code, that one counts
+  cycle,  // G80; with Fanuc the cycles too, before they join the motion
   plane,
   distance,
   arc_distance,
@@ -28,6 +28,7 @@ enum class Group : std::uint8_t {
   spindle_mode,  // G96, G97
   local_offset,  // G92.1, G92.2, G92.3
   scaling,       // Fanuc: G50, G51
+  mirror,        // Fanuc: G50.1, G51.1
   program_turn,  // Fanuc: G68, G69
   stop,          // from here on M codes
   tool,

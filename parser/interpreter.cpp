@@ -114,6 +114,9 @@ void Interpreter::end_program(SourcePosition source) {
 }
 
 bool Interpreter::execute() {
+  if (dialect_ == Dialect::fanuc && codes_.has(Group::motion)) {
+    settle_cycle_group();
+  }
   if (compensation_.on() && !allowed_while_compensating()) {
     return false;
   }

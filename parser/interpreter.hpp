@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "parser/block.hpp"
@@ -60,6 +61,8 @@ class Interpreter {
   [[nodiscard]] PredefinedValues& values() { return values_; }
   [[nodiscard]] MoveQueue& moves() { return moves_; }
   [[nodiscard]] bool program_ended() const { return program_ended_; }
+  // What the block has raised; it is raised no longer.
+  MacroSignal take_signal() { return std::exchange(state_.signal, {}); }
   // Ends the program as M2 does.
   void end_program(SourcePosition source);
 
@@ -98,7 +101,7 @@ class Interpreter {
   bool needs_axis_words();
   bool do_once();
   void push_rapid(const Point& end_mm, const ExtraWords& extra_deg_mm);
-  bool go_home(const Point& home_mm, const ExtraWords& home_extra_deg_mm);
+  bool go_home(const HomePosition& home);
   bool set_length_offset();
   bool set_length_from_table();
   bool add_length_offset();
@@ -121,6 +124,7 @@ class Interpreter {
   bool scale_program();
   bool scale_factor(char letter, double& factor);
   bool turn_program();
+  bool mirror_program();
   bool check_unshaped();
 
   // offsets/interpreter_data.cpp
@@ -180,8 +184,9 @@ class Interpreter {
 
   // fanuc/interpreter_fanuc.cpp
   [[nodiscard]] Letters letters_of_fanuc() const;
+  void settle_cycle_group();
   bool fanuc_dwell();
-  bool check_reference_point();
+  std::optional<HomePosition> reference_point();
   bool set_offset_memory(int kind);
   void warn_of_order();
 

@@ -63,6 +63,13 @@ struct Overrides {
   bool feed_hold = true;
 };
 
+// Fanuc: #3000 or #3006 was written and nobody has acted on it yet.
+struct MacroSignal {
+  enum class Kind : std::uint8_t { none, alarm, stop };
+  Kind kind = Kind::none;
+  double number = 0.0;
+};
+
 struct ModalState {
   Point position_mm{};  // of the machine's axes, what the moves carry
   ExtraWords extra_deg_mm{};
@@ -74,6 +81,7 @@ struct ModalState {
   double cutter_offset = 0.0;              // D, which stays in force with Fanuc
   bool tool_length_active = false;         // G43, not G49
   Motion motion = Motion::none;
+  Motion beneath_cycle = Motion::none;  // Fanuc: the motion that G80 comes back to
   Plane plane = Plane::xy;
   Units units = Units::mm;
   bool incremental = false;      // G91
@@ -98,6 +106,7 @@ struct ModalState {
   ProbeResult probe;
   bool to_initial_level = false;  // G98, not G99: where a canned cycle ends
   CycleState cycle;
+  MacroSignal signal;
   // The second handle of the G5 just before, for a G5 that leaves out I and J.
   std::optional<std::array<double, 2>> spline_handle_mm;
 };

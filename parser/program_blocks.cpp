@@ -7,6 +7,7 @@
 #include "parser/errors/fanuc.hpp"
 #include "parser/errors/files.hpp"
 #include "parser/errors/flow.hpp"
+#include "parser/errors/macros.hpp"
 #include "parser/errors/subprograms.hpp"
 #include "parser/fanuc/end_of_block.hpp"
 #include "parser/flow/block_calls.hpp"
@@ -39,9 +40,26 @@ void ProgramReader::Impl::call(const Line& line, Call call) {
   flow_.call(std::move(call));
 }
 
+// Fanuc's M98 <NAME>, G65 <NAME> and G66 <NAME>: keeps the name and reads the line again without
+// it. True: the block is complete now.
+bool ProgramReader::Impl::take_program_name(Line& line) {
+  const std::size_t at = block_.stopped_at;
+  const std::size_t behind = behind_label(line.text, at);
+  const Word* const code = find_program_code(block_, options_.dialect);
+  const bool calls = (code != nullptr && code->value == 98.0) || find_macro_code(block_) != nullptr;
+  if (line.text[at] != '<' || behind == at || !calls) {
+    return false;
+  }
+  program_name_ = plain_label(line.text, {.label_at = static_cast<std::uint32_t>(at)});
+  without_name_ = line.text;
+  without_name_.replace(at, behind - at, behind - at, ' ');
+  line.text = without_name_;
+  return read_block(line.text, block_, evaluator_);
+}
+
 // M98 P100 L2, M99 P10, with whatever else the block says done before.
 void ProgramReader::Impl::run_program_call(const Line& line, const Word& code) {
-  Call called;
+  Call called{.label = program_name_};
   Return back;
   Fault fault;
   const bool calls = code.value != 99.0;
@@ -74,19 +92,19 @@ void ProgramReader::Impl::return_from_call(const Line& line, const Return& back)
 // G65 calls once; G66 calls after each block that moves, until G67.
 void ProgramReader::Impl::run_macro_call(const Line& line, const Word& code) {
   if (code.value == 67.0) {
-    modal_call_.reset();
+    modal_calls_.cancel();
     return;
   }
-  Call called;
+  Call called{.label = program_name_, .offset = code.offset};
   Fault fault;
-  called.offset = code.offset;
   if (!read_macro_call(line.text, evaluator_, called, fault)) {
     diagnostics_.add({line.number, fault.offset + 1}, *fault.page, std::move(fault.message));
   } else if (code.value == 65.0) {
     call(line, std::move(called));
-  } else {
-    modal_call_ = std::move(called);
-    modal_depth_ = flow_.call_depth();
+  } else if (!modal_calls_.add(std::move(called))) {
+    diagnostics_.add({line.number, code.offset + 1}, errors::kTooManyModalCalls,
+                     joined({"at most ", std::to_string(ModalCalls::kMost),
+                             " modal calls (G66) may be in force: cancel with G67"}));
   }
 }
 
@@ -105,6 +123,28 @@ bool ProgramReader::Impl::run_call(const Line& line, bool complete) {
   return code != nullptr;
 }
 
+// Fanuc: #3000=n(TEXT) ends the program with an alarm, #3006=1(TEXT) stops it as M0 does.
+void ProgramReader::Impl::act_on_signal(const Line& line) {
+  const MacroSignal signal = interpreter_.take_signal();
+  if (signal.kind == MacroSignal::Kind::stop) {
+    read_block("M0", block_, evaluator_);
+    interpreter_.run(block_, line.number, true);
+  } else if (signal.kind == MacroSignal::Kind::alarm) {
+    constexpr double kFirstAlarm = 3000.0;
+    const std::uint32_t at = block_.assignment;
+    const std::size_t open = line.text.find('(', at);
+    const std::size_t close = line.text.find(')', at);
+    const std::string_view text = close == std::string_view::npos || open > close
+                                      ? ""
+                                      : line.text.substr(open, close + 1 - open);
+    diagnostics_.add({line.number, at}, errors::kMacroAlarm,
+                     joined({"the program raises alarm ", shortest(kFirstAlarm + signal.number),
+                             text.empty() ? "" : " ", text}));
+    interpreter_.end(line.number, "at the alarm");
+    interpreter_.end_program({line.number, at});
+  }
+}
+
 void ProgramReader::Impl::read_line(const Line& line) {
   if (line.too_long) {
     diagnostics_.add({line.number, static_cast<std::uint32_t>(LineSplitter::kMaxLine) + 1},
@@ -119,7 +159,7 @@ void ProgramReader::Impl::read_line(const Line& line) {
     return;
   }
   if ((line.text[at] == '%' && read_percent(line, at)) ||
-      (line.text[at] == '/' && options_.block_delete)) {
+      (line.text[at] == '/' && options_.block_delete.leaves_out(line.text, at))) {
     return;
   }
   if (line.number == options_.watched_line && !watched_block_ &&
@@ -155,13 +195,20 @@ void ProgramReader::Impl::read_behind_semicolon(const Line& line) {
   }
 }
 
-void ProgramReader::Impl::read_code(const Line& line) {
+void ProgramReader::Impl::read_code(Line line) {
   called_ = false;
-  const bool complete = read_block(line.text, block_, evaluator_);
+  program_name_.clear();
+  bool complete = read_block(line.text, block_, evaluator_);
+  if (!complete && options_.dialect == Dialect::fanuc && block_.stop == Stop::none) {
+    complete = take_program_name(line);
+  }
   if (block_.remarkable) {
     warn_about(block_, {line.number, options_.dialect}, diagnostics_);
   }
   any_block_ = any_block_ || block_.assignment != 0;
+  if (complete && block_.assignment != 0 && options_.dialect == Dialect::fanuc) {
+    return act_on_signal(line);
+  }
   if (complete && block_.empty()) {
     return;
   }
@@ -175,9 +222,11 @@ void ProgramReader::Impl::read_code(const Line& line) {
   }
   const bool idle = interpreter_.moves().empty();
   interpreter_.run(block_, line.number, complete);
-  if (modal_call_ && idle && !interpreter_.moves().empty() &&
-      block_.has_any(interpreter_.axis_letters()) && flow_.call_depth() == modal_depth_) {
-    call(line, *modal_call_);
+  if (modal_calls_.any() && idle && !interpreter_.moves().empty() &&
+      block_.has_any(interpreter_.axis_letters())) {
+    if (const Call* const modal = modal_calls_.begin(flow_.call_depth())) {
+      call(line, *modal);
+    }
   }
 }
 

@@ -65,7 +65,7 @@ bool ProgramReader::Impl::begins_flow(std::string_view text) const {
   std::size_t at = skip_blanks(text, 0);
   const char first = at == text.size() ? ' ' : text[at];
   if (first == 'N' || first == 'n' || first == '/') {
-    if (first == '/' && options_.block_delete) {
+    if (first == '/' && options_.block_delete.leaves_out(text, at)) {
       return false;
     }
     at = find_block_start(text).at;

@@ -13,6 +13,7 @@
 #include "parser/expressions/parameters.hpp"
 #include "parser/flow/call.hpp"
 #include "parser/flow/flow.hpp"
+#include "parser/flow/modal_calls.hpp"
 #include "parser/interpreter.hpp"
 #include "parser/program_input.hpp"
 #include "parser/program_reader.hpp"
@@ -54,9 +55,11 @@ class ProgramReader::Impl {
 
   // program_blocks.cpp
   void read_line(const Line& line);
-  void read_code(const Line& line);
+  void read_code(Line line);
   void read_behind_semicolon(const Line& line);
   bool is_program_number(const Block& block, std::uint32_t line);
+  bool take_program_name(Line& line);
+  void act_on_signal(const Line& line);
   bool run_call(const Line& line, bool complete);
   void run_program_call(const Line& line, const Word& code);
   void run_macro_call(const Line& line, const Word& code);
@@ -71,12 +74,13 @@ class ProgramReader::Impl {
   Evaluator evaluator_;
   Flow flow_;
   Block block_;
-  bool called_ = false;             // the block is a call or a return
-  std::string behind_semicolon_;    // the rest of a Fanuc line with more than one block
-  std::optional<Call> modal_call_;  // G66
-  std::size_t modal_depth_ = 0;     // of the calls where it was given
-  bool ended_ = false;              // the program, not the bytes
-  bool all_fetched_ = true;         // all its moves are fetched
+  bool called_ = false;           // the block is a call or a return
+  std::string behind_semicolon_;  // the rest of a Fanuc line with more than one block
+  std::string program_name_;      // <NAME> of the block's call, plain; empty: none
+  std::string without_name_;      // the line with blanks in its place
+  ModalCalls modal_calls_;        // G66
+  bool ended_ = false;            // the program, not the bytes
+  bool all_fetched_ = true;       // all its moves are fetched
   bool any_block_ = false;
   bool opened_by_percent_ = false;
   bool closed_by_percent_ = false;

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "parser/block_delete.hpp"
 #include "parser/dialect.hpp"
 #include "parser/move.hpp"
 #include "parser/offsets/machine_data.hpp"
@@ -26,7 +27,7 @@ using SubprogramSource = std::function<std::optional<SubprogramText>(std::string
 struct ReaderOptions {
   Point start_mm{};                                     // where the tool is when the program starts
   std::array<double, kExtraAxes> start_extra_rad_mm{};  // A, B, C in rad
-  bool block_delete = false;                            // leave out blocks that begin with '/'
+  BlockDelete block_delete{};  // which blocks that begin with '/' are left out
   std::size_t max_errors = 100;
   Dialect dialect = Dialect::rs274;
   MachineData machine{};           // work offsets, G28, G30 and tools as the program finds them

@@ -41,7 +41,24 @@ std::vector<std::string> profile_names() {
 struct Raw {
   Options options;
   std::string profile{name_of(ProfileKind::s_curve)};
+  std::string block_delete;  // empty: not given
 };
+
+// "all", or numbers from 1 to 9 with commas between them; nothing where it is neither.
+std::optional<parser::BlockDelete> switches_of(std::string_view text) {
+  if (text == "all") {
+    return parser::BlockDelete::all();
+  }
+  parser::BlockDelete switches;
+  for (std::size_t at = 0; at < text.size() || at == 0; at += 2) {
+    const bool number = at < text.size() && text[at] >= '1' && text[at] <= '9';
+    if (!number || (at + 1 < text.size() && (text[at + 1] != ',' || at + 2 == text.size()))) {
+      return std::nullopt;
+    }
+    switches.switch_on(static_cast<unsigned>(text[at] - '0'));
+  }
+  return switches;
+}
 
 void add_common(CLI::App& command, Raw& raw) {
   Options& options = raw.options;
@@ -71,7 +88,10 @@ void add_common(CLI::App& command, Raw& raw) {
           "language of the program: rs274 or fanuc (default: that of the machine file)")
       ->check(CLI::IsMember({"rs274", "fanuc"}))
       ->type_name("NAME");
-  command.add_flag("--block-delete", options.block_delete, "leave out blocks that begin with /");
+  command.add_flag(
+      "--block-delete{all}", raw.block_delete,
+      "leave out blocks that begin with /, or with =1,3 those with / (which is /1) and "
+      "/3");
   command.add_flag("--json", options.json, "report as JSON on standard output");
   command
       .add_option("--format", options.format,
@@ -218,6 +238,15 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
                     : check->parsed() ? Command::check
                                       : Command::explain;
   options.profile = *profiles::profile_kind(raw.profile);
+  if (!raw.block_delete.empty()) {
+    const auto switches = switches_of(raw.block_delete);
+    if (!switches) {
+      return wrong_use(
+          "--block-delete takes numbers from 1 to 9, as in --block-delete=1,3; found " +
+          raw.block_delete);
+    }
+    options.block_delete = *switches;
+  }
   if (const auto message = contradiction(options)) {
     return wrong_use(*message);
   }

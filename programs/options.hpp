@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "parser/block_delete.hpp"
 #include "parser/dialect.hpp"
 #include "profiles/profile.hpp"
 #include "programs/exit_status.hpp"
@@ -34,7 +35,7 @@ struct Options {
   std::uint32_t explained_line = 0;  // of Command::explain
   DiagnosticFormat format = DiagnosticFormat::text;
   std::optional<parser::Dialect> dialect;  // nothing: that of the machine file
-  bool block_delete = false;
+  parser::BlockDelete block_delete;
   bool json = false;
   bool quiet = false;
 };

@@ -1,5 +1,7 @@
 #include "programs/subprogram_folder.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -19,14 +21,29 @@ using parser::SubprogramText;
 
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20U;
 
+std::string in_capitals(std::string_view name) {
+  std::string text(name);
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c & ~0x20) : c; });
+  return text;
+}
+
+// How a Fanuc program may be called in a folder but for its extension: O1000, o1000; POCKET,
+// pocket.
+std::array<std::string, 2> fanuc_names(std::string_view name) {
+  if (name.find_first_not_of("0123456789") == std::string_view::npos) {
+    const std::string four = std::string(name.size() < 4 ? 4 - name.size() : 0, '0');
+    return {("O" + four).append(name), ("o" + four).append(name)};
+  }
+  return {in_capitals(name), std::string(name)};
+}
+
 std::vector<std::string> file_names(std::string_view name, parser::Dialect dialect) {
   std::vector<std::string> names;
-  const bool number = name.find_first_not_of("0123456789") == std::string_view::npos;
-  if (dialect == parser::Dialect::fanuc && number) {
-    const std::string four = std::string(name.size() < 4 ? 4 - name.size() : 0, '0');
-    for (const char letter : {'O', 'o'}) {
+  if (dialect == parser::Dialect::fanuc) {
+    for (const std::string& stem : fanuc_names(name)) {
       for (const char* const extension : {".nc", ".NC", ".ngc", ""}) {
-        names.push_back((letter + four).append(name).append(extension));
+        names.push_back(stem + extension);
       }
     }
   }

@@ -24,6 +24,10 @@ bool is_plain(Tenths code) {
   return (code >= 0 && code <= 30) || code == static_cast<Tenths>(Motion::none);
 }
 
+CutterSide other(CutterSide side) {
+  return side == CutterSide::left ? CutterSide::right : CutterSide::left;
+}
+
 std::string code_name(Tenths code) {
   return joined({"G", shortest(static_cast<double>(code) / 10.0)});
 }
@@ -54,7 +58,8 @@ bool Interpreter::allowed_while_compensating() {
   if (codes_[Group::cutter_compensation] == kG40) {
     return true;
   }
-  for (const Group group : {Group::length_offset, Group::work_offset}) {
+  for (const Group group :
+       {Group::length_offset, Group::work_offset, Group::scaling, Group::mirror}) {
     if (codes_.has(group)) {
       return refuse(group);
     }
@@ -102,6 +107,12 @@ bool Interpreter::start_compensation() {
   const Word& word = code_word(*block_, codes_, Group::cutter_compensation);
   const std::string name = upper(block_->text(word));
   const Tenths code = codes_[Group::cutter_compensation];
+  const CutterSide side = code == kG41 || code == kG411 ? CutterSide::left : CutterSide::right;
+  if (compensation_.on() && dialect_ == Dialect::fanuc && code != state_.cutter_compensation) {
+    return fail(word.offset, errors::kCompensationSideChange,
+                joined({name, " while ", code_name(state_.cutter_compensation),
+                        " is active: a change of side is not supported, write G40 between them"}));
+  }
   if (compensation_.on()) {
     return fail(word.offset, errors::kCompensationTwice,
                 joined({name, " while ", code_name(state_.cutter_compensation),
@@ -119,13 +130,13 @@ bool Interpreter::start_compensation() {
   }
   CompensationStart start;
   start.plane = state_.plane;
-  start.side = code == kG41 || code == kG411 ? CutterSide::left : CutterSide::right;
+  start.side = state_.coordinates.mirrors(state_.plane) ? other(side) : side;
   if (!compensation_radius(start)) {
     return false;
   }
   if (start.radius_mm < 0.0) {
     start.radius_mm = -start.radius_mm;
-    start.side = start.side == CutterSide::left ? CutterSide::right : CutterSide::left;
+    start.side = other(start.side);
     warn(word.offset, errors::kCompensationOtherSide,
          joined({name, ": the diameter is negative, the tool goes on the ",
                  start.side == CutterSide::left ? "left" : "right"}));

@@ -168,7 +168,8 @@ Letters letters_of_cycle(Motion motion, Dialect dialect) {
     case Motion::bore:
       return common;
     case Motion::back_bore:
-      return common | letters('I', 'J', 'K');
+      return common | letters('I', 'J', 'K') |
+             (dialect == Dialect::fanuc ? letters('P', 'Q') : 0);  // for a message of its own
     default:
       return common | letters('P');
   }

@@ -132,9 +132,9 @@ inline constexpr ErrorPage kNumberedBlockDelete{
     34,
     Severity::warning,
     "numbered block delete",
-    "'/1' to '/9' belong to nine switches of a Fanuc control. There is one switch here, so the "
-    "block is taken as one with a plain '/'.",
-    "Write '/', or see that leaving out all of these blocks together is right.",
+    "'/1' to '/9' belong to nine switches of a Fanuc control, a plain '/' to the first of them; "
+    "RS274/NGC has one switch. The block runs unless `--block-delete` names its number or none.",
+    "Write '/', or choose the Fanuc dialect.",
     "/2 G0 X1\nM2\n"};
 
 inline constexpr ErrorPage kLineNumberWithPoint{

@@ -184,7 +184,20 @@ inline constexpr ErrorPage kCompensationTurned{
     "Set R to 0 for compensation in XZ.",
     "G10 L2 P1 R30\nG18 G41.1 D5\nM2\n"};
 
+inline constexpr ErrorPage kCompensationSideChange{
+    748,
+    Severity::error,
+    "side changed without G40",
+    "On a Fanuc control G42 while G41 is active takes the tool to the other side of the contour, "
+    "on "
+    "a way that parameters of the control decide. Kerf does not follow it.",
+    "Write G40 with a move away from the contour, then G42 with a move back to it.",
+    "G41 D1 G1 X20 F100\nG42 X40\nG40 X60 Y20\nM30\n",
+    Dialect::fanuc};
+
 inline constexpr std::array kCompensationPages{
+    &kCompensationSideChange,
+
     &kCompensationTwice,        &kCompensationPlane,         &kCompensationPlaneChange,
     &kCompensationStartedOnArc, &kCompensationEntryTooShort, &kCompensationExitOnArc,
     &kCompensationLeftOn,       &kNotWhileCompensating,      &kCurveWhileCompensating,

@@ -21,10 +21,9 @@ inline constexpr ErrorPage kReferencePoint{
     901,
     Severity::error,
     "no such reference point",
-    "G30 P2, P3 and P4 go to the second to fourth reference point. The machine file has two: that "
-    "of G28 and that of G30.",
-    "Write P2, or leave P out.",
-    "G30 P3 X0\nM2\n",
+    "G30 P2, P3 and P4 go to the second to fourth reference point; the first is that of G28.",
+    "Write P2, P3 or P4, or leave P out for P2.",
+    "G30 P5 X0\nM2\n",
     Dialect::fanuc};
 
 inline constexpr ErrorPage kOffsetMemoryValue{
@@ -69,8 +68,40 @@ inline constexpr ErrorPage kOrderExtension{
     "G6.2 P5 K0 X0 Y0 F100\nM30\n",
     Dialect::fanuc};
 
-inline constexpr std::array kFanucPages{&kOrderExtension,  &kSemicolonEndsBlock,
-                                        &kBlockBehindCall, &kDwellTwice,
-                                        &kReferencePoint,  &kOffsetMemoryValue};
+inline constexpr ErrorPage kTooManyModalCalls{
+    906,
+    Severity::error,
+    "too many modal calls",
+    "Each G66 adds a macro to those that a move calls, and G67 takes the last one away again. Four "
+    "may be in force.",
+    "Cancel each G66 with a G67, in loops too.",
+    "G66 P1\nG66 P1\nG66 P1\nG66 P1\nG66 P1\nM30\nO1\nM99\n",
+    Dialect::fanuc};
+
+inline constexpr ErrorPage kProgramGivenTwice{
+    907,
+    Severity::error,
+    "program called by name and by number",
+    "M98, G65 and G66 call the program <NAME>, or the one whose number is in P, not both.",
+    "Keep the name or P.",
+    "M98 <POCKET> P100\nM30\n",
+    Dialect::fanuc};
+
+inline constexpr ErrorPage kRoundInAddress{
+    908,
+    Severity::error,
+    "ROUND in an address",
+    "In a statement like `#1=ROUND[#2]` ROUND gives a whole number. In the value of an address "
+    "Fanuc rounds to the address's least increment instead, which depends on the control, and "
+    "Kerf does not.",
+    "Round in a statement before: `#101=ROUND[#1*1000]/1000` and `X#101` for three decimals. "
+    "Addresses that take whole numbers (G, M, P, T ...) may have ROUND.",
+    "G0 X[ROUND[#1]]\nM30\n",
+    Dialect::fanuc};
+
+inline constexpr std::array kFanucPages{
+    &kTooManyModalCalls, &kProgramGivenTwice,  &kRoundInAddress,
+    &kOrderExtension,    &kSemicolonEndsBlock, &kBlockBehindCall,
+    &kDwellTwice,        &kReferencePoint,     &kOffsetMemoryValue};
 
 }  // namespace kerf::parser::errors

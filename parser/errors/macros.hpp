@@ -101,8 +101,29 @@ inline constexpr ErrorPage kRunsIntoProgram{
     "O1\nG0 X1\nO2\nG0 X2\nM30\n",
     Dialect::fanuc};
 
+inline constexpr ErrorPage kThenForm{
+    542,
+    Severity::error,
+    "IF in a form that is not supported",
+    "Behind IF [..] THEN stands an assignment, GOTO or a block, in the same line. Another IF, a "
+    "loop, and ELSE and ENDIF over several lines, as newer controls have them, are not supported.",
+    "Join the conditions with AND, or jump around the blocks with IF [..] GOTO.",
+    "#1=1\nIF [#1 EQ 1] THEN\n#2=3\nENDIF\nM30\n",
+    Dialect::fanuc};
+
+inline constexpr ErrorPage kMacroAlarm{
+    543,
+    Severity::error,
+    "the program raises an alarm",
+    "A statement `#3000=n(TEXT)` was run, which stops a Fanuc control with alarm 3000+n and the "
+    "text. Macros do so where they are called with arguments that they cannot use.",
+    "See in the macro why: mostly an argument is missing or wrong.",
+    "#3000=1(NO DEPTH)\nM30\n",
+    Dialect::fanuc};
+
 inline constexpr std::array kMacrosPages{
-    &kLabelMissing, &kLoopNumber,   &kNoDo,     &kNoThen,       &kLoopsCross,     &kLoopNumberInUse,
-    &kJumpIntoLoop, &kTargetNumber, &kArgument, &kProgramTwice, &kRunsIntoProgram};
+    &kThenForm, &kMacroAlarm,   &kLabelMissing,    &kLoopNumber,   &kNoDo,
+    &kNoThen,   &kLoopsCross,   &kLoopNumberInUse, &kJumpIntoLoop, &kTargetNumber,
+    &kArgument, &kProgramTwice, &kRunsIntoProgram};
 
 }  // namespace kerf::parser::errors

@@ -47,9 +47,9 @@ inline constexpr ErrorPage kTurnPlane{
 inline constexpr ErrorPage kOffsetUnderShape{
     924,
     Severity::error,
-    "G52 or G92 while the program is scaled or turned",
+    "G52 or G92 while the program is scaled, mirrored or turned",
     "Whether the new origin counts before or after the turn cannot be told, and controls differ.",
-    "Set the offset before G51 or G68, or after G50 or G69.",
+    "Set the offset before G51, G51.1 or G68, or after G50, G50.1 or G69.",
     "G68 X0 Y0 R30\nG52 X5\nM2\n",
     Dialect::fanuc};
 
@@ -62,8 +62,18 @@ inline constexpr ErrorPage kArcUnevenlyScaled{
     "G51 X0 Y0 I2. J1.\nG2 X2 I1 F100\nM2\n",
     Dialect::fanuc};
 
-inline constexpr std::array kShapePages{&kExtendedOffsetNumber, &kScaleZero,
-                                        &kTurnWithoutAngle,     &kTurnPlane,
-                                        &kOffsetUnderShape,     &kArcUnevenlyScaled};
+inline constexpr ErrorPage kMirrorUnderShape{
+    926,
+    Severity::error,
+    "mirror changed while the program is scaled or turned",
+    "The mirror of G51.1 is around G51 and G68: it is set before them and ended after them, as on "
+    "the control.",
+    "Write G69 and G50 first, then G51.1 or G50.1, then scale and turn again.",
+    "G68 X0 Y0 R30\nG51.1 X0\nM2\n",
+    Dialect::fanuc};
+
+inline constexpr std::array kShapePages{
+    &kMirrorUnderShape, &kExtendedOffsetNumber, &kScaleZero,        &kTurnWithoutAngle,
+    &kTurnPlane,        &kOffsetUnderShape,     &kArcUnevenlyScaled};
 
 }  // namespace kerf::parser::errors

@@ -38,6 +38,7 @@ void Evaluator::begin(const Cursor& cursor) {
   line_ = cursor.line;
   used_ = true;
   depth_ = 0;
+  rounding_ = nullptr;
 }
 
 bool Evaluator::fail(const char* at, const ErrorPage& page, std::string message) {

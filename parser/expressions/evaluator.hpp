@@ -66,11 +66,15 @@ class Evaluator {
   // had the value from before; 0: none.
   [[nodiscard]] std::uint32_t stale_read() const { return stale_read_; }
 
+  // Where the value that was read last calls ROUND; null: it does not.
+  [[nodiscard]] const char* rounding() const { return rounding_; }
+
   // For the grammar. Keeps the first fault of the line; returns false.
   bool fail(const char* at, const ErrorPage& page, std::string message);
   [[nodiscard]] bool failed() const { return failed_; }
   bool read(const Reference& variable, double& value);
   [[nodiscard]] bool exists(const Reference& variable) const;
+  void note_rounding(const char* at) { rounding_ = at; }
   bool enter(const char* at);
   void leave() { --depth_; }
 
@@ -96,6 +100,7 @@ class Evaluator {
   bool used_ = false;  // something below or above is of this line
   bool failed_ = false;
   std::uint32_t stale_read_ = 0;
+  const char* rounding_ = nullptr;
 };
 
 }  // namespace kerf::parser

@@ -66,6 +66,9 @@ constexpr auto call_plain = [](auto& context) {
   const double first = fusion::at_c<1>(x3::_attr(context));
   const boost::optional<double>& other = fusion::at_c<2>(x3::_attr(context));
   Evaluator& evaluator = evaluator_of(context);
+  if (function == Function::round) {
+    evaluator.note_rounding(at);
+  }
   if (other.has_value() != (function == Function::pow)) {
     x3::_pass(context) = evaluator.fail(
         at, errors::kFunctionForm,

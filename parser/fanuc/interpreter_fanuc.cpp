@@ -1,6 +1,8 @@
-// What only the Fanuc dialect has: G4 with X and U, G30 P, G10 L10 to L13.
+// What only the Fanuc dialect has: a group of their own for cycles, G4 with X and U, G30 P, G10 L10
+// to L13.
 #include <cmath>
 
+#include "parser/cycles/drill_cycle.hpp"
 #include "parser/errors/blocks.hpp"
 #include "parser/errors/fanuc.hpp"
 #include "parser/errors/modes.hpp"
@@ -37,6 +39,26 @@ Letters Interpreter::letters_of_fanuc() const {
              : 0;
 }
 
+// Cycles do not end the motion of group 01, they lie over it: G80 alone comes back to it, and its
+// axis words are that motion's.
+void Interpreter::settle_cycle_group() {
+  BlockCodes::Entry& motion = codes_.by_group[static_cast<std::size_t>(Group::motion)];
+  const bool in_cycle = is_cycle(state_.motion);
+  if (motion.tenths == static_cast<Tenths>(Motion::none)) {
+    motion = {};
+    if (in_cycle) {
+      set_motion(static_cast<Tenths>(state_.beneath_cycle));
+    }
+  } else if (is_cycle(static_cast<Motion>(motion.tenths))) {
+    const Tenths beneath = codes_[Group::cycle];
+    if (beneath != motion.tenths) {
+      state_.beneath_cycle = static_cast<Motion>(beneath);
+    } else if (!in_cycle) {
+      state_.beneath_cycle = state_.motion;
+    }
+  }
+}
+
 // P in milliseconds, X and U in seconds.
 bool Interpreter::fanuc_dwell() {
   const Word& code = code_word(*block_, codes_, Group::other);
@@ -63,15 +85,20 @@ bool Interpreter::fanuc_dwell() {
   return true;
 }
 
-// G30 P2 is the second reference point, which G30 without P is too; there are no more here.
-bool Interpreter::check_reference_point() {
-  if (!block_->has('P') || block_->value('P') == 2.0) {
-    return true;
+// G30 P2 to P4: the second to the fourth reference point; without P the second. Nothing: the fault
+// is set.
+std::optional<HomePosition> Interpreter::reference_point() {
+  const double number = block_->value_or('P', 2.0);
+  if (number == 2.0) {
+    return HomePosition{machine_.second_home_mm, machine_.second_home_extra_deg_mm};
+  }
+  if (number == 3.0 || number == 4.0) {
+    return machine_.further_homes[number == 3.0 ? 0 : 1];
   }
   const Word& word = block_->word('P');
-  return fail(word.offset, errors::kReferencePoint,
-              joined({"G30: P must be 2 (this machine has no other reference point), found ",
-                      shortest(word.value)}));
+  fail(word.offset, errors::kReferencePoint,
+       joined({"G30: P must be 2, 3 or 4, found ", shortest(word.value)}));
+  return std::nullopt;
 }
 
 // L10 and L11: length of offset number P and its wear; L12 and L13: radius and its wear. What

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "parser/errors/fanuc.hpp"
 #include "parser/errors/flow.hpp"
 #include "parser/errors/macros.hpp"
 #include "parser/errors/subprograms.hpp"
@@ -34,7 +35,8 @@ struct Numbers {
 };
 
 bool set_numbers(const Numbers& numbers, Call& call, Fault& fault) {
-  if (!is_whole(numbers.program, 1.0, kLargestNumber)) {
+  const bool by_name = !call.label.empty();
+  if (!by_name && !is_whole(numbers.program, 1.0, kLargestNumber)) {
     fault = fault_at(numbers.program_at, errors::kProgramNumber,
                      joined({numbers.name, ": P must be a whole number from 1 to 99999999, found ",
                              shortest(numbers.program)}));
@@ -46,7 +48,9 @@ bool set_numbers(const Numbers& numbers, Call& call, Fault& fault) {
                              shortest(numbers.runs)}));
     return false;
   }
-  call.label = shortest(numbers.program);
+  if (!by_name) {
+    call.label = shortest(numbers.program);
+  }
   call.runs = static_cast<std::uint64_t>(numbers.runs);
   return true;
 }
@@ -81,7 +85,12 @@ class MacroCall {
         return false;
       }
     }
-    if (!has_program_) {
+    const bool by_name = !call_->label.empty();
+    if (by_name && has_program_) {
+      return refuse(numbers_.program_at, errors::kProgramGivenTwice,
+                    joined({name_, ": the program is given by its name and by P"}));
+    }
+    if (!by_name && !has_program_) {
       return refuse(call_->offset, errors::kM98WithoutP, joined({name_, " needs P"}));
     }
     numbers_.name = name_;
@@ -173,16 +182,22 @@ bool read_program_call(const Block& block, const Word& code, Dialect dialect, Ca
   const std::string_view name = local ? "M97" : "M98";
   call.kind = local ? CallKind::local : CallKind::program;
   call.offset = code.offset;
-  if (!block.has('P')) {
+  const bool by_name = !call.label.empty();
+  if (by_name && block.has('P')) {
+    fault = fault_at(block.word('P').offset, errors::kProgramGivenTwice,
+                     joined({name, ": the program is given by its name and by P"}));
+    return false;
+  }
+  if (!by_name && !block.has('P')) {
     fault = fault_at(code.offset, errors::kM98WithoutP,
                      joined({name, local ? " needs P (the number of the block to go to)"
                                          : " needs P (the subprogram's number)"}));
     return false;
   }
   Numbers numbers{.name = name,
-                  .program = block.value('P'),
+                  .program = block.value_or('P', 0.0),
                   .runs = block.value_or('L', 1.0),
-                  .program_at = block.word('P').offset,
+                  .program_at = block.has('P') ? block.word('P').offset : code.offset,
                   .runs_at = block.has('L') ? block.word('L').offset : code.offset};
   const bool both = dialect == Dialect::fanuc && !local && !block.has('L') &&
                     numbers.program > 9999.0 && is_whole(numbers.program, 0.0, kLargestNumber);

@@ -30,8 +30,8 @@ inline const Word* find_macro_code(const Block& block) {
   return nullptr;
 }
 
-// M98 or M97 (`code`), P and L. Fanuc writes the repeats before a program number of four digits
-// too: P30100. False: the fault says why.
+// M98 or M97 (`code`), P and L; a program that is named has its label in `call` already. Fanuc
+// writes the repeats before a program number of four digits too: P30100. False: the fault says why.
 bool read_program_call(const Block& block, const Word& code, Dialect dialect, Call& call,
                        Fault& fault);
 // M99 and its P.

@@ -14,11 +14,16 @@ namespace kerf::parser {
 
 namespace {
 
+bool is_number(std::string_view label) {
+  return label.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
 // As the caller wrote it, for messages.
 std::string shown(const Call& call) {
   return call.kind == CallKind::sub     ? joined({"sub ", shown_label(call.label)})
          : call.kind == CallKind::local ? joined({"N", call.label})
-                                        : joined({"program O", call.label});
+         : is_number(call.label)        ? joined({"program O", call.label})
+                                        : joined({"program <", call.label, ">"});
 }
 
 }  // namespace

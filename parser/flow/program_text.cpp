@@ -43,7 +43,7 @@ void ProgramText::take(const Line& line) {
   }
   const bool first_block = !any_block_;
   anything_ = any_block_ = true;
-  if (text[first] == '/' && origin_.block_delete) {
+  if (text[first] == '/' && origin_.block_delete.leaves_out(text, first)) {
     return;
   }
   const BlockStart start = find_block_start(text);

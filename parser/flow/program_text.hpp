@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "parser/block_delete.hpp"
 #include "parser/dialect.hpp"
 #include "parser/flow/labels.hpp"
 #include "parser/flow/sequence_numbers.hpp"
@@ -20,7 +21,7 @@ namespace kerf::parser {
 
 struct TextOrigin {
   Dialect dialect = Dialect::rs274;
-  bool block_delete = false;     // lines that begin with '/' are no statements
+  BlockDelete block_delete{};    // lines that it leaves out are no statements
   std::uint32_t first_line = 1;  // the number of the first line taken in
   std::uint16_t file = 0;        // as in SourcePosition
   std::string file_name{};       // empty: the program itself

@@ -134,6 +134,26 @@ void read_if(std::string_view line, std::size_t behind, Statement& statement, Fa
   if (behind_keyword(line, then, "goto") == 0 && behind_keyword(line, then, "then") == 0) {
     refuse(statement, fault,
            fault_at(then, errors::kNoThen, "THEN or GOTO is expected after IF [...]"));
+  } else if (const std::size_t behind = behind_keyword(line, then, "then"); behind != 0) {
+    check_then(line, behind, statement, fault);
+  }
+}
+
+// Behind THEN stands an assignment, GOTO or a block, in the same line.
+void check_then(std::string_view line, std::size_t behind, Statement& statement, Fault& fault) {
+  if (only_comment_left(line, behind)) {
+    refuse(
+        statement, fault,
+        fault_at(behind, errors::kThenForm, "THEN needs a statement behind it in the same line"));
+    return;
+  }
+  const std::size_t at = skip_blanks(line, behind);
+  for (const std::string_view keyword : {"IF", "WHILE", "DO", "END"}) {
+    if (behind_keyword(line, at, keyword) != 0) {
+      refuse(statement, fault,
+             fault_at(at, errors::kThenForm,
+                      joined({keyword, " cannot stand behind THEN: write GOTO"})));
+    }
   }
 }
 
@@ -195,6 +215,10 @@ bool read_macro(std::string_view line, std::size_t at, Statement& statement, Fau
   } else if (const std::size_t do_ = behind_keyword(line, at, "do"); do_ != 0) {
     statement.keyword = Keyword::macro_do;
     read_loop_number(line, do_, "DO", statement, fault);
+  } else if (behind_keyword(line, at, "else") != 0 || behind_keyword(line, at, "endif") != 0) {
+    refuse(statement, fault,
+           fault_at(at, errors::kThenForm,
+                    "ELSE and ENDIF are not supported: write IF [..] GOTO around the blocks"));
   } else if (const std::size_t end = behind_keyword(line, at, "end"); end != 0) {
     statement.keyword = Keyword::macro_end;
     read_loop_number(line, end, "END", statement, fault);

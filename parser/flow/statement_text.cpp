@@ -43,7 +43,7 @@ std::size_t skip_blanks(std::string_view line, std::size_t at) {
 std::size_t behind_keyword(std::string_view line, std::size_t at, std::string_view keyword) {
   for (const char wanted : keyword) {
     at = skip_blanks(line, at);
-    if (at >= line.size() || lower(line[at]) != wanted) {
+    if (at >= line.size() || lower(line[at]) != lower(wanted)) {
       return 0;
     }
     ++at;

@@ -31,7 +31,7 @@ bool only_comment_left(std::string_view line, std::size_t at);
 // Offset behind the bracket that closes the one at `at`; nothing where none does.
 std::optional<std::size_t> behind_brackets(std::string_view line, std::size_t at);
 std::size_t skip_blanks(std::string_view line, std::size_t at);
-// Offset behind `keyword` (lower case) at `at`, whatever its case and the blanks in it; 0: no.
+// Offset behind `keyword` at `at`, whatever its case and the blanks in it; 0: no.
 std::size_t behind_keyword(std::string_view line, std::size_t at, std::string_view keyword);
 
 }  // namespace kerf::parser

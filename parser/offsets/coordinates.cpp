@@ -16,6 +16,10 @@ Point difference(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
+Point product(const Point& a, const Point& b) {
+  return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
+}
+
 Point turned_by(const Turn& turn, const Point& v) {
   return {turn.cosine * v[0] - turn.sine * v[1], turn.sine * v[0] + turn.cosine * v[1], v[2]};
 }
@@ -91,11 +95,25 @@ void Coordinates::set_program_turn(const ProgramTurn& turn) {
   refresh();
 }
 
+void Coordinates::set_mirror(const Mirror& mirror) {
+  mirror_ = mirror;
+  refresh();
+}
+
 void Coordinates::refresh() {
   const Turn work = turn_from_degrees(chosen_.rotation_deg);
   const Turn turn68 = turn_from_degrees(turn_.angle_deg);
-  const Turn both = turn_from_degrees(chosen_.rotation_deg + turn_.angle_deg);
-  const Point& k = scaling_.factor;
+  Point sign{1.0, 1.0, 1.0};
+  Point mirrored{};  // where the mirror has the program's origin
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (mirror_.mirrored[axis]) {
+      sign[axis] = -1.0;
+      mirrored[axis] = 2.0 * mirror_.about_mm[axis];
+    }
+  }
+  // A turn seen in a mirror is the opposite one.
+  const Turn both = turn_from_degrees(chosen_.rotation_deg + sign[0] * sign[1] * turn_.angle_deg);
+  const Point k = product(sign, scaling_.factor);
   x_from_x_ = both.cosine * k[0];
   x_from_y_ = -both.sine * k[1];
   y_from_x_ = both.sine * k[0];
@@ -103,9 +121,12 @@ void Coordinates::refresh() {
   z_from_z_ = k[2];
 
   const Point& about = scaling_.centre_mm;
-  const Point kept{(1.0 - k[0]) * about[0], (1.0 - k[1]) * about[1], (1.0 - k[2]) * about[2]};
+  const Point& factor = scaling_.factor;
+  const Point kept{(1.0 - factor[0]) * about[0], (1.0 - factor[1]) * about[1],
+                   (1.0 - factor[2]) * about[2]};
   const Point moved = difference(turn_.centre_mm, turned_by(turn68, turn_.centre_mm));
-  const Point before_turn = sum(sum(turned_by(turn68, kept), moved), local_mm_);
+  const Point inside = sum(turned_by(turn68, kept), moved);
+  const Point before_turn = sum(sum(product(sign, inside), mirrored), local_mm_);
   shift_mm_ = sum(sum(turned_by(work, before_turn), chosen_.origin_mm), tool_mm_);
   plain_ =
       !turned() && x_from_x_ == 1.0 && y_from_y_ == 1.0 && z_from_z_ == 1.0 && shift_mm_ == Point{};

@@ -1,5 +1,5 @@
 // Where the program's coordinates lie on the machine: G54 to G59.3, G52, G92, G43, and with Fanuc
-// G54.1, G51 and G68, in one place.
+// G54.1, G51, G51.1 and G68, in one place.
 #pragma once
 
 #include <array>
@@ -33,7 +33,15 @@ struct ProgramTurn {
   friend bool operator==(const ProgramTurn&, const ProgramTurn&) = default;
 };
 
-// machine = turn(turn68(scale51(program)) + local) + origin + tool
+// G51.1: the axes that are mirrored, each about a place of its own.
+struct Mirror {
+  Point about_mm{};  // in program coordinates
+  std::array<bool, 3> mirrored{};
+
+  friend bool operator==(const Mirror&, const Mirror&) = default;
+};
+
+// machine = turn(mirror(turn68(scale51(program))) + local) + origin + tool
 //
 // turn and origin are those of the chosen work offset, local is G52 or G92, tool is G43. This is
 // the order in which LinuxCNC applies them: a local offset lies in the turned axes, the tool's does
@@ -46,15 +54,21 @@ class Coordinates {
   [[nodiscard]] bool plain() const { return plain_; }
   // A motion along X or Y of the program is one of both axes of the machine.
   [[nodiscard]] bool turned() const { return x_from_y_ != 0.0 || y_from_x_ != 0.0; }
-  // G51 turns the sense of arcs in the plane round.
+  // G51 or G51.1 turns the sense of arcs in the plane round.
   [[nodiscard]] bool mirrors(Plane plane) const {
-    const Point& k = scaling_.factor;
-    return (plane == Plane::xy   ? k[0] * k[1]
-            : plane == Plane::zx ? k[2] * k[0]
-                                 : k[1] * k[2]) < 0.0;
+    const auto one = [this](std::size_t axis) {
+      return mirror_.mirrored[axis] != (scaling_.factor[axis] < 0.0);
+    };
+    return plane == Plane::xy   ? one(0) != one(1)
+           : plane == Plane::zx ? one(2) != one(0)
+                                : one(1) != one(2);
   }
   // G51 or G68 is in force.
-  [[nodiscard]] bool shaped() const { return scaling_ != Scaling{} || turn_ != ProgramTurn{}; }
+  [[nodiscard]] bool scaled_or_turned() const {
+    return scaling_ != Scaling{} || turn_ != ProgramTurn{};
+  }
+  // The same, or G51.1 is.
+  [[nodiscard]] bool shaped() const { return scaled_or_turned() || mirror_ != Mirror{}; }
 
   [[nodiscard]] std::size_t system() const { return system_; }
   // Precondition of these four: system < kSystems + kExtended.
@@ -77,6 +91,8 @@ class Coordinates {
   void set_scaling(const Scaling& scaling);
   [[nodiscard]] const ProgramTurn& program_turn() const { return turn_; }
   void set_program_turn(const ProgramTurn& turn);
+  [[nodiscard]] const Mirror& mirror() const { return mirror_; }
+  void set_mirror(const Mirror& mirror);
 
   [[nodiscard]] Point to_machine(const Point& program_mm) const;
   [[nodiscard]] Point to_program(const Point& machine_mm) const;
@@ -98,6 +114,7 @@ class Coordinates {
   Point tool_mm_{};
   Scaling scaling_{};
   ProgramTurn turn_{};
+  Mirror mirror_{};
 
   // Of the above, for the block: machine = matrix * program + shift. Z stays by itself.
   bool plain_ = true;

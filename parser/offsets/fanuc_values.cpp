@@ -7,6 +7,9 @@ namespace kerf::parser {
 
 namespace {
 
+constexpr int kAlarm = 3000;
+constexpr int kMessage = 3006;
+
 // Three axes that begin behind `first`; 3 where the number is none of them.
 std::size_t axis_behind(int first, int number) {
   return number > first && number <= first + 3 ? static_cast<std::size_t>(number - first - 1) : 3;
@@ -111,6 +114,9 @@ std::optional<double> modal_value(int number, const ModalState& state) {
 }  // namespace
 
 std::optional<double> MachineValues::fanuc_number(int number) const {
+  if (number == kAlarm || number == kMessage) {
+    return 0.0;
+  }
   const ModalState& state = *from_.state;
   const double unit = mm_per_unit(state.units);
   if (const WorkPlace place = work_place(number); place.exists()) {
@@ -145,6 +151,11 @@ std::optional<double> MachineValues::fanuc_number(int number) const {
 
 bool MachineValues::fanuc_take(int number, double value) {
   ModalState& state = *from_.state;
+  if (number == kAlarm || number == kMessage) {
+    using Kind = MacroSignal::Kind;
+    state.signal = {.kind = number == kAlarm ? Kind::alarm : Kind::stop, .number = value};
+    return true;
+  }
   const double unit = mm_per_unit(state.units);
   if (const WorkPlace place = work_place(number); place.exists()) {
     WorkOffset offset = state.coordinates.work(place.system);

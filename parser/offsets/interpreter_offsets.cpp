@@ -74,11 +74,11 @@ bool Interpreter::do_once() {
     case kG10:
       return set_data();
     case kG28:
-    case kG30:
-      return check_reference_point() &&
-             (codes_[Group::other] == kG28
-                  ? go_home(machine_.first_home_mm, machine_.first_home_extra_deg_mm)
-                  : go_home(machine_.second_home_mm, machine_.second_home_extra_deg_mm));
+      return go_home({machine_.first_home_mm, machine_.first_home_extra_deg_mm});
+    case kG30: {
+      const auto home = reference_point();
+      return home && go_home(*home);
+    }
     case kStoreG28:
       machine_.first_home_mm = state_.position_mm;
       machine_.first_home_extra_deg_mm = state_.extra_deg_mm;
@@ -109,7 +109,7 @@ void Interpreter::push_rapid(const Point& end_mm, const ExtraWords& extra_deg_mm
 
 // By way of the point that the axis words name; then only the axes that have a word go home, or
 // all where none has.
-bool Interpreter::go_home(const Point& home_mm, const ExtraWords& home_extra_deg_mm) {
+bool Interpreter::go_home(const HomePosition& home) {
   if (is_cycle(state_.motion)) {
     const Word& code = code_word(*block_, codes_, Group::other);
     return fail(code.offset, errors::kHomeInCycle,
@@ -117,7 +117,7 @@ bool Interpreter::go_home(const Point& home_mm, const ExtraWords& home_extra_deg
                         " while a canned cycle is active: cancel with G80 first"}));
   }
   if (!block_->has_any(axis_letters())) {
-    push_rapid(home_mm, home_extra_deg_mm);
+    push_rapid(home.mm, home.extra_deg_mm);
     return true;
   }
   Point via;
@@ -127,10 +127,10 @@ bool Interpreter::go_home(const Point& home_mm, const ExtraWords& home_extra_deg
   }
   push_rapid(via, extra_via);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    via[axis] = block_->has(axis_letter(axis)) ? home_mm[axis] : via[axis];
+    via[axis] = block_->has(axis_letter(axis)) ? home.mm[axis] : via[axis];
   }
   for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
-    extra_via[axis] = block_->has(kExtraNames[axis]) ? home_extra_deg_mm[axis] : extra_via[axis];
+    extra_via[axis] = block_->has(kExtraNames[axis]) ? home.extra_deg_mm[axis] : extra_via[axis];
   }
   push_rapid(via, extra_via);
   return true;

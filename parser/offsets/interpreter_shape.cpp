@@ -1,4 +1,4 @@
-// Fanuc: G54.1, G50 and G51, G68 and G69.
+// Fanuc: G54.1, G50 and G51, G50.1 and G51.1, G68 and G69.
 #include <cmath>
 
 #include "parser/errors/shape.hpp"
@@ -29,8 +29,38 @@ bool Interpreter::shape_program() {
   if (codes_[Group::program_turn] == 690) {
     state_.coordinates.set_program_turn({});
   }
-  return (codes_[Group::scaling] != 510 || scale_program()) &&
+  return (!codes_.has(Group::mirror) || mirror_program()) &&
+         (codes_[Group::scaling] != 510 || scale_program()) &&
          (codes_[Group::program_turn] != 680 || turn_program());
+}
+
+// G51.1 mirrors each axis that has a word about the coordinate it names; G50.1 ends that for the
+// axes that have a word, or for all. As on the control the mirror is around scaling and turn.
+bool Interpreter::mirror_program() {
+  const Word& code = code_word(*block_, codes_, Group::mirror);
+  if (state_.coordinates.scaled_or_turned()) {
+    return fail(code.offset, errors::kMirrorUnderShape,
+                joined({upper(block_->text(code)),
+                        " cannot be used while G51 or G68 is active: write G69 and G50 first"}));
+  }
+  if (!refuse_extra(joined({"with ", upper(block_->text(code))}))) {
+    return false;
+  }
+  const bool ends = codes_[Group::mirror] == 501;
+  if (!ends && !needs_axis_words()) {
+    return false;
+  }
+  const Point here = state_.coordinates.to_program(state_.position_mm);
+  const Point words = axis_words_mm();
+  Mirror mirror = state_.coordinates.mirror();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (block_->has(axis_letter(axis))) {
+      mirror.mirrored[axis] = !ends;
+      mirror.about_mm[axis] = ends ? 0.0 : words[axis] + (state_.incremental ? here[axis] : 0.0);
+    }
+  }
+  state_.coordinates.set_mirror(block_->has_any(kAxisLetters) ? mirror : Mirror{});
+  return true;
 }
 
 // A factor without a decimal point counts in thousandths, as on the control: P2000 is 2.
@@ -112,8 +142,9 @@ bool Interpreter::check_unshaped() {
     return true;
   }
   const Word& code = code_word(*block_, codes_, Group::other);
-  return fail(code.offset, errors::kOffsetUnderShape,
-              joined({upper(block_->text(code)), " cannot be used while G51 or G68 is active"}));
+  return fail(
+      code.offset, errors::kOffsetUnderShape,
+      joined({upper(block_->text(code)), " cannot be used while G51, G51.1 or G68 is active"}));
 }
 
 }  // namespace kerf::parser

@@ -12,6 +12,7 @@ namespace kerf::parser {
 
 namespace {
 
+constexpr Tenths kG92 = 920;
 constexpr double kLargestSpeed = 1e9;
 constexpr double kTwoPi = 6.283185307179586477;
 constexpr double kRadPerDegree = kTwoPi / 360.0;
@@ -33,21 +34,28 @@ bool Interpreter::set_speed() {
     return fail(word.offset, errors::kSpeedOutOfRange,
                 joined({"S: value ", upper(block_->text(word).substr(1, 40)), " is out of range"}));
   }
-  state_.spindle_speed = word.value;
+  if (dialect_ == Dialect::fanuc && codes_[Group::other] == kG92) {
+    state_.surface_speed.most_per_min = word.value;
+  } else {
+    state_.spindle_speed = word.value;
+  }
   return true;
 }
 
 bool Interpreter::set_spindle_mode() {
   if (codes_[Group::spindle_mode] == 970) {
     state_.spindle_speed = spindle_per_min();  // until S says otherwise
-    state_.surface_speed = {};
+    state_.surface_speed.active = false;
     return true;
   }
   if (!block_->has('S')) {
     return fail(code_word(*block_, codes_, Group::spindle_mode).offset,
                 errors::kSurfaceSpeedWithoutS, "G96 needs S (surface speed)");
   }
-  state_.surface_speed = {.active = true};
+  if (dialect_ == Dialect::rs274) {
+    state_.surface_speed = {};
+  }
+  state_.surface_speed.active = true;
   if (block_->has('D')) {
     const Word& word = block_->word('D');
     if (word.value < 0.0) {

@@ -11,6 +11,11 @@
 
 namespace kerf::parser {
 
+struct HomePosition {
+  Point mm{};  // in machine coordinates
+  ExtraWords extra_deg_mm{};
+};
+
 struct MachineData {
   std::array<WorkOffset, Coordinates::kSystems> work{};  // G54 to G59.3
   Point first_home_mm{};                                 // G28, in machine coordinates
@@ -18,6 +23,7 @@ struct MachineData {
   Letters extra_axes = 0;  // those of A, B, C, U, V, W that the machine has
   ExtraWords first_home_extra_deg_mm{};
   ExtraWords second_home_extra_deg_mm{};
+  std::array<HomePosition, 2> further_homes{};  // Fanuc: G30 P3, P4
   ToolTable tools;
   std::optional<TouchBox> touch_box{};  // what G38 finds
   // What a number without a decimal point counts in, in the Fanuc dialect; 0: millimetres.

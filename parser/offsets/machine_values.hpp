@@ -23,7 +23,7 @@ namespace kerf::parser {
 // Fanuc's numbers, all in the program's units: #5001.. and #5041.. (position), #5021.. (on the
 // machine), #5061.. (G31), #5081.. (tool offset), #5221.. to #5321.., #7001.. and #14001.. (work
 // offsets), #2001.., #11001.. (lengths of tools), #13001.. (radii), #4001.. and #4109, #4119, #4120
-// (modes).
+// (modes). Writing #3000 and #3006 raises ModalState::signal.
 //
 // Writing an offset in force takes effect when it is chosen anew, writing #5211 to #5219 at the
 // next G92.3; Fanuc's take effect at once. #5400 to #5413 and #5420 to #5428 cannot be written.

@@ -78,6 +78,9 @@ Group taker_of_axes(const Block& block, const BlockCodes& codes) {
   if (codes[Group::program_turn] == 680) {
     return Group::program_turn;
   }
+  if (codes.has(Group::mirror)) {
+    return Group::mirror;
+  }
   const Tenths length = codes[Group::length_offset];
   const bool takes = length == 431 || (length == 432 && !block.has('H'));
   return takes ? Group::length_offset : Group::count;

@@ -64,7 +64,7 @@ void check(const Move& move) {
 
 ReaderOptions options_of(std::uint8_t bits) {
   ReaderOptions options;
-  options.block_delete = (bits & 1) != 0;
+  options.block_delete = (bits & 1) != 0 ? BlockDelete::all() : BlockDelete();
   options.dialect = (bits & 2) != 0 ? Dialect::fanuc : Dialect::rs274;
   options.machine = default_machine_data();
   options.machine.extra_axes = (bits & 4) != 0 ? kExtraLetters : 0;

@@ -69,6 +69,26 @@ TEST(FanucFlow, RunsTheRestOfALineThatBeginsWithAnIf) {
       << "columns stay what they are";
 }
 
+TEST(FanucFlow, RefusesFormsOfIfThatItDoesNotHave) {
+  EXPECT_EQ(messages("IF[1EQ1]THEN IF[1EQ1]THEN#2=3\nM30\n"),
+            "1:14: error: IF cannot stand behind THEN: write GOTO\n");
+  EXPECT_EQ(messages("IF[1EQ1]THEN WHILE[1EQ0]DO1\nM30\n"),
+            "1:14: error: WHILE cannot stand behind THEN: write GOTO\n");
+  EXPECT_EQ(messages("IF[1EQ1]THEN (HERE)\n#2=3\nELSE\n#2=4\nENDIF\nM30\n"),
+            "1:13: error: THEN needs a statement behind it in the same line\n"
+            "3:1: error: ELSE and ENDIF are not supported: write IF [..] GOTO around the blocks\n"
+            "5:1: error: ELSE and ENDIF are not supported: write IF [..] GOTO around the blocks\n");
+}
+
+TEST(FanucFlow, RaisesAlarmsAndStops) {
+  EXPECT_EQ(messages("IF [#18 EQ #0] THEN #3000=12(R IS MISSING)\nG0 X1 Q\nM30\n"),
+            "1:21: error: the program raises alarm 3012 (R IS MISSING)\n"
+            "2:1: warning: blocks after the program's end are never executed\n");
+  const Program program = read_program("G0 X1\n#3006=1(LOOK)\nG0 X2\nM30\n", fanuc());
+  EXPECT_FALSE(program.has_errors);
+  EXPECT_EQ(text_of(program.moves.at(1)), "2: program stop 0");
+}
+
 TEST(FanucFlow, PassesArgumentsByLetter) {
   const std::string macro = "M30\nO100\nG0 X#24\nG0 X#1\nG0 X#4\nG0 X#26\nG0 X#11\nM99";
   EXPECT_EQ(path("O1\nG65 P100 X1 A2 I3 Z4 H5\n" + macro), "1 2 3 4 5");
@@ -87,6 +107,37 @@ TEST(FanucFlow, GivesAMacroItsOwnLocals) {
 TEST(FanucFlow, CallsAMacroAfterEachMove) {
   EXPECT_EQ(path("O1\nG66 P100 A5\nG0 X1\nG0 X2\nG67\nG0 X3\nM30\nO100\nG91\nG0 X#1\nG90\nM99"),
             "1 6 2 7 3");
+}
+
+TEST(FanucFlow, CallsMacrosAfterTheMovesOfMacros) {
+  // 200 was given last, so it runs after X1; its own move calls 100, whose move calls nothing.
+  const std::string macros = "M30\nO100\nG0 X100\nM99\nO200\nG0 X200\nM99";
+  EXPECT_EQ(path("O1\nG66 P100\nG66 P200\nG0 X1\nG67\nG0 X2\nG67\nG0 X3\n" + macros),
+            "1 200 100 2 100 3");
+  EXPECT_EQ(path("O1\nG66 P100\nM98 P5\nG67\nG0 X2\nM30\nO5\nG0 X5\nM99\n" + macros), "5 100 2")
+      << "moves of a subprogram call it too";
+  EXPECT_EQ(messages("O1\nG66 P100\nG66 P100\nG66 P100\nG66 P100\nG66 P100\n" + macros + "\n")
+                .substr(0, 71),
+            "6:1: error: at most 4 modal calls (G66) may be in force: cancel with G6");
+}
+
+TEST(FanucFlow, CallsProgramsByName) {
+  EXPECT_EQ(path("O<MAIN>\nG0 X1\nM98 <Pocket 2> L2\nG65 <POCKET2> A7\nG66<POCKET2>\nG0X6\nG67\n"
+                 "M30\nO<POCKET 2>\nG91 G0 X1\nG90\nM99"),
+            "1 2 3 4 6 7");
+  EXPECT_EQ(path_of("M98 <POCKET>\nM30",
+                    [] {
+                      ReaderOptions options = with_files({{"pocket", "O<POCKET>\nG0 X5\nM99\n"}});
+                      options.dialect = Dialect::fanuc;
+                      return options;
+                    }()),
+            "5");
+  EXPECT_EQ(messages("M98 <GONE>\nM30\n"), "1:1: error: program <gone> is not found\n");
+  EXPECT_EQ(messages("M98 <A> P1\nM30\nO<A>\nM99\n"),
+            "1:9: error: M98: the program is given by its name and by P\n");
+  EXPECT_EQ(messages("G65 <A> P1\nM30\nO<A>\nM99\n"),
+            "1:9: error: G65: the program is given by its name and by P\n");
+  EXPECT_EQ(messages("G0 <A>\nM30\n").substr(0, 11), "1:4: error:");
 }
 
 TEST(FanucFlow, M99GoesOnAtAnotherBlock) {

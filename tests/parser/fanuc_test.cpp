@@ -13,6 +13,8 @@ Lines run(const std::string& text, double least_increment_mm = 0.0) {
   options.dialect = Dialect::fanuc;
   options.machine = default_machine_data();
   options.machine.second_home_mm = {1, 2, 3};
+  options.machine.further_homes[0].mm = {4, 5, 6};
+  options.machine.further_homes[1].mm = {7, 8, 9};
   options.machine.least_increment_mm = least_increment_mm;
   const Program program = read_program(text + "\nM30\n", options);
   Lines lines;
@@ -42,11 +44,85 @@ TEST(Fanuc, DwellingMovesNothing) {
             (Lines{"p:1:5: error: G4 takes the time in P, X or U, not in Z [E0144]"}));
 }
 
-TEST(Fanuc, ReturnsToTheSecondReferencePoint) {
+TEST(Fanuc, ReturnsToTheSecondToFourthReferencePoint) {
   EXPECT_EQ(run("G30 P2 X0 Y0"), (Lines{"1: rapid to 1 2 0"}));
-  EXPECT_EQ(run("G30 P3 X0").at(0),
-            "p:1:5: error: G30: P must be 2 (this machine has no other reference point), found 3 "
-            "[E0901]");
+  EXPECT_EQ(
+      run("G30 X0 Y0\nG30 P3 X0 Z0\nG30 P4"),
+      (Lines{"1: rapid to 1 2 0", "2: rapid to 0 2 0", "2: rapid to 4 2 6", "3: rapid to 7 8 9"}));
+  EXPECT_EQ(run("G30 P5 X0").at(0), "p:1:5: error: G30: P must be 2, 3 or 4, found 5 [E0901]");
+}
+
+TEST(Fanuc, OfAMotionAndACycleInOneBlockTheLastOneCounts) {
+  const std::string hole = " X1. Z-2. R1. F60";
+  EXPECT_EQ(run("G0 Z5.\nG1 G81" + hole), run("G0 Z5.\nG81" + hole));
+  EXPECT_EQ(run("G0 Z5.\nG81 G1 X1. F60"), (Lines{"1: rapid to 0 0 5", "2: line to 1 0 5 feed 1"}));
+  EXPECT_EQ(run("G0 Z5.\nG81 G1" + hole).at(0),
+            "p:2:17: error: R is not used in this block [E0150]");
+}
+
+TEST(Fanuc, G80ComesBackToTheMotionBeneathTheCycle) {
+  const std::string hole = " X1. Z-2. R1. F60\n";
+  EXPECT_EQ(run("G0 Z5.\nG1 G81" + hole + "G80\nX3.").back(), "4: line to 3 0 5 feed 1");
+  EXPECT_EQ(run("G0 Z5.\nG81" + hole + "G83 X2. Q1.\nG80 X3.").back(), "4: rapid to 3 0 5");
+  EXPECT_EQ(run("G1 X1. F60\nG80\nX3.").back(), "3: line to 3 0 0 feed 1")
+      << "there is no cycle to end";
+  EXPECT_EQ(run("G80 X3.").at(0),
+            "p:1:5: error: axis words are given but no motion mode is active (G0, G1, G2 ... is "
+            "expected) [E0145]");
+}
+
+TEST(Fanuc, RefusesWhatDependsOnTheControlsParameters) {
+  EXPECT_EQ(run("S500 M3\nG87 X5. Y5. Z-5. R1. Q1. F100").at(0),
+            "p:2:1: error: G87 with Fanuc's words (Q: the shift) is not supported [E0815]");
+  EXPECT_EQ(run("G76 X5. Z-5. R1. Q1. F100").at(0),
+            "p:1:1: error: G76 is not supported (fine boring: the way aside is a parameter of the "
+            "control): write the moves out [E0103]");
+  EXPECT_EQ(run("G41 D1 G1 X20. F60\nG42 X40.\nX60.").at(0),
+            "p:2:1: error: G42 while G41 is active: a change of side is not supported, write G40 "
+            "between them [E0748]");
+}
+
+TEST(Fanuc, RoundsInStatementsAndNotInAddresses) {
+  EXPECT_EQ(run("#1=ROUND[2.6]\nG0 X#1\nG[ROUND[0.6]] X4. F60"),
+            (Lines{"2: rapid to 3 0 0", "3: line to 4 0 0 feed 1"}));
+  EXPECT_EQ(run("G0 X[1+ROUND[2.6]]").at(0),
+            "p:1:8: error: ROUND in the value of X (Fanuc: to the least increment) is not "
+            "supported: round in a statement before [E0908]");
+}
+
+TEST(Fanuc, G92SHoldsTheSpeedOfG96) {
+  EXPECT_EQ(run("G92 S300\nG96 S100 M3").at(0), "2: spindle cw 300") << "at X0";
+  EXPECT_EQ(run("G92 S300 X5.\nG96 S100 M3\nG97 S50\nG92 S10\nG96 S100").back(),
+            "5: spindle cw 10");
+}
+
+TEST(Fanuc, LeavesOutTheBlocksWhoseSwitchIsOn) {
+  const auto xs_with = [](BlockDelete switches) {
+    ReaderOptions options;
+    options.dialect = Dialect::fanuc;
+    options.block_delete = switches;
+    const Program program = read_program(
+        "/G0 X1.\n/1 G0 X2.\n/2 G0 X3.\n /9G0X4.\nG0 X5.\n/2GOTO 7\nG0 X6.\nN7 G0 "
+        "X7.\nM30\n",
+        options);
+    EXPECT_TRUE(program.diagnostics.empty());
+    std::string xs;
+    for (const Move& move : program.moves) {
+      if (const auto* line = std::get_if<LineMove>(&move.shape)) {
+        xs += text_of(line->end_mm).substr(0, 1);
+      }
+    }
+    return xs;
+  };
+  BlockDelete first;
+  first.switch_on(1);
+  BlockDelete second_and_ninth;
+  second_and_ninth.switch_on(2);
+  second_and_ninth.switch_on(9);
+  EXPECT_EQ(xs_with({}), "123457");
+  EXPECT_EQ(xs_with(first), "3457");
+  EXPECT_EQ(xs_with(second_and_ninth), "12567");
+  EXPECT_EQ(xs_with(BlockDelete::all()), "567");
 }
 
 TEST(Fanuc, AddsWearToTheGeometryOfAToolsLength) {

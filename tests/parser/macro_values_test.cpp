@@ -55,7 +55,8 @@ TEST_F(MacroValue, FunctionsHaveFanucsForms) {
   EXPECT_EQ(value_of("POW[2,10]"), "1024");
   EXPECT_EQ(value_of("BCD[10]"), "16");
   EXPECT_EQ(value_of("BIN[16]"), "10");
-  EXPECT_EQ(value_of("RO[2.5]+FI[3.9]"), "6");
+  x_of("#1=RO[2.5]+FI[3.9]");
+  EXPECT_EQ(x_of("X#1"), "6");
   EXPECT_EQ(value_of("POW[2]"), "3: POW needs the form POW[base,exponent]");
   EXPECT_EQ(value_of("BIN[10]"), "3: BIN needs eight decimal digits at most, found 10");
   EXPECT_EQ(value_of("2**3"), "4: an operator or ']' is expected, found '*'");

@@ -71,7 +71,7 @@ TEST(ProgramReader, IgnoresCaseBlanksAndLeadingZeros) {
 TEST(ProgramReader, LeavesOutDeletedBlocksWhenAsked) {
   const std::string text = "/G0 X1\nG0 X2\n /G0 X3 typing error\n";
   ReaderOptions options;
-  options.block_delete = true;
+  options.block_delete = BlockDelete::all();
   const Program program = read_program(text, options);
   ASSERT_EQ(program.moves.size(), 1U);
   EXPECT_EQ(std::get<LineMove>(program.moves[0].shape).end_mm[0], 2.0);

@@ -54,6 +54,42 @@ TEST(Shape, MirrorsTurnTheSenseOfArcs) {
             "2: counterclockwise in xy about -1 0 0 to -1 1 0 turns 1 feed 1");
 }
 
+TEST(Shape, MirrorsAxesAboutCoordinates) {
+  EXPECT_EQ(lines_of("G51.1 X10\nG0 X13 Y1\nG51.1 Y2\nX13 Y1\nG50.1 X0\nX13 Y1\nG50.1\nX13 Y1"),
+            (Lines{"2: rapid to 7 1 0", "4: rapid to 7 3 0", "6: rapid to 13 3 0",
+                   "8: rapid to 13 1 0"}));
+  EXPECT_EQ(lines_of("G0 X4\nG51.1 X5\nG91 G0 X1").back(), "3: rapid to 3 0 0");
+  EXPECT_EQ(lines_of("G52 X100\nG51.1 X1\nG0 X3").back(), "3: rapid to 99 0 0")
+      << "the mirror stands in the program's coordinates";
+}
+
+TEST(Shape, MirrorsReverseArcsTurnsAndTheSideOfTheCutter) {
+  EXPECT_EQ(lines_of("G51.1 X0\nF60 G2 X2 I1").back(),
+            "2: counterclockwise in xy about -1 0 0 to -2 0 0 turns 1 feed 1");
+  EXPECT_EQ(lines_of("G51.1 X0 Y0\nF60 G2 X2 I1").back(),
+            "2: clockwise in xy about -1 0 0 to -2 0 0 turns 1 feed 1");
+  EXPECT_EQ(lines_of("G51.1 X0\nG68 X0 Y0 R90\nG0 X2 Y1").back(), "3: rapid to 1 2 0")
+      << "(2, 1) turned is (-1, 2), in the mirror (1, 2)";
+  // The mirror image of a contour is as far from the mirror image of the tool's way.
+  EXPECT_EQ(lines_of("G51.1 X0\nG41.1 D4 G1 F60 X20\nX40\nG40 X60 Y-9").front(),
+            "2: line to -20 2 0 feed 1");
+  EXPECT_EQ(lines_of("G51 X0 Y0 I-1. J1.\nG41.1 D4 G1 F60 X20\nX40\nG40 X60 Y-9").front(),
+            "2: line to -20 2 0 feed 1");
+}
+
+TEST(Shape, ChangesMirrorsOnlyOutsideScalesTurnsAndCompensation) {
+  EXPECT_EQ(
+      lines_of("G68 X0 Y0 R90\nG51.1 X0").front(),
+      "program:2:1: error: G51.1 cannot be used while G51 or G68 is active: write G69 and G50 "
+      "first");
+  EXPECT_EQ(lines_of("G51.1").front(), "program:1:1: error: G51.1 needs at least one axis word");
+  EXPECT_EQ(lines_of("G51.1 X0\nG52 X1").front(),
+            "program:2:1: error: G52 cannot be used while G51, G51.1 or G68 is active");
+  EXPECT_EQ(lines_of("G41.1 D4 G1 F60 X20\nG51.1 X0\nX40").front(),
+            "program:2:1: error: G51.1 cannot be used while cutter compensation is active: cancel "
+            "with G40 first");
+}
+
 TEST(Shape, ChoosesExtendedWorkOffsets) {
   EXPECT_EQ(lines_of("G10 L20 P48 X7\nG54.1 P48 G0 X1\nG54 X1"),
             (Lines{"2: rapid to 8 0 0", "3: rapid to 1 0 0"}));

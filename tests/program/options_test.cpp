@@ -32,7 +32,8 @@ TEST(CommandLine, HasDefaults) {
   EXPECT_EQ(options.profile, profiles::ProfileKind::s_curve);
   EXPECT_EQ(options.window_blocks, 1000U);
   EXPECT_FALSE(options.machine_file || options.trace_file || options.plot_file);
-  EXPECT_FALSE(options.json || options.quiet || options.block_delete);
+  EXPECT_FALSE(options.json || options.quiet);
+  EXPECT_EQ(options.block_delete, parser::BlockDelete());
 }
 
 TEST(CommandLine, TakesADialect) {
@@ -57,7 +58,23 @@ TEST(CommandLine, TakesEveryOption) {
   EXPECT_EQ(options.trace_file, "t.csv");
   EXPECT_EQ(options.plot_file, "p.svg");
   EXPECT_EQ(options.window_blocks, 50U);
-  EXPECT_TRUE(options.json && options.quiet && options.block_delete);
+  EXPECT_TRUE(options.json && options.quiet);
+  EXPECT_EQ(options.block_delete, parser::BlockDelete::all());
+}
+
+TEST(CommandLine, TakesTheBlockDeleteSwitchesThatAreOn) {
+  parser::BlockDelete second_and_ninth;
+  second_and_ninth.switch_on(2);
+  second_and_ninth.switch_on(9);
+  EXPECT_EQ(std::get<Options>(parse({"check", "--block-delete=2,9", "a.nc"})).block_delete,
+            second_and_ninth);
+  const auto without_list = parse({"check", "--block-delete", "a.nc"});
+  EXPECT_EQ(std::get<Options>(without_list).files, std::vector<std::string>{"a.nc"});
+  for (const char* const wrong : {"0", "10", "1,", ",1", "1 2", "x", "1,,2"}) {
+    EXPECT_NE(refusal({"check", "a.nc", (std::string("--block-delete=") + wrong).c_str()}),
+              "accepted")
+        << wrong;
+  }
 }
 
 TEST(CommandLine, TakesSeveralFilesWhereThatMakesSense) {

@@ -1,0 +1,53 @@
+// G66: the macros that each move calls.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+#include "parser/flow/call.hpp"
+
+namespace kerf::parser {
+
+// Modal calls lie over each other: a move calls the last one, a move in the macro of that the one
+// beneath it, and so on; G67 takes the last one away.
+class ModalCalls {
+ public:
+  static constexpr std::size_t kMost = 4;
+
+  [[nodiscard]] bool any() const { return count_ > 0; }
+  // False: there are as many as there may be.
+  bool add(Call call) {
+    if (count_ == kMost) {
+      return false;
+    }
+    calls_[count_++] = std::move(call);
+    return true;
+  }
+  void cancel() { count_ -= count_ > 0 ? 1 : 0; }
+
+  // The call that a move makes which stands `depth` calls deep; nullptr: none is left.
+  const Call* begin(std::size_t depth) {
+    while (running_ > 0 && depth < running_at_[running_ - 1].depth) {
+      --running_;  // that macro has returned
+    }
+    const std::size_t above = running_ > 0 ? running_at_[running_ - 1].call : count_;
+    if (above == 0 || above > count_) {
+      return nullptr;
+    }
+    running_at_[running_++] = {above - 1, depth + 1};
+    return &calls_[above - 1];
+  }
+
+ private:
+  struct Running {
+    std::size_t call = 0;   // in calls_
+    std::size_t depth = 0;  // of the macro's own lines
+  };
+  std::array<Call, kMost> calls_;
+  std::size_t count_ = 0;
+  std::array<Running, kMost> running_at_;  // each of a call beneath that of the one before
+  std::size_t running_ = 0;
+};
+
+}  // namespace kerf::parser
