@@ -139,6 +139,7 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   if (status == TickStatus::running) {
     plan_tick_.store(plan_tick() + 1, std::memory_order_relaxed);
   }
+  follow_surface(now_.position_mm, now_.outputs);
   setpoint = now_;
   return status;
 }

@@ -1,11 +1,14 @@
 #include "interp/outputs.hpp"
 
+#include <cmath>
+
 namespace kerf::interp {
 
 namespace {
 
 void stop_spindle(Outputs& outputs) noexcept {
   outputs.spindle_rad_s = 0.0;
+  outputs.surface = {};
   outputs.spindle_held = false;
 }
 
@@ -24,6 +27,7 @@ void apply(const Switch& change, Outputs& outputs) noexcept {
     case SwitchKind::spindle:
       stop_spindle(outputs);
       outputs.spindle_rad_s = change.value;
+      outputs.surface = change.surface;
       break;
     case SwitchKind::hold_spindle:
       stop_spindle(outputs);
@@ -59,6 +63,19 @@ void apply(const Switch& change, Outputs& outputs) noexcept {
       outputs.mist = outputs.flood = false;
       break;
   }
+}
+
+void follow_surface(const curves::Position& position_mm, Outputs& outputs) noexcept {
+  const SurfaceSpeed& surface = outputs.surface;
+  if (surface.mm_s == 0.0) {
+    return;
+  }
+  const double radius_mm = std::fabs(surface.per_x * position_mm[0] +
+                                     surface.per_y * position_mm[1] + surface.at_origin_mm);
+  const double speed_mm_s = std::fabs(surface.mm_s);
+  const bool limited = speed_mm_s >= surface.most_rad_s * radius_mm;
+  const double rad_s = limited ? surface.most_rad_s : speed_mm_s / radius_mm;
+  outputs.spindle_rad_s = std::copysign(rad_s, surface.mm_s);
 }
 
 }  // namespace kerf::interp

@@ -10,6 +10,21 @@ double rad_s_from(double per_min) {
   return per_min * kRadPerRevolution / 60.0;
 }
 
+interp::Switch spindle_of(const parser::EventMove& event) {
+  const double sign = event.kind == parser::EventKind::spindle_cw ? 1.0 : -1.0;
+  const parser::SurfaceFollowing& surface = event.surface;
+  interp::Switch change{.kind = interp::SwitchKind::spindle,
+                        .value = sign * rad_s_from(event.value)};
+  if (surface.mm_s != 0.0) {
+    change.surface = {.mm_s = sign * surface.mm_s,
+                      .most_rad_s = rad_s_from(surface.most_per_min),
+                      .per_x = surface.per_x,
+                      .per_y = surface.per_y,
+                      .at_origin_mm = surface.at_origin_mm};
+  }
+  return change;
+}
+
 }  // namespace
 
 std::optional<interp::Switch> switch_of(const parser::EventMove& event) {
@@ -20,9 +35,8 @@ std::optional<interp::Switch> switch_of(const parser::EventMove& event) {
     case EventKind::program_end:
       return Switch{.kind = SwitchKind::all_off};
     case EventKind::spindle_cw:
-      return Switch{.kind = SwitchKind::spindle, .value = rad_s_from(event.value)};
     case EventKind::spindle_ccw:
-      return Switch{.kind = SwitchKind::spindle, .value = -rad_s_from(event.value)};
+      return spindle_of(event);
     case EventKind::spindle_off:
       return Switch{.kind = SwitchKind::spindle};
     case EventKind::spindle_orient:

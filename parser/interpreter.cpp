@@ -151,6 +151,9 @@ bool Interpreter::execute() {
       return false;
     }
   }
+  if (state_.surface_speed.active) {
+    follow_moved_axis();
+  }
   if (!move()) {
     return false;
   }

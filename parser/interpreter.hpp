@@ -139,6 +139,9 @@ class Interpreter {
   bool set_speed();
   bool set_spindle_mode();
   [[nodiscard]] double spindle_per_min() const;
+  [[nodiscard]] SurfaceFollowing surface_following() const;
+  EventMove turn_spindle(Spindle direction);
+  void follow_moved_axis();
   bool start_spindle();
   bool orient_spindle();
   bool feedrate_per_revolution(double& feedrate_mm_s);
@@ -249,6 +252,7 @@ class Interpreter {
   std::uint16_t file_ = 0;
   MachineValues values_{{&state_, &machine_, &dialect_, &line_, &saved_modes_}};
   std::uint32_t reported_line_ = 0;  // one error per block
+  SurfaceFollowing surface_sent_{};
   bool no_feed_reported_ = false;
   bool stopped_spindle_reported_ = false;
   bool program_ended_ = false;

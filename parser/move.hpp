@@ -59,8 +59,8 @@ enum class EventKind : std::uint8_t {
   program_stop,       // M0
   optional_stop,      // M1
   program_end,        // M2, M30, closing %
-  spindle_cw,         // M3, or a new speed while turning so; value = revolutions per minute
-  spindle_ccw,        // M4, or a new speed while turning so; value = revolutions per minute
+  spindle_cw,         // M3, or a new speed while turning so; value = revolutions per minute here
+  spindle_ccw,        // M4, or a new speed while turning so; value = revolutions per minute here
   spindle_off,        // M5
   tool_change,        // M6, value = T
   mist_on,            // M7
@@ -79,11 +79,24 @@ enum class EventKind : std::uint8_t {
 inline constexpr int kDigitalOutputs = 64;
 inline constexpr int kAnalogOutputs = 8;
 
+// G96: the speed at which the workpiece passes the tool. The tool's distance from the axis is
+// |per_x x + per_y y + at_origin_mm| of the moves' coordinates.
+struct SurfaceFollowing {
+  double mm_s = 0.0;  // 0: not in force
+  double most_per_min = 0.0;
+  double per_x = 1.0;
+  double per_y = 0.0;
+  double at_origin_mm = 0.0;
+
+  friend bool operator==(const SurfaceFollowing&, const SurfaceFollowing&) = default;
+};
+
 // Something the machine does with the tool at rest, but for the two kinds that say otherwise.
 struct EventMove {
   EventKind kind = EventKind::program_stop;
   double value = 0.0;
   std::int32_t index = 0;
+  SurfaceFollowing surface{};  // of spindle_cw and spindle_ccw, which then follow it
 };
 
 enum class PathMode : std::uint8_t { exact_path, exact_stop, blend };  // G61, G61.1, G64

@@ -38,7 +38,9 @@ class ProgramReader::Impl {
   bool next(Move& move);  // program_lines.cpp
   [[nodiscard]] bool at_end() const { return ended_ && all_fetched_ && !flow_.needs_rest(); }
   [[nodiscard]] const DiagnosticList& diagnostics() const { return diagnostics_; }
-  [[nodiscard]] const std::optional<WatchedBlock>& watched_block() const { return watched_block_; }
+  [[nodiscard]] const std::optional<WatchedBlock>& watched_block() const {
+    return flow_.watched_statement() ? flow_.watched_statement() : watched_block_;
+  }
   [[nodiscard]] std::size_t held_bytes() const { return flow_.held_bytes(); }
   [[nodiscard]] std::string_view file_name(std::uint16_t file) const {
     return flow_.file_name(file);

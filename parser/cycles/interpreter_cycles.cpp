@@ -276,8 +276,7 @@ void Interpreter::push_cycle_step(const CycleStep& step, double feedrate_mm_s) {
       move.shape = EventMove{EventKind::program_stop, 0.0};
       break;
     default:
-      move.shape =
-          EventMove{clockwise ? EventKind::spindle_cw : EventKind::spindle_ccw, spindle_per_min()};
+      move.shape = turn_spindle(clockwise ? Spindle::clockwise : Spindle::counterclockwise);
       break;
   }
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "parser/interpreter.hpp"
 #include "parser/program_input.hpp"
 #include "parser/reader_options.hpp"
+#include "parser/watched_block.hpp"
 
 namespace kerf::parser {
 
@@ -78,6 +80,8 @@ class Flow {
   [[nodiscard]] std::string_view file_name(std::uint16_t file) const {
     return file == 0 ? std::string_view() : files_[file - 1U]->origin().file_name;
   }
+  // The watched line, where it is a statement, as it was about to run for the first time.
+  [[nodiscard]] const std::optional<WatchedBlock>& watched_statement() const { return watched_; }
   [[nodiscard]] std::size_t call_depth() const { return frames_.size(); }
   // Not in a subprogram's file.
   [[nodiscard]] bool in_program_text() const { return text_ == main_.get(); }
@@ -132,6 +136,7 @@ class Flow {
 
   // flow_statements.cpp
   void run(std::uint32_t index);
+  void watch();
   void run_o_word(std::uint32_t index, const Statement& statement);
   bool read_value(std::size_t& at, double& value);
   bool value_of(const Statement& statement, double& value);
@@ -192,6 +197,7 @@ class Flow {
   std::uint64_t idle_steps_ = 0;
   ProgramText* loop_text_ = nullptr;  // of the last line jumped back to; nullptr: none
   std::uint32_t loop_line_ = 0;
+  std::optional<WatchedBlock> watched_;
   bool active_ = false;
   bool keeping_ = false;    // only because statements may come
   bool forgotten_ = false;  // text before what is held has been dropped

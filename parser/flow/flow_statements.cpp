@@ -11,7 +11,14 @@
 
 namespace kerf::parser {
 
+void Flow::watch() {
+  if (!watched_ && in_program_text() && text_->number_of(current_) == options_->watched_line) {
+    watched_ = WatchedBlock{std::string(text_->line(current_).view()), interpreter_->state()};
+  }
+}
+
 void Flow::run(std::uint32_t index) {
+  watch();
   const Statement& statement = text_->statement(index);
   keeping_ = keeping_ && statement.keyword == Keyword::program;
   if (statement.keyword == Keyword::program) {
@@ -104,6 +111,7 @@ bool Flow::holds(const Statement& statement) {
 void Flow::try_clause(std::uint32_t index) {
   const Statement& clause = text_->statement(index);
   current_ = clause.line;
+  watch();
   cursor_ = clause.line + 1;
   if (clause.keyword == Keyword::elseif && !holds(clause)) {
     set_goal(Goal::next_clause, index);

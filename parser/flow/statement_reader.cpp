@@ -117,6 +117,24 @@ void read_o_word(std::string_view line, std::size_t at, Dialect dialect, Stateme
   }
 }
 
+// Behind THEN stands an assignment, GOTO or a block, in the same line.
+void check_then(std::string_view line, std::size_t behind, Statement& statement, Fault& fault) {
+  if (only_comment_left(line, behind)) {
+    refuse(
+        statement, fault,
+        fault_at(behind, errors::kThenForm, "THEN needs a statement behind it in the same line"));
+    return;
+  }
+  const std::size_t at = skip_blanks(line, behind);
+  for (const std::string_view keyword : {"IF", "WHILE", "DO", "END"}) {
+    if (behind_keyword(line, at, keyword) != 0) {
+      refuse(statement, fault,
+             fault_at(at, errors::kThenForm,
+                      joined({keyword, " cannot stand behind THEN: write GOTO"})));
+    }
+  }
+}
+
 // IF [..] GOTO, IF [..] THEN
 void read_if(std::string_view line, std::size_t behind, Statement& statement, Fault& fault) {
   statement.keyword = Keyword::macro_if;
@@ -134,26 +152,8 @@ void read_if(std::string_view line, std::size_t behind, Statement& statement, Fa
   if (behind_keyword(line, then, "goto") == 0 && behind_keyword(line, then, "then") == 0) {
     refuse(statement, fault,
            fault_at(then, errors::kNoThen, "THEN or GOTO is expected after IF [...]"));
-  } else if (const std::size_t behind = behind_keyword(line, then, "then"); behind != 0) {
-    check_then(line, behind, statement, fault);
-  }
-}
-
-// Behind THEN stands an assignment, GOTO or a block, in the same line.
-void check_then(std::string_view line, std::size_t behind, Statement& statement, Fault& fault) {
-  if (only_comment_left(line, behind)) {
-    refuse(
-        statement, fault,
-        fault_at(behind, errors::kThenForm, "THEN needs a statement behind it in the same line"));
-    return;
-  }
-  const std::size_t at = skip_blanks(line, behind);
-  for (const std::string_view keyword : {"IF", "WHILE", "DO", "END"}) {
-    if (behind_keyword(line, at, keyword) != 0) {
-      refuse(statement, fault,
-             fault_at(at, errors::kThenForm,
-                      joined({keyword, " cannot stand behind THEN: write GOTO"})));
-    }
+  } else if (const std::size_t action = behind_keyword(line, then, "then"); action != 0) {
+    check_then(line, action, statement, fault);
   }
 }
 

@@ -141,6 +141,11 @@ Point Coordinates::to_machine(const Point& program_mm) const {
   return sum(turned_to_machine(program_mm), shift_mm_);
 }
 
+Coordinates::ProgramX Coordinates::program_x() const {
+  const double area = x_from_x_ * y_from_y_ - x_from_y_ * y_from_x_;
+  return {y_from_y_ / area, -x_from_y_ / area, to_program({})[0]};
+}
+
 Point Coordinates::to_program(const Point& machine_mm) const {
   const Point d = difference(machine_mm, shift_mm_);
   const double area = x_from_x_ * y_from_y_ - x_from_y_ * y_from_x_;

@@ -99,6 +99,13 @@ class Coordinates {
   // The same for the extra axes, which are only moved, by local + origin.
   [[nodiscard]] ExtraWords extra_to_machine(const ExtraWords& program_deg_mm) const;
   [[nodiscard]] ExtraWords extra_to_program(const ExtraWords& machine_deg_mm) const;
+  // The program's X of a machine point is per_x x + per_y y + at_origin_mm.
+  struct ProgramX {
+    double per_x = 1.0;
+    double per_y = 0.0;
+    double at_origin_mm = 0.0;
+  };
+  [[nodiscard]] ProgramX program_x() const;
   // A distance along the program's axes as one along the machine's.
   [[nodiscard]] Point turned_to_machine(const Point& distance_mm) const;
 

@@ -11,6 +11,9 @@ constexpr Tenths kG52 = 520;
 
 // G52 X5 puts the local origin to X5 of the work offset; G92 X5 names the tool's place X5.
 bool Interpreter::set_local_offset() {
+  if (dialect_ == Dialect::fanuc && block_->has('S') && !block_->has_any(axis_letters())) {
+    return true;  // the highest speed of G96
+  }
   if (!needs_axis_words() || !check_unshaped()) {
     return false;
   }

@@ -84,10 +84,11 @@ void Interpreter::bring_back(const SavedModes& saved) {
     keep_contour_in_place(before);
   }
   if (state_.spindle != before.spindle || state_.spindle_speed != before.spindle_speed) {
-    const EventKind kind = state_.spindle == Spindle::off         ? EventKind::spindle_off
-                           : state_.spindle == Spindle::clockwise ? EventKind::spindle_cw
-                                                                  : EventKind::spindle_ccw;
-    push_event(kind, state_.spindle == Spindle::off ? 0.0 : spindle_per_min());
+    if (state_.spindle == Spindle::off) {
+      push_event(EventKind::spindle_off, 0.0);
+    } else {
+      push_move().shape = turn_spindle(state_.spindle);
+    }
   }
   if (state_.mist == before.mist && state_.flood == before.flood) {
     return;

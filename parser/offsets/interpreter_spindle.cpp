@@ -14,6 +14,7 @@ namespace {
 
 constexpr Tenths kG92 = 920;
 constexpr double kLargestSpeed = 1e9;
+constexpr double kSecondsPerMinute = 60.0;
 constexpr double kTwoPi = 6.283185307179586477;
 constexpr double kRadPerDegree = kTwoPi / 360.0;
 
@@ -67,18 +68,44 @@ bool Interpreter::set_spindle_mode() {
   return true;
 }
 
-// Revolutions per minute. With G96 those that give the surface speed S, in m/min or feet/min, at
-// the tool's distance from X0; the spindle is told anew where S, M3, M4 or G96 stand, not in
-// between.
+// Revolutions per minute. With G96 those that give the surface speed S at the place where the tool
+// is now.
 double Interpreter::spindle_per_min() const {
   if (!state_.surface_speed.active) {
     return state_.spindle_speed;
   }
-  const double metre_mm = state_.units == Units::inch ? 12.0 * 25.4 : 1000.0;
   const double radius_mm = std::fabs(state_.coordinates.to_program(state_.position_mm)[0]);
-  const double surface_mm = state_.spindle_speed * metre_mm;
+  const double surface_mm = surface_following().mm_s * kSecondsPerMinute;
   const double most = state_.surface_speed.most_per_min;
   return surface_mm >= most * kTwoPi * radius_mm ? most : surface_mm / (kTwoPi * radius_mm);
+}
+
+// What G96 has the machine follow: S in m/min or feet/min, about X0 of the program.
+SurfaceFollowing Interpreter::surface_following() const {
+  if (!state_.surface_speed.active) {
+    return {};
+  }
+  const double metre_mm = state_.units == Units::inch ? 12.0 * 25.4 : 1000.0;
+  const Coordinates::ProgramX x = state_.coordinates.program_x();
+  return {.mm_s = state_.spindle_speed * metre_mm / kSecondsPerMinute,
+          .most_per_min = state_.surface_speed.most_per_min,
+          .per_x = x.per_x,
+          .per_y = x.per_y,
+          .at_origin_mm = x.at_origin_mm};
+}
+
+EventMove Interpreter::turn_spindle(Spindle direction) {
+  surface_sent_ = surface_following();
+  return {.kind = direction == Spindle::clockwise ? EventKind::spindle_cw : EventKind::spindle_ccw,
+          .value = spindle_per_min(),
+          .surface = surface_sent_};
+}
+
+// Another work offset, tool offset or unit has changed what X0 or S is to a turning spindle.
+void Interpreter::follow_moved_axis() {
+  if (state_.spindle != Spindle::off && surface_following() != surface_sent_) {
+    push_move().shape = turn_spindle(state_.spindle);
+  }
 }
 
 // M3, M4, M5; a new S while the spindle turns is sent as its direction once more.
@@ -98,9 +125,7 @@ bool Interpreter::start_spindle() {
   }
   const bool changed = code != kNoCode || block_->has('S') || codes_.has(Group::spindle_mode);
   if (changed && state_.spindle != Spindle::off) {
-    push_event(
-        state_.spindle == Spindle::clockwise ? EventKind::spindle_cw : EventKind::spindle_ccw,
-        spindle_per_min());
+    push_move().shape = turn_spindle(state_.spindle);
   }
   return true;
 }

@@ -1,4 +1,6 @@
 // Spindle, coolant, tool and outputs reach the machine in step with the motion.
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -104,6 +106,48 @@ TEST(Switches, OfTheToolStopTheSpindle) {
   EXPECT_EQ(first(ticks, [](const Tick& t) { return t.seen.tool == 2; }).position_mm[0], 10.0);
   const Setpoint& held = first(ticks, [](const Tick& t) { return t.seen.spindle_held; });
   EXPECT_NEAR(held.outputs.spindle_angle_rad, kTwoPi / 4.0, 1e-12);
+}
+
+TEST(Switches, OfSurfaceSpeedFollowXTickByTick) {
+  // 120 m/min is 2000 mm/s; at X30 that is 2000/30 rad/s. D300 holds it to 10 pi rad/s.
+  const auto ticks = run("G0 X30\nG96 S120 M3\nG1 X-40 Y9 F6000\nG97 S60\nG0 X0\nM2\n");
+  bool follows = false;
+  for (const Tick& tick : ticks) {
+    if (tick.setpoint.line == 3) {
+      const double radius_mm = std::max(std::fabs(tick.setpoint.position_mm[0]), 1e-9);
+      const double most = 1e5 / 60.0 * kTwoPi;
+      ASSERT_NEAR(tick.seen.spindle_rad_s, std::min(2000.0 / radius_mm, most), 1e-9 * most);
+      follows = true;
+    }
+  }
+  EXPECT_TRUE(follows);
+  const Setpoint& fixed = first(ticks, [](const Tick& t) { return t.setpoint.line == 5; });
+  EXPECT_NEAR(fixed.outputs.spindle_rad_s, kTwoPi, 1e-9);
+
+  const auto limited = run("G0 X100\nG96 S120 D300 M4\nG1 X20 F6000\nX0\nM2\n");
+  for (const Tick& tick : limited) {
+    if (tick.setpoint.line >= 3 && tick.setpoint.line <= 4) {
+      const double x = tick.setpoint.position_mm[0];
+      ASSERT_NEAR(tick.seen.spindle_rad_s, -(x > 2000.0 / (5 * kTwoPi) ? 2000.0 / x : 5 * kTwoPi),
+                  1e-9);
+    }
+  }
+}
+
+TEST(Switches, OfSurfaceSpeedFollowTheProgramsX) {
+  const auto ticks =
+      run("G10 L2 P1 X10 R90\nG96 S120 D100000 M3\nG1 X5 Y50 F6000\nG52 X-20\n"
+          "G1 Y60\nM2\n");
+  for (const Tick& tick : ticks) {
+    if (tick.setpoint.line != 3 && tick.setpoint.line != 5) {
+      continue;
+    }
+    // Turned by 90 degrees the program's X is the machine's Y.
+    const double x = tick.setpoint.position_mm[1] + (tick.setpoint.line == 5 ? 20.0 : 0.0);
+    ASSERT_NEAR(tick.seen.spindle_rad_s,
+                std::min(2000.0 / std::max(std::fabs(x), 1e-9), 1e5 / 60.0 * kTwoPi), 1e-6)
+        << tick.setpoint.line;
+  }
 }
 
 TEST(Switches, EndWithTheProgram) {

@@ -82,8 +82,7 @@ TEST(FanucFlow, RefusesFormsOfIfThatItDoesNotHave) {
 
 TEST(FanucFlow, RaisesAlarmsAndStops) {
   EXPECT_EQ(messages("IF [#18 EQ #0] THEN #3000=12(R IS MISSING)\nG0 X1 Q\nM30\n"),
-            "1:21: error: the program raises alarm 3012 (R IS MISSING)\n"
-            "2:1: warning: blocks after the program's end are never executed\n");
+            "1:21: error: the program raises alarm 3012 (R IS MISSING)\n");
   const Program program = read_program("G0 X1\n#3006=1(LOOK)\nG0 X2\nM30\n", fanuc());
   EXPECT_FALSE(program.has_errors);
   EXPECT_EQ(text_of(program.moves.at(1)), "2: program stop 0");

@@ -110,6 +110,26 @@ class Explain(Case):
             self.assertAlmostEqual(block["begin_s"] - blocks[1]["begin_s"], 0.25)
         self.assertEqual(blocks[3]["duration_s"], 0.0)
 
+    def explained(self, path, line, *words):
+        return json.loads(self.kerf("explain", path, "--line", str(line), "--json", *words).stdout)["block"]
+
+    def test_knows_when_a_statement_was_first_reached(self):
+        path = self.path("flow.ngc", "o<a> sub\nG0 X#1\no<a> endsub\nG21 G90\n#1=1\no1 while [#1 LT 3]\n"
+                                     "o<a> call [#1]\n#1=[#1+1]\no1 endwhile\no2 if [0]\no2 elseif [1]\no2 endif\nM2\n")
+        for line, text, x in ((1, "o<a> sub", 0.0), (3, "o<a> endsub", 1.0), (6, "o1 while [#1 LT 3]", 0.0),
+                              (7, "o<a> call [#1]", 0.0), (9, "o1 endwhile", 1.0), (10, "o2 if [0]", 2.0),
+                              (11, "o2 elseif [1]", 2.0), (12, "o2 endif", 2.0)):
+            block = self.explained(path, line)
+            self.assertEqual((block["text"], block["position_mm"]["x"]), (text, x))
+        path = self.path("macro.nc", "O1 (MAIN)\n#1=1\nWHILE [#1 LE 2] DO1\nG0 X#1\n#1=#1+1\nEND1\n"
+                                     "IF [#1 EQ 3] THEN #2=7\nIF [#1 EQ 3] GOTO 9\nGOTO 1\nN9 M30\n")
+        for line, text, x in ((1, "O1 (MAIN)", 0.0), (3, "WHILE [#1 LE 2] DO1", 0.0), (6, "END1", 1.0),
+                              (7, "IF [#1 EQ 3] THEN #2=7", 2.0), (8, "IF [#1 EQ 3] GOTO 9", 2.0)):
+            block = self.explained(path, line, "--dialect", "fanuc")
+            self.assertEqual((block["text"], block["position_mm"]["x"]), (text, x))
+        said = self.kerf("explain", path, "--line", "9", "--dialect", "fanuc", status=1).stderr
+        self.assertIn("line 9 is never run", said)
+
     def test_says_so_where_a_line_is_never_run(self):
         path = self.path("square.ngc", SQUARE)
         self.assertIn("line 99 is never run", self.kerf("explain", path, "--line", "99", status=1).stderr)
