@@ -8,10 +8,17 @@
 
 namespace kerf::parser {
 
+// What is odd about a number that is right.
+enum class Oddity : std::uint8_t {
+  none,
+  blank_inside,
+  fine,  // less than 1e-9, but not 0
+};
+
 struct ScannedNumber {
   double value = 0.0;
   const char* end = nullptr;  // nullptr: no number here
-  bool blank_inside = false;
+  Oddity oddity = Oddity::none;
   bool point = false;       // has a decimal point
   bool worked_out = false;  // by the evaluator
 };
@@ -66,6 +73,9 @@ inline const char* take_decimals(const char* at, const char* last, std::uint64_t
   return take_digits(at, last, mantissa);
 }
 
+// What is odd about a value that has more than nine decimals.
+Oddity oddity_of(double value);
+
 // Whether a number goes on behind the blanks at `at`, or has a second point there.
 inline bool goes_on(const char* at, const char* last) {
   while (at != last && is_blank(*at)) {
@@ -110,7 +120,11 @@ inline ScannedNumber scan_number(const char* first, const char* last) {
   const auto whole = static_cast<std::int64_t>(mantissa);
   const double value = static_cast<double>(negative ? -whole : whole) /
                        detail::kPowersOfTen[static_cast<std::size_t>(decimals)];
-  return {value, at, false, point, false};
+  constexpr std::ptrdiff_t kUsualDecimals = 9;
+  if (decimals > kUsualDecimals) [[unlikely]] {
+    return {value, at, detail::oddity_of(value), point, false};
+  }
+  return {value, at, Oddity::none, point, false};
 }
 
 }  // namespace kerf::parser

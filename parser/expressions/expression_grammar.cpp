@@ -22,7 +22,6 @@ namespace kerf::parser {
 
 namespace {
 
-namespace x3 = boost::spirit::x3;
 namespace fusion = boost::fusion;
 using namespace leaves;
 
@@ -174,7 +173,7 @@ bool parse_with(const Grammar& grammar, const Reading& reading, Value& result) {
   // The context is made by hand: x3::with would copy the grammar for each value.
   const Surroundings here{reading.begin, &reading.evaluator};
   const auto surroundings = std::cref(here);
-  const auto context = x3::make_context<Here>(surroundings);
+  const auto context = x3::make_context<SurroundingsTag>(surroundings);
   return grammar.parse(reading.at, reading.end, context, x3::unused, result) &&
          !reading.evaluator.failed();
 }

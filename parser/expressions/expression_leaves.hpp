@@ -2,65 +2,41 @@
 #pragma once
 
 #include <string_view>
-#include <type_traits>
-
-#include <boost/spirit/home/x3.hpp>
 
 #include "parser/errors/expressions.hpp"
 #include "parser/errors/variables.hpp"
 #include "parser/expressions/evaluator.hpp"
 #include "parser/expressions/expression_grammar.hpp"
 #include "parser/expressions/expression_scan.hpp"
+#include "parser/grammar_leaf.hpp"
 #include "parser/number.hpp"
 
 namespace kerf::parser::leaves {
-
-namespace x3 = boost::spirit::x3;
 
 // What the leaves know beside the text.
 struct Surroundings {
   const char* begin;
   Evaluator* evaluator;
 };
-struct Here {};
+struct SurroundingsTag {};
 
 template <class Context>
 Evaluator& evaluator_of(const Context& context) {
-  return *x3::get<Here>(context).get().evaluator;
-}
-template <class Context>
-Reading reading_at(const char*& at, const char* end, const Context& context) {
-  return {at, end, x3::get<Here>(context).get().begin, evaluator_of(context)};
+  return *x3::get<SurroundingsTag>(context).get().evaluator;
 }
 
-// A leaf is a function object that moves `at` and fills its attribute.
+// A leaf that reads with the evaluator at hand.
 template <class Self, class Attribute>
-struct Leaf : x3::parser<Self> {
-  using attribute_type = Attribute;
-  static constexpr bool has_attribute = !std::is_same_v<Attribute, x3::unused_type>;
-  template <class Context, class RContext, class Actual>
-  bool parse(const char*& first, const char* last, const Context& context, RContext&,
-             Actual& actual) const {
-    if constexpr (std::is_same_v<Actual, Attribute>) {
-      return this->derived()(reading_at(first, last, context), actual);
-    } else {
-      static_assert(std::is_same_v<std::remove_const_t<Actual>, x3::unused_type>);
-      Attribute ignored{};
-      return this->derived()(reading_at(first, last, context), ignored);
-    }
-  }
-};
-using Nothing = x3::unused_type;
-
-struct Blanks : Leaf<Blanks, Nothing> {
-  bool operator()(const Reading& reading, Nothing&) const {
-    reading.at = skip_blanks(reading.at, reading.end);
-    return true;
+struct ValueLeaf : Leaf<Self, Attribute> {
+  template <class Context>
+  bool operator()(const Place<Context>& place, Attribute& attribute) const {
+    const Surroundings& here = x3::get<SurroundingsTag>(place.context).get();
+    return this->derived().read({place.at, place.end, here.begin, *here.evaluator}, attribute);
   }
 };
 
-struct Sign : Leaf<Sign, bool> {
-  bool operator()(const Reading& reading, bool& negative) const {
+struct Sign : ValueLeaf<Sign, bool> {
+  bool read(const Reading& reading, bool& negative) const {
     negative = false;
     if (reading.at != reading.end && (*reading.at == '-' || *reading.at == '+')) {
       negative = *reading.at == '-';
@@ -70,8 +46,8 @@ struct Sign : Leaf<Sign, bool> {
   }
 };
 
-struct Number : Leaf<Number, double> {
-  bool operator()(const Reading& reading, double& value) const {
+struct Number : ValueLeaf<Number, double> {
+  bool read(const Reading& reading, double& value) const {
     const char* start = reading.at;
     const char c = start == reading.end ? ' ' : *start;
     if (c == '-' || c == '+') {
@@ -84,7 +60,7 @@ struct Number : Leaf<Number, double> {
     if (number.end == nullptr) {
       return explain_bad_number(reading);
     }
-    if (number.blank_inside) {
+    if (number.oddity == Oddity::blank_inside) {
       while (detail::is_digit(*start) || *start == '.') {
         ++start;
       }
@@ -99,8 +75,8 @@ struct Number : Leaf<Number, double> {
 
 // Comes back to the grammar one level deeper.
 template <bool (*parse_inside)(const Reading&, double&)>
-struct Deeper : Leaf<Deeper<parse_inside>, double> {
-  bool operator()(const Reading& reading, double& value) const {
+struct Deeper : ValueLeaf<Deeper<parse_inside>, double> {
+  bool read(const Reading& reading, double& value) const {
     if (!reading.evaluator.enter(reading.at)) {
       return false;
     }
@@ -112,8 +88,8 @@ struct Deeper : Leaf<Deeper<parse_inside>, double> {
 
 // Expected characters, whose absence is a fault.
 template <char wanted, bool (*explain)(const Reading&)>
-struct Expected : Leaf<Expected<wanted, explain>, Nothing> {
-  bool operator()(const Reading& reading, Nothing&) const {
+struct Expected : ValueLeaf<Expected<wanted, explain>, Nothing> {
+  bool read(const Reading& reading, Nothing&) const {
     if (reading.at == reading.end || *reading.at != wanted) {
       return explain(reading);
     }
@@ -122,26 +98,26 @@ struct Expected : Leaf<Expected<wanted, explain>, Nothing> {
   }
 };
 
-struct NoValue : Leaf<NoValue, double> {
-  bool operator()(const Reading& reading, double&) const { return explain_no_value(reading); }
+struct NoValue : ValueLeaf<NoValue, double> {
+  bool read(const Reading& reading, double&) const { return explain_no_value(reading); }
 };
 
-struct NoReference : Leaf<NoReference, Reference> {
-  bool operator()(const Reading& reading, Reference&) const {
+struct NoReference : ValueLeaf<NoReference, Reference> {
+  bool read(const Reading& reading, Reference&) const {
     return reading.evaluator.fail(reading.at, errors::kFunctionForm,
                                   "EXISTS needs the form EXISTS[#<name>]");
   }
 };
 // Whether '[' is next, without taking it.
-struct Opening : Leaf<Opening, Nothing> {
-  bool operator()(const Reading& reading, Nothing&) const {
+struct Opening : ValueLeaf<Opening, Nothing> {
+  bool read(const Reading& reading, Nothing&) const {
     return reading.at != reading.end && *reading.at == '[';
   }
 };
 
 // The number behind '#': digits, which end at a blank, or any value but a letter's.
-struct Digits : Leaf<Digits, double> {
-  bool operator()(const Reading& reading, double& number) const {
+struct Digits : ValueLeaf<Digits, double> {
+  bool read(const Reading& reading, double& number) const {
     const char* at = reading.at;
     double value = 0.0;
     for (; at != reading.end && detail::is_digit(*at); ++at) {
@@ -155,16 +131,16 @@ struct Digits : Leaf<Digits, double> {
     return true;
   }
 };
-struct VariableBegins : Leaf<VariableBegins, Nothing> {
-  bool operator()(const Reading& reading, Nothing&) const {
+struct VariableBegins : ValueLeaf<VariableBegins, Nothing> {
+  bool read(const Reading& reading, Nothing&) const {
     const Cursor here{{reading.at, static_cast<std::size_t>(reading.end - reading.at)}, 0};
     const char c = reading.at == reading.end ? ' ' : *reading.at;
     const bool number = detail::is_digit(c) || c == '.' || c == '-' || c == '+';
     return number || reading.evaluator.value_begins(here) || explain_no_variable(reading);
   }
 };
-struct Name : Leaf<Name, std::string_view> {
-  bool operator()(const Reading& reading, std::string_view& name) const {
+struct Name : ValueLeaf<Name, std::string_view> {
+  bool read(const Reading& reading, std::string_view& name) const {
     if (reading.at == reading.end || *reading.at != '<') {
       return false;
     }
@@ -180,8 +156,8 @@ struct Name : Leaf<Name, std::string_view> {
     return true;
   }
 };
-struct Hash : Leaf<Hash, const char*> {
-  bool operator()(const Reading& reading, const char*& at) const {
+struct Hash : ValueLeaf<Hash, const char*> {
+  bool read(const Reading& reading, const char*& at) const {
     if (reading.at == reading.end || *reading.at != '#') {
       return false;
     }
@@ -195,9 +171,9 @@ struct Call {
   Function function = Function::none;
 };
 // A function's name; with `only`, that function's, else any but those of another form.
-struct FunctionName : Leaf<FunctionName, Call> {
+struct FunctionName : ValueLeaf<FunctionName, Call> {
   Function only = Function::none;
-  bool operator()(const Reading& reading, Call& call) const {
+  bool read(const Reading& reading, Call& call) const {
     const ScannedName name = scan_name(reading.at, reading.end);
     const Function found = find_function(name.text(), reading.evaluator.dialect());
     const bool special = found == Function::atan || found == Function::exists;
@@ -210,8 +186,8 @@ struct FunctionName : Leaf<FunctionName, Call> {
   }
 };
 
-struct Comma : Leaf<Comma, Nothing> {
-  bool operator()(const Reading& reading, Nothing&) const {
+struct Comma : ValueLeaf<Comma, Nothing> {
+  bool read(const Reading& reading, Nothing&) const {
     if (reading.at == reading.end || *reading.at != ',' ||
         reading.evaluator.dialect() != Dialect::fanuc) {
       return false;
@@ -225,9 +201,9 @@ struct Join {
   const char* at = nullptr;
   Operator op = Operator::none;
 };
-struct OperatorOf : Leaf<OperatorOf, Join> {
+struct OperatorOf : ValueLeaf<OperatorOf, Join> {
   int level = 0;
-  bool operator()(const Reading& reading, Join& join) const {
+  bool read(const Reading& reading, Join& join) const {
     if (reading.at == reading.end || *reading.at == ']') {
       return false;
     }

@@ -32,32 +32,32 @@ void Flow::run(std::uint32_t index) {
 
 void Flow::run_o_word(std::uint32_t index, const Statement& statement) {
   switch (statement.keyword) {
-    case Keyword::sub:
+    case Keyword::o_sub:
       return set_goal(Goal::behind, index);
-    case Keyword::endsub:
-    case Keyword::return_:
+    case Keyword::o_endsub:
+    case Keyword::o_return:
       return return_value(statement);
-    case Keyword::call:
+    case Keyword::o_call:
       return call_sub(statement);
-    case Keyword::if_:
+    case Keyword::o_if:
       return holds(statement) ? void() : set_goal(Goal::next_clause, index);
     // Reached from above: another branch has run.
-    case Keyword::elseif:
-    case Keyword::else_:
+    case Keyword::o_elseif:
+    case Keyword::o_else:
       return set_goal(Goal::behind, statement.head);
-    case Keyword::while_:
+    case Keyword::o_while:
       return holds(statement) ? void() : set_goal(Goal::behind, index);
-    case Keyword::endwhile:
+    case Keyword::o_endwhile:
       return jump(text_->statement(statement.head).line);
-    case Keyword::do_while:
+    case Keyword::o_do_while:
       return holds(statement) ? jump(text_->statement(statement.head).line + 1) : void();
-    case Keyword::repeat:
+    case Keyword::o_repeat:
       return begin_repeat(index, statement);
-    case Keyword::endrepeat:
+    case Keyword::o_endrepeat:
       return end_repeat(statement);
-    case Keyword::break_:
+    case Keyword::o_break:
       return set_goal(Goal::behind, statement.head);
-    case Keyword::continue_:
+    case Keyword::o_continue:
       return continue_loop(statement);
     default:
       return;  // endif, do
@@ -113,7 +113,7 @@ void Flow::try_clause(std::uint32_t index) {
   current_ = clause.line;
   watch();
   cursor_ = clause.line + 1;
-  if (clause.keyword == Keyword::elseif && !holds(clause)) {
+  if (clause.keyword == Keyword::o_elseif && !holds(clause)) {
     set_goal(Goal::next_clause, index);
   }
 }
@@ -150,7 +150,7 @@ void Flow::end_repeat(const Statement& statement) {
 // On to where the loop decides whether it goes on.
 void Flow::continue_loop(const Statement& statement) {
   const Statement& loop = text_->statement(statement.head);
-  if (loop.keyword == Keyword::while_) {
+  if (loop.keyword == Keyword::o_while) {
     return jump(loop.line);
   }
   set_goal(Goal::close, statement.head);

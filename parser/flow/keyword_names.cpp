@@ -4,32 +4,32 @@ namespace kerf::parser {
 
 std::string_view name_of(Keyword keyword) {
   switch (keyword) {
-    case Keyword::sub:
+    case Keyword::o_sub:
       return "sub";
-    case Keyword::endsub:
+    case Keyword::o_endsub:
       return "endsub";
-    case Keyword::if_:
+    case Keyword::o_if:
       return "if";
-    case Keyword::elseif:
+    case Keyword::o_elseif:
       return "elseif";
-    case Keyword::else_:
+    case Keyword::o_else:
       return "else";
-    case Keyword::endif:
+    case Keyword::o_endif:
       return "endif";
-    case Keyword::while_:
-    case Keyword::do_while:
+    case Keyword::o_while:
+    case Keyword::o_do_while:
       return "while";
-    case Keyword::endwhile:
+    case Keyword::o_endwhile:
       return "endwhile";
-    case Keyword::do_:
+    case Keyword::o_do:
       return "do";
-    case Keyword::repeat:
+    case Keyword::o_repeat:
       return "repeat";
-    case Keyword::endrepeat:
+    case Keyword::o_endrepeat:
       return "endrepeat";
-    case Keyword::break_:
+    case Keyword::o_break:
       return "break";
-    case Keyword::continue_:
+    case Keyword::o_continue:
       return "continue";
     default:
       return "";
@@ -38,13 +38,13 @@ std::string_view name_of(Keyword keyword) {
 
 std::string_view close_of(Keyword opener) {
   switch (opener) {
-    case Keyword::sub:
+    case Keyword::o_sub:
       return "endsub";
-    case Keyword::if_:
+    case Keyword::o_if:
       return "endif";
-    case Keyword::while_:
+    case Keyword::o_while:
       return "endwhile";
-    case Keyword::do_:
+    case Keyword::o_do:
       return "while";
     default:
       return "endrepeat";

@@ -84,7 +84,7 @@ void ProgramText::name_statement(std::uint32_t index, std::string_view text) {
     return;
   }
   statement.label = labels_.index_of(plain_label(text, statement));
-  const bool sub = statement.keyword == Keyword::sub;
+  const bool sub = statement.keyword == Keyword::o_sub;
   if (statement.keyword == Keyword::program) {
     programs_.push_back(statement.line);
   } else if (!sub) {

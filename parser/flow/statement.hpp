@@ -8,22 +8,22 @@ namespace kerf::parser {
 enum class Keyword : std::uint8_t {
   none,
   // o-words
-  sub,
-  endsub,
-  return_,
-  call,
-  if_,
-  elseif,
-  else_,
-  endif,
-  while_,
-  endwhile,
-  do_,
-  do_while,  // the while that closes a do
-  repeat,
-  endrepeat,
-  break_,
-  continue_,
+  o_sub,
+  o_endsub,
+  o_return,
+  o_call,
+  o_if,
+  o_elseif,
+  o_else,
+  o_endif,
+  o_while,
+  o_endwhile,
+  o_do,
+  o_do_while,  // the while that closes a do
+  o_repeat,
+  o_endrepeat,
+  o_break,
+  o_continue,
   // both dialects
   program,  // O1234 and no more: where a subprogram of M98 begins
   // custom macro B

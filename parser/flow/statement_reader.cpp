@@ -27,21 +27,21 @@ struct Word {
   std::string_view text;
   Keyword keyword;
 };
-constexpr std::array<Word, 16> kOWords{{{"sub", Keyword::sub},
-                                        {"endsub", Keyword::endsub},
-                                        {"return", Keyword::return_},
-                                        {"call", Keyword::call},
-                                        {"if", Keyword::if_},
-                                        {"elseif", Keyword::elseif},
-                                        {"else", Keyword::else_},
-                                        {"endif", Keyword::endif},
-                                        {"while", Keyword::while_},
-                                        {"endwhile", Keyword::endwhile},
-                                        {"do", Keyword::do_},
-                                        {"repeat", Keyword::repeat},
-                                        {"endrepeat", Keyword::endrepeat},
-                                        {"break", Keyword::break_},
-                                        {"continue", Keyword::continue_},
+constexpr std::array<Word, 16> kOWords{{{"sub", Keyword::o_sub},
+                                        {"endsub", Keyword::o_endsub},
+                                        {"return", Keyword::o_return},
+                                        {"call", Keyword::o_call},
+                                        {"if", Keyword::o_if},
+                                        {"elseif", Keyword::o_elseif},
+                                        {"else", Keyword::o_else},
+                                        {"endif", Keyword::o_endif},
+                                        {"while", Keyword::o_while},
+                                        {"endwhile", Keyword::o_endwhile},
+                                        {"do", Keyword::o_do},
+                                        {"repeat", Keyword::o_repeat},
+                                        {"endrepeat", Keyword::o_endrepeat},
+                                        {"break", Keyword::o_break},
+                                        {"continue", Keyword::o_continue},
                                         {"", Keyword::program}}};
 
 Fault fault_at(std::size_t at, const ErrorPage& page, std::string message) {
@@ -104,7 +104,7 @@ void read_o_word(std::string_view line, std::size_t at, Dialect dialect, Stateme
                     joined({name, " ", text,
                             ": o-words belong to RS274/NGC, not to the Fanuc "
                             "dialect"})));
-  } else if (statement.computed_label && word->keyword == Keyword::sub) {
+  } else if (statement.computed_label && word->keyword == Keyword::o_sub) {
     refuse(statement, fault,
            fault_at(label, errors::kComputedSub,
                     "a sub needs a number or a name, not an "

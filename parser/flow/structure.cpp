@@ -13,7 +13,7 @@ namespace kerf::parser {
 namespace {
 
 bool is_loop(Keyword keyword) {
-  return keyword == Keyword::while_ || keyword == Keyword::do_ || keyword == Keyword::repeat;
+  return keyword == Keyword::o_while || keyword == Keyword::o_do || keyword == Keyword::o_repeat;
 }
 bool is_macro(Keyword keyword) {
   return keyword == Keyword::macro_while || keyword == Keyword::macro_do ||
@@ -39,7 +39,7 @@ std::string Structure::shown(std::uint32_t index) const {
 // Structures outside a sub are out of reach inside it.
 std::size_t Structure::sub_around() const {
   for (std::size_t i = open_.size(); i > 0; --i) {
-    if (open_[i - 1].kind == Keyword::sub) {
+    if (open_[i - 1].kind == Keyword::o_sub) {
       return i - 1;
     }
   }
@@ -47,7 +47,7 @@ std::size_t Structure::sub_around() const {
 }
 
 std::size_t Structure::find(Keyword kind, std::uint32_t label) const {
-  const std::size_t sub = kind == Keyword::sub ? kNowhere : sub_around();
+  const std::size_t sub = kind == Keyword::o_sub ? kNowhere : sub_around();
   const std::size_t bottom = sub == kNowhere ? 0 : sub + 1;
   for (std::size_t i = open_.size(); i > bottom; --i) {
     const Open& open = open_[i - 1];
@@ -72,7 +72,7 @@ void Structure::report_open(const Open& open, std::vector<StatementFault>& fault
 void Structure::drop_above(std::size_t depth, std::vector<StatementFault>& faults) {
   while (open_.size() > depth + 1) {
     report_open(open_.back(), faults);
-    repeats_ -= open_.back().kind == Keyword::repeat ? 1U : 0U;
+    repeats_ -= open_.back().kind == Keyword::o_repeat ? 1U : 0U;
     open_.pop_back();
   }
 }
@@ -83,14 +83,14 @@ void Structure::open(std::uint32_t index, std::vector<StatementFault>& faults) {
     add(faults, statement, errors::kStructuresTooDeep,
         joined({"structures are nested too deep (at most ", std::to_string(kMaxDepth), ")"}));
   }
-  if (statement.keyword == Keyword::sub) {
+  if (statement.keyword == Keyword::o_sub) {
     if (const std::size_t sub = sub_around(); sub != kNowhere) {
       add(faults, statement, errors::kNestedSub,
           joined({"sub inside sub ", shown_label(labels_->name(at(open_[sub].opener).label))}));
     }
   }
   open_.push_back({index, index, statement.keyword});
-  repeats_ += statement.keyword == Keyword::repeat ? 1U : 0U;
+  repeats_ += statement.keyword == Keyword::o_repeat ? 1U : 0U;
 }
 
 void Structure::close(std::uint32_t index, Keyword kind, std::vector<StatementFault>& faults) {
@@ -112,7 +112,7 @@ void Structure::close(std::uint32_t index, Keyword kind, std::vector<StatementFa
   drop_above(place, faults);
   const Open opened = open_.back();
   open_.pop_back();
-  repeats_ -= kind == Keyword::repeat ? 1U : 0U;
+  repeats_ -= kind == Keyword::o_repeat ? 1U : 0U;
   at(opened.clause).next = index;
   at(opened.opener).close = index;
   statement.head = opened.opener;
@@ -122,7 +122,7 @@ void Structure::close(std::uint32_t index, Keyword kind, std::vector<StatementFa
 
 void Structure::branch(std::uint32_t index, std::vector<StatementFault>& faults) {
   Statement& statement = at(index);
-  const std::size_t place = find(Keyword::if_, statement.label);
+  const std::size_t place = find(Keyword::o_if, statement.label);
   if (place == kNowhere) {
     add(faults, statement, errors::kNoOpener, joined({shown(index), " without if"}));
     statement.keyword = Keyword::wrong;
@@ -130,7 +130,7 @@ void Structure::branch(std::uint32_t index, std::vector<StatementFault>& faults)
   }
   drop_above(place, faults);
   Open& open = open_.back();
-  if (at(open.clause).keyword == Keyword::else_) {
+  if (at(open.clause).keyword == Keyword::o_else) {
     add(faults, statement, errors::kBranchAfterElse,
         joined({shown(index), " behind the else of this if"}));
   }
@@ -190,32 +190,32 @@ void Structure::take(std::uint32_t index, std::vector<StatementFault>& faults) {
   statement.around = innermost();
   statement.repeats = repeats_;
   switch (statement.keyword) {
-    case Keyword::while_:
-      if (find(Keyword::do_, statement.label) == kNowhere) {
+    case Keyword::o_while:
+      if (find(Keyword::o_do, statement.label) == kNowhere) {
         return open(index, faults);
       }
-      statement.keyword = Keyword::do_while;
-      return close(index, Keyword::do_, faults);
-    case Keyword::sub:
-    case Keyword::if_:
-    case Keyword::do_:
-    case Keyword::repeat:
+      statement.keyword = Keyword::o_do_while;
+      return close(index, Keyword::o_do, faults);
+    case Keyword::o_sub:
+    case Keyword::o_if:
+    case Keyword::o_do:
+    case Keyword::o_repeat:
       return open(index, faults);
-    case Keyword::elseif:
-    case Keyword::else_:
+    case Keyword::o_elseif:
+    case Keyword::o_else:
       return branch(index, faults);
-    case Keyword::endsub:
-      return close(index, Keyword::sub, faults);
-    case Keyword::endif:
-      return close(index, Keyword::if_, faults);
-    case Keyword::endwhile:
-      return close(index, Keyword::while_, faults);
-    case Keyword::endrepeat:
-      return close(index, Keyword::repeat, faults);
-    case Keyword::break_:
-    case Keyword::continue_:
+    case Keyword::o_endsub:
+      return close(index, Keyword::o_sub, faults);
+    case Keyword::o_endif:
+      return close(index, Keyword::o_if, faults);
+    case Keyword::o_endwhile:
+      return close(index, Keyword::o_while, faults);
+    case Keyword::o_endrepeat:
+      return close(index, Keyword::o_repeat, faults);
+    case Keyword::o_break:
+    case Keyword::o_continue:
       return leave_loop(index, faults);
-    case Keyword::return_:
+    case Keyword::o_return:
       if (sub_around() == kNowhere) {
         add(faults, statement, errors::kOutsideSub, "return outside a sub");
         statement.keyword = Keyword::wrong;
