@@ -3,7 +3,9 @@
 #include <string>
 #include <string_view>
 
+#include "parser/arc_geometry.hpp"
 #include "parser/errors/characters.hpp"
+#include "parser/errors/fanuc.hpp"
 #include "parser/errors/files.hpp"
 #include "parser/errors/variables.hpp"
 #include "parser/errors/words.hpp"
@@ -20,12 +22,19 @@ bool has_words_beside_number(const Block& block) {
 
 }  // namespace
 
-void warn_about(const Block& block, LineInDialect where, DiagnosticList& diagnostics) {
+void warn_about(const Block& block, LineInDialect where, SaidOnce& said,
+                DiagnosticList& diagnostics) {
   const std::uint32_t line = where.number;
   if (block.blank_in_number != 0) {
     const std::string_view rest = block.line.substr(block.blank_in_number - 1, 40);
     diagnostics.add({line, block.blank_in_number}, errors::kBlankInNumber,
                     joined({"a number contains a blank: ", quoted(rest), " is read as one"}));
+  }
+  if (block.fine_number != 0 && !said.fine_number) {
+    said.fine_number = true;
+    diagnostics.add({line, block.fine_number}, errors::kFineNumber,
+                    joined({named(static_cast<char>(block.line[block.fine_number - 1] & ~0x20)),
+                            ": the value is below the resolution of 1e-9, rounded to 0"}));
   }
   if (block.stale_read != 0) {
     const std::string_view rest = block.line.substr(block.stale_read - 1, 40);
@@ -55,6 +64,24 @@ void warn_about(const Block& block, LineInDialect where, DiagnosticList& diagnos
       diagnostics.add({line, block.remark}, errors::kSemicolonAtEnd,
                       joined({"the text after ';' is taken as a comment: ", quoted(remark)}));
     }
+  }
+}
+
+void warn_of_missing_point(const Block& block, const ModalState& state, std::uint32_t line,
+                           SaidOnce& said, DiagnosticList& diagnostics) {
+  for (std::size_t axis = 0; axis < 3 && !said.no_point; ++axis) {
+    const char letter = axis_letter(axis);
+    // 0 is 0 in both readings.
+    if (!block.has(letter) || (block.pointed & letter_bit(letter)) != 0 ||
+        block.value(letter) == 0.0) {
+      continue;
+    }
+    said.no_point = true;
+    const Word& word = block.word(letter);
+    diagnostics.add(
+        {line, word.offset + 1}, errors::kNoDecimalPoint,
+        joined({upper(block.text(word).substr(0, 40)), " without a decimal point is read as ",
+                shortest(word.value), state.units == Units::inch ? " inches" : " mm"}));
   }
 }
 

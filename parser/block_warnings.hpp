@@ -6,14 +6,27 @@
 #include "parser/block.hpp"
 #include "parser/diagnostic_list.hpp"
 #include "parser/dialect.hpp"
+#include "parser/modal_state.hpp"
 
 namespace kerf::parser {
+
+// Warnings that a program gets once, however many blocks there are reasons for.
+struct SaidOnce {
+  bool fine_number = false;
+  bool no_point = false;
+};
 
 struct LineInDialect {
   std::uint32_t number = 0;
   Dialect dialect = Dialect::rs274;
 };
 
-void warn_about(const Block& block, LineInDialect where, DiagnosticList& diagnostics);
+void warn_about(const Block& block, LineInDialect where, SaidOnce& said,
+                DiagnosticList& diagnostics);
+
+// Of the Fanuc dialect: a coordinate without a decimal point, which a control may read in least
+// increments. Precondition: numbers count in units.
+void warn_of_missing_point(const Block& block, const ModalState& state, std::uint32_t line,
+                           SaidOnce& said, DiagnosticList& diagnostics);
 
 }  // namespace kerf::parser

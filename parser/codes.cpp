@@ -209,7 +209,9 @@ bool sort_some_codes(const Block& block, Dialect dialect, BlockCodes& codes, Fau
   Fault other;
   const bool g = sort_words(block, block.g, block.g_count, false, dialect, codes, fault);
   const bool m = sort_words(block, block.m, block.m_count, true, dialect, codes, other);
-  join_cycle_and_motion(block, codes);
+  if (codes.has(Group::cycle)) {
+    join_cycle_and_motion(block, codes);
+  }
   if (!m && (g || other.offset < fault.offset)) {
     fault = std::move(other);
   }

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "parser/block.hpp"
@@ -62,7 +61,7 @@ class Interpreter {
   [[nodiscard]] MoveQueue& moves() { return moves_; }
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   // What the block has raised; it is raised no longer.
-  MacroSignal take_signal() { return std::exchange(state_.signal, {}); }
+  MacroSignal take_signal();
   // Ends the program as M2 does.
   void end_program(SourcePosition source);
 
@@ -242,9 +241,8 @@ class Interpreter {
   SourcePosition curve_source_;
   double curve_feedrate_mm_s_ = 0.0;
   Tenths skipped_curve_ = kNoCode;  // the code of a curve with an error whose blocks still come
-
-  const Block* block_ = nullptr;  // of the running block
-  Block counted_block_;           // with numbers that count in least increments
+  const Block* block_ = nullptr;    // of the running block
+  Block counted_block_;             // with numbers that count in least increments
   BlockCodes codes_;
   Group axis_taker_ = Group::count;  // the code that takes the block's axis words from the motion
   Fault fault_;

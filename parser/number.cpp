@@ -1,6 +1,7 @@
 #include "parser/number.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <string>
 #include <system_error>
 
@@ -64,14 +65,25 @@ double convert(const std::string& digits) {
 
 }  // namespace
 
+Oddity detail::oddity_of(double value) {
+  constexpr double kResolution = 1e-9;
+  return value != 0.0 && std::fabs(value) < kResolution ? Oddity::fine : Oddity::none;
+}
+
 ScannedNumber scan_long_number(const char* first, const char* last) {
   const Gathered got = gather(first, last);
   if (got.second_point || got.digits.find_first_of("0123456789") == std::string::npos) {
     return {};
   }
   const double magnitude = convert(got.digits);
-  return {got.negative && magnitude != 0.0 ? -magnitude : magnitude, got.end, got.blank_inside,
-          got.digits.find('.') != std::string::npos};
+  const bool point = got.digits.find('.') != std::string::npos;
+  const bool zero = got.digits.find_first_of("123456789") == std::string::npos;
+  // What is too small for a double is fine as well.
+  const Oddity fine = zero             ? Oddity::none
+                      : magnitude == 0 ? Oddity::fine
+                                       : detail::oddity_of(magnitude);
+  return {got.negative && magnitude != 0.0 ? -magnitude : magnitude, got.end,
+          got.blank_inside ? Oddity::blank_inside : fine, point};
 }
 
 }  // namespace kerf::parser

@@ -7,9 +7,7 @@
 #include "parser/errors/fanuc.hpp"
 #include "parser/errors/files.hpp"
 #include "parser/errors/flow.hpp"
-#include "parser/errors/macros.hpp"
 #include "parser/errors/subprograms.hpp"
-#include "parser/fanuc/end_of_block.hpp"
 #include "parser/flow/block_calls.hpp"
 #include "parser/flow/statement_reader.hpp"
 #include "parser/program_reader_impl.hpp"
@@ -38,23 +36,6 @@ void ProgramReader::Impl::call(const Line& line, Call call) {
     flow_.start(line, {.has_run = true});
   }
   flow_.call(std::move(call));
-}
-
-// Fanuc's M98 <NAME>, G65 <NAME> and G66 <NAME>: keeps the name and reads the line again without
-// it. True: the block is complete now.
-bool ProgramReader::Impl::take_program_name(Line& line) {
-  const std::size_t at = block_.stopped_at;
-  const std::size_t behind = behind_label(line.text, at);
-  const Word* const code = find_program_code(block_, options_.dialect);
-  const bool calls = (code != nullptr && code->value == 98.0) || find_macro_code(block_) != nullptr;
-  if (line.text[at] != '<' || behind == at || !calls) {
-    return false;
-  }
-  program_name_ = plain_label(line.text, {.label_at = static_cast<std::uint32_t>(at)});
-  without_name_ = line.text;
-  without_name_.replace(at, behind - at, behind - at, ' ');
-  line.text = without_name_;
-  return read_block(line.text, block_, evaluator_);
 }
 
 // M98 P100 L2, M99 P10, with whatever else the block says done before.
@@ -123,28 +104,6 @@ bool ProgramReader::Impl::run_call(const Line& line, bool complete) {
   return code != nullptr;
 }
 
-// Fanuc: #3000=n(TEXT) ends the program with an alarm, #3006=1(TEXT) stops it as M0 does.
-void ProgramReader::Impl::act_on_signal(const Line& line) {
-  const MacroSignal signal = interpreter_.take_signal();
-  if (signal.kind == MacroSignal::Kind::stop) {
-    read_block("M0", block_, evaluator_);
-    interpreter_.run(block_, line.number, true);
-  } else if (signal.kind == MacroSignal::Kind::alarm) {
-    constexpr double kFirstAlarm = 3000.0;
-    const std::uint32_t at = block_.assignment;
-    const std::size_t open = line.text.find('(', at);
-    const std::size_t close = line.text.find(')', at);
-    const std::string_view text = close == std::string_view::npos || open > close
-                                      ? ""
-                                      : line.text.substr(open, close + 1 - open);
-    diagnostics_.add({line.number, at}, errors::kMacroAlarm,
-                     joined({"the program raises alarm ", shortest(kFirstAlarm + signal.number),
-                             text.empty() ? "" : " ", text}));
-    interpreter_.end(line.number, "at the alarm");
-    interpreter_.end_program({line.number, at});
-  }
-}
-
 void ProgramReader::Impl::read_line(const Line& line) {
   if (line.too_long) {
     diagnostics_.add({line.number, static_cast<std::uint32_t>(LineSplitter::kMaxLine) + 1},
@@ -172,42 +131,25 @@ void ProgramReader::Impl::read_line(const Line& line) {
   }
 }
 
-// The blocks that follow in the line, each with blanks in place of those before it, so that columns
-// stay what they are.
-void ProgramReader::Impl::read_behind_semicolon(const Line& line) {
-  Line rest = line;
-  while (block_.remark != 0 && reads_as_block(rest.text.substr(block_.remark)) &&
-         !interpreter_.program_ended()) {
-    if (called_) {
-      diagnostics_.add({line.number, block_.remark}, errors::kBlockBehindCall,
-                       "a block behind ';' cannot follow a call in the same line");
-      return;
-    }
-    const std::size_t begin = block_.remark;
-    diagnostics_.add({line.number, block_.remark}, errors::kSemicolonEndsBlock,
-                     joined({"';' ends the block: ", quoted(rest.text.substr(begin)),
-                             " is run as another one"}));
-    std::string blocks(begin, ' ');
-    blocks += rest.text.substr(begin);
-    behind_semicolon_ = std::move(blocks);
-    rest.text = behind_semicolon_;
-    read_code(rest);
+void ProgramReader::Impl::read_code(const Line& line) {
+  called_ = false;
+  const bool complete = read_block(line.text, block_, evaluator_);
+  if (!complete && options_.dialect == Dialect::fanuc && has_program_name()) {
+    run_named_call(line);
+  } else {
+    run_block(line, complete);
   }
 }
 
-void ProgramReader::Impl::read_code(Line line) {
-  called_ = false;
-  program_name_.clear();
-  bool complete = read_block(line.text, block_, evaluator_);
-  if (!complete && options_.dialect == Dialect::fanuc && block_.stop == Stop::none) {
-    complete = take_program_name(line);
-  }
+void ProgramReader::Impl::run_block(const Line& line, bool complete) {
   if (block_.remarkable) {
-    warn_about(block_, {line.number, options_.dialect}, diagnostics_);
+    warn_about(block_, {line.number, options_.dialect}, said_, diagnostics_);
   }
-  any_block_ = any_block_ || block_.assignment != 0;
-  if (complete && block_.assignment != 0 && options_.dialect == Dialect::fanuc) {
-    return act_on_signal(line);
+  if (block_.assignment != 0) {
+    any_block_ = true;
+    if (complete && options_.dialect == Dialect::fanuc) {
+      return act_on_signal(line);
+    }
   }
   if (complete && block_.empty()) {
     return;
@@ -220,14 +162,10 @@ void ProgramReader::Impl::read_code(Line line) {
   if (called_) {
     return;
   }
-  const bool idle = interpreter_.moves().empty();
-  interpreter_.run(block_, line.number, complete);
-  if (modal_calls_.any() && idle && !interpreter_.moves().empty() &&
-      block_.has_any(interpreter_.axis_letters())) {
-    if (const Call* const modal = modal_calls_.begin(flow_.call_depth())) {
-      call(line, *modal);
-    }
+  if (options_.dialect == Dialect::fanuc) {
+    return run_fanuc_block(line, complete);
   }
+  interpreter_.run(block_, line.number, complete);
 }
 
 }  // namespace kerf::parser

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "parser/block.hpp"
+#include "parser/block_warnings.hpp"
 #include "parser/diagnostic_list.hpp"
 #include "parser/expressions/evaluator.hpp"
 #include "parser/expressions/parameters.hpp"
@@ -57,16 +58,22 @@ class ProgramReader::Impl {
 
   // program_blocks.cpp
   void read_line(const Line& line);
-  void read_code(Line line);
-  void read_behind_semicolon(const Line& line);
+  void read_code(const Line& line);
+  void run_block(const Line& line, bool complete);
   bool is_program_number(const Block& block, std::uint32_t line);
-  bool take_program_name(Line& line);
-  void act_on_signal(const Line& line);
   bool run_call(const Line& line, bool complete);
   void run_program_call(const Line& line, const Word& code);
   void run_macro_call(const Line& line, const Word& code);
   void call(const Line& line, Call call);
   void return_from_call(const Line& line, const Return& back);
+
+  // fanuc/program_blocks_fanuc.cpp
+  [[nodiscard]] bool has_program_name() const;
+  void run_named_call(const Line& line);
+  void read_behind_semicolon(const Line& line);
+  void act_on_signal(const Line& line);
+  void check_points(const Line& line);
+  void run_fanuc_block(const Line& line, bool complete);
 
   ReaderOptions options_;
   DiagnosticList diagnostics_;
@@ -76,6 +83,7 @@ class ProgramReader::Impl {
   Evaluator evaluator_;
   Flow flow_;
   Block block_;
+  SaidOnce said_;
   bool called_ = false;           // the block is a call or a return
   std::string behind_semicolon_;  // the rest of a Fanuc line with more than one block
   std::string program_name_;      // <NAME> of the block's call, plain; empty: none

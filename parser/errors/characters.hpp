@@ -154,11 +154,20 @@ inline constexpr ErrorPage kBlankInNumber{
     "Take the blank out, or write the letter that is missing.",
     "G0 X1 0\nM2\n"};
 
+inline constexpr ErrorPage kFineNumber{
+    37,
+    Severity::warning,
+    "coordinate below the resolution",
+    "A coordinate that is smaller than 1e-9 mm or inches is what rounding left in "
+    "the program that wrote it. It is read as 0. This is said once for a program.",
+    "Write 0; let the postprocessor write four or five decimals.",
+    "G0 X0.00000000004\nM2\n"};
+
 inline constexpr std::array kCharactersPages{
-    &kNonAscii,        &kNotAMinus,          &kNoBreakSpace,        &kControlByte,
-    &kBadEncoding,     &kMisplacedCharacter, &kForeignSyntax,       &kUnmatchedParenthesis,
-    &kMisplacedSlash,  &kMisplacedPercent,   &kUnclosedComment,     &kNestedComment,
-    &kCommentInNumber, &kSemicolonAtEnd,     &kNumberedBlockDelete, &kLineNumberWithPoint,
-    &kBlankInNumber};
+    &kFineNumber,           &kNonAscii,        &kNotAMinus,          &kNoBreakSpace,
+    &kControlByte,          &kBadEncoding,     &kMisplacedCharacter, &kForeignSyntax,
+    &kUnmatchedParenthesis, &kMisplacedSlash,  &kMisplacedPercent,   &kUnclosedComment,
+    &kNestedComment,        &kCommentInNumber, &kSemicolonAtEnd,     &kNumberedBlockDelete,
+    &kLineNumberWithPoint,  &kBlankInNumber};
 
 }  // namespace kerf::parser::errors

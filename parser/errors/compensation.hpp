@@ -192,20 +192,29 @@ inline constexpr ErrorPage kCompensationSideChange{
     "on "
     "a way that parameters of the control decide. Kerf does not follow it.",
     "Write G40 with a move away from the contour, then G42 with a move back to it.",
-    "G41 D1 G1 X20 F100\nG42 X40\nG40 X60 Y20\nM30\n",
+    "G41 D1 G1 X20. F100\nG42 X40.\nG40 X60. Y20.\nM30\n",
     Dialect::fanuc};
 
-inline constexpr std::array kCompensationPages{
-    &kCompensationSideChange,
-
-    &kCompensationTwice,        &kCompensationPlane,         &kCompensationPlaneChange,
-    &kCompensationStartedOnArc, &kCompensationEntryTooShort, &kCompensationExitOnArc,
-    &kCompensationLeftOn,       &kNotWhileCompensating,      &kCurveWhileCompensating,
-    &kCycleWhileCompensating,
-
-    &kCompensationNegativeD,    &kCompensationDNotWhole,     &kCompensationWithoutD,
-    &kCompensationUnknownTool,  &kCompensationOrientation,   &kCompensationOrientationPlane,
-    &kCompensationOtherSide,    &kCompensationHoldsTooMuch,  &kCompensationWithoutRadius,
-    &kCompensationTurned};
+inline constexpr std::array kCompensationPages{&kCompensationSideChange,
+                                               &kCompensationTwice,
+                                               &kCompensationPlane,
+                                               &kCompensationPlaneChange,
+                                               &kCompensationStartedOnArc,
+                                               &kCompensationEntryTooShort,
+                                               &kCompensationExitOnArc,
+                                               &kCompensationLeftOn,
+                                               &kNotWhileCompensating,
+                                               &kCurveWhileCompensating,
+                                               &kCycleWhileCompensating,
+                                               &kCompensationNegativeD,
+                                               &kCompensationDNotWhole,
+                                               &kCompensationWithoutD,
+                                               &kCompensationUnknownTool,
+                                               &kCompensationOrientation,
+                                               &kCompensationOrientationPlane,
+                                               &kCompensationOtherSide,
+                                               &kCompensationHoldsTooMuch,
+                                               &kCompensationWithoutRadius,
+                                               &kCompensationTurned};
 
 }  // namespace kerf::parser::errors

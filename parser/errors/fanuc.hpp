@@ -44,7 +44,7 @@ inline constexpr ErrorPage kSemicolonEndsBlock{
     "The "
     "words behind it are run as a block of their own.",
     "Write each block on a line of its own, or the remark in brackets.",
-    "G1 X5 F100; G1 Y7;\nM2\n",
+    "G1 X5. F100; G1 Y7.;\nM2\n",
     Dialect::fanuc};
 
 inline constexpr ErrorPage kBlockBehindCall{
@@ -99,9 +99,21 @@ inline constexpr ErrorPage kRoundInAddress{
     "G0 X[ROUND[#1]]\nM30\n",
     Dialect::fanuc};
 
+inline constexpr ErrorPage kNoDecimalPoint{
+    909,
+    Severity::warning,
+    "coordinate without a decimal point",
+    "Many Fanuc controls count numbers without a decimal point in their least increment: X10 is "
+    "0.010 mm there. Kerf reads millimetres or inches unless the machine file says "
+    "`least_increment_mm`. This is said once for a program, at the first such word of a "
+    "straight cut, an arc or a cycle; 0 is the same either way.",
+    "Write the point (X10.), or set `[program] least_increment_mm` as the control has it.",
+    "G1 X10 F100\nM30\n",
+    Dialect::fanuc};
+
 inline constexpr std::array kFanucPages{
-    &kTooManyModalCalls, &kProgramGivenTwice,  &kRoundInAddress,
-    &kOrderExtension,    &kSemicolonEndsBlock, &kBlockBehindCall,
-    &kDwellTwice,        &kReferencePoint,     &kOffsetMemoryValue};
+    &kNoDecimalPoint, &kTooManyModalCalls,  &kProgramGivenTwice, &kRoundInAddress,
+    &kOrderExtension, &kSemicolonEndsBlock, &kBlockBehindCall,   &kDwellTwice,
+    &kReferencePoint, &kOffsetMemoryValue};
 
 }  // namespace kerf::parser::errors

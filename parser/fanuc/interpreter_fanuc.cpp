@@ -1,6 +1,7 @@
 // What only the Fanuc dialect has: a group of their own for cycles, G4 with X and U, G30 P, G10 L10
 // to L13.
 #include <cmath>
+#include <utility>
 
 #include "parser/cycles/drill_cycle.hpp"
 #include "parser/errors/blocks.hpp"
@@ -26,6 +27,10 @@ void Interpreter::warn_of_order() {
          joined({"G6.2: P (order) ", shortest(block_->value('P')),
                  " is an extension: Fanuc takes 2 to 4"}));
   }
+}
+
+MacroSignal Interpreter::take_signal() {
+  return std::exchange(state_.signal, {});
 }
 
 // Letters that codes take here and not in RS274.

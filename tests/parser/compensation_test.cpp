@@ -146,8 +146,8 @@ TEST(Compensation, KeepsDInForceWithFanuc) {
   const std::string path =
       "2: line to 20 3 0 feed 10\n3: line to 50 3 0 feed 10\n4: line to 50 40 0 feed 10\n"
       "5: program end 0\n";
-  EXPECT_EQ(moves("D2\nG41 G1 F600 X20\nX50\nG40 Y40\nM30\n", Dialect::fanuc), path);
-  EXPECT_EQ(messages("D2\nG41 G1 F600 X20\nX50\nG40 Y40\nM30\n", Dialect::fanuc), "");
+  EXPECT_EQ(moves("D2\nG41 G1 F600 X20.\nX50.\nG40 Y40.\nM30\n", Dialect::fanuc), path);
+  EXPECT_EQ(messages("D2\nG41 G1 F600 X20.\nX50.\nG40 Y40.\nM30\n", Dialect::fanuc), "");
 }
 
 }  // namespace

@@ -157,6 +157,25 @@ TEST(Fanuc, CountsColumnsBehindASemicolonFromTheStartOfTheLine) {
   EXPECT_EQ(run("G1 X5. F60; G999").at(0), "p:1:13: error: G999 is not known [E0100]");
 }
 
+std::string warnings(const std::string& text, double least_increment_mm = 0.0) {
+  ReaderOptions options;
+  options.dialect = Dialect::fanuc;
+  options.machine.least_increment_mm = least_increment_mm;
+  std::string all;
+  for (const Diagnostic& one : read_program(text + "\nM30\n", options).diagnostics) {
+    all += to_string(one, "p") + "\n";
+  }
+  return all;
+}
+
+TEST(LeastIncrement, IsWarnedOfOnceWhereItIsNotInForce) {
+  EXPECT_EQ(warnings("G0 X0 Y5 Z5\nG1 X0 Y-10 F100\nX20"),
+            "p:2:7: warning: Y-10 without a decimal point is read as -10 mm [E0909]\n");
+  EXPECT_EQ(warnings("G20 G1 X1. Y2. F10\nG81 X#1 Z1"), warnings("G20 G1 F10 X1.\nG81 Y#1 Z1"));
+  EXPECT_EQ(warnings("G1 X1. Y[1+1] Z0 F100\nG2 X2. I.5"), "");
+  EXPECT_EQ(warnings("G1 X1 F100", 0.001), "");
+}
+
 TEST(LeastIncrement, IsTheUnitOfNumbersWithoutAPoint) {
   EXPECT_EQ(run("G1 X1000 Y2. F60", 0.001), (Lines{"1: line to 1 2 0 feed 1"}));
   EXPECT_EQ(run("G2 X1000 Y1000 I500 J500 F60", 0.001),

@@ -50,8 +50,19 @@ TEST(Number, LeavesAnExponentUnread) {
 TEST(Number, JoinsDigitsAcrossBlanksAndSaysSo) {
   const ScannedNumber number = scan("1 0. 5");
   EXPECT_EQ(number.value, 10.5);
-  EXPECT_TRUE(number.blank_inside);
-  EXPECT_FALSE(scan("10.5 ").blank_inside);
+  EXPECT_EQ(number.oddity, Oddity::blank_inside);
+  EXPECT_EQ(scan("10.5 ").oddity, Oddity::none);
+}
+
+TEST(Number, SaysWhatIsBelowTheResolution) {
+  for (const char* const fine : {"0.0000000009", "-.0000000001", "0.00000000000000000000000001"}) {
+    EXPECT_EQ(scan(fine).oddity, Oddity::fine) << fine;
+  }
+  for (const char* const usual :
+       {"0.000000001", "0.0000001", "0", "0.0000000", "-0.00000000000000000000", "1.00000001"}) {
+    EXPECT_EQ(scan(usual).oddity, Oddity::none) << usual;
+  }
+  EXPECT_EQ(scan("." + std::string(5000, '0') + "1").oddity, Oddity::fine);
 }
 
 TEST(Number, OutOfRangeIsHugeAndTooSmallIsZero) {

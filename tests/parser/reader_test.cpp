@@ -79,6 +79,15 @@ TEST(ProgramReader, LeavesOutDeletedBlocksWhenAsked) {
   EXPECT_TRUE(read_program(text).has_errors);
 }
 
+TEST(ProgramReader, RoundsCoordinatesBelowTheResolutionAndSaysSoOnce) {
+  const Program program =
+      read_program("G0 X1\nX0.00000000004\nG0 X-0.000000000004 Y2\nG1 X3 F0.0000000001\nM2\n");
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(message_line(program.diagnostics[0], "p"),
+            "p:2:1: warning: X: the value is below the resolution of 1e-9, rounded to 0");
+  EXPECT_EQ(std::get<LineMove>(program.moves[1].shape).end_mm[0], 0.0);
+}
+
 TEST(ProgramReader, StartsWhereItIsTold) {
   ReaderOptions options;
   options.start_mm = {1, 2, 3};

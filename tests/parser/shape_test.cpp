@@ -71,9 +71,9 @@ TEST(Shape, MirrorsReverseArcsTurnsAndTheSideOfTheCutter) {
   EXPECT_EQ(lines_of("G51.1 X0\nG68 X0 Y0 R90\nG0 X2 Y1").back(), "3: rapid to 1 2 0")
       << "(2, 1) turned is (-1, 2), in the mirror (1, 2)";
   // The mirror image of a contour is as far from the mirror image of the tool's way.
-  EXPECT_EQ(lines_of("G51.1 X0\nG41.1 D4 G1 F60 X20\nX40\nG40 X60 Y-9").front(),
+  EXPECT_EQ(lines_of("G51.1 X0\nG41.1 D4 G1 F60 X20.\nX40.\nG40 X60. Y-9.").front(),
             "2: line to -20 2 0 feed 1");
-  EXPECT_EQ(lines_of("G51 X0 Y0 I-1. J1.\nG41.1 D4 G1 F60 X20\nX40\nG40 X60 Y-9").front(),
+  EXPECT_EQ(lines_of("G51 X0 Y0 I-1. J1.\nG41.1 D4 G1 F60 X20.\nX40.\nG40 X60. Y-9.").front(),
             "2: line to -20 2 0 feed 1");
 }
 
@@ -85,7 +85,7 @@ TEST(Shape, ChangesMirrorsOnlyOutsideScalesTurnsAndCompensation) {
   EXPECT_EQ(lines_of("G51.1").front(), "program:1:1: error: G51.1 needs at least one axis word");
   EXPECT_EQ(lines_of("G51.1 X0\nG52 X1").front(),
             "program:2:1: error: G52 cannot be used while G51, G51.1 or G68 is active");
-  EXPECT_EQ(lines_of("G41.1 D4 G1 F60 X20\nG51.1 X0\nX40").front(),
+  EXPECT_EQ(lines_of("G41.1 D4 G1 F60 X20.\nG51.1 X0\nX40.").front(),
             "program:2:1: error: G51.1 cannot be used while cutter compensation is active: cancel "
             "with G40 first");
 }

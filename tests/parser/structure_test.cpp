@@ -47,7 +47,7 @@ TEST(Structure, FindsTheCloseOfEachOpener) {
   EXPECT_EQ(line_of_close(1), 4U);
   EXPECT_EQ(line_of_close(5), 6U);
   EXPECT_EQ(line_of_close(7), 9U);
-  EXPECT_EQ(text.statement(text.line(6).statement).keyword, Keyword::do_while);
+  EXPECT_EQ(text.statement(text.line(6).statement).keyword, Keyword::o_do_while);
   EXPECT_EQ(text.statement(text.line(8).statement).head, text.line(7).statement);
   EXPECT_FALSE(text.has_faults());
 }
