@@ -7,6 +7,7 @@
 #include "parser/block.hpp"
 #include "parser/dialect.hpp"
 #include "parser/fault.hpp"
+#include "parser/modal_state.hpp"
 
 namespace kerf::parser {
 
@@ -43,6 +44,16 @@ enum class Group : std::uint8_t {
 // A code as ten times its number: G5.2 is 52, M3 is 30.
 using Tenths = std::int16_t;
 inline constexpr Tenths kNoCode = -1;
+
+// Of G17, G18 or G19 (else), and of G93, G95 or G94 (else).
+constexpr Plane plane_of(Tenths code) {
+  return code == 170 ? Plane::xy : code == 180 ? Plane::zx : Plane::yz;
+}
+constexpr FeedMode feed_mode_of(Tenths code) {
+  return code == 930   ? FeedMode::inverse_time
+         : code == 950 ? FeedMode::per_revolution
+                       : FeedMode::per_minute;
+}
 
 struct BlockCodes {
   struct Entry {

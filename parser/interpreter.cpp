@@ -12,18 +12,13 @@ namespace kerf::parser {
 
 namespace {
 
-constexpr Tenths kG4 = 40;
 constexpr Tenths kG80 = 800;
 
 }  // namespace
 
 Interpreter::Interpreter(const Point& start_mm, DiagnosticList& diagnostics, MachineData machine,
                          Dialect dialect, const ExtraWords& start_extra_deg_mm)
-    : machine_(std::move(machine)),
-      dialect_(dialect),
-      diagnostics_(&diagnostics),
-      compensation_(diagnostics),
-      nurbs_(diagnostics) {
+    : InterpreterMemory(diagnostics, std::move(machine), dialect) {
   state_.position_mm = start_mm;
   state_.extra_deg_mm = start_extra_deg_mm;
   state_.to_initial_level = dialect == Dialect::fanuc;
@@ -113,6 +108,33 @@ void Interpreter::end_program(SourcePosition source) {
   program_ended_ = true;
 }
 
+// In the order that the class names. Part of execute(), a call for each block would be felt.
+[[gnu::always_inline]] inline bool Interpreter::do_words() {
+  if (block_->g_count > 0) {
+    set_units_and_feed_mode();
+  }
+  if ((block_->has_any(letters('F', 'S', 'T')) || codes_.has(Group::spindle_mode)) &&
+      !(set_feed() && set_speed() && select_tool())) {
+    return false;
+  }
+  if ((block_->m_count > 0 || block_->has('S')) && !switch_machine()) {
+    return false;
+  }
+  if (block_->g_count > 0 && !set_modes()) {
+    return false;
+  }
+  if (state_.surface_speed.active) {
+    follow_moved_axis();
+  }
+  if (!move()) {
+    return false;
+  }
+  if (block_->m_count > 0) {
+    stop();
+  }
+  return true;
+}
+
 bool Interpreter::execute() {
   if (dialect_ == Dialect::fanuc && codes_.has(Group::motion)) {
     settle_cycle_group();
@@ -130,37 +152,7 @@ bool Interpreter::execute() {
   if (begins_curve()) {
     return begin_curve();
   }
-  if (!check_words()) {
-    return false;
-  }
-  if (block_->g_count > 0) {
-    set_units_and_feed_mode();
-  }
-  if ((block_->has_any(letters('F', 'S', 'T')) || codes_.has(Group::spindle_mode)) &&
-      !(set_feed() && set_speed() && select_tool())) {
-    return false;
-  }
-  if ((block_->m_count > 0 || block_->has('S')) && !switch_machine()) {
-    return false;
-  }
-  if (block_->g_count > 0) {
-    if (codes_[Group::other] == kG4 && !dwell()) {
-      return false;
-    }
-    if (!set_modes()) {
-      return false;
-    }
-  }
-  if (state_.surface_speed.active) {
-    follow_moved_axis();
-  }
-  if (!move()) {
-    return false;
-  }
-  if (block_->m_count > 0) {
-    stop();
-  }
-  return true;
+  return check_words() && do_words();
 }
 
 // Takes over what can be told of a block with an error; see the class.
@@ -185,25 +177,44 @@ void Interpreter::recover() {
 }
 
 void Interpreter::recover_code(double g) {
-  const auto is = [g](double code) { return std::fabs(g - code) < 1e-9; };
-  const auto tenths = static_cast<Tenths>(std::lround(std::clamp(g, 0.0, 99.0) * 10.0));
-  if (is(0) || is(1) || is(2) || is(3) || is_cycle(static_cast<Motion>(tenths))) {
-    set_motion(tenths);
-  } else if (is(17) || is(18) || is(19)) {
-    state_.plane = is(17) ? Plane::xy : is(18) ? Plane::zx : Plane::yz;
-  } else if (is(20) || is(21)) {
-    set_units(is(20) ? Units::inch : Units::mm);
-  } else if (is(90) || is(91)) {
-    state_.incremental = is(91);
-  } else if (is(93) || is(94) || is(95)) {
-    set_feed_mode(is(93)   ? FeedMode::inverse_time
-                  : is(95) ? FeedMode::per_revolution
-                           : FeedMode::per_minute);
-  } else if (tenths >= 540 && tenths <= 593 && codes_[Group::work_offset] == tenths) {
+  const double tenths = std::round(std::clamp(g, 0.0, 99.0) * 10.0);
+  const auto code = static_cast<Tenths>(tenths);
+  if (std::fabs(g * 10.0 - tenths) > 1e-8) {
+    return;
+  }
+  switch (code) {
+    case 170:
+    case 180:
+    case 190:
+      state_.plane = plane_of(code);
+      break;
+    case 200:
+    case 210:
+      set_units(code == 200 ? Units::inch : Units::mm);
+      break;
+    case 900:
+    case 910:
+      state_.incremental = code == 910;
+      break;
+    case 930:
+    case 940:
+    case 950:
+      set_feed_mode(feed_mode_of(code));
+      break;
+    default:
+      recover_motion(code);
+      break;
+  }
+}
+
+void Interpreter::recover_motion(Tenths code) {
+  const bool plain = code == 0 || code == 10 || code == 20 || code == 30;
+  const bool ends_cycle = code == kG80 && codes_[Group::motion] == kG80;
+  if (plain || ends_cycle || is_cycle(static_cast<Motion>(code))) {
+    set_motion(code);
+  } else if (code >= 540 && code <= 593 && codes_[Group::work_offset] == code) {
     select_work_offset();
-  } else if (is(80) && codes_[Group::motion] == kG80) {
-    set_motion(kG80);
-  } else if (is(40) && compensation_.on()) {
+  } else if (code == 400 && compensation_.on()) {
     compensation_.stop();
   }
 }

@@ -7,21 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "parser/block.hpp"
-#include "parser/codes.hpp"
-#include "parser/compensation/cutter_compensation.hpp"
 #include "parser/curve_block.hpp"
 #include "parser/cycles/drill_cycle.hpp"
-#include "parser/diagnostic_list.hpp"
-#include "parser/dialect.hpp"
-#include "parser/fault.hpp"
-#include "parser/modal_state.hpp"
-#include "parser/move_queue.hpp"
-#include "parser/nurbs_collector.hpp"
-#include "parser/offsets/machine_data.hpp"
-#include "parser/offsets/machine_values.hpp"
-#include "parser/offsets/saved_modes.hpp"
-#include "parser/uniform_collector.hpp"
+#include "parser/interpreter_memory.hpp"
 
 namespace kerf::parser {
 
@@ -32,12 +20,10 @@ namespace kerf::parser {
 //
 // After an error the block's plain effects (codes of motion, plane, units, distance; end point) are
 // still taken over, so that one mistake is not reported again by the blocks behind it.
-class Interpreter {
+class Interpreter : private InterpreterMemory {
  public:
   Interpreter(const Point& start_mm, DiagnosticList& diagnostics, MachineData machine = {},
               Dialect dialect = Dialect::rs274, const ExtraWords& start_extra_deg_mm = {});
-  Interpreter(const Interpreter&) = delete;
-  Interpreter& operator=(const Interpreter&) = delete;
 
   // `complete` is false where the grammar stopped inside the line.
   void run(const Block& block, std::uint32_t line, bool complete);
@@ -68,8 +54,10 @@ class Interpreter {
  private:
   // interpreter.cpp
   bool execute();
+  bool do_words();
   void recover();
   void recover_code(double g);
+  void recover_motion(Tenths code);
   bool fail(std::uint32_t offset, const ErrorPage& page, std::string message);
   void report(const Fault& fault);
   void warn(std::uint32_t offset, const ErrorPage& page, std::string message);
@@ -77,10 +65,14 @@ class Interpreter {
 
   // interpreter_words.cpp
   bool check_words();
+  [[nodiscard]] Letters usable_letters(Letters of_motion) const;
+  bool check_line_number();
   bool check_axis_users();
   bool explain_idle_axes();
   bool explain_unused(const Word& word);
-  bool check_parameters(Letters ranged, Letters of_motion);
+  bool check_parameters(Letters of_motion);
+  bool check_users(Letters of_motion);
+  bool check_ranges(Letters ranged);
   void warn_idle_offset_numbers(Letters unused);
 
   // interpreter_modes.cpp
@@ -92,6 +84,7 @@ class Interpreter {
   bool set_feed();
   bool dwell();
   bool cutting_feedrate(double length_mm, double& feedrate_mm_s);
+  bool inverse_time_feedrate(double length_mm, double& feedrate_mm_s);
 
   // offsets/interpreter_offsets.cpp
   bool check_axis_taker(Group taker);
@@ -200,6 +193,7 @@ class Interpreter {
   // interpreter_motion.cpp
   void set_motion(Tenths code);
   bool move();
+  [[nodiscard]] bool asks_for_motion(Letters beside_axes) const;
   bool straight_move();
   bool arc_move();
   bool check_machine_coordinates();
@@ -222,38 +216,10 @@ class Interpreter {
   // interpreter_splines.cpp
   bool cubic_spline();
   bool quadratic_spline();
-  bool is_high_speed_mode() const;
+  [[nodiscard]] bool is_high_speed_mode() const;
   [[nodiscard]] std::array<double, 2> handle_mm(double x_word, double y_word) const;
   bool check_spline_axes(std::string_view name);
   bool deliver_spline(NurbsMove curve, std::string_view name);
-
-  ModalState state_;
-  MachineData machine_;
-  Dialect dialect_;
-  // One place for the main program and for each call that is open.
-  std::vector<std::optional<SavedModes>> saved_modes_{1};
-  MoveQueue moves_;
-  DiagnosticList* diagnostics_;
-  CutterCompensation compensation_;
-  NurbsCollector nurbs_;
-  UniformCollector uniform_;
-  std::vector<CycleStep> cycle_steps_;  // of the running block
-  SourcePosition curve_source_;
-  double curve_feedrate_mm_s_ = 0.0;
-  Tenths skipped_curve_ = kNoCode;  // the code of a curve with an error whose blocks still come
-  const Block* block_ = nullptr;    // of the running block
-  Block counted_block_;             // with numbers that count in least increments
-  BlockCodes codes_;
-  Group axis_taker_ = Group::count;  // the code that takes the block's axis words from the motion
-  Fault fault_;
-  std::uint32_t line_ = 0;
-  std::uint16_t file_ = 0;
-  MachineValues values_{{&state_, &machine_, &dialect_, &line_, &saved_modes_}};
-  std::uint32_t reported_line_ = 0;  // one error per block
-  SurfaceFollowing surface_sent_{};
-  bool no_feed_reported_ = false;
-  bool stopped_spindle_reported_ = false;
-  bool program_ended_ = false;
 };
 
 }  // namespace kerf::parser

@@ -10,6 +10,7 @@ namespace kerf::parser {
 
 namespace {
 
+constexpr Tenths kG4 = 40;
 constexpr double kLargestFeed = 1e9;
 
 }  // namespace
@@ -35,17 +36,17 @@ void Interpreter::set_units_and_feed_mode() {
     set_units(codes_[Group::units] == 200 ? Units::inch : Units::mm);
   }
   if (codes_.has(Group::feed_mode)) {
-    const Tenths code = codes_[Group::feed_mode];
-    set_feed_mode(code == 930   ? FeedMode::inverse_time
-                  : code == 950 ? FeedMode::per_revolution
-                                : FeedMode::per_minute);
+    set_feed_mode(feed_mode_of(codes_[Group::feed_mode]));
   }
 }
 
+// G4 comes before the modes.
 bool Interpreter::set_modes() {
+  if (codes_[Group::other] == kG4 && !dwell()) {
+    return false;
+  }
   if (codes_.has(Group::plane)) {
-    const Tenths code = codes_[Group::plane];
-    state_.plane = code == 170 ? Plane::xy : code == 180 ? Plane::zx : Plane::yz;
+    state_.plane = plane_of(codes_[Group::plane]);
   }
   if (codes_.has(Group::cutter_compensation) && !set_compensation()) {
     return false;
@@ -140,22 +141,26 @@ bool Interpreter::dwell() {
   return true;
 }
 
+bool Interpreter::inverse_time_feedrate(double length_mm, double& feedrate_mm_s) {
+  if (!block_->has('F')) {
+    return fail(motion_offset(), errors::kInverseTimeWithoutFeed,
+                "G93 is active: F is needed in every cutting block");
+  }
+  if (block_->value('F') == 0.0) {
+    return fail(block_->word('F').offset, errors::kInverseTimeZeroFeed,
+                "F must be greater than 0 with G93");
+  }
+  feedrate_mm_s = feedrate_mm_s_from(InverseTime{length_mm, block_->value('F')});
+  return true;
+}
+
 // The feedrate of a cutting move of this block; `length_mm` is what G93 divides by the time.
 bool Interpreter::cutting_feedrate(double length_mm, double& feedrate_mm_s) {
   const auto name = [this] {
     return joined({"G", shortest(static_cast<double>(state_.motion) / 10.0)});
   };
   if (state_.feed_mode == FeedMode::inverse_time) {
-    if (!block_->has('F')) {
-      return fail(motion_offset(), errors::kInverseTimeWithoutFeed,
-                  "G93 is active: F is needed in every cutting block");
-    }
-    if (block_->value('F') == 0.0) {
-      return fail(block_->word('F').offset, errors::kInverseTimeZeroFeed,
-                  "F must be greater than 0 with G93");
-    }
-    feedrate_mm_s = feedrate_mm_s_from(InverseTime{length_mm, block_->value('F')});
-    return true;
+    return inverse_time_feedrate(length_mm, feedrate_mm_s);
   }
   if (state_.feed_mode == FeedMode::per_revolution && state_.feed_per_revolution_mm) {
     return feedrate_per_revolution(feedrate_mm_s);

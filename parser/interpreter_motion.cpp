@@ -74,14 +74,18 @@ bool Interpreter::rapid_to_words() {
   return true;
 }
 
+// The block has a motion code, or words that the motion in force takes.
+bool Interpreter::asks_for_motion(Letters beside_axes) const {
+  return codes_.has(Group::motion) || block_->has_any(axis_letters() | beside_axes);
+}
+
 bool Interpreter::move() {
-  if (codes_[Group::other] == kG53) {
-    if (!check_machine_coordinates()) {
-      return false;
-    }
-    if (state_.motion != Motion::rapid && state_.motion != Motion::line) {
-      return rapid_to_words();
-    }
+  const bool on_machine = codes_[Group::other] == kG53;
+  if (on_machine && !check_machine_coordinates()) {
+    return false;
+  }
+  if (on_machine && state_.motion != Motion::rapid && state_.motion != Motion::line) {
+    return rapid_to_words();
   }
   if (codes_.has(Group::other) && !do_once()) {
     return false;
@@ -95,20 +99,14 @@ bool Interpreter::move() {
       return !block_->has_any(axis_letters()) || straight_move();
     case Motion::arc_clockwise:
     case Motion::arc_counterclockwise:
-      return (!codes_.has(Group::motion) &&
-              !block_->has_any(axis_letters() | letters('I', 'J', 'K', 'R'))) ||
-             arc_move();
+      return !asks_for_motion(letters('I', 'J', 'K', 'R')) || arc_move();
     case Motion::cubic_spline:
-      return (!codes_.has(Group::motion) && !block_->has_any(axis_letters() | letters('I', 'J'))) ||
-             cubic_spline();
+      return !asks_for_motion(letters('I', 'J')) || cubic_spline();
     case Motion::quadratic_spline:
-      return (!codes_.has(Group::motion) && !block_->has_any(axis_letters() | letters('I', 'J'))) ||
-             quadratic_spline();
+      return !asks_for_motion(letters('I', 'J')) || quadratic_spline();
     case Motion::none:
-      if (codes_[Group::motion] == 53) {
-        return fail(motion_offset(), errors::kOpenWithoutCurve, "G5.3 without G5.2");
-      }
-      return true;
+      return codes_[Group::motion] != 53 ||
+             fail(motion_offset(), errors::kOpenWithoutCurve, "G5.3 without G5.2");
     default:
       return is_cycle(state_.motion) ? drill_cycle() : probe();
   }

@@ -36,42 +36,56 @@ Letters letters_of(Motion motion, Dialect dialect) {
 
 }  // namespace
 
+// These are parts of check_words(), a call for each block would be felt.
+[[gnu::always_inline]] inline Letters Interpreter::usable_letters(Letters of_motion) const {
+  const Letters always = letters('N', 'F', 'S', 'T', 'O') | axis_letters() | of_motion;
+  if (block_->g_count + block_->m_count == 0) {
+    return always;
+  }
+  return always | letters_of_codes(codes_) | (dialect_ == Dialect::fanuc ? letters_of_fanuc() : 0);
+}
+
+[[gnu::always_inline]] inline bool Interpreter::check_line_number() {
+  if (!block_->has('N') || block_->value('N') <= kLargestLineNumber) {
+    return true;
+  }
+  const Word& word = block_->word('N');
+  return fail(
+      word.offset, errors::kLineNumberOutOfRange,
+      joined({"N: line number ", upper(block_->text(word).substr(1, 40)), " is out of range"}));
+}
+
+// Words that somebody uses: no two may, and their values must be coordinates at most.
+[[gnu::always_inline]] inline bool Interpreter::check_parameters(Letters of_motion) {
+  const bool taken = axis_taker_ != Group::count;
+  const Letters ranged = letters('I', 'J', 'K', 'P', 'Q', 'R') | (taken ? axis_letters() : 0);
+  return !block_->has_any(ranged) || (check_users(of_motion) && check_ranges(ranged));
+}
+
 // Every word of the block must have somebody who uses it.
 bool Interpreter::check_words() {
   const Block& block = *block_;
   const Tenths code = codes_[Group::motion];
   const Motion motion = code == kNoCode ? state_.motion : static_cast<Motion>(code);
-  const bool coded = block.g_count + block.m_count > 0;
   axis_taker_ = block.g_count > 0 ? taker_of_axes(block, codes_) : Group::count;
-  const bool fanuc = dialect_ == Dialect::fanuc;
-  if (fanuc && codes_[Group::other] == kG4) {
+  if (dialect_ == Dialect::fanuc && codes_[Group::other] == kG4) {
     axis_taker_ = Group::other;  // X is a time
   }
   const bool moves =
       axis_taker_ == Group::count &&
       (code != kNoCode || block.has_any(axis_letters() | letters('I', 'J', 'K', 'R')));
   const Letters of_motion = moves ? letters_of(motion, dialect_) : 0;
-  const Letters usable = letters('N', 'F', 'S', 'T', 'O') | axis_letters() | of_motion |
-                         (coded ? letters_of_codes(codes_) : 0) |
-                         (coded && fanuc ? letters_of_fanuc() : 0);
-  if (Letters unused = block.present & ~usable; unused != 0) {
+  if (Letters unused = block.present & ~usable_letters(of_motion); unused != 0) {
     warn_idle_offset_numbers(unused);
     unused &= ~letters('D', 'H');
     if (unused != 0) {
       return explain_unused(*leftmost(block, unused));
     }
   }
-  if (block.has('N') && block.value('N') > kLargestLineNumber) {
-    return fail(block.word('N').offset, errors::kLineNumberOutOfRange,
-                joined({"N: line number ", upper(block.text(block.word('N')).substr(1, 40)),
-                        " is out of range"}));
-  }
-  const bool taken = axis_taker_ != Group::count;
-  const Letters ranged = letters('I', 'J', 'K', 'P', 'Q', 'R') | (taken ? axis_letters() : 0);
-  if (block.has_any(ranged) && !check_parameters(ranged, of_motion)) {
+  if (!check_line_number() || !check_parameters(of_motion)) {
     return false;
   }
-  if (taken) {
+  if (axis_taker_ != Group::count) {
     return check_axis_taker(axis_taker_);
   }
   const bool turns = codes_[Group::spindle] == 190;  // M19 R
@@ -79,8 +93,7 @@ bool Interpreter::check_words() {
          check_axis_users();
 }
 
-// Words that somebody uses: no two may, and their values must be coordinates at most.
-bool Interpreter::check_parameters(Letters ranged, Letters of_motion) {
+bool Interpreter::check_users(Letters of_motion) {
   const Block& block = *block_;
   for (const char letter : {'P', 'Q', 'R'}) {
     if (block.has(letter) &&
@@ -89,6 +102,11 @@ bool Interpreter::check_parameters(Letters ranged, Letters of_motion) {
                   joined({named(letter), " has two users in this block"}));
     }
   }
+  return true;
+}
+
+bool Interpreter::check_ranges(Letters ranged) {
+  const Block& block = *block_;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     const bool is_angle = letter <= 'C';
     const double unit = is_angle ? 1.0 : mm_per_unit(state_.units);

@@ -48,7 +48,7 @@ bool Interpreter::allowed_while_compensating() {
     return refuse(Group::tool);
   }
   if (const Tenths code = codes_[Group::plane]; code != kNoCode) {
-    const Plane plane = code == 170 ? Plane::xy : code == 180 ? Plane::zx : Plane::yz;
+    const Plane plane = plane_of(code);
     if (plane != state_.plane) {
       return fail(code_word(*block_, codes_, Group::plane).offset, errors::kCompensationPlaneChange,
                   joined({"plane cannot change (", plane_name(state_.plane), " to ",
