@@ -18,7 +18,7 @@ struct Line {
 // the piece fed last and at most kMaxLine bytes of an unfinished line.
 class LineSplitter {
  public:
-  static constexpr std::size_t kMaxLine = 64 * 1024;
+  static constexpr std::size_t kMaxLine = std::size_t{64} * 1024;
 
   void feed(std::string_view bytes);
   void finish() { finished_ = true; }

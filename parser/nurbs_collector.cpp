@@ -104,15 +104,15 @@ bool NurbsCollector::first_point(const CurveBlock& at, Fault& fault) {
   append_point(curve_, {here, weight}, at.line);
   knot_pending_ = !at.block.has('K');
   if (!knot_pending_) {
-    push_knot(at.block.value('K'), at.line);
+    push_knot({at.block.value('K'), at.line});
   }
   return true;
 }
 
-void NurbsCollector::push_knot(double knot, std::uint32_t line) {
-  run_ = !curve_.knots.empty() && knot == curve_.knots.back() ? run_ + 1 : 1;
-  curve_.knots.push_back(knot);
-  curve_.knot_lines.push_back(line);
+void NurbsCollector::push_knot(const KnotOfLine& given) {
+  run_ = !curve_.knots.empty() && given.knot == curve_.knots.back() ? run_ + 1 : 1;
+  curve_.knots.push_back(given.knot);
+  curve_.knot_lines.push_back(given.line);
 }
 
 bool NurbsCollector::add_point(const CurveBlock& at, Fault& fault) {
@@ -140,7 +140,7 @@ bool NurbsCollector::add_point(const CurveBlock& at, Fault& fault) {
   }
   const double knot = block.value('K');
   if (knot_pending_) {
-    push_knot(knot, curve_.point_lines.front());
+    push_knot({knot, curve_.point_lines.front()});
     knot_pending_ = false;
   }
   if (!check_knot(at, knot, fault)) {
@@ -150,7 +150,7 @@ bool NurbsCollector::add_point(const CurveBlock& at, Fault& fault) {
     return kCurve.fail(fault, first_axis->offset, errors::kNurbsTooManyPoints,
                        {"more than ", std::to_string(kMostControlPoints), " control points"});
   }
-  push_knot(knot, at.line);
+  push_knot({knot, at.line});
   append_point(curve_, {point, weight}, at.line);
   return true;
 }
@@ -160,7 +160,7 @@ bool NurbsCollector::add_knot(const CurveBlock& at, Fault& fault) {
     return false;
   }
   ++tail_;
-  push_knot(at.block.value('K'), at.line);
+  push_knot({at.block.value('K'), at.line});
   return tail_ < order_ || check_whole(at, fault);
 }
 

@@ -45,7 +45,11 @@ class NurbsCollector {
   bool check_knot(const CurveBlock& at, double knot, Fault& fault) const;
   bool check_tail(const CurveBlock& at, Fault& fault) const;
   bool check_whole(const CurveBlock& at, Fault& fault) const;
-  void push_knot(double knot, std::uint32_t line);
+  struct KnotOfLine {
+    double knot = 0.0;
+    std::uint32_t line = 0;
+  };
+  void push_knot(const KnotOfLine& given);
   Result failed() {
     active_ = false;
     return Result::failed;

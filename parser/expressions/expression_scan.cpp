@@ -42,11 +42,11 @@ struct Spelling {
   Operator op;
 };
 constexpr std::array kSpellings = {
-    Spelling{"EQ", Operator::equal},   Spelling{"NE", Operator::not_equal},
-    Spelling{"GT", Operator::greater}, Spelling{"GE", Operator::greater_equal},
-    Spelling{"LT", Operator::less},    Spelling{"LE", Operator::less_equal},
-    Spelling{"MOD", Operator::modulo}, Spelling{"AND", Operator::and_},
-    Spelling{"OR", Operator::or_},     Spelling{"XOR", Operator::xor_},
+    Spelling{"EQ", Operator::equal},       Spelling{"NE", Operator::not_equal},
+    Spelling{"GT", Operator::greater},     Spelling{"GE", Operator::greater_equal},
+    Spelling{"LT", Operator::less},        Spelling{"LE", Operator::less_equal},
+    Spelling{"MOD", Operator::modulo},     Spelling{"AND", Operator::conjunction},
+    Spelling{"OR", Operator::disjunction}, Spelling{"XOR", Operator::exclusive_or},
 };
 
 std::size_t letters_in(std::string_view rest) {

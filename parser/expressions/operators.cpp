@@ -61,8 +61,9 @@ bool equal(const Operands& operands, Dialect dialect) {
 Outcome logical(Operator op, const Operands& operands) {
   const bool left = operands.left != 0.0;
   const bool right = operands.right != 0.0;
-  return truth(op == Operator::and_ ? left && right
-                                    : (op == Operator::or_ ? left || right : left != right));
+  return truth(op == Operator::conjunction
+                   ? left && right
+                   : (op == Operator::disjunction ? left || right : left != right));
 }
 
 Outcome bitwise(Operator op, const Operands& operands) {
@@ -77,7 +78,8 @@ Outcome bitwise(Operator op, const Operands& operands) {
   const auto right = static_cast<std::int32_t>(std::lround(operands.right));
   const auto l = static_cast<std::uint32_t>(left);
   const auto r = static_cast<std::uint32_t>(right);
-  const std::uint32_t bits = op == Operator::and_ ? l & r : (op == Operator::or_ ? l | r : l ^ r);
+  const std::uint32_t bits =
+      op == Operator::conjunction ? l & r : (op == Operator::disjunction ? l | r : l ^ r);
   return {static_cast<double>(static_cast<std::int32_t>(bits)), nullptr, {}};
 }
 

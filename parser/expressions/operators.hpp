@@ -23,9 +23,9 @@ enum class Operator : std::uint8_t {
   greater_equal,
   less,
   less_equal,
-  and_,
-  or_,
-  xor_,
+  conjunction,   // AND: logical in RS274/NGC, of bits with Fanuc, as the next two
+  disjunction,   // OR
+  exclusive_or,  // XOR
 };
 
 struct Operands {

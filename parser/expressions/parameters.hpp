@@ -66,7 +66,7 @@ class Parameters {
  private:
   static constexpr std::size_t kMostLocals = 33;
   struct Frame {
-    std::array<double, kMostLocals> saved;
+    std::array<double, kMostLocals> saved{};
     std::size_t first_name = 0;  // of the caller in local_names_
   };
   struct LocalName {
