@@ -10,7 +10,7 @@
 
 #include "curves/curve.hpp"
 #include "curves/extra_way.hpp"
-#include "profiles/transition.hpp"
+#include "profiles/time_law.hpp"
 
 namespace kerf::interp {
 
@@ -27,14 +27,15 @@ struct TickTime {
   double offset_s = 0.0;  // in [0, period)
 };
 
-// One transition, cruise or rest. The first phase after a rest begins on a tick.
+// One transition, cruise, rest or cell of the time optimum. The first phase after a rest begins on
+// a tick.
 struct Phase {
   std::uint64_t curve = 0;  // 0: a rest before the first motion
   TickTime begin{};
   double s_begin_mm = 0.0;     // on the curve
   double s_end_mm = 0.0;       // reached exactly when the law is over
   double path_begin_mm = 0.0;  // path length of all curves before this one
-  profiles::Transition law{};
+  profiles::TimeLaw law{};
   std::uint32_t line = 0;
   bool rapid = false;
   bool ends_at_rest = false;

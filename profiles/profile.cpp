@@ -13,8 +13,8 @@ namespace {
 
 constexpr Peaks kTrapezoidPeaks{.acceleration = 1.0, .jerk = 0.0};
 
-constexpr std::array<std::string_view, 6> kNames{"trapezoid", "s-curve",     "sine",
-                                                 "quintic",   "sine-series", "sigmoid"};
+constexpr std::array<std::string_view, 7> kNames{"trapezoid",   "s-curve", "sine",        "quintic",
+                                                 "sine-series", "sigmoid", "time-optimal"};
 
 // The largest value in [floor, candidate], or a few units in the last place below it, for which
 // `fits` holds; it holds for floor, and the candidate misses by rounding at most.
@@ -58,6 +58,7 @@ double Profile::duration_s(double change_mm_s, const RampLimits& limits) const {
     case ProfileKind::trapezoid:
       return profiles::duration_s(change_mm_s, kTrapezoidPeaks, limits);
     case ProfileKind::s_curve:
+    case ProfileKind::time_optimal:
       return s_curve_duration_s(change_mm_s, limits);
     case ProfileKind::sine:
       return profiles::duration_s(change_mm_s, Sine::kPeaks, limits);
@@ -85,6 +86,7 @@ Transition Profile::fastest(const Ramp& ramp, const RampLimits& limits) const {
       case ProfileKind::trapezoid:
         return Trapezoid::fastest(change, limits);
       case ProfileKind::s_curve:
+      case ProfileKind::time_optimal:
         return SCurve::fastest(change, limits);
       case ProfileKind::sine:
         return Sine::fastest(change, limits);
@@ -111,6 +113,7 @@ double Profile::reachable_change(const Approach& approach, const RampLimits& lim
     case ProfileKind::trapezoid:
       return profiles::reachable_change(approach, kTrapezoidPeaks, limits);
     case ProfileKind::s_curve:
+    case ProfileKind::time_optimal:
       return s_curve_reachable_change(approach, limits);
     case ProfileKind::sine:
       return profiles::reachable_change(approach, Sine::kPeaks, limits);

@@ -11,9 +11,19 @@
 
 namespace kerf::profiles {
 
-enum class ProfileKind : std::uint8_t { trapezoid, s_curve, sine, quintic, sine_series, sigmoid };
+// time_optimal is a law of whole paths, which the look-ahead finds; of a single change of feedrate
+// it is the S-curve.
+enum class ProfileKind : std::uint8_t {
+  trapezoid,
+  s_curve,
+  sine,
+  quintic,
+  sine_series,
+  sigmoid,
+  time_optimal,
+};
 
-// "trapezoid", "s-curve", "sine", "quintic", "sine-series", "sigmoid".
+// "trapezoid", "s-curve", "sine", "quintic", "sine-series", "sigmoid", "time-optimal".
 std::string_view name_of(ProfileKind kind);
 // Empty for any other name; case matters.
 std::optional<ProfileKind> profile_kind(std::string_view name);

@@ -5,7 +5,7 @@ namespace kerf::program {
 namespace {
 
 // Not told by the path: a slow ramp may be too short for its ends to differ.
-bool stands_still(const profiles::Transition& law) {
+bool stands_still(const profiles::TimeLaw& law) {
   return law.ramp().v_begin_mm_s == 0.0 && law.ramp().v_end_mm_s == 0.0;
 }
 

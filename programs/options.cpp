@@ -20,9 +20,9 @@ using profiles::ProfileKind;
 
 constexpr std::size_t kMostWindowBlocks = 1'000'000;
 
-constexpr std::array kProfiles{ProfileKind::trapezoid,   ProfileKind::s_curve,
-                               ProfileKind::sine,        ProfileKind::quintic,
-                               ProfileKind::sine_series, ProfileKind::sigmoid};
+constexpr std::array kProfiles{
+    ProfileKind::trapezoid,   ProfileKind::s_curve, ProfileKind::sine,        ProfileKind::quintic,
+    ProfileKind::sine_series, ProfileKind::sigmoid, ProfileKind::time_optimal};
 
 const std::map<std::string, DiagnosticFormat> kFormats{{"text", DiagnosticFormat::text},
                                                        {"json", DiagnosticFormat::json},

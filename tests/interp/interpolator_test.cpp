@@ -20,8 +20,8 @@ TEST(Interpolator, IsAtTheLawsLengthAtEveryTick) {
   const Profile profile{ProfileKind::s_curve};
   script.hill(50.0, profile);
   script.rest(0.0, true);
-  const Transition& up = script.phases()[0].law;
-  const Transition& down = script.phases()[1].law;
+  const profiles::TimeLaw& up = script.phases()[0].law;
+  const profiles::TimeLaw& down = script.phases()[1].law;
   Setpoint setpoint;
   std::int64_t n = 0;
   for (auto status = TickStatus::running; status == TickStatus::running; ++n) {
@@ -87,7 +87,7 @@ TEST(Interpolator, ResumesFromRestAsThoughItHadNotStarved) {
   starved.curve(line({2, 0, 0}, {5, 0, 0}));
   starved.hill(3.0, profile);
   starved.rest(0.0, true);
-  const Transition& up = starved.phases()[2].law;
+  const profiles::TimeLaw& up = starved.phases()[2].law;
   for (int i = 0; i < 20; ++i) {
     EXPECT_EQ(starved.interpolator().next(setpoint), TickStatus::running);
     EXPECT_NEAR(setpoint.position_mm[0], 2.0 + up.at(i * kTs).s_mm, 1e-12);

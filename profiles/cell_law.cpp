@@ -1,0 +1,103 @@
+#include "profiles/cell_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace kerf::profiles {
+
+namespace {
+
+static_assert(std::is_trivially_copyable_v<CellLaw>);
+
+// Below it the series' next terms are lost in rounding.
+constexpr double kSeries = 1e-2;
+
+// The solutions of f'' = k f with f(0) = 0, f'(0) = 1 and of f'' = k f + 1 with f(0) = f'(0) = 0.
+struct Waves {
+  double odd = 0.0;    // sinh(w t) / w
+  double even = 0.0;   // (cosh(w t) - 1) / w^2
+  double slope = 1.0;  // of odd: cosh(w t)
+};
+
+Waves waves(double bend_per_s2, double t_s) noexcept {
+  const double x = bend_per_s2 * t_s * t_s;
+  if (std::abs(x) < kSeries) {
+    const double odd = 1.0 + x / 6.0 * (1.0 + x / 20.0 * (1.0 + x / 42.0 * (1.0 + x / 72.0)));
+    const double even = 1.0 + x / 12.0 * (1.0 + x / 30.0 * (1.0 + x / 56.0 * (1.0 + x / 90.0)));
+    return {.odd = t_s * odd, .even = 0.5 * t_s * t_s * even, .slope = 1.0 + 0.5 * x * even};
+  }
+  const double w = std::sqrt(std::abs(bend_per_s2));
+  const bool grows = bend_per_s2 > 0.0;
+  // 2 sinh^2(w t / 2) = cosh(w t) - 1 without cancellation.
+  const double half = grows ? std::sinh(0.5 * w * t_s) : std::sin(0.5 * w * t_s);
+  const double even = 2.0 * half * half / (w * w);
+  return {.odd = (grows ? std::sinh(w * t_s) : std::sin(w * t_s)) / w,
+          .even = even,
+          .slope = 1.0 + bend_per_s2 * even};
+}
+
+// atanh(y) / y over y^2 = q, and atan for a negative q.
+double atanh_ratio(double q) noexcept {
+  if (std::abs(q) < 1e-4) {
+    return 1.0 + q * (1.0 / 3.0 + q * (1.0 / 5.0 + q * (1.0 / 7.0 + q / 9.0)));
+  }
+  const double y = std::sqrt(std::abs(q));
+  return (q > 0.0 ? std::atanh(y) : std::atan(y)) / y;
+}
+
+}  // namespace
+
+// With w^2 = k, w s = (v0 + v1) tanh(w T / 2): the duration without a search.
+CellLaw CellLaw::between(const Begin& begin, double length_mm) noexcept {
+  CellLaw law;
+  law.begin_ = begin;
+  law.length_mm_ = length_mm;
+  const double squared = begin.v_mm_s * begin.v_mm_s +
+                         length_mm * (2.0 * begin.a_mm_s2 + begin.bend_per_s2 * length_mm);
+  law.v_end_mm_s_ = std::sqrt(std::max(squared, 0.0));
+  const double mean = length_mm / (begin.v_mm_s + law.v_end_mm_s_);
+  law.duration_s_ = 2.0 * mean * atanh_ratio(begin.bend_per_s2 * mean * mean);
+  return law;
+}
+
+CellLaw CellLaw::launch(double v_end_mm_s, double length_mm) noexcept {
+  CellLaw law;
+  law.kind_ = Kind::launch;
+  law.v_end_mm_s_ = v_end_mm_s;
+  law.length_mm_ = length_mm;
+  law.duration_s_ = 3.0 * length_mm / v_end_mm_s;
+  return law;
+}
+
+CellLaw CellLaw::landing(double v_begin_mm_s, double length_mm) noexcept {
+  CellLaw law = launch(v_begin_mm_s, length_mm);
+  law.kind_ = Kind::landing;
+  law.begin_.v_mm_s = v_begin_mm_s;
+  law.v_end_mm_s_ = 0.0;
+  return law;
+}
+
+PathMotion CellLaw::at(double t_s) const noexcept {
+  const double t = std::clamp(t_s, 0.0, duration_s_);
+  if (kind_ == Kind::between) {
+    const auto& [v, a, k] = begin_;
+    const Waves w = waves(k, t);
+    const double s = v * w.odd + a * w.even;
+    const double v_now = v * w.slope + a * w.odd;
+    return {.s_mm = std::min(s, length_mm_),
+            .v_mm_s = std::max(v_now, 0.0),
+            .a_mm_s2 = a + k * s,
+            .j_mm_s3 = k * v_now};
+  }
+  const bool launches = kind_ == Kind::launch;
+  const double jerk = 2.0 * (launches ? v_end_mm_s_ : begin_.v_mm_s) / (duration_s_ * duration_s_);
+  const double from_rest = launches ? t : duration_s_ - t;
+  const double s = jerk * from_rest * from_rest * from_rest / 6.0;
+  return {.s_mm = launches ? s : std::max(length_mm_ - s, 0.0),
+          .v_mm_s = 0.5 * jerk * from_rest * from_rest,
+          .a_mm_s2 = launches ? jerk * from_rest : -jerk * from_rest,
+          .j_mm_s3 = jerk};
+}
+
+}  // namespace kerf::profiles
