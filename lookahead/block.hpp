@@ -32,6 +32,9 @@ struct Block {
   bool rapid = false;
   double length_mm = 0.0;
   BlockLimits limits{};
+  // The same without what turning on a curve asks of X, Y and Z: programmed, along the path, of
+  // further axes and, on an arc, by chord error.
+  BlockLimits along{};
   BlockEnd begin{};
   BlockEnd end{};
   bool stop_after = false;  // exact stop

@@ -119,8 +119,11 @@ Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits
     block.begin.tangent = line->direction();
     block.end = block.begin;
     bind_extra_axes(limits, block);
+    block.along = block.limits;
     return block;
   }
+  block.along = path_limits(feedrate, limits);
+  bind_extra(block.extra, limits, block.along);
   block.begin = block_end(curves::derivatives_at(block.curve, 0.0));
   block.end = block_end(curves::derivatives_at(block.curve, block.length_mm));
   const auto* nurbs = std::get_if<curves::NurbsCurve>(&block.curve);
@@ -128,6 +131,8 @@ Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits
     const Bend bend = nurbs != nullptr ? bend_of(*nurbs, normal_axis(arc->plane))
                                        : bend_of(std::get<curves::Arc>(block.curve));
     block.limits = arc_limits(bend, feedrate, limits);
+    block.along.feedrate_mm_s =
+        std::min(block.along.feedrate_mm_s, arc_chord_feedrate_mm_s(bend, limits));
     block.begin.third_per_mm2 = bend.third_per_mm2;
     block.end.third_per_mm2 = bend.third_per_mm2;
   } else {

@@ -49,6 +49,10 @@ double chord_feedrate_mm_s(double radius_mm, const PlanLimits& limits) {
 
 }  // namespace
 
+BlockLimits path_limits(double feedrate_mm_s, const PlanLimits& limits) {
+  return along_path(feedrate_mm_s, limits.path);
+}
+
 BlockLimits line_limits(const curves::Line& line, double feedrate_mm_s, const PlanLimits& limits) {
   BlockLimits block = along_path(feedrate_mm_s, limits.path);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -94,6 +98,11 @@ Bend bend_of(const curves::NurbsCurve& spiral, int normal_axis) {
   return bend;
 }
 
+double arc_chord_feedrate_mm_s(const Bend& bend, const PlanLimits& limits) {
+  const double c = bend.in_plane_share;
+  return chord_feedrate_mm_s(c * c / bend.curvature_per_mm, limits) / c;
+}
+
 BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits& limits) {
   BlockLimits block = along_path(feedrate_mm_s, limits.path);
   const auto normal = static_cast<std::size_t>(bend.normal_axis);
@@ -103,7 +112,7 @@ BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits&
   const double c = bend.in_plane_share;
   const double curvature = bend.curvature_per_mm;
   double& v = block.feedrate_mm_s;
-  v = std::min({v, axis.velocity_mm_s / c, chord_feedrate_mm_s(c * c / curvature, limits) / c,
+  v = std::min({v, axis.velocity_mm_s / c, arc_chord_feedrate_mm_s(bend, limits),
                 std::sqrt(kCentripetalShare * axis.acceleration_mm_s2 / curvature),
                 std::cbrt(kTurningJerkShare * axis.jerk_mm_s3 / bend.third_per_mm2)});
 

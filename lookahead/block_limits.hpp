@@ -11,6 +11,9 @@ namespace kerf::lookahead {
 
 // feedrate_mm_s: programmed, infinity for a rapid.
 
+// Of the path alone.
+BlockLimits path_limits(double feedrate_mm_s, const PlanLimits& limits);
+
 // An axis moves by its share of the direction, so its limits divided by that share bind.
 BlockLimits line_limits(const curves::Line& line, double feedrate_mm_s, const PlanLimits& limits);
 
@@ -36,6 +39,9 @@ Bend bend_of(const curves::NurbsCurve& spiral, int normal_axis);
 // centripetal terms leave room, and a and j are what remains there: one set of constants for the
 // whole arc.
 BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits& limits);
+
+// The feedrate at which the chord of a tick leaves the arc by the tolerance.
+double arc_chord_feedrate_mm_s(const Bend& bend, const PlanLimits& limits);
 
 // Along a NURBS the limits of the path bind, and no axis asks for more tangential acceleration or
 // jerk than the weakest axis has; what curvature adds on an axis does not bind.

@@ -17,6 +17,10 @@ constexpr double kLeastStep_mm = 1e-7;  // below any curve's features: keeps the
 // each time at half the distance: the line's own excess is a quarter of it at the most.
 constexpr double kConvex = 4e-4;
 constexpr int kRefinements = 6;
+// Where curvature allows this many times the feedrate, this share of a quarter piece will do
+// however short a tick is: at a very low feedrate the walk would never end.
+constexpr double kFarBelow = 8.0;
+constexpr double kFineShare = 1.0 / 64.0;
 // What straight lines between samples may miss of the bound.
 constexpr double kInside = 0.9998;
 // The feedrate aims this far inside the tolerance, so that the adjustment ends.
@@ -92,8 +96,13 @@ std::vector<TickBound> walk(const NurbsCurve& curve, const ScanLimits& limits) {
     const double v = tick_bound_mm_s(curve, s, limits);
     bounds.push_back({.s_mm = s, .v_mm_s = v});
     const curves::NurbsPiece& piece = curve.pieces()[curve.piece_index(s)];
-    const double step =
-        std::min(0.5 * v * limits.period_s, 0.25 * (piece.s_end_mm - piece.s_begin_mm));
+    const double coarse = 0.25 * (piece.s_end_mm - piece.s_begin_mm);
+    double step = 0.5 * v * limits.period_s;
+    if (step < kFineShare * coarse &&
+        curvature_bound_mm_s(curve, s, limits) > kFarBelow * limits.feedrate_mm_s) {
+      step = kFineShare * coarse;
+    }
+    step = std::min(step, coarse);
     s += std::max(step, kLeastStep_mm);
   }
   return bounds;

@@ -23,10 +23,11 @@ struct ScanLimits {
 // the feedrate at its middle in time but for J Ts^2 / 24. So the sample stands at s + v Ts / 2,
 // less that difference, and a plan below the samples keeps the tolerance wherever its ticks fall.
 // Steps are half a tick, and no longer than a quarter of a piece of the arc-length map, which is
-// short where the curve is sharp; no feature is stepped over. Between samples the ceiling is a
-// straight line: where the bound lies below it (curvature jumps, or is about to), the steps are
-// halved until it hardly does. Known to hold to a thousandth of the tolerance on the shipped
-// curves.
+// short where the curve is sharp; no feature is stepped over. Where a tick is far shorter than
+// that and curvature allows many times the feedrate, they are a 64th of it. Between samples the
+// ceiling is a straight line: where the bound lies below it (curvature jumps, or is about to), the
+// steps are halved until it hardly does. Known to hold to a thousandth of the tolerance on the
+// shipped curves.
 Ceiling scan_feedrate(const curves::NurbsCurve& curve, const ScanLimits& limits);
 
 }  // namespace kerf::lookahead

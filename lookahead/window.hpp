@@ -29,6 +29,7 @@ class Window {
   [[nodiscard]] const T& operator[](std::size_t index) const { return items_[index]; }
   [[nodiscard]] T& front() { return items_.front(); }
   [[nodiscard]] T& back() { return items_.back(); }
+  [[nodiscard]] const T& back() const { return items_.back(); }
 
  private:
   boost::circular_buffer<T> items_;

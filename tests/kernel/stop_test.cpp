@@ -35,14 +35,17 @@ Stopped stop_at(std::int64_t tick, ProfileKind kind, std::size_t window) {
     status = kernel.next(stopped.last);
     stopped.ticks_after += i >= tick ? 1 : 0;
     const bool on_curve = stopped.last.line >= 11 && stopped.last.line <= 18;
-    checker.add({.setpoint = stopped.last, .feedrate_mm_s = 150.0, .axis_limits_bind = !on_curve});
+    checker.add({.setpoint = stopped.last,
+                 .feedrate_mm_s = 150.0,
+                 .axis_limits_bind = kind == ProfileKind::time_optimal || !on_curve});
   }
   stopped.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
   return stopped;
 }
 
 TEST(Stop, KeepsEveryLimitAndEndsAtRestOnThePathWhenever) {
-  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::quintic}) {
+  for (const ProfileKind kind :
+       {ProfileKind::s_curve, ProfileKind::quintic, ProfileKind::time_optimal}) {
     const auto whole = ticks_of(mixed_program(), {.profile = Profile{kind}});
     for (std::size_t window : {3U, 1000U}) {
       for (std::int64_t tick = 1; tick < whole.back().tick; tick += 97) {

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lookahead/junction.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {
@@ -17,7 +18,7 @@ namespace {
 TEST(Planner, EmitsContiguousPhasesUnderEveryLaw) {
   for (const ProfileKind kind :
        {ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::sine, ProfileKind::quintic,
-        ProfileKind::sine_series, ProfileKind::sigmoid}) {
+        ProfileKind::sine_series, ProfileKind::sigmoid, ProfileKind::time_optimal}) {
     SCOPED_TRACE(profiles::name_of(kind));
     PlanLimits limits = mill();
     limits.chord_tolerance_mm = 5e-4;

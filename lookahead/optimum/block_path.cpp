@@ -1,0 +1,114 @@
+#include "lookahead/optimum/block_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curves/curve.hpp"
+#include "lookahead/junction.hpp"
+
+namespace kerf::lookahead {
+
+using curves::vec;
+
+namespace {
+
+// Of a derivative's size: what is less is rounding.
+constexpr double kJump = 1e-6;
+constexpr double kArcStep_rad = 0.05;
+
+bool differ(const curves::Position& a, const curves::Position& b) {
+  const double size = std::max(vec(a).norm(), vec(b).norm());
+  return (vec(a) - vec(b)).norm() > kJump * size;
+}
+
+// The tangent goes on: what differs is rounding.
+BlockEnd end_of(const curves::PathDerivatives& path) {
+  return {.tangent = {},
+          .curvature_per_mm = path.second_per_mm,
+          .third_per_mm2 = vec(path.third_per_mm2).cwiseAbs().maxCoeff()};
+}
+
+}  // namespace
+
+double BlockPath::ceiling_mm_s(double s_mm) const {
+  const Ceiling& ceiling = block_->ceiling;
+  if (ceiling.empty()) {
+    return block_->along.feedrate_mm_s;
+  }
+  const auto after =
+      std::lower_bound(ceiling.begin(), ceiling.end(), s_mm,
+                       [](const FeedSample& sample, double s) { return sample.s_mm < s; });
+  if (after == ceiling.begin()) {
+    return after->v_mm_s;
+  }
+  if (after == ceiling.end()) {
+    return ceiling.back().v_mm_s;
+  }
+  const auto before = std::prev(after);
+  const double share = (s_mm - before->s_mm) / (after->s_mm - before->s_mm);
+  return before->v_mm_s + share * (after->v_mm_s - before->v_mm_s);
+}
+
+CellEnd BlockPath::at(double s_mm) const {
+  const curves::PathDerivatives path = curves::derivatives_at(block_->curve, s_mm);
+  CellEnd end{.first = path.first,
+              .second_per_mm = path.second_per_mm,
+              .third_per_mm2 = path.third_per_mm2,
+              .feedrate_mm_s = std::min(block_->along.feedrate_mm_s, ceiling_mm_s(s_mm))};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (end.first[k] != 0.0) {
+      end.feedrate_mm_s =
+          std::min(end.feedrate_mm_s, limits_->axes[k].velocity_mm_s / std::abs(end.first[k]));
+    }
+  }
+  return end;
+}
+
+std::vector<double> BlockPath::scan_places() const {
+  std::vector<double> places{0.0};
+  if (!block_->ceiling.empty()) {
+    for (const FeedSample& sample : block_->ceiling) {
+      if (sample.s_mm > places.back()) {
+        places.push_back(sample.s_mm);
+      }
+    }
+  } else if (const auto* arc = std::get_if<curves::Arc>(&block_->curve)) {
+    const double angle = arc->length_mm() * arc->in_plane_share() / arc->radius_mm();
+    const double parts = std::ceil(angle / kArcStep_rad);
+    for (double k = 1.0; k <= parts; ++k) {
+      places.push_back(length_mm() * k / parts);
+    }
+  }
+  if (places.back() < length_mm()) {
+    places.push_back(length_mm());
+  }
+  return places;
+}
+
+std::vector<BlockPath::Break> BlockPath::breaks(const PlanLimits& joint) const {
+  std::vector<Break> places;
+  if (const auto* nurbs = std::get_if<curves::NurbsCurve>(&block_->curve)) {
+    const std::vector<curves::NurbsPiece>& pieces = nurbs->pieces();
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+      const double s = pieces[i].s_end_mm;
+      const curves::PathDerivatives before = pieces[i].derivatives_at(s);
+      const curves::PathDerivatives after = pieces[i + 1].derivatives_at(s);
+      if (differ(before.second_per_mm, after.second_per_mm)) {
+        places.push_back({s, corner_feedrate_mm_s(end_of(before), end_of(after), joint)});
+      } else if (differ(before.third_per_mm2, after.third_per_mm2)) {
+        places.push_back({s});
+      }
+    }
+  }
+  const Ceiling& ceiling = block_->ceiling;
+  for (std::size_t i = 1; i + 1 < ceiling.size(); ++i) {
+    if (ceiling[i].v_mm_s < ceiling[i - 1].v_mm_s && ceiling[i].v_mm_s <= ceiling[i + 1].v_mm_s) {
+      places.push_back({ceiling[i].s_mm});
+    }
+  }
+  std::sort(places.begin(), places.end(),
+            [](const Break& a, const Break& b) { return a.s_mm < b.s_mm; });
+  return places;
+}
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,41 @@
+// A block as the time optimum sees it: derivatives and the feedrate allowed at each place.
+#pragma once
+
+#include <vector>
+
+#include "lookahead/block.hpp"
+#include "lookahead/optimum/cell.hpp"
+
+namespace kerf::lookahead {
+
+// Refers to both: lives no longer.
+class BlockPath {
+ public:
+  BlockPath(const Block& block, const PlanLimits& limits) : block_(&block), limits_(&limits) {}
+
+  [[nodiscard]] double length_mm() const { return block_->length_mm; }
+  // s_mm is clamped. At a place where derivatives jump either side may be given.
+  [[nodiscard]] CellEnd at(double s_mm) const;
+  // What bounds motion along the block beside the axes.
+  [[nodiscard]] const profiles::RampLimits& along() const { return block_->along.ramp; }
+
+  // Places in ascending order, both ends among them, so dense that what bounds the feedrate hardly
+  // changes between two of them.
+  [[nodiscard]] std::vector<double> scan_places() const;
+  // An inner place where a cell must end: the third derivative jumps, the ceiling has a valley, or
+  // curvature jumps; then the place may be passed at this feedrate, else at any.
+  struct Break {
+    double s_mm = 0.0;
+    double feedrate_mm_s = kUnbounded;
+  };
+  // Ascending. joint: limits for the jumps.
+  [[nodiscard]] std::vector<Break> breaks(const PlanLimits& joint) const;
+
+ private:
+  [[nodiscard]] double ceiling_mm_s(double s_mm) const;
+
+  const Block* block_;
+  const PlanLimits* limits_;
+};
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,54 @@
+// The grid of the time optimum: cells of a path, each with what bounds the motion on it.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "curves/position.hpp"
+#include "lookahead/limits.hpp"
+#include "profiles/shape_value.hpp"
+
+namespace kerf::lookahead {
+
+// The path at one end of a cell, seen from within the cell: derivatives by arc length may jump from
+// a cell to the next.
+struct CellEnd {
+  curves::Position first{};
+  curves::Position second_per_mm{};
+  curves::Position third_per_mm2{};
+  double feedrate_mm_s = 0.0;  // allowed there: programmed, chord error, axis velocities
+};
+
+// What of the axes' limits a cell may use: less than 1 beside a joint that takes its part, and
+// where a check found that the limits were passed between the places at which the solver looks.
+// A little inside, so that what the check finds between two places is not beyond.
+inline constexpr double kAim = 0.9995;
+
+struct LimitShares {
+  double feedrate = kAim;
+  double acceleration = kAim;
+  double jerk = kAim;
+};
+
+struct Cell {
+  std::uint64_t block = 0;  // the block it lies on
+  double s_begin_mm = 0.0;  // on the block's curve
+  double length_mm = 0.0;
+  CellEnd begin{};
+  CellEnd end{};
+  profiles::RampLimits along{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
+  LimitShares shares{};
+  double planned_squared = 0.0;  // v^2 in its middle in an earlier plan, mm^2/s^2; 0: none
+
+  [[nodiscard]] double s_end_mm() const noexcept { return s_begin_mm + length_mm; }
+};
+
+// Where a stretch begins; it always ends at rest. v = 0: at rest, and then a = 0.
+struct StretchBegin {
+  double v_mm_s = 0.0;
+  double a_mm_s2 = 0.0;
+
+  [[nodiscard]] bool at_rest() const noexcept { return v_mm_s == 0.0; }
+};
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,135 @@
+#include "lookahead/optimum/optimal_feed.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lookahead/optimum/speed_estimate.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr double kFirstGuess = 0.3;  // of the estimate's squared feedrate
+// All walls together, over the time: the first and the last stage.
+constexpr double kFirstWalls = 1e-1;
+constexpr double kLastWalls = 1e-4;
+constexpr double kSharpen = 0.1;
+// Of the slack that a wall of a typical multiplier keeps.
+constexpr double kRelaxed = 0.3;
+constexpr int kStepsOfStage = 15;
+constexpr double kStageDone = 0.1;  // of the walls: Newton decrement
+constexpr int kHalvings = 25;
+constexpr double kArmijo = 1e-4;
+constexpr double kToZero = 0.9;  // of the way, in one step
+
+class Search {
+ public:
+  Search(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed)
+      : merit_(stretch, limits), feed_(&feed) {}
+
+  [[nodiscard]] const Merit& merit() const { return merit_; }
+
+  // Newton steps until the walls outweigh what is left to gain. share: of all walls in the time.
+  void stage(double share) {
+    const Walls walls = walls_of(share);
+    double before = merit_.value(feed_->coefficients, walls);
+    for (int k = 0; k < kStepsOfStage; ++k) {
+      const double gain = step(walls, before);
+      if (gain < kStageDone * walls.weight_s * static_cast<double>(merit_.size())) {
+        return;
+      }
+    }
+  }
+
+ private:
+  [[nodiscard]] Walls walls_of(double share) const {
+    const double count = static_cast<double>(merit_.size());
+    const double time = merit_.value(feed_->coefficients, {.weight_s = 0.0, .relaxed = 1.0});
+    return {.weight_s = share * time / count, .relaxed = kRelaxed * share * time};
+  }
+
+  // What the linear model promises; 0 where the search is stuck. value: of the merit, renewed.
+  double step(const Walls& walls, double& value) {
+    std::vector<double>& c = feed_->coefficients;
+    merit_.derive(c, walls, system_);
+    const std::vector<double> gradient = system_.gradient;
+    change_.assign(merit_.size(), 0.0);
+    const BandSystem::Rows rows = merit_.free_rows();
+    if (!system_.solve(rows, change_)) {
+      return 0.0;
+    }
+    ++feed_->newton_steps;
+    double slope = 0.0;
+    for (std::size_t i = rows.begin; i < rows.end; ++i) {
+      slope += gradient[i] * change_[i];
+    }
+    merit_.bind_change(change_);
+    double length = 1.0;
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      if (change_[i] < 0.0) {
+        length = std::min(length, -kToZero * c[i] / change_[i]);
+      }
+    }
+    trial_.resize(c.size());
+    for (int k = 0; k < kHalvings; ++k, length *= 0.5) {
+      for (std::size_t i = 0; i < c.size(); ++i) {
+        trial_[i] = c[i] + length * change_[i];
+      }
+      const double now = merit_.value(trial_, walls);
+      if (now <= value + kArmijo * length * slope) {
+        c.swap(trial_);
+        value = now;
+        return -slope;
+      }
+    }
+    return 0.0;
+  }
+
+  Merit merit_;
+  OptimalFeed* feed_;
+  BandSystem system_;
+  std::vector<double> change_;
+  std::vector<double> trial_;
+};
+
+std::vector<double> first_guess(const Stretch& stretch, const PlanLimits& limits) {
+  const std::vector<double> feeds = estimate_feeds(
+      stretch.cells,
+      {.v_begin_mm_s = stretch.begin.at_rest() ? 0.0 : stretch.begin.v_mm_s, .v_end_mm_s = 0.0},
+      limits);
+  const std::size_t first = stretch.first_spline_cell();
+  const std::size_t count = stretch.spline_cells();
+  std::vector<double> coefficients(count + 2);
+  for (std::size_t i = 0; i < coefficients.size(); ++i) {
+    // Between the ends of the cell in whose middle the coefficient stands; at the outer knots.
+    const double begin = feeds[first + std::min(i > 0 ? i - 1 : 0, count)];
+    const double end = feeds[first + std::min(i, count)];
+    coefficients[i] = kFirstGuess * std::min(begin * begin, end * end);
+    if (i > 0 && i <= count) {
+      coefficients[i] = std::max(coefficients[i], stretch.cells[first + i - 1].planned_squared);
+    }
+  }
+  return coefficients;
+}
+
+}  // namespace
+
+OptimalFeed find_optimal_feed(const Stretch& stretch, const PlanLimits& limits) {
+  OptimalFeed feed;
+  feed.coefficients = first_guess(stretch, limits);
+  Search search(stretch, limits, feed);
+  search.merit().bind(feed.coefficients);
+  for (double share = kFirstWalls; share > 0.5 * kLastWalls; share *= kSharpen) {
+    search.stage(share);
+  }
+  return feed;
+}
+
+void mend_optimal_feed(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed) {
+  Search search(stretch, limits, feed);
+  search.merit().bind(feed.coefficients);
+  search.stage(kLastWalls);
+}
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,212 @@
+#include "lookahead/optimum/optimum_schedule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lookahead/optimum/grid.hpp"
+#include "lookahead/optimum/joint_share.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr std::size_t kWindowCells = 3000;
+
+// A rest is to be refined afterwards, and a smooth joint bounds nothing that the cells do not know.
+double feed_or_free(const Joint& joint) {
+  return joint.is_stop() || joint.is_smooth() ? kUnbounded : joint.passing.feedrate_mm_s;
+}
+
+void share_limits_at(const Joint& joint, std::size_t boundary, std::vector<Cell>& cells,
+                     const PlanLimits& limits) {
+  if (!joint.is_stop() && !joint.is_smooth()) {
+    share_limits(cells,
+                 {.boundary = boundary,
+                  .feedrate_mm_s = joint.passing.feedrate_mm_s,
+                  .acceleration_mm_s2 = joint.acceleration_mm_s2},
+                 limits);
+  }
+}
+
+}  // namespace
+
+OptimumSchedule::OptimumSchedule(const Settings& settings)
+    : settings_(settings),
+      lines_({.limits = settings.limits,
+              .profile = profiles::Profile(profiles::ProfileKind::s_curve),
+              .ready_blocks = 1,
+              .longest_cruise_s = settings.longest_phase_s}) {}
+
+const Block& OptimumSchedule::block_of(std::uint64_t number, const Window<Block>& blocks) const {
+  return blocks[number - done_];
+}
+
+PathAt OptimumSchedule::path_of(const Window<Block>& blocks) const {
+  return [this, &blocks](const Cell& cell, double s_mm) {
+    return BlockPath(block_of(cell.block, blocks), settings_.limits).at(s_mm);
+  };
+}
+
+void OptimumSchedule::push(const Window<Block>& blocks) {
+  const std::uint64_t number = pushed_++;
+  Joint begin{};  // a stop
+  if (open_) {
+    begin = joint_of({.before = &block_of(open_->number, blocks), .after = &blocks.back()},
+                     settings_.limits);
+    close_open_block(begin, blocks);
+  }
+  open_ = OpenBlock{.number = number, .begin = begin};
+}
+
+void OptimumSchedule::close_open_block(const Joint& end, const Window<Block>& blocks) {
+  const Block& block = block_of(open_->number, blocks);
+  const Joint begin = open_->begin;
+  const std::uint64_t number = open_->number;
+  open_.reset();
+  if (std::holds_alternative<curves::Line>(block.curve) && begin.is_stop() && end.is_stop()) {
+    waiting_.push_back({.cell = {.block = number, .length_mm = block.length_mm},
+                        .rest_after = true,
+                        .alone = true});
+    return;
+  }
+  std::vector<Cell> cells = grid_of(
+      BlockPath(block, settings_.limits),
+      {.v_begin_mm_s = feed_or_free(begin), .v_end_mm_s = feed_or_free(end)}, settings_.limits);
+  share_limits_at(begin, 0, cells, settings_.limits);
+  share_limits_at(end, cells.size(), cells, settings_.limits);
+  for (Cell& cell : cells) {
+    cell.block = number;
+    waiting_.push_back({.cell = cell});
+  }
+  waiting_.back().rest_after = end.is_stop();
+}
+
+bool OptimumSchedule::empty() const {
+  return lines_.empty() && cells_left() == 0 && waiting_.empty() && !open_;
+}
+
+bool OptimumSchedule::has_room() const {
+  return waiting_.size() < kWindowCells;
+}
+
+bool OptimumSchedule::is_to_be_renewed() const {
+  return lines_.empty() && (cells_left() == 0 || (place_.cell >= half_ && !plan_ends_at_stop_));
+}
+
+bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) {
+  if (supply == Supply::draining && open_) {
+    close_open_block({}, blocks);
+  }
+  if (is_to_be_renewed()) {
+    if (supply == Supply::wanted) {
+      return false;
+    }
+    if (!waiting_.empty()) {
+      plan(blocks);
+    }
+  }
+  if (!lines_.empty()) {
+    const std::uint64_t blocks_before = blocks.size();
+    lines_.emit(blocks, Supply::draining, emitter, outbox);
+    done_ += blocks_before - blocks.size();
+    return true;
+  }
+  emit_cell(blocks, emitter, outbox);
+  return true;
+}
+
+void OptimumSchedule::plan(Window<Block>& blocks) {
+  if (waiting_.front().alone && cells_left() == 0) {
+    waiting_.pop_front();
+    lines_.push(blocks.front(), nullptr);
+    return;
+  }
+  const PathAt path = path_of(blocks);
+  Stretch stretch = plan_.rest_from(place_, plan_.cells().size());
+  std::size_t taken = 0;
+  bool stops = false;
+  while (taken < waiting_.size() && stretch.cells.size() < kWindowCells && !stops) {
+    stretch.cells.push_back(waiting_[taken].cell);
+    stops = waiting_[taken].rest_after;
+    ++taken;
+  }
+  if (stretch.begin.at_rest()) {
+    refine_to_rest(stretch.cells, RestAt::begin, path, settings_.limits);
+  }
+  refine_to_rest(stretch.cells, RestAt::end, path, settings_.limits);
+  std::optional<StretchPlan> found = StretchPlan::find(std::move(stretch), path, settings_.limits);
+  if (!found) {
+    half_ = plan_.cells().size();  // it is run to its end
+    return;
+  }
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(taken));
+  plan_ = std::move(*found);
+  place_ = {};
+  half_ = plan_.cells().size() / 2;
+  plan_ends_at_stop_ = stops;
+}
+
+void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox) {
+  const Cell& cell = plan_.cells()[place_.cell];
+  const Block& block = blocks.front();
+  const profiles::CellLaw law = plan_.law_from(place_, settings_.longest_phase_s);
+  const double end = place_.offset_mm + law.length_mm();
+  const bool whole = end >= cell.length_mm;
+  const bool ends_block = whole && cell.s_end_mm() >= block.length_mm * (1.0 - 1e-15);
+  const double s_end = ends_block ? block.length_mm : cell.s_begin_mm + end;
+  emitter.emit(block, law, s_end, outbox);
+  if (!whole) {
+    place_.offset_mm = end;
+    return;
+  }
+  place_ = {.cell = place_.cell + 1};
+  if (ends_block) {
+    emitter.end_block(block);
+    blocks.pop_front();
+    ++done_;
+  } else {
+    emitter.end_span(s_end);
+  }
+  if (cells_left() == 0) {
+    emitter.come_to_rest(outbox);
+  }
+}
+
+// The stop is sought by its distance: from what braking takes at the least, a little farther each
+// time, to the end of the plan, which is a stop.
+void OptimumSchedule::stop(const Window<Block>& blocks, const Emitter& emitter) {
+  open_.reset();
+  waiting_.clear();
+  plan_ends_at_stop_ = true;
+  if (!lines_.empty()) {
+    lines_.stop(blocks, emitter);
+    return;
+  }
+  const StretchBegin begin = plan_.state_at(place_);
+  if (begin.at_rest()) {
+    place_ = {.cell = plan_.cells().size()};
+    return;
+  }
+  const PathAt path = path_of(blocks);
+  const Cell& first = plan_.cells()[place_.cell];
+  const double a = tangential_acceleration_mm_s2(first, first.begin, settings_.limits);
+  double distance = 0.5 * begin.v_mm_s * begin.v_mm_s / a;
+  double way = -place_.offset_mm;
+  for (std::size_t i = place_.cell; i + 1 < plan_.cells().size(); ++i) {
+    way += plan_.cells()[i].length_mm;
+    if (way < distance || i < place_.cell + 2) {
+      continue;
+    }
+    Stretch stretch = plan_.rest_from(place_, i + 1);
+    refine_to_rest(stretch.cells, RestAt::end, path, settings_.limits);
+    if (auto found = StretchPlan::find(std::move(stretch), path, settings_.limits)) {
+      plan_ = std::move(*found);
+      place_ = {};
+      return;
+    }
+    distance = 1.2 * way;
+  }
+}
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,71 @@
+// The time optimum over a window of cells: the schedule of the profile time-optimal.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "lookahead/optimum/joint_share.hpp"
+#include "lookahead/optimum/stretch_plan.hpp"
+#include "lookahead/schedule.hpp"
+#include "lookahead/span_schedule.hpp"
+
+namespace kerf::lookahead {
+
+// Blocks become cells once the joints at both their ends are known. A plan covers what is known up
+// to the next stop, at most kWindowCells; once half of it has been emitted it is found anew from
+// where the tool is, with what has come since. The cells that two plans share are the same, so what
+// the old plan still held is a feasible way for the new one; where the search does not find a way
+// that holds, the old plan is kept and ends at rest.
+//
+// A single line from rest to rest is planned by the S-curve, which is its optimum in closed form.
+class OptimumSchedule final : public Schedule {
+ public:
+  struct Settings {
+    PlanLimits limits{};
+    // A part of a cell that leaves at once is no longer, so that a stop need not wait for its end.
+    double longest_phase_s = 0.1;
+  };
+
+  explicit OptimumSchedule(const Settings& settings);
+
+  void push(const Window<Block>& blocks) override;
+  [[nodiscard]] bool empty() const override;
+  [[nodiscard]] bool has_room() const override;
+  bool emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) override;
+  void stop(const Window<Block>& blocks, const Emitter& emitter) override;
+
+ private:
+  // A block that is not on the grid yet, and the joint at its beginning.
+  struct OpenBlock {
+    std::uint64_t number = 0;
+    Joint begin{};
+  };
+  struct WaitingCell {
+    Cell cell{};
+    bool rest_after = false;
+    bool alone = false;  // the only one of a line from rest to rest
+  };
+
+  [[nodiscard]] const Block& block_of(std::uint64_t number, const Window<Block>& blocks) const;
+  [[nodiscard]] PathAt path_of(const Window<Block>& blocks) const;
+  [[nodiscard]] std::size_t cells_left() const { return plan_.cells().size() - place_.cell; }
+  void close_open_block(const Joint& end, const Window<Block>& blocks);
+  [[nodiscard]] bool is_to_be_renewed() const;
+  void plan(Window<Block>& blocks);
+  void emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox);
+
+  Settings settings_;
+  SpanSchedule lines_;  // single lines from rest to rest
+  std::uint64_t pushed_ = 0;
+  std::uint64_t done_ = 0;  // blocks emitted to their end
+  std::optional<OpenBlock> open_;
+  std::deque<WaitingCell> waiting_;
+  StretchPlan plan_;
+  PlanPlace place_{};     // of plan_: what comes next
+  std::size_t half_ = 0;  // of the cells of plan_: from there on it is to be renewed
+  bool plan_ends_at_stop_ = true;
+};
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,158 @@
+#include "lookahead/span_schedule.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "lookahead/junction.hpp"
+#include "lookahead/split.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+// Within a cruise.
+struct CruisePoint {
+  double s_mm = 0.0;
+  double v_mm_s = 0.0;
+};
+
+// What is left of a span once its first part has left.
+void cut_front(Span& span, const CruisePoint& cut) {
+  span.length_mm -= cut.s_mm - span.s_begin_mm;
+  span.s_begin_mm = cut.s_mm;
+  span.begin_coast_s = 0.0;
+  if (!span.rise.empty()) {
+    span.rise = Slope({{.distance_mm = 0.0, .v_mm_s = cut.v_mm_s}});
+  }
+}
+
+}  // namespace
+
+void SpanSchedule::push(const Window<Block>& blocks) {
+  const std::size_t last = blocks.size() - 1;
+  push(blocks[last], last > 0 ? &blocks[last - 1] : nullptr);
+}
+
+void SpanSchedule::push(const Block& block, const Block* before) {
+  if (before != nullptr) {
+    join(*before, block);
+  }
+  append_spans(block);
+}
+
+void SpanSchedule::join(const Block& before, const Block& block) {
+  Span& last = window_.back().span;
+  Junction joint = junction({.before = &before, .after = &block}, settings_.limits);
+  if (!before.ceiling.empty()) {
+    joint.feedrate_mm_s = std::min(joint.feedrate_mm_s, before.ceiling.back().v_mm_s);
+  }
+  if (!block.ceiling.empty()) {
+    joint.feedrate_mm_s = std::min(joint.feedrate_mm_s, block.ceiling.front().v_mm_s);
+  }
+  last.end = joint;
+}
+
+void SpanSchedule::append_spans(const Block& block) {
+  const std::size_t first = window_.size();
+  if (block.ceiling.empty()) {
+    window_.push_back({.span = whole_span(block)});
+  } else {
+    for (Span& span : split(block)) {
+      window_.push_back({.span = std::move(span)});
+    }
+  }
+  window_[first].span.begin_coast_s = first > 0 ? window_[first - 1].span.end.coast_s : 0.0;
+}
+
+void SpanSchedule::plan_window(Supply supply) {
+  backward_pass(window_, settings_.profile);
+  if (supply == Supply::draining) {
+    ready_spans_ = window_.size();
+    return;
+  }
+  std::size_t blocks_left = settings_.ready_blocks;
+  ready_spans_ = 0;
+  while (blocks_left > 0) {
+    blocks_left -= window_[ready_spans_].span.ends_block ? 1U : 0U;
+    ++ready_spans_;
+  }
+}
+
+bool SpanSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) {
+  const bool drains = supply == Supply::draining;
+  if (drains && !drains_) {
+    ready_spans_ = 0;  // more is known now than when they were planned
+  }
+  drains_ = drains;
+  if (ready_spans_ == 0) {
+    if (supply == Supply::wanted) {
+      return false;
+    }
+    plan_window(supply);
+  }
+  WindowSpan& item = window_.front();
+  SpanEnds ends{.v_begin_mm_s = v_mm_s_, .v_end_mm_s = item.v_end_mm_s};
+  ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, item.v_end_before_mm_s, settings_.profile);
+  SpanPlan plan = plan_span(item.span, ends, settings_.profile);
+  if (plan.cruise.duration_s() > 2.0 * settings_.longest_cruise_s) {
+    const double v = plan.cruise.ramp().v_begin_mm_s;
+    plan.cruise = profiles::Transition::cruise(v, v * settings_.longest_cruise_s);
+    plan.deceleration = {};
+    plan.end_coast = {};
+    emit_plan(blocks.front(), plan, emitter, outbox);
+    v_mm_s_ = v;
+    cut_front(item.span, {.s_mm = emitter.s_mm(), .v_mm_s = v});
+    return true;
+  }
+  emit_plan(blocks.front(), plan, emitter, outbox);
+  v_mm_s_ = ends.v_end_mm_s;
+  outbox.phases.back().s_end_mm =
+      item.span.ends_block ? blocks.front().length_mm : item.span.s_begin_mm + item.span.length_mm;
+  leave_span(blocks, emitter);
+  if (v_mm_s_ == 0.0) {
+    emitter.come_to_rest(outbox);
+  }
+  return true;
+}
+
+void SpanSchedule::emit_plan(const Block& block, const SpanPlan& plan, Emitter& emitter,
+                             Outbox& outbox) const {
+  const Span& span = window_[0].span;
+  const double s_end = span.s_begin_mm + span.length_mm;
+  for (const profiles::Transition* law :
+       {&plan.begin_coast, &plan.acceleration, &plan.cruise, &plan.deceleration, &plan.end_coast}) {
+    if (law->duration_s() > 0.0) {
+      emitter.emit(block, *law, std::min(emitter.s_mm() + law->length_mm(), s_end), outbox);
+    }
+  }
+}
+
+void SpanSchedule::leave_span(Window<Block>& blocks, Emitter& emitter) {
+  const Span& span = window_.front().span;
+  const double s_end = span.s_begin_mm + span.length_mm;
+  if (span.ends_block) {
+    emitter.end_block(blocks.front());
+    blocks.pop_front();
+  } else {
+    emitter.end_span(s_end);
+  }
+  window_.pop_front();
+  --ready_spans_;
+}
+
+void SpanSchedule::stop(const Window<Block>& /*blocks*/, const Emitter& /*emitter*/) {
+  backward_pass(window_, settings_.profile);
+  double v = v_mm_s_;
+  std::size_t kept = 0;
+  while (kept < window_.size() && v > 0.0) {
+    WindowSpan& item = window_[kept++];
+    SpanEnds ends{.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
+    ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, item.v_end_before_mm_s, settings_.profile);
+    v = brake(item.span, ends, settings_.profile);
+    item.v_end_mm_s = v;
+  }
+  window_.keep_front(kept);
+  ready_spans_ = 0;
+}
+
+}  // namespace kerf::lookahead
