@@ -8,15 +8,12 @@
 #include <variant>
 #include <vector>
 
-#include "bench/program_text.hpp"
-#include "interp/interpolator.hpp"
-#include "kernel/kerf.hpp"
-#include "kernel/run_statistics.hpp"
+#include "bench/curve_run.hpp"
 #include "lookahead/block_builder.hpp"
 #include "lookahead/breaking_points.hpp"
-#include "lookahead/planner.hpp"
+#include "lookahead/junction.hpp"
 #include "lookahead/split.hpp"
-#include "parser/program_reader.hpp"
+#include "lookahead/velocity_pass.hpp"
 
 namespace kerf::bench {
 
@@ -28,73 +25,6 @@ namespace {
 // Between the least change of slope that tells the butterfly's own turns of feedrate from ripple
 // and the largest that keeps all of them (the papers leave the value to the curve).
 constexpr double kScreening_mm_s = 3000.0;
-
-MachineSettings machine(const std::string& name) {
-  auto settings = parse_machine_file(source_file("programs/machines/" + name));
-  if (!settings) {
-    throw std::runtime_error(name + ": " + settings.error().front().message);
-  }
-  return *settings;
-}
-
-std::vector<parser::Move> moves_of(const std::string& program) {
-  parser::ProgramReader reader;
-  reader.feed(source_file("programs/" + program));
-  reader.finish();
-  std::vector<parser::Move> moves;
-  for (parser::Move move; reader.next(move);) {
-    moves.push_back(move);
-  }
-  return moves;
-}
-
-Block curve_block(const std::string& program, const lookahead::PlanLimits& limits) {
-  for (const parser::Move& move : moves_of(program)) {
-    std::vector<Block> blocks;
-    if (std::holds_alternative<parser::NurbsMove>(move.shape) &&
-        lookahead::append_blocks(move, limits, blocks)) {
-      return blocks.front();
-    }
-  }
-  throw std::runtime_error(program + " holds no curve");
-}
-
-struct Run {
-  double time_s = 0.0;
-  Peaks path{};
-  double chord_error_mm = 0.0;
-};
-
-// The curve alone, from rest to rest, judged tick by tick from its setpoints.
-Run from_rest(const Block& block, const MachineSettings& settings,
-              const profiles::Profile& profile) {
-  lookahead::Planner planner({.limits = settings.limits, .profile = profile});
-  planner.push(block);
-  planner.finish(0);
-  lookahead::Outbox outbox;
-  while (planner.emit(outbox)) {
-  }
-  interp::MotionQueue queue;
-  const curves::Position start = curves::derivatives_at(block.curve, 0.0).position_mm;
-  interp::Interpolator interpolator(queue, settings.limits.period_s, start);
-  RunStatistics statistics(settings.limits.period_s);
-  std::size_t pieces = 0;
-  std::size_t phases = 0;
-  for (TickStatus status = TickStatus::running; status == TickStatus::running;) {
-    while (pieces < outbox.pieces.size() && queue.push(outbox.pieces[pieces])) {
-      ++pieces;
-    }
-    while (phases < outbox.phases.size() && queue.push(outbox.phases[phases])) {
-      ++phases;
-    }
-    Setpoint setpoint;
-    status = interpolator.next(setpoint);
-    statistics.add(setpoint, interpolator.chord_error_mm(), {});
-  }
-  return {.time_s = statistics.cycle_time_s(),
-          .path = statistics.path(),
-          .chord_error_mm = statistics.chord_error_mm()};
-}
 
 // As the papers run it: from the feedrate that the curve allows at its start to that at its end.
 double in_motion_s(const Block& block, const profiles::Profile& profile) {
@@ -158,7 +88,7 @@ bool butterfly() {
   bool met = true;
   for (const Row& row : rows) {
     const profiles::Profile profile(row.kind, row.sigmoid_shape);
-    const Run rest = from_rest(block, settings, profile);
+    const CurveRun rest = from_rest(block, settings.limits, profile);
     const double motion_s = in_motion_s(block, profile);
     const bool judged = std::isfinite(row.rest_target_s);
     met = met && rest.time_s <= row.rest_target_s && motion_s <= row.motion_target_s;
@@ -188,7 +118,7 @@ void wm() {
       "| --- | --- | --- | --- | --- |\n");
   for (const auto kind : {profiles::ProfileKind::s_curve, profiles::ProfileKind::sigmoid,
                           profiles::ProfileKind::sine}) {
-    const Run run = from_rest(block, settings, profiles::Profile(kind));
+    const CurveRun run = from_rest(block, settings.limits, profiles::Profile(kind));
     std::printf("| %s | %.3f | %.0f | %.0f | %.3g |\n",
                 std::string(profiles::name_of(kind)).c_str(), run.time_s, run.path.a_mm_s2,
                 run.path.j_mm_s3, run.chord_error_mm);

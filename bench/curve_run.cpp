@@ -1,0 +1,84 @@
+#include "bench/curve_run.hpp"
+
+#include <chrono>
+#include <stdexcept>
+#include <variant>
+
+#include "bench/program_text.hpp"
+#include "interp/interpolator.hpp"
+#include "lookahead/block_builder.hpp"
+#include "lookahead/planner.hpp"
+#include "parser/program_reader.hpp"
+
+namespace kerf::bench {
+
+using lookahead::Block;
+
+MachineSettings machine(const std::string& name) {
+  auto settings = parse_machine_file(source_file("programs/machines/" + name));
+  if (!settings) {
+    throw std::runtime_error(name + ": " + settings.error().front().message);
+  }
+  return *settings;
+}
+
+std::vector<parser::Move> moves_of(const std::string& program) {
+  parser::ProgramReader reader;
+  reader.feed(source_file("programs/" + program));
+  reader.finish();
+  std::vector<parser::Move> moves;
+  for (parser::Move move; reader.next(move);) {
+    moves.push_back(move);
+  }
+  return moves;
+}
+
+Block curve_block(const std::string& program, const lookahead::PlanLimits& limits,
+                  std::optional<double> feedrate_mm_s) {
+  for (parser::Move move : moves_of(program)) {
+    move.feedrate_mm_s = feedrate_mm_s.value_or(move.feedrate_mm_s);
+    std::vector<Block> blocks;
+    if (std::holds_alternative<parser::NurbsMove>(move.shape) &&
+        lookahead::append_blocks(move, limits, blocks)) {
+      return blocks.front();
+    }
+  }
+  throw std::runtime_error(program + " holds no curve");
+}
+
+CurveRun from_rest(const Block& block, const lookahead::PlanLimits& limits,
+                   const profiles::Profile& profile) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point began = Clock::now();
+  lookahead::Planner planner({.limits = limits, .profile = profile});
+  planner.push(block);
+  planner.finish(0);
+  lookahead::Outbox outbox;
+  while (planner.emit(outbox)) {
+  }
+  const std::chrono::duration<double> planning = Clock::now() - began;
+  interp::MotionQueue queue;
+  const curves::Position start = curves::derivatives_at(block.curve, 0.0).position_mm;
+  interp::Interpolator interpolator(queue, limits.period_s, start);
+  RunStatistics statistics(limits.period_s);
+  std::size_t pieces = 0;
+  std::size_t phases = 0;
+  for (TickStatus status = TickStatus::running; status == TickStatus::running;) {
+    while (pieces < outbox.pieces.size() && queue.push(outbox.pieces[pieces])) {
+      ++pieces;
+    }
+    while (phases < outbox.phases.size() && queue.push(outbox.phases[phases])) {
+      ++phases;
+    }
+    Setpoint setpoint;
+    status = interpolator.next(setpoint);
+    statistics.add(setpoint, interpolator.chord_error_mm(), {});
+  }
+  return {.time_s = statistics.cycle_time_s(),
+          .planning_s = planning.count(),
+          .path = statistics.path(),
+          .axes = statistics.axes(),
+          .chord_error_mm = statistics.chord_error_mm()};
+}
+
+}  // namespace kerf::bench

@@ -1,0 +1,36 @@
+// A curve of a shipped program alone, from rest to rest.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kernel/kerf.hpp"
+#include "kernel/run_statistics.hpp"
+#include "lookahead/block.hpp"
+#include "lookahead/limits.hpp"
+#include "parser/move.hpp"
+
+namespace kerf::bench {
+
+// Throw where a file of the sources is not what it must be.
+MachineSettings machine(const std::string& name);
+std::vector<parser::Move> moves_of(const std::string& program);
+// The first block of the program's first curve, at its own feedrate or another.
+lookahead::Block curve_block(const std::string& program, const lookahead::PlanLimits& limits,
+                             std::optional<double> feedrate_mm_s = std::nullopt);
+
+struct CurveRun {
+  double time_s = 0.0;
+  double planning_s = 0.0;  // of blocks to phases, without the scan of the chord error
+  Peaks path{};
+  std::array<Peaks, 3> axes{};
+  double chord_error_mm = 0.0;
+};
+
+// Judged tick by tick from its setpoints.
+CurveRun from_rest(const lookahead::Block& block, const lookahead::PlanLimits& limits,
+                   const profiles::Profile& profile);
+
+}  // namespace kerf::bench
