@@ -26,6 +26,18 @@ void cut_front(Span& span, const CruisePoint& cut) {
   }
 }
 
+// The ceiling bounds the mean feedrate of a tick. In a valley the acceleration of a law without
+// jerk jumps from -A to A, and the mean of the tick around it is A Ts / 4 above its middle at the
+// most.
+double valley_mm_s(double ceiling_mm_s, const Block& block,
+                   const SpanSchedule::Settings& settings) {
+  if (settings.profile.kind() != profiles::ProfileKind::trapezoid) {
+    return ceiling_mm_s;
+  }
+  const double rise = 0.25 * block.limits.ramp.acceleration_mm_s2 * settings.limits.period_s;
+  return std::max(ceiling_mm_s - rise, 0.5 * ceiling_mm_s);
+}
+
 }  // namespace
 
 void SpanSchedule::push(const Window<Block>& blocks) {
@@ -44,10 +56,12 @@ void SpanSchedule::join(const Block& before, const Block& block) {
   Span& last = window_.back().span;
   Junction joint = junction({.before = &before, .after = &block}, settings_.limits);
   if (!before.ceiling.empty()) {
-    joint.feedrate_mm_s = std::min(joint.feedrate_mm_s, before.ceiling.back().v_mm_s);
+    joint.feedrate_mm_s =
+        std::min(joint.feedrate_mm_s, valley_mm_s(before.ceiling.back().v_mm_s, before, settings_));
   }
   if (!block.ceiling.empty()) {
-    joint.feedrate_mm_s = std::min(joint.feedrate_mm_s, block.ceiling.front().v_mm_s);
+    joint.feedrate_mm_s =
+        std::min(joint.feedrate_mm_s, valley_mm_s(block.ceiling.front().v_mm_s, block, settings_));
   }
   last.end = joint;
 }
@@ -58,6 +72,9 @@ void SpanSchedule::append_spans(const Block& block) {
     window_.push_back({.span = whole_span(block)});
   } else {
     for (Span& span : split(block)) {
+      if (!span.ends_block) {
+        span.end.feedrate_mm_s = valley_mm_s(span.end.feedrate_mm_s, block, settings_);
+      }
       window_.push_back({.span = std::move(span)});
     }
   }
