@@ -102,7 +102,7 @@ double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, double v_end_
                span.begin_coast_s * wanted.v_begin_mm_s + span.end.coast_s * v_end <=
            span.length_mm * kAboveRounding;
   };
-  if (span.end.coast_s == 0.0 || fits(wanted.v_end_mm_s)) {
+  if (fits(wanted.v_end_mm_s)) {
     return wanted.v_end_mm_s;
   }
   const double known = std::min(v_end_known_mm_s, wanted.v_end_mm_s);

@@ -48,9 +48,10 @@ double reach_backward_mm_s(const Span& span, const BackwardQuery& query,
                            const profiles::Profile& profile);
 
 // The largest feedrate <= wanted.v_end with which the span can end that begins with wanted.v_begin.
-// A coast takes room at its feedrate, so a slower end may fit where a faster does not and the other
-// way round. Precondition: v_begin is at most what reach_backward gives for v_end or for
-// v_end_known, an end that an earlier plan found.
+// A coast takes room at its feedrate, and braking to a third takes more room than braking to rest,
+// so a slower end may fit where a faster does not and the other way round. Precondition: v_begin is
+// at most what reach_backward gives for v_end or for v_end_known, an end that an earlier plan
+// found.
 double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, double v_end_known_mm_s,
                          const profiles::Profile& profile);
 

@@ -115,6 +115,20 @@ TEST(Span, ReachesBackwardWhatItReachesForward) {
   }
 }
 
+// Braking from v to v / 3 under a jerk takes more room than braking to rest: the length is
+// (v + w) sqrt((v - w) / J), largest at w = v / 3. So when a window grows and the end need not be
+// at rest any more, a faster end may not fit although it is less of a change.
+TEST(Span, EndsWithWhatFitsWhereARestFitsAndAFasterEndDoesNot) {
+  const Profile profile{ProfileKind::s_curve};
+  const double v = 10.0;
+  const Span span = flat_span(v * std::sqrt(v / kJ), 100.0);  // room for a rest, exactly
+  const SpanEnds wanted{.v_begin_mm_s = v, .v_end_mm_s = v / 3.0};
+  ASSERT_GT((v + v / 3.0) * std::sqrt(v * 2.0 / 3.0 / kJ), span.length_mm);
+  SpanEnds ends = wanted;
+  ends.v_end_mm_s = end_feedrate_mm_s(span, wanted, 0.0, profile);
+  expect_joined(span, ends, plan_span(span, ends, profile));
+}
+
 TEST(Span, CoastsAtBothEnds) {
   const Profile profile{ProfileKind::s_curve};
   Span span = flat_span(5.0, 100.0);
