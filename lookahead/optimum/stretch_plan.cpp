@@ -11,16 +11,18 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr int kMendings = 6;
+// Of a limit, at the places where it is looked at; what is between two of them is a little more.
+constexpr double kHolds = 0.9999;
 constexpr double kSlower = 0.999;
 
 void take_off(double excess, double& share) {
-  if (excess > 1.0) {
+  if (excess > kHolds) {
     share *= kAim / excess;
   }
 }
 
 bool holds(const Excess& excess) {
-  return excess.largest() <= 1.0;
+  return excess.largest() <= kHolds;
 }
 
 void widen(const Excess& excess, Excess& worst) {
