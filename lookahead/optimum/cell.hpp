@@ -19,11 +19,11 @@ struct CellEnd {
   double feedrate_mm_s = 0.0;  // allowed there: programmed, chord error, axis velocities
 };
 
-// What of the axes' limits a cell may use: less than 1 beside a joint that takes its part, and
-// where a check found that the limits were passed between the places at which the solver looks.
 // A little inside, so that what the check finds between two places is not beyond.
 inline constexpr double kAim = 0.9995;
 
+// What of the axes' limits a cell may use: less than 1 beside a joint that takes its part, and
+// where a check found that the limits were passed between the places at which the solver looks.
 struct LimitShares {
   double feedrate = kAim;
   double acceleration = kAim;

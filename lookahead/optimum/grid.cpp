@@ -10,18 +10,12 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr double kCellTicks = 1.0;   // of the estimated motion
-constexpr double kGrowth = 0.08;     // of a cell over its distance from where something happens
-constexpr double kRampGrowth = 0.2;  // the same on the ramp from rest, where it may be a tick long
+constexpr double kCellTicks = 1.0;  // of the estimated motion
+constexpr double kGrowth = 0.08;    // of a cell over its distance from where something happens
 // Turning takes part in the limits where it takes this share of one.
 constexpr double kTurning = 0.05;
 constexpr double kFlat = 1e-6;
-constexpr double kFarAway = 1e3;  // of a block's length: finite, to be interpolated
-// Shares of a ramp from rest to the feedrate allowed, and of all the way, that a cell takes at
-// most.
-constexpr double kRampStep = 0.05;
-constexpr double kWayStep = 1.0 / 40.0;
-constexpr double kLaunchTicks = 6.0;
+constexpr double kFarAway = 1e3;   // of a block's length: finite, to be interpolated
 constexpr double kNearest = 1e-5;  // of a block's length
 constexpr double kFarther = 1.5;
 
@@ -138,67 +132,6 @@ Scan scan(const BlockPath& path, const EndFeeds& ends, const std::vector<BlockPa
   return result;
 }
 
-// Divides [0, 1] of a cell of n parts; the parts' lengths ascend or descend as steps say.
-void divide(const Cell& cell, const std::vector<double>& lengths, const PathAt& path,
-            std::vector<Cell>& into) {
-  double s = cell.s_begin_mm;
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    Cell part = cell;
-    part.s_begin_mm = s;
-    part.length_mm = i + 1 < lengths.size() ? lengths[i] : cell.s_end_mm() - s;
-    if (i > 0) {
-      part.begin = path(cell, s);
-    }
-    s = part.s_end_mm();
-    if (i + 1 < lengths.size()) {
-      part.end = path(cell, s);
-    }
-    into.push_back(part);
-  }
-}
-
-struct RestRamp {
-  double jerk_mm_s3 = 0.0;
-  double feedrate_mm_s = 0.0;
-  double step_s = 0.0;
-
-  [[nodiscard]] double first_mm() const {
-    const double t = kLaunchTicks * step_s;
-    return jerk_mm_s3 * t * t * t / 6.0;
-  }
-  // How long a cell at this distance from the rest may be.
-  [[nodiscard]] double cell_mm(double distance_mm) const {
-    const double root = std::cbrt(6.0 * distance_mm);
-    const double v = 0.5 * std::cbrt(jerk_mm_s3) * root * root;
-    return std::clamp(std::min(v, feedrate_mm_s) * step_s, kGrowth * distance_mm,
-                      kRampGrowth * distance_mm);
-  }
-};
-
-// From rest to rest over a length under a jerk alone takes this long: four ramps, v = J t^2 / 16.
-double from_rest_to_rest_s(double length_mm, double jerk_mm_s3) {
-  return std::cbrt(32.0 * length_mm / jerk_mm_s3);
-}
-
-RestRamp rest_ramp(const std::vector<Cell>& cells, RestAt where, const PlanLimits& limits) {
-  const Cell& cell = cells.front();
-  const CellEnd& end = where == RestAt::begin ? cell.begin : cell.end;
-  const double jerk = tangential_jerk_mm_s3(cell, end, limits);
-  const double v = turning_feedrate_mm_s(cell, end, limits);
-  double length = 0.0;
-  for (const Cell& each : cells) {
-    length += each.length_mm;
-  }
-  return {.jerk_mm_s3 = jerk,
-          .feedrate_mm_s = v,
-          .step_s = std::min({kCellTicks * limits.period_s, kRampStep * std::sqrt(2.0 * v / jerk),
-                              kWayStep * from_rest_to_rest_s(length, jerk)})};
-}
-
-}  // namespace
-
-namespace {
-
 // Within a curve nothing jumps along the path.
 PlanLimits of_axes(PlanLimits limits) {
   limits.path.acceleration_mm_s2 = limits.path.jerk_mm_s3 = kUnbounded;
@@ -232,41 +165,6 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndFeeds& ends, const Pla
     share_limits(cells, jump, limits);
   }
   return cells;
-}
-
-void refine_to_rest(std::vector<Cell>& cells, RestAt where, const PathAt& path,
-                    const PlanLimits& limits) {
-  if (where == RestAt::end) {
-    std::reverse(cells.begin(), cells.end());
-  }
-  const RestRamp ramp = rest_ramp(cells, where, limits);
-  std::vector<Cell> refined;
-  double distance = 0.0;
-  for (const Cell& cell : cells) {
-    const double end = distance + cell.length_mm;
-    std::vector<double> lengths;
-    for (double d = distance; d < end;) {
-      double h = d == 0.0 ? std::min(ramp.first_mm(), 0.2 * end) : ramp.cell_mm(d);
-      if (end - d < 1.5 * h) {
-        h = end - d;
-      }
-      lengths.push_back(h);
-      d = h == end - d ? end : d + h;
-    }
-    distance = end;
-    if (where == RestAt::end) {
-      std::reverse(lengths.begin(), lengths.end());
-    }
-    const std::size_t first = refined.size();
-    divide(cell, lengths, path, refined);
-    if (where == RestAt::end) {
-      std::reverse(refined.begin() + static_cast<std::ptrdiff_t>(first), refined.end());
-    }
-  }
-  cells = std::move(refined);
-  if (where == RestAt::end) {
-    std::reverse(cells.begin(), cells.end());
-  }
 }
 
 }  // namespace kerf::lookahead

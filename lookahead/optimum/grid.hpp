@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "lookahead/optimum/block_path.hpp"
-#include "lookahead/optimum/limit_check.hpp"
 #include "lookahead/optimum/speed_estimate.hpp"
 
 namespace kerf::lookahead {
@@ -14,11 +13,5 @@ namespace kerf::lookahead {
 // end where derivatives jump. ends: the feedrates of the joints; rests are to be given as infinite
 // and refined afterwards.
 std::vector<Cell> grid_of(const BlockPath& path, const EndFeeds& ends, const PlanLimits& limits);
-
-// Divides the cells towards a rest at their beginning or end so that a launch or landing and the
-// ramp after it find room; the outermost cell is then that launch or landing.
-enum class RestAt { begin, end };
-void refine_to_rest(std::vector<Cell>& cells, RestAt where, const PathAt& path,
-                    const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

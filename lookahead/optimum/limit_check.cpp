@@ -20,22 +20,28 @@ CellEnd path_in(const Cell& cell, double share, double s_mm, const PathAt& path)
   return path(cell, cell.s_begin_mm + s_mm);
 }
 
+// What is not a number is beyond every limit.
+void grow(double& worst, double share) {
+  if (!(share <= worst)) {
+    worst = std::isnan(share) ? kUnbounded : share;
+  }
+}
+
 void look_at(const profiles::PathMotion& motion, const Cell& cell, const CellEnd& path,
              const PlanLimits& limits, Excess& worst) {
   const double v = motion.v_mm_s;
   const double a = motion.a_mm_s2;
   const double j = motion.j_mm_s3;
-  worst.feedrate = std::max(worst.feedrate, v / path.feedrate_mm_s);
-  worst.acceleration = std::max(worst.acceleration, std::abs(a) / cell.along.acceleration_mm_s2);
-  worst.jerk = std::max(worst.jerk, std::abs(j) / cell.along.jerk_mm_s3);
+  grow(worst.feedrate, v / path.feedrate_mm_s);
+  grow(worst.acceleration, std::abs(a) / cell.along.acceleration_mm_s2);
+  grow(worst.jerk, std::abs(j) / cell.along.jerk_mm_s3);
   for (std::size_t k = 0; k < 3; ++k) {
     const double q1 = path.first[k];
     const double q2 = path.second_per_mm[k];
     const double q3 = path.third_per_mm2[k];
-    worst.acceleration = std::max(
-        worst.acceleration, std::abs(q1 * a + q2 * v * v) / limits.axes[k].acceleration_mm_s2);
-    worst.jerk = std::max(worst.jerk, std::abs(q1 * j + 3.0 * q2 * v * a + q3 * v * v * v) /
-                                          limits.axes[k].jerk_mm_s3);
+    grow(worst.acceleration, std::abs(q1 * a + q2 * v * v) / limits.axes[k].acceleration_mm_s2);
+    grow(worst.jerk,
+         std::abs(q1 * j + 3.0 * q2 * v * a + q3 * v * v * v) / limits.axes[k].jerk_mm_s3);
   }
 }
 

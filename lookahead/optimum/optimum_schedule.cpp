@@ -6,6 +6,7 @@
 
 #include "lookahead/optimum/grid.hpp"
 #include "lookahead/optimum/joint_share.hpp"
+#include "lookahead/optimum/rest_ramp.hpp"
 
 namespace kerf::lookahead {
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "lookahead/optimum/grid.hpp"
+#include "lookahead/optimum/rest_ramp.hpp"
 #include "lookahead/optimum/stretch_plan.hpp"
 #include "tests/lookahead/programs.hpp"
 
