@@ -83,6 +83,10 @@ double saved_s(double feedrate_mm_s, const Block& before, const Block& after) {
 
 }  // namespace
 
+double path_step_of(const BlockEnd& before, const BlockEnd& after) {
+  return std::abs(curves::vec(after.tangent).norm() - curves::vec(before.tangent).norm());
+}
+
 double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
                             const PlanLimits& limits) {
   const double ts = limits.period_s;
@@ -112,6 +116,11 @@ double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
       feedrate = std::min(
           {feedrate, axis.acceleration_mm_s2 * ts / turn, axis.jerk_mm_s3 * ts * ts / turn});
     }
+  }
+  const double path_step = path_step_of(before, after);
+  if (path_step > kSmoothTangent) {
+    feedrate = std::min({feedrate, limits.path.acceleration_mm_s2 * ts / path_step,
+                         limits.path.jerk_mm_s3 * ts * ts / path_step});
   }
   if (feedrate == kUnbounded || limits.chord_tolerance_mm == kUnbounded) {
     return feedrate;

@@ -14,11 +14,11 @@ namespace kerf::lookahead {
 //   jerk          F |du| / Ts^2 + 3/4 F^2 |dk| / Ts + F^3 max|q'''| <= J
 //   chord         F |du| Ts / 4 + F^2 max|k| Ts^2 / 8 <= tolerance
 //
-// (of an extra axis, which is linear in the path's length, only the terms with |du|), which is
-// solved for the largest F. The last is the path's distance from the straight line between
-// the ticks on both sides, as Green's function of a chord bounds it. The plan keeps the feedrate
-// constant for coast_s on both sides, so that nothing else adds to it in any window of ticks that
-// sees the joint.
+// (of an extra axis, which is linear in the path's length, and of the path only the terms with
+// |du|), which is solved for the largest F. The last is the path's distance from the straight line
+// between the ticks on both sides, as Green's function of a chord bounds it. The plan keeps the
+// feedrate constant for coast_s on both sides, so that nothing else adds to it in any window of
+// ticks that sees the joint.
 struct Junction {
   double feedrate_mm_s = kUnbounded;  // 0: stop
   double coast_s = 0.0;               // 0 where the joint is smooth or a stop
@@ -31,6 +31,10 @@ struct JunctionQuery {
 
 // Where an axis has no limit of its own, that of the path stands in.
 Junction junction(const JunctionQuery& query, const PlanLimits& limits);
+
+// By what share of itself the feedrate along X, Y and Z jumps: 1 where a block on which only
+// further axes move joins one on which they move, or the other way round, else 0.
+double path_step_of(const BlockEnd& before, const BlockEnd& after);
 
 // The bound alone, without regard to lengths and without the choice to stop.
 double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,

@@ -53,6 +53,7 @@ Joint joint_of(const JunctionQuery& query, const PlanLimits& limits) {
   for (std::size_t k = 0; k < limits.extra.size(); ++k) {
     bind(after.extra_per_mm[k] - before.extra_per_mm[k], limits.extra[k]);
   }
+  bind(path_step_of(before, after), limits.path);
   return joint;
 }
 

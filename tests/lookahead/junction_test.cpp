@@ -94,6 +94,22 @@ TEST(Junction, FallsBackToThePathsLimitsWhereAnAxisHasNone) {
               10'000.0 * kTs * kTs / std::sin(0.02), 1e-9);
 }
 
+// From a line along X on to a move of another axis alone: the feedrate along the path falls to 0
+// from one tick to the next, which the limits along the path bound as they bound an axis.
+TEST(Junction, IsBoundByThePathWhereItsOwnAxesComeToRest) {
+  BlockEnd along_x;
+  along_x.tangent = {1, 0, 0};
+  BlockEnd at_rest;
+  at_rest.extra_per_mm[3] = 1.0;
+  PlanLimits limits = axis_limits({.acceleration_mm_s2 = 1e6, .jerk_mm_s3 = 1e9});
+  limits.extra[3] = {.acceleration_mm_s2 = 1e6, .jerk_mm_s3 = 1e9};
+  limits.path = {.acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 2e5};
+  EXPECT_NEAR(corner_feedrate_mm_s(along_x, at_rest, limits), 0.2, 1e-12);  // J Ts^2
+  EXPECT_NEAR(corner_feedrate_mm_s(at_rest, along_x, limits), 0.2, 1e-12);
+  limits.path = {.acceleration_mm_s2 = 100.0, .jerk_mm_s3 = 2e5};
+  EXPECT_NEAR(corner_feedrate_mm_s(along_x, at_rest, limits), 0.1, 1e-12);  // A Ts
+}
+
 TEST(Junction, OfCollinearLinesDoesNotBind) {
   const PlanLimits limits = axis_limits({.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 1e4});
   const auto blocks = blocks_of(
