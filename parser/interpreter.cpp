@@ -172,7 +172,8 @@ void Interpreter::recover() {
     state_.extra_deg_mm = extra_end;
   }
   if (block.has('F') && block.value('F') > 0.0 && state_.feed_mode == FeedMode::per_minute) {
-    state_.feedrate_mm_s = feedrate_mm_s_from(block.value('F'), state_.units);
+    state_.feed_word = block.value('F');
+    state_.feedrate_mm_s = feedrate_mm_s_from(state_.feed_word, state_.units);
   }
 }
 

@@ -195,5 +195,16 @@ TEST(ExtraAxes, CountInLeastIncrementsOfADegree) {
   EXPECT_NEAR(program.moves.at(1).extra.end_rad_mm[0], 45 * kDegree, 1e-12);
 }
 
+// Found by the fuzzer: the F of a block with an error was known to X, Y and Z alone.
+TEST(ExtraAxes, KnowTheFeedrateOfABlockWithAnError) {
+  const Program program = read_program("G21 G90 G1 X1 F600 XOY\nA10\nM2\n", with_axes(kA));
+  EXPECT_EQ(program.diagnostics.size(), 1U);
+  for (const Move& move : program.moves) {
+    if (move.source.line == 2) {
+      EXPECT_NEAR(move.feedrate_mm_s, 10.0 * kDegree, 1e-12);  // 600 degrees a minute
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kerf::parser
