@@ -22,8 +22,8 @@ struct CellEnd {
 // A little inside, so that what the check finds between two places is not beyond.
 inline constexpr double kAim = 0.9995;
 
-// What of the axes' limits a cell may use: less than 1 beside a joint that takes its part, and
-// where a check found that the limits were passed between the places at which the solver looks.
+// What of the limits the solver may use in a cell: less where a check found that the limits were
+// passed between the places at which it looks.
 struct LimitShares {
   double feedrate = kAim;
   double acceleration = kAim;
@@ -37,6 +37,9 @@ struct Cell {
   CellEnd begin{};
   CellEnd end{};
   profiles::RampLimits along{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
+  // Of acceleration and jerk: what a joint beside it leaves; and what the solver aims at, within
+  // it.
+  double allowed = 1.0;
   LimitShares shares{};
   double planned_squared = 0.0;  // v^2 in its middle in an earlier plan, mm^2/s^2; 0: none
 

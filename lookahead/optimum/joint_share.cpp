@@ -10,8 +10,9 @@ namespace kerf::lookahead {
 namespace {
 
 // A jump allows a feedrate in proportion to its share, while the motion beside it is almost a
-// cruise anyway: nearly all of the limits go to the jump.
-constexpr double kJumpShare = 0.9;
+// cruise anyway: nearly all of the limits go to the jump. A hundredth is left for what the bounds
+// on the cells do not see within three ticks of them.
+constexpr double kJumpShare = 0.89;
 constexpr double kTurnShare = 0.05;
 constexpr double kCellShare = 0.05;
 constexpr double kSupportTicks = 3.0;  // of a third difference
@@ -73,6 +74,7 @@ double zone_mm(const Cell& cell, const CellEnd& end, const PassedJump& jump,
 
 void share_limits(std::vector<Cell>& cells, const PassedJump& jump, const PlanLimits& limits) {
   const auto leave_rest = [](Cell& cell) {
+    cell.allowed = kCellShare;
     cell.shares.acceleration = cell.shares.jerk = kAim * kCellShare;
     return cell.length_mm;
   };

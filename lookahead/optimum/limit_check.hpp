@@ -20,7 +20,8 @@ struct Excess {
 // The path at s_mm of the cell's block.
 using PathAt = std::function<CellEnd(const Cell& cell, double s_mm)>;
 
-// Of one cell of the spline, at places within it; shares are left out: what counts is the limit.
+// Of one cell of the spline, at places within it; shares are left out: what counts is the
+// limit, or what a joint leaves of it.
 Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
                  const PlanLimits& limits);
 
