@@ -55,13 +55,18 @@ double Excess::largest() const noexcept {
 Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
                  const PlanLimits& limits) {
   Excess worst;
-  for (const double place : kPlaces) {
+  const auto look = [&](double place) {
     const double s = place * cell.length_mm;
     const double slope = begin.slope + begin.bend * s;
     const double b = begin.value + s * (begin.slope + 0.5 * begin.bend * s);
     const double v = std::sqrt(std::max(b, 0.0));
     look_at({.s_mm = s, .v_mm_s = v, .a_mm_s2 = 0.5 * slope, .j_mm_s3 = 0.5 * v * begin.bend}, cell,
             path_in(cell, place, s, path), limits, worst);
+  };
+  std::for_each(kPlaces.begin(), kPlaces.end(), look);
+  const double peak = -begin.slope / (begin.bend * cell.length_mm);  // of the feedrate
+  if (begin.bend < 0.0 && peak > 0.0 && peak < 1.0) {
+    look(peak);
   }
   return worst;
 }
