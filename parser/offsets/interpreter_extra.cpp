@@ -114,7 +114,9 @@ bool Interpreter::extra_feedrate(const ExtraWay& alone, double& feedrate_mm_s) {
   if (!cutting_feedrate(alone.length_rad_mm(), feedrate_mm_s)) {
     return false;
   }
-  if (alone.only_turns() && state_.feed_mode != FeedMode::inverse_time) {
+  // No F was ever read: that was said, and the feedrate is any.
+  const bool assumed = state_.feed_word == 0.0;
+  if (alone.only_turns() && state_.feed_mode != FeedMode::inverse_time && !assumed) {
     const double per_word =
         state_.feed_mode == FeedMode::per_revolution && state_.feed_per_revolution_mm
             ? feedrate_mm_s * 60.0 / *state_.feed_per_revolution_mm  // turns of the spindle

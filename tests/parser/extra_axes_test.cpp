@@ -206,5 +206,15 @@ TEST(ExtraAxes, KnowTheFeedrateOfABlockWithAnError) {
   }
 }
 
+// Found by the fuzzer: after "no feed set" moves go on at some feedrate, these at none.
+TEST(ExtraAxes, GoOnAtSomeFeedrateOnceItIsSaidThatNoneIsSet) {
+  const Program program = read_program("G21 G90 G1 X1\nA10\nM2\n", with_axes(kA));
+  EXPECT_EQ(program.diagnostics.size(), 1U);
+  ASSERT_FALSE(program.moves.empty());
+  for (const Move& move : program.moves) {
+    EXPECT_TRUE(move.source.line != 2 || move.feedrate_mm_s > 0.0);
+  }
+}
+
 }  // namespace
 }  // namespace kerf::parser
