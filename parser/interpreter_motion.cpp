@@ -123,9 +123,14 @@ bool Interpreter::straight_move() {
   }
   const bool rapid = state_.motion == Motion::rapid;
   double feedrate_mm_s = 0.0;
-  const bool inverse = state_.feed_mode == FeedMode::inverse_time;
-  if (!rapid &&
-      !cutting_feedrate(inverse ? distance_mm(state_.position_mm, end) : 0.0, feedrate_mm_s)) {
+  double length_mm = 0.0;
+  if (state_.feed_mode == FeedMode::inverse_time) {
+    length_mm = distance_mm(state_.position_mm, end);
+    if (length_mm == 0.0 && compensation_.leaving()) {
+      length_mm = compensation_.radius_mm();  // the exit leads from beside the contour on to it
+    }
+  }
+  if (!rapid && !cutting_feedrate(length_mm, feedrate_mm_s)) {
     return false;
   }
   if (end == state_.position_mm && !compensation_.leaving()) {

@@ -57,6 +57,7 @@ class CutterCompensation {
   [[nodiscard]] bool on() const { return on_; }
   // The next line is the exit, even if its programmed length is 0.
   [[nodiscard]] bool leaving() const { return leaving_; }
+  [[nodiscard]] double radius_mm() const { return start_.radius_mm; }
   // Moves must go through take().
   [[nodiscard]] bool busy() const { return on_ || leaving_; }
 

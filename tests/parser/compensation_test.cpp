@@ -46,6 +46,13 @@ TEST(Compensation, TakesTheRadiusFromTheTable) {
   EXPECT_EQ(moves("T2 M6\nG41 D0 G1 F600 X20\nX50\nG40 X80\n").substr(10, loaded.size()), loaded);
 }
 
+// Found by the fuzzer: G93 divided a programmed length of 0 by the time, and the exit never ended.
+TEST(Compensation, LeavesByTimeWhereTheProgrammedExitHasNoLength) {
+  const std::string found = moves("G41.1 D10 G93 G1 X20 F2\nX50 F2\nG40 X50 F2\nM2\n");
+  // 5 mm, the tool's radius, in half a minute.
+  EXPECT_NE(found.find("3: line to 50 0 0 feed 0.1666"), std::string::npos) << found;
+}
+
 TEST(Compensation, GivesTheCornerArcTheLineBehindIt) {
   EXPECT_EQ(moves("G41.1 D10 G1 F600 X20\nX50 F300\nM8\nG0 Y-40\nM0\nG40 X80\nM2\n"),
             "1: line to 20 5 0 feed 10\n"
