@@ -122,7 +122,7 @@ int optimum() {
       "Rest to rest. Reference: a time that leaves out the jerk of launch and landing, up to A / J "
       "longer with it (0.055, 0.050 and 0.067 s); met: within 1.01 times the reference and that, "
       "no "
-      "figure more than 0.5 % over its limit, planned in a tenth of the time.\n\n"
+      "figure more than 0.5 %% over its limit, planned in a tenth of the time.\n\n"
       "| curve | limits | time-optimal [s] | reference [s] | ratio | planning [ms] | largest over "
       "limit | s-curve [s] | largest over limit | |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n");
