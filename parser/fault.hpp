@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "parser/diagnostic_list.hpp"
 #include "parser/errors/error_page.hpp"
 
 namespace kerf::parser {
@@ -18,6 +20,8 @@ struct Fault {
   std::uint32_t offset = 0;  // bytes from the start of the line
   std::string message;
   const ErrorPage* page = nullptr;  // nothing is wrong: null
+  // Of an earlier line that is to blame; `offset` does not count then.
+  std::optional<DiagnosticPlace> elsewhere;
 };
 
 }  // namespace kerf::parser

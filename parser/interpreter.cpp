@@ -35,7 +35,8 @@ bool Interpreter::fail(std::uint32_t offset, const ErrorPage& page, std::string 
 void Interpreter::report(const Fault& fault) {
   compensation_.forget_faults();
   if (reported_line_ != line_) {
-    diagnostics_->add({line_, fault.offset + 1}, *fault.page, fault.message);
+    diagnostics_->add_at(fault.elsewhere.value_or(diagnostics_->place({line_, fault.offset + 1})),
+                         *fault.page, fault.message);
     reported_line_ = line_;
   }
 }

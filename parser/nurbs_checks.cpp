@@ -54,6 +54,24 @@ bool NurbsCollector::check_axes(const CurveBlock& at, Fault& fault) {
   return true;
 }
 
+// Of an order that only few controls know the mistake is more likely in P than in the knots.
+bool NurbsCollector::wrong_head(const CurveBlock& at, double knot, Fault& fault) const {
+  const std::string first = shortest(curve_.knots.front());
+  const std::string order = std::to_string(order_);
+  if (!extension_) {
+    return kCurve.fail(
+        fault, at.block.word('K').offset, errors::kHeadKnots,
+        {"the first ", order, " knots must be equal, found ", shortest(knot), " after ", first});
+  }
+  kCurve.fail(
+      fault, 0, errors::kHeadKnots,
+      {"P (order) ", order, " needs the first ", order, " knots equal, found ", shortest(knot),
+       " in line ", std::to_string(at.line), " after ", std::to_string(curve_.knots.size()),
+       curve_.knots.size() == 1 ? " knot of " : " knots of ", first, " (Fanuc takes P 2 to 4)"});
+  fault.elsewhere = extension_;
+  return false;
+}
+
 bool NurbsCollector::check_knot(const CurveBlock& at, double knot, Fault& fault) const {
   const auto& knots = curve_.knots;
   const std::uint32_t offset = at.block.word('K').offset;
@@ -66,9 +84,7 @@ bool NurbsCollector::check_knot(const CurveBlock& at, double knot, Fault& fault)
                         shortest(knots.back()), ")"});
   }
   if (knots.size() < order_ && knot != knots.front()) {
-    return kCurve.fail(fault, offset, errors::kHeadKnots,
-                       {"the first ", std::to_string(order_), " knots must be equal, found ",
-                        shortest(knot), " after ", shortest(knots.front())});
+    return wrong_head(at, knot, fault);
   }
   const bool in_tail = !at.block.has_any(kAxisLetters);  // judged when the row is complete
   if (!in_tail && knot == knots.back() && run_ == order_) {

@@ -10,6 +10,7 @@ namespace kerf::parser {
 namespace {
 
 constexpr double kFirstPointTolerance_mm = 0.0005;  // half of Fanuc's least increment
+constexpr std::size_t kHighestPlainOrder = 4;       // what is above is an extension
 constexpr Tenths kG62 = 62;
 constexpr CurveCode kCurve{"G6.2"};
 constexpr WeightRule kWeight{'R', &errors::kNurbsWeight};
@@ -18,6 +19,7 @@ constexpr WeightRule kWeight{'R', &errors::kNurbsWeight};
 
 bool NurbsCollector::read_order(const CurveBlock& at, Fault& fault) {
   order_ = 4;
+  extension_.reset();
   if (!at.block.has('P')) {
     return true;
   }
@@ -32,6 +34,9 @@ bool NurbsCollector::read_order(const CurveBlock& at, Fault& fault) {
                         std::to_string(kHighestOrder), ", found ", shortest(word.value)});
   }
   order_ = static_cast<std::size_t>(word.value);
+  if (order_ > kHighestPlainOrder) {
+    extension_ = diagnostics_->place({at.line, word.offset + 1});
+  }
   return true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "parser/curve_block.hpp"
@@ -43,6 +44,7 @@ class NurbsCollector {
   bool add_point(const CurveBlock& at, Fault& fault);
   bool add_knot(const CurveBlock& at, Fault& fault);
   bool check_knot(const CurveBlock& at, double knot, Fault& fault) const;
+  bool wrong_head(const CurveBlock& at, double knot, Fault& fault) const;
   bool check_tail(const CurveBlock& at, Fault& fault) const;
   bool check_whole(const CurveBlock& at, Fault& fault) const;
   struct KnotOfLine {
@@ -59,11 +61,12 @@ class NurbsCollector {
   NurbsMove curve_;
   Point last_point_mm_{};
   std::size_t order_ = 4;
-  std::size_t tail_ = 0;       // knot-only blocks so far
-  std::size_t run_ = 0;        // equal knots at the end of the row so far
-  Letters axes_ = 0;           // of the first block that has any
-  bool in_plane_ = false;      // the LinuxCNC form
-  bool knot_pending_ = false;  // the first block had no K
+  std::optional<DiagnosticPlace> extension_;  // P, where the order is above Fanuc's highest, 4
+  std::size_t tail_ = 0;                      // knot-only blocks so far
+  std::size_t run_ = 0;                       // equal knots at the end of the row so far
+  Letters axes_ = 0;                          // of the first block that has any
+  bool in_plane_ = false;                     // the LinuxCNC form
+  bool knot_pending_ = false;                 // the first block had no K
   bool active_ = false;
 };
 

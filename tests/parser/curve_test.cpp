@@ -116,6 +116,16 @@ TEST(Nurbs, OfManyPointsIsRead) {
   EXPECT_EQ(curve_of(text + "K2997\nK2997\nK2997\nK2997").points.size(), 3000U);
 }
 
+TEST(Nurbs, OfAnOrderThatIsAnExtensionPutsKnotsOfAnotherOrderDownToP) {
+  const std::string points = " K0 X0 Y0\nK0 X1 Y1\nK0 X2\nK0 X3\nK1 X4\nK2 X5 Y0\n";
+  EXPECT_EQ(
+      first_message("F60\nG6.2 P5" + points + "K3\nK3\nK3\nK3"),
+      "2:6: error: G6.2: P (order) 5 needs the first 5 knots equal, found 1 in line 6 after 4 "
+      "knots of 0 (Fanuc takes P 2 to 4)");
+  EXPECT_EQ(first_message("F60\nG6.2 P4 K0 X0 Y0\nK0 X1 Y1\nK1 X2"),
+            "4:1: error: G6.2: the first 4 knots must be equal, found 1 after 0");
+}
+
 TEST(Nurbs, WithWildWeightsIsWarnedOf) {
   EXPECT_EQ(first_message("F60\nG6.2 P2 K0 X0 Y0 R.0001\nK0 X2 R500\nK1\nK1"),
             "3:1: warning: G6.2: the weights differ by more than a factor of 1e6");
