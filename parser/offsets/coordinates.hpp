@@ -22,6 +22,10 @@ struct Scaling {
   Point centre_mm{};  // in program coordinates
   Point factor{1.0, 1.0, 1.0};
 
+  [[nodiscard]] double scaled(std::size_t axis, double coordinate_mm) const {
+    return centre_mm[axis] + factor[axis] * (coordinate_mm - centre_mm[axis]);
+  }
+
   friend bool operator==(const Scaling&, const Scaling&) = default;
 };
 

@@ -111,7 +111,8 @@ bool Interpreter::scale_program() {
   return true;
 }
 
-// G68 X Y R; with G91 the angle counts from the one before.
+// G68 X Y R; with G91 the angle counts from the one before. Under G51 the centre is scaled, too
+// [FANUC 30i user's manual B-63944EN-2, scaling and coordinate system rotation].
 bool Interpreter::turn_program() {
   const Word& code = code_word(*block_, codes_, Group::program_turn);
   if (!block_->has('R')) {
@@ -130,7 +131,8 @@ bool Interpreter::turn_program() {
   turn.angle_deg = block_->value('R') + (adds ? state_.coordinates.program_turn().angle_deg : 0.0);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const bool given = block_->has(axis_letter(axis));
-    turn.centre_mm[axis] = !given ? here[axis] : words[axis] + (adds ? here[axis] : 0.0);
+    const double centre = !given ? here[axis] : words[axis] + (adds ? here[axis] : 0.0);
+    turn.centre_mm[axis] = state_.coordinates.scaling().scaled(axis, centre);
   }
   state_.coordinates.set_program_turn(turn);
   return true;

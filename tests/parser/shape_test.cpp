@@ -32,6 +32,17 @@ TEST(Shape, TurnsTheProgramAboutAPoint) {
   EXPECT_EQ(lines_of("G68 X0 Y0 R45\nG91 G68 X0 Y0 R45\nG90 G0 X3 Y0").back(), "3: rapid to 0 3 0");
 }
 
+// FANUC 30i user's manual B-63944EN-2, scaling and coordinate system rotation: the centre of the
+// turn is scaled, too; moves are scaled first and turned then.
+TEST(Shape, ScalesTheCentreOfATurn) {
+  const std::string turned = "G51 X0 Y0 Z0 P2000\nG68 X1 Y1 R90\n";
+  EXPECT_EQ(lines_of(turned + "G0 X2 Y1").back(), "3: rapid to 2 4 0");
+  EXPECT_EQ(lines_of("G0 X3 Y1\n" + turned + "G0 X1 Y1").back(), "4: rapid to 2 2 0");
+  EXPECT_EQ(lines_of(turned + "G69\nG0 X2 Y1").back(), "4: rapid to 4 2 0");
+  EXPECT_EQ(lines_of("G51 X0 Y0 Z0 P2000\nG0 X1 Y1\nG68 R90\nG0 X2 Y1").back(), "4: rapid to 2 4 0")
+      << "about where the tool is";
+}
+
 TEST(Shape, TurnsArcs) {
   EXPECT_EQ(lines_of("G68 X0 Y0 R90\nF60 G2 X2 I1").back(),
             "2: clockwise in xy about 0 1 0 to 0 2 0 turns 1 feed 1");
