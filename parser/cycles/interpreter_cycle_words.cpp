@@ -96,13 +96,19 @@ bool Interpreter::set_cycle_levels(DrillCycle& cycle) {
   }
   DrillLevels& levels = cycle.levels;
   levels.initial_mm = memory.initial_mm;
-  const bool adds = state_.incremental;
-  levels.clearance_mm = *memory.words.clearance_mm + (adds ? levels.initial_mm : 0.0);
-  levels.bottom_mm = *memory.words.bottom_mm + (adds ? levels.clearance_mm : 0.0);
+  CycleWords& words = memory.words;
+  if (dialect_ == Dialect::rs274 || block_->has('R')) {
+    words.clearance_adds = state_.incremental;
+  }
+  if (dialect_ == Dialect::rs274 || block_->has(axis_letter(up))) {
+    words.bottom_adds = state_.incremental;
+  }
+  levels.clearance_mm = *words.clearance_mm + (words.clearance_adds ? levels.initial_mm : 0.0);
+  levels.bottom_mm = *words.bottom_mm + (words.bottom_adds ? levels.clearance_mm : 0.0);
   if (levels.clearance_mm < levels.bottom_mm) {
     const char letter = axis_letter(up);
     const double unit = mm_per_unit(state_.units);
-    memory.words.bottom_mm = adds ? 0.0 : *memory.words.clearance_mm;
+    words.bottom_mm = words.bottom_adds ? 0.0 : levels.clearance_mm;
     return fail(block_->has(letter) ? block_->word(letter).offset : motion_offset(),
                 errors::kCycleClearanceBelowBottom,
                 joined({motion_name(), ": R (", in_mm(levels.clearance_mm / unit), ") is below ",

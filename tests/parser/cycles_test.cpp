@@ -105,6 +105,19 @@ TEST(Cycles, OfFanucBeginAtTheInitialLevelAndRepeatByK) {
   EXPECT_EQ(text_of(program.moves[7]), "2: line to 10 0 -1 feed 1");
 }
 
+// A row of holes as programs for these controls have it: the first with G90, the others by G91 K.
+TEST(Cycles, OfFanucKeepTheLevelsOfTheModeThatTheyWereGivenIn) {
+  const auto bottom_of = [](const std::string& row) {
+    const Program program = read_program(row + "\nM2\n", {.dialect = Dialect::fanuc});
+    EXPECT_FALSE(program.has_errors) << to_string(program.diagnostics.front(), "");
+    return text_of(program.moves.at(program.moves.size() - 3));
+  };
+  const std::string first = "G0 Z10\nG90 G99 G81 X0 Z-3 R2 F60\n";
+  EXPECT_EQ(bottom_of(first + "G91 X5 K2"), "3: line to 10 0 -3 feed 1");
+  EXPECT_EQ(bottom_of(first + "G91 X5 Z-4"), "3: line to 5 0 -2 feed 1") << "from R";
+  EXPECT_EQ(bottom_of("G0 Z10\nG91 G99 G81 X5 Z-3 R-8 F60\nG90 X7"), "3: line to 7 0 -1 feed 1");
+}
+
 TEST(Cycles, OfFanucTakeTheDwellInMilliseconds) {
   const Program program = read_program("G82 X5 Z-3 R1 P250 F60\nM2\n", {.dialect = Dialect::fanuc});
   ASSERT_FALSE(program.has_errors);
