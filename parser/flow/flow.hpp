@@ -115,6 +115,8 @@ class Flow {
     std::uint32_t around = 0;  // structure around it
     std::uint32_t offset = 0;
     bool walked = false;  // over what there was when the search began
+    std::optional<DiagnosticPlace> returned_by =
+        std::nullopt;  // M99 P, in the text of the subprogram
   };
   struct Found {
     ProgramText* text = nullptr;  // nullptr: none
@@ -168,6 +170,7 @@ class Flow {
   const SequenceNumber* find_number();
   bool find_target();
   void target_not_found();
+  void wrong_target(const ErrorPage& page, std::string message);
   [[nodiscard]] bool may_enter(std::uint32_t structure) const;
 
   const ReaderOptions* options_;

@@ -206,10 +206,14 @@ bool Flow::return_from_call(const Return& from) {
     frames_.back().runs = 0;
   }
   const std::size_t depth = frames_.size();
+  DiagnosticPlace here = diagnostics_->place({text_->number_of(current_), from.number_offset + 1});
   leave();
   if (from.line_number != 0 && frames_.size() < depth) {
     const std::uint32_t caller = cursor_ == 0 ? 0 : cursor_ - 1;
-    target_ = {from.line_number, caller, text_->structure_around(caller), from.number_offset};
+    target_ = {.number = from.line_number,
+               .from = caller,
+               .around = text_->structure_around(caller),
+               .returned_by = std::move(here)};
     current_ = caller;
     set_goal(Goal::target, 0);
   }

@@ -70,7 +70,10 @@ void Flow::go_to(std::size_t at, std::uint32_t around) {
                   shortest(number)}));
     return;
   }
-  target_ = {static_cast<std::uint32_t>(number), current_, around, offset};
+  target_ = {.number = static_cast<std::uint32_t>(number),
+             .from = current_,
+             .around = around,
+             .offset = offset};
   set_goal(Goal::target, 0);
 }
 
@@ -110,24 +113,30 @@ bool Flow::find_target() {
     return false;
   }
   if (!may_enter(found->around)) {
-    fault(target_.from, target_.offset, errors::kJumpIntoLoop,
-          joined({"N", std::to_string(target_.number),
-                  " stands inside a loop: a jump into it is "
-                  "not allowed"}));
+    wrong_target(errors::kJumpIntoLoop,
+                 joined({"N", std::to_string(target_.number),
+                         " stands inside a loop: a jump into it is not allowed"}));
     return true;
   }
   jump(found->line);
   return true;
 }
 
+void Flow::wrong_target(const ErrorPage& page, std::string message) {
+  if (target_.returned_by) {
+    diagnostics_->add_at(*target_.returned_by, page, std::move(message));
+  } else {
+    fault(target_.from, target_.offset, page, std::move(message));
+  }
+}
+
 void Flow::target_not_found() {
-  fault(
-      target_.from, target_.offset, errors::kLabelMissing,
-      joined(
-          {"N", std::to_string(target_.number), " is not found",
-           forgotten_
-               ? " in the text that was kept (only 4 MiB are kept before the first macro statement)"
-               : " in this program"}));
+  wrong_target(errors::kLabelMissing,
+               joined({"N", std::to_string(target_.number), " is not found",
+                       forgotten_ ? " in the text that was kept (only 4 MiB are kept before the "
+                                    "first macro statement)"
+                       : target_.returned_by ? " in the calling program"
+                                             : " in this program"}));
 }
 
 }  // namespace kerf::parser

@@ -141,6 +141,10 @@ TEST(FanucFlow, CallsProgramsByName) {
 
 TEST(FanucFlow, M99GoesOnAtAnotherBlock) {
   EXPECT_EQ(path("O1\nM98 P2\nG0 X1\nN50 G0 X2\nM30\nO2\nG0 X5\nM99 P50"), "5 2");
+  EXPECT_EQ(messages("O1\n\n  M98 P2\nM30\nO2\nG0 X5\nN7 M99 P77\n"),
+            "7:8: error: N77 is not found in the calling program\n");
+  EXPECT_EQ(messages("O1\nM98 P2\nWHILE [1 EQ 0] DO1\nN5 G0 X1\nEND1\nM30\nO2\nG0 X5\n M99 P5\n"),
+            "9:6: error: N5 stands inside a loop: a jump into it is not allowed\n");
   EXPECT_EQ(messages("O1\nG0 X1\nM99\n"),
             "3:1: warning: M99 in the main program: it would repeat without end and is ended "
             "here\n");
