@@ -158,6 +158,15 @@ bool Flow::reach_goal() {
   return true;
 }
 
+// A program with an error will not run, so behind one a loop has no motion to go on for: only lines
+// that have not moved before count.
+void Flow::count_motion() {
+  const bool anew = text_ == main_.get() && current_ > furthest_;
+  furthest_ = anew ? current_ : furthest_;
+  moves_in_vain_ = diagnostics_->has_errors() && !anew;
+  idle_steps_ = moves_in_vain_ ? idle_steps_ : 0;
+}
+
 void Flow::stop_endless_loop() {
   if (loop_text_ != nullptr) {
     enter_text(*loop_text_, loop_line_);
@@ -168,7 +177,8 @@ void Flow::stop_endless_loop() {
   fault(current_, at == std::string_view::npos ? 0 : static_cast<std::uint32_t>(at),
         errors::kEndlessLoop,
         joined({"the loop ran ", std::to_string(options_->max_idle_steps),
-                " lines without motion: it is taken to be endless"}));
+                moves_in_vain_ ? " lines behind an error" : " lines without motion",
+                ": it is taken to be endless"}));
   stopped_ = true;
 }
 

@@ -63,7 +63,11 @@ class Flow {
   // Precondition: active(). The line is valid until the next call.
   Step next(Line& line);
   // The line that next() gave made the tool move.
-  void moved() { idle_steps_ = 0; }
+  void moved() {
+    if (active_) {
+      count_motion();
+    }
+  }
 
   // M98, M99 and G65 in the line that next() gave (or start() took), after its other words.
   void call(Call call);
@@ -133,6 +137,7 @@ class Flow {
   bool pass_goal();
   void jump(std::uint32_t line);
   void set_goal(Goal goal, std::uint32_t statement);
+  void count_motion();
   void stop_endless_loop();
   Step at_end_of_text();
 
@@ -198,6 +203,8 @@ class Flow {
   bool has_ready_ = false;  // it is to be handed out
 
   std::uint64_t idle_steps_ = 0;
+  std::uint32_t furthest_ = 0;  // line of the program that has moved the tool
+  bool moves_in_vain_ = false;
   ProgramText* loop_text_ = nullptr;  // of the last line jumped back to; nullptr: none
   std::uint32_t loop_line_ = 0;
   std::optional<WatchedBlock> watched_;

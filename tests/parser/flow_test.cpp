@@ -69,6 +69,15 @@ TEST(Flow, StopsALoopThatNeverMoves) {
   EXPECT_EQ(message("G0 X1\no1 while [1]\nM8\no1 endwhile\nM2\n"),
             "2:1: error: the loop ran 1000 lines without motion: it is taken to be endless\n")
       << "what the machine does at rest is no motion";
+  EXPECT_EQ(message("o1 while [1]\nG91 G0 X1\nX1 Q5\no1 endwhile\nM2\n"),
+            "3:4: error: Q is not used in this block\n"
+            "1:1: error: the loop ran 1000 lines behind an error: it is taken to be endless\n")
+      << "the moves of a program with an error are in vain";
+  std::string long_program = "o1 if [1]\no1 endif\nG91 G0 X1 Q5\n";
+  for (int i = 0; i < 1500; ++i) {
+    long_program += "G0 X1\n";
+  }
+  EXPECT_EQ(message(long_program + "M2\n"), "3:11: error: Q is not used in this block\n");
   EXPECT_EQ(message("o1 while [#1 LT 900]\n#1=[#1+1]\nG0 X#1\no1 endwhile\nM2\n"), "");
 }
 
