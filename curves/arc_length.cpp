@@ -6,7 +6,7 @@
 // point geometrically until the piece is shorter than the tolerance, where any x(s) will do: about
 // 20 to 40 pieces. What the curve does across such a point shows in the tangents on both sides:
 // it goes on, turns back (a cusp) or turns a corner; corners also come of large weights, which pull
-// a curve onto its control polygon to within 1e-12 mm.
+// a curve onto its control polygon to within 1e-12 mm. At a cusp as at a corner the curve is cut.
 //
 // Weakness: a near-cusp sharper than 1e-12 mm is taken for a cusp, and curves whose coordinates
 // differ by less than 1e-12 mm are taken for points.
@@ -27,8 +27,8 @@ constexpr Wide kPointLike_mm = 1e-12L;
 constexpr Wide kCoincident = 1e-6L;
 constexpr Wide kMostWeightRatio = 16.0L;  // in one piece, so that its polynomials lose no digits
 constexpr double kShortestCurve_mm = 1e-11;
-constexpr Wide kTurnsBack = -0.999L;    // cosine of the angle between the tangents
-constexpr Wide kTurnsCorner = 0.9988L;  // 0.05 rad, more than any smooth curve turns in 1e-12 mm
+// Cosine of the angle between the tangents: 0.05 rad, more than any smooth curve turns in 1e-12 mm.
+constexpr Wide kTurnsCorner = 0.9988L;
 constexpr int kDepth = 90;
 
 // Maps one span after the other, left to right.
@@ -53,9 +53,7 @@ class Mapper {
       const double piece_mm =
           current.weight_ratio() <= kMostWeightRatio ? fit_length_map(piece) : -1.0;
       if (piece_mm >= 0.0) {
-        if (auto passed = pass_points(current, polygon_mm); !passed) {
-          return passed;
-        }
+        pass_points(current, polygon_mm);
         append(piece, piece_mm);
       } else if (depth < kDepth) {
         pending_.push_back({right, depth + 1});
@@ -95,14 +93,11 @@ class Mapper {
 
   // Compares the tangents before and after the pieces without extent that were held back, keeps
   // them where the curve goes on smoothly and drops them for a corner.
-  tl::expected<void, CurveError> pass_points(const BezierSpan& next, Wide polygon_mm) {
+  void pass_points(const BezierSpan& next, Wide polygon_mm) {
     const WideVector direction = next.begin_direction(kCoincident * polygon_mm);
     const bool inside = !curves.back().empty() && last_direction_.squaredNorm() > 0.0L;
     const Wide cosine = inside ? last_direction_.dot(direction) : 1.0L;
     last_direction_ = next.end_direction(kCoincident * polygon_mm);
-    if (cosine < kTurnsBack) {
-      return tl::unexpected(error_at("the curve turns back on itself in a cusp", next));
-    }
     if (cosine < kTurnsCorner) {
       end_curve(next.begin_mm());
       curves.emplace_back();
@@ -113,7 +108,6 @@ class Mapper {
       }
     }
     points_.clear();
-    return {};
   }
 
   void append(NurbsPiece& piece, double piece_mm) {

@@ -20,10 +20,10 @@ namespace kerf::curves {
 inline constexpr double kArcLengthTolerance_mm = 1e-11;
 inline constexpr double kTotalTolerance_mm = 1e-9;
 
-// Pieces in order, by smooth curve: normally one, more where the curve turns a corner between two
-// pieces, none if it is no longer than 1e-11 mm. Each span begins where the one before it ends, in
-// the same direction; the last piece ends in end_mm exactly. Errors: a cusp (with its u and place),
-// a span that no number of pieces resolves.
+// Pieces in order, by smooth curve: normally one, more where the curve turns a corner or back on
+// itself between two pieces, none if it is no longer than 1e-11 mm. Each span begins where the one
+// before it ends, in the same direction; the last piece ends in end_mm exactly. Error: a span that
+// no number of pieces resolves (with its u and place).
 tl::expected<std::vector<std::vector<NurbsPiece>>, CurveError> map_arc_length(
     std::span<const BezierSpan> spans, const Position& end_mm);
 

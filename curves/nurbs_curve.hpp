@@ -30,11 +30,12 @@ class NurbsCurve {
  public:
   // Cuts the curve at its corners and returns the smooth parts in order, normally one. Corners are
   // where the tangent turns by more than 1e-9 rad at a knot (of multiplicity degree, or where
-  // control points coincide), or by more than 0.05 rad within 1e-12 mm (extreme weights). Errors:
+  // control points coincide), or by more than 0.05 rad within 1e-12 mm (extreme weights; a cusp,
+  // where the curve turns back between two knots). Errors:
   // degree outside 1..9, fewer points than the order, count of knots not n + p + 1, decreasing or
   // not finite knots, end knots not repeated p + 1 times, a jump in position, weight not positive
   // or not finite, a coordinate not finite or beyond kMaxCoordinate_mm, zero length (up to 1e-11
-  // mm), a cusp: turning back between two knots, with its u and place.
+  // mm).
   static tl::expected<std::vector<NurbsCurve>, CurveError> make(const NurbsData& data);
   // The same from Bezier spans, each beginning where and in the direction in which the one before
   // ends; end_mm is their end as the program wrote it. Empty if they have no length.

@@ -159,10 +159,11 @@ TEST(Kernel, StopsAtRestBeforeABlockThatIsWrong) {
 TEST(Kernel, StopsAtRestBeforeACurveThatCannotBeBuilt) {
   Kernel kernel(mill());
   kernel.feed(
-      "G21 G90 G1 X10 F3000\nG6.2 P3 K0 X10 Y0 F1000\nK0 X20 Y0\nK0 X10 Y0\nK1\nK1\nK1\nG1 X40\n"
+      "G21 G90 G1 X10 F3000\nG6.2 P3 K0 X10 Y0 F1000\nK0 X2000000000 Y0\nK0 X10 Y0\nK1\nK1\nK1\nG1 "
+      "X40\n"
       "M2\n");
   kernel.finish();
-  const auto ticks = rest_of(kernel);  // a cusp: there and back on one line
+  const auto ticks = rest_of(kernel);  // a point beyond 1e9 mm
   EXPECT_TRUE(kernel.has_errors());
   ASSERT_FALSE(kernel.diagnostics().empty());
   EXPECT_GE(kernel.diagnostics().back().source.line, 2U);
