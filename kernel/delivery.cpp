@@ -19,15 +19,25 @@ bool Delivery::deliver(std::int64_t horizon) {
     frozen_until_tick_ = phase.begin.tick;
     ++phases_sent_;
   }
-  if (pieces_sent_ < outbox_.pieces.size() || phases_sent_ < outbox_.phases.size() ||
-      switches_sent_ < outbox_.switches.size()) {
-    return false;
+  forget_sent();
+  return outbox_.phases.empty() && outbox_.switches.empty();
+}
+
+// Pieces may wait for a long time, behind a curve of more of them than the ring holds.
+void Delivery::forget_sent() {
+  if (phases_sent_ == outbox_.phases.size()) {
+    outbox_.phases.clear();
+    phases_sent_ = 0;
   }
-  outbox_.pieces.clear();
-  outbox_.phases.clear();
-  outbox_.switches.clear();
-  pieces_sent_ = phases_sent_ = switches_sent_ = 0;
-  return true;
+  if (switches_sent_ == outbox_.switches.size()) {
+    outbox_.switches.clear();
+    switches_sent_ = 0;
+  }
+  if (pieces_sent_ == outbox_.pieces.size() || pieces_sent_ >= interp::MotionQueue::kPieces) {
+    outbox_.pieces.erase(outbox_.pieces.begin(),
+                         outbox_.pieces.begin() + static_cast<std::ptrdiff_t>(pieces_sent_));
+    pieces_sent_ = 0;
+  }
 }
 
 bool Delivery::may_follow(const interp::Phase& phase) const {

@@ -17,8 +17,8 @@ class Delivery {
   [[nodiscard]] lookahead::Outbox& outbox() { return outbox_; }
 
   // Moves what begins up to tick `horizon` into the queue, pieces first: a phase follows only once
-  // the piece that it begins on and what is switched as it begins are there. True: all of it went,
-  // and the outbox is empty.
+  // the piece that it begins on and what is switched as it begins are there. True: all phases went;
+  // pieces that only later ones need may still wait in the outbox.
   bool deliver(std::int64_t horizon);
 
   // The last phase that was delivered begins there.
@@ -26,6 +26,7 @@ class Delivery {
 
  private:
   [[nodiscard]] bool may_follow(const interp::Phase& phase) const;
+  void forget_sent();
 
   interp::MotionQueue* queue_;
   lookahead::Outbox outbox_;
