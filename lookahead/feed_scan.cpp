@@ -133,12 +133,18 @@ bool refine(std::vector<TickBound>& bounds, const NurbsCurve& curve, const ScanL
   return more;
 }
 
-void append(Ceiling& ceiling, const FeedSample& sample) {
-  if (!ceiling.empty() && sample.s_mm <= ceiling.back().s_mm) {
-    ceiling.back().v_mm_s = std::min(ceiling.back().v_mm_s, sample.v_mm_s);
-  } else {
-    ceiling.push_back(sample);
+// The middles of ticks as a ceiling over s. Just before a sharp turn middles run backwards: a tick
+// that begins earlier is let past the turn, one that begins later is not. The slower one counts,
+// and that is the later one.
+Ceiling in_order(const Ceiling& samples) {
+  Ceiling kept;
+  for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
+    if (kept.empty() || sample->s_mm < kept.back().s_mm) {
+      kept.push_back(*sample);
+    }
   }
+  std::reverse(kept.begin(), kept.end());
+  return kept;
 }
 
 }  // namespace
@@ -151,16 +157,21 @@ Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
   const double slack = std::isfinite(limits.jerk_mm_s3)
                            ? limits.jerk_mm_s3 * limits.period_s * limits.period_s / 24.0
                            : 0.0;
-  Ceiling ceiling;
+  const auto allowed = [&](double v) {
+    return v < limits.feedrate_mm_s ? kInside * std::max(v - slack, 0.9 * v) : v;
+  };
+  Ceiling samples;
   for (const auto& [s, v] : bounds) {
-    const double allowed = v < limits.feedrate_mm_s ? kInside * std::max(v - slack, 0.9 * v) : v;
     const double middle = std::min(s + 0.5 * v * limits.period_s, length);
-    if (ceiling.empty()) {
-      ceiling.push_back({.u = curve.pieces().front().u_at(0.0), .s_mm = 0.0, .v_mm_s = allowed});
-    }
-    append(ceiling, {.u = curve.pieces()[curve.piece_index(middle)].u_at(middle),
-                     .s_mm = middle,
-                     .v_mm_s = allowed});
+    samples.push_back({.u = curve.pieces()[curve.piece_index(middle)].u_at(middle),
+                       .s_mm = middle,
+                       .v_mm_s = allowed(v)});
+  }
+  Ceiling ceiling = in_order(samples);
+  if (ceiling.front().s_mm > 0.0) {
+    ceiling.insert(ceiling.begin(), {.u = curve.pieces().front().u_at(0.0),
+                                     .s_mm = 0.0,
+                                     .v_mm_s = allowed(bounds.front().v_mm_s)});
   }
   if (ceiling.back().s_mm < length) {
     ceiling.push_back(
