@@ -15,6 +15,10 @@ namespace {
 // Of a derivative's size: what is less is rounding.
 constexpr double kJump = 1e-6;
 constexpr double kArcStep_rad = 0.05;
+constexpr int kPlacesOfPiece = 4;
+// A sharper apex is a corner to any drive, and a rest there costs some milliseconds: what there is
+// to gain on it is not worth its numbers.
+constexpr double kStopRadius_mm = 1e-7;
 
 bool differ(const curves::Position& a, const curves::Position& b) {
   const double size = std::max(vec(a).norm(), vec(b).norm());
@@ -26,6 +30,40 @@ BlockEnd end_of(const curves::PathDerivatives& path) {
   return {.tangent = {},
           .curvature_per_mm = path.second_per_mm,
           .third_per_mm2 = vec(path.third_per_mm2).cwiseAbs().maxCoeff()};
+}
+
+// The pieces of a curve are short where it turns sharply (curves/arc_length.cpp), even where a
+// feature is too small for the scan of the chord error.
+void add_places_of_pieces(const curves::NurbsCurve& curve, std::vector<double>& places) {
+  for (const curves::NurbsPiece& piece : curve.pieces()) {
+    const double step = (piece.s_end_mm - piece.s_begin_mm) / kPlacesOfPiece;
+    for (int k = 0; k < kPlacesOfPiece; ++k) {
+      places.push_back(piece.s_begin_mm + step * k);
+    }
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+}
+
+// Where the curve turns more sharply than kStopRadius_mm: of each such stretch the sharpest place.
+std::vector<double> sharp_places(const curves::NurbsCurve& curve) {
+  std::vector<double> places{0.0};
+  add_places_of_pieces(curve, places);
+  std::vector<double> sharp;
+  double sharpest = 0.0;
+  for (const double s : places) {
+    const double curvature = vec(curve.derivatives_at(s).second_per_mm).norm();
+    if (!(curvature * kStopRadius_mm > 1.0) || s == 0.0) {
+      sharpest = 0.0;
+    } else if (curvature > sharpest) {
+      if (sharpest > 0.0) {
+        sharp.pop_back();
+      }
+      sharp.push_back(s);
+      sharpest = curvature;
+    }
+  }
+  return sharp;
 }
 
 }  // namespace
@@ -79,10 +117,22 @@ std::vector<double> BlockPath::scan_places() const {
       places.push_back(length_mm() * k / parts);
     }
   }
+  if (const auto* nurbs = std::get_if<curves::NurbsCurve>(&block_->curve)) {
+    add_places_of_pieces(*nurbs, places);
+  }
   if (places.back() < length_mm()) {
     places.push_back(length_mm());
   }
   return places;
+}
+
+double BlockPath::piece_mm(double s_mm) const {
+  const auto* nurbs = std::get_if<curves::NurbsCurve>(&block_->curve);
+  if (nurbs == nullptr) {
+    return kUnbounded;
+  }
+  const curves::NurbsPiece& piece = nurbs->pieces()[nurbs->piece_index(s_mm)];
+  return piece.s_end_mm - piece.s_begin_mm;
 }
 
 std::vector<BlockPath::Break> BlockPath::breaks(const PlanLimits& joint) const {
@@ -99,11 +149,14 @@ std::vector<BlockPath::Break> BlockPath::breaks(const PlanLimits& joint) const {
         places.push_back({s});
       }
     }
+    for (const double s : sharp_places(*nurbs)) {
+      places.push_back({.s_mm = s, .feedrate_mm_s = 0.0});
+    }
   }
   const Ceiling& ceiling = block_->ceiling;
   for (std::size_t i = 1; i + 1 < ceiling.size(); ++i) {
     if (ceiling[i].v_mm_s < ceiling[i - 1].v_mm_s && ceiling[i].v_mm_s <= ceiling[i + 1].v_mm_s) {
-      places.push_back({ceiling[i].s_mm});
+      places.push_back({.s_mm = ceiling[i].s_mm, .valley = true});
     }
   }
   std::sort(places.begin(), places.end(),

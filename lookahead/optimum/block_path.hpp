@@ -22,11 +22,15 @@ class BlockPath {
   // Places in ascending order, both ends among them, so dense that what bounds the feedrate hardly
   // changes between two of them.
   [[nodiscard]] std::vector<double> scan_places() const;
+  // How far from the place the path's derivatives can be taken as one polynomial.
+  [[nodiscard]] double piece_mm(double s_mm) const;
   // An inner place where a cell must end: the third derivative jumps, the ceiling has a valley, or
-  // curvature jumps; then the place may be passed at this feedrate, else at any.
+  // curvature jumps; then the place may be passed at this feedrate, else at any. 0: a rest, where
+  // the curve turns back within a radius of kStopRadius_mm.
   struct Break {
     double s_mm = 0.0;
     double feedrate_mm_s = kUnbounded;
+    bool valley = false;  // and nothing else
   };
   // Ascending. joint: limits for the jumps.
   [[nodiscard]] std::vector<Break> breaks(const PlanLimits& joint) const;

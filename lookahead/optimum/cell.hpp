@@ -34,6 +34,8 @@ struct Cell {
   std::uint64_t block = 0;  // the block it lies on
   double s_begin_mm = 0.0;  // on the block's curve
   double length_mm = 0.0;
+  bool ends_block = false;  // the block's last
+  bool rest_after = false;  // the motion comes to rest at its end
   CellEnd begin{};
   CellEnd end{};
   profiles::RampLimits along{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};

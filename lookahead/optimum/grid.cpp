@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "lookahead/optimum/joint_share.hpp"
 
@@ -14,17 +15,32 @@ constexpr double kCellTicks = 1.0;  // of the estimated motion
 constexpr double kGrowth = 0.08;    // of a cell over its distance from where something happens
 // Turning takes part in the limits where it takes this share of one.
 constexpr double kTurning = 0.05;
+// Of a cell over the radius, the shortest that a piece asks for in ticks and pieces, and how fast
+// cells grow beside it.
+constexpr double kOfRadius = 0.15;
+constexpr double kOfTick = 0.25;
+constexpr double kOfPiece = 0.5;
+constexpr double kFeatureGrowth = 0.15;
+constexpr double kShortest = 0.2;  // between two ends of cells, of what is asked for there
+// No cell is shorter, whatever the path does: sharper features are passed at next to no feedrate.
+constexpr double kLeastCell_mm = 1e-9;
+constexpr double kLeastShare = 1e-3;  // on a block that is hardly longer itself
 constexpr double kFlat = 1e-6;
 constexpr double kFarAway = 1e3;   // of a block's length: finite, to be interpolated
 constexpr double kNearest = 1e-5;  // of a block's length
 constexpr double kFarther = 1.5;
 
-// The estimate over s, and how far each place is from where the feedrate changes.
+// The estimate over s, how far each place is from where the feedrate changes, and how long a cell
+// may be there so that it follows the path's turning.
 struct Scan {
   std::vector<double> places_mm;
   std::vector<double> feeds_mm_s;
   std::vector<double> quiet_mm;
+  std::vector<double> feature_mm;
 
+  [[nodiscard]] double least_mm() const {
+    return std::min(kLeastCell_mm, kLeastShare * places_mm.back());
+  }
   // A function of values at the places, linear between them.
   [[nodiscard]] double at(const std::vector<double>& values, double s_mm) const {
     const auto after = std::upper_bound(places_mm.begin(), places_mm.end(), s_mm);
@@ -37,8 +53,9 @@ struct Scan {
   }
   // How long a cell at this place may be.
   [[nodiscard]] double cell_mm(double s_mm, const PlanLimits& limits) const {
-    return std::max(kCellTicks * limits.period_s * at(feeds_mm_s, s_mm),
-                    kGrowth * at(quiet_mm, s_mm));
+    const double of_motion =
+        std::max(kCellTicks * limits.period_s * at(feeds_mm_s, s_mm), kGrowth * at(quiet_mm, s_mm));
+    return std::max(least_mm(), std::min(at(feature_mm, s_mm), of_motion));
   }
 };
 
@@ -89,9 +106,31 @@ void add_places_beside_ends(const EndFeeds& ends, std::vector<double>& places_mm
   std::sort(places_mm.begin(), places_mm.end());
 }
 
+// Where nothing is near: no value is infinite, since they are interpolated.
+std::vector<double> far_away(const Scan& scan) {
+  return std::vector<double>(scan.places_mm.size(), kFarAway * scan.places_mm.back());
+}
+
+// From any place on, values rise with the distance by no more than this.
+void limit_growth(const std::vector<double>& places_mm, double growth,
+                  std::vector<double>& values) {
+  for (std::size_t i = 0; i + 1 < values.size(); ++i) {
+    values[i + 1] = std::min(values[i + 1], values[i] + growth * (places_mm[i + 1] - places_mm[i]));
+  }
+  for (std::size_t i = values.size() - 1; i-- > 0;) {
+    values[i] = std::min(values[i], values[i + 1] + growth * (places_mm[i + 1] - places_mm[i]));
+  }
+}
+
+// What a feature of the path asks of the cells around it, were it far shorter than a tick.
+double feature_mm(const CellEnd& end, double piece_mm, double tick_mm) {
+  const double curvature = curves::vec(end.second_per_mm).norm();
+  return std::min(kOfRadius / curvature, std::max(kOfPiece * piece_mm, kOfTick * tick_mm));
+}
+
 Scan scan(const BlockPath& path, const EndFeeds& ends, const std::vector<BlockPath::Break>& breaks,
           const PlanLimits& limits) {
-  Scan result{.places_mm = path.scan_places(), .feeds_mm_s = {}, .quiet_mm = {}};
+  Scan result{.places_mm = path.scan_places(), .feeds_mm_s = {}, .quiet_mm = {}, .feature_mm = {}};
   for (const BlockPath::Break& place : breaks) {
     result.places_mm.push_back(place.s_mm);
   }
@@ -110,25 +149,31 @@ Scan scan(const BlockPath& path, const EndFeeds& ends, const std::vector<BlockPa
     while (cells[at].s_begin_mm < place.s_mm) {
       ++at;
     }
-    cells[at].begin.feedrate_mm_s = std::min(cells[at].begin.feedrate_mm_s, place.feedrate_mm_s);
-  }
-  result.feeds_mm_s = estimate_feeds(cells, ends, limits);
-  std::vector<double>& quiet = result.quiet_mm;
-  quiet.assign(result.places_mm.size(), kFarAway * path.length_mm());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (!is_quiet(cells[i], result.feeds_mm_s[i], cap, limits) ||
-        !is_quiet(cells[i], result.feeds_mm_s[i + 1], cap, limits)) {
-      const double ramp = ramp_mm(cells[i], result.feeds_mm_s[i], limits);
-      quiet[i] = std::min(quiet[i], -ramp);
-      quiet[i + 1] = -ramp;
+    if (place.feedrate_mm_s > 0.0) {
+      cells[at].begin.feedrate_mm_s = std::min(cells[at].begin.feedrate_mm_s, place.feedrate_mm_s);
     }
   }
-  for (std::size_t i = 0; i + 1 < quiet.size(); ++i) {
-    quiet[i + 1] = std::min(quiet[i + 1], quiet[i] + cells[i].length_mm);
+  result.feeds_mm_s = estimate_feeds(cells, ends, limits);
+  result.quiet_mm = far_away(result);
+  result.feature_mm = far_away(result);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double v = result.feeds_mm_s[i];
+    double piece = kUnbounded;
+    if (!is_quiet(cells[i], v, cap, limits) ||
+        !is_quiet(cells[i], result.feeds_mm_s[i + 1], cap, limits)) {
+      const double ramp = ramp_mm(cells[i], v, limits);
+      result.quiet_mm[i] = std::min(result.quiet_mm[i], -ramp);
+      result.quiet_mm[i + 1] = -ramp;
+      piece = path.piece_mm(cells[i].s_begin_mm);
+    }
+    for (const auto& [end, place] :
+         {std::pair{&cells[i].begin, i}, std::pair{&cells[i].end, i + 1}}) {
+      double& feature = result.feature_mm[place];
+      feature = std::min(feature, feature_mm(*end, piece, limits.period_s * v));
+    }
   }
-  for (std::size_t i = quiet.size() - 1; i-- > 0;) {
-    quiet[i] = std::min(quiet[i], quiet[i + 1] + cells[i].length_mm);
-  }
+  limit_growth(result.places_mm, 1.0, result.quiet_mm);
+  limit_growth(result.places_mm, kFeatureGrowth, result.feature_mm);
   return result;
 }
 
@@ -138,11 +183,37 @@ PlanLimits of_axes(PlanLimits limits) {
   return limits;
 }
 
+// Cells between two places too close for the path's resolution would be noise: the second is moved
+// onto the first. A valley needs no cell's end of its own beside another place.
+std::vector<BlockPath::Break> apart(const std::vector<BlockPath::Break>& breaks, const Scan& seen,
+                                    const PlanLimits& limits) {
+  const double length = seen.places_mm.back();
+  std::vector<BlockPath::Break> kept{{.s_mm = 0.0}};
+  for (BlockPath::Break place : breaks) {
+    const double near = kShortest * seen.cell_mm(place.s_mm, limits);
+    if (!place.valley && kept.back().valley && place.s_mm - kept.back().s_mm < near) {
+      kept.pop_back();
+    }
+    const double room = place.valley ? near : seen.least_mm();
+    if (length - place.s_mm < room) {
+      place.s_mm = length;
+    }
+    BlockPath::Break& before = kept.back();
+    if (place.s_mm - before.s_mm >= room) {
+      kept.push_back(place);
+    } else {
+      before.feedrate_mm_s = std::min(before.feedrate_mm_s, place.feedrate_mm_s);
+    }
+  }
+  return kept;
+}
+
 }  // namespace
 
 std::vector<Cell> grid_of(const BlockPath& path, const EndFeeds& ends, const PlanLimits& limits) {
   std::vector<BlockPath::Break> breaks = path.breaks(jump_limits(of_axes(limits)));
   const Scan seen = scan(path, ends, breaks, limits);
+  breaks = apart(breaks, seen, limits);
   breaks.push_back({.s_mm = path.length_mm()});
   std::vector<Cell> cells;
   std::vector<PassedJump> jumps;
@@ -157,10 +228,13 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndFeeds& ends, const Pla
       cells.push_back(cell_between(path, s, next));
       s = next;
     }
-    if (stop.feedrate_mm_s < kUnbounded) {
+    if (stop.feedrate_mm_s == 0.0 && !cells.empty()) {
+      cells.back().rest_after = true;
+    } else if (stop.feedrate_mm_s > 0.0 && stop.feedrate_mm_s < kUnbounded) {
       jumps.push_back({.boundary = cells.size(), .feedrate_mm_s = stop.feedrate_mm_s});
     }
   }
+  cells.back().ends_block = true;
   for (const PassedJump& jump : jumps) {
     share_limits(cells, jump, limits);
   }

@@ -65,16 +65,12 @@ class Search {
       slope += gradient[i] * change_[i];
     }
     merit_.bind_change(change_);
-    double length = 1.0;
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      if (change_[i] < 0.0) {
-        length = std::min(length, -kToZero * c[i] / change_[i]);
-      }
-    }
     trial_.resize(c.size());
+    double length = 1.0;
     for (int k = 0; k < kHalvings; ++k, length *= 0.5) {
+      // Each by itself: one that falls steeply would hold up all others.
       for (std::size_t i = 0; i < c.size(); ++i) {
-        trial_[i] = c[i] + length * change_[i];
+        trial_[i] = std::max(c[i] + length * change_[i], (1.0 - kToZero) * c[i]);
       }
       const double now = merit_.value(trial_, walls);
       if (now <= value + kArmijo * length * slope) {

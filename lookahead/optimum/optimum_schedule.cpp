@@ -66,8 +66,7 @@ void OptimumSchedule::close_open_block(const Joint& end, const Window<Block>& bl
   const std::uint64_t number = open_->number;
   open_.reset();
   if (std::holds_alternative<curves::Line>(block.curve) && begin.is_stop() && end.is_stop()) {
-    waiting_.push_back({.cell = {.block = number, .length_mm = block.length_mm},
-                        .rest_after = true,
+    waiting_.push_back({.cell = {.block = number, .length_mm = block.length_mm, .rest_after = true},
                         .alone = true});
     return;
   }
@@ -80,7 +79,7 @@ void OptimumSchedule::close_open_block(const Joint& end, const Window<Block>& bl
     cell.block = number;
     waiting_.push_back({.cell = cell});
   }
-  waiting_.back().rest_after = end.is_stop();
+  waiting_.back().cell.rest_after |= end.is_stop();
 }
 
 bool OptimumSchedule::empty() const {
@@ -129,7 +128,7 @@ void OptimumSchedule::plan(Window<Block>& blocks) {
   bool stops = false;
   while (taken < waiting_.size() && stretch.cells.size() < kWindowCells && !stops) {
     stretch.cells.push_back(waiting_[taken].cell);
-    stops = waiting_[taken].rest_after;
+    stops = waiting_[taken].cell.rest_after;
     ++taken;
   }
   if (stretch.begin.at_rest()) {
@@ -154,7 +153,7 @@ void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox&
   const profiles::CellLaw law = plan_.law_from(place_, settings_.longest_phase_s);
   const double end = place_.offset_mm + law.length_mm();
   const bool whole = end >= cell.length_mm;
-  const bool ends_block = whole && cell.s_end_mm() >= block.length_mm * (1.0 - 1e-15);
+  const bool ends_block = whole && cell.ends_block;
   const double s_end = ends_block ? block.length_mm : cell.s_begin_mm + end;
   emitter.emit(block, law, s_end, outbox);
   if (!whole) {

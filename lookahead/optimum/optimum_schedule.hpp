@@ -44,7 +44,6 @@ class OptimumSchedule final : public Schedule {
   };
   struct WaitingCell {
     Cell cell{};
-    bool rest_after = false;
     bool alone = false;  // the only one of a line from rest to rest
   };
 

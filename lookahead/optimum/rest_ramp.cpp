@@ -20,6 +20,9 @@ constexpr double kRampStep = 0.05;
 constexpr double kWayStep = 1.0 / 40.0;
 constexpr double kLaunchTicks = 6.0;
 constexpr double kFirstOfCell = 0.2;
+// Bound the number of parts, and keep what is at their ends apart.
+constexpr double kShortestOfCell = 1e-6;
+constexpr double kShortest_mm = 1e-11;
 
 // Appends the cell in parts of these lengths, which add up to its own.
 void divide(const Cell& cell, const std::vector<double>& lengths, const PathAt& path,
@@ -28,6 +31,9 @@ void divide(const Cell& cell, const std::vector<double>& lengths, const PathAt& 
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     Cell part = cell;
     part.s_begin_mm = s;
+    const bool last = i + 1 == lengths.size();
+    part.ends_block = last && cell.ends_block;
+    part.rest_after = last && cell.rest_after;
     part.length_mm = i + 1 < lengths.size() ? lengths[i] : cell.s_end_mm() - s;
     if (i > 0) {
       part.begin = path(cell, s);
@@ -82,7 +88,10 @@ RestRamp rest_ramp(const std::vector<Cell>& cells, RestAt where, const PlanLimit
 std::vector<double> lengths_between(const RestRamp& ramp, double from_mm, double to_mm) {
   std::vector<double> lengths;
   for (double d = from_mm; d < to_mm;) {
-    const double h = d == 0.0 ? std::min(ramp.first_mm(), kFirstOfCell * to_mm) : ramp.cell_mm(d);
+    const double h =
+        d == 0.0 ? std::min(std::max({ramp.first_mm(), kShortestOfCell * to_mm, kShortest_mm}),
+                            kFirstOfCell * to_mm)
+                 : ramp.cell_mm(d);
     const bool last = to_mm - d < 1.5 * h;
     lengths.push_back(last ? to_mm - d : h);
     d = last ? to_mm : d + h;
