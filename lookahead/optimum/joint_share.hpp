@@ -19,7 +19,7 @@ PlanLimits jump_limits(const PlanLimits& limits);
 
 // How a joint may be passed.
 struct Joint {
-  Junction passing{};  // a stop, unless said otherwise
+  Junction passing{.feedrate_mm_s = 0.0};  // a stop, unless said otherwise
   double acceleration_mm_s2 = kUnbounded;
 
   [[nodiscard]] bool is_stop() const noexcept { return passing.feedrate_mm_s == 0.0; }

@@ -78,6 +78,22 @@ TEST(Optimum, OnALineIsTheSCurve) {
   }
 }
 
+TEST(Optimum, ASingleLineFromRestToRestIsTheSCurveInClosedForm) {
+  const MotionLimits limits{
+      .velocity_mm_s = 100.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 55000.0};
+  const PlanLimits path = limits_of(limits, false, kUnbounded);
+  for (const double length : {0.5, 30.0, 200.0}) {
+    const Motion motion = plan(blocks_of({line_move({{0, 0, 0}, {length, 0, 0}})}, path),
+                               {.limits = path, .profile = Profile(ProfileKind::time_optimal)});
+    double sum = 0.0;
+    for (const interp::Phase& phase : motion.phases()) {
+      sum += phase.law.duration_s();
+    }
+    const double expected = straight_s(length, limits);
+    EXPECT_NEAR(sum, expected, 1e-9 * expected);
+  }
+}
+
 TEST(Optimum, AtAVeryLowFeedrateTakesTheTimeOfTheCruise) {
   const MotionLimits each{.velocity_mm_s = 100.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 55e3};
   const PlanLimits limits = limits_of(each, true, 5e-4);
