@@ -130,6 +130,8 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
     }
     advance_piece(s);
     fill(motion, s);
+    const HeldBy held_by = over ? HeldBy{} : phase_.held_by;
+    now_.limit = motion.j_mm_s3 == 0.0 ? held_by.steady : held_by.limit;
     if (!over) {
       status = TickStatus::running;
     } else if (phase_.ends_program) {

@@ -10,6 +10,7 @@
 
 #include "curves/curve.hpp"
 #include "curves/extra_way.hpp"
+#include "interp/speed_limit.hpp"
 #include "profiles/time_law.hpp"
 
 namespace kerf::interp {
@@ -38,6 +39,7 @@ struct Phase {
   profiles::TimeLaw law{};
   std::uint32_t line = 0;
   bool rapid = false;
+  HeldBy held_by{};
   bool ends_at_rest = false;
   bool ends_program = false;
 };

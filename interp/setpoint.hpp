@@ -6,17 +6,19 @@
 #include "curves/extra_way.hpp"
 #include "curves/position.hpp"
 #include "interp/outputs.hpp"
+#include "interp/speed_limit.hpp"
 
 namespace kerf::interp {
 
 using curves::Position;
 
 struct Setpoint {
-  std::int64_t tick = 0;   // counts interpolation periods from 0
-  std::uint32_t line = 0;  // of the block that the point belongs to
-  bool rapid = false;      // on a G0
-  double s_mm = 0.0;       // path length since the program's start, of X, Y and Z
-  double v_mm_s = 0.0;     // along the path, as planned; 0 where only extra axes move
+  std::int64_t tick = 0;                // counts interpolation periods from 0
+  std::uint32_t line = 0;               // of the block that the point belongs to
+  bool rapid = false;                   // on a G0
+  SpeedLimit limit = SpeedLimit::rest;  // what holds the feed down from here to the next tick
+  double s_mm = 0.0;                    // path length since the program's start, of X, Y and Z
+  double v_mm_s = 0.0;                  // along the path, as planned; 0 where only extra axes move
   double a_mm_s2 = 0.0;
   double j_mm_s3 = 0.0;
   Position position_mm{};

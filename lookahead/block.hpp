@@ -7,6 +7,7 @@
 #include "curves/curve.hpp"
 #include "curves/extra_way.hpp"
 #include "lookahead/ceiling.hpp"
+#include "lookahead/limits.hpp"
 #include "profiles/shape_value.hpp"
 
 namespace kerf::lookahead {
@@ -15,6 +16,7 @@ namespace kerf::lookahead {
 struct BlockLimits {
   double feedrate_mm_s = 0.0;
   profiles::RampLimits ramp{};
+  LimitOrigins from{};
 };
 
 // The direction and curvature of the path where two blocks meet, and what bounds them there.

@@ -131,8 +131,7 @@ Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits
     const Bend bend = nurbs != nullptr ? bend_of(*nurbs, normal_axis(arc->plane))
                                        : bend_of(std::get<curves::Arc>(block.curve));
     block.limits = arc_limits(bend, feedrate, limits);
-    block.along.feedrate_mm_s =
-        std::min(block.along.feedrate_mm_s, arc_chord_feedrate_mm_s(bend, limits));
+    bind_feedrate(block.along, {arc_chord_feedrate_mm_s(bend, limits), SpeedLimit::chord_error});
     block.begin.third_per_mm2 = bend.third_per_mm2;
     block.end.third_per_mm2 = bend.third_per_mm2;
   } else {
@@ -141,6 +140,7 @@ Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits
   bind_extra_axes(limits, block);
   if (nurbs != nullptr) {
     block.ceiling = scan_feedrate(*nurbs, {.feedrate_mm_s = block.limits.feedrate_mm_s,
+                                           .feedrate_from = block.limits.from.feedrate,
                                            .jerk_mm_s3 = block.limits.ramp.jerk_mm_s3,
                                            .period_s = limits.period_s,
                                            .chord_tolerance_mm = limits.chord_tolerance_mm});

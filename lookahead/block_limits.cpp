@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace kerf::lookahead {
 
@@ -19,25 +20,63 @@ double square(double x) {
   return x * x;
 }
 
-BlockLimits along_path(double feedrate_mm_s, const MotionLimits& path) {
-  return {.feedrate_mm_s = std::min(feedrate_mm_s, path.velocity_mm_s),
-          .ramp = {.acceleration_mm_s2 = path.acceleration_mm_s2, .jerk_mm_s3 = path.jerk_mm_s3}};
-}
-
-void bind_share(BlockLimits& block, const MotionLimits& axis, double share) {
-  if (share > 0.0) {
-    const double inverse = 1.0 / share;
-    block.feedrate_mm_s = std::min(block.feedrate_mm_s, axis.velocity_mm_s * inverse);
-    block.ramp.acceleration_mm_s2 =
-        std::min(block.ramp.acceleration_mm_s2, axis.acceleration_mm_s2 * inverse);
-    block.ramp.jerk_mm_s3 = std::min(block.ramp.jerk_mm_s3, axis.jerk_mm_s3 * inverse);
+// The lower one stays; of two alike the first.
+void bind(double& value, SpeedLimit& from, const Bound& bound) {
+  if (bound.value < value) {
+    value = bound.value;
+    from = bound.from;
   }
 }
 
-MotionLimits weaker(const MotionLimits& a, const MotionLimits& b) {
-  return {.velocity_mm_s = std::min(a.velocity_mm_s, b.velocity_mm_s),
-          .acceleration_mm_s2 = std::min(a.acceleration_mm_s2, b.acceleration_mm_s2),
-          .jerk_mm_s3 = std::min(a.jerk_mm_s3, b.jerk_mm_s3)};
+void bind_acceleration(BlockLimits& block, const Bound& bound) {
+  bind(block.ramp.acceleration_mm_s2, block.from.acceleration, bound);
+}
+void bind_jerk(BlockLimits& block, const Bound& bound) {
+  bind(block.ramp.jerk_mm_s3, block.from.jerk, bound);
+}
+
+BlockLimits along_path(double feedrate_mm_s, const MotionLimits& path) {
+  BlockLimits block{
+      .feedrate_mm_s = feedrate_mm_s,
+      .ramp = {.acceleration_mm_s2 = path.acceleration_mm_s2, .jerk_mm_s3 = path.jerk_mm_s3}};
+  bind_feedrate(block, {path.velocity_mm_s, SpeedLimit::path_velocity});
+  return block;
+}
+
+// number: of the axis, in XYZABCUVW. share: of the way along the path, 0: it does not move.
+struct AxisShare {
+  std::size_t number = 0;
+  double share = 0.0;
+};
+
+void bind_share(BlockLimits& block, const MotionLimits& axis, const AxisShare& part) {
+  if (part.share > 0.0) {
+    const double inverse = 1.0 / part.share;
+    const auto from = [&part](SpeedLimit first) { return interp::of_axis(first, part.number); };
+    bind_feedrate(block, {axis.velocity_mm_s * inverse, from(SpeedLimit::x_velocity)});
+    bind_acceleration(block, {axis.acceleration_mm_s2 * inverse, from(SpeedLimit::x_acceleration)});
+    bind_jerk(block, {axis.jerk_mm_s3 * inverse, from(SpeedLimit::x_jerk)});
+  }
+}
+
+// The weaker of two axes in each limit, and whose it is.
+struct WeakestAxis {
+  MotionLimits limits{};
+  LimitOrigins from{};
+};
+
+WeakestAxis weakest_of(std::initializer_list<std::size_t> axes, const PlanLimits& limits) {
+  WeakestAxis weakest;
+  for (const std::size_t k : axes) {
+    const MotionLimits& axis = limits.axes[k];
+    const auto from = [k](SpeedLimit first) { return interp::of_axis(first, k); };
+    bind(weakest.limits.velocity_mm_s, weakest.from.feedrate,
+         {axis.velocity_mm_s, from(SpeedLimit::x_velocity)});
+    bind(weakest.limits.acceleration_mm_s2, weakest.from.acceleration,
+         {axis.acceleration_mm_s2, from(SpeedLimit::x_acceleration)});
+    bind(weakest.limits.jerk_mm_s3, weakest.from.jerk, {axis.jerk_mm_s3, from(SpeedLimit::x_jerk)});
+  }
+  return weakest;
 }
 
 // The feedrate at which one tick's chord leaves an arc of radius_mm by the tolerance (MATH
@@ -49,6 +88,10 @@ double chord_feedrate_mm_s(double radius_mm, const PlanLimits& limits) {
 
 }  // namespace
 
+void bind_feedrate(BlockLimits& block, const Bound& bound) {
+  bind(block.feedrate_mm_s, block.from.feedrate, bound);
+}
+
 BlockLimits path_limits(double feedrate_mm_s, const PlanLimits& limits) {
   return along_path(feedrate_mm_s, limits.path);
 }
@@ -56,14 +99,14 @@ BlockLimits path_limits(double feedrate_mm_s, const PlanLimits& limits) {
 BlockLimits line_limits(const curves::Line& line, double feedrate_mm_s, const PlanLimits& limits) {
   BlockLimits block = along_path(feedrate_mm_s, limits.path);
   for (std::size_t k = 0; k < 3; ++k) {
-    bind_share(block, limits.axes[k], std::abs(line.direction()[k]));
+    bind_share(block, limits.axes[k], {k, std::abs(line.direction()[k])});
   }
   return block;
 }
 
 void bind_extra(const curves::ExtraWay& extra, const PlanLimits& limits, BlockLimits& block) {
   for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
-    bind_share(block, limits.extra[k], std::abs(extra.slope_per_mm(k)));
+    bind_share(block, limits.extra[k], {limits.axes.size() + k, std::abs(extra.slope_per_mm(k))});
   }
 }
 
@@ -106,36 +149,44 @@ double arc_chord_feedrate_mm_s(const Bend& bend, const PlanLimits& limits) {
 BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits& limits) {
   BlockLimits block = along_path(feedrate_mm_s, limits.path);
   const auto normal = static_cast<std::size_t>(bend.normal_axis);
-  bind_share(block, limits.axes[normal], std::abs(bend.normal_share));
+  bind_share(block, limits.axes[normal], {normal, std::abs(bend.normal_share)});
 
-  const MotionLimits axis = weaker(limits.axes[(normal + 1) % 3], limits.axes[(normal + 2) % 3]);
+  const auto [axis, from] = weakest_of({(normal + 1) % 3, (normal + 2) % 3}, limits);
   const double c = bend.in_plane_share;
   const double curvature = bend.curvature_per_mm;
-  double& v = block.feedrate_mm_s;
-  v = std::min({v, axis.velocity_mm_s / c, arc_chord_feedrate_mm_s(bend, limits),
-                std::sqrt(kCentripetalShare * axis.acceleration_mm_s2 / curvature),
-                std::cbrt(kTurningJerkShare * axis.jerk_mm_s3 / bend.third_per_mm2)});
+  bind_feedrate(block, {axis.velocity_mm_s / c, from.feedrate});
+  bind_feedrate(block, {arc_chord_feedrate_mm_s(bend, limits), SpeedLimit::chord_error});
+  bind_feedrate(block, {std::sqrt(kCentripetalShare * axis.acceleration_mm_s2 / curvature),
+                        from.acceleration});
+  bind_feedrate(block,
+                {std::cbrt(kTurningJerkShare * axis.jerk_mm_s3 / bend.third_per_mm2), from.jerk});
 
-  double& a = block.ramp.acceleration_mm_s2;
+  const double v = block.feedrate_mm_s;
   if (std::isfinite(axis.acceleration_mm_s2)) {
     const double across = curvature * v * v;
-    a = std::min(a, std::sqrt(square(axis.acceleration_mm_s2) - square(across)) / c);
+    bind_acceleration(block, {std::sqrt(square(axis.acceleration_mm_s2) - square(across)) / c,
+                              from.acceleration});
   }
   if (std::isfinite(axis.jerk_mm_s3)) {
     const double j = axis.jerk_mm_s3;
-    a = std::min(a, kCrossJerkShare * j / (3.0 * curvature * v));
+    bind_acceleration(block, {kCrossJerkShare * j / (3.0 * curvature * v), from.jerk});
+    const double a = block.ramp.acceleration_mm_s2;
     const double across = 3.0 * curvature * v * a;
     const double turning = bend.third_per_mm2 * v * v * v;
     const double along = bend.third_along_tangent ? std::sqrt(square(j) - square(across)) - turning
                                                   : std::sqrt(square(j - turning) - square(across));
-    block.ramp.jerk_mm_s3 = std::min(block.ramp.jerk_mm_s3, along / c);
+    bind_jerk(block, {along / c, from.jerk});
   }
   return block;
 }
 
 BlockLimits nurbs_limits(double feedrate_mm_s, const PlanLimits& limits) {
-  const MotionLimits weakest = weaker(weaker(limits.axes[0], limits.axes[1]), limits.axes[2]);
-  return along_path(feedrate_mm_s, weaker(limits.path, weakest));
+  BlockLimits block = along_path(feedrate_mm_s, limits.path);
+  const auto [weakest, from] = weakest_of({0, 1, 2}, limits);
+  bind_feedrate(block, {weakest.velocity_mm_s, from.feedrate});
+  bind_acceleration(block, {weakest.acceleration_mm_s2, from.acceleration});
+  bind_jerk(block, {weakest.jerk_mm_s3, from.jerk});
+  return block;
 }
 
 }  // namespace kerf::lookahead

@@ -9,6 +9,15 @@
 
 namespace kerf::lookahead {
 
+// A bound along the path, and what it comes from.
+struct Bound {
+  double value = kUnbounded;
+  SpeedLimit from{};
+};
+
+// Where the bound is lower than what bounds the feedrate now, it stands in its place.
+void bind_feedrate(BlockLimits& block, const Bound& bound);
+
 // feedrate_mm_s: programmed, infinity for a rapid.
 
 // Of the path alone.

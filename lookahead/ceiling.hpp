@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <vector>
 
+#include "interp/speed_limit.hpp"
+
 namespace kerf::lookahead {
 
 struct FeedSample {
   double u = 0.0;
   double s_mm = 0.0;
   double v_mm_s = 0.0;
+  interp::SpeedLimit limit = interp::SpeedLimit::chord_error;  // that v_mm_s comes from
 };
 
 // Piecewise linear between samples; s ascends.

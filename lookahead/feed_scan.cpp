@@ -160,22 +160,29 @@ Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
   const auto allowed = [&](double v) {
     return v < limits.feedrate_mm_s ? kInside * std::max(v - slack, 0.9 * v) : v;
   };
+  const auto limit_of = [&](double v) {
+    return v < limits.feedrate_mm_s ? SpeedLimit::chord_error : limits.feedrate_from;
+  };
   Ceiling samples;
   for (const auto& [s, v] : bounds) {
     const double middle = std::min(s + 0.5 * v * limits.period_s, length);
     samples.push_back({.u = curve.pieces()[curve.piece_index(middle)].u_at(middle),
                        .s_mm = middle,
-                       .v_mm_s = allowed(v)});
+                       .v_mm_s = allowed(v),
+                       .limit = limit_of(v)});
   }
   Ceiling ceiling = in_order(samples);
   if (ceiling.front().s_mm > 0.0) {
     ceiling.insert(ceiling.begin(), {.u = curve.pieces().front().u_at(0.0),
                                      .s_mm = 0.0,
-                                     .v_mm_s = allowed(bounds.front().v_mm_s)});
+                                     .v_mm_s = allowed(bounds.front().v_mm_s),
+                                     .limit = limit_of(bounds.front().v_mm_s)});
   }
   if (ceiling.back().s_mm < length) {
-    ceiling.push_back(
-        {.u = curve.pieces().back().u_end, .s_mm = length, .v_mm_s = ceiling.back().v_mm_s});
+    ceiling.push_back({.u = curve.pieces().back().u_end,
+                       .s_mm = length,
+                       .v_mm_s = ceiling.back().v_mm_s,
+                       .limit = ceiling.back().limit});
   }
   return ceiling;
 }

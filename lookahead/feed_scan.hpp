@@ -9,6 +9,7 @@ namespace kerf::lookahead {
 
 struct ScanLimits {
   double feedrate_mm_s = kUnbounded;
+  SpeedLimit feedrate_from = SpeedLimit::programmed;
   double jerk_mm_s3 = kUnbounded;
   double period_s = 0.001;
   double chord_tolerance_mm = kUnbounded;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "curves/extra_way.hpp"
+#include "interp/speed_limit.hpp"
 
 namespace kerf::lookahead {
 
@@ -25,6 +26,15 @@ struct PlanLimits {
   // which do not count where only these axes move.
   std::array<MotionLimits, curves::kExtraAxes> extra{};
   double chord_tolerance_mm = kUnbounded;
+};
+
+using interp::SpeedLimit;
+
+// Which limit of the machine or of the program a limit along the path comes from.
+struct LimitOrigins {
+  SpeedLimit feedrate = SpeedLimit::programmed;
+  SpeedLimit acceleration = SpeedLimit::path_acceleration;
+  SpeedLimit jerk = SpeedLimit::path_jerk;
 };
 
 // What of "velocity", "acceleration" or "jerk" is bounded neither along the path nor on all axes: a

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lookahead/junction.hpp"
+#include "lookahead/span_binding.hpp"
 #include "lookahead/split.hpp"
 
 namespace kerf::lookahead {
@@ -136,10 +137,23 @@ void SpanSchedule::emit_plan(const Block& block, const SpanPlan& plan, Emitter& 
                              Outbox& outbox) const {
   const Span& span = window_[0].span;
   const double s_end = span.s_begin_mm + span.length_mm;
-  for (const profiles::Transition* law :
-       {&plan.begin_coast, &plan.acceleration, &plan.cruise, &plan.deceleration, &plan.end_coast}) {
+  const SpanBinding binding({.block = &block,
+                             .span = &span,
+                             .profile = &settings_.profile,
+                             .brakes_for_window = window_[0].brakes_for_window && !drains_});
+  struct Part {
+    SpanPart kind;
+    const profiles::Transition* law;
+  };
+  for (const auto& [kind, law] :
+       {Part{SpanPart::begin_coast, &plan.begin_coast},
+        Part{SpanPart::acceleration, &plan.acceleration}, Part{SpanPart::cruise, &plan.cruise},
+        Part{SpanPart::deceleration, &plan.deceleration},
+        Part{SpanPart::end_coast, &plan.end_coast}}) {
     if (law->duration_s() > 0.0) {
-      emitter.emit(block, *law, std::min(emitter.s_mm() + law->length_mm(), s_end), outbox);
+      const double s_begin = emitter.s_mm();
+      emitter.emit(block, *law, std::min(s_begin + law->length_mm(), s_end), outbox);
+      outbox.phases.back().held_by = binding.of(kind, *law, s_begin);
     }
   }
 }

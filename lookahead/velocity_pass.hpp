@@ -11,6 +11,7 @@ struct WindowSpan {
   Span span{};
   double v_end_mm_s = 0.0;         // the highest from which the window can still end at rest
   double v_end_before_mm_s = 0.0;  // the same of the pass before, when the window was shorter
+  bool brakes_for_window = false;  // it is the window's end that keeps v_end_mm_s down
 };
 
 // From the last span, which ends at rest, back to the first: each end gets the highest feedrate

@@ -115,6 +115,34 @@ void set_motion(Json& json, const FileReport& report) {
   json["starved_ticks"] = motion.starved_ticks;
 }
 
+Json limits_json(const FileReport& report, const LineSpeed& line) {
+  Json limits = Json::object();
+  for (const LimitTime& part : line.limits) {
+    const auto ticks = static_cast<double>(part.ticks);
+    limits[key_of(part.limit)] = {{"time_s", ticks * report.period_s},
+                                  {"share", ticks / static_cast<double>(line.ticks)}};
+  }
+  return limits;
+}
+
+void set_speed(Json& json, const FileReport& report) {
+  const SpeedReport& speed = *report.speed;
+  json["speed_limits"] = limits_json(report, speed.whole);
+  json["speed_limits_of_lines"] = Json::array();
+  for (const LineSpeed& line : speed.lines) {
+    json["speed_limits_of_lines"].push_back(
+        {{"line", line.line},
+         {"time_s", static_cast<double>(line.ticks) * report.period_s},
+         {"limits", limits_json(report, line)}});
+  }
+  if (speed.tick) {
+    json["speed_limit_at"] = {{"t_s", static_cast<double>(speed.tick->tick) * report.period_s},
+                              {"line", speed.tick->line},
+                              {"v_mm_s", speed.tick->v_mm_s},
+                              {"limit", key_of(speed.tick->limit)}};
+  }
+}
+
 }  // namespace
 
 std::string json_report(const FileReport& report) {
@@ -134,6 +162,9 @@ std::string json_report(const FileReport& report) {
   }
   if (report.motion) {
     set_motion(json, report);
+  }
+  if (report.speed) {
+    set_speed(json, report);
   }
   if (report.clock) {
     json["late_ticks"] = report.clock->late_ticks;

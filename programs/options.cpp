@@ -41,7 +41,8 @@ std::vector<std::string> profile_names() {
 struct Raw {
   Options options;
   std::string profile{name_of(ProfileKind::s_curve)};
-  std::string block_delete;  // empty: not given
+  std::string block_delete;   // empty: not given
+  std::string explain_speed;  // the same
 };
 
 // "all", or numbers from 1 to 9 with commas between them; nothing where it is neither.
@@ -101,12 +102,16 @@ void add_common(CLI::App& command, Raw& raw) {
   command.add_flag("-q,--quiet", options.quiet, "no summary, no progress bar, no warnings");
 }
 
-void add_outputs(CLI::App& command, Options& options) {
+void add_outputs(CLI::App& command, Raw& raw) {
+  Options& options = raw.options;
   command
       .add_option("--trace", options.trace_file, "write one row per tick (- is standard output)")
       ->type_name("FILE.csv");
   command.add_option("--plot", options.plot_file, "draw the path and v, a, j over time")
       ->type_name("FILE.svg");
+  command.add_flag("--explain-speed{all}", raw.explain_speed,
+                   "which limits hold the feed down, and for how long; with =14 for line 14, "
+                   "with =@1.5 at 1.5 s");
 }
 
 CLI::App* add_command(CLI::App& app, Command command, const std::string& description, Raw& raw) {
@@ -125,7 +130,7 @@ CLI::App* add_command(CLI::App& app, Command command, const std::string& descrip
         ->check(CLI::PositiveNumber)
         ->type_name("N");
   } else if (command != Command::check) {
-    add_outputs(*added, raw.options);
+    add_outputs(*added, raw);
   }
   return added;
 }
@@ -246,6 +251,14 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
           raw.block_delete);
     }
     options.block_delete = *switches;
+  }
+  if (!raw.explain_speed.empty()) {
+    options.explained_speed = speed_question(raw.explain_speed);
+    if (!options.explained_speed) {
+      return wrong_use(
+          "--explain-speed takes a line or a time, as in --explain-speed=14 or =@1.5; found " +
+          raw.explain_speed);
+    }
   }
   if (const auto message = contradiction(options)) {
     return wrong_use(*message);

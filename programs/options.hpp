@@ -12,6 +12,7 @@
 #include "parser/dialect.hpp"
 #include "profiles/profile.hpp"
 #include "programs/exit_status.hpp"
+#include "programs/speed_question.hpp"
 
 namespace kerf::program {
 
@@ -33,6 +34,7 @@ struct Options {
   std::optional<std::string> plot_file;
   std::size_t window_blocks = 1000;
   std::uint32_t explained_line = 0;  // of Command::explain
+  std::optional<SpeedQuestion> explained_speed;
   DiagnosticFormat format = DiagnosticFormat::text;
   std::optional<parser::Dialect> dialect;  // nothing: that of the machine file
   parser::BlockDelete block_delete;

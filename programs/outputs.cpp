@@ -12,7 +12,8 @@ tl::expected<Outputs, std::string> Outputs::open(const Options& options,
   Outputs outputs;
   if (options.trace_file) {
     auto trace = TraceWriter::create(*options.trace_file, settings.limits.period_s,
-                                     settings.program.extra_axes);
+                                     {.axes = extra_axes(settings.program.extra_axes),
+                                      .limit = options.explained_speed.has_value()});
     if (!trace) {
       return tl::unexpected(trace.error());
     }
@@ -25,6 +26,12 @@ tl::expected<Outputs, std::string> Outputs::open(const Options& options,
     }
     outputs.plot_file_.emplace(std::move(*plot));
     outputs.recorder_.plot.emplace(extents);
+    if (options.explained_speed) {
+      outputs.recorder_.plot->add_limits();
+    }
+  }
+  if (options.explained_speed) {
+    outputs.recorder_.speed.emplace(*options.explained_speed, settings.limits.period_s);
   }
   return outputs;
 }

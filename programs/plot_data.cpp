@@ -27,6 +27,9 @@ void PlotData::add(const TickRecord& record) {
   v_.add(record.tick, record.motion.v_mm_s);
   a_.add(record.tick, record.motion.a_mm_s2);
   j_.add(record.tick, record.motion.j_mm_s3);
+  if (limits_) {
+    limits_->add(record.tick, record.limit);
+  }
   last_tick_ = record.tick;
 }
 

@@ -1,7 +1,10 @@
 // What a plot keeps of a run, in bounded memory.
 #pragma once
 
+#include <optional>
+
 #include "curves/position.hpp"
+#include "programs/limit_band.hpp"
 #include "programs/min_max_series.hpp"
 #include "programs/path_outline.hpp"
 #include "programs/projection.hpp"
@@ -14,6 +17,8 @@ class PlotData {
   // extents: of the whole path, known before it runs; they set how fine the outline is.
   explicit PlotData(const curves::Extents& extents);
 
+  // From the first tick on the plot keeps what held the feed down, too.
+  void add_limits() { limits_.emplace(); }
   void add(const TickRecord& record);
 
   [[nodiscard]] View view() const noexcept { return view_; }
@@ -21,6 +26,7 @@ class PlotData {
   [[nodiscard]] const MinMaxSeries& v() const noexcept { return v_; }
   [[nodiscard]] const MinMaxSeries& a() const noexcept { return a_; }
   [[nodiscard]] const MinMaxSeries& j() const noexcept { return j_; }
+  [[nodiscard]] const std::optional<LimitBand>& limits() const noexcept { return limits_; }
   // The largest feedrate outside rapids; 0 where there is none.
   [[nodiscard]] double max_feedrate_mm_s() const noexcept { return max_feedrate_mm_s_; }
   [[nodiscard]] std::int64_t last_tick() const noexcept { return last_tick_; }
@@ -31,6 +37,7 @@ class PlotData {
   MinMaxSeries v_;
   MinMaxSeries a_;
   MinMaxSeries j_;
+  std::optional<LimitBand> limits_;
   double max_feedrate_mm_s_ = 0.0;
   std::int64_t last_tick_ = 0;
 };

@@ -1,4 +1,5 @@
-// Where ticks go to be kept: the trace, the plot, both or neither.
+// Where ticks go to be kept: the trace, the plot, the account of what held the feed down; any of
+// them or none.
 #pragma once
 
 #include <atomic>
@@ -10,6 +11,7 @@
 #include <boost/lockfree/spsc_queue.hpp>
 
 #include "programs/plot_data.hpp"
+#include "programs/speed_account.hpp"
 #include "programs/trace_writer.hpp"
 
 namespace kerf::program {
@@ -17,8 +19,9 @@ namespace kerf::program {
 struct Recorder {
   std::optional<TraceWriter> trace;
   std::optional<PlotData> plot;
+  std::optional<SpeedAccount> speed;
 
-  [[nodiscard]] bool wants_ticks() const noexcept { return trace || plot; }
+  [[nodiscard]] bool wants_ticks() const noexcept { return trace || plot || speed; }
 
   void add(const TickRecord& record) {
     if (trace) {
@@ -26,6 +29,9 @@ struct Recorder {
     }
     if (plot) {
       plot->add(record);
+    }
+    if (speed) {
+      speed->add(record);
     }
   }
 };

@@ -15,6 +15,7 @@
 #include "parser/program_reader.hpp"
 #include "programs/exit_status.hpp"
 #include "programs/options.hpp"
+#include "programs/speed_account.hpp"
 
 namespace kerf::program {
 
@@ -71,6 +72,8 @@ struct FileReport {
   std::optional<BlockReport> block;  // of Command::explain
   std::optional<MotionReport> motion;
   std::optional<ClockReport> clock;
+  SpeedQuestion speed_question{};
+  std::optional<SpeedReport> speed;  // with --explain-speed
   double check_duration_s =
       0.0;  // how long kerf itself took; the only figures that a second run changes
   double run_duration_s = 0.0;

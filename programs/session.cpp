@@ -49,6 +49,7 @@ class Session {
     report_.period_s = settings.limits.period_s;
     report_.limits = settings.limits;
     report_.extra_axes = settings.program.extra_axes;
+    report_.speed_question = options.explained_speed.value_or(SpeedQuestion{});
   }
 
   FileReport process(const std::string& path) {
@@ -197,6 +198,9 @@ class Session {
                                                  : run_without_clock(stage);
     }
     report_motion(report_, kernel, ticks.statistics(), outcome);
+    if (const auto& speed = outputs->recorder().speed) {
+      report_.speed = speed->report();
+    }
     note_end(kernel, ticks.fault(), feeder.error(), outcome);
     for (const auto& error :
          {outputs->close_trace(outcome.dropped_records), outputs->write_plot(plot_caption())}) {

@@ -8,6 +8,7 @@
 #include "programs/block_text.hpp"
 #include "programs/extra_axes.hpp"
 #include "programs/number_text.hpp"
+#include "programs/speed_text.hpp"
 
 namespace kerf::program {
 
@@ -122,6 +123,7 @@ std::string summary(const FileReport& report) {
   if (report.motion) {
     append_motion(text, report);
   }
+  text += speed_text(report);
   if (report.clock) {
     fmt::format_to(out, "  clock           {}, the worst delay {:.3f} ms\n",
                    counted(report.clock->late_ticks, "late tick"),

@@ -1,8 +1,10 @@
 #include "programs/svg_plot.hpp"
 
 #include <array>
+#include <vector>
 
 #include "programs/svg_canvas.hpp"
+#include "programs/svg_limit_panel.hpp"
 #include "programs/svg_path_panel.hpp"
 #include "programs/svg_time_panel.hpp"
 
@@ -37,7 +39,10 @@ std::string svg_plot(const PlotData& data, const PlotCaption& caption) {
                                           .is_signed = true,
                                           .colour = "#7a4fa3"}}};
   const double curves_height = static_cast<double>(curves.size()) * (kCurveHeight + kCurveGap);
-  SvgCanvas canvas(kWidth, kHeading + kPathHeight + curves_height + kFoot);
+  const std::vector<LimitBand::Stretch> band =
+      data.limits() ? data.limits()->stretches() : std::vector<LimitBand::Stretch>{};
+  SvgCanvas canvas(kWidth,
+                   kHeading + kPathHeight + curves_height + kFoot + limit_panel_height(band));
   canvas.text({.x = kEdge, .y = 32.0}, caption.title,
               {.size = 19.0, .colour = "#222", .bold = true});
   canvas.text({.x = kEdge, .y = 52.0}, caption.subtitle, {.size = 13.0, .colour = "#666"});
@@ -55,6 +60,10 @@ std::string svg_plot(const PlotData& data, const PlotCaption& caption) {
       draw_time_numbers(canvas, frame, axis);
     }
     frame.top += kCurveHeight + kCurveGap;
+  }
+  if (!band.empty()) {
+    frame.top += kFoot - kCurveGap;
+    draw_limit_panel(canvas, frame, {.stretches = band, .end_tick = data.last_tick()});
   }
   return canvas.take();
 }

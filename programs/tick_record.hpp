@@ -14,6 +14,7 @@ struct TickRecord {
   std::int64_t tick = 0;
   std::uint32_t line = 0;
   bool rapid = false;
+  interp::SpeedLimit limit{};
   profiles::PathMotion motion{};
   curves::Position position_mm{};
   curves::Position actual_mm{};
@@ -26,6 +27,7 @@ inline TickRecord record_of(const interp::Setpoint& setpoint,
   return {.tick = setpoint.tick,
           .line = setpoint.line,
           .rapid = setpoint.rapid,
+          .limit = setpoint.limit,
           .motion = {.s_mm = setpoint.s_mm,
                      .v_mm_s = setpoint.v_mm_s,
                      .a_mm_s2 = setpoint.a_mm_s2,

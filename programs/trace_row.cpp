@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include "programs/speed_limit_text.hpp"
+
 namespace kerf::program {
 
 namespace {
@@ -61,16 +63,16 @@ char* TickClock::write(char* at, std::int64_t tick) const noexcept {
   return at + decimals_;
 }
 
-std::string trace_header(std::span<const ExtraAxis> axes) {
+std::string trace_header(const TraceColumns& columns) {
   std::string header(kTraceHeader.substr(0, kTraceHeader.size() - 1));
-  for (const ExtraAxis& axis : axes) {
+  for (const ExtraAxis& axis : columns.axes) {
     header.append(",").append(axis.name).append("_").append(axis.unit);
   }
-  return header + "\n";
+  return header + (columns.limit ? ",limit\n" : "\n");
 }
 
 char* write_row(char* at, const TickRecord& record, const TickClock& clock,
-                std::span<const ExtraAxis> axes) noexcept {
+                const TraceColumns& columns) noexcept {
   at = clock.write(at, record.tick);
   *at++ = ',';
   at = std::to_chars(at, at + kMaxNumberBytes, record.line).ptr;
@@ -86,9 +88,14 @@ char* write_row(char* at, const TickRecord& record, const TickClock& clock,
       at = write_number<kLengthDecimals>(at, coordinate);
     }
   }
-  for (const ExtraAxis& axis : axes) {
+  for (const ExtraAxis& axis : columns.axes) {
     *at++ = ',';
     at = write_number<kLengthDecimals>(at, axis.factor * record.extra_rad_mm[axis.index]);
+  }
+  if (columns.limit) {
+    *at++ = ',';
+    const std::string_view key = key_of(record.limit);
+    at = std::copy(key.begin(), key.end(), at);
   }
   *at++ = '\n';
   return at;

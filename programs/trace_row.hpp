@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "programs/extra_axes.hpp"
 #include "programs/tick_record.hpp"
@@ -13,8 +13,12 @@ namespace kerf::program {
 
 inline constexpr std::string_view kTraceHeader =
     "t_s,line,s_mm,v_mm_s,a_mm_s2,j_mm_s3,x_mm,y_mm,z_mm,actual_x_mm,actual_y_mm,actual_z_mm\n";
-// With a column for each further axis of the machine behind these: "a_deg", "u_mm".
-[[nodiscard]] std::string trace_header(std::span<const ExtraAxis> axes);
+// What a row has behind these.
+struct TraceColumns {
+  std::vector<ExtraAxis> axes;  // "a_deg", "u_mm"
+  bool limit = false;           // "limit": what holds the feed down
+};
+[[nodiscard]] std::string trace_header(const TraceColumns& columns);
 
 // The time of a tick as decimal digits. Where the period is a whole number of 1e-6, 1e-7 .. 1e-12 s
 // they are exact, however many ticks; else the nearest 1e-12 s.
@@ -38,6 +42,6 @@ inline constexpr std::size_t kMaxRowBytes = 8192;
 // Lengths with 10 decimals, v, a and j with 6; a decimal point whatever the locale. Returns the end
 // of what was written at `at`, which has room for kMaxRowBytes.
 char* write_row(char* at, const TickRecord& record, const TickClock& clock,
-                std::span<const ExtraAxis> axes = {}) noexcept;
+                const TraceColumns& columns = {}) noexcept;
 
 }  // namespace kerf::program

@@ -8,19 +8,19 @@
 namespace kerf::program {
 
 TraceWriter::TraceWriter(std::string name, Descriptor descriptor, double period_s,
-                         parser::Letters extra_axes)
+                         TraceColumns columns)
     : name_(std::move(name)),
       descriptor_(std::move(descriptor)),
       clock_(period_s),
-      axes_(program::extra_axes(extra_axes)),
+      columns_(std::move(columns)),
       buffer_(kBufferBytes) {
-  const std::string header = trace_header(axes_);
+  const std::string header = trace_header(columns_);
   std::copy(header.begin(), header.end(), buffer_.begin());
   used_ = header.size();
 }
 
 tl::expected<TraceWriter, std::string> TraceWriter::create(const std::string& path, double period_s,
-                                                           parser::Letters extra_axes) {
+                                                           TraceColumns columns) {
   const bool is_output = path == "-";
   const std::string name = is_output ? "<stdout>" : path;
   Descriptor file(is_output ? ::dup(STDOUT_FILENO)
@@ -28,7 +28,7 @@ tl::expected<TraceWriter, std::string> TraceWriter::create(const std::string& pa
   if (!file.is_open()) {
     return tl::unexpected(name + ": " + error_text(errno));
   }
-  return TraceWriter(name, std::move(file), period_s, extra_axes);
+  return TraceWriter(name, std::move(file), period_s, std::move(columns));
 }
 
 void TraceWriter::add(const TickRecord& record) {
@@ -39,7 +39,7 @@ void TraceWriter::add(const TickRecord& record) {
     flush();
   }
   char* const at = buffer_.data() + used_;
-  used_ += static_cast<std::size_t>(write_row(at, record, clock_, axes_) - at);
+  used_ += static_cast<std::size_t>(write_row(at, record, clock_, columns_) - at);
 }
 
 void TraceWriter::close() {

@@ -19,7 +19,7 @@ class TraceWriter {
  public:
   // path "-" is standard output. Error: what the system says, with the path.
   static tl::expected<TraceWriter, std::string> create(const std::string& path, double period_s,
-                                                       parser::Letters extra_axes = 0);
+                                                       TraceColumns columns = {});
 
   void add(const TickRecord& record);
   // Writes what is left. The writer takes no more rows.
@@ -32,14 +32,14 @@ class TraceWriter {
  private:
   static constexpr std::size_t kBufferBytes = std::size_t{256} * 1024;
 
-  TraceWriter(std::string name, Descriptor descriptor, double period_s, parser::Letters extra_axes);
+  TraceWriter(std::string name, Descriptor descriptor, double period_s, TraceColumns columns);
   void flush();
   void note(int error_number);
 
   std::string name_;
   Descriptor descriptor_;
   TickClock clock_;
-  std::vector<ExtraAxis> axes_;
+  TraceColumns columns_;
   std::vector<char> buffer_;
   std::size_t used_ = 0;
   std::optional<std::string> error_;

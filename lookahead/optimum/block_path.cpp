@@ -68,35 +68,42 @@ std::vector<double> sharp_places(const curves::NurbsCurve& curve) {
 
 }  // namespace
 
-double BlockPath::ceiling_mm_s(double s_mm) const {
+Bound BlockPath::feedrate_at(double s_mm) const {
   const Ceiling& ceiling = block_->ceiling;
+  const Bound block{block_->along.feedrate_mm_s, block_->along.from.feedrate};
+  const auto lower = [&block](double v_mm_s, SpeedLimit from) {
+    return v_mm_s < block.value ? Bound{v_mm_s, from} : block;
+  };
   if (ceiling.empty()) {
-    return block_->along.feedrate_mm_s;
+    return block;
   }
   const auto after =
       std::lower_bound(ceiling.begin(), ceiling.end(), s_mm,
                        [](const FeedSample& sample, double s) { return sample.s_mm < s; });
   if (after == ceiling.begin()) {
-    return after->v_mm_s;
+    return lower(after->v_mm_s, after->limit);
   }
   if (after == ceiling.end()) {
-    return ceiling.back().v_mm_s;
+    return lower(ceiling.back().v_mm_s, ceiling.back().limit);
   }
   const auto before = std::prev(after);
   const double share = (s_mm - before->s_mm) / (after->s_mm - before->s_mm);
-  return before->v_mm_s + share * (after->v_mm_s - before->v_mm_s);
+  return lower(before->v_mm_s + share * (after->v_mm_s - before->v_mm_s),
+               before->v_mm_s < after->v_mm_s ? before->limit : after->limit);
 }
 
 CellEnd BlockPath::at(double s_mm) const {
   const curves::PathDerivatives path = curves::derivatives_at(block_->curve, s_mm);
+  const Bound feedrate = feedrate_at(s_mm);
   CellEnd end{.first = path.first,
               .second_per_mm = path.second_per_mm,
               .third_per_mm2 = path.third_per_mm2,
-              .feedrate_mm_s = std::min(block_->along.feedrate_mm_s, ceiling_mm_s(s_mm))};
+              .feedrate_mm_s = feedrate.value,
+              .from = feedrate.from};
   for (std::size_t k = 0; k < 3; ++k) {
     if (end.first[k] != 0.0) {
-      end.feedrate_mm_s =
-          std::min(end.feedrate_mm_s, limits_->axes[k].velocity_mm_s / std::abs(end.first[k]));
+      end.bind_feedrate(limits_->axes[k].velocity_mm_s / std::abs(end.first[k]),
+                        interp::of_axis(SpeedLimit::x_velocity, k));
     }
   }
   return end;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lookahead/block.hpp"
+#include "lookahead/block_limits.hpp"
 #include "lookahead/optimum/cell.hpp"
 
 namespace kerf::lookahead {
@@ -18,6 +19,7 @@ class BlockPath {
   [[nodiscard]] CellEnd at(double s_mm) const;
   // What bounds motion along the block beside the axes.
   [[nodiscard]] const profiles::RampLimits& along() const { return block_->along.ramp; }
+  [[nodiscard]] const LimitOrigins& along_from() const { return block_->along.from; }
 
   // Places in ascending order, both ends among them, so dense that what bounds the feedrate hardly
   // changes between two of them.
@@ -36,7 +38,8 @@ class BlockPath {
   [[nodiscard]] std::vector<Break> breaks(const PlanLimits& joint) const;
 
  private:
-  [[nodiscard]] double ceiling_mm_s(double s_mm) const;
+  // The ceiling's, which is nowhere above the block's feedrate.
+  [[nodiscard]] Bound feedrate_at(double s_mm) const;
 
   const Block* block_;
   const PlanLimits* limits_;

@@ -17,6 +17,15 @@ struct CellEnd {
   curves::Position second_per_mm{};
   curves::Position third_per_mm2{};
   double feedrate_mm_s = 0.0;  // allowed there: programmed, chord error, axis velocities
+  SpeedLimit from{};           // which of them it is
+
+  // A lower feedrate stands in its place.
+  void bind_feedrate(double bound_mm_s, SpeedLimit limit) noexcept {
+    if (bound_mm_s < feedrate_mm_s) {
+      feedrate_mm_s = bound_mm_s;
+      from = limit;
+    }
+  }
 };
 
 // A little inside, so that what the check finds between two places is not beyond.
@@ -39,6 +48,7 @@ struct Cell {
   CellEnd begin{};
   CellEnd end{};
   profiles::RampLimits along{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
+  LimitOrigins along_from{};
   // Of acceleration and jerk: what a joint beside it leaves; and what the solver aims at, within
   // it.
   double allowed = 1.0;

@@ -65,7 +65,8 @@ Cell cell_between(const BlockPath& path, double from_mm, double to_mm) {
           .length_mm = to_mm - from_mm,
           .begin = path.at(from_mm + inside),
           .end = path.at(to_mm - inside),
-          .along = path.along()};
+          .along = path.along(),
+          .along_from = path.along_from()};
 }
 
 bool is_quiet(const Cell& cell, double v_mm_s, double cap_mm_s, const PlanLimits& limits) {
@@ -150,7 +151,7 @@ Scan scan(const BlockPath& path, const EndFeeds& ends, const std::vector<BlockPa
       ++at;
     }
     if (place.feedrate_mm_s > 0.0) {
-      cells[at].begin.feedrate_mm_s = std::min(cells[at].begin.feedrate_mm_s, place.feedrate_mm_s);
+      cells[at].begin.bind_feedrate(place.feedrate_mm_s, SpeedLimit::joint);
     }
   }
   result.feeds_mm_s = estimate_feeds(cells, ends, limits);

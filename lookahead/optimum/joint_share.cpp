@@ -85,7 +85,7 @@ void share_limits(std::vector<Cell>& cells, const PassedJump& jump, const PlanLi
   };
   if (jump.boundary > 0) {
     Cell& last = cells[jump.boundary - 1];
-    last.end.feedrate_mm_s = std::min(last.end.feedrate_mm_s, jump.feedrate_mm_s);
+    last.end.bind_feedrate(jump.feedrate_mm_s, SpeedLimit::joint);
     bind_acceleration(last);
     const double zone = zone_mm(last, last.end, jump, limits);
     double way = 0.0;
@@ -95,7 +95,7 @@ void share_limits(std::vector<Cell>& cells, const PassedJump& jump, const PlanLi
   }
   if (jump.boundary < cells.size()) {
     Cell& first = cells[jump.boundary];
-    first.begin.feedrate_mm_s = std::min(first.begin.feedrate_mm_s, jump.feedrate_mm_s);
+    first.begin.bind_feedrate(jump.feedrate_mm_s, SpeedLimit::joint);
     bind_acceleration(first);
     const double zone = zone_mm(first, first.begin, jump, limits);
     double way = 0.0;

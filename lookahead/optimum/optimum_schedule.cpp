@@ -145,6 +145,7 @@ void OptimumSchedule::plan(Window<Block>& blocks) {
   place_ = {};
   half_ = plan_.cells().size() / 2;
   plan_ends_at_stop_ = stops;
+  window_brake_ = stops ? plan_.cells().size() : plan_.last_braking();
 }
 
 void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox) {
@@ -156,6 +157,9 @@ void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox&
   const bool ends_block = whole && cell.ends_block;
   const double s_end = ends_block ? block.length_mm : cell.s_begin_mm + end;
   emitter.emit(block, law, s_end, outbox);
+  const bool brakes = place_.cell >= window_brake_ && !plan_ends_at_stop_;
+  outbox.phases.back().held_by = interp::held_by(
+      brakes ? SpeedLimit::window_end : plan_.limit_on(place_.cell, settings_.limits));
   if (!whole) {
     place_.offset_mm = end;
     return;

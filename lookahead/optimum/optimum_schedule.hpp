@@ -65,6 +65,7 @@ class OptimumSchedule final : public Schedule {
   PlanPlace place_{};     // of plan_: what comes next
   std::size_t half_ = 0;  // of the cells of plan_: from there on it is to be renewed
   bool plan_ends_at_stop_ = true;
+  std::size_t window_brake_ = 0;  // from this cell of plan_ on it brakes for what is not known yet
 };
 
 }  // namespace kerf::lookahead

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lookahead/optimum/binding_limit.hpp"
 #include "lookahead/optimum/optimal_feed.hpp"
 
 namespace kerf::lookahead {
@@ -113,6 +114,30 @@ profiles::CellLaw StretchPlan::law_from(const PlanPlace& place, double longest_s
   return law.duration_s() <= 2.0 * longest_s
              ? law
              : profiles::CellLaw::between(begin, law.at(longest_s).s_mm);
+}
+
+SpeedLimit StretchPlan::limit_on(std::size_t cell, const PlanLimits& limits) const {
+  const Cell& at = stretch_.cells[cell];
+  if (is_launch(cell)) {
+    return binding_limit_at_rest(at, state_at({.cell = cell + 1}).v_mm_s, true, limits);
+  }
+  if (is_landing(cell)) {
+    return binding_limit_at_rest(at, state_at({.cell = cell}).v_mm_s, false, limits);
+  }
+  const std::size_t i = cell - stretch_.first_spline_cell();
+  return binding_limit(at,
+                       {.begin = basis_[i].begin.at(&coefficients_[i]),
+                        .end = basis_[i].end.at(&coefficients_[i]),
+                        .coefficient = coefficients_[i + 1]},
+                       limits);
+}
+
+std::size_t StretchPlan::last_braking() const {
+  std::size_t first = stretch_.cells.size();
+  while (first > 0 && state_at({.cell = first - 1}).v_mm_s > state_at({.cell = first}).v_mm_s) {
+    --first;
+  }
+  return first;
 }
 
 double StretchPlan::duration_s() const {

@@ -42,10 +42,11 @@ TEST(TraceRow, HasColumnsOfFurtherAxesBehindTheOthers) {
   const auto axes = extra_axes(parser::letters('A', 'U'));
   EXPECT_EQ(trace_header({}), kTraceHeader);
   const std::string plain(kTraceHeader.substr(0, kTraceHeader.size() - 1));
-  EXPECT_EQ(trace_header(axes), plain + ",a_deg,u_mm\n");
+  EXPECT_EQ(trace_header({.axes = axes}), plain + ",a_deg,u_mm\n");
   const TickRecord record{.extra_rad_mm = {3.14159265358979323846 / 2, 1, 1, -2.5, 1, 1}};
   std::array<char, kMaxRowBytes> buffer{};
-  const std::string row(buffer.data(), write_row(buffer.data(), record, TickClock(0.001), axes));
+  const std::string row(buffer.data(),
+                        write_row(buffer.data(), record, TickClock(0.001), {.axes = axes}));
   EXPECT_EQ(row.substr(row.size() - 29), ",90.0000000000,-2.5000000000\n");
   EXPECT_EQ(std::count(row.begin(), row.end(), ','), 13);
 }

@@ -1,0 +1,20 @@
+// Names and colours of what holds the feed down.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "interp/speed_limit.hpp"
+
+namespace kerf::program {
+
+using interp::SpeedLimit;
+
+// "axis_y_jerk", "programmed_feedrate": in the trace and in JSON.
+[[nodiscard]] std::string_view key_of(SpeedLimit limit) noexcept;
+// "axis y jerk".
+[[nodiscard]] std::string text_of(SpeedLimit limit);
+// "#1f5fa8": a hue for each axis and one for the path, darker from velocity to jerk.
+[[nodiscard]] std::string_view colour_of(SpeedLimit limit) noexcept;
+
+}  // namespace kerf::program

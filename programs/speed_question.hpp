@@ -1,0 +1,19 @@
+// What --explain-speed is asked.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace kerf::program {
+
+// Besides the whole program: nothing, a line, or an instant.
+struct SpeedQuestion {
+  std::optional<std::uint32_t> line;
+  std::optional<double> time_s;
+};
+
+// "all", a line's number, or "@" and seconds >= 0; nothing where it is none of them.
+[[nodiscard]] std::optional<SpeedQuestion> speed_question(std::string_view text);
+
+}  // namespace kerf::program
