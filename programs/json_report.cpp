@@ -128,6 +128,7 @@ Json limits_json(const FileReport& report, const LineSpeed& line) {
 void set_speed(Json& json, const FileReport& report) {
   const SpeedReport& speed = *report.speed;
   json["speed_limits"] = limits_json(report, speed.whole);
+  json["stops"] = speed.stops;
   json["speed_limits_of_lines"] = Json::array();
   for (const LineSpeed& line : speed.lines) {
     json["speed_limits_of_lines"].push_back(

@@ -68,6 +68,8 @@ void SpeedAccount::add(const TickRecord& record) {
                       .limit = record.limit};
   }
   if (last_) {
+    const bool stops = last_->motion.v_mm_s > 0.0 && record.motion.v_mm_s == 0.0;
+    stops_ += stops ? 1 : 0;
     const std::int64_t periods = record.tick - last_->tick;
     if (!entries_.empty() && entries_.back().line == last_->line &&
         entries_.back().limit == last_->limit) {
@@ -86,6 +88,7 @@ void SpeedAccount::add(const TickRecord& record) {
 SpeedReport SpeedAccount::report() const {
   const std::vector<Entry> entries = merged(entries_);
   SpeedReport report;
+  report.stops = stops_;
   report.tick = tick_;
   Counts whole{};
   for (std::size_t i = 0; i < entries.size();) {

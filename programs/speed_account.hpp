@@ -32,6 +32,7 @@ struct TickSpeed {
 
 struct SpeedReport {
   LineSpeed whole{};
+  std::int64_t stops = 0;         // how often it comes to rest
   std::vector<LineSpeed> lines;   // those that take the longest, or the one that was asked for
   std::optional<TickSpeed> tick;  // that was asked for
 };
@@ -59,6 +60,7 @@ class SpeedAccount {
   std::optional<TickRecord> last_;
   std::vector<Entry> entries_;
   std::size_t merge_at_ = 4096;  // of entries_
+  std::int64_t stops_ = 0;
   std::optional<TickSpeed> tick_;
 };
 

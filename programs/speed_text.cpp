@@ -43,6 +43,8 @@ std::string speed_text(const FileReport& report) {
     fmt::format_to(out, "    {:<22} {:>10.3f} s {:>6.1f} %\n", text_of(part.limit),
                    seconds(part.ticks), 100.0 * share_of(part.ticks, speed.whole));
   }
+  fmt::format_to(out, "  comes to rest   {}\n",
+                 counted(static_cast<unsigned long long>(speed.stops), "time"));
   if (report.speed_question.line && speed.lines.empty()) {
     fmt::format_to(out, "  line {} takes no time\n", *report.speed_question.line);
   } else if (!report.speed_question.line) {

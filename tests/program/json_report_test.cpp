@@ -51,6 +51,27 @@ TEST(JsonReport, HasTheFurtherAxesOfTheMachineInTheirUnits) {
   EXPECT_EQ(parsed["limits_exceeded"][1]["where"], "w");
 }
 
+TEST(JsonReport, HasWhatHoldsTheFeedDownWhereThatIsAskedFor) {
+  FileReport report = sample_report();
+  EXPECT_FALSE(json::parse(json_report(report)).contains("speed_limits"));
+  const LineSpeed line{.line = 12, .ticks = 4, .limits = {{SpeedLimit::x_jerk, 4}}};
+  report.speed = SpeedReport{
+      .whole = {.line = 0,
+                .ticks = 16,
+                .limits = {{SpeedLimit::programmed, 12}, {SpeedLimit::x_jerk, 4}}},
+      .stops = 2,
+      .lines = {line},
+      .tick = TickSpeed{.tick = 500, .line = 12, .v_mm_s = 9.5, .limit = SpeedLimit::x_jerk}};
+  const json parsed = json::parse(json_report(report));
+  EXPECT_EQ(parsed["speed_limits"]["programmed_feedrate"]["share"], 0.75);
+  EXPECT_EQ(parsed["speed_limits"]["axis_x_jerk"]["time_s"], 0.004);
+  EXPECT_EQ(parsed["stops"], 2);
+  EXPECT_EQ(parsed["speed_limits_of_lines"][0]["line"], 12);
+  EXPECT_EQ(parsed["speed_limits_of_lines"][0]["limits"]["axis_x_jerk"]["share"], 1.0);
+  EXPECT_EQ(parsed["speed_limit_at"]["limit"], "axis_x_jerk");
+  EXPECT_EQ(parsed["speed_limit_at"]["t_s"], 0.5);
+}
+
 TEST(JsonReport, NamesTheLimitsThatAreExceeded) {
   const json report = json::parse(json_report(sample_report()));
   ASSERT_EQ(report["limits_exceeded"].size(), 1U);

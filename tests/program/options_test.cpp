@@ -77,6 +77,16 @@ TEST(CommandLine, TakesTheBlockDeleteSwitchesThatAreOn) {
   }
 }
 
+TEST(CommandLine, TakesWhatIsToBeSaidOfTheSpeed) {
+  EXPECT_FALSE(std::get<Options>(parse({"dry-run", "a.ngc"})).explained_speed);
+  const auto all = parse({"dry-run", "--explain-speed", "a.ngc"});
+  EXPECT_TRUE(std::get<Options>(all).explained_speed.has_value());
+  EXPECT_FALSE(std::get<Options>(all).explained_speed->line);
+  EXPECT_EQ(std::get<Options>(parse({"run", "--explain-speed=14", "a.ngc"})).explained_speed->line,
+            14U);
+  EXPECT_TRUE(std::holds_alternative<Leave>(parse({"run", "--explain-speed=x", "a.ngc"})));
+}
+
 TEST(CommandLine, TakesSeveralFilesWhereThatMakesSense) {
   for (const char* command : {"dry-run", "check"}) {
     const auto parsed = parse({command, "a.ngc", "b.ngc", "--json"});

@@ -25,6 +25,29 @@ TEST(Summary, SaysWhatAMachinistReadsAtAGlance) {
             "  following error x 0.0300, y 0.0250, z 0.0000 mm at most\n");
 }
 
+TEST(Summary, SaysWhatHoldsTheFeedDownWhereThatIsAskedFor) {
+  FileReport report = sample_report();
+  report.speed =
+      SpeedReport{.whole = {.line = 0,
+                            .ticks = 4000,
+                            .limits = {{SpeedLimit::programmed, 3000}, {SpeedLimit::x_jerk, 1000}}},
+                  .stops = 3,
+                  .lines = {{.line = 12, .ticks = 1000, .limits = {{SpeedLimit::x_jerk, 1000}}}},
+                  .tick = {}};
+  const std::string text = summary(report);
+  EXPECT_NE(text.find("  held down by\n"
+                      "    programmed feedrate         3.000 s   75.0 %\n"
+                      "    axis x jerk                 1.000 s   25.0 %\n"
+                      "  comes to rest   3 times\n"
+                      "  lines that take the longest\n"
+                      "    line 12           1.000 s   25.0 %   axis x jerk 100 %\n"),
+            std::string::npos)
+      << text;
+  report.speed_question.line = 13;
+  report.speed->lines.clear();
+  EXPECT_NE(summary(report).find("  line 13 takes no time\n"), std::string::npos);
+}
+
 TEST(Summary, EndsWithTheWarnings) {
   FileReport report = sample_report();
   report.warnings = {"first", "second"};

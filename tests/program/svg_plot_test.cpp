@@ -38,6 +38,22 @@ TEST(SvgPlot, IsADocumentWithAxesUnitsAndLimits) {
   EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
+TEST(SvgPlot, HasABandOfWhatHeldTheFeedDownWhereThatIsKept) {
+  EXPECT_EQ(svg_plot(data_of(100), {}).find("held down by"), std::string::npos);
+  PlotData data(kFlat);
+  data.add_limits();
+  for (int tick = 0; tick < 300; ++tick) {
+    data.add({.tick = tick,
+              .limit = tick < 100 ? SpeedLimit::x_jerk : SpeedLimit::programmed,
+              .motion = {.v_mm_s = 10.0}});
+  }
+  const std::string svg = svg_plot(data, {});
+  for (const char* words : {"held down by", ">axis x jerk<", ">programmed feedrate<"}) {
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  }
+  EXPECT_EQ(svg.find(">path jerk<"), std::string::npos) << "only what is there has a legend";
+}
+
 TEST(SvgPlot, StaysSmallHoweverLongTheRun) {
   EXPECT_LT(svg_plot(data_of(1'000'000), {}).size(), std::size_t{1'500'000});
 }

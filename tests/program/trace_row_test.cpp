@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "programs/speed_limit_text.hpp"
+
 namespace kerf::program {
 namespace {
 
@@ -36,6 +38,15 @@ TEST(TraceRow, HasTheColumnsOfTheHeaderWithTheirDecimals) {
   const std::string row = row_of(record, 0.001);
   EXPECT_EQ(std::count(row.begin(), row.end(), ','),
             std::count(kTraceHeader.begin(), kTraceHeader.end(), ','));
+}
+
+TEST(TraceRow, HasTheLimitAtItsEndWhereItIsAskedFor) {
+  EXPECT_TRUE(trace_header({.axes = {}, .limit = true}).ends_with("actual_z_mm,limit\n"));
+  const TickRecord record{.limit = SpeedLimit::x_jerk};
+  std::array<char, kMaxRowBytes> buffer{};
+  const std::string row(buffer.data(), write_row(buffer.data(), record, TickClock(0.001),
+                                                 {.axes = {}, .limit = true}));
+  EXPECT_TRUE(row.ends_with(",0.0000000000,axis_x_jerk\n"));
 }
 
 TEST(TraceRow, HasColumnsOfFurtherAxesBehindTheOthers) {
