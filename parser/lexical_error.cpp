@@ -158,6 +158,9 @@ Fault explain_letter(const Block& block, std::size_t at) {
             &errors::kTooManyMCodes};
   }
   const std::string_view word = letters_at(block.line.substr(at));
+  if (upper(word) == "THEN") {
+    return {offset, "THEN without IF [..] before it", &errors::kMacroStatement};
+  }
   if (is_macro_word(upper(word))) {
     return {offset,
             joined({upper(word),

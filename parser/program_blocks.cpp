@@ -97,9 +97,12 @@ bool ProgramReader::Impl::run_call(const Line& line, bool complete) {
       return true;
     }
   }
-  const Word* const code = complete ? find_program_code(block_, options_.dialect) : nullptr;
-  if (code != nullptr) {
+  const Word* const code = find_program_code(block_, options_.dialect);
+  if (code != nullptr && complete) {
     run_program_call(line, *code);
+  } else if (code != nullptr) {
+    remove_call(block_, *code);
+    interpreter_.run(block_, line.number, false);  // says what is wrong behind it
   }
   return code != nullptr;
 }

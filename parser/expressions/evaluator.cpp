@@ -168,6 +168,11 @@ bool Evaluator::check_writable(const Reference& variable, int& number) {
   if (!variable.named && !find_number(variable, number)) {
     return false;
   }
+  if (variable.named && dialect() == Dialect::fanuc) {
+    return fail(variable.at, errors::kNoSuchVariable,
+                joined({"variable #<", variable.name,
+                        ">: names belong to RS274/NGC, here variables have numbers"}));
+  }
   const Write write =
       variable.named ? parameters_->may_set(variable.name) : parameters_->may_set(number);
   switch (write) {

@@ -163,6 +163,12 @@ TEST(FanucFlow, SaysWhatIsWrong) {
             "3:2: warning: the program ends here, it has no M30, M2 or M99\n");
   EXPECT_EQ(messages("o100 call\nM30\n"),
             "1:1: error: o100 call: o-words belong to RS274/NGC, not to the Fanuc dialect\n");
+  EXPECT_EQ(messages("O1\nM99 P\nM30\n"),
+            "2:5: error: a number is expected after address 'P', found the end of the line\n");
+  EXPECT_EQ(messages("THEN #1=1\nM30\n"), "1:1: error: THEN without IF [..] before it\n");
+  EXPECT_EQ(
+      messages("#<abc>=1\nM30\n"),
+      "1:1: error: variable #<abc>: names belong to RS274/NGC, here variables have numbers\n");
   EXPECT_EQ(messages("GOTO 1.5\nM30\n"),
             "1:6: error: GOTO: the sequence number must be a whole number from 1 to 999999999, "
             "found 1.5\n");

@@ -137,6 +137,8 @@ TEST(Subprogram, M99EndsTheMainProgramWithAWarning) {
 
 TEST(Subprogram, SaysWhatIsWrongWithACall) {
   EXPECT_EQ(messages_of("M98\nM2\n"), "1:1: error: M98 needs P (the subprogram's number)\n");
+  EXPECT_EQ(messages_of("M98 P\nM2\n"),
+            "1:5: error: a number is expected after address 'P', found the end of the line\n");
   EXPECT_EQ(messages_of("M98 P9999\nM2\n"), "1:1: error: program O9999 is not found\n");
   EXPECT_EQ(messages_of("M98 P100\nM2\no100 sub\no100 endsub\n"),
             "1:1: error: O100 begins with sub: call it with `o100 call`\n");
