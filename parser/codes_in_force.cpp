@@ -6,8 +6,8 @@ namespace kerf::parser {
 
 namespace {
 
-std::string motion_code(Motion motion) {
-  return "G" + shortest(static_cast<double>(motion) / 10.0);
+std::string tenths_code(int tenths) {
+  return "G" + shortest(static_cast<double>(tenths) / 10.0);
 }
 
 const char* plane_code(Plane plane) {
@@ -39,12 +39,13 @@ const char* spindle_code(Spindle spindle) {
 
 std::vector<std::string> codes_in_force(const ModalState& state) {
   std::vector<std::string> codes = {
-      motion_code(state.motion),
+      tenths_code(static_cast<int>(state.motion)),
       plane_code(state.plane),
       state.units == Units::mm ? "G21" : "G20",
       state.incremental ? "G91" : "G90",
       state.absolute_centre ? "G90.1" : "G91.1",
       feed_code(state.feed_mode),
+      tenths_code(state.cutter_compensation),
       state.tool_length_active ? "G43" : "G49",
       work_code(state.coordinates.system()),
       path_code(state.path_mode),
@@ -52,6 +53,16 @@ std::vector<std::string> codes_in_force(const ModalState& state) {
       state.surface_speed.active ? "G96" : "G97",
       spindle_code(state.spindle),
   };
+  const Coordinates& coordinates = state.coordinates;
+  if (coordinates.mirror() != Mirror{}) {
+    codes.emplace_back("G51.1");
+  }
+  if (coordinates.scaling() != Scaling{}) {
+    codes.emplace_back("G51");
+  }
+  if (coordinates.program_turn() != ProgramTurn{}) {
+    codes.emplace_back("G68");
+  }
   if (!state.mist && !state.flood) {
     codes.emplace_back("M9");
   }

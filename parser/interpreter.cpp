@@ -48,6 +48,7 @@ void Interpreter::warn(std::uint32_t offset, const ErrorPage& page, std::string 
 Move& Interpreter::push_move() {
   Move& move = moves_.push();
   move.source = {line_, block_->first_word + 1, file_};
+  move.block = blocks_run_;
   move.start_mm = state_.position_mm;
   move.rapid = false;
   move.feedrate_mm_s = 0.0;
@@ -59,6 +60,7 @@ Move& Interpreter::push_move() {
 
 void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
   block_ = &block;
+  ++blocks_run_;
   if (dialect_ == Dialect::fanuc && machine_.least_increment_mm != 0.0) {
     counted_block_ = block;
     count_in_least_increments(state_, machine_.least_increment_mm, counted_block_);
@@ -105,6 +107,7 @@ void Interpreter::end_program(SourcePosition source) {
   source.file = file_;
   Move& move = moves_.push();
   move = Move{EventMove{EventKind::program_end, 0.0}, source, state_.position_mm};
+  move.block = blocks_run_;
   carry_extra(move, state_.extra_deg_mm);
   program_ended_ = true;
 }

@@ -42,6 +42,7 @@ class Interpreter : private InterpreterMemory {
   void leave_subprogram();
 
   [[nodiscard]] const ModalState& state() const { return state_; }
+  [[nodiscard]] std::uint64_t blocks_run() const { return blocks_run_; }
   // Parameters that show the interpreter's state; good as long as it is.
   [[nodiscard]] PredefinedValues& values() { return values_; }
   [[nodiscard]] MoveQueue& moves() { return moves_; }

@@ -57,6 +57,7 @@ class InterpreterMemory {
   BlockCodes codes_;
   Group axis_taker_ = Group::count;  // the code that takes the block's axis words from the motion
   Fault fault_;
+  std::uint64_t blocks_run_ = 0;
   std::uint32_t line_ = 0;
   std::uint16_t file_ = 0;
   MachineValues values_{{&state_, &machine_, &dialect_, &line_, &saved_modes_}};

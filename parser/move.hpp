@@ -112,6 +112,7 @@ struct Move {
   ExtraWay extra{};  // does not move on a NurbsMove
   PathMode mode = PathMode::exact_path;
   double blend_tolerance_mm = 0.0;  // G64 P; 0 where none was given
+  std::uint64_t block = 0;  // of the program's run, counted from 1: a line of a loop is many
 };
 
 }  // namespace kerf::parser

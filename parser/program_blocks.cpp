@@ -126,7 +126,7 @@ void ProgramReader::Impl::read_line(const Line& line) {
   }
   if (line.number == options_.watched_line && !watched_block_ &&
       (!flow_.active() || flow_.in_program_text())) {
-    watched_block_ = WatchedBlock{std::string(line.text), interpreter_.state()};
+    watched_block_ = {std::string(line.text), interpreter_.state(), interpreter_.blocks_run()};
   }
   read_code(line);
   if (options_.dialect == Dialect::fanuc && block_.remark != 0) {

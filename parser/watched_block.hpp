@@ -1,6 +1,7 @@
 // A block and what is in force just before it: what `kerf explain` shows.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "parser/modal_state.hpp"
@@ -10,6 +11,7 @@ namespace kerf::parser {
 struct WatchedBlock {
   std::string text;  // the line as written
   ModalState state{};
+  std::uint64_t blocks_before = 0;  // Move::block of its own moves and later ones is greater
 };
 
 }  // namespace kerf::parser

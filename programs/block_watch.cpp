@@ -14,6 +14,11 @@ bool stands_still(const profiles::TimeLaw& law) {
 void BlockWatch::read(const parser::ProgramReader& reader) {
   if (!block_ && reader.watched_block()) {
     block_ = reader.watched_block();
+  }
+}
+
+void BlockWatch::moves(const parser::Move& move) noexcept {
+  if (block_ && !items_before_ && move.block > block_->blocks_before) {
     items_before_ = items_pushed_;
   }
 }
@@ -24,7 +29,7 @@ void BlockWatch::planned(const interp::Phase& phase) {
     ++items_planned_;
     curve_ = phase.curve;
   }
-  if (!block_ || over_ || items_planned_ <= items_before_) {
+  if (!items_before_ || over_ || items_planned_ <= *items_before_) {
     return;
   }
   if (!begin_s_) {

@@ -10,7 +10,8 @@
 namespace kerf::program {
 
 // Told of everything that is read and planned, in order. What is planned comes later than what is
-// read, by up to a window; so the block is found by counting curves and rests on both sides.
+// read, by up to a window; so the block is found by counting curves and rests on both sides. Cutter
+// compensation holds moves back before that; so they are counted from the block's own or the next.
 class BlockWatch {
  public:
   struct Settings {
@@ -22,8 +23,10 @@ class BlockWatch {
 
   [[nodiscard]] std::uint32_t line() const noexcept { return line_; }
 
-  // After each read, before its move is planned.
+  // After each read.
   void read(const parser::ProgramReader& reader);
+  // The move that was read is to be planned.
+  void moves(const parser::Move& move) noexcept;
   // The move became so many curves, or one rest.
   void pushed(std::uint64_t items) noexcept { items_pushed_ += items; }
   void planned(const interp::Phase& phase);
@@ -43,7 +46,7 @@ class BlockWatch {
   std::uint32_t line_;
   double period_s_;
   std::optional<parser::WatchedBlock> block_;
-  std::uint64_t items_before_ = 0;
+  std::optional<std::uint64_t> items_before_;
   std::uint64_t items_pushed_ = 0;
   std::uint64_t items_planned_ = 0;
   std::uint64_t curve_ = 0;  // of the latest phase that moves

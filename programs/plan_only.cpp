@@ -93,6 +93,7 @@ tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
     }
     watch.read(reader);
     if (*found) {
+      watch.moves(move);
       watch.pushed(push(planner, move, settings.limits, blocks));
     } else {
       planner.finish(move.source.line);

@@ -13,7 +13,8 @@ namespace kerf::parser {
 
 void Flow::watch() {
   if (!watched_ && in_program_text() && text_->number_of(current_) == options_->watched_line) {
-    watched_ = WatchedBlock{std::string(text_->line(current_).view()), interpreter_->state()};
+    watched_ = {std::string(text_->line(current_).view()), interpreter_->state(),
+                interpreter_->blocks_run()};
   }
 }
 

@@ -58,6 +58,23 @@ class Explain(Case):
         for name, step in (("pocket.ngc", 7), ("raster.ngc", 700)):
             self.compare_with_trace(str(pathlib.Path(SOURCE) / "programs" / name), step)
 
+    def test_finds_the_time_of_moves_that_compensation_holds_back(self):
+        program = self.path("held.ngc", "G21 G90 F600\nG0 X-20 Y-20\nG41.1 D4 G1 X0 Y0\nY30\nX30\nG2 X40 Y20 J-10\n"
+                                        "(beside)\nG1 Y0\nG40 X60 Y-20\nX80\nM2\n")
+        self.compare_with_trace(program, 1)
+        self.assertEqual(self.explained(program, 7)["begin_s"], self.explained(program, 8)["begin_s"])
+        for line, code in ((3, "G40"), (4, "G41.1"), (10, "G40")):
+            self.assertIn(code, self.explained(program, line)["codes"])
+
+    def test_shows_what_shapes_a_fanuc_program(self):
+        program = self.path("shaped.nc", "G0 X1\nG51.1 X0\nG51 X0 Y0 P2.\nG68 X0 Y0 R90\nG0 X2\nG69\nG50\nG50.1\nG0 X3\nM30\n")
+        shaped = self.explained(program, 5, "--dialect", "fanuc")["codes"]
+        for code in ("G51.1", "G51", "G68"):
+            self.assertIn(code, shaped)
+        plain = self.explained(program, 9, "--dialect", "fanuc")["codes"]
+        for code in ("G51.1", "G51", "G68"):
+            self.assertNotIn(code, plain)
+
     def compare_with_trace(self, program, step):
         trace = self.path("t.csv")
         self.kerf("dry-run", program, "--trace", trace, "-q")
