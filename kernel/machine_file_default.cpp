@@ -11,7 +11,7 @@ MachineSettings default_machine() {
   settings.limits.axes.fill(settings.limits.path);
   settings.table.period_s = settings.limits.period_s;
   for (machine::AxisDrive& axis : settings.table.axes) {  // the servo's data are the defaults
-    axis.travel = {.min_mm = -300.0, .max_mm = 300.0};
+    axis.travel = {.min_mm = -500.0, .max_mm = 500.0};
   }
   settings.table.axes[2].travel = {.min_mm = -200.0, .max_mm = 200.0};
   settings.program = parser::default_machine_data();

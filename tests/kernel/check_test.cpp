@@ -141,6 +141,16 @@ TEST(Check, RefusesTheBadInputThatLeavesTheTravel) {
   EXPECT_EQ(report.limit_faults[0].source.line, 5U);
 }
 
+// The greatest of the curves in bad_inputs/ that are right goes on to X310.
+TEST(Check, TheDefaultTableHasRoomForALongCurve) {
+  std::ifstream file(std::string(KERF_SOURCE_DIR) +
+                     "/tests/parser/bad_inputs/280_nurbs_many_points.ngc");
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const CheckReport report = check(text, default_machine());
+  EXPECT_FALSE(report.has_errors());
+  EXPECT_TRUE(report.limit_faults.empty());
+}
+
 TEST(Check, SeesAnArcThatOnlyBulgesOutOfTheTravel) {
   const std::string text = "G21 G90 G1 X18 Y0 F600\nG3 X18 Y10 J5\nG1 X0\nM2\n";
   EXPECT_TRUE(check(text, table_of(-30.0, 23.1)).limit_faults.empty());

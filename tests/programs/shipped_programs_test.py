@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAMS = ROOT / "programs"
 CURVES = ROOT / "tests" / "programs" / "curves"
-TRAVEL_MM = {"X": 300.0, "Y": 300.0, "Z": 200.0}
+TRAVEL_MM = {"X": 500.0, "Y": 500.0, "Z": 200.0}
 
 
 def words(path):
