@@ -1,6 +1,7 @@
 #include "parser/arc_geometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "parser/errors/arcs.hpp"
@@ -174,7 +175,8 @@ bool check_words(const Block& block, Plane plane, Fault& fault) {
 }  // namespace
 
 std::string_view plane_name(Plane plane) {
-  return plane == Plane::xy ? "XY" : plane == Plane::zx ? "XZ" : "YZ";
+  constexpr std::array<std::string_view, 3> kNames{"XY", "XZ", "YZ"};
+  return kNames[static_cast<std::size_t>(plane)];
 }
 
 bool build_arc(const Block& block, const ModalState& state, const Point& end_mm, ArcMove& arc,

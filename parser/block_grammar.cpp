@@ -62,7 +62,8 @@ std::uint32_t offset_in(const Block& block, const char* at) {
 
 // What rounding left of a code or a number of something. G codes have tenths [rs274: G[1.00005] is
 // G1, G[1.0005] is refused].
-double settled(char letter, double value) {
+double settled(const ScannedNumber& number, char letter) {
+  const double value = number.value;
   constexpr Letters kWhole = letters('D', 'H', 'L', 'M', 'O', 'T');
   if (letter == 'G') {
     const double tenths = std::round(value * 10.0);
@@ -90,7 +91,7 @@ bool store_word(Block& block, const char* at, const ScannedNumber& number) {
   word->value = number.value;
   word->offset = offset_in(block, at);
   word->length = static_cast<std::uint32_t>(number.end - at);
-  block.pointed |= Letters{number.point} << index;
+  block.pointed |= static_cast<Letters>(number.point) << index;
   if (block.first_word == Block::kNoWord) {
     block.first_word = word->offset;
   }
@@ -120,7 +121,7 @@ bool rounds_to_increment(const Evaluator& evaluator, char letter) {
         joined({"ROUND in the value of ", named(letter),
                 " (Fanuc: to the least increment) is not supported: round in a statement before"}));
   }
-  number.value = settled(letter, number.value);
+  number.value = settled(number, letter);
   return is_vacant(number.value) || store_word(block, at, number);
 }
 

@@ -25,22 +25,22 @@ constexpr bool is_m_group(Group group) {
   return group >= Group::stop;
 }
 
-template <std::size_t size>
-constexpr void know(Table& table, Group group, const std::array<int, size>& tenths) {
+template <std::size_t kSize>
+constexpr void know(Table& table, Group group, const std::array<int, kSize>& tenths) {
   for (const int code : tenths) {
     table[static_cast<std::size_t>(code)] = {Status::known, group};
   }
 }
 
-template <std::size_t size>
-constexpr void know_fanuc(Table& table, Group group, const std::array<int, size>& tenths) {
+template <std::size_t kSize>
+constexpr void know_fanuc(Table& table, Group group, const std::array<int, kSize>& tenths) {
   for (const int code : tenths) {
     table[static_cast<std::size_t>(code)] = {Status::fanuc, group};
   }
 }
 
-template <std::size_t size>
-constexpr void refuse(Table& table, const std::array<int, size>& tenths) {
+template <std::size_t kSize>
+constexpr void refuse(Table& table, const std::array<int, kSize>& tenths) {
   for (const int code : tenths) {
     table[static_cast<std::size_t>(code)].status = Status::refused;
   }
@@ -91,12 +91,9 @@ constexpr Table kG = g_table();
 constexpr Table kM = m_table();
 
 bool is_printer_code(double m) {
-  for (const int known : {82, 83, 84, 104, 105, 106, 107, 109, 117, 140, 190, 201, 203, 204, 205}) {
-    if (m == known) {
-      return true;
-    }
-  }
-  return false;
+  constexpr std::array kKnown{82,  83,  84,  104, 105, 106, 107, 109,
+                              117, 140, 190, 201, 203, 204, 205};
+  return std::any_of(kKnown.begin(), kKnown.end(), [m](int known) { return m == known; });
 }
 
 // The code's place in its table; kCodes where it has none.
@@ -169,8 +166,8 @@ void join_cycle_and_motion(const Block& block, BlockCodes& codes) {
   }
 }
 
-template <std::size_t size>
-bool sort_words(const Block& block, const std::array<Word, size>& words, std::size_t count,
+template <std::size_t kSize>
+bool sort_words(const Block& block, const std::array<Word, kSize>& words, std::size_t count,
                 bool is_m, Dialect dialect, BlockCodes& codes, Fault& fault) {
   for (std::size_t i = 0; i < count; ++i) {
     const Word& word = words[i];

@@ -1,5 +1,7 @@
 #include "parser/codes_in_force.hpp"
 
+#include <array>
+
 #include "parser/text.hpp"
 
 namespace kerf::parser {
@@ -10,12 +12,15 @@ std::string tenths_code(int tenths) {
   return "G" + shortest(static_cast<double>(tenths) / 10.0);
 }
 
-const char* plane_code(Plane plane) {
-  return plane == Plane::xy ? "G17" : plane == Plane::zx ? "G18" : "G19";
-}
+// In the order of the enumerations.
+constexpr std::array kPlaneCodes{"G17", "G18", "G19"};
+constexpr std::array kFeedCodes{"G94", "G93", "G95"};
+constexpr std::array kPathCodes{"G61", "G61.1", "G64"};
+constexpr std::array kSpindleCodes{"M5", "M3", "M4"};
 
-const char* feed_code(FeedMode mode) {
-  return mode == FeedMode::per_minute ? "G94" : mode == FeedMode::inverse_time ? "G93" : "G95";
+template <class Names, class Value>
+const char* code_of(const Names& names, Value value) {
+  return names[static_cast<std::size_t>(value)];
 }
 
 std::string work_code(std::size_t system) {
@@ -27,31 +32,17 @@ std::string work_code(std::size_t system) {
                          : "G59." + std::to_string(system - kWhole + 1);
 }
 
-const char* path_code(PathMode mode) {
-  return mode == PathMode::blend ? "G64" : mode == PathMode::exact_stop ? "G61.1" : "G61";
-}
-
-const char* spindle_code(Spindle spindle) {
-  return spindle == Spindle::off ? "M5" : spindle == Spindle::clockwise ? "M3" : "M4";
-}
-
 }  // namespace
 
 std::vector<std::string> codes_in_force(const ModalState& state) {
   std::vector<std::string> codes = {
-      tenths_code(static_cast<int>(state.motion)),
-      plane_code(state.plane),
-      state.units == Units::mm ? "G21" : "G20",
-      state.incremental ? "G91" : "G90",
-      state.absolute_centre ? "G90.1" : "G91.1",
-      feed_code(state.feed_mode),
-      tenths_code(state.cutter_compensation),
-      state.tool_length_active ? "G43" : "G49",
-      work_code(state.coordinates.system()),
-      path_code(state.path_mode),
-      state.to_initial_level ? "G98" : "G99",
-      state.surface_speed.active ? "G96" : "G97",
-      spindle_code(state.spindle),
+      tenths_code(static_cast<int>(state.motion)), code_of(kPlaneCodes, state.plane),
+      state.units == Units::mm ? "G21" : "G20",    state.incremental ? "G91" : "G90",
+      state.absolute_centre ? "G90.1" : "G91.1",   code_of(kFeedCodes, state.feed_mode),
+      tenths_code(state.cutter_compensation),      state.tool_length_active ? "G43" : "G49",
+      work_code(state.coordinates.system()),       code_of(kPathCodes, state.path_mode),
+      state.to_initial_level ? "G98" : "G99",      state.surface_speed.active ? "G96" : "G97",
+      code_of(kSpindleCodes, state.spindle),
   };
   const Coordinates& coordinates = state.coordinates;
   if (coordinates.mirror() != Mirror{}) {

@@ -28,8 +28,8 @@ constexpr std::array kWide{Range{0x1100, 0x115F},  Range{0x2E80, 0x303E}, Range{
 constexpr std::array kCombining{Range{0x0300, 0x036F}, Range{0x200B, 0x200F}, Range{0x20D0, 0x20FF},
                                 Range{0xFE00, 0xFE0F}, Range{0xFEFF, 0xFEFF}};
 
-template <std::size_t size>
-bool is_in(const std::array<Range, size>& ranges, char32_t code) {
+template <std::size_t kSize>
+bool is_in(const std::array<Range, kSize>& ranges, char32_t code) {
   return std::any_of(ranges.begin(), ranges.end(), [code](const Range& range) {
     return code >= range.first && code <= range.last;
   });

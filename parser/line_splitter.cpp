@@ -1,20 +1,13 @@
 #include "parser/line_splitter.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 namespace kerf::parser {
 
 namespace {
 
 std::size_t find(const std::string& bytes, char wanted, std::size_t from) {
-  if (from >= bytes.size()) {
-    return bytes.size();
-  }
-  const void* const found = std::memchr(bytes.data() + from, wanted, bytes.size() - from);
-  return found == nullptr
-             ? bytes.size()
-             : static_cast<std::size_t>(static_cast<const char*>(found) - bytes.data());
+  return std::min(bytes.find(wanted, from), bytes.size());
 }
 
 }  // namespace
