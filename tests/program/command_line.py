@@ -1,0 +1,38 @@
+"""The executable `kerf` as its users meet it, for the tests beside this file: TEST.py KERF SOURCE_DIR [NAME...]
+
+Exit statuses, streams, signals and files; the figures themselves are other tests' business.
+"""
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+KERF, SOURCE = sys.argv[1:3]
+
+SQUARE = "G21 G90 G17\nF3000\nG1 X20\nG1 Y20\nG1 X0\nG1 Y0\nM30\n"
+LONG = "G21 G90\nF600\n" + "G1 X200\nG1 X0\n" * 50 + "M30\n"  # 2000 s
+WRONG = "G21 G90\nG1 X1 F100\nG1 Xq\nG1 X3\nG77\n"
+TOO_FAR = "G21 G90\nG1 X10 F1000\nG1 X1000\n"
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(tempfile.mkdtemp(prefix="kerf-test-"))
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def path(self, name, text=None):
+        path = self.folder / name
+        if text is not None:
+            path.write_text(text)
+        return str(path)
+
+    def kerf(self, *words, status=0, stdin=None, env=None, text=True):
+        done = subprocess.run([KERF, *words], input=stdin, capture_output=True, text=text, env=env, timeout=120)
+        self.assertEqual(done.returncode, status, f"{words}\n{done.stdout}\n{done.stderr}")
+        return done
+
+
+def main():
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

@@ -1,0 +1,188 @@
+#!/usr/bin/env python3
+"""What `kerf dry-run` and `kerf run` leave: summary, trace, JSON report and plot."""
+import csv
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import time
+import xml.etree.ElementTree
+
+from command_line import Case, KERF, SOURCE, SQUARE, TOO_FAR, WRONG, main
+
+
+class DryRun(Case):
+    def test_prints_a_summary_and_nothing_on_standard_error(self):
+        done = self.kerf("dry-run", self.path("square.ngc", SQUARE))
+        self.assertIn("square.ngc: done", done.stdout)
+        self.assertIn("path            80.000 mm in 4 blocks", done.stdout)
+        self.assertIn("extents         x 0.000 to 20.000, y 0.000 to 20.000, z 0.000 to 0.000 mm", done.stdout)
+        self.assertEqual(done.stderr, "")
+
+    def test_takes_a_program_from_standard_input(self):
+        from_file = self.kerf("dry-run", self.path("square.ngc", SQUARE)).stdout
+        from_pipe = self.kerf("dry-run", "-", stdin=SQUARE).stdout
+        self.assertEqual(from_pipe.split("\n", 1)[1], from_file.split("\n", 1)[1])
+        self.assertTrue(from_pipe.startswith("<stdin>: done"))
+
+    def test_takes_standard_input_where_somebody_left_off_reading_a_file(self):
+        path = self.path("two.txt", "not G-code\n" + SQUARE)
+        with open(path) as file:
+            os.lseek(file.fileno(), len("not G-code\n"), os.SEEK_SET)
+            done = subprocess.run([KERF, "dry-run", "-"], stdin=file, capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_of_several_files_reports_each_and_returns_the_first_failure(self):
+        good, bad = self.path("good.ngc", SQUARE), self.path("bad.ngc", WRONG)
+        done = self.kerf("dry-run", good, bad, good, self.path("far.ngc", TOO_FAR), status=1)
+        self.assertEqual(done.stdout.count("good.ngc: done"), 2)
+
+    def test_of_an_empty_program_is_an_error(self):
+        for text in ("", "\n", "(nothing)\n"):
+            with self.subTest(text=text):
+                self.assertIn("<stdin>:1:1: error: ", self.kerf("dry-run", "-", stdin=text, status=1).stderr)
+
+    def test_of_a_program_without_motion_is_done(self):
+        for text in ("M30\n", "G21", "G4 P0.5\n"):
+            with self.subTest(text=text):
+                done = self.kerf("dry-run", "-", "--json", stdin=text)
+                self.assertEqual(json.loads(done.stdout)["path_length_mm"], 0)
+
+    def test_quiet_prints_nothing(self):
+        done = self.kerf("dry-run", "--quiet", self.path("square.ngc", SQUARE))
+        self.assertEqual(done.stdout + done.stderr, "")
+
+    def test_block_delete_leaves_blocks_out(self):
+        path = self.path("slash.ngc", "G21 G90 F1000\nG1 X10\n/G1 X20\nM30\n")
+        length = lambda *more: json.loads(self.kerf("dry-run", "--json", path, *more).stdout)["path_length_mm"]
+        self.assertAlmostEqual(length(), 20.0)
+        self.assertAlmostEqual(length("--block-delete"), 10.0)
+
+
+class Trace(Case):
+    HEADER = "t_s,line,s_mm,v_mm_s,a_mm_s2,j_mm_s3,x_mm,y_mm,z_mm,actual_x_mm,actual_y_mm,actual_z_mm"
+
+    def trace(self, *words):
+        path = self.path("trace.csv")
+        done = self.kerf("dry-run", *words, "--json", "--trace", path)
+        return json.loads(done.stdout), pathlib.Path(path).read_text()
+
+    def test_has_a_row_for_each_tick_from_the_start_to_the_end(self):
+        report, text = self.trace(self.path("square.ngc", SQUARE))
+        lines = text.splitlines()
+        self.assertEqual(lines[0], self.HEADER)
+        rows = list(csv.DictReader(lines))
+        self.assertEqual(len(rows), report["ticks"] + 1)
+        for number, row in enumerate(rows):
+            self.assertEqual(row["t_s"], f"{number * 1000 // 1000000}.{number * 1000 % 1000000:06}")
+        for key in ("x_mm", "y_mm", "z_mm", "v_mm_s"):
+            self.assertEqual(float(rows[0][key]), 0)
+            self.assertEqual(float(rows[-1][key]), 0)
+        self.assertEqual(rows[-1]["s_mm"], "80.0000000000")
+        self.assertEqual({row["line"] for row in rows}, {"3", "4", "5", "6"} | {rows[-1]["line"]})
+        corners = {(row["x_mm"], row["y_mm"]) for row in rows}
+        for corner in (("20.0000000000", "0.0000000000"), ("20.0000000000", "20.0000000000")):
+            self.assertIn(corner, corners)
+
+    def test_is_the_same_to_the_last_bit_in_every_run(self):
+        program = os.path.join(SOURCE, "programs/butterfly.ngc")
+        first, second = self.trace(program), self.trace(program)
+        self.assertEqual(first[1], second[1])
+        for report, _ in (first, second):
+            report.pop("elapsed")
+        self.assertEqual(first[0], second[0])
+
+    def test_is_the_same_in_the_second_run_of_one_process(self):
+        program = os.path.join(SOURCE, "programs/trident7.ngc")
+        lines = self.kerf("dry-run", "--json", program, program).stdout.splitlines()
+        first, second = (json.loads(line) for line in lines)
+        first.pop("elapsed"), second.pop("elapsed")
+        self.assertEqual(first, second)
+
+    def test_is_the_same_by_the_clock(self):
+        square = self.path("square.ngc", SQUARE)
+        self.kerf("dry-run", square, "--trace", self.path("dry.csv"))
+        self.kerf("run", square, "--trace", self.path("run.csv"))
+        self.assertEqual(pathlib.Path(self.path("dry.csv")).read_bytes(), pathlib.Path(self.path("run.csv")).read_bytes())
+
+    def test_does_not_depend_on_the_locale(self):
+        locales = self.path("locales")
+        os.mkdir(locales)
+        name = os.path.join(locales, "de_DE.utf8")
+        made = shutil.which("localedef") and subprocess.run(
+            ["localedef", "-i", "de_DE", "-f", "UTF-8", name], capture_output=True).returncode == 0
+        if not made:
+            self.skipTest("no data for the locale de_DE")
+        square = self.path("square.ngc", SQUARE)
+        plain = self.kerf("dry-run", square, "--trace", self.path("plain.csv"), "--plot", self.path("plain.svg"))
+        german = self.kerf("dry-run", square, "--trace", self.path("german.csv"), "--plot", self.path("german.svg"),
+                           env={**os.environ, "LOCPATH": locales, "LC_ALL": "de_DE.utf8", "LANG": "de_DE.utf8"})
+        self.assertEqual(plain.stdout, german.stdout)
+        for kind in ("csv", "svg"):
+            self.assertEqual(pathlib.Path(self.path("plain." + kind)).read_bytes(),
+                             pathlib.Path(self.path("german." + kind)).read_bytes())
+
+    def test_goes_to_standard_output_alone(self):
+        done = self.kerf("dry-run", self.path("square.ngc", SQUARE), "--trace", "-")
+        lines = done.stdout.splitlines()
+        self.assertEqual(lines[0], self.HEADER)
+        self.assertTrue(all(line.count(",") == 11 for line in lines))
+        self.assertIn("square.ngc: done", done.stderr)
+
+
+class Json(Case):
+    KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "period_s", "cycle_time_s", "ticks",
+            "path_length_mm", "blocks", "extents", "max", "limits_exceeded", "chord_error_mm", "contour_error",
+            "following_error", "starved_ticks", "warnings", "errors", "elapsed")
+
+    def test_is_one_object_with_the_documented_keys(self):
+        report = json.loads(self.kerf("dry-run", "--json", self.path("square.ngc", SQUARE)).stdout)
+        self.assertEqual(tuple(report), self.KEYS)
+        documented = (pathlib.Path(SOURCE) / "docs/json.md").read_text()
+        for key in self.KEYS:
+            self.assertIn(f"`{key}`", documented)
+        self.assertAlmostEqual(report["cycle_time_s"], report["ticks"] * 0.001)
+        self.assertEqual(report["max"].keys(), {"path", "axes"})
+        self.assertEqual(report["extents"]["max_mm"], {"x": 20.0, "y": 20.0, "z": 0.0})
+
+    def test_of_a_run_counts_late_ticks(self):
+        report = json.loads(self.kerf("run", "--json", self.path("square.ngc", SQUARE)).stdout)
+        self.assertIsInstance(report["late_ticks"], int)
+        self.assertGreaterEqual(report["worst_delay_s"], 0)
+
+    def test_of_several_files_is_a_line_for_each(self):
+        square = self.path("square.ngc", SQUARE)
+        lines = self.kerf("check", "--json", square, square).stdout.splitlines()
+        self.assertEqual([json.loads(line)["command"] for line in lines], ["check", "check"])
+
+    def test_tells_errors_too(self):
+        report = json.loads(self.kerf("dry-run", "--json", self.path("wrong.ngc", WRONG), status=1).stdout)
+        self.assertEqual(report["exit_status"], 1)
+        self.assertEqual([error["line"] for error in report["errors"]], [3, 5])
+
+    def test_says_by_how_much_a_spline_exceeds_the_limits_of_the_axes(self):
+        program = os.path.join(SOURCE, "programs/butterfly.ngc")
+        done = self.kerf("dry-run", "--json", program)
+        report = json.loads(done.stdout)
+        jerk = next(e for e in report["limits_exceeded"] if e["where"] == "x" and e["quantity"] == "jerk")
+        self.assertAlmostEqual(jerk["ratio"], jerk["value"] / jerk["limit"])
+        self.assertGreater(jerk["ratio"], 2)
+        self.assertTrue(any("axis x jerk" in warning for warning in report["warnings"]))
+        self.assertIn("kerf: warning: ", done.stderr)
+
+
+class Plot(Case):
+    def test_is_xml_of_bounded_size(self):
+        path = self.path("plot.svg")
+        self.kerf("dry-run", os.path.join(SOURCE, "programs/butterfly.ngc"), "--plot", path)
+        root = xml.etree.ElementTree.parse(path).getroot()
+        self.assertTrue(root.tag.endswith("svg"))
+        texts = [element.text or "" for element in root.iter() if element.tag.endswith("text")]
+        for words in ("v, mm/s", "feedrate, mm/s", "rapid", "time, s"):
+            self.assertIn(words, texts)
+        self.assertLess(os.path.getsize(path), 1_000_000)
+
+
+if __name__ == "__main__":
+    main()
