@@ -9,9 +9,9 @@ namespace kerf::parser {
 // In mm and seconds, as the program gave them: with G91 they are distances. LinuxCNC reads what
 // holds from before in the mode of the block that uses it, Fanuc in that of the block that gave it.
 struct CycleWords {
-  std::optional<double> clearance_mm;              // R
-  std::optional<double> bottom_mm;                 // Z, or the word of the drilling axis
-  bool clearance_adds = false;                     // given with G91
+  std::optional<double> clearance_mm;  // R
+  std::optional<double> bottom_mm;     // Z, or the word of the drilling axis
+  bool clearance_adds = false;         // given with G91
   bool bottom_adds = false;
   std::optional<double> peck_mm;                   // Q
   std::optional<double> dwell_s;                   // P

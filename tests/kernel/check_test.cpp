@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "kernel/machine_file.hpp"
 #include "tests/kernel/shipped_text.hpp"
 
 namespace kerf::test {

@@ -189,27 +189,5 @@ TEST(Kernel, StarvesAtRestBeforeTheFirstText) {
   EXPECT_EQ(checker.complaint(), "");
 }
 
-TEST(Kernel, StarvesAtRestBehindADwellAndResumesWithoutAJump) {
-  Kernel kernel(mill());
-  kernel.feed("G21 G90 G1 X10 F3000\nG4 P0.01\n");
-  TickChecker checker(mill().limits, true);
-  Setpoint setpoint;
-  int starved = 0;
-  for (int i = 0; i < 3000 && starved < 50; ++i) {
-    starved += kernel.next(setpoint) == TickStatus::starved ? 1 : 0;
-    checker.add({.setpoint = setpoint, .feedrate_mm_s = 50.0});
-  }
-  EXPECT_EQ(starved, 50);
-  EXPECT_EQ(setpoint.position_mm[0], 10.0);
-  kernel.feed("X20\nM2\n");
-  kernel.finish();
-  for (const Setpoint& tick : rest_of(kernel)) {
-    checker.add({.setpoint = tick, .feedrate_mm_s = 50.0});
-    setpoint = tick;
-  }
-  EXPECT_EQ(checker.complaint(), "");
-  EXPECT_EQ(setpoint.position_mm[0], 20.0);
-}
-
 }  // namespace
 }  // namespace kerf::test

@@ -21,6 +21,33 @@ std::int64_t ticks_to_the_end(Kernel& kernel, Setpoint& setpoint) {
   return ticks;
 }
 
+struct Starving {
+  double at_mm = 0.0;  // X where the text has run out
+  std::string text;    // that comes then
+  double end_mm = 0.0;
+};
+
+// F3000 is in force.
+void expect_a_rest(Kernel& kernel, const Starving& wanted) {
+  TickChecker checker(mill().limits, true);
+  Setpoint setpoint;
+  int starved = 0;
+  for (int i = 0; i < 3000 && starved < 50; ++i) {
+    starved += kernel.next(setpoint) == TickStatus::starved ? 1 : 0;
+    checker.add({.setpoint = setpoint, .feedrate_mm_s = 50.0});
+  }
+  EXPECT_EQ(starved, 50);
+  EXPECT_EQ(setpoint.position_mm[0], wanted.at_mm);
+  kernel.feed(wanted.text);
+  kernel.finish();
+  for (TickStatus status = TickStatus::running; status == TickStatus::running;) {
+    status = kernel.next(setpoint);
+    checker.add({.setpoint = setpoint, .feedrate_mm_s = 50.0});
+  }
+  EXPECT_EQ(checker.complaint(), "");
+  EXPECT_EQ(setpoint.position_mm[0], wanted.end_mm);
+}
+
 TEST(Stop, WorksInAProgramThatEndsWithItsLastByte) {
   Kernel kernel(mill());
   kernel.feed("G21 G90 G1 X1000 F6000\n");
@@ -53,23 +80,13 @@ TEST(Kernel, StarvesAtRestWhereTheTextStopsComing) {
     text += "G1 X" + std::to_string(2 * i) + "\n";
   }
   kernel.feed(text);
-  TickChecker checker(mill().limits, true);
-  Setpoint setpoint;
-  int starved = 0;
-  for (int i = 0; i < 3000 && starved < 50; ++i) {
-    starved += kernel.next(setpoint) == TickStatus::starved ? 1 : 0;
-    checker.add({.setpoint = setpoint, .feedrate_mm_s = 50.0});
-  }
-  EXPECT_EQ(starved, 50);
-  EXPECT_EQ(setpoint.position_mm[0], 22.0);
-  kernel.feed("G1 X40\nM2\n");
-  kernel.finish();
-  for (TickStatus status = TickStatus::running; status == TickStatus::running;) {
-    status = kernel.next(setpoint);
-    checker.add({.setpoint = setpoint, .feedrate_mm_s = 50.0});
-  }
-  EXPECT_EQ(checker.complaint(), "");
-  EXPECT_EQ(setpoint.position_mm[0], 40.0);
+  expect_a_rest(kernel, {.at_mm = 22.0, .text = "G1 X40\nM2\n", .end_mm = 40.0});
+}
+
+TEST(Kernel, StarvesAtRestBehindADwellAndResumesWithoutAJump) {
+  Kernel kernel(mill());
+  kernel.feed("G21 G90 G1 X10 F3000\nG4 P0.01\n");
+  expect_a_rest(kernel, {.at_mm = 10.0, .text = "X20\nM2\n", .end_mm = 20.0});
 }
 
 TEST(Kernel, RefusesToMoveAMachineWithoutLimits) {
