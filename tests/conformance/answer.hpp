@@ -41,4 +41,6 @@ std::string first_difference(const Answer& wanted, const Answer& found);
 
 std::string text_of(const Step& step);
 
+std::string read_file(const std::filesystem::path& path);
+
 }  // namespace kerf::conformance

@@ -1,36 +1,19 @@
 // Values in Fanuc's dialect. Sources: FANUC B-64304EN, chapter 16 (custom macro).
 #include <cmath>
-#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "parser/block_grammar.hpp"
-#include "parser/lexical_error.hpp"
+#include "tests/parser/values.hpp"
 
 namespace kerf::parser {
 namespace {
 
-class MacroValue : public testing::Test {
+class MacroValue : public testing::Test, public Blocks {
  protected:
-  std::string value_of(const std::string& expression) { return x_of("X[" + expression + "]"); }
-  std::string x_of(const std::string& line) {
-    if (!read_block(line, block, evaluator)) {
-      const Fault fault = explain_stop(block);
-      return std::to_string(fault.offset + 1) + ": " + fault.message;
-    }
-    if (!block.has('X')) {
-      return "no X";
-    }
-    std::ostringstream out;
-    out.precision(10);
-    out << block.value('X');
-    return out.str();
-  }
+  MacroValue() : Blocks(Dialect::fanuc) {}
 
-  Parameters parameters{Dialect::fanuc};
-  Evaluator evaluator{parameters};
-  Block block;
+  std::string value_of(const std::string& expression) { return x_of("X[" + expression + "]"); }
 };
 
 TEST_F(MacroValue, AndBindsLikeAProductAndOrLikeASum) {
