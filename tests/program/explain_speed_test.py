@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+"""`--explain-speed`: what holds the feed down, in the report and in the trace."""
+import csv
+import json
+
+from command_line import Case, SQUARE, main
+
+
+class ExplainSpeed(Case):
+    PROGRAM = SQUARE.replace("G1 Y20", "G4 P0.25\nG1 Y20")
+
+    def test_adds_up_to_the_cycle_time_and_agrees_with_the_trace(self):
+        for profile in ("s-curve", "sigmoid", "time-optimal"):
+            trace = self.path("out.csv")
+            done = self.kerf("dry-run", self.path("a.ngc", self.PROGRAM), "--explain-speed", "--json", "--trace", trace,
+                             "--profile", profile)
+            report = json.loads(done.stdout)
+            limits = report["speed_limits"]
+            self.assertAlmostEqual(sum(limit["share"] for limit in limits.values()), 1.0, places=9)
+            self.assertAlmostEqual(sum(limit["time_s"] for limit in limits.values()), report["cycle_time_s"], places=9)
+            self.assertAlmostEqual(limits["rest"]["time_s"], 0.25, delta=0.0021)  # the dwell
+            self.assertEqual(report["stops"], 4)
+            with open(trace) as file:
+                rows = list(csv.DictReader(file))[:-1]  # no period begins with the last tick
+            for name, limit in limits.items():
+                self.assertEqual(sum(row["limit"] == name for row in rows), round(limit["time_s"] / 0.001), name)
+
+    def test_answers_for_a_line_and_for_an_instant(self):
+        program = self.path("a.ngc", self.PROGRAM)
+        report = json.loads(self.kerf("dry-run", program, "--explain-speed=4", "--json").stdout)
+        self.assertEqual([line["line"] for line in report["speed_limits_of_lines"]], [4])
+        self.assertEqual(list(report["speed_limits_of_lines"][0]["limits"]), ["rest"])
+        report = json.loads(self.kerf("run", program, "--explain-speed=@0.3", "--json").stdout)
+        self.assertEqual(report["speed_limit_at"]["limit"], "programmed_feedrate")
+        self.assertAlmostEqual(report["speed_limit_at"]["v_mm_s"], 50.0)
+
+    def test_leaves_trace_and_report_as_they_are_where_it_is_not_asked_for(self):
+        trace = self.path("out.csv")
+        done = self.kerf("dry-run", self.path("a.ngc", self.PROGRAM), "--json", "--trace", trace)
+        self.assertNotIn("speed_limits", json.loads(done.stdout))
+        with open(trace) as file:
+            self.assertNotIn("limit", next(csv.reader(file)))
+
+
+if __name__ == "__main__":
+    main()
