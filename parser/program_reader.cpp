@@ -1,10 +1,13 @@
 #include "parser/program_reader.hpp"
 
+#include <utility>
+
 #include "parser/program_reader_impl.hpp"
 
 namespace kerf::parser {
 
-ProgramReader::ProgramReader(ReaderOptions options) : impl_(std::make_unique<Impl>(options)) {}
+ProgramReader::ProgramReader(ReaderOptions options)
+    : impl_(std::make_unique<Impl>(std::move(options))) {}
 ProgramReader::~ProgramReader() = default;
 ProgramReader::ProgramReader(ProgramReader&&) noexcept = default;
 ProgramReader& ProgramReader::operator=(ProgramReader&&) noexcept = default;

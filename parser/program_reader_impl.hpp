@@ -23,13 +23,13 @@ namespace kerf::parser {
 
 class ProgramReader::Impl {
  public:
-  explicit Impl(const ReaderOptions& options)
-      : options_(options),
-        diagnostics_(options.max_errors),
+  explicit Impl(ReaderOptions options)
+      : options_(std::move(options)),
+        diagnostics_(options_.max_errors),
         input_(diagnostics_),
-        interpreter_(options.start_mm, diagnostics_, options.machine, options.dialect,
-                     words_of(options.start_extra_rad_mm)),
-        parameters_(options.dialect),
+        interpreter_(options_.start_mm, diagnostics_, options_.machine, options_.dialect,
+                     words_of(options_.start_extra_rad_mm)),
+        parameters_(options_.dialect),
         evaluator_(parameters_),
         flow_(options_, input_, evaluator_, diagnostics_, interpreter_) {
     parameters_.use(interpreter_.values());

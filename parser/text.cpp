@@ -6,17 +6,17 @@
 namespace kerf::parser {
 
 std::string in_mm(double value) {
-  std::array<char, 400> buffer;
+  std::array<char, 400> buffer{};
   const double unsigned_zero = value > -0.0005 && value < 0.0 ? 0.0 : value;
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), unsigned_zero,
-                                 std::chars_format::fixed, 3)
-                       .ptr;
+  auto* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), unsigned_zero,
+                                  std::chars_format::fixed, 3)
+                        .ptr;
   return {buffer.data(), end};
 }
 
 std::string shortest(double value) {
-  std::array<char, 400> buffer;
-  const auto end =
+  std::array<char, 400> buffer{};
+  auto* const end =
       std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
           .ptr;
   return {buffer.data(), end};

@@ -75,6 +75,11 @@ class CutterCompensation {
     [[nodiscard]] bool is_error() const;
   };
 
+  struct Meeting {
+    bool returns = false;           // it begins on the contour: a contour has closed
+    std::uint64_t leads_up_to = 0;  // the moves up to this number lead to the contour
+  };
+
   void take_entry(const Move& move);
   void take_contour(const Move& move);
   void take_exit(const Move& move);
@@ -87,6 +92,7 @@ class CutterCompensation {
   bool has_room(HeldMove& held);
   [[nodiscard]] bool is_first(const HeldMove& move) const;
   static void cut_off_overrun(const HeldMove& first, HeldMove& newest);
+  Meeting meeting_of(HeldMove& newest);
   void find_leads(HeldMove& newest);
   void settle(HeldMove& move);
   void settle_last();

@@ -96,11 +96,10 @@ void CutterCompensation::cut_off_overrun(const HeldMove& first, HeldMove& newest
   }
 }
 
-// Which moves are no walls; told as soon as a move is known, before anything is compared with it.
-void CutterCompensation::find_leads(HeldMove& newest) {
+// Where the newest move meets the contour before it.
+CutterCompensation::Meeting CutterCompensation::meeting_of(HeldMove& newest) {
   const bool closed = is_closed(newest);
-  bool returns = false;
-  std::uint64_t leads_up_to = 0;
+  Meeting meeting;
   for (const HeldMove& held : held_) {
     if (held.role != HeldRole::contour || held.number == newest.number) {
       continue;
@@ -109,12 +108,18 @@ void CutterCompensation::find_leads(HeldMove& newest) {
       cut_off_overrun(held, newest);
     }
     const bool neighbour = held.number + 1 == newest.number;
-    returns = returns || (neighbour ? is_closed(held) : starts_on(newest, held));
+    meeting.returns = meeting.returns || (neighbour ? is_closed(held) : starts_on(newest, held));
     if (neighbour ? closed : ends_on(held, newest)) {
-      leads_up_to = held.number;
+      meeting.leads_up_to = held.number;
     }
   }
+  return meeting;
+}
+
+// Which moves are no walls; told as soon as a move is known, before anything is compared with it.
+void CutterCompensation::find_leads(HeldMove& newest) {
   constexpr int kLeadOut = 2;
+  const auto [returns, leads_up_to] = meeting_of(newest);
   leads_left_ = returns ? kLeadOut : leads_left_;
   newest.lead = leads_left_ > 0 || is_first(newest);
   leads_left_ -= leads_left_ > 0 ? 1 : 0;

@@ -6,13 +6,13 @@ namespace kerf::parser {
 
 std::uint32_t TextStore::append(const Line& line) {
   if (chunks_.empty() || used_ + line.text.size() > kChunk) {
-    chunks_.push_back(std::make_unique_for_overwrite<char[]>(kChunk));
+    chunks_.push_back(std::make_unique_for_overwrite<Chunk>());
     used_ = 0;
   }
   if (lines_ % kBlock == 0) {
     blocks_.push_back(std::make_unique<Block>());
   }
-  char* const place = chunks_.back().get() + used_;
+  char* const place = chunks_.back()->data() + used_;
   std::copy(line.text.begin(), line.text.end(), place);
   StoredLine& stored = (*this)[lines_];
   stored.text = place;

@@ -44,7 +44,9 @@ class TextStore {
   static constexpr std::uint32_t kBlock = 4096;
   using Block = std::array<StoredLine, kBlock>;
 
-  std::vector<std::unique_ptr<char[]>> chunks_;
+  using Chunk = std::array<char, kChunk>;
+
+  std::vector<std::unique_ptr<Chunk>> chunks_;
   std::vector<std::unique_ptr<Block>> blocks_;
   std::size_t used_ = 0;  // of the last chunk
   std::size_t text_bytes_ = 0;
