@@ -142,7 +142,7 @@ double BlockPath::piece_mm(double s_mm) const {
   return piece.s_end_mm - piece.s_begin_mm;
 }
 
-std::vector<BlockPath::Break> BlockPath::breaks(const PlanLimits& joint) const {
+std::vector<BlockPath::Break> BlockPath::breaks() const {
   std::vector<Break> places;
   if (const auto* nurbs = std::get_if<curves::NurbsCurve>(&block_->curve)) {
     const std::vector<curves::NurbsPiece>& pieces = nurbs->pieces();
@@ -151,13 +151,13 @@ std::vector<BlockPath::Break> BlockPath::breaks(const PlanLimits& joint) const {
       const curves::PathDerivatives before = pieces[i].derivatives_at(s);
       const curves::PathDerivatives after = pieces[i + 1].derivatives_at(s);
       if (differ(before.second_per_mm, after.second_per_mm)) {
-        places.push_back({s, corner_feedrate_mm_s(end_of(before), end_of(after), joint)});
+        places.push_back({s, Jump{.before = end_of(before), .after = end_of(after)}});
       } else if (differ(before.third_per_mm2, after.third_per_mm2)) {
         places.push_back({s});
       }
     }
     for (const double s : sharp_places(*nurbs)) {
-      places.push_back({.s_mm = s, .feedrate_mm_s = 0.0});
+      places.push_back({.s_mm = s, .rest = true});
     }
   }
   const Ceiling& ceiling = block_->ceiling;

@@ -1,11 +1,13 @@
 // A block as the time optimum sees it: derivatives and the feedrate allowed at each place.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lookahead/block.hpp"
 #include "lookahead/block_limits.hpp"
 #include "lookahead/optimum/cell.hpp"
+#include "lookahead/optimum/joint_share.hpp"
 
 namespace kerf::lookahead {
 
@@ -27,15 +29,16 @@ class BlockPath {
   // How far from the place the path's derivatives can be taken as one polynomial.
   [[nodiscard]] double piece_mm(double s_mm) const;
   // An inner place where a cell must end: the third derivative jumps, the ceiling has a valley, or
-  // curvature jumps; then the place may be passed at this feedrate, else at any. 0: a rest, where
-  // the curve turns back within a radius of kStopRadius_mm.
+  // curvature jumps, as said then; or a rest, where the curve turns back within a radius of
+  // kStopRadius_mm.
   struct Break {
     double s_mm = 0.0;
-    double feedrate_mm_s = kUnbounded;
+    std::optional<Jump> jump{};
     bool valley = false;  // and nothing else
+    bool rest = false;
   };
-  // Ascending. joint: limits for the jumps.
-  [[nodiscard]] std::vector<Break> breaks(const PlanLimits& joint) const;
+  // Ascending.
+  [[nodiscard]] std::vector<Break> breaks() const;
 
  private:
   // The ceiling's, which is nowhere above the block's feedrate.

@@ -39,6 +39,12 @@ struct LimitShares {
   double jerk = kAim;
 };
 
+// What of the limits of acceleration and jerk a joint beside a cell leaves.
+struct AllowedShares {
+  double acceleration = 1.0;
+  double jerk = 1.0;
+};
+
 struct Cell {
   std::uint64_t block = 0;  // the block it lies on
   double s_begin_mm = 0.0;  // on the block's curve
@@ -49,10 +55,10 @@ struct Cell {
   CellEnd end{};
   profiles::RampLimits along{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
   LimitOrigins along_from{};
-  // Of acceleration and jerk: what a joint beside it leaves; and what the solver aims at, within
-  // it.
-  double allowed = 1.0;
+  AllowedShares allowed{};
+  // What the solver aims at, within what is allowed.
   LimitShares shares{};
+  bool continues = false;        // the cell before it: one, but for a rest that a plan ends with
   double planned_squared = 0.0;  // v^2 in its middle in an earlier plan, mm^2/s^2; 0: none
 
   [[nodiscard]] double s_end_mm() const noexcept { return s_begin_mm + length_mm; }

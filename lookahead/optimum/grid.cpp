@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "lookahead/optimum/joint_share.hpp"
+#include "lookahead/optimum/speed_estimate.hpp"
 
 namespace kerf::lookahead {
 
@@ -129,16 +129,16 @@ double feature_mm(const CellEnd& end, double piece_mm, double tick_mm) {
   return std::min(kOfRadius / curvature, std::max(kOfPiece * piece_mm, kOfTick * tick_mm));
 }
 
-Scan scan(const BlockPath& path, const EndFeeds& ends, const std::vector<BlockPath::Break>& breaks,
+Scan scan(const BlockPath& path, const EndFeeds& ends, const std::vector<CellStop>& stops,
           const PlanLimits& limits) {
   Scan result{.places_mm = path.scan_places(), .feeds_mm_s = {}, .quiet_mm = {}, .feature_mm = {}};
-  for (const BlockPath::Break& place : breaks) {
-    result.places_mm.push_back(place.s_mm);
+  add_places_beside_ends(ends, result.places_mm);
+  for (const CellStop& stop : stops) {
+    result.places_mm.push_back(stop.s_mm);
   }
   std::sort(result.places_mm.begin(), result.places_mm.end());
   result.places_mm.erase(std::unique(result.places_mm.begin(), result.places_mm.end()),
                          result.places_mm.end());
-  add_places_beside_ends(ends, result.places_mm);
   std::vector<Cell> cells;
   double cap = 0.0;
   for (std::size_t i = 0; i + 1 < result.places_mm.size(); ++i) {
@@ -146,12 +146,12 @@ Scan scan(const BlockPath& path, const EndFeeds& ends, const std::vector<BlockPa
     cap = std::max(cap, cells.back().shares.feedrate * cells.back().begin.feedrate_mm_s);
   }
   std::size_t at = 0;
-  for (const BlockPath::Break& place : breaks) {
-    while (cells[at].s_begin_mm < place.s_mm) {
+  for (const CellStop& stop : stops) {
+    while (at < cells.size() && cells[at].s_begin_mm < stop.s_mm) {
       ++at;
     }
-    if (place.feedrate_mm_s > 0.0) {
-      cells[at].begin.bind_feedrate(place.feedrate_mm_s, SpeedLimit::joint);
+    if (stop.passage && at < cells.size()) {
+      cells[at].begin.bind_feedrate(stop.passage->feedrate_mm_s, SpeedLimit::joint);
     }
   }
   result.feeds_mm_s = estimate_feeds(cells, ends, limits);
@@ -178,48 +178,53 @@ Scan scan(const BlockPath& path, const EndFeeds& ends, const std::vector<BlockPa
   return result;
 }
 
-// Within a curve nothing jumps along the path.
-PlanLimits of_axes(PlanLimits limits) {
-  limits.path.acceleration_mm_s2 = limits.path.jerk_mm_s3 = kUnbounded;
-  return limits;
-}
-
 // Cells between two places too close for the path's resolution would be noise: the second is moved
-// onto the first. A valley needs no cell's end of its own beside another place.
-std::vector<BlockPath::Break> apart(const std::vector<BlockPath::Break>& breaks, const Scan& seen,
-                                    const PlanLimits& limits) {
+// onto the first. Where no cell needs to end just there, another place near by will do.
+std::vector<CellStop> apart(const std::vector<CellStop>& stops, const Scan& seen,
+                            const PlanLimits& limits) {
   const double length = seen.places_mm.back();
-  std::vector<BlockPath::Break> kept{{.s_mm = 0.0}};
-  for (BlockPath::Break place : breaks) {
-    const double near = kShortest * seen.cell_mm(place.s_mm, limits);
-    if (!place.valley && kept.back().valley && place.s_mm - kept.back().s_mm < near) {
+  std::vector<CellStop> kept{stops.front()};
+  for (std::size_t i = 1; i + 1 < stops.size(); ++i) {
+    CellStop stop = stops[i];
+    const double near = kShortest * seen.cell_mm(stop.s_mm, limits);
+    if (!stop.movable && kept.back().movable && stop.s_mm - kept.back().s_mm < near) {
       kept.pop_back();
     }
-    const double room = place.valley ? near : seen.least_mm();
-    if (length - place.s_mm < room) {
-      place.s_mm = length;
+    const double room = stop.movable ? near : seen.least_mm();
+    if (length - stop.s_mm < room) {
+      stop.s_mm = length;
     }
-    BlockPath::Break& before = kept.back();
-    if (place.s_mm - before.s_mm >= room) {
-      kept.push_back(place);
-    } else {
-      before.feedrate_mm_s = std::min(before.feedrate_mm_s, place.feedrate_mm_s);
+    CellStop& before = kept.back();
+    if (stop.s_mm - before.s_mm >= room) {
+      kept.push_back(stop);
+      continue;
+    }
+    before.rest |= stop.rest;
+    if (stop.passage &&
+        (!before.passage || stop.passage->feedrate_mm_s < before.passage->feedrate_mm_s)) {
+      before.passage = stop.passage;
     }
   }
+  kept.push_back(stops.back());
   return kept;
+}
+
+EndFeeds feeds_of(const EndPassages& ends) {
+  return {.v_begin_mm_s = ends.begin ? ends.begin->feedrate_mm_s : kUnbounded,
+          .v_end_mm_s = ends.end ? ends.end->feedrate_mm_s : kUnbounded};
 }
 
 }  // namespace
 
-std::vector<Cell> grid_of(const BlockPath& path, const EndFeeds& ends, const PlanLimits& limits) {
-  std::vector<BlockPath::Break> breaks = path.breaks(jump_limits(of_axes(limits)));
-  const Scan seen = scan(path, ends, breaks, limits);
-  breaks = apart(breaks, seen, limits);
-  breaks.push_back({.s_mm = path.length_mm()});
+std::vector<Cell> grid_of(const BlockPath& path, const EndPassages& ends,
+                          const PlanLimits& limits) {
+  std::vector<CellStop> stops = cell_stops(path, ends, limits);
+  const Scan seen = scan(path, feeds_of(ends), stops, limits);
+  stops = apart(stops, seen, limits);
   std::vector<Cell> cells;
-  std::vector<PassedJump> jumps;
+  std::vector<std::size_t> boundaries;
   double s = 0.0;
-  for (const BlockPath::Break& stop : breaks) {
+  for (const CellStop& stop : stops) {
     while (s < stop.s_mm) {
       const double h = std::min(seen.cell_mm(s, limits), stop.s_mm - s);
       const double length = std::min(h, seen.cell_mm(s + h, limits));
@@ -229,15 +234,16 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndFeeds& ends, const Pla
       cells.push_back(cell_between(path, s, next));
       s = next;
     }
-    if (stop.feedrate_mm_s == 0.0 && !cells.empty()) {
+    boundaries.push_back(cells.size());
+    if (stop.rest && !cells.empty()) {
       cells.back().rest_after = true;
-    } else if (stop.feedrate_mm_s > 0.0 && stop.feedrate_mm_s < kUnbounded) {
-      jumps.push_back({.boundary = cells.size(), .feedrate_mm_s = stop.feedrate_mm_s});
     }
   }
   cells.back().ends_block = true;
-  for (const PassedJump& jump : jumps) {
-    share_limits(cells, jump, limits);
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    if (stops[i].passage && !stops[i].rest) {
+      share_limits(cells, boundaries[i], *stops[i].passage, limits);
+    }
   }
   return cells;
 }

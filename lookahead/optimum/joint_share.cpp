@@ -1,6 +1,7 @@
 #include "lookahead/optimum/joint_share.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lookahead/optimum/speed_estimate.hpp"
@@ -9,29 +10,41 @@ namespace kerf::lookahead {
 
 namespace {
 
-// A jump allows a feedrate in proportion to its share, while the motion beside it is almost a
-// cruise anyway: nearly all of the limits go to the jump. A hundredth is left for what the bounds
-// on the cells do not see within three ticks of them.
-constexpr double kJumpShare = 0.89;
-constexpr double kTurnShare = 0.05;
-constexpr double kCellShare = 0.05;
+// A hundredth is left for what the bounds on the cells do not see within three ticks of them.
+constexpr std::array kShares{
+    JumpShares{.jump = 0.25, .turn = 0.15, .cells = 0.59, .tangential = 1.0},
+    JumpShares{.jump = 0.5, .turn = 0.1, .cells = 0.39, .tangential = 1.0},
+    JumpShares{.jump = 0.91, .turn = 0.04, .cells = 0.04, .tangential = 0.04}};
+// Of an axis' acceleration, which a jump of direction takes from the cells.
+constexpr double kStepShare = 0.95;
+constexpr double kAllShares = 0.99;
 constexpr double kSupportTicks = 3.0;  // of a third difference
 constexpr double kStepPeak = 0.75;     // of a step of acceleration in a third difference
 
-// The acceleration along the path whose turn by |du| is seen as its share of the jerk.
-double turned_acceleration_mm_s2(double turn, const MotionLimits& axis, double path_jerk_mm_s3,
-                                 double period_s) {
-  const double jerk = std::isfinite(axis.jerk_mm_s3) ? axis.jerk_mm_s3 : path_jerk_mm_s3;
-  return turn > 0.0 ? kTurnShare * jerk * period_s / (kStepPeak * turn) : kUnbounded;
+double limit_or_path(double axis, double path) {
+  return std::isfinite(axis) ? axis : path;
+}
+
+// Calls use(|du|, limits of the axis) for every axis, and for the path.
+template <typename Use>
+void for_each_turn(const BlockEnd& before, const BlockEnd& after, const PlanLimits& limits,
+                   Use use) {
+  for (std::size_t k = 0; k < limits.axes.size(); ++k) {
+    use(std::abs(after.tangent[k] - before.tangent[k]), limits.axes[k]);
+  }
+  for (std::size_t k = 0; k < limits.extra.size(); ++k) {
+    use(std::abs(after.extra_per_mm[k] - before.extra_per_mm[k]), limits.extra[k]);
+  }
+  use(path_step_of(before, after), limits.path);
 }
 
 }  // namespace
 
-PlanLimits jump_limits(const PlanLimits& limits) {
+PlanLimits jump_limits(const PlanLimits& limits, const JumpShares& shares) {
   PlanLimits part = limits;
-  const auto scale = [](MotionLimits& of) {
-    of.acceleration_mm_s2 *= kJumpShare;
-    of.jerk_mm_s3 *= kJumpShare;
+  const auto scale = [&shares](MotionLimits& of) {
+    of.acceleration_mm_s2 *= kStepShare;
+    of.jerk_mm_s3 *= shares.jump;
   };
   scale(part.path);
   std::for_each(part.axes.begin(), part.axes.end(), scale);
@@ -39,68 +52,120 @@ PlanLimits jump_limits(const PlanLimits& limits) {
   return part;
 }
 
-Joint joint_of(const JunctionQuery& query, const PlanLimits& limits) {
-  Joint joint{.passing = junction(query, jump_limits(limits))};
-  const BlockEnd& before = query.before->end;
-  const BlockEnd& after = query.after->begin;
-  const auto bind = [&](double turn, const MotionLimits& axis) {
-    joint.acceleration_mm_s2 = std::min(
-        joint.acceleration_mm_s2,
-        turned_acceleration_mm_s2(std::abs(turn), axis, limits.path.jerk_mm_s3, limits.period_s));
-  };
-  for (std::size_t k = 0; k < limits.axes.size(); ++k) {
-    bind(after.tangent[k] - before.tangent[k], limits.axes[k]);
-  }
-  for (std::size_t k = 0; k < limits.extra.size(); ++k) {
-    bind(after.extra_per_mm[k] - before.extra_per_mm[k], limits.extra[k]);
-  }
-  bind(path_step_of(before, after), limits.path);
-  return joint;
-}
-
 namespace {
 
-// The way of three ticks from the jump, at the most: it may be sped up by what is left of the
-// limits.
-double zone_mm(const Cell& cell, const CellEnd& end, const PassedJump& jump,
+Passage passage_with(const Jump& jump, double feedrate_mm_s, const JumpShares& shares,
+                     const PlanLimits& limits) {
+  Passage passage{.feedrate_mm_s = feedrate_mm_s, .shares = shares};
+  double step = 0.0;
+  for_each_turn(jump.before, jump.after, limits, [&](double turn, const MotionLimits& axis) {
+    if (turn > 0.0) {
+      const double jerk = limit_or_path(axis.jerk_mm_s3, limits.path.jerk_mm_s3);
+      const double a = limit_or_path(axis.acceleration_mm_s2, limits.path.acceleration_mm_s2);
+      passage.acceleration_mm_s2 = std::min(
+          passage.acceleration_mm_s2, shares.turn * jerk * limits.period_s / (kStepPeak * turn));
+      step = std::max(step, feedrate_mm_s * turn / (limits.period_s * a));
+    }
+  });
+  passage.acceleration_share = kAllShares - std::min(step, kStepShare);
+  return passage;
+}
+
+// The way of three ticks beside a joint, on a block.
+double zone_mm(const Block& block, const BlockEnd& end, const Passage& passage,
                const PlanLimits& limits) {
-  const double t = kSupportTicks * limits.period_s;
-  const double a = kCellShare * tangential_acceleration_mm_s2(cell, end, limits);
-  const double j = kCellShare * tangential_jerk_mm_s3(cell, end, limits);
-  return t * (jump.feedrate_mm_s + t * (a + 0.5 * t * j));
+  return zone_mm(Cell{.along = block.along.ramp}, CellEnd{.first = end.tangent}, passage, limits);
 }
 
 }  // namespace
 
-void share_limits(std::vector<Cell>& cells, const PassedJump& jump, const PlanLimits& limits) {
-  const auto leave_rest = [](Cell& cell) {
-    cell.allowed = kCellShare;
-    cell.shares.acceleration = cell.shares.jerk = kAim * kCellShare;
-    return cell.length_mm;
-  };
-  // The share taken off again: the cap holds whatever the share.
-  const auto bind_acceleration = [&jump](Cell& cell) {
-    double& a = cell.along.acceleration_mm_s2;
-    a = std::min(a, jump.acceleration_mm_s2 / kCellShare);
-  };
-  if (jump.boundary > 0) {
-    Cell& last = cells[jump.boundary - 1];
-    last.end.bind_feedrate(jump.feedrate_mm_s, SpeedLimit::joint);
-    bind_acceleration(last);
-    const double zone = zone_mm(last, last.end, jump, limits);
-    double way = 0.0;
-    for (std::size_t i = jump.boundary; i-- > 0 && way < zone;) {
-      way += leave_rest(cells[i]);
+Passage passage_of(const Jump& jump, const PlanLimits& limits) {
+  Passage passage;
+  for (const JumpShares& shares : kShares) {
+    JumpShares of_one = shares;
+    of_one.jump /= jump.crowd;
+    const double corner =
+        corner_feedrate_mm_s(jump.before, jump.after, jump_limits(limits, of_one));
+    passage = passage_with(jump, std::min(jump.allowed_mm_s, corner), shares, limits);
+    if (corner >= jump.allowed_mm_s) {
+      break;
     }
   }
-  if (jump.boundary < cells.size()) {
-    Cell& first = cells[jump.boundary];
-    first.begin.bind_feedrate(jump.feedrate_mm_s, SpeedLimit::joint);
-    bind_acceleration(first);
-    const double zone = zone_mm(first, first.begin, jump, limits);
+  return passage;
+}
+
+Joint joint_of(const JunctionQuery& query, const PlanLimits& limits) {
+  const Block& before = *query.before;
+  const Block& after = *query.after;
+  const Jump jump{.before = before.end, .after = after.begin};
+  const double free_mm_s = junction(query, jump_limits(limits, {.jump = 1.0})).feedrate_mm_s;
+  for (const JumpShares& shares : kShares) {
+    const Junction passing = junction(query, jump_limits(limits, shares));
+    const Passage passage = passage_with(jump, passing.feedrate_mm_s, shares, limits);
+    // Ways that overlap would let a third difference see two joints.
+    const bool fits = zone_mm(before, before.end, passage, limits) <= 0.5 * before.length_mm &&
+                      zone_mm(after, after.begin, passage, limits) <= 0.5 * after.length_mm;
+    if ((fits && passing.feedrate_mm_s >= free_mm_s) || &shares == &kShares.back()) {
+      const bool stops = passing.feedrate_mm_s == 0.0;
+      return {.smooth = !stops && passing.coast_s == 0.0, .passing = passage};
+    }
+  }
+  return {};
+}
+
+double zone_mm(const Cell& cell, const CellEnd& end, const Passage& passage,
+               const PlanLimits& limits) {
+  const JumpShares& shares = passage.shares;
+  const double t = kSupportTicks * limits.period_s;
+  const double a = shares.tangential * tangential_acceleration_mm_s2(cell, end, limits);
+  const double j = shares.cells * tangential_jerk_mm_s3(cell, end, limits);
+  return t * (passage.feedrate_mm_s + t * (a + 0.5 * t * j));
+}
+
+namespace {
+
+// cell, end: beside the jump.
+void bind_beside(const Passage& passage, Cell& cell, CellEnd& end) {
+  end.bind_feedrate(passage.feedrate_mm_s, SpeedLimit::joint);
+  // The share taken off again: the cap holds whatever the share.
+  double& a = cell.along.acceleration_mm_s2;
+  a = std::min(a, passage.acceleration_mm_s2 / passage.acceleration_share);
+}
+
+double leave_rest(const Passage& passage, const PlanLimits& limits, Cell& cell) {
+  const JumpShares& shares = passage.shares;
+  if (shares.tangential < 1.0 && cell.allowed.jerk > shares.cells) {
+    cell.along.acceleration_mm_s2 = std::min(
+        cell.along.acceleration_mm_s2, shares.tangential / passage.acceleration_share *
+                                           tangential_acceleration_mm_s2(cell, cell.begin, limits));
+  }
+  cell.allowed.acceleration = std::min(cell.allowed.acceleration, passage.acceleration_share);
+  cell.allowed.jerk = std::min(cell.allowed.jerk, shares.cells);
+  cell.shares.acceleration = kAim * cell.allowed.acceleration;
+  cell.shares.jerk = kAim * cell.allowed.jerk;
+  return cell.length_mm;
+}
+
+}  // namespace
+
+void share_limits(std::vector<Cell>& cells, std::size_t boundary, const Passage& passage,
+                  const PlanLimits& limits) {
+  if (boundary > 0) {
+    Cell& last = cells[boundary - 1];
+    const double zone = zone_mm(last, last.end, passage, limits);
+    bind_beside(passage, last, last.end);
     double way = 0.0;
-    for (std::size_t i = jump.boundary; i < cells.size() && way < zone; ++i) {
-      way += leave_rest(cells[i]);
+    for (std::size_t i = boundary; i-- > 0 && way < zone;) {
+      way += leave_rest(passage, limits, cells[i]);
+    }
+  }
+  if (boundary < cells.size()) {
+    Cell& first = cells[boundary];
+    const double zone = zone_mm(first, first.begin, passage, limits);
+    bind_beside(passage, first, first.begin);
+    double way = 0.0;
+    for (std::size_t i = boundary; i < cells.size() && way < zone; ++i) {
+      way += leave_rest(passage, limits, cells[i]);
     }
   }
 }

@@ -33,16 +33,17 @@ void look_at(const profiles::PathMotion& motion, const Cell& cell, const CellEnd
   const double a = motion.a_mm_s2;
   const double j = motion.j_mm_s3;
   grow(worst.feedrate, v / path.feedrate_mm_s);
-  grow(worst.acceleration, std::abs(a) / (cell.allowed * cell.along.acceleration_mm_s2));
-  grow(worst.jerk, std::abs(j) / (cell.allowed * cell.along.jerk_mm_s3));
+  grow(worst.acceleration,
+       std::abs(a) / (cell.allowed.acceleration * cell.along.acceleration_mm_s2));
+  grow(worst.jerk, std::abs(j) / (cell.allowed.jerk * cell.along.jerk_mm_s3));
   for (std::size_t k = 0; k < 3; ++k) {
     const double q1 = path.first[k];
     const double q2 = path.second_per_mm[k];
     const double q3 = path.third_per_mm2[k];
-    grow(worst.acceleration,
-         std::abs(q1 * a + q2 * v * v) / (cell.allowed * limits.axes[k].acceleration_mm_s2));
+    grow(worst.acceleration, std::abs(q1 * a + q2 * v * v) /
+                                 (cell.allowed.acceleration * limits.axes[k].acceleration_mm_s2));
     grow(worst.jerk, std::abs(q1 * j + 3.0 * q2 * v * a + q3 * v * v * v) /
-                         (cell.allowed * limits.axes[k].jerk_mm_s3));
+                         (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
   }
 }
 

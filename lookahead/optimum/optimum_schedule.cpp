@@ -7,6 +7,7 @@
 #include "lookahead/optimum/grid.hpp"
 #include "lookahead/optimum/joint_share.hpp"
 #include "lookahead/optimum/rest_ramp.hpp"
+#include "lookahead/optimum/speed_estimate.hpp"
 
 namespace kerf::lookahead {
 
@@ -14,20 +15,12 @@ namespace {
 
 constexpr std::size_t kWindowCells = 3000;
 
-// A rest is to be refined afterwards, and a smooth joint bounds nothing that the cells do not know.
-double feed_or_free(const Joint& joint) {
-  return joint.is_stop() || joint.is_smooth() ? kUnbounded : joint.passing.feedrate_mm_s;
-}
-
-void share_limits_at(const Joint& joint, std::size_t boundary, std::vector<Cell>& cells,
-                     const PlanLimits& limits) {
-  if (!joint.is_stop() && !joint.is_smooth()) {
-    share_limits(cells,
-                 {.boundary = boundary,
-                  .feedrate_mm_s = joint.passing.feedrate_mm_s,
-                  .acceleration_mm_s2 = joint.acceleration_mm_s2},
-                 limits);
+// Nothing jumps at a smooth joint, and beside a rest the cells are refined afterwards.
+std::optional<Passage> passage_at(const Joint& joint) {
+  if (joint.is_stop() || joint.smooth) {
+    return std::nullopt;
   }
+  return joint.passing;
 }
 
 }  // namespace
@@ -70,11 +63,9 @@ void OptimumSchedule::close_open_block(const Joint& end, const Window<Block>& bl
                         .alone = true});
     return;
   }
-  std::vector<Cell> cells = grid_of(
-      BlockPath(block, settings_.limits),
-      {.v_begin_mm_s = feed_or_free(begin), .v_end_mm_s = feed_or_free(end)}, settings_.limits);
-  share_limits_at(begin, 0, cells, settings_.limits);
-  share_limits_at(end, cells.size(), cells, settings_.limits);
+  std::vector<Cell> cells =
+      grid_of(BlockPath(block, settings_.limits),
+              {.begin = passage_at(begin), .end = passage_at(end)}, settings_.limits);
   for (Cell& cell : cells) {
     cell.block = number;
     waiting_.push_back({.cell = cell});

@@ -25,7 +25,7 @@ constexpr double kShortestOfCell = 1e-6;
 constexpr double kShortest_mm = 1e-11;
 
 // Appends the cell in parts of these lengths, which add up to its own.
-void divide(const Cell& cell, const std::vector<double>& lengths, const PathAt& path,
+void divide(const Cell& cell, const std::vector<double>& lengths, RestAt where, const PathAt& path,
             std::vector<Cell>& into) {
   double s = cell.s_begin_mm;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -37,6 +37,7 @@ void divide(const Cell& cell, const std::vector<double>& lengths, const PathAt& 
     part.length_mm = i + 1 < lengths.size() ? lengths[i] : cell.s_end_mm() - s;
     if (i > 0) {
       part.begin = path(cell, s);
+      part.continues = where == RestAt::end;
     }
     s = part.s_end_mm();
     if (i + 1 < lengths.size()) {
@@ -117,7 +118,7 @@ void refine_to_rest(std::vector<Cell>& cells, RestAt where, const PathAt& path,
       std::reverse(lengths.begin(), lengths.end());
     }
     const std::size_t first = refined.size();
-    divide(cell, lengths, path, refined);
+    divide(cell, lengths, where, path, refined);
     if (where == RestAt::end) {
       std::reverse(refined.begin() + static_cast<std::ptrdiff_t>(first), refined.end());
     }

@@ -19,10 +19,15 @@ double weakest(double along, const CellEnd& end, const PlanLimits& limits,
   return along;
 }
 
-// v^2 at a distance from rest under a jerk: s = J t^3 / 6, v = J t^2 / 2.
-double rest_feed_mm_s(double jerk_mm_s3, double distance_mm) {
-  const double root = std::cbrt(6.0 * distance_mm);
-  return 0.5 * std::cbrt(jerk_mm_s3) * root * root;
+// The feedrate at a distance from where it was v0 and acceleration 0, under a jerk J:
+// d = v0 t + J t^3 / 6, v = v0 + J t^2 / 2. The cubic has one real root.
+double ramp_feed_mm_s(double v_begin_mm_s, double jerk_mm_s3, double distance_mm) {
+  const double q = 3.0 * distance_mm / jerk_mm_s3;
+  const double p = 2.0 * v_begin_mm_s / jerk_mm_s3;
+  const double root = std::sqrt(p);
+  const double t = p * root < 1e-9 * q ? std::cbrt(2.0 * q)
+                                       : 2.0 * root * std::sinh(std::asinh(q / (p * root)) / 3.0);
+  return v_begin_mm_s + 0.5 * jerk_mm_s3 * t * t;
 }
 
 }  // namespace
@@ -66,22 +71,23 @@ std::vector<double> estimate_feeds(std::span<const Cell> cells, const EndFeeds& 
   squared.front() = std::min(squared.front(), ends.v_begin_mm_s * ends.v_begin_mm_s);
   squared.back() = std::min(squared.back(), ends.v_end_mm_s * ends.v_end_mm_s);
   const auto pass = [&](std::size_t from, std::size_t to, const Cell& cell, const CellEnd& end,
-                        double& distance_mm) {
+                        double v_end_mm_s, double& distance_mm) {
     distance_mm += cell.length_mm;
     const double a = tangential_acceleration_mm_s2(cell, end, limits);
     squared[to] = std::min(squared[to], squared[from] + 2.0 * a * cell.length_mm);
     if (std::isfinite(distance_mm)) {
-      const double v = rest_feed_mm_s(tangential_jerk_mm_s3(cell, end, limits), distance_mm);
+      const double v =
+          ramp_feed_mm_s(v_end_mm_s, tangential_jerk_mm_s3(cell, end, limits), distance_mm);
       squared[to] = std::min(squared[to], v * v);
     }
   };
-  double distance = ends.v_begin_mm_s == 0.0 ? 0.0 : kUnbounded;
+  double distance = ends.v_begin_mm_s < kUnbounded ? 0.0 : kUnbounded;
   for (std::size_t i = 0; i < count; ++i) {
-    pass(i, i + 1, cells[i], cells[i].begin, distance);
+    pass(i, i + 1, cells[i], cells[i].begin, ends.v_begin_mm_s, distance);
   }
-  distance = ends.v_end_mm_s == 0.0 ? 0.0 : kUnbounded;
+  distance = ends.v_end_mm_s < kUnbounded ? 0.0 : kUnbounded;
   for (std::size_t i = count; i-- > 0;) {
-    pass(i + 1, i, cells[i], cells[i].end, distance);
+    pass(i + 1, i, cells[i], cells[i].end, ends.v_end_mm_s, distance);
   }
   for (double& v : squared) {
     v = std::sqrt(v);

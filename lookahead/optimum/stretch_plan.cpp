@@ -151,6 +151,12 @@ double StretchPlan::duration_s() const {
 Stretch StretchPlan::rest_from(const PlanPlace& place, std::size_t end_cell) const {
   Stretch stretch{.begin = state_at(place), .cells = {}};
   for (std::size_t i = place.cell; i < end_cell; ++i) {
+    if (stretch_.cells[i].continues && i > place.cell) {
+      Cell& whole = stretch.cells.back();
+      whole.length_mm = stretch_.cells[i].s_end_mm() - whole.s_begin_mm;
+      whole.end = stretch_.cells[i].end;
+      continue;
+    }
     Cell& cell = stretch.cells.emplace_back(stretch_.cells[i]);
     if (!is_launch(i) && !is_landing(i)) {
       cell.planned_squared = feed_at({.cell = i, .offset_mm = 0.5 * cell.length_mm}).value;

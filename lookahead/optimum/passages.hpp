@@ -1,0 +1,31 @@
+// The places of a block at which cells must end.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lookahead/optimum/block_path.hpp"
+#include "lookahead/optimum/joint_share.hpp"
+
+namespace kerf::lookahead {
+
+// How a block's joints are passed; none: a rest, or nothing jumps there.
+struct EndPassages {
+  std::optional<Passage> begin{};
+  std::optional<Passage> end{};
+};
+
+struct CellStop {
+  double s_mm = 0.0;
+  std::optional<Passage> passage{};  // of what jumps there
+  bool rest = false;
+  bool movable = false;  // no cell needs to end just there
+};
+
+// Ascending, both ends of the block among them: where derivatives jump or the ceiling has a valley,
+// and where the ways of three ticks beside jumps end, for a cell that begins in one has no more
+// than its share. Jumps that a third difference may see together share what is theirs.
+std::vector<CellStop> cell_stops(const BlockPath& path, const EndPassages& ends,
+                                 const PlanLimits& limits);
+
+}  // namespace kerf::lookahead
