@@ -186,11 +186,12 @@ std::vector<CellStop> apart(const std::vector<CellStop>& stops, const Scan& seen
   std::vector<CellStop> kept{stops.front()};
   for (std::size_t i = 1; i + 1 < stops.size(); ++i) {
     CellStop stop = stops[i];
-    const double near = kShortest * seen.cell_mm(stop.s_mm, limits);
-    if (!stop.movable && kept.back().movable && stop.s_mm - kept.back().s_mm < near) {
+    const double shortest = kShortest * seen.cell_mm(stop.s_mm, limits);
+    if (stop.slack_mm == 0.0 &&
+        stop.s_mm - kept.back().s_mm < std::min(shortest, kept.back().slack_mm)) {
       kept.pop_back();
     }
-    const double room = stop.movable ? near : seen.least_mm();
+    const double room = std::max(std::min(shortest, stop.slack_mm), seen.least_mm());
     if (length - stop.s_mm < room) {
       stop.s_mm = length;
     }

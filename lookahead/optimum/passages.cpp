@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kCrowdRounds = 8;
 constexpr double kJustBeyond = 1.0 + 1e-6;
+constexpr double kZoneSlack = 0.2;
 
 // Within a curve nothing jumps along the path.
 PlanLimits of_axes(PlanLimits limits) {
@@ -51,8 +52,8 @@ std::vector<CellStop> cell_stops(const BlockPath& path, const EndPassages& ends,
   const std::vector<BlockPath::Break> breaks = path.breaks();
   std::vector<CellStop> stops{{.s_mm = 0.0, .passage = ends.begin}};
   for (const BlockPath::Break& place : breaks) {
-    CellStop& stop = stops.emplace_back(
-        CellStop{.s_mm = place.s_mm, .rest = place.rest, .movable = place.valley});
+    CellStop& stop = stops.emplace_back(CellStop{
+        .s_mm = place.s_mm, .rest = place.rest, .slack_mm = place.valley ? kUnbounded : 0.0});
     if (place.jump) {
       stop.passage = inner_passage(path, place.s_mm, *place.jump, breaks, limits);
     }
@@ -65,7 +66,7 @@ std::vector<CellStop> cell_stops(const BlockPath& path, const EndPassages& ends,
       const double zone = zone_at(path, s, *stops[i].passage, limits);
       for (const double end : {s - zone, s + zone}) {
         if (end > 0.0 && end < path.length_mm()) {
-          stops.push_back({.s_mm = end, .movable = true});
+          stops.push_back({.s_mm = end, .slack_mm = kZoneSlack * zone});
         }
       }
     }

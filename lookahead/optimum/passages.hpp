@@ -19,7 +19,7 @@ struct CellStop {
   double s_mm = 0.0;
   std::optional<Passage> passage{};  // of what jumps there
   bool rest = false;
-  bool movable = false;  // no cell needs to end just there
+  double slack_mm = 0.0;  // another place so near will do
 };
 
 // Ascending, both ends of the block among them: where derivatives jump or the ceiling has a valley,

@@ -155,6 +155,8 @@ Stretch StretchPlan::rest_from(const PlanPlace& place, std::size_t end_cell) con
       Cell& whole = stretch.cells.back();
       whole.length_mm = stretch_.cells[i].s_end_mm() - whole.s_begin_mm;
       whole.end = stretch_.cells[i].end;
+      whole.ends_block = stretch_.cells[i].ends_block;
+      whole.rest_after = stretch_.cells[i].rest_after;
       continue;
     }
     Cell& cell = stretch.cells.emplace_back(stretch_.cells[i]);
