@@ -30,7 +30,7 @@ class Prices {
 };
 
 SpeedLimit unless_joint(const Cell& cell, SpeedLimit limit) {
-  return cell.allowed < 1.0 ? SpeedLimit::joint : limit;
+  return cell.allowed.jerk < 1.0 ? SpeedLimit::joint : limit;
 }
 
 void add_place(const Cell& cell, const CellEnd& path, const SquaredFeed& feed,
