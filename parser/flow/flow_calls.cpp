@@ -202,11 +202,12 @@ bool Flow::return_from_call(const Return& from) {
     fault(current_, from.offset, errors::kM99InSub,
           "M99 in a sub: use return or endsub (M99 ends programs that M98 calls)");
   }
+  std::optional<DiagnosticPlace> here;
   if (from.line_number != 0) {
     frames_.back().runs = 0;
+    here = diagnostics_->place({text_->number_of(current_), from.number_offset + 1});
   }
   const std::size_t depth = frames_.size();
-  DiagnosticPlace here = diagnostics_->place({text_->number_of(current_), from.number_offset + 1});
   leave();
   if (from.line_number != 0 && frames_.size() < depth) {
     const std::uint32_t caller = cursor_ == 0 ? 0 : cursor_ - 1;
