@@ -1,7 +1,10 @@
 // The arc-length map against an independent quadrature of an independent evaluator.
 #include "curves/arc_length.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -92,6 +95,53 @@ TEST(ArcLength, KeepsItsToleranceOverSpeedsThatVaryAMillionfold) {
                  {{1e-2, 2e-3, 0.0}, 1.0},
                  {{100.0, 50.0, 9.0}, 1.0}};
   expect_true_map(data, "millionfold");
+}
+
+NurbsData bezier(const std::vector<Position>& points) {
+  NurbsData data{.degree = static_cast<int>(points.size()) - 1, .points = {}, .knots = {}};
+  for (const Position& point : points) {
+    data.points.push_back({.position_mm = point});
+  }
+  data.knots = testing::uniform_knots(data.degree, points.size());
+  return data;
+}
+
+// Arc lengths between the parameters that the map tells, added up over all parts. Where |C'(u)|
+// nearly vanishes u cannot be found again from the point, but a rounding of it is no way either.
+double largest_length_error_mm(const NurbsData& data) {
+  double worst = 0.0;
+  const auto made = NurbsCurve::make(data);
+  for (const NurbsCurve& curve : *made) {
+    long double reference_mm = 0.0L;
+    long double u_before = static_cast<long double>(curve.pieces().front().u_begin);
+    for (const NurbsPiece& piece : curve.pieces()) {
+      for (const double share : {0.1, 0.5, 0.9, 1.0}) {
+        const double s_mm = piece.s_begin_mm + share * (piece.s_end_mm - piece.s_begin_mm);
+        const auto u = static_cast<long double>(piece.u_at(s_mm));
+        reference_mm += testing::reference_length_mm(data, u_before, u);
+        u_before = u;
+        worst = std::max(worst, std::abs(static_cast<double>(reference_mm) - s_mm));
+      }
+    }
+  }
+  return worst;
+}
+
+TEST(ArcLength, KeepsItsToleranceOnSingularCurves) {
+  std::vector<NurbsData> all;
+  for (const double crossing : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 0.0}) {
+    all.push_back(bezier({{0, 0, 0}, {10.0 + crossing, 10, 0}, {-crossing, 10, 0}, {10, 0, 0}}));
+  }
+  for (const double rise : {1e-1, 1e-3, 1e-5, 0.0}) {
+    all.push_back(bezier({{0, 0, 0}, {10, rise, 0}, {0, 2.0 * rise, 0}}));
+  }
+  all.push_back(bezier({{0, 0, 0}, {0, 0, 0}, {5, 9, 0}, {10, 0, 0}, {15, 5, 0}, {15, 5, 0}}));
+  all.push_back(bezier({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {5, 9, 2}, {10, 0, 0}, {15, 5, 0}}));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const double error_mm = largest_length_error_mm(all[i]);
+    RecordProperty("error_mm_" + std::to_string(i), std::to_string(1e12 * error_mm) + "e-12");
+    EXPECT_LE(error_mm, kTotalTolerance_mm) << i;
+  }
 }
 
 TEST(ArcLength, HoldsForClosePairsOfKnots) {
