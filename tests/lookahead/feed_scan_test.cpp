@@ -165,5 +165,28 @@ TEST(FeedScan, KeepsTheChordToleranceBetweenItsSamplesToAThousandth) {
   }
 }
 
+// A tick may begin fast just before the apex, one that begins at it may not: what bounds the latter
+// stands at the apex, and not where the former has its middle.
+TEST(FeedScan, BoundsASharpTurnAtItsApexAlone) {
+  curves::NurbsData data{.degree = 2,
+                         .points = {{{0, 0, 0}}, {{10, 1e-4, 0}}, {{0, 2e-4, 0}}},
+                         .knots = {0, 0, 0, 1, 1, 1}};
+  const curves::NurbsCurve curve = smooth_curve(data);
+  const Ceiling ceiling =
+      scan_feedrate(curve, {.feedrate_mm_s = 100.0, .period_s = 0.001, .chord_tolerance_mm = 5e-4});
+  const double apex = 0.5 * curve.length_mm();
+  double slowest = 100.0;
+  for (const FeedSample& sample : ceiling) {
+    if (std::abs(sample.s_mm - apex) < 1e-3) {
+      slowest = std::min(slowest, sample.v_mm_s);
+    } else if (sample.s_mm > apex + 2e-3) {
+      // As fast as lets the tick around it begin behind the apex.
+      const double behind = 2.0 * (sample.s_mm - apex) / 0.001;
+      EXPECT_GT(sample.v_mm_s, std::min(0.9 * behind, 95.0)) << sample.s_mm - apex;
+    }
+  }
+  EXPECT_LT(slowest, 1e-2);
+}
+
 }  // namespace
 }  // namespace kerf::lookahead::test
