@@ -9,6 +9,7 @@
 #include "interp/outputs.hpp"
 #include "lookahead/block.hpp"
 #include "lookahead/plan_clock.hpp"
+#include "lookahead/shortfall.hpp"
 #include "lookahead/window.hpp"
 #include "profiles/time_law.hpp"
 
@@ -27,6 +28,7 @@ struct PlanTotals {
   std::uint64_t spans = 0;
   double path_length_mm = 0.0;
   std::int64_t ticks = 0;
+  Shortfalls shortfalls{};
 };
 
 struct Rest {
@@ -48,6 +50,8 @@ class Emitter {
   // On the block that is being emitted or comes next.
   [[nodiscard]] double s_mm() const noexcept { return block_begun_ ? s_mm_ : 0.0; }
   [[nodiscard]] const PlanTotals& totals() const noexcept { return totals_; }
+
+  void note(const Shortfall& shortfall) { totals_.shortfalls.add(shortfall); }
 
   // The block's motion from where it stands to s_end_mm. Its pieces leave with the first phase.
   void emit(const Block& block, const profiles::TimeLaw& law, double s_end_mm, Outbox& outbox);

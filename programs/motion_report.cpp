@@ -1,5 +1,7 @@
 #include "programs/motion_report.hpp"
 
+#include <utility>
+
 #include <spdlog/fmt/fmt.h>
 
 #include "programs/number_text.hpp"
@@ -30,6 +32,9 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
     if (use.is_exceeded()) {
       report.warnings.push_back(describe(use));
     }
+  }
+  for (std::string& warning : describe(kernel.totals().shortfalls)) {
+    report.warnings.push_back(std::move(warning));
   }
   if (outcome.starved_ticks > 0) {
     report.warnings.push_back(

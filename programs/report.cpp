@@ -40,4 +40,24 @@ std::string describe(const LimitUse& use) {
                      use.unit);
 }
 
+std::vector<std::string> describe(const lookahead::Shortfalls& shortfalls) {
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < shortfalls.kept(); ++i) {
+    const lookahead::Shortfall& at = shortfalls.first[i];
+    const std::string what =
+        at.kind == lookahead::Shortfall::Kind::stop
+            ? fmt::format("stops {:.6f} mm from the curve's begin", at.s_mm)
+            : fmt::format("is slower than it could be from {:.6f} mm on, up to its next stop",
+                          at.s_mm);
+    warnings.push_back(
+        fmt::format("the time optimum was not found within its budget on line {}: the motion {}",
+                    at.line, what));
+  }
+  if (shortfalls.count > warnings.size()) {
+    warnings.push_back(fmt::format("the time optimum was not found at {} more",
+                                   counted(shortfalls.count - warnings.size(), "place")));
+  }
+  return warnings;
+}
+
 }  // namespace kerf::program

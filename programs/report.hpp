@@ -11,6 +11,7 @@
 #include "curves/position.hpp"
 #include "kernel/run_statistics.hpp"
 #include "lookahead/limits.hpp"
+#include "lookahead/shortfall.hpp"
 #include "parser/diagnostic.hpp"
 #include "parser/program_reader.hpp"
 #include "programs/exit_status.hpp"
@@ -100,5 +101,8 @@ struct LimitUse {
 
 // "axis x jerk 1.24e6 mm/s3 is 22.5 times its limit of 55000 mm/s3"
 [[nodiscard]] std::string describe(const LimitUse& use);
+
+// A warning for each line with a shortfall, and one that counts what was not kept.
+[[nodiscard]] std::vector<std::string> describe(const lookahead::Shortfalls& shortfalls);
 
 }  // namespace kerf::program

@@ -144,6 +144,7 @@ class Session {
                      .blocks = totals->blocks,
                      .extents = extents_.value_or(curves::Extents{}),
                      .extra_extents = extra_extents_};
+      report_.warnings = describe(totals->shortfalls);
       explain(watch);
     }
   }

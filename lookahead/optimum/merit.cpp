@@ -125,11 +125,13 @@ double Merit::rest_jerk_mm_s3(const Cell& cell, const CellEnd& end, const PlanLi
 }
 
 // With s = J t^3 / 6: v^2 = J^(2/3) (6 s)^(4/3) / 4.
-Merit::RestCell Merit::rest_cell(const Cell& cell, const CellEnd& rest, double neighbour_mm) const {
+Merit::RestCell Merit::rest_cell(const Cell& cell, const RestEnds& ends,
+                                 double neighbour_mm) const {
   const double h = cell.length_mm;
-  const double jerk = rest_jerk_mm_s3(cell, rest, *limits_);
+  const double jerk = rest_jerk_mm_s3(cell, *ends.rest, *limits_);
   return {.length_mm = h,
-          .cap = 0.25 * square(std::cbrt(jerk * square(6.0 * h))),
+          .cap = std::min(0.25 * square(std::cbrt(jerk * square(6.0 * h))),
+                          square(cell.shares.feedrate * ends.inner->feedrate_mm_s)),
           .gain = 1.0 / (1.0 + 2.0 * neighbour_mm / (3.0 * h))};
 }
 
@@ -139,9 +141,11 @@ Merit::Merit(const Stretch& stretch, const PlanLimits& limits)
   basis_ = feed_basis(lengths);
   const std::vector<Cell>& cells = stretch.cells;
   if (stretch.begin.at_rest()) {
-    launch_ = rest_cell(cells.front(), cells.front().begin, lengths.front());
+    launch_ = rest_cell(cells.front(), {.rest = &cells.front().begin, .inner = &cells.front().end},
+                        lengths.front());
   }
-  landing_ = rest_cell(cells.back(), cells.back().end, lengths.back());
+  landing_ = rest_cell(cells.back(), {.rest = &cells.back().end, .inner = &cells.back().begin},
+                       lengths.back());
 }
 
 BandSystem::Rows Merit::free_rows() const noexcept {

@@ -71,7 +71,12 @@ class Merit {
     double gain = 0.0;       // the outermost coefficient over its neighbour
   };
 
-  [[nodiscard]] RestCell rest_cell(const Cell& cell, const CellEnd& rest,
+  // rest: the end at rest; inner: the other one.
+  struct RestEnds {
+    const CellEnd* rest = nullptr;
+    const CellEnd* inner = nullptr;
+  };
+  [[nodiscard]] RestCell rest_cell(const Cell& cell, const RestEnds& ends,
                                    double neighbour_mm) const;
   template <typename Sum>
   bool visit(const std::vector<double>& coefficients, Sum& sum) const;

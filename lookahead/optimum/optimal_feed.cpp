@@ -20,7 +20,11 @@ constexpr double kRelaxed = 0.3;
 constexpr int kStepsOfStage = 15;
 constexpr double kStageDone = 0.1;  // of the walls: Newton decrement
 constexpr int kHalvings = 25;
+constexpr int kDampings = 6;
+constexpr double kFirstDamping = 1e-13;  // of the diagonal
+constexpr double kMoreDamping = 100.0;
 constexpr double kArmijo = 1e-4;
+constexpr double kPoor = 0.02;   // of what a whole step promises
 constexpr double kToZero = 0.9;  // of the way, in one step
 
 class Search {
@@ -53,10 +57,9 @@ class Search {
   double step(const Walls& walls, double& value) {
     std::vector<double>& c = feed_->coefficients;
     merit_.derive(c, walls, system_);
-    const std::vector<double> gradient = system_.gradient;
-    change_.assign(merit_.size(), 0.0);
+    const std::vector<double>& gradient = damped_.gradient;
     const BandSystem::Rows rows = merit_.free_rows();
-    if (!system_.solve(rows, change_)) {
+    if (!solve(rows)) {
       return 0.0;
     }
     ++feed_->newton_steps;
@@ -82,9 +85,28 @@ class Search {
     return 0.0;
   }
 
+  // Walls of very different steepness leave the system positive definite by less than rounding
+  // takes away: then a little is added to its diagonal. The gradient remains in damped_.
+  bool solve(const BandSystem::Rows& rows) {
+    change_.assign(merit_.size(), 0.0);
+    double damping = 0.0;
+    for (int k = 0; k < kDampings; ++k) {
+      damped_ = system_;
+      for (double& d : damped_.diagonal) {
+        d *= 1.0 + damping;
+      }
+      if (damped_.solve(rows, change_)) {
+        return true;
+      }
+      damping = damping > 0.0 ? kMoreDamping * damping : kFirstDamping;
+    }
+    return false;
+  }
+
   Merit merit_;
   OptimalFeed* feed_;
   BandSystem system_;
+  BandSystem damped_;
   std::vector<double> change_;
   std::vector<double> trial_;
 };
@@ -110,6 +132,12 @@ std::vector<double> first_guess(const Stretch& stretch, const PlanLimits& limits
 }
 
 }  // namespace
+
+std::vector<double> first_feed(const Stretch& stretch, const PlanLimits& limits) {
+  std::vector<double> coefficients = first_guess(stretch, limits);
+  Merit(stretch, limits).bind(coefficients);
+  return coefficients;
+}
 
 OptimalFeed find_optimal_feed(const Stretch& stretch, const PlanLimits& limits) {
   OptimalFeed feed;

@@ -14,6 +14,9 @@ struct OptimalFeed {
   int newton_steps = 0;
 };
 
+// Where the search begins: 0.3 of what velocities and accelerations allow. Positive and finite.
+std::vector<double> first_feed(const Stretch& stretch, const PlanLimits& limits);
+
 // Minimises the time of a stretch under all its limits: v, a and jerk, along the path and on each
 // axis, at both ends of every cell.
 //

@@ -14,6 +14,8 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr std::size_t kWindowCells = 3000;
+constexpr int kCuts = 5;  // of what a plan covers
+constexpr std::size_t kCutCells = 16;
 
 // Nothing jumps at a smooth joint, and beside a rest the cells are refined afterwards.
 std::optional<Passage> passage_at(const Joint& joint) {
@@ -94,7 +96,7 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
       return false;
     }
     if (!waiting_.empty()) {
-      plan(blocks);
+      plan(blocks, emitter);
     }
   }
   if (!lines_.empty()) {
@@ -107,36 +109,75 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
   return true;
 }
 
-void OptimumSchedule::plan(Window<Block>& blocks) {
+OptimumSchedule::Taken OptimumSchedule::take(const PathAt& path) const {
+  Taken taken{.stretch = plan_.rest_from(place_, plan_.cells().size())};
+  std::vector<Cell>& cells = taken.stretch.cells;
+  bool stops = false;
+  while (taken.count < waiting_.size() && cells.size() < kWindowCells && !stops) {
+    cells.push_back(waiting_[taken.count].cell);
+    stops = cells.back().rest_after;
+    ++taken.count;
+  }
+  if (taken.stretch.begin.at_rest()) {
+    refine_to_rest(cells, RestAt::begin, path, settings_.limits);
+  }
+  refine_to_rest(cells, RestAt::end, path, settings_.limits);
+  return taken;
+}
+
+void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   if (waiting_.front().alone && cells_left() == 0) {
     waiting_.pop_front();
     lines_.push(blocks.front(), nullptr);
     return;
   }
   const PathAt path = path_of(blocks);
-  Stretch stretch = plan_.rest_from(place_, plan_.cells().size());
-  std::size_t taken = 0;
-  bool stops = false;
-  while (taken < waiting_.size() && stretch.cells.size() < kWindowCells && !stops) {
-    stretch.cells.push_back(waiting_[taken].cell);
-    stops = waiting_[taken].cell.rest_after;
-    ++taken;
+  const bool from_rest = cells_left() == 0;
+  Taken taken = take(path);
+  auto found = StretchPlan::find(std::move(taken.stretch), path, settings_.limits);
+  for (int i = 0; i < kCuts && from_rest && found->slowed_down() && taken.count >= kCutCells; ++i) {
+    cut(taken.count, blocks, emitter);
+    taken = take(path);
+    found = StretchPlan::find(std::move(taken.stretch), path, settings_.limits);
   }
-  if (stretch.begin.at_rest()) {
-    refine_to_rest(stretch.cells, RestAt::begin, path, settings_.limits);
-  }
-  refine_to_rest(stretch.cells, RestAt::end, path, settings_.limits);
-  std::optional<StretchPlan> found = StretchPlan::find(std::move(stretch), path, settings_.limits);
   if (!found) {
     half_ = plan_.cells().size();  // it is run to its end
+    note_stop(plan_.cells().back(), blocks, emitter);
     return;
   }
-  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(taken));
+  if (found->slowed_down()) {
+    const Cell& first = waiting_.front().cell;
+    emitter.note({.line = block_of(first.block, blocks).line, .s_mm = first.s_begin_mm});
+  }
+  plan_ends_at_stop_ = waiting_[taken.count - 1].cell.rest_after;
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(taken.count));
   plan_ = std::move(*found);
   place_ = {};
   half_ = plan_.cells().size() / 2;
-  plan_ends_at_stop_ = stops;
-  window_brake_ = stops ? plan_.cells().size() : plan_.last_braking();
+  window_brake_ = plan_ends_at_stop_ ? plan_.cells().size() : plan_.last_braking();
+}
+
+void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter) {
+  const std::size_t margin = count / 4;
+  std::size_t sharpest = margin;
+  double most = 0.0;
+  for (std::size_t i = margin; i < count - margin; ++i) {
+    const double curvature = curves::vec(waiting_[i].cell.end.second_per_mm).norm();
+    if (curvature > most) {
+      most = curvature;
+      sharpest = i;
+    }
+  }
+  Cell& cell = waiting_[sharpest].cell;
+  cell.rest_after = true;
+  note_stop(cell, blocks, emitter);
+}
+
+void OptimumSchedule::note_stop(const Cell& cell, const Window<Block>& blocks,
+                                Emitter& emitter) const {
+  emitter.note({.line = block_of(cell.block, blocks).line,
+                .s_mm = cell.s_end_mm(),
+                .kind = Shortfall::Kind::stop});
 }
 
 void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox) {

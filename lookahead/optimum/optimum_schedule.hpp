@@ -17,7 +17,9 @@ namespace kerf::lookahead {
 // to the next stop, at most kWindowCells; once half of it has been emitted it is found anew from
 // where the tool is, with what has come since. The cells that two plans share are the same, so what
 // the old plan still held is a feasible way for the new one; where the search does not find a way
-// that holds, the old plan is kept and ends at rest.
+// that holds, the old plan is kept and ends at rest. Where it does not find one from rest, the way
+// is cut in two at its sharpest place, by a rest there, a few times at the most; what then still
+// does not hold is slowed down. Each of these is noted as a shortfall.
 //
 // A single line from rest to rest is planned by the S-curve, which is its optimum in closed form.
 class OptimumSchedule final : public Schedule {
@@ -52,7 +54,17 @@ class OptimumSchedule final : public Schedule {
   [[nodiscard]] std::size_t cells_left() const { return plan_.cells().size() - place_.cell; }
   void close_open_block(const Joint& end, const Window<Block>& blocks);
   [[nodiscard]] bool is_to_be_renewed() const;
-  void plan(Window<Block>& blocks);
+  void plan(Window<Block>& blocks, Emitter& emitter);
+  // What is left of the plan and waits behind it, refined for the rests at its ends.
+  struct Taken {
+    Stretch stretch{};
+    std::size_t count = 0;  // of waiting_
+  };
+  [[nodiscard]] Taken take(const PathAt& path) const;
+  // A rest at the sharpest place of the first cells that wait.
+  void cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter);
+  // At its end.
+  void note_stop(const Cell& cell, const Window<Block>& blocks, Emitter& emitter) const;
   void emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox);
 
   Settings settings_;

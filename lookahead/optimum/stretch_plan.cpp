@@ -11,10 +11,13 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr int kMendings = 6;
+constexpr int kMendings = 8;
+constexpr double kSlight = 1.01;  // slowing down by it is no loss to speak of
 // Of a limit, at the places where it is looked at; what is between two of them is a little more.
 constexpr double kHolds = 0.9999;
 constexpr double kSlower = 0.999;
+constexpr double kLeastFactor = 1e-6;
+constexpr int kSlowings = 3;
 
 void take_off(double excess, double& share) {
   if (excess > kHolds) {
@@ -58,20 +61,31 @@ std::optional<StretchPlan> StretchPlan::find(Stretch stretch, const PathAt& path
   if (!plan.stretch_.begin.at_rest()) {
     return std::nullopt;
   }
-  plan.slow_down();
-  plan.excess_ = plan.check(path, limits);
+  plan.slow_down(path, limits);
   return plan;
 }
 
-// v^2 times a factor: accelerations by the same, jerks by its power of 3/2.
-void StretchPlan::slow_down() {
-  const double factor =
-      kSlower * std::min({1.0, 1.0 / (excess_.feedrate * excess_.feedrate),
-                          1.0 / excess_.acceleration, std::pow(excess_.jerk, -2.0 / 3.0)});
-  for (double& c : coefficients_) {
-    c *= factor;
+// v^2 times a factor: accelerations by the same, jerks by its power of 3/2. Where the search ended
+// in what is no number, from its begin.
+void StretchPlan::slow_down(const PathAt& path, const PlanLimits& limits) {
+  slowed_down_ = !(excess_.largest() <= kSlight);
+  if (!(excess_.largest() < kUnbounded)) {
+    for (Cell& cell : stretch_.cells) {
+      cell.shares = {};
+      cell.planned_squared = 0.0;
+    }
+    coefficients_ = first_feed(stretch_, limits);
+    excess_ = check(path, limits);
   }
-  slowed_down_ = true;
+  for (int i = 0; i < kSlowings && !holds(excess_); ++i) {
+    const double factor =
+        std::min({1.0 / (excess_.feedrate * excess_.feedrate), 1.0 / excess_.acceleration,
+                  std::pow(excess_.jerk, -2.0 / 3.0)});
+    for (double& c : coefficients_) {
+      c *= std::clamp(kSlower * factor, kLeastFactor, kSlower);
+    }
+    excess_ = check(path, limits);
+  }
 }
 
 SquaredFeed StretchPlan::feed_at(const PlanPlace& place) const {

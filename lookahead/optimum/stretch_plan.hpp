@@ -23,8 +23,9 @@ class StretchPlan {
   // The fastest plan found whose limits hold between the places at which the solver looks, too:
   // they are checked there, shares are taken off where they are passed, and the search goes on, in
   // at most kMendings rounds. Where that is not enough, a plan from rest is slowed down as a whole
-  // until it holds; from a begin in motion there is none. The cells must be refined for a rest at
-  // the end and for one at the beginning if the stretch begins at rest.
+  // until it holds (slowed_down where that is by more than a percent; cut the stretch at a rest,
+  // and little is lost); from a begin in motion there is none. The cells must be refined for a rest
+  // at the end and for one at the beginning if the stretch begins at rest.
   static std::optional<StretchPlan> find(Stretch stretch, const PathAt& path,
                                          const PlanLimits& limits);
 
@@ -55,7 +56,7 @@ class StretchPlan {
   }
   // What is passed, and by how much; shares are taken off the cells where it is.
   Excess check(const PathAt& path, const PlanLimits& limits);
-  void slow_down();
+  void slow_down(const PathAt& path, const PlanLimits& limits);
 
   Stretch stretch_{};
   std::vector<CellBasis> basis_;

@@ -172,5 +172,37 @@ TEST(Optimum, TakesABoundedNumberOfNewtonSteps) {
   }
 }
 
+curves::NurbsData bezier(const std::vector<curves::Position>& points) {
+  curves::NurbsData data{.degree = static_cast<int>(points.size()) - 1, .points = {}, .knots = {}};
+  for (const curves::Position& point : points) {
+    data.points.push_back({.position_mm = point});
+  }
+  data.knots.assign(points.size(), 0.0);
+  data.knots.insert(data.knots.end(), points.size(), 1.0);
+  return data;
+}
+
+// Four stages and eight mendings of fifteen steps are the most there can be; near-cusps down to a
+// radius of 1e-7 mm, beyond which the motion stops there, take no more than twice what is usual.
+TEST(Optimum, TakesABoundedNumberOfNewtonStepsOnNearCusps) {
+  std::vector<curves::NurbsData> all;
+  for (const double crossing : {1e-1, 1e-2, 1e-3}) {
+    all.push_back(bezier({{0, 0, 0}, {10.0 + crossing, 10, 0}, {-crossing, 10, 0}, {10, 0, 0}}));
+  }
+  for (const double rise : {1e-1, 1e-2, 2e-3}) {
+    all.push_back(bezier({{0, 0, 0}, {10, rise, 0}, {0, 2.0 * rise, 0}}));
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const MotionLimits& each : {kPaper, kSoft, kFast}) {
+      const PlanLimits limits = limits_of(each, true, 1e-3);
+      const Block block = only_block(nurbs_move(all[i], each.velocity_mm_s), limits);
+      const StretchPlan plan = plan_of(block, limits);
+      EXPECT_LE(plan.newton_steps(), 80) << i << " " << each.velocity_mm_s;
+      EXPECT_LE(plan.excess().largest(), 1.0) << i;
+      EXPECT_FALSE(plan.slowed_down()) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kerf::lookahead::test

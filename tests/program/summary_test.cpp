@@ -107,6 +107,24 @@ TEST(LimitUse, SaysByHowMuchALimitIsExceeded) {
   EXPECT_TRUE(use.is_exceeded());
 }
 
+TEST(Summary, SaysWhereTheTimeOptimumWasNotFound) {
+  lookahead::Shortfalls shortfalls;
+  EXPECT_TRUE(describe(shortfalls).empty());
+  shortfalls.add({.line = 7, .s_mm = 1.5, .kind = lookahead::Shortfall::Kind::stop});
+  for (int i = 0; i < 9; ++i) {
+    shortfalls.add({.line = 9, .s_mm = 2.0, .kind = lookahead::Shortfall::Kind::slower});
+  }
+  const std::vector<std::string> warnings = describe(shortfalls);
+  ASSERT_EQ(warnings.size(), 9U);
+  EXPECT_EQ(warnings[0],
+            "the time optimum was not found within its budget on line 7: the motion stops 1.500000 "
+            "mm from the curve's begin");
+  EXPECT_EQ(warnings[1],
+            "the time optimum was not found within its budget on line 9: the motion is slower than "
+            "it could be from 2.000000 mm on, up to its next stop");
+  EXPECT_EQ(warnings[8], "the time optimum was not found at 2 more places");
+}
+
 TEST(LimitUse, AllowsForRoundingAndForLimitsThatAreNone) {
   EXPECT_FALSE((LimitUse{.peak = 100.4, .limit = 100.0}.is_exceeded()));
   EXPECT_TRUE((LimitUse{.peak = 100.6, .limit = 100.0}.is_exceeded()));

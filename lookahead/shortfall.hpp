@@ -1,0 +1,38 @@
+// Where a plan is slower than its profile promises.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace kerf::lookahead {
+
+struct Shortfall {
+  enum class Kind : unsigned char {
+    slower,  // up to its next stop the motion keeps its limits, but could be faster
+    stop     // the motion comes to rest there though the path does not ask for it
+  };
+
+  std::uint32_t line = 0;
+  double s_mm = 0.0;  // on the line's curve: of the stop, or where the slower motion begins
+  Kind kind = Kind::slower;
+};
+
+// All are counted, the first ones kept: memory does not grow with a program's length.
+struct Shortfalls {
+  std::uint64_t count = 0;
+  std::array<Shortfall, 8> first{};
+
+  void add(const Shortfall& shortfall) noexcept {
+    if (count < first.size()) {
+      first[static_cast<std::size_t>(count)] = shortfall;
+    }
+    ++count;
+  }
+  [[nodiscard]] std::size_t kept() const noexcept {
+    return std::min(static_cast<std::size_t>(count), first.size());
+  }
+};
+
+}  // namespace kerf::lookahead

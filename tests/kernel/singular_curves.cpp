@@ -1,0 +1,198 @@
+#include "tests/kernel/singular_curves.hpp"
+
+#include <cmath>
+#include <sstream>
+
+namespace kerf::test {
+
+namespace {
+
+using curves::ControlPoint;
+using curves::NurbsData;
+
+std::vector<double> uniform_knots(int degree, std::size_t points) {
+  const auto p = static_cast<std::size_t>(degree);
+  std::vector<double> knots(p + 1, 0.0);
+  for (std::size_t i = 1; i < points - p; ++i) {
+    knots.push_back(static_cast<double>(i));
+  }
+  knots.insert(knots.end(), p + 1, static_cast<double>(points - p));
+  return knots;
+}
+
+NurbsData curve(int degree, std::vector<ControlPoint> points, std::vector<double> knots = {}) {
+  if (knots.empty()) {
+    knots = uniform_knots(degree, points.size());
+  }
+  return {.degree = degree, .points = std::move(points), .knots = std::move(knots)};
+}
+
+// A cubic whose arms cross by this much: 0 is a cusp, its square the radius of what is left of it.
+NurbsData near_cusp(double crossing_mm) {
+  return curve(3,
+               {{{0, 0, 0}}, {{10.0 + crossing_mm, 10, 0}}, {{-crossing_mm, 10, 0}}, {{10, 0, 0}}});
+}
+
+NurbsData doubling_back(double rise_mm) {
+  return curve(2, {{{0, 0, 0}}, {{10, rise_mm, 0}}, {{0, 2.0 * rise_mm, 0}}});
+}
+
+NurbsData weighted(int degree, double heavy) {
+  const double light = 1.0 / heavy;
+  return curve(degree, {{{0, 0, 0}, 1.0},
+                        {{5, 8, 0}, heavy},
+                        {{10, -3, 0}, light},
+                        {{14, 6, 0}, heavy},
+                        {{20, 2, 0}, light},
+                        {{25, 9, 0}, 1.0},
+                        {{30, 0, 0}, heavy},
+                        {{33, 5, 0}, 1.0}});
+}
+
+NurbsData wave(int degree, int count) {
+  std::vector<ControlPoint> points;
+  for (int i = 0; i < count; ++i) {
+    points.push_back({{3.0 * i, 6.0 * std::sin(1.7 * i), 2.0 * std::cos(2.3 * i)}});
+  }
+  return curve(degree, std::move(points));
+}
+
+NurbsData zigzag(int degree) {
+  std::vector<ControlPoint> points;
+  for (int i = 0; i < 12; ++i) {
+    points.push_back({{i % 2 == 1 ? 10.0 : 0.0, 1e-3 * i, 0.0}});
+  }
+  return curve(degree, std::move(points));
+}
+
+NurbsData thousand_points() {
+  std::vector<ControlPoint> points;
+  for (int i = 0; i < 1000; ++i) {
+    const double radius = 8.0 * (1.0 + 0.2 * std::sin(0.31 * i));
+    points.push_back({{radius * std::cos(0.02 * i), radius * std::sin(0.02 * i), 0.01 * i}});
+  }
+  return curve(3, std::move(points));
+}
+
+}  // namespace
+
+const std::vector<SingularCurve>& singular_curves() {
+  static const std::vector<SingularCurve> all{
+      {"near_cusp",
+       curve(3, {{{1, 0, 0}}, {{10, 5e-4, 0}}, {{2, 5e-4, 0}}, {{12, 0, 0}}, {{15, 3, 0}}})},
+      {"two_near_cusps", curve(3, {{{0, 0, 0}},
+                                   {{10, 1e-3, 0}},
+                                   {{3, 1e-3, 0}},
+                                   {{12, 0, 0}},
+                                   {{20, 5, 0}},
+                                   {{13, 5.001, 0}},
+                                   {{22, 5.001, 0}},
+                                   {{25, 8, 0}}})},
+      {"crossing_1e_1", near_cusp(1e-1)},
+      {"crossing_1e_3", near_cusp(1e-3)},
+      {"crossing_1e_4", near_cusp(1e-4)},
+      {"crossing_1e_5", near_cusp(1e-5)},
+      {"crossing_1e_6", near_cusp(1e-6)},
+      {"cusp", near_cusp(0.0)},
+      {"doubling_back_1e_4", doubling_back(1e-4)},
+      {"doubling_back_1e_6", doubling_back(1e-6)},
+      {"doubling_back", doubling_back(0.0)},
+      {"weights_of_six_decades", weighted(3, 1e3)},
+      {"weights_of_six_decades_degree_5", weighted(5, 1e-3)},
+      {"still_at_the_ends",
+       curve(3, {{{0, 0, 0}}, {{0, 0, 0}}, {{5, 9, 0}}, {{10, 0, 0}}, {{15, 5, 0}}, {{15, 5, 0}}})},
+      {"stiller_at_the_ends", curve(5, {{{0, 0, 0}},
+                                        {{0, 0, 0}},
+                                        {{0, 0, 0}},
+                                        {{5, 9, 2}},
+                                        {{10, 0, 0}},
+                                        {{15, 5, 0}},
+                                        {{15, 5, 0}},
+                                        {{15, 5, 0}}})},
+      {"millionfold_speed",
+       curve(3, {{{0, 0, 0}}, {{1e-4, 0, 0}}, {{1e-2, 2e-3, 0}}, {{100, 50, 9}}})},
+      {"corners_at_knots", curve(3,
+                                 {{{0, 0, 0}},
+                                  {{3, 5, 0}},
+                                  {{6, 5, 0}},
+                                  {{9, 0, 0}},
+                                  {{12, 5, 0}},
+                                  {{15, 5, 0}},
+                                  {{18, 0, 0}}},
+                                 {0, 0, 0, 0, 1, 1, 1, 2, 2, 2, 2})},
+      {"double_knots",
+       curve(3, {{{0, 0, 0}}, {{3, 5, 0}}, {{6, 5, 0}}, {{12, -5, 0}}, {{15, -5, 0}}, {{18, 0, 0}}},
+             {0, 0, 0, 0, 1, 1, 2, 2, 2, 2})},
+      {"degree_1", wave(1, 12)},
+      {"degree_2", wave(2, 24)},
+      {"degree_9", wave(9, 24)},
+      {"zigzag", zigzag(3)},
+      {"zigzag_degree_4", zigzag(4)},
+      {"thousand_points", thousand_points()}};
+  return all;
+}
+
+NurbsData random_singular_curve(std::mt19937_64& random) {
+  const auto uniform = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const auto log_uniform = [&](double low, double high) {
+    return std::exp(uniform(std::log(low), std::log(high)));
+  };
+  NurbsData data{.degree = 1 + static_cast<int>(uniform(0.0, 8.999)), .points = {}, .knots = {}};
+  const int count = data.degree + 1 + static_cast<int>(uniform(0.0, 12.0));
+  const double size = log_uniform(1e-3, 1e3);
+  const double decades = uniform(0.0, 1.0) < 0.5 ? 0.0 : uniform(0.0, 3.0);
+  const bool collinear = uniform(0.0, 1.0) < 0.3;
+  const bool coincident = uniform(0.0, 1.0) < 0.3;
+  const double near = log_uniform(1e-9, 1e-1);
+  for (int i = 0; i < count; ++i) {
+    ControlPoint point{.weight = std::pow(10.0, uniform(-decades, decades))};
+    for (std::size_t k = 0; k < 3; ++k) {
+      point.position_mm[k] = size * uniform(-1.0, 1.0) * (collinear && k > 0 ? near : 1.0);
+    }
+    if (i > 0 && coincident && uniform(0.0, 1.0) < 0.4) {
+      const double share = uniform(0.0, 1.0) < 0.4 ? 0.0 : near;
+      for (std::size_t k = 0; k < 3; ++k) {
+        point.position_mm[k] = data.points.back().position_mm[k] + share * point.position_mm[k];
+      }
+    }
+    data.points.push_back(point);
+  }
+  const bool repeated = uniform(0.0, 1.0) < 0.4;
+  const bool uneven = uniform(0.0, 1.0) < 0.3;
+  data.knots.assign(static_cast<std::size_t>(data.degree) + 1, 0.0);
+  for (int i = 0, repeats = data.degree; i < count - data.degree - 1; ++i) {
+    const bool again = repeated && repeats < data.degree && uniform(0.0, 1.0) < 0.5;
+    repeats = again ? repeats + 1 : 1;
+    const double step = uneven ? log_uniform(1e-3, 1e2) : uniform(0.5, 2.0);
+    data.knots.push_back(data.knots.back() + (again ? 0.0 : step));
+  }
+  data.knots.insert(data.knots.end(), static_cast<std::size_t>(data.degree) + 1,
+                    data.knots.back() + 1.0);
+  return data;
+}
+
+std::string program_of(const NurbsData& data, double feedrate_mm_s) {
+  std::ostringstream text;
+  text.setf(std::ios::fixed);
+  text.precision(10);
+  const auto axes = [&text](const curves::Position& at) {
+    text << " X" << at[0] << " Y" << at[1] << " Z" << at[2];
+  };
+  text << "G21 G90 G17 G94\nG0";
+  axes(data.points.front().position_mm);
+  text << "\nG6.2 P" << data.degree + 1 << " F" << 60.0 * feedrate_mm_s;
+  for (std::size_t i = 0; i < data.knots.size(); ++i) {
+    text << " K" << data.knots[i];
+    if (i < data.points.size()) {
+      axes(data.points[i].position_mm);
+      text << " R" << data.points[i].weight;
+    }
+    text << "\n";
+  }
+  text << "M2\n";
+  return text.str();
+}
+
+}  // namespace kerf::test

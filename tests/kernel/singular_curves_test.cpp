@@ -1,0 +1,159 @@
+// The time optimum on singular and on random curves: every limit at every tick, no hang, the end
+// where the program says.
+#include "tests/kernel/singular_curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "kernel/kernel.hpp"
+#include "tests/kernel/tick_checker.hpp"
+
+namespace kerf::test {
+namespace {
+
+using interp::TickStatus;
+
+struct Outcome {
+  std::string complaint;
+  interp::Setpoint last{};
+  std::int64_t ticks = 0;
+  lookahead::Shortfalls shortfalls{};
+};
+
+struct Feed {
+  double feedrate_mm_s = 0.0;
+  std::int64_t most_ticks = 0;  // more are a hang
+};
+
+Outcome run(const curves::NurbsData& data, const lookahead::PlanLimits& limits, const Feed& feed) {
+  MachineSettings settings;
+  settings.limits = limits;
+  Kernel kernel(settings, {.profile = profiles::Profile(profiles::ProfileKind::time_optimal),
+                           .start_mm = data.points.front().position_mm});
+  kernel.feed(program_of(data, feed.feedrate_mm_s));
+  kernel.finish();
+  TickChecker checker(limits, true);
+  Outcome outcome;
+  double chord_mm = 0.0;
+  TickStatus status = TickStatus::running;
+  while (status == TickStatus::running && checker.ticks() < feed.most_ticks) {
+    status = kernel.next(outcome.last);
+    checker.add({.setpoint = outcome.last, .feedrate_mm_s = feed.feedrate_mm_s});
+    chord_mm = std::max(chord_mm, kernel.chord_error_mm());
+  }
+  outcome.complaint = checker.complaint();
+  outcome.ticks = checker.ticks();
+  outcome.shortfalls = kernel.totals().shortfalls;
+  if (chord_mm > limits.chord_tolerance_mm * (1.0 + 1e-6)) {
+    outcome.complaint += "chord error " + std::to_string(chord_mm);
+  }
+  if (kernel.has_errors()) {
+    outcome.complaint += kernel.diagnostics().back().message;
+  } else if (status != TickStatus::finished) {
+    outcome.complaint += "does not end";
+  }
+  return outcome;
+}
+
+// As precisely as the program's text says it.
+void expect_at_end(const Outcome& outcome, const curves::NurbsData& data) {
+  const auto end = curves::vec(data.points.back().position_mm);
+  EXPECT_LT((curves::vec(outcome.last.position_mm) - end).norm(), 1e-9);
+}
+
+lookahead::PlanLimits on_axes(const lookahead::MotionLimits& each, double chord_mm) {
+  lookahead::PlanLimits limits;
+  limits.path.velocity_mm_s = each.velocity_mm_s;
+  limits.chord_tolerance_mm = chord_mm;
+  limits.axes.fill({.velocity_mm_s = lookahead::kUnbounded,
+                    .acceleration_mm_s2 = each.acceleration_mm_s2,
+                    .jerk_mm_s3 = each.jerk_mm_s3});
+  return limits;
+}
+
+class Singular : public testing::TestWithParam<SingularCurve> {};
+
+TEST_P(Singular, CurvesAreRunAtTheOptimumWithoutALimitBroken) {
+  const curves::NurbsData& data = GetParam().data;
+  const std::vector<lookahead::PlanLimits> all{on_axes({100.0, 3000.0, 55e3}, 5e-4),
+                                               on_axes({100.0, 1000.0, 20e3}, 1e-3),
+                                               on_axes({200.0, 2000.0, 30e3}, 1e-3)};
+  for (const lookahead::PlanLimits& limits : all) {
+    SCOPED_TRACE(limits.axes[0].acceleration_mm_s2);
+    const Outcome outcome =
+        run(data, limits, {.feedrate_mm_s = limits.path.velocity_mm_s, .most_ticks = 60'000});
+    EXPECT_EQ(outcome.complaint, "");
+    expect_at_end(outcome, data);
+    EXPECT_EQ(outcome.shortfalls.count, 0U);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Singular, testing::ValuesIn(singular_curves()),
+                         [](const auto& instance) { return instance.param.name; });
+
+// Through the apex the acceleration may stand while the motion turns back, so a near-cusp costs
+// hardly more than a turn: coming to rest with the acceleration at 0, as at the cusp itself, takes
+// A / J longer at the most on each side.
+TEST(SingularCurves, ANearCuspIsNoSlowerThanAStopAtIt) {
+  const lookahead::PlanLimits limits = on_axes({100.0, 3000.0, 55e3}, 5e-4);
+  const auto ticks = [&limits](const std::string& name) {
+    const auto& all = singular_curves();
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&name](const SingularCurve& c) { return c.name == name; });
+    return run(found->data, limits, {.feedrate_mm_s = 100.0, .most_ticks = 60'000}).ticks;
+  };
+  const std::int64_t cusp = ticks("cusp");
+  for (const char* name : {"crossing_1e_3", "crossing_1e_4", "crossing_1e_5", "crossing_1e_6"}) {
+    EXPECT_LE(ticks(name), cusp + 5) << name;
+    EXPECT_GE(ticks(name), cusp - 2 * 55) << name;
+  }
+}
+
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+  const char* text = std::getenv(name);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+// Limits of each axis spread over four decades, feedrates over six.
+TEST(SingularCurves, AtRandomAreRunWithoutALimitBroken) {
+  const std::uint64_t count = from_environment("KERF_SINGULAR_CURVES", 60);
+  const std::uint64_t first = from_environment("KERF_SINGULAR_SEED", 1);
+  for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937_64 random(seed);
+    const auto log_uniform = [&random](double low, double high) {
+      return std::exp(
+          std::uniform_real_distribution<double>(std::log(low), std::log(high))(random));
+    };
+    const curves::NurbsData data = random_singular_curve(random);
+    // What is slower would take more ticks than are allowed.
+    double polygon_mm = 0.0;
+    for (std::size_t i = 1; i < data.points.size(); ++i) {
+      polygon_mm +=
+          (curves::vec(data.points[i].position_mm) - curves::vec(data.points[i - 1].position_mm))
+              .norm();
+    }
+    const double slowest = polygon_mm / 500.0;
+    lookahead::PlanLimits limits;
+    limits.chord_tolerance_mm = log_uniform(1e-5, 1e-2);
+    const double spread = seed % 2 == 0 ? 1.0 : 100.0;
+    const lookahead::MotionLimits middle{.velocity_mm_s = log_uniform(10.0, 1e3),
+                                         .acceleration_mm_s2 = log_uniform(100.0, 2e4),
+                                         .jerk_mm_s3 = log_uniform(1e3, 1e6)};
+    for (lookahead::MotionLimits& axis : limits.axes) {
+      const auto near = [&](double value) { return value * log_uniform(1.0 / spread, spread); };
+      axis = {std::max(slowest, near(middle.velocity_mm_s)), near(middle.acceleration_mm_s2),
+              near(middle.jerk_mm_s3)};
+    }
+    const double feedrate = log_uniform(std::max(2e-3, slowest), 2e3);
+    const Outcome outcome = run(data, limits, {.feedrate_mm_s = feedrate, .most_ticks = 2'000'000});
+    EXPECT_EQ(outcome.complaint, "");
+    expect_at_end(outcome, data);
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test
