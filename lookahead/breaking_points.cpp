@@ -7,9 +7,6 @@ namespace kerf::lookahead {
 
 namespace {
 
-// A dip or a hump of less than this share of the feedrate is noise, not a valley or a hill.
-constexpr double kNoise = 0.01;
-
 double slope_mm_s(const FeedSample& a, const FeedSample& b) {
   return (b.v_mm_s - a.v_mm_s) / (b.u - a.u);
 }
@@ -45,7 +42,8 @@ std::vector<std::size_t> breaking_points(const Ceiling& ceiling, double screenin
   return points;
 }
 
-std::vector<std::size_t> valleys(const Ceiling& ceiling, const std::vector<std::size_t>& breaking) {
+std::vector<std::size_t> valleys(const Ceiling& ceiling, const std::vector<std::size_t>& breaking,
+                                 double noise) {
   std::vector<std::size_t> found;
   if (breaking.empty()) {
     return found;
@@ -57,14 +55,14 @@ std::vector<std::size_t> valleys(const Ceiling& ceiling, const std::vector<std::
     const double v = ceiling[i].v_mm_s;
     if (descending) {
       lowest = v < ceiling[lowest].v_mm_s ? i : lowest;
-      if (v > ceiling[lowest].v_mm_s * (1.0 + kNoise)) {
+      if (v > ceiling[lowest].v_mm_s * (1.0 + noise)) {
         found.push_back(lowest);
         descending = false;
         highest_mm_s = v;
       }
     } else {
       highest_mm_s = std::max(highest_mm_s, v);
-      if (v < highest_mm_s * (1.0 - kNoise)) {
+      if (v < highest_mm_s * (1.0 - noise)) {
         descending = true;
         lowest = i;
       }

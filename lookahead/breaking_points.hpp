@@ -15,7 +15,8 @@ namespace kerf::lookahead {
 std::vector<std::size_t> breaking_points(const Ceiling& ceiling, double screening_mm_s);
 
 // The breaking points that are valleys: the lowest between two hills that both rise above it by
-// more than noise.
-std::vector<std::size_t> valleys(const Ceiling& ceiling, const std::vector<std::size_t>& breaking);
+// more than noise, a share of the feedrate.
+std::vector<std::size_t> valleys(const Ceiling& ceiling, const std::vector<std::size_t>& breaking,
+                                 double noise = 0.01);
 
 }  // namespace kerf::lookahead

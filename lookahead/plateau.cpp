@@ -6,6 +6,11 @@ namespace kerf::lookahead {
 
 namespace {
 
+// What fits may miss by rounding.
+constexpr double kWithRounding = 1.0 + 1e-9;
+// Fewer where turning binds: each climb is a search of its own there.
+constexpr int kTurningHalvings = 12;
+constexpr int kTurningSteps = 8;
 constexpr double kGolden = 0.6180339887498949;
 
 }  // namespace
@@ -16,7 +21,7 @@ double PlateauSearch::best_mm_s() const {
       low, std::min({span_.limits.feedrate_mm_s, span_.rise.top_mm_s(), span_.fall.top_mm_s()}));
   if (spare_mm(hill(high)) < 0.0) {
     double fits = low;
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < (span_.turning.empty() ? 40 : kTurningHalvings); ++i) {
       const double middle = 0.5 * (fits + high);
       (spare_mm(hill(middle)) >= 0.0 ? fits : high) = middle;
     }
@@ -26,8 +31,15 @@ double PlateauSearch::best_mm_s() const {
 }
 
 Hill PlateauSearch::hill(double plateau_mm_s) const {
-  return {.up = climb_to(span_.rise, {ends_.v_begin_mm_s, plateau_mm_s}, span_, profile_),
-          .down_mirrored = climb_to(span_.fall, {ends_.v_end_mm_s, plateau_mm_s}, span_, profile_)};
+  const auto climb = [&](SpanSide side, double v_foot_mm_s) {
+    return climb_to({.side = side,
+                     .ramp = {v_foot_mm_s, plateau_mm_s},
+                     .room_mm = kWithRounding * length_mm_,
+                     .may_wait = true},
+                    span_, profile_);
+  };
+  return {.up = climb(SpanSide::rise, ends_.v_begin_mm_s),
+          .down_mirrored = climb(SpanSide::fall, ends_.v_end_mm_s)};
 }
 
 double PlateauSearch::spare_mm(const Hill& hill) const {
@@ -36,6 +48,9 @@ double PlateauSearch::spare_mm(const Hill& hill) const {
 
 double PlateauSearch::time_s(double plateau_mm_s) const {
   const Hill h = hill(plateau_mm_s);
+  if (!span_.turning.empty() && spare_mm(h) < 0.0) {
+    return kUnbounded;
+  }
   return h.up.duration_s() + h.down_mirrored.duration_s() + spare_mm(h) / plateau_mm_s;
 }
 
@@ -46,7 +61,7 @@ double PlateauSearch::fastest_in(const Bracket& plateau) const {
   double x2 = a + kGolden * (b - a);
   double t1 = time_s(x1);
   double t2 = time_s(x2);
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < (span_.turning.empty() ? 24 : kTurningSteps); ++i) {
     if (t1 < t2) {
       b = x2;
       x2 = x1;

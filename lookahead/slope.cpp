@@ -30,6 +30,26 @@ double Slope::top_mm_s() const noexcept {
   return samples_.back().v_mm_s;
 }
 
+double Slope::bottom_mm_s() const noexcept {
+  return samples_.empty() ? kHighest : samples_.front().v_mm_s;
+}
+
+Slope Slope::from(double distance_mm) const {
+  if (samples_.empty()) {
+    return {};
+  }
+  std::vector<Sample> rest;
+  for (auto at = samples_.rbegin(); at != samples_.rend(); ++at) {
+    if (at->distance_mm <= distance_mm) {
+      rest.push_back({.distance_mm = 0.0, .v_mm_s = at->v_mm_s});
+      break;
+    }
+    rest.push_back({.distance_mm = at->distance_mm - distance_mm, .v_mm_s = at->v_mm_s});
+  }
+  std::reverse(rest.begin(), rest.end());
+  return Slope(std::move(rest));
+}
+
 double Slope::allowed_from_mm(double v_mm_s) const {
   const auto above =
       std::lower_bound(samples_.begin(), samples_.end() - 1, v_mm_s,

@@ -26,6 +26,15 @@ class Slope {
   // The highest feedrate allowed anywhere: at the top.
   [[nodiscard]] double top_mm_s() const noexcept;
 
+  // The lowest feedrate allowed anywhere: at the foot.
+  [[nodiscard]] double bottom_mm_s() const noexcept;
+  // The same side seen from a foot that far up.
+  [[nodiscard]] Slope from(double distance_mm) const;
+
+  // The distance from which a feedrate is allowed; that of the top for more than is allowed there.
+  // Precondition: not empty.
+  [[nodiscard]] double allowed_from_mm(double v_mm_s) const;
+
   // How long a transition from the foot upwards must be made to stay below the ceiling, as a factor
   // >= 1 on the length and duration of climb. A stretched transition passes through the same
   // feedrates at the same shares of its length, so each of its points asks for a length of its own
@@ -40,9 +49,6 @@ class Slope {
   template <typename Ask>
   class Search;
   static constexpr double kHighest = std::numeric_limits<double>::infinity();
-  // The distance from which a feedrate is allowed; that of the top for more than is allowed there.
-  [[nodiscard]] double allowed_from_mm(double v_mm_s) const;
-
   std::vector<Sample> samples_;
 };
 

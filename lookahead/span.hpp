@@ -1,11 +1,13 @@
 // A stretch of one block between two feedrates that are planned: ACC + CF + DEC.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "lookahead/block.hpp"
 #include "lookahead/junction.hpp"
 #include "lookahead/slope.hpp"
+#include "lookahead/turn_scan.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::lookahead {
@@ -19,6 +21,9 @@ struct Span {
   bool ends_block = true;
   Slope rise{};  // from its beginning
   Slope fall{};  // from its end
+  // What binds on its stretch of the curve beside limits; empty: nothing.
+  Turning turning{};
+  std::array<MotionLimits, 3> axes{};  // for turning
 };
 
 // The feedrates at the two ends of a span.
@@ -55,9 +60,18 @@ double reach_backward_mm_s(const Span& span, const BackwardQuery& query,
 double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, double v_end_known_mm_s,
                          const profiles::Profile& profile);
 
+// Whether the span has room for the direct transition between its ends, coasts included.
+bool joins(const Span& span, const SpanEnds& ends, const profiles::Profile& profile);
+
 // The fastest plan of the span's kind: the plateau as high as length and ceiling allow; under a
 // ceiling the plateau of least time. Precondition: the ends can be joined.
 SpanPlan plan_span(const Span& span, const SpanEnds& ends, const profiles::Profile& profile);
+
+// The plan of two ends that join, slowed down as a whole until it begins with v_begin_mm_s, which
+// is lower: accelerations shrink with its square, jerks with its cube, so it keeps every limit that
+// the plan kept, wherever on a curve.
+SpanPlan slowed_plan(const Span& span, const SpanEnds& ends, double v_begin_mm_s,
+                     const profiles::Profile& profile);
 
 // The lowest feedrate that a span which begins with ends.v_begin can have at its end, at the most
 // ends.v_end. Where it can stop, it is cut short there. Precondition: the ends can be joined.

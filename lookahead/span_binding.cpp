@@ -49,8 +49,21 @@ HeldBy SpanBinding::ceiling(const Transition& law, double s_begin_mm) const {
       nearest = sample;
       share = motion.v_mm_s / sample.v_mm_s;
     }
+    if (const TurnSample* turn = turning_at(s_begin_mm + motion.s_mm);
+        turn != nullptr && motion.v_mm_s > share * turn->feedrate_mm_s) {
+      nearest.limit = turn->limit;
+      share = motion.v_mm_s / turn->feedrate_mm_s;
+    }
   }
   return held_by(nearest.limit);
+}
+
+const TurnSample* SpanBinding::turning_at(double s_mm) const {
+  const Turning& turning = of_.span->turning;
+  const auto found =
+      std::lower_bound(turning.begin(), turning.end(), s_mm,
+                       [](const TurnSample& sample, double s) { return sample.s_mm < s; });
+  return found == turning.end() ? nullptr : &*found;
 }
 
 HeldBy SpanBinding::coast(double coast_s, const Transition& law, double s_begin_mm) const {

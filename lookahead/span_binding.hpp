@@ -13,7 +13,7 @@ enum class SpanPart : std::uint8_t { begin_coast, acceleration, cruise, decelera
 // - A cruise runs at what its block allows, or below a ceiling.
 // - A change of feedrate is bound by jerk and acceleration, each while it is what binds; where the
 //   profile has both at once, by the one of which a hundredth more would save more time. Where it
-//   was stretched to stay below a ceiling, by that.
+//   was stretched to stay below a ceiling or to leave room for turning, by that.
 class SpanBinding {
  public:
   struct Settings {
@@ -33,7 +33,9 @@ class SpanBinding {
                              double s_begin_mm) const;
   [[nodiscard]] HeldBy cruise(const profiles::Transition& law, double s_begin_mm) const;
   [[nodiscard]] HeldBy ramp(const profiles::Transition& law, double s_begin_mm) const;
-  // What the ceiling comes from where the law is nearest to it.
+  // Null: turning does not bind.
+  [[nodiscard]] const TurnSample* turning_at(double s_mm) const;
+  // What the ceiling, of the block or of turning, comes from where the law is nearest to it.
   [[nodiscard]] HeldBy ceiling(const profiles::Transition& law, double s_begin_mm) const;
 
   Settings of_;

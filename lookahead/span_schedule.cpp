@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "lookahead/junction.hpp"
 #include "lookahead/span_binding.hpp"
 #include "lookahead/split.hpp"
+#include "lookahead/turn_joint.hpp"
+#include "lookahead/turn_scan.hpp"
 
 namespace kerf::lookahead {
+
+using profiles::ProfileKind;
 
 namespace {
 
@@ -30,12 +35,11 @@ void cut_front(Span& span, const CruisePoint& cut) {
 // The ceiling bounds the mean feedrate of a tick. In a valley the acceleration of a law without
 // jerk jumps from -A to A, and the mean of the tick around it is A Ts / 4 above its middle at the
 // most.
-double valley_mm_s(double ceiling_mm_s, const Block& block,
-                   const SpanSchedule::Settings& settings) {
-  if (settings.profile.kind() != profiles::ProfileKind::trapezoid) {
+double valley_mm_s(double ceiling_mm_s, const Span& span, const SpanSchedule::Settings& settings) {
+  if (settings.profile.kind() != ProfileKind::trapezoid) {
     return ceiling_mm_s;
   }
-  const double rise = 0.25 * block.limits.ramp.acceleration_mm_s2 * settings.limits.period_s;
+  const double rise = 0.25 * span.limits.ramp.acceleration_mm_s2 * settings.limits.period_s;
   return std::max(ceiling_mm_s - rise, 0.5 * ceiling_mm_s);
 }
 
@@ -47,39 +51,57 @@ void SpanSchedule::push(const Window<Block>& blocks) {
 }
 
 void SpanSchedule::push(const Block& block, const Block* before) {
+  std::vector<Span> spans = spans_of(block);
   if (before != nullptr) {
-    join(*before, block);
+    window_.back().span.end = joint_of(*before, block, spans.front());
   }
-  append_spans(block);
+  spans.front().begin_coast_s = window_.empty() ? 0.0 : window_.back().span.end.coast_s;
+  for (Span& span : spans) {
+    window_.push_back({.span = std::move(span)});
+  }
 }
 
-void SpanSchedule::join(const Block& before, const Block& block) {
-  Span& last = window_.back().span;
-  Junction joint = junction({.before = &before, .after = &block}, settings_.limits);
-  if (!before.ceiling.empty()) {
-    joint.feedrate_mm_s =
-        std::min(joint.feedrate_mm_s, valley_mm_s(before.ceiling.back().v_mm_s, before, settings_));
-  }
-  if (!block.ceiling.empty()) {
-    joint.feedrate_mm_s =
-        std::min(joint.feedrate_mm_s, valley_mm_s(block.ceiling.front().v_mm_s, block, settings_));
-  }
-  last.end = joint;
-}
-
-void SpanSchedule::append_spans(const Block& block) {
-  const std::size_t first = window_.size();
-  if (block.ceiling.empty()) {
-    window_.push_back({.span = whole_span(block)});
-  } else {
-    for (Span& span : split(block)) {
-      if (!span.ends_block) {
-        span.end.feedrate_mm_s = valley_mm_s(span.end.feedrate_mm_s, block, settings_);
+std::vector<Span> SpanSchedule::spans_of(const Block& block) const {
+  std::vector<Span> spans;
+  const auto* nurbs = std::get_if<curves::NurbsCurve>(&block.curve);
+  Turning turning;
+  PlanLimits limits = settings_.limits;
+  if (nurbs != nullptr) {
+    if (settings_.profile.kind() == ProfileKind::trapezoid) {
+      for (MotionLimits& axis : limits.axes) {
+        axis.jerk_mm_s3 = kUnbounded;
       }
-      window_.push_back({.span = std::move(span)});
+    }
+    turning = scan_turning(*nurbs, block.limits.feedrate_mm_s, limits);
+  }
+  spans = turning.empty() ? split(block) : split(block, turning, limits);
+  for (Span& span : spans) {
+    if (!span.ends_block) {
+      span.end.feedrate_mm_s = valley_mm_s(span.end.feedrate_mm_s, span, settings_);
     }
   }
-  window_[first].span.begin_coast_s = first > 0 ? window_[first - 1].span.end.coast_s : 0.0;
+  return spans;
+}
+
+Junction SpanSchedule::joint_of(const Block& before, const Block& block, const Span& first) const {
+  const Span& last = window_.back().span;
+  const JunctionQuery query{.before = &before, .after = &block};
+  Junction joint = junction(query, settings_.limits);
+  const auto bind = [&joint](double feedrate_mm_s) {
+    joint.feedrate_mm_s = std::min(joint.feedrate_mm_s, feedrate_mm_s);
+  };
+  if (!before.ceiling.empty()) {
+    bind(valley_mm_s(std::min(before.ceiling.back().v_mm_s, last.fall.bottom_mm_s()), last,
+                     settings_));
+  }
+  if (!block.ceiling.empty()) {
+    bind(valley_mm_s(std::min(block.ceiling.front().v_mm_s, first.rise.bottom_mm_s()), first,
+                     settings_));
+  }
+  return last.turning.empty() && first.turning.empty()
+             ? joint
+             : beside_turning(joint, {.blocks = query, .before = &last, .after = &first},
+                              settings_.limits);
 }
 
 void SpanSchedule::plan_window(Supply supply) {
@@ -110,8 +132,7 @@ bool SpanSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, 
   }
   WindowSpan& item = window_.front();
   SpanEnds ends{.v_begin_mm_s = v_mm_s_, .v_end_mm_s = item.v_end_mm_s};
-  ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, item.v_end_before_mm_s, settings_.profile);
-  SpanPlan plan = plan_span(item.span, ends, settings_.profile);
+  SpanPlan plan = plan_front(ends);
   if (plan.cruise.duration_s() > 2.0 * settings_.longest_cruise_s) {
     const double v = plan.cruise.ramp().v_begin_mm_s;
     plan.cruise = profiles::Transition::cruise(v, v * settings_.longest_cruise_s);
@@ -120,6 +141,7 @@ bool SpanSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, 
     emit_plan(blocks.front(), plan, emitter, outbox);
     v_mm_s_ = v;
     cut_front(item.span, {.s_mm = emitter.s_mm(), .v_mm_s = v});
+    item.sure = {.v_begin_mm_s = v, .v_end_mm_s = ends.v_end_mm_s};
     return true;
   }
   emit_plan(blocks.front(), plan, emitter, outbox);
@@ -131,6 +153,18 @@ bool SpanSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, 
     emitter.come_to_rest(outbox);
   }
   return true;
+}
+
+// Lowers the end to what can be joined.
+SpanPlan SpanSchedule::plan_front(SpanEnds& ends) {
+  const WindowSpan& item = window_.front();
+  const profiles::Profile& profile = settings_.profile;
+  ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, item.v_end_before_mm_s, profile);
+  if (item.span.turning.empty() || joins(item.span, ends, profile)) {
+    return plan_span(item.span, ends, profile);
+  }
+  ends.v_end_mm_s = item.slowed_end_mm_s(ends.v_begin_mm_s);
+  return slowed_plan(item.span, item.sure, ends.v_begin_mm_s, profile);
 }
 
 void SpanSchedule::emit_plan(const Block& block, const SpanPlan& plan, Emitter& emitter,
@@ -179,8 +213,13 @@ void SpanSchedule::stop(const Window<Block>& /*blocks*/, const Emitter& /*emitte
     WindowSpan& item = window_[kept++];
     SpanEnds ends{.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
     ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, item.v_end_before_mm_s, settings_.profile);
-    v = brake(item.span, ends, settings_.profile);
-    item.v_end_mm_s = v;
+    if (!item.span.turning.empty() && !joins(item.span, ends, settings_.profile)) {
+      v = item.v_end_mm_s = item.slowed_end_mm_s(v);
+      continue;
+    }
+    item.v_end_mm_s = brake(item.span, ends, settings_.profile);
+    item.sure = {.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
+    v = item.v_end_mm_s;
   }
   window_.keep_front(kept);
   ready_spans_ = 0;

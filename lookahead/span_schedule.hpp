@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "lookahead/schedule.hpp"
 #include "lookahead/velocity_pass.hpp"
@@ -33,8 +34,9 @@ class SpanSchedule final : public Schedule {
   void stop(const Window<Block>& blocks, const Emitter& emitter) override;
 
  private:
-  void join(const Block& before, const Block& block);
-  void append_spans(const Block& block);
+  [[nodiscard]] std::vector<Span> spans_of(const Block& block) const;
+  [[nodiscard]] Junction joint_of(const Block& before, const Block& block, const Span& first) const;
+  SpanPlan plan_front(SpanEnds& ends);
   void plan_window(Supply supply);
   void emit_plan(const Block& block, const SpanPlan& plan, Emitter& emitter, Outbox& outbox) const;
   void leave_span(Window<Block>& blocks, Emitter& emitter);

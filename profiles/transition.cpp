@@ -64,6 +64,13 @@ Transition Transition::stretched(double factor) const noexcept {
   return result;
 }
 
+Transition Transition::slowed(double factor) const noexcept {
+  Transition result = stretched(factor);
+  result.ramp_.v_begin_mm_s /= factor;
+  result.ramp_.v_end_mm_s /= factor;
+  return result;
+}
+
 Transition Transition::reversed() const noexcept {
   Transition result = *this;
   std::swap(result.ramp_.v_begin_mm_s, result.ramp_.v_end_mm_s);

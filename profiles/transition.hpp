@@ -37,6 +37,9 @@ class Transition {
   [[nodiscard]] PathMotion at(double t_s) const noexcept;
   // The same shape over factor times the duration: slower, longer, gentler. Precondition: > 0.
   [[nodiscard]] Transition stretched(double factor) const noexcept;
+  // The same motion with every feedrate divided by factor, so over factor times the duration and
+  // the same length. Precondition: > 0.
+  [[nodiscard]] Transition slowed(double factor) const noexcept;
   // The same motion backwards in time: from v_end to v_begin, a mirror image by the symmetry of
   // every shape.
   [[nodiscard]] Transition reversed() const noexcept;

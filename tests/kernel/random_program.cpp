@@ -17,7 +17,7 @@ class Writer {
   Writer(std::uint64_t seed, const Mix& mix) : random_(seed), mix_(mix) {}
 
   RandomProgram write() {
-    add_line("G21 G90 G17 G94 G40 G49 G80 G91.1", 0.0, false);
+    add_line("G21 G90 G17 G94 G40 G49 G80 G91.1", 0.0);
     for (int i = 0; i < mix_.blocks; ++i) {
       const double pick = uniform(0.0, 1.0);
       if (mix_.contour) {
@@ -32,7 +32,7 @@ class Writer {
         line();
       }
     }
-    add_line("M2", 0.0, false);
+    add_line("M2", 0.0);
     program_.end_mm = here_;
     return std::move(program_);
   }
@@ -45,10 +45,9 @@ class Writer {
     return std::exp(uniform(std::log(low), std::log(high)));
   }
 
-  void add_line(const std::string& text, double feedrate_mm_s, bool nurbs) {
+  void add_line(const std::string& text, double feedrate_mm_s) {
     program_.text += text + "\n";
     program_.feedrate_mm_s.push_back(feedrate_mm_s);
-    program_.is_nurbs.push_back(nurbs);
   }
 
   void add_stretch(Stretch stretch, std::size_t line) {
@@ -119,7 +118,7 @@ class Writer {
     std::string text =
         uniform(0.0, 1.0) < 0.2 ? "G0" : "G1 F" + std::to_string(log_uniform(600.0, 1e5));
     extra_words(0.7, text);
-    add_line(text, 0.0, false);
+    add_line(text, 0.0);
     last_ = {};
   }
 
@@ -131,7 +130,7 @@ class Writer {
     line_by({length * d[0], length * d[1], length * d[2]}, text);
     extra_words(0.4, text);
     const double feedrate = feed_word(length, text);
-    add_line(text, feedrate, false);
+    add_line(text, feedrate);
   }
 
   // One of a run of short lines, as a finishing pass has them.
@@ -156,7 +155,7 @@ class Writer {
     line_by(step, text);
     text += " F";
     const double feedrate = print_number(contour_feed_mm_min_, text) / 60.0;
-    add_line(text, feedrate, false);
+    add_line(text, feedrate);
   }
 
   void arc() {
@@ -191,7 +190,7 @@ class Writer {
     extra_words(0.4, text);
     add_stretch(arc_stretch(words), program_.lines() + 1);
     const double feedrate = feed_word(std::hypot(radius * sweep, rise), text);
-    add_line(text, feedrate, false);
+    add_line(text, feedrate);
     last_ = {};
   }
 
@@ -223,10 +222,10 @@ class Writer {
       control_points.push_back(
           {.position_mm = here_, .weight = print_number(uniform(0.3, 3.0), text)});
       feedrate = i == 0 ? feed_word(1.5 * size * points, text) : feedrate;
-      add_line(text, i == 0 ? feedrate : 0.0, true);
+      add_line(text, i == 0 ? feedrate : 0.0);
     }
     for (int i = 0; i < order; ++i) {
-      add_line("K" + std::to_string(knots.back()), 0.0, true);
+      add_line("K" + std::to_string(knots.back()), 0.0);
     }
     for (Stretch& stretch : nurbs_stretches(control_points, knots)) {
       add_stretch(std::move(stretch), first_line);
@@ -251,13 +250,6 @@ double RandomProgram::fastest_mm_s(std::size_t from_line, std::size_t to_line) c
     fastest = std::max(fastest, feedrate_mm_s[line - 1]);
   }
   return fastest;
-}
-
-bool RandomProgram::holds_nurbs(std::size_t from_line, std::size_t to_line) const {
-  const auto begin = is_nurbs.begin();
-  return std::find(begin + static_cast<std::ptrdiff_t>(from_line - 1),
-                   begin + static_cast<std::ptrdiff_t>(to_line),
-                   true) != begin + static_cast<std::ptrdiff_t>(to_line);
 }
 
 RandomProgram random_program(std::uint64_t seed, const Mix& mix) {

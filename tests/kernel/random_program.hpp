@@ -17,13 +17,11 @@ struct RandomProgram {
   double end_a_deg = 0.0;
   double end_u_mm = 0.0;
   std::vector<double> feedrate_mm_s;  // by source line, line 1 first; 0 where no motion starts
-  std::vector<bool> is_nurbs;         // by source line
   std::vector<Stretch> path;
 
   [[nodiscard]] std::size_t lines() const { return feedrate_mm_s.size(); }
   // Of the blocks that a tick from one line to another may touch.
   [[nodiscard]] double fastest_mm_s(std::size_t from_line, std::size_t to_line) const;
-  [[nodiscard]] bool holds_nurbs(std::size_t from_line, std::size_t to_line) const;
 };
 
 // kinds of motion that a program may hold

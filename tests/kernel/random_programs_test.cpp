@@ -73,10 +73,8 @@ Outcome run(const RandomProgram& program, const MachineSettings& settings, const
   for (auto status = interp::TickStatus::running; status == interp::TickStatus::running;) {
     status = kernel.next(outcome.last);
     const std::size_t line = std::clamp<std::size_t>(outcome.last.line, 1, program.lines());
-    checker.add({.setpoint = outcome.last,
-                 .feedrate_mm_s = program.fastest_mm_s(line_before, line),
-                 .axis_limits_bind =
-                     kind == ProfileKind::time_optimal || !program.holds_nurbs(line_before, line)});
+    checker.add(
+        {.setpoint = outcome.last, .feedrate_mm_s = program.fastest_mm_s(line_before, line)});
     chords.add(outcome.last, kernel.chord_error_mm());
     line_before = line;
     outcome.complaint = checker.complaint() + chords.complaint();

@@ -36,9 +36,8 @@ TEST_P(ShippedProgram, KeepsTheTablesLimitsWithEveryProfileAndWindow) {
       TickChecker checker(settings.limits, true);
       interp::Setpoint setpoint;
       while (kernel.next(setpoint) == interp::TickStatus::running && checker.complaint().empty()) {
-        checker.add({.setpoint = setpoint,
-                     .feedrate_mm_s = std::numeric_limits<double>::infinity(),
-                     .axis_limits_bind = true});
+        checker.add(
+            {.setpoint = setpoint, .feedrate_mm_s = std::numeric_limits<double>::infinity()});
       }
       EXPECT_EQ(checker.complaint(), "") << profiles::name_of(profile.kind()) << " " << window;
       EXPECT_FALSE(kernel.has_errors());

@@ -23,10 +23,8 @@ void TickChecker::add(const Tick& tick) {
   last_[0] = tick;
   ++count_;
   judge_path();
-  const bool binds =
-      std::all_of(last_.begin(), last_.end(), [](const Tick& t) { return t.axis_limits_bind; });
   std::array<double, 4> x{};
-  for (std::size_t k = 0; binds && k < 3; ++k) {
+  for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t i = 0; i < 4; ++i) {
       x[i] = last_[i].setpoint.position_mm[k];
     }

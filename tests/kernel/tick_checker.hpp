@@ -15,9 +15,7 @@ class TickChecker {
  public:
   struct Tick {
     interp::Setpoint setpoint;
-    // Of the blocks since the tick before: the highest programmed, and whether axis limits bind.
-    double feedrate_mm_s = 0.0;
-    bool axis_limits_bind = true;
+    double feedrate_mm_s = 0.0;  // the highest programmed of the blocks since the tick before
   };
 
   TickChecker(const lookahead::PlanLimits& limits, bool jerk_binds)

@@ -39,6 +39,19 @@ TEST(Slope, StretchesAClimbUntilItTouches) {
   EXPECT_LT(nearest, 0.05);
 }
 
+TEST(Slope, IsTheSameSideSeenFromFartherUp) {
+  const Slope slope({{.distance_mm = 0.0, .v_mm_s = 20.0},
+                     {.distance_mm = 1.0, .v_mm_s = 30.0},
+                     {.distance_mm = 3.0, .v_mm_s = 70.0}});
+  EXPECT_EQ(slope.bottom_mm_s(), 20.0);
+  const Slope from = slope.from(2.0);
+  EXPECT_EQ(from.bottom_mm_s(), 30.0);  // the sample below its foot: no more than is allowed there
+  EXPECT_EQ(from.top_mm_s(), 70.0);
+  EXPECT_EQ(from.allowed_from_mm(70.0), 1.0);
+  EXPECT_EQ(slope.from(9.0).top_mm_s(), 70.0);
+  EXPECT_TRUE(Slope{}.from(1.0).empty());
+}
+
 TEST(Slope, LooksThroughADipOnTheWayUp) {
   const Slope slope({{.distance_mm = 0.0, .v_mm_s = 20.0},
                      {.distance_mm = 1.0, .v_mm_s = 60.0},

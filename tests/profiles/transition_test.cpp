@@ -31,6 +31,20 @@ TEST(Transition, CruisesOverNoLengthWithoutDividingByZero) {
   EXPECT_EQ(cruise.at(0.0).v_mm_s, 40.0);
 }
 
+TEST(Transition, SlowedDownIsAtTheSamePlacesLater) {
+  const Transition ramp({.v_begin_mm_s = 20.0, .v_end_mm_s = 60.0}, 0.5, Quintic{});
+  const Transition slowed = ramp.slowed(4.0);
+  EXPECT_EQ(slowed.length_mm(), ramp.length_mm());
+  for (const double t : {0.0, 0.1, 0.25, 0.4, 0.5}) {
+    const PathMotion fast = ramp.at(t);
+    const PathMotion slow = slowed.at(4.0 * t);
+    EXPECT_NEAR(slow.s_mm, fast.s_mm, 1e-12);
+    EXPECT_NEAR(slow.v_mm_s, fast.v_mm_s / 4.0, 1e-12);
+    EXPECT_NEAR(slow.a_mm_s2, fast.a_mm_s2 / 16.0, 1e-9);
+    EXPECT_NEAR(slow.j_mm_s3, fast.j_mm_s3 / 64.0, 1e-9);
+  }
+}
+
 TEST(Transition, RestsForItsDuration) {
   const Transition rest = Transition::rest(3.0);
   EXPECT_EQ(rest.duration_s(), 3.0);
