@@ -14,7 +14,7 @@ namespace {
 constexpr std::array kShares{
     JumpShares{.jump = 0.25, .turn = 0.15, .cells = 0.59, .tangential = 1.0},
     JumpShares{.jump = 0.5, .turn = 0.1, .cells = 0.39, .tangential = 1.0},
-    JumpShares{.jump = 0.91, .turn = 0.04, .cells = 0.04, .tangential = 0.04}};
+    JumpShares{.jump = 0.95, .turn = 0.02, .cells = 0.02, .tangential = 0.02}};
 // Of an axis' acceleration, which a jump of direction takes from the cells.
 constexpr double kStepShare = 0.95;
 constexpr double kAllShares = 0.99;
