@@ -10,6 +10,9 @@ namespace {
 
 constexpr double kLeastSlack = 1e-6;  // what is less is rounding, or a mended cell
 constexpr double kClearly = 1.0 + 1e-6;
+// A cell with less of the jerk than this has left most of it to the jump beside it.
+constexpr double kMostOfJerk = 0.5;
+constexpr double kFarFromAll = 1.0;  // price of a limit that is half used
 
 class Prices {
  public:
@@ -24,13 +27,20 @@ class Prices {
     }
     return static_cast<SpeedLimit>(best);
   }
+  [[nodiscard]] bool are_low() const {
+    return *std::max_element(price_.begin(), price_.end()) < kFarFromAll;
+  }
 
  private:
   std::array<double, interp::kSpeedLimits> price_{};
 };
 
+bool is_beside_joint(const Cell& cell) {
+  return cell.allowed.jerk < kMostOfJerk;
+}
+
 SpeedLimit unless_joint(const Cell& cell, SpeedLimit limit) {
-  return cell.allowed.jerk < 1.0 ? SpeedLimit::joint : limit;
+  return is_beside_joint(cell) ? SpeedLimit::joint : limit;
 }
 
 void add_place(const Cell& cell, const CellEnd& path, const SquaredFeed& feed,
@@ -67,7 +77,8 @@ SpeedLimit binding_limit(const Cell& cell, const CellFeed& feed, const PlanLimit
   const double cap = 0.5 * (cell.begin.feedrate_mm_s * cell.begin.feedrate_mm_s +
                             cell.end.feedrate_mm_s * cell.end.feedrate_mm_s);
   prices.add(std::sqrt(std::max(feed.coefficient, 0.0) / cap) / cell.shares.feedrate, lower.from);
-  return prices.highest();
+  // Between two places that a joint holds down nothing else comes near.
+  return is_beside_joint(cell) && prices.are_low() ? SpeedLimit::joint : prices.highest();
 }
 
 // With s = j t^3 / 6: v = j t^2 / 2, so j = 2 v^3 / (9 s^2).
