@@ -54,8 +54,8 @@ std::vector<std::string> describe(const lookahead::Shortfalls& shortfalls) {
                     at.line, what));
   }
   if (shortfalls.count > warnings.size()) {
-    warnings.push_back(fmt::format("the time optimum was not found at {} more",
-                                   counted(shortfalls.count - warnings.size(), "place")));
+    warnings.push_back(fmt::format("the time optimum was not found at {}",
+                                   counted(shortfalls.count - warnings.size(), "more place")));
   }
   return warnings;
 }
