@@ -135,7 +135,7 @@ Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits
     block.begin.third_per_mm2 = bend.third_per_mm2;
     block.end.third_per_mm2 = bend.third_per_mm2;
   } else {
-    block.limits = nurbs_limits(feedrate, limits);
+    block.limits = nurbs_limits(*nurbs, feedrate, limits);
   }
   bind_extra_axes(limits, block);
   if (nurbs != nullptr) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <vector>
 
 namespace kerf::lookahead {
 
@@ -65,7 +66,7 @@ struct WeakestAxis {
   LimitOrigins from{};
 };
 
-WeakestAxis weakest_of(std::initializer_list<std::size_t> axes, const PlanLimits& limits) {
+WeakestAxis weakest_of(const std::vector<std::size_t>& axes, const PlanLimits& limits) {
   WeakestAxis weakest;
   for (const std::size_t k : axes) {
     const MotionLimits& axis = limits.axes[k];
@@ -180,10 +181,18 @@ BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits&
   return block;
 }
 
-BlockLimits nurbs_limits(double feedrate_mm_s, const PlanLimits& limits) {
+BlockLimits nurbs_limits(const curves::NurbsCurve& curve, double feedrate_mm_s,
+                         const PlanLimits& limits) {
+  constexpr double kRests_mm = 1e-9;  // what is less is rounding
+  const curves::Extents box = curve.extents();
+  std::vector<std::size_t> moved;
+  for (std::size_t k = 0; k < limits.axes.size(); ++k) {
+    if (box.max_mm[k] - box.min_mm[k] > kRests_mm) {
+      moved.push_back(k);
+    }
+  }
   BlockLimits block = along_path(feedrate_mm_s, limits.path);
-  const auto [weakest, from] = weakest_of({0, 1, 2}, limits);
-  bind_feedrate(block, {weakest.velocity_mm_s, from.feedrate});
+  const auto [weakest, from] = weakest_of(moved, limits);
   bind_acceleration(block, {weakest.acceleration_mm_s2, from.acceleration});
   bind_jerk(block, {weakest.jerk_mm_s3, from.jerk});
   return block;

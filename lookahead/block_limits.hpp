@@ -52,9 +52,10 @@ BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits&
 // The feedrate at which the chord of a tick leaves the arc by the tolerance.
 double arc_chord_feedrate_mm_s(const Bend& bend, const PlanLimits& limits);
 
-// Along a NURBS the limits of the path bind, and those of the weakest axis as if it ran along the
-// curve: a first bound, for the scan of the chord error. What each axis allows at each place is
+// Along a NURBS the limits of the path bind, and acceleration and jerk of the weakest of the axes
+// that move, as if it ran along the curve: a first bound. What each axis allows at each place is
 // found by turn_scan in the classical schedule and by the cells of the time optimum.
-BlockLimits nurbs_limits(double feedrate_mm_s, const PlanLimits& limits);
+BlockLimits nurbs_limits(const curves::NurbsCurve& curve, double feedrate_mm_s,
+                         const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

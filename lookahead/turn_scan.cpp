@@ -223,7 +223,8 @@ double between(double s0, double v0, double s1, double v1, double s) {
 Turning scan_turning(const NurbsCurve& curve, double feedrate_mm_s, const PlanLimits& limits) {
   const bool any =
       std::any_of(limits.axes.begin(), limits.axes.end(), [](const MotionLimits& axis) {
-        return std::isfinite(axis.acceleration_mm_s2) || std::isfinite(axis.jerk_mm_s3);
+        return std::isfinite(axis.velocity_mm_s) || std::isfinite(axis.acceleration_mm_s2) ||
+               std::isfinite(axis.jerk_mm_s3);
       });
   return any ? Scan(curve, feedrate_mm_s, limits).samples() : Turning{};
 }

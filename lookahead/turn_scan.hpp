@@ -35,7 +35,7 @@ using Turning = std::vector<TurnSample>;
 // Each piece of the curve is halved until straight lines between samples miss neither derivatives
 // nor feedrate by more than a part of the limits that the check leaves free.
 //
-// feedrate_mm_s: the highest of interest. Empty where no axis has a limit on acceleration or jerk.
+// feedrate_mm_s: the highest of interest. Empty where no axis has a limit.
 Turning scan_turning(const curves::NurbsCurve& curve, double feedrate_mm_s,
                      const PlanLimits& limits);
 

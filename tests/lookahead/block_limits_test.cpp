@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/curves/shipped_curves.hpp"
 #include "tests/lookahead/blocks.hpp"
 
 namespace kerf::lookahead::test {
@@ -174,12 +175,16 @@ TEST(ArcLimits, KeepEveryAxisWithinItsOwnOnARadiusThatChanges) {
   }
 }
 
-TEST(NurbsLimits, TakeTheWeakestAxisAndThePath) {
+TEST(NurbsLimits, TakeThePathAndTheWeakestOfTheAxesThatMove) {
   PlanLimits limits =
       axis_limits({.velocity_mm_s = 100.0, .acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 1e4});
   limits.axes[1].jerk_mm_s3 = 2e3;
+  limits.axes[2] = {.velocity_mm_s = 1.0, .acceleration_mm_s2 = 1.0, .jerk_mm_s3 = 1.0};
   limits.path.acceleration_mm_s2 = 700.0;
-  const BlockLimits found = nurbs_limits(60.0, limits);
+  const auto curve =
+      curves::NurbsCurve::make(curves::testing::shipped_curve("butterfly"));  // in X and Y
+  ASSERT_TRUE(curve.has_value());
+  const BlockLimits found = nurbs_limits(curve->front(), 60.0, limits);
   EXPECT_EQ(found.feedrate_mm_s, 60.0);
   EXPECT_EQ(found.ramp.acceleration_mm_s2, 700.0);
   EXPECT_EQ(found.ramp.jerk_mm_s3, 2e3);

@@ -105,6 +105,17 @@ TEST(Optimum, AtAVeryLowFeedrateTakesTheTimeOfTheCruise) {
   EXPECT_LT(plan.cells().size(), 20000U);
 }
 
+// The butterfly lies in X and Y.
+TEST(Optimum, IsNotSlowedByAnAxisThatRests) {
+  const MotionLimits each{.velocity_mm_s = 100.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 55e3};
+  PlanLimits limits = limits_of(each, true, 5e-4);
+  const auto curve = curves::testing::shipped_curve("butterfly");
+  const double time = plan_of(only_block(nurbs_move(curve, 100.0), limits), limits).duration_s();
+  limits.axes[2] = {.velocity_mm_s = 1.0, .acceleration_mm_s2 = 10.0, .jerk_mm_s3 = 100.0};
+  EXPECT_DOUBLE_EQ(plan_of(only_block(nurbs_move(curve, 100.0), limits), limits).duration_s(),
+                   time);
+}
+
 struct Reference {
   std::string curve;
   bool on_axes = false;
