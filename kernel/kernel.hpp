@@ -18,7 +18,7 @@
 namespace kerf {
 
 struct KernelOptions {
-  profiles::Profile profile{profiles::ProfileKind::s_curve};
+  profiles::Profile profile{profiles::kDefaultProfile};
   std::size_t window_blocks = 1000;    // of the look-ahead, >= 2
   double horizon_s = 0.25;             // how far ahead of the tick motion is frozen
   parser::BlockDelete block_delete{};  // which blocks that begin with '/' are left out

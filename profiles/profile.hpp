@@ -23,6 +23,8 @@ enum class ProfileKind : std::uint8_t {
   time_optimal,
 };
 
+inline constexpr ProfileKind kDefaultProfile = ProfileKind::time_optimal;
+
 // "trapezoid", "s-curve", "sine", "quintic", "sine-series", "sigmoid", "time-optimal".
 std::string_view name_of(ProfileKind kind);
 // Empty for any other name; case matters.

@@ -40,7 +40,7 @@ std::vector<std::string> profile_names() {
 // What the options of all commands are read into before they mean something.
 struct Raw {
   Options options;
-  std::string profile{name_of(ProfileKind::s_curve)};
+  std::string profile{name_of(profiles::kDefaultProfile)};
   std::string block_delete;   // empty: not given
   std::string explain_speed;  // the same
 };

@@ -28,7 +28,7 @@ struct Options {
   std::vector<std::string> files;
   std::optional<std::string> machine_file;
   std::optional<std::string> tool_file;
-  profiles::ProfileKind profile = profiles::ProfileKind::s_curve;
+  profiles::ProfileKind profile = profiles::kDefaultProfile;
   std::optional<double> sigmoid_shape;
   std::optional<std::string> trace_file;
   std::optional<std::string> plot_file;

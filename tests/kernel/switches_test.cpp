@@ -26,7 +26,9 @@ struct Tick {
 
 std::vector<Tick> run(std::string_view program) {
   const kerf::MachineSettings settings = kerf::default_machine();
-  kerf::Kernel kernel(settings);
+  // Its cruise is the programmed feedrate to the last digit.
+  const kerf::profiles::Profile profile(kerf::profiles::ProfileKind::s_curve);
+  kerf::Kernel kernel(settings, {.profile = profile});
   kerf::machine::SimulatedTable table(settings.table);
   table.enable({});
   kernel.feed(program);

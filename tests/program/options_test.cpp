@@ -29,7 +29,7 @@ TEST(CommandLine, HasDefaults) {
   const auto& options = std::get<Options>(parsed);
   EXPECT_EQ(options.command, Command::dry_run);
   EXPECT_EQ(options.files, std::vector<std::string>{"a.ngc"});
-  EXPECT_EQ(options.profile, profiles::ProfileKind::s_curve);
+  EXPECT_EQ(options.profile, profiles::ProfileKind::time_optimal);
   EXPECT_EQ(options.window_blocks, 1000U);
   EXPECT_FALSE(options.machine_file || options.trace_file || options.plot_file);
   EXPECT_FALSE(options.json || options.quiet);

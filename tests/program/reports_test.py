@@ -161,15 +161,23 @@ class Json(Case):
         self.assertEqual(report["exit_status"], 1)
         self.assertEqual([error["line"] for error in report["errors"]], [3, 5])
 
-    def test_says_by_how_much_a_spline_exceeds_the_limits_of_the_axes(self):
-        program = os.path.join(SOURCE, "programs/butterfly.ngc")
-        done = self.kerf("dry-run", "--json", program)
+    def test_says_by_how_much_a_figure_exceeds_its_limit(self):
+        # A law without jerk, on a machine with one.
+        program = os.path.join(SOURCE, "programs/circle.ngc")
+        done = self.kerf("dry-run", "--json", "--profile", "trapezoid", program)
         report = json.loads(done.stdout)
-        jerk = next(e for e in report["limits_exceeded"] if e["where"] == "x" and e["quantity"] == "jerk")
+        jerk = next(e for e in report["limits_exceeded"] if e["where"] == "path" and e["quantity"] == "jerk")
         self.assertAlmostEqual(jerk["ratio"], jerk["value"] / jerk["limit"])
         self.assertGreater(jerk["ratio"], 2)
-        self.assertTrue(any("axis x jerk" in warning for warning in report["warnings"]))
+        self.assertTrue(any("path jerk" in warning for warning in report["warnings"]))
         self.assertIn("kerf: warning: ", done.stderr)
+
+    def test_exceeds_no_limit_on_a_spline(self):
+        for profile in ("time-optimal", "s-curve"):
+            report = json.loads(self.kerf("dry-run", "--json", "--profile", profile,
+                                          os.path.join(SOURCE, "programs/butterfly.ngc")).stdout)
+            self.assertEqual(report["limits_exceeded"], [])
+            self.assertEqual(report["warnings"], [])
 
 
 class Plot(Case):
