@@ -11,8 +11,10 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr double kCellTicks = 1.0;  // of the estimated motion
-constexpr double kGrowth = 0.08;    // of a cell over its distance from where something happens
+// Of the estimated motion that a cell lasts, on a curve and where only the motion changes.
+constexpr double kCellTicks = 1.0;
+constexpr double kPlainCellTicks = 1.5;
+constexpr double kGrowth = 0.08;  // of a cell over its distance from where something happens
 // Turning takes part in the limits where it takes this share of one.
 constexpr double kTurning = 0.05;
 // Of a cell over the radius, the shortest that a piece asks for in ticks and pieces, and how fast
@@ -37,6 +39,7 @@ struct Scan {
   std::vector<double> feeds_mm_s;
   std::vector<double> quiet_mm;
   std::vector<double> feature_mm;
+  double cell_ticks = kCellTicks;
 
   [[nodiscard]] double least_mm() const {
     return std::min(kLeastCell_mm, kLeastShare * places_mm.back());
@@ -54,7 +57,7 @@ struct Scan {
   // How long a cell at this place may be.
   [[nodiscard]] double cell_mm(double s_mm, const PlanLimits& limits) const {
     const double of_motion =
-        std::max(kCellTicks * limits.period_s * at(feeds_mm_s, s_mm), kGrowth * at(quiet_mm, s_mm));
+        std::max(cell_ticks * limits.period_s * at(feeds_mm_s, s_mm), kGrowth * at(quiet_mm, s_mm));
     return std::max(least_mm(), std::min(at(feature_mm, s_mm), of_motion));
   }
 };
@@ -132,6 +135,7 @@ double feature_mm(const CellEnd& end, double piece_mm, double tick_mm) {
 Scan scan(const BlockPath& path, const EndFeeds& ends, const std::vector<CellStop>& stops,
           const PlanLimits& limits) {
   Scan result{.places_mm = path.scan_places(), .feeds_mm_s = {}, .quiet_mm = {}, .feature_mm = {}};
+  result.cell_ticks = path.piece_mm(0.0) == kUnbounded ? kPlainCellTicks : kCellTicks;
   add_places_beside_ends(ends, result.places_mm);
   for (const CellStop& stop : stops) {
     result.places_mm.push_back(stop.s_mm);
