@@ -123,7 +123,7 @@ class Writer {
   }
 
   void line() {
-    const double length = log_uniform(1e-6, 1e3);
+    const double length = log_uniform(1e-6, mix_.longest_mm);
     Vec d = direction();
     keep_inside(d);
     std::string text;
@@ -159,7 +159,7 @@ class Writer {
   }
 
   void arc() {
-    const double radius = log_uniform(1e-3, 300.0);
+    const double radius = log_uniform(1e-3, 0.3 * mix_.longest_mm);
     const double sweep = uniform(0.0, 1.0) < 0.15 ? 2.0 * 3.141592653589793 : uniform(0.05, 6.0);
     const auto plane = static_cast<std::size_t>(uniform(0.0, 2.999));  // normal axis
     const std::size_t first = (plane + 1) % 3;
@@ -197,7 +197,7 @@ class Writer {
   void nurbs() {
     const int degree = 1 + static_cast<int>(uniform(0.0, 5.0));
     const int points = degree + 1 + static_cast<int>(uniform(0.0, 6.0));
-    const double size = log_uniform(1e-2, 100.0);
+    const double size = log_uniform(1e-2, 0.1 * mix_.longest_mm);
     const int order = degree + 1;
     std::vector<double> knots(static_cast<std::size_t>(order), 0.0);
     for (int i = 1; i <= points - order; ++i) {

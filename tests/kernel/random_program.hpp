@@ -13,7 +13,8 @@ namespace kerf::test {
 
 struct RandomProgram {
   std::string text;
-  std::array<double, 3> end_mm{};  // as printed in the last motion block
+  std::array<double, 3> start_mm{};  // where the tool is
+  std::array<double, 3> end_mm{};    // as printed in the last motion block
   double end_a_deg = 0.0;
   double end_u_mm = 0.0;
   std::vector<double> feedrate_mm_s;  // by source line, line 1 first; 0 where no motion starts
@@ -31,6 +32,7 @@ struct Mix {
   bool extra = false;    // A and U beside lines and arcs, and alone
   bool contour = false;  // many short lines with gentle turns instead of everything else
   int blocks = 12;
+  double longest_mm = 1e3;  // of a line; arcs and curves in proportion
 };
 
 RandomProgram random_program(std::uint64_t seed, const Mix& mix);

@@ -1,24 +1,19 @@
 // Seeded random programs: every limit at every tick, every tick on the path, the chord between two
 // ticks within the tolerance of it, the end where the program says, never a hang.
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
+#include <iostream>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "kernel/kernel.hpp"
-#include "tests/kernel/chord_checker.hpp"
-#include "tests/kernel/random_program.hpp"
-#include "tests/kernel/tick_checker.hpp"
+#include "tests/kernel/judged_run.hpp"
+#include "tests/kernel/random_machine.hpp"
 
 namespace kerf::test {
 namespace {
 
-using profiles::Profile;
 using profiles::ProfileKind;
-
-constexpr std::int64_t kMostTicks = 3'000'000;
 
 // KERF_RANDOM_PROGRAMS and KERF_RANDOM_SEED override count and first seed.
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
@@ -26,81 +21,18 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-MachineSettings machine_for(std::uint64_t seed) {
-  MachineSettings settings;
-  auto pick = [state = seed * 2654435761U + 1]() mutable {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    return static_cast<double>(state >> 11U) / 9007199254740992.0;
-  };
-  for (lookahead::MotionLimits& axis : settings.limits.axes) {
-    axis = {.velocity_mm_s = 50.0 + 450.0 * pick(),
-            .acceleration_mm_s2 = 500.0 * std::pow(20.0, pick()),
-            .jerk_mm_s3 = 5e3 * std::pow(100.0, pick())};
-  }
-  if (pick() < 0.5) {
-    settings.limits.path = {
-        .velocity_mm_s = 400.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 6e4};
-  }
-  settings.limits.chord_tolerance_mm = 1e-5 * std::pow(1000.0, pick());
-  settings.program.extra_axes = parser::letters('A', 'U');
-  for (const std::size_t axis : {0U, 3U}) {
-    settings.limits.extra[axis] = {.velocity_mm_s = 2.0 + 20.0 * pick(),
-                                   .acceleration_mm_s2 = 20.0 * std::pow(20.0, pick()),
-                                   .jerk_mm_s3 = 5e2 * std::pow(50.0, pick())};
-  }
-  return settings;
-}
+// Every so many seeds has limits that are spread over four decades between axes.
+constexpr std::uint64_t kWide = 3;
 
-struct Outcome {
-  std::string complaint;
-  interp::Setpoint last{};
-};
-
-struct Way {
-  ProfileKind kind = ProfileKind::s_curve;
-  std::size_t window_blocks = 1000;
-};
-
-Outcome run(const RandomProgram& program, const MachineSettings& settings, const Way& way) {
-  const ProfileKind kind = way.kind;
-  Kernel kernel(settings, {.profile = Profile(kind), .window_blocks = way.window_blocks});
-  kernel.feed(program.text);
-  kernel.finish();
-  TickChecker checker(settings.limits, kind != ProfileKind::trapezoid);
-  ChordChecker chords(program.path, settings.limits.chord_tolerance_mm);
-  Outcome outcome;
-  std::size_t line_before = 1;
-  for (auto status = interp::TickStatus::running; status == interp::TickStatus::running;) {
-    status = kernel.next(outcome.last);
-    const std::size_t line = std::clamp<std::size_t>(outcome.last.line, 1, program.lines());
-    checker.add(
-        {.setpoint = outcome.last, .feedrate_mm_s = program.fastest_mm_s(line_before, line)});
-    chords.add(outcome.last, kernel.chord_error_mm());
-    line_before = line;
-    outcome.complaint = checker.complaint() + chords.complaint();
-    if (outcome.complaint.empty() && checker.ticks() > kMostTicks) {
-      outcome.complaint = "does not end";
-    }
-    if (!outcome.complaint.empty()) {
-      return outcome;
-    }
-    if (status == interp::TickStatus::starved) {
-      outcome.complaint = "starved";
-    }
-  }
-  if (kernel.has_errors()) {
-    outcome.complaint =
-        kernel.diagnostics().empty() ? "error" : kernel.diagnostics().back().message;
-  }
-  return outcome;
-}
-
-void expect_clean(std::uint64_t seed, const Mix& mix, const Way& way) {
+void expect_clean(std::uint64_t seed, Mix mix, const Way& way) {
   SCOPED_TRACE("seed " + std::to_string(seed) + ", profile " +
                std::string(profiles::name_of(way.kind)) + ", window " +
                std::to_string(way.window_blocks));
+  const MachineSettings settings =
+      random_machine(seed, seed % kWide == 0 ? Spread::wide : Spread::common);
+  mix.longest_mm = std::min(mix.longest_mm, unhurried_mm(settings));
   const RandomProgram program = random_program(seed, mix);
-  const Outcome outcome = run(program, machine_for(seed), way);
+  const JudgedRun outcome = judged_run(program, settings, way);
   EXPECT_EQ(outcome.complaint, "") << program.text;
   EXPECT_EQ(outcome.last.position_mm, program.end_mm) << program.text;
   constexpr double kDegree = 3.14159265358979323846 / 180.0;

@@ -1,5 +1,6 @@
 #include "tests/kernel/singular_curves.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -193,6 +194,33 @@ std::string program_of(const NurbsData& data, double feedrate_mm_s) {
   }
   text << "M2\n";
   return text.str();
+}
+
+SingularCase random_singular_case(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto log_uniform = [&random](double low, double high) {
+    return std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random));
+  };
+  SingularCase made{.data = random_singular_curve(random), .limits = {}};
+  const auto& points = made.data.points;
+  double polygon_mm = 0.0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    polygon_mm +=
+        (curves::vec(points[i].position_mm) - curves::vec(points[i - 1].position_mm)).norm();
+  }
+  const double slowest = polygon_mm / 500.0;
+  made.limits.chord_tolerance_mm = log_uniform(1e-5, 1e-2);
+  const double spread = seed % 2 == 0 ? 1.0 : 100.0;
+  const lookahead::MotionLimits middle{.velocity_mm_s = log_uniform(10.0, 1e3),
+                                       .acceleration_mm_s2 = log_uniform(100.0, 2e4),
+                                       .jerk_mm_s3 = log_uniform(1e3, 1e6)};
+  for (lookahead::MotionLimits& axis : made.limits.axes) {
+    const auto near = [&](double value) { return value * log_uniform(1.0 / spread, spread); };
+    axis = {std::max(slowest, near(middle.velocity_mm_s)), near(middle.acceleration_mm_s2),
+            near(middle.jerk_mm_s3)};
+  }
+  made.feedrate_mm_s = log_uniform(std::max(2e-5, slowest), 2e3);
+  return made;
 }
 
 }  // namespace kerf::test

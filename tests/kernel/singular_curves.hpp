@@ -1,11 +1,13 @@
 // Curves at the edge of what a NURBS can be, and the programs that run them.
 #pragma once
 
+#include <cstdint>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "curves/nurbs_curve.hpp"
+#include "lookahead/limits.hpp"
 
 namespace kerf::test {
 
@@ -24,5 +26,15 @@ curves::NurbsData random_singular_curve(std::mt19937_64& random);
 
 // Runs to the curve's begin and along it.
 std::string program_of(const curves::NurbsData& data, double feedrate_mm_s);
+
+struct SingularCase {
+  curves::NurbsData data;
+  lookahead::PlanLimits limits;
+  double feedrate_mm_s = 0.0;
+};
+
+// A random curve, limits of each axis that, for every other seed, spread over four decades, and a
+// feedrate of eight, as far as the curve then takes no more than some 500 s.
+SingularCase random_singular_case(std::uint64_t seed);
 
 }  // namespace kerf::test

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -10,6 +11,19 @@
 #include "lookahead/limits.hpp"
 
 namespace kerf::test {
+
+// What has a limit.
+enum class Figure : std::uint8_t {
+  feedrate,
+  backward_motion,
+  path_acceleration,
+  path_jerk,
+  axis_velocity,
+  axis_acceleration,
+  axis_jerk,
+};
+inline constexpr std::size_t kFigures = 7;
+const char* name_of(Figure figure);
 
 class TickChecker {
  public:
@@ -25,16 +39,19 @@ class TickChecker {
   // What was exceeded, where and by how much; empty if nothing was.
   [[nodiscard]] const std::string& complaint() const { return complaint_; }
   [[nodiscard]] std::int64_t ticks() const { return count_; }
+  // The largest of each figure over what is allowed, by number of Figure.
+  [[nodiscard]] const std::array<double, kFigures>& worst() const { return worst_; }
 
  private:
   void judge_path();
   void judge_axis(const std::array<double, 4>& x, const lookahead::MotionLimits& limit);
-  void judge(const char* what, double found, double limit);
+  void judge(Figure figure, double found, double limit);
 
   lookahead::PlanLimits limits_;
   bool jerk_binds_;
   std::array<Tick, 4> last_{};  // newest first
   std::int64_t count_ = 0;
+  std::array<double, kFigures> worst_{};
   std::string complaint_;
 };
 

@@ -1,0 +1,59 @@
+#include "tests/kernel/judged_run.hpp"
+
+#include <algorithm>
+
+#include "kernel/kernel.hpp"
+#include "tests/kernel/chord_checker.hpp"
+
+namespace kerf::test {
+
+namespace {
+
+// What the scan of a curve's bound may miss, where only the kernel's account is there.
+constexpr double kRelative = 1e-6;
+
+}  // namespace
+
+JudgedRun judged_run(const RandomProgram& program, const MachineSettings& settings,
+                     const Way& way) {
+  Kernel kernel(settings, {.profile = profiles::Profile(way.kind),
+                           .window_blocks = way.window_blocks,
+                           .start_mm = program.start_mm});
+  kernel.feed(program.text);
+  kernel.finish();
+  const double tolerance_mm = settings.limits.chord_tolerance_mm;
+  TickChecker checker(settings.limits, way.kind != profiles::ProfileKind::trapezoid);
+  ChordChecker chords(program.path, tolerance_mm);
+  JudgedRun run;
+  double kernel_says_mm = 0.0;
+  std::size_t line_before = 1;
+  auto status = interp::TickStatus::running;
+  while (status == interp::TickStatus::running && run.complaint.empty()) {
+    status = kernel.next(run.last);
+    const std::size_t line = std::clamp<std::size_t>(run.last.line, 1, program.lines());
+    checker.add({.setpoint = run.last, .feedrate_mm_s = program.fastest_mm_s(line_before, line)});
+    line_before = line;
+    kernel_says_mm = std::max(kernel_says_mm, kernel.chord_error_mm());
+    if (!program.path.empty()) {
+      chords.add(run.last, kernel.chord_error_mm());
+    }
+    run.complaint = checker.complaint() + chords.complaint();
+    if (run.complaint.empty() && checker.ticks() > way.most_ticks) {
+      run.complaint = "does not end";
+    }
+  }
+  if (kernel.has_errors()) {
+    run.complaint = kernel.diagnostics().empty() ? "error" : kernel.diagnostics().back().message;
+  } else if (status == interp::TickStatus::starved) {
+    run.complaint += "starved";
+  } else if (program.path.empty() && kernel_says_mm > tolerance_mm * (1.0 + kRelative)) {
+    run.complaint += "chord error " + std::to_string(kernel_says_mm);
+  }
+  run.ticks = checker.ticks();
+  run.worst = checker.worst();
+  run.worst_chord = (program.path.empty() ? kernel_says_mm : chords.largest_mm()) / tolerance_mm;
+  run.shortfalls = kernel.totals().shortfalls.count;
+  return run;
+}
+
+}  // namespace kerf::test
