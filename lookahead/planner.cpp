@@ -19,8 +19,10 @@ bool is_optimum(const PlannerSettings& settings) {
 
 std::unique_ptr<Schedule> schedule_for(const PlannerSettings& settings) {
   if (is_optimum(settings)) {
-    return std::make_unique<OptimumSchedule>(OptimumSchedule::Settings{
-        .limits = settings.limits, .longest_phase_s = settings.longest_cruise_s});
+    return std::make_unique<OptimumSchedule>(
+        OptimumSchedule::Settings{.limits = settings.limits,
+                                  .window_cells = settings.window_cells,
+                                  .longest_phase_s = settings.longest_cruise_s});
   }
   return std::make_unique<SpanSchedule>(
       SpanSchedule::Settings{.limits = settings.limits,

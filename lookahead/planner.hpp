@@ -18,6 +18,7 @@ struct PlannerSettings {
   PlanLimits limits{};
   profiles::Profile profile{profiles::ProfileKind::s_curve};
   std::size_t window_blocks = 1000;  // >= 2; the time optimum takes 4 at the least
+  std::size_t window_cells = 3000;   // of the time optimum: planned at once; >= 100
   // A cruise leaves in parts of this duration, so that a stop need not wait for its end.
   double longest_cruise_s = 0.1;
 };

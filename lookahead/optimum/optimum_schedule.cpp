@@ -13,7 +13,6 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr std::size_t kWindowCells = 3000;
 constexpr int kCuts = 5;  // of what a plan covers
 constexpr std::size_t kCutCells = 16;
 
@@ -80,7 +79,7 @@ bool OptimumSchedule::empty() const {
 }
 
 bool OptimumSchedule::has_room() const {
-  return waiting_.size() < kWindowCells;
+  return waiting_.size() < settings_.window_cells;
 }
 
 bool OptimumSchedule::is_to_be_renewed() const {
@@ -113,7 +112,7 @@ OptimumSchedule::Taken OptimumSchedule::take(const PathAt& path) const {
   Taken taken{.stretch = plan_.rest_from(place_, plan_.cells().size())};
   std::vector<Cell>& cells = taken.stretch.cells;
   bool stops = false;
-  while (taken.count < waiting_.size() && cells.size() < kWindowCells && !stops) {
+  while (taken.count < waiting_.size() && cells.size() < settings_.window_cells && !stops) {
     cells.push_back(waiting_[taken.count].cell);
     stops = cells.back().rest_after;
     ++taken.count;

@@ -14,7 +14,7 @@
 namespace kerf::lookahead {
 
 // Blocks become cells once the joints at both their ends are known. A plan covers what is known up
-// to the next stop, at most kWindowCells; once half of it has been emitted it is found anew from
+// to the next stop, at most window_cells; once half of it has been emitted it is found anew from
 // where the tool is, with what has come since. The cells that two plans share are the same, so what
 // the old plan still held is a feasible way for the new one; where the search does not find a way
 // that holds, the old plan is kept and ends at rest. Where it does not find one from rest, the way
@@ -26,6 +26,7 @@ class OptimumSchedule final : public Schedule {
  public:
   struct Settings {
     PlanLimits limits{};
+    std::size_t window_cells = 3000;
     // A part of a cell that leaves at once is no longer, so that a stop need not wait for its end.
     double longest_phase_s = 0.1;
   };
