@@ -1,14 +1,42 @@
 // kerf-bench papers: the published results beside ours. kerf-bench optimum: the time optimum of
 // every shipped curve beside its reference. kerf-bench parse: text to moves, long programs; with
-// the name of one, that one read once for counting instructions. Anything else: Google Benchmark's
-// cases and options, parse, plan and tick.
+// the name of one, that one read once for counting instructions. kerf-bench soak [--seed N]
+// [--seconds S]: random curves and programs from that seed on for so long, or that one. kerf-bench
+// streaming: the time optimum in a window beside one over everything. Anything
+// else: Google Benchmark's cases and options, parse, plan and tick.
+#include <cstdlib>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include "bench/optimum.hpp"
 #include "bench/papers.hpp"
 #include "bench/parse.hpp"
+#include "bench/soak.hpp"
+#include "bench/streaming.hpp"
+
+namespace {
+
+// soak [--seed N] [--seconds S]
+std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& words) {
+  kerf::bench::Soak order;
+  for (std::size_t i = 2; i < words.size(); i += 2) {
+    if (i + 1 == words.size() || (words[i] != "--seed" && words[i] != "--seconds")) {
+      return std::nullopt;
+    }
+    if (words[i] == "--seed") {
+      order.seed = std::strtoull(words[i + 1].c_str(), nullptr, 10);
+    } else {
+      order.seconds = std::strtod(words[i + 1].c_str(), nullptr);
+    }
+  }
+  return order;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   if (argc == 2 && std::string_view(argv[1]) == "papers") {
@@ -19,6 +47,13 @@ int main(int argc, char** argv) {
   }
   if (argc >= 2 && argc <= 3 && std::string_view(argv[1]) == "parse") {
     return argc == 2 ? kerf::bench::parse() : kerf::bench::parse_once(argv[2]);
+  }
+  if (argc == 2 && std::string_view(argv[1]) == "streaming") {
+    return kerf::bench::streaming();
+  }
+  if (argc >= 2 && std::string_view(argv[1]) == "soak") {
+    const auto order = soak_order({argv, argv + argc});
+    return order ? kerf::bench::soak(*order) : 2;
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) {

@@ -1,0 +1,175 @@
+#include "bench/soak.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "tests/kernel/judged_run.hpp"
+#include "tests/kernel/random_machine.hpp"
+#include "tests/kernel/singular_curves.hpp"
+
+namespace kerf::bench {
+
+using profiles::ProfileKind;
+using test::JudgedRun;
+using test::RandomProgram;
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::minutes kLongest{1};
+
+struct Trial {
+  RandomProgram program;
+  MachineSettings settings;
+  test::Way way;
+};
+
+// The time optimum for five of eight.
+ProfileKind kind_of(std::uint64_t seed) {
+  return seed % 8 < 5 ? ProfileKind::time_optimal : static_cast<ProfileKind>(seed / 8 % 6);
+}
+
+Trial curve_trial(std::uint64_t seed) {
+  const test::SingularCase made = test::random_singular_case(seed);
+  Trial trial{.program = {}, .settings = {}, .way = {.kind = kind_of(seed)}};
+  trial.settings.limits = made.limits;
+  RandomProgram& program = trial.program;
+  program.text = test::program_of(made.data, made.feedrate_mm_s);
+  program.start_mm = made.data.points.front().position_mm;
+  program.end_mm = made.data.points.back().position_mm;
+  const auto lines = std::count(program.text.begin(), program.text.end(), '\n');
+  program.feedrate_mm_s.assign(static_cast<std::size_t>(lines), made.feedrate_mm_s);
+  return trial;
+}
+
+Trial program_trial(std::uint64_t seed) {
+  Trial trial{
+      .program = {},
+      .settings =
+          test::random_machine(seed, seed / 4 % 2 == 0 ? test::Spread::wide : test::Spread::common),
+      .way = {.kind = kind_of(seed), .window_blocks = seed % 5 < 3 ? 2 + seed / 7 % 7 : 1000}};
+  const bool contour = seed % 7 == 0;
+  trial.program =
+      test::random_program(seed, {.arcs = seed % 4 != 0,
+                                  .nurbs = seed % 4 == 1,
+                                  .extra = seed % 11 == 3,
+                                  .contour = contour,
+                                  .blocks = contour ? 60 : 8,
+                                  .longest_mm = std::min(1e3, test::unhurried_mm(trial.settings))});
+  return trial;
+}
+
+Trial trial_of(std::uint64_t seed) {
+  return seed % 3 == 0 ? curve_trial(seed) : program_trial(seed);
+}
+
+double distance_mm(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+// Ends the process where a program takes too long, for what hangs cannot be ended otherwise.
+class Watchdog {
+ public:
+  void begin(std::uint64_t seed) {
+    const std::lock_guard lock(mutex_);
+    seed_ = seed;
+    began_ = Clock::now();
+  }
+
+ private:
+  void watch(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (!wake_.wait_for(lock, stop, std::chrono::seconds(1), [] { return false; }) &&
+           !stop.stop_requested()) {
+      if (Clock::now() - began_ > kLongest) {
+        std::printf("seed %llu: does not end within a minute\n",
+                    static_cast<unsigned long long>(seed_));
+        std::fflush(stdout);
+        std::_Exit(1);
+      }
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable_any wake_;
+  std::uint64_t seed_ = 0;
+  Clock::time_point began_ = Clock::now();
+  std::jthread thread_{[this](const std::stop_token& stop) { watch(stop); }};
+};
+
+struct Tally {
+  std::uint64_t runs = 0;
+  std::uint64_t curves = 0;
+  std::uint64_t failures = 0;
+  std::uint64_t with_shortfall = 0;
+  std::int64_t ticks = 0;
+  std::array<double, test::kFigures> worst{};
+  double worst_chord = 0.0;
+};
+
+void judge(std::uint64_t seed, Tally& tally) {
+  const Trial trial = trial_of(seed);
+  JudgedRun run = test::judged_run(trial.program, trial.settings, trial.way);
+  const double off_mm = distance_mm(run.last.position_mm, trial.program.end_mm);
+  if (run.complaint.empty() && !(off_mm <= 1e-9)) {
+    run.complaint = "ends " + std::to_string(off_mm) + " mm beside its end";
+  }
+  ++tally.runs;
+  tally.curves += seed % 3 == 0 ? 1U : 0U;
+  tally.ticks += run.ticks;
+  tally.with_shortfall += run.shortfalls > 0 ? 1U : 0U;
+  for (std::size_t i = 0; i < test::kFigures; ++i) {
+    tally.worst[i] = std::max(tally.worst[i], run.worst[i]);
+  }
+  tally.worst_chord = std::max(tally.worst_chord, run.worst_chord);
+  if (!run.complaint.empty()) {
+    ++tally.failures;
+    std::printf("seed %llu, %s, window %zu: %s\n", static_cast<unsigned long long>(seed),
+                std::string(profiles::name_of(trial.way.kind)).c_str(), trial.way.window_blocks,
+                run.complaint.c_str());
+    std::fflush(stdout);
+  }
+}
+
+void print(const Tally& tally, std::uint64_t first) {
+  std::printf(
+      "%llu programs from seed %llu on, %llu of them single curves, %lld ticks, %llu with "
+      "a shortfall, %llu failed\n\n| figure | largest over what is allowed |\n"
+      "| --- | --- |\n",
+      static_cast<unsigned long long>(tally.runs), static_cast<unsigned long long>(first),
+      static_cast<unsigned long long>(tally.curves), static_cast<long long>(tally.ticks),
+      static_cast<unsigned long long>(tally.with_shortfall),
+      static_cast<unsigned long long>(tally.failures));
+  for (std::size_t i = 0; i < test::kFigures; ++i) {
+    std::printf("| %s | %.6f |\n", test::name_of(static_cast<test::Figure>(i)), tally.worst[i]);
+  }
+  std::printf("| chord error | %.6f |\n", tally.worst_chord);
+}
+
+}  // namespace
+
+int soak(const Soak& order) {
+  const Clock::time_point began = Clock::now();
+  const std::chrono::duration<double> allowed(order.seconds.value_or(0.0));
+  Watchdog watchdog;
+  Tally tally;
+  std::uint64_t seed = order.seed;
+  do {
+    watchdog.begin(seed);
+    judge(seed, tally);
+    ++seed;
+  } while (Clock::now() - began < allowed);
+  print(tally, order.seed);
+  return tally.failures == 0 ? 0 : 1;
+}
+
+}  // namespace kerf::bench

@@ -1,0 +1,18 @@
+// Random curves and programs, judged tick by tick.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace kerf::bench {
+
+struct Soak {
+  std::uint64_t seed = 1;           // the first
+  std::optional<double> seconds{};  // nothing: that seed alone
+};
+
+// Prints the seed of each failure, the count, and the largest of each figure over its limit.
+// 1 where something failed. A program that takes a minute is a failure that ends the process.
+int soak(const Soak& order);
+
+}  // namespace kerf::bench
