@@ -27,6 +27,9 @@ constexpr Wide kPointLike_mm = 1e-12L;
 constexpr Wide kCoincident = 1e-6L;
 constexpr Wide kMostWeightRatio = 16.0L;  // in one piece, so that its polynomials lose no digits
 constexpr double kShortestCurve_mm = 1e-11;
+// A cusp within a piece so short passes for rounding of its fit. It must come to lie between
+// pieces.
+constexpr Wide kHidesCusp_mm = 1e-10L;
 // Cosine of the angle between the tangents: 0.05 rad, more than any smooth curve turns in 1e-12 mm.
 constexpr Wide kTurnsCorner = 0.9988L;
 constexpr int kDepth = 90;
@@ -50,8 +53,9 @@ class Mapper {
         points_.push_back({piece, static_cast<double>(polygon_mm)});
         continue;
       }
-      const double piece_mm =
-          current.weight_ratio() <= kMostWeightRatio ? fit_length_map(piece) : -1.0;
+      const bool is_fit =
+          current.weight_ratio() <= kMostWeightRatio && !hides_cusp(current, polygon_mm);
+      const double piece_mm = is_fit ? fit_length_map(piece) : -1.0;
       if (piece_mm >= 0.0) {
         pass_points(current, polygon_mm);
         append(piece, piece_mm);
@@ -89,6 +93,12 @@ class Mapper {
   static CurveError error_at(const std::string& what, const BezierSpan& span) {
     return {what + " at u = " + to_text(static_cast<double>(span.u_begin)) + ", " +
             to_text(span.begin_mm())};
+  }
+
+  static bool hides_cusp(const BezierSpan& span, Wide polygon_mm) {
+    const Wide coincident_mm = kCoincident * polygon_mm;
+    return polygon_mm <= kHidesCusp_mm &&
+           span.begin_direction(coincident_mm).dot(span.end_direction(coincident_mm)) < 0.0L;
   }
 
   // Compares the tangents before and after the pieces without extent that were held back, keeps

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -135,6 +136,31 @@ TEST(NurbsErrors, CutTheCurveAtACusp) {
     const double turn = vec(before.derivatives_at(before.length_mm()).first)
                             .dot(vec(after.derivatives_at(0.0).first));
     EXPECT_LT(turn, -0.99);
+  }
+}
+
+// On a straight line a curve turns back between two knots, anywhere: no part holds such a place.
+TEST(NurbsErrors, CutACurveThatTurnsBackOnALine) {
+  std::mt19937_64 random(1);
+  const auto uniform = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int n = 0; n < 3000; ++n) {
+    const double size = std::pow(10.0, uniform(-3.0, 2.0));
+    NurbsData data{.degree = 3, .points = {}, .knots = {0, 0, 0, 0, 1, 1, 1, 1}};
+    for (int i = 0; i < 4; ++i) {
+      data.points.push_back({.position_mm = {size * uniform(-1.0, 1.0), 0.0, 0.0},
+                             .weight = std::pow(10.0, uniform(-1.0, 1.0))});
+    }
+    const auto curves = NurbsCurve::make(data);
+    ASSERT_TRUE(curves);
+    for (const NurbsCurve& curve : *curves) {
+      const double begin = curve.derivatives_at(0.0).first[0];
+      for (const NurbsPiece& piece : curve.pieces()) {
+        ASSERT_GT(begin * curve.derivatives_at(piece.s_end_mm).first[0], 0.0)
+            << "curve " << n << ", s " << piece.s_end_mm << " of " << curve.length_mm();
+      }
+    }
   }
 }
 
