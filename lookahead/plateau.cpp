@@ -10,6 +10,7 @@ namespace {
 constexpr double kWithRounding = 1.0 + 1e-9;
 // Fewer where turning binds: each climb is a search of its own there.
 constexpr int kTurningHalvings = 12;
+constexpr int kMostHalvings = 200;  // from rest to rest, where only a tiny share of the cap fits
 constexpr int kTurningSteps = 8;
 constexpr double kGolden = 0.6180339887498949;
 
@@ -21,7 +22,8 @@ double PlateauSearch::best_mm_s() const {
       low, std::min({span_.limits.feedrate_mm_s, span_.rise.top_mm_s(), span_.fall.top_mm_s()}));
   if (spare_mm(hill(high)) < 0.0) {
     double fits = low;
-    for (int i = 0; i < (span_.turning.empty() ? 40 : kTurningHalvings); ++i) {
+    const int halvings = span_.turning.empty() ? 40 : kTurningHalvings;
+    for (int i = 0; i < halvings || (fits == 0.0 && i < kMostHalvings); ++i) {
       const double middle = 0.5 * (fits + high);
       (spare_mm(hill(middle)) >= 0.0 ? fits : high) = middle;
     }

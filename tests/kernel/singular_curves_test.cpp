@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "kernel/kernel.hpp"
+#include "tests/kernel/judged_run.hpp"
+#include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"
 
 namespace kerf::test {
@@ -109,6 +111,24 @@ TEST(SingularCurves, ANearCuspIsNoSlowerThanAStopAtIt) {
   for (const char* name : {"crossing_1e_3", "crossing_1e_4", "crossing_1e_5", "crossing_1e_6"}) {
     EXPECT_LE(ticks(name), cusp + 5) << name;
     EXPECT_GE(ticks(name), cusp - 2 * 55) << name;
+  }
+}
+
+// Turning at a low feedrate only: the highest that fits is a tiny share of the programmed one.
+TEST(SingularCurves, ShortOnesEndUnderEveryProfile) {
+  MachineSettings settings = mill();
+  const RandomProgram program{.text =
+                                  "G21 G90 G17 G94\nG6.2 P2 K0 X0 Y0 Z0 F9000\n"
+                                  "K0 X0.000004 Y0.000003 Z0\nK1\nK1\nM2\n",
+                              .start_mm = {},
+                              .end_mm = {},
+                              .feedrate_mm_s = std::vector<double>(5, 150.0),
+                              .path = {}};
+  for (int kind = 0; kind < 7; ++kind) {
+    const JudgedRun outcome =
+        judged_run(program, settings, {.kind = static_cast<profiles::ProfileKind>(kind)});
+    EXPECT_EQ(outcome.complaint, "") << kind;
+    EXPECT_EQ(outcome.last.position_mm, (std::array<double, 3>{4e-6, 3e-6, 0.0})) << kind;
   }
 }
 
