@@ -73,7 +73,8 @@ class Scan {
       };
       const double second = std::abs(sample.second_per_mm[k]);
       if (sample.first[k] != 0.0) {
-        bind(axis.velocity_mm_s / std::abs(sample.first[k]), SpeedLimit::x_velocity);
+        const double share = second > 0.0 ? 1.0 - kMissed : 1.0;
+        bind(share * axis.velocity_mm_s / std::abs(sample.first[k]), SpeedLimit::x_velocity);
       }
       if (second > 0.0) {
         bind(std::sqrt(kAccelerationShare * axis.acceleration_mm_s2 / second),

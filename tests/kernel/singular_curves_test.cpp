@@ -132,6 +132,23 @@ TEST(SingularCurves, ShortOnesEndUnderEveryProfile) {
   }
 }
 
+// The classical schedule draws straight lines between samples of what an axis' velocity allows.
+TEST(SingularCurves, TheVelocityOfAnAxisHoldsBetweenSamples) {
+  for (const std::uint64_t seed : {10143U, 10413U, 10431U, 10485U}) {
+    const SingularCase made = random_singular_case(seed);
+    MachineSettings settings;
+    settings.limits = made.limits;
+    RandomProgram program{.text = program_of(made.data, made.feedrate_mm_s),
+                          .start_mm = made.data.points.front().position_mm,
+                          .end_mm = {},
+                          .feedrate_mm_s = {},
+                          .path = {}};
+    program.feedrate_mm_s.assign(program.text.size(), made.feedrate_mm_s);
+    EXPECT_EQ(judged_run(program, settings, {.kind = profiles::ProfileKind::s_curve}).complaint, "")
+        << seed;
+  }
+}
+
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
   const char* text = std::getenv(name);
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
