@@ -17,6 +17,7 @@
 #include "bench/parse.hpp"
 #include "bench/soak.hpp"
 #include "bench/streaming.hpp"
+#include "bench/work.hpp"
 
 namespace {
 
@@ -50,6 +51,11 @@ int main(int argc, char** argv) {
   }
   if (argc == 2 && std::string_view(argv[1]) == "streaming") {
     return kerf::bench::streaming();
+  }
+  if (argc == 4 && std::string_view(argv[1]) == "work") {
+    using kerf::bench::Counted;
+    return kerf::bench::work(
+        argv[2], std::string_view(argv[3]) == "ticks" ? Counted::ticks : Counted::windows);
   }
   if (argc >= 2 && std::string_view(argv[1]) == "soak") {
     const auto order = soak_order({argv, argv + argc});

@@ -26,6 +26,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::minutes kLongest{1};
+constexpr double kAtEnd_mm = 2e-9;  // what the digits and the resolution of a program leave open
 
 struct Trial {
   RandomProgram program;
@@ -120,8 +121,8 @@ void judge(std::uint64_t seed, Tally& tally) {
   const Trial trial = trial_of(seed);
   JudgedRun run = test::judged_run(trial.program, trial.settings, trial.way);
   const double off_mm = distance_mm(run.last.position_mm, trial.program.end_mm);
-  if (run.complaint.empty() && !(off_mm <= 1e-9)) {
-    run.complaint = "ends " + std::to_string(off_mm) + " mm beside its end";
+  if (run.complaint.empty() && !(off_mm <= kAtEnd_mm)) {
+    run.complaint = "ends " + std::to_string(1e6 * off_mm) + " nm beside its end";
   }
   ++tally.runs;
   tally.curves += seed % 3 == 0 ? 1U : 0U;
