@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lookahead/breaking_points.hpp"
+#include "lookahead/turn_ceiling.hpp"
 
 namespace kerf::lookahead {
 

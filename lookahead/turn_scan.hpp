@@ -39,7 +39,4 @@ using Turning = std::vector<TurnSample>;
 Turning scan_turning(const curves::NurbsCurve& curve, double feedrate_mm_s,
                      const PlanLimits& limits);
 
-// The lower one of a ceiling and what turning allows.
-Ceiling lower_ceiling(const Ceiling& ceiling, const Turning& turning);
-
 }  // namespace kerf::lookahead

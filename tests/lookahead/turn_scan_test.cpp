@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lookahead/turn_ceiling.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {
