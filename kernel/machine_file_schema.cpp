@@ -22,6 +22,10 @@ constexpr std::array kPath{
                [](Settings& s, std::size_t) -> double& { return s.limits.path.jerk_mm_s3; }},
     NumberRule{"chord_tolerance_mm", 1e-9, 1e3,
                [](Settings& s, std::size_t) -> double& { return s.limits.chord_tolerance_mm; }},
+    NumberRule{"corner_tolerance_mm", 0.0, 1e3,
+               [](Settings& s, std::size_t) -> double& { return s.program.corner_tolerance_mm; }},
+    NumberRule{"merge_tolerance_mm", 0.0, 1e3,
+               [](Settings& s, std::size_t) -> double& { return s.program.merge_tolerance_mm; }},
 };
 
 // What the planner keeps on one axis.

@@ -55,6 +55,7 @@ Move& Interpreter::push_move() {
   carry_extra(move, state_.extra_deg_mm);
   move.mode = state_.path_mode;
   move.blend_tolerance_mm = state_.blend_tolerance_mm;
+  move.merge_tolerance_mm = state_.merge_tolerance_mm;
   return move;
 }
 

@@ -82,6 +82,7 @@ class Interpreter : private InterpreterMemory {
   void set_units(Units units);
   void set_feed_mode(FeedMode mode);
   bool set_path_mode();
+  bool set_tolerances();
   bool set_feed();
   bool dwell();
   bool cutting_feedrate(double length_mm, double& feedrate_mm_s);

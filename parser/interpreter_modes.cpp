@@ -85,9 +85,15 @@ bool Interpreter::set_path_mode() {
                      : code == 611 ? PathMode::exact_stop
                                    : PathMode::exact_path;
   state_.blend_tolerance_mm = 0.0;
-  if (code != 640) {
-    return true;
-  }
+  state_.merge_tolerance_mm = 0.0;
+  return code != 640 || set_tolerances();
+}
+
+// Of G64. P alone stands for both [rs274 sets the tolerance of its naive CAM detector so]; where it
+// is missing LinuxCNC cuts corners without a bound, and here the machine's own bound holds.
+bool Interpreter::set_tolerances() {
+  state_.blend_tolerance_mm = machine_.corner_tolerance_mm;
+  state_.merge_tolerance_mm = machine_.merge_tolerance_mm;
   if (block_->has('P')) {
     const Word& word = block_->word('P');
     if (word.value < 0.0) {
@@ -95,10 +101,15 @@ bool Interpreter::set_path_mode() {
                   "G64: P (tolerance) must not be negative");
     }
     state_.blend_tolerance_mm = word.value * mm_per_unit(state_.units);
+    state_.merge_tolerance_mm = state_.blend_tolerance_mm;
   }
   if (block_->has('Q')) {
-    warn(block_->word('Q').offset, errors::kLineMergingIgnored,
-         "G64: Q (merging of short lines) is not supported yet, no lines are merged");
+    const Word& word = block_->word('Q');
+    if (word.value < 0.0) {
+      return fail(word.offset, errors::kNegativeMergeTolerance,
+                  "G64: Q (merging tolerance) must not be negative");
+    }
+    state_.merge_tolerance_mm = word.value * mm_per_unit(state_.units);
   }
   return true;
 }

@@ -92,7 +92,8 @@ struct ModalState {
   bool feed_from_other_units = false;            // G20 or G21 came after F
   double feed_word = 0.0;                        // F as written
   PathMode path_mode = PathMode::exact_path;
-  double blend_tolerance_mm = 0.0;
+  double blend_tolerance_mm = 0.0;  // both 0 but under G64
+  double merge_tolerance_mm = 0.0;
   double spindle_speed = 0.0;  // S: revolutions per minute; m or feet per minute under G96
   Spindle spindle = Spindle::off;
   SurfaceSpeed surface_speed;

@@ -111,7 +111,8 @@ struct Move {
   double feedrate_mm_s = 0.0;
   ExtraWay extra{};  // does not move on a NurbsMove
   PathMode mode = PathMode::exact_path;
-  double blend_tolerance_mm = 0.0;  // G64 P; 0 where none was given
+  double blend_tolerance_mm = 0.0;  // G64 P or the machine's; 0: no corner is cut
+  double merge_tolerance_mm = 0.0;  // G64 Q, P or the machine's; 0: no lines are merged
   std::uint64_t block = 0;  // of the program's run, counted from 1: a line of a loop is many
 };
 

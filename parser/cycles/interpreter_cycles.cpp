@@ -96,6 +96,7 @@ void Interpreter::push_cycle_step(const CycleStep& step, double feedrate_mm_s) {
   if (move.mode == PathMode::blend) {
     move.mode = PathMode::exact_path;
     move.blend_tolerance_mm = 0.0;
+    move.merge_tolerance_mm = 0.0;
   }
   const bool clockwise =
       (state_.spindle == Spindle::clockwise) != (step.kind == StepKind::spindle_turned);

@@ -99,6 +99,7 @@ void Interpreter::push_probe_move(const Point& end_mm, double feedrate_mm_s) {
   Move& move = push_move();
   move.mode = PathMode::exact_stop;
   move.blend_tolerance_mm = 0.0;
+  move.merge_tolerance_mm = 0.0;
   move.shape = LineMove{end_mm};
   move.feedrate_mm_s = feedrate_mm_s;
   state_.position_mm = end_mm;

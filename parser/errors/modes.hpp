@@ -78,17 +78,17 @@ inline constexpr ErrorPage kNegativeBlendTolerance{
     Severity::error,
     "negative tolerance of G64",
     "P of G64 is how far, at most, the tool may leave the programmed path at a corner.",
-    "Give P a positive value; G61 keeps to the path exactly.",
+    "Give P a positive value; with P0 no corner is blended, and G61 keeps to the path exactly.",
     "G64 P-0.01\nM2\n"};
 
-inline constexpr ErrorPage kLineMergingIgnored{
+inline constexpr ErrorPage kNegativeMergeTolerance{
     129,
-    Severity::warning,
-    "Q of G64 is not used",
-    "Q of G64 lets a control merge short lines that lie within that tolerance of each other. "
-    "Kerf runs every line as it stands, so the part is as exact as the program.",
-    "Nothing needs to be done; take Q out to be rid of the warning.",
-    "G64 P0.01 Q0.01\nM2\n"};
+    Severity::error,
+    "negative merging tolerance of G64",
+    "Q of G64 is how far, at most, a run of short lines may lie from the one curve that stands in "
+    "for it.",
+    "Give Q a positive value; with Q0 no lines are merged.",
+    "G64 P0.01 Q-0.01\nM2\n"};
 
 inline constexpr ErrorPage kDwellWithoutTime{130,
                                              Severity::error,
@@ -105,8 +105,8 @@ inline constexpr ErrorPage kNegativeDwell{131,
                                           "G4 P-1\nM2\n"};
 
 inline constexpr std::array kModesPages{
-    &kNegativeFeed,           &kFeedOutOfRange,     &kNegativeSpeed,    &kSpeedOutOfRange,
-    &kNegativeTool,           &kToolNotWhole,       &kToolOutOfRange,   &kToolChangeWithoutTool,
-    &kNegativeBlendTolerance, &kLineMergingIgnored, &kDwellWithoutTime, &kNegativeDwell};
+    &kNegativeFeed,           &kFeedOutOfRange,         &kNegativeSpeed,    &kSpeedOutOfRange,
+    &kNegativeTool,           &kToolNotWhole,           &kToolOutOfRange,   &kToolChangeWithoutTool,
+    &kNegativeBlendTolerance, &kNegativeMergeTolerance, &kDwellWithoutTime, &kNegativeDwell};
 
 }  // namespace kerf::parser::errors

@@ -18,6 +18,7 @@ void restore_modes(const SavedModes& saved, ModalState& state) {
   state.feed_word = from.feed_word;
   state.path_mode = from.path_mode;
   state.blend_tolerance_mm = from.blend_tolerance_mm;
+  state.merge_tolerance_mm = from.merge_tolerance_mm;
   state.spindle_speed = from.spindle_speed;
   state.spindle = from.spindle;
   state.surface_speed = from.surface_speed;

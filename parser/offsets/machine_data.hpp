@@ -28,6 +28,9 @@ struct MachineData {
   std::optional<TouchBox> touch_box{};  // what G38 finds
   // What a number without a decimal point counts in, in the Fanuc dialect; 0: millimetres.
   double least_increment_mm = 0.0;
+  // What G64 without P and without both takes for P and for Q; not negative.
+  double corner_tolerance_mm = 0.01;
+  double merge_tolerance_mm = 0.01;
 };
 
 // Of the default machine: no offsets, and a tool changer with 60 places. T1 (10 mm, 12.5 mm long),

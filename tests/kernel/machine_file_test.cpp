@@ -35,7 +35,7 @@ TEST(MachineFile, ReadsEveryKeyIntoItsPlace) {
   const auto read = parse_machine_file(
       "[tick]\nperiod_s = 0.002\n"
       "[path]\nmax_velocity_mm_s = 101\nmax_acceleration_mm_s2 = 102.5\nmax_jerk_mm_s3 = 1_03e3\n"
-      "chord_tolerance_mm = 5e-4\n"
+      "chord_tolerance_mm = 5e-4\ncorner_tolerance_mm = 0.03\nmerge_tolerance_mm = 0\n"
       "[axes.y]\nmin_mm = -11\nmax_mm = 12\nmax_velocity_mm_s = 13\nmax_acceleration_mm_s2 = 14\n"
       "max_jerk_mm_s3 = 15\nscrew_lead_mm = 16\ncounts_per_rev = 17\ndrive_velocity_mm_s = 18\n"
       "drive_acceleration_mm_s2 = 19\nposition_gain_per_s = 20\nvelocity_gain_per_s = 21\n"
@@ -49,6 +49,8 @@ TEST(MachineFile, ReadsEveryKeyIntoItsPlace) {
   EXPECT_EQ(read->limits.path.acceleration_mm_s2, 102.5);
   EXPECT_EQ(read->limits.path.jerk_mm_s3, 103e3);
   EXPECT_EQ(read->limits.chord_tolerance_mm, 5e-4);
+  EXPECT_EQ(read->program.corner_tolerance_mm, 0.03);
+  EXPECT_EQ(read->program.merge_tolerance_mm, 0.0);
   const kerf::lookahead::MotionLimits& y = read->limits.axes[1];
   EXPECT_EQ(y.velocity_mm_s, 13.0);
   EXPECT_EQ(y.acceleration_mm_s2, 14.0);
@@ -76,6 +78,8 @@ TEST(MachineFile, WhatIsLeftOutDoesNotBindOrKeepsItsDefault) {
   ASSERT_TRUE(read);
   EXPECT_EQ(read->limits.period_s, 0.001);
   EXPECT_EQ(read->limits.chord_tolerance_mm, kInfinity);
+  EXPECT_EQ(read->program.corner_tolerance_mm, 0.01);
+  EXPECT_EQ(read->program.merge_tolerance_mm, 0.01);
   const kerf::machine::AxisDrive defaults{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     EXPECT_EQ(read->limits.axes[axis].velocity_mm_s, kInfinity);

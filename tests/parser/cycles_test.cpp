@@ -53,6 +53,8 @@ TEST(Cycles, BackBoringPassesTheHoleAsideWithTheSpindleOriented) {
 TEST(Cycles, RunOnTheExactPathWhileCornersAreBlended) {
   for (const Move& move : moves_of("G64 P0.1 F60 G81 X1 Z-3 R1\nX2 Y3")) {
     EXPECT_EQ(move.mode, PathMode::exact_path) << text_of(move);
+    EXPECT_EQ(move.blend_tolerance_mm, 0.0) << text_of(move);
+    EXPECT_EQ(move.merge_tolerance_mm, 0.0) << text_of(move);
   }
   EXPECT_EQ(moves_of("G64 P0.1 F60 G81 X1 Z-3 R1\nG1 X2").back().mode, PathMode::blend);
 }

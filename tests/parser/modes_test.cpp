@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "parser/text.hpp"
 #include "tests/parser/program.hpp"
 
 namespace kerf::parser {
@@ -52,6 +53,64 @@ TEST(Modes, PointAtTheFirstWordOfTheirBlock) {
   const auto moves = moves_of("\n  N7 G0 X1");
   EXPECT_EQ(moves.at(0).source.line, 2U);
   EXPECT_EQ(moves.at(0).source.column, 3U);
+}
+
+// A machine whose defaults cannot be taken for numbers of the program.
+std::string tolerances_of(const std::string& text) {
+  MachineData machine;
+  machine.corner_tolerance_mm = 0.03;
+  machine.merge_tolerance_mm = 0.004;
+  const Program program = read_program("F60 " + text + "\nG1 X9\nM2\n", {.machine = machine});
+  EXPECT_TRUE(program.diagnostics.empty()) << text;
+  const Move& move = program.moves.at(program.moves.size() - 2);
+  return shortest(move.blend_tolerance_mm) + " " + shortest(move.merge_tolerance_mm);
+}
+
+TEST(Modes, BlendingAndMergingTakeTheirTolerancesFromG64) {
+  EXPECT_EQ(tolerances_of("G64 P0.1 Q0.05"), "0.1 0.05");
+  EXPECT_EQ(tolerances_of("G64 P0.1 Q0.2"), "0.1 0.2");
+  EXPECT_EQ(tolerances_of("G20 G64 P0.1 Q0.05"), "2.54 1.27");
+}
+
+TEST(Modes, MergingIsAllowedAsMuchAsBlendingWhereG64HasPAlone) {
+  EXPECT_EQ(tolerances_of("G64 P0.1"), "0.1 0.1");
+  EXPECT_EQ(tolerances_of("G64 P0"), "0 0");
+}
+
+TEST(Modes, WhatG64DoesNotSayTheMachineSays) {
+  EXPECT_EQ(tolerances_of("G64"), "0.03 0.004");
+  EXPECT_EQ(tolerances_of("G64 Q0.05"), "0.03 0.05");
+  EXPECT_EQ(tolerances_of("G20 G64"), "0.03 0.004");
+  EXPECT_EQ(tolerances_of("G64 P0.2 Q0.1\nG64"), "0.03 0.004");
+}
+
+TEST(Modes, AToleranceOfZeroIsNone) {
+  EXPECT_EQ(tolerances_of("G64 P0 Q0.1"), "0 0.1");
+  EXPECT_EQ(tolerances_of("G64 P0.1 Q0"), "0.1 0");
+  EXPECT_EQ(tolerances_of("G64 Q0"), "0.03 0");
+}
+
+TEST(Modes, TheExactPathAndTheExactStopHaveNoTolerance) {
+  EXPECT_EQ(tolerances_of("G21"), "0 0");
+  EXPECT_EQ(tolerances_of("G64 P0.1\nG61"), "0 0");
+  EXPECT_EQ(tolerances_of("G64 P0.1 Q0.2\nG61.1"), "0 0");
+}
+
+TEST(Modes, TolerancesComeBackWithTheSavedModes) {
+  EXPECT_EQ(tolerances_of("G64 P0.1 Q0.2\nM70\nG61\nM72"), "0.1 0.2");
+  EXPECT_EQ(tolerances_of("G61\nM70\nG64 P0.1\nM72"), "0 0");
+}
+
+TEST(Modes, AMachineThatSaysNothingBlendsWithinAHundredthOfAMillimetre) {
+  const auto moves = moves_of("F60 G64 G1 X1");
+  EXPECT_EQ(moves.at(0).blend_tolerance_mm, 0.01);
+  EXPECT_EQ(moves.at(0).merge_tolerance_mm, 0.01);
+}
+
+TEST(Modes, ANegativeToleranceIsAnError) {
+  EXPECT_EQ(first_message("G64 P-0.1"), "1:5: error: G64: P (tolerance) must not be negative");
+  EXPECT_EQ(first_message("G64 P0.1 Q-0.2"),
+            "1:10: error: G64: Q (merging tolerance) must not be negative");
 }
 
 TEST(Modes, DiameterModeIsForLathes) {

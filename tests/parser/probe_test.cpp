@@ -61,19 +61,19 @@ TEST(TouchBox, OnTheFaceIsTouched) {
 TEST(Probe, EndsAtRestWhereItTouchesAndKeepsThePlace) {
   const auto steps = steps_of("F60 G0 X15 Z10\nG38.2 Z-5\nG0 Z[#5063 + 4]\nX#5070");
   EXPECT_EQ(steps, (std::vector<std::string>{
-                       "1: rapid to 15 0 10", "2: line to 15 0 2 feed 1 exact stop 0",
+                       "1: rapid to 15 0 10", "2: line to 15 0 2 feed 1 exact stop",
                        "3: rapid to 15 0 6", "4: rapid to 1 0 6", "5: program end 0"}));
 }
 
 TEST(Probe, GivesThePlaceInTheCoordinatesOfTheProgram) {
   const auto steps = steps_of("F60 G10 L2 P1 X3 Z1\nG0 X12 Z9\nG38.2 Z-5\nG0 Z8\nX#5061 Z#5063");
-  EXPECT_EQ(steps.at(1), "3: line to 15 0 2 feed 1 exact stop 0");
+  EXPECT_EQ(steps.at(1), "3: line to 15 0 2 feed 1 exact stop");
   EXPECT_EQ(steps.at(3), "5: rapid to 15 0 2");
 }
 
 TEST(Probe, TouchesWithTheTipOfTheToolUnderG43) {
   EXPECT_EQ(steps_of("F60 G43.1 Z30\nG0 X15 Z10\nG38.2 Z-5").at(1),
-            "3: line to 15 0 32 feed 1 exact stop 0");
+            "3: line to 15 0 32 feed 1 exact stop");
 }
 
 TEST(Probe, InVainIsAnErrorOrANoughtIn5070) {
@@ -81,7 +81,7 @@ TEST(Probe, InVainIsAnErrorOrANoughtIn5070) {
   EXPECT_EQ(steps_of("F60 G0 X15\nG38.4 X16").back(),
             "p:2:1: error: G38.4 ended in contact [E0854]");
   const auto steps = steps_of("F60 G38.3 X5\nG0 X#5070");
-  EXPECT_EQ(steps.at(0), "1: line to 5 0 0 feed 1 exact stop 0");
+  EXPECT_EQ(steps.at(0), "1: line to 5 0 0 feed 1 exact stop");
   EXPECT_EQ(steps.at(1), "2: rapid to 0 0 0");
 }
 
@@ -93,7 +93,7 @@ TEST(Probe, WithoutASurfaceSaysSo) {
 }
 
 TEST(Probe, AwayFromContactEndsWhereItIsLost) {
-  EXPECT_EQ(steps_of("F60 G0 X15\nG38.4 Z9").at(1), "2: line to 15 0 2 feed 1 exact stop 0");
+  EXPECT_EQ(steps_of("F60 G0 X15\nG38.4 Z9").at(1), "2: line to 15 0 2 feed 1 exact stop");
   const auto steps = steps_of("F60 G0 X15 Z10\nG38.2 Z-5\nG38.4 Z9\nG0 X#5070");
   EXPECT_EQ(steps.at(2), "4: rapid to 1 0 2");
 }
@@ -104,7 +104,7 @@ TEST(Probe, TowardsContactMustNotBeginThere) {
 }
 
 TEST(Probe, IsAModeOfItsOwn) {
-  EXPECT_EQ(steps_of("F60 G38.3 X5\nX15").at(1), "2: line to 10 0 0 feed 1 exact stop 0");
+  EXPECT_EQ(steps_of("F60 G38.3 X5\nX15").at(1), "2: line to 10 0 0 feed 1 exact stop");
 }
 
 }  // namespace

@@ -126,8 +126,10 @@ inline std::string text_of(const Move& move) {
   if (!move.rapid && !std::holds_alternative<DwellMove>(move.shape)) {
     out << " feed " << move.feedrate_mm_s;
   }
-  if (move.mode != PathMode::exact_path) {
-    out << (move.mode == PathMode::blend ? " blend " : " exact stop ") << move.blend_tolerance_mm;
+  if (move.mode == PathMode::exact_stop) {
+    out << " exact stop";
+  } else if (move.mode == PathMode::blend) {
+    out << " blend " << move.blend_tolerance_mm << " merge " << move.merge_tolerance_mm;
   }
   return out.str();
 }
