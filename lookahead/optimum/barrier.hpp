@@ -1,7 +1,7 @@
 // The wall in front of a limit, which the solver feels but may break through.
 #pragma once
 
-#include <cmath>
+#include "lookahead/optimum/lanes.hpp"
 
 namespace kerf::lookahead {
 
@@ -10,39 +10,53 @@ namespace kerf::lookahead {
 // for the optimization of trajectory functionals with constraints", CDC 2006). It is finite
 // everywhere, so the search may begin anywhere; where an optimum keeps more slack than `relaxed`,
 // it is that of the logarithm.
+//
+// Without a branch: with m = max(z, relaxed) and x = (m - z) / m the wall is x + x^2 / 2 - ln m,
+// its fall (1 + x) / m and its bend 1 / m^2.
 class Barrier {
  public:
   explicit Barrier(double relaxed) noexcept : relaxed_(relaxed) {}
 
   struct Slopes {
-    double fall = 0.0;  // minus the first derivative, > 0
-    double bend = 0.0;  // the second
+    Lanes rise;  // the first derivative by the form
+    Lanes bend;  // the second
   };
 
-  // Sums up over many slacks: one logarithm of their product.
+  // Of many walls: one logarithm of the product of their slacks. After as many as a cell has it is
+  // to be taken, for a product of more might underflow.
   struct Sum {
-    double product = 1.0;
-    double rest = 0.0;
+    Lanes product = Lanes::Ones();
+    Lanes rest = Lanes::Zero();
 
-    [[nodiscard]] double value() const { return rest - std::log(product); }
+    [[nodiscard]] Lanes value() const { return rest - product.log(); }
   };
 
-  void add(double slack, Sum& sum) const noexcept {
-    if (slack >= relaxed_) {
-      sum.product *= slack;
-    } else {
-      const double x = (slack - 2.0 * relaxed_) / relaxed_;
-      sum.rest += 0.5 * (x * x - 1.0) - std::log(relaxed_);
-    }
+  // form <= 1
+  [[nodiscard]] Slopes below(const Lanes& form, Sum& sum) const noexcept {
+    const Lanes z = 1.0 - form;
+    const Lanes m = z.max(relaxed_);
+    const Lanes inverse = 1.0 / m;
+    const Lanes x = (m - z) * inverse;
+    sum.product *= m;
+    sum.rest += x + 0.5 * x * x;
+    return {.rise = (1.0 + x) * inverse, .bend = inverse * inverse};
   }
 
-  [[nodiscard]] Slopes slopes(double slack) const noexcept {
-    if (slack >= relaxed_) {
-      const double inverse = 1.0 / slack;
-      return {.fall = inverse, .bend = inverse * inverse};
-    }
-    return {.fall = (2.0 * relaxed_ - slack) / (relaxed_ * relaxed_),
-            .bend = 1.0 / (relaxed_ * relaxed_)};
+  // |form| <= 1: one wall above, one below.
+  [[nodiscard]] Slopes within(const Lanes& form, Sum& sum) const noexcept {
+    const Lanes z_above = 1.0 - form;
+    const Lanes z_under = 1.0 + form;
+    const Lanes m_above = z_above.max(relaxed_);
+    const Lanes m_under = z_under.max(relaxed_);
+    const Lanes both = m_above * m_under;
+    const Lanes inverse = 1.0 / both;
+    const Lanes above = inverse * m_under;
+    const Lanes under = inverse * m_above;
+    const Lanes x = (m_above - z_above) * above;
+    const Lanes y = (m_under - z_under) * under;
+    sum.product *= both;
+    sum.rest += x + y + 0.5 * (x * x + y * y);
+    return {.rise = (1.0 + x) * above - (1.0 + y) * under, .bend = above * above + under * under};
   }
 
  private:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lookahead/optimum/merit_sums.hpp"
+#include "lookahead/optimum/pair_sums.hpp"
 
 namespace kerf::lookahead {
 
@@ -17,104 +17,12 @@ std::vector<double> spline_lengths(const Stretch& stretch) {
   return lengths;
 }
 
-// The limits at one place, as forms over the coefficients.
-template <typename Sum>
-class Place {
- public:
-  Place(const SquaredFeed& feed, const Basis& basis, Sum& sum)
-      : feed_(&feed), basis_(&basis), sum_(&sum), v_mm_s_(std::sqrt(feed.value)) {}
-
-  void feedrate(double cap_mm_s) {
-    const double inverse = 1.0 / (cap_mm_s * cap_mm_s);
-    sum_->below(feed_->value * inverse, scaled(basis_->value, inverse));
-  }
-
-  // slope b' + value b
-  struct AccelerationForm {
-    double slope = 0.0;
-    double value = 0.0;
-  };
-  void acceleration(const AccelerationForm& form, double limit) {
-    const double inverse = 1.0 / limit;
-    const double slope = form.slope * inverse;
-    const double value = form.value * inverse;
-    Row row{};
-    if constexpr (Sum::kDerives) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        row[k] = slope * basis_->slope[k] + value * basis_->value[k];
-      }
-    }
-    sum_->within(slope * feed_->slope + value * feed_->value, row);
-  }
-
-  // sqrt(b) (bend b'' + slope b' + value b)
-  struct JerkForm {
-    double bend = 0.0;
-    double slope = 0.0;
-    double value = 0.0;
-  };
-  void jerk(const JerkForm& form, double limit) {
-    const double scale = v_mm_s_ / limit;
-    const double linear =
-        scale * (form.bend * feed_->bend + form.slope * feed_->slope + form.value * feed_->value);
-    Row row{};
-    if constexpr (Sum::kDerives) {
-      const double by_root = 0.5 * linear / feed_->value;  // of sqrt(b)
-      for (std::size_t k = 0; k < 3; ++k) {
-        row[k] = scale * (form.bend * basis_->bend[k] + form.slope * basis_->slope[k]) +
-                 (scale * form.value + by_root) * basis_->value[k];
-      }
-    }
-    sum_->within(linear, row);
-  }
-
- private:
-  static Row scaled(const Row& row, double factor) {
-    return {row[0] * factor, row[1] * factor, row[2] * factor};
-  }
-
-  const SquaredFeed* feed_;
-  const Basis* basis_;
-  Sum* sum_;
-  double v_mm_s_;
-};
-
-template <typename Sum>
-void add_limits(Place<Sum>& place, const Cell& cell, const CellEnd& end, const PlanLimits& limits) {
-  place.feedrate(cell.shares.feedrate * end.feedrate_mm_s);
-  const profiles::RampLimits& along = cell.along;
-  if (std::isfinite(along.acceleration_mm_s2)) {
-    place.acceleration({.slope = 0.5}, cell.shares.acceleration * along.acceleration_mm_s2);
-  }
-  if (std::isfinite(along.jerk_mm_s3)) {
-    place.jerk({.bend = 0.5}, cell.shares.jerk * along.jerk_mm_s3);
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const MotionLimits& axis = limits.axes[k];
-    const double q1 = end.first[k];
-    const double q2 = end.second_per_mm[k];
-    const double q3 = end.third_per_mm2[k];
-    if (q1 == 0.0 && q2 == 0.0 && q3 == 0.0) {
-      continue;
-    }
-    if (std::isfinite(axis.acceleration_mm_s2)) {
-      place.acceleration({.slope = 0.5 * q1, .value = q2},
-                         cell.shares.acceleration * axis.acceleration_mm_s2);
-    }
-    if (std::isfinite(axis.jerk_mm_s3)) {
-      place.jerk({.bend = 0.5 * q1, .slope = 1.5 * q2, .value = q3},
-                 cell.shares.jerk * axis.jerk_mm_s3);
-    }
-  }
-}
-
 double square(double x) {
   return x * x;
 }
 
-}  // namespace
-
-double Merit::rest_jerk_mm_s3(const Cell& cell, const CellEnd& end, const PlanLimits& limits) {
+// The largest jerk of the launch or landing in a cell, along the path.
+double rest_jerk_mm_s3(const Cell& cell, const CellEnd& end, const PlanLimits& limits) {
   double jerk = cell.along.jerk_mm_s3;
   for (std::size_t k = 0; k < 3; ++k) {
     if (end.first[k] != 0.0) {
@@ -123,6 +31,15 @@ double Merit::rest_jerk_mm_s3(const Cell& cell, const CellEnd& end, const PlanLi
   }
   return cell.shares.jerk * jerk;
 }
+
+}  // namespace
+
+struct Merit::Sums {
+  const Walls* walls = nullptr;
+  BandSystem* system = nullptr;
+  double time_s = 0.0;
+  double walls_s = 0.0;
+};
 
 // With s = J t^3 / 6: v^2 = J^(2/3) (6 s)^(4/3) / 4.
 Merit::RestCell Merit::rest_cell(const Cell& cell, const RestEnds& ends,
@@ -138,8 +55,9 @@ Merit::RestCell Merit::rest_cell(const Cell& cell, const RestEnds& ends,
 Merit::Merit(const Stretch& stretch, const PlanLimits& limits)
     : stretch_(&stretch), limits_(&limits) {
   const std::vector<double> lengths = spline_lengths(stretch);
-  basis_ = feed_basis(lengths);
   const std::vector<Cell>& cells = stretch.cells;
+  rows_ = limit_rows({cells.data() + stretch.first_spline_cell(), stretch.spline_cells()},
+                     feed_basis(lengths), limits);
   if (stretch.begin.at_rest()) {
     launch_ = rest_cell(cells.front(), {.rest = &cells.front().begin, .inner = &cells.front().end},
                         lengths.front());
@@ -172,55 +90,54 @@ void Merit::bind_change(std::vector<double>& change) const noexcept {
   change.back() = landing_.gain * change[size() - 2];
 }
 
-template <typename Sum>
-bool Merit::visit(const std::vector<double>& coefficients, Sum& sum) const {
-  const std::size_t count = basis_.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Cell& cell = stretch_->cells[i + stretch_->first_spline_cell()];
-    const double* c = &coefficients[i];
-    const CellBasis& basis = basis_[i];
-    const SquaredFeed begin = basis.begin.at(c);
-    const SquaredFeed middle = basis.middle.at(c);
-    const SquaredFeed end = basis.end.at(c);
-    if (!(begin.value > 0.0 && middle.value > 0.0 && end.value > 0.0)) {
-      return false;
-    }
-    sum.time(cell.length_mm, middle.value, basis.middle.value);
-    // The spline lies below its coefficients, so between the ends of a cell the cap holds too.
-    const double cap = 0.5 * square(cell.shares.feedrate) *
-                       (square(cell.begin.feedrate_mm_s) + square(cell.end.feedrate_mm_s));
-    sum.below(c[1] / cap, {0.0, 1.0 / cap, 0.0});
-    Place<Sum> first(begin, basis.begin, sum);
-    add_limits(first, cell, cell.begin, *limits_);
-    Place<Sum> last(end, basis.end, sum);
-    add_limits(last, cell, cell.end, *limits_);
-    const auto add_rest = [&](const RestCell& rest, const SquaredFeed& feed, const Basis& at) {
-      sum.time(3.0 * rest.length_mm, feed.value, at.value);
-      const double inverse = 1.0 / rest.cap;
-      sum.below(feed.value * inverse,
-                {at.value[0] * inverse, at.value[1] * inverse, at.value[2] * inverse});
-    };
-    if (i == 0 && launch_.length_mm > 0.0) {
-      add_rest(launch_, begin, basis.begin);
-    }
-    if (i + 1 == count) {
-      add_rest(landing_, end, basis.end);
-    }
-    sum.end_cell(i);
-  }
-  return true;
+// The spline's value at its ends is its outermost coefficient.
+void Merit::add_rest(const RestCell& rest, std::size_t outer, double squared_mm2_s2,
+                     Sums& sums) const {
+  const double b = squared_mm2_s2;
+  const double t = 3.0 * rest.length_mm / std::sqrt(b);
+  Barrier::Sum wall;
+  const Barrier::Slopes slopes = Barrier(sums.walls->relaxed).below(Lanes(b / rest.cap, 0.0), wall);
+  const double weight = sums.walls->weight_s;
+  sums.time_s += t;
+  sums.walls_s += wall.value()[0];
+  sums.system->gradient[outer] += -0.5 * t / b + weight * slopes.rise[0] / rest.cap;
+  sums.system->diagonal[outer] += 0.75 * t / (b * b) + weight * slopes.bend[0] / square(rest.cap);
 }
 
-double Merit::value(const std::vector<double>& coefficients, const Walls& walls) const {
-  ValueSum sum(walls);
-  return visit(coefficients, sum) ? sum.value() : kUnbounded;
-}
-
-void Merit::derive(const std::vector<double>& coefficients, const Walls& walls,
-                   BandSystem& system) const {
+Merit::Value Merit::derive(const std::vector<double>& coefficients, const Walls& walls,
+                           BandSystem& system) const {
   system.clear(size());
-  SystemSum sum(walls, system);
-  visit(coefficients, sum);
+  const std::size_t count = stretch_->spline_cells();
+  Lanes time = Lanes::Zero();
+  Lanes wall_sum = Lanes::Zero();
+  const Lanes* row = rows_.rows.data();
+  std::size_t i = 0;
+  for (const CellPair& pair : rows_.pairs) {
+    const std::size_t cells = std::min(kLanes, count - i);
+    PairSums sums(pair, &coefficients[i], cells, walls);
+    if (!sums.are_positive()) {
+      return {.time_s = kUnbounded, .merit_s = kUnbounded};
+    }
+    time += sums.add_time();
+    row = sums.add_limits(row);
+    wall_sum += sums.walls();
+    sums.store(i, cells, system);
+    i += cells;
+  }
+  Sums ends{.walls = &walls, .system = &system};
+  if (launch_.length_mm > 0.0) {
+    add_rest(launch_, 0, coefficients.front(), ends);
+  }
+  add_rest(landing_, size() - 1, coefficients.back(), ends);
+  fold_ends(system);
+  Value value;
+  value.time_s = time.sum() + ends.time_s;
+  const double merit = value.time_s + walls.weight_s * (wall_sum.sum() + ends.walls_s);
+  value.merit_s = std::isfinite(merit) ? merit : kUnbounded;
+  return value;
+}
+
+void Merit::fold_ends(BandSystem& system) const {
   const std::size_t last = size() - 1;
   const auto fold = [&system](std::size_t outer, std::size_t inner, std::size_t band, double gain) {
     system.gradient[inner] += gain * system.gradient[outer];

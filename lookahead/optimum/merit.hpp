@@ -1,16 +1,15 @@
 // What the time optimum minimises: the time, and a wall in front of every limit.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "lookahead/limits.hpp"
 #include "lookahead/optimum/band_system.hpp"
-#include "lookahead/optimum/barrier.hpp"
 #include "lookahead/optimum/cell.hpp"
 #include "lookahead/optimum/feed_spline.hpp"
+#include "lookahead/optimum/limit_rows.hpp"
+#include "lookahead/optimum/walls.hpp"
 
 namespace kerf::lookahead {
 
@@ -26,15 +25,8 @@ struct Stretch {
   }
 };
 
-// How sharp the walls are.
-struct Walls {
-  double weight_s = 0.0;  // of each
-  double relaxed = 0.0;   // Barrier
-};
-
-// T(c) + weight sum of barriers over the limits at both ends of each cell, c the coefficients of
-// the spline. Along the path: v^2 <= cap^2, |b'| / 2 <= A, sqrt(b) |b''| / 2 <= J; on an axis:
-// |q' b' / 2 + q'' b| <= A and sqrt(b) |q' b'' / 2 + 3/2 q'' b' + q''' b| <= J (MATH section 9).
+// T(c) + weight sum of barriers over the limits of each cell (limit_rows), c the coefficients of
+// the spline.
 //
 // In the derivatives each limit is taken as linear about the present c, so the second derivative
 // misses the curvature of the jerk's sqrt(b): it is positive definite, and the search converges
@@ -52,17 +44,13 @@ class Merit {
   // The same of a change of the coefficients.
   void bind_change(std::vector<double>& change) const noexcept;
 
-  // Infinite where b is not positive.
-  [[nodiscard]] double value(const std::vector<double>& coefficients, const Walls& walls) const;
-  // The Newton system at these coefficients, for the free rows.
-  void derive(const std::vector<double>& coefficients, const Walls& walls,
-              BandSystem& system) const;
-
-  // On the cells of the spline.
-  [[nodiscard]] const Basis& begin_basis(std::size_t i) const { return basis_[i].begin; }
-  // The largest jerk of the launch or landing in a cell, along the path.
-  [[nodiscard]] static double rest_jerk_mm_s3(const Cell& cell, const CellEnd& end,
-                                              const PlanLimits& limits);
+  struct Value {
+    double time_s = 0.0;
+    double merit_s = 0.0;  // infinite where b is not positive
+  };
+  // At these coefficients, with the Newton system for the free rows.
+  [[nodiscard]] Value derive(const std::vector<double>& coefficients, const Walls& walls,
+                             BandSystem& system) const;
 
  private:
   struct RestCell {
@@ -78,12 +66,14 @@ class Merit {
   };
   [[nodiscard]] RestCell rest_cell(const Cell& cell, const RestEnds& ends,
                                    double neighbour_mm) const;
-  template <typename Sum>
-  bool visit(const std::vector<double>& coefficients, Sum& sum) const;
+  // Of the launch or landing, which meets the spline at its outermost coefficient.
+  struct Sums;
+  void add_rest(const RestCell& rest, std::size_t outer, double squared_mm2_s2, Sums& sums) const;
+  void fold_ends(BandSystem& system) const;
 
   const Stretch* stretch_;
   const PlanLimits* limits_;
-  std::vector<CellBasis> basis_;
+  LimitRows rows_;
   RestCell launch_{};
   RestCell landing_{};
 };

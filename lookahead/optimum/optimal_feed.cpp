@@ -15,7 +15,8 @@ constexpr double kFirstGuess = 0.3;  // of the estimate's squared feedrate
 constexpr double kFirstWalls = 1e-1;
 constexpr double kLastWalls = 1e-4;
 constexpr double kSharpen = 0.1;
-// Of the slack that a wall of a typical multiplier keeps.
+// Of the slack that a wall of a typical multiplier keeps: one whose limit, raised by a part, takes
+// as much off the time of its cell.
 constexpr double kRelaxed = 0.3;
 constexpr int kStepsOfStage = 15;
 constexpr double kStageDone = 0.1;  // of the walls: Newton decrement
@@ -36,36 +37,34 @@ class Search {
 
   // Newton steps until the walls outweigh what is left to gain. share: of all walls in the time.
   void stage(double share) {
-    const Walls walls = walls_of(share);
-    double before = merit_.value(feed_->coefficients, walls);
+    if (time_s_ == 0.0) {
+      time_s_ =
+          merit_.derive(feed_->coefficients, {.weight_s = 0.0, .relaxed = 1.0}, system_).time_s;
+    }
+    const double count = static_cast<double>(merit_.size());
+    const Walls walls{.weight_s = share * time_s_ / count, .relaxed = kRelaxed * share};
+    double before = merit_.derive(feed_->coefficients, walls, system_).merit_s;
     for (int k = 0; k < kStepsOfStage; ++k) {
       const double gain = step(walls, before);
-      if (gain < kStageDone * walls.weight_s * static_cast<double>(merit_.size())) {
+      if (gain < kStageDone * walls.weight_s * count) {
         return;
       }
     }
   }
 
  private:
-  [[nodiscard]] Walls walls_of(double share) const {
-    const double count = static_cast<double>(merit_.size());
-    const double time = merit_.value(feed_->coefficients, {.weight_s = 0.0, .relaxed = 1.0});
-    return {.weight_s = share * time / count, .relaxed = kRelaxed * share * time};
-  }
-
-  // What the linear model promises; 0 where the search is stuck. value: of the merit, renewed.
+  // What the linear model promises; 0 where the search is stuck. value: of the merit, renewed as
+  // the system is.
   double step(const Walls& walls, double& value) {
     std::vector<double>& c = feed_->coefficients;
-    merit_.derive(c, walls, system_);
-    const std::vector<double>& gradient = damped_.gradient;
     const BandSystem::Rows rows = merit_.free_rows();
-    if (!solve(rows)) {
+    if (!solve(rows, walls)) {
       return 0.0;
     }
     ++feed_->newton_steps;
     double slope = 0.0;
     for (std::size_t i = rows.begin; i < rows.end; ++i) {
-      slope += gradient[i] * change_[i];
+      slope += system_.gradient[i] * change_[i];
     }
     merit_.bind_change(change_);
     trial_.resize(c.size());
@@ -75,10 +74,11 @@ class Search {
       for (std::size_t i = 0; i < c.size(); ++i) {
         trial_[i] = std::max(c[i] + length * change_[i], (1.0 - kToZero) * c[i]);
       }
-      const double now = merit_.value(trial_, walls);
-      if (now <= value + kArmijo * length * slope) {
+      const Merit::Value now = merit_.derive(trial_, walls, system_);
+      if (now.merit_s <= value + kArmijo * length * slope) {
         c.swap(trial_);
-        value = now;
+        value = now.merit_s;
+        time_s_ = now.time_s;
         return -slope;
       }
     }
@@ -86,19 +86,21 @@ class Search {
   }
 
   // Walls of very different steepness leave the system positive definite by less than rounding
-  // takes away: then a little is added to its diagonal. The gradient remains in damped_.
-  bool solve(const BandSystem::Rows& rows) {
+  // takes away: then a little is added to its diagonal.
+  bool solve(const BandSystem::Rows& rows, const Walls& walls) {
     change_.assign(merit_.size(), 0.0);
-    double damping = 0.0;
-    for (int k = 0; k < kDampings; ++k) {
-      damped_ = system_;
-      for (double& d : damped_.diagonal) {
+    if (system_.solve(rows, change_)) {
+      return true;
+    }
+    double damping = kFirstDamping;
+    for (int k = 0; k < kDampings; ++k, damping *= kMoreDamping) {
+      static_cast<void>(merit_.derive(feed_->coefficients, walls, system_));
+      for (double& d : system_.diagonal) {
         d *= 1.0 + damping;
       }
-      if (damped_.solve(rows, change_)) {
+      if (system_.solve(rows, change_)) {
         return true;
       }
-      damping = damping > 0.0 ? kMoreDamping * damping : kFirstDamping;
     }
     return false;
   }
@@ -106,7 +108,7 @@ class Search {
   Merit merit_;
   OptimalFeed* feed_;
   BandSystem system_;
-  BandSystem damped_;
+  double time_s_ = 0.0;  // at the coefficients; 0: not known yet
   std::vector<double> change_;
   std::vector<double> trial_;
 };

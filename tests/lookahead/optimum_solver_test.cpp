@@ -91,27 +91,63 @@ TEST(FeedSpline, HoldsEveryQuadratic) {
   }
 }
 
+struct Wall {
+  double value = 0.0;
+  double rise = 0.0;
+  double bend = 0.0;
+};
+
+// In either lane, which must not know of the other.
+Wall wall_below(const Barrier& barrier, double form, int lane) {
+  Lanes forms(0.3, 0.3);
+  forms[lane] = form;
+  Barrier::Sum sum;
+  const Barrier::Slopes slopes = barrier.below(forms, sum);
+  return {.value = sum.value()[lane], .rise = slopes.rise[lane], .bend = slopes.bend[lane]};
+}
+
+Wall wall_within(const Barrier& barrier, double form, int lane) {
+  Lanes forms(0.3, 0.3);
+  forms[lane] = form;
+  Barrier::Sum sum;
+  const Barrier::Slopes slopes = barrier.within(forms, sum);
+  return {.value = sum.value()[lane], .rise = slopes.rise[lane], .bend = slopes.bend[lane]};
+}
+
 TEST(Barrier, GoesOnSmoothlyWhereItIsRelaxed) {
   const Barrier barrier(0.01);
-  const auto value = [&barrier](double slack) {
-    Barrier::Sum sum;
-    barrier.add(slack, sum);
-    return sum.value();
-  };
-  EXPECT_DOUBLE_EQ(value(0.5), -std::log(0.5));
-  EXPECT_NEAR(value(0.01 - 1e-12), value(0.01 + 1e-12), 1e-9);
-  for (const double slack : {0.3, 0.011, 0.009, 0.0, -2.0}) {
-    const double h = 1e-6;
-    const double slope = (value(slack + h) - value(slack - h)) / (2.0 * h);
-    EXPECT_NEAR(barrier.slopes(slack).fall, -slope, 1e-5 * std::abs(slope));
-    const double bend = (value(slack + h) - 2.0 * value(slack) + value(slack - h)) / (h * h);
-    EXPECT_NEAR(barrier.slopes(slack).bend, bend, 1e-2 * bend);
+  for (const int lane : {0, 1}) {
+    const auto at = [&](double slack) { return wall_below(barrier, 1.0 - slack, lane); };
+    EXPECT_DOUBLE_EQ(at(0.5).value, -std::log(0.5));
+    EXPECT_NEAR(at(0.01 - 1e-12).value, at(0.01 + 1e-12).value, 1e-9);
+    for (const double slack : {0.3, 0.011, 0.009, 0.0, -2.0}) {
+      const double h = 1e-6;
+      const double fall = (at(slack - h).value - at(slack + h).value) / (2.0 * h);
+      EXPECT_NEAR(at(slack).rise, fall, 1e-5 * std::abs(fall));
+      const double bend =
+          (at(slack + h).value - 2.0 * at(slack).value + at(slack - h).value) / (h * h);
+      EXPECT_NEAR(at(slack).bend, bend, 1e-2 * bend);
+    }
   }
 }
 
-Stretch random_stretch(std::mt19937_64& random, const StretchBegin& begin) {
+TEST(Barrier, OnBothSidesIsOneAboveAndOneBelow) {
+  const Barrier barrier(0.01);
+  for (const int lane : {0, 1}) {
+    for (const double form : {-3.0, -0.995, -0.5, 0.0, 0.7, 0.992, 1.2}) {
+      const Wall above = wall_below(barrier, form, lane);
+      const Wall under = wall_below(barrier, -form, lane);
+      const Wall both = wall_within(barrier, form, lane);
+      EXPECT_NEAR(both.value, above.value + under.value, 1e-12 * (1.0 + std::abs(both.value)));
+      EXPECT_NEAR(both.rise, above.rise - under.rise, 1e-12 * (above.rise + under.rise));
+      EXPECT_NEAR(both.bend, above.bend + under.bend, 1e-12 * both.bend);
+    }
+  }
+}
+
+Stretch random_stretch(std::mt19937_64& random, const StretchBegin& begin, int cells) {
   Stretch stretch{.begin = begin, .cells = {}};
-  for (int i = 0; i < 9; ++i) {
+  for (int i = 0; i < cells; ++i) {
     Cell cell{.length_mm = uniform(random, 0.05, 0.2),
               .along = {.acceleration_mm_s2 = 900.0, .jerk_mm_s3 = 2e4}};
     for (CellEnd* end : {&cell.begin, &cell.end}) {
@@ -133,29 +169,61 @@ TEST(Merit, ItsGradientIsThatOfItsValue) {
   std::mt19937_64 random(3);
   const StretchBegin in_motion{.v_mm_s = 12.0, .a_mm_s2 = 30.0};
   for (const StretchBegin& begin : {StretchBegin{}, in_motion}) {
-    const Stretch stretch = random_stretch(random, begin);
-    const Merit merit(stretch, limits);
-    const Walls walls{.weight_s = 0.01, .relaxed = 0.2};
-    std::vector<double> c(merit.size());
-    for (double& value : c) {
-      value = uniform(random, 80.0, 400.0);
-    }
-    merit.bind(c);
-    BandSystem system;
-    merit.derive(c, walls, system);
-    const auto [first, end] = merit.free_rows();
-    for (std::size_t i = first; i < end; ++i) {
-      const double h = 1e-5 * c[i];
-      std::vector<double> up = c;
-      std::vector<double> down = c;
-      up[i] += h;
-      down[i] -= h;
-      merit.bind(up);
-      merit.bind(down);
-      const double slope = (merit.value(up, walls) - merit.value(down, walls)) / (2.0 * h);
-      EXPECT_NEAR(system.gradient[i], slope, 1e-6 * (1.0 + std::abs(slope))) << i;
+    for (const int cells : {8, 9}) {
+      const Stretch stretch = random_stretch(random, begin, cells);
+      const Merit merit(stretch, limits);
+      const Walls walls{.weight_s = 0.01, .relaxed = 0.2};
+      BandSystem system;
+      const auto value = [&](std::vector<double> at) {
+        merit.bind(at);
+        return merit.derive(at, walls, system).merit_s;
+      };
+      std::vector<double> c(merit.size());
+      for (double& coefficient : c) {
+        coefficient = uniform(random, 80.0, 400.0);
+      }
+      value(c);
+      const std::vector<double> gradient = system.gradient;
+      const auto [first, end] = merit.free_rows();
+      for (std::size_t i = first; i < end; ++i) {
+        const double h = 1e-5 * c[i];
+        std::vector<double> up = c;
+        std::vector<double> down = c;
+        up[i] += h;
+        down[i] -= h;
+        const double slope = (value(up) - value(down)) / (2.0 * h);
+        EXPECT_NEAR(gradient[i], slope, 1e-6 * (1.0 + std::abs(slope))) << i << " of " << cells;
+      }
     }
   }
+}
+
+// On a straight line along x every limit is one of the motion along the path: of the path's and x'
+// own the tighter one counts, and the merit of a cruise can be written down.
+TEST(Merit, OfACruiseIsItsTimeAndTheWallsOfTheTightestLimits) {
+  PlanLimits limits;
+  limits.axes.fill({.velocity_mm_s = 60.0, .acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
+  Stretch stretch{.begin = {.v_mm_s = 20.0}, .cells = {}};
+  for (int i = 0; i < 4; ++i) {
+    Cell cell{.length_mm = 2.0, .along = {.acceleration_mm_s2 = 900.0, .jerk_mm_s3 = 2e4}};
+    for (CellEnd* end : {&cell.begin, &cell.end}) {
+      end->first = {1.0, 0.0, 0.0};
+      end->feedrate_mm_s = 50.0;
+    }
+    stretch.cells.push_back(cell);
+  }
+  const Merit merit(stretch, limits);
+  BandSystem system;
+  const std::vector<double> cruise(merit.size(), 400.0);
+  const Merit::Value free = merit.derive(cruise, {.weight_s = 0.0, .relaxed = 1e-3}, system);
+  // Three cells of 2 mm at 20 mm/s, and a landing, which takes three times as long.
+  EXPECT_NEAR(free.time_s, 0.3 + 0.3, 1e-12);
+  EXPECT_DOUBLE_EQ(free.merit_s, free.time_s);
+  const Merit::Value walled = merit.derive(cruise, {.weight_s = 1.0, .relaxed = 1e-3}, system);
+  const double cap = std::pow(kAim * 50.0, 2.0);
+  const double landing = 0.25 * std::pow(1e4 * kAim * 12.0 * 12.0, 2.0 / 3.0);
+  EXPECT_NEAR(walled.merit_s - walled.time_s,
+              -3.0 * std::log1p(-400.0 / cap) - std::log1p(-400.0 / std::min(cap, landing)), 1e-9);
 }
 
 }  // namespace

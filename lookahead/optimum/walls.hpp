@@ -1,0 +1,12 @@
+// The walls in front of all limits.
+#pragma once
+
+namespace kerf::lookahead {
+
+// How sharp the walls are.
+struct Walls {
+  double weight_s = 0.0;  // of each
+  double relaxed = 0.0;   // Barrier
+};
+
+}  // namespace kerf::lookahead
