@@ -15,12 +15,21 @@ constexpr int kMostHalvings = 16;
 
 }  // namespace
 
-Slope::Slope(std::vector<Sample> samples) : samples_(std::move(samples)) {
+Slope::Slope(std::vector<Sample> samples) {
   double lowest = kHighest;
-  std::for_each(samples_.rbegin(), samples_.rend(), [&lowest](Sample& sample) {
+  std::for_each(samples.rbegin(), samples.rend(), [&lowest](Sample& sample) {
     lowest = std::min(lowest, sample.v_mm_s);
     sample.v_mm_s = lowest;
   });
+  const auto is_within_flat = [&samples](std::size_t i) {
+    return i > 0 && i + 1 < samples.size() && samples[i - 1].v_mm_s == samples[i].v_mm_s &&
+           samples[i].v_mm_s == samples[i + 1].v_mm_s;
+  };
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!is_within_flat(i)) {
+      samples_.push_back(samples[i]);
+    }
+  }
 }
 
 double Slope::top_mm_s() const noexcept {
