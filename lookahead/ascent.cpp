@@ -27,12 +27,29 @@ const Slope& slope_of(const Climb& climb, const Span& span) {
   return climb.side == SpanSide::rise ? span.rise : span.fall;
 }
 
+// Against covering the same way at the feedrate of its top.
+double lost_s(const Ascent& ascent) {
+  return ascent.duration_s() - ascent.length_mm() / ascent.law.ramp().v_end_mm_s;
+}
+
+// Begins later, or is gentler and begins not so late, where the wait takes longer than the climb.
+Ascent delayed(const Slope& slope, const Transition& fastest) {
+  Ascent best{.law = fastest, .foot_mm = slope.delay_for_mm(fastest)};
+  Ascent next = best;
+  while (next.duration_s() > 2.0 * next.law.duration_s()) {
+    next.law = next.law.stretched(2.0);
+    next.foot_mm = slope.delay_for_mm(next.law);
+    best = lost_s(next) < lost_s(best) ? next : best;
+  }
+  return best;
+}
+
 Ascent below(const Slope& slope, const Transition& fastest, const Profile& profile) {
   if (slope.empty()) {
     return {.law = fastest};
   }
   if (profile.kind() == ProfileKind::trapezoid && fastest.ramp().v_begin_mm_s > 0.0) {
-    return {.law = fastest, .foot_mm = slope.delay_for_mm(fastest)};
+    return delayed(slope, fastest);
   }
   return {.law = fastest.stretched(slope.stretch_for(fastest))};
 }
@@ -50,11 +67,8 @@ PlacedClimb placed(const Ascent& ascent, const Climb& climb, const Span& span) {
           .direction = -1.0};
 }
 
-// Against passing the climb's whole length at its end's feedrate.
-double lost_s(const Ascent& ascent, const Climb& climb) {
-  return ascent.length_mm() <= climb.room_mm
-             ? ascent.duration_s() - ascent.length_mm() / climb.ramp.v_end_mm_s
-             : kUnbounded;
+double lost_in_s(const Ascent& ascent, const Climb& climb) {
+  return ascent.length_mm() <= climb.room_mm ? lost_s(ascent) : kUnbounded;
 }
 
 // A gentler climb each round.
@@ -127,7 +141,7 @@ Ascent climb_to(const Climb& climb, const Span& span, const Profile& profile) {
       const double foot = slope.allowed_from_mm(rise * v);
       if (rise * v < climb.ramp.v_end_mm_s && foot > 0.0) {
         const Ascent other = gentle_enough(climb, foot, span, profile);
-        best = lost_s(other, climb) < lost_s(best, climb) ? other : best;
+        best = lost_in_s(other, climb) < lost_in_s(best, climb) ? other : best;
       }
     }
   }
