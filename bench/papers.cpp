@@ -29,7 +29,7 @@ constexpr double kScreening_mm_s = 3000.0;
 // As the papers run it: from the feedrate that the curve allows at its start to that at its end.
 double in_motion_s(const Block& block, const profiles::Profile& profile) {
   std::vector<WindowSpan> window;
-  for (lookahead::Span& span : lookahead::split(block)) {
+  for (lookahead::Span& span : lookahead::split(block, 0.001)) {
     window.push_back({.span = std::move(span)});
   }
   double v_end = block.ceiling.back().v_mm_s;

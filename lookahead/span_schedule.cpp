@@ -24,11 +24,14 @@ struct CruisePoint {
 
 // What is left of a span once its first part has left.
 void cut_front(Span& span, const CruisePoint& cut) {
-  span.length_mm -= cut.s_mm - span.s_begin_mm;
+  const double way_mm = cut.s_mm - span.s_begin_mm;
+  span.length_mm -= way_mm;
   span.s_begin_mm = cut.s_mm;
   span.begin_coast_s = 0.0;
   if (!span.rise.empty()) {
-    span.rise = Slope({{.distance_mm = 0.0, .v_mm_s = cut.v_mm_s}});
+    const bool falls = way_mm >= span.rise.allowed_from_mm(kUnbounded);
+    span.rise =
+        falls ? Slope({{.distance_mm = 0.0, .v_mm_s = cut.v_mm_s}}) : span.rise.from(way_mm);
   }
 }
 
@@ -74,7 +77,7 @@ std::vector<Span> SpanSchedule::spans_of(const Block& block) const {
     }
     turning = scan_turning(*nurbs, block.limits.feedrate_mm_s, limits);
   }
-  spans = turning.empty() ? split(block) : split(block, turning, limits);
+  spans = turning.empty() ? split(block, settings_.limits.period_s) : split(block, turning, limits);
   for (Span& span : spans) {
     if (!span.ends_block) {
       span.end.feedrate_mm_s = valley_mm_s(span.end.feedrate_mm_s, span, settings_);
@@ -134,16 +137,13 @@ bool SpanSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, 
   SpanEnds ends{.v_begin_mm_s = v_mm_s_, .v_end_mm_s = item.v_end_mm_s};
   SpanPlan plan = plan_front(ends);
   if (plan.cruise.duration_s() > 2.0 * settings_.longest_cruise_s) {
-    const double v = plan.cruise.ramp().v_begin_mm_s;
-    plan.cruise = profiles::Transition::cruise(v, v * settings_.longest_cruise_s);
-    plan.deceleration = {};
-    plan.end_coast = {};
-    emit_plan(blocks.front(), plan, emitter, outbox);
-    v_mm_s_ = v;
-    cut_front(item.span, {.s_mm = emitter.s_mm(), .v_mm_s = v});
-    item.sure = {.v_begin_mm_s = v, .v_end_mm_s = ends.v_end_mm_s};
+    emit_cruise(blocks.front(), plan, emitter, outbox);
+    cut_front(item.span, {.s_mm = emitter.s_mm(), .v_mm_s = v_mm_s_});
+    item.sure = {.v_begin_mm_s = v_mm_s_, .v_end_mm_s = ends.v_end_mm_s};
+    left_end_mm_s_ = item.v_end_mm_s = ends.v_end_mm_s;
     return true;
   }
+  left_.reset();
   emit_plan(blocks.front(), plan, emitter, outbox);
   v_mm_s_ = ends.v_end_mm_s;
   outbox.phases.back().s_end_mm =
@@ -155,8 +155,27 @@ bool SpanSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, 
   return true;
 }
 
+// Up to a part of the cruise; the rest is kept.
+void SpanSchedule::emit_cruise(const Block& block, const SpanPlan& plan, Emitter& emitter,
+                               Outbox& outbox) {
+  SpanPlan part = plan;
+  v_mm_s_ = plan.cruise.ramp().v_begin_mm_s;
+  part.cruise = profiles::Transition::cruise(v_mm_s_, v_mm_s_ * settings_.longest_cruise_s);
+  part.deceleration = {};
+  part.end_coast = {};
+  emit_plan(block, part, emitter, outbox);
+  left_ = plan;
+  left_->begin_coast = {};
+  left_->acceleration = {};
+  left_->cruise =
+      profiles::Transition::cruise(v_mm_s_, plan.cruise.length_mm() - part.cruise.length_mm());
+}
+
 // Lowers the end to what can be joined.
 SpanPlan SpanSchedule::plan_front(SpanEnds& ends) {
+  if (left_ && ends.v_end_mm_s == left_end_mm_s_) {
+    return *left_;
+  }
   const WindowSpan& item = window_.front();
   const profiles::Profile& profile = settings_.profile;
   ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, item.v_end_before_mm_s, profile);
@@ -223,6 +242,7 @@ void SpanSchedule::stop(const Window<Block>& /*blocks*/, const Emitter& /*emitte
   }
   window_.keep_front(kept);
   ready_spans_ = 0;
+  left_.reset();
 }
 
 }  // namespace kerf::lookahead

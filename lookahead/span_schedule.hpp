@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "lookahead/schedule.hpp"
@@ -38,6 +39,7 @@ class SpanSchedule final : public Schedule {
   [[nodiscard]] Junction joint_of(const Block& before, const Block& block, const Span& first) const;
   SpanPlan plan_front(SpanEnds& ends);
   void plan_window(Supply supply);
+  void emit_cruise(const Block& block, const SpanPlan& plan, Emitter& emitter, Outbox& outbox);
   void emit_plan(const Block& block, const SpanPlan& plan, Emitter& emitter, Outbox& outbox) const;
   void leave_span(Window<Block>& blocks, Emitter& emitter);
 
@@ -46,6 +48,9 @@ class SpanSchedule final : public Schedule {
   std::size_t ready_spans_ = 0;  // of window_, planned and allowed to leave
   bool drains_ = false;
   double v_mm_s_ = 0.0;  // where emission stands
+  // Of the front span, of which a part has left: what is left, as long as it ends as was planned.
+  std::optional<SpanPlan> left_;
+  double left_end_mm_s_ = 0.0;
 };
 
 }  // namespace kerf::lookahead

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lookahead/breaking_points.hpp"
+#include "lookahead/climb_cuts.hpp"
 #include "lookahead/turn_ceiling.hpp"
 
 namespace kerf::lookahead {
@@ -17,55 +18,156 @@ constexpr double kScreening_mm_s = 0.0;
 // turning binds, a hill that low is not worth a stop of acceleration on both its sides.
 constexpr double kNoise = 0.01;
 constexpr double kTurningNoise = 0.05;
+constexpr double kFarApart = 4.0;  // feedrates of neighbours: times
 
 struct SampleRange {
   std::size_t first = 0;
   std::size_t last = 0;  // included
 };
 
-Slope rise_of(const Ceiling& ceiling, const SampleRange& range, std::size_t top) {
-  std::vector<Slope::Sample> samples;
+using Samples = std::vector<Slope::Sample>;
+
+Samples rise_of(const Ceiling& ceiling, const SampleRange& range, std::size_t top) {
+  Samples samples;
   for (std::size_t i = range.first; i <= top; ++i) {
     samples.push_back({ceiling[i].s_mm - ceiling[range.first].s_mm, ceiling[i].v_mm_s});
   }
-  return Slope(std::move(samples));
+  return samples;
 }
 
-Slope fall_of(const Ceiling& ceiling, const SampleRange& range, std::size_t top) {
-  std::vector<Slope::Sample> samples;
+Samples fall_of(const Ceiling& ceiling, const SampleRange& range, std::size_t top) {
+  Samples samples;
   for (std::size_t i = range.last + 1; i-- > top;) {
     samples.push_back({ceiling[range.last].s_mm - ceiling[i].s_mm, ceiling[i].v_mm_s});
   }
-  return Slope(std::move(samples));
+  return samples;
 }
 
-Span span_between(const Block& block, const Ceiling& ceiling, const SampleRange& range) {
+std::size_t top_of(const Ceiling& ceiling, const SampleRange& range) {
   const auto at = [&ceiling](std::size_t i) {
     return ceiling.begin() + static_cast<std::ptrdiff_t>(i);
   };
   const auto top = std::max_element(
       at(range.first), at(range.last + 1),
       [](const FeedSample& a, const FeedSample& b) { return a.v_mm_s < b.v_mm_s; });
-  const auto top_index = static_cast<std::size_t>(top - ceiling.begin());
+  return static_cast<std::size_t>(top - ceiling.begin());
+}
+
+Span span_between(const Block& block, const Ceiling& ceiling, const SampleRange& range) {
+  const std::size_t top = top_of(ceiling, range);
   Span span = whole_span(block);
   span.s_begin_mm = ceiling[range.first].s_mm;
   span.length_mm = ceiling[range.last].s_mm - span.s_begin_mm;
   span.end.feedrate_mm_s = ceiling[range.last].v_mm_s;
   span.ends_block = range.last + 1 == ceiling.size();
-  span.rise = rise_of(ceiling, range, top_index);
-  span.fall = fall_of(ceiling, range, top_index);
+  span.rise = Slope(rise_of(ceiling, range, top));
+  span.fall = Slope(fall_of(ceiling, range, top));
   return span;
 }
 
-std::vector<Span> split_at_valleys(const Block& block, const Ceiling& ceiling, double noise) {
-  std::vector<Span> spans;
-  std::size_t first = 0;
-  for (const std::size_t valley :
-       valleys(ceiling, breaking_points(ceiling, kScreening_mm_s), noise)) {
-    spans.push_back(span_between(block, ceiling, {.first = first, .last = valley}));
-    first = valley;
+// Of valleys within a tick's way of each other the lowest, and between them its feedrate.
+std::vector<std::size_t> apart(const std::vector<std::size_t>& valleys, double period_s,
+                               Ceiling& ceiling) {
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < valleys.size();) {
+    const std::size_t first = valleys[i];
+    std::size_t lowest = first;
+    std::size_t last = first;
+    for (++i; i < valleys.size(); ++i) {
+      const std::size_t next =
+          ceiling[valleys[i]].v_mm_s < ceiling[lowest].v_mm_s ? valleys[i] : lowest;
+      if (ceiling[valleys[i]].s_mm - ceiling[first].s_mm > ceiling[next].v_mm_s * period_s) {
+        break;
+      }
+      lowest = next;
+      last = valleys[i];
+    }
+    for (std::size_t k = first; k <= last; ++k) {
+      ceiling[k].v_mm_s = std::min(ceiling[k].v_mm_s, ceiling[lowest].v_mm_s);
+    }
+    kept.push_back(lowest);
   }
-  spans.push_back(span_between(block, ceiling, {.first = first, .last = ceiling.size() - 1}));
+  return kept;
+}
+
+// With samples on the lines between those whose feedrates are far apart, so that there are places
+// to cut at.
+Ceiling dense(const Ceiling& ceiling) {
+  Ceiling all;
+  for (const FeedSample& next : ceiling) {
+    while (!all.empty()) {
+      const FeedSample& at = all.back();
+      const double ratio = next.v_mm_s / at.v_mm_s;
+      if (!(ratio > kFarApart || ratio < 1.0 / kFarApart) || !(at.v_mm_s > 0.0)) {
+        break;
+      }
+      const double v = ratio > 1.0 ? kFarApart * at.v_mm_s : at.v_mm_s / kFarApart;
+      const double share = (v - at.v_mm_s) / (next.v_mm_s - at.v_mm_s);
+      FeedSample between = at;
+      between.u += share * (next.u - at.u);
+      between.s_mm += share * (next.s_mm - at.s_mm);
+      between.v_mm_s = v;
+      if (!(between.s_mm > at.s_mm && between.s_mm < next.s_mm && between.u > at.u)) {
+        break;
+      }
+      all.push_back(between);
+    }
+    all.push_back(next);
+  }
+  return all;
+}
+
+// A block may begin and end at rest.
+void add_cuts(const Ceiling& ceiling, const SampleRange& range, double acceleration_mm_s2,
+              std::vector<std::size_t>& cuts) {
+  const std::size_t top = top_of(ceiling, range);
+  Samples rise = rise_of(ceiling, range, top);
+  if (range.first == 0) {
+    rise.front().v_mm_s = 0.0;
+  }
+  for (const std::size_t i : climb_cuts(rise, acceleration_mm_s2)) {
+    cuts.push_back(range.first + i);
+  }
+  Samples fall = fall_of(ceiling, range, top);
+  if (range.last + 1 == ceiling.size()) {
+    fall.front().v_mm_s = 0.0;
+  }
+  const std::vector<std::size_t> descent = climb_cuts(fall, acceleration_mm_s2);
+  for (auto i = descent.rbegin(); i != descent.rend(); ++i) {
+    cuts.push_back(range.last - *i);
+  }
+}
+
+struct Cutting {
+  double noise = 0.0;
+  double period_s = 0.0;
+  double acceleration_mm_s2 = 0.0;  // no climb is steeper
+};
+
+std::vector<Span> split_at_valleys(const Block& block, const Ceiling& scanned, const Cutting& how) {
+  Ceiling ceiling = dense(scanned);
+  std::vector<std::size_t> ends =
+      apart(valleys(ceiling, breaking_points(ceiling, kScreening_mm_s), how.noise), how.period_s,
+            ceiling);
+  ends.push_back(ceiling.size() - 1);
+  std::vector<std::size_t> cuts;
+  std::size_t first = 0;
+  for (const std::size_t end : ends) {
+    add_cuts(ceiling, {.first = first, .last = end}, how.acceleration_mm_s2, cuts);
+    cuts.push_back(end);
+    first = end;
+  }
+  std::vector<Span> spans;
+  first = 0;
+  for (const std::size_t cut : cuts) {
+    spans.push_back(span_between(block, ceiling, {.first = first, .last = cut}));
+    first = cut;
+    if (spans.size() > 1) {
+      double& joint = spans[spans.size() - 2].end.feedrate_mm_s;
+      joint = std::min(
+          {joint, spans[spans.size() - 2].fall.bottom_mm_s(), spans.back().rise.bottom_mm_s()});
+    }
+  }
   spans.back().end.feedrate_mm_s = 0.0;
   return spans;
 }
@@ -102,30 +204,32 @@ Span whole_span(const Block& block) {
   return {.length_mm = block.length_mm, .limits = block.limits, .end = {.feedrate_mm_s = 0.0}};
 }
 
-std::vector<Span> split(const Block& block) {
+std::vector<Span> split(const Block& block, double period_s) {
   if (block.ceiling.empty()) {
     return {whole_span(block)};
   }
-  return split_at_valleys(block, block.ceiling, kNoise);
+  return split_at_valleys(block, block.ceiling,
+                          {.noise = kNoise,
+                           .period_s = period_s,
+                           .acceleration_mm_s2 = block.limits.ramp.acceleration_mm_s2});
 }
 
 std::vector<Span> split(const Block& block, const Turning& turning, const PlanLimits& limits) {
+  const double along = block.along.ramp.acceleration_mm_s2;
   std::vector<Span> spans =
-      split_at_valleys(block, lower_ceiling(block.ceiling, turning), kTurningNoise);
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    Span& span = spans[i];
+      split_at_valleys(block, lower_ceiling(block.ceiling, turning),
+                       {.noise = kTurningNoise,
+                        .period_s = limits.period_s,
+                        .acceleration_mm_s2 = std::min(
+                            along, strongest(turning, limits, &MotionLimits::acceleration_mm_s2))});
+  for (Span& span : spans) {
     span.turning = part_of(turning, span);
     span.axes = limits.axes;
     span.limits.ramp = {
         .acceleration_mm_s2 =
-            std::min(block.along.ramp.acceleration_mm_s2,
-                     strongest(span.turning, limits, &MotionLimits::acceleration_mm_s2)),
+            std::min(along, strongest(span.turning, limits, &MotionLimits::acceleration_mm_s2)),
         .jerk_mm_s3 = std::min(block.along.ramp.jerk_mm_s3,
                                strongest(span.turning, limits, &MotionLimits::jerk_mm_s3))};
-    if (i > 0) {
-      double& joint = spans[i - 1].end.feedrate_mm_s;
-      joint = std::min({joint, spans[i - 1].fall.bottom_mm_s(), span.rise.bottom_mm_s()});
-    }
   }
   return spans;
 }

@@ -132,21 +132,54 @@ TEST(SingularCurves, ShortOnesEndUnderEveryProfile) {
   }
 }
 
+JudgedRun judged_case(std::uint64_t seed, profiles::ProfileKind kind) {
+  const SingularCase made = random_singular_case(seed);
+  MachineSettings settings;
+  settings.limits = made.limits;
+  RandomProgram program{.text = program_of(made.data, made.feedrate_mm_s),
+                        .start_mm = made.data.points.front().position_mm,
+                        .end_mm = {},
+                        .feedrate_mm_s = {},
+                        .path = {}};
+  program.feedrate_mm_s.assign(program.text.size(), made.feedrate_mm_s);
+  return judged_run(program, settings, {.kind = kind});
+}
+
 // The classical schedule draws straight lines between samples of what an axis' velocity allows.
 TEST(SingularCurves, TheVelocityOfAnAxisHoldsBetweenSamples) {
   for (const std::uint64_t seed : {10143U, 10413U, 10431U, 10485U}) {
-    const SingularCase made = random_singular_case(seed);
-    MachineSettings settings;
-    settings.limits = made.limits;
-    RandomProgram program{.text = program_of(made.data, made.feedrate_mm_s),
-                          .start_mm = made.data.points.front().position_mm,
-                          .end_mm = {},
-                          .feedrate_mm_s = {},
-                          .path = {}};
-    program.feedrate_mm_s.assign(program.text.size(), made.feedrate_mm_s);
-    EXPECT_EQ(judged_run(program, settings, {.kind = profiles::ProfileKind::s_curve}).complaint, "")
-        << seed;
+    EXPECT_EQ(judged_case(seed, profiles::ProfileKind::s_curve).complaint, "") << seed;
   }
+}
+
+// A span that could not be joined but slowed down as a whole leaves in parts of its cruise, and
+// ends no faster for that.
+TEST(SingularCurves, TheVelocityOfAnAxisHoldsBehindALongCruise) {
+  EXPECT_EQ(judged_case(51669, profiles::ProfileKind::sine).complaint, "");
+}
+
+// Features of nanometres at the beginning or end of a long curve hold up the classical schedule
+// where they are, not for all of it.
+TEST(SingularCurves, TinyFeaturesDoNotSlowTheRestDown) {
+  struct Case {
+    std::uint64_t seed;
+    profiles::ProfileKind kind;
+  };
+  for (const auto& [seed, kind] :
+       {Case{438, profiles::ProfileKind::s_curve}, Case{20070, profiles::ProfileKind::trapezoid},
+        Case{21270, profiles::ProfileKind::s_curve}}) {
+    const JudgedRun classical = judged_case(seed, kind);
+    EXPECT_EQ(classical.complaint, "") << seed;
+    const JudgedRun optimum = judged_case(seed, profiles::ProfileKind::time_optimal);
+    EXPECT_LT(classical.ticks, 3 * optimum.ticks) << seed;
+  }
+}
+
+// Beside a corner that is not quite one, the derivatives are rounding, with thousands of valleys
+// within a tick's way: too many phases for the ring if each were cut at.
+TEST(SingularCurves, RoundingBesideACornerDoesNotStarveTheMotion) {
+  EXPECT_EQ(judged_case(741, profiles::ProfileKind::sine).complaint, "");
+  EXPECT_EQ(judged_case(10791, profiles::ProfileKind::sine_series).complaint, "");
 }
 
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {

@@ -49,7 +49,7 @@ TEST(Brake, StaysBelowTheCeilingOfACurve) {
   for (const ProfileKind kind : jerk_limited_kinds()) {
     SCOPED_TRACE(profiles::name_of(kind));
     const Profile profile{kind};
-    for (const Span& whole : split(block)) {
+    for (const Span& whole : split(block, 0.001)) {
       const double cap = ceiling_at(block.ceiling, whole.s_begin_mm);
       Span span = whole;
       SpanEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = span.end.feedrate_mm_s};

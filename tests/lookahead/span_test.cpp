@@ -176,7 +176,7 @@ TEST(Span, IsNeverAboveTheCeilingOfACurve) {
       const Profile profile{kind};
       double v_begin = 0.0;
       double s_begin = 0.0;
-      for (const Span& span : split(block)) {
+      for (const Span& span : split(block, 0.001)) {
         EXPECT_NEAR(span.s_begin_mm, s_begin, 1e-12);
         SpanEnds ends{.v_begin_mm_s = v_begin, .v_end_mm_s = span.end.feedrate_mm_s};
         const double cap = ceiling_at(block.ceiling, s_begin);

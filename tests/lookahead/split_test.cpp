@@ -1,0 +1,85 @@
+// Where ceilings made by hand are cut into spans.
+#include "lookahead/split.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/lookahead/spans.hpp"
+
+namespace kerf::lookahead::test {
+namespace {
+
+constexpr double kPeriod_s = 0.001;
+
+Block under(const Ceiling& ceiling) {
+  Block block{.curve = curves::Line::between({0, 0, 0}, {ceiling.back().s_mm, 0, 0}).value()};
+  block.length_mm = ceiling.back().s_mm;
+  block.limits = {.feedrate_mm_s = 100.0, .ramp = {.acceleration_mm_s2 = kA, .jerk_mm_s3 = kJ}};
+  block.along = block.limits;
+  block.ceiling = ceiling;
+  return block;
+}
+
+// At the feedrate in mm/s of each place in mm.
+Ceiling through(const std::vector<std::array<double, 2>>& places) {
+  Ceiling ceiling;
+  for (const auto& [s, v] : places) {
+    ceiling.push_back({.u = static_cast<double>(ceiling.size()), .s_mm = s, .v_mm_s = v});
+  }
+  return ceiling;
+}
+
+double sum_mm(const std::vector<Span>& spans) {
+  double sum = 0.0;
+  for (const Span& span : spans) {
+    sum += span.length_mm;
+  }
+  return sum;
+}
+
+// A tick at 1 mm/s covers a micrometre, here with a thousand valleys: rounding near a corner.
+TEST(Split, TakesValleysWithinATicksWayForOne) {
+  Ceiling ceiling = through({{0.0, 100.0}});
+  for (int i = 0; i < 2000; ++i) {
+    ceiling.push_back({.u = 1.0 + i, .s_mm = 5.0 + 5e-10 * i, .v_mm_s = i % 2 == 0 ? 1.0 : 60.0});
+  }
+  ceiling.push_back({.u = 3000.0, .s_mm = 10.0, .v_mm_s = 100.0});
+  const std::vector<Span> spans = split(under(ceiling), kPeriod_s);
+  EXPECT_LE(spans.size(), 4U);
+  EXPECT_NEAR(sum_mm(spans), 10.0, 1e-9);
+  for (const Span& span : spans) {
+    EXPECT_LE(span.end.feedrate_mm_s, 1.0);
+  }
+}
+
+TEST(Split, KeepsValleysFartherApartThanATick) {
+  const Block block =
+      under(through({{0.0, 100.0}, {5.0, 50.0}, {5.06, 100.0}, {5.12, 60.0}, {10.0, 100.0}}));
+  const std::vector<Span> spans = split(block, kPeriod_s);
+  ASSERT_EQ(spans.size(), 3U);
+  EXPECT_EQ(spans[0].end.feedrate_mm_s, 50.0);
+  EXPECT_EQ(spans[1].end.feedrate_mm_s, 60.0);
+}
+
+// From rest over 4 nm at 8 nm/s and then freely: one climb would take all of the 75 mm.
+TEST(Split, CutsAClimbBehindATinyFeature) {
+  const Block block = under(through({{0.0, 3e-9}, {4e-6, 8e-6}, {0.4, 90.0}, {75.0, 90.0}}));
+  const profiles::Profile profile{ProfileKind::trapezoid};
+  double time_s = 0.0;
+  double v = 0.0;
+  for (const Span& span : split(block, kPeriod_s)) {
+    SpanEnds ends{.v_begin_mm_s = v, .v_end_mm_s = span.end.feedrate_mm_s};
+    ends.v_end_mm_s = end_feedrate_mm_s(span, ends, 0.0, profile);
+    time_s += plan_span(span, ends, profile).duration_s();
+    v = ends.v_end_mm_s;
+  }
+  // On lines v = v0 + c s the ceiling itself takes log(v1 / v0) / c.
+  const double ceiling_s = std::log(8e-6 / 3e-9) * 4e-6 / (8e-6 - 3e-9) +
+                           std::log(90.0 / 8e-6) * 0.4 / 90.0 + 74.6 / 90.0;
+  EXPECT_LT(time_s, 2.0 * ceiling_s);
+}
+
+}  // namespace
+}  // namespace kerf::lookahead::test
