@@ -73,6 +73,19 @@ void Interpolator::advance_piece(double s_mm) noexcept {
   }
 }
 
+void Interpolator::advance_line(double s_mm) noexcept {
+  for (std::size_t i = 0; i < MotionQueue::kLineChanges; ++i) {
+    const LineChange* next = queue_->next_line_change();
+    if (next == nullptr || next->curve > phase_.curve ||
+        (next->curve == phase_.curve && next->s_mm > s_mm)) {
+      break;
+    }
+    line_ = *next;
+    queue_->pop_line_change();
+  }
+  now_.line = phase_.has_changes && line_.curve == phase_.curve ? line_.line : phase_.line;
+}
+
 void Interpolator::note_passed_piece() noexcept {
   if (passed_points_ == passed_mm_.size()) {
     return;
@@ -86,7 +99,6 @@ void Interpolator::note_passed_piece() noexcept {
 }
 
 void Interpolator::fill(const profiles::PathMotion& motion, double s_mm) noexcept {
-  now_.line = phase_.line;
   now_.rapid = phase_.rapid;
   const bool rests = piece_.extra.alone;
   now_.v_mm_s = rests ? 0.0 : motion.v_mm_s;
@@ -129,6 +141,7 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
       motion = {};
     }
     advance_piece(s);
+    advance_line(s);
     fill(motion, s);
     const HeldBy held_by = over ? HeldBy{} : phase_.held_by;
     now_.limit = motion.j_mm_s3 == 0.0 ? held_by.steady : held_by.limit;

@@ -51,6 +51,8 @@ class Interpolator {
   void advance_switches() noexcept;
   // The piece of the present phase's curve that holds s_mm.
   void advance_piece(double s_mm) noexcept;
+  // The line that s_mm on the present phase's curve belongs to.
+  void advance_line(double s_mm) noexcept;
   void fill(const profiles::PathMotion& motion, double s_mm) noexcept;
   void note_passed_piece() noexcept;
 
@@ -60,6 +62,7 @@ class Interpolator {
   bool has_phase_ = false;
   Phase phase_{};
   PathPiece piece_{};
+  LineChange line_{};  // the latest that was passed
   Setpoint now_{};
   // The setpoint before, for the chord between the two.
   PathPiece piece_before_{};

@@ -1,4 +1,4 @@
-// What crosses from the look-ahead to the tick side: geometry and time laws, as two streams of
+// What crosses from the look-ahead to the tick side: geometry and time laws, as streams of
 // trivially copyable values.
 //
 // q(t) = r(s(t)): a PathPiece is a stretch of r, a Phase a stretch of s(t). Both name the curve
@@ -21,6 +21,14 @@ struct PathPiece {
   curves::ExtraWay extra{};  // along the whole curve
 };
 
+// From s_mm on, on this curve, setpoints belong to the line.
+struct LineChange {
+  std::uint64_t curve = 0;
+  double s_mm = 0.0;
+  std::uint32_t line = 0;
+  std::uint64_t run_block = 0;  // as Phase::run_block
+};
+
 // An instant as a whole number of ticks and the rest of a tick, so that time does not lose digits
 // however long a program runs.
 struct TickTime {
@@ -37,7 +45,9 @@ struct Phase {
   double s_end_mm = 0.0;       // reached exactly when the law is over
   double path_begin_mm = 0.0;  // path length of all curves before this one
   profiles::TimeLaw law{};
-  std::uint32_t line = 0;
+  std::uint32_t line = 0;       // where it begins
+  std::uint64_t run_block = 0;  // of the program's run, counted from 1, as the line; 0: a rest
+  bool has_changes = false;     // LineChanges say where on the curve the line is another one
   bool rapid = false;
   HeldBy held_by{};
   bool ends_at_rest = false;
@@ -45,6 +55,7 @@ struct Phase {
 };
 
 static_assert(std::is_trivially_copyable_v<PathPiece>);
+static_assert(std::is_trivially_copyable_v<LineChange>);
 static_assert(std::is_trivially_copyable_v<Phase>);
 
 }  // namespace kerf::interp

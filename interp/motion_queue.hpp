@@ -10,19 +10,23 @@
 
 namespace kerf::interp {
 
-// Three wait-free rings of fixed size, for one producing and one consuming thread. A phase is
-// pushed after the piece that it begins on. What lies here need not end at rest: the planner holds
-// the rest of the way to a stop, and must push it before the tick has used up what is here.
+// Wait-free rings of fixed size, for one producing and one consuming thread. A phase is pushed
+// after the piece that it begins on and after the changes of the line up to there. What lies here
+// need not end at rest: the planner holds the rest of the way to a stop, and must push it before
+// the tick has used up what is here.
 class MotionQueue {
  public:
   static constexpr std::size_t kPieces = 1024;
   static constexpr std::size_t kPhases = 4096;
   static constexpr std::size_t kSwitches = 1024;
+  static constexpr std::size_t kLineChanges = 16'384;
 
   bool push(const PathPiece& piece) { return pieces_.push(piece); }
   bool push(const Phase& phase) { return phases_.push(phase); }
   // In the order of their ticks, each before the phase that holds its tick.
   bool push(const SwitchAtTick& change) { return switches_.push(change); }
+  // In the order of their places.
+  bool push(const LineChange& change) { return line_changes_.push(change); }
 
   // The next value without taking it; null where there is none.
   [[nodiscard]] const PathPiece* next_piece() noexcept {
@@ -34,9 +38,13 @@ class MotionQueue {
   [[nodiscard]] const SwitchAtTick* next_switch() noexcept {
     return switches_.read_available() > 0 ? &switches_.front() : nullptr;
   }
+  [[nodiscard]] const LineChange* next_line_change() noexcept {
+    return line_changes_.read_available() > 0 ? &line_changes_.front() : nullptr;
+  }
   void pop_piece() noexcept { pieces_.pop(); }
   void pop_phase() noexcept { phases_.pop(); }
   void pop_switch() noexcept { switches_.pop(); }
+  void pop_line_change() noexcept { line_changes_.pop(); }
 
   [[nodiscard]] std::size_t phases_free() const { return phases_.write_available(); }
   [[nodiscard]] std::size_t pieces_free() const { return pieces_.write_available(); }
@@ -45,6 +53,7 @@ class MotionQueue {
   boost::lockfree::spsc_queue<PathPiece, boost::lockfree::capacity<kPieces>> pieces_;
   boost::lockfree::spsc_queue<Phase, boost::lockfree::capacity<kPhases>> phases_;
   boost::lockfree::spsc_queue<SwitchAtTick, boost::lockfree::capacity<kSwitches>> switches_;
+  boost::lockfree::spsc_queue<LineChange, boost::lockfree::capacity<kLineChanges>> line_changes_;
 };
 
 }  // namespace kerf::interp

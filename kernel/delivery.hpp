@@ -17,8 +17,8 @@ class Delivery {
   [[nodiscard]] lookahead::Outbox& outbox() { return outbox_; }
 
   // Moves what begins up to tick `horizon` into the queue, pieces first: a phase follows only once
-  // the piece that it begins on and what is switched as it begins are there. True: all phases went;
-  // pieces that only later ones need may still wait in the outbox.
+  // the piece that it begins on, the lines up to there and what is switched as it begins are there.
+  // True: all phases went; pieces and lines that only later ones need may still wait in the outbox.
   bool deliver(std::int64_t horizon);
 
   // The last phase that was delivered begins there.
@@ -31,6 +31,7 @@ class Delivery {
   interp::MotionQueue* queue_;
   lookahead::Outbox outbox_;
   std::size_t pieces_sent_ = 0;
+  std::size_t line_changes_sent_ = 0;
   std::size_t phases_sent_ = 0;
   std::size_t switches_sent_ = 0;
   std::int64_t frozen_until_tick_ = 0;

@@ -27,10 +27,21 @@ struct BlockEnd {
   curves::ExtraPosition extra_per_mm{};  // what the extra axes move by the path's length
 };
 
+// From here on, along a block's curve, the motion belongs to this line of the program.
+struct LineMark {
+  double s_mm = 0.0;
+  std::uint32_t line = 0;
+  std::uint64_t run_block = 0;  // as Block::run_block
+};
+
 struct Block {
   curves::Curve curve;
   curves::ExtraWay extra{};
   std::uint32_t line = 0;
+  std::uint64_t run_block = 0;  // parser::Move::block of the move that it begins with
+  // Where the curve stands for more than one line: ascending, the first at 0. Empty: it is of
+  // `line` everywhere.
+  std::vector<LineMark> marks{};
   bool rapid = false;
   double length_mm = 0.0;
   BlockLimits limits{};

@@ -106,6 +106,7 @@ void bind_extra_axes(const PlanLimits& limits, Block& block) {
 Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits) {
   Block block{.curve = std::move(curve)};
   block.line = move.source.line;
+  block.run_block = move.block;
   block.rapid = move.rapid;
   block.length_mm = curves::length_mm(block.curve);
   block.stop_after = move.mode == parser::PathMode::exact_stop;

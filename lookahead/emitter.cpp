@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "lookahead/line_marks.hpp"
+
 namespace kerf::lookahead {
 
 void Emitter::switch_at_block(std::uint64_t number, const interp::Switch& change) {
@@ -22,6 +24,10 @@ void Emitter::begin_block(const Block& block, Outbox& outbox) {
   curves::for_each_piece(block.curve, [&](const curves::Piece& piece) {
     outbox.pieces.push_back({.curve = curve_, .geometry = piece, .extra = block.extra});
   });
+  for (const LineMark& mark : block.marks) {
+    outbox.line_changes.push_back(
+        {.curve = curve_, .s_mm = mark.s_mm, .line = mark.line, .run_block = mark.run_block});
+  }
 }
 
 void Emitter::emit(const Block& block, const profiles::TimeLaw& law, double s_end_mm,
@@ -29,16 +35,19 @@ void Emitter::emit(const Block& block, const profiles::TimeLaw& law, double s_en
   if (!block_begun_) {
     begin_block(block, outbox);
   }
+  const LineMark from = mark_at(block, s_mm_);
   outbox.phases.push_back({.curve = curve_,
                            .begin = clock_.now(),
                            .s_begin_mm = s_mm_,
                            .s_end_mm = s_end_mm,
                            .path_begin_mm = path_begin_mm_,
                            .law = law,
-                           .line = block.line,
+                           .line = from.line,
+                           .run_block = from.run_block,
+                           .has_changes = !block.marks.empty(),
                            .rapid = block.rapid});
   s_mm_ = s_end_mm;
-  line_ = block.line;
+  line_ = block.marks.empty() ? block.line : mark_at(block, s_end_mm).line;
   clock_.advance(law.duration_s());
 }
 

@@ -15,7 +15,7 @@ struct Shortfall {
   };
 
   std::uint32_t line = 0;
-  double s_mm = 0.0;  // on the line's curve: of the stop, or where the slower motion begins
+  double s_mm = 0.0;  // from the line's begin: of the stop, or where the slower motion begins
   Kind kind = Kind::slower;
 };
 

@@ -2,16 +2,19 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 
 #include "interp/motion.hpp"
+#include "lookahead/emitter.hpp"
 #include "parser/program_reader.hpp"
 
 namespace kerf::program {
 
 // Told of everything that is read and planned, in order. What is planned comes later than what is
-// read, by up to a window; so the block is found by counting curves and rests on both sides. Cutter
-// compensation holds moves back before that; so they are counted from the block's own or the next.
+// read, by up to a window; motion is known by the block of the program's run that it belongs to, a
+// rest by counting rests on both sides. Cutter compensation holds moves back before that; so they
+// are counted from the block's own or the next.
 class BlockWatch {
  public:
   struct Settings {
@@ -27,9 +30,10 @@ class BlockWatch {
   void read(const parser::ProgramReader& reader);
   // The move that was read is to be planned.
   void moves(const parser::Move& move) noexcept;
-  // The move became so many curves, or one rest.
-  void pushed(std::uint64_t items) noexcept { items_pushed_ += items; }
-  void planned(const interp::Phase& phase);
+  // The move is a rest in the plan.
+  void rests() noexcept { ++rests_pushed_; }
+  // What was planned next; the lines of a curve come with its first phase.
+  void planned(const lookahead::Outbox& outbox);
 
   // The block's text and the modes in force before it; nothing where the line was never run.
   [[nodiscard]] const std::optional<parser::WatchedBlock>& block() const noexcept { return block_; }
@@ -39,6 +43,15 @@ class BlockWatch {
   [[nodiscard]] double duration_s() const noexcept { return end_s_ - begin_s_.value_or(end_s_); }
 
  private:
+  // A stretch of motion or a rest that belongs to one line.
+  struct Part {
+    std::uint32_t line = 0;
+    std::uint64_t run_block = 0;
+    double begin_s = 0.0;
+    double end_s = 0.0;
+  };
+  void planned(const interp::Phase& phase);
+  void add(const Part& part);
   [[nodiscard]] double seconds(const interp::TickTime& time) const noexcept {
     return static_cast<double>(time.tick) * period_s_ + time.offset_s;
   }
@@ -46,10 +59,15 @@ class BlockWatch {
   std::uint32_t line_;
   double period_s_;
   std::optional<parser::WatchedBlock> block_;
-  std::optional<std::uint64_t> items_before_;
-  std::uint64_t items_pushed_ = 0;
-  std::uint64_t items_planned_ = 0;
-  std::uint64_t curve_ = 0;  // of the latest phase that moves
+  // Of the first move that is planned at the block or behind it.
+  struct First {
+    std::uint64_t run_block = 0;
+    std::uint64_t rests_before = 0;
+  };
+  std::optional<First> first_;
+  std::uint64_t rests_pushed_ = 0;
+  std::uint64_t rests_planned_ = 0;
+  std::deque<interp::LineChange> changes_;  // that lie ahead
   std::optional<double> begin_s_;
   double end_s_ = 0.0;
   bool over_ = false;

@@ -35,16 +35,16 @@ tl::expected<bool, std::string> next_move(parser::ProgramReader& reader, Program
   return true;
 }
 
-// Into the planner's window: how many curves the move became, or that it is one rest.
-std::uint64_t push(lookahead::Planner& planner, const parser::Move& move,
-                   const lookahead::PlanLimits& limits, std::vector<lookahead::Block>& blocks) {
+// Into the planner's window. True: as a rest.
+bool push(lookahead::Planner& planner, const parser::Move& move,
+          const lookahead::PlanLimits& limits, std::vector<lookahead::Block>& blocks) {
   if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
     planner.push_rest(dwell->duration_s, move.source.line);
-    return 1;
+    return true;
   }
   if (const auto* event = std::get_if<parser::EventMove>(&move.shape)) {
     lookahead::push_event(*event, move.source.line, planner);
-    return lookahead::is_at_motion(event->kind) ? 0 : 1;
+    return !lookahead::is_at_motion(event->kind);
   }
   blocks.clear();
   if (lookahead::append_blocks(move, limits, blocks)) {
@@ -52,13 +52,7 @@ std::uint64_t push(lookahead::Planner& planner, const parser::Move& move,
       planner.push(std::move(block));
     }
   }
-  return blocks.size();
-}
-
-void report(const lookahead::Outbox& outbox, BlockWatch& watch) {
-  for (const interp::Phase& phase : outbox.phases) {
-    watch.planned(phase);
-  }
+  return false;
 }
 
 }  // namespace
@@ -79,9 +73,11 @@ tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
   bool finished = false;
   for (parser::Move move; !stop_requested();) {
     outbox.pieces.clear();
+    outbox.line_changes.clear();
     outbox.phases.clear();
+    outbox.switches.clear();
     if (planner.emit(outbox)) {
-      report(outbox, watch);
+      watch.planned(outbox);
       continue;
     }
     if (finished) {
@@ -94,7 +90,9 @@ tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
     watch.read(reader);
     if (*found) {
       watch.moves(move);
-      watch.pushed(push(planner, move, settings.limits, blocks));
+      if (push(planner, move, settings.limits, blocks)) {
+        watch.rests();
+      }
     } else {
       planner.finish(move.source.line);
       finished = true;

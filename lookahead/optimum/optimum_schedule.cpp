@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lookahead/line_marks.hpp"
 #include "lookahead/optimum/grid.hpp"
 #include "lookahead/optimum/joint_share.hpp"
 #include "lookahead/optimum/rest_ramp.hpp"
@@ -22,6 +23,11 @@ std::optional<Passage> passage_at(const Joint& joint) {
     return std::nullopt;
   }
   return joint.passing;
+}
+
+Shortfall shortfall_on(const Block& block, double s_mm) {
+  const LineMark mark = mark_at(block, s_mm);
+  return {.line = mark.line, .s_mm = s_mm - mark.s_mm};
 }
 
 }  // namespace
@@ -146,7 +152,7 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   }
   if (found->slowed_down()) {
     const Cell& first = waiting_.front().cell;
-    emitter.note({.line = block_of(first.block, blocks).line, .s_mm = first.s_begin_mm});
+    emitter.note(shortfall_on(block_of(first.block, blocks), first.s_begin_mm));
   }
   plan_ends_at_stop_ = waiting_[taken.count - 1].cell.rest_after;
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(taken.count));
@@ -174,9 +180,9 @@ void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitte
 
 void OptimumSchedule::note_stop(const Cell& cell, const Window<Block>& blocks,
                                 Emitter& emitter) const {
-  emitter.note({.line = block_of(cell.block, blocks).line,
-                .s_mm = cell.s_end_mm(),
-                .kind = Shortfall::Kind::stop});
+  Shortfall stop = shortfall_on(block_of(cell.block, blocks), cell.s_end_mm());
+  stop.kind = Shortfall::Kind::stop;
+  emitter.note(stop);
 }
 
 void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox) {

@@ -30,10 +30,15 @@ class Script {
       : queue_(std::make_unique<MotionQueue>()),
         interpolator_(std::make_unique<Interpolator>(*queue_, kTs, start_mm)) {}
 
-  void curve(const curves::Curve& curve) {
+  void curve(const curves::Curve& curve, const std::vector<LineChange>& changes = {}) {
     path_begin_mm_ += s_mm_;
     s_mm_ = 0.0;
     ++curve_;
+    has_changes_ = !changes.empty();
+    for (LineChange change : changes) {
+      change.curve = curve_;
+      ASSERT_TRUE(queue_->push(change));
+    }
     curves::for_each_piece(curve, [this](const curves::Piece& piece) {
       ASSERT_TRUE(queue_->push(PathPiece{.curve = curve_, .geometry = piece}));
     });
@@ -47,6 +52,7 @@ class Script {
     to_next_tick();
   }
   void rest(double duration_s, bool ends_program) {
+    has_changes_ = false;
     push(Transition::rest(duration_s), s_mm_, {.at_rest = true, .program = ends_program});
     to_next_tick();
   }
@@ -77,6 +83,7 @@ class Script {
                 .path_begin_mm = path_begin_mm_,
                 .law = law,
                 .line = 3,
+                .has_changes = has_changes_,
                 .ends_at_rest = ends.at_rest,
                 .ends_program = ends.program};
     ASSERT_TRUE(queue_->push(phase));
@@ -90,6 +97,7 @@ class Script {
   std::unique_ptr<Interpolator> interpolator_;
   std::vector<Phase> phases_;
   std::uint64_t curve_ = 0;
+  bool has_changes_ = false;
   double s_mm_ = 0.0;
   double path_begin_mm_ = 0.0;
   double time_s_ = 0.0;

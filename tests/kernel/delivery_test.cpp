@@ -1,0 +1,85 @@
+// What may cross to the tick side, and when: lines of the program with the motion on them.
+#include "kernel/delivery.hpp"
+
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "curves/line.hpp"
+#include "interp/interpolator.hpp"
+
+namespace kerf {
+namespace {
+
+using interp::LineChange;
+using interp::MotionQueue;
+
+constexpr double kTs = 0.001;
+constexpr std::int64_t kFar = 1'000'000'000;
+
+interp::PathPiece piece(double length_mm) {
+  return {.curve = 1, .geometry = curves::Line::between({0, 0, 0}, {length_mm, 0, 0}).value()};
+}
+
+interp::Phase cruise_phase(double s_begin_mm, double length_mm) {
+  return {.curve = 1,
+          .begin = {.tick = static_cast<std::int64_t>(s_begin_mm * 10.0 + 0.5)},
+          .s_begin_mm = s_begin_mm,
+          .s_end_mm = s_begin_mm + length_mm,
+          .law = profiles::Transition::cruise(100.0, length_mm),
+          .run_block = 1,
+          .has_changes = true};
+}
+
+LineChange change(std::size_t i, double step_mm) {
+  return {
+      .curve = 1, .s_mm = static_cast<double>(i) * step_mm, .line = static_cast<std::uint32_t>(i)};
+}
+
+TEST(Delivery, APhaseWaitsForTheLinesUpToItsBegin) {
+  const auto queue = std::make_unique<MotionQueue>();
+  Delivery delivery(*queue);
+  lookahead::Outbox& outbox = delivery.outbox();
+  outbox.pieces.push_back(piece(10.0));
+  // One more than the ring holds lies before the second phase.
+  for (std::size_t i = 0; i <= MotionQueue::kLineChanges; ++i) {
+    outbox.line_changes.push_back(change(i, 1e-4));
+  }
+  outbox.phases = {cruise_phase(0.0, 5.0), cruise_phase(5.0, 5.0)};
+  EXPECT_FALSE(delivery.deliver(kFar));
+  EXPECT_EQ(queue->phases_free(), MotionQueue::kPhases - 1);
+  queue->pop_line_change();
+  EXPECT_TRUE(delivery.deliver(kFar));
+  EXPECT_EQ(queue->phases_free(), MotionQueue::kPhases - 2);
+}
+
+TEST(Delivery, MoreLinesThanTheRingHoldsReachTheirTicks) {
+  constexpr double kStep_mm = 0.002;
+  constexpr std::size_t kLines = 50'000;
+  constexpr double kLength_mm = kStep_mm * kLines;
+  const auto queue = std::make_unique<MotionQueue>();
+  Delivery delivery(*queue);
+  interp::Interpolator interpolator(*queue, kTs, {});
+  lookahead::Outbox& outbox = delivery.outbox();
+  outbox.pieces.push_back(piece(kLength_mm));
+  for (std::size_t i = 0; i < kLines; ++i) {
+    outbox.line_changes.push_back(change(i, kStep_mm));
+  }
+  for (double s = 0.0; s < kLength_mm - 5.0; s += 10.0) {
+    outbox.phases.push_back(cruise_phase(s, 10.0));
+  }
+  interp::Setpoint setpoint;
+  std::int64_t ticks = 0;
+  for (auto status = interp::TickStatus::running; status == interp::TickStatus::running; ++ticks) {
+    delivery.deliver(interpolator.plan_tick() + 50);
+    status = interpolator.next(setpoint);
+    const double in_steps = setpoint.s_mm / kStep_mm;
+    if (status == interp::TickStatus::running) {
+      ASSERT_NEAR(static_cast<double>(setpoint.line) + 0.5, in_steps, 0.5 + 1e-9) << in_steps;
+    }
+  }
+  EXPECT_GE(ticks, 1000);
+}
+
+}  // namespace
+}  // namespace kerf
