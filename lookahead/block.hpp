@@ -51,7 +51,10 @@ struct Block {
   BlockEnd begin{};
   BlockEnd end{};
   bool stop_after = false;  // exact stop
-  Ceiling ceiling{};        // empty: limits.feedrate_mm_s everywhere
+  // It goes on where and as the block before ends, in every derivative that its curve has, by
+  // construction: nothing jumps there but what rounding left.
+  bool continues = false;
+  Ceiling ceiling{};  // empty: limits.feedrate_mm_s everywhere
 };
 
 }  // namespace kerf::lookahead

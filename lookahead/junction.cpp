@@ -135,6 +135,9 @@ Junction junction(const JunctionQuery& query, const PlanLimits& limits) {
   if (before.stop_after) {
     return {.feedrate_mm_s = 0.0};
   }
+  if (after.continues) {
+    return {.feedrate_mm_s = cap};
+  }
   const double corner = corner_feedrate_mm_s(before.end, after.begin, limits);
   if (corner == kUnbounded) {
     return {.feedrate_mm_s = cap};

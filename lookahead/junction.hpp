@@ -29,7 +29,8 @@ struct JunctionQuery {
   const Block* after = nullptr;
 };
 
-// Where an axis has no limit of its own, that of the path stands in.
+// Where an axis has no limit of its own, that of the path stands in. A block that continues the one
+// before is joined smoothly, whatever rounding left of a difference.
 Junction junction(const JunctionQuery& query, const PlanLimits& limits);
 
 // By what share of itself the feedrate along X, Y and Z jumps: 1 where a block on which only

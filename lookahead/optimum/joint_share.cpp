@@ -97,6 +97,9 @@ Passage passage_of(const Jump& jump, const PlanLimits& limits) {
 Joint joint_of(const JunctionQuery& query, const PlanLimits& limits) {
   const Block& before = *query.before;
   const Block& after = *query.after;
+  if (after.continues && !before.stop_after) {
+    return {.smooth = true, .passing = {.feedrate_mm_s = junction(query, limits).feedrate_mm_s}};
+  }
   const Jump jump{.before = before.end, .after = after.begin};
   const double free_mm_s = junction(query, jump_limits(limits, {.jump = 1.0})).feedrate_mm_s;
   for (const JumpShares& shares : kShares) {
