@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "curves/arc_builder.hpp"
+#include "curves/straight.hpp"
 #include "lookahead/block_limits.hpp"
 #include "lookahead/feed_scan.hpp"
 
@@ -172,7 +173,10 @@ tl::expected<void, PlanError> append_curves(const Move& move, std::vector<curves
     if (!built) {
       return refuse(built.error());
     }
-    std::move(built->begin(), built->end(), std::back_inserter(curves));
+    for (curves::NurbsCurve& part : *built) {
+      const auto straight = curves::straight(part);
+      curves.push_back(straight ? curves::Curve(*straight) : curves::Curve(std::move(part)));
+    }
   }
   return {};
 }

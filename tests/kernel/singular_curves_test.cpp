@@ -182,6 +182,19 @@ TEST(SingularCurves, RoundingBesideACornerDoesNotStarveTheMotion) {
   EXPECT_EQ(judged_case(10791, profiles::ProfileKind::sine_series).complaint, "");
 }
 
+// Their derivatives are rounding, which no feedrate can be planned on.
+TEST(SingularCurves, ThoseOnALineToTheirLastDigitRunAsLines) {
+  for (const std::uint64_t seed : {1011190U, 52206U}) {
+    for (const auto kind : {profiles::ProfileKind::sine_series, profiles::ProfileKind::quintic,
+                            profiles::ProfileKind::time_optimal}) {
+      const JudgedRun outcome = judged_case(seed, kind);
+      EXPECT_EQ(outcome.complaint, "") << seed;
+      EXPECT_EQ(outcome.shortfalls, 0U) << seed;
+      EXPECT_LT(outcome.ticks, 1000) << seed;
+    }
+  }
+}
+
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
   const char* text = std::getenv(name);
   return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
