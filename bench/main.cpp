@@ -1,9 +1,9 @@
 // kerf-bench papers: the published results beside ours. kerf-bench optimum: the time optimum of
 // every shipped curve beside its reference. kerf-bench parse: text to moves, long programs; with
 // the name of one, that one read once for counting instructions. kerf-bench soak [--seed N]
-// [--seconds S]: random curves and programs from that seed on for so long, or that one. kerf-bench
-// streaming: the time optimum in a window beside one over everything. Anything
-// else: Google Benchmark's cases and options, parse, plan and tick.
+// [--last M] [--seconds S]: random curves and programs, those of the seeds N to M and on for so
+// long, or N alone. kerf-bench streaming: the time optimum in a window beside one over everything.
+// Anything else: Google Benchmark's cases and options, parse, plan and tick.
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -21,17 +21,22 @@
 
 namespace {
 
-// soak [--seed N] [--seconds S]
+// soak [--seed N] [--last M] [--seconds S]
 std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& words) {
   kerf::bench::Soak order;
   for (std::size_t i = 2; i < words.size(); i += 2) {
-    if (i + 1 == words.size() || (words[i] != "--seed" && words[i] != "--seconds")) {
+    if (i + 1 == words.size()) {
       return std::nullopt;
     }
+    const char* value = words[i + 1].c_str();
     if (words[i] == "--seed") {
-      order.seed = std::strtoull(words[i + 1].c_str(), nullptr, 10);
+      order.seed = std::strtoull(value, nullptr, 10);
+    } else if (words[i] == "--last") {
+      order.last = std::strtoull(value, nullptr, 10);
+    } else if (words[i] == "--seconds") {
+      order.seconds = std::strtod(value, nullptr);
     } else {
-      order.seconds = std::strtod(words[i + 1].c_str(), nullptr);
+      return std::nullopt;
     }
   }
   return order;

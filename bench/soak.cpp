@@ -26,6 +26,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::minutes kLongest{1};
+constexpr double kLongestCurve_s = 60.0;
 constexpr double kAtEnd_mm = 2e-9;  // what the digits and the resolution of a program leave open
 
 struct Trial {
@@ -40,15 +41,9 @@ ProfileKind kind_of(std::uint64_t seed) {
 }
 
 Trial curve_trial(std::uint64_t seed) {
-  const test::SingularCase made = test::random_singular_case(seed);
-  Trial trial{.program = {}, .settings = {}, .way = {.kind = kind_of(seed)}};
+  const test::SingularCase made = test::random_singular_case(seed, kLongestCurve_s);
+  Trial trial{.program = test::curve_program(made), .settings = {}, .way = {.kind = kind_of(seed)}};
   trial.settings.limits = made.limits;
-  RandomProgram& program = trial.program;
-  program.text = test::program_of(made.data, made.feedrate_mm_s);
-  program.start_mm = made.data.points.front().position_mm;
-  program.end_mm = made.data.points.back().position_mm;
-  const auto lines = std::count(program.text.begin(), program.text.end(), '\n');
-  program.feedrate_mm_s.assign(static_cast<std::size_t>(lines), made.feedrate_mm_s);
   return trial;
 }
 
@@ -160,7 +155,7 @@ void print(const Tally& tally, std::uint64_t first) {
 
 int soak(const Soak& order) {
   const Clock::time_point began = Clock::now();
-  const std::chrono::duration<double> allowed(order.seconds.value_or(0.0));
+  const std::chrono::duration<double> allowed(order.seconds);
   Watchdog watchdog;
   Tally tally;
   std::uint64_t seed = order.seed;
@@ -168,7 +163,7 @@ int soak(const Soak& order) {
     watchdog.begin(seed);
     judge(seed, tally);
     ++seed;
-  } while (Clock::now() - began < allowed);
+  } while (seed <= order.last || Clock::now() - began < allowed);
   print(tally, order.seed);
   return tally.failures == 0 ? 0 : 1;
 }

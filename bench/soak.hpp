@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 namespace kerf::bench {
 
 struct Soak {
-  std::uint64_t seed = 1;           // the first
-  std::optional<double> seconds{};  // nothing: that seed alone
+  std::uint64_t seed = 1;  // the first
+  std::uint64_t last = 0;  // all up to that one, and as many more as the seconds allow
+  double seconds = 0.0;
 };
 
 // Prints the seed of each failure, the count, and the largest of each figure over its limit.

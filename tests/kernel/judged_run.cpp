@@ -24,6 +24,7 @@ JudgedRun judged_run(const RandomProgram& program, const MachineSettings& settin
   const double tolerance_mm = settings.limits.chord_tolerance_mm;
   TickChecker checker(settings.limits, way.kind != profiles::ProfileKind::trapezoid);
   ChordChecker chords(program.path, tolerance_mm);
+  DenseChecker curve(program.dense, tolerance_mm);
   JudgedRun run;
   double kernel_says_mm = 0.0;
   std::size_t line_before = 1;
@@ -37,7 +38,10 @@ JudgedRun judged_run(const RandomProgram& program, const MachineSettings& settin
     if (!program.path.empty()) {
       chords.add(run.last, kernel.chord_error_mm());
     }
-    run.complaint = checker.complaint() + chords.complaint();
+    if (!program.dense.empty()) {
+      curve.add(run.last);
+    }
+    run.complaint = checker.complaint() + chords.complaint() + curve.complaint();
     if (run.complaint.empty() && checker.ticks() > way.most_ticks) {
       run.complaint = "does not end";
     }
@@ -51,7 +55,9 @@ JudgedRun judged_run(const RandomProgram& program, const MachineSettings& settin
   }
   run.ticks = checker.ticks();
   run.worst = checker.worst();
-  run.worst_chord = (program.path.empty() ? kernel_says_mm : chords.largest_mm()) / tolerance_mm;
+  run.worst_chord =
+      (program.path.empty() ? std::max(kernel_says_mm, curve.largest_mm()) : chords.largest_mm()) /
+      tolerance_mm;
   run.shortfalls = kernel.totals().shortfalls.count;
   return run;
 }

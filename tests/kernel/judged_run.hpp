@@ -29,8 +29,8 @@ struct JudgedRun {
   std::uint64_t shortfalls = 0;
 };
 
-// Ends with the first complaint. A program without a path is not held against one; its chord error
-// is what the kernel says.
+// Ends with the first complaint. A program without a path and without dense points is not held
+// against one; its chord error is what the kernel says.
 JudgedRun judged_run(const RandomProgram& program, const MachineSettings& settings, const Way& way);
 
 }  // namespace kerf::test

@@ -12,8 +12,11 @@ constexpr double kArcFreedom_mm = 5e-7;
 
 using Homogeneous = std::array<double, 4>;
 
-// De Boor's corner cutting.
-Vec de_boor(const std::vector<WeightedPoint>& points, const std::vector<double>& knots, double u) {
+}  // namespace
+
+// De Boor's.
+Vec nurbs_point(const std::vector<WeightedPoint>& points, const std::vector<double>& knots,
+                double u) {
   const std::size_t degree = knots.size() - points.size() - 1;
   const auto above =
       std::upper_bound(knots.begin() + static_cast<std::ptrdiff_t>(degree),
@@ -39,8 +42,6 @@ Vec de_boor(const std::vector<WeightedPoint>& points, const std::vector<double>&
   const Homogeneous& p = d[degree];
   return {p[0] / p[3], p[1] / p[3], p[2] / p[3]};
 }
-
-}  // namespace
 
 Stretch line_stretch(const Vec& from_mm, const Vec& to_mm) {
   return {.at_mm = [from_mm, to_mm](double u) {
@@ -97,7 +98,7 @@ std::vector<Stretch> nurbs_stretches(const std::vector<WeightedPoint>& points,
     const double width = ends[i] - low;
     // The end of a leg belongs to the next one, whose corner is the same point.
     stretches.push_back({.at_mm = [points, knots, low, width](double u) {
-      return de_boor(points, knots, low + u * width);
+      return nurbs_point(points, knots, low + u * width);
     }});
   }
   return stretches;

@@ -34,6 +34,10 @@ struct ArcWords {
   bool full_turn = false;
 };
 
+// The point of a NURBS at a parameter within its knots, by corner cutting. Degree at most 9.
+Vec nurbs_point(const std::vector<WeightedPoint>& points, const std::vector<double>& knots,
+                double u);
+
 Stretch line_stretch(const Vec& from_mm, const Vec& to_mm);
 // Angle, radius and height grow evenly.
 Stretch arc_stretch(const ArcWords& words);

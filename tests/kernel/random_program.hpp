@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/kernel/dense_path.hpp"
 #include "tests/kernel/program_path.hpp"
 
 namespace kerf::test {
@@ -19,6 +20,7 @@ struct RandomProgram {
   double end_u_mm = 0.0;
   std::vector<double> feedrate_mm_s;  // by source line, line 1 first; 0 where no motion starts
   std::vector<Stretch> path;
+  std::vector<PathPoint> dense;  // in place of path: of a single curve
 
   [[nodiscard]] std::size_t lines() const { return feedrate_mm_s.size(); }
   // Of the blocks that a tick from one line to another may touch.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 namespace kerf::test {
@@ -10,6 +11,17 @@ namespace {
 
 using curves::ControlPoint;
 using curves::NurbsData;
+
+constexpr int kDecimals = 10;
+constexpr double kSag = 5e-4;  // of the chord tolerance
+
+double printed(double x) {
+  std::ostringstream text;
+  text.setf(std::ios::fixed);
+  text.precision(kDecimals);
+  text << x;
+  return std::strtod(text.str().c_str(), nullptr);
+}
 
 std::vector<double> uniform_knots(int degree, std::size_t points) {
   const auto p = static_cast<std::size_t>(degree);
@@ -177,7 +189,7 @@ NurbsData random_singular_curve(std::mt19937_64& random) {
 std::string program_of(const NurbsData& data, double feedrate_mm_s) {
   std::ostringstream text;
   text.setf(std::ios::fixed);
-  text.precision(10);
+  text.precision(kDecimals);
   const auto axes = [&text](const curves::Position& at) {
     text << " X" << at[0] << " Y" << at[1] << " Z" << at[2];
   };
@@ -196,7 +208,31 @@ std::string program_of(const NurbsData& data, double feedrate_mm_s) {
   return text.str();
 }
 
-SingularCase random_singular_case(std::uint64_t seed) {
+NurbsData printed(const NurbsData& data) {
+  NurbsData read = data;
+  for (ControlPoint& point : read.points) {
+    std::for_each(point.position_mm.begin(), point.position_mm.end(),
+                  [](double& x) { x = printed(x); });
+    point.weight = printed(point.weight);
+  }
+  std::for_each(read.knots.begin(), read.knots.end(), [](double& u) { u = printed(u); });
+  return read;
+}
+
+RandomProgram curve_program(const SingularCase& made) {
+  RandomProgram program{
+      .text = program_of(made.data, made.feedrate_mm_s),
+      .start_mm = made.data.points.front().position_mm,
+      .end_mm = made.data.points.back().position_mm,
+      .feedrate_mm_s = {},
+      .path = {},
+      .dense = dense_path(printed(made.data), kSag * made.limits.chord_tolerance_mm)};
+  const auto lines = std::count(program.text.begin(), program.text.end(), '\n');
+  program.feedrate_mm_s.assign(static_cast<std::size_t>(lines), made.feedrate_mm_s);
+  return program;
+}
+
+SingularCase random_singular_case(std::uint64_t seed, double longest_s) {
   std::mt19937_64 random(seed);
   const auto log_uniform = [&random](double low, double high) {
     return std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random));
@@ -208,7 +244,7 @@ SingularCase random_singular_case(std::uint64_t seed) {
     polygon_mm +=
         (curves::vec(points[i].position_mm) - curves::vec(points[i - 1].position_mm)).norm();
   }
-  const double slowest = polygon_mm / 500.0;
+  const double slowest = polygon_mm / longest_s;
   made.limits.chord_tolerance_mm = log_uniform(1e-5, 1e-2);
   const double spread = seed % 2 == 0 ? 1.0 : 100.0;
   const lookahead::MotionLimits middle{.velocity_mm_s = log_uniform(10.0, 1e3),

@@ -8,6 +8,7 @@
 
 #include "curves/nurbs_curve.hpp"
 #include "lookahead/limits.hpp"
+#include "tests/kernel/random_program.hpp"
 
 namespace kerf::test {
 
@@ -27,6 +28,9 @@ curves::NurbsData random_singular_curve(std::mt19937_64& random);
 // Runs to the curve's begin and along it.
 std::string program_of(const curves::NurbsData& data, double feedrate_mm_s);
 
+// The numbers that it holds, to its decimals.
+curves::NurbsData printed(const curves::NurbsData& data);
+
 struct SingularCase {
   curves::NurbsData data;
   lookahead::PlanLimits limits;
@@ -34,7 +38,10 @@ struct SingularCase {
 };
 
 // A random curve, limits of each axis that, for every other seed, spread over four decades, and a
-// feedrate of eight, as far as the curve then takes no more than some 500 s.
-SingularCase random_singular_case(std::uint64_t seed);
+// feedrate of eight, as far as the curve then takes no more than some longest_s.
+SingularCase random_singular_case(std::uint64_t seed, double longest_s = 500.0);
+
+// Its program, with the curve as dense points.
+RandomProgram curve_program(const SingularCase& made);
 
 }  // namespace kerf::test

@@ -123,7 +123,8 @@ TEST(SingularCurves, ShortOnesEndUnderEveryProfile) {
                               .start_mm = {},
                               .end_mm = {},
                               .feedrate_mm_s = std::vector<double>(5, 150.0),
-                              .path = {}};
+                              .path = {},
+                              .dense = {}};
   for (int kind = 0; kind < 7; ++kind) {
     const JudgedRun outcome =
         judged_run(program, settings, {.kind = static_cast<profiles::ProfileKind>(kind)});
@@ -136,13 +137,7 @@ JudgedRun judged_case(std::uint64_t seed, profiles::ProfileKind kind) {
   const SingularCase made = random_singular_case(seed);
   MachineSettings settings;
   settings.limits = made.limits;
-  RandomProgram program{.text = program_of(made.data, made.feedrate_mm_s),
-                        .start_mm = made.data.points.front().position_mm,
-                        .end_mm = {},
-                        .feedrate_mm_s = {},
-                        .path = {}};
-  program.feedrate_mm_s.assign(program.text.size(), made.feedrate_mm_s);
-  return judged_run(program, settings, {.kind = kind});
+  return judged_run(curve_program(made), settings, {.kind = kind});
 }
 
 // The classical schedule draws straight lines between samples of what an axis' velocity allows.
