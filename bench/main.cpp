@@ -3,6 +3,8 @@
 // the name of one, that one read once for counting instructions. kerf-bench soak [--seed N]
 // [--last M] [--seconds S]: random curves and programs, those of the seeds N to M and on for so
 // long, or N alone. kerf-bench streaming: the time optimum in a window beside one over everything.
+// kerf-bench parts [NAME] [--quick] [--long] [--profile NAME]: programs of short segments, or those
+// whose name begins so; quick: without the longest exact stops, long: ten million lines too.
 // Anything else: Google Benchmark's cases and options, parse, plan and tick.
 #include <cstdlib>
 #include <optional>
@@ -15,6 +17,7 @@
 #include "bench/optimum.hpp"
 #include "bench/papers.hpp"
 #include "bench/parse.hpp"
+#include "bench/parts.hpp"
 #include "bench/soak.hpp"
 #include "bench/streaming.hpp"
 #include "bench/work.hpp"
@@ -37,6 +40,30 @@ std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& word
       order.seconds = std::strtod(value, nullptr);
     } else {
       return std::nullopt;
+    }
+  }
+  return order;
+}
+
+// parts [NAME] [--quick] [--long] [--profile NAME]
+std::optional<kerf::bench::PartsOrder> parts_order(const std::vector<std::string>& words) {
+  using kerf::profiles::ProfileKind;
+  kerf::bench::PartsOrder order;
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    if (words[i] == "--quick") {
+      order.quick = true;
+    } else if (words[i] == "--long") {
+      order.with_long = true;
+    } else if (words[i] == "--profile" && i + 1 < words.size()) {
+      const auto kind = kerf::profiles::profile_kind(words[++i]);
+      if (!kind) {
+        return std::nullopt;
+      }
+      order.profile = *kind;
+    } else if (words[i].starts_with('-') || !order.only.empty()) {
+      return std::nullopt;
+    } else {
+      order.only = words[i];
     }
   }
   return order;
@@ -65,6 +92,10 @@ int main(int argc, char** argv) {
   if (argc >= 2 && std::string_view(argv[1]) == "soak") {
     const auto order = soak_order({argv, argv + argc});
     return order ? kerf::bench::soak(*order) : 2;
+  }
+  if (argc >= 2 && std::string_view(argv[1]) == "parts") {
+    const auto order = parts_order({argv, argv + argc});
+    return order ? kerf::bench::parts(*order) : 2;
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
