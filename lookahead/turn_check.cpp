@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace kerf::lookahead {
 
@@ -14,8 +16,11 @@ constexpr int kInstants = 96;
 constexpr double kAim = 0.993;
 // A term below this share of all that can be made smaller is left alone.
 constexpr double kSmall = 0.1;
-constexpr double kSmallKink = 0.01;  // of the acceleration
-constexpr double kLeast = 1e-3;      // of a limit: always left for changes of the feedrate
+constexpr double kSmallKink = 0.01;     // of the acceleration
+constexpr int kPeakSteps = 12;          // of a search for a peak of jerk between instants
+constexpr double kSteep = 0.01;         // beside such a peak, of it
+constexpr double kHigher = 1.0 + 1e-3;  // than what is looked at anyway
+constexpr double kLeast = 1e-3;         // of a limit: always left for changes of the feedrate
 
 class Asks {
  public:
@@ -111,6 +116,84 @@ std::array<double, kInstants + 1> make_shares() {
   return shares;
 }
 
+struct Instant {
+  double t_s = 0.0;
+  profiles::PathMotion motion{};
+};
+
+// When a climb is looked at: at those shares, and where between them its jerk is highest.
+class Instants {
+ public:
+  explicit Instants(const profiles::Transition& law) : law_(law) {
+    static const std::array<double, kInstants + 1> kShares = make_shares();
+    for (const double share : kShares) {
+      add(law.duration_s() * share);
+    }
+    add_first_peak();
+    for (std::size_t k = 1; k <= kInstants / 2; ++k) {  // the law is its own mirror image
+      const double beside = std::min(jerk_of(k - 1), jerk_of(k + 1));
+      if (jerk_of(k) > jerk_of(k - 1) && jerk_of(k) >= jerk_of(k + 1) &&
+          jerk_of(k) - beside > kSteep * jerk_of(k)) {
+        add_peak(all_[k - 1].t_s, all_[k + 1].t_s, jerk_of(k));
+      }
+    }
+    std::sort(all_.begin(), all_.end(),
+              [](const Instant& a, const Instant& b) { return a.t_s < b.t_s; });
+  }
+
+  [[nodiscard]] const std::vector<Instant>& all() const { return all_; }
+
+ private:
+  void add(double t_s) { all_.push_back({.t_s = t_s, .motion = law_.at(t_s)}); }
+  [[nodiscard]] double jerk(double t_s) const { return std::abs(law_.at(t_s).j_mm_s3); }
+  [[nodiscard]] double jerk_of(std::size_t k) const { return std::abs(all_[k].motion.j_mm_s3); }
+
+  // One peak lies between the two, and its mirror image: golden sections.
+  void add_peak(double begin_s, double end_s, double known) {
+    constexpr double kGolden = 0.6180339887498949;
+    double low_s = end_s - kGolden * (end_s - begin_s);
+    double high_s = begin_s + kGolden * (end_s - begin_s);
+    double low = jerk(low_s);
+    double high = jerk(high_s);
+    for (int i = 0; i < kPeakSteps; ++i) {
+      if (low < high) {
+        begin_s = std::exchange(low_s, high_s);
+        low = high;
+        high_s = begin_s + kGolden * (end_s - begin_s);
+        high = jerk(high_s);
+      } else {
+        end_s = std::exchange(high_s, low_s);
+        high = low;
+        low_s = end_s - kGolden * (end_s - begin_s);
+        low = jerk(low_s);
+      }
+    }
+    if (low > kHigher * known) {
+      add(low_s);
+      add(law_.duration_s() - low_s);
+    }
+  }
+
+  // The sine series may have its peaks, mirror images, closer to its ends than any share.
+  void add_first_peak() {
+    const double known = jerk_of(1);
+    double t_s = all_[1].t_s;
+    double before = known;
+    double now = jerk(0.5 * t_s);
+    while (now > kHigher * before) {
+      t_s *= 0.5;
+      before = now;
+      now = jerk(0.5 * t_s);
+    }
+    if (before > known) {
+      add_peak(0.5 * t_s, 2.0 * t_s, known);
+    }
+  }
+
+  const profiles::Transition& law_;
+  std::vector<Instant> all_;
+};
+
 // The samples in the order in which a climb meets them.
 class Way {
  public:
@@ -147,7 +230,7 @@ class Way {
 
 TurnAsk ask_turning(const PlacedClimb& climb, const Turning& turning,
                     const std::array<MotionLimits, 3>& axes) {
-  static const std::array<double, kInstants + 1> kShares = make_shares();
+  const Instants instants(climb.law);
   Asks asks(axes);
   Way way(climb, turning);
   double t_before_s = 0.0;
@@ -158,9 +241,7 @@ TurnAsk ask_turning(const PlacedClimb& climb, const Turning& turning,
     asks.look(at, v, climb.direction * a, before.j_mm_s3);
     asks.look(at, v, climb.direction * a, now.j_mm_s3);
   };
-  for (const double share : kShares) {
-    const double t_s = climb.law.duration_s() * share;
-    const profiles::PathMotion now = climb.law.at(t_s);
+  for (const auto& [t_s, now] : instants.all()) {
     for (; way.has_next() && way.distance_mm() < now.s_mm; way.pass()) {
       const double x = (way.distance_mm() - before.s_mm) / (now.s_mm - before.s_mm);
       look_between(way.next(), now, before.v_mm_s + x * (now.v_mm_s - before.v_mm_s),

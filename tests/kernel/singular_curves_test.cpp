@@ -133,8 +133,8 @@ TEST(SingularCurves, ShortOnesEndUnderEveryProfile) {
   }
 }
 
-JudgedRun judged_case(std::uint64_t seed, profiles::ProfileKind kind) {
-  const SingularCase made = random_singular_case(seed);
+JudgedRun judged_case(std::uint64_t seed, profiles::ProfileKind kind, double longest_s = 500.0) {
+  const SingularCase made = random_singular_case(seed, longest_s);
   MachineSettings settings;
   settings.limits = made.limits;
   return judged_run(curve_program(made), settings, {.kind = kind});
@@ -145,6 +145,11 @@ TEST(SingularCurves, TheVelocityOfAnAxisHoldsBetweenSamples) {
   for (const std::uint64_t seed : {10143U, 10413U, 10431U, 10485U}) {
     EXPECT_EQ(judged_case(seed, profiles::ProfileKind::s_curve).complaint, "") << seed;
   }
+}
+
+// The sine series has its peaks of jerk near its ends, between instants that are looked at.
+TEST(SingularCurves, TheJerkOfAnAxisHoldsAtThePeaksOfALaw) {
+  EXPECT_EQ(judged_case(1003143, profiles::ProfileKind::sine_series, 60.0).complaint, "");
 }
 
 // A span that could not be joined but slowed down as a whole leaves in parts of its cruise, and
