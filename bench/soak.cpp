@@ -26,7 +26,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::minutes kLongest{1};
-constexpr double kLongestCurve_s = 60.0;
+constexpr double kLongestCurve_s = 20.0;
 constexpr double kAtEnd_mm = 2e-9;  // what the digits and the resolution of a program leave open
 
 struct Trial {

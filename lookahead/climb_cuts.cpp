@@ -11,6 +11,7 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kWorthACut = 2.0;    // times the time
+constexpr double kGain_s = 0.002;     // a cut costs some instants without acceleration
 constexpr double kSideGrowth = 1.25;  // from one side of the hull to the next that is kept
 
 // A corner of the hull.
@@ -24,12 +25,23 @@ double slope_of(const Corner& a, const Corner& b) {
   return (b.squared - a.squared) / (b.s_mm - a.s_mm);
 }
 
+// No climb from the foot at that jerk gets as far as there.
+bool is_out_of_reach(const Slope::Sample& sample, double v_foot_mm_s, double jerk_mm_s3) {
+  const double way = sample.distance_mm;
+  const double t = std::min(way / v_foot_mm_s, std::cbrt(6.0 * way / jerk_mm_s3));
+  return way > 0.0 && sample.v_mm_s > v_foot_mm_s + 0.5 * jerk_mm_s3 * t * t;
+}
+
 // Never below 0: no feedrate further up lies below one before it.
-std::vector<Corner> lower_hull(const std::vector<Slope::Sample>& samples) {
+std::vector<Corner> lower_hull(const std::vector<Slope::Sample>& samples, double jerk_mm_s3) {
   std::vector<Corner> corners;
   double lowest = kUnbounded;
   for (std::size_t i = samples.size(); i-- > 0;) {
     lowest = std::min(lowest, samples[i].v_mm_s);
+    if (i + 1 < samples.size() &&
+        is_out_of_reach({samples[i].distance_mm, lowest}, samples.front().v_mm_s, jerk_mm_s3)) {
+      continue;
+    }
     const Corner corner{.sample = i, .s_mm = samples[i].distance_mm, .squared = lowest * lowest};
     while (corners.size() > 1 &&
            slope_of(corner, corners[corners.size() - 2]) <= slope_of(corner, corners.back())) {
@@ -119,7 +131,11 @@ class Cuts {
   }
 
   void look(const Part& part) {
-    if (part.end < part.begin + 2 || !(one_climb_s(part) > kWorthACut * fastest_s(part))) {
+    if (part.end < part.begin + 2) {
+      return;
+    }
+    const double fastest = fastest_s(part);
+    if (!(one_climb_s(part) > std::max(kWorthACut * fastest, fastest + kGain_s))) {
       return;
     }
     std::size_t best = part.begin + 1;
@@ -144,11 +160,13 @@ class Cuts {
 }  // namespace
 
 std::vector<std::size_t> climb_cuts(const std::vector<Slope::Sample>& samples,
-                                    double acceleration_mm_s2) {
+                                    const profiles::RampLimits& limits) {
   if (samples.size() < 3) {
     return {};
   }
-  return Cuts(thinned(capped(lower_hull(samples), 2.0 * acceleration_mm_s2))).find();
+  const std::vector<Corner> hull =
+      capped(lower_hull(samples, limits.jerk_mm_s3), 2.0 * limits.acceleration_mm_s2);
+  return hull.size() < 3 ? std::vector<std::size_t>{} : Cuts(thinned(hull)).find();
 }
 
 }  // namespace kerf::lookahead

@@ -21,10 +21,11 @@ namespace kerf::lookahead {
 //       +---------------- s
 //
 // The hull is thinned where its sides differ little; of its corners the one that leaves the least
-// time in both parts is cut at, then each part again. The jerk is left out: it makes short climbs
-// longer, and what is cut for nothing then costs little. Samples: distance from 0, ascending, their
-// feedrate not below 0; the climb begins with that of the first.
+// time in both parts is cut at, then each part again. Of the jerk only this is taken into account:
+// a place of the ceiling that it keeps out of reach from the foot does not count. Samples: distance
+// from 0, ascending, their feedrate not below 0; the climb begins with that of the first. The jerk
+// may be infinite.
 std::vector<std::size_t> climb_cuts(const std::vector<Slope::Sample>& samples,
-                                    double acceleration_mm_s2);
+                                    const profiles::RampLimits& limits);
 
 }  // namespace kerf::lookahead

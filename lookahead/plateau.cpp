@@ -10,7 +10,9 @@ namespace {
 constexpr double kWithRounding = 1.0 + 1e-9;
 // Fewer where turning binds: each climb is a search of its own there.
 constexpr int kTurningHalvings = 12;
-constexpr int kMostHalvings = 200;  // from rest to rest, where only a tiny share of the cap fits
+// Where only a tiny share of the cap fits, on and on until as close as this.
+constexpr double kClose = 1e-3;
+constexpr int kMostHalvings = 200;
 constexpr int kTurningSteps = 8;
 constexpr double kGolden = 0.6180339887498949;
 
@@ -23,7 +25,7 @@ double PlateauSearch::best_mm_s() const {
   if (spare_mm(hill(high)) < 0.0) {
     double fits = low;
     const int halvings = span_.turning.empty() ? 40 : kTurningHalvings;
-    for (int i = 0; i < halvings || (fits == 0.0 && i < kMostHalvings); ++i) {
+    for (int i = 0; i < halvings || (high - fits > kClose * high && i < kMostHalvings); ++i) {
       const double middle = 0.5 * (fits + high);
       (spare_mm(hill(middle)) >= 0.0 ? fits : high) = middle;
     }

@@ -65,27 +65,50 @@ Span span_between(const Block& block, const Ceiling& ceiling, const SampleRange&
   return span;
 }
 
-// Of valleys within a tick's way of each other the lowest, and between them its feedrate.
+void lower(Ceiling& ceiling, const SampleRange& range, double v_mm_s) {
+  for (std::size_t k = range.first; k <= range.last; ++k) {
+    ceiling[k].v_mm_s = std::min(ceiling[k].v_mm_s, v_mm_s);
+  }
+}
+
+// Valleys within a tick's way at the feedrate of the lowest.
+struct ValleyGroup {
+  SampleRange range{};
+  std::size_t lowest = 0;
+};
+
+// Of valleys within a tick's way of each other the lowest, and between them its feedrate; none
+// within a tick's way of the ends, which have its feedrate then.
 std::vector<std::size_t> apart(const std::vector<std::size_t>& valleys, double period_s,
                                Ceiling& ceiling) {
+  const auto within_tick = [&](const SampleRange& range, std::size_t lowest) {
+    return ceiling[range.last].s_mm - ceiling[range.first].s_mm <=
+           ceiling[lowest].v_mm_s * period_s;
+  };
   std::vector<std::size_t> kept;
-  for (std::size_t i = 0; i < valleys.size();) {
-    const std::size_t first = valleys[i];
-    std::size_t lowest = first;
-    std::size_t last = first;
-    for (++i; i < valleys.size(); ++i) {
-      const std::size_t next =
-          ceiling[valleys[i]].v_mm_s < ceiling[lowest].v_mm_s ? valleys[i] : lowest;
-      if (ceiling[valleys[i]].s_mm - ceiling[first].s_mm > ceiling[next].v_mm_s * period_s) {
-        break;
-      }
-      lowest = next;
-      last = valleys[i];
+  ValleyGroup group;
+  const auto close = [&] {
+    lower(ceiling, group.range, ceiling[group.lowest].v_mm_s);
+    if (group.range.first > 0) {
+      kept.push_back(group.lowest);
     }
-    for (std::size_t k = first; k <= last; ++k) {
-      ceiling[k].v_mm_s = std::min(ceiling[k].v_mm_s, ceiling[lowest].v_mm_s);
+  };
+  for (const std::size_t valley : valleys) {
+    const SampleRange wider{.first = group.range.first, .last = valley};
+    const std::size_t lowest =
+        ceiling[valley].v_mm_s < ceiling[group.lowest].v_mm_s ? valley : group.lowest;
+    if (within_tick(wider, lowest)) {
+      group = {.range = wider, .lowest = lowest};
+    } else {
+      close();
+      group = {.range = {.first = valley, .last = valley}, .lowest = valley};
     }
-    kept.push_back(lowest);
+  }
+  const std::size_t end = ceiling.size() - 1;
+  if (within_tick({.first = group.range.first, .last = end}, group.lowest)) {
+    lower(ceiling, {.first = group.range.first, .last = end}, ceiling[group.lowest].v_mm_s);
+  } else {
+    close();
   }
   return kept;
 }
@@ -118,21 +141,21 @@ Ceiling dense(const Ceiling& ceiling) {
 }
 
 // A block may begin and end at rest.
-void add_cuts(const Ceiling& ceiling, const SampleRange& range, double acceleration_mm_s2,
+void add_cuts(const Ceiling& ceiling, const SampleRange& range, const profiles::RampLimits& ramp,
               std::vector<std::size_t>& cuts) {
   const std::size_t top = top_of(ceiling, range);
   Samples rise = rise_of(ceiling, range, top);
   if (range.first == 0) {
     rise.front().v_mm_s = 0.0;
   }
-  for (const std::size_t i : climb_cuts(rise, acceleration_mm_s2)) {
+  for (const std::size_t i : climb_cuts(rise, ramp)) {
     cuts.push_back(range.first + i);
   }
   Samples fall = fall_of(ceiling, range, top);
   if (range.last + 1 == ceiling.size()) {
     fall.front().v_mm_s = 0.0;
   }
-  const std::vector<std::size_t> descent = climb_cuts(fall, acceleration_mm_s2);
+  const std::vector<std::size_t> descent = climb_cuts(fall, ramp);
   for (auto i = descent.rbegin(); i != descent.rend(); ++i) {
     cuts.push_back(range.last - *i);
   }
@@ -141,7 +164,7 @@ void add_cuts(const Ceiling& ceiling, const SampleRange& range, double accelerat
 struct Cutting {
   double noise = 0.0;
   double period_s = 0.0;
-  double acceleration_mm_s2 = 0.0;  // no climb is steeper
+  profiles::RampLimits ramp{};  // no climb is steeper
 };
 
 std::vector<Span> split_at_valleys(const Block& block, const Ceiling& scanned, const Cutting& how) {
@@ -153,7 +176,7 @@ std::vector<Span> split_at_valleys(const Block& block, const Ceiling& scanned, c
   std::vector<std::size_t> cuts;
   std::size_t first = 0;
   for (const std::size_t end : ends) {
-    add_cuts(ceiling, {.first = first, .last = end}, how.acceleration_mm_s2, cuts);
+    add_cuts(ceiling, {.first = first, .last = end}, how.ramp, cuts);
     cuts.push_back(end);
     first = end;
   }
@@ -209,27 +232,25 @@ std::vector<Span> split(const Block& block, double period_s) {
     return {whole_span(block)};
   }
   return split_at_valleys(block, block.ceiling,
-                          {.noise = kNoise,
-                           .period_s = period_s,
-                           .acceleration_mm_s2 = block.limits.ramp.acceleration_mm_s2});
+                          {.noise = kNoise, .period_s = period_s, .ramp = block.limits.ramp});
 }
 
 std::vector<Span> split(const Block& block, const Turning& turning, const PlanLimits& limits) {
-  const double along = block.along.ramp.acceleration_mm_s2;
-  std::vector<Span> spans =
-      split_at_valleys(block, lower_ceiling(block.ceiling, turning),
-                       {.noise = kTurningNoise,
-                        .period_s = limits.period_s,
-                        .acceleration_mm_s2 = std::min(
-                            along, strongest(turning, limits, &MotionLimits::acceleration_mm_s2))});
+  const auto steepest = [&](const Turning& under) -> profiles::RampLimits {
+    const profiles::RampLimits& along = block.along.ramp;
+    return {
+        .acceleration_mm_s2 = std::min(along.acceleration_mm_s2,
+                                       strongest(under, limits, &MotionLimits::acceleration_mm_s2)),
+        .jerk_mm_s3 =
+            std::min(along.jerk_mm_s3, strongest(under, limits, &MotionLimits::jerk_mm_s3))};
+  };
+  std::vector<Span> spans = split_at_valleys(
+      block, lower_ceiling(block.ceiling, turning),
+      {.noise = kTurningNoise, .period_s = limits.period_s, .ramp = steepest(turning)});
   for (Span& span : spans) {
     span.turning = part_of(turning, span);
     span.axes = limits.axes;
-    span.limits.ramp = {
-        .acceleration_mm_s2 =
-            std::min(along, strongest(span.turning, limits, &MotionLimits::acceleration_mm_s2)),
-        .jerk_mm_s3 = std::min(block.along.ramp.jerk_mm_s3,
-                               strongest(span.turning, limits, &MotionLimits::jerk_mm_s3))};
+    span.limits.ramp = steepest(span.turning);
   }
   return spans;
 }

@@ -10,8 +10,8 @@
 namespace kerf::lookahead {
 
 // The spans of a block in order; the junction at the last one's end is still open (a stop). Valleys
-// within a tick's way at their feedrate are one: beside a corner that is not quite one, derivatives
-// are rounding, and rounding has thousands of valleys.
+// within a tick's way at their feedrate are one, and one as close to an end is none: beside a
+// corner that is not quite one, derivatives are rounding, and rounding has thousands of valleys.
 std::vector<Span> split(const Block& block, double period_s);
 // The same with what turning asks of the axes, which lowers the ceiling and stays with each span.
 // Precondition: the block is a NURBS with its ceiling; turning is not empty.

@@ -175,6 +175,11 @@ TEST(SingularCurves, TinyFeaturesDoNotSlowTheRestDown) {
   }
 }
 
+// The highest plateau that fits is a ten thousandth of what is allowed, and its ends are lower yet.
+TEST(SingularCurves, APlateauIsFoundHoweverLow) {
+  EXPECT_LT(judged_case(1009383, profiles::ProfileKind::s_curve, 60.0).ticks, 20'000);
+}
+
 // Beside a corner that is not quite one, the derivatives are rounding, with thousands of valleys
 // within a tick's way: too many phases for the ring if each were cut at.
 TEST(SingularCurves, RoundingBesideACornerDoesNotStarveTheMotion) {

@@ -54,6 +54,23 @@ TEST(Split, TakesValleysWithinATicksWayForOne) {
   }
 }
 
+// Cut at, each would be a span of its own of 10 fm, in which no feedrate is reached from rest.
+TEST(Split, DoesNotCutAtAValleyWithinATicksWayOfAnEnd) {
+  const Block block = under(through({{0.0, 2e-3},
+                                     {1e-11, 1e-3},
+                                     {1e-10, 2e-3},
+                                     {1.0, 50.0},
+                                     {9.0, 50.0},
+                                     {10.0 - 1e-10, 2e-3},
+                                     {10.0 - 1e-11, 1e-3},
+                                     {10.0, 2e-3}}));
+  const std::vector<Span> spans = split(block, kPeriod_s);
+  EXPECT_GT(spans.front().length_mm, 1e-6);
+  EXPECT_EQ(spans.front().rise.bottom_mm_s(), 1e-3);
+  EXPECT_GT(spans.back().length_mm, 1e-6);
+  EXPECT_EQ(spans.back().fall.bottom_mm_s(), 1e-3);
+}
+
 TEST(Split, KeepsValleysFartherApartThanATick) {
   const Block block =
       under(through({{0.0, 100.0}, {5.0, 50.0}, {5.06, 100.0}, {5.12, 60.0}, {10.0, 100.0}}));
