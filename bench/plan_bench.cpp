@@ -42,8 +42,7 @@ void plan_lines(benchmark::State& state, profiles::ProfileKind kind) {
     std::vector<lookahead::Block> blocks;
     const auto drain = [&] {
       while (planner.emit(outbox)) {
-        outbox.pieces.clear();
-        outbox.phases.clear();
+        outbox.clear();
       }
     };
     for (std::int64_t i = 0; i < count; ++i) {

@@ -57,8 +57,7 @@ Streamed stream(const Moves& next, const lookahead::PlanLimits& limits, const Wi
   lookahead::Outbox outbox;
   const auto emit = [&] {
     while (planner.emit(outbox)) {
-      outbox.pieces.clear();
-      outbox.phases.clear();
+      outbox.clear();
     }
   };
   std::vector<Block> blocks;

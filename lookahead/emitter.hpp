@@ -21,6 +21,14 @@ struct Outbox {
   std::vector<interp::LineChange> line_changes;  // of a curve, with its pieces
   std::vector<interp::Phase> phases;
   std::vector<interp::SwitchAtTick> switches;  // by tick, which lies in the phases
+
+  // For the next of it, in the same memory.
+  void clear() noexcept {
+    pieces.clear();
+    line_changes.clear();
+    phases.clear();
+    switches.clear();
+  }
 };
 
 // Of what was emitted.

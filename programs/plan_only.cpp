@@ -72,10 +72,7 @@ tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
   std::vector<lookahead::Block> blocks;
   bool finished = false;
   for (parser::Move move; !stop_requested();) {
-    outbox.pieces.clear();
-    outbox.line_changes.clear();
-    outbox.phases.clear();
-    outbox.switches.clear();
+    outbox.clear();
     if (planner.emit(outbox)) {
       watch.planned(outbox);
       continue;

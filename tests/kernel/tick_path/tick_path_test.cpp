@@ -126,6 +126,28 @@ TEST_F(TickPath, IsQuietWhileStarvedAndThroughAMachineFault) {
   EXPECT_EQ(state.fault, machine::Fault::soft_limit);
 }
 
+// A thousand lines on one curve, some twenty of them in each tick.
+TEST_F(TickPath, IsQuietWhereTheLineChangesWithinACurve) {
+  const auto queue = std::make_unique<interp::MotionQueue>();
+  interp::Interpolator interpolator(*queue, 0.001, {});
+  ASSERT_TRUE(queue->push(interp::PathPiece{
+      .curve = 1, .geometry = curves::Line::between({0, 0, 0}, {5, 0, 0}).value()}));
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    ASSERT_TRUE(queue->push(interp::LineChange{.curve = 1, .s_mm = 0.005 * i, .line = i + 1}));
+  }
+  ASSERT_TRUE(queue->push(interp::Phase{.curve = 1,
+                                        .s_end_mm = 5.0,
+                                        .law = profiles::Transition::cruise(100.0, 5.0),
+                                        .has_changes = true}));
+  interp::Setpoint setpoint;
+  for (int i = 0; i < 55; ++i) {
+    const Trap trap;
+    interpolator.next(setpoint);
+    ASSERT_EQ(Trap::counts().total(), 0) << "tick " << setpoint.tick;
+  }
+  EXPECT_EQ(setpoint.line, 1000U);
+}
+
 TEST_F(TickPath, IsQuietOnTheButterfly) {
   MachineSettings settings;
   settings.limits.path = {
