@@ -28,7 +28,8 @@ std::optional<PartRun> Table::add(const Row& row) {
   const Deviation& off = run.deviation;
   const bool met = (row.at_most_s == 0.0 || run.time_s <= row.at_most_s) &&
                    run.over.ratio <= kTolerance && off.of_ticks_mm <= allowed + kNanometre_mm &&
-                   off.of_path_mm <= allowed + kChord_mm;
+                   off.of_path_mm <= allowed + kChord_mm &&
+                   off.of_line_mm <= 2.0 * allowed + kNanometre_mm;
   char target[32] = "";
   if (row.at_most_s > 0.0) {
     std::snprintf(target, sizeof target, "%.3f", row.at_most_s);

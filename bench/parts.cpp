@@ -220,14 +220,17 @@ void add_loops(Table& table) {
 
 int parts(const PartsOrder& order) {
   const bool cost_met = parts_cost(order);
+  if (order.only == "cost") {
+    return cost_met ? 0 : 1;
+  }
   std::printf(
       "Limits of each axis in mm/s2 and mm/s3, F in mm/min; rest to rest. A figure over its limit "
-      "and the deviations are found from positions of ticks alone. \"Ticks off the path\" may be "
-      "P (exact modes: a nanometre), \"path off the ticks\" as much and the chord tolerance, "
-      "%g mm, by which a tick cuts a corner. Others: the optimum "
-      "on the exact curve; measured for LinuxCNC 2.10~pre, its planner driven headless, "
-      "jerk-limited "
-      "and (J0) trapezoid; grblHAL, Klipper and g2core their own planners on the same lines.\n\n",
+      "and the deviations are found from positions of ticks alone. Allowed is P (exact modes: a "
+      "nanometre) for ticks off the path; P and the chord tolerance, %g mm, by which a tick cuts a "
+      "corner, for the path off the ticks; 2 P for ticks off their line, which ends somewhere "
+      "within P of its end. Others: the optimum on the exact curve; measured for LinuxCNC "
+      "2.10~pre, its planner driven headless, jerk-limited and (J0) trapezoid; grblHAL, Klipper "
+      "and g2core their own planners on the same lines.\n\n",
       kChord_mm);
   Table table(order);
   Table::print_head();

@@ -10,7 +10,7 @@ namespace kerf::bench {
 struct PartsOrder {
   bool quick = false;      // without exact stops at tens of thousands of short lines
   bool with_long = false;  // ten million lines, too
-  std::string only;        // rows whose program's name begins so; empty: all
+  std::string only;        // "cost", or the programs whose name begins so; empty: all
   profiles::ProfileKind profile = profiles::kDefaultProfile;
 };
 

@@ -23,7 +23,6 @@ constexpr std::int64_t kMillion = 1'000'000;
 constexpr double kMost_s = 10.0;
 constexpr double kMost_MiB = 128.0;
 constexpr double kMostGrowth = 10.5;
-constexpr const char* kName = "cost";
 
 // The flower's lines as text, in pieces as from a file. The time that making them takes is kept.
 class FlowerText {
@@ -150,7 +149,7 @@ bool print_row(std::int64_t lines, const Cost& cost, bool met) {
 }  // namespace
 
 bool parts_cost(const PartsOrder& order) {
-  if (!std::string_view(kName).starts_with(order.only)) {
+  if (!order.only.empty() && order.only != "cost") {
     return true;
   }
   const std::int64_t lines = order.quick ? kMillion / 10 : kMillion;

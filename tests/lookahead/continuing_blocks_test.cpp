@@ -110,8 +110,18 @@ TEST(ContinuingBlocks, TakeTheTimeOfTheWholeCurve) {
   const Motion of_whole = plan(whole, settings);
   const Motion of_cut = plan(cut, settings);
   EXPECT_NEAR(of_cut.duration_s(), of_whole.duration_s(), 2e-3 * of_whole.duration_s());
+}
+
+TEST(ContinuingBlocks, KeepTheJerkOfEachAxisUnderEveryLaw) {
   const double rounding = 8.0 * kFarOut_mm * 2.3e-16 / (kTs * kTs * kTs);
-  EXPECT_LE(largest_axis_jerk_mm_s3(cut, of_cut), 1.0001 * 5e4 + rounding);
+  const std::vector<Block> blocks = cut_bow(true);
+  for (const ProfileKind kind :
+       {ProfileKind::time_optimal, ProfileKind::s_curve, ProfileKind::sine, ProfileKind::quintic,
+        ProfileKind::sine_series, ProfileKind::sigmoid}) {
+    const Motion motion = plan(blocks, {.limits = mill(), .profile = Profile{kind}});
+    EXPECT_LE(largest_axis_jerk_mm_s3(blocks, motion), 1.0001 * 5e4 + rounding)
+        << profiles::name_of(kind);
+  }
 }
 
 }  // namespace
