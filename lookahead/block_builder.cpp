@@ -141,11 +141,14 @@ Block make_block(curves::Curve curve, const Move& move, const PlanLimits& limits
   }
   bind_extra_axes(limits, block);
   if (nurbs != nullptr) {
-    block.ceiling = scan_feedrate(*nurbs, {.feedrate_mm_s = block.limits.feedrate_mm_s,
-                                           .feedrate_from = block.limits.from.feedrate,
-                                           .jerk_mm_s3 = block.limits.ramp.jerk_mm_s3,
-                                           .period_s = limits.period_s,
-                                           .chord_tolerance_mm = limits.chord_tolerance_mm});
+    block.ceiling = scan_feedrate(
+        *nurbs, {.feedrate_mm_s = block.limits.feedrate_mm_s,
+                 .feedrate_from = block.limits.from.feedrate,
+                 .jerk_mm_s3 = block.along.ramp.jerk_mm_s3,
+                 .axis_jerk_mm_s3 = {limits.axes[0].jerk_mm_s3, limits.axes[1].jerk_mm_s3,
+                                     limits.axes[2].jerk_mm_s3},
+                 .period_s = limits.period_s,
+                 .chord_tolerance_mm = limits.chord_tolerance_mm});
   }
   return block;
 }

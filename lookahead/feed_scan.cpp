@@ -23,6 +23,8 @@ constexpr double kFarBelow = 8.0;
 constexpr double kFineShare = 1.0 / 64.0;
 // What straight lines between samples may miss of the bound.
 constexpr double kInside = 0.9998;
+// Of the bound, whatever the jerk adds to the way of a tick.
+constexpr double kLeastShare = 0.5;
 // The feedrate aims this far inside the tolerance, so that the adjustment ends.
 constexpr double kAim = 0.9995;
 
@@ -147,6 +149,18 @@ Ceiling in_order(const Ceiling& samples) {
   return kept;
 }
 
+// Along the path, on a straight one in this direction; 0 where it is not bounded.
+double jerk_at_mm_s3(const NurbsCurve& curve, double s_mm, const ScanLimits& limits) {
+  double jerk = limits.jerk_mm_s3;
+  const curves::Position first = curve.derivatives_at(s_mm).first;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    if (first[k] != 0.0) {
+      jerk = std::min(jerk, limits.axis_jerk_mm_s3[k] / std::abs(first[k]));
+    }
+  }
+  return std::isfinite(jerk) ? jerk : 0.0;
+}
+
 }  // namespace
 
 Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
@@ -154,11 +168,12 @@ Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
   for (int i = 0; i < kRefinements && refine(bounds, curve, limits); ++i) {
   }
   const double length = curve.length_mm();
-  const double slack = std::isfinite(limits.jerk_mm_s3)
-                           ? limits.jerk_mm_s3 * limits.period_s * limits.period_s / 24.0
-                           : 0.0;
-  const auto allowed = [&](double v) {
-    return v < limits.feedrate_mm_s ? kInside * std::max(v - slack, 0.9 * v) : v;
+  const auto allowed = [&](double s, double v) {
+    if (!(v < limits.feedrate_mm_s)) {
+      return v;
+    }
+    const double slack = jerk_at_mm_s3(curve, s, limits) * limits.period_s * limits.period_s / 24.0;
+    return kInside * std::max(v - slack, kLeastShare * v);
   };
   const auto limit_of = [&](double v) {
     return v < limits.feedrate_mm_s ? SpeedLimit::chord_error : limits.feedrate_from;
@@ -168,14 +183,14 @@ Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
     const double middle = std::min(s + 0.5 * v * limits.period_s, length);
     samples.push_back({.u = curve.pieces()[curve.piece_index(middle)].u_at(middle),
                        .s_mm = middle,
-                       .v_mm_s = allowed(v),
+                       .v_mm_s = allowed(middle, v),
                        .limit = limit_of(v)});
   }
   Ceiling ceiling = in_order(samples);
   if (ceiling.front().s_mm > 0.0) {
     ceiling.insert(ceiling.begin(), {.u = curve.pieces().front().u_at(0.0),
                                      .s_mm = 0.0,
-                                     .v_mm_s = allowed(bounds.front().v_mm_s),
+                                     .v_mm_s = allowed(0.0, bounds.front().v_mm_s),
                                      .limit = limit_of(bounds.front().v_mm_s)});
   }
   if (ceiling.back().s_mm < length) {

@@ -10,7 +10,8 @@ namespace kerf::lookahead {
 struct ScanLimits {
   double feedrate_mm_s = kUnbounded;
   SpeedLimit feedrate_from = SpeedLimit::programmed;
-  double jerk_mm_s3 = kUnbounded;
+  double jerk_mm_s3 = kUnbounded;  // along the path, and of each axis
+  curves::Position axis_jerk_mm_s3{kUnbounded, kUnbounded, kUnbounded};
   double period_s = 0.001;
   double chord_tolerance_mm = kUnbounded;
 };

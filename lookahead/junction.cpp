@@ -54,18 +54,6 @@ double largest_below(const Cubic& f, double bound) {
   return x * (1.0 - 1e-12);
 }
 
-// How far a tick of length h that sees the joint may leave its chord, at the most: h |du| / 4 by
-// the corner in its middle and h^2 max|k| / 8 by the curvature of both sides.
-double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
-                           const PlanLimits& limits) {
-  const double ts = limits.period_s;
-  const double turn = (curves::vec(after.tangent) - curves::vec(before.tangent)).norm();
-  const double curvature = std::sqrt(std::max(curves::vec(before.curvature_per_mm).squaredNorm(),
-                                              curves::vec(after.curvature_per_mm).squaredNorm()));
-  return largest_below({.linear = 0.25 * turn * ts, .quadratic = 0.125 * curvature * ts * ts},
-                       limits.chord_tolerance_mm);
-}
-
 double limit_or_path(double axis, double path) {
   return std::isfinite(axis) ? axis : path;
 }
@@ -82,6 +70,18 @@ double saved_s(double feedrate_mm_s, const Block& before, const Block& after) {
 }
 
 }  // namespace
+
+// How far a tick of length h that sees the joint may leave its chord, at the most: h |du| / 4 by
+// the corner in its middle and h^2 max|k| / 8 by the curvature of both sides.
+double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
+                           const PlanLimits& limits) {
+  const double ts = limits.period_s;
+  const double turn = (curves::vec(after.tangent) - curves::vec(before.tangent)).norm();
+  const double curvature = std::sqrt(std::max(curves::vec(before.curvature_per_mm).squaredNorm(),
+                                              curves::vec(after.curvature_per_mm).squaredNorm()));
+  return largest_below({.linear = 0.25 * turn * ts, .quadratic = 0.125 * curvature * ts * ts},
+                       limits.chord_tolerance_mm);
+}
 
 double path_step_of(const BlockEnd& before, const BlockEnd& after) {
   return std::abs(curves::vec(after.tangent).norm() - curves::vec(before.tangent).norm());

@@ -37,7 +37,10 @@ Junction junction(const JunctionQuery& query, const PlanLimits& limits);
 // further axes move joins one on which they move, or the other way round, else 0.
 double path_step_of(const BlockEnd& before, const BlockEnd& after);
 
-// The bound alone, without regard to lengths and without the choice to stop.
+// The bound by the chord error alone.
+double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after, const PlanLimits& limits);
+
+// All bounds, without regard to lengths and without the choice to stop.
 double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
                             const PlanLimits& limits);
 

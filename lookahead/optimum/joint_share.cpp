@@ -71,6 +71,27 @@ Passage passage_with(const Jump& jump, double feedrate_mm_s, const JumpShares& s
   return passage;
 }
 
+// A tick around a joint at which the feedrate is least is longer than at that feedrate, by
+// J Ts^3 / 24 at the most. 0: a stop.
+double chord_bound_mm_s(const JunctionQuery& query, const JumpShares& shares,
+                        const PlanLimits& limits) {
+  const BlockEnd& before = query.before->end;
+  const BlockEnd& after = query.after->begin;
+  const double chord = chord_feedrate_mm_s(before, after, limits);
+  if (!std::isfinite(chord)) {
+    return chord;
+  }
+  const auto jerk = [&limits](const Block& block, const BlockEnd& end) {
+    return tangential_jerk_mm_s3(Cell{.along = block.along.ramp}, CellEnd{.first = end.tangent},
+                                 limits);
+  };
+  const double most =
+      shares.cells * std::max(jerk(*query.before, before), jerk(*query.after, after));
+  return std::max(
+      chord_feedrate_mm_s(before, after, limits) - most * limits.period_s * limits.period_s / 24.0,
+      0.0);
+}
+
 // The way of three ticks beside a joint, on a block.
 double zone_mm(const Block& block, const BlockEnd& end, const Passage& passage,
                const PlanLimits& limits) {
@@ -103,12 +124,15 @@ Joint joint_of(const JunctionQuery& query, const PlanLimits& limits) {
   const Jump jump{.before = before.end, .after = after.begin};
   const double free_mm_s = junction(query, jump_limits(limits, {.jump = 1.0})).feedrate_mm_s;
   for (const JumpShares& shares : kShares) {
-    const Junction passing = junction(query, jump_limits(limits, shares));
+    const double chord = chord_bound_mm_s(query, shares, limits);
+    Junction passing = junction(query, jump_limits(limits, shares));
+    passing.feedrate_mm_s = std::min(passing.feedrate_mm_s, chord);
     const Passage passage = passage_with(jump, passing.feedrate_mm_s, shares, limits);
     // Ways that overlap would let a third difference see two joints.
     const bool fits = zone_mm(before, before.end, passage, limits) <= 0.5 * before.length_mm &&
                       zone_mm(after, after.begin, passage, limits) <= 0.5 * after.length_mm;
-    if ((fits && passing.feedrate_mm_s >= free_mm_s) || &shares == &kShares.back()) {
+    if ((fits && passing.feedrate_mm_s >= std::min(free_mm_s, chord)) ||
+        &shares == &kShares.back()) {
       const bool stops = passing.feedrate_mm_s == 0.0;
       return {.smooth = !stops && passing.coast_s == 0.0, .passing = passage};
     }
