@@ -30,6 +30,54 @@ double ramp_feed_mm_s(double v_begin_mm_s, double jerk_mm_s3, double distance_mm
   return v_begin_mm_s + 0.5 * jerk_mm_s3 * t * t;
 }
 
+// A rise under a constant jerk: begun with no acceleration at some feedrate, so far ago.
+struct Rise {
+  double v_begin_mm_s = 0.0;
+  double distance_mm = 0.0;
+
+  // What has this feedrate and acceleration now.
+  static Rise at(double v_mm_s, double a_mm_s2, double jerk_mm_s3) {
+    const double a = std::min(a_mm_s2, std::sqrt(2.0 * jerk_mm_s3 * v_mm_s));
+    const double t = a / jerk_mm_s3;
+    const double v = v_mm_s - 0.5 * a * t;
+    return {.v_begin_mm_s = v, .distance_mm = t * (v + a * t / 6.0)};
+  }
+};
+
+enum class Direction { forwards, backwards };
+
+// Bends what rises more than acceleration and jerk allow, seen in one direction.
+void pass(std::span<const Cell> cells, Direction direction, const PlanLimits& limits,
+          std::vector<double>& squared) {
+  const bool forwards = direction == Direction::forwards;
+  const std::size_t count = cells.size();
+  Rise rise;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = forwards ? k : count - 1 - k;
+    const Cell& cell = cells[i];
+    const CellEnd& end = forwards ? cell.begin : cell.end;
+    const double from = squared[forwards ? i : i + 1];
+    double& to = squared[forwards ? i + 1 : i];
+    const double a = tangential_acceleration_mm_s2(cell, end, limits);
+    const double j = tangential_jerk_mm_s3(cell, end, limits);
+    const double h = cell.length_mm;
+    if (k == 0) {
+      rise = {.v_begin_mm_s = std::sqrt(from), .distance_mm = 0.0};
+    }
+    rise.distance_mm += h;
+    const double v = ramp_feed_mm_s(rise.v_begin_mm_s, j, rise.distance_mm);
+    const double reached = std::min(from + 2.0 * a * h, v * v);
+    if (to <= reached) {
+      rise = Rise::at(std::sqrt(to), std::clamp(0.5 * (to - from) / h, 0.0, a), j);
+    } else {
+      if (reached < v * v) {
+        rise = Rise::at(std::sqrt(reached), a, j);
+      }
+      to = reached;
+    }
+  }
+}
+
 }  // namespace
 
 double tangential_acceleration_mm_s2(const Cell& cell, const CellEnd& end,
@@ -70,25 +118,8 @@ std::vector<double> estimate_feeds(std::span<const Cell> cells, const EndFeeds& 
   }
   squared.front() = std::min(squared.front(), ends.v_begin_mm_s * ends.v_begin_mm_s);
   squared.back() = std::min(squared.back(), ends.v_end_mm_s * ends.v_end_mm_s);
-  const auto pass = [&](std::size_t from, std::size_t to, const Cell& cell, const CellEnd& end,
-                        double v_end_mm_s, double& distance_mm) {
-    distance_mm += cell.length_mm;
-    const double a = tangential_acceleration_mm_s2(cell, end, limits);
-    squared[to] = std::min(squared[to], squared[from] + 2.0 * a * cell.length_mm);
-    if (std::isfinite(distance_mm)) {
-      const double v =
-          ramp_feed_mm_s(v_end_mm_s, tangential_jerk_mm_s3(cell, end, limits), distance_mm);
-      squared[to] = std::min(squared[to], v * v);
-    }
-  };
-  double distance = ends.v_begin_mm_s < kUnbounded ? 0.0 : kUnbounded;
-  for (std::size_t i = 0; i < count; ++i) {
-    pass(i, i + 1, cells[i], cells[i].begin, ends.v_begin_mm_s, distance);
-  }
-  distance = ends.v_end_mm_s < kUnbounded ? 0.0 : kUnbounded;
-  for (std::size_t i = count; i-- > 0;) {
-    pass(i + 1, i, cells[i], cells[i].end, ends.v_end_mm_s, distance);
-  }
+  pass(cells, Direction::forwards, limits, squared);
+  pass(cells, Direction::backwards, limits, squared);
   for (double& v : squared) {
     v = std::sqrt(v);
   }

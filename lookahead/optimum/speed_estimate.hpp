@@ -1,4 +1,4 @@
-// A first guess of the optimum: as fast as velocities and accelerations allow.
+// A first guess of the optimum: as fast as velocities, accelerations and jerks allow.
 #pragma once
 
 #include <span>
@@ -24,9 +24,9 @@ struct EndFeeds {
 };
 
 // Feedrates at the ends of the cells, one more than there are cells: the caps bent below what
-// tangential acceleration reaches, forwards and backwards. Jerk is not regarded but for launches
-// and landings. No bound of the optimum, in either direction: what turning takes from the axes'
-// acceleration is left out.
+// tangential acceleration and jerk reach, forwards and backwards. Jerk is regarded where
+// acceleration builds up from what the cap has, not where it has to end again. No bound of the
+// optimum, in either direction: what turning takes from the axes' acceleration is left out.
 std::vector<double> estimate_feeds(std::span<const Cell> cells, const EndFeeds& ends,
                                    const PlanLimits& limits);
 
