@@ -1,7 +1,6 @@
 #include "lookahead/optimum/limit_check.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "profiles/cell_law.hpp"
@@ -10,7 +9,10 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr std::array kPlaces = {0.0, 0.2, 0.4, 0.6, 0.8, 1.0};  // shares of a cell
+// Of a cell between two places, at the least; a part turns by no more than this angle.
+constexpr int kParts = 5;
+constexpr double kAngle = 0.02;
+constexpr int kMostParts = 40;
 
 // The ends from within the cell: derivatives may jump there.
 CellEnd path_in(const Cell& cell, double share, double s_mm, const PathAt& path) {
@@ -27,7 +29,15 @@ void grow(double& worst, double share) {
   }
 }
 
-void look_at(const profiles::PathMotion& motion, const Cell& cell, const CellEnd& path,
+// What was found at a place, to be joined with the next one.
+struct Seen {
+  double s_mm = 0.0;
+  double v_mm_s = 0.0;
+  curves::Position acceleration_mm_s2{};  // of each axis
+  curves::Position jerk_mm_s3{};
+};
+
+Seen look_at(const profiles::PathMotion& motion, const Cell& cell, const CellEnd& path,
              const PlanLimits& limits, Excess& worst) {
   const double v = motion.v_mm_s;
   const double a = motion.a_mm_s2;
@@ -36,14 +46,35 @@ void look_at(const profiles::PathMotion& motion, const Cell& cell, const CellEnd
   grow(worst.acceleration,
        std::abs(a) / (cell.allowed.acceleration * cell.along.acceleration_mm_s2));
   grow(worst.jerk, std::abs(j) / (cell.allowed.jerk * cell.along.jerk_mm_s3));
+  Seen seen{.s_mm = motion.s_mm, .v_mm_s = v};
   for (std::size_t k = 0; k < 3; ++k) {
     const double q1 = path.first[k];
     const double q2 = path.second_per_mm[k];
     const double q3 = path.third_per_mm2[k];
-    grow(worst.acceleration, std::abs(q1 * a + q2 * v * v) /
+    seen.acceleration_mm_s2[k] = q1 * a + q2 * v * v;
+    seen.jerk_mm_s3[k] = q1 * j + 3.0 * q2 * v * a + q3 * v * v * v;
+    grow(worst.acceleration, std::abs(seen.acceleration_mm_s2[k]) /
                                  (cell.allowed.acceleration * limits.axes[k].acceleration_mm_s2));
-    grow(worst.jerk, std::abs(q1 * j + 3.0 * q2 * v * a + q3 * v * v * v) /
-                         (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
+    grow(worst.jerk,
+         std::abs(seen.jerk_mm_s3[k]) / (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
+  }
+  return seen;
+}
+
+// An axis' acceleration that rises at one place and falls at the next has a peak between them; its
+// jerk is taken as linear in time there.
+void look_between(const Seen& before, const Seen& after, const Cell& cell, const PlanLimits& limits,
+                  Excess& worst) {
+  const double time = 2.0 * (after.s_mm - before.s_mm) / (before.v_mm_s + after.v_mm_s);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double a = before.acceleration_mm_s2[k];
+    const double rise = std::copysign(before.jerk_mm_s3[k], a * before.jerk_mm_s3[k]);
+    const double fall = -std::copysign(after.jerk_mm_s3[k], a * after.jerk_mm_s3[k]);
+    if (rise > 0.0 && fall > 0.0) {
+      const double peak = std::abs(a) + 0.5 * time * rise * rise / (rise + fall);
+      grow(worst.acceleration,
+           peak / (cell.allowed.acceleration * limits.axes[k].acceleration_mm_s2));
+    }
   }
 }
 
@@ -61,10 +92,20 @@ Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
     const double slope = begin.slope + begin.bend * s;
     const double b = begin.value + s * (begin.slope + 0.5 * begin.bend * s);
     const double v = std::sqrt(std::max(b, 0.0));
-    look_at({.s_mm = s, .v_mm_s = v, .a_mm_s2 = 0.5 * slope, .j_mm_s3 = 0.5 * v * begin.bend}, cell,
-            path_in(cell, place, s, path), limits, worst);
+    return look_at(
+        {.s_mm = s, .v_mm_s = v, .a_mm_s2 = 0.5 * slope, .j_mm_s3 = 0.5 * v * begin.bend}, cell,
+        path_in(cell, place, s, path), limits, worst);
   };
-  std::for_each(kPlaces.begin(), kPlaces.end(), look);
+  const double curvature = std::max(curves::vec(cell.begin.second_per_mm).norm(),
+                                    curves::vec(cell.end.second_per_mm).norm());
+  const double parts =
+      std::clamp(std::ceil(curvature * cell.length_mm / kAngle), 1.0 * kParts, 1.0 * kMostParts);
+  Seen before = look(0.0);
+  for (int i = 1; i <= static_cast<int>(parts); ++i) {
+    const Seen here = look(i / parts);
+    look_between(before, here, cell, limits, worst);
+    before = here;
+  }
   const double peak = -begin.slope / (begin.bend * cell.length_mm);  // of the feedrate
   if (begin.bend < 0.0 && peak > 0.0 && peak < 1.0) {
     look(peak);
@@ -77,7 +118,8 @@ Excess excess_of_rest(const Cell& cell, double v_mm_s, bool launch, const PathAt
   const profiles::CellLaw law = launch ? profiles::CellLaw::launch(v_mm_s, cell.length_mm)
                                        : profiles::CellLaw::landing(v_mm_s, cell.length_mm);
   Excess worst;
-  for (const double place : kPlaces) {
+  for (int i = 0; i <= kParts; ++i) {
+    const double place = static_cast<double>(i) / kParts;
     const profiles::PathMotion motion = law.at(place * law.duration_s());
     look_at(motion, cell, path_in(cell, place, motion.s_mm, path), limits, worst);
   }
