@@ -101,7 +101,8 @@ void Merit::add_rest(const RestCell& rest, std::size_t outer, double squared_mm2
   sums.time_s += t;
   sums.walls_s += wall.value()[0];
   sums.system->gradient[outer] += -0.5 * t / b + weight * slopes.rise[0] / rest.cap;
-  sums.system->diagonal[outer] += 0.75 * t / (b * b) + weight * slopes.bend[0] / square(rest.cap);
+  sums.system->diagonal[outer] +=
+      0.75 * t / (b * b) + sums.walls->stiffness_s * slopes.bend[0] / square(rest.cap);
 }
 
 Merit::Value Merit::derive(const std::vector<double>& coefficients, const Walls& walls,

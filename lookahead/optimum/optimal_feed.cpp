@@ -1,7 +1,6 @@
 #include "lookahead/optimum/optimal_feed.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "lookahead/optimum/speed_estimate.hpp"
@@ -11,21 +10,22 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kFirstGuess = 0.3;  // of the estimate's squared feedrate
-// All walls together, over the time: the first and the last stage.
+// All walls together, over the time: the first and the last of kStages.
 constexpr double kFirstWalls = 1e-1;
 constexpr double kLastWalls = 1e-4;
-constexpr double kSharpen = 0.1;
+constexpr int kStages = 7;
 // Of the slack that a wall of a typical multiplier keeps: one whose limit, raised by a part, takes
 // as much off the time of its cell.
-constexpr double kRelaxed = 0.3;
+constexpr double kRelaxed = 1.0;
 constexpr int kStepsOfStage = 15;
-constexpr double kStageDone = 0.1;  // of the walls: Newton decrement
+// Of the walls, what is left to gain when a stage ends: Newton decrement.
+constexpr double kStageDone = 0.1;
+constexpr double kRoughly = 0.5;  // of one that is not the last
 constexpr int kHalvings = 25;
 constexpr int kDampings = 6;
 constexpr double kFirstDamping = 1e-13;  // of the diagonal
 constexpr double kMoreDamping = 100.0;
 constexpr double kArmijo = 1e-4;
-constexpr double kPoor = 0.02;   // of what a whole step promises
 constexpr double kToZero = 0.9;  // of the way, in one step
 
 class Search {
@@ -35,18 +35,29 @@ class Search {
 
   [[nodiscard]] const Merit& merit() const { return merit_; }
 
-  // Newton steps until the walls outweigh what is left to gain. share: of all walls in the time.
-  void stage(double share) {
+  // Newton steps until what is left to gain is a part of the walls. share: of all walls in the
+  // time.
+  //
+  // Where the stage before has ended, the force of each wall that matters is its weight over the
+  // slack, and the slack has to shrink as the weight does. With the second derivatives of the walls
+  // of the new weight, which are so much smaller, a Newton step goes that many times too far; with
+  // those of the old weight it goes there (it is the step of a primal-dual method: Nocedal and
+  // Wright, "Numerical Optimization", chapter 19). So the first step of a stage takes these.
+  void stage(double share, double done) {
+    share_before_ = share_before_ > 0.0 ? share_before_ : share;
     if (time_s_ == 0.0) {
-      time_s_ =
-          merit_.derive(feed_->coefficients, {.weight_s = 0.0, .relaxed = 1.0}, system_).time_s;
+      time_s_ = merit_.derive(feed_->coefficients, {.relaxed = 1.0}, system_).time_s;
     }
     const double count = static_cast<double>(merit_.size());
-    const Walls walls{.weight_s = share * time_s_ / count, .relaxed = kRelaxed * share};
+    Walls walls{.weight_s = share * time_s_ / count,
+                .stiffness_s = share_before_ * time_s_ / count,
+                .relaxed = kRelaxed * share};
     double before = merit_.derive(feed_->coefficients, walls, system_).merit_s;
+    walls.stiffness_s = walls.weight_s;
+    share_before_ = share;
     for (int k = 0; k < kStepsOfStage; ++k) {
       const double gain = step(walls, before);
-      if (gain < kStageDone * walls.weight_s * count) {
+      if (gain < done * walls.weight_s * count) {
         return;
       }
     }
@@ -108,7 +119,8 @@ class Search {
   Merit merit_;
   OptimalFeed* feed_;
   BandSystem system_;
-  double time_s_ = 0.0;  // at the coefficients; 0: not known yet
+  double share_before_ = 0.0;  // the stage before; 0: none
+  double time_s_ = 0.0;        // at the coefficients; 0: not known yet
   std::vector<double> change_;
   std::vector<double> trial_;
 };
@@ -146,16 +158,17 @@ OptimalFeed find_optimal_feed(const Stretch& stretch, const PlanLimits& limits) 
   feed.coefficients = first_guess(stretch, limits);
   Search search(stretch, limits, feed);
   search.merit().bind(feed.coefficients);
-  for (double share = kFirstWalls; share > 0.5 * kLastWalls; share *= kSharpen) {
-    search.stage(share);
+  for (int i = 0; i + 1 < kStages; ++i) {
+    search.stage(kFirstWalls * std::pow(kLastWalls / kFirstWalls, i / (kStages - 1.0)), kRoughly);
   }
+  search.stage(kLastWalls, kStageDone);
   return feed;
 }
 
 void mend_optimal_feed(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed) {
   Search search(stretch, limits, feed);
   search.merit().bind(feed.coefficients);
-  search.stage(kLastWalls);
+  search.stage(kLastWalls, kStageDone);
 }
 
 }  // namespace kerf::lookahead

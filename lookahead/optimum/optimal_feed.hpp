@@ -14,7 +14,8 @@ struct OptimalFeed {
   int newton_steps = 0;
 };
 
-// Where the search begins: 0.3 of what velocities and accelerations allow. Positive and finite.
+// Where the search begins: 0.3 of what velocities, accelerations and jerks allow. Positive and
+// finite.
 std::vector<double> first_feed(const Stretch& stretch, const PlanLimits& limits);
 
 // Minimises the time of a stretch under all its limits: v, a and jerk, along the path and on each
@@ -26,13 +27,13 @@ std::vector<double> first_feed(const Stretch& stretch, const PlanLimits& limits)
 // times a linear form; taken as linear about the present b it makes each step convex. Instead of
 // solving each such convex problem to its end, the form is renewed in every Newton step of one
 // interior-point search: walls in front of all limits, softened so that the search may begin beyond
-// them, and sharpened four times. b is a spline with three coefficients a cell, so a step costs
-// O(n).
+// them, and sharpened in small stages. b is a spline with three coefficients a cell, so a step
+// costs O(n).
 //
-//   begin: 0.3 of the feedrate that acceleration allows   ->  weight 1e-1 of the time in all walls
-//   some 5 Newton steps each                              ->  1e-2, 1e-3, 1e-4
+//   begin: 0.3 of the v^2 that acceleration and jerk allow  ->  weight 1e-1 of the time in all
+//   walls some 3 Newton steps each                                ->  3e-2, 1e-2, ... 1e-4
 //
-// Some 25 steps suffice on all curves tried, whatever their length. The answer is a local optimum:
+// Some 20 steps suffice on all curves tried, whatever their length. The answer is a local optimum:
 // the problem is not convex in jerk, and no bound of its distance to the true one is known; on the
 // curves for which reference times exist it meets them.
 //

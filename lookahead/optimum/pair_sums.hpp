@@ -30,7 +30,8 @@ class PairSums {
         middle_(pair.middle[0] * c0_ + pair.middle[1] * c1_ + pair.middle[2] * c2_),
         end_(c1_ + pair.end * (c2_ - c1_)),
         barrier_(walls.relaxed),
-        weight_s_(walls.weight_s) {}
+        weight_s_(walls.weight_s),
+        stiffness_s_(walls.stiffness_s) {}
 
   [[nodiscard]] bool are_positive() const { return (begin_.min(middle_).min(end_) > 0.0).all(); }
   [[nodiscard]] Lanes walls() const { return wall_.value(); }
@@ -90,7 +91,7 @@ class PairSums {
       const Lanes by_root = half * linear;
       add({v * row[0] + by_root * value.r0, v * row[1] + by_root * value.r1,
            v * row[2] + by_root * value.r2},
-          weight_s_ * wall.rise, weight_s_ * wall.bend);
+          weight_s_ * wall.rise, stiffness_s_ * wall.bend);
     }
     return row;
   }
@@ -110,8 +111,8 @@ class PairSums {
   }
   void add_first(const Lanes& r0, const Lanes& r1, const Barrier::Slopes& wall) {
     const Lanes rise = weight_s_ * wall.rise;
-    const Lanes b0 = weight_s_ * wall.bend * r0;
-    const Lanes b1 = weight_s_ * wall.bend * r1;
+    const Lanes b0 = stiffness_s_ * wall.bend * r0;
+    const Lanes b1 = stiffness_s_ * wall.bend * r1;
     g0_ += rise * r0;
     g1_ += rise * r1;
     d0_ += b0 * r0;
@@ -120,8 +121,8 @@ class PairSums {
   }
   void add_last(const Lanes& r1, const Lanes& r2, const Barrier::Slopes& wall) {
     const Lanes rise = weight_s_ * wall.rise;
-    const Lanes b1 = weight_s_ * wall.bend * r1;
-    const Lanes b2 = weight_s_ * wall.bend * r2;
+    const Lanes b1 = stiffness_s_ * wall.bend * r1;
+    const Lanes b2 = stiffness_s_ * wall.bend * r2;
     g1_ += rise * r1;
     g2_ += rise * r2;
     d1_ += b1 * r1;
@@ -130,7 +131,7 @@ class PairSums {
   }
   void add_middle(const Lanes& r1, const Barrier::Slopes& wall) {
     g1_ += weight_s_ * wall.rise * r1;
-    d1_ += weight_s_ * wall.bend * r1 * r1;
+    d1_ += stiffness_s_ * wall.bend * r1 * r1;
   }
 
   const CellPair* pair_;
@@ -142,6 +143,7 @@ class PairSums {
   Lanes end_;
   Barrier barrier_;
   double weight_s_;
+  double stiffness_s_;
   Barrier::Sum wall_;
   // Of the Newton system: gradient, diagonal, the bands beside it.
   Lanes g0_ = Lanes::Zero();
