@@ -16,6 +16,8 @@ namespace {
 
 constexpr int kCuts = 5;  // of what a plan covers
 constexpr std::size_t kCutCells = 16;
+// Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
+constexpr std::size_t kMarginOfWindow = 8;
 
 // Nothing jumps at a smooth joint, and beside a rest the cells are refined afterwards.
 std::optional<Passage> passage_at(const Joint& joint) {
@@ -89,7 +91,7 @@ bool OptimumSchedule::has_room() const {
 }
 
 bool OptimumSchedule::is_to_be_renewed() const {
-  return lines_.empty() && (cells_left() == 0 || (place_.cell >= half_ && !plan_ends_at_stop_));
+  return lines_.empty() && (cells_left() == 0 || (place_.cell >= renew_ && !plan_ends_at_stop_));
 }
 
 bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) {
@@ -146,7 +148,7 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
     found = StretchPlan::find(std::move(taken.stretch), path, settings_.limits);
   }
   if (!found) {
-    half_ = plan_.cells().size();  // it is run to its end
+    renew_ = plan_.cells().size();  // it is run to its end
     note_stop(plan_.cells().back(), blocks, emitter);
     return;
   }
@@ -158,8 +160,9 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(taken.count));
   plan_ = std::move(*found);
   place_ = {};
-  half_ = plan_.cells().size() / 2;
-  window_brake_ = plan_ends_at_stop_ ? plan_.cells().size() : plan_.last_braking();
+  const std::size_t count = plan_.cells().size();
+  window_brake_ = plan_ends_at_stop_ ? count : plan_.last_braking();
+  renew_ = std::max(count / 2, window_brake_ - std::min(window_brake_, count / kMarginOfWindow));
 }
 
 void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter) {

@@ -14,12 +14,13 @@
 namespace kerf::lookahead {
 
 // Blocks become cells once the joints at both their ends are known. A plan covers what is known up
-// to the next stop, at most window_cells; once half of it has been emitted it is found anew from
-// where the tool is, with what has come since. The cells that two plans share are the same, so what
-// the old plan still held is a feasible way for the new one; where the search does not find a way
-// that holds, the old plan is kept and ends at rest. Where it does not find one from rest, the way
-// is cut in two at its sharpest place, by a rest there, a few times at the most; what then still
-// does not hold is slowed down. Each of these is noted as a shortfall.
+// to the next stop, at most window_cells; shortly before it begins to brake for what is not known
+// yet, but not before half of it has been emitted, it is found anew from where the tool is, with
+// what has come since. The cells that two plans share are the same, so what the old plan still held
+// is a feasible way for the new one; where the search does not find a way that holds, the old plan
+// is kept and ends at rest. Where it does not find one from rest, the way is cut in two at its
+// sharpest place, by a rest there, a few times at the most; what then still does not hold is slowed
+// down. Each of these is noted as a shortfall.
 //
 // A single line from rest to rest is planned by the S-curve, which is its optimum in closed form.
 class OptimumSchedule final : public Schedule {
@@ -75,8 +76,8 @@ class OptimumSchedule final : public Schedule {
   std::optional<OpenBlock> open_;
   std::deque<WaitingCell> waiting_;
   StretchPlan plan_;
-  PlanPlace place_{};     // of plan_: what comes next
-  std::size_t half_ = 0;  // of the cells of plan_: from there on it is to be renewed
+  PlanPlace place_{};      // of plan_: what comes next
+  std::size_t renew_ = 0;  // from this cell of plan_ on it is to be found anew
   bool plan_ends_at_stop_ = true;
   std::size_t window_brake_ = 0;  // from this cell of plan_ on it brakes for what is not known yet
 };
