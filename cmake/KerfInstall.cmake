@@ -28,7 +28,7 @@ get_property(libraries GLOBAL PROPERTY KERF_LIBRARIES)
 install(TARGETS ${libraries} kerf_front EXPORT kerf ARCHIVE)
 install(EXPORT kerf NAMESPACE kerf:: FILE kerfTargets.cmake DESTINATION "${package_folder}")
 
-foreach(folder profiles curves interp machine parser lookahead kernel)
+foreach(folder profiles curves interp machine parser smoothing lookahead kernel)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" DESTINATION include/kerf FILES_MATCHING PATTERN "*.hpp")
 endforeach()
 install(FILES "${front_header}" DESTINATION include/kerf)

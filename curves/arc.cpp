@@ -125,6 +125,21 @@ tl::expected<Arc, CurveError> Arc::make(const ArcShape& shape) {
   return arc;
 }
 
+Arc Arc::part(const Stretch& stretch) const noexcept {
+  Arc arc = *this;
+  arc.start_mm_ = at(stretch.begin_mm);
+  arc.end_mm_ = at(stretch.end_mm);
+  arc.length_mm_ = stretch.end_mm - stretch.begin_mm;
+  const double turned_rad = rad_per_mm_ * stretch.begin_mm;
+  const double cosine = std::cos(turned_rad);
+  const double sine = std::sin(turned_rad);
+  for (std::size_t i = 0; i < 2; ++i) {
+    arc.outward_mm_[i] = cosine * outward_mm_[i] + sine * forward_mm_[i];
+    arc.forward_mm_[i] = cosine * forward_mm_[i] - sine * outward_mm_[i];
+  }
+  return arc;
+}
+
 Position Arc::at(double s_mm) const noexcept {
   if (s_mm >= length_mm_) {
     return end_mm_;

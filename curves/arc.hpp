@@ -41,6 +41,9 @@ class Arc {
   // kMaxCoordinate_mm, turns < 1, no such axis.
   static tl::expected<Arc, CurveError> make(const ArcShape& shape);
 
+  // From begin_mm to end_mm along it. Precondition: 0 <= begin < end <= length.
+  [[nodiscard]] Arc part(const Stretch& stretch) const noexcept;
+
   [[nodiscard]] double length_mm() const noexcept { return length_mm_; }
   [[nodiscard]] double radius_mm() const noexcept { return radius_mm_; }
   [[nodiscard]] int normal_axis() const noexcept { return normal_axis_; }

@@ -1,5 +1,7 @@
 #include "curves/curve.hpp"
 
+#include <utility>
+
 namespace kerf::curves {
 namespace {
 
@@ -60,6 +62,19 @@ Extents extents(const Curve& curve) {
     return arc->extents();
   }
   return std::get_if<NurbsCurve>(&curve)->extents();
+}
+
+std::optional<Curve> part(const Curve& curve, const Stretch& stretch) {
+  if (const auto* line = std::get_if<Line>(&curve)) {
+    return line->part(stretch);
+  }
+  if (const auto* arc = std::get_if<Arc>(&curve)) {
+    return arc->part(stretch);
+  }
+  if (auto nurbs = std::get_if<NurbsCurve>(&curve)->part(stretch)) {
+    return std::move(*nurbs);
+  }
+  return std::nullopt;
 }
 
 }  // namespace kerf::curves

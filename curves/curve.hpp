@@ -1,6 +1,7 @@
 // The curves a program can be made of: exact, valid by construction, parametrised by arc length.
 #pragma once
 
+#include <optional>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -34,6 +35,9 @@ double length_mm(const Curve& curve) noexcept;
 Position position_at(const Curve& curve, double s_mm) noexcept;
 PathDerivatives derivatives_at(const Curve& curve, double s_mm) noexcept;
 Extents extents(const Curve& curve);
+// From begin_mm to end_mm along it. Precondition: 0 <= begin < end <= length. Nothing: it is too
+// short to be a curve.
+std::optional<Curve> part(const Curve& curve, const Stretch& stretch);
 
 // Calls use(const Piece&) for the pieces of the curve in order.
 template <typename Use>

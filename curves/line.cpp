@@ -41,6 +41,14 @@ tl::expected<Line, CurveError> Line::resting(const Position& point_mm, double le
   return line;
 }
 
+Line Line::part(const Stretch& stretch) const noexcept {
+  Line line = *this;
+  line.start_mm_ = at(stretch.begin_mm);
+  line.end_mm_ = at(stretch.end_mm);
+  line.length_mm_ = stretch.end_mm - stretch.begin_mm;
+  return line;
+}
+
 Position Line::at(double s_mm) const noexcept {
   if (s_mm >= length_mm_) {
     return end_mm_;

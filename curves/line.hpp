@@ -17,6 +17,9 @@ class Line {
   // their way. Error: the point is not usable, or the length is not positive and finite.
   static tl::expected<Line, CurveError> resting(const Position& point_mm, double length_mm);
 
+  // From begin_mm to end_mm along it. Precondition: 0 <= begin < end <= length.
+  [[nodiscard]] Line part(const Stretch& stretch) const noexcept;
+
   [[nodiscard]] double length_mm() const noexcept { return length_mm_; }
   [[nodiscard]] const Position& direction() const noexcept { return direction_; }
   // s_mm is clamped to [0, length]; both ends are exact.

@@ -99,6 +99,15 @@ std::size_t NurbsCurve::piece_index(double s_mm) const noexcept {
   return static_cast<std::size_t>(found - pieces_.begin());
 }
 
+double NurbsCurve::s_at(double u) const noexcept {
+  const auto found =
+      std::partition_point(pieces_.begin(), pieces_.end() - 1,
+                           [&](const NurbsPiece& piece) { return piece.u_end <= u; });
+  const double width = found->u_end - found->u_begin;
+  const double x = width > 0.0 ? 2.0 * (u - found->u_begin) / width - 1.0 : 1.0;
+  return length_at(*found, x > 1.0 ? 1.0 : (x > -1.0 ? x : -1.0));
+}
+
 Position NurbsCurve::at(double s_mm) const noexcept {
   return pieces_[piece_index(s_mm)].at(s_mm);
 }

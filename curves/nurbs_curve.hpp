@@ -1,6 +1,7 @@
 // A non-uniform rational B-spline, smooth (tangent-continuous) from end to end.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,10 +43,17 @@ class NurbsCurve {
   static tl::expected<std::vector<NurbsCurve>, CurveError> from_spans(
       std::span<const BezierSpan> spans, const Position& end_mm);
 
+  // From begin_mm to end_mm along it, on the same points to rounding. Precondition: 0 <= begin <
+  // end
+  // <= length. Nothing: a piece cut off is so short that its length cannot be told.
+  [[nodiscard]] std::optional<NurbsCurve> part(const Stretch& stretch) const;
+
   [[nodiscard]] double length_mm() const noexcept { return pieces_.back().s_end_mm; }
   [[nodiscard]] const std::vector<NurbsPiece>& pieces() const noexcept { return pieces_; }
   // Index of the piece that holds s_mm (clamped): binary search.
   [[nodiscard]] std::size_t piece_index(double s_mm) const noexcept;
+  // Where the parameter is u (clamped): the arc length at which x(s) says so.
+  [[nodiscard]] double s_at(double u) const noexcept;
   [[nodiscard]] Position at(double s_mm) const noexcept;
   [[nodiscard]] PathDerivatives derivatives_at(double s_mm) const noexcept;
   // Touched by the curve, and passed by it by less than 1e-9 mm.

@@ -18,18 +18,6 @@ double scaled_length(const NurbsPiece& piece, double s_mm) noexcept {
   return 2.0 * ((s_mm - piece.s_begin_mm) / (piece.s_end_mm - piece.s_begin_mm)) - 1.0;
 }
 
-// Even and odd powers in two chains that the processor runs side by side.
-double local_parameter(const NurbsPiece& piece, double s_mm) noexcept {
-  static_assert(NurbsPiece::kMapDegree == 9);
-  const auto& c = piece.local_by_length;
-  const double y = scaled_length(piece, s_mm);
-  const double z = y * y;
-  const double even = (((c[8] * z + c[6]) * z + c[4]) * z + c[2]) * z + c[0];
-  const double odd = (((c[9] * z + c[7]) * z + c[5]) * z + c[3]) * z + c[1];
-  const double x = even + y * odd;
-  return x > 1.0 ? 1.0 : (x < -1.0 ? -1.0 : x);
-}
-
 Homogeneous coefficient(const NurbsPiece& piece, int k) noexcept {
   return Eigen::Map<const Homogeneous>(piece.coefficients[static_cast<std::size_t>(k)].data());
 }
@@ -116,6 +104,38 @@ Position first_three(const Homogeneous& v) noexcept {
 }
 
 }  // namespace
+
+// Even and odd powers in two chains that the processor runs side by side.
+double local_parameter(const NurbsPiece& piece, double s_mm) noexcept {
+  static_assert(NurbsPiece::kMapDegree == 9);
+  const auto& c = piece.local_by_length;
+  const double y = scaled_length(piece, s_mm);
+  const double z = y * y;
+  const double even = (((c[8] * z + c[6]) * z + c[4]) * z + c[2]) * z + c[0];
+  const double odd = (((c[9] * z + c[7]) * z + c[5]) * z + c[3]) * z + c[1];
+  const double x = even + y * odd;
+  return x > 1.0 ? 1.0 : (x < -1.0 ? -1.0 : x);
+}
+
+double length_at(const NurbsPiece& piece, double x) noexcept {
+  constexpr int kSteps = 4;
+  const auto& c = piece.local_by_length;
+  double y = x;
+  for (int i = 0; i < kSteps; ++i) {
+    double value = 0.0;
+    double slope = 0.0;
+    for (std::size_t k = c.size(); k-- > 0;) {
+      slope = slope * y + value;
+      value = value * y + c[k];
+    }
+    if (!(slope > 0.0)) {
+      break;
+    }
+    y -= (value - x) / slope;
+  }
+  y = y > 1.0 ? 1.0 : (y > -1.0 ? y : -1.0);
+  return piece.s_begin_mm + 0.5 * (1.0 + y) * (piece.s_end_mm - piece.s_begin_mm);
+}
 
 Position NurbsPiece::at(double s_mm) const noexcept {
   if (ends_curve && s_mm >= s_end_mm) {

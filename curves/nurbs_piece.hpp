@@ -39,6 +39,12 @@ struct NurbsPiece {
   [[nodiscard]] double u_at(double s_mm) const noexcept;
 };
 
+// x(s), within [-1, 1]. s_mm outside the piece is clamped.
+double local_parameter(const NurbsPiece& piece, double s_mm) noexcept;
+
+// s where x(s) is x, which is within [-1, 1].
+double length_at(const NurbsPiece& piece, double x) noexcept;
+
 // |dC/dx| at the local parameter x: the arc length per x.
 double speed_mm(const NurbsPiece& piece, double x) noexcept;
 

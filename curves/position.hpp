@@ -40,6 +40,12 @@ struct PathDerivatives {
   Position third_per_mm2{};
 };
 
+// Along a curve, from its start. begin_mm < end_mm.
+struct Stretch {
+  double begin_mm = 0.0;
+  double end_mm = 0.0;
+};
+
 // The box that a path fills.
 struct Extents {
   Position min_mm{};

@@ -4,10 +4,10 @@
 #include <tuple>
 
 #include "kernel/reader_options.hpp"
-#include "lookahead/block_builder.hpp"
 #include "machine/envelope.hpp"
 #include "parser/errors/machine.hpp"
 #include "parser/program_reader.hpp"
+#include "smoothing/part_builder.hpp"
 
 namespace kerf {
 
@@ -34,8 +34,8 @@ class Checker {
 
   // Of what follows an error only the curves are looked at: it may start anywhere.
   void look_at(const parser::Move& move, bool after_error, CheckReport& report) {
-    curves_.clear();
-    if (const auto built = lookahead::append_curves(move, curves_); !built) {
+    parts_.clear();
+    if (const auto built = smoothing::append_parts(move, parts_); !built) {
       report.diagnostics.emplace_back(
           parser::SourcePosition{.line = built.error().line, .column = 1, .file = move.source.file},
           parser::errors::kCurveRefused, built.error().message);
@@ -44,15 +44,15 @@ class Checker {
     if (after_error || report.has_errors()) {
       return;
     }
-    if (curves_.empty()) {
+    if (parts_.empty()) {
       return;
     }
     unite(report.extra_extents, move.extra.begin_rad_mm, !report.moves);
     unite(report.extra_extents, move.extra.end_rad_mm, false);
     check_travel(machine::outside_travel(extra_envelope_, move.extra.end_rad_mm), move.source,
                  report);
-    for (const curves::Curve& curve : curves_) {
-      const curves::Extents extents = curves::extents(curve);
+    for (const smoothing::PathPart& part : parts_) {
+      const curves::Extents extents = curves::extents(part.curve);
       unite(report.extents, extents, !report.moves);
       report.moves = true;
       check_travel(machine::outside_travel(envelope_, extents), move.source, report);
@@ -74,7 +74,7 @@ class Checker {
   static constexpr std::size_t kMaxLimitFaults = 100;
   machine::Envelope envelope_;
   machine::ExtraEnvelope extra_envelope_;
-  std::vector<curves::Curve> curves_;
+  std::vector<smoothing::PathPart> parts_;
 };
 
 void name_files(const parser::ProgramReader& reader, std::vector<parser::Diagnostic>& diagnostics) {

@@ -1,5 +1,6 @@
 #include "kernel/kernel.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -12,12 +13,36 @@
 #include "machine/envelope.hpp"
 #include "parser/errors/machine.hpp"
 #include "parser/program_reader.hpp"
+#include "smoothing/smoother.hpp"
 
 namespace kerf {
 
 using interp::MotionQueue;
 using parser::Diagnostic;
 using parser::Move;
+using smoothing::PathPart;
+using Output = smoothing::Smoother::Output;
+
+namespace {
+
+smoothing::BlendSettings blend_settings(const MachineSettings& settings) {
+  const lookahead::PlanLimits& limits = settings.limits;
+  smoothing::BlendSettings blend{.acceleration_mm_s2 = limits.path.acceleration_mm_s2,
+                                 .jerk_mm_s3 = limits.path.jerk_mm_s3};
+  const machine::Envelope envelope = machine::envelope_of(settings.table);
+  curves::Extents travel;
+  for (std::size_t k = 0; k < 3; ++k) {
+    blend.acceleration_mm_s2 =
+        std::min(blend.acceleration_mm_s2, limits.axes[k].acceleration_mm_s2);
+    blend.jerk_mm_s3 = std::min(blend.jerk_mm_s3, limits.axes[k].jerk_mm_s3);
+    travel.min_mm[k] = envelope[k].min_mm;
+    travel.max_mm[k] = envelope[k].max_mm;
+  }
+  blend.travel = travel;
+  return blend;
+}
+
+}  // namespace
 
 class Kernel::Impl {
  public:
@@ -27,6 +52,7 @@ class Kernel::Impl {
         extra_envelope_(settings.table.extra),
         checks_travel_(options.checks_travel),
         reader_(reader_options(settings, options)),
+        smoother_(blend_settings(settings)),
         planner_({.limits = settings.limits,
                   .profile = options.profile,
                   .window_blocks = options.window_blocks}),
@@ -46,7 +72,7 @@ class Kernel::Impl {
       if (finished_) {
         return false;
       }
-      if (!take_move()) {
+      if (!take_next()) {
         return true;
       }
     }
@@ -63,8 +89,11 @@ class Kernel::Impl {
 
   void drain() {
     if (!finished_) {
-      planner_.drain();
-      plan();
+      smoother_.flush();
+      if (plan()) {
+        planner_.drain();
+        plan();
+      }
     }
   }
 
@@ -82,65 +111,100 @@ class Kernel::Impl {
   [[nodiscard]] const lookahead::PlanTotals& totals() const { return planner_.totals(); }
 
  private:
-  // The next move of the program into the window. False: there is no more text.
-  bool take_move() {
-    Move move;
-    const bool read = reader_.next(move);
-    if (reader_.has_errors()) {
-      end_program();
-      return true;
-    }
-    if (!read) {
-      if (reader_.at_end()) {
-        end_program();
+  // What is next of the program into the window. False: there is no more text.
+  bool take_next() {
+    Output output;
+    while (!smoother_.next(output)) {
+      if (program_ended_) {
+        planner_.finish(line_);
+        finished_ = true;
         return true;
       }
-      return false;
+      if (!read_move()) {
+        return false;
+      }
     }
-    source_ = move.source;
-    line_ = move.source.line;
-    if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
-      planner_.push_rest(dwell->duration_s, line_);
-    } else if (const auto* event = std::get_if<parser::EventMove>(&move.shape)) {
-      lookahead::push_event(*event, line_, planner_);
+    if (path_cut_) {
+      return true;
+    }
+    if (auto* part = std::get_if<PathPart>(&output)) {
+      push_part(std::move(*part));
     } else {
-      push_blocks(move);
+      push_pause(std::get<Move>(output));
     }
     return true;
   }
 
-  void push_blocks(const Move& move) {
-    if (const char* what = lookahead::unbounded(limits_); what != nullptr) {
-      fail({line_, std::string("the machine has no limit of ") + what},
-           parser::errors::kMachineWithoutLimit);
-      return;
+  // The next move of the program into the smoother. False: there is no more text.
+  bool read_move() {
+    Move move;
+    const bool read = reader_.next(move);
+    if (!read && !reader_.has_errors() && !reader_.at_end()) {
+      return false;
     }
-    blocks_.clear();
-    if (const auto built = lookahead::append_blocks(move, limits_, blocks_); !built) {
-      fail(built.error(), parser::errors::kCurveRefused);
-      return;
+    if (!read || reader_.has_errors()) {
+      end_program();
+      return true;
     }
-    if (checks_travel_ && leaves_travel(move)) {
-      return;
+    source_ = move.source;
+    line_ = move.source.line;
+    if (const auto taken = smoother_.push(move); !taken) {
+      fail(taken.error(), parser::errors::kCurveRefused);
     }
-    for (lookahead::Block& block : blocks_) {
-      planner_.push(std::move(block));
+    return true;
+  }
+
+  void push_pause(const Move& move) {
+    if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
+      planner_.push_rest(dwell->duration_s, move.source.line);
+    } else if (const auto* event = std::get_if<parser::EventMove>(&move.shape)) {
+      lookahead::push_event(*event, move.source.line, planner_);
     }
   }
 
-  bool leaves_travel(const Move& move) {
-    auto excess = machine::outside_travel(extra_envelope_, move.extra.end_rad_mm);
-    for (std::size_t i = 0; i < blocks_.size() && !excess; ++i) {
-      excess = machine::outside_travel(envelope_, curves::extents(blocks_[i].curve));
+  void push_part(PathPart part) {
+    if (const char* what = lookahead::unbounded(limits_); what != nullptr) {
+      cut_path(part.source, {part.source.line, std::string("the machine has no limit of ") + what},
+               parser::errors::kMachineWithoutLimit);
+      return;
+    }
+    const parser::SourcePosition source = part.source;
+    const std::vector<parser::EventMove> changes = part.changes;
+    const auto block = lookahead::block_of(std::move(part), limits_);
+    if (!block) {
+      cut_path(source, block.error(), parser::errors::kCurveRefused);
+      return;
+    }
+    if (checks_travel_ && leaves_travel(*block, source)) {
+      return;
+    }
+    for (const parser::EventMove& change : changes) {
+      lookahead::push_event(change, block->line, planner_);
+    }
+    planner_.push(std::move(*block));
+  }
+
+  bool leaves_travel(const lookahead::Block& block, const parser::SourcePosition& source) {
+    auto excess = machine::outside_travel(extra_envelope_, block.extra.end_rad_mm);
+    if (!excess) {
+      excess = machine::outside_travel(envelope_, curves::extents(block.curve));
     }
     if (excess) {
       left_travel_ = true;
-      fail({line_, machine::describe(*excess)}, parser::errors::kOutsideTravel);
+      cut_path(source, {block.line, machine::describe(*excess)}, parser::errors::kOutsideTravel);
     }
     return excess.has_value();
   }
 
-  void fail(const lookahead::PlanError& error, const parser::ErrorPage& page) {
+  // The path ends before this part, and nothing that the smoother still holds is run.
+  void cut_path(const parser::SourcePosition& source, const smoothing::PathError& error,
+                const parser::ErrorPage& page) {
+    path_cut_ = true;
+    source_ = source;
+    fail(error, page);
+  }
+
+  void fail(const smoothing::PathError& error, const parser::ErrorPage& page) {
     plan_failed_ = true;
     all_diagnostics_ = reader_.diagnostics();
     parser::SourcePosition place = source_;
@@ -153,9 +217,10 @@ class Kernel::Impl {
     end_program();
   }
 
+  // What is held back still runs.
   void end_program() {
-    planner_.finish(line_);
-    finished_ = true;
+    smoother_.flush();
+    program_ended_ = true;
   }
 
   lookahead::PlanLimits limits_;
@@ -163,14 +228,16 @@ class Kernel::Impl {
   machine::ExtraEnvelope extra_envelope_;
   bool checks_travel_;
   parser::ProgramReader reader_;
+  smoothing::Smoother smoother_;
   lookahead::Planner planner_;
   MotionQueue queue_;
   interp::Interpolator interpolator_;
   std::int64_t horizon_ticks_;
   Delivery delivery_{queue_};
-  std::vector<lookahead::Block> blocks_;
   parser::SourcePosition source_;  // of the move taken last
   std::uint32_t line_ = 0;
+  bool program_ended_ = false;  // what the smoother still holds is all that follows
+  bool path_cut_ = false;
   bool finished_ = false;
   bool plan_failed_ = false;
   bool left_travel_ = false;

@@ -9,6 +9,7 @@
 #include "lookahead/ceiling.hpp"
 #include "lookahead/limits.hpp"
 #include "profiles/shape_value.hpp"
+#include "smoothing/path_part.hpp"
 
 namespace kerf::lookahead {
 
@@ -27,12 +28,7 @@ struct BlockEnd {
   curves::ExtraPosition extra_per_mm{};  // what the extra axes move by the path's length
 };
 
-// From here on, along a block's curve, the motion belongs to this line of the program.
-struct LineMark {
-  double s_mm = 0.0;
-  std::uint32_t line = 0;
-  std::uint64_t run_block = 0;  // as Block::run_block
-};
+using smoothing::LineMark;
 
 struct Block {
   curves::Curve curve;
@@ -51,8 +47,8 @@ struct Block {
   BlockEnd begin{};
   BlockEnd end{};
   bool stop_after = false;  // exact stop
-  // It goes on where and as the block before ends, in every derivative that its curve has, by
-  // construction: nothing jumps there but what rounding left.
+  // It goes on where and as the block before ends, in direction and curvature, by construction:
+  // nothing of them jumps there but what rounding left.
   bool continues = false;
   Ceiling ceiling{};  // empty: limits.feedrate_mm_s everywhere
 };

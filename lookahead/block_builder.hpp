@@ -1,4 +1,4 @@
-// Moves to blocks: a valid curve with its limits and the feedrate it allows at each point.
+// Path parts to blocks: a valid curve with its limits and the feedrate it allows at each point.
 #pragma once
 
 #include <vector>
@@ -7,18 +7,20 @@
 
 #include "lookahead/block.hpp"
 #include "lookahead/limits.hpp"
-#include "lookahead/plan_error.hpp"
 #include "parser/move.hpp"
+#include "smoothing/path_error.hpp"
+#include "smoothing/path_part.hpp"
 
 namespace kerf::lookahead {
 
-// Appends the blocks of a move, normally one: a NURBS with corners gives one for each smooth part.
-// A dwell or an event gives none. Error: the curve is not valid, with the line to blame.
-tl::expected<void, PlanError> append_blocks(const parser::Move& move, const PlanLimits& limits,
-                                            std::vector<Block>& blocks);
+// Error: axes move that the machine has no limits of.
+tl::expected<Block, smoothing::PathError> block_of(smoothing::PathPart part,
+                                                   const PlanLimits& limits);
 
-// The same without ceilings, for a look at the geometry alone.
-tl::expected<void, PlanError> append_curves(const parser::Move& move,
-                                            std::vector<curves::Curve>& curves);
+// Appends the blocks of a move as it is programmed (smoothing/part_builder.hpp). Error: the curve
+// is not valid, with the line to blame.
+tl::expected<void, smoothing::PathError> append_blocks(const parser::Move& move,
+                                                       const PlanLimits& limits,
+                                                       std::vector<Block>& blocks);
 
 }  // namespace kerf::lookahead

@@ -17,8 +17,9 @@ MAY_INCLUDE = {
     "interp": {"curves", "profiles"},
     "machine": {"interp", "curves"},
     "parser": set(),
-    "lookahead": {"parser", "curves", "profiles", "interp"},
-    "kernel": {"parser", "lookahead", "curves", "profiles", "interp", "machine"},
+    "smoothing": {"parser", "curves"},
+    "lookahead": {"parser", "smoothing", "curves", "profiles", "interp"},
+    "kernel": {"parser", "smoothing", "lookahead", "curves", "profiles", "interp", "machine"},
 }
 LIBRARY = set(MAY_INCLUDE)
 TICK_SIDE = {"profiles", "curves", "interp", "machine"}

@@ -1,0 +1,135 @@
+#include "smoothing/blend.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "curves/bezier_span.hpp"
+
+namespace kerf::smoothing {
+
+using curves::PathDerivatives;
+using curves::Position;
+using curves::vec;
+
+namespace {
+
+constexpr int kDegree = 5;
+constexpr int kPlaces = 32;  // of a blend, where its departure is looked at
+constexpr int kProjections = 4;
+constexpr double kReach = 1.5;  // of the way, within which the nearest point of a curve lies
+
+// r's derivatives by w at an end: s = d w^3 from the corner, so s' = 3 d and s'' = 6 d there.
+struct EndDerivatives {
+  Eigen::Vector3d point, first, second;
+};
+
+EndDerivatives at_begin(const PathDerivatives& path, double way_mm) {
+  return {vec(path.position_mm), 3.0 * way_mm * vec(path.first),
+          9.0 * way_mm * way_mm * vec(path.second_per_mm) - 6.0 * way_mm * vec(path.first)};
+}
+
+EndDerivatives at_end(const PathDerivatives& path, double way_mm) {
+  return {vec(path.position_mm), 3.0 * way_mm * vec(path.first),
+          9.0 * way_mm * way_mm * vec(path.second_per_mm) + 6.0 * way_mm * vec(path.first)};
+}
+
+curves::BezierSpan hermite_span(const EndDerivatives& begin, const EndDerivatives& end) {
+  const std::array<Eigen::Vector3d, 6> points{
+      Eigen::Vector3d::Zero(),
+      0.2 * begin.first,
+      0.4 * begin.first + 0.05 * begin.second,
+      end.point - begin.point - 0.4 * end.first + 0.05 * end.second,
+      end.point - begin.point - 0.2 * end.first,
+      end.point - begin.point};
+  curves::BezierSpan span{.degree = kDegree, .u_begin = 0.0L, .u_end = 1.0L};
+  span.origin_mm = begin.point.cast<curves::Wide>();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    span.points[i] << points[i].cast<curves::Wide>(), 1.0L;
+  }
+  return span;
+}
+
+// The nearest point of a curve, by Newton's method from a place close to it.
+double distance_mm(const curves::Curve& curve, const Position& point, double s_mm,
+                   const curves::Stretch& within) {
+  double s = std::clamp(s_mm, within.begin_mm, within.end_mm);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kProjections; ++i) {
+    const PathDerivatives path = curves::derivatives_at(curve, s);
+    const Eigen::Vector3d away = vec(point) - vec(path.position_mm);
+    nearest = std::min(nearest, away.norm());
+    const double slope = 1.0 - away.dot(vec(path.second_per_mm));
+    s = std::clamp(s + away.dot(vec(path.first)) / std::max(slope, 0.5), within.begin_mm,
+                   within.end_mm);
+  }
+  return std::min(nearest, (vec(point) - vec(curves::position_at(curve, s))).norm());
+}
+
+}  // namespace
+
+std::optional<Blend> make_blend(const Corner& corner, double way_mm) {
+  const double length_mm = curves::length_mm(*corner.before);
+  const EndDerivatives begin =
+      at_begin(curves::derivatives_at(*corner.before, length_mm - way_mm), way_mm);
+  const EndDerivatives end = at_end(curves::derivatives_at(*corner.after, way_mm), way_mm);
+  const curves::BezierSpan span = hermite_span(begin, end);
+  auto made = curves::NurbsCurve::from_spans({&span, 1}, curves::to_position(end.point));
+  if (!made || made->size() != 1) {
+    return std::nullopt;
+  }
+  Blend blend{.curve = std::move(made->front())};
+  blend.s_corner_mm = blend.curve.s_at(0.5);
+  return blend;
+}
+
+Departure departure_of(const Blend& blend, const Corner& corner, double way_mm) {
+  const double before_mm = curves::length_mm(*corner.before);
+  const double after_mm = curves::length_mm(*corner.after);
+  if (std::holds_alternative<curves::Line>(*corner.before) &&
+      std::holds_alternative<curves::Line>(*corner.after)) {
+    return {.distance_mm = 0.125 * way_mm * shape_of(corner).turn,
+            .at_mm = blend.curve.at(blend.s_corner_mm)};
+  }
+  const double reach_mm = kReach * way_mm;
+  const Position tip_mm = curves::position_at(*corner.after, 0.0);
+  Departure largest;
+  double from_tip_mm = std::numeric_limits<double>::infinity();
+  Position nearest_tip_mm{};
+  for (int k = 1; k < kPlaces; ++k) {
+    const double w = static_cast<double>(k) / kPlaces;
+    const Position point = blend.curve.at(blend.curve.s_at(w));
+    const double behind_mm = way_mm * (1.0 - w) * (1.0 - w) * (1.0 - w);
+    const double to_before = distance_mm(*corner.before, point, before_mm - behind_mm,
+                                         {std::max(0.0, before_mm - reach_mm), before_mm});
+    const double to_after =
+        distance_mm(*corner.after, point, way_mm * w * w * w, {0.0, std::min(reach_mm, after_mm)});
+    const double away_mm = std::min(to_before, to_after);
+    if (away_mm > largest.distance_mm) {
+      largest = {.distance_mm = away_mm, .at_mm = point};
+    }
+    const double tip = (vec(point) - vec(tip_mm)).norm();
+    if (tip < from_tip_mm) {
+      from_tip_mm = tip;
+      nearest_tip_mm = point;
+    }
+  }
+  return from_tip_mm > largest.distance_mm
+             ? Departure{.distance_mm = from_tip_mm, .at_mm = nearest_tip_mm}
+             : largest;
+}
+
+CornerShape shape_of(const Corner& corner) {
+  const PathDerivatives before =
+      curves::derivatives_at(*corner.before, curves::length_mm(*corner.before));
+  const PathDerivatives after = curves::derivatives_at(*corner.after, 0.0);
+  return {.turn = (vec(after.first) - vec(before.first)).norm(),
+          .curvature_per_mm =
+              std::max(vec(before.second_per_mm).norm(), vec(after.second_per_mm).norm()),
+          .bend_per_mm = (vec(after.second_per_mm) - vec(before.second_per_mm)).norm()};
+}
+
+}  // namespace kerf::smoothing

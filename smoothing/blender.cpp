@@ -1,0 +1,226 @@
+#include "smoothing/blender.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace kerf::smoothing {
+
+namespace {
+
+constexpr double kSmooth = 1e-9;        // of a turn, and of a curvature's jump by mm
+constexpr double kSharpest = 1.95;      // 2 sin(77 degrees)
+constexpr double kOfTolerance = 0.999;  // rounding and the places between those looked at
+constexpr double kOfRadius = 0.5;       // of a curve beside a corner
+constexpr double kOfNeed = 1.3;         // of the way that the feedrate needs
+constexpr double kLeastWay_mm = 1e-5;
+constexpr double kLeastRest_mm = 1e-6;  // of a part between two blends; a shorter one goes with one
+constexpr int kShrinkings = 16;
+
+double larger_box(const curves::Extents& box, const curves::Extents& travel) {
+  double beyond = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    beyond = std::max({beyond, travel.min_mm[k] - box.min_mm[k], box.max_mm[k] - travel.max_mm[k]});
+  }
+  return beyond;
+}
+
+// What a corner gets of a part whose other corner wants some, too: no less than half.
+double allotted_mm(double wanted_mm, double other_mm, double length_mm) {
+  return std::min(wanted_mm, std::max(0.5 * length_mm, length_mm - other_mm));
+}
+
+double feedrate_mm_s(const PathPart& part) {
+  return part.rapid ? std::numeric_limits<double>::infinity() : part.feedrate_mm_s;
+}
+
+bool may_bend(const PathPart& part) {
+  return part.mode == parser::PathMode::blend && part.corner_tolerance_mm > 0.0 &&
+         part.extra.length_mm == 0.0;
+}
+
+void shift_marks(PathPart& part, double by_mm) {
+  std::vector<LineMark>& marks = part.marks;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const double s = marks[i].s_mm - by_mm;
+    if (s <= 0.0) {
+      marks[0] = {.s_mm = 0.0, .line = marks[i].line};
+      kept = 1;
+    } else {
+      marks[kept++] = {.s_mm = s, .line = marks[i].line};
+    }
+  }
+  marks.resize(kept);
+}
+
+std::uint32_t first_line(const PathPart& part) {
+  return part.marks.empty() ? part.source.line : part.marks.front().line;
+}
+
+std::uint32_t last_line(const PathPart& part) {
+  return part.marks.empty() ? part.source.line : part.marks.back().line;
+}
+
+}  // namespace
+
+// kappa and the jerk's coefficient of a blend of way 1 between two lines, in its middle: with
+// |r'| = 1.5 cos and |r' x r''| = 9 sin cos (of half the angle). The largest third derivative is
+// some 2.5 times the curvature over the way.
+double Blender::wanted_way_mm(const Held& before, const Held& after) const {
+  if (!may_bend(before.part) || !may_bend(after.part) || after.part.continues) {
+    return 0.0;
+  }
+  const CornerShape shape = shape_of({.before = &before.part.curve, .after = &after.part.curve});
+  if ((shape.turn < kSmooth && shape.bend_per_mm < kSmooth) || shape.turn > kSharpest) {
+    return 0.0;
+  }
+  const double tolerance =
+      kOfTolerance * (std::min(before.part.corner_tolerance_mm, after.part.corner_tolerance_mm) -
+                      std::max(before.part.end_departure_mm, after.part.end_departure_mm));
+  if (!(tolerance > 0.0)) {
+    return 0.0;
+  }
+  double way = std::min(before.part.reach_mm, after.part.reach_mm);
+  if (shape.turn > 0.0) {
+    way = std::min(way, 8.0 * tolerance / shape.turn);
+  }
+  if (shape.curvature_per_mm > 0.0) {
+    way = std::min(way, kOfRadius / shape.curvature_per_mm);
+  }
+  const double feedrate = std::min(feedrate_mm_s(before.part), feedrate_mm_s(after.part));
+  if (std::isfinite(feedrate)) {
+    const double half_sine = 0.5 * shape.turn;
+    const double curvature = 8.0 / 3.0 * half_sine / (1.0 - half_sine * half_sine);
+    const double v2 = feedrate * feedrate;
+    const double need =
+        std::max(curvature * v2 / settings_.acceleration_mm_s2,
+                 std::sqrt(2.5 * curvature * v2 * feedrate / settings_.jerk_mm_s3)) +
+        1.5 * shape.bend_per_mm * v2 * feedrate / settings_.jerk_mm_s3;
+    way = std::min(way, kOfNeed * need);
+  }
+  return way;
+}
+
+std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& after,
+                                               double way_mm) {
+  const Corner corner{.before = &before.part.curve, .after = &after.part.curve};
+  const double tolerance =
+      std::min(before.part.corner_tolerance_mm, after.part.corner_tolerance_mm);
+  const double away_mm = std::max(before.part.end_departure_mm, after.part.end_departure_mm);
+  for (int i = 0; i < kShrinkings && way_mm > kLeastWay_mm; ++i) {
+    auto blend = make_blend(corner, way_mm);
+    if (!blend) {
+      return std::nullopt;
+    }
+    Departure departure = departure_of(*blend, corner, way_mm);
+    departure.distance_mm += away_mm;
+    if (departure.distance_mm <= kOfTolerance * tolerance + 1e-12 &&
+        (!settings_.travel || larger_box(blend->curve.extents(), *settings_.travel) <= 0.0)) {
+      departure.line = first_line(after.part);
+      departure_.widen(departure);
+      return Chosen{.blend = std::move(*blend), .way_mm = way_mm};
+    }
+    way_mm *= 0.75;
+  }
+  return std::nullopt;
+}
+
+void Blender::push(PathPart part, std::vector<PathPart>& out) {
+  Held held{.part = std::move(part)};
+  held.length_mm = curves::length_mm(held.part.curve);
+  if (!first_) {
+    first_ = std::move(held);
+    return;
+  }
+  Held& before = second_ ? *second_ : *first_;
+  held.wanted_mm = wanted_way_mm(before, held);
+  if (second_) {
+    settle(held.wanted_mm, out);
+  }
+  second_ = std::move(held);
+}
+
+void Blender::flush(std::vector<PathPart>& out) {
+  if (second_) {
+    settle(0.0, out);
+  }
+  if (first_) {
+    emit_rest_of(*first_, 0.0, out);
+    first_.reset();
+  }
+}
+
+void Blender::settle(double wanted_at_end_mm, std::vector<PathPart>& out) {
+  const double free_mm = first_->length_mm - first_->cut_begin_mm;
+  double way =
+      std::min(allotted_mm(second_->wanted_mm, wanted_at_end_mm, second_->length_mm), free_mm);
+  if (free_mm - way < kLeastRest_mm) {
+    way = free_mm;
+  }
+  std::optional<Chosen> chosen;
+  if (second_->wanted_mm > kLeastWay_mm && way > kLeastWay_mm) {
+    chosen = choose(*first_, *second_, way);
+  }
+  const double cut_end = chosen ? chosen->way_mm : 0.0;
+  emit_rest_of(*first_, cut_end, out);
+  if (chosen) {
+    emit_blend(std::move(*chosen), *first_, *second_, out);
+  }
+  first_ = std::move(second_);
+  second_.reset();
+}
+
+void Blender::emit_rest_of(Held& held, double cut_end_mm, std::vector<PathPart>& out) const {
+  PathPart& part = held.part;
+  if (held.cut_begin_mm == 0.0 && cut_end_mm == 0.0) {
+    out.push_back(std::move(part));
+    return;
+  }
+  const curves::Stretch rest{held.cut_begin_mm, held.length_mm - cut_end_mm};
+  if (!(rest.end_mm - rest.begin_mm >= 0.5 * kLeastRest_mm)) {
+    return;
+  }
+  auto curve = curves::part(part.curve, rest);
+  if (!curve) {
+    return;
+  }
+  PathPart& left = out.emplace_back(part);
+  left.curve = std::move(*curve);
+  left.continues = left.continues || held.follows_blend;
+  shift_marks(left, rest.begin_mm);
+}
+
+void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
+                         std::vector<PathPart>& out) const {
+  curves::NurbsCurve& curve = chosen.blend.curve;
+  PathPart part{.curve = curve};
+  part.source = before.part.source;
+  part.source.line = last_line(before.part);
+  part.rapid = before.part.rapid && after.part.rapid;
+  part.feedrate_mm_s = std::min(feedrate_mm_s(before.part), feedrate_mm_s(after.part));
+  part.mode = parser::PathMode::blend;
+  part.continues = true;
+  after.cut_begin_mm = chosen.way_mm;
+  after.follows_blend = true;
+  const std::uint32_t line_after = first_line(after.part);
+  const double s = chosen.blend.s_corner_mm;
+  if (after.part.changes.empty()) {
+    part.marks = {{.s_mm = 0.0, .line = part.source.line}, {.s_mm = s, .line = line_after}};
+    out.push_back(std::move(part));
+    return;
+  }
+  auto into = curve.part({0.0, s});
+  auto out_of = curve.part({s, curve.length_mm()});
+  PathPart second = part;
+  part.curve = std::move(*into);
+  second.curve = std::move(*out_of);
+  second.source = after.part.source;
+  second.source.line = line_after;
+  second.changes = std::exchange(after.part.changes, {});
+  out.push_back(std::move(part));
+  out.push_back(std::move(second));
+}
+
+}  // namespace kerf::smoothing

@@ -1,0 +1,62 @@
+// Corners to blends: path parts in, path parts out, with a look ahead of two.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "curves/curve.hpp"
+#include "smoothing/blend.hpp"
+#include "smoothing/departure.hpp"
+#include "smoothing/path_part.hpp"
+
+namespace kerf::smoothing {
+
+// By which blends are sized. Infinity: does not bind.
+struct BlendSettings {
+  double acceleration_mm_s2 = 0.0;  // of the weakest axis
+  double jerk_mm_s3 = 0.0;
+  std::optional<curves::Extents> travel{};  // what of it no blend leaves
+};
+
+// A corner is blended where both its parts are in G64 with a tolerance, and the lesser of their
+// tolerances counts. The blend is as large as the tolerance allows, or as the feedrate needs if
+// that is less, and takes of each part half its length at the most, or what the part's other corner
+// leaves. Corners that nearly turn back are left as they are, for a stop.
+class Blender {
+ public:
+  explicit Blender(const BlendSettings& settings) : settings_(settings) {}
+
+  void push(PathPart part, std::vector<PathPart>& out);
+  // What is held back leaves, up to its programmed end.
+  void flush(std::vector<PathPart>& out);
+
+  [[nodiscard]] const Departure& departure() const noexcept { return departure_; }
+
+ private:
+  struct Held {
+    PathPart part;
+    double length_mm = 0.0;
+    double cut_begin_mm = 0.0;  // what the blend before it has taken
+    bool follows_blend = false;
+    double wanted_mm = 0.0;  // by the corner at its begin
+  };
+  struct Chosen {
+    Blend blend;
+    double way_mm = 0.0;
+  };
+
+  [[nodiscard]] double wanted_way_mm(const Held& before, const Held& after) const;
+  // The largest blend up to way_mm that stays within the tolerance.
+  [[nodiscard]] std::optional<Chosen> choose(const Held& before, const Held& after, double way_mm);
+  // Decides the corner between the two held parts and lets the first go.
+  void settle(double wanted_at_end_mm, std::vector<PathPart>& out);
+  void emit_rest_of(Held& held, double cut_end_mm, std::vector<PathPart>& out) const;
+  void emit_blend(Chosen chosen, const Held& before, Held& after, std::vector<PathPart>& out) const;
+
+  BlendSettings settings_;
+  std::optional<Held> first_;
+  std::optional<Held> second_;
+  Departure departure_{};
+};
+
+}  // namespace kerf::smoothing

@@ -1,0 +1,23 @@
+// How far the commanded path is from the programmed one.
+#pragma once
+
+#include <cstdint>
+
+#include "curves/position.hpp"
+
+namespace kerf::smoothing {
+
+// The largest distance, either way round, and the place of the commanded path where it is.
+struct Departure {
+  double distance_mm = 0.0;
+  curves::Position at_mm{};
+  std::uint32_t line = 0;
+
+  void widen(const Departure& other) {
+    if (other.distance_mm > distance_mm) {
+      *this = other;
+    }
+  }
+};
+
+}  // namespace kerf::smoothing

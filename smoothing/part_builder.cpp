@@ -1,0 +1,126 @@
+#include "smoothing/part_builder.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "curves/arc_builder.hpp"
+#include "curves/straight.hpp"
+
+namespace kerf::smoothing {
+
+using parser::ArcMove;
+using parser::LineMove;
+using parser::Move;
+using parser::NurbsMove;
+
+namespace {
+
+int normal_axis(parser::Plane plane) {
+  switch (plane) {
+    case parser::Plane::zx:
+      return 1;
+    case parser::Plane::yz:
+      return 0;
+    default:
+      return 2;
+  }
+}
+
+curves::ArcShape arc_shape(const Move& move, const ArcMove& arc) {
+  return {.start_mm = move.start_mm,
+          .end_mm = arc.end_mm,
+          .centre_mm = arc.centre_mm,
+          .normal_axis = normal_axis(arc.plane),
+          .clockwise = arc.clockwise,
+          .turns = arc.turns};
+}
+
+curves::NurbsData nurbs_data(const NurbsMove& nurbs) {
+  curves::NurbsData data{.degree = nurbs.degree, .points = {}, .knots = nurbs.knots};
+  data.points.reserve(nurbs.points.size());
+  for (const parser::NurbsPoint& point : nurbs.points) {
+    data.points.push_back({.position_mm = point.position_mm, .weight = point.weight});
+  }
+  return data;
+}
+
+// The line of the knot or control point that an error names, else that of the curve's first block.
+std::uint32_t line_to_blame(const Move& move, const curves::CurveError& error) {
+  const auto* nurbs = std::get_if<NurbsMove>(&move.shape);
+  if (nurbs != nullptr && error.where != curves::CurveError::Where::whole) {
+    const bool knot = error.where == curves::CurveError::Where::knot;
+    const std::vector<std::uint32_t>& lines = knot ? nurbs->knot_lines : nurbs->point_lines;
+    if (error.index < lines.size()) {
+      return lines[error.index];
+    }
+  }
+  return move.source.line;
+}
+
+// X, Y and Z rest, and the length is that of the extra axes' own way.
+bool moves_extra_alone(const Move& move) {
+  const auto* line = std::get_if<LineMove>(&move.shape);
+  return line != nullptr && line->end_mm == move.start_mm && move.extra.moves();
+}
+
+tl::expected<curves::Line, curves::CurveError> make_line(const Move& move, const LineMove& line) {
+  return moves_extra_alone(move) ? curves::Line::resting(move.start_mm, move.extra.length_rad_mm())
+                                 : curves::Line::between(move.start_mm, line.end_mm);
+}
+
+PathPart part_of(curves::Curve curve, const Move& move) {
+  PathPart part{.curve = std::move(curve)};
+  part.source = move.source;
+  part.run_block = move.block;
+  part.rapid = move.rapid;
+  part.feedrate_mm_s = move.feedrate_mm_s;
+  part.mode = move.mode;
+  part.corner_tolerance_mm = move.mode == parser::PathMode::blend ? move.blend_tolerance_mm : 0.0;
+  part.stop_after = move.mode == parser::PathMode::exact_stop;
+  part.extra = {.begin_rad_mm = move.extra.begin_rad_mm,
+                .end_rad_mm = move.extra.end_rad_mm,
+                .length_mm = move.extra.moves() ? curves::length_mm(part.curve) : 0.0,
+                .alone = moves_extra_alone(move)};
+  return part;
+}
+
+}  // namespace
+
+tl::expected<void, PathError> append_parts(const Move& move, std::vector<PathPart>& parts) {
+  const auto refuse = [&move](const curves::CurveError& error) {
+    return tl::make_unexpected(PathError{line_to_blame(move, error), error.message});
+  };
+  if (const auto* line = std::get_if<LineMove>(&move.shape)) {
+    const auto built = make_line(move, *line);
+    if (!built) {
+      return refuse(built.error());
+    }
+    parts.push_back(part_of(*built, move));
+  } else if (const auto* arc = std::get_if<ArcMove>(&move.shape)) {
+    const auto built = curves::make_arc(arc_shape(move, *arc));
+    if (!built) {
+      return refuse(built.error());
+    }
+    std::visit([&](const auto& curve) { parts.push_back(part_of(curve, move)); }, *built);
+    parts.back().arc_normal = normal_axis(arc->plane);
+  } else if (const auto* nurbs = std::get_if<NurbsMove>(&move.shape)) {
+    if (move.extra.moves()) {
+      return tl::make_unexpected(
+          PathError{move.source.line, "A, B, C, U, V and W cannot move on a spline"});
+    }
+    auto built = curves::NurbsCurve::make(nurbs_data(*nurbs));
+    if (!built) {
+      return refuse(built.error());
+    }
+    for (curves::NurbsCurve& curve : *built) {
+      const bool last = &curve == &built->back();
+      const auto straight = curves::straight(curve);
+      parts.push_back(
+          part_of(straight ? curves::Curve(*straight) : curves::Curve(std::move(curve)), move));
+      parts.back().stop_after = parts.back().stop_after && last;
+    }
+  }
+  return {};
+}
+
+}  // namespace kerf::smoothing

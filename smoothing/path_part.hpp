@@ -1,0 +1,46 @@
+// What smoothing hands to the look-ahead: one smooth curve and what the program says of it.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "curves/curve.hpp"
+#include "curves/extra_way.hpp"
+#include "parser/move.hpp"
+
+namespace kerf::smoothing {
+
+// From s_mm on, counted on the part's curve, the motion belongs to this line of the program.
+struct LineMark {
+  double s_mm = 0.0;
+  std::uint32_t line = 0;
+  std::uint64_t run_block = 0;  // parser::Move::block of the line's move
+};
+
+struct PathPart {
+  curves::Curve curve;
+  parser::SourcePosition source{};  // of its first line
+  std::uint64_t run_block = 0;      // parser::Move::block of the move that it begins with
+  bool rapid = false;
+  double feedrate_mm_s = 0.0;  // not used by rapids
+  curves::ExtraWay extra{};
+  parser::PathMode mode = parser::PathMode::exact_path;
+  double corner_tolerance_mm = 0.0;  // within which its corners may be blended
+  // Of a part that itself is not exactly as programmed: how far it is from that within reach_mm of
+  // its ends, which is as far as a blend may reach into it.
+  double end_departure_mm = 0.0;
+  double reach_mm = std::numeric_limits<double>::infinity();
+  bool stop_after = false;
+  // The normal axis of the arc that it was programmed as. A spiral is a NurbsCurve with one.
+  std::optional<int> arc_normal{};
+  // Empty: all of it belongs to source.line. Else the first is at 0.
+  std::vector<LineMark> marks{};
+  // Changes that come with the first tick on it.
+  std::vector<parser::EventMove> changes{};
+  // Direction and curvature go on from the part before, by construction.
+  bool continues = false;
+};
+
+}  // namespace kerf::smoothing

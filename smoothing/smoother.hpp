@@ -1,0 +1,46 @@
+// Programmed moves to the path that is run: what stands between the parser and the look-ahead.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "parser/move.hpp"
+#include "smoothing/blender.hpp"
+#include "smoothing/departure.hpp"
+#include "smoothing/path_error.hpp"
+#include "smoothing/path_part.hpp"
+
+namespace kerf::smoothing {
+
+// Moves go in; in the same order come out the parts of the path, and the moves that are a dwell or
+// an event. In G61 and G61.1 a part is a move; in G64 corners are blended within P.
+class Smoother {
+ public:
+  using Output = std::variant<parser::Move, PathPart>;
+
+  explicit Smoother(const BlendSettings& settings) : blender_(settings) {}
+
+  // Error: the curve is not valid; nothing of the move is taken.
+  tl::expected<void, PathError> push(const parser::Move& move);
+  // Everything that is held back comes out; the path ends where the program's does so far.
+  void flush();
+  // False: more moves have to come, or a flush.
+  bool next(Output& output);
+
+  // Of all that came out.
+  [[nodiscard]] const Departure& departure() const noexcept { return blender_.departure(); }
+
+ private:
+  void queue_parts();
+
+  Blender blender_;
+  std::vector<PathPart> made_;     // of one move
+  std::vector<PathPart> blended_;  // of one push
+  std::vector<parser::EventMove> changes_;
+  std::vector<Output> outputs_;
+  std::size_t taken_ = 0;
+};
+
+}  // namespace kerf::smoothing
