@@ -43,11 +43,27 @@ std::vector<CellStop> apart(const std::vector<CellStop>& stops, const GridScan& 
 }
 
 EndFeeds feeds_of(const EndPassages& ends) {
-  return {.v_begin_mm_s = ends.begin ? ends.begin->feedrate_mm_s : kUnbounded,
-          .v_end_mm_s = ends.end ? ends.end->feedrate_mm_s : kUnbounded};
+  EndFeeds feeds = ends.beyond;
+  if (ends.begin) {
+    feeds.v_begin_mm_s = std::min(feeds.v_begin_mm_s, ends.begin->feedrate_mm_s);
+  }
+  if (ends.end) {
+    feeds.v_end_mm_s = std::min(feeds.v_end_mm_s, ends.end->feedrate_mm_s);
+  }
+  return feeds;
 }
 
 }  // namespace
+
+EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits) {
+  const std::vector<double> places = path.scan_places();
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    cells.push_back(cell_between(path, places[i], places[i + 1]));
+  }
+  const std::vector<double> feeds = estimate_feeds(cells, {}, limits);
+  return {.v_begin_mm_s = feeds.front(), .v_end_mm_s = feeds.back()};
+}
 
 std::vector<Cell> grid_of(const BlockPath& path, const EndPassages& ends,
                           const PlanLimits& limits) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lookahead/optimum/passages.hpp"
+#include "lookahead/optimum/speed_estimate.hpp"
 
 namespace kerf::lookahead {
 
@@ -12,5 +13,8 @@ namespace kerf::lookahead {
 // end where derivatives jump. Around jumps the cells have their share of the limits. Rests are
 // to be refined afterwards.
 std::vector<Cell> grid_of(const BlockPath& path, const EndPassages& ends, const PlanLimits& limits);
+
+// How fast the ends of a block can be passed for what is on it, were there nothing beyond.
+EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

@@ -54,18 +54,23 @@ PathAt OptimumSchedule::path_of(const Window<Block>& blocks) const {
 void OptimumSchedule::push(const Window<Block>& blocks) {
   const std::uint64_t number = pushed_++;
   Joint begin{};  // a stop
+  const EndFeeds own = end_feeds_of(BlockPath(blocks.back(), settings_.limits), settings_.limits);
+  double v_before = kUnbounded;
   if (open_) {
+    v_before = open_->own.v_end_mm_s;
     begin = joint_of({.before = &block_of(open_->number, blocks), .after = &blocks.back()},
                      settings_.limits);
-    close_open_block(begin, blocks);
+    close_open_block(begin, own.v_begin_mm_s, blocks);
   }
-  open_ = OpenBlock{.number = number, .begin = begin};
+  open_ = OpenBlock{.number = number, .begin = begin, .own = own, .v_before_mm_s = v_before};
 }
 
-void OptimumSchedule::close_open_block(const Joint& end, const Window<Block>& blocks) {
+void OptimumSchedule::close_open_block(const Joint& end, double v_beyond_mm_s,
+                                       const Window<Block>& blocks) {
   const Block& block = block_of(open_->number, blocks);
   const Joint begin = open_->begin;
   const std::uint64_t number = open_->number;
+  const double v_before = open_->v_before_mm_s;
   open_.reset();
   if (std::holds_alternative<curves::Line>(block.curve) && begin.is_stop() && end.is_stop()) {
     waiting_.push_back({.cell = {.block = number, .length_mm = block.length_mm, .rest_after = true},
@@ -74,7 +79,11 @@ void OptimumSchedule::close_open_block(const Joint& end, const Window<Block>& bl
   }
   std::vector<Cell> cells =
       grid_of(BlockPath(block, settings_.limits),
-              {.begin = passage_at(begin), .end = passage_at(end)}, settings_.limits);
+              {.begin = passage_at(begin),
+               .end = passage_at(end),
+               .beyond = {.v_begin_mm_s = begin.is_stop() ? kUnbounded : v_before,
+                          .v_end_mm_s = end.is_stop() ? kUnbounded : v_beyond_mm_s}},
+              settings_.limits);
   for (Cell& cell : cells) {
     cell.block = number;
     waiting_.push_back({.cell = cell});
@@ -96,7 +105,7 @@ bool OptimumSchedule::is_to_be_renewed() const {
 
 bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) {
   if (supply == Supply::draining && open_) {
-    close_open_block({}, blocks);
+    close_open_block({}, kUnbounded, blocks);
   }
   if (is_to_be_renewed()) {
     if (supply == Supply::wanted) {

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "lookahead/optimum/joint_share.hpp"
+#include "lookahead/optimum/speed_estimate.hpp"
 #include "lookahead/optimum/stretch_plan.hpp"
 #include "lookahead/schedule.hpp"
 #include "lookahead/span_schedule.hpp"
@@ -45,6 +46,8 @@ class OptimumSchedule final : public Schedule {
   struct OpenBlock {
     std::uint64_t number = 0;
     Joint begin{};
+    EndFeeds own{};                     // end_feeds_of
+    double v_before_mm_s = kUnbounded;  // at the end of the block before, likewise
   };
   struct WaitingCell {
     Cell cell{};
@@ -54,7 +57,7 @@ class OptimumSchedule final : public Schedule {
   [[nodiscard]] const Block& block_of(std::uint64_t number, const Window<Block>& blocks) const;
   [[nodiscard]] PathAt path_of(const Window<Block>& blocks) const;
   [[nodiscard]] std::size_t cells_left() const { return plan_.cells().size() - place_.cell; }
-  void close_open_block(const Joint& end, const Window<Block>& blocks);
+  void close_open_block(const Joint& end, double v_beyond_mm_s, const Window<Block>& blocks);
   [[nodiscard]] bool is_to_be_renewed() const;
   void plan(Window<Block>& blocks, Emitter& emitter);
   // What is left of the plan and waits behind it, refined for the rests at its ends.

@@ -6,6 +6,7 @@
 
 #include "lookahead/optimum/block_path.hpp"
 #include "lookahead/optimum/joint_share.hpp"
+#include "lookahead/optimum/speed_estimate.hpp"
 
 namespace kerf::lookahead {
 
@@ -13,6 +14,7 @@ namespace kerf::lookahead {
 struct EndPassages {
   std::optional<Passage> begin{};
   std::optional<Passage> end{};
+  EndFeeds beyond{};  // what the neighbours leave where the joint itself is smooth
 };
 
 struct CellStop {
