@@ -22,6 +22,16 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
     return {};
   }
   made_.clear();
+  if (Compressor::takes(move) && changes_.empty()) {
+    if (!compressor_.continues(move)) {
+      compressor_.flush(made_);
+    }
+    compressor_.push(move, made_);
+    blend_made();
+    return {};
+  }
+  compressor_.flush(made_);
+  blend_made();
   if (auto built = append_parts(move, made_); !built) {
     return built;
   }
@@ -31,15 +41,22 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
     outputs_.emplace_back(move);
     return {};
   }
-  for (PathPart& part : made_) {
-    part.changes = std::exchange(changes_, {});
-    blender_.push(std::move(part), blended_);
-  }
-  queue_parts();
+  made_.front().changes = std::exchange(changes_, {});
+  blend_made();
   return {};
 }
 
+void Smoother::blend_made() {
+  for (PathPart& part : made_) {
+    blender_.push(std::move(part), blended_);
+  }
+  made_.clear();
+  queue_parts();
+}
+
 void Smoother::flush() {
+  compressor_.flush(made_);
+  blend_made();
   blender_.flush(blended_);
   queue_parts();
 }
@@ -49,6 +66,12 @@ void Smoother::queue_parts() {
     outputs_.emplace_back(std::move(part));
   }
   blended_.clear();
+}
+
+const Departure& Smoother::departure() const noexcept {
+  const Departure& merged = compressor_.departure();
+  const Departure& blended = blender_.departure();
+  return blended.distance_mm > merged.distance_mm ? blended : merged;
 }
 
 bool Smoother::next(Output& output) {

@@ -8,6 +8,7 @@
 
 #include "parser/move.hpp"
 #include "smoothing/blender.hpp"
+#include "smoothing/compressor.hpp"
 #include "smoothing/departure.hpp"
 #include "smoothing/path_error.hpp"
 #include "smoothing/path_part.hpp"
@@ -20,7 +21,8 @@ class Smoother {
  public:
   using Output = std::variant<parser::Move, PathPart>;
 
-  explicit Smoother(const BlendSettings& settings) : blender_(settings) {}
+  explicit Smoother(const BlendSettings& settings)
+      : compressor_(settings.travel), blender_(settings) {}
 
   // Error: the curve is not valid; nothing of the move is taken.
   tl::expected<void, PathError> push(const parser::Move& move);
@@ -30,11 +32,14 @@ class Smoother {
   bool next(Output& output);
 
   // Of all that came out.
-  [[nodiscard]] const Departure& departure() const noexcept { return blender_.departure(); }
+  [[nodiscard]] const Departure& departure() const noexcept;
 
  private:
   void queue_parts();
 
+  void blend_made();
+
+  Compressor compressor_;
   Blender blender_;
   std::vector<PathPart> made_;     // of one move
   std::vector<PathPart> blended_;  // of one push

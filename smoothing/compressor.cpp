@@ -1,0 +1,223 @@
+#include "smoothing/compressor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kerf::smoothing {
+
+using curves::vec;
+
+namespace {
+
+constexpr std::size_t kWindow = 400;  // lines
+constexpr std::size_t kAhead = 24;    // of them, behind which corners are known
+constexpr std::size_t kSpansOfPart = 24;
+// A run is straight where it bends by less than a circle of this radius, or within rounding.
+constexpr double kStraightRadius_mm = 1e5;
+constexpr double kStraight_mm = 1e-6;
+constexpr double kOfTolerance = 0.2;
+
+}  // namespace
+
+bool Compressor::takes(const parser::Move& move) {
+  return std::holds_alternative<parser::LineMove>(move.shape) && !move.rapid &&
+         move.mode == parser::PathMode::blend && move.merge_tolerance_mm > 0.0 &&
+         !move.extra.moves();
+}
+
+bool Compressor::continues(const parser::Move& move) const {
+  return run_.empty() || (move.merge_tolerance_mm == like_.merge_tolerance_mm &&
+                          move.blend_tolerance_mm == like_.blend_tolerance_mm &&
+                          move.extra.begin_rad_mm == like_.extra.begin_rad_mm &&
+                          move.start_mm == run_.back().point_mm);
+}
+
+void Compressor::push(const parser::Move& move, std::vector<PathPart>& out) {
+  const curves::Position& end = std::get<parser::LineMove>(move.shape).end_mm;
+  if (run_.empty()) {
+    like_ = move;
+    settings_.tolerance_mm = move.merge_tolerance_mm;
+    run_.push_back({.point_mm = move.start_mm, .source = move.source});
+    scanned_ = 0;
+  }
+  const double length = (vec(end) - vec(run_.back().point_mm)).norm();
+  if (!(length > 0.0)) {
+    return;
+  }
+  run_.push_back({.point_mm = end,
+                  .w_mm = run_.back().w_mm + length,
+                  .feedrate_mm_s = move.feedrate_mm_s,
+                  .source = move.source});
+  if (run_.size() > kWindow) {
+    reduce(false, out);
+  }
+}
+
+void Compressor::flush(std::vector<PathPart>& out) {
+  if (run_.size() > 1) {
+    reduce(true, out);
+  }
+  run_.clear();
+  breaks_.clear();
+  tail_.reset();
+}
+
+void Compressor::reduce(bool ended, std::vector<PathPart>& out) {
+  while (run_.size() > (ended ? 1 : kWindow)) {
+    const std::size_t last = run_.size() - 1;
+    const std::size_t known = ended ? last : last - kAhead;
+    const auto corner = find_corner(known);
+    if (corner || ended) {
+      close_at(corner.value_or(last), out);
+    } else {
+      advance(known, out);
+    }
+  }
+}
+
+std::optional<std::size_t> Compressor::find_corner(std::size_t known) {
+  while (scanned_ + 1 < known) {
+    if (is_corner(run_, scanned_ + 1, settings_.tolerance_mm)) {
+      return scanned_ + 1;
+    }
+    ++scanned_;
+  }
+  return std::nullopt;
+}
+
+void Compressor::close_at(std::size_t vertex, std::vector<PathPart>& out) {
+  std::size_t last = vertex;
+  while (true) {
+    if (!tail_ && (last == 1 || emit_line(last, out))) {
+      if (last == 1) {
+        if (auto line = curves::Line::between(run_[0].point_mm, run_[1].point_mm)) {
+          out.push_back(part_of(*line, 1));
+        }
+      }
+      break;
+    }
+    const RunFit fit =
+        fit_run(run_, {.last = last, .judged = last, .pinned = true}, tail_, {}, settings_);
+    if (!fit.fails_at || last == 1) {
+      emit_spans(fit, fit.spline.spans.size(), true, out);
+      break;
+    }
+    last = std::min(*fit.fails_at, last - 1);
+  }
+  tail_.reset();
+  breaks_.clear();
+  drop_front(last);
+}
+
+void Compressor::advance(std::size_t known, std::vector<PathPart>& out) {
+  const std::size_t half = known / 2;
+  const RunFit fit = fit_run(run_, {.last = known, .judged = half + half / 2, .pinned = false},
+                             tail_, breaks_, settings_);
+  if (fit.fails_at) {
+    close_at(*fit.fails_at, out);
+    return;
+  }
+  std::size_t count = 1;
+  while (count + 1 < fit.breaks.size() && fit.breaks[count + 1] <= half) {
+    ++count;
+  }
+  emit_spans(fit, count, false, out);
+  tail_ = fit.spline.tail_after(count);
+  const std::size_t gone = fit.breaks[count];
+  breaks_.clear();
+  for (std::size_t k = count; k < fit.breaks.size() && fit.breaks[k] <= half + half / 2; ++k) {
+    breaks_.push_back(fit.breaks[k] - gone);
+  }
+  drop_front(gone);
+}
+
+bool Compressor::emit_line(std::size_t vertex, std::vector<PathPart>& out) {
+  const Eigen::Vector3d begin = vec(run_[0].point_mm);
+  const Eigen::Vector3d chord = vec(run_[vertex].point_mm) - begin;
+  const double length = chord.norm();
+  const double most =
+      std::max(kStraight_mm, std::min(kOfTolerance * settings_.tolerance_mm,
+                                      0.125 * length * length / kStraightRadius_mm));
+  Departure away;
+  double before = 0.0;
+  for (std::size_t i = 1; i < vertex; ++i) {
+    const Eigen::Vector3d seen = vec(run_[i].point_mm) - begin;
+    const double along = seen.dot(chord) / length;
+    const double aside = (seen - (along / length) * chord).norm();
+    if (!(aside <= most && along > before && along < length)) {
+      return false;
+    }
+    before = along;
+    away.widen({.distance_mm = aside, .at_mm = run_[i].point_mm, .line = run_[i].source.line});
+  }
+  auto line = curves::Line::between(run_[0].point_mm, run_[vertex].point_mm);
+  if (!line) {
+    return false;
+  }
+  departure_.widen(away);
+  PathPart whole = part_of(*line, 1);
+  whole.end_departure_mm = away.distance_mm;
+  for (std::size_t i = 1; i <= vertex; ++i) {
+    const double s = (vec(run_[i - 1].point_mm) - begin).dot(chord) / length;
+    if (i == 1 || run_[i].source.line != whole.marks.back().line) {
+      whole.marks.push_back({.s_mm = i == 1 ? 0.0 : s, .line = run_[i].source.line});
+    }
+  }
+  out.push_back(std::move(whole));
+  return true;
+}
+
+void Compressor::emit_spans(const RunFit& fit, std::size_t count, bool to_end,
+                            std::vector<PathPart>& out) {
+  for (std::size_t from = 0; from < count;) {
+    const std::size_t to = std::min(count, from + kSpansOfPart);
+    std::vector<curves::BezierSpan> spans;
+    PathPart settings;
+    double away = 0.0;
+    for (std::size_t k = from; k < to; ++k) {
+      spans.push_back(fit.spline.spans[k].bezier());
+      away = std::max(away, fit.away_mm[k]);
+      departure_.widen({.distance_mm = fit.away_mm[k],
+                        .at_mm = run_[fit.breaks[k]].point_mm,
+                        .line = run_[fit.breaks[k] + 1].source.line});
+    }
+    const curves::Position end =
+        to == count && to_end
+            ? run_[fit.breaks[to]].point_mm
+            : curves::to_position(fit.spline.spans[to - 1].at(fit.spline.spans[to - 1].w_end_mm));
+    auto made = curves::NurbsCurve::from_spans(spans, end);
+    if (made && made->size() == 1) {
+      curves::NurbsCurve& curve = made->front();
+      PathPart part = part_of(curve, fit.breaks[from] + 1);
+      part.continues = tail_.has_value() || from > 0;
+      part.end_departure_mm = away;
+      for (std::size_t i = fit.breaks[from]; i < fit.breaks[to]; ++i) {
+        const std::uint32_t line = run_[i + 1].source.line;
+        if (part.marks.empty() || part.marks.back().line != line) {
+          part.marks.push_back(
+              {.s_mm = part.marks.empty() ? 0.0 : curve.s_at(run_[i].w_mm), .line = line});
+        }
+      }
+      out.push_back(std::move(part));
+    }
+    from = to;
+  }
+}
+
+PathPart Compressor::part_of(curves::Curve curve, std::size_t line) const {
+  PathPart part{.curve = std::move(curve)};
+  part.source = run_[line].source;
+  part.feedrate_mm_s = run_[line].feedrate_mm_s;
+  part.extra = {.begin_rad_mm = like_.extra.begin_rad_mm, .end_rad_mm = like_.extra.end_rad_mm};
+  part.mode = parser::PathMode::blend;
+  part.corner_tolerance_mm = like_.blend_tolerance_mm;
+  return part;
+}
+
+void Compressor::drop_front(std::size_t vertices) {
+  run_.erase(run_.begin(), run_.begin() + static_cast<std::ptrdiff_t>(vertices));
+  scanned_ -= std::min(scanned_, vertices);
+}
+
+}  // namespace kerf::smoothing

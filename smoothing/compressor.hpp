@@ -1,0 +1,72 @@
+// Runs of short lines to splines: moves in, path parts out, with a window of some hundred lines.
+//
+// Idea. A run ends where the program means a corner (polyline.hpp); between its corners it becomes
+// one spline, four times continuously differentiable, or a line where it is one. A long run is
+// fitted window by window: of a window's curve the front part leaves for good, once what lies
+// behind it can hardly change it any more, and the next window's curve goes on from its last five
+// coefficients. Where no spline of reasonable spans stays within the tolerance there is a corner
+// after all; a line alone stays as it is. So every result is within the tolerance, as it was
+// measured.
+//
+// The window counts lines and knows nothing of how the text was read: the same program always gives
+// the same path.
+//
+// Weakness. Coarse arcs, whose chords rise by more than some tolerances, stay lines with blended
+// corners.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "curves/curve.hpp"
+#include "parser/move.hpp"
+#include "smoothing/departure.hpp"
+#include "smoothing/path_part.hpp"
+#include "smoothing/polyline.hpp"
+#include "smoothing/run_fit.hpp"
+
+namespace kerf::smoothing {
+
+class Compressor {
+ public:
+  // travel: what of it no curve leaves.
+  explicit Compressor(const std::optional<curves::Extents>& travel) { settings_.travel = travel; }
+
+  // A straight feed in G64 with a merging tolerance, of X, Y and Z alone.
+  [[nodiscard]] static bool takes(const parser::Move& move);
+  // It can be part of the run that is held. If not, flush first.
+  [[nodiscard]] bool continues(const parser::Move& move) const;
+
+  // Precondition: takes() and, unless empty, continues(). A move of no length is left out.
+  void push(const parser::Move& move, std::vector<PathPart>& out);
+  // The run ends with what was pushed.
+  void flush(std::vector<PathPart>& out);
+
+  [[nodiscard]] const Departure& departure() const noexcept { return departure_; }
+
+ private:
+  // Parts leave until more lines are needed, or all, if the run has ended.
+  void reduce(bool ended, std::vector<PathPart>& out);
+  // The first corner that is known, up to the vertex before which all are.
+  std::optional<std::size_t> find_corner(std::size_t known);
+  // The run up to this vertex is all there is between two corners.
+  void close_at(std::size_t vertex, std::vector<PathPart>& out);
+  // The front of a run that goes on.
+  void advance(std::size_t known, std::vector<PathPart>& out);
+  // False: it is no straight run.
+  bool emit_line(std::size_t vertex, std::vector<PathPart>& out);
+  void emit_spans(const RunFit& fit, std::size_t count, bool to_end, std::vector<PathPart>& out);
+  [[nodiscard]] PathPart part_of(curves::Curve curve, std::size_t line) const;
+  void drop_front(std::size_t vertices);
+
+  RunFitSettings settings_{};
+  parser::Move like_{};              // what the moves of the run have in common
+  Polyline run_;                     // from where it has not left yet
+  std::size_t scanned_ = 0;          // vertices up to here are no corners
+  std::vector<std::size_t> breaks_;  // of the last window, behind what has left
+  std::optional<SplineTail> tail_;   // the run's front has left as a spline
+  Departure departure_{};
+};
+
+}  // namespace kerf::smoothing

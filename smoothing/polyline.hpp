@@ -1,0 +1,39 @@
+// The points of a run of short lines, and what its corners are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "curves/position.hpp"
+#include "parser/move.hpp"
+
+namespace kerf::smoothing {
+
+struct Vertex {
+  curves::Position point_mm{};
+  double w_mm = 0.0;  // length of the run up to here
+  // Of the line that ends here.
+  double feedrate_mm_s = 0.0;
+  parser::SourcePosition source{};
+};
+
+using Polyline = std::vector<Vertex>;
+
+// A place where the program means a corner, seen from the lines around it. Precondition: it is
+// neither the first nor the last vertex. tolerance_mm: of merging, > 0.
+//
+// Lines that stand for a smooth curve turn by little, and each by about as much as its neighbours.
+// So it is a corner
+// - where two lines turn by more than a curve within the tolerance of both could follow: the
+//   curve's height over a chord is length times turn / 8;
+// - where the run turns, within a few tolerances, by much more than before and after. The lengths
+//   over which directions are taken are as long as the tolerance's, for noise in the last decimal
+//   turns very short lines by any angle;
+// - where a long line meets a short one: it was not meant to be part of the curve.
+bool is_corner(const Polyline& run, std::size_t index, double tolerance_mm);
+
+// How far a vertex sees when it is judged, in lengths of the lines beside it and in tolerances.
+inline constexpr double kCornerReach = 16.0;
+
+}  // namespace kerf::smoothing

@@ -1,0 +1,224 @@
+#include "smoothing/run_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace kerf::smoothing {
+
+using curves::vec;
+
+namespace {
+
+constexpr double kAimed = 0.5;     // of the tolerance: finer spans where the curve is farther off
+constexpr double kAllowed = 0.95;  // where spans cannot be finer
+constexpr int kRounds = 8;
+constexpr double kTurnOfSpan_rad = 0.5;
+constexpr std::size_t kLinesOfSpan = 32;
+constexpr double kGrowth = 3.0;          // of a span over its neighbour
+constexpr double kDirectionOver = 10.0;  // tolerances, against noise
+constexpr double kSamplesOfSpan = 6.0;
+constexpr double kHighChord = 0.4;  // tolerances: lines whose middle has to be looked at, too
+constexpr double kOutside_mm = 1e-9;
+
+class Fitting {
+ public:
+  Fitting(const Polyline& run, const RunStretch& stretch, const std::optional<SplineTail>& tail,
+          const RunFitSettings& settings)
+      : run_(&run), stretch_(stretch), tail_(&tail), settings_(&settings) {}
+
+  RunFit find(std::span<const std::size_t> breaks) {
+    place_breaks(breaks);
+    RunFit fit;
+    for (int round = 0;; ++round) {
+      fit.spline = solve();
+      fit.fails_at.reset();
+      if (!judge(fit, round + 1 < kRounds)) {
+        break;
+      }
+    }
+    fit.breaks = breaks_;
+    return fit;
+  }
+
+ private:
+  [[nodiscard]] double w_mm(std::size_t vertex) const { return (*run_)[vertex].w_mm; }
+  [[nodiscard]] const curves::Position& point(std::size_t vertex) const {
+    return (*run_)[vertex].point_mm;
+  }
+
+  // A span ends where the run has turned by kTurnOfSpan_rad since its begin.
+  void place_breaks(std::span<const std::size_t> given) {
+    breaks_.assign(given.begin(), given.end());
+    if (breaks_.empty()) {
+      breaks_.push_back(0);
+    }
+    const double over = kDirectionOver * settings_->tolerance_mm;
+    std::size_t from = breaks_.back();
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+    double turned = 0.0;
+    for (std::size_t i = from + 1; i < stretch_.last; ++i) {
+      if (w_mm(i) - w_mm(from) >= over) {
+        const Eigen::Vector3d next = (vec(point(i)) - vec(point(from))).normalized();
+        turned += direction.isZero() ? 0.0 : (next - direction).norm();
+        direction = next;
+        from = i;
+      }
+      const std::size_t begin = breaks_.back();
+      const std::size_t count = breaks_.size();
+      const bool grown =
+          count > 1 && w_mm(i) - w_mm(begin) >= kGrowth * (w_mm(begin) - w_mm(breaks_[count - 2]));
+      if (turned >= kTurnOfSpan_rad || i - begin >= kLinesOfSpan || grown) {
+        breaks_.push_back(i);
+        turned = 0.0;
+      }
+    }
+    breaks_.push_back(stretch_.last);
+  }
+
+  // Into how many steps a line is divided.
+  [[nodiscard]] std::size_t steps_of(std::size_t line, double span_mm) const {
+    const double length = w_mm(line + 1) - w_mm(line);
+    auto steps = static_cast<std::size_t>(std::ceil(kSamplesOfSpan * length / span_mm));
+    if (line > 0 && line + 1 < stretch_.last) {
+      const Eigen::Vector3d in = vec(point(line)) - vec(point(line - 1));
+      const Eigen::Vector3d along = vec(point(line + 1)) - vec(point(line));
+      const double turn = in.cross(along).norm() / (in.norm() * length);
+      if (length * turn > 8.0 * kHighChord * settings_->tolerance_mm) {
+        steps = std::max<std::size_t>(steps, 2);
+      }
+    }
+    return std::max<std::size_t>(steps, 1);
+  }
+
+  SplineFit solve() {
+    samples_.clear();
+    samples_.push_back({.w_mm = w_mm(0), .weight = 0.0, .point_mm = point(0)});
+    for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
+      const double span = w_mm(breaks_[k + 1]) - w_mm(breaks_[k]);
+      for (std::size_t i = breaks_[k]; i < breaks_[k + 1]; ++i) {
+        const std::size_t steps = steps_of(i, span);
+        const double length = w_mm(i + 1) - w_mm(i);
+        const double half = 0.5 * length / static_cast<double>(steps);
+        for (std::size_t step = 1; step <= steps; ++step) {
+          samples_.back().weight += half;
+          const double share = static_cast<double>(step) / static_cast<double>(steps);
+          samples_.push_back(
+              {.w_mm = w_mm(i) + share * length, .weight = half, .point_mm = between(i, share)});
+        }
+      }
+    }
+    FitEnds ends{.begin_mm = point(0), .tail = *tail_};
+    if (stretch_.pinned) {
+      ends.end_mm = point(stretch_.last);
+    }
+    breaks_mm_.clear();
+    for (const std::size_t vertex : breaks_) {
+      breaks_mm_.push_back(w_mm(vertex));
+    }
+    return fit_spline(breaks_mm_, samples_, ends);
+  }
+
+  [[nodiscard]] curves::Position between(std::size_t line, double share) const {
+    if (share == 1.0) {
+      return point(line + 1);
+    }
+    return curves::to_position((1.0 - share) * vec(point(line)) + share * vec(point(line + 1)));
+  }
+
+  [[nodiscard]] bool leaves_travel(const Eigen::Vector3d& place) const {
+    if (!settings_->travel) {
+      return false;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = place[static_cast<Eigen::Index>(k)];
+      if (x < settings_->travel->min_mm[k] - kOutside_mm ||
+          x > settings_->travel->max_mm[k] + kOutside_mm) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // At twice as many places as there are samples.
+  [[nodiscard]] double away_mm(const FitSpan& span, std::size_t k) const {
+    const double bend = span.bend_bound_per_mm();
+    double away = 0.0;
+    for (std::size_t i = breaks_[k]; i < breaks_[k + 1]; ++i) {
+      const std::size_t steps = 2 * steps_of(i, span.w_end_mm - span.w_begin_mm);
+      const double length = w_mm(i + 1) - w_mm(i);
+      const double step_mm = length / static_cast<double>(steps);
+      const double between_mm = 0.125 * step_mm * step_mm * bend;
+      for (std::size_t step = 1; step <= steps; ++step) {
+        const double share = static_cast<double>(step) / static_cast<double>(steps);
+        const Eigen::Vector3d place = span.at(w_mm(i) + share * length);
+        away = std::max(away, (place - vec(between(i, share))).norm() + between_mm);
+        if (leaves_travel(place)) {
+          away = std::numeric_limits<double>::infinity();
+        }
+      }
+    }
+    return away;
+  }
+
+  // The sharpest vertex of the span, where it is to be a corner.
+  [[nodiscard]] std::size_t sharpest(std::size_t k) const {
+    std::size_t found = std::clamp<std::size_t>(breaks_[k], 1, stretch_.last - 1);
+    double most = -1.0;
+    const std::size_t from = std::max<std::size_t>(breaks_[k], 1);
+    for (std::size_t i = from; i <= std::min(breaks_[k + 1], stretch_.last - 1); ++i) {
+      const Eigen::Vector3d in = vec(point(i)) - vec(point(i - 1));
+      const Eigen::Vector3d out = vec(point(i + 1)) - vec(point(i));
+      const double turn = std::atan2(in.cross(out).norm(), in.dot(out));
+      if (turn > most) {
+        most = turn;
+        found = i;
+      }
+    }
+    return found;
+  }
+
+  // True: spans were divided, and it is to be solved again.
+  bool judge(RunFit& fit, bool may_divide) {
+    std::vector<std::size_t> finer;
+    bool divided = false;
+    fit.away_mm.clear();
+    for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
+      finer.push_back(breaks_[k]);
+      const double away = away_mm(fit.spline.spans[k], k);
+      fit.away_mm.push_back(away);
+      if (breaks_[k] > stretch_.judged || away <= kAimed * settings_->tolerance_mm) {
+        continue;
+      }
+      if (may_divide && breaks_[k + 1] - breaks_[k] >= 2) {
+        finer.push_back(breaks_[k] + (breaks_[k + 1] - breaks_[k]) / 2);
+        divided = true;
+      } else if (!(away <= kAllowed * settings_->tolerance_mm) && !fit.fails_at) {
+        fit.fails_at = sharpest(k);
+      }
+    }
+    finer.push_back(breaks_.back());
+    if (divided) {
+      breaks_ = std::move(finer);
+    }
+    return divided;
+  }
+
+  const Polyline* run_;
+  RunStretch stretch_;
+  const std::optional<SplineTail>* tail_;
+  const RunFitSettings* settings_;
+  std::vector<std::size_t> breaks_;
+  std::vector<double> breaks_mm_;
+  std::vector<FitSample> samples_;
+};
+
+}  // namespace
+
+RunFit fit_run(const Polyline& run, const RunStretch& stretch,
+               const std::optional<SplineTail>& tail, std::span<const std::size_t> breaks,
+               const RunFitSettings& settings) {
+  return Fitting(run, stretch, tail, settings).find(breaks);
+}
+
+}  // namespace kerf::smoothing

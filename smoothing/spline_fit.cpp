@@ -1,0 +1,248 @@
+#include "smoothing/spline_fit.hpp"
+
+#include <algorithm>
+
+namespace kerf::smoothing {
+
+namespace {
+
+constexpr std::size_t kOrder = kFitDegree + 1;
+// Of a span's weight: enough to decide what no sample decides, and nothing that samples feel.
+constexpr double kStiffness = 1e-9;
+
+// Row j: the basis function that is the j-th from the left on the span, as powers of x.
+using SpanBasis = Eigen::Matrix<double, kOrder, kOrder, Eigen::RowMajor>;
+using Powers = Eigen::Matrix<double, kOrder, 1>;
+
+// By the recursion of Cox and de Boor, on polynomials. t: the knots around span k, which lies
+// between t[k + 5] and t[k + 6].
+SpanBasis basis_of(const std::vector<double>& t, std::size_t k) {
+  const std::size_t left = k + kFitDegree;
+  const double middle = 0.5 * (t[left] + t[left + 1]);
+  const double half = 0.5 * (t[left + 1] - t[left]);
+  SpanBasis basis = SpanBasis::Zero();
+  basis(0, 0) = 1.0;
+  for (std::size_t p = 1; p <= kFitDegree; ++p) {
+    SpanBasis next = SpanBasis::Zero();
+    // Function j of degree p - 1 begins in knot left - (p - 1) + j.
+    for (std::size_t j = 0; j < p; ++j) {
+      const std::size_t first = left + 1 + j - p;
+      const double from = t[first];
+      const double to = t[first + p];
+      const double inverse = 1.0 / (to - from);
+      for (std::size_t i = 0; i < p; ++i) {
+        const auto row = static_cast<Eigen::Index>(j);
+        const auto column = static_cast<Eigen::Index>(i);
+        const double c = basis(row, column) * inverse;
+        // (u - from) goes to function j + 1, (to - u) to function j, of degree p.
+        next(row + 1, column) += (middle - from) * c;
+        next(row + 1, column + 1) += half * c;
+        next(row, column) += (to - middle) * c;
+        next(row, column + 1) -= half * c;
+      }
+    }
+    basis = next;
+  }
+  return basis;
+}
+
+// Normal equations, symmetric: row i holds columns i - 5 to i.
+class NormalEquations {
+ public:
+  explicit NormalEquations(std::size_t count)
+      : rows_(count, Row::Zero()), right_(count, Eigen::Vector3d::Zero()) {}
+
+  void add(std::size_t first, const Powers& values, double weight, const Eigen::Vector3d& point) {
+    for (std::size_t i = 0; i < kOrder; ++i) {
+      const double scaled = weight * values[static_cast<Eigen::Index>(i)];
+      Row& row = rows_[first + i];
+      for (std::size_t j = 0; j <= i; ++j) {
+        row[static_cast<Eigen::Index>(kFitDegree - i + j)] +=
+            scaled * values[static_cast<Eigen::Index>(j)];
+      }
+      right_[first + i] += scaled * point;
+    }
+  }
+
+  // A third difference of coefficients is to be 0.
+  void stiffen(std::size_t first, double weight) {
+    constexpr std::array<double, 4> kDifference{-1.0, 3.0, -3.0, 1.0};
+    for (std::size_t i = 0; i < kDifference.size(); ++i) {
+      for (std::size_t j = 0; j <= i; ++j) {
+        rows_[first + i][static_cast<Eigen::Index>(kFitDegree - i + j)] +=
+            weight * kDifference[i] * kDifference[j];
+      }
+    }
+  }
+
+  void fix(std::size_t index, const Eigen::Vector3d& value) {
+    for (std::size_t j = index >= kFitDegree ? index - kFitDegree : 0; j < index; ++j) {
+      double& entry = rows_[index][static_cast<Eigen::Index>(kFitDegree + j - index)];
+      right_[j] -= entry * value;
+      entry = 0.0;
+    }
+    const std::size_t last = std::min(index + kFitDegree, rows_.size() - 1);
+    for (std::size_t i = index + 1; i <= last; ++i) {
+      double& entry = rows_[i][static_cast<Eigen::Index>(kFitDegree + index - i)];
+      right_[i] -= entry * value;
+      entry = 0.0;
+    }
+    rows_[index][kFitDegree] = 1.0;
+    right_[index] = value;
+  }
+
+  // L D L^T in place.
+  std::vector<Eigen::Vector3d> solve() {
+    const std::size_t count = rows_.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t first = i >= kFitDegree ? i - kFitDegree : 0;
+      for (std::size_t j = first; j < i; ++j) {
+        double sum = entry(i, j);
+        const std::size_t from = std::max(first, j >= kFitDegree ? j - kFitDegree : 0);
+        for (std::size_t m = from; m < j; ++m) {
+          sum -= entry(i, m) * entry(j, m) * entry(m, m);
+        }
+        entry(i, j) = sum / entry(j, j);
+        right_[i] -= entry(i, j) * right_[j];
+      }
+      for (std::size_t m = first; m < i; ++m) {
+        entry(i, i) -= entry(i, m) * entry(i, m) * entry(m, m);
+      }
+    }
+    for (std::size_t i = count; i-- > 0;) {
+      right_[i] /= entry(i, i);
+      const std::size_t last = std::min(i + kFitDegree, count - 1);
+      for (std::size_t j = i + 1; j <= last; ++j) {
+        right_[i] -= entry(j, i) * right_[j];
+      }
+    }
+    return std::move(right_);
+  }
+
+ private:
+  using Row = Eigen::Matrix<double, kOrder, 1>;
+  double& entry(std::size_t i, std::size_t j) {
+    return rows_[i][static_cast<Eigen::Index>(kFitDegree + j - i)];
+  }
+  std::vector<Row> rows_;
+  std::vector<Eigen::Vector3d> right_;
+};
+
+Powers powers_of(double x) {
+  const double x2 = x * x;
+  const double x3 = x2 * x;
+  return (Powers() << 1.0, x, x2, x3, x2 * x2, x3 * x2).finished();
+}
+
+std::vector<double> knots_of(std::span<const double> breaks_mm, const FitEnds& ends) {
+  std::vector<double> knots;
+  knots.reserve(breaks_mm.size() + 2 * kFitDegree);
+  if (ends.tail) {
+    knots.assign(ends.tail->knots_mm.begin(), ends.tail->knots_mm.end());
+  } else {
+    knots.assign(kFitDegree, breaks_mm.front());
+  }
+  knots.insert(knots.end(), breaks_mm.begin(), breaks_mm.end());
+  knots.insert(knots.end(), kFitDegree, breaks_mm.back());
+  return knots;
+}
+
+}  // namespace
+
+Eigen::Vector3d FitSpan::at(double w_mm) const {
+  const double x = local(w_mm);
+  Eigen::RowVector3d value = powers.row(kFitDegree);
+  for (Eigen::Index k = kFitDegree; k-- > 0;) {
+    value = value * x + powers.row(k);
+  }
+  return value.transpose();
+}
+
+double FitSpan::bend_bound_per_mm() const {
+  double bound = 0.0;
+  for (Eigen::Index k = 2; k <= static_cast<Eigen::Index>(kFitDegree); ++k) {
+    bound += static_cast<double>(k * (k - 1)) * powers.row(k).norm();
+  }
+  const double scale = 2.0 / (w_end_mm - w_begin_mm);
+  return bound * scale * scale;
+}
+
+curves::BezierSpan FitSpan::bezier() const {
+  std::array<curves::WidePoint, curves::kMaxDegree + 1> power{};
+  for (std::size_t k = 0; k <= kFitDegree; ++k) {
+    power[k].setZero();
+    if (k > 0) {
+      power[k].head<3>() =
+          powers.row(static_cast<Eigen::Index>(k)).transpose().cast<curves::Wide>();
+    }
+  }
+  power[0].w() = 1.0L;
+  curves::BezierSpan span = curves::from_powers(power, kFitDegree);
+  span.u_begin = static_cast<curves::Wide>(w_begin_mm);
+  span.u_end = static_cast<curves::Wide>(w_end_mm);
+  span.origin_mm = powers.row(0).transpose().cast<curves::Wide>();
+  return span;
+}
+
+SplineTail SplineFit::tail_after(std::size_t count) const {
+  SplineTail tail;
+  for (std::size_t i = 0; i < kFitDegree; ++i) {
+    tail.knots_mm[i] = knots_mm[count + i];
+    tail.coefficients[i] = coefficients[count + i];
+  }
+  return tail;
+}
+
+SplineFit fit_spline(std::span<const double> breaks_mm, std::span<const FitSample> samples,
+                     const FitEnds& ends) {
+  const std::size_t spans = breaks_mm.size() - 1;
+  SplineFit fit;
+  fit.knots_mm = knots_of(breaks_mm, ends);
+  std::vector<SpanBasis> bases;
+  bases.reserve(spans);
+  NormalEquations equations(spans + kFitDegree);
+  // Seen from here numbers are small.
+  const Eigen::Vector3d origin = curves::vec(samples.front().point_mm);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < spans; ++k) {
+    bases.push_back(basis_of(fit.knots_mm, k));
+    const FitSpan span{.w_begin_mm = breaks_mm[k], .w_end_mm = breaks_mm[k + 1]};
+    const bool last = k + 1 == spans;
+    while (next < samples.size() && (last || samples[next].w_mm < span.w_end_mm)) {
+      const FitSample& sample = samples[next++];
+      const Powers values = bases.back() * powers_of(span.local(sample.w_mm));
+      equations.add(k, values, sample.weight, curves::vec(sample.point_mm) - origin);
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      equations.stiffen(k + i, kStiffness * (span.w_end_mm - span.w_begin_mm));
+    }
+  }
+  if (ends.tail) {
+    for (std::size_t i = 0; i < kFitDegree; ++i) {
+      equations.fix(i, ends.tail->coefficients[i] - origin);
+    }
+  } else {
+    equations.fix(0, curves::vec(ends.begin_mm) - origin);
+  }
+  if (ends.end_mm) {
+    equations.fix(spans + kFitDegree - 1, curves::vec(*ends.end_mm) - origin);
+  }
+  fit.coefficients = equations.solve();
+  for (std::size_t k = 0; k < spans; ++k) {
+    FitSpan& span = fit.spans.emplace_back();
+    span.w_begin_mm = breaks_mm[k];
+    span.w_end_mm = breaks_mm[k + 1];
+    Eigen::Matrix<double, kOrder, 3> c;
+    for (std::size_t i = 0; i < kOrder; ++i) {
+      c.row(static_cast<Eigen::Index>(i)) = fit.coefficients[k + i].transpose();
+    }
+    span.powers = bases[k].transpose() * c;
+    span.powers.row(0) += origin.transpose();
+  }
+  for (Eigen::Vector3d& c : fit.coefficients) {
+    c += origin;
+  }
+  return fit;
+}
+
+}  // namespace kerf::smoothing

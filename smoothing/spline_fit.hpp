@@ -1,0 +1,80 @@
+// A smooth curve through noisy points: least squares in the space of quintic splines.
+//
+// Idea. A spline of degree 5 on given knots is four times continuously differentiable, so nothing
+// that the machine feels jumps, and its coefficients are what minimises the weighted sum of squared
+// distances from the samples: a system with eleven diagonals, O(n) to solve. Points that decimals
+// have moved to and fro are averaged by it as long as there are more of them than knots.
+// (Least squares with B-splines: C. de Boor, A Practical Guide to Splines, chapter XIV.)
+//
+// Weakness. The parameter is the length of the polyline, so where noise makes the polyline much
+// longer than the curve, the curve's speed is below 1; and next to an end the derivatives are known
+// less well than within.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "curves/bezier_span.hpp"
+#include "curves/position.hpp"
+
+namespace kerf::smoothing {
+
+inline constexpr std::size_t kFitDegree = 5;
+
+// A place w along the polyline, in mm from its begin, and the point there.
+struct FitSample {
+  double w_mm = 0.0;
+  double weight = 0.0;
+  curves::Position point_mm{};
+};
+
+// What a spline hands on to its continuation: the knots before the joint and the coefficients that
+// reach over it.
+struct SplineTail {
+  std::array<double, kFitDegree> knots_mm{};
+  std::array<Eigen::Vector3d, kFitDegree> coefficients{};
+};
+
+// One polynomial of the spline: powers of x in [-1, 1] over [w_begin, w_end].
+struct FitSpan {
+  double w_begin_mm = 0.0;
+  double w_end_mm = 0.0;
+  Eigen::Matrix<double, kFitDegree + 1, 3> powers{};
+
+  [[nodiscard]] double local(double w_mm) const {
+    return (2.0 * w_mm - w_begin_mm - w_end_mm) / (w_end_mm - w_begin_mm);
+  }
+  [[nodiscard]] Eigen::Vector3d at(double w_mm) const;
+  // Of |C''(w)| on the span.
+  [[nodiscard]] double bend_bound_per_mm() const;
+  [[nodiscard]] curves::BezierSpan bezier() const;
+};
+
+struct FitEnds {
+  // The begin of a spline of its own, in this point, if there is no tail to go on from.
+  curves::Position begin_mm{};
+  std::optional<SplineTail> tail{};
+  // Nothing: the end is as free as the rest.
+  std::optional<curves::Position> end_mm{};
+};
+
+struct SplineFit {
+  std::vector<FitSpan> spans;
+  std::vector<double> knots_mm;  // span k lies between knots k + 5 and k + 6
+  std::vector<Eigen::Vector3d> coefficients;
+
+  // To go on behind this many spans. Precondition: 0 < count <= spans.
+  [[nodiscard]] SplineTail tail_after(std::size_t count) const;
+};
+
+// breaks_mm: ascending, the ends of the spans, two at the least. Samples ascend and lie between the
+// first and the last.
+SplineFit fit_spline(std::span<const double> breaks_mm, std::span<const FitSample> samples,
+                     const FitEnds& ends);
+
+}  // namespace kerf::smoothing
