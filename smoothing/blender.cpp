@@ -40,27 +40,28 @@ bool may_bend(const PathPart& part) {
          part.extra.length_mm == 0.0;
 }
 
+// What the part's marks are once its first by_mm are gone.
 void shift_marks(PathPart& part, double by_mm) {
   std::vector<LineMark>& marks = part.marks;
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < marks.size(); ++i) {
-    const double s = marks[i].s_mm - by_mm;
-    if (s <= 0.0) {
-      marks[0] = {.s_mm = 0.0, .line = marks[i].line};
-      kept = 1;
-    } else {
-      marks[kept++] = {.s_mm = s, .line = marks[i].line};
-    }
+  for (const LineMark mark : std::vector<LineMark>(marks)) {
+    const double s = mark.s_mm - by_mm;
+    kept = s <= 0.0 ? 0 : kept;
+    marks[kept] = mark;
+    marks[kept].s_mm = std::max(s, 0.0);
+    ++kept;
   }
   marks.resize(kept);
 }
 
-std::uint32_t first_line(const PathPart& part) {
-  return part.marks.empty() ? part.source.line : part.marks.front().line;
+LineMark first_mark(const PathPart& part) {
+  return part.marks.empty() ? LineMark{.line = part.source.line, .run_block = part.run_block}
+                            : part.marks.front();
 }
 
-std::uint32_t last_line(const PathPart& part) {
-  return part.marks.empty() ? part.source.line : part.marks.back().line;
+LineMark last_mark(const PathPart& part) {
+  return part.marks.empty() ? LineMark{.line = part.source.line, .run_block = part.run_block}
+                            : part.marks.back();
 }
 
 }  // namespace
@@ -118,7 +119,7 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
     departure.distance_mm += away_mm;
     if (departure.distance_mm <= kOfTolerance * tolerance + 1e-12 &&
         (!settings_.travel || larger_box(blend->curve.extents(), *settings_.travel) <= 0.0)) {
-      departure.line = first_line(after.part);
+      departure.line = first_mark(after.part).line;
       departure_.widen(departure);
       return Chosen{.blend = std::move(*blend), .way_mm = way_mm};
     }
@@ -197,17 +198,21 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   curves::NurbsCurve& curve = chosen.blend.curve;
   PathPart part{.curve = curve};
   part.source = before.part.source;
-  part.source.line = last_line(before.part);
+  LineMark mark = last_mark(before.part);
+  LineMark mark_after = first_mark(after.part);
+  part.source.line = mark.line;
+  part.run_block = mark.run_block;
   part.rapid = before.part.rapid && after.part.rapid;
   part.feedrate_mm_s = std::min(feedrate_mm_s(before.part), feedrate_mm_s(after.part));
   part.mode = parser::PathMode::blend;
   part.continues = true;
   after.cut_begin_mm = chosen.way_mm;
   after.follows_blend = true;
-  const std::uint32_t line_after = first_line(after.part);
   const double s = chosen.blend.s_corner_mm;
   if (after.part.changes.empty()) {
-    part.marks = {{.s_mm = 0.0, .line = part.source.line}, {.s_mm = s, .line = line_after}};
+    mark.s_mm = 0.0;
+    mark_after.s_mm = s;
+    part.marks = {mark, mark_after};
     out.push_back(std::move(part));
     return;
   }
@@ -217,7 +222,8 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   part.curve = std::move(*into);
   second.curve = std::move(*out_of);
   second.source = after.part.source;
-  second.source.line = line_after;
+  second.source.line = mark_after.line;
+  second.run_block = mark_after.run_block;
   second.changes = std::exchange(after.part.changes, {});
   out.push_back(std::move(part));
   out.push_back(std::move(second));

@@ -4,14 +4,16 @@
 #include <cmath>
 #include <utility>
 
+#include "smoothing/run_parts.hpp"
+
 namespace kerf::smoothing {
 
 using curves::vec;
 
 namespace {
 
-constexpr std::size_t kWindow = 400;  // lines
-constexpr std::size_t kAhead = 24;    // of them, behind which corners are known
+constexpr std::size_t kAhead = 24;           // of them, behind which corners are known
+constexpr std::size_t kLongestLine = 65536;  // in lines of the program
 constexpr std::size_t kSpansOfPart = 24;
 // A run is straight where it bends by less than a circle of this radius, or within rounding.
 constexpr double kStraightRadius_mm = 1e5;
@@ -48,8 +50,9 @@ void Compressor::push(const parser::Move& move, std::vector<PathPart>& out) {
   run_.push_back({.point_mm = end,
                   .w_mm = run_.back().w_mm + length,
                   .feedrate_mm_s = move.feedrate_mm_s,
-                  .source = move.source});
-  if (run_.size() > kWindow) {
+                  .source = move.source,
+                  .run_block = move.block});
+  if (run_.size() > awaited_) {
     reduce(false, out);
   }
 }
@@ -64,12 +67,17 @@ void Compressor::flush(std::vector<PathPart>& out) {
 }
 
 void Compressor::reduce(bool ended, std::vector<PathPart>& out) {
-  while (run_.size() > (ended ? 1 : kWindow)) {
+  while (run_.size() > (ended ? 1 : awaited_)) {
     const std::size_t last = run_.size() - 1;
     const std::size_t known = ended ? last : last - kAhead;
     const auto corner = find_corner(known);
     if (corner || ended) {
       close_at(corner.value_or(last), out);
+    } else if (!tail_ && is_straight(known) && known < kLongestLine) {
+      straight_ = known;
+      awaited_ = 2 * run_.size();
+    } else if (straight_ > 0) {
+      close_at(straight_, out);
     } else {
       advance(known, out);
     }
@@ -88,15 +96,10 @@ std::optional<std::size_t> Compressor::find_corner(std::size_t known) {
 
 void Compressor::close_at(std::size_t vertex, std::vector<PathPart>& out) {
   std::size_t last = vertex;
-  while (true) {
-    if (!tail_ && (last == 1 || emit_line(last, out))) {
-      if (last == 1) {
-        if (auto line = curves::Line::between(run_[0].point_mm, run_[1].point_mm)) {
-          out.push_back(part_of(*line, 1));
-        }
-      }
-      break;
-    }
+  if (straight_ > 0 && straight_ < last && !is_straight(last)) {
+    last = straight_;
+  }
+  while (tail_ || !is_straight(last)) {
     const RunFit fit =
         fit_run(run_, {.last = last, .judged = last, .pinned = true}, tail_, {}, settings_);
     if (!fit.fails_at || last == 1) {
@@ -104,6 +107,9 @@ void Compressor::close_at(std::size_t vertex, std::vector<PathPart>& out) {
       break;
     }
     last = std::min(*fit.fails_at, last - 1);
+  }
+  if (!tail_ && is_straight(last)) {
+    emit_line(last, out);
   }
   tail_.reset();
   breaks_.clear();
@@ -132,14 +138,13 @@ void Compressor::advance(std::size_t known, std::vector<PathPart>& out) {
   drop_front(gone);
 }
 
-bool Compressor::emit_line(std::size_t vertex, std::vector<PathPart>& out) {
+bool Compressor::is_straight(std::size_t vertex) const {
   const Eigen::Vector3d begin = vec(run_[0].point_mm);
   const Eigen::Vector3d chord = vec(run_[vertex].point_mm) - begin;
   const double length = chord.norm();
-  const double most =
-      std::max(kStraight_mm, std::min(kOfTolerance * settings_.tolerance_mm,
-                                      0.125 * length * length / kStraightRadius_mm));
-  Departure away;
+  const double most = std::max(std::min(kStraight_mm, settings_.tolerance_mm),
+                               std::min(kOfTolerance * settings_.tolerance_mm,
+                                        0.125 * length * length / kStraightRadius_mm));
   double before = 0.0;
   for (std::size_t i = 1; i < vertex; ++i) {
     const Eigen::Vector3d seen = vec(run_[i].point_mm) - begin;
@@ -149,31 +154,40 @@ bool Compressor::emit_line(std::size_t vertex, std::vector<PathPart>& out) {
       return false;
     }
     before = along;
-    away.widen({.distance_mm = aside, .at_mm = run_[i].point_mm, .line = run_[i].source.line});
   }
-  auto line = curves::Line::between(run_[0].point_mm, run_[vertex].point_mm);
+  return length > 0.0;
+}
+
+void Compressor::emit_line(std::size_t vertex, std::vector<PathPart>& out) {
+  const auto line = curves::Line::between(run_[0].point_mm, run_[vertex].point_mm);
   if (!line) {
-    return false;
+    return;
   }
+  const Eigen::Vector3d begin = vec(run_[0].point_mm);
+  const Eigen::Vector3d direction = vec(line->direction());
+  MergedCurve merged{.curve = *line, .first = 0, .last = vertex};
+  Departure away;
+  for (std::size_t i = 0; i < vertex; ++i) {
+    const Eigen::Vector3d seen = vec(run_[i].point_mm) - begin;
+    merged.s_mm.push_back(i == 0 ? 0.0 : seen.dot(direction));
+    away.widen({.distance_mm = (seen - merged.s_mm.back() * direction).norm(),
+                .at_mm = run_[i].point_mm,
+                .line = run_[i].source.line});
+  }
+  merged.departure_mm = away.distance_mm;
   departure_.widen(away);
-  PathPart whole = part_of(*line, 1);
-  whole.end_departure_mm = away.distance_mm;
-  for (std::size_t i = 1; i <= vertex; ++i) {
-    const double s = (vec(run_[i - 1].point_mm) - begin).dot(chord) / length;
-    if (i == 1 || run_[i].source.line != whole.marks.back().line) {
-      whole.marks.push_back({.s_mm = i == 1 ? 0.0 : s, .line = run_[i].source.line});
-    }
-  }
-  out.push_back(std::move(whole));
-  return true;
+  append_parts(run_, merged, like_, out);
 }
 
 void Compressor::emit_spans(const RunFit& fit, std::size_t count, bool to_end,
                             std::vector<PathPart>& out) {
   for (std::size_t from = 0; from < count;) {
     const std::size_t to = std::min(count, from + kSpansOfPart);
+    const FitSpan& last = fit.spline.spans[to - 1];
+    const curves::Position end = to == count && to_end
+                                     ? run_[fit.breaks[to]].point_mm
+                                     : curves::to_position(last.at(last.w_end_mm));
     std::vector<curves::BezierSpan> spans;
-    PathPart settings;
     double away = 0.0;
     for (std::size_t k = from; k < to; ++k) {
       spans.push_back(fit.spline.spans[k].bezier());
@@ -182,42 +196,27 @@ void Compressor::emit_spans(const RunFit& fit, std::size_t count, bool to_end,
                         .at_mm = run_[fit.breaks[k]].point_mm,
                         .line = run_[fit.breaks[k] + 1].source.line});
     }
-    const curves::Position end =
-        to == count && to_end
-            ? run_[fit.breaks[to]].point_mm
-            : curves::to_position(fit.spline.spans[to - 1].at(fit.spline.spans[to - 1].w_end_mm));
     auto made = curves::NurbsCurve::from_spans(spans, end);
     if (made && made->size() == 1) {
-      curves::NurbsCurve& curve = made->front();
-      PathPart part = part_of(curve, fit.breaks[from] + 1);
-      part.continues = tail_.has_value() || from > 0;
-      part.end_departure_mm = away;
-      for (std::size_t i = fit.breaks[from]; i < fit.breaks[to]; ++i) {
-        const std::uint32_t line = run_[i + 1].source.line;
-        if (part.marks.empty() || part.marks.back().line != line) {
-          part.marks.push_back(
-              {.s_mm = part.marks.empty() ? 0.0 : curve.s_at(run_[i].w_mm), .line = line});
-        }
+      MergedCurve merged{.curve = made->front(),
+                         .first = fit.breaks[from],
+                         .last = fit.breaks[to],
+                         .continues = tail_.has_value() || from > 0,
+                         .departure_mm = away};
+      for (std::size_t i = merged.first; i < merged.last; ++i) {
+        merged.s_mm.push_back(i == merged.first ? 0.0 : made->front().s_at(run_[i].w_mm));
       }
-      out.push_back(std::move(part));
+      append_parts(run_, merged, like_, out);
     }
     from = to;
   }
 }
 
-PathPart Compressor::part_of(curves::Curve curve, std::size_t line) const {
-  PathPart part{.curve = std::move(curve)};
-  part.source = run_[line].source;
-  part.feedrate_mm_s = run_[line].feedrate_mm_s;
-  part.extra = {.begin_rad_mm = like_.extra.begin_rad_mm, .end_rad_mm = like_.extra.end_rad_mm};
-  part.mode = parser::PathMode::blend;
-  part.corner_tolerance_mm = like_.blend_tolerance_mm;
-  return part;
-}
-
 void Compressor::drop_front(std::size_t vertices) {
   run_.erase(run_.begin(), run_.begin() + static_cast<std::ptrdiff_t>(vertices));
   scanned_ -= std::min(scanned_, vertices);
+  straight_ = 0;
+  awaited_ = kWindow;
 }
 
 }  // namespace kerf::smoothing

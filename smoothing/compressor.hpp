@@ -4,7 +4,7 @@
 // one spline, four times continuously differentiable, or a line where it is one. A long run is
 // fitted window by window: of a window's curve the front part leaves for good, once what lies
 // behind it can hardly change it any more, and the next window's curve goes on from its last five
-// coefficients. Where no spline of reasonable spans stays within the tolerance there is a corner
+// derivatives. Where no spline of reasonable spans stays within the tolerance there is a corner
 // after all; a line alone stays as it is. So every result is within the tolerance, as it was
 // measured.
 //
@@ -46,6 +46,8 @@ class Compressor {
   [[nodiscard]] const Departure& departure() const noexcept { return departure_; }
 
  private:
+  static constexpr std::size_t kWindow = 400;  // lines
+
   // Parts leave until more lines are needed, or all, if the run has ended.
   void reduce(bool ended, std::vector<PathPart>& out);
   // The first corner that is known, up to the vertex before which all are.
@@ -54,16 +56,18 @@ class Compressor {
   void close_at(std::size_t vertex, std::vector<PathPart>& out);
   // The front of a run that goes on.
   void advance(std::size_t known, std::vector<PathPart>& out);
-  // False: it is no straight run.
-  bool emit_line(std::size_t vertex, std::vector<PathPart>& out);
+  // All vertices up to this one are as good as on a line, in order.
+  [[nodiscard]] bool is_straight(std::size_t vertex) const;
+  void emit_line(std::size_t vertex, std::vector<PathPart>& out);
   void emit_spans(const RunFit& fit, std::size_t count, bool to_end, std::vector<PathPart>& out);
-  [[nodiscard]] PathPart part_of(curves::Curve curve, std::size_t line) const;
   void drop_front(std::size_t vertices);
 
   RunFitSettings settings_{};
   parser::Move like_{};              // what the moves of the run have in common
   Polyline run_;                     // from where it has not left yet
   std::size_t scanned_ = 0;          // vertices up to here are no corners
+  std::size_t straight_ = 0;         // up to here the run is straight; 0: it is not known to be
+  std::size_t awaited_ = kWindow;    // vertices before the next look
   std::vector<std::size_t> breaks_;  // of the last window, behind what has left
   std::optional<SplineTail> tail_;   // the run's front has left as a spline
   Departure departure_{};

@@ -16,6 +16,7 @@ struct Vertex {
   // Of the line that ends here.
   double feedrate_mm_s = 0.0;
   parser::SourcePosition source{};
+  std::uint64_t run_block = 0;
 };
 
 using Polyline = std::vector<Vertex>;

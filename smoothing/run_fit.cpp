@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <Eigen/Geometry>
+
 namespace kerf::smoothing {
 
 using curves::vec;
@@ -19,6 +21,7 @@ constexpr double kGrowth = 3.0;          // of a span over its neighbour
 constexpr double kDirectionOver = 10.0;  // tolerances, against noise
 constexpr double kSamplesOfSpan = 6.0;
 constexpr double kHighChord = 0.4;  // tolerances: lines whose middle has to be looked at, too
+constexpr double kGrading = 4.0;    // of a span over its neighbour, after divisions
 constexpr double kOutside_mm = 1e-9;
 
 class Fitting {
@@ -178,30 +181,63 @@ class Fitting {
     return found;
   }
 
+  [[nodiscard]] double length_mm(std::size_t k) const {
+    return w_mm(breaks_[k + 1]) - w_mm(breaks_[k]);
+  }
+
+  // Half of a span may not be too short beside what came before and cannot be divided any more.
+  [[nodiscard]] bool is_divisible(std::size_t k) const {
+    const bool beside_tail = k == 0 && tail_->has_value();
+    const double before = beside_tail ? (*tail_)->span_mm : 0.0;
+    return breaks_[k + 1] - breaks_[k] >= 2 && 2.0 * length_mm(k) >= before / kGrading;
+  }
+
+  // Beside a short span no long one: both the fit and its equations are poor there.
+  void grade(std::vector<bool>& divide) const {
+    const auto follow = [&](std::size_t k, std::size_t neighbour) {
+      if (divide[k] && !divide[neighbour] && is_divisible(neighbour) &&
+          length_mm(neighbour) > 0.5 * kGrading * length_mm(k)) {
+        divide[neighbour] = true;
+      }
+    };
+    for (std::size_t k = 0; k + 1 < divide.size(); ++k) {
+      follow(k, k + 1);
+    }
+    for (std::size_t k = divide.size() - 1; k > 0; --k) {
+      follow(k, k - 1);
+    }
+  }
+
   // True: spans were divided, and it is to be solved again.
   bool judge(RunFit& fit, bool may_divide) {
-    std::vector<std::size_t> finer;
-    bool divided = false;
+    const std::size_t spans = breaks_.size() - 1;
+    std::vector<bool> divide(spans, false);
     fit.away_mm.clear();
-    for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
-      finer.push_back(breaks_[k]);
+    for (std::size_t k = 0; k < spans; ++k) {
       const double away = away_mm(fit.spline.spans[k], k);
       fit.away_mm.push_back(away);
       if (breaks_[k] > stretch_.judged || away <= kAimed * settings_->tolerance_mm) {
         continue;
       }
-      if (may_divide && breaks_[k + 1] - breaks_[k] >= 2) {
-        finer.push_back(breaks_[k] + (breaks_[k + 1] - breaks_[k]) / 2);
-        divided = true;
-      } else if (!(away <= kAllowed * settings_->tolerance_mm) && !fit.fails_at) {
+      divide[k] = may_divide && is_divisible(k);
+      if (!divide[k] && !(away <= kAllowed * settings_->tolerance_mm) && !fit.fails_at) {
         fit.fails_at = sharpest(k);
       }
     }
-    finer.push_back(breaks_.back());
-    if (divided) {
-      breaks_ = std::move(finer);
+    if (std::find(divide.begin(), divide.end(), true) == divide.end()) {
+      return false;
     }
-    return divided;
+    grade(divide);
+    std::vector<std::size_t> finer;
+    for (std::size_t k = 0; k < spans; ++k) {
+      finer.push_back(breaks_[k]);
+      if (divide[k]) {
+        finer.push_back(breaks_[k] + (breaks_[k + 1] - breaks_[k]) / 2);
+      }
+    }
+    finer.push_back(breaks_.back());
+    breaks_ = std::move(finer);
+    return true;
   }
 
   const Polyline* run_;

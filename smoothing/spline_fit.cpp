@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kOrder = kFitDegree + 1;
 // Of a span's weight: enough to decide what no sample decides, and nothing that samples feel.
-constexpr double kStiffness = 1e-9;
+constexpr double kStiffness = 1e-13;
 
 // Row j: the basis function that is the j-th from the left on the span, as powers of x.
 using SpanBasis = Eigen::Matrix<double, kOrder, kOrder, Eigen::RowMajor>;
@@ -134,17 +134,46 @@ Powers powers_of(double x) {
   return (Powers() << 1.0, x, x2, x3, x2 * x2, x3 * x2).finished();
 }
 
-std::vector<double> knots_of(std::span<const double> breaks_mm, const FitEnds& ends) {
-  std::vector<double> knots;
+std::vector<double> knots_of(std::span<const double> breaks_mm) {
+  std::vector<double> knots(kFitDegree, breaks_mm.front());
   knots.reserve(breaks_mm.size() + 2 * kFitDegree);
-  if (ends.tail) {
-    knots.assign(ends.tail->knots_mm.begin(), ends.tail->knots_mm.end());
-  } else {
-    knots.assign(kFitDegree, breaks_mm.front());
-  }
   knots.insert(knots.end(), breaks_mm.begin(), breaks_mm.end());
   knots.insert(knots.end(), kFitDegree, breaks_mm.back());
   return knots;
+}
+
+// What the derivatives at the begin make of the first coefficients: of the m-th only the first
+// m + 1 functions have any.
+std::array<Eigen::Vector3d, kFitDegree> first_coefficients(const SpanBasis& basis, double half_mm,
+                                                           const SplineTail& tail,
+                                                           const Eigen::Vector3d& origin) {
+  SpanBasis derived = basis;  // by x
+  double scale = 1.0;
+  std::array<Eigen::Vector3d, kFitDegree> c{};
+  for (std::size_t m = 0; m < kFitDegree; ++m, scale *= half_mm) {
+    // At x = -1: powers with alternating signs.
+    std::array<double, kOrder> values{};
+    for (std::size_t j = 0; j <= m; ++j) {
+      double sign = 1.0;
+      for (std::size_t k = 0; k < kOrder; ++k, sign = -sign) {
+        values[j] += sign * derived(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k));
+      }
+    }
+    Eigen::Vector3d right = scale * tail.derivatives[m];
+    if (m == 0) {
+      right -= origin;
+    }
+    for (std::size_t j = 0; j < m; ++j) {
+      right -= values[j] * c[j];
+    }
+    c[m] = right / values[m];
+    for (std::size_t k = 0; k + 1 < kOrder; ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      derived.col(column) = static_cast<double>(k + 1) * derived.col(column + 1);
+    }
+    derived.col(kFitDegree).setZero();
+  }
+  return c;
 }
 
 }  // namespace
@@ -185,10 +214,18 @@ curves::BezierSpan FitSpan::bezier() const {
 }
 
 SplineTail SplineFit::tail_after(std::size_t count) const {
+  const FitSpan& last = spans[count - 1];
   SplineTail tail;
-  for (std::size_t i = 0; i < kFitDegree; ++i) {
-    tail.knots_mm[i] = knots_mm[count + i];
-    tail.coefficients[i] = coefficients[count + i];
+  tail.span_mm = last.w_end_mm - last.w_begin_mm;
+  Eigen::Matrix<double, kOrder, 3> derived = last.powers;  // at x = 1: the sum
+  double scale = 1.0;
+  for (std::size_t m = 0; m < kFitDegree; ++m, scale *= 2.0 / tail.span_mm) {
+    tail.derivatives[m] = scale * derived.colwise().sum().transpose();
+    for (std::size_t k = 0; k + 1 < kOrder; ++k) {
+      const auto row = static_cast<Eigen::Index>(k);
+      derived.row(row) = static_cast<double>(k + 1) * derived.row(row + 1);
+    }
+    derived.row(kFitDegree).setZero();
   }
   return tail;
 }
@@ -197,7 +234,7 @@ SplineFit fit_spline(std::span<const double> breaks_mm, std::span<const FitSampl
                      const FitEnds& ends) {
   const std::size_t spans = breaks_mm.size() - 1;
   SplineFit fit;
-  fit.knots_mm = knots_of(breaks_mm, ends);
+  const std::vector<double> knots = knots_of(breaks_mm);
   std::vector<SpanBasis> bases;
   bases.reserve(spans);
   NormalEquations equations(spans + kFitDegree);
@@ -205,7 +242,7 @@ SplineFit fit_spline(std::span<const double> breaks_mm, std::span<const FitSampl
   const Eigen::Vector3d origin = curves::vec(samples.front().point_mm);
   std::size_t next = 0;
   for (std::size_t k = 0; k < spans; ++k) {
-    bases.push_back(basis_of(fit.knots_mm, k));
+    bases.push_back(basis_of(knots, k));
     const FitSpan span{.w_begin_mm = breaks_mm[k], .w_end_mm = breaks_mm[k + 1]};
     const bool last = k + 1 == spans;
     while (next < samples.size() && (last || samples[next].w_mm < span.w_end_mm)) {
@@ -218,8 +255,10 @@ SplineFit fit_spline(std::span<const double> breaks_mm, std::span<const FitSampl
     }
   }
   if (ends.tail) {
+    const auto first =
+        first_coefficients(bases[0], 0.5 * (breaks_mm[1] - breaks_mm[0]), *ends.tail, origin);
     for (std::size_t i = 0; i < kFitDegree; ++i) {
-      equations.fix(i, ends.tail->coefficients[i] - origin);
+      equations.fix(i, first[i]);
     }
   } else {
     equations.fix(0, curves::vec(ends.begin_mm) - origin);
@@ -227,20 +266,17 @@ SplineFit fit_spline(std::span<const double> breaks_mm, std::span<const FitSampl
   if (ends.end_mm) {
     equations.fix(spans + kFitDegree - 1, curves::vec(*ends.end_mm) - origin);
   }
-  fit.coefficients = equations.solve();
+  const std::vector<Eigen::Vector3d> coefficients = equations.solve();
   for (std::size_t k = 0; k < spans; ++k) {
     FitSpan& span = fit.spans.emplace_back();
     span.w_begin_mm = breaks_mm[k];
     span.w_end_mm = breaks_mm[k + 1];
     Eigen::Matrix<double, kOrder, 3> c;
     for (std::size_t i = 0; i < kOrder; ++i) {
-      c.row(static_cast<Eigen::Index>(i)) = fit.coefficients[k + i].transpose();
+      c.row(static_cast<Eigen::Index>(i)) = coefficients[k + i].transpose();
     }
     span.powers = bases[k].transpose() * c;
     span.powers.row(0) += origin.transpose();
-  }
-  for (Eigen::Vector3d& c : fit.coefficients) {
-    c += origin;
   }
   return fit;
 }

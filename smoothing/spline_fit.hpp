@@ -33,11 +33,10 @@ struct FitSample {
   curves::Position point_mm{};
 };
 
-// What a spline hands on to its continuation: the knots before the joint and the coefficients that
-// reach over it.
+// What a spline hands on to its continuation: itself at the joint, by its parameter.
 struct SplineTail {
-  std::array<double, kFitDegree> knots_mm{};
-  std::array<Eigen::Vector3d, kFitDegree> coefficients{};
+  std::array<Eigen::Vector3d, kFitDegree> derivatives{};  // from the 0th to the 4th
+  double span_mm = 0.0;                                   // length of its last span
 };
 
 // One polynomial of the spline: powers of x in [-1, 1] over [w_begin, w_end].
@@ -65,8 +64,6 @@ struct FitEnds {
 
 struct SplineFit {
   std::vector<FitSpan> spans;
-  std::vector<double> knots_mm;  // span k lies between knots k + 5 and k + 6
-  std::vector<Eigen::Vector3d> coefficients;
 
   // To go on behind this many spans. Precondition: 0 < count <= spans.
   [[nodiscard]] SplineTail tail_after(std::size_t count) const;

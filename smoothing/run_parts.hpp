@@ -1,0 +1,28 @@
+// What a run of short lines has become, as path parts with the feedrates and lines of the program.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "curves/curve.hpp"
+#include "parser/move.hpp"
+#include "smoothing/path_part.hpp"
+#include "smoothing/polyline.hpp"
+
+namespace kerf::smoothing {
+
+// A curve in the place of the lines that end in the vertices first + 1 to last of a run.
+struct MergedCurve {
+  curves::Curve curve;
+  std::size_t first = 0;
+  std::size_t last = 0;
+  std::vector<double> s_mm{};  // where on the curve each of these lines begins; the first at 0
+  bool continues = false;      // the part before
+  double departure_mm = 0.0;   // from the lines, at the most
+};
+
+// Appends it in one part, or in one for each stretch of one feedrate. like: a move of the run.
+void append_parts(const Polyline& run, const MergedCurve& merged, const parser::Move& like,
+                  std::vector<PathPart>& parts);
+
+}  // namespace kerf::smoothing
