@@ -4,12 +4,14 @@
 #include <utility>
 #include <vector>
 
+#include "kernel/blend_settings.hpp"
 #include "kernel/reader_options.hpp"
 #include "lookahead/block_builder.hpp"
 #include "lookahead/planner.hpp"
 #include "lookahead/switches.hpp"
 #include "parser/program_reader.hpp"
 #include "programs/interrupt.hpp"
+#include "smoothing/smoother.hpp"
 
 namespace kerf::program {
 
@@ -35,24 +37,26 @@ tl::expected<bool, std::string> next_move(parser::ProgramReader& reader, Program
   return true;
 }
 
-// Into the planner's window. True: as a rest.
-bool push(lookahead::Planner& planner, const parser::Move& move,
-          const lookahead::PlanLimits& limits, std::vector<lookahead::Block>& blocks) {
-  if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
-    planner.push_rest(dwell->duration_s, move.source.line);
-    return true;
-  }
-  if (const auto* event = std::get_if<parser::EventMove>(&move.shape)) {
-    lookahead::push_event(*event, move.source.line, planner);
-    return !lookahead::is_at_motion(event->kind);
-  }
-  blocks.clear();
-  if (lookahead::append_blocks(move, limits, blocks)) {
-    for (lookahead::Block& block : blocks) {
-      planner.push(std::move(block));
+// What is next of the path, or a pause on it, into the planner's window.
+void push(smoothing::Smoother::Output& output, const lookahead::PlanLimits& limits,
+          lookahead::Planner& planner, BlockWatch& watch) {
+  if (const auto* pause = std::get_if<parser::Move>(&output)) {
+    if (const auto* dwell = std::get_if<parser::DwellMove>(&pause->shape)) {
+      planner.push_rest(dwell->duration_s, pause->source.line);
+    } else if (const auto* event = std::get_if<parser::EventMove>(&pause->shape)) {
+      lookahead::push_event(*event, pause->source.line, planner);
     }
+    watch.rests();
+    return;
   }
-  return false;
+  auto& part = std::get<smoothing::PathPart>(output);
+  const std::vector<parser::EventMove> changes = std::move(part.changes);
+  if (auto block = lookahead::block_of(std::move(part), limits)) {
+    for (const parser::EventMove& change : changes) {
+      lookahead::push_event(change, block->line, planner);
+    }
+    planner.push(std::move(*block));
+  }
 }
 
 }  // namespace
@@ -64,37 +68,41 @@ tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
   parser::ReaderOptions reading = reader_options(settings, options);
   reading.watched_line = watch.line();
   parser::ProgramReader reader(std::move(reading));
+  smoothing::Smoother smoother(blend_settings(settings));
   lookahead::Planner planner({.limits = settings.limits,
                               .profile = options.profile,
                               .window_blocks = options.window_blocks});
   const auto size = static_cast<double>(std::max<std::uint64_t>(file.size_bytes(), 1));
   lookahead::Outbox outbox;
-  std::vector<lookahead::Block> blocks;
+  smoothing::Smoother::Output output;
+  bool program_ended = false;
   bool finished = false;
   for (parser::Move move; !stop_requested();) {
     outbox.clear();
     if (planner.emit(outbox)) {
       watch.planned(outbox);
-      continue;
-    }
-    if (finished) {
+    } else if (finished) {
       break;
-    }
-    const auto found = next_move(reader, file, move);
-    if (!found) {
-      return tl::unexpected(found.error());
-    }
-    watch.read(reader);
-    if (*found) {
-      watch.moves(move);
-      if (push(planner, move, settings.limits, blocks)) {
-        watch.rests();
-      }
-    } else {
+    } else if (smoother.next(output)) {
+      push(output, settings.limits, planner, watch);
+    } else if (program_ended) {
       planner.finish(move.source.line);
       finished = true;
+    } else {
+      const auto found = next_move(reader, file, move);
+      if (!found) {
+        return tl::unexpected(found.error());
+      }
+      watch.read(reader);
+      if (*found) {
+        watch.moves(move);
+        smoother.push(move);
+      } else {
+        smoother.flush();
+        program_ended = true;
+      }
+      progress.set_read(static_cast<double>(file.bytes_read()) / size);
     }
-    progress.set_read(static_cast<double>(file.bytes_read()) / size);
   }
   return planner.totals();
 }

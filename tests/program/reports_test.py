@@ -2,6 +2,7 @@
 """What `kerf dry-run` and `kerf run` leave: summary, trace, JSON report and plot."""
 import csv
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -178,6 +179,35 @@ class Json(Case):
                                           os.path.join(SOURCE, "programs/butterfly.ngc")).stdout)
             self.assertEqual(report["limits_exceeded"], [])
             self.assertEqual(report["warnings"], [])
+
+
+class Check(Case):
+    CORNERS = "G21 G90 F3000\n{}\nG1 X20\nY20\nG2 X10 Y10 I-10\nM62 P1\nG1 X0\nG0 Y5\nG4 P0.1\nM3 S100\nG1 X5 Y1\nY0\nX0\nM63 P1\nM30\n"
+
+    def agrees_with_a_run(self, path, *words):
+        checked, ran = (json.loads(self.kerf(command, path, "--json", *words).stdout) for command in ("check", "dry-run"))
+        for key in ("ticks", "cycle_time_s", "path_length_mm", "blocks"):
+            self.assertEqual(checked[key], ran[key], (path, words, key))
+        return checked
+
+    def test_foretells_a_run_to_the_tick_in_every_path_mode(self):
+        checked = {}
+        for mode in ("G61", "G61.1", "G64", "G64 P0.05", "G64 P0 Q0.1", "G64 P0.1 Q0"):
+            for profile in ("time-optimal", "s-curve"):
+                with self.subTest(mode=mode, profile=profile):
+                    path = self.path(mode + ".ngc", self.CORNERS.format(mode))
+                    checked[mode, profile] = self.agrees_with_a_run(path, "--profile", profile)
+        for profile in ("time-optimal", "s-curve"):
+            stops, blends = (checked[mode, profile] for mode in ("G61.1", "G64 P0.05"))
+            self.assertLess(blends["cycle_time_s"], stops["cycle_time_s"])
+            self.assertLess(blends["path_length_mm"], stops["path_length_mm"])
+
+    def test_foretells_a_run_of_merged_lines_to_the_tick(self):
+        lines = [f"X{30 + 30 * math.sin(0.01 * i):.3f} Y{30 - 30 * math.cos(0.01 * i):.3f}" for i in range(1500)]
+        program = "G21 G90 G64 P0.01\nG0 X30 Y0\nG1 F6000\n" + "\n".join(lines) + "\nM30\n"
+        for window in ("1000", "20"):
+            checked = self.agrees_with_a_run(self.path("merged.ngc", program), "--window", window)
+            self.assertLess(checked["blocks"], 500)
 
 
 class Plot(Case):
