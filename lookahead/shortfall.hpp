@@ -10,8 +10,9 @@ namespace kerf::lookahead {
 
 struct Shortfall {
   enum class Kind : unsigned char {
-    slower,  // up to its next stop the motion keeps its limits, but could be faster
-    stop     // the motion comes to rest there though the path does not ask for it
+    slower,     // up to its next stop the motion keeps its limits, but could be faster
+    classical,  // up to its next stop it follows the plan of the S-curve
+    stop        // the motion comes to rest there though the path does not ask for it
   };
 
   std::uint32_t line = 0;

@@ -40,15 +40,29 @@ std::string describe(const LimitUse& use) {
                      use.unit);
 }
 
+namespace {
+
+std::string what_happens(const lookahead::Shortfall& at) {
+  using Kind = lookahead::Shortfall::Kind;
+  switch (at.kind) {
+    case Kind::stop:
+      return fmt::format("stops {:.6f} mm from the curve's begin", at.s_mm);
+    case Kind::classical:
+      return fmt::format("follows the s-curve's plan from {:.6f} mm on, up to its next stop",
+                         at.s_mm);
+    case Kind::slower:
+      break;
+  }
+  return fmt::format("is slower than it could be from {:.6f} mm on, up to its next stop", at.s_mm);
+}
+
+}  // namespace
+
 std::vector<std::string> describe(const lookahead::Shortfalls& shortfalls) {
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < shortfalls.kept(); ++i) {
     const lookahead::Shortfall& at = shortfalls.first[i];
-    const std::string what =
-        at.kind == lookahead::Shortfall::Kind::stop
-            ? fmt::format("stops {:.6f} mm from the curve's begin", at.s_mm)
-            : fmt::format("is slower than it could be from {:.6f} mm on, up to its next stop",
-                          at.s_mm);
+    const std::string what = what_happens(at);
     warnings.push_back(
         fmt::format("the time optimum was not found within its budget on line {}: the motion {}",
                     at.line, what));

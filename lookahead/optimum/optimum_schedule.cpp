@@ -9,6 +9,7 @@
 #include "lookahead/optimum/joint_share.hpp"
 #include "lookahead/optimum/rest_ramp.hpp"
 #include "lookahead/optimum/speed_estimate.hpp"
+#include "lookahead/optimum/stand_in.hpp"
 
 namespace kerf::lookahead {
 
@@ -16,6 +17,8 @@ namespace {
 
 constexpr int kCuts = 5;  // of what a plan covers
 constexpr std::size_t kCutCells = 16;
+// On one curve alone cuts leave more of the optimum than the classical plan has.
+constexpr std::size_t kStandInBlocks = 2;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
 constexpr std::size_t kMarginOfWindow = 8;
 
@@ -32,14 +35,17 @@ Shortfall shortfall_on(const Block& block, double s_mm) {
   return {.line = mark.line, .s_mm = s_mm - mark.s_mm};
 }
 
+SpanSchedule::Settings classical(const OptimumSchedule::Settings& settings) {
+  return {.limits = settings.limits,
+          .profile = profiles::Profile(profiles::ProfileKind::s_curve),
+          .ready_blocks = 1,
+          .longest_cruise_s = settings.longest_phase_s};
+}
+
 }  // namespace
 
 OptimumSchedule::OptimumSchedule(const Settings& settings)
-    : settings_(settings),
-      lines_({.limits = settings.limits,
-              .profile = profiles::Profile(profiles::ProfileKind::s_curve),
-              .ready_blocks = 1,
-              .longest_cruise_s = settings.longest_phase_s}) {}
+    : settings_(settings), lines_(classical(settings)) {}
 
 const Block& OptimumSchedule::block_of(std::uint64_t number, const Window<Block>& blocks) const {
   return blocks[number - done_];
@@ -151,6 +157,9 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   const bool from_rest = cells_left() == 0;
   Taken taken = take(path);
   auto found = StretchPlan::find(std::move(taken.stretch), path, settings_.limits);
+  if (from_rest && found->slowed_down() && stand_in(*found, taken.count, blocks, emitter)) {
+    return;
+  }
   for (int i = 0; i < kCuts && from_rest && found->slowed_down() && taken.count >= kCutCells; ++i) {
     cut(taken.count, blocks, emitter);
     taken = take(path);
@@ -172,6 +181,41 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   const std::size_t count = plan_.cells().size();
   window_brake_ = plan_ends_at_stop_ ? count : plan_.last_braking();
   renew_ = std::max(count / 2, window_brake_ - std::min(window_brake_, count / kMarginOfWindow));
+}
+
+bool OptimumSchedule::stand_in(const StretchPlan& found, std::size_t taken,
+                               const Window<Block>& blocks, Emitter& emitter) {
+  std::size_t count = 0;
+  std::size_t cells = 0;
+  double whole_mm = 0.0;
+  double all_mm = 0.0;
+  for (std::size_t i = 0; i < taken; ++i) {
+    const Cell& cell = waiting_[i].cell;
+    all_mm += cell.length_mm;
+    if (cell.ends_block) {
+      ++count;
+      cells = i + 1;
+      whole_mm = all_mm;
+    }
+  }
+  const Cell first = waiting_.front().cell;
+  if (first.s_begin_mm > 0.0 || count < kStandInBlocks ||
+      !(classical_s(blocks, count, classical(settings_)) * all_mm <
+        found.duration_s() * whole_mm)) {
+    return false;
+  }
+  Shortfall shortfall = shortfall_on(block_of(first.block, blocks), first.s_begin_mm);
+  shortfall.kind = Shortfall::Kind::classical;
+  emitter.note(shortfall);
+  const Cell& last = waiting_[cells - 1].cell;
+  if (!last.rest_after) {
+    note_stop(last, blocks, emitter);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    lines_.push(blocks[i], i > 0 ? &blocks[i - 1] : nullptr);
+  }
+  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(cells));
+  return true;
 }
 
 void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter) {

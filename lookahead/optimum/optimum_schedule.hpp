@@ -66,6 +66,10 @@ class OptimumSchedule final : public Schedule {
     std::size_t count = 0;  // of waiting_
   };
   [[nodiscard]] Taken take(const PathAt& path) const;
+  // Hands the whole blocks of the first taken cells to the classical schedule, from rest to rest,
+  // where that is faster than the plan found. False: it is not.
+  bool stand_in(const StretchPlan& found, std::size_t taken, const Window<Block>& blocks,
+                Emitter& emitter);
   // A rest at the sharpest place of the first cells that wait.
   void cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter);
   // At its end.
@@ -73,7 +77,7 @@ class OptimumSchedule final : public Schedule {
   void emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox);
 
   Settings settings_;
-  SpanSchedule lines_;  // single lines from rest to rest
+  SpanSchedule lines_;  // single lines from rest to rest, and blocks on which it stands in
   std::uint64_t pushed_ = 0;
   std::uint64_t done_ = 0;  // blocks emitted to their end
   std::optional<OpenBlock> open_;

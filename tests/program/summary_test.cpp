@@ -125,6 +125,14 @@ TEST(Summary, SaysWhereTheTimeOptimumWasNotFound) {
   EXPECT_EQ(warnings[8], "the time optimum was not found at 2 more places");
 }
 
+TEST(Summary, SaysWhereThePlanOfTheSCurveStandsIn) {
+  lookahead::Shortfalls shortfalls;
+  shortfalls.add({.line = 4, .s_mm = 0.0, .kind = lookahead::Shortfall::Kind::classical});
+  EXPECT_EQ(describe(shortfalls).front(),
+            "the time optimum was not found within its budget on line 4: the motion follows the "
+            "s-curve's plan from 0.000000 mm on, up to its next stop");
+}
+
 TEST(LimitUse, AllowsForRoundingAndForLimitsThatAreNone) {
   EXPECT_FALSE((LimitUse{.peak = 100.4, .limit = 100.0}.is_exceeded()));
   EXPECT_TRUE((LimitUse{.peak = 100.6, .limit = 100.0}.is_exceeded()));
