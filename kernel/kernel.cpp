@@ -83,6 +83,9 @@ class Kernel::Impl {
   }
 
   [[nodiscard]] double chord_error_mm() const noexcept { return interpolator_.chord_error_mm(); }
+  [[nodiscard]] const smoothing::Departure& departure() const noexcept {
+    return smoother_.departure();
+  }
   [[nodiscard]] bool has_errors() const { return reader_.has_errors() || plan_failed_; }
   [[nodiscard]] bool left_travel() const noexcept { return left_travel_; }
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const {
@@ -261,6 +264,9 @@ void Kernel::stop() {
 }
 double Kernel::chord_error_mm() const noexcept {
   return impl_->chord_error_mm();
+}
+const smoothing::Departure& Kernel::departure() const noexcept {
+  return impl_->departure();
 }
 bool Kernel::left_travel() const noexcept {
   return impl_->left_travel();

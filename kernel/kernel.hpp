@@ -14,6 +14,7 @@
 #include "parser/diagnostic.hpp"
 #include "parser/reader_options.hpp"
 #include "profiles/profile.hpp"
+#include "smoothing/departure.hpp"
 
 namespace kerf {
 
@@ -62,6 +63,9 @@ class Kernel {
   void stop();
 
   [[nodiscard]] double chord_error_mm() const noexcept;
+  // Where G64 leads the path farthest from what the program says, as far as it is planned: the
+  // larger of both directions, from the geometry. 0: nowhere. Belongs to the planning side.
+  [[nodiscard]] const smoothing::Departure& departure() const noexcept;
   [[nodiscard]] bool has_errors() const;
   // The error is a block that leaves the travel (KernelOptions::checks_travel).
   [[nodiscard]] bool left_travel() const noexcept;

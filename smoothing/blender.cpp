@@ -120,6 +120,7 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
     if (departure.distance_mm <= kOfTolerance * tolerance + 1e-12 &&
         (!settings_.travel || larger_box(blend->curve.extents(), *settings_.travel) <= 0.0)) {
       departure.line = first_mark(after.part).line;
+      departure.tolerance_mm = tolerance;
       departure_.widen(departure);
       return Chosen{.blend = std::move(*blend), .way_mm = way_mm};
     }

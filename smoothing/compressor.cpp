@@ -172,7 +172,8 @@ void Compressor::emit_line(std::size_t vertex, std::vector<PathPart>& out) {
     merged.s_mm.push_back(i == 0 ? 0.0 : seen.dot(direction));
     away.widen({.distance_mm = (seen - merged.s_mm.back() * direction).norm(),
                 .at_mm = run_[i].point_mm,
-                .line = run_[i].source.line});
+                .line = run_[i].source.line,
+                .tolerance_mm = settings_.tolerance_mm});
   }
   merged.departure_mm = away.distance_mm;
   departure_.widen(away);
@@ -194,7 +195,8 @@ void Compressor::emit_spans(const RunFit& fit, std::size_t count, bool to_end,
       away = std::max(away, fit.away_mm[k]);
       departure_.widen({.distance_mm = fit.away_mm[k],
                         .at_mm = run_[fit.breaks[k]].point_mm,
-                        .line = run_[fit.breaks[k] + 1].source.line});
+                        .line = run_[fit.breaks[k] + 1].source.line,
+                        .tolerance_mm = settings_.tolerance_mm});
     }
     auto made = curves::NurbsCurve::from_spans(spans, end);
     if (made && made->size() == 1) {

@@ -12,6 +12,7 @@ struct Departure {
   double distance_mm = 0.0;
   curves::Position at_mm{};
   std::uint32_t line = 0;
+  double tolerance_mm = 0.0;  // P or Q in force there
 
   void widen(const Departure& other) {
     if (other.distance_mm > distance_mm) {
