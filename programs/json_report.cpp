@@ -45,6 +45,16 @@ Json extents_json(const FileReport& report) {
   return extents;
 }
 
+Json deviation_json(const smoothing::Departure& deviation) {
+  Json json{{"max_mm", deviation.distance_mm}};
+  if (deviation.distance_mm > 0.0) {
+    json["tolerance_mm"] = deviation.tolerance_mm;
+    json["at_mm"] = axes_json(deviation.at_mm);
+    json["line"] = deviation.line;
+  }
+  return json;
+}
+
 void set_plan(Json& json, const FileReport& report) {
   const PlanReport& plan = *report.plan;
   json["cycle_time_s"] = plan.cycle_time_s;
@@ -52,6 +62,7 @@ void set_plan(Json& json, const FileReport& report) {
   json["path_length_mm"] = plan.path_length_mm;
   json["blocks"] = plan.blocks;
   json["extents"] = extents_json(report);
+  json["deviation"] = deviation_json(plan.deviation);
 }
 
 void set_block(Json& json, const FileReport& file) {

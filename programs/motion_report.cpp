@@ -15,7 +15,8 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
                            .path_length_mm = statistics.path_length_mm(),
                            .blocks = kernel.totals().blocks,
                            .extents = statistics.extents(),
-                           .extra_extents = statistics.extra_extents()};
+                           .extra_extents = statistics.extra_extents(),
+                           .deviation = kernel.departure()};
   report.motion = MotionReport{.path = statistics.path(),
                                .axes = statistics.axes(),
                                .extra = statistics.extra_axes(),

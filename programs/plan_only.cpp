@@ -61,10 +61,10 @@ void push(smoothing::Smoother::Output& output, const lookahead::PlanLimits& limi
 
 }  // namespace
 
-tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
-                                                           const MachineSettings& settings,
-                                                           const KernelOptions& options,
-                                                           Progress& progress, BlockWatch& watch) {
+tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file,
+                                                    const MachineSettings& settings,
+                                                    const KernelOptions& options,
+                                                    Progress& progress, BlockWatch& watch) {
   parser::ReaderOptions reading = reader_options(settings, options);
   reading.watched_line = watch.line();
   parser::ProgramReader reader(std::move(reading));
@@ -104,7 +104,7 @@ tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
       progress.set_read(static_cast<double>(file.bytes_read()) / size);
     }
   }
-  return planner.totals();
+  return PlannedProgram{.totals = planner.totals(), .departure = smoother.departure()};
 }
 
 }  // namespace kerf::program

@@ -6,18 +6,25 @@
 #include <tl/expected.hpp>
 
 #include "kernel/kernel.hpp"
+#include "lookahead/planner.hpp"
 #include "programs/block_watch.hpp"
 #include "programs/program_file.hpp"
 #include "programs/progress.hpp"
+#include "smoothing/departure.hpp"
 
 namespace kerf::program {
+
+struct PlannedProgram {
+  lookahead::PlanTotals totals{};
+  smoothing::Departure departure{};
+};
 
 // Preconditions: check_program() found no error; the file is rewound. Memory does not grow with the
 // length of the program. Ends early when a stop is requested. Error: the file cannot be read.
 // watch: told of what is read and planned.
-tl::expected<lookahead::PlanTotals, std::string> plan_only(ProgramFile& file,
-                                                           const MachineSettings& settings,
-                                                           const KernelOptions& options,
-                                                           Progress& progress, BlockWatch& watch);
+tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file,
+                                                    const MachineSettings& settings,
+                                                    const KernelOptions& options,
+                                                    Progress& progress, BlockWatch& watch);
 
 }  // namespace kerf::program

@@ -17,6 +17,7 @@
 #include "programs/exit_status.hpp"
 #include "programs/options.hpp"
 #include "programs/speed_account.hpp"
+#include "smoothing/departure.hpp"
 
 namespace kerf::program {
 
@@ -28,6 +29,10 @@ struct PlanReport {
   std::uint64_t blocks = 0;
   curves::Extents extents{};
   curves::ExtraExtents extra_extents{};
+  smoothing::Departure deviation{};  // of the commanded path from the programmed one
+
+  // By more than rounding.
+  [[nodiscard]] bool deviates() const noexcept { return deviation.distance_mm >= 5e-7; }
 };
 
 // What is in force just before a block runs for the first time, and when that is.

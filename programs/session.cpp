@@ -131,20 +131,22 @@ class Session {
     const ProgressBar bar(
         "planning", [&] { return progress.read_share(); }, shows_progress());
     BlockWatch watch({.line = options_.explained_line, .period_s = report_.period_s});
-    const auto totals = plan_only(file, settings_, kernel_options_, progress, watch);
-    if (!totals) {
-      fail(ExitStatus::io_error, totals.error());
+    const auto planned = plan_only(file, settings_, kernel_options_, progress, watch);
+    if (!planned) {
+      fail(ExitStatus::io_error, planned.error());
     } else if (stop_requested()) {
       report_.status = *stop_requested();
     } else {
+      const lookahead::PlanTotals& totals = planned->totals;
       report_.plan =
-          PlanReport{.cycle_time_s = static_cast<double>(totals->ticks) * report_.period_s,
-                     .ticks = totals->ticks,
-                     .path_length_mm = totals->path_length_mm,
-                     .blocks = totals->blocks,
+          PlanReport{.cycle_time_s = static_cast<double>(totals.ticks) * report_.period_s,
+                     .ticks = totals.ticks,
+                     .path_length_mm = totals.path_length_mm,
+                     .blocks = totals.blocks,
                      .extents = extents_.value_or(curves::Extents{}),
-                     .extra_extents = extra_extents_};
-      report_.warnings = describe(totals->shortfalls);
+                     .extra_extents = extra_extents_,
+                     .deviation = planned->departure};
+      report_.warnings = describe(totals.shortfalls);
       explain(watch);
     }
   }
@@ -241,7 +243,8 @@ class Session {
                 fmt::format("{} \u00b7 {:.1f} mm in {} \u00b7 {}", clock_time(plan.cycle_time_s),
                             plan.path_length_mm, counted(plan.blocks, "block"), report_.profile),
             .period_s = report_.period_s,
-            .limits = report_.limits.path};
+            .limits = report_.limits.path,
+            .deviation = plan.deviates() ? std::optional(plan.deviation) : std::nullopt};
   }
 
   const Options& options_;

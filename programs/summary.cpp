@@ -69,6 +69,14 @@ void append_peaks(std::string& text, const FileReport& report) {
   }
 }
 
+std::string deviation_text(const smoothing::Departure& deviation) {
+  const curves::Position& at = deviation.at_mm;
+  return fmt::format("{:.6f} mm, {} of {:.6g} mm, line {}, x {}, y {}, z {} mm",
+                     deviation.distance_mm, percent(deviation.distance_mm, deviation.tolerance_mm),
+                     deviation.tolerance_mm, deviation.line, fixed_number(at[0], 3),
+                     fixed_number(at[1], 3), fixed_number(at[2], 3));
+}
+
 void append_motion(std::string& text, const FileReport& report) {
   const MotionReport& motion = *report.motion;
   const auto out = std::back_inserter(text);
@@ -120,6 +128,9 @@ std::string summary(const FileReport& report) {
   fmt::format_to(out, "  path            {:.3f} mm in {}\n", plan.path_length_mm,
                  counted(plan.blocks, "block"));
   fmt::format_to(out, "  extents         {}\n", extents_text(report));
+  if (plan.deviates()) {
+    fmt::format_to(out, "  deviation       {}\n", deviation_text(plan.deviation));
+  }
   if (report.motion) {
     append_motion(text, report);
   }

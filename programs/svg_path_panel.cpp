@@ -18,6 +18,7 @@ namespace {
 constexpr double kBarWidth = 14.0;
 constexpr double kBarRoom = 92.0;
 constexpr double kMargin = 18.0;
+constexpr const char* kDeviationColour = "#b0203a";
 constexpr double kGridRoom = 34.0;  // for numbers at the left and at the bottom
 
 const Stroke kFrame{.colour = "#c8ccd2"};
@@ -161,9 +162,26 @@ void draw_path(SvgCanvas& canvas, const std::vector<OutlinePoint>& points, const
   canvas.dot(scale.at(points.front().at), 2.5, "#222", ring);
 }
 
+// A program that was stopped may not have come there.
+void draw_deviation(SvgCanvas& canvas, const PixelBox& frame, const Pixel& at,
+                    const smoothing::Departure& deviation) {
+  if (at.x < frame.left || at.x > frame.right() || at.y < frame.top || at.y > frame.bottom()) {
+    return;
+  }
+  canvas.dot(at, 6.0, "none", {.colour = kDeviationColour, .width = 1.6});
+  const bool right_half = at.x > 0.5 * (frame.left + frame.right());
+  const bool upper_half = at.y < 0.5 * (frame.top + frame.bottom());
+  canvas.text({.x = at.x + (right_half ? -10.0 : 10.0), .y = at.y + (upper_half ? 18.0 : -10.0)},
+              fmt::format("deviation {:.2g} mm", deviation.distance_mm),
+              {.anchor = right_half ? Anchor::end : Anchor::start,
+               .size = 11.0,
+               .colour = kDeviationColour});
+}
+
 }  // namespace
 
-void draw_path_panel(SvgCanvas& canvas, const PixelBox& place, const PlotData& data) {
+void draw_path_panel(SvgCanvas& canvas, const PixelBox& place, const PlotData& data,
+                     const std::optional<smoothing::Departure>& deviation) {
   const std::vector<OutlinePoint> points = data.outline().points();
   const PixelBox frame{.left = place.left + kGridRoom,
                        .top = place.top,
@@ -185,6 +203,9 @@ void draw_path_panel(SvgCanvas& canvas, const PixelBox& place, const PlotData& d
   }
   canvas.box(frame, "none", kFrame);
   draw_path(canvas, points, scale, max_v_mm_s);
+  if (deviation) {
+    draw_deviation(canvas, frame, scale.at(project(data.view(), deviation->at_mm)), *deviation);
+  }
   const PixelBox bar{.left = frame.right() + 20.0,
                      .top = frame.top + 22.0,
                      .width = kBarWidth,

@@ -48,7 +48,8 @@ std::string svg_plot(const PlotData& data, const PlotCaption& caption) {
   canvas.text({.x = kEdge, .y = 52.0}, caption.subtitle, {.size = 13.0, .colour = "#666"});
   draw_path_panel(
       canvas,
-      {.left = kEdge, .top = kHeading, .width = kWidth - 2.0 * kEdge, .height = kPathHeight}, data);
+      {.left = kEdge, .top = kHeading, .width = kWidth - 2.0 * kEdge, .height = kPathHeight}, data,
+      caption.deviation);
   const TimeAxis axis = time_axis(data.last_tick(), caption.period_s);
   PixelBox frame{.left = kCurveLeft,
                  .top = kHeading + kPathHeight + kCurveGap,

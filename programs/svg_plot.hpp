@@ -1,10 +1,12 @@
 // The picture of a run: the path coloured by feedrate, and v, a and j over time under it.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "lookahead/limits.hpp"
 #include "programs/plot_data.hpp"
+#include "smoothing/departure.hpp"
 
 namespace kerf::program {
 
@@ -13,6 +15,7 @@ struct PlotCaption {
   std::string subtitle;
   double period_s = 0.001;
   lookahead::MotionLimits limits{};  // along the path; drawn where they are finite
+  std::optional<smoothing::Departure> deviation{};
 };
 
 // A whole SVG document.

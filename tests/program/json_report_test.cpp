@@ -51,6 +51,16 @@ TEST(JsonReport, HasTheFurtherAxesOfTheMachineInTheirUnits) {
   EXPECT_EQ(parsed["limits_exceeded"][1]["where"], "w");
 }
 
+TEST(JsonReport, HasTheDeviationFromTheProgrammedPath) {
+  FileReport report = sample_report();
+  EXPECT_EQ(json::parse(json_report(report))["deviation"], json::parse(R"({"max_mm": 0.0})"));
+  report.plan->deviation = {
+      .distance_mm = 0.0125, .at_mm = {19.5, 0.25, -2.0}, .line = 14, .tolerance_mm = 0.05};
+  EXPECT_EQ(json::parse(json_report(report))["deviation"],
+            json::parse(R"({"max_mm": 0.0125, "tolerance_mm": 0.05, "line": 14,
+                            "at_mm": {"x": 19.5, "y": 0.25, "z": -2.0}})"));
+}
+
 TEST(JsonReport, HasWhatHoldsTheFeedDownWhereThatIsAskedFor) {
   FileReport report = sample_report();
   EXPECT_FALSE(json::parse(json_report(report)).contains("speed_limits"));

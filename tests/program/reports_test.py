@@ -134,7 +134,7 @@ class Trace(Case):
 
 class Json(Case):
     KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "period_s", "cycle_time_s", "ticks",
-            "path_length_mm", "blocks", "extents", "max", "limits_exceeded", "chord_error_mm", "contour_error",
+            "path_length_mm", "blocks", "extents", "deviation", "max", "limits_exceeded", "chord_error_mm", "contour_error",
             "following_error", "starved_ticks", "warnings", "errors", "elapsed")
 
     def test_is_one_object_with_the_documented_keys(self):
@@ -186,7 +186,7 @@ class Check(Case):
 
     def agrees_with_a_run(self, path, *words):
         checked, ran = (json.loads(self.kerf(command, path, "--json", *words).stdout) for command in ("check", "dry-run"))
-        for key in ("ticks", "cycle_time_s", "path_length_mm", "blocks"):
+        for key in ("ticks", "cycle_time_s", "path_length_mm", "blocks", "deviation"):
             self.assertEqual(checked[key], ran[key], (path, words, key))
         return checked
 

@@ -48,6 +48,23 @@ TEST(Summary, SaysWhatHoldsTheFeedDownWhereThatIsAskedFor) {
   EXPECT_NE(summary(report).find("  line 13 takes no time\n"), std::string::npos);
 }
 
+TEST(Summary, SaysWhereThePathIsFarthestFromTheProgrammedOne) {
+  FileReport report = sample_report();
+  report.plan->deviation = {.distance_mm = 0.0123456,
+                            .at_mm = {19.9912, -0.00001, 2.0},
+                            .line = 14,
+                            .tolerance_mm = 0.05};
+  EXPECT_NE(
+      summary(report).find(
+          "  extents         x 0.000 to 100.000, y -2.000 to 65.667, z 0.000 to 5.000 mm\n"
+          "  deviation       0.012346 mm, 25 % of 0.05 mm, line 14, x 19.991, y 0.000, z 2.000 "
+          "mm\n"),
+      std::string::npos)
+      << summary(report);
+  report.plan->deviation.distance_mm = 1e-12;  // lines that were merged into a line
+  EXPECT_EQ(summary(report), summary(sample_report()));
+}
+
 TEST(Summary, EndsWithTheWarnings) {
   FileReport report = sample_report();
   report.warnings = {"first", "second"};

@@ -54,6 +54,15 @@ TEST(SvgPlot, HasABandOfWhatHeldTheFeedDownWhereThatIsKept) {
   EXPECT_EQ(svg.find(">path jerk<"), std::string::npos) << "only what is there has a legend";
 }
 
+TEST(SvgPlot, MarksWhereThePathIsFarthestFromTheProgrammedOne) {
+  EXPECT_EQ(svg_plot(data_of(100), {}).find("deviation"), std::string::npos);
+  PlotCaption caption;
+  caption.deviation = {.distance_mm = 0.0123, .at_mm = {0.5, 0.25, 0.0}, .line = 3};
+  EXPECT_NE(svg_plot(data_of(100), caption).find(">deviation 0.012 mm<"), std::string::npos);
+  caption.deviation->at_mm = {500.0, 0.0, 0.0};  // where the run never came
+  EXPECT_EQ(svg_plot(data_of(100), caption).find("deviation"), std::string::npos);
+}
+
 TEST(SvgPlot, StaysSmallHoweverLongTheRun) {
   EXPECT_LT(svg_plot(data_of(1'000'000), {}).size(), std::size_t{1'500'000});
 }
