@@ -13,6 +13,7 @@ namespace kerf::smoothing {
 
 using curves::PathDerivatives;
 using curves::Position;
+using curves::Stretch;
 using curves::vec;
 
 namespace {
@@ -55,7 +56,7 @@ curves::BezierSpan hermite_span(const EndDerivatives& begin, const EndDerivative
 
 // The nearest point of a curve, by Newton's method from a place close to it.
 double distance_mm(const curves::Curve& curve, const Position& point, double s_mm,
-                   const curves::Stretch& within) {
+                   const Stretch& within) {
   double s = std::clamp(s_mm, within.begin_mm, within.end_mm);
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < kProjections; ++i) {
@@ -67,6 +68,24 @@ double distance_mm(const curves::Curve& curve, const Position& point, double s_m
                    within.end_mm);
   }
   return std::min(nearest, (vec(point) - vec(curves::position_at(curve, s))).norm());
+}
+
+// By the distance of a point of the programmed path from the blend, whose places lie close
+// together.
+void widen(const Position& point, const std::array<Position, kPlaces + 1>& places,
+           Departure& largest) {
+  Departure nearest{.distance_mm = std::numeric_limits<double>::infinity()};
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const Eigen::Vector3d chord = vec(places[k]) - vec(places[k - 1]);
+    const Eigen::Vector3d seen = vec(point) - vec(places[k - 1]);
+    const double squared = chord.squaredNorm();
+    const double share = squared > 0.0 ? std::clamp(seen.dot(chord) / squared, 0.0, 1.0) : 0.0;
+    const double away_mm = (seen - share * chord).norm();
+    if (away_mm < nearest.distance_mm) {
+      nearest = {.distance_mm = away_mm, .at_mm = places[k]};
+    }
+  }
+  largest.widen(nearest);
 }
 
 }  // namespace
@@ -95,31 +114,28 @@ Departure departure_of(const Blend& blend, const Corner& corner, double way_mm) 
             .at_mm = blend.curve.at(blend.s_corner_mm)};
   }
   const double reach_mm = kReach * way_mm;
-  const Position tip_mm = curves::position_at(*corner.after, 0.0);
+  const Stretch taken_before{std::max(0.0, before_mm - reach_mm), before_mm};
+  const Stretch taken_after{0.0, std::min(reach_mm, after_mm)};
+  std::array<Position, kPlaces + 1> places{};
   Departure largest;
-  double from_tip_mm = std::numeric_limits<double>::infinity();
-  Position nearest_tip_mm{};
-  for (int k = 1; k < kPlaces; ++k) {
+  for (int k = 0; k <= kPlaces; ++k) {
     const double w = static_cast<double>(k) / kPlaces;
     const Position point = blend.curve.at(blend.curve.s_at(w));
+    places[static_cast<std::size_t>(k)] = point;
     const double behind_mm = way_mm * (1.0 - w) * (1.0 - w) * (1.0 - w);
-    const double to_before = distance_mm(*corner.before, point, before_mm - behind_mm,
-                                         {std::max(0.0, before_mm - reach_mm), before_mm});
-    const double to_after =
-        distance_mm(*corner.after, point, way_mm * w * w * w, {0.0, std::min(reach_mm, after_mm)});
-    const double away_mm = std::min(to_before, to_after);
+    const double away_mm =
+        std::min(distance_mm(*corner.before, point, before_mm - behind_mm, taken_before),
+                 distance_mm(*corner.after, point, way_mm * w * w * w, taken_after));
     if (away_mm > largest.distance_mm) {
       largest = {.distance_mm = away_mm, .at_mm = point};
     }
-    const double tip = (vec(point) - vec(tip_mm)).norm();
-    if (tip < from_tip_mm) {
-      from_tip_mm = tip;
-      nearest_tip_mm = point;
-    }
   }
-  return from_tip_mm > largest.distance_mm
-             ? Departure{.distance_mm = from_tip_mm, .at_mm = nearest_tip_mm}
-             : largest;
+  for (int k = 0; k <= kPlaces; ++k) {
+    const double s_mm = way_mm * static_cast<double>(k) / kPlaces;
+    widen(curves::position_at(*corner.before, before_mm - s_mm), places, largest);
+    widen(curves::position_at(*corner.after, s_mm), places, largest);
+  }
+  return largest;
 }
 
 CornerShape shape_of(const Corner& corner) {

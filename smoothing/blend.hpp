@@ -39,7 +39,8 @@ struct Blend {
 // would have a cusp, or is too short to be a curve.
 std::optional<Blend> make_blend(const Corner& corner, double way_mm);
 
-// From places of the blend to the curves, and from the corner to the blend. Its line is not set.
+// The larger of how far places of the blend are from the curves and places of what it replaces from
+// the blend. Its line is not set.
 Departure departure_of(const Blend& blend, const Corner& corner, double way_mm);
 
 // What a corner is about, by which its blend is sized.

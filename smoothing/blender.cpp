@@ -158,16 +158,20 @@ void Blender::settle(double wanted_at_end_mm, std::vector<PathPart>& out) {
   const double free_mm = first_->length_mm - first_->cut_begin_mm;
   double way =
       std::min(allotted_mm(second_->wanted_mm, wanted_at_end_mm, second_->length_mm), free_mm);
+  const double most_mm = second_->length_mm - kLeastRest_mm;
+  way = std::min(way, most_mm);
   if (free_mm - way < kLeastRest_mm) {
-    way = free_mm;
+    way = free_mm <= most_mm ? free_mm : std::min(free_mm, most_mm) - kLeastRest_mm;
   }
   std::optional<Chosen> chosen;
   if (second_->wanted_mm > kLeastWay_mm && way > kLeastWay_mm) {
     chosen = choose(*first_, *second_, way);
   }
   const double cut_end = chosen ? chosen->way_mm : 0.0;
+  const std::size_t before = out.size();
   emit_rest_of(*first_, cut_end, out);
   if (chosen) {
+    first_->is_gone = out.size() == before;
     emit_blend(std::move(*chosen), *first_, *second_, out);
   }
   first_ = std::move(second_);
@@ -206,7 +210,7 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   part.rapid = before.part.rapid && after.part.rapid;
   part.feedrate_mm_s = std::min(feedrate_mm_s(before.part), feedrate_mm_s(after.part));
   part.mode = parser::PathMode::blend;
-  part.continues = true;
+  part.continues = !before.is_gone || before.follows_blend || before.part.continues;
   after.cut_begin_mm = chosen.way_mm;
   after.follows_blend = true;
   const double s = chosen.blend.s_corner_mm;
@@ -220,6 +224,7 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   auto into = curve.part({0.0, s});
   auto out_of = curve.part({s, curve.length_mm()});
   PathPart second = part;
+  second.continues = true;
   part.curve = std::move(*into);
   second.curve = std::move(*out_of);
   second.source = after.part.source;

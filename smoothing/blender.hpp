@@ -38,6 +38,7 @@ class Blender {
     double length_mm = 0.0;
     double cut_begin_mm = 0.0;  // what the blend before it has taken
     bool follows_blend = false;
+    bool is_gone = false;    // blends have taken all of it
     double wanted_mm = 0.0;  // by the corner at its begin
   };
   struct Chosen {

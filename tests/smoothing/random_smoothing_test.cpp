@@ -1,0 +1,46 @@
+#include <algorithm>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "tests/smoothing/polylines.hpp"
+#include "tests/smoothing/smoothed.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr std::uint64_t kShards = 10;
+constexpr std::uint64_t kPrograms = 2000;
+
+class RandomSmoothing : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RandomSmoothing, StaysWithinTheTolerancesAndLeavesNoGap) {
+  for (std::uint64_t seed = GetParam(); seed < kPrograms; seed += kShards) {
+    const RandomMoves program = random_moves(seed);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ":" + program.what);
+    if (program.moves.empty()) {
+      continue;
+    }
+    const Smoothed smoothed = smooth(program.moves);
+    ASSERT_FALSE(smoothed.parts.empty());
+    EXPECT_EQ(faults_of_joints(program.moves, smoothed), "");
+    const double tolerance = std::max(program.tolerances.corner_mm, program.tolerances.merge_mm);
+    // The points of the paths are 1e-5 mm off their chords.
+    const double apart = apart_mm(points_of(smoothed), points_of(program.moves));
+    EXPECT_LE(apart, tolerance + 3e-5);
+    EXPECT_LE(apart, smoothed.departure.distance_mm + 3e-5);
+    EXPECT_LE(smoothed.departure.distance_mm, tolerance * (1.0 + 1e-9));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shard, RandomSmoothing, testing::Range<std::uint64_t>(0, kShards));
+
+TEST(Smoothing, GivesTheSameToTheLastBitASecondTime) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const RandomMoves program = random_moves(seed);
+    EXPECT_EQ(points_of(smooth(program.moves)), points_of(smooth(program.moves))) << seed;
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,156 @@
+#include "tests/smoothing/smoothed.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "smoothing/part_builder.hpp"
+
+namespace kerf::test {
+
+using curves::Position;
+using curves::vec;
+using smoothing::PathPart;
+using smoothing::Smoother;
+
+namespace {
+
+void add_points(const curves::Curve& curve, std::vector<Position>& points) {
+  const double length = curves::length_mm(curve);
+  double step = length;
+  if (!std::holds_alternative<curves::Line>(curve)) {
+    // By how the curve turns: a chord's height is a hundredth of a micrometre or less.
+    double curvature = 1e-3;
+    for (int i = 0; i <= 200; ++i) {
+      curvature = std::max(
+          curvature, vec(curves::derivatives_at(curve, length * i / 200.0).second_per_mm).norm());
+    }
+    step = std::max(length / 20000.0, std::sqrt(8.0 * 1e-5 / curvature));
+  }
+  const int count = std::max(4, static_cast<int>(std::ceil(length / step)));
+  for (int i = points.empty() ? 0 : 1; i <= count; ++i) {
+    points.push_back(curves::position_at(curve, length * i / count));
+  }
+}
+
+double to_segment_mm(const Position& point, const Position& from, const Position& to) {
+  const Eigen::Vector3d chord = vec(to) - vec(from);
+  const Eigen::Vector3d seen = vec(point) - vec(from);
+  const double squared = chord.squaredNorm();
+  const double share = squared > 0.0 ? std::clamp(seen.dot(chord) / squared, 0.0, 1.0) : 0.0;
+  return (seen - share * chord).norm();
+}
+
+std::vector<double> lengths_along(const std::vector<Position>& points) {
+  std::vector<double> lengths{0.0};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    lengths.push_back(lengths.back() + (vec(points[i]) - vec(points[i - 1])).norm());
+  }
+  return lengths;
+}
+
+double farthest_mm(const std::vector<Position>& path, const std::vector<Position>& other) {
+  const std::vector<double> along = lengths_along(path);
+  const std::vector<double> along_other = lengths_along(other);
+  const double ratio = along_other.back() / along.back();
+  const double reach = 2.0 + 0.05 * along_other.back();
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const double about = along[i] * ratio;
+    const auto first = std::lower_bound(along_other.begin(), along_other.end(), about - reach);
+    double nearest = HUGE_VAL;
+    const auto from = static_cast<std::size_t>(first - along_other.begin());
+    for (std::size_t k = std::max<std::size_t>(from, 1); k < other.size(); ++k) {
+      nearest = std::min(nearest, to_segment_mm(path[i], other[k - 1], other[k]));
+      if (along_other[k] > about + reach) {
+        break;
+      }
+    }
+    farthest = std::max(farthest, nearest);
+  }
+  return farthest;
+}
+
+}  // namespace
+
+Smoothed smooth(const std::vector<parser::Move>& moves) {
+  Smoother smoother({.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 50000.0});
+  Smoothed smoothed;
+  const auto take = [&] {
+    Smoother::Output output;
+    while (smoother.next(output)) {
+      if (auto* part = std::get_if<PathPart>(&output)) {
+        smoothed.parts.push_back(std::move(*part));
+      }
+    }
+  };
+  for (const parser::Move& move : moves) {
+    if (!smoother.push(move)) {
+      return {};
+    }
+    take();
+  }
+  smoother.flush();
+  take();
+  smoothed.departure = smoother.departure();
+  return smoothed;
+}
+
+std::vector<Position> points_of(const std::vector<parser::Move>& moves) {
+  std::vector<PathPart> parts;
+  std::vector<Position> points;
+  for (const parser::Move& move : moves) {
+    if (smoothing::append_parts(move, parts)) {
+      add_points(parts.back().curve, points);
+    }
+  }
+  return points;
+}
+
+std::vector<Position> points_of(const Smoothed& smoothed) {
+  std::vector<Position> points;
+  for (const PathPart& part : smoothed.parts) {
+    add_points(part.curve, points);
+  }
+  return points;
+}
+
+double apart_mm(const std::vector<Position>& path, const std::vector<Position>& other) {
+  return std::max(farthest_mm(path, other), farthest_mm(other, path));
+}
+
+std::string faults_of_joints(const std::vector<parser::Move>& moves, const Smoothed& smoothed) {
+  std::ostringstream faults;
+  Position at = moves.front().start_mm;
+  const PathPart* before = nullptr;
+  for (const PathPart& part : smoothed.parts) {
+    const auto begin = curves::derivatives_at(part.curve, 0.0);
+    const double gap = (vec(begin.position_mm) - vec(at)).norm();
+    if (gap > 1e-9) {
+      faults << "gap of " << gap << " mm before line " << part.source.line << "; ";
+    }
+    if (part.continues && before != nullptr) {
+      const auto end = curves::derivatives_at(before->curve, curves::length_mm(before->curve));
+      const double turn = (vec(end.first) - vec(begin.first)).norm();
+      const double bend = (vec(end.second_per_mm) - vec(begin.second_per_mm)).norm();
+      const double curvature = vec(end.second_per_mm).norm();
+      if (turn > 1e-8 || bend > 1e-6 * (1.0 + curvature)) {
+        faults << "turn " << turn << ", bend " << bend << " of " << curvature << " before line "
+               << part.source.line << "; ";
+      }
+    }
+    at = curves::position_at(part.curve, curves::length_mm(part.curve));
+    before = &part;
+  }
+  const auto& last = moves.back().shape;
+  const Position end = std::holds_alternative<parser::LineMove>(last)
+                           ? std::get<parser::LineMove>(last).end_mm
+                           : std::get<parser::ArcMove>(last).end_mm;
+  const double miss = (vec(at) - vec(end)).norm();
+  if (miss > 1e-9) {
+    faults << "ends " << miss << " mm off";
+  }
+  return faults.str();
+}
+
+}  // namespace kerf::test
