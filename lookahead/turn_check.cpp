@@ -244,7 +244,9 @@ TurnAsk ask_turning(const PlacedClimb& climb, const Turning& turning,
   for (const auto& [t_s, now] : instants.all()) {
     for (; way.has_next() && way.distance_mm() < now.s_mm; way.pass()) {
       const double x = (way.distance_mm() - before.s_mm) / (now.s_mm - before.s_mm);
-      look_between(way.next(), now, before.v_mm_s + x * (now.v_mm_s - before.v_mm_s),
+      // Linear over the way is v^2, not v: near a slow foot the difference is large.
+      const double squared = before.v_mm_s * before.v_mm_s;
+      look_between(way.next(), now, std::sqrt(squared + x * (now.v_mm_s * now.v_mm_s - squared)),
                    before.a_mm_s2 + x * (now.a_mm_s2 - before.a_mm_s2));
     }
     const double kink = kink_mm_s2(before, now, t_s - t_before_s);

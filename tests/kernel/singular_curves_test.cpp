@@ -175,6 +175,11 @@ TEST(SingularCurves, TinyFeaturesDoNotSlowTheRestDown) {
   }
 }
 
+// Where braking for 280 mm ends at a turn of nanometres.
+TEST(SingularCurves, TheAccelerationOfAnAxisHoldsAtTheFootOfALongClimb) {
+  EXPECT_EQ(judged_case(4005279, profiles::ProfileKind::s_curve, 20.0).complaint, "");
+}
+
 // The highest plateau that fits is a ten thousandth of what is allowed, and its ends are lower yet.
 TEST(SingularCurves, APlateauIsFoundHoweverLow) {
   EXPECT_LT(judged_case(1009383, profiles::ProfileKind::s_curve, 60.0).ticks, 20'000);
