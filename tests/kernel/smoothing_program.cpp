@@ -12,7 +12,7 @@ namespace {
 // Of a coordinate: read back, it is the same double.
 std::string word(char letter, double value) {
   char text[40];
-  std::snprintf(text, sizeof text, " %c%.17f", letter, value);
+  std::snprintf(text, sizeof text, " %c%.20f", letter, value);
   return text;
 }
 
