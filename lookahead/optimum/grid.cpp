@@ -74,13 +74,15 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndPassages& ends,
   std::vector<std::size_t> boundaries;
   double s = 0.0;
   for (const CellStop& stop : stops) {
+    bool begins = true;  // at the stop before, where something may jump
     while (s < stop.s_mm) {
       const double h = std::min(seen.cell_mm(s), stop.s_mm - s);
       const double length = std::min(h, seen.cell_mm(s + h));
       const double left = stop.s_mm - s;
       const double next =
           left < 1.5 * length ? stop.s_mm : s + (left < 2.5 * length ? 0.5 * left : length);
-      cells.push_back(cell_between(path, s, next));
+      cells.push_back(cell_between(path, {s, next}, begins ? nullptr : &cells.back()));
+      begins = false;
       s = next;
     }
     boundaries.push_back(cells.size());

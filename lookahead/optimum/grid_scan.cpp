@@ -64,8 +64,14 @@ std::vector<Cell> cells_between(const BlockPath& path, const std::vector<double>
                                 const std::vector<CellStop>& stops) {
   std::vector<Cell> cells;
   cells.reserve(places_mm.size());
+  auto stop_here = stops.begin();
   for (std::size_t i = 0; i + 1 < places_mm.size(); ++i) {
-    cells.push_back(cell_between(path, places_mm[i], places_mm[i + 1]));
+    stop_here =
+        std::lower_bound(stop_here, stops.end(), places_mm[i],
+                         [](const CellStop& stop, double s_mm) { return stop.s_mm < s_mm; });
+    const bool jumps = stop_here != stops.end() && stop_here->s_mm == places_mm[i];
+    const Cell* before = cells.empty() || jumps ? nullptr : &cells.back();
+    cells.push_back(cell_between(path, {places_mm[i], places_mm[i + 1]}, before));
   }
   std::size_t at = 0;
   for (const CellStop& stop : stops) {
@@ -135,12 +141,12 @@ double feature_mm(const CellEnd& end, double piece_mm, double tick_mm) {
 
 }  // namespace
 
-Cell cell_between(const BlockPath& path, double from_mm, double to_mm) {
-  const double inside = 1e-9 * (to_mm - from_mm);  // its own side of a jump
-  return {.s_begin_mm = from_mm,
-          .length_mm = to_mm - from_mm,
-          .begin = path.at(from_mm + inside),
-          .end = path.at(to_mm - inside),
+Cell cell_between(const BlockPath& path, const Interval& interval, const Cell* before) {
+  const double inside = 1e-9 * (interval.to_mm - interval.from_mm);  // its own side of a jump
+  return {.s_begin_mm = interval.from_mm,
+          .length_mm = interval.to_mm - interval.from_mm,
+          .begin = before != nullptr ? before->end : path.at(interval.from_mm + inside),
+          .end = path.at(interval.to_mm - inside),
           .along = path.along(),
           .along_from = path.along_from()};
 }

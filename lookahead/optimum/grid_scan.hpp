@@ -43,7 +43,13 @@ class GridScan {
   std::vector<double> feature_mm_;
 };
 
-// The cell of a block between two of its places.
-Cell cell_between(const BlockPath& path, double from_mm, double to_mm);
+struct Interval {
+  double from_mm = 0.0;
+  double to_mm = 0.0;
+};
+
+// The cell of a block on an interval. before: the cell that ends where it begins, if nothing jumps
+// there; else nullptr.
+Cell cell_between(const BlockPath& path, const Interval& interval, const Cell* before);
 
 }  // namespace kerf::lookahead

@@ -56,8 +56,7 @@ std::vector<double> legs_of(const std::vector<Cell>& cells, const std::vector<do
 
 double cell_time_s(double leg_s, double jerk_time_s) {
   const double ramp = std::min(jerk_time_s, 0.5 * leg_s);
-  const double share = std::cbrt(0.5 * leg_s / ramp);
-  return ramp * std::min(kMostOfRamp, kOfRamp * share * share);
+  return std::min(kMostOfRamp * ramp, kOfRamp * 0.5 * leg_s);
 }
 
 }  // namespace kerf::lookahead
