@@ -41,7 +41,7 @@ void bind_extra_axes(const PlanLimits& limits, Block& block) {
   }
 }
 
-Block make_block(PathPart part, const PlanLimits& limits) {
+Block make_block(PathPart part, const PlanLimits& limits, ScanSteps steps) {
   Block block{.curve = std::move(part.curve)};
   block.line = part.source.line;
   block.run_block = part.run_block;
@@ -84,16 +84,17 @@ Block make_block(PathPart part, const PlanLimits& limits) {
                  .axis_jerk_mm_s3 = {limits.axes[0].jerk_mm_s3, limits.axes[1].jerk_mm_s3,
                                      limits.axes[2].jerk_mm_s3},
                  .period_s = limits.period_s,
-                 .chord_tolerance_mm = limits.chord_tolerance_mm});
+                 .chord_tolerance_mm = limits.chord_tolerance_mm,
+                 .steps = steps});
   }
   return block;
 }
 
 }  // namespace
 
-tl::expected<Block, PathError> block_of(PathPart part, const PlanLimits& limits) {
+tl::expected<Block, PathError> block_of(PathPart part, const PlanLimits& limits, ScanSteps steps) {
   const std::uint32_t line = part.source.line;
-  Block block = make_block(std::move(part), limits);
+  Block block = make_block(std::move(part), limits, steps);
   if (block.extra.alone && !is_bounded(block.limits)) {
     return tl::make_unexpected(PathError{line, "the machine has no limits of the axes that move"});
   }
@@ -101,13 +102,13 @@ tl::expected<Block, PathError> block_of(PathPart part, const PlanLimits& limits)
 }
 
 tl::expected<void, PathError> append_blocks(const parser::Move& move, const PlanLimits& limits,
-                                            std::vector<Block>& blocks) {
+                                            std::vector<Block>& blocks, ScanSteps steps) {
   std::vector<PathPart> parts;
   if (auto built = smoothing::append_parts(move, parts); !built) {
     return built;
   }
   for (PathPart& part : parts) {
-    auto block = block_of(std::move(part), limits);
+    auto block = block_of(std::move(part), limits, steps);
     if (!block) {
       return tl::make_unexpected(block.error());
     }

@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "lookahead/block.hpp"
+#include "lookahead/feed_scan.hpp"
 #include "lookahead/limits.hpp"
 #include "parser/move.hpp"
 #include "smoothing/path_error.hpp"
@@ -13,14 +14,17 @@
 
 namespace kerf::lookahead {
 
-// Error: axes move that the machine has no limits of.
+// steps: in which the ceiling of a curve is scanned (Planner::scan_steps). Error: axes move that
+// the machine has no limits of.
 tl::expected<Block, smoothing::PathError> block_of(smoothing::PathPart part,
-                                                   const PlanLimits& limits);
+                                                   const PlanLimits& limits,
+                                                   ScanSteps steps = ScanSteps::half_ticks);
 
 // Appends the blocks of a move as it is programmed (smoothing/part_builder.hpp). Error: the curve
 // is not valid, with the line to blame.
 tl::expected<void, smoothing::PathError> append_blocks(const parser::Move& move,
                                                        const PlanLimits& limits,
-                                                       std::vector<Block>& blocks);
+                                                       std::vector<Block>& blocks,
+                                                       ScanSteps steps = ScanSteps::half_ticks);
 
 }  // namespace kerf::lookahead

@@ -21,6 +21,10 @@ constexpr int kRefinements = 6;
 // however short a tick is: at a very low feedrate the walk would never end.
 constexpr double kFarBelow = 8.0;
 constexpr double kFineShare = 1.0 / 64.0;
+// Where curvature allows this many times the feedrate all over a quarter piece, its chord errors
+// are a quarter of the tolerance: it is passed in one step, whatever a tick is. Pieces are short
+// where a curve turns sharply (curves/arc_length.cpp).
+constexpr double kNearlyStraight = 2.0;
 // What straight lines between samples may miss of the bound.
 constexpr double kInside = 0.9998;
 // Of the bound, whatever the jerk adds to the way of a tick.
@@ -92,6 +96,14 @@ struct TickBound {
   double v_mm_s = 0.0;
 };
 
+bool is_nearly_straight(const NurbsCurve& curve, double s_mm, double way_mm,
+                        const ScanLimits& limits) {
+  const double least = kNearlyStraight * limits.feedrate_mm_s;
+  return curvature_bound_mm_s(curve, s_mm, limits) > least &&
+         curvature_bound_mm_s(curve, s_mm + 0.5 * way_mm, limits) > least &&
+         curvature_bound_mm_s(curve, s_mm + way_mm, limits) > least;
+}
+
 std::vector<TickBound> walk(const NurbsCurve& curve, const ScanLimits& limits) {
   std::vector<TickBound> bounds;
   for (double s = 0.0; s < curve.length_mm();) {
@@ -104,7 +116,9 @@ std::vector<TickBound> walk(const NurbsCurve& curve, const ScanLimits& limits) {
         curvature_bound_mm_s(curve, s, limits) > kFarBelow * limits.feedrate_mm_s) {
       step = kFineShare * coarse;
     }
-    step = std::min(step, coarse);
+    const bool strides =
+        limits.steps == ScanSteps::quarter_pieces && is_nearly_straight(curve, s, coarse, limits);
+    step = strides ? coarse : std::min(step, coarse);
     s += std::max(step, kLeastStep_mm);
   }
   return bounds;

@@ -7,6 +7,10 @@
 
 namespace kerf::lookahead {
 
+// Where a curve is nearly straight the classical profiles see the ceiling at every half tick (their
+// breaking points are found by its slopes), the time optimum at the quarters of a piece.
+enum class ScanSteps { half_ticks, quarter_pieces };
+
 struct ScanLimits {
   double feedrate_mm_s = kUnbounded;
   SpeedLimit feedrate_from = SpeedLimit::programmed;
@@ -14,6 +18,7 @@ struct ScanLimits {
   curves::Position axis_jerk_mm_s3{kUnbounded, kUnbounded, kUnbounded};
   double period_s = 0.001;
   double chord_tolerance_mm = kUnbounded;
+  ScanSteps steps = ScanSteps::half_ticks;
 };
 
 // Walks the curve; at each place begins with the feedrate that the curvature there allows, measures
@@ -26,10 +31,11 @@ struct ScanLimits {
 // less that difference, and a plan below the samples keeps the tolerance wherever its ticks fall.
 // Steps are half a tick, and no longer than a quarter of a piece of the arc-length map, which is
 // short where the curve is sharp; no feature is stepped over. Where a tick is far shorter than
-// that and curvature allows many times the feedrate, they are a 64th of it. Between samples the
-// ceiling is a straight line: where the bound lies below it (curvature jumps, or is about to), the
-// steps are halved until it hardly does. Known to hold to a thousandth of the tolerance on the
-// shipped curves.
+// that and curvature allows many times the feedrate, they are a 64th of it; in steps of quarter
+// pieces they are a whole one where curvature allows twice the feedrate all over it. Between
+// samples the ceiling is a straight line: where the bound lies below it (curvature jumps, or is
+// about to), the steps are halved until it hardly does. Known to hold to a thousandth of the
+// tolerance on the shipped curves.
 Ceiling scan_feedrate(const curves::NurbsCurve& curve, const ScanLimits& limits);
 
 }  // namespace kerf::lookahead

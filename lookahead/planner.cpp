@@ -36,6 +36,7 @@ std::unique_ptr<Schedule> schedule_for(const PlannerSettings& settings) {
 Planner::Planner(const PlannerSettings& settings)
     : window_blocks_(is_optimum(settings) ? std::max(settings.window_blocks, kOptimumBlocks)
                                           : settings.window_blocks),
+      scan_steps_(is_optimum(settings) ? ScanSteps::quarter_pieces : ScanSteps::half_ticks),
       schedule_(schedule_for(settings)),
       emitter_(settings.limits.period_s) {}
 

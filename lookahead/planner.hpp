@@ -8,6 +8,7 @@
 #include "interp/outputs.hpp"
 #include "lookahead/block.hpp"
 #include "lookahead/emitter.hpp"
+#include "lookahead/feed_scan.hpp"
 #include "lookahead/schedule.hpp"
 #include "lookahead/window.hpp"
 #include "profiles/profile.hpp"
@@ -29,6 +30,8 @@ class Planner {
  public:
   explicit Planner(const PlannerSettings& settings);
 
+  // How the curves of blocks are to be scanned for the profile (append_blocks).
+  [[nodiscard]] ScanSteps scan_steps() const noexcept { return scan_steps_; }
   // False: emit() before the next move. The blocks of one move may exceed the window.
   [[nodiscard]] bool wants_block() const noexcept;
   void push(Block block);
@@ -56,6 +59,7 @@ class Planner {
 
  private:
   std::size_t window_blocks_;
+  ScanSteps scan_steps_;
   std::unique_ptr<Schedule> schedule_;
   Window<Block> blocks_;   // front: the one being emitted
   bool draining_ = false;  // everything in the window may leave: it ends at rest

@@ -51,7 +51,7 @@ void push(smoothing::Smoother::Output& output, const lookahead::PlanLimits& limi
   }
   auto& part = std::get<smoothing::PathPart>(output);
   const std::vector<parser::EventMove> changes = std::move(part.changes);
-  if (auto block = lookahead::block_of(std::move(part), limits)) {
+  if (auto block = lookahead::block_of(std::move(part), limits, planner.scan_steps())) {
     for (const parser::EventMove& change : changes) {
       lookahead::push_event(change, block->line, planner);
     }

@@ -59,7 +59,7 @@ EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits) {
   const std::vector<double> places = path.scan_places();
   std::vector<Cell> cells;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    cells.push_back(cell_between(path, places[i], places[i + 1]));
+    cells.push_back(cell_between(path, {places[i], places[i + 1]}, nullptr));
   }
   const std::vector<double> feeds = estimate_feeds(cells, {}, limits);
   return {.v_begin_mm_s = feeds.front(), .v_end_mm_s = feeds.back()};

@@ -91,9 +91,21 @@ TEST(FeedScan, StepsNoFartherThanATick) {
   }
 }
 
+TEST(FeedScan, InQuartersOfPiecesSeesAStraightPartAtFewPlaces) {
+  const auto curve = smooth_curve(curves::testing::shipped_curve("mazatrol"));
+  ScanLimits limits{.feedrate_mm_s = 20.0, .chord_tolerance_mm = 5e-4};
+  const std::size_t fine = scan_feedrate(curve, limits).size();
+  limits.steps = ScanSteps::quarter_pieces;
+  const std::size_t coarse = scan_feedrate(curve, limits).size();
+  EXPECT_LT(coarse, fine / 4);
+  EXPECT_GE(coarse, 4 * curve.pieces().size());
+}
+
 // Between samples the ceiling is a straight line, which may pass over what the curve allows there:
 // by 2e-4 of the tolerance on the butterfly.
-TEST(FeedScan, KeepsTheChordToleranceOfPlannedTicksAtEveryPhaseToAThousandth) {
+class ScannedIn : public testing::TestWithParam<ScanSteps> {};
+
+TEST_P(ScannedIn, KeepsTheChordToleranceOfPlannedTicksAtEveryPhaseToAThousandth) {
   const PlanLimits limits = butterfly_limits();
   for (const auto& named : shipped_curves()) {
     SCOPED_TRACE(named.name);
@@ -103,7 +115,8 @@ TEST(FeedScan, KeepsTheChordToleranceOfPlannedTicksAtEveryPhaseToAThousandth) {
       block.length_mm = part.length_mm();
       block.ceiling = scan_feedrate(part, {.feedrate_mm_s = 100.0,
                                            .jerk_mm_s3 = 55'000.0,
-                                           .chord_tolerance_mm = limits.chord_tolerance_mm});
+                                           .chord_tolerance_mm = limits.chord_tolerance_mm,
+                                           .steps = GetParam()});
       const Motion motion = plan({block}, {.limits = limits});
       double largest = 0.0;
       for (int phase = 0; phase < 7; ++phase) {
@@ -119,6 +132,9 @@ TEST(FeedScan, KeepsTheChordToleranceOfPlannedTicksAtEveryPhaseToAThousandth) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(FeedScan, ScannedIn,
+                         testing::Values(ScanSteps::half_ticks, ScanSteps::quarter_pieces));
 
 // A quadratic whose curvature falls to a tenth and rises again at its inner knots.
 curves::NurbsData curvature_jumps() {
