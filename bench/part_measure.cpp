@@ -8,10 +8,10 @@ namespace kerf::bench {
 
 namespace {
 
-// How far along the path around the last place the next one is sought.
+// How many elements before and after its own line a tick is sought on.
+constexpr std::size_t kAround = 3;
+// How far around a place along the path the ticks near it are sought.
 constexpr double kNear_mm = 0.6;
-constexpr double kBack_mm =
-    0.1;  // farther back: the last place may have been taken for a later one
 // Of two places as near, as the ends of a loop are, the one is meant that comes next.
 constexpr double kDetour = 1e-7;
 constexpr double kLineSample_mm = 0.25;
@@ -51,21 +51,20 @@ class Matching {
   }
 
  private:
+  // On the elements around the tick's own line: a path that crosses itself cannot mislead then, and
+  // whether the line is right is measured, too.
   void match_ticks() {
     places_mm_.reserve(ticks_.at_mm.size());
     double place = 0.0;
     for (std::size_t i = 0; i < ticks_.at_mm.size(); ++i) {
       const Point& tick = ticks_.at_mm[i];
       const double step = i > 0 ? distance_mm(tick, ticks_.at_mm[i - 1]) : 0.0;
-      const double low = place - kNear_mm - kBack_mm - 2.0 * step;
-      const double high = place + kNear_mm + 2.0 * step;
-      while (first_ + 1 < path_.size() && begins_mm_[first_ + 1] < low) {
-        ++first_;
-      }
       const double expected = place + step;
+      const std::size_t own = ticks_.line[i] - path_.front().line;
+      const std::size_t last = std::min(own + kAround, path_.size() - 1);
       double best = std::numeric_limits<double>::max();
       double least = best;
-      for (std::size_t k = first_; k < path_.size() && begins_mm_[k] <= high; ++k) {
+      for (std::size_t k = own > kAround ? std::min(own - kAround, last) : 0; k <= last; ++k) {
         const Nearest on = nearest(path_[k], tick);
         const double there = begins_mm_[k] + on.share * (begins_mm_[k + 1] - begins_mm_[k]);
         const double weighed = on.distance_mm + kDetour * std::abs(there - expected);
@@ -75,9 +74,8 @@ class Matching {
           place = there;
         }
       }
-      places_mm_.push_back(place);
+      places_mm_.push_back(std::max(place, places_mm_.empty() ? 0.0 : places_mm_.back()));
       found_.of_ticks_mm = std::max(found_.of_ticks_mm, best);
-      const std::size_t own = ticks_.line[i] - path_.front().line;
       if (own < path_.size()) {  // the end of the program is a line of its own
         found_.of_line_mm = std::max(found_.of_line_mm, nearest(path_[own], tick).distance_mm);
       }
@@ -126,7 +124,6 @@ class Matching {
   const std::vector<PathElement>& path_;
   std::vector<double> begins_mm_;  // of each element along the path, and its end
   std::vector<double> places_mm_;  // of each tick along the path
-  std::size_t first_ = 0;
   std::size_t oldest_ = 0;
   Deviation found_{};
 };
