@@ -54,14 +54,54 @@ void shift_marks(PathPart& part, double by_mm) {
   marks.resize(kept);
 }
 
-LineMark first_mark(const PathPart& part) {
-  return part.marks.empty() ? LineMark{.line = part.source.line, .run_block = part.run_block}
-                            : part.marks.front();
+// The line that a place on the part belongs to.
+LineMark mark_at(const PathPart& part, double s_mm) {
+  LineMark found{.line = part.source.line, .run_block = part.run_block};
+  for (const LineMark& mark : part.marks) {
+    if (mark.s_mm > s_mm) {
+      break;
+    }
+    found = mark;
+  }
+  return found;
 }
 
-LineMark last_mark(const PathPart& part) {
-  return part.marks.empty() ? LineMark{.line = part.source.line, .run_block = part.run_block}
-                            : part.marks.back();
+// The lines that a blend runs along: up to the corner those of the part before, then those of the
+// part after. At w it is way (1 - w)^3 before the corner and way w^3 behind it.
+std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathPart& before,
+                                  const PathPart& after) {
+  const double length = curves::length_mm(before.curve);
+  std::vector<LineMark> marks;
+  // From there to the place of the blend that is nearest to the mark's.
+  const auto beside = [&](const curves::Position& place, double w) {
+    double s = blend.curve.s_at(w);
+    for (int i = 0; i < 2; ++i) {
+      const curves::PathDerivatives at = blend.curve.derivatives_at(s);
+      s += (curves::vec(place) - curves::vec(at.position_mm)).dot(curves::vec(at.first));
+    }
+    return s;
+  };
+  const auto add = [&](LineMark mark, double s_mm) {
+    mark.s_mm = marks.empty() ? 0.0 : std::max(s_mm, marks.back().s_mm);
+    if (marks.empty() || marks.back().line != mark.line) {
+      marks.push_back(mark);
+    }
+  };
+  add(mark_at(before, length - way_mm), 0.0);
+  for (const LineMark& mark : before.marks) {
+    const double behind = length - mark.s_mm;
+    if (behind < way_mm && behind > 0.125 * way_mm) {
+      add(mark,
+          beside(curves::position_at(before.curve, mark.s_mm), 1.0 - std::cbrt(behind / way_mm)));
+    }
+  }
+  add(mark_at(after, 0.125 * way_mm), blend.s_corner_mm);
+  for (const LineMark& mark : after.marks) {
+    if (mark.s_mm > 0.125 * way_mm && mark.s_mm < way_mm) {
+      add(mark, beside(curves::position_at(after.curve, mark.s_mm), std::cbrt(mark.s_mm / way_mm)));
+    }
+  }
+  return marks;
 }
 
 }  // namespace
@@ -119,7 +159,7 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
     departure.distance_mm += away_mm;
     if (departure.distance_mm <= kOfTolerance * tolerance + 1e-12 &&
         (!settings_.travel || larger_box(blend->curve.extents(), *settings_.travel) <= 0.0)) {
-      departure.line = first_mark(after.part).line;
+      departure.line = mark_at(after.part, 0.0).line;
       departure.tolerance_mm = tolerance;
       departure_.widen(departure);
       return Chosen{.blend = std::move(*blend), .way_mm = way_mm};
@@ -203,10 +243,9 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   curves::NurbsCurve& curve = chosen.blend.curve;
   PathPart part{.curve = curve};
   part.source = before.part.source;
-  LineMark mark = last_mark(before.part);
-  LineMark mark_after = first_mark(after.part);
-  part.source.line = mark.line;
-  part.run_block = mark.run_block;
+  part.marks = marks_along(chosen.blend, chosen.way_mm, before.part, after.part);
+  part.source.line = part.marks.front().line;
+  part.run_block = part.marks.front().run_block;
   part.rapid = before.part.rapid && after.part.rapid;
   part.feedrate_mm_s = std::min(feedrate_mm_s(before.part), feedrate_mm_s(after.part));
   part.mode = parser::PathMode::blend;
@@ -215,9 +254,6 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   after.follows_blend = true;
   const double s = chosen.blend.s_corner_mm;
   if (after.part.changes.empty()) {
-    mark.s_mm = 0.0;
-    mark_after.s_mm = s;
-    part.marks = {mark, mark_after};
     out.push_back(std::move(part));
     return;
   }
@@ -227,9 +263,11 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   second.continues = true;
   part.curve = std::move(*into);
   second.curve = std::move(*out_of);
+  shift_marks(second, s);
   second.source = after.part.source;
-  second.source.line = mark_after.line;
-  second.run_block = mark_after.run_block;
+  second.source.line = second.marks.front().line;
+  second.run_block = second.marks.front().run_block;
+  std::erase_if(part.marks, [s](const LineMark& mark) { return mark.s_mm >= s; });
   second.changes = std::exchange(after.part.changes, {});
   out.push_back(std::move(part));
   out.push_back(std::move(second));
