@@ -1,0 +1,150 @@
+#include "smoothing/compressor.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/smoothing/polylines.hpp"
+#include "tests/smoothing/smoothed.hpp"
+
+namespace kerf::test {
+namespace {
+
+using curves::Position;
+using curves::vec;
+using smoothing::PathPart;
+
+std::vector<Position> circle(double radius_mm, int lines, int decimals) {
+  std::vector<Position> points;
+  for (int i = 0; i <= lines; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / lines;
+    points.push_back(
+        rounded({radius_mm * std::cos(angle), radius_mm * std::sin(angle), 0.0}, decimals));
+  }
+  return points;
+}
+
+double length_of(const Smoothed& smoothed) {
+  double sum = 0.0;
+  for (const PathPart& part : smoothed.parts) {
+    sum += curves::length_mm(part.curve);
+  }
+  return sum;
+}
+
+TEST(Compressor, MakesOneLineOfAThousandOnALine) {
+  std::vector<Position> points;
+  for (int i = 0; i <= 1000; ++i) {
+    points.push_back({0.2 * i, 0.1 * i, 0.0});
+  }
+  const Smoothed smoothed = smooth(lines_through(points, {}));
+  ASSERT_EQ(smoothed.parts.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<curves::Line>(smoothed.parts[0].curve));
+  EXPECT_EQ(curves::position_at(smoothed.parts[0].curve, 1e9), points.back());
+  EXPECT_EQ(smoothed.parts[0].marks.size(), 1000U);
+}
+
+// Noise of the last decimal turns lines of 0.05 mm by up to 0.03 rad; the circle's own curvature is
+// 0.1 / mm. What is left of the noise may bend the curve by a tenth of that.
+TEST(Compressor, AveragesTheNoiseOfTheLastDecimal) {
+  const Smoothed smoothed = smooth(lines_through(circle(10.0, 1257, 3), {}));
+  double least = HUGE_VAL;
+  double most = 0.0;
+  for (const PathPart& part : smoothed.parts) {
+    const double length = curves::length_mm(part.curve);
+    for (int i = 0; i <= 200; ++i) {
+      const double curvature =
+          vec(curves::derivatives_at(part.curve, length * i / 200.0).second_per_mm).norm();
+      least = std::min(least, curvature);
+      most = std::max(most, curvature);
+    }
+  }
+  EXPECT_GT(least, 0.09);
+  EXPECT_LT(most, 0.11);
+  EXPECT_NEAR(length_of(smoothed), 20.0 * std::numbers::pi, 0.01);
+}
+
+TEST(Compressor, KeepsARealCornerOfFineStepsForABlend) {
+  std::vector<Position> points;
+  for (int i = 0; i <= 100; ++i) {
+    points.push_back({0.01 * i, 0.0, 0.0});
+  }
+  for (int i = 1; i <= 100; ++i) {
+    points.push_back({1.0, 0.01 * i, 0.0});
+  }
+  const Smoothed smoothed = smooth(lines_through(points, {}));
+  ASSERT_EQ(smoothed.parts.size(), 3U);  // line, blend, line
+  EXPECT_TRUE(std::holds_alternative<curves::Line>(smoothed.parts[0].curve));
+  EXPECT_TRUE(std::holds_alternative<curves::Line>(smoothed.parts[2].curve));
+  EXPECT_LE(smoothed.departure.distance_mm, 0.01);
+}
+
+TEST(Compressor, KeepsCoarseLinesWhoseChordsRiseByMoreThanTheTolerance) {
+  const auto points = circle(10.0, 20, 4);  // chord height 0.12 mm
+  const Smoothed smoothed = smooth(lines_through(points, {.corner_mm = 0.0, .merge_mm = 0.01}));
+  EXPECT_EQ(smoothed.parts.size(), 20U);
+  EXPECT_EQ(smoothed.departure.distance_mm, 0.0);
+}
+
+TEST(Compressor, ChangesTheFeedrateWhereTheProgramDoes) {
+  auto moves = lines_through(circle(10.0, 600, 4), {});
+  for (std::size_t i = 300; i < moves.size(); ++i) {
+    moves[i].feedrate_mm_s = 20.0;
+  }
+  const Smoothed smoothed = smooth(moves);
+  double at = 0.0;
+  double changed_at = 0.0;
+  for (const PathPart& part : smoothed.parts) {
+    if (part.feedrate_mm_s == 20.0 && changed_at == 0.0) {
+      changed_at = at;
+      EXPECT_EQ(part.source.line, 301U);
+      EXPECT_TRUE(part.continues);
+    }
+    at += curves::length_mm(part.curve);
+  }
+  EXPECT_NEAR(changed_at, 10.0 * std::numbers::pi, 1e-3);
+}
+
+TEST(Compressor, KnowsWhereEachLineOfTheProgramIs) {
+  const auto points = circle(10.0, 600, 6);
+  const Smoothed smoothed = smooth(lines_through(points, {}));
+  for (const PathPart& part : smoothed.parts) {
+    for (const smoothing::LineMark& mark : part.marks) {
+      if (mark.s_mm > 0.0) {
+        const Position at = curves::position_at(part.curve, mark.s_mm);
+        EXPECT_LE((vec(at) - vec(points[mark.line - 1])).norm(), 0.01) << mark.line;
+      }
+    }
+  }
+}
+
+TEST(Compressor, LetsAnEventWithTheMotionComeWhereItStands) {
+  auto moves = lines_through(circle(10.0, 600, 4), {});
+  parser::Move event;
+  event.shape = parser::EventMove{.kind = parser::EventKind::digital_at_motion, .value = 1.0};
+  moves.insert(moves.begin() + 200, event);
+  smoothing::Smoother smoother({.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 50000.0});
+  double length = 0.0;
+  double event_at = -1.0;
+  const auto take = [&] {
+    smoothing::Smoother::Output output;
+    while (smoother.next(output)) {
+      const PathPart& part = std::get<PathPart>(output);
+      if (!part.changes.empty()) {
+        event_at = length;
+      }
+      length += curves::length_mm(part.curve);
+    }
+  };
+  for (const parser::Move& move : moves) {
+    ASSERT_TRUE(smoother.push(move).has_value());
+    take();
+  }
+  smoother.flush();
+  take();
+  EXPECT_NEAR(event_at, 20.0 * std::numbers::pi / 3.0, 0.01);
+}
+
+}  // namespace
+}  // namespace kerf::test
