@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "profiles/cell_law.hpp"
 
@@ -33,7 +34,8 @@ void grow(double& worst, double share) {
 struct Seen {
   double s_mm = 0.0;
   double v_mm_s = 0.0;
-  curves::Position acceleration_mm_s2{};  // of each axis
+  curves::Position velocity_mm_s{};  // of each axis
+  curves::Position acceleration_mm_s2{};
   curves::Position jerk_mm_s3{};
 };
 
@@ -51,6 +53,7 @@ Seen look_at(const profiles::PathMotion& motion, const Cell& cell, const CellEnd
     const double q1 = path.first[k];
     const double q2 = path.second_per_mm[k];
     const double q3 = path.third_per_mm2[k];
+    seen.velocity_mm_s[k] = q1 * v;
     seen.acceleration_mm_s2[k] = q1 * a + q2 * v * v;
     seen.jerk_mm_s3[k] = q1 * j + 3.0 * q2 * v * a + q3 * v * v * v;
     grow(worst.acceleration, std::abs(seen.acceleration_mm_s2[k]) /
@@ -61,19 +64,30 @@ Seen look_at(const profiles::PathMotion& motion, const Cell& cell, const CellEnd
   return seen;
 }
 
-// An axis' acceleration that rises at one place and falls at the next has a peak between them; its
-// jerk is taken as linear in time there.
+// What rises at one place and falls at the next has a peak between them; its slope is taken as
+// linear in time there. Nothing: it has none.
+std::optional<double> peak_between(double value, double slope, double slope_after, double time_s) {
+  const double rise = std::copysign(slope, value * slope);
+  const double fall = -std::copysign(slope_after, value * slope_after);
+  if (rise > 0.0 && fall > 0.0) {
+    return std::abs(value) + 0.5 * time_s * rise * rise / (rise + fall);
+  }
+  return std::nullopt;
+}
+
+// Of an axis' velocity and acceleration.
 void look_between(const Seen& before, const Seen& after, const Cell& cell, const PlanLimits& limits,
                   Excess& worst) {
   const double time = 2.0 * (after.s_mm - before.s_mm) / (before.v_mm_s + after.v_mm_s);
   for (std::size_t k = 0; k < 3; ++k) {
-    const double a = before.acceleration_mm_s2[k];
-    const double rise = std::copysign(before.jerk_mm_s3[k], a * before.jerk_mm_s3[k]);
-    const double fall = -std::copysign(after.jerk_mm_s3[k], a * after.jerk_mm_s3[k]);
-    if (rise > 0.0 && fall > 0.0) {
-      const double peak = std::abs(a) + 0.5 * time * rise * rise / (rise + fall);
+    if (const auto peak = peak_between(before.velocity_mm_s[k], before.acceleration_mm_s2[k],
+                                       after.acceleration_mm_s2[k], time)) {
+      grow(worst.feedrate, *peak / limits.axes[k].velocity_mm_s);
+    }
+    if (const auto peak = peak_between(before.acceleration_mm_s2[k], before.jerk_mm_s3[k],
+                                       after.jerk_mm_s3[k], time)) {
       grow(worst.acceleration,
-           peak / (cell.allowed.acceleration * limits.axes[k].acceleration_mm_s2));
+           *peak / (cell.allowed.acceleration * limits.axes[k].acceleration_mm_s2));
     }
   }
 }
