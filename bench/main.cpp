@@ -1,11 +1,12 @@
 // kerf-bench papers: the published results beside ours. kerf-bench optimum: the time optimum of
 // every shipped curve beside its reference. kerf-bench parse: text to moves, long programs; with
 // the name of one, that one read once for counting instructions. kerf-bench soak [--seed N]
-// [--last M] [--seconds S]: random curves and programs, those of the seeds N to M and on for so
-// long, or N alone. kerf-bench streaming: the time optimum in a window beside one over everything.
-// kerf-bench parts [NAME] [--quick] [--long] [--profile NAME]: programs of short segments, or those
-// whose name begins so; quick: without the longest exact stops, long: ten million lines too.
-// Anything else: Google Benchmark's cases and options, parse, plan and tick.
+// [--last M] [--seconds S] [--kind smoothed]: random curves and programs, those of the seeds N to M
+// and on for so long, or N alone; smoothed: programs of short lines in G64. kerf-bench streaming:
+// the time optimum in a window beside one over everything. kerf-bench parts [NAME] [--quick]
+// [--long] [--profile NAME]: programs of short segments, or those whose name begins so; quick:
+// without the longest exact stops, long: ten million lines too. Anything else: Google Benchmark's
+// cases and options, parse, plan and tick.
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -24,7 +25,7 @@
 
 namespace {
 
-// soak [--seed N] [--last M] [--seconds S]
+// soak [--seed N] [--last M] [--seconds S] [--kind smoothed]
 std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& words) {
   kerf::bench::Soak order;
   for (std::size_t i = 2; i < words.size(); i += 2) {
@@ -38,6 +39,8 @@ std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& word
       order.last = std::strtoull(value, nullptr, 10);
     } else if (words[i] == "--seconds") {
       order.seconds = std::strtod(value, nullptr);
+    } else if (words[i] == "--kind" && words[i + 1] == "smoothed") {
+      order.smoothed = true;
     } else {
       return std::nullopt;
     }

@@ -14,6 +14,9 @@
 #include "tests/kernel/judged_run.hpp"
 #include "tests/kernel/random_machine.hpp"
 #include "tests/kernel/singular_curves.hpp"
+#include "tests/kernel/smoothing_program.hpp"
+#include "tests/smoothing/polylines.hpp"
+#include "tests/smoothing/smoothed.hpp"
 
 namespace kerf::bench {
 
@@ -27,6 +30,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::minutes kLongest{1};
 constexpr double kLongestCurve_s = 20.0;
+constexpr double kBetweenPoints_mm = 3e-5;  // of the paths that are compared
 constexpr double kAtEnd_mm = 2e-9;  // what the digits and the resolution of a program leave open
 
 struct Trial {
@@ -64,7 +68,33 @@ Trial program_trial(std::uint64_t seed) {
   return trial;
 }
 
-Trial trial_of(std::uint64_t seed) {
+Trial smoothed_trial(std::uint64_t seed) {
+  return {.program = test::smoothing_program(seed),
+          .settings = test::random_machine(seed, test::Spread::common),
+          .way = {.kind = kind_of(seed), .window_blocks = seed % 5 == 0 ? 2 + seed / 7 % 7 : 1000}};
+}
+
+// What is wrong with the path itself; empty: it has no gap and stays within the tolerances.
+std::string departure_complaint(std::uint64_t seed) {
+  const test::RandomMoves program = test::random_moves(seed);
+  if (program.moves.empty()) {
+    return "";
+  }
+  const test::Smoothed smoothed = test::smooth(program.moves);
+  std::string complaint = test::faults_of_joints(program.moves, smoothed);
+  const double tolerance = std::max(program.tolerances.corner_mm, program.tolerances.merge_mm);
+  const double apart = test::apart_mm(test::points_of(smoothed), test::points_of(program.moves));
+  if (!(apart <= std::min(tolerance, smoothed.departure.distance_mm) + kBetweenPoints_mm)) {
+    complaint += std::to_string(apart) + " mm apart, tolerance " + std::to_string(tolerance) +
+                 " mm, said to be " + std::to_string(smoothed.departure.distance_mm) + " mm";
+  }
+  return complaint;
+}
+
+Trial trial_of(std::uint64_t seed, bool smoothed) {
+  if (smoothed) {
+    return smoothed_trial(seed);
+  }
   return seed % 3 == 0 ? curve_trial(seed) : program_trial(seed);
 }
 
@@ -112,15 +142,18 @@ struct Tally {
   double worst_chord = 0.0;
 };
 
-void judge(std::uint64_t seed, Tally& tally) {
-  const Trial trial = trial_of(seed);
+void judge(std::uint64_t seed, bool smoothed, Tally& tally) {
+  const Trial trial = trial_of(seed, smoothed);
   JudgedRun run = test::judged_run(trial.program, trial.settings, trial.way);
   const double off_mm = distance_mm(run.last.position_mm, trial.program.end_mm);
   if (run.complaint.empty() && !(off_mm <= kAtEnd_mm)) {
     run.complaint = "ends " + std::to_string(1e6 * off_mm) + " nm beside its end";
   }
+  if (smoothed) {
+    run.complaint += departure_complaint(seed);
+  }
   ++tally.runs;
-  tally.curves += seed % 3 == 0 ? 1U : 0U;
+  tally.curves += !smoothed && seed % 3 == 0 ? 1U : 0U;
   tally.ticks += run.ticks;
   tally.with_shortfall += run.shortfalls > 0 ? 1U : 0U;
   for (std::size_t i = 0; i < test::kFigures; ++i) {
@@ -161,7 +194,7 @@ int soak(const Soak& order) {
   std::uint64_t seed = order.seed;
   do {
     watchdog.begin(seed);
-    judge(seed, tally);
+    judge(seed, order.smoothed, tally);
     ++seed;
   } while (seed <= order.last || Clock::now() - began < allowed);
   print(tally, order.seed);

@@ -9,6 +9,7 @@ struct Soak {
   std::uint64_t seed = 1;  // the first
   std::uint64_t last = 0;  // all up to that one, and as many more as the seconds allow
   double seconds = 0.0;
+  bool smoothed = false;  // short lines in G64 instead, whose deviation is judged, too
 };
 
 // Prints the seed of each failure, the count, and the largest of each figure over its limit.
