@@ -122,6 +122,30 @@ TEST(Departure, IsThatOfTheWorstCorner) {
   EXPECT_EQ(found.told.tolerance_mm, 0.02);
 }
 
+TEST(Departure, OfATickFromItsOwnLineIsSmallWhereABlendSpansManyLines) {
+  std::string text = "G21 G90 F3000\nG64 P0.05 Q0.001\n";
+  std::vector<Position> lines{{0.0, 0.0, 0.0}};
+  for (int i = 1; i <= 160; ++i) {  // two arcs of short lines that meet at 15 degrees
+    const double angle = 0.005 * (i - 1) + (i > 80 ? 0.26 : 0.0);
+    lines.push_back(
+        {lines.back()[0] + 0.05 * std::cos(angle), lines.back()[1] + 0.05 * std::sin(angle), 0.0});
+    text +=
+        "G1 X" + std::to_string(lines.back()[0]) + " Y" + std::to_string(lines.back()[1]) + "\n";
+  }
+  MachineSettings machine = mill();
+  machine.limits.period_s = 2e-4;
+  Kernel kernel(machine);
+  kernel.feed(text + "M2\n");
+  kernel.finish();
+  std::vector<Setpoint> ticks = rest_of(kernel);
+  ticks.pop_back();  // at rest after the program
+  for (const Setpoint& tick : ticks) {
+    const std::size_t i = tick.line - 2;
+    // P, and the length of a line: at a blend's middle two neighbours are as good.
+    ASSERT_LE(distance_mm(tick.position_mm, lines[i - 1], lines[i]), 0.05 + 0.05) << tick.line;
+  }
+}
+
 TEST(Departure, IsZeroWhereThePathIsExact) {
   for (const char* mode : {"", "G61", "G61.1", "G64 P0"}) {
     SCOPED_TRACE(mode);
