@@ -219,7 +219,8 @@ void add_loops(Table& table) {
 }  // namespace
 
 int parts(const PartsOrder& order) {
-  const bool cost_met = parts_cost(order);
+  const bool smoothing_met = parts_smoothing(order);
+  const bool cost_met = parts_cost(order) && smoothing_met;
   if (order.only == "cost") {
     return cost_met ? 0 : 1;
   }

@@ -19,5 +19,7 @@ int parts(const PartsOrder& order);
 
 // Of parts: dry runs with ticks to nowhere, each in a process of its own for its memory.
 bool parts_cost(const PartsOrder& order);
+// Of parts: smoothing alone.
+bool parts_smoothing(const PartsOrder& order);
 
 }  // namespace kerf::bench

@@ -1,0 +1,96 @@
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <string>
+
+#include "bench/part_programs.hpp"
+#include "bench/parts.hpp"
+#include "smoothing/smoother.hpp"
+
+namespace kerf::bench {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kLeastBlocks_per_s = 300'000.0;
+constexpr int kBatch = 1000;
+
+struct Rate {
+  std::int64_t blocks = 0;
+  double smoothing_s = 0.0;
+  std::int64_t parts = 0;
+};
+
+// Moves through these points, made in batches outside the clock.
+Rate smooth(std::int64_t blocks, const std::function<Point()>& next) {
+  smoothing::Smoother smoother({.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 50000.0});
+  Rate rate{.blocks = blocks};
+  Point at = next();
+  std::vector<parser::Move> batch(kBatch);
+  std::chrono::duration<double> spent{};
+  smoothing::Smoother::Output output;
+  for (std::int64_t done = 0; done < blocks; done += kBatch) {
+    for (parser::Move& move : batch) {
+      move = {};
+      move.start_mm = at;
+      at = next();
+      move.shape = parser::LineMove{at};
+      move.feedrate_mm_s = 100.0;
+      move.mode = parser::PathMode::blend;
+      move.blend_tolerance_mm = move.merge_tolerance_mm = 0.01;
+    }
+    const Clock::time_point began = Clock::now();
+    for (const parser::Move& move : batch) {
+      if (!smoother.push(move)) {
+        return {};
+      }
+      while (smoother.next(output)) {
+        ++rate.parts;
+      }
+    }
+    spent += Clock::now() - began;
+  }
+  rate.smoothing_s = spent.count();
+  return rate;
+}
+
+bool print_row(const char* name, const Rate& rate) {
+  const double per_s = static_cast<double>(rate.blocks) / rate.smoothing_s;
+  const bool met = per_s >= kLeastBlocks_per_s;
+  std::printf("| %s | %lld | %lld | %.2f | %.0f | %s |\n", name,
+              static_cast<long long>(rate.blocks), static_cast<long long>(rate.parts),
+              rate.smoothing_s, per_s, met ? "met" : "MISSED");
+  std::fflush(stdout);
+  return met;
+}
+
+}  // namespace
+
+bool parts_smoothing(const PartsOrder& order) {
+  if (!order.only.empty() && order.only != "cost") {
+    return true;
+  }
+  const std::int64_t blocks = order.quick ? 100'000 : 1'000'000;
+  std::printf(
+      "Smoothing alone, P 0.01 and Q 0.01, moves to path parts; target: %.0f blocks a second.\n\n"
+      "| lines | blocks | parts | time [s] | blocks/s | |\n| --- | --- | --- | --- | --- | --- |\n",
+      kLeastBlocks_per_s);
+  Flower flower(0.1);
+  const auto petals = [&flower] {
+    flower.advance();
+    return flower.here();
+  };
+  bool met = print_row("flower, 0.1 mm", smooth(blocks, petals));
+  // A right angle at every point.
+  std::int64_t step = 0;
+  const auto stairs = [&step] {
+    ++step;
+    return Point{static_cast<double>(step / 2), static_cast<double>((step + 1) / 2), 0.0};
+  };
+  met = print_row("stairs of 1 mm, a blend at each", smooth(blocks, stairs)) && met;
+  std::printf("\n");
+  return met;
+}
+
+}  // namespace kerf::bench
