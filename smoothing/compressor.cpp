@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "smoothing/circle_run.hpp"
 #include "smoothing/run_parts.hpp"
 
 namespace kerf::smoothing {
@@ -19,6 +20,15 @@ constexpr std::size_t kSpansOfPart = 24;
 constexpr double kStraightRadius_mm = 1e5;
 constexpr double kStraight_mm = 1e-6;
 constexpr double kOfTolerance = 0.2;
+
+bool is_outside(const curves::Extents& box, const curves::Extents& travel) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (box.min_mm[k] < travel.min_mm[k] || box.max_mm[k] > travel.max_mm[k]) {
+      return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -99,7 +109,7 @@ void Compressor::close_at(std::size_t vertex, std::vector<PathPart>& out) {
   if (straight_ > 0 && straight_ < last && !is_straight(last)) {
     last = straight_;
   }
-  while (tail_ || !is_straight(last)) {
+  while (tail_ || !(is_straight(last) || emit_circle(last, out))) {
     const RunFit fit =
         fit_run(run_, {.last = last, .judged = last, .pinned = true}, tail_, {}, settings_);
     if (!fit.fails_at || last == 1) {
@@ -156,6 +166,24 @@ bool Compressor::is_straight(std::size_t vertex) const {
     before = along;
   }
   return length > 0.0;
+}
+
+bool Compressor::emit_circle(std::size_t vertex, std::vector<PathPart>& out) {
+  const auto circle = circle_of(run_, vertex, settings_.tolerance_mm);
+  if (!circle || (settings_.travel && is_outside(circle->arc.extents(), *settings_.travel))) {
+    return false;
+  }
+  departure_.widen({.distance_mm = circle->departure_mm,
+                    .at_mm = run_[vertex / 2].point_mm,
+                    .line = run_[vertex / 2].source.line});
+  append_parts(run_,
+               {.curve = circle->arc,
+                .first = 0,
+                .last = vertex,
+                .s_mm = circle->s_mm,
+                .departure_mm = circle->departure_mm},
+               like_, out);
+  return true;
 }
 
 void Compressor::emit_line(std::size_t vertex, std::vector<PathPart>& out) {

@@ -59,6 +59,8 @@ class Compressor {
   // All vertices up to this one are as good as on a line, in order.
   [[nodiscard]] bool is_straight(std::size_t vertex) const;
   void emit_line(std::size_t vertex, std::vector<PathPart>& out);
+  // False: it is no circular run.
+  bool emit_circle(std::size_t vertex, std::vector<PathPart>& out);
   void emit_spans(const RunFit& fit, std::size_t count, bool to_end, std::vector<PathPart>& out);
   void drop_front(std::size_t vertices);
 

@@ -20,6 +20,9 @@ PathPart part_of(const Polyline& run, const MergedCurve& merged, std::size_t fro
   part.mode = parser::PathMode::blend;
   part.corner_tolerance_mm = like.blend_tolerance_mm;
   part.end_departure_mm = merged.departure_mm;
+  if (const auto* arc = std::get_if<curves::Arc>(&merged.curve)) {
+    part.arc_normal = arc->normal_axis();
+  }
   part.continues = merged.continues || from > merged.first;
   if (to - from > 1) {
     for (std::size_t i = from; i < to; ++i) {
