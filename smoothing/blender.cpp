@@ -250,6 +250,9 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   part.feedrate_mm_s = std::min(feedrate_mm_s(before.part), feedrate_mm_s(after.part));
   part.mode = parser::PathMode::blend;
   part.continues = !before.is_gone || before.follows_blend || before.part.continues;
+  if (before.is_gone) {
+    part.changes = before.part.changes;
+  }
   after.cut_begin_mm = chosen.way_mm;
   after.follows_blend = true;
   const double s = chosen.blend.s_corner_mm;

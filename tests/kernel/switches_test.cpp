@@ -72,6 +72,11 @@ TEST(Switches, AtMotionComeAtTheJointWithoutARest) {
   EXPECT_EQ(first(ticks, [](const Tick& t) { return t.seen.analog[2] == 1.5; }).tick, next.tick);
 }
 
+TEST(Switches, AtMotionComeWhereABlendTakesAllOfTheirBlock) {
+  const auto ticks = run("G21 G90 G64 P0.2 Q0\nM62 P1\nG1 X0.02 F3000\nY5\nM2\n");
+  EXPECT_EQ(first(ticks, [](const Tick& tick) { return tick.seen.digital == 2; }).tick, 0);
+}
+
 TEST(Switches, AtMotionWaitForAMotionAcrossRests) {
   const auto ticks = run("F600\nG1 X5\nM62 P0\nG4 P0.5\nG1 X10\nM62 P1\nM2\n");
   const Setpoint& on = first(ticks, [](const Tick& t) { return t.seen.digital == 1U; });
