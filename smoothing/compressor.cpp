@@ -112,7 +112,11 @@ void Compressor::close_at(std::size_t vertex, std::vector<PathPart>& out) {
   while (tail_ || !(is_straight(last) || emit_circle(last, out))) {
     const RunFit fit =
         fit_run(run_, {.last = last, .judged = last, .pinned = true}, tail_, {}, settings_);
-    if (!fit.fails_at || last == 1) {
+    if (fit.fails_at && last == 1) {
+      emit_chords({0, 1}, {curves::to_position(tail_->derivatives[0]), run_[1].point_mm}, out);
+      break;
+    }
+    if (!fit.fails_at) {
       emit_spans(fit, fit.spline.spans.size(), true, out);
       break;
     }
@@ -122,6 +126,7 @@ void Compressor::close_at(std::size_t vertex, std::vector<PathPart>& out) {
     emit_line(last, out);
   }
   tail_.reset();
+  broken_ = false;
   breaks_.clear();
   drop_front(last);
 }
@@ -175,7 +180,8 @@ bool Compressor::emit_circle(std::size_t vertex, std::vector<PathPart>& out) {
   }
   departure_.widen({.distance_mm = circle->departure_mm,
                     .at_mm = run_[vertex / 2].point_mm,
-                    .line = run_[vertex / 2].source.line});
+                    .line = run_[vertex / 2].source.line,
+                    .tolerance_mm = settings_.tolerance_mm});
   append_parts(run_,
                {.curve = circle->arc,
                 .first = 0,
@@ -226,19 +232,44 @@ void Compressor::emit_spans(const RunFit& fit, std::size_t count, bool to_end,
                         .line = run_[fit.breaks[k] + 1].source.line,
                         .tolerance_mm = settings_.tolerance_mm});
     }
-    auto made = curves::NurbsCurve::from_spans(spans, end);
-    if (made && made->size() == 1) {
+    const auto made = curves::NurbsCurve::from_spans(spans, end);
+    if (!made || made->size() != 1) {
+      const FitSpan& first = fit.spline.spans[from];
+      emit_chords({fit.breaks[from], fit.breaks[to]},
+                  {curves::to_position(first.at(first.w_begin_mm)), end}, out);
+    } else {
       MergedCurve merged{.curve = made->front(),
                          .first = fit.breaks[from],
                          .last = fit.breaks[to],
-                         .continues = tail_.has_value() || from > 0,
+                         .continues = !broken_ && (tail_.has_value() || from > 0),
                          .departure_mm = away};
       for (std::size_t i = merged.first; i < merged.last; ++i) {
         merged.s_mm.push_back(i == merged.first ? 0.0 : made->front().s_at(run_[i].w_mm));
       }
       append_parts(run_, merged, like_, out);
+      broken_ = false;
     }
     from = to;
+  }
+}
+
+// The lines themselves, but for a begin and an end on the spline, which are no farther from their
+// vertices than the tolerance; so no point of the chords is.
+void Compressor::emit_chords(const Vertices& between, const ChordEnds& ends,
+                             std::vector<PathPart>& out) {
+  broken_ = true;
+  for (std::size_t i = between.first; i < between.last; ++i) {
+    const bool last = i + 1 == between.last;
+    const curves::Position& from = i == between.first ? ends.begin_mm : run_[i].point_mm;
+    const curves::Position& to = last ? ends.end_mm : run_[i + 1].point_mm;
+    const Vertex& at = run_[last ? i + 1 : i];
+    departure_.widen({.distance_mm = (vec(last ? to : from) - vec(at.point_mm)).norm(),
+                      .at_mm = at.point_mm,
+                      .line = run_[i + 1].source.line,
+                      .tolerance_mm = settings_.tolerance_mm});
+    if (const auto line = curves::Line::between(from, to)) {
+      append_parts(run_, {.curve = *line, .first = i, .last = i + 1, .s_mm = {0.0}}, like_, out);
+    }
   }
 }
 

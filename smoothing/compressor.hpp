@@ -61,6 +61,15 @@ class Compressor {
   void emit_line(std::size_t vertex, std::vector<PathPart>& out);
   // False: it is no circular run.
   bool emit_circle(std::size_t vertex, std::vector<PathPart>& out);
+  struct Vertices {
+    std::size_t first = 0;
+    std::size_t last = 0;
+  };
+  struct ChordEnds {
+    curves::Position begin_mm{};
+    curves::Position end_mm{};
+  };
+  void emit_chords(const Vertices& between, const ChordEnds& ends, std::vector<PathPart>& out);
   void emit_spans(const RunFit& fit, std::size_t count, bool to_end, std::vector<PathPart>& out);
   void drop_front(std::size_t vertices);
 
@@ -72,6 +81,7 @@ class Compressor {
   std::size_t awaited_ = kWindow;    // vertices before the next look
   std::vector<std::size_t> breaks_;  // of the last window, behind what has left
   std::optional<SplineTail> tail_;   // the run's front has left as a spline
+  bool broken_ = false;              // behind it came lines for what would have been a spline
   Departure departure_{};
 };
 

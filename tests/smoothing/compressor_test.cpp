@@ -65,6 +65,18 @@ TEST(Compressor, AveragesTheNoiseOfTheLastDecimal) {
   EXPECT_NEAR(length_of(smoothed), 20.0 * std::numbers::pi, 0.01);
 }
 
+TEST(Compressor, MakesAnArcOfACircularRun) {
+  for (const int decimals : {3, 6}) {
+    const Smoothed smoothed = smooth(lines_through(circle(10.0, 300, decimals), {}));
+    ASSERT_EQ(smoothed.parts.size(), 1U) << decimals;
+    const auto* arc = std::get_if<curves::Arc>(&smoothed.parts[0].curve);
+    ASSERT_NE(arc, nullptr);
+    EXPECT_NEAR(arc->radius_mm(), 10.0, 1e-3);
+    EXPECT_NEAR(arc->length_mm(), 20.0 * std::numbers::pi, 1e-2);
+    EXPECT_LE(smoothed.departure.distance_mm, 0.01);
+  }
+}
+
 TEST(Compressor, KeepsARealCornerOfFineStepsForABlend) {
   std::vector<Position> points;
   for (int i = 0; i <= 100; ++i) {
