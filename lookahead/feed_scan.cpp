@@ -21,10 +21,12 @@ constexpr int kRefinements = 6;
 // however short a tick is: at a very low feedrate the walk would never end.
 constexpr double kFarBelow = 8.0;
 constexpr double kFineShare = 1.0 / 64.0;
-// Where curvature allows this many times the feedrate all over a quarter piece, its chord errors
-// are a quarter of the tolerance: it is passed in one step, whatever a tick is. Pieces are short
-// where a curve turns sharply (curves/arc_length.cpp).
+// Where curvature allows this many times the feedrate all over a quarter piece, and all over the
+// tick that begins at its end, its chord errors are a quarter of the tolerance: it is passed in one
+// step, whatever a tick is.
 constexpr double kNearlyStraight = 2.0;
+constexpr std::size_t kMostPieces = 4;
+constexpr int kStraightParts = 4;
 // What straight lines between samples may miss of the bound.
 constexpr double kInside = 0.9998;
 // Of the bound, whatever the jerk adds to the way of a tick.
@@ -96,12 +98,26 @@ struct TickBound {
   double v_mm_s = 0.0;
 };
 
+// Looked at piece by piece, for pieces are short where a curve turns sharply.
 bool is_nearly_straight(const NurbsCurve& curve, double s_mm, double way_mm,
                         const ScanLimits& limits) {
   const double least = kNearlyStraight * limits.feedrate_mm_s;
-  return curvature_bound_mm_s(curve, s_mm, limits) > least &&
-         curvature_bound_mm_s(curve, s_mm + 0.5 * way_mm, limits) > least &&
-         curvature_bound_mm_s(curve, s_mm + way_mm, limits) > least;
+  const std::size_t first = curve.piece_index(s_mm);
+  const std::size_t last = curve.piece_index(s_mm + way_mm);
+  if (last - first >= kMostPieces) {
+    return false;
+  }
+  for (std::size_t k = first; k <= last; ++k) {
+    const curves::NurbsPiece& piece = curve.pieces()[k];
+    const double begin = std::max(s_mm, piece.s_begin_mm);
+    const double way = std::min(s_mm + way_mm, piece.s_end_mm) - begin;
+    for (int i = 0; i <= kStraightParts; ++i) {
+      if (!(curvature_bound_mm_s(curve, begin + way * i / kStraightParts, limits) > least)) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 std::vector<TickBound> walk(const NurbsCurve& curve, const ScanLimits& limits) {
@@ -116,8 +132,8 @@ std::vector<TickBound> walk(const NurbsCurve& curve, const ScanLimits& limits) {
         curvature_bound_mm_s(curve, s, limits) > kFarBelow * limits.feedrate_mm_s) {
       step = kFineShare * coarse;
     }
-    const bool strides =
-        limits.steps == ScanSteps::quarter_pieces && is_nearly_straight(curve, s, coarse, limits);
+    const bool strides = limits.steps == ScanSteps::quarter_pieces &&
+                         is_nearly_straight(curve, s, coarse + v * limits.period_s, limits);
     step = strides ? coarse : std::min(step, coarse);
     s += std::max(step, kLeastStep_mm);
   }

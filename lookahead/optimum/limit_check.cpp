@@ -1,6 +1,7 @@
 #include "lookahead/optimum/limit_check.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -92,6 +93,23 @@ void look_between(const Seen& before, const Seen& after, const Cell& cell, const
   }
 }
 
+// The fourth derivative of a curve jumps at its knots, and with it the slope of an axis' jerk: the
+// peak between the inner two of four places is where the lines through the outer ones meet.
+void look_at_kink(const std::array<Seen, 4>& seen, const Cell& cell, const PlanLimits& limits,
+                  Excess& worst) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double sign = std::copysign(1.0, seen[1].jerk_mm_s3[k]);
+    const double before = sign * seen[1].jerk_mm_s3[k];
+    const double after = sign * seen[2].jerk_mm_s3[k];
+    const double rise = before - sign * seen[0].jerk_mm_s3[k];
+    const double fall = after - sign * seen[3].jerk_mm_s3[k];
+    const double share = (after - before + fall) / (rise + fall);
+    if (rise > 0.0 && fall > 0.0 && share > 0.0 && share < 1.0) {
+      grow(worst.jerk, (before + rise * share) / (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
+    }
+  }
+}
+
 }  // namespace
 
 double Excess::largest() const noexcept {
@@ -114,11 +132,15 @@ Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
                                     curves::vec(cell.end.second_per_mm).norm());
   const double parts =
       std::clamp(std::ceil(curvature * cell.length_mm / kAngle), 1.0 * kParts, 1.0 * kMostParts);
-  Seen before = look(0.0);
+  std::array<Seen, 4> seen{};  // the newest last
+  seen[3] = look(0.0);
   for (int i = 1; i <= static_cast<int>(parts); ++i) {
-    const Seen here = look(i / parts);
-    look_between(before, here, cell, limits, worst);
-    before = here;
+    std::rotate(seen.begin(), seen.begin() + 1, seen.end());
+    seen[3] = look(i / parts);
+    look_between(seen[2], seen[3], cell, limits, worst);
+    if (i >= 3) {
+      look_at_kink(seen, cell, limits, worst);
+    }
   }
   const double peak = -begin.slope / (begin.bend * cell.length_mm);  // of the feedrate
   if (begin.bend < 0.0 && peak > 0.0 && peak < 1.0) {
