@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "smoothing/part_marks.hpp"
+
 namespace kerf::smoothing {
 
 namespace {
@@ -16,14 +18,16 @@ constexpr double kOfRadius = 0.5;       // of a curve beside a corner
 constexpr double kOfNeed = 1.3;         // of the way that the feedrate needs
 constexpr double kLeastWay_mm = 1e-5;
 constexpr double kLeastRest_mm = 1e-6;  // of a part between two blends; a shorter one goes with one
+constexpr double kOutside_mm = 1e-9;    // of the travel: rounding
 constexpr int kShrinkings = 16;
 
-double larger_box(const curves::Extents& box, const curves::Extents& travel) {
-  double beyond = 0.0;
+// How far the box leaves the travel.
+double beyond_mm(const curves::Extents& box, const curves::Extents& travel) {
+  double most = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
-    beyond = std::max({beyond, travel.min_mm[k] - box.min_mm[k], box.max_mm[k] - travel.max_mm[k]});
+    most = std::max({most, travel.min_mm[k] - box.min_mm[k], box.max_mm[k] - travel.max_mm[k]});
   }
-  return beyond;
+  return most;
 }
 
 // What a corner gets of a part whose other corner wants some, too: no less than half.
@@ -40,75 +44,8 @@ bool may_bend(const PathPart& part) {
          part.extra.length_mm == 0.0;
 }
 
-// What the part's marks are once its first by_mm are gone.
-void shift_marks(PathPart& part, double by_mm) {
-  std::vector<LineMark>& marks = part.marks;
-  std::size_t kept = 0;
-  for (const LineMark mark : std::vector<LineMark>(marks)) {
-    const double s = mark.s_mm - by_mm;
-    kept = s <= 0.0 ? 0 : kept;
-    marks[kept] = mark;
-    marks[kept].s_mm = std::max(s, 0.0);
-    ++kept;
-  }
-  marks.resize(kept);
-}
-
-// The line that a place on the part belongs to.
-LineMark mark_at(const PathPart& part, double s_mm) {
-  LineMark found{.line = part.source.line, .run_block = part.run_block};
-  for (const LineMark& mark : part.marks) {
-    if (mark.s_mm > s_mm) {
-      break;
-    }
-    found = mark;
-  }
-  return found;
-}
-
-// The lines that a blend runs along: up to the corner those of the part before, then those of the
-// part after. At w it is way (1 - w)^3 before the corner and way w^3 behind it.
-std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathPart& before,
-                                  const PathPart& after) {
-  const double length = curves::length_mm(before.curve);
-  std::vector<LineMark> marks;
-  // From there to the place of the blend that is nearest to the mark's.
-  const auto beside = [&](const curves::Position& place, double w) {
-    double s = blend.curve.s_at(w);
-    for (int i = 0; i < 2; ++i) {
-      const curves::PathDerivatives at = blend.curve.derivatives_at(s);
-      s += (curves::vec(place) - curves::vec(at.position_mm)).dot(curves::vec(at.first));
-    }
-    return s;
-  };
-  const auto add = [&](LineMark mark, double s_mm) {
-    mark.s_mm = marks.empty() ? 0.0 : std::max(s_mm, marks.back().s_mm);
-    if (marks.empty() || marks.back().line != mark.line) {
-      marks.push_back(mark);
-    }
-  };
-  add(mark_at(before, length - way_mm), 0.0);
-  for (const LineMark& mark : before.marks) {
-    const double behind = length - mark.s_mm;
-    if (behind < way_mm && behind > 0.125 * way_mm) {
-      add(mark,
-          beside(curves::position_at(before.curve, mark.s_mm), 1.0 - std::cbrt(behind / way_mm)));
-    }
-  }
-  add(mark_at(after, 0.125 * way_mm), blend.s_corner_mm);
-  for (const LineMark& mark : after.marks) {
-    if (mark.s_mm > 0.125 * way_mm && mark.s_mm < way_mm) {
-      add(mark, beside(curves::position_at(after.curve, mark.s_mm), std::cbrt(mark.s_mm / way_mm)));
-    }
-  }
-  return marks;
-}
-
 }  // namespace
 
-// kappa and the jerk's coefficient of a blend of way 1 between two lines, in its middle: with
-// |r'| = 1.5 cos and |r' x r''| = 9 sin cos (of half the angle). The largest third derivative is
-// some 2.5 times the curvature over the way.
 double Blender::wanted_way_mm(const Held& before, const Held& after) const {
   if (!may_bend(before.part) || !may_bend(after.part) || after.part.continues) {
     return 0.0;
@@ -132,6 +69,9 @@ double Blender::wanted_way_mm(const Held& before, const Held& after) const {
   }
   const double feedrate = std::min(feedrate_mm_s(before.part), feedrate_mm_s(after.part));
   if (std::isfinite(feedrate)) {
+    // The curvature in the middle of a blend of way 1 between two lines, where |r'| = 1.5 cos and
+    // |r' x r''| = 9 sin cos of half the angle; the largest third derivative is some 2.5 times it
+    // over the way.
     const double half_sine = 0.5 * shape.turn;
     const double curvature = 8.0 / 3.0 * half_sine / (1.0 - half_sine * half_sine);
     const double v2 = feedrate * feedrate;
@@ -158,7 +98,8 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
     Departure departure = departure_of(*blend, corner, way_mm);
     departure.distance_mm += away_mm;
     if (departure.distance_mm <= kOfTolerance * tolerance + 1e-12 &&
-        (!settings_.travel || larger_box(blend->curve.extents(), *settings_.travel) <= 0.0)) {
+        (!settings_.travel ||
+         beyond_mm(blend->curve.extents(), *settings_.travel) <= kOutside_mm)) {
       departure.line = mark_at(after.part, 0.0).line;
       departure.tolerance_mm = tolerance;
       departure_.widen(departure);

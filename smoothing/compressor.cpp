@@ -15,15 +15,13 @@ namespace {
 
 constexpr std::size_t kAhead = 24;           // of them, behind which corners are known
 constexpr std::size_t kLongestLine = 65536;  // in lines of the program
+constexpr double kOutside_mm = 1e-9;         // of the travel: rounding
 constexpr std::size_t kSpansOfPart = 24;
-// A run is straight where it bends by less than a circle of this radius, or within rounding.
-constexpr double kStraightRadius_mm = 1e5;
-constexpr double kStraight_mm = 1e-6;
-constexpr double kOfTolerance = 0.2;
 
 bool is_outside(const curves::Extents& box, const curves::Extents& travel) {
   for (std::size_t k = 0; k < 3; ++k) {
-    if (box.min_mm[k] < travel.min_mm[k] || box.max_mm[k] > travel.max_mm[k]) {
+    if (box.min_mm[k] < travel.min_mm[k] - kOutside_mm ||
+        box.max_mm[k] > travel.max_mm[k] + kOutside_mm) {
       return true;
     }
   }
@@ -83,7 +81,7 @@ void Compressor::reduce(bool ended, std::vector<PathPart>& out) {
     const auto corner = find_corner(known);
     if (corner || ended) {
       close_at(corner.value_or(last), out);
-    } else if (!tail_ && is_straight(known) && known < kLongestLine) {
+    } else if (!tail_ && is_straight_to(known) && known < kLongestLine) {
       straight_ = known;
       awaited_ = 2 * run_.size();
     } else if (straight_ > 0) {
@@ -106,10 +104,10 @@ std::optional<std::size_t> Compressor::find_corner(std::size_t known) {
 
 void Compressor::close_at(std::size_t vertex, std::vector<PathPart>& out) {
   std::size_t last = vertex;
-  if (straight_ > 0 && straight_ < last && !is_straight(last)) {
+  if (straight_ > 0 && straight_ < last && !is_straight_to(last)) {
     last = straight_;
   }
-  while (tail_ || !(is_straight(last) || emit_circle(last, out))) {
+  while (tail_ || !(is_straight_to(last) || emit_circle(last, out))) {
     const RunFit fit =
         fit_run(run_, {.last = last, .judged = last, .pinned = true}, tail_, {}, settings_);
     if (fit.fails_at && last == 1) {
@@ -122,7 +120,7 @@ void Compressor::close_at(std::size_t vertex, std::vector<PathPart>& out) {
     }
     last = std::min(*fit.fails_at, last - 1);
   }
-  if (!tail_ && is_straight(last)) {
+  if (!tail_ && is_straight_to(last)) {
     emit_line(last, out);
   }
   tail_.reset();
@@ -151,26 +149,6 @@ void Compressor::advance(std::size_t known, std::vector<PathPart>& out) {
     breaks_.push_back(fit.breaks[k] - gone);
   }
   drop_front(gone);
-}
-
-bool Compressor::is_straight(std::size_t vertex) const {
-  const Eigen::Vector3d begin = vec(run_[0].point_mm);
-  const Eigen::Vector3d chord = vec(run_[vertex].point_mm) - begin;
-  const double length = chord.norm();
-  const double most = std::max(std::min(kStraight_mm, settings_.tolerance_mm),
-                               std::min(kOfTolerance * settings_.tolerance_mm,
-                                        0.125 * length * length / kStraightRadius_mm));
-  double before = 0.0;
-  for (std::size_t i = 1; i < vertex; ++i) {
-    const Eigen::Vector3d seen = vec(run_[i].point_mm) - begin;
-    const double along = seen.dot(chord) / length;
-    const double aside = (seen - (along / length) * chord).norm();
-    if (!(aside <= most && along > before && along < length)) {
-      return false;
-    }
-    before = along;
-  }
-  return length > 0.0;
 }
 
 bool Compressor::emit_circle(std::size_t vertex, std::vector<PathPart>& out) {

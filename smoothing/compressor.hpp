@@ -57,7 +57,9 @@ class Compressor {
   // The front of a run that goes on.
   void advance(std::size_t known, std::vector<PathPart>& out);
   // All vertices up to this one are as good as on a line, in order.
-  [[nodiscard]] bool is_straight(std::size_t vertex) const;
+  [[nodiscard]] bool is_straight_to(std::size_t vertex) const {
+    return is_straight(run_, vertex, settings_.tolerance_mm);
+  }
   void emit_line(std::size_t vertex, std::vector<PathPart>& out);
   // False: it is no circular run.
   bool emit_circle(std::size_t vertex, std::vector<PathPart>& out);

@@ -19,6 +19,10 @@ constexpr double kNear = 4.0;       // tolerances over which a direction is take
 constexpr double kFar = 3.0;        // times as far for the directions before and after
 constexpr double kLongLine = 10.0;  // times its neighbour
 constexpr double kLong = 100.0;     // tolerances
+// A run is straight where it bends by less than a circle of this radius, or within rounding.
+constexpr double kStraightRadius_mm = 1e5;
+constexpr double kStraight_mm = 1e-6;
+constexpr double kOfTolerance = 0.2;
 
 double angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -73,6 +77,26 @@ bool is_corner(const Polyline& run, std::size_t index, double tolerance_mm) {
   return near > kCornerTurn_rad &&
          near > kStandsOut * std::max(turn_beside(run, index, back, false),
                                       turn_beside(run, index, ahead, true));
+}
+
+bool is_straight(const Polyline& run, std::size_t last, double tolerance_mm) {
+  const Eigen::Vector3d begin = vec(run[0].point_mm);
+  const Eigen::Vector3d chord = vec(run[last].point_mm) - begin;
+  const double length = chord.norm();
+  const double most =
+      std::max(std::min(kStraight_mm, tolerance_mm),
+               std::min(kOfTolerance * tolerance_mm, 0.125 * length * length / kStraightRadius_mm));
+  double before = 0.0;
+  for (std::size_t i = 1; i < last; ++i) {
+    const Eigen::Vector3d seen = vec(run[i].point_mm) - begin;
+    const double along = seen.dot(chord) / length;
+    const double aside = (seen - (along / length) * chord).norm();
+    if (!(aside <= most && along > before && along < length)) {
+      return false;
+    }
+    before = along;
+  }
+  return length > 0.0;
 }
 
 }  // namespace kerf::smoothing

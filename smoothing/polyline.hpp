@@ -34,7 +34,8 @@ using Polyline = std::vector<Vertex>;
 // - where a long line meets a short one: it was not meant to be part of the curve.
 bool is_corner(const Polyline& run, std::size_t index, double tolerance_mm);
 
-// How far a vertex sees when it is judged, in lengths of the lines beside it and in tolerances.
-inline constexpr double kCornerReach = 16.0;
+// All vertices up to the last are as good as on a line, in order: within rounding, or bent by less
+// than a circle of 100 m and well within the tolerance.
+bool is_straight(const Polyline& run, std::size_t last, double tolerance_mm);
 
 }  // namespace kerf::smoothing

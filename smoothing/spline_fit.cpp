@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
+#include "smoothing/normal_equations.hpp"
+
 namespace kerf::smoothing {
 
 namespace {
 
-constexpr std::size_t kOrder = kFitDegree + 1;
 // Of a span's weight: enough to decide what no sample decides, and nothing that samples feel.
 constexpr double kStiffness = 1e-13;
 
 // Row j: the basis function that is the j-th from the left on the span, as powers of x.
 using SpanBasis = Eigen::Matrix<double, kOrder, kOrder, Eigen::RowMajor>;
-using Powers = Eigen::Matrix<double, kOrder, 1>;
 
 // By the recursion of Cox and de Boor, on polynomials. t: the knots around span k, which lies
 // between t[k + 5] and t[k + 6].
@@ -45,88 +45,6 @@ SpanBasis basis_of(const std::vector<double>& t, std::size_t k) {
   }
   return basis;
 }
-
-// Normal equations, symmetric: row i holds columns i - 5 to i.
-class NormalEquations {
- public:
-  explicit NormalEquations(std::size_t count)
-      : rows_(count, Row::Zero()), right_(count, Eigen::Vector3d::Zero()) {}
-
-  void add(std::size_t first, const Powers& values, double weight, const Eigen::Vector3d& point) {
-    for (std::size_t i = 0; i < kOrder; ++i) {
-      const double scaled = weight * values[static_cast<Eigen::Index>(i)];
-      Row& row = rows_[first + i];
-      for (std::size_t j = 0; j <= i; ++j) {
-        row[static_cast<Eigen::Index>(kFitDegree - i + j)] +=
-            scaled * values[static_cast<Eigen::Index>(j)];
-      }
-      right_[first + i] += scaled * point;
-    }
-  }
-
-  // A third difference of coefficients is to be 0.
-  void stiffen(std::size_t first, double weight) {
-    constexpr std::array<double, 4> kDifference{-1.0, 3.0, -3.0, 1.0};
-    for (std::size_t i = 0; i < kDifference.size(); ++i) {
-      for (std::size_t j = 0; j <= i; ++j) {
-        rows_[first + i][static_cast<Eigen::Index>(kFitDegree - i + j)] +=
-            weight * kDifference[i] * kDifference[j];
-      }
-    }
-  }
-
-  void fix(std::size_t index, const Eigen::Vector3d& value) {
-    for (std::size_t j = index >= kFitDegree ? index - kFitDegree : 0; j < index; ++j) {
-      double& entry = rows_[index][static_cast<Eigen::Index>(kFitDegree + j - index)];
-      right_[j] -= entry * value;
-      entry = 0.0;
-    }
-    const std::size_t last = std::min(index + kFitDegree, rows_.size() - 1);
-    for (std::size_t i = index + 1; i <= last; ++i) {
-      double& entry = rows_[i][static_cast<Eigen::Index>(kFitDegree + index - i)];
-      right_[i] -= entry * value;
-      entry = 0.0;
-    }
-    rows_[index][kFitDegree] = 1.0;
-    right_[index] = value;
-  }
-
-  // L D L^T in place.
-  std::vector<Eigen::Vector3d> solve() {
-    const std::size_t count = rows_.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t first = i >= kFitDegree ? i - kFitDegree : 0;
-      for (std::size_t j = first; j < i; ++j) {
-        double sum = entry(i, j);
-        const std::size_t from = std::max(first, j >= kFitDegree ? j - kFitDegree : 0);
-        for (std::size_t m = from; m < j; ++m) {
-          sum -= entry(i, m) * entry(j, m) * entry(m, m);
-        }
-        entry(i, j) = sum / entry(j, j);
-        right_[i] -= entry(i, j) * right_[j];
-      }
-      for (std::size_t m = first; m < i; ++m) {
-        entry(i, i) -= entry(i, m) * entry(i, m) * entry(m, m);
-      }
-    }
-    for (std::size_t i = count; i-- > 0;) {
-      right_[i] /= entry(i, i);
-      const std::size_t last = std::min(i + kFitDegree, count - 1);
-      for (std::size_t j = i + 1; j <= last; ++j) {
-        right_[i] -= entry(j, i) * right_[j];
-      }
-    }
-    return std::move(right_);
-  }
-
- private:
-  using Row = Eigen::Matrix<double, kOrder, 1>;
-  double& entry(std::size_t i, std::size_t j) {
-    return rows_[i][static_cast<Eigen::Index>(kFitDegree + j - i)];
-  }
-  std::vector<Row> rows_;
-  std::vector<Eigen::Vector3d> right_;
-};
 
 Powers powers_of(double x) {
   const double x2 = x * x;
@@ -237,7 +155,7 @@ SplineFit fit_spline(std::span<const double> breaks_mm, std::span<const FitSampl
   const std::vector<double> knots = knots_of(breaks_mm);
   std::vector<SpanBasis> bases;
   bases.reserve(spans);
-  NormalEquations equations(spans + kFitDegree);
+  FitEquations equations(spans + kFitDegree);
   // Seen from here numbers are small.
   const Eigen::Vector3d origin = curves::vec(samples.front().point_mm);
   std::size_t next = 0;

@@ -21,10 +21,9 @@
 
 #include "curves/bezier_span.hpp"
 #include "curves/position.hpp"
+#include "smoothing/normal_equations.hpp"
 
 namespace kerf::smoothing {
-
-inline constexpr std::size_t kFitDegree = 5;
 
 // A place w along the polyline, in mm from its begin, and the point there.
 struct FitSample {

@@ -101,6 +101,25 @@ TEST(Blend, LeavesNeighboursTheirHalfOfAShortLine) {
   EXPECT_NEAR(smoothed.departure.distance_mm, 0.1 * std::sqrt(2.0) / 8.0, 1e-6);
 }
 
+TEST(Blend, MayRunAlongTheEndOfTheTravelAndNotBeyond) {
+  const auto moves = lines_through({{0, 0, 0}, {0.3, 0, 0}, {0.3, 0.1, 0}}, {});
+  for (const double z_max : {0.0, -0.1}) {
+    smoothing::Smoother smoother(
+        {.acceleration_mm_s2 = 1000.0,
+         .jerk_mm_s3 = 50000.0,
+         .travel = curves::Extents{.min_mm = {0.0, 0.0, -1.0}, .max_mm = {0.3, 0.1, z_max}}});
+    std::size_t parts = 0;
+    for (const parser::Move& move : moves) {
+      ASSERT_TRUE(smoother.push(move).has_value());
+    }
+    smoother.flush();
+    for (smoothing::Smoother::Output output; smoother.next(output);) {
+      ++parts;
+    }
+    EXPECT_EQ(parts, z_max == 0.0 ? 3U : 2U);
+  }
+}
+
 TEST(Blend, LeavesThePathAsItIsWithoutATolerance) {
   const auto moves =
       lines_through({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, {.corner_mm = 0.0, .merge_mm = 0.0});

@@ -1,0 +1,70 @@
+#include "smoothing/part_marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::smoothing {
+
+void shift_marks(PathPart& part, double by_mm) {
+  std::vector<LineMark>& marks = part.marks;
+  std::size_t kept = 0;
+  for (const LineMark mark : std::vector<LineMark>(marks)) {
+    const double s = mark.s_mm - by_mm;
+    kept = s <= 0.0 ? 0 : kept;
+    marks[kept] = mark;
+    marks[kept].s_mm = std::max(s, 0.0);
+    ++kept;
+  }
+  marks.resize(kept);
+}
+
+LineMark mark_at(const PathPart& part, double s_mm) {
+  LineMark found{.line = part.source.line, .run_block = part.run_block};
+  for (const LineMark& mark : part.marks) {
+    if (mark.s_mm > s_mm) {
+      break;
+    }
+    found = mark;
+  }
+  return found;
+}
+
+// The lines that a blend runs along: up to the corner those of the part before, then those of the
+// part after. At w it is way (1 - w)^3 before the corner and way w^3 behind it.
+std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathPart& before,
+                                  const PathPart& after) {
+  const double length = curves::length_mm(before.curve);
+  std::vector<LineMark> marks;
+  // From there to the place of the blend that is nearest to the mark's.
+  const auto beside = [&](const curves::Position& place, double w) {
+    double s = blend.curve.s_at(w);
+    for (int i = 0; i < 2; ++i) {
+      const curves::PathDerivatives at = blend.curve.derivatives_at(s);
+      s += (curves::vec(place) - curves::vec(at.position_mm)).dot(curves::vec(at.first));
+    }
+    return s;
+  };
+  const auto add = [&](LineMark mark, double s_mm) {
+    mark.s_mm = marks.empty() ? 0.0 : std::max(s_mm, marks.back().s_mm);
+    if (marks.empty() || marks.back().line != mark.line) {
+      marks.push_back(mark);
+    }
+  };
+  add(mark_at(before, length - way_mm), 0.0);
+  for (const LineMark& mark : before.marks) {
+    const double behind = length - mark.s_mm;
+    if (behind < way_mm && behind > 0.125 * way_mm) {
+      add(mark,
+          beside(curves::position_at(before.curve, mark.s_mm), 1.0 - std::cbrt(behind / way_mm)));
+    }
+  }
+  add(mark_at(after, 0.125 * way_mm), blend.s_corner_mm);
+  for (const LineMark& mark : after.marks) {
+    if (mark.s_mm > 0.125 * way_mm && mark.s_mm < way_mm) {
+      add(mark, beside(curves::position_at(after.curve, mark.s_mm), std::cbrt(mark.s_mm / way_mm)));
+    }
+  }
+  return marks;
+}
+
+}  // namespace kerf::smoothing
