@@ -29,10 +29,11 @@ void restrict(NurbsPiece& piece, const Interval& to) {
   }
   const double weight = c[0][3];
   double scale = 1.0 / weight;
-  for (std::size_t k = 0; k <= degree; ++k, scale *= half) {
+  for (std::size_t k = 0; k <= degree; ++k) {
     for (double& value : c[k]) {
       value *= scale;
     }
+    scale *= half;
   }
   const Position moved{c[0][0], c[0][1], c[0][2]};
   for (std::size_t i = 0; i < 3; ++i) {

@@ -153,7 +153,7 @@ class Kernel::Impl {
     }
     const parser::SourcePosition source = part.source;
     const std::vector<parser::EventMove> changes = part.changes;
-    const auto block = lookahead::block_of(std::move(part), limits_, planner_.scan_steps());
+    auto block = lookahead::block_of(std::move(part), limits_, planner_.scan_steps());
     if (!block) {
       cut_path(source, block.error(), parser::errors::kCurveRefused);
       return;

@@ -68,16 +68,18 @@ std::array<Eigen::Vector3d, kFitDegree> first_coefficients(const SpanBasis& basi
   SpanBasis derived = basis;  // by x
   double scale = 1.0;
   std::array<Eigen::Vector3d, kFitDegree> c{};
-  for (std::size_t m = 0; m < kFitDegree; ++m, scale *= half_mm) {
+  for (std::size_t m = 0; m < kFitDegree; ++m) {
     // At x = -1: powers with alternating signs.
     std::array<double, kOrder> values{};
     for (std::size_t j = 0; j <= m; ++j) {
       double sign = 1.0;
-      for (std::size_t k = 0; k < kOrder; ++k, sign = -sign) {
+      for (std::size_t k = 0; k < kOrder; ++k) {
         values[j] += sign * derived(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k));
+        sign = -sign;
       }
     }
     Eigen::Vector3d right = scale * tail.derivatives[m];
+    scale *= half_mm;
     if (m == 0) {
       right -= origin;
     }
@@ -137,8 +139,9 @@ SplineTail SplineFit::tail_after(std::size_t count) const {
   tail.span_mm = last.w_end_mm - last.w_begin_mm;
   Eigen::Matrix<double, kOrder, 3> derived = last.powers;  // at x = 1: the sum
   double scale = 1.0;
-  for (std::size_t m = 0; m < kFitDegree; ++m, scale *= 2.0 / tail.span_mm) {
+  for (std::size_t m = 0; m < kFitDegree; ++m) {
     tail.derivatives[m] = scale * derived.colwise().sum().transpose();
+    scale *= 2.0 / tail.span_mm;
     for (std::size_t k = 0; k + 1 < kOrder; ++k) {
       const auto row = static_cast<Eigen::Index>(k);
       derived.row(row) = static_cast<double>(k + 1) * derived.row(row + 1);
