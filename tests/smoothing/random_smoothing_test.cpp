@@ -10,7 +10,11 @@ namespace kerf::test {
 namespace {
 
 constexpr std::uint64_t kShards = 10;
+#ifdef KERF_SLOW_BUILD
+constexpr std::uint64_t kPrograms = 200;
+#else
 constexpr std::uint64_t kPrograms = 2000;
+#endif
 
 class RandomSmoothing : public testing::TestWithParam<std::uint64_t> {};
 
