@@ -56,11 +56,11 @@ double Blender::wanted_way_mm(const Held& before, const Held& after) const {
   }
   const double tolerance =
       kOfTolerance * (std::min(before.part.corner_tolerance_mm, after.part.corner_tolerance_mm) -
-                      std::max(before.part.end_departure_mm, after.part.end_departure_mm));
+                      std::max(before.part.departure_mm, after.part.departure_mm));
   if (!(tolerance > 0.0)) {
     return 0.0;
   }
-  double way = std::min(before.part.reach_mm, after.part.reach_mm);
+  double way = std::numeric_limits<double>::infinity();
   if (shape.turn > 0.0) {
     way = std::min(way, 8.0 * tolerance / shape.turn);
   }
@@ -89,7 +89,7 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
   const Corner corner{.before = &before.part.curve, .after = &after.part.curve};
   const double tolerance =
       std::min(before.part.corner_tolerance_mm, after.part.corner_tolerance_mm);
-  const double away_mm = std::max(before.part.end_departure_mm, after.part.end_departure_mm);
+  const double away_mm = std::max(before.part.departure_mm, after.part.departure_mm);
   for (int i = 0; i < kShrinkings && way_mm > kLeastWay_mm; ++i) {
     auto blend = make_blend(corner, way_mm);
     if (!blend) {

@@ -31,7 +31,8 @@ bool is_outside(const curves::Extents& box, const curves::Extents& travel) {
 }  // namespace
 
 bool Compressor::takes(const parser::Move& move) {
-  return std::holds_alternative<parser::LineMove>(move.shape) && !move.rapid &&
+  const auto* line = std::get_if<parser::LineMove>(&move.shape);
+  return line != nullptr && curves::is_usable(line->end_mm) && !move.rapid &&
          move.mode == parser::PathMode::blend && move.merge_tolerance_mm > 0.0 &&
          !move.extra.moves();
 }

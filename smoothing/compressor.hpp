@@ -33,7 +33,7 @@ class Compressor {
   // travel: what of it no curve leaves.
   explicit Compressor(const std::optional<curves::Extents>& travel) { settings_.travel = travel; }
 
-  // A straight feed in G64 with a merging tolerance, of X, Y and Z alone.
+  // A straight feed in G64 with a merging tolerance, of X, Y and Z alone, to a usable place.
   [[nodiscard]] static bool takes(const parser::Move& move);
   // It can be part of the run that is held. If not, flush first.
   [[nodiscard]] bool continues(const parser::Move& move) const;

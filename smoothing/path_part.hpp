@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -28,10 +27,7 @@ struct PathPart {
   curves::ExtraWay extra{};
   parser::PathMode mode = parser::PathMode::exact_path;
   double corner_tolerance_mm = 0.0;  // within which its corners may be blended
-  // Of a part that itself is not exactly as programmed: how far it is from that within reach_mm of
-  // its ends, which is as far as a blend may reach into it.
-  double end_departure_mm = 0.0;
-  double reach_mm = std::numeric_limits<double>::infinity();
+  double departure_mm = 0.0;         // from what is programmed, at the most: what a blend has less
   bool stop_after = false;
   // The normal axis of the arc that it was programmed as. A spiral is a NurbsCurve with one.
   std::optional<int> arc_normal{};

@@ -19,7 +19,7 @@ PathPart part_of(const Polyline& run, const MergedCurve& merged, std::size_t fro
   part.extra = {.begin_rad_mm = like.extra.begin_rad_mm, .end_rad_mm = like.extra.end_rad_mm};
   part.mode = parser::PathMode::blend;
   part.corner_tolerance_mm = like.blend_tolerance_mm;
-  part.end_departure_mm = merged.departure_mm;
+  part.departure_mm = merged.departure_mm;
   if (const auto* arc = std::get_if<curves::Arc>(&merged.curve)) {
     part.arc_normal = arc->normal_axis();
   }

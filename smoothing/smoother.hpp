@@ -16,7 +16,8 @@
 namespace kerf::smoothing {
 
 // Moves go in; in the same order come out the parts of the path, and the moves that are a dwell or
-// an event. In G61 and G61.1 a part is a move; in G64 corners are blended within P.
+// an event. In G61 and G61.1 a part is a move; in G64 runs of short lines are merged within Q and
+// corners blended within P.
 class Smoother {
  public:
   using Output = std::variant<parser::Move, PathPart>;
@@ -35,9 +36,8 @@ class Smoother {
   [[nodiscard]] const Departure& departure() const noexcept;
 
  private:
-  void queue_parts();
-
   void blend_made();
+  void queue_parts();
 
   Compressor compressor_;
   Blender blender_;

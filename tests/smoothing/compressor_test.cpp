@@ -77,6 +77,13 @@ TEST(Compressor, MakesAnArcOfACircularRun) {
   }
 }
 
+TEST(Compressor, LeavesAPlaceOutOfReachToBeRefused) {
+  const auto moves = lines_through({{0, 0, 0}, {1, 0, 0}, {2e9, 0, 0}}, {});
+  smoothing::Smoother smoother({.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 50000.0});
+  EXPECT_TRUE(smoother.push(moves[0]).has_value());
+  EXPECT_FALSE(smoother.push(moves[1]).has_value());
+}
+
 TEST(Compressor, KeepsARealCornerOfFineStepsForABlend) {
   std::vector<Position> points;
   for (int i = 0; i <= 100; ++i) {
