@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "smoothing/part_marks.hpp"
+#include "smoothing/travel.hpp"
 
 namespace kerf::smoothing {
 
@@ -18,17 +19,7 @@ constexpr double kOfRadius = 0.5;       // of a curve beside a corner
 constexpr double kOfNeed = 1.3;         // of the way that the feedrate needs
 constexpr double kLeastWay_mm = 1e-5;
 constexpr double kLeastRest_mm = 1e-6;  // of a part between two blends; a shorter one goes with one
-constexpr double kOutside_mm = 1e-9;    // of the travel: rounding
 constexpr int kShrinkings = 16;
-
-// How far the box leaves the travel.
-double beyond_mm(const curves::Extents& box, const curves::Extents& travel) {
-  double most = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    most = std::max({most, travel.min_mm[k] - box.min_mm[k], box.max_mm[k] - travel.max_mm[k]});
-  }
-  return most;
-}
 
 // What a corner gets of a part whose other corner wants some, too: no less than half.
 double allotted_mm(double wanted_mm, double other_mm, double length_mm) {
@@ -98,8 +89,7 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
     Departure departure = departure_of(*blend, corner, way_mm);
     departure.distance_mm += away_mm;
     if (departure.distance_mm <= kOfTolerance * tolerance + 1e-12 &&
-        (!settings_.travel ||
-         beyond_mm(blend->curve.extents(), *settings_.travel) <= kOutside_mm)) {
+        !(settings_.travel && leaves_travel(blend->curve.extents(), *settings_.travel))) {
       departure.line = mark_at(after.part, 0.0).line;
       departure.tolerance_mm = tolerance;
       departure_.widen(departure);

@@ -6,6 +6,7 @@
 
 #include "smoothing/circle_run.hpp"
 #include "smoothing/run_parts.hpp"
+#include "smoothing/travel.hpp"
 
 namespace kerf::smoothing {
 
@@ -15,18 +16,7 @@ namespace {
 
 constexpr std::size_t kAhead = 24;           // of them, behind which corners are known
 constexpr std::size_t kLongestLine = 65536;  // in lines of the program
-constexpr double kOutside_mm = 1e-9;         // of the travel: rounding
 constexpr std::size_t kSpansOfPart = 24;
-
-bool is_outside(const curves::Extents& box, const curves::Extents& travel) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (box.min_mm[k] < travel.min_mm[k] - kOutside_mm ||
-        box.max_mm[k] > travel.max_mm[k] + kOutside_mm) {
-      return true;
-    }
-  }
-  return false;
-}
 
 }  // namespace
 
@@ -154,7 +144,7 @@ void Compressor::advance(std::size_t known, std::vector<PathPart>& out) {
 
 bool Compressor::emit_circle(std::size_t vertex, std::vector<PathPart>& out) {
   const auto circle = circle_of(run_, vertex, settings_.tolerance_mm);
-  if (!circle || (settings_.travel && is_outside(circle->arc.extents(), *settings_.travel))) {
+  if (!circle || (settings_.travel && leaves_travel(circle->arc.extents(), *settings_.travel))) {
     return false;
   }
   departure_.widen({.distance_mm = circle->departure_mm,

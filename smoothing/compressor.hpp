@@ -1,12 +1,12 @@
-// Runs of short lines to splines: moves in, path parts out, with a window of some hundred lines.
+// Runs of short lines to curves: moves in, path parts out, with a window of some hundred lines.
 //
 // Idea. A run ends where the program means a corner (polyline.hpp); between its corners it becomes
-// one spline, four times continuously differentiable, or a line where it is one. A long run is
-// fitted window by window: of a window's curve the front part leaves for good, once what lies
-// behind it can hardly change it any more, and the next window's curve goes on from its last five
-// derivatives. Where no spline of reasonable spans stays within the tolerance there is a corner
-// after all; a line alone stays as it is. So every result is within the tolerance, as it was
-// measured.
+// one spline, four times continuously differentiable, or a line or an arc where it is one. A long
+// run is fitted window by window: of a window's curve the front part leaves for good, once what
+// lies behind it can hardly change it any more, and the next window's curve goes on from its place
+// and its first four derivatives there. Where no spline of reasonable spans stays within the
+// tolerance there is a corner after all; a line alone stays as it is. So every result is within the
+// tolerance, as it was measured.
 //
 // The window counts lines and knows nothing of how the text was read: the same program always gives
 // the same path.

@@ -8,10 +8,10 @@ namespace kerf::smoothing {
 void shift_marks(PathPart& part, double by_mm) {
   std::vector<LineMark>& marks = part.marks;
   std::size_t kept = 0;
-  for (const LineMark mark : std::vector<LineMark>(marks)) {
-    const double s = mark.s_mm - by_mm;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const double s = marks[i].s_mm - by_mm;
     kept = s <= 0.0 ? 0 : kept;
-    marks[kept] = mark;
+    marks[kept] = marks[i];
     marks[kept].s_mm = std::max(s, 0.0);
     ++kept;
   }

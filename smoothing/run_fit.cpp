@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include "smoothing/travel.hpp"
+
 namespace kerf::smoothing {
 
 using curves::vec;
@@ -22,7 +24,6 @@ constexpr double kDirectionOver = 10.0;  // tolerances, against noise
 constexpr double kSamplesOfSpan = 6.0;
 constexpr double kHighChord = 0.4;  // tolerances: lines whose middle has to be looked at, too
 constexpr double kGrading = 4.0;    // of a span over its neighbour, after divisions
-constexpr double kOutside_mm = 1e-9;
 
 class Fitting {
  public:
@@ -129,18 +130,9 @@ class Fitting {
     return curves::to_position((1.0 - share) * vec(point(line)) + share * vec(point(line + 1)));
   }
 
-  [[nodiscard]] bool leaves_travel(const Eigen::Vector3d& place) const {
-    if (!settings_->travel) {
-      return false;
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double x = place[static_cast<Eigen::Index>(k)];
-      if (x < settings_->travel->min_mm[k] - kOutside_mm ||
-          x > settings_->travel->max_mm[k] + kOutside_mm) {
-        return true;
-      }
-    }
-    return false;
+  [[nodiscard]] bool is_outside(const Eigen::Vector3d& place) const {
+    const curves::Position at = curves::to_position(place);
+    return settings_->travel && leaves_travel({.min_mm = at, .max_mm = at}, *settings_->travel);
   }
 
   // At twice as many places as there are samples.
@@ -156,7 +148,7 @@ class Fitting {
         const double share = static_cast<double>(step) / static_cast<double>(steps);
         const Eigen::Vector3d place = span.at(w_mm(i) + share * length);
         away = std::max(away, (place - vec(between(i, share))).norm() + between_mm);
-        if (leaves_travel(place)) {
+        if (is_outside(place)) {
           away = std::numeric_limits<double>::infinity();
         }
       }

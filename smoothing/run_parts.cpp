@@ -1,17 +1,16 @@
 #include "smoothing/run_parts.hpp"
 
-#include <optional>
 #include <utility>
 
 namespace kerf::smoothing {
 
 namespace {
 
-// The lines from to to of the run, on the stretch of the curve that is theirs.
-PathPart part_of(const Polyline& run, const MergedCurve& merged, std::size_t from, std::size_t to,
-                 const parser::Move& like) {
+// The lines from to to of the run, on the curve that is theirs.
+PathPart part_of(curves::Curve curve, const Polyline& run, const MergedCurve& merged,
+                 std::size_t from, std::size_t to, const parser::Move& like) {
   const double s_begin = merged.s_mm[from - merged.first];
-  PathPart part{.curve = merged.curve};
+  PathPart part{.curve = std::move(curve)};
   const Vertex& line = run[from + 1];
   part.source = line.source;
   part.run_block = line.run_block;
@@ -44,20 +43,16 @@ void append_parts(const Polyline& run, const MergedCurve& merged, const parser::
     while (to < merged.last && run[to + 1].feedrate_mm_s == run[from + 1].feedrate_mm_s) {
       ++to;
     }
+    if (from == merged.first && to == merged.last) {
+      parts.push_back(part_of(merged.curve, run, merged, from, to, like));
+      return;
+    }
     const double s_end = to < merged.last ? merged.s_mm[to - merged.first] : length;
     const curves::Stretch stretch{merged.s_mm[from - merged.first], s_end};
-    PathPart part = part_of(run, merged, from, to, like);
-    if (to - from < merged.last - merged.first) {
-      std::optional<curves::Curve> cut;
-      if (stretch.begin_mm < stretch.end_mm) {
-        cut = curves::part(merged.curve, stretch);
+    if (stretch.begin_mm < stretch.end_mm) {
+      if (auto cut = curves::part(merged.curve, stretch)) {
+        parts.push_back(part_of(std::move(*cut), run, merged, from, to, like));
       }
-      if (cut) {
-        part.curve = std::move(*cut);
-        parts.push_back(std::move(part));
-      }
-    } else {
-      parts.push_back(std::move(part));
     }
     from = to;
   }

@@ -19,9 +19,10 @@ namespace kerf::lookahead {
 // yet, but not before half of it has been emitted, it is found anew from where the tool is, with
 // what has come since. The cells that two plans share are the same, so what the old plan still held
 // is a feasible way for the new one; where the search does not find a way that holds, the old plan
-// is kept and ends at rest. Where it does not find one from rest, the way is cut in two at its
-// sharpest place, by a rest there, a few times at the most; what then still does not hold is slowed
-// down. Each of these is noted as a shortfall.
+// is kept and ends at rest. Where it does not find one from rest, the classical plan stands in over
+// whole blocks, if it is faster; else the way is cut in two at its sharpest place, by a rest there,
+// a few times at the most, and what then still does not hold is slowed down. Each of these is noted
+// as a shortfall.
 //
 // A single line from rest to rest is planned by the S-curve, which is its optimum in closed form.
 class OptimumSchedule final : public Schedule {
