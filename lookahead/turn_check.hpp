@@ -26,9 +26,9 @@ struct TurnAsk {
 };
 
 // |q' a + q'' v^2| <= A and |q' j + 3 q'' v a + q''' v^3| + jumps v^2 <= J of each axis, signs
-// included, at the places of the samples under the climb, of 96 instants of it and of its peaks of
-// jerk. What a place asks for is what would do there; at another length the climb meets other
-// places. Precondition: the climb is below what turning allows (TurnSample::feedrate_mm_s) but for
+// included, at the places of the samples under the climb and at its instants (climb_instants.hpp).
+// What a place asks for is what would do there; at another length the climb meets other places.
+// Precondition: the climb is below what turning allows (TurnSample::feedrate_mm_s) but for
 // rounding.
 TurnAsk ask_turning(const PlacedClimb& climb, const Turning& turning,
                     const std::array<MotionLimits, 3>& axes);

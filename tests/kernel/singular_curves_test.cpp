@@ -180,6 +180,13 @@ TEST(SingularCurves, TheAccelerationOfAnAxisHoldsAtTheFootOfALongClimb) {
   EXPECT_EQ(judged_case(4005279, profiles::ProfileKind::s_curve, 20.0).complaint, "");
 }
 
+// Where the braking has its corner within such a turn.
+TEST(SingularCurves, TheAccelerationOfAnAxisHoldsAtTheCornersOfALaw) {
+  for (const std::uint64_t seed : {7102095U, 7163487U}) {
+    EXPECT_EQ(judged_case(seed, profiles::ProfileKind::s_curve, 20.0).complaint, "") << seed;
+  }
+}
+
 // The highest plateau that fits is a ten thousandth of what is allowed, and its ends are lower yet.
 TEST(SingularCurves, APlateauIsFoundHoweverLow) {
   EXPECT_LT(judged_case(1009383, profiles::ProfileKind::s_curve, 60.0).ticks, 20'000);

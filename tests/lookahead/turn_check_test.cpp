@@ -150,5 +150,79 @@ TEST(TurnCheck, AsksOfAClimbWhatTheAxisAcrossHasLeft) {
   EXPECT_GT(less.stretch, 1.0);
 }
 
+// The largest acceleration across along the climb, from 5000 instants of it, where the curve turns
+// into Y around the foot within about a width.
+struct Bend {
+  double peak_per_mm = 0.0;
+  double width_mm = 0.0;
+
+  [[nodiscard]] double second_per_mm(double s_mm) const {
+    const double x = s_mm / width_mm;
+    return peak_per_mm / (1.0 + x * x);
+  }
+  // Of a direction that leans 0.7 into X and Y each, so that the climb itself is seen in Y, too.
+  [[nodiscard]] Turning samples(double length_mm) const {
+    Turning turning;
+    for (double s = 0.0; s < length_mm; s += 0.01 * std::max(width_mm, s)) {
+      turning.push_back(
+          {.s_mm = s, .first = {0.7, 0.7, 0}, .second_per_mm = {0, second_per_mm(s), 0}});
+    }
+    turning.push_back({.s_mm = length_mm, .first = {0.7, 0.7, 0}, .second_per_mm = {}});
+    return turning;
+  }
+  struct Share {
+    double all_mm_s2 = 0.0;
+    double turning_mm_s2 = 0.0;
+  };
+  [[nodiscard]] Share largest(const Transition& climb) const {
+    Share largest;
+    constexpr int kDense = 5000;
+    for (int i = 0; i <= kDense; ++i) {
+      const double x = static_cast<double>(i) / kDense;
+      const profiles::PathMotion at = climb.at(climb.duration_s() * x * x);
+      const double turning = second_per_mm(at.s_mm) * at.v_mm_s * at.v_mm_s;
+      largest.all_mm_s2 = std::max(largest.all_mm_s2, 0.7 * at.a_mm_s2 + turning);
+      largest.turning_mm_s2 = std::max(largest.turning_mm_s2, turning);
+    }
+    return largest;
+  }
+};
+
+// Also where the acceleration has a corner between two instants that are looked at, beside a turn
+// that is much shorter than the climb.
+TEST(TurnCheck, LetsNoClimbPassThatTakesAllThatAnAxisHas) {
+  std::mt19937_64 random(1);
+  const auto log_uniform = [&random](double low, double high) {
+    return std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random));
+  };
+  int looked_at = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const ProfileKind kind = all_kinds()[static_cast<std::size_t>(i) % all_kinds().size()];
+    const double foot_mm_s = log_uniform(1e-3, 10.0);
+    const profiles::RampLimits limits{.acceleration_mm_s2 = log_uniform(1.0, 1e3),
+                                      .jerk_mm_s3 = log_uniform(1e2, 1e5)};
+    const Transition climb =
+        Profile(kind).fastest({.v_begin_mm_s = foot_mm_s, .v_end_mm_s = 30.0}, limits);
+    const double width_mm = climb.length_mm() * log_uniform(1e-7, 1e-1);
+    // Some of the acceleration at the foot, or at the width if the climb is faster there.
+    const double squared = foot_mm_s * foot_mm_s + limits.acceleration_mm_s2 * width_mm;
+    const Bend bend{.peak_per_mm = limits.acceleration_mm_s2 * log_uniform(0.1, 3.0) / squared,
+                    .width_mm = width_mm};
+    const Bend::Share taken = bend.largest(climb);
+    if (taken.turning_mm_s2 > 0.9 * taken.all_mm_s2) {
+      continue;  // it is not below what turning allows
+    }
+    ++looked_at;
+    std::array<MotionLimits, 3> axes{};
+    axes[1].acceleration_mm_s2 = taken.all_mm_s2;
+    EXPECT_FALSE(ask_turning({.law = climb}, bend.samples(climb.length_mm()), axes).holds())
+        << i << " " << profiles::name_of(kind);
+    axes[1].acceleration_mm_s2 = taken.all_mm_s2 * 1.02;
+    EXPECT_TRUE(ask_turning({.law = climb}, bend.samples(climb.length_mm()), axes).holds())
+        << i << " " << profiles::name_of(kind);
+  }
+  EXPECT_GT(looked_at, 500);
+}
+
 }  // namespace
 }  // namespace kerf::lookahead::test
