@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kChordPoints = 7;         // inside a tick
 constexpr int kMaxAdjustments = 30;     // 2 to 4 are usual
-constexpr double kLeastStep_mm = 1e-7;  // below any curve's features: keeps the walk finite
+constexpr double kLeastStep_mm = 1e-7;  // below usual tolerances: keeps the walk finite
 // A bound that lies this share below the line of its neighbours is looked at more closely around,
 // each time at half the distance: the line's own excess is a quarter of it at the most.
 constexpr double kConvex = 4e-4;
@@ -65,12 +65,15 @@ double chord_error_mm(const NurbsCurve& curve, double s_from_mm, double step_mm)
   return std::sqrt(worst);
 }
 
-// MATH section 5, closed form for a constant radius.
+// MATH section 5, closed form for a constant radius. Never less than the tolerance in a tick: no
+// point of a way is farther than half of it from the nearer one of its ends, so even twice as much
+// is no chord error whatever the turn. The half is kept free, for a tick around the turn is bound
+// by lines between those that begin before it and at it.
 double curvature_bound_mm_s(const NurbsCurve& curve, double s_mm, const ScanLimits& limits) {
   const double curvature = vec(curve.derivatives_at(s_mm).second_per_mm).norm();
   const double d = limits.chord_tolerance_mm;
   if (curvature * d >= 1.0) {
-    return 2.0 / (curvature * limits.period_s);  // a tick may span the whole circle
+    return std::max(2.0 / curvature, d) / limits.period_s;  // it may span the whole circle
   }
   return curvature > 0.0 ? 2.0 / limits.period_s * std::sqrt(2.0 * d / curvature - d * d)
                          : limits.feedrate_mm_s;

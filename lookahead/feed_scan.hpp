@@ -23,8 +23,9 @@ struct ScanLimits {
 
 // Walks the curve; at each place begins with the feedrate that the curvature there allows, measures
 // the chord error of the tick and shrinks the feedrate with the square root of its excess until it
-// fits (Sigmoid, section 3.1; MATH section 5). The walk goes by arc length, so a step needs no
-// Taylor series.
+// fits (Sigmoid, section 3.1; MATH section 5). It is never below what goes as far as the tolerance
+// in a tick: no turn, however sharp, makes a chord error of that. The walk goes by arc length, so a
+// step needs no Taylor series.
 //
 // A tick judged at its start s covers [s, s + v Ts]; what it bounds is its mean feedrate, which is
 // the feedrate at its middle in time but for J Ts^2 / 24. So the sample stands at s + v Ts / 2,

@@ -175,6 +175,14 @@ TEST(SingularCurves, TinyFeaturesDoNotSlowTheRestDown) {
   }
 }
 
+// A curve of its own between corners may be nothing else, sharper at its begin than any tick.
+TEST(SingularCurves, ThoseOfNanometresAloneTakeNoLonger) {
+  const JudgedRun classical = judged_case(7155693, profiles::ProfileKind::sigmoid, 20.0);
+  EXPECT_EQ(classical.complaint, "");
+  const JudgedRun optimum = judged_case(7155693, profiles::ProfileKind::time_optimal, 20.0);
+  EXPECT_LT(classical.ticks, 3 * optimum.ticks);
+}
+
 // Where braking for 280 mm ends at a turn of nanometres.
 TEST(SingularCurves, TheAccelerationOfAnAxisHoldsAtTheFootOfALongClimb) {
   EXPECT_EQ(judged_case(4005279, profiles::ProfileKind::s_curve, 20.0).complaint, "");

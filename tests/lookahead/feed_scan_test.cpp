@@ -146,6 +146,13 @@ curves::NurbsData curvature_jumps() {
   return data;
 }
 
+// Its radius at the apex is a thousandth of a nanometre.
+curves::NurbsData sharp_turn() {
+  return {.degree = 2,
+          .points = {{{0, 0, 0}}, {{10, 1e-4, 0}}, {{0, 2e-4, 0}}},
+          .knots = {0, 0, 0, 1, 1, 1}};
+}
+
 double feedrate_at_mm_s(const Ceiling& ceiling, double s_mm) {
   const auto after =
       std::upper_bound(ceiling.begin() + 1, ceiling.end() - 1, s_mm,
@@ -160,6 +167,7 @@ TEST(FeedScan, KeepsTheChordToleranceBetweenItsSamplesToAThousandth) {
   const double ts = 0.001;
   std::vector<curves::testing::NamedCurve> curves = shipped_curves();
   curves.push_back({"curvature jumps", curvature_jumps()});
+  curves.push_back({"sharp turn", sharp_turn()});
   for (const auto& named : curves) {
     SCOPED_TRACE(named.name);
     for (const auto& part : smooth_parts(named.data)) {
@@ -184,10 +192,7 @@ TEST(FeedScan, KeepsTheChordToleranceBetweenItsSamplesToAThousandth) {
 // A tick may begin fast just before the apex, one that begins at it may not: what bounds the latter
 // stands at the apex, and not where the former has its middle.
 TEST(FeedScan, BoundsASharpTurnAtItsApexAlone) {
-  curves::NurbsData data{.degree = 2,
-                         .points = {{{0, 0, 0}}, {{10, 1e-4, 0}}, {{0, 2e-4, 0}}},
-                         .knots = {0, 0, 0, 1, 1, 1}};
-  const curves::NurbsCurve curve = smooth_curve(data);
+  const curves::NurbsCurve curve = smooth_curve(sharp_turn());
   const Ceiling ceiling =
       scan_feedrate(curve, {.feedrate_mm_s = 100.0, .period_s = 0.001, .chord_tolerance_mm = 5e-4});
   const double apex = 0.5 * curve.length_mm();
@@ -201,7 +206,30 @@ TEST(FeedScan, BoundsASharpTurnAtItsApexAlone) {
       EXPECT_GT(sample.v_mm_s, std::min(0.9 * behind, 95.0)) << sample.s_mm - apex;
     }
   }
-  EXPECT_LT(slowest, 1e-2);
+  EXPECT_LT(slowest, 2.0 * 5e-4 / 0.001);  // there and back, by the tolerance each
+}
+
+// No point of a way is farther than half of it from the nearer one of its ends: not even twice as
+// far is there a chord error.
+TEST(FeedScan, LetsATickGoAsFarAsTheToleranceHoweverTheCurveTurns) {
+  const double d = 5e-4;
+  std::vector<curves::NurbsData> curves{sharp_turn()};
+  for (const double size_mm : {1e-9, 1e-6, 1e-3, 1.0}) {
+    for (const double light : {1.0, 1e-2, 1e-4}) {
+      curves.push_back(
+          {.degree = 2,
+           .points = {{{0, 0, 0}, 0.1}, {{size_mm, 0, 0}, light}, {{size_mm, size_mm, 0}, 1.0}},
+           .knots = {0, 0, 0, 1, 1, 1}});
+    }
+  }
+  for (const curves::NurbsData& data : curves) {
+    for (const ScanSteps steps : {ScanSteps::half_ticks, ScanSteps::quarter_pieces}) {
+      for (const FeedSample& sample : scan_feedrate(
+               smooth_curve(data), {.period_s = 0.001, .chord_tolerance_mm = d, .steps = steps})) {
+        EXPECT_GE(sample.v_mm_s, 0.999 * d / 0.001) << data.points[1].position_mm[0];
+      }
+    }
+  }
 }
 
 }  // namespace
