@@ -10,6 +10,7 @@ namespace {
 
 constexpr int kParts = 8;  // of a stretch between two ticks
 constexpr int kMostSteps = 40;
+constexpr double kSameParameter = 1e-14;
 // What the scan's straight lines between its samples may miss of a curve's bound.
 constexpr double kRelative = 1e-3;
 // The kernel looks at the quarters of a tick, this checker closer: where the path bends unevenly
@@ -76,19 +77,43 @@ Vec slope(const Stretch& stretch, double u) {
   return {difference[0] / kStep, difference[1] / kStep, difference[2] / kStep};
 }
 
+// The step from a parameter to where the stretch, straight on, comes closest to a point.
+double step_to(const Stretch& stretch, const Vec& point_mm, double u) {
+  const Vec d = slope(stretch, u);
+  return dot(minus(point_mm, stretch.at_mm(u)), d) / dot(d, d);
+}
+
+// Where the stretch's speed over its parameter changes so much that whole steps lead to and fro:
+// no step farther away is taken, half of it instead.
+double closest_in_halves(const Stretch& stretch, const Vec& point_mm, double u_from) {
+  const auto away_mm = [&](double u) { return norm(minus(stretch.at_mm(u), point_mm)); };
+  double u = u_from;
+  for (int i = 0; i < kMostSteps; ++i) {
+    double step = step_to(stretch, point_mm, u);
+    while (std::abs(step) > kSameParameter &&
+           away_mm(std::clamp(u + step, u_from, 1.0)) > away_mm(u)) {
+      step *= 0.5;
+    }
+    if (std::abs(step) <= kSameParameter) {
+      break;
+    }
+    u = std::clamp(u + step, u_from, 1.0);
+  }
+  return u;
+}
+
 // The parameter from u_from on where the stretch comes closest to a point not far from there
 // (Newton's method).
 double closest(const Stretch& stretch, const Vec& point_mm, double u_from) {
   double u = u_from;
   for (int i = 0; i < kMostSteps; ++i) {
-    const Vec d = slope(stretch, u);
     const double before = u;
-    u = std::clamp(u + dot(minus(point_mm, stretch.at_mm(u)), d) / dot(d, d), u_from, 1.0);
-    if (std::abs(u - before) < 1e-14) {
-      break;
+    u = std::clamp(u + step_to(stretch, point_mm, u), u_from, 1.0);
+    if (std::abs(u - before) < kSameParameter) {
+      return u;
     }
   }
-  return u;
+  return closest_in_halves(stretch, point_mm, u_from);
 }
 
 }  // namespace
