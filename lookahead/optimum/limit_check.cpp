@@ -15,6 +15,7 @@ namespace {
 constexpr int kParts = 5;
 constexpr double kAngle = 0.02;
 constexpr int kMostParts = 40;
+constexpr double kBeside = 0.02;  // of a part: so near the cell's ends is it looked at, too
 
 // The ends from within the cell: derivatives may jump there.
 CellEnd path_in(const Cell& cell, double share, double s_mm, const PathAt& path) {
@@ -97,15 +98,15 @@ void look_between(const Seen& before, const Seen& after, const Cell& cell, const
 // peak between the inner two of four places is where the lines through the outer ones meet.
 void look_at_kink(const std::array<Seen, 4>& seen, const Cell& cell, const PlanLimits& limits,
                   Excess& worst) {
+  const double way = seen[2].s_mm - seen[1].s_mm;
   for (std::size_t k = 0; k < 3; ++k) {
     const double sign = std::copysign(1.0, seen[1].jerk_mm_s3[k]);
-    const double before = sign * seen[1].jerk_mm_s3[k];
-    const double after = sign * seen[2].jerk_mm_s3[k];
-    const double rise = before - sign * seen[0].jerk_mm_s3[k];
-    const double fall = after - sign * seen[3].jerk_mm_s3[k];
-    const double share = (after - before + fall) / (rise + fall);
-    if (rise > 0.0 && fall > 0.0 && share > 0.0 && share < 1.0) {
-      grow(worst.jerk, (before + rise * share) / (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
+    const auto jerk = [&](std::size_t i) { return sign * seen[i].jerk_mm_s3[k]; };
+    const double rise = (jerk(1) - jerk(0)) / (seen[1].s_mm - seen[0].s_mm);
+    const double fall = (jerk(2) - jerk(3)) / (seen[3].s_mm - seen[2].s_mm);
+    const double place = (jerk(2) - jerk(1) + fall * way) / (rise + fall);
+    if (rise > 0.0 && fall > 0.0 && place > 0.0 && place < way) {
+      grow(worst.jerk, (jerk(1) + rise * place) / (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
     }
   }
 }
@@ -134,14 +135,21 @@ Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
       std::clamp(std::ceil(curvature * cell.length_mm / kAngle), 1.0 * kParts, 1.0 * kMostParts);
   std::array<Seen, 4> seen{};  // the newest last
   seen[3] = look(0.0);
-  for (int i = 1; i <= static_cast<int>(parts); ++i) {
+  int count = 1;
+  const auto go_on_to = [&](double place) {
     std::rotate(seen.begin(), seen.begin() + 1, seen.end());
-    seen[3] = look(i / parts);
+    seen[3] = look(place);
     look_between(seen[2], seen[3], cell, limits, worst);
-    if (i >= 3) {
+    if (++count >= 4) {
       look_at_kink(seen, cell, limits, worst);
     }
+  };
+  go_on_to(kBeside / parts);
+  for (int i = 1; i < static_cast<int>(parts); ++i) {
+    go_on_to(i / parts);
   }
+  go_on_to(1.0 - kBeside / parts);
+  go_on_to(1.0);
   const double peak = -begin.slope / (begin.bend * cell.length_mm);  // of the feedrate
   if (begin.bend < 0.0 && peak > 0.0 && peak < 1.0) {
     look(peak);

@@ -1,5 +1,7 @@
 #include "lookahead/optimum/limit_check.hpp"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace kerf::lookahead {
@@ -23,6 +25,28 @@ TEST(LimitCheck, SeesAnAxisVelocityThatPeaksBetweenTwoOfItsPlaces) {
   limits.axes[0] = {.velocity_mm_s = 0.9, .acceleration_mm_s2 = 1e9, .jerk_mm_s3 = 1e12};
   const SquaredFeed cruise{.value = 1e4, .slope = 0.0, .bend = 0.0};
   EXPECT_GE(excess_of(cell, cruise, path, limits).feedrate, 1.0 / 0.9 - 1e-3);
+}
+
+// At constant feedrate X sees jerk of the third derivative alone, which rises to a knot of the
+// curve and falls behind it, by 4 % of the most over a cell.
+TEST(LimitCheck, SeesTheJerkAtAKnotWhereverInACellItLies) {
+  Cell cell{.length_mm = 0.2};
+  const SquaredFeed cruise{.value = 1e4, .slope = 0.0, .bend = 0.0};
+  PlanLimits limits;
+  limits.axes[0].jerk_mm_s3 = 1e6;
+  for (int i = 1; i < 100; ++i) {
+    const double knot_mm = 0.2 * i / 100.0;
+    const auto path = [knot_mm](const Cell&, double s_mm) {
+      CellEnd end;
+      end.first = {0.0, 1.0, 0.0};
+      end.third_per_mm2 = {1.0 - 0.04 * std::abs(s_mm - knot_mm) / 0.2, 0.0, 0.0};
+      end.feedrate_mm_s = 1000.0;
+      return end;
+    };
+    cell.begin = path(cell, 0.0);
+    cell.end = path(cell, cell.length_mm);
+    EXPECT_NEAR(excess_of(cell, cruise, path, limits).jerk, 1.0, 1e-9) << i;
+  }
 }
 
 }  // namespace
