@@ -43,9 +43,15 @@ class NurbsCurve {
   static tl::expected<std::vector<NurbsCurve>, CurveError> from_spans(
       std::span<const BezierSpan> spans, const Position& end_mm);
 
+  // Of pieces in order, of which each begins where and in the direction in which the one before
+  // ends, both in s and in place, and the last ends the curve. Precondition: there is one.
+  static NurbsCurve from_pieces(std::vector<NurbsPiece> pieces) {
+    return NurbsCurve(std::move(pieces));
+  }
+
   // From begin_mm to end_mm along it, on the same points to rounding. Precondition: 0 <= begin <
   // end
-  // <= length. Nothing: a piece cut off is so short that its length cannot be told.
+  // <= length. Nothing: there is no way between these in double.
   [[nodiscard]] std::optional<NurbsCurve> part(const Stretch& stretch) const;
 
   [[nodiscard]] double length_mm() const noexcept { return pieces_.back().s_end_mm; }

@@ -1,5 +1,6 @@
 // A stretch of a NURBS curve. The pieces within it stay as they are; of the two that its ends lie
-// in, the polynomials are moved to the remaining interval of x and their lengths fitted anew.
+// in, the polynomials are moved to the remaining interval of x and their lengths fitted anew, in
+// halves where rounding leaves the fit of all of it too far off.
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +9,8 @@
 
 namespace kerf::curves {
 namespace {
+
+constexpr int kHalvings = 8;
 
 struct Interval {
   double begin = -1.0;
@@ -48,11 +51,45 @@ void restrict(NurbsPiece& piece, const Interval& to) {
   piece.u_end = u_middle + u_half * to.end;
 }
 
+// The pieces of a part, counted from its begin.
+class Part {
+ public:
+  // As it is.
+  void append(NurbsPiece piece, double length_mm) {
+    piece.s_begin_mm = s_mm_;
+    s_mm_ += length_mm;
+    piece.s_end_mm = s_mm_;
+    piece.ends_curve = false;
+    if (piece.s_end_mm > piece.s_begin_mm) {
+      pieces.push_back(piece);
+    }
+  }
+  // With its length to be fitted.
+  void append_restricted(const NurbsPiece& whole, const Interval& to, int halvings = 0) {
+    NurbsPiece piece = whole;
+    restrict(piece, to);
+    const double length_mm = fit_length_map(piece);
+    if (length_mm > 0.0) {
+      append(piece, length_mm);
+    } else if (halvings < kHalvings) {
+      append_restricted(piece, {-1.0, 0.0}, halvings + 1);
+      append_restricted(piece, {0.0, 1.0}, halvings + 1);
+    } else {
+      piece.local_by_length = {0.0, 1.0};
+      append(piece, 2.0 * speed_mm(piece, 0.0));
+    }
+  }
+
+  std::vector<NurbsPiece> pieces;
+
+ private:
+  double s_mm_ = 0.0;
+};
+
 }  // namespace
 
 std::optional<NurbsCurve> NurbsCurve::part(const Stretch& stretch) const {
-  std::vector<NurbsPiece> pieces;
-  double s_mm = 0.0;
+  Part part;
   for (std::size_t i = piece_index(stretch.begin_mm); i < pieces_.size(); ++i) {
     const NurbsPiece& whole = pieces_[i];
     if (whole.s_begin_mm >= stretch.end_mm) {
@@ -60,34 +97,22 @@ std::optional<NurbsCurve> NurbsCurve::part(const Stretch& stretch) const {
     }
     const bool cut_begin = whole.s_begin_mm < stretch.begin_mm;
     const bool cut_end = whole.s_end_mm > stretch.end_mm;
-    NurbsPiece piece = whole;
-    double length_mm = whole.s_end_mm - whole.s_begin_mm;
-    if (cut_begin || cut_end) {
-      const Interval to{cut_begin ? local_parameter(whole, stretch.begin_mm) : -1.0,
-                        cut_end ? local_parameter(whole, stretch.end_mm) : 1.0};
-      if (!(to.begin < to.end)) {
-        continue;
-      }
-      restrict(piece, to);
-      length_mm = fit_length_map(piece);
-      if (!(length_mm > 0.0)) {
-        return std::nullopt;
-      }
+    if (!cut_begin && !cut_end) {
+      part.append(whole, whole.s_end_mm - whole.s_begin_mm);
+      continue;
     }
-    piece.s_begin_mm = s_mm;
-    s_mm += length_mm;
-    piece.s_end_mm = s_mm;
-    piece.ends_curve = false;
-    if (s_mm > piece.s_begin_mm) {
-      pieces.push_back(piece);
+    const Interval to{cut_begin ? local_parameter(whole, stretch.begin_mm) : -1.0,
+                      cut_end ? local_parameter(whole, stretch.end_mm) : 1.0};
+    if (to.begin < to.end) {
+      part.append_restricted(whole, to);
     }
   }
-  if (pieces.empty()) {
+  if (part.pieces.empty()) {
     return std::nullopt;
   }
-  pieces.back().ends_curve = true;
-  pieces.back().end_mm = at(stretch.end_mm);
-  return NurbsCurve(std::move(pieces));
+  part.pieces.back().ends_curve = true;
+  part.pieces.back().end_mm = at(stretch.end_mm);
+  return NurbsCurve(std::move(part.pieces));
 }
 
 }  // namespace kerf::curves

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "curves/arc_length_rule.hpp"
 
@@ -16,41 +17,41 @@ namespace {
 
 constexpr double kFitTolerance_mm = 1e-12;
 constexpr double kRelativeFitTolerance = 1e-14;  // what double can do on long pieces
+constexpr double kShort_mm = 1.0;  // up to this double will do for the interpolation, too
 
 using Rule = ArcLengthRule;
 using MapCoefficients = std::array<double, NurbsPiece::kMapDegree + 1>;
 
 // The polynomial x(y) through (y_j, knots_j), by divided differences, as powers of y.
+template <typename Real>
 MapCoefficients interpolate_inverse(const Eigen::Matrix<double, Rule::kKnots, 1>& y,
                                     const Eigen::Matrix<double, Rule::kKnots, 1>& x) {
   constexpr int kCount = Rule::kKnots;
-  Eigen::Matrix<Wide, kCount, 1> node = y.cast<Wide>();
-  Eigen::Matrix<Wide, kCount, 1> divided = x.cast<Wide>();
+  const Eigen::Matrix<Real, kCount, 1> node = y.cast<Real>();
+  Eigen::Matrix<Real, kCount, 1> difference = x.cast<Real>();
+  std::array<Real, kCount> divided{difference[0]};
   for (int level = 1; level < kCount; ++level) {
-    for (int j = kCount - 1; j >= level; --j) {
-      divided[j] = (divided[j] - divided[j - 1]) / (node[j] - node[j - level]);
+    for (int j = 0; j < kCount - level; ++j) {
+      difference[j] = (difference[j + 1] - difference[j]) / (node[j + level] - node[j]);
     }
+    divided[static_cast<std::size_t>(level)] = difference[0];
   }
-  std::array<Wide, kCount> power{};
-  for (int j = kCount - 1; j >= 0; --j) {
-    for (int k = kCount - 1; k > 0; --k) {
-      const auto i = static_cast<std::size_t>(k);
-      power[i] = power[i - 1] - node[j] * power[i];
+  std::array<Real, kCount> power{};
+  for (std::size_t j = kCount; j-- > 0;) {
+    const Real at = node[static_cast<Eigen::Index>(j)];
+    Real lower = divided[j];
+    for (std::size_t k = 0; k < kCount - j; ++k) {
+      lower = std::exchange(power[k], lower - at * power[k]);
     }
-    power[0] = divided[j] - node[j] * power[0];
   }
   MapCoefficients result{};
   std::transform(power.begin(), power.end(), result.begin(),
-                 [](Wide c) { return static_cast<double>(c); });
+                 [](Real c) { return static_cast<double>(c); });
   return result;
 }
 
-double horner(const MapCoefficients& c, double y) {
-  double x = 0.0;
-  for (std::size_t k = c.size(); k-- > 0;) {
-    x = x * y + c[k];
-  }
-  return x;
+double tolerance_mm(double length_mm) {
+  return std::max(kFitTolerance_mm, kRelativeFitTolerance * length_mm);
 }
 
 }  // namespace
@@ -75,38 +76,48 @@ NurbsPiece unmapped_piece(const BezierSpan& right_half, Wide u_begin) {
   return piece;
 }
 
-double fit_length_map(NurbsPiece& piece) {
+std::optional<LengthMap> length_map(const NodeSpeeds& speed) {
   const Rule& rule = Rule::get();
-  Eigen::Matrix<double, Rule::kNodes, 1> speed;
-  for (int i = 0; i < Rule::kNodes; ++i) {
-    speed[i] = speed_mm(piece, rule.nodes[i]);
-  }
   const double length_mm = rule.weights.dot(speed);
-  const double tolerance_mm = std::max(kFitTolerance_mm, kRelativeFitTolerance * length_mm);
-  if (!((rule.to_tail * speed).cwiseAbs().sum() <= tolerance_mm)) {
-    return -1.0;
+  if (!(rule.to_tail.lazyProduct(speed).cwiseAbs().sum() <= tolerance_mm(length_mm))) {
+    return std::nullopt;
   }
-
   const double to_scaled = 2.0 / length_mm;
-  Eigen::Matrix<double, Rule::kKnots, 1> y = (rule.to_knots * speed) * to_scaled;
+  Eigen::Matrix<double, Rule::kKnots, 1> y = rule.to_knots.lazyProduct(speed) * to_scaled;
   y.array() -= 1.0;
   y[0] = -1.0;
   y[Rule::kKnots - 1] = 1.0;
   for (int j = 1; j < Rule::kKnots; ++j) {
     if (!(y[j] > y[j - 1])) {
-      return -1.0;
+      return std::nullopt;
     }
   }
-  piece.local_by_length = interpolate_inverse(y, rule.knots);
-  const Eigen::Matrix<double, Rule::kChecks, 1> s_mm = rule.to_checks * speed;
-  for (int j = 0; j < Rule::kChecks; ++j) {
-    const double x = horner(piece.local_by_length, s_mm[j] * to_scaled - 1.0);
-    const double off_mm = (x - rule.checks[j]) * speed_mm(piece, rule.checks[j]);
-    if (!(std::abs(off_mm) <= tolerance_mm)) {
-      return -1.0;
-    }
+  return LengthMap{length_mm, length_mm <= kShort_mm ? interpolate_inverse<double>(y, rule.knots)
+                                                     : interpolate_inverse<Wide>(y, rule.knots)};
+}
+
+bool holds(const LengthMap& map, const NodeSpeeds& speed, const CheckSpeeds& at_checks) {
+  using Checks = Eigen::Array<double, Rule::kChecks, 1>;
+  const Rule& rule = Rule::get();
+  const Checks y = rule.to_checks.lazyProduct(speed).array() * (2.0 / map.length_mm) - 1.0;
+  Checks x = Checks::Zero();
+  for (std::size_t k = map.local_by_length.size(); k-- > 0;) {
+    x = x * y + map.local_by_length[k];
   }
-  return length_mm;
+  const Checks off_mm = (x - rule.checks.array()) * at_checks.array();
+  return (off_mm.abs() <= tolerance_mm(map.length_mm)).all();
+}
+
+double fit_length_map(NurbsPiece& piece) {
+  const Rule& rule = Rule::get();
+  const auto speed_at = [&piece](double x) { return speed_mm(piece, x); };
+  const NodeSpeeds speed = rule.nodes.unaryExpr(speed_at);
+  const auto map = length_map(speed);
+  if (!map || !holds(*map, speed, rule.checks.unaryExpr(speed_at))) {
+    return -1.0;
+  }
+  piece.local_by_length = map->local_by_length;
+  return map->length_mm;
 }
 
 }  // namespace kerf::curves

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "curves/bezier_span.hpp"
+#include "curves/corner_cubic.hpp"
 
 namespace kerf::smoothing {
 
@@ -88,9 +89,15 @@ void widen(const Position& point, const std::array<Position, kPlaces + 1>& place
   largest.widen(nearest);
 }
 
-}  // namespace
+std::optional<curves::NurbsCurve> curve_between_lines(const curves::Line& before,
+                                                      const curves::Line& after, double way_mm) {
+  return curves::corner_cubic({.corner_mm = after.at(0.0),
+                               .direction_in = before.direction(),
+                               .direction_out = after.direction(),
+                               .way_mm = way_mm});
+}
 
-std::optional<Blend> make_blend(const Corner& corner, double way_mm) {
+std::optional<curves::NurbsCurve> curve_between(const Corner& corner, double way_mm) {
   const double length_mm = curves::length_mm(*corner.before);
   const EndDerivatives begin =
       at_begin(curves::derivatives_at(*corner.before, length_mm - way_mm), way_mm);
@@ -100,7 +107,20 @@ std::optional<Blend> make_blend(const Corner& corner, double way_mm) {
   if (!made || made->size() != 1) {
     return std::nullopt;
   }
-  Blend blend{.curve = std::move(made->front())};
+  return std::move(made->front());
+}
+
+}  // namespace
+
+std::optional<Blend> make_blend(const Corner& corner, double way_mm) {
+  const auto* before = std::get_if<curves::Line>(corner.before);
+  const auto* after = std::get_if<curves::Line>(corner.after);
+  auto curve = before != nullptr && after != nullptr ? curve_between_lines(*before, *after, way_mm)
+                                                     : curve_between(corner, way_mm);
+  if (!curve) {
+    return std::nullopt;
+  }
+  Blend blend{.curve = std::move(*curve)};
   blend.s_corner_mm = blend.curve.s_at(0.5);
   return blend;
 }

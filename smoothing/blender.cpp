@@ -171,10 +171,10 @@ void Blender::emit_rest_of(Held& held, double cut_end_mm, std::vector<PathPart>&
 
 void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
                          std::vector<PathPart>& out) const {
-  curves::NurbsCurve& curve = chosen.blend.curve;
-  PathPart part{.curve = curve};
+  std::vector<LineMark> marks = marks_along(chosen.blend, chosen.way_mm, before.part, after.part);
+  PathPart part{.curve = std::move(chosen.blend.curve)};
+  part.marks = std::move(marks);
   part.source = before.part.source;
-  part.marks = marks_along(chosen.blend, chosen.way_mm, before.part, after.part);
   part.source.line = part.marks.front().line;
   part.run_block = part.marks.front().run_block;
   part.rapid = before.part.rapid && after.part.rapid;
@@ -186,17 +186,15 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   }
   after.cut_begin_mm = chosen.way_mm;
   after.follows_blend = true;
-  const double s = chosen.blend.s_corner_mm;
   if (after.part.changes.empty()) {
     out.push_back(std::move(part));
     return;
   }
-  auto into = curve.part({0.0, s});
-  auto out_of = curve.part({s, curve.length_mm()});
+  const double s = chosen.blend.s_corner_mm;
   PathPart second = part;
   second.continues = true;
-  part.curve = std::move(*into);
-  second.curve = std::move(*out_of);
+  second.curve = *curves::part(part.curve, {s, curves::length_mm(part.curve)});
+  part.curve = *curves::part(part.curve, {0.0, s});
   shift_marks(second, s);
   second.source = after.part.source;
   second.source.line = second.marks.front().line;

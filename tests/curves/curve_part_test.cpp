@@ -60,6 +60,34 @@ TEST(CurvePart, OfAPartIsAPartOfTheWhole) {
   }
 }
 
+// A part that is to be run must not be left out, however short it is and wherever it is cut.
+TEST(CurvePart, HasNoGapToTheNextPartWhereverTheCurveIsCut) {
+  const Curve whole = some_of_each()[2];
+  const double length = length_mm(whole);
+  std::vector<double> places;
+  for (const NurbsPiece& piece : std::get<NurbsCurve>(whole).pieces()) {
+    for (const double beside : {-1e-6, -1e-9, -1e-12, -1e-14, 0.0, 1e-14, 1e-12, 1e-9, 1e-6}) {
+      places.push_back(piece.s_begin_mm + beside);
+    }
+  }
+  std::erase_if(places, [&](double s) { return !(s > 0.0 && s < length); });
+  Position at = position_at(whole, 0.0);
+  double begin = 0.0;
+  for (const double s : places) {
+    if (s <= begin) {
+      continue;
+    }
+    const auto cut = part(whole, {begin, s});
+    ASSERT_TRUE(cut.has_value() || s - begin < 1e-14) << s;
+    if (cut) {
+      EXPECT_LE((vec(position_at(*cut, 0.0)) - vec(at)).norm(), 1e-12) << s;
+      at = position_at(*cut, length_mm(*cut));
+      EXPECT_NEAR(length_mm(*cut), s - begin, 1e-11) << s;
+      begin = s;
+    }
+  }
+}
+
 TEST(NurbsCurve, TellsWhereAParameterIs) {
   const Curve whole = some_of_each()[2];
   const NurbsCurve& curve = std::get<NurbsCurve>(whole);
