@@ -1,4 +1,5 @@
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <string>
@@ -89,6 +90,19 @@ bool parts_smoothing(const PartsOrder& order) {
     return Point{static_cast<double>(step / 2), static_cast<double>((step + 1) / 2), 0.0};
   };
   met = print_row("stairs of 1 mm, a blend at each", smooth(blocks, stairs)) && met;
+  // Left and right in turn by 20 to 150 degrees, never the same.
+  Point here{};
+  double heading = 0.0;
+  const auto turns = [&] {
+    constexpr double kGolden = 0.6180339887498949;
+    const double turn = 0.35 + 2.27 * std::fmod(kGolden * static_cast<double>(step), 1.0);
+    heading += step % 2 == 0 ? turn : -turn;
+    here[0] += std::cos(heading);
+    here[1] += std::sin(heading);
+    ++step;
+    return here;
+  };
+  met = print_row("turns of 20 to 150 degrees, a blend at each", smooth(blocks, turns)) && met;
   std::printf("\n");
   return met;
 }

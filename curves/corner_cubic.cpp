@@ -1,8 +1,10 @@
 // Idea. The speed |r'(w)| = 3 d |(1 - w)^2 tA + w^2 tB| depends on the turn between the two lines
 // alone, and is the same from both ends. It vanishes at w = 1/2 +- i t/2 with t = tan((pi - turn)
 // / 4), nearer to the real axis the sharper the turn, and at farther places above these. So it is
-// known beforehand how long a piece may be: with w = (1 + t sinh q) / 2 pieces of one width in q
-// are equally hard to fit. The second half is the first one mirrored and needs no fit of its own.
+// known beforehand how long a piece may be: about as long as it is far from there, and at the ends,
+// where as large a share of its length is more to be off by, a little shorter. With w = (1 + t x) /
+// 2 and x = q + kCube q^3 pieces of one width in q are that. The second half is the first one
+// mirrored and needs no fit of its own.
 #include "curves/corner_cubic.hpp"
 
 #include <algorithm>
@@ -15,9 +17,10 @@
 namespace kerf::curves {
 namespace {
 
-// In q, of pieces that can nearly always be fitted, and how it changes with the size of the curve,
-// which is to be fitted to a distance.
-constexpr double kWidthOf1mm = 0.33;
+// The first makes half curves of random turns into the fewest pieces. A width in q that can nearly
+// always be fitted, and how it changes with the size of the curve, which is fitted to a distance.
+constexpr double kCube = 0.08;
+constexpr double kWidthOf1mm = 0.32;
 constexpr double kPowerOfWidth = -0.07;
 constexpr int kMostPieces = 64;  // of a half
 
@@ -31,6 +34,15 @@ struct MappedInterval {
   LengthMap map;
 };
 
+double x_of(double q) {
+  return q + kCube * q * q * q;
+}
+
+double q_of(double x) {
+  const double scale = std::sqrt(3.0 * kCube);
+  return 2.0 / scale * std::sinh(std::asinh(1.5 * scale * x) / 3.0);
+}
+
 class CornerCubic {
  public:
   explicit CornerCubic(const CornerLines& lines)
@@ -43,13 +55,13 @@ class CornerCubic {
   // The intervals of the first half; none: one of them cannot be fitted with so many.
   [[nodiscard]] std::vector<MappedInterval> first_half(int count) const {
     const double t = to_singular();
-    const double q_end = std::asinh(1.0 / t);
+    const double q_end = q_of(1.0 / t);
     std::vector<MappedInterval> mapped;
     mapped.reserve(static_cast<std::size_t>(count));
     double begin = 0.0;
     for (int i = 1; i <= count; ++i) {
       const double q = q_end * (1.0 - static_cast<double>(i) / count);
-      const double end = i == count ? 0.5 : 0.5 - 0.5 * t * std::sinh(q);
+      const double end = i == count ? 0.5 : 0.5 - 0.5 * t * x_of(q);
       const Interval w{0.5 * (begin + end), 0.5 * (end - begin)};
       const auto map = fit(w);
       if (!map) {
@@ -63,7 +75,7 @@ class CornerCubic {
 
   [[nodiscard]] int likely_count() const {
     const double width = kWidthOf1mm * std::pow(way_mm_, kPowerOfWidth);
-    const double count = std::ceil(std::asinh(1.0 / to_singular()) / width);
+    const double count = std::ceil(q_of(1.0 / to_singular()) / width);
     return static_cast<int>(std::clamp(count, 1.0, 1.0 * kMostPieces));
   }
 

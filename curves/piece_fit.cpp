@@ -22,7 +22,8 @@ constexpr double kShort_mm = 1.0;  // up to this double will do for the interpol
 using Rule = ArcLengthRule;
 using MapCoefficients = std::array<double, NurbsPiece::kMapDegree + 1>;
 
-// The polynomial x(y) through (y_j, knots_j), by divided differences, as powers of y.
+// The polynomial x(y) through (y_j, knots_j), by divided differences, as powers of y. Unrolled, for
+// it is most of what a fit costs.
 template <typename Real>
 MapCoefficients interpolate_inverse(const Eigen::Matrix<double, Rule::kKnots, 1>& y,
                                     const Eigen::Matrix<double, Rule::kKnots, 1>& x) {
@@ -30,17 +31,21 @@ MapCoefficients interpolate_inverse(const Eigen::Matrix<double, Rule::kKnots, 1>
   const Eigen::Matrix<Real, kCount, 1> node = y.cast<Real>();
   Eigen::Matrix<Real, kCount, 1> difference = x.cast<Real>();
   std::array<Real, kCount> divided{difference[0]};
+#pragma GCC unroll 16
   for (int level = 1; level < kCount; ++level) {
+#pragma GCC unroll 16
     for (int j = 0; j < kCount - level; ++j) {
       difference[j] = (difference[j + 1] - difference[j]) / (node[j + level] - node[j]);
     }
     divided[static_cast<std::size_t>(level)] = difference[0];
   }
   std::array<Real, kCount> power{};
-  for (std::size_t j = kCount; j-- > 0;) {
-    const Real at = node[static_cast<Eigen::Index>(j)];
-    Real lower = divided[j];
-    for (std::size_t k = 0; k < kCount - j; ++k) {
+#pragma GCC unroll 16
+  for (std::size_t done = 1; done <= kCount; ++done) {
+    const Real at = node[static_cast<Eigen::Index>(kCount - done)];
+    Real lower = divided[kCount - done];
+#pragma GCC unroll 16
+    for (std::size_t k = 0; k < done; ++k) {
       lower = std::exchange(power[k], lower - at * power[k]);
     }
   }
