@@ -15,7 +15,6 @@
 #include "tests/kernel/random_machine.hpp"
 #include "tests/kernel/singular_curves.hpp"
 #include "tests/kernel/smoothing_program.hpp"
-#include "tests/smoothing/polylines.hpp"
 #include "tests/smoothing/smoothed.hpp"
 
 namespace kerf::bench {
@@ -29,6 +28,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::minutes kLongest{1};
+constexpr std::uint64_t kSeedsOfASecondRun = 8;
 constexpr double kLongestCurve_s = 20.0;
 constexpr double kBetweenPoints_mm = 3e-5;  // of the paths that are compared
 constexpr double kAtEnd_mm = 2e-9;  // what the digits and the resolution of a program leave open
@@ -76,7 +76,7 @@ Trial smoothed_trial(std::uint64_t seed) {
 
 // What is wrong with the path itself; empty: it has no gap and stays within the tolerances.
 std::string departure_complaint(std::uint64_t seed) {
-  const test::RandomMoves program = test::random_moves(seed);
+  const test::RandomMoves program = test::smoothing_moves(seed);
   if (program.moves.empty()) {
     return "";
   }
@@ -151,6 +151,10 @@ void judge(std::uint64_t seed, bool smoothed, Tally& tally) {
   }
   if (smoothed) {
     run.complaint += departure_complaint(seed);
+    if (seed % kSeedsOfASecondRun == 0 &&
+        test::judged_run(trial.program, trial.settings, trial.way).fingerprint != run.fingerprint) {
+      run.complaint += "the second run differs";
+    }
   }
   ++tally.runs;
   tally.curves += !smoothed && seed % 3 == 0 ? 1U : 0U;

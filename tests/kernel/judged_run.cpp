@@ -1,6 +1,7 @@
 #include "tests/kernel/judged_run.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "kernel/kernel.hpp"
 #include "tests/kernel/chord_checker.hpp"
@@ -11,6 +12,11 @@ namespace {
 
 // What the scan of a curve's bound may miss, where only the kernel's account is there.
 constexpr double kRelative = 1e-6;
+
+// FNV-1a by words (Fowler, Noll, Vo).
+std::uint64_t stirred(std::uint64_t fingerprint, std::uint64_t word) {
+  return (fingerprint ^ word) * 0x100000001b3U;
+}
 
 }  // namespace
 
@@ -34,6 +40,10 @@ JudgedRun judged_run(const RandomProgram& program, const MachineSettings& settin
     const std::size_t line = std::clamp<std::size_t>(run.last.line, 1, program.lines());
     checker.add({.setpoint = run.last, .feedrate_mm_s = program.fastest_mm_s(line_before, line)});
     line_before = line;
+    run.fingerprint = stirred(run.fingerprint, run.last.line);
+    for (const double coordinate : run.last.position_mm) {
+      run.fingerprint = stirred(run.fingerprint, std::bit_cast<std::uint64_t>(coordinate));
+    }
     kernel_says_mm = std::max(kernel_says_mm, kernel.chord_error_mm());
     if (!program.path.empty()) {
       chords.add(run.last, kernel.chord_error_mm());

@@ -27,6 +27,7 @@ struct JudgedRun {
   std::array<double, kFigures> worst{};  // by number of Figure, over what is allowed
   double worst_chord = 0.0;              // over the tolerance
   std::uint64_t shortfalls = 0;
+  std::uint64_t fingerprint = 0;  // of all positions and lines, to the last bit
 };
 
 // Ends with the first complaint. A program without a path and without dense points is not held

@@ -1,6 +1,6 @@
-// Seeded random programs in G64: every limit at every tick, the end where the program says, never a
-// hang, the second run the same to the last bit. How far the path departs is judged by
-// tests/smoothing.
+// Seeded random programs in G64, G61 and G61.1: every limit at every tick, the end where the
+// program says, never a hang, the second run the same to the last bit. How far the path departs is
+// judged by tests/smoothing.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -19,9 +19,9 @@ using profiles::ProfileKind;
 
 constexpr std::uint64_t kShards = 10;
 #ifdef KERF_SLOW_BUILD
-constexpr std::uint64_t kPrograms = 60;
+constexpr std::uint64_t kPrograms = 200;
 #else
-constexpr std::uint64_t kPrograms = 600;
+constexpr std::uint64_t kPrograms = 2000;
 #endif
 
 // Two of three by the default profile.

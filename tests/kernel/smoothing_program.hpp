@@ -1,13 +1,17 @@
-// Random programs in G64, as text.
+// Random programs in G64, G61 and G61.1, as text.
 #pragma once
 
 #include <cstdint>
 
 #include "tests/kernel/random_program.hpp"
+#include "tests/smoothing/polylines.hpp"
 
 namespace kerf::test {
 
-// As random_moves() of tests/smoothing, with no path to be held against: it departs from it.
+// One of 16 is a full one.
+RandomMoves smoothing_moves(std::uint64_t seed);
+
+// These moves, with no path to be held against: it departs from it.
 RandomProgram smoothing_program(std::uint64_t seed);
 
 }  // namespace kerf::test

@@ -34,16 +34,21 @@ void number(std::vector<Move>& moves) {
 
 class Maker {
  public:
-  explicit Maker(std::uint64_t seed) : random_(seed) {}
+  Maker(std::uint64_t seed, Size size) : random_(seed), modes_(~seed), size_(size) {}
 
   RandomMoves make() {
     RandomMoves program;
     program.tolerances = {.corner_mm = uniform(0.0, 1.0) < 0.1 ? 0.0 : decades(1e-3, 0.5),
                           .merge_mm = uniform(0.0, 1.0) < 0.1 ? 0.0 : decades(1e-3, 0.2)};
     decimals_ = whole(2, 7);
-    const int pieces = whole(1, 5);
+    const int pieces = whole(1, size_ == Size::full ? 5 : 3);
     for (int i = 0; i < pieces; ++i) {
+      const std::size_t before = program.moves.size();
       add_piece(program);
+      const parser::PathMode mode = any_mode();
+      for (std::size_t k = before; k < program.moves.size(); ++k) {
+        program.moves[k].mode = mode;
+      }
     }
     number(program.moves);
     return program;
@@ -55,6 +60,20 @@ class Maker {
   }
   double decades(double from, double to) { return std::exp(uniform(std::log(from), std::log(to))); }
   int whole(int from, int to) { return std::uniform_int_distribution<int>(from, to)(random_); }
+
+  int lines(int from, int to) { return size_ == Size::full ? whole(from, to) : whole(from, 20); }
+
+  // G64 for three of four.
+  parser::PathMode any_mode() {
+    switch (std::uniform_int_distribution<int>(0, 7)(modes_)) {
+      case 0:
+        return parser::PathMode::exact_path;
+      case 1:
+        return parser::PathMode::exact_stop;
+      default:
+        return parser::PathMode::blend;
+    }
+  }
 
   void add_piece(RandomMoves& program) {
     switch (whole(0, 5)) {
@@ -114,7 +133,7 @@ class Maker {
           return Position{length * u, height * std::sin(waves * u + phase),
                           0.3 * height * std::cos(1.7 * waves * u)};
         },
-        whole(5, 900), program);
+        lines(5, 900), program);
   }
 
   void add_loop(RandomMoves& program) {
@@ -125,7 +144,7 @@ class Maker {
         [=](double u) {
           return Position{radius * std::cos(turns * u), radius * std::sin(turns * u), rise * u};
         },
-        whole(6, 700), program);
+        lines(6, 700), program);
   }
 
   void add_straight(RandomMoves& program) {
@@ -137,13 +156,13 @@ class Maker {
           return Position{length * u * std::cos(direction), length * u * std::sin(direction),
                           length * u * slope};
         },
-        whole(1, 600), program);
+        lines(1, 600), program);
   }
 
   void add_zigzag(RandomMoves& program) {
     const double step = decades(0.01, 20.0);
     const double width = step * uniform(0.0, 3.0);
-    const int count = whole(2, 40);
+    const int count = lines(2, 40);
     const Position from = at_;
     for (int i = 1; i <= count; ++i) {
       line_to({from[0] + step * i, from[1] + (i % 2 == 0 ? 0.0 : width), from[2]}, program);
@@ -152,7 +171,7 @@ class Maker {
 
   // Any turn, any length: reversals and needles among them.
   void add_walk(RandomMoves& program) {
-    const int count = whole(2, 40);
+    const int count = lines(2, 40);
     const double size = decades(0.01, 20.0);
     for (int i = 0; i < count; ++i) {
       const double length = size * decades(0.05, 1.0);
@@ -175,6 +194,8 @@ class Maker {
   }
 
   std::mt19937_64 random_;
+  std::mt19937_64 modes_;
+  Size size_;
   Position at_{};
   double feedrate_mm_s_ = 100.0;
   int decimals_ = 3;
@@ -213,8 +234,8 @@ Move arc_move(const ArcTo& arc, const Tolerances& tolerances, double feedrate_mm
   return move;
 }
 
-RandomMoves random_moves(std::uint64_t seed) {
-  return Maker(seed).make();
+RandomMoves random_moves(std::uint64_t seed, Size size) {
+  return Maker(seed, size).make();
 }
 
 }  // namespace kerf::test

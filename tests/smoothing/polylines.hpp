@@ -32,12 +32,14 @@ parser::Move arc_move(const ArcTo& arc, const Tolerances& tolerances, double fee
 curves::Position rounded(const curves::Position& point, int decimals);
 
 // Of many kinds: smooth curves in steps of any length, with any number of decimals, corners,
-// reversals, zigzags, straight runs, arcs between, changes of feedrate.
+// reversals, zigzags, straight runs, arcs between, changes of feedrate and of mode.
 struct RandomMoves {
   std::string what;  // the kinds, for the message of a failure
   Tolerances tolerances{};
   std::vector<parser::Move> moves;
 };
-RandomMoves random_moves(std::uint64_t seed);
+// Most pieces of a small one have some ten lines, of a full one up to 900.
+enum class Size : std::uint8_t { small, full };
+RandomMoves random_moves(std::uint64_t seed, Size size = Size::full);
 
 }  // namespace kerf::test
