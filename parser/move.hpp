@@ -75,6 +75,11 @@ enum class EventKind : std::uint8_t {
   analog_at_motion,   // M67
 };
 
+// M62, M63 and M67: the change comes with the next motion, and the tool does not rest for it.
+inline bool is_at_motion(EventKind kind) {
+  return kind == EventKind::digital_at_motion || kind == EventKind::analog_at_motion;
+}
+
 // How many outputs of each kind there are: `index` counts from 0.
 inline constexpr int kDigitalOutputs = 64;
 inline constexpr int kAnalogOutputs = 8;

@@ -8,7 +8,7 @@
 #include "kernel/reader_options.hpp"
 #include "lookahead/block_builder.hpp"
 #include "lookahead/planner.hpp"
-#include "lookahead/switches.hpp"
+#include "lookahead/push.hpp"
 #include "parser/program_reader.hpp"
 #include "programs/interrupt.hpp"
 #include "smoothing/smoother.hpp"
@@ -41,21 +41,14 @@ tl::expected<bool, std::string> next_move(parser::ProgramReader& reader, Program
 void push(smoothing::Smoother::Output& output, const lookahead::PlanLimits& limits,
           lookahead::Planner& planner, BlockWatch& watch) {
   if (const auto* pause = std::get_if<parser::Move>(&output)) {
-    if (const auto* dwell = std::get_if<parser::DwellMove>(&pause->shape)) {
-      planner.push_rest(dwell->duration_s, pause->source.line);
-    } else if (const auto* event = std::get_if<parser::EventMove>(&pause->shape)) {
-      lookahead::push_event(*event, pause->source.line, planner);
-    }
+    lookahead::push_pause(*pause, planner);
     watch.rests();
     return;
   }
   auto& part = std::get<smoothing::PathPart>(output);
   const std::vector<parser::EventMove> changes = std::move(part.changes);
   if (auto block = lookahead::block_of(std::move(part), limits, planner.scan_steps())) {
-    for (const parser::EventMove& change : changes) {
-      lookahead::push_event(change, block->line, planner);
-    }
-    planner.push(std::move(*block));
+    lookahead::push_block(std::move(*block), changes, planner);
   }
 }
 

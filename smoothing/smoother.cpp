@@ -6,18 +6,9 @@
 
 namespace kerf::smoothing {
 
-namespace {
-
-bool comes_with_motion(const parser::EventMove& event) {
-  return event.kind == parser::EventKind::digital_at_motion ||
-         event.kind == parser::EventKind::analog_at_motion;
-}
-
-}  // namespace
-
 tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
   if (const auto* event = std::get_if<parser::EventMove>(&move.shape);
-      event != nullptr && comes_with_motion(*event)) {
+      event != nullptr && parser::is_at_motion(event->kind)) {
     changes_.push_back(*event);
     return {};
   }

@@ -1,4 +1,9 @@
-#include "lookahead/switches.hpp"
+#include "lookahead/push.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "interp/outputs.hpp"
 
 namespace kerf::lookahead {
 
@@ -25,8 +30,7 @@ interp::Switch spindle_of(const parser::EventMove& event) {
   return change;
 }
 
-}  // namespace
-
+// Nothing: the event changes no output (a stop).
 std::optional<interp::Switch> switch_of(const parser::EventMove& event) {
   using interp::Switch;
   using interp::SwitchKind;
@@ -62,20 +66,32 @@ std::optional<interp::Switch> switch_of(const parser::EventMove& event) {
   }
 }
 
-bool is_at_motion(parser::EventKind kind) {
-  return kind == parser::EventKind::digital_at_motion ||
-         kind == parser::EventKind::analog_at_motion;
-}
-
 void push_event(const parser::EventMove& event, std::uint32_t line, Planner& planner) {
   const auto change = switch_of(event);
   if (!change) {
     planner.push_rest(0.0, line);
-  } else if (is_at_motion(event.kind)) {
+  } else if (parser::is_at_motion(event.kind)) {
     planner.push_switch_at_motion(*change);
   } else {
     planner.push_switch_at_rest(*change, line);
   }
+}
+
+}  // namespace
+
+void push_pause(const parser::Move& pause, Planner& planner) {
+  if (const auto* dwell = std::get_if<parser::DwellMove>(&pause.shape)) {
+    planner.push_rest(dwell->duration_s, pause.source.line);
+  } else if (const auto* event = std::get_if<parser::EventMove>(&pause.shape)) {
+    push_event(*event, pause.source.line, planner);
+  }
+}
+
+void push_block(Block block, const std::vector<parser::EventMove>& changes, Planner& planner) {
+  for (const parser::EventMove& change : changes) {
+    push_event(change, block.line, planner);
+  }
+  planner.push(std::move(block));
 }
 
 }  // namespace kerf::lookahead

@@ -1,0 +1,68 @@
+#include "kernel/program_path.hpp"
+
+#include "kernel/blend_settings.hpp"
+#include "kernel/reader_options.hpp"
+#include "parser/errors/machine.hpp"
+
+namespace kerf {
+
+ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& options)
+    : reader_(reader_options(settings, options)), smoother_(blend_settings(settings)) {}
+
+ProgramPath::Next ProgramPath::next(Output& output) {
+  for (;;) {
+    if (smoother_.next(output)) {
+      if (!cut_) {
+        return Next::output;
+      }
+    } else if (ended_) {
+      return Next::ended;
+    } else if (!read_move()) {
+      return Next::wants_text;
+    }
+  }
+}
+
+bool ProgramPath::read_move() {
+  parser::Move move;
+  const bool read = reader_.next(move);
+  if (!read && !reader_.has_errors() && !reader_.at_end()) {
+    return false;
+  }
+  if (!read || reader_.has_errors()) {
+    end();
+    return true;
+  }
+  source_ = move.source;
+  if (const auto taken = smoother_.push(move); !taken) {
+    fail(taken.error(), parser::errors::kCurveRefused);
+  }
+  return true;
+}
+
+void ProgramPath::cut(const parser::SourcePosition& source, const smoothing::PathError& error,
+                      const parser::ErrorPage& page) {
+  cut_ = true;
+  source_ = source;
+  fail(error, page);
+}
+
+void ProgramPath::fail(const smoothing::PathError& error, const parser::ErrorPage& page) {
+  failed_ = true;
+  all_diagnostics_ = reader_.diagnostics();
+  parser::SourcePosition place = source_;
+  if (error.line != place.line) {  // inside a curve of many blocks
+    place.line = error.line;
+    place.column = 1;
+  }
+  parser::Diagnostic& diagnostic = all_diagnostics_.emplace_back(place, page, error.message);
+  diagnostic.file = reader_.file_name(place.file);
+  end();
+}
+
+void ProgramPath::end() {
+  smoother_.flush();
+  ended_ = true;
+}
+
+}  // namespace kerf

@@ -1,0 +1,59 @@
+// The program as the path that is run: text in, parts of the path and pauses on it out, with what
+// is wrong with the program.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "kernel/kernel.hpp"
+#include "parser/program_reader.hpp"
+#include "smoothing/smoother.hpp"
+
+namespace kerf {
+
+class ProgramPath {
+ public:
+  using Output = smoothing::Smoother::Output;
+  enum class Next : std::uint8_t { output, wants_text, ended };
+
+  ProgramPath(const MachineSettings& settings, const KernelOptions& options);
+
+  void feed(std::string_view text) { reader_.feed(text); }
+  void finish() { reader_.finish(); }
+
+  // At a block with an error the path ends, where the program is right so far.
+  Next next(Output& output);
+  // What is held back for the sake of what follows comes out without it.
+  void flush() { smoother_.flush(); }
+  // The part that next() gave cannot be run: the path has ended before it, with this error.
+  void cut(const parser::SourcePosition& source, const smoothing::PathError& error,
+           const parser::ErrorPage& page);
+
+  // Of the move read last.
+  [[nodiscard]] std::uint32_t line() const noexcept { return source_.line; }
+  [[nodiscard]] bool has_errors() const { return failed_ || reader_.has_errors(); }
+  [[nodiscard]] const std::vector<parser::Diagnostic>& diagnostics() const {
+    return failed_ ? all_diagnostics_ : reader_.diagnostics();
+  }
+  [[nodiscard]] const smoothing::Departure& departure() const noexcept {
+    return smoother_.departure();
+  }
+
+ private:
+  // The next move into the smoother. False: there is no more text.
+  bool read_move();
+  void fail(const smoothing::PathError& error, const parser::ErrorPage& page);
+  // What is held back still runs.
+  void end();
+
+  parser::ProgramReader reader_;
+  smoothing::Smoother smoother_;
+  parser::SourcePosition source_;  // of the move read last
+  bool ended_ = false;             // what the smoother still holds is all that follows
+  bool cut_ = false;               // and none of that is run
+  bool failed_ = false;
+  std::vector<parser::Diagnostic> all_diagnostics_;  // once it failed
+};
+
+}  // namespace kerf
