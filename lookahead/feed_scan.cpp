@@ -182,13 +182,16 @@ Ceiling in_order(const Ceiling& samples) {
   return kept;
 }
 
-// Along the path, on a straight one in this direction; 0 where it is not bounded.
-double jerk_at_mm_s3(const NurbsCurve& curve, double s_mm, const ScanLimits& limits) {
+// Along the path at a feedrate, where it neither rises nor falls: of an axis it may be higher than
+// its limit by what turning takes off; 0 where it is not bounded.
+double jerk_at_mm_s3(const NurbsCurve& curve, double s_mm, double v_mm_s,
+                     const ScanLimits& limits) {
   double jerk = limits.jerk_mm_s3;
-  const curves::Position first = curve.derivatives_at(s_mm).first;
-  for (std::size_t k = 0; k < first.size(); ++k) {
-    if (first[k] != 0.0) {
-      jerk = std::min(jerk, limits.axis_jerk_mm_s3[k] / std::abs(first[k]));
+  const curves::PathDerivatives path = curve.derivatives_at(s_mm);
+  for (std::size_t k = 0; k < path.first.size(); ++k) {
+    if (path.first[k] != 0.0) {
+      const double turning = std::abs(path.third_per_mm2[k]) * v_mm_s * v_mm_s * v_mm_s;
+      jerk = std::min(jerk, (limits.axis_jerk_mm_s3[k] + turning) / std::abs(path.first[k]));
     }
   }
   return std::isfinite(jerk) ? jerk : 0.0;
@@ -205,7 +208,8 @@ Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
     if (!(v < limits.feedrate_mm_s)) {
       return v;
     }
-    const double slack = jerk_at_mm_s3(curve, s, limits) * limits.period_s * limits.period_s / 24.0;
+    const double slack =
+        jerk_at_mm_s3(curve, s, v, limits) * limits.period_s * limits.period_s / 24.0;
     return kInside * std::max(v - slack, kLeastShare * v);
   };
   const auto limit_of = [&](double v) {

@@ -232,5 +232,30 @@ TEST(FeedScan, LetsATickGoAsFarAsTheToleranceHoweverTheCurveTurns) {
   }
 }
 
+// Where a curve runs along X at the feedrate v and with the curvature k, X sees the jerk j - k^2
+// v^3: around the lowest feedrate j may be that much higher than the limit of X, and the mean
+// feedrate of the tick is j Ts^2 / 24 above the lowest.
+TEST(FeedScan, LeavesRoomForTheJerkThatTurningTakesOffAnAxis) {
+  const double ts = 0.001;
+  const double d = 5e-5;
+  const curves::NurbsCurve curve =
+      smooth_curve({.degree = 2,
+                    .points = {{{-0.039, 0.034, 0.0}}, {{0.0, -0.034, 0.0}}, {{0.039, 0.034, 0.0}}},
+                    .knots = {0, 0, 0, 1, 1, 1}});
+  const double apex_mm = 0.5 * curve.length_mm();
+  const double curvature = curves::vec(curve.derivatives_at(apex_mm).second_per_mm).norm();
+  for (const double limit : {1e3, 1.6e4, 1e5}) {
+    const Ceiling ceiling = scan_feedrate(curve, {.feedrate_mm_s = 100.0,
+                                                  .axis_jerk_mm_s3 = {limit, 1e6, kUnbounded},
+                                                  .period_s = ts,
+                                                  .chord_tolerance_mm = d});
+    const double lowest = feedrate_at_mm_s(ceiling, apex_mm);
+    const double jerk = limit + curvature * curvature * lowest * lowest * lowest;
+    const double half_mm = 0.5 * ts * (lowest + jerk * ts * ts / 24.0);
+    EXPECT_LE(chord_error_mm(curve, apex_mm - half_mm, apex_mm + half_mm), d) << limit;
+    EXPECT_GE(chord_error_mm(curve, apex_mm - half_mm, apex_mm + half_mm), 0.99 * d) << limit;
+  }
+}
+
 }  // namespace
 }  // namespace kerf::lookahead::test
