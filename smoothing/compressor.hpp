@@ -24,14 +24,14 @@
 #include "smoothing/departure.hpp"
 #include "smoothing/path_part.hpp"
 #include "smoothing/polyline.hpp"
-#include "smoothing/run_fit.hpp"
+#include "smoothing/run_curves.hpp"
 
 namespace kerf::smoothing {
 
 class Compressor {
  public:
   // travel: what of it no curve leaves.
-  explicit Compressor(const std::optional<curves::Extents>& travel) { settings_.travel = travel; }
+  explicit Compressor(const std::optional<curves::Extents>& travel) : curves_({.travel = travel}) {}
 
   // A straight feed in G64 with a merging tolerance, of X, Y and Z alone, to a usable place.
   [[nodiscard]] static bool takes(const parser::Move& move);
@@ -43,7 +43,7 @@ class Compressor {
   // The run ends with what was pushed.
   void flush(std::vector<PathPart>& out);
 
-  [[nodiscard]] const Departure& departure() const noexcept { return departure_; }
+  [[nodiscard]] const Departure& departure() const noexcept { return curves_.departure(); }
 
  private:
   static constexpr std::size_t kWindow = 400;  // lines
@@ -58,33 +58,18 @@ class Compressor {
   void advance(std::size_t known, std::vector<PathPart>& out);
   // All vertices up to this one are as good as on a line, in order.
   [[nodiscard]] bool is_straight_to(std::size_t vertex) const {
-    return is_straight(run_, vertex, settings_.tolerance_mm);
+    return is_straight(run_, vertex, tolerance_mm());
   }
-  void emit_line(std::size_t vertex, std::vector<PathPart>& out);
-  // False: it is no circular run.
-  bool emit_circle(std::size_t vertex, std::vector<PathPart>& out);
-  struct Vertices {
-    std::size_t first = 0;
-    std::size_t last = 0;
-  };
-  struct ChordEnds {
-    curves::Position begin_mm{};
-    curves::Position end_mm{};
-  };
-  void emit_chords(const Vertices& between, const ChordEnds& ends, std::vector<PathPart>& out);
-  void emit_spans(const RunFit& fit, std::size_t count, bool to_end, std::vector<PathPart>& out);
+  [[nodiscard]] double tolerance_mm() const { return curves_.settings().tolerance_mm; }
   void drop_front(std::size_t vertices);
 
-  RunFitSettings settings_{};
-  parser::Move like_{};              // what the moves of the run have in common
+  RunCurves curves_;
   Polyline run_;                     // from where it has not left yet
   std::size_t scanned_ = 0;          // vertices up to here are no corners
   std::size_t straight_ = 0;         // up to here the run is straight; 0: it is not known to be
   std::size_t awaited_ = kWindow;    // vertices before the next look
   std::vector<std::size_t> breaks_;  // of the last window, behind what has left
   std::optional<SplineTail> tail_;   // the run's front has left as a spline
-  bool broken_ = false;              // behind it came lines for what would have been a spline
-  Departure departure_{};
 };
 
 }  // namespace kerf::smoothing

@@ -1,0 +1,73 @@
+// The curves that take the place of a run's lines, as path parts, with how far they are from them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "curves/curve.hpp"
+#include "parser/move.hpp"
+#include "smoothing/departure.hpp"
+#include "smoothing/path_part.hpp"
+#include "smoothing/polyline.hpp"
+#include "smoothing/run_fit.hpp"
+
+namespace kerf::smoothing {
+
+class RunCurves {
+ public:
+  explicit RunCurves(const RunFitSettings& settings) : settings_(settings) {}
+
+  // A new run begins, with this move.
+  void begin(const parser::Move& like);
+
+  [[nodiscard]] const parser::Move& like() const noexcept { return like_; }
+  [[nodiscard]] const RunFitSettings& settings() const noexcept { return settings_; }
+  // Of all that was appended.
+  [[nodiscard]] const Departure& departure() const noexcept { return departure_; }
+
+  // The lines up to this vertex, which are as good as on a line, as one.
+  void append_line(const Polyline& run, std::size_t vertex, std::vector<PathPart>& out);
+  // As an arc. False: they are none.
+  bool append_circle(const Polyline& run, std::size_t vertex, std::vector<PathPart>& out);
+  // As the first spans of a fit.
+  struct Spans {
+    std::size_t count = 0;
+    bool continue_part = false;  // the first goes on from the part before
+    bool to_vertex = false;      // the last ends in its vertex, exactly
+  };
+  void append_spans(const Polyline& run, const RunFit& fit, const Spans& spans,
+                    std::vector<PathPart>& out);
+  // The first line as it is, but for its begin, which is no farther from the first vertex than the
+  // tolerance.
+  void append_first_line(const Polyline& run, const curves::Position& begin_mm,
+                         std::vector<PathPart>& out);
+
+ private:
+  // Of spans or lines: those before `last`.
+  struct Indices {
+    std::size_t first = 0;
+    std::size_t last = 0;
+  };
+  struct ChordEnds {
+    curves::Position begin_mm{};
+    curves::Position end_mm{};
+  };
+  struct FitPart {
+    Indices spans;
+    bool continues = false;
+    bool to_vertex = false;
+  };
+  void append_part(const Polyline& run, const RunFit& fit, const FitPart& part,
+                   std::vector<PathPart>& out);
+  void append_chords(const Polyline& run, const Indices& lines, const ChordEnds& ends,
+                     std::vector<PathPart>& out);
+  void widen(const Vertex& at, double distance_mm);
+
+  RunFitSettings settings_;
+  parser::Move like_{};  // what the moves of the run have in common
+  bool broken_ = false;  // the last part is lines where a spline was meant to go on
+  Departure departure_{};
+};
+
+}  // namespace kerf::smoothing
