@@ -15,23 +15,8 @@ using smoothing::Smoother;
 
 namespace {
 
-void add_points(const curves::Curve& curve, std::vector<Position>& points) {
-  const double length = curves::length_mm(curve);
-  double step = length;
-  if (!std::holds_alternative<curves::Line>(curve)) {
-    // By how the curve turns: a chord's height is a hundredth of a micrometre or less.
-    double curvature = 1e-3;
-    for (int i = 0; i <= 200; ++i) {
-      curvature = std::max(
-          curvature, vec(curves::derivatives_at(curve, length * i / 200.0).second_per_mm).norm());
-    }
-    step = std::max(length / 20000.0, std::sqrt(8.0 * 1e-5 / curvature));
-  }
-  const int count = std::max(4, static_cast<int>(std::ceil(length / step)));
-  for (int i = points.empty() ? 0 : 1; i <= count; ++i) {
-    points.push_back(curves::position_at(curve, length * i / count));
-  }
-}
+constexpr double kRise_mm = 1e-5;  // of a curve over the chord between two of its points
+constexpr int kHalvings = 20;
 
 double to_segment_mm(const Position& point, const Position& from, const Position& to) {
   const Eigen::Vector3d chord = vec(to) - vec(from);
@@ -39,6 +24,40 @@ double to_segment_mm(const Position& point, const Position& from, const Position
   const double squared = chord.squaredNorm();
   const double share = squared > 0.0 ? std::clamp(seen.dot(chord) / squared, 0.0, 1.0) : 0.0;
   return (seen - share * chord).norm();
+}
+
+// The points behind the begin of the stretch, up to its end.
+void add_stretch(const curves::Curve& curve, const curves::Stretch& stretch, int halvings,
+                 std::vector<Position>& points) {
+  const Position begin = curves::position_at(curve, stretch.begin_mm);
+  const Position end = curves::position_at(curve, stretch.end_mm);
+  const double way = stretch.end_mm - stretch.begin_mm;
+  const auto rises = [&](double share) {
+    const Position at = curves::position_at(curve, stretch.begin_mm + share * way);
+    return to_segment_mm(at, begin, end) > kRise_mm;
+  };
+  if (halvings < kHalvings && (rises(0.5) || rises(0.25) || rises(0.75))) {
+    const double middle = stretch.begin_mm + 0.5 * way;
+    add_stretch(curve, {stretch.begin_mm, middle}, halvings + 1, points);
+    add_stretch(curve, {middle, stretch.end_mm}, halvings + 1, points);
+  } else {
+    points.push_back(end);
+  }
+}
+
+// The pieces of a curve are short where it turns sharply.
+void add_points(const curves::Curve& curve, std::vector<Position>& points) {
+  const int parts = std::holds_alternative<curves::NurbsCurve>(curve) ? 2 : 4;  // of a piece
+  if (points.empty()) {
+    points.push_back(curves::position_at(curve, 0.0));
+  }
+  curves::for_each_piece(curve, [&](const curves::Piece& piece) {
+    const double begin = curves::s_begin_mm(piece);
+    const double step = (curves::s_end_mm(piece) - begin) / parts;
+    for (int i = 0; i < parts; ++i) {
+      add_stretch(curve, {begin + i * step, begin + (i + 1) * step}, 0, points);
+    }
+  });
 }
 
 std::vector<double> lengths_along(const std::vector<Position>& points) {
