@@ -5,10 +5,7 @@
 #include <utility>
 
 #include "lookahead/line_marks.hpp"
-#include "lookahead/optimum/grid.hpp"
-#include "lookahead/optimum/joint_share.hpp"
 #include "lookahead/optimum/rest_ramp.hpp"
-#include "lookahead/optimum/speed_estimate.hpp"
 #include "lookahead/optimum/stand_in.hpp"
 
 namespace kerf::lookahead {
@@ -17,18 +14,8 @@ namespace {
 
 constexpr int kCuts = 5;  // of what a plan covers
 constexpr std::size_t kCutCells = 16;
-// On one curve alone cuts leave more of the optimum than the classical plan has.
-constexpr std::size_t kStandInBlocks = 2;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
 constexpr std::size_t kMarginOfWindow = 8;
-
-// Nothing jumps at a smooth joint, and beside a rest the cells are refined afterwards.
-std::optional<Passage> passage_at(const Joint& joint) {
-  if (joint.is_stop() || joint.smooth) {
-    return std::nullopt;
-  }
-  return joint.passing;
-}
 
 Shortfall shortfall_on(const Block& block, double s_mm) {
   const LineMark mark = mark_at(block, s_mm);
@@ -45,60 +32,14 @@ SpanSchedule::Settings classical(const OptimumSchedule::Settings& settings) {
 }  // namespace
 
 OptimumSchedule::OptimumSchedule(const Settings& settings)
-    : settings_(settings), lines_(classical(settings)) {}
-
-const Block& OptimumSchedule::block_of(std::uint64_t number, const Window<Block>& blocks) const {
-  return blocks[number - done_];
-}
-
-PathAt OptimumSchedule::path_of(const Window<Block>& blocks) const {
-  return [this, &blocks](const Cell& cell, double s_mm) {
-    return BlockPath(block_of(cell.block, blocks), settings_.limits).at(s_mm);
-  };
-}
+    : settings_(settings), lines_(classical(settings)), waiting_(settings.limits) {}
 
 void OptimumSchedule::push(const Window<Block>& blocks) {
-  const std::uint64_t number = pushed_++;
-  Joint begin{};  // a stop
-  const EndFeeds own = end_feeds_of(BlockPath(blocks.back(), settings_.limits), settings_.limits);
-  double v_before = kUnbounded;
-  if (open_) {
-    v_before = open_->own.v_end_mm_s;
-    begin = joint_of({.before = &block_of(open_->number, blocks), .after = &blocks.back()},
-                     settings_.limits);
-    close_open_block(begin, own.v_begin_mm_s, blocks);
-  }
-  open_ = OpenBlock{.number = number, .begin = begin, .own = own, .v_before_mm_s = v_before};
-}
-
-void OptimumSchedule::close_open_block(const Joint& end, double v_beyond_mm_s,
-                                       const Window<Block>& blocks) {
-  const Block& block = block_of(open_->number, blocks);
-  const Joint begin = open_->begin;
-  const std::uint64_t number = open_->number;
-  const double v_before = open_->v_before_mm_s;
-  open_.reset();
-  if (std::holds_alternative<curves::Line>(block.curve) && begin.is_stop() && end.is_stop()) {
-    waiting_.push_back({.cell = {.block = number, .length_mm = block.length_mm, .rest_after = true},
-                        .alone = true});
-    return;
-  }
-  std::vector<Cell> cells =
-      grid_of(BlockPath(block, settings_.limits),
-              {.begin = passage_at(begin),
-               .end = passage_at(end),
-               .beyond = {.v_begin_mm_s = begin.is_stop() ? kUnbounded : v_before,
-                          .v_end_mm_s = end.is_stop() ? kUnbounded : v_beyond_mm_s}},
-              settings_.limits);
-  for (Cell& cell : cells) {
-    cell.block = number;
-    waiting_.push_back({.cell = cell});
-  }
-  waiting_.back().cell.rest_after |= end.is_stop();
+  waiting_.push(blocks);
 }
 
 bool OptimumSchedule::empty() const {
-  return lines_.empty() && cells_left() == 0 && waiting_.empty() && !open_;
+  return lines_.empty() && cells_left() == 0 && waiting_.empty() && !waiting_.has_open_block();
 }
 
 bool OptimumSchedule::has_room() const {
@@ -110,8 +51,8 @@ bool OptimumSchedule::is_to_be_renewed() const {
 }
 
 bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) {
-  if (supply == Supply::draining && open_) {
-    close_open_block({}, kUnbounded, blocks);
+  if (supply == Supply::draining) {
+    waiting_.close(blocks);
   }
   if (is_to_be_renewed()) {
     if (supply == Supply::wanted) {
@@ -124,7 +65,9 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
   if (!lines_.empty()) {
     const std::uint64_t blocks_before = blocks.size();
     lines_.emit(blocks, Supply::draining, emitter, outbox);
-    done_ += blocks_before - blocks.size();
+    for (std::uint64_t left = blocks.size(); left < blocks_before; ++left) {
+      waiting_.block_done();
+    }
     return true;
   }
   emit_cell(blocks, emitter, outbox);
@@ -136,7 +79,7 @@ OptimumSchedule::Taken OptimumSchedule::take(const PathAt& path) const {
   std::vector<Cell>& cells = taken.stretch.cells;
   bool stops = false;
   while (taken.count < waiting_.size() && cells.size() < settings_.window_cells && !stops) {
-    cells.push_back(waiting_[taken.count].cell);
+    cells.push_back(waiting_[taken.count]);
     stops = cells.back().rest_after;
     ++taken.count;
   }
@@ -149,16 +92,21 @@ OptimumSchedule::Taken OptimumSchedule::take(const PathAt& path) const {
 
 void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   if (waiting_.front().alone && cells_left() == 0) {
-    waiting_.pop_front();
+    waiting_.drop(1);
     lines_.push(blocks.front(), nullptr);
     return;
   }
-  const PathAt path = path_of(blocks);
+  const PathAt path = waiting_.path_of(blocks);
   const bool from_rest = cells_left() == 0;
   Taken taken = take(path);
   auto found = StretchPlan::find(std::move(taken.stretch), path, settings_.limits);
-  if (from_rest && found->slowed_down() && stand_in(*found, taken.count, blocks, emitter)) {
-    return;
+  if (from_rest && found->slowed_down()) {
+    const auto faster = faster_classical({.cells = &waiting_, .count = taken.count}, *found, blocks,
+                                         classical(settings_));
+    if (faster) {
+      stand_in(*faster, blocks, emitter);
+      return;
+    }
   }
   for (int i = 0; i < kCuts && from_rest && found->slowed_down() && taken.count >= kCutCells; ++i) {
     cut(taken.count, blocks, emitter);
@@ -172,10 +120,10 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   }
   if (found->slowed_down()) {
     const Cell& first = waiting_.front().cell;
-    emitter.note(shortfall_on(block_of(first.block, blocks), first.s_begin_mm));
+    emitter.note(shortfall_on(waiting_.block_of(first, blocks), first.s_begin_mm));
   }
-  plan_ends_at_stop_ = waiting_[taken.count - 1].cell.rest_after;
-  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(taken.count));
+  plan_ends_at_stop_ = waiting_[taken.count - 1].rest_after;
+  waiting_.drop(taken.count);
   plan_ = std::move(*found);
   place_ = {};
   const std::size_t count = plan_.cells().size();
@@ -183,39 +131,20 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   renew_ = std::max(count / 2, window_brake_ - std::min(window_brake_, count / kMarginOfWindow));
 }
 
-bool OptimumSchedule::stand_in(const StretchPlan& found, std::size_t taken,
-                               const Window<Block>& blocks, Emitter& emitter) {
-  std::size_t count = 0;
-  std::size_t cells = 0;
-  double whole_mm = 0.0;
-  double all_mm = 0.0;
-  for (std::size_t i = 0; i < taken; ++i) {
-    const Cell& cell = waiting_[i].cell;
-    all_mm += cell.length_mm;
-    if (cell.ends_block) {
-      ++count;
-      cells = i + 1;
-      whole_mm = all_mm;
-    }
-  }
-  const Cell first = waiting_.front().cell;
-  if (first.s_begin_mm > 0.0 || count < kStandInBlocks ||
-      !(classical_s(blocks, count, classical(settings_)) * all_mm <
-        found.duration_s() * whole_mm)) {
-    return false;
-  }
-  Shortfall shortfall = shortfall_on(block_of(first.block, blocks), first.s_begin_mm);
+void OptimumSchedule::stand_in(const StandIn& classical, const Window<Block>& blocks,
+                               Emitter& emitter) {
+  const Cell& first = waiting_.front().cell;
+  Shortfall shortfall = shortfall_on(waiting_.block_of(first, blocks), first.s_begin_mm);
   shortfall.kind = Shortfall::Kind::classical;
   emitter.note(shortfall);
-  const Cell& last = waiting_[cells - 1].cell;
+  const Cell& last = waiting_[classical.cells - 1];
   if (!last.rest_after) {
     note_stop(last, blocks, emitter);
   }
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < classical.blocks; ++i) {
     lines_.push(blocks[i], i > 0 ? &blocks[i - 1] : nullptr);
   }
-  waiting_.erase(waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(cells));
-  return true;
+  waiting_.drop(classical.cells);
 }
 
 void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter) {
@@ -223,20 +152,19 @@ void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitte
   std::size_t sharpest = margin;
   double most = 0.0;
   for (std::size_t i = margin; i < count - margin; ++i) {
-    const double curvature = curves::vec(waiting_[i].cell.end.second_per_mm).norm();
+    const double curvature = curves::vec(waiting_[i].end.second_per_mm).norm();
     if (curvature > most) {
       most = curvature;
       sharpest = i;
     }
   }
-  Cell& cell = waiting_[sharpest].cell;
-  cell.rest_after = true;
-  note_stop(cell, blocks, emitter);
+  waiting_.rest_after(sharpest);
+  note_stop(waiting_[sharpest], blocks, emitter);
 }
 
 void OptimumSchedule::note_stop(const Cell& cell, const Window<Block>& blocks,
                                 Emitter& emitter) const {
-  Shortfall stop = shortfall_on(block_of(cell.block, blocks), cell.s_end_mm());
+  Shortfall stop = shortfall_on(waiting_.block_of(cell, blocks), cell.s_end_mm());
   stop.kind = Shortfall::Kind::stop;
   emitter.note(stop);
 }
@@ -261,7 +189,7 @@ void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox&
   if (ends_block) {
     emitter.end_block(block);
     blocks.pop_front();
-    ++done_;
+    waiting_.block_done();
   } else {
     emitter.end_span(s_end);
   }
@@ -273,7 +201,6 @@ void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox&
 // The stop is sought by its distance: from what braking takes at the least, a little farther each
 // time, to the end of the plan, which is a stop.
 void OptimumSchedule::stop(const Window<Block>& blocks, const Emitter& emitter) {
-  open_.reset();
   waiting_.clear();
   plan_ends_at_stop_ = true;
   if (!lines_.empty()) {
@@ -285,7 +212,7 @@ void OptimumSchedule::stop(const Window<Block>& blocks, const Emitter& emitter) 
     place_ = {.cell = plan_.cells().size()};
     return;
   }
-  const PathAt path = path_of(blocks);
+  const PathAt path = waiting_.path_of(blocks);
   const Cell& first = plan_.cells()[place_.cell];
   const double a = tangential_acceleration_mm_s2(first, first.begin, settings_.limits);
   double distance = 0.5 * begin.v_mm_s * begin.v_mm_s / a;

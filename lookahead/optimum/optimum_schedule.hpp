@@ -2,27 +2,23 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <deque>
-#include <optional>
 
-#include "lookahead/optimum/joint_share.hpp"
-#include "lookahead/optimum/speed_estimate.hpp"
+#include "lookahead/optimum/stand_in.hpp"
 #include "lookahead/optimum/stretch_plan.hpp"
+#include "lookahead/optimum/waiting_cells.hpp"
 #include "lookahead/schedule.hpp"
 #include "lookahead/span_schedule.hpp"
 
 namespace kerf::lookahead {
 
-// Blocks become cells once the joints at both their ends are known. A plan covers what is known up
-// to the next stop, at most window_cells; shortly before it begins to brake for what is not known
-// yet, but not before half of it has been emitted, it is found anew from where the tool is, with
-// what has come since. The cells that two plans share are the same, so what the old plan still held
-// is a feasible way for the new one; where the search does not find a way that holds, the old plan
-// is kept and ends at rest. Where it does not find one from rest, the classical plan stands in over
-// whole blocks, if it is faster; else the way is cut in two at its sharpest place, by a rest there,
-// a few times at the most, and what then still does not hold is slowed down. Each of these is noted
-// as a shortfall.
+// A plan covers what is known up to the next stop, at most window_cells; shortly before it begins
+// to brake for what is not known yet, but not before half of it has been emitted, it is found anew
+// from where the tool is, with what has come since. The cells that two plans share are the same, so
+// what the old plan still held is a feasible way for the new one; where the search does not find a
+// way that holds, the old plan is kept and ends at rest. Where it does not find one from rest, the
+// classical plan stands in over whole blocks, if it is faster; else the way is cut in two at its
+// sharpest place, by a rest there, a few times at the most, and what then still does not hold is
+// slowed down. Each of these is noted as a shortfall.
 //
 // A single line from rest to rest is planned by the S-curve, which is its optimum in closed form.
 class OptimumSchedule final : public Schedule {
@@ -43,22 +39,7 @@ class OptimumSchedule final : public Schedule {
   void stop(const Window<Block>& blocks, const Emitter& emitter) override;
 
  private:
-  // A block that is not on the grid yet, and the joint at its beginning.
-  struct OpenBlock {
-    std::uint64_t number = 0;
-    Joint begin{};
-    EndFeeds own{};                     // end_feeds_of
-    double v_before_mm_s = kUnbounded;  // at the end of the block before, likewise
-  };
-  struct WaitingCell {
-    Cell cell{};
-    bool alone = false;  // the only one of a line from rest to rest
-  };
-
-  [[nodiscard]] const Block& block_of(std::uint64_t number, const Window<Block>& blocks) const;
-  [[nodiscard]] PathAt path_of(const Window<Block>& blocks) const;
   [[nodiscard]] std::size_t cells_left() const { return plan_.cells().size() - place_.cell; }
-  void close_open_block(const Joint& end, double v_beyond_mm_s, const Window<Block>& blocks);
   [[nodiscard]] bool is_to_be_renewed() const;
   void plan(Window<Block>& blocks, Emitter& emitter);
   // What is left of the plan and waits behind it, refined for the rests at its ends.
@@ -67,10 +48,8 @@ class OptimumSchedule final : public Schedule {
     std::size_t count = 0;  // of waiting_
   };
   [[nodiscard]] Taken take(const PathAt& path) const;
-  // Hands the whole blocks of the first taken cells to the classical schedule, from rest to rest,
-  // where that is faster than the plan found. False: it is not.
-  bool stand_in(const StretchPlan& found, std::size_t taken, const Window<Block>& blocks,
-                Emitter& emitter);
+  // Hands these blocks to the classical schedule, from rest to rest.
+  void stand_in(const StandIn& classical, const Window<Block>& blocks, Emitter& emitter);
   // A rest at the sharpest place of the first cells that wait.
   void cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter);
   // At its end.
@@ -79,10 +58,7 @@ class OptimumSchedule final : public Schedule {
 
   Settings settings_;
   SpanSchedule lines_;  // single lines from rest to rest, and blocks on which it stands in
-  std::uint64_t pushed_ = 0;
-  std::uint64_t done_ = 0;  // blocks emitted to their end
-  std::optional<OpenBlock> open_;
-  std::deque<WaitingCell> waiting_;
+  WaitingCells waiting_;
   StretchPlan plan_;
   PlanPlace place_{};      // of plan_: what comes next
   std::size_t renew_ = 0;  // from this cell of plan_ on it is to be found anew

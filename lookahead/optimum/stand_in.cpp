@@ -2,6 +2,11 @@
 
 namespace kerf::lookahead {
 
+namespace {
+
+constexpr std::size_t kLeastBlocks = 2;
+
+// How long the schedule takes from rest over the first blocks to rest at the end of the last.
 double classical_s(const Window<Block>& blocks, std::size_t count,
                    const SpanSchedule::Settings& settings) {
   SpanSchedule schedule(settings);
@@ -21,6 +26,30 @@ double classical_s(const Window<Block>& blocks, std::size_t count,
     outbox = {};
   }
   return sum_s;
+}
+
+}  // namespace
+
+std::optional<StandIn> faster_classical(const PlannedCells& planned, const StretchPlan& found,
+                                        const Window<Block>& blocks,
+                                        const SpanSchedule::Settings& settings) {
+  StandIn whole;
+  double whole_mm = 0.0;
+  double all_mm = 0.0;
+  for (std::size_t i = 0; i < planned.count; ++i) {
+    const Cell& cell = (*planned.cells)[i];
+    all_mm += cell.length_mm;
+    if (cell.ends_block) {
+      ++whole.blocks;
+      whole.cells = i + 1;
+      whole_mm = all_mm;
+    }
+  }
+  if (planned.cells->front().cell.s_begin_mm > 0.0 || whole.blocks < kLeastBlocks ||
+      !(classical_s(blocks, whole.blocks, settings) * all_mm < found.duration_s() * whole_mm)) {
+    return std::nullopt;
+  }
+  return whole;
 }
 
 }  // namespace kerf::lookahead

@@ -2,14 +2,31 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
+#include "lookahead/optimum/stretch_plan.hpp"
+#include "lookahead/optimum/waiting_cells.hpp"
 #include "lookahead/span_schedule.hpp"
 
 namespace kerf::lookahead {
 
-// How long the classical schedule takes from rest over the first blocks of the window to rest at
-// the end of the last of them. Precondition: 0 < count <= blocks.size().
-double classical_s(const Window<Block>& blocks, std::size_t count,
-                   const SpanSchedule::Settings& settings);
+// The first cells that wait, as many as a plan covers.
+struct PlannedCells {
+  const WaitingCells* cells = nullptr;
+  std::size_t count = 0;
+};
+
+// Whole blocks at the front of them.
+struct StandIn {
+  std::size_t blocks = 0;
+  std::size_t cells = 0;
+};
+
+// The blocks over which the classical schedule, from rest to rest, is faster than the plan found
+// from there. Nothing: it is not, or they are less than two: on one curve alone a rest within it
+// leaves more of the optimum than the classical plan has.
+std::optional<StandIn> faster_classical(const PlannedCells& planned, const StretchPlan& found,
+                                        const Window<Block>& blocks,
+                                        const SpanSchedule::Settings& settings);
 
 }  // namespace kerf::lookahead
