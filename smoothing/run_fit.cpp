@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Geometry>
 
+#include "smoothing/span_breaks.hpp"
 #include "smoothing/travel.hpp"
 
 namespace kerf::smoothing {
@@ -17,22 +19,23 @@ namespace {
 constexpr double kAimed = 0.5;     // of the tolerance: finer spans where the curve is farther off
 constexpr double kAllowed = 0.95;  // where spans cannot be finer
 constexpr int kRounds = 8;
-constexpr double kTurnOfSpan_rad = 0.5;
-constexpr std::size_t kLinesOfSpan = 32;
-constexpr double kGrowth = 3.0;          // of a span over its neighbour
-constexpr double kDirectionOver = 10.0;  // tolerances, against noise
 constexpr double kSamplesOfSpan = 6.0;
 constexpr double kHighChord = 0.4;  // tolerances: lines whose middle has to be looked at, too
-constexpr double kGrading = 4.0;    // of a span over its neighbour, after divisions
 
 class Fitting {
  public:
   Fitting(const Polyline& run, const RunStretch& stretch, const std::optional<SplineTail>& tail,
-          const RunFitSettings& settings)
-      : run_(&run), stretch_(stretch), tail_(&tail), settings_(&settings) {}
+          std::span<const std::size_t> breaks, const RunFitSettings& settings)
+      : run_(&run),
+        stretch_(stretch),
+        tail_(&tail),
+        settings_(&settings),
+        breaks_(run, breaks,
+                {.last = stretch.last,
+                 .before_mm = tail ? tail->span_mm : 0.0,
+                 .tolerance_mm = settings.tolerance_mm}) {}
 
-  RunFit find(std::span<const std::size_t> breaks) {
-    place_breaks(breaks);
+  RunFit find() {
     RunFit fit;
     for (int round = 0;; ++round) {
       fit.spline = solve();
@@ -41,43 +44,16 @@ class Fitting {
         break;
       }
     }
-    fit.breaks = breaks_;
+    fit.breaks = breaks_.vertices();
     return fit;
   }
 
  private:
+  // At the begin of a span.
+  [[nodiscard]] std::size_t vertex(std::size_t span) const { return breaks_.vertices()[span]; }
   [[nodiscard]] double w_mm(std::size_t vertex) const { return (*run_)[vertex].w_mm; }
   [[nodiscard]] const curves::Position& point(std::size_t vertex) const {
     return (*run_)[vertex].point_mm;
-  }
-
-  // A span ends where the run has turned by kTurnOfSpan_rad since its begin.
-  void place_breaks(std::span<const std::size_t> given) {
-    breaks_.assign(given.begin(), given.end());
-    if (breaks_.empty()) {
-      breaks_.push_back(0);
-    }
-    const double over = kDirectionOver * settings_->tolerance_mm;
-    std::size_t from = breaks_.back();
-    Eigen::Vector3d direction = Eigen::Vector3d::Zero();
-    double turned = 0.0;
-    for (std::size_t i = from + 1; i < stretch_.last; ++i) {
-      if (w_mm(i) - w_mm(from) >= over) {
-        const Eigen::Vector3d next = (vec(point(i)) - vec(point(from))).normalized();
-        turned += direction.isZero() ? 0.0 : (next - direction).norm();
-        direction = next;
-        from = i;
-      }
-      const std::size_t begin = breaks_.back();
-      const std::size_t count = breaks_.size();
-      const bool grown =
-          count > 1 && w_mm(i) - w_mm(begin) >= kGrowth * (w_mm(begin) - w_mm(breaks_[count - 2]));
-      if (turned >= kTurnOfSpan_rad || i - begin >= kLinesOfSpan || grown) {
-        breaks_.push_back(i);
-        turned = 0.0;
-      }
-    }
-    breaks_.push_back(stretch_.last);
   }
 
   // Into how many steps a line is divided.
@@ -98,9 +74,9 @@ class Fitting {
   SplineFit solve() {
     samples_.clear();
     samples_.push_back({.w_mm = w_mm(0), .weight = 0.0, .point_mm = point(0)});
-    for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
-      const double span = w_mm(breaks_[k + 1]) - w_mm(breaks_[k]);
-      for (std::size_t i = breaks_[k]; i < breaks_[k + 1]; ++i) {
+    for (std::size_t k = 0; k < breaks_.span_count(); ++k) {
+      const double span = w_mm(vertex(k + 1)) - w_mm(vertex(k));
+      for (std::size_t i = vertex(k); i < vertex(k + 1); ++i) {
         const std::size_t steps = steps_of(i, span);
         const double length = w_mm(i + 1) - w_mm(i);
         const double half = 0.5 * length / static_cast<double>(steps);
@@ -117,7 +93,7 @@ class Fitting {
       ends.end_mm = point(stretch_.last);
     }
     breaks_mm_.clear();
-    for (const std::size_t vertex : breaks_) {
+    for (const std::size_t vertex : breaks_.vertices()) {
       breaks_mm_.push_back(w_mm(vertex));
     }
     return fit_spline(breaks_mm_, samples_, ends);
@@ -139,7 +115,7 @@ class Fitting {
   [[nodiscard]] double away_mm(const FitSpan& span, std::size_t k) const {
     const double bend = span.bend_bound_per_mm();
     double away = 0.0;
-    for (std::size_t i = breaks_[k]; i < breaks_[k + 1]; ++i) {
+    for (std::size_t i = vertex(k); i < vertex(k + 1); ++i) {
       const std::size_t steps = 2 * steps_of(i, span.w_end_mm - span.w_begin_mm);
       const double length = w_mm(i + 1) - w_mm(i);
       const double step_mm = length / static_cast<double>(steps);
@@ -158,10 +134,10 @@ class Fitting {
 
   // The sharpest vertex of the span, where it is to be a corner.
   [[nodiscard]] std::size_t sharpest(std::size_t k) const {
-    std::size_t found = std::clamp<std::size_t>(breaks_[k], 1, stretch_.last - 1);
+    std::size_t found = std::clamp<std::size_t>(vertex(k), 1, stretch_.last - 1);
     double most = -1.0;
-    const std::size_t from = std::max<std::size_t>(breaks_[k], 1);
-    for (std::size_t i = from; i <= std::min(breaks_[k + 1], stretch_.last - 1); ++i) {
+    const std::size_t from = std::max<std::size_t>(vertex(k), 1);
+    for (std::size_t i = from; i <= std::min(vertex(k + 1), stretch_.last - 1); ++i) {
       const Eigen::Vector3d in = vec(point(i)) - vec(point(i - 1));
       const Eigen::Vector3d out = vec(point(i + 1)) - vec(point(i));
       const double turn = std::atan2(in.cross(out).norm(), in.dot(out));
@@ -173,45 +149,18 @@ class Fitting {
     return found;
   }
 
-  [[nodiscard]] double length_mm(std::size_t k) const {
-    return w_mm(breaks_[k + 1]) - w_mm(breaks_[k]);
-  }
-
-  // Half of a span may not be too short beside what came before and cannot be divided any more.
-  [[nodiscard]] bool is_divisible(std::size_t k) const {
-    const bool beside_tail = k == 0 && tail_->has_value();
-    const double before = beside_tail ? (*tail_)->span_mm : 0.0;
-    return breaks_[k + 1] - breaks_[k] >= 2 && 2.0 * length_mm(k) >= before / kGrading;
-  }
-
-  // Beside a short span no long one: both the fit and its equations are poor there.
-  void grade(std::vector<bool>& divide) const {
-    const auto follow = [&](std::size_t k, std::size_t neighbour) {
-      if (divide[k] && !divide[neighbour] && is_divisible(neighbour) &&
-          length_mm(neighbour) > 0.5 * kGrading * length_mm(k)) {
-        divide[neighbour] = true;
-      }
-    };
-    for (std::size_t k = 0; k + 1 < divide.size(); ++k) {
-      follow(k, k + 1);
-    }
-    for (std::size_t k = divide.size() - 1; k > 0; --k) {
-      follow(k, k - 1);
-    }
-  }
-
   // True: spans were divided, and it is to be solved again.
   bool judge(RunFit& fit, bool may_divide) {
-    const std::size_t spans = breaks_.size() - 1;
+    const std::size_t spans = breaks_.span_count();
     std::vector<bool> divide(spans, false);
     fit.away_mm.clear();
     for (std::size_t k = 0; k < spans; ++k) {
       const double away = away_mm(fit.spline.spans[k], k);
       fit.away_mm.push_back(away);
-      if (breaks_[k] > stretch_.judged || away <= kAimed * settings_->tolerance_mm) {
+      if (vertex(k) > stretch_.judged || away <= kAimed * settings_->tolerance_mm) {
         continue;
       }
-      divide[k] = may_divide && is_divisible(k);
+      divide[k] = may_divide && breaks_.is_divisible(k);
       if (!divide[k] && !(away <= kAllowed * settings_->tolerance_mm) && !fit.fails_at) {
         fit.fails_at = sharpest(k);
       }
@@ -219,16 +168,7 @@ class Fitting {
     if (std::find(divide.begin(), divide.end(), true) == divide.end()) {
       return false;
     }
-    grade(divide);
-    std::vector<std::size_t> finer;
-    for (std::size_t k = 0; k < spans; ++k) {
-      finer.push_back(breaks_[k]);
-      if (divide[k]) {
-        finer.push_back(breaks_[k] + (breaks_[k + 1] - breaks_[k]) / 2);
-      }
-    }
-    finer.push_back(breaks_.back());
-    breaks_ = std::move(finer);
+    breaks_.divide(std::move(divide));
     return true;
   }
 
@@ -236,7 +176,7 @@ class Fitting {
   RunStretch stretch_;
   const std::optional<SplineTail>* tail_;
   const RunFitSettings* settings_;
-  std::vector<std::size_t> breaks_;
+  SpanBreaks breaks_;
   std::vector<double> breaks_mm_;
   std::vector<FitSample> samples_;
 };
@@ -246,7 +186,7 @@ class Fitting {
 RunFit fit_run(const Polyline& run, const RunStretch& stretch,
                const std::optional<SplineTail>& tail, std::span<const std::size_t> breaks,
                const RunFitSettings& settings) {
-  return Fitting(run, stretch, tail, settings).find(breaks);
+  return Fitting(run, stretch, tail, breaks, settings).find();
 }
 
 }  // namespace kerf::smoothing
