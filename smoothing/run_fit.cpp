@@ -17,6 +17,7 @@ using curves::vec;
 namespace {
 
 constexpr double kAimed = 0.5;     // of the tolerance: finer spans where the curve is farther off
+constexpr double kOfRise = 0.9;    // of the lines' chords: finer spans come no nearer to them
 constexpr double kAllowed = 0.95;  // where spans cannot be finer
 constexpr int kRounds = 8;
 constexpr double kSamplesOfSpan = 6.0;
@@ -69,6 +70,18 @@ class Fitting {
       }
     }
     return std::max<std::size_t>(steps, 1);
+  }
+
+  // Of the lines' chords over a curve through their vertices, the highest of the span.
+  [[nodiscard]] double rise_mm(std::size_t k) const {
+    double most = 0.0;
+    for (std::size_t i = std::max<std::size_t>(vertex(k), 1);
+         i < std::min(vertex(k + 1), stretch_.last - 1); ++i) {
+      const Eigen::Vector3d in = vec(point(i)) - vec(point(i - 1));
+      const Eigen::Vector3d along = vec(point(i + 1)) - vec(point(i));
+      most = std::max(most, 0.125 * in.cross(along).norm() / std::min(in.norm(), along.norm()));
+    }
+    return most;
   }
 
   SplineFit solve() {
@@ -157,7 +170,9 @@ class Fitting {
     for (std::size_t k = 0; k < spans; ++k) {
       const double away = away_mm(fit.spline.spans[k], k);
       fit.away_mm.push_back(away);
-      if (vertex(k) > stretch_.judged || away <= kAimed * settings_->tolerance_mm) {
+      const double aimed = std::clamp(kOfRise * rise_mm(k), kAimed * settings_->tolerance_mm,
+                                      kAllowed * settings_->tolerance_mm);
+      if (vertex(k) > stretch_.judged || away <= aimed) {
         continue;
       }
       divide[k] = may_divide && breaks_.is_divisible(k);
