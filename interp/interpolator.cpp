@@ -131,7 +131,8 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   TickStatus status = TickStatus::starved;
   if (advance_phase()) {
     const double t = time_into_s(phase_);
-    const bool over = t >= phase_.law.duration_s();
+    // With a next phase time has only rounded past the end: that phase begins before the next tick.
+    const bool over = t >= phase_.law.duration_s() && queue_->next_phase() == nullptr;
     profiles::PathMotion motion = phase_.law.at(t);
     double s = phase_.s_begin_mm + motion.s_mm;
     if (over || s > phase_.s_end_mm) {

@@ -2,6 +2,7 @@
 #include "interp/interpolator.hpp"
 
 #include <cmath>
+#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -91,6 +92,32 @@ TEST(Interpolator, ResumesFromRestAsThoughItHadNotStarved) {
   for (int i = 0; i < 20; ++i) {
     EXPECT_EQ(starved.interpolator().next(setpoint), TickStatus::running);
     EXPECT_NEAR(setpoint.position_mm[0], 2.0 + up.at(i * kTs).s_mm, 1e-12);
+  }
+}
+
+// Sums of durations round: what ends on a tick may be followed by what begins an instant behind it.
+TEST(Interpolator, GoesOnWhereThePhasesOfAMotionMeetOnATickButForRounding) {
+  const auto queue = std::make_unique<MotionQueue>();
+  Interpolator interpolator(*queue, kTs, {});
+  curves::for_each_piece(curves::Curve(line({0, 0, 0}, {1, 0, 0})),
+                         [&](const curves::Piece& piece) {
+                           ASSERT_TRUE(queue->push(PathPiece{.curve = 1, .geometry = piece}));
+                         });
+  const Phase first{.curve = 1, .s_end_mm = 0.5, .law = Transition::cruise(50.0, 0.5)};
+  const Phase second{.curve = 1,
+                     .begin = {.tick = 10, .offset_s = 1e-18},
+                     .s_begin_mm = 0.5,
+                     .s_end_mm = 1.0,
+                     .law = Transition::cruise(50.0, 0.5)};
+  ASSERT_EQ(first.law.duration_s(), 10 * kTs);
+  ASSERT_TRUE(queue->push(first));
+  ASSERT_TRUE(queue->push(second));
+  Setpoint setpoint;
+  for (int n = 0; n < 20; ++n) {
+    ASSERT_EQ(interpolator.next(setpoint), TickStatus::running) << "tick " << n;
+    EXPECT_EQ(interpolator.plan_tick(), n + 1);
+    EXPECT_NEAR(setpoint.position_mm[0], 0.05 * n, 1e-12);
+    EXPECT_EQ(setpoint.v_mm_s, 50.0);
   }
 }
 

@@ -170,6 +170,19 @@ TEST(Kernel, StopsAtRestBeforeACurveThatCannotBeBuilt) {
   EXPECT_EQ(ticks.back().position_mm, (curves::Position{10, 0, 0}));
 }
 
+// A tenth of a second at the feedrate, so the way down begins on a tick, as exactly as numbers
+// tell.
+TEST(Kernel, RunsToItsEndWhereAChangeOfTheMotionFallsOnATick) {
+  for (const auto kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+    const auto ticks = ticks_of(
+        "G61.1 G93 G1 X0.5 Y0.2995 F120\n"
+        "X1 Y0.596 F600\n"
+        "M2\n",
+        {.profile = Profile{kind}});
+    EXPECT_EQ(ticks.back().position_mm, (curves::Position{1, 0.596, 0}));
+  }
+}
+
 TEST(Kernel, StarvesAtRestBeforeTheFirstText) {
   Kernel kernel(mill(), {.start_mm = {1, 2, 3}});
   Setpoint setpoint;
