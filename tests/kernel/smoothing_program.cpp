@@ -29,7 +29,7 @@ std::string mode_words(const parser::Move& move) {
 }  // namespace
 
 RandomMoves smoothing_moves(std::uint64_t seed) {
-  return random_moves(seed, seed % 16 == 0 ? Size::full : Size::small);
+  return random_moves(seed, seed % 64 == 0 ? Size::full : Size::small);
 }
 
 RandomProgram smoothing_program(std::uint64_t seed) {

@@ -8,7 +8,7 @@
 
 namespace kerf::test {
 
-// One of 16 is a full one.
+// One of 64 is a full one.
 RandomMoves smoothing_moves(std::uint64_t seed);
 
 // These moves, with no path to be held against: it departs from it.
