@@ -179,6 +179,8 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   part.run_block = part.marks.front().run_block;
   part.rapid = before.part.rapid && after.part.rapid;
   part.feedrate_mm_s = std::min(feedrate_mm_s(before.part), feedrate_mm_s(after.part));
+  part.extra = {.begin_rad_mm = before.part.extra.end_rad_mm,
+                .end_rad_mm = before.part.extra.end_rad_mm};
   part.mode = parser::PathMode::blend;
   part.continues = !before.is_gone || before.follows_blend || before.part.continues;
   if (before.is_gone) {

@@ -145,6 +145,25 @@ TEST(ExtraAxes, KeepTheirPlaceInDwellsAndAtStops) {
   }
 }
 
+TEST(ExtraAxes, KeepTheirPlaceInBlendedCornersAndMergedLines) {
+  const Motion motion =
+      run("G64 P0.05 Q0.05 G1 Y5 A30 U-2 F3000\n"
+          "X10\n"
+          "Y15\n"
+          "G2 X15 Y20 I5\n"
+          "G1 Y25\n"
+          "X15.1 Y25.01\nX15.2 Y25.03\nX15.3 Y25.06\nX15.4 Y25.1\nX15.5 Y25.15\n"
+          "M62 P1 X30\n"
+          "Y0");
+  EXPECT_EQ(motion.complaint, "");
+  for (const Setpoint& tick : motion.ticks) {
+    if (tick.line > 2) {
+      ASSERT_EQ(tick.extra_rad_mm[0], 30.0 * kDegree) << "tick " << tick.tick;
+      ASSERT_EQ(tick.extra_rad_mm[3], -2.0) << "tick " << tick.tick;
+    }
+  }
+}
+
 TEST(ExtraAxes, AreCheckedForTheirTravelBeforeTheStart) {
   std::string text = "G1 X1 A5 F100\nG0 A700\nM2\n";
   const CheckReport report = check_program(
