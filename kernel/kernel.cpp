@@ -8,7 +8,6 @@
 #include "kernel/program_path.hpp"
 #include "lookahead/block_builder.hpp"
 #include "lookahead/push.hpp"
-#include "machine/envelope.hpp"
 #include "parser/errors/machine.hpp"
 
 namespace kerf {
@@ -21,9 +20,6 @@ class Kernel::Impl {
  public:
   Impl(const MachineSettings& settings, const KernelOptions& options)
       : limits_(settings.limits),
-        envelope_(machine::envelope_of(settings.table)),
-        extra_envelope_(settings.table.extra),
-        checks_travel_(options.checks_travel),
         path_(settings, options),
         planner_({.limits = settings.limits,
                   .profile = options.profile,
@@ -77,7 +73,7 @@ class Kernel::Impl {
   [[nodiscard]] double chord_error_mm() const noexcept { return interpolator_.chord_error_mm(); }
   [[nodiscard]] const smoothing::Departure& departure() const noexcept { return path_.departure(); }
   [[nodiscard]] bool has_errors() const { return path_.has_errors(); }
-  [[nodiscard]] bool left_travel() const noexcept { return left_travel_; }
+  [[nodiscard]] bool left_travel() const noexcept { return path_.left_travel(); }
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return path_.diagnostics(); }
   [[nodiscard]] const lookahead::PlanTotals& totals() const { return planner_.totals(); }
 
@@ -116,28 +112,10 @@ class Kernel::Impl {
       path_.cut(source, block.error(), parser::errors::kCurveRefused);
       return;
     }
-    if (checks_travel_ && leaves_travel(*block, source)) {
-      return;
-    }
     lookahead::push_block(std::move(*block), changes, planner_);
   }
 
-  bool leaves_travel(const lookahead::Block& block, const parser::SourcePosition& source) {
-    auto excess = machine::outside_travel(extra_envelope_, block.extra.end_rad_mm);
-    if (!excess) {
-      excess = machine::outside_travel(envelope_, curves::extents(block.curve));
-    }
-    if (excess) {
-      left_travel_ = true;
-      path_.cut(source, {block.line, machine::describe(*excess)}, parser::errors::kOutsideTravel);
-    }
-    return excess.has_value();
-  }
-
   lookahead::PlanLimits limits_;
-  machine::Envelope envelope_;
-  machine::ExtraEnvelope extra_envelope_;
-  bool checks_travel_;
   ProgramPath path_;
   lookahead::Planner planner_;
   MotionQueue queue_;
@@ -145,7 +123,6 @@ class Kernel::Impl {
   std::int64_t horizon_ticks_;
   Delivery delivery_{queue_};
   bool finished_ = false;
-  bool left_travel_ = false;
 };
 
 Kernel::Kernel(const MachineSettings& settings, const KernelOptions& options)

@@ -7,7 +7,11 @@
 namespace kerf {
 
 ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& options)
-    : reader_(reader_options(settings, options)), smoother_(blend_settings(settings)) {}
+    : reader_(reader_options(settings, options)), smoother_(blend_settings(settings)) {
+  if (options.checks_travel) {
+    travel_.emplace(settings);
+  }
+}
 
 ProgramPath::Next ProgramPath::next(Output& output) {
   for (;;) {
@@ -34,6 +38,12 @@ bool ProgramPath::read_move() {
     return true;
   }
   source_ = move.source;
+  // Before smoothing, which may round the corner into the move or merge it with others.
+  if (const auto excess = travel_ ? travel_->excess_of(move) : std::nullopt) {
+    left_travel_ = true;
+    fail({source_.line, machine::describe(*excess)}, parser::errors::kOutsideTravel);
+    return true;
+  }
   if (const auto taken = smoother_.push(move); !taken) {
     fail(taken.error(), parser::errors::kCurveRefused);
   }

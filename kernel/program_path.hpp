@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "kernel/kernel.hpp"
+#include "kernel/travel_check.hpp"
 #include "parser/program_reader.hpp"
 #include "smoothing/smoother.hpp"
 
@@ -33,6 +35,8 @@ class ProgramPath {
   // Of the move read last.
   [[nodiscard]] std::uint32_t line() const noexcept { return source_.line; }
   [[nodiscard]] bool has_errors() const { return failed_ || reader_.has_errors(); }
+  // The error is a move that leaves the travel.
+  [[nodiscard]] bool left_travel() const noexcept { return left_travel_; }
   [[nodiscard]] const std::vector<parser::Diagnostic>& diagnostics() const {
     return failed_ ? all_diagnostics_ : reader_.diagnostics();
   }
@@ -48,11 +52,13 @@ class ProgramPath {
   void end();
 
   parser::ProgramReader reader_;
+  std::optional<TravelCheck> travel_;
   smoothing::Smoother smoother_;
   parser::SourcePosition source_;  // of the move read last
   bool ended_ = false;             // what the smoother still holds is all that follows
   bool cut_ = false;               // and none of that is run
   bool failed_ = false;
+  bool left_travel_ = false;
   std::vector<parser::Diagnostic> all_diagnostics_;  // once it failed
 };
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "kernel/check.hpp"
+#include "kernel/machine_file.hpp"
 #include "tests/kernel/run.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"
@@ -153,6 +154,32 @@ TEST(Kernel, StopsAtRestBeforeABlockThatIsWrong) {
     checker.add({.setpoint = tick, .feedrate_mm_s = 50.0});
   }
   EXPECT_EQ(checker.complaint(), "");
+}
+
+// Neither the corner into it is rounded nor the lines before it are lost in one that leaves.
+TEST(Kernel, StopsAtRestBeforeABlockThatLeavesTheTravel) {
+  struct Case {
+    std::string_view text;
+    std::uint32_t line;
+    curves::Position end_mm;
+  };
+  for (const Case& of : {
+           Case{"G1 X490 F6000\nY20\nX520\nX480\n", 3, {490, 20, 0}},
+           Case{"G64 P5 G1 X490 F6000\nY20\nX520\nX480\n", 3, {490, 20, 0}},
+           Case{"G64 P5 G1 X490 F6000\nY20\nG2 X490 Y-20 R20\n", 3, {490, 20, 0}},
+           Case{"G64 G1 X499.6 F6000\nX499.7\nX499.8\nX499.9\nX500.1\nX500.2\nX480\n",
+                5,
+                {499.9, 0, 0}},
+       }) {
+    SCOPED_TRACE(of.text);
+    Kernel kernel(default_machine(), {.checks_travel = true});  // of x from -500 to 500
+    kernel.feed(of.text);
+    kernel.finish();
+    EXPECT_EQ(rest_of(kernel).back().position_mm, of.end_mm);
+    EXPECT_TRUE(kernel.left_travel());
+    ASSERT_EQ(kernel.diagnostics().size(), 1U);
+    EXPECT_EQ(kernel.diagnostics().front().source.line, of.line);
+  }
 }
 
 TEST(Kernel, StopsAtRestBeforeACurveThatCannotBeBuilt) {

@@ -1,0 +1,27 @@
+// Moves against the soft limits, as they are programmed.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "kernel/settings.hpp"
+#include "machine/envelope.hpp"
+#include "parser/move.hpp"
+#include "smoothing/path_part.hpp"
+
+namespace kerf {
+
+class TravelCheck {
+ public:
+  explicit TravelCheck(const MachineSettings& settings);
+
+  // How far the move leaves the travel. Nothing: it does not, or is no valid curve.
+  std::optional<machine::TravelExcess> excess_of(const parser::Move& move);
+
+ private:
+  machine::Envelope envelope_;
+  machine::ExtraEnvelope extra_envelope_;
+  std::vector<smoothing::PathPart> parts_;  // of the move
+};
+
+}  // namespace kerf
