@@ -73,6 +73,13 @@ bool is_corner(const Polyline& run, std::size_t index, double tolerance_mm) {
   }
   const std::size_t back = walk(run, index, std::max(kNear * tolerance_mm, in_mm), false);
   const std::size_t ahead = walk(run, index, std::max(kNear * tolerance_mm, out_mm), true);
+  // Over less than that the direction is noise, at the run's ends too: whether a curve can follow
+  // is for the fit to say.
+  const double known_mm =
+      std::min(run[index].w_mm - run[back].w_mm, run[ahead].w_mm - run[index].w_mm);
+  if (known_mm < kNear * tolerance_mm) {
+    return false;
+  }
   const double near = angle(here - vec(run[back].point_mm), vec(run[ahead].point_mm) - here);
   return near > kCornerTurn_rad &&
          near > kStandsOut * std::max(turn_beside(run, index, back, false),

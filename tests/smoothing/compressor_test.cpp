@@ -65,6 +65,21 @@ TEST(Compressor, AveragesTheNoiseOfTheLastDecimal) {
   EXPECT_NEAR(length_of(smoothed), 20.0 * std::numbers::pi, 0.01);
 }
 
+// A slope as coordinates of a coarse step write it: corners of 90 degrees, none of them meant.
+TEST(Compressor, MakesASlopeOfStairsFarFinerThanTheTolerance) {
+  for (const double step_mm : {0.001, 0.002, 0.005}) {
+    SCOPED_TRACE(step_mm);
+    std::vector<Position> points;
+    for (int i = 0; i <= 600; ++i) {
+      points.push_back({(i + 1) / 2 * step_mm, i / 2 * step_mm, 0.0});
+    }
+    const auto moves = lines_through(points, {.corner_mm = 0.01, .merge_mm = 0.01});
+    const Smoothed smoothed = smooth(moves);
+    EXPECT_LT(length_of(smoothed), 1.03 * std::hypot(points.back()[0], points.back()[1]));
+    EXPECT_LE(apart_mm(points_of(moves), points_of(smoothed)), 0.01);
+  }
+}
+
 TEST(Compressor, MakesAnArcOfACircularRun) {
   for (const int decimals : {3, 6}) {
     const Smoothed smoothed = smooth(lines_through(circle(10.0, 300, decimals), {}));
