@@ -26,7 +26,7 @@ bool RunCurves::append_circle(const Polyline& run, std::size_t vertex, std::vect
   if (!circle || (settings_.travel && leaves_travel(circle->arc.extents(), *settings_.travel))) {
     return false;
   }
-  widen(run[vertex / 2], circle->departure_mm);
+  widen({run[vertex / 2], circle->arc.at(circle->s_mm[vertex / 2])}, circle->departure_mm);
   append_parts(run,
                {.curve = circle->arc,
                 .first = 0,
@@ -50,7 +50,7 @@ void RunCurves::append_line(const Polyline& run, std::size_t vertex, std::vector
     merged.s_mm.push_back(i == 0 ? 0.0 : seen.dot(direction));
     const double away = (seen - merged.s_mm.back() * direction).norm();
     merged.departure_mm = std::max(merged.departure_mm, away);
-    widen(run[i], away);
+    widen({run[i], line->at(merged.s_mm.back())}, away);
   }
   append_parts(run, merged, like_, out);
 }
@@ -83,7 +83,8 @@ void RunCurves::append_part(const Polyline& run, const RunFit& fit, const FitPar
   for (std::size_t k = spans.first; k < spans.last; ++k) {
     beziers.push_back(fit.spline.spans[k].bezier());
     away = std::max(away, fit.away_mm[k]);
-    widen(run[fit.breaks[k] + 1], fit.away_mm[k]);
+    const Vertex& at = run[fit.breaks[k] + 1];
+    widen({at, curves::to_position(fit.spline.spans[k].at(at.w_mm))}, fit.away_mm[k]);
   }
   const auto made = curves::NurbsCurve::from_spans(beziers, end);
   broken_ = !made || made->size() != 1;
@@ -116,17 +117,18 @@ void RunCurves::append_chords(const Polyline& run, const Indices& lines, const C
     const curves::Position& from = i == lines.first ? ends.begin_mm : run[i].point_mm;
     const curves::Position& to = last ? ends.end_mm : run[i + 1].point_mm;
     const Vertex& at = run[last ? i + 1 : i];
-    widen(at, (vec(last ? to : from) - vec(at.point_mm)).norm());
+    const curves::Position& end = last ? to : from;
+    widen({at, end}, (vec(end) - vec(at.point_mm)).norm());
     if (const auto line = curves::Line::between(from, to)) {
       append_parts(run, {.curve = *line, .first = i, .last = i + 1, .s_mm = {0.0}}, like_, out);
     }
   }
 }
 
-void RunCurves::widen(const Vertex& at, double distance_mm) {
+void RunCurves::widen(const Place& place, double distance_mm) {
   departure_.widen({.distance_mm = distance_mm,
-                    .at_mm = at.point_mm,
-                    .line = at.source.line,
+                    .at_mm = place.at_mm,
+                    .line = place.vertex.source.line,
                     .tolerance_mm = settings_.tolerance_mm});
 }
 

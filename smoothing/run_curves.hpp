@@ -58,11 +58,16 @@ class RunCurves {
     bool continues = false;
     bool to_vertex = false;
   };
+  // On the curve, beside a vertex.
+  struct Place {
+    const Vertex& vertex;
+    curves::Position at_mm{};
+  };
   void append_part(const Polyline& run, const RunFit& fit, const FitPart& part,
                    std::vector<PathPart>& out);
   void append_chords(const Polyline& run, const Indices& lines, const ChordEnds& ends,
                      std::vector<PathPart>& out);
-  void widen(const Vertex& at, double distance_mm);
+  void widen(const Place& place, double distance_mm);
 
   RunFitSettings settings_;
   parser::Move like_{};  // what the moves of the run have in common

@@ -1,5 +1,6 @@
 #include "smoothing/compressor.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -77,6 +78,22 @@ TEST(Compressor, MakesASlopeOfStairsFarFinerThanTheTolerance) {
     const Smoothed smoothed = smooth(moves);
     EXPECT_LT(length_of(smoothed), 1.03 * std::hypot(points.back()[0], points.back()[1]));
     EXPECT_LE(apart_mm(points_of(moves), points_of(smoothed)), 0.01);
+  }
+}
+
+TEST(Compressor, TellsAPlaceOfItsOwnPathWhereItIsFarthestFromTheProgrammedOne) {
+  for (const int decimals : {2, 3}) {
+    const Smoothed smoothed = smooth(lines_through(circle(3.0, 150, decimals), {.merge_mm = 0.02}));
+    ASSERT_GT(smoothed.departure.distance_mm, 1e-3);
+    const std::vector<Position> path = points_of(smoothed);
+    double nearest = HUGE_VAL;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Eigen::Vector3d chord = vec(path[i]) - vec(path[i - 1]);
+      const Eigen::Vector3d seen = vec(smoothed.departure.at_mm) - vec(path[i - 1]);
+      const double share = std::clamp(seen.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+      nearest = std::min(nearest, (seen - share * chord).norm());
+    }
+    EXPECT_LT(nearest, 0.2 * smoothed.departure.distance_mm) << decimals;
   }
 }
 
