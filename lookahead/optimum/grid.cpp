@@ -42,6 +42,18 @@ std::vector<CellStop> apart(const std::vector<CellStop>& stops, const GridScan& 
   return kept;
 }
 
+// No longer than a cell may be at either of its ends. Where that is far shorter at its end, it is
+// shorter than it would be at a nearer one.
+double cell_from_mm(const GridScan& seen, double s_mm, double stop_mm) {
+  double length = std::min(seen.cell_mm(s_mm), stop_mm - s_mm);
+  double at_end = seen.cell_mm(s_mm + length);
+  while (at_end < 0.5 * length) {
+    length *= 0.5;
+    at_end = seen.cell_mm(s_mm + length);
+  }
+  return std::min(length, at_end);
+}
+
 EndFeeds feeds_of(const EndPassages& ends) {
   EndFeeds feeds = ends.beyond;
   if (ends.begin) {
@@ -76,8 +88,7 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndPassages& ends,
   for (const CellStop& stop : stops) {
     bool begins = true;  // at the stop before, where something may jump
     while (s < stop.s_mm) {
-      const double h = std::min(seen.cell_mm(s), stop.s_mm - s);
-      const double length = std::min(h, seen.cell_mm(s + h));
+      const double length = cell_from_mm(seen, s, stop.s_mm);
       const double left = stop.s_mm - s;
       const double next =
           left < 1.5 * length ? stop.s_mm : s + (left < 2.5 * length ? 0.5 * left : length);

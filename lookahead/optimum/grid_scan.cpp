@@ -157,7 +157,7 @@ GridScan::GridScan(const BlockPath& path, const EndFeeds& ends, const std::vecto
   const std::vector<Cell> cells = cells_between(path, places_mm_, stops);
   feeds_mm_s_ = estimate_feeds(cells, ends, limits);
   find_motion(cells, limits);
-  find_quiet(path, cells, limits);
+  find_quiet(path, cells, ends, limits);
 }
 
 void GridScan::find_motion(const std::vector<Cell>& cells, const PlanLimits& limits) {
@@ -180,7 +180,7 @@ void GridScan::find_motion(const std::vector<Cell>& cells, const PlanLimits& lim
 }
 
 void GridScan::find_quiet(const BlockPath& path, const std::vector<Cell>& cells,
-                          const PlanLimits& limits) {
+                          const EndFeeds& ends, const PlanLimits& limits) {
   const double far_away = kFarAway * length_mm();
   quiet_mm_.assign(places_mm_.size(), far_away);
   cap_mm_ = feature_mm_ = quiet_mm_;
@@ -204,6 +204,15 @@ void GridScan::find_quiet(const BlockPath& path, const std::vector<Cell>& cells,
       feature_mm_[place] = std::min(feature_mm_[place], feature);
       cap_mm_[place] = std::min(cap_mm_[place], cap);
     }
+  }
+  // What lies beyond a joint may ask for a change of feedrate that begins on this side of it.
+  if (ends.v_begin_mm_s < kUnbounded) {
+    quiet_mm_.front() =
+        std::min(quiet_mm_.front(), -ramp_mm(cells.front(), feeds_mm_s_.front(), limits));
+  }
+  if (ends.v_end_mm_s < kUnbounded) {
+    quiet_mm_.back() =
+        std::min(quiet_mm_.back(), -ramp_mm(cells.back(), feeds_mm_s_.back(), limits));
   }
   limit_growth(places_mm_, 1.0, quiet_mm_);
   limit_growth(places_mm_, kFeatureGrowth, feature_mm_);

@@ -33,7 +33,8 @@ class GridScan {
 
  private:
   void find_motion(const std::vector<Cell>& cells, const PlanLimits& limits);
-  void find_quiet(const BlockPath& path, const std::vector<Cell>& cells, const PlanLimits& limits);
+  void find_quiet(const BlockPath& path, const std::vector<Cell>& cells, const EndFeeds& ends,
+                  const PlanLimits& limits);
 
   std::vector<double> places_mm_;
   std::vector<double> feeds_mm_s_;
