@@ -63,6 +63,10 @@ std::string block_text(const FileReport& report) {
                    point_text(coordinates.to_program(state.position_mm)));
     append_offsets(text, coordinates);
   }
+  if (state.path_mode == parser::PathMode::blend) {
+    fmt::format_to(out, "  G64             P {}, Q {} mm\n", short_number(state.blend_tolerance_mm),
+                   short_number(state.merge_tolerance_mm));
+  }
   fmt::format_to(out, "  feed            {}\n", feed_text(state));
   fmt::format_to(out, "  spindle         S{}\n", short_number(state.spindle_speed));
   fmt::format_to(out, "  tool            T{} loaded, T{} selected\n", state.loaded_tool,

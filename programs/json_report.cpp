@@ -81,6 +81,8 @@ void set_block(Json& json, const FileReport& file) {
       {"work_rotation_deg", work.rotation_deg},
       {"local_offset_mm", axes_json(state.coordinates.local_mm())},
       {"tool_offset_mm", axes_json(state.coordinates.tool_mm())},
+      {"corner_tolerance_mm", state.blend_tolerance_mm},
+      {"merge_tolerance_mm", state.merge_tolerance_mm},
       {"feedrate_mm_s", state.feedrate_mm_s ? Json(*state.feedrate_mm_s) : Json()},
       {"spindle_speed", state.spindle_speed},
       {"tool", state.loaded_tool},

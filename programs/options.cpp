@@ -97,7 +97,7 @@ void add_common(CLI::App& command, Raw& raw) {
   command
       .add_option("--format", options.format,
                   "errors and warnings as text, json or sarif (check: on standard output)")
-      ->transform(CLI::CheckedTransformer(kFormats))
+      ->transform(CLI::CheckedTransformer(kFormats).description("{text,json,sarif}"))
       ->type_name("NAME");
   command.add_flag("-q,--quiet", options.quiet, "no summary, no progress bar, no warnings");
 }

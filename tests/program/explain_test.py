@@ -18,6 +18,14 @@ class Explain(Case):
         self.assertAlmostEqual(told["begin_s"], rapid[0], delta=0.0011)
         self.assertIn("G43", told["codes"])
 
+    def test_tells_the_tolerances_of_g64(self):
+        program = self.path("g64.ngc", "G64 P0.02 Q0.005\nG1 X10 F600\nG20 G64 P0.01\nX1\nG61\nX2\nM2\n")
+        self.assertIn("  G64             P 0.02, Q 0.005 mm\n", self.kerf("explain", program, "--line", "2").stdout)
+        for line, corner, merge in ((2, 0.02, 0.005), (4, 0.254, 0.254), (6, 0.0, 0.0)):
+            told = self.explained(program, line)
+            self.assertAlmostEqual(told["corner_tolerance_mm"], corner)
+            self.assertAlmostEqual(told["merge_tolerance_mm"], merge)
+
     def test_finds_the_time_that_the_trace_of_a_run_has(self):
         for name, step in (("pocket.ngc", 7), ("raster.ngc", 700)):
             self.compare_with_trace(str(pathlib.Path(SOURCE) / "programs" / name), step)
