@@ -140,14 +140,14 @@ double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, double v_end_
   if (fits(wanted.v_end_mm_s)) {
     return wanted.v_end_mm_s;
   }
-  const double known = std::min(v_end_known_mm_s, wanted.v_end_mm_s);
-  double low = fits(known) ? known : 0.0;
-  double high = wanted.v_end_mm_s;
+  const double known = std::min(v_end_known_mm_s, wanted.v_begin_mm_s);
+  double inside = fits(known) ? known : 0.0;
+  double outside = wanted.v_end_mm_s;
   for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    (fits(middle) ? low : high) = middle;
+    const double middle = 0.5 * (inside + outside);
+    (fits(middle) ? inside : outside) = middle;
   }
-  return low;
+  return inside;
 }
 
 bool joins(const Span& span, const SpanEnds& ends, const Profile& profile) {

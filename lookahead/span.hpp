@@ -54,9 +54,10 @@ double reach_backward_mm_s(const Span& span, const BackwardQuery& query,
 
 // The largest feedrate <= wanted.v_end with which the span can end that begins with wanted.v_begin.
 // A coast takes room at its feedrate, and braking to a third takes more room than braking to rest,
-// so a slower end may fit where a faster does not and the other way round. Precondition: v_begin is
-// at most what reach_backward gives for v_end or for v_end_known, an end that an earlier plan
-// found.
+// so a slower end may fit where a faster does not and the other way round. v_end_known: an end that
+// this beginning or a higher one is known to join. Where no such end as wanted fits it may be the
+// higher one, and the result lies between them. Precondition: v_begin is at most what
+// reach_backward gives for v_end or for v_end_known.
 double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, double v_end_known_mm_s,
                          const profiles::Profile& profile);
 

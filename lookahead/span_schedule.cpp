@@ -171,19 +171,16 @@ void SpanSchedule::emit_cruise(const Block& block, const SpanPlan& plan, Emitter
       profiles::Transition::cruise(v_mm_s_, plan.cruise.length_mm() - part.cruise.length_mm());
 }
 
-// Lowers the end to what can be joined.
+// Moves the end to what can be joined.
 SpanPlan SpanSchedule::plan_front(SpanEnds& ends) {
   if (left_ && ends.v_end_mm_s == left_end_mm_s_) {
     return *left_;
   }
   const WindowSpan& item = window_.front();
-  const profiles::Profile& profile = settings_.profile;
-  ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, item.v_end_before_mm_s, profile);
-  if (item.span.turning.empty() || joins(item.span, ends, profile)) {
-    return plan_span(item.span, ends, profile);
-  }
-  ends.v_end_mm_s = item.slowed_end_mm_s(ends.v_begin_mm_s);
-  return slowed_plan(item.span, item.sure, ends.v_begin_mm_s, profile);
+  const Ending ending = ending_of(item, ends, settings_.profile);
+  ends.v_end_mm_s = ending.v_end_mm_s;
+  return ending.is_slowed ? slowed_plan(item.span, item.sure, ends.v_begin_mm_s, settings_.profile)
+                          : plan_span(item.span, ends, settings_.profile);
 }
 
 void SpanSchedule::emit_plan(const Block& block, const SpanPlan& plan, Emitter& emitter,
@@ -231,11 +228,12 @@ void SpanSchedule::stop(const Window<Block>& /*blocks*/, const Emitter& /*emitte
   while (kept < window_.size() && v > 0.0) {
     WindowSpan& item = window_[kept++];
     SpanEnds ends{.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
-    ends.v_end_mm_s = end_feedrate_mm_s(item.span, ends, item.v_end_before_mm_s, settings_.profile);
-    if (!item.span.turning.empty() && !joins(item.span, ends, settings_.profile)) {
-      v = item.v_end_mm_s = item.slowed_end_mm_s(v);
+    const Ending ending = ending_of(item, ends, settings_.profile);
+    if (ending.is_slowed) {
+      v = item.v_end_mm_s = ending.v_end_mm_s;
       continue;
     }
+    ends.v_end_mm_s = ending.v_end_mm_s;
     item.v_end_mm_s = brake(item.span, ends, settings_.profile);
     item.sure = {.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
     v = item.v_end_mm_s;
