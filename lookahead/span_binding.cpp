@@ -75,6 +75,10 @@ HeldBy SpanBinding::cruise(const Transition& law, double s_begin_mm) const {
   if (law.ramp().v_begin_mm_s >= (1.0 - kAlike) * of_.block->limits.feedrate_mm_s) {
     return held_by(of_.block->limits.from.feedrate);
   }
+  if (of_.span->limits.from.feedrate != of_.block->limits.from.feedrate &&
+      law.ramp().v_begin_mm_s >= (1.0 - kAlike) * of_.span->limits.feedrate_mm_s) {
+    return held_by(of_.span->limits.from.feedrate);
+  }
   return of_.block->ceiling.empty() ? held_by(of_.block->limits.from.jerk)
                                     : ceiling(law, s_begin_mm);
 }

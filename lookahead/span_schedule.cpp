@@ -4,10 +4,10 @@
 #include <utility>
 #include <variant>
 
-#include "lookahead/junction.hpp"
+#include "lookahead/block_limits.hpp"
 #include "lookahead/span_binding.hpp"
+#include "lookahead/span_joint.hpp"
 #include "lookahead/split.hpp"
-#include "lookahead/turn_joint.hpp"
 #include "lookahead/turn_scan.hpp"
 
 namespace kerf::lookahead {
@@ -35,17 +35,6 @@ void cut_front(Span& span, const CruisePoint& cut) {
   }
 }
 
-// The ceiling bounds the mean feedrate of a tick. In a valley the acceleration of a law without
-// jerk jumps from -A to A, and the mean of the tick around it is A Ts / 4 above its middle at the
-// most.
-double valley_mm_s(double ceiling_mm_s, const Span& span, const SpanSchedule::Settings& settings) {
-  if (settings.profile.kind() != ProfileKind::trapezoid) {
-    return ceiling_mm_s;
-  }
-  const double rise = 0.25 * span.limits.ramp.acceleration_mm_s2 * settings.limits.period_s;
-  return std::max(ceiling_mm_s - rise, 0.5 * ceiling_mm_s);
-}
-
 }  // namespace
 
 void SpanSchedule::push(const Window<Block>& blocks) {
@@ -56,9 +45,13 @@ void SpanSchedule::push(const Window<Block>& blocks) {
 void SpanSchedule::push(const Block& block, const Block* before) {
   std::vector<Span> spans = spans_of(block);
   if (before != nullptr) {
-    window_.back().span.end = joint_of(*before, block, spans.front());
+    const SpanJoint joint = span_joint({.blocks = {.before = before, .after = &block},
+                                        .before = &window_.back().span,
+                                        .after = &spans.front()},
+                                       {settings_.limits, settings_.profile});
+    window_.back().span.end = joint.end;
+    spans.front().begin_coast_s = joint.begin_coast_s;
   }
-  spans.front().begin_coast_s = window_.empty() ? 0.0 : window_.back().span.end.coast_s;
   for (Span& span : spans) {
     window_.push_back({.span = std::move(span)});
   }
@@ -78,33 +71,16 @@ std::vector<Span> SpanSchedule::spans_of(const Block& block) const {
     turning = scan_turning(*nurbs, block.limits.feedrate_mm_s, limits);
   }
   spans = turning.empty() ? split(block, settings_.limits.period_s) : split(block, turning, limits);
+  const double passing = passing_feedrate_mm_s(block, settings_.limits);
   for (Span& span : spans) {
+    bind_feedrate(span.limits, {passing, SpeedLimit::chord_error});
     if (!span.ends_block) {
-      span.end.feedrate_mm_s = valley_mm_s(span.end.feedrate_mm_s, span, settings_);
+      span.end.feedrate_mm_s = std::min(
+          passing,
+          valley_mm_s(span.end.feedrate_mm_s, span, {settings_.limits, settings_.profile}));
     }
   }
   return spans;
-}
-
-Junction SpanSchedule::joint_of(const Block& before, const Block& block, const Span& first) const {
-  const Span& last = window_.back().span;
-  const JunctionQuery query{.before = &before, .after = &block};
-  Junction joint = junction(query, settings_.limits);
-  const auto bind = [&joint](double feedrate_mm_s) {
-    joint.feedrate_mm_s = std::min(joint.feedrate_mm_s, feedrate_mm_s);
-  };
-  if (!before.ceiling.empty()) {
-    bind(valley_mm_s(std::min(before.ceiling.back().v_mm_s, last.fall.bottom_mm_s()), last,
-                     settings_));
-  }
-  if (!block.ceiling.empty()) {
-    bind(valley_mm_s(std::min(block.ceiling.front().v_mm_s, first.rise.bottom_mm_s()), first,
-                     settings_));
-  }
-  return last.turning.empty() && first.turning.empty()
-             ? joint
-             : beside_turning(joint, {.blocks = query, .before = &last, .after = &first},
-                              settings_.limits);
 }
 
 void SpanSchedule::plan_window(Supply supply) {

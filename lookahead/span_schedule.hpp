@@ -36,7 +36,6 @@ class SpanSchedule final : public Schedule {
 
  private:
   [[nodiscard]] std::vector<Span> spans_of(const Block& block) const;
-  [[nodiscard]] Junction joint_of(const Block& before, const Block& block, const Span& first) const;
   SpanPlan plan_front(SpanEnds& ends);
   void plan_window(Supply supply);
   void emit_cruise(const Block& block, const SpanPlan& plan, Emitter& emitter, Outbox& outbox);

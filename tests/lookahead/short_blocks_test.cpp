@@ -1,0 +1,117 @@
+// Curves so short that a tick passes over the whole of one: its chord cuts the corner that they
+// make of the lines beside them.
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/lookahead/programs.hpp"
+
+namespace kerf::lookahead::test {
+namespace {
+
+constexpr double kTurn_rad = 0.23;
+constexpr double kTolerance_mm = 2.6e-5;
+
+// Curvature is 0 at both ends.
+curves::NurbsData corner(const Position& at, double arm_mm) {
+  curves::NurbsData data{.degree = 5, .points = {}, .knots = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1}};
+  for (const double share : {1.0, 0.7, 0.4}) {
+    data.points.push_back({.position_mm = {at[0] - share * arm_mm, at[1], at[2]}});
+  }
+  for (const double share : {0.4, 0.7, 1.0}) {
+    data.points.push_back({.position_mm = {at[0] + share * arm_mm * std::cos(kTurn_rad),
+                                           at[1] + share * arm_mm * std::sin(kTurn_rad), at[2]}});
+  }
+  return data;
+}
+
+struct Rounded {
+  double first_line_mm = 0.0;
+  double arm_mm = 0.0;  // of the corner that the curve rounds
+};
+
+std::vector<Block> rounded_corner(const Rounded& rounded, const PlanLimits& limits) {
+  const curves::NurbsData curve = corner({rounded.first_line_mm, 0, 0}, rounded.arm_mm);
+  const Position from = curve.points.front().position_mm;
+  const Position to = curve.points.back().position_mm;
+  const Position end{to[0] + std::cos(kTurn_rad), to[1] + std::sin(kTurn_rad), 0};
+  std::vector<Block> blocks = blocks_of(
+      {line_move({{0, 0, 0}, from}, 100.0), nurbs_move(curve, 100.0), line_move({to, end}, 100.0)},
+      limits);
+  blocks[1].continues = true;
+  blocks[2].continues = true;
+  return blocks;
+}
+
+Eigen::Vector3d point_at(const std::vector<Block>& blocks, double s_mm) {
+  double s = s_mm;
+  std::size_t i = 0;
+  while (i + 1 < blocks.size() && s > blocks[i].length_mm) {
+    s -= blocks[i++].length_mm;
+  }
+  return curves::vec(curves::position_at(blocks[i].curve, std::min(s, blocks[i].length_mm)));
+}
+
+double chord_error_mm(const std::vector<Block>& blocks, double from_mm, double way_mm) {
+  const Eigen::Vector3d from = point_at(blocks, from_mm);
+  const Eigen::Vector3d chord = point_at(blocks, from_mm + way_mm) - from;
+  double worst = 0.0;
+  for (int i = 1; i < 64; ++i) {
+    const Eigen::Vector3d offset = point_at(blocks, from_mm + way_mm * i / 64.0) - from;
+    const double along = std::clamp(offset.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+    worst = std::max(worst, (offset - along * chord).norm());
+  }
+  return worst;
+}
+
+double worst_chord_error_mm(const std::vector<Block>& blocks, const Motion& motion) {
+  double worst = 0.0;
+  const int ticks = static_cast<int>(motion.duration_s() / kTs);
+  for (int tick = 0; tick < ticks; ++tick) {
+    const double from = motion.at(tick * kTs).s_mm;
+    const double way = motion.at((tick + 1) * kTs).s_mm - from;
+    worst = way > 0.0 ? std::max(worst, chord_error_mm(blocks, from, way)) : worst;
+  }
+  return worst;
+}
+
+class ShortBlocks : public testing::TestWithParam<ProfileKind> {};
+
+TEST_P(ShortBlocks, KeepTheChordOfATickThatPassesOverThem) {
+  PlanLimits along =
+      path_limits({.velocity_mm_s = 100.0, .acceleration_mm_s2 = 2900.0, .jerk_mm_s3 = 1.2e5});
+  PlanLimits axes =
+      axis_limits({.velocity_mm_s = 100.0, .acceleration_mm_s2 = 2900.0, .jerk_mm_s3 = 1.2e5});
+  for (PlanLimits limits : {along, axes}) {
+    limits.chord_tolerance_mm = kTolerance_mm;
+    for (int i = 0; i < 40; ++i) {
+      const Rounded rounded{.first_line_mm = 0.2 + 0.0137 * i, .arm_mm = 3e-6 * std::pow(1.15, i)};
+      SCOPED_TRACE(rounded.arm_mm);
+      const std::vector<Block> blocks = rounded_corner(rounded, limits);
+      const Motion motion = plan(blocks, {.limits = limits, .profile = Profile{GetParam()}});
+      expect_contiguous(motion.phases());
+      EXPECT_LE(worst_chord_error_mm(blocks, motion), kTolerance_mm * (1.0 + 1e-3));
+    }
+  }
+}
+
+// A rest before the corner and one behind it would cost some ticks, a crawl many more.
+TEST_P(ShortBlocks, ArePassedInMotion) {
+  PlanLimits limits =
+      axis_limits({.velocity_mm_s = 100.0, .acceleration_mm_s2 = 2900.0, .jerk_mm_s3 = 1.2e5});
+  limits.chord_tolerance_mm = kTolerance_mm;
+  const std::vector<Block> blocks = rounded_corner({.first_line_mm = 0.5, .arm_mm = 3e-5}, limits);
+  const Motion motion = plan(blocks, {.limits = limits, .profile = Profile{GetParam()}});
+  const auto rests = std::count_if(motion.phases().begin(), motion.phases().end(),
+                                   [](const interp::Phase& phase) { return phase.ends_at_rest; });
+  EXPECT_EQ(rests, 2) << "the last motion, and the end of the program";
+}
+
+INSTANTIATE_TEST_SUITE_P(ClassicalLaws, ShortBlocks,
+                         testing::Values(ProfileKind::trapezoid, ProfileKind::s_curve,
+                                         ProfileKind::sine, ProfileKind::quintic,
+                                         ProfileKind::sine_series, ProfileKind::sigmoid));
+
+}  // namespace
+}  // namespace kerf::lookahead::test
