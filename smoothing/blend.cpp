@@ -20,8 +20,9 @@ using curves::vec;
 namespace {
 
 constexpr int kDegree = 5;
-constexpr int kPlaces = 32;            // of a blend, where its departure is looked at
-constexpr double kFinest = 1.0 / 256;  // between them, around the farthest: 3e-5 of it are missed
+constexpr int kPlaces = 32;             // of a blend, where its departure is looked at
+constexpr double kFinest = 1.0 / 256;   // between them, around the farthest: 3e-5 of it are missed
+constexpr double kFinestOfPath = 1e-5;  // merged lines may turn as sharply as a needle there
 constexpr int kProjections = 4;
 constexpr double kReach = 1.5;  // of the way, within which the nearest point of a curve lies
 
@@ -72,10 +73,8 @@ double distance_mm(const curves::Curve& curve, const Position& point, double s_m
   return std::min(nearest, (vec(point) - vec(curves::position_at(curve, s))).norm());
 }
 
-// By the distance of a point of the programmed path from the blend, whose places lie close
-// together.
-void widen(const Position& point, const std::array<Position, kPlaces + 1>& places,
-           Departure& largest) {
+// The distance of a point of the programmed path from the blend, whose places lie close together.
+Departure from_blend(const Position& point, const std::array<Position, kPlaces + 1>& places) {
   Departure nearest{.distance_mm = std::numeric_limits<double>::infinity()};
   for (std::size_t k = 1; k < places.size(); ++k) {
     const Eigen::Vector3d chord = vec(places[k]) - vec(places[k - 1]);
@@ -87,7 +86,7 @@ void widen(const Position& point, const std::array<Position, kPlaces + 1>& place
       nearest = {.distance_mm = away_mm, .at_mm = places[k]};
     }
   }
-  largest.widen(nearest);
+  return nearest;
 }
 
 std::optional<curves::NurbsCurve> curve_between_lines(const curves::Line& before,
@@ -160,10 +159,28 @@ Departure departure_of(const Blend& blend, const Corner& corner, double way_mm) 
     look(std::max(w - beside, 0.0));
     look(std::min(w + beside, 1.0));
   }
-  for (int k = 0; k <= kPlaces; ++k) {
-    const double s_mm = way_mm * static_cast<double>(k) / kPlaces;
-    widen(curves::position_at(*corner.before, before_mm - s_mm), places, largest);
-    widen(curves::position_at(*corner.after, s_mm), places, largest);
+  for (const bool behind : {false, true}) {
+    Departure farthest;
+    double share_farthest = 0.0;
+    const auto look_from = [&](double share) {
+      const Departure away =
+          from_blend(behind ? curves::position_at(*corner.after, share * way_mm)
+                            : curves::position_at(*corner.before, before_mm - share * way_mm),
+                     places);
+      if (away.distance_mm > farthest.distance_mm) {
+        farthest = away;
+        share_farthest = share;
+      }
+    };
+    for (int k = 0; k <= kPlaces; ++k) {
+      look_from(static_cast<double>(k) / kPlaces);
+    }
+    for (double beside = 0.5 / kPlaces; beside > kFinestOfPath; beside *= 0.5) {
+      const double share = share_farthest;
+      look_from(std::max(share - beside, 0.0));
+      look_from(std::min(share + beside, 1.0));
+    }
+    largest.widen(farthest);
   }
   return largest;
 }

@@ -37,6 +37,16 @@ TEST_P(RandomSmoothing, StaysWithinTheTolerancesAndLeavesNoGap) {
   }
 }
 
+// Found by a soak: merged lines that turn back within Q, beside a corner within P. The tip of their
+// needle is farther from the blend than any of the places that are looked at first.
+TEST(Smoothing, TellsHowFarABlendIsFromANeedleOfMergedLines) {
+  const RandomMoves program = random_moves(5002528, Size::small);
+  const Smoothed smoothed = smooth(program.moves);
+  const double apart = apart_mm(points_of(smoothed), points_of(program.moves));
+  EXPECT_LE(apart, std::max(program.tolerances.corner_mm, program.tolerances.merge_mm) + 3e-5);
+  EXPECT_LE(apart, smoothed.departure.distance_mm + 3e-5);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shard, RandomSmoothing, testing::Range<std::uint64_t>(0, kShards));
 
 TEST(Smoothing, GivesTheSameToTheLastBitASecondTime) {
