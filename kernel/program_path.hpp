@@ -32,7 +32,7 @@ class ProgramPath {
   void cut(const parser::SourcePosition& source, const smoothing::PathError& error,
            const parser::ErrorPage& page);
 
-  // Of the move read last.
+  // Of the move read last, or of the part that was cut.
   [[nodiscard]] std::uint32_t line() const noexcept { return source_.line; }
   [[nodiscard]] bool has_errors() const { return failed_ || reader_.has_errors(); }
   // The error is a move that leaves the travel.
@@ -54,7 +54,7 @@ class ProgramPath {
   parser::ProgramReader reader_;
   std::optional<TravelCheck> travel_;
   smoothing::Smoother smoother_;
-  parser::SourcePosition source_;  // of the move read last
+  parser::SourcePosition source_;  // of the move read last, or of the part that was cut
   bool ended_ = false;             // what the smoother still holds is all that follows
   bool cut_ = false;               // and none of that is run
   bool failed_ = false;
