@@ -63,7 +63,7 @@ Streamed stream(const Moves& next, const lookahead::PlanLimits& limits, const Wi
   std::vector<Block> blocks;
   for (parser::Move move; next(move);) {
     blocks.clear();
-    if (!lookahead::append_blocks(move, limits, blocks, planner.scan_steps())) {
+    if (!lookahead::append_blocks(move, limits, blocks, planner.scan_for())) {
       throw std::runtime_error("a move was refused");
     }
     for (Block& block : blocks) {

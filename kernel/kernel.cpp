@@ -107,7 +107,7 @@ class Kernel::Impl {
     }
     const parser::SourcePosition source = part.source;
     const std::vector<parser::EventMove> changes = part.changes;
-    auto block = lookahead::block_of(std::move(part), limits_, planner_.scan_steps());
+    auto block = lookahead::block_of(std::move(part), limits_, planner_.scan_for());
     if (!block) {
       path_.cut(source, block.error(), parser::errors::kCurveRefused);
       return;

@@ -41,7 +41,7 @@ void bind_extra_axes(const PlanLimits& limits, Block& block) {
   }
 }
 
-Block make_block(PathPart part, const PlanLimits& limits, ScanSteps steps) {
+Block make_block(PathPart part, const PlanLimits& limits, ScanFor plan) {
   Block block{.curve = std::move(part.curve)};
   block.line = part.source.line;
   block.run_block = part.run_block;
@@ -77,24 +77,24 @@ Block make_block(PathPart part, const PlanLimits& limits, ScanSteps steps) {
   }
   bind_extra_axes(limits, block);
   if (nurbs != nullptr) {
-    block.ceiling = scan_feedrate(
-        *nurbs, {.feedrate_mm_s = block.limits.feedrate_mm_s,
-                 .feedrate_from = block.limits.from.feedrate,
-                 .jerk_mm_s3 = block.along.ramp.jerk_mm_s3,
-                 .axis_jerk_mm_s3 = {limits.axes[0].jerk_mm_s3, limits.axes[1].jerk_mm_s3,
-                                     limits.axes[2].jerk_mm_s3},
-                 .period_s = limits.period_s,
-                 .chord_tolerance_mm = limits.chord_tolerance_mm,
-                 .steps = steps});
+    block.ceiling =
+        scan_feedrate(*nurbs, {.feedrate_mm_s = block.limits.feedrate_mm_s,
+                               .feedrate_from = block.limits.from.feedrate,
+                               .along = {.acceleration_mm_s2 = block.along.ramp.acceleration_mm_s2,
+                                         .jerk_mm_s3 = block.along.ramp.jerk_mm_s3},
+                               .axes = limits.axes,
+                               .period_s = limits.period_s,
+                               .chord_tolerance_mm = limits.chord_tolerance_mm,
+                               .plan = plan});
   }
   return block;
 }
 
 }  // namespace
 
-tl::expected<Block, PathError> block_of(PathPart part, const PlanLimits& limits, ScanSteps steps) {
+tl::expected<Block, PathError> block_of(PathPart part, const PlanLimits& limits, ScanFor plan) {
   const std::uint32_t line = part.source.line;
-  Block block = make_block(std::move(part), limits, steps);
+  Block block = make_block(std::move(part), limits, plan);
   if (block.extra.alone && !is_bounded(block.limits)) {
     return tl::make_unexpected(PathError{line, "the machine has no limits of the axes that move"});
   }
@@ -102,13 +102,13 @@ tl::expected<Block, PathError> block_of(PathPart part, const PlanLimits& limits,
 }
 
 tl::expected<void, PathError> append_blocks(const parser::Move& move, const PlanLimits& limits,
-                                            std::vector<Block>& blocks, ScanSteps steps) {
+                                            std::vector<Block>& blocks, ScanFor plan) {
   std::vector<PathPart> parts;
   if (auto built = smoothing::append_parts(move, parts); !built) {
     return built;
   }
   for (PathPart& part : parts) {
-    auto block = block_of(std::move(part), limits, steps);
+    auto block = block_of(std::move(part), limits, plan);
     if (!block) {
       return tl::make_unexpected(block.error());
     }

@@ -14,17 +14,17 @@
 
 namespace kerf::lookahead {
 
-// steps: in which the ceiling of a curve is scanned (Planner::scan_steps). Error: axes move that
-// the machine has no limits of.
+// plan: that the ceiling of a curve is scanned for (Planner::scan_for). Error: axes move that the
+// machine has no limits of.
 tl::expected<Block, smoothing::PathError> block_of(smoothing::PathPart part,
                                                    const PlanLimits& limits,
-                                                   ScanSteps steps = ScanSteps::half_ticks);
+                                                   ScanFor plan = ScanFor::bounded_jerk);
 
 // Appends the blocks of a move as it is programmed (smoothing/part_builder.hpp). Error: the curve
 // is not valid, with the line to blame.
 tl::expected<void, smoothing::PathError> append_blocks(const parser::Move& move,
                                                        const PlanLimits& limits,
                                                        std::vector<Block>& blocks,
-                                                       ScanSteps steps = ScanSteps::half_ticks);
+                                                       ScanFor plan = ScanFor::bounded_jerk);
 
 }  // namespace kerf::lookahead

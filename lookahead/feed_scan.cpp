@@ -6,167 +6,13 @@
 namespace kerf::lookahead {
 
 using curves::NurbsCurve;
-using curves::vec;
 
 namespace {
 
-constexpr int kChordPoints = 7;         // inside a tick
-constexpr int kMaxAdjustments = 30;     // 2 to 4 are usual
-constexpr double kLeastStep_mm = 1e-7;  // below usual tolerances: keeps the walk finite
-// A bound that lies this share below the line of its neighbours is looked at more closely around,
-// each time at half the distance: the line's own excess is a quarter of it at the most.
-constexpr double kConvex = 4e-4;
-constexpr int kRefinements = 6;
-// Where curvature allows this many times the feedrate, this share of a quarter piece will do
-// however short a tick is: at a very low feedrate the walk would never end.
-constexpr double kFarBelow = 8.0;
-constexpr double kFineShare = 1.0 / 64.0;
-// Where curvature allows this many times the feedrate all over a quarter piece, and all over the
-// tick that begins at its end, its chord errors are a quarter of the tolerance: it is passed in one
-// step, whatever a tick is.
-constexpr double kNearlyStraight = 2.0;
-constexpr std::size_t kMostPieces = 4;
-constexpr int kStraightParts = 4;
 // What straight lines between samples may miss of the bound.
 constexpr double kInside = 0.9998;
-// Of the bound, whatever the jerk adds to the way of a tick.
+// What a plan may add to the way of a tick is taken off the bound, as far as this share is left.
 constexpr double kLeastShare = 0.5;
-// The feedrate aims this far inside the tolerance, so that the adjustment ends.
-constexpr double kAim = 0.9995;
-
-// The farthest of kChordPoints points of the tick, then of those half and a quarter of their
-// distance beside it.
-double chord_error_mm(const NurbsCurve& curve, double s_from_mm, double step_mm) {
-  const curves::Position from = curve.at(s_from_mm);
-  const curves::Position to = curve.at(s_from_mm + step_mm);
-  const Eigen::Vector3d chord = vec(to) - vec(from);
-  const double squared = chord.squaredNorm();
-  double worst = 0.0;
-  double worst_share = 0.5;
-  const auto look = [&](double share) {
-    const curves::Position point = curve.at(s_from_mm + step_mm * share);
-    const Eigen::Vector3d offset = vec(point) - vec(from);
-    const double along = squared > 0.0 ? std::clamp(offset.dot(chord) / squared, 0.0, 1.0) : 0.0;
-    const double error = (offset - along * chord).squaredNorm();
-    if (error > worst) {
-      worst = error;
-      worst_share = share;
-    }
-  };
-  constexpr double kApart = 1.0 / (kChordPoints + 1);
-  for (int k = 1; k <= kChordPoints; ++k) {
-    look(kApart * k);
-  }
-  for (const double beside : {0.5 * kApart, 0.25 * kApart}) {
-    const double middle = worst_share;
-    look(middle - beside);
-    look(middle + beside);
-  }
-  return std::sqrt(worst);
-}
-
-// MATH section 5, closed form for a constant radius. Never less than the tolerance in a tick: no
-// point of a way is farther than half of it from the nearer one of its ends, so even twice as much
-// is no chord error whatever the turn. The half is kept free, for a tick around the turn is bound
-// by lines between those that begin before it and at it.
-double curvature_bound_mm_s(const NurbsCurve& curve, double s_mm, const ScanLimits& limits) {
-  const double curvature = vec(curve.derivatives_at(s_mm).second_per_mm).norm();
-  const double d = limits.chord_tolerance_mm;
-  if (curvature * d >= 1.0) {
-    return std::max(2.0 / curvature, d) / limits.period_s;  // it may span the whole circle
-  }
-  return curvature > 0.0 ? 2.0 / limits.period_s * std::sqrt(2.0 * d / curvature - d * d)
-                         : limits.feedrate_mm_s;
-}
-
-double tick_bound_mm_s(const NurbsCurve& curve, double s_mm, const ScanLimits& limits) {
-  if (!std::isfinite(limits.chord_tolerance_mm)) {
-    return limits.feedrate_mm_s;
-  }
-  double v = std::min(limits.feedrate_mm_s, curvature_bound_mm_s(curve, s_mm, limits));
-  for (int i = 0; i < kMaxAdjustments; ++i) {
-    const double step = std::min(v * limits.period_s, curve.length_mm() - s_mm);
-    const double error = chord_error_mm(curve, s_mm, step);
-    if (error <= limits.chord_tolerance_mm) {
-      break;
-    }
-    v = step / limits.period_s * std::sqrt(kAim * limits.chord_tolerance_mm / error);
-  }
-  return v;
-}
-
-// Of the tick that begins at s_mm.
-struct TickBound {
-  double s_mm = 0.0;
-  double v_mm_s = 0.0;
-};
-
-// Looked at piece by piece, for pieces are short where a curve turns sharply.
-bool is_nearly_straight(const NurbsCurve& curve, double s_mm, double way_mm,
-                        const ScanLimits& limits) {
-  const double least = kNearlyStraight * limits.feedrate_mm_s;
-  const std::size_t first = curve.piece_index(s_mm);
-  const std::size_t last = curve.piece_index(s_mm + way_mm);
-  if (last - first >= kMostPieces) {
-    return false;
-  }
-  for (std::size_t k = first; k <= last; ++k) {
-    const curves::NurbsPiece& piece = curve.pieces()[k];
-    const double begin = std::max(s_mm, piece.s_begin_mm);
-    const double way = std::min(s_mm + way_mm, piece.s_end_mm) - begin;
-    for (int i = 0; i <= kStraightParts; ++i) {
-      if (!(curvature_bound_mm_s(curve, begin + way * i / kStraightParts, limits) > least)) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-std::vector<TickBound> walk(const NurbsCurve& curve, const ScanLimits& limits) {
-  std::vector<TickBound> bounds;
-  for (double s = 0.0; s < curve.length_mm();) {
-    const double v = tick_bound_mm_s(curve, s, limits);
-    bounds.push_back({.s_mm = s, .v_mm_s = v});
-    const curves::NurbsPiece& piece = curve.pieces()[curve.piece_index(s)];
-    const double coarse = 0.25 * (piece.s_end_mm - piece.s_begin_mm);
-    double step = 0.5 * v * limits.period_s;
-    if (step < kFineShare * coarse &&
-        curvature_bound_mm_s(curve, s, limits) > kFarBelow * limits.feedrate_mm_s) {
-      step = kFineShare * coarse;
-    }
-    const bool strides = limits.steps == ScanSteps::quarter_pieces &&
-                         is_nearly_straight(curve, s, coarse + v * limits.period_s, limits);
-    step = strides ? coarse : std::min(step, coarse);
-    s += std::max(step, kLeastStep_mm);
-  }
-  return bounds;
-}
-
-bool is_convex(const TickBound& before, const TickBound& at, const TickBound& after) {
-  const double share = (at.s_mm - before.s_mm) / (after.s_mm - before.s_mm);
-  const double line = before.v_mm_s + share * (after.v_mm_s - before.v_mm_s);
-  return line - at.v_mm_s > kConvex * at.v_mm_s;
-}
-
-// True: there are more of them now.
-bool refine(std::vector<TickBound>& bounds, const NurbsCurve& curve, const ScanLimits& limits) {
-  std::vector<TickBound> finer;
-  bool convex = false;
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    const bool convex_before = convex;
-    convex = i > 0 && i + 1 < bounds.size() && is_convex(bounds[i - 1], bounds[i], bounds[i + 1]);
-    if (i > 0 && (convex || convex_before) &&
-        bounds[i].s_mm - bounds[i - 1].s_mm > 2.0 * kLeastStep_mm) {
-      const double middle = 0.5 * (bounds[i - 1].s_mm + bounds[i].s_mm);
-      finer.push_back({.s_mm = middle, .v_mm_s = tick_bound_mm_s(curve, middle, limits)});
-    }
-    finer.push_back(bounds[i]);
-  }
-  const bool more = finer.size() > bounds.size();
-  bounds = std::move(finer);
-  return more;
-}
 
 // The middles of ticks as a ceiling over s. Just before a sharp turn middles run backwards: a tick
 // that begins earlier is let past the turn, one that begins later is not. The slower one counts,
@@ -182,59 +28,129 @@ Ceiling in_order(const Ceiling& samples) {
   return kept;
 }
 
-// Along the path at a feedrate, where it neither rises nor falls: of an axis it may be higher than
-// its limit by what turning takes off; 0 where it is not bounded.
-double jerk_at_mm_s3(const NurbsCurve& curve, double s_mm, double v_mm_s,
-                     const ScanLimits& limits) {
-  double jerk = limits.jerk_mm_s3;
-  const curves::PathDerivatives path = curve.derivatives_at(s_mm);
+// Along the path at a feedrate: of an axis it may be higher than its limit by what turning takes
+// off. Both unbounded where nothing binds.
+MotionLimits ramp_at(const NurbsCurve& curve, const TickBound& bound, const ScanLimits& limits) {
+  MotionLimits ramp = limits.along;
+  const curves::PathDerivatives path = curve.derivatives_at(bound.s_mm);
+  const double squared = bound.v_mm_s * bound.v_mm_s;
   for (std::size_t k = 0; k < path.first.size(); ++k) {
     if (path.first[k] != 0.0) {
-      const double turning = std::abs(path.third_per_mm2[k]) * v_mm_s * v_mm_s * v_mm_s;
-      jerk = std::min(jerk, (limits.axis_jerk_mm_s3[k] + turning) / std::abs(path.first[k]));
+      const double along = std::abs(path.first[k]);
+      const double across = std::abs(path.second_per_mm[k]) * squared;
+      const double turning = std::abs(path.third_per_mm2[k]) * squared * bound.v_mm_s;
+      ramp.acceleration_mm_s2 =
+          std::min(ramp.acceleration_mm_s2, (limits.axes[k].acceleration_mm_s2 + across) / along);
+      ramp.jerk_mm_s3 = std::min(ramp.jerk_mm_s3, (limits.axes[k].jerk_mm_s3 + turning) / along);
     }
   }
-  return std::isfinite(jerk) ? jerk : 0.0;
+  return ramp;
+}
+
+// By how much the mean feedrate of a tick may be above the one at its middle.
+struct Excess {
+  double on_slope_mm_s = 0.0;
+  double in_valley_mm_s = 0.0;
+};
+
+Excess excess_at(const NurbsCurve& curve, const TickBound& bound, const ScanLimits& limits) {
+  const MotionLimits ramp = ramp_at(curve, bound, limits);
+  const double by_jerk = ramp.jerk_mm_s3 * limits.period_s * limits.period_s / 24.0;
+  const double by_jump = 0.25 * ramp.acceleration_mm_s2 * limits.period_s;
+  const double on_slope = std::isfinite(by_jerk) ? by_jerk : 0.0;
+  return {.on_slope_mm_s = on_slope,
+          .in_valley_mm_s =
+              limits.plan == ScanFor::trapezoid && std::isfinite(by_jump) ? by_jump : on_slope};
+}
+
+// Of a tick that may be run nowhere faster than its mean.
+struct HeldTick {
+  double begin_mm = 0.0;
+  double end_mm = 0.0;
+  double v_mm_s = 0.0;
+};
+
+FeedSample sample_at(const NurbsCurve& curve, double s_mm, const FeedSample& like) {
+  FeedSample sample = like;
+  sample.s_mm = s_mm;
+  sample.u = curve.pieces()[curve.piece_index(s_mm)].u_at(s_mm);
+  return sample;
+}
+
+bool is_before(const FeedSample& a, const FeedSample& b) {
+  return a.s_mm < b.s_mm;
+}
+
+// The samples with those at the ends of the ticks, on the lines between.
+Ceiling with_ends(const Ceiling& ceiling, const std::vector<HeldTick>& ticks,
+                  const NurbsCurve& curve) {
+  Ceiling all = ceiling;
+  for (const HeldTick& tick : ticks) {
+    for (const double s_mm : {tick.begin_mm, tick.end_mm}) {
+      const auto after =
+          std::upper_bound(ceiling.begin(), ceiling.end() - 1, FeedSample{.s_mm = s_mm}, is_before);
+      const auto before = after - 1;
+      const double share = (s_mm - before->s_mm) / (after->s_mm - before->s_mm);
+      FeedSample end = sample_at(curve, s_mm, *before);
+      end.v_mm_s += share * (after->v_mm_s - before->v_mm_s);
+      all.push_back(end);
+    }
+  }
+  std::stable_sort(all.begin(), all.end(), is_before);
+  const auto is_same = [](const FeedSample& a, const FeedSample& b) {
+    return !(b.s_mm > a.s_mm && b.u > a.u);
+  };
+  all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
+  return all;
+}
+
+void hold(const std::vector<HeldTick>& ticks, Ceiling& ceiling) {
+  for (const HeldTick& tick : ticks) {
+    const auto first = std::lower_bound(ceiling.begin(), ceiling.end(),
+                                        FeedSample{.s_mm = tick.begin_mm}, is_before);
+    for (auto at = first; at != ceiling.end() && at->s_mm <= tick.end_mm; ++at) {
+      if (tick.v_mm_s < at->v_mm_s) {
+        at->v_mm_s = tick.v_mm_s;
+        at->limit = SpeedLimit::chord_error;
+      }
+    }
+  }
 }
 
 }  // namespace
 
 Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
-  std::vector<TickBound> bounds = walk(curve, limits);
-  for (int i = 0; i < kRefinements && refine(bounds, curve, limits); ++i) {
-  }
   const double length = curve.length_mm();
-  const auto allowed = [&](double s, double v) {
-    if (!(v < limits.feedrate_mm_s)) {
-      return v;
-    }
-    const double slack =
-        jerk_at_mm_s3(curve, s, v, limits) * limits.period_s * limits.period_s / 24.0;
-    return kInside * std::max(v - slack, kLeastShare * v);
-  };
-  const auto limit_of = [&](double v) {
-    return v < limits.feedrate_mm_s ? SpeedLimit::chord_error : limits.feedrate_from;
-  };
   Ceiling samples;
-  for (const auto& [s, v] : bounds) {
-    const double middle = std::min(s + 0.5 * v * limits.period_s, length);
-    samples.push_back({.u = curve.pieces()[curve.piece_index(middle)].u_at(middle),
-                       .s_mm = middle,
-                       .v_mm_s = allowed(middle, v),
-                       .limit = limit_of(v)});
+  std::vector<HeldTick> held;
+  for (const TickBound& bound : tick_bounds(curve, limits)) {
+    const bool binds = bound.v_mm_s < limits.feedrate_mm_s;
+    const double way = bound.v_mm_s * limits.period_s;
+    const double middle = std::min(bound.s_mm + 0.5 * way, length);
+    double v = bound.v_mm_s;
+    if (binds) {
+      const Excess excess = excess_at(curve, {.s_mm = middle, .v_mm_s = v}, limits);
+      v = kInside * std::max(v - excess.on_slope_mm_s, kLeastShare * v);
+      if (excess.in_valley_mm_s > (1.0 - kLeastShare) * bound.v_mm_s) {
+        held.push_back({.begin_mm = bound.s_mm,
+                        .end_mm = std::min(bound.s_mm + way, length),
+                        .v_mm_s = kInside * bound.v_mm_s});
+      }
+    }
+    samples.push_back(
+        sample_at(curve, middle,
+                  {.v_mm_s = v, .limit = binds ? SpeedLimit::chord_error : limits.feedrate_from}));
   }
   Ceiling ceiling = in_order(samples);
   if (ceiling.front().s_mm > 0.0) {
-    ceiling.insert(ceiling.begin(), {.u = curve.pieces().front().u_at(0.0),
-                                     .s_mm = 0.0,
-                                     .v_mm_s = allowed(0.0, bounds.front().v_mm_s),
-                                     .limit = limit_of(bounds.front().v_mm_s)});
+    ceiling.insert(ceiling.begin(), sample_at(curve, 0.0, samples.front()));
   }
   if (ceiling.back().s_mm < length) {
-    ceiling.push_back({.u = curve.pieces().back().u_end,
-                       .s_mm = length,
-                       .v_mm_s = ceiling.back().v_mm_s,
-                       .limit = ceiling.back().limit});
+    ceiling.push_back(sample_at(curve, length, ceiling.back()));
+  }
+  if (!held.empty()) {
+    ceiling = with_ends(ceiling, held, curve);
+    hold(held, ceiling);
   }
   return ceiling;
 }

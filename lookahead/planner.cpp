@@ -17,6 +17,14 @@ bool is_optimum(const PlannerSettings& settings) {
   return settings.profile.kind() == profiles::ProfileKind::time_optimal;
 }
 
+ScanFor scan_for_plan(const PlannerSettings& settings) {
+  if (is_optimum(settings)) {
+    return ScanFor::time_optimum;
+  }
+  return settings.profile.kind() == profiles::ProfileKind::trapezoid ? ScanFor::trapezoid
+                                                                     : ScanFor::bounded_jerk;
+}
+
 std::unique_ptr<Schedule> schedule_for(const PlannerSettings& settings) {
   if (is_optimum(settings)) {
     return std::make_unique<OptimumSchedule>(
@@ -36,7 +44,7 @@ std::unique_ptr<Schedule> schedule_for(const PlannerSettings& settings) {
 Planner::Planner(const PlannerSettings& settings)
     : window_blocks_(is_optimum(settings) ? std::max(settings.window_blocks, kOptimumBlocks)
                                           : settings.window_blocks),
-      scan_steps_(is_optimum(settings) ? ScanSteps::quarter_pieces : ScanSteps::half_ticks),
+      scan_for_(scan_for_plan(settings)),
       schedule_(schedule_for(settings)),
       emitter_(settings.limits.period_s) {}
 

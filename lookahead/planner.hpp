@@ -31,7 +31,7 @@ class Planner {
   explicit Planner(const PlannerSettings& settings);
 
   // How the curves of blocks are to be scanned for the profile (append_blocks).
-  [[nodiscard]] ScanSteps scan_steps() const noexcept { return scan_steps_; }
+  [[nodiscard]] ScanFor scan_for() const noexcept { return scan_for_; }
   // False: emit() before the next move. The blocks of one move may exceed the window.
   [[nodiscard]] bool wants_block() const noexcept;
   void push(Block block);
@@ -59,7 +59,7 @@ class Planner {
 
  private:
   std::size_t window_blocks_;
-  ScanSteps scan_steps_;
+  ScanFor scan_for_;
   std::unique_ptr<Schedule> schedule_;
   Window<Block> blocks_;   // front: the one being emitted
   bool draining_ = false;  // everything in the window may leave: it ends at rest

@@ -23,7 +23,8 @@ double passing_feedrate_mm_s(const Block& block, const PlanLimits& limits);
 
 // The ceiling bounds the mean feedrate of a tick. In a valley the acceleration of a law without
 // jerk jumps from -A to A, and the mean of the tick around it is A Ts / 4 above its middle at the
-// most. No less than half of the ceiling: where that is below A Ts / 4 the tick is above it.
+// most. No less than half of the ceiling: where A Ts / 4 is more than that, the scan has made the
+// ceiling so wide that the tick is all in it.
 double valley_mm_s(double ceiling_mm_s, const Span& span, const JointRules& rules);
 
 // As fast as both blocks may be passed, and beside one that a tick might pass over faster than that

@@ -47,7 +47,7 @@ void push(smoothing::Smoother::Output& output, const lookahead::PlanLimits& limi
   }
   auto& part = std::get<smoothing::PathPart>(output);
   const std::vector<parser::EventMove> changes = std::move(part.changes);
-  if (auto block = lookahead::block_of(std::move(part), limits, planner.scan_steps())) {
+  if (auto block = lookahead::block_of(std::move(part), limits, planner.scan_for())) {
     lookahead::push_block(std::move(*block), changes, planner);
   }
 }

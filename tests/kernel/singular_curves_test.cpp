@@ -195,6 +195,13 @@ TEST(SingularCurves, TheAccelerationOfAnAxisHoldsAtTheCornersOfALaw) {
   }
 }
 
+// Which the tick's own acceleration would carry it past, whatever the feedrate is there.
+TEST(SingularCurves, TheChordHoldsAtATurnWhoseFeedrateIsLessThanATicksAcceleration) {
+  for (const std::uint64_t seed : {9008790U, 9057702U}) {
+    EXPECT_EQ(judged_case(seed, profiles::ProfileKind::trapezoid, 20.0).complaint, "") << seed;
+  }
+}
+
 // The highest plateau that fits is a ten thousandth of what is allowed, and its ends are lower yet.
 TEST(SingularCurves, APlateauIsFoundHoweverLow) {
   EXPECT_LT(judged_case(1009383, profiles::ProfileKind::s_curve, 60.0).ticks, 20'000);

@@ -51,7 +51,7 @@ TEST(BreakingPoints, AreBothEndsOfAPlateau) {
 TEST(BreakingPoints, OfTheButterflyAreThePapers37) {
   const auto curve = smooth_curve(curves::testing::shipped_curve("butterfly"));
   const Ceiling ceiling = scan_feedrate(curve, {.feedrate_mm_s = 100.0,
-                                                .jerk_mm_s3 = 55'000.0,
+                                                .along = {.jerk_mm_s3 = 55'000.0},
                                                 .period_s = 0.001,
                                                 .chord_tolerance_mm = 5e-4});
   for (const double screening_mm_s : {2100.0, 3000.0, 5000.0}) {

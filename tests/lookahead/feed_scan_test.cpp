@@ -9,6 +9,7 @@
 
 #include "tests/curves/shipped_curves.hpp"
 #include "tests/lookahead/blocks.hpp"
+#include "tests/lookahead/chords.hpp"
 #include "tests/lookahead/motion.hpp"
 
 namespace kerf::lookahead::test {
@@ -18,23 +19,6 @@ using curves::testing::shipped_curve;
 using curves::testing::shipped_curves;
 using profiles::Profile;
 using profiles::ProfileKind;
-
-// The largest distance of 40 points of the path between two ticks from their chord.
-double chord_error_mm(const curves::NurbsCurve& curve, double s_from, double s_to) {
-  const Position a = curve.at(s_from);
-  const Position b = curve.at(s_to);
-  const Eigen::Vector3d chord = curves::vec(b) - curves::vec(a);
-  double largest = 0.0;
-  for (int k = 1; k < 40; ++k) {
-    const Position p = curve.at(s_from + (s_to - s_from) * k / 40.0);
-    const Eigen::Vector3d offset = curves::vec(p) - curves::vec(a);
-    const double along = chord.squaredNorm() > 0.0
-                             ? std::clamp(offset.dot(chord) / chord.squaredNorm(), 0.0, 1.0)
-                             : 0.0;
-    largest = std::max(largest, (offset - along * chord).norm());
-  }
-  return largest;
-}
 
 TEST(FeedScan, OfACircleIsTheClosedForm) {
   for (const double radius : {0.01, 0.5, 20.0, 400.0}) {
@@ -52,9 +36,9 @@ TEST(FeedScan, OfACircleIsTheClosedForm) {
 }
 
 TEST(FeedScan, TakesTheProgrammedFeedrateWhereTheChordAllowsMore) {
-  const Ceiling ceiling =
-      scan_feedrate(smooth_curve(nurbs_circle(20.0)),
-                    {.feedrate_mm_s = 50.0, .jerk_mm_s3 = 55'000.0, .chord_tolerance_mm = 5e-4});
+  const Ceiling ceiling = scan_feedrate(
+      smooth_curve(nurbs_circle(20.0)),
+      {.feedrate_mm_s = 50.0, .along = {.jerk_mm_s3 = 55'000.0}, .chord_tolerance_mm = 5e-4});
   for (const FeedSample& sample : ceiling) {
     EXPECT_EQ(sample.v_mm_s, 50.0);
   }
@@ -95,7 +79,7 @@ TEST(FeedScan, InQuartersOfPiecesSeesAStraightPartAtFewPlaces) {
   const auto curve = smooth_curve(curves::testing::shipped_curve("mazatrol"));
   ScanLimits limits{.feedrate_mm_s = 20.0, .chord_tolerance_mm = 5e-4};
   const std::size_t fine = scan_feedrate(curve, limits).size();
-  limits.steps = ScanSteps::quarter_pieces;
+  limits.plan = ScanFor::time_optimum;
   const std::size_t coarse = scan_feedrate(curve, limits).size();
   EXPECT_LT(coarse, fine / 4);
   EXPECT_GE(coarse, 4 * curve.pieces().size());
@@ -103,7 +87,7 @@ TEST(FeedScan, InQuartersOfPiecesSeesAStraightPartAtFewPlaces) {
 
 // Between samples the ceiling is a straight line, which may pass over what the curve allows there:
 // by 2e-4 of the tolerance on the butterfly.
-class ScannedIn : public testing::TestWithParam<ScanSteps> {};
+class ScannedIn : public testing::TestWithParam<ScanFor> {};
 
 TEST_P(ScannedIn, KeepsTheChordToleranceOfPlannedTicksAtEveryPhaseToAThousandth) {
   const PlanLimits limits = butterfly_limits();
@@ -114,9 +98,9 @@ TEST_P(ScannedIn, KeepsTheChordToleranceOfPlannedTicksAtEveryPhaseToAThousandth)
       block.curve = part;
       block.length_mm = part.length_mm();
       block.ceiling = scan_feedrate(part, {.feedrate_mm_s = 100.0,
-                                           .jerk_mm_s3 = 55'000.0,
+                                           .along = {.jerk_mm_s3 = 55'000.0},
                                            .chord_tolerance_mm = limits.chord_tolerance_mm,
-                                           .steps = GetParam()});
+                                           .plan = GetParam()});
       const Motion motion = plan({block}, {.limits = limits});
       double largest = 0.0;
       for (int phase = 0; phase < 7; ++phase) {
@@ -134,7 +118,7 @@ TEST_P(ScannedIn, KeepsTheChordToleranceOfPlannedTicksAtEveryPhaseToAThousandth)
 }
 
 INSTANTIATE_TEST_SUITE_P(FeedScan, ScannedIn,
-                         testing::Values(ScanSteps::half_ticks, ScanSteps::quarter_pieces));
+                         testing::Values(ScanFor::bounded_jerk, ScanFor::time_optimum));
 
 // A quadratic whose curvature falls to a tenth and rises again at its inner knots.
 curves::NurbsData curvature_jumps() {
@@ -151,15 +135,6 @@ curves::NurbsData sharp_turn() {
   return {.degree = 2,
           .points = {{{0, 0, 0}}, {{10, 1e-4, 0}}, {{0, 2e-4, 0}}},
           .knots = {0, 0, 0, 1, 1, 1}};
-}
-
-double feedrate_at_mm_s(const Ceiling& ceiling, double s_mm) {
-  const auto after =
-      std::upper_bound(ceiling.begin() + 1, ceiling.end() - 1, s_mm,
-                       [](double s, const FeedSample& sample) { return s < sample.s_mm; });
-  const FeedSample& a = *(after - 1);
-  const FeedSample& b = *after;
-  return a.v_mm_s + (b.v_mm_s - a.v_mm_s) * (s_mm - a.s_mm) / (b.s_mm - a.s_mm);
 }
 
 // Any tick that is run at the ceiling of its middle, wherever it falls between samples.
@@ -223,9 +198,9 @@ TEST(FeedScan, LetsATickGoAsFarAsTheToleranceHoweverTheCurveTurns) {
     }
   }
   for (const curves::NurbsData& data : curves) {
-    for (const ScanSteps steps : {ScanSteps::half_ticks, ScanSteps::quarter_pieces}) {
+    for (const ScanFor plan : {ScanFor::bounded_jerk, ScanFor::time_optimum}) {
       for (const FeedSample& sample : scan_feedrate(
-               smooth_curve(data), {.period_s = 0.001, .chord_tolerance_mm = d, .steps = steps})) {
+               smooth_curve(data), {.period_s = 0.001, .chord_tolerance_mm = d, .plan = plan})) {
         EXPECT_GE(sample.v_mm_s, 0.999 * d / 0.001) << data.points[1].position_mm[0];
       }
     }
@@ -245,10 +220,11 @@ TEST(FeedScan, LeavesRoomForTheJerkThatTurningTakesOffAnAxis) {
   const double apex_mm = 0.5 * curve.length_mm();
   const double curvature = curves::vec(curve.derivatives_at(apex_mm).second_per_mm).norm();
   for (const double limit : {1e3, 1.6e4, 1e5}) {
-    const Ceiling ceiling = scan_feedrate(curve, {.feedrate_mm_s = 100.0,
-                                                  .axis_jerk_mm_s3 = {limit, 1e6, kUnbounded},
-                                                  .period_s = ts,
-                                                  .chord_tolerance_mm = d});
+    const Ceiling ceiling = scan_feedrate(
+        curve, {.feedrate_mm_s = 100.0,
+                .axes = {MotionLimits{.jerk_mm_s3 = limit}, MotionLimits{.jerk_mm_s3 = 1e6}},
+                .period_s = ts,
+                .chord_tolerance_mm = d});
     const double lowest = feedrate_at_mm_s(ceiling, apex_mm);
     const double jerk = limit + curvature * curvature * lowest * lowest * lowest;
     const double half_mm = 0.5 * ts * (lowest + jerk * ts * ts / 24.0);

@@ -1,0 +1,38 @@
+// Ticks at the ceiling of a curve, and their chord errors.
+#pragma once
+
+#include <algorithm>
+
+#include "curves/nurbs_curve.hpp"
+#include "lookahead/ceiling.hpp"
+
+namespace kerf::lookahead::test {
+
+// The largest distance of 40 points of the path between two ticks from their chord.
+inline double chord_error_mm(const curves::NurbsCurve& curve, double s_from, double s_to) {
+  const curves::Position a = curve.at(s_from);
+  const curves::Position b = curve.at(s_to);
+  const Eigen::Vector3d chord = curves::vec(b) - curves::vec(a);
+  double largest = 0.0;
+  for (int k = 1; k < 40; ++k) {
+    const curves::Position p = curve.at(s_from + (s_to - s_from) * k / 40.0);
+    const Eigen::Vector3d offset = curves::vec(p) - curves::vec(a);
+    const double along = chord.squaredNorm() > 0.0
+                             ? std::clamp(offset.dot(chord) / chord.squaredNorm(), 0.0, 1.0)
+                             : 0.0;
+    largest = std::max(largest, (offset - along * chord).norm());
+  }
+  return largest;
+}
+
+// Precondition: two samples at least.
+inline double feedrate_at_mm_s(const Ceiling& ceiling, double s_mm) {
+  const auto after =
+      std::upper_bound(ceiling.begin() + 1, ceiling.end() - 1, s_mm,
+                       [](double s, const FeedSample& sample) { return s < sample.s_mm; });
+  const FeedSample& a = *(after - 1);
+  const FeedSample& b = *after;
+  return a.v_mm_s + (b.v_mm_s - a.v_mm_s) * (s_mm - a.s_mm) / (b.s_mm - a.s_mm);
+}
+
+}  // namespace kerf::lookahead::test
