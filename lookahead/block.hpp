@@ -42,7 +42,7 @@ struct Block {
   double length_mm = 0.0;
   BlockLimits limits{};
   // The same without what turning on a curve asks of X, Y and Z: programmed, along the path, of
-  // further axes and, on an arc, by chord error.
+  // further axes and, on an arc and on a curve that a tick passes over whole, by chord error.
   BlockLimits along{};
   BlockEnd begin{};
   BlockEnd end{};

@@ -7,6 +7,7 @@
 
 #include "lookahead/block_limits.hpp"
 #include "lookahead/feed_scan.hpp"
+#include "lookahead/junction.hpp"
 #include "smoothing/part_builder.hpp"
 
 namespace kerf::lookahead {
@@ -86,6 +87,7 @@ Block make_block(PathPart part, const PlanLimits& limits, ScanFor plan) {
                                .period_s = limits.period_s,
                                .chord_tolerance_mm = limits.chord_tolerance_mm,
                                .plan = plan});
+    bind_feedrate(block.along, {passing_feedrate_mm_s(block, limits), SpeedLimit::chord_error});
   }
   return block;
 }

@@ -83,6 +83,14 @@ double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
                        limits.chord_tolerance_mm);
 }
 
+double passing_feedrate_mm_s(const Block& block, const PlanLimits& limits) {
+  if (block.ceiling.empty() || !std::isfinite(limits.chord_tolerance_mm)) {
+    return kUnbounded;
+  }
+  return std::max(block.length_mm / limits.period_s,
+                  chord_feedrate_mm_s(block.begin, block.end, limits));
+}
+
 double path_step_of(const BlockEnd& before, const BlockEnd& after) {
   return std::abs(curves::vec(after.tangent).norm() - curves::vec(before.tangent).norm());
 }

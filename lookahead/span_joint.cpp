@@ -1,7 +1,6 @@
 #include "lookahead/span_joint.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace kerf::lookahead {
 
@@ -34,14 +33,6 @@ void fit_coast(double coast_s, const Span& span, double& v_mm_s) {
 }
 
 }  // namespace
-
-double passing_feedrate_mm_s(const Block& block, const PlanLimits& limits) {
-  if (block.ceiling.empty() || !std::isfinite(limits.chord_tolerance_mm)) {
-    return kUnbounded;
-  }
-  return std::max(block.length_mm / limits.period_s,
-                  chord_feedrate_mm_s(block.begin, block.end, limits));
-}
 
 double valley_mm_s(double ceiling_mm_s, const Span& span, const JointRules& rules) {
   if (rules.profile.kind() != ProfileKind::trapezoid) {

@@ -16,11 +16,6 @@ struct JointRules {
   const profiles::Profile& profile;
 };
 
-// The feedrate that the block may have inside and at its ends. The chord scan knows ticks within a
-// curve. One that passes over a whole curve has its chord over the corner that the curve rounds,
-// and a curve shorter than a tick's way may round any corner within the tolerance.
-double passing_feedrate_mm_s(const Block& block, const PlanLimits& limits);
-
 // The ceiling bounds the mean feedrate of a tick. In a valley the acceleration of a law without
 // jerk jumps from -A to A, and the mean of the tick around it is A Ts / 4 above its middle at the
 // most. No less than half of the ceiling: where A Ts / 4 is more than that, the scan has made the

@@ -107,6 +107,7 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndPassages& ends,
       share_limits(cells, boundaries[i], *stops[i].passage, limits);
     }
   }
+  bind_ways(ends.ways, cells);
   return cells;
 }
 

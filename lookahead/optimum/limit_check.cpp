@@ -22,7 +22,9 @@ CellEnd path_in(const Cell& cell, double share, double s_mm, const PathAt& path)
   if (share == 0.0 || share == 1.0) {
     return share == 0.0 ? cell.begin : cell.end;
   }
-  return path(cell, cell.s_begin_mm + s_mm);
+  CellEnd inside = path(cell, cell.s_begin_mm + s_mm);
+  inside.bind_feedrate(cell.passing_mm_s, SpeedLimit::chord_error);
+  return inside;
 }
 
 // What is not a number is beyond every limit.

@@ -58,6 +58,11 @@ std::vector<CellStop> cell_stops(const BlockPath& path, const EndPassages& ends,
       stop.passage = inner_passage(path, place.s_mm, *place.jump, breaks, limits);
     }
   }
+  for (const double s : {ends.ways.begin.way_mm, path.length_mm() - ends.ways.end.way_mm}) {
+    if (s > 0.0 && s < path.length_mm()) {
+      stops.push_back({.s_mm = s});
+    }
+  }
   stops.push_back({.s_mm = path.length_mm(), .passage = ends.end});
   const std::size_t count = stops.size();
   for (std::size_t i = 0; i < count; ++i) {

@@ -6,6 +6,7 @@
 
 #include "lookahead/optimum/block_path.hpp"
 #include "lookahead/optimum/joint_share.hpp"
+#include "lookahead/optimum/passing_way.hpp"
 #include "lookahead/optimum/speed_estimate.hpp"
 
 namespace kerf::lookahead {
@@ -15,6 +16,7 @@ struct EndPassages {
   std::optional<Passage> begin{};
   std::optional<Passage> end{};
   EndFeeds beyond{};  // what the neighbours leave where the joint itself is smooth
+  PassingWays ways{};
 };
 
 struct CellStop {
@@ -26,7 +28,8 @@ struct CellStop {
 
 // Ascending, both ends of the block among them: where derivatives jump or the ceiling has a valley,
 // and where the ways of three ticks beside jumps end, for a cell that begins in one has no more
-// than its share. Jumps that a third difference may see together share what is theirs.
+// than its share, and where the ways beside curves that a tick passes over whole end. Jumps that a
+// third difference may see together share what is theirs.
 std::vector<CellStop> cell_stops(const BlockPath& path, const EndPassages& ends,
                                  const PlanLimits& limits);
 

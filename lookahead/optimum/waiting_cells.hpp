@@ -9,6 +9,7 @@
 #include "lookahead/limits.hpp"
 #include "lookahead/optimum/cell.hpp"
 #include "lookahead/optimum/joint_share.hpp"
+#include "lookahead/optimum/passing_way.hpp"
 #include "lookahead/optimum/speed_estimate.hpp"
 #include "lookahead/optimum/stretch_plan.hpp"
 #include "lookahead/window.hpp"
@@ -56,12 +57,19 @@ class WaitingCells {
     Joint begin{};
     EndFeeds own{};                     // end_feeds_of
     double v_before_mm_s = kUnbounded;  // at the end of the block before, likewise
+    PassingWay begin_way{};
   };
 
   [[nodiscard]] const Block& numbered(std::uint64_t number, const Window<Block>& blocks) const {
     return blocks[number - done_];
   }
-  void close(const Joint& end, double v_beyond_mm_s, const Window<Block>& blocks);
+  // The end of the open block.
+  struct BlockJoin {
+    Joint joint{};
+    double v_beyond_mm_s = kUnbounded;
+    PassingWay way{};
+  };
+  void close(const BlockJoin& end, const Window<Block>& blocks);
 
   PlanLimits limits_;
   std::uint64_t pushed_ = 0;

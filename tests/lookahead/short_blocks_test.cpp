@@ -26,6 +26,16 @@ curves::NurbsData corner(const Position& at, double arm_mm) {
   return data;
 }
 
+constexpr MotionLimits kSlowJerk{
+    .velocity_mm_s = 100.0, .acceleration_mm_s2 = 2900.0, .jerk_mm_s3 = 1.2e5};
+constexpr MotionLimits kFastJerk{
+    .velocity_mm_s = 100.0, .acceleration_mm_s2 = 2900.0, .jerk_mm_s3 = 1e7};
+
+PlanLimits with_tolerance(PlanLimits limits) {
+  limits.chord_tolerance_mm = kTolerance_mm;
+  return limits;
+}
+
 struct Rounded {
   double first_line_mm = 0.0;
   double arm_mm = 0.0;  // of the corner that the curve rounds
@@ -78,29 +88,39 @@ double worst_chord_error_mm(const std::vector<Block>& blocks, const Motion& moti
 
 class ShortBlocks : public testing::TestWithParam<ProfileKind> {};
 
+void expect_chords_kept(const Rounded& rounded, const PlanLimits& limits, ProfileKind kind) {
+  const std::vector<Block> blocks = rounded_corner(rounded, limits);
+  const Motion motion = plan(blocks, {.limits = limits, .profile = Profile{kind}});
+  expect_contiguous(motion.phases());
+  EXPECT_LE(worst_chord_error_mm(blocks, motion), limits.chord_tolerance_mm * (1.0 + 1e-3));
+}
+
 TEST_P(ShortBlocks, KeepTheChordOfATickThatPassesOverThem) {
-  PlanLimits along =
-      path_limits({.velocity_mm_s = 100.0, .acceleration_mm_s2 = 2900.0, .jerk_mm_s3 = 1.2e5});
-  PlanLimits axes =
-      axis_limits({.velocity_mm_s = 100.0, .acceleration_mm_s2 = 2900.0, .jerk_mm_s3 = 1.2e5});
-  for (PlanLimits limits : {along, axes}) {
-    limits.chord_tolerance_mm = kTolerance_mm;
+  for (const PlanLimits& limits :
+       {with_tolerance(path_limits(kSlowJerk)), with_tolerance(axis_limits(kSlowJerk))}) {
     for (int i = 0; i < 40; ++i) {
       const Rounded rounded{.first_line_mm = 0.2 + 0.0137 * i, .arm_mm = 3e-6 * std::pow(1.15, i)};
       SCOPED_TRACE(rounded.arm_mm);
-      const std::vector<Block> blocks = rounded_corner(rounded, limits);
-      const Motion motion = plan(blocks, {.limits = limits, .profile = Profile{GetParam()}});
-      expect_contiguous(motion.phases());
-      EXPECT_LE(worst_chord_error_mm(blocks, motion), kTolerance_mm * (1.0 + 1e-3));
+      expect_chords_kept(rounded, limits, GetParam());
+    }
+  }
+}
+
+// So near the begin of the motion, a tick that passes over the curve climbs on beyond it.
+TEST_P(ShortBlocks, KeepTheChordOfATickThatClimbsOverThem) {
+  for (const PlanLimits& limits :
+       {with_tolerance(path_limits(kFastJerk)), with_tolerance(axis_limits(kFastJerk))}) {
+    for (int i = 0; i < 40; ++i) {
+      const Rounded rounded{.first_line_mm = 1.2e-4 * std::pow(1.15, i), .arm_mm = 8e-6};
+      SCOPED_TRACE(rounded.first_line_mm);
+      expect_chords_kept(rounded, limits, GetParam());
     }
   }
 }
 
 // A rest before the corner and one behind it would cost some ticks, a crawl many more.
 TEST_P(ShortBlocks, ArePassedInMotion) {
-  PlanLimits limits =
-      axis_limits({.velocity_mm_s = 100.0, .acceleration_mm_s2 = 2900.0, .jerk_mm_s3 = 1.2e5});
-  limits.chord_tolerance_mm = kTolerance_mm;
+  const PlanLimits limits = with_tolerance(axis_limits(kSlowJerk));
   const std::vector<Block> blocks = rounded_corner({.first_line_mm = 0.5, .arm_mm = 3e-5}, limits);
   const Motion motion = plan(blocks, {.limits = limits, .profile = Profile{GetParam()}});
   const auto rests = std::count_if(motion.phases().begin(), motion.phases().end(),
@@ -108,10 +128,11 @@ TEST_P(ShortBlocks, ArePassedInMotion) {
   EXPECT_EQ(rests, 2) << "the last motion, and the end of the program";
 }
 
-INSTANTIATE_TEST_SUITE_P(ClassicalLaws, ShortBlocks,
+INSTANTIATE_TEST_SUITE_P(AllProfiles, ShortBlocks,
                          testing::Values(ProfileKind::trapezoid, ProfileKind::s_curve,
                                          ProfileKind::sine, ProfileKind::quintic,
-                                         ProfileKind::sine_series, ProfileKind::sigmoid));
+                                         ProfileKind::sine_series, ProfileKind::sigmoid,
+                                         ProfileKind::time_optimal));
 
 }  // namespace
 }  // namespace kerf::lookahead::test
