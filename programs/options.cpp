@@ -1,16 +1,14 @@
 #include "programs/options.hpp"
 
-#include <algorithm>
 #include <array>
 #include <map>
 #include <sstream>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
-#include <spdlog/fmt/fmt.h>
 
-#include "profiles/sigmoid.hpp"
 #include "programs/error_page_text.hpp"
+#include "programs/option_rules.hpp"
 
 namespace kerf::program {
 
@@ -44,22 +42,6 @@ struct Raw {
   std::string block_delete;   // empty: not given
   std::string explain_speed;  // the same
 };
-
-// "all", or numbers from 1 to 9 with commas between them; nothing where it is neither.
-std::optional<parser::BlockDelete> switches_of(std::string_view text) {
-  if (text == "all") {
-    return parser::BlockDelete::all();
-  }
-  parser::BlockDelete switches;
-  for (std::size_t at = 0; at < text.size() || at == 0; at += 2) {
-    const bool number = at < text.size() && text[at] >= '1' && text[at] <= '9';
-    if (!number || (at + 1 < text.size() && (text[at + 1] != ',' || at + 2 == text.size()))) {
-      return std::nullopt;
-    }
-    switches.switch_on(static_cast<unsigned>(text[at] - '0'));
-  }
-  return switches;
-}
 
 void add_common(CLI::App& command, Raw& raw) {
   Options& options = raw.options;
@@ -164,34 +146,6 @@ Leave wrong_use(const std::string& message) {
   return {.status = ExitStatus::wrong_use, .text = "kerf: " + message + "\nTry: kerf --help\n"};
 }
 
-// What no single option can say of itself.
-std::optional<std::string> contradiction(const Options& options) {
-  if (options.files.size() > 1 && (options.trace_file || options.plot_file)) {
-    return "--trace and --plot take one FILE at a time";
-  }
-  if (options.json && options.trace_file == "-") {
-    return "--json and --trace - both write to standard output";
-  }
-  if (options.json && options.command == Command::check &&
-      options.format != DiagnosticFormat::text) {
-    return "--json and --format both write to standard output";
-  }
-  if (options.sigmoid_shape && options.profile != ProfileKind::sigmoid) {
-    return "--sigmoid-shape goes with --profile sigmoid";
-  }
-  // Not CLI::Range: it lets NaN pass.
-  using profiles::Sigmoid;
-  if (options.sigmoid_shape && !(*options.sigmoid_shape >= Sigmoid::kSmallestShape &&
-                                 *options.sigmoid_shape <= Sigmoid::kLargestShape)) {
-    return fmt::format("--sigmoid-shape: s is to be {} to {}", Sigmoid::kSmallestShape,
-                       Sigmoid::kLargestShape);
-  }
-  if (std::count(options.files.begin(), options.files.end(), "-") > 1) {
-    return "standard input can be read only once";
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 std::string_view name_of(Command command) noexcept {
@@ -244,7 +198,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
                                       : Command::explain;
   options.profile = *profiles::profile_kind(raw.profile);
   if (!raw.block_delete.empty()) {
-    const auto switches = switches_of(raw.block_delete);
+    const auto switches = block_delete_of(raw.block_delete);
     if (!switches) {
       return wrong_use(
           "--block-delete takes numbers from 1 to 9, as in --block-delete=1,3; found " +
