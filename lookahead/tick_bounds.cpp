@@ -10,8 +10,12 @@ using curves::vec;
 
 namespace {
 
-constexpr int kChordPoints = 7;         // inside a tick
-constexpr int kMaxAdjustments = 30;     // 2 to 4 are usual
+constexpr int kChordPoints = 7;  // inside a tick
+constexpr int kMaxAdjustments = 30;
+// The error of a needle's tip is the same however far behind it a tick ends: after as many
+// adjustments as are usual no more than this is left of it.
+constexpr int kUsualAdjustments = 4;
+constexpr double kMostLeft = 0.5;
 constexpr double kLeastStep_mm = 1e-7;  // below usual tolerances: keeps the walk finite
 // A bound that lies this share below the line of its neighbours is looked at more closely around,
 // each time at half the distance: the line's own excess is a quarter of it at the most.
@@ -30,35 +34,73 @@ constexpr int kStraightParts = 4;
 // The feedrate aims this far inside the tolerance, so that the adjustment ends.
 constexpr double kAim = 0.9995;
 
-// The farthest of kChordPoints points of the tick, then of those half and a quarter of their
-// distance beside it.
-double chord_error_mm(const NurbsCurve& curve, double s_from_mm, double step_mm) {
-  const curves::Position from = curve.at(s_from_mm);
-  const curves::Position to = curve.at(s_from_mm + step_mm);
-  const Eigen::Vector3d chord = vec(to) - vec(from);
-  const double squared = chord.squaredNorm();
-  double worst = 0.0;
-  double worst_share = 0.5;
-  const auto look = [&](double share) {
-    const curves::Position point = curve.at(s_from_mm + step_mm * share);
-    const Eigen::Vector3d offset = vec(point) - vec(from);
-    const double along = squared > 0.0 ? std::clamp(offset.dot(chord) / squared, 0.0, 1.0) : 0.0;
-    const double error = (offset - along * chord).squaredNorm();
-    if (error > worst) {
-      worst = error;
-      worst_share = share;
+// The largest distance from a chord of the points looked at.
+class ChordError {
+ public:
+  ChordError(const NurbsCurve& curve, double s_from_mm, double step_mm)
+      : curve_(curve),
+        s_from_mm_(s_from_mm),
+        step_mm_(step_mm),
+        from_(vec(curve.at(s_from_mm))),
+        chord_(vec(curve.at(s_from_mm + step_mm)) - from_),
+        squared_(chord_.squaredNorm()) {}
+
+  void look(double share) {
+    const Eigen::Vector3d offset = vec(curve_.at(s_from_mm_ + step_mm_ * share)) - from_;
+    const double along = squared_ > 0.0 ? std::clamp(offset.dot(chord_) / squared_, 0.0, 1.0) : 0.0;
+    const double error = (offset - along * chord_).squaredNorm();
+    if (error > worst_) {
+      worst_ = error;
+      worst_share_ = share;
     }
-  };
+  }
+
+  // Where pieces are shorter than both their neighbours: a needle, a hook.
+  void look_at_sharpest() {
+    const std::vector<curves::NurbsPiece>& pieces = curve_.pieces();
+    const auto length = [&](std::size_t k) { return pieces[k].s_end_mm - pieces[k].s_begin_mm; };
+    const double s_to_mm = s_from_mm_ + step_mm_;
+    const std::size_t last = std::min(curve_.piece_index(s_to_mm) + 1, pieces.size() - 1);
+    for (std::size_t k = std::max<std::size_t>(curve_.piece_index(s_from_mm_), 1); k < last; ++k) {
+      if (length(k) <= length(k - 1) && length(k) <= length(k + 1)) {
+        for (const double s_mm : {pieces[k].s_begin_mm, pieces[k].s_end_mm}) {
+          if (s_mm > s_from_mm_ && s_mm < s_to_mm) {
+            look((s_mm - s_from_mm_) / step_mm_);
+          }
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] double worst_share() const { return worst_share_; }
+  [[nodiscard]] double worst_mm() const { return std::sqrt(worst_); }
+
+ private:
+  const NurbsCurve& curve_;
+  double s_from_mm_;
+  double step_mm_;
+  Eigen::Vector3d from_;
+  Eigen::Vector3d chord_;
+  double squared_;
+  double worst_ = 0.0;
+  double worst_share_ = 0.5;
+};
+
+// The farthest of kChordPoints points of the tick, then of those half and a quarter of their
+// distance beside it; and of those where the curve is sharpest, which may all lie between them.
+double chord_error_mm(const NurbsCurve& curve, double s_from_mm, double step_mm) {
+  ChordError error(curve, s_from_mm, step_mm);
   constexpr double kApart = 1.0 / (kChordPoints + 1);
   for (int k = 1; k <= kChordPoints; ++k) {
-    look(kApart * k);
+    error.look(kApart * k);
   }
   for (const double beside : {0.5 * kApart, 0.25 * kApart}) {
-    const double middle = worst_share;
-    look(middle - beside);
-    look(middle + beside);
+    const double middle = error.worst_share();
+    error.look(middle - beside);
+    error.look(middle + beside);
   }
-  return std::sqrt(worst);
+  error.look_at_sharpest();
+  return error.worst_mm();
 }
 
 // MATH section 5, closed form for a constant radius. Never less than the tolerance in a tick: no
@@ -86,7 +128,8 @@ double tick_bound_mm_s(const NurbsCurve& curve, double s_mm, const ScanLimits& l
     if (error <= limits.chord_tolerance_mm) {
       break;
     }
-    v = step / limits.period_s * std::sqrt(kAim * limits.chord_tolerance_mm / error);
+    const double share = std::sqrt(kAim * limits.chord_tolerance_mm / error);
+    v = step / limits.period_s * (i < kUsualAdjustments ? share : std::min(share, kMostLeft));
   }
   return v;
 }
@@ -127,8 +170,10 @@ std::vector<TickBound> walk(const NurbsCurve& curve, const ScanLimits& limits) {
     }
     const bool strides = limits.plan == ScanFor::time_optimum &&
                          is_nearly_straight(curve, s, coarse + v * limits.period_s, limits);
-    step = strides ? coarse : std::min(step, coarse);
-    s += std::max(step, kLeastStep_mm);
+    step = std::max(strides ? coarse : std::min(step, coarse), kLeastStep_mm);
+    // Those behind may be much shorter.
+    const bool passes_over_one = curve.piece_index(s + step) > curve.piece_index(s) + 1;
+    s = passes_over_one ? std::max(piece.s_end_mm, s + kLeastStep_mm) : s + step;
   }
   return bounds;
 }

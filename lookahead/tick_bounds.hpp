@@ -37,11 +37,12 @@ struct TickBound {
 // step needs no Taylor series.
 //
 // Steps are half a tick, and no longer than a quarter of a piece of the arc-length map, which is
-// short where the curve is sharp; no feature is stepped over. Where a tick is far shorter than
-// that and curvature allows many times the feedrate, they are a 64th of it; in steps of quarter
-// pieces they are a whole one where curvature allows twice the feedrate all over it. Where the
-// bound lies below a straight line between its neighbours (curvature jumps, or is about to), the
-// steps are halved until it hardly does.
+// short where the curve is sharp; none passes over a whole piece, and in a tick that does the ends
+// of the shortest pieces are looked at, so no feature is stepped over. Where a tick is far shorter
+// than that and curvature allows many times the feedrate, they are a 64th of it; in steps of
+// quarter pieces they are a whole one where curvature allows twice the feedrate all over it. Where
+// the bound lies below a straight line between its neighbours (curvature jumps, or is about to),
+// the steps are halved until it hardly does.
 std::vector<TickBound> tick_bounds(const curves::NurbsCurve& curve, const ScanLimits& limits);
 
 }  // namespace kerf::lookahead

@@ -202,6 +202,13 @@ TEST(SingularCurves, TheChordHoldsAtATurnWhoseFeedrateIsLessThanATicksAccelerati
   }
 }
 
+// Behind a straight part whose pieces of the arc-length map are longer than a tick.
+TEST(SingularCurves, ANeedleThatATickPassesOverIsSeenFromAfar) {
+  for (const std::uint64_t seed : {91300374U, 12025062U}) {
+    EXPECT_EQ(judged_case(seed, profiles::ProfileKind::trapezoid, 20.0).complaint, "") << seed;
+  }
+}
+
 // The highest plateau that fits is a ten thousandth of what is allowed, and its ends are lower yet.
 TEST(SingularCurves, APlateauIsFoundHoweverLow) {
   EXPECT_LT(judged_case(1009383, profiles::ProfileKind::s_curve, 60.0).ticks, 20'000);
