@@ -20,7 +20,6 @@
 #include <optional>
 
 #include "curves/curve.hpp"
-#include "smoothing/departure.hpp"
 
 namespace kerf::smoothing {
 
@@ -38,10 +37,6 @@ struct Blend {
 // The blend that takes way_mm of each curve. Precondition: 0 < way_mm <= either length. Nothing: it
 // would have a cusp, or is too short to be a curve.
 std::optional<Blend> make_blend(const Corner& corner, double way_mm);
-
-// The larger of how far places of the blend are from the curves and places of what it replaces from
-// the blend. Its line is not set.
-Departure departure_of(const Blend& blend, const Corner& corner, double way_mm);
 
 // What a corner is about, by which its blend is sized.
 struct CornerShape {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "smoothing/blend_departure.hpp"
 #include "smoothing/part_marks.hpp"
 #include "smoothing/travel.hpp"
 

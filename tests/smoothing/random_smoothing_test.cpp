@@ -47,6 +47,14 @@ TEST(Smoothing, TellsHowFarABlendIsFromANeedleOfMergedLines) {
   EXPECT_LE(apart, smoothed.departure.distance_mm + 3e-5);
 }
 
+// Found by a soak: two arcs, and a blend so long that chords of it are not the blend.
+TEST(Smoothing, TellsHowFarABlendOfLongArcsIsFromTheirCorner) {
+  const RandomMoves program = random_moves(13012251, Size::small);
+  const Smoothed smoothed = smooth(program.moves);
+  const double apart = apart_mm(points_of(smoothed), points_of(program.moves));
+  EXPECT_NEAR(smoothed.departure.distance_mm, apart, 1e-5);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shard, RandomSmoothing, testing::Range<std::uint64_t>(0, kShards));
 
 TEST(Smoothing, GivesTheSameToTheLastBitASecondTime) {

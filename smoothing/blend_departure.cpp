@@ -1,0 +1,157 @@
+#include "smoothing/blend_departure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+namespace kerf::smoothing {
+
+using curves::PathDerivatives;
+using curves::Position;
+using curves::Stretch;
+using curves::vec;
+
+namespace {
+
+constexpr int kPlaces = 32;             // of a blend, where its departure is looked at
+constexpr double kFinest = 1.0 / 256;   // between them, around the farthest: 3e-5 of it are missed
+constexpr double kFinestOfPath = 1e-5;  // merged lines may turn as sharply as a needle there
+constexpr int kProjections = 4;
+constexpr double kReach = 1.5;  // of the way, within which the nearest point of a curve lies
+
+// The nearest point of a path, by Newton's method from a place close to it.
+template <typename PathAt>
+double distance_mm(const Position& point, double s_mm, const Stretch& within,
+                   const PathAt& path_at) {
+  double s = std::clamp(s_mm, within.begin_mm, within.end_mm);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= kProjections; ++i) {
+    const PathDerivatives path = path_at(s);
+    const Eigen::Vector3d away = vec(point) - vec(path.position_mm);
+    nearest = std::min(nearest, away.norm());
+    const double slope = 1.0 - away.dot(vec(path.second_per_mm));
+    s = std::clamp(s + away.dot(vec(path.first)) / std::max(slope, 0.5), within.begin_mm,
+                   within.end_mm);
+  }
+  return nearest;
+}
+
+double distance_mm(const curves::Curve& curve, const Position& point, double s_mm,
+                   const Stretch& within) {
+  return distance_mm(point, s_mm, within,
+                     [&](double s) { return curves::derivatives_at(curve, s); });
+}
+
+struct Place {
+  double s_mm = 0.0;
+  Position at_mm{};
+};
+using Places = std::array<Place, kPlaces + 1>;
+
+// The place of the blend that is nearest to a point of the programmed path, on the chords of places
+// close together.
+Departure from_chords(const Position& point, const Places& places, double& s_nearest_mm) {
+  Departure nearest{.distance_mm = std::numeric_limits<double>::infinity()};
+  for (std::size_t k = 1; k < places.size(); ++k) {
+    const Eigen::Vector3d chord = vec(places[k].at_mm) - vec(places[k - 1].at_mm);
+    const Eigen::Vector3d seen = vec(point) - vec(places[k - 1].at_mm);
+    const double squared = chord.squaredNorm();
+    const double share = squared > 0.0 ? std::clamp(seen.dot(chord) / squared, 0.0, 1.0) : 0.0;
+    const double away_mm = (seen - share * chord).norm();
+    if (away_mm < nearest.distance_mm) {
+      nearest = {.distance_mm = away_mm, .at_mm = places[k].at_mm};
+      s_nearest_mm = places[k - 1].s_mm + share * (places[k].s_mm - places[k - 1].s_mm);
+    }
+  }
+  return nearest;
+}
+
+// Of the curve itself.
+Departure from_blend(const Position& point, const Places& places, const curves::NurbsCurve& curve) {
+  double s_mm = 0.0;
+  Departure nearest = from_chords(point, places, s_mm);
+  nearest.distance_mm = distance_mm(point, s_mm, {.begin_mm = 0.0, .end_mm = curve.length_mm()},
+                                    [&](double s) { return curve.derivatives_at(s); });
+  return nearest;
+}
+
+// Of the programmed path that a blend takes the place of, by the share of its way.
+template <typename Programmed>
+Departure farthest_from_blend(const Programmed& programmed_at, const Places& places,
+                              const curves::NurbsCurve& curve) {
+  double farthest_mm = 0.0;
+  double share_farthest = 0.0;
+  for (int k = 0; k <= kPlaces; ++k) {
+    const double share = static_cast<double>(k) / kPlaces;
+    double s_mm = 0.0;
+    const double away_mm = from_chords(programmed_at(share), places, s_mm).distance_mm;
+    if (away_mm > farthest_mm) {
+      farthest_mm = away_mm;
+      share_farthest = share;
+    }
+  }
+  Departure farthest = from_blend(programmed_at(share_farthest), places, curve);
+  for (double beside = 0.5 / kPlaces; beside > kFinestOfPath; beside *= 0.5) {
+    const double middle = share_farthest;
+    for (const double share : {std::max(middle - beside, 0.0), std::min(middle + beside, 1.0)}) {
+      const Departure away = from_blend(programmed_at(share), places, curve);
+      if (away.distance_mm > farthest.distance_mm) {
+        farthest = away;
+        share_farthest = share;
+      }
+    }
+  }
+  return farthest;
+}
+
+}  // namespace
+
+Departure departure_of(const Blend& blend, const Corner& corner, double way_mm) {
+  const double before_mm = curves::length_mm(*corner.before);
+  const double after_mm = curves::length_mm(*corner.after);
+  if (std::holds_alternative<curves::Line>(*corner.before) &&
+      std::holds_alternative<curves::Line>(*corner.after)) {
+    return {.distance_mm = 0.125 * way_mm * shape_of(corner).turn,
+            .at_mm = blend.curve.at(blend.s_corner_mm)};
+  }
+  const double reach_mm = kReach * way_mm;
+  const Stretch taken_before{std::max(0.0, before_mm - reach_mm), before_mm};
+  const Stretch taken_after{0.0, std::min(reach_mm, after_mm)};
+  Places places{};
+  Departure largest;
+  double w_largest = 0.0;
+  const auto look = [&](double w) {
+    const double s_mm = blend.curve.s_at(w);
+    const Position point = blend.curve.at(s_mm);
+    const double behind_mm = way_mm * (1.0 - w) * (1.0 - w) * (1.0 - w);
+    const double away_mm =
+        std::min(distance_mm(*corner.before, point, before_mm - behind_mm, taken_before),
+                 distance_mm(*corner.after, point, way_mm * w * w * w, taken_after));
+    if (away_mm > largest.distance_mm) {
+      largest = {.distance_mm = away_mm, .at_mm = point};
+      w_largest = w;
+    }
+    return Place{.s_mm = s_mm, .at_mm = point};
+  };
+  for (int k = 0; k <= kPlaces; ++k) {
+    places[static_cast<std::size_t>(k)] = look(static_cast<double>(k) / kPlaces);
+  }
+  for (double beside = 0.5 / kPlaces; beside > kFinest; beside *= 0.5) {
+    const double w = w_largest;
+    look(std::max(w - beside, 0.0));
+    look(std::min(w + beside, 1.0));
+  }
+  for (const bool behind : {false, true}) {
+    largest.widen(farthest_from_blend(
+        [&](double share) {
+          return behind ? curves::position_at(*corner.after, share * way_mm)
+                        : curves::position_at(*corner.before, before_mm - share * way_mm);
+        },
+        places, blend.curve));
+  }
+  return largest;
+}
+
+}  // namespace kerf::smoothing
