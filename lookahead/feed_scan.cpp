@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <queue>
 
 namespace kerf::lookahead {
 
@@ -30,15 +31,15 @@ Ceiling in_order(const Ceiling& samples) {
 
 // Along the path at a feedrate: of an axis it may be higher than its limit by what turning takes
 // off. Both unbounded where nothing binds.
-MotionLimits ramp_at(const NurbsCurve& curve, const TickBound& bound, const ScanLimits& limits) {
+MotionLimits ramp_at(const NurbsCurve& curve, const FeedSample& at, const ScanLimits& limits) {
   MotionLimits ramp = limits.along;
-  const curves::PathDerivatives path = curve.derivatives_at(bound.s_mm);
-  const double squared = bound.v_mm_s * bound.v_mm_s;
+  const curves::PathDerivatives path = curve.derivatives_at(at.s_mm);
+  const double squared = at.v_mm_s * at.v_mm_s;
   for (std::size_t k = 0; k < path.first.size(); ++k) {
     if (path.first[k] != 0.0) {
       const double along = std::abs(path.first[k]);
       const double across = std::abs(path.second_per_mm[k]) * squared;
-      const double turning = std::abs(path.third_per_mm2[k]) * squared * bound.v_mm_s;
+      const double turning = std::abs(path.third_per_mm2[k]) * squared * at.v_mm_s;
       ramp.acceleration_mm_s2 =
           std::min(ramp.acceleration_mm_s2, (limits.axes[k].acceleration_mm_s2 + across) / along);
       ramp.jerk_mm_s3 = std::min(ramp.jerk_mm_s3, (limits.axes[k].jerk_mm_s3 + turning) / along);
@@ -53,8 +54,8 @@ struct Excess {
   double in_valley_mm_s = 0.0;
 };
 
-Excess excess_at(const NurbsCurve& curve, const TickBound& bound, const ScanLimits& limits) {
-  const MotionLimits ramp = ramp_at(curve, bound, limits);
+Excess excess_at(const NurbsCurve& curve, const FeedSample& middle, const ScanLimits& limits) {
+  const MotionLimits ramp = ramp_at(curve, middle, limits);
   const double by_jerk = ramp.jerk_mm_s3 * limits.period_s * limits.period_s / 24.0;
   const double by_jump = 0.25 * ramp.acceleration_mm_s2 * limits.period_s;
   const double on_slope = std::isfinite(by_jerk) ? by_jerk : 0.0;
@@ -101,18 +102,25 @@ Ceiling with_ends(const Ceiling& ceiling, const std::vector<HeldTick>& ticks,
     return !(b.s_mm > a.s_mm && b.u > a.u);
   };
   all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
+  all.back().s_mm = ceiling.back().s_mm;  // u may tell less apart than s
   return all;
 }
 
+// No sample higher than the slowest tick over it. The ticks ascend by their begin.
 void hold(const std::vector<HeldTick>& ticks, Ceiling& ceiling) {
-  for (const HeldTick& tick : ticks) {
-    const auto first = std::lower_bound(ceiling.begin(), ceiling.end(),
-                                        FeedSample{.s_mm = tick.begin_mm}, is_before);
-    for (auto at = first; at != ceiling.end() && at->s_mm <= tick.end_mm; ++at) {
-      if (tick.v_mm_s < at->v_mm_s) {
-        at->v_mm_s = tick.v_mm_s;
-        at->limit = SpeedLimit::chord_error;
-      }
+  const auto is_faster = [](const HeldTick& a, const HeldTick& b) { return a.v_mm_s > b.v_mm_s; };
+  std::priority_queue<HeldTick, std::vector<HeldTick>, decltype(is_faster)> begun(is_faster);
+  auto next = ticks.begin();
+  for (FeedSample& at : ceiling) {
+    for (; next != ticks.end() && next->begin_mm <= at.s_mm; ++next) {
+      begun.push(*next);
+    }
+    while (!begun.empty() && begun.top().end_mm < at.s_mm) {
+      begun.pop();
+    }
+    if (!begun.empty() && begun.top().v_mm_s < at.v_mm_s) {
+      at.v_mm_s = begun.top().v_mm_s;
+      at.limit = SpeedLimit::chord_error;
     }
   }
 }

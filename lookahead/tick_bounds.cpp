@@ -13,7 +13,8 @@ namespace {
 constexpr int kChordPoints = 7;  // inside a tick
 constexpr int kMaxAdjustments = 30;
 // The error of a needle's tip is the same however far behind it a tick ends: after as many
-// adjustments as are usual no more than this is left of it.
+// adjustments as are usual no more than this is left of it. Close before a sharp turn the bound may
+// be half of what fits, therefore, and jumps from place to place.
 constexpr int kUsualAdjustments = 4;
 constexpr double kMostLeft = 0.5;
 constexpr double kLeastStep_mm = 1e-7;  // below usual tolerances: keeps the walk finite
@@ -31,6 +32,10 @@ constexpr double kFineShare = 1.0 / 64.0;
 constexpr double kNearlyStraight = 2.0;
 constexpr std::size_t kMostPieces = 4;
 constexpr int kStraightParts = 4;
+// A piece is one of the sharpest if a neighbour is this many times as long and none is shorter, but
+// for rounding: pieces are halved towards a needle, and even knots have none.
+constexpr double kClearlyLonger = 1.5;
+constexpr double kRounding = 1.0 + 1e-6;
 // The feedrate aims this far inside the tolerance, so that the adjustment ends.
 constexpr double kAim = 0.9995;
 
@@ -43,26 +48,28 @@ class ChordError {
         step_mm_(step_mm),
         from_(vec(curve.at(s_from_mm))),
         chord_(vec(curve.at(s_from_mm + step_mm)) - from_),
-        squared_(chord_.squaredNorm()) {}
+        chord_mm2_(chord_.squaredNorm()) {}
 
   void look(double share) {
     const Eigen::Vector3d offset = vec(curve_.at(s_from_mm_ + step_mm_ * share)) - from_;
-    const double along = squared_ > 0.0 ? std::clamp(offset.dot(chord_) / squared_, 0.0, 1.0) : 0.0;
-    const double error = (offset - along * chord_).squaredNorm();
-    if (error > worst_) {
-      worst_ = error;
+    const double along =
+        chord_mm2_ > 0.0 ? std::clamp(offset.dot(chord_) / chord_mm2_, 0.0, 1.0) : 0.0;
+    const double squared_mm2 = (offset - along * chord_).squaredNorm();
+    if (squared_mm2 > worst_mm2_) {
+      worst_mm2_ = squared_mm2;
       worst_share_ = share;
     }
   }
 
-  // Where pieces are shorter than both their neighbours: a needle, a hook.
+  // The ends of the sharpest pieces: of a needle, of a hook.
   void look_at_sharpest() {
     const std::vector<curves::NurbsPiece>& pieces = curve_.pieces();
     const auto length = [&](std::size_t k) { return pieces[k].s_end_mm - pieces[k].s_begin_mm; };
     const double s_to_mm = s_from_mm_ + step_mm_;
     const std::size_t last = std::min(curve_.piece_index(s_to_mm) + 1, pieces.size() - 1);
     for (std::size_t k = std::max<std::size_t>(curve_.piece_index(s_from_mm_), 1); k < last; ++k) {
-      if (length(k) <= length(k - 1) && length(k) <= length(k + 1)) {
+      const auto [shorter, longer] = std::minmax({length(k - 1), length(k + 1)});
+      if (length(k) <= kRounding * shorter && kClearlyLonger * length(k) <= longer) {
         for (const double s_mm : {pieces[k].s_begin_mm, pieces[k].s_end_mm}) {
           if (s_mm > s_from_mm_ && s_mm < s_to_mm) {
             look((s_mm - s_from_mm_) / step_mm_);
@@ -73,7 +80,7 @@ class ChordError {
   }
 
   [[nodiscard]] double worst_share() const { return worst_share_; }
-  [[nodiscard]] double worst_mm() const { return std::sqrt(worst_); }
+  [[nodiscard]] double worst_mm() const { return std::sqrt(worst_mm2_); }
 
  private:
   const NurbsCurve& curve_;
@@ -81,8 +88,8 @@ class ChordError {
   double step_mm_;
   Eigen::Vector3d from_;
   Eigen::Vector3d chord_;
-  double squared_;
-  double worst_ = 0.0;
+  double chord_mm2_;
+  double worst_mm2_ = 0.0;
   double worst_share_ = 0.5;
 };
 

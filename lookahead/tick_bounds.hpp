@@ -17,7 +17,8 @@ enum class ScanFor { trapezoid, bounded_jerk, time_optimum };
 struct ScanLimits {
   double feedrate_mm_s = kUnbounded;
   SpeedLimit feedrate_from = SpeedLimit::programmed;
-  MotionLimits along{};  // acceleration and jerk
+  // How a plan may accelerate, for scan_feedrate alone. What velocities leave is in feedrate_mm_s.
+  MotionLimits along{};
   std::array<MotionLimits, 3> axes{};
   double period_s = 0.001;
   double chord_tolerance_mm = kUnbounded;
@@ -37,12 +38,12 @@ struct TickBound {
 // step needs no Taylor series.
 //
 // Steps are half a tick, and no longer than a quarter of a piece of the arc-length map, which is
-// short where the curve is sharp; none passes over a whole piece, and in a tick that does the ends
-// of the shortest pieces are looked at, so no feature is stepped over. Where a tick is far shorter
-// than that and curvature allows many times the feedrate, they are a 64th of it; in steps of
-// quarter pieces they are a whole one where curvature allows twice the feedrate all over it. Where
-// the bound lies below a straight line between its neighbours (curvature jumps, or is about to),
-// the steps are halved until it hardly does.
+// short where the curve is sharp; none passes over a whole piece of more than 1e-7 mm, and in a
+// tick that does the ends of the sharpest are looked at: a needle is not stepped over. Where a tick
+// is far shorter than that and curvature allows many times the feedrate, they are a 64th of it; in
+// steps of quarter pieces they are a whole one where curvature allows twice the feedrate all over
+// it. Where the bound lies below a straight line between its neighbours (curvature jumps, or is
+// about to), the steps are halved until it hardly does.
 std::vector<TickBound> tick_bounds(const curves::NurbsCurve& curve, const ScanLimits& limits);
 
 }  // namespace kerf::lookahead

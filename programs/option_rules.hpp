@@ -13,7 +13,8 @@ namespace kerf::program {
 // "all", or numbers from 1 to 9 with commas between them; nothing where it is neither.
 std::optional<parser::BlockDelete> block_delete_of(std::string_view text);
 
-// What no single option can say of itself, as a sentence; nothing where they go together.
+// What is wrong with the options that the command line itself lets pass, as a sentence; nothing:
+// they go together.
 std::optional<std::string> contradiction(const Options& options);
 
 }  // namespace kerf::program

@@ -19,29 +19,36 @@ constexpr int kPlaces = 32;             // of a blend, where its departure is lo
 constexpr double kFinest = 1.0 / 256;   // between them, around the farthest: 3e-5 of it are missed
 constexpr double kFinestOfPath = 1e-5;  // merged lines may turn as sharply as a needle there
 constexpr int kProjections = 4;
-constexpr double kReach = 1.5;  // of the way, within which the nearest point of a curve lies
+constexpr double kNearEnough = 1e-9;  // of what the nearest point is looked for on
+constexpr double kReach = 1.5;        // of the way, within which the nearest point of a curve lies
 
-// The nearest point of a path, by Newton's method from a place close to it.
+// The nearest point of a path, by Newton's method from a place close to it, and its distance.
 template <typename PathAt>
-double distance_mm(const Position& point, double s_mm, const Stretch& within,
-                   const PathAt& path_at) {
+Departure nearest_on(const PathAt& path_at, const Position& point, double s_mm,
+                     const Stretch& within) {
   double s = std::clamp(s_mm, within.begin_mm, within.end_mm);
-  double nearest = std::numeric_limits<double>::infinity();
+  Departure nearest{.distance_mm = std::numeric_limits<double>::infinity()};
   for (int i = 0; i <= kProjections; ++i) {
     const PathDerivatives path = path_at(s);
     const Eigen::Vector3d away = vec(point) - vec(path.position_mm);
-    nearest = std::min(nearest, away.norm());
+    if (away.norm() < nearest.distance_mm) {
+      nearest = {.distance_mm = away.norm(), .at_mm = path.position_mm};
+    }
     const double slope = 1.0 - away.dot(vec(path.second_per_mm));
-    s = std::clamp(s + away.dot(vec(path.first)) / std::max(slope, 0.5), within.begin_mm,
-                   within.end_mm);
+    const double to = std::clamp(s + away.dot(vec(path.first)) / std::max(slope, 0.5),
+                                 within.begin_mm, within.end_mm);
+    if (std::abs(to - s) <= kNearEnough * (within.end_mm - within.begin_mm)) {
+      break;
+    }
+    s = to;
   }
   return nearest;
 }
 
 double distance_mm(const curves::Curve& curve, const Position& point, double s_mm,
                    const Stretch& within) {
-  return distance_mm(point, s_mm, within,
-                     [&](double s) { return curves::derivatives_at(curve, s); });
+  return nearest_on([&](double s) { return curves::derivatives_at(curve, s); }, point, s_mm, within)
+      .distance_mm;
 }
 
 struct Place {
@@ -50,58 +57,48 @@ struct Place {
 };
 using Places = std::array<Place, kPlaces + 1>;
 
-// The place of the blend that is nearest to a point of the programmed path, on the chords of places
-// close together.
-Departure from_chords(const Position& point, const Places& places, double& s_nearest_mm) {
-  Departure nearest{.distance_mm = std::numeric_limits<double>::infinity()};
+// Where on the chords of places close together the nearest point of the blend is.
+double s_nearest_mm(const Position& point, const Places& places) {
+  double nearest_mm2 = std::numeric_limits<double>::infinity();
+  double s_mm = 0.0;
   for (std::size_t k = 1; k < places.size(); ++k) {
     const Eigen::Vector3d chord = vec(places[k].at_mm) - vec(places[k - 1].at_mm);
     const Eigen::Vector3d seen = vec(point) - vec(places[k - 1].at_mm);
     const double squared = chord.squaredNorm();
     const double share = squared > 0.0 ? std::clamp(seen.dot(chord) / squared, 0.0, 1.0) : 0.0;
-    const double away_mm = (seen - share * chord).norm();
-    if (away_mm < nearest.distance_mm) {
-      nearest = {.distance_mm = away_mm, .at_mm = places[k].at_mm};
-      s_nearest_mm = places[k - 1].s_mm + share * (places[k].s_mm - places[k - 1].s_mm);
+    const double away_mm2 = (seen - share * chord).squaredNorm();
+    if (away_mm2 < nearest_mm2) {
+      nearest_mm2 = away_mm2;
+      s_mm = places[k - 1].s_mm + share * (places[k].s_mm - places[k - 1].s_mm);
     }
   }
-  return nearest;
+  return s_mm;
 }
 
-// Of the curve itself.
-Departure from_blend(const Position& point, const Places& places, const curves::NurbsCurve& curve) {
-  double s_mm = 0.0;
-  Departure nearest = from_chords(point, places, s_mm);
-  nearest.distance_mm = distance_mm(point, s_mm, {.begin_mm = 0.0, .end_mm = curve.length_mm()},
-                                    [&](double s) { return curve.derivatives_at(s); });
-  return nearest;
-}
-
-// Of the programmed path that a blend takes the place of, by the share of its way.
+// Of the programmed path that a blend takes the place of, by the share of its way; the place is the
+// blend's.
 template <typename Programmed>
 Departure farthest_from_blend(const Programmed& programmed_at, const Places& places,
                               const curves::NurbsCurve& curve) {
-  double farthest_mm = 0.0;
+  Departure farthest;
   double share_farthest = 0.0;
-  for (int k = 0; k <= kPlaces; ++k) {
-    const double share = static_cast<double>(k) / kPlaces;
-    double s_mm = 0.0;
-    const double away_mm = from_chords(programmed_at(share), places, s_mm).distance_mm;
-    if (away_mm > farthest_mm) {
-      farthest_mm = away_mm;
+  const auto look = [&](double share) {
+    const Position point = programmed_at(share);
+    const Departure away =
+        nearest_on([&](double s) { return curve.derivatives_at(s); }, point,
+                   s_nearest_mm(point, places), {.begin_mm = 0.0, .end_mm = curve.length_mm()});
+    if (away.distance_mm > farthest.distance_mm) {
+      farthest = away;
       share_farthest = share;
     }
+  };
+  for (int k = 0; k <= kPlaces; ++k) {
+    look(static_cast<double>(k) / kPlaces);
   }
-  Departure farthest = from_blend(programmed_at(share_farthest), places, curve);
   for (double beside = 0.5 / kPlaces; beside > kFinestOfPath; beside *= 0.5) {
     const double middle = share_farthest;
-    for (const double share : {std::max(middle - beside, 0.0), std::min(middle + beside, 1.0)}) {
-      const Departure away = from_blend(programmed_at(share), places, curve);
-      if (away.distance_mm > farthest.distance_mm) {
-        farthest = away;
-        share_farthest = share;
-      }
-    }
+    look(std::max(middle - beside, 0.0));
+    look(std::min(middle + beside, 1.0));
   }
   return farthest;
 }

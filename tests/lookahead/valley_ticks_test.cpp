@@ -15,13 +15,18 @@ constexpr double kTs = 0.001;
 constexpr double kTolerance_mm = 1e-4;
 constexpr int kSteps = 400;  // of a tick
 
+struct Fold {
+  double size_mm = 0.0;
+  double weight = 1.0;
+};
+
 // Forward, back by size_mm, and forward again, in sharp turns.
-curves::NurbsData fold(double size_mm, double weight) {
+curves::NurbsData fold(const Fold& of) {
   return {.degree = 3,
           .points = {{{-1, 0, 0}, 1.0},
-                     {{0, 0, 0}, weight},
-                     {{-size_mm, size_mm, 0}, weight},
-                     {{1, size_mm, 0}, 1.0}},
+                     {{0, 0, 0}, of.weight},
+                     {{-of.size_mm, of.size_mm, 0}, of.weight},
+                     {{1, of.size_mm, 0}, 1.0}},
           .knots = {0, 0, 0, 0, 1, 1, 1, 1}};
 }
 
@@ -36,7 +41,7 @@ double end_of_tick_mm(const Ceiling& ceiling, double s_mm) {
 // The law of a machine that is as strong as that comes as close to the ceiling as one likes.
 TEST(ValleyTicks, KeepTheChordThoughAllOfThemIsRunAtTheCeiling) {
   for (const curves::NurbsData& data :
-       {fold(2e-4, 1e3), fold(5e-4, 1e3), fold(1e-3, 1e3), fold(2e-4, 1e5)}) {
+       {fold({2e-4, 1e3}), fold({5e-4, 1e3}), fold({1e-3, 1e3}), fold({2e-4, 1e5})}) {
     const curves::NurbsCurve curve = smooth_curve(data);
     for (const ScanFor plan : {ScanFor::trapezoid, ScanFor::bounded_jerk, ScanFor::time_optimum}) {
       const Ceiling ceiling =
