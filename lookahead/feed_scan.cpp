@@ -82,20 +82,39 @@ bool is_before(const FeedSample& a, const FeedSample& b) {
   return a.s_mm < b.s_mm;
 }
 
+// Between two samples, or as the first or last one.
+FeedSample on_line(const Ceiling& ceiling, double s_mm, const NurbsCurve& curve) {
+  const auto after =
+      std::upper_bound(ceiling.begin(), ceiling.end(), FeedSample{.s_mm = s_mm}, is_before);
+  FeedSample sample = sample_at(curve, s_mm, after == ceiling.begin() ? *after : *(after - 1));
+  if (after != ceiling.begin() && after != ceiling.end()) {
+    const FeedSample& before = *(after - 1);
+    const double share = (s_mm - before.s_mm) / (after->s_mm - before.s_mm);
+    sample.v_mm_s += share * (after->v_mm_s - before.v_mm_s);
+  }
+  return sample;
+}
+
+// From end to end of the curve, of samples that may lie beside it.
+Ceiling along(const NurbsCurve& curve, const Ceiling& middles) {
+  const double length = curve.length_mm();
+  Ceiling ceiling{on_line(middles, 0.0, curve)};
+  for (const FeedSample& middle : middles) {
+    if (middle.s_mm > 0.0 && middle.s_mm < length) {
+      ceiling.push_back(sample_at(curve, middle.s_mm, middle));
+    }
+  }
+  ceiling.push_back(on_line(middles, length, curve));
+  return ceiling;
+}
+
 // The samples with those at the ends of the ticks, on the lines between.
 Ceiling with_ends(const Ceiling& ceiling, const std::vector<HeldTick>& ticks,
                   const NurbsCurve& curve) {
   Ceiling all = ceiling;
   for (const HeldTick& tick : ticks) {
-    for (const double s_mm : {tick.begin_mm, tick.end_mm}) {
-      const auto after =
-          std::upper_bound(ceiling.begin(), ceiling.end() - 1, FeedSample{.s_mm = s_mm}, is_before);
-      const auto before = after - 1;
-      const double share = (s_mm - before->s_mm) / (after->s_mm - before->s_mm);
-      FeedSample end = sample_at(curve, s_mm, *before);
-      end.v_mm_s += share * (after->v_mm_s - before->v_mm_s);
-      all.push_back(end);
-    }
+    all.push_back(on_line(ceiling, tick.begin_mm, curve));
+    all.push_back(on_line(ceiling, tick.end_mm, curve));
   }
   std::stable_sort(all.begin(), all.end(), is_before);
   const auto is_same = [](const FeedSample& a, const FeedSample& b) {
@@ -129,33 +148,30 @@ void hold(const std::vector<HeldTick>& ticks, Ceiling& ceiling) {
 
 Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
   const double length = curve.length_mm();
-  Ceiling samples;
+  Ceiling middles;
   std::vector<HeldTick> held;
   for (const TickBound& bound : tick_bounds(curve, limits)) {
     const bool binds = bound.v_mm_s < limits.feedrate_mm_s;
     const double way = bound.v_mm_s * limits.period_s;
-    const double middle = std::min(bound.s_mm + 0.5 * way, length);
+    const double middle = bound.s_mm + 0.5 * way;
     double v = bound.v_mm_s;
     if (binds) {
-      const Excess excess = excess_at(curve, {.s_mm = middle, .v_mm_s = v}, limits);
+      const Excess excess =
+          excess_at(curve, {.s_mm = std::clamp(middle, 0.0, length), .v_mm_s = v}, limits);
       v = kInside * std::max(v - excess.on_slope_mm_s, kLeastShare * v);
-      if (excess.in_valley_mm_s > (1.0 - kLeastShare) * bound.v_mm_s) {
-        held.push_back({.begin_mm = bound.s_mm,
-                        .end_mm = std::min(bound.s_mm + way, length),
-                        .v_mm_s = kInside * bound.v_mm_s});
+      const HeldTick tick{.begin_mm = std::max(bound.s_mm, 0.0),
+                          .end_mm = std::min(bound.s_mm + way, length),
+                          .v_mm_s = kInside * bound.v_mm_s};
+      if (excess.in_valley_mm_s > (1.0 - kLeastShare) * bound.v_mm_s &&
+          tick.begin_mm < tick.end_mm) {
+        held.push_back(tick);
       }
     }
-    samples.push_back(
-        sample_at(curve, middle,
-                  {.v_mm_s = v, .limit = binds ? SpeedLimit::chord_error : limits.feedrate_from}));
+    middles.push_back({.s_mm = middle,
+                       .v_mm_s = v,
+                       .limit = binds ? SpeedLimit::chord_error : limits.feedrate_from});
   }
-  Ceiling ceiling = in_order(samples);
-  if (ceiling.front().s_mm > 0.0) {
-    ceiling.insert(ceiling.begin(), sample_at(curve, 0.0, samples.front()));
-  }
-  if (ceiling.back().s_mm < length) {
-    ceiling.push_back(sample_at(curve, length, ceiling.back()));
-  }
+  Ceiling ceiling = along(curve, in_order(middles));
   if (!held.empty()) {
     ceiling = with_ends(ceiling, held, curve);
     hold(held, ceiling);

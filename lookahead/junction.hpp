@@ -40,9 +40,9 @@ double path_step_of(const BlockEnd& before, const BlockEnd& after);
 // The bound by the chord error alone.
 double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after, const PlanLimits& limits);
 
-// The feedrate that the block may have inside and at its ends. The chord scan knows ticks within a
-// curve. One that passes over a whole curve has its chord over the corner that the curve rounds,
-// and a curve shorter than a tick's way may round any corner within the tolerance.
+// The feedrate that the block may have inside and at its ends. The chord scan bounds ticks whose
+// middle is on the curve. One that passes over a whole curve has its chord over the corner that the
+// curve rounds, and a curve shorter than a tick's way may round any corner within the tolerance.
 double passing_feedrate_mm_s(const Block& block, const PlanLimits& limits);
 
 // All bounds, without regard to lengths and without the choice to stop.

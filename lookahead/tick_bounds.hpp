@@ -25,7 +25,7 @@ struct ScanLimits {
   ScanFor plan = ScanFor::bounded_jerk;
 };
 
-// Of the tick that begins at s_mm.
+// Of the tick that begins at s_mm, below 0 before the curve.
 struct TickBound {
   double s_mm = 0.0;
   double v_mm_s = 0.0;
@@ -44,6 +44,9 @@ struct TickBound {
 // steps of quarter pieces they are a whole one where curvature allows twice the feedrate all over
 // it. Where the bound lies below a straight line between its neighbours (curvature jumps, or is
 // about to), the steps are halved until it hardly does.
+//
+// Ticks that pass over an end of the curve are among them, with what it meets taken to go on as it
+// ends (ContinuedCurve). They ascend, from half a tick before the curve to its end.
 std::vector<TickBound> tick_bounds(const curves::NurbsCurve& curve, const ScanLimits& limits);
 
 }  // namespace kerf::lookahead
