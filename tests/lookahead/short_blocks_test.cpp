@@ -40,13 +40,15 @@ PlanLimits with_tolerance(PlanLimits limits) {
 struct Rounded {
   double first_line_mm = 0.0;
   double arm_mm = 0.0;  // of the corner that the curve rounds
+  double last_line_mm = 1.0;
 };
 
 std::vector<Block> rounded_corner(const Rounded& rounded, const PlanLimits& limits) {
   const curves::NurbsData curve = corner({rounded.first_line_mm, 0, 0}, rounded.arm_mm);
   const Position from = curve.points.front().position_mm;
   const Position to = curve.points.back().position_mm;
-  const Position end{to[0] + std::cos(kTurn_rad), to[1] + std::sin(kTurn_rad), 0};
+  const Position end{to[0] + rounded.last_line_mm * std::cos(kTurn_rad),
+                     to[1] + rounded.last_line_mm * std::sin(kTurn_rad), 0};
   std::vector<Block> blocks = blocks_of(
       {line_move({{0, 0, 0}, from}, 100.0), nurbs_move(curve, 100.0), line_move({to, end}, 100.0)},
       limits);
@@ -82,6 +84,20 @@ TEST_P(ShortBlocks, KeepTheChordOfATickThatClimbsOverThem) {
     for (int i = 0; i < 40; ++i) {
       const Rounded rounded{.first_line_mm = 1.2e-4 * std::pow(1.15, i), .arm_mm = 8e-6};
       SCOPED_TRACE(rounded.first_line_mm);
+      expect_chords_kept(rounded, limits, GetParam());
+    }
+  }
+}
+
+// So near the end of the motion, one that passes over the curve still brakes before it.
+TEST_P(ShortBlocks, KeepTheChordOfATickThatBrakesOverThem) {
+  for (const PlanLimits& limits :
+       {with_tolerance(path_limits(kFastJerk)), with_tolerance(axis_limits(kFastJerk))}) {
+    for (int i = 0; i < 40; ++i) {
+      const Rounded rounded{.first_line_mm = 0.7 + 0.0137 * i,
+                            .arm_mm = 8e-6,
+                            .last_line_mm = 1.2e-4 * std::pow(1.15, i)};
+      SCOPED_TRACE(rounded.last_line_mm);
       expect_chords_kept(rounded, limits, GetParam());
     }
   }
