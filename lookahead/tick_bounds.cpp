@@ -13,10 +13,11 @@ using curves::vec;
 namespace {
 
 constexpr int kMaxAdjustments = 30;
-// The error of a needle's tip is the same however far behind it a tick ends: after as many
-// adjustments as are usual no more than this is left of it. Close before a sharp turn the bound may
-// be half of what fits, therefore, and jumps from place to place.
+// The error of a needle's tip is the same however far behind it a tick ends: where less than this
+// is gained of what is too much, after as many adjustments as are usual, half of the feedrate is
+// left. Close before a sharp turn the bound may be half of what fits, therefore.
 constexpr int kUsualAdjustments = 4;
+constexpr double kLeastGain = 0.25;
 constexpr double kMostLeft = 0.5;
 constexpr double kLeastStep_mm = 1e-7;  // below usual tolerances: keeps the walk finite
 // A bound that lies this share below the line of its neighbours is looked at more closely around,
@@ -60,14 +61,18 @@ double tick_bound_mm_s(const ContinuedCurve& path, double s_mm, const ScanLimits
     v = std::max(v, curvature_bound_mm_s(curve, curve.length_mm(), limits));
   }
   v = std::min(v, limits.feedrate_mm_s);
+  double error_before = 0.0;
   for (int i = 0; i < kMaxAdjustments; ++i) {
     const double step = std::min(v * limits.period_s, 2.0 * curve.length_mm() - s_mm);
     const double error = chord_error_mm(path, {.begin_mm = s_mm, .end_mm = s_mm + step});
     if (error <= limits.chord_tolerance_mm) {
       break;
     }
-    const double share = std::sqrt(kAim * limits.chord_tolerance_mm / error);
-    v = step / limits.period_s * (i < kUsualAdjustments ? share : std::min(share, kMostLeft));
+    const double aim = kAim * limits.chord_tolerance_mm;
+    const bool is_stuck =
+        i >= kUsualAdjustments && error_before - error < kLeastGain * (error_before - aim);
+    v = step / limits.period_s * (is_stuck ? kMostLeft : std::sqrt(aim / error));
+    error_before = error;
   }
   return v;
 }
