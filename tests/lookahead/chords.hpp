@@ -9,13 +9,13 @@
 namespace kerf::lookahead::test {
 
 // The largest distance of 40 points of the path between two ticks from their chord.
-inline double chord_error_mm(const curves::NurbsCurve& curve, double s_from, double s_to) {
-  const curves::Position a = curve.at(s_from);
-  const curves::Position b = curve.at(s_to);
+inline double chord_error_mm(const curves::NurbsCurve& curve, double s_from_mm, double s_to_mm) {
+  const curves::Position a = curve.at(s_from_mm);
+  const curves::Position b = curve.at(s_to_mm);
   const Eigen::Vector3d chord = curves::vec(b) - curves::vec(a);
   double largest = 0.0;
   for (int k = 1; k < 40; ++k) {
-    const curves::Position p = curve.at(s_from + (s_to - s_from) * k / 40.0);
+    const curves::Position p = curve.at(s_from_mm + (s_to_mm - s_from_mm) * k / 40.0);
     const Eigen::Vector3d offset = curves::vec(p) - curves::vec(a);
     const double along = chord.squaredNorm() > 0.0
                              ? std::clamp(offset.dot(chord) / chord.squaredNorm(), 0.0, 1.0)

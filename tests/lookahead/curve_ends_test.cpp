@@ -70,11 +70,7 @@ TEST_P(CurveEnds, KeepTheChordOfATickThatPassesOverThem) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllProfiles, CurveEnds,
-                         testing::Values(ProfileKind::trapezoid, ProfileKind::s_curve,
-                                         ProfileKind::sine, ProfileKind::quintic,
-                                         ProfileKind::sine_series, ProfileKind::sigmoid,
-                                         ProfileKind::time_optimal));
+INSTANTIATE_TEST_SUITE_P(AllProfiles, CurveEnds, all_profiles());
 
 }  // namespace
 }  // namespace kerf::lookahead::test

@@ -18,6 +18,12 @@ using profiles::ProfileKind;
 
 inline constexpr double kTs = 0.001;
 
+inline auto all_profiles() {
+  return testing::Values(ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::sine,
+                         ProfileKind::quintic, ProfileKind::sine_series, ProfileKind::sigmoid,
+                         ProfileKind::time_optimal);
+}
+
 inline PlanLimits mill() {
   return axis_limits({.velocity_mm_s = 200.0, .acceleration_mm_s2 = 2000.0, .jerk_mm_s3 = 5e4});
 }

@@ -113,11 +113,7 @@ TEST_P(ShortBlocks, ArePassedInMotion) {
   EXPECT_EQ(rests, 2) << "the last motion, and the end of the program";
 }
 
-INSTANTIATE_TEST_SUITE_P(AllProfiles, ShortBlocks,
-                         testing::Values(ProfileKind::trapezoid, ProfileKind::s_curve,
-                                         ProfileKind::sine, ProfileKind::quintic,
-                                         ProfileKind::sine_series, ProfileKind::sigmoid,
-                                         ProfileKind::time_optimal));
+INSTANTIATE_TEST_SUITE_P(AllProfiles, ShortBlocks, all_profiles());
 
 }  // namespace
 }  // namespace kerf::lookahead::test
