@@ -8,14 +8,13 @@
 
 #include "programs/progress.hpp"
 #include "programs/progress_bar.hpp"
+#include "tests/program/temporary_folder.hpp"
 
 namespace kerf::program {
 namespace {
 
 class ProgramFileTest : public testing::Test {
  protected:
-  ~ProgramFileTest() override { std::filesystem::remove(path_); }
-
   void write(const std::string& text, std::ios::openmode mode = std::ios::trunc) {
     std::ofstream(path_, std::ios::binary | std::ios::out | mode) << text;
   }
@@ -27,9 +26,8 @@ class ProgramFileTest : public testing::Test {
     return text;
   }
 
-  std::filesystem::path path_ =
-      std::filesystem::path(testing::TempDir()) /
-      (std::string("kerf_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  TemporaryFolder folder_;
+  std::filesystem::path path_ = folder_ / "program.ngc";
 };
 
 TEST_F(ProgramFileTest, ReadsTheSameTwice) {
@@ -71,7 +69,7 @@ TEST_F(ProgramFileTest, SaysWhyAFileCannotBeRead) {
   const auto missing = ProgramFile::open("/nowhere/part.ngc");
   ASSERT_FALSE(missing.has_value());
   EXPECT_EQ(missing.error(), "/nowhere/part.ngc: No such file or directory");
-  const auto folder = ProgramFile::open(testing::TempDir());
+  const auto folder = ProgramFile::open(folder_.path().string());
   ASSERT_FALSE(folder.has_value());
   EXPECT_NE(folder.error().find("Is a directory"), std::string::npos);
 }

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/program/temporary_folder.hpp"
+
 namespace kerf::program {
 namespace {
 
@@ -13,9 +15,6 @@ using parser::Dialect;
 
 class SubprogramFolder : public testing::Test {
  protected:
-  SubprogramFolder() { std::filesystem::create_directories(folder_); }
-  ~SubprogramFolder() override { std::filesystem::remove_all(folder_); }
-
   void write(const std::string& name, const std::string& text) {
     std::ofstream(folder_ / name, std::ios::binary) << text;
   }
@@ -23,7 +22,7 @@ class SubprogramFolder : public testing::Test {
     return subprograms_beside((folder_ / "main.ngc").string(), dialect);
   }
 
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "subprogram_folder";
+  TemporaryFolder folder_;
 };
 
 TEST_F(SubprogramFolder, FindsAFileByItsName) {
@@ -46,7 +45,7 @@ TEST_F(SubprogramFolder, ReadsAFileOnce) {
 
 TEST_F(SubprogramFolder, LeavesTheFolderForNoName) {
   write("drill.ngc", "text");
-  EXPECT_FALSE(source()("../subprogram_folder/drill"));
+  EXPECT_FALSE(source()("../" + folder_.path().filename().string() + "/drill"));
   std::filesystem::create_directories(folder_ / "sub.ngc");
   EXPECT_FALSE(source()("sub")) << "a folder is no file";
 }

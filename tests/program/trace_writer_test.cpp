@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/program/temporary_folder.hpp"
+
 namespace kerf::program {
 namespace {
 
@@ -17,12 +19,9 @@ std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-std::filesystem::path temporary(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / ("kerf_" + name);
-}
-
 TEST(TraceWriter, WritesTheHeaderAndEveryRow) {
-  const auto path = temporary("trace_writer.csv");
+  const TemporaryFolder folder;
+  const auto path = folder / "trace.csv";
   auto writer = TraceWriter::create(path.string(), 0.001);
   ASSERT_TRUE(writer.has_value());
   constexpr int kRows = 20'000;  // several buffers
@@ -39,7 +38,6 @@ TEST(TraceWriter, WritesTheHeaderAndEveryRow) {
     ASSERT_NEAR(std::stod(line), 0.001 * tick, 1e-9);
   }
   EXPECT_EQ(tick, kRows);
-  std::filesystem::remove(path);
 }
 
 TEST(TraceWriter, SaysThatTheDiskIsFullAndGoesOn) {
