@@ -1,11 +1,24 @@
 #include "programs/report.hpp"
 
+#include <utility>
+
 #include <spdlog/fmt/fmt.h>
 
 #include "programs/extra_axes.hpp"
 #include "programs/number_text.hpp"
 
 namespace kerf::program {
+
+void FileReport::fail(ExitStatus why, std::string message) {
+  if (status == ExitStatus::done) {
+    status = why;
+  }
+  failures.push_back(std::move(message));
+}
+
+void FileReport::take(const std::vector<parser::Diagnostic>& found) {
+  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+}
 
 std::vector<LimitUse> limit_uses(const MotionReport& motion, const lookahead::PlanLimits& limits,
                                  parser::Letters extra_axes) {

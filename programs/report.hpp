@@ -83,6 +83,10 @@ struct FileReport {
   double check_duration_s =
       0.0;  // how long kerf itself took; the only figures that a second run changes
   double run_duration_s = 0.0;
+
+  // The first status that is not done stays; every message does.
+  void fail(ExitStatus why, std::string message);
+  void take(const std::vector<parser::Diagnostic>& found);
 };
 
 // One figure beside its limit.

@@ -11,12 +11,9 @@
 #include "programs/block_lookup.hpp"
 #include "programs/check_pass.hpp"
 #include "programs/interrupt.hpp"
-#include "programs/motion_report.hpp"
-#include "programs/number_text.hpp"
-#include "programs/outputs.hpp"
+#include "programs/motion_run.hpp"
 #include "programs/plan_only.hpp"
 #include "programs/progress_bar.hpp"
-#include "programs/run_loop.hpp"
 #include "programs/subprogram_folder.hpp"
 #include "programs/text_feed.hpp"
 
@@ -39,6 +36,8 @@ class Session {
   Session(const Options& options, const MachineSettings& settings)
       : options_(options),
         settings_(settings),
+        shows_progress_(!options.quiet && options.format == DiagnosticFormat::text &&
+                        ProgressBar::has_terminal()),
         kernel_options_{.profile = profiles::Profile(options.profile, options.sigmoid_shape),
                         .window_blocks = options.window_blocks,
                         .block_delete = options.block_delete,
@@ -66,7 +65,7 @@ class Session {
     if (stop_requested()) {
       report_.status = *stop_requested();
     } else if (!file) {
-      fail(ExitStatus::io_error, file.error());
+      report_.fail(ExitStatus::io_error, file.error());
     } else if (check(*file)) {
       file->rewind();
       const Stopwatch watch;
@@ -82,27 +81,15 @@ class Session {
   }
 
  private:
-  void fail(ExitStatus status, std::string message) {
-    if (report_.status == ExitStatus::done) {
-      report_.status = status;
-    }
-    report_.failures.push_back(std::move(message));
-  }
-
-  [[nodiscard]] bool shows_progress() const {
-    return !options_.quiet && options_.format == DiagnosticFormat::text &&
-           ProgressBar::has_terminal();
-  }
-
   // True: the program may run.
   bool check(ProgramFile& file) {
     const Stopwatch watch;
-    const auto found = check_pass(file, settings_, kernel_options_, shows_progress());
+    const auto found = check_pass(file, settings_, kernel_options_, shows_progress_);
     report_.check_duration_s = watch.elapsed_s();
     if (stop_requested()) {
       report_.status = *stop_requested();
     } else if (!found) {
-      fail(ExitStatus::io_error, found.error());
+      report_.fail(ExitStatus::io_error, found.error());
     } else {
       judge(*found);
       fill_in_blocks(report_.diagnostics, file);
@@ -110,30 +97,26 @@ class Session {
     return report_.status == ExitStatus::done;
   }
 
-  void take(const std::vector<parser::Diagnostic>& diagnostics) {
-    report_.diagnostics.insert(report_.diagnostics.end(), diagnostics.begin(), diagnostics.end());
-  }
-
   void judge(const CheckReport& found) {
-    take(found.diagnostics);
+    report_.take(found.diagnostics);
     if (found.has_errors()) {
       report_.status = ExitStatus::program_error;
     } else if (!found.limit_faults.empty()) {
-      take(found.limit_faults);
+      report_.take(found.limit_faults);
       report_.status = ExitStatus::machine_fault;
     }
-    extents_ = found.moves ? std::optional(found.extents) : std::nullopt;
-    extra_extents_ = found.extra_extents;
+    path_ = {.extents = found.moves ? std::optional(found.extents) : std::nullopt,
+             .extra_extents = found.extra_extents};
   }
 
   void plan(ProgramFile& file) {
     Progress progress;
     const ProgressBar bar(
-        "planning", [&] { return progress.read_share(); }, shows_progress());
+        "planning", [&] { return progress.read_share(); }, shows_progress_);
     BlockWatch watch({.line = options_.explained_line, .period_s = report_.period_s});
     const auto planned = plan_only(file, settings_, kernel_options_, progress, watch);
     if (!planned) {
-      fail(ExitStatus::io_error, planned.error());
+      report_.fail(ExitStatus::io_error, planned.error());
     } else if (stop_requested()) {
       report_.status = *stop_requested();
     } else {
@@ -143,8 +126,8 @@ class Session {
                      .ticks = totals.ticks,
                      .path_length_mm = totals.path_length_mm,
                      .blocks = totals.blocks,
-                     .extents = extents_.value_or(curves::Extents{}),
-                     .extra_extents = extra_extents_,
+                     .extents = path_.extents.value_or(curves::Extents{}),
+                     .extra_extents = path_.extra_extents,
                      .deviation = planned->departure};
       report_.warnings = describe(totals.shortfalls);
       explain(watch);
@@ -156,8 +139,8 @@ class Session {
       return;
     }
     if (!watch.block()) {
-      fail(ExitStatus::program_error,
-           fmt::format("{}: line {} is never run", report_.file, options_.explained_line));
+      report_.fail(ExitStatus::program_error,
+                   fmt::format("{}: line {} is never run", report_.file, options_.explained_line));
       return;
     }
     report_.block = BlockReport{.line = options_.explained_line,
@@ -172,7 +155,7 @@ class Session {
     Descriptor source(path == "-" ? ::dup(STDIN_FILENO)
                                   : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
     if (!source.is_open()) {
-      fail(ExitStatus::io_error, report_.file + ": " + error_text(errno));
+      report_.fail(ExitStatus::io_error, report_.file + ": " + error_text(errno));
       return;
     }
     report_.live = kernel_options_.checks_travel = true;
@@ -183,76 +166,20 @@ class Session {
   }
 
   void run(TextFeed& text) {
-    auto outputs = Outputs::open(options_, settings_, extents_.value_or(curves::Extents{}));
-    if (!outputs) {
-      fail(ExitStatus::io_error, outputs.error());
-      return;
-    }
-    Kernel kernel(settings_, kernel_options_);
-    Progress progress;
-    Feeder feeder(kernel, text, progress);
-    TickStage ticks(kernel, settings_, kernel_options_.start_mm);
-    const RunStage stage{feeder, ticks, outputs->recorder(), progress, report_.live};
-    RunOutcome outcome;
-    {
-      const ProgressBar bar(
-          "running ", [&] { return progress.share(); }, shows_progress());
-      outcome = options_.command == Command::run ? run_in_real_time(stage, report_.period_s)
-                                                 : run_without_clock(stage);
-    }
-    report_motion(report_, kernel, ticks.statistics(), outcome);
-    if (const auto& speed = outputs->recorder().speed) {
-      report_.speed = speed->report();
-    }
-    note_end(kernel, ticks.fault(), feeder.error(), outcome);
-    for (const auto& error :
-         {outputs->close_trace(outcome.dropped_records), outputs->write_plot(plot_caption())}) {
-      if (error) {
-        fail(ExitStatus::io_error, *error);
-      }
-    }
-  }
-
-  // Why the run is over, the gravest reason first.
-  void note_end(const Kernel& kernel, const MachineFault& fault,
-                const std::optional<std::string>& read_error, const RunOutcome& outcome) {
-    if (outcome.hung) {
-      fail(ExitStatus::internal_error,
-           "internal error: the program is read and nothing is planned");
-    } else if (fault.kind != machine::Fault::none) {
-      fail(ExitStatus::machine_fault, describe(fault, report_.period_s));
-    } else if (stop_requested()) {
-      report_.status = *stop_requested();
-    } else if (read_error) {
-      fail(ExitStatus::io_error, *read_error);
-    } else if (kernel.has_errors()) {
-      take(kernel.diagnostics());
-      report_.status = kernel.left_travel() ? ExitStatus::machine_fault : ExitStatus::program_error;
-    } else if (report_.live) {
-      take(kernel.diagnostics());
-    } else if (extents_) {
-      report_.plan->extra_extents = extra_extents_;
-      report_.plan->extents = *extents_;  // of the curves; ticks need not meet their extremes
-    }
-  }
-
-  [[nodiscard]] PlotCaption plot_caption() const {
-    const PlanReport& plan = *report_.plan;
-    return {.title = report_.file,
-            .subtitle =
-                fmt::format("{} \u00b7 {:.1f} mm in {} \u00b7 {}", clock_time(plan.cycle_time_s),
-                            plan.path_length_mm, counted(plan.blocks, "block"), report_.profile),
-            .period_s = report_.period_s,
-            .limits = report_.limits.path,
-            .deviation = plan.deviates() ? std::optional(plan.deviation) : std::nullopt};
+    run_motion({.options = options_,
+                .settings = settings_,
+                .kernel_options = kernel_options_,
+                .path = path_,
+                .shows_progress = shows_progress_},
+               text, report_);
   }
 
   const Options& options_;
   const MachineSettings& settings_;
+  bool shows_progress_;
   KernelOptions kernel_options_;
   FileReport report_;
-  std::optional<curves::Extents> extents_;  // of the whole path, if there is one
-  curves::ExtraExtents extra_extents_{};
+  CheckedPath path_;
 };
 
 }  // namespace
