@@ -7,8 +7,8 @@ At rest j = sqrt(b) b'' / 2 vanishes whatever b'' is, so on an even grid the acc
 has its jerk there, too: the grid becomes finer towards both ends by a tenth a cell, down to 10 nm, and in its first cell
 v <= J t^2 / 2 with s = J t^3 / 6. A line then takes L / V + V / A + A / J, its closed form.
 
-Weak: the optimum is a local one, and ticks are not known, only the chord limit's ceiling of v; a limit is kept at the points
-of the grid."""
+Weak: the optimum is a local one. Ticks are not known, only the chord limit's ceiling of v. Limits of axes are kept at the
+points of the grid, so what is narrower than a cell may be unseen and the time too short."""
 import numpy as np
 from scipy.linalg import LinAlgError, solveh_banded
 
@@ -24,11 +24,10 @@ class Problem:
         self.on_axes = on_axes
         self.s = finer_to_its_ends(curve.length_mm, cell_mm) if from_rest else even(curve.length_mm, cell_mm)
         self.q = curve.by_arc_length(self.s)
-        self.ceiling = np.minimum(v_mm_s**2, chord_ceiling(curve, self.s, chord_mm))[1:-1]
-        if not from_rest:  # a coarse grid: the lowest between the points, too
-            for share in np.linspace(-0.5, 0.5, 11):
-                between = chord_ceiling(curve, self.s[1:-1] + share * cell_mm, chord_mm)
-                self.ceiling = np.minimum(self.ceiling, between)
+        self.ceiling = np.full(len(self.s) - 2, float(v_mm_s) ** 2)
+        for share in np.linspace(-0.5, 0.5, 11):  # curvature may have peaks narrower than a cell
+            between = self.s[1:-1] + share * np.where(share < 0, np.diff(self.s)[:-1], np.diff(self.s)[1:])
+            self.ceiling = np.minimum(self.ceiling, chord_ceiling(curve, between, chord_mm))
         self.weights = np.ones(len(self.s) - 1)  # of a cell's 2 h / (v + v)
         if from_rest:
             self.weights[[0, -1]] = 1.5  # v goes with s^(2/3) there
