@@ -29,8 +29,8 @@ LineMark mark_at(const PathPart& part, double s_mm) {
   return found;
 }
 
-// The lines that a blend runs along: up to the corner those of the part before, then those of the
-// part after. At w it is way (1 - w)^3 before the corner and way w^3 behind it.
+// At w the blend is way (1 - w)^3 before the corner and way w^3 behind it. It passes the corner at
+// 1 / 2, where that is an eighth of the way: marks nearer to the corner are looked for from there.
 std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathPart& before,
                                   const PathPart& after) {
   const double length = curves::length_mm(before.curve);
@@ -53,15 +53,17 @@ std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathP
   add(mark_at(before, length - way_mm), 0.0);
   for (const LineMark& mark : before.marks) {
     const double behind = length - mark.s_mm;
-    if (behind < way_mm && behind > 0.125 * way_mm) {
-      add(mark,
-          beside(curves::position_at(before.curve, mark.s_mm), 1.0 - std::cbrt(behind / way_mm)));
+    if (behind < way_mm && behind > 0.0) {
+      const double w = std::min(1.0 - std::cbrt(behind / way_mm), 0.5);
+      const double s = beside(curves::position_at(before.curve, mark.s_mm), w);
+      add(mark, std::min(s, blend.s_corner_mm));
     }
   }
-  add(mark_at(after, 0.125 * way_mm), blend.s_corner_mm);
+  add(mark_at(after, 0.0), blend.s_corner_mm);
   for (const LineMark& mark : after.marks) {
-    if (mark.s_mm > 0.125 * way_mm && mark.s_mm < way_mm) {
-      add(mark, beside(curves::position_at(after.curve, mark.s_mm), std::cbrt(mark.s_mm / way_mm)));
+    if (mark.s_mm > 0.0 && mark.s_mm < way_mm) {
+      const double w = std::max(std::cbrt(mark.s_mm / way_mm), 0.5);
+      add(mark, beside(curves::position_at(after.curve, mark.s_mm), w));
     }
   }
   return marks;

@@ -170,6 +170,39 @@ TEST(Compressor, KnowsWhereEachLineOfTheProgramIs) {
   }
 }
 
+// Lines of 0.02 mm into one of 1 mm or out of it, which turns by half a degree: a blend that is
+// longer than many of them. Each has its place on it.
+TEST(Compressor, KnowsWhereEachLineOfTheProgramIsAlongABlend) {
+  std::vector<Position> points;
+  for (int i = 0; i <= 40; ++i) {
+    points.push_back({0.02 * i, 0.0, 0.0});
+  }
+  points.push_back({1.8, -0.01, 0.0});
+  for (int i = 1; i <= 40; ++i) {
+    points.push_back({1.8 + 0.02 * i, -0.01, 0.0});
+  }
+  const Smoothed smoothed = smooth(lines_through(points, {}));
+  ASSERT_GT(smoothed.parts.size(), 3U) << "corners, and blends in them";
+  std::vector<bool> found(points.size(), false);
+  for (const PathPart& part : smoothed.parts) {
+    const double length = curves::length_mm(part.curve);
+    for (std::size_t i = 0; i < part.marks.size() && part.marks[i].s_mm < length; ++i) {
+      const smoothing::LineMark& mark = part.marks[i];
+      if (found[mark.line]) {
+        continue;
+      }
+      found[mark.line] = true;
+      const Position at = curves::position_at(part.curve, mark.s_mm);
+      EXPECT_LE((vec(at) - vec(points[mark.line - 1])).norm(), 0.01) << mark.line;
+      EXPECT_TRUE(i == 0 || mark.s_mm > part.marks[i - 1].s_mm) << mark.line << " has no motion";
+    }
+    found[part.source.line] = true;
+  }
+  for (std::size_t line = 1; line < points.size(); ++line) {
+    EXPECT_TRUE(found[line]) << line;
+  }
+}
+
 TEST(Compressor, LetsAnEventWithTheMotionComeWhereItStands) {
   auto moves = lines_through(circle(10.0, 600, 4), {});
   parser::Move event;
