@@ -1,6 +1,7 @@
 #include "bench/optimum.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -124,9 +125,9 @@ Beside beside(const Times& times, const std::string& key, double time_s) {
     return {};
   }
   const double ratio = time_s / found->second;
-  char text[64];
-  std::snprintf(text, sizeof text, " %.4f | %.4f |", found->second, ratio);
-  return {.cells = text, .ratio = ratio};
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), " %.4f | %.4f |", found->second, ratio);
+  return {.cells = text.data(), .ratio = ratio};
 }
 
 bool is_within(double ratio) {
