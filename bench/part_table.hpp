@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "bench/part_run.hpp"
 #include "bench/parts.hpp"
@@ -29,7 +30,7 @@ struct Row {
 
 class Table {
  public:
-  explicit Table(const PartsOrder& order) : order_(order) {}
+  explicit Table(PartsOrder order) : order_(std::move(order)) {}
 
   static void print_head();
   [[nodiscard]] bool wants(const std::string& name) const { return name.starts_with(order_.only); }
@@ -38,7 +39,7 @@ class Table {
   // What is asked of several rows.
   void note(const std::string& what, bool met);
   // Prints the notes. False: a target was missed.
-  bool finish() const;
+  [[nodiscard]] bool finish() const;
 
  private:
   PartsOrder order_;

@@ -1,10 +1,12 @@
 // The rows: programs, machines, targets, and what others do on the same.
 #include "bench/parts.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bench/part_bound.hpp"
 #include "bench/part_table.hpp"
@@ -14,9 +16,9 @@ namespace kerf::bench {
 namespace {
 
 std::string seconds(double time_s) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3f s", time_s);
-  return text;
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3f s", time_s);
+  return text.data();
 }
 
 void add_raster(Table& table) {
@@ -53,21 +55,25 @@ void add_flower(Table& table) {
   if (!table.wants("flower")) {
     return;
   }
-  const char* kOthers[] = {
-      "optimum 336 (without jerk limit 287); grblHAL 202.3 (9.8 times a), Klipper 425.6, g2core "
-      "2395",
-      "optimum 336 (without jerk limit 287); grblHAL 201.7 (9.8 times a), Klipper 339.6, g2core "
-      "2395"};
-  std::optional<PartRun> runs[2];
-  for (const int i : {0, 1}) {
-    const int decimals = i == 0 ? 3 : 6;
-    const PartProgram program = flower(20'000.0, decimals);
-    Row row{.name = "flower, " + std::to_string(decimals) + " decimals",
+  struct Flower {
+    int decimals;
+    const char* others;
+  };
+  const std::array<Flower, 2> flowers{{{3,
+                                        "optimum 336 (without jerk limit 287); grblHAL 202.3 (9.8 "
+                                        "times a), Klipper 425.6, g2core 2395"},
+                                       {6,
+                                        "optimum 336 (without jerk limit 287); grblHAL 201.7 (9.8 "
+                                        "times a), Klipper 339.6, g2core 2395"}}};
+  std::vector<std::optional<PartRun>> runs;
+  for (const Flower& each : flowers) {
+    const PartProgram program = flower(20'000.0, each.decimals);
+    Row row{.name = "flower, " + std::to_string(each.decimals) + " decimals",
             .program = &program,
             .axes = {500.0, 5e4},
             .at_most_s = 343.0,
-            .others = kOthers[i]};
-    runs[i] = table.add(row);
+            .others = each.others};
+    runs.push_back(table.add(row));
     row = {.name = row.name,
            .program = &program,
            .mode = kExactStop,
