@@ -1,5 +1,6 @@
 #include "bench/part_table.hpp"
 
+#include <array>
 #include <cstdio>
 
 namespace kerf::bench {
@@ -30,15 +31,15 @@ std::optional<PartRun> Table::add(const Row& row) {
                    run.over.ratio <= kTolerance && off.of_ticks_mm <= allowed + kNanometre_mm &&
                    off.of_path_mm <= allowed + kChord_mm &&
                    off.of_line_mm <= 2.0 * allowed + kNanometre_mm;
-  char target[32] = "";
+  std::array<char, 32> target{};
   if (row.at_most_s > 0.0) {
-    std::snprintf(target, sizeof target, "%.3f", row.at_most_s);
+    std::snprintf(target.data(), target.size(), "%.3f", row.at_most_s);
   }
   std::printf(
       "| %s | %.0f, %.0f, %.0f | %s | %.3f | %s | %s | %.4f (%s) | %.3f | %.3f | %.3f | %.2f | "
       "%.0f | %llu | %s |\n",
       row.name.c_str(), row.feed_mm_min, row.axes.acceleration_mm_s2, row.axes.jerk_mm_s3,
-      row.mode.codes.c_str(), run.time_s, target, row.others.c_str(), run.over.ratio,
+      row.mode.codes.c_str(), run.time_s, target.data(), row.others.c_str(), run.over.ratio,
       run.over.what.c_str(), 1e3 * off.of_ticks_mm, 1e3 * off.of_path_mm, 1e3 * off.of_line_mm,
       run.wall_s, static_cast<double>(run.lines) / run.wall_s,
       static_cast<unsigned long long>(run.shortfalls), met ? "met" : "MISSED");
