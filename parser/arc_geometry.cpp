@@ -122,7 +122,11 @@ bool check_radii(const Block& block, const ModalState& state, const ArcMove& arc
   const char first = centre_letter(axes.first);
   const char second = centre_letter(axes.second);
   const Word& word = block.word(block.has(first) ? first : second);
-  if (distance(centre, start) == 0.0) {
+  // An offset that is lost beside the start makes an arc that is too short to be one, not a fault.
+  const bool offset_is_lost =
+      !state.absolute_centre && ((block.has(first) && block.value(first) != 0.0) ||
+                                 (block.has(second) && block.value(second) != 0.0));
+  if (distance(centre, start) == 0.0 && !offset_is_lost) {
     return fail(fault, word.offset, errors::kCentreIsStart,
                 "the arc's centre is its start point (radius 0)");
   }
@@ -205,6 +209,13 @@ double arc_length_mm(const ArcMove& arc, const Point& start_mm) {
   angle += 2 * kPi * (arc.turns - 1);
   const double radius = (distance(centre, start) + distance(centre, end)) / 2;
   return std::hypot(radius * angle, arc.end_mm[axes.normal] - start_mm[axes.normal]);
+}
+
+double larger_radius_mm(const ArcMove& arc, const Point& start_mm) {
+  const PlaneAxes axes = axes_of(arc.plane);
+  const InPlane centre = in_plane(arc.centre_mm, axes);
+  return std::max(distance(centre, in_plane(start_mm, axes)),
+                  distance(centre, in_plane(arc.end_mm, axes)));
 }
 
 }  // namespace kerf::parser

@@ -46,5 +46,7 @@ bool build_arc(const Block& block, const ModalState& state, const Point& end_mm,
 
 // Along the arc or helix, with the mean of both radii where they differ.
 double arc_length_mm(const ArcMove& arc, const Point& start_mm);
+// Of those at the start and at the end.
+double larger_radius_mm(const ArcMove& arc, const Point& start_mm);
 
 }  // namespace kerf::parser

@@ -8,16 +8,23 @@ double extra_word_deg_mm(const Block& block, std::size_t extra_axis, Units units
   return block.value(kExtraNames[extra_axis]) * (turns(extra_axis) ? 1.0 : mm_per_unit(units));
 }
 
+namespace {
+
+// Of three axes, from `first` on.
+double length_of(const ExtraWay& way, std::size_t first) {
+  return std::hypot(way.end_rad_mm[first] - way.begin_rad_mm[first],
+                    way.end_rad_mm[first + 1] - way.begin_rad_mm[first + 1],
+                    way.end_rad_mm[first + 2] - way.begin_rad_mm[first + 2]);
+}
+
+}  // namespace
+
 bool ExtraWay::only_turns() const {
-  return begin_rad_mm[3] == end_rad_mm[3] && begin_rad_mm[4] == end_rad_mm[4] &&
-         begin_rad_mm[5] == end_rad_mm[5];
+  return length_of(*this, 3) < kShortestWay_mm;
 }
 
 double ExtraWay::length_rad_mm() const {
-  const std::size_t first = only_turns() ? 0 : 3;
-  return std::hypot(end_rad_mm[first] - begin_rad_mm[first],
-                    end_rad_mm[first + 1] - begin_rad_mm[first + 1],
-                    end_rad_mm[first + 2] - begin_rad_mm[first + 2]);
+  return length_of(*this, only_turns() ? 0 : 3);
 }
 
 ExtraWords words_of(const std::array<double, kExtraAxes>& rad_mm) {

@@ -24,6 +24,10 @@ using ExtraWords = std::array<double, kExtraAxes>;
 // The word of an extra axis. Precondition: the block has it.
 double extra_word_deg_mm(const Block& block, std::size_t extra_axis, Units units);
 
+// A way shorter than this is what rounding left of none, in mm and, of A, B and C, in rad
+// (short_moves.hpp).
+inline constexpr double kShortestWay_mm = 1e-10;
+
 // What a move does to them: A, B, C in rad, U, V, W in mm. In step with the path: linear in its
 // length.
 struct ExtraWay {
@@ -34,7 +38,7 @@ struct ExtraWay {
   // Its own length, for a move on which X, Y and Z rest: along U, V, W in mm if one of them moves,
   // else along A, B, C in rad.
   [[nodiscard]] double length_rad_mm() const;
-  // U, V and W rest.
+  // U, V and W rest, but for what rounding left.
   [[nodiscard]] bool only_turns() const;
 };
 

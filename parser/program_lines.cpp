@@ -123,6 +123,19 @@ bool ProgramReader::Impl::next_line(Line& line) {
 }
 
 bool ProgramReader::Impl::next(Move& move) {
+  do {
+    if (!next_move(move)) {
+      return false;
+    }
+  } while (!short_moves_.take(move));
+  constexpr std::size_t kMotions = 3;  // lines, arcs and splines come first
+  if (move.shape.index() < kMotions) {
+    flow_.moved();
+  }
+  return true;
+}
+
+bool ProgramReader::Impl::next_move(Move& move) {
   while (interpreter_.moves().empty()) {
     Line line;
     if (!next_line(line)) {
@@ -143,10 +156,6 @@ bool ProgramReader::Impl::next(Move& move) {
   }
   interpreter_.moves().pop(move);
   all_fetched_ = interpreter_.moves().empty();
-  constexpr std::size_t kMotions = 3;  // lines, arcs and splines come first
-  if (move.shape.index() < kMotions) {
-    flow_.moved();
-  }
   return true;
 }
 

@@ -19,7 +19,7 @@ namespace kerf::parser {
 // has its text held from the first of them on; in the Fanuc dialect from its beginning, as long as
 // that is at most 4 MiB without a macro statement.
 //
-// A straight move of zero length and a curve that is a single point are checked but not delivered.
+// A move that is too short to be one (short_moves.hpp) is checked but not delivered.
 // A program that ends with its last byte, without M2, M30 or a closing %, gets a warning and no
 // program_end event. After an error reading goes on at the next block; moves that come
 // after an error only serve to find further errors and must not be run.

@@ -18,6 +18,7 @@
 #include "parser/interpreter.hpp"
 #include "parser/program_input.hpp"
 #include "parser/program_reader.hpp"
+#include "parser/short_moves.hpp"
 
 namespace kerf::parser {
 
@@ -49,6 +50,7 @@ class ProgramReader::Impl {
 
  private:
   // program_lines.cpp
+  bool next_move(Move& move);  // however short
   bool next_line(Line& line);
   bool next_plain_line(Line& line);
   bool begins_flow(std::string_view text) const;
@@ -82,6 +84,7 @@ class ProgramReader::Impl {
   Parameters parameters_;
   Evaluator evaluator_;
   Flow flow_;
+  ShortMoves short_moves_;
   Block block_;
   SaidOnce said_;
   bool called_ = false;           // the block is a call or a return

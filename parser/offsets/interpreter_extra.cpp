@@ -4,6 +4,7 @@
 #include "parser/errors/blocks.hpp"
 #include "parser/errors/motion.hpp"
 #include "parser/interpreter.hpp"
+#include "parser/short_moves.hpp"
 #include "parser/text.hpp"
 
 namespace kerf::parser {
@@ -11,8 +12,6 @@ namespace kerf::parser {
 namespace {
 
 constexpr Tenths kG53 = 530;
-// A way of X, Y and Z this short beside one of an extra axis is what offsets and turns round off.
-constexpr double kRounding_mm = 1e-9;
 
 }  // namespace
 
@@ -90,7 +89,7 @@ bool Interpreter::straight_move_with_extra(const Point& end_mm) {
   const double distance_mm =
       std::hypot(end_mm[0] - from[0], end_mm[1] - from[1], end_mm[2] - from[2]);
   const ExtraWay extra = extra_way(state_.extra_deg_mm, extra_end);
-  const bool alone = extra.moves() && distance_mm < kRounding_mm;
+  const bool alone = extra.moves() && distance_mm < kShortestWay_mm;
   const bool rapid = state_.motion == Motion::rapid;
   double feedrate_mm_s = 0.0;
   if (!rapid && !(alone ? extra_feedrate(extra, feedrate_mm_s)
@@ -101,11 +100,11 @@ bool Interpreter::straight_move_with_extra(const Point& end_mm) {
     return true;
   }
   Move& move = push_move();
-  move.shape = LineMove{alone ? from : end_mm};
+  move.shape = LineMove{end_mm};
   move.rapid = rapid;
   move.feedrate_mm_s = feedrate_mm_s;
   carry_extra(move, extra_end);
-  state_.position_mm = alone ? from : end_mm;
+  state_.position_mm = end_mm;
   return true;
 }
 

@@ -246,7 +246,8 @@ class Writer {
 
 double RandomProgram::fastest_mm_s(std::size_t from_line, std::size_t to_line) const {
   double fastest = 0.0;
-  for (std::size_t line = from_line; line <= to_line; ++line) {
+  const auto [first, last] = std::minmax(from_line, to_line);
+  for (std::size_t line = first; line <= last; ++line) {
     fastest = std::max(fastest, feedrate_mm_s[line - 1]);
   }
   return fastest;
