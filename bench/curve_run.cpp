@@ -60,7 +60,8 @@ CurveRun from_rest(const Block& block, const lookahead::PlanLimits& limits,
   interp::MotionQueue queue;
   const curves::Position start = curves::derivatives_at(block.curve, 0.0).position_mm;
   interp::Interpolator interpolator(queue, limits.period_s, start);
-  RunStatistics statistics(limits.period_s);
+  TickJudge judge({.limits = limits});
+  std::int64_t ticks = -1;
   std::size_t pieces = 0;
   std::size_t phases = 0;
   for (TickStatus status = TickStatus::running; status == TickStatus::running;) {
@@ -72,13 +73,14 @@ CurveRun from_rest(const Block& block, const lookahead::PlanLimits& limits,
     }
     Setpoint setpoint;
     status = interpolator.next(setpoint);
-    statistics.add(setpoint, interpolator.chord_error_mm(), {});
+    judge.add(setpoint, interpolator.chord_error_mm());
+    ++ticks;
   }
-  return {.time_s = statistics.cycle_time_s(),
+  return {.time_s = static_cast<double>(ticks) * limits.period_s,
           .planning_s = planning.count(),
-          .path = statistics.path(),
-          .axes = statistics.axes(),
-          .chord_error_mm = statistics.chord_error_mm()};
+          .path = judge.path(),
+          .axes = judge.axes(),
+          .chord_error_mm = judge.chord_error_mm()};
 }
 
 }  // namespace kerf::bench

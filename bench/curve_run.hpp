@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "kernel/kerf.hpp"
-#include "kernel/run_statistics.hpp"
+#include "kernel/tick_judge.hpp"
 #include "lookahead/block.hpp"
 #include "lookahead/limits.hpp"
 #include "parser/move.hpp"

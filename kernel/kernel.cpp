@@ -1,5 +1,6 @@
 #include "kernel/kernel.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -26,6 +27,9 @@ class Kernel::Impl {
                   .window_blocks = options.window_blocks}),
         interpolator_(queue_, settings.limits.period_s, options.start_mm,
                       options.start_extra_rad_mm),
+        judge_({.limits = settings.limits,
+                .binds_jerk = options.profile.kind() != profiles::ProfileKind::trapezoid,
+                .has_extra_axes = settings.program.extra_axes != 0}),
         horizon_ticks_(
             static_cast<std::int64_t>(std::ceil(options.horizon_s / settings.limits.period_s))) {}
 
@@ -33,8 +37,10 @@ class Kernel::Impl {
   void finish() { path_.finish(); }
 
   bool plan() {
-    while (delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
+    while (!failed_ && delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
       if (planner_.emit(delivery_.outbox())) {
+        check_.emitted(delivery_.outbox());
+        fail_with_check();
         continue;
       }
       if (finished_) {
@@ -48,7 +54,25 @@ class Kernel::Impl {
   }
 
   interp::TickStatus tick(interp::Setpoint& setpoint) noexcept {
-    return interpolator_.next(setpoint);
+    const interp::TickStatus status = interpolator_.next(setpoint);
+    judge_.add(setpoint, interpolator_.chord_error_mm());
+    if (status == interp::TickStatus::finished && end_) {
+      judge_.judge_end(setpoint, *end_);
+    }
+    return status == interp::TickStatus::starved && failed_ ? interp::TickStatus::finished : status;
+  }
+
+  interp::TickStatus next(interp::Setpoint& setpoint) {
+    if (runs_low() && plan() && runs_low()) {
+      drain();
+    }
+    const interp::TickStatus status = tick(setpoint);
+    // There is one thread: what is not planned now never is.
+    if (status == interp::TickStatus::starved && finished_) {
+      check_.fail(setpoint.line, "the program is read and nothing is planned");
+      fail_with_check();
+    }
+    return status;
   }
 
   [[nodiscard]] bool runs_low() const noexcept {
@@ -66,11 +90,15 @@ class Kernel::Impl {
   }
 
   void stop() {
+    check_.stop();
     planner_.stop();
     finished_ = true;
   }
 
-  [[nodiscard]] double chord_error_mm() const noexcept { return interpolator_.chord_error_mm(); }
+  [[nodiscard]] std::optional<RunFault> fault() const {
+    return check_.fault() ? check_.fault() : describe(judge_.excess());
+  }
+  [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
   [[nodiscard]] const smoothing::Departure& departure() const noexcept { return path_.departure(); }
   [[nodiscard]] bool has_errors() const { return path_.has_errors(); }
   [[nodiscard]] bool left_travel() const noexcept { return path_.left_travel(); }
@@ -85,6 +113,8 @@ class Kernel::Impl {
       case ProgramPath::Next::wants_text:
         return false;
       case ProgramPath::Next::ended:
+        end_ = path_.programmed_end();
+        check_.judge(path_.departure());
         planner_.finish(path_.line());
         finished_ = true;
         return true;
@@ -112,14 +142,21 @@ class Kernel::Impl {
       path_.cut(source, block.error(), parser::errors::kCurveRefused);
       return;
     }
+    check_.pushed(*block);
     lookahead::push_block(std::move(*block), changes, planner_);
   }
+
+  void fail_with_check() { failed_ = check_.fault().has_value(); }
 
   lookahead::PlanLimits limits_;
   ProgramPath path_;
   lookahead::Planner planner_;
   MotionQueue queue_;
   interp::Interpolator interpolator_;
+  PlanCheck check_;
+  TickJudge judge_;
+  std::optional<PlaceOfTool> end_;    // written before the last phase is delivered, read after it
+  std::atomic<bool> failed_ = false;  // nothing more is planned
   std::int64_t horizon_ticks_;
   Delivery delivery_{queue_};
   bool finished_ = false;
@@ -145,10 +182,7 @@ interp::TickStatus Kernel::tick(interp::Setpoint& setpoint) noexcept {
 }
 
 interp::TickStatus Kernel::next(interp::Setpoint& setpoint) {
-  if (impl_->runs_low() && impl_->plan() && impl_->runs_low()) {
-    impl_->drain();
-  }
-  return impl_->tick(setpoint);
+  return impl_->next(setpoint);
 }
 
 void Kernel::drain() {
@@ -161,7 +195,13 @@ void Kernel::stop() {
   impl_->stop();
 }
 double Kernel::chord_error_mm() const noexcept {
-  return impl_->chord_error_mm();
+  return impl_->judge().latest_chord_error_mm();
+}
+std::optional<RunFault> Kernel::fault() const {
+  return impl_->fault();
+}
+const TickJudge& Kernel::judge() const noexcept {
+  return impl_->judge();
 }
 const smoothing::Departure& Kernel::departure() const noexcept {
   return impl_->departure();

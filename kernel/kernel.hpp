@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "interp/interpolator.hpp"
+#include "kernel/plan_check.hpp"
 #include "kernel/settings.hpp"
+#include "kernel/tick_judge.hpp"
 #include "lookahead/planner.hpp"
 #include "parser/diagnostic.hpp"
 #include "parser/reader_options.hpp"
@@ -33,6 +35,9 @@ struct KernelOptions {
 // Feeding and planning happen in the caller's thread; tick() only reads what was planned and is
 // safe in a real-time thread of its own. A program with an error stops on the path before the block
 // that is wrong; check_program (check.hpp) finds errors before anything moves.
+// A run checks itself: the plan against the program's blocks (PlanCheck), each setpoint against the
+// limits (TickJudge), the last against the programmed end. What does not hold is a fault(), a
+// defect of kerf; where it is the plan's, the motion ends with what has been delivered.
 // Precondition: settings.limits bound velocity, acceleration and jerk, along the path or on all
 // axes, as parse_machine_file demands; else the program ends before its first move with an error.
 class Kernel {
@@ -62,7 +67,13 @@ class Kernel {
   // Lets the tool come to rest on the path as soon as the limits allow, and ends the program there.
   void stop();
 
+  // How far the path leaves the straight line between the last two setpoints.
   [[nodiscard]] double chord_error_mm() const noexcept;
+  // What did not hold so far. Nothing: all did. Not from a real-time thread, and complete only
+  // once tick() is not called any more.
+  [[nodiscard]] std::optional<RunFault> fault() const;
+  // The largest figures so far. Belongs to the tick side.
+  [[nodiscard]] const TickJudge& judge() const noexcept;
   // Where G64 leads the path farthest from what the program says, as far as it is planned: the
   // larger of both directions, from the geometry. 0: nowhere. Belongs to the planning side.
   [[nodiscard]] const smoothing::Departure& departure() const noexcept;

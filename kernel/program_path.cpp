@@ -3,11 +3,14 @@
 #include "kernel/blend_settings.hpp"
 #include "kernel/reader_options.hpp"
 #include "parser/errors/machine.hpp"
+#include "parser/short_moves.hpp"
 
 namespace kerf {
 
 ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& options)
-    : reader_(reader_options(settings, options)), smoother_(blend_settings(settings)) {
+    : reader_(reader_options(settings, options)),
+      smoother_(blend_settings(settings)),
+      end_{.position_mm = options.start_mm, .extra_rad_mm = options.start_extra_rad_mm} {
   if (options.checks_travel) {
     travel_.emplace(settings);
   }
@@ -38,6 +41,9 @@ bool ProgramPath::read_move() {
     return true;
   }
   source_ = move.source;
+  if (const auto* end = parser::end_mm(move)) {
+    end_ = {.position_mm = *end, .extra_rad_mm = move.extra.end_rad_mm};
+  }
   // Before smoothing, which may round the corner into the move or merge it with others.
   if (const auto excess = travel_ ? travel_->excess_of(move) : std::nullopt) {
     left_travel_ = true;
@@ -48,6 +54,10 @@ bool ProgramPath::read_move() {
     fail(taken.error(), parser::errors::kCurveRefused);
   }
   return true;
+}
+
+std::optional<PlaceOfTool> ProgramPath::programmed_end() const {
+  return has_errors() ? std::nullopt : std::optional(end_);
 }
 
 void ProgramPath::cut(const parser::SourcePosition& source, const smoothing::PathError& error,

@@ -32,6 +32,8 @@ class ProgramPath {
   void cut(const parser::SourcePosition& source, const smoothing::PathError& error,
            const parser::ErrorPage& page);
 
+  // Where the program leads the tool, so far as it was read. Nothing: it has an error.
+  [[nodiscard]] std::optional<PlaceOfTool> programmed_end() const;
   // Of the move read last, or of the part that was cut.
   [[nodiscard]] std::uint32_t line() const noexcept { return source_.line; }
   [[nodiscard]] bool has_errors() const { return failed_ || reader_.has_errors(); }
@@ -54,6 +56,7 @@ class ProgramPath {
   parser::ProgramReader reader_;
   std::optional<TravelCheck> travel_;
   smoothing::Smoother smoother_;
+  PlaceOfTool end_{};              // of the move read last
   parser::SourcePosition source_;  // of the move read last, or of the part that was cut
   bool ended_ = false;             // what the smoother still holds is all that follows
   bool cut_ = false;               // and none of that is run

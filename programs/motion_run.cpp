@@ -29,9 +29,10 @@ struct End {
 
 // The gravest reason first.
 void report_end(FileReport& report, const End& end) {
-  if (end.hung) {
-    report.fail(ExitStatus::internal_error,
-                "internal error: the program is read and nothing is planned");
+  if (const auto fault = end.kernel.fault()) {
+    report.fail(*fault);
+  } else if (end.hung) {
+    report.fail({.line = 0, .what = "the program is read and nothing is planned"});
   } else if (end.fault.kind != machine::Fault::none) {
     report.fail(ExitStatus::machine_fault, describe(end.fault, report.period_s));
   } else if (stop_requested()) {

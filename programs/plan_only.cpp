@@ -39,7 +39,7 @@ tl::expected<bool, std::string> next_move(parser::ProgramReader& reader, Program
 
 // What is next of the path, or a pause on it, into the planner's window.
 void push(smoothing::Smoother::Output& output, const lookahead::PlanLimits& limits,
-          lookahead::Planner& planner, BlockWatch& watch) {
+          lookahead::Planner& planner, PlanCheck& check, BlockWatch& watch) {
   if (const auto* pause = std::get_if<parser::Move>(&output)) {
     lookahead::push_pause(*pause, planner);
     watch.rests();
@@ -48,6 +48,7 @@ void push(smoothing::Smoother::Output& output, const lookahead::PlanLimits& limi
   auto& part = std::get<smoothing::PathPart>(output);
   const std::vector<parser::EventMove> changes = std::move(part.changes);
   if (auto block = lookahead::block_of(std::move(part), limits, planner.scan_for())) {
+    check.pushed(*block);
     lookahead::push_block(std::move(*block), changes, planner);
   }
 }
@@ -70,15 +71,18 @@ tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file,
   smoothing::Smoother::Output output;
   bool program_ended = false;
   bool finished = false;
-  for (parser::Move move; !stop_requested();) {
+  PlanCheck check;
+  for (parser::Move move; !stop_requested() && !check.fault();) {
     outbox.clear();
     if (planner.emit(outbox)) {
+      check.emitted(outbox);
       watch.planned(outbox);
     } else if (finished) {
       break;
     } else if (smoother.next(output)) {
-      push(output, settings.limits, planner, watch);
+      push(output, settings.limits, planner, check, watch);
     } else if (program_ended) {
+      check.judge(smoother.departure());
       planner.finish(move.source.line);
       finished = true;
     } else {
@@ -97,7 +101,8 @@ tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file,
       progress.set_read(static_cast<double>(file.bytes_read()) / size);
     }
   }
-  return PlannedProgram{.totals = planner.totals(), .departure = smoother.departure()};
+  return PlannedProgram{
+      .totals = planner.totals(), .departure = smoother.departure(), .fault = check.fault()};
 }
 
 }  // namespace kerf::program

@@ -1,11 +1,13 @@
 // A plan without ticks: how long a program takes and how far it goes.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <tl/expected.hpp>
 
 #include "kernel/kernel.hpp"
+#include "kernel/plan_check.hpp"
 #include "lookahead/planner.hpp"
 #include "programs/block_watch.hpp"
 #include "programs/program_file.hpp"
@@ -17,6 +19,7 @@ namespace kerf::program {
 struct PlannedProgram {
   lookahead::PlanTotals totals{};
   smoothing::Departure departure{};
+  std::optional<RunFault> fault{};  // the plan ends there
 };
 
 // Preconditions: check_program() found no error; the file is rewound. Memory does not grow with the

@@ -16,6 +16,11 @@ void FileReport::fail(ExitStatus why, std::string message) {
   failures.push_back(std::move(message));
 }
 
+void FileReport::fail(const RunFault& fault) {
+  const std::string line = fault.line != 0 ? ", in line " + std::to_string(fault.line) : "";
+  fail(ExitStatus::internal_error, file + ": internal error" + line + ": " + fault.what);
+}
+
 void FileReport::take(const std::vector<parser::Diagnostic>& found) {
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
 }

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "curves/position.hpp"
-#include "kernel/run_statistics.hpp"
+#include "kernel/tick_judge.hpp"
 #include "lookahead/limits.hpp"
 #include "lookahead/shortfall.hpp"
 #include "parser/diagnostic.hpp"
@@ -86,6 +86,8 @@ struct FileReport {
 
   // The first status that is not done stays; every message does.
   void fail(ExitStatus why, std::string message);
+  // The run did not keep a promise of kerf: an internal error.
+  void fail(const RunFault& fault);
   void take(const std::vector<parser::Diagnostic>& found);
 };
 

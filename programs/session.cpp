@@ -117,6 +117,8 @@ class Session {
     const auto planned = plan_only(file, settings_, kernel_options_, progress, watch);
     if (!planned) {
       report_.fail(ExitStatus::io_error, planned.error());
+    } else if (planned->fault) {
+      report_.fail(*planned->fault);
     } else if (stop_requested()) {
       report_.status = *stop_requested();
     } else {

@@ -31,7 +31,7 @@ class TickStage {
     const interp::TickStatus status = kernel_->tick(setpoint);
     table_.write(setpoint);
     const machine::MachineState state = table_.read();
-    statistics_.add(setpoint, kernel_->chord_error_mm(), state);
+    statistics_.add(setpoint, state);
     record = record_of(setpoint, state);
     if (state.fault != machine::Fault::none && fault_.kind == machine::Fault::none) {
       fault_ = {.kind = state.fault,

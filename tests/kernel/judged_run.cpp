@@ -58,6 +58,9 @@ JudgedRun judged_run(const RandomProgram& program, const MachineSettings& settin
   }
   if (kernel.has_errors()) {
     run.complaint = kernel.diagnostics().empty() ? "error" : kernel.diagnostics().back().message;
+  } else if (kernel.fault()) {
+    run.complaint += "internal error in line " + std::to_string(kernel.fault()->line) + ": " +
+                     kernel.fault()->what;
   } else if (status == interp::TickStatus::starved) {
     run.complaint += "starved";
   } else if (program.path.empty() && kernel_says_mm > tolerance_mm * (1.0 + kRelative)) {

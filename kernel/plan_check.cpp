@@ -1,0 +1,131 @@
+#include "kernel/plan_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "curves/curve_error.hpp"
+
+namespace kerf {
+
+using curves::to_text;
+
+namespace {
+
+constexpr std::uint32_t kMostIdle = 1000;
+// What rounding leaves between the way that a law covers and that of its phase.
+constexpr double kWay_mm = 1e-7;
+constexpr double kRelative = 1e-9;
+constexpr double kDeparture_mm = 1e-9;
+constexpr double kFeedrateRelative = 1e-6;
+constexpr double kFeedrate_mm_s = 1e-9;
+
+}  // namespace
+
+void PlanCheck::pushed(const lookahead::Block& block) {
+  expected_.push_back({.line = block.line,
+                       .length_mm = block.length_mm,
+                       .feedrate_mm_s = block.along.feedrate_mm_s,
+                       .adds_to_path = !block.extra.alone});
+}
+
+void PlanCheck::fail(std::uint32_t line, std::string what) {
+  if (!fault_) {
+    fault_ = RunFault{.line = line, .what = std::move(what)};
+  }
+}
+
+void PlanCheck::emitted(const lookahead::Outbox& outbox) {
+  bool moves = false;
+  for (const interp::Phase& phase : outbox.phases) {
+    const bool rests =
+        phase.s_begin_mm == phase.s_end_mm && phase.ends_at_rest && phase.law.length_mm() == 0.0;
+    if (rests) {
+      check_rest(phase);
+    } else {
+      check(phase);
+    }
+    moves = moves || rests || phase.s_end_mm > phase.s_begin_mm;
+  }
+  idle_ = moves ? 0 : idle_ + 1;
+  if (idle_ > kMostIdle) {
+    fail(expected_.empty() ? 0 : expected_.front().line, "the plan goes on and comes nowhere");
+  }
+}
+
+// At its end a block may still have phases: what rounding left of a span.
+void PlanCheck::leave_block() {
+  if (begun_ && s_mm_ == expected_.front().length_mm) {
+    path_mm_ += expected_.front().adds_to_path ? s_mm_ : 0.0;
+    expected_.pop_front();
+    begun_ = false;
+  }
+}
+
+void PlanCheck::check_rest(const interp::Phase& phase) {
+  leave_block();
+  if (!(phase.law.duration_s() >= 0.0) || !std::isfinite(phase.law.duration_s())) {
+    fail(phase.line, "a rest of " + to_text(phase.law.duration_s()) + " s is planned");
+  }
+  if (!stopped_ && !expected_.empty() && (begun_ || phase.ends_program)) {
+    fail(expected_.front().line,
+         std::string(phase.ends_program ? "the program ends" : "a rest is planned") + " at " +
+             to_text(s_mm_) + " mm of a block of " + to_text(expected_.front().length_mm) + " mm");
+  }
+}
+
+void PlanCheck::judge(const smoothing::Departure& departure) {
+  if (!(departure.distance_mm <= departure.tolerance_mm * (1.0 + kRelative) + kDeparture_mm)) {
+    fail(departure.line, "the path is " + to_text(departure.distance_mm) +
+                             " mm from the programmed one, above " +
+                             to_text(departure.tolerance_mm) + " mm");
+  }
+}
+
+void PlanCheck::begin_block(const interp::Phase& phase) {
+  begun_ = true;
+  s_mm_ = 0.0;
+  if (phase.curve != curve_ + 1 || phase.path_begin_mm != path_mm_) {
+    fail(phase.line, "block " + std::to_string(phase.curve) + " is planned behind block " +
+                         std::to_string(curve_) + ", at " + to_text(phase.path_begin_mm) +
+                         " mm of the path where " + to_text(path_mm_) + " mm are planned");
+  }
+  curve_ = phase.curve;
+}
+
+void PlanCheck::check(const interp::Phase& phase) {
+  if (phase.curve != curve_) {
+    leave_block();
+  }
+  if (expected_.empty()) {
+    fail(phase.line, "motion is planned behind the last block");
+    return;
+  }
+  if (!begun_) {
+    begin_block(phase);
+  }
+  const Expected block = expected_.front();
+  if (phase.curve != curve_ || phase.s_begin_mm != s_mm_) {
+    fail(phase.line, "the plan goes on at " + to_text(phase.s_begin_mm) + " mm of block " +
+                         std::to_string(phase.curve) + " and has come to " + to_text(s_mm_) +
+                         " mm of block " + std::to_string(curve_));
+  }
+  const double way_mm = phase.s_end_mm - phase.s_begin_mm;
+  const double covered_mm = phase.law.length_mm();
+  if (!(way_mm >= 0.0) || !(phase.s_end_mm <= block.length_mm) ||
+      !(std::abs(way_mm - covered_mm) <= kWay_mm + kRelative * phase.s_end_mm) ||
+      !std::isfinite(phase.law.duration_s())) {
+    fail(phase.line, "from " + to_text(phase.s_begin_mm) + " to " + to_text(phase.s_end_mm) +
+                         " mm of a block of " + to_text(block.length_mm) + " mm the plan covers " +
+                         to_text(covered_mm) + " mm in " + to_text(phase.law.duration_s()) + " s");
+  }
+  const profiles::Ramp ramp = phase.law.ramp();
+  const double most_mm_s = block.feedrate_mm_s * (1.0 + kFeedrateRelative) + kFeedrate_mm_s;
+  if (!(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s) <= most_mm_s)) {
+    fail(phase.line, "a feedrate of " + to_text(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s)) +
+                         " mm/s is planned, above " + to_text(block.feedrate_mm_s) + " mm/s");
+  }
+  s_mm_ = phase.s_end_mm;
+}
+
+}  // namespace kerf

@@ -1,0 +1,109 @@
+// Holds what comes out against the limits, tick by tick.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "curves/extra_way.hpp"
+#include "curves/position.hpp"
+#include "interp/setpoint.hpp"
+#include "kernel/run_fault.hpp"
+#include "lookahead/limits.hpp"
+
+namespace kerf {
+
+// Largest figures of velocity, acceleration and jerk.
+struct Peaks {
+  double v_mm_s = 0.0;
+  double a_mm_s2 = 0.0;
+  double j_mm_s3 = 0.0;
+};
+
+// A figure of one tick that is above what it may be.
+struct TickExcess {
+  enum class Figure : std::uint8_t {
+    none,
+    velocity,
+    acceleration,
+    jerk,
+    chord_error,
+    end,  // the distance between the last tick and the programmed end
+    not_finite
+  };
+  static constexpr std::int8_t kPath = -1;
+
+  Figure figure = Figure::none;
+  std::int8_t axis = kPath;  // X, Y, Z, A, B, C, U, V, W from 0 on
+  std::uint32_t line = 0;
+  std::int64_t tick = 0;
+  double found = 0.0;  // in mm and s, of A, B, C in rad
+  double limit = 0.0;
+};
+
+// Nothing: no excess.
+std::optional<RunFault> describe(const TickExcess& excess);
+
+// Where the tool is.
+struct PlaceOfTool {
+  curves::Position position_mm{};
+  curves::ExtraPosition extra_rad_mm{};
+};
+
+// Figures along the path come from the arc length between ticks, those of the axes from positions,
+// both by finite differences: what a drive sees, not what the plan says of itself. Each may exceed
+// its limit by 1e-6 of it and by what rounding leaves open in the differences; a chord by 0.5 % of
+// its tolerance. Real time: add() allocates nothing, takes no lock, throws nothing.
+class TickJudge {
+ public:
+  // binds_jerk: false for a profile that knows no jerk. has_extra_axes: A, B, C, U, V and W are
+  // looked at.
+  struct Settings {
+    lookahead::PlanLimits limits{};
+    bool binds_jerk = true;
+    bool has_extra_axes = false;
+  };
+
+  explicit TickJudge(const Settings& settings);
+
+  void add(const interp::Setpoint& setpoint, double chord_error_mm) noexcept;
+
+  // The program's last tick. What is shorter than the resolution of programs need not be run.
+  void judge_end(const interp::Setpoint& last, const PlaceOfTool& programmed) noexcept;
+
+  // The first; its figure is `none` while all holds.
+  [[nodiscard]] const TickExcess& excess() const noexcept { return excess_; }
+  [[nodiscard]] const Peaks& path() const noexcept { return path_.peaks; }
+  [[nodiscard]] std::array<Peaks, 3> axes() const noexcept;
+  // Of A, B, C in rad.
+  [[nodiscard]] std::array<Peaks, curves::kExtraAxes> extra_axes() const noexcept;
+  // The largest, and that of the latest tick.
+  [[nodiscard]] double chord_error_mm() const noexcept { return chord_error_mm_; }
+  [[nodiscard]] double latest_chord_error_mm() const noexcept { return latest_chord_error_mm_; }
+
+ private:
+  // The last four values of one coordinate, newest first, with what they may do.
+  struct Track {
+    std::array<double, 4> x{};
+    lookahead::MotionLimits limits{};
+    std::int8_t axis = TickExcess::kPath;
+    Peaks peaks{};
+  };
+
+  void add(Track& track, double x, const interp::Setpoint& at) noexcept;
+  void judge(const TickExcess& found, double rounding) noexcept;
+
+  double period_s_;
+  double chord_tolerance_mm_;
+  bool binds_jerk_;
+  bool has_extra_axes_;
+  bool began_ = false;
+  Track path_{};
+  std::array<Track, 3> axes_{};
+  std::array<Track, curves::kExtraAxes> extra_{};
+  double chord_error_mm_ = 0.0;
+  double latest_chord_error_mm_ = 0.0;
+  TickExcess excess_{};
+};
+
+}  // namespace kerf
