@@ -1,9 +1,10 @@
 // kerf-bench papers: the published results beside ours. kerf-bench optimum: the time optimum of
 // every shipped curve beside its reference. kerf-bench parse: text to moves, long programs; with
 // the name of one, that one read once for counting instructions. kerf-bench soak [--seed N]
-// [--last M] [--seconds S] [--kind smoothed]: random curves and programs, those of the seeds N to M
-// and on for so long, or N alone; smoothed: programs of short lines in G64. kerf-bench streaming:
-// the time optimum in a window beside one over everything. kerf-bench parts [NAME] [--quick]
+// [--last M] [--seconds S] [--kind smoothed|degenerate]: random curves and programs, those of the
+// seeds N to M and on for so long, or N alone; smoothed: programs of short lines in G64. kerf-bench
+// streaming: the time optimum in a window beside one over everything. kerf-bench parts [NAME]
+// [--quick]
 // [--long] [--profile NAME]: programs of short segments, or those whose name begins so; quick:
 // without the longest exact stops, long: ten million lines too. Anything else: Google Benchmark's
 // cases and options, parse, plan and tick.
@@ -25,7 +26,7 @@
 
 namespace {
 
-// soak [--seed N] [--last M] [--seconds S] [--kind smoothed]
+// soak [--seed N] [--last M] [--seconds S] [--kind smoothed|degenerate]
 std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& words) {
   kerf::bench::Soak order;
   for (std::size_t i = 2; i < words.size(); i += 2) {
@@ -40,7 +41,9 @@ std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& word
     } else if (words[i] == "--seconds") {
       order.seconds = std::strtod(value, nullptr);
     } else if (words[i] == "--kind" && words[i + 1] == "smoothed") {
-      order.smoothed = true;
+      order.kind = kerf::bench::SoakKind::smoothed;
+    } else if (words[i] == "--kind" && words[i + 1] == "degenerate") {
+      order.kind = kerf::bench::SoakKind::degenerate;
     } else {
       return std::nullopt;
     }

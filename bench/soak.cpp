@@ -12,6 +12,7 @@
 #include <string>
 #include <thread>
 
+#include "tests/kernel/degenerate_program.hpp"
 #include "tests/kernel/judged_run.hpp"
 #include "tests/kernel/random_machine.hpp"
 #include "tests/kernel/singular_curves.hpp"
@@ -92,9 +93,20 @@ std::string departure_complaint(std::uint64_t seed) {
   return complaint;
 }
 
-Trial trial_of(std::uint64_t seed, bool smoothed) {
-  if (smoothed) {
-    return smoothed_trial(seed);
+Trial degenerate_trial(std::uint64_t seed) {
+  return {.program = test::degenerate_program(seed),
+          .settings = test::random_machine(seed, test::Spread::common),
+          .way = {.kind = kind_of(seed)}};
+}
+
+Trial trial_of(std::uint64_t seed, SoakKind kind) {
+  switch (kind) {
+    case SoakKind::smoothed:
+      return smoothed_trial(seed);
+    case SoakKind::degenerate:
+      return degenerate_trial(seed);
+    case SoakKind::mixed:
+      break;
   }
   return seed % 3 == 0 ? curve_trial(seed) : program_trial(seed);
 }
@@ -145,14 +157,14 @@ struct Tally {
   double worst_chord = 0.0;
 };
 
-void judge(std::uint64_t seed, bool smoothed, Tally& tally) {
-  const Trial trial = trial_of(seed, smoothed);
+void judge(std::uint64_t seed, SoakKind kind, Tally& tally) {
+  const Trial trial = trial_of(seed, kind);
   JudgedRun run = test::judged_run(trial.program, trial.settings, trial.way);
   const double off_mm = distance_mm(run.last.position_mm, trial.program.end_mm);
   if (run.complaint.empty() && !(off_mm <= kAtEnd_mm)) {
     run.complaint = "ends " + std::to_string(1e6 * off_mm) + " nm beside its end";
   }
-  if (smoothed) {
+  if (kind == SoakKind::smoothed) {
     run.complaint += departure_complaint(seed);
     if (seed % kSeedsOfASecondRun == 0 &&
         test::judged_run(trial.program, trial.settings, trial.way).fingerprint != run.fingerprint) {
@@ -160,7 +172,7 @@ void judge(std::uint64_t seed, bool smoothed, Tally& tally) {
     }
   }
   ++tally.runs;
-  tally.curves += !smoothed && seed % 3 == 0 ? 1U : 0U;
+  tally.curves += kind == SoakKind::mixed && seed % 3 == 0 ? 1U : 0U;
   tally.ticks += run.ticks;
   tally.with_shortfall += run.shortfalls > 0 ? 1U : 0U;
   for (std::size_t i = 0; i < test::kFigures; ++i) {
@@ -201,7 +213,7 @@ int soak(const Soak& order) {
   std::uint64_t seed = order.seed;
   do {
     watchdog.begin(seed);
-    judge(seed, order.smoothed, tally);
+    judge(seed, order.kind, tally);
     ++seed;
   } while (seed <= order.last || Clock::now() - began < allowed);
   print(tally, order.seed);

@@ -5,11 +5,17 @@
 
 namespace kerf::bench {
 
+enum class SoakKind : std::uint8_t {
+  mixed,       // curves and programs of few blocks
+  smoothed,    // short lines in G64, whose deviation is judged, too
+  degenerate,  // moves that are as good as none among ordinary ones
+};
+
 struct Soak {
   std::uint64_t seed = 1;  // the first
   std::uint64_t last = 0;  // all up to that one, and as many more as the seconds allow
   double seconds = 0.0;
-  bool smoothed = false;  // short lines in G64 instead, whose deviation is judged, too
+  SoakKind kind = SoakKind::mixed;
 };
 
 // Prints the seed of each failure, the count, and the largest of each figure over its limit.
