@@ -5,14 +5,39 @@
 #include <numbers>
 #include <utility>
 
+#include "programs/feed_colours.hpp"
+#include "programs/path_cover.hpp"
+
 namespace kerf::program {
 
 namespace {
 
 // Doubling must get somewhere.
 constexpr double kLeastTolerance = 1e-9;
+// Of the distance tolerance, which is a part of one: what is drawn is about two pixels wide.
+constexpr double kPixels = 4.0;
+constexpr double kMostCells = 1000.0;  // in a row
 
 }  // namespace
+
+PaperBox box_around(const std::vector<OutlinePoint>& points) {
+  PaperBox box{.min = points.front().at, .max = points.front().at};
+  for (const OutlinePoint& point : points) {
+    box.min = {.u_mm = std::min(box.min.u_mm, point.at.u_mm),
+               .v_mm = std::min(box.min.v_mm, point.at.v_mm)};
+    box.max = {.u_mm = std::max(box.max.u_mm, point.at.u_mm),
+               .v_mm = std::max(box.max.v_mm, point.at.v_mm)};
+  }
+  return box;
+}
+
+std::size_t level_to(std::size_t point, const std::vector<OutlinePoint>& outline,
+                     double max_v_mm_s) {
+  if (outline[point].rapid) {
+    return kColourLevels;
+  }
+  return colour_level((outline[point - 1].v_mm_s + outline[point].v_mm_s) / 2.0, max_v_mm_s);
+}
 
 PathOutline::PathOutline(const OutlineTolerance& tolerance, std::size_t max_points)
     : tolerance_{.distance_mm = std::max(tolerance.distance_mm, kLeastTolerance),
@@ -67,7 +92,10 @@ void PathOutline::keep(const OutlinePoint& point) {
 void PathOutline::add(const OutlinePoint& point) {
   append(point);
   if (kept_.size() >= max_points_) {
-    thin();
+    drop_hidden();
+    if (kept_.size() > max_points_ / 4 * 3) {
+      thin();
+    }
   }
 }
 
@@ -83,13 +111,37 @@ void PathOutline::append(const OutlinePoint& point) {
   last_ = point;
 }
 
+// The point that the next line begins at stays, hidden or not.
+void PathOutline::drop_hidden() {
+  const PaperBox box = box_around(kept_);
+  const double cell_mm =
+      std::max({kPixels * tolerance_.distance_mm,
+                std::max(box.width_mm(), box.height_mm()) / kMostCells, kLeastTolerance});
+  PathCover cover(box, cell_mm);
+  std::vector<OutlinePoint> shown{kept_.front()};
+  for (std::size_t i = 1; i < kept_.size(); ++i) {
+    OutlinePoint point = kept_[i];
+    point.hidden =
+        point.hidden || !cover.draw(kept_[i - 1].at, point.at, level_to(i, kept_, max_v_mm_s_));
+    if (point.hidden && shown.back().hidden) {
+      shown.back() = point;
+    } else {
+      shown.push_back(point);
+    }
+  }
+  kept_ = std::move(shown);
+}
+
 void PathOutline::thin() {
   tolerance_.distance_mm *= 2.0;
   tolerance_.v_share *= 2.0;
   const std::optional<OutlinePoint> last = last_;
   PathOutline thinner(tolerance_, max_points_);
   for (const OutlinePoint& point : kept_) {
-    thinner.append(point);
+    if (point.hidden && thinner.last_) {
+      thinner.keep(*thinner.last_);
+    }
+    point.hidden ? thinner.keep(point) : thinner.append(point);
   }
   // Closed at its end, as this outline is here.
   if (thinner.last_) {

@@ -13,7 +13,15 @@ struct OutlinePoint {
   PaperPoint at{};
   double v_mm_s = 0.0;
   bool rapid = false;
+  bool hidden = false;  // the line to here shows nowhere
 };
+
+// Precondition: not empty.
+[[nodiscard]] PaperBox box_around(const std::vector<OutlinePoint>& points);
+
+// The colour of the line to a point; kColourLevels: it is a rapid. point > 0.
+[[nodiscard]] std::size_t level_to(std::size_t point, const std::vector<OutlinePoint>& outline,
+                                   double max_v_mm_s);
 
 // How far the outline may differ from the path.
 struct OutlineTolerance {
@@ -23,15 +31,17 @@ struct OutlineTolerance {
 
 // Points go in one by one; one is kept where the straight line from the last kept point would leave
 // the tolerance, the feedrate has changed by more than its own, or a rapid begins or ends. The
-// feedrate of rapids does not matter. When the kept points run out, the tolerances double and the
-// outline is thinned by the same rule.
+// feedrate of rapids does not matter. When the kept points run out, lines go that lie under others
+// of the same colour or a slower one, which are drawn on top: so no feedrate is mixed with that of
+// its neighbours. Only where that is not enough, the tolerances double and the outline is thinned
+// by the same rule.
 //
 // The rule is a sleeve: the directions from the last kept point that pass every point since within
 // the tolerance form a sector, which only narrows. A point outside the sector ends the stretch. The
 // cost of a point is constant; the result is at most some tens of percent longer than the best one.
 class PathOutline {
  public:
-  explicit PathOutline(const OutlineTolerance& tolerance, std::size_t max_points = 30'000);
+  explicit PathOutline(const OutlineTolerance& tolerance, std::size_t max_points = 100'000);
 
   void add(const OutlinePoint& point);
 
@@ -50,6 +60,7 @@ class PathOutline {
   bool extend_stretch(const OutlinePoint& point);
   void append(const OutlinePoint& point);
   void keep(const OutlinePoint& point);
+  void drop_hidden();
   void thin();
 
   OutlineTolerance tolerance_;

@@ -51,17 +51,6 @@ class Scale {
   Pixel origin_{};
 };
 
-PaperBox box_around(const std::vector<OutlinePoint>& points) {
-  PaperBox box{.min = points.front().at, .max = points.front().at};
-  for (const OutlinePoint& point : points) {
-    box.min = {.u_mm = std::min(box.min.u_mm, point.at.u_mm),
-               .v_mm = std::min(box.min.v_mm, point.at.v_mm)};
-    box.max = {.u_mm = std::max(box.max.u_mm, point.at.u_mm),
-               .v_mm = std::max(box.max.v_mm, point.at.v_mm)};
-  }
-  return box;
-}
-
 // Numbered lines of x and y, where paper and machine coordinates are the same.
 void draw_grid(SvgCanvas& canvas, const PixelBox& frame, const Scale& scale) {
   const PaperPoint low = scale.back({.x = frame.left, .y = frame.bottom()});
@@ -135,8 +124,11 @@ Runs runs_of(const std::vector<OutlinePoint>& points, const Scale& scale, double
   Runs runs;
   std::size_t level = kColourLevels + 1;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const double v = (points[i - 1].v_mm_s + points[i].v_mm_s) / 2.0;
-    const std::size_t here = points[i].rapid ? kColourLevels : colour_level(v, max_v_mm_s);
+    if (points[i].hidden) {
+      level = kColourLevels + 1;
+      continue;
+    }
+    const std::size_t here = level_to(i, points, max_v_mm_s);
     if (here != level) {
       runs[here].push_back({scale.at(points[i - 1].at)});
       level = here;

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "programs/feed_colours.hpp"
+
 namespace kerf::program {
 namespace {
 
@@ -97,6 +99,67 @@ TEST(PathOutline, KeepsWhereARapidBeginsAndEnds) {
   ASSERT_NE(after, points.end());
   EXPECT_DOUBLE_EQ(first->at.u_mm, 3.0);
   EXPECT_DOUBLE_EQ(after->at.u_mm, 6.0);
+}
+
+constexpr double kWidth = 100.0;  // of a raster, and its height
+constexpr double kFast = 100.0;
+
+// Rows forth and back, the next at another feedrate: 100 and 20 mm/s below, 100 and 50 above.
+double v_of_row(int row, int rows) {
+  return row % 2 == 0 ? kFast : row < rows / 2 ? 20.0 : 50.0;
+}
+
+std::vector<OutlinePoint> raster(int rows) {
+  std::vector<OutlinePoint> points;
+  for (int row = 0; row < rows; ++row) {
+    const double v = kWidth * row / rows;
+    const double begin = row % 2 == 0 ? 0.0 : kWidth;
+    points.push_back({.at = {.u_mm = begin, .v_mm = v}, .v_mm_s = v_of_row(row, rows)});
+    points.push_back({.at = {.u_mm = kWidth - begin, .v_mm = v}, .v_mm_s = v_of_row(row, rows)});
+  }
+  return points;
+}
+
+// Millimetre by millimetre what is on top of the picture; 99: paper.
+using Picture = std::vector<std::size_t>;
+
+Picture picture_of(const std::vector<OutlinePoint>& outline) {
+  Picture picture(static_cast<std::size_t>(kWidth * kWidth), 99);
+  for (std::size_t i = 1; i < outline.size(); ++i) {
+    const double way = std::abs(outline[i].at.u_mm - outline[i - 1].at.u_mm);
+    if (outline[i].hidden || way < 2.0) {  // the edge, where rows are joined
+      continue;
+    }
+    const double left = std::min(outline[i].at.u_mm, outline[i - 1].at.u_mm);
+    for (double u = left + 0.5; u < left + way; u += 1.0) {
+      std::size_t& level =
+          picture[static_cast<std::size_t>(outline[i].at.v_mm) * 100 + static_cast<std::size_t>(u)];
+      level = std::min(level, level_to(i, outline, kFast));
+    }
+  }
+  return picture;
+}
+
+TEST(PathOutline, ShowsTheColoursOfAMillionRowsAsIfItKeptThemAll) {
+  constexpr int kRows = 1'000'000;
+  const std::vector<OutlinePoint> all = raster(kRows);
+  PathOutline outline({.distance_mm = kWidth / 2800.0});
+  for (const OutlinePoint& point : all) {
+    outline.add(point);
+  }
+  const auto points = outline.points();
+  EXPECT_LE(points.size(), 100'001U);
+  EXPECT_EQ(picture_of(points), picture_of(all));
+  EXPECT_EQ(picture_of(points).front(), colour_level(20.0, kFast));
+  EXPECT_EQ(picture_of(points).back(), colour_level(50.0, kFast));
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (!points[i].hidden && std::abs(points[i].at.u_mm - points[i - 1].at.u_mm) > 1.0) {
+      const std::size_t level = level_to(i, points, kFast);
+      EXPECT_TRUE(level == colour_level(20.0, kFast) || level == colour_level(50.0, kFast) ||
+                  level == colour_level(kFast, kFast))
+          << level;
+    }
+  }
 }
 
 TEST(PathOutline, ThinsItselfWithinItsMemory) {
