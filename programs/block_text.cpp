@@ -1,5 +1,6 @@
 #include "programs/block_text.hpp"
 
+#include <algorithm>
 #include <iterator>
 
 #include <spdlog/fmt/fmt.h>
@@ -8,6 +9,7 @@
 #include "parser/codes_in_force.hpp"
 #include "programs/extra_axes.hpp"
 #include "programs/number_text.hpp"
+#include "programs/visible_text.hpp"
 
 namespace kerf::program {
 
@@ -41,9 +43,11 @@ std::string block_text(const FileReport& report) {
   }
   const BlockReport& block = *report.block;
   const parser::ModalState& state = block.block.state;
+  std::string words = block.block.text;
+  std::replace(words.begin(), words.end(), '\t', ' ');
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}:{}: {}\n", report.file, block.line, block.block.text);
+  fmt::format_to(out, "{}:{}: {}\n", visible(report.file), block.line, visible(words));
   fmt::format_to(out, "  begins at       {} of {}", clock_time(block.begin_s),
                  clock_time(report.plan->cycle_time_s));
   if (block.duration_s > 0.0) {

@@ -20,6 +20,7 @@
 #include "programs/options.hpp"
 #include "programs/session.hpp"
 #include "programs/summary.hpp"
+#include "programs/visible_text.hpp"
 
 namespace kerf::program {
 
@@ -38,16 +39,19 @@ ExitStatus print(int descriptor, std::string_view text) {
 void print_messages(const FileReport& report, const Options& options) {
   for (const parser::Diagnostic& diagnostic : report.diagnostics) {
     if (!options.quiet || diagnostic.severity == parser::Severity::error) {
-      write_error_line(parser::to_text(diagnostic, report.file));
+      parser::Diagnostic shown = diagnostic;
+      shown.message = visible(shown.message);
+      shown.file = visible(shown.file);
+      write_error_line(parser::to_text(shown, visible(report.file)));
     }
   }
   for (const std::string& failure : report.failures) {
-    spdlog::error("{}", failure);
+    spdlog::error("{}", visible(failure));
   }
   for (const std::string& warning : report.warnings) {
     // The summary has them, too.
     if (options.json || !report.plan) {
-      spdlog::warn("{}: {}", report.file, warning);
+      spdlog::warn("{}: {}", visible(report.file), visible(warning));
     }
   }
 }
@@ -90,7 +94,7 @@ ExitStatus first_failure(std::initializer_list<ExitStatus> parts) {
 ExitStatus refuse_machine(const MachineRefusal& refusal, const Options& options) {
   if (options.format == DiagnosticFormat::text) {
     for (const std::string& message : refusal.messages) {
-      write_error_line(message);
+      write_error_line(visible(message));
     }
     return refusal.status;
   }

@@ -24,8 +24,9 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kStandardInput = "<stdin>";
 
 std::string written(const Json& json) {
-  // What is not UTF-8 in a file name or a message becomes U+FFFD.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  // ASCII alone, so that no control character of a name reaches a terminal. What is not UTF-8 in a
+  // file name or a message becomes U+FFFD.
+  return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 std::string_view level(parser::Severity severity) {

@@ -10,7 +10,7 @@
 
 #include "parser/diagnostic.hpp"
 #include "parser/errors/catalogue.hpp"
-#include "parser/utf8.hpp"
+#include "programs/visible_text.hpp"
 
 namespace kerf::program {
 
@@ -54,23 +54,13 @@ std::string_view kind_of(const ErrorPage& page) {
 }
 
 // A trigger with its invisible bytes written as \xFF.
-std::string visible(std::string_view trigger) {
+std::string visible_lines(std::string_view trigger) {
   std::string text;
-  for (std::size_t at = 0; at < trigger.size();) {
-    const parser::Utf8 character = parser::utf8_at(trigger.substr(at));
-    const bool line_end = trigger[at] == '\n';
-    const bool shown = character.code >= 0x20 && character.code != 0x7F && character.code != 0xA0 &&
-                       character.code != 0xFEFF;
-    for (std::size_t i = 0; i < character.length; ++i) {
-      if (shown || line_end) {
-        text += trigger[at + i];
-      } else {
-        text += fmt::format("\\x{:02X}", static_cast<unsigned char>(trigger[at + i]));
-      }
-    }
-    at += character.length;
+  for (std::size_t end = 0; (end = trigger.find('\n')) != std::string_view::npos;) {
+    text += visible(trigger.substr(0, end)) + '\n';
+    trigger.remove_prefix(end + 1);
   }
-  return text;
+  return text + visible(trigger);
 }
 
 // What the trigger goes on with, as far as it need be shown.
@@ -78,7 +68,7 @@ std::string more_of(const parser::Repeated& more) {
   if (more.text.find_first_not_of(' ') == std::string_view::npos) {
     return fmt::format("({} blanks)\n", more.times);
   }
-  std::string text = visible(more.text);
+  std::string text = visible_lines(more.text);
   const std::size_t counter = text.find('@');
   if (counter != std::string::npos) {
     text.replace(counter, 1, "1");
@@ -88,7 +78,7 @@ std::string more_of(const parser::Repeated& more) {
 }
 
 std::string example_of(const ErrorPage& page) {
-  return visible(page.trigger) + (page.more.times > 0 ? more_of(page.more) : std::string());
+  return visible_lines(page.trigger) + (page.more.times > 0 ? more_of(page.more) : std::string());
 }
 
 std::string indented(std::string_view text, std::string_view indent) {

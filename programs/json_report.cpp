@@ -204,8 +204,9 @@ std::string json_report(const FileReport& report) {
     json["errors"].push_back({{"message", failure}});
   }
   json["elapsed"] = {{"check_s", report.check_duration_s}, {"run_s", report.run_duration_s}};
-  // What is not UTF-8 in a file name or a message becomes U+FFFD; what is not a number, null.
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  // ASCII alone, so that no control character of a name reaches a terminal. What is not UTF-8 in a
+  // file name or a message becomes U+FFFD; what is not a number, null.
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace kerf::program

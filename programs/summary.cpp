@@ -9,6 +9,7 @@
 #include "programs/extra_axes.hpp"
 #include "programs/number_text.hpp"
 #include "programs/speed_text.hpp"
+#include "programs/visible_text.hpp"
 
 namespace kerf::program {
 
@@ -97,9 +98,9 @@ void append_motion(std::string& text, const FileReport& report) {
 // A check is over in a line: there are often many files.
 std::string check_line(const FileReport& report) {
   const PlanReport& plan = *report.plan;
-  std::string text =
-      fmt::format("{}: ok, {}, {:.3f} mm in {}, {}\n", report.file, clock_time(plan.cycle_time_s),
-                  plan.path_length_mm, counted(plan.blocks, "block"), extents_text(report));
+  std::string text = fmt::format("{}: ok, {}, {:.3f} mm in {}, {}\n", visible(report.file),
+                                 clock_time(plan.cycle_time_s), plan.path_length_mm,
+                                 counted(plan.blocks, "block"), extents_text(report));
   for (const std::string& warning : report.warnings) {
     fmt::format_to(std::back_inserter(text), "  warning         {}\n", warning);
   }
@@ -121,7 +122,7 @@ std::string summary(const FileReport& report) {
   const PlanReport& plan = *report.plan;
   std::string text;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}: {}\n", report.file, verdict(report.status));
+  fmt::format_to(out, "{}: {}\n", visible(report.file), verdict(report.status));
   fmt::format_to(out, "  cycle time      {}   {} of {:g} ms, {}\n", clock_time(plan.cycle_time_s),
                  counted(static_cast<unsigned long long>(plan.ticks), "tick"),
                  1000.0 * report.period_s, report.profile);

@@ -1,53 +1,25 @@
 #include "programs/svg_canvas.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include <spdlog/fmt/fmt.h>
 
+#include "programs/visible_text.hpp"
+
 namespace kerf::program {
 
 namespace {
 
-// Of the sequence that begins with the byte; 0 where none does.
-std::size_t sequence_length(unsigned char lead) {
-  if (lead < 0x80U) {
-    return 1;
-  }
-  return lead >= 0xF5U ? 0 : lead >= 0xF0U ? 4 : lead >= 0xE0U ? 3 : lead >= 0xC2U ? 2 : 0;
-}
-
-// Bytes from 0x80 pass: a file name in UTF-8 is what it is. Those that are not UTF-8 would make the
-// document unreadable.
-bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t length = sequence_length(static_cast<unsigned char>(text.front()));
-    const std::string_view rest = text.substr(0, length).substr(1);
-    const bool follows = std::all_of(rest.begin(), rest.end(), [](char c) {
-      return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
-    });
-    if (length == 0 || rest.size() + 1 < length || !follows) {
-      return false;
-    }
-    text.remove_prefix(length);
-  }
-  return true;
-}
-
 std::string escaped(std::string_view words) {
-  const bool utf8 = is_utf8(words);
   std::string text;
-  for (const char c : words) {
-    const auto byte = static_cast<unsigned char>(c);
+  for (const char c : visible(words)) {
     if (c == '<') {
       text += "&lt;";
     } else if (c == '>') {
       text += "&gt;";
     } else if (c == '&') {
       text += "&amp;";
-    } else if (byte < 0x20U || byte == 0x7FU || (byte >= 0x80U && !utf8)) {
-      text += '?';
     } else {
       text += c;
     }
