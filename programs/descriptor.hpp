@@ -6,6 +6,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include <tl/expected.hpp>
+
 namespace kerf::program {
 
 class Descriptor {
@@ -29,8 +31,12 @@ class Descriptor {
   int number_ = -1;
 };
 
-// Writes all of it, however many calls that takes. 0, or the errno.
+// Writes all of it, however many calls that takes. 0, or the errno. Where nobody takes it from a
+// pipe or a terminal, a request to stop (interrupt.hpp) ends the wait: EINTR.
 int write_all(int descriptor, std::string_view bytes) noexcept;
+
+// A regular file for reading. What is none is not waited for. Error: why not.
+tl::expected<Descriptor, std::string> open_regular(const std::string& path);
 
 // "No space left on device", the same in every locale.
 std::string error_text(int error_number);

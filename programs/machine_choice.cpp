@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cerrno>
-#include <fcntl.h>
 #include <filesystem>
 
 #include "kernel/machine_file.hpp"
@@ -16,30 +15,31 @@ namespace {
 // One byte more than a machine file may have: the parser says that it is too long.
 constexpr std::size_t kMostBytes = (std::size_t{1} << 20U) + 1;
 
-tl::expected<std::string, int> read_text(const std::string& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.is_open()) {
-    return tl::unexpected(errno);
+// Error: why it cannot be read.
+tl::expected<std::string, std::string> read_text(const std::string& path) {
+  const auto file = open_regular(path);
+  if (!file) {
+    return tl::unexpected(file.error());
   }
   std::string text;
   std::array<char, 16'384> buffer{};
   while (text.size() < kMostBytes) {
-    const ssize_t count = ::read(file.number(), buffer.data(), buffer.size());
+    const ssize_t count = ::read(file->number(), buffer.data(), buffer.size());
     if (count == 0) {
       break;
     }
     if (count > 0) {
       text.append(buffer.data(), static_cast<std::size_t>(count));
     } else if (errno != EINTR) {
-      return tl::unexpected(errno);
+      return tl::unexpected(error_text(errno));
     }
   }
   return text;
 }
 
-tl::unexpected<MachineRefusal> unreadable(const std::string& path, int error) {
-  return tl::unexpected(MachineRefusal{.status = ExitStatus::io_error,
-                                       .messages = {path + ": error: " + error_text(error)}});
+tl::unexpected<MachineRefusal> unreadable(const std::string& path, const std::string& why) {
+  return tl::unexpected(
+      MachineRefusal{.status = ExitStatus::io_error, .messages = {path + ": error: " + why}});
 }
 
 tl::expected<MachineSettings, MachineRefusal> read_machine(const std::string& path) {

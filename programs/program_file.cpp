@@ -22,15 +22,32 @@ Descriptor temporary_file() {
   return file ? Descriptor(::dup(::fileno(file.get()))) : Descriptor();
 }
 
-// What `from` still gives, in a temporary file.
-tl::expected<Descriptor, std::string> spool(const std::string& name, int from) {
+// A pipe, a socket or a terminal: read once, and more may be to come.
+bool is_stream(int descriptor) {
+  struct stat about {};
+  return ::fstat(descriptor, &about) == 0 &&
+         (S_ISFIFO(about.st_mode) || S_ISSOCK(about.st_mode) || ::isatty(descriptor) == 1);
+}
+
+// What standard input still gives, in a temporary file: it may be a file that somebody has read a
+// part of. Error: why not.
+tl::expected<Descriptor, std::string> copy_of_input(std::uint64_t most_bytes) {
+  struct stat about {};
+  if (::fstat(STDIN_FILENO, &about) != 0) {
+    return tl::unexpected(error_text(errno));
+  }
+  if (!S_ISREG(about.st_mode) && !is_stream(STDIN_FILENO)) {
+    return tl::unexpected(S_ISDIR(about.st_mode) ? error_text(EISDIR)
+                                                 : "is a device, neither a file nor a pipe");
+  }
   Descriptor to = temporary_file();
   if (!to.is_open()) {
-    return tl::unexpected("no temporary file for " + name + ": " + error_text(errno));
+    return tl::unexpected("no temporary file for it: " + error_text(errno));
   }
   std::vector<char> buffer(ProgramFile::kPieceBytes);
+  std::uint64_t copied = 0;
   while (!stop_requested()) {
-    const ssize_t count = ::read(from, buffer.data(), buffer.size());
+    const ssize_t count = ::read(STDIN_FILENO, buffer.data(), buffer.size());
     if (count == 0) {
       break;
     }
@@ -38,11 +55,16 @@ tl::expected<Descriptor, std::string> spool(const std::string& name, int from) {
       if (errno == EINTR) {
         continue;
       }
-      return fault(name, errno);
+      return tl::unexpected(error_text(errno));
     }
-    if (const int error =
-            write_all(to.number(), {buffer.data(), static_cast<std::size_t>(count)})) {
-      return tl::unexpected("the temporary copy of " + name + ": " + error_text(error));
+    const auto bytes = static_cast<std::size_t>(count);
+    copied += bytes;
+    if (copied > most_bytes) {
+      return tl::unexpected("more than " + std::to_string(most_bytes) +
+                            " bytes: write them into a file and give its name");
+    }
+    if (const int error = write_all(to.number(), {buffer.data(), bytes})) {
+      return tl::unexpected("its temporary copy: " + error_text(error));
     }
   }
   return to;
@@ -53,36 +75,27 @@ tl::expected<Descriptor, std::string> spool(const std::string& name, int from) {
 ProgramFile::ProgramFile(std::string name, Descriptor descriptor)
     : name_(std::move(name)), descriptor_(std::move(descriptor)), buffer_(kPieceBytes) {}
 
-bool ProgramFile::is_live(const std::string& path) noexcept {
+Descriptor ProgramFile::open_live(const std::string& path) {
+  const bool is_input = path == "-";
   struct stat about {};
-  const int failed = path == "-" ? ::fstat(STDIN_FILENO, &about) : ::stat(path.c_str(), &about);
-  return failed == 0 && !S_ISREG(about.st_mode) && !S_ISDIR(about.st_mode);
+  const int failed = is_input ? ::fstat(STDIN_FILENO, &about) : ::stat(path.c_str(), &about);
+  if (failed != 0 || S_ISREG(about.st_mode) || S_ISDIR(about.st_mode)) {
+    return {};
+  }
+  // Once: whoever has opened the other end of a FIFO would find it closed.
+  Descriptor source(is_input ? ::dup(STDIN_FILENO)
+                             : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  return source.is_open() && is_stream(source.number()) ? std::move(source) : Descriptor();
 }
 
-tl::expected<ProgramFile, std::string> ProgramFile::open(const std::string& path) {
-  const bool is_input = path == "-";
-  const std::string name = is_input ? "<stdin>" : path;
-  Descriptor source(is_input ? ::dup(STDIN_FILENO) : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!source.is_open()) {
-    return fault(name, errno);
+tl::expected<ProgramFile, std::string> ProgramFile::open(const std::string& path,
+                                                         std::uint64_t most_copied_bytes) {
+  const std::string name = path == "-" ? "<stdin>" : path;
+  auto source = path == "-" ? copy_of_input(most_copied_bytes) : open_regular(path);
+  if (!source) {
+    return tl::unexpected(name + ": " + source.error());
   }
-  struct stat about {};
-  if (::fstat(source.number(), &about) != 0) {
-    return fault(name, errno);
-  }
-  if (S_ISDIR(about.st_mode)) {
-    return fault(name, EISDIR);
-  }
-  // Standard input may be a file that somebody has read a part of: only the copy begins where it
-  // does.
-  if (is_input || !S_ISREG(about.st_mode)) {
-    auto copy = spool(name, source.number());
-    if (!copy) {
-      return tl::unexpected(copy.error());
-    }
-    source = std::move(*copy);
-  }
-  ProgramFile file(name, std::move(source));
+  ProgramFile file(name, *std::move(source));
   if (const auto taken = file.take_stock(); !taken) {
     return tl::unexpected(taken.error());
   }

@@ -15,18 +15,22 @@ namespace kerf::program {
 
 // The file stays open, so that deleting or replacing it does not matter to a run. One that is
 // written to between the check and the end of the run is an error: what was checked is not what
-// would run. Memory is one piece. What cannot be read twice (a pipe, a terminal) is first copied to
-// an unnamed temporary file.
+// would run. Memory is one piece. Standard input cannot be read twice and is first copied to an
+// unnamed temporary file; under a path there must be a regular file.
 class ProgramFile {
  public:
   static constexpr std::size_t kPieceBytes = std::size_t{64} * 1024;
 
-  // Can `path` be read only once, and may more of it be still to come? A pipe, a terminal. Not what
-  // cannot be opened.
-  [[nodiscard]] static bool is_live(const std::string& path) noexcept;
+  static constexpr std::uint64_t kMostCopiedBytes = std::uint64_t{4} << 30U;
 
-  // path "-" is standard input. Error: what the system says, with the path.
-  static tl::expected<ProgramFile, std::string> open(const std::string& path);
+  // What can be read only once, and more of it may be still to come: a pipe, a socket, a terminal.
+  // Does not wait for its text. Closed: `path` is none of these.
+  [[nodiscard]] static Descriptor open_live(const std::string& path);
+
+  // path "-" is standard input, of which no more is copied. Error: what the system says, with the
+  // path.
+  static tl::expected<ProgramFile, std::string> open(
+      const std::string& path, std::uint64_t most_copied_bytes = kMostCopiedBytes);
 
   // As diagnostics are to name it: the path, or <stdin>.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }

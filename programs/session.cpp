@@ -1,8 +1,6 @@
 #include "programs/session.hpp"
 
-#include <cerrno>
 #include <chrono>
-#include <fcntl.h>
 #include <optional>
 #include <utility>
 
@@ -57,9 +55,11 @@ class Session {
       kernel_options_.subprograms =
           subprograms_beside(path, options_.dialect.value_or(settings_.dialect));
     }
-    if (options_.command == Command::run && ProgramFile::is_live(path)) {
-      run_live(path);
-      return std::move(report_);
+    if (options_.command == Command::run) {
+      if (Descriptor source = ProgramFile::open_live(path); source.is_open()) {
+        run_live(std::move(source));
+        return std::move(report_);
+      }
     }
     auto file = ProgramFile::open(path);
     if (stop_requested()) {
@@ -153,13 +153,7 @@ class Session {
 
   // Text that can be read only once runs as it comes: each block is checked before it is planned,
   // and a wrong one ends the program at rest before it.
-  void run_live(const std::string& path) {
-    Descriptor source(path == "-" ? ::dup(STDIN_FILENO)
-                                  : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!source.is_open()) {
-      report_.fail(ExitStatus::io_error, report_.file + ": " + error_text(errno));
-      return;
-    }
+  void run_live(Descriptor source) {
     report_.live = kernel_options_.checks_travel = true;
     const Stopwatch watch;
     LiveFeed text(report_.file, std::move(source));

@@ -1,8 +1,11 @@
 #include "programs/program_file.hpp"
 
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -72,6 +75,51 @@ TEST_F(ProgramFileTest, SaysWhyAFileCannotBeRead) {
   const auto folder = ProgramFile::open(folder_.path().string());
   ASSERT_FALSE(folder.has_value());
   EXPECT_NE(folder.error().find("Is a directory"), std::string::npos);
+}
+
+TEST_F(ProgramFileTest, RefusesWhatIsNoRegularFileWithoutWaitingForIt) {
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  const auto fifo = ProgramFile::open(path_.string());
+  ASSERT_FALSE(fifo.has_value());
+  EXPECT_EQ(fifo.error(), path_.string() + ": is a FIFO, not a regular file");
+  const auto device = ProgramFile::open("/dev/zero");
+  ASSERT_FALSE(device.has_value());
+  EXPECT_EQ(device.error(), "/dev/zero: is a device, not a regular file");
+}
+
+TEST_F(ProgramFileTest, TakesAFifoForLiveTextButNoDevice) {
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  EXPECT_TRUE(ProgramFile::open_live(path_.string()).is_open());
+  EXPECT_FALSE(ProgramFile::open_live("/dev/zero").is_open());
+  EXPECT_FALSE(ProgramFile::open_live(folder_.path().string()).is_open());
+  EXPECT_FALSE(ProgramFile::open_live("/nowhere/part.ngc").is_open());
+}
+
+// Standard input is that of the test while the object lives.
+class StandardInput {
+ public:
+  explicit StandardInput(int other) : saved_(dup(STDIN_FILENO)) { dup2(other, STDIN_FILENO); }
+  ~StandardInput() {
+    dup2(saved_, STDIN_FILENO);
+    close(saved_);
+  }
+  StandardInput(const StandardInput&) = delete;
+  StandardInput& operator=(const StandardInput&) = delete;
+
+ private:
+  int saved_;
+};
+
+TEST_F(ProgramFileTest, CopiesNoMoreOfStandardInputThanItMay) {
+  write("G0 X1\n");  // 6 bytes
+  const Descriptor source(::open(path_.c_str(), O_RDONLY));
+  const StandardInput input(source.number());
+  EXPECT_TRUE(ProgramFile::open("-", 6).has_value());
+  lseek(source.number(), 0, SEEK_SET);
+  const auto refused = ProgramFile::open("-", 5);
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error(),
+            "<stdin>: more than 5 bytes: write them into a file and give its name");
 }
 
 TEST(ProgressLine, HasABarOfConstantWidth) {
