@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <tuple>
 
+#include "kernel/least_time.hpp"
 #include "kernel/reader_options.hpp"
 #include "machine/envelope.hpp"
 #include "parser/errors/machine.hpp"
 #include "parser/program_reader.hpp"
+#include "parser/text.hpp"
 #include "smoothing/part_builder.hpp"
 
 namespace kerf {
@@ -30,7 +32,9 @@ void unite(curves::ExtraExtents& all, const curves::ExtraPosition& position, boo
 class Checker {
  public:
   explicit Checker(const MachineSettings& settings)
-      : envelope_(machine::envelope_of(settings.table)), extra_envelope_(settings.table.extra) {}
+      : envelope_(machine::envelope_of(settings.table)),
+        extra_envelope_(settings.table.extra),
+        least_time_(settings.limits) {}
 
   // Of what follows an error only the curves are looked at: it may start anywhere.
   void look_at(const parser::Move& move, bool after_error, CheckReport& report) {
@@ -41,6 +45,7 @@ class Checker {
           parser::errors::kCurveRefused, built.error().message);
       return;
     }
+    least_time_.add(move, parts_);
     if (after_error || report.has_errors()) {
       return;
     }
@@ -59,6 +64,8 @@ class Checker {
     }
   }
 
+  [[nodiscard]] double least_time_s() const noexcept { return least_time_.seconds(); }
+
  private:
   static void check_travel(const std::optional<machine::TravelExcess>& excess,
                            const parser::SourcePosition& source, CheckReport& report) {
@@ -74,6 +81,7 @@ class Checker {
   static constexpr std::size_t kMaxLimitFaults = 100;
   machine::Envelope envelope_;
   machine::ExtraEnvelope extra_envelope_;
+  LeastTime least_time_;
   std::vector<smoothing::PathPart> parts_;
 };
 
@@ -81,6 +89,12 @@ void name_files(const parser::ProgramReader& reader, std::vector<parser::Diagnos
   for (parser::Diagnostic& diagnostic : diagnostics) {
     diagnostic.file = reader.file_name(diagnostic.source.file);
   }
+}
+
+parser::Diagnostic too_long(const parser::SourcePosition& source, double max_time_s) {
+  return {source, parser::errors::kTooLong,
+          "up to here the program takes more than the " + parser::shortest(max_time_s) +
+              " s that are allowed"};
 }
 
 }  // namespace
@@ -92,14 +106,18 @@ bool CheckReport::has_errors() const {
 }
 
 CheckReport check_program(const TextSource& text, const MachineSettings& settings,
-                          const KernelOptions& options, const StopRequest& stop) {
+                          const KernelOptions& options, const CheckBounds& bounds) {
   parser::ProgramReader reader(reader_options(settings, options));
   CheckReport report;
   Checker checker(settings);
   bool more_text = true;
-  for (parser::Move move; !stop || !stop();) {
+  for (parser::Move move; !bounds.stop || !bounds.stop();) {
     if (reader.next(move)) {
       checker.look_at(move, reader.has_errors(), report);
+      if (checker.least_time_s() > bounds.max_time_s) {
+        report.diagnostics.push_back(too_long(move.source, bounds.max_time_s));
+        break;
+      }
     } else if (reader.at_end() || !more_text) {
       break;
     } else if (const std::string_view piece = text(); piece.empty()) {

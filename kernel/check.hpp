@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -26,10 +27,18 @@ struct CheckReport {
 // Gives the next bytes of the program; empty at its end.
 using TextSource = std::function<std::string_view()>;
 
-// Asked before each move; true ends the check early. A program may loop for ever.
+// Asked before each move; true ends the check early.
 using StopRequest = std::function<bool()>;
 
+// Where a check ends though the program goes on: it may loop for ever.
+struct CheckBounds {
+  StopRequest stop{};
+  // An error once the program must have run for longer, for the length of its moves alone
+  // (LeastTime). A program that passes may still take longer.
+  double max_time_s = std::numeric_limits<double>::infinity();
+};
+
 CheckReport check_program(const TextSource& text, const MachineSettings& settings,
-                          const KernelOptions& options = {}, const StopRequest& stop = {});
+                          const KernelOptions& options = {}, const CheckBounds& bounds = {});
 
 }  // namespace kerf

@@ -11,11 +11,11 @@ namespace kerf::program {
 
 tl::expected<CheckReport, std::string> check_pass(ProgramFile& file,
                                                   const MachineSettings& settings,
-                                                  const KernelOptions& options,
-                                                  bool shows_progress) {
+                                                  const KernelOptions& kernel_options,
+                                                  const CheckPassOptions& options) {
   Progress progress;
   const ProgressBar bar(
-      "checking", [&] { return progress.read_share(); }, shows_progress);
+      "checking", [&] { return progress.read_share(); }, options.shows_progress);
   std::optional<std::string> error;
   const auto size = static_cast<double>(std::max<std::uint64_t>(file.size_bytes(), 1));
   const TextSource text = [&]() -> std::string_view {
@@ -30,8 +30,9 @@ tl::expected<CheckReport, std::string> check_pass(ProgramFile& file,
     progress.set_read(static_cast<double>(file.bytes_read()) / size);
     return *piece;
   };
-  CheckReport report =
-      check_program(text, settings, options, [] { return stop_requested().has_value(); });
+  CheckReport report = check_program(
+      text, settings, kernel_options,
+      {.stop = [] { return stop_requested().has_value(); }, .max_time_s = options.max_time_s});
   if (error) {
     return tl::unexpected(*error);
   }

@@ -10,11 +10,16 @@
 
 namespace kerf::program {
 
-// check_program() over the file, with a progress bar if shown. Ends early, and then means nothing,
-// when a stop is requested. Error: the file cannot be read.
+struct CheckPassOptions {
+  double max_time_s;  // as CheckBounds
+  bool shows_progress;
+};
+
+// check_program() over the file. Ends early, and then means nothing, when a stop is requested.
+// Error: the file cannot be read.
 tl::expected<CheckReport, std::string> check_pass(ProgramFile& file,
                                                   const MachineSettings& settings,
-                                                  const KernelOptions& options,
-                                                  bool shows_progress);
+                                                  const KernelOptions& kernel_options,
+                                                  const CheckPassOptions& options);
 
 }  // namespace kerf::program

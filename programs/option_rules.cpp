@@ -1,12 +1,60 @@
 #include "programs/option_rules.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <system_error>
 
 #include <spdlog/fmt/fmt.h>
 
 #include "profiles/sigmoid.hpp"
 
 namespace kerf::program {
+
+namespace {
+
+struct Unit {
+  std::string_view name;
+  double factor;
+};
+constexpr std::array kTimeUnits{Unit{"", 1.0}, Unit{"s", 1.0}, Unit{"min", 60.0}, Unit{"h", 3600.0},
+                                Unit{"d", 86'400.0}};
+constexpr std::array kSizeUnits{Unit{"", 1.0},       Unit{"B", 1.0},         Unit{"kB", 1e3},
+                                Unit{"MB", 1e6},     Unit{"GB", 1e9},        Unit{"TB", 1e12},
+                                Unit{"KiB", 1024.0}, Unit{"MiB", 1048576.0}, Unit{"GiB", 0x1p30},
+                                Unit{"TiB", 0x1p40}};
+
+// A plain decimal number and one of the units.
+template <std::size_t kUnits>
+std::optional<double> amount_of(std::string_view text, const std::array<Unit, kUnits>& units) {
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number, std::chars_format::fixed);
+  if (read.ec != std::errc()) {
+    return std::nullopt;
+  }
+  const std::string_view name(read.ptr, static_cast<std::size_t>(end - read.ptr));
+  const auto unit = std::find_if(units.begin(), units.end(),
+                                 [name](const Unit& known) { return known.name == name; });
+  return unit == units.end() ? std::nullopt : std::optional(number * unit->factor);
+}
+
+}  // namespace
+
+std::optional<double> duration_s_of(std::string_view text) {
+  constexpr double kMost_s = 1e10;
+  const auto time = amount_of(text, kTimeUnits);
+  return time && *time > 0.0 && *time <= kMost_s ? time : std::nullopt;
+}
+
+std::optional<std::uint64_t> bytes_of(std::string_view text) {
+  constexpr double kMost = 0x1p60;
+  const auto size = amount_of(text, kSizeUnits);
+  if (!size || !(*size >= 1.0 && *size <= kMost)) {
+    return std::nullopt;
+  }
+  return static_cast<std::uint64_t>(*size);
+}
 
 std::optional<parser::BlockDelete> block_delete_of(std::string_view text) {
   if (text == "all") {

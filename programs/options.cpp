@@ -9,6 +9,7 @@
 
 #include "programs/error_page_text.hpp"
 #include "programs/option_rules.hpp"
+#include "programs/visible_text.hpp"
 
 namespace kerf::program {
 
@@ -41,6 +42,8 @@ struct Raw {
   std::string profile{name_of(profiles::kDefaultProfile)};
   std::string block_delete;   // empty: not given
   std::string explain_speed;  // the same
+  std::string max_time;       // the same
+  std::string max_trace;      // the same
 };
 
 void add_common(CLI::App& command, Raw& raw) {
@@ -75,6 +78,10 @@ void add_common(CLI::App& command, Raw& raw) {
       "--block-delete{all}", raw.block_delete,
       "leave out blocks that begin with /, or with =1,3 those with / (which is /1) and "
       "/3");
+  command
+      .add_option("--max-time", raw.max_time,
+                  "machine time that the program may take: 90, 90s, 5min, 2h, 30d (default: 30d)")
+      ->type_name("TIME");
   command.add_flag("--json", options.json, "report as JSON on standard output");
   command
       .add_option("--format", options.format,
@@ -89,6 +96,10 @@ void add_outputs(CLI::App& command, Raw& raw) {
   command
       .add_option("--trace", options.trace_file, "write one row per tick (- is standard output)")
       ->type_name("FILE.csv");
+  command
+      .add_option("--max-trace", raw.max_trace,
+                  "size that the trace may have: 1000, 500MB, 4GiB (default: 4GiB)")
+      ->type_name("SIZE");
   command.add_option("--plot", options.plot_file, "draw the path and v, a, j over time")
       ->type_name("FILE.svg");
   command.add_flag("--explain-speed{all}", raw.explain_speed,
@@ -143,7 +154,45 @@ class ErrorPageCommand {
 };
 
 Leave wrong_use(const std::string& message) {
-  return {.status = ExitStatus::wrong_use, .text = "kerf: " + message + "\nTry: kerf --help\n"};
+  return {.status = ExitStatus::wrong_use,
+          .text = "kerf: " + visible(message) + "\nTry: kerf --help\n"};
+}
+
+// Reads the words of raw into its options. What is wrong with them, as a sentence.
+std::optional<std::string> give_meaning(Raw& raw) {
+  Options& options = raw.options;
+  if (!raw.block_delete.empty()) {
+    const auto switches = block_delete_of(raw.block_delete);
+    if (!switches) {
+      return "--block-delete takes numbers from 1 to 9, as in --block-delete=1,3; found " +
+             raw.block_delete;
+    }
+    options.block_delete = *switches;
+  }
+  if (!raw.explain_speed.empty()) {
+    options.explained_speed = speed_question(raw.explain_speed);
+    if (!options.explained_speed) {
+      return "--explain-speed takes a line or a time, as in --explain-speed=14 or =@1.5; found " +
+             raw.explain_speed;
+    }
+  }
+  if (!raw.max_time.empty()) {
+    const auto time = duration_s_of(raw.max_time);
+    if (!time) {
+      return "--max-time takes seconds, or a number with s, min, h or d; found " + raw.max_time;
+    }
+    options.max_time_s = *time;
+  }
+  if (!raw.max_trace.empty()) {
+    const auto size = bytes_of(raw.max_trace);
+    if (!size) {
+      return "--max-trace takes bytes, or a number with kB, MB, GB, TB, KiB, MiB, GiB or TiB; "
+             "found " +
+             raw.max_trace;
+    }
+    options.max_trace_bytes = *size;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -167,7 +216,8 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   CLI::App app(
       "Kerf: a motion kernel for CNC machines.\n"
       "Exit status: 0 done, 1 program error, 2 wrong use, 3 machine file error,\n"
-      "4 limit or machine fault, 5 input or output failed, 130 interrupted.",
+      "4 limit or machine fault, 5 input or output failed, 6 defect of kerf,\n"
+      "129 hung up, 130 interrupted, 143 terminated.",
       "kerf");
   app.set_version_flag("--version", "kerf " KERF_VERSION);
   app.require_subcommand(1);
@@ -197,22 +247,8 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
                     : check->parsed() ? Command::check
                                       : Command::explain;
   options.profile = *profiles::profile_kind(raw.profile);
-  if (!raw.block_delete.empty()) {
-    const auto switches = block_delete_of(raw.block_delete);
-    if (!switches) {
-      return wrong_use(
-          "--block-delete takes numbers from 1 to 9, as in --block-delete=1,3; found " +
-          raw.block_delete);
-    }
-    options.block_delete = *switches;
-  }
-  if (!raw.explain_speed.empty()) {
-    options.explained_speed = speed_question(raw.explain_speed);
-    if (!options.explained_speed) {
-      return wrong_use(
-          "--explain-speed takes a line or a time, as in --explain-speed=14 or =@1.5; found " +
-          raw.explain_speed);
-    }
+  if (const auto message = give_meaning(raw)) {
+    return wrong_use(*message);
   }
   if (const auto message = contradiction(options)) {
     return wrong_use(*message);

@@ -53,34 +53,49 @@ void push(smoothing::Smoother::Output& output, const lookahead::PlanLimits& limi
   }
 }
 
+// The line in which that much time is over.
+std::optional<std::uint32_t> line_past(double time_s, const lookahead::Outbox& outbox,
+                                       double period_s) {
+  for (const interp::Phase& phase : outbox.phases) {
+    const double begin_s = static_cast<double>(phase.begin.tick) * period_s + phase.begin.offset_s;
+    if (begin_s + phase.law.duration_s() > time_s) {
+      return phase.line;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file,
-                                                    const MachineSettings& settings,
-                                                    const KernelOptions& options,
+tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file, const PlanOrder& order,
                                                     Progress& progress, BlockWatch& watch) {
-  parser::ReaderOptions reading = reader_options(settings, options);
+  const lookahead::PlanLimits& limits = order.settings.limits;
+  parser::ReaderOptions reading = reader_options(order.settings, order.options);
   reading.watched_line = watch.line();
   parser::ProgramReader reader(std::move(reading));
-  smoothing::Smoother smoother(blend_settings(settings));
-  lookahead::Planner planner({.limits = settings.limits,
-                              .profile = options.profile,
-                              .window_blocks = options.window_blocks});
+  smoothing::Smoother smoother(blend_settings(order.settings));
+  // Nobody stops this plan, so a cruise need not leave in parts.
+  lookahead::Planner planner({.limits = limits,
+                              .profile = order.options.profile,
+                              .window_blocks = order.options.window_blocks,
+                              .longest_cruise_s = lookahead::kUnbounded});
   const auto size = static_cast<double>(std::max<std::uint64_t>(file.size_bytes(), 1));
   lookahead::Outbox outbox;
   smoothing::Smoother::Output output;
   bool program_ended = false;
   bool finished = false;
   PlanCheck check;
-  for (parser::Move move; !stop_requested() && !check.fault();) {
+  std::optional<std::uint32_t> too_long_at_line;
+  for (parser::Move move; !too_long_at_line && !check.fault() && !stop_requested();) {
     outbox.clear();
     if (planner.emit(outbox)) {
       check.emitted(outbox);
       watch.planned(outbox);
+      too_long_at_line = line_past(order.max_time_s, outbox, limits.period_s);
     } else if (finished) {
       break;
     } else if (smoother.next(output)) {
-      push(output, settings.limits, planner, check, watch);
+      push(output, limits, planner, check, watch);
     } else if (program_ended) {
       check.judge(smoother.departure());
       planner.finish(move.source.line);
@@ -101,8 +116,10 @@ tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file,
       progress.set_read(static_cast<double>(file.bytes_read()) / size);
     }
   }
-  return PlannedProgram{
-      .totals = planner.totals(), .departure = smoother.departure(), .fault = check.fault()};
+  return PlannedProgram{.totals = planner.totals(),
+                        .departure = smoother.departure(),
+                        .fault = check.fault(),
+                        .too_long_at_line = too_long_at_line};
 }
 
 }  // namespace kerf::program

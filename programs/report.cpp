@@ -4,6 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "parser/errors/machine.hpp"
 #include "programs/extra_axes.hpp"
 #include "programs/number_text.hpp"
 
@@ -23,6 +24,12 @@ void FileReport::fail(const RunFault& fault) {
 
 void FileReport::take(const std::vector<parser::Diagnostic>& found) {
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
+}
+
+void FileReport::fail_too_long(const TooLong& at) {
+  fail(ExitStatus::program_error,
+       fmt::format("{}: the program takes more than the {} s that are allowed, in line {} [{}]",
+                   file, at.max_time_s, at.line, parser::identifier(parser::errors::kTooLong)));
 }
 
 std::vector<LimitUse> limit_uses(const MotionReport& motion, const lookahead::PlanLimits& limits,

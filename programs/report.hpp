@@ -89,6 +89,12 @@ struct FileReport {
   // The run did not keep a promise of kerf: an internal error.
   void fail(const RunFault& fault);
   void take(const std::vector<parser::Diagnostic>& found);
+  // Its time was up in the line: more than the look at its length alone could tell.
+  struct TooLong {
+    std::uint32_t line = 0;
+    double max_time_s = 0.0;
+  };
+  void fail_too_long(const TooLong& at);
 };
 
 // One figure beside its limit.

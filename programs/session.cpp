@@ -84,7 +84,9 @@ class Session {
   // True: the program may run.
   bool check(ProgramFile& file) {
     const Stopwatch watch;
-    const auto found = check_pass(file, settings_, kernel_options_, shows_progress_);
+    const auto found =
+        check_pass(file, settings_, kernel_options_,
+                   {.max_time_s = options_.max_time_s, .shows_progress = shows_progress_});
     report_.check_duration_s = watch.elapsed_s();
     if (stop_requested()) {
       report_.status = *stop_requested();
@@ -114,13 +116,18 @@ class Session {
     const ProgressBar bar(
         "planning", [&] { return progress.read_share(); }, shows_progress_);
     BlockWatch watch({.line = options_.explained_line, .period_s = report_.period_s});
-    const auto planned = plan_only(file, settings_, kernel_options_, progress, watch);
+    const auto planned = plan_only(
+        file,
+        {.settings = settings_, .options = kernel_options_, .max_time_s = options_.max_time_s},
+        progress, watch);
     if (!planned) {
       report_.fail(ExitStatus::io_error, planned.error());
     } else if (planned->fault) {
       report_.fail(*planned->fault);
     } else if (stop_requested()) {
       report_.status = *stop_requested();
+    } else if (planned->too_long_at_line) {
+      report_.fail_too_long({*planned->too_long_at_line, options_.max_time_s});
     } else {
       const lookahead::PlanTotals& totals = planned->totals;
       report_.plan =

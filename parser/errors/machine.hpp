@@ -35,6 +35,17 @@ inline constexpr ErrorPage kMachineWithoutLimit{
     "Write the limit into the machine file.",
     "G0 X1\nM2\n"};
 
-inline constexpr std::array kMachinePages{&kOutsideTravel, &kCurveRefused, &kMachineWithoutLimit};
+inline constexpr ErrorPage kTooLong{
+    1003,
+    Severity::error,
+    "program that takes too long",
+    "The program has run for longer than is allowed, or must have by the length of its path, and "
+    "has not ended: a loop may have no end, or a feedrate be a thousand times too small.",
+    "See whether the loop around the block ends and whether F is in the unit that is in force "
+    "(G20, G21, G93 to G95). Allow a program that does take that long its time with --max-time.",
+    "o100 while [1]\nG0 X1\nG0 X0\no100 endwhile\nM2\n"};
+
+inline constexpr std::array kMachinePages{&kOutsideTravel, &kCurveRefused, &kMachineWithoutLimit,
+                                          &kTooLong};
 
 }  // namespace kerf::parser::errors

@@ -5,10 +5,12 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
 #include "kernel/machine_file.hpp"
+#include "parser/errors/machine.hpp"
 #include "tests/kernel/shipped_text.hpp"
 
 namespace kerf::test {
@@ -92,8 +94,40 @@ TEST(Check, EndsWhenItIsAskedTo) {
         given = true;
         return first ? "o1 while [1]\nG0 X1\nG0 X0\no1 endwhile\n" : "";
       },
-      {}, {}, [&] { return ++asked > 1000; });
+      {}, {}, {.stop = [&] { return ++asked > 1000; }});
   EXPECT_EQ(asked, 1001);
+}
+
+CheckReport check_for(double max_time_s, const std::string& text) {
+  bool given = false;
+  MachineSettings settings;
+  settings.limits.path.velocity_mm_s = 100.0;
+  return check_program(
+      [&]() -> std::string_view {
+        return std::exchange(given, true) ? std::string_view() : std::string_view(text);
+      },
+      settings, {}, {.max_time_s = max_time_s});
+}
+
+TEST(Check, EndsAnEndlessLoopWithMotionAtTheBlockThatTakesItTooLong) {
+  const CheckReport report =
+      check_for(1000.0, "G21 G90\no1 while [1]\nG1 X10 F600\nG0 X0\no1 endwhile\n");
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  EXPECT_EQ(report.diagnostics[0].page, &parser::errors::kTooLong);
+  EXPECT_EQ(report.diagnostics[0].source.line, 3U);  // 1 s forth, 0.1 s back
+  EXPECT_EQ(report.diagnostics[0].message,
+            "up to here the program takes more than the 1000 s that are allowed");
+}
+
+TEST(Check, EndsAnEndlessLoopThatHasAnError) {
+  const CheckReport report =
+      check_for(1000.0, "G21 G90\no1 while [1]\nG0 X10\nG0 X0\nG1 X@\no1 endwhile\n");
+  EXPECT_TRUE(report.has_errors());
+}
+
+TEST(Check, CountsDwellsAndLetsAProgramTakeAllTheTimeItMay) {
+  EXPECT_FALSE(check_for(60.0, "G21 G90\nG4 P50\nG1 X10 F60\nM2\n").has_errors());
+  EXPECT_TRUE(check_for(59.9, "G21 G90\nG4 P50\nG1 X10 F60\nM2\n").has_errors());
 }
 
 TEST(Check, TakesTheBulgeOfAnArcIntoTheExtents) {

@@ -13,6 +13,7 @@ namespace errors = parser::errors;
 
 std::vector<parser::Diagnostic> found_in(const parser::ErrorPage& page) {
   MachineSettings settings;
+  settings.limits.path.velocity_mm_s = 100.0;
   for (auto& axis : settings.table.axes) {
     axis.travel = {.min_mm = -300.0, .max_mm = 300.0};
   }
@@ -23,14 +24,15 @@ std::vector<parser::Diagnostic> found_in(const parser::ErrorPage& page) {
         read = true;
         return piece;
       },
-      settings);
+      settings, {}, {.max_time_s = 1000.0});
   std::vector<parser::Diagnostic> all = report.diagnostics;
   all.insert(all.end(), report.limit_faults.begin(), report.limit_faults.end());
   return all;
 }
 
 TEST(MachinePages, OfTheCheckHaveTheirTriggers) {
-  for (const parser::ErrorPage* page : {&errors::kOutsideTravel, &errors::kCurveRefused}) {
+  for (const parser::ErrorPage* page :
+       {&errors::kOutsideTravel, &errors::kCurveRefused, &errors::kTooLong}) {
     const auto found = found_in(*page);
     ASSERT_FALSE(found.empty()) << page->title;
     EXPECT_EQ(found.front().page, page) << found.front().message;
@@ -51,7 +53,7 @@ TEST(MachinePages, OfAMachineWithoutALimitHasItsTrigger) {
 TEST(MachinePages, AreAllTriedHere) {
   for (const parser::ErrorPage* page : errors::catalogue()) {
     const bool tried = page == &errors::kOutsideTravel || page == &errors::kCurveRefused ||
-                       page == &errors::kMachineWithoutLimit;
+                       page == &errors::kMachineWithoutLimit || page == &errors::kTooLong;
     EXPECT_TRUE(page->number < 1000 || tried) << page->title;
   }
 }

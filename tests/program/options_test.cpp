@@ -45,6 +45,32 @@ TEST(CommandLine, TakesADialect) {
   EXPECT_NE(refusal({"run", "--dialect", "heidenhain", "a.nc"}), "accepted");
 }
 
+TEST(CommandLine, BoundsTheTimeOfAProgramAndTheSizeOfATrace) {
+  const auto of = [](std::vector<const char*> words) {
+    words.insert(words.begin(), {"dry-run", "a.ngc"});
+    return std::get<Options>(parse(words));
+  };
+  EXPECT_EQ(of({}).max_time_s, 2'592'000.0);
+  EXPECT_EQ(of({}).max_trace_bytes, 4'294'967'296U);
+  EXPECT_EQ(of({"--max-time", "90"}).max_time_s, 90.0);
+  EXPECT_EQ(of({"--max-time", "1.5s"}).max_time_s, 1.5);
+  EXPECT_EQ(of({"--max-time", "5min"}).max_time_s, 300.0);
+  EXPECT_EQ(of({"--max-time", "2h"}).max_time_s, 7200.0);
+  EXPECT_EQ(of({"--max-time", "0.5d"}).max_time_s, 43'200.0);
+  EXPECT_EQ(of({"--max-trace", "1000"}).max_trace_bytes, 1000U);
+  EXPECT_EQ(of({"--max-trace", "1.5kB"}).max_trace_bytes, 1500U);
+  EXPECT_EQ(of({"--max-trace", "2GB"}).max_trace_bytes, 2'000'000'000U);
+  EXPECT_EQ(of({"--max-trace", "3MiB"}).max_trace_bytes, 3U << 20U);
+  for (const char* const time :
+       {"0", "-1", "h", "2 h", "2hours", "nan", "inf", "1e3", "20000000000"}) {
+    EXPECT_NE(refusal({"check", "a.ngc", "--max-time", time}), "accepted") << time;
+  }
+  for (const char* const size : {"0", "-1", "GiB", "4gib", "0.5", "nan", "2000000TiB"}) {
+    EXPECT_NE(refusal({"run", "a.ngc", "--max-trace", size}), "accepted") << size;
+  }
+  EXPECT_NE(refusal({"check", "a.ngc", "--max-trace", "1"}), "accepted");
+}
+
 TEST(CommandLine, TakesEveryOption) {
   const auto parsed = parse({"run", "--machine", "m.toml", "--profile", "sigmoid",
                              "--sigmoid-shape", "2.5", "--trace", "t.csv", "--plot", "p.svg",

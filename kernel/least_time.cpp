@@ -1,0 +1,41 @@
+#include "kernel/least_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace kerf {
+
+namespace {
+
+// What G64 leaves of a path at the least. It never rounds a corner of more than 154 degrees: the
+// way across one of those is sin(13 degrees) of the way around it.
+constexpr double kBlendedShare = 1.0 / 8.0;
+
+}  // namespace
+
+LeastTime::LeastTime(const lookahead::PlanLimits& limits)
+    : limits_(limits),
+      fastest_mm_s_(std::min(limits.path.velocity_mm_s,
+                             std::hypot(limits.axes[0].velocity_mm_s, limits.axes[1].velocity_mm_s,
+                                        limits.axes[2].velocity_mm_s))) {}
+
+void LeastTime::add(const parser::Move& move, const std::vector<smoothing::PathPart>& parts) {
+  if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
+    seconds_ += dwell->duration_s;
+  }
+  double move_s = 0.0;
+  for (const smoothing::PathPart& part : parts) {
+    const double length_mm = curves::length_mm(part.curve);
+    const double machine_s = part.extra.alone ? 0.0 : length_mm / fastest_mm_s_;
+    const bool feeds = !part.rapid && part.feedrate_mm_s > 0.0;
+    move_s += std::max(machine_s, feeds ? length_mm / part.feedrate_mm_s : 0.0);
+  }
+  for (std::size_t k = 0; k < curves::kExtraAxes && !parts.empty(); ++k) {
+    const double way = std::abs(move.extra.end_rad_mm[k] - move.extra.begin_rad_mm[k]);
+    move_s = std::max(move_s, way / limits_.extra[k].velocity_mm_s);
+  }
+  seconds_ += move.mode == parser::PathMode::blend ? kBlendedShare * move_s : move_s;
+}
+
+}  // namespace kerf
