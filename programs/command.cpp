@@ -66,7 +66,8 @@ ExitStatus print_report(const FileReport& report, const Options& options) {
   }
   // Where the trace goes to standard output, nothing else does; a document stands alone, too.
   const bool traced = options.trace_file == "-";
-  if (options.quiet || (!text && (traced || options.command == Command::check))) {
+  if (options.quiet || report.trace_reader_gone ||
+      (!text && (traced || options.command == Command::check))) {
     return ExitStatus::done;
   }
   return print(traced ? STDERR_FILENO : STDOUT_FILENO, summary(report));
@@ -142,8 +143,12 @@ int run_command(int argc, char** argv) {
     open_log(options.quiet);
     return to_int(process_all(options));
   } catch (const std::exception& exception) {
-    spdlog::critical("internal error: {}", exception.what());
-    return to_int(ExitStatus::internal_error);
+    const ExitStatus status = status_of(exception);
+    spdlog::critical(
+        "{}: {}",
+        status == ExitStatus::io_error ? "the system refuses what is needed" : "internal error",
+        visible(exception.what()));
+    return to_int(status);
   }
 }
 

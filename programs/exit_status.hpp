@@ -1,6 +1,8 @@
 // What `kerf` returns to the shell.
 #pragma once
 
+#include <exception>
+
 namespace kerf::program {
 
 enum class ExitStatus : int {
@@ -9,7 +11,7 @@ enum class ExitStatus : int {
   wrong_use = 2,       // of the command line
   settings_error = 3,  // the machine file has errors
   machine_fault = 4,   // a soft limit, before motion or in it, or another fault of the machine
-  io_error = 5,        // a file cannot be read or written
+  io_error = 5,        // a file cannot be read or written, or the system gives no memory, no thread
   internal_error = 6,  // a defect of kerf
   hung_up = 129,       // SIGHUP, SIGINT, SIGTERM: 128 + signal number, after a stop on the path
   interrupted = 130,
@@ -19,5 +21,8 @@ enum class ExitStatus : int {
 constexpr int to_int(ExitStatus status) noexcept {
   return static_cast<int>(status);
 }
+
+// Of what ends the program in mid-air.
+ExitStatus status_of(const std::exception& exception) noexcept;
 
 }  // namespace kerf::program

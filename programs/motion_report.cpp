@@ -73,4 +73,9 @@ std::string describe(const MachineFault& fault, double period_s) {
                      clock_time(static_cast<double>(fault.tick) * period_s));
 }
 
+std::string describe(const TickGap& gap, double period_s) {
+  return fmt::format("machine fault: no tick for {:.3f} s, in line {}, at {}", gap.duration_s,
+                     gap.line, clock_time(static_cast<double>(gap.tick) * period_s));
+}
+
 }  // namespace kerf::program

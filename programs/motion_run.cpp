@@ -24,19 +24,24 @@ struct End {
   const Kernel& kernel;
   const MachineFault& fault;
   const std::optional<std::string>& read_error;
-  bool hung;
+  const RunOutcome& outcome;
+  double max_time_s;
 };
 
 // The gravest reason first.
 void report_end(FileReport& report, const End& end) {
   if (const auto fault = end.kernel.fault()) {
     report.fail(*fault);
-  } else if (end.hung) {
+  } else if (end.outcome.hung) {
     report.fail({.line = 0, .what = "the program is read and nothing is planned"});
   } else if (end.fault.kind != machine::Fault::none) {
     report.fail(ExitStatus::machine_fault, describe(end.fault, report.period_s));
+  } else if (end.outcome.gap) {
+    report.fail(ExitStatus::machine_fault, describe(*end.outcome.gap, report.period_s));
   } else if (stop_requested()) {
     report.status = *stop_requested();
+  } else if (end.outcome.too_long_at_line) {
+    report.fail_too_long({*end.outcome.too_long_at_line, end.max_time_s});
   } else if (end.read_error) {
     report.fail(ExitStatus::io_error, *end.read_error);
   } else if (end.kernel.has_errors()) {
@@ -64,22 +69,30 @@ PlotCaption plot_caption(const FileReport& report) {
 void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
   auto outputs =
       Outputs::open(order.options, order.settings, order.path.extents.value_or(curves::Extents{}));
+  if (!outputs && stop_requested()) {  // a FIFO was waited for
+    report.status = *stop_requested();
+    return;
+  }
   if (!outputs) {
     report.fail(ExitStatus::io_error, outputs.error());
     return;
   }
+  report.warnings = outputs->warnings();
   Kernel kernel(order.settings, order.kernel_options);
   Progress progress;
   Feeder feeder(kernel, text, progress);
   TickStage ticks(kernel, order.settings, order.kernel_options.start_mm);
   const RunOutcome outcome =
-      run({feeder, ticks, outputs->recorder(), progress, report.live}, order, report.period_s);
+      run({feeder, ticks, outputs->recorder(), progress, report.live,
+           static_cast<std::int64_t>(order.options.max_time_s / report.period_s)},
+          order, report.period_s);
   report_motion(report, kernel, ticks.statistics(), outcome);
   if (const auto& speed = outputs->recorder().speed) {
     report.speed = speed->report();
   }
-  report_end(report, {kernel, ticks.fault(), feeder.error(), outcome.hung});
-  if (report.status == ExitStatus::done && order.path.extents) {
+  report_end(report, {kernel, ticks.fault(), feeder.error(), outcome, order.options.max_time_s});
+  report.trace_reader_gone = outcome.trace_ended && outputs->recorder().trace->reader_gone();
+  if (report.status == ExitStatus::done && order.path.extents && !outcome.trace_ended) {
     // Of the curves: ticks need not meet their extremes.
     report.plan->extents = *order.path.extents;
     report.plan->extra_extents = order.path.extra_extents;

@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
 #include "kernel/settings.hpp"
 #include "programs/options.hpp"
-#include "programs/plot_file.hpp"
+#include "programs/output_file.hpp"
 #include "programs/recorder.hpp"
 #include "programs/svg_plot.hpp"
 
@@ -25,6 +26,9 @@ class Outputs {
 
   [[nodiscard]] Recorder& recorder() noexcept { return recorder_; }
 
+  // An earlier run did not end as it should, and left this behind.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+
   // After the motion: ends the trace and draws the plot. What went wrong, if anything did. dropped:
   // ticks that the recorder never saw.
   std::optional<std::string> close_trace(std::uint64_t dropped);
@@ -34,7 +38,7 @@ class Outputs {
   Outputs() = default;
 
   Recorder recorder_;
-  std::optional<PlotFile> plot_file_;
+  std::optional<OutputFile> plot_file_;
 };
 
 }  // namespace kerf::program

@@ -11,7 +11,7 @@ RecorderThread::RecorderThread(Recorder& recorder) : recorder_(&recorder) {
 }
 
 RecorderThread::~RecorderThread() {
-  finish();
+  join();
 }
 
 void RecorderThread::push(const TickRecord& record) noexcept {
@@ -21,20 +21,31 @@ void RecorderThread::push(const TickRecord& record) noexcept {
 }
 
 void RecorderThread::finish() {
+  join();
+  if (error_) {
+    std::rethrow_exception(error_);
+  }
+}
+
+void RecorderThread::join() noexcept {
   over_.store(true, std::memory_order_release);
   if (thread_.joinable()) {
     thread_.join();
   }
 }
 
-void RecorderThread::work() {
-  while (true) {
-    const bool last_round = over_.load(std::memory_order_acquire);
-    ring_->consume_all([this](const TickRecord& record) { recorder_->add(record); });
-    if (last_round) {
-      return;
+void RecorderThread::work() noexcept {
+  try {
+    while (true) {
+      const bool last_round = over_.load(std::memory_order_acquire);
+      ring_->consume_all([this](const TickRecord& record) { recorder_->add(record); });
+      if (last_round) {
+        return;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  } catch (...) {
+    error_ = std::current_exception();  // the motion goes on without
   }
 }
 

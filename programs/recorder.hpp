@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -22,6 +23,9 @@ struct Recorder {
   std::optional<SpeedAccount> speed;
 
   [[nodiscard]] bool wants_ticks() const noexcept { return trace || plot || speed; }
+
+  // What is left of the motion would not be in the trace.
+  [[nodiscard]] bool trace_ended() const noexcept { return trace && trace->ended(); }
 
   void add(const TickRecord& record) {
     if (trace) {
@@ -46,7 +50,8 @@ class RecorderThread {
   RecorderThread& operator=(const RecorderThread&) = delete;
 
   void push(const TickRecord& record) noexcept;
-  // Waits until everything pushed is recorded. No push() may follow.
+  // Waits until everything pushed is recorded. No push() may follow. Throws what the recorder
+  // threw.
   void finish();
 
   [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
@@ -55,11 +60,13 @@ class RecorderThread {
   static constexpr std::size_t kRingRecords = 16'384;
   using Ring = boost::lockfree::spsc_queue<TickRecord, boost::lockfree::capacity<kRingRecords>>;
 
-  void work();
+  void work() noexcept;
+  void join() noexcept;
 
   Recorder* recorder_;
   std::unique_ptr<Ring> ring_ = std::make_unique<Ring>();
   std::atomic<bool> over_{false};
+  std::exception_ptr error_;
   std::uint64_t dropped_ = 0;
   std::thread thread_;
 };

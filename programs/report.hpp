@@ -66,7 +66,8 @@ struct FileReport {
   Command command = Command::dry_run;
   std::string machine;  // the machine file, or "default"
   std::string_view profile;
-  bool live = false;  // ran as its text came, without a check of the whole before
+  bool live = false;               // ran as its text came, without a check of the whole before
+  bool trace_reader_gone = false;  // and the motion was left where it was: nobody asks for more
   double period_s = 0.001;
   lookahead::PlanLimits limits{};
   parser::Letters extra_axes = 0;  // that the machine has

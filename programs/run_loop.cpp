@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <exception>
 #include <thread>
 
 #include "programs/interrupt.hpp"
@@ -28,18 +29,30 @@ class PlanningThread {
   PlanningThread(const PlanningThread&) = delete;
   PlanningThread& operator=(const PlanningThread&) = delete;
 
+  // Nothing more is planned: memory may be used up.
+  [[nodiscard]] bool failed() const noexcept { return failed_.load(std::memory_order_acquire); }
+  // Precondition: failed().
+  [[noreturn]] void rethrow() const { std::rethrow_exception(error_); }
+
  private:
-  void work() {
-    while (!over_.load(std::memory_order_relaxed)) {
-      if (stop_requested()) {
-        feeder_->stop();
+  void work() noexcept {
+    try {
+      while (!over_.load(std::memory_order_relaxed)) {
+        if (stop_requested()) {
+          feeder_->stop();
+        }
+        feeder_->pump();
+        std::this_thread::sleep_for(kPlanningPause);
       }
-      feeder_->pump();
-      std::this_thread::sleep_for(kPlanningPause);
+    } catch (...) {
+      error_ = std::current_exception();
+      failed_.store(true, std::memory_order_release);
     }
   }
 
   Feeder* feeder_;
+  std::exception_ptr error_;
+  std::atomic<bool> failed_{false};
   std::atomic<bool> over_{false};
   std::thread thread_;
 };
@@ -78,7 +91,12 @@ RunOutcome run_without_clock(const RunStage& stage) {
     const interp::TickStatus status = stage.ticks.step(record);
     stage.recorder.add(record);
     stage.progress.set_done(record.motion.s_mm);
-    if (judge.is_over(status, stage.ticks, outcome)) {
+    outcome.trace_ended = stage.recorder.trace_ended();
+    if (judge.is_over(status, stage.ticks, outcome) || outcome.trace_ended) {
+      return outcome;
+    }
+    if (record.tick >= stage.last_tick) {
+      outcome.too_long_at_line = record.line;
       return outcome;
     }
   }
@@ -92,12 +110,18 @@ RunOutcome run_in_real_time(const RunStage& stage, double period_s) {
     TickTimer timer(period_s);
     Judge judge(stage.waits_for_text);
     for (TickRecord record;;) {
-      timer.wait();
+      if (const double gap_s = timer.wait(); gap_s > 0.0) {
+        outcome.gap = TickGap{.duration_s = gap_s, .line = record.line, .tick = record.tick};
+        break;
+      }
       const interp::TickStatus status = stage.ticks.step(record);
       recorder.push(record);
       stage.progress.set_done(record.motion.s_mm);
       if (judge.is_over(status, stage.ticks, outcome)) {
         break;
+      }
+      if (planning.failed()) {
+        planning.rethrow();
       }
     }
     outcome.late_ticks = timer.late();

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
+#include <optional>
 
 #include "programs/feeder.hpp"
 #include "programs/recorder.hpp"
@@ -15,6 +17,14 @@ struct RunStage {
   Recorder& recorder;
   Progress& progress;
   bool waits_for_text = false;  // a tick without motion is no defect: the text is still to come
+  std::int64_t last_tick = std::numeric_limits<std::int64_t>::max();  // of a run without a clock
+};
+
+// For so long there was no tick behind this one.
+struct TickGap {
+  double duration_s = 0.0;
+  std::uint32_t line = 0;
+  std::int64_t tick = 0;
 };
 
 struct RunOutcome {
@@ -23,15 +33,20 @@ struct RunOutcome {
   std::uint64_t late_ticks = 0;     // began a period or more behind their time
   double worst_delay_s = 0.0;       // of a tick behind its time
   std::uint64_t dropped_records = 0;
+  bool trace_ended = false;    // and with it the run, as it has no clock
+  std::optional<TickGap> gap;  // a fault
+  // A run without a clock was not over by its last tick; the line of the program at that.
+  std::optional<std::uint32_t> too_long_at_line;
 };
 
 // One after the other in this thread, as fast as it goes. A request to stop (interrupt.hpp) is a
-// stop on the path, after which the run is over; a fault of the machine ends it at once.
+// stop on the path, after which the run is over; a fault of the machine ends it at once, and so
+// does a trace that ends: the motion serves nobody.
 RunOutcome run_without_clock(const RunStage& stage);
 
 // The same ticks, one every period_s of CLOCK_MONOTONIC, in this thread; planning and recording
 // each have a thread of their own. A late tick is counted, and those after it keep their distance:
-// what was lost is not caught up with.
+// what was lost is not caught up with. A gap (TickTimer) is a fault that ends the run at once.
 RunOutcome run_in_real_time(const RunStage& stage, double period_s);
 
 }  // namespace kerf::program

@@ -11,10 +11,19 @@ class TickTimer {
   // The first wait() ends at once. Precondition: period_s in 1e-6..1 s.
   explicit TickTimer(double period_s) noexcept;
 
+  // As far as motion is frozen ahead: no drive waits longer for its next setpoint. A tick that is
+  // late by less is no fault on a system that is not made for real time.
+  static constexpr double kLongestGap_s = 0.25;
+  // A long period is not a gap.
+  static constexpr double kFewestPeriods = 4.0;
+
   // Sleeps until the next tick is due, on CLOCK_MONOTONIC and against absolute times, so that
   // delays do not add up. Where it is due a period ago or more, the tick counts as late and the
   // beat goes on from now.
-  void wait() noexcept;
+  //
+  // Returns 0, or the time since the last tick where that is too long a gap: the process was
+  // stopped, or the computer asleep, which CLOCK_BOOTTIME counts too.
+  [[nodiscard]] double wait() noexcept;
 
   [[nodiscard]] std::uint64_t late() const noexcept { return late_; }
   [[nodiscard]] double worst_delay_s() const noexcept;
@@ -22,6 +31,8 @@ class TickTimer {
  private:
   std::int64_t period_ns_;
   std::int64_t due_ns_;
+  std::int64_t longest_gap_ns_;
+  std::int64_t last_ns_ = 0;  // of CLOCK_BOOTTIME; 0: no tick yet
   std::int64_t worst_delay_ns_ = 0;
   std::uint64_t late_ = 0;
 };

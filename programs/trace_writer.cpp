@@ -2,69 +2,83 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fcntl.h>
 #include <utility>
 
 namespace kerf::program {
 
-TraceWriter::TraceWriter(std::string name, Descriptor descriptor, double period_s,
-                         TraceColumns columns)
-    : name_(std::move(name)),
-      descriptor_(std::move(descriptor)),
-      clock_(period_s),
-      columns_(std::move(columns)),
-      buffer_(kBufferBytes) {
+TraceWriter::TraceWriter(OutputFile file, const TraceSettings& settings)
+    : file_(std::move(file)),
+      clock_(settings.period_s),
+      columns_(settings.columns),
+      buffer_(kBufferBytes),
+      max_bytes_(settings.max_bytes) {
   const std::string header = trace_header(columns_);
   std::copy(header.begin(), header.end(), buffer_.begin());
   used_ = header.size();
 }
 
-tl::expected<TraceWriter, std::string> TraceWriter::create(const std::string& path, double period_s,
-                                                           TraceColumns columns) {
-  const bool is_output = path == "-";
-  const std::string name = is_output ? "<stdout>" : path;
-  Descriptor file(is_output ? ::dup(STDOUT_FILENO)
-                            : ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (!file.is_open()) {
-    return tl::unexpected(name + ": " + error_text(errno));
+tl::expected<TraceWriter, std::string> TraceWriter::create(const std::string& path,
+                                                           const TraceSettings& settings) {
+  auto file = OutputFile::create(path);
+  if (!file) {
+    return tl::unexpected(file.error());
   }
-  return TraceWriter(name, std::move(file), period_s, std::move(columns));
+  return TraceWriter(*std::move(file), settings);
 }
 
 void TraceWriter::add(const TickRecord& record) {
-  if (!descriptor_.is_open()) {
+  if (closed_ || ended()) {
     return;
   }
+  line_ = record.line;
   if (buffer_.size() - used_ < kMaxRowBytes) {
     flush();
   }
   char* const at = buffer_.data() + used_;
-  used_ += static_cast<std::size_t>(write_row(at, record, clock_, columns_) - at);
+  const auto bytes = static_cast<std::size_t>(write_row(at, record, clock_, columns_) - at);
+  if (written_bytes_ + used_ + bytes > max_bytes_) {
+    flush();
+    end("would be larger than " + std::to_string(max_bytes_) + " bytes (--max-trace)");
+    return;
+  }
+  used_ += bytes;
 }
 
-void TraceWriter::close() {
+void TraceWriter::close(bool lacks_rows) {
+  if (closed_) {
+    return;
+  }
   flush();
-  if (const int error = descriptor_.close()) {
+  closed_ = true;
+  if (const int error = file_.finish(!ended() && !lacks_rows)) {
     note(error);
   }
 }
 
 void TraceWriter::flush() {
   const std::size_t count = std::exchange(used_, 0);
-  if (!descriptor_.is_open()) {
+  if (ended()) {
     return;
   }
-  if (const int error = write_all(descriptor_.number(), {buffer_.data(), count})) {
+  written_bytes_ += count;
+  if (const int error = file_.write({buffer_.data(), count})) {
     note(error);
-    descriptor_.close();
   }
 }
 
 void TraceWriter::note(int error_number) {
-  if (error_number == EPIPE) {
+  if (error_number == EPIPE && file_.is_standard_output()) {
     reader_gone_ = true;
-  } else if (!error_) {
-    error_ = name_ + ": " + error_text(error_number);
+  } else if (error_number == EINTR) {
+    end("nobody reads it");
+  } else {
+    end(error_text(error_number));
+  }
+}
+
+void TraceWriter::end(const std::string& why) {
+  if (!ended()) {
+    error_ = file_.name() + ": " + why + ", in line " + std::to_string(line_);
   }
 }
 

@@ -67,6 +67,7 @@ class Signals(Case):
         return process
 
     def wait_for_rows(self, path, process):
+        path += ".incomplete"  # until it is whole
         deadline = time.monotonic() + 60
         while not (os.path.exists(path) and os.path.getsize(path) > 100_000):
             self.assertIsNone(process.poll())
@@ -99,6 +100,9 @@ class Signals(Case):
     def test_terminated_run_is_143(self):
         self.stopped_run(signal.SIGTERM, 143)
 
+    def test_hung_up_run_is_129(self):
+        self.stopped_run(signal.SIGHUP, 129)
+
     def test_second_interrupt_ends_at_once(self):
         process = self.start("run", self.path("long.ngc", LONG), "--trace", self.path("trace.csv"))
         self.wait_for_rows(self.path("trace.csv"), process)
@@ -108,6 +112,7 @@ class Signals(Case):
         process.send_signal(signal.SIGCONT)
         process.communicate(timeout=60)
         self.assertIn(process.returncode, (130, 143))
+        self.assertEqual(sorted(os.listdir(self.folder)), ["long.ngc", "trace.csv.incomplete"])
 
     def test_interrupt_while_waiting_for_input_is_130(self):
         reading, writing = os.pipe()
@@ -122,11 +127,12 @@ class Signals(Case):
     def test_interrupted_dry_run_is_130_and_prompt(self):
         trace = self.path("trace.csv")
         process = self.start("dry-run", self.path("long.ngc", LONG), "--trace", trace)
-        while not os.path.exists(trace):
+        while not os.path.exists(trace + ".incomplete"):
             time.sleep(0.01)
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)
+        self.assertEqual(os.listdir(self.folder).count("trace.csv"), 1)  # whole, to the rest on the path
 
     def test_closed_standard_output_does_not_stop_a_run(self):
         command = [KERF, "run", self.path("square.ngc", SQUARE), "--trace", "-"]

@@ -7,7 +7,7 @@ import pathlib
 import subprocess
 import time
 
-from command_line import Case, KERF, SOURCE, SQUARE, TOO_FAR, WRONG, main
+from command_line import Case, KERF, SOURCE, LONG, SQUARE, TOO_FAR, WRONG, main
 
 
 class Errors(Case):
@@ -94,14 +94,18 @@ class Errors(Case):
         self.assertIn("No such file", self.kerf("dry-run", square, "--machine", "/nowhere.toml", status=5).stderr)
         self.assertIn("Is a directory", self.kerf("dry-run", square, "--machine", str(self.folder), status=5).stderr)
 
-    def test_a_full_disk_is_5_and_the_motion_goes_on(self):
+    def test_a_full_disk_is_5_and_the_motion_of_a_run_goes_on(self):
         square = self.path("square.ngc", SQUARE)
-        for command in ("dry-run", "run"):
-            for option in ("--trace", "--plot"):
-                with self.subTest(command=command, option=option):
-                    done = self.kerf(command, square, option, "/dev/full", status=5)
-                    self.assertIn("No space left on device", done.stderr)
-                    self.assertIn("path            80.000 mm", done.stdout)
+        for command, option in (("dry-run", "--plot"), ("run", "--trace"), ("run", "--plot")):
+            with self.subTest(command=command, option=option):
+                done = self.kerf(command, square, option, "/dev/full", status=5)
+                self.assertIn("No space left on device", done.stderr)
+                self.assertIn("path            80.000 mm", done.stdout)
+
+    def test_a_dry_run_ends_where_its_trace_does(self):
+        done = self.kerf("dry-run", self.path("long.ngc", LONG), "--trace", "/dev/full", status=5)
+        self.assertRegex(done.stderr, r"/dev/full: No space left on device, in line \d+; the trace is incomplete")
+        self.assertRegex(done.stdout, r"long\.ngc: input or output failed\n  cycle time      0:00:0\d\.")  # of 2000 s
 
     def test_a_trace_or_plot_that_cannot_be_opened_is_5_before_anything_moves(self):
         square = self.path("square.ngc", SQUARE)

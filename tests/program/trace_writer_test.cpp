@@ -1,5 +1,6 @@
 #include "programs/trace_writer.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -22,7 +23,7 @@ std::string text_of(const std::filesystem::path& path) {
 TEST(TraceWriter, WritesTheHeaderAndEveryRow) {
   const TemporaryFolder folder;
   const auto path = folder / "trace.csv";
-  auto writer = TraceWriter::create(path.string(), 0.001);
+  auto writer = TraceWriter::create(path.string(), {});
   ASSERT_TRUE(writer.has_value());
   constexpr int kRows = 20'000;  // several buffers
   for (int tick = 0; tick < kRows; ++tick) {
@@ -40,20 +41,21 @@ TEST(TraceWriter, WritesTheHeaderAndEveryRow) {
   EXPECT_EQ(tick, kRows);
 }
 
-TEST(TraceWriter, SaysThatTheDiskIsFullAndGoesOn) {
-  auto writer = TraceWriter::create("/dev/full", 0.001);
+TEST(TraceWriter, SaysThatTheDiskIsFullAndInWhichLine) {
+  auto writer = TraceWriter::create("/dev/full", {});
   ASSERT_TRUE(writer.has_value());
   for (int tick = 0; tick < 20'000; ++tick) {
-    writer->add({.tick = tick});
+    writer->add({.tick = tick, .line = 7});
   }
   ASSERT_TRUE(writer->error().has_value());
-  EXPECT_EQ(*writer->error(), "/dev/full: No space left on device");
+  EXPECT_EQ(*writer->error(), "/dev/full: No space left on device, in line 7");
+  EXPECT_TRUE(writer->ended());
   writer->add({});
   writer->close();
 }
 
 TEST(TraceWriter, SaysSoAlsoWhenOnlyTheLastBufferMeetsTheFullDisk) {
-  auto writer = TraceWriter::create("/dev/full", 0.001);
+  auto writer = TraceWriter::create("/dev/full", {});
   ASSERT_TRUE(writer.has_value());
   writer->add({});
   EXPECT_FALSE(writer->error().has_value());
@@ -61,8 +63,31 @@ TEST(TraceWriter, SaysSoAlsoWhenOnlyTheLastBufferMeetsTheFullDisk) {
   EXPECT_TRUE(writer->error().has_value());
 }
 
+TEST(TraceWriter, EndsWithTheLastWholeRowWithinItsSize) {
+  const TemporaryFolder folder;
+  const auto path = folder / "trace.csv";
+  for (const std::uint64_t most : {std::uint64_t{1000}, std::uint64_t{1'000'000}}) {
+    auto writer = TraceWriter::create(path.string(), {.max_bytes = most});
+    ASSERT_TRUE(writer.has_value());
+    for (std::uint32_t tick = 0; tick < 20'000; ++tick) {
+      writer->add({.tick = tick, .line = 1 + tick / 4});
+    }
+    writer->close();
+    ASSERT_TRUE(writer->error().has_value());
+    EXPECT_FALSE(std::filesystem::exists(path));
+    const std::string text = text_of(path.string() + ".incomplete");
+    EXPECT_LE(text.size(), most);
+    EXPECT_GT(text.size() + 200, most);  // a row has less
+    EXPECT_EQ(text.back(), '\n');
+    const auto rows = static_cast<std::uint64_t>(std::count(text.begin(), text.end(), '\n')) - 1;
+    EXPECT_EQ(*writer->error(), path.string() + ": would be larger than " + std::to_string(most) +
+                                    " bytes (--max-trace), in line " +
+                                    std::to_string(1 + rows / 4));
+  }
+}
+
 TEST(TraceWriter, RefusesAFolderThatIsNotThere) {
-  const auto writer = TraceWriter::create("/nowhere/at/all.csv", 0.001);
+  const auto writer = TraceWriter::create("/nowhere/at/all.csv", {});
   ASSERT_FALSE(writer.has_value());
   EXPECT_EQ(writer.error(), "/nowhere/at/all.csv: No such file or directory");
 }
