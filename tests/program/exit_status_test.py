@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Each exit status of `kerf`, and that README.md, docs/json.md and the help name them all."""
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import time
+
+from command_line import Case, KERF, LONG, SOURCE, SQUARE, TOO_FAR, WRONG, main
+
+# 6 is a defect, of which there is none to show: ExitStatus.OfADefectIs6 has it.
+ALL = {0, 1, 2, 3, 4, 5, 6, 129, 130, 143}
+
+
+class ExitStatus(Case):
+    def test_of_what_ends_by_itself(self):
+        square = self.path("square.ngc", SQUARE)
+        far, wrong = self.path("far.ngc", TOO_FAR), self.path("wrong.ngc", WRONG)
+        machine = self.path("mill.toml", "[tick]\nspeed = 3\n")
+        for status, words in ((0, ["check", square]), (1, ["check", wrong]), (1, ["check", square, "--max-time", "0.1"]),
+                              (2, ["check"]), (2, ["check", square, "--max-time", "soon"]), (3, ["check", square, "--machine", machine]),
+                              (4, ["check", far]), (5, ["check", "/nowhere.ngc"]), (1, ["check", square, wrong, far]),
+                              (4, ["check", square, far, wrong])):
+            with self.subTest(words=words):
+                self.kerf(*words, status=status)
+
+    def test_of_what_is_asked_to_stop(self):
+        long = self.path("long.ngc", LONG)
+        for status, number in ((129, signal.SIGHUP), (130, signal.SIGINT), (143, signal.SIGTERM)):
+            trace = self.path(f"{status}.csv")
+            process = subprocess.Popen([KERF, "run", long, "--trace", trace], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+            self.addCleanup(process.kill)
+            deadline = time.monotonic() + 60
+            while not os.path.exists(trace + ".incomplete") and time.monotonic() < deadline:
+                time.sleep(0.02)
+            process.send_signal(number)
+            process.communicate(timeout=60)
+            self.assertEqual(process.returncode, status)
+
+    def test_is_documented(self):
+        source = pathlib.Path(SOURCE)
+        self.assertEqual({int(n) for n in re.findall(r"^  \w+ = (\d+),", (source / "programs/exit_status.hpp").read_text(), re.M)}, ALL)
+        table = re.search(r"\| exit status \| \|\n\| --- \| --- \|\n((?:\|.*\n)+)", (source / "README.md").read_text()).group(1)
+        cells = " ".join(re.findall(r"^\| ([\d, ]+) \|", table, re.M))
+        self.assertEqual({int(n) for n in re.findall(r"\d+", cells)}, ALL)
+        row = next(line for line in (source / "docs/json.md").read_text().splitlines() if line.startswith("| `exit_status`"))
+        self.assertEqual({int(n) for n in re.findall(r"(?:: |, )(\d+) ", row)}, ALL - {2, 3})  # these print no object
+        help_text = self.kerf("--help").stdout
+        self.assertEqual({int(n) for n in re.findall(r"(?:: |, |,\n)(\d+) [a-z]", help_text[help_text.index("Exit status"):])}, ALL)
+
+
+if __name__ == "__main__":
+    main()
