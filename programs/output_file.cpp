@@ -13,6 +13,16 @@ namespace {
 
 constexpr const char* kIncomplete = ".incomplete";
 
+// /dev/stdout where that is a file: it would lose its name to ours.
+bool is_standard_stream(const struct stat& file) {
+  const auto is = [&file](int descriptor) {
+    struct stat about {};
+    return ::fstat(descriptor, &about) == 0 && about.st_dev == file.st_dev &&
+           about.st_ino == file.st_ino;
+  };
+  return is(STDOUT_FILENO) || is(STDERR_FILENO);
+}
+
 // Where a link leads, so that the link stays one. Empty: what is there is no regular file, or its
 // place cannot be found.
 std::string regular_target(const std::string& path) {
@@ -20,7 +30,7 @@ std::string regular_target(const std::string& path) {
   if (::stat(path.c_str(), &about) == 0) {
     std::error_code error;
     const std::filesystem::path target = std::filesystem::canonical(path, error);
-    return S_ISREG(about.st_mode) && !error ? target.string() : "";
+    return S_ISREG(about.st_mode) && !is_standard_stream(about) && !error ? target.string() : "";
   }
   return ::lstat(path.c_str(), &about) == 0 ? "" : path;
 }

@@ -82,6 +82,16 @@ class MaxTrace(Case):
         self.kerf("dry-run", square, "--trace", trace, "--max-trace", str(size - 1), status=5)
 
 
+class Outputs(Case):
+    def test_standard_output_by_its_path_keeps_its_name_where_it_is_a_file(self):
+        path = self.path("out.csv")
+        with open(path, "w+") as out:
+            done = subprocess.run([KERF, "dry-run", "-q", self.path("square.ngc", SQUARE), "--trace", "/dev/stdout"], stdout=out, timeout=60)
+            self.assertTrue(out.readline().startswith("t_s,"))
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["out.csv", "square.ngc"])
+
+
 class NoRegularFile(Case):
     def test_is_refused_as_program_machine_file_and_tool_table(self):
         fifo = self.path("fifo")
