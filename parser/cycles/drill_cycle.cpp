@@ -9,6 +9,9 @@ namespace kerf::parser {
 
 namespace {
 
+// By so much a height may differ that comes back from the machine's coordinates.
+constexpr double kRounding_mm = 1e-7;
+
 // Writes the steps of one block. The place follows the moves, so that each step names only what
 // it changes.
 class Expansion {
@@ -27,7 +30,7 @@ class Expansion {
     }
     Point hole = cycle_.hole_mm;
     for (std::uint32_t i = 0; i < cycle_.holes; ++i) {
-      hole[up_] = at_[up_] > clearance_mm ? at_[up_] : end_mm_;
+      hole[up_] = at_[up_] > clearance_mm + kRounding_mm ? at_[up_] : end_mm_;
       move(StepKind::rapid, hole);
       move_to(StepKind::rapid, clearance_mm);
       drill();

@@ -64,7 +64,8 @@ Letters letters_of_cycle(Motion motion, Dialect dialect);
 // How often G73 and G83 feed for one hole; 1 for the other cycles.
 double feeds_of(const DrillCycle& cycle);
 
-// The steps from `from_mm` on, in order; moves of no length are left out.
+// The steps from `from_mm` on, in order. Moves of no length are left out, but not those that
+// rounding alone gives a length: whether a step moves the tool only the machine's coordinates say.
 void expand(const DrillCycle& cycle, const Point& from_mm, std::vector<CycleStep>& steps);
 
 }  // namespace kerf::parser
