@@ -29,6 +29,8 @@ class Interpreter : private InterpreterMemory {
   void run(const Block& block, std::uint32_t line, bool complete);
   // X, Y, Z and those extra axes that the machine has.
   [[nodiscard]] Letters axis_letters() const { return kAxisLetters | machine_.extra_axes; }
+  // The line that is about to be read: what it works out may ask for its number.
+  void enter_line(std::uint32_t line) { line_ = line; }
   // The blocks that follow are of this file: the index in their moves' SourcePosition.
   void enter_file(std::uint16_t file) {
     file_ = file;

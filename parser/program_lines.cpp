@@ -146,6 +146,7 @@ bool ProgramReader::Impl::next_move(Move& move) {
       read_rest(line);
       continue;
     }
+    interpreter_.enter_line(line.number);
     read_line(line);
     if (diagnostics_.full()) {
       diagnostics_.add({line.number, 1}, errors::kTooManyErrors,

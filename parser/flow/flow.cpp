@@ -94,6 +94,13 @@ void Flow::jump(std::uint32_t line) {
   cursor_ = line;
 }
 
+// The line is the next to run.
+void Flow::come_to(std::uint32_t line) {
+  current_ = line;
+  cursor_ = line + 1;
+  interpreter_->enter_line(text_->number_of(line));
+}
+
 void Flow::set_goal(Goal goal, std::uint32_t statement) {
   goal_ = goal;
   statement_ = statement;
@@ -223,7 +230,7 @@ Flow::Step Flow::next(Line& line) {
       continue;
     }
     const StoredLine& stored = text_->line(cursor_);
-    current_ = cursor_++;
+    come_to(cursor_);
     if (++idle_steps_ > options_->max_idle_steps) {
       stop_endless_loop();
       break;

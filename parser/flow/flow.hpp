@@ -136,6 +136,7 @@ class Flow {
   bool reach_goal();
   bool pass_goal();
   void jump(std::uint32_t line);
+  void come_to(std::uint32_t line);
   void set_goal(Goal goal, std::uint32_t statement);
   void count_motion();
   void stop_endless_loop();

@@ -111,9 +111,8 @@ bool Flow::holds(const Statement& statement) {
 
 void Flow::try_clause(std::uint32_t index) {
   const Statement& clause = text_->statement(index);
-  current_ = clause.line;
+  come_to(clause.line);
   watch();
-  cursor_ = clause.line + 1;
   if (clause.keyword == Keyword::o_elseif && !holds(clause)) {
     set_goal(Goal::next_clause, index);
   }

@@ -60,6 +60,23 @@ TEST(Flow, ThirtyTwoCallsDeepIsTheLimit) {
             "3:4: error: subprogram calls are nested too deep (at most 32)\n");
 }
 
+TEST(Flow, KnowsTheNumberOfTheLineThatIsRead) {
+  EXPECT_EQ(path_of("G0 X#<_line>\n"
+                    "o1 sub\n"
+                    "X[#<_line>+#1]\n"
+                    "o1 endsub\n"
+                    "o2 if [#<_line> EQ 4]\n"
+                    "X99\n"
+                    "o2 elseif [#<_line> EQ 7]\n"
+                    "X#<_line>\n"
+                    "o2 endif\n"
+                    "o1 call [#<_line>*100]\n"
+                    "o3 repeat [2]\n"
+                    "X[100+#<_line>]\n"
+                    "o3 endrepeat"),
+            "1 8 1003 112");
+}
+
 TEST(Flow, StopsALoopThatNeverMoves) {
   ReaderOptions options;
   options.max_idle_steps = 1000;
