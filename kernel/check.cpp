@@ -1,6 +1,7 @@
 #include "kernel/check.hpp"
 
 #include <algorithm>
+#include <string>
 #include <tuple>
 
 #include "kernel/least_time.hpp"
@@ -30,6 +31,17 @@ void unite(curves::ExtraExtents& all, const curves::ExtraPosition& position, boo
 }
 
 class Checker {
+// A curve of many blocks is refused where one of them proves it wrong.
+parser::Diagnostic refused_curve(const smoothing::PathError& error,
+                                 const parser::SourcePosition& begin) {
+  const bool elsewhere = error.line != begin.line;
+  const std::string where =
+      elsewhere ? "; the curve begins in line " + std::to_string(begin.line) : "";
+  return {{.line = error.line, .column = 1, .file = begin.file},
+          parser::errors::kCurveRefused,
+          error.message + where};
+}
+
  public:
   explicit Checker(const MachineSettings& settings)
       : envelope_(machine::envelope_of(settings.table)),
@@ -40,9 +52,7 @@ class Checker {
   void look_at(const parser::Move& move, bool after_error, CheckReport& report) {
     parts_.clear();
     if (const auto built = smoothing::append_parts(move, parts_); !built) {
-      report.diagnostics.emplace_back(
-          parser::SourcePosition{.line = built.error().line, .column = 1, .file = move.source.file},
-          parser::errors::kCurveRefused, built.error().message);
+      report.diagnostics.push_back(refused_curve(built.error(), move.source));
       return;
     }
     least_time_.add(move, parts_);

@@ -95,7 +95,7 @@ void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
 void Interpreter::end(std::uint32_t last_line, std::string_view where) {
   line_ = last_line;
   if (curve_open()) {
-    report(nurbs_.active() ? nurbs_.unfinished(0, where) : uniform_.unfinished(0, where));
+    report(of_curve(nurbs_.active() ? nurbs_.unfinished(0, where) : uniform_.unfinished(0, where)));
     abandon_curve();
   }
   if (compensation_.busy()) {

@@ -212,6 +212,7 @@ class Interpreter : private InterpreterMemory {
   bool begin_curve();
   bool continue_curve();
   bool reports_open_curve();
+  [[nodiscard]] Fault of_curve(Fault fault) const;
   void abandon_curve();
   void skip_curve_of_wrong_block();
   bool leave_skipped_curve();

@@ -1,6 +1,8 @@
 // G6.2 and G5.2 ... G5.3: which blocks belong to a curve, and what follows an error in one.
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "parser/errors/curves.hpp"
 #include "parser/interpreter.hpp"
@@ -66,6 +68,14 @@ bool Interpreter::begin_curve() {
   return fine;
 }
 
+// The block that proves a curve wrong may stand far behind the one that began it.
+Fault Interpreter::of_curve(Fault fault) const {
+  if (line_ != curve_source_.line && !fault.elsewhere) {
+    fault.message += joined({"; the curve begins in line ", std::to_string(curve_source_.line)});
+  }
+  return fault;
+}
+
 // A block that is no part of the open curve but shows that its end is missing.
 bool Interpreter::reports_open_curve() {
   const Tenths code = codes_[Group::motion];
@@ -79,8 +89,8 @@ bool Interpreter::reports_open_curve() {
   }
   const Word& word = code_word(*block_, codes_, ends_program(codes_) ? Group::stop : Group::motion);
   const std::string name = joined({"at ", upper(block_->text(word))});
-  report(nurbs_.active() ? nurbs_.unfinished(word.offset, name)
-                         : uniform_.unfinished(word.offset, name));
+  report(of_curve(nurbs_.active() ? nurbs_.unfinished(word.offset, name)
+                                  : uniform_.unfinished(word.offset, name)));
   return true;
 }
 
@@ -94,6 +104,7 @@ bool Interpreter::continue_curve() {
     if (result == NurbsCollector::Result::failed) {
       state_.position_mm = nurbs_.last_point_mm();
       skipped_curve_ = kG62;
+      fault_ = of_curve(std::move(fault_));
       return false;
     }
     return set_feed();
@@ -106,6 +117,7 @@ bool Interpreter::continue_curve() {
   if (result == UniformCollector::Result::failed) {
     state_.position_mm = uniform_.last_point_mm();
     skipped_curve_ = codes_[Group::motion] == kG53 ? kNoCode : kG52;
+    fault_ = of_curve(std::move(fault_));
     return false;
   }
   return set_feed();

@@ -122,8 +122,10 @@ TEST(Nurbs, OfAnOrderThatIsAnExtensionPutsKnotsOfAnotherOrderDownToP) {
       first_message("F60\nG6.2 P5" + points + "K3\nK3\nK3\nK3"),
       "2:6: error: G6.2: P (order) 5 needs the first 5 knots equal, found 1 in line 6 after 4 "
       "knots of 0 (Fanuc takes P 2 to 4)");
-  EXPECT_EQ(first_message("F60\nG6.2 P4 K0 X0 Y0\nK0 X1 Y1\nK1 X2"),
-            "4:1: error: G6.2: the first 4 knots must be equal, found 1 after 0");
+  EXPECT_EQ(
+      first_message("F60\nG6.2 P4 K0 X0 Y0\nK0 X1 Y1\nK1 X2"),
+      "4:1: error: G6.2: the first 4 knots must be equal, found 1 after 0; the curve begins in "
+      "line 2");
 }
 
 TEST(Nurbs, WithWildWeightsIsWarnedOf) {
