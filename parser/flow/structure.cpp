@@ -82,6 +82,10 @@ void Structure::open(std::uint32_t index, std::vector<StatementFault>& faults) {
   if (open_.size() == kMaxDepth) {
     add(faults, statement, errors::kStructuresTooDeep,
         joined({"structures are nested too deep (at most ", std::to_string(kMaxDepth), ")"}));
+    too_deep_ = true;
+    open_.clear();
+    statement.keyword = Keyword::wrong;
+    return;
   }
   if (statement.keyword == Keyword::o_sub) {
     if (const std::size_t sub = sub_around(); sub != kNowhere) {
@@ -187,6 +191,10 @@ void Structure::loop_end(std::uint32_t index, std::vector<StatementFault>& fault
 
 void Structure::take(std::uint32_t index, std::vector<StatementFault>& faults) {
   Statement& statement = at(index);
+  if (too_deep_) {
+    statement.keyword = Keyword::wrong;
+    return;
+  }
   statement.around = innermost();
   statement.repeats = repeats_;
   switch (statement.keyword) {

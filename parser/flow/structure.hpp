@@ -26,6 +26,7 @@ struct StatementFault {
 // message for it is enough.
 class Structure {
  public:
+  // What is nested deeper is a fault, and of what follows it no structure is made any more.
   static constexpr std::size_t kMaxDepth = 64;
 
   // Lines of the text are shown as counted from `first_line`. Both others must outlive this.
@@ -67,6 +68,7 @@ class Structure {
   std::vector<Open> open_;
   std::uint32_t first_line_;
   std::uint32_t repeats_ = 0;
+  bool too_deep_ = false;
 };
 
 }  // namespace kerf::parser

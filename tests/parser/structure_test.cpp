@@ -106,6 +106,17 @@ TEST(Structure, BoundsTheNesting) {
   EXPECT_EQ(faults[0], "65: structures are nested too deep (at most 64)");
 }
 
+TEST(Structure, SaysOnceThatItIsTooDeepAndLooksNoFurther) {
+  std::string text;
+  for (int i = 0; i < 200'000; ++i) {
+    text += "o" + std::to_string(i) + " if [1]\n";
+  }
+  for (int i = 0; i < 200'000; ++i) {
+    text += "o" + std::to_string(i + 1'000'000) + " endif\n";
+  }
+  EXPECT_EQ(faults_of(text), (Faults{"65: structures are nested too deep (at most 64)"}));
+}
+
 TEST(Structure, PairsTheLoopsOfMacros) {
   const auto fanuc = [](std::string_view lines) { return faults_of(lines, Dialect::fanuc); };
   EXPECT_EQ(fanuc("WHILE[#1LT3]DO1\nN5 WHILE [1] DO 2\nEND2\nEND1\nDO1\nEND 1 (c)\n"), Faults{});
