@@ -46,11 +46,11 @@ struct Block {
   bool deleted = false;          // began with '/'
   bool numbered_delete = false;  // /1 to /9
   bool line_number_decimal = false;
-  bool has_comment = false;
   bool remarkable = false;            // one of the things below that are worth a warning
   std::uint32_t stopped_at = 0;       // offset of what the grammar did not take
   std::uint32_t blank_in_number = 0;  // offset + 1 of the first word with a blank inside its number
   std::uint32_t fine_number = 0;      // offset + 1 of the first coordinate that is fine, read as 0
+  std::uint32_t comment = 0;          // offset + 1 of the last '(' comment
   std::uint32_t remark = 0;           // offset + 1 of a ';' comment
   std::uint32_t first_word = kNoWord;  // offset of the first word, or kNoWord
   std::uint32_t assignment = 0;        // offset + 1 of the first assignment to a variable
@@ -65,8 +65,8 @@ struct Block {
     present = pointed = 0;
     g_count = m_count = 0;
     stop = Stop::none;
-    deleted = numbered_delete = line_number_decimal = has_comment = remarkable = false;
-    stopped_at = blank_in_number = fine_number = remark = assignment = stale_read = 0;
+    deleted = numbered_delete = line_number_decimal = remarkable = false;
+    stopped_at = blank_in_number = fine_number = comment = remark = assignment = stale_read = 0;
     first_word = kNoWord;
     fault = nullptr;
   }

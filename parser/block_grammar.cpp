@@ -145,7 +145,10 @@ constexpr auto keep_delete = [](auto& context) { target_of(context).block.delete
 constexpr auto keep_delete_switch = [](auto& context) {
   target_of(context).block.numbered_delete = target_of(context).block.remarkable = true;
 };
-constexpr auto keep_comment = [](auto& context) { target_of(context).block.has_comment = true; };
+constexpr auto keep_comment = [](auto& context) {
+  Block& block = target_of(context).block;
+  block.comment = offset_in(block, x3::_attr(context)) + 1;
+};
 constexpr auto keep_remark = [](auto& context) {
   Block& block = target_of(context).block;
   block.remark = offset_in(block, x3::_attr(context)) + 1;
@@ -161,7 +164,7 @@ const Position here{};
 const CommentByte inside_brackets{};
 const CommentByte to_the_end = byte_of_remark();
 
-const auto comment = x3::lit('(')[keep_comment] >> x3::omit[*inside_brackets] >>
+const auto comment = (here >> x3::lit('('))[keep_comment] >> x3::omit[*inside_brackets] >>
                      x3::lit(')') >> blanks;
 const auto remark = (here >> x3::lit(';'))[keep_remark] >> x3::omit[*to_the_end];
 const auto word = (letter >> value)[keep_word] >> blanks;

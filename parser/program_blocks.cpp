@@ -1,4 +1,5 @@
 // One line of a program: its words, its calls, and what it makes the tool do.
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "parser/errors/subprograms.hpp"
 #include "parser/flow/block_calls.hpp"
 #include "parser/flow/statement_reader.hpp"
+#include "parser/flow/statement_text.hpp"
 #include "parser/program_reader_impl.hpp"
 #include "parser/text.hpp"
 
@@ -144,7 +146,30 @@ void ProgramReader::Impl::read_code(const Line& line) {
   }
 }
 
+// (ABORT, message): as LinuxCNC has it, of a block's comments only the last one says anything, and
+// it comes before the words.
+bool ProgramReader::Impl::aborts(const Line& line) {
+  constexpr std::string_view kAbort = "ABORT,";
+  if (options_.dialect != Dialect::rs274 || block_.comment == 0) {
+    return false;
+  }
+  const std::string_view comment = line.text.substr(block_.comment);
+  const std::size_t comma = comment.find(',');
+  if (comma == std::string_view::npos || upper(comment.substr(0, comma + 1)) != kAbort) {
+    return false;
+  }
+  const std::string_view message = comment.substr(comma + 1, comment.find(')') - comma - 1);
+  const std::size_t begin = std::min(skip_blanks(message, 0), message.size());
+  diagnostics_.add({line.number, block_.comment}, errors::kAborted,
+                   joined({"the program aborts itself: ", message.substr(begin)}));
+  ended_ = rest_reported_ = true;
+  return true;
+}
+
 void ProgramReader::Impl::run_block(const Line& line, bool complete) {
+  if (complete && aborts(line)) {
+    return;
+  }
   if (block_.remarkable) {
     warn_about(block_, {line.number, options_.dialect}, said_, diagnostics_);
   }

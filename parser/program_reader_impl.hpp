@@ -62,6 +62,7 @@ class ProgramReader::Impl {
   void read_line(const Line& line);
   void read_code(const Line& line);
   void run_block(const Line& line, bool complete);
+  bool aborts(const Line& line);
   bool is_program_number(const Block& block, std::uint32_t line);
   bool run_call(const Line& line, bool complete);
   void run_program_call(const Line& line, const Word& code);

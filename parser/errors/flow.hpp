@@ -165,11 +165,20 @@ inline constexpr ErrorPage kStructuresTooDeep{518,
                                               Dialect::rs274,
                                               {"o@ if [1]\n", 65}};
 
+inline constexpr ErrorPage kAborted{
+    561,
+    Severity::error,
+    "the program aborts itself",
+    "The program reached a comment `(ABORT, message)`, with which it says that it cannot go on: "
+    "most often a condition that it tests was not met.",
+    "Do what the message says, or correct the condition under which the block is reached.",
+    "(ABORT, no probe)\nM2\n"};
+
 inline constexpr std::array kFlowPages{
-    &kNoLabel,         &kUnknownOWord,  &kOWordNotFirst,    &kTextBehindStatement,
-    &kNestedSub,       &kNoClose,       &kNoOpener,         &kWrongLabel,
-    &kBranchAfterElse, &kOutsideLoop,   &kOutsideSub,       &kSubNotFound,
-    &kSubTwice,        &kTooDeep,       &kTooManyArguments, &kEndlessLoop,
-    &kNoCondition,     &kNegativeCount, &kStructuresTooDeep};
+    &kNoLabel,         &kUnknownOWord,  &kOWordNotFirst,     &kTextBehindStatement,
+    &kNestedSub,       &kNoClose,       &kNoOpener,          &kWrongLabel,
+    &kBranchAfterElse, &kOutsideLoop,   &kOutsideSub,        &kSubNotFound,
+    &kSubTwice,        &kTooDeep,       &kTooManyArguments,  &kEndlessLoop,
+    &kNoCondition,     &kNegativeCount, &kStructuresTooDeep, &kAborted};
 
 }  // namespace kerf::parser::errors
