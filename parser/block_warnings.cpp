@@ -67,6 +67,14 @@ void warn_about(const Block& block, LineInDialect where, SaidOnce& said,
   }
 }
 
+void warn_of_unset(const Evaluator::UnsetRead& read, std::uint32_t line,
+                   DiagnosticList& diagnostics) {
+  if (!diagnostics.has(errors::kUnsetVariable, line)) {
+    diagnostics.add({line, read.offset + 1}, errors::kUnsetVariable,
+                    joined({"#", std::to_string(read.number), " was never set: it counts as 0"}));
+  }
+}
+
 void warn_of_missing_point(const Block& block, const ModalState& state, std::uint32_t line,
                            SaidOnce& said, DiagnosticList& diagnostics) {
   for (std::size_t axis = 0; axis < 3 && !said.no_point; ++axis) {

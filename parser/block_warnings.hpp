@@ -6,6 +6,7 @@
 #include "parser/block.hpp"
 #include "parser/diagnostic_list.hpp"
 #include "parser/dialect.hpp"
+#include "parser/expressions/evaluator.hpp"
 #include "parser/modal_state.hpp"
 
 namespace kerf::parser {
@@ -23,6 +24,11 @@ struct LineInDialect {
 
 void warn_about(const Block& block, LineInDialect where, SaidOnce& said,
                 DiagnosticList& diagnostics);
+
+// A variable that counts as 0 because nothing has set it. Once in a line, which may read another
+// one in each turn of a loop.
+void warn_of_unset(const Evaluator::UnsetRead& read, std::uint32_t line,
+                   DiagnosticList& diagnostics);
 
 // Of the Fanuc dialect: a coordinate without a decimal point, which a control may read in least
 // increments. Precondition: numbers count in units.

@@ -30,6 +30,12 @@ bool DiagnosticList::known(const SourcePosition& source, std::string_view messag
   });
 }
 
+bool DiagnosticList::has(const ErrorPage& page, std::uint32_t line) const {
+  return std::any_of(list_.begin(), list_.end(), [&](const Diagnostic& one) {
+    return one.page == &page && one.source.line == line && one.source.file == file_;
+  });
+}
+
 void DiagnosticList::add_at(DiagnosticPlace place, const ErrorPage& page, std::string message) {
   if (known(place.source, message)) {
     return;

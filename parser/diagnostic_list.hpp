@@ -45,6 +45,8 @@ class DiagnosticList {
     file_name_ = name;
   }
 
+  // Whether the page was given for this line of the text that is being read.
+  [[nodiscard]] bool has(const ErrorPage& page, std::uint32_t line) const;
   [[nodiscard]] bool full() const { return errors_ >= max_errors_; }
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return list_; }

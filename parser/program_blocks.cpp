@@ -170,6 +170,9 @@ void ProgramReader::Impl::run_block(const Line& line, bool complete) {
   if (complete && aborts(line)) {
     return;
   }
+  if (const auto unset = evaluator_.take_unset_read()) {
+    warn_of_unset(*unset, line.number, diagnostics_);
+  }
   if (block_.remarkable) {
     warn_about(block_, {line.number, options_.dialect}, said_, diagnostics_);
   }

@@ -83,7 +83,7 @@ inline constexpr ErrorPage kOperatorOutsideBrackets{
     "operator outside of brackets",
     "In RS274/NGC an expression stands in [ ]: #1=[#2+3]. Without them only Fanuc reads it.",
     "Put the expression in [ ], or choose the Fanuc dialect (--dialect fanuc).",
-    "#1=#2+3\nM2\n"};
+    "#2=1\n#1=#2+3\nM2\n"};
 
 inline constexpr ErrorPage kAssignmentBesideWords{
     409,
@@ -112,9 +112,29 @@ inline constexpr ErrorPage kAssignmentAmongWords{
     "Give the assignment a block of its own.",
     "G0 X1 #1=5\nM2\n"};
 
+inline constexpr ErrorPage kUnsetVariable{
+    412,
+    Severity::warning,
+    "variable that was never set",
+    "The program reads a numbered variable before anything has set it. It counts as 0. In a "
+    "subprogram #1 to #30 are those of the call and may be left out.",
+    "Set the variable first, or correct its number.",
+    "G0 X#100\nM2\n"};
+
+inline constexpr ErrorPage kTooManyNames{413,
+                                         Severity::error,
+                                         "too many named variables",
+                                         "Each name keeps its value until its subprogram or the "
+                                         "program ends. A million of them are kept.",
+                                         "Use numbered variables, or fewer names.",
+                                         "",
+                                         Dialect::rs274,
+                                         {"#<n@>=1\n", 1'000'001}};
+
 inline constexpr std::array kVariablesPages{
     &kVariableExpected,        &kNoSuchVariable,        &kVariableNotWhole, &kReadOnlyVariable,
     &kVariableNotSet,          &kNameNotClosed,         &kEqualsExpected,   &kValueExpected,
-    &kOperatorOutsideBrackets, &kAssignmentBesideWords, &kStaleRead,        &kAssignmentAmongWords};
+    &kOperatorOutsideBrackets, &kAssignmentBesideWords, &kStaleRead,        &kAssignmentAmongWords,
+    &kUnsetVariable,           &kTooManyNames};
 
 }  // namespace kerf::parser::errors

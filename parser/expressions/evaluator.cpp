@@ -31,6 +31,7 @@ void Evaluator::reset() {
   }
   pending_.clear();
   stale_read_ = 0;
+  unset_read_.reset();
   used_ = false;
 }
 
@@ -149,8 +150,11 @@ bool Evaluator::read(const Reference& variable, double& value) {
   if (!found) {
     return fail_reading(variable, number);
   }
-  if (!pending_.empty() && stale_read_ == 0 && is_pending(variable)) {
-    stale_read_ = static_cast<std::uint32_t>(variable.at - line_.data()) + 1;
+  if (!pending_.empty() && is_pending(variable)) {
+    const auto offset = static_cast<std::uint32_t>(variable.at - line_.data());
+    stale_read_ = stale_read_ == 0 ? offset + 1 : stale_read_;
+  } else if (!variable.named && parameters_->is_first_unset_read(number) && !unset_read_) {
+    unset_read_ = {number, static_cast<std::uint32_t>(variable.at - line_.data())};
   }
   value = *found;
   return true;
@@ -178,6 +182,10 @@ bool Evaluator::check_writable(const Reference& variable, int& number) {
   switch (write) {
     case Write::done:
       return true;
+    case Write::too_many_names:
+      return fail(variable.at, errors::kTooManyNames,
+                  joined({"#<", variable.name, "> would be one name too many: at most ",
+                          std::to_string(Parameters::kMostNames), " are kept"}));
     case Write::no_such_parameter:
       return fail(variable.at, errors::kNoSuchVariable,
                   joined({"variable #", std::to_string(number), " does not exist"}));

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "parser/errors/error_page.hpp"
@@ -66,6 +68,13 @@ class Evaluator {
   // had the value from before; 0: none.
   [[nodiscard]] std::uint32_t stale_read() const { return stale_read_; }
 
+  // The first numbered variable of the line that was read though nothing had set it; told once.
+  struct UnsetRead {
+    int number = 0;
+    std::uint32_t offset = 0;
+  };
+  std::optional<UnsetRead> take_unset_read() { return std::exchange(unset_read_, std::nullopt); }
+
   // Where the value that was read last calls ROUND; null: it does not.
   [[nodiscard]] const char* rounding() const { return rounding_; }
 
@@ -100,6 +109,7 @@ class Evaluator {
   bool used_ = false;  // something below or above is of this line
   bool failed_ = false;
   std::uint32_t stale_read_ = 0;
+  std::optional<UnsetRead> unset_read_;
   const char* rounding_ = nullptr;
 };
 

@@ -31,7 +31,8 @@ Parameters::Parameters(Dialect dialect)
       plain_end_(dialect == Dialect::fanuc ? kFanucLocals + 1 : kNgcFirstPredefined),
       first_predefined_(dialect == Dialect::fanuc ? kFanucFirstPredefined : kNgcFirstPredefined),
       empty_(dialect == Dialect::fanuc ? kVacant : 0.0),
-      numbered_(dialect == Dialect::fanuc ? kFanucEnd : kNgcEnd, empty_) {}
+      numbered_(dialect == Dialect::fanuc ? kFanucEnd : kNgcEnd, empty_),
+      written_(numbered_.size()) {}
 
 bool Parameters::keeps(int number) const {
   if (number < 1 || static_cast<std::size_t>(number) >= numbered_.size()) {
@@ -74,7 +75,11 @@ Write Parameters::set(int number, double value) {
   if (!keeps(number)) {
     return Write::read_only;
   }
-  numbered_[static_cast<std::size_t>(number)] = value;
+  const auto place = static_cast<std::size_t>(number);
+  numbered_[place] = value;
+  if (place > locals_ || frames_.empty()) {
+    written_[place] = true;
+  }
   return Write::done;
 }
 
@@ -92,21 +97,10 @@ std::string_view Parameters::plain(std::string_view name) const {
   return scratch_;
 }
 
-std::size_t Parameters::find_local(std::string_view plain_name) const {
-  std::size_t i = first_name_;
-  while (i < local_names_.size() && local_names_[i].name != plain_name) {
-    ++i;
-  }
-  return i;
-}
-
 std::optional<double> Parameters::find(std::string_view plain_name) const {
-  if (plain_name.starts_with('_')) {
-    const auto found = shared_names_.find(plain_name);
-    return found == shared_names_.end() ? std::nullopt : std::optional(found->second);
-  }
-  const std::size_t i = find_local(plain_name);
-  return i < local_names_.size() ? std::optional(local_names_[i].value) : std::nullopt;
+  const Names& names = plain_name.starts_with('_') ? shared_names_ : local_names_.back();
+  const auto found = names.find(plain_name);
+  return found == names.end() ? std::nullopt : std::optional(found->second);
 }
 
 std::optional<double> Parameters::get(std::string_view name) const {
@@ -119,8 +113,13 @@ std::optional<double> Parameters::get(std::string_view name) const {
 
 Write Parameters::may_set(std::string_view name) const {
   const std::string_view wanted = plain(name);
-  const bool taken = predefined_ != nullptr && !find(wanted) && predefined_->name(wanted);
-  return taken ? Write::read_only : Write::done;
+  if (find(wanted)) {
+    return Write::done;
+  }
+  if (predefined_ != nullptr && predefined_->name(wanted)) {
+    return Write::read_only;
+  }
+  return names_ < kMostNames ? Write::done : Write::too_many_names;
 }
 
 Write Parameters::set(std::string_view name, double value) {
@@ -128,24 +127,19 @@ Write Parameters::set(std::string_view name, double value) {
     return write;
   }
   const std::string_view wanted = plain(name);
-  if (wanted.starts_with('_')) {
-    if (const auto found = shared_names_.find(wanted); found != shared_names_.end()) {
-      found->second = value;
-    } else {
-      shared_names_.emplace(wanted, value);
-    }
-  } else if (const std::size_t i = find_local(wanted); i < local_names_.size()) {
-    local_names_[i].value = value;
+  Names& names = wanted.starts_with('_') ? shared_names_ : local_names_.back();
+  if (const auto found = names.find(wanted); found != names.end()) {
+    found->second = value;
   } else {
-    local_names_.push_back({std::string(wanted), value});
+    names.emplace(wanted, value);
+    ++names_;
   }
   return Write::done;
 }
 
 void Parameters::push_frame(std::span<const double> arguments) {
   Frame& frame = frames_.emplace_back();
-  frame.first_name = first_name_;
-  first_name_ = local_names_.size();
+  local_names_.emplace_back();
   const auto locals = numbered_.begin() + 1;
   std::copy_n(locals, locals_, frame.saved.begin());
   const std::size_t given = std::min(arguments.size(), locals_);
@@ -156,8 +150,8 @@ void Parameters::push_frame(std::span<const double> arguments) {
 void Parameters::pop_frame() {
   const Frame& frame = frames_.back();
   std::copy_n(frame.saved.begin(), locals_, numbered_.begin() + 1);
-  local_names_.resize(first_name_);
-  first_name_ = frame.first_name;
+  names_ -= local_names_.back().size();
+  local_names_.pop_back();
   frames_.pop_back();
 }
 

@@ -25,7 +25,7 @@ constexpr bool is_vacant(double value) {
 }
 
 // What became of a write.
-enum class Write : std::uint8_t { done, no_such_parameter, read_only };
+enum class Write : std::uint8_t { done, no_such_parameter, read_only, too_many_names };
 
 // RS274/NGC: #1 to #5601, 0 where nothing was written; #1 to #30 and names without a leading '_'
 // are local to a call. Fanuc: #1 to #33 local, #100 to #199 and #500 to #999 common, kVacant where
@@ -45,6 +45,17 @@ class Parameters {
     const auto place = static_cast<std::size_t>(number);
     return number > 0 && place < plain_end_ ? numbered_[place] : get_other(number);
   }
+  // RS274/NGC: the program's own parameter that holds 0 because nothing was written to it; one that
+  // a call may pass counts as written in the call. True once for each parameter.
+  bool is_first_unset_read(int number) {
+    const auto place = static_cast<std::size_t>(number);
+    const bool unset = number > 0 && place < plain_end_ && !written_[place] &&
+                       (place > locals_ || frames_.empty()) && dialect_ == Dialect::rs274;
+    if (unset) {
+      written_[place] = true;
+    }
+    return unset;
+  }
   // Nothing: the name was never set.
   [[nodiscard]] std::optional<double> get(std::string_view name) const;
   // Fanuc: kVacant makes the variable vacant again.
@@ -53,6 +64,9 @@ class Parameters {
   // Whether set() would be refused, and why.
   [[nodiscard]] Write may_set(int number) const;
   [[nodiscard]] Write may_set(std::string_view name) const;
+
+  // So many names may be set at a time, local and shared ones together.
+  static constexpr std::size_t kMostNames = 1'000'000;
 
   // A call begins: its arguments are #1, #2 ... and the other locals are empty: 0 or, for Fanuc,
   // vacant. More arguments than there are locals: the rest is not used.
@@ -67,11 +81,6 @@ class Parameters {
   static constexpr std::size_t kMostLocals = 33;
   struct Frame {
     std::array<double, kMostLocals> saved{};
-    std::size_t first_name = 0;  // of the caller in local_names_
-  };
-  struct LocalName {
-    std::string name;
-    double value = 0.0;
   };
   struct Hash {
     using is_transparent = void;
@@ -80,11 +89,12 @@ class Parameters {
     }
   };
 
+  using Names = std::unordered_map<std::string, double, Hash, std::equal_to<>>;
+
   [[nodiscard]] std::optional<double> get_other(int number) const;
   [[nodiscard]] bool keeps(int number) const;
   [[nodiscard]] std::string_view plain(std::string_view name) const;
   [[nodiscard]] std::optional<double> find(std::string_view plain_name) const;
-  [[nodiscard]] std::size_t find_local(std::string_view plain_name) const;
 
   Dialect dialect_;
   std::size_t locals_;
@@ -92,10 +102,11 @@ class Parameters {
   std::size_t first_predefined_;  // before it nobody else has any
   double empty_;                  // what a parameter holds before it is written
   std::vector<double> numbered_;
+  std::vector<bool> written_;  // of numbered_; or its reading unset has been seen
   std::vector<Frame> frames_;
-  std::vector<LocalName> local_names_;  // of all calls; those of the running one begin at:
-  std::size_t first_name_ = 0;
-  std::unordered_map<std::string, double, Hash, std::equal_to<>> shared_names_;
+  std::vector<Names> local_names_{Names{}};  // of the main program and of each call
+  Names shared_names_;
+  std::size_t names_ = 0;  // in all of these
   PredefinedValues* predefined_ = nullptr;
   mutable std::string scratch_;  // a name whose case or blanks had to be changed
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "parser/block_warnings.hpp"
 #include "parser/errors/flow.hpp"
 #include "parser/errors/macros.hpp"
 #include "parser/errors/subprograms.hpp"
@@ -75,6 +76,10 @@ bool Flow::read_value(std::size_t& at, double& value) {
     return false;
   }
   at = cursor.at;
+  if (const auto unset = evaluator_->take_unset_read()) {
+    diagnostics_->at_line(text_->number_of(current_), line);
+    warn_of_unset(*unset, text_->number_of(current_), *diagnostics_);
+  }
   value = is_vacant(value) ? 0.0 : value;
   return true;
 }
