@@ -128,11 +128,13 @@ CheckReport check_program(const TextSource& text, const MachineSettings& setting
         report.diagnostics.push_back(too_long(move.source, bounds.max_time_s));
         break;
       }
-    } else if (reader.at_end() || !more_text) {
+    } else if (!more_text) {
       break;
     } else if (const std::string_view piece = text(); piece.empty()) {
-      reader.finish();
+      reader.finish();  // its last line may not be read yet
       more_text = false;
+    } else if (reader.at_end()) {
+      break;  // never run, however long it is
     } else {
       reader.feed(piece);
     }

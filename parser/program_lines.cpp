@@ -154,6 +154,9 @@ bool ProgramReader::Impl::next_move(Move& move) {
       ended_ = rest_reported_ = true;
     }
     ended_ = ended_ || interpreter_.program_ended();
+    if (ended_) {
+      input_.pass_over();
+    }
   }
   interpreter_.moves().pop(move);
   all_fetched_ = interpreter_.moves().empty();

@@ -133,9 +133,18 @@ inline constexpr ErrorPage kMarkup{
     "Load the file again, and look at it in an editor first.",
     "<!DOCTYPE html>\n"};
 
+inline constexpr ErrorPage kEndMark{
+    15,
+    Severity::warning,
+    "Ctrl-Z at the end",
+    "The text ends with the byte 0x1A, with which old systems and some transfers mark the end of a "
+    "file. It is ignored; in front of other text it is an error.",
+    "Nothing needs to be done; delete the byte to be rid of the warning.",
+    "G0 X1\nM2\n\x1A"};
+
 inline constexpr std::array kFilesPages{
     &kNotText,        &kUtf16,           &kHeidenhain,      &kEmptyProgram, &kByteOrderMark,
     &kLineTooLong,    &kPercentNotAlone, &kUnclosedPercent, &kNoProgramEnd, &kTextAfterPercent,
-    &kBlocksAfterEnd, &kTooManyErrors,   &kTooManyWarnings, &kMarkup};
+    &kBlocksAfterEnd, &kTooManyErrors,   &kTooManyWarnings, &kMarkup,       &kEndMark};
 
 }  // namespace kerf::parser::errors

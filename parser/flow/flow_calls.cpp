@@ -52,6 +52,7 @@ ProgramText* Flow::load(const std::string& label) {
   if (bytes.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     bytes.remove_prefix(kByteOrderMark.size());
   }
+  bytes = bytes.substr(0, bytes.find_last_not_of("\x1A\r\n \t") + 1);  // as a program may end
   files_.push_back(std::make_unique<ProgramText>(
       TextOrigin{.dialect = options_->dialect,
                  .block_delete = options_->block_delete,
