@@ -19,6 +19,7 @@ namespace kerf::parser {
 struct SubprogramText {
   std::string file;  // its name, for messages
   std::string text;
+  std::string refused{};  // why it is not read; empty: it is
 };
 // The whole text of a subprogram that is not in the program itself, by its name in lower case
 // ("pocket" of `o<Pocket> call`, "1000" of M98 P1000); nothing where there is none.

@@ -51,17 +51,31 @@ std::vector<std::string> file_names(std::string_view name, parser::Dialect diale
   return names;
 }
 
-std::optional<SubprogramText> read(const std::filesystem::path& path) {
+// Whether the file lies where its name says, wherever symbolic links lead.
+bool lies_in(const std::filesystem::path& folder, const std::filesystem::path& file) {
+  std::error_code error;
+  const auto here = std::filesystem::canonical(folder.empty() ? "." : folder, error);
+  const auto there = std::filesystem::canonical(file, error);
+  return !error && there.parent_path() == here;
+}
+
+std::optional<SubprogramText> read(const std::filesystem::path& folder, const std::string& name) {
+  const std::filesystem::path path = folder / name;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error) ||
       std::filesystem::file_size(path, error) > kMostBytes || error) {
     return std::nullopt;
   }
+  if (!lies_in(folder, path)) {
+    return SubprogramText{.file = path.string(),
+                          .text = {},
+                          .refused = "it is a symbolic link out of the program's folder"};
+  }
   std::ifstream file(path, std::ios::binary);
   if (!file) {
     return std::nullopt;
   }
-  return SubprogramText{path.string(), {std::istreambuf_iterator<char>(file), {}}};
+  return SubprogramText{.file = path.string(), .text = {std::istreambuf_iterator<char>(file), {}}};
 }
 
 class Folder {
@@ -74,7 +88,7 @@ class Folder {
     // A name is one file of this folder, never a way to another.
     if (fresh && name.find('/') == std::string_view::npos) {
       for (const std::string& file : file_names(name, dialect_)) {
-        if (known->second = read(path_ / file); known->second) {
+        if (known->second = read(path_, file); known->second) {
           break;
         }
       }

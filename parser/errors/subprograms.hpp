@@ -80,8 +80,17 @@ inline constexpr ErrorPage kM99InSub{529,
                                      "Write `o100 return`.",
                                      "o1 sub\nM99\no1 endsub\no1 call\nM2\n"};
 
-inline constexpr std::array kSubprogramsPages{&kM98WithoutP,  &kProgramNumber, &kRepeatCount,
-                                              &kM99InMain,    &kNoM99,         &kWrongCall,
-                                              &kOWordInFanuc, &kComputedSub,   &kM99InSub};
+inline constexpr ErrorPage kSubRefused{
+    560,
+    Severity::error,
+    "subprogram's file not read",
+    "There is a file of the subprogram's name beside the program, but it is a symbolic link that "
+    "leads out of the program's folder. What a program calls lies beside it.",
+    "Put the file itself into the program's folder.",
+    "o<linked> call\nM2\n"};
+
+inline constexpr std::array kSubprogramsPages{
+    &kM98WithoutP, &kProgramNumber, &kRepeatCount, &kM99InMain, &kNoM99,
+    &kWrongCall,   &kOWordInFanuc,  &kComputedSub, &kM99InSub,  &kSubRefused};
 
 }  // namespace kerf::parser::errors

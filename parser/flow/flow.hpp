@@ -187,10 +187,11 @@ class Flow {
 
   std::unique_ptr<ProgramText> main_;
   std::vector<std::unique_ptr<ProgramText>> files_;
-  std::map<std::string, ProgramText*, std::less<>> file_of_label_;  // nullptr: there is none
-  ProgramText* text_ = nullptr;                                     // that is being read
-  std::uint32_t cursor_ = 0;                                        // its next line
-  std::uint32_t current_ = 0;                                       // the line given last
+  std::map<std::string, ProgramText*, std::less<>> file_of_label_;    // nullptr: there is none
+  std::map<std::string, SubprogramText, std::less<>> refused_files_;  // by label
+  ProgramText* text_ = nullptr;                                       // that is being read
+  std::uint32_t cursor_ = 0;                                          // its next line
+  std::uint32_t current_ = 0;                                         // the line given last
   std::vector<Frame> frames_;
   std::vector<double> arguments_;        // of the macro calls that repeat
   std::vector<std::uint64_t> counters_;  // of repeat loops, for each call by nesting

@@ -47,6 +47,10 @@ ProgramText* Flow::load(const std::string& label) {
   if (!source) {
     return file;
   }
+  if (!source->refused.empty()) {
+    refused_files_.emplace(label, std::move(*source));
+    return file;
+  }
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   std::string_view bytes = source->text;
   if (bytes.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
@@ -122,6 +126,11 @@ void Flow::call_not_found() {
                                  " call`"})
                        : joined({"O", call_.label, " is no sub: call it with M98 P", call_.label}));
     }
+  }
+  if (const auto found = refused_files_.find(call_.label); found != refused_files_.end()) {
+    const SubprogramText& why = found->second;
+    return refuse(errors::kSubRefused,
+                  joined({shown(call_), ": ", why.file, " is not read: ", why.refused}));
   }
   refuse(errors::kSubNotFound,
          joined({shown(call_), " is not found",

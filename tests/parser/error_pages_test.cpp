@@ -52,8 +52,13 @@ TEST_P(ErrorPageTrigger, GivesThisVeryPageFirst) {
   const ErrorPage& page = *GetParam();
   MachineData machine = default_machine_data();
   machine.extra_axes = &page == &errors::kExtraAxisHere ? letters('A') : 0;
+  const auto linked = [](std::string_view name) {
+    const SubprogramText refused{.file = "linked.ngc", .text = {}, .refused = "it is a link"};
+    return name == "linked" ? std::optional(refused) : std::nullopt;
+  };
   const Program program =
-      read_program(errors::trigger_of(page), {.dialect = page.dialect, .machine = machine});
+      read_program(errors::trigger_of(page),
+                   {.dialect = page.dialect, .machine = machine, .subprograms = linked});
   ASSERT_FALSE(program.diagnostics.empty()) << page.title;
   // What says that there is more can only come last.
   const bool of_many = &page == &errors::kTooManyErrors || &page == &errors::kTooManyWarnings;
