@@ -1,5 +1,8 @@
 #include "smoothing/part_builder.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -84,6 +87,35 @@ PathPart part_of(curves::Curve curve, const Move& move) {
   return part;
 }
 
+// So much of an arc of many turns becomes one part: the look-ahead holds a part as a whole.
+constexpr double kLongestPart_rad = 200.0 * std::numbers::pi;
+
+void append_arc(const curves::Arc& arc, const Move& move, std::vector<PathPart>& parts) {
+  const double turned_rad = arc.in_plane_share() * arc.length_mm() / arc.radius_mm();
+  // A last turn that is not whole needs no part of its own.
+  const double count = std::max(1.0, std::floor(turned_rad / kLongestPart_rad));
+  const PathPart whole = part_of(arc, move);
+  if (count == 1.0) {
+    parts.push_back(whole);
+    return;
+  }
+  const double length_mm = arc.length_mm();
+  double begin_mm = 0.0;
+  for (double i = 1.0; i <= count; ++i) {
+    const double end_mm = i < count ? length_mm * (i / count) : length_mm;
+    PathPart& part = parts.emplace_back(whole);
+    part.curve = arc.part({.begin_mm = begin_mm, .end_mm = end_mm});
+    part.continues = i > 1.0;
+    part.stop_after = whole.stop_after && i == count;
+    if (move.extra.moves()) {
+      part.extra.begin_rad_mm = whole.extra.at(begin_mm);
+      part.extra.end_rad_mm = whole.extra.at(end_mm);
+      part.extra.length_mm = curves::length_mm(part.curve);
+    }
+    begin_mm = end_mm;
+  }
+}
+
 }  // namespace
 
 tl::expected<void, PathError> append_parts(const Move& move, std::vector<PathPart>& parts) {
@@ -101,8 +133,15 @@ tl::expected<void, PathError> append_parts(const Move& move, std::vector<PathPar
     if (!built) {
       return refuse(built.error());
     }
-    std::visit([&](const auto& curve) { parts.push_back(part_of(curve, move)); }, *built);
-    parts.back().arc_normal = normal_axis(arc->plane);
+    const std::size_t first = parts.size();
+    if (const auto* circle = std::get_if<curves::Arc>(&*built)) {
+      append_arc(*circle, move, parts);
+    } else {
+      parts.push_back(part_of(std::get<curves::NurbsCurve>(*built), move));
+    }
+    for (std::size_t i = first; i < parts.size(); ++i) {
+      parts[i].arc_normal = normal_axis(arc->plane);
+    }
   } else if (const auto* nurbs = std::get_if<NurbsMove>(&move.shape)) {
     if (move.extra.moves()) {
       return tl::make_unexpected(
