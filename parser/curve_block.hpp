@@ -26,7 +26,7 @@ struct CurveBlock {
 // Orders (degree + 1) that the curves can have, and how long a curve may become in memory.
 inline constexpr int kLowestOrder = 2;
 inline constexpr int kHighestOrder = 10;
-inline constexpr std::size_t kMostControlPoints = 250'000;
+inline constexpr std::size_t kMostControlPoints = 20'000;
 inline constexpr double kLargestCoordinate_mm = 999999.999;
 
 // The block's end point in machine coordinates: absolute or from `from_mm`, axes without a word

@@ -14,7 +14,7 @@
 namespace kerf::parser {
 
 // Reads one program. Memory does not grow with its length: the piece fed last, a line of at most
-// 64 KiB, the modal state and one NURBS curve of at most 250,000 control points are all that is
+// 64 KiB, the modal state and one NURBS curve of at most 20,000 control points are all that is
 // held; so fetch the moves of a piece before feeding the next one. A program with o-words or calls
 // has its text held from the first of them on; in the Fanuc dialect from its beginning, as long as
 // that is at most 4 MiB without a macro statement.

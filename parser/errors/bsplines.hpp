@@ -45,12 +45,12 @@ inline constexpr ErrorPage kSplineTooManyPoints{
     374,
     Severity::error,
     "too many control points",
-    "A curve is held in memory until its last point was read, and may have 250000 control points "
-    "at most.",
+    "A curve is read and planned as a whole, which takes some 4 kB of memory for each control "
+    "point, so it may have 20000 of them.",
     "Cut the curve into several.",
     "G5.2 P1 X0 Y5 L3 F100\n",
     Dialect::rs274,
-    {"X1 Y1\n", 250'000}};
+    {"X1 Y1\n", 20'000}};
 
 inline constexpr ErrorPage kForeignInSplineEnd{
     375,

@@ -80,12 +80,12 @@ inline constexpr ErrorPage kNurbsTooManyPoints{
     318,
     Severity::error,
     "too many control points",
-    "A curve is held in memory until its last knot was read, and may have 250000 control points at "
-    "most.",
+    "A curve is read and planned as a whole, which takes some 4 kB of memory for each control "
+    "point, so it may have 20000 of them.",
     "Cut the curve into several.",
     "G6.2 P3 K0 X0 Y0 F100\nK0 X1 Y1\nK0 X1 Y1\n",
     Dialect::rs274,
-    {"K@ X1 Y1\n", 250'000}};
+    {"K@ X1 Y1\n", 20'000}};
 
 inline constexpr ErrorPage kNurbsNewAxis{
     319,
