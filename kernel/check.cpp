@@ -4,6 +4,7 @@
 #include <string>
 #include <tuple>
 
+#include "kernel/check_warnings.hpp"
 #include "kernel/least_time.hpp"
 #include "kernel/reader_options.hpp"
 #include "machine/envelope.hpp"
@@ -30,7 +31,6 @@ void unite(curves::ExtraExtents& all, const curves::ExtraPosition& position, boo
   }
 }
 
-class Checker {
 // A curve of many blocks is refused where one of them proves it wrong.
 parser::Diagnostic refused_curve(const smoothing::PathError& error,
                                  const parser::SourcePosition& begin) {
@@ -42,11 +42,13 @@ parser::Diagnostic refused_curve(const smoothing::PathError& error,
           error.message + where};
 }
 
+class Checker {
  public:
   explicit Checker(const MachineSettings& settings)
       : envelope_(machine::envelope_of(settings.table)),
         extra_envelope_(settings.table.extra),
-        least_time_(settings.limits) {}
+        least_time_(settings.limits),
+        warnings_(settings.limits) {}
 
   // Of what follows an error only the curves are looked at: it may start anywhere.
   void look_at(const parser::Move& move, bool after_error, CheckReport& report) {
@@ -59,6 +61,7 @@ parser::Diagnostic refused_curve(const smoothing::PathError& error,
     if (after_error || report.has_errors()) {
       return;
     }
+    warnings_.look_at(move, report.diagnostics);
     if (parts_.empty()) {
       return;
     }
@@ -75,6 +78,7 @@ parser::Diagnostic refused_curve(const smoothing::PathError& error,
   }
 
   [[nodiscard]] double least_time_s() const noexcept { return least_time_.seconds(); }
+  void finish(CheckReport& report) { warnings_.finish(report.diagnostics); }
 
  private:
   static void check_travel(const std::optional<machine::TravelExcess>& excess,
@@ -92,6 +96,7 @@ parser::Diagnostic refused_curve(const smoothing::PathError& error,
   machine::Envelope envelope_;
   machine::ExtraEnvelope extra_envelope_;
   LeastTime least_time_;
+  CheckWarnings warnings_;
   std::vector<smoothing::PathPart> parts_;
 };
 
@@ -139,6 +144,7 @@ CheckReport check_program(const TextSource& text, const MachineSettings& setting
       reader.feed(piece);
     }
   }
+  checker.finish(report);
   const std::vector<parser::Diagnostic>& found = reader.diagnostics();
   report.diagnostics.insert(report.diagnostics.end(), found.begin(), found.end());
   name_files(reader, report.diagnostics);

@@ -45,7 +45,27 @@ inline constexpr ErrorPage kTooLong{
     "(G20, G21, G93 to G95). Allow a program that does take that long its time with --max-time.",
     "o100 while [1]\nG0 X1\nG0 X0\no100 endwhile\nM2\n"};
 
+inline constexpr ErrorPage kFeedBeyondReach{
+    1010,
+    Severity::warning,
+    "feed out of the machine's reach",
+    "The feed is higher than the velocity limits of path and axes allow in any direction. The "
+    "limits hold, so the block runs slower than it asks for. Said once, of the first such block.",
+    "Write a feed that the machine can reach; see whether the units (G20, G21) and the feed mode "
+    "(G93, G94, G95) are those that are meant.",
+    "G1 X1 F1000000000\nM2\n"};
+
+inline constexpr ErrorPage kToleranceSwallows{
+    1011,
+    Severity::warning,
+    "tolerance larger than the geometry",
+    "G64 allows the path to leave the programmed one by its tolerance, and what is programmed here "
+    "is smaller than that: a loop may vanish, a contour may lose its shape. Said once of each "
+    "tolerance.",
+    "Write a smaller P and Q, in the units in force (G20, G21), or G61 where the shape matters.",
+    "G64 P1 F600\nG1 X10\nX10.1\nY0.1\nX10\nY0\nX20\nM2\n"};
+
 inline constexpr std::array kMachinePages{&kOutsideTravel, &kCurveRefused, &kMachineWithoutLimit,
-                                          &kTooLong};
+                                          &kTooLong, &kFeedBeyondReach, &kToleranceSwallows};
 
 }  // namespace kerf::parser::errors

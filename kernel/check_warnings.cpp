@@ -1,0 +1,135 @@
+#include "kernel/check_warnings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "parser/errors/machine.hpp"
+#include "parser/text.hpp"
+
+namespace kerf {
+
+namespace {
+
+constexpr double kSecondsPerMinute = 60.0;
+constexpr std::size_t kLongestLoop = 128;  // lines
+constexpr std::size_t kShortestLoop = 3;   // two lead there and back, which smoothing leaves alone
+
+double reach_of(const lookahead::PlanLimits& limits) {
+  double squares = 0.0;
+  for (const lookahead::MotionLimits& axis : limits.axes) {
+    squares += axis.velocity_mm_s * axis.velocity_mm_s;
+  }
+  return std::min(limits.path.velocity_mm_s, std::sqrt(squares));
+}
+
+double distance_mm(const parser::Point& a, const parser::Point& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+}  // namespace
+
+void CheckWarnings::Box::include(const parser::Point& point_mm) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    min_mm[k] = std::min(min_mm[k], point_mm[k]);
+    max_mm[k] = std::max(max_mm[k], point_mm[k]);
+  }
+}
+
+double CheckWarnings::Box::size_mm() const {
+  return std::max({max_mm[0] - min_mm[0], max_mm[1] - min_mm[1], max_mm[2] - min_mm[2]});
+}
+
+CheckWarnings::CheckWarnings(const lookahead::PlanLimits& limits) : reach_mm_s_(reach_of(limits)) {}
+
+void CheckWarnings::look_at(const parser::Move& move, std::vector<parser::Diagnostic>& found) {
+  constexpr std::size_t kMotions = 3;  // lines, arcs and splines come first
+  if (move.shape.index() < kMotions && !move.rapid && !move.extra.moves()) {
+    check_feed(move, found);
+  }
+  const bool goes_on = lines_ > 0 && move.blend_tolerance_mm == tolerance_mm_ &&
+                       move.merge_tolerance_mm == merge_mm_;
+  const bool taken = move.mode == parser::PathMode::blend && !move.rapid && !move.extra.moves() &&
+                     std::holds_alternative<parser::LineMove>(move.shape);
+  if (!taken || !goes_on) {
+    end_run(found);
+  }
+  if (taken) {
+    take_line(move, found);
+  }
+}
+
+// The machine's limits hold all the same, so it is enough to say it of the first.
+void CheckWarnings::check_feed(const parser::Move& move, std::vector<parser::Diagnostic>& found) {
+  if (feed_told_ || !(move.feedrate_mm_s > reach_mm_s_ * (1.0 + 1e-9))) {
+    return;
+  }
+  feed_told_ = true;
+  found.emplace_back(
+      move.source, parser::errors::kFeedBeyondReach,
+      parser::joined({"a feed of ", parser::shortest(move.feedrate_mm_s * kSecondsPerMinute),
+                      " mm/min: the machine reaches ",
+                      parser::shortest(reach_mm_s_ * kSecondsPerMinute),
+                      " mm/min at the most, whatever the direction"}));
+}
+
+// Where a loop began that ends here and is nowhere larger than the tolerance; null: none.
+const CheckWarnings::Vertex* CheckWarnings::loop_to(const parser::Point& end_mm,
+                                                    double tolerance_mm) const {
+  constexpr double kClosed = 1e-3;  // of the tolerance
+  Box box{end_mm, end_mm};
+  for (std::size_t back = 1; back <= vertices_.size(); ++back) {
+    const Vertex& vertex = vertices_[vertices_.size() - back];
+    box.include(vertex.place_mm);
+    if (box.size_mm() > tolerance_mm) {
+      return nullptr;
+    }
+    if (back >= kShortestLoop && distance_mm(vertex.place_mm, end_mm) <= kClosed * tolerance_mm) {
+      return &vertex;
+    }
+  }
+  return nullptr;
+}
+
+void CheckWarnings::take_line(const parser::Move& move, std::vector<parser::Diagnostic>& found) {
+  const parser::Point& end_mm = std::get<parser::LineMove>(move.shape).end_mm;
+  if (lines_ == 0) {
+    box_ = {move.start_mm, move.start_mm};
+    run_begin_ = move.source;
+    tolerance_mm_ = move.blend_tolerance_mm;
+    merge_mm_ = move.merge_tolerance_mm;
+  }
+  ++lines_;
+  box_.include(end_mm);
+  vertices_.push_back({move.start_mm, move.source});
+  if (vertices_.size() > kLongestLoop) {
+    vertices_.pop_front();
+  }
+  if (merge_mm_ == told_mm_) {
+    return;
+  }
+  if (const Vertex* const begin = loop_to(end_mm, merge_mm_)) {
+    told_mm_ = merge_mm_;
+    found.emplace_back(
+        begin->source, parser::errors::kToleranceSwallows,
+        parser::joined(
+            {"G64: a closed loop begins here that is nowhere larger than the tolerance (",
+             parser::shortest(merge_mm_), " mm): it may vanish"}));
+  }
+}
+
+void CheckWarnings::end_run(std::vector<parser::Diagnostic>& found) {
+  const double tolerance_mm = std::max(tolerance_mm_, merge_mm_);
+  if (lines_ > 1 && tolerance_mm != told_mm_ && box_.size_mm() <= tolerance_mm) {
+    told_mm_ = tolerance_mm;
+    found.emplace_back(
+        run_begin_, parser::errors::kToleranceSwallows,
+        parser::joined({"G64: the ", std::to_string(lines_), " lines from here on lie within ",
+                        parser::shortest(box_.size_mm()), " mm, and the tolerance is ",
+                        parser::shortest(tolerance_mm), " mm: little of their shape is left"}));
+  }
+  lines_ = 0;
+  vertices_.clear();
+}
+
+}  // namespace kerf

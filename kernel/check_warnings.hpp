@@ -1,0 +1,53 @@
+// What the check of a program finds odd: a feed out of the machine's reach, and a tolerance of G64
+// that is larger than what it is applied to.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "kernel/settings.hpp"
+#include "parser/diagnostic.hpp"
+#include "parser/move.hpp"
+
+namespace kerf {
+
+class CheckWarnings {
+ public:
+  explicit CheckWarnings(const lookahead::PlanLimits& limits);
+
+  // The next move of the program.
+  void look_at(const parser::Move& move, std::vector<parser::Diagnostic>& found);
+  // No move follows.
+  void finish(std::vector<parser::Diagnostic>& found) { end_run(found); }
+
+ private:
+  struct Box {
+    parser::Point min_mm{};
+    parser::Point max_mm{};
+    void include(const parser::Point& point_mm);
+    [[nodiscard]] double size_mm() const;  // its longest side
+  };
+  struct Vertex {
+    parser::Point place_mm{};
+    parser::SourcePosition source;  // of the line that begins here
+  };
+
+  void check_feed(const parser::Move& move, std::vector<parser::Diagnostic>& found);
+  void take_line(const parser::Move& move, std::vector<parser::Diagnostic>& found);
+  [[nodiscard]] const Vertex* loop_to(const parser::Point& end_mm, double tolerance_mm) const;
+  void end_run(std::vector<parser::Diagnostic>& found);
+
+  double reach_mm_s_;  // of the fastest direction
+  bool feed_told_ = false;
+  // Straight feeds under one G64, with nothing between them.
+  std::deque<Vertex> vertices_;  // the last of them
+  Box box_;
+  parser::SourcePosition run_begin_;
+  std::uint64_t lines_ = 0;
+  double tolerance_mm_ = 0.0;
+  double merge_mm_ = 0.0;
+  double told_mm_ = 0.0;  // the tolerance that was warned of
+};
+
+}  // namespace kerf
