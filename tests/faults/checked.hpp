@@ -1,0 +1,49 @@
+// A program as `kerf check` sees it, and what is said of it.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "kernel/check.hpp"
+#include "parser/diagnostic.hpp"
+
+namespace kerf::faults {
+
+inline CheckReport check(std::string_view text, const KernelOptions& options = {},
+                         const MachineSettings& settings = {}) {
+  bool given = false;
+  return check_program(
+      [&]() -> std::string_view {
+        const bool first = !given;
+        given = true;
+        return first ? text : std::string_view{};
+      },
+      settings, options);
+}
+
+// All messages, one a line: `line:column: error: text [E0123]`.
+inline std::string said_of(std::string_view text, const KernelOptions& options = {},
+                           const MachineSettings& settings = {}) {
+  std::string lines;
+  for (const parser::Diagnostic& diagnostic : check(text, options, settings).diagnostics) {
+    lines += to_string(diagnostic, "").substr(1) + "\n";
+  }
+  return lines;
+}
+
+// With an end behind it, so that nothing is said of a missing one.
+inline std::string said_of_block(const std::string& text) {
+  return said_of(text + "\nM2\n");
+}
+
+inline testing::AssertionResult says(std::string_view said, std::string_view part) {
+  return said.find(part) != std::string_view::npos ? testing::AssertionSuccess()
+                                                   : testing::AssertionFailure()
+                                                         << "'" << part << "' is not in\n"
+                                                         << said;
+}
+
+}  // namespace kerf::faults
