@@ -91,6 +91,12 @@ const CheckWarnings::Vertex* CheckWarnings::loop_to(const parser::Point& end_mm,
   return nullptr;
 }
 
+bool CheckWarnings::is_told(double tolerance_mm) const {
+  constexpr std::size_t kMost = 20;
+  return told_mm_.size() == kMost ||
+         std::find(told_mm_.begin(), told_mm_.end(), tolerance_mm) != told_mm_.end();
+}
+
 void CheckWarnings::take_line(const parser::Move& move, std::vector<parser::Diagnostic>& found) {
   const parser::Point& end_mm = std::get<parser::LineMove>(move.shape).end_mm;
   if (lines_ == 0) {
@@ -105,11 +111,11 @@ void CheckWarnings::take_line(const parser::Move& move, std::vector<parser::Diag
   if (vertices_.size() > kLongestLoop) {
     vertices_.pop_front();
   }
-  if (merge_mm_ == told_mm_) {
+  if (is_told(merge_mm_)) {
     return;
   }
   if (const Vertex* const begin = loop_to(end_mm, merge_mm_)) {
-    told_mm_ = merge_mm_;
+    told_mm_.push_back(merge_mm_);
     found.emplace_back(
         begin->source, parser::errors::kToleranceSwallows,
         parser::joined(
@@ -120,8 +126,8 @@ void CheckWarnings::take_line(const parser::Move& move, std::vector<parser::Diag
 
 void CheckWarnings::end_run(std::vector<parser::Diagnostic>& found) {
   const double tolerance_mm = std::max(tolerance_mm_, merge_mm_);
-  if (lines_ > 1 && tolerance_mm != told_mm_ && box_.size_mm() <= tolerance_mm) {
-    told_mm_ = tolerance_mm;
+  if (lines_ > 1 && !is_told(tolerance_mm) && box_.size_mm() <= tolerance_mm) {
+    told_mm_.push_back(tolerance_mm);
     found.emplace_back(
         run_begin_, parser::errors::kToleranceSwallows,
         parser::joined({"G64: the ", std::to_string(lines_), " lines from here on lie within ",

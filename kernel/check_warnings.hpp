@@ -37,6 +37,8 @@ class CheckWarnings {
   void take_line(const parser::Move& move, std::vector<parser::Diagnostic>& found);
   [[nodiscard]] const Vertex* loop_to(const parser::Point& end_mm, double tolerance_mm) const;
   void end_run(std::vector<parser::Diagnostic>& found);
+  // Each tolerance is warned of once, and not very many of them.
+  [[nodiscard]] bool is_told(double tolerance_mm) const;
 
   double reach_mm_s_;  // of the fastest direction
   bool feed_told_ = false;
@@ -47,7 +49,7 @@ class CheckWarnings {
   std::uint64_t lines_ = 0;
   double tolerance_mm_ = 0.0;
   double merge_mm_ = 0.0;
-  double told_mm_ = 0.0;  // the tolerance that was warned of
+  std::vector<double> told_mm_;  // tolerances that were warned of
 };
 
 }  // namespace kerf

@@ -131,6 +131,12 @@ TEST(NurbsFaults, Row39LoopsAreRunAndOneThatATolerancePassesOverIsAWarning) {
             "3:1: warning: G64: a closed loop begins here that is nowhere larger than the "
             "tolerance (1 mm): it may vanish [E1011]\n");
   EXPECT_EQ(said_of(loop("G64 P0.02")), "");
+  std::string many;
+  for (int i = 0; i < 100; ++i) {
+    many += "G0 X0\n" + loop(i % 2 == 0 ? "G64 P1" : "G64 P" + std::to_string(i));
+    many.resize(many.size() - 3);  // without M2
+  }
+  EXPECT_EQ(check(many + "M2\n").diagnostics.size(), 20U);
   EXPECT_EQ(said_of(loop("G64 P1 Q0")), "") << "nothing is merged";
   EXPECT_EQ(said_of(loop("G61")), "");
   EXPECT_TRUE(says(said_of("F600 G64 P1000\nG1 X10\nY10\nX5\nM2\n"),
