@@ -22,19 +22,19 @@ double PlateauSearch::best_mm_s() const {
   double low = std::max(ends_.v_begin_mm_s, ends_.v_end_mm_s);
   double high = std::max(
       low, std::min({span_.limits.feedrate_mm_s, span_.rise.top_mm_s(), span_.fall.top_mm_s()}));
-  if (spare_mm(hill(high)) < 0.0) {
+  if (spare_mm(sides(high)) < 0.0) {
     double fits = low;
     const int halvings = span_.turning.empty() ? 40 : kTurningHalvings;
     for (int i = 0; i < halvings || (high - fits > kClose * high && i < kMostHalvings); ++i) {
       const double middle = 0.5 * (fits + high);
-      (spare_mm(hill(middle)) >= 0.0 ? fits : high) = middle;
+      (spare_mm(sides(middle)) >= 0.0 ? fits : high) = middle;
     }
     high = fits;
   }
   return fastest_in({.low_mm_s = low, .high_mm_s = high});
 }
 
-Hill PlateauSearch::hill(double plateau_mm_s) const {
+PlateauSides PlateauSearch::sides(double plateau_mm_s) const {
   const auto climb = [&](SpanSide side, double v_foot_mm_s) {
     return climb_to({.side = side,
                      .ramp = {v_foot_mm_s, plateau_mm_s},
@@ -46,16 +46,16 @@ Hill PlateauSearch::hill(double plateau_mm_s) const {
           .down_mirrored = climb(SpanSide::fall, ends_.v_end_mm_s)};
 }
 
-double PlateauSearch::spare_mm(const Hill& hill) const {
-  return length_mm_ - hill.up.length_mm() - hill.down_mirrored.length_mm();
+double PlateauSearch::spare_mm(const PlateauSides& sides) const {
+  return length_mm_ - sides.up.length_mm() - sides.down_mirrored.length_mm();
 }
 
 double PlateauSearch::time_s(double plateau_mm_s) const {
-  const Hill h = hill(plateau_mm_s);
-  if (!span_.turning.empty() && spare_mm(h) < 0.0) {
+  const PlateauSides both = sides(plateau_mm_s);
+  if (!span_.turning.empty() && spare_mm(both) < 0.0) {
     return kUnbounded;
   }
-  return h.up.duration_s() + h.down_mirrored.duration_s() + spare_mm(h) / plateau_mm_s;
+  return both.up.duration_s() + both.down_mirrored.duration_s() + spare_mm(both) / plateau_mm_s;
 }
 
 double PlateauSearch::fastest_in(const Bracket& plateau) const {

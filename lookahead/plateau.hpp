@@ -7,7 +7,7 @@
 namespace kerf::lookahead {
 
 // Both sides of a plateau.
-struct Hill {
+struct PlateauSides {
   Ascent up{};
   Ascent down_mirrored{};  // climbs from the end's feedrate
 };
@@ -24,7 +24,7 @@ class PlateauSearch {
       : span_(span), ends_(ends), length_mm_(length_mm), profile_(profile) {}
 
   [[nodiscard]] double best_mm_s() const;
-  [[nodiscard]] Hill hill(double plateau_mm_s) const;
+  [[nodiscard]] PlateauSides sides(double plateau_mm_s) const;
 
  private:
   struct Bracket {
@@ -32,7 +32,7 @@ class PlateauSearch {
     double high_mm_s = 0.0;
   };
 
-  [[nodiscard]] double spare_mm(const Hill& hill) const;
+  [[nodiscard]] double spare_mm(const PlateauSides& sides) const;
   [[nodiscard]] double time_s(double plateau_mm_s) const;
   [[nodiscard]] double fastest_in(const Bracket& plateau) const;
 

@@ -204,11 +204,11 @@ SpanPlan plan_span(const Span& span, const SpanEnds& ends, const Profile& profil
   } else {
     const PlateauSearch search(span, ends, length, profile);
     plateau = search.best_mm_s();
-    const Hill hill = search.hill(plateau);
-    plan.acceleration = hill.up.law;
-    plan.deceleration = hill.down_mirrored.law.reversed();
-    lengthen(plan.begin_coast, ends.v_begin_mm_s, hill.up.foot_mm);
-    lengthen(plan.end_coast, ends.v_end_mm_s, hill.down_mirrored.foot_mm);
+    const PlateauSides sides = search.sides(plateau);
+    plan.acceleration = sides.up.law;
+    plan.deceleration = sides.down_mirrored.law.reversed();
+    lengthen(plan.begin_coast, ends.v_begin_mm_s, sides.up.foot_mm);
+    lengthen(plan.end_coast, ends.v_end_mm_s, sides.down_mirrored.foot_mm);
   }
   const double spare = span.length_mm - plan.begin_coast.length_mm() -
                        plan.acceleration.length_mm() - plan.deceleration.length_mm() -
