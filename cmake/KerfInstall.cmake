@@ -21,15 +21,13 @@ include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/kerf")
 
-# The kernel reads machine files with toml++, of which Debian ships a shared library: its users link it, and see no header of it.
-target_link_libraries(kerf_kernel INTERFACE $<INSTALL_INTERFACE:tomlplusplus::tomlplusplus>)
-
 get_property(libraries GLOBAL PROPERTY KERF_LIBRARIES)
 install(TARGETS ${libraries} kerf_front EXPORT kerf ARCHIVE)
 install(EXPORT kerf NAMESPACE kerf:: FILE kerfTargets.cmake DESTINATION "${package_folder}")
 
 foreach(folder profiles curves interp machine parser smoothing lookahead kernel)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" DESTINATION include/kerf FILES_MATCHING PATTERN "*.hpp")
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" DESTINATION include/kerf FILES_MATCHING PATTERN "*.hpp"
+    PATTERN "machine_file_reader.hpp" EXCLUDE)  # toml++ is compiled into the kernel, and nobody else needs it
 endforeach()
 install(FILES "${front_header}" DESTINATION include/kerf)
 

@@ -1,17 +1,11 @@
 # Installs a build to a folder of its own, builds the example against what was installed there, and runs it.
 #   cmake -D BUILD=... -D SOURCE=... -D WORK=... -D GENERATOR=... -D COMPILER=... -D FLAGS=... -D TYPE=... -P run.cmake
-function(run)
-  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
-  if(NOT status EQUAL 0)
-    list(JOIN ARGN " " command)
-    message(FATAL_ERROR "${command}\nended with ${status}:\n${output}")
-  endif()
-endfunction()
+include("${CMAKE_CURRENT_LIST_DIR}/run_command.cmake")
 
 file(REMOVE_RECURSE "${WORK}")
 run("${CMAKE_COMMAND}" --install "${BUILD}" --prefix "${WORK}/installed")
-run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/build" -G "${GENERATOR}" "-DCMAKE_PREFIX_PATH=${WORK}/installed"
-  "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_BUILD_TYPE=${TYPE}")
+run("${CMAKE_COMMAND}" -S "${SOURCE}" -B "${WORK}/build" ${example_options} -DCMAKE_DISABLE_FIND_PACKAGE_tomlplusplus=ON
+  "-DCMAKE_PREFIX_PATH=${WORK}/installed")
 run("${CMAKE_COMMAND}" --build "${WORK}/build")
 
 execute_process(COMMAND "${WORK}/build/embedding" RESULT_VARIABLE status OUTPUT_VARIABLE ticks ERROR_VARIABLE errors)
