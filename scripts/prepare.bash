@@ -4,7 +4,7 @@
 : "${root:?}"
 
 kBuildPackages=(g++ cmake ninja-build libeigen3-dev libboost-dev libspdlog-dev libcli11-dev libtomlplusplus-dev
-  nlohmann-json3-dev libexpected-dev libfast-float-dev)
+  nlohmann-json3-dev libexpected-dev)
 # shellcheck disable=SC2034  # used by ./test
 kTestPackages=("${kBuildPackages[@]}" libgtest-dev libgmock-dev libbenchmark-dev python3 clang-format)
 kCannotRun=125  # as env and timeout have it: the command itself was not reached
