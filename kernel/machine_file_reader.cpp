@@ -123,7 +123,7 @@ void MachineFileReader::check_keys(const Section& section,
     if (std::find(known.begin(), known.end(), key.str()) != known.end()) {
       continue;
     }
-    std::string message = "unknown key " + quoted(key.str());
+    std::string message = "unknown key " + in_quotes(key.str());
     message += section.name.empty() ? "" : " in [" + section.name + "]";
     if (const auto meant = nearest_word(key.str(), known)) {
       message += ", did you mean '" + std::string(*meant) + "'?";
@@ -210,7 +210,7 @@ void MachineFileReader::read_program(const Section& section) {
     settings_.dialect = parser::Dialect::fanuc;
   } else if (name != "rs274") {
     report(node->source(), section.path_to("dialect") + ": found " +
-                               (name ? quoted(*name) : std::string(name_of(node->type()))) +
+                               (name ? in_quotes(*name) : std::string(name_of(node->type()))) +
                                ", expected 'rs274' or 'fanuc'");
   }
 }

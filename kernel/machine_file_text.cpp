@@ -47,7 +47,7 @@ std::string text_of(double number) {
   return {buffer.data(), end.ptr};
 }
 
-std::string quoted(std::string_view key) {
+std::string in_quotes(std::string_view key) {
   std::size_t length = std::min(key.size(), kLongest);
   while (length < key.size() && length > 0 && (key[length] & '\xc0') == '\x80') {
     --length;  // not within a character of UTF-8

@@ -12,7 +12,7 @@ namespace kerf {
 std::string text_of(double number);
 
 // A key of the file in quotes: on one line, of bounded length, without control characters.
-std::string quoted(std::string_view key);
+std::string in_quotes(std::string_view key);
 
 // The known word that the fewest changed, missing, surplus or swapped neighbouring characters turn
 // into `word` (upper and lower case count as one). Nothing where that takes more than a third of
