@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <string>
 #include <tuple>
+#include <utility>
 
 #include "kernel/check_warnings.hpp"
 #include "kernel/least_time.hpp"
 #include "kernel/reader_options.hpp"
+#include "kernel/settings_check.hpp"
 #include "machine/envelope.hpp"
 #include "parser/errors/machine.hpp"
 #include "parser/program_reader.hpp"
@@ -122,8 +124,14 @@ bool CheckReport::has_errors() const {
 
 CheckReport check_program(const TextSource& text, const MachineSettings& settings,
                           const KernelOptions& options, const CheckBounds& bounds) {
-  parser::ProgramReader reader(reader_options(settings, options));
   CheckReport report;
+  // A machine without limits is no machine to run on, but one to read a program for.
+  if (auto fault = settings_fault(settings, options);
+      fault && fault->page != &parser::errors::kMachineWithoutLimit) {
+    report.diagnostics.push_back(std::move(*fault));
+    return report;
+  }
+  parser::ProgramReader reader(reader_options(settings, options));
   Checker checker(settings);
   bool more_text = true;
   for (parser::Move move; !bounds.stop || !bounds.stop();) {

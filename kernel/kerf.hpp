@@ -6,6 +6,7 @@
 #include "kernel/kernel.hpp"
 #include "kernel/machine_file.hpp"
 #include "kernel/settings.hpp"
+#include "kernel/settings_check.hpp"
 
 namespace kerf {
 

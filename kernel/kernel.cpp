@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "kernel/delivery.hpp"
+#include "kernel/machine_file.hpp"
 #include "kernel/program_path.hpp"
+#include "kernel/settings_check.hpp"
 #include "lookahead/block_builder.hpp"
 #include "lookahead/push.hpp"
 #include "parser/errors/machine.hpp"
@@ -35,6 +37,7 @@ class Kernel::Impl {
 
   void feed(std::string_view text) { path_.feed(text); }
   void finish() { path_.finish(); }
+  void refuse(Diagnostic fault) { path_.refuse(std::move(fault)); }
 
   bool plan() {
     while (!failed_ && delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
@@ -130,11 +133,6 @@ class Kernel::Impl {
   }
 
   void push_part(PathPart part) {
-    if (const char* what = lookahead::unbounded(limits_); what != nullptr) {
-      path_.cut(part.source, {part.source.line, std::string("the machine has no limit of ") + what},
-                parser::errors::kMachineWithoutLimit);
-      return;
-    }
     const parser::SourcePosition source = part.source;
     const std::vector<parser::EventMove> changes = part.changes;
     auto block = lookahead::block_of(std::move(part), limits_, planner_.scan_for());
@@ -162,8 +160,14 @@ class Kernel::Impl {
   bool finished_ = false;
 };
 
-Kernel::Kernel(const MachineSettings& settings, const KernelOptions& options)
-    : impl_(std::make_unique<Impl>(settings, options)) {}
+Kernel::Kernel(const MachineSettings& settings, const KernelOptions& options) {
+  if (auto fault = settings_fault(settings, options)) {
+    impl_ = std::make_unique<Impl>(default_machine(), resting_options(options));
+    impl_->refuse(std::move(*fault));
+  } else {
+    impl_ = std::make_unique<Impl>(settings, options);
+  }
+}
 Kernel::~Kernel() = default;
 Kernel::Kernel(Kernel&&) noexcept = default;
 Kernel& Kernel::operator=(Kernel&&) noexcept = default;

@@ -38,8 +38,8 @@ struct KernelOptions {
 // A run checks itself: the plan against the program's blocks (PlanCheck), each setpoint against the
 // limits (TickJudge), the last against the programmed end. What does not hold is a fault(), a
 // defect of kerf; where it is the plan's, the motion ends with what has been delivered.
-// Precondition: settings.limits bound velocity, acceleration and jerk, along the path or on all
-// axes, as parse_machine_file demands; else the program ends before its first move with an error.
+// Where validate (settings_check.hpp) finds settings or options impossible, the program ends at
+// once with that error and the tool stays where it is.
 class Kernel {
  public:
   explicit Kernel(const MachineSettings& settings, const KernelOptions& options = {});

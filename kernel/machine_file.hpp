@@ -8,14 +8,9 @@
 #include <tl/expected.hpp>
 
 #include "kernel/settings.hpp"
+#include "kernel/settings_error.hpp"
 
 namespace kerf {
-
-struct SettingsError {
-  unsigned line = 0;  // 1-based; 0 where no place is to blame
-  unsigned column = 0;
-  std::string message;
-};
 
 // "file:line:column: error: message", or "file: error: message" where no place is to blame.
 std::string to_string(const SettingsError& error, std::string_view file);

@@ -1,4 +1,5 @@
 // [axes.a] to [axes.w] of a machine file, and who else may name these axes.
+#include "kernel/machine_file_checks.hpp"
 #include "kernel/machine_file_reader.hpp"
 
 namespace kerf {
@@ -15,10 +16,8 @@ void MachineFileReader::read_extra_axis(const Section& section, std::size_t axis
     }
   }
   const toml::node* const upper = section.table->get(rules[1].key);
-  const machine::ExtraTravel& travel = settings_.table.extra[axis];
-  if (upper != nullptr && !(travel.min_rad_mm < travel.max_rad_mm)) {
-    report(upper->source(),
-           section.path_to(rules[1].key) + ": expected more than " + std::string(rules[0].key));
+  if (const auto problem = travel_problem(rules, settings_, axis); problem && upper != nullptr) {
+    report(upper->source(), section.path_to(rules[1].key) + ": " + *problem);
   }
 }
 

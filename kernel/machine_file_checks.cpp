@@ -31,6 +31,17 @@ void raise_silent_drive(MachineSettings& settings, std::size_t axis,
   }
 }
 
+std::optional<std::string> travel_problem(std::span<const NumberRule> rules,
+                                          MachineSettings& settings, std::size_t axis) {
+  const double lower = rules[0].field(settings, axis);
+  const double upper = rules[1].field(settings, axis);
+  if (lower < upper) {
+    return std::nullopt;
+  }
+  return "found " + text_of(upper / rules[1].factor) + ", expected more than " +
+         std::string(rules[0].key) + ", " + text_of(lower / rules[0].factor);
+}
+
 std::vector<KeyProblem> check_axis(const MachineSettings& settings, std::size_t axis,
                                    const std::function<bool(std::string_view)>& has_key) {
   const lookahead::MotionLimits& limits = settings.limits.axes[axis];
@@ -39,9 +50,6 @@ std::vector<KeyProblem> check_axis(const MachineSettings& settings, std::size_t 
   const auto blame = [&](std::string_view key, double found, const std::string& expected) {
     problems.push_back({key, "found " + text_of(found) + ", expected " + expected});
   };
-  if (!(drive.travel.min_mm < drive.travel.max_mm)) {
-    blame("max_mm", drive.travel.max_mm, "more than min_mm, " + text_of(drive.travel.min_mm));
-  }
   if (std::isfinite(limits.velocity_mm_s) && drive.drive_velocity_mm_s < limits.velocity_mm_s) {
     blame(kDriveVelocity, drive.drive_velocity_mm_s,
           "at least max_velocity_mm_s, " + text_of(limits.velocity_mm_s));

@@ -3,10 +3,13 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "kernel/machine_file_schema.hpp"
 #include "kernel/settings.hpp"
 
 namespace kerf {
@@ -21,8 +24,12 @@ struct KeyProblem {
 void raise_silent_drive(MachineSettings& settings, std::size_t axis,
                         const std::function<bool(std::string_view)>& has_key);
 
-// min_mm below max_mm, the drive at least as strong as the plan, the position loop no faster than
-// the velocity loop.
+// What is wrong with the upper of two ends of travel, the first two of the rules; nothing: there is
+// some way between them.
+std::optional<std::string> travel_problem(std::span<const NumberRule> rules,
+                                          MachineSettings& settings, std::size_t axis);
+
+// The drive at least as strong as the plan, the position loop no faster than the velocity loop.
 std::vector<KeyProblem> check_axis(const MachineSettings& settings, std::size_t axis,
                                    const std::function<bool(std::string_view)>& has_key);
 

@@ -171,10 +171,8 @@ std::optional<double> MachineFileReader::read_number(const Section& section, con
                               std::string(name_of(node.type())) + ", expected a number");
     return std::nullopt;
   }
-  if (!(number >= rule.min && number <= rule.max)) {
-    report(node.source(), section.path_to(rule.key) + ": found " + text_of(number) +
-                              ", expected a number from " + text_of(rule.min) + " to " +
-                              text_of(rule.max));
+  if (const auto problem = range_problem(rule, number)) {
+    report(node.source(), section.path_to(rule.key) + ": " + *problem);
     return std::nullopt;
   }
   return number;
@@ -186,6 +184,11 @@ void MachineFileReader::read_axis(const Section& section, std::size_t axis) {
   if (errors_.size() > errors_before) {
     return;
   }
+  const std::string_view upper = axis_rules()[1].key;
+  if (const auto problem = travel_problem(axis_rules(), settings_, axis);
+      problem && section.table->contains(upper)) {
+    report(section.table->get(upper)->source(), section.path_to(upper) + ": " + *problem);
+  }
   const auto has_key = [&](std::string_view key) { return section.table->contains(key); };
   raise_silent_drive(settings_, axis, has_key);
   for (const KeyProblem& problem : check_axis(settings_, axis, has_key)) {
@@ -196,10 +199,9 @@ void MachineFileReader::read_axis(const Section& section, std::size_t axis) {
 
 void MachineFileReader::read_program(const Section& section) {
   check_keys(section, kProgramKeys);
-  constexpr NumberRule kIncrement{"least_increment_mm", 0.0, 1.0, nullptr};
-  if (const toml::node* const increment = section.table->get(kIncrement.key)) {
-    settings_.program.least_increment_mm =
-        read_number(section, kIncrement, *increment).value_or(0.0);
+  const NumberRule& increment = program_rules().front();
+  if (const toml::node* const node = section.table->get(increment.key)) {
+    increment.field(settings_, 0) = read_number(section, increment, *node).value_or(0.0);
   }
   const toml::node* const node = section.table->get("dialect");
   if (node == nullptr) {

@@ -1,11 +1,16 @@
 #include "kernel/machine_file_schema.hpp"
 
 #include <array>
+#include <limits>
+
+#include "kernel/machine_file_text.hpp"
 
 namespace kerf {
 namespace {
 
 using Settings = MachineSettings;
+
+constexpr double kOpen = std::numeric_limits<double>::infinity();
 
 constexpr std::array kTick{
     NumberRule{"period_s", 1e-5, 0.1,
@@ -14,14 +19,17 @@ constexpr std::array kTick{
 
 constexpr std::array kPath{
     NumberRule{"max_velocity_mm_s", 1e-6, 1e6,
-               [](Settings& s, std::size_t) -> double& { return s.limits.path.velocity_mm_s; }},
-    NumberRule{
-        "max_acceleration_mm_s2", 1e-6, 1e9,
-        [](Settings& s, std::size_t) -> double& { return s.limits.path.acceleration_mm_s2; }},
+               [](Settings& s, std::size_t) -> double& { return s.limits.path.velocity_mm_s; }, 1.0,
+               kOpen},
+    NumberRule{"max_acceleration_mm_s2", 1e-6, 1e9,
+               [](Settings& s, std::size_t) -> double& { return s.limits.path.acceleration_mm_s2; },
+               1.0, kOpen},
     NumberRule{"max_jerk_mm_s3", 1e-6, 1e12,
-               [](Settings& s, std::size_t) -> double& { return s.limits.path.jerk_mm_s3; }},
+               [](Settings& s, std::size_t) -> double& { return s.limits.path.jerk_mm_s3; }, 1.0,
+               kOpen},
     NumberRule{"chord_tolerance_mm", 1e-9, 1e3,
-               [](Settings& s, std::size_t) -> double& { return s.limits.chord_tolerance_mm; }},
+               [](Settings& s, std::size_t) -> double& { return s.limits.chord_tolerance_mm; }, 1.0,
+               kOpen},
     NumberRule{"corner_tolerance_mm", 0.0, 1e3,
                [](Settings& s, std::size_t) -> double& { return s.program.corner_tolerance_mm; }},
     NumberRule{"merge_tolerance_mm", 0.0, 1e3,
@@ -49,13 +57,14 @@ using machine::AxisDrive;
 using machine::Travel;
 
 constexpr std::array kAxis{
-    NumberRule{"min_mm", -1e6, 1e6, travel<&Travel::min_mm>},
-    NumberRule{"max_mm", -1e6, 1e6, travel<&Travel::max_mm>},
-    NumberRule{"max_velocity_mm_s", 1e-6, 1e6, limit<&MotionLimits::velocity_mm_s>},
-    NumberRule{"max_acceleration_mm_s2", 1e-6, 1e9, limit<&MotionLimits::acceleration_mm_s2>},
-    NumberRule{"max_jerk_mm_s3", 1e-6, 1e12, limit<&MotionLimits::jerk_mm_s3>},
+    NumberRule{"min_mm", -1e6, 1e6, travel<&Travel::min_mm>, 1.0, -kOpen},
+    NumberRule{"max_mm", -1e6, 1e6, travel<&Travel::max_mm>, 1.0, kOpen},
+    NumberRule{"max_velocity_mm_s", 1e-6, 1e6, limit<&MotionLimits::velocity_mm_s>, 1.0, kOpen},
+    NumberRule{"max_acceleration_mm_s2", 1e-6, 1e9, limit<&MotionLimits::acceleration_mm_s2>, 1.0,
+               kOpen},
+    NumberRule{"max_jerk_mm_s3", 1e-6, 1e12, limit<&MotionLimits::jerk_mm_s3>, 1.0, kOpen},
     NumberRule{"screw_lead_mm", 1e-3, 1e3, drive<&AxisDrive::screw_lead_mm>},
-    NumberRule{"counts_per_rev", 1.0, 1e9, drive<&AxisDrive::counts_per_rev>},
+    NumberRule{"counts_per_rev", 1.0, 1e9, drive<&AxisDrive::counts_per_rev>, 1.0, kOpen},
     NumberRule{"drive_velocity_mm_s", 1e-6, 1e6, drive<&AxisDrive::drive_velocity_mm_s>},
     NumberRule{"drive_acceleration_mm_s2", 1e-6, 1e9, drive<&AxisDrive::drive_acceleration_mm_s2>},
     NumberRule{"position_gain_per_s", 1e-3, 1e4, drive<&AxisDrive::position_gain_per_s>},
@@ -80,22 +89,25 @@ double& extra_travel(Settings& settings, std::size_t axis) {
 using machine::ExtraTravel;
 
 constexpr std::array kStraightAxis{
-    NumberRule{"min_mm", -1e6, 1e6, extra_travel<&ExtraTravel::min_rad_mm>},
-    NumberRule{"max_mm", -1e6, 1e6, extra_travel<&ExtraTravel::max_rad_mm>},
-    NumberRule{"max_velocity_mm_s", 1e-6, 1e6, extra_limit<&MotionLimits::velocity_mm_s>},
-    NumberRule{"max_acceleration_mm_s2", 1e-6, 1e9, extra_limit<&MotionLimits::acceleration_mm_s2>},
-    NumberRule{"max_jerk_mm_s3", 1e-6, 1e12, extra_limit<&MotionLimits::jerk_mm_s3>},
+    NumberRule{"min_mm", -1e6, 1e6, extra_travel<&ExtraTravel::min_rad_mm>, 1.0, -kOpen},
+    NumberRule{"max_mm", -1e6, 1e6, extra_travel<&ExtraTravel::max_rad_mm>, 1.0, kOpen},
+    NumberRule{"max_velocity_mm_s", 1e-6, 1e6, extra_limit<&MotionLimits::velocity_mm_s>, 1.0,
+               kOpen},
+    NumberRule{"max_acceleration_mm_s2", 1e-6, 1e9, extra_limit<&MotionLimits::acceleration_mm_s2>,
+               1.0, kOpen},
+    NumberRule{"max_jerk_mm_s3", 1e-6, 1e12, extra_limit<&MotionLimits::jerk_mm_s3>, 1.0, kOpen},
 };
 
 constexpr double kRad = 3.14159265358979323846 / 180.0;  // of a degree
 
 constexpr std::array kTurningAxis{
-    NumberRule{"min_deg", -1e6, 1e6, extra_travel<&ExtraTravel::min_rad_mm>, kRad},
-    NumberRule{"max_deg", -1e6, 1e6, extra_travel<&ExtraTravel::max_rad_mm>, kRad},
-    NumberRule{"max_velocity_deg_s", 1e-6, 1e6, extra_limit<&MotionLimits::velocity_mm_s>, kRad},
+    NumberRule{"min_deg", -1e6, 1e6, extra_travel<&ExtraTravel::min_rad_mm>, kRad, -kOpen},
+    NumberRule{"max_deg", -1e6, 1e6, extra_travel<&ExtraTravel::max_rad_mm>, kRad, kOpen},
+    NumberRule{"max_velocity_deg_s", 1e-6, 1e6, extra_limit<&MotionLimits::velocity_mm_s>, kRad,
+               kOpen},
     NumberRule{"max_acceleration_deg_s2", 1e-6, 1e9, extra_limit<&MotionLimits::acceleration_mm_s2>,
-               kRad},
-    NumberRule{"max_jerk_deg_s3", 1e-6, 1e12, extra_limit<&MotionLimits::jerk_mm_s3>, kRad},
+               kRad, kOpen},
+    NumberRule{"max_jerk_deg_s3", 1e-6, 1e12, extra_limit<&MotionLimits::jerk_mm_s3>, kRad, kOpen},
 };
 
 constexpr std::array<std::string_view, 13> kOffsetSections{"g54", "g55",    "g56",   "g57",   "g58",
@@ -148,12 +160,17 @@ double& probe_face(Settings& settings, std::size_t /*unused*/) {
 }
 
 constexpr std::array kProbe{
-    NumberRule{"x_min_mm", -kFarthest, kFarthest, probe_face<0, false>},
-    NumberRule{"x_max_mm", -kFarthest, kFarthest, probe_face<0, true>},
-    NumberRule{"y_min_mm", -kFarthest, kFarthest, probe_face<1, false>},
-    NumberRule{"y_max_mm", -kFarthest, kFarthest, probe_face<1, true>},
-    NumberRule{"z_min_mm", -kFarthest, kFarthest, probe_face<2, false>},
-    NumberRule{"z_max_mm", -kFarthest, kFarthest, probe_face<2, true>},
+    NumberRule{"x_min_mm", -kFarthest, kFarthest, probe_face<0, false>, 1.0, -kOpen},
+    NumberRule{"x_max_mm", -kFarthest, kFarthest, probe_face<0, true>, 1.0, kOpen},
+    NumberRule{"y_min_mm", -kFarthest, kFarthest, probe_face<1, false>, 1.0, -kOpen},
+    NumberRule{"y_max_mm", -kFarthest, kFarthest, probe_face<1, true>, 1.0, kOpen},
+    NumberRule{"z_min_mm", -kFarthest, kFarthest, probe_face<2, false>, 1.0, -kOpen},
+    NumberRule{"z_max_mm", -kFarthest, kFarthest, probe_face<2, true>, 1.0, kOpen},
+};
+
+constexpr std::array kProgram{
+    NumberRule{"least_increment_mm", 0.0, 1.0,
+               [](Settings& s, std::size_t) -> double& { return s.program.least_increment_mm; }},
 };
 
 constexpr std::array kTool{
@@ -171,7 +188,29 @@ constexpr std::array kBounds{
     BoundRule{"max_jerk_mm_s3", "jerk"},
 };
 
+std::string range_text(const NumberRule& rule, double number) {
+  return "found " + text_of(number) + ", expected a number from " + text_of(rule.min) + " to " +
+         text_of(rule.max);
+}
+
 }  // namespace
+
+std::optional<std::string> range_problem(const NumberRule& rule, double number) {
+  if (number >= rule.min && number <= rule.max) {
+    return std::nullopt;
+  }
+  return range_text(rule, number);
+}
+
+std::optional<std::string> range_problem(const NumberRule& rule, MachineSettings& settings,
+                                         std::size_t axis) {
+  const double inside = rule.field(settings, axis);
+  const bool is_open = rule.open != 0.0 && inside == rule.open;
+  if (is_open || (inside >= rule.min * rule.factor && inside <= rule.max * rule.factor)) {
+    return std::nullopt;
+  }
+  return range_text(rule, inside / rule.factor);
+}
 
 std::span<const NumberRule> tick_rules() {
   return kTick;
@@ -191,6 +230,9 @@ std::span<const std::string_view> offset_sections() {
 std::span<const NumberRule> offset_rules(std::size_t section) {
   const bool turns = section < parser::Coordinates::kSystems;
   return std::span(kOffset).first(turns ? 10 : 9);
+}
+std::span<const NumberRule> program_rules() {
+  return kProgram;
 }
 std::span<const NumberRule> tool_rules() {
   return kTool;

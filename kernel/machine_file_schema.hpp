@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "kernel/settings.hpp"
@@ -19,7 +21,16 @@ struct NumberRule {
   // offset_sections() in an [offsets.*] table, else ignored. Null in tool_rules().
   double& (*field)(MachineSettings& settings, std::size_t axis);
   double factor = 1.0;  // from the unit of the key to the one inside
+  // The infinity that says "does not bind" inside; a file leaves the key out. 0: there must be one.
+  double open = 0.0;
 };
+
+// "found 0, expected a number from 1 to 2"; nothing where the rule allows the number, which is in
+// the unit of the key.
+std::optional<std::string> range_problem(const NumberRule& rule, double number);
+// The same of what the settings have inside.
+std::optional<std::string> range_problem(const NumberRule& rule, MachineSettings& settings,
+                                         std::size_t axis);
 
 std::span<const NumberRule> tick_rules();
 std::span<const NumberRule> path_rules();
@@ -32,6 +43,7 @@ std::span<const NumberRule> extra_axis_rules(bool turns);
 // the nine axes come first.
 std::span<const std::string_view> offset_sections();
 std::span<const NumberRule> offset_rules(std::size_t section);
+std::span<const NumberRule> program_rules();
 // The keys of one [[tools.tool]], in the order: number, pocket, diameter, x, y, z.
 std::span<const NumberRule> tool_rules();
 // Lower and upper face of x, y and z in turn. Precondition of the fields: there is a touch_box.

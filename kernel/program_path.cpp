@@ -1,5 +1,7 @@
 #include "kernel/program_path.hpp"
 
+#include <utility>
+
 #include "kernel/blend_settings.hpp"
 #include "kernel/reader_options.hpp"
 #include "parser/errors/machine.hpp"
@@ -65,6 +67,14 @@ void ProgramPath::cut(const parser::SourcePosition& source, const smoothing::Pat
   cut_ = true;
   source_ = source;
   fail(error, page);
+}
+
+void ProgramPath::refuse(parser::Diagnostic fault) {
+  cut_ = true;
+  failed_ = true;
+  source_ = fault.source;
+  all_diagnostics_ = {std::move(fault)};
+  end();
 }
 
 void ProgramPath::fail(const smoothing::PathError& error, const parser::ErrorPage& page) {

@@ -32,6 +32,9 @@ class ProgramPath {
   void cut(const parser::SourcePosition& source, const smoothing::PathError& error,
            const parser::ErrorPage& page);
 
+  // Nothing is run, for a reason that is not in the text.
+  void refuse(parser::Diagnostic fault);
+
   // Where the program leads the tool, so far as it was read. Nothing: it has an error.
   [[nodiscard]] std::optional<PlaceOfTool> programmed_end() const;
   // Of the move read last, or of the part that was cut.

@@ -43,6 +43,7 @@ class Profile {
   explicit Profile(ProfileKind kind, std::optional<double> sigmoid_shape = std::nullopt);
 
   [[nodiscard]] ProfileKind kind() const noexcept { return kind_; }
+  [[nodiscard]] std::optional<double> sigmoid_shape() const noexcept { return sigmoid_shape_; }
 
   // The shortest duration of a change of feedrate by change_mm_s (either sign): MATH section 1,
   // T = max(a* |dv| / A, sqrt(j* |dv| / J)). The trapezoid does not know jerk. 0 where no limit

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "kernel/settings_check.hpp"
 #include "programs/error_page_text.hpp"
 #include "programs/option_rules.hpp"
 #include "programs/visible_text.hpp"
@@ -16,8 +17,6 @@ namespace kerf::program {
 namespace {
 
 using profiles::ProfileKind;
-
-constexpr std::size_t kMostWindowBlocks = 1'000'000;
 
 constexpr std::array kProfiles{
     ProfileKind::trapezoid,   ProfileKind::s_curve, ProfileKind::sine,        ProfileKind::quintic,
@@ -62,7 +61,7 @@ void add_common(CLI::App& command, Raw& raw) {
                   "shape s of the sigmoid (default: chosen for each transition)")
       ->type_name("S");
   command.add_option("--window", options.window_blocks, "blocks that the look-ahead sees")
-      ->check(CLI::Range(std::size_t{2}, kMostWindowBlocks))
+      ->check(CLI::Range(std::size_t{2}, std::size_t{kMostWindowBlocks}))
       ->type_name("N")
       ->capture_default_str();
   command

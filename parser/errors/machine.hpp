@@ -31,8 +31,9 @@ inline constexpr ErrorPage kMachineWithoutLimit{
     Severity::error,
     "machine without a limit",
     "A motion needs a limit of velocity, acceleration and jerk along its path, and the machine "
-    "file leaves one open.",
-    "Write the limit into the machine file.",
+    "that the embedding program gave leaves one open. The program is not started. A machine file "
+    "that does is refused before.",
+    "Give the machine the limit that the message names.",
     "G0 X1\nM2\n"};
 
 inline constexpr ErrorPage kTooLong{
@@ -44,6 +45,17 @@ inline constexpr ErrorPage kTooLong{
     "See whether the loop around the block ends and whether F is in the unit that is in force "
     "(G20, G21, G93 to G95). Allow a program that does take that long its time with --max-time.",
     "o100 while [1]\nG0 X1\nG0 X0\no100 endwhile\nM2\n"};
+
+inline constexpr ErrorPage kImpossibleSetting{
+    1004,
+    Severity::error,
+    "impossible setting",
+    "A program that embeds the kernel gave it a machine or options with a value that nothing can "
+    "be "
+    "planned with: a limit of 0, a negative jerk, a horizon that is no time. The program is not "
+    "started. A machine file with such a value is refused before.",
+    "Give the setting that the message names a value from the range that it names.",
+    "G0 X1\nM2\n"};
 
 inline constexpr ErrorPage kFeedBeyondReach{
     1010,
@@ -65,7 +77,8 @@ inline constexpr ErrorPage kToleranceSwallows{
     "Write a smaller P and Q, in the units in force (G20, G21), or G61 where the shape matters.",
     "G64 P1 F600\nG1 X10\nX10.1\nY0.1\nX10\nY0\nX20\nM2\n"};
 
-inline constexpr std::array kMachinePages{&kOutsideTravel, &kCurveRefused, &kMachineWithoutLimit,
-                                          &kTooLong, &kFeedBeyondReach, &kToleranceSwallows};
+inline constexpr std::array kMachinePages{
+    &kOutsideTravel,     &kCurveRefused,    &kMachineWithoutLimit, &kTooLong,
+    &kImpossibleSetting, &kFeedBeyondReach, &kToleranceSwallows};
 
 }  // namespace kerf::parser::errors

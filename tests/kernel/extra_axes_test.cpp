@@ -204,7 +204,7 @@ TEST(ExtraAxes, AreRefusedWhereTheMachineHasNoLimitsOfThem) {
   MachineSettings settings = mill_with_axes();
   settings.limits.extra = {};
   EXPECT_EQ(run("G0 A10", -1, settings).complaint,
-            "the machine has no limits of the axes that move");
+            "axes.a.max_velocity_deg_s: expected a limit, which this axis must have");
 }
 
 TEST(ExtraAxes, BeginWhereTheCallerSays) {

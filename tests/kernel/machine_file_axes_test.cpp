@@ -52,7 +52,7 @@ TEST(MachineFileAxes, HaveKeysInTheUnitOfTheirKind) {
 
 TEST(MachineFileAxes, HaveTravelThatIsSome) {
   EXPECT_EQ(errors_of(kBounded + "[axes.a]\n" + kLimitsOfA + "min_deg = 10\nmax_deg = 10\n"),
-            Lines{"m.toml:10:11: error: axes.a.max_deg: expected more than min_deg"});
+            Lines{"m.toml:10:11: error: axes.a.max_deg: found 10, expected more than min_deg, 10"});
 }
 
 TEST(MachineFileAxes, HaveOffsetsAndHomes) {

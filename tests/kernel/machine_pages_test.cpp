@@ -6,6 +6,7 @@
 
 #include "kernel/check.hpp"
 #include "kernel/kernel.hpp"
+#include "kernel/machine_file.hpp"
 #include "parser/errors/catalogue.hpp"
 #include "parser/errors/machine.hpp"
 
@@ -56,9 +57,19 @@ TEST(MachinePages, OfAMachineWithoutALimitHasItsTrigger) {
   EXPECT_EQ(kernel.diagnostics().front().page, &errors::kMachineWithoutLimit);
 }
 
+TEST(MachinePages, OfAnImpossibleSettingHasItsTrigger) {
+  Kernel kernel(default_machine(), {.horizon_s = -1.0});
+  kernel.feed(errors::trigger_of(errors::kImpossibleSetting));
+  kernel.finish();
+  kernel.plan();
+  ASSERT_FALSE(kernel.diagnostics().empty());
+  EXPECT_EQ(kernel.diagnostics().front().page, &errors::kImpossibleSetting);
+}
+
 TEST(MachinePages, AreAllTriedHere) {
   for (const parser::ErrorPage* page : errors::catalogue()) {
     const bool tried = page == &errors::kMachineWithoutLimit ||
+                       page == &errors::kImpossibleSetting ||
                        std::find(kOfTheCheck.begin(), kOfTheCheck.end(), page) != kOfTheCheck.end();
     EXPECT_TRUE(page->number < 1000 || tried) << page->title;
   }

@@ -97,7 +97,10 @@ TEST(Kernel, RefusesToMoveAMachineWithoutLimits) {
   ticks_to_the_end(kernel, setpoint);
   EXPECT_EQ(setpoint.position_mm[0], 0.0);
   ASSERT_TRUE(kernel.has_errors());
-  EXPECT_EQ(kernel.diagnostics().back().message, "the machine has no limit of velocity");
+  EXPECT_EQ(
+      kernel.diagnostics().back().message,
+      "path.max_velocity_mm_s: nothing bounds the velocity, expected a limit here or in every "
+      "axis");
 }
 
 }  // namespace
