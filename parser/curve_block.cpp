@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "parser/errors/curves.hpp"
 #include "parser/errors/motion.hpp"
@@ -30,7 +31,11 @@ Point resolved_with_offsets(const CurveBlock& at, const Point& from_mm) {
   const bool together = coordinates.turned() && at.block.has_any(letters('X', 'Y'));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const bool moves = at.block.has(axis_letter(axis)) || (together && axis < 2);
-    point[axis] = !moves ? from_mm[axis] : incremental ? from_mm[axis] + point[axis] : point[axis];
+    if (!moves) {
+      point[axis] = from_mm[axis];
+    } else if (incremental) {
+      point[axis] = sum_of_decimals(from_mm[axis], point[axis]);
+    }
   }
   return point;
 }
@@ -47,6 +52,15 @@ Fault out_of_range(const Block& block, char letter) {
 
 }  // namespace
 
+double sum_of_decimals(double one, double other) {
+  constexpr double kPlaces = 1e9;
+  constexpr double kRounding = 2.0 * std::numeric_limits<double>::epsilon();
+  const double sum = one + other;
+  const double decimal = std::nearbyint(sum * kPlaces) / kPlaces;
+  const double rounding = kRounding * std::max(std::fabs(one), std::fabs(other));
+  return std::fabs(sum - decimal) <= rounding ? decimal : sum;
+}
+
 bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point, Fault& fault) {
   const bool plain = at.state.coordinates.plain() || at.codes[Group::other] == kG53;
   point = plain ? from_mm : resolved_with_offsets(at, from_mm);
@@ -59,7 +73,7 @@ bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point, Fau
     }
     if (plain) {
       const double value = at.block.value(letter) * unit;
-      point[axis] = at.state.incremental ? from_mm[axis] + value : value;
+      point[axis] = at.state.incremental ? sum_of_decimals(from_mm[axis], value) : value;
     }
     if (!(std::fabs(point[axis]) <= kLargestCoordinate_mm)) {
       fault = out_of_range(at.block, letter);

@@ -36,7 +36,8 @@ bool Interpreter::resolve_extra(ExtraWords& end_deg_mm) {
     if (!block_->has(kExtraNames[axis])) {
       continue;
     }
-    end_deg_mm[axis] = target[axis] + (state_.incremental ? end_deg_mm[axis] : 0.0);
+    end_deg_mm[axis] =
+        state_.incremental ? sum_of_decimals(end_deg_mm[axis], target[axis]) : target[axis];
     if (!(std::fabs(end_deg_mm[axis]) <= kLargestCoordinate_mm)) {
       const Word& word = block_->word(kExtraNames[axis]);
       return fail(
