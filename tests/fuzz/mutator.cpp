@@ -9,12 +9,13 @@
 #include <vector>
 
 #include "tests/fuzz/block_generator.hpp"
+#include "tests/fuzz/judge/fuzz_input.hpp"
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t max_size);
 
 namespace {
 
-constexpr std::size_t kHead = 2;  // what parse_fuzz takes as options
+using kerf::fuzz::kHead;
 
 std::vector<std::string> lines_of(std::string_view text) {
   std::vector<std::string> lines;
