@@ -23,14 +23,6 @@ constexpr double kChordRelative = 5e-3;
 constexpr double kRounding_mm = 1e-11;
 constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
 
-template <std::size_t N, typename Tracks>
-std::array<Peaks, N> peaks_of(const Tracks& tracks) {
-  std::array<Peaks, N> peaks;
-  std::transform(tracks.begin(), tracks.end(), peaks.begin(),
-                 [](const auto& track) { return track.peaks; });
-  return peaks;
-}
-
 }  // namespace
 
 std::optional<RunFault> describe(const TickExcess& excess) {
@@ -67,7 +59,8 @@ std::optional<RunFault> describe(const TickExcess& excess) {
 }
 
 TickJudge::TickJudge(const Settings& settings)
-    : period_s_(settings.limits.period_s),
+    : time_{settings.limits.period_s, settings.limits.period_s * settings.limits.period_s,
+            settings.limits.period_s * settings.limits.period_s * settings.limits.period_s},
       chord_tolerance_mm_(settings.limits.chord_tolerance_mm),
       binds_jerk_(settings.binds_jerk),
       has_extra_axes_(settings.has_extra_axes) {
@@ -84,11 +77,34 @@ TickJudge::TickJudge(const Settings& settings)
 }
 
 std::array<Peaks, 3> TickJudge::axes() const noexcept {
-  return peaks_of<3>(axes_);
+  std::array<Peaks, 3> peaks;
+  for (std::size_t k = 0; k < peaks.size(); ++k) {
+    peaks[k] = peaks_of(axes_[k]);
+  }
+  return peaks;
 }
 
 std::array<Peaks, curves::kExtraAxes> TickJudge::extra_axes() const noexcept {
-  return peaks_of<curves::kExtraAxes>(extra_);
+  std::array<Peaks, curves::kExtraAxes> peaks;
+  for (std::size_t k = 0; k < peaks.size(); ++k) {
+    peaks[k] = peaks_of(extra_[k]);
+  }
+  return peaks;
+}
+
+// Only a new peak can be an excess, so most ticks compare three differences and no more. What is no
+// number fails the comparison, too.
+inline void TickJudge::add(Track& track, double x, const interp::Setpoint& at) noexcept {
+  auto& [x1, x2, x3] = track.x;
+  const double first = std::abs(x - x1);
+  const double second = std::abs(x - 2.0 * x1 + x2);
+  const double third = std::abs(x - 3.0 * (x1 - x2) - x3);
+  if (!(first <= track.most[0] && second <= track.most[1] && third <= track.most[2])) {
+    raise(track, {.x = x, .differences = {first, second, third}}, at);
+  }
+  x3 = x2;
+  x2 = x1;
+  x1 = x;
 }
 
 void TickJudge::add(const interp::Setpoint& setpoint, double chord_error_mm) noexcept {
@@ -136,45 +152,37 @@ void TickJudge::judge_end(const interp::Setpoint& last, const PlaceOfTool& progr
   }
 }
 
-// Only a new peak can be an excess, so most ticks compare three numbers and no more.
-void TickJudge::add(Track& track, double x, const interp::Setpoint& at) noexcept {
-  std::copy_backward(track.x.begin(), track.x.end() - 1, track.x.end());
-  track.x[0] = x;
-  const auto& [x0, x1, x2, x3] = track.x;
-  const double ts = period_s_;
-  const double v = std::abs(x0 - x1) / ts;
-  const double a = std::abs(x0 - 2.0 * x1 + x2) / (ts * ts);
-  const double j = std::abs(x0 - 3.0 * (x1 - x2) - x3) / (ts * ts * ts);
-  TickExcess found{.axis = track.axis, .line = at.line, .tick = at.tick};
-  const double rounding = kRounding_mm + kRounding * std::abs(x);
-  if (!std::isfinite(x)) {
-    found.figure = Figure::not_finite;
+void TickJudge::raise(Track& track, const Tick& now, const interp::Setpoint& at) noexcept {
+  constexpr std::array kFigures{Figure::velocity, Figure::acceleration, Figure::jerk};
+  TickExcess found{
+      .figure = Figure::not_finite, .axis = track.axis, .line = at.line, .tick = at.tick};
+  if (!std::isfinite(now.x)) {
     judge(found, 0.0);
     return;
   }
-  if (v > track.peaks.v_mm_s) {
-    track.peaks.v_mm_s = v;
-    found.figure = Figure::velocity;
-    found.found = v;
-    found.limit = track.limits.velocity_mm_s * (1.0 + kRelative);
-    judge(found, rounding / ts);
-  }
-  if (a > track.peaks.a_mm_s2) {
-    track.peaks.a_mm_s2 = a;
-    found.figure = Figure::acceleration;
-    found.found = a;
-    found.limit = track.limits.acceleration_mm_s2 * (1.0 + kRelative);
-    judge(found, rounding / (ts * ts));
-  }
-  if (j > track.peaks.j_mm_s3) {
-    track.peaks.j_mm_s3 = j;
-    found.figure = Figure::jerk;
-    found.found = j;
-    found.limit = track.limits.jerk_mm_s3 * (1.0 + kRelative);
-    if (binds_jerk_) {
-      judge(found, rounding / (ts * ts * ts));
+  const std::array<double, 3> limits{track.limits.velocity_mm_s, track.limits.acceleration_mm_s2,
+                                     track.limits.jerk_mm_s3};
+  const double rounding = kRounding_mm + kRounding * std::abs(now.x);
+  for (std::size_t k = 0; k < kFigures.size(); ++k) {
+    if (now.differences[k] <= track.most[k]) {
+      continue;
     }
+    track.most[k] = now.differences[k];
+    if (kFigures[k] == Figure::jerk && !binds_jerk_) {
+      continue;
+    }
+    const double per = time_[k];
+    found.figure = kFigures[k];
+    found.found = now.differences[k] / per;
+    found.limit = limits[k] * (1.0 + kRelative);
+    judge(found, rounding / per);
   }
+}
+
+Peaks TickJudge::peaks_of(const Track& track) const noexcept {
+  return {.v_mm_s = track.most[0] / time_[0],
+          .a_mm_s2 = track.most[1] / time_[1],
+          .j_mm_s3 = track.most[2] / time_[2]};
 }
 
 void TickJudge::judge(const TickExcess& found, double rounding) noexcept {

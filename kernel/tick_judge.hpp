@@ -73,7 +73,7 @@ class TickJudge {
 
   // The first; its figure is `none` while all holds.
   [[nodiscard]] const TickExcess& excess() const noexcept { return excess_; }
-  [[nodiscard]] const Peaks& path() const noexcept { return path_.peaks; }
+  [[nodiscard]] Peaks path() const noexcept { return peaks_of(path_); }
   [[nodiscard]] std::array<Peaks, 3> axes() const noexcept;
   // Of A, B, C in rad.
   [[nodiscard]] std::array<Peaks, curves::kExtraAxes> extra_axes() const noexcept;
@@ -82,18 +82,25 @@ class TickJudge {
   [[nodiscard]] double latest_chord_error_mm() const noexcept { return latest_chord_error_mm_; }
 
  private:
-  // The last four values of one coordinate, newest first, with what they may do.
+  // One coordinate: its last three values, newest first, the largest of its first, second and third
+  // differences, and what they may be.
   struct Track {
-    std::array<double, 4> x{};
+    std::array<double, 3> x{};
+    std::array<double, 3> most{};
     lookahead::MotionLimits limits{};
     std::int8_t axis = TickExcess::kPath;
-    Peaks peaks{};
+  };
+  struct Tick {
+    double x = 0.0;
+    std::array<double, 3> differences{};
   };
 
   void add(Track& track, double x, const interp::Setpoint& at) noexcept;
+  void raise(Track& track, const Tick& now, const interp::Setpoint& at) noexcept;
+  [[nodiscard]] Peaks peaks_of(const Track& track) const noexcept;
   void judge(const TickExcess& found, double rounding) noexcept;
 
-  double period_s_;
+  std::array<double, 3> time_;  // the period, its square and its cube
   double chord_tolerance_mm_;
   bool binds_jerk_;
   bool has_extra_axes_;
