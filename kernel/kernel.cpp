@@ -93,6 +93,9 @@ class Kernel::Impl {
   }
 
   void stop() {
+    if (!check_.has_ended()) {
+      end_.reset();  // not reached any more
+    }
     check_.stop();
     planner_.stop();
     finished_ = true;

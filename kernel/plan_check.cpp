@@ -64,6 +64,7 @@ void PlanCheck::leave_block() {
 
 void PlanCheck::check_rest(const interp::Phase& phase) {
   leave_block();
+  ended_ = ended_ || phase.ends_program;
   if (!(phase.law.duration_s() >= 0.0) || !std::isfinite(phase.law.duration_s())) {
     fail(phase.line, "a rest of " + to_text(phase.law.duration_s()) + " s is planned");
   }

@@ -27,6 +27,8 @@ class PlanCheck {
   // What is left of the program need not come.
   void stop() { stopped_ = true; }
 
+  // The program's end is planned.
+  [[nodiscard]] bool has_ended() const { return ended_; }
   // The first; nothing while all holds.
   [[nodiscard]] const std::optional<RunFault>& fault() const { return fault_; }
   void fail(std::uint32_t line, std::string what);
@@ -51,6 +53,7 @@ class PlanCheck {
   double path_mm_ = 0.0;                  // of the blocks before the front
   std::uint32_t idle_ = 0;                // calls in a row that brought nothing
   bool stopped_ = false;
+  bool ended_ = false;
   std::optional<RunFault> fault_;
 };
 

@@ -180,7 +180,6 @@ class Interpreter : private InterpreterMemory {
   bool run_cycle(const DrillCycle& cycle, const Point& from_mm);
   void push_cycle_step(const CycleStep& step, double feedrate_mm_s);
   [[nodiscard]] std::string motion_name() const;
-  [[nodiscard]] bool moves_tool(const CycleStep& step) const;
 
   // fanuc/interpreter_fanuc.cpp
   [[nodiscard]] Letters letters_of_fanuc() const;

@@ -65,7 +65,8 @@ Letters letters_of_cycle(Motion motion, Dialect dialect);
 double feeds_of(const DrillCycle& cycle);
 
 // The steps from `from_mm` on, in order. Moves of no length are left out, but not those that
-// rounding alone gives a length: whether a step moves the tool only the machine's coordinates say.
+// rounding alone gives a length: what is too short to be a move is decided where moves leave the
+// reader (short_moves.hpp).
 void expand(const DrillCycle& cycle, const Point& from_mm, std::vector<CycleStep>& steps);
 
 }  // namespace kerf::parser

@@ -1,5 +1,4 @@
 // G73, G74, G81 to G89: a block's holes as moves.
-#include <algorithm>
 #include <cmath>
 
 #include "parser/arc_geometry.hpp"
@@ -86,23 +85,9 @@ bool Interpreter::run_cycle(const DrillCycle& cycle, const Point& from_mm) {
     }
   }
   for (const CycleStep& step : cycle_steps_) {
-    const bool is_move = step.kind == StepKind::rapid || step.kind == StepKind::feed;
-    if (!is_move || moves_tool(step)) {
-      push_cycle_step(step, feedrate_mm_s);
-    }
+    push_cycle_step(step, feedrate_mm_s);
   }
   return true;
-}
-
-// A step that leads back to where the tool is gets a length only by being turned and shifted into
-// the machine's coordinates.
-bool Interpreter::moves_tool(const CycleStep& step) const {
-  constexpr double kRounding_mm = 1e-7;
-  double way_mm = 0.0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    way_mm = std::max(way_mm, std::fabs(step.end_mm[axis] - state_.position_mm[axis]));
-  }
-  return way_mm > kRounding_mm;
 }
 
 // Cycles run on the exact path, also while G64 would let the corners go.

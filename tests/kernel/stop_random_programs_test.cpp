@@ -53,6 +53,7 @@ Outcome run(const RandomProgram& program, const Trial& trial) {
   if (status == interp::TickStatus::starved) {
     outcome.complaint += " starved";
   }
+  outcome.complaint += kernel.fault() ? " " + kernel.fault()->what : "";
   if (status == interp::TickStatus::finished && outcome.last.v_mm_s != 0.0) {
     outcome.complaint += " finished in motion";
   }

@@ -37,6 +37,7 @@ Stopped stop_at(std::int64_t tick, ProfileKind kind, std::size_t window) {
     checker.add({.setpoint = stopped.last, .feedrate_mm_s = 150.0});
   }
   stopped.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
+  stopped.complaint += kernel.fault() ? kernel.fault()->what : "";
   return stopped;
 }
 
