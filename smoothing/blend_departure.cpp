@@ -95,10 +95,12 @@ Departure farthest_from_blend(const Programmed& programmed_at, const Places& pla
   for (int k = 0; k <= kPlaces; ++k) {
     look(static_cast<double>(k) / kPlaces);
   }
-  for (double beside = 0.5 / kPlaces; beside > kFinestOfPath; beside *= 0.5) {
+  double beside = 0.5 / kPlaces;
+  while (beside > kFinestOfPath) {
     const double middle = share_farthest;
     look(std::max(middle - beside, 0.0));
     look(std::min(middle + beside, 1.0));
+    beside *= 0.5;
   }
   return farthest;
 }
@@ -135,10 +137,12 @@ Departure departure_of(const Blend& blend, const Corner& corner, double way_mm) 
   for (int k = 0; k <= kPlaces; ++k) {
     places[static_cast<std::size_t>(k)] = look(static_cast<double>(k) / kPlaces);
   }
-  for (double beside = 0.5 / kPlaces; beside > kFinest; beside *= 0.5) {
+  double beside = 0.5 / kPlaces;
+  while (beside > kFinest) {
     const double w = w_largest;
     look(std::max(w - beside, 0.0));
     look(std::min(w + beside, 1.0));
+    beside *= 0.5;
   }
   for (const bool behind : {false, true}) {
     largest.widen(farthest_from_blend(

@@ -43,8 +43,8 @@ std::optional<Plane> plane_of(const Polyline& run, std::size_t last) {
 }
 
 // Through three points; nothing where they are as good as on a line.
-std::optional<Eigen::Vector2d> centre_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b,
-                                         const Eigen::Vector2d& c) {
+std::optional<Eigen::Vector2d> centre_of(const std::array<Eigen::Vector2d, 3>& points) {
+  const auto& [a, b, c] = points;
   const Eigen::Vector2d ab = b - a;
   const Eigen::Vector2d ac = c - a;
   const double twice = 2.0 * cross(ab, ac);
@@ -66,8 +66,8 @@ std::optional<CircleRun> circle_of(const Polyline& run, std::size_t last, double
     return std::nullopt;
   }
   const bool closed = run[0].point_mm == run[last].point_mm;
-  const auto centre = centre_of(in(*plane, run[0]), in(*plane, run[closed ? last / 3 : last / 2]),
-                                in(*plane, run[closed ? 2 * last / 3 : last]));
+  const auto centre = centre_of({in(*plane, run[0]), in(*plane, run[closed ? last / 3 : last / 2]),
+                                 in(*plane, run[closed ? 2 * last / 3 : last])});
   if (!centre) {
     return std::nullopt;
   }

@@ -62,10 +62,25 @@ class FitEquations {
     right_[index] = value;
   }
 
-  // L D L^T in place.
   std::vector<Eigen::Vector3d> solve() {
+    factorise();
     const std::size_t count = rows_.size();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = count; i-- > 0;) {
+      right_[i] /= entry(i, i);
+      const std::size_t last = std::min(i + kFitDegree, count - 1);
+      for (std::size_t j = i + 1; j <= last; ++j) {
+        right_[i] -= entry(j, i) * right_[j];
+      }
+    }
+    return std::move(right_);
+  }
+
+ private:
+  using Row = Eigen::Matrix<double, kOrder, 1>;
+
+  // L D L^T in place, and the right side through L.
+  void factorise() {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
       const std::size_t first = i >= kFitDegree ? i - kFitDegree : 0;
       for (std::size_t j = first; j < i; ++j) {
         double sum = entry(i, j);
@@ -80,18 +95,8 @@ class FitEquations {
         entry(i, i) -= entry(i, m) * entry(i, m) * entry(m, m);
       }
     }
-    for (std::size_t i = count; i-- > 0;) {
-      right_[i] /= entry(i, i);
-      const std::size_t last = std::min(i + kFitDegree, count - 1);
-      for (std::size_t j = i + 1; j <= last; ++j) {
-        right_[i] -= entry(j, i) * right_[j];
-      }
-    }
-    return std::move(right_);
   }
 
- private:
-  using Row = Eigen::Matrix<double, kOrder, 1>;
   double& entry(std::size_t i, std::size_t j) {
     return rows_[i][static_cast<Eigen::Index>(kFitDegree + j - i)];
   }

@@ -116,48 +116,68 @@ void append_arc(const curves::Arc& arc, const Move& move, std::vector<PathPart>&
   }
 }
 
+using Appended = tl::expected<void, PathError>;
+
+Appended refuse(const Move& move, const curves::CurveError& error) {
+  return tl::make_unexpected(PathError{line_to_blame(move, error), error.message});
+}
+
+Appended append_line(const Move& move, const LineMove& line, std::vector<PathPart>& parts) {
+  const auto built = make_line(move, line);
+  if (!built) {
+    return refuse(move, built.error());
+  }
+  parts.push_back(part_of(*built, move));
+  return {};
+}
+
+Appended append_round(const Move& move, const ArcMove& arc, std::vector<PathPart>& parts) {
+  const auto built = curves::make_arc(arc_shape(move, arc));
+  if (!built) {
+    return refuse(move, built.error());
+  }
+  const std::size_t first = parts.size();
+  if (const auto* circle = std::get_if<curves::Arc>(&*built)) {
+    append_arc(*circle, move, parts);
+  } else {
+    parts.push_back(part_of(std::get<curves::NurbsCurve>(*built), move));
+  }
+  for (std::size_t i = first; i < parts.size(); ++i) {
+    parts[i].arc_normal = normal_axis(arc.plane);
+  }
+  return {};
+}
+
+Appended append_nurbs(const Move& move, const NurbsMove& nurbs, std::vector<PathPart>& parts) {
+  if (move.extra.moves()) {
+    return tl::make_unexpected(
+        PathError{move.source.line, "A, B, C, U, V and W cannot move on a spline"});
+  }
+  auto built = curves::NurbsCurve::make(nurbs_data(nurbs));
+  if (!built) {
+    return refuse(move, built.error());
+  }
+  for (curves::NurbsCurve& curve : *built) {
+    const bool last = &curve == &built->back();
+    const auto straight = curves::straight(curve);
+    parts.push_back(
+        part_of(straight ? curves::Curve(*straight) : curves::Curve(std::move(curve)), move));
+    parts.back().stop_after = parts.back().stop_after && last;
+  }
+  return {};
+}
+
 }  // namespace
 
 tl::expected<void, PathError> append_parts(const Move& move, std::vector<PathPart>& parts) {
-  const auto refuse = [&move](const curves::CurveError& error) {
-    return tl::make_unexpected(PathError{line_to_blame(move, error), error.message});
-  };
   if (const auto* line = std::get_if<LineMove>(&move.shape)) {
-    const auto built = make_line(move, *line);
-    if (!built) {
-      return refuse(built.error());
-    }
-    parts.push_back(part_of(*built, move));
-  } else if (const auto* arc = std::get_if<ArcMove>(&move.shape)) {
-    const auto built = curves::make_arc(arc_shape(move, *arc));
-    if (!built) {
-      return refuse(built.error());
-    }
-    const std::size_t first = parts.size();
-    if (const auto* circle = std::get_if<curves::Arc>(&*built)) {
-      append_arc(*circle, move, parts);
-    } else {
-      parts.push_back(part_of(std::get<curves::NurbsCurve>(*built), move));
-    }
-    for (std::size_t i = first; i < parts.size(); ++i) {
-      parts[i].arc_normal = normal_axis(arc->plane);
-    }
-  } else if (const auto* nurbs = std::get_if<NurbsMove>(&move.shape)) {
-    if (move.extra.moves()) {
-      return tl::make_unexpected(
-          PathError{move.source.line, "A, B, C, U, V and W cannot move on a spline"});
-    }
-    auto built = curves::NurbsCurve::make(nurbs_data(*nurbs));
-    if (!built) {
-      return refuse(built.error());
-    }
-    for (curves::NurbsCurve& curve : *built) {
-      const bool last = &curve == &built->back();
-      const auto straight = curves::straight(curve);
-      parts.push_back(
-          part_of(straight ? curves::Curve(*straight) : curves::Curve(std::move(curve)), move));
-      parts.back().stop_after = parts.back().stop_after && last;
-    }
+    return append_line(move, *line, parts);
+  }
+  if (const auto* arc = std::get_if<ArcMove>(&move.shape)) {
+    return append_round(move, *arc, parts);
+  }
+  if (const auto* nurbs = std::get_if<NurbsMove>(&move.shape)) {
+    return append_nurbs(move, *nurbs, parts);
   }
   return {};
 }

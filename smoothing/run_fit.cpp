@@ -57,10 +57,14 @@ class Fitting {
     return (*run_)[vertex].point_mm;
   }
 
+  struct SpanLength {
+    double mm = 0.0;
+  };
+
   // Into how many steps a line is divided.
-  [[nodiscard]] std::size_t steps_of(std::size_t line, double span_mm) const {
+  [[nodiscard]] std::size_t steps_of(std::size_t line, SpanLength span) const {
     const double length = w_mm(line + 1) - w_mm(line);
-    auto steps = static_cast<std::size_t>(std::ceil(kSamplesOfSpan * length / span_mm));
+    auto steps = static_cast<std::size_t>(std::ceil(kSamplesOfSpan * length / span.mm));
     if (line > 0 && line + 1 < stretch_.last) {
       const Eigen::Vector3d in = vec(point(line)) - vec(point(line - 1));
       const Eigen::Vector3d along = vec(point(line + 1)) - vec(point(line));
@@ -90,7 +94,7 @@ class Fitting {
     for (std::size_t k = 0; k < breaks_.span_count(); ++k) {
       const double span = w_mm(vertex(k + 1)) - w_mm(vertex(k));
       for (std::size_t i = vertex(k); i < vertex(k + 1); ++i) {
-        const std::size_t steps = steps_of(i, span);
+        const std::size_t steps = steps_of(i, {span});
         const double length = w_mm(i + 1) - w_mm(i);
         const double half = 0.5 * length / static_cast<double>(steps);
         for (std::size_t step = 1; step <= steps; ++step) {
@@ -129,7 +133,7 @@ class Fitting {
     const double bend = span.bend_bound_per_mm();
     double away = 0.0;
     for (std::size_t i = vertex(k); i < vertex(k + 1); ++i) {
-      const std::size_t steps = 2 * steps_of(i, span.w_end_mm - span.w_begin_mm);
+      const std::size_t steps = 2 * steps_of(i, {span.w_end_mm - span.w_begin_mm});
       const double length = w_mm(i + 1) - w_mm(i);
       const double step_mm = length / static_cast<double>(steps);
       const double between_mm = 0.125 * step_mm * step_mm * bend;
