@@ -139,7 +139,10 @@ bool ProgramReader::Impl::next_move(Move& move) {
   while (interpreter_.moves().empty()) {
     Line line;
     if (!next_line(line)) {
-      return false;
+      if (interpreter_.moves().empty()) {
+        return false;
+      }
+      break;  // the end of the text has let go what was held
     }
     diagnostics_.at_line(line.number, line.text);
     if (ended_) {

@@ -53,6 +53,13 @@ TEST(Compensation, LeavesByTimeWhereTheProgrammedExitHasNoLength) {
   EXPECT_NE(found.find("3: line to 50 0 0 feed 0.1666"), std::string::npos) << found;
 }
 
+// Found by the fuzzer: what was held when the text ended was never run.
+TEST(Compensation, RunsWhatItHoldsWhereTheTextEndsWithoutM2) {
+  EXPECT_EQ(moves(kOn), "1: line to 20 5 0 feed 10\n2: line to 50 5 0 feed 10\n");
+  EXPECT_EQ(moves("O1\nG41 D2 G1 F600 X20\nX50\nO2\nM99\n", Dialect::fanuc),
+            "2: line to 20 3 0 feed 10\n3: line to 50 3 0 feed 10\n");
+}
+
 TEST(Compensation, GivesTheCornerArcTheLineBehindIt) {
   EXPECT_EQ(moves("G41.1 D10 G1 F600 X20\nX50 F300\nM8\nG0 Y-40\nM0\nG40 X80\nM2\n"),
             "1: line to 20 5 0 feed 10\n"
