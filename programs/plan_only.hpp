@@ -20,7 +20,7 @@ namespace kerf::program {
 struct PlannedProgram {
   lookahead::PlanTotals totals{};
   smoothing::Departure departure{};
-  std::optional<RunFault> fault{};  // the plan ends there
+  std::optional<RunFault> fault{};                // the plan ends there
   std::optional<std::uint32_t> too_long_at_line;  // the plan ends there
 };
 

@@ -15,9 +15,8 @@ namespace {
 
 namespace errors = parser::errors;
 
-constexpr std::array kOfTheCheck{&errors::kOutsideTravel, &errors::kCurveRefused,
-                                 &errors::kTooLong, &errors::kFeedBeyondReach,
-                                 &errors::kToleranceSwallows};
+constexpr std::array kOfTheCheck{&errors::kOutsideTravel, &errors::kCurveRefused, &errors::kTooLong,
+                                 &errors::kFeedBeyondReach, &errors::kToleranceSwallows};
 
 std::vector<parser::Diagnostic> found_in(const parser::ErrorPage& page) {
   MachineSettings settings;
