@@ -58,6 +58,9 @@ class Kernel::Impl {
 
   interp::TickStatus tick(interp::Setpoint& setpoint) noexcept {
     const interp::TickStatus status = interpolator_.next(setpoint);
+    if (status == interp::TickStatus::starved) {
+      judge_.starve();
+    }
     judge_.add(setpoint, interpolator_.chord_error_mm());
     if (status == interp::TickStatus::finished && end_) {
       judge_.judge_end(setpoint, *end_);
@@ -147,7 +150,7 @@ class Kernel::Impl {
     lookahead::push_block(std::move(*block), changes, planner_);
   }
 
-  void fail_with_check() { failed_ = check_.fault().has_value(); }
+  void fail_with_check() { failed_ = check_.is_broken(); }
 
   lookahead::PlanLimits limits_;
   ProgramPath path_;

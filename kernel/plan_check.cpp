@@ -30,6 +30,11 @@ void PlanCheck::pushed(const lookahead::Block& block) {
 }
 
 void PlanCheck::fail(std::uint32_t line, std::string what) {
+  broken_ = true;
+  note(line, std::move(what));
+}
+
+void PlanCheck::note(std::uint32_t line, std::string what) {
   if (!fault_) {
     fault_ = RunFault{.line = line, .what = std::move(what)};
   }
@@ -77,7 +82,7 @@ void PlanCheck::check_rest(const interp::Phase& phase) {
 
 void PlanCheck::judge(const smoothing::Departure& departure) {
   if (!(departure.distance_mm <= departure.tolerance_mm * (1.0 + kRelative) + kDeparture_mm)) {
-    fail(departure.line, "the path is " + to_text(departure.distance_mm) +
+    note(departure.line, "the path is " + to_text(departure.distance_mm) +
                              " mm from the programmed one, above " +
                              to_text(departure.tolerance_mm) + " mm");
   }
@@ -123,7 +128,7 @@ void PlanCheck::check(const interp::Phase& phase) {
   const profiles::Ramp ramp = phase.law.ramp();
   const double most_mm_s = block.feedrate_mm_s * (1.0 + kFeedrateRelative) + kFeedrate_mm_s;
   if (!(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s) <= most_mm_s)) {
-    fail(phase.line, "a feedrate of " + to_text(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s)) +
+    note(phase.line, "a feedrate of " + to_text(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s)) +
                          " mm/s is planned, above " + to_text(block.feedrate_mm_s) + " mm/s");
   }
   s_mm_ = phase.s_end_mm;

@@ -31,6 +31,8 @@ class PlanCheck {
   [[nodiscard]] bool has_ended() const { return ended_; }
   // The first; nothing while all holds.
   [[nodiscard]] const std::optional<RunFault>& fault() const { return fault_; }
+  // What was planned cannot be run: its parts do not fit.
+  [[nodiscard]] bool is_broken() const { return broken_; }
   void fail(std::uint32_t line, std::string what);
 
  private:
@@ -41,6 +43,8 @@ class PlanCheck {
     bool adds_to_path = true;
   };
 
+  // The plan can be run, but is not what it should be.
+  void note(std::uint32_t line, std::string what);
   void check(const interp::Phase& phase);
   void check_rest(const interp::Phase& phase);
   void begin_block(const interp::Phase& phase);
@@ -54,6 +58,7 @@ class PlanCheck {
   std::uint32_t idle_ = 0;                // calls in a row that brought nothing
   bool stopped_ = false;
   bool ended_ = false;
+  bool broken_ = false;
   std::optional<RunFault> fault_;
 };
 

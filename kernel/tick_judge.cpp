@@ -99,7 +99,8 @@ inline void TickJudge::add(Track& track, double x, const interp::Setpoint& at) n
   const double first = std::abs(x - x1);
   const double second = std::abs(x - 2.0 * x1 + x2);
   const double third = std::abs(x - 3.0 * (x1 - x2) - x3);
-  if (!(first <= track.most[0] && second <= track.most[1] && third <= track.most[2])) {
+  const bool rises = !(first <= track.most[0] && second <= track.most[1] && third <= track.most[2]);
+  if (rises && settling_ == 0) {
     raise(track, {.x = x, .differences = {first, second, third}}, at);
   }
   x3 = x2;
@@ -125,6 +126,7 @@ void TickJudge::add(const interp::Setpoint& setpoint, double chord_error_mm) noe
   for (std::size_t k = 0; k < extra_.size() && has_extra_axes_; ++k) {
     add(extra_[k], setpoint.extra_rad_mm[k], setpoint);
   }
+  settling_ = std::max(settling_ - 1, 0);
   latest_chord_error_mm_ = chord_error_mm;
   if (chord_error_mm > chord_error_mm_) {
     chord_error_mm_ = chord_error_mm;
@@ -164,7 +166,7 @@ void TickJudge::raise(Track& track, const Tick& now, const interp::Setpoint& at)
                                      track.limits.jerk_mm_s3};
   const double rounding = kRounding_mm + kRounding * std::abs(now.x);
   for (std::size_t k = 0; k < kFigures.size(); ++k) {
-    if (now.differences[k] <= track.most[k]) {
+    if (!(now.differences[k] > track.most[k])) {
       continue;
     }
     track.most[k] = now.differences[k];

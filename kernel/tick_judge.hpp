@@ -68,6 +68,10 @@ class TickJudge {
 
   void add(const interp::Setpoint& setpoint, double chord_error_mm) noexcept;
 
+  // The tick before this one found nothing planned: what it did says nothing of the plan, so the
+  // differences that hold it are not looked at.
+  void starve() noexcept { settling_ = kDifferences + 1; }
+
   // The program's last tick. What is shorter than the resolution of programs need not be run.
   void judge_end(const interp::Setpoint& last, const PlaceOfTool& programmed) noexcept;
 
@@ -82,6 +86,8 @@ class TickJudge {
   [[nodiscard]] double latest_chord_error_mm() const noexcept { return latest_chord_error_mm_; }
 
  private:
+  static constexpr int kDifferences = 3;
+
   // One coordinate: its last three values, newest first, the largest of its first, second and third
   // differences, and what they may be.
   struct Track {
@@ -105,6 +111,7 @@ class TickJudge {
   bool binds_jerk_;
   bool has_extra_axes_;
   bool began_ = false;
+  int settling_ = 0;  // ticks whose differences are not looked at
   Track path_{};
   std::array<Track, 3> axes_{};
   std::array<Track, curves::kExtraAxes> extra_{};

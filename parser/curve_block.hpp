@@ -30,7 +30,7 @@ inline constexpr std::size_t kMostControlPoints = 20'000;
 inline constexpr double kLargestCoordinate_mm = 999999.999;
 
 // Where the sum of the doubles is a decimal of nine places but for rounding, it is that: millions
-// of small steps then end where one large one does, on the same bits.
+// of small steps then end where one large one does. In mm and without offsets on the same bits.
 double sum_of_decimals(double one, double other);
 
 // The block's end point in machine coordinates: absolute or from `from_mm`, axes without a word

@@ -24,9 +24,9 @@ using ExtraWords = std::array<double, kExtraAxes>;
 // The word of an extra axis. Precondition: the block has it.
 double extra_word_deg_mm(const Block& block, std::size_t extra_axis, Units units);
 
-// A way shorter than this is what rounding left of none, in mm and, of A, B and C, in rad
-// (short_moves.hpp).
+// What is shorter than these is what rounding left of no way (short_moves.hpp).
 inline constexpr double kShortestWay_mm = 1e-10;
+inline constexpr double kShortestTurn_rad = 1.7e-12;  // of A, B and C: 1e-10 degrees
 
 // What a move does to them: A, B, C in rad, U, V, W in mm. In step with the path: linear in its
 // length.

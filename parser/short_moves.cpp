@@ -111,7 +111,8 @@ bool ShortMoves::take(Move& move) {
   const double length_mm = way_mm(move);
   const double extra_rad_mm = move.extra.length_rad_mm();
   const bool moves = length_mm >= kShortestWay_mm;
-  const bool moves_extra = extra_rad_mm >= kShortestWay_mm;
+  const bool moves_extra =
+      extra_rad_mm >= (move.extra.only_turns() ? kShortestTurn_rad : kShortestWay_mm);
   behind_ = true;
   if (!moves && !moves_extra) {
     return false;

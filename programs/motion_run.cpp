@@ -97,8 +97,12 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     report.plan->extents = *order.path.extents;
     report.plan->extra_extents = order.path.extra_extents;
   }
-  for (const auto& error :
-       {outputs->close_trace(outcome.dropped_records), outputs->write_plot(plot_caption(report))}) {
+  // A run that is stopped has done what its trace says; a dry run has not shown what it was to
+  // show.
+  const bool is_cut = order.options.command == Command::dry_run &&
+                      (stop_requested() || outcome.too_long_at_line || outcome.trace_ended);
+  for (const auto& error : {outputs->close_trace(outcome.dropped_records, is_cut),
+                            outputs->write_plot(plot_caption(report), is_cut)}) {
     if (error) {
       report.fail(ExitStatus::io_error, *error);
     }

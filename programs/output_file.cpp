@@ -55,9 +55,6 @@ tl::expected<OutputFile, std::string> OutputFile::create(const std::string& path
   }
   file.final_path_ = target;
   file.follows_incomplete_ = follows_incomplete;
-  if (!target.empty() && ::unlink(target.c_str()) != 0 && errno != ENOENT) {
-    return tl::unexpected(path + ": " + error_text(errno));
-  }
   return file;
 }
 
@@ -68,6 +65,10 @@ OutputFile::~OutputFile() {
 }
 
 int OutputFile::write(std::string_view bytes) noexcept {
+  // An older file goes once there is something to stand in its place.
+  if (!written_ && !final_path_.empty() && ::unlink(final_path_.c_str()) != 0 && errno != ENOENT) {
+    return errno;
+  }
   written_ = written_ || !bytes.empty();
   return write_all(descriptor_.number(), bytes);
 }

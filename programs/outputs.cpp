@@ -55,11 +55,11 @@ std::vector<std::string> Outputs::warnings() const {
   return warnings;
 }
 
-std::optional<std::string> Outputs::close_trace(std::uint64_t dropped) {
+std::optional<std::string> Outputs::close_trace(std::uint64_t dropped, bool is_cut) {
   if (!recorder_.trace) {
     return std::nullopt;
   }
-  recorder_.trace->close(dropped > 0);
+  recorder_.trace->close(dropped > 0 || is_cut);
   if (const auto& error = recorder_.trace->error()) {
     return *error + "; the trace is incomplete" + recorder_.trace->remains();
   }
@@ -70,12 +70,12 @@ std::optional<std::string> Outputs::close_trace(std::uint64_t dropped) {
   return std::nullopt;
 }
 
-std::optional<std::string> Outputs::write_plot(const PlotCaption& caption) {
+std::optional<std::string> Outputs::write_plot(const PlotCaption& caption, bool is_cut) {
   if (!plot_file_) {
     return std::nullopt;
   }
   int error = plot_file_->write(svg_plot(*recorder_.plot, caption));
-  if (const int closing = plot_file_->finish(error == 0); error == 0) {
+  if (const int closing = plot_file_->finish(error == 0 && !is_cut); error == 0) {
     error = closing;
   }
   if (error == 0) {

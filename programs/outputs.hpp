@@ -31,8 +31,10 @@ class Outputs {
 
   // After the motion: ends the trace and draws the plot. What went wrong, if anything did. dropped:
   // ticks that the recorder never saw.
-  std::optional<std::string> close_trace(std::uint64_t dropped);
-  std::optional<std::string> write_plot(const PlotCaption& caption);
+  // is_cut: the run has ended before its program. What is written keeps the name of an incomplete
+  // file.
+  std::optional<std::string> close_trace(std::uint64_t dropped, bool is_cut);
+  std::optional<std::string> write_plot(const PlotCaption& caption, bool is_cut);
 
  private:
   Outputs() = default;

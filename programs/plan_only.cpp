@@ -116,6 +116,9 @@ tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file, const Pla
       progress.set_read(static_cast<double>(file.bytes_read()) / size);
     }
   }
+  if (finished && !check.has_ended()) {
+    check.fail(0, "the program is read and nothing is planned");
+  }
   return PlannedProgram{.totals = planner.totals(),
                         .departure = smoother.departure(),
                         .fault = check.fault(),

@@ -102,7 +102,7 @@ std::string check_line(const FileReport& report) {
                                  clock_time(plan.cycle_time_s), plan.path_length_mm,
                                  counted(plan.blocks, "block"), extents_text(report));
   for (const std::string& warning : report.warnings) {
-    fmt::format_to(std::back_inserter(text), "  warning         {}\n", warning);
+    fmt::format_to(std::back_inserter(text), "  warning         {}\n", visible(warning));
   }
   return text;
 }
@@ -142,7 +142,7 @@ std::string summary(const FileReport& report) {
                    1000.0 * report.clock->worst_delay_s);
   }
   for (const std::string& warning : report.warnings) {
-    fmt::format_to(out, "  warning         {}\n", warning);
+    fmt::format_to(out, "  warning         {}\n", visible(warning));
   }
   return text;
 }

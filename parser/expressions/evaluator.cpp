@@ -153,7 +153,7 @@ bool Evaluator::read(const Reference& variable, double& value) {
   if (!pending_.empty() && is_pending(variable)) {
     const auto offset = static_cast<std::uint32_t>(variable.at - line_.data());
     stale_read_ = stale_read_ == 0 ? offset + 1 : stale_read_;
-  } else if (!variable.named && parameters_->is_first_unset_read(number) && !unset_read_) {
+  } else if (!variable.named && !unset_read_ && parameters_->is_first_unset_read(number)) {
     unset_read_ = {number, static_cast<std::uint32_t>(variable.at - line_.data())};
   }
   value = *found;

@@ -228,5 +228,24 @@ TEST(Kernel, StarvesAtRestBeforeTheFirstText) {
   EXPECT_EQ(checker.complaint(), "");
 }
 
+TEST(Kernel, TakesAQueueThatRunsDryForNoFaultOfThePlan) {
+  Kernel kernel(mill());
+  kernel.feed("G1 F6000 X100\nX0\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  // Planned late, twice: the tool stands still in motion and goes on as fast as it was.
+  for (int turn = 0; turn < 2; ++turn) {
+    kernel.plan();
+    auto status = TickStatus::running;
+    while (status == TickStatus::running) {
+      status = kernel.tick(setpoint);
+    }
+    ASSERT_EQ(status, TickStatus::starved);
+    kernel.tick(setpoint);
+  }
+  EXPECT_FALSE(kernel.fault()) << kernel.fault()->what;
+  rest_of(kernel);
+}
+
 }  // namespace
 }  // namespace kerf::test

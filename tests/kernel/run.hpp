@@ -26,6 +26,7 @@ inline std::vector<Setpoint> rest_of(Kernel& kernel) {
     ticks.push_back(setpoint);
   }
   EXPECT_EQ(status, TickStatus::finished);
+  EXPECT_FALSE(kernel.fault()) << kernel.fault()->what;
   return ticks;
 }
 

@@ -121,6 +121,13 @@ TEST(ShortMoves, OfAnExtraAxisBesideALongTurnDoNotSayHowLongItIs) {
   EXPECT_NEAR(program.moves[0].feedrate_mm_s, 0.10471975511966, 1e-12);  // 6 degrees a second
 }
 
+TEST(ShortMoves, OfATurningAxisCountInDegrees) {
+  ReaderOptions options{.machine = default_machine_data()};
+  options.machine.extra_axes = letters('A');
+  EXPECT_EQ(read_program("G1 F360 A[3.384/10**9]\nM2\n", options).moves.size(), 2U);
+  EXPECT_EQ(read_program("G1 F360 A[9/10**11]\nM2\n", options).moves.size(), 1U);
+}
+
 TEST(ShortMoves, DoNotKeepAnEndlessLoopAlive) {
   const Program program = read_program("G1 F100\no1 while [1]\nX[1/10**12]\nX0\no1 endwhile\nM2\n",
                                        {.machine = default_machine_data()});

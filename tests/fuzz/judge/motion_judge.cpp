@@ -76,6 +76,7 @@ void judge_motion(const FuzzInput& input, const EndPoint& end) {
   }
   require(now.v_mm_s == 0.0, "a program ends at rest");
   require(stopped || report.has_errors() == kernel.has_errors(), "check and run have one opinion");
+  require(!kernel.fault(), "a run keeps what it promises");
   if (!stopped && !kernel.has_errors()) {
     require(now.position_mm == end.mm, "the last tick is the programmed end point");
     require(now.extra_rad_mm == end.extra_rad_mm, "the last tick is the end of further axes");
