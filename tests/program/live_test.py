@@ -132,7 +132,8 @@ class Signals(Case):
         process.send_signal(signal.SIGINT)
         process.communicate(timeout=60)
         self.assertEqual(process.returncode, 130)
-        self.assertEqual(os.listdir(self.folder).count("trace.csv"), 1)  # whole, to the rest on the path
+        self.assertIn("trace.csv.incomplete", os.listdir(self.folder))  # what was to be shown is not all there
+        self.assertNotIn("trace.csv", os.listdir(self.folder))
 
     def test_closed_standard_output_does_not_stop_a_run(self):
         command = [KERF, "run", self.path("square.ngc", SQUARE), "--trace", "-"]
