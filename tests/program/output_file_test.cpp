@@ -51,10 +51,13 @@ TEST_F(OutputFileTest, IsMarkedInItsNameWhereSomeIsMissing) {
   EXPECT_EQ(file->remains(), "; what was written is in " + incomplete_.string());
 }
 
+// But while nothing is written the older one stays: another output may turn out to be impossible.
 TEST_F(OutputFileTest, LeavesNothingOfAnEarlierRunUnderItsName) {
   std::ofstream(path_) << "old";
   auto file = OutputFile::create(path_.string());
   ASSERT_TRUE(file.has_value());
+  EXPECT_TRUE(fs::exists(path_));
+  file->write("new");
   EXPECT_FALSE(fs::exists(path_));
 }
 
