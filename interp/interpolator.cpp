@@ -118,7 +118,11 @@ void Interpolator::fill(const profiles::PathMotion& motion, double s_mm) noexcep
       to_position(vec(path.first) * motion.a_mm_s2 + vec(path.second_per_mm) * (v * v));
 }
 
-TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
+void Interpolator::begin_tick() noexcept {
+  if (tick_begun_) {
+    return;
+  }
+  tick_begun_ = true;
   position_before_mm_ = now_.position_mm;
   s_before_mm_ = s_now_mm_;
   passed_points_ = 0;
@@ -126,6 +130,22 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
       curves::s_begin_mm(piece_before_.geometry) != curves::s_begin_mm(piece_.geometry)) {
     piece_before_ = piece_;
   }
+}
+
+bool Interpolator::pass_what_is_over() noexcept {
+  if (!advance_phase() || queue_->next_phase() != nullptr || phase_.ends_at_rest ||
+      time_into_s(phase_) < phase_.law.duration_s()) {
+    return false;
+  }
+  begin_tick();
+  advance_piece(phase_.s_end_mm);
+  advance_line(phase_.s_end_mm);
+  return true;
+}
+
+TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
+  begin_tick();
+  tick_begun_ = false;
   ++now_.tick;
   advance_switches();
   TickStatus status = TickStatus::starved;

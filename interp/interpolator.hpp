@@ -29,6 +29,10 @@ class Interpolator {
 
   TickStatus next(Setpoint& setpoint) noexcept;
 
+  // Passes what is over before the next tick, which makes room in the queue. True: all that was
+  // there is passed, and the next tick needs more. Nothing else of the tick changes by it.
+  bool pass_what_is_over() noexcept;
+
   // The tick of the next setpoint in the plan's time, which stands still while starved. May be read
   // by the planning thread.
   [[nodiscard]] std::int64_t plan_tick() const noexcept {
@@ -45,6 +49,8 @@ class Interpolator {
   static constexpr std::size_t kChordPoints = 4;  // of each piece, its end among them
 
   [[nodiscard]] double time_into_s(const Phase& phase) const noexcept;
+  // Keeps what the chord to the next tick begins with; once a tick.
+  void begin_tick() noexcept;
   // The phase that holds the present tick. False: there was none yet.
   bool advance_phase() noexcept;
   // Switches what the plan switches up to the present tick.
@@ -60,6 +66,7 @@ class Interpolator {
   double period_s_;
   std::atomic<std::int64_t> plan_tick_ = 0;
   bool has_phase_ = false;
+  bool tick_begun_ = false;
   Phase phase_{};
   PathPiece piece_{};
   LineChange line_{};  // the latest that was passed

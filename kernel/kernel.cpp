@@ -68,10 +68,20 @@ class Kernel::Impl {
     return status == interp::TickStatus::starved && failed_ ? interp::TickStatus::finished : status;
   }
 
+  void reach_tick() {
+    while (interpolator_.pass_what_is_over()) {
+      plan();
+      if (queue_.next_phase() == nullptr) {
+        return;  // no more is planned
+      }
+    }
+  }
+
   interp::TickStatus next(interp::Setpoint& setpoint) {
     if (runs_low() && plan() && runs_low()) {
       drain();
     }
+    reach_tick();
     const interp::TickStatus status = tick(setpoint);
     // There is one thread: what is not planned now never is.
     if (status == interp::TickStatus::starved && finished_) {
@@ -195,6 +205,9 @@ interp::TickStatus Kernel::next(interp::Setpoint& setpoint) {
   return impl_->next(setpoint);
 }
 
+void Kernel::reach_tick() {
+  impl_->reach_tick();
+}
 void Kernel::drain() {
   impl_->drain();
 }

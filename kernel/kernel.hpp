@@ -59,6 +59,11 @@ class Kernel {
   // plan() and tick(): for callers with one thread and no clock. Starved means: feed() or finish().
   interp::TickStatus next(interp::Setpoint& setpoint);
 
+  // Before tick(), for callers with one thread: passes what is over before it and plans on, until
+  // the queue holds the tick. Else a queue full of blocks that are all shorter than a tick starves
+  // it. next() does so by itself.
+  void reach_tick();
+
   // Lets the tool come to rest after all that was read: for when more text does not come before the
   // horizon is used up. next() does so by itself.
   void drain();

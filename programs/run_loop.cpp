@@ -88,6 +88,7 @@ RunOutcome run_without_clock(const RunStage& stage) {
       stage.feeder.stop();
     }
     stage.feeder.pump();
+    stage.ticks.reach_tick();
     const interp::TickStatus status = stage.ticks.step(record);
     stage.recorder.add(record);
     stage.progress.set_done(record.motion.s_mm);

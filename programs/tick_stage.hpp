@@ -25,6 +25,9 @@ class TickStage {
     table_.enable(start_mm);
   }
 
+  // Before step(), where planning has no thread of its own.
+  void reach_tick() { kernel_->reach_tick(); }
+
   // Real time: allocates nothing, takes no lock, throws nothing.
   interp::TickStatus step(TickRecord& record) noexcept {
     interp::Setpoint setpoint;

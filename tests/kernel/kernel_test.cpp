@@ -247,5 +247,14 @@ TEST(Kernel, TakesAQueueThatRunsDryForNoFaultOfThePlan) {
   rest_of(kernel);
 }
 
+// More than the queue holds.
+TEST(Kernel, PassesThousandsOfBlocksInATickWithoutStandingStill) {
+  Kernel kernel(mill());
+  kernel.feed("G91 G1 F6000\no1 repeat [5000]\nX[2/10**9]\no1 endrepeat\nX1\nM2\n");
+  kernel.finish();
+  EXPECT_NEAR(rest_of(kernel).back().position_mm[0], 1.00001, 1e-12);
+  EXPECT_EQ(kernel.totals().blocks, 5001U);
+}
+
 }  // namespace
 }  // namespace kerf::test
