@@ -10,9 +10,9 @@
 
 namespace kerf::program {
 
-// Until then it is called NAME.incomplete, whatever ends the process, and there is no NAME: one of
-// an earlier run is removed. What is no regular file (a pipe, a device) is written as it is. Where
-// nothing was written and finish() was not called, nothing is left.
+// Until then it is called NAME.incomplete, whatever ends the process. With its first bytes a NAME
+// of an earlier run is removed. What is no regular file (a pipe, a device) is written as it is.
+// Where nothing was written and finish() was not called, nothing is left.
 class OutputFile {
  public:
   // path "-" is standard output. Error: what the system says, with the path.
@@ -21,7 +21,7 @@ class OutputFile {
   OutputFile(OutputFile&& other) noexcept = default;
   OutputFile& operator=(OutputFile&& other) = delete;
 
-  // 0, or the errno.
+  // The first bytes take the place of an older FILE. 0, or the errno.
   int write(std::string_view bytes) noexcept;
   // Nothing more is written. whole: all is there, so that it may have its name. 0, or the errno.
   int finish(bool whole) noexcept;
@@ -31,7 +31,8 @@ class OutputFile {
   // As messages are to call it.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   [[nodiscard]] bool is_standard_output() const noexcept { return name_ == "<stdout>"; }
-  // Where what was written is, if it has not got its name: ", of which there is FILE.incomplete".
+  // Where what was written is, if it has not got its name: "; what was written is in
+  // FILE.incomplete".
   [[nodiscard]] std::string remains() const;
 
  private:

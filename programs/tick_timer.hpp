@@ -11,8 +11,8 @@ class TickTimer {
   // The first wait() ends at once. Precondition: period_s in 1e-6..1 s.
   explicit TickTimer(double period_s) noexcept;
 
-  // As far as motion is frozen ahead: no drive waits longer for its next setpoint. A tick that is
-  // late by less is no fault on a system that is not made for real time.
+  // No drive waits longer for its next setpoint. A tick that is late by less is no fault on a
+  // system that is not made for real time.
   static constexpr double kLongestGap_s = 0.25;
   // A long period is not a gap.
   static constexpr double kFewestPeriods = 4.0;
