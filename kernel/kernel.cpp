@@ -118,7 +118,9 @@ class Kernel::Impl {
     return check_.fault() ? check_.fault() : describe(judge_.excess());
   }
   [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
-  [[nodiscard]] const smoothing::Departure& departure() const noexcept { return path_.departure(); }
+  [[nodiscard]] smoothing::Departure departure() const noexcept {
+    return path_.departures().largest;
+  }
   [[nodiscard]] bool has_errors() const { return path_.has_errors(); }
   [[nodiscard]] bool left_travel() const noexcept { return path_.left_travel(); }
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return path_.diagnostics(); }
@@ -133,7 +135,7 @@ class Kernel::Impl {
         return false;
       case ProgramPath::Next::ended:
         end_ = path_.programmed_end();
-        check_.judge(path_.departure());
+        check_.judge(path_.departures().worst);
         planner_.finish(path_.line());
         finished_ = true;
         return true;
@@ -226,7 +228,7 @@ std::optional<RunFault> Kernel::fault() const {
 const TickJudge& Kernel::judge() const noexcept {
   return impl_->judge();
 }
-const smoothing::Departure& Kernel::departure() const noexcept {
+smoothing::Departure Kernel::departure() const noexcept {
   return impl_->departure();
 }
 bool Kernel::left_travel() const noexcept {

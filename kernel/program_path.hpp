@@ -45,9 +45,7 @@ class ProgramPath {
   [[nodiscard]] const std::vector<parser::Diagnostic>& diagnostics() const {
     return failed_ ? all_diagnostics_ : reader_.diagnostics();
   }
-  [[nodiscard]] const smoothing::Departure& departure() const noexcept {
-    return smoother_.departure();
-  }
+  [[nodiscard]] smoothing::Departures departures() const noexcept { return smoother_.departures(); }
 
  private:
   // The next move into the smoother. False: there is no more text.

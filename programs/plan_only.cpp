@@ -97,7 +97,7 @@ tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file, const Pla
     } else if (smoother.next(output)) {
       push(output, limits, planner, check, watch);
     } else if (program_ended) {
-      check.judge(smoother.departure());
+      check.judge(smoother.departures().worst);
       planner.finish(move.source.line);
       finished = true;
     } else {
@@ -120,7 +120,7 @@ tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file, const Pla
     check.fail(0, "the program is read and nothing is planned");
   }
   return PlannedProgram{.totals = planner.totals(),
-                        .departure = smoother.departure(),
+                        .departure = smoother.departures().largest,
                         .fault = check.fault(),
                         .too_long_at_line = too_long_at_line};
 }

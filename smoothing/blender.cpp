@@ -93,7 +93,7 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
         !(settings_.travel && leaves_travel(blend->curve.extents(), *settings_.travel))) {
       departure.line = mark_at(after.part, 0.0).line;
       departure.tolerance_mm = tolerance;
-      departure_.widen(departure);
+      departures_.add(departure);
       return Chosen{.blend = std::move(*blend), .way_mm = way_mm};
     }
     way_mm *= 0.75;

@@ -30,7 +30,7 @@ class Blender {
   // What is held back leaves, up to its programmed end.
   void flush(std::vector<PathPart>& out);
 
-  [[nodiscard]] const Departure& departure() const noexcept { return departure_; }
+  [[nodiscard]] const Departures& departures() const noexcept { return departures_; }
 
  private:
   struct Held {
@@ -57,7 +57,7 @@ class Blender {
   BlendSettings settings_;
   std::optional<Held> first_;
   std::optional<Held> second_;
-  Departure departure_{};
+  Departures departures_;
 };
 
 }  // namespace kerf::smoothing

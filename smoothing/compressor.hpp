@@ -43,7 +43,7 @@ class Compressor {
   // The run ends with what was pushed.
   void flush(std::vector<PathPart>& out);
 
-  [[nodiscard]] const Departure& departure() const noexcept { return curves_.departure(); }
+  [[nodiscard]] const Departures& departures() const noexcept { return curves_.departures(); }
 
  private:
   static constexpr std::size_t kWindow = 400;  // lines

@@ -21,4 +21,21 @@ struct Departure {
   }
 };
 
+// Of many places.
+struct Departures {
+  Departure largest;
+  Departure worst;  // the farthest beyond its tolerance; of no distance where none is
+
+  void add(const Departure& departure) {
+    largest.widen(departure);
+    if (departure.distance_mm - departure.tolerance_mm > worst.distance_mm - worst.tolerance_mm) {
+      worst = departure;
+    }
+  }
+  void add(const Departures& other) {
+    add(other.largest);
+    add(other.worst);
+  }
+};
+
 }  // namespace kerf::smoothing

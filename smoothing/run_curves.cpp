@@ -126,10 +126,10 @@ void RunCurves::append_chords(const Polyline& run, const Indices& lines, const C
 }
 
 void RunCurves::widen(const Place& place, double distance_mm) {
-  departure_.widen({.distance_mm = distance_mm,
-                    .at_mm = place.at_mm,
-                    .line = place.vertex.source.line,
-                    .tolerance_mm = settings_.tolerance_mm});
+  departures_.add({.distance_mm = distance_mm,
+                   .at_mm = place.at_mm,
+                   .line = place.vertex.source.line,
+                   .tolerance_mm = settings_.tolerance_mm});
 }
 
 }  // namespace kerf::smoothing

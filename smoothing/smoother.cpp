@@ -59,10 +59,10 @@ void Smoother::queue_parts() {
   blended_.clear();
 }
 
-const Departure& Smoother::departure() const noexcept {
-  const Departure& merged = compressor_.departure();
-  const Departure& blended = blender_.departure();
-  return blended.distance_mm > merged.distance_mm ? blended : merged;
+Departures Smoother::departures() const noexcept {
+  Departures all = compressor_.departures();
+  all.add(blender_.departures());
+  return all;
 }
 
 bool Smoother::next(Output& output) {

@@ -33,7 +33,7 @@ class Smoother {
   bool next(Output& output);
 
   // Of all that came out.
-  [[nodiscard]] const Departure& departure() const noexcept;
+  [[nodiscard]] Departures departures() const noexcept;
 
  private:
   void blend_made();

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <variant>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "kernel/check.hpp"
 #include "parser/diagnostic.hpp"
+#include "parser/program_reader.hpp"
 
 namespace kerf::faults {
 
@@ -37,6 +40,24 @@ inline std::string said_of(std::string_view text, const KernelOptions& options =
 // With an end behind it, so that nothing is said of a missing one.
 inline std::string said_of_block(const std::string& text) {
   return said_of(text + "\nM2\n");
+}
+
+// Of a program without errors.
+inline std::vector<parser::Move> moves_of(std::string_view text) {
+  parser::ProgramReader reader;
+  reader.feed(text);
+  reader.finish();
+  std::vector<parser::Move> moves;
+  for (parser::Move move; reader.next(move);) {
+    moves.push_back(move);
+  }
+  EXPECT_FALSE(reader.has_errors()) << reader.diagnostics().front().message;
+  return moves;
+}
+
+// Precondition: a line.
+inline double x_of(const parser::Move& move) {
+  return std::get<parser::LineMove>(move.shape).end_mm[0];
 }
 
 inline testing::AssertionResult says(std::string_view said, std::string_view part) {

@@ -111,7 +111,7 @@ Smoothed smooth(const std::vector<parser::Move>& moves) {
   }
   smoother.flush();
   take();
-  smoothed.departure = smoother.departure();
+  smoothed.departure = smoother.departures().largest;
   return smoothed;
 }
 
