@@ -35,6 +35,12 @@ void cut_front(Span& span, const CruisePoint& cut) {
   }
 }
 
+// A span that was cut ends where its rounded sums say, but not beyond its block.
+double end_mm(const Span& span, const Block& block) {
+  return span.ends_block ? block.length_mm
+                         : std::min(span.s_begin_mm + span.length_mm, block.length_mm);
+}
+
 }  // namespace
 
 void SpanSchedule::push(const Window<Block>& blocks) {
@@ -122,8 +128,7 @@ bool SpanSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, 
   left_.reset();
   emit_plan(blocks.front(), plan, emitter, outbox);
   v_mm_s_ = ends.v_end_mm_s;
-  outbox.phases.back().s_end_mm =
-      item.span.ends_block ? blocks.front().length_mm : item.span.s_begin_mm + item.span.length_mm;
+  outbox.phases.back().s_end_mm = end_mm(item.span, blocks.front());
   leave_span(blocks, emitter);
   if (v_mm_s_ == 0.0) {
     emitter.come_to_rest(outbox);
@@ -162,7 +167,7 @@ SpanPlan SpanSchedule::plan_front(SpanEnds& ends) {
 void SpanSchedule::emit_plan(const Block& block, const SpanPlan& plan, Emitter& emitter,
                              Outbox& outbox) const {
   const Span& span = window_[0].span;
-  const double s_end = span.s_begin_mm + span.length_mm;
+  const double s_end = end_mm(span, block);
   const SpanBinding binding({.block = &block,
                              .span = &span,
                              .profile = &settings_.profile,
@@ -186,12 +191,11 @@ void SpanSchedule::emit_plan(const Block& block, const SpanPlan& plan, Emitter& 
 
 void SpanSchedule::leave_span(Window<Block>& blocks, Emitter& emitter) {
   const Span& span = window_.front().span;
-  const double s_end = span.s_begin_mm + span.length_mm;
   if (span.ends_block) {
     emitter.end_block(blocks.front());
     blocks.pop_front();
   } else {
-    emitter.end_span(s_end);
+    emitter.end_span(end_mm(span, blocks.front()));
   }
   window_.pop_front();
   --ready_spans_;

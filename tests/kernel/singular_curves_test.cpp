@@ -221,6 +221,13 @@ TEST(SingularCurves, RoundingBesideACornerDoesNotStarveTheMotion) {
   EXPECT_EQ(judged_case(10791, profiles::ProfileKind::sine_series).complaint, "");
 }
 
+// A valley within an ulp of a curve's end, behind a cruise that leaves in many parts: their rounded
+// sum is beyond that end.
+TEST(SingularCurves, ACruiseInPartsDoesNotPassTheEndOfItsCurve) {
+  EXPECT_EQ(judged_case(201375, profiles::ProfileKind::s_curve, 20.0).complaint, "");
+  EXPECT_EQ(judged_case(205725, profiles::ProfileKind::sigmoid, 20.0).complaint, "");
+}
+
 // Their derivatives are rounding, which no feedrate can be planned on.
 TEST(SingularCurves, ThoseOnALineToTheirLastDigitRunAsLines) {
   for (const std::uint64_t seed : {1011190U, 52206U}) {
