@@ -1,8 +1,9 @@
 // kerf-bench papers: the published results beside ours. kerf-bench optimum: the time optimum of
 // every shipped curve beside its reference. kerf-bench parse: text to moves, long programs; with
 // the name of one, that one read once for counting instructions. kerf-bench soak [--seed N]
-// [--last M] [--seconds S] [--kind smoothed|degenerate]: random curves and programs, those of the
-// seeds N to M and on for so long, or N alone; smoothed: programs of short lines in G64. kerf-bench
+// [--last M] [--seconds S] [--kind smoothed|degenerate] [--fingerprints]: random curves and
+// programs, those of the seeds N to M and on for so long, or N alone; smoothed: programs of short
+// lines in G64; fingerprints: of the ticks of each, to compare two builds. kerf-bench
 // streaming: the time optimum in a window beside one over everything. kerf-bench parts [NAME]
 // [--quick]
 // [--long] [--profile NAME]: programs of short segments, or those whose name begins so; quick:
@@ -26,10 +27,15 @@
 
 namespace {
 
-// soak [--seed N] [--last M] [--seconds S] [--kind smoothed|degenerate]
+// soak [--seed N] [--last M] [--seconds S] [--kind smoothed|degenerate] [--fingerprints]
 std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& words) {
   kerf::bench::Soak order;
   for (std::size_t i = 2; i < words.size(); i += 2) {
+    if (words[i] == "--fingerprints") {
+      order.fingerprints = true;
+      --i;
+      continue;
+    }
     if (i + 1 == words.size()) {
       return std::nullopt;
     }

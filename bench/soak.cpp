@@ -157,7 +157,8 @@ struct Tally {
   double worst_chord = 0.0;
 };
 
-void judge(std::uint64_t seed, SoakKind kind, Tally& tally) {
+void judge(std::uint64_t seed, const Soak& order, Tally& tally) {
+  const SoakKind kind = order.kind;
   const Trial trial = trial_of(seed, kind);
   JudgedRun run = test::judged_run(trial.program, trial.settings, trial.way);
   const double off_mm = distance_mm(run.last.position_mm, trial.program.end_mm);
@@ -170,6 +171,11 @@ void judge(std::uint64_t seed, SoakKind kind, Tally& tally) {
         test::judged_run(trial.program, trial.settings, trial.way).fingerprint != run.fingerprint) {
       run.complaint += "the second run differs";
     }
+  }
+  if (order.fingerprints) {
+    std::printf("%llu %lld %016llx\n", static_cast<unsigned long long>(seed),
+                static_cast<long long>(run.ticks),
+                static_cast<unsigned long long>(run.fingerprint));
   }
   ++tally.runs;
   tally.curves += kind == SoakKind::mixed && seed % 3 == 0 ? 1U : 0U;
@@ -213,7 +219,7 @@ int soak(const Soak& order) {
   std::uint64_t seed = order.seed;
   do {
     watchdog.begin(seed);
-    judge(seed, order.kind, tally);
+    judge(seed, order, tally);
     ++seed;
   } while (seed <= order.last || Clock::now() - began < allowed);
   print(tally, order.seed);

@@ -16,6 +16,7 @@ struct Soak {
   std::uint64_t last = 0;  // all up to that one, and as many more as the seconds allow
   double seconds = 0.0;
   SoakKind kind = SoakKind::mixed;
+  bool fingerprints = false;  // prints each program's ticks and their fingerprint
 };
 
 // Prints the seed of each failure, the count, and the largest of each figure over its limit.
