@@ -6,7 +6,7 @@
 
 #include "bench/program_text.hpp"
 #include "interp/interpolator.hpp"
-#include "lookahead/block_builder.hpp"
+#include "lookahead/path/block_builder.hpp"
 #include "lookahead/planner.hpp"
 #include "parser/program_reader.hpp"
 

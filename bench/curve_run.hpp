@@ -8,8 +8,8 @@
 
 #include "kernel/kerf.hpp"
 #include "kernel/tick_judge.hpp"
-#include "lookahead/block.hpp"
-#include "lookahead/limits.hpp"
+#include "lookahead/path/block.hpp"
+#include "lookahead/path/limits.hpp"
 #include "parser/move.hpp"
 
 namespace kerf::bench {

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "bench/curve_run.hpp"
-#include "lookahead/block_builder.hpp"
-#include "lookahead/breaking_points.hpp"
-#include "lookahead/junction.hpp"
-#include "lookahead/split.hpp"
-#include "lookahead/velocity_pass.hpp"
+#include "lookahead/classical/breaking_points.hpp"
+#include "lookahead/classical/split.hpp"
+#include "lookahead/classical/velocity_pass.hpp"
+#include "lookahead/path/block_builder.hpp"
+#include "lookahead/path/junction.hpp"
 
 namespace kerf::bench {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench/part_path.hpp"
-#include "lookahead/limits.hpp"
+#include "lookahead/path/limits.hpp"
 
 namespace kerf::bench {
 

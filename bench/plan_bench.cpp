@@ -5,7 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "lookahead/block_builder.hpp"
+#include "lookahead/path/block_builder.hpp"
 #include "lookahead/planner.hpp"
 
 namespace kerf::bench {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "bench/curve_run.hpp"
-#include "lookahead/block_builder.hpp"
+#include "lookahead/path/block_builder.hpp"
 #include "lookahead/planner.hpp"
 
 namespace kerf::bench {

@@ -9,7 +9,7 @@
 #include "kernel/machine_file.hpp"
 #include "kernel/program_path.hpp"
 #include "kernel/settings_check.hpp"
-#include "lookahead/block_builder.hpp"
+#include "lookahead/path/block_builder.hpp"
 #include "lookahead/push.hpp"
 #include "parser/errors/machine.hpp"
 

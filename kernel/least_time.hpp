@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lookahead/limits.hpp"
+#include "lookahead/path/limits.hpp"
 #include "parser/move.hpp"
 #include "smoothing/path_part.hpp"
 

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "kernel/run_fault.hpp"
-#include "lookahead/block.hpp"
-#include "lookahead/emitter.hpp"
-#include "lookahead/window.hpp"
+#include "lookahead/emit/emitter.hpp"
+#include "lookahead/path/block.hpp"
+#include "lookahead/path/window.hpp"
 #include "smoothing/departure.hpp"
 
 namespace kerf {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lookahead/limits.hpp"
+#include "lookahead/path/limits.hpp"
 #include "machine/table_settings.hpp"
 #include "parser/dialect.hpp"
 #include "parser/offsets/machine_data.hpp"

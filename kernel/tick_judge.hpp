@@ -9,7 +9,7 @@
 #include "curves/position.hpp"
 #include "interp/setpoint.hpp"
 #include "kernel/run_fault.hpp"
-#include "lookahead/limits.hpp"
+#include "lookahead/path/limits.hpp"
 
 namespace kerf {
 

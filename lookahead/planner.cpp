@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "lookahead/classical/span_schedule.hpp"
 #include "lookahead/optimum/optimum_schedule.hpp"
-#include "lookahead/span_schedule.hpp"
 
 namespace kerf::lookahead {
 

@@ -6,11 +6,11 @@
 #include <memory>
 
 #include "interp/outputs.hpp"
-#include "lookahead/block.hpp"
-#include "lookahead/emitter.hpp"
-#include "lookahead/feed_scan.hpp"
-#include "lookahead/schedule.hpp"
-#include "lookahead/window.hpp"
+#include "lookahead/emit/emitter.hpp"
+#include "lookahead/emit/schedule.hpp"
+#include "lookahead/path/block.hpp"
+#include "lookahead/path/feed_scan.hpp"
+#include "lookahead/path/window.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::lookahead {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lookahead/block.hpp"
+#include "lookahead/path/block.hpp"
 #include "lookahead/planner.hpp"
 #include "parser/move.hpp"
 

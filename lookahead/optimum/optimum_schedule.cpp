@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "lookahead/line_marks.hpp"
-#include "lookahead/optimum/rest_ramp.hpp"
+#include "lookahead/optimum/solver/rest_ramp.hpp"
 #include "lookahead/optimum/stand_in.hpp"
+#include "lookahead/path/line_marks.hpp"
 
 namespace kerf::lookahead {
 

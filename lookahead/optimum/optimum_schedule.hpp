@@ -3,11 +3,11 @@
 
 #include <cstddef>
 
+#include "lookahead/classical/span_schedule.hpp"
+#include "lookahead/emit/schedule.hpp"
+#include "lookahead/optimum/grid/waiting_cells.hpp"
+#include "lookahead/optimum/solver/stretch_plan.hpp"
 #include "lookahead/optimum/stand_in.hpp"
-#include "lookahead/optimum/stretch_plan.hpp"
-#include "lookahead/optimum/waiting_cells.hpp"
-#include "lookahead/schedule.hpp"
-#include "lookahead/span_schedule.hpp"
 
 namespace kerf::lookahead {
 

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <optional>
 
-#include "lookahead/optimum/stretch_plan.hpp"
-#include "lookahead/optimum/waiting_cells.hpp"
-#include "lookahead/span_schedule.hpp"
+#include "lookahead/classical/span_schedule.hpp"
+#include "lookahead/optimum/grid/waiting_cells.hpp"
+#include "lookahead/optimum/solver/stretch_plan.hpp"
 
 namespace kerf::lookahead {
 

@@ -11,8 +11,8 @@
 #include "kernel/machine_file.hpp"
 #include "parser/errors/machine.hpp"
 #include "parser/program_reader.hpp"
-#include "programs/program_file.hpp"
-#include "programs/subprogram_folder.hpp"
+#include "programs/kerf/io/program_file.hpp"
+#include "programs/kerf/io/subprogram_folder.hpp"
 #include "tests/faults/checked.hpp"
 #include "tests/program/temporary_folder.hpp"
 

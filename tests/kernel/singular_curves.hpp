@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "curves/nurbs_curve.hpp"
-#include "lookahead/limits.hpp"
+#include "lookahead/path/limits.hpp"
 #include "tests/kernel/random_program.hpp"
 
 namespace kerf::test {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "interp/setpoint.hpp"
-#include "lookahead/limits.hpp"
+#include "lookahead/path/limits.hpp"
 
 namespace kerf::test {
 

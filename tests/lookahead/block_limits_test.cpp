@@ -1,6 +1,6 @@
 // The limits of a block: an axis that moves at feedrate v with a and j along the path at their
 // bounds stays within its own, by finite differences.
-#include "lookahead/block_limits.hpp"
+#include "lookahead/path/block_limits.hpp"
 
 #include <cmath>
 #include <functional>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "curves/nurbs_curve.hpp"
-#include "lookahead/block_builder.hpp"
+#include "lookahead/path/block_builder.hpp"
 
 namespace kerf::lookahead::test {
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lookahead/split.hpp"
+#include "lookahead/classical/split.hpp"
 #include "tests/curves/shipped_curves.hpp"
 #include "tests/lookahead/blocks.hpp"
 #include "tests/lookahead/spans.hpp"

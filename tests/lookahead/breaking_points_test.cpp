@@ -1,12 +1,12 @@
 // Breaking points of ceilings made by hand, and the butterfly's that the paper counts.
-#include "lookahead/breaking_points.hpp"
+#include "lookahead/classical/breaking_points.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-#include "lookahead/feed_scan.hpp"
+#include "lookahead/path/feed_scan.hpp"
 #include "tests/curves/shipped_curves.hpp"
 #include "tests/lookahead/blocks.hpp"
 

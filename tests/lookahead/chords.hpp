@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "curves/nurbs_curve.hpp"
-#include "lookahead/ceiling.hpp"
+#include "lookahead/path/ceiling.hpp"
 
 namespace kerf::lookahead::test {
 

@@ -1,11 +1,11 @@
 // Climbs below ceilings made by hand.
-#include "lookahead/climb_cuts.hpp"
+#include "lookahead/classical/climb_cuts.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "lookahead/limits.hpp"
+#include "lookahead/path/limits.hpp"
 
 namespace kerf::lookahead::test {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "lookahead/junction.hpp"
-#include "lookahead/optimum/joint_share.hpp"
+#include "lookahead/optimum/grid/joint_share.hpp"
+#include "lookahead/path/junction.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {

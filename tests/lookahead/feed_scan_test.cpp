@@ -1,6 +1,6 @@
 // The chord-error scan against the closed form of a circle, and against ticks of planned motion at
 // many phases.
-#include "lookahead/feed_scan.hpp"
+#include "lookahead/path/feed_scan.hpp"
 
 #include <algorithm>
 #include <cmath>

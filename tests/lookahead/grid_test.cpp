@@ -1,4 +1,4 @@
-#include "lookahead/optimum/grid.hpp"
+#include "lookahead/optimum/grid/grid.hpp"
 
 #include <gtest/gtest.h>
 

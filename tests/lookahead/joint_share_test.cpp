@@ -1,6 +1,6 @@
 // How the time optimum passes joints: as fast as the jump allows, and no slower for one that hardly
 // counts.
-#include "lookahead/optimum/joint_share.hpp"
+#include "lookahead/optimum/grid/joint_share.hpp"
 
 #include <cmath>
 

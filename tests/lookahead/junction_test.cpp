@@ -1,5 +1,5 @@
 // The feedrate at a joint, against the papers' figures and closed forms.
-#include "lookahead/junction.hpp"
+#include "lookahead/path/junction.hpp"
 
 #include <algorithm>
 #include <cmath>

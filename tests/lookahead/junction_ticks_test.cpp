@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lookahead/junction.hpp"
+#include "lookahead/path/junction.hpp"
 #include "tests/lookahead/blocks.hpp"
 
 namespace kerf::lookahead::test {

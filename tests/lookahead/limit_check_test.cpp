@@ -1,4 +1,4 @@
-#include "lookahead/optimum/limit_check.hpp"
+#include "lookahead/optimum/solver/limit_check.hpp"
 
 #include <cmath>
 

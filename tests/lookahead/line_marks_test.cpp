@@ -1,5 +1,5 @@
 // Lines of the program on a block that stands for many of them, from the plan to the tick.
-#include "lookahead/line_marks.hpp"
+#include "lookahead/path/line_marks.hpp"
 
 #include <memory>
 

@@ -6,10 +6,10 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "lookahead/optimum/band_system.hpp"
-#include "lookahead/optimum/barrier.hpp"
-#include "lookahead/optimum/feed_spline.hpp"
-#include "lookahead/optimum/merit.hpp"
+#include "lookahead/optimum/solver/band_system.hpp"
+#include "lookahead/optimum/solver/barrier.hpp"
+#include "lookahead/optimum/solver/feed_spline.hpp"
+#include "lookahead/optimum/solver/merit.hpp"
 
 namespace kerf::lookahead::test {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "lookahead/optimum/grid.hpp"
-#include "lookahead/optimum/rest_ramp.hpp"
-#include "lookahead/optimum/stretch_plan.hpp"
+#include "lookahead/optimum/grid/grid.hpp"
+#include "lookahead/optimum/solver/rest_ramp.hpp"
+#include "lookahead/optimum/solver/stretch_plan.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lookahead/junction.hpp"
+#include "lookahead/path/junction.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {

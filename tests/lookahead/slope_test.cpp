@@ -1,5 +1,5 @@
 // The ceiling seen from the foot of a hill: how long a climb must be made, or how late it begins.
-#include "lookahead/slope.hpp"
+#include "lookahead/classical/slope.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // One span: closed forms of the S-curve and the trapezoid, the four situations, the ceiling between
 // samples, coasts, braking.
-#include "lookahead/span.hpp"
+#include "lookahead/classical/span.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lookahead/split.hpp"
+#include "lookahead/classical/split.hpp"
 #include "tests/curves/shipped_curves.hpp"
 #include "tests/lookahead/blocks.hpp"
 #include "tests/lookahead/spans.hpp"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lookahead/span.hpp"
+#include "lookahead/classical/span.hpp"
 
 namespace kerf::lookahead::test {
 

@@ -1,5 +1,5 @@
 // Where ceilings made by hand are cut into spans.
-#include "lookahead/split.hpp"
+#include "lookahead/classical/split.hpp"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Every classical profile keeps the limits of each axis on NURBS, judged by differences of ticks.
-#include "lookahead/turn_check.hpp"
+#include "lookahead/classical/turn_check.hpp"
 
 #include <algorithm>
 #include <cmath>

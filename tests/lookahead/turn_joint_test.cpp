@@ -1,9 +1,9 @@
 // Joints beside curves whose turning binds.
-#include "lookahead/turn_joint.hpp"
+#include "lookahead/classical/turn_joint.hpp"
 
 #include <gtest/gtest.h>
 
-#include "lookahead/split.hpp"
+#include "lookahead/classical/split.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {

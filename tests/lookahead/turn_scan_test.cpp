@@ -1,12 +1,12 @@
 // What turning leaves for the feedrate, against closed forms and the curve itself.
-#include "lookahead/turn_scan.hpp"
+#include "lookahead/classical/turn_scan.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "lookahead/turn_ceiling.hpp"
+#include "lookahead/classical/turn_ceiling.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {

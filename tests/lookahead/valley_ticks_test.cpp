@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lookahead/feed_scan.hpp"
+#include "lookahead/path/feed_scan.hpp"
 #include "tests/lookahead/blocks.hpp"
 #include "tests/lookahead/chords.hpp"
 

@@ -1,5 +1,5 @@
 // When a block begins and how long it lasts, told from the plan.
-#include "programs/block_watch.hpp"
+#include "programs/kerf/run/block_watch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "programs/diagnostic_document.hpp"
+#include "programs/kerf/report/diagnostic_document.hpp"
 
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-#include "programs/error_page_text.hpp"
+#include "programs/kerf/cli/error_page_text.hpp"
 
 #include <fstream>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "programs/exit_status.hpp"
+#include "programs/kerf/exit_status.hpp"
 
 #include <new>
 #include <stdexcept>

@@ -40,7 +40,7 @@ class ExitStatus(Case):
 
     def test_is_documented(self):
         source = pathlib.Path(SOURCE)
-        self.assertEqual({int(n) for n in re.findall(r"^  \w+ = (\d+),", (source / "programs/exit_status.hpp").read_text(), re.M)}, ALL)
+        self.assertEqual({int(n) for n in re.findall(r"^  \w+ = (\d+),", (source / "programs/kerf/exit_status.hpp").read_text(), re.M)}, ALL)
         table = re.search(r"\| exit status \| \|\n\| --- \| --- \|\n((?:\|.*\n)+)", (source / "README.md").read_text()).group(1)
         cells = " ".join(re.findall(r"^\| ([\d, ]+) \|", table, re.M))
         self.assertEqual({int(n) for n in re.findall(r"\d+", cells)}, ALL)

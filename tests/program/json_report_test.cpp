@@ -1,4 +1,4 @@
-#include "programs/json_report.hpp"
+#include "programs/kerf/report/json_report.hpp"
 
 #include <limits>
 #include <string>

@@ -1,4 +1,4 @@
-#include "programs/limit_band.hpp"
+#include "programs/kerf/report/limit_band.hpp"
 
 #include <gtest/gtest.h>
 

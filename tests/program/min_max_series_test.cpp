@@ -1,4 +1,4 @@
-#include "programs/min_max_series.hpp"
+#include "programs/kerf/report/min_max_series.hpp"
 
 #include <algorithm>
 #include <cmath>

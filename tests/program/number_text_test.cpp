@@ -1,12 +1,12 @@
-#include "programs/number_text.hpp"
+#include "programs/kerf/io/number_text.hpp"
 
 #include <limits>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "programs/axis_ticks.hpp"
-#include "programs/feed_colours.hpp"
+#include "programs/kerf/plot/feed_colours.hpp"
+#include "programs/kerf/report/axis_ticks.hpp"
 
 namespace kerf::program {
 namespace {

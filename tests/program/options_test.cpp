@@ -1,4 +1,4 @@
-#include "programs/options.hpp"
+#include "programs/kerf/options.hpp"
 
 #include <string>
 #include <variant>

@@ -1,4 +1,4 @@
-#include "programs/output_file.hpp"
+#include "programs/kerf/io/output_file.hpp"
 
 #include <cerrno>
 #include <filesystem>

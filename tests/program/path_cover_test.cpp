@@ -1,4 +1,4 @@
-#include "programs/path_cover.hpp"
+#include "programs/kerf/plot/path_cover.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "programs/path_outline.hpp"
+#include "programs/kerf/plot/path_outline.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "programs/feed_colours.hpp"
+#include "programs/kerf/plot/feed_colours.hpp"
 
 namespace kerf::program {
 namespace {

@@ -1,4 +1,4 @@
-#include "programs/program_file.hpp"
+#include "programs/kerf/io/program_file.hpp"
 
 #include <fcntl.h>
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "programs/progress.hpp"
-#include "programs/progress_bar.hpp"
+#include "programs/kerf/io/progress.hpp"
+#include "programs/kerf/io/progress_bar.hpp"
 #include "tests/program/temporary_folder.hpp"
 
 namespace kerf::program {

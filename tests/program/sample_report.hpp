@@ -1,7 +1,7 @@
 // A report with figures that tests know.
 #pragma once
 
-#include "programs/report.hpp"
+#include "programs/kerf/report/report.hpp"
 
 namespace kerf::program {
 

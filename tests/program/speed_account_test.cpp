@@ -1,4 +1,4 @@
-#include "programs/speed_account.hpp"
+#include "programs/kerf/report/speed_account.hpp"
 
 #include <set>
 #include <string>

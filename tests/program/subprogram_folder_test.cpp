@@ -1,4 +1,4 @@
-#include "programs/subprogram_folder.hpp"
+#include "programs/kerf/io/subprogram_folder.hpp"
 
 #include <filesystem>
 #include <fstream>

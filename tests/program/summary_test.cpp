@@ -1,4 +1,4 @@
-#include "programs/summary.hpp"
+#include "programs/kerf/report/summary.hpp"
 
 #include <string>
 

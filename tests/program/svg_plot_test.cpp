@@ -1,11 +1,11 @@
-#include "programs/svg_plot.hpp"
+#include "programs/kerf/plot/svg_plot.hpp"
 
 #include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
 
-#include "programs/svg_canvas.hpp"
+#include "programs/kerf/plot/svg_canvas.hpp"
 
 namespace kerf::program {
 namespace {

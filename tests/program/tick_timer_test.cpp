@@ -1,4 +1,4 @@
-#include "programs/tick_timer.hpp"
+#include "programs/kerf/run/tick_timer.hpp"
 
 #include <chrono>
 #include <thread>

@@ -1,4 +1,4 @@
-#include "programs/trace_row.hpp"
+#include "programs/kerf/run/trace_row.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "programs/speed_limit_text.hpp"
+#include "programs/kerf/report/speed_limit_text.hpp"
 
 namespace kerf::program {
 namespace {

@@ -1,4 +1,4 @@
-#include "programs/trace_writer.hpp"
+#include "programs/kerf/run/trace_writer.hpp"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-#include "programs/visible_text.hpp"
+#include "programs/kerf/io/visible_text.hpp"
 
 #include <string>
 

@@ -4,6 +4,7 @@
     includes.py ROOT        exit status 1 and one line a violation, in the form file:line: error: ...
 """
 import pathlib
+import posixpath
 import re
 import sys
 
@@ -22,6 +23,25 @@ MAY_INCLUDE = {
     "kernel": {"parser", "smoothing", "lookahead", "curves", "profiles", "interp", "machine"},
 }
 LIBRARY = set(MAY_INCLUDE)
+
+# Subfolder: the folders of the same tree that it may include besides itself. Each names only folders above it in this
+# table, so there is no circle. A tree that begins here is listed whole.
+SUBFOLDERS = {
+    "lookahead/path": set(),
+    "lookahead/emit": {"lookahead/path"},
+    "lookahead/classical": {"lookahead/path", "lookahead/emit"},
+    "lookahead/optimum/grid": {"lookahead/path"},
+    "lookahead/optimum/solver": {"lookahead/path", "lookahead/optimum/grid"},
+    "lookahead/optimum": {"lookahead/path", "lookahead/emit", "lookahead/classical", "lookahead/optimum/grid",
+                          "lookahead/optimum/solver"},
+    "lookahead": {"lookahead/path", "lookahead/emit", "lookahead/classical", "lookahead/optimum"},
+    "programs/kerf": set(),
+    "programs/kerf/io": {"programs/kerf"},
+    "programs/kerf/report": {"programs/kerf", "programs/kerf/io"},
+    "programs/kerf/plot": {"programs/kerf/io", "programs/kerf/report"},
+    "programs/kerf/run": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/plot"},
+    "programs/kerf/cli": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/run"},
+}
 TICK_SIDE = {"profiles", "curves", "interp", "machine"}
 
 # Foreign headers: which folders may include them. A folder outside the library (programs, tests, bench) may include any.
@@ -37,6 +57,22 @@ ONLY_IN = [
 
 INCLUDE = re.compile(r"^\s*#\s*include(_next)?\b\s*(.*)$")
 TARGET = re.compile(r'^(?:"([^"]+)"|<([^>]+)>)')
+
+
+def tree_of(folder, subfolders):
+    """The tree of the table that a folder stands in; None: none."""
+    roots = {name for name in subfolders if not any(name.startswith(other + "/") for other in subfolders)}
+    return next((root for root in roots if (folder + "/").startswith(root + "/")), None)
+
+
+def subfolder_violation(folder, target, subfolders):
+    """What is wrong with an include of a file in the folder `target`; None: nothing, or another tree's rule."""
+    tree = tree_of(folder, subfolders)
+    if tree is None or folder == target or tree_of(target, subfolders) != tree:
+        return None
+    if folder not in subfolders:
+        return f"{folder} is not in the table of subfolders"
+    return None if target in subfolders[folder] else f"{folder} must not include {target}"
 
 
 def violations_in(text, path, root):
@@ -55,6 +91,9 @@ def violations_in(text, path, root):
         sibling = folder not in LIBRARY and (path.parent / header).is_file()
         if target.group(1) and not sibling and not (root / header).is_file():
             yield number, f'"{header}" is no file of the project; the include path is its root'
+        wrong = subfolder_violation(path.relative_to(root).parent.as_posix(), posixpath.dirname(header), SUBFOLDERS)
+        if wrong and (root / header).is_file():
+            yield number, f'{wrong} ("{header}")'
         if folder not in LIBRARY:
             continue
         if (root / header).is_file() and top != folder and top not in MAY_INCLUDE[folder]:

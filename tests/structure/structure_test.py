@@ -19,7 +19,7 @@ class Checkout(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="a checkout ")
         self.addCleanup(folder.cleanup)
         self.root = pathlib.Path(folder.name)
-        for header in ("parser/move.hpp", "curves/arc.hpp", "interp/setpoint.hpp", "kernel/kernel.hpp", "lookahead/block.hpp"):
+        for header in ("parser/move.hpp", "curves/arc.hpp", "interp/setpoint.hpp", "kernel/kernel.hpp", "lookahead/path/block.hpp"):
             self.write(header, "#pragma once\n")
 
     def write(self, name, text):
@@ -33,7 +33,7 @@ class Checkout(unittest.TestCase):
 
 class IncludeRule(Checkout):
     def test_accepts_the_direction_of_the_pipeline(self):
-        self.write("lookahead/planner.cpp", '#include <vector>\n#include "lookahead/block.hpp"\n#include "parser/move.hpp"\n')
+        self.write("lookahead/planner.cpp", '#include <vector>\n#include "lookahead/path/block.hpp"\n#include "parser/move.hpp"\n')
         self.write("interp/interpolator.cpp", '#include "curves/arc.hpp"\n')
         self.write("programs/main.cpp", '#include <spdlog/spdlog.h>\n#include "kernel/kernel.hpp"\n')
         self.assertEqual(self.found(), [])
@@ -44,14 +44,14 @@ class IncludeRule(Checkout):
 
     def test_refuses_every_way_back_up(self):
         for folder in ("profiles", "curves", "interp", "machine", "parser"):
-            for header in ("lookahead/block.hpp", "kernel/kernel.hpp"):
+            for header in ("lookahead/path/block.hpp", "kernel/kernel.hpp"):
                 with self.subTest(folder=folder, header=header):
                     self.write(f"{folder}/wrong.cpp", f'#include "{header}"\n')
                     self.assertEqual(len(self.found()), 1)
                     (self.root / folder / "wrong.cpp").unlink()
 
     def test_refuses_the_same_in_angle_brackets_and_odd_spacing(self):
-        self.write("machine/table.cpp", "  #  include<lookahead/block.hpp>\n")
+        self.write("machine/table.cpp", "  #  include<lookahead/path/block.hpp>\n")
         self.assertEqual(len(self.found()), 1)
 
     def test_keeps_spirit_and_spdlog_off_the_tick_side(self):
@@ -64,6 +64,23 @@ class IncludeRule(Checkout):
         self.assertEqual(self.found(), [])
         self.write("lookahead/wrong.cpp", "#include <boost/spirit/home/x3.hpp>\n")
         self.assertEqual(len(self.found()), 1)
+
+    def test_lets_a_subfolder_include_what_stands_below_it(self):
+        self.write("lookahead/emit/emitter.cpp", '#include "lookahead/path/block.hpp"\n')
+        self.assertEqual(self.found(), [])
+        self.write("lookahead/emit/emitter.hpp", "#pragma once\n")
+        self.write("lookahead/path/wrong.cpp", '#include "lookahead/emit/emitter.hpp"\n')
+        self.assertEqual(self.found(), ['lookahead/path/wrong.cpp:1: error: lookahead/path must not include lookahead/emit ("lookahead/emit/emitter.hpp")'])
+
+    def test_refuses_a_subfolder_that_the_table_does_not_know(self):
+        self.write("lookahead/new/wrong.cpp", '#include "lookahead/path/block.hpp"\n')
+        self.assertEqual(len(self.found()), 1)
+
+    def test_has_no_circle_in_its_table(self):
+        above = set()
+        for folder, allowed in includes.SUBFOLDERS.items():
+            self.assertLessEqual(allowed, above, folder)
+            above.add(folder)
 
     def test_refuses_includes_that_do_not_start_at_the_root(self):
         self.write("curves/line.cpp", '#include "arc.hpp"\n')

@@ -1,0 +1,47 @@
+// A transition from an end of a span upwards, below the span's ceiling.
+#pragma once
+
+#include <cstdint>
+
+#include "lookahead/classical/span.hpp"
+
+namespace kerf::lookahead {
+
+// The law, and how far it cruises at that end first.
+struct Ascent {
+  profiles::Transition law{};
+  double foot_mm = 0.0;
+
+  [[nodiscard]] double length_mm() const { return foot_mm + law.length_mm(); }
+  [[nodiscard]] double duration_s() const {
+    const double v = law.ramp().v_begin_mm_s;
+    return law.duration_s() + (foot_mm > 0.0 ? foot_mm / v : 0.0);
+  }
+};
+
+// From its beginning, or mirrored from its end.
+enum class SpanSide : std::uint8_t { rise, fall };
+
+// A climb in a span: ramp ascends, from the feedrate at that end; room_mm is what it has without
+// coasts. What needs more does not fit, and how much more is not told then.
+struct Climb {
+  SpanSide side = SpanSide::rise;
+  profiles::Ramp ramp{};
+  double room_mm = kUnbounded;
+  bool may_wait = false;  // at its foot until turning has eased, where that saves time
+};
+
+// The fastest transition over the ramp, stretched until it stays below the slope; that of a
+// trapezoid begins later instead.
+//
+// Where turning binds, it is made gentler until it keeps the limits of each axis at the places
+// where it lies: the S-curve gets its own acceleration and jerk, the other laws are stretched, a
+// trapezoid gets its own acceleration. Each round takes what the places asked for in the round
+// before, so it ends above what would just do. Known weaknesses: one acceleration for all of a
+// climb, and a climb to a lower feedrate may come out longer, since it meets other places.
+Ascent climb_to(const Climb& climb, const Span& span, const profiles::Profile& profile);
+
+// The length of that ascent, cheaper where there is no slope.
+double climb_length_mm(const Climb& climb, const Span& span, const profiles::Profile& profile);
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,162 @@
+#include "lookahead/classical/ceiling_cuts.hpp"
+
+#include <algorithm>
+
+#include "lookahead/classical/breaking_points.hpp"
+#include "lookahead/classical/climb_cuts.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+// Between samples half a tick apart any change of slope is a candidate here; the second step and
+// the comparison with the neighbours sort out what is a valley.
+constexpr double kScreening_mm_s = 0.0;
+constexpr double kFarApart = 4.0;  // feedrates of neighbours: times
+
+using Samples = std::vector<Slope::Sample>;
+
+Samples rise_of(const Ceiling& ceiling, const SampleRange& range, std::size_t top) {
+  Samples samples;
+  for (std::size_t i = range.first; i <= top; ++i) {
+    samples.push_back({ceiling[i].s_mm - ceiling[range.first].s_mm, ceiling[i].v_mm_s});
+  }
+  return samples;
+}
+
+Samples fall_of(const Ceiling& ceiling, const SampleRange& range, std::size_t top) {
+  Samples samples;
+  for (std::size_t i = range.last + 1; i-- > top;) {
+    samples.push_back({ceiling[range.last].s_mm - ceiling[i].s_mm, ceiling[i].v_mm_s});
+  }
+  return samples;
+}
+
+std::size_t top_of(const Ceiling& ceiling, const SampleRange& range) {
+  const auto at = [&ceiling](std::size_t i) {
+    return ceiling.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  const auto top = std::max_element(
+      at(range.first), at(range.last + 1),
+      [](const FeedSample& a, const FeedSample& b) { return a.v_mm_s < b.v_mm_s; });
+  return static_cast<std::size_t>(top - ceiling.begin());
+}
+
+void lower(Ceiling& ceiling, const SampleRange& range, double v_mm_s) {
+  for (std::size_t k = range.first; k <= range.last; ++k) {
+    ceiling[k].v_mm_s = std::min(ceiling[k].v_mm_s, v_mm_s);
+  }
+}
+
+// Valleys within a tick's way at the feedrate of the lowest.
+struct ValleyGroup {
+  SampleRange range{};
+  std::size_t lowest = 0;
+};
+
+// Of valleys within a tick's way of each other the lowest, and between them its feedrate; none
+// within a tick's way of the ends, which have its feedrate then.
+std::vector<std::size_t> apart(const std::vector<std::size_t>& valleys, double period_s,
+                               Ceiling& ceiling) {
+  const auto within_tick = [&](const SampleRange& range, std::size_t lowest) {
+    return ceiling[range.last].s_mm - ceiling[range.first].s_mm <=
+           ceiling[lowest].v_mm_s * period_s;
+  };
+  std::vector<std::size_t> kept;
+  ValleyGroup group;
+  const auto close = [&] {
+    lower(ceiling, group.range, ceiling[group.lowest].v_mm_s);
+    if (group.range.first > 0) {
+      kept.push_back(group.lowest);
+    }
+  };
+  for (const std::size_t valley : valleys) {
+    const SampleRange wider{.first = group.range.first, .last = valley};
+    const std::size_t lowest =
+        ceiling[valley].v_mm_s < ceiling[group.lowest].v_mm_s ? valley : group.lowest;
+    if (within_tick(wider, lowest)) {
+      group = {.range = wider, .lowest = lowest};
+    } else {
+      close();
+      group = {.range = {.first = valley, .last = valley}, .lowest = valley};
+    }
+  }
+  const std::size_t end = ceiling.size() - 1;
+  if (within_tick({.first = group.range.first, .last = end}, group.lowest)) {
+    lower(ceiling, {.first = group.range.first, .last = end}, ceiling[group.lowest].v_mm_s);
+  } else {
+    close();
+  }
+  return kept;
+}
+
+// With samples on the lines between those whose feedrates are far apart, so that there are places
+// to cut at.
+Ceiling dense(const Ceiling& ceiling) {
+  Ceiling all;
+  for (const FeedSample& next : ceiling) {
+    while (!all.empty()) {
+      const FeedSample& at = all.back();
+      const double ratio = next.v_mm_s / at.v_mm_s;
+      if (!(ratio > kFarApart || ratio < 1.0 / kFarApart) || !(at.v_mm_s > 0.0)) {
+        break;
+      }
+      const double v = ratio > 1.0 ? kFarApart * at.v_mm_s : at.v_mm_s / kFarApart;
+      const double share = (v - at.v_mm_s) / (next.v_mm_s - at.v_mm_s);
+      FeedSample between = at;
+      between.u += share * (next.u - at.u);
+      between.s_mm += share * (next.s_mm - at.s_mm);
+      between.v_mm_s = v;
+      if (!(between.s_mm > at.s_mm && between.s_mm < next.s_mm && between.u > at.u)) {
+        break;
+      }
+      all.push_back(between);
+    }
+    all.push_back(next);
+  }
+  return all;
+}
+
+// A block may begin and end at rest.
+void add_cuts(const Ceiling& ceiling, const SampleRange& range, const profiles::RampLimits& ramp,
+              std::vector<std::size_t>& cuts) {
+  Hill hill = hill_of(ceiling, range);
+  if (range.first == 0) {
+    hill.rise.front().v_mm_s = 0.0;
+  }
+  for (const std::size_t i : climb_cuts(hill.rise, ramp)) {
+    cuts.push_back(range.first + i);
+  }
+  if (range.last + 1 == ceiling.size()) {
+    hill.fall.front().v_mm_s = 0.0;
+  }
+  const std::vector<std::size_t> descent = climb_cuts(hill.fall, ramp);
+  for (auto i = descent.rbegin(); i != descent.rend(); ++i) {
+    cuts.push_back(range.last - *i);
+  }
+}
+
+}  // namespace
+
+Hill hill_of(const Ceiling& ceiling, const SampleRange& range) {
+  const std::size_t top = top_of(ceiling, range);
+  return {.rise = rise_of(ceiling, range, top), .fall = fall_of(ceiling, range, top)};
+}
+
+CutCeiling cut(const Ceiling& scanned, const Cutting& how) {
+  CutCeiling result{.ceiling = dense(scanned), .cuts = {}};
+  Ceiling& ceiling = result.ceiling;
+  std::vector<std::size_t> ends =
+      apart(valleys(ceiling, breaking_points(ceiling, kScreening_mm_s), how.noise), how.period_s,
+            ceiling);
+  ends.push_back(ceiling.size() - 1);
+  std::size_t first = 0;
+  for (const std::size_t end : ends) {
+    add_cuts(ceiling, {.first = first, .last = end}, how.ramp, result.cuts);
+    result.cuts.push_back(end);
+    first = end;
+  }
+  return result;
+}
+
+}  // namespace kerf::lookahead

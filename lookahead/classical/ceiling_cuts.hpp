@@ -1,0 +1,43 @@
+// Where the ceiling of a curve is cut into spans.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lookahead/classical/slope.hpp"
+#include "lookahead/path/ceiling.hpp"
+
+namespace kerf::lookahead {
+
+// Of samples, both included.
+struct SampleRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+// The samples from the range's begin up to the highest, and from its end down to there, each with
+// the distance from where it begins.
+struct Hill {
+  std::vector<Slope::Sample> rise;
+  std::vector<Slope::Sample> fall;
+};
+
+Hill hill_of(const Ceiling& ceiling, const SampleRange& range);
+
+struct Cutting {
+  double noise = 0.0;  // dips and humps of less than this share of the feedrate are none
+  double period_s = 0.0;
+  profiles::RampLimits ramp{};  // no climb is steeper
+};
+
+struct CutCeiling {
+  Ceiling ceiling;
+  std::vector<std::size_t> cuts;  // samples, ascending; the last one's is the end
+};
+
+// Cut at its valleys and where a climb from one would crawl (climb_cuts.hpp). The ceiling has more
+// samples then where feedrates of neighbours are far apart, and between valleys within a tick's
+// way, which are one, the feedrate of the lowest. Precondition: two samples at least.
+CutCeiling cut(const Ceiling& scanned, const Cutting& how);
+
+}  // namespace kerf::lookahead

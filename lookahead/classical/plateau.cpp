@@ -1,0 +1,87 @@
+#include "lookahead/classical/plateau.hpp"
+
+#include <algorithm>
+
+namespace kerf::lookahead {
+
+namespace {
+
+// What fits may miss by rounding.
+constexpr double kWithRounding = 1.0 + 1e-9;
+// Fewer where turning binds: each climb is a search of its own there.
+constexpr int kTurningHalvings = 12;
+// Where only a tiny share of the cap fits, on and on until as close as this.
+constexpr double kClose = 1e-3;
+constexpr int kMostHalvings = 200;
+constexpr int kTurningSteps = 8;
+constexpr double kGolden = 0.6180339887498949;
+
+}  // namespace
+
+double PlateauSearch::best_mm_s() const {
+  double low = std::max(ends_.v_begin_mm_s, ends_.v_end_mm_s);
+  double high = std::max(
+      low, std::min({span_.limits.feedrate_mm_s, span_.rise.top_mm_s(), span_.fall.top_mm_s()}));
+  if (spare_mm(sides(high)) < 0.0) {
+    double fits = low;
+    const int halvings = span_.turning.empty() ? 40 : kTurningHalvings;
+    for (int i = 0; i < halvings || (high - fits > kClose * high && i < kMostHalvings); ++i) {
+      const double middle = 0.5 * (fits + high);
+      (spare_mm(sides(middle)) >= 0.0 ? fits : high) = middle;
+    }
+    high = fits;
+  }
+  return fastest_in({.low_mm_s = low, .high_mm_s = high});
+}
+
+PlateauSides PlateauSearch::sides(double plateau_mm_s) const {
+  const auto climb = [&](SpanSide side, double v_foot_mm_s) {
+    return climb_to({.side = side,
+                     .ramp = {v_foot_mm_s, plateau_mm_s},
+                     .room_mm = kWithRounding * length_mm_,
+                     .may_wait = true},
+                    span_, profile_);
+  };
+  return {.up = climb(SpanSide::rise, ends_.v_begin_mm_s),
+          .down_mirrored = climb(SpanSide::fall, ends_.v_end_mm_s)};
+}
+
+double PlateauSearch::spare_mm(const PlateauSides& sides) const {
+  return length_mm_ - sides.up.length_mm() - sides.down_mirrored.length_mm();
+}
+
+double PlateauSearch::time_s(double plateau_mm_s) const {
+  const PlateauSides both = sides(plateau_mm_s);
+  if (!span_.turning.empty() && spare_mm(both) < 0.0) {
+    return kUnbounded;
+  }
+  return both.up.duration_s() + both.down_mirrored.duration_s() + spare_mm(both) / plateau_mm_s;
+}
+
+double PlateauSearch::fastest_in(const Bracket& plateau) const {
+  double a = plateau.low_mm_s;
+  double b = plateau.high_mm_s;
+  double x1 = b - kGolden * (b - a);
+  double x2 = a + kGolden * (b - a);
+  double t1 = time_s(x1);
+  double t2 = time_s(x2);
+  for (int i = 0; i < (span_.turning.empty() ? 24 : kTurningSteps); ++i) {
+    if (t1 < t2) {
+      b = x2;
+      x2 = x1;
+      t2 = t1;
+      x1 = b - kGolden * (b - a);
+      t1 = time_s(x1);
+    } else {
+      a = x1;
+      x1 = x2;
+      t1 = t2;
+      x2 = a + kGolden * (b - a);
+      t2 = time_s(x2);
+    }
+  }
+  const double inner = t1 < t2 ? x1 : x2;
+  return time_s(plateau.high_mm_s) <= std::min(t1, t2) ? plateau.high_mm_s : inner;
+}
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,173 @@
+#include "lookahead/classical/slope.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr std::size_t kClimbPoints = 64;
+// A climb between two points of it is no farther above the ceiling than they differ in feedrate.
+constexpr double kStrict = 5e-5;
+constexpr int kMostHalvings = 16;
+
+}  // namespace
+
+Slope::Slope(std::vector<Sample> samples) {
+  double lowest = kHighest;
+  std::for_each(samples.rbegin(), samples.rend(), [&lowest](Sample& sample) {
+    lowest = std::min(lowest, sample.v_mm_s);
+    sample.v_mm_s = lowest;
+  });
+  const auto is_within_flat = [&samples](std::size_t i) {
+    return i > 0 && i + 1 < samples.size() && samples[i - 1].v_mm_s == samples[i].v_mm_s &&
+           samples[i].v_mm_s == samples[i + 1].v_mm_s;
+  };
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!is_within_flat(i)) {
+      samples_.push_back(samples[i]);
+    }
+  }
+}
+
+double Slope::top_mm_s() const noexcept {
+  if (samples_.empty()) {
+    return kHighest;
+  }
+  return samples_.back().v_mm_s;
+}
+
+double Slope::bottom_mm_s() const noexcept {
+  return samples_.empty() ? kHighest : samples_.front().v_mm_s;
+}
+
+Slope Slope::from(double distance_mm) const {
+  if (samples_.empty()) {
+    return {};
+  }
+  std::vector<Sample> rest;
+  for (auto at = samples_.rbegin(); at != samples_.rend(); ++at) {
+    if (at->distance_mm <= distance_mm) {
+      rest.push_back({.distance_mm = 0.0, .v_mm_s = at->v_mm_s});
+      break;
+    }
+    rest.push_back({.distance_mm = at->distance_mm - distance_mm, .v_mm_s = at->v_mm_s});
+  }
+  std::reverse(rest.begin(), rest.end());
+  return Slope(std::move(rest));
+}
+
+double Slope::allowed_from_mm(double v_mm_s) const {
+  const auto above =
+      std::lower_bound(samples_.begin(), samples_.end() - 1, v_mm_s,
+                       [](const Sample& sample, double v) { return sample.v_mm_s < v; });
+  if (above == samples_.begin()) {
+    return 0.0;
+  }
+  const Sample& low = *(above - 1);
+  const double rise = above->v_mm_s - low.v_mm_s;
+  const double share = rise > 0.0 ? std::min((v_mm_s - low.v_mm_s) / rise, 1.0) : 1.0;
+  return low.distance_mm + share * (above->distance_mm - low.distance_mm);
+}
+
+// What a climb must give way by, from the points of it: each asks by the distance from which its
+// feedrate is allowed, and more the shorter the way to it. So no point between two others asks for
+// more than the upper one would at the place of the lower one; where that is no more than what is
+// given already, nobody looks between them, and elsewhere their distance is halved.
+template <typename Ask>
+class Slope::Search {
+ public:
+  Search(const Slope& slope, const profiles::Transition& climb, double least, const Ask& ask)
+      : slope_(slope), climb_(climb), most_(least), ask_(ask) {}
+
+  double most() {
+    std::array<Point, kClimbPoints + 1> points;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      points[k] = point_at(climb_.duration_s() * static_cast<double>(k) / kClimbPoints);
+      if (k > 0) {
+        hear(points[k]);
+      }
+    }
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      look_between(points[k - 1], points[k]);
+    }
+    return most_;
+  }
+
+ private:
+  struct Point {
+    double t_s = 0.0;
+    double s_mm = 0.0;
+    double v_mm_s = 0.0;
+    double allowed_from_mm = 0.0;
+  };
+
+  [[nodiscard]] Point point_at(double t_s) const {
+    const profiles::PathMotion motion = climb_.at(t_s);
+    return {.t_s = t_s,
+            .s_mm = motion.s_mm,
+            .v_mm_s = motion.v_mm_s,
+            .allowed_from_mm = slope_.allowed_from_mm(motion.v_mm_s)};
+  }
+
+  void hear(const Point& point) {
+    if (point.allowed_from_mm > 0.0) {
+      most_ = std::max(most_, ask_(point.allowed_from_mm, point.s_mm));
+    }
+  }
+
+  struct Gap {
+    Point low{};
+    Point high{};
+    int halvings = 0;
+  };
+
+  [[nodiscard]] bool may_ask_for_more(const Gap& gap) const {
+    return gap.halvings < kMostHalvings && gap.high.allowed_from_mm > 0.0 &&
+           gap.high.v_mm_s - gap.low.v_mm_s > kStrict * gap.high.v_mm_s &&
+           ask_(gap.high.allowed_from_mm, gap.low.s_mm) > most_;
+  }
+
+  void look_between(const Point& low, const Point& high) {
+    std::array<Gap, kMostHalvings + 1> open;  // each halving leaves one behind
+    std::size_t count = 0;
+    open[count++] = {.low = low, .high = high};
+    while (count > 0) {
+      const Gap gap = open[--count];
+      if (!may_ask_for_more(gap)) {
+        continue;
+      }
+      const Point middle = point_at(0.5 * (gap.low.t_s + gap.high.t_s));
+      hear(middle);
+      open[count++] = {.low = gap.low, .high = middle, .halvings = gap.halvings + 1};
+      open[count++] = {.low = middle, .high = gap.high, .halvings = gap.halvings + 1};
+    }
+  }
+
+  const Slope& slope_;
+  const profiles::Transition& climb_;
+  double most_;
+  const Ask& ask_;
+};
+
+double Slope::stretch_for(const profiles::Transition& climb) const {
+  if (samples_.empty() || climb.length_mm() <= 0.0) {
+    return 1.0;
+  }
+  const auto ask = [](double allowed_from_mm, double s_mm) {
+    return s_mm > 0.0 ? allowed_from_mm / s_mm : kHighest;
+  };
+  return Search(*this, climb, 1.0, ask).most();
+}
+
+double Slope::delay_for_mm(const profiles::Transition& climb) const {
+  if (samples_.empty() || climb.length_mm() <= 0.0) {
+    return 0.0;
+  }
+  const auto ask = [](double allowed_from_mm, double s_mm) { return allowed_from_mm - s_mm; };
+  return Search(*this, climb, 0.0, ask).most();
+}
+
+}  // namespace kerf::lookahead

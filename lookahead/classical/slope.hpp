@@ -1,0 +1,55 @@
+// One side of the hill of allowed feedrate between two valleys, seen from its foot.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "lookahead/path/ceiling.hpp"
+#include "profiles/profile.hpp"
+
+namespace kerf::lookahead {
+
+// The feedrate allowed at a distance from the foot, made monotone: at each point the lowest that
+// the ceiling comes down to between there and the top. Empty: no ceiling, any feedrate is allowed.
+class Slope {
+ public:
+  struct Sample {
+    double distance_mm = 0.0;
+    double v_mm_s = 0.0;
+  };
+
+  Slope() = default;
+  // Samples from the foot to the top, distance ascending from 0.
+  explicit Slope(std::vector<Sample> samples);
+
+  [[nodiscard]] bool empty() const noexcept { return samples_.empty(); }
+  // The highest feedrate allowed anywhere: at the top.
+  [[nodiscard]] double top_mm_s() const noexcept;
+
+  // The lowest feedrate allowed anywhere: at the foot.
+  [[nodiscard]] double bottom_mm_s() const noexcept;
+  // The same side seen from a foot that far up.
+  [[nodiscard]] Slope from(double distance_mm) const;
+
+  // The distance from which a feedrate is allowed; that of the top for more than is allowed there.
+  // Precondition: not empty.
+  [[nodiscard]] double allowed_from_mm(double v_mm_s) const;
+
+  // How long a transition from the foot upwards must be made to stay below the ceiling, as a factor
+  // >= 1 on the length and duration of climb. A stretched transition passes through the same
+  // feedrates at the same shares of its length, so each of its points asks for a length of its own
+  // and the largest decides: no iteration. The climb is then nowhere more than 5e-5 of its feedrate
+  // above the ceiling.
+  [[nodiscard]] double stretch_for(const profiles::Transition& climb) const;
+  // How far from the foot the climb must begin instead, unstretched: for a law whose acceleration
+  // jumps, which no stretch keeps below a ceiling that is flat at the foot.
+  [[nodiscard]] double delay_for_mm(const profiles::Transition& climb) const;
+
+ private:
+  template <typename Ask>
+  class Search;
+  static constexpr double kHighest = std::numeric_limits<double>::infinity();
+  std::vector<Sample> samples_;
+};
+
+}  // namespace kerf::lookahead

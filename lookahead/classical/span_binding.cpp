@@ -1,0 +1,111 @@
+#include "lookahead/classical/span_binding.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::lookahead {
+
+using interp::held_by;
+using profiles::ProfileKind;
+using profiles::RampLimits;
+using profiles::Transition;
+
+namespace {
+
+constexpr double kAlike = 1e-6;  // what differs less is rounding
+constexpr int kPlaces = 16;      // of a law under a ceiling
+constexpr double kMore = 1.01;   // of a limit, to see what it is worth
+}  // namespace
+
+HeldBy SpanBinding::of(SpanPart part, const Transition& law, double s_begin_mm) const {
+  switch (part) {
+    case SpanPart::begin_coast:
+      return coast(of_.span->begin_coast_s, law, s_begin_mm);
+    case SpanPart::end_coast:
+      return coast(of_.span->end.coast_s, law, s_begin_mm);
+    case SpanPart::cruise:
+      return cruise(law, s_begin_mm);
+    case SpanPart::deceleration:
+      return of_.brakes_for_window ? held_by(SpeedLimit::window_end) : ramp(law, s_begin_mm);
+    case SpanPart::acceleration:
+      break;
+  }
+  return ramp(law, s_begin_mm);
+}
+
+HeldBy SpanBinding::ceiling(const Transition& law, double s_begin_mm) const {
+  const auto sample_at = [this](double s_mm) {
+    const auto found =
+        std::lower_bound(of_.block->ceiling.begin(), of_.block->ceiling.end() - 1, s_mm,
+                         [](const FeedSample& sample, double s) { return sample.s_mm < s; });
+    return *found;
+  };
+  FeedSample nearest;
+  double share = 0.0;
+  for (int k = 0; k <= kPlaces; ++k) {
+    const profiles::PathMotion motion = law.at(law.duration_s() * k / kPlaces);
+    const FeedSample sample = sample_at(s_begin_mm + motion.s_mm);
+    if (motion.v_mm_s > share * sample.v_mm_s) {
+      nearest = sample;
+      share = motion.v_mm_s / sample.v_mm_s;
+    }
+    if (const TurnSample* turn = turning_at(s_begin_mm + motion.s_mm);
+        turn != nullptr && motion.v_mm_s > share * turn->feedrate_mm_s) {
+      nearest.limit = turn->limit;
+      share = motion.v_mm_s / turn->feedrate_mm_s;
+    }
+  }
+  return held_by(nearest.limit);
+}
+
+const TurnSample* SpanBinding::turning_at(double s_mm) const {
+  const Turning& turning = of_.span->turning;
+  const auto found =
+      std::lower_bound(turning.begin(), turning.end(), s_mm,
+                       [](const TurnSample& sample, double s) { return sample.s_mm < s; });
+  return found == turning.end() ? nullptr : &*found;
+}
+
+HeldBy SpanBinding::coast(double coast_s, const Transition& law, double s_begin_mm) const {
+  return coast_s > 0.0 || of_.block->ceiling.empty() ? held_by(SpeedLimit::joint)
+                                                     : ceiling(law, s_begin_mm);
+}
+
+HeldBy SpanBinding::cruise(const Transition& law, double s_begin_mm) const {
+  if (law.ramp().v_begin_mm_s >= (1.0 - kAlike) * of_.block->limits.feedrate_mm_s) {
+    return held_by(of_.block->limits.from.feedrate);
+  }
+  if (of_.span->limits.from.feedrate != of_.block->limits.from.feedrate &&
+      law.ramp().v_begin_mm_s >= (1.0 - kAlike) * of_.span->limits.feedrate_mm_s) {
+    return held_by(of_.span->limits.from.feedrate);
+  }
+  return of_.block->ceiling.empty() ? held_by(of_.block->limits.from.jerk)
+                                    : ceiling(law, s_begin_mm);
+}
+
+HeldBy SpanBinding::ramp(const Transition& law, double s_begin_mm) const {
+  const RampLimits& limits = of_.span->limits.ramp;
+  const LimitOrigins& from = of_.block->limits.from;
+  const double change = law.ramp().v_end_mm_s - law.ramp().v_begin_mm_s;
+  if (!of_.span->rise.empty() &&
+      law.duration_s() > (1.0 + kAlike) * of_.profile->duration_s(change, limits)) {
+    return ceiling(law, s_begin_mm);
+  }
+  const double a = limits.acceleration_mm_s2;
+  const double j = limits.jerk_mm_s3;
+  switch (of_.profile->kind()) {
+    case ProfileKind::trapezoid:
+      return held_by(from.acceleration);
+    case ProfileKind::s_curve:
+    case ProfileKind::time_optimal:
+      return {.limit = from.jerk,
+              .steady = std::abs(change) * j > a * a ? from.acceleration : from.jerk};
+    default:
+      break;
+  }
+  const double with_more_a = of_.profile->duration_s(change, {kMore * a, j});
+  const double with_more_j = of_.profile->duration_s(change, {a, kMore * j});
+  return held_by(with_more_a < with_more_j ? from.acceleration : from.jerk);
+}
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,44 @@
+// Which limit holds the parts of a span down, of the classical schedule.
+#pragma once
+
+#include "lookahead/classical/span.hpp"
+
+namespace kerf::lookahead {
+
+using interp::HeldBy;
+
+enum class SpanPart : std::uint8_t { begin_coast, acceleration, cruise, deceleration, end_coast };
+
+// - A coast is there for a joint's sake, or waits below the foot of a ceiling.
+// - A cruise runs at what its block allows, or below a ceiling.
+// - A change of feedrate is bound by jerk and acceleration, each while it is what binds; where the
+//   profile has both at once, by the one of which a hundredth more would save more time. Where it
+//   was stretched to stay below a ceiling or to leave room for turning, by that.
+class SpanBinding {
+ public:
+  struct Settings {
+    const Block* block = nullptr;
+    const Span* span = nullptr;  // of the block
+    const profiles::Profile* profile = nullptr;
+    bool brakes_for_window = false;  // what is behind the span is not known yet
+  };
+  // Lives no longer than what the settings point to.
+  explicit SpanBinding(const Settings& settings) : of_(settings) {}
+
+  // s_begin_mm: of the part, on the block's curve.
+  [[nodiscard]] HeldBy of(SpanPart part, const profiles::Transition& law, double s_begin_mm) const;
+
+ private:
+  [[nodiscard]] HeldBy coast(double coast_s, const profiles::Transition& law,
+                             double s_begin_mm) const;
+  [[nodiscard]] HeldBy cruise(const profiles::Transition& law, double s_begin_mm) const;
+  [[nodiscard]] HeldBy ramp(const profiles::Transition& law, double s_begin_mm) const;
+  // Null: turning does not bind.
+  [[nodiscard]] const TurnSample* turning_at(double s_mm) const;
+  // What the ceiling, of the block or of turning, comes from where the law is nearest to it.
+  [[nodiscard]] HeldBy ceiling(const profiles::Transition& law, double s_begin_mm) const;
+
+  Settings of_;
+};
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,76 @@
+#include "lookahead/classical/span_joint.hpp"
+
+#include <algorithm>
+
+namespace kerf::lookahead {
+
+using profiles::ProfileKind;
+
+namespace {
+
+constexpr double kBelowRounding = 1.0 - 1e-9;
+
+// By how much the mean of a tick that begins with the climb of a span is above its beginning.
+double rise_in_tick_mm_s(const Span& span, const JointRules& rules) {
+  const double period_s = rules.limits.period_s;
+  const double by_acceleration = 0.5 * span.limits.ramp.acceleration_mm_s2 * period_s;
+  const double by_jerk = span.limits.ramp.jerk_mm_s3 * period_s * period_s / 6.0;
+  return rules.profile.kind() == ProfileKind::trapezoid ? by_acceleration
+                                                        : std::min(by_acceleration, by_jerk);
+}
+
+// Beside the span, at the feedrate of the joint with one that climbs away from it.
+double coast_beside_s(const Block& block, double v_joint_mm_s, const Span& climbing,
+                      const JointRules& rules) {
+  const double fastest_mm_s = v_joint_mm_s + rise_in_tick_mm_s(climbing, rules);
+  return passing_feedrate_mm_s(block, rules.limits) < fastest_mm_s ? rules.limits.period_s : 0.0;
+}
+
+void fit_coast(double coast_s, const Span& span, double& v_mm_s) {
+  if (coast_s > 0.0) {
+    v_mm_s = std::min(v_mm_s, kBelowRounding * 0.5 * span.length_mm / coast_s);
+  }
+}
+
+}  // namespace
+
+double valley_mm_s(double ceiling_mm_s, const Span& span, const JointRules& rules) {
+  if (rules.profile.kind() != ProfileKind::trapezoid) {
+    return ceiling_mm_s;
+  }
+  const double rise = 0.25 * span.limits.ramp.acceleration_mm_s2 * rules.limits.period_s;
+  return std::max(ceiling_mm_s - rise, 0.5 * ceiling_mm_s);
+}
+
+SpanJoint span_joint(const JointSides& sides, const JointRules& rules) {
+  const Block& before = *sides.blocks.before;
+  const Block& after = *sides.blocks.after;
+  Junction joint = junction(sides.blocks, rules.limits);
+  double& v = joint.feedrate_mm_s;
+  if (!before.ceiling.empty()) {
+    const double end_mm_s =
+        std::min(before.ceiling.back().v_mm_s, sides.before->fall.bottom_mm_s());
+    v = std::min(v, valley_mm_s(end_mm_s, *sides.before, rules));
+  }
+  if (!after.ceiling.empty()) {
+    const double begin_mm_s =
+        std::min(after.ceiling.front().v_mm_s, sides.after->rise.bottom_mm_s());
+    v = std::min(v, valley_mm_s(begin_mm_s, *sides.after, rules));
+  }
+  if (joint.coast_s > 0.0) {
+    const bool turns = !sides.before->turning.empty() || !sides.after->turning.empty();
+    joint = turns ? beside_turning(joint, sides, rules.limits) : joint;
+  }
+  v = std::min(
+      {v, passing_feedrate_mm_s(before, rules.limits), passing_feedrate_mm_s(after, rules.limits)});
+  if (joint.coast_s > 0.0 || v == 0.0) {
+    return {.end = joint, .begin_coast_s = joint.coast_s};
+  }
+  const double begin_coast_s = coast_beside_s(before, v, *sides.after, rules);
+  joint.coast_s = coast_beside_s(after, v, *sides.before, rules);
+  fit_coast(joint.coast_s, *sides.before, v);
+  fit_coast(begin_coast_s, *sides.after, v);
+  return {.end = joint, .begin_coast_s = begin_coast_s};
+}
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,55 @@
+// The classical schedule: ACC + CF + DEC between the valleys of what is allowed.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "lookahead/classical/velocity_pass.hpp"
+#include "lookahead/emit/schedule.hpp"
+#include "profiles/profile.hpp"
+
+namespace kerf::lookahead {
+
+// A span is emitted once half a window of blocks is known behind it, or once the program rests
+// there anyway. Amortised each block is visited twice by the backward pass and once by the forward
+// pass, whatever the length of the program.
+class SpanSchedule final : public Schedule {
+ public:
+  struct Settings {
+    PlanLimits limits{};
+    profiles::Profile profile{profiles::ProfileKind::s_curve};
+    std::size_t ready_blocks = 500;  // that leave a full window before it is planned again, >= 1
+    // A cruise leaves in parts of this duration, so that a stop need not wait for its end.
+    double longest_cruise_s = 0.1;
+  };
+
+  explicit SpanSchedule(const Settings& settings) : settings_(settings) {}
+
+  void push(const Window<Block>& blocks) override;
+  // before: the block that it joins; null: it begins at rest.
+  void push(const Block& block, const Block* before);
+  [[nodiscard]] bool empty() const override { return window_.empty(); }
+  [[nodiscard]] bool has_room() const override { return true; }
+  bool emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) override;
+  void stop(const Window<Block>& blocks, const Emitter& emitter) override;
+
+ private:
+  [[nodiscard]] std::vector<Span> spans_of(const Block& block) const;
+  SpanPlan plan_front(SpanEnds& ends);
+  void plan_window(Supply supply);
+  void emit_cruise(const Block& block, const SpanPlan& plan, Emitter& emitter, Outbox& outbox);
+  void emit_plan(const Block& block, const SpanPlan& plan, Emitter& emitter, Outbox& outbox) const;
+  void leave_span(Window<Block>& blocks, Emitter& emitter);
+
+  Settings settings_;
+  Window<WindowSpan> window_;
+  std::size_t ready_spans_ = 0;  // of window_, planned and allowed to leave
+  bool drains_ = false;
+  double v_mm_s_ = 0.0;  // where emission stands
+  // Of the front span, of which a part has left: what is left, as long as it ends as was planned.
+  std::optional<SpanPlan> left_;
+  double left_end_mm_s_ = 0.0;
+};
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,150 @@
+#include "lookahead/classical/turn_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "lookahead/classical/climb_instants.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+// What lines between samples and between instants may miss is kept free.
+constexpr double kAim = 0.993;
+// A term below this share of all that can be made smaller is left alone.
+constexpr double kSmall = 0.1;
+constexpr double kLeast = 1e-3;  // of a limit: always left for changes of the feedrate
+
+class Asks {
+ public:
+  explicit Asks(const std::array<MotionLimits, 3>& axes) : axes_(axes) {}
+
+  // Signs as the motion runs.
+  void look(const TurnSample& at, double v, double a, double j) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const MotionLimits& axis = axes_[k];
+      const double turning = at.second_per_mm[k] * v * v;
+      const double change = at.first[k] * a;
+      if (std::abs(change + turning) > kAim * axis.acceleration_mm_s2) {
+        const double left = std::max(kAim * axis.acceleration_mm_s2 - std::abs(turning),
+                                     kLeast * axis.acceleration_mm_s2);
+        need_acceleration(left / std::abs(change));
+      }
+      const double along = at.first[k] * j;
+      const double cross = 3.0 * at.second_per_mm[k] * v * a;
+      const double third = at.third_per_mm2[k] * v * v * v;
+      const double jumps = at.jumps_per_mm_s[k] * v * v;
+      if (std::abs(along + cross + third) + jumps > kAim * axis.jerk_mm_s3) {
+        const double left =
+            std::max(kAim * axis.jerk_mm_s3 - std::abs(third) - jumps, kLeast * axis.jerk_mm_s3);
+        need_jerk(std::abs(along), std::abs(cross), left);
+      }
+    }
+  }
+
+  [[nodiscard]] const TurnAsk& ask() const { return ask_; }
+
+ private:
+  void need_acceleration(double factor) {
+    if (factor < 1.0) {
+      ask_.acceleration = std::min(ask_.acceleration, factor);
+      ask_.stretch = std::max(ask_.stretch, 1.0 / factor);
+    }
+  }
+
+  void need_jerk(double along, double cross, double left) {
+    const double sum = along + cross;
+    if (sum <= left) {
+      return;
+    }
+    const double factor = left / sum;
+    if (along > kSmall * sum) {
+      ask_.jerk = std::min(ask_.jerk, factor);
+    }
+    if (cross > kSmall * sum) {
+      ask_.acceleration = std::min(ask_.acceleration, factor);
+    }
+    // along / x^2 + cross / x = left
+    const double x = (cross + std::sqrt(cross * cross + 4.0 * left * along)) / (2.0 * left);
+    ask_.stretch = std::max(ask_.stretch, x);
+  }
+
+  const std::array<MotionLimits, 3>& axes_;
+  TurnAsk ask_;
+};
+
+TurnSample between(const TurnSample& a, const TurnSample& b, double s_mm) {
+  const double way = b.s_mm - a.s_mm;
+  const double share = way != 0.0 ? (s_mm - a.s_mm) / way : 0.0;
+  TurnSample at{.s_mm = s_mm};
+  const auto line = [share](double x, double y) { return x + share * (y - x); };
+  for (std::size_t k = 0; k < 3; ++k) {
+    at.first[k] = line(a.first[k], b.first[k]);
+    at.second_per_mm[k] = line(a.second_per_mm[k], b.second_per_mm[k]);
+    at.third_per_mm2[k] = line(a.third_per_mm2[k], b.third_per_mm2[k]);
+    at.jumps_per_mm_s[k] = line(a.jumps_per_mm_s[k], b.jumps_per_mm_s[k]);
+  }
+  return at;
+}
+
+// The samples in the order in which a climb meets them.
+class Way {
+ public:
+  Way(const PlacedClimb& climb, const Turning& turning) : climb_(climb), turning_(turning) {
+    while (has_next() && distance_mm() <= 0.0) {
+      ++next_;
+    }
+  }
+
+  [[nodiscard]] bool has_next() const { return next_ < turning_.size(); }
+  [[nodiscard]] const TurnSample& next() const { return sample(next_); }
+  // Of the next sample from the foot.
+  [[nodiscard]] double distance_mm() const {
+    return climb_.direction * (next().s_mm - climb_.foot_mm);
+  }
+  void pass() { ++next_; }
+  // Before the next sample.
+  [[nodiscard]] TurnSample at(double distance_mm) const {
+    return between(sample(next_ > 0 ? next_ - 1 : 0), sample(std::min(next_, turning_.size() - 1)),
+                   climb_.foot_mm + climb_.direction * distance_mm);
+  }
+
+ private:
+  [[nodiscard]] const TurnSample& sample(std::size_t i) const {
+    return turning_[climb_.direction > 0.0 ? i : turning_.size() - 1 - i];
+  }
+
+  const PlacedClimb& climb_;
+  const Turning& turning_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace
+
+TurnAsk ask_turning(const PlacedClimb& climb, const Turning& turning,
+                    const std::array<MotionLimits, 3>& axes) {
+  const std::vector<Instant> instants = instants_of(climb.law);
+  Asks asks(axes);
+  Way way(climb, turning);
+  const auto look = [&](const TurnSample& at, const profiles::PathMotion& motion, double j) {
+    asks.look(at, motion.v_mm_s, climb.direction * motion.a_mm_s2, j);
+  };
+  const Instant* before = &instants.front();
+  for (const Instant& now : instants) {
+    const BetweenInstants motion(*before, now);
+    for (; way.has_next() && way.distance_mm() < now.motion.s_mm; way.pass()) {
+      const profiles::PathMotion at = motion.at(way.distance_mm());
+      look(way.next(), at, before->j_after_mm_s3);
+      look(way.next(), at, now.j_before_mm_s3);
+    }
+    const TurnSample here = way.at(now.motion.s_mm);
+    look(here, now.motion, now.j_before_mm_s3);
+    look(here, now.motion, now.j_after_mm_s3);
+    before = &now;
+  }
+  return asks.ask();
+}
+
+}  // namespace kerf::lookahead

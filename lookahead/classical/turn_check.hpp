@@ -1,0 +1,36 @@
+// Whether a change of feedrate keeps the limits of each axis where it lies on the curve.
+#pragma once
+
+#include <array>
+
+#include "lookahead/classical/turn_scan.hpp"
+#include "lookahead/path/limits.hpp"
+#include "profiles/transition.hpp"
+
+namespace kerf::lookahead {
+
+// A climb from a foot: forwards along the curve, or a descent to the foot seen backwards in time.
+struct PlacedClimb {
+  const profiles::Transition& law;
+  double foot_mm = 0.0;    // on the block's curve
+  double direction = 1.0;  // of the climb: 1 or -1
+};
+
+// By what a climb would have to be gentler; 1: it holds.
+struct TurnAsk {
+  double acceleration = 1.0;  // factors <= 1 on its acceleration and its jerk, both to be taken
+  double jerk = 1.0;
+  double stretch = 1.0;  // or a factor >= 1 on its duration
+
+  [[nodiscard]] bool holds() const noexcept { return stretch == 1.0; }
+};
+
+// |q' a + q'' v^2| <= A and |q' j + 3 q'' v a + q''' v^3| + jumps v^2 <= J of each axis, signs
+// included, at the places of the samples under the climb and at its instants (climb_instants.hpp).
+// What a place asks for is what would do there; at another length the climb meets other places.
+// Precondition: the climb is below what turning allows (TurnSample::feedrate_mm_s) but for
+// rounding.
+TurnAsk ask_turning(const PlacedClimb& climb, const Turning& turning,
+                    const std::array<MotionLimits, 3>& axes);
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,77 @@
+#include "lookahead/classical/turn_joint.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr int kRounds = 3;  // the way of the coasts and the part of jumps follow the feedrate
+constexpr double kWider = 1.1;
+constexpr double kBelowRounding = 1.0 - 1e-9;
+
+struct Largest {
+  curves::Position second_per_mm{};
+  double third_per_mm2 = 0.0;
+};
+
+struct Coast {
+  double v_mm_s = 0.0;
+  double duration_s = 0.0;
+};
+
+// Of the axes, within a coast from the place.
+Largest largest_near(double place_mm, const Span& span, const Coast& coast) {
+  Largest largest;
+  const double reach_mm = kWider * coast.v_mm_s * coast.duration_s;
+  const Turning& turning = span.turning;
+  for (std::size_t i = 0; i < turning.size(); ++i) {
+    const TurnSample& at = turning[i];
+    const bool before = i + 1 < turning.size() && turning[i + 1].s_mm < place_mm - reach_mm;
+    const bool behind = i > 0 && turning[i - 1].s_mm > place_mm + reach_mm;
+    for (std::size_t k = 0; k < 3 && !before && !behind; ++k) {
+      double& second = largest.second_per_mm[k];
+      second = std::max(second, std::abs(at.second_per_mm[k]));
+      largest.third_per_mm2 =
+          std::max(largest.third_per_mm2,
+                   std::abs(at.third_per_mm2[k]) + at.jumps_per_mm_s[k] / coast.v_mm_s);
+    }
+  }
+  return largest;
+}
+
+}  // namespace
+
+Junction beside_turning(const Junction& found, const JointSides& sides, const PlanLimits& limits) {
+  Junction joint = found;
+  if (joint.feedrate_mm_s == 0.0 || joint.coast_s == 0.0) {
+    return joint;
+  }
+  double& v = joint.feedrate_mm_s;
+  for (const Span* span : {sides.before, sides.after}) {
+    if (!span->turning.empty()) {
+      v = std::min(v, kBelowRounding * 0.5 * span->length_mm / joint.coast_s);
+    }
+  }
+  for (int i = 0; i < kRounds; ++i) {
+    const Coast coast{.v_mm_s = v, .duration_s = joint.coast_s};
+    const double end_mm = sides.before->s_begin_mm + sides.before->length_mm;
+    const Largest before = largest_near(end_mm, *sides.before, coast);
+    const Largest after = largest_near(sides.after->s_begin_mm, *sides.after, coast);
+    BlockEnd end = sides.blocks.before->end;
+    BlockEnd begin = sides.blocks.after->begin;
+    end.third_per_mm2 = std::max(end.third_per_mm2, before.third_per_mm2);
+    begin.third_per_mm2 = std::max(begin.third_per_mm2, after.third_per_mm2);
+    const double jerk = corner_feedrate_mm_s(end, begin, limits);
+    for (std::size_t k = 0; k < 3; ++k) {
+      end.curvature_per_mm[k] = begin.curvature_per_mm[k] =
+          std::max({std::abs(end.curvature_per_mm[k]), std::abs(begin.curvature_per_mm[k]),
+                    before.second_per_mm[k], after.second_per_mm[k]});
+    }
+    v = std::min({v, jerk, corner_feedrate_mm_s(end, begin, limits)});
+  }
+  return joint;
+}
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,90 @@
+#include "lookahead/emit/emitter.hpp"
+
+#include <variant>
+
+#include "lookahead/path/line_marks.hpp"
+
+namespace kerf::lookahead {
+
+void Emitter::switch_at_block(std::uint64_t number, const interp::Switch& change) {
+  switches_.push_back({.number = number, .change = change});
+}
+
+void Emitter::begin_block(const Block& block, Outbox& outbox) {
+  ++curve_;
+  ++totals_.blocks;
+  s_mm_ = 0.0;
+  block_begun_ = true;
+  // At the first tick that is on the block, or past it where the block is shorter than a tick.
+  while (!switches_.empty() && switches_.front().number <= totals_.blocks) {
+    outbox.switches.push_back({.tick = clock_.next_tick(), .change = switches_.front().change});
+    switches_.pop_front();
+  }
+  rests_ = block.extra.alone;
+  curves::for_each_piece(block.curve, [&](const curves::Piece& piece) {
+    outbox.pieces.push_back({.curve = curve_, .geometry = piece, .extra = block.extra});
+  });
+  for (const LineMark& mark : block.marks) {
+    outbox.line_changes.push_back(
+        {.curve = curve_, .s_mm = mark.s_mm, .line = mark.line, .run_block = mark.run_block});
+  }
+}
+
+void Emitter::emit(const Block& block, const profiles::TimeLaw& law, double s_end_mm,
+                   Outbox& outbox) {
+  if (!block_begun_) {
+    begin_block(block, outbox);
+  }
+  const LineMark from = mark_at(block, s_mm_);
+  outbox.phases.push_back({.curve = curve_,
+                           .begin = clock_.now(),
+                           .s_begin_mm = s_mm_,
+                           .s_end_mm = s_end_mm,
+                           .path_begin_mm = path_begin_mm_,
+                           .law = law,
+                           .line = from.line,
+                           .run_block = from.run_block,
+                           .has_changes = !block.marks.empty(),
+                           .rapid = block.rapid});
+  s_mm_ = s_end_mm;
+  line_ = block.marks.empty() ? block.line : mark_at(block, s_end_mm).line;
+  clock_.advance(law.duration_s());
+}
+
+void Emitter::end_span(double s_mm) {
+  ++totals_.spans;
+  s_mm_ = s_mm;
+  totals_.path_length_mm = path_begin_mm_ + (rests_ ? 0.0 : s_mm_);
+}
+
+void Emitter::end_block(const Block& block) {
+  end_span(block.length_mm);
+  path_begin_mm_ += rests_ ? 0.0 : s_mm_;
+  block_begun_ = false;
+}
+
+void Emitter::come_to_rest(Outbox& outbox) {
+  outbox.phases.back().ends_at_rest = true;
+  clock_.align_to_tick();
+}
+
+void Emitter::emit_rest(const Rest& rest, Outbox& outbox) {
+  interp::Phase phase{.curve = curve_,
+                      .begin = clock_.now(),
+                      .s_begin_mm = s_mm_,
+                      .s_end_mm = s_mm_,
+                      .law = profiles::Transition::rest(rest.duration_s),
+                      .line = rest.line != 0 ? rest.line : line_,
+                      .ends_at_rest = true,
+                      .ends_program = rest.ends_program};
+  phase.path_begin_mm = block_begun_ || rests_ ? path_begin_mm_ : path_begin_mm_ - s_mm_;
+  if (rest.change) {
+    outbox.switches.push_back({.tick = clock_.now().tick, .change = *rest.change});
+  }
+  outbox.phases.push_back(phase);
+  clock_.advance(rest.duration_s);
+  clock_.align_to_tick();
+  totals_.ticks = clock_.now().tick;
+}
+
+}  // namespace kerf::lookahead

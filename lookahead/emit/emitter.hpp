@@ -1,0 +1,94 @@
+// Where the emission of motion stands: on which block, how far, and when.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "interp/motion.hpp"
+#include "interp/outputs.hpp"
+#include "lookahead/emit/plan_clock.hpp"
+#include "lookahead/emit/shortfall.hpp"
+#include "lookahead/path/block.hpp"
+#include "lookahead/path/window.hpp"
+#include "profiles/time_law.hpp"
+
+namespace kerf::lookahead {
+
+// Planned motion in the order in which it runs: pieces of a curve before the phases on it.
+struct Outbox {
+  std::vector<interp::PathPiece> pieces;
+  std::vector<interp::LineChange> line_changes;  // of a curve, with its pieces
+  std::vector<interp::Phase> phases;
+  std::vector<interp::SwitchAtTick> switches;  // by tick, which lies in the phases
+
+  // For the next of it, in the same memory.
+  void clear() noexcept {
+    pieces.clear();
+    line_changes.clear();
+    phases.clear();
+    switches.clear();
+  }
+};
+
+// Of what was emitted.
+struct PlanTotals {
+  std::uint64_t blocks = 0;
+  std::uint64_t spans = 0;
+  double path_length_mm = 0.0;
+  std::int64_t ticks = 0;
+  Shortfalls shortfalls{};
+};
+
+struct Rest {
+  double duration_s = 0.0;
+  std::uint32_t line = 0;  // 0: that of the last motion
+  bool ends_program = false;
+  std::optional<interp::Switch> change{};
+};
+
+class Emitter {
+ public:
+  explicit Emitter(double period_s) : clock_(period_s) {}
+
+  // The change comes at the first tick on the block with this number, counted from 1.
+  void switch_at_block(std::uint64_t number, const interp::Switch& change);
+
+  // False: the front block's first phase is still to come.
+  [[nodiscard]] bool block_begun() const noexcept { return block_begun_; }
+  // On the block that is being emitted or comes next.
+  [[nodiscard]] double s_mm() const noexcept { return block_begun_ ? s_mm_ : 0.0; }
+  [[nodiscard]] const PlanTotals& totals() const noexcept { return totals_; }
+
+  void note(const Shortfall& shortfall) { totals_.shortfalls.add(shortfall); }
+
+  // The block's motion from where it stands to s_end_mm. Its pieces leave with the first phase.
+  void emit(const Block& block, const profiles::TimeLaw& law, double s_end_mm, Outbox& outbox);
+  // A span within the block is done at s_mm.
+  void end_span(double s_mm);
+  // The block's last span is done, and the block.
+  void end_block(const Block& block);
+  // The motion has come to rest with the last phase: time goes on at the next tick.
+  void come_to_rest(Outbox& outbox);
+  void emit_rest(const Rest& rest, Outbox& outbox);
+
+ private:
+  struct SwitchAtBlock {
+    std::uint64_t number = 0;
+    interp::Switch change{};
+  };
+
+  void begin_block(const Block& block, Outbox& outbox);
+
+  PlanClock clock_;
+  Window<SwitchAtBlock> switches_;
+  bool block_begun_ = false;
+  std::uint64_t curve_ = 0;
+  bool rests_ = false;  // on it X, Y and Z rest: it adds nothing to the path
+  double s_mm_ = 0.0;
+  double path_begin_mm_ = 0.0;  // of all curves before this one
+  std::uint32_t line_ = 0;
+  PlanTotals totals_{};
+};
+
+}  // namespace kerf::lookahead

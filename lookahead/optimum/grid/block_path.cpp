@@ -1,0 +1,174 @@
+#include "lookahead/optimum/grid/block_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "curves/curve.hpp"
+#include "lookahead/path/junction.hpp"
+
+namespace kerf::lookahead {
+
+using curves::vec;
+
+namespace {
+
+// Of a derivative's size: what is less is rounding.
+constexpr double kJump = 1e-6;
+constexpr double kArcStep_rad = 0.05;
+constexpr int kPlacesOfPiece = 4;
+// A sharper apex is a corner to any drive, and a rest there costs some milliseconds: what there is
+// to gain on it is not worth its numbers.
+constexpr double kStopRadius_mm = 1e-7;
+
+bool differ(const curves::Position& a, const curves::Position& b) {
+  const double size = std::max(vec(a).norm(), vec(b).norm());
+  return (vec(a) - vec(b)).norm() > kJump * size;
+}
+
+// The tangent goes on: what differs is rounding.
+BlockEnd end_of(const curves::PathDerivatives& path) {
+  return {.tangent = {},
+          .curvature_per_mm = path.second_per_mm,
+          .third_per_mm2 = vec(path.third_per_mm2).cwiseAbs().maxCoeff()};
+}
+
+// The pieces of a curve are short where it turns sharply (curves/arc_length.cpp), even where a
+// feature is too small for the scan of the chord error.
+void add_places_of_pieces(const curves::NurbsCurve& curve, std::vector<double>& places) {
+  for (const curves::NurbsPiece& piece : curve.pieces()) {
+    const double step = (piece.s_end_mm - piece.s_begin_mm) / kPlacesOfPiece;
+    for (int k = 0; k < kPlacesOfPiece; ++k) {
+      places.push_back(piece.s_begin_mm + step * k);
+    }
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+}
+
+// Where the curve turns more sharply than kStopRadius_mm: of each such stretch the sharpest place.
+std::vector<double> sharp_places(const curves::NurbsCurve& curve) {
+  std::vector<double> places{0.0};
+  add_places_of_pieces(curve, places);
+  std::vector<double> sharp;
+  double sharpest = 0.0;
+  for (const double s : places) {
+    const double curvature = vec(curve.derivatives_at(s).second_per_mm).norm();
+    if (!(curvature * kStopRadius_mm > 1.0) || s == 0.0) {
+      sharpest = 0.0;
+    } else if (curvature > sharpest) {
+      if (sharpest > 0.0) {
+        sharp.pop_back();
+      }
+      sharp.push_back(s);
+      sharpest = curvature;
+    }
+  }
+  return sharp;
+}
+
+}  // namespace
+
+Bound BlockPath::feedrate_at(double s_mm) const {
+  const Ceiling& ceiling = block_->ceiling;
+  const Bound block{block_->along.feedrate_mm_s, block_->along.from.feedrate};
+  const auto lower = [&block](double v_mm_s, SpeedLimit from) {
+    return v_mm_s < block.value ? Bound{v_mm_s, from} : block;
+  };
+  if (ceiling.empty()) {
+    return block;
+  }
+  const auto after =
+      std::lower_bound(ceiling.begin(), ceiling.end(), s_mm,
+                       [](const FeedSample& sample, double s) { return sample.s_mm < s; });
+  if (after == ceiling.begin()) {
+    return lower(after->v_mm_s, after->limit);
+  }
+  if (after == ceiling.end()) {
+    return lower(ceiling.back().v_mm_s, ceiling.back().limit);
+  }
+  const auto before = std::prev(after);
+  const double share = (s_mm - before->s_mm) / (after->s_mm - before->s_mm);
+  return lower(before->v_mm_s + share * (after->v_mm_s - before->v_mm_s),
+               before->v_mm_s < after->v_mm_s ? before->limit : after->limit);
+}
+
+CellEnd BlockPath::at(double s_mm) const {
+  const curves::PathDerivatives path = curves::derivatives_at(block_->curve, s_mm);
+  const Bound feedrate = feedrate_at(s_mm);
+  CellEnd end{.first = path.first,
+              .second_per_mm = path.second_per_mm,
+              .third_per_mm2 = path.third_per_mm2,
+              .feedrate_mm_s = feedrate.value,
+              .from = feedrate.from};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (end.first[k] != 0.0) {
+      end.bind_feedrate(limits_->axes[k].velocity_mm_s / std::abs(end.first[k]),
+                        interp::of_axis(SpeedLimit::x_velocity, k));
+    }
+  }
+  return end;
+}
+
+std::vector<double> BlockPath::scan_places() const {
+  std::vector<double> places{0.0};
+  if (!block_->ceiling.empty()) {
+    for (const FeedSample& sample : block_->ceiling) {
+      if (sample.s_mm > places.back()) {
+        places.push_back(sample.s_mm);
+      }
+    }
+  } else if (const auto* arc = std::get_if<curves::Arc>(&block_->curve)) {
+    const double angle = arc->length_mm() * arc->in_plane_share() / arc->radius_mm();
+    const double parts = std::ceil(angle / kArcStep_rad);
+    for (double k = 1.0; k <= parts; ++k) {
+      places.push_back(length_mm() * k / parts);
+    }
+  }
+  if (const auto* nurbs = std::get_if<curves::NurbsCurve>(&block_->curve)) {
+    add_places_of_pieces(*nurbs, places);
+  }
+  if (places.back() < length_mm()) {
+    places.push_back(length_mm());
+  }
+  return places;
+}
+
+double BlockPath::piece_mm(double s_mm) const {
+  const auto* nurbs = std::get_if<curves::NurbsCurve>(&block_->curve);
+  if (nurbs == nullptr) {
+    return kUnbounded;
+  }
+  const curves::NurbsPiece& piece = nurbs->pieces()[nurbs->piece_index(s_mm)];
+  return piece.s_end_mm - piece.s_begin_mm;
+}
+
+std::vector<BlockPath::Break> BlockPath::breaks() const {
+  std::vector<Break> places;
+  if (const auto* nurbs = std::get_if<curves::NurbsCurve>(&block_->curve)) {
+    const std::vector<curves::NurbsPiece>& pieces = nurbs->pieces();
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+      const double s = pieces[i].s_end_mm;
+      const curves::PathDerivatives before = pieces[i].derivatives_at(s);
+      const curves::PathDerivatives after = pieces[i + 1].derivatives_at(s);
+      if (differ(before.second_per_mm, after.second_per_mm)) {
+        places.push_back({s, Jump{.before = end_of(before), .after = end_of(after)}});
+      } else if (differ(before.third_per_mm2, after.third_per_mm2)) {
+        places.push_back({s});
+      }
+    }
+    for (const double s : sharp_places(*nurbs)) {
+      places.push_back({.s_mm = s, .rest = true});
+    }
+  }
+  const Ceiling& ceiling = block_->ceiling;
+  for (std::size_t i = 1; i + 1 < ceiling.size(); ++i) {
+    if (ceiling[i].v_mm_s < ceiling[i - 1].v_mm_s && ceiling[i].v_mm_s <= ceiling[i + 1].v_mm_s) {
+      places.push_back({.s_mm = ceiling[i].s_mm, .valley = true});
+    }
+  }
+  std::sort(places.begin(), places.end(),
+            [](const Break& a, const Break& b) { return a.s_mm < b.s_mm; });
+  return places;
+}
+
+}  // namespace kerf::lookahead

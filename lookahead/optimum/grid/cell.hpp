@@ -1,0 +1,80 @@
+// The grid of the time optimum: cells of a path, each with what bounds the motion on it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "curves/position.hpp"
+#include "lookahead/path/limits.hpp"
+#include "profiles/shape_value.hpp"
+
+namespace kerf::lookahead {
+
+// The path at one end of a cell, seen from within the cell: derivatives by arc length may jump from
+// a cell to the next.
+struct CellEnd {
+  curves::Position first{};
+  curves::Position second_per_mm{};
+  curves::Position third_per_mm2{};
+  double feedrate_mm_s = 0.0;  // allowed there: programmed, chord error, axis velocities
+  SpeedLimit from{};           // which of them it is
+
+  // A lower feedrate stands in its place.
+  void bind_feedrate(double bound_mm_s, SpeedLimit limit) noexcept {
+    if (bound_mm_s < feedrate_mm_s) {
+      feedrate_mm_s = bound_mm_s;
+      from = limit;
+    }
+  }
+};
+
+// A little inside, so that what the check finds between two places is not beyond.
+inline constexpr double kAim = 0.9995;
+
+// What of the limits the solver may use in a cell: less where a check found that the limits were
+// passed between the places at which it looks.
+struct LimitShares {
+  double feedrate = kAim;
+  double acceleration = kAim;
+  double jerk = kAim;
+};
+
+// What of the limits of acceleration and jerk a joint beside a cell leaves.
+struct AllowedShares {
+  double acceleration = 1.0;
+  double jerk = 1.0;
+};
+
+struct Cell {
+  std::uint64_t block = 0;  // the block it lies on
+  double s_begin_mm = 0.0;  // on the block's curve
+  double length_mm = 0.0;
+  bool ends_block = false;  // the block's last
+  bool rest_after = false;  // the motion comes to rest at its end
+  CellEnd begin{};
+  CellEnd end{};
+  profiles::RampLimits along{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
+  LimitOrigins along_from{};
+  AllowedShares allowed{};
+  double passing_mm_s = kUnbounded;  // anywhere in it: beside a curve that a tick passes over whole
+  // What the solver aims at, within what is allowed.
+  LimitShares shares{};
+  bool continues = false;        // the cell before it: one, but for a rest that a plan ends with
+  double planned_squared = 0.0;  // v^2 in its middle in an earlier plan, mm^2/s^2; 0: none
+
+  [[nodiscard]] double s_end_mm() const noexcept { return s_begin_mm + length_mm; }
+};
+
+// The path at s_mm of the cell's block.
+using PathAt = std::function<CellEnd(const Cell& cell, double s_mm)>;
+
+// Where a stretch begins; it always ends at rest. v = 0: at rest, and then a = 0.
+struct StretchBegin {
+  double v_mm_s = 0.0;
+  double a_mm_s2 = 0.0;
+
+  [[nodiscard]] bool at_rest() const noexcept { return v_mm_s == 0.0; }
+};
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,114 @@
+#include "lookahead/optimum/grid/grid.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "lookahead/optimum/grid/grid_scan.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr double kShortest = 0.2;  // between two ends of cells, of what is asked for there
+
+// Cells between two places too close for the path's resolution would be noise: the second is moved
+// onto the first. Where no cell needs to end just there, another place near by will do.
+std::vector<CellStop> apart(const std::vector<CellStop>& stops, const GridScan& seen) {
+  const double length = seen.length_mm();
+  std::vector<CellStop> kept{stops.front()};
+  for (std::size_t i = 1; i + 1 < stops.size(); ++i) {
+    CellStop stop = stops[i];
+    const double shortest = kShortest * seen.cell_mm(stop.s_mm);
+    if (stop.slack_mm == 0.0 &&
+        stop.s_mm - kept.back().s_mm < std::min(shortest, kept.back().slack_mm)) {
+      kept.pop_back();
+    }
+    const double room = std::max(std::min(shortest, stop.slack_mm), seen.least_mm());
+    if (length - stop.s_mm < room) {
+      stop.s_mm = length;
+    }
+    CellStop& before = kept.back();
+    if (stop.s_mm - before.s_mm >= room) {
+      kept.push_back(stop);
+      continue;
+    }
+    before.rest |= stop.rest;
+    if (stop.passage &&
+        (!before.passage || stop.passage->feedrate_mm_s < before.passage->feedrate_mm_s)) {
+      before.passage = stop.passage;
+    }
+  }
+  kept.push_back(stops.back());
+  return kept;
+}
+
+// No longer than a cell may be at either of its ends. Where that is far shorter at its end, it is
+// shorter than it would be at a nearer one.
+double cell_from_mm(const GridScan& seen, double s_mm, double stop_mm) {
+  double length = std::min(seen.cell_mm(s_mm), stop_mm - s_mm);
+  double at_end = seen.cell_mm(s_mm + length);
+  while (at_end < 0.5 * length) {
+    length *= 0.5;
+    at_end = seen.cell_mm(s_mm + length);
+  }
+  return std::min(length, at_end);
+}
+
+EndFeeds feeds_of(const EndPassages& ends) {
+  EndFeeds feeds = ends.beyond;
+  if (ends.begin) {
+    feeds.v_begin_mm_s = std::min(feeds.v_begin_mm_s, ends.begin->feedrate_mm_s);
+  }
+  if (ends.end) {
+    feeds.v_end_mm_s = std::min(feeds.v_end_mm_s, ends.end->feedrate_mm_s);
+  }
+  return feeds;
+}
+
+}  // namespace
+
+EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits) {
+  const std::vector<double> places = path.scan_places();
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    cells.push_back(cell_between(path, {places[i], places[i + 1]}, nullptr));
+  }
+  const std::vector<double> feeds = estimate_feeds(cells, {}, limits);
+  return {.v_begin_mm_s = feeds.front(), .v_end_mm_s = feeds.back()};
+}
+
+std::vector<Cell> grid_of(const BlockPath& path, const EndPassages& ends,
+                          const PlanLimits& limits) {
+  std::vector<CellStop> stops = cell_stops(path, ends, limits);
+  const GridScan seen(path, feeds_of(ends), stops, limits);
+  stops = apart(stops, seen);
+  std::vector<Cell> cells;
+  std::vector<std::size_t> boundaries;
+  double s = 0.0;
+  for (const CellStop& stop : stops) {
+    bool begins = true;  // at the stop before, where something may jump
+    while (s < stop.s_mm) {
+      const double length = cell_from_mm(seen, s, stop.s_mm);
+      const double left = stop.s_mm - s;
+      const double next =
+          left < 1.5 * length ? stop.s_mm : s + (left < 2.5 * length ? 0.5 * left : length);
+      cells.push_back(cell_between(path, {s, next}, begins ? nullptr : &cells.back()));
+      begins = false;
+      s = next;
+    }
+    boundaries.push_back(cells.size());
+    if (stop.rest && !cells.empty()) {
+      cells.back().rest_after = true;
+    }
+  }
+  cells.back().ends_block = true;
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    if (stops[i].passage && !stops[i].rest) {
+      share_limits(cells, boundaries[i], *stops[i].passage, limits);
+    }
+  }
+  bind_ways(ends.ways, cells);
+  return cells;
+}
+
+}  // namespace kerf::lookahead

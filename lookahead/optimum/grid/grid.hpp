@@ -1,0 +1,20 @@
+// Where the cells of the time optimum end.
+#pragma once
+
+#include <vector>
+
+#include "lookahead/optimum/grid/passages.hpp"
+#include "lookahead/optimum/grid/speed_estimate.hpp"
+
+namespace kerf::lookahead {
+
+// The cells of a block: about a tick long where the estimated feedrate changes or turning takes its
+// part of the axes' limits, growing with the distance from such places where nothing happens. They
+// end where derivatives jump. Around jumps the cells have their share of the limits. Rests are
+// to be refined afterwards.
+std::vector<Cell> grid_of(const BlockPath& path, const EndPassages& ends, const PlanLimits& limits);
+
+// How fast the ends of a block can be passed for what is on it, were there nothing beyond.
+EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits);
+
+}  // namespace kerf::lookahead

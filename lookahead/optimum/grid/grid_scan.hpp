@@ -1,0 +1,56 @@
+// How long the cells of the time optimum may be, seen over a whole block.
+#pragma once
+
+#include <vector>
+
+#include "lookahead/optimum/grid/passages.hpp"
+#include "lookahead/optimum/grid/speed_estimate.hpp"
+
+namespace kerf::lookahead {
+
+// Three things bound the length of a cell, each a function of the place, linear between places.
+//
+//   motion   the estimated motion must be resolved: where the feedrate rises or falls, a share of
+//            the time in which the jerk builds the acceleration up (the time lost grows with about
+//            the power 3/2 of that share), and on a bend so little that what turning takes of the
+//            limits changes by a part of them only; one tick at the least, eight at the most, so
+//            that the check between the ends of a cell looks at nearly every tick
+//   quiet    where the feedrate is what bounds it and nothing else happens the cells grow with the
+//            distance from what happens, so far that this bound can be taken as one between the
+//            ends
+//   feature  what the path itself does, were it far shorter than a tick: radius, pieces
+class GridScan {
+ public:
+  // ends: how fast the block's ends may be passed; stops: where cells end anyway.
+  GridScan(const BlockPath& path, const EndFeeds& ends, const std::vector<CellStop>& stops,
+           const PlanLimits& limits);
+
+  // How long a cell at this place of the block may be.
+  [[nodiscard]] double cell_mm(double s_mm) const;
+  // No cell is shorter.
+  [[nodiscard]] double least_mm() const;
+  [[nodiscard]] double length_mm() const { return places_mm_.back(); }
+
+ private:
+  void find_motion(const std::vector<Cell>& cells, const PlanLimits& limits);
+  void find_quiet(const BlockPath& path, const std::vector<Cell>& cells, const EndFeeds& ends,
+                  const PlanLimits& limits);
+
+  std::vector<double> places_mm_;
+  std::vector<double> feeds_mm_s_;
+  std::vector<double> motion_mm_;
+  std::vector<double> quiet_mm_;  // the distance from where something happens
+  std::vector<double> cap_mm_;    // in which what bounds the feedrate changes by a part of it
+  std::vector<double> feature_mm_;
+};
+
+struct Interval {
+  double from_mm = 0.0;
+  double to_mm = 0.0;
+};
+
+// The cell of a block on an interval. before: the cell that ends where it begins, if nothing jumps
+// there; else nullptr.
+Cell cell_between(const BlockPath& path, const Interval& interval, const Cell* before);
+
+}  // namespace kerf::lookahead

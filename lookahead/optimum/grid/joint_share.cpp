@@ -1,0 +1,200 @@
+#include "lookahead/optimum/grid/joint_share.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lookahead/optimum/grid/speed_estimate.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+// A hundredth is left for what the bounds on the cells do not see within three ticks of them.
+constexpr std::array kShares{
+    JumpShares{.jump = 0.25, .turn = 0.15, .cells = 0.59, .tangential = 1.0},
+    JumpShares{.jump = 0.5, .turn = 0.1, .cells = 0.39, .tangential = 1.0},
+    JumpShares{.jump = 0.95, .turn = 0.02, .cells = 0.02, .tangential = 0.02}};
+// Of an axis' acceleration, which a jump of direction takes from the cells.
+constexpr double kStepShare = 0.95;
+constexpr double kAllShares = 0.99;
+constexpr double kSupportTicks = 3.0;  // of a third difference
+constexpr double kStepPeak = 0.75;     // of a step of acceleration in a third difference
+
+double limit_or_path(double axis, double path) {
+  return std::isfinite(axis) ? axis : path;
+}
+
+// Calls use(|du|, limits of the axis) for every axis, and for the path.
+template <typename Use>
+void for_each_turn(const BlockEnd& before, const BlockEnd& after, const PlanLimits& limits,
+                   Use use) {
+  for (std::size_t k = 0; k < limits.axes.size(); ++k) {
+    use(std::abs(after.tangent[k] - before.tangent[k]), limits.axes[k]);
+  }
+  for (std::size_t k = 0; k < limits.extra.size(); ++k) {
+    use(std::abs(after.extra_per_mm[k] - before.extra_per_mm[k]), limits.extra[k]);
+  }
+  use(path_step_of(before, after), limits.path);
+}
+
+}  // namespace
+
+PlanLimits jump_limits(const PlanLimits& limits, const JumpShares& shares) {
+  PlanLimits part = limits;
+  const auto scale = [&shares](MotionLimits& of) {
+    of.acceleration_mm_s2 *= kStepShare;
+    of.jerk_mm_s3 *= shares.jump;
+  };
+  scale(part.path);
+  std::for_each(part.axes.begin(), part.axes.end(), scale);
+  std::for_each(part.extra.begin(), part.extra.end(), scale);
+  return part;
+}
+
+namespace {
+
+Passage passage_with(const Jump& jump, double feedrate_mm_s, const JumpShares& shares,
+                     const PlanLimits& limits) {
+  Passage passage{.feedrate_mm_s = feedrate_mm_s, .shares = shares};
+  double step = 0.0;
+  for_each_turn(jump.before, jump.after, limits, [&](double turn, const MotionLimits& axis) {
+    if (turn > 0.0) {
+      const double jerk = limit_or_path(axis.jerk_mm_s3, limits.path.jerk_mm_s3);
+      const double a = limit_or_path(axis.acceleration_mm_s2, limits.path.acceleration_mm_s2);
+      passage.acceleration_mm_s2 = std::min(
+          passage.acceleration_mm_s2, shares.turn * jerk * limits.period_s / (kStepPeak * turn));
+      step = std::max(step, feedrate_mm_s * turn / (limits.period_s * a));
+    }
+  });
+  passage.acceleration_share = kAllShares - std::min(step, kStepShare);
+  return passage;
+}
+
+// A tick around a joint at which the feedrate is least is longer than at that feedrate, by
+// J Ts^3 / 24 at the most. 0: a stop.
+double chord_bound_mm_s(const JunctionQuery& query, const JumpShares& shares,
+                        const PlanLimits& limits) {
+  const BlockEnd& before = query.before->end;
+  const BlockEnd& after = query.after->begin;
+  const double chord = chord_feedrate_mm_s(before, after, limits);
+  if (!std::isfinite(chord)) {
+    return chord;
+  }
+  const auto jerk = [&limits](const Block& block, const BlockEnd& end) {
+    return tangential_jerk_mm_s3(Cell{.along = block.along.ramp}, CellEnd{.first = end.tangent},
+                                 limits);
+  };
+  const double most =
+      shares.cells * std::max(jerk(*query.before, before), jerk(*query.after, after));
+  return std::max(
+      chord_feedrate_mm_s(before, after, limits) - most * limits.period_s * limits.period_s / 24.0,
+      0.0);
+}
+
+// The way of three ticks beside a joint, on a block.
+double zone_mm(const Block& block, const BlockEnd& end, const Passage& passage,
+               const PlanLimits& limits) {
+  return zone_mm(Cell{.along = block.along.ramp}, CellEnd{.first = end.tangent}, passage, limits);
+}
+
+}  // namespace
+
+Passage passage_of(const Jump& jump, const PlanLimits& limits) {
+  Passage passage;
+  for (const JumpShares& shares : kShares) {
+    JumpShares of_one = shares;
+    of_one.jump /= jump.crowd;
+    const double corner =
+        corner_feedrate_mm_s(jump.before, jump.after, jump_limits(limits, of_one));
+    passage = passage_with(jump, std::min(jump.allowed_mm_s, corner), shares, limits);
+    if (corner >= jump.allowed_mm_s) {
+      break;
+    }
+  }
+  return passage;
+}
+
+Joint joint_of(const JunctionQuery& query, const PlanLimits& limits) {
+  const Block& before = *query.before;
+  const Block& after = *query.after;
+  if (after.continues && !before.stop_after) {
+    return {.smooth = true, .passing = {.feedrate_mm_s = junction(query, limits).feedrate_mm_s}};
+  }
+  const Jump jump{.before = before.end, .after = after.begin};
+  const double free_mm_s = junction(query, jump_limits(limits, {.jump = 1.0})).feedrate_mm_s;
+  for (const JumpShares& shares : kShares) {
+    const double chord = chord_bound_mm_s(query, shares, limits);
+    Junction passing = junction(query, jump_limits(limits, shares));
+    passing.feedrate_mm_s = std::min(passing.feedrate_mm_s, chord);
+    const Passage passage = passage_with(jump, passing.feedrate_mm_s, shares, limits);
+    // Ways that overlap would let a third difference see two joints.
+    const bool fits = zone_mm(before, before.end, passage, limits) <= 0.5 * before.length_mm &&
+                      zone_mm(after, after.begin, passage, limits) <= 0.5 * after.length_mm;
+    if ((fits && passing.feedrate_mm_s >= std::min(free_mm_s, chord)) ||
+        &shares == &kShares.back()) {
+      const bool stops = passing.feedrate_mm_s == 0.0;
+      return {.smooth = !stops && passing.coast_s == 0.0, .passing = passage};
+    }
+  }
+  return {};
+}
+
+double zone_mm(const Cell& cell, const CellEnd& end, const Passage& passage,
+               const PlanLimits& limits) {
+  const JumpShares& shares = passage.shares;
+  const double t = kSupportTicks * limits.period_s;
+  const double a = shares.tangential * tangential_acceleration_mm_s2(cell, end, limits);
+  const double j = shares.cells * tangential_jerk_mm_s3(cell, end, limits);
+  return t * (passage.feedrate_mm_s + t * (a + 0.5 * t * j));
+}
+
+namespace {
+
+// cell, end: beside the jump.
+void bind_beside(const Passage& passage, Cell& cell, CellEnd& end) {
+  end.bind_feedrate(passage.feedrate_mm_s, SpeedLimit::joint);
+  // The share taken off again: the cap holds whatever the share.
+  double& a = cell.along.acceleration_mm_s2;
+  a = std::min(a, passage.acceleration_mm_s2 / passage.acceleration_share);
+}
+
+double leave_rest(const Passage& passage, const PlanLimits& limits, Cell& cell) {
+  const JumpShares& shares = passage.shares;
+  if (shares.tangential < 1.0 && cell.allowed.jerk > shares.cells) {
+    cell.along.acceleration_mm_s2 = std::min(
+        cell.along.acceleration_mm_s2, shares.tangential / passage.acceleration_share *
+                                           tangential_acceleration_mm_s2(cell, cell.begin, limits));
+  }
+  cell.allowed.acceleration = std::min(cell.allowed.acceleration, passage.acceleration_share);
+  cell.allowed.jerk = std::min(cell.allowed.jerk, shares.cells);
+  cell.shares.acceleration = kAim * cell.allowed.acceleration;
+  cell.shares.jerk = kAim * cell.allowed.jerk;
+  return cell.length_mm;
+}
+
+}  // namespace
+
+void share_limits(std::vector<Cell>& cells, std::size_t boundary, const Passage& passage,
+                  const PlanLimits& limits) {
+  if (boundary > 0) {
+    Cell& last = cells[boundary - 1];
+    const double zone = zone_mm(last, last.end, passage, limits);
+    bind_beside(passage, last, last.end);
+    double way = 0.0;
+    for (std::size_t i = boundary; i-- > 0 && way < zone;) {
+      way += leave_rest(passage, limits, cells[i]);
+    }
+  }
+  if (boundary < cells.size()) {
+    Cell& first = cells[boundary];
+    const double zone = zone_mm(first, first.begin, passage, limits);
+    bind_beside(passage, first, first.begin);
+    double way = 0.0;
+    for (std::size_t i = boundary; i < cells.size() && way < zone; ++i) {
+      way += leave_rest(passage, limits, cells[i]);
+    }
+  }
+}
+
+}  // namespace kerf::lookahead

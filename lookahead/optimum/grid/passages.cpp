@@ -1,0 +1,84 @@
+#include "lookahead/optimum/grid/passages.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "lookahead/optimum/grid/speed_estimate.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr int kCrowdRounds = 8;
+constexpr double kJustBeyond = 1.0 + 1e-6;
+constexpr double kZoneSlack = 0.2;
+
+// Within a curve nothing jumps along the path.
+PlanLimits of_axes(PlanLimits limits) {
+  limits.path.acceleration_mm_s2 = limits.path.jerk_mm_s3 = kUnbounded;
+  return limits;
+}
+
+double zone_at(const BlockPath& path, double s_mm, const Passage& passage,
+               const PlanLimits& limits) {
+  return kJustBeyond * zone_mm(Cell{.along = path.along()}, path.at(s_mm), passage, limits);
+}
+
+// The slower a jump is passed, the fewer others are within its ticks.
+Passage inner_passage(const BlockPath& path, double s_mm, Jump jump,
+                      const std::vector<BlockPath::Break>& breaks, const PlanLimits& limits) {
+  const CellEnd here = path.at(s_mm);
+  jump.allowed_mm_s = turning_feedrate_mm_s(Cell{.along = path.along()}, here, limits);
+  Passage passage;
+  for (int i = 0; i < kCrowdRounds; ++i) {
+    passage = passage_of(jump, of_axes(limits));
+    const double zone = zone_at(path, s_mm, passage, limits);
+    const auto crowd = std::count_if(breaks.begin(), breaks.end(), [&](const auto& other) {
+      return other.jump && std::abs(other.s_mm - s_mm) < zone;
+    });
+    if (crowd <= jump.crowd) {
+      break;
+    }
+    jump.crowd = static_cast<int>(crowd);
+  }
+  return passage;
+}
+
+}  // namespace
+
+std::vector<CellStop> cell_stops(const BlockPath& path, const EndPassages& ends,
+                                 const PlanLimits& limits) {
+  const std::vector<BlockPath::Break> breaks = path.breaks();
+  std::vector<CellStop> stops{{.s_mm = 0.0, .passage = ends.begin}};
+  for (const BlockPath::Break& place : breaks) {
+    CellStop& stop = stops.emplace_back(CellStop{
+        .s_mm = place.s_mm, .rest = place.rest, .slack_mm = place.valley ? kUnbounded : 0.0});
+    if (place.jump) {
+      stop.passage = inner_passage(path, place.s_mm, *place.jump, breaks, limits);
+    }
+  }
+  for (const double s : {ends.ways.begin.way_mm, path.length_mm() - ends.ways.end.way_mm}) {
+    if (s > 0.0 && s < path.length_mm()) {
+      stops.push_back({.s_mm = s});
+    }
+  }
+  stops.push_back({.s_mm = path.length_mm(), .passage = ends.end});
+  const std::size_t count = stops.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (stops[i].passage) {
+      const double s = stops[i].s_mm;
+      const double zone = zone_at(path, s, *stops[i].passage, limits);
+      for (const double end : {s - zone, s + zone}) {
+        if (end > 0.0 && end < path.length_mm()) {
+          stops.push_back({.s_mm = end, .slack_mm = kZoneSlack * zone});
+        }
+      }
+    }
+  }
+  std::sort(stops.begin(), stops.end(),
+            [](const CellStop& a, const CellStop& b) { return a.s_mm < b.s_mm; });
+  return stops;
+}
+
+}  // namespace kerf::lookahead

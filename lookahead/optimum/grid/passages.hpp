@@ -1,0 +1,36 @@
+// The places of a block at which cells must end.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lookahead/optimum/grid/block_path.hpp"
+#include "lookahead/optimum/grid/joint_share.hpp"
+#include "lookahead/optimum/grid/passing_way.hpp"
+#include "lookahead/optimum/grid/speed_estimate.hpp"
+
+namespace kerf::lookahead {
+
+// How a block's joints are passed; none: a rest, or nothing jumps there.
+struct EndPassages {
+  std::optional<Passage> begin{};
+  std::optional<Passage> end{};
+  EndFeeds beyond{};  // what the neighbours leave where the joint itself is smooth
+  PassingWays ways{};
+};
+
+struct CellStop {
+  double s_mm = 0.0;
+  std::optional<Passage> passage{};  // of what jumps there
+  bool rest = false;
+  double slack_mm = 0.0;  // another place so near will do
+};
+
+// Ascending, both ends of the block among them: where derivatives jump or the ceiling has a valley,
+// and where the ways of three ticks beside jumps end, for a cell that begins in one has no more
+// than its share, and where the ways beside curves that a tick passes over whole end. Jumps that a
+// third difference may see together share what is theirs.
+std::vector<CellStop> cell_stops(const BlockPath& path, const EndPassages& ends,
+                                 const PlanLimits& limits);
+
+}  // namespace kerf::lookahead

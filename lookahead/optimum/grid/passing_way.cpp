@@ -1,0 +1,57 @@
+#include "lookahead/optimum/grid/passing_way.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lookahead/optimum/grid/speed_estimate.hpp"
+#include "lookahead/path/junction.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+// A cell that begins so near the way's end lies beyond it: cells do not end to the last digit where
+// they are asked to.
+constexpr double kNearEnd = 0.99;
+
+void bind(const PassingWay& way, Cell& cell) {
+  cell.passing_mm_s = std::min(cell.passing_mm_s, way.feedrate_mm_s);
+  cell.begin.bind_feedrate(cell.passing_mm_s, SpeedLimit::chord_error);
+  cell.end.bind_feedrate(cell.passing_mm_s, SpeedLimit::chord_error);
+}
+
+// The most that a tick from the joint on is faster than the joint, in its mean. What passes the
+// joint at v has no more acceleration there than has come up under the jerk since it was at rest.
+double climb_in_tick_mm_s(const PassedCurve& passed, const PlanLimits& limits) {
+  const Cell cell{.along = passed.beside.along.ramp};
+  const CellEnd joint{.first = passed.joint.tangent};
+  const double a = tangential_acceleration_mm_s2(cell, joint, limits);
+  const double j = tangential_jerk_mm_s3(cell, joint, limits);
+  const double t = limits.period_s;
+  return std::min(0.5 * a * t,
+                  0.5 * std::sqrt(2.0 * j * passed.v_joint_mm_s) * t + j * t * t / 6.0);
+}
+
+}  // namespace
+
+PassingWay passing_way(const PassedCurve& passed, const PlanLimits& limits) {
+  const double bound = passing_feedrate_mm_s(passed.curve, limits);
+  if (!(passed.v_joint_mm_s + climb_in_tick_mm_s(passed, limits) > bound)) {
+    return {};
+  }
+  return {.feedrate_mm_s = bound, .way_mm = bound * limits.period_s};
+}
+
+void bind_ways(const PassingWays& ways, std::vector<Cell>& cells) {
+  const double length = cells.back().s_end_mm();
+  for (Cell& cell : cells) {
+    if (cell.s_begin_mm < kNearEnd * ways.begin.way_mm) {
+      bind(ways.begin, cell);
+    }
+    if (length - cell.s_end_mm() < kNearEnd * ways.end.way_mm) {
+      bind(ways.end, cell);
+    }
+  }
+}
+
+}  // namespace kerf::lookahead

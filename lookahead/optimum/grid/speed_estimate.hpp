@@ -1,0 +1,33 @@
+// A first guess of the optimum: as fast as velocities, accelerations and jerks allow.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lookahead/optimum/grid/cell.hpp"
+
+namespace kerf::lookahead {
+
+// Along the path, what the path's own limit and those of the axes leave for a change of feedrate on
+// a straight path in this direction.
+double tangential_acceleration_mm_s2(const Cell& cell, const CellEnd& end,
+                                     const PlanLimits& limits);
+double tangential_jerk_mm_s3(const Cell& cell, const CellEnd& end, const PlanLimits& limits);
+
+// The feedrate at which the path's turning alone uses up a limit, and the cap.
+double turning_feedrate_mm_s(const Cell& cell, const CellEnd& end, const PlanLimits& limits);
+
+// The feedrate of an end of a row of cells; infinity: as fast as it goes.
+struct EndFeeds {
+  double v_begin_mm_s = kUnbounded;
+  double v_end_mm_s = kUnbounded;
+};
+
+// Feedrates at the ends of the cells, one more than there are cells: the caps bent below what
+// tangential acceleration and jerk reach, forwards and backwards. Jerk is regarded where
+// acceleration builds up from what the cap has, not where it has to end again. No bound of the
+// optimum, in either direction: what turning takes from the axes' acceleration is left out.
+std::vector<double> estimate_feeds(std::span<const Cell> cells, const EndFeeds& ends,
+                                   const PlanLimits& limits);
+
+}  // namespace kerf::lookahead

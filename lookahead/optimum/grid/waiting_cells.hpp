@@ -1,0 +1,80 @@
+// Blocks as cells that wait for a plan of the time optimum.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "lookahead/optimum/grid/cell.hpp"
+#include "lookahead/optimum/grid/joint_share.hpp"
+#include "lookahead/optimum/grid/passing_way.hpp"
+#include "lookahead/optimum/grid/speed_estimate.hpp"
+#include "lookahead/path/limits.hpp"
+#include "lookahead/path/window.hpp"
+
+namespace kerf::lookahead {
+
+struct WaitingCell {
+  Cell cell{};
+  bool alone = false;  // the only one of a line from rest to rest
+};
+
+// A block becomes cells once the joints at both its ends are known: when the next one comes, or
+// when none does.
+class WaitingCells {
+ public:
+  explicit WaitingCells(const PlanLimits& limits) : limits_(limits) {}
+
+  // The window's last block.
+  void push(const Window<Block>& blocks);
+  // The last block that was pushed ends at rest.
+  void close(const Window<Block>& blocks);
+  // The window's first block has left.
+  void block_done() { ++done_; }
+  // Nothing waits any more.
+  void clear();
+
+  [[nodiscard]] bool has_open_block() const { return open_.has_value(); }
+  [[nodiscard]] bool empty() const { return cells_.empty(); }
+  [[nodiscard]] std::size_t size() const { return cells_.size(); }
+  [[nodiscard]] const WaitingCell& front() const { return cells_.front(); }
+  [[nodiscard]] const Cell& operator[](std::size_t i) const { return cells_[i].cell; }
+  void drop(std::size_t count);
+  void rest_after(std::size_t i) { cells_[i].cell.rest_after = true; }
+
+  // Of waiting cells and of those of a plan.
+  [[nodiscard]] const Block& block_of(const Cell& cell, const Window<Block>& blocks) const {
+    return numbered(cell.block, blocks);
+  }
+  [[nodiscard]] PathAt path_of(const Window<Block>& blocks) const;
+
+ private:
+  // A block that is not on the grid yet, and the joint at its beginning.
+  struct OpenBlock {
+    std::uint64_t number = 0;
+    Joint begin{};
+    EndFeeds own{};                     // end_feeds_of
+    double v_before_mm_s = kUnbounded;  // at the end of the block before, likewise
+    PassingWay begin_way{};
+  };
+
+  [[nodiscard]] const Block& numbered(std::uint64_t number, const Window<Block>& blocks) const {
+    return blocks[number - done_];
+  }
+  // The end of the open block.
+  struct BlockJoin {
+    Joint joint{};
+    double v_beyond_mm_s = kUnbounded;
+    PassingWay way{};
+  };
+  void close(const BlockJoin& end, const Window<Block>& blocks);
+
+  PlanLimits limits_;
+  std::uint64_t pushed_ = 0;
+  std::uint64_t done_ = 0;  // blocks that have left the window
+  std::optional<OpenBlock> open_;
+  std::deque<WaitingCell> cells_;
+};
+
+}  // namespace kerf::lookahead

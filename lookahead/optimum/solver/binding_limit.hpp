@@ -1,0 +1,32 @@
+// Which limit holds the time optimum down in a cell.
+#pragma once
+
+#include "lookahead/optimum/grid/cell.hpp"
+#include "lookahead/optimum/solver/feed_spline.hpp"
+
+namespace kerf::lookahead {
+
+// Feedrate squared on a cell of the spline: at both ends, and the coefficient that bounds it
+// between them.
+struct CellFeed {
+  SquaredFeed begin{};
+  SquaredFeed end{};
+  double coefficient = 0.0;
+};
+
+// The limit of which a little more would save the most time in this cell. At an optimum found with
+// walls in front of the limits, a wall's force is the price of its limit: by how much the time
+// falls when the limit rises. The force is 1 over the slack, so the limit with the least slack is
+// the one to raise; both ends count, which keeps a limit that is only touched in passing from
+// standing for the cell. Of limits that bind alike the path's is named. Cells that leave most of
+// the limits to the jump beside them are held down by that joint.
+//
+// Weakness: where the motion only follows from its neighbours (one cell between two that are bound)
+// no limit binds, and the nearest one is named.
+SpeedLimit binding_limit(const Cell& cell, const CellFeed& feed, const PlanLimits& limits);
+
+// Of a launch from rest or a landing that meets the spline with v_mm_s.
+SpeedLimit binding_limit_at_rest(const Cell& cell, double v_mm_s, bool launch,
+                                 const PlanLimits& limits);
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,175 @@
+#include "lookahead/optimum/solver/limit_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "profiles/cell_law.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+// Of a cell between two places, at the least; a part turns by no more than this angle.
+constexpr int kParts = 5;
+constexpr double kAngle = 0.02;
+constexpr int kMostParts = 40;
+constexpr double kBeside = 0.02;  // of a part: so near the cell's ends is it looked at, too
+
+// The ends from within the cell: derivatives may jump there.
+CellEnd path_in(const Cell& cell, double share, double s_mm, const PathAt& path) {
+  if (share == 0.0 || share == 1.0) {
+    return share == 0.0 ? cell.begin : cell.end;
+  }
+  CellEnd inside = path(cell, cell.s_begin_mm + s_mm);
+  inside.bind_feedrate(cell.passing_mm_s, SpeedLimit::chord_error);
+  return inside;
+}
+
+// What is not a number is beyond every limit.
+void grow(double& worst, double share) {
+  if (!(share <= worst)) {
+    worst = std::isnan(share) ? kUnbounded : share;
+  }
+}
+
+// What was found at a place, to be joined with the next one.
+struct Seen {
+  double s_mm = 0.0;
+  double v_mm_s = 0.0;
+  curves::Position velocity_mm_s{};  // of each axis
+  curves::Position acceleration_mm_s2{};
+  curves::Position jerk_mm_s3{};
+};
+
+Seen look_at(const profiles::PathMotion& motion, const Cell& cell, const CellEnd& path,
+             const PlanLimits& limits, Excess& worst) {
+  const double v = motion.v_mm_s;
+  const double a = motion.a_mm_s2;
+  const double j = motion.j_mm_s3;
+  grow(worst.feedrate, v / path.feedrate_mm_s);
+  grow(worst.acceleration,
+       std::abs(a) / (cell.allowed.acceleration * cell.along.acceleration_mm_s2));
+  grow(worst.jerk, std::abs(j) / (cell.allowed.jerk * cell.along.jerk_mm_s3));
+  Seen seen{.s_mm = motion.s_mm, .v_mm_s = v};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double q1 = path.first[k];
+    const double q2 = path.second_per_mm[k];
+    const double q3 = path.third_per_mm2[k];
+    seen.velocity_mm_s[k] = q1 * v;
+    seen.acceleration_mm_s2[k] = q1 * a + q2 * v * v;
+    seen.jerk_mm_s3[k] = q1 * j + 3.0 * q2 * v * a + q3 * v * v * v;
+    grow(worst.acceleration, std::abs(seen.acceleration_mm_s2[k]) /
+                                 (cell.allowed.acceleration * limits.axes[k].acceleration_mm_s2));
+    grow(worst.jerk,
+         std::abs(seen.jerk_mm_s3[k]) / (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
+  }
+  return seen;
+}
+
+// What rises at one place and falls at the next has a peak between them; its slope is taken as
+// linear in time there. Nothing: it has none.
+std::optional<double> peak_between(double value, double slope, double slope_after, double time_s) {
+  const double rise = std::copysign(slope, value * slope);
+  const double fall = -std::copysign(slope_after, value * slope_after);
+  if (rise > 0.0 && fall > 0.0) {
+    return std::abs(value) + 0.5 * time_s * rise * rise / (rise + fall);
+  }
+  return std::nullopt;
+}
+
+// Of an axis' velocity and acceleration.
+void look_between(const Seen& before, const Seen& after, const Cell& cell, const PlanLimits& limits,
+                  Excess& worst) {
+  const double time = 2.0 * (after.s_mm - before.s_mm) / (before.v_mm_s + after.v_mm_s);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (const auto peak = peak_between(before.velocity_mm_s[k], before.acceleration_mm_s2[k],
+                                       after.acceleration_mm_s2[k], time)) {
+      grow(worst.feedrate, *peak / limits.axes[k].velocity_mm_s);
+    }
+    if (const auto peak = peak_between(before.acceleration_mm_s2[k], before.jerk_mm_s3[k],
+                                       after.jerk_mm_s3[k], time)) {
+      grow(worst.acceleration,
+           *peak / (cell.allowed.acceleration * limits.axes[k].acceleration_mm_s2));
+    }
+  }
+}
+
+// The fourth derivative of a curve jumps at its knots, and with it the slope of an axis' jerk: the
+// peak between the inner two of four places is where the lines through the outer ones meet.
+void look_at_kink(const std::array<Seen, 4>& seen, const Cell& cell, const PlanLimits& limits,
+                  Excess& worst) {
+  const double way = seen[2].s_mm - seen[1].s_mm;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double sign = std::copysign(1.0, seen[1].jerk_mm_s3[k]);
+    const auto jerk = [&](std::size_t i) { return sign * seen[i].jerk_mm_s3[k]; };
+    const double rise = (jerk(1) - jerk(0)) / (seen[1].s_mm - seen[0].s_mm);
+    const double fall = (jerk(2) - jerk(3)) / (seen[3].s_mm - seen[2].s_mm);
+    const double place = (jerk(2) - jerk(1) + fall * way) / (rise + fall);
+    if (rise > 0.0 && fall > 0.0 && place > 0.0 && place < way) {
+      grow(worst.jerk, (jerk(1) + rise * place) / (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
+    }
+  }
+}
+
+}  // namespace
+
+double Excess::largest() const noexcept {
+  return std::max({feedrate, acceleration, jerk});
+}
+
+Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
+                 const PlanLimits& limits) {
+  Excess worst;
+  const auto look = [&](double place) {
+    const double s = place * cell.length_mm;
+    const double slope = begin.slope + begin.bend * s;
+    const double b = begin.value + s * (begin.slope + 0.5 * begin.bend * s);
+    const double v = std::sqrt(std::max(b, 0.0));
+    return look_at(
+        {.s_mm = s, .v_mm_s = v, .a_mm_s2 = 0.5 * slope, .j_mm_s3 = 0.5 * v * begin.bend}, cell,
+        path_in(cell, place, s, path), limits, worst);
+  };
+  const double curvature = std::max(curves::vec(cell.begin.second_per_mm).norm(),
+                                    curves::vec(cell.end.second_per_mm).norm());
+  const double parts =
+      std::clamp(std::ceil(curvature * cell.length_mm / kAngle), 1.0 * kParts, 1.0 * kMostParts);
+  std::array<Seen, 4> seen{};  // the newest last
+  seen[3] = look(0.0);
+  int count = 1;
+  const auto go_on_to = [&](double place) {
+    std::rotate(seen.begin(), seen.begin() + 1, seen.end());
+    seen[3] = look(place);
+    look_between(seen[2], seen[3], cell, limits, worst);
+    if (++count >= 4) {
+      look_at_kink(seen, cell, limits, worst);
+    }
+  };
+  go_on_to(kBeside / parts);
+  for (int i = 1; i < static_cast<int>(parts); ++i) {
+    go_on_to(i / parts);
+  }
+  go_on_to(1.0 - kBeside / parts);
+  go_on_to(1.0);
+  const double peak = -begin.slope / (begin.bend * cell.length_mm);  // of the feedrate
+  if (begin.bend < 0.0 && peak > 0.0 && peak < 1.0) {
+    look(peak);
+  }
+  return worst;
+}
+
+Excess excess_of_rest(const Cell& cell, double v_mm_s, bool launch, const PathAt& path,
+                      const PlanLimits& limits) {
+  const profiles::CellLaw law = launch ? profiles::CellLaw::launch(v_mm_s, cell.length_mm)
+                                       : profiles::CellLaw::landing(v_mm_s, cell.length_mm);
+  Excess worst;
+  for (int i = 0; i <= kParts; ++i) {
+    const double place = static_cast<double>(i) / kParts;
+    const profiles::PathMotion motion = law.at(place * law.duration_s());
+    look_at(motion, cell, path_in(cell, place, motion.s_mm, path), limits, worst);
+  }
+  return worst;
+}
+
+}  // namespace kerf::lookahead

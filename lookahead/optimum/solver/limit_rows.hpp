@@ -1,0 +1,44 @@
+// All limits of a stretch as linear forms over the coefficients of its spline.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lookahead/optimum/grid/cell.hpp"
+#include "lookahead/optimum/solver/feed_spline.hpp"
+#include "lookahead/optimum/solver/lanes.hpp"
+#include "lookahead/path/limits.hpp"
+
+namespace kerf::lookahead {
+
+// Two neighbouring cells of the spline side by side. c: the three coefficients of each.
+struct CellPair {
+  Lanes length_mm = Lanes::Zero();
+  std::array<Lanes, 3> middle{};  // b in the middle of the cell
+  Lanes begin = Lanes::Zero();    // b at its begin is begin c0 + (1 - begin) c1
+  Lanes end = Lanes::Zero();      // b at its end is (1 - end) c1 + end c2
+  Lanes cap = Lanes::Zero();      // 1 over the largest c1: the spline lies below its coefficients
+  // How many rows there are of each kind, in this order.
+  std::uint8_t caps = 0;               // r0 c0 + r1 c1 <= 1, at its begin
+  std::uint8_t accelerations = 0;      // |r0 c0 + r1 c1| <= 1, at its begin
+  std::uint8_t end_accelerations = 0;  // |r1 c1 + r2 c2| <= 1, at its end
+  std::uint8_t jerks = 0;              // sqrt(b) |r0 c0 + r1 c1 + r2 c2| <= 1, at its begin
+  std::uint8_t end_jerks = 0;          // the same at its end
+};
+
+// Along the path: v^2 <= cap^2, |b'| / 2 <= A, sqrt(b) |b''| / 2 <= J; on an axis: |q' b' / 2 + q''
+// b| <= A and sqrt(b) |q' b'' / 2 + 3/2 q'' b' + q''' b| <= J, divided by the limit (MATH section
+// 9). Each limit is looked at where it may be largest, but not twice: of two cells that go on into
+// each other the acceleration between them once, of limits that one line along the path shares the
+// tightest, and none that the others keep below half of it.
+struct LimitRows {
+  std::vector<CellPair> pairs;  // a cell without neighbour has one of no length
+  std::vector<Lanes> rows;      // of all pairs, in order
+};
+
+// basis: of the cells.
+LimitRows limit_rows(std::span<const Cell> cells, const std::vector<CellBasis>& basis,
+                     const PlanLimits& limits);
+
+}  // namespace kerf::lookahead

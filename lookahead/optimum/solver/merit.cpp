@@ -1,0 +1,155 @@
+#include "lookahead/optimum/solver/merit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lookahead/optimum/solver/pair_sums.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+std::vector<double> spline_lengths(const Stretch& stretch) {
+  std::vector<double> lengths(stretch.spline_cells());
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    lengths[i] = stretch.cells[i + stretch.first_spline_cell()].length_mm;
+  }
+  return lengths;
+}
+
+double square(double x) {
+  return x * x;
+}
+
+// The largest jerk of the launch or landing in a cell, along the path.
+double rest_jerk_mm_s3(const Cell& cell, const CellEnd& end, const PlanLimits& limits) {
+  double jerk = cell.along.jerk_mm_s3;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (end.first[k] != 0.0) {
+      jerk = std::min(jerk, limits.axes[k].jerk_mm_s3 / std::abs(end.first[k]));
+    }
+  }
+  return cell.shares.jerk * jerk;
+}
+
+}  // namespace
+
+struct Merit::Sums {
+  const Walls* walls = nullptr;
+  BandSystem* system = nullptr;
+  double time_s = 0.0;
+  double walls_s = 0.0;
+};
+
+// With s = J t^3 / 6: v^2 = J^(2/3) (6 s)^(4/3) / 4.
+Merit::RestCell Merit::rest_cell(const Cell& cell, const RestEnds& ends,
+                                 double neighbour_mm) const {
+  const double h = cell.length_mm;
+  const double jerk = rest_jerk_mm_s3(cell, *ends.rest, *limits_);
+  return {.length_mm = h,
+          .cap = std::min(0.25 * square(std::cbrt(jerk * square(6.0 * h))),
+                          square(cell.shares.feedrate * ends.inner->feedrate_mm_s)),
+          .gain = 1.0 / (1.0 + 2.0 * neighbour_mm / (3.0 * h))};
+}
+
+Merit::Merit(const Stretch& stretch, const PlanLimits& limits)
+    : stretch_(&stretch), limits_(&limits) {
+  const std::vector<double> lengths = spline_lengths(stretch);
+  const std::vector<Cell>& cells = stretch.cells;
+  rows_ = limit_rows({cells.data() + stretch.first_spline_cell(), stretch.spline_cells()},
+                     feed_basis(lengths), limits);
+  if (stretch.begin.at_rest()) {
+    launch_ = rest_cell(cells.front(), {.rest = &cells.front().begin, .inner = &cells.front().end},
+                        lengths.front());
+  }
+  landing_ = rest_cell(cells.back(), {.rest = &cells.back().end, .inner = &cells.back().begin},
+                       lengths.back());
+}
+
+BandSystem::Rows Merit::free_rows() const noexcept {
+  return {.begin = stretch_->begin.at_rest() ? 1U : 2U, .end = size() - 1};
+}
+
+void Merit::bind(std::vector<double>& coefficients) const noexcept {
+  const StretchBegin& begin = stretch_->begin;
+  if (begin.at_rest()) {
+    coefficients.front() = launch_.gain * coefficients[1];
+  } else {
+    coefficients[0] = square(begin.v_mm_s);
+    coefficients[1] = coefficients[0] + begin.a_mm_s2 * stretch_->cells.front().length_mm;
+  }
+  coefficients.back() = landing_.gain * coefficients[size() - 2];
+}
+
+void Merit::bind_change(std::vector<double>& change) const noexcept {
+  if (stretch_->begin.at_rest()) {
+    change.front() = launch_.gain * change[1];
+  } else {
+    change[0] = change[1] = 0.0;
+  }
+  change.back() = landing_.gain * change[size() - 2];
+}
+
+// The spline's value at its ends is its outermost coefficient.
+void Merit::add_rest(const RestCell& rest, std::size_t outer, double squared_mm2_s2,
+                     Sums& sums) const {
+  const double b = squared_mm2_s2;
+  const double t = 3.0 * rest.length_mm / std::sqrt(b);
+  Barrier::Sum wall;
+  const Barrier::Slopes slopes = Barrier(sums.walls->relaxed).below(Lanes(b / rest.cap, 0.0), wall);
+  const double weight = sums.walls->weight_s;
+  sums.time_s += t;
+  sums.walls_s += wall.value()[0];
+  sums.system->gradient[outer] += -0.5 * t / b + weight * slopes.rise[0] / rest.cap;
+  sums.system->diagonal[outer] +=
+      0.75 * t / (b * b) + sums.walls->stiffness_s * slopes.bend[0] / square(rest.cap);
+}
+
+Merit::Value Merit::derive(const std::vector<double>& coefficients, const Walls& walls,
+                           BandSystem& system) const {
+  system.clear(size());
+  const std::size_t count = stretch_->spline_cells();
+  Lanes time = Lanes::Zero();
+  Lanes wall_sum = Lanes::Zero();
+  const Lanes* row = rows_.rows.data();
+  std::size_t i = 0;
+  for (const CellPair& pair : rows_.pairs) {
+    const std::size_t cells = std::min(kLanes, count - i);
+    PairSums sums(pair, &coefficients[i], cells, walls);
+    if (!sums.are_positive()) {
+      return {.time_s = kUnbounded, .merit_s = kUnbounded};
+    }
+    time += sums.add_time();
+    row = sums.add_limits(row);
+    wall_sum += sums.walls();
+    sums.store(i, cells, system);
+    i += cells;
+  }
+  Sums ends{.walls = &walls, .system = &system};
+  if (launch_.length_mm > 0.0) {
+    add_rest(launch_, 0, coefficients.front(), ends);
+  }
+  add_rest(landing_, size() - 1, coefficients.back(), ends);
+  fold_ends(system);
+  Value value;
+  value.time_s = time.sum() + ends.time_s;
+  const double merit = value.time_s + walls.weight_s * (wall_sum.sum() + ends.walls_s);
+  value.merit_s = std::isfinite(merit) ? merit : kUnbounded;
+  return value;
+}
+
+void Merit::fold_ends(BandSystem& system) const {
+  const std::size_t last = size() - 1;
+  const auto fold = [&system](std::size_t outer, std::size_t inner, std::size_t band, double gain) {
+    system.gradient[inner] += gain * system.gradient[outer];
+    system.diagonal[inner] += gain * (2.0 * system.first[band] + gain * system.diagonal[outer]);
+  };
+  if (stretch_->begin.at_rest()) {
+    fold(0, 1, 0, launch_.gain);
+    system.first[1] += launch_.gain * system.second[0];
+  }
+  fold(last, last - 1, last - 1, landing_.gain);
+  system.first[last - 2] += landing_.gain * system.second[last - 2];
+}
+
+}  // namespace kerf::lookahead

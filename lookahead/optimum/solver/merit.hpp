@@ -1,0 +1,81 @@
+// What the time optimum minimises: the time, and a wall in front of every limit.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lookahead/optimum/grid/cell.hpp"
+#include "lookahead/optimum/solver/band_system.hpp"
+#include "lookahead/optimum/solver/feed_spline.hpp"
+#include "lookahead/optimum/solver/limit_rows.hpp"
+#include "lookahead/optimum/solver/walls.hpp"
+#include "lookahead/path/limits.hpp"
+
+namespace kerf::lookahead {
+
+// The cells of one stretch, the first one a launch from rest where it begins at rest, the last one
+// a landing; between them the feedrate squared is a spline.
+struct Stretch {
+  StretchBegin begin{};
+  std::vector<Cell> cells;
+
+  [[nodiscard]] std::size_t first_spline_cell() const noexcept { return begin.at_rest() ? 1 : 0; }
+  [[nodiscard]] std::size_t spline_cells() const noexcept {
+    return cells.size() - 1 - first_spline_cell();
+  }
+};
+
+// T(c) + weight sum of barriers over the limits of each cell (limit_rows), c the coefficients of
+// the spline.
+//
+// In the derivatives each limit is taken as linear about the present c, so the second derivative
+// misses the curvature of the jerk's sqrt(b): it is positive definite, and the search converges
+// fast, though not quadratically. Two coefficients at each end depend on their neighbours: a launch
+// of constant jerk over h joins the spline where b' = 4/3 b / h, a begin in motion fixes both.
+class Merit {
+ public:
+  Merit(const Stretch& stretch, const PlanLimits& limits);
+
+  [[nodiscard]] std::size_t size() const noexcept { return stretch_->spline_cells() + 2; }
+  // Of the coefficients those that are free.
+  [[nodiscard]] BandSystem::Rows free_rows() const noexcept;
+  // Gives the coefficients that are not free their values.
+  void bind(std::vector<double>& coefficients) const noexcept;
+  // The same of a change of the coefficients.
+  void bind_change(std::vector<double>& change) const noexcept;
+
+  struct Value {
+    double time_s = 0.0;
+    double merit_s = 0.0;  // infinite where b is not positive
+  };
+  // At these coefficients, with the Newton system for the free rows.
+  [[nodiscard]] Value derive(const std::vector<double>& coefficients, const Walls& walls,
+                             BandSystem& system) const;
+
+ private:
+  struct RestCell {
+    double length_mm = 0.0;  // 0: none
+    double cap = 0.0;        // of v^2 where it meets the spline
+    double gain = 0.0;       // the outermost coefficient over its neighbour
+  };
+
+  // rest: the end at rest; inner: the other one.
+  struct RestEnds {
+    const CellEnd* rest = nullptr;
+    const CellEnd* inner = nullptr;
+  };
+  [[nodiscard]] RestCell rest_cell(const Cell& cell, const RestEnds& ends,
+                                   double neighbour_mm) const;
+  // Of the launch or landing, which meets the spline at its outermost coefficient.
+  struct Sums;
+  void add_rest(const RestCell& rest, std::size_t outer, double squared_mm2_s2, Sums& sums) const;
+  void fold_ends(BandSystem& system) const;
+
+  const Stretch* stretch_;
+  const PlanLimits* limits_;
+  LimitRows rows_;
+  RestCell launch_{};
+  RestCell landing_{};
+};
+
+}  // namespace kerf::lookahead

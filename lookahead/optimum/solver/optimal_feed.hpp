@@ -1,0 +1,47 @@
+// The search for the time-optimal feedrate over one stretch.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lookahead/optimum/solver/merit.hpp"
+
+namespace kerf::lookahead {
+
+// Coefficients of the spline of v^2, and what they cost.
+struct OptimalFeed {
+  std::vector<double> coefficients;
+  int newton_steps = 0;
+};
+
+// Where the search begins: 0.3 of what velocities, accelerations and jerks allow. Positive and
+// finite.
+std::vector<double> first_feed(const Stretch& stretch, const PlanLimits& limits);
+
+// Minimises the time of a stretch under all its limits: v, a and jerk, along the path and on each
+// axis, at both ends of every cell.
+//
+// The idea. Over arc length, with b = v^2, time is a convex function and every limit but jerk is
+// linear (Verscheure, Demeulenaere, Swevers, De Schutter and Diehl, "Time-optimal path tracking for
+// robots: a convex optimization approach", IEEE Trans. Automatic Control 54, 2009). Jerk is sqrt(b)
+// times a linear form; taken as linear about the present b it makes each step convex. Instead of
+// solving each such convex problem to its end, the form is renewed in every Newton step of one
+// interior-point search: walls in front of all limits, softened so that the search may begin beyond
+// them, and sharpened in small stages. b is a spline with three coefficients a cell, so a step
+// costs O(n).
+//
+//   begin: 0.3 of the v^2 that acceleration and jerk allow  ->  weight 1e-1 of the time in all
+//   walls some 3 Newton steps each                                ->  3e-2, 1e-2, ... 1e-4
+//
+// Some 20 steps suffice on all curves tried, whatever their length. The answer is a local optimum:
+// the problem is not convex in jerk, and no bound of its distance to the true one is known; on the
+// curves for which reference times exist it meets them.
+//
+// Where cells know an earlier plan that was faster than that guess, it begins from there.
+// Precondition: at least two cells of spline.
+OptimalFeed find_optimal_feed(const Stretch& stretch, const PlanLimits& limits);
+
+// Goes on from an answer after limits have been tightened a little.
+void mend_optimal_feed(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed);
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,134 @@
+#include "lookahead/optimum/solver/rest_ramp.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "lookahead/optimum/grid/speed_estimate.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr double kCellTicks = 1.0;
+// Of a cell over its distance from the rest: a tick long, but within these.
+constexpr double kGrowth = 0.08;
+constexpr double kRampGrowth = 0.2;
+// Shares of a ramp from rest to the feedrate allowed, and of all the way, that a cell takes at
+// most.
+constexpr double kRampStep = 0.05;
+constexpr double kWayStep = 1.0 / 40.0;
+constexpr double kLaunchTicks = 6.0;
+constexpr double kFirstOfCell = 0.2;
+// Bound the number of parts, and keep what is at their ends apart.
+constexpr double kShortestOfCell = 1e-6;
+constexpr double kShortest_mm = 1e-11;
+
+// Appends the cell in parts of these lengths, which add up to its own.
+void divide(const Cell& cell, const std::vector<double>& lengths, RestAt where, const PathAt& path,
+            std::vector<Cell>& into) {
+  double s = cell.s_begin_mm;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    Cell part = cell;
+    part.s_begin_mm = s;
+    const bool last = i + 1 == lengths.size();
+    part.ends_block = last && cell.ends_block;
+    part.rest_after = last && cell.rest_after;
+    part.length_mm = i + 1 < lengths.size() ? lengths[i] : cell.s_end_mm() - s;
+    if (i > 0) {
+      part.begin = path(cell, s);
+      part.begin.bind_feedrate(cell.passing_mm_s, SpeedLimit::chord_error);
+      part.continues = where == RestAt::end;
+    }
+    s = part.s_end_mm();
+    if (i + 1 < lengths.size()) {
+      part.end = path(cell, s);
+      part.end.bind_feedrate(cell.passing_mm_s, SpeedLimit::chord_error);
+    }
+    into.push_back(part);
+  }
+}
+
+struct RestRamp {
+  double jerk_mm_s3 = 0.0;
+  double feedrate_mm_s = 0.0;
+  double step_s = 0.0;
+
+  [[nodiscard]] double first_mm() const {
+    const double t = kLaunchTicks * step_s;
+    return jerk_mm_s3 * t * t * t / 6.0;
+  }
+  // How long a cell at this distance from the rest may be.
+  [[nodiscard]] double cell_mm(double distance_mm) const {
+    const double root = std::cbrt(6.0 * distance_mm);
+    const double v = 0.5 * std::cbrt(jerk_mm_s3) * root * root;
+    return std::clamp(std::min(v, feedrate_mm_s) * step_s, kGrowth * distance_mm,
+                      kRampGrowth * distance_mm);
+  }
+};
+
+// From rest to rest over a length under a jerk alone takes this long: four ramps, v = J t^2 / 16.
+double from_rest_to_rest_s(double length_mm, double jerk_mm_s3) {
+  return std::cbrt(32.0 * length_mm / jerk_mm_s3);
+}
+
+RestRamp rest_ramp(const std::vector<Cell>& cells, RestAt where, const PlanLimits& limits) {
+  const Cell& cell = cells.front();
+  const CellEnd& end = where == RestAt::begin ? cell.begin : cell.end;
+  const double jerk = tangential_jerk_mm_s3(cell, end, limits);
+  const double v = turning_feedrate_mm_s(cell, end, limits);
+  double length = 0.0;
+  for (const Cell& each : cells) {
+    length += each.length_mm;
+  }
+  return {.jerk_mm_s3 = jerk,
+          .feedrate_mm_s = v,
+          .step_s = std::min({kCellTicks * limits.period_s, kRampStep * std::sqrt(2.0 * v / jerk),
+                              kWayStep * from_rest_to_rest_s(length, jerk)})};
+}
+
+// How a cell from one distance from the rest to another is to be divided.
+std::vector<double> lengths_between(const RestRamp& ramp, double from_mm, double to_mm) {
+  std::vector<double> lengths;
+  for (double d = from_mm; d < to_mm;) {
+    const double h =
+        d == 0.0 ? std::min(std::max({ramp.first_mm(), kShortestOfCell * to_mm, kShortest_mm}),
+                            kFirstOfCell * to_mm)
+                 : ramp.cell_mm(d);
+    const bool last = to_mm - d < 1.5 * h;
+    lengths.push_back(last ? to_mm - d : h);
+    d = last ? to_mm : d + h;
+  }
+  return lengths;
+}
+
+}  // namespace
+
+void refine_to_rest(std::vector<Cell>& cells, RestAt where, const PathAt& path,
+                    const PlanLimits& limits) {
+  if (where == RestAt::end) {
+    std::reverse(cells.begin(), cells.end());
+  }
+  const RestRamp ramp = rest_ramp(cells, where, limits);
+  std::vector<Cell> refined;
+  double distance = 0.0;
+  for (const Cell& cell : cells) {
+    const double end = distance + cell.length_mm;
+    std::vector<double> lengths = lengths_between(ramp, distance, end);
+    distance = end;
+    if (where == RestAt::end) {
+      std::reverse(lengths.begin(), lengths.end());
+    }
+    const std::size_t first = refined.size();
+    divide(cell, lengths, where, path, refined);
+    if (where == RestAt::end) {
+      std::reverse(refined.begin() + static_cast<std::ptrdiff_t>(first), refined.end());
+    }
+  }
+  cells = std::move(refined);
+  if (where == RestAt::end) {
+    std::reverse(cells.begin(), cells.end());
+  }
+}
+
+}  // namespace kerf::lookahead

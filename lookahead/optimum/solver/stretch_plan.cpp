@@ -1,0 +1,208 @@
+#include "lookahead/optimum/solver/stretch_plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lookahead/optimum/solver/binding_limit.hpp"
+#include "lookahead/optimum/solver/optimal_feed.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr int kMendings = 8;
+constexpr double kSlight = 1.01;  // slowing down by it is no loss to speak of
+// Of a limit, at the places where it is looked at; what is between two of them is a little more.
+constexpr double kHolds = 0.9999;
+constexpr double kSlower = 0.999;
+constexpr double kLeastFactor = 1e-6;
+constexpr int kSlowings = 3;
+
+void take_off(double excess, double& share) {
+  if (excess > kHolds) {
+    share *= kAim / excess;
+  }
+}
+
+bool holds(const Excess& excess) {
+  return excess.largest() <= kHolds;
+}
+
+void widen(const Excess& excess, Excess& worst) {
+  worst.feedrate = std::max(worst.feedrate, excess.feedrate);
+  worst.acceleration = std::max(worst.acceleration, excess.acceleration);
+  worst.jerk = std::max(worst.jerk, excess.jerk);
+}
+
+}  // namespace
+
+std::optional<StretchPlan> StretchPlan::find(Stretch stretch, const PathAt& path,
+                                             const PlanLimits& limits) {
+  StretchPlan plan;
+  plan.stretch_ = std::move(stretch);
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < plan.stretch_.spline_cells(); ++i) {
+    lengths.push_back(plan.stretch_.cells[i + plan.stretch_.first_spline_cell()].length_mm);
+  }
+  plan.basis_ = feed_basis(lengths);
+  OptimalFeed feed = find_optimal_feed(plan.stretch_, limits);
+  plan.coefficients_ = feed.coefficients;
+  plan.excess_ = plan.check(path, limits);
+  for (int i = 0; i < kMendings && !holds(plan.excess_); ++i) {
+    mend_optimal_feed(plan.stretch_, limits, feed);
+    plan.coefficients_ = feed.coefficients;
+    plan.excess_ = plan.check(path, limits);
+  }
+  plan.newton_steps_ = feed.newton_steps;
+  if (holds(plan.excess_)) {
+    return plan;
+  }
+  if (!plan.stretch_.begin.at_rest()) {
+    return std::nullopt;
+  }
+  plan.slow_down(path, limits);
+  return plan;
+}
+
+// v^2 times a factor: accelerations by the same, jerks by its power of 3/2. Where the search ended
+// in what is no number, from its begin.
+void StretchPlan::slow_down(const PathAt& path, const PlanLimits& limits) {
+  slowed_down_ = !(excess_.largest() <= kSlight);
+  if (!(excess_.largest() < kUnbounded)) {
+    for (Cell& cell : stretch_.cells) {
+      cell.shares = {};
+      cell.planned_squared = 0.0;
+    }
+    coefficients_ = first_feed(stretch_, limits);
+    excess_ = check(path, limits);
+  }
+  for (int i = 0; i < kSlowings && !holds(excess_); ++i) {
+    const double factor =
+        std::min({1.0 / (excess_.feedrate * excess_.feedrate), 1.0 / excess_.acceleration,
+                  std::pow(excess_.jerk, -2.0 / 3.0)});
+    for (double& c : coefficients_) {
+      c *= std::clamp(kSlower * factor, kLeastFactor, kSlower);
+    }
+    excess_ = check(path, limits);
+  }
+}
+
+SquaredFeed StretchPlan::feed_at(const PlanPlace& place) const {
+  const std::size_t i = place.cell - stretch_.first_spline_cell();
+  const SquaredFeed begin = basis_[i].begin.at(&coefficients_[i]);
+  const double s = place.offset_mm;
+  return {.value = begin.value + s * (begin.slope + 0.5 * s * begin.bend),
+          .slope = begin.slope + s * begin.bend,
+          .bend = begin.bend};
+}
+
+StretchBegin StretchPlan::state_at(const PlanPlace& place) const {
+  if (place.cell == 0 && place.offset_mm == 0.0) {
+    return stretch_.begin;
+  }
+  if (place.cell == stretch_.cells.size()) {
+    return {};
+  }
+  if (is_landing(place.cell)) {
+    const SquaredFeed feed = basis_.back().end.at(&coefficients_[basis_.size() - 1]);
+    return {.v_mm_s = std::sqrt(feed.value), .a_mm_s2 = 0.5 * feed.slope};
+  }
+  const SquaredFeed feed = feed_at(place);
+  return {.v_mm_s = std::sqrt(feed.value), .a_mm_s2 = 0.5 * feed.slope};
+}
+
+profiles::CellLaw StretchPlan::law_from(const PlanPlace& place, double longest_s) const {
+  const double length = stretch_.cells[place.cell].length_mm;
+  if (is_launch(place.cell)) {
+    return profiles::CellLaw::launch(state_at({.cell = place.cell + 1}).v_mm_s, length);
+  }
+  if (is_landing(place.cell)) {
+    return profiles::CellLaw::landing(state_at(place).v_mm_s, length);
+  }
+  const SquaredFeed feed = feed_at(place);
+  const profiles::CellLaw::Begin begin{
+      .v_mm_s = std::sqrt(feed.value), .a_mm_s2 = 0.5 * feed.slope, .bend_per_s2 = 0.5 * feed.bend};
+  const double left = length - place.offset_mm;
+  const profiles::CellLaw law = profiles::CellLaw::between(begin, left);
+  return law.duration_s() <= 2.0 * longest_s
+             ? law
+             : profiles::CellLaw::between(begin, law.at(longest_s).s_mm);
+}
+
+SpeedLimit StretchPlan::limit_on(std::size_t cell, const PlanLimits& limits) const {
+  const Cell& at = stretch_.cells[cell];
+  if (is_launch(cell)) {
+    return binding_limit_at_rest(at, state_at({.cell = cell + 1}).v_mm_s, true, limits);
+  }
+  if (is_landing(cell)) {
+    return binding_limit_at_rest(at, state_at({.cell = cell}).v_mm_s, false, limits);
+  }
+  const std::size_t i = cell - stretch_.first_spline_cell();
+  return binding_limit(at,
+                       {.begin = basis_[i].begin.at(&coefficients_[i]),
+                        .end = basis_[i].end.at(&coefficients_[i]),
+                        .coefficient = coefficients_[i + 1]},
+                       limits);
+}
+
+std::size_t StretchPlan::last_braking() const {
+  std::size_t first = stretch_.cells.size();
+  while (first > 0 && state_at({.cell = first - 1}).v_mm_s > state_at({.cell = first}).v_mm_s) {
+    --first;
+  }
+  return first;
+}
+
+double StretchPlan::duration_s() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < stretch_.cells.size(); ++i) {
+    sum += law_from({.cell = i}, kUnbounded).duration_s();
+  }
+  return sum;
+}
+
+Stretch StretchPlan::rest_from(const PlanPlace& place, std::size_t end_cell) const {
+  Stretch stretch{.begin = state_at(place), .cells = {}};
+  for (std::size_t i = place.cell; i < end_cell; ++i) {
+    if (stretch_.cells[i].continues && i > place.cell) {
+      Cell& whole = stretch.cells.back();
+      whole.length_mm = stretch_.cells[i].s_end_mm() - whole.s_begin_mm;
+      whole.end = stretch_.cells[i].end;
+      whole.ends_block = stretch_.cells[i].ends_block;
+      whole.rest_after = stretch_.cells[i].rest_after;
+      continue;
+    }
+    Cell& cell = stretch.cells.emplace_back(stretch_.cells[i]);
+    if (!is_launch(i) && !is_landing(i)) {
+      cell.planned_squared = feed_at({.cell = i, .offset_mm = 0.5 * cell.length_mm}).value;
+    }
+  }
+  if (!stretch.cells.empty()) {
+    stretch.cells.front().s_begin_mm += place.offset_mm;
+    stretch.cells.front().length_mm -= place.offset_mm;
+  }
+  return stretch;
+}
+
+Excess StretchPlan::check(const PathAt& path, const PlanLimits& limits) {
+  Excess worst;
+  for (std::size_t i = 0; i < stretch_.cells.size(); ++i) {
+    Cell& cell = stretch_.cells[i];
+    Excess excess;
+    if (is_launch(i)) {
+      excess = excess_of_rest(cell, state_at({.cell = 1}).v_mm_s, true, path, limits);
+    } else if (is_landing(i)) {
+      excess = excess_of_rest(cell, state_at({.cell = i}).v_mm_s, false, path, limits);
+    } else {
+      excess = excess_of(cell, feed_at({.cell = i}), path, limits);
+    }
+    take_off(excess.feedrate, cell.shares.feedrate);
+    take_off(excess.acceleration, cell.shares.acceleration);
+    take_off(excess.jerk, cell.shares.jerk);
+    widen(excess, worst);
+  }
+  return worst;
+}
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,56 @@
+// What the look-ahead plans: one smooth curve with its limits, or a rest.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "curves/curve.hpp"
+#include "curves/extra_way.hpp"
+#include "lookahead/path/ceiling.hpp"
+#include "lookahead/path/limits.hpp"
+#include "profiles/shape_value.hpp"
+#include "smoothing/path_part.hpp"
+
+namespace kerf::lookahead {
+
+// Limits along the path that hold from end to end of a curve.
+struct BlockLimits {
+  double feedrate_mm_s = 0.0;
+  profiles::RampLimits ramp{};
+  LimitOrigins from{};
+};
+
+// The direction and curvature of the path where two blocks meet, and what bounds them there.
+struct BlockEnd {
+  curves::Position tangent{};
+  curves::Position curvature_per_mm{};
+  double third_per_mm2 = 0.0;            // bound of |q'''| of the curve, 0 where it does not bind
+  curves::ExtraPosition extra_per_mm{};  // what the extra axes move by the path's length
+};
+
+using smoothing::LineMark;
+
+struct Block {
+  curves::Curve curve;
+  curves::ExtraWay extra{};
+  std::uint32_t line = 0;
+  std::uint64_t run_block = 0;  // parser::Move::block of the move that it begins with
+  // Where the curve stands for more than one line: ascending, the first at 0. Empty: it is of
+  // `line` everywhere.
+  std::vector<LineMark> marks{};
+  bool rapid = false;
+  double length_mm = 0.0;
+  BlockLimits limits{};
+  // The same without what turning on a curve asks of X, Y and Z: programmed, along the path, of
+  // further axes and, on an arc and on a curve that a tick passes over whole, by chord error.
+  BlockLimits along{};
+  BlockEnd begin{};
+  BlockEnd end{};
+  bool stop_after = false;  // exact stop
+  // It goes on where and as the block before ends, in direction and curvature, by construction:
+  // nothing of them jumps there but what rounding left.
+  bool continues = false;
+  Ceiling ceiling{};  // empty: limits.feedrate_mm_s everywhere
+};
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,30 @@
+// Path parts to blocks: a valid curve with its limits and the feedrate it allows at each point.
+#pragma once
+
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "lookahead/path/block.hpp"
+#include "lookahead/path/feed_scan.hpp"
+#include "lookahead/path/limits.hpp"
+#include "parser/move.hpp"
+#include "smoothing/path_error.hpp"
+#include "smoothing/path_part.hpp"
+
+namespace kerf::lookahead {
+
+// plan: that the ceiling of a curve is scanned for (Planner::scan_for). Error: axes move that the
+// machine has no limits of.
+tl::expected<Block, smoothing::PathError> block_of(smoothing::PathPart part,
+                                                   const PlanLimits& limits,
+                                                   ScanFor plan = ScanFor::bounded_jerk);
+
+// Appends the blocks of a move as it is programmed (smoothing/part_builder.hpp). Error: the curve
+// is not valid, with the line to blame.
+tl::expected<void, smoothing::PathError> append_blocks(const parser::Move& move,
+                                                       const PlanLimits& limits,
+                                                       std::vector<Block>& blocks,
+                                                       ScanFor plan = ScanFor::bounded_jerk);
+
+}  // namespace kerf::lookahead

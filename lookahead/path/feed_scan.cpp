@@ -1,0 +1,182 @@
+#include "lookahead/path/feed_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace kerf::lookahead {
+
+using curves::NurbsCurve;
+
+namespace {
+
+// What straight lines between samples may miss of the bound.
+constexpr double kInside = 0.9998;
+// What a plan may add to the way of a tick is taken off the bound, as far as this share is left.
+constexpr double kLeastShare = 0.5;
+
+// The middles of ticks as a ceiling over s. Just before a sharp turn middles run backwards: a tick
+// that begins earlier is let past the turn, one that begins later is not. The slower one counts,
+// and that is the later one.
+Ceiling in_order(const Ceiling& samples) {
+  Ceiling kept;
+  for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
+    if (kept.empty() || sample->s_mm < kept.back().s_mm) {
+      kept.push_back(*sample);
+    }
+  }
+  std::reverse(kept.begin(), kept.end());
+  return kept;
+}
+
+// Along the path at a feedrate: of an axis it may be higher than its limit by what turning takes
+// off. Both unbounded where nothing binds.
+MotionLimits ramp_at(const NurbsCurve& curve, const FeedSample& at, const ScanLimits& limits) {
+  MotionLimits ramp = limits.along;
+  const curves::PathDerivatives path = curve.derivatives_at(at.s_mm);
+  const double squared = at.v_mm_s * at.v_mm_s;
+  for (std::size_t k = 0; k < path.first.size(); ++k) {
+    if (path.first[k] != 0.0) {
+      const double along = std::abs(path.first[k]);
+      const double across = std::abs(path.second_per_mm[k]) * squared;
+      const double turning = std::abs(path.third_per_mm2[k]) * squared * at.v_mm_s;
+      ramp.acceleration_mm_s2 =
+          std::min(ramp.acceleration_mm_s2, (limits.axes[k].acceleration_mm_s2 + across) / along);
+      ramp.jerk_mm_s3 = std::min(ramp.jerk_mm_s3, (limits.axes[k].jerk_mm_s3 + turning) / along);
+    }
+  }
+  return ramp;
+}
+
+// By how much the mean feedrate of a tick may be above the one at its middle.
+struct Excess {
+  double on_slope_mm_s = 0.0;
+  double in_valley_mm_s = 0.0;
+};
+
+Excess excess_at(const NurbsCurve& curve, const FeedSample& middle, const ScanLimits& limits) {
+  const MotionLimits ramp = ramp_at(curve, middle, limits);
+  const double by_jerk = ramp.jerk_mm_s3 * limits.period_s * limits.period_s / 24.0;
+  const double by_jump = 0.25 * ramp.acceleration_mm_s2 * limits.period_s;
+  const double on_slope = std::isfinite(by_jerk) ? by_jerk : 0.0;
+  return {.on_slope_mm_s = on_slope,
+          .in_valley_mm_s =
+              limits.plan == ScanFor::trapezoid && std::isfinite(by_jump) ? by_jump : on_slope};
+}
+
+// Of a tick that may be run nowhere faster than its mean.
+struct HeldTick {
+  double begin_mm = 0.0;
+  double end_mm = 0.0;
+  double v_mm_s = 0.0;
+};
+
+FeedSample sample_at(const NurbsCurve& curve, double s_mm, const FeedSample& like) {
+  FeedSample sample = like;
+  sample.s_mm = s_mm;
+  sample.u = curve.pieces()[curve.piece_index(s_mm)].u_at(s_mm);
+  return sample;
+}
+
+bool is_before(const FeedSample& a, const FeedSample& b) {
+  return a.s_mm < b.s_mm;
+}
+
+// Between two samples, or as the first or last one.
+FeedSample on_line(const Ceiling& ceiling, double s_mm, const NurbsCurve& curve) {
+  const auto after =
+      std::upper_bound(ceiling.begin(), ceiling.end(), FeedSample{.s_mm = s_mm}, is_before);
+  FeedSample sample = sample_at(curve, s_mm, after == ceiling.begin() ? *after : *(after - 1));
+  if (after != ceiling.begin() && after != ceiling.end()) {
+    const FeedSample& before = *(after - 1);
+    const double share = (s_mm - before.s_mm) / (after->s_mm - before.s_mm);
+    sample.v_mm_s += share * (after->v_mm_s - before.v_mm_s);
+  }
+  return sample;
+}
+
+// From end to end of the curve, of samples that may lie beside it.
+Ceiling along(const NurbsCurve& curve, const Ceiling& middles) {
+  const double length = curve.length_mm();
+  Ceiling ceiling{on_line(middles, 0.0, curve)};
+  for (const FeedSample& middle : middles) {
+    if (middle.s_mm > 0.0 && middle.s_mm < length) {
+      ceiling.push_back(sample_at(curve, middle.s_mm, middle));
+    }
+  }
+  ceiling.push_back(on_line(middles, length, curve));
+  return ceiling;
+}
+
+// The samples with those at the ends of the ticks, on the lines between.
+Ceiling with_ends(const Ceiling& ceiling, const std::vector<HeldTick>& ticks,
+                  const NurbsCurve& curve) {
+  Ceiling all = ceiling;
+  for (const HeldTick& tick : ticks) {
+    all.push_back(on_line(ceiling, tick.begin_mm, curve));
+    all.push_back(on_line(ceiling, tick.end_mm, curve));
+  }
+  std::stable_sort(all.begin(), all.end(), is_before);
+  const auto is_same = [](const FeedSample& a, const FeedSample& b) {
+    return !(b.s_mm > a.s_mm && b.u > a.u);
+  };
+  all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
+  all.back().s_mm = ceiling.back().s_mm;  // u may tell less apart than s
+  return all;
+}
+
+// No sample higher than the slowest tick over it. The ticks ascend by their begin.
+void hold(const std::vector<HeldTick>& ticks, Ceiling& ceiling) {
+  const auto is_faster = [](const HeldTick& a, const HeldTick& b) { return a.v_mm_s > b.v_mm_s; };
+  std::priority_queue<HeldTick, std::vector<HeldTick>, decltype(is_faster)> begun(is_faster);
+  auto next = ticks.begin();
+  for (FeedSample& at : ceiling) {
+    for (; next != ticks.end() && next->begin_mm <= at.s_mm; ++next) {
+      begun.push(*next);
+    }
+    while (!begun.empty() && begun.top().end_mm < at.s_mm) {
+      begun.pop();
+    }
+    if (!begun.empty() && begun.top().v_mm_s < at.v_mm_s) {
+      at.v_mm_s = begun.top().v_mm_s;
+      at.limit = SpeedLimit::chord_error;
+    }
+  }
+}
+
+}  // namespace
+
+Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
+  const double length = curve.length_mm();
+  Ceiling middles;
+  std::vector<HeldTick> held;
+  for (const TickBound& bound : tick_bounds(curve, limits)) {
+    const bool binds = bound.v_mm_s < limits.feedrate_mm_s;
+    const double way = bound.v_mm_s * limits.period_s;
+    const double middle = bound.s_mm + 0.5 * way;
+    double v = bound.v_mm_s;
+    if (binds) {
+      const Excess excess =
+          excess_at(curve, {.s_mm = std::clamp(middle, 0.0, length), .v_mm_s = v}, limits);
+      v = kInside * std::max(v - excess.on_slope_mm_s, kLeastShare * v);
+      const HeldTick tick{.begin_mm = std::max(bound.s_mm, 0.0),
+                          .end_mm = std::min(bound.s_mm + way, length),
+                          .v_mm_s = kInside * bound.v_mm_s};
+      if (excess.in_valley_mm_s > (1.0 - kLeastShare) * bound.v_mm_s &&
+          tick.begin_mm < tick.end_mm) {
+        held.push_back(tick);
+      }
+    }
+    middles.push_back({.s_mm = middle,
+                       .v_mm_s = v,
+                       .limit = binds ? SpeedLimit::chord_error : limits.feedrate_from});
+  }
+  Ceiling ceiling = along(curve, in_order(middles));
+  if (!held.empty()) {
+    ceiling = with_ends(ceiling, held, curve);
+    hold(held, ceiling);
+  }
+  return ceiling;
+}
+
+}  // namespace kerf::lookahead

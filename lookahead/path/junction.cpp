@@ -1,0 +1,162 @@
+#include "lookahead/path/junction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "profiles/profile.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr double kCoastTicks = 3.0;  // the support of a third difference
+// Below these a joint is as smooth as positions in double precision can tell.
+constexpr double kSmoothTangent = 1e-12;
+constexpr double kSmoothCurvature_per_mm = 1e-12;
+// Two coasts at most fill a block; that much less, and sums of their lengths fit after rounding
+// too.
+constexpr double kBelowRounding = 1.0 - 1e-9;
+
+struct Cubic {
+  double linear = 0.0;
+  double quadratic = 0.0;
+  double cubic = 0.0;
+};
+
+// The largest F with linear F + quadratic F^2 + cubic F^3 <= bound; all terms >= 0. Newton from
+// above on a convex, rising function descends to the root without passing it; rounding is taken off
+// at the end.
+double largest_below(const Cubic& f, double bound) {
+  if (f.quadratic == 0.0 && f.cubic == 0.0) {
+    return f.linear > 0.0 ? bound / f.linear : kUnbounded;  // between lines: always
+  }
+  if (!std::isfinite(bound)) {
+    return kUnbounded;
+  }
+  double x = kUnbounded;
+  if (f.linear > 0.0) {
+    x = std::min(x, bound / f.linear);
+  }
+  if (f.quadratic > 0.0) {
+    x = std::min(x, std::sqrt(bound / f.quadratic));
+  }
+  if (f.cubic > 0.0) {
+    x = std::min(x, std::cbrt(bound / f.cubic));
+  }
+  if (!std::isfinite(x)) {
+    return x;
+  }
+  for (int i = 0; i < 8; ++i) {
+    const double value = x * (f.linear + x * (f.quadratic + x * f.cubic)) - bound;
+    const double slope = f.linear + x * (2.0 * f.quadratic + x * 3.0 * f.cubic);
+    x -= value / slope;
+  }
+  return x * (1.0 - 1e-12);
+}
+
+double limit_or_path(double axis, double path) {
+  return std::isfinite(axis) ? axis : path;
+}
+
+// About what passing at a feedrate saves against a stop: half of braking to rest and half of
+// accelerating from it, by the fastest law there is. It costs the two coasts.
+double saved_s(double feedrate_mm_s, const Block& before, const Block& after) {
+  static const profiles::Profile kFastest(profiles::ProfileKind::s_curve);
+  const profiles::RampLimits& a = before.limits.ramp;
+  const profiles::RampLimits& b = after.limits.ramp;
+  return kFastest.duration_s(
+      feedrate_mm_s, {.acceleration_mm_s2 = std::min(a.acceleration_mm_s2, b.acceleration_mm_s2),
+                      .jerk_mm_s3 = std::min(a.jerk_mm_s3, b.jerk_mm_s3)});
+}
+
+}  // namespace
+
+// How far a tick of length h that sees the joint may leave its chord, at the most: h |du| / 4 by
+// the corner in its middle and h^2 max|k| / 8 by the curvature of both sides.
+double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
+                           const PlanLimits& limits) {
+  const double ts = limits.period_s;
+  const double turn = (curves::vec(after.tangent) - curves::vec(before.tangent)).norm();
+  const double curvature = std::sqrt(std::max(curves::vec(before.curvature_per_mm).squaredNorm(),
+                                              curves::vec(after.curvature_per_mm).squaredNorm()));
+  return largest_below({.linear = 0.25 * turn * ts, .quadratic = 0.125 * curvature * ts * ts},
+                       limits.chord_tolerance_mm);
+}
+
+double passing_feedrate_mm_s(const Block& block, const PlanLimits& limits) {
+  if (block.ceiling.empty() || !std::isfinite(limits.chord_tolerance_mm)) {
+    return kUnbounded;
+  }
+  return std::max(block.length_mm / limits.period_s,
+                  chord_feedrate_mm_s(block.begin, block.end, limits));
+}
+
+double path_step_of(const BlockEnd& before, const BlockEnd& after) {
+  return std::abs(curves::vec(after.tangent).norm() - curves::vec(before.tangent).norm());
+}
+
+double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
+                            const PlanLimits& limits) {
+  const double ts = limits.period_s;
+  const double third = std::max(before.third_per_mm2, after.third_per_mm2);
+  double feedrate = kUnbounded;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const MotionLimits& axis = limits.axes[k];
+    const double turn = std::abs(after.tangent[k] - before.tangent[k]);
+    const double bend = std::abs(after.curvature_per_mm[k] - before.curvature_per_mm[k]);
+    if (turn <= kSmoothTangent && bend <= kSmoothCurvature_per_mm) {
+      continue;
+    }
+    const double curvature =
+        std::max(std::abs(before.curvature_per_mm[k]), std::abs(after.curvature_per_mm[k]));
+    const Cubic acceleration{.linear = turn / ts, .quadratic = curvature};
+    const Cubic jerk{.linear = turn / (ts * ts), .quadratic = 0.75 * bend / ts, .cubic = third};
+    feedrate =
+        std::min({feedrate,
+                  largest_below(acceleration, limit_or_path(axis.acceleration_mm_s2,
+                                                            limits.path.acceleration_mm_s2)),
+                  largest_below(jerk, limit_or_path(axis.jerk_mm_s3, limits.path.jerk_mm_s3))});
+  }
+  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+    const double turn = std::abs(after.extra_per_mm[k] - before.extra_per_mm[k]);
+    if (turn > kSmoothTangent) {
+      const MotionLimits& axis = limits.extra[k];
+      feedrate = std::min(
+          {feedrate, axis.acceleration_mm_s2 * ts / turn, axis.jerk_mm_s3 * ts * ts / turn});
+    }
+  }
+  const double path_step = path_step_of(before, after);
+  if (path_step > kSmoothTangent) {
+    feedrate = std::min({feedrate, limits.path.acceleration_mm_s2 * ts / path_step,
+                         limits.path.jerk_mm_s3 * ts * ts / path_step});
+  }
+  if (feedrate == kUnbounded || limits.chord_tolerance_mm == kUnbounded) {
+    return feedrate;
+  }
+  return std::min(feedrate, chord_feedrate_mm_s(before, after, limits));
+}
+
+Junction junction(const JunctionQuery& query, const PlanLimits& limits) {
+  const Block& before = *query.before;
+  const Block& after = *query.after;
+  const double cap = std::min(before.limits.feedrate_mm_s, after.limits.feedrate_mm_s);
+  if (before.stop_after) {
+    return {.feedrate_mm_s = 0.0};
+  }
+  if (after.continues) {
+    return {.feedrate_mm_s = cap};
+  }
+  const double corner = corner_feedrate_mm_s(before.end, after.begin, limits);
+  if (corner == kUnbounded) {
+    return {.feedrate_mm_s = cap};
+  }
+  const double coast = kCoastTicks * limits.period_s;
+  const double fits = kBelowRounding * std::min(before.length_mm, after.length_mm) / (2.0 * coast);
+  const double feedrate = std::min({cap, corner, fits});
+  if (saved_s(feedrate, before, after) < 2.0 * coast) {
+    return {.feedrate_mm_s = 0.0};
+  }
+  return {.feedrate_mm_s = feedrate, .coast_s = coast};
+}
+
+}  // namespace kerf::lookahead

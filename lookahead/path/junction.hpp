@@ -1,0 +1,52 @@
+// The feedrate at which the joint of two blocks may be passed.
+#pragma once
+
+#include "lookahead/path/block.hpp"
+#include "lookahead/path/limits.hpp"
+
+namespace kerf::lookahead {
+
+// A joint changes the direction of the path by du and its curvature vector by dk. Seen in ticks of
+// Ts, passing it at feedrate F with constant speed gives an axis (MATH section 4; the third
+// difference of positions is x''' averaged with a quadratic B-spline, whose peak is 3/4 of 1/Ts)
+//
+//   acceleration  F |du| / Ts + F^2 max|k|            <= A
+//   jerk          F |du| / Ts^2 + 3/4 F^2 |dk| / Ts + F^3 max|q'''| <= J
+//   chord         F |du| Ts / 4 + F^2 max|k| Ts^2 / 8 <= tolerance
+//
+// (of an extra axis, which is linear in the path's length, and of the path only the terms with
+// |du|), which is solved for the largest F. The last is the path's distance from the straight line
+// between the ticks on both sides, as Green's function of a chord bounds it. The plan keeps the
+// feedrate constant for coast_s on both sides, so that nothing else adds to it in any window of
+// ticks that sees the joint.
+struct Junction {
+  double feedrate_mm_s = kUnbounded;  // 0: stop
+  double coast_s = 0.0;               // 0 where the joint is smooth or a stop
+};
+
+struct JunctionQuery {
+  const Block* before = nullptr;
+  const Block* after = nullptr;
+};
+
+// Where an axis has no limit of its own, that of the path stands in. A block that continues the one
+// before is joined smoothly, whatever rounding left of a difference.
+Junction junction(const JunctionQuery& query, const PlanLimits& limits);
+
+// By what share of itself the feedrate along X, Y and Z jumps: 1 where a block on which only
+// further axes move joins one on which they move, or the other way round, else 0.
+double path_step_of(const BlockEnd& before, const BlockEnd& after);
+
+// The bound by the chord error alone.
+double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after, const PlanLimits& limits);
+
+// The feedrate that the block may have inside and at its ends. The chord scan bounds ticks whose
+// middle is on the curve. One that passes over a whole curve has its chord over the corner that the
+// curve rounds, and a curve shorter than a tick's way may round any corner within the tolerance.
+double passing_feedrate_mm_s(const Block& block, const PlanLimits& limits);
+
+// All bounds, without regard to lengths and without the choice to stop.
+double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
+                            const PlanLimits& limits);
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,103 @@
+#include "programs/kerf/cli/machine_choice.hpp"
+
+#include <array>
+#include <cerrno>
+#include <filesystem>
+
+#include "kernel/machine_file.hpp"
+#include "parser/offsets/tool_table.hpp"
+#include "programs/kerf/io/descriptor.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+// One byte more than a machine file may have: the parser says that it is too long.
+constexpr std::size_t kMostBytes = (std::size_t{1} << 20U) + 1;
+
+// Error: why it cannot be read.
+tl::expected<std::string, std::string> read_text(const std::string& path) {
+  const auto file = open_regular(path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  std::string text;
+  std::array<char, 16'384> buffer{};
+  while (text.size() < kMostBytes) {
+    const ssize_t count = ::read(file->number(), buffer.data(), buffer.size());
+    if (count == 0) {
+      break;
+    }
+    if (count > 0) {
+      text.append(buffer.data(), static_cast<std::size_t>(count));
+    } else if (errno != EINTR) {
+      return tl::unexpected(error_text(errno));
+    }
+  }
+  return text;
+}
+
+tl::unexpected<MachineRefusal> unreadable(const std::string& path, const std::string& why) {
+  return tl::unexpected(
+      MachineRefusal{.status = ExitStatus::io_error, .messages = {path + ": error: " + why}});
+}
+
+tl::expected<MachineSettings, MachineRefusal> read_machine(const std::string& path) {
+  const auto text = read_text(path);
+  if (!text) {
+    return unreadable(path, text.error());
+  }
+  auto settings = parse_machine_file(*text);
+  if (settings) {
+    return *std::move(settings);
+  }
+  MachineRefusal refusal;
+  for (const SettingsError& error : settings.error()) {
+    refusal.messages.push_back(to_string(error, path));
+  }
+  return tl::unexpected(refusal);
+}
+
+tl::expected<parser::ToolTable, MachineRefusal> read_tools(const std::string& path) {
+  const auto text = read_text(path);
+  if (!text) {
+    return unreadable(path, text.error());
+  }
+  auto table = parser::read_tool_table(*text);
+  if (table) {
+    return *std::move(table);
+  }
+  MachineRefusal refusal;
+  for (const parser::ToolTableError& error : table.error()) {
+    refusal.messages.push_back(path + ":" + std::to_string(error.line) + ":" +
+                               std::to_string(error.column) + ": error: " + error.message);
+  }
+  return tl::unexpected(refusal);
+}
+
+}  // namespace
+
+tl::expected<MachineSettings, MachineRefusal> choose_machine(const MachineFiles& files) {
+  MachineSettings settings = default_machine();
+  if (files.machine) {
+    auto read = read_machine(*files.machine);
+    if (!read) {
+      return tl::unexpected(read.error());
+    }
+    settings = *std::move(read);
+  }
+  std::string tools = files.tools.value_or("");
+  if (tools.empty() && !settings.tool_file.empty()) {
+    tools = std::filesystem::path(*files.machine).replace_filename(settings.tool_file).string();
+  }
+  if (!tools.empty()) {
+    auto table = read_tools(tools);
+    if (!table) {
+      return tl::unexpected(table.error());
+    }
+    settings.program.tools = *std::move(table);
+  }
+  return settings;
+}
+
+}  // namespace kerf::program

@@ -1,0 +1,29 @@
+// The machine that the command line names.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "kernel/settings.hpp"
+#include "programs/kerf/exit_status.hpp"
+
+namespace kerf::program {
+
+struct MachineRefusal {
+  ExitStatus status = ExitStatus::settings_error;  // or io_error: the file cannot be read
+  std::vector<std::string> messages;  // with file, line and column where there is a place
+};
+
+// Which files the command line names; without a machine file it is the default table.
+struct MachineFiles {
+  std::optional<std::string> machine;
+  std::optional<std::string> tools;  // in place of the machine's tool table
+};
+
+// A tool table that the machine file names is looked for beside it.
+tl::expected<MachineSettings, MachineRefusal> choose_machine(const MachineFiles& files);
+
+}  // namespace kerf::program

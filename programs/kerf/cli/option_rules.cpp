@@ -1,0 +1,101 @@
+#include "programs/kerf/cli/option_rules.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <system_error>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "profiles/sigmoid.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+struct Unit {
+  std::string_view name;
+  double factor;
+};
+constexpr std::array kTimeUnits{Unit{"", 1.0}, Unit{"s", 1.0}, Unit{"min", 60.0}, Unit{"h", 3600.0},
+                                Unit{"d", 86'400.0}};
+constexpr std::array kSizeUnits{Unit{"", 1.0},       Unit{"B", 1.0},         Unit{"kB", 1e3},
+                                Unit{"MB", 1e6},     Unit{"GB", 1e9},        Unit{"TB", 1e12},
+                                Unit{"KiB", 1024.0}, Unit{"MiB", 1048576.0}, Unit{"GiB", 0x1p30},
+                                Unit{"TiB", 0x1p40}};
+
+// A plain decimal number and one of the units.
+template <std::size_t kUnits>
+std::optional<double> amount_of(std::string_view text, const std::array<Unit, kUnits>& units) {
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number, std::chars_format::fixed);
+  if (read.ec != std::errc()) {
+    return std::nullopt;
+  }
+  const std::string_view name(read.ptr, static_cast<std::size_t>(end - read.ptr));
+  const auto unit = std::find_if(units.begin(), units.end(),
+                                 [name](const Unit& known) { return known.name == name; });
+  return unit == units.end() ? std::nullopt : std::optional(number * unit->factor);
+}
+
+}  // namespace
+
+std::optional<double> duration_s_of(std::string_view text) {
+  constexpr double kMost_s = 1e10;
+  const auto time = amount_of(text, kTimeUnits);
+  return time && *time > 0.0 && *time <= kMost_s ? time : std::nullopt;
+}
+
+std::optional<std::uint64_t> bytes_of(std::string_view text) {
+  constexpr double kMost = 0x1p60;
+  const auto size = amount_of(text, kSizeUnits);
+  if (!size || !(*size >= 1.0 && *size <= kMost)) {
+    return std::nullopt;
+  }
+  return static_cast<std::uint64_t>(*size);
+}
+
+std::optional<parser::BlockDelete> block_delete_of(std::string_view text) {
+  if (text == "all") {
+    return parser::BlockDelete::all();
+  }
+  parser::BlockDelete switches;
+  for (std::size_t at = 0; at < text.size() || at == 0; at += 2) {
+    const bool number = at < text.size() && text[at] >= '1' && text[at] <= '9';
+    if (!number || (at + 1 < text.size() && (text[at + 1] != ',' || at + 2 == text.size()))) {
+      return std::nullopt;
+    }
+    switches.switch_on(static_cast<unsigned>(text[at] - '0'));
+  }
+  return switches;
+}
+
+std::optional<std::string> contradiction(const Options& options) {
+  if (options.files.size() > 1 && (options.trace_file || options.plot_file)) {
+    return "--trace and --plot take one FILE at a time";
+  }
+  if (options.json && options.trace_file == "-") {
+    return "--json and --trace - both write to standard output";
+  }
+  if (options.json && options.command == Command::check &&
+      options.format != DiagnosticFormat::text) {
+    return "--json and --format both write to standard output";
+  }
+  if (options.sigmoid_shape && options.profile != profiles::ProfileKind::sigmoid) {
+    return "--sigmoid-shape goes with --profile sigmoid";
+  }
+  // Not CLI::Range: it lets NaN pass.
+  using profiles::Sigmoid;
+  if (options.sigmoid_shape && !(*options.sigmoid_shape >= Sigmoid::kSmallestShape &&
+                                 *options.sigmoid_shape <= Sigmoid::kLargestShape)) {
+    return fmt::format("--sigmoid-shape: s is to be {} to {}", Sigmoid::kSmallestShape,
+                       Sigmoid::kLargestShape);
+  }
+  if (std::count(options.files.begin(), options.files.end(), "-") > 1) {
+    return "standard input can be read only once";
+  }
+  return std::nullopt;
+}
+
+}  // namespace kerf::program

@@ -1,0 +1,29 @@
+// What values options may have, and which of them go together.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "parser/block_delete.hpp"
+#include "programs/kerf/options.hpp"
+
+namespace kerf::program {
+
+// "all", or numbers from 1 to 9 with commas between them; nothing where it is neither.
+std::optional<parser::BlockDelete> block_delete_of(std::string_view text);
+
+// "90", "90s", "5min", "2.5h", "30d" in seconds; nothing where it is none of these, not more than 0
+// or more than 1e10 s.
+std::optional<double> duration_s_of(std::string_view text);
+
+// "1000", "500MB", "4GiB" in bytes, at least 1; kB, MB, GB, TB are powers of 1000, KiB to TiB of
+// 1024. Nothing where it is none of these, or more than 2^60.
+std::optional<std::uint64_t> bytes_of(std::string_view text);
+
+// What is wrong with the options that the command line itself lets pass, as a sentence; nothing:
+// they go together.
+std::optional<std::string> contradiction(const Options& options);
+
+}  // namespace kerf::program

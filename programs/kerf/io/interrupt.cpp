@@ -1,0 +1,51 @@
+#include "programs/kerf/io/interrupt.hpp"
+
+#include <atomic>
+#include <csignal>
+#include <unistd.h>
+
+namespace kerf::program {
+
+namespace {
+
+// A handler can reach nothing but what is global.
+// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
+std::atomic<int> first_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free, "or the handler may not touch it");
+
+void on_signal(int signal) {
+  int none = 0;
+  if (!first_signal.compare_exchange_strong(none, signal)) {
+    _exit(128 + signal);
+  }
+}
+
+}  // namespace
+
+void install_signal_handlers() {
+  struct sigaction action {};
+  sigemptyset(&action.sa_mask);
+  action.sa_handler = on_signal;  // without SA_RESTART: a read that waits for a person must end
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    sigaction(signal, &action, nullptr);
+  }
+  action.sa_handler = SIG_IGN;
+  for (const int signal : {SIGPIPE, SIGXFSZ}) {
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+std::optional<ExitStatus> stop_requested() noexcept {
+  switch (first_signal.load(std::memory_order_relaxed)) {
+    case 0:
+      return std::nullopt;
+    case SIGTERM:
+      return ExitStatus::terminated;
+    case SIGHUP:
+      return ExitStatus::hung_up;
+    default:
+      return ExitStatus::interrupted;
+  }
+}
+
+}  // namespace kerf::program

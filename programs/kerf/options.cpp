@@ -1,0 +1,19 @@
+#include "programs/kerf/options.hpp"
+
+namespace kerf::program {
+
+std::string_view name_of(Command command) noexcept {
+  switch (command) {
+    case Command::run:
+      return "run";
+    case Command::check:
+      return "check";
+    case Command::explain:
+      return "explain";
+    case Command::dry_run:
+      break;
+  }
+  return "dry-run";
+}
+
+}  // namespace kerf::program

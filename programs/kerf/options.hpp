@@ -1,0 +1,45 @@
+// What the command line asks for.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "parser/block_delete.hpp"
+#include "parser/dialect.hpp"
+#include "profiles/profile.hpp"
+#include "programs/kerf/speed_question.hpp"
+
+namespace kerf::program {
+
+enum class Command : unsigned char { dry_run, run, check, explain };
+
+std::string_view name_of(Command command) noexcept;
+
+// How errors and warnings are written: for people, or as one document for programs.
+enum class DiagnosticFormat : unsigned char { text, json, sarif };
+
+struct Options {
+  Command command = Command::dry_run;
+  std::vector<std::string> files;
+  std::optional<std::string> machine_file;
+  std::optional<std::string> tool_file;
+  profiles::ProfileKind profile = profiles::kDefaultProfile;
+  std::optional<double> sigmoid_shape;
+  std::optional<std::string> trace_file;
+  std::optional<std::string> plot_file;
+  double max_time_s = 30.0 * 86'400.0;  // of machine time that a program may take
+  std::uint64_t max_trace_bytes = std::uint64_t{4} << 30U;
+  std::size_t window_blocks = 1000;
+  std::uint32_t explained_line = 0;  // of Command::explain
+  std::optional<SpeedQuestion> explained_speed;
+  DiagnosticFormat format = DiagnosticFormat::text;
+  std::optional<parser::Dialect> dialect;  // nothing: that of the machine file
+  parser::BlockDelete block_delete;
+  bool json = false;
+  bool quiet = false;
+};
+
+}  // namespace kerf::program

@@ -1,0 +1,45 @@
+// What a plot keeps of a run, in bounded memory.
+#pragma once
+
+#include <optional>
+
+#include "curves/position.hpp"
+#include "programs/kerf/plot/path_outline.hpp"
+#include "programs/kerf/plot/projection.hpp"
+#include "programs/kerf/report/limit_band.hpp"
+#include "programs/kerf/report/min_max_series.hpp"
+#include "programs/kerf/report/tick_record.hpp"
+
+namespace kerf::program {
+
+class PlotData {
+ public:
+  // extents: of the whole path, known before it runs; they set how fine the outline is.
+  explicit PlotData(const curves::Extents& extents);
+
+  // From the first tick on the plot keeps what held the feed down, too.
+  void add_limits() { limits_.emplace(); }
+  void add(const TickRecord& record);
+
+  [[nodiscard]] View view() const noexcept { return view_; }
+  [[nodiscard]] const PathOutline& outline() const noexcept { return outline_; }
+  [[nodiscard]] const MinMaxSeries& v() const noexcept { return v_; }
+  [[nodiscard]] const MinMaxSeries& a() const noexcept { return a_; }
+  [[nodiscard]] const MinMaxSeries& j() const noexcept { return j_; }
+  [[nodiscard]] const std::optional<LimitBand>& limits() const noexcept { return limits_; }
+  // The largest feedrate outside rapids; 0 where there is none.
+  [[nodiscard]] double max_feedrate_mm_s() const noexcept { return max_feedrate_mm_s_; }
+  [[nodiscard]] std::int64_t last_tick() const noexcept { return last_tick_; }
+
+ private:
+  View view_;
+  PathOutline outline_;
+  MinMaxSeries v_;
+  MinMaxSeries a_;
+  MinMaxSeries j_;
+  std::optional<LimitBand> limits_;
+  double max_feedrate_mm_s_ = 0.0;
+  std::int64_t last_tick_ = 0;
+};
+
+}  // namespace kerf::program

@@ -1,0 +1,24 @@
+// The picture of a run: the path coloured by feedrate, and v, a and j over time under it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lookahead/path/limits.hpp"
+#include "programs/kerf/plot/plot_data.hpp"
+#include "smoothing/departure.hpp"
+
+namespace kerf::program {
+
+struct PlotCaption {
+  std::string title;
+  std::string subtitle;
+  double period_s = 0.001;
+  lookahead::MotionLimits limits{};  // along the path; drawn where they are finite
+  std::optional<smoothing::Departure> deviation{};
+};
+
+// A whole SVG document.
+[[nodiscard]] std::string svg_plot(const PlotData& data, const PlotCaption& caption);
+
+}  // namespace kerf::program

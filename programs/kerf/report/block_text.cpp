@@ -1,0 +1,81 @@
+#include "programs/kerf/report/block_text.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
+
+#include "parser/codes_in_force.hpp"
+#include "programs/kerf/io/number_text.hpp"
+#include "programs/kerf/io/visible_text.hpp"
+#include "programs/kerf/report/extra_axes.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+std::string point_text(const parser::Point& point_mm) {
+  return fmt::format("x {}, y {}, z {} mm", fixed_number(point_mm[0], 3),
+                     fixed_number(point_mm[1], 3), fixed_number(point_mm[2], 3));
+}
+
+std::string feed_text(const parser::ModalState& state) {
+  return state.feedrate_mm_s ? short_number(60.0 * *state.feedrate_mm_s) + " mm/min" : "none yet";
+}
+
+void append_offsets(std::string& text, const parser::Coordinates& coordinates) {
+  const auto out = std::back_inserter(text);
+  const parser::WorkOffset& work = coordinates.work(coordinates.system());
+  fmt::format_to(out, "  work offset     {}", point_text(work.origin_mm));
+  if (work.rotation_deg != 0.0) {
+    fmt::format_to(out, ", turned by {} degrees", short_number(work.rotation_deg));
+  }
+  fmt::format_to(out, "\n  G52, G92        {}\n  tool offset     {}\n",
+                 point_text(coordinates.local_mm()), point_text(coordinates.tool_mm()));
+}
+
+}  // namespace
+
+std::string block_text(const FileReport& report) {
+  if (!report.block) {
+    return {};
+  }
+  const BlockReport& block = *report.block;
+  const parser::ModalState& state = block.block.state;
+  std::string words = block.block.text;
+  std::replace(words.begin(), words.end(), '\t', ' ');
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}:{}: {}\n", visible(report.file), block.line, visible(words));
+  fmt::format_to(out, "  begins at       {} of {}", clock_time(block.begin_s),
+                 clock_time(report.plan->cycle_time_s));
+  if (block.duration_s > 0.0) {
+    fmt::format_to(out, ", takes {} s", short_number(block.duration_s));
+  }
+  text += "\n  in force before it:\n";
+  fmt::format_to(out, "  codes           {}\n", fmt::join(parser::codes_in_force(state), " "));
+  const parser::Coordinates& coordinates = state.coordinates;
+  fmt::format_to(out, "  position        {} on the machine\n", point_text(state.position_mm));
+  for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
+    fmt::format_to(out, "                  {} {} {} on the machine, {} in the program\n", axis.name,
+                   fixed_number(state.extra_deg_mm[axis.index], 3), axis.unit,
+                   fixed_number(coordinates.extra_to_program(state.extra_deg_mm)[axis.index], 3));
+  }
+  if (!coordinates.plain()) {
+    fmt::format_to(out, "                  {} in the program\n",
+                   point_text(coordinates.to_program(state.position_mm)));
+    append_offsets(text, coordinates);
+  }
+  if (state.path_mode == parser::PathMode::blend) {
+    fmt::format_to(out, "  G64             P {}, Q {} mm\n", short_number(state.blend_tolerance_mm),
+                   short_number(state.merge_tolerance_mm));
+  }
+  fmt::format_to(out, "  feed            {}\n", feed_text(state));
+  fmt::format_to(out, "  spindle         S{}\n", short_number(state.spindle_speed));
+  fmt::format_to(out, "  tool            T{} loaded, T{} selected\n", state.loaded_tool,
+                 short_number(state.tool));
+  return text;
+}
+
+}  // namespace kerf::program

@@ -1,0 +1,212 @@
+#include "programs/kerf/report/json_report.hpp"
+
+#include <nlohmann/json.hpp>
+#include <spdlog/fmt/fmt.h>
+
+#include "parser/codes_in_force.hpp"
+#include "programs/kerf/report/extra_axes.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+// Keys in the order in which they are set.
+using Json = nlohmann::ordered_json;
+
+Json peaks_json(const Peaks& peaks) {
+  return {{"v_mm_s", peaks.v_mm_s}, {"a_mm_s2", peaks.a_mm_s2}, {"j_mm_s3", peaks.j_mm_s3}};
+}
+
+Json axes_json(const std::array<double, 3>& values) {
+  return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}};
+}
+
+// The straight ones of the machine's other axes go beside x, y and z, the turning ones into a table
+// of their own.
+void add_extra(Json& in_mm, Json& in_deg, const FileReport& report,
+               const curves::ExtraPosition& values_rad_mm) {
+  for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
+    (axis.unit == "deg" ? in_deg : in_mm)[axis.name] = axis.factor * values_rad_mm[axis.index];
+  }
+}
+
+Json extents_json(const FileReport& report) {
+  const PlanReport& plan = *report.plan;
+  Json extents{{"min_mm", axes_json(plan.extents.min_mm)},
+               {"max_mm", axes_json(plan.extents.max_mm)}};
+  Json min_deg;
+  Json max_deg;
+  add_extra(extents["min_mm"], min_deg, report, plan.extra_extents.min_rad_mm);
+  add_extra(extents["max_mm"], max_deg, report, plan.extra_extents.max_rad_mm);
+  if (!min_deg.empty()) {
+    extents["min_deg"] = min_deg;
+    extents["max_deg"] = max_deg;
+  }
+  return extents;
+}
+
+Json deviation_json(const smoothing::Departure& deviation) {
+  Json json{{"max_mm", deviation.distance_mm}};
+  if (deviation.distance_mm > 0.0) {
+    json["tolerance_mm"] = deviation.tolerance_mm;
+    json["at_mm"] = axes_json(deviation.at_mm);
+    json["line"] = deviation.line;
+  }
+  return json;
+}
+
+void set_plan(Json& json, const FileReport& report) {
+  const PlanReport& plan = *report.plan;
+  json["cycle_time_s"] = plan.cycle_time_s;
+  json["ticks"] = plan.ticks;
+  json["path_length_mm"] = plan.path_length_mm;
+  json["blocks"] = plan.blocks;
+  json["extents"] = extents_json(report);
+  json["deviation"] = deviation_json(plan.deviation);
+}
+
+void set_block(Json& json, const FileReport& file) {
+  const BlockReport& report = *file.block;
+  const parser::ModalState& state = report.block.state;
+  const parser::WorkOffset& work = state.coordinates.work(state.coordinates.system());
+  json["block"] = {
+      {"line", report.line},
+      {"text", report.block.text},
+      {"begin_s", report.begin_s},
+      {"duration_s", report.duration_s},
+      {"codes", parser::codes_in_force(state)},
+      {"position_mm", axes_json(state.position_mm)},
+      {"program_position_mm", axes_json(state.coordinates.to_program(state.position_mm))},
+      {"work_offset_mm", axes_json(work.origin_mm)},
+      {"work_rotation_deg", work.rotation_deg},
+      {"local_offset_mm", axes_json(state.coordinates.local_mm())},
+      {"tool_offset_mm", axes_json(state.coordinates.tool_mm())},
+      {"corner_tolerance_mm", state.blend_tolerance_mm},
+      {"merge_tolerance_mm", state.merge_tolerance_mm},
+      {"feedrate_mm_s", state.feedrate_mm_s ? Json(*state.feedrate_mm_s) : Json()},
+      {"spindle_speed", state.spindle_speed},
+      {"tool", state.loaded_tool},
+      {"selected_tool", state.tool}};
+  for (const ExtraAxis& axis : extra_axes(file.extra_axes)) {
+    const std::string unit = fmt::format("_{}", axis.unit);
+    json["block"]["position" + unit][axis.name] = state.extra_deg_mm[axis.index];
+    json["block"]["program_position" + unit][axis.name] =
+        state.coordinates.extra_to_program(state.extra_deg_mm)[axis.index];
+  }
+}
+
+void set_motion(Json& json, const FileReport& report) {
+  const MotionReport& motion = *report.motion;
+  json["max"] = {{"path", peaks_json(motion.path)},
+                 {"axes",
+                  {{"x", peaks_json(motion.axes[0])},
+                   {"y", peaks_json(motion.axes[1])},
+                   {"z", peaks_json(motion.axes[2])}}}};
+  for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
+    const Peaks& peaks = motion.extra[axis.index];
+    const double k = axis.factor;
+    json["max"]["axes"][axis.name] = axis.unit == "mm" ? peaks_json(peaks)
+                                                       : Json{{"v_deg_s", k * peaks.v_mm_s},
+                                                              {"a_deg_s2", k * peaks.a_mm_s2},
+                                                              {"j_deg_s3", k * peaks.j_mm_s3}};
+  }
+  json["limits_exceeded"] = Json::array();
+  for (const LimitUse& use : limit_uses(motion, report.limits, report.extra_axes)) {
+    if (use.is_exceeded()) {
+      json["limits_exceeded"].push_back({{"where", use.where},
+                                         {"quantity", use.quantity},
+                                         {"unit", use.unit},
+                                         {"value", use.peak},
+                                         {"limit", use.limit},
+                                         {"ratio", use.ratio()}});
+    }
+  }
+  json["chord_error_mm"] = motion.chord_error_mm;
+  json["contour_error"] = {{"max_mm", motion.max_contour_error_mm},
+                           {"mean_mm", motion.mean_contour_error_mm}};
+  json["following_error"] = {{"max_mm", axes_json(motion.max_following_error_mm)}};
+  json["starved_ticks"] = motion.starved_ticks;
+}
+
+Json limits_json(const FileReport& report, const LineSpeed& line) {
+  Json limits = Json::object();
+  for (const LimitTime& part : line.limits) {
+    const auto ticks = static_cast<double>(part.ticks);
+    limits[key_of(part.limit)] = {{"time_s", ticks * report.period_s},
+                                  {"share", ticks / static_cast<double>(line.ticks)}};
+  }
+  return limits;
+}
+
+void set_speed(Json& json, const FileReport& report) {
+  const SpeedReport& speed = *report.speed;
+  json["speed_limits"] = limits_json(report, speed.whole);
+  json["stops"] = speed.stops;
+  json["speed_limits_of_lines"] = Json::array();
+  for (const LineSpeed& line : speed.lines) {
+    json["speed_limits_of_lines"].push_back(
+        {{"line", line.line},
+         {"time_s", static_cast<double>(line.ticks) * report.period_s},
+         {"limits", limits_json(report, line)}});
+  }
+  if (speed.tick) {
+    json["speed_limit_at"] = {{"t_s", static_cast<double>(speed.tick->tick) * report.period_s},
+                              {"line", speed.tick->line},
+                              {"v_mm_s", speed.tick->v_mm_s},
+                              {"limit", key_of(speed.tick->limit)}};
+  }
+}
+
+}  // namespace
+
+std::string json_report(const FileReport& report) {
+  Json json;
+  json["schema_version"] = kJsonSchemaVersion;
+  json["file"] = report.file;
+  json["command"] = name_of(report.command);
+  json["exit_status"] = to_int(report.status);
+  json["machine"] = report.machine;
+  json["profile"] = report.profile;
+  json["period_s"] = report.period_s;
+  if (report.plan) {
+    set_plan(json, report);
+  }
+  if (report.block) {
+    set_block(json, report);
+  }
+  if (report.motion) {
+    set_motion(json, report);
+  }
+  if (report.speed) {
+    set_speed(json, report);
+  }
+  if (report.clock) {
+    json["late_ticks"] = report.clock->late_ticks;
+    json["worst_delay_s"] = report.clock->worst_delay_s;
+  }
+  json["warnings"] = Json::array();
+  json["errors"] = Json::array();
+  for (const parser::Diagnostic& diagnostic : report.diagnostics) {
+    if (diagnostic.severity == parser::Severity::warning) {
+      json["warnings"].push_back(
+          fmt::format("line {}: {}", diagnostic.source.line, diagnostic.message));
+    } else {
+      json["errors"].push_back({{"line", diagnostic.source.line},
+                                {"column", diagnostic.source.column},
+                                {"message", diagnostic.message},
+                                {"id", parser::identifier(*diagnostic.page)}});
+    }
+  }
+  for (const std::string& warning : report.warnings) {
+    json["warnings"].push_back(warning);
+  }
+  for (const std::string& failure : report.failures) {
+    json["errors"].push_back({{"message", failure}});
+  }
+  json["elapsed"] = {{"check_s", report.check_duration_s}, {"run_s", report.run_duration_s}};
+  // ASCII alone, so that no control character of a name reaches a terminal. What is not UTF-8 in a
+  // file name or a message becomes U+FFFD; what is not a number, null.
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace kerf::program

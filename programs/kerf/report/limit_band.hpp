@@ -1,0 +1,41 @@
+// What held the feed down over time, in bounded memory, for the plot.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "programs/kerf/report/speed_limit_text.hpp"
+
+namespace kerf::program {
+
+// Ticks fall into buckets of 2^k ticks, each of which counts its limits; when the buckets run out,
+// neighbours merge and k grows by one.
+class LimitBand {
+ public:
+  static constexpr std::size_t kBuckets = 1024;
+
+  LimitBand();
+
+  // Ticks come in ascending order; gaps are allowed. Allocates nothing.
+  void add(std::int64_t tick, SpeedLimit limit) noexcept;
+
+  // From its first tick up to that of the next stretch, the limit that most of the ticks have.
+  struct Stretch {
+    std::int64_t tick = 0;
+    SpeedLimit limit{};
+  };
+  [[nodiscard]] std::vector<Stretch> stretches() const;
+
+ private:
+  using Counts = std::array<std::uint32_t, interp::kSpeedLimits>;
+
+  void halve() noexcept;
+
+  std::int64_t ticks_per_bucket_ = 1;
+  std::vector<Counts> buckets_;
+  std::size_t used_ = 0;
+};
+
+}  // namespace kerf::program

@@ -1,0 +1,150 @@
+#include "programs/kerf/report/summary.hpp"
+
+#include <cmath>
+#include <iterator>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "programs/kerf/io/number_text.hpp"
+#include "programs/kerf/io/visible_text.hpp"
+#include "programs/kerf/report/block_text.hpp"
+#include "programs/kerf/report/extra_axes.hpp"
+#include "programs/kerf/report/speed_text.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+std::string percent(double value, double limit) {
+  return std::isfinite(limit) ? fmt::format("{:.0f} %", 100.0 * value / limit) : "-";
+}
+
+std::string verdict(ExitStatus status) {
+  switch (status) {
+    case ExitStatus::done:
+      return "done";
+    case ExitStatus::machine_fault:
+      return "stopped by a fault of the machine";
+    case ExitStatus::io_error:
+      return "input or output failed";
+    case ExitStatus::interrupted:
+    case ExitStatus::terminated:
+    case ExitStatus::hung_up:
+      return "stopped on the path, as asked for";
+    default:
+      return "failed";
+  }
+}
+
+std::string extents_text(const FileReport& report) {
+  const curves::Extents& extents = report.plan->extents;
+  std::string text;
+  for (std::size_t k = 0; k < 3; ++k) {
+    text += fmt::format("{}{} {} to {}", k == 0 ? "" : ", ", "xyz"[k],
+                        fixed_number(extents.min_mm[k], 3), fixed_number(extents.max_mm[k], 3));
+  }
+  text += " mm";
+  const curves::ExtraExtents& extra = report.plan->extra_extents;
+  for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
+    text += fmt::format(", {} {} to {} {}", axis.name,
+                        fixed_number(axis.factor * extra.min_rad_mm[axis.index], 3),
+                        fixed_number(axis.factor * extra.max_rad_mm[axis.index], 3), axis.unit);
+  }
+  return text;
+}
+
+void append_peaks(std::string& text, const FileReport& report) {
+  text += "  largest         velocity mm/s     acceleration mm/s2      jerk mm/s3\n";
+  const auto uses = limit_uses(*report.motion, report.limits, report.extra_axes);
+  for (std::size_t row = 0; row < uses.size(); row += 3) {
+    fmt::format_to(std::back_inserter(text), "    {:<4} ", uses[row].where);
+    for (std::size_t i = row; i < row + 3; ++i) {
+      fmt::format_to(std::back_inserter(text), "{:>12} {:>7}   ", short_number(uses[i].peak),
+                     percent(uses[i].peak, uses[i].limit));
+    }
+    if (uses[row].unit == "deg/s") {
+      text += "in degrees";
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
+  }
+}
+
+std::string deviation_text(const smoothing::Departure& deviation) {
+  const curves::Position& at = deviation.at_mm;
+  return fmt::format("{:.6f} mm, {} of {:.6g} mm, line {}, x {}, y {}, z {} mm",
+                     deviation.distance_mm, percent(deviation.distance_mm, deviation.tolerance_mm),
+                     deviation.tolerance_mm, deviation.line, fixed_number(at[0], 3),
+                     fixed_number(at[1], 3), fixed_number(at[2], 3));
+}
+
+void append_motion(std::string& text, const FileReport& report) {
+  const MotionReport& motion = *report.motion;
+  const auto out = std::back_inserter(text);
+  append_peaks(text, report);
+  const double tolerance_mm = report.limits.chord_tolerance_mm;
+  fmt::format_to(out, "  chord error     {:.6f} mm", motion.chord_error_mm);
+  if (std::isfinite(tolerance_mm)) {
+    fmt::format_to(out, ", {} of {:.6g} mm", percent(motion.chord_error_mm, tolerance_mm),
+                   tolerance_mm);
+  }
+  fmt::format_to(out, "\n  contour error   {:.6f} mm at most, {:.6f} mm in the mean\n",
+                 motion.max_contour_error_mm, motion.mean_contour_error_mm);
+  const auto& following = motion.max_following_error_mm;
+  fmt::format_to(out, "  following error x {:.4f}, y {:.4f}, z {:.4f} mm at most\n", following[0],
+                 following[1], following[2]);
+}
+
+// A check is over in a line: there are often many files.
+std::string check_line(const FileReport& report) {
+  const PlanReport& plan = *report.plan;
+  std::string text = fmt::format("{}: ok, {}, {:.3f} mm in {}, {}\n", visible(report.file),
+                                 clock_time(plan.cycle_time_s), plan.path_length_mm,
+                                 counted(plan.blocks, "block"), extents_text(report));
+  for (const std::string& warning : report.warnings) {
+    fmt::format_to(std::back_inserter(text), "  warning         {}\n", visible(warning));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summary(const FileReport& report) {
+  if (!report.plan) {
+    return {};
+  }
+  if (report.command == Command::explain) {
+    return block_text(report);
+  }
+  if (report.command == Command::check) {
+    return check_line(report);
+  }
+  const PlanReport& plan = *report.plan;
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}: {}\n", visible(report.file), verdict(report.status));
+  fmt::format_to(out, "  cycle time      {}   {} of {:g} ms, {}\n", clock_time(plan.cycle_time_s),
+                 counted(static_cast<unsigned long long>(plan.ticks), "tick"),
+                 1000.0 * report.period_s, report.profile);
+  fmt::format_to(out, "  path            {:.3f} mm in {}\n", plan.path_length_mm,
+                 counted(plan.blocks, "block"));
+  fmt::format_to(out, "  extents         {}\n", extents_text(report));
+  if (plan.deviates()) {
+    fmt::format_to(out, "  deviation       {}\n", deviation_text(plan.deviation));
+  }
+  if (report.motion) {
+    append_motion(text, report);
+  }
+  text += speed_text(report);
+  if (report.clock) {
+    fmt::format_to(out, "  clock           {}, the worst delay {:.3f} ms\n",
+                   counted(report.clock->late_ticks, "late tick"),
+                   1000.0 * report.clock->worst_delay_s);
+  }
+  for (const std::string& warning : report.warnings) {
+    fmt::format_to(out, "  warning         {}\n", visible(warning));
+  }
+  return text;
+}
+
+}  // namespace kerf::program

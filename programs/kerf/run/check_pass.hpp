@@ -1,0 +1,25 @@
+// The look at a whole program before anything moves.
+#pragma once
+
+#include <string>
+
+#include <tl/expected.hpp>
+
+#include "kernel/check.hpp"
+#include "programs/kerf/io/program_file.hpp"
+
+namespace kerf::program {
+
+struct CheckPassOptions {
+  double max_time_s;  // as CheckBounds
+  bool shows_progress;
+};
+
+// check_program() over the file. Ends early, and then means nothing, when a stop is requested.
+// Error: the file cannot be read.
+tl::expected<CheckReport, std::string> check_pass(ProgramFile& file,
+                                                  const MachineSettings& settings,
+                                                  const KernelOptions& kernel_options,
+                                                  const CheckPassOptions& options);
+
+}  // namespace kerf::program

@@ -1,0 +1,37 @@
+// Text into the kernel, as it asks for it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "kernel/kernel.hpp"
+#include "programs/kerf/io/progress.hpp"
+#include "programs/kerf/io/text_feed.hpp"
+
+namespace kerf::program {
+
+// Belongs to the thread that plans. Text that cannot be read any more, and a request to stop, let
+// the tool come to rest on the path; so does text that is late, until it comes.
+class Feeder {
+ public:
+  Feeder(Kernel& kernel, TextFeed& text, Progress& progress) noexcept
+      : kernel_(&kernel), text_(&text), progress_(&progress) {}
+
+  // Plans as far ahead as there is room.
+  void pump();
+  void stop();
+
+  [[nodiscard]] const std::optional<std::string>& error() const noexcept { return error_; }
+
+ private:
+  // False: none is there yet.
+  bool feed_piece();
+
+  Kernel* kernel_;
+  TextFeed* text_;
+  Progress* progress_;
+  bool stopped_ = false;
+  std::optional<std::string> error_;
+};
+
+}  // namespace kerf::program

@@ -1,0 +1,81 @@
+#include "programs/kerf/run/motion_report.hpp"
+
+#include <utility>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "programs/kerf/io/number_text.hpp"
+
+namespace kerf::program {
+
+void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics& statistics,
+                   const RunOutcome& outcome) {
+  report.plan = PlanReport{.cycle_time_s = statistics.cycle_time_s(),
+                           .ticks = statistics.ticks(),
+                           .path_length_mm = statistics.path_length_mm(),
+                           .blocks = kernel.totals().blocks,
+                           .extents = statistics.extents(),
+                           .extra_extents = statistics.extra_extents(),
+                           .deviation = kernel.departure()};
+  const TickJudge& judge = kernel.judge();
+  report.motion = MotionReport{.path = judge.path(),
+                               .axes = judge.axes(),
+                               .extra = judge.extra_axes(),
+                               .chord_error_mm = judge.chord_error_mm(),
+                               .max_contour_error_mm = statistics.max_contour_error_mm(),
+                               .mean_contour_error_mm = statistics.mean_contour_error_mm(),
+                               .max_following_error_mm = statistics.max_following_error_mm(),
+                               .starved_ticks = outcome.starved_ticks};
+  if (report.command == Command::run) {
+    report.clock =
+        ClockReport{.late_ticks = outcome.late_ticks, .worst_delay_s = outcome.worst_delay_s};
+  }
+  for (const LimitUse& use : limit_uses(*report.motion, report.limits, report.extra_axes)) {
+    if (use.is_exceeded()) {
+      report.warnings.push_back(describe(use));
+    }
+  }
+  for (std::string& warning : describe(kernel.totals().shortfalls)) {
+    report.warnings.push_back(std::move(warning));
+  }
+  if (outcome.starved_ticks > 0) {
+    report.warnings.push_back(
+        std::string(report.live ? "waited for text: " : "planning fell behind: ") +
+        counted(outcome.starved_ticks, "tick") + " at rest");
+  }
+  if (outcome.late_ticks > 0) {
+    report.warnings.push_back(counted(outcome.late_ticks, "tick") + " late by a period or more");
+  }
+}
+
+std::string describe(const MachineFault& fault, double period_s) {
+  std::string axis;
+  if (fault.axis >= 0 && fault.axis < 9) {
+    axis = fmt::format(" of axis {}", "xyzabcuvw"[static_cast<std::uint8_t>(fault.axis)]);
+  }
+  std::string what;
+  switch (fault.kind) {
+    case machine::Fault::soft_limit:
+      what = "soft limit" + axis;
+      break;
+    case machine::Fault::following_error:
+      what = "following error" + axis + " too large";
+      break;
+    case machine::Fault::not_finite:
+      what = "position" + axis + " is not a number";
+      break;
+    case machine::Fault::none:
+    case machine::Fault::not_enabled:
+      what = "drives not enabled";
+      break;
+  }
+  return fmt::format("machine fault: {}, in line {}, at {}", what, fault.line,
+                     clock_time(static_cast<double>(fault.tick) * period_s));
+}
+
+std::string describe(const TickGap& gap, double period_s) {
+  return fmt::format("machine fault: no tick for {:.3f} s, in line {}, at {}", gap.duration_s,
+                     gap.line, clock_time(static_cast<double>(gap.tick) * period_s));
+}
+
+}  // namespace kerf::program

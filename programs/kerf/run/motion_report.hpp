@@ -1,0 +1,19 @@
+// From what a run measured to its report.
+#pragma once
+
+#include "kernel/kernel.hpp"
+#include "programs/kerf/report/report.hpp"
+#include "programs/kerf/run/run_loop.hpp"
+
+namespace kerf::program {
+
+// Fills in plan, motion, clock (of a run in real time) and the warnings that follow from them.
+void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics& statistics,
+                   const RunOutcome& outcome);
+
+// "machine fault: following error of axis x too large, in line 12, at 0:00:01.234"
+[[nodiscard]] std::string describe(const MachineFault& fault, double period_s);
+// "machine fault: no tick for 1.502 s, in line 12, at 0:00:01.234"
+[[nodiscard]] std::string describe(const TickGap& gap, double period_s);
+
+}  // namespace kerf::program

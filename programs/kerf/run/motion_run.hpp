@@ -1,0 +1,34 @@
+// The motion of one program, from its text to what the report says of it.
+#pragma once
+
+#include <optional>
+
+#include "curves/position.hpp"
+#include "kernel/kernel.hpp"
+#include "kernel/settings.hpp"
+#include "programs/kerf/io/text_feed.hpp"
+#include "programs/kerf/options.hpp"
+#include "programs/kerf/report/report.hpp"
+
+namespace kerf::program {
+
+// What the look at the whole program found of its path; of text that runs as it comes, nothing.
+struct CheckedPath {
+  std::optional<curves::Extents> extents;  // none: no path
+  curves::ExtraExtents extra_extents{};
+};
+
+struct MotionOrder {
+  const Options& options;
+  const MachineSettings& settings;
+  const KernelOptions& kernel_options;
+  CheckedPath path;
+  bool shows_progress = false;
+};
+
+// Runs the text to its end, or to where it is stopped (dry-run: without a clock; run: by it), with
+// trace and plot as the options say. Fills in what was measured, why the run is over, and what of
+// it could not be written; without files to write into, nothing moves.
+void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report);
+
+}  // namespace kerf::program

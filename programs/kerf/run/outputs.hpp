@@ -1,0 +1,46 @@
+// The files that a run writes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "kernel/settings.hpp"
+#include "programs/kerf/io/output_file.hpp"
+#include "programs/kerf/options.hpp"
+#include "programs/kerf/plot/svg_plot.hpp"
+#include "programs/kerf/run/recorder.hpp"
+
+namespace kerf::program {
+
+class Outputs {
+ public:
+  // Before anything moves, so that what cannot be written is known by then. extents: of the whole
+  // path.
+  static tl::expected<Outputs, std::string> open(const Options& options,
+                                                 const MachineSettings& settings,
+                                                 const curves::Extents& extents);
+
+  [[nodiscard]] Recorder& recorder() noexcept { return recorder_; }
+
+  // An earlier run did not end as it should, and left this behind.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+
+  // After the motion: ends the trace and draws the plot. What went wrong, if anything did. dropped:
+  // ticks that the recorder never saw.
+  // is_cut: the run has ended before its program. What is written keeps the name of an incomplete
+  // file.
+  std::optional<std::string> close_trace(std::uint64_t dropped, bool is_cut);
+  std::optional<std::string> write_plot(const PlotCaption& caption, bool is_cut);
+
+ private:
+  Outputs() = default;
+
+  Recorder recorder_;
+  std::optional<OutputFile> plot_file_;
+};
+
+}  // namespace kerf::program

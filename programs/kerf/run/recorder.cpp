@@ -1,0 +1,52 @@
+#include "programs/kerf/run/recorder.hpp"
+
+#include <chrono>
+
+namespace kerf::program {
+
+RecorderThread::RecorderThread(Recorder& recorder) : recorder_(&recorder) {
+  if (recorder.wants_ticks()) {
+    thread_ = std::thread([this] { work(); });
+  }
+}
+
+RecorderThread::~RecorderThread() {
+  join();
+}
+
+void RecorderThread::push(const TickRecord& record) noexcept {
+  if (thread_.joinable() && !ring_->push(record)) {
+    ++dropped_;
+  }
+}
+
+void RecorderThread::finish() {
+  join();
+  if (error_) {
+    std::rethrow_exception(error_);
+  }
+}
+
+void RecorderThread::join() noexcept {
+  over_.store(true, std::memory_order_release);
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+void RecorderThread::work() noexcept {
+  try {
+    while (true) {
+      const bool last_round = over_.load(std::memory_order_acquire);
+      ring_->consume_all([this](const TickRecord& record) { recorder_->add(record); });
+      if (last_round) {
+        return;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  } catch (...) {
+    error_ = std::current_exception();  // the motion goes on without
+  }
+}
+
+}  // namespace kerf::program

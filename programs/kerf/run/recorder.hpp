@@ -1,0 +1,74 @@
+// Where ticks go to be kept: the trace, the plot, the account of what held the feed down; any of
+// them or none.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include <boost/lockfree/spsc_queue.hpp>
+
+#include "programs/kerf/plot/plot_data.hpp"
+#include "programs/kerf/report/speed_account.hpp"
+#include "programs/kerf/run/trace_writer.hpp"
+
+namespace kerf::program {
+
+struct Recorder {
+  std::optional<TraceWriter> trace;
+  std::optional<PlotData> plot;
+  std::optional<SpeedAccount> speed;
+
+  [[nodiscard]] bool wants_ticks() const noexcept { return trace || plot || speed; }
+
+  // What is left of the motion would not be in the trace.
+  [[nodiscard]] bool trace_ended() const noexcept { return trace && trace->ended(); }
+
+  void add(const TickRecord& record) {
+    if (trace) {
+      trace->add(record);
+    }
+    if (plot) {
+      plot->add(record);
+    }
+    if (speed) {
+      speed->add(record);
+    }
+  }
+};
+
+// A recorder behind a ring, with a thread of its own. push() is for the tick: it waits for nothing
+// and never sees the disk. What does not fit into the ring is left out and counted.
+class RecorderThread {
+ public:
+  explicit RecorderThread(Recorder& recorder);
+  ~RecorderThread();
+  RecorderThread(const RecorderThread&) = delete;
+  RecorderThread& operator=(const RecorderThread&) = delete;
+
+  void push(const TickRecord& record) noexcept;
+  // Waits until everything pushed is recorded. No push() may follow. Throws what the recorder
+  // threw.
+  void finish();
+
+  [[nodiscard]] std::uint64_t dropped() const noexcept { return dropped_; }
+
+ private:
+  static constexpr std::size_t kRingRecords = 16'384;
+  using Ring = boost::lockfree::spsc_queue<TickRecord, boost::lockfree::capacity<kRingRecords>>;
+
+  void work() noexcept;
+  void join() noexcept;
+
+  Recorder* recorder_;
+  std::unique_ptr<Ring> ring_ = std::make_unique<Ring>();
+  std::atomic<bool> over_{false};
+  std::exception_ptr error_;
+  std::uint64_t dropped_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace kerf::program

@@ -1,0 +1,136 @@
+#include "programs/kerf/run/run_loop.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <thread>
+
+#include "programs/kerf/io/interrupt.hpp"
+#include "programs/kerf/run/tick_timer.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+constexpr std::uint64_t kHungTicks = 100'000;
+constexpr std::chrono::milliseconds kPlanningPause{1};
+
+// Keeps the queue of the kernel full until the last tick.
+class PlanningThread {
+ public:
+  explicit PlanningThread(Feeder& feeder) : feeder_(&feeder) {
+    feeder_->pump();  // the first tick finds its motion planned
+    thread_ = std::thread([this] { work(); });
+  }
+  ~PlanningThread() {
+    over_.store(true, std::memory_order_relaxed);
+    thread_.join();
+  }
+  PlanningThread(const PlanningThread&) = delete;
+  PlanningThread& operator=(const PlanningThread&) = delete;
+
+  // Nothing more is planned: memory may be used up.
+  [[nodiscard]] bool failed() const noexcept { return failed_.load(std::memory_order_acquire); }
+  // Precondition: failed().
+  [[noreturn]] void rethrow() const { std::rethrow_exception(error_); }
+
+ private:
+  void work() noexcept {
+    try {
+      while (!over_.load(std::memory_order_relaxed)) {
+        if (stop_requested()) {
+          feeder_->stop();
+        }
+        feeder_->pump();
+        std::this_thread::sleep_for(kPlanningPause);
+      }
+    } catch (...) {
+      error_ = std::current_exception();
+      failed_.store(true, std::memory_order_release);
+    }
+  }
+
+  Feeder* feeder_;
+  std::exception_ptr error_;
+  std::atomic<bool> failed_{false};
+  std::atomic<bool> over_{false};
+  std::thread thread_;
+};
+
+// What follows from a tick for the run: counts, and whether it was the last.
+class Judge {
+ public:
+  explicit Judge(bool waits_for_text) noexcept : waits_for_text_(waits_for_text) {}
+
+  bool is_over(interp::TickStatus status, const TickStage& ticks, RunOutcome& outcome) noexcept {
+    if (status == interp::TickStatus::starved) {
+      ++outcome.starved_ticks;
+      outcome.hung = ++starved_in_a_row_ >= kHungTicks && !waits_for_text_;
+    } else {
+      starved_in_a_row_ = 0;
+    }
+    return status == interp::TickStatus::finished || outcome.hung ||
+           ticks.fault().kind != machine::Fault::none;
+  }
+
+ private:
+  bool waits_for_text_;
+  std::uint64_t starved_in_a_row_ = 0;
+};
+
+}  // namespace
+
+RunOutcome run_without_clock(const RunStage& stage) {
+  RunOutcome outcome;
+  Judge judge(stage.waits_for_text);
+  for (TickRecord record;;) {
+    if (stop_requested()) {
+      stage.feeder.stop();
+    }
+    stage.feeder.pump();
+    stage.ticks.reach_tick();
+    const interp::TickStatus status = stage.ticks.step(record);
+    stage.recorder.add(record);
+    stage.progress.set_done(record.motion.s_mm);
+    outcome.trace_ended = stage.recorder.trace_ended();
+    if (judge.is_over(status, stage.ticks, outcome) || outcome.trace_ended) {
+      return outcome;
+    }
+    if (record.tick >= stage.last_tick) {
+      outcome.too_long_at_line = record.line;
+      return outcome;
+    }
+  }
+}
+
+RunOutcome run_in_real_time(const RunStage& stage, double period_s) {
+  RunOutcome outcome;
+  RecorderThread recorder(stage.recorder);
+  {
+    const PlanningThread planning(stage.feeder);
+    TickTimer timer(period_s);
+    Judge judge(stage.waits_for_text);
+    for (TickRecord record;;) {
+      if (const double gap_s = timer.wait(); gap_s > 0.0) {
+        outcome.gap = TickGap{.duration_s = gap_s, .line = record.line, .tick = record.tick};
+        break;
+      }
+      const interp::TickStatus status = stage.ticks.step(record);
+      recorder.push(record);
+      stage.progress.set_done(record.motion.s_mm);
+      if (judge.is_over(status, stage.ticks, outcome)) {
+        break;
+      }
+      if (planning.failed()) {
+        planning.rethrow();
+      }
+    }
+    outcome.late_ticks = timer.late();
+    outcome.worst_delay_s = timer.worst_delay_s();
+  }
+  recorder.finish();
+  outcome.dropped_records = recorder.dropped();
+  return outcome;
+}
+
+}  // namespace kerf::program

@@ -1,0 +1,52 @@
+// A program's ticks from the first to the last, with a clock or without.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "programs/kerf/run/feeder.hpp"
+#include "programs/kerf/run/recorder.hpp"
+#include "programs/kerf/run/tick_stage.hpp"
+
+namespace kerf::program {
+
+struct RunStage {
+  Feeder& feeder;
+  TickStage& ticks;
+  Recorder& recorder;
+  Progress& progress;
+  bool waits_for_text = false;  // a tick without motion is no defect: the text is still to come
+  std::int64_t last_tick = std::numeric_limits<std::int64_t>::max();  // of a run without a clock
+};
+
+// For so long there was no tick behind this one.
+struct TickGap {
+  double duration_s = 0.0;
+  std::uint32_t line = 0;
+  std::int64_t tick = 0;
+};
+
+struct RunOutcome {
+  bool hung = false;                // a defect: all is planned, and still the tick waits
+  std::uint64_t starved_ticks = 0;  // rested because nothing was planned yet
+  std::uint64_t late_ticks = 0;     // began a period or more behind their time
+  double worst_delay_s = 0.0;       // of a tick behind its time
+  std::uint64_t dropped_records = 0;
+  bool trace_ended = false;    // and with it the run, as it has no clock
+  std::optional<TickGap> gap;  // a fault
+  // A run without a clock was not over by its last tick; the line of the program at that.
+  std::optional<std::uint32_t> too_long_at_line;
+};
+
+// One after the other in this thread, as fast as it goes. A request to stop (interrupt.hpp) is a
+// stop on the path, after which the run is over; a fault of the machine ends it at once, and so
+// does a trace that ends: the motion serves nobody.
+RunOutcome run_without_clock(const RunStage& stage);
+
+// The same ticks, one every period_s of CLOCK_MONOTONIC, in this thread; planning and recording
+// each have a thread of their own. A late tick is counted, and those after it keep their distance:
+// what was lost is not caught up with. A gap (TickTimer) is a fault that ends the run at once.
+RunOutcome run_in_real_time(const RunStage& stage, double period_s);
+
+}  // namespace kerf::program

@@ -1,0 +1,195 @@
+#include "programs/kerf/run/session.hpp"
+
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "programs/kerf/io/interrupt.hpp"
+#include "programs/kerf/io/progress_bar.hpp"
+#include "programs/kerf/io/subprogram_folder.hpp"
+#include "programs/kerf/io/text_feed.hpp"
+#include "programs/kerf/run/block_lookup.hpp"
+#include "programs/kerf/run/check_pass.hpp"
+#include "programs/kerf/run/motion_run.hpp"
+#include "programs/kerf/run/plan_only.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+class Stopwatch {
+ public:
+  [[nodiscard]] double elapsed_s() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+class Session {
+ public:
+  Session(const Options& options, const MachineSettings& settings)
+      : options_(options),
+        settings_(settings),
+        shows_progress_(!options.quiet && options.format == DiagnosticFormat::text &&
+                        ProgressBar::has_terminal()),
+        kernel_options_{.profile = profiles::Profile(options.profile, options.sigmoid_shape),
+                        .window_blocks = options.window_blocks,
+                        .block_delete = options.block_delete,
+                        .dialect = options.dialect} {
+    report_.command = options.command;
+    report_.machine = options.machine_file.value_or("default");
+    report_.profile = name_of(options.profile);
+    report_.period_s = settings.limits.period_s;
+    report_.limits = settings.limits;
+    report_.extra_axes = settings.program.extra_axes;
+    report_.speed_question = options.explained_speed.value_or(SpeedQuestion{});
+  }
+
+  FileReport process(const std::string& path) {
+    report_.file = path == "-" ? "<stdin>" : path;
+    if (path != "-") {
+      kernel_options_.subprograms =
+          subprograms_beside(path, options_.dialect.value_or(settings_.dialect));
+    }
+    if (options_.command == Command::run) {
+      if (Descriptor source = ProgramFile::open_live(path); source.is_open()) {
+        run_live(std::move(source));
+        return std::move(report_);
+      }
+    }
+    auto file = ProgramFile::open(path);
+    if (stop_requested()) {
+      report_.status = *stop_requested();
+    } else if (!file) {
+      report_.fail(ExitStatus::io_error, file.error());
+    } else if (check(*file)) {
+      file->rewind();
+      const Stopwatch watch;
+      if (options_.command == Command::check || options_.command == Command::explain) {
+        plan(*file);
+      } else {
+        FileFeed text(*file);
+        run(text);
+      }
+      report_.run_duration_s = watch.elapsed_s();
+    }
+    return std::move(report_);
+  }
+
+ private:
+  // True: the program may run.
+  bool check(ProgramFile& file) {
+    const Stopwatch watch;
+    const auto found =
+        check_pass(file, settings_, kernel_options_,
+                   {.max_time_s = options_.max_time_s, .shows_progress = shows_progress_});
+    report_.check_duration_s = watch.elapsed_s();
+    if (stop_requested()) {
+      report_.status = *stop_requested();
+    } else if (!found) {
+      report_.fail(ExitStatus::io_error, found.error());
+    } else {
+      judge(*found);
+      fill_in_blocks(report_.diagnostics, file);
+    }
+    return report_.status == ExitStatus::done;
+  }
+
+  void judge(const CheckReport& found) {
+    report_.take(found.diagnostics);
+    if (found.has_errors()) {
+      report_.status = ExitStatus::program_error;
+    } else if (!found.limit_faults.empty()) {
+      report_.take(found.limit_faults);
+      report_.status = ExitStatus::machine_fault;
+    }
+    path_ = {.extents = found.moves ? std::optional(found.extents) : std::nullopt,
+             .extra_extents = found.extra_extents};
+  }
+
+  void plan(ProgramFile& file) {
+    Progress progress;
+    const ProgressBar bar(
+        "planning", [&] { return progress.read_share(); }, shows_progress_);
+    BlockWatch watch({.line = options_.explained_line, .period_s = report_.period_s});
+    const auto planned = plan_only(
+        file,
+        {.settings = settings_, .options = kernel_options_, .max_time_s = options_.max_time_s},
+        progress, watch);
+    if (!planned) {
+      report_.fail(ExitStatus::io_error, planned.error());
+    } else if (planned->fault) {
+      report_.fail(*planned->fault);
+    } else if (stop_requested()) {
+      report_.status = *stop_requested();
+    } else if (planned->too_long_at_line) {
+      report_.fail_too_long({*planned->too_long_at_line, options_.max_time_s});
+    } else {
+      const lookahead::PlanTotals& totals = planned->totals;
+      report_.plan =
+          PlanReport{.cycle_time_s = static_cast<double>(totals.ticks) * report_.period_s,
+                     .ticks = totals.ticks,
+                     .path_length_mm = totals.path_length_mm,
+                     .blocks = totals.blocks,
+                     .extents = path_.extents.value_or(curves::Extents{}),
+                     .extra_extents = path_.extra_extents,
+                     .deviation = planned->departure};
+      report_.warnings = describe(totals.shortfalls);
+      explain(watch);
+    }
+  }
+
+  void explain(const BlockWatch& watch) {
+    if (options_.command != Command::explain) {
+      return;
+    }
+    if (!watch.block()) {
+      report_.fail(ExitStatus::program_error,
+                   fmt::format("{}: line {} is never run", report_.file, options_.explained_line));
+      return;
+    }
+    report_.block = BlockReport{.line = options_.explained_line,
+                                .block = *watch.block(),
+                                .begin_s = watch.begin_s().value_or(report_.plan->cycle_time_s),
+                                .duration_s = watch.duration_s()};
+  }
+
+  // Text that can be read only once runs as it comes: each block is checked before it is planned,
+  // and a wrong one ends the program at rest before it.
+  void run_live(Descriptor source) {
+    report_.live = kernel_options_.checks_travel = true;
+    const Stopwatch watch;
+    LiveFeed text(report_.file, std::move(source));
+    run(text);
+    report_.run_duration_s = watch.elapsed_s();
+  }
+
+  void run(TextFeed& text) {
+    run_motion({.options = options_,
+                .settings = settings_,
+                .kernel_options = kernel_options_,
+                .path = path_,
+                .shows_progress = shows_progress_},
+               text, report_);
+  }
+
+  const Options& options_;
+  const MachineSettings& settings_;
+  bool shows_progress_;
+  KernelOptions kernel_options_;
+  FileReport report_;
+  CheckedPath path_;
+};
+
+}  // namespace
+
+FileReport process_file(const std::string& path, const Options& options,
+                        const MachineSettings& settings) {
+  return Session(options, settings).process(path);
+}
+
+}  // namespace kerf::program

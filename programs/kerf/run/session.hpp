@@ -1,0 +1,18 @@
+// One program from its file to its report.
+#pragma once
+
+#include <string>
+
+#include "kernel/settings.hpp"
+#include "programs/kerf/options.hpp"
+#include "programs/kerf/report/report.hpp"
+
+namespace kerf::program {
+
+// Checks the whole program first; nothing moves unless it is without error and within the travel.
+// Then plans it (check) or runs it (dry-run, run), with trace and plot as the options say. Errors
+// and faults of the program go to standard error as they are found; all else is in the report.
+FileReport process_file(const std::string& path, const Options& options,
+                        const MachineSettings& settings);
+
+}  // namespace kerf::program

@@ -1,0 +1,65 @@
+// The trace file: one row per tick.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "programs/kerf/io/output_file.hpp"
+#include "programs/kerf/run/trace_row.hpp"
+
+namespace kerf::program {
+
+struct TraceSettings {
+  double period_s = 0.001;
+  TraceColumns columns{};
+  std::uint64_t max_bytes = std::numeric_limits<std::uint64_t>::max();
+};
+
+// After the first error nothing more is written: what is on the disk then is the beginning of the
+// trace, whole rows but for a disk that is full, and error() says why it ends.
+class TraceWriter {
+ public:
+  // path "-" is standard output. Error: what the system says, with the path.
+  static tl::expected<TraceWriter, std::string> create(const std::string& path,
+                                                       const TraceSettings& settings);
+
+  void add(const TickRecord& record);
+  // Writes what is left. The writer takes no more rows. lacks_rows: some never came here.
+  void close(bool lacks_rows = false);
+
+  // No row follows any more, for an error or because the reader has gone.
+  [[nodiscard]] bool ended() const noexcept { return error_ || reader_gone_; }
+  [[nodiscard]] const std::optional<std::string>& error() const noexcept { return error_; }
+  // The reader of standard output went away, which is its right and no error.
+  [[nodiscard]] bool reader_gone() const noexcept { return reader_gone_; }
+  [[nodiscard]] const OutputFile& file() const noexcept { return file_; }
+  [[nodiscard]] std::string remains() const { return file_.remains(); }
+
+ private:
+  static constexpr std::size_t kBufferBytes = std::size_t{256} * 1024;
+
+  TraceWriter(OutputFile file, const TraceSettings& settings);
+  void flush();
+  void note(int error_number);
+  void end(const std::string& why);
+
+  OutputFile file_;
+  TickClock clock_;
+  TraceColumns columns_;
+  std::vector<char> buffer_;
+  std::size_t used_ = 0;
+  std::uint64_t max_bytes_;
+  std::uint64_t written_bytes_ = 0;
+  std::uint32_t line_ = 0;  // of the last row
+  bool closed_ = false;
+  std::optional<std::string> error_;
+  bool reader_gone_ = false;
+};
+
+}  // namespace kerf::program

@@ -1,6 +1,0 @@
-// kerf: reads part programs and runs them on a simulated three-axis table.
-#include "programs/command.hpp"
-
-int main(int argc, char** argv) {
-  return kerf::program::run_command(argc, argv);
-}
