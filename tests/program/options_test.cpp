@@ -1,10 +1,10 @@
-#include "programs/kerf/options.hpp"
-
 #include <string>
 #include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "programs/kerf/cli/option_parser.hpp"
 
 namespace kerf::program {
 namespace {

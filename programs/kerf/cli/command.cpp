@@ -12,11 +12,11 @@
 #include <spdlog/spdlog.h>
 
 #include "programs/kerf/cli/machine_choice.hpp"
+#include "programs/kerf/cli/option_parser.hpp"
 #include "programs/kerf/io/descriptor.hpp"
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/log.hpp"
 #include "programs/kerf/io/visible_text.hpp"
-#include "programs/kerf/options.hpp"
 #include "programs/kerf/report/diagnostic_document.hpp"
 #include "programs/kerf/report/json_report.hpp"
 #include "programs/kerf/report/summary.hpp"
