@@ -4,14 +4,14 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 #include "kernel/check_warnings.hpp"
 #include "kernel/least_time.hpp"
-#include "kernel/reader_options.hpp"
+#include "kernel/program_path.hpp"
 #include "kernel/settings_check.hpp"
 #include "machine/envelope.hpp"
 #include "parser/errors/machine.hpp"
-#include "parser/program_reader.hpp"
 #include "parser/text.hpp"
 #include "smoothing/part_builder.hpp"
 
@@ -114,6 +114,19 @@ parser::Diagnostic too_long(const parser::SourcePosition& source, double max_tim
               " s that are allowed"};
 }
 
+// False: what follows is never run, however long it is.
+bool feed_next(const TextSource& text, ProgramPath& path) {
+  const std::string_view piece = text();
+  if (piece.empty()) {
+    path.finish();  // its last line may not be read yet
+  } else if (path.at_end()) {
+    return false;
+  } else {
+    path.feed(piece);
+  }
+  return true;
+}
+
 }  // namespace
 
 bool CheckReport::has_errors() const {
@@ -131,32 +144,32 @@ CheckReport check_program(const TextSource& text, const MachineSettings& setting
     report.diagnostics.push_back(std::move(*fault));
     return report;
   }
-  parser::ProgramReader reader(reader_options(settings, options));
+  ProgramPath path(settings, options, {.as_programmed = true});
   Checker checker(settings);
-  bool more_text = true;
-  for (parser::Move move; !bounds.stop || !bounds.stop();) {
-    if (reader.next(move)) {
-      checker.look_at(move, reader.has_errors(), report);
-      if (checker.least_time_s() > bounds.max_time_s) {
-        report.diagnostics.push_back(too_long(move.source, bounds.max_time_s));
+  ProgramPath::Output output;
+  for (bool ends = false; !ends && !(bounds.stop && bounds.stop());) {
+    switch (path.next(output)) {
+      case ProgramPath::Next::output: {
+        const auto& move = std::get<parser::Move>(output);
+        checker.look_at(move, path.has_errors(), report);
+        if (checker.least_time_s() > bounds.max_time_s) {
+          report.diagnostics.push_back(too_long(move.source, bounds.max_time_s));
+          ends = true;
+        }
         break;
       }
-    } else if (!more_text) {
-      break;
-    } else if (const std::string_view piece = text(); piece.empty()) {
-      reader.finish();  // its last line may not be read yet
-      more_text = false;
-    } else if (reader.at_end()) {
-      break;  // never run, however long it is
-    } else {
-      reader.feed(piece);
+      case ProgramPath::Next::wants_text:
+        ends = !feed_next(text, path);
+        break;
+      case ProgramPath::Next::ended:
+        ends = true;
     }
   }
   checker.finish(report);
-  const std::vector<parser::Diagnostic>& found = reader.diagnostics();
+  const std::vector<parser::Diagnostic>& found = path.diagnostics();
   report.diagnostics.insert(report.diagnostics.end(), found.begin(), found.end());
-  name_files(reader, report.diagnostics);
-  name_files(reader, report.limit_faults);
+  name_files(path.reader(), report.diagnostics);
+  name_files(path.reader(), report.limit_faults);
   std::stable_sort(report.diagnostics.begin(), report.diagnostics.end(),
                    [](const parser::Diagnostic& a, const parser::Diagnostic& b) {
                      return std::tie(a.source.file, a.source.line) <

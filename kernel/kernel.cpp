@@ -7,26 +7,18 @@
 
 #include "kernel/delivery.hpp"
 #include "kernel/machine_file.hpp"
-#include "kernel/program_path.hpp"
+#include "kernel/pipeline.hpp"
 #include "kernel/settings_check.hpp"
-#include "lookahead/path/block_builder.hpp"
-#include "lookahead/push.hpp"
-#include "parser/errors/machine.hpp"
 
 namespace kerf {
 
 using interp::MotionQueue;
 using parser::Diagnostic;
-using smoothing::PathPart;
 
 class Kernel::Impl {
  public:
   Impl(const MachineSettings& settings, const KernelOptions& options)
-      : limits_(settings.limits),
-        path_(settings, options),
-        planner_({.limits = settings.limits,
-                  .profile = options.profile,
-                  .window_blocks = options.window_blocks}),
+      : pipeline_({.settings = settings, .options = options}),
         interpolator_(queue_, settings.limits.period_s, options.start_mm,
                       options.start_extra_rad_mm),
         judge_({.limits = settings.limits,
@@ -35,22 +27,26 @@ class Kernel::Impl {
         horizon_ticks_(
             static_cast<std::int64_t>(std::ceil(options.horizon_s / settings.limits.period_s))) {}
 
-  void feed(std::string_view text) { path_.feed(text); }
-  void finish() { path_.finish(); }
-  void refuse(Diagnostic fault) { path_.refuse(std::move(fault)); }
+  void feed(std::string_view text) { pipeline_.feed(text); }
+  void finish() { pipeline_.finish(); }
+  void refuse(Diagnostic fault) { pipeline_.refuse(std::move(fault)); }
 
   bool plan() {
     while (!failed_ && delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
-      if (planner_.emit(delivery_.outbox())) {
-        check_.emitted(delivery_.outbox());
-        fail_with_check();
-        continue;
-      }
-      if (finished_) {
-        return false;
-      }
-      if (!take_next()) {
-        return true;
+      const bool was_finished = pipeline_.is_finished();
+      switch (pipeline_.step(delivery_.outbox())) {
+        case Pipeline::Step::planned:
+          fail_with_check();
+          break;
+        case Pipeline::Step::took:
+          if (pipeline_.is_finished() && !was_finished) {
+            end_ = pipeline_.path().programmed_end();
+          }
+          break;
+        case Pipeline::Step::wants_text:
+          return true;
+        case Pipeline::Step::ended:
+          return false;
       }
     }
     return false;
@@ -84,8 +80,8 @@ class Kernel::Impl {
     reach_tick();
     const interp::TickStatus status = tick(setpoint);
     // There is one thread: what is not planned now never is.
-    if (status == interp::TickStatus::starved && finished_) {
-      check_.fail(setpoint.line, "the program is read and nothing is planned");
+    if (status == interp::TickStatus::starved && pipeline_.is_finished()) {
+      pipeline_.fail_without_plan(setpoint.line);
       fail_with_check();
     }
     return status;
@@ -96,86 +92,48 @@ class Kernel::Impl {
   }
 
   void drain() {
-    if (!finished_) {
-      path_.flush();
+    if (!pipeline_.is_finished()) {
+      pipeline_.flush();
       if (plan()) {
-        planner_.drain();
+        pipeline_.drain();
         plan();
       }
     }
   }
 
   void stop() {
-    if (!check_.has_ended()) {
+    if (!pipeline_.check().has_ended()) {
       end_.reset();  // not reached any more
     }
-    check_.stop();
-    planner_.stop();
-    finished_ = true;
+    pipeline_.stop();
   }
 
   [[nodiscard]] std::optional<RunFault> fault() const {
-    return check_.fault() ? check_.fault() : describe(judge_.excess());
+    const std::optional<RunFault>& of_plan = pipeline_.check().fault();
+    return of_plan ? of_plan : describe(judge_.excess());
   }
   [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
   [[nodiscard]] smoothing::Departure departure() const noexcept {
-    return path_.departures().largest;
+    return pipeline_.path().departures().largest;
   }
-  [[nodiscard]] bool has_errors() const { return path_.has_errors(); }
-  [[nodiscard]] bool left_travel() const noexcept { return path_.left_travel(); }
-  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return path_.diagnostics(); }
-  [[nodiscard]] const lookahead::PlanTotals& totals() const { return planner_.totals(); }
+  [[nodiscard]] bool has_errors() const { return pipeline_.path().has_errors(); }
+  [[nodiscard]] bool left_travel() const noexcept { return pipeline_.path().left_travel(); }
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const {
+    return pipeline_.path().diagnostics();
+  }
+  [[nodiscard]] const lookahead::PlanTotals& totals() const { return pipeline_.totals(); }
 
  private:
-  // What is next of the program into the window. False: there is no more text.
-  bool take_next() {
-    ProgramPath::Output output;
-    switch (path_.next(output)) {
-      case ProgramPath::Next::wants_text:
-        return false;
-      case ProgramPath::Next::ended:
-        end_ = path_.programmed_end();
-        check_.judge(path_.departures().worst);
-        planner_.finish(path_.line());
-        finished_ = true;
-        return true;
-      case ProgramPath::Next::output:
-        break;
-    }
-    if (auto* part = std::get_if<PathPart>(&output)) {
-      push_part(std::move(*part));
-    } else {
-      lookahead::push_pause(std::get<parser::Move>(output), planner_);
-    }
-    return true;
-  }
+  void fail_with_check() { failed_ = pipeline_.check().is_broken(); }
 
-  void push_part(PathPart part) {
-    const parser::SourcePosition source = part.source;
-    const std::vector<parser::EventMove> changes = part.changes;
-    auto block = lookahead::block_of(std::move(part), limits_, planner_.scan_for());
-    if (!block) {
-      path_.cut(source, block.error(), parser::errors::kCurveRefused);
-      return;
-    }
-    check_.pushed(*block);
-    lookahead::push_block(std::move(*block), changes, planner_);
-  }
-
-  void fail_with_check() { failed_ = check_.is_broken(); }
-
-  lookahead::PlanLimits limits_;
-  ProgramPath path_;
-  lookahead::Planner planner_;
+  Pipeline pipeline_;
   MotionQueue queue_;
   interp::Interpolator interpolator_;
-  PlanCheck check_;
   TickJudge judge_;
   std::optional<PlaceOfTool> end_;    // written before the last phase is delivered, read after it
   std::atomic<bool> failed_ = false;  // nothing more is planned
   std::int64_t horizon_ticks_;
   Delivery delivery_{queue_};
-  bool finished_ = false;
 };
 
 Kernel::Kernel(const MachineSettings& settings, const KernelOptions& options) {

@@ -1,16 +1,47 @@
 #include "kernel/program_path.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
-#include "kernel/blend_settings.hpp"
 #include "kernel/reader_options.hpp"
+#include "machine/envelope.hpp"
 #include "parser/errors/machine.hpp"
 #include "parser/short_moves.hpp"
 
 namespace kerf {
 
-ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& options)
-    : reader_(reader_options(settings, options)),
+namespace {
+
+// The weakest axis' limits, and the table's travel.
+smoothing::BlendSettings blend_settings(const MachineSettings& settings) {
+  const lookahead::PlanLimits& limits = settings.limits;
+  smoothing::BlendSettings blend{.acceleration_mm_s2 = limits.path.acceleration_mm_s2,
+                                 .jerk_mm_s3 = limits.path.jerk_mm_s3};
+  const machine::Envelope envelope = machine::envelope_of(settings.table);
+  curves::Extents travel;
+  for (std::size_t k = 0; k < 3; ++k) {
+    blend.acceleration_mm_s2 =
+        std::min(blend.acceleration_mm_s2, limits.axes[k].acceleration_mm_s2);
+    blend.jerk_mm_s3 = std::min(blend.jerk_mm_s3, limits.axes[k].jerk_mm_s3);
+    travel.min_mm[k] = envelope[k].min_mm;
+    travel.max_mm[k] = envelope[k].max_mm;
+  }
+  blend.travel = travel;
+  return blend;
+}
+
+parser::ReaderOptions watching(parser::ReaderOptions options, std::uint32_t line) {
+  options.watched_line = line;
+  return options;
+}
+
+}  // namespace
+
+ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& options,
+                         const Order& order)
+    : order_(order),
+      reader_(watching(reader_options(settings, options), order.watched_line)),
       smoother_(blend_settings(settings)),
       end_{.position_mm = options.start_mm, .extra_rad_mm = options.start_extra_rad_mm} {
   if (options.checks_travel) {
@@ -19,6 +50,9 @@ ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& o
 }
 
 ProgramPath::Next ProgramPath::next(Output& output) {
+  if (order_.as_programmed) {
+    return next_as_programmed(output);
+  }
   for (;;) {
     if (smoother_.next(output)) {
       if (!cut_) {
@@ -32,15 +66,28 @@ ProgramPath::Next ProgramPath::next(Output& output) {
   }
 }
 
+ProgramPath::Next ProgramPath::next_as_programmed(Output& output) {
+  if (reader_.next(output.emplace<parser::Move>())) {
+    return Next::output;
+  }
+  return has_all_text_ ? Next::ended : Next::wants_text;
+}
+
 bool ProgramPath::read_move() {
   parser::Move move;
   const bool read = reader_.next(move);
+  if (order_.observer != nullptr) {
+    order_.observer->read(reader_);
+  }
   if (!read && !reader_.has_errors() && !reader_.at_end()) {
     return false;
   }
   if (!read || reader_.has_errors()) {
     end();
     return true;
+  }
+  if (order_.observer != nullptr) {
+    order_.observer->move(move);
   }
   source_ = move.source;
   if (const auto* end = parser::end_mm(move)) {

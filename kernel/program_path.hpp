@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernel/kernel.hpp"
+#include "kernel/pipeline_observer.hpp"
 #include "kernel/travel_check.hpp"
 #include "parser/program_reader.hpp"
 #include "smoothing/smoother.hpp"
@@ -19,13 +20,25 @@ class ProgramPath {
   using Output = smoothing::Smoother::Output;
   enum class Next : std::uint8_t { output, wants_text, ended };
 
-  ProgramPath(const MachineSettings& settings, const KernelOptions& options);
+  struct Order {
+    std::uint32_t watched_line = 0;  // whose block the reader shows; 0: none
+    bool as_programmed = false;      // the moves come out as they are, those behind an error too
+    PipelineObserver* observer = nullptr;
+  };
+
+  ProgramPath(const MachineSettings& settings, const KernelOptions& options, const Order& order);
 
   void feed(std::string_view text) { reader_.feed(text); }
-  void finish() { reader_.finish(); }
+  void finish() {
+    reader_.finish();
+    has_all_text_ = true;
+  }
 
   // At a block with an error the path ends, where the program is right so far.
+  // Order::as_programmed: each output is a move.
   Next next(Output& output);
+  // No more of the program is run, whatever text follows.
+  [[nodiscard]] bool at_end() const { return reader_.at_end(); }
   // What is held back for the sake of what follows comes out without it.
   void flush() { smoother_.flush(); }
   // The part that next() gave cannot be run: the path has ended before it, with this error.
@@ -45,6 +58,7 @@ class ProgramPath {
   [[nodiscard]] const std::vector<parser::Diagnostic>& diagnostics() const {
     return failed_ ? all_diagnostics_ : reader_.diagnostics();
   }
+  [[nodiscard]] const parser::ProgramReader& reader() const noexcept { return reader_; }
   [[nodiscard]] smoothing::Departures departures() const noexcept { return smoother_.departures(); }
 
  private:
@@ -53,6 +67,10 @@ class ProgramPath {
   void fail(const smoothing::PathError& error, const parser::ErrorPage& page);
   // What is held back still runs.
   void end();
+  Next next_as_programmed(Output& output);
+
+  Order order_;
+  bool has_all_text_ = false;
 
   parser::ProgramReader reader_;
   std::optional<TravelCheck> travel_;

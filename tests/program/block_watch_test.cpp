@@ -13,10 +13,10 @@ void read_moves(BlockWatch& watch, const char* text) {
   reader.finish();
   for (parser::Move move; reader.next(move);) {
     watch.read(reader);
-    watch.moves(move);
+    watch.move(move);
     if (std::holds_alternative<parser::DwellMove>(move.shape) ||
         std::holds_alternative<parser::EventMove>(move.shape)) {
-      watch.rests();
+      watch.rest();
     }
   }
 }

@@ -23,7 +23,7 @@ void BlockWatch::read(const parser::ProgramReader& reader) {
   }
 }
 
-void BlockWatch::moves(const parser::Move& move) noexcept {
+void BlockWatch::move(const parser::Move& move) {
   if (block_ && !first_ && move.block > block_->blocks_before) {
     first_ = First{.run_block = move.block, .rests_before = rests_pushed_};
   }

@@ -6,8 +6,7 @@
 #include <optional>
 
 #include "interp/motion.hpp"
-#include "lookahead/emit/emitter.hpp"
-#include "parser/program_reader.hpp"
+#include "kernel/pipeline_observer.hpp"
 
 namespace kerf::program {
 
@@ -15,7 +14,7 @@ namespace kerf::program {
 // read, by up to a window; motion is known by the block of the program's run that it belongs to, a
 // rest by counting rests on both sides. Cutter compensation holds moves back before that; so they
 // are counted from the block's own or the next.
-class BlockWatch {
+class BlockWatch : public PipelineObserver {
  public:
   struct Settings {
     std::uint32_t line = 0;
@@ -26,14 +25,11 @@ class BlockWatch {
 
   [[nodiscard]] std::uint32_t line() const noexcept { return line_; }
 
-  // After each read.
-  void read(const parser::ProgramReader& reader);
-  // The move that was read is to be planned.
-  void moves(const parser::Move& move) noexcept;
-  // The move is a rest in the plan.
-  void rests() noexcept { ++rests_pushed_; }
-  // What was planned next; the lines of a curve come with its first phase.
-  void planned(const lookahead::Outbox& outbox);
+  void read(const parser::ProgramReader& reader) override;
+  void move(const parser::Move& move) override;
+  void rest() override { ++rests_pushed_; }
+  // The lines of a curve come with its first phase.
+  void planned(const lookahead::Outbox& outbox) override;
 
   // The block's text and the modes in force before it; nothing where the line was never run.
   [[nodiscard]] const std::optional<parser::WatchedBlock>& block() const noexcept { return block_; }

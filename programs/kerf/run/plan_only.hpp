@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <tl/expected.hpp>
 
 #include "kernel/kernel.hpp"
 #include "kernel/plan_check.hpp"
 #include "lookahead/planner.hpp"
+#include "parser/diagnostic.hpp"
 #include "programs/kerf/io/program_file.hpp"
 #include "programs/kerf/io/progress.hpp"
 #include "programs/kerf/run/block_watch.hpp"
@@ -20,6 +22,7 @@ namespace kerf::program {
 struct PlannedProgram {
   lookahead::PlanTotals totals{};
   smoothing::Departure departure{};
+  std::vector<parser::Diagnostic> errors{};       // the plan ends before them
   std::optional<RunFault> fault{};                // the plan ends there
   std::optional<std::uint32_t> too_long_at_line;  // the plan ends there
 };

@@ -122,6 +122,9 @@ class Session {
         progress, watch);
     if (!planned) {
       report_.fail(ExitStatus::io_error, planned.error());
+    } else if (!planned->errors.empty()) {
+      report_.take(planned->errors);
+      report_.status = ExitStatus::program_error;
     } else if (planned->fault) {
       report_.fail(*planned->fault);
     } else if (stop_requested()) {

@@ -1,0 +1,81 @@
+#include "kernel/pipeline.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "lookahead/path/block_builder.hpp"
+#include "lookahead/push.hpp"
+#include "parser/errors/machine.hpp"
+
+namespace kerf {
+
+Pipeline::Pipeline(const Order& order)
+    : observer_(order.path.observer),
+      limits_(order.settings.limits),
+      path_(order.settings, order.options, order.path),
+      planner_({.limits = order.settings.limits,
+                .profile = order.options.profile,
+                .window_blocks = order.options.window_blocks,
+                .longest_cruise_s = order.longest_cruise_s}) {}
+
+Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
+  if (planner_.emit(outbox)) {
+    check_.emitted(outbox);
+    if (observer_ != nullptr) {
+      observer_->planned(outbox);
+    }
+    return Step::planned;
+  }
+  if (finished_) {
+    return Step::ended;
+  }
+  return take_next() ? Step::took : Step::wants_text;
+}
+
+bool Pipeline::take_next() {
+  ProgramPath::Output output;
+  switch (path_.next(output)) {
+    case ProgramPath::Next::wants_text:
+      return false;
+    case ProgramPath::Next::ended:
+      check_.judge(path_.departures().worst);
+      planner_.finish(path_.line());
+      finished_ = true;
+      return true;
+    case ProgramPath::Next::output:
+      break;
+  }
+  if (auto* part = std::get_if<smoothing::PathPart>(&output)) {
+    push_part(std::move(*part));
+    return true;
+  }
+  lookahead::push_pause(std::get<parser::Move>(output), planner_);
+  if (observer_ != nullptr) {
+    observer_->rest();
+  }
+  return true;
+}
+
+void Pipeline::push_part(smoothing::PathPart part) {
+  const parser::SourcePosition source = part.source;
+  const std::vector<parser::EventMove> changes = std::move(part.changes);
+  auto block = lookahead::block_of(std::move(part), limits_, planner_.scan_for());
+  if (!block) {
+    path_.cut(source, block.error(), parser::errors::kCurveRefused);
+    return;
+  }
+  check_.pushed(*block);
+  lookahead::push_block(std::move(*block), changes, planner_);
+}
+
+void Pipeline::stop() {
+  check_.stop();
+  planner_.stop();
+  finished_ = true;
+}
+
+void Pipeline::fail_without_plan(std::uint32_t line) {
+  check_.fail(line, "the program is read and nothing is planned");
+}
+
+}  // namespace kerf
