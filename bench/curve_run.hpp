@@ -10,7 +10,7 @@
 #include "kernel/tick_judge.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/limits.hpp"
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 
 namespace kerf::bench {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 
 namespace kerf::bench {
 

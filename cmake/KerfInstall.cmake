@@ -25,7 +25,7 @@ get_property(libraries GLOBAL PROPERTY KERF_LIBRARIES)
 install(TARGETS ${libraries} kerf_front EXPORT kerf ARCHIVE)
 install(EXPORT kerf NAMESPACE kerf:: FILE kerfTargets.cmake DESTINATION "${package_folder}")
 
-foreach(folder profiles curves interp machine parser smoothing lookahead kernel)
+foreach(folder profiles curves interp machine diagnostics parser smoothing lookahead kernel)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}" DESTINATION include/kerf FILES_MATCHING PATTERN "*.hpp"
     PATTERN "machine_file_reader.hpp" EXCLUDE)  # toml++ is compiled into the kernel, and nobody else needs it
 endforeach()

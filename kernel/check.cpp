@@ -6,13 +6,13 @@
 #include <utility>
 #include <variant>
 
+#include "diagnostics/errors/machine.hpp"
 #include "kernel/check_warnings.hpp"
 #include "kernel/least_time.hpp"
 #include "kernel/program_path.hpp"
 #include "kernel/settings_check.hpp"
 #include "machine/envelope.hpp"
-#include "parser/errors/machine.hpp"
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 #include "smoothing/part_builder.hpp"
 
 namespace kerf {
@@ -34,13 +34,13 @@ void unite(curves::ExtraExtents& all, const curves::ExtraPosition& position, boo
 }
 
 // A curve of many blocks is refused where one of them proves it wrong.
-parser::Diagnostic refused_curve(const smoothing::PathError& error,
-                                 const parser::SourcePosition& begin) {
+diagnostics::Diagnostic refused_curve(const smoothing::PathError& error,
+                                      const diagnostics::SourcePosition& begin) {
   const bool elsewhere = error.line != begin.line;
   const std::string where =
       elsewhere ? "; the curve begins in line " + std::to_string(begin.line) : "";
   return {{.line = error.line, .column = 1, .file = begin.file},
-          parser::errors::kCurveRefused,
+          errors::kCurveRefused,
           error.message + where};
 }
 
@@ -84,13 +84,12 @@ class Checker {
 
  private:
   static void check_travel(const std::optional<machine::TravelExcess>& excess,
-                           const parser::SourcePosition& source, CheckReport& report) {
+                           const diagnostics::SourcePosition& source, CheckReport& report) {
     const bool named = !report.limit_faults.empty() &&
                        report.limit_faults.back().source.line == source.line &&
                        report.limit_faults.back().source.file == source.file;
     if (excess && !named && report.limit_faults.size() < kMaxLimitFaults) {
-      report.limit_faults.emplace_back(source, parser::errors::kOutsideTravel,
-                                       machine::describe(*excess));
+      report.limit_faults.emplace_back(source, errors::kOutsideTravel, machine::describe(*excess));
     }
   }
 
@@ -102,14 +101,15 @@ class Checker {
   std::vector<smoothing::PathPart> parts_;
 };
 
-void name_files(const parser::ProgramReader& reader, std::vector<parser::Diagnostic>& diagnostics) {
-  for (parser::Diagnostic& diagnostic : diagnostics) {
+void name_files(const parser::ProgramReader& reader,
+                std::vector<diagnostics::Diagnostic>& diagnostics) {
+  for (diagnostics::Diagnostic& diagnostic : diagnostics) {
     diagnostic.file = reader.file_name(diagnostic.source.file);
   }
 }
 
-parser::Diagnostic too_long(const parser::SourcePosition& source, double max_time_s) {
-  return {source, parser::errors::kTooLong,
+diagnostics::Diagnostic too_long(const diagnostics::SourcePosition& source, double max_time_s) {
+  return {source, errors::kTooLong,
           "up to here the program takes more than the " + parser::shortest(max_time_s) +
               " s that are allowed"};
 }
@@ -130,8 +130,8 @@ bool feed_next(const TextSource& text, ProgramPath& path) {
 }  // namespace
 
 bool CheckReport::has_errors() const {
-  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const parser::Diagnostic& d) {
-    return d.severity == parser::Severity::error;
+  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const diagnostics::Diagnostic& d) {
+    return d.severity == diagnostics::Severity::error;
   });
 }
 
@@ -140,7 +140,7 @@ CheckReport check_program(const TextSource& text, const MachineSettings& setting
   CheckReport report;
   // A machine without limits is no machine to run on, but one to read a program for.
   if (auto fault = settings_fault(settings, options);
-      fault && fault->page != &parser::errors::kMachineWithoutLimit) {
+      fault && fault->page != &errors::kMachineWithoutLimit) {
     report.diagnostics.push_back(std::move(*fault));
     return report;
   }
@@ -166,12 +166,12 @@ CheckReport check_program(const TextSource& text, const MachineSettings& setting
     }
   }
   checker.finish(report);
-  const std::vector<parser::Diagnostic>& found = path.diagnostics();
+  const std::vector<diagnostics::Diagnostic>& found = path.diagnostics();
   report.diagnostics.insert(report.diagnostics.end(), found.begin(), found.end());
   name_files(path.reader(), report.diagnostics);
   name_files(path.reader(), report.limit_faults);
   std::stable_sort(report.diagnostics.begin(), report.diagnostics.end(),
-                   [](const parser::Diagnostic& a, const parser::Diagnostic& b) {
+                   [](const diagnostics::Diagnostic& a, const diagnostics::Diagnostic& b) {
                      return std::tie(a.source.file, a.source.line) <
                             std::tie(b.source.file, b.source.line);
                    });

@@ -8,15 +8,17 @@
 
 #include "curves/extra_way.hpp"
 #include "curves/position.hpp"
+#include "diagnostics/diagnostic.hpp"
 #include "kernel/kernel.hpp"
 #include "kernel/settings.hpp"
-#include "parser/diagnostic.hpp"
 
 namespace kerf {
 
 struct CheckReport {
-  std::vector<parser::Diagnostic> diagnostics;   // of the text and of curves that cannot be built
-  std::vector<parser::Diagnostic> limit_faults;  // paths that leave the travel, one for each block
+  std::vector<diagnostics::Diagnostic>
+      diagnostics;  // of the text and of curves that cannot be built
+  std::vector<diagnostics::Diagnostic>
+      limit_faults;                      // paths that leave the travel, one for each block
   curves::Extents extents{};             // of all motion, with the bulge of arcs and splines
   curves::ExtraExtents extra_extents{};  // of A, B, C, U, V, W
   bool moves = false;                    // false: extents mean nothing

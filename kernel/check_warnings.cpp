@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "parser/errors/machine.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/machine.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf {
 
@@ -42,7 +42,7 @@ double CheckWarnings::Box::size_mm() const {
 
 CheckWarnings::CheckWarnings(const lookahead::PlanLimits& limits) : reach_mm_s_(reach_of(limits)) {}
 
-void CheckWarnings::look_at(const parser::Move& move, std::vector<parser::Diagnostic>& found) {
+void CheckWarnings::look_at(const parser::Move& move, std::vector<diagnostics::Diagnostic>& found) {
   constexpr std::size_t kMotions = 3;  // lines, arcs and splines come first
   if (move.shape.index() < kMotions && !move.rapid && !move.extra.moves()) {
     check_feed(move, found);
@@ -60,13 +60,14 @@ void CheckWarnings::look_at(const parser::Move& move, std::vector<parser::Diagno
 }
 
 // The machine's limits hold all the same, so it is enough to say it of the first.
-void CheckWarnings::check_feed(const parser::Move& move, std::vector<parser::Diagnostic>& found) {
+void CheckWarnings::check_feed(const parser::Move& move,
+                               std::vector<diagnostics::Diagnostic>& found) {
   if (feed_told_ || !(move.feedrate_mm_s > reach_mm_s_ * (1.0 + 1e-9))) {
     return;
   }
   feed_told_ = true;
   found.emplace_back(
-      move.source, parser::errors::kFeedBeyondReach,
+      move.source, errors::kFeedBeyondReach,
       parser::joined({"a feed of ", parser::shortest(move.feedrate_mm_s * kSecondsPerMinute),
                       " mm/min: the machine reaches ",
                       parser::shortest(reach_mm_s_ * kSecondsPerMinute),
@@ -97,7 +98,8 @@ bool CheckWarnings::is_told(double tolerance_mm) const {
          std::find(told_mm_.begin(), told_mm_.end(), tolerance_mm) != told_mm_.end();
 }
 
-void CheckWarnings::take_line(const parser::Move& move, std::vector<parser::Diagnostic>& found) {
+void CheckWarnings::take_line(const parser::Move& move,
+                              std::vector<diagnostics::Diagnostic>& found) {
   const parser::Point& end_mm = std::get<parser::LineMove>(move.shape).end_mm;
   if (lines_ == 0) {
     box_ = {move.start_mm, move.start_mm};
@@ -117,19 +119,19 @@ void CheckWarnings::take_line(const parser::Move& move, std::vector<parser::Diag
   if (const Vertex* const begin = loop_to(end_mm, merge_mm_)) {
     told_mm_.push_back(merge_mm_);
     found.emplace_back(
-        begin->source, parser::errors::kToleranceSwallows,
+        begin->source, errors::kToleranceSwallows,
         parser::joined(
             {"G64: a closed loop begins here that is nowhere larger than the tolerance (",
              parser::shortest(merge_mm_), " mm): it may vanish"}));
   }
 }
 
-void CheckWarnings::end_run(std::vector<parser::Diagnostic>& found) {
+void CheckWarnings::end_run(std::vector<diagnostics::Diagnostic>& found) {
   const double tolerance_mm = std::max(tolerance_mm_, merge_mm_);
   if (lines_ > 1 && !is_told(tolerance_mm) && box_.size_mm() <= tolerance_mm) {
     told_mm_.push_back(tolerance_mm);
     found.emplace_back(
-        run_begin_, parser::errors::kToleranceSwallows,
+        run_begin_, errors::kToleranceSwallows,
         parser::joined({"G64: the ", std::to_string(lines_), " lines from here on lie within ",
                         parser::shortest(box_.size_mm()), " mm, and the tolerance is ",
                         parser::shortest(tolerance_mm), " mm: little of their shape is left"}));

@@ -6,9 +6,9 @@
 #include <deque>
 #include <vector>
 
+#include "diagnostics/diagnostic.hpp"
 #include "kernel/settings.hpp"
-#include "parser/diagnostic.hpp"
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 
 namespace kerf {
 
@@ -17,9 +17,9 @@ class CheckWarnings {
   explicit CheckWarnings(const lookahead::PlanLimits& limits);
 
   // The next move of the program.
-  void look_at(const parser::Move& move, std::vector<parser::Diagnostic>& found);
+  void look_at(const parser::Move& move, std::vector<diagnostics::Diagnostic>& found);
   // No move follows.
-  void finish(std::vector<parser::Diagnostic>& found) { end_run(found); }
+  void finish(std::vector<diagnostics::Diagnostic>& found) { end_run(found); }
 
  private:
   struct Box {
@@ -30,13 +30,13 @@ class CheckWarnings {
   };
   struct Vertex {
     parser::Point place_mm{};
-    parser::SourcePosition source;  // of the line that begins here
+    diagnostics::SourcePosition source;  // of the line that begins here
   };
 
-  void check_feed(const parser::Move& move, std::vector<parser::Diagnostic>& found);
-  void take_line(const parser::Move& move, std::vector<parser::Diagnostic>& found);
+  void check_feed(const parser::Move& move, std::vector<diagnostics::Diagnostic>& found);
+  void take_line(const parser::Move& move, std::vector<diagnostics::Diagnostic>& found);
   [[nodiscard]] const Vertex* loop_to(const parser::Point& end_mm, double tolerance_mm) const;
-  void end_run(std::vector<parser::Diagnostic>& found);
+  void end_run(std::vector<diagnostics::Diagnostic>& found);
   // Each tolerance is warned of once, and not very many of them.
   [[nodiscard]] bool is_told(double tolerance_mm) const;
 
@@ -45,7 +45,7 @@ class CheckWarnings {
   // Straight feeds under one G64, with nothing between them.
   std::deque<Vertex> vertices_;  // the last of them
   Box box_;
-  parser::SourcePosition run_begin_;
+  diagnostics::SourcePosition run_begin_;
   std::uint64_t lines_ = 0;
   double tolerance_mm_ = 0.0;
   double merge_mm_ = 0.0;

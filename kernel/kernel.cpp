@@ -12,8 +12,8 @@
 
 namespace kerf {
 
+using diagnostics::Diagnostic;
 using interp::MotionQueue;
-using parser::Diagnostic;
 
 class Kernel::Impl {
  public:

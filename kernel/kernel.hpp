@@ -8,13 +8,13 @@
 #include <string_view>
 #include <vector>
 
+#include "diagnostics/diagnostic.hpp"
 #include "interp/interpolator.hpp"
 #include "kernel/plan_check.hpp"
 #include "kernel/settings.hpp"
 #include "kernel/tick_judge.hpp"
 #include "lookahead/planner.hpp"
-#include "parser/diagnostic.hpp"
-#include "parser/reader_options.hpp"
+#include "parser/flow/reader_options.hpp"
 #include "profiles/profile.hpp"
 #include "smoothing/departure.hpp"
 
@@ -85,7 +85,7 @@ class Kernel {
   [[nodiscard]] bool has_errors() const;
   // The error is a block that leaves the travel (KernelOptions::checks_travel).
   [[nodiscard]] bool left_travel() const noexcept;
-  [[nodiscard]] const std::vector<parser::Diagnostic>& diagnostics() const;
+  [[nodiscard]] const std::vector<diagnostics::Diagnostic>& diagnostics() const;
   [[nodiscard]] const lookahead::PlanTotals& totals() const;
 
  private:

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lookahead/path/limits.hpp"
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 #include "smoothing/path_part.hpp"
 
 namespace kerf {

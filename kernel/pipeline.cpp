@@ -3,9 +3,9 @@
 #include <utility>
 #include <variant>
 
+#include "diagnostics/errors/machine.hpp"
 #include "lookahead/path/block_builder.hpp"
 #include "lookahead/push.hpp"
-#include "parser/errors/machine.hpp"
 
 namespace kerf {
 
@@ -57,11 +57,11 @@ bool Pipeline::take_next() {
 }
 
 void Pipeline::push_part(smoothing::PathPart part) {
-  const parser::SourcePosition source = part.source;
+  const diagnostics::SourcePosition source = part.source;
   const std::vector<parser::EventMove> changes = std::move(part.changes);
   auto block = lookahead::block_of(std::move(part), limits_, planner_.scan_for());
   if (!block) {
-    path_.cut(source, block.error(), parser::errors::kCurveRefused);
+    path_.cut(source, block.error(), errors::kCurveRefused);
     return;
   }
   check_.pushed(*block);

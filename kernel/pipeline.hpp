@@ -34,7 +34,7 @@ class Pipeline {
   void feed(std::string_view text) { path_.feed(text); }
   void finish() { path_.finish(); }
   // Nothing is run, for a reason that is not in the text.
-  void refuse(parser::Diagnostic fault) { path_.refuse(std::move(fault)); }
+  void refuse(diagnostics::Diagnostic fault) { path_.refuse(std::move(fault)); }
 
   // One step. Precondition: the outbox is empty.
   Step step(lookahead::Outbox& outbox);

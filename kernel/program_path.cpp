@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <utility>
 
+#include "diagnostics/errors/machine.hpp"
 #include "kernel/reader_options.hpp"
 #include "machine/envelope.hpp"
-#include "parser/errors/machine.hpp"
-#include "parser/short_moves.hpp"
+#include "parser/moves/short_moves.hpp"
 
 namespace kerf {
 
@@ -96,11 +96,11 @@ bool ProgramPath::read_move() {
   // Before smoothing, which may round the corner into the move or merge it with others.
   if (const auto excess = travel_ ? travel_->excess_of(move) : std::nullopt) {
     left_travel_ = true;
-    fail({source_.line, machine::describe(*excess)}, parser::errors::kOutsideTravel);
+    fail({source_.line, machine::describe(*excess)}, errors::kOutsideTravel);
     return true;
   }
   if (const auto taken = smoother_.push(move); !taken) {
-    fail(taken.error(), parser::errors::kCurveRefused);
+    fail(taken.error(), errors::kCurveRefused);
   }
   return true;
 }
@@ -109,14 +109,14 @@ std::optional<PlaceOfTool> ProgramPath::programmed_end() const {
   return has_errors() ? std::nullopt : std::optional(end_);
 }
 
-void ProgramPath::cut(const parser::SourcePosition& source, const smoothing::PathError& error,
-                      const parser::ErrorPage& page) {
+void ProgramPath::cut(const diagnostics::SourcePosition& source, const smoothing::PathError& error,
+                      const diagnostics::ErrorPage& page) {
   cut_ = true;
   source_ = source;
   fail(error, page);
 }
 
-void ProgramPath::refuse(parser::Diagnostic fault) {
+void ProgramPath::refuse(diagnostics::Diagnostic fault) {
   cut_ = true;
   failed_ = true;
   source_ = fault.source;
@@ -124,15 +124,15 @@ void ProgramPath::refuse(parser::Diagnostic fault) {
   end();
 }
 
-void ProgramPath::fail(const smoothing::PathError& error, const parser::ErrorPage& page) {
+void ProgramPath::fail(const smoothing::PathError& error, const diagnostics::ErrorPage& page) {
   failed_ = true;
   all_diagnostics_ = reader_.diagnostics();
-  parser::SourcePosition place = source_;
+  diagnostics::SourcePosition place = source_;
   if (error.line != place.line) {  // inside a curve of many blocks
     place.line = error.line;
     place.column = 1;
   }
-  parser::Diagnostic& diagnostic = all_diagnostics_.emplace_back(place, page, error.message);
+  diagnostics::Diagnostic& diagnostic = all_diagnostics_.emplace_back(place, page, error.message);
   diagnostic.file = reader_.file_name(place.file);
   end();
 }

@@ -42,11 +42,11 @@ class ProgramPath {
   // What is held back for the sake of what follows comes out without it.
   void flush() { smoother_.flush(); }
   // The part that next() gave cannot be run: the path has ended before it, with this error.
-  void cut(const parser::SourcePosition& source, const smoothing::PathError& error,
-           const parser::ErrorPage& page);
+  void cut(const diagnostics::SourcePosition& source, const smoothing::PathError& error,
+           const diagnostics::ErrorPage& page);
 
   // Nothing is run, for a reason that is not in the text.
-  void refuse(parser::Diagnostic fault);
+  void refuse(diagnostics::Diagnostic fault);
 
   // Where the program leads the tool, so far as it was read. Nothing: it has an error.
   [[nodiscard]] std::optional<PlaceOfTool> programmed_end() const;
@@ -55,7 +55,7 @@ class ProgramPath {
   [[nodiscard]] bool has_errors() const { return failed_ || reader_.has_errors(); }
   // The error is a move that leaves the travel.
   [[nodiscard]] bool left_travel() const noexcept { return left_travel_; }
-  [[nodiscard]] const std::vector<parser::Diagnostic>& diagnostics() const {
+  [[nodiscard]] const std::vector<diagnostics::Diagnostic>& diagnostics() const {
     return failed_ ? all_diagnostics_ : reader_.diagnostics();
   }
   [[nodiscard]] const parser::ProgramReader& reader() const noexcept { return reader_; }
@@ -64,7 +64,7 @@ class ProgramPath {
  private:
   // The next move into the smoother. False: there is no more text.
   bool read_move();
-  void fail(const smoothing::PathError& error, const parser::ErrorPage& page);
+  void fail(const smoothing::PathError& error, const diagnostics::ErrorPage& page);
   // What is held back still runs.
   void end();
   Next next_as_programmed(Output& output);
@@ -75,13 +75,13 @@ class ProgramPath {
   parser::ProgramReader reader_;
   std::optional<TravelCheck> travel_;
   smoothing::Smoother smoother_;
-  PlaceOfTool end_{};              // of the move read last
-  parser::SourcePosition source_;  // of the move read last, or of the part that was cut
-  bool ended_ = false;             // what the smoother still holds is all that follows
-  bool cut_ = false;               // and none of that is run
+  PlaceOfTool end_{};                   // of the move read last
+  diagnostics::SourcePosition source_;  // of the move read last, or of the part that was cut
+  bool ended_ = false;                  // what the smoother still holds is all that follows
+  bool cut_ = false;                    // and none of that is run
   bool failed_ = false;
   bool left_travel_ = false;
-  std::vector<parser::Diagnostic> all_diagnostics_;  // once it failed
+  std::vector<diagnostics::Diagnostic> all_diagnostics_;  // once it failed
 };
 
 }  // namespace kerf

@@ -3,7 +3,7 @@
 
 #include "kernel/kernel.hpp"
 #include "kernel/settings.hpp"
-#include "parser/reader_options.hpp"
+#include "parser/flow/reader_options.hpp"
 
 namespace kerf {
 

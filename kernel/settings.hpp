@@ -5,8 +5,8 @@
 
 #include "lookahead/path/limits.hpp"
 #include "machine/table_settings.hpp"
-#include "parser/dialect.hpp"
-#include "parser/offsets/machine_data.hpp"
+#include "parser/dialects/dialect.hpp"
+#include "parser/modal/machine_data.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf {

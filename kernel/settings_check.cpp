@@ -6,10 +6,10 @@
 #include <string>
 #include <string_view>
 
+#include "diagnostics/errors/machine.hpp"
 #include "kernel/machine_file_checks.hpp"
 #include "kernel/machine_file_schema.hpp"
 #include "kernel/machine_file_text.hpp"
-#include "parser/errors/machine.hpp"
 #include "profiles/sigmoid.hpp"
 
 namespace kerf {
@@ -17,13 +17,13 @@ namespace {
 
 struct Fault {
   std::string message;
-  const parser::ErrorPage* page = nullptr;
+  const diagnostics::ErrorPage* page = nullptr;
 };
 
 using Result = tl::expected<void, Fault>;
 
 Result fail(const std::string& field, const std::string& problem,
-            const parser::ErrorPage& page = parser::errors::kImpossibleSetting) {
+            const diagnostics::ErrorPage& page = errors::kImpossibleSetting) {
   return tl::unexpected(Fault{field + ": " + problem, &page});
 }
 
@@ -132,8 +132,7 @@ Result check_bounds(MachineSettings& settings) {
     for (const NumberRule& rule : extra_axis_rules(parser::turns(axis)).last(3)) {
       if (has_extra_axis(settings, axis) && rule.field(settings, axis) == rule.open) {
         return fail(path_to_extra(axis) + "." + std::string(rule.key),
-                    "expected a limit, which this axis must have",
-                    parser::errors::kMachineWithoutLimit);
+                    "expected a limit, which this axis must have", errors::kMachineWithoutLimit);
       }
     }
   }
@@ -143,7 +142,7 @@ Result check_bounds(MachineSettings& settings) {
       return fail("path." + std::string(rule.key),
                   "nothing bounds the " + std::string(quantity) +
                       ", expected a limit here or in every axis",
-                  parser::errors::kMachineWithoutLimit);
+                  errors::kMachineWithoutLimit);
     }
   }
   return {};
@@ -220,13 +219,14 @@ tl::expected<void, SettingsError> validate(const KernelOptions& options) {
   return without_page(check_options(options));
 }
 
-std::optional<parser::Diagnostic> settings_fault(const MachineSettings& settings,
-                                                 const KernelOptions& options) {
+std::optional<diagnostics::Diagnostic> settings_fault(const MachineSettings& settings,
+                                                      const KernelOptions& options) {
   const Result result = check_options(options).and_then([&] { return check_machine(settings); });
   if (result) {
     return std::nullopt;
   }
-  return parser::Diagnostic({.line = 1, .column = 1}, *result.error().page, result.error().message);
+  return diagnostics::Diagnostic({.line = 1, .column = 1}, *result.error().page,
+                                 result.error().message);
 }
 
 KernelOptions resting_options(const KernelOptions& given) {

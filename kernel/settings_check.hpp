@@ -6,10 +6,10 @@
 
 #include <tl/expected.hpp>
 
+#include "diagnostics/diagnostic.hpp"
 #include "kernel/kernel.hpp"
 #include "kernel/settings.hpp"
 #include "kernel/settings_error.hpp"
-#include "parser/diagnostic.hpp"
 
 namespace kerf {
 
@@ -24,8 +24,8 @@ tl::expected<void, SettingsError> validate(const KernelOptions& options);
 
 // The same as Kernel reports it, at the program's first line; check_program, which plans nothing,
 // lets limits be missing.
-std::optional<parser::Diagnostic> settings_fault(const MachineSettings& settings,
-                                                 const KernelOptions& options);
+std::optional<diagnostics::Diagnostic> settings_fault(const MachineSettings& settings,
+                                                      const KernelOptions& options);
 
 // Options to rest with where those that were given are impossible: the tool stays where they say
 // that it is, if they do.

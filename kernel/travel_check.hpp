@@ -6,7 +6,7 @@
 
 #include "kernel/settings.hpp"
 #include "machine/envelope.hpp"
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 #include "smoothing/path_part.hpp"
 
 namespace kerf {

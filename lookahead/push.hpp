@@ -5,7 +5,7 @@
 
 #include "lookahead/path/block.hpp"
 #include "lookahead/planner.hpp"
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 
 namespace kerf::lookahead {
 

@@ -2,42 +2,42 @@
 
 #include <utility>
 
-#include "parser/program_reader_impl.hpp"
+#include "parser/reader/program_run.hpp"
 
 namespace kerf::parser {
 
 ProgramReader::ProgramReader(ReaderOptions options)
-    : impl_(std::make_unique<Impl>(std::move(options))) {}
+    : run_(std::make_unique<ProgramRun>(std::move(options))) {}
 ProgramReader::~ProgramReader() = default;
 ProgramReader::ProgramReader(ProgramReader&&) noexcept = default;
 ProgramReader& ProgramReader::operator=(ProgramReader&&) noexcept = default;
 
 void ProgramReader::feed(std::string_view bytes) {
-  impl_->input().feed(bytes);
+  run_->input().feed(bytes);
 }
 void ProgramReader::finish() {
-  impl_->input().finish();
+  run_->input().finish();
 }
 bool ProgramReader::next(Move& move) {
-  return impl_->next(move);
+  return run_->next(move);
 }
 bool ProgramReader::at_end() const {
-  return impl_->at_end();
+  return run_->at_end();
 }
 const std::optional<WatchedBlock>& ProgramReader::watched_block() const {
-  return impl_->watched_block();
+  return run_->watched_block();
 }
 bool ProgramReader::has_errors() const {
-  return impl_->diagnostics().has_errors();
+  return run_->diagnostics().has_errors();
 }
 std::size_t ProgramReader::held_bytes() const {
-  return impl_->held_bytes();
+  return run_->held_bytes();
 }
 std::string_view ProgramReader::file_name(std::uint16_t file) const {
-  return impl_->file_name(file);
+  return run_->file_name(file);
 }
-const std::vector<Diagnostic>& ProgramReader::diagnostics() const {
-  return impl_->diagnostics().all();
+const std::vector<diagnostics::Diagnostic>& ProgramReader::diagnostics() const {
+  return run_->diagnostics().all();
 }
 
 }  // namespace kerf::parser

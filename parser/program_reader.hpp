@@ -6,12 +6,14 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/diagnostic.hpp"
-#include "parser/move.hpp"
-#include "parser/reader_options.hpp"
-#include "parser/watched_block.hpp"
+#include "diagnostics/diagnostic.hpp"
+#include "parser/flow/reader_options.hpp"
+#include "parser/flow/watched_block.hpp"
+#include "parser/moves/move.hpp"
 
 namespace kerf::parser {
+
+class ProgramRun;
 
 // Reads one program. Memory does not grow with its length: the piece fed last, a line of at most
 // 64 KiB, the modal state and one NURBS curve of at most 20,000 control points are all that is
@@ -48,11 +50,10 @@ class ProgramReader {
   // Of the file that SourcePosition::file names; empty for 0, the program itself.
   [[nodiscard]] std::string_view file_name(std::uint16_t file) const;
   // Errors and warnings in the order of the text, at most max_errors errors.
-  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
+  [[nodiscard]] const std::vector<diagnostics::Diagnostic>& diagnostics() const;
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  std::unique_ptr<ProgramRun> run_;
 };
 
 }  // namespace kerf::parser

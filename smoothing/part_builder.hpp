@@ -5,7 +5,7 @@
 
 #include <tl/expected.hpp>
 
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 #include "smoothing/path_error.hpp"
 #include "smoothing/path_part.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "curves/curve.hpp"
 #include "curves/extra_way.hpp"
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 
 namespace kerf::smoothing {
 
@@ -20,8 +20,8 @@ struct LineMark {
 
 struct PathPart {
   curves::Curve curve;
-  parser::SourcePosition source{};  // of its first line
-  std::uint64_t run_block = 0;      // parser::Move::block of the move that it begins with
+  diagnostics::SourcePosition source{};  // of its first line
+  std::uint64_t run_block = 0;           // parser::Move::block of the move that it begins with
   bool rapid = false;
   double feedrate_mm_s = 0.0;  // not used by rapids
   curves::ExtraWay extra{};

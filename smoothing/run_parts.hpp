@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "curves/curve.hpp"
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 #include "smoothing/path_part.hpp"
 #include "smoothing/polyline.hpp"
 

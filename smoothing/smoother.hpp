@@ -6,7 +6,7 @@
 
 #include <tl/expected.hpp>
 
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 #include "smoothing/blender.hpp"
 #include "smoothing/compressor.hpp"
 #include "smoothing/departure.hpp"

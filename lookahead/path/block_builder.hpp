@@ -8,7 +8,7 @@
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/feed_scan.hpp"
 #include "lookahead/path/limits.hpp"
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 #include "smoothing/path_error.hpp"
 #include "smoothing/path_part.hpp"
 

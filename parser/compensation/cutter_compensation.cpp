@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 
-#include "parser/errors/compensation.hpp"
-#include "parser/errors/gouges.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/compensation.hpp"
+#include "diagnostics/errors/gouges.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -48,7 +48,7 @@ void CutterCompensation::stop() {
   on_ = false;
 }
 
-void CutterCompensation::finish(SourcePosition source) {
+void CutterCompensation::finish(diagnostics::SourcePosition source) {
   if (on_) {
     diagnostics_->add(source, errors::kCompensationLeftOn,
                       "cutter compensation is still on at the program's end (G40 is missing)");

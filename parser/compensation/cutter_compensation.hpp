@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "diagnostics/diagnostic_list.hpp"
 #include "parser/compensation/held_move.hpp"
 #include "parser/compensation/path_sender.hpp"
-#include "parser/diagnostic_list.hpp"
 
 namespace kerf::parser {
 
@@ -45,13 +45,14 @@ class CutterCompensation {
   static constexpr std::size_t kWindow = 8;
   static constexpr std::size_t kMostHeld = 1000;  // moves, those without motion in the plane too
 
-  explicit CutterCompensation(DiagnosticList& diagnostics) : diagnostics_(&diagnostics) {}
+  explicit CutterCompensation(diagnostics::DiagnosticList& diagnostics)
+      : diagnostics_(&diagnostics) {}
 
   // Precondition: not on().
   void start(const CompensationStart& start);
   void stop();
   // Says that the program ends here: sends all that is held and is off.
-  void finish(SourcePosition source);
+  void finish(diagnostics::SourcePosition source);
 
   // From start() to stop().
   [[nodiscard]] bool on() const { return on_; }
@@ -102,7 +103,7 @@ class CutterCompensation {
   void send_surplus();
   void send_all();
   void send(const HeldMove& held);
-  void blame(HeldMove& held, const ErrorPage& page, std::string message);
+  void blame(HeldMove& held, const diagnostics::ErrorPage& page, std::string message);
 
   [[nodiscard]] planar::Curve curve_of(const Move& move) const;
   [[nodiscard]] bool moves_in_plane(const Move& move) const;
@@ -110,7 +111,7 @@ class CutterCompensation {
     return start_.side == CutterSide::left ? start_.radius_mm : -start_.radius_mm;
   }
 
-  DiagnosticList* diagnostics_;
+  diagnostics::DiagnosticList* diagnostics_;
   PathSender sender_;
   CompensationStart start_;
   bool on_ = false;

@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include "diagnostics/errors/gouges.hpp"
 #include "parser/compensation/cutter_compensation.hpp"
 #include "parser/compensation/gouge.hpp"
-#include "parser/errors/gouges.hpp"
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -195,12 +195,13 @@ void CutterCompensation::report_cut(const Cut& cut) {
   }
 }
 
-void CutterCompensation::blame(HeldMove& held, const ErrorPage& page, std::string message) {
+void CutterCompensation::blame(HeldMove& held, const diagnostics::ErrorPage& page,
+                               std::string message) {
   if (!held.faulty) {
     held.fault = HeldFault{std::move(message), &page};
   }
   held.faulty = true;
-  if (page.severity == Severity::error) {
+  if (page.severity == diagnostics::Severity::error) {
     ++run_;  // what comes behind is not measured against a contour that is wrong already
   }
 }

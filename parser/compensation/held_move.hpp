@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
+#include "diagnostics/diagnostic_list.hpp"
 #include "parser/compensation/corner.hpp"
-#include "parser/diagnostic_list.hpp"
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 
 namespace kerf::parser {
 
@@ -16,12 +16,12 @@ enum class HeldRole : std::uint8_t { idle, entry, contour, exit };
 
 struct HeldFault {
   std::string message;
-  const ErrorPage* page = nullptr;
+  const diagnostics::ErrorPage* page = nullptr;
 };
 
 struct HeldMove {
-  Move move;              // as programmed
-  DiagnosticPlace place;  // of curves
+  Move move;                           // as programmed
+  diagnostics::DiagnosticPlace place;  // of curves
   HeldRole role = HeldRole::idle;
   OffsetCurve curve;   // both without regard to corners
   planar::Curve wall;  // what is to be kept of curve.programmed

@@ -1,10 +1,10 @@
 // G40, G41, G42, G41.1, G42.1, and what may not stand between them.
 #include <cmath>
 
-#include "parser/errors/blocks.hpp"
-#include "parser/errors/compensation.hpp"
-#include "parser/interpreter.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/blocks.hpp"
+#include "diagnostics/errors/compensation.hpp"
+#include "parser/interpreter/interpreter.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 

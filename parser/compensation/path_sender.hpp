@@ -1,9 +1,9 @@
 // From ways in the plane back to moves.
 #pragma once
 
-#include "parser/arc_geometry.hpp"
 #include "parser/compensation/held_move.hpp"
-#include "parser/move_queue.hpp"
+#include "parser/moves/arc_geometry.hpp"
+#include "parser/moves/move_queue.hpp"
 
 namespace kerf::parser {
 

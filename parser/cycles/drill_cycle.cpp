@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parser/arc_geometry.hpp"
+#include "parser/moves/arc_geometry.hpp"
 
 namespace kerf::parser {
 

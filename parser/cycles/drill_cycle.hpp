@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "parser/block.hpp"
-#include "parser/dialect.hpp"
-#include "parser/modal_state.hpp"
+#include "parser/block/block.hpp"
+#include "parser/dialects/dialect.hpp"
+#include "parser/modal/modal_state.hpp"
 
 namespace kerf::parser {
 
@@ -52,11 +52,6 @@ struct CycleStep {
 
 // How far above the last depth the next rapid of G73 and G83 ends, as LinuxCNC has it.
 inline constexpr double kChipGap_mm = 0.254;
-
-constexpr bool is_cycle(Motion motion) {
-  return motion == Motion::chip_breaking || motion == Motion::tap_left ||
-         (motion >= Motion::drill && motion <= Motion::bore_with_dwell);
-}
 
 // Letters that the cycle takes beside the axes: R, L and its own.
 Letters letters_of_cycle(Motion motion, Dialect dialect);

@@ -1,10 +1,10 @@
 // G73, G74, G81 to G89: what the words of a block, with those of the blocks before, ask for.
 #include <cmath>
 
-#include "parser/arc_geometry.hpp"
-#include "parser/errors/cycles.hpp"
-#include "parser/interpreter.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/cycles.hpp"
+#include "parser/interpreter/interpreter.hpp"
+#include "parser/moves/arc_geometry.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -42,8 +42,8 @@ bool Interpreter::take_cycle_words() {
   for (std::size_t axis = 0; axis < 3 && state_.motion == Motion::back_bore; ++axis) {
     take(centre_letter(axis), unit, words.offset_mm[axis]);
   }
-  const auto missing = [this](std::optional<double>& word, const ErrorPage& page, char letter,
-                              double assumed) {
+  const auto missing = [this](std::optional<double>& word, const diagnostics::ErrorPage& page,
+                              char letter, double assumed) {
     word = assumed;
     return fail(motion_offset(), page, joined({motion_name(), " needs ", named(letter)}));
   };

@@ -1,12 +1,12 @@
 // G73, G74, G81 to G89: a block's holes as moves.
 #include <cmath>
 
-#include "parser/arc_geometry.hpp"
-#include "parser/errors/compensation.hpp"
-#include "parser/errors/cycles.hpp"
-#include "parser/errors/motion.hpp"
-#include "parser/interpreter.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/compensation.hpp"
+#include "diagnostics/errors/cycles.hpp"
+#include "diagnostics/errors/motion.hpp"
+#include "parser/interpreter/interpreter.hpp"
+#include "parser/moves/arc_geometry.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 

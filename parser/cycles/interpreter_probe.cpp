@@ -2,9 +2,9 @@
 // leaves it.
 #include <cmath>
 
-#include "parser/errors/probing.hpp"
-#include "parser/interpreter.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/probing.hpp"
+#include "parser/interpreter/interpreter.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 

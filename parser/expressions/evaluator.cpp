@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "parser/errors/expressions.hpp"
-#include "parser/errors/variables.hpp"
+#include "diagnostics/errors/expressions.hpp"
+#include "diagnostics/errors/variables.hpp"
 #include "parser/expressions/expression_scan.hpp"
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -42,7 +42,7 @@ void Evaluator::begin(const Cursor& cursor) {
   rounding_ = nullptr;
 }
 
-bool Evaluator::fail(const char* at, const ErrorPage& page, std::string message) {
+bool Evaluator::fail(const char* at, const diagnostics::ErrorPage& page, std::string message) {
   if (!failed_) {
     fault_ = {static_cast<std::uint32_t>(at - line_.data()), std::move(message), &page};
     failed_ = true;
@@ -241,6 +241,14 @@ void Evaluator::commit() {
     }
   }
   pending_.clear();
+}
+
+void warn_of_unset(const Evaluator::UnsetRead& read, std::uint32_t line,
+                   diagnostics::DiagnosticList& diagnostics) {
+  if (!diagnostics.has(errors::kUnsetVariable, line)) {
+    diagnostics.add({line, read.offset + 1}, errors::kUnsetVariable,
+                    joined({"#", std::to_string(read.number), " was never set: it counts as 0"}));
+  }
 }
 
 }  // namespace kerf::parser

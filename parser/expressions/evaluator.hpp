@@ -9,10 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "parser/errors/error_page.hpp"
+#include "diagnostics/diagnostic_list.hpp"
+#include "diagnostics/errors/error_page.hpp"
+#include "diagnostics/fault.hpp"
 #include "parser/expressions/expression_grammar.hpp"
 #include "parser/expressions/parameters.hpp"
-#include "parser/fault.hpp"
 
 namespace kerf::parser {
 
@@ -63,7 +64,7 @@ class Evaluator {
   void commit();
 
   [[nodiscard]] bool has_pending() const { return !pending_.empty(); }
-  [[nodiscard]] const Fault& fault() const { return fault_; }
+  [[nodiscard]] const diagnostics::Fault& fault() const { return fault_; }
   // Offset + 1 of a variable that was read behind its assignment in the same line, where it still
   // had the value from before; 0: none.
   [[nodiscard]] std::uint32_t stale_read() const { return stale_read_; }
@@ -79,7 +80,7 @@ class Evaluator {
   [[nodiscard]] const char* rounding() const { return rounding_; }
 
   // For the grammar. Keeps the first fault of the line; returns false.
-  bool fail(const char* at, const ErrorPage& page, std::string message);
+  bool fail(const char* at, const diagnostics::ErrorPage& page, std::string message);
   [[nodiscard]] bool failed() const { return failed_; }
   bool read(const Reference& variable, double& value);
   [[nodiscard]] bool exists(const Reference& variable) const;
@@ -103,7 +104,7 @@ class Evaluator {
 
   Parameters* parameters_;
   std::vector<Pending> pending_;
-  Fault fault_;
+  diagnostics::Fault fault_;
   std::string_view line_;
   int depth_ = 0;
   bool used_ = false;  // something below or above is of this line
@@ -112,5 +113,10 @@ class Evaluator {
   std::optional<UnsetRead> unset_read_;
   const char* rounding_ = nullptr;
 };
+
+// A variable that counts as 0 because nothing has set it. Once in a line, which may read another
+// one in each turn of a loop.
+void warn_of_unset(const Evaluator::UnsetRead& read, std::uint32_t line,
+                   diagnostics::DiagnosticList& diagnostics);
 
 }  // namespace kerf::parser

@@ -3,13 +3,13 @@
 
 #include <string_view>
 
-#include "parser/errors/expressions.hpp"
-#include "parser/errors/variables.hpp"
+#include "diagnostics/errors/expressions.hpp"
+#include "diagnostics/errors/variables.hpp"
 #include "parser/expressions/evaluator.hpp"
 #include "parser/expressions/expression_grammar.hpp"
 #include "parser/expressions/expression_scan.hpp"
-#include "parser/grammar_leaf.hpp"
-#include "parser/number.hpp"
+#include "parser/expressions/grammar_leaf.hpp"
+#include "parser/text/number.hpp"
 
 namespace kerf::parser::leaves {
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <string>
 
-#include "parser/character_error.hpp"
-#include "parser/errors/expressions.hpp"
-#include "parser/errors/variables.hpp"
-#include "parser/errors/words.hpp"
+#include "diagnostics/errors/expressions.hpp"
+#include "diagnostics/errors/variables.hpp"
+#include "diagnostics/errors/words.hpp"
 #include "parser/expressions/evaluator.hpp"
-#include "parser/number.hpp"
-#include "parser/text.hpp"
+#include "parser/text/character_error.hpp"
+#include "parser/text/number.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -83,7 +83,7 @@ bool is_foreign_byte(const Reading& reading) {
 
 bool explain_foreign_byte(const Reading& reading) {
   const std::string_view rest(reading.at, static_cast<std::size_t>(reading.end - reading.at));
-  const Fault fault = explain_character(rest, 0);
+  const diagnostics::Fault fault = explain_character(rest, 0);
   return reading.evaluator.fail(reading.at, *fault.page, fault.message);
 }
 

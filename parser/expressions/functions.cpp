@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "parser/errors/expressions.hpp"
+#include "diagnostics/errors/expressions.hpp"
 #include "parser/expressions/parameters.hpp"
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 

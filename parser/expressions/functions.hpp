@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "parser/dialect.hpp"
+#include "parser/dialects/dialect.hpp"
 #include "parser/expressions/operators.hpp"
 
 namespace kerf::parser {

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "parser/errors/expressions.hpp"
+#include "diagnostics/errors/expressions.hpp"
 #include "parser/expressions/parameters.hpp"
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <string>
 
-#include "parser/dialect.hpp"
-#include "parser/errors/error_page.hpp"
+#include "diagnostics/errors/error_page.hpp"
+#include "parser/dialects/dialect.hpp"
 
 namespace kerf::parser {
 
@@ -36,7 +36,7 @@ struct Operands {
 // A value, or what is wrong where `page` is set.
 struct Outcome {
   double value = 0.0;
-  const ErrorPage* page = nullptr;
+  const diagnostics::ErrorPage* page = nullptr;
   std::string message;
 };
 

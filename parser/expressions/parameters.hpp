@@ -12,7 +12,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "parser/dialect.hpp"
+#include "parser/dialects/dialect.hpp"
 #include "parser/expressions/predefined_values.hpp"
 
 namespace kerf::parser {

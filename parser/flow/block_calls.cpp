@@ -3,13 +3,13 @@
 #include <cmath>
 #include <string>
 
-#include "parser/errors/fanuc.hpp"
-#include "parser/errors/flow.hpp"
-#include "parser/errors/macros.hpp"
-#include "parser/errors/subprograms.hpp"
-#include "parser/errors/words.hpp"
+#include "diagnostics/errors/fanuc.hpp"
+#include "diagnostics/errors/flow.hpp"
+#include "diagnostics/errors/macros.hpp"
+#include "diagnostics/errors/subprograms.hpp"
+#include "diagnostics/errors/words.hpp"
 #include "parser/flow/statement_reader.hpp"
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -21,7 +21,8 @@ bool is_whole(double value, double least, double most) {
   return value >= least && value <= most && value == std::floor(value);
 }
 
-Fault fault_at(std::size_t offset, const ErrorPage& page, std::string message) {
+diagnostics::Fault fault_at(std::size_t offset, const diagnostics::ErrorPage& page,
+                            std::string message) {
   return {static_cast<std::uint32_t>(offset), std::move(message), &page};
 }
 
@@ -34,7 +35,7 @@ struct Numbers {
   std::size_t runs_at = 0;
 };
 
-bool set_numbers(const Numbers& numbers, Call& call, Fault& fault) {
+bool set_numbers(const Numbers& numbers, Call& call, diagnostics::Fault& fault) {
   const bool by_name = !call.label.empty();
   if (!by_name && !is_whole(numbers.program, 1.0, kLargestNumber)) {
     fault = fault_at(numbers.program_at, errors::kProgramNumber,
@@ -67,7 +68,7 @@ std::size_t variable_of(char letter) {
 // Goes through the words of a macro call.
 class MacroCall {
  public:
-  MacroCall(std::string_view line, Evaluator& evaluator, Call& call, Fault& fault)
+  MacroCall(std::string_view line, Evaluator& evaluator, Call& call, diagnostics::Fault& fault)
       : line_(line), evaluator_(&evaluator), call_(&call), fault_(&fault) {
     call.kind = CallKind::macro;
     call.arguments = call.values.size();
@@ -98,7 +99,7 @@ class MacroCall {
   }
 
  private:
-  bool refuse(std::size_t offset, const ErrorPage& page, std::string message) {
+  bool refuse(std::size_t offset, const diagnostics::ErrorPage& page, std::string message) {
     *fault_ = fault_at(offset, page, std::move(message));
     return false;
   }
@@ -166,7 +167,7 @@ class MacroCall {
   std::string_view line_;
   Evaluator* evaluator_;
   Call* call_;
-  Fault* fault_;
+  diagnostics::Fault* fault_;
   Numbers numbers_;
   std::string_view name_ = "G65";
   std::size_t set_ = 0;          // of I, J and K
@@ -177,7 +178,7 @@ class MacroCall {
 }  // namespace
 
 bool read_program_call(const Block& block, const Word& code, Dialect dialect, Call& call,
-                       Fault& fault) {
+                       diagnostics::Fault& fault) {
   const bool local = code.value == 97.0;
   const std::string_view name = local ? "M97" : "M98";
   call.kind = local ? CallKind::local : CallKind::program;
@@ -208,7 +209,7 @@ bool read_program_call(const Block& block, const Word& code, Dialect dialect, Ca
   return set_numbers(numbers, call, fault);
 }
 
-bool read_m99(const Block& block, const Word& code, Return& back, Fault& fault) {
+bool read_m99(const Block& block, const Word& code, Return& back, diagnostics::Fault& fault) {
   constexpr double kLargestLineNumber = 999'999'999.0;
   back.offset = code.offset;
   if (!block.has('P')) {
@@ -234,7 +235,8 @@ void remove_call(Block& block, const Word& code) {
   block.present &= ~letters('P', 'L');
 }
 
-bool read_macro_call(std::string_view line, Evaluator& evaluator, Call& call, Fault& fault) {
+bool read_macro_call(std::string_view line, Evaluator& evaluator, Call& call,
+                     diagnostics::Fault& fault) {
   return MacroCall(line, evaluator, call, fault).read();
 }
 

@@ -2,14 +2,14 @@
 
 #include <utility>
 
-#include "parser/errors/flow.hpp"
-#include "parser/errors/subprograms.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/flow.hpp"
+#include "diagnostics/errors/subprograms.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
 Flow::Flow(const ReaderOptions& options, ProgramInput& input, Evaluator& evaluator,
-           DiagnosticList& diagnostics, Interpreter& interpreter)
+           diagnostics::DiagnosticList& diagnostics, Interpreter& interpreter)
     : options_(&options),
       input_(&input),
       evaluator_(&evaluator),
@@ -37,7 +37,7 @@ void Flow::forget() {
   forgotten_ = true;
 }
 
-void Flow::fault(std::uint32_t index, std::uint32_t offset, const ErrorPage& page,
+void Flow::fault(std::uint32_t index, std::uint32_t offset, const diagnostics::ErrorPage& page,
                  std::string message) {
   diagnostics_->at_line(text_->number_of(index), text_->line(index).view());
   diagnostics_->add({text_->number_of(index), offset + 1}, page, std::move(message));

@@ -10,15 +10,15 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/diagnostic_list.hpp"
-#include "parser/dialect.hpp"
+#include "diagnostics/diagnostic_list.hpp"
+#include "parser/dialects/dialect.hpp"
 #include "parser/expressions/evaluator.hpp"
 #include "parser/flow/call.hpp"
 #include "parser/flow/program_text.hpp"
-#include "parser/interpreter.hpp"
-#include "parser/program_input.hpp"
-#include "parser/reader_options.hpp"
-#include "parser/watched_block.hpp"
+#include "parser/flow/reader_options.hpp"
+#include "parser/flow/watched_block.hpp"
+#include "parser/interpreter/interpreter.hpp"
+#include "parser/text/program_input.hpp"
 
 namespace kerf::parser {
 
@@ -45,7 +45,7 @@ class Flow {
 
   // All but the options must outlive the flow.
   Flow(const ReaderOptions& options, ProgramInput& input, Evaluator& evaluator,
-       DiagnosticList& diagnostics, Interpreter& interpreter);
+       diagnostics::DiagnosticList& diagnostics, Interpreter& interpreter);
 
   // False: lines come straight from the input; ask begins_with() about each of them.
   [[nodiscard]] bool active() const { return active_; }
@@ -119,7 +119,7 @@ class Flow {
     std::uint32_t around = 0;  // structure around it
     std::uint32_t offset = 0;
     bool walked = false;  // over what there was when the search began
-    std::optional<DiagnosticPlace> returned_by =
+    std::optional<diagnostics::DiagnosticPlace> returned_by =
         std::nullopt;  // M99 P, in the text of the subprogram
   };
   struct Found {
@@ -131,7 +131,8 @@ class Flow {
   void forget();
   bool grow();
   void report_faults(ProgramText& text);
-  void fault(std::uint32_t index, std::uint32_t offset, const ErrorPage& page, std::string message);
+  void fault(std::uint32_t index, std::uint32_t offset, const diagnostics::ErrorPage& page,
+             std::string message);
   void enter_text(ProgramText& text, std::uint32_t line);
   bool reach_goal();
   bool pass_goal();
@@ -176,13 +177,13 @@ class Flow {
   const SequenceNumber* find_number();
   bool find_target();
   void target_not_found();
-  void wrong_target(const ErrorPage& page, std::string message);
+  void wrong_target(const diagnostics::ErrorPage& page, std::string message);
   [[nodiscard]] bool may_enter(std::uint32_t structure) const;
 
   const ReaderOptions* options_;
   ProgramInput* input_;
   Evaluator* evaluator_;
-  DiagnosticList* diagnostics_;
+  diagnostics::DiagnosticList* diagnostics_;
   Interpreter* interpreter_;
 
   std::unique_ptr<ProgramText> main_;

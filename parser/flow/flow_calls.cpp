@@ -3,12 +3,12 @@
 #include <span>
 #include <utility>
 
-#include "parser/errors/flow.hpp"
-#include "parser/errors/macros.hpp"
-#include "parser/errors/subprograms.hpp"
+#include "diagnostics/errors/flow.hpp"
+#include "diagnostics/errors/macros.hpp"
+#include "diagnostics/errors/subprograms.hpp"
 #include "parser/flow/flow.hpp"
 #include "parser/flow/statement_reader.hpp"
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -110,7 +110,7 @@ bool Flow::find_and_enter() {
 }
 
 void Flow::call_not_found() {
-  const auto refuse = [&](const ErrorPage& page, std::string message) {
+  const auto refuse = [&](const diagnostics::ErrorPage& page, std::string message) {
     fault(call_.line, call_.offset, page, std::move(message));
   };
   if (call_.kind == CallKind::local) {
@@ -212,7 +212,7 @@ bool Flow::return_from_call(const Return& from) {
     fault(current_, from.offset, errors::kM99InSub,
           "M99 in a sub: use return or endsub (M99 ends programs that M98 calls)");
   }
-  std::optional<DiagnosticPlace> here;
+  std::optional<diagnostics::DiagnosticPlace> here;
   if (from.line_number != 0) {
     frames_.back().runs = 0;
     here = diagnostics_->place({text_->number_of(current_), from.number_offset + 1});

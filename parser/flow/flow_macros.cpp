@@ -1,11 +1,11 @@
 // The statements of custom macro B: IF, GOTO, WHILE and END.
 #include <cmath>
 
-#include "parser/errors/flow.hpp"
-#include "parser/errors/macros.hpp"
+#include "diagnostics/errors/flow.hpp"
+#include "diagnostics/errors/macros.hpp"
 #include "parser/flow/flow.hpp"
 #include "parser/flow/statement_reader.hpp"
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -122,7 +122,7 @@ bool Flow::find_target() {
   return true;
 }
 
-void Flow::wrong_target(const ErrorPage& page, std::string message) {
+void Flow::wrong_target(const diagnostics::ErrorPage& page, std::string message) {
   if (target_.returned_by) {
     diagnostics_->add_at(*target_.returned_by, page, std::move(message));
   } else {

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "parser/block_warnings.hpp"
-#include "parser/errors/flow.hpp"
-#include "parser/errors/macros.hpp"
-#include "parser/errors/subprograms.hpp"
+#include "diagnostics/errors/flow.hpp"
+#include "diagnostics/errors/macros.hpp"
+#include "diagnostics/errors/subprograms.hpp"
+#include "parser/expressions/evaluator.hpp"
 #include "parser/flow/flow.hpp"
 #include "parser/flow/statement_reader.hpp"
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -71,7 +71,7 @@ bool Flow::read_value(std::size_t& at, double& value) {
   const std::string_view line = text_->line(current_).view();
   Cursor cursor{line, at};
   if (!evaluator_->read_value(cursor, value)) {
-    const Fault& found = evaluator_->fault();
+    const diagnostics::Fault& found = evaluator_->fault();
     fault(current_, found.offset, *found.page, found.message);
     return false;
   }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "parser/errors/flow.hpp"
-#include "parser/errors/macros.hpp"
-#include "parser/fault.hpp"
+#include "diagnostics/errors/flow.hpp"
+#include "diagnostics/errors/macros.hpp"
+#include "diagnostics/fault.hpp"
 #include "parser/flow/statement_reader.hpp"
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -60,7 +60,7 @@ void ProgramText::take(const Line& line) {
 
 void ProgramText::take_statement(std::uint32_t line, std::string_view text, std::size_t at) {
   Statement statement;
-  Fault fault;
+  diagnostics::Fault fault;
   statement.keyword_at = static_cast<std::uint32_t>(at);
   if (!read_statement(text, at, origin_.dialect, statement, fault)) {
     return;

@@ -8,14 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/block_delete.hpp"
-#include "parser/dialect.hpp"
+#include "parser/dialects/dialect.hpp"
 #include "parser/flow/labels.hpp"
 #include "parser/flow/sequence_numbers.hpp"
 #include "parser/flow/statement.hpp"
 #include "parser/flow/structure.hpp"
 #include "parser/flow/text_store.hpp"
-#include "parser/line_splitter.hpp"
+#include "parser/text/block_delete.hpp"
+#include "parser/text/line_splitter.hpp"
 
 namespace kerf::parser {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "parser/errors/flow.hpp"
-#include "parser/errors/macros.hpp"
-#include "parser/errors/subprograms.hpp"
-#include "parser/number.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/flow.hpp"
+#include "diagnostics/errors/macros.hpp"
+#include "diagnostics/errors/subprograms.hpp"
+#include "parser/text/number.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -44,11 +44,12 @@ constexpr std::array<Word, 16> kOWords{{{"sub", Keyword::o_sub},
                                         {"continue", Keyword::o_continue},
                                         {"", Keyword::program}}};
 
-Fault fault_at(std::size_t at, const ErrorPage& page, std::string message) {
+diagnostics::Fault fault_at(std::size_t at, const diagnostics::ErrorPage& page,
+                            std::string message) {
   return {static_cast<std::uint32_t>(at), std::move(message), &page};
 }
 
-void refuse(Statement& statement, Fault& fault, Fault found) {
+void refuse(Statement& statement, diagnostics::Fault& fault, diagnostics::Fault found) {
   fault = std::move(found);
   statement.keyword = Keyword::wrong;
 }
@@ -71,7 +72,7 @@ std::string keyword_text(std::string_view line, std::size_t& at) {
 }
 
 void read_o_word(std::string_view line, std::size_t at, Dialect dialect, Statement& statement,
-                 Fault& fault) {
+                 diagnostics::Fault& fault) {
   const std::size_t label = skip_blanks(line, at + 1);
   const std::size_t label_end = behind_label(line, label);
   statement.label_at = static_cast<std::uint32_t>(label);
@@ -118,7 +119,8 @@ void read_o_word(std::string_view line, std::size_t at, Dialect dialect, Stateme
 }
 
 // Behind THEN stands an assignment, GOTO or a block, in the same line.
-void check_then(std::string_view line, std::size_t behind, Statement& statement, Fault& fault) {
+void check_then(std::string_view line, std::size_t behind, Statement& statement,
+                diagnostics::Fault& fault) {
   if (only_comment_left(line, behind)) {
     refuse(
         statement, fault,
@@ -136,7 +138,8 @@ void check_then(std::string_view line, std::size_t behind, Statement& statement,
 }
 
 // IF [..] GOTO, IF [..] THEN
-void read_if(std::string_view line, std::size_t behind, Statement& statement, Fault& fault) {
+void read_if(std::string_view line, std::size_t behind, Statement& statement,
+             diagnostics::Fault& fault) {
   statement.keyword = Keyword::macro_if;
   const std::size_t open = skip_blanks(line, behind);
   statement.rest = static_cast<std::uint32_t>(open);
@@ -159,7 +162,7 @@ void read_if(std::string_view line, std::size_t behind, Statement& statement, Fa
 
 // The number behind DO or END, 1 to 3.
 void read_loop_number(std::string_view line, std::size_t at, std::string_view name,
-                      Statement& statement, Fault& fault) {
+                      Statement& statement, diagnostics::Fault& fault) {
   const std::size_t from = skip_blanks(line, at);
   std::size_t end = from;
   std::uint32_t number = 0;
@@ -180,7 +183,8 @@ void read_loop_number(std::string_view line, std::size_t at, std::string_view na
   }
 }
 
-void read_while(std::string_view line, std::size_t behind, Statement& statement, Fault& fault) {
+void read_while(std::string_view line, std::size_t behind, Statement& statement,
+                diagnostics::Fault& fault) {
   statement.keyword = Keyword::macro_while;
   const std::size_t open = skip_blanks(line, behind);
   statement.keyword_at = static_cast<std::uint32_t>(open);
@@ -203,7 +207,8 @@ void read_while(std::string_view line, std::size_t behind, Statement& statement,
   read_loop_number(line, number, "DO", statement, fault);
 }
 
-bool read_macro(std::string_view line, std::size_t at, Statement& statement, Fault& fault) {
+bool read_macro(std::string_view line, std::size_t at, Statement& statement,
+                diagnostics::Fault& fault) {
   if (const std::size_t behind = behind_keyword(line, at, "if"); behind != 0) {
     read_if(line, behind, statement, fault);
   } else if (const std::size_t goto_ = behind_keyword(line, at, "goto"); goto_ != 0) {
@@ -231,7 +236,7 @@ bool read_macro(std::string_view line, std::size_t at, Statement& statement, Fau
 }  // namespace
 
 bool read_statement(std::string_view line, std::size_t at, Dialect dialect, Statement& statement,
-                    Fault& fault) {
+                    diagnostics::Fault& fault) {
   const char first = at < line.size() ? lower(line[at]) : ' ';
   if (first == 'o' || (first == ':' && dialect == Dialect::fanuc)) {
     read_o_word(line, at, dialect, statement, fault);

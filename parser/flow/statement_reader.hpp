@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "parser/dialect.hpp"
-#include "parser/fault.hpp"
+#include "diagnostics/fault.hpp"
+#include "parser/dialects/dialect.hpp"
 #include "parser/flow/statement.hpp"
 #include "parser/flow/statement_text.hpp"
 
@@ -24,6 +24,6 @@ inline bool may_be_statement(std::string_view line, std::size_t at, Dialect dial
 // False: the line is a plain block. With a fault's message set: a statement that is wrong, whose
 // keyword is then Keyword::wrong.
 bool read_statement(std::string_view line, std::size_t at, Dialect dialect, Statement& statement,
-                    Fault& fault);
+                    diagnostics::Fault& fault);
 
 }  // namespace kerf::parser

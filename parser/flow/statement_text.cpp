@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "parser/number.hpp"
-#include "parser/text.hpp"
+#include "parser/text/number.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 

@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "parser/errors/flow.hpp"
-#include "parser/errors/macros.hpp"
+#include "diagnostics/errors/flow.hpp"
+#include "diagnostics/errors/macros.hpp"
 #include "parser/flow/keyword_names.hpp"
 #include "parser/flow/statement_text.hpp"
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
@@ -20,8 +20,8 @@ bool is_macro(Keyword keyword) {
          keyword == Keyword::macro_end;
 }
 
-void add(std::vector<StatementFault>& faults, const Statement& statement, const ErrorPage& page,
-         std::string message) {
+void add(std::vector<StatementFault>& faults, const Statement& statement,
+         const diagnostics::ErrorPage& page, std::string message) {
   faults.push_back({statement.line, statement.keyword_at, &page, std::move(message)});
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "parser/errors/error_page.hpp"
+#include "diagnostics/errors/error_page.hpp"
 #include "parser/flow/labels.hpp"
 #include "parser/flow/statement.hpp"
 
@@ -16,7 +16,7 @@ namespace kerf::parser {
 struct StatementFault {
   std::uint32_t line = 0;    // index in the text
   std::uint32_t offset = 0;  // in the line
-  const ErrorPage* page = nullptr;
+  const diagnostics::ErrorPage* page = nullptr;
   std::string message;
 };
 

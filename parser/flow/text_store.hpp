@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/line_splitter.hpp"
+#include "parser/text/line_splitter.hpp"
 
 namespace kerf::parser {
 

@@ -1,9 +1,9 @@
 // G10: the program writes work offsets and the tool table.
 #include <cmath>
 
-#include "parser/errors/offsets.hpp"
-#include "parser/interpreter.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/offsets.hpp"
+#include "parser/interpreter/interpreter.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 

@@ -1,11 +1,11 @@
 // A, B, C, U, V and W, where the machine file names them.
 #include <cmath>
 
-#include "parser/errors/blocks.hpp"
-#include "parser/errors/motion.hpp"
-#include "parser/interpreter.hpp"
-#include "parser/short_moves.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/blocks.hpp"
+#include "diagnostics/errors/motion.hpp"
+#include "parser/interpreter/interpreter.hpp"
+#include "parser/moves/short_moves.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 

@@ -1,5 +1,5 @@
 // G52 and G92.
-#include "parser/interpreter.hpp"
+#include "parser/interpreter/interpreter.hpp"
 
 namespace kerf::parser {
 

@@ -1,11 +1,11 @@
 // Where coordinates lie: G54 to G59.3, G43, G28 and G30.
 #include <cmath>
 
-#include "parser/errors/cycles.hpp"
-#include "parser/errors/offsets.hpp"
-#include "parser/interpreter.hpp"
-#include "parser/offsets/word_users.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/cycles.hpp"
+#include "diagnostics/errors/offsets.hpp"
+#include "parser/interpreter/interpreter.hpp"
+#include "parser/modal/word_users.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 

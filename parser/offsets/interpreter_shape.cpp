@@ -1,9 +1,9 @@
 // Fanuc: G54.1, G50 and G51, G50.1 and G51.1, G68 and G69.
 #include <cmath>
 
-#include "parser/errors/shape.hpp"
-#include "parser/interpreter.hpp"
-#include "parser/text.hpp"
+#include "diagnostics/errors/shape.hpp"
+#include "parser/interpreter/interpreter.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
 

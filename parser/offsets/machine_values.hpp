@@ -6,11 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/dialect.hpp"
+#include "parser/dialects/dialect.hpp"
 #include "parser/expressions/predefined_values.hpp"
-#include "parser/modal_state.hpp"
-#include "parser/offsets/machine_data.hpp"
-#include "parser/offsets/saved_modes.hpp"
+#include "parser/interpreter/saved_modes.hpp"
+#include "parser/modal/machine_data.hpp"
+#include "parser/modal/modal_state.hpp"
 
 namespace kerf::parser {
 

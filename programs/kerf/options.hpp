@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "parser/block_delete.hpp"
-#include "parser/dialect.hpp"
+#include "parser/dialects/dialect.hpp"
+#include "parser/text/block_delete.hpp"
 #include "profiles/profile.hpp"
 #include "programs/kerf/speed_question.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 
 namespace kerf::conformance {
 

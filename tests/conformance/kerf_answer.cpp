@@ -4,7 +4,7 @@
 #include <sstream>
 #include <variant>
 
-#include "parser/offsets/tool_table.hpp"
+#include "parser/modal/tool_table.hpp"
 #include "parser/program_reader.hpp"
 #include "tests/conformance/answer.hpp"
 
@@ -113,8 +113,8 @@ Answer kerf_answer(const std::filesystem::path& program) {
   fetch();
   reader.finish();
   fetch();
-  for (const parser::Diagnostic& diagnostic : reader.diagnostics()) {
-    if (diagnostic.severity == parser::Severity::error && answer.refusal.empty()) {
+  for (const diagnostics::Diagnostic& diagnostic : reader.diagnostics()) {
+    if (diagnostic.severity == diagnostics::Severity::error && answer.refusal.empty()) {
       answer.refusal = to_string(diagnostic, program.filename().string());
     }
   }

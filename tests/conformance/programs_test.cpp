@@ -17,7 +17,7 @@
 namespace kerf::conformance {
 namespace {
 
-using parser::Diagnostic;
+using diagnostics::Diagnostic;
 using parser::ProgramReader;
 
 struct RealProgram {
@@ -81,7 +81,7 @@ const Diagnostic* first_error(ProgramReader& reader, const std::string& text) {
   }
   const auto& all = reader.diagnostics();
   const auto found = std::find_if(all.begin(), all.end(), [](const Diagnostic& one) {
-    return one.severity == parser::Severity::error;
+    return one.severity == diagnostics::Severity::error;
   });
   return found == all.end() ? nullptr : &*found;
 }

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnostics/diagnostic.hpp"
 #include "kernel/check.hpp"
-#include "parser/diagnostic.hpp"
 #include "parser/program_reader.hpp"
 
 namespace kerf::faults {
@@ -31,7 +31,7 @@ inline CheckReport check(std::string_view text, const KernelOptions& options = {
 inline std::string said_of(std::string_view text, const KernelOptions& options = {},
                            const MachineSettings& settings = {}) {
   std::string lines;
-  for (const parser::Diagnostic& diagnostic : check(text, options, settings).diagnostics) {
+  for (const diagnostics::Diagnostic& diagnostic : check(text, options, settings).diagnostics) {
     lines += to_string(diagnostic, "").substr(1) + "\n";
   }
   return lines;

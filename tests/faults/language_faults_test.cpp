@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnostics/errors/machine.hpp"
 #include "kernel/check.hpp"
 #include "kernel/machine_file.hpp"
-#include "parser/errors/machine.hpp"
 #include "parser/program_reader.hpp"
 #include "programs/kerf/io/program_file.hpp"
 #include "programs/kerf/io/subprogram_folder.hpp"
@@ -117,7 +117,7 @@ TEST(LanguageFaults, Row23ALoopOfEndlessMotionEndsWithTheTimeThatIsAllowed) {
       },
       default_machine(), {}, {.max_time_s = 60.0});
   ASSERT_TRUE(report.has_errors());
-  EXPECT_EQ(report.diagnostics.front().page, &parser::errors::kTooLong);
+  EXPECT_EQ(report.diagnostics.front().page, &errors::kTooLong);
   EXPECT_GT(report.diagnostics.front().source.line, 1U);
 }
 

@@ -8,7 +8,7 @@
 #include "curves/nurbs_curve.hpp"
 #include "kernel/kernel.hpp"
 #include "kernel/machine_file.hpp"
-#include "parser/curve_block.hpp"
+#include "parser/curves/curve_block.hpp"
 #include "tests/faults/checked.hpp"
 
 namespace kerf::faults {

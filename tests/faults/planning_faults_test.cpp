@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/motion.hpp"
 #include "kernel/kerf.hpp"
-#include "parser/errors/machine.hpp"
-#include "parser/errors/motion.hpp"
 #include "parser/program_reader.hpp"
 
 namespace kerf::faults {
@@ -31,7 +31,7 @@ void run(Kernel& kernel, Look look) {
     look(setpoint);
   }
   EXPECT_EQ(status, TickStatus::finished);
-  for (const parser::Diagnostic& diagnostic : kernel.diagnostics()) {
+  for (const diagnostics::Diagnostic& diagnostic : kernel.diagnostics()) {
     ADD_FAILURE() << to_string(diagnostic, "program");
   }
 }
@@ -182,22 +182,22 @@ TEST(PlanningFaults, Row59ADayOfSlowMotionIsAsFastAtItsEndAsAtItsBegin) {
 
 struct FarJump {
   std::string text;
-  const parser::ErrorPage* page;
+  const diagnostics::ErrorPage* page;
   unsigned line;
 };
 
 TEST(PlanningFaults, Row62AFarJumpIsRefusedInMachineCoordinatesBeforeItStarts) {
   const std::vector<FarJump> jumps{
-      {"G10 L2 P1 X999999\nG0 X0\n", &parser::errors::kOutsideTravel, 2},
-      {"G10 L2 P2 Y-600\nG0 X1\nG0 Y0\nG55 G0 Y10\n", &parser::errors::kOutsideTravel, 4},
-      {"G92 X999999\nG0 X0\n", &parser::errors::kOutsideTravel, 2},
-      {"G52 Z250\nG1 Z-10 F100\nG0 Z0\n", &parser::errors::kOutsideTravel, 2},
-      {"G43.1 Z300\nG0 Z0\n", &parser::errors::kOutsideTravel, 2},
-      {"G91\nG0 X400\nG0 X100\nG0 X0.001\n", &parser::errors::kOutsideTravel, 4},
-      {"G53 G0 X500.001\n", &parser::errors::kOutsideTravel, 1},
-      {"G10 L2 P1 X400\nG53 G0 X400\nG0 X101\n", &parser::errors::kOutsideTravel, 3},
-      {"G92 X-999999\nG0 X999999\n", &parser::errors::kPositionOutOfRange, 2},
-      {"G91\nG53 G0 X1\n", &parser::errors::kMachineIncremental, 2},
+      {"G10 L2 P1 X999999\nG0 X0\n", &errors::kOutsideTravel, 2},
+      {"G10 L2 P2 Y-600\nG0 X1\nG0 Y0\nG55 G0 Y10\n", &errors::kOutsideTravel, 4},
+      {"G92 X999999\nG0 X0\n", &errors::kOutsideTravel, 2},
+      {"G52 Z250\nG1 Z-10 F100\nG0 Z0\n", &errors::kOutsideTravel, 2},
+      {"G43.1 Z300\nG0 Z0\n", &errors::kOutsideTravel, 2},
+      {"G91\nG0 X400\nG0 X100\nG0 X0.001\n", &errors::kOutsideTravel, 4},
+      {"G53 G0 X500.001\n", &errors::kOutsideTravel, 1},
+      {"G10 L2 P1 X400\nG53 G0 X400\nG0 X101\n", &errors::kOutsideTravel, 3},
+      {"G92 X-999999\nG0 X999999\n", &errors::kPositionOutOfRange, 2},
+      {"G91\nG53 G0 X1\n", &errors::kMachineIncremental, 2},
   };
   for (const FarJump& jump : jumps) {
     SCOPED_TRACE(jump.text);

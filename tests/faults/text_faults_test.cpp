@@ -47,7 +47,7 @@ Streamed stream(std::string_view piece, std::size_t bytes) {
     }
     most = std::max(most, resident_bytes());
   }
-  for (const parser::Diagnostic& diagnostic : reader.diagnostics()) {
+  for (const diagnostics::Diagnostic& diagnostic : reader.diagnostics()) {
     result.said += to_string(diagnostic, "").substr(1) + "\n";
   }
   result.grown_bytes = most - before;

@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnostics/errors/machine.hpp"
 #include "kernel/machine_file.hpp"
-#include "parser/errors/machine.hpp"
 #include "tests/kernel/shipped_text.hpp"
 
 namespace kerf::test {
@@ -113,7 +113,7 @@ TEST(Check, EndsAnEndlessLoopWithMotionAtTheBlockThatTakesItTooLong) {
   const CheckReport report =
       check_for(1000.0, "G21 G90\no1 while [1]\nG1 X10 F600\nG0 X0\no1 endwhile\n");
   ASSERT_EQ(report.diagnostics.size(), 1U);
-  EXPECT_EQ(report.diagnostics[0].page, &parser::errors::kTooLong);
+  EXPECT_EQ(report.diagnostics[0].page, &errors::kTooLong);
   EXPECT_EQ(report.diagnostics[0].source.line, 3U);  // 1 s forth, 0.1 s back
   EXPECT_EQ(report.diagnostics[0].message,
             "up to here the program takes more than the 1000 s that are allowed");

@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnostics/errors/machine.hpp"
 #include "kernel/check.hpp"
 #include "kernel/kernel.hpp"
 #include "machine/simulated_table.hpp"
-#include "parser/errors/machine.hpp"
 #include "tests/kernel/run.hpp"
 #include "tests/kernel/tick_checker.hpp"
 

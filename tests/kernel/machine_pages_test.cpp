@@ -4,21 +4,21 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnostics/errors/catalogue.hpp"
+#include "diagnostics/errors/machine.hpp"
 #include "kernel/check.hpp"
 #include "kernel/kernel.hpp"
 #include "kernel/machine_file.hpp"
-#include "parser/errors/catalogue.hpp"
-#include "parser/errors/machine.hpp"
 
 namespace kerf::test {
 namespace {
 
-namespace errors = parser::errors;
+namespace errors = errors;
 
 constexpr std::array kOfTheCheck{&errors::kOutsideTravel, &errors::kCurveRefused, &errors::kTooLong,
                                  &errors::kFeedBeyondReach, &errors::kToleranceSwallows};
 
-std::vector<parser::Diagnostic> found_in(const parser::ErrorPage& page) {
+std::vector<diagnostics::Diagnostic> found_in(const diagnostics::ErrorPage& page) {
   MachineSettings settings;
   settings.limits.path.velocity_mm_s = 100.0;
   for (auto& axis : settings.table.axes) {
@@ -32,13 +32,13 @@ std::vector<parser::Diagnostic> found_in(const parser::ErrorPage& page) {
         return piece;
       },
       settings, {}, {.max_time_s = 1000.0});
-  std::vector<parser::Diagnostic> all = report.diagnostics;
+  std::vector<diagnostics::Diagnostic> all = report.diagnostics;
   all.insert(all.end(), report.limit_faults.begin(), report.limit_faults.end());
   return all;
 }
 
 TEST(MachinePages, OfTheCheckHaveTheirTriggers) {
-  for (const parser::ErrorPage* page : kOfTheCheck) {
+  for (const diagnostics::ErrorPage* page : kOfTheCheck) {
     const auto found = found_in(*page);
     ASSERT_FALSE(found.empty()) << page->title;
     EXPECT_EQ(found.front().page, page) << found.front().message;
@@ -66,7 +66,7 @@ TEST(MachinePages, OfAnImpossibleSettingHasItsTrigger) {
 }
 
 TEST(MachinePages, AreAllTriedHere) {
-  for (const parser::ErrorPage* page : errors::catalogue()) {
+  for (const diagnostics::ErrorPage* page : errors::catalogue()) {
     const bool tried = page == &errors::kMachineWithoutLimit ||
                        page == &errors::kImpossibleSetting ||
                        std::find(kOfTheCheck.begin(), kOfTheCheck.end(), page) != kOfTheCheck.end();

@@ -10,10 +10,10 @@
 
 #include <gtest/gtest.h>
 
+#include "diagnostics/errors/machine.hpp"
 #include "kernel/check.hpp"
 #include "kernel/machine_file.hpp"
 #include "kernel/machine_file_schema.hpp"
-#include "parser/errors/machine.hpp"
 
 namespace kerf::test {
 namespace {
@@ -59,8 +59,8 @@ std::vector<Field> all_fields() {
   return fields;
 }
 
-void expect_named(const std::vector<parser::Diagnostic>& diagnostics, const std::string& field,
-                  const parser::ErrorPage& page) {
+void expect_named(const std::vector<diagnostics::Diagnostic>& diagnostics, const std::string& field,
+                  const diagnostics::ErrorPage& page) {
   ASSERT_EQ(diagnostics.size(), 1U);
   EXPECT_EQ(diagnostics[0].page, &page);
   EXPECT_EQ(diagnostics[0].message.find(field + ": "), 0U) << diagnostics[0].message;
@@ -69,7 +69,7 @@ void expect_named(const std::vector<parser::Diagnostic>& diagnostics, const std:
 // The kernel and the check end at once, with an error that names the field.
 void expect_refused(const MachineSettings& settings, const KernelOptions& options,
                     const std::string& field,
-                    const parser::ErrorPage& page = parser::errors::kImpossibleSetting) {
+                    const diagnostics::ErrorPage& page = errors::kImpossibleSetting) {
   SCOPED_TRACE(field);
   constexpr std::string_view kProgram = "G1 X10 F600\nM2\n";
   Kernel kernel(settings, options);
@@ -84,7 +84,7 @@ void expect_refused(const MachineSettings& settings, const KernelOptions& option
       [&]() -> std::string_view { return std::exchange(given, true) ? "" : kProgram; }, settings,
       options);
   expect_named(kernel.diagnostics(), field, page);
-  if (&page != &parser::errors::kMachineWithoutLimit) {  // a program may be read for any machine
+  if (&page != &errors::kMachineWithoutLimit) {  // a program may be read for any machine
     expect_named(report.diagnostics, field, page);
   }
 }
@@ -160,10 +160,10 @@ TEST(SettingsCheck, WantsEachQuantityBounded) {
     settings.limits.path.*quantity = kInfinity;
     EXPECT_TRUE(validate(settings));
     settings.limits.axes[2].*quantity = kInfinity;
-    expect_refused(settings, {}, "path." + key, parser::errors::kMachineWithoutLimit);
+    expect_refused(settings, {}, "path." + key, errors::kMachineWithoutLimit);
     settings = machine_with_everything();
     settings.limits.extra[5].*quantity = kInfinity;
-    expect_refused(settings, {}, "axes.w." + key, parser::errors::kMachineWithoutLimit);
+    expect_refused(settings, {}, "axes.w." + key, errors::kMachineWithoutLimit);
   }
 }
 

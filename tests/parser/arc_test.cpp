@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "parser/arc_geometry.hpp"
+#include "parser/moves/arc_geometry.hpp"
 #include "tests/parser/program.hpp"
 
 namespace kerf::parser {

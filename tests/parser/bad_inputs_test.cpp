@@ -45,9 +45,10 @@ std::string name_of(const testing::TestParamInfo<BadInput>& info) {
          (info.param.dialect == Dialect::fanuc ? "_fanuc" : "");
 }
 
-const Diagnostic* first_of(const Program& program, Severity severity) {
-  const auto found = std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
-                                  [&](const Diagnostic& one) { return one.severity == severity; });
+const diagnostics::Diagnostic* first_of(const Program& program, diagnostics::Severity severity) {
+  const auto found =
+      std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
+                   [&](const diagnostics::Diagnostic& one) { return one.severity == severity; });
   return found == program.diagnostics.end() ? nullptr : &*found;
 }
 
@@ -60,16 +61,17 @@ TEST_P(BadInputFile, GetsTheVerdictOnTheRightLine) {
   options.machine = default_machine_data();
   const Program program = read_program(read_file(folder() / wanted.file), options);
   EXPECT_TRUE(program.at_end);
-  const Diagnostic* const error = first_of(program, Severity::error);
-  const Diagnostic* const warning = first_of(program, Severity::warning);
-  const Diagnostic* const first = error != nullptr ? error : warning;
+  const diagnostics::Diagnostic* const error = first_of(program, diagnostics::Severity::error);
+  const diagnostics::Diagnostic* const warning = first_of(program, diagnostics::Severity::warning);
+  const diagnostics::Diagnostic* const first = error != nullptr ? error : warning;
   const std::string said = first == nullptr ? "nothing" : to_string(*first, wanted.file);
   if (wanted.verdict == "accept") {
     EXPECT_EQ(first, nullptr) << said;
     return;
   }
   ASSERT_NE(first, nullptr);
-  EXPECT_EQ(first->severity, wanted.verdict == "error" ? Severity::error : Severity::warning)
+  EXPECT_EQ(first->severity, wanted.verdict == "error" ? diagnostics::Severity::error
+                                                       : diagnostics::Severity::warning)
       << said;
   EXPECT_EQ(first->source.line, wanted.line) << said;
   EXPECT_EQ(first->message.find("not supported yet"), std::string::npos) << said;

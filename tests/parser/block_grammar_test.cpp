@@ -1,4 +1,4 @@
-#include "parser/block_grammar.hpp"
+#include "parser/block/block_grammar.hpp"
 
 #include <string>
 

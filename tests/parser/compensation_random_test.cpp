@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "contour.hpp"
-#include "parser/errors/compensation.hpp"
-#include "parser/errors/gouges.hpp"
+#include "diagnostics/errors/compensation.hpp"
+#include "diagnostics/errors/gouges.hpp"
 
 namespace kerf::parser {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 bool scratches(const Compensated& result) {
   return std::any_of(
       result.diagnostics.begin(), result.diagnostics.end(),
-      [](const Diagnostic& one) { return one.page == &errors::kCompensationScratch; });
+      [](const diagnostics::Diagnostic& one) { return one.page == &errors::kCompensationScratch; });
 }
 
 // One path: every move begins where the one before ended, and every arc has one radius.

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "contour.hpp"
-#include "parser/errors/compensation.hpp"
-#include "parser/errors/gouges.hpp"
+#include "diagnostics/errors/compensation.hpp"
+#include "diagnostics/errors/gouges.hpp"
 
 namespace kerf::parser {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 constexpr CompensationStart kLeft{CutterSide::left, 5.0};
 constexpr CompensationStart kRight{CutterSide::right, 5.0};
 
-const ErrorPage* first_page(const Compensated& result) {
+const diagnostics::ErrorPage* first_page(const Compensated& result) {
   return result.diagnostics.empty() ? nullptr : result.diagnostics.front().page;
 }
 

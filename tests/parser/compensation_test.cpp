@@ -19,7 +19,7 @@ Program read_with_tools(const std::string& text, Dialect dialect = Dialect::rs27
 // The messages, one a line.
 std::string messages(const std::string& text, Dialect dialect = Dialect::rs274) {
   std::string all;
-  for (const Diagnostic& one : read_with_tools(text, dialect).diagnostics) {
+  for (const diagnostics::Diagnostic& one : read_with_tools(text, dialect).diagnostics) {
     all += std::to_string(one.source.line) + ":" + std::to_string(one.source.column) + ": " +
            one.message + "\n";
   }
@@ -144,7 +144,7 @@ TEST(Compensation, BlamesTheMoveAndShowsItsBlock) {
   const Program program =
       read_with_tools("G41.1 D10 G1 F600 X20\nX50\n  Y3 (too short)\nX20\nY30\nX0\nG40 X-40\nM2\n");
   ASSERT_FALSE(program.diagnostics.empty());
-  const Diagnostic& first = program.diagnostics.front();
+  const diagnostics::Diagnostic& first = program.diagnostics.front();
   EXPECT_EQ(to_string(first, "slot").substr(0, 60),
             "slot:3:3: error: the tool (radius 5.000 mm) cannot reach lin");
   EXPECT_EQ(first.block.text, "  Y3 (too short)");

@@ -66,17 +66,19 @@ class Contour {
 
 struct Compensated {
   std::vector<Move> moves;
-  std::vector<Diagnostic> diagnostics;
+  std::vector<diagnostics::Diagnostic> diagnostics;
 
   [[nodiscard]] bool refused() const {
     return std::any_of(diagnostics.begin(), diagnostics.end(),
-                       [](const Diagnostic& one) { return one.severity == Severity::error; });
+                       [](const diagnostics::Diagnostic& one) {
+                         return one.severity == diagnostics::Severity::error;
+                       });
   }
 };
 
 // All moves under compensation but the last, which is the exit.
 inline Compensated compensated(const Contour& contour, const CompensationStart& start) {
-  DiagnosticList list(100);
+  diagnostics::DiagnosticList list(100);
   CutterCompensation stage(list);
   Compensated result;
   const auto fetch = [&] {
@@ -100,7 +102,7 @@ inline Compensated compensated(const Contour& contour, const CompensationStart& 
 
 inline std::string text_of(const Compensated& result) {
   std::string text;
-  for (const Diagnostic& one : result.diagnostics) {
+  for (const diagnostics::Diagnostic& one : result.diagnostics) {
     text += to_string(one, "").substr(1) + "\n";
   }
   for (const Move& move : result.moves) {

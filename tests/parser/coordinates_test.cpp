@@ -1,4 +1,4 @@
-#include "parser/offsets/coordinates.hpp"
+#include "parser/modal/coordinates.hpp"
 
 #include <cmath>
 

@@ -1,25 +1,25 @@
-#include "parser/diagnostic.hpp"
+#include "diagnostics/diagnostic.hpp"
 
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "parser/errors/codes.hpp"
-#include "parser/errors/modes.hpp"
-#include "parser/utf8.hpp"
+#include "diagnostics/errors/codes.hpp"
+#include "diagnostics/errors/modes.hpp"
+#include "diagnostics/utf8.hpp"
 #include "tests/parser/program.hpp"
 
 namespace kerf::parser {
 namespace {
 
-TEST(Diagnostic, HasTheFormThatEditorsUnderstand) {
-  EXPECT_EQ(to_string(Diagnostic({12, 5}, errors::kUnknownGCode, "what"), "a/b.ngc"),
+TEST(diagnostics::Diagnostic, HasTheFormThatEditorsUnderstand) {
+  EXPECT_EQ(to_string(diagnostics::Diagnostic({12, 5}, errors::kUnknownGCode, "what"), "a/b.ngc"),
             "a/b.ngc:12:5: error: what [E0100]");
-  EXPECT_EQ(to_string(Diagnostic({1, 1}, errors::kToolChangeWithoutTool, "what"), "x"),
+  EXPECT_EQ(to_string(diagnostics::Diagnostic({1, 1}, errors::kToolChangeWithoutTool, "what"), "x"),
             "x:1:1: warning: what [E0127]");
 }
 
-TEST(Diagnostic, ShowsTheBlockAndACaretUnderThePlace) {
+TEST(diagnostics::Diagnostic, ShowsTheBlockAndACaretUnderThePlace) {
   const Program program = read_program("G21\nG1 X10 F-100\nM2\n");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(to_text(program.diagnostics[0], "p.ngc"),
@@ -28,14 +28,14 @@ TEST(Diagnostic, ShowsTheBlockAndACaretUnderThePlace) {
             "           ^");
 }
 
-TEST(Diagnostic, ShowsNoBlockWhereItIsAboutTheWholeFile) {
+TEST(diagnostics::Diagnostic, ShowsNoBlockWhereItIsAboutTheWholeFile) {
   const Program program = read_program("G0 X1\n");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(to_text(program.diagnostics[0], "p"),
             "p:1:1: warning: the program has no M2, M30 or '%' at its end [E0009]");
 }
 
-TEST(Diagnostic, ShowsTheSameBlockHoweverTheTextIsCut) {
+TEST(diagnostics::Diagnostic, ShowsTheSameBlockHoweverTheTextIsCut) {
   for (const std::size_t piece : {1U, 3U, 1000U}) {
     const Program program = read_program("G0 X1\nG0 X1 Y-\nM2\n", {}, piece);
     ASSERT_EQ(program.diagnostics.size(), 1U);
@@ -44,55 +44,56 @@ TEST(Diagnostic, ShowsTheSameBlockHoweverTheTextIsCut) {
   }
 }
 
-TEST(Excerpt, KeepsAShortLineAsItIs) {
-  const Excerpt excerpt = excerpt_of("G1 X10 ?", 7);
+TEST(diagnostics::Excerpt, KeepsAShortLineAsItIs) {
+  const diagnostics::Excerpt excerpt = diagnostics::excerpt_of("G1 X10 ?", 7);
   EXPECT_EQ(excerpt.text, "G1 X10 ?");
   EXPECT_EQ(excerpt.caret, 7U);
 }
 
-TEST(Excerpt, PutsTheCaretBehindTheLineForItsEnd) {
-  EXPECT_EQ(excerpt_of("G1 X", 4).caret, 4U);
-  EXPECT_EQ(excerpt_of("", 0).text, "");
-  EXPECT_EQ(excerpt_of("G1", 100).caret, 2U) << "an offset past the line";
+TEST(diagnostics::Excerpt, PutsTheCaretBehindTheLineForItsEnd) {
+  EXPECT_EQ(diagnostics::excerpt_of("G1 X", 4).caret, 4U);
+  EXPECT_EQ(diagnostics::excerpt_of("", 0).text, "");
+  EXPECT_EQ(diagnostics::excerpt_of("G1", 100).caret, 2U) << "an offset past the line";
 }
 
-TEST(Excerpt, CutsALongLineRoundThePlace) {
+TEST(diagnostics::Excerpt, CutsALongLineRoundThePlace) {
   const std::string line = std::string(500, 'a') + "!" + std::string(500, 'b');
-  const Excerpt excerpt = excerpt_of(line, 500);
+  const diagnostics::Excerpt excerpt = diagnostics::excerpt_of(line, 500);
   EXPECT_EQ(excerpt.text, "..." + std::string(60, 'a') + "!" + std::string(39, 'b') + "...");
   EXPECT_EQ(excerpt.text[excerpt.caret], '!');
 }
 
-TEST(Excerpt, NeverCutsACharacter) {
+TEST(diagnostics::Excerpt, NeverCutsACharacter) {
   std::string line;
   for (int i = 0; i < 200; ++i) {
     line += "\xC3\xA4";  // two bytes, one column
   }
   for (std::uint32_t at = 150; at < 154; ++at) {
-    const Excerpt excerpt = excerpt_of(line, at);
+    const diagnostics::Excerpt excerpt = diagnostics::excerpt_of(line, at);
     EXPECT_EQ(excerpt.text.find("\xEF\xBF\xBD"), std::string::npos) << at;
     EXPECT_EQ(excerpt.text.size() % 2, 0U) << at;
   }
 }
 
-TEST(Excerpt, CountsCharactersAndNotBytes) {
-  EXPECT_EQ(excerpt_of("(\xC3\xA4\xC3\xB6) X", 7).caret, 5U);
-  EXPECT_EQ(excerpt_of("(\xE4\xB8\xAD) X", 6).caret, 5U) << "a character two columns wide";
-  EXPECT_EQ(excerpt_of("(e\xCC\x81) X", 6).caret, 4U) << "a combining accent";
+TEST(diagnostics::Excerpt, CountsCharactersAndNotBytes) {
+  EXPECT_EQ(diagnostics::excerpt_of("(\xC3\xA4\xC3\xB6) X", 7).caret, 5U);
+  EXPECT_EQ(diagnostics::excerpt_of("(\xE4\xB8\xAD) X", 6).caret, 5U)
+      << "a character two columns wide";
+  EXPECT_EQ(diagnostics::excerpt_of("(e\xCC\x81) X", 6).caret, 4U) << "a combining accent";
 }
 
-TEST(Excerpt, ShowsTabsAsOneBlankAndWhatIsNoCharacterAsAMark) {
-  const Excerpt excerpt = excerpt_of("\tG1\tX\xFF\x01Y Z1", 7);
+TEST(diagnostics::Excerpt, ShowsTabsAsOneBlankAndWhatIsNoCharacterAsAMark) {
+  const diagnostics::Excerpt excerpt = diagnostics::excerpt_of("\tG1\tX\xFF\x01Y Z1", 7);
   EXPECT_EQ(excerpt.text, " G1 X\xEF\xBF\xBD\xEF\xBF\xBDY Z1");
   EXPECT_EQ(excerpt.caret, 7U);
 }
 
-TEST(Excerpt, OfBinaryDataHasNoText) {
+TEST(diagnostics::Excerpt, OfBinaryDataHasNoText) {
   using std::string_view_literals::operator""sv;
-  EXPECT_EQ(excerpt_of("G\0001\0 \0X\0"sv, 3).text, "");
+  EXPECT_EQ(diagnostics::excerpt_of("G\0001\0 \0X\0"sv, 3).text, "");
 }
 
-TEST(Excerpt, OfAnyBytesIsShortValidTextWithTheCaretInsideIt) {
+TEST(diagnostics::Excerpt, OfAnyBytesIsShortValidTextWithTheCaretInsideIt) {
   constexpr unsigned kSeed = 11;
   std::mt19937 random(kSeed);
   constexpr std::string_view kBytes =
@@ -103,9 +104,10 @@ TEST(Excerpt, OfAnyBytesIsShortValidTextWithTheCaretInsideIt) {
     std::string line(length(random), ' ');
     std::generate(line.begin(), line.end(), [&] { return kBytes[pick(random)]; });
     for (std::uint32_t at = 0; at <= line.size() + 1; at += 7) {
-      const Excerpt excerpt = excerpt_of(line, at);
+      const diagnostics::Excerpt excerpt = diagnostics::excerpt_of(line, at);
       for (std::size_t i = 0; i < excerpt.text.size();) {
-        const Utf8 character = utf8_at(std::string_view(excerpt.text).substr(i));
+        const diagnostics::Utf8 character =
+            diagnostics::utf8_at(std::string_view(excerpt.text).substr(i));
         ASSERT_GE(character.code, 0x20U) << line;
         i += character.length;
       }

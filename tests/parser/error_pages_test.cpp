@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "parser/errors/blocks.hpp"
-#include "parser/errors/catalogue.hpp"
-#include "parser/errors/files.hpp"
+#include "diagnostics/errors/blocks.hpp"
+#include "diagnostics/errors/catalogue.hpp"
+#include "diagnostics/errors/files.hpp"
 #include "tests/parser/program.hpp"
 
 namespace kerf::parser {
@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint16_t kFirstMachinePage = 1000;  // tests/kernel has their triggers
 
-std::vector<const ErrorPage*> pages_of_the_text() {
-  std::vector<const ErrorPage*> pages;
-  for (const ErrorPage* page : errors::catalogue()) {
+std::vector<const diagnostics::ErrorPage*> pages_of_the_text() {
+  std::vector<const diagnostics::ErrorPage*> pages;
+  for (const diagnostics::ErrorPage* page : errors::catalogue()) {
     if (page->number < kFirstMachinePage) {
       pages.push_back(page);
     }
@@ -22,13 +22,13 @@ std::vector<const ErrorPage*> pages_of_the_text() {
   return pages;
 }
 
-std::string name_of(const testing::TestParamInfo<const ErrorPage*>& info) {
+std::string name_of(const testing::TestParamInfo<const diagnostics::ErrorPage*>& info) {
   return identifier(*info.param);
 }
 
 TEST(ErrorPages, HaveNumbersOfTheirOwn) {
   std::set<std::uint16_t> numbers;
-  for (const ErrorPage* page : errors::catalogue()) {
+  for (const diagnostics::ErrorPage* page : errors::catalogue()) {
     EXPECT_TRUE(numbers.insert(page->number).second) << identifier(*page) << ": " << page->title;
     EXPECT_GT(page->number, 0U);
     EXPECT_LT(page->number, 10'000U);
@@ -38,7 +38,7 @@ TEST(ErrorPages, HaveNumbersOfTheirOwn) {
 }
 
 TEST(ErrorPages, SayWhatIsMeantAndHowToMendIt) {
-  for (const ErrorPage* page : errors::catalogue()) {
+  for (const diagnostics::ErrorPage* page : errors::catalogue()) {
     EXPECT_FALSE(page->title.empty()) << identifier(*page);
     EXPECT_NE(page->title.back(), '.') << identifier(*page);
     EXPECT_EQ(page->meaning.substr(page->meaning.size() - 1), ".") << identifier(*page);
@@ -46,25 +46,26 @@ TEST(ErrorPages, SayWhatIsMeantAndHowToMendIt) {
   }
 }
 
-class ErrorPageTrigger : public testing::TestWithParam<const ErrorPage*> {};
+class ErrorPageTrigger : public testing::TestWithParam<const diagnostics::ErrorPage*> {};
 
 TEST_P(ErrorPageTrigger, GivesThisVeryPageFirst) {
-  const ErrorPage& page = *GetParam();
+  const diagnostics::ErrorPage& page = *GetParam();
   MachineData machine = default_machine_data();
   machine.extra_axes = &page == &errors::kExtraAxisHere ? letters('A') : 0;
   const auto linked = [](std::string_view name) {
     const SubprogramText refused{.file = "linked.ngc", .text = {}, .refused = "it is a link"};
     return name == "linked" ? std::optional(refused) : std::nullopt;
   };
-  const Program program =
-      read_program(errors::trigger_of(page),
-                   {.dialect = page.dialect, .machine = machine, .subprograms = linked});
+  const Program program = read_program(
+      errors::trigger_of(page), {.dialect = page.dialect.empty() ? Dialect::rs274 : Dialect::fanuc,
+                                 .machine = machine,
+                                 .subprograms = linked});
   ASSERT_FALSE(program.diagnostics.empty()) << page.title;
   // What says that there is more can only come last.
   const bool of_many = &page == &errors::kTooManyErrors || &page == &errors::kTooManyWarnings;
-  const Diagnostic& found = of_many && program.diagnostics.size() > 100
-                                ? program.diagnostics[100]
-                                : program.diagnostics.front();
+  const diagnostics::Diagnostic& found = of_many && program.diagnostics.size() > 100
+                                             ? program.diagnostics[100]
+                                             : program.diagnostics.front();
   EXPECT_EQ(identifier(*found.page), identifier(page)) << to_string(found, "trigger");
   EXPECT_TRUE(program.at_end);
 }

@@ -3,7 +3,7 @@
 // follow its manual.
 #include <gtest/gtest.h>
 
-#include "parser/offsets/machine_data.hpp"
+#include "parser/modal/machine_data.hpp"
 #include "tests/parser/program.hpp"
 
 namespace kerf::parser {
@@ -20,7 +20,7 @@ ReaderOptions with_axes(Letters axes, Dialect dialect = Dialect::rs274) {
 std::vector<Move> moves_with(Letters axes, std::string_view text,
                              Dialect dialect = Dialect::rs274) {
   Program program = read_program(std::string(text) + "\nM2\n", with_axes(axes, dialect));
-  for (const Diagnostic& diagnostic : program.diagnostics) {
+  for (const diagnostics::Diagnostic& diagnostic : program.diagnostics) {
     ADD_FAILURE() << message_line(diagnostic, "program");
   }
   program.moves.pop_back();  // the end

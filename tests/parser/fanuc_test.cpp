@@ -19,8 +19,8 @@ Lines run(const std::string& text, double least_increment_mm = 0.0) {
   const Program program = read_program(text + "\nM30\n", options);
   Lines lines;
   if (program.has_errors) {
-    for (const Diagnostic& one : program.diagnostics) {
-      if (one.severity == Severity::error) {
+    for (const diagnostics::Diagnostic& one : program.diagnostics) {
+      if (one.severity == diagnostics::Severity::error) {
         return {to_string(one, "p")};
       }
     }
@@ -162,7 +162,7 @@ std::string warnings(const std::string& text, double least_increment_mm = 0.0) {
   options.dialect = Dialect::fanuc;
   options.machine.least_increment_mm = least_increment_mm;
   std::string all;
-  for (const Diagnostic& one : read_program(text + "\nM30\n", options).diagnostics) {
+  for (const diagnostics::Diagnostic& one : read_program(text + "\nM30\n", options).diagnostics) {
     all += to_string(one, "p") + "\n";
   }
   return all;

@@ -12,7 +12,7 @@ namespace kerf::parser {
 // Messages of the whole program, one a line, `line:column: error: ...`; of a file with its name.
 inline std::string messages_of(std::string_view text, const ReaderOptions& options = {}) {
   std::string result;
-  for (const Diagnostic& diagnostic : read_program(text, options).diagnostics) {
+  for (const diagnostics::Diagnostic& diagnostic : read_program(text, options).diagnostics) {
     const std::string line = to_string(diagnostic, "");
     const std::string_view shown = std::string_view(line).substr(line[0] == ':' ? 1 : 0);
     result += shown.substr(0, shown.rfind(" [E"));
@@ -53,7 +53,7 @@ inline std::string everything(const Program& program) {
     text += text_of(move) + " from " + text_of(move.start_mm) + " at " +
             std::to_string(move.source.column) + '\n';
   }
-  for (const Diagnostic& diagnostic : program.diagnostics) {
+  for (const diagnostics::Diagnostic& diagnostic : program.diagnostics) {
     text += to_text(diagnostic, "p") + '\n';
   }
   return text + (program.at_end ? "end" : "open");

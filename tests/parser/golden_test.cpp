@@ -26,7 +26,7 @@ std::string expectation_for(std::filesystem::path program) {
 
 std::string messages_of(const Program& program) {
   std::string text;
-  for (const Diagnostic& diagnostic : program.diagnostics) {
+  for (const diagnostics::Diagnostic& diagnostic : program.diagnostics) {
     text += message_line(diagnostic, "").substr(1) + '\n';
   }
   return text;

@@ -1,4 +1,4 @@
-#include "parser/line_splitter.hpp"
+#include "parser/text/line_splitter.hpp"
 
 #include <ostream>
 #include <string>

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "parser/block_grammar.hpp"
-#include "parser/interpreter.hpp"
+#include "parser/block/block_grammar.hpp"
+#include "parser/interpreter/interpreter.hpp"
 
 namespace kerf::parser {
 namespace {
@@ -24,7 +24,7 @@ class MachineValuesOf : public testing::Test {
   double value(int number) { return interpreter_.values().number(number).value_or(-999.0); }
   double value(std::string_view name) { return interpreter_.values().name(name).value_or(-999.0); }
 
-  DiagnosticList diagnostics_{10};
+  diagnostics::DiagnosticList diagnostics_{10};
   std::uint32_t line_ = 0;
   Parameters parameters_;
   Evaluator evaluator_{parameters_};
@@ -150,7 +150,7 @@ TEST_F(MachineValuesOf, AWaitInVainLeavesMinusOne) {
 }
 
 TEST(FanucVariables, ShowOffsetsPositionsAndModes) {
-  DiagnosticList diagnostics(10);
+  diagnostics::DiagnosticList diagnostics(10);
   Interpreter interpreter({}, diagnostics, default_machine_data(), Dialect::fanuc);
   Parameters parameters(Dialect::fanuc);
   Evaluator evaluator(parameters);

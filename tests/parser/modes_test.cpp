@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "parser/text.hpp"
+#include "parser/text/text.hpp"
 #include "tests/parser/program.hpp"
 
 namespace kerf::parser {

@@ -1,4 +1,4 @@
-#include "parser/number.hpp"
+#include "parser/text/number.hpp"
 
 #include <cmath>
 #include <cstdlib>

@@ -12,7 +12,7 @@ std::vector<std::string> ends_of(std::string_view text) {
   const Program program =
       read_program(std::string(text) + "\nM2\n", {.machine = default_machine_data()});
   std::vector<std::string> ends;
-  for (const Diagnostic& diagnostic : program.diagnostics) {
+  for (const diagnostics::Diagnostic& diagnostic : program.diagnostics) {
     ends.push_back(message_line(diagnostic, "program"));
   }
   for (const Move& move : program.moves) {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "parser/cycles/touch_box.hpp"
+#include "parser/modal/touch_box.hpp"
 #include "tests/parser/program.hpp"
 
 namespace kerf::parser {

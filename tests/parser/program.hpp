@@ -19,13 +19,13 @@ namespace kerf::parser {
 
 struct Program {
   std::vector<Move> moves;
-  std::vector<Diagnostic> diagnostics;
+  std::vector<diagnostics::Diagnostic> diagnostics;
   bool at_end = false;
   bool has_errors = false;
 };
 
 // "file:line:column: error: message", without the identifier.
-inline std::string message_line(const Diagnostic& diagnostic, std::string_view file) {
+inline std::string message_line(const diagnostics::Diagnostic& diagnostic, std::string_view file) {
   std::string text = to_string(diagnostic, file);
   text.erase(text.rfind(" [E"));
   return text;

@@ -15,7 +15,7 @@ std::string everything(const Program& program) {
     text += text_of(move) + " from " + text_of(move.start_mm) + " at " +
             std::to_string(move.source.column) + '\n';
   }
-  for (const Diagnostic& diagnostic : program.diagnostics) {
+  for (const diagnostics::Diagnostic& diagnostic : program.diagnostics) {
     text += to_string(diagnostic, "p") + '\n';
   }
   return text + (program.at_end ? "end" : "open");
@@ -124,9 +124,10 @@ TEST(ProgramReader, ReportsAHundredErrorsAndStops) {
     text += "G0 X!\n";
   }
   const Program program = read_program(text);
-  const auto errors = std::count_if(
-      program.diagnostics.begin(), program.diagnostics.end(),
-      [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::error; });
+  const auto errors = std::count_if(program.diagnostics.begin(), program.diagnostics.end(),
+                                    [](const diagnostics::Diagnostic& diagnostic) {
+                                      return diagnostic.severity == diagnostics::Severity::error;
+                                    });
   EXPECT_EQ(errors, 100);
   EXPECT_EQ(program.diagnostics.back().message, "too many errors: the rest is not read");
   EXPECT_TRUE(program.at_end);

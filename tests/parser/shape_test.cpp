@@ -9,7 +9,7 @@ namespace {
 std::vector<std::string> lines_of(std::string_view text) {
   const Program program = read_program(std::string(text) + "\nM2\n", {.dialect = Dialect::fanuc});
   std::vector<std::string> lines;
-  for (const Diagnostic& diagnostic : program.diagnostics) {
+  for (const diagnostics::Diagnostic& diagnostic : program.diagnostics) {
     std::string message = to_string(diagnostic, "program");
     lines.push_back(message.substr(0, message.find(" [E")));
   }

@@ -1,11 +1,11 @@
 // Moves that are too short to be one: left out, and nothing is lost by it.
-#include "parser/short_moves.hpp"
+#include "parser/moves/short_moves.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "parser/offsets/machine_data.hpp"
+#include "parser/modal/machine_data.hpp"
 #include "tests/parser/program.hpp"
 
 namespace kerf::parser {

@@ -1,4 +1,4 @@
-#include "parser/offsets/tool_table.hpp"
+#include "parser/modal/tool_table.hpp"
 
 #include <gtest/gtest.h>
 

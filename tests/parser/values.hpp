@@ -4,8 +4,8 @@
 #include <sstream>
 #include <string>
 
-#include "parser/block_grammar.hpp"
-#include "parser/lexical_error.hpp"
+#include "parser/block/block_grammar.hpp"
+#include "parser/block/lexical_error.hpp"
 
 namespace kerf::parser {
 
@@ -16,7 +16,7 @@ class Blocks {
   // "no X", or what is wrong as `column: message`.
   std::string x_of(const std::string& line) {
     if (!read_block(line, block, evaluator)) {
-      const Fault fault = explain_stop(block);
+      const diagnostics::Fault fault = explain_stop(block);
       return std::to_string(fault.offset + 1) + ": " + fault.message;
     }
     if (!block.has('X')) {

@@ -5,22 +5,22 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "parser/errors/codes.hpp"
-#include "parser/errors/modes.hpp"
+#include "diagnostics/errors/codes.hpp"
+#include "diagnostics/errors/modes.hpp"
 
 namespace kerf::program {
 namespace {
 
+using diagnostics::Diagnostic;
 using nlohmann::json;
-using parser::Diagnostic;
 
 FileReport wrong_report() {
   FileReport report;
   report.file = "a part.ngc";
   report.status = ExitStatus::program_error;
-  report.diagnostics = {Diagnostic({3, 11}, parser::errors::kUnknownGCode, "G99 is not known"),
-                        Diagnostic({7, 1}, parser::errors::kToolChangeWithoutTool, "no tool")};
-  report.diagnostics[0].block = parser::excerpt_of("(\xC3\xA4\xC3\xB6) G1 G99", 10);
+  report.diagnostics = {Diagnostic({3, 11}, errors::kUnknownGCode, "G99 is not known"),
+                        Diagnostic({7, 1}, errors::kToolChangeWithoutTool, "no tool")};
+  report.diagnostics[0].block = diagnostics::excerpt_of("(\xC3\xA4\xC3\xB6) G1 G99", 10);
   return report;
 }
 
@@ -41,8 +41,8 @@ TEST(JsonDiagnostics, HaveTheSchemaOfTheirDocument) {
   EXPECT_EQ(first["message"], "G99 is not known");
   EXPECT_EQ(first["block"], "(\xC3\xA4\xC3\xB6) G1 G99");
   EXPECT_EQ(first["caret"], 8);
-  EXPECT_EQ(first["title"], parser::errors::kUnknownGCode.title);
-  EXPECT_EQ(first["remedy"], parser::errors::kUnknownGCode.remedy);
+  EXPECT_EQ(first["title"], errors::kUnknownGCode.title);
+  EXPECT_EQ(first["remedy"], errors::kUnknownGCode.remedy);
   EXPECT_EQ(document["diagnostics"][1]["severity"], "warning");
   EXPECT_FALSE(document["diagnostics"][1].contains("block"));
   EXPECT_EQ(document["failures"][0]["message"], "the disk is full");

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "parser/errors/codes.hpp"
+#include "diagnostics/errors/codes.hpp"
 #include "tests/program/sample_report.hpp"
 
 namespace kerf::program {
@@ -103,7 +103,7 @@ TEST(JsonReport, OfAProgramWithErrorsHasThemAndNoFigures) {
   FileReport report;
   report.file = "wrong.ngc";
   report.status = ExitStatus::program_error;
-  report.diagnostics = {parser::Diagnostic({3, 7}, parser::errors::kUnknownGCode, "found G99")};
+  report.diagnostics = {diagnostics::Diagnostic({3, 7}, errors::kUnknownGCode, "found G99")};
   report.failures = {"and the disk is full"};
   const json parsed = json::parse(json_report(report));
   EXPECT_EQ(parsed["exit_status"], 1);

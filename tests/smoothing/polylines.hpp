@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "curves/position.hpp"
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 
 namespace kerf::test {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "curves/position.hpp"
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 #include "smoothing/smoother.hpp"
 
 namespace kerf::test {

@@ -17,7 +17,7 @@ NAME = re.compile(r"\bk\w+")
 
 def findings(root):
     root = pathlib.Path(root)
-    folder = root / "parser" / "errors"
+    folder = root / "diagnostics" / "errors"
     catalogue = set(NAME.findall((folder / "catalogue.cpp").read_text(encoding="utf-8")))
     used = set()
     for path in cpp_files(root):

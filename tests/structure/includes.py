@@ -17,16 +17,19 @@ MAY_INCLUDE = {
     "curves": set(),
     "interp": {"curves", "profiles"},
     "machine": {"interp", "curves"},
-    "parser": set(),
-    "smoothing": {"parser", "curves"},
-    "lookahead": {"parser", "smoothing", "curves", "profiles", "interp"},
-    "kernel": {"parser", "smoothing", "lookahead", "curves", "profiles", "interp", "machine"},
+    "diagnostics": set(),
+    "parser": {"diagnostics"},
+    "smoothing": {"diagnostics", "parser", "curves"},
+    "lookahead": {"diagnostics", "parser", "smoothing", "curves", "profiles", "interp"},
+    "kernel": {"diagnostics", "parser", "smoothing", "lookahead", "curves", "profiles", "interp", "machine"},
 }
 LIBRARY = set(MAY_INCLUDE)
 
 # Subfolder: the folders of the same tree that it may include besides itself. Each names only folders above it in this
 # table, so there is no circle. A tree that begins here is listed whole.
 SUBFOLDERS = {
+    "diagnostics/errors": set(),
+    "diagnostics": {"diagnostics/errors"},
     "lookahead/path": set(),
     "lookahead/emit": {"lookahead/path"},
     "lookahead/classical": {"lookahead/path", "lookahead/emit"},

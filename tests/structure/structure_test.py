@@ -124,11 +124,11 @@ class ErrorPageRule(Checkout):
     def setUp(self):
         super().setUp()
         self.write("parser/arc.cpp", "fail(errors::kShort); fail(errors::kLong);\n")
-        self.write("parser/errors/catalogue.cpp", "in_order(kArcsPages)\n")
+        self.write("diagnostics/errors/catalogue.cpp", "in_order(kArcsPages)\n")
         self.topic("&kShort,\n  &kLong")
 
     def topic(self, names):
-        self.write("parser/errors/arcs.hpp", "inline constexpr ErrorPage kShort{1};\ninline constexpr ErrorPage kLong{2};\n"
+        self.write("diagnostics/errors/arcs.hpp", "inline constexpr ErrorPage kShort{1};\ninline constexpr ErrorPage kLong{2};\n"
                    f"inline constexpr std::array kArcsPages{{{names}}};\n")
 
     def found(self):
@@ -139,16 +139,16 @@ class ErrorPageRule(Checkout):
 
     def test_finds_a_page_that_is_in_no_list(self):
         self.topic("&kShort")
-        self.assertEqual(self.found(), ["parser/errors/arcs.hpp:2: error: kLong is in no list of this file"])
+        self.assertEqual(self.found(), ["diagnostics/errors/arcs.hpp:2: error: kLong is in no list of this file"])
 
     def test_finds_a_list_that_is_not_in_the_catalogue(self):
-        self.write("parser/errors/catalogue.cpp", "")
-        self.assertEqual(self.found(), ["parser/errors/arcs.hpp:1: error: kArcsPages is not in the catalogue"])
+        self.write("diagnostics/errors/catalogue.cpp", "")
+        self.assertEqual(self.found(), ["diagnostics/errors/arcs.hpp:1: error: kArcsPages is not in the catalogue"])
 
     def test_finds_a_page_that_nothing_gives(self):
         self.write("parser/arc.cpp", "fail(errors::kShort);\n")
         self.write("tests/parser/arc_test.cpp", "errors::kLong\n")
-        self.assertEqual(self.found(), ["parser/errors/arcs.hpp:2: error: nothing gives kLong"])
+        self.assertEqual(self.found(), ["diagnostics/errors/arcs.hpp:2: error: nothing gives kLong"])
 
 
 if __name__ == "__main__":

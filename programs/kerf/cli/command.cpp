@@ -37,12 +37,12 @@ ExitStatus print(int descriptor, std::string_view text) {
 }
 
 void print_messages(const FileReport& report, const Options& options) {
-  for (const parser::Diagnostic& diagnostic : report.diagnostics) {
-    if (!options.quiet || diagnostic.severity == parser::Severity::error) {
-      parser::Diagnostic shown = diagnostic;
+  for (const diagnostics::Diagnostic& diagnostic : report.diagnostics) {
+    if (!options.quiet || diagnostic.severity == diagnostics::Severity::error) {
+      diagnostics::Diagnostic shown = diagnostic;
       shown.message = visible(shown.message);
       shown.file = visible(shown.file);
-      write_error_line(parser::to_text(shown, visible(report.file)));
+      write_error_line(diagnostics::to_text(shown, visible(report.file)));
     }
   }
   for (const std::string& failure : report.failures) {

@@ -8,15 +8,15 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "parser/diagnostic.hpp"
-#include "parser/errors/catalogue.hpp"
+#include "diagnostics/diagnostic.hpp"
+#include "diagnostics/errors/catalogue.hpp"
 #include "programs/kerf/io/visible_text.hpp"
 
 namespace kerf::program {
 
 namespace {
 
-using parser::ErrorPage;
+using diagnostics::ErrorPage;
 
 struct Chapter {
   std::uint16_t first;
@@ -50,7 +50,7 @@ is dropped leaves its number unused. The program under each page is one that giv
 )";
 
 std::string_view kind_of(const ErrorPage& page) {
-  return page.severity == parser::Severity::error ? "error" : "warning";
+  return page.severity == diagnostics::Severity::error ? "error" : "warning";
 }
 
 // A trigger with its invisible bytes written as \xFF.
@@ -64,7 +64,7 @@ std::string visible_lines(std::string_view trigger) {
 }
 
 // What the trigger goes on with, as far as it need be shown.
-std::string more_of(const parser::Repeated& more) {
+std::string more_of(const diagnostics::Repeated& more) {
   if (more.text.find_first_not_of(' ') == std::string_view::npos) {
     return fmt::format("({} blanks)\n", more.times);
   }
@@ -106,16 +106,16 @@ std::string wrapped(std::string_view text, std::size_t width) {
   return out.append(text).append("\n");
 }
 
-std::string_view dialect_note(const ErrorPage& page) {
-  return page.dialect == parser::Dialect::fanuc ? " with --dialect fanuc" : "";
+std::string dialect_note(const ErrorPage& page) {
+  return page.dialect.empty() ? "" : fmt::format(" with --dialect {}", page.dialect);
 }
 
 }  // namespace
 
 std::string error_page_list() {
   std::string text;
-  for (const ErrorPage* page : parser::errors::catalogue()) {
-    fmt::format_to(std::back_inserter(text), "{}  {:<7}  {}\n", parser::identifier(*page),
+  for (const ErrorPage* page : errors::catalogue()) {
+    fmt::format_to(std::back_inserter(text), "{}  {:<7}  {}\n", diagnostics::identifier(*page),
                    kind_of(*page), page->title);
   }
   return text;
@@ -130,21 +130,21 @@ tl::expected<std::string, std::string> error_page_text(std::string_view identifi
   const char* const end = digits.data() + digits.size();
   const auto read = std::from_chars(digits.data(), end, number);
   const bool is_number = read.ec == std::errc{} && read.ptr == end;
-  const ErrorPage* const page = is_number ? parser::errors::find_page(number) : nullptr;
+  const ErrorPage* const page = is_number ? errors::find_page(number) : nullptr;
   if (page == nullptr) {
     return tl::unexpected(fmt::format("there is no page {} (kerf errors lists them)", identifier));
   }
   constexpr std::size_t kWidth = 88;
-  return fmt::format("{}: {}: {}\n\n{}\n{}\nA program with it{}:\n\n{}", parser::identifier(*page),
-                     kind_of(*page), page->title, wrapped(page->meaning, kWidth),
-                     wrapped(page->remedy, kWidth), dialect_note(*page),
-                     indented(example_of(*page), "    "));
+  return fmt::format("{}: {}: {}\n\n{}\n{}\nA program with it{}:\n\n{}",
+                     diagnostics::identifier(*page), kind_of(*page), page->title,
+                     wrapped(page->meaning, kWidth), wrapped(page->remedy, kWidth),
+                     dialect_note(*page), indented(example_of(*page), "    "));
 }
 
 std::string error_pages_markdown() {
   std::string text(kPreamble);
   auto chapter = kChapters.begin();
-  for (const ErrorPage* page : parser::errors::catalogue()) {
+  for (const ErrorPage* page : errors::catalogue()) {
     while (chapter != kChapters.end() && page->number >= chapter->first) {
       if (std::next(chapter) == kChapters.end() || page->number < std::next(chapter)->first) {
         fmt::format_to(std::back_inserter(text), "\n## {}\n", chapter->title);
@@ -152,9 +152,9 @@ std::string error_pages_markdown() {
       ++chapter;
     }
     fmt::format_to(std::back_inserter(text), "\n### {}: {}\n\n*{}.* {}\n\n*To mend it:* {}\n\n{}",
-                   parser::identifier(*page), page->title,
-                   page->severity == parser::Severity::error ? "Error" : "Warning", page->meaning,
-                   page->remedy, indented(example_of(*page), "    "));
+                   diagnostics::identifier(*page), page->title,
+                   page->severity == diagnostics::Severity::error ? "Error" : "Warning",
+                   page->meaning, page->remedy, indented(example_of(*page), "    "));
     if (!dialect_note(*page).empty()) {
       fmt::format_to(std::back_inserter(text), "\n({})\n", dialect_note(*page).substr(1));
     }

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "kernel/machine_file.hpp"
-#include "parser/offsets/tool_table.hpp"
+#include "parser/modal/tool_table.hpp"
 #include "programs/kerf/io/descriptor.hpp"
 
 namespace kerf::program {

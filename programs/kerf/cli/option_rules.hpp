@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "parser/block_delete.hpp"
+#include "parser/text/block_delete.hpp"
 #include "programs/kerf/options.hpp"
 
 namespace kerf::program {

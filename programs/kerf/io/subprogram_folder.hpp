@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "parser/dialect.hpp"
-#include "parser/reader_options.hpp"
+#include "parser/dialects/dialect.hpp"
+#include "parser/flow/reader_options.hpp"
 
 namespace kerf::program {
 

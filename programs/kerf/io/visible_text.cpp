@@ -5,7 +5,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "parser/utf8.hpp"
+#include "diagnostics/utf8.hpp"
 
 namespace kerf::program {
 
@@ -32,7 +32,7 @@ bool is_hidden(char32_t code) {
 std::string visible(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
-    const parser::Utf8 character = parser::utf8_at(text);
+    const diagnostics::Utf8 character = diagnostics::utf8_at(text);
     const std::string_view bytes = text.substr(0, character.length);
     text.remove_prefix(bytes.size());
     if (!is_hidden(character.code)) {

@@ -6,7 +6,7 @@
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/fmt/ranges.h>
 
-#include "parser/codes_in_force.hpp"
+#include "parser/modal/codes_in_force.hpp"
 #include "programs/kerf/io/number_text.hpp"
 #include "programs/kerf/io/visible_text.hpp"
 #include "programs/kerf/report/extra_axes.hpp"

@@ -11,14 +11,14 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
-#include "parser/errors/error_page.hpp"
+#include "diagnostics/errors/error_page.hpp"
 
 namespace kerf::program {
 
 namespace {
 
-using parser::Diagnostic;
-using parser::ErrorPage;
+using diagnostics::Diagnostic;
+using diagnostics::ErrorPage;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kStandardInput = "<stdin>";
@@ -29,8 +29,8 @@ std::string written(const Json& json) {
   return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
-std::string_view level(parser::Severity severity) {
-  return severity == parser::Severity::error ? "error" : "warning";
+std::string_view level(diagnostics::Severity severity) {
+  return severity == diagnostics::Severity::error ? "error" : "warning";
 }
 
 std::string file_of(const Diagnostic& diagnostic, const FileReport& report) {
@@ -38,9 +38,12 @@ std::string file_of(const Diagnostic& diagnostic, const FileReport& report) {
 }
 
 Json json_of(const Diagnostic& diagnostic, const FileReport& report) {
-  Json json{{"id", parser::identifier(*diagnostic.page)}, {"severity", level(diagnostic.severity)},
-            {"file", file_of(diagnostic, report)},        {"line", diagnostic.source.line},
-            {"column", diagnostic.source.column},         {"message", diagnostic.message}};
+  Json json{{"id", diagnostics::identifier(*diagnostic.page)},
+            {"severity", level(diagnostic.severity)},
+            {"file", file_of(diagnostic, report)},
+            {"line", diagnostic.source.line},
+            {"column", diagnostic.source.column},
+            {"message", diagnostic.message}};
   if (!diagnostic.block.text.empty()) {
     json["block"] = diagnostic.block.text;
     json["caret"] = diagnostic.block.caret;
@@ -51,7 +54,7 @@ Json json_of(const Diagnostic& diagnostic, const FileReport& report) {
 }
 
 Json rule_of(const ErrorPage& page) {
-  return {{"id", parser::identifier(page)},
+  return {{"id", diagnostics::identifier(page)},
           {"shortDescription", {{"text", page.title}}},
           {"fullDescription", {{"text", page.meaning}}},
           {"help", {{"text", fmt::format("{} {}", page.meaning, page.remedy)}}},
@@ -100,7 +103,7 @@ Json result_of(const Diagnostic& diagnostic, const FileReport& report, const Rul
     place["region"] = {{"startLine", diagnostic.source.line}, {"startColumn", column}};
   }
   Json location{{"physicalLocation", place}};
-  return {{"ruleId", parser::identifier(*diagnostic.page)},
+  return {{"ruleId", diagnostics::identifier(*diagnostic.page)},
           {"ruleIndex", rules.place_of(*diagnostic.page)},
           {"level", level(diagnostic.severity)},
           {"message", {{"text", diagnostic.message}}},

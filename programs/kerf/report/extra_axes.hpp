@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/extra_axes.hpp"
+#include "parser/moves/extra_axes.hpp"
 
 namespace kerf::program {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
-#include "parser/codes_in_force.hpp"
+#include "parser/modal/codes_in_force.hpp"
 #include "programs/kerf/report/extra_axes.hpp"
 
 namespace kerf::program {
@@ -186,15 +186,15 @@ std::string json_report(const FileReport& report) {
   }
   json["warnings"] = Json::array();
   json["errors"] = Json::array();
-  for (const parser::Diagnostic& diagnostic : report.diagnostics) {
-    if (diagnostic.severity == parser::Severity::warning) {
+  for (const diagnostics::Diagnostic& diagnostic : report.diagnostics) {
+    if (diagnostic.severity == diagnostics::Severity::warning) {
       json["warnings"].push_back(
           fmt::format("line {}: {}", diagnostic.source.line, diagnostic.message));
     } else {
       json["errors"].push_back({{"line", diagnostic.source.line},
                                 {"column", diagnostic.source.column},
                                 {"message", diagnostic.message},
-                                {"id", parser::identifier(*diagnostic.page)}});
+                                {"id", diagnostics::identifier(*diagnostic.page)}});
     }
   }
   for (const std::string& warning : report.warnings) {

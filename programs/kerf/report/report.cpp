@@ -4,7 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "parser/errors/machine.hpp"
+#include "diagnostics/errors/machine.hpp"
 #include "programs/kerf/io/number_text.hpp"
 #include "programs/kerf/report/extra_axes.hpp"
 
@@ -22,14 +22,14 @@ void FileReport::fail(const RunFault& fault) {
   fail(ExitStatus::internal_error, file + ": internal error" + line + ": " + fault.what);
 }
 
-void FileReport::take(const std::vector<parser::Diagnostic>& found) {
+void FileReport::take(const std::vector<diagnostics::Diagnostic>& found) {
   diagnostics.insert(diagnostics.end(), found.begin(), found.end());
 }
 
 void FileReport::fail_too_long(const TooLong& at) {
   fail(ExitStatus::program_error,
        fmt::format("{}: the program takes more than the {} s that are allowed, in line {} [{}]",
-                   file, at.max_time_s, at.line, parser::identifier(parser::errors::kTooLong)));
+                   file, at.max_time_s, at.line, diagnostics::identifier(errors::kTooLong)));
 }
 
 std::vector<LimitUse> limit_uses(const MotionReport& motion, const lookahead::PlanLimits& limits,

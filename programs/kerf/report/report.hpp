@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "curves/position.hpp"
+#include "diagnostics/diagnostic.hpp"
 #include "kernel/tick_judge.hpp"
 #include "lookahead/emit/shortfall.hpp"
 #include "lookahead/path/limits.hpp"
-#include "parser/diagnostic.hpp"
 #include "parser/program_reader.hpp"
 #include "programs/kerf/exit_status.hpp"
 #include "programs/kerf/options.hpp"
@@ -72,9 +72,10 @@ struct FileReport {
   lookahead::PlanLimits limits{};
   parser::Letters extra_axes = 0;  // that the machine has
   ExitStatus status = ExitStatus::done;
-  std::vector<parser::Diagnostic> diagnostics;  // errors and warnings with a place in the program
-  std::vector<std::string> failures;            // errors without one: files, faults of the machine
-  std::vector<std::string> warnings;            // without a place
+  std::vector<diagnostics::Diagnostic>
+      diagnostics;                    // errors and warnings with a place in the program
+  std::vector<std::string> failures;  // errors without one: files, faults of the machine
+  std::vector<std::string> warnings;  // without a place
   std::optional<PlanReport> plan;
   std::optional<BlockReport> block;  // of Command::explain
   std::optional<MotionReport> motion;
@@ -89,7 +90,7 @@ struct FileReport {
   void fail(ExitStatus why, std::string message);
   // The run did not keep a promise of kerf: an internal error.
   void fail(const RunFault& fault);
-  void take(const std::vector<parser::Diagnostic>& found);
+  void take(const std::vector<diagnostics::Diagnostic>& found);
   // Its time was up in the line: more than the look at its length alone could tell.
   struct TooLong {
     std::uint32_t line = 0;

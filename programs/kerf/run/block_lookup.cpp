@@ -4,11 +4,11 @@
 #include <map>
 #include <string>
 
-#include "parser/line_splitter.hpp"
+#include "parser/text/line_splitter.hpp"
 
 namespace kerf::program {
 
-using parser::Diagnostic;
+using diagnostics::Diagnostic;
 
 namespace {
 
@@ -23,7 +23,7 @@ void fill_in(Open open, ProgramFile& file) {
   const auto take = [&](const parser::Line& line) {
     for (; next != open.end() && (*next)->source.line <= line.number; ++next) {
       if ((*next)->source.line == line.number) {
-        (*next)->block = parser::excerpt_of(line.text, (*next)->source.column - 1);
+        (*next)->block = diagnostics::excerpt_of(line.text, (*next)->source.column - 1);
       }
     }
   };

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "parser/diagnostic.hpp"
+#include "diagnostics/diagnostic.hpp"
 #include "programs/kerf/io/program_file.hpp"
 
 namespace kerf::program {
@@ -11,6 +11,6 @@ namespace kerf::program {
 // Gives each diagnostic its block, where it has none yet: those of curves and of the machine come
 // late. Reads the program and files of subprograms once more, if it must; what cannot be read
 // stays without.
-void fill_in_blocks(std::vector<parser::Diagnostic>& diagnostics, ProgramFile& program);
+void fill_in_blocks(std::vector<diagnostics::Diagnostic>& diagnostics, ProgramFile& program);
 
 }  // namespace kerf::program

@@ -58,8 +58,9 @@ tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file, const Pla
   }
   return PlannedProgram{.totals = pipeline.totals(),
                         .departure = pipeline.path().departures().largest,
-                        .errors = pipeline.path().has_errors() ? pipeline.path().diagnostics()
-                                                               : std::vector<parser::Diagnostic>{},
+                        .errors = pipeline.path().has_errors()
+                                      ? pipeline.path().diagnostics()
+                                      : std::vector<diagnostics::Diagnostic>{},
                         .fault = pipeline.check().fault(),
                         .too_long_at_line = too_long_at_line};
 }

@@ -8,10 +8,10 @@
 
 #include <tl/expected.hpp>
 
+#include "diagnostics/diagnostic.hpp"
 #include "kernel/kernel.hpp"
 #include "kernel/plan_check.hpp"
 #include "lookahead/planner.hpp"
-#include "parser/diagnostic.hpp"
 #include "programs/kerf/io/program_file.hpp"
 #include "programs/kerf/io/progress.hpp"
 #include "programs/kerf/run/block_watch.hpp"
@@ -22,7 +22,7 @@ namespace kerf::program {
 struct PlannedProgram {
   lookahead::PlanTotals totals{};
   smoothing::Departure departure{};
-  std::vector<parser::Diagnostic> errors{};       // the plan ends before them
+  std::vector<diagnostics::Diagnostic> errors{};  // the plan ends before them
   std::optional<RunFault> fault{};                // the plan ends there
   std::optional<std::uint32_t> too_long_at_line;  // the plan ends there
 };

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "parser/move.hpp"
+#include "parser/moves/move.hpp"
 #include "tests/fuzz/judge/fuzz_input.hpp"
 
 namespace kerf::fuzz {

@@ -101,7 +101,7 @@ std::optional<EndPoint> judge_reading(const FuzzInput& input) {
     return std::nullopt;
   }
   require(reader.at_end(), "a reader without text is at its end");
-  for (const Diagnostic& diagnostic : reader.diagnostics()) {
+  for (const diagnostics::Diagnostic& diagnostic : reader.diagnostics()) {
     require(diagnostic.source.line >= 1 && diagnostic.source.column >= 1,
             "a diagnostic has a place");
     require(!diagnostic.message.empty(), "a diagnostic says something");

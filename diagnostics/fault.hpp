@@ -1,0 +1,27 @@
+// Something wrong in one line, before it is known which line it is.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "diagnostics/diagnostic_list.hpp"
+#include "diagnostics/errors/error_page.hpp"
+
+namespace kerf::diagnostics {
+
+// Whoever says that something is wrong says why: without a page there is no fault.
+struct Fault {
+  Fault() = default;  // nothing is wrong
+  Fault(std::uint32_t offset_in_line, std::string what, const ErrorPage* why)
+      : offset(offset_in_line), message(std::move(what)), page(why) {}
+
+  std::uint32_t offset = 0;  // bytes from the start of the line
+  std::string message;
+  const ErrorPage* page = nullptr;  // nothing is wrong: null
+  // Of an earlier line that is to blame; `offset` does not count then.
+  std::optional<DiagnosticPlace> elsewhere;
+};
+
+}  // namespace kerf::diagnostics

@@ -1,0 +1,17 @@
+// Characters of UTF-8 text that may not be UTF-8 at all.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace kerf::diagnostics {
+
+struct Utf8 {
+  char32_t code = 0;       // 0: a byte that is no character, or NUL
+  std::size_t length = 1;  // in bytes, at least 1
+};
+
+// The character at the start of `bytes`. Precondition: not empty.
+Utf8 utf8_at(std::string_view bytes);
+
+}  // namespace kerf::diagnostics

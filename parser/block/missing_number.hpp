@@ -1,0 +1,26 @@
+// What is wrong where the number behind an address letter should be.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+#include "diagnostics/fault.hpp"
+#include "parser/block/block.hpp"
+
+namespace kerf::parser {
+
+constexpr bool is_letter(char c) {
+  return static_cast<unsigned char>((c | 0x20) - 'a') < 26;
+}
+
+// The letters that `rest` begins with.
+inline std::string_view letters_at(std::string_view rest) {
+  return rest.substr(0, static_cast<std::size_t>(
+                            std::find_if_not(rest.begin(), rest.end(), is_letter) - rest.begin()));
+}
+
+// Precondition: a letter stands at `letter_at` in the block's line, and no number behind it.
+diagnostics::Fault explain_missing_number(const Block& block, std::size_t letter_at);
+
+}  // namespace kerf::parser

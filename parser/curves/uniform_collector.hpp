@@ -1,0 +1,41 @@
+// G5.2 ... G5.3: gathers the control points of a curve whose knots are built in.
+#pragma once
+
+#include <string>
+
+#include "parser/curves/curve_block.hpp"
+
+namespace kerf::parser {
+
+// LinuxCNC's form: `G5.2 P L [X Y]`, then `X Y P` per control point, closed by G5.3. The current
+// position is the first control point, P is a weight (1 where left out), L the order (3 where left
+// out), the axes are the two of the plane. The knots are clamped and uniform: L zeros, 1, 2, ...,
+// and L times the last whole number. Orders below 3, which LinuxCNC takes for 3, are refused.
+class UniformCollector {
+ public:
+  enum class Result : std::uint8_t { more, complete, failed };
+
+  [[nodiscard]] bool active() const { return active_; }
+  bool begin(const CurveBlock& at, diagnostics::Fault& fault);
+  // Precondition: active. After `complete` and `failed` it is active no more.
+  Result add(const CurveBlock& at, diagnostics::Fault& fault);
+  [[nodiscard]] diagnostics::Fault unfinished(std::uint32_t offset, std::string_view where) const;
+  void abort() { active_ = false; }
+
+  [[nodiscard]] NurbsMove take() { return std::move(curve_); }
+  [[nodiscard]] const Point& last_point_mm() const { return last_point_mm_; }
+
+ private:
+  bool read_order(const CurveBlock& at, diagnostics::Fault& fault);
+  bool check_foreign(const CurveBlock& at, diagnostics::Fault& fault) const;
+  bool add_point(const CurveBlock& at, diagnostics::Fault& fault);
+  bool close(const CurveBlock& at, diagnostics::Fault& fault);
+  void make_knots(std::uint32_t line);
+
+  NurbsMove curve_;
+  Point last_point_mm_{};
+  std::size_t order_ = 3;
+  bool active_ = false;
+};
+
+}  // namespace kerf::parser

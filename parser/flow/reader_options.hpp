@@ -1,0 +1,41 @@
+// What a reader is told about the program and the machine before it begins.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "parser/dialects/dialect.hpp"
+#include "parser/modal/machine_data.hpp"
+#include "parser/moves/move.hpp"
+#include "parser/text/block_delete.hpp"
+
+namespace kerf::parser {
+
+struct SubprogramText {
+  std::string file;  // its name, for messages
+  std::string text;
+  std::string refused{};  // why it is not read; empty: it is
+};
+// The whole text of a subprogram that is not in the program itself, by its name in lower case
+// ("pocket" of `o<Pocket> call`, "1000" of M98 P1000); nothing where there is none.
+using SubprogramSource = std::function<std::optional<SubprogramText>(std::string_view name)>;
+
+struct ReaderOptions {
+  Point start_mm{};                                     // where the tool is when the program starts
+  std::array<double, kExtraAxes> start_extra_rad_mm{};  // A, B, C in rad
+  BlockDelete block_delete{};  // which blocks that begin with '/' are left out
+  std::size_t max_errors = 100;
+  Dialect dialect = Dialect::rs274;
+  MachineData machine{};           // work offsets, G28, G30 and tools as the program finds them
+  SubprogramSource subprograms{};  // empty: only those in the program's own text
+  // Lines read since the last motion that end the program as an endless loop.
+  std::uint64_t max_idle_steps = 10'000'000;
+  std::uint32_t watched_line = 0;  // of the program's own text; 0: none
+};
+
+}  // namespace kerf::parser

@@ -1,0 +1,15 @@
+// The modal codes that would bring about a modal state.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "parser/modal/modal_state.hpp"
+
+namespace kerf::parser {
+
+// One code of each modal group, in the order of the groups: "G1", "G17", "G90", ... "M3", "M9". Of
+// G51, G51.1 and G68, which only Fanuc has, those in force.
+std::vector<std::string> codes_in_force(const ModalState& state);
+
+}  // namespace kerf::parser

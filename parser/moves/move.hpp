@@ -1,0 +1,119 @@
+// What the parser hands on: one motion or one event, modal state resolved, in mm, seconds and mm/s.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "diagnostics/source_position.hpp"
+#include "parser/moves/extra_axes.hpp"
+
+namespace kerf::parser {
+
+using Point = std::array<double, 3>;  // x, y, z in mm
+
+// To where it starts: X, Y and Z rest, and only the extra axes move.
+struct LineMove {
+  Point end_mm{};
+};
+
+// The plane of an arc names its axes in right-handed order: (first, second, normal).
+enum class Plane : std::uint8_t { xy, zx, yz };
+
+// A circular arc or, where the normal axis moves too, a helix.
+// The radius at the start and at the end may differ by what the control tolerates.
+struct ArcMove {
+  Plane plane = Plane::xy;
+  Point centre_mm{};  // the component along the normal axis is not used
+  Point end_mm{};
+  bool clockwise = false;  // seen against the direction of the normal axis, as G2 is
+  int turns = 1;  // 1: up to one full circle (end = start: exactly one); n: n - 1 circles more
+};
+
+struct NurbsPoint {
+  Point position_mm{};
+  double weight = 1.0;
+};
+
+// A curve as written. Whether it is one (knots, counts, weights, place of the first point) is
+// checked where it is built; knot_lines and point_lines say which line to blame.
+struct NurbsMove {
+  int degree = 3;  // order - 1
+  std::vector<NurbsPoint> points;
+  std::vector<double> knots;
+  std::vector<std::uint32_t> point_lines;
+  std::vector<std::uint32_t> knot_lines;
+};
+
+struct DwellMove {
+  double duration_s = 0.0;
+};
+
+enum class EventKind : std::uint8_t {
+  program_stop,       // M0
+  optional_stop,      // M1
+  program_end,        // M2, M30, closing %
+  spindle_cw,         // M3, or a new speed while turning so; value = revolutions per minute here
+  spindle_ccw,        // M4, or a new speed while turning so; value = revolutions per minute here
+  spindle_off,        // M5
+  tool_change,        // M6, value = T
+  mist_on,            // M7
+  flood_on,           // M8
+  coolant_off,        // M9
+  pallet_change,      // M60, a stop
+  tool_number,        // M61: the tool in the spindle is `value`, nothing is changed
+  spindle_orient,     // M19, value = angle in rad
+  digital_output,     // M64, M65: output `index` to value 1 or 0
+  analog_output,      // M68: output `index` to `value`
+  digital_at_motion,  // M62, M63: as the next motion begins, without a rest
+  analog_at_motion,   // M67
+};
+
+// M62, M63 and M67: the change comes with the next motion, and the tool does not rest for it.
+inline bool is_at_motion(EventKind kind) {
+  return kind == EventKind::digital_at_motion || kind == EventKind::analog_at_motion;
+}
+
+// How many outputs of each kind there are: `index` counts from 0.
+inline constexpr int kDigitalOutputs = 64;
+inline constexpr int kAnalogOutputs = 8;
+
+// G96: the speed at which the workpiece passes the tool. The tool's distance from the axis is
+// |per_x x + per_y y + at_origin_mm| of the moves' coordinates.
+struct SurfaceFollowing {
+  double mm_s = 0.0;  // 0: not in force
+  double most_per_min = 0.0;
+  double per_x = 1.0;
+  double per_y = 0.0;
+  double at_origin_mm = 0.0;
+
+  friend bool operator==(const SurfaceFollowing&, const SurfaceFollowing&) = default;
+};
+
+// Something the machine does with the tool at rest, but for the two kinds that say otherwise.
+struct EventMove {
+  EventKind kind = EventKind::program_stop;
+  double value = 0.0;
+  std::int32_t index = 0;
+  SurfaceFollowing surface{};  // of spindle_cw and spindle_ccw, which then follow it
+};
+
+enum class PathMode : std::uint8_t { exact_path, exact_stop, blend };  // G61, G61.1, G64
+
+struct Move {
+  std::variant<LineMove, ArcMove, NurbsMove, DwellMove, EventMove> shape;
+  diagnostics::SourcePosition source;
+  Point start_mm{};
+  bool rapid = false;  // G0: as fast as the machine goes
+  // Along the path; not used by rapids, dwells and events. Where X, Y and Z rest: along U, V, W, or
+  // in rad/s if only A, B, C move.
+  double feedrate_mm_s = 0.0;
+  ExtraWay extra{};  // does not move on a NurbsMove
+  PathMode mode = PathMode::exact_path;
+  double blend_tolerance_mm = 0.0;  // G64 P or the machine's; 0: no corner is cut
+  double merge_tolerance_mm = 0.0;  // G64 Q, P or the machine's; 0: no lines are merged
+  std::uint64_t block = 0;  // of the program's run, counted from 1: a line of a loop is many
+};
+
+}  // namespace kerf::parser

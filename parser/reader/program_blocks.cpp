@@ -1,0 +1,202 @@
+// One line of a program: its words, its calls, and what it makes the tool do.
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "diagnostics/errors/fanuc.hpp"
+#include "diagnostics/errors/files.hpp"
+#include "diagnostics/errors/flow.hpp"
+#include "diagnostics/errors/subprograms.hpp"
+#include "parser/block/block_grammar.hpp"
+#include "parser/flow/block_calls.hpp"
+#include "parser/flow/statement_reader.hpp"
+#include "parser/flow/statement_text.hpp"
+#include "parser/reader/block_warnings.hpp"
+#include "parser/reader/program_run.hpp"
+#include "parser/text/text.hpp"
+
+namespace kerf::parser {
+
+// O1234 at the head of the program. True: the block is done with.
+bool ProgramRun::is_program_number(const Block& block, std::uint32_t line) {
+  if (!block.has('O')) {
+    return false;
+  }
+  const bool alone =
+      (block.present & ~letter_bit('N')) == letter_bit('O') && block.g_count + block.m_count == 0;
+  const double number = block.value('O');
+  if (any_block_ || !alone || number < 0.0 || number > 99'999'999.0 ||
+      number != static_cast<double>(static_cast<long>(number))) {
+    diagnostics_.add({line, block.word('O').offset + 1}, errors::kOWordNotFirst,
+                     "an o-word must be the first word of a block");
+  }
+  return true;
+}
+
+void ProgramRun::call(const Line& line, Call call) {
+  if (!flow_.active()) {
+    flow_.start(line, {.has_run = true});
+  }
+  flow_.call(std::move(call));
+}
+
+// M98 P100 L2, M99 P10, with whatever else the block says done before.
+void ProgramRun::run_program_call(const Line& line, const Word& code) {
+  Call called{.label = program_name_};
+  Return back;
+  diagnostics::Fault fault;
+  const bool calls = code.value != 99.0;
+  if (!(calls ? read_program_call(block_, code, options_.dialect, called, fault)
+              : read_m99(block_, code, back, fault))) {
+    diagnostics_.add({line.number, fault.offset + 1}, *fault.page, std::move(fault.message));
+    return;
+  }
+  remove_call(block_, code);
+  if ((block_.present & ~letter_bit('N')) != 0 || block_.g_count + block_.m_count > 0) {
+    interpreter_.run(block_, line.number, true);
+  }
+  if (calls) {
+    call(line, std::move(called));
+  } else {
+    return_from_call(line, back);
+  }
+}
+
+void ProgramRun::return_from_call(const Line& line, const Return& back) {
+  if (flow_.active() && flow_.return_from_call(back)) {
+    return;
+  }
+  diagnostics_.add({line.number, back.offset + 1}, errors::kM99InMain,
+                   "M99 in the main program: it would repeat without end and is ended here");
+  interpreter_.end(line.number, "at M99");
+  interpreter_.end_program({line.number, back.offset + 1});
+}
+
+// G65 calls once; G66 calls after each block that moves, until G67.
+void ProgramRun::run_macro_call(const Line& line, const Word& code) {
+  if (code.value == 67.0) {
+    modal_calls_.cancel();
+    return;
+  }
+  Call called{.label = program_name_, .offset = code.offset};
+  diagnostics::Fault fault;
+  if (!read_macro_call(line.text, evaluator_, called, fault)) {
+    diagnostics_.add({line.number, fault.offset + 1}, *fault.page, std::move(fault.message));
+  } else if (code.value == 65.0) {
+    call(line, std::move(called));
+  } else if (!modal_calls_.add(std::move(called))) {
+    diagnostics_.add({line.number, code.offset + 1}, errors::kTooManyModalCalls,
+                     joined({"at most ", std::to_string(ModalCalls::kMost),
+                             " modal calls (G66) may be in force: cancel with G67"}));
+  }
+}
+
+// True: the block is done with.
+bool ProgramRun::run_call(const Line& line, bool complete) {
+  if (options_.dialect == Dialect::fanuc) {
+    if (const Word* const code = find_macro_code(block_)) {
+      run_macro_call(line, *code);
+      return true;
+    }
+  }
+  const Word* const code = find_program_code(block_, options_.dialect);
+  if (code != nullptr && complete) {
+    run_program_call(line, *code);
+  } else if (code != nullptr) {
+    remove_call(block_, *code);
+    interpreter_.run(block_, line.number, false);  // says what is wrong behind it
+  }
+  return code != nullptr;
+}
+
+void ProgramRun::read_line(const Line& line) {
+  if (line.too_long) {
+    diagnostics_.add({line.number, static_cast<std::uint32_t>(LineSplitter::kMaxLine) + 1},
+                     errors::kLineTooLong,
+                     joined({"the line is longer than the limit of ",
+                             std::to_string(LineSplitter::kMaxLine), " bytes"}));
+    any_block_ = true;
+    return;
+  }
+  const std::size_t at = skip_blanks(line.text, 0);
+  if (at == line.text.size()) {
+    return;
+  }
+  if ((line.text[at] == '%' && read_percent(line, at)) ||
+      (line.text[at] == '/' && options_.block_delete.leaves_out(line.text, at))) {
+    return;
+  }
+  if (line.number == options_.watched_line && !watched_block_ &&
+      (!flow_.active() || flow_.in_program_text())) {
+    watched_block_ = {std::string(line.text), interpreter_.state(), interpreter_.blocks_run()};
+  }
+  read_code(line);
+  if (options_.dialect == Dialect::fanuc && block_.remark != 0) {
+    read_behind_semicolon(line);
+  }
+}
+
+void ProgramRun::read_code(const Line& line) {
+  called_ = false;
+  const bool complete = read_block(line.text, block_, evaluator_);
+  if (!complete && options_.dialect == Dialect::fanuc && has_program_name()) {
+    run_named_call(line);
+  } else {
+    run_block(line, complete);
+  }
+}
+
+// (ABORT, message): as LinuxCNC has it, of a block's comments only the last one says anything, and
+// it comes before the words.
+bool ProgramRun::aborts(const Line& line) {
+  constexpr std::string_view kAbort = "ABORT,";
+  if (options_.dialect != Dialect::rs274 || block_.comment == 0) {
+    return false;
+  }
+  const std::string_view comment = line.text.substr(block_.comment);
+  const std::size_t comma = comment.find(',');
+  if (comma == std::string_view::npos || upper(comment.substr(0, comma + 1)) != kAbort) {
+    return false;
+  }
+  const std::string_view message = comment.substr(comma + 1, comment.find(')') - comma - 1);
+  const std::size_t begin = std::min(skip_blanks(message, 0), message.size());
+  diagnostics_.add({line.number, block_.comment}, errors::kAborted,
+                   joined({"the program aborts itself: ", message.substr(begin)}));
+  ended_ = rest_reported_ = true;
+  return true;
+}
+
+void ProgramRun::run_block(const Line& line, bool complete) {
+  if (complete && aborts(line)) {
+    return;
+  }
+  if (const auto unset = evaluator_.take_unset_read()) {
+    warn_of_unset(*unset, line.number, diagnostics_);
+  }
+  if (block_.remarkable) {
+    warn_about(block_, {line.number, options_.dialect}, said_, diagnostics_);
+  }
+  if (block_.assignment != 0) {
+    any_block_ = true;
+    if (complete && options_.dialect == Dialect::fanuc) {
+      return act_on_signal(line);
+    }
+  }
+  if (complete && block_.empty()) {
+    return;
+  }
+  if (is_program_number(block_, line.number)) {
+    return;
+  }
+  any_block_ = true;
+  called_ = block_.g_count + block_.m_count > 0 && run_call(line, complete);
+  if (called_) {
+    return;
+  }
+  if (options_.dialect == Dialect::fanuc) {
+    return run_fanuc_block(line, complete);
+  }
+  interpreter_.run(block_, line.number, complete);
+}
+
+}  // namespace kerf::parser

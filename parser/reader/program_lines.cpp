@@ -1,0 +1,169 @@
+// The order of a program's lines: its beginning, its end, and the flow between them.
+#include "diagnostics/errors/files.hpp"
+#include "parser/flow/statement_reader.hpp"
+#include "parser/reader/program_run.hpp"
+
+namespace kerf::parser {
+
+// '%' opens the program (a title may follow it) and closes it. True: the line is done with.
+bool ProgramRun::read_percent(const Line& line, std::size_t at) {
+  if (!opened_by_percent_ && !any_block_) {
+    opened_by_percent_ = true;
+    opening_line_ = line.number;
+    return true;
+  }
+  const std::size_t rest = line.text.find_first_not_of(" \t", at + 1);
+  if (rest != std::string_view::npos && line.text[rest] != '(' && line.text[rest] != ';') {
+    diagnostics_.add({line.number, static_cast<std::uint32_t>(at) + 1}, errors::kPercentNotAlone,
+                     "'%' must stand alone on its line");
+    return true;
+  }
+  interpreter_.end(line.number, "at the closing %");
+  interpreter_.end_program({line.number, static_cast<std::uint32_t>(at) + 1});
+  closed_by_percent_ = true;
+  return true;
+}
+
+// Text behind the program's end is passed over; that it is there is said once.
+void ProgramRun::read_rest(const Line& line) {
+  const std::size_t at = skip_blanks(line.text, 0);
+  const bool empty = at == line.text.size() || line.text[at] == '(' || line.text[at] == ';';
+  if (rest_reported_ || empty || (line.text[at] == '%' && !closed_by_percent_)) {
+    return;
+  }
+  rest_reported_ = true;
+  diagnostics_.add({line.number, static_cast<std::uint32_t>(at) + 1},
+                   closed_by_percent_ ? errors::kTextAfterPercent : errors::kBlocksAfterEnd,
+                   closed_by_percent_ ? "text after the closing '%' is ignored"
+                                      : "blocks after the program's end are never executed");
+}
+
+void ProgramRun::reach_end() {
+  ended_ = true;
+  diagnostics_.at_line(0, {});
+  const std::uint32_t last = input_.lines();
+  interpreter_.end(last, "at the end of the file");
+  if (flow_.stopped()) {
+    return;
+  }
+  if (!any_block_ && !flow_.has_statements()) {
+    diagnostics_.add({1, 1}, errors::kEmptyProgram, "the program is empty");
+  } else if (opened_by_percent_) {
+    diagnostics_.add({opening_line_, 1}, errors::kUnclosedPercent,
+                     "the file starts with '%' but has no closing '%'");
+  } else {
+    diagnostics_.add({last, 1}, errors::kNoProgramEnd,
+                     "the program has no M2, M30 or '%' at its end");
+  }
+}
+
+// Whether the text has to be kept from this line on.
+bool ProgramRun::begins_flow(std::string_view text) const {
+  if (flow_.keeps_from_start()) {
+    return true;
+  }
+  std::size_t at = skip_blanks(text, 0);
+  const char first = at == text.size() ? ' ' : text[at];
+  if (first == 'N' || first == 'n' || first == '/') {
+    if (first == '/' && options_.block_delete.leaves_out(text, at)) {
+      return false;
+    }
+    at = find_block_start(text).at;
+  }
+  if (!may_be_statement(text, at, options_.dialect)) {
+    return false;
+  }
+  Statement statement;
+  diagnostics::Fault fault;
+  return read_statement(text, at, options_.dialect, statement, fault) &&
+         (statement.keyword != Keyword::program || any_block_);
+}
+
+bool ProgramRun::next_plain_line(Line& line) {
+  if (input_.next(line)) {
+    return true;
+  }
+  if (input_.refused()) {
+    ended_ = rest_reported_ = true;
+  } else if (input_.finished() && !ended_) {
+    reach_end();
+  }
+  return false;
+}
+
+// The line to run or, once the program has ended, of the rest.
+bool ProgramRun::next_line(Line& line) {
+  while (!ended_) {
+    if (!flow_.active()) {
+      if (!next_plain_line(line)) {
+        return false;
+      }
+      if (!begins_flow(line.text)) {
+        return true;
+      }
+      flow_.start(line, {.keeping = flow_.keeps_from_start()});
+      any_block_ = any_block_ || !flow_.keeps_from_start();
+    }
+    switch (flow_.next(line)) {
+      case Flow::Step::block:
+        return true;
+      case Flow::Step::more_text:
+        return false;
+      case Flow::Step::plain:
+        break;
+      case Flow::Step::end:
+        reach_end();
+        break;
+    }
+  }
+  if (flow_.active()) {
+    flow_.take_rest();
+  }
+  return next_plain_line(line);
+}
+
+bool ProgramRun::next(Move& move) {
+  do {
+    if (!next_move(move)) {
+      return false;
+    }
+  } while (!short_moves_.take(move));
+  constexpr std::size_t kMotions = 3;  // lines, arcs and splines come first
+  if (move.shape.index() < kMotions) {
+    flow_.moved();
+  }
+  return true;
+}
+
+bool ProgramRun::next_move(Move& move) {
+  while (interpreter_.moves().empty()) {
+    Line line;
+    if (!next_line(line)) {
+      if (interpreter_.moves().empty()) {
+        return false;
+      }
+      break;  // the end of the text has let go what was held
+    }
+    diagnostics_.at_line(line.number, line.text);
+    if (ended_) {
+      read_rest(line);
+      continue;
+    }
+    interpreter_.enter_line(line.number);
+    read_line(line);
+    if (diagnostics_.full()) {
+      diagnostics_.add({line.number, 1}, errors::kTooManyErrors,
+                       "too many errors: the rest is not read");
+      ended_ = rest_reported_ = true;
+    }
+    ended_ = ended_ || interpreter_.program_ended();
+    if (ended_) {
+      input_.pass_over();
+    }
+  }
+  interpreter_.moves().pop(move);
+  all_fetched_ = interpreter_.moves().empty();
+  return true;
+}
+
+}  // namespace kerf::parser

@@ -1,0 +1,106 @@
+// What a ProgramReader does, in two parts: which line is next, and what is done with it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "diagnostics/diagnostic_list.hpp"
+#include "parser/block/block.hpp"
+#include "parser/expressions/evaluator.hpp"
+#include "parser/expressions/parameters.hpp"
+#include "parser/flow/call.hpp"
+#include "parser/flow/flow.hpp"
+#include "parser/flow/modal_calls.hpp"
+#include "parser/flow/reader_options.hpp"
+#include "parser/interpreter/interpreter.hpp"
+#include "parser/moves/short_moves.hpp"
+#include "parser/reader/block_warnings.hpp"
+#include "parser/text/program_input.hpp"
+
+namespace kerf::parser {
+
+class ProgramRun {
+ public:
+  explicit ProgramRun(ReaderOptions options)
+      : options_(std::move(options)),
+        diagnostics_(options_.max_errors),
+        input_(diagnostics_),
+        interpreter_(options_.start_mm, diagnostics_, options_.machine, options_.dialect,
+                     words_of(options_.start_extra_rad_mm)),
+        parameters_(options_.dialect),
+        evaluator_(parameters_),
+        flow_(options_, input_, evaluator_, diagnostics_, interpreter_) {
+    parameters_.use(interpreter_.values());
+  }
+
+  ProgramInput& input() { return input_; }
+  bool next(Move& move);  // program_lines.cpp
+  [[nodiscard]] bool at_end() const { return ended_ && all_fetched_ && !flow_.needs_rest(); }
+  [[nodiscard]] const diagnostics::DiagnosticList& diagnostics() const { return diagnostics_; }
+  [[nodiscard]] const std::optional<WatchedBlock>& watched_block() const {
+    return flow_.watched_statement() ? flow_.watched_statement() : watched_block_;
+  }
+  [[nodiscard]] std::size_t held_bytes() const { return flow_.held_bytes(); }
+  [[nodiscard]] std::string_view file_name(std::uint16_t file) const {
+    return flow_.file_name(file);
+  }
+
+ private:
+  // program_lines.cpp
+  bool next_move(Move& move);  // however short
+  bool next_line(Line& line);
+  bool next_plain_line(Line& line);
+  bool begins_flow(std::string_view text) const;
+  bool read_percent(const Line& line, std::size_t at);
+  void read_rest(const Line& line);
+  void reach_end();
+
+  // program_blocks.cpp
+  void read_line(const Line& line);
+  void read_code(const Line& line);
+  void run_block(const Line& line, bool complete);
+  bool aborts(const Line& line);
+  bool is_program_number(const Block& block, std::uint32_t line);
+  bool run_call(const Line& line, bool complete);
+  void run_program_call(const Line& line, const Word& code);
+  void run_macro_call(const Line& line, const Word& code);
+  void call(const Line& line, Call call);
+  void return_from_call(const Line& line, const Return& back);
+
+  // fanuc/program_blocks_fanuc.cpp
+  [[nodiscard]] bool has_program_name() const;
+  void run_named_call(const Line& line);
+  void read_behind_semicolon(const Line& line);
+  void act_on_signal(const Line& line);
+  void check_points(const Line& line);
+  void run_fanuc_block(const Line& line, bool complete);
+
+  ReaderOptions options_;
+  diagnostics::DiagnosticList diagnostics_;
+  ProgramInput input_;
+  Interpreter interpreter_;
+  Parameters parameters_;
+  Evaluator evaluator_;
+  Flow flow_;
+  ShortMoves short_moves_;
+  Block block_;
+  SaidOnce said_;
+  bool called_ = false;           // the block is a call or a return
+  std::string behind_semicolon_;  // the rest of a Fanuc line with more than one block
+  std::string program_name_;      // <NAME> of the block's call, plain; empty: none
+  std::string without_name_;      // the line with blanks in its place
+  ModalCalls modal_calls_;        // G66
+  bool ended_ = false;            // the program, not the bytes
+  bool all_fetched_ = true;       // all its moves are fetched
+  bool any_block_ = false;
+  bool opened_by_percent_ = false;
+  bool closed_by_percent_ = false;
+  bool rest_reported_ = false;
+  std::uint32_t opening_line_ = 0;
+  std::optional<WatchedBlock> watched_block_;
+};
+
+}  // namespace kerf::parser
