@@ -77,7 +77,7 @@ Trial smoothed_trial(std::uint64_t seed) {
 }
 
 // What is wrong with the path itself; empty: it has no gap and stays within the tolerances.
-std::string departure_complaint(std::uint64_t seed) {
+std::string deviation_complaint(std::uint64_t seed) {
   const test::RandomMoves program = test::smoothing_moves(seed);
   if (program.moves.empty()) {
     return "";
@@ -86,9 +86,9 @@ std::string departure_complaint(std::uint64_t seed) {
   std::string complaint = test::faults_of_joints(program.moves, smoothed);
   const double tolerance = std::max(program.tolerances.corner_mm, program.tolerances.merge_mm);
   const double apart = test::apart_mm(test::points_of(smoothed), test::points_of(program.moves));
-  if (!(apart <= std::min(tolerance, smoothed.departure.distance_mm) + kBetweenPoints_mm)) {
+  if (!(apart <= std::min(tolerance, smoothed.deviation.distance_mm) + kBetweenPoints_mm)) {
     complaint += std::to_string(apart) + " mm apart, tolerance " + std::to_string(tolerance) +
-                 " mm, said to be " + std::to_string(smoothed.departure.distance_mm) + " mm";
+                 " mm, said to be " + std::to_string(smoothed.deviation.distance_mm) + " mm";
   }
   return complaint;
 }
@@ -166,7 +166,7 @@ void judge(std::uint64_t seed, const Soak& order, Tally& tally) {
     run.complaint = "ends " + std::to_string(1e6 * off_mm) + " nm beside its end";
   }
   if (kind == SoakKind::smoothed) {
-    run.complaint += departure_complaint(seed);
+    run.complaint += deviation_complaint(seed);
     if (seed % kSeedsOfASecondRun == 0 &&
         test::judged_run(trial.program, trial.settings, trial.way).fingerprint != run.fingerprint) {
       run.complaint += "the second run differs";

@@ -113,8 +113,8 @@ class Kernel::Impl {
     return of_plan ? of_plan : describe(judge_.excess());
   }
   [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
-  [[nodiscard]] smoothing::Departure departure() const noexcept {
-    return pipeline_.path().departures().largest;
+  [[nodiscard]] smoothing::PathDeviation deviation() const noexcept {
+    return pipeline_.path().deviations().largest;
   }
   [[nodiscard]] bool has_errors() const { return pipeline_.path().has_errors(); }
   [[nodiscard]] bool left_travel() const noexcept { return pipeline_.path().left_travel(); }
@@ -186,8 +186,8 @@ std::optional<RunFault> Kernel::fault() const {
 const TickJudge& Kernel::judge() const noexcept {
   return impl_->judge();
 }
-smoothing::Departure Kernel::departure() const noexcept {
-  return impl_->departure();
+smoothing::PathDeviation Kernel::deviation() const noexcept {
+  return impl_->deviation();
 }
 bool Kernel::left_travel() const noexcept {
   return impl_->left_travel();

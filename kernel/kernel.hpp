@@ -16,7 +16,7 @@
 #include "lookahead/planner.hpp"
 #include "parser/flow/reader_options.hpp"
 #include "profiles/profile.hpp"
-#include "smoothing/departure.hpp"
+#include "smoothing/path_deviation.hpp"
 
 namespace kerf {
 
@@ -81,7 +81,7 @@ class Kernel {
   [[nodiscard]] const TickJudge& judge() const noexcept;
   // Where G64 leads the path farthest from what the program says, as far as it is planned: the
   // larger of both directions, from the geometry. 0: nowhere. Belongs to the planning side.
-  [[nodiscard]] smoothing::Departure departure() const noexcept;
+  [[nodiscard]] smoothing::PathDeviation deviation() const noexcept;
   [[nodiscard]] bool has_errors() const;
   // The error is a block that leaves the travel (KernelOptions::checks_travel).
   [[nodiscard]] bool left_travel() const noexcept;

@@ -38,7 +38,7 @@ bool Pipeline::take_next() {
     case ProgramPath::Next::wants_text:
       return false;
     case ProgramPath::Next::ended:
-      check_.judge(path_.departures().worst);
+      check_.judge(path_.deviations().worst);
       planner_.finish(path_.line());
       finished_ = true;
       return true;

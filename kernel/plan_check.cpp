@@ -16,7 +16,7 @@ constexpr std::uint32_t kMostIdle = 1000;
 // What rounding leaves between the way that a law covers and that of its phase.
 constexpr double kWay_mm = 1e-7;
 constexpr double kRelative = 1e-9;
-constexpr double kDeparture_mm = 1e-9;
+constexpr double kDeviation_mm = 1e-9;
 constexpr double kFeedrateRelative = 1e-6;
 constexpr double kFeedrate_mm_s = 1e-9;
 
@@ -80,11 +80,11 @@ void PlanCheck::check_rest(const interp::Phase& phase) {
   }
 }
 
-void PlanCheck::judge(const smoothing::Departure& departure) {
-  if (!(departure.distance_mm <= departure.tolerance_mm * (1.0 + kRelative) + kDeparture_mm)) {
-    note(departure.line, "the path is " + to_text(departure.distance_mm) +
+void PlanCheck::judge(const smoothing::PathDeviation& deviation) {
+  if (!(deviation.distance_mm <= deviation.tolerance_mm * (1.0 + kRelative) + kDeviation_mm)) {
+    note(deviation.line, "the path is " + to_text(deviation.distance_mm) +
                              " mm from the programmed one, above " +
-                             to_text(departure.tolerance_mm) + " mm");
+                             to_text(deviation.tolerance_mm) + " mm");
   }
 }
 

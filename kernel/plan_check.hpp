@@ -9,7 +9,7 @@
 #include "lookahead/emit/emitter.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/window.hpp"
-#include "smoothing/departure.hpp"
+#include "smoothing/path_deviation.hpp"
 
 namespace kerf {
 
@@ -23,7 +23,7 @@ class PlanCheck {
   // All that emit() appended: `outbox` was empty before.
   void emitted(const lookahead::Outbox& outbox);
   // Of the whole program: how far it is led from its path.
-  void judge(const smoothing::Departure& departure);
+  void judge(const smoothing::PathDeviation& deviation);
   // What is left of the program need not come.
   void stop() { stopped_ = true; }
 

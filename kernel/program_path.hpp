@@ -59,7 +59,9 @@ class ProgramPath {
     return failed_ ? all_diagnostics_ : reader_.diagnostics();
   }
   [[nodiscard]] const parser::ProgramReader& reader() const noexcept { return reader_; }
-  [[nodiscard]] smoothing::Departures departures() const noexcept { return smoother_.departures(); }
+  [[nodiscard]] smoothing::PathDeviations deviations() const noexcept {
+    return smoother_.deviations();
+  }
 
  private:
   // The next move into the smoother. False: there is no more text.

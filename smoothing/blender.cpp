@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "smoothing/blend_departure.hpp"
+#include "smoothing/blend_deviation.hpp"
 #include "smoothing/part_marks.hpp"
 #include "smoothing/travel.hpp"
 
@@ -48,7 +48,7 @@ double Blender::wanted_way_mm(const Held& before, const Held& after) const {
   }
   const double tolerance =
       kOfTolerance * (std::min(before.part.corner_tolerance_mm, after.part.corner_tolerance_mm) -
-                      std::max(before.part.departure_mm, after.part.departure_mm));
+                      std::max(before.part.deviation_mm, after.part.deviation_mm));
   if (!(tolerance > 0.0)) {
     return 0.0;
   }
@@ -81,19 +81,19 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
   const Corner corner{.before = &before.part.curve, .after = &after.part.curve};
   const double tolerance =
       std::min(before.part.corner_tolerance_mm, after.part.corner_tolerance_mm);
-  const double away_mm = std::max(before.part.departure_mm, after.part.departure_mm);
+  const double away_mm = std::max(before.part.deviation_mm, after.part.deviation_mm);
   for (int i = 0; i < kShrinkings && way_mm > kLeastWay_mm; ++i) {
     auto blend = make_blend(corner, way_mm);
     if (!blend) {
       return std::nullopt;
     }
-    Departure departure = departure_of(*blend, corner, way_mm);
-    departure.distance_mm += away_mm;
-    if (departure.distance_mm <= kOfTolerance * tolerance + 1e-12 &&
+    PathDeviation deviation = deviation_of(*blend, corner, way_mm);
+    deviation.distance_mm += away_mm;
+    if (deviation.distance_mm <= kOfTolerance * tolerance + 1e-12 &&
         !(settings_.travel && leaves_travel(blend->curve.extents(), *settings_.travel))) {
-      departure.line = mark_at(after.part, 0.0).line;
-      departure.tolerance_mm = tolerance;
-      departures_.add(departure);
+      deviation.line = mark_at(after.part, 0.0).line;
+      deviation.tolerance_mm = tolerance;
+      deviations_.add(deviation);
       return Chosen{.blend = std::move(*blend), .way_mm = way_mm};
     }
     way_mm *= 0.75;

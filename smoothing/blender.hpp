@@ -6,7 +6,7 @@
 
 #include "curves/curve.hpp"
 #include "smoothing/blend.hpp"
-#include "smoothing/departure.hpp"
+#include "smoothing/path_deviation.hpp"
 #include "smoothing/path_part.hpp"
 
 namespace kerf::smoothing {
@@ -30,7 +30,7 @@ class Blender {
   // What is held back leaves, up to its programmed end.
   void flush(std::vector<PathPart>& out);
 
-  [[nodiscard]] const Departures& departures() const noexcept { return departures_; }
+  [[nodiscard]] const PathDeviations& deviations() const noexcept { return deviations_; }
 
  private:
   struct Held {
@@ -57,7 +57,7 @@ class Blender {
   BlendSettings settings_;
   std::optional<Held> first_;
   std::optional<Held> second_;
-  Departures departures_;
+  PathDeviations deviations_;
 };
 
 }  // namespace kerf::smoothing

@@ -75,14 +75,14 @@ std::optional<CircleRun> circle_of(const Polyline& run, std::size_t last, double
   const double sense =
       cross(in(*plane, run[0]) - *centre, in(*plane, run[1]) - *centre) < 0 ? -1 : 1;
   std::vector<double> angles_rad{0.0};
-  double departure = 0.0;
+  double deviation = 0.0;
   for (std::size_t i = 1; i <= last; ++i) {
     const Eigen::Vector2d before = in(*plane, run[i - 1]) - *centre;
     const Eigen::Vector2d here = in(*plane, run[i]) - *centre;
     const double step = sense * std::atan2(cross(before, here), before.dot(here));
     const double off = std::abs(here.norm() - radius);
     const double height = std::abs(0.5 * (before + here).norm() - radius);
-    departure = std::max({departure, off, height});
+    deviation = std::max({deviation, off, height});
     if (!(step > 0.0 && off <= std::min(kRounding_mm, kOfTolerance * tolerance_mm) &&
           height <= kAllowed * tolerance_mm)) {
       return std::nullopt;
@@ -104,7 +104,7 @@ std::optional<CircleRun> circle_of(const Polyline& run, std::size_t last, double
   if (!arc) {
     return std::nullopt;
   }
-  CircleRun circle{.arc = *arc, .s_mm = {}, .departure_mm = departure};
+  CircleRun circle{.arc = *arc, .s_mm = {}, .deviation_mm = deviation};
   for (std::size_t i = 0; i < last; ++i) {
     circle.s_mm.push_back(angles_rad[i] / sweep * arc->length_mm());
   }

@@ -13,7 +13,7 @@ namespace kerf::smoothing {
 struct CircleRun {
   curves::Arc arc;
   std::vector<double> s_mm;   // where on the arc each line begins
-  double departure_mm = 0.0;  // of the arc from vertices and lines
+  double deviation_mm = 0.0;  // of the arc from vertices and lines
 };
 
 // The arc from the first vertex to `last` in one of the planes of the axes, a whole circle if it is

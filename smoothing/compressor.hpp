@@ -21,7 +21,7 @@
 
 #include "curves/curve.hpp"
 #include "parser/moves/move.hpp"
-#include "smoothing/departure.hpp"
+#include "smoothing/path_deviation.hpp"
 #include "smoothing/path_part.hpp"
 #include "smoothing/polyline.hpp"
 #include "smoothing/run_curves.hpp"
@@ -43,7 +43,7 @@ class Compressor {
   // The run ends with what was pushed.
   void flush(std::vector<PathPart>& out);
 
-  [[nodiscard]] const Departures& departures() const noexcept { return curves_.departures(); }
+  [[nodiscard]] const PathDeviations& deviations() const noexcept { return curves_.deviations(); }
 
  private:
   static constexpr std::size_t kWindow = 400;  // lines

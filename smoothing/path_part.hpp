@@ -27,7 +27,7 @@ struct PathPart {
   curves::ExtraWay extra{};
   parser::PathMode mode = parser::PathMode::exact_path;
   double corner_tolerance_mm = 0.0;  // within which its corners may be blended
-  double departure_mm = 0.0;         // from what is programmed, at the most: what a blend has less
+  double deviation_mm = 0.0;         // from what is programmed, at the most: what a blend has less
   bool stop_after = false;
   // The normal axis of the arc that it was programmed as. A spiral is a NurbsCurve with one.
   std::optional<int> arc_normal{};

@@ -26,13 +26,13 @@ bool RunCurves::append_circle(const Polyline& run, std::size_t vertex, std::vect
   if (!circle || (settings_.travel && leaves_travel(circle->arc.extents(), *settings_.travel))) {
     return false;
   }
-  widen({run[vertex / 2], circle->arc.at(circle->s_mm[vertex / 2])}, circle->departure_mm);
+  widen({run[vertex / 2], circle->arc.at(circle->s_mm[vertex / 2])}, circle->deviation_mm);
   append_parts(run,
                {.curve = circle->arc,
                 .first = 0,
                 .last = vertex,
                 .s_mm = circle->s_mm,
-                .departure_mm = circle->departure_mm},
+                .deviation_mm = circle->deviation_mm},
                like_, out);
   return true;
 }
@@ -49,7 +49,7 @@ void RunCurves::append_line(const Polyline& run, std::size_t vertex, std::vector
     const Eigen::Vector3d seen = vec(run[i].point_mm) - begin;
     merged.s_mm.push_back(i == 0 ? 0.0 : seen.dot(direction));
     const double away = (seen - merged.s_mm.back() * direction).norm();
-    merged.departure_mm = std::max(merged.departure_mm, away);
+    merged.deviation_mm = std::max(merged.deviation_mm, away);
     widen({run[i], line->at(merged.s_mm.back())}, away);
   }
   append_parts(run, merged, like_, out);
@@ -96,7 +96,7 @@ void RunCurves::append_part(const Polyline& run, const RunFit& fit, const FitPar
                      .first = lines.first,
                      .last = lines.last,
                      .continues = part.continues,
-                     .departure_mm = away};
+                     .deviation_mm = away};
   for (std::size_t i = merged.first; i < merged.last; ++i) {
     merged.s_mm.push_back(i == merged.first ? 0.0 : made->front().s_at(run[i].w_mm));
   }
@@ -126,7 +126,7 @@ void RunCurves::append_chords(const Polyline& run, const Indices& lines, const C
 }
 
 void RunCurves::widen(const Place& place, double distance_mm) {
-  departures_.add({.distance_mm = distance_mm,
+  deviations_.add({.distance_mm = distance_mm,
                    .at_mm = place.at_mm,
                    .line = place.vertex.source.line,
                    .tolerance_mm = settings_.tolerance_mm});

@@ -7,7 +7,7 @@
 
 #include "curves/curve.hpp"
 #include "parser/moves/move.hpp"
-#include "smoothing/departure.hpp"
+#include "smoothing/path_deviation.hpp"
 #include "smoothing/path_part.hpp"
 #include "smoothing/polyline.hpp"
 #include "smoothing/run_fit.hpp"
@@ -24,7 +24,7 @@ class RunCurves {
   [[nodiscard]] const parser::Move& like() const noexcept { return like_; }
   [[nodiscard]] const RunFitSettings& settings() const noexcept { return settings_; }
   // Of all that was appended.
-  [[nodiscard]] const Departures& departures() const noexcept { return departures_; }
+  [[nodiscard]] const PathDeviations& deviations() const noexcept { return deviations_; }
 
   // The lines up to this vertex, which are as good as on a line, as one.
   void append_line(const Polyline& run, std::size_t vertex, std::vector<PathPart>& out);
@@ -72,7 +72,7 @@ class RunCurves {
   RunFitSettings settings_;
   parser::Move like_{};  // what the moves of the run have in common
   bool broken_ = false;  // the last part is lines where a spline was meant to go on
-  Departures departures_;
+  PathDeviations deviations_;
 };
 
 }  // namespace kerf::smoothing

@@ -50,7 +50,7 @@ PathPart part_of(curves::Curve curve, const Polyline& run, const MergedCurve& me
   part.extra = {.begin_rad_mm = like.extra.begin_rad_mm, .end_rad_mm = like.extra.end_rad_mm};
   part.mode = parser::PathMode::blend;
   part.corner_tolerance_mm = like.blend_tolerance_mm;
-  part.departure_mm = merged.departure_mm;
+  part.deviation_mm = merged.deviation_mm;
   if (const auto* arc = std::get_if<curves::Arc>(&merged.curve)) {
     part.arc_normal = arc->normal_axis();
   }

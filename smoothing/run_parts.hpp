@@ -18,7 +18,7 @@ struct MergedCurve {
   std::size_t last = 0;
   std::vector<double> s_mm{};  // where on the curve each of these lines begins; the first at 0
   bool continues = false;      // the part before
-  double departure_mm = 0.0;   // from the lines, at the most
+  double deviation_mm = 0.0;   // from the lines, at the most
 };
 
 // Appends it in one part, or in one for each stretch of one feedrate. like: a move of the run.

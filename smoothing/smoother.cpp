@@ -59,9 +59,9 @@ void Smoother::queue_parts() {
   blended_.clear();
 }
 
-Departures Smoother::departures() const noexcept {
-  Departures all = compressor_.departures();
-  all.add(blender_.departures());
+PathDeviations Smoother::deviations() const noexcept {
+  PathDeviations all = compressor_.deviations();
+  all.add(blender_.deviations());
   return all;
 }
 

@@ -9,7 +9,7 @@
 #include "parser/moves/move.hpp"
 #include "smoothing/blender.hpp"
 #include "smoothing/compressor.hpp"
-#include "smoothing/departure.hpp"
+#include "smoothing/path_deviation.hpp"
 #include "smoothing/path_error.hpp"
 #include "smoothing/path_part.hpp"
 
@@ -33,7 +33,7 @@ class Smoother {
   bool next(Output& output);
 
   // Of all that came out.
-  [[nodiscard]] Departures departures() const noexcept;
+  [[nodiscard]] PathDeviations deviations() const noexcept;
 
  private:
   void blend_made();

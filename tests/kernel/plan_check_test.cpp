@@ -105,7 +105,7 @@ TEST(PlanCheck, LetsAStoppedProgramEndWhereItIs) {
   EXPECT_FALSE(check.fault());
 }
 
-TEST(PlanCheck, FindsADepartureAboveItsTolerance) {
+TEST(PlanCheck, FindsADeviationAboveItsTolerance) {
   PlanCheck check;
   check.judge({.distance_mm = 0.0101, .line = 12, .tolerance_mm = 0.01});
   ASSERT_TRUE(check.fault());

@@ -74,8 +74,8 @@ TEST(Blend, GoesOnWithDirectionAndCurvatureOfAnArcAndALine) {
   EXPECT_EQ(faults_of_joints({arc_move, line_moves[0]}, smoothed), "");
   EXPECT_TRUE(smoothed.parts[1].continues);
   EXPECT_TRUE(smoothed.parts[2].continues);
-  EXPECT_GT(smoothed.departure.distance_mm, 0.005);
-  EXPECT_LE(smoothed.departure.distance_mm, 0.01);
+  EXPECT_GT(smoothed.deviation.distance_mm, 0.005);
+  EXPECT_LE(smoothed.deviation.distance_mm, 0.01);
 }
 
 TEST(Blend, IsNoneWhereThePathTurnsBack) {
@@ -85,9 +85,9 @@ TEST(Blend, IsNoneWhereThePathTurnsBack) {
 
 TEST(Blend, TakesNoMoreThanTheFeedrateNeeds) {
   const std::vector<Position> corner{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}};
-  const double slow = smooth(lines_through(corner, {.corner_mm = 0.5}, 1.0)).departure.distance_mm;
+  const double slow = smooth(lines_through(corner, {.corner_mm = 0.5}, 1.0)).deviation.distance_mm;
   const double fast =
-      smooth(lines_through(corner, {.corner_mm = 0.5}, 100.0)).departure.distance_mm;
+      smooth(lines_through(corner, {.corner_mm = 0.5}, 100.0)).deviation.distance_mm;
   EXPECT_LT(slow, 0.01);
   EXPECT_GT(fast, 0.4);
 }
@@ -98,7 +98,7 @@ TEST(Blend, LeavesNeighboursTheirHalfOfAShortLine) {
   const Smoothed smoothed = smooth(moves);
   EXPECT_EQ(faults_of_joints(moves, smoothed), "");
   // 0.1 mm of the short line for each: |tB - tA| / 8 of it.
-  EXPECT_NEAR(smoothed.departure.distance_mm, 0.1 * std::sqrt(2.0) / 8.0, 1e-6);
+  EXPECT_NEAR(smoothed.deviation.distance_mm, 0.1 * std::sqrt(2.0) / 8.0, 1e-6);
 }
 
 TEST(Blend, MayRunAlongTheEndOfTheTravelAndNotBeyond) {
@@ -125,7 +125,7 @@ TEST(Blend, LeavesThePathAsItIsWithoutATolerance) {
       lines_through({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, {.corner_mm = 0.0, .merge_mm = 0.0});
   const Smoothed smoothed = smooth(moves);
   EXPECT_EQ(smoothed.parts.size(), 2U);
-  EXPECT_EQ(smoothed.departure.distance_mm, 0.0);
+  EXPECT_EQ(smoothed.deviation.distance_mm, 0.0);
 }
 
 }  // namespace

@@ -102,16 +102,16 @@ TEST(Compressor, MakesASlopeOfStairsFarFinerThanTheTolerance) {
 TEST(Compressor, TellsAPlaceOfItsOwnPathWhereItIsFarthestFromTheProgrammedOne) {
   for (const int decimals : {2, 3}) {
     const Smoothed smoothed = smooth(lines_through(circle(3.0, 150, decimals), {.merge_mm = 0.02}));
-    ASSERT_GT(smoothed.departure.distance_mm, 1e-3);
+    ASSERT_GT(smoothed.deviation.distance_mm, 1e-3);
     const std::vector<Position> path = points_of(smoothed);
     double nearest = HUGE_VAL;
     for (std::size_t i = 1; i < path.size(); ++i) {
       const Eigen::Vector3d chord = vec(path[i]) - vec(path[i - 1]);
-      const Eigen::Vector3d seen = vec(smoothed.departure.at_mm) - vec(path[i - 1]);
+      const Eigen::Vector3d seen = vec(smoothed.deviation.at_mm) - vec(path[i - 1]);
       const double share = std::clamp(seen.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
       nearest = std::min(nearest, (seen - share * chord).norm());
     }
-    EXPECT_LT(nearest, 0.2 * smoothed.departure.distance_mm) << decimals;
+    EXPECT_LT(nearest, 0.2 * smoothed.deviation.distance_mm) << decimals;
   }
 }
 
@@ -123,7 +123,7 @@ TEST(Compressor, MakesAnArcOfACircularRun) {
     ASSERT_NE(arc, nullptr);
     EXPECT_NEAR(arc->radius_mm(), 10.0, 1e-3);
     EXPECT_NEAR(arc->length_mm(), 20.0 * std::numbers::pi, 1e-2);
-    EXPECT_LE(smoothed.departure.distance_mm, 0.01);
+    EXPECT_LE(smoothed.deviation.distance_mm, 0.01);
   }
 }
 
@@ -146,14 +146,14 @@ TEST(Compressor, KeepsARealCornerOfFineStepsForABlend) {
   ASSERT_EQ(smoothed.parts.size(), 3U);  // line, blend, line
   EXPECT_TRUE(std::holds_alternative<curves::Line>(smoothed.parts[0].curve));
   EXPECT_TRUE(std::holds_alternative<curves::Line>(smoothed.parts[2].curve));
-  EXPECT_LE(smoothed.departure.distance_mm, 0.01);
+  EXPECT_LE(smoothed.deviation.distance_mm, 0.01);
 }
 
 TEST(Compressor, KeepsCoarseLinesWhoseChordsRiseByMoreThanTheTolerance) {
   const auto points = circle(10.0, 20, 4);  // chord height 0.12 mm
   const Smoothed smoothed = smooth(lines_through(points, {.corner_mm = 0.0, .merge_mm = 0.01}));
   EXPECT_EQ(smoothed.parts.size(), 20U);
-  EXPECT_EQ(smoothed.departure.distance_mm, 0.0);
+  EXPECT_EQ(smoothed.deviation.distance_mm, 0.0);
 }
 
 TEST(Compressor, ChangesTheFeedrateWhereTheProgramDoes) {

@@ -32,8 +32,8 @@ TEST_P(RandomSmoothing, StaysWithinTheTolerancesAndLeavesNoGap) {
     // The points of the paths are 1e-5 mm off their chords.
     const double apart = apart_mm(points_of(smoothed), points_of(program.moves));
     EXPECT_LE(apart, tolerance + 3e-5);
-    EXPECT_LE(apart, smoothed.departure.distance_mm + 3e-5);
-    EXPECT_LE(smoothed.departure.distance_mm, tolerance * (1.0 + 1e-9));
+    EXPECT_LE(apart, smoothed.deviation.distance_mm + 3e-5);
+    EXPECT_LE(smoothed.deviation.distance_mm, tolerance * (1.0 + 1e-9));
   }
 }
 
@@ -44,7 +44,7 @@ TEST(Smoothing, TellsHowFarABlendIsFromANeedleOfMergedLines) {
   const Smoothed smoothed = smooth(program.moves);
   const double apart = apart_mm(points_of(smoothed), points_of(program.moves));
   EXPECT_LE(apart, std::max(program.tolerances.corner_mm, program.tolerances.merge_mm) + 3e-5);
-  EXPECT_LE(apart, smoothed.departure.distance_mm + 3e-5);
+  EXPECT_LE(apart, smoothed.deviation.distance_mm + 3e-5);
 }
 
 // Found by a soak: two arcs, and a blend so long that chords of it are not the blend.
@@ -52,7 +52,7 @@ TEST(Smoothing, TellsHowFarABlendOfLongArcsIsFromTheirCorner) {
   const RandomMoves program = random_moves(13012251, Size::small);
   const Smoothed smoothed = smooth(program.moves);
   const double apart = apart_mm(points_of(smoothed), points_of(program.moves));
-  EXPECT_NEAR(smoothed.departure.distance_mm, apart, 1e-5);
+  EXPECT_NEAR(smoothed.deviation.distance_mm, apart, 1e-5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shard, RandomSmoothing, testing::Range<std::uint64_t>(0, kShards));

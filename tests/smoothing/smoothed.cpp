@@ -111,7 +111,7 @@ Smoothed smooth(const std::vector<parser::Move>& moves) {
   }
   smoother.flush();
   take();
-  smoothed.departure = smoother.departures().largest;
+  smoothed.deviation = smoother.deviations().largest;
   return smoothed;
 }
 

@@ -12,7 +12,7 @@ namespace kerf::test {
 
 struct Smoothed {
   std::vector<smoothing::PathPart> parts;
-  smoothing::Departure departure{};
+  smoothing::PathDeviation deviation{};
 };
 
 // With limits of acceleration and jerk of 1000 mm/s2 and 50000 mm/s3.

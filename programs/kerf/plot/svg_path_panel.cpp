@@ -156,7 +156,7 @@ void draw_path(SvgCanvas& canvas, const std::vector<OutlinePoint>& points, const
 
 // A program that was stopped may not have come there.
 void draw_deviation(SvgCanvas& canvas, const PixelBox& frame, const Pixel& at,
-                    const smoothing::Departure& deviation) {
+                    const smoothing::PathDeviation& deviation) {
   if (at.x < frame.left || at.x > frame.right() || at.y < frame.top || at.y > frame.bottom()) {
     return;
   }
@@ -173,7 +173,7 @@ void draw_deviation(SvgCanvas& canvas, const PixelBox& frame, const Pixel& at,
 }  // namespace
 
 void draw_path_panel(SvgCanvas& canvas, const PixelBox& place, const PlotData& data,
-                     const std::optional<smoothing::Departure>& deviation) {
+                     const std::optional<smoothing::PathDeviation>& deviation) {
   const std::vector<OutlinePoint> points = data.outline().points();
   const PixelBox frame{.left = place.left + kGridRoom,
                        .top = place.top,

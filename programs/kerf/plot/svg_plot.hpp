@@ -6,7 +6,7 @@
 
 #include "lookahead/path/limits.hpp"
 #include "programs/kerf/plot/plot_data.hpp"
-#include "smoothing/departure.hpp"
+#include "smoothing/path_deviation.hpp"
 
 namespace kerf::program {
 
@@ -15,7 +15,7 @@ struct PlotCaption {
   std::string subtitle;
   double period_s = 0.001;
   lookahead::MotionLimits limits{};  // along the path; drawn where they are finite
-  std::optional<smoothing::Departure> deviation{};
+  std::optional<smoothing::PathDeviation> deviation{};
 };
 
 // A whole SVG document.

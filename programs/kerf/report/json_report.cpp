@@ -45,7 +45,7 @@ Json extents_json(const FileReport& report) {
   return extents;
 }
 
-Json deviation_json(const smoothing::Departure& deviation) {
+Json deviation_json(const smoothing::PathDeviation& deviation) {
   Json json{{"max_mm", deviation.distance_mm}};
   if (deviation.distance_mm > 0.0) {
     json["tolerance_mm"] = deviation.tolerance_mm;

@@ -17,7 +17,7 @@
 #include "programs/kerf/exit_status.hpp"
 #include "programs/kerf/options.hpp"
 #include "programs/kerf/report/speed_account.hpp"
-#include "smoothing/departure.hpp"
+#include "smoothing/path_deviation.hpp"
 
 namespace kerf::program {
 
@@ -29,7 +29,7 @@ struct PlanReport {
   std::uint64_t blocks = 0;
   curves::Extents extents{};
   curves::ExtraExtents extra_extents{};
-  smoothing::Departure deviation{};  // of the commanded path from the programmed one
+  smoothing::PathDeviation deviation{};  // of the commanded path from the programmed one
 
   // By more than rounding.
   [[nodiscard]] bool deviates() const noexcept { return deviation.distance_mm >= 5e-7; }

@@ -70,7 +70,7 @@ void append_peaks(std::string& text, const FileReport& report) {
   }
 }
 
-std::string deviation_text(const smoothing::Departure& deviation) {
+std::string deviation_text(const smoothing::PathDeviation& deviation) {
   const curves::Position& at = deviation.at_mm;
   return fmt::format("{:.6f} mm, {} of {:.6g} mm, line {}, x {}, y {}, z {} mm",
                      deviation.distance_mm, percent(deviation.distance_mm, deviation.tolerance_mm),

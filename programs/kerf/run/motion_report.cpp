@@ -16,7 +16,7 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
                            .blocks = kernel.totals().blocks,
                            .extents = statistics.extents(),
                            .extra_extents = statistics.extra_extents(),
-                           .deviation = kernel.departure()};
+                           .deviation = kernel.deviation()};
   const TickJudge& judge = kernel.judge();
   report.motion = MotionReport{.path = judge.path(),
                                .axes = judge.axes(),

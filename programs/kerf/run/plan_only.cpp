@@ -57,7 +57,7 @@ tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file, const Pla
     pipeline.fail_without_plan(0);
   }
   return PlannedProgram{.totals = pipeline.totals(),
-                        .departure = pipeline.path().departures().largest,
+                        .deviation = pipeline.path().deviations().largest,
                         .errors = pipeline.path().has_errors()
                                       ? pipeline.path().diagnostics()
                                       : std::vector<diagnostics::Diagnostic>{},

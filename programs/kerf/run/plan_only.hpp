@@ -15,13 +15,13 @@
 #include "programs/kerf/io/program_file.hpp"
 #include "programs/kerf/io/progress.hpp"
 #include "programs/kerf/run/block_watch.hpp"
-#include "smoothing/departure.hpp"
+#include "smoothing/path_deviation.hpp"
 
 namespace kerf::program {
 
 struct PlannedProgram {
   lookahead::PlanTotals totals{};
-  smoothing::Departure departure{};
+  smoothing::PathDeviation deviation{};
   std::vector<diagnostics::Diagnostic> errors{};  // the plan ends before them
   std::optional<RunFault> fault{};                // the plan ends there
   std::optional<std::uint32_t> too_long_at_line;  // the plan ends there

@@ -140,7 +140,7 @@ class Session {
                      .blocks = totals.blocks,
                      .extents = path_.extents.value_or(curves::Extents{}),
                      .extra_extents = path_.extra_extents,
-                     .deviation = planned->departure};
+                     .deviation = planned->deviation};
       report_.warnings = describe(totals.shortfalls);
       explain(watch);
     }

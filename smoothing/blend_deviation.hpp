@@ -2,12 +2,12 @@
 #pragma once
 
 #include "smoothing/blend.hpp"
-#include "smoothing/departure.hpp"
+#include "smoothing/path_deviation.hpp"
 
 namespace kerf::smoothing {
 
 // The larger of how far places of the blend are from the curves and places of what it replaces from
 // the blend. Its line is not set.
-Departure departure_of(const Blend& blend, const Corner& corner, double way_mm);
+PathDeviation deviation_of(const Blend& blend, const Corner& corner, double way_mm);
 
 }  // namespace kerf::smoothing

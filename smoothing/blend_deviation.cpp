@@ -1,4 +1,4 @@
-#include "smoothing/blend_departure.hpp"
+#include "smoothing/blend_deviation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@ using curves::vec;
 
 namespace {
 
-constexpr int kPlaces = 32;             // of a blend, where its departure is looked at
+constexpr int kPlaces = 32;             // of a blend, where its deviation is looked at
 constexpr double kFinest = 1.0 / 256;   // between them, around the farthest: 3e-5 of it are missed
 constexpr double kFinestOfPath = 1e-5;  // merged lines may turn as sharply as a needle there
 constexpr int kProjections = 4;
@@ -24,10 +24,10 @@ constexpr double kReach = 1.5;        // of the way, within which the nearest po
 
 // The nearest point of a path, by Newton's method from a place close to it, and its distance.
 template <typename PathAt>
-Departure nearest_on(const PathAt& path_at, const Position& point, double s_mm,
-                     const Stretch& within) {
+PathDeviation nearest_on(const PathAt& path_at, const Position& point, double s_mm,
+                         const Stretch& within) {
   double s = std::clamp(s_mm, within.begin_mm, within.end_mm);
-  Departure nearest{.distance_mm = std::numeric_limits<double>::infinity()};
+  PathDeviation nearest{.distance_mm = std::numeric_limits<double>::infinity()};
   for (int i = 0; i <= kProjections; ++i) {
     const PathDerivatives path = path_at(s);
     const Eigen::Vector3d away = vec(point) - vec(path.position_mm);
@@ -78,13 +78,13 @@ double s_nearest_mm(const Position& point, const Places& places) {
 // Of the programmed path that a blend takes the place of, by the share of its way; the place is the
 // blend's.
 template <typename Programmed>
-Departure farthest_from_blend(const Programmed& programmed_at, const Places& places,
-                              const curves::NurbsCurve& curve) {
-  Departure farthest;
+PathDeviation farthest_from_blend(const Programmed& programmed_at, const Places& places,
+                                  const curves::NurbsCurve& curve) {
+  PathDeviation farthest;
   double share_farthest = 0.0;
   const auto look = [&](double share) {
     const Position point = programmed_at(share);
-    const Departure away =
+    const PathDeviation away =
         nearest_on([&](double s) { return curve.derivatives_at(s); }, point,
                    s_nearest_mm(point, places), {.begin_mm = 0.0, .end_mm = curve.length_mm()});
     if (away.distance_mm > farthest.distance_mm) {
@@ -107,7 +107,7 @@ Departure farthest_from_blend(const Programmed& programmed_at, const Places& pla
 
 }  // namespace
 
-Departure departure_of(const Blend& blend, const Corner& corner, double way_mm) {
+PathDeviation deviation_of(const Blend& blend, const Corner& corner, double way_mm) {
   const double before_mm = curves::length_mm(*corner.before);
   const double after_mm = curves::length_mm(*corner.after);
   if (std::holds_alternative<curves::Line>(*corner.before) &&
@@ -119,7 +119,7 @@ Departure departure_of(const Blend& blend, const Corner& corner, double way_mm) 
   const Stretch taken_before{std::max(0.0, before_mm - reach_mm), before_mm};
   const Stretch taken_after{0.0, std::min(reach_mm, after_mm)};
   Places places{};
-  Departure largest;
+  PathDeviation largest;
   double w_largest = 0.0;
   const auto look = [&](double w) {
     const double s_mm = blend.curve.s_at(w);

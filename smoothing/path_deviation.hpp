@@ -8,13 +8,13 @@
 namespace kerf::smoothing {
 
 // The largest distance, either way round, and the place of the commanded path where it is.
-struct Departure {
+struct PathDeviation {
   double distance_mm = 0.0;
   curves::Position at_mm{};
   std::uint32_t line = 0;
   double tolerance_mm = 0.0;  // P or Q in force there
 
-  void widen(const Departure& other) {
+  void widen(const PathDeviation& other) {
     if (other.distance_mm > distance_mm) {
       *this = other;
     }
@@ -22,17 +22,17 @@ struct Departure {
 };
 
 // Of many places.
-struct Departures {
-  Departure largest;
-  Departure worst;  // the farthest beyond its tolerance; of no distance where none is
+struct PathDeviations {
+  PathDeviation largest;
+  PathDeviation worst;  // the farthest beyond its tolerance; of no distance where none is
 
-  void add(const Departure& departure) {
-    largest.widen(departure);
-    if (departure.distance_mm - departure.tolerance_mm > worst.distance_mm - worst.tolerance_mm) {
-      worst = departure;
+  void add(const PathDeviation& deviation) {
+    largest.widen(deviation);
+    if (deviation.distance_mm - deviation.tolerance_mm > worst.distance_mm - worst.tolerance_mm) {
+      worst = deviation;
     }
   }
-  void add(const Departures& other) {
+  void add(const PathDeviations& other) {
     add(other.largest);
     add(other.worst);
   }

@@ -12,7 +12,7 @@ namespace kerf::test {
 namespace {
 
 using curves::Position;
-using smoothing::Departure;
+using smoothing::PathDeviation;
 
 constexpr double kFinePeriod_s = 5e-5;
 
@@ -62,7 +62,7 @@ double largest_mm(const std::vector<Position>& from, const std::vector<Position>
 }
 
 struct Found {
-  Departure told;
+  PathDeviation told;
   std::vector<Position> ticks_mm;
   double spacing_mm = 0.0;  // of ticks, at the most
 };
@@ -81,7 +81,7 @@ Found run_of(const std::string& text, double period_s = kFinePeriod_s) {
     run.ticks_mm.push_back(tick.position_mm);
   }
   EXPECT_FALSE(kernel.has_errors());
-  run.told = kernel.departure();
+  run.told = kernel.deviation();
   return run;
 }
 
@@ -92,7 +92,7 @@ std::string square(const std::string& mode) {
 const std::vector<Position> kSquare{
     {0.0, 0.0, 0.0}, {20.0, 0.0, 0.0}, {20.0, 20.0, 0.0}, {0.0, 20.0, 0.0}, {0.0, 0.0, 0.0}};
 
-TEST(Departure, OfASquareWithBlendedCornersIsWhatTicksShow) {
+TEST(PathDeviation, OfASquareWithBlendedCornersIsWhatTicksShow) {
   for (const double tolerance_mm : {0.05, 0.01}) {
     SCOPED_TRACE(tolerance_mm);
     const Found found = run_of(square("G64 P" + std::to_string(tolerance_mm)));
@@ -107,22 +107,22 @@ TEST(Departure, OfASquareWithBlendedCornersIsWhatTicksShow) {
   }
 }
 
-TEST(Departure, HasTheCornersPlaceAndLine) {
-  const Departure told = run_of(square("G64 P0.05")).told;
+TEST(PathDeviation, HasTheCornersPlaceAndLine) {
+  const PathDeviation told = run_of(square("G64 P0.05")).told;
   ASSERT_GE(told.line, 4U);
   ASSERT_LE(told.line, 6U);
   const Position& corner = kSquare[told.line - 3];
   EXPECT_NEAR(distance_mm(told.at_mm, corner), told.distance_mm, 1e-9);
 }
 
-TEST(Departure, IsThatOfTheWorstCorner) {
+TEST(PathDeviation, IsThatOfTheWorstCorner) {
   const Found found =
       run_of("G21 G90 F3000\nG64 P0.01\nG1 X20\nY20\nG64 P0.03\nX0\nG64 P0.02\nY0\nM2\n");
   EXPECT_EQ(found.told.line, 8U);  // of the two P beside a corner the lesser counts
   EXPECT_EQ(found.told.tolerance_mm, 0.02);
 }
 
-TEST(Departure, OfATickFromItsOwnLineIsSmallWhereABlendSpansManyLines) {
+TEST(PathDeviation, OfATickFromItsOwnLineIsSmallWhereABlendSpansManyLines) {
   std::string text = "G21 G90 F3000\nG64 P0.05 Q0.001\n";
   std::vector<Position> lines{{0.0, 0.0, 0.0}};
   for (int i = 1; i <= 160; ++i) {  // two arcs of short lines that meet at 15 degrees
@@ -146,7 +146,7 @@ TEST(Departure, OfATickFromItsOwnLineIsSmallWhereABlendSpansManyLines) {
   }
 }
 
-TEST(Departure, IsZeroWhereThePathIsExact) {
+TEST(PathDeviation, IsZeroWhereThePathIsExact) {
   for (const char* mode : {"", "G61", "G61.1", "G64 P0"}) {
     SCOPED_TRACE(mode);
     const Found found = run_of(square(mode), 1e-3);
@@ -156,7 +156,7 @@ TEST(Departure, IsZeroWhereThePathIsExact) {
   }
 }
 
-TEST(Departure, OfMergedLinesIsNoLessThanTicksShowAndWithinQ) {
+TEST(PathDeviation, OfMergedLinesIsNoLessThanTicksShowAndWithinQ) {
   std::string text = "G21 G90 G64 P0.02 Q0.01\nG1 F3000\n";
   std::vector<Position> lines{{0.0, 0.0, 0.0}};
   for (int i = 1; i <= 120; ++i) {
