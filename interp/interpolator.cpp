@@ -164,8 +164,8 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
     advance_piece(s);
     advance_line(s);
     fill(motion, s);
-    const HeldBy held_by = over ? HeldBy{} : phase_.held_by;
-    now_.limit = motion.j_mm_s3 == 0.0 ? held_by.steady : held_by.limit;
+    const ActiveConstraint active_constraint = over ? ActiveConstraint{} : phase_.active_constraint;
+    now_.limit = motion.j_mm_s3 == 0.0 ? active_constraint.steady : active_constraint.limit;
     if (!over) {
       status = TickStatus::running;
     } else if (phase_.ends_program) {

@@ -10,7 +10,7 @@
 
 #include "curves/curve.hpp"
 #include "curves/extra_way.hpp"
-#include "interp/speed_limit.hpp"
+#include "interp/constraint.hpp"
 #include "profiles/time_law.hpp"
 
 namespace kerf::interp {
@@ -49,7 +49,7 @@ struct Phase {
   std::uint64_t run_block = 0;  // of the program's run, counted from 1, as the line; 0: a rest
   bool has_changes = false;     // LineChanges say where on the curve the line is another one
   bool rapid = false;
-  HeldBy held_by{};
+  ActiveConstraint active_constraint{};
   bool ends_at_rest = false;
   bool ends_program = false;
 };

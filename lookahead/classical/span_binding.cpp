@@ -5,7 +5,7 @@
 
 namespace kerf::lookahead {
 
-using interp::held_by;
+using interp::active_constraint;
 using profiles::ProfileKind;
 using profiles::RampLimits;
 using profiles::Transition;
@@ -17,7 +17,7 @@ constexpr int kPlaces = 16;      // of a law under a ceiling
 constexpr double kMore = 1.01;   // of a limit, to see what it is worth
 }  // namespace
 
-HeldBy SpanBinding::of(SpanPart part, const Transition& law, double s_begin_mm) const {
+ActiveConstraint SpanBinding::of(SpanPart part, const Transition& law, double s_begin_mm) const {
   switch (part) {
     case SpanPart::begin_coast:
       return coast(of_.span->begin_coast_s, law, s_begin_mm);
@@ -26,14 +26,15 @@ HeldBy SpanBinding::of(SpanPart part, const Transition& law, double s_begin_mm) 
     case SpanPart::cruise:
       return cruise(law, s_begin_mm);
     case SpanPart::deceleration:
-      return of_.brakes_for_window ? held_by(SpeedLimit::window_end) : ramp(law, s_begin_mm);
+      return of_.brakes_for_window ? active_constraint(Constraint::window_end)
+                                   : ramp(law, s_begin_mm);
     case SpanPart::acceleration:
       break;
   }
   return ramp(law, s_begin_mm);
 }
 
-HeldBy SpanBinding::ceiling(const Transition& law, double s_begin_mm) const {
+ActiveConstraint SpanBinding::ceiling(const Transition& law, double s_begin_mm) const {
   const auto sample_at = [this](double s_mm) {
     const auto found =
         std::lower_bound(of_.block->ceiling.begin(), of_.block->ceiling.end() - 1, s_mm,
@@ -55,7 +56,7 @@ HeldBy SpanBinding::ceiling(const Transition& law, double s_begin_mm) const {
       share = motion.v_mm_s / turn->feedrate_mm_s;
     }
   }
-  return held_by(nearest.limit);
+  return active_constraint(nearest.limit);
 }
 
 const TurnSample* SpanBinding::turning_at(double s_mm) const {
@@ -66,24 +67,25 @@ const TurnSample* SpanBinding::turning_at(double s_mm) const {
   return found == turning.end() ? nullptr : &*found;
 }
 
-HeldBy SpanBinding::coast(double coast_s, const Transition& law, double s_begin_mm) const {
-  return coast_s > 0.0 || of_.block->ceiling.empty() ? held_by(SpeedLimit::joint)
+ActiveConstraint SpanBinding::coast(double coast_s, const Transition& law,
+                                    double s_begin_mm) const {
+  return coast_s > 0.0 || of_.block->ceiling.empty() ? active_constraint(Constraint::joint)
                                                      : ceiling(law, s_begin_mm);
 }
 
-HeldBy SpanBinding::cruise(const Transition& law, double s_begin_mm) const {
+ActiveConstraint SpanBinding::cruise(const Transition& law, double s_begin_mm) const {
   if (law.ramp().v_begin_mm_s >= (1.0 - kAlike) * of_.block->limits.feedrate_mm_s) {
-    return held_by(of_.block->limits.from.feedrate);
+    return active_constraint(of_.block->limits.from.feedrate);
   }
   if (of_.span->limits.from.feedrate != of_.block->limits.from.feedrate &&
       law.ramp().v_begin_mm_s >= (1.0 - kAlike) * of_.span->limits.feedrate_mm_s) {
-    return held_by(of_.span->limits.from.feedrate);
+    return active_constraint(of_.span->limits.from.feedrate);
   }
-  return of_.block->ceiling.empty() ? held_by(of_.block->limits.from.jerk)
+  return of_.block->ceiling.empty() ? active_constraint(of_.block->limits.from.jerk)
                                     : ceiling(law, s_begin_mm);
 }
 
-HeldBy SpanBinding::ramp(const Transition& law, double s_begin_mm) const {
+ActiveConstraint SpanBinding::ramp(const Transition& law, double s_begin_mm) const {
   const RampLimits& limits = of_.span->limits.ramp;
   const LimitOrigins& from = of_.block->limits.from;
   const double change = law.ramp().v_end_mm_s - law.ramp().v_begin_mm_s;
@@ -95,7 +97,7 @@ HeldBy SpanBinding::ramp(const Transition& law, double s_begin_mm) const {
   const double j = limits.jerk_mm_s3;
   switch (of_.profile->kind()) {
     case ProfileKind::trapezoid:
-      return held_by(from.acceleration);
+      return active_constraint(from.acceleration);
     case ProfileKind::s_curve:
     case ProfileKind::time_optimal:
       return {.limit = from.jerk,
@@ -105,7 +107,7 @@ HeldBy SpanBinding::ramp(const Transition& law, double s_begin_mm) const {
   }
   const double with_more_a = of_.profile->duration_s(change, {kMore * a, j});
   const double with_more_j = of_.profile->duration_s(change, {a, kMore * j});
-  return held_by(with_more_a < with_more_j ? from.acceleration : from.jerk);
+  return active_constraint(with_more_a < with_more_j ? from.acceleration : from.jerk);
 }
 
 }  // namespace kerf::lookahead

@@ -5,7 +5,7 @@
 
 namespace kerf::lookahead {
 
-using interp::HeldBy;
+using interp::ActiveConstraint;
 
 enum class SpanPart : std::uint8_t { begin_coast, acceleration, cruise, deceleration, end_coast };
 
@@ -26,17 +26,18 @@ class SpanBinding {
   explicit SpanBinding(const Settings& settings) : of_(settings) {}
 
   // s_begin_mm: of the part, on the block's curve.
-  [[nodiscard]] HeldBy of(SpanPart part, const profiles::Transition& law, double s_begin_mm) const;
+  [[nodiscard]] ActiveConstraint of(SpanPart part, const profiles::Transition& law,
+                                    double s_begin_mm) const;
 
  private:
-  [[nodiscard]] HeldBy coast(double coast_s, const profiles::Transition& law,
-                             double s_begin_mm) const;
-  [[nodiscard]] HeldBy cruise(const profiles::Transition& law, double s_begin_mm) const;
-  [[nodiscard]] HeldBy ramp(const profiles::Transition& law, double s_begin_mm) const;
+  [[nodiscard]] ActiveConstraint coast(double coast_s, const profiles::Transition& law,
+                                       double s_begin_mm) const;
+  [[nodiscard]] ActiveConstraint cruise(const profiles::Transition& law, double s_begin_mm) const;
+  [[nodiscard]] ActiveConstraint ramp(const profiles::Transition& law, double s_begin_mm) const;
   // Null: turning does not bind.
   [[nodiscard]] const TurnSample* turning_at(double s_mm) const;
   // What the ceiling, of the block or of turning, comes from where the law is nearest to it.
-  [[nodiscard]] HeldBy ceiling(const profiles::Transition& law, double s_begin_mm) const;
+  [[nodiscard]] ActiveConstraint ceiling(const profiles::Transition& law, double s_begin_mm) const;
 
   Settings of_;
 };

@@ -79,7 +79,7 @@ std::vector<Span> SpanSchedule::spans_of(const Block& block) const {
   spans = turning.empty() ? split(block, settings_.limits.period_s) : split(block, turning, limits);
   const double passing = passing_feedrate_mm_s(block, settings_.limits);
   for (Span& span : spans) {
-    bind_feedrate(span.limits, {passing, SpeedLimit::chord_error});
+    bind_feedrate(span.limits, {passing, Constraint::chord_error});
     if (!span.ends_block) {
       span.end.feedrate_mm_s = std::min(
           passing,
@@ -184,7 +184,7 @@ void SpanSchedule::emit_plan(const Block& block, const SpanPlan& plan, Emitter& 
     if (law->duration_s() > 0.0) {
       const double s_begin = emitter.s_mm();
       emitter.emit(block, *law, std::min(s_begin + law->length_mm(), s_end), outbox);
-      outbox.phases.back().held_by = binding.of(kind, *law, s_begin);
+      outbox.phases.back().active_constraint = binding.of(kind, *law, s_begin);
     }
   }
 }

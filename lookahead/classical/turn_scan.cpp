@@ -65,7 +65,7 @@ class Scan {
     sample.feedrate_mm_s = kUnbounded;
     for (std::size_t k = 0; k < 3; ++k) {
       const MotionLimits& axis = limits_.axes[k];
-      const auto bind = [&](double v_mm_s, SpeedLimit limit) {
+      const auto bind = [&](double v_mm_s, Constraint limit) {
         if (v_mm_s < sample.feedrate_mm_s) {
           sample.feedrate_mm_s = v_mm_s;
           sample.limit = interp::of_axis(limit, k);
@@ -74,15 +74,15 @@ class Scan {
       const double second = std::abs(sample.second_per_mm[k]);
       if (sample.first[k] != 0.0) {
         const double share = second > 0.0 ? 1.0 - kMissed : 1.0;
-        bind(share * axis.velocity_mm_s / std::abs(sample.first[k]), SpeedLimit::x_velocity);
+        bind(share * axis.velocity_mm_s / std::abs(sample.first[k]), Constraint::x_velocity);
       }
       if (second > 0.0) {
         bind(std::sqrt(kAccelerationShare * axis.acceleration_mm_s2 / second),
-             SpeedLimit::x_acceleration);
+             Constraint::x_acceleration);
       }
       bind(jerk_feedrate_mm_s(sample.jumps_per_mm_s[k], std::abs(sample.third_per_mm2[k]),
                               kJerkShare * axis.jerk_mm_s3),
-           SpeedLimit::x_jerk);
+           Constraint::x_jerk);
     }
   }
 

@@ -20,7 +20,7 @@ struct TurnSample {
   // sees of jumps of curvature within its reach.
   curves::Position jumps_per_mm_s{};
   double feedrate_mm_s = kUnbounded;
-  SpeedLimit limit = SpeedLimit::x_jerk;  // that feedrate_mm_s comes from
+  Constraint limit = Constraint::x_jerk;  // that feedrate_mm_s comes from
 };
 
 // s ascends; linear between samples. Where derivatives jump, two samples share their s.

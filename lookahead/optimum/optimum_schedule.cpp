@@ -179,8 +179,8 @@ void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox&
   const double s_end = ends_block ? block.length_mm : cell.s_begin_mm + end;
   emitter.emit(block, law, s_end, outbox);
   const bool brakes = place_.cell >= window_brake_ && !plan_ends_at_stop_;
-  outbox.phases.back().held_by = interp::held_by(
-      brakes ? SpeedLimit::window_end : plan_.limit_on(place_.cell, settings_.limits));
+  outbox.phases.back().active_constraint = interp::active_constraint(
+      brakes ? Constraint::window_end : plan_.limit_on(place_.cell, settings_.limits));
   if (!whole) {
     place_.offset_mm = end;
     return;

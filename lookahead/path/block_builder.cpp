@@ -70,7 +70,7 @@ Block make_block(PathPart part, const PlanLimits& limits, ScanFor plan) {
     const Bend bend = nurbs != nullptr ? bend_of(*nurbs, *part.arc_normal)
                                        : bend_of(std::get<curves::Arc>(block.curve));
     block.limits = arc_limits(bend, feedrate, limits);
-    bind_feedrate(block.along, {arc_chord_feedrate_mm_s(bend, limits), SpeedLimit::chord_error});
+    bind_feedrate(block.along, {arc_chord_feedrate_mm_s(bend, limits), Constraint::chord_error});
     block.begin.third_per_mm2 = bend.third_per_mm2;
     block.end.third_per_mm2 = bend.third_per_mm2;
   } else {
@@ -87,7 +87,7 @@ Block make_block(PathPart part, const PlanLimits& limits, ScanFor plan) {
                                .period_s = limits.period_s,
                                .chord_tolerance_mm = limits.chord_tolerance_mm,
                                .plan = plan});
-    bind_feedrate(block.along, {passing_feedrate_mm_s(block, limits), SpeedLimit::chord_error});
+    bind_feedrate(block.along, {passing_feedrate_mm_s(block, limits), Constraint::chord_error});
   }
   return block;
 }

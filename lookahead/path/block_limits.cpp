@@ -22,7 +22,7 @@ double square(double x) {
 }
 
 // The lower one stays; of two alike the first.
-void bind(double& value, SpeedLimit& from, const Bound& bound) {
+void bind(double& value, Constraint& from, const Bound& bound) {
   if (bound.value < value) {
     value = bound.value;
     from = bound.from;
@@ -40,7 +40,7 @@ BlockLimits along_path(double feedrate_mm_s, const MotionLimits& path) {
   BlockLimits block{
       .feedrate_mm_s = feedrate_mm_s,
       .ramp = {.acceleration_mm_s2 = path.acceleration_mm_s2, .jerk_mm_s3 = path.jerk_mm_s3}};
-  bind_feedrate(block, {path.velocity_mm_s, SpeedLimit::path_velocity});
+  bind_feedrate(block, {path.velocity_mm_s, Constraint::path_velocity});
   return block;
 }
 
@@ -53,10 +53,10 @@ struct AxisShare {
 void bind_share(BlockLimits& block, const MotionLimits& axis, const AxisShare& part) {
   if (part.share > 0.0) {
     const double inverse = 1.0 / part.share;
-    const auto from = [&part](SpeedLimit first) { return interp::of_axis(first, part.number); };
-    bind_feedrate(block, {axis.velocity_mm_s * inverse, from(SpeedLimit::x_velocity)});
-    bind_acceleration(block, {axis.acceleration_mm_s2 * inverse, from(SpeedLimit::x_acceleration)});
-    bind_jerk(block, {axis.jerk_mm_s3 * inverse, from(SpeedLimit::x_jerk)});
+    const auto from = [&part](Constraint first) { return interp::of_axis(first, part.number); };
+    bind_feedrate(block, {axis.velocity_mm_s * inverse, from(Constraint::x_velocity)});
+    bind_acceleration(block, {axis.acceleration_mm_s2 * inverse, from(Constraint::x_acceleration)});
+    bind_jerk(block, {axis.jerk_mm_s3 * inverse, from(Constraint::x_jerk)});
   }
 }
 
@@ -70,12 +70,12 @@ WeakestAxis weakest_of(const std::vector<std::size_t>& axes, const PlanLimits& l
   WeakestAxis weakest;
   for (const std::size_t k : axes) {
     const MotionLimits& axis = limits.axes[k];
-    const auto from = [k](SpeedLimit first) { return interp::of_axis(first, k); };
+    const auto from = [k](Constraint first) { return interp::of_axis(first, k); };
     bind(weakest.limits.velocity_mm_s, weakest.from.feedrate,
-         {axis.velocity_mm_s, from(SpeedLimit::x_velocity)});
+         {axis.velocity_mm_s, from(Constraint::x_velocity)});
     bind(weakest.limits.acceleration_mm_s2, weakest.from.acceleration,
-         {axis.acceleration_mm_s2, from(SpeedLimit::x_acceleration)});
-    bind(weakest.limits.jerk_mm_s3, weakest.from.jerk, {axis.jerk_mm_s3, from(SpeedLimit::x_jerk)});
+         {axis.acceleration_mm_s2, from(Constraint::x_acceleration)});
+    bind(weakest.limits.jerk_mm_s3, weakest.from.jerk, {axis.jerk_mm_s3, from(Constraint::x_jerk)});
   }
   return weakest;
 }
@@ -156,7 +156,7 @@ BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits&
   const double c = bend.in_plane_share;
   const double curvature = bend.curvature_per_mm;
   bind_feedrate(block, {axis.velocity_mm_s / c, from.feedrate});
-  bind_feedrate(block, {arc_chord_feedrate_mm_s(bend, limits), SpeedLimit::chord_error});
+  bind_feedrate(block, {arc_chord_feedrate_mm_s(bend, limits), Constraint::chord_error});
   bind_feedrate(block, {std::sqrt(kCentripetalShare * axis.acceleration_mm_s2 / curvature),
                         from.acceleration});
   bind_feedrate(block,

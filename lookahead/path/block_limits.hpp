@@ -12,7 +12,7 @@ namespace kerf::lookahead {
 // A bound along the path, and what it comes from.
 struct Bound {
   double value = kUnbounded;
-  SpeedLimit from{};
+  Constraint from{};
 };
 
 // Where the bound is lower than what bounds the feedrate now, it stands in its place.

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "interp/speed_limit.hpp"
+#include "interp/constraint.hpp"
 
 namespace kerf::lookahead {
 
@@ -12,7 +12,7 @@ struct FeedSample {
   double u = 0.0;
   double s_mm = 0.0;
   double v_mm_s = 0.0;
-  interp::SpeedLimit limit = interp::SpeedLimit::chord_error;  // that v_mm_s comes from
+  interp::Constraint limit = interp::Constraint::chord_error;  // that v_mm_s comes from
 };
 
 // Piecewise linear between samples; s ascends.

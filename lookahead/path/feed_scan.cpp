@@ -139,7 +139,7 @@ void hold(const std::vector<HeldTick>& ticks, Ceiling& ceiling) {
     }
     if (!begun.empty() && begun.top().v_mm_s < at.v_mm_s) {
       at.v_mm_s = begun.top().v_mm_s;
-      at.limit = SpeedLimit::chord_error;
+      at.limit = Constraint::chord_error;
     }
   }
 }
@@ -169,7 +169,7 @@ Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
     }
     middles.push_back({.s_mm = middle,
                        .v_mm_s = v,
-                       .limit = binds ? SpeedLimit::chord_error : limits.feedrate_from});
+                       .limit = binds ? Constraint::chord_error : limits.feedrate_from});
   }
   Ceiling ceiling = along(curve, in_order(middles));
   if (!held.empty()) {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "curves/extra_way.hpp"
-#include "interp/speed_limit.hpp"
+#include "interp/constraint.hpp"
 
 namespace kerf::lookahead {
 
@@ -28,13 +28,13 @@ struct PlanLimits {
   double chord_tolerance_mm = kUnbounded;
 };
 
-using interp::SpeedLimit;
+using interp::Constraint;
 
 // Which limit of the machine or of the program a limit along the path comes from.
 struct LimitOrigins {
-  SpeedLimit feedrate = SpeedLimit::programmed;
-  SpeedLimit acceleration = SpeedLimit::path_acceleration;
-  SpeedLimit jerk = SpeedLimit::path_jerk;
+  Constraint feedrate = Constraint::programmed;
+  Constraint acceleration = Constraint::path_acceleration;
+  Constraint jerk = Constraint::path_jerk;
 };
 
 // What of "velocity", "acceleration" or "jerk" is bounded neither along the path nor on all axes: a

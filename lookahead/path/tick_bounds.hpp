@@ -16,7 +16,7 @@ enum class ScanFor { trapezoid, bounded_jerk, time_optimum };
 
 struct ScanLimits {
   double feedrate_mm_s = kUnbounded;
-  SpeedLimit feedrate_from = SpeedLimit::programmed;
+  Constraint feedrate_from = Constraint::programmed;
   // How a plan may accelerate, for scan_feedrate alone. What velocities leave is in feedrate_mm_s.
   MotionLimits along{};
   std::array<MotionLimits, 3> axes{};

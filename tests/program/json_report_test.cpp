@@ -64,14 +64,14 @@ TEST(JsonReport, HasTheDeviationFromTheProgrammedPath) {
 TEST(JsonReport, HasWhatHoldsTheFeedDownWhereThatIsAskedFor) {
   FileReport report = sample_report();
   EXPECT_FALSE(json::parse(json_report(report)).contains("speed_limits"));
-  const LineSpeed line{.line = 12, .ticks = 4, .limits = {{SpeedLimit::x_jerk, 4}}};
+  const LineSpeed line{.line = 12, .ticks = 4, .limits = {{Constraint::x_jerk, 4}}};
   report.speed = SpeedReport{
       .whole = {.line = 0,
                 .ticks = 16,
-                .limits = {{SpeedLimit::programmed, 12}, {SpeedLimit::x_jerk, 4}}},
+                .limits = {{Constraint::programmed, 12}, {Constraint::x_jerk, 4}}},
       .stops = 2,
       .lines = {line},
-      .tick = TickSpeed{.tick = 500, .line = 12, .v_mm_s = 9.5, .limit = SpeedLimit::x_jerk}};
+      .tick = TickSpeed{.tick = 500, .line = 12, .v_mm_s = 9.5, .limit = Constraint::x_jerk}};
   const json parsed = json::parse(json_report(report));
   EXPECT_EQ(parsed["speed_limits"]["programmed_feedrate"]["share"], 0.75);
   EXPECT_EQ(parsed["speed_limits"]["axis_x_jerk"]["time_s"], 0.004);

@@ -8,24 +8,24 @@ namespace {
 TEST(LimitBand, IsExactWhileThereIsRoom) {
   LimitBand band;
   for (int tick = 0; tick < 1000; ++tick) {
-    band.add(tick, tick < 400 ? SpeedLimit::path_jerk : SpeedLimit::programmed);
+    band.add(tick, tick < 400 ? Constraint::path_jerk : Constraint::programmed);
   }
   const auto stretches = band.stretches();
   ASSERT_EQ(stretches.size(), 2U);
   EXPECT_EQ(stretches[1].tick, 400);
-  EXPECT_EQ(stretches[1].limit, SpeedLimit::programmed);
+  EXPECT_EQ(stretches[1].limit, Constraint::programmed);
 }
 
 TEST(LimitBand, ShowsWhatMostTicksOfABucketHaveHoweverLongTheRun) {
   LimitBand band;
   constexpr int kTicks = 1'000'000;
   for (int tick = 0; tick < kTicks; ++tick) {
-    const SpeedLimit long_one = tick < kTicks / 2 ? SpeedLimit::path_jerk : SpeedLimit::programmed;
-    band.add(tick, tick % 3 == 0 ? SpeedLimit::joint : long_one);
+    const Constraint long_one = tick < kTicks / 2 ? Constraint::path_jerk : Constraint::programmed;
+    band.add(tick, tick % 3 == 0 ? Constraint::joint : long_one);
   }
   const auto stretches = band.stretches();
   ASSERT_EQ(stretches.size(), 2U);
-  EXPECT_EQ(stretches[0].limit, SpeedLimit::path_jerk);
+  EXPECT_EQ(stretches[0].limit, Constraint::path_jerk);
   EXPECT_NEAR(static_cast<double>(stretches[1].tick), kTicks / 2.0, 1024.0);
 }
 

@@ -10,7 +10,7 @@ namespace {
 
 struct Stretch {
   std::uint32_t line = 0;
-  SpeedLimit limit{};
+  Constraint limit{};
   int ticks = 0;
   double v_mm_s = 10.0;
 };
@@ -30,13 +30,13 @@ SpeedReport report_of(const std::vector<Stretch>& stretches, const SpeedQuestion
 }
 
 TEST(SpeedAccount, CountsPeriodsAndEndsWithTheLastTick) {
-  const SpeedReport report = report_of({{1, SpeedLimit::path_jerk, 10},
-                                        {1, SpeedLimit::programmed, 30},
-                                        {2, SpeedLimit::programmed, 59},
-                                        {2, SpeedLimit::rest, 2}});
+  const SpeedReport report = report_of({{1, Constraint::path_jerk, 10},
+                                        {1, Constraint::programmed, 30},
+                                        {2, Constraint::programmed, 59},
+                                        {2, Constraint::rest, 2}});
   EXPECT_EQ(report.whole.ticks, 100);
   ASSERT_EQ(report.whole.limits.size(), 3U);
-  EXPECT_EQ(report.whole.limits[0].limit, SpeedLimit::programmed);
+  EXPECT_EQ(report.whole.limits[0].limit, Constraint::programmed);
   EXPECT_EQ(report.whole.limits[0].ticks, 89);
   EXPECT_EQ(report.whole.limits[2].ticks, 1) << "no period begins with the last tick";
   ASSERT_EQ(report.lines.size(), 2U);
@@ -48,8 +48,8 @@ TEST(SpeedAccount, AddsUpALineThatRunsManyTimesAndShowsTheLongest) {
   std::vector<Stretch> stretches;
   for (int turn = 0; turn < 100; ++turn) {
     for (std::uint32_t line = 1; line <= 200; ++line) {
-      stretches.push_back({line, SpeedLimit::programmed, line == 7 ? 5 : 1});
-      stretches.push_back({line, SpeedLimit::joint, 1});
+      stretches.push_back({line, Constraint::programmed, line == 7 ? 5 : 1});
+      stretches.push_back({line, Constraint::joint, 1});
     }
   }
   const SpeedReport report = report_of(stretches);
@@ -60,7 +60,7 @@ TEST(SpeedAccount, AddsUpALineThatRunsManyTimesAndShowsTheLongest) {
 }
 
 TEST(SpeedAccount, AnswersForOneLineOrOneInstant) {
-  const std::vector<Stretch> stretches{{1, SpeedLimit::path_jerk, 10}, {2, SpeedLimit::joint, 10}};
+  const std::vector<Stretch> stretches{{1, Constraint::path_jerk, 10}, {2, Constraint::joint, 10}};
   const SpeedReport of_line = report_of(stretches, {.line = 1, .time_s = {}});
   ASSERT_EQ(of_line.lines.size(), 1U);
   EXPECT_EQ(of_line.lines[0].ticks, 10);
@@ -69,12 +69,12 @@ TEST(SpeedAccount, AnswersForOneLineOrOneInstant) {
   ASSERT_TRUE(at.tick.has_value());
   EXPECT_EQ(at.tick->tick, 12);
   EXPECT_EQ(at.tick->line, 2U);
-  EXPECT_EQ(at.tick->limit, SpeedLimit::joint);
+  EXPECT_EQ(at.tick->limit, Constraint::joint);
   EXPECT_FALSE(report_of(stretches, {.line = {}, .time_s = 1.0}).tick.has_value());
 }
 
 TEST(SpeedAccount, CountsHowOftenTheMotionComesToRest) {
-  const auto jerk = SpeedLimit::path_jerk;
+  const auto jerk = Constraint::path_jerk;
   EXPECT_EQ(report_of({{1, jerk, 3}, {1, jerk, 1, 0.0}, {2, jerk, 3}, {2, jerk, 2, 0.0}}).stops, 2);
 }
 
@@ -83,16 +83,16 @@ TEST(SpeedAccount, OfNothingIsEmpty) {
   EXPECT_TRUE(report_of({}).whole.limits.empty());
 }
 
-TEST(SpeedLimitText, GivesEachLimitANameOfItsOwn) {
+TEST(ConstraintText, GivesEachLimitANameOfItsOwn) {
   std::set<std::string_view> keys;
-  for (std::size_t i = 0; i < interp::kSpeedLimits; ++i) {
-    keys.insert(key_of(static_cast<SpeedLimit>(i)));
-    EXPECT_EQ(colour_of(static_cast<SpeedLimit>(i)).size(), 7U);
+  for (std::size_t i = 0; i < interp::kConstraints; ++i) {
+    keys.insert(key_of(static_cast<Constraint>(i)));
+    EXPECT_EQ(colour_of(static_cast<Constraint>(i)).size(), 7U);
   }
-  EXPECT_EQ(keys.size(), interp::kSpeedLimits);
-  EXPECT_EQ(text_of(interp::of_axis(SpeedLimit::x_jerk, 1)), "axis y jerk");
-  EXPECT_EQ(text_of(interp::of_axis(SpeedLimit::x_velocity, 8)), "axis w velocity");
-  EXPECT_EQ(key_of(interp::of_axis(SpeedLimit::x_acceleration, 3)), "axis_a_acceleration");
+  EXPECT_EQ(keys.size(), interp::kConstraints);
+  EXPECT_EQ(text_of(interp::of_axis(Constraint::x_jerk, 1)), "axis y jerk");
+  EXPECT_EQ(text_of(interp::of_axis(Constraint::x_velocity, 8)), "axis w velocity");
+  EXPECT_EQ(key_of(interp::of_axis(Constraint::x_acceleration, 3)), "axis_a_acceleration");
 }
 
 TEST(SpeedQuestion, IsOfAllOfALineOrOfATime) {

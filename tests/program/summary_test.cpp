@@ -30,9 +30,9 @@ TEST(Summary, SaysWhatHoldsTheFeedDownWhereThatIsAskedFor) {
   report.speed =
       SpeedReport{.whole = {.line = 0,
                             .ticks = 4000,
-                            .limits = {{SpeedLimit::programmed, 3000}, {SpeedLimit::x_jerk, 1000}}},
+                            .limits = {{Constraint::programmed, 3000}, {Constraint::x_jerk, 1000}}},
                   .stops = 3,
-                  .lines = {{.line = 12, .ticks = 1000, .limits = {{SpeedLimit::x_jerk, 1000}}}},
+                  .lines = {{.line = 12, .ticks = 1000, .limits = {{Constraint::x_jerk, 1000}}}},
                   .tick = {}};
   const std::string text = summary(report);
   EXPECT_NE(text.find("  held down by\n"

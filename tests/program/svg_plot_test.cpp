@@ -44,7 +44,7 @@ TEST(SvgPlot, HasABandOfWhatHeldTheFeedDownWhereThatIsKept) {
   data.add_limits();
   for (int tick = 0; tick < 300; ++tick) {
     data.add({.tick = tick,
-              .limit = tick < 100 ? SpeedLimit::x_jerk : SpeedLimit::programmed,
+              .limit = tick < 100 ? Constraint::x_jerk : Constraint::programmed,
               .motion = {.v_mm_s = 10.0}});
   }
   const std::string svg = svg_plot(data, {});

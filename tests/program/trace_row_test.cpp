@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "programs/kerf/report/speed_limit_text.hpp"
+#include "programs/kerf/report/constraint_text.hpp"
 
 namespace kerf::program {
 namespace {
@@ -42,7 +42,7 @@ TEST(TraceRow, HasTheColumnsOfTheHeaderWithTheirDecimals) {
 
 TEST(TraceRow, HasTheLimitAtItsEndWhereItIsAskedFor) {
   EXPECT_TRUE(trace_header({.axes = {}, .limit = true}).ends_with("actual_z_mm,limit\n"));
-  const TickRecord record{.limit = SpeedLimit::x_jerk};
+  const TickRecord record{.limit = Constraint::x_jerk};
   std::array<char, kMaxRowBytes> buffer{};
   const std::string row(buffer.data(), write_row(buffer.data(), record, TickClock(0.001),
                                                  {.axes = {}, .limit = true}));

@@ -71,7 +71,7 @@ std::vector<double> sharp_places(const curves::NurbsCurve& curve) {
 Bound BlockPath::feedrate_at(double s_mm) const {
   const Ceiling& ceiling = block_->ceiling;
   const Bound block{block_->along.feedrate_mm_s, block_->along.from.feedrate};
-  const auto lower = [&block](double v_mm_s, SpeedLimit from) {
+  const auto lower = [&block](double v_mm_s, Constraint from) {
     return v_mm_s < block.value ? Bound{v_mm_s, from} : block;
   };
   if (ceiling.empty()) {
@@ -103,7 +103,7 @@ CellEnd BlockPath::at(double s_mm) const {
   for (std::size_t k = 0; k < 3; ++k) {
     if (end.first[k] != 0.0) {
       end.bind_feedrate(limits_->axes[k].velocity_mm_s / std::abs(end.first[k]),
-                        interp::of_axis(SpeedLimit::x_velocity, k));
+                        interp::of_axis(Constraint::x_velocity, k));
     }
   }
   return end;

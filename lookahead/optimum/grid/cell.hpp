@@ -18,10 +18,10 @@ struct CellEnd {
   curves::Position second_per_mm{};
   curves::Position third_per_mm2{};
   double feedrate_mm_s = 0.0;  // allowed there: programmed, chord error, axis velocities
-  SpeedLimit from{};           // which of them it is
+  Constraint from{};           // which of them it is
 
   // A lower feedrate stands in its place.
-  void bind_feedrate(double bound_mm_s, SpeedLimit limit) noexcept {
+  void bind_feedrate(double bound_mm_s, Constraint limit) noexcept {
     if (bound_mm_s < feedrate_mm_s) {
       feedrate_mm_s = bound_mm_s;
       from = limit;

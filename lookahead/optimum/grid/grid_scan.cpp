@@ -79,7 +79,7 @@ std::vector<Cell> cells_between(const BlockPath& path, const std::vector<double>
       ++at;
     }
     if (stop.passage && at < cells.size()) {
-      cells[at].begin.bind_feedrate(stop.passage->feedrate_mm_s, SpeedLimit::joint);
+      cells[at].begin.bind_feedrate(stop.passage->feedrate_mm_s, Constraint::joint);
     }
   }
   return cells;

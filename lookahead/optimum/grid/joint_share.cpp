@@ -153,7 +153,7 @@ namespace {
 
 // cell, end: beside the jump.
 void bind_beside(const Passage& passage, Cell& cell, CellEnd& end) {
-  end.bind_feedrate(passage.feedrate_mm_s, SpeedLimit::joint);
+  end.bind_feedrate(passage.feedrate_mm_s, Constraint::joint);
   // The share taken off again: the cap holds whatever the share.
   double& a = cell.along.acceleration_mm_s2;
   a = std::min(a, passage.acceleration_mm_s2 / passage.acceleration_share);

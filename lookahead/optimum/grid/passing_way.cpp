@@ -16,8 +16,8 @@ constexpr double kNearEnd = 0.99;
 
 void bind(const PassingWay& way, Cell& cell) {
   cell.passing_mm_s = std::min(cell.passing_mm_s, way.feedrate_mm_s);
-  cell.begin.bind_feedrate(cell.passing_mm_s, SpeedLimit::chord_error);
-  cell.end.bind_feedrate(cell.passing_mm_s, SpeedLimit::chord_error);
+  cell.begin.bind_feedrate(cell.passing_mm_s, Constraint::chord_error);
+  cell.end.bind_feedrate(cell.passing_mm_s, Constraint::chord_error);
 }
 
 // The most that a tick from the joint on is faster than the joint, in its mean. What passes the

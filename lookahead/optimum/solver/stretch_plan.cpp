@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "lookahead/optimum/solver/binding_limit.hpp"
 #include "lookahead/optimum/solver/optimal_feed.hpp"
+#include "lookahead/optimum/solver/tightest_constraint.hpp"
 
 namespace kerf::lookahead {
 
@@ -130,20 +130,20 @@ profiles::CellLaw StretchPlan::law_from(const PlanPlace& place, double longest_s
              : profiles::CellLaw::between(begin, law.at(longest_s).s_mm);
 }
 
-SpeedLimit StretchPlan::limit_on(std::size_t cell, const PlanLimits& limits) const {
+Constraint StretchPlan::limit_on(std::size_t cell, const PlanLimits& limits) const {
   const Cell& at = stretch_.cells[cell];
   if (is_launch(cell)) {
-    return binding_limit_at_rest(at, state_at({.cell = cell + 1}).v_mm_s, true, limits);
+    return tightest_constraint_at_rest(at, state_at({.cell = cell + 1}).v_mm_s, true, limits);
   }
   if (is_landing(cell)) {
-    return binding_limit_at_rest(at, state_at({.cell = cell}).v_mm_s, false, limits);
+    return tightest_constraint_at_rest(at, state_at({.cell = cell}).v_mm_s, false, limits);
   }
   const std::size_t i = cell - stretch_.first_spline_cell();
-  return binding_limit(at,
-                       {.begin = basis_[i].begin.at(&coefficients_[i]),
-                        .end = basis_[i].end.at(&coefficients_[i]),
-                        .coefficient = coefficients_[i + 1]},
-                       limits);
+  return tightest_constraint(at,
+                             {.begin = basis_[i].begin.at(&coefficients_[i]),
+                              .end = basis_[i].end.at(&coefficients_[i]),
+                              .coefficient = coefficients_[i + 1]},
+                             limits);
 }
 
 std::size_t StretchPlan::last_braking() const {

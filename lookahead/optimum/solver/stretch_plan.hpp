@@ -35,7 +35,7 @@ class StretchPlan {
   [[nodiscard]] profiles::CellLaw law_from(const PlanPlace& place, double longest_s) const;
   [[nodiscard]] double duration_s() const;
   // What holds the feed down on a cell.
-  [[nodiscard]] SpeedLimit limit_on(std::size_t cell, const PlanLimits& limits) const;
+  [[nodiscard]] Constraint limit_on(std::size_t cell, const PlanLimits& limits) const;
   // The first cell of those on which the feedrate only falls, to the rest at the end.
   [[nodiscard]] std::size_t last_braking() const;
   // What is left of the plan from a place up to a cell, to be planned anew.

@@ -14,8 +14,8 @@ constexpr double kPatch = 11.0;
 constexpr std::size_t kColumns = 5;
 
 // Each once, in the order of their numbers.
-std::vector<SpeedLimit> limits_in(std::span<const LimitBand::Stretch> stretches) {
-  std::vector<SpeedLimit> limits;
+std::vector<Constraint> limits_in(std::span<const LimitBand::Stretch> stretches) {
+  std::vector<Constraint> limits;
   for (const LimitBand::Stretch& stretch : stretches) {
     limits.push_back(stretch.limit);
   }
@@ -46,7 +46,7 @@ void draw_limit_panel(SvgCanvas& canvas, const PixelBox& frame, const LimitPanel
                 .height = kBand},
                colour_of(panel.stretches[i].limit), {.colour = "none"});
   }
-  const std::vector<SpeedLimit> limits = limits_in(panel.stretches);
+  const std::vector<Constraint> limits = limits_in(panel.stretches);
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const auto column = static_cast<double>(i % kColumns);
     const auto row = static_cast<double>(i / kColumns);

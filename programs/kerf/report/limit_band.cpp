@@ -6,7 +6,7 @@ namespace kerf::program {
 
 LimitBand::LimitBand() : buckets_(kBuckets) {}
 
-void LimitBand::add(std::int64_t tick, SpeedLimit limit) noexcept {
+void LimitBand::add(std::int64_t tick, Constraint limit) noexcept {
   while (tick / ticks_per_bucket_ >= static_cast<std::int64_t>(kBuckets)) {
     halve();
   }
@@ -34,7 +34,7 @@ std::vector<LimitBand::Stretch> LimitBand::stretches() const {
     if (*most == 0) {
       continue;
     }
-    const auto limit = static_cast<SpeedLimit>(most - buckets_[i].begin());
+    const auto limit = static_cast<Constraint>(most - buckets_[i].begin());
     if (stretches.empty() || stretches.back().limit != limit) {
       stretches.push_back(
           {.tick = static_cast<std::int64_t>(i) * ticks_per_bucket_, .limit = limit});

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "programs/kerf/report/speed_limit_text.hpp"
+#include "programs/kerf/report/constraint_text.hpp"
 
 namespace kerf::program {
 
@@ -19,17 +19,17 @@ class LimitBand {
   LimitBand();
 
   // Ticks come in ascending order; gaps are allowed. Allocates nothing.
-  void add(std::int64_t tick, SpeedLimit limit) noexcept;
+  void add(std::int64_t tick, Constraint limit) noexcept;
 
   // From its first tick up to that of the next stretch, the limit that most of the ticks have.
   struct Stretch {
     std::int64_t tick = 0;
-    SpeedLimit limit{};
+    Constraint limit{};
   };
   [[nodiscard]] std::vector<Stretch> stretches() const;
 
  private:
-  using Counts = std::array<std::uint32_t, interp::kSpeedLimits>;
+  using Counts = std::array<std::uint32_t, interp::kConstraints>;
 
   void halve() noexcept;
 

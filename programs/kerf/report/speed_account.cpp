@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::size_t kShownLines = 5;
 
-using Counts = std::array<std::int64_t, interp::kSpeedLimits>;
+using Counts = std::array<std::int64_t, interp::kConstraints>;
 
 LineSpeed line_speed(std::uint32_t line, const Counts& counts) {
   LineSpeed speed;
   speed.line = line;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] > 0) {
-      speed.limits.push_back({.limit = static_cast<SpeedLimit>(i), .ticks = counts[i]});
+      speed.limits.push_back({.limit = static_cast<Constraint>(i), .ticks = counts[i]});
       speed.ticks += counts[i];
     }
   }

@@ -5,14 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "programs/kerf/report/speed_limit_text.hpp"
+#include "programs/kerf/report/constraint_text.hpp"
 #include "programs/kerf/report/tick_record.hpp"
 #include "programs/kerf/speed_question.hpp"
 
 namespace kerf::program {
 
 struct LimitTime {
-  SpeedLimit limit{};
+  Constraint limit{};
   std::int64_t ticks = 0;
 };
 
@@ -27,7 +27,7 @@ struct TickSpeed {
   std::int64_t tick = 0;
   std::uint32_t line = 0;
   double v_mm_s = 0.0;
-  SpeedLimit limit{};
+  Constraint limit{};
 };
 
 struct SpeedReport {
@@ -49,7 +49,7 @@ class SpeedAccount {
  private:
   struct Entry {
     std::uint32_t line = 0;
-    SpeedLimit limit{};
+    Constraint limit{};
     std::int64_t ticks = 0;
   };
 

@@ -14,7 +14,7 @@ struct TickRecord {
   std::int64_t tick = 0;
   std::uint32_t line = 0;
   bool rapid = false;
-  interp::SpeedLimit limit{};
+  interp::Constraint limit{};
   profiles::PathMotion motion{};
   curves::Position position_mm{};
   curves::Position actual_mm{};

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "programs/kerf/report/speed_limit_text.hpp"
+#include "programs/kerf/report/constraint_text.hpp"
 
 namespace kerf::program {
 

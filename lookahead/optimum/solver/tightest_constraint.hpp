@@ -23,10 +23,10 @@ struct CellFeed {
 //
 // Weakness: where the motion only follows from its neighbours (one cell between two that are bound)
 // no limit binds, and the nearest one is named.
-SpeedLimit binding_limit(const Cell& cell, const CellFeed& feed, const PlanLimits& limits);
+Constraint tightest_constraint(const Cell& cell, const CellFeed& feed, const PlanLimits& limits);
 
 // Of a launch from rest or a landing that meets the spline with v_mm_s.
-SpeedLimit binding_limit_at_rest(const Cell& cell, double v_mm_s, bool launch,
-                                 const PlanLimits& limits);
+Constraint tightest_constraint_at_rest(const Cell& cell, double v_mm_s, bool launch,
+                                       const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

@@ -1,4 +1,4 @@
-#include "programs/kerf/report/speed_limit_text.hpp"
+#include "programs/kerf/report/constraint_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@ namespace kerf::program {
 
 namespace {
 
-constexpr auto kFirstOfAxes = static_cast<std::size_t>(SpeedLimit::x_velocity);
+constexpr auto kFirstOfAxes = static_cast<std::size_t>(Constraint::x_velocity);
 
 constexpr std::array<std::string_view, kFirstOfAxes> kColours{
     "#e3e6ea", "#9aa3ad", "#d5bfe6", "#a878cc", "#6f3d99", "#f2a900", "#333333", "#e754a6"};
@@ -25,16 +25,16 @@ struct AxisLimit {
   std::size_t axis = 0;
 };
 
-AxisLimit axis_limit(SpeedLimit limit) noexcept {
+AxisLimit axis_limit(Constraint limit) noexcept {
   const std::size_t number = static_cast<std::size_t>(limit) - kFirstOfAxes;
   return {.quantity = number / interp::kLimitedAxes, .axis = number % interp::kLimitedAxes};
 }
 
-bool is_of_axis(SpeedLimit limit) noexcept {
+bool is_of_axis(Constraint limit) noexcept {
   return static_cast<std::size_t>(limit) >= kFirstOfAxes;
 }
 
-constexpr std::array<std::string_view, interp::kSpeedLimits> kKeys{"rest",
+constexpr std::array<std::string_view, interp::kConstraints> kKeys{"rest",
                                                                    "programmed_feedrate",
                                                                    "path_velocity",
                                                                    "path_acceleration",
@@ -72,17 +72,17 @@ constexpr std::array<std::string_view, interp::kSpeedLimits> kKeys{"rest",
 
 }  // namespace
 
-std::string_view key_of(SpeedLimit limit) noexcept {
+std::string_view key_of(Constraint limit) noexcept {
   return kKeys[static_cast<std::size_t>(limit)];
 }
 
-std::string text_of(SpeedLimit limit) {
+std::string text_of(Constraint limit) {
   std::string text(key_of(limit));
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;
 }
 
-std::string_view colour_of(SpeedLimit limit) noexcept {
+std::string_view colour_of(Constraint limit) noexcept {
   if (!is_of_axis(limit)) {
     return kColours[static_cast<std::size_t>(limit)];
   }

@@ -8,7 +8,7 @@ namespace kerf::interp {
 
 // One byte that the planner sets where it knows it. Of an axis the values are those of X plus the
 // axis' number in XYZABCUVW.
-enum class SpeedLimit : std::uint8_t {
+enum class Constraint : std::uint8_t {
   rest,           // a dwell, an event, a wait for text or people
   programmed,     // F
   path_velocity,  // along the path, of rapids too
@@ -22,21 +22,21 @@ enum class SpeedLimit : std::uint8_t {
   x_jerk = 26,          // to 34
 };
 
-inline constexpr std::size_t kSpeedLimits = 35;
+inline constexpr std::size_t kConstraints = 35;
 inline constexpr std::size_t kLimitedAxes = 9;
 
 // first: x_velocity, x_acceleration or x_jerk. axis < kLimitedAxes.
-constexpr SpeedLimit of_axis(SpeedLimit first, std::size_t axis) noexcept {
-  return static_cast<SpeedLimit>(static_cast<std::size_t>(first) + axis);
+constexpr Constraint of_axis(Constraint first, std::size_t axis) noexcept {
+  return static_cast<Constraint>(static_cast<std::size_t>(first) + axis);
 }
 
 // In a phase: what binds, and what does while its jerk is 0. Of an S-curve the two differ.
-struct HeldBy {
-  SpeedLimit limit = SpeedLimit::rest;
-  SpeedLimit steady = SpeedLimit::rest;
+struct ActiveConstraint {
+  Constraint limit = Constraint::rest;
+  Constraint steady = Constraint::rest;
 };
 
-constexpr HeldBy held_by(SpeedLimit limit) noexcept {
+constexpr ActiveConstraint active_constraint(Constraint limit) noexcept {
   return {.limit = limit, .steady = limit};
 }
 

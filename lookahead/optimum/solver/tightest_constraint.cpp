@@ -1,4 +1,4 @@
-#include "lookahead/optimum/solver/binding_limit.hpp"
+#include "lookahead/optimum/solver/tightest_constraint.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,30 +17,30 @@ constexpr double kFarFromAll = 1.0;  // price of a limit that is half used
 class Prices {
  public:
   // form: a figure over its limit.
-  void add(double form, SpeedLimit limit) {
+  void add(double form, Constraint limit) {
     price_[static_cast<std::size_t>(limit)] += form / std::max(1.0 - form, kLeastSlack);
   }
-  [[nodiscard]] SpeedLimit highest() const {
+  [[nodiscard]] Constraint highest() const {
     std::size_t best = 0;
     for (std::size_t i = 1; i < price_.size(); ++i) {
       best = price_[i] > kClearly * price_[best] ? i : best;
     }
-    return static_cast<SpeedLimit>(best);
+    return static_cast<Constraint>(best);
   }
   [[nodiscard]] bool are_low() const {
     return *std::max_element(price_.begin(), price_.end()) < kFarFromAll;
   }
 
  private:
-  std::array<double, interp::kSpeedLimits> price_{};
+  std::array<double, interp::kConstraints> price_{};
 };
 
 bool is_beside_joint(const Cell& cell) {
   return cell.allowed.jerk < kMostOfJerk;
 }
 
-SpeedLimit unless_joint(const Cell& cell, SpeedLimit limit) {
-  return is_beside_joint(cell) ? SpeedLimit::joint : limit;
+Constraint unless_joint(const Cell& cell, Constraint limit) {
+  return is_beside_joint(cell) ? Constraint::joint : limit;
 }
 
 void add_place(const Cell& cell, const CellEnd& path, const SquaredFeed& feed,
@@ -60,16 +60,16 @@ void add_place(const Cell& cell, const CellEnd& path, const SquaredFeed& feed,
     const double q2 = path.second_per_mm[k];
     const double q3 = path.third_per_mm2[k];
     prices.add(std::abs(q1 * a + q2 * v * v) / (a_share * limits.axes[k].acceleration_mm_s2),
-               unless_joint(cell, interp::of_axis(SpeedLimit::x_acceleration, k)));
+               unless_joint(cell, interp::of_axis(Constraint::x_acceleration, k)));
     prices.add(std::abs(q1 * j + 3.0 * q2 * v * a + q3 * v * v * v) /
                    (j_share * limits.axes[k].jerk_mm_s3),
-               unless_joint(cell, interp::of_axis(SpeedLimit::x_jerk, k)));
+               unless_joint(cell, interp::of_axis(Constraint::x_jerk, k)));
   }
 }
 
 }  // namespace
 
-SpeedLimit binding_limit(const Cell& cell, const CellFeed& feed, const PlanLimits& limits) {
+Constraint tightest_constraint(const Cell& cell, const CellFeed& feed, const PlanLimits& limits) {
   Prices prices;
   add_place(cell, cell.begin, feed.begin, limits, prices);
   add_place(cell, cell.end, feed.end, limits, prices);
@@ -78,12 +78,12 @@ SpeedLimit binding_limit(const Cell& cell, const CellFeed& feed, const PlanLimit
                             cell.end.feedrate_mm_s * cell.end.feedrate_mm_s);
   prices.add(std::sqrt(std::max(feed.coefficient, 0.0) / cap) / cell.shares.feedrate, lower.from);
   // Between two places that a joint holds down nothing else comes near.
-  return is_beside_joint(cell) && prices.are_low() ? SpeedLimit::joint : prices.highest();
+  return is_beside_joint(cell) && prices.are_low() ? Constraint::joint : prices.highest();
 }
 
 // With s = j t^3 / 6: v = j t^2 / 2, so j = 2 v^3 / (9 s^2).
-SpeedLimit binding_limit_at_rest(const Cell& cell, double v_mm_s, bool launch,
-                                 const PlanLimits& limits) {
+Constraint tightest_constraint_at_rest(const Cell& cell, double v_mm_s, bool launch,
+                                       const PlanLimits& limits) {
   const CellEnd& rest = launch ? cell.begin : cell.end;
   const CellEnd& moving = launch ? cell.end : cell.begin;
   const double v = v_mm_s;
@@ -94,7 +94,7 @@ SpeedLimit binding_limit_at_rest(const Cell& cell, double v_mm_s, bool launch,
              unless_joint(cell, cell.along_from.jerk));
   for (std::size_t k = 0; k < limits.axes.size(); ++k) {
     prices.add(std::abs(rest.first[k]) * j / (cell.shares.jerk * limits.axes[k].jerk_mm_s3),
-               unless_joint(cell, interp::of_axis(SpeedLimit::x_jerk, k)));
+               unless_joint(cell, interp::of_axis(Constraint::x_jerk, k)));
   }
   return prices.highest();
 }

@@ -16,10 +16,10 @@ constexpr std::array kKinds{ProfileKind::s_curve, ProfileKind::sine,      Profil
                             ProfileKind::sigmoid, ProfileKind::trapezoid, kOptimum};
 
 struct Shares {
-  std::map<SpeedLimit, double> of;
+  std::map<Constraint, double> of;
   double duration_s = 0.0;
 
-  [[nodiscard]] double operator[](SpeedLimit limit) const {
+  [[nodiscard]] double operator[](Constraint limit) const {
     const auto found = of.find(limit);
     return found == of.end() ? 0.0 : found->second;
   }
@@ -36,7 +36,7 @@ Shares shares_of(const Motion& motion) {
     const double part = phase.law.duration_s() / kPlaces;
     for (int k = 0; k < kPlaces; ++k) {
       const bool steady = phase.law.at((k + 0.5) * part).j_mm_s3 == 0.0;
-      shares.of[steady ? phase.held_by.steady : phase.held_by.limit] += part;
+      shares.of[steady ? phase.active_constraint.steady : phase.active_constraint.limit] += part;
     }
     shares.duration_s += phase.law.duration_s();
   }
@@ -57,14 +57,14 @@ Shares shares_of(const Program& program, ProfileKind kind, std::size_t window = 
            {.limits = program.limits, .profile = Profile(kind), .window_blocks = window}));
 }
 
-constexpr SpeedLimit axis_a(std::size_t k) {
-  return interp::of_axis(SpeedLimit::x_acceleration, k);
+constexpr Constraint axis_a(std::size_t k) {
+  return interp::of_axis(Constraint::x_acceleration, k);
 }
-constexpr SpeedLimit axis_j(std::size_t k) {
-  return interp::of_axis(SpeedLimit::x_jerk, k);
+constexpr Constraint axis_j(std::size_t k) {
+  return interp::of_axis(Constraint::x_jerk, k);
 }
 
-TEST(SpeedLimits, ALongLineIsHeldDownByFAndAtItsEndsByTheAxis) {
+TEST(Constraints, ALongLineIsHeldDownByFAndAtItsEndsByTheAxis) {
   const Program program{{line_move({{0, 0, 0}, {600, 0, 0}}, 160.0)}, mill()};
   // Each ramp to 160 mm/s at 2000 mm/s2 and 5e4 mm/s3: 40 ms of jerk, 40 ms at constant
   // acceleration, 40 ms of jerk.
@@ -73,24 +73,24 @@ TEST(SpeedLimits, ALongLineIsHeldDownByFAndAtItsEndsByTheAxis) {
     const double place = 0.12 / 200;
     EXPECT_NEAR(shares[axis_j(0)] * shares.duration_s, 2 * 0.080, 4 * place);
     EXPECT_NEAR(shares[axis_a(0)] * shares.duration_s, 2 * 0.040, 4 * place);
-    EXPECT_NEAR(shares[SpeedLimit::programmed] * shares.duration_s,
+    EXPECT_NEAR(shares[Constraint::programmed] * shares.duration_s,
                 (600.0 - 2 * 0.5 * 160.0 * 0.12) / 160.0, 1e-9);
   }
 }
 
-TEST(SpeedLimits, AddUpToTheWholeTime) {
+TEST(Constraints, AddUpToTheWholeTime) {
   for (const ProfileKind kind : kKinds) {
     const Shares shares = shares_of({mixed_moves(), mill()}, kind);
     double sum = 0.0;
     for (const auto& [limit, share] : shares.of) {
-      EXPECT_NE(limit, SpeedLimit::rest);
+      EXPECT_NE(limit, Constraint::rest);
       sum += share;
     }
     EXPECT_NEAR(sum, 1.0, 1e-9) << name_of(kind);
   }
 }
 
-TEST(SpeedLimits, TheWeakAxisOfADiagonalIsNamed) {
+TEST(Constraints, TheWeakAxisOfADiagonalIsNamed) {
   Program program{{line_move({{0, 0, 0}, {20, 20, 5}})}, mill()};
   program.limits.axes[1] = {
       .velocity_mm_s = 200.0, .acceleration_mm_s2 = 20.0, .jerk_mm_s3 = 500.0};
@@ -100,16 +100,16 @@ TEST(SpeedLimits, TheWeakAxisOfADiagonalIsNamed) {
   }
 }
 
-TEST(SpeedLimits, ASlowAxisHoldsARapidDown) {
+TEST(Constraints, ASlowAxisHoldsARapidDown) {
   Program program{{line_move({{0, 0, 0}, {0, 0, 300}})}, mill()};
   program.moves.front().rapid = true;
   program.limits.axes[2].velocity_mm_s = 30.0;
   for (const ProfileKind kind : kKinds) {
-    EXPECT_GT(shares_of(program, kind)[interp::of_axis(SpeedLimit::x_velocity, 2)], 0.95);
+    EXPECT_GT(shares_of(program, kind)[interp::of_axis(Constraint::x_velocity, 2)], 0.95);
   }
 }
 
-TEST(SpeedLimits, ASmallCircleIsHeldDownByTheAxesAcceleration) {
+TEST(Constraints, ASmallCircleIsHeldDownByTheAxesAcceleration) {
   const Program program{
       {arc_move({.ends = {{5, 0, 0}, {5, 0, 0}}, .centre = {0, 0, 0}}, 200.0)},
       axis_limits({.velocity_mm_s = 200.0, .acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e6})};
@@ -119,53 +119,53 @@ TEST(SpeedLimits, ASmallCircleIsHeldDownByTheAxesAcceleration) {
   }
 }
 
-TEST(SpeedLimits, ATightChordToleranceIsNamed) {
+TEST(Constraints, ATightChordToleranceIsNamed) {
   Program program{{nurbs_move(nurbs_circle(5.0), 200.0)}, mill()};
   program.limits.chord_tolerance_mm = 1e-6;
   for (const ProfileKind kind : kKinds) {
-    EXPECT_GT(shares_of(program, kind)[SpeedLimit::chord_error], 0.9) << name_of(kind);
+    EXPECT_GT(shares_of(program, kind)[Constraint::chord_error], 0.9) << name_of(kind);
   }
 }
 
-TEST(SpeedLimits, ManyLinesShorterThanTheirCoastsAreHeldDownByTheirJoints) {
+TEST(Constraints, ManyLinesShorterThanTheirCoastsAreHeldDownByTheirJoints) {
   const Program program{polyline(2000, 5.0, 50.0), mill()};
   for (const ProfileKind kind : kKinds) {
-    EXPECT_GT(shares_of(program, kind)[SpeedLimit::joint], 0.95) << name_of(kind);
+    EXPECT_GT(shares_of(program, kind)[Constraint::joint], 0.95) << name_of(kind);
   }
 }
 
-TEST(SpeedLimits, AFeedFarBelowEverythingIsAllOfIt) {
+TEST(Constraints, AFeedFarBelowEverythingIsAllOfIt) {
   std::vector<parser::Move> moves = mixed_moves();
   for (parser::Move& move : moves) {
     move.feedrate_mm_s = 1.0;
   }
   for (const ProfileKind kind : kKinds) {
-    EXPECT_GT(shares_of({moves, mill()}, kind)[SpeedLimit::programmed], 0.99) << name_of(kind);
+    EXPECT_GT(shares_of({moves, mill()}, kind)[Constraint::programmed], 0.99) << name_of(kind);
   }
 }
 
-TEST(SpeedLimits, AWindowTooShortToBrakeInIsNamedAndALongOneIsNot) {
+TEST(Constraints, AWindowTooShortToBrakeInIsNamedAndALongOneIsNot) {
   const Program program{straight(400, 0.5, 150.0), mill()};
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::sine, kOptimum}) {
-    EXPECT_GT(shares_of(program, kind, 8)[SpeedLimit::window_end], 0.05) << name_of(kind);
-    EXPECT_EQ(shares_of(program, kind, 1000)[SpeedLimit::window_end], 0.0) << name_of(kind);
+    EXPECT_GT(shares_of(program, kind, 8)[Constraint::window_end], 0.05) << name_of(kind);
+    EXPECT_EQ(shares_of(program, kind, 1000)[Constraint::window_end], 0.0) << name_of(kind);
   }
 }
 
 // The law: more of a limit that is named saves time, more of one that is not saves none.
 struct Knob {
-  SpeedLimit limit{};
+  Constraint limit{};
   double* value = nullptr;
 };
 
 std::vector<Knob> knobs_of(PlanLimits& limits) {
-  std::vector<Knob> knobs{{SpeedLimit::path_velocity, &limits.path.velocity_mm_s},
-                          {SpeedLimit::path_acceleration, &limits.path.acceleration_mm_s2},
-                          {SpeedLimit::path_jerk, &limits.path.jerk_mm_s3},
-                          {SpeedLimit::chord_error, &limits.chord_tolerance_mm}};
+  std::vector<Knob> knobs{{Constraint::path_velocity, &limits.path.velocity_mm_s},
+                          {Constraint::path_acceleration, &limits.path.acceleration_mm_s2},
+                          {Constraint::path_jerk, &limits.path.jerk_mm_s3},
+                          {Constraint::chord_error, &limits.chord_tolerance_mm}};
   for (std::size_t k = 0; k < limits.axes.size(); ++k) {
     MotionLimits& axis = limits.axes[k];
-    knobs.push_back({interp::of_axis(SpeedLimit::x_velocity, k), &axis.velocity_mm_s});
+    knobs.push_back({interp::of_axis(Constraint::x_velocity, k), &axis.velocity_mm_s});
     knobs.push_back({axis_a(k), &axis.acceleration_mm_s2});
     knobs.push_back({axis_j(k), &axis.jerk_mm_s3});
   }
@@ -183,9 +183,9 @@ void PrintTo(const LawCase& of, std::ostream* out) {
   *out << of.name;
 }
 
-class SpeedLimitLaw : public testing::TestWithParam<LawCase> {};
+class ConstraintLaw : public testing::TestWithParam<LawCase> {};
 
-TEST_P(SpeedLimitLaw, MoreOfANamedLimitSavesTimeAndMoreOfAnotherDoesNot) {
+TEST_P(ConstraintLaw, MoreOfANamedLimitSavesTimeAndMoreOfAnotherDoesNot) {
   const auto& [name, program, kind, times] = GetParam();
   const Shares shares = shares_of(program, kind);
   PlanLimits more = program.limits;
@@ -240,7 +240,7 @@ std::vector<LawCase> law_cases() {
           {"trident_optimum", {trident, tight}, kOptimum}};
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, SpeedLimitLaw, testing::ValuesIn(law_cases()),
+INSTANTIATE_TEST_SUITE_P(Programs, ConstraintLaw, testing::ValuesIn(law_cases()),
                          [](const auto& of) { return of.param.name; });
 
 }  // namespace

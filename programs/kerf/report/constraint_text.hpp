@@ -4,17 +4,17 @@
 #include <string>
 #include <string_view>
 
-#include "interp/speed_limit.hpp"
+#include "interp/constraint.hpp"
 
 namespace kerf::program {
 
-using interp::SpeedLimit;
+using interp::Constraint;
 
 // "axis_y_jerk", "programmed_feedrate": in the trace and in JSON.
-[[nodiscard]] std::string_view key_of(SpeedLimit limit) noexcept;
+[[nodiscard]] std::string_view key_of(Constraint limit) noexcept;
 // "axis y jerk".
-[[nodiscard]] std::string text_of(SpeedLimit limit);
+[[nodiscard]] std::string text_of(Constraint limit);
 // "#1f5fa8": a hue for each axis and one for the path, darker from velocity to jerk.
-[[nodiscard]] std::string_view colour_of(SpeedLimit limit) noexcept;
+[[nodiscard]] std::string_view colour_of(Constraint limit) noexcept;
 
 }  // namespace kerf::program
