@@ -47,7 +47,7 @@ PartRun run_part(const PartProgram& program, const PartMode& mode, double feed_m
   return {.time_s = static_cast<double>(ticks.at_mm.size() - 1) * settings.limits.period_s,
           .wall_s = wall.count(),
           .lines = program.path.size(),
-          .shortfalls = kernel.totals().shortfalls.count,
+          .degradations = kernel.totals().degradations.count,
           .over = largest_over_limit(ticks, settings.limits),
           .deviation = deviation(ticks, program.path)};
 }

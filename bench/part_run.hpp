@@ -29,7 +29,7 @@ struct PartRun {
   double time_s = 0.0;
   double wall_s = 0.0;  // of parsing, planning and ticks
   std::uint64_t lines = 0;
-  std::uint64_t shortfalls = 0;
+  std::uint64_t degradations = 0;
   OverLimit over{};
   Deviation deviation{};
 };

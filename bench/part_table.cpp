@@ -16,7 +16,7 @@ void Table::print_head() {
   std::printf(
       "| program | F, a, J | mode | time [s] | at most [s] | others [s] | largest over its limit "
       "| ticks off the path [um] | path off the ticks [um] | ticks off their line [um] | wall "
-      "[s] | lines/s | shortfalls | |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | "
+      "[s] | lines/s | degradations | |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | "
       "--- | --- | --- | --- | --- |\n");
 }
 
@@ -42,7 +42,7 @@ std::optional<PartRun> Table::add(const Row& row) {
       row.mode.codes.c_str(), run.time_s, target.data(), row.others.c_str(), run.over.ratio,
       run.over.what.c_str(), 1e3 * off.of_ticks_mm, 1e3 * off.of_path_mm, 1e3 * off.of_line_mm,
       run.wall_s, static_cast<double>(run.lines) / run.wall_s,
-      static_cast<unsigned long long>(run.shortfalls), met ? "met" : "MISSED");
+      static_cast<unsigned long long>(run.degradations), met ? "met" : "MISSED");
   std::fflush(stdout);
   met_ = met_ && met;
   return run;

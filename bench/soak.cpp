@@ -151,7 +151,7 @@ struct Tally {
   std::uint64_t runs = 0;
   std::uint64_t curves = 0;
   std::uint64_t failures = 0;
-  std::uint64_t with_shortfall = 0;
+  std::uint64_t with_degradation = 0;
   std::int64_t ticks = 0;
   std::array<double, test::kFigures> worst{};
   double worst_chord = 0.0;
@@ -180,7 +180,7 @@ void judge(std::uint64_t seed, const Soak& order, Tally& tally) {
   ++tally.runs;
   tally.curves += kind == SoakKind::mixed && seed % 3 == 0 ? 1U : 0U;
   tally.ticks += run.ticks;
-  tally.with_shortfall += run.shortfalls > 0 ? 1U : 0U;
+  tally.with_degradation += run.degradations > 0 ? 1U : 0U;
   for (std::size_t i = 0; i < test::kFigures; ++i) {
     tally.worst[i] = std::max(tally.worst[i], run.worst[i]);
   }
@@ -197,11 +197,11 @@ void judge(std::uint64_t seed, const Soak& order, Tally& tally) {
 void print(const Tally& tally, std::uint64_t first) {
   std::printf(
       "%llu programs from seed %llu on, %llu of them single curves, %lld ticks, %llu with "
-      "a shortfall, %llu failed\n\n| figure | largest over what is allowed |\n"
+      "a degradation, %llu failed\n\n| figure | largest over what is allowed |\n"
       "| --- | --- |\n",
       static_cast<unsigned long long>(tally.runs), static_cast<unsigned long long>(first),
       static_cast<unsigned long long>(tally.curves), static_cast<long long>(tally.ticks),
-      static_cast<unsigned long long>(tally.with_shortfall),
+      static_cast<unsigned long long>(tally.with_degradation),
       static_cast<unsigned long long>(tally.failures));
   for (std::size_t i = 0; i < test::kFigures; ++i) {
     std::printf("| %s | %.6f |\n", test::name_of(static_cast<test::Figure>(i)), tally.worst[i]);

@@ -43,7 +43,7 @@ struct Streamed {
   double time_s = 0.0;
   double planning_s = 0.0;
   std::size_t cells = 0;
-  std::size_t shortfalls = 0;
+  std::size_t degradations = 0;
 };
 
 // Motion is thrown away as it comes, so only what the planner keeps is held.
@@ -80,7 +80,7 @@ Streamed stream(const Moves& next, const lookahead::PlanLimits& limits, const Wi
   return {.time_s = static_cast<double>(totals.ticks) * limits.period_s,
           .planning_s = planning.count(),
           .cells = totals.spans,
-          .shortfalls = totals.shortfalls.count};
+          .degradations = totals.degradations.count};
 }
 
 // Bends between radii of some millimetres and nearly straight.
@@ -181,7 +181,7 @@ bool print_row(const Path& path, const lookahead::PlanLimits& limits) {
               path.name.c_str(),
               window.blocks == kEverything ? "all" : std::to_string(window.blocks).c_str(),
               window.cells, whole.cells, cut.time_s, whole.time_s, ratio, cut.planning_s,
-              whole.planning_s, cut.shortfalls, whole.shortfalls, met ? "met" : "MISSED");
+              whole.planning_s, cut.degradations, whole.degradations, met ? "met" : "MISSED");
   std::fflush(stdout);
   return met;
 }
@@ -214,7 +214,7 @@ int streaming() {
   bool met = memory_holds(limits);
   std::printf(
       "\n| path | window [blocks] | window [cells] | cells | time [s] | time in one window [s] | "
-      "ratio | planning [s] | in one window [s] | shortfalls | at most %.2f |\n"
+      "ratio | planning [s] | in one window [s] | degradations | at most %.2f |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
       kOfOneWindow);
   for (const Path& path :

@@ -8,7 +8,7 @@
 #include "interp/motion.hpp"
 #include "interp/outputs.hpp"
 #include "lookahead/emit/plan_clock.hpp"
-#include "lookahead/emit/shortfall.hpp"
+#include "lookahead/emit/plan_degradation.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/window.hpp"
 #include "profiles/time_law.hpp"
@@ -37,7 +37,7 @@ struct PlanTotals {
   std::uint64_t spans = 0;
   double path_length_mm = 0.0;
   std::int64_t ticks = 0;
-  Shortfalls shortfalls{};
+  PlanDegradations degradations{};
 };
 
 struct Rest {
@@ -60,7 +60,7 @@ class Emitter {
   [[nodiscard]] double s_mm() const noexcept { return block_begun_ ? s_mm_ : 0.0; }
   [[nodiscard]] const PlanTotals& totals() const noexcept { return totals_; }
 
-  void note(const Shortfall& shortfall) { totals_.shortfalls.add(shortfall); }
+  void note(const PlanDegradation& degradation) { totals_.degradations.add(degradation); }
 
   // The block's motion from where it stands to s_end_mm. Its pieces leave with the first phase.
   void emit(const Block& block, const profiles::TimeLaw& law, double s_end_mm, Outbox& outbox);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lookahead/optimum/fallback.hpp"
 #include "lookahead/optimum/solver/rest_ramp.hpp"
-#include "lookahead/optimum/stand_in.hpp"
 #include "lookahead/path/line_marks.hpp"
 
 namespace kerf::lookahead {
@@ -17,7 +17,7 @@ constexpr std::size_t kCutCells = 16;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
 constexpr std::size_t kMarginOfWindow = 8;
 
-Shortfall shortfall_on(const Block& block, double s_mm) {
+PlanDegradation degradation_on(const Block& block, double s_mm) {
   const LineMark mark = mark_at(block, s_mm);
   return {.line = mark.line, .s_mm = s_mm - mark.s_mm};
 }
@@ -101,10 +101,10 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   Taken taken = take(path);
   auto found = StretchPlan::find(std::move(taken.stretch), path, settings_.limits);
   if (from_rest && found->slowed_down()) {
-    const auto faster = faster_classical({.cells = &waiting_, .count = taken.count}, *found, blocks,
-                                         classical(settings_));
+    const auto faster = faster_fallback({.cells = &waiting_, .count = taken.count}, *found, blocks,
+                                        classical(settings_));
     if (faster) {
-      stand_in(*faster, blocks, emitter);
+      fall_back(*faster, blocks, emitter);
       return;
     }
   }
@@ -120,7 +120,7 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   }
   if (found->slowed_down()) {
     const Cell& first = waiting_.front().cell;
-    emitter.note(shortfall_on(waiting_.block_of(first, blocks), first.s_begin_mm));
+    emitter.note(degradation_on(waiting_.block_of(first, blocks), first.s_begin_mm));
   }
   plan_ends_at_stop_ = waiting_[taken.count - 1].rest_after;
   waiting_.drop(taken.count);
@@ -131,12 +131,12 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   renew_ = std::max(count / 2, window_brake_ - std::min(window_brake_, count / kMarginOfWindow));
 }
 
-void OptimumSchedule::stand_in(const StandIn& classical, const Window<Block>& blocks,
-                               Emitter& emitter) {
+void OptimumSchedule::fall_back(const Fallback& classical, const Window<Block>& blocks,
+                                Emitter& emitter) {
   const Cell& first = waiting_.front().cell;
-  Shortfall shortfall = shortfall_on(waiting_.block_of(first, blocks), first.s_begin_mm);
-  shortfall.kind = Shortfall::Kind::classical;
-  emitter.note(shortfall);
+  PlanDegradation degradation = degradation_on(waiting_.block_of(first, blocks), first.s_begin_mm);
+  degradation.kind = PlanDegradation::Kind::classical;
+  emitter.note(degradation);
   const Cell& last = waiting_[classical.cells - 1];
   if (!last.rest_after) {
     note_stop(last, blocks, emitter);
@@ -164,8 +164,8 @@ void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitte
 
 void OptimumSchedule::note_stop(const Cell& cell, const Window<Block>& blocks,
                                 Emitter& emitter) const {
-  Shortfall stop = shortfall_on(waiting_.block_of(cell, blocks), cell.s_end_mm());
-  stop.kind = Shortfall::Kind::stop;
+  PlanDegradation stop = degradation_on(waiting_.block_of(cell, blocks), cell.s_end_mm());
+  stop.kind = PlanDegradation::Kind::stop;
   emitter.note(stop);
 }
 

@@ -5,9 +5,9 @@
 
 #include "lookahead/classical/span_schedule.hpp"
 #include "lookahead/emit/schedule.hpp"
+#include "lookahead/optimum/fallback.hpp"
 #include "lookahead/optimum/grid/waiting_cells.hpp"
 #include "lookahead/optimum/solver/stretch_plan.hpp"
-#include "lookahead/optimum/stand_in.hpp"
 
 namespace kerf::lookahead {
 
@@ -18,7 +18,7 @@ namespace kerf::lookahead {
 // way that holds, the old plan is kept and ends at rest. Where it does not find one from rest, the
 // classical plan stands in over whole blocks, if it is faster; else the way is cut in two at its
 // sharpest place, by a rest there, a few times at the most, and what then still does not hold is
-// slowed down. Each of these is noted as a shortfall.
+// slowed down. Each of these is noted as a degradation.
 //
 // A single line from rest to rest is planned by the S-curve, which is its optimum in closed form.
 class OptimumSchedule final : public Schedule {
@@ -49,7 +49,7 @@ class OptimumSchedule final : public Schedule {
   };
   [[nodiscard]] Taken take(const PathAt& path) const;
   // Hands these blocks to the classical schedule, from rest to rest.
-  void stand_in(const StandIn& classical, const Window<Block>& blocks, Emitter& emitter);
+  void fall_back(const Fallback& classical, const Window<Block>& blocks, Emitter& emitter);
   // A rest at the sharpest place of the first cells that wait.
   void cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter);
   // At its end.

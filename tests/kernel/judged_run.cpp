@@ -71,7 +71,7 @@ JudgedRun judged_run(const RandomProgram& program, const MachineSettings& settin
   run.worst_chord =
       (program.path.empty() ? std::max(kernel_says_mm, curve.largest_mm()) : chords.largest_mm()) /
       tolerance_mm;
-  run.shortfalls = kernel.totals().shortfalls.count;
+  run.degradations = kernel.totals().degradations.count;
   return run;
 }
 

@@ -26,7 +26,7 @@ struct JudgedRun {
   std::int64_t ticks = 0;
   std::array<double, kFigures> worst{};  // by number of Figure, over what is allowed
   double worst_chord = 0.0;              // over the tolerance
-  std::uint64_t shortfalls = 0;
+  std::uint64_t degradations = 0;
   std::uint64_t fingerprint = 0;  // of all positions and lines, to the last bit
 };
 

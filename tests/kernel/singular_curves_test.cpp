@@ -22,7 +22,7 @@ struct Outcome {
   std::string complaint;
   interp::Setpoint last{};
   std::int64_t ticks = 0;
-  lookahead::Shortfalls shortfalls{};
+  lookahead::PlanDegradations degradations{};
 };
 
 struct Feed {
@@ -48,7 +48,7 @@ Outcome run(const curves::NurbsData& data, const lookahead::PlanLimits& limits, 
   }
   outcome.complaint = checker.complaint();
   outcome.ticks = checker.ticks();
-  outcome.shortfalls = kernel.totals().shortfalls;
+  outcome.degradations = kernel.totals().degradations;
   if (chord_mm > limits.chord_tolerance_mm * (1.0 + 1e-6)) {
     outcome.complaint += "chord error " + std::to_string(chord_mm);
   }
@@ -89,7 +89,7 @@ TEST_P(Singular, CurvesAreRunAtTheOptimumWithoutALimitBroken) {
         run(data, limits, {.feedrate_mm_s = limits.path.velocity_mm_s, .most_ticks = 60'000});
     EXPECT_EQ(outcome.complaint, "");
     expect_at_end(outcome, data);
-    EXPECT_EQ(outcome.shortfalls.count, 0U);
+    EXPECT_EQ(outcome.degradations.count, 0U);
   }
 }
 
@@ -235,7 +235,7 @@ TEST(SingularCurves, ThoseOnALineToTheirLastDigitRunAsLines) {
                             profiles::ProfileKind::time_optimal}) {
       const JudgedRun outcome = judged_case(seed, kind);
       EXPECT_EQ(outcome.complaint, "") << seed;
-      EXPECT_EQ(outcome.shortfalls, 0U) << seed;
+      EXPECT_EQ(outcome.degradations, 0U) << seed;
       EXPECT_LT(outcome.ticks, 1000) << seed;
     }
   }

@@ -125,13 +125,13 @@ TEST(LimitUse, SaysByHowMuchALimitIsExceeded) {
 }
 
 TEST(Summary, SaysWhereTheTimeOptimumWasNotFound) {
-  lookahead::Shortfalls shortfalls;
-  EXPECT_TRUE(describe(shortfalls).empty());
-  shortfalls.add({.line = 7, .s_mm = 1.5, .kind = lookahead::Shortfall::Kind::stop});
+  lookahead::PlanDegradations degradations;
+  EXPECT_TRUE(describe(degradations).empty());
+  degradations.add({.line = 7, .s_mm = 1.5, .kind = lookahead::PlanDegradation::Kind::stop});
   for (int i = 0; i < 9; ++i) {
-    shortfalls.add({.line = 9, .s_mm = 2.0, .kind = lookahead::Shortfall::Kind::slower});
+    degradations.add({.line = 9, .s_mm = 2.0, .kind = lookahead::PlanDegradation::Kind::slower});
   }
-  const std::vector<std::string> warnings = describe(shortfalls);
+  const std::vector<std::string> warnings = describe(degradations);
   ASSERT_EQ(warnings.size(), 9U);
   EXPECT_EQ(warnings[0],
             "the time optimum was not found within its budget on line 7: the motion stops 1.500000 "
@@ -143,9 +143,9 @@ TEST(Summary, SaysWhereTheTimeOptimumWasNotFound) {
 }
 
 TEST(Summary, SaysWhereThePlanOfTheSCurveStandsIn) {
-  lookahead::Shortfalls shortfalls;
-  shortfalls.add({.line = 4, .s_mm = 0.0, .kind = lookahead::Shortfall::Kind::classical});
-  EXPECT_EQ(describe(shortfalls).front(),
+  lookahead::PlanDegradations degradations;
+  degradations.add({.line = 4, .s_mm = 0.0, .kind = lookahead::PlanDegradation::Kind::classical});
+  EXPECT_EQ(describe(degradations).front(),
             "the time optimum was not found within its budget on line 4: the motion follows the "
             "s-curve's plan from 0.000000 mm on, up to its next stop");
 }

@@ -67,8 +67,8 @@ std::string describe(const LimitUse& use) {
 
 namespace {
 
-std::string what_happens(const lookahead::Shortfall& at) {
-  using Kind = lookahead::Shortfall::Kind;
+std::string what_happens(const lookahead::PlanDegradation& at) {
+  using Kind = lookahead::PlanDegradation::Kind;
   switch (at.kind) {
     case Kind::stop:
       return fmt::format("stops {:.6f} mm from the curve's begin", at.s_mm);
@@ -83,18 +83,18 @@ std::string what_happens(const lookahead::Shortfall& at) {
 
 }  // namespace
 
-std::vector<std::string> describe(const lookahead::Shortfalls& shortfalls) {
+std::vector<std::string> describe(const lookahead::PlanDegradations& degradations) {
   std::vector<std::string> warnings;
-  for (std::size_t i = 0; i < shortfalls.kept(); ++i) {
-    const lookahead::Shortfall& at = shortfalls.first[i];
+  for (std::size_t i = 0; i < degradations.kept(); ++i) {
+    const lookahead::PlanDegradation& at = degradations.first[i];
     const std::string what = what_happens(at);
     warnings.push_back(
         fmt::format("the time optimum was not found within its budget on line {}: the motion {}",
                     at.line, what));
   }
-  if (shortfalls.count > warnings.size()) {
+  if (degradations.count > warnings.size()) {
     warnings.push_back(fmt::format("the time optimum was not found at {}",
-                                   counted(shortfalls.count - warnings.size(), "more place")));
+                                   counted(degradations.count - warnings.size(), "more place")));
   }
   return warnings;
 }

@@ -11,7 +11,7 @@
 #include "curves/position.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "kernel/tick_judge.hpp"
-#include "lookahead/emit/shortfall.hpp"
+#include "lookahead/emit/plan_degradation.hpp"
 #include "lookahead/path/limits.hpp"
 #include "parser/program_reader.hpp"
 #include "programs/kerf/exit_status.hpp"
@@ -121,7 +121,7 @@ struct LimitUse {
 // "axis x jerk 1.24e6 mm/s3 is 22.5 times its limit of 55000 mm/s3"
 [[nodiscard]] std::string describe(const LimitUse& use);
 
-// A warning for each line with a shortfall, and one that counts what was not kept.
-[[nodiscard]] std::vector<std::string> describe(const lookahead::Shortfalls& shortfalls);
+// A warning for each line with a degradation, and one that counts what was not kept.
+[[nodiscard]] std::vector<std::string> describe(const lookahead::PlanDegradations& degradations);
 
 }  // namespace kerf::program

@@ -35,7 +35,7 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
       report.warnings.push_back(describe(use));
     }
   }
-  for (std::string& warning : describe(kernel.totals().shortfalls)) {
+  for (std::string& warning : describe(kernel.totals().degradations)) {
     report.warnings.push_back(std::move(warning));
   }
   if (outcome.starved_ticks > 0) {

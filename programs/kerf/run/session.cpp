@@ -141,7 +141,7 @@ class Session {
                      .extents = path_.extents.value_or(curves::Extents{}),
                      .extra_extents = path_.extra_extents,
                      .deviation = planned->deviation};
-      report_.warnings = describe(totals.shortfalls);
+      report_.warnings = describe(totals.degradations);
       explain(watch);
     }
   }

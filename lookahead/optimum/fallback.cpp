@@ -1,4 +1,4 @@
-#include "lookahead/optimum/stand_in.hpp"
+#include "lookahead/optimum/fallback.hpp"
 
 namespace kerf::lookahead {
 
@@ -30,10 +30,10 @@ double classical_s(const Window<Block>& blocks, std::size_t count,
 
 }  // namespace
 
-std::optional<StandIn> faster_classical(const PlannedCells& planned, const StretchPlan& found,
+std::optional<Fallback> faster_fallback(const PlannedCells& planned, const StretchPlan& found,
                                         const Window<Block>& blocks,
                                         const SpanSchedule::Settings& settings) {
-  StandIn whole;
+  Fallback whole;
   double whole_mm = 0.0;
   double all_mm = 0.0;
   for (std::size_t i = 0; i < planned.count; ++i) {

@@ -17,7 +17,7 @@ struct PlannedCells {
 };
 
 // Whole blocks at the front of them.
-struct StandIn {
+struct Fallback {
   std::size_t blocks = 0;
   std::size_t cells = 0;
 };
@@ -25,7 +25,7 @@ struct StandIn {
 // The blocks over which the classical schedule, from rest to rest, is faster than the plan found
 // from there. Nothing: it is not, or they are less than two: on one curve alone a rest within it
 // leaves more of the optimum than the classical plan has.
-std::optional<StandIn> faster_classical(const PlannedCells& planned, const StretchPlan& found,
+std::optional<Fallback> faster_fallback(const PlannedCells& planned, const StretchPlan& found,
                                         const Window<Block>& blocks,
                                         const SpanSchedule::Settings& settings);
 

@@ -8,7 +8,7 @@
 
 namespace kerf::lookahead {
 
-struct Shortfall {
+struct PlanDegradation {
   enum class Kind : unsigned char {
     slower,     // up to its next stop the motion keeps its limits, but could be faster
     classical,  // up to its next stop it follows the plan of the S-curve
@@ -21,13 +21,13 @@ struct Shortfall {
 };
 
 // All are counted, the first ones kept: memory does not grow with a program's length.
-struct Shortfalls {
+struct PlanDegradations {
   std::uint64_t count = 0;
-  std::array<Shortfall, 8> first{};
+  std::array<PlanDegradation, 8> first{};
 
-  void add(const Shortfall& shortfall) noexcept {
+  void add(const PlanDegradation& degradation) noexcept {
     if (count < first.size()) {
-      first[static_cast<std::size_t>(count)] = shortfall;
+      first[static_cast<std::size_t>(count)] = degradation;
     }
     ++count;
   }

@@ -11,7 +11,7 @@ namespace {
 using profiles::ProfileKind;
 
 // Slowed down as a whole, or cut by rests, they took up to twice the time.
-TEST(StandIn, TakesHardlyLongerThanTheSCurveWhereTheOptimumIsNotFound) {
+TEST(Fallback, TakesHardlyLongerThanTheSCurveWhereTheOptimumIsNotFound) {
   for (const std::uint64_t seed : {2000299U, 2002504U, 2002658U}) {
     SCOPED_TRACE(seed);
     const MachineSettings settings = random_machine(seed, Spread::wide);
