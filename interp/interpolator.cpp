@@ -45,14 +45,14 @@ bool Interpolator::advance_phase() noexcept {
   return has_phase_;
 }
 
-void Interpolator::advance_switches() noexcept {
-  for (std::size_t i = 0; i < MotionQueue::kSwitches; ++i) {
-    const SwitchAtTick* next = queue_->next_switch();
+void Interpolator::advance_outputs() noexcept {
+  for (std::size_t i = 0; i < MotionQueue::kOutputChanges; ++i) {
+    const OutputChangeAtTick* next = queue_->next_output_change();
     if (next == nullptr || next->tick > plan_tick()) {
       break;
     }
     apply(next->change, now_.outputs);
-    queue_->pop_switch();
+    queue_->pop_output_change();
   }
 }
 
@@ -147,7 +147,7 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   begin_tick();
   tick_begun_ = false;
   ++now_.tick;
-  advance_switches();
+  advance_outputs();
   TickStatus status = TickStatus::starved;
   if (advance_phase()) {
     const double t = time_into_s(phase_);

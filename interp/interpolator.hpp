@@ -53,8 +53,8 @@ class Interpolator {
   void begin_tick() noexcept;
   // The phase that holds the present tick. False: there was none yet.
   bool advance_phase() noexcept;
-  // Switches what the plan switches up to the present tick.
-  void advance_switches() noexcept;
+  // Applies the output changes of the plan up to the present tick.
+  void advance_outputs() noexcept;
   // The piece of the present phase's curve that holds s_mm.
   void advance_piece(double s_mm) noexcept;
   // The line that s_mm on the present phase's curve belongs to.

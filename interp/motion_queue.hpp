@@ -18,13 +18,13 @@ class MotionQueue {
  public:
   static constexpr std::size_t kPieces = 1024;
   static constexpr std::size_t kPhases = 4096;
-  static constexpr std::size_t kSwitches = 1024;
+  static constexpr std::size_t kOutputChanges = 1024;
   static constexpr std::size_t kLineChanges = 16'384;
 
   bool push(const PathPiece& piece) { return pieces_.push(piece); }
   bool push(const Phase& phase) { return phases_.push(phase); }
   // In the order of their ticks, each before the phase that holds its tick.
-  bool push(const SwitchAtTick& change) { return switches_.push(change); }
+  bool push(const OutputChangeAtTick& change) { return output_changes_.push(change); }
   // In the order of their places.
   bool push(const LineChange& change) { return line_changes_.push(change); }
 
@@ -35,15 +35,15 @@ class MotionQueue {
   [[nodiscard]] const Phase* next_phase() noexcept {
     return phases_.read_available() > 0 ? &phases_.front() : nullptr;
   }
-  [[nodiscard]] const SwitchAtTick* next_switch() noexcept {
-    return switches_.read_available() > 0 ? &switches_.front() : nullptr;
+  [[nodiscard]] const OutputChangeAtTick* next_output_change() noexcept {
+    return output_changes_.read_available() > 0 ? &output_changes_.front() : nullptr;
   }
   [[nodiscard]] const LineChange* next_line_change() noexcept {
     return line_changes_.read_available() > 0 ? &line_changes_.front() : nullptr;
   }
   void pop_piece() noexcept { pieces_.pop(); }
   void pop_phase() noexcept { phases_.pop(); }
-  void pop_switch() noexcept { switches_.pop(); }
+  void pop_output_change() noexcept { output_changes_.pop(); }
   void pop_line_change() noexcept { line_changes_.pop(); }
 
   [[nodiscard]] std::size_t phases_free() const { return phases_.write_available(); }
@@ -52,7 +52,8 @@ class MotionQueue {
  private:
   boost::lockfree::spsc_queue<PathPiece, boost::lockfree::capacity<kPieces>> pieces_;
   boost::lockfree::spsc_queue<Phase, boost::lockfree::capacity<kPhases>> phases_;
-  boost::lockfree::spsc_queue<SwitchAtTick, boost::lockfree::capacity<kSwitches>> switches_;
+  boost::lockfree::spsc_queue<OutputChangeAtTick, boost::lockfree::capacity<kOutputChanges>>
+      output_changes_;
   boost::lockfree::spsc_queue<LineChange, boost::lockfree::capacity<kLineChanges>> line_changes_;
 };
 

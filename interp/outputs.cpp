@@ -12,7 +12,7 @@ void stop_spindle(Outputs& outputs) noexcept {
   outputs.spindle_held = false;
 }
 
-void set_digital(const Switch& change, Outputs& outputs) noexcept {
+void set_digital(const OutputChange& change, Outputs& outputs) noexcept {
   const auto output = static_cast<std::size_t>(change.index);
   if (output < Outputs::kDigital) {
     const std::uint64_t bit = std::uint64_t{1} << output;
@@ -22,43 +22,43 @@ void set_digital(const Switch& change, Outputs& outputs) noexcept {
 
 }  // namespace
 
-void apply(const Switch& change, Outputs& outputs) noexcept {
+void apply(const OutputChange& change, Outputs& outputs) noexcept {
   switch (change.kind) {
-    case SwitchKind::spindle:
+    case OutputChangeKind::spindle:
       stop_spindle(outputs);
       outputs.spindle_rad_s = change.value;
       outputs.surface = change.surface;
       break;
-    case SwitchKind::hold_spindle:
+    case OutputChangeKind::hold_spindle:
       stop_spindle(outputs);
       outputs.spindle_angle_rad = change.value;
       outputs.spindle_held = true;
       break;
-    case SwitchKind::tool_change:
+    case OutputChangeKind::tool_change:
       stop_spindle(outputs);
       outputs.tool = static_cast<std::int32_t>(change.value);
       break;
-    case SwitchKind::tool_number:
+    case OutputChangeKind::tool_number:
       outputs.tool = static_cast<std::int32_t>(change.value);
       break;
-    case SwitchKind::mist_on:
+    case OutputChangeKind::mist_on:
       outputs.mist = true;
       break;
-    case SwitchKind::flood_on:
+    case OutputChangeKind::flood_on:
       outputs.flood = true;
       break;
-    case SwitchKind::coolant_off:
+    case OutputChangeKind::coolant_off:
       outputs.mist = outputs.flood = false;
       break;
-    case SwitchKind::digital:
+    case OutputChangeKind::digital:
       set_digital(change, outputs);
       break;
-    case SwitchKind::analog:
+    case OutputChangeKind::analog:
       if (static_cast<std::size_t>(change.index) < Outputs::kAnalog) {
         outputs.analog[static_cast<std::size_t>(change.index)] = change.value;
       }
       break;
-    case SwitchKind::all_off:
+    case OutputChangeKind::all_off:
       stop_spindle(outputs);
       outputs.mist = outputs.flood = false;
       break;

@@ -39,7 +39,7 @@ struct Outputs {
   friend bool operator==(const Outputs&, const Outputs&) = default;
 };
 
-enum class SwitchKind : std::uint8_t {
+enum class OutputChangeKind : std::uint8_t {
   spindle,       // value = rad/s, 0 stops it; or `surface`
   hold_spindle,  // value = rad
   tool_change,   // value = tool; the spindle stops
@@ -53,25 +53,25 @@ enum class SwitchKind : std::uint8_t {
 };
 
 // One change of the outputs. An index that no output has changes nothing.
-struct Switch {
-  SwitchKind kind = SwitchKind::all_off;
+struct OutputChange {
+  OutputChangeKind kind = OutputChangeKind::all_off;
   std::int32_t index = 0;
   double value = 0.0;
   SurfaceSpeed surface{};
 };
 
 // A change that holds from a tick of the plan on.
-struct SwitchAtTick {
+struct OutputChangeAtTick {
   std::int64_t tick = 0;
-  Switch change{};
+  OutputChange change{};
 };
 
-void apply(const Switch& change, Outputs& outputs) noexcept;
+void apply(const OutputChange& change, Outputs& outputs) noexcept;
 
 // Sets the spindle's speed for this position, where a surface speed is in force.
 void follow_surface(const curves::Position& position_mm, Outputs& outputs) noexcept;
 
 static_assert(std::is_trivially_copyable_v<Outputs>);
-static_assert(std::is_trivially_copyable_v<SwitchAtTick>);
+static_assert(std::is_trivially_copyable_v<OutputChangeAtTick>);
 
 }  // namespace kerf::interp

@@ -23,10 +23,10 @@ bool Delivery::deliver(std::int64_t horizon) {
          queue_->push(outbox_.line_changes[line_changes_sent_])) {
     ++line_changes_sent_;
   }
-  while (switches_sent_ < outbox_.switches.size() &&
-         outbox_.switches[switches_sent_].tick <= horizon &&
-         queue_->push(outbox_.switches[switches_sent_])) {
-    ++switches_sent_;
+  while (output_changes_sent_ < outbox_.output_changes.size() &&
+         outbox_.output_changes[output_changes_sent_].tick <= horizon &&
+         queue_->push(outbox_.output_changes[output_changes_sent_])) {
+    ++output_changes_sent_;
   }
   while (phases_sent_ < outbox_.phases.size()) {
     const interp::Phase& phase = outbox_.phases[phases_sent_];
@@ -37,7 +37,7 @@ bool Delivery::deliver(std::int64_t horizon) {
     ++phases_sent_;
   }
   forget_sent();
-  return outbox_.phases.empty() && outbox_.switches.empty();
+  return outbox_.phases.empty() && outbox_.output_changes.empty();
 }
 
 // Pieces and lines may wait for a long time, behind a curve of more of them than a ring holds.
@@ -46,17 +46,17 @@ void Delivery::forget_sent() {
     outbox_.phases.clear();
     phases_sent_ = 0;
   }
-  if (switches_sent_ == outbox_.switches.size()) {
-    outbox_.switches.clear();
-    switches_sent_ = 0;
+  if (output_changes_sent_ == outbox_.output_changes.size()) {
+    outbox_.output_changes.clear();
+    output_changes_sent_ = 0;
   }
   forget_front(outbox_.pieces, interp::MotionQueue::kPieces, pieces_sent_);
   forget_front(outbox_.line_changes, interp::MotionQueue::kLineChanges, line_changes_sent_);
 }
 
 bool Delivery::may_follow(const interp::Phase& phase) const {
-  if (switches_sent_ < outbox_.switches.size() &&
-      outbox_.switches[switches_sent_].tick <= phase.begin.tick) {
+  if (output_changes_sent_ < outbox_.output_changes.size() &&
+      outbox_.output_changes[output_changes_sent_].tick <= phase.begin.tick) {
     return false;
   }
   const auto begins_before = [&phase](std::uint64_t curve, double s_mm) {

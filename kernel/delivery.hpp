@@ -33,7 +33,7 @@ class Delivery {
   std::size_t pieces_sent_ = 0;
   std::size_t line_changes_sent_ = 0;
   std::size_t phases_sent_ = 0;
-  std::size_t switches_sent_ = 0;
+  std::size_t output_changes_sent_ = 0;
   std::int64_t frozen_until_tick_ = 0;
 };
 

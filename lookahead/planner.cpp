@@ -64,13 +64,13 @@ void Planner::push_rest(double duration_s, std::uint32_t line) {
   draining_ = true;
 }
 
-void Planner::push_switch_at_rest(const interp::Switch& change, std::uint32_t line) {
+void Planner::push_change_at_rest(const interp::OutputChange& change, std::uint32_t line) {
   push_rest(0.0, line);
   rest_.change = change;
 }
 
-void Planner::push_switch_at_motion(const interp::Switch& change) {
-  emitter_.switch_at_block(pushed_blocks_ + 1, change);
+void Planner::push_change_at_motion(const interp::OutputChange& change) {
+  emitter_.change_at_block(pushed_blocks_ + 1, change);
 }
 
 void Planner::finish(std::uint32_t line) {

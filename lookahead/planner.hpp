@@ -39,9 +39,9 @@ class Planner {
   // wants_block().
   void push_rest(double duration_s, std::uint32_t line);
   // The change comes once the tool is at rest. Precondition: wants_block().
-  void push_switch_at_rest(const interp::Switch& change, std::uint32_t line);
+  void push_change_at_rest(const interp::OutputChange& change, std::uint32_t line);
   // The change comes at the first tick on the block that is pushed next.
-  void push_switch_at_motion(const interp::Switch& change);
+  void push_change_at_motion(const interp::OutputChange& change);
   // The program ends at rest after what was pushed. Precondition: wants_block().
   void finish(std::uint32_t line);
 

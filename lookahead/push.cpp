@@ -15,11 +15,11 @@ double rad_s_from(double per_min) {
   return per_min * kRadPerRevolution / 60.0;
 }
 
-interp::Switch spindle_of(const parser::EventMove& event) {
+interp::OutputChange spindle_of(const parser::EventMove& event) {
   const double sign = event.kind == parser::EventKind::spindle_cw ? 1.0 : -1.0;
   const parser::SurfaceFollowing& surface = event.surface;
-  interp::Switch change{.kind = interp::SwitchKind::spindle,
-                        .value = sign * rad_s_from(event.value)};
+  interp::OutputChange change{.kind = interp::OutputChangeKind::spindle,
+                              .value = sign * rad_s_from(event.value)};
   if (surface.mm_s != 0.0) {
     change.surface = {.mm_s = sign * surface.mm_s,
                       .most_rad_s = rad_s_from(surface.most_per_min),
@@ -31,49 +31,51 @@ interp::Switch spindle_of(const parser::EventMove& event) {
 }
 
 // Nothing: the event changes no output (a stop).
-std::optional<interp::Switch> switch_of(const parser::EventMove& event) {
-  using interp::Switch;
-  using interp::SwitchKind;
+std::optional<interp::OutputChange> output_change_of(const parser::EventMove& event) {
+  using interp::OutputChange;
+  using interp::OutputChangeKind;
   using parser::EventKind;
   switch (event.kind) {
     case EventKind::program_end:
-      return Switch{.kind = SwitchKind::all_off};
+      return OutputChange{.kind = OutputChangeKind::all_off};
     case EventKind::spindle_cw:
     case EventKind::spindle_ccw:
       return spindle_of(event);
     case EventKind::spindle_off:
-      return Switch{.kind = SwitchKind::spindle};
+      return OutputChange{.kind = OutputChangeKind::spindle};
     case EventKind::spindle_orient:
-      return Switch{.kind = SwitchKind::hold_spindle, .value = event.value};
+      return OutputChange{.kind = OutputChangeKind::hold_spindle, .value = event.value};
     case EventKind::tool_change:
-      return Switch{.kind = SwitchKind::tool_change, .value = event.value};
+      return OutputChange{.kind = OutputChangeKind::tool_change, .value = event.value};
     case EventKind::tool_number:
-      return Switch{.kind = SwitchKind::tool_number, .value = event.value};
+      return OutputChange{.kind = OutputChangeKind::tool_number, .value = event.value};
     case EventKind::mist_on:
-      return Switch{.kind = SwitchKind::mist_on};
+      return OutputChange{.kind = OutputChangeKind::mist_on};
     case EventKind::flood_on:
-      return Switch{.kind = SwitchKind::flood_on};
+      return OutputChange{.kind = OutputChangeKind::flood_on};
     case EventKind::coolant_off:
-      return Switch{.kind = SwitchKind::coolant_off};
+      return OutputChange{.kind = OutputChangeKind::coolant_off};
     case EventKind::digital_output:
     case EventKind::digital_at_motion:
-      return Switch{.kind = SwitchKind::digital, .index = event.index, .value = event.value};
+      return OutputChange{
+          .kind = OutputChangeKind::digital, .index = event.index, .value = event.value};
     case EventKind::analog_output:
     case EventKind::analog_at_motion:
-      return Switch{.kind = SwitchKind::analog, .index = event.index, .value = event.value};
+      return OutputChange{
+          .kind = OutputChangeKind::analog, .index = event.index, .value = event.value};
     default:
       return std::nullopt;
   }
 }
 
 void push_event(const parser::EventMove& event, std::uint32_t line, Planner& planner) {
-  const auto change = switch_of(event);
+  const auto change = output_change_of(event);
   if (!change) {
     planner.push_rest(0.0, line);
   } else if (parser::is_at_motion(event.kind)) {
-    planner.push_switch_at_motion(*change);
+    planner.push_change_at_motion(*change);
   } else {
-    planner.push_switch_at_rest(*change, line);
+    planner.push_change_at_rest(*change, line);
   }
 }
 

@@ -134,7 +134,7 @@ void SimulatedTable::fault(Fault kind, std::int8_t axis) noexcept {
   }
   state_.fault = kind;
   state_.fault_axis = axis;
-  interp::apply({.kind = interp::SwitchKind::all_off}, state_.outputs);
+  interp::apply({.kind = interp::OutputChangeKind::all_off}, state_.outputs);
   double ramp_s = 0.0;
   for (const AxisModel& model : axes_) {
     ramp_s = std::max(ramp_s, model.stopping_time_s());

@@ -6,8 +6,8 @@
 
 namespace kerf::lookahead {
 
-void Emitter::switch_at_block(std::uint64_t number, const interp::Switch& change) {
-  switches_.push_back({.number = number, .change = change});
+void Emitter::change_at_block(std::uint64_t number, const interp::OutputChange& change) {
+  output_changes_.push_back({.number = number, .change = change});
 }
 
 void Emitter::begin_block(const Block& block, Outbox& outbox) {
@@ -16,9 +16,10 @@ void Emitter::begin_block(const Block& block, Outbox& outbox) {
   s_mm_ = 0.0;
   block_begun_ = true;
   // At the first tick that is on the block, or past it where the block is shorter than a tick.
-  while (!switches_.empty() && switches_.front().number <= totals_.blocks) {
-    outbox.switches.push_back({.tick = clock_.next_tick(), .change = switches_.front().change});
-    switches_.pop_front();
+  while (!output_changes_.empty() && output_changes_.front().number <= totals_.blocks) {
+    outbox.output_changes.push_back(
+        {.tick = clock_.next_tick(), .change = output_changes_.front().change});
+    output_changes_.pop_front();
   }
   rests_ = block.extra.alone;
   curves::for_each_piece(block.curve, [&](const curves::Piece& piece) {
@@ -79,7 +80,7 @@ void Emitter::emit_rest(const Rest& rest, Outbox& outbox) {
                       .ends_program = rest.ends_program};
   phase.path_begin_mm = block_begun_ || rests_ ? path_begin_mm_ : path_begin_mm_ - s_mm_;
   if (rest.change) {
-    outbox.switches.push_back({.tick = clock_.now().tick, .change = *rest.change});
+    outbox.output_changes.push_back({.tick = clock_.now().tick, .change = *rest.change});
   }
   outbox.phases.push_back(phase);
   clock_.advance(rest.duration_s);

@@ -20,14 +20,14 @@ struct Outbox {
   std::vector<interp::PathPiece> pieces;
   std::vector<interp::LineChange> line_changes;  // of a curve, with its pieces
   std::vector<interp::Phase> phases;
-  std::vector<interp::SwitchAtTick> switches;  // by tick, which lies in the phases
+  std::vector<interp::OutputChangeAtTick> output_changes;  // by tick, which lies in the phases
 
   // For the next of it, in the same memory.
   void clear() noexcept {
     pieces.clear();
     line_changes.clear();
     phases.clear();
-    switches.clear();
+    output_changes.clear();
   }
 };
 
@@ -44,7 +44,7 @@ struct Rest {
   double duration_s = 0.0;
   std::uint32_t line = 0;  // 0: that of the last motion
   bool ends_program = false;
-  std::optional<interp::Switch> change{};
+  std::optional<interp::OutputChange> change{};
 };
 
 class Emitter {
@@ -52,7 +52,7 @@ class Emitter {
   explicit Emitter(double period_s) : clock_(period_s) {}
 
   // The change comes at the first tick on the block with this number, counted from 1.
-  void switch_at_block(std::uint64_t number, const interp::Switch& change);
+  void change_at_block(std::uint64_t number, const interp::OutputChange& change);
 
   // False: the front block's first phase is still to come.
   [[nodiscard]] bool block_begun() const noexcept { return block_begun_; }
@@ -73,15 +73,15 @@ class Emitter {
   void emit_rest(const Rest& rest, Outbox& outbox);
 
  private:
-  struct SwitchAtBlock {
+  struct OutputChangeAtBlock {
     std::uint64_t number = 0;
-    interp::Switch change{};
+    interp::OutputChange change{};
   };
 
   void begin_block(const Block& block, Outbox& outbox);
 
   PlanClock clock_;
-  Window<SwitchAtBlock> switches_;
+  Window<OutputChangeAtBlock> output_changes_;
   bool block_begun_ = false;
   std::uint64_t curve_ = 0;
   bool rests_ = false;  // on it X, Y and Z rest: it adds nothing to the path

@@ -16,25 +16,25 @@ std::vector<std::string> lines_of(std::string_view text) {
 
 using Lines = std::vector<std::string>;
 
-TEST(Switches, ComeInTheOrderOfRs274) {
+TEST(OutputChanges, ComeInTheOrderOfRs274) {
   EXPECT_EQ(lines_of("G0 X1 G4 P2 M8 M3 S100 M6 T4"),
             (Lines{"1: tool 4", "1: spindle cw 100", "1: flood on 0", "1: dwell 2",
                    "1: rapid to 1 0 0"}));
   EXPECT_EQ(lines_of("M6 T4 M64 P1"), (Lines{"1: digital 1 = 1", "1: tool 4"}));
 }
 
-TEST(Switches, OfOutputsCarryNumberAndValue) {
+TEST(OutputChanges, OfOutputsCarryNumberAndValue) {
   EXPECT_EQ(lines_of("M62 P1\nM63 P2\nM64 P63\nM65 P0\nM67 E1 Q2.5\nM68 E7 Q-3"),
             (Lines{"1: digital at motion 1 = 1", "2: digital at motion 2 = 0", "3: digital 63 = 1",
                    "4: digital 0 = 0", "5: analog at motion 1 = 2.5", "6: analog 7 = -3"}));
 }
 
-TEST(Switches, WaitForInputsThatStayLow) {
+TEST(OutputChanges, WaitForInputsThatStayLow) {
   EXPECT_EQ(lines_of("M66 P0 L0\nM66 P1 L4 Q5\nM66 E0"), Lines{});
   EXPECT_EQ(lines_of("M66 P1 L3 Q5\nM66 P0 L1 Q0.5"), (Lines{"1: dwell 5", "2: dwell 0.5"}));
 }
 
-TEST(Switches, RefuseWordsThatMakeNoSense) {
+TEST(OutputChanges, RefuseWordsThatMakeNoSense) {
   EXPECT_EQ(first_message("M64"), "1:1: error: M64 needs P");
   EXPECT_EQ(first_message("M64 P64"), "1:5: error: M64: P must be 0 to 63, found 64");
   EXPECT_EQ(first_message("M64 P0.5"), "1:5: error: M64: P must be 0 to 63, found 0.5");
@@ -55,7 +55,7 @@ TEST(Switches, RefuseWordsThatMakeNoSense) {
   EXPECT_EQ(first_message("M64 P0 G4"), "1:5: error: P has two users in this block");
 }
 
-TEST(Switches, OrientTheSpindle) {
+TEST(OutputChanges, OrientTheSpindle) {
   const auto moves = moves_of("M3 S100\nM19 R90 P1 Q2");
   const auto& event = std::get<EventMove>(moves.at(1).shape);
   EXPECT_EQ(event.kind, EventKind::spindle_orient);
@@ -65,7 +65,7 @@ TEST(Switches, OrientTheSpindle) {
             "1:8: error: M19: Q (seconds) must be greater than 0, found 0");
 }
 
-TEST(Switches, OfToolsChangeOrOnlyNameIt) {
+TEST(OutputChanges, OfToolsChangeOrOnlyNameIt) {
   EXPECT_EQ(lines_of("T3 M6\nM61 Q5\nM60"),
             (Lines{"1: tool 3", "2: tool number 5", "3: pallet 0"}));
   EXPECT_EQ(lines_of("G10 L1 P5 Z7\nM61 Q5\nG43\nG0 Z0"),

@@ -6,7 +6,7 @@
 #include "programs/kerf/io/number_text.hpp"
 #include "programs/kerf/io/progress_bar.hpp"
 #include "programs/kerf/run/motion_report.hpp"
-#include "programs/kerf/run/outputs.hpp"
+#include "programs/kerf/run/output_files.hpp"
 #include "programs/kerf/run/run_loop.hpp"
 
 namespace kerf::program {
@@ -67,8 +67,8 @@ PlotCaption plot_caption(const FileReport& report) {
 }  // namespace
 
 void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
-  auto outputs =
-      Outputs::open(order.options, order.settings, order.path.extents.value_or(curves::Extents{}));
+  auto outputs = OutputFiles::open(order.options, order.settings,
+                                   order.path.extents.value_or(curves::Extents{}));
   if (!outputs && stop_requested()) {  // a FIFO was waited for
     report.status = *stop_requested();
     return;

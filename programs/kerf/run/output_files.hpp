@@ -16,13 +16,13 @@
 
 namespace kerf::program {
 
-class Outputs {
+class OutputFiles {
  public:
   // Before anything moves, so that what cannot be written is known by then. extents: of the whole
   // path.
-  static tl::expected<Outputs, std::string> open(const Options& options,
-                                                 const MachineSettings& settings,
-                                                 const curves::Extents& extents);
+  static tl::expected<OutputFiles, std::string> open(const Options& options,
+                                                     const MachineSettings& settings,
+                                                     const curves::Extents& extents);
 
   [[nodiscard]] Recorder& recorder() noexcept { return recorder_; }
 
@@ -37,7 +37,7 @@ class Outputs {
   std::optional<std::string> write_plot(const PlotCaption& caption, bool is_cut);
 
  private:
-  Outputs() = default;
+  OutputFiles() = default;
 
   Recorder recorder_;
   std::optional<OutputFile> plot_file_;

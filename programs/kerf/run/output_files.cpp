@@ -1,4 +1,4 @@
-#include "programs/kerf/run/outputs.hpp"
+#include "programs/kerf/run/output_files.hpp"
 
 #include <utility>
 
@@ -6,10 +6,10 @@
 
 namespace kerf::program {
 
-tl::expected<Outputs, std::string> Outputs::open(const Options& options,
-                                                 const MachineSettings& settings,
-                                                 const curves::Extents& extents) {
-  Outputs outputs;
+tl::expected<OutputFiles, std::string> OutputFiles::open(const Options& options,
+                                                         const MachineSettings& settings,
+                                                         const curves::Extents& extents) {
+  OutputFiles outputs;
   if (options.trace_file) {
     auto trace = TraceWriter::create(*options.trace_file,
                                      {.period_s = settings.limits.period_s,
@@ -38,7 +38,7 @@ tl::expected<Outputs, std::string> Outputs::open(const Options& options,
   return outputs;
 }
 
-std::vector<std::string> Outputs::warnings() const {
+std::vector<std::string> OutputFiles::warnings() const {
   std::vector<std::string> warnings;
   const auto look_at = [&warnings](const OutputFile& file) {
     if (file.follows_incomplete()) {
@@ -55,7 +55,7 @@ std::vector<std::string> Outputs::warnings() const {
   return warnings;
 }
 
-std::optional<std::string> Outputs::close_trace(std::uint64_t dropped, bool is_cut) {
+std::optional<std::string> OutputFiles::close_trace(std::uint64_t dropped, bool is_cut) {
   if (!recorder_.trace) {
     return std::nullopt;
   }
@@ -70,7 +70,7 @@ std::optional<std::string> Outputs::close_trace(std::uint64_t dropped, bool is_c
   return std::nullopt;
 }
 
-std::optional<std::string> Outputs::write_plot(const PlotCaption& caption, bool is_cut) {
+std::optional<std::string> OutputFiles::write_plot(const PlotCaption& caption, bool is_cut) {
   if (!plot_file_) {
     return std::nullopt;
   }

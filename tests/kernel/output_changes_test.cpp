@@ -57,7 +57,7 @@ const Setpoint& first(const std::vector<Tick>& ticks, const std::function<bool(c
   return ticks.back().setpoint;
 }
 
-TEST(Switches, AtMotionComeAtTheJointWithoutARest) {
+TEST(OutputChanges, AtMotionComeAtTheJointWithoutARest) {
   const auto ticks = run("F600\nG1 X5\nM62 P3\nG1 X10\nM63 P3 \nM67 E2 Q1.5\nG1 X15\nM2\n");
   const Setpoint& on = first(ticks, [](const Tick& t) { return t.seen.digital == 8U; });
   const Setpoint& on_block = first(ticks, [](const Tick& t) { return t.setpoint.line == 4; });
@@ -72,12 +72,12 @@ TEST(Switches, AtMotionComeAtTheJointWithoutARest) {
   EXPECT_EQ(first(ticks, [](const Tick& t) { return t.seen.analog[2] == 1.5; }).tick, next.tick);
 }
 
-TEST(Switches, AtMotionComeWhereABlendTakesAllOfTheirBlock) {
+TEST(OutputChanges, AtMotionComeWhereABlendTakesAllOfTheirBlock) {
   const auto ticks = run("G21 G90 G64 P0.2 Q0\nM62 P1\nG1 X0.02 F3000\nY5\nM2\n");
   EXPECT_EQ(first(ticks, [](const Tick& tick) { return tick.seen.digital == 2; }).tick, 0);
 }
 
-TEST(Switches, AtMotionWaitForAMotionAcrossRests) {
+TEST(OutputChanges, AtMotionWaitForAMotionAcrossRests) {
   const auto ticks = run("F600\nG1 X5\nM62 P0\nG4 P0.5\nG1 X10\nM62 P1\nM2\n");
   const Setpoint& on = first(ticks, [](const Tick& t) { return t.seen.digital == 1U; });
   EXPECT_EQ(on.tick, first(ticks, [](const Tick& t) { return t.setpoint.line == 5; }).tick);
@@ -86,7 +86,7 @@ TEST(Switches, AtMotionWaitForAMotionAcrossRests) {
   }
 }
 
-TEST(Switches, AtOnceComeWithTheToolAtRest) {
+TEST(OutputChanges, AtOnceComeWithTheToolAtRest) {
   const auto ticks =
       run("F600\nM3 S600\nG1 X5\nM8\nM64 P5\nG1 X10\nM65 P5 M4 S300\nM7\nG1 X15\nM9\nM2\n");
   EXPECT_NEAR(ticks.front().seen.spindle_rad_s, 10.0 * kTwoPi, 1e-9);
@@ -105,7 +105,7 @@ TEST(Switches, AtOnceComeWithTheToolAtRest) {
   EXPECT_EQ(dry.position_mm[0], 15.0);
 }
 
-TEST(Switches, OfTheToolStopTheSpindle) {
+TEST(OutputChanges, OfTheToolStopTheSpindle) {
   const auto ticks = run("M3 S600\nG0 X5\nT7 M6\nG0 X10\nM61 Q2\nM19 R90\nG0 X15\nM2\n");
   const Setpoint& changed = first(ticks, [](const Tick& t) { return t.seen.tool == 7; });
   EXPECT_EQ(changed.position_mm[0], 5.0);
@@ -115,7 +115,7 @@ TEST(Switches, OfTheToolStopTheSpindle) {
   EXPECT_NEAR(held.outputs.spindle_angle_rad, kTwoPi / 4.0, 1e-12);
 }
 
-TEST(Switches, OfSurfaceSpeedFollowXTickByTick) {
+TEST(OutputChanges, OfSurfaceSpeedFollowXTickByTick) {
   // 120 m/min is 2000 mm/s; at X30 that is 2000/30 rad/s. D300 holds it to 10 pi rad/s.
   const auto ticks = run("G0 X30\nG96 S120 M3\nG1 X-40 Y9 F6000\nG97 S60\nG0 X0\nM2\n");
   bool follows = false;
@@ -141,7 +141,7 @@ TEST(Switches, OfSurfaceSpeedFollowXTickByTick) {
   }
 }
 
-TEST(Switches, OfSurfaceSpeedFollowTheProgramsX) {
+TEST(OutputChanges, OfSurfaceSpeedFollowTheProgramsX) {
   const auto ticks =
       run("G10 L2 P1 X10 R90\nG96 S120 D100000 M3\nG1 X5 Y50 F6000\nG52 X-20\n"
           "G1 Y60\nM2\n");
@@ -157,14 +157,14 @@ TEST(Switches, OfSurfaceSpeedFollowTheProgramsX) {
   }
 }
 
-TEST(Switches, EndWithTheProgram) {
+TEST(OutputChanges, EndWithTheProgram) {
   const auto ticks = run("M3 S600 M8\nM64 P1\nG0 X5\nM2\n");
   EXPECT_EQ(ticks.back().seen.spindle_rad_s, 0.0);
   EXPECT_FALSE(ticks.back().seen.flood);
   EXPECT_EQ(ticks.back().seen.digital, 2U) << "outputs stay";
 }
 
-TEST(Switches, ManyInARowAllCome) {
+TEST(OutputChanges, ManyInARowAllCome) {
   std::string program;
   for (int i = 0; i < 5000; ++i) {
     program += "M68 E0 Q" + std::to_string(i) + "\nM62 P" + std::to_string(i % 64) + "\n";
