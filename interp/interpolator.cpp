@@ -58,7 +58,7 @@ void Interpolator::advance_outputs() noexcept {
 
 void Interpolator::advance_piece(double s_mm) noexcept {
   for (std::size_t i = 0; i < MotionQueue::kPieces; ++i) {
-    const PathPiece* next = queue_->next_piece();
+    const CurvePiece* next = queue_->next_piece();
     const bool needed = next != nullptr &&
                         (piece_.curve != phase_.curve ||
                          (next->curve == phase_.curve && s_mm > curves::s_end_mm(piece_.geometry)));
@@ -185,7 +185,7 @@ double Interpolator::chord_error_mm() const noexcept {
   const auto look_at = [&](const Position& point) {
     error = std::max(error, distance_to_chord_mm(point, position_before_mm_, now_.position_mm));
   };
-  const auto look = [&](const PathPiece& piece, double s_mm) {
+  const auto look = [&](const CurvePiece& piece, double s_mm) {
     look_at(curves::position_at(piece.geometry, s_mm));
   };
   const double s_joint = curves::s_end_mm(piece_before_.geometry);

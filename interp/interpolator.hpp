@@ -68,11 +68,11 @@ class Interpolator {
   bool has_phase_ = false;
   bool tick_begun_ = false;
   Phase phase_{};
-  PathPiece piece_{};
+  CurvePiece piece_{};
   LineChange line_{};  // the latest that was passed
   Setpoint now_{};
   // The setpoint before, for the chord between the two.
-  PathPiece piece_before_{};
+  CurvePiece piece_before_{};
   Position position_before_mm_{};
   double s_now_mm_ = 0.0;
   double s_before_mm_ = 0.0;

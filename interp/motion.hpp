@@ -1,7 +1,7 @@
 // What crosses from the look-ahead to the tick side: geometry and time laws, as streams of
 // trivially copyable values.
 //
-// q(t) = r(s(t)): a PathPiece is a stretch of r, a Phase a stretch of s(t). Both name the curve
+// q(t) = r(s(t)): a CurvePiece is a stretch of r, a Phase a stretch of s(t). Both name the curve
 // they belong to by its number in the program, so neither needs to be cut where the other ends.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace kerf::interp {
 
-struct PathPiece {
+struct CurvePiece {
   std::uint64_t curve = 0;
   curves::Piece geometry = curves::NurbsPiece{};
   curves::ExtraWay extra{};  // along the whole curve
@@ -54,7 +54,7 @@ struct Phase {
   bool ends_program = false;
 };
 
-static_assert(std::is_trivially_copyable_v<PathPiece>);
+static_assert(std::is_trivially_copyable_v<CurvePiece>);
 static_assert(std::is_trivially_copyable_v<LineChange>);
 static_assert(std::is_trivially_copyable_v<Phase>);
 

@@ -21,7 +21,7 @@ class MotionQueue {
   static constexpr std::size_t kOutputChanges = 1024;
   static constexpr std::size_t kLineChanges = 16'384;
 
-  bool push(const PathPiece& piece) { return pieces_.push(piece); }
+  bool push(const CurvePiece& piece) { return pieces_.push(piece); }
   bool push(const Phase& phase) { return phases_.push(phase); }
   // In the order of their ticks, each before the phase that holds its tick.
   bool push(const OutputChangeAtTick& change) { return output_changes_.push(change); }
@@ -29,7 +29,7 @@ class MotionQueue {
   bool push(const LineChange& change) { return line_changes_.push(change); }
 
   // The next value without taking it; null where there is none.
-  [[nodiscard]] const PathPiece* next_piece() noexcept {
+  [[nodiscard]] const CurvePiece* next_piece() noexcept {
     return pieces_.read_available() > 0 ? &pieces_.front() : nullptr;
   }
   [[nodiscard]] const Phase* next_phase() noexcept {
@@ -50,7 +50,7 @@ class MotionQueue {
   [[nodiscard]] std::size_t pieces_free() const { return pieces_.write_available(); }
 
  private:
-  boost::lockfree::spsc_queue<PathPiece, boost::lockfree::capacity<kPieces>> pieces_;
+  boost::lockfree::spsc_queue<CurvePiece, boost::lockfree::capacity<kPieces>> pieces_;
   boost::lockfree::spsc_queue<Phase, boost::lockfree::capacity<kPhases>> phases_;
   boost::lockfree::spsc_queue<OutputChangeAtTick, boost::lockfree::capacity<kOutputChanges>>
       output_changes_;

@@ -13,16 +13,16 @@
 #include "kernel/settings_check.hpp"
 #include "machine/envelope.hpp"
 #include "parser/text/text.hpp"
-#include "smoothing/part_builder.hpp"
+#include "smoothing/segment_builder.hpp"
 
 namespace kerf {
 
 namespace {
 
-void unite(curves::Extents& all, const curves::Extents& part, bool first) {
+void unite(curves::Extents& all, const curves::Extents& segment, bool first) {
   for (std::size_t k = 0; k < 3; ++k) {
-    all.min_mm[k] = first ? part.min_mm[k] : std::min(all.min_mm[k], part.min_mm[k]);
-    all.max_mm[k] = first ? part.max_mm[k] : std::max(all.max_mm[k], part.max_mm[k]);
+    all.min_mm[k] = first ? segment.min_mm[k] : std::min(all.min_mm[k], segment.min_mm[k]);
+    all.max_mm[k] = first ? segment.max_mm[k] : std::max(all.max_mm[k], segment.max_mm[k]);
   }
 }
 
@@ -54,25 +54,25 @@ class Checker {
 
   // Of what follows an error only the curves are looked at: it may start anywhere.
   void look_at(const parser::Move& move, bool after_error, CheckReport& report) {
-    parts_.clear();
-    if (const auto built = smoothing::append_parts(move, parts_); !built) {
+    segments_.clear();
+    if (const auto built = smoothing::append_segments(move, segments_); !built) {
       report.diagnostics.push_back(refused_curve(built.error(), move.source));
       return;
     }
-    least_time_.add(move, parts_);
+    least_time_.add(move, segments_);
     if (after_error || report.has_errors()) {
       return;
     }
     warnings_.look_at(move, report.diagnostics);
-    if (parts_.empty()) {
+    if (segments_.empty()) {
       return;
     }
     unite(report.extra_extents, move.extra.begin_rad_mm, !report.moves);
     unite(report.extra_extents, move.extra.end_rad_mm, false);
     check_travel(machine::outside_travel(extra_envelope_, move.extra.end_rad_mm), move.source,
                  report);
-    for (const smoothing::PathPart& part : parts_) {
-      const curves::Extents extents = curves::extents(part.curve);
+    for (const smoothing::PathSegment& segment : segments_) {
+      const curves::Extents extents = curves::extents(segment.curve);
       unite(report.extents, extents, !report.moves);
       report.moves = true;
       check_travel(machine::outside_travel(envelope_, extents), move.source, report);
@@ -98,7 +98,7 @@ class Checker {
   machine::ExtraEnvelope extra_envelope_;
   LeastTime least_time_;
   CheckWarnings warnings_;
-  std::vector<smoothing::PathPart> parts_;
+  std::vector<smoothing::PathSegment> segments_;
 };
 
 void name_files(const parser::ProgramReader& reader,

@@ -71,7 +71,7 @@ bool Delivery::may_follow(const interp::Phase& phase) const {
   if (pieces_sent_ == outbox_.pieces.size()) {
     return true;
   }
-  const interp::PathPiece& waiting = outbox_.pieces[pieces_sent_];
+  const interp::CurvePiece& waiting = outbox_.pieces[pieces_sent_];
   return begins_before(waiting.curve, curves::s_begin_mm(waiting.geometry));
 }
 

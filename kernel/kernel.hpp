@@ -37,7 +37,7 @@ struct KernelOptions {
 // that is wrong; check_program (check.hpp) finds errors before anything moves.
 // A run checks itself: the plan against the program's blocks (PlanCheck), each setpoint against the
 // limits (TickJudge), the last against the programmed end. What does not hold is a fault(), a
-// defect of kerf. Where the parts of the plan do not fit together, the motion ends with what has
+// defect of kerf. Where the segments of the plan do not fit together, the motion ends with what has
 // been delivered; else it goes on. Where validate (settings_check.hpp) finds settings or options
 // impossible, the program ends at once with that error and the tool stays where it is.
 class Kernel {

@@ -20,18 +20,18 @@ LeastTime::LeastTime(const lookahead::PlanLimits& limits)
                              std::hypot(limits.axes[0].velocity_mm_s, limits.axes[1].velocity_mm_s,
                                         limits.axes[2].velocity_mm_s))) {}
 
-void LeastTime::add(const parser::Move& move, const std::vector<smoothing::PathPart>& parts) {
+void LeastTime::add(const parser::Move& move, const std::vector<smoothing::PathSegment>& segments) {
   if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
     seconds_ += dwell->duration_s;
   }
   double move_s = 0.0;
-  for (const smoothing::PathPart& part : parts) {
-    const double length_mm = curves::length_mm(part.curve);
-    const double machine_s = part.extra.alone ? 0.0 : length_mm / fastest_mm_s_;
-    const bool feeds = !part.rapid && part.feedrate_mm_s > 0.0;
-    move_s += std::max(machine_s, feeds ? length_mm / part.feedrate_mm_s : 0.0);
+  for (const smoothing::PathSegment& segment : segments) {
+    const double length_mm = curves::length_mm(segment.curve);
+    const double machine_s = segment.extra.alone ? 0.0 : length_mm / fastest_mm_s_;
+    const bool feeds = !segment.rapid && segment.feedrate_mm_s > 0.0;
+    move_s += std::max(machine_s, feeds ? length_mm / segment.feedrate_mm_s : 0.0);
   }
-  for (std::size_t k = 0; k < curves::kExtraAxes && !parts.empty(); ++k) {
+  for (std::size_t k = 0; k < curves::kExtraAxes && !segments.empty(); ++k) {
     const double way = std::abs(move.extra.end_rad_mm[k] - move.extra.begin_rad_mm[k]);
     move_s = std::max(move_s, way / limits_.extra[k].velocity_mm_s);
   }

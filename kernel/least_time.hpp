@@ -5,7 +5,7 @@
 
 #include "lookahead/path/limits.hpp"
 #include "parser/moves/move.hpp"
-#include "smoothing/path_part.hpp"
+#include "smoothing/path_segment.hpp"
 
 namespace kerf {
 
@@ -15,8 +15,8 @@ class LeastTime {
  public:
   explicit LeastTime(const lookahead::PlanLimits& limits);
 
-  // parts: the move as it is programmed; a pause has none.
-  void add(const parser::Move& move, const std::vector<smoothing::PathPart>& parts);
+  // segments: the move as it is programmed; a pause has none.
+  void add(const parser::Move& move, const std::vector<smoothing::PathSegment>& segments);
 
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
 

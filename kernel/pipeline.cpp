@@ -45,8 +45,8 @@ bool Pipeline::take_next() {
     case ProgramPath::Next::output:
       break;
   }
-  if (auto* part = std::get_if<smoothing::PathPart>(&output)) {
-    push_part(std::move(*part));
+  if (auto* segment = std::get_if<smoothing::PathSegment>(&output)) {
+    push_segment(std::move(*segment));
     return true;
   }
   lookahead::push_pause(std::get<parser::Move>(output), planner_);
@@ -56,10 +56,10 @@ bool Pipeline::take_next() {
   return true;
 }
 
-void Pipeline::push_part(smoothing::PathPart part) {
-  const diagnostics::SourcePosition source = part.source;
-  const std::vector<parser::EventMove> changes = std::move(part.changes);
-  auto block = lookahead::block_of(std::move(part), limits_, planner_.scan_for());
+void Pipeline::push_segment(smoothing::PathSegment segment) {
+  const diagnostics::SourcePosition source = segment.source;
+  const std::vector<parser::EventMove> changes = std::move(segment.changes);
+  auto block = lookahead::block_of(std::move(segment), limits_, planner_.scan_for());
   if (!block) {
     path_.cut(source, block.error(), errors::kCurveRefused);
     return;

@@ -57,7 +57,7 @@ class Pipeline {
  private:
   // What is next of the program into the window. False: there is no more text.
   bool take_next();
-  void push_part(smoothing::PathPart part);
+  void push_segment(smoothing::PathSegment segment);
 
   PipelineObserver* observer_;
   lookahead::PlanLimits limits_;

@@ -31,7 +31,7 @@ class PlanCheck {
   [[nodiscard]] bool has_ended() const { return ended_; }
   // The first; nothing while all holds.
   [[nodiscard]] const std::optional<RunFault>& fault() const { return fault_; }
-  // What was planned cannot be run: its parts do not fit.
+  // What was planned cannot be run: its segments do not fit.
   [[nodiscard]] bool is_broken() const { return broken_; }
   void fail(std::uint32_t line, std::string what);
 

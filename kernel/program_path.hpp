@@ -1,5 +1,5 @@
-// The program as the path that is run: text in, parts of the path and pauses on it out, with what
-// is wrong with the program.
+// The program as the path that is run: text in, segments of the path and pauses on it out, with
+// what is wrong with the program.
 #pragma once
 
 #include <cstdint>
@@ -50,7 +50,7 @@ class ProgramPath {
 
   // Where the program leads the tool, so far as it was read. Nothing: it has an error.
   [[nodiscard]] std::optional<PlaceOfTool> programmed_end() const;
-  // Of the move read last, or of the part that was cut.
+  // Of the move read last, or of the segment that was cut.
   [[nodiscard]] std::uint32_t line() const noexcept { return source_.line; }
   [[nodiscard]] bool has_errors() const { return failed_ || reader_.has_errors(); }
   // The error is a move that leaves the travel.
@@ -78,7 +78,7 @@ class ProgramPath {
   std::optional<TravelCheck> travel_;
   smoothing::Smoother smoother_;
   PlaceOfTool end_{};                   // of the move read last
-  diagnostics::SourcePosition source_;  // of the move read last, or of the part that was cut
+  diagnostics::SourcePosition source_;  // of the move read last, or of the segment that was cut
   bool ended_ = false;                  // what the smoother still holds is all that follows
   bool cut_ = false;                    // and none of that is run
   bool failed_ = false;

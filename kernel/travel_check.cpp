@@ -1,6 +1,6 @@
 #include "kernel/travel_check.hpp"
 
-#include "smoothing/part_builder.hpp"
+#include "smoothing/segment_builder.hpp"
 
 namespace kerf {
 
@@ -8,15 +8,15 @@ TravelCheck::TravelCheck(const MachineSettings& settings)
     : envelope_(machine::envelope_of(settings.table)), extra_envelope_(settings.table.extra) {}
 
 std::optional<machine::TravelExcess> TravelCheck::excess_of(const parser::Move& move) {
-  parts_.clear();
-  if (!smoothing::append_parts(move, parts_) || parts_.empty()) {
+  segments_.clear();
+  if (!smoothing::append_segments(move, segments_) || segments_.empty()) {
     return std::nullopt;
   }
   if (auto excess = machine::outside_travel(extra_envelope_, move.extra.end_rad_mm)) {
     return excess;
   }
-  for (const smoothing::PathPart& part : parts_) {
-    if (auto excess = machine::outside_travel(envelope_, curves::extents(part.curve))) {
+  for (const smoothing::PathSegment& segment : segments_) {
+    if (auto excess = machine::outside_travel(envelope_, curves::extents(segment.curve))) {
       return excess;
     }
   }

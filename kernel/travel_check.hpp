@@ -7,7 +7,7 @@
 #include "kernel/settings.hpp"
 #include "machine/envelope.hpp"
 #include "parser/moves/move.hpp"
-#include "smoothing/path_part.hpp"
+#include "smoothing/path_segment.hpp"
 
 namespace kerf {
 
@@ -21,7 +21,7 @@ class TravelCheck {
  private:
   machine::Envelope envelope_;
   machine::ExtraEnvelope extra_envelope_;
-  std::vector<smoothing::PathPart> parts_;  // of the move
+  std::vector<smoothing::PathSegment> segments_;  // of the move
 };
 
 }  // namespace kerf

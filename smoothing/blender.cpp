@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "smoothing/blend_deviation.hpp"
-#include "smoothing/part_marks.hpp"
+#include "smoothing/segment_marks.hpp"
 #include "smoothing/travel.hpp"
 
 namespace kerf::smoothing {
@@ -19,36 +19,39 @@ constexpr double kOfTolerance = 0.999;  // rounding and the places between those
 constexpr double kOfRadius = 0.5;       // of a curve beside a corner
 constexpr double kOfNeed = 1.3;         // of the way that the feedrate needs
 constexpr double kLeastWay_mm = 1e-5;
-constexpr double kLeastRest_mm = 1e-6;  // of a part between two blends; a shorter one goes with one
+constexpr double kLeastRest_mm =
+    1e-6;  // of a segment between two blends; a shorter one goes with one
 constexpr int kShrinkings = 16;
 
-// What a corner gets of a part whose other corner wants some, too: no less than half.
+// What a corner gets of a segment whose other corner wants some, too: no less than half.
 double allotted_mm(double wanted_mm, double other_mm, double length_mm) {
   return std::min(wanted_mm, std::max(0.5 * length_mm, length_mm - other_mm));
 }
 
-double feedrate_mm_s(const PathPart& part) {
-  return part.rapid ? std::numeric_limits<double>::infinity() : part.feedrate_mm_s;
+double feedrate_mm_s(const PathSegment& segment) {
+  return segment.rapid ? std::numeric_limits<double>::infinity() : segment.feedrate_mm_s;
 }
 
-bool may_bend(const PathPart& part) {
-  return part.mode == parser::PathMode::blend && part.corner_tolerance_mm > 0.0 &&
-         part.extra.length_mm == 0.0;
+bool may_bend(const PathSegment& segment) {
+  return segment.mode == parser::PathMode::blend && segment.corner_tolerance_mm > 0.0 &&
+         segment.extra.length_mm == 0.0;
 }
 
 }  // namespace
 
 double Blender::wanted_way_mm(const Held& before, const Held& after) const {
-  if (!may_bend(before.part) || !may_bend(after.part) || after.part.continues) {
+  if (!may_bend(before.segment) || !may_bend(after.segment) || after.segment.continues) {
     return 0.0;
   }
-  const CornerShape shape = shape_of({.before = &before.part.curve, .after = &after.part.curve});
+  const CornerShape shape =
+      shape_of({.before = &before.segment.curve, .after = &after.segment.curve});
   if ((shape.turn < kSmooth && shape.bend_per_mm < kSmooth) || shape.turn > kSharpest) {
     return 0.0;
   }
   const double tolerance =
-      kOfTolerance * (std::min(before.part.corner_tolerance_mm, after.part.corner_tolerance_mm) -
-                      std::max(before.part.deviation_mm, after.part.deviation_mm));
+      kOfTolerance *
+      (std::min(before.segment.corner_tolerance_mm, after.segment.corner_tolerance_mm) -
+       std::max(before.segment.deviation_mm, after.segment.deviation_mm));
   if (!(tolerance > 0.0)) {
     return 0.0;
   }
@@ -59,7 +62,7 @@ double Blender::wanted_way_mm(const Held& before, const Held& after) const {
   if (shape.curvature_per_mm > 0.0) {
     way = std::min(way, kOfRadius / shape.curvature_per_mm);
   }
-  const double feedrate = std::min(feedrate_mm_s(before.part), feedrate_mm_s(after.part));
+  const double feedrate = std::min(feedrate_mm_s(before.segment), feedrate_mm_s(after.segment));
   if (std::isfinite(feedrate)) {
     // The curvature in the middle of a blend of way 1 between two lines, where |r'| = 1.5 cos and
     // |r' x r''| = 9 sin cos of half the angle; the largest third derivative is some 2.5 times it
@@ -78,10 +81,10 @@ double Blender::wanted_way_mm(const Held& before, const Held& after) const {
 
 std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& after,
                                                double way_mm) {
-  const Corner corner{.before = &before.part.curve, .after = &after.part.curve};
+  const Corner corner{.before = &before.segment.curve, .after = &after.segment.curve};
   const double tolerance =
-      std::min(before.part.corner_tolerance_mm, after.part.corner_tolerance_mm);
-  const double away_mm = std::max(before.part.deviation_mm, after.part.deviation_mm);
+      std::min(before.segment.corner_tolerance_mm, after.segment.corner_tolerance_mm);
+  const double away_mm = std::max(before.segment.deviation_mm, after.segment.deviation_mm);
   for (int i = 0; i < kShrinkings && way_mm > kLeastWay_mm; ++i) {
     auto blend = make_blend(corner, way_mm);
     if (!blend) {
@@ -91,7 +94,7 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
     deviation.distance_mm += away_mm;
     if (deviation.distance_mm <= kOfTolerance * tolerance + 1e-12 &&
         !(settings_.travel && leaves_travel(blend->curve.extents(), *settings_.travel))) {
-      deviation.line = mark_at(after.part, 0.0).line;
+      deviation.line = mark_at(after.segment, 0.0).line;
       deviation.tolerance_mm = tolerance;
       deviations_.add(deviation);
       return Chosen{.blend = std::move(*blend), .way_mm = way_mm};
@@ -101,9 +104,9 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
   return std::nullopt;
 }
 
-void Blender::push(PathPart part, std::vector<PathPart>& out) {
-  Held held{.part = std::move(part)};
-  held.length_mm = curves::length_mm(held.part.curve);
+void Blender::push(PathSegment segment, std::vector<PathSegment>& out) {
+  Held held{.segment = std::move(segment)};
+  held.length_mm = curves::length_mm(held.segment.curve);
   if (!first_) {
     first_ = std::move(held);
     return;
@@ -116,7 +119,7 @@ void Blender::push(PathPart part, std::vector<PathPart>& out) {
   second_ = std::move(held);
 }
 
-void Blender::flush(std::vector<PathPart>& out) {
+void Blender::flush(std::vector<PathSegment>& out) {
   if (second_) {
     settle(0.0, out);
   }
@@ -126,7 +129,7 @@ void Blender::flush(std::vector<PathPart>& out) {
   }
 }
 
-void Blender::settle(double wanted_at_end_mm, std::vector<PathPart>& out) {
+void Blender::settle(double wanted_at_end_mm, std::vector<PathSegment>& out) {
   const double free_mm = first_->length_mm - first_->cut_begin_mm;
   double way =
       std::min(allotted_mm(second_->wanted_mm, wanted_at_end_mm, second_->length_mm), free_mm);
@@ -150,61 +153,62 @@ void Blender::settle(double wanted_at_end_mm, std::vector<PathPart>& out) {
   second_.reset();
 }
 
-void Blender::emit_rest_of(Held& held, double cut_end_mm, std::vector<PathPart>& out) const {
-  PathPart& part = held.part;
+void Blender::emit_rest_of(Held& held, double cut_end_mm, std::vector<PathSegment>& out) const {
+  PathSegment& segment = held.segment;
   if (held.cut_begin_mm == 0.0 && cut_end_mm == 0.0) {
-    out.push_back(std::move(part));
+    out.push_back(std::move(segment));
     return;
   }
   const curves::Stretch rest{held.cut_begin_mm, held.length_mm - cut_end_mm};
   if (!(rest.end_mm - rest.begin_mm >= 0.5 * kLeastRest_mm)) {
     return;
   }
-  auto curve = curves::part(part.curve, rest);
+  auto curve = curves::part(segment.curve, rest);
   if (!curve) {
     return;
   }
-  PathPart& left = out.emplace_back(part);
+  PathSegment& left = out.emplace_back(segment);
   left.curve = std::move(*curve);
   left.continues = left.continues || held.follows_blend;
   shift_marks(left, rest.begin_mm);
 }
 
 void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
-                         std::vector<PathPart>& out) const {
-  std::vector<LineMark> marks = marks_along(chosen.blend, chosen.way_mm, before.part, after.part);
-  PathPart part{.curve = std::move(chosen.blend.curve)};
-  part.marks = std::move(marks);
-  part.source = before.part.source;
-  part.source.line = part.marks.front().line;
-  part.run_block = part.marks.front().run_block;
-  part.rapid = before.part.rapid && after.part.rapid;
-  part.feedrate_mm_s = std::min(feedrate_mm_s(before.part), feedrate_mm_s(after.part));
-  part.extra = {.begin_rad_mm = before.part.extra.end_rad_mm,
-                .end_rad_mm = before.part.extra.end_rad_mm};
-  part.mode = parser::PathMode::blend;
-  part.continues = !before.is_gone || before.follows_blend || before.part.continues;
+                         std::vector<PathSegment>& out) const {
+  std::vector<LineMark> marks =
+      marks_along(chosen.blend, chosen.way_mm, before.segment, after.segment);
+  PathSegment segment{.curve = std::move(chosen.blend.curve)};
+  segment.marks = std::move(marks);
+  segment.source = before.segment.source;
+  segment.source.line = segment.marks.front().line;
+  segment.run_block = segment.marks.front().run_block;
+  segment.rapid = before.segment.rapid && after.segment.rapid;
+  segment.feedrate_mm_s = std::min(feedrate_mm_s(before.segment), feedrate_mm_s(after.segment));
+  segment.extra = {.begin_rad_mm = before.segment.extra.end_rad_mm,
+                   .end_rad_mm = before.segment.extra.end_rad_mm};
+  segment.mode = parser::PathMode::blend;
+  segment.continues = !before.is_gone || before.follows_blend || before.segment.continues;
   if (before.is_gone) {
-    part.changes = before.part.changes;
+    segment.changes = before.segment.changes;
   }
   after.cut_begin_mm = chosen.way_mm;
   after.follows_blend = true;
-  if (after.part.changes.empty()) {
-    out.push_back(std::move(part));
+  if (after.segment.changes.empty()) {
+    out.push_back(std::move(segment));
     return;
   }
   const double s = chosen.blend.s_corner_mm;
-  PathPart second = part;
+  PathSegment second = segment;
   second.continues = true;
-  second.curve = *curves::part(part.curve, {s, curves::length_mm(part.curve)});
-  part.curve = *curves::part(part.curve, {0.0, s});
+  second.curve = *curves::part(segment.curve, {s, curves::length_mm(segment.curve)});
+  segment.curve = *curves::part(segment.curve, {0.0, s});
   shift_marks(second, s);
-  second.source = after.part.source;
+  second.source = after.segment.source;
   second.source.line = second.marks.front().line;
   second.run_block = second.marks.front().run_block;
-  std::erase_if(part.marks, [s](const LineMark& mark) { return mark.s_mm >= s; });
-  second.changes = std::exchange(after.part.changes, {});
-  out.push_back(std::move(part));
+  std::erase_if(segment.marks, [s](const LineMark& mark) { return mark.s_mm >= s; });
+  second.changes = std::exchange(after.segment.changes, {});
+  out.push_back(std::move(segment));
   out.push_back(std::move(second));
 }
 

@@ -1,4 +1,4 @@
-// Corners to blends: path parts in, path parts out, with a look ahead of two.
+// Corners to blends: path segments in, path segments out, with a look ahead of two.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 #include "curves/curve.hpp"
 #include "smoothing/blend.hpp"
 #include "smoothing/path_deviation.hpp"
-#include "smoothing/path_part.hpp"
+#include "smoothing/path_segment.hpp"
 
 namespace kerf::smoothing {
 
@@ -18,23 +18,23 @@ struct BlendSettings {
   std::optional<curves::Extents> travel{};  // what of it no blend leaves
 };
 
-// A corner is blended where both its parts are in G64 with a tolerance, and the lesser of their
+// A corner is blended where both its segments are in G64 with a tolerance, and the lesser of their
 // tolerances counts. The blend is as large as the tolerance allows, or as the feedrate needs if
-// that is less, and takes of each part half its length at the most, or what the part's other corner
-// leaves. Corners that nearly turn back are left as they are, for a stop.
+// that is less, and takes of each segment half its length at the most, or what the segment's other
+// corner leaves. Corners that nearly turn back are left as they are, for a stop.
 class Blender {
  public:
   explicit Blender(const BlendSettings& settings) : settings_(settings) {}
 
-  void push(PathPart part, std::vector<PathPart>& out);
+  void push(PathSegment segment, std::vector<PathSegment>& out);
   // What is held back leaves, up to its programmed end.
-  void flush(std::vector<PathPart>& out);
+  void flush(std::vector<PathSegment>& out);
 
   [[nodiscard]] const PathDeviations& deviations() const noexcept { return deviations_; }
 
  private:
   struct Held {
-    PathPart part;
+    PathSegment segment;
     double length_mm = 0.0;
     double cut_begin_mm = 0.0;  // what the blend before it has taken
     bool follows_blend = false;
@@ -49,10 +49,11 @@ class Blender {
   [[nodiscard]] double wanted_way_mm(const Held& before, const Held& after) const;
   // The largest blend up to way_mm that stays within the tolerance.
   [[nodiscard]] std::optional<Chosen> choose(const Held& before, const Held& after, double way_mm);
-  // Decides the corner between the two held parts and lets the first go.
-  void settle(double wanted_at_end_mm, std::vector<PathPart>& out);
-  void emit_rest_of(Held& held, double cut_end_mm, std::vector<PathPart>& out) const;
-  void emit_blend(Chosen chosen, const Held& before, Held& after, std::vector<PathPart>& out) const;
+  // Decides the corner between the two held segments and lets the first go.
+  void settle(double wanted_at_end_mm, std::vector<PathSegment>& out);
+  void emit_rest_of(Held& held, double cut_end_mm, std::vector<PathSegment>& out) const;
+  void emit_blend(Chosen chosen, const Held& before, Held& after,
+                  std::vector<PathSegment>& out) const;
 
   BlendSettings settings_;
   std::optional<Held> first_;

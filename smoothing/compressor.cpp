@@ -27,7 +27,7 @@ bool Compressor::continues(const parser::Move& move) const {
                           move.start_mm == run_.back().point_mm);
 }
 
-void Compressor::push(const parser::Move& move, std::vector<PathPart>& out) {
+void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out) {
   const curves::Position& end = std::get<parser::LineMove>(move.shape).end_mm;
   if (run_.empty()) {
     curves_.begin(move);
@@ -48,7 +48,7 @@ void Compressor::push(const parser::Move& move, std::vector<PathPart>& out) {
   }
 }
 
-void Compressor::flush(std::vector<PathPart>& out) {
+void Compressor::flush(std::vector<PathSegment>& out) {
   if (run_.size() > 1) {
     reduce(true, out);
   }
@@ -57,7 +57,7 @@ void Compressor::flush(std::vector<PathPart>& out) {
   tail_.reset();
 }
 
-void Compressor::reduce(bool ended, std::vector<PathPart>& out) {
+void Compressor::reduce(bool ended, std::vector<PathSegment>& out) {
   while (run_.size() > (ended ? 1 : awaited_)) {
     const std::size_t last = run_.size() - 1;
     const std::size_t known = ended ? last : last - kAhead;
@@ -85,7 +85,7 @@ std::optional<std::size_t> Compressor::find_corner(std::size_t known) {
   return std::nullopt;
 }
 
-void Compressor::close_at(std::size_t vertex, std::vector<PathPart>& out) {
+void Compressor::close_at(std::size_t vertex, std::vector<PathSegment>& out) {
   std::size_t last = vertex;
   if (straight_ > 0 && straight_ < last && !is_straight_to(last)) {
     last = straight_;
@@ -98,10 +98,11 @@ void Compressor::close_at(std::size_t vertex, std::vector<PathPart>& out) {
       break;
     }
     if (!fit.fails_at) {
-      curves_.append_spans(
-          run_, fit,
-          {.count = fit.spline.spans.size(), .continue_part = tail_.has_value(), .to_vertex = true},
-          out);
+      curves_.append_spans(run_, fit,
+                           {.count = fit.spline.spans.size(),
+                            .continue_segment = tail_.has_value(),
+                            .to_vertex = true},
+                           out);
       break;
     }
     last = std::min(*fit.fails_at, last - 1);
@@ -114,7 +115,7 @@ void Compressor::close_at(std::size_t vertex, std::vector<PathPart>& out) {
   drop_front(last);
 }
 
-void Compressor::advance(std::size_t known, std::vector<PathPart>& out) {
+void Compressor::advance(std::size_t known, std::vector<PathSegment>& out) {
   const std::size_t half = known / 2;
   const RunFit fit = fit_run(run_, {.last = known, .judged = half + half / 2, .pinned = false},
                              tail_, breaks_, curves_.settings());
@@ -126,7 +127,7 @@ void Compressor::advance(std::size_t known, std::vector<PathPart>& out) {
   while (count + 1 < fit.breaks.size() && fit.breaks[count + 1] <= half) {
     ++count;
   }
-  curves_.append_spans(run_, fit, {.count = count, .continue_part = tail_.has_value()}, out);
+  curves_.append_spans(run_, fit, {.count = count, .continue_segment = tail_.has_value()}, out);
   tail_ = fit.spline.tail_after(count);
   const std::size_t gone = fit.breaks[count];
   breaks_.clear();

@@ -1,4 +1,4 @@
-// Runs of short lines to curves: moves in, path parts out, with a window of some hundred lines.
+// Runs of short lines to curves: moves in, path segments out, with a window of some hundred lines.
 //
 // Idea. A run ends where the program means a corner (polyline.hpp); between its corners it becomes
 // one spline, four times continuously differentiable, or a line or an arc where it is one. A long
@@ -22,7 +22,7 @@
 #include "curves/curve.hpp"
 #include "parser/moves/move.hpp"
 #include "smoothing/path_deviation.hpp"
-#include "smoothing/path_part.hpp"
+#include "smoothing/path_segment.hpp"
 #include "smoothing/polyline.hpp"
 #include "smoothing/run_curves.hpp"
 
@@ -39,9 +39,9 @@ class Compressor {
   [[nodiscard]] bool continues(const parser::Move& move) const;
 
   // Precondition: takes() and, unless empty, continues(). A move of no length is left out.
-  void push(const parser::Move& move, std::vector<PathPart>& out);
+  void push(const parser::Move& move, std::vector<PathSegment>& out);
   // The run ends with what was pushed.
-  void flush(std::vector<PathPart>& out);
+  void flush(std::vector<PathSegment>& out);
 
   [[nodiscard]] const PathDeviations& deviations() const noexcept { return curves_.deviations(); }
 
@@ -49,13 +49,13 @@ class Compressor {
   static constexpr std::size_t kWindow = 400;  // lines
 
   // Parts leave until more lines are needed, or all, if the run has ended.
-  void reduce(bool ended, std::vector<PathPart>& out);
+  void reduce(bool ended, std::vector<PathSegment>& out);
   // The first corner that is known, up to the vertex before which all are.
   std::optional<std::size_t> find_corner(std::size_t known);
   // The run up to this vertex is all there is between two corners.
-  void close_at(std::size_t vertex, std::vector<PathPart>& out);
+  void close_at(std::size_t vertex, std::vector<PathSegment>& out);
   // The front of a run that goes on.
-  void advance(std::size_t known, std::vector<PathPart>& out);
+  void advance(std::size_t known, std::vector<PathSegment>& out);
   // All vertices up to this one are as good as on a line, in order.
   [[nodiscard]] bool is_straight_to(std::size_t vertex) const {
     return is_straight(run_, vertex, tolerance_mm());

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "smoothing/circle_run.hpp"
-#include "smoothing/run_parts.hpp"
+#include "smoothing/run_segments.hpp"
 #include "smoothing/travel.hpp"
 
 namespace kerf::smoothing {
@@ -12,7 +12,7 @@ using curves::vec;
 
 namespace {
 
-constexpr std::size_t kSpansOfPart = 24;
+constexpr std::size_t kSpansOfSegment = 24;
 
 }  // namespace
 
@@ -21,23 +21,25 @@ void RunCurves::begin(const parser::Move& like) {
   settings_.tolerance_mm = like.merge_tolerance_mm;
 }
 
-bool RunCurves::append_circle(const Polyline& run, std::size_t vertex, std::vector<PathPart>& out) {
+bool RunCurves::append_circle(const Polyline& run, std::size_t vertex,
+                              std::vector<PathSegment>& out) {
   const auto circle = circle_of(run, vertex, settings_.tolerance_mm);
   if (!circle || (settings_.travel && leaves_travel(circle->arc.extents(), *settings_.travel))) {
     return false;
   }
   widen({run[vertex / 2], circle->arc.at(circle->s_mm[vertex / 2])}, circle->deviation_mm);
-  append_parts(run,
-               {.curve = circle->arc,
-                .first = 0,
-                .last = vertex,
-                .s_mm = circle->s_mm,
-                .deviation_mm = circle->deviation_mm},
-               like_, out);
+  append_segments(run,
+                  {.curve = circle->arc,
+                   .first = 0,
+                   .last = vertex,
+                   .s_mm = circle->s_mm,
+                   .deviation_mm = circle->deviation_mm},
+                  like_, out);
   return true;
 }
 
-void RunCurves::append_line(const Polyline& run, std::size_t vertex, std::vector<PathPart>& out) {
+void RunCurves::append_line(const Polyline& run, std::size_t vertex,
+                            std::vector<PathSegment>& out) {
   const auto line = curves::Line::between(run[0].point_mm, run[vertex].point_mm);
   if (!line) {
     return;
@@ -52,32 +54,32 @@ void RunCurves::append_line(const Polyline& run, std::size_t vertex, std::vector
     merged.deviation_mm = std::max(merged.deviation_mm, away);
     widen({run[i], line->at(merged.s_mm.back())}, away);
   }
-  append_parts(run, merged, like_, out);
+  append_segments(run, merged, like_, out);
 }
 
 void RunCurves::append_spans(const Polyline& run, const RunFit& fit, const Spans& spans,
-                             std::vector<PathPart>& out) {
-  broken_ = broken_ && spans.continue_part;
+                             std::vector<PathSegment>& out) {
+  broken_ = broken_ && spans.continue_segment;
   for (std::size_t from = 0; from < spans.count;) {
-    const std::size_t to = std::min(spans.count, from + kSpansOfPart);
-    const bool continues = !broken_ && (spans.continue_part || from > 0);
-    append_part(run, fit,
-                {.spans = {from, to},
-                 .continues = continues,
-                 .to_vertex = spans.to_vertex && to == spans.count},
-                out);
+    const std::size_t to = std::min(spans.count, from + kSpansOfSegment);
+    const bool continues = !broken_ && (spans.continue_segment || from > 0);
+    append_segment(run, fit,
+                   {.spans = {from, to},
+                    .continues = continues,
+                    .to_vertex = spans.to_vertex && to == spans.count},
+                   out);
     from = to;
   }
 }
 
-void RunCurves::append_part(const Polyline& run, const RunFit& fit, const FitPart& part,
-                            std::vector<PathPart>& out) {
-  const Indices& spans = part.spans;
+void RunCurves::append_segment(const Polyline& run, const RunFit& fit, const FitSegment& segment,
+                               std::vector<PathSegment>& out) {
+  const Indices& spans = segment.spans;
   const Indices lines{fit.breaks[spans.first], fit.breaks[spans.last]};
   const FitSpan& first = fit.spline.spans[spans.first];
   const FitSpan& last = fit.spline.spans[spans.last - 1];
   const curves::Position end =
-      part.to_vertex ? run[lines.last].point_mm : curves::to_position(last.at(last.w_end_mm));
+      segment.to_vertex ? run[lines.last].point_mm : curves::to_position(last.at(last.w_end_mm));
   std::vector<curves::BezierSpan> beziers;
   double away = 0.0;
   for (std::size_t k = spans.first; k < spans.last; ++k) {
@@ -95,23 +97,23 @@ void RunCurves::append_part(const Polyline& run, const RunFit& fit, const FitPar
   MergedCurve merged{.curve = made->front(),
                      .first = lines.first,
                      .last = lines.last,
-                     .continues = part.continues,
+                     .continues = segment.continues,
                      .deviation_mm = away};
   for (std::size_t i = merged.first; i < merged.last; ++i) {
     merged.s_mm.push_back(i == merged.first ? 0.0 : made->front().s_at(run[i].w_mm));
   }
-  append_parts(run, merged, like_, out);
+  append_segments(run, merged, like_, out);
 }
 
 void RunCurves::append_first_line(const Polyline& run, const curves::Position& begin_mm,
-                                  std::vector<PathPart>& out) {
+                                  std::vector<PathSegment>& out) {
   append_chords(run, {0, 1}, {begin_mm, run[1].point_mm}, out);
 }
 
 // The lines themselves, but for a begin and an end on the spline, which are no farther from their
 // vertices than the tolerance; so no point of the chords is.
 void RunCurves::append_chords(const Polyline& run, const Indices& lines, const ChordEnds& ends,
-                              std::vector<PathPart>& out) {
+                              std::vector<PathSegment>& out) {
   for (std::size_t i = lines.first; i < lines.last; ++i) {
     const bool last = i + 1 == lines.last;
     const curves::Position& from = i == lines.first ? ends.begin_mm : run[i].point_mm;
@@ -120,7 +122,7 @@ void RunCurves::append_chords(const Polyline& run, const Indices& lines, const C
     const curves::Position& end = last ? to : from;
     widen({at, end}, (vec(end) - vec(at.point_mm)).norm());
     if (const auto line = curves::Line::between(from, to)) {
-      append_parts(run, {.curve = *line, .first = i, .last = i + 1, .s_mm = {0.0}}, like_, out);
+      append_segments(run, {.curve = *line, .first = i, .last = i + 1, .s_mm = {0.0}}, like_, out);
     }
   }
 }

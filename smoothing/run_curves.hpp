@@ -1,4 +1,5 @@
-// The curves that take the place of a run's lines, as path parts, with how far they are from them.
+// The curves that take the place of a run's lines, as path segments, with how far they are from
+// them.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +9,7 @@
 #include "curves/curve.hpp"
 #include "parser/moves/move.hpp"
 #include "smoothing/path_deviation.hpp"
-#include "smoothing/path_part.hpp"
+#include "smoothing/path_segment.hpp"
 #include "smoothing/polyline.hpp"
 #include "smoothing/run_fit.hpp"
 
@@ -27,21 +28,21 @@ class RunCurves {
   [[nodiscard]] const PathDeviations& deviations() const noexcept { return deviations_; }
 
   // The lines up to this vertex, which are as good as on a line, as one.
-  void append_line(const Polyline& run, std::size_t vertex, std::vector<PathPart>& out);
+  void append_line(const Polyline& run, std::size_t vertex, std::vector<PathSegment>& out);
   // As an arc. False: they are none.
-  bool append_circle(const Polyline& run, std::size_t vertex, std::vector<PathPart>& out);
+  bool append_circle(const Polyline& run, std::size_t vertex, std::vector<PathSegment>& out);
   // As the first spans of a fit.
   struct Spans {
     std::size_t count = 0;
-    bool continue_part = false;  // the first goes on from the part before
-    bool to_vertex = false;      // the last ends in its vertex, exactly
+    bool continue_segment = false;  // the first goes on from the segment before
+    bool to_vertex = false;         // the last ends in its vertex, exactly
   };
   void append_spans(const Polyline& run, const RunFit& fit, const Spans& spans,
-                    std::vector<PathPart>& out);
+                    std::vector<PathSegment>& out);
   // The first line as it is, but for its begin, which is no farther from the first vertex than the
   // tolerance.
   void append_first_line(const Polyline& run, const curves::Position& begin_mm,
-                         std::vector<PathPart>& out);
+                         std::vector<PathSegment>& out);
 
  private:
   // Of spans or lines: those before `last`.
@@ -53,7 +54,7 @@ class RunCurves {
     curves::Position begin_mm{};
     curves::Position end_mm{};
   };
-  struct FitPart {
+  struct FitSegment {
     Indices spans;
     bool continues = false;
     bool to_vertex = false;
@@ -63,15 +64,15 @@ class RunCurves {
     const Vertex& vertex;
     curves::Position at_mm{};
   };
-  void append_part(const Polyline& run, const RunFit& fit, const FitPart& part,
-                   std::vector<PathPart>& out);
+  void append_segment(const Polyline& run, const RunFit& fit, const FitSegment& segment,
+                      std::vector<PathSegment>& out);
   void append_chords(const Polyline& run, const Indices& lines, const ChordEnds& ends,
-                     std::vector<PathPart>& out);
+                     std::vector<PathSegment>& out);
   void widen(const Place& place, double distance_mm);
 
   RunFitSettings settings_;
   parser::Move like_{};  // what the moves of the run have in common
-  bool broken_ = false;  // the last part is lines where a spline was meant to go on
+  bool broken_ = false;  // the last segment is lines where a spline was meant to go on
   PathDeviations deviations_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "smoothing/part_builder.hpp"
+#include "smoothing/segment_builder.hpp"
 
 namespace kerf::smoothing {
 
@@ -23,7 +23,7 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
   }
   compressor_.flush(made_);
   blend_made();
-  if (auto built = append_parts(move, made_); !built) {
+  if (auto built = append_segments(move, made_); !built) {
     return built;
   }
   if (std::holds_alternative<parser::DwellMove>(move.shape) ||
@@ -38,23 +38,23 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
 }
 
 void Smoother::blend_made() {
-  for (PathPart& part : made_) {
-    blender_.push(std::move(part), blended_);
+  for (PathSegment& segment : made_) {
+    blender_.push(std::move(segment), blended_);
   }
   made_.clear();
-  queue_parts();
+  queue_segments();
 }
 
 void Smoother::flush() {
   compressor_.flush(made_);
   blend_made();
   blender_.flush(blended_);
-  queue_parts();
+  queue_segments();
 }
 
-void Smoother::queue_parts() {
-  for (PathPart& part : blended_) {
-    outputs_.emplace_back(std::move(part));
+void Smoother::queue_segments() {
+  for (PathSegment& segment : blended_) {
+    outputs_.emplace_back(std::move(segment));
   }
   blended_.clear();
 }

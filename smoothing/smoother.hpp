@@ -11,16 +11,16 @@
 #include "smoothing/compressor.hpp"
 #include "smoothing/path_deviation.hpp"
 #include "smoothing/path_error.hpp"
-#include "smoothing/path_part.hpp"
+#include "smoothing/path_segment.hpp"
 
 namespace kerf::smoothing {
 
-// Moves go in; in the same order come out the parts of the path, and the moves that are a dwell or
-// an event. In G61 and G61.1 a part is a move; in G64 runs of short lines are merged within Q and
-// corners blended within P.
+// Moves go in; in the same order come out the segments of the path, and the moves that are a dwell
+// or an event. In G61 and G61.1 a segment is a move; in G64 runs of short lines are merged within Q
+// and corners blended within P.
 class Smoother {
  public:
-  using Output = std::variant<parser::Move, PathPart>;
+  using Output = std::variant<parser::Move, PathSegment>;
 
   explicit Smoother(const BlendSettings& settings)
       : compressor_(settings.travel), blender_(settings) {}
@@ -37,12 +37,12 @@ class Smoother {
 
  private:
   void blend_made();
-  void queue_parts();
+  void queue_segments();
 
   Compressor compressor_;
   Blender blender_;
-  std::vector<PathPart> made_;     // of one move
-  std::vector<PathPart> blended_;  // of one push
+  std::vector<PathSegment> made_;     // of one move
+  std::vector<PathSegment> blended_;  // of one push
   std::vector<parser::EventMove> changes_;
   std::vector<Output> outputs_;
   std::size_t taken_ = 0;

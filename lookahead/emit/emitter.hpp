@@ -17,7 +17,7 @@ namespace kerf::lookahead {
 
 // Planned motion in the order in which it runs: pieces of a curve before the phases on it.
 struct Outbox {
-  std::vector<interp::PathPiece> pieces;
+  std::vector<interp::CurvePiece> pieces;
   std::vector<interp::LineChange> line_changes;  // of a curve, with its pieces
   std::vector<interp::Phase> phases;
   std::vector<interp::OutputChangeAtTick> output_changes;  // by tick, which lies in the phases

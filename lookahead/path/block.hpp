@@ -9,7 +9,7 @@
 #include "lookahead/path/ceiling.hpp"
 #include "lookahead/path/limits.hpp"
 #include "profiles/shape_value.hpp"
-#include "smoothing/path_part.hpp"
+#include "smoothing/path_segment.hpp"
 
 namespace kerf::lookahead {
 

@@ -8,12 +8,12 @@
 #include "lookahead/path/block_limits.hpp"
 #include "lookahead/path/feed_scan.hpp"
 #include "lookahead/path/junction.hpp"
-#include "smoothing/part_builder.hpp"
+#include "smoothing/segment_builder.hpp"
 
 namespace kerf::lookahead {
 
 using smoothing::PathError;
-using smoothing::PathPart;
+using smoothing::PathSegment;
 
 namespace {
 
@@ -42,17 +42,17 @@ void bind_extra_axes(const PlanLimits& limits, Block& block) {
   }
 }
 
-Block make_block(PathPart part, const PlanLimits& limits, ScanFor plan) {
-  Block block{.curve = std::move(part.curve)};
-  block.line = part.source.line;
-  block.run_block = part.run_block;
-  block.rapid = part.rapid;
+Block make_block(PathSegment segment, const PlanLimits& limits, ScanFor plan) {
+  Block block{.curve = std::move(segment.curve)};
+  block.line = segment.source.line;
+  block.run_block = segment.run_block;
+  block.rapid = segment.rapid;
   block.length_mm = curves::length_mm(block.curve);
-  block.stop_after = part.stop_after;
-  block.marks = std::move(part.marks);
-  block.continues = part.continues;
-  block.extra = part.extra;
-  const double feedrate = part.rapid ? kUnbounded : part.feedrate_mm_s;
+  block.stop_after = segment.stop_after;
+  block.marks = std::move(segment.marks);
+  block.continues = segment.continues;
+  block.extra = segment.extra;
+  const double feedrate = segment.rapid ? kUnbounded : segment.feedrate_mm_s;
   if (const auto* line = std::get_if<curves::Line>(&block.curve)) {
     block.limits = block.extra.alone ? free_limits(feedrate) : line_limits(*line, feedrate, limits);
     block.begin.tangent = line->direction();
@@ -66,8 +66,8 @@ Block make_block(PathPart part, const PlanLimits& limits, ScanFor plan) {
   block.begin = block_end(curves::derivatives_at(block.curve, 0.0));
   block.end = block_end(curves::derivatives_at(block.curve, block.length_mm));
   const auto* nurbs = std::get_if<curves::NurbsCurve>(&block.curve);
-  if (part.arc_normal) {
-    const Bend bend = nurbs != nullptr ? bend_of(*nurbs, *part.arc_normal)
+  if (segment.arc_normal) {
+    const Bend bend = nurbs != nullptr ? bend_of(*nurbs, *segment.arc_normal)
                                        : bend_of(std::get<curves::Arc>(block.curve));
     block.limits = arc_limits(bend, feedrate, limits);
     bind_feedrate(block.along, {arc_chord_feedrate_mm_s(bend, limits), Constraint::chord_error});
@@ -94,9 +94,10 @@ Block make_block(PathPart part, const PlanLimits& limits, ScanFor plan) {
 
 }  // namespace
 
-tl::expected<Block, PathError> block_of(PathPart part, const PlanLimits& limits, ScanFor plan) {
-  const std::uint32_t line = part.source.line;
-  Block block = make_block(std::move(part), limits, plan);
+tl::expected<Block, PathError> block_of(PathSegment segment, const PlanLimits& limits,
+                                        ScanFor plan) {
+  const std::uint32_t line = segment.source.line;
+  Block block = make_block(std::move(segment), limits, plan);
   if (block.extra.alone && !is_bounded(block.limits)) {
     return tl::make_unexpected(PathError{line, "the machine has no limits of the axes that move"});
   }
@@ -105,12 +106,12 @@ tl::expected<Block, PathError> block_of(PathPart part, const PlanLimits& limits,
 
 tl::expected<void, PathError> append_blocks(const parser::Move& move, const PlanLimits& limits,
                                             std::vector<Block>& blocks, ScanFor plan) {
-  std::vector<PathPart> parts;
-  if (auto built = smoothing::append_parts(move, parts); !built) {
+  std::vector<PathSegment> segments;
+  if (auto built = smoothing::append_segments(move, segments); !built) {
     return built;
   }
-  for (PathPart& part : parts) {
-    auto block = block_of(std::move(part), limits, plan);
+  for (PathSegment& segment : segments) {
+    auto block = block_of(std::move(segment), limits, plan);
     if (!block) {
       return tl::make_unexpected(block.error());
     }

@@ -1,4 +1,4 @@
-// Path parts to blocks: a valid curve with its limits and the feedrate it allows at each point.
+// Path segments to blocks: a valid curve with its limits and the feedrate it allows at each point.
 #pragma once
 
 #include <vector>
@@ -10,13 +10,13 @@
 #include "lookahead/path/limits.hpp"
 #include "parser/moves/move.hpp"
 #include "smoothing/path_error.hpp"
-#include "smoothing/path_part.hpp"
+#include "smoothing/path_segment.hpp"
 
 namespace kerf::lookahead {
 
 // plan: that the ceiling of a curve is scanned for (Planner::scan_for). Error: axes move that the
 // machine has no limits of.
-tl::expected<Block, smoothing::PathError> block_of(smoothing::PathPart part,
+tl::expected<Block, smoothing::PathError> block_of(smoothing::PathSegment segment,
                                                    const PlanLimits& limits,
                                                    ScanFor plan = ScanFor::bounded_jerk);
 

@@ -101,7 +101,7 @@ TEST(Interpolator, GoesOnWhereThePhasesOfAMotionMeetOnATickButForRounding) {
   Interpolator interpolator(*queue, kTs, {});
   curves::for_each_piece(curves::Curve(line({0, 0, 0}, {1, 0, 0})),
                          [&](const curves::Piece& piece) {
-                           ASSERT_TRUE(queue->push(PathPiece{.curve = 1, .geometry = piece}));
+                           ASSERT_TRUE(queue->push(CurvePiece{.curve = 1, .geometry = piece}));
                          });
   const Phase first{.curve = 1, .s_end_mm = 0.5, .law = Transition::cruise(50.0, 0.5)};
   const Phase second{.curve = 1,

@@ -40,7 +40,7 @@ class Script {
       ASSERT_TRUE(queue_->push(change));
     }
     curves::for_each_piece(curve, [this](const curves::Piece& piece) {
-      ASSERT_TRUE(queue_->push(PathPiece{.curve = curve_, .geometry = piece}));
+      ASSERT_TRUE(queue_->push(CurvePiece{.curve = curve_, .geometry = piece}));
     });
   }
 

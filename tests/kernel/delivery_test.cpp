@@ -17,7 +17,7 @@ using interp::MotionQueue;
 constexpr double kTs = 0.001;
 constexpr std::int64_t kFar = 1'000'000'000;
 
-interp::PathPiece piece(double length_mm) {
+interp::CurvePiece piece(double length_mm) {
   return {.curve = 1, .geometry = curves::Line::between({0, 0, 0}, {length_mm, 0, 0}).value()};
 }
 

@@ -9,7 +9,7 @@
 #include "kernel/machine_file.hpp"
 #include "kernel/reader_options.hpp"
 #include "parser/program_reader.hpp"
-#include "smoothing/part_builder.hpp"
+#include "smoothing/segment_builder.hpp"
 
 namespace kerf::test {
 namespace {
@@ -19,9 +19,9 @@ double least_time_s(const std::string& text, const MachineSettings& settings) {
   reader.feed(text);
   reader.finish();
   LeastTime time(settings.limits);
-  std::vector<smoothing::PathPart> parts;
+  std::vector<smoothing::PathSegment> parts;
   for (parser::Move move; reader.next(move); parts.clear()) {
-    EXPECT_TRUE(smoothing::append_parts(move, parts).has_value());
+    EXPECT_TRUE(smoothing::append_segments(move, parts).has_value());
     time.add(move, parts);
   }
   EXPECT_FALSE(reader.has_errors());

@@ -72,7 +72,7 @@ TEST(LineMarks, EveryTickIsOfTheLineAtItsPlace) {
     Planner planner({.limits = mill(), .profile = Profile{kind}});
     const Outbox outbox = run(planner, blocks);
     const auto queue = std::make_unique<interp::MotionQueue>();
-    for (const interp::PathPiece& piece : outbox.pieces) {
+    for (const interp::CurvePiece& piece : outbox.pieces) {
       ASSERT_TRUE(queue->push(piece));
     }
     for (const interp::LineChange& change : outbox.line_changes) {

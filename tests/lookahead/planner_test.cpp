@@ -44,7 +44,7 @@ TEST(Planner, EmitsThePiecesOfACurveBeforeThePhasesOnIt) {
     for (const interp::Phase& phase : outbox.phases) {
       const bool there =
           std::any_of(outbox.pieces.begin(), outbox.pieces.end(),
-                      [&](const interp::PathPiece& piece) { return piece.curve == phase.curve; });
+                      [&](const interp::CurvePiece& piece) { return piece.curve == phase.curve; });
       ASSERT_TRUE(there || phase.curve == 0) << "curve " << phase.curve;
     }
   }

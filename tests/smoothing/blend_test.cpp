@@ -70,17 +70,17 @@ TEST(Blend, GoesOnWithDirectionAndCurvatureOfAnArcAndALine) {
   const auto end = std::get<parser::ArcMove>(arc_move.shape).end_mm;
   auto line_moves = lines_through({end, {end[0] + 5.0, end[1], end[2] + 1.0}}, {});
   const Smoothed smoothed = smooth({arc_move, line_moves[0]});
-  ASSERT_EQ(smoothed.parts.size(), 3U);
+  ASSERT_EQ(smoothed.segments.size(), 3U);
   EXPECT_EQ(faults_of_joints({arc_move, line_moves[0]}, smoothed), "");
-  EXPECT_TRUE(smoothed.parts[1].continues);
-  EXPECT_TRUE(smoothed.parts[2].continues);
+  EXPECT_TRUE(smoothed.segments[1].continues);
+  EXPECT_TRUE(smoothed.segments[2].continues);
   EXPECT_GT(smoothed.deviation.distance_mm, 0.005);
   EXPECT_LE(smoothed.deviation.distance_mm, 0.01);
 }
 
 TEST(Blend, IsNoneWhereThePathTurnsBack) {
   const auto moves = lines_through({{0, 0, 0}, {10, 0, 0}, {0, 0.1, 0}}, {});
-  EXPECT_EQ(smooth(moves).parts.size(), 2U);
+  EXPECT_EQ(smooth(moves).segments.size(), 2U);
 }
 
 TEST(Blend, TakesNoMoreThanTheFeedrateNeeds) {
@@ -108,15 +108,15 @@ TEST(Blend, MayRunAlongTheEndOfTheTravelAndNotBeyond) {
         {.acceleration_mm_s2 = 1000.0,
          .jerk_mm_s3 = 50000.0,
          .travel = curves::Extents{.min_mm = {0.0, 0.0, -1.0}, .max_mm = {0.3, 0.1, z_max}}});
-    std::size_t parts = 0;
+    std::size_t segments = 0;
     for (const parser::Move& move : moves) {
       ASSERT_TRUE(smoother.push(move).has_value());
     }
     smoother.flush();
     for (smoothing::Smoother::Output output; smoother.next(output);) {
-      ++parts;
+      ++segments;
     }
-    EXPECT_EQ(parts, z_max == 0.0 ? 3U : 2U);
+    EXPECT_EQ(segments, z_max == 0.0 ? 3U : 2U);
   }
 }
 
@@ -124,7 +124,7 @@ TEST(Blend, LeavesThePathAsItIsWithoutATolerance) {
   const auto moves =
       lines_through({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, {.corner_mm = 0.0, .merge_mm = 0.0});
   const Smoothed smoothed = smooth(moves);
-  EXPECT_EQ(smoothed.parts.size(), 2U);
+  EXPECT_EQ(smoothed.segments.size(), 2U);
   EXPECT_EQ(smoothed.deviation.distance_mm, 0.0);
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 using curves::Position;
 using curves::vec;
-using smoothing::PathPart;
+using smoothing::PathSegment;
 
 std::vector<Position> circle(double radius_mm, int lines, int decimals) {
   std::vector<Position> points;
@@ -28,8 +28,8 @@ std::vector<Position> circle(double radius_mm, int lines, int decimals) {
 
 double length_of(const Smoothed& smoothed) {
   double sum = 0.0;
-  for (const PathPart& part : smoothed.parts) {
-    sum += curves::length_mm(part.curve);
+  for (const PathSegment& segment : smoothed.segments) {
+    sum += curves::length_mm(segment.curve);
   }
   return sum;
 }
@@ -40,10 +40,10 @@ TEST(Compressor, MakesOneLineOfAThousandOnALine) {
     points.push_back({0.2 * i, 0.1 * i, 0.0});
   }
   const Smoothed smoothed = smooth(lines_through(points, {}));
-  ASSERT_EQ(smoothed.parts.size(), 1U);
-  EXPECT_TRUE(std::holds_alternative<curves::Line>(smoothed.parts[0].curve));
-  EXPECT_EQ(curves::position_at(smoothed.parts[0].curve, 1e9), points.back());
-  EXPECT_EQ(smoothed.parts[0].marks.size(), 1000U);
+  ASSERT_EQ(smoothed.segments.size(), 1U);
+  EXPECT_TRUE(std::holds_alternative<curves::Line>(smoothed.segments[0].curve));
+  EXPECT_EQ(curves::position_at(smoothed.segments[0].curve, 1e9), points.back());
+  EXPECT_EQ(smoothed.segments[0].marks.size(), 1000U);
 }
 
 // It stands across the line that the run becomes, so along it it has no way to speak of: 9e-16 mm,
@@ -57,10 +57,10 @@ TEST(Compressor, MakesNoPartOfALineAcrossItsRunThatHasAnotherFeedrate) {
     std::vector<parser::Move> moves = lines_through(points, {});
     moves[at_begin ? 0 : 2].feedrate_mm_s *= 0.5;
     const Smoothed smoothed = smooth(moves);
-    ASSERT_EQ(smoothed.parts.size(), 1U);
-    EXPECT_EQ(smoothed.parts[0].feedrate_mm_s, moves[1].feedrate_mm_s);
-    EXPECT_EQ(curves::position_at(smoothed.parts[0].curve, 1e9), points.back());
-    EXPECT_EQ(smoothed.parts[0].marks.size(), 3U);
+    ASSERT_EQ(smoothed.segments.size(), 1U);
+    EXPECT_EQ(smoothed.segments[0].feedrate_mm_s, moves[1].feedrate_mm_s);
+    EXPECT_EQ(curves::position_at(smoothed.segments[0].curve, 1e9), points.back());
+    EXPECT_EQ(smoothed.segments[0].marks.size(), 3U);
   }
 }
 
@@ -70,11 +70,11 @@ TEST(Compressor, AveragesTheNoiseOfTheLastDecimal) {
   const Smoothed smoothed = smooth(lines_through(circle(10.0, 1257, 3), {}));
   double least = HUGE_VAL;
   double most = 0.0;
-  for (const PathPart& part : smoothed.parts) {
-    const double length = curves::length_mm(part.curve);
+  for (const PathSegment& segment : smoothed.segments) {
+    const double length = curves::length_mm(segment.curve);
     for (int i = 0; i <= 200; ++i) {
       const double curvature =
-          vec(curves::derivatives_at(part.curve, length * i / 200.0).second_per_mm).norm();
+          vec(curves::derivatives_at(segment.curve, length * i / 200.0).second_per_mm).norm();
       least = std::min(least, curvature);
       most = std::max(most, curvature);
     }
@@ -118,8 +118,8 @@ TEST(Compressor, TellsAPlaceOfItsOwnPathWhereItIsFarthestFromTheProgrammedOne) {
 TEST(Compressor, MakesAnArcOfACircularRun) {
   for (const int decimals : {3, 6}) {
     const Smoothed smoothed = smooth(lines_through(circle(10.0, 300, decimals), {}));
-    ASSERT_EQ(smoothed.parts.size(), 1U) << decimals;
-    const auto* arc = std::get_if<curves::Arc>(&smoothed.parts[0].curve);
+    ASSERT_EQ(smoothed.segments.size(), 1U) << decimals;
+    const auto* arc = std::get_if<curves::Arc>(&smoothed.segments[0].curve);
     ASSERT_NE(arc, nullptr);
     EXPECT_NEAR(arc->radius_mm(), 10.0, 1e-3);
     EXPECT_NEAR(arc->length_mm(), 20.0 * std::numbers::pi, 1e-2);
@@ -143,16 +143,16 @@ TEST(Compressor, KeepsARealCornerOfFineStepsForABlend) {
     points.push_back({1.0, 0.01 * i, 0.0});
   }
   const Smoothed smoothed = smooth(lines_through(points, {}));
-  ASSERT_EQ(smoothed.parts.size(), 3U);  // line, blend, line
-  EXPECT_TRUE(std::holds_alternative<curves::Line>(smoothed.parts[0].curve));
-  EXPECT_TRUE(std::holds_alternative<curves::Line>(smoothed.parts[2].curve));
+  ASSERT_EQ(smoothed.segments.size(), 3U);  // line, blend, line
+  EXPECT_TRUE(std::holds_alternative<curves::Line>(smoothed.segments[0].curve));
+  EXPECT_TRUE(std::holds_alternative<curves::Line>(smoothed.segments[2].curve));
   EXPECT_LE(smoothed.deviation.distance_mm, 0.01);
 }
 
 TEST(Compressor, KeepsCoarseLinesWhoseChordsRiseByMoreThanTheTolerance) {
   const auto points = circle(10.0, 20, 4);  // chord height 0.12 mm
   const Smoothed smoothed = smooth(lines_through(points, {.corner_mm = 0.0, .merge_mm = 0.01}));
-  EXPECT_EQ(smoothed.parts.size(), 20U);
+  EXPECT_EQ(smoothed.segments.size(), 20U);
   EXPECT_EQ(smoothed.deviation.distance_mm, 0.0);
 }
 
@@ -164,13 +164,13 @@ TEST(Compressor, ChangesTheFeedrateWhereTheProgramDoes) {
   const Smoothed smoothed = smooth(moves);
   double at = 0.0;
   double changed_at = 0.0;
-  for (const PathPart& part : smoothed.parts) {
-    if (part.feedrate_mm_s == 20.0 && changed_at == 0.0) {
+  for (const PathSegment& segment : smoothed.segments) {
+    if (segment.feedrate_mm_s == 20.0 && changed_at == 0.0) {
       changed_at = at;
-      EXPECT_EQ(part.source.line, 301U);
-      EXPECT_TRUE(part.continues);
+      EXPECT_EQ(segment.source.line, 301U);
+      EXPECT_TRUE(segment.continues);
     }
-    at += curves::length_mm(part.curve);
+    at += curves::length_mm(segment.curve);
   }
   EXPECT_NEAR(changed_at, 10.0 * std::numbers::pi, 1e-3);
 }
@@ -178,10 +178,10 @@ TEST(Compressor, ChangesTheFeedrateWhereTheProgramDoes) {
 TEST(Compressor, KnowsWhereEachLineOfTheProgramIs) {
   const auto points = circle(10.0, 600, 6);
   const Smoothed smoothed = smooth(lines_through(points, {}));
-  for (const PathPart& part : smoothed.parts) {
-    for (const smoothing::LineMark& mark : part.marks) {
+  for (const PathSegment& segment : smoothed.segments) {
+    for (const smoothing::LineMark& mark : segment.marks) {
       if (mark.s_mm > 0.0) {
-        const Position at = curves::position_at(part.curve, mark.s_mm);
+        const Position at = curves::position_at(segment.curve, mark.s_mm);
         EXPECT_LE((vec(at) - vec(points[mark.line - 1])).norm(), 0.01) << mark.line;
       }
     }
@@ -200,21 +200,21 @@ TEST(Compressor, KnowsWhereEachLineOfTheProgramIsAlongABlend) {
     points.push_back({1.8 + 0.02 * i, -0.01, 0.0});
   }
   const Smoothed smoothed = smooth(lines_through(points, {}));
-  ASSERT_GT(smoothed.parts.size(), 3U) << "corners, and blends in them";
+  ASSERT_GT(smoothed.segments.size(), 3U) << "corners, and blends in them";
   std::vector<bool> found(points.size(), false);
-  for (const PathPart& part : smoothed.parts) {
-    const double length = curves::length_mm(part.curve);
-    for (std::size_t i = 0; i < part.marks.size() && part.marks[i].s_mm < length; ++i) {
-      const smoothing::LineMark& mark = part.marks[i];
+  for (const PathSegment& segment : smoothed.segments) {
+    const double length = curves::length_mm(segment.curve);
+    for (std::size_t i = 0; i < segment.marks.size() && segment.marks[i].s_mm < length; ++i) {
+      const smoothing::LineMark& mark = segment.marks[i];
       if (found[mark.line]) {
         continue;
       }
       found[mark.line] = true;
-      const Position at = curves::position_at(part.curve, mark.s_mm);
+      const Position at = curves::position_at(segment.curve, mark.s_mm);
       EXPECT_LE((vec(at) - vec(points[mark.line - 1])).norm(), 0.01) << mark.line;
-      EXPECT_TRUE(i == 0 || mark.s_mm > part.marks[i - 1].s_mm) << mark.line << " has no motion";
+      EXPECT_TRUE(i == 0 || mark.s_mm > segment.marks[i - 1].s_mm) << mark.line << " has no motion";
     }
-    found[part.source.line] = true;
+    found[segment.source.line] = true;
   }
   for (std::size_t line = 1; line < points.size(); ++line) {
     EXPECT_TRUE(found[line]) << line;
@@ -232,11 +232,11 @@ TEST(Compressor, LetsAnEventWithTheMotionComeWhereItStands) {
   const auto take = [&] {
     smoothing::Smoother::Output output;
     while (smoother.next(output)) {
-      const PathPart& part = std::get<PathPart>(output);
-      if (!part.changes.empty()) {
+      const PathSegment& segment = std::get<PathSegment>(output);
+      if (!segment.changes.empty()) {
         event_at = length;
       }
-      length += curves::length_mm(part.curve);
+      length += curves::length_mm(segment.curve);
     }
   };
   for (const parser::Move& move : moves) {

@@ -26,7 +26,7 @@ TEST_P(RandomSmoothing, StaysWithinTheTolerancesAndLeavesNoGap) {
       continue;
     }
     const Smoothed smoothed = smooth(program.moves);
-    ASSERT_FALSE(smoothed.parts.empty());
+    ASSERT_FALSE(smoothed.segments.empty());
     EXPECT_EQ(faults_of_joints(program.moves, smoothed), "");
     const double tolerance = std::max(program.tolerances.corner_mm, program.tolerances.merge_mm);
     // The points of the paths are 1e-5 mm off their chords.

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <sstream>
 
-#include "smoothing/part_builder.hpp"
+#include "smoothing/segment_builder.hpp"
 
 namespace kerf::test {
 
 using curves::Position;
 using curves::vec;
-using smoothing::PathPart;
+using smoothing::PathSegment;
 using smoothing::Smoother;
 
 namespace {
@@ -47,14 +47,14 @@ void add_stretch(const curves::Curve& curve, const curves::Stretch& stretch, int
 
 // The pieces of a curve are short where it turns sharply.
 void add_points(const curves::Curve& curve, std::vector<Position>& points) {
-  const int parts = std::holds_alternative<curves::NurbsCurve>(curve) ? 2 : 4;  // of a piece
+  const int segments = std::holds_alternative<curves::NurbsCurve>(curve) ? 2 : 4;  // of a piece
   if (points.empty()) {
     points.push_back(curves::position_at(curve, 0.0));
   }
   curves::for_each_piece(curve, [&](const curves::Piece& piece) {
     const double begin = curves::s_begin_mm(piece);
-    const double step = (curves::s_end_mm(piece) - begin) / parts;
-    for (int i = 0; i < parts; ++i) {
+    const double step = (curves::s_end_mm(piece) - begin) / segments;
+    for (int i = 0; i < segments; ++i) {
       add_stretch(curve, {begin + i * step, begin + (i + 1) * step}, 0, points);
     }
   });
@@ -98,8 +98,8 @@ Smoothed smooth(const std::vector<parser::Move>& moves) {
   const auto take = [&] {
     Smoother::Output output;
     while (smoother.next(output)) {
-      if (auto* part = std::get_if<PathPart>(&output)) {
-        smoothed.parts.push_back(std::move(*part));
+      if (auto* segment = std::get_if<PathSegment>(&output)) {
+        smoothed.segments.push_back(std::move(*segment));
       }
     }
   };
@@ -116,11 +116,11 @@ Smoothed smooth(const std::vector<parser::Move>& moves) {
 }
 
 std::vector<Position> points_of(const std::vector<parser::Move>& moves) {
-  std::vector<PathPart> parts;
+  std::vector<PathSegment> segments;
   std::vector<Position> points;
   for (const parser::Move& move : moves) {
-    if (smoothing::append_parts(move, parts)) {
-      add_points(parts.back().curve, points);
+    if (smoothing::append_segments(move, segments)) {
+      add_points(segments.back().curve, points);
     }
   }
   return points;
@@ -128,8 +128,8 @@ std::vector<Position> points_of(const std::vector<parser::Move>& moves) {
 
 std::vector<Position> points_of(const Smoothed& smoothed) {
   std::vector<Position> points;
-  for (const PathPart& part : smoothed.parts) {
-    add_points(part.curve, points);
+  for (const PathSegment& segment : smoothed.segments) {
+    add_points(segment.curve, points);
   }
   return points;
 }
@@ -141,25 +141,25 @@ double apart_mm(const std::vector<Position>& path, const std::vector<Position>& 
 std::string faults_of_joints(const std::vector<parser::Move>& moves, const Smoothed& smoothed) {
   std::ostringstream faults;
   Position at = moves.front().start_mm;
-  const PathPart* before = nullptr;
-  for (const PathPart& part : smoothed.parts) {
-    const auto begin = curves::derivatives_at(part.curve, 0.0);
+  const PathSegment* before = nullptr;
+  for (const PathSegment& segment : smoothed.segments) {
+    const auto begin = curves::derivatives_at(segment.curve, 0.0);
     const double gap = (vec(begin.position_mm) - vec(at)).norm();
     if (gap > 1e-9) {
-      faults << "gap of " << gap << " mm before line " << part.source.line << "; ";
+      faults << "gap of " << gap << " mm before line " << segment.source.line << "; ";
     }
-    if (part.continues && before != nullptr) {
+    if (segment.continues && before != nullptr) {
       const auto end = curves::derivatives_at(before->curve, curves::length_mm(before->curve));
       const double turn = (vec(end.first) - vec(begin.first)).norm();
       const double bend = (vec(end.second_per_mm) - vec(begin.second_per_mm)).norm();
       const double curvature = vec(end.second_per_mm).norm();
       if (turn > 1e-8 || bend > 1e-6 * (1.0 + curvature)) {
         faults << "turn " << turn << ", bend " << bend << " of " << curvature << " before line "
-               << part.source.line << "; ";
+               << segment.source.line << "; ";
       }
     }
-    at = curves::position_at(part.curve, curves::length_mm(part.curve));
-    before = &part;
+    at = curves::position_at(segment.curve, curves::length_mm(segment.curve));
+    before = &segment;
   }
   const auto& last = moves.back().shape;
   const Position end = std::holds_alternative<parser::LineMove>(last)

@@ -11,7 +11,7 @@
 namespace kerf::test {
 
 struct Smoothed {
-  std::vector<smoothing::PathPart> parts;
+  std::vector<smoothing::PathSegment> segments;
   smoothing::PathDeviation deviation{};
 };
 
@@ -28,8 +28,8 @@ std::vector<curves::Position> points_of(const Smoothed& smoothed);
 double apart_mm(const std::vector<curves::Position>& path,
                 const std::vector<curves::Position>& other);
 
-// What is wrong with how the parts join: gaps, and kinks where they are said to go on. Empty: all
-// is well.
+// What is wrong with how the segments join: gaps, and kinks where they are said to go on. Empty:
+// all is well.
 std::string faults_of_joints(const std::vector<parser::Move>& moves, const Smoothed& smoothed);
 
 }  // namespace kerf::test

@@ -130,7 +130,7 @@ TEST_F(TickPath, IsQuietWhileStarvedAndThroughAMachineFault) {
 TEST_F(TickPath, IsQuietWhereTheLineChangesWithinACurve) {
   const auto queue = std::make_unique<interp::MotionQueue>();
   interp::Interpolator interpolator(*queue, 0.001, {});
-  ASSERT_TRUE(queue->push(interp::PathPiece{
+  ASSERT_TRUE(queue->push(interp::CurvePiece{
       .curve = 1, .geometry = curves::Line::between({0, 0, 0}, {5, 0, 0}).value()}));
   for (std::uint32_t i = 0; i < 1000; ++i) {
     ASSERT_TRUE(queue->push(interp::LineChange{.curve = 1, .s_mm = 0.005 * i, .line = i + 1}));

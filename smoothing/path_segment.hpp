@@ -11,14 +11,14 @@
 
 namespace kerf::smoothing {
 
-// From s_mm on, counted on the part's curve, the motion belongs to this line of the program.
+// From s_mm on, counted on the segment's curve, the motion belongs to this line of the program.
 struct LineMark {
   double s_mm = 0.0;
   std::uint32_t line = 0;
   std::uint64_t run_block = 0;  // parser::Move::block of the line's move
 };
 
-struct PathPart {
+struct PathSegment {
   curves::Curve curve;
   diagnostics::SourcePosition source{};  // of its first line
   std::uint64_t run_block = 0;           // parser::Move::block of the move that it begins with
@@ -35,7 +35,7 @@ struct PathPart {
   std::vector<LineMark> marks{};
   // Changes that come with the first tick on it.
   std::vector<parser::EventMove> changes{};
-  // Direction and curvature go on from the part before, by construction.
+  // Direction and curvature go on from the segment before, by construction.
   bool continues = false;
 };
 

@@ -1,4 +1,5 @@
-// What a run of short lines has become, as path parts with the feedrates and lines of the program.
+// What a run of short lines has become, as path segments with the feedrates and lines of the
+// program.
 #pragma once
 
 #include <cstddef>
@@ -6,7 +7,7 @@
 
 #include "curves/curve.hpp"
 #include "parser/moves/move.hpp"
-#include "smoothing/path_part.hpp"
+#include "smoothing/path_segment.hpp"
 #include "smoothing/polyline.hpp"
 
 namespace kerf::smoothing {
@@ -17,12 +18,12 @@ struct MergedCurve {
   std::size_t first = 0;
   std::size_t last = 0;
   std::vector<double> s_mm{};  // where on the curve each of these lines begins; the first at 0
-  bool continues = false;      // the part before
+  bool continues = false;      // the segment before
   double deviation_mm = 0.0;   // from the lines, at the most
 };
 
-// Appends it in one part, or in one for each stretch of one feedrate. like: a move of the run.
-void append_parts(const Polyline& run, const MergedCurve& merged, const parser::Move& like,
-                  std::vector<PathPart>& parts);
+// Appends it in one segment, or in one for each stretch of one feedrate. like: a move of the run.
+void append_segments(const Polyline& run, const MergedCurve& merged, const parser::Move& like,
+                     std::vector<PathSegment>& segments);
 
 }  // namespace kerf::smoothing

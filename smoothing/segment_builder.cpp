@@ -1,4 +1,4 @@
-#include "smoothing/part_builder.hpp"
+#include "smoothing/segment_builder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -71,46 +71,47 @@ tl::expected<curves::Line, curves::CurveError> make_line(const Move& move, const
                                  : curves::Line::between(move.start_mm, line.end_mm);
 }
 
-PathPart part_of(curves::Curve curve, const Move& move) {
-  PathPart part{.curve = std::move(curve)};
-  part.source = move.source;
-  part.run_block = move.block;
-  part.rapid = move.rapid;
-  part.feedrate_mm_s = move.feedrate_mm_s;
-  part.mode = move.mode;
-  part.corner_tolerance_mm = move.mode == parser::PathMode::blend ? move.blend_tolerance_mm : 0.0;
-  part.stop_after = move.mode == parser::PathMode::exact_stop;
-  part.extra = {.begin_rad_mm = move.extra.begin_rad_mm,
-                .end_rad_mm = move.extra.end_rad_mm,
-                .length_mm = move.extra.moves() ? curves::length_mm(part.curve) : 0.0,
-                .alone = moves_extra_alone(move)};
-  return part;
+PathSegment segment_of(curves::Curve curve, const Move& move) {
+  PathSegment segment{.curve = std::move(curve)};
+  segment.source = move.source;
+  segment.run_block = move.block;
+  segment.rapid = move.rapid;
+  segment.feedrate_mm_s = move.feedrate_mm_s;
+  segment.mode = move.mode;
+  segment.corner_tolerance_mm =
+      move.mode == parser::PathMode::blend ? move.blend_tolerance_mm : 0.0;
+  segment.stop_after = move.mode == parser::PathMode::exact_stop;
+  segment.extra = {.begin_rad_mm = move.extra.begin_rad_mm,
+                   .end_rad_mm = move.extra.end_rad_mm,
+                   .length_mm = move.extra.moves() ? curves::length_mm(segment.curve) : 0.0,
+                   .alone = moves_extra_alone(move)};
+  return segment;
 }
 
-// So much of an arc of many turns becomes one part: the look-ahead holds a part as a whole.
-constexpr double kLongestPart_rad = 200.0 * std::numbers::pi;
+// So much of an arc of many turns becomes one segment: the look-ahead holds a segment as a whole.
+constexpr double kLongestSegment_rad = 200.0 * std::numbers::pi;
 
-void append_arc(const curves::Arc& arc, const Move& move, std::vector<PathPart>& parts) {
+void append_arc(const curves::Arc& arc, const Move& move, std::vector<PathSegment>& segments) {
   const double turned_rad = arc.in_plane_share() * arc.length_mm() / arc.radius_mm();
-  // A last turn that is not whole needs no part of its own.
-  const double count = std::max(1.0, std::floor(turned_rad / kLongestPart_rad));
-  const PathPart whole = part_of(arc, move);
+  // A last turn that is not whole needs no segment of its own.
+  const double count = std::max(1.0, std::floor(turned_rad / kLongestSegment_rad));
+  const PathSegment whole = segment_of(arc, move);
   if (count == 1.0) {
-    parts.push_back(whole);
+    segments.push_back(whole);
     return;
   }
   const double length_mm = arc.length_mm();
   double begin_mm = 0.0;
   for (double i = 1.0; i <= count; ++i) {
     const double end_mm = i < count ? length_mm * (i / count) : length_mm;
-    PathPart& part = parts.emplace_back(whole);
-    part.curve = arc.part({.begin_mm = begin_mm, .end_mm = end_mm});
-    part.continues = i > 1.0;
-    part.stop_after = whole.stop_after && i == count;
+    PathSegment& segment = segments.emplace_back(whole);
+    segment.curve = arc.part({.begin_mm = begin_mm, .end_mm = end_mm});
+    segment.continues = i > 1.0;
+    segment.stop_after = whole.stop_after && i == count;
     if (move.extra.moves()) {
-      part.extra.begin_rad_mm = whole.extra.at(begin_mm);
-      part.extra.end_rad_mm = whole.extra.at(end_mm);
-      part.extra.length_mm = curves::length_mm(part.curve);
+      segment.extra.begin_rad_mm = whole.extra.at(begin_mm);
+      segment.extra.end_rad_mm = whole.extra.at(end_mm);
+      segment.extra.length_mm = curves::length_mm(segment.curve);
     }
     begin_mm = end_mm;
   }
@@ -122,33 +123,34 @@ Appended refuse(const Move& move, const curves::CurveError& error) {
   return tl::make_unexpected(PathError{line_to_blame(move, error), error.message});
 }
 
-Appended append_line(const Move& move, const LineMove& line, std::vector<PathPart>& parts) {
+Appended append_line(const Move& move, const LineMove& line, std::vector<PathSegment>& segments) {
   const auto built = make_line(move, line);
   if (!built) {
     return refuse(move, built.error());
   }
-  parts.push_back(part_of(*built, move));
+  segments.push_back(segment_of(*built, move));
   return {};
 }
 
-Appended append_round(const Move& move, const ArcMove& arc, std::vector<PathPart>& parts) {
+Appended append_round(const Move& move, const ArcMove& arc, std::vector<PathSegment>& segments) {
   const auto built = curves::make_arc(arc_shape(move, arc));
   if (!built) {
     return refuse(move, built.error());
   }
-  const std::size_t first = parts.size();
+  const std::size_t first = segments.size();
   if (const auto* circle = std::get_if<curves::Arc>(&*built)) {
-    append_arc(*circle, move, parts);
+    append_arc(*circle, move, segments);
   } else {
-    parts.push_back(part_of(std::get<curves::NurbsCurve>(*built), move));
+    segments.push_back(segment_of(std::get<curves::NurbsCurve>(*built), move));
   }
-  for (std::size_t i = first; i < parts.size(); ++i) {
-    parts[i].arc_normal = normal_axis(arc.plane);
+  for (std::size_t i = first; i < segments.size(); ++i) {
+    segments[i].arc_normal = normal_axis(arc.plane);
   }
   return {};
 }
 
-Appended append_nurbs(const Move& move, const NurbsMove& nurbs, std::vector<PathPart>& parts) {
+Appended append_nurbs(const Move& move, const NurbsMove& nurbs,
+                      std::vector<PathSegment>& segments) {
   if (move.extra.moves()) {
     return tl::make_unexpected(
         PathError{move.source.line, "A, B, C, U, V and W cannot move on a spline"});
@@ -160,24 +162,25 @@ Appended append_nurbs(const Move& move, const NurbsMove& nurbs, std::vector<Path
   for (curves::NurbsCurve& curve : *built) {
     const bool last = &curve == &built->back();
     const auto straight = curves::straight(curve);
-    parts.push_back(
-        part_of(straight ? curves::Curve(*straight) : curves::Curve(std::move(curve)), move));
-    parts.back().stop_after = parts.back().stop_after && last;
+    segments.push_back(
+        segment_of(straight ? curves::Curve(*straight) : curves::Curve(std::move(curve)), move));
+    segments.back().stop_after = segments.back().stop_after && last;
   }
   return {};
 }
 
 }  // namespace
 
-tl::expected<void, PathError> append_parts(const Move& move, std::vector<PathPart>& parts) {
+tl::expected<void, PathError> append_segments(const Move& move,
+                                              std::vector<PathSegment>& segments) {
   if (const auto* line = std::get_if<LineMove>(&move.shape)) {
-    return append_line(move, *line, parts);
+    return append_line(move, *line, segments);
   }
   if (const auto* arc = std::get_if<ArcMove>(&move.shape)) {
-    return append_round(move, *arc, parts);
+    return append_round(move, *arc, segments);
   }
   if (const auto* nurbs = std::get_if<NurbsMove>(&move.shape)) {
-    return append_nurbs(move, *nurbs, parts);
+    return append_nurbs(move, *nurbs, segments);
   }
   return {};
 }

@@ -1,12 +1,12 @@
-#include "smoothing/part_marks.hpp"
+#include "smoothing/segment_marks.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace kerf::smoothing {
 
-void shift_marks(PathPart& part, double by_mm) {
-  std::vector<LineMark>& marks = part.marks;
+void shift_marks(PathSegment& segment, double by_mm) {
+  std::vector<LineMark>& marks = segment.marks;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const double s = marks[i].s_mm - by_mm;
@@ -18,9 +18,9 @@ void shift_marks(PathPart& part, double by_mm) {
   marks.resize(kept);
 }
 
-LineMark mark_at(const PathPart& part, double s_mm) {
-  LineMark found{.line = part.source.line, .run_block = part.run_block};
-  for (const LineMark& mark : part.marks) {
+LineMark mark_at(const PathSegment& segment, double s_mm) {
+  LineMark found{.line = segment.source.line, .run_block = segment.run_block};
+  for (const LineMark& mark : segment.marks) {
     if (mark.s_mm > s_mm) {
       break;
     }
@@ -31,8 +31,8 @@ LineMark mark_at(const PathPart& part, double s_mm) {
 
 // At w the blend is way (1 - w)^3 before the corner and way w^3 behind it. It passes the corner at
 // 1 / 2, where that is an eighth of the way: marks nearer to the corner are looked for from there.
-std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathPart& before,
-                                  const PathPart& after) {
+std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathSegment& before,
+                                  const PathSegment& after) {
   const double length = curves::length_mm(before.curve);
   std::vector<LineMark> marks;
   // From there to the place of the blend that is nearest to the mark's.
