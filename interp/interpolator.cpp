@@ -21,7 +21,7 @@ double distance_to_chord_mm(const Position& point, const Position& from,
 }  // namespace
 
 Interpolator::Interpolator(MotionQueue& queue, double period_s, const Position& start_mm,
-                           const curves::ExtraPosition& start_extra_rad_mm) noexcept
+                           const curves::AuxiliaryPosition& start_extra_rad_mm) noexcept
     : queue_(&queue), period_s_(period_s), position_before_mm_(start_mm) {
   now_.tick = -1;
   now_.position_mm = start_mm;

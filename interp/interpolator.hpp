@@ -25,7 +25,7 @@ class Interpolator {
  public:
   // Rests at start_mm and start_extra_rad_mm until the first motion.
   Interpolator(MotionQueue& queue, double period_s, const Position& start_mm,
-               const curves::ExtraPosition& start_extra_rad_mm = {}) noexcept;
+               const curves::AuxiliaryPosition& start_extra_rad_mm = {}) noexcept;
 
   TickStatus next(Setpoint& setpoint) noexcept;
 

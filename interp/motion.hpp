@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "curves/auxiliary_axis_motion.hpp"
 #include "curves/curve.hpp"
-#include "curves/extra_way.hpp"
 #include "interp/constraint.hpp"
 #include "profiles/time_law.hpp"
 
@@ -18,7 +18,7 @@ namespace kerf::interp {
 struct CurvePiece {
   std::uint64_t curve = 0;
   curves::Piece geometry = curves::NurbsPiece{};
-  curves::ExtraWay extra{};  // along the whole curve
+  curves::AuxiliaryAxisMotion extra{};  // along the whole curve
 };
 
 // From s_mm on, on this curve, setpoints belong to the line.

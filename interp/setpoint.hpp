@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "curves/extra_way.hpp"
+#include "curves/auxiliary_axis_motion.hpp"
 #include "curves/position.hpp"
 #include "interp/constraint.hpp"
 #include "interp/outputs.hpp"
@@ -24,7 +24,7 @@ struct Setpoint {
   Position position_mm{};
   Position velocity_mm_s{};
   Position acceleration_mm_s2{};
-  curves::ExtraPosition extra_rad_mm{};  // A, B, C, U, V, W; at rest if the machine has none
+  curves::AuxiliaryPosition extra_rad_mm{};  // A, B, C, U, V, W; at rest if the machine has none
   Outputs outputs{};
 };
 

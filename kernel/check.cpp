@@ -26,8 +26,8 @@ void unite(curves::Extents& all, const curves::Extents& segment, bool first) {
   }
 }
 
-void unite(curves::ExtraExtents& all, const curves::ExtraPosition& position, bool first) {
-  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+void unite(curves::AuxiliaryExtents& all, const curves::AuxiliaryPosition& position, bool first) {
+  for (std::size_t k = 0; k < curves::kAuxiliaryAxes; ++k) {
     all.min_rad_mm[k] = first ? position[k] : std::min(all.min_rad_mm[k], position[k]);
     all.max_rad_mm[k] = first ? position[k] : std::max(all.max_rad_mm[k], position[k]);
   }
@@ -95,7 +95,7 @@ class Checker {
 
   static constexpr std::size_t kMaxLimitFaults = 100;
   machine::Envelope envelope_;
-  machine::ExtraEnvelope extra_envelope_;
+  machine::AuxiliaryEnvelope extra_envelope_;
   LeastTime least_time_;
   CheckWarnings warnings_;
   std::vector<smoothing::PathSegment> segments_;

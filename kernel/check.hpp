@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "curves/extra_way.hpp"
+#include "curves/auxiliary_axis_motion.hpp"
 #include "curves/position.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "kernel/kernel.hpp"
@@ -18,10 +18,10 @@ struct CheckReport {
   std::vector<diagnostics::Diagnostic>
       diagnostics;  // of the text and of curves that cannot be built
   std::vector<diagnostics::Diagnostic>
-      limit_faults;                      // paths that leave the travel, one for each block
-  curves::Extents extents{};             // of all motion, with the bulge of arcs and splines
-  curves::ExtraExtents extra_extents{};  // of A, B, C, U, V, W
-  bool moves = false;                    // false: extents mean nothing
+      limit_faults;                          // paths that leave the travel, one for each block
+  curves::Extents extents{};                 // of all motion, with the bulge of arcs and splines
+  curves::AuxiliaryExtents extra_extents{};  // of A, B, C, U, V, W
+  bool moves = false;                        // false: extents mean nothing
 
   [[nodiscard]] bool has_errors() const;
 };

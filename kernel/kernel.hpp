@@ -27,8 +27,8 @@ struct KernelOptions {
   parser::BlockDelete block_delete{};  // which blocks that begin with '/' are left out
   bool checks_travel = false;          // a block that leaves the table is an error, as in the check
   std::array<double, 3> start_mm{};    // where the tool is
-  std::array<double, curves::kExtraAxes> start_extra_rad_mm{};  // A, B, C in rad, U, V, W in mm
-  std::optional<parser::Dialect> dialect{};                     // nothing: the machine's
+  std::array<double, curves::kAuxiliaryAxes> start_extra_rad_mm{};  // A, B, C in rad, U, V, W in mm
+  std::optional<parser::Dialect> dialect{};                         // nothing: the machine's
   parser::SubprogramSource subprograms{};  // those that are not in the program's own text
 };
 

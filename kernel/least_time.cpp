@@ -31,7 +31,7 @@ void LeastTime::add(const parser::Move& move, const std::vector<smoothing::PathS
     const bool feeds = !segment.rapid && segment.feedrate_mm_s > 0.0;
     move_s += std::max(machine_s, feeds ? length_mm / segment.feedrate_mm_s : 0.0);
   }
-  for (std::size_t k = 0; k < curves::kExtraAxes && !segments.empty(); ++k) {
+  for (std::size_t k = 0; k < curves::kAuxiliaryAxes && !segments.empty(); ++k) {
     const double way = std::abs(move.extra.end_rad_mm[k] - move.extra.begin_rad_mm[k]);
     move_s = std::max(move_s, way / limits_.extra[k].velocity_mm_s);
   }

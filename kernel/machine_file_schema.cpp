@@ -81,16 +81,16 @@ double& extra_limit(Settings& settings, std::size_t axis) {
   return settings.limits.extra[axis].*kMember;
 }
 
-template <double machine::ExtraTravel::*kMember>
+template <double machine::AuxiliaryTravel::*kMember>
 double& extra_travel(Settings& settings, std::size_t axis) {
   return settings.table.extra[axis].*kMember;
 }
 
-using machine::ExtraTravel;
+using machine::AuxiliaryTravel;
 
 constexpr std::array kStraightAxis{
-    NumberRule{"min_mm", -1e6, 1e6, extra_travel<&ExtraTravel::min_rad_mm>, 1.0, -kOpen},
-    NumberRule{"max_mm", -1e6, 1e6, extra_travel<&ExtraTravel::max_rad_mm>, 1.0, kOpen},
+    NumberRule{"min_mm", -1e6, 1e6, extra_travel<&AuxiliaryTravel::min_rad_mm>, 1.0, -kOpen},
+    NumberRule{"max_mm", -1e6, 1e6, extra_travel<&AuxiliaryTravel::max_rad_mm>, 1.0, kOpen},
     NumberRule{"max_velocity_mm_s", 1e-6, 1e6, extra_limit<&MotionLimits::velocity_mm_s>, 1.0,
                kOpen},
     NumberRule{"max_acceleration_mm_s2", 1e-6, 1e9, extra_limit<&MotionLimits::acceleration_mm_s2>,
@@ -101,8 +101,8 @@ constexpr std::array kStraightAxis{
 constexpr double kRad = 3.14159265358979323846 / 180.0;  // of a degree
 
 constexpr std::array kTurningAxis{
-    NumberRule{"min_deg", -1e6, 1e6, extra_travel<&ExtraTravel::min_rad_mm>, kRad, -kOpen},
-    NumberRule{"max_deg", -1e6, 1e6, extra_travel<&ExtraTravel::max_rad_mm>, kRad, kOpen},
+    NumberRule{"min_deg", -1e6, 1e6, extra_travel<&AuxiliaryTravel::min_rad_mm>, kRad, -kOpen},
+    NumberRule{"max_deg", -1e6, 1e6, extra_travel<&AuxiliaryTravel::max_rad_mm>, kRad, kOpen},
     NumberRule{"max_velocity_deg_s", 1e-6, 1e6, extra_limit<&MotionLimits::velocity_mm_s>, kRad,
                kOpen},
     NumberRule{"max_acceleration_deg_s2", 1e-6, 1e9, extra_limit<&MotionLimits::acceleration_mm_s2>,

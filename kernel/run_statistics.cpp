@@ -5,11 +5,11 @@
 
 namespace kerf {
 
-void RunStatistics::add_extra(const curves::ExtraPosition& position_rad_mm) {
+void RunStatistics::add_extra(const curves::AuxiliaryPosition& position_rad_mm) {
   if (count_ == 0) {
     extra_extents_ = {.min_rad_mm = position_rad_mm, .max_rad_mm = position_rad_mm};
   }
-  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+  for (std::size_t k = 0; k < curves::kAuxiliaryAxes; ++k) {
     const double x = position_rad_mm[k];
     extra_extents_.min_rad_mm[k] = std::min(extra_extents_.min_rad_mm[k], x);
     extra_extents_.max_rad_mm[k] = std::max(extra_extents_.max_rad_mm[k], x);

@@ -26,7 +26,7 @@ class RunStatistics {
   }
   [[nodiscard]] double path_length_mm() const noexcept { return s_mm_; }
   // Of A, B, C in rad.
-  [[nodiscard]] const curves::ExtraExtents& extra_extents() const noexcept {
+  [[nodiscard]] const curves::AuxiliaryExtents& extra_extents() const noexcept {
     return extra_extents_;
   }
   [[nodiscard]] const curves::Extents& extents() const noexcept { return extents_; }
@@ -39,7 +39,7 @@ class RunStatistics {
   }
 
  private:
-  void add_extra(const curves::ExtraPosition& position_rad_mm);
+  void add_extra(const curves::AuxiliaryPosition& position_rad_mm);
 
   double period_s_;
   bool has_extra_axes_;
@@ -49,7 +49,7 @@ class RunStatistics {
   double sum_contour_error_mm_ = 0.0;
   std::array<double, 3> max_following_error_mm_{};
   curves::Extents extents_{};
-  curves::ExtraExtents extra_extents_{};
+  curves::AuxiliaryExtents extra_extents_{};
 };
 
 }  // namespace kerf

@@ -71,7 +71,7 @@ Result check_axes(MachineSettings& settings) {
     result =
         check_axis_with_travel({std::string("axes.") + "xyz"[axis], axis_rules(), axis}, settings);
   }
-  for (std::size_t axis = 0; axis < curves::kExtraAxes && result; ++axis) {
+  for (std::size_t axis = 0; axis < curves::kAuxiliaryAxes && result; ++axis) {
     if (has_extra_axis(settings, axis)) {
       result = check_axis_with_travel(
           {path_to_extra(axis), extra_axis_rules(parser::turns(axis)), axis}, settings);
@@ -128,7 +128,7 @@ Result check_probe(MachineSettings& settings) {
 
 // What a plan needs beside possible numbers.
 Result check_bounds(MachineSettings& settings) {
-  for (std::size_t axis = 0; axis < curves::kExtraAxes; ++axis) {
+  for (std::size_t axis = 0; axis < curves::kAuxiliaryAxes; ++axis) {
     for (const NumberRule& rule : extra_axis_rules(parser::turns(axis)).last(3)) {
       if (has_extra_axis(settings, axis) && rule.field(settings, axis) == rule.open) {
         return fail(path_to_extra(axis) + "." + std::string(rule.key),

@@ -84,8 +84,8 @@ std::array<Peaks, 3> TickJudge::axes() const noexcept {
   return peaks;
 }
 
-std::array<Peaks, curves::kExtraAxes> TickJudge::extra_axes() const noexcept {
-  std::array<Peaks, curves::kExtraAxes> peaks;
+std::array<Peaks, curves::kAuxiliaryAxes> TickJudge::extra_axes() const noexcept {
+  std::array<Peaks, curves::kAuxiliaryAxes> peaks;
   for (std::size_t k = 0; k < peaks.size(); ++k) {
     peaks[k] = peaks_of(extra_[k]);
   }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "curves/extra_way.hpp"
+#include "curves/auxiliary_axis_motion.hpp"
 #include "curves/position.hpp"
 #include "interp/setpoint.hpp"
 #include "kernel/run_fault.hpp"
@@ -47,7 +47,7 @@ std::optional<RunFault> describe(const TickExcess& excess);
 // Where the tool is.
 struct PlaceOfTool {
   curves::Position position_mm{};
-  curves::ExtraPosition extra_rad_mm{};
+  curves::AuxiliaryPosition extra_rad_mm{};
 };
 
 // Figures along the path come from the arc length between ticks, those of the axes from positions,
@@ -80,7 +80,7 @@ class TickJudge {
   [[nodiscard]] Peaks path() const noexcept { return peaks_of(path_); }
   [[nodiscard]] std::array<Peaks, 3> axes() const noexcept;
   // Of A, B, C in rad.
-  [[nodiscard]] std::array<Peaks, curves::kExtraAxes> extra_axes() const noexcept;
+  [[nodiscard]] std::array<Peaks, curves::kAuxiliaryAxes> extra_axes() const noexcept;
   // The largest, and that of the latest tick.
   [[nodiscard]] double chord_error_mm() const noexcept { return chord_error_mm_; }
   [[nodiscard]] double latest_chord_error_mm() const noexcept { return latest_chord_error_mm_; }
@@ -114,7 +114,7 @@ class TickJudge {
   int settling_ = 0;  // ticks whose differences are not looked at
   Track path_{};
   std::array<Track, 3> axes_{};
-  std::array<Track, curves::kExtraAxes> extra_{};
+  std::array<Track, curves::kAuxiliaryAxes> extra_{};
   double chord_error_mm_ = 0.0;
   double latest_chord_error_mm_ = 0.0;
   TickExcess excess_{};

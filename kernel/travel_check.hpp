@@ -20,7 +20,7 @@ class TravelCheck {
 
  private:
   machine::Envelope envelope_;
-  machine::ExtraEnvelope extra_envelope_;
+  machine::AuxiliaryEnvelope extra_envelope_;
   std::vector<smoothing::PathSegment> segments_;  // of the move
 };
 

@@ -73,8 +73,8 @@ std::optional<TravelExcess> outside_travel(const Envelope& envelope,
   return outside_travel(envelope, curves::Extents{.min_mm = point, .max_mm = point});
 }
 
-std::optional<TravelExcess> outside_travel(const ExtraEnvelope& envelope,
-                                           const curves::ExtraPosition& position_rad_mm) noexcept {
+std::optional<TravelExcess> outside_travel(
+    const AuxiliaryEnvelope& envelope, const curves::AuxiliaryPosition& position_rad_mm) noexcept {
   TravelExcess worst{.by_mm = kTravelToleranceMm};
   for (std::size_t k = 0; k < envelope.size(); ++k) {
     worst =

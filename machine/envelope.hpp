@@ -13,8 +13,8 @@
 
 namespace kerf::machine {
 
-using Envelope = std::array<Travel, 3>;                             // x, y, z
-using ExtraEnvelope = std::array<ExtraTravel, curves::kExtraAxes>;  // a, b, c, u, v, w
+using Envelope = std::array<Travel, 3>;                                         // x, y, z
+using AuxiliaryEnvelope = std::array<AuxiliaryTravel, curves::kAuxiliaryAxes>;  // a, b, c, u, v, w
 
 // A path that ends or turns on the limit itself may round beyond it. One nanometre is a thousand
 // times what the interpolation rounds and a thousandth of an encoder count.
@@ -36,7 +36,7 @@ struct TravelExcess {
                                                          const curves::Extents& box) noexcept;
 
 [[nodiscard]] std::optional<TravelExcess> outside_travel(
-    const ExtraEnvelope& envelope, const curves::ExtraPosition& position_rad_mm) noexcept;
+    const AuxiliaryEnvelope& envelope, const curves::AuxiliaryPosition& position_rad_mm) noexcept;
 
 // "x goes 12.5 mm beyond its upper limit of 300 mm". Allocates: not for the tick.
 [[nodiscard]] std::string describe(const TravelExcess& excess);

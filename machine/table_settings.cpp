@@ -29,7 +29,7 @@ bool is_valid(const TableSettings& settings) noexcept {
   return settings.period_s >= 1e-5 && settings.period_s <= 0.1 &&
          std::all_of(settings.axes.begin(), settings.axes.end(), is_valid_axis) &&
          std::all_of(settings.extra.begin(), settings.extra.end(),
-                     [](const ExtraTravel& t) { return t.min_rad_mm < t.max_rad_mm; });
+                     [](const AuxiliaryTravel& t) { return t.min_rad_mm < t.max_rad_mm; });
 }
 
 }  // namespace kerf::machine

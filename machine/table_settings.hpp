@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "curves/extra_way.hpp"
+#include "curves/auxiliary_axis_motion.hpp"
 
 namespace kerf::machine {
 
@@ -14,7 +14,7 @@ struct Travel {
 };
 
 // Of A, B, C in rad, of U, V, W in mm.
-struct ExtraTravel {
+struct AuxiliaryTravel {
   double min_rad_mm = -std::numeric_limits<double>::infinity();
   double max_rad_mm = std::numeric_limits<double>::infinity();
 };
@@ -44,7 +44,8 @@ struct AxisDrive {
 struct TableSettings {
   double period_s = 0.001;
   std::array<AxisDrive, 3> axes{};
-  std::array<ExtraTravel, curves::kExtraAxes> extra{};  // without drives: see SimulatedTable
+  std::array<AuxiliaryTravel, curves::kAuxiliaryAxes>
+      extra{};  // without drives: see SimulatedTable
 };
 
 // Every number is of its kind (gains, lead, counts and drive limits positive, friction and integral

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "curves/auxiliary_axis_motion.hpp"
 #include "curves/curve.hpp"
-#include "curves/extra_way.hpp"
 #include "parser/moves/move.hpp"
 
 namespace kerf::smoothing {
@@ -24,7 +24,7 @@ struct PathSegment {
   std::uint64_t run_block = 0;           // parser::Move::block of the move that it begins with
   bool rapid = false;
   double feedrate_mm_s = 0.0;  // not used by rapids
-  curves::ExtraWay extra{};
+  curves::AuxiliaryAxisMotion extra{};
   parser::PathMode mode = parser::PathMode::exact_path;
   double corner_tolerance_mm = 0.0;  // within which its corners may be blended
   double deviation_mm = 0.0;         // from what is programmed, at the most: what a blend has less

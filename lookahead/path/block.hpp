@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "curves/auxiliary_axis_motion.hpp"
 #include "curves/curve.hpp"
-#include "curves/extra_way.hpp"
 #include "lookahead/path/ceiling.hpp"
 #include "lookahead/path/limits.hpp"
 #include "profiles/shape_value.hpp"
@@ -24,15 +24,15 @@ struct BlockLimits {
 struct BlockEnd {
   curves::Position tangent{};
   curves::Position curvature_per_mm{};
-  double third_per_mm2 = 0.0;            // bound of |q'''| of the curve, 0 where it does not bind
-  curves::ExtraPosition extra_per_mm{};  // what the extra axes move by the path's length
+  double third_per_mm2 = 0.0;  // bound of |q'''| of the curve, 0 where it does not bind
+  curves::AuxiliaryPosition extra_per_mm{};  // what the extra axes move by the path's length
 };
 
 using smoothing::LineMark;
 
 struct Block {
   curves::Curve curve;
-  curves::ExtraWay extra{};
+  curves::AuxiliaryAxisMotion extra{};
   std::uint32_t line = 0;
   std::uint64_t run_block = 0;  // parser::Move::block of the move that it begins with
   // Where the curve stands for more than one line: ascending, the first at 0. Empty: it is of

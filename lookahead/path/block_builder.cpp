@@ -37,7 +37,7 @@ void bind_extra_axes(const PlanLimits& limits, Block& block) {
     return;
   }
   bind_extra(block.extra, limits, block.limits);
-  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+  for (std::size_t k = 0; k < curves::kAuxiliaryAxes; ++k) {
     block.begin.extra_per_mm[k] = block.end.extra_per_mm[k] = block.extra.slope_per_mm(k);
   }
 }

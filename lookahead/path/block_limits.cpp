@@ -105,8 +105,9 @@ BlockLimits line_limits(const curves::Line& line, double feedrate_mm_s, const Pl
   return block;
 }
 
-void bind_extra(const curves::ExtraWay& extra, const PlanLimits& limits, BlockLimits& block) {
-  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+void bind_extra(const curves::AuxiliaryAxisMotion& extra, const PlanLimits& limits,
+                BlockLimits& block) {
+  for (std::size_t k = 0; k < curves::kAuxiliaryAxes; ++k) {
     bind_share(block, limits.extra[k], {limits.axes.size() + k, std::abs(extra.slope_per_mm(k))});
   }
 }

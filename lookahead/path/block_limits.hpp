@@ -27,7 +27,8 @@ BlockLimits path_limits(double feedrate_mm_s, const PlanLimits& limits);
 BlockLimits line_limits(const curves::Line& line, double feedrate_mm_s, const PlanLimits& limits);
 
 // The extra axes move by their share of the length, and their limits divided by it bind, too.
-void bind_extra(const curves::ExtraWay& extra, const PlanLimits& limits, BlockLimits& block);
+void bind_extra(const curves::AuxiliaryAxisMotion& extra, const PlanLimits& limits,
+                BlockLimits& block);
 
 // How a path turns in the plane of an arc: bounds over its whole length.
 struct Bend {

@@ -117,7 +117,7 @@ double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
                                                             limits.path.acceleration_mm_s2)),
                   largest_below(jerk, limit_or_path(axis.jerk_mm_s3, limits.path.jerk_mm_s3))});
   }
-  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+  for (std::size_t k = 0; k < curves::kAuxiliaryAxes; ++k) {
     const double turn = std::abs(after.extra_per_mm[k] - before.extra_per_mm[k]);
     if (turn > kSmoothTangent) {
       const MotionLimits& axis = limits.extra[k];

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "curves/extra_way.hpp"
+#include "curves/auxiliary_axis_motion.hpp"
 #include "interp/constraint.hpp"
 
 namespace kerf::lookahead {
@@ -24,7 +24,7 @@ struct PlanLimits {
   std::array<MotionLimits, 3> axes{};
   // A, B, C, with rad in place of mm, then U, V, W. They bind whatever the limits along the path,
   // which do not count where only these axes move.
-  std::array<MotionLimits, curves::kExtraAxes> extra{};
+  std::array<MotionLimits, curves::kAuxiliaryAxes> extra{};
   double chord_tolerance_mm = kUnbounded;
 };
 

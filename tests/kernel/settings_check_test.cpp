@@ -48,7 +48,7 @@ std::vector<Field> all_fields() {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     add(std::string("axes.") + "xyz"[axis], axis_rules(), axis);
   }
-  for (std::size_t axis = 0; axis < curves::kExtraAxes; ++axis) {
+  for (std::size_t axis = 0; axis < curves::kAuxiliaryAxes; ++axis) {
     add(std::string("axes.") + "abcuvw"[axis], extra_axis_rules(axis < 3), axis);
   }
   for (std::size_t section = 0; section < offset_sections().size(); ++section) {
@@ -200,7 +200,7 @@ TEST(SettingsCheck, RefusesImpossibleOptions) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       expect("start_mm", [=](KernelOptions& options) { options.start_mm[axis] = coordinate; });
     }
-    for (std::size_t axis = 0; axis < curves::kExtraAxes; ++axis) {
+    for (std::size_t axis = 0; axis < curves::kAuxiliaryAxes; ++axis) {
       expect("start_extra_rad_mm",
              [=](KernelOptions& options) { options.start_extra_rad_mm[axis] = coordinate; });
     }

@@ -37,7 +37,7 @@ void TickChecker::add(const Tick& tick) {
     }
     judge_axis(x, limits_.axes[k]);
   }
-  for (std::size_t k = 0; k < curves::kExtraAxes; ++k) {
+  for (std::size_t k = 0; k < curves::kAuxiliaryAxes; ++k) {
     for (std::size_t i = 0; i < 4; ++i) {
       x[i] = last_[i].setpoint.extra_rad_mm[k];
     }

@@ -24,7 +24,7 @@ Json axes_json(const std::array<double, 3>& values) {
 // The straight ones of the machine's other axes go beside x, y and z, the turning ones into a table
 // of their own.
 void add_extra(Json& in_mm, Json& in_deg, const FileReport& report,
-               const curves::ExtraPosition& values_rad_mm) {
+               const curves::AuxiliaryPosition& values_rad_mm) {
   for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
     (axis.unit == "deg" ? in_deg : in_mm)[axis.name] = axis.factor * values_rad_mm[axis.index];
   }

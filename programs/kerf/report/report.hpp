@@ -28,7 +28,7 @@ struct PlanReport {
   double path_length_mm = 0.0;
   std::uint64_t blocks = 0;
   curves::Extents extents{};
-  curves::ExtraExtents extra_extents{};
+  curves::AuxiliaryExtents extra_extents{};
   smoothing::PathDeviation deviation{};  // of the commanded path from the programmed one
 
   // By more than rounding.
@@ -47,7 +47,7 @@ struct BlockReport {
 struct MotionReport {
   Peaks path{};
   std::array<Peaks, 3> axes{};
-  std::array<Peaks, curves::kExtraAxes> extra{};  // of A, B, C in rad
+  std::array<Peaks, curves::kAuxiliaryAxes> extra{};  // of A, B, C in rad
   double chord_error_mm = 0.0;
   double max_contour_error_mm = 0.0;
   double mean_contour_error_mm = 0.0;

@@ -44,7 +44,7 @@ std::string extents_text(const FileReport& report) {
                         fixed_number(extents.min_mm[k], 3), fixed_number(extents.max_mm[k], 3));
   }
   text += " mm";
-  const curves::ExtraExtents& extra = report.plan->extra_extents;
+  const curves::AuxiliaryExtents& extra = report.plan->extra_extents;
   for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
     text += fmt::format(", {} {} to {} {}", axis.name,
                         fixed_number(axis.factor * extra.min_rad_mm[axis.index], 3),

@@ -18,7 +18,7 @@ struct TickRecord {
   profiles::PathMotion motion{};
   curves::Position position_mm{};
   curves::Position actual_mm{};
-  curves::ExtraPosition extra_rad_mm{};
+  curves::AuxiliaryPosition extra_rad_mm{};
 };
 static_assert(std::is_trivially_copyable_v<TickRecord>);
 

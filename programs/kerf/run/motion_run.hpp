@@ -15,7 +15,7 @@ namespace kerf::program {
 // What the look at the whole program found of its path; of text that runs as it comes, nothing.
 struct CheckedPath {
   std::optional<curves::Extents> extents;  // none: no path
-  curves::ExtraExtents extra_extents{};
+  curves::AuxiliaryExtents extra_extents{};
 };
 
 struct MotionOrder {

@@ -6,19 +6,19 @@
 
 namespace kerf::curves {
 
-inline constexpr std::size_t kExtraAxes = 6;
+inline constexpr std::size_t kAuxiliaryAxes = 6;
 
-using ExtraPosition = std::array<double, kExtraAxes>;  // A, B, C in rad, then U, V, W in mm
+using AuxiliaryPosition = std::array<double, kAuxiliaryAxes>;  // A, B, C in rad, then U, V, W in mm
 
-struct ExtraWay {
-  ExtraPosition begin_rad_mm{};
-  ExtraPosition end_rad_mm{};
+struct AuxiliaryAxisMotion {
+  AuxiliaryPosition begin_rad_mm{};
+  AuxiliaryPosition end_rad_mm{};
   double length_mm = 0.0;  // of the curve; 0: they rest at end_rad_mm
   // X, Y and Z rest. The curve's length is then the way's own, in rad where only A, B, C move.
   bool alone = false;
 
   // s_mm is clamped to [0, length]; both ends are exact.
-  [[nodiscard]] ExtraPosition at(double s_mm) const noexcept {
+  [[nodiscard]] AuxiliaryPosition at(double s_mm) const noexcept {
     if (s_mm >= length_mm) {
       return end_rad_mm;
     }
@@ -26,8 +26,8 @@ struct ExtraWay {
       return begin_rad_mm;
     }
     const double share = s_mm / length_mm;
-    ExtraPosition position;
-    for (std::size_t k = 0; k < kExtraAxes; ++k) {
+    AuxiliaryPosition position;
+    for (std::size_t k = 0; k < kAuxiliaryAxes; ++k) {
       position[k] = begin_rad_mm[k] + share * (end_rad_mm[k] - begin_rad_mm[k]);
     }
     return position;
@@ -39,9 +39,9 @@ struct ExtraWay {
 };
 
 // The box that a way fills.
-struct ExtraExtents {
-  ExtraPosition min_rad_mm{};
-  ExtraPosition max_rad_mm{};
+struct AuxiliaryExtents {
+  AuxiliaryPosition min_rad_mm{};
+  AuxiliaryPosition max_rad_mm{};
 };
 
 }  // namespace kerf::curves
