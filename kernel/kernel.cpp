@@ -75,7 +75,7 @@ class Kernel::Impl {
 
   interp::TickStatus next(interp::Setpoint& setpoint) {
     if (runs_low() && plan() && runs_low()) {
-      drain();
+      plan_to_rest();
     }
     reach_tick();
     const interp::TickStatus status = tick(setpoint);
@@ -91,11 +91,11 @@ class Kernel::Impl {
     return delivery_.frozen_until_tick() - interpolator_.plan_tick() <= horizon_ticks_ / 2;
   }
 
-  void drain() {
+  void plan_to_rest() {
     if (!pipeline_.is_finished()) {
       pipeline_.flush();
       if (plan()) {
-        pipeline_.drain();
+        pipeline_.plan_to_rest();
         plan();
       }
     }
@@ -168,8 +168,8 @@ interp::TickStatus Kernel::next(interp::Setpoint& setpoint) {
 void Kernel::reach_tick() {
   impl_->reach_tick();
 }
-void Kernel::drain() {
-  impl_->drain();
+void Kernel::plan_to_rest() {
+  impl_->plan_to_rest();
 }
 bool Kernel::runs_low() const noexcept {
   return impl_->runs_low();

@@ -66,7 +66,7 @@ class Kernel {
 
   // Lets the tool come to rest after all that was read: for when more text does not come before the
   // horizon is used up. next() does so by itself.
-  void drain();
+  void plan_to_rest();
   // Less than half of the horizon is planned. Belongs to the planning side.
   [[nodiscard]] bool runs_low() const noexcept;
   // Lets the tool come to rest on the path as soon as the limits allow, and ends the program there.

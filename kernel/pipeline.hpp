@@ -42,7 +42,7 @@ class Pipeline {
   // What is held back for the sake of what follows comes out without it.
   void flush() { path_.flush(); }
   // The plan ends at rest behind what was read, until more is.
-  void drain() { planner_.drain(); }
+  void plan_to_rest() { planner_.plan_to_rest(); }
   // The plan ends at rest as soon as the limits allow.
   void stop();
 

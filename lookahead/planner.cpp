@@ -49,7 +49,7 @@ Planner::Planner(const PlannerSettings& settings)
       emitter_(settings.limits.period_s) {}
 
 bool Planner::wants_block() const noexcept {
-  return !draining_ && blocks_.size() < window_blocks_ && schedule_->has_room();
+  return !to_rest_ && blocks_.size() < window_blocks_ && schedule_->has_room();
 }
 
 void Planner::push(Block block) {
@@ -61,7 +61,7 @@ void Planner::push(Block block) {
 void Planner::push_rest(double duration_s, std::uint32_t line) {
   rest_ = {.duration_s = duration_s, .line = line};
   rest_pending_ = true;
-  draining_ = true;
+  to_rest_ = true;
 }
 
 void Planner::push_change_at_rest(const interp::OutputChange& change, std::uint32_t line) {
@@ -78,8 +78,8 @@ void Planner::finish(std::uint32_t line) {
   rest_.ends_program = true;
 }
 
-void Planner::drain() {
-  draining_ = true;
+void Planner::plan_to_rest() {
+  to_rest_ = true;
 }
 
 void Planner::stop() {
@@ -93,16 +93,16 @@ void Planner::stop() {
 bool Planner::emit(Outbox& outbox) {
   if (!schedule_->empty()) {
     const Supply supply =
-        draining_ ? Supply::draining : (wants_block() ? Supply::wanted : Supply::full);
+        to_rest_ ? Supply::to_rest : (wants_block() ? Supply::wanted : Supply::full);
     return schedule_->emit(blocks_, supply, emitter_, outbox);
   }
   if (rest_pending_) {
     emitter_.emit_rest(rest_, outbox);
     rest_pending_ = false;
-    draining_ = rest_.ends_program;
+    to_rest_ = rest_.ends_program;
     return true;
   }
-  draining_ = rest_.ends_program;
+  to_rest_ = rest_.ends_program;
   return false;
 }
 

@@ -47,7 +47,7 @@ class Planner {
 
   // Everything pushed so far may be emitted; it ends at rest. For when no further move comes in
   // time.
-  void drain();
+  void plan_to_rest();
   // Lets the motion end at rest as soon as the limits allow after what was emitted, and the program
   // with it. The tool stays on the path. Nothing happens once the program's end was emitted.
   void stop();
@@ -61,8 +61,8 @@ class Planner {
   std::size_t window_blocks_;
   ScanFor scan_for_;
   std::unique_ptr<Schedule> schedule_;
-  Window<Block> blocks_;   // front: the one being emitted
-  bool draining_ = false;  // everything in the window may leave: it ends at rest
+  Window<Block> blocks_;  // front: the one being emitted
+  bool to_rest_ = false;  // everything in the window may leave: it ends at rest
   bool rest_pending_ = false;
   Rest rest_{};
   std::uint64_t pushed_blocks_ = 0;

@@ -91,7 +91,7 @@ std::vector<Span> SpanSchedule::spans_of(const Block& block) const {
 
 void SpanSchedule::plan_window(Supply supply) {
   backward_pass(window_, settings_.profile);
-  if (supply == Supply::draining) {
+  if (supply == Supply::to_rest) {
     ready_spans_ = window_.size();
     return;
   }
@@ -104,11 +104,11 @@ void SpanSchedule::plan_window(Supply supply) {
 }
 
 bool SpanSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) {
-  const bool drains = supply == Supply::draining;
-  if (drains && !drains_) {
+  const bool to_rest = supply == Supply::to_rest;
+  if (to_rest && !to_rest_) {
     ready_spans_ = 0;  // more is known now than when they were planned
   }
-  drains_ = drains;
+  to_rest_ = to_rest;
   if (ready_spans_ == 0) {
     if (supply == Supply::wanted) {
       return false;
@@ -171,7 +171,7 @@ void SpanSchedule::emit_plan(const Block& block, const SpanPlan& plan, Emitter& 
   const SpanBinding binding({.block = &block,
                              .span = &span,
                              .profile = &settings_.profile,
-                             .brakes_for_window = window_[0].brakes_for_window && !drains_});
+                             .brakes_for_window = window_[0].brakes_for_window && !to_rest_});
   struct Part {
     SpanPart kind;
     const profiles::Transition* law;

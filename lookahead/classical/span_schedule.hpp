@@ -45,7 +45,7 @@ class SpanSchedule final : public Schedule {
   Settings settings_;
   Window<WindowSpan> window_;
   std::size_t ready_spans_ = 0;  // of window_, planned and allowed to leave
-  bool drains_ = false;
+  bool to_rest_ = false;
   double v_mm_s_ = 0.0;  // where emission stands
   // Of the front span, of which a part has left: what is left, as long as it ends as was planned.
   std::optional<SpanPlan> left_;

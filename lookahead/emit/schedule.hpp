@@ -10,9 +10,9 @@ namespace kerf::lookahead {
 
 // How much is known of what follows.
 enum class Supply {
-  wanted,    // more blocks may come before the schedule must go on
-  full,      // no more fit
-  draining,  // none follow until the motion has come to rest
+  wanted,   // more blocks may come before the schedule must go on
+  full,     // no more fit
+  to_rest,  // none follow until the motion has come to rest
 };
 
 // Plans the blocks of a window that its owner holds, and takes them from its front once they are

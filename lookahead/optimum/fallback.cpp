@@ -19,7 +19,7 @@ double classical_s(const Window<Block>& blocks, std::size_t count,
   Outbox outbox;
   double sum_s = 0.0;
   while (!schedule.empty()) {
-    schedule.emit(copies, Supply::draining, emitter, outbox);
+    schedule.emit(copies, Supply::to_rest, emitter, outbox);
     for (const interp::Phase& phase : outbox.phases) {
       sum_s += phase.law.duration_s();
     }

@@ -51,7 +51,7 @@ bool OptimumSchedule::is_to_be_renewed() const {
 }
 
 bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) {
-  if (supply == Supply::draining) {
+  if (supply == Supply::to_rest) {
     waiting_.close(blocks);
   }
   if (is_to_be_renewed()) {
@@ -64,7 +64,7 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
   }
   if (!lines_.empty()) {
     const std::uint64_t blocks_before = blocks.size();
-    lines_.emit(blocks, Supply::draining, emitter, outbox);
+    lines_.emit(blocks, Supply::to_rest, emitter, outbox);
     for (std::uint64_t left = blocks.size(); left < blocks_before; ++left) {
       waiting_.block_done();
     }

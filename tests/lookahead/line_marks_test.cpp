@@ -101,7 +101,7 @@ TEST(LineMarks, AStopOnTheWayIsOfTheLineWhereItEnds) {
     for (const Block& block : blocks) {
       planner.push(Block(block));
     }
-    planner.drain();
+    planner.plan_to_rest();
     Outbox outbox;
     while (outbox.phases.empty() || outbox.phases.back().s_end_mm < 15.0) {
       ASSERT_TRUE(planner.emit(outbox));

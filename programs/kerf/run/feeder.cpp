@@ -6,7 +6,7 @@ void Feeder::pump() {
   while (kernel_->plan() && !stopped_) {
     if (!feed_piece()) {
       if (kernel_->runs_low()) {
-        kernel_->drain();
+        kernel_->plan_to_rest();
       }
       return;
     }
