@@ -18,7 +18,7 @@
 namespace kerf::bench {
 
 using lookahead::Block;
-using lookahead::WindowSpan;
+using lookahead::WindowSegment;
 
 namespace {
 
@@ -28,25 +28,25 @@ constexpr double kScreening_mm_s = 3000.0;
 
 // As the papers run it: from the feedrate that the curve allows at its start to that at its end.
 double in_motion_s(const Block& block, const profiles::Profile& profile) {
-  std::vector<WindowSpan> window;
-  for (lookahead::Span& span : lookahead::split(block, 0.001)) {
-    window.push_back({.span = std::move(span)});
+  std::vector<WindowSegment> window;
+  for (lookahead::VelocitySegment& segment : lookahead::split(block, 0.001)) {
+    window.push_back({.segment = std::move(segment)});
   }
   double v_end = block.ceiling.back().v_mm_s;
   for (auto item = window.rbegin(); item != window.rend(); ++item) {
     item->v_end_mm_s = v_end;
     const auto before = std::next(item);
     const double cap =
-        before != window.rend() ? before->span.end.feedrate_mm_s : block.ceiling.front().v_mm_s;
-    v_end =
-        lookahead::reach_backward_mm_s(item->span, {.v_end_mm_s = v_end, .cap_mm_s = cap}, profile);
+        before != window.rend() ? before->segment.end.feedrate_mm_s : block.ceiling.front().v_mm_s;
+    v_end = lookahead::reach_backward_mm_s(item->segment, {.v_end_mm_s = v_end, .cap_mm_s = cap},
+                                           profile);
   }
   double v = v_end;
   double time_s = 0.0;
-  for (const WindowSpan& item : window) {
-    lookahead::SpanEnds ends{.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
-    ends.v_end_mm_s = lookahead::end_feedrate_mm_s(item.span, ends, 0.0, profile);
-    time_s += lookahead::plan_span(item.span, ends, profile).duration_s();
+  for (const WindowSegment& item : window) {
+    lookahead::SegmentEnds ends{.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
+    ends.v_end_mm_s = lookahead::end_feedrate_mm_s(item.segment, ends, 0.0, profile);
+    time_s += lookahead::plan_segment(item.segment, ends, profile).duration_s();
     v = ends.v_end_mm_s;
   }
   return time_s;

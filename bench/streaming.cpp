@@ -79,7 +79,7 @@ Streamed stream(const Moves& next, const lookahead::PlanLimits& limits, const Wi
   const lookahead::PlanTotals& totals = planner.totals();
   return {.time_s = static_cast<double>(totals.ticks) * limits.period_s,
           .planning_s = planning.count(),
-          .cells = totals.spans,
+          .cells = totals.segments,
           .degradations = totals.degradations.count};
 }
 

@@ -58,7 +58,7 @@ void PlanCheck::emitted(const lookahead::Outbox& outbox) {
   }
 }
 
-// At its end a block may still have phases: what rounding left of a span.
+// At its end a block may still have phases: what rounding left of a segment.
 void PlanCheck::leave_block() {
   if (begun_ && s_mm_ == expected_.front().length_mm) {
     path_mm_ += expected_.front().adds_to_path ? s_mm_ : 0.0;

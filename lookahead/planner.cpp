@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lookahead/classical/span_schedule.hpp"
+#include "lookahead/classical/classical_schedule.hpp"
 #include "lookahead/optimum/optimum_schedule.hpp"
 
 namespace kerf::lookahead {
@@ -32,11 +32,11 @@ std::unique_ptr<Schedule> schedule_for(const PlannerSettings& settings) {
                                   .window_cells = settings.window_cells,
                                   .longest_phase_s = settings.longest_cruise_s});
   }
-  return std::make_unique<SpanSchedule>(
-      SpanSchedule::Settings{.limits = settings.limits,
-                             .profile = settings.profile,
-                             .ready_blocks = std::max<std::size_t>(settings.window_blocks / 2, 1),
-                             .longest_cruise_s = settings.longest_cruise_s});
+  return std::make_unique<ClassicalSchedule>(ClassicalSchedule::Settings{
+      .limits = settings.limits,
+      .profile = settings.profile,
+      .ready_blocks = std::max<std::size_t>(settings.window_blocks / 2, 1),
+      .longest_cruise_s = settings.longest_cruise_s});
 }
 
 }  // namespace

@@ -23,8 +23,8 @@ constexpr int kUsualRounds = 15;
 // Where a climb may also begin: where this many times the feedrate of its foot is allowed.
 constexpr std::array kRises = {1.2, 1.6, 2.5};
 
-const Slope& slope_of(const Climb& climb, const Span& span) {
-  return climb.side == SpanSide::rise ? span.rise : span.fall;
+const Slope& slope_of(const Climb& climb, const VelocitySegment& segment) {
+  return climb.side == SegmentSide::rise ? segment.rise : segment.fall;
 }
 
 // Against covering the same way at the feedrate of its top.
@@ -55,16 +55,17 @@ Ascent below(const Slope& slope, const Transition& fastest, const Profile& profi
 }
 
 // Where the law begins on the curve: past the coast and the foot.
-PlacedClimb placed(const Ascent& ascent, const Climb& climb, const Span& span) {
+PlacedClimb placed(const Ascent& ascent, const Climb& climb, const VelocitySegment& segment) {
   const double v = climb.ramp.v_begin_mm_s;
-  if (climb.side == SpanSide::rise) {
+  if (climb.side == SegmentSide::rise) {
     return {.law = ascent.law,
-            .foot_mm = span.s_begin_mm + v * span.begin_coast_s + ascent.foot_mm,
+            .foot_mm = segment.s_begin_mm + v * segment.begin_coast_s + ascent.foot_mm,
             .direction = 1.0};
   }
-  return {.law = ascent.law,
-          .foot_mm = span.s_begin_mm + span.length_mm - v * span.end.coast_s - ascent.foot_mm,
-          .direction = -1.0};
+  return {
+      .law = ascent.law,
+      .foot_mm = segment.s_begin_mm + segment.length_mm - v * segment.end.coast_s - ascent.foot_mm,
+      .direction = -1.0};
 }
 
 double lost_in_s(const Ascent& ascent, const Climb& climb) {
@@ -106,41 +107,42 @@ class Gentler {
   double stretch_ = 1.0;
 };
 
-// The climb that begins no nearer to its end of the span than foot_mm. The foot cruises, which
+// The climb that begins no nearer to its end of the segment than foot_mm. The foot cruises, which
 // turning allows (TurnSample::feedrate_mm_s).
-Ascent gentle_enough(const Climb& climb, double foot_mm, const Span& span, const Profile& profile) {
-  const Slope slope = foot_mm > 0.0 ? slope_of(climb, span).from(foot_mm) : Slope{};
-  const Slope& above = foot_mm > 0.0 ? slope : slope_of(climb, span);
-  Gentler gentler(climb.ramp, span.limits.ramp, profile);
+Ascent gentle_enough(const Climb& climb, double foot_mm, const VelocitySegment& segment,
+                     const Profile& profile) {
+  const Slope slope = foot_mm > 0.0 ? slope_of(climb, segment).from(foot_mm) : Slope{};
+  const Slope& above = foot_mm > 0.0 ? slope : slope_of(climb, segment);
+  Gentler gentler(climb.ramp, segment.limits.ramp, profile);
   for (int round = 0; round < kRounds; ++round) {
     Ascent ascent = below(above, gentler.law(), profile);
     ascent.foot_mm += foot_mm;
     if (!(ascent.length_mm() <= climb.room_mm)) {
       return ascent;
     }
-    const TurnAsk ask = ask_turning(placed(ascent, climb, span), span.turning, span.axes);
+    const TurnAsk ask = ask_turning(placed(ascent, climb, segment), segment.turning, segment.axes);
     if (ask.holds()) {
       return ascent;
     }
     gentler.give_way(ask, ascent.law, round);
   }
-  return {.law = profile.fastest(climb.ramp, span.limits.ramp), .foot_mm = kUnbounded};
+  return {.law = profile.fastest(climb.ramp, segment.limits.ramp), .foot_mm = kUnbounded};
 }
 
 }  // namespace
 
-Ascent climb_to(const Climb& climb, const Span& span, const Profile& profile) {
-  const Slope& slope = slope_of(climb, span);
+Ascent climb_to(const Climb& climb, const VelocitySegment& segment, const Profile& profile) {
+  const Slope& slope = slope_of(climb, segment);
   const double v = climb.ramp.v_begin_mm_s;
-  if (span.turning.empty() || v == climb.ramp.v_end_mm_s) {
-    return below(slope, profile.fastest(climb.ramp, span.limits.ramp), profile);
+  if (segment.turning.empty() || v == climb.ramp.v_end_mm_s) {
+    return below(slope, profile.fastest(climb.ramp, segment.limits.ramp), profile);
   }
-  Ascent best = gentle_enough(climb, 0.0, span, profile);
+  Ascent best = gentle_enough(climb, 0.0, segment, profile);
   if (climb.may_wait && v > 0.0 && !slope.empty()) {
     for (const double rise : kRises) {
       const double foot = slope.allowed_from_mm(rise * v);
       if (rise * v < climb.ramp.v_end_mm_s && foot > 0.0) {
-        const Ascent other = gentle_enough(climb, foot, span, profile);
+        const Ascent other = gentle_enough(climb, foot, segment, profile);
         best = lost_in_s(other, climb) < lost_in_s(best, climb) ? other : best;
       }
     }
@@ -148,10 +150,10 @@ Ascent climb_to(const Climb& climb, const Span& span, const Profile& profile) {
   return best;
 }
 
-double climb_length_mm(const Climb& climb, const Span& span, const Profile& profile) {
-  return slope_of(climb, span).empty() && span.turning.empty()
-             ? profile.length_mm(climb.ramp, span.limits.ramp)
-             : climb_to(climb, span, profile).length_mm();
+double climb_length_mm(const Climb& climb, const VelocitySegment& segment, const Profile& profile) {
+  return slope_of(climb, segment).empty() && segment.turning.empty()
+             ? profile.length_mm(climb.ramp, segment.limits.ramp)
+             : climb_to(climb, segment, profile).length_mm();
 }
 
 }  // namespace kerf::lookahead

@@ -1,9 +1,9 @@
-// A transition from an end of a span upwards, below the span's ceiling.
+// A transition from an end of a segment upwards, below the segment's ceiling.
 #pragma once
 
 #include <cstdint>
 
-#include "lookahead/classical/span.hpp"
+#include "lookahead/classical/velocity_segment.hpp"
 
 namespace kerf::lookahead {
 
@@ -20,12 +20,12 @@ struct Ascent {
 };
 
 // From its beginning, or mirrored from its end.
-enum class SpanSide : std::uint8_t { rise, fall };
+enum class SegmentSide : std::uint8_t { rise, fall };
 
-// A climb in a span: ramp ascends, from the feedrate at that end; room_mm is what it has without
+// A climb in a segment: ramp ascends, from the feedrate at that end; room_mm is what it has without
 // coasts. What needs more does not fit, and how much more is not told then.
 struct Climb {
-  SpanSide side = SpanSide::rise;
+  SegmentSide side = SegmentSide::rise;
   profiles::Ramp ramp{};
   double room_mm = kUnbounded;
   bool may_wait = false;  // at its foot until turning has eased, where that saves time
@@ -39,9 +39,11 @@ struct Climb {
 // trapezoid gets its own acceleration. Each round takes what the places asked for in the round
 // before, so it ends above what would just do. Known weaknesses: one acceleration for all of a
 // climb, and a climb to a lower feedrate may come out longer, since it meets other places.
-Ascent climb_to(const Climb& climb, const Span& span, const profiles::Profile& profile);
+Ascent climb_to(const Climb& climb, const VelocitySegment& segment,
+                const profiles::Profile& profile);
 
 // The length of that ascent, cheaper where there is no slope.
-double climb_length_mm(const Climb& climb, const Span& span, const profiles::Profile& profile);
+double climb_length_mm(const Climb& climb, const VelocitySegment& segment,
+                       const profiles::Profile& profile);
 
 }  // namespace kerf::lookahead

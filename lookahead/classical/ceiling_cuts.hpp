@@ -1,4 +1,4 @@
-// Where the ceiling of a curve is cut into spans.
+// Where the ceiling of a curve is cut into segments.
 #pragma once
 
 #include <cstddef>

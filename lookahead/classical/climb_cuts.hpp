@@ -16,8 +16,8 @@ namespace kerf::lookahead {
 //       |      .-'    /             ceiling, and its sides are the fastest way up, each with an
 //       |   .-'     /               acceleration of its own. Where the foot stands in a feature of
 //       |.-'      / one climb       some nanometres, the first side is so flat that a climb that
-//       |       /                   goes on with it would crawl for the whole length of the span;
-//       |  |_./                     a cut after it costs one instant without acceleration.
+//       |       /                   goes on with it would crawl for the whole length of the
+//       segment; |  |_./                     a cut after it costs one instant without acceleration.
 //       +---------------- s
 //
 // The hull is thinned where its sides differ little; of its corners the one that leaves the least

@@ -20,11 +20,11 @@ constexpr double kGolden = 0.6180339887498949;
 
 double PlateauSearch::best_mm_s() const {
   double low = std::max(ends_.v_begin_mm_s, ends_.v_end_mm_s);
-  double high = std::max(
-      low, std::min({span_.limits.feedrate_mm_s, span_.rise.top_mm_s(), span_.fall.top_mm_s()}));
+  double high = std::max(low, std::min({segment_.limits.feedrate_mm_s, segment_.rise.top_mm_s(),
+                                        segment_.fall.top_mm_s()}));
   if (spare_mm(sides(high)) < 0.0) {
     double fits = low;
-    const int halvings = span_.turning.empty() ? 40 : kTurningHalvings;
+    const int halvings = segment_.turning.empty() ? 40 : kTurningHalvings;
     for (int i = 0; i < halvings || (high - fits > kClose * high && i < kMostHalvings); ++i) {
       const double middle = 0.5 * (fits + high);
       (spare_mm(sides(middle)) >= 0.0 ? fits : high) = middle;
@@ -35,15 +35,15 @@ double PlateauSearch::best_mm_s() const {
 }
 
 PlateauSides PlateauSearch::sides(double plateau_mm_s) const {
-  const auto climb = [&](SpanSide side, double v_foot_mm_s) {
+  const auto climb = [&](SegmentSide side, double v_foot_mm_s) {
     return climb_to({.side = side,
                      .ramp = {v_foot_mm_s, plateau_mm_s},
                      .room_mm = kWithRounding * length_mm_,
                      .may_wait = true},
-                    span_, profile_);
+                    segment_, profile_);
   };
-  return {.up = climb(SpanSide::rise, ends_.v_begin_mm_s),
-          .down_mirrored = climb(SpanSide::fall, ends_.v_end_mm_s)};
+  return {.up = climb(SegmentSide::rise, ends_.v_begin_mm_s),
+          .down_mirrored = climb(SegmentSide::fall, ends_.v_end_mm_s)};
 }
 
 double PlateauSearch::spare_mm(const PlateauSides& sides) const {
@@ -52,7 +52,7 @@ double PlateauSearch::spare_mm(const PlateauSides& sides) const {
 
 double PlateauSearch::time_s(double plateau_mm_s) const {
   const PlateauSides both = sides(plateau_mm_s);
-  if (!span_.turning.empty() && spare_mm(both) < 0.0) {
+  if (!segment_.turning.empty() && spare_mm(both) < 0.0) {
     return kUnbounded;
   }
   return both.up.duration_s() + both.down_mirrored.duration_s() + spare_mm(both) / plateau_mm_s;
@@ -65,7 +65,7 @@ double PlateauSearch::fastest_in(const Bracket& plateau) const {
   double x2 = a + kGolden * (b - a);
   double t1 = time_s(x1);
   double t2 = time_s(x2);
-  for (int i = 0; i < (span_.turning.empty() ? 24 : kTurningSteps); ++i) {
+  for (int i = 0; i < (segment_.turning.empty() ? 24 : kTurningSteps); ++i) {
     if (t1 < t2) {
       b = x2;
       x2 = x1;

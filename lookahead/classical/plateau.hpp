@@ -1,8 +1,8 @@
-// The plateau of a span under a ceiling.
+// The plateau of a segment under a ceiling.
 #pragma once
 
 #include "lookahead/classical/ascent.hpp"
-#include "lookahead/classical/span.hpp"
+#include "lookahead/classical/velocity_segment.hpp"
 
 namespace kerf::lookahead {
 
@@ -17,11 +17,11 @@ struct PlateauSides {
 // the plateau to fall and then to rise, with one valley between.
 class PlateauSearch {
  public:
-  // length_mm: of the span without its coasts. Keeps references: lives no longer than its
+  // length_mm: of the segment without its coasts. Keeps references: lives no longer than its
   // arguments.
-  PlateauSearch(const Span& span, const SpanEnds& ends, double length_mm,
+  PlateauSearch(const VelocitySegment& segment, const SegmentEnds& ends, double length_mm,
                 const profiles::Profile& profile)
-      : span_(span), ends_(ends), length_mm_(length_mm), profile_(profile) {}
+      : segment_(segment), ends_(ends), length_mm_(length_mm), profile_(profile) {}
 
   [[nodiscard]] double best_mm_s() const;
   [[nodiscard]] PlateauSides sides(double plateau_mm_s) const;
@@ -36,8 +36,8 @@ class PlateauSearch {
   [[nodiscard]] double time_s(double plateau_mm_s) const;
   [[nodiscard]] double fastest_in(const Bracket& plateau) const;
 
-  const Span& span_;
-  const SpanEnds& ends_;
+  const VelocitySegment& segment_;
+  const SegmentEnds& ends_;
   double length_mm_;
   const profiles::Profile& profile_;
 };

@@ -16,32 +16,32 @@ namespace {
 constexpr double kNoise = 0.01;
 constexpr double kTurningNoise = 0.05;
 
-Span span_between(const Block& block, const Ceiling& ceiling, const SampleRange& range) {
+VelocitySegment span_between(const Block& block, const Ceiling& ceiling, const SampleRange& range) {
   Hill hill = hill_of(ceiling, range);
-  Span span = whole_span(block);
-  span.s_begin_mm = ceiling[range.first].s_mm;
-  span.length_mm = ceiling[range.last].s_mm - span.s_begin_mm;
-  span.end.feedrate_mm_s = ceiling[range.last].v_mm_s;
-  span.ends_block = range.last + 1 == ceiling.size();
-  span.rise = Slope(std::move(hill.rise));
-  span.fall = Slope(std::move(hill.fall));
-  return span;
+  VelocitySegment segment = whole_segment(block);
+  segment.s_begin_mm = ceiling[range.first].s_mm;
+  segment.length_mm = ceiling[range.last].s_mm - segment.s_begin_mm;
+  segment.end.feedrate_mm_s = ceiling[range.last].v_mm_s;
+  segment.ends_block = range.last + 1 == ceiling.size();
+  segment.rise = Slope(std::move(hill.rise));
+  segment.fall = Slope(std::move(hill.fall));
+  return segment;
 }
 
-std::vector<Span> spans_between_cuts(const Block& block, const CutCeiling& cut) {
-  std::vector<Span> spans;
+std::vector<VelocitySegment> segments_between_cuts(const Block& block, const CutCeiling& cut) {
+  std::vector<VelocitySegment> segments;
   std::size_t first = 0;
   for (const std::size_t last : cut.cuts) {
-    spans.push_back(span_between(block, cut.ceiling, {.first = first, .last = last}));
+    segments.push_back(span_between(block, cut.ceiling, {.first = first, .last = last}));
     first = last;
-    if (spans.size() > 1) {
-      double& joint = spans[spans.size() - 2].end.feedrate_mm_s;
-      joint = std::min(
-          {joint, spans[spans.size() - 2].fall.bottom_mm_s(), spans.back().rise.bottom_mm_s()});
+    if (segments.size() > 1) {
+      double& joint = segments[segments.size() - 2].end.feedrate_mm_s;
+      joint = std::min({joint, segments[segments.size() - 2].fall.bottom_mm_s(),
+                        segments.back().rise.bottom_mm_s()});
     }
   }
-  spans.back().end.feedrate_mm_s = 0.0;
-  return spans;
+  segments.back().end.feedrate_mm_s = 0.0;
+  return segments;
 }
 
 // The weakest axis in the direction of the place where it is strongest: no place allows more.
@@ -59,12 +59,12 @@ double strongest(const Turning& turning, const PlanLimits& limits, double Motion
   return strongest;
 }
 
-// The samples under the span, those at its ends included.
-Turning part_of(const Turning& turning, const Span& span) {
+// The samples under the segment, those at its ends included.
+Turning part_of(const Turning& turning, const VelocitySegment& segment) {
   const auto less = [](const TurnSample& at, double s_mm) { return at.s_mm < s_mm; };
   const auto more = [](double s_mm, const TurnSample& at) { return s_mm < at.s_mm; };
-  auto first = std::lower_bound(turning.begin(), turning.end(), span.s_begin_mm, less);
-  auto last = std::upper_bound(first, turning.end(), span.s_begin_mm + span.length_mm, more);
+  auto first = std::lower_bound(turning.begin(), turning.end(), segment.s_begin_mm, less);
+  auto last = std::upper_bound(first, turning.end(), segment.s_begin_mm + segment.length_mm, more);
   first -= first != turning.begin() ? 1 : 0;
   last += last != turning.end() ? 1 : 0;
   return {first, last};
@@ -72,20 +72,21 @@ Turning part_of(const Turning& turning, const Span& span) {
 
 }  // namespace
 
-Span whole_span(const Block& block) {
+VelocitySegment whole_segment(const Block& block) {
   return {.length_mm = block.length_mm, .limits = block.limits, .end = {.feedrate_mm_s = 0.0}};
 }
 
-std::vector<Span> split(const Block& block, double period_s) {
+std::vector<VelocitySegment> split(const Block& block, double period_s) {
   if (block.ceiling.empty()) {
-    return {whole_span(block)};
+    return {whole_segment(block)};
   }
-  return spans_between_cuts(
+  return segments_between_cuts(
       block,
       cut(block.ceiling, {.noise = kNoise, .period_s = period_s, .ramp = block.limits.ramp}));
 }
 
-std::vector<Span> split(const Block& block, const Turning& turning, const PlanLimits& limits) {
+std::vector<VelocitySegment> split(const Block& block, const Turning& turning,
+                                   const PlanLimits& limits) {
   const auto steepest = [&](const Turning& under) -> profiles::RampLimits {
     const profiles::RampLimits& along = block.along.ramp;
     return {
@@ -94,15 +95,15 @@ std::vector<Span> split(const Block& block, const Turning& turning, const PlanLi
         .jerk_mm_s3 =
             std::min(along.jerk_mm_s3, strongest(under, limits, &MotionLimits::jerk_mm_s3))};
   };
-  std::vector<Span> spans = spans_between_cuts(
+  std::vector<VelocitySegment> segments = segments_between_cuts(
       block, cut(lower_ceiling(block.ceiling, turning),
                  {.noise = kTurningNoise, .period_s = limits.period_s, .ramp = steepest(turning)}));
-  for (Span& span : spans) {
-    span.turning = part_of(turning, span);
-    span.axes = limits.axes;
-    span.limits.ramp = steepest(span.turning);
+  for (VelocitySegment& segment : segments) {
+    segment.turning = part_of(turning, segment);
+    segment.axes = limits.axes;
+    segment.limits.ramp = steepest(segment.turning);
   }
-  return spans;
+  return segments;
 }
 
 }  // namespace kerf::lookahead

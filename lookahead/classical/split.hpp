@@ -1,22 +1,23 @@
-// Blocks to spans: a curve is cut at the valleys of the feedrate it allows, and where one climb
+// Blocks to segments: a curve is cut at the valleys of the feedrate it allows, and where one climb
 // from a valley would crawl (climb_cuts.hpp).
 #pragma once
 
 #include <vector>
 
-#include "lookahead/classical/span.hpp"
+#include "lookahead/classical/velocity_segment.hpp"
 #include "lookahead/path/block.hpp"
 
 namespace kerf::lookahead {
 
-// The spans of a block in order; the junction at the last one's end is still open (a stop). Valleys
-// within a tick's way at their feedrate are one, and one as close to an end is none: beside a
-// corner that is not quite one, derivatives are rounding, and rounding has thousands of valleys.
-std::vector<Span> split(const Block& block, double period_s);
-// The same with what turning asks of the axes, which lowers the ceiling and stays with each span.
-// Precondition: the block is a NURBS with its ceiling; turning is not empty.
-std::vector<Span> split(const Block& block, const Turning& turning, const PlanLimits& limits);
-// The same for a block without a ceiling, which is one span.
-Span whole_span(const Block& block);
+// The segments of a block in order; the junction at the last one's end is still open (a stop).
+// Valleys within a tick's way at their feedrate are one, and one as close to an end is none: beside
+// a corner that is not quite one, derivatives are rounding, and rounding has thousands of valleys.
+std::vector<VelocitySegment> split(const Block& block, double period_s);
+// The same with what turning asks of the axes, which lowers the ceiling and stays with each
+// segment. Precondition: the block is a NURBS with its ceiling; turning is not empty.
+std::vector<VelocitySegment> split(const Block& block, const Turning& turning,
+                                   const PlanLimits& limits);
+// The same for a block without a ceiling, which is one segment.
+VelocitySegment whole_segment(const Block& block);
 
 }  // namespace kerf::lookahead

@@ -22,10 +22,10 @@ struct Coast {
 };
 
 // Of the axes, within a coast from the place.
-Largest largest_near(double place_mm, const Span& span, const Coast& coast) {
+Largest largest_near(double place_mm, const VelocitySegment& segment, const Coast& coast) {
   Largest largest;
   const double reach_mm = kWider * coast.v_mm_s * coast.duration_s;
-  const Turning& turning = span.turning;
+  const Turning& turning = segment.turning;
   for (std::size_t i = 0; i < turning.size(); ++i) {
     const TurnSample& at = turning[i];
     const bool before = i + 1 < turning.size() && turning[i + 1].s_mm < place_mm - reach_mm;
@@ -49,9 +49,9 @@ Junction beside_turning(const Junction& found, const JointSides& sides, const Pl
     return joint;
   }
   double& v = joint.feedrate_mm_s;
-  for (const Span* span : {sides.before, sides.after}) {
-    if (!span->turning.empty()) {
-      v = std::min(v, kBelowRounding * 0.5 * span->length_mm / joint.coast_s);
+  for (const VelocitySegment* segment : {sides.before, sides.after}) {
+    if (!segment->turning.empty()) {
+      v = std::min(v, kBelowRounding * 0.5 * segment->length_mm / joint.coast_s);
     }
   }
   for (int i = 0; i < kRounds; ++i) {

@@ -1,21 +1,21 @@
 // How fast a joint may be passed beside a curve whose turning binds.
 #pragma once
 
-#include "lookahead/classical/span.hpp"
+#include "lookahead/classical/velocity_segment.hpp"
 #include "lookahead/path/junction.hpp"
 
 namespace kerf::lookahead {
 
-// The spans on both sides of a joint, and what they are part of.
+// The segments on both sides of a joint, and what they are part of.
 struct JointSides {
   JunctionQuery blocks{};
-  const Span* before = nullptr;
-  const Span* after = nullptr;
+  const VelocitySegment* before = nullptr;
+  const VelocitySegment* after = nullptr;
 };
 
 // junction() knows a curve at its end alone and leaves nothing for what turning asks of the axes
 // within the ticks that see the joint. Here it is asked again, with the largest second and third
-// derivative within the coasts, and both coasts fit into half a span. Never faster than found.
+// derivative within the coasts, and both coasts fit into half a segment. Never faster than found.
 Junction beside_turning(const Junction& found, const JointSides& sides, const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

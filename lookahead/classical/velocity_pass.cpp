@@ -6,32 +6,32 @@ namespace kerf::lookahead {
 
 namespace {
 
-void keep_surest(WindowSpan& item, double v_begin_mm_s, const profiles::Profile& profile) {
+void keep_surest(WindowSegment& item, double v_begin_mm_s, const profiles::Profile& profile) {
   if (v_begin_mm_s < item.sure.v_begin_mm_s) {
     return;
   }
   item.sure = {.v_begin_mm_s = v_begin_mm_s, .v_end_mm_s = std::min(item.v_end_mm_s, v_begin_mm_s)};
-  const bool may_need_rest = !item.span.turning.empty() || item.span.end.coast_s > 0.0;
-  if (may_need_rest && !joins(item.span, item.sure, profile)) {
+  const bool may_need_rest = !item.segment.turning.empty() || item.segment.end.coast_s > 0.0;
+  if (may_need_rest && !joins(item.segment, item.sure, profile)) {
     item.sure.v_end_mm_s = 0.0;  // it was reached from there
   }
 }
 
 }  // namespace
 
-void backward_pass(Window<WindowSpan>& window, const profiles::Profile& profile) {
+void backward_pass(Window<WindowSegment>& window, const profiles::Profile& profile) {
   double v_begin_of_next = 0.0;
   bool for_window = true;
   for (std::size_t i = window.size(); i-- > 0;) {
-    WindowSpan& item = window[i];
+    WindowSegment& item = window[i];
     item.v_end_mm_s = v_begin_of_next;
     item.brakes_for_window = for_window;
     if (i > 0) {
-      const double cap = window[i - 1].span.end.feedrate_mm_s;
-      v_begin_of_next =
-          reach_backward_mm_s(item.span, {.v_end_mm_s = item.v_end_mm_s, .cap_mm_s = cap}, profile);
+      const double cap = window[i - 1].segment.end.feedrate_mm_s;
+      v_begin_of_next = reach_backward_mm_s(
+          item.segment, {.v_end_mm_s = item.v_end_mm_s, .cap_mm_s = cap}, profile);
       keep_surest(item, v_begin_of_next, profile);
-      if (!item.span.turning.empty()) {
+      if (!item.segment.turning.empty()) {
         v_begin_of_next = item.sure.v_begin_mm_s;
       }
       for_window = for_window && v_begin_of_next < cap;
@@ -39,11 +39,12 @@ void backward_pass(Window<WindowSpan>& window, const profiles::Profile& profile)
   }
 }
 
-Ending ending_of(const WindowSpan& item, const SpanEnds& wanted, const profiles::Profile& profile) {
-  SpanEnds ends = wanted;
-  ends.v_end_mm_s = end_feedrate_mm_s(item.span, wanted, item.sure.v_end_mm_s, profile);
+Ending ending_of(const WindowSegment& item, const SegmentEnds& wanted,
+                 const profiles::Profile& profile) {
+  SegmentEnds ends = wanted;
+  ends.v_end_mm_s = end_feedrate_mm_s(item.segment, wanted, item.sure.v_end_mm_s, profile);
   const bool rises = ends.v_end_mm_s > ends.v_begin_mm_s;
-  if ((rises && item.span.turning.empty()) || joins(item.span, ends, profile)) {
+  if ((rises && item.segment.turning.empty()) || joins(item.segment, ends, profile)) {
     return {.v_end_mm_s = ends.v_end_mm_s};
   }
   const double factor = ends.v_begin_mm_s / item.sure.v_begin_mm_s;

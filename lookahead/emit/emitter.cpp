@@ -52,14 +52,14 @@ void Emitter::emit(const Block& block, const profiles::TimeLaw& law, double s_en
   clock_.advance(law.duration_s());
 }
 
-void Emitter::end_span(double s_mm) {
-  ++totals_.spans;
+void Emitter::end_segment(double s_mm) {
+  ++totals_.segments;
   s_mm_ = s_mm;
   totals_.path_length_mm = path_begin_mm_ + (rests_ ? 0.0 : s_mm_);
 }
 
 void Emitter::end_block(const Block& block) {
-  end_span(block.length_mm);
+  end_segment(block.length_mm);
   path_begin_mm_ += rests_ ? 0.0 : s_mm_;
   block_begun_ = false;
 }

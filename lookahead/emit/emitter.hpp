@@ -34,7 +34,7 @@ struct Outbox {
 // Of what was emitted.
 struct PlanTotals {
   std::uint64_t blocks = 0;
-  std::uint64_t spans = 0;
+  std::uint64_t segments = 0;
   double path_length_mm = 0.0;
   std::int64_t ticks = 0;
   PlanDegradations degradations{};
@@ -64,9 +64,9 @@ class Emitter {
 
   // The block's motion from where it stands to s_end_mm. Its pieces leave with the first phase.
   void emit(const Block& block, const profiles::TimeLaw& law, double s_end_mm, Outbox& outbox);
-  // A span within the block is done at s_mm.
-  void end_span(double s_mm);
-  // The block's last span is done, and the block.
+  // A segment within the block is done at s_mm.
+  void end_segment(double s_mm);
+  // The block's last segment is done, and the block.
   void end_block(const Block& block);
   // The motion has come to rest with the last phase: time goes on at the next tick.
   void come_to_rest(Outbox& outbox);

@@ -8,8 +8,8 @@ constexpr std::size_t kLeastBlocks = 2;
 
 // How long the schedule takes from rest over the first blocks to rest at the end of the last.
 double classical_s(const Window<Block>& blocks, std::size_t count,
-                   const SpanSchedule::Settings& settings) {
-  SpanSchedule schedule(settings);
+                   const ClassicalSchedule::Settings& settings) {
+  ClassicalSchedule schedule(settings);
   Window<Block> copies;
   for (std::size_t i = 0; i < count; ++i) {
     copies.push_back(Block(blocks[i]));
@@ -32,7 +32,7 @@ double classical_s(const Window<Block>& blocks, std::size_t count,
 
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const StretchPlan& found,
                                         const Window<Block>& blocks,
-                                        const SpanSchedule::Settings& settings) {
+                                        const ClassicalSchedule::Settings& settings) {
   Fallback whole;
   double whole_mm = 0.0;
   double all_mm = 0.0;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "lookahead/classical/span_schedule.hpp"
+#include "lookahead/classical/classical_schedule.hpp"
 #include "lookahead/optimum/grid/waiting_cells.hpp"
 #include "lookahead/optimum/solver/stretch_plan.hpp"
 
@@ -27,6 +27,6 @@ struct Fallback {
 // leaves more of the optimum than the classical plan has.
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const StretchPlan& found,
                                         const Window<Block>& blocks,
-                                        const SpanSchedule::Settings& settings);
+                                        const ClassicalSchedule::Settings& settings);
 
 }  // namespace kerf::lookahead

@@ -22,7 +22,7 @@ PlanDegradation degradation_on(const Block& block, double s_mm) {
   return {.line = mark.line, .s_mm = s_mm - mark.s_mm};
 }
 
-SpanSchedule::Settings classical(const OptimumSchedule::Settings& settings) {
+ClassicalSchedule::Settings classical(const OptimumSchedule::Settings& settings) {
   return {.limits = settings.limits,
           .profile = profiles::Profile(profiles::ProfileKind::s_curve),
           .ready_blocks = 1,
@@ -191,7 +191,7 @@ void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox&
     blocks.pop_front();
     waiting_.block_done();
   } else {
-    emitter.end_span(s_end);
+    emitter.end_segment(s_end);
   }
   if (cells_left() == 0) {
     emitter.come_to_rest(outbox);

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "lookahead/classical/span_schedule.hpp"
+#include "lookahead/classical/classical_schedule.hpp"
 #include "lookahead/emit/schedule.hpp"
 #include "lookahead/optimum/fallback.hpp"
 #include "lookahead/optimum/grid/waiting_cells.hpp"
@@ -57,7 +57,7 @@ class OptimumSchedule final : public Schedule {
   void emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox);
 
   Settings settings_;
-  SpanSchedule lines_;  // single lines from rest to rest, and blocks on which it stands in
+  ClassicalSchedule lines_;  // single lines from rest to rest, and blocks on which it stands in
   WaitingCells waiting_;
   StretchPlan plan_;
   PlanPlace place_{};      // of plan_: what comes next

@@ -45,7 +45,7 @@ double curvature_bound_mm_s(const NurbsCurve& curve, double s_mm, const ScanLimi
   const double curvature = vec(curve.derivatives_at(s_mm).second_per_mm).norm();
   const double d = limits.chord_tolerance_mm;
   if (curvature * d >= 1.0) {
-    return std::max(2.0 / curvature, d) / limits.period_s;  // it may span the whole circle
+    return std::max(2.0 / curvature, d) / limits.period_s;  // it may segment the whole circle
   }
   return curvature > 0.0 ? 2.0 / limits.period_s * std::sqrt(2.0 * d / curvature - d * d)
                          : limits.feedrate_mm_s;

@@ -136,7 +136,7 @@ TEST(NurbsCurve, IsCutWhereAWeightPullsItIntoACorner) {
   EXPECT_EQ(NurbsCurve::make(data)->size(), 1U);
 }
 
-TEST(NurbsCurve, SkipsSpansWithoutLength) {
+TEST(NurbsCurve, SkipsSegmentsWithoutLength) {
   // Four equal control points: a whole span of a cubic stands still.
   const NurbsData data = polynomial(3, {{0.0, 0.0, 0.0},
                                         {2.0, 0.0, 0.0},

@@ -59,7 +59,7 @@ class Dense {
     path_.push_back({.position_mm = at(knots_.front())});
     for (std::size_t i = 1; i < knots_.size(); ++i) {
       if (knots_[i] > knots_[i - 1]) {
-        add_span(knots_[i - 1], knots_[i]);
+        add_segment(knots_[i - 1], knots_[i]);
       }
     }
     return std::move(path_);
@@ -76,7 +76,7 @@ class Dense {
 
   [[nodiscard]] Vec at(double u) const { return nurbs_point(points_, knots_, u); }
 
-  void add_span(double from, double to) {
+  void add_segment(double from, double to) {
     std::vector<double> shares{1.0};
     for (int k = 1; k < kParts; ++k) {
       shares.push_back(static_cast<double>(k) / kParts);

@@ -1,4 +1,4 @@
-// A span that has to be left as slow as may be: a stop on request.
+// A segment that has to be left as slow as may be: a stop on request.
 #include <algorithm>
 #include <cmath>
 
@@ -7,41 +7,41 @@
 #include "lookahead/classical/split.hpp"
 #include "tests/curves/shipped_curves.hpp"
 #include "tests/lookahead/blocks.hpp"
-#include "tests/lookahead/spans.hpp"
+#include "tests/lookahead/velocity_segments.hpp"
 
 namespace kerf::lookahead::test {
 namespace {
 
-TEST(Brake, StopsInTheSpanWhereItCan) {
+TEST(Brake, StopsInTheSegmentWhereItCan) {
   const Profile profile{ProfileKind::s_curve};
-  Span span = flat_span(50.0, 100.0);
+  VelocitySegment segment = flat_segment(50.0, 100.0);
   const double v = 100.0;
-  EXPECT_EQ(brake(span, {.v_begin_mm_s = v, .v_end_mm_s = 80.0}, profile), 0.0);
-  EXPECT_NEAR(span.length_mm, 0.5 * v * s_curve_s(v), 1e-9);
-  EXPECT_FALSE(span.ends_block);
-  const SpanPlan plan = plan_span(span, {.v_begin_mm_s = v, .v_end_mm_s = 0.0}, profile);
+  EXPECT_EQ(brake(segment, {.v_begin_mm_s = v, .v_end_mm_s = 80.0}, profile), 0.0);
+  EXPECT_NEAR(segment.length_mm, 0.5 * v * s_curve_s(v), 1e-9);
+  EXPECT_FALSE(segment.ends_block);
+  const SegmentPlan plan = plan_segment(segment, {.v_begin_mm_s = v, .v_end_mm_s = 0.0}, profile);
   EXPECT_NEAR(plan.duration_s(), s_curve_s(v), 1e-9);
-  expect_joined(span, {.v_begin_mm_s = v, .v_end_mm_s = 0.0}, plan);
+  expect_joined(segment, {.v_begin_mm_s = v, .v_end_mm_s = 0.0}, plan);
 }
 
-TEST(Brake, EndsAsSlowAsAShortSpanAllows) {
+TEST(Brake, EndsAsSlowAsAShortSegmentAllows) {
   const Profile profile{ProfileKind::s_curve};
-  Span span = flat_span(1.0, 100.0);
-  const double end = brake(span, {.v_begin_mm_s = 100.0, .v_end_mm_s = 100.0}, profile);
+  VelocitySegment segment = flat_segment(1.0, 100.0);
+  const double end = brake(segment, {.v_begin_mm_s = 100.0, .v_end_mm_s = 100.0}, profile);
   EXPECT_GT(end, 0.0);
-  EXPECT_EQ(span.length_mm, 1.0);
+  EXPECT_EQ(segment.length_mm, 1.0);
   EXPECT_NEAR(0.5 * (100.0 + end) * s_curve_s(100.0 - end), 1.0, 1e-6);
 }
 
 TEST(Brake, KeepsTheCoastThatItBeginsWith) {
   const Profile profile{ProfileKind::s_curve};
-  Span span = flat_span(50.0, 100.0);
-  span.begin_coast_s = 0.003;
-  EXPECT_EQ(brake(span, {.v_begin_mm_s = 40.0, .v_end_mm_s = 40.0}, profile), 0.0);
-  EXPECT_NEAR(span.length_mm, 40.0 * 0.003 + 0.5 * 40.0 * s_curve_s(40.0), 1e-9);
+  VelocitySegment segment = flat_segment(50.0, 100.0);
+  segment.begin_coast_s = 0.003;
+  EXPECT_EQ(brake(segment, {.v_begin_mm_s = 40.0, .v_end_mm_s = 40.0}, profile), 0.0);
+  EXPECT_NEAR(segment.length_mm, 40.0 * 0.003 + 0.5 * 40.0 * s_curve_s(40.0), 1e-9);
 }
 
-// Where the plan to the span's end keeps the ceiling, so does the fall to rest.
+// Where the plan to the segment's end keeps the ceiling, so does the fall to rest.
 TEST(Brake, StaysBelowTheCeilingOfACurve) {
   const Block block =
       blocks_of({nurbs_move(curves::testing::shipped_curve("butterfly"))}, butterfly_limits())
@@ -49,19 +49,19 @@ TEST(Brake, StaysBelowTheCeilingOfACurve) {
   for (const ProfileKind kind : jerk_limited_kinds()) {
     SCOPED_TRACE(profiles::name_of(kind));
     const Profile profile{kind};
-    for (const Span& whole : split(block, 0.001)) {
+    for (const VelocitySegment& whole : split(block, 0.001)) {
       const double cap = ceiling_at(block.ceiling, whole.s_begin_mm);
-      Span span = whole;
-      SpanEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = span.end.feedrate_mm_s};
+      VelocitySegment segment = whole;
+      SegmentEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = segment.end.feedrate_mm_s};
       ends.v_begin_mm_s =
-          reach_backward_mm_s(span, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap}, profile);
-      ends.v_end_mm_s = end_feedrate_mm_s(span, ends, ends.v_end_mm_s, profile);
-      ends.v_end_mm_s = brake(span, ends, profile);
-      const SpanPlan plan = plan_span(span, ends, profile);
-      expect_joined(span, ends, plan);
+          reach_backward_mm_s(segment, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap}, profile);
+      ends.v_end_mm_s = end_feedrate_mm_s(segment, ends, ends.v_end_mm_s, profile);
+      ends.v_end_mm_s = brake(segment, ends, profile);
+      const SegmentPlan plan = plan_segment(segment, ends, profile);
+      expect_joined(segment, ends, plan);
       const Excess excess = excess_of(
           plan, [&](double s) { return ceiling_at(block.ceiling, whole.s_begin_mm + s); });
-      EXPECT_LE(excess.share, 1e-3) << "span at " << whole.s_begin_mm;
+      EXPECT_LE(excess.share, 1e-3) << "segment at " << whole.s_begin_mm;
     }
   }
 }

@@ -77,7 +77,7 @@ TEST(Planner, StopsOnRequestBelowThePlan) {
 }
 
 // What the planner holds is bounded by its window, so the work for a block is, too: between two
-// blocks that go in, only so many spans come out.
+// blocks that go in, only so many segments come out.
 TEST(Planner, EmitsNoMoreAtOnceThanItsWindowHolds) {
   const PlanLimits limits = mill();
   const std::size_t window = 50;

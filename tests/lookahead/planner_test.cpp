@@ -68,7 +68,7 @@ TEST(Planner, PlansOneLineAsTheClosedFormSays) {
   const double time = 2.0 * up + (100.0 - 100.0 * up) / 100.0;
   EXPECT_EQ(planner.totals().ticks, static_cast<std::int64_t>(std::ceil(time / kTs - 1e-6)));
   EXPECT_EQ(planner.totals().blocks, 1U);
-  EXPECT_EQ(planner.totals().spans, 1U);
+  EXPECT_EQ(planner.totals().segments, 1U);
   EXPECT_EQ(planner.totals().path_length_mm, 100.0);
 }
 

@@ -1,4 +1,4 @@
-// Where ceilings made by hand are cut into spans.
+// Where ceilings made by hand are cut into segments.
 #include "lookahead/classical/split.hpp"
 
 #include <array>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/lookahead/spans.hpp"
+#include "tests/lookahead/velocity_segments.hpp"
 
 namespace kerf::lookahead::test {
 namespace {
@@ -31,10 +31,10 @@ Ceiling through(const std::vector<std::array<double, 2>>& places) {
   return ceiling;
 }
 
-double sum_mm(const std::vector<Span>& spans) {
+double sum_mm(const std::vector<VelocitySegment>& segments) {
   double sum = 0.0;
-  for (const Span& span : spans) {
-    sum += span.length_mm;
+  for (const VelocitySegment& segment : segments) {
+    sum += segment.length_mm;
   }
   return sum;
 }
@@ -46,15 +46,15 @@ TEST(Split, TakesValleysWithinATicksWayForOne) {
     ceiling.push_back({.u = 1.0 + i, .s_mm = 5.0 + 5e-10 * i, .v_mm_s = i % 2 == 0 ? 1.0 : 60.0});
   }
   ceiling.push_back({.u = 3000.0, .s_mm = 10.0, .v_mm_s = 100.0});
-  const std::vector<Span> spans = split(under(ceiling), kPeriod_s);
-  EXPECT_LE(spans.size(), 4U);
-  EXPECT_NEAR(sum_mm(spans), 10.0, 1e-9);
-  for (const Span& span : spans) {
-    EXPECT_LE(span.end.feedrate_mm_s, 1.0);
+  const std::vector<VelocitySegment> segments = split(under(ceiling), kPeriod_s);
+  EXPECT_LE(segments.size(), 4U);
+  EXPECT_NEAR(sum_mm(segments), 10.0, 1e-9);
+  for (const VelocitySegment& segment : segments) {
+    EXPECT_LE(segment.end.feedrate_mm_s, 1.0);
   }
 }
 
-// Cut at, each would be a span of its own of 10 fm, in which no feedrate is reached from rest.
+// Cut at, each would be a segment of its own of 10 fm, in which no feedrate is reached from rest.
 TEST(Split, DoesNotCutAtAValleyWithinATicksWayOfAnEnd) {
   const Block block = under(through({{0.0, 2e-3},
                                      {1e-11, 1e-3},
@@ -64,20 +64,20 @@ TEST(Split, DoesNotCutAtAValleyWithinATicksWayOfAnEnd) {
                                      {10.0 - 1e-10, 2e-3},
                                      {10.0 - 1e-11, 1e-3},
                                      {10.0, 2e-3}}));
-  const std::vector<Span> spans = split(block, kPeriod_s);
-  EXPECT_GT(spans.front().length_mm, 1e-6);
-  EXPECT_EQ(spans.front().rise.bottom_mm_s(), 1e-3);
-  EXPECT_GT(spans.back().length_mm, 1e-6);
-  EXPECT_EQ(spans.back().fall.bottom_mm_s(), 1e-3);
+  const std::vector<VelocitySegment> segments = split(block, kPeriod_s);
+  EXPECT_GT(segments.front().length_mm, 1e-6);
+  EXPECT_EQ(segments.front().rise.bottom_mm_s(), 1e-3);
+  EXPECT_GT(segments.back().length_mm, 1e-6);
+  EXPECT_EQ(segments.back().fall.bottom_mm_s(), 1e-3);
 }
 
 TEST(Split, KeepsValleysFartherApartThanATick) {
   const Block block =
       under(through({{0.0, 100.0}, {5.0, 50.0}, {5.06, 100.0}, {5.12, 60.0}, {10.0, 100.0}}));
-  const std::vector<Span> spans = split(block, kPeriod_s);
-  ASSERT_EQ(spans.size(), 3U);
-  EXPECT_EQ(spans[0].end.feedrate_mm_s, 50.0);
-  EXPECT_EQ(spans[1].end.feedrate_mm_s, 60.0);
+  const std::vector<VelocitySegment> segments = split(block, kPeriod_s);
+  ASSERT_EQ(segments.size(), 3U);
+  EXPECT_EQ(segments[0].end.feedrate_mm_s, 50.0);
+  EXPECT_EQ(segments[1].end.feedrate_mm_s, 60.0);
 }
 
 // From rest over 4 nm at 8 nm/s and then freely: one climb would take all of the 75 mm.
@@ -86,10 +86,10 @@ TEST(Split, CutsAClimbBehindATinyFeature) {
   const profiles::Profile profile{ProfileKind::trapezoid};
   double time_s = 0.0;
   double v = 0.0;
-  for (const Span& span : split(block, kPeriod_s)) {
-    SpanEnds ends{.v_begin_mm_s = v, .v_end_mm_s = span.end.feedrate_mm_s};
-    ends.v_end_mm_s = end_feedrate_mm_s(span, ends, 0.0, profile);
-    time_s += plan_span(span, ends, profile).duration_s();
+  for (const VelocitySegment& segment : split(block, kPeriod_s)) {
+    SegmentEnds ends{.v_begin_mm_s = v, .v_end_mm_s = segment.end.feedrate_mm_s};
+    ends.v_end_mm_s = end_feedrate_mm_s(segment, ends, 0.0, profile);
+    time_s += plan_segment(segment, ends, profile).duration_s();
     v = ends.v_end_mm_s;
   }
   // On lines v = v0 + c s the ceiling itself takes log(v1 / v0) / c.

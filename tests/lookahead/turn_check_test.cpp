@@ -10,7 +10,7 @@
 
 #include "profiles/profile.hpp"
 #include "tests/lookahead/programs.hpp"
-#include "tests/lookahead/spans.hpp"
+#include "tests/lookahead/velocity_segments.hpp"
 
 namespace kerf::lookahead::test {
 namespace {

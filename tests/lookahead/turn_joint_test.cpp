@@ -19,8 +19,8 @@ TEST(TurnJoint, LeavesRoomForTheThirdDerivativeWithinTheCoast) {
       limits);
   const Turning turning =
       scan_turning(std::get<curves::NurbsCurve>(blocks[1].curve), 100.0, limits);
-  const Span line = whole_span(blocks[0]);
-  const Span first = split(blocks[1], turning, limits).front();
+  const VelocitySegment line = whole_segment(blocks[0]);
+  const VelocitySegment first = split(blocks[1], turning, limits).front();
   const Junction found{.feedrate_mm_s = 50.0, .coast_s = 0.003};
   const Junction joint = beside_turning(
       found,

@@ -1,4 +1,4 @@
-#include "lookahead/classical/span_binding.hpp"
+#include "lookahead/classical/segment_constraint.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,24 +17,25 @@ constexpr int kPlaces = 16;      // of a law under a ceiling
 constexpr double kMore = 1.01;   // of a limit, to see what it is worth
 }  // namespace
 
-ActiveConstraint SpanBinding::of(SpanPart part, const Transition& law, double s_begin_mm) const {
+ActiveConstraint SegmentConstraint::of(SegmentPart part, const Transition& law,
+                                       double s_begin_mm) const {
   switch (part) {
-    case SpanPart::begin_coast:
-      return coast(of_.span->begin_coast_s, law, s_begin_mm);
-    case SpanPart::end_coast:
-      return coast(of_.span->end.coast_s, law, s_begin_mm);
-    case SpanPart::cruise:
+    case SegmentPart::begin_coast:
+      return coast(of_.segment->begin_coast_s, law, s_begin_mm);
+    case SegmentPart::end_coast:
+      return coast(of_.segment->end.coast_s, law, s_begin_mm);
+    case SegmentPart::cruise:
       return cruise(law, s_begin_mm);
-    case SpanPart::deceleration:
+    case SegmentPart::deceleration:
       return of_.brakes_for_window ? active_constraint(Constraint::window_end)
                                    : ramp(law, s_begin_mm);
-    case SpanPart::acceleration:
+    case SegmentPart::acceleration:
       break;
   }
   return ramp(law, s_begin_mm);
 }
 
-ActiveConstraint SpanBinding::ceiling(const Transition& law, double s_begin_mm) const {
+ActiveConstraint SegmentConstraint::ceiling(const Transition& law, double s_begin_mm) const {
   const auto sample_at = [this](double s_mm) {
     const auto found =
         std::lower_bound(of_.block->ceiling.begin(), of_.block->ceiling.end() - 1, s_mm,
@@ -59,37 +60,37 @@ ActiveConstraint SpanBinding::ceiling(const Transition& law, double s_begin_mm) 
   return active_constraint(nearest.limit);
 }
 
-const TurnSample* SpanBinding::turning_at(double s_mm) const {
-  const Turning& turning = of_.span->turning;
+const TurnSample* SegmentConstraint::turning_at(double s_mm) const {
+  const Turning& turning = of_.segment->turning;
   const auto found =
       std::lower_bound(turning.begin(), turning.end(), s_mm,
                        [](const TurnSample& sample, double s) { return sample.s_mm < s; });
   return found == turning.end() ? nullptr : &*found;
 }
 
-ActiveConstraint SpanBinding::coast(double coast_s, const Transition& law,
-                                    double s_begin_mm) const {
+ActiveConstraint SegmentConstraint::coast(double coast_s, const Transition& law,
+                                          double s_begin_mm) const {
   return coast_s > 0.0 || of_.block->ceiling.empty() ? active_constraint(Constraint::joint)
                                                      : ceiling(law, s_begin_mm);
 }
 
-ActiveConstraint SpanBinding::cruise(const Transition& law, double s_begin_mm) const {
+ActiveConstraint SegmentConstraint::cruise(const Transition& law, double s_begin_mm) const {
   if (law.ramp().v_begin_mm_s >= (1.0 - kAlike) * of_.block->limits.feedrate_mm_s) {
     return active_constraint(of_.block->limits.from.feedrate);
   }
-  if (of_.span->limits.from.feedrate != of_.block->limits.from.feedrate &&
-      law.ramp().v_begin_mm_s >= (1.0 - kAlike) * of_.span->limits.feedrate_mm_s) {
-    return active_constraint(of_.span->limits.from.feedrate);
+  if (of_.segment->limits.from.feedrate != of_.block->limits.from.feedrate &&
+      law.ramp().v_begin_mm_s >= (1.0 - kAlike) * of_.segment->limits.feedrate_mm_s) {
+    return active_constraint(of_.segment->limits.from.feedrate);
   }
   return of_.block->ceiling.empty() ? active_constraint(of_.block->limits.from.jerk)
                                     : ceiling(law, s_begin_mm);
 }
 
-ActiveConstraint SpanBinding::ramp(const Transition& law, double s_begin_mm) const {
-  const RampLimits& limits = of_.span->limits.ramp;
+ActiveConstraint SegmentConstraint::ramp(const Transition& law, double s_begin_mm) const {
+  const RampLimits& limits = of_.segment->limits.ramp;
   const LimitOrigins& from = of_.block->limits.from;
   const double change = law.ramp().v_end_mm_s - law.ramp().v_begin_mm_s;
-  if (!of_.span->rise.empty() &&
+  if (!of_.segment->rise.empty() &&
       law.duration_s() > (1.0 + kAlike) * of_.profile->duration_s(change, limits)) {
     return ceiling(law, s_begin_mm);
   }

@@ -1,4 +1,4 @@
-// How the spans of two blocks join in the classical schedule.
+// How the segments of two blocks join in the classical schedule.
 #pragma once
 
 #include "lookahead/classical/turn_joint.hpp"
@@ -6,9 +6,9 @@
 
 namespace kerf::lookahead {
 
-struct SpanJoint {
-  Junction end{};              // of the span before, with its coast
-  double begin_coast_s = 0.0;  // of the span after
+struct SegmentJoint {
+  Junction end{};              // of the segment before, with its coast
+  double begin_coast_s = 0.0;  // of the segment after
 };
 
 struct JointRules {
@@ -20,10 +20,10 @@ struct JointRules {
 // jerk jumps from -A to A, and the mean of the tick around it is A Ts / 4 above its middle at the
 // most. No less than half of the ceiling: where A Ts / 4 is more than that, the scan has made the
 // ceiling so wide that the tick is all in it.
-double valley_mm_s(double ceiling_mm_s, const Span& span, const JointRules& rules);
+double valley_mm_s(double ceiling_mm_s, const VelocitySegment& segment, const JointRules& rules);
 
 // As fast as both blocks may be passed, and beside one that a tick might pass over faster than that
 // a coast of a tick, outside of it, so that no tick that sees all of it has a part of a climb.
-SpanJoint span_joint(const JointSides& sides, const JointRules& rules);
+SegmentJoint segment_joint(const JointSides& sides, const JointRules& rules);
 
 }  // namespace kerf::lookahead

@@ -1,4 +1,5 @@
-// Spans, their closed forms and what holds for every plan of one, for the tests of the look-ahead.
+// Segments, their closed forms and what holds for every plan of one, for the tests of the
+// look-ahead.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lookahead/classical/span.hpp"
+#include "lookahead/classical/velocity_segment.hpp"
 
 namespace kerf::lookahead::test {
 
@@ -29,7 +30,7 @@ inline std::vector<ProfileKind> jerk_limited_kinds() {
   return {std::next(all_kinds().begin()), all_kinds().end()};
 }
 
-inline Span flat_span(double length_mm, double feedrate_mm_s) {
+inline VelocitySegment flat_segment(double length_mm, double feedrate_mm_s) {
   return {.length_mm = length_mm,
           .limits = {.feedrate_mm_s = feedrate_mm_s,
                      .ramp = {.acceleration_mm_s2 = kA, .jerk_mm_s3 = kJ}}};
@@ -40,21 +41,22 @@ inline double s_curve_s(double change) {
   return change >= kA * kA / kJ ? change / kA + kA / kJ : 2.0 * std::sqrt(change / kJ);
 }
 
-inline double length_of(const SpanPlan& plan) {
+inline double length_of(const SegmentPlan& plan) {
   return plan.begin_coast.length_mm() + plan.acceleration.length_mm() + plan.cruise.length_mm() +
          plan.deceleration.length_mm() + plan.end_coast.length_mm();
 }
 
-inline const std::vector<const Transition SpanPlan::*>& parts() {
-  static const std::vector<const Transition SpanPlan::*> all{
-      &SpanPlan::begin_coast, &SpanPlan::acceleration, &SpanPlan::cruise, &SpanPlan::deceleration,
-      &SpanPlan::end_coast};
+inline const std::vector<const Transition SegmentPlan::*>& parts() {
+  static const std::vector<const Transition SegmentPlan::*> all{
+      &SegmentPlan::begin_coast, &SegmentPlan::acceleration, &SegmentPlan::cruise,
+      &SegmentPlan::deceleration, &SegmentPlan::end_coast};
   return all;
 }
 
-// Feedrates join, begin and end where asked for, and the lengths add up to the span's.
-inline void expect_joined(const Span& span, const SpanEnds& ends, const SpanPlan& plan) {
-  EXPECT_NEAR(length_of(plan), span.length_mm, 1e-9 * span.length_mm + 1e-12);
+// Feedrates join, begin and end where asked for, and the lengths add up to the segment's.
+inline void expect_joined(const VelocitySegment& segment, const SegmentEnds& ends,
+                          const SegmentPlan& plan) {
+  EXPECT_NEAR(length_of(plan), segment.length_mm, 1e-9 * segment.length_mm + 1e-12);
   double v = ends.v_begin_mm_s;
   for (const auto part : parts()) {
     const Transition& law = plan.*part;
@@ -73,7 +75,7 @@ struct Excess {
 
 // The largest excess of the plan over a piecewise linear ceiling, at 2000 points of each part.
 template <class Allowed>
-inline Excess excess_of(const SpanPlan& plan, const Allowed& allowed_mm_s) {
+inline Excess excess_of(const SegmentPlan& plan, const Allowed& allowed_mm_s) {
   Excess worst;
   double s = 0.0;
   for (const auto part : parts()) {

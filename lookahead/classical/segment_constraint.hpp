@@ -1,32 +1,38 @@
-// Which limit holds the parts of a span down, of the classical schedule.
+// Which limit holds the parts of a segment down, of the classical schedule.
 #pragma once
 
-#include "lookahead/classical/span.hpp"
+#include "lookahead/classical/velocity_segment.hpp"
 
 namespace kerf::lookahead {
 
 using interp::ActiveConstraint;
 
-enum class SpanPart : std::uint8_t { begin_coast, acceleration, cruise, deceleration, end_coast };
+enum class SegmentPart : std::uint8_t {
+  begin_coast,
+  acceleration,
+  cruise,
+  deceleration,
+  end_coast
+};
 
 // - A coast is there for a joint's sake, or waits below the foot of a ceiling.
 // - A cruise runs at what its block allows, or below a ceiling.
 // - A change of feedrate is bound by jerk and acceleration, each while it is what binds; where the
 //   profile has both at once, by the one of which a hundredth more would save more time. Where it
 //   was stretched to stay below a ceiling or to leave room for turning, by that.
-class SpanBinding {
+class SegmentConstraint {
  public:
   struct Settings {
     const Block* block = nullptr;
-    const Span* span = nullptr;  // of the block
+    const VelocitySegment* segment = nullptr;  // of the block
     const profiles::Profile* profile = nullptr;
-    bool brakes_for_window = false;  // what is behind the span is not known yet
+    bool brakes_for_window = false;  // what is behind the segment is not known yet
   };
   // Lives no longer than what the settings point to.
-  explicit SpanBinding(const Settings& settings) : of_(settings) {}
+  explicit SegmentConstraint(const Settings& settings) : of_(settings) {}
 
   // s_begin_mm: of the part, on the block's curve.
-  [[nodiscard]] ActiveConstraint of(SpanPart part, const profiles::Transition& law,
+  [[nodiscard]] ActiveConstraint of(SegmentPart part, const profiles::Transition& law,
                                     double s_begin_mm) const;
 
  private:

@@ -1,4 +1,4 @@
-#include "lookahead/classical/span_joint.hpp"
+#include "lookahead/classical/segment_joint.hpp"
 
 #include <algorithm>
 
@@ -10,39 +10,39 @@ namespace {
 
 constexpr double kBelowRounding = 1.0 - 1e-9;
 
-// By how much the mean of a tick that begins with the climb of a span is above its beginning.
-double rise_in_tick_mm_s(const Span& span, const JointRules& rules) {
+// By how much the mean of a tick that begins with the climb of a segment is above its beginning.
+double rise_in_tick_mm_s(const VelocitySegment& segment, const JointRules& rules) {
   const double period_s = rules.limits.period_s;
-  const double by_acceleration = 0.5 * span.limits.ramp.acceleration_mm_s2 * period_s;
-  const double by_jerk = span.limits.ramp.jerk_mm_s3 * period_s * period_s / 6.0;
+  const double by_acceleration = 0.5 * segment.limits.ramp.acceleration_mm_s2 * period_s;
+  const double by_jerk = segment.limits.ramp.jerk_mm_s3 * period_s * period_s / 6.0;
   return rules.profile.kind() == ProfileKind::trapezoid ? by_acceleration
                                                         : std::min(by_acceleration, by_jerk);
 }
 
-// Beside the span, at the feedrate of the joint with one that climbs away from it.
-double coast_beside_s(const Block& block, double v_joint_mm_s, const Span& climbing,
+// Beside the segment, at the feedrate of the joint with one that climbs away from it.
+double coast_beside_s(const Block& block, double v_joint_mm_s, const VelocitySegment& climbing,
                       const JointRules& rules) {
   const double fastest_mm_s = v_joint_mm_s + rise_in_tick_mm_s(climbing, rules);
   return passing_feedrate_mm_s(block, rules.limits) < fastest_mm_s ? rules.limits.period_s : 0.0;
 }
 
-void fit_coast(double coast_s, const Span& span, double& v_mm_s) {
+void fit_coast(double coast_s, const VelocitySegment& segment, double& v_mm_s) {
   if (coast_s > 0.0) {
-    v_mm_s = std::min(v_mm_s, kBelowRounding * 0.5 * span.length_mm / coast_s);
+    v_mm_s = std::min(v_mm_s, kBelowRounding * 0.5 * segment.length_mm / coast_s);
   }
 }
 
 }  // namespace
 
-double valley_mm_s(double ceiling_mm_s, const Span& span, const JointRules& rules) {
+double valley_mm_s(double ceiling_mm_s, const VelocitySegment& segment, const JointRules& rules) {
   if (rules.profile.kind() != ProfileKind::trapezoid) {
     return ceiling_mm_s;
   }
-  const double rise = 0.25 * span.limits.ramp.acceleration_mm_s2 * rules.limits.period_s;
+  const double rise = 0.25 * segment.limits.ramp.acceleration_mm_s2 * rules.limits.period_s;
   return std::max(ceiling_mm_s - rise, 0.5 * ceiling_mm_s);
 }
 
-SpanJoint span_joint(const JointSides& sides, const JointRules& rules) {
+SegmentJoint segment_joint(const JointSides& sides, const JointRules& rules) {
   const Block& before = *sides.blocks.before;
   const Block& after = *sides.blocks.after;
   Junction joint = junction(sides.blocks, rules.limits);

@@ -1,4 +1,4 @@
-#include "lookahead/classical/span.hpp"
+#include "lookahead/classical/velocity_segment.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -18,43 +18,43 @@ namespace {
 constexpr double kAboveRounding = 1.0 + 1e-12;
 // Where turning binds: how much farther the next try at a stop is, and the lowest feedrate tried.
 constexpr double kFartherStop = 1.1;
-constexpr double kLeastStop = 1e-3;  // of the span
+constexpr double kLeastStop = 1e-3;  // of the segment
 constexpr double kLeastShare = 0.125;
 constexpr double kCloseInTurn = 1e-3;  // how close to the highest feedrate a reach comes
 
-// A climb from a known feedrate at one end of a span towards a cap at the other; a descent is a
+// A climb from a known feedrate at one end of a segment towards a cap at the other; a descent is a
 // climb seen from the other end. Coasts lengthen with the feedrate at their end.
 struct Reach {
-  SpanSide side = SpanSide::rise;
+  SegmentSide side = SegmentSide::rise;
   double v_low_mm_s = 0.0;
   double cap_mm_s = 0.0;
   double near_coast_s = 0.0;
   double far_coast_s = 0.0;
 };
 
-double reach_mm_s(const Span& span, const Reach& reach, const Profile& profile) {
+double reach_mm_s(const VelocitySegment& segment, const Reach& reach, const Profile& profile) {
   if (reach.v_low_mm_s >= reach.cap_mm_s) {
     return reach.cap_mm_s;
   }
-  const Slope& slope = reach.side == SpanSide::rise ? span.rise : span.fall;
-  const double length = span.length_mm - reach.near_coast_s * reach.v_low_mm_s;
-  if (slope.empty() && span.turning.empty() && reach.far_coast_s == 0.0) {
+  const Slope& slope = reach.side == SegmentSide::rise ? segment.rise : segment.fall;
+  const double length = segment.length_mm - reach.near_coast_s * reach.v_low_mm_s;
+  if (slope.empty() && segment.turning.empty() && reach.far_coast_s == 0.0) {
     return profile.reach_mm_s(
         {.v_mm_s = reach.v_low_mm_s, .length_mm = length, .v_cap_mm_s = reach.cap_mm_s},
-        span.limits.ramp);
+        segment.limits.ramp);
   }
   const auto fits = [&](double v) {
     const Climb climb{.side = reach.side,
                       .ramp = {.v_begin_mm_s = reach.v_low_mm_s, .v_end_mm_s = v},
                       .room_mm = length};
-    return climb_length_mm(climb, span, profile) + reach.far_coast_s * v <= length;
+    return climb_length_mm(climb, segment, profile) + reach.far_coast_s * v <= length;
   };
   if (fits(reach.cap_mm_s)) {
     return reach.cap_mm_s;
   }
   double low = reach.v_low_mm_s;
   double high = reach.cap_mm_s;
-  const double close = span.turning.empty() ? 1e-12 : kCloseInTurn;
+  const double close = segment.turning.empty() ? 1e-12 : kCloseInTurn;
   for (int i = 0; i < 40 && high - low > close * high; ++i) {
     const double middle = 0.5 * (low + high);
     (fits(middle) ? low : high) = middle;
@@ -62,7 +62,7 @@ double reach_mm_s(const Span& span, const Reach& reach, const Profile& profile) 
   return low;
 }
 
-// Makes a cruise at an end of a span longer.
+// Makes a cruise at an end of a segment longer.
 void lengthen(Transition& coast, double v_mm_s, double by_mm) {
   if (by_mm > 0.0) {
     coast = Transition::cruise(v_mm_s, coast.length_mm() + by_mm);
@@ -71,26 +71,27 @@ void lengthen(Transition& coast, double v_mm_s, double by_mm) {
 
 // A climb meets other places at each length, so the stop is sought from the shortest on, a little
 // farther each time, then the lowest feedrate at the end.
-double brake_in_turn(Span& span, const SpanEnds& ends, const Profile& profile) {
+double brake_in_turn(VelocitySegment& segment, const SegmentEnds& ends, const Profile& profile) {
   const double v = ends.v_begin_mm_s;
-  const double least_mm = v * span.begin_coast_s + profile.length_mm({v, 0.0}, span.limits.ramp);
-  for (double stop_mm = std::max(least_mm, kLeastStop * span.length_mm); stop_mm < span.length_mm;
-       stop_mm *= kFartherStop) {
-    Span cut = span;
+  const double least_mm =
+      v * segment.begin_coast_s + profile.length_mm({v, 0.0}, segment.limits.ramp);
+  for (double stop_mm = std::max(least_mm, kLeastStop * segment.length_mm);
+       stop_mm < segment.length_mm; stop_mm *= kFartherStop) {
+    VelocitySegment cut = segment;
     cut.length_mm = stop_mm;
     cut.end = {.feedrate_mm_s = 0.0};
-    cut.fall = span.fall.from(span.length_mm - stop_mm);
+    cut.fall = segment.fall.from(segment.length_mm - stop_mm);
     cut.rise = {};
     cut.limits.feedrate_mm_s = v;
     cut.ends_block = false;
     if (joins(cut, {.v_begin_mm_s = v, .v_end_mm_s = 0.0}, profile)) {
-      span = std::move(cut);
+      segment = std::move(cut);
       return 0.0;
     }
   }
   for (double v_end = 0.0; v_end < ends.v_end_mm_s;
        v_end = std::max(2.0 * v_end, kLeastShare * ends.v_end_mm_s)) {
-    if (joins(span, {.v_begin_mm_s = v, .v_end_mm_s = v_end}, profile)) {
+    if (joins(segment, {.v_begin_mm_s = v, .v_end_mm_s = v_end}, profile)) {
       return v_end;
     }
   }
@@ -104,38 +105,39 @@ Transition coast(double v_mm_s, double duration_s) {
 
 }  // namespace
 
-double SpanPlan::duration_s() const noexcept {
+double SegmentPlan::duration_s() const noexcept {
   return begin_coast.duration_s() + acceleration.duration_s() + cruise.duration_s() +
          deceleration.duration_s() + end_coast.duration_s();
 }
 
-double reach_backward_mm_s(const Span& span, const BackwardQuery& query, const Profile& profile) {
-  Reach reach{.side = SpanSide::fall,
+double reach_backward_mm_s(const VelocitySegment& segment, const BackwardQuery& query,
+                           const Profile& profile) {
+  Reach reach{.side = SegmentSide::fall,
               .v_low_mm_s = query.v_end_mm_s,
               .cap_mm_s = query.cap_mm_s,
-              .near_coast_s = span.end.coast_s,
-              .far_coast_s = span.begin_coast_s};
-  const double reached = reach_mm_s(span, reach, profile);
-  if (span.end.coast_s == 0.0 || reached >= query.cap_mm_s) {
+              .near_coast_s = segment.end.coast_s,
+              .far_coast_s = segment.begin_coast_s};
+  const double reached = reach_mm_s(segment, reach, profile);
+  if (segment.end.coast_s == 0.0 || reached >= query.cap_mm_s) {
     return reached;
   }
   reach.v_low_mm_s = 0.0;
-  return std::max(reached, reach_mm_s(span, reach, profile));
+  return std::max(reached, reach_mm_s(segment, reach, profile));
 }
 
-double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, double v_end_known_mm_s,
-                         const Profile& profile) {
+double end_feedrate_mm_s(const VelocitySegment& segment, const SegmentEnds& wanted,
+                         double v_end_known_mm_s, const Profile& profile) {
   if (wanted.v_end_mm_s > wanted.v_begin_mm_s) {
-    return reach_mm_s(span,
-                      {.side = SpanSide::rise,
+    return reach_mm_s(segment,
+                      {.side = SegmentSide::rise,
                        .v_low_mm_s = wanted.v_begin_mm_s,
                        .cap_mm_s = wanted.v_end_mm_s,
-                       .near_coast_s = span.begin_coast_s,
-                       .far_coast_s = span.end.coast_s},
+                       .near_coast_s = segment.begin_coast_s,
+                       .far_coast_s = segment.end.coast_s},
                       profile);
   }
   const auto fits = [&](double v_end) {
-    return joins(span, {.v_begin_mm_s = wanted.v_begin_mm_s, .v_end_mm_s = v_end}, profile);
+    return joins(segment, {.v_begin_mm_s = wanted.v_begin_mm_s, .v_end_mm_s = v_end}, profile);
   };
   if (fits(wanted.v_end_mm_s)) {
     return wanted.v_end_mm_s;
@@ -150,59 +152,63 @@ double end_feedrate_mm_s(const Span& span, const SpanEnds& wanted, double v_end_
   return inside;
 }
 
-bool joins(const Span& span, const SpanEnds& ends, const Profile& profile) {
+bool joins(const VelocitySegment& segment, const SegmentEnds& ends, const Profile& profile) {
   const bool rises = ends.v_end_mm_s > ends.v_begin_mm_s;
   const Ramp rise{.v_begin_mm_s = ends.v_begin_mm_s, .v_end_mm_s = ends.v_end_mm_s};
   const Ramp fall{.v_begin_mm_s = ends.v_end_mm_s, .v_end_mm_s = ends.v_begin_mm_s};
-  const double room = span.length_mm * kAboveRounding - span.begin_coast_s * ends.v_begin_mm_s -
-                      span.end.coast_s * ends.v_end_mm_s;
-  const Climb climb{.side = rises ? SpanSide::rise : SpanSide::fall,
+  const double room = segment.length_mm * kAboveRounding -
+                      segment.begin_coast_s * ends.v_begin_mm_s -
+                      segment.end.coast_s * ends.v_end_mm_s;
+  const Climb climb{.side = rises ? SegmentSide::rise : SegmentSide::fall,
                     .ramp = rises ? rise : fall,
                     .room_mm = room};
-  return climb_length_mm(climb, span, profile) <= room;
+  return climb_length_mm(climb, segment, profile) <= room;
 }
 
-double brake(Span& span, const SpanEnds& ends, const Profile& profile) {
-  if (!span.turning.empty()) {
-    return brake_in_turn(span, ends, profile);
+double brake(VelocitySegment& segment, const SegmentEnds& ends, const Profile& profile) {
+  if (!segment.turning.empty()) {
+    return brake_in_turn(segment, ends, profile);
   }
-  const double coast_mm = ends.v_begin_mm_s * span.begin_coast_s;
-  const double stop_mm = coast_mm + profile.length_mm({ends.v_begin_mm_s, 0.0}, span.limits.ramp);
-  if (stop_mm <= span.length_mm) {
+  const double coast_mm = ends.v_begin_mm_s * segment.begin_coast_s;
+  const double stop_mm =
+      coast_mm + profile.length_mm({ends.v_begin_mm_s, 0.0}, segment.limits.ramp);
+  if (stop_mm <= segment.length_mm) {
     // The fall ends before the ceiling does, so it is below it wherever the plan to the end was.
-    span.ends_block = span.ends_block && stop_mm == span.length_mm;
-    span.length_mm = stop_mm;
-    span.end = {.feedrate_mm_s = 0.0};
-    span.fall = {};
-    span.rise = {};
-    span.limits.feedrate_mm_s = ends.v_begin_mm_s;
+    segment.ends_block = segment.ends_block && stop_mm == segment.length_mm;
+    segment.length_mm = stop_mm;
+    segment.end = {.feedrate_mm_s = 0.0};
+    segment.fall = {};
+    segment.rise = {};
+    segment.limits.feedrate_mm_s = ends.v_begin_mm_s;
     return 0.0;
   }
   double low = 0.0;
   double high = ends.v_end_mm_s;
   for (int i = 0; i < 40; ++i) {
     const double middle = 0.5 * (low + high);
-    const double reached =
-        reach_backward_mm_s(span, {.v_end_mm_s = middle, .cap_mm_s = ends.v_begin_mm_s}, profile);
+    const double reached = reach_backward_mm_s(
+        segment, {.v_end_mm_s = middle, .cap_mm_s = ends.v_begin_mm_s}, profile);
     (reached >= ends.v_begin_mm_s ? high : low) = middle;
   }
   return high;
 }
 
-SpanPlan plan_span(const Span& span, const SpanEnds& ends, const Profile& profile) {
-  SpanPlan plan;
-  plan.begin_coast = coast(ends.v_begin_mm_s, span.begin_coast_s);
-  plan.end_coast = coast(ends.v_end_mm_s, span.end.coast_s);
-  const double length = span.length_mm - plan.begin_coast.length_mm() - plan.end_coast.length_mm();
+SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends,
+                         const Profile& profile) {
+  SegmentPlan plan;
+  plan.begin_coast = coast(ends.v_begin_mm_s, segment.begin_coast_s);
+  plan.end_coast = coast(ends.v_end_mm_s, segment.end.coast_s);
+  const double length =
+      segment.length_mm - plan.begin_coast.length_mm() - plan.end_coast.length_mm();
   double plateau = 0.0;
-  if (span.rise.empty() && span.turning.empty()) {
+  if (segment.rise.empty() && segment.turning.empty()) {
     plateau = profile.peak_mm_s({ends.v_begin_mm_s, ends.v_end_mm_s},
-                                {.length_mm = length, .v_cap_mm_s = span.limits.feedrate_mm_s},
-                                span.limits.ramp);
-    plan.acceleration = profile.fastest({ends.v_begin_mm_s, plateau}, span.limits.ramp);
-    plan.deceleration = profile.fastest({plateau, ends.v_end_mm_s}, span.limits.ramp);
+                                {.length_mm = length, .v_cap_mm_s = segment.limits.feedrate_mm_s},
+                                segment.limits.ramp);
+    plan.acceleration = profile.fastest({ends.v_begin_mm_s, plateau}, segment.limits.ramp);
+    plan.deceleration = profile.fastest({plateau, ends.v_end_mm_s}, segment.limits.ramp);
   } else {
-    const PlateauSearch search(span, ends, length, profile);
+    const PlateauSearch search(segment, ends, length, profile);
     plateau = search.best_mm_s();
     const PlateauSides sides = search.sides(plateau);
     plan.acceleration = sides.up.law;
@@ -210,7 +216,7 @@ SpanPlan plan_span(const Span& span, const SpanEnds& ends, const Profile& profil
     lengthen(plan.begin_coast, ends.v_begin_mm_s, sides.up.foot_mm);
     lengthen(plan.end_coast, ends.v_end_mm_s, sides.down_mirrored.foot_mm);
   }
-  const double spare = span.length_mm - plan.begin_coast.length_mm() -
+  const double spare = segment.length_mm - plan.begin_coast.length_mm() -
                        plan.acceleration.length_mm() - plan.deceleration.length_mm() -
                        plan.end_coast.length_mm();
   if (spare > 0.0) {
@@ -219,9 +225,9 @@ SpanPlan plan_span(const Span& span, const SpanEnds& ends, const Profile& profil
   return plan;
 }
 
-SpanPlan slowed_plan(const Span& span, const SpanEnds& ends, double v_begin_mm_s,
-                     const Profile& profile) {
-  SpanPlan plan = plan_span(span, ends, profile);
+SegmentPlan slowed_plan(const VelocitySegment& segment, const SegmentEnds& ends,
+                        double v_begin_mm_s, const Profile& profile) {
+  SegmentPlan plan = plan_segment(segment, ends, profile);
   const double factor = ends.v_begin_mm_s / v_begin_mm_s;
   for (Transition* law :
        {&plan.begin_coast, &plan.acceleration, &plan.cruise, &plan.deceleration, &plan.end_coast}) {

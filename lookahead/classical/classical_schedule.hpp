@@ -11,10 +11,10 @@
 
 namespace kerf::lookahead {
 
-// A span is emitted once half a window of blocks is known behind it, or once the program rests
+// A segment is emitted once half a window of blocks is known behind it, or once the program rests
 // there anyway. Amortised each block is visited twice by the backward pass and once by the forward
 // pass, whatever the length of the program.
-class SpanSchedule final : public Schedule {
+class ClassicalSchedule final : public Schedule {
  public:
   struct Settings {
     PlanLimits limits{};
@@ -24,7 +24,7 @@ class SpanSchedule final : public Schedule {
     double longest_cruise_s = 0.1;
   };
 
-  explicit SpanSchedule(const Settings& settings) : settings_(settings) {}
+  explicit ClassicalSchedule(const Settings& settings) : settings_(settings) {}
 
   void push(const Window<Block>& blocks) override;
   // before: the block that it joins; null: it begins at rest.
@@ -35,20 +35,22 @@ class SpanSchedule final : public Schedule {
   void stop(const Window<Block>& blocks, const Emitter& emitter) override;
 
  private:
-  [[nodiscard]] std::vector<Span> spans_of(const Block& block) const;
-  SpanPlan plan_front(SpanEnds& ends);
+  [[nodiscard]] std::vector<VelocitySegment> segments_of(const Block& block) const;
+  SegmentPlan plan_front(SegmentEnds& ends);
   void plan_window(Supply supply);
-  void emit_cruise(const Block& block, const SpanPlan& plan, Emitter& emitter, Outbox& outbox);
-  void emit_plan(const Block& block, const SpanPlan& plan, Emitter& emitter, Outbox& outbox) const;
-  void leave_span(Window<Block>& blocks, Emitter& emitter);
+  void emit_cruise(const Block& block, const SegmentPlan& plan, Emitter& emitter, Outbox& outbox);
+  void emit_plan(const Block& block, const SegmentPlan& plan, Emitter& emitter,
+                 Outbox& outbox) const;
+  void leave_segment(Window<Block>& blocks, Emitter& emitter);
 
   Settings settings_;
-  Window<WindowSpan> window_;
-  std::size_t ready_spans_ = 0;  // of window_, planned and allowed to leave
+  Window<WindowSegment> window_;
+  std::size_t ready_segments_ = 0;  // of window_, planned and allowed to leave
   bool to_rest_ = false;
   double v_mm_s_ = 0.0;  // where emission stands
-  // Of the front span, of which a part has left: what is left, as long as it ends as was planned.
-  std::optional<SpanPlan> left_;
+  // Of the front segment, of which a part has left: what is left, as long as it ends as was
+  // planned.
+  std::optional<SegmentPlan> left_;
   double left_end_mm_s_ = 0.0;
 };
 

@@ -1,6 +1,6 @@
-// One span: closed forms of the S-curve and the trapezoid, the four situations, the ceiling between
-// samples, coasts, braking.
-#include "lookahead/classical/span.hpp"
+// One segment: closed forms of the S-curve and the trapezoid, the four situations, the ceiling
+// between samples, coasts, braking.
+#include "lookahead/classical/velocity_segment.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,38 +11,38 @@
 #include "lookahead/classical/split.hpp"
 #include "tests/curves/shipped_curves.hpp"
 #include "tests/lookahead/blocks.hpp"
-#include "tests/lookahead/spans.hpp"
+#include "tests/lookahead/velocity_segments.hpp"
 
 namespace kerf::lookahead::test {
 namespace {
 
-TEST(Span, FromRestToRestIsTheSCurvesClosedForm) {
+TEST(VelocitySegment, FromRestToRestIsTheSCurvesClosedForm) {
   const Profile profile{ProfileKind::s_curve};
   // Long: both limits and the feedrate are reached. T = 2 (V/A + A/J) + (L - V (V/A + A/J)) / V.
   const double v = 200.0;
   const double up = v / kA + kA / kJ;
-  const SpanPlan plan = plan_span(flat_span(100.0, v), {}, profile);
+  const SegmentPlan plan = plan_segment(flat_segment(100.0, v), {}, profile);
   EXPECT_NEAR(plan.duration_s(), 2.0 * up + (100.0 - v * up) / v, 1e-12);
   // Short: the jerk alone binds, four phases of T/4: L = J T^3 / 32.
   const double length = 0.5;
-  EXPECT_NEAR(plan_span(flat_span(length, v), {}, profile).duration_s(),
+  EXPECT_NEAR(plan_segment(flat_segment(length, v), {}, profile).duration_s(),
               std::cbrt(32.0 * length / kJ), 1e-9);
 }
 
-TEST(Span, FromRestToRestIsTheTrapezoidsClosedForm) {
+TEST(VelocitySegment, FromRestToRestIsTheTrapezoidsClosedForm) {
   const Profile profile{ProfileKind::trapezoid};
-  EXPECT_NEAR(plan_span(flat_span(100.0, 200.0), {}, profile).duration_s(),
+  EXPECT_NEAR(plan_segment(flat_segment(100.0, 200.0), {}, profile).duration_s(),
               200.0 / kA + 100.0 / 200.0, 1e-12);
-  EXPECT_NEAR(plan_span(flat_span(2.0, 200.0), {}, profile).duration_s(), 2.0 * std::sqrt(2.0 / kA),
-              1e-12);
+  EXPECT_NEAR(plan_segment(flat_segment(2.0, 200.0), {}, profile).duration_s(),
+              2.0 * std::sqrt(2.0 / kA), 1e-12);
 }
 
-TEST(Span, OfASituationHasItsParts) {
+TEST(VelocitySegment, OfASituationHasItsParts) {
   const Profile profile{ProfileKind::s_curve};
   struct Case {
     const char* name;
     double length_mm;
-    SpanEnds ends;
+    SegmentEnds ends;
     bool acceleration, cruise, deceleration;
   };
   const std::vector<Case> cases{{"ACC + CF", 50.0, {0.0, 100.0}, true, true, false},
@@ -52,26 +52,26 @@ TEST(Span, OfASituationHasItsParts) {
                                 {"CF", 50.0, {100.0, 100.0}, false, true, false}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
-    const Span span = flat_span(c.length_mm, 100.0);
-    const SpanPlan plan = plan_span(span, c.ends, profile);
-    expect_joined(span, c.ends, plan);
+    const VelocitySegment segment = flat_segment(c.length_mm, 100.0);
+    const SegmentPlan plan = plan_segment(segment, c.ends, profile);
+    expect_joined(segment, c.ends, plan);
     EXPECT_EQ(plan.acceleration.duration_s() > 0.0, c.acceleration);
     EXPECT_EQ(plan.cruise.duration_s() > 1e-6, c.cruise);
     EXPECT_EQ(plan.deceleration.duration_s() > 0.0, c.deceleration);
   }
 }
 
-TEST(Span, WithoutACruiseTakesItsWholeLengthForTheTwoTransitions) {
+TEST(VelocitySegment, WithoutACruiseTakesItsWholeLengthForTheTwoTransitions) {
   const Profile profile{ProfileKind::s_curve};
-  const SpanEnds ends{.v_begin_mm_s = 20.0, .v_end_mm_s = 10.0};
-  const SpanPlan plan = plan_span(flat_span(2.0, 100.0), ends, profile);
+  const SegmentEnds ends{.v_begin_mm_s = 20.0, .v_end_mm_s = 10.0};
+  const SegmentPlan plan = plan_segment(flat_segment(2.0, 100.0), ends, profile);
   const double peak = plan.acceleration.ramp().v_end_mm_s;
   EXPECT_NEAR(
       0.5 * (20.0 + peak) * s_curve_s(peak - 20.0) + 0.5 * (10.0 + peak) * s_curve_s(peak - 10.0),
       2.0, 1e-9);
 }
 
-TEST(Span, OfAnyLengthJoinsItsEndsUnderEveryLaw) {
+TEST(VelocitySegment, OfAnyLengthJoinsItsEndsUnderEveryLaw) {
   const unsigned seed = 20'261'121;
   SCOPED_TRACE(seed);
   std::mt19937_64 random(seed);
@@ -79,36 +79,37 @@ TEST(Span, OfAnyLengthJoinsItsEndsUnderEveryLaw) {
   for (int i = 0; i < 3000; ++i) {
     const Profile profile{all_kinds()[static_cast<std::size_t>(i) % all_kinds().size()]};
     const double cap = 200.0 * share(random);
-    Span span = flat_span(std::pow(10.0, -6.0 + 9.0 * share(random)), cap);
-    SpanEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = cap * share(random)};
+    VelocitySegment segment = flat_segment(std::pow(10.0, -6.0 + 9.0 * share(random)), cap);
+    SegmentEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = cap * share(random)};
     ends.v_begin_mm_s = reach_backward_mm_s(
-        span, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap * share(random)}, profile);
-    ends.v_end_mm_s = end_feedrate_mm_s(span, ends, ends.v_end_mm_s, profile);
-    const SpanPlan plan = plan_span(span, ends, profile);
-    expect_joined(span, ends, plan);
+        segment, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap * share(random)}, profile);
+    ends.v_end_mm_s = end_feedrate_mm_s(segment, ends, ends.v_end_mm_s, profile);
+    const SegmentPlan plan = plan_segment(segment, ends, profile);
+    expect_joined(segment, ends, plan);
     for (const auto part : parts()) {
       EXPECT_LE((plan.*part).ramp().v_end_mm_s, cap * (1.0 + 1e-12));
     }
     if (testing::Test::HasFailure()) {
-      FAIL() << "case " << i << ", length " << span.length_mm;
+      FAIL() << "case " << i << ", length " << segment.length_mm;
     }
   }
 }
 
-TEST(Span, ReachesBackwardWhatItReachesForward) {
+TEST(VelocitySegment, ReachesBackwardWhatItReachesForward) {
   for (const ProfileKind kind : all_kinds()) {
     SCOPED_TRACE(profiles::name_of(kind));
     const Profile profile{kind};
     for (const double length : {1e-5, 0.01, 0.4, 3.0}) {
       for (const double v : {0.0, 0.5, 30.0}) {
-        const Span span = flat_span(length, 1e4);
+        const VelocitySegment segment = flat_segment(length, 1e4);
         const double up =
-            end_feedrate_mm_s(span, {.v_begin_mm_s = v, .v_end_mm_s = 1e4}, 1e4, profile);
-        const double down = reach_backward_mm_s(span, {.v_end_mm_s = v, .cap_mm_s = 1e4}, profile);
+            end_feedrate_mm_s(segment, {.v_begin_mm_s = v, .v_end_mm_s = 1e4}, 1e4, profile);
+        const double down =
+            reach_backward_mm_s(segment, {.v_end_mm_s = v, .cap_mm_s = 1e4}, profile);
         EXPECT_GT(up, v);
         EXPECT_NEAR(up, down, 1e-9 * up);
-        // From what was reached upwards the span is braked to where it began.
-        EXPECT_NEAR(0.5 * (v + up) * profile.duration_s(up - v, span.limits.ramp), length,
+        // From what was reached upwards the segment is braked to where it began.
+        EXPECT_NEAR(0.5 * (v + up) * profile.duration_s(up - v, segment.limits.ramp), length,
                     1e-9 * length + 1e-10);
       }
     }
@@ -118,55 +119,57 @@ TEST(Span, ReachesBackwardWhatItReachesForward) {
 // Braking from v to v / 3 under a jerk takes more room than braking to rest: the length is
 // (v + w) sqrt((v - w) / J), largest at w = v / 3. So when a window grows and the end need not be
 // at rest any more, a faster end may not fit although it is less of a change.
-TEST(Span, EndsWithWhatFitsWhereARestFitsAndAFasterEndDoesNot) {
+TEST(VelocitySegment, EndsWithWhatFitsWhereARestFitsAndAFasterEndDoesNot) {
   const Profile profile{ProfileKind::s_curve};
   const double v = 10.0;
-  const Span span = flat_span(v * std::sqrt(v / kJ), 100.0);  // room for a rest, exactly
-  const SpanEnds wanted{.v_begin_mm_s = v, .v_end_mm_s = v / 3.0};
-  ASSERT_GT((v + v / 3.0) * std::sqrt(v * 2.0 / 3.0 / kJ), span.length_mm);
-  SpanEnds ends = wanted;
-  ends.v_end_mm_s = end_feedrate_mm_s(span, wanted, 0.0, profile);
-  expect_joined(span, ends, plan_span(span, ends, profile));
+  const VelocitySegment segment =
+      flat_segment(v * std::sqrt(v / kJ), 100.0);  // room for a rest, exactly
+  const SegmentEnds wanted{.v_begin_mm_s = v, .v_end_mm_s = v / 3.0};
+  ASSERT_GT((v + v / 3.0) * std::sqrt(v * 2.0 / 3.0 / kJ), segment.length_mm);
+  SegmentEnds ends = wanted;
+  ends.v_end_mm_s = end_feedrate_mm_s(segment, wanted, 0.0, profile);
+  expect_joined(segment, ends, plan_segment(segment, ends, profile));
 }
 
-TEST(Span, CoastsAtBothEnds) {
+TEST(VelocitySegment, CoastsAtBothEnds) {
   const Profile profile{ProfileKind::s_curve};
-  Span span = flat_span(5.0, 100.0);
-  span.begin_coast_s = 0.003;
-  span.end = {.feedrate_mm_s = 20.0, .coast_s = 0.003};
-  const SpanEnds ends{.v_begin_mm_s = 30.0, .v_end_mm_s = 20.0};
-  const SpanPlan plan = plan_span(span, ends, profile);
-  expect_joined(span, ends, plan);
+  VelocitySegment segment = flat_segment(5.0, 100.0);
+  segment.begin_coast_s = 0.003;
+  segment.end = {.feedrate_mm_s = 20.0, .coast_s = 0.003};
+  const SegmentEnds ends{.v_begin_mm_s = 30.0, .v_end_mm_s = 20.0};
+  const SegmentPlan plan = plan_segment(segment, ends, profile);
+  expect_joined(segment, ends, plan);
   EXPECT_NEAR(plan.begin_coast.duration_s(), 0.003, 1e-15);
   EXPECT_NEAR(plan.end_coast.duration_s(), 0.003, 1e-15);
   EXPECT_EQ(plan.end_coast.ramp().v_begin_mm_s, 20.0);
 }
 
-TEST(Span, WithCoastsReachesFromWhereItsPlanFits) {
+TEST(VelocitySegment, WithCoastsReachesFromWhereItsPlanFits) {
   const Profile profile{ProfileKind::s_curve};
   const unsigned seed = 7;
   SCOPED_TRACE(seed);
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   for (int i = 0; i < 2000; ++i) {
-    Span span = flat_span(std::pow(10.0, -4.0 + 5.0 * share(random)), 200.0);
-    span.begin_coast_s = 0.003;
-    span.end.coast_s = 0.003;
-    const double fits = span.length_mm / 0.006;  // as a junction promises
+    VelocitySegment segment = flat_segment(std::pow(10.0, -4.0 + 5.0 * share(random)), 200.0);
+    segment.begin_coast_s = 0.003;
+    segment.end.coast_s = 0.003;
+    const double fits = segment.length_mm / 0.006;  // as a junction promises
     const double v_end = std::min(fits, 200.0) * share(random);
     const double cap = std::min(fits, 200.0) * share(random);
-    SpanEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = v_end};
-    ends.v_begin_mm_s = reach_backward_mm_s(span, {.v_end_mm_s = v_end, .cap_mm_s = cap}, profile);
+    SegmentEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = v_end};
+    ends.v_begin_mm_s =
+        reach_backward_mm_s(segment, {.v_end_mm_s = v_end, .cap_mm_s = cap}, profile);
     ASSERT_LE(ends.v_begin_mm_s, cap);
-    ends.v_end_mm_s = end_feedrate_mm_s(span, ends, ends.v_end_mm_s, profile);
+    ends.v_end_mm_s = end_feedrate_mm_s(segment, ends, ends.v_end_mm_s, profile);
     ASSERT_LE(ends.v_end_mm_s, v_end);
-    expect_joined(span, ends, plan_span(span, ends, profile));
+    expect_joined(segment, ends, plan_segment(segment, ends, profile));
     ASSERT_FALSE(testing::Test::HasFailure()) << "case " << i;
   }
 }
 
 // Ceilings as scans give them: the butterfly's and the scroll's, cut at their valleys.
-TEST(Span, IsNeverAboveTheCeilingOfACurve) {
+TEST(VelocitySegment, IsNeverAboveTheCeilingOfACurve) {
   for (const char* name : {"butterfly", "star", "trident7"}) {
     SCOPED_TRACE(name);
     const Block block =
@@ -176,21 +179,21 @@ TEST(Span, IsNeverAboveTheCeilingOfACurve) {
       const Profile profile{kind};
       double v_begin = 0.0;
       double s_begin = 0.0;
-      for (const Span& span : split(block, 0.001)) {
-        EXPECT_NEAR(span.s_begin_mm, s_begin, 1e-12);
-        SpanEnds ends{.v_begin_mm_s = v_begin, .v_end_mm_s = span.end.feedrate_mm_s};
+      for (const VelocitySegment& segment : split(block, 0.001)) {
+        EXPECT_NEAR(segment.s_begin_mm, s_begin, 1e-12);
+        SegmentEnds ends{.v_begin_mm_s = v_begin, .v_end_mm_s = segment.end.feedrate_mm_s};
         const double cap = ceiling_at(block.ceiling, s_begin);
         ends.v_begin_mm_s = std::min(
-            v_begin,
-            reach_backward_mm_s(span, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap}, profile));
-        ends.v_end_mm_s = end_feedrate_mm_s(span, ends, ends.v_end_mm_s, profile);
-        const SpanPlan plan = plan_span(span, ends, profile);
-        expect_joined(span, ends, plan);
+            v_begin, reach_backward_mm_s(segment, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap},
+                                         profile));
+        ends.v_end_mm_s = end_feedrate_mm_s(segment, ends, ends.v_end_mm_s, profile);
+        const SegmentPlan plan = plan_segment(segment, ends, profile);
+        expect_joined(segment, ends, plan);
         const Excess excess =
             excess_of(plan, [&](double s) { return ceiling_at(block.ceiling, s_begin + s); });
-        EXPECT_LE(excess.share, 1e-3) << "span at " << s_begin;
+        EXPECT_LE(excess.share, 1e-3) << "segment at " << s_begin;
         v_begin = ends.v_end_mm_s;
-        s_begin += span.length_mm;
+        s_begin += segment.length_mm;
       }
       EXPECT_NEAR(s_begin, block.length_mm, 1e-9);
     }

@@ -1,0 +1,230 @@
+#include "lookahead/classical/classical_schedule.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "lookahead/classical/segment_constraint.hpp"
+#include "lookahead/classical/segment_joint.hpp"
+#include "lookahead/classical/split.hpp"
+#include "lookahead/classical/turn_scan.hpp"
+#include "lookahead/path/block_limits.hpp"
+
+namespace kerf::lookahead {
+
+using profiles::ProfileKind;
+
+namespace {
+
+// Within a cruise.
+struct CruisePoint {
+  double s_mm = 0.0;
+  double v_mm_s = 0.0;
+};
+
+// What is left of a segment once its first part has left.
+void cut_front(VelocitySegment& segment, const CruisePoint& cut) {
+  const double way_mm = cut.s_mm - segment.s_begin_mm;
+  segment.length_mm -= way_mm;
+  segment.s_begin_mm = cut.s_mm;
+  segment.begin_coast_s = 0.0;
+  if (!segment.rise.empty()) {
+    const bool falls = way_mm >= segment.rise.allowed_from_mm(kUnbounded);
+    segment.rise =
+        falls ? Slope({{.distance_mm = 0.0, .v_mm_s = cut.v_mm_s}}) : segment.rise.from(way_mm);
+  }
+}
+
+// A segment that was cut ends where its rounded sums say, but not beyond its block.
+double end_mm(const VelocitySegment& segment, const Block& block) {
+  return segment.ends_block ? block.length_mm
+                            : std::min(segment.s_begin_mm + segment.length_mm, block.length_mm);
+}
+
+}  // namespace
+
+void ClassicalSchedule::push(const Window<Block>& blocks) {
+  const std::size_t last = blocks.size() - 1;
+  push(blocks[last], last > 0 ? &blocks[last - 1] : nullptr);
+}
+
+void ClassicalSchedule::push(const Block& block, const Block* before) {
+  std::vector<VelocitySegment> segments = segments_of(block);
+  if (before != nullptr) {
+    const SegmentJoint joint = segment_joint({.blocks = {.before = before, .after = &block},
+                                              .before = &window_.back().segment,
+                                              .after = &segments.front()},
+                                             {settings_.limits, settings_.profile});
+    window_.back().segment.end = joint.end;
+    segments.front().begin_coast_s = joint.begin_coast_s;
+  }
+  for (VelocitySegment& segment : segments) {
+    window_.push_back({.segment = std::move(segment)});
+  }
+}
+
+std::vector<VelocitySegment> ClassicalSchedule::segments_of(const Block& block) const {
+  std::vector<VelocitySegment> segments;
+  const auto* nurbs = std::get_if<curves::NurbsCurve>(&block.curve);
+  Turning turning;
+  PlanLimits limits = settings_.limits;
+  if (nurbs != nullptr) {
+    if (settings_.profile.kind() == ProfileKind::trapezoid) {
+      for (MotionLimits& axis : limits.axes) {
+        axis.jerk_mm_s3 = kUnbounded;
+      }
+    }
+    turning = scan_turning(*nurbs, block.limits.feedrate_mm_s, limits);
+  }
+  segments =
+      turning.empty() ? split(block, settings_.limits.period_s) : split(block, turning, limits);
+  const double passing = passing_feedrate_mm_s(block, settings_.limits);
+  for (VelocitySegment& segment : segments) {
+    bind_feedrate(segment.limits, {passing, Constraint::chord_error});
+    if (!segment.ends_block) {
+      segment.end.feedrate_mm_s = std::min(
+          passing,
+          valley_mm_s(segment.end.feedrate_mm_s, segment, {settings_.limits, settings_.profile}));
+    }
+  }
+  return segments;
+}
+
+void ClassicalSchedule::plan_window(Supply supply) {
+  backward_pass(window_, settings_.profile);
+  if (supply == Supply::to_rest) {
+    ready_segments_ = window_.size();
+    return;
+  }
+  std::size_t blocks_left = settings_.ready_blocks;
+  ready_segments_ = 0;
+  while (blocks_left > 0) {
+    blocks_left -= window_[ready_segments_].segment.ends_block ? 1U : 0U;
+    ++ready_segments_;
+  }
+}
+
+bool ClassicalSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter,
+                             Outbox& outbox) {
+  const bool to_rest = supply == Supply::to_rest;
+  if (to_rest && !to_rest_) {
+    ready_segments_ = 0;  // more is known now than when they were planned
+  }
+  to_rest_ = to_rest;
+  if (ready_segments_ == 0) {
+    if (supply == Supply::wanted) {
+      return false;
+    }
+    plan_window(supply);
+  }
+  WindowSegment& item = window_.front();
+  SegmentEnds ends{.v_begin_mm_s = v_mm_s_, .v_end_mm_s = item.v_end_mm_s};
+  SegmentPlan plan = plan_front(ends);
+  if (plan.cruise.duration_s() > 2.0 * settings_.longest_cruise_s) {
+    emit_cruise(blocks.front(), plan, emitter, outbox);
+    cut_front(item.segment, {.s_mm = emitter.s_mm(), .v_mm_s = v_mm_s_});
+    item.sure = {.v_begin_mm_s = v_mm_s_, .v_end_mm_s = ends.v_end_mm_s};
+    left_end_mm_s_ = item.v_end_mm_s = ends.v_end_mm_s;
+    return true;
+  }
+  left_.reset();
+  emit_plan(blocks.front(), plan, emitter, outbox);
+  v_mm_s_ = ends.v_end_mm_s;
+  outbox.phases.back().s_end_mm = end_mm(item.segment, blocks.front());
+  leave_segment(blocks, emitter);
+  if (v_mm_s_ == 0.0) {
+    emitter.come_to_rest(outbox);
+  }
+  return true;
+}
+
+// Up to a part of the cruise; the rest is kept.
+void ClassicalSchedule::emit_cruise(const Block& block, const SegmentPlan& plan, Emitter& emitter,
+                                    Outbox& outbox) {
+  SegmentPlan part = plan;
+  v_mm_s_ = plan.cruise.ramp().v_begin_mm_s;
+  part.cruise = profiles::Transition::cruise(v_mm_s_, v_mm_s_ * settings_.longest_cruise_s);
+  part.deceleration = {};
+  part.end_coast = {};
+  emit_plan(block, part, emitter, outbox);
+  left_ = plan;
+  left_->begin_coast = {};
+  left_->acceleration = {};
+  left_->cruise =
+      profiles::Transition::cruise(v_mm_s_, plan.cruise.length_mm() - part.cruise.length_mm());
+}
+
+// Moves the end to what can be joined.
+SegmentPlan ClassicalSchedule::plan_front(SegmentEnds& ends) {
+  if (left_ && ends.v_end_mm_s == left_end_mm_s_) {
+    return *left_;
+  }
+  const WindowSegment& item = window_.front();
+  const Ending ending = ending_of(item, ends, settings_.profile);
+  ends.v_end_mm_s = ending.v_end_mm_s;
+  return ending.is_slowed
+             ? slowed_plan(item.segment, item.sure, ends.v_begin_mm_s, settings_.profile)
+             : plan_segment(item.segment, ends, settings_.profile);
+}
+
+void ClassicalSchedule::emit_plan(const Block& block, const SegmentPlan& plan, Emitter& emitter,
+                                  Outbox& outbox) const {
+  const VelocitySegment& segment = window_[0].segment;
+  const double s_end = end_mm(segment, block);
+  const SegmentConstraint constraint(
+      {.block = &block,
+       .segment = &segment,
+       .profile = &settings_.profile,
+       .brakes_for_window = window_[0].brakes_for_window && !to_rest_});
+  struct Part {
+    SegmentPart kind;
+    const profiles::Transition* law;
+  };
+  for (const auto& [kind, law] : {Part{SegmentPart::begin_coast, &plan.begin_coast},
+                                  Part{SegmentPart::acceleration, &plan.acceleration},
+                                  Part{SegmentPart::cruise, &plan.cruise},
+                                  Part{SegmentPart::deceleration, &plan.deceleration},
+                                  Part{SegmentPart::end_coast, &plan.end_coast}}) {
+    if (law->duration_s() > 0.0) {
+      const double s_begin = emitter.s_mm();
+      emitter.emit(block, *law, std::min(s_begin + law->length_mm(), s_end), outbox);
+      outbox.phases.back().active_constraint = constraint.of(kind, *law, s_begin);
+    }
+  }
+}
+
+void ClassicalSchedule::leave_segment(Window<Block>& blocks, Emitter& emitter) {
+  const VelocitySegment& segment = window_.front().segment;
+  if (segment.ends_block) {
+    emitter.end_block(blocks.front());
+    blocks.pop_front();
+  } else {
+    emitter.end_segment(end_mm(segment, blocks.front()));
+  }
+  window_.pop_front();
+  --ready_segments_;
+}
+
+void ClassicalSchedule::stop(const Window<Block>& /*blocks*/, const Emitter& /*emitter*/) {
+  backward_pass(window_, settings_.profile);
+  double v = v_mm_s_;
+  std::size_t kept = 0;
+  while (kept < window_.size() && v > 0.0) {
+    WindowSegment& item = window_[kept++];
+    SegmentEnds ends{.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
+    const Ending ending = ending_of(item, ends, settings_.profile);
+    if (ending.is_slowed) {
+      v = item.v_end_mm_s = ending.v_end_mm_s;
+      continue;
+    }
+    ends.v_end_mm_s = ending.v_end_mm_s;
+    item.v_end_mm_s = brake(item.segment, ends, settings_.profile);
+    item.sure = {.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
+    v = item.v_end_mm_s;
+  }
+  window_.keep_front(kept);
+  ready_segments_ = 0;
+  left_.reset();
+}
+
+}  // namespace kerf::lookahead

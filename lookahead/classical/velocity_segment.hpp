@@ -1,0 +1,83 @@
+// A stretch of one block between two feedrates that are planned: ACC + CF + DEC.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "lookahead/classical/slope.hpp"
+#include "lookahead/classical/turn_scan.hpp"
+#include "lookahead/path/block.hpp"
+#include "lookahead/path/junction.hpp"
+#include "profiles/profile.hpp"
+
+namespace kerf::lookahead {
+
+struct VelocitySegment {
+  double length_mm = 0.0;
+  BlockLimits limits{};
+  double begin_coast_s = 0.0;
+  Junction end{};           // what bounds the feedrate at its end
+  double s_begin_mm = 0.0;  // on the block's curve
+  bool ends_block = true;
+  Slope rise{};  // from its beginning
+  Slope fall{};  // from its end
+  // What binds on its stretch of the curve beside limits; empty: nothing.
+  Turning turning{};
+  std::array<MotionLimits, 3> axes{};  // for turning
+};
+
+// The feedrates at the two ends of a segment.
+struct SegmentEnds {
+  double v_begin_mm_s = 0.0;
+  double v_end_mm_s = 0.0;
+};
+
+// What a segment does, in this order; parts that are not there have no duration.
+struct SegmentPlan {
+  profiles::Transition begin_coast{};
+  profiles::Transition acceleration{};
+  profiles::Transition cruise{};
+  profiles::Transition deceleration{};
+  profiles::Transition end_coast{};
+
+  [[nodiscard]] double duration_s() const noexcept;
+};
+
+struct BackwardQuery {
+  double v_end_mm_s = 0.0;
+  double cap_mm_s = 0.0;
+};
+// The largest feedrate <= cap at its beginning from which the segment can end with v_end_mm_s, or
+// with less where a coast at v_end would take the room to brake in.
+double reach_backward_mm_s(const VelocitySegment& segment, const BackwardQuery& query,
+                           const profiles::Profile& profile);
+
+// The largest feedrate <= wanted.v_end with which the segment can end that begins with
+// wanted.v_begin. A coast takes room at its feedrate, and braking to a third takes more room than
+// braking to rest, so a slower end may fit where a faster does not and the other way round.
+// v_end_known: an end that this beginning or a higher one is known to join. Where no such end as
+// wanted fits it may be the higher one, and the result lies between them. Precondition: v_begin is
+// at most what reach_backward gives for v_end or for v_end_known.
+double end_feedrate_mm_s(const VelocitySegment& segment, const SegmentEnds& wanted,
+                         double v_end_known_mm_s, const profiles::Profile& profile);
+
+// Whether the segment has room for the direct transition between its ends, coasts included.
+bool joins(const VelocitySegment& segment, const SegmentEnds& ends,
+           const profiles::Profile& profile);
+
+// The fastest plan of the segment's kind: the plateau as high as length and ceiling allow; under a
+// ceiling the plateau of least time. Precondition: the ends can be joined.
+SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends,
+                         const profiles::Profile& profile);
+
+// The plan of two ends that join, slowed down as a whole until it begins with v_begin_mm_s, which
+// is lower: accelerations shrink with its square, jerks with its cube, so it keeps every limit that
+// the plan kept, wherever on a curve.
+SegmentPlan slowed_plan(const VelocitySegment& segment, const SegmentEnds& ends,
+                        double v_begin_mm_s, const profiles::Profile& profile);
+
+// The lowest feedrate that a segment which begins with ends.v_begin can have at its end, at the
+// most ends.v_end. Where it can stop, it is cut short there. Precondition: the ends can be joined.
+double brake(VelocitySegment& segment, const SegmentEnds& ends, const profiles::Profile& profile);
+
+}  // namespace kerf::lookahead
