@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lookahead/classical/breaking_points.hpp"
-#include "lookahead/classical/climb_cuts.hpp"
+#include "lookahead/classical/ramp_cuts.hpp"
 
 namespace kerf::lookahead {
 
@@ -124,14 +124,14 @@ void add_cuts(const Ceiling& ceiling, const SampleRange& range, const profiles::
   if (range.first == 0) {
     hill.rise.front().v_mm_s = 0.0;
   }
-  for (const std::size_t i : climb_cuts(hill.rise, ramp)) {
+  for (const std::size_t i : ramp_cuts(hill.rise, ramp)) {
     cuts.push_back(range.first + i);
   }
   if (range.last + 1 == ceiling.size()) {
     hill.fall.front().v_mm_s = 0.0;
   }
-  const std::vector<std::size_t> descent = climb_cuts(hill.fall, ramp);
-  for (auto i = descent.rbegin(); i != descent.rend(); ++i) {
+  const std::vector<std::size_t> falling = ramp_cuts(hill.fall, ramp);
+  for (auto i = falling.rbegin(); i != falling.rend(); ++i) {
     cuts.push_back(range.last - *i);
   }
 }

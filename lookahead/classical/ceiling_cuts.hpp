@@ -27,7 +27,7 @@ Hill hill_of(const Ceiling& ceiling, const SampleRange& range);
 struct Cutting {
   double noise = 0.0;  // dips and humps of less than this share of the feedrate are none
   double period_s = 0.0;
-  profiles::RampLimits ramp{};  // no climb is steeper
+  profiles::RampLimits ramp{};  // no ramp is steeper
 };
 
 struct CutCeiling {
@@ -35,7 +35,7 @@ struct CutCeiling {
   std::vector<std::size_t> cuts;  // samples, ascending; the last one's is the end
 };
 
-// Cut at its valleys and where a climb from one would crawl (climb_cuts.hpp). The ceiling has more
+// Cut at its valleys and where a ramp from one would crawl (ramp_cuts.hpp). The ceiling has more
 // samples then where feedrates of neighbours are far apart, and between valleys within a tick's
 // way, which are one, the feedrate of the lowest. Precondition: two samples at least.
 CutCeiling cut(const Ceiling& scanned, const Cutting& how);

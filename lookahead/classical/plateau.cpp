@@ -8,7 +8,7 @@ namespace {
 
 // What fits may miss by rounding.
 constexpr double kWithRounding = 1.0 + 1e-9;
-// Fewer where turning binds: each climb is a search of its own there.
+// Fewer where turning binds: each ramp is a search of its own there.
 constexpr int kTurningHalvings = 12;
 // Where only a tiny share of the cap fits, on and on until as close as this.
 constexpr double kClose = 1e-3;
@@ -35,15 +35,15 @@ double PlateauSearch::best_mm_s() const {
 }
 
 PlateauSides PlateauSearch::sides(double plateau_mm_s) const {
-  const auto climb = [&](SegmentSide side, double v_foot_mm_s) {
-    return climb_to({.side = side,
-                     .ramp = {v_foot_mm_s, plateau_mm_s},
-                     .room_mm = kWithRounding * length_mm_,
-                     .may_wait = true},
-                    segment_, profile_);
+  const auto ramp_on = [&](SegmentSide side, double v_foot_mm_s) {
+    return acceleration_ramp({.side = side,
+                              .ramp = {v_foot_mm_s, plateau_mm_s},
+                              .room_mm = kWithRounding * length_mm_,
+                              .may_wait = true},
+                             segment_, profile_);
   };
-  return {.up = climb(SegmentSide::rise, ends_.v_begin_mm_s),
-          .down_mirrored = climb(SegmentSide::fall, ends_.v_end_mm_s)};
+  return {.up = ramp_on(SegmentSide::rise, ends_.v_begin_mm_s),
+          .down_mirrored = ramp_on(SegmentSide::fall, ends_.v_end_mm_s)};
 }
 
 double PlateauSearch::spare_mm(const PlateauSides& sides) const {

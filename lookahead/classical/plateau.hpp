@@ -1,15 +1,15 @@
 // The plateau of a segment under a ceiling.
 #pragma once
 
-#include "lookahead/classical/ascent.hpp"
+#include "lookahead/classical/acceleration_ramp.hpp"
 #include "lookahead/classical/velocity_segment.hpp"
 
 namespace kerf::lookahead {
 
 // Both sides of a plateau.
 struct PlateauSides {
-  Ascent up{};
-  Ascent down_mirrored{};  // climbs from the end's feedrate
+  AccelerationRamp up{};
+  AccelerationRamp down_mirrored{};  // accelerates from the end's feedrate
 };
 
 // Under a ceiling a higher plateau asks for gentler slopes, so the highest is not the fastest:

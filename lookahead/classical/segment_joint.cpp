@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kBelowRounding = 1.0 - 1e-9;
 
-// By how much the mean of a tick that begins with the climb of a segment is above its beginning.
-double rise_in_tick_mm_s(const VelocitySegment& segment, const JointRules& rules) {
+// By how much the mean of a tick that begins with the ramp of a segment is above its beginning.
+double gain_in_tick_mm_s(const VelocitySegment& segment, const JointRules& rules) {
   const double period_s = rules.limits.period_s;
   const double by_acceleration = 0.5 * segment.limits.ramp.acceleration_mm_s2 * period_s;
   const double by_jerk = segment.limits.ramp.jerk_mm_s3 * period_s * period_s / 6.0;
@@ -19,10 +19,10 @@ double rise_in_tick_mm_s(const VelocitySegment& segment, const JointRules& rules
                                                         : std::min(by_acceleration, by_jerk);
 }
 
-// Beside the segment, at the feedrate of the joint with one that climbs away from it.
-double coast_beside_s(const Block& block, double v_joint_mm_s, const VelocitySegment& climbing,
+// Beside the segment, at the feedrate of the joint with one that speeds up away from it.
+double coast_beside_s(const Block& block, double v_joint_mm_s, const VelocitySegment& speeding_up,
                       const JointRules& rules) {
-  const double fastest_mm_s = v_joint_mm_s + rise_in_tick_mm_s(climbing, rules);
+  const double fastest_mm_s = v_joint_mm_s + gain_in_tick_mm_s(speeding_up, rules);
   return passing_feedrate_mm_s(block, rules.limits) < fastest_mm_s ? rules.limits.period_s : 0.0;
 }
 

@@ -23,7 +23,7 @@ struct JointRules {
 double valley_mm_s(double ceiling_mm_s, const VelocitySegment& segment, const JointRules& rules);
 
 // As fast as both blocks may be passed, and beside one that a tick might pass over faster than that
-// a coast of a tick, outside of it, so that no tick that sees all of it has a part of a climb.
+// a coast of a tick, outside of it, so that no tick that sees all of it has a part of a ramp.
 SegmentJoint segment_joint(const JointSides& sides, const JointRules& rules);
 
 }  // namespace kerf::lookahead

@@ -8,8 +8,8 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr std::size_t kClimbPoints = 64;
-// A climb between two points of it is no farther above the ceiling than they differ in feedrate.
+constexpr std::size_t kRampPoints = 64;
+// A ramp between two points of it is no farther above the ceiling than they differ in feedrate.
 constexpr double kStrict = 5e-5;
 constexpr int kMostHalvings = 16;
 
@@ -72,20 +72,20 @@ double Slope::allowed_from_mm(double v_mm_s) const {
   return low.distance_mm + share * (above->distance_mm - low.distance_mm);
 }
 
-// What a climb must give way by, from the points of it: each asks by the distance from which its
+// What a ramp must give way by, from the points of it: each asks by the distance from which its
 // feedrate is allowed, and more the shorter the way to it. So no point between two others asks for
 // more than the upper one would at the place of the lower one; where that is no more than what is
 // given already, nobody looks between them, and elsewhere their distance is halved.
 template <typename Ask>
 class Slope::Search {
  public:
-  Search(const Slope& slope, const profiles::Transition& climb, double least, const Ask& ask)
-      : slope_(slope), climb_(climb), most_(least), ask_(ask) {}
+  Search(const Slope& slope, const profiles::Transition& ramp, double least, const Ask& ask)
+      : slope_(slope), ramp_(ramp), most_(least), ask_(ask) {}
 
   double most() {
-    std::array<Point, kClimbPoints + 1> points;
+    std::array<Point, kRampPoints + 1> points;
     for (std::size_t k = 0; k < points.size(); ++k) {
-      points[k] = point_at(climb_.duration_s() * static_cast<double>(k) / kClimbPoints);
+      points[k] = point_at(ramp_.duration_s() * static_cast<double>(k) / kRampPoints);
       if (k > 0) {
         hear(points[k]);
       }
@@ -105,7 +105,7 @@ class Slope::Search {
   };
 
   [[nodiscard]] Point point_at(double t_s) const {
-    const profiles::PathMotion motion = climb_.at(t_s);
+    const profiles::PathMotion motion = ramp_.at(t_s);
     return {.t_s = t_s,
             .s_mm = motion.s_mm,
             .v_mm_s = motion.v_mm_s,
@@ -147,27 +147,27 @@ class Slope::Search {
   }
 
   const Slope& slope_;
-  const profiles::Transition& climb_;
+  const profiles::Transition& ramp_;
   double most_;
   const Ask& ask_;
 };
 
-double Slope::stretch_for(const profiles::Transition& climb) const {
-  if (samples_.empty() || climb.length_mm() <= 0.0) {
+double Slope::stretch_for(const profiles::Transition& ramp) const {
+  if (samples_.empty() || ramp.length_mm() <= 0.0) {
     return 1.0;
   }
   const auto ask = [](double allowed_from_mm, double s_mm) {
     return s_mm > 0.0 ? allowed_from_mm / s_mm : kHighest;
   };
-  return Search(*this, climb, 1.0, ask).most();
+  return Search(*this, ramp, 1.0, ask).most();
 }
 
-double Slope::delay_for_mm(const profiles::Transition& climb) const {
-  if (samples_.empty() || climb.length_mm() <= 0.0) {
+double Slope::delay_for_mm(const profiles::Transition& ramp) const {
+  if (samples_.empty() || ramp.length_mm() <= 0.0) {
     return 0.0;
   }
   const auto ask = [](double allowed_from_mm, double s_mm) { return allowed_from_mm - s_mm; };
-  return Search(*this, climb, 0.0, ask).most();
+  return Search(*this, ramp, 0.0, ask).most();
 }
 
 }  // namespace kerf::lookahead

@@ -36,14 +36,14 @@ class Slope {
   [[nodiscard]] double allowed_from_mm(double v_mm_s) const;
 
   // How long a transition from the foot upwards must be made to stay below the ceiling, as a factor
-  // >= 1 on the length and duration of climb. A stretched transition passes through the same
+  // >= 1 on the length and duration of ramp. A stretched transition passes through the same
   // feedrates at the same shares of its length, so each of its points asks for a length of its own
-  // and the largest decides: no iteration. The climb is then nowhere more than 5e-5 of its feedrate
+  // and the largest decides: no iteration. The ramp is then nowhere more than 5e-5 of its feedrate
   // above the ceiling.
-  [[nodiscard]] double stretch_for(const profiles::Transition& climb) const;
-  // How far from the foot the climb must begin instead, unstretched: for a law whose acceleration
+  [[nodiscard]] double stretch_for(const profiles::Transition& ramp) const;
+  // How far from the foot the ramp must begin instead, unstretched: for a law whose acceleration
   // jumps, which no stretch keeps below a ceiling that is flat at the foot.
-  [[nodiscard]] double delay_for_mm(const profiles::Transition& climb) const;
+  [[nodiscard]] double delay_for_mm(const profiles::Transition& ramp) const;
 
  private:
   template <typename Ask>

@@ -1,5 +1,5 @@
-// Blocks to segments: a curve is cut at the valleys of the feedrate it allows, and where one climb
-// from a valley would crawl (climb_cuts.hpp).
+// Blocks to segments: a curve is cut at the valleys of the feedrate it allows, and where one ramp
+// from a valley would crawl (ramp_cuts.hpp).
 #pragma once
 
 #include <vector>

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "lookahead/classical/climb_instants.hpp"
+#include "lookahead/classical/ramp_instants.hpp"
 
 namespace kerf::lookahead {
 
@@ -89,10 +89,10 @@ TurnSample between(const TurnSample& a, const TurnSample& b, double s_mm) {
   return at;
 }
 
-// The samples in the order in which a climb meets them.
+// The samples in the order in which a ramp meets them.
 class Way {
  public:
-  Way(const PlacedClimb& climb, const Turning& turning) : climb_(climb), turning_(turning) {
+  Way(const PlacedRamp& ramp, const Turning& turning) : ramp_(ramp), turning_(turning) {
     while (has_next() && distance_mm() <= 0.0) {
       ++next_;
     }
@@ -102,34 +102,34 @@ class Way {
   [[nodiscard]] const TurnSample& next() const { return sample(next_); }
   // Of the next sample from the foot.
   [[nodiscard]] double distance_mm() const {
-    return climb_.direction * (next().s_mm - climb_.foot_mm);
+    return ramp_.direction * (next().s_mm - ramp_.foot_mm);
   }
   void pass() { ++next_; }
   // Before the next sample.
   [[nodiscard]] TurnSample at(double distance_mm) const {
     return between(sample(next_ > 0 ? next_ - 1 : 0), sample(std::min(next_, turning_.size() - 1)),
-                   climb_.foot_mm + climb_.direction * distance_mm);
+                   ramp_.foot_mm + ramp_.direction * distance_mm);
   }
 
  private:
   [[nodiscard]] const TurnSample& sample(std::size_t i) const {
-    return turning_[climb_.direction > 0.0 ? i : turning_.size() - 1 - i];
+    return turning_[ramp_.direction > 0.0 ? i : turning_.size() - 1 - i];
   }
 
-  const PlacedClimb& climb_;
+  const PlacedRamp& ramp_;
   const Turning& turning_;
   std::size_t next_ = 0;
 };
 
 }  // namespace
 
-TurnAsk ask_turning(const PlacedClimb& climb, const Turning& turning,
+TurnAsk ask_turning(const PlacedRamp& ramp, const Turning& turning,
                     const std::array<MotionLimits, 3>& axes) {
-  const std::vector<Instant> instants = instants_of(climb.law);
+  const std::vector<Instant> instants = instants_of(ramp.law);
   Asks asks(axes);
-  Way way(climb, turning);
+  Way way(ramp, turning);
   const auto look = [&](const TurnSample& at, const profiles::PathMotion& motion, double j) {
-    asks.look(at, motion.v_mm_s, climb.direction * motion.a_mm_s2, j);
+    asks.look(at, motion.v_mm_s, ramp.direction * motion.a_mm_s2, j);
   };
   const Instant* before = &instants.front();
   for (const Instant& now : instants) {

@@ -9,14 +9,15 @@
 
 namespace kerf::lookahead {
 
-// A climb from a foot: forwards along the curve, or a descent to the foot seen backwards in time.
-struct PlacedClimb {
+// A ramp from a foot: forwards along the curve, or a deceleration to the foot seen backwards in
+// time.
+struct PlacedRamp {
   const profiles::Transition& law;
   double foot_mm = 0.0;    // on the block's curve
-  double direction = 1.0;  // of the climb: 1 or -1
+  double direction = 1.0;  // of the ramp: 1 or -1
 };
 
-// By what a climb would have to be gentler; 1: it holds.
+// By what a ramp would have to be gentler; 1: it holds.
 struct TurnAsk {
   double acceleration = 1.0;  // factors <= 1 on its acceleration and its jerk, both to be taken
   double jerk = 1.0;
@@ -26,11 +27,11 @@ struct TurnAsk {
 };
 
 // |q' a + q'' v^2| <= A and |q' j + 3 q'' v a + q''' v^3| + jumps v^2 <= J of each axis, signs
-// included, at the places of the samples under the climb and at its instants (climb_instants.hpp).
-// What a place asks for is what would do there; at another length the climb meets other places.
-// Precondition: the climb is below what turning allows (TurnSample::feedrate_mm_s) but for
+// included, at the places of the samples under the ramp and at its instants (ramp_instants.hpp).
+// What a place asks for is what would do there; at another length the ramp meets other places.
+// Precondition: the ramp is below what turning allows (TurnSample::feedrate_mm_s) but for
 // rounding.
-TurnAsk ask_turning(const PlacedClimb& climb, const Turning& turning,
+TurnAsk ask_turning(const PlacedRamp& ramp, const Turning& turning,
                     const std::array<MotionLimits, 3>& axes);
 
 }  // namespace kerf::lookahead

@@ -37,7 +37,8 @@ struct WindowSegment {
 //    never above the beginning of the next: from any beginning that was promised the motion can
 //    follow the pairs to a rest, joining them or slowed down as a whole (slowed_plan).
 // Acceleration is 0 at every end, which is what keeps a segment's plan independent of its
-// neighbours, and the known weakness: a run of short segments climbs one small step in each.
+// neighbours, and the known weakness: a run of short segments accelerates by one small step in
+// each.
 void backward_pass(Window<WindowSegment>& window, const profiles::Profile& profile);
 
 // How a segment ends that begins with what was promised.

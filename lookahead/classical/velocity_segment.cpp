@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "lookahead/classical/ascent.hpp"
+#include "lookahead/classical/acceleration_ramp.hpp"
 #include "lookahead/classical/plateau.hpp"
 
 namespace kerf::lookahead {
@@ -22,8 +22,8 @@ constexpr double kLeastStop = 1e-3;  // of the segment
 constexpr double kLeastShare = 0.125;
 constexpr double kCloseInTurn = 1e-3;  // how close to the highest feedrate a reach comes
 
-// A climb from a known feedrate at one end of a segment towards a cap at the other; a descent is a
-// climb seen from the other end. Coasts lengthen with the feedrate at their end.
+// A ramp from a known feedrate at one end of a segment towards a cap at the other; a deceleration
+// is a ramp seen from the other end. Coasts lengthen with the feedrate at their end.
 struct Reach {
   SegmentSide side = SegmentSide::rise;
   double v_low_mm_s = 0.0;
@@ -44,10 +44,10 @@ double reach_mm_s(const VelocitySegment& segment, const Reach& reach, const Prof
         segment.limits.ramp);
   }
   const auto fits = [&](double v) {
-    const Climb climb{.side = reach.side,
-                      .ramp = {.v_begin_mm_s = reach.v_low_mm_s, .v_end_mm_s = v},
-                      .room_mm = length};
-    return climb_length_mm(climb, segment, profile) + reach.far_coast_s * v <= length;
+    const RampRequest request{.side = reach.side,
+                              .ramp = {.v_begin_mm_s = reach.v_low_mm_s, .v_end_mm_s = v},
+                              .room_mm = length};
+    return ramp_length_mm(request, segment, profile) + reach.far_coast_s * v <= length;
   };
   if (fits(reach.cap_mm_s)) {
     return reach.cap_mm_s;
@@ -69,7 +69,7 @@ void lengthen(Transition& coast, double v_mm_s, double by_mm) {
   }
 }
 
-// A climb meets other places at each length, so the stop is sought from the shortest on, a little
+// A ramp meets other places at each length, so the stop is sought from the shortest on, a little
 // farther each time, then the lowest feedrate at the end.
 double brake_in_turn(VelocitySegment& segment, const SegmentEnds& ends, const Profile& profile) {
   const double v = ends.v_begin_mm_s;
@@ -159,10 +159,10 @@ bool joins(const VelocitySegment& segment, const SegmentEnds& ends, const Profil
   const double room = segment.length_mm * kAboveRounding -
                       segment.begin_coast_s * ends.v_begin_mm_s -
                       segment.end.coast_s * ends.v_end_mm_s;
-  const Climb climb{.side = rises ? SegmentSide::rise : SegmentSide::fall,
-                    .ramp = rises ? rise : fall,
-                    .room_mm = room};
-  return climb_length_mm(climb, segment, profile) <= room;
+  const RampRequest request{.side = rises ? SegmentSide::rise : SegmentSide::fall,
+                            .ramp = rises ? rise : fall,
+                            .room_mm = room};
+  return ramp_length_mm(request, segment, profile) <= room;
 }
 
 double brake(VelocitySegment& segment, const SegmentEnds& ends, const Profile& profile) {
@@ -213,8 +213,8 @@ SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends
     const PlateauSides sides = search.sides(plateau);
     plan.acceleration = sides.up.law;
     plan.deceleration = sides.down_mirrored.law.reversed();
-    lengthen(plan.begin_coast, ends.v_begin_mm_s, sides.up.foot_mm);
-    lengthen(plan.end_coast, ends.v_end_mm_s, sides.down_mirrored.foot_mm);
+    lengthen(plan.begin_coast, ends.v_begin_mm_s, sides.up.delay_mm);
+    lengthen(plan.end_coast, ends.v_end_mm_s, sides.down_mirrored.delay_mm);
   }
   const double spare = segment.length_mm - plan.begin_coast.length_mm() -
                        plan.acceleration.length_mm() - plan.deceleration.length_mm() -

@@ -184,7 +184,7 @@ TEST(SingularCurves, ThoseOfNanometresAloneTakeNoLonger) {
 }
 
 // Where braking for 280 mm ends at a turn of nanometres.
-TEST(SingularCurves, TheAccelerationOfAnAxisHoldsAtTheFootOfALongClimb) {
+TEST(SingularCurves, TheAccelerationOfAnAxisHoldsAtTheFootOfALongRamp) {
   EXPECT_EQ(judged_case(4005279, profiles::ProfileKind::s_curve, 20.0).complaint, "");
 }
 

@@ -77,8 +77,8 @@ TEST_P(ShortBlocks, KeepTheChordOfATickThatPassesOverThem) {
   }
 }
 
-// So near the begin of the motion, a tick that passes over the curve climbs on beyond it.
-TEST_P(ShortBlocks, KeepTheChordOfATickThatClimbsOverThem) {
+// So near the begin of the motion, a tick that passes over the curve speeds up on beyond it.
+TEST_P(ShortBlocks, KeepTheChordOfATickThatAcceleratesOverThem) {
   for (const PlanLimits& limits :
        {with_tolerance(path_limits(kFastJerk)), with_tolerance(axis_limits(kFastJerk))}) {
     for (int i = 0; i < 40; ++i) {

@@ -1,4 +1,4 @@
-// The ceiling seen from the foot of a hill: how long a climb must be made, or how late it begins.
+// The ceiling seen from the foot of a hill: how long a ramp must be made, or how late it begins.
 #include "lookahead/classical/slope.hpp"
 
 #include <algorithm>
@@ -14,21 +14,21 @@ using profiles::Transition;
 
 constexpr profiles::RampLimits kRamp{.acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 55'000.0};
 
-TEST(Slope, DoesNotStretchAClimbThatStaysBelow) {
+TEST(Slope, DoesNotStretchARampThatStaysBelow) {
   const Profile profile{ProfileKind::s_curve};
-  const Transition climb = profile.fastest({0.0, 50.0}, kRamp);
-  EXPECT_EQ(Slope{}.stretch_for(climb), 1.0);
+  const Transition ramp = profile.fastest({0.0, 50.0}, kRamp);
+  EXPECT_EQ(Slope{}.stretch_for(ramp), 1.0);
   const Slope high({{.distance_mm = 0.0, .v_mm_s = 60.0}, {.distance_mm = 1.0, .v_mm_s = 70.0}});
-  EXPECT_EQ(high.stretch_for(climb), 1.0);
+  EXPECT_EQ(high.stretch_for(ramp), 1.0);
 }
 
-TEST(Slope, StretchesAClimbUntilItTouches) {
+TEST(Slope, StretchesARampUntilItTouches) {
   const Profile profile{ProfileKind::s_curve};
-  const Transition climb = profile.fastest({10.0, 50.0}, kRamp);
-  const double length = 4.0 * climb.length_mm();
+  const Transition ramp = profile.fastest({10.0, 50.0}, kRamp);
+  const double length = 4.0 * ramp.length_mm();
   const Slope slope(
       {{.distance_mm = 0.0, .v_mm_s = 10.0}, {.distance_mm = length, .v_mm_s = 50.0}});
-  const Transition stretched = climb.stretched(slope.stretch_for(climb));
+  const Transition stretched = ramp.stretched(slope.stretch_for(ramp));
   double nearest = 1e9;
   for (int i = 1; i <= 1000; ++i) {
     const auto point = stretched.at(stretched.duration_s() * i / 1000.0);
@@ -59,9 +59,9 @@ TEST(Slope, LooksThroughADipOnTheWayUp) {
                      {.distance_mm = 3.0, .v_mm_s = 80.0}});
   EXPECT_EQ(slope.top_mm_s(), 80.0);
   const Profile profile{ProfileKind::s_curve};
-  const Transition climb = profile.fastest({20.0, 40.0}, {1e6, 1e9});
+  const Transition ramp = profile.fastest({20.0, 40.0}, {1e6, 1e9});
   // More than 30 mm/s is not allowed before the dip at 2 mm is over.
-  const Transition stretched = climb.stretched(slope.stretch_for(climb));
+  const Transition stretched = ramp.stretched(slope.stretch_for(ramp));
   double s_at_30 = 0.0;
   for (int i = 0; i <= 10'000; ++i) {
     const auto point = stretched.at(stretched.duration_s() * i / 10'000.0);
@@ -83,14 +83,14 @@ struct Step {
   }
 };
 
-TEST(Slope, StretchesAClimbForAStepWhereverItLies) {
+TEST(Slope, StretchesARampForAStepWhereverItLies) {
   for (int kind = 1; kind <= static_cast<int>(ProfileKind::sigmoid); ++kind) {
     const Profile profile{static_cast<ProfileKind>(kind)};
     SCOPED_TRACE(profiles::name_of(profile.kind()));
-    const Transition climb = profile.fastest({40.0, 80.0}, kRamp);
+    const Transition ramp = profile.fastest({40.0, 80.0}, kRamp);
     for (double low = 41.5; low < 79.0; low += 0.37) {
-      const Step step{.at_mm = 1.3 * climb.length_mm(), .low_mm_s = low};
-      const Transition stretched = climb.stretched(step.slope().stretch_for(climb));
+      const Step step{.at_mm = 1.3 * ramp.length_mm(), .low_mm_s = low};
+      const Transition stretched = ramp.stretched(step.slope().stretch_for(ramp));
       double highest = 0.0;  // before the step
       for (int i = 0; i <= 10'000; ++i) {
         const auto point = stretched.at(stretched.duration_s() * i / 10'000.0);
@@ -102,15 +102,15 @@ TEST(Slope, StretchesAClimbForAStepWhereverItLies) {
   }
 }
 
-TEST(Slope, DelaysAClimbForAStepWhereverItLies) {
+TEST(Slope, DelaysARampForAStepWhereverItLies) {
   const Profile profile{ProfileKind::trapezoid};
-  const Transition climb = profile.fastest({40.0, 80.0}, kRamp);
+  const Transition ramp = profile.fastest({40.0, 80.0}, kRamp);
   for (double low = 41.5; low < 79.0; low += 0.37) {
     const Step step{.at_mm = 2.0, .low_mm_s = low};
-    const double foot = step.slope().delay_for_mm(climb);
+    const double foot = step.slope().delay_for_mm(ramp);
     double highest = 0.0;
     for (int i = 0; i <= 10'000; ++i) {
-      const auto point = climb.at(climb.duration_s() * i / 10'000.0);
+      const auto point = ramp.at(ramp.duration_s() * i / 10'000.0);
       highest = foot + point.s_mm <= step.at_mm ? point.v_mm_s : highest;
     }
     ASSERT_LE(highest, low * (1.0 + 1e-4)) << low;

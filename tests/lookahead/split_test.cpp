@@ -80,8 +80,8 @@ TEST(Split, KeepsValleysFartherApartThanATick) {
   EXPECT_EQ(segments[1].end.feedrate_mm_s, 60.0);
 }
 
-// From rest over 4 nm at 8 nm/s and then freely: one climb would take all of the 75 mm.
-TEST(Split, CutsAClimbBehindATinyFeature) {
+// From rest over 4 nm at 8 nm/s and then freely: one ramp would take all of the 75 mm.
+TEST(Split, CutsARampBehindATinyFeature) {
   const Block block = under(through({{0.0, 3e-9}, {4e-6, 8e-6}, {0.4, 90.0}, {75.0, 90.0}}));
   const profiles::Profile profile{ProfileKind::trapezoid};
   double time_s = 0.0;

@@ -131,15 +131,15 @@ TEST(TurnCheck, KeepsEachAxisOnRandomCurvesOfEveryDegree) {
 }
 
 // Along X, bent to Y: a made-up place without a third derivative.
-TEST(TurnCheck, AsksOfAClimbWhatTheAxisAcrossHasLeft) {
+TEST(TurnCheck, AsksOfARampWhatTheAxisAcrossHasLeft) {
   const Turning turning{{.s_mm = 0.0, .first = {1, 0, 0}, .second_per_mm = {0, 0.1, 0}},
                         {.s_mm = 100.0, .first = {1, 0, 0}, .second_per_mm = {0, 0.1, 0}}};
   const Profile profile(ProfileKind::s_curve);
-  const auto climb = profile.fastest({.v_begin_mm_s = 10.0, .v_end_mm_s = 50.0},
-                                     {.acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
+  const auto ramp = profile.fastest({.v_begin_mm_s = 10.0, .v_end_mm_s = 50.0},
+                                    {.acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
   const auto ask_at = [&](double jerk_mm_s3) {
     const MotionLimits axis{.jerk_mm_s3 = jerk_mm_s3};
-    return ask_turning({.law = climb}, turning, {axis, axis, axis});
+    return ask_turning({.law = ramp}, turning, {axis, axis, axis});
   };
   // Acceleration peaks at 500, where the feedrate is between 20 and 40: 3 q'' v a of Y is at most
   // 6000 there and at least 3000, and the jerk of X is 1e4.
@@ -182,12 +182,12 @@ struct Taken {
 };
 
 // From 5000 instants of it, close to each other at the foot.
-Taken taken_of(const Transition& climb, const Bend& bend) {
+Taken taken_of(const Transition& ramp, const Bend& bend) {
   Taken taken;
   constexpr int kDense = 5000;
   for (int i = 0; i <= kDense; ++i) {
     const double x = static_cast<double>(i) / kDense;
-    const profiles::PathMotion at = climb.at(climb.duration_s() * x * x);
+    const profiles::PathMotion at = ramp.at(ramp.duration_s() * x * x);
     const TurnSample curve = bend.at(at.s_mm);
     const double v = at.v_mm_s;
     const auto widen = [](double& most, double value) { most = std::max(most, std::abs(value)); };
@@ -203,8 +203,8 @@ Taken taken_of(const Transition& climb, const Bend& bend) {
 }
 
 // Also where the acceleration has a corner between two instants that are looked at, beside a turn
-// that is much shorter than the climb.
-TEST(TurnCheck, LetsNoClimbPassThatTakesAllThatAnAxisHas) {
+// that is much shorter than the ramp.
+TEST(TurnCheck, LetsNoRampPassThatTakesAllThatAnAxisHas) {
   std::mt19937_64 random(1);
   const auto log_uniform = [&random](double low, double high) {
     return std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random));
@@ -216,17 +216,17 @@ TEST(TurnCheck, LetsNoClimbPassThatTakesAllThatAnAxisHas) {
     const double foot_mm_s = log_uniform(1e-3, 10.0);
     const profiles::RampLimits limits{.acceleration_mm_s2 = log_uniform(1.0, 1e3),
                                       .jerk_mm_s3 = log_uniform(1e2, 1e5)};
-    const Transition climb =
+    const Transition ramp =
         Profile(kind).fastest({.v_begin_mm_s = foot_mm_s, .v_end_mm_s = 30.0}, limits);
-    const double width_mm = climb.length_mm() * log_uniform(1e-7, 1e-1);
-    // Some of the acceleration at the foot, or at the width if the climb is faster there.
+    const double width_mm = ramp.length_mm() * log_uniform(1e-7, 1e-1);
+    // Some of the acceleration at the foot, or at the width if the ramp is faster there.
     const double squared = foot_mm_s * foot_mm_s + limits.acceleration_mm_s2 * width_mm;
     const Bend bend{.peak_per_mm = limits.acceleration_mm_s2 * log_uniform(0.1, 3.0) / squared,
                     .width_mm = width_mm};
-    const Turning turning = bend.samples(climb.length_mm());
-    const Taken taken = taken_of(climb, bend);
+    const Turning turning = bend.samples(ramp.length_mm());
+    const Taken taken = taken_of(ramp, bend);
     const auto holds = [&](const MotionLimits& of_y) {
-      return ask_turning({.law = climb}, turning, {MotionLimits{}, of_y, MotionLimits{}}).holds();
+      return ask_turning({.law = ramp}, turning, {MotionLimits{}, of_y, MotionLimits{}}).holds();
     };
     // Else it is not below what turning allows.
     if (taken.turning_acceleration_mm_s2 < 0.9 * taken.acceleration_mm_s2) {

@@ -22,7 +22,7 @@ void bind(const PassingWay& way, Cell& cell) {
 
 // The most that a tick from the joint on is faster than the joint, in its mean. What passes the
 // joint at v has no more acceleration there than has come up under the jerk since it was at rest.
-double climb_in_tick_mm_s(const PassedCurve& passed, const PlanLimits& limits) {
+double gain_in_tick_mm_s(const PassedCurve& passed, const PlanLimits& limits) {
   const Cell cell{.along = passed.beside.along.ramp};
   const CellEnd joint{.first = passed.joint.tangent};
   const double a = tangential_acceleration_mm_s2(cell, joint, limits);
@@ -36,7 +36,7 @@ double climb_in_tick_mm_s(const PassedCurve& passed, const PlanLimits& limits) {
 
 PassingWay passing_way(const PassedCurve& passed, const PlanLimits& limits) {
   const double bound = passing_feedrate_mm_s(passed.curve, limits);
-  if (!(passed.v_joint_mm_s + climb_in_tick_mm_s(passed, limits) > bound)) {
+  if (!(passed.v_joint_mm_s + gain_in_tick_mm_s(passed, limits) > bound)) {
     return {};
   }
   return {.feedrate_mm_s = bound, .way_mm = bound * limits.period_s};

@@ -23,9 +23,9 @@ struct PassedCurve {
 };
 
 // The bound of the curve (passing_feedrate_mm_s) is one of a tick's mean feedrate, and a tick that
-// passes over all of it may climb away from it, or fall towards it. Over the way of a tick at that
-// bound beside it the bound holds as well: a tick that sees all of the curve and leaves that way
-// takes longer than a tick. Nothing is asked where the feedrate that the joint allows keeps the
+// passes over all of it may speed up away from it, or fall towards it. Over the way of a tick at
+// that bound beside it the bound holds as well: a tick that sees all of the curve and leaves that
+// way takes longer than a tick. Nothing is asked where the feedrate that the joint allows keeps the
 // bound with all the acceleration that there is.
 // Weakness: where `beside` is shorter than the way, what lies beyond it is not bound.
 PassingWay passing_way(const PassedCurve& passed, const PlanLimits& limits);

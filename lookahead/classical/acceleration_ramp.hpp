@@ -8,23 +8,23 @@
 namespace kerf::lookahead {
 
 // The law, and how far it cruises at that end first.
-struct Ascent {
+struct AccelerationRamp {
   profiles::Transition law{};
-  double foot_mm = 0.0;
+  double delay_mm = 0.0;
 
-  [[nodiscard]] double length_mm() const { return foot_mm + law.length_mm(); }
+  [[nodiscard]] double length_mm() const { return delay_mm + law.length_mm(); }
   [[nodiscard]] double duration_s() const {
     const double v = law.ramp().v_begin_mm_s;
-    return law.duration_s() + (foot_mm > 0.0 ? foot_mm / v : 0.0);
+    return law.duration_s() + (delay_mm > 0.0 ? delay_mm / v : 0.0);
   }
 };
 
 // From its beginning, or mirrored from its end.
 enum class SegmentSide : std::uint8_t { rise, fall };
 
-// A climb in a segment: ramp ascends, from the feedrate at that end; room_mm is what it has without
+// A ramp in a segment: ramp ascends, from the feedrate at that end; room_mm is what it has without
 // coasts. What needs more does not fit, and how much more is not told then.
-struct Climb {
+struct RampRequest {
   SegmentSide side = SegmentSide::rise;
   profiles::Ramp ramp{};
   double room_mm = kUnbounded;
@@ -38,12 +38,12 @@ struct Climb {
 // where it lies: the S-curve gets its own acceleration and jerk, the other laws are stretched, a
 // trapezoid gets its own acceleration. Each round takes what the places asked for in the round
 // before, so it ends above what would just do. Known weaknesses: one acceleration for all of a
-// climb, and a climb to a lower feedrate may come out longer, since it meets other places.
-Ascent climb_to(const Climb& climb, const VelocitySegment& segment,
-                const profiles::Profile& profile);
+// ramp, and a ramp to a lower feedrate may come out longer, since it meets other places.
+AccelerationRamp acceleration_ramp(const RampRequest& request, const VelocitySegment& segment,
+                                   const profiles::Profile& profile);
 
-// The length of that ascent, cheaper where there is no slope.
-double climb_length_mm(const Climb& climb, const VelocitySegment& segment,
-                       const profiles::Profile& profile);
+// The length of that ramp, cheaper where there is no slope.
+double ramp_length_mm(const RampRequest& request, const VelocitySegment& segment,
+                      const profiles::Profile& profile);
 
 }  // namespace kerf::lookahead

@@ -1,5 +1,5 @@
-// Climbs below ceilings made by hand.
-#include "lookahead/classical/climb_cuts.hpp"
+// Ramps below ceilings made by hand.
+#include "lookahead/classical/ramp_cuts.hpp"
 
 #include <cmath>
 
@@ -15,40 +15,39 @@ using Indices = std::vector<std::size_t>;
 
 constexpr profiles::RampLimits kLimits{.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 1e6};
 
-TEST(ClimbCuts, AreNotWhereTheCeilingAllowsOneAcceleration) {
+TEST(RampCuts, AreNotWhereTheCeilingAllowsOneAcceleration) {
   Samples samples;
   for (int i = 0; i <= 100; ++i) {
     samples.push_back({.distance_mm = 0.1 * i, .v_mm_s = std::sqrt(2.0 * 500.0 * 0.1 * i)});
   }
-  EXPECT_EQ(climb_cuts(samples, kLimits), Indices{});
+  EXPECT_EQ(ramp_cuts(samples, kLimits), Indices{});
 }
 
-TEST(ClimbCuts, AreNotWhereTheMachineIsSlowerThanTheCeiling) {
-  EXPECT_EQ(climb_cuts({{0.0, 1.0}, {1e-3, 90.0}, {1e-2, 91.0}, {50.0, 100.0}}, kLimits),
-            Indices{});
+TEST(RampCuts, AreNotWhereTheMachineIsSlowerThanTheCeiling) {
+  EXPECT_EQ(ramp_cuts({{0.0, 1.0}, {1e-3, 90.0}, {1e-2, 91.0}, {50.0, 100.0}}, kLimits), Indices{});
 }
 
-TEST(ClimbCuts, AreNotWhereTheClimbMayWaitAtItsFoot) {
-  EXPECT_EQ(climb_cuts({{0.0, 10.0}, {1.0, 10.0}, {2.0, 90.0}, {50.0, 100.0}}, kLimits), Indices{});
+TEST(RampCuts, AreNotWhereTheRampMayWaitAtItsFoot) {
+  EXPECT_EQ(ramp_cuts({{0.0, 10.0}, {1.0, 10.0}, {2.0, 90.0}, {50.0, 100.0}}, kLimits), Indices{});
 }
 
 // Of 4 nm, which one acceleration of 8 um/s^2 keeps: 75 mm with it take more than an hour.
-TEST(ClimbCuts, LieBehindATinyFeatureAtTheFoot) {
-  EXPECT_EQ(climb_cuts({{0.0, 0.0}, {4e-6, 8e-6}, {0.4, 90.0}, {75.0, 90.0}}, kLimits), Indices{1});
+TEST(RampCuts, LieBehindATinyFeatureAtTheFoot) {
+  EXPECT_EQ(ramp_cuts({{0.0, 0.0}, {4e-6, 8e-6}, {0.4, 90.0}, {75.0, 90.0}}, kLimits), Indices{1});
 }
 
 // From rest 10 fm on no feedrate of a nanometre a second is reached at 1e6 mm/s^3.
-TEST(ClimbCuts, AreNotWhereTheJerkKeepsTheCeilingOutOfReach) {
+TEST(RampCuts, AreNotWhereTheJerkKeepsTheCeilingOutOfReach) {
   const Samples samples{{0.0, 0.0}, {1e-14, 1e-7}, {1.0, 90.0}, {75.0, 90.0}};
-  EXPECT_EQ(climb_cuts(samples, kLimits), Indices{});
-  EXPECT_EQ(climb_cuts(samples, {.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = kUnbounded}),
+  EXPECT_EQ(ramp_cuts(samples, kLimits), Indices{});
+  EXPECT_EQ(ramp_cuts(samples, {.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = kUnbounded}),
             Indices{1});
 }
 
-TEST(ClimbCuts, LieBehindFeaturesOfEachSize) {
+TEST(RampCuts, LieBehindFeaturesOfEachSize) {
   const Samples samples{{0.0, 0.0},  {1e-9, 1e-6}, {1e-6, 1e-3},
                         {1e-3, 1.0}, {1.0, 40.0},  {100.0, 90.0}};
-  const Indices cuts = climb_cuts(samples, kLimits);
+  const Indices cuts = ramp_cuts(samples, kLimits);
   ASSERT_FALSE(cuts.empty());
   double sum_s = 0.0;
   std::size_t from = 0;

@@ -1,4 +1,4 @@
-// When a climb is looked at, to see whether it keeps the limits of each axis (turn_check.hpp).
+// When a ramp is looked at, to see whether it keeps the limits of each axis (turn_check.hpp).
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace kerf::lookahead {
 
-// Of a climb; where its acceleration has a corner its jerk has two values.
+// Of a ramp; where its acceleration has a corner its jerk has two values.
 struct Instant {
   double t_s = 0.0;
   profiles::PathMotion motion{};
@@ -27,7 +27,7 @@ class BetweenInstants {
  public:
   BetweenInstants(const Instant& from, const Instant& to);
 
-  // Without its jerk. distance_mm: from the foot of the climb, between those of the two.
+  // Without its jerk. distance_mm: from the foot of the ramp, between those of the two.
   [[nodiscard]] profiles::PathMotion at(double distance_mm) const;
 
  private:

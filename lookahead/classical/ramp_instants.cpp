@@ -1,4 +1,4 @@
-#include "lookahead/classical/climb_instants.hpp"
+#include "lookahead/classical/ramp_instants.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ constexpr double kHigher = 1.0 + 1e-3;  // than what is looked at anyway
 constexpr int kNewtons = 60;            // from an end at rest each takes off a third
 constexpr double kClose = 1e-3;         // to a place between two instants, of the way to it
 
-// The shares of a climb's duration at which it is looked at: closer to each other at both ends,
+// The shares of a ramp's duration at which it is looked at: closer to each other at both ends,
 // where the sine series has its peaks of jerk.
 std::array<double, kInstants + 1> make_shares() {
   std::array<double, kInstants + 1> shares{};
@@ -31,7 +31,7 @@ std::array<double, kInstants + 1> make_shares() {
   return shares;
 }
 
-// When a climb is looked at: at those shares, where between them its jerk is highest, and where its
+// When a ramp is looked at: at those shares, where between them its jerk is highest, and where its
 // acceleration has a corner.
 class Instants {
  public:

@@ -1,4 +1,4 @@
-#include "lookahead/classical/climb_cuts.hpp"
+#include "lookahead/classical/ramp_cuts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ double slope_of(const Corner& a, const Corner& b) {
   return (b.squared - a.squared) / (b.s_mm - a.s_mm);
 }
 
-// No climb from the foot at that jerk gets as far as there.
+// No ramp from the foot at that jerk gets as far as there.
 bool is_out_of_reach(const Slope::Sample& sample, double v_foot_mm_s, double jerk_mm_s3) {
   const double way = sample.distance_mm;
   const double t = std::min(way / v_foot_mm_s, std::cbrt(6.0 * way / jerk_mm_s3));
@@ -101,7 +101,7 @@ class Cuts {
   };
 
   // With a wait at the foot's feedrate, to any of the corners, where that is faster.
-  [[nodiscard]] double one_climb_s(const Part& part) const {
+  [[nodiscard]] double one_ramp_s(const Part& part) const {
     Corner foot = corners_[part.begin];
     const double way = corners_[part.end].s_mm - foot.s_mm;
     double best = kUnbounded;
@@ -135,14 +135,14 @@ class Cuts {
       return;
     }
     const double fastest = fastest_s(part);
-    if (!(one_climb_s(part) > std::max(kWorthACut * fastest, fastest + kGain_s))) {
+    if (!(one_ramp_s(part) > std::max(kWorthACut * fastest, fastest + kGain_s))) {
       return;
     }
     std::size_t best = part.begin + 1;
     double least = kUnbounded;
     for (std::size_t k = part.begin + 1; k < part.end; ++k) {
       const double both =
-          one_climb_s({.begin = part.begin, .end = k}) + one_climb_s({.begin = k, .end = part.end});
+          one_ramp_s({.begin = part.begin, .end = k}) + one_ramp_s({.begin = k, .end = part.end});
       if (both < least) {
         least = both;
         best = k;
@@ -159,8 +159,8 @@ class Cuts {
 
 }  // namespace
 
-std::vector<std::size_t> climb_cuts(const std::vector<Slope::Sample>& samples,
-                                    const profiles::RampLimits& limits) {
+std::vector<std::size_t> ramp_cuts(const std::vector<Slope::Sample>& samples,
+                                   const profiles::RampLimits& limits) {
   if (samples.size() < 3) {
     return {};
   }
