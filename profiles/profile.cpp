@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "profiles/balance.hpp"
-#include "profiles/plateau.hpp"
+#include "profiles/cruise_rise.hpp"
 
 namespace kerf::profiles {
 namespace {
@@ -102,10 +102,10 @@ Transition Profile::fastest(const Ramp& ramp, const RampLimits& limits) const {
   return {ramp, duration_s(change, limits), shape()};
 }
 
-double Profile::length_over_mm(const Ramp& ends, double plateau_mm_s,
+double Profile::length_over_mm(const Ramp& ends, double cruise_mm_s,
                                const RampLimits& limits) const {
-  return length_mm({.v_begin_mm_s = ends.v_begin_mm_s, .v_end_mm_s = plateau_mm_s}, limits) +
-         length_mm({.v_begin_mm_s = plateau_mm_s, .v_end_mm_s = ends.v_end_mm_s}, limits);
+  return length_mm({.v_begin_mm_s = ends.v_begin_mm_s, .v_end_mm_s = cruise_mm_s}, limits) +
+         length_mm({.v_begin_mm_s = cruise_mm_s, .v_end_mm_s = ends.v_end_mm_s}, limits);
 }
 
 double Profile::reachable_change(const Approach& approach, const RampLimits& limits) const {
@@ -144,7 +144,7 @@ double Profile::reach_mm_s(const Approach& approach, const RampLimits& limits) c
 
 // The leg from the slower end takes at least the direct transition to the faster end, so the faster
 // end reaches no higher than with what that leaves: the bound that the searches start from.
-double Profile::plateau_rise(const Ramp& ends, const Room& room, const RampLimits& limits) const {
+double Profile::cruise_rise(const Ramp& ends, const Room& room, const RampLimits& limits) const {
   const double faster = std::max(ends.v_begin_mm_s, ends.v_end_mm_s);
   const double left_mm = std::max(0.0, room.length_mm - length_mm(ends, limits));
   if (ends.v_begin_mm_s == ends.v_end_mm_s || knows_no_jerk(kind_, limits)) {
@@ -157,7 +157,7 @@ double Profile::plateau_rise(const Ramp& ends, const Room& room, const RampLimit
     return rise;
   }
   if (kind_ == ProfileKind::s_curve) {
-    return s_curve_plateau_rise(
+    return s_curve_cruise_rise(
         {.ends = ends, .length_mm = room.length_mm, .largest_rise_mm_s = rise}, limits);
   }
   // By the square root of the rise, in which the length is smooth at 0.
@@ -178,7 +178,7 @@ double Profile::peak_mm_s(const Ramp& ends, const Room& room, const RampLimits& 
   if (std::isfinite(room.v_cap_mm_s) && fits(room.v_cap_mm_s)) {
     return room.v_cap_mm_s;
   }
-  const double peak = std::min(faster + plateau_rise(ends, room, limits), room.v_cap_mm_s);
+  const double peak = std::min(faster + cruise_rise(ends, room, limits), room.v_cap_mm_s);
   return std::isinf(peak) ? peak : rounded_down(peak, faster, fits);
 }
 

@@ -1,4 +1,4 @@
-// A feedrate law by name: the fastest transition it allows, how far it reaches, and the plateau
+// A feedrate law by name: the fastest transition it allows, how far it reaches, and the cruise
 // that two transitions leave room for.
 #pragma once
 
@@ -30,10 +30,10 @@ std::string_view name_of(ProfileKind kind);
 // Empty for any other name; case matters.
 std::optional<ProfileKind> profile_kind(std::string_view name);
 
-// A block as two transitions with a plateau between them see it.
+// A block as two transitions with a cruise between them see it.
 struct Room {
   double length_mm = 0.0;   // >= 0
-  double v_cap_mm_s = 0.0;  // the plateau is not to be faster; may be infinite
+  double v_cap_mm_s = 0.0;  // the cruise is not to be faster; may be infinite
 };
 
 class Profile {
@@ -61,7 +61,7 @@ class Profile {
   // approach.v_cap_mm_s where that is attained; infinite where neither it nor a limit binds.
   [[nodiscard]] double reach_mm_s(const Approach& approach, const RampLimits& limits) const;
 
-  // The largest plateau feedrate in [max(ends), room.v_cap_mm_s] so that the transitions from
+  // The largest cruise feedrate in [max(ends), room.v_cap_mm_s] so that the transitions from
   // ends.v_begin_mm_s up to it and from it down to ends.v_end_mm_s fit into room.length_mm
   // together. Preconditions: the direct transition between the ends fits, and neither end is above
   // the cap; where the direct transition misses by rounding the answer is max(ends). Never too
@@ -70,12 +70,12 @@ class Profile {
                                  const RampLimits& limits) const;
 
  private:
-  // Before rounding down; of the plateau, its rise above the faster end.
+  // Before rounding down; of the cruise, its rise above the faster end.
   [[nodiscard]] double reachable_change(const Approach& approach, const RampLimits& limits) const;
-  [[nodiscard]] double plateau_rise(const Ramp& ends, const Room& room,
-                                    const RampLimits& limits) const;
-  // Of both transitions, to the plateau and from it.
-  [[nodiscard]] double length_over_mm(const Ramp& ends, double plateau_mm_s,
+  [[nodiscard]] double cruise_rise(const Ramp& ends, const Room& room,
+                                   const RampLimits& limits) const;
+  // Of both transitions, to the cruise and from it.
+  [[nodiscard]] double length_over_mm(const Ramp& ends, double cruise_mm_s,
                                       const RampLimits& limits) const;
 
   ProfileKind kind_;

@@ -54,19 +54,19 @@ AccelerationRamp below(const Slope& slope, const Transition& fastest, const Prof
   return {.law = fastest.stretched(slope.stretch_for(fastest))};
 }
 
-// Where the law begins on the curve: past the coast and the foot.
+// Where the law begins on the curve: past the constant velocity and the foot.
 PlacedRamp placed(const AccelerationRamp& ramp, const RampRequest& request,
                   const VelocitySegment& segment) {
   const double v = request.ramp.v_begin_mm_s;
   if (request.side == SegmentSide::rise) {
     return {.law = ramp.law,
-            .foot_mm = segment.s_begin_mm + v * segment.begin_coast_s + ramp.delay_mm,
+            .foot_mm = segment.s_begin_mm + v * segment.begin_constant_velocity_s + ramp.delay_mm,
             .direction = 1.0};
   }
-  return {
-      .law = ramp.law,
-      .foot_mm = segment.s_begin_mm + segment.length_mm - v * segment.end.coast_s - ramp.delay_mm,
-      .direction = -1.0};
+  return {.law = ramp.law,
+          .foot_mm = segment.s_begin_mm + segment.length_mm - v * segment.end.constant_velocity_s -
+                     ramp.delay_mm,
+          .direction = -1.0};
 }
 
 double lost_in_s(const AccelerationRamp& ramp, const RampRequest& request) {

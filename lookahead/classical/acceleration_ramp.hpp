@@ -23,7 +23,7 @@ struct AccelerationRamp {
 enum class SegmentSide : std::uint8_t { rise, fall };
 
 // A ramp in a segment: ramp ascends, from the feedrate at that end; room_mm is what it has without
-// coasts. What needs more does not fit, and how much more is not told then.
+// parts at constant velocity. What needs more does not fit, and how much more is not told then.
 struct RampRequest {
   SegmentSide side = SegmentSide::rise;
   profiles::Ramp ramp{};

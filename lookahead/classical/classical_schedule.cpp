@@ -27,7 +27,7 @@ void cut_front(VelocitySegment& segment, const CruisePoint& cut) {
   const double way_mm = cut.s_mm - segment.s_begin_mm;
   segment.length_mm -= way_mm;
   segment.s_begin_mm = cut.s_mm;
-  segment.begin_coast_s = 0.0;
+  segment.begin_constant_velocity_s = 0.0;
   if (!segment.rise.empty()) {
     const bool falls = way_mm >= segment.rise.allowed_from_mm(kUnbounded);
     segment.rise =
@@ -56,7 +56,7 @@ void ClassicalSchedule::push(const Block& block, const Block* before) {
                                               .after = &segments.front()},
                                              {settings_.limits, settings_.profile});
     window_.back().segment.end = joint.end;
-    segments.front().begin_coast_s = joint.begin_coast_s;
+    segments.front().begin_constant_velocity_s = joint.begin_constant_velocity_s;
   }
   for (VelocitySegment& segment : segments) {
     window_.push_back({.segment = std::move(segment)});
@@ -145,10 +145,10 @@ void ClassicalSchedule::emit_cruise(const Block& block, const SegmentPlan& plan,
   v_mm_s_ = plan.cruise.ramp().v_begin_mm_s;
   part.cruise = profiles::Transition::cruise(v_mm_s_, v_mm_s_ * settings_.longest_cruise_s);
   part.deceleration = {};
-  part.end_coast = {};
+  part.end_constant_velocity = {};
   emit_plan(block, part, emitter, outbox);
   left_ = plan;
-  left_->begin_coast = {};
+  left_->begin_constant_velocity = {};
   left_->acceleration = {};
   left_->cruise =
       profiles::Transition::cruise(v_mm_s_, plan.cruise.length_mm() - part.cruise.length_mm());
@@ -180,11 +180,12 @@ void ClassicalSchedule::emit_plan(const Block& block, const SegmentPlan& plan, E
     SegmentPart kind;
     const profiles::Transition* law;
   };
-  for (const auto& [kind, law] : {Part{SegmentPart::begin_coast, &plan.begin_coast},
-                                  Part{SegmentPart::acceleration, &plan.acceleration},
-                                  Part{SegmentPart::cruise, &plan.cruise},
-                                  Part{SegmentPart::deceleration, &plan.deceleration},
-                                  Part{SegmentPart::end_coast, &plan.end_coast}}) {
+  for (const auto& [kind, law] :
+       {Part{SegmentPart::begin_constant_velocity, &plan.begin_constant_velocity},
+        Part{SegmentPart::acceleration, &plan.acceleration},
+        Part{SegmentPart::cruise, &plan.cruise},
+        Part{SegmentPart::deceleration, &plan.deceleration},
+        Part{SegmentPart::end_constant_velocity, &plan.end_constant_velocity}}) {
     if (law->duration_s() > 0.0) {
       const double s_begin = emitter.s_mm();
       emitter.emit(block, *law, std::min(s_begin + law->length_mm(), s_end), outbox);

@@ -20,10 +20,10 @@ constexpr double kMore = 1.01;   // of a limit, to see what it is worth
 ActiveConstraint SegmentConstraint::of(SegmentPart part, const Transition& law,
                                        double s_begin_mm) const {
   switch (part) {
-    case SegmentPart::begin_coast:
-      return coast(of_.segment->begin_coast_s, law, s_begin_mm);
-    case SegmentPart::end_coast:
-      return coast(of_.segment->end.coast_s, law, s_begin_mm);
+    case SegmentPart::begin_constant_velocity:
+      return constant_velocity(of_.segment->begin_constant_velocity_s, law, s_begin_mm);
+    case SegmentPart::end_constant_velocity:
+      return constant_velocity(of_.segment->end.constant_velocity_s, law, s_begin_mm);
     case SegmentPart::cruise:
       return cruise(law, s_begin_mm);
     case SegmentPart::deceleration:
@@ -68,10 +68,12 @@ const TurnSample* SegmentConstraint::turning_at(double s_mm) const {
   return found == turning.end() ? nullptr : &*found;
 }
 
-ActiveConstraint SegmentConstraint::coast(double coast_s, const Transition& law,
-                                          double s_begin_mm) const {
-  return coast_s > 0.0 || of_.block->ceiling.empty() ? active_constraint(Constraint::joint)
-                                                     : ceiling(law, s_begin_mm);
+ActiveConstraint SegmentConstraint::constant_velocity(double constant_velocity_s,
+                                                      const Transition& law,
+                                                      double s_begin_mm) const {
+  return constant_velocity_s > 0.0 || of_.block->ceiling.empty()
+             ? active_constraint(Constraint::joint)
+             : ceiling(law, s_begin_mm);
 }
 
 ActiveConstraint SegmentConstraint::cruise(const Transition& law, double s_begin_mm) const {

@@ -8,14 +8,14 @@ namespace kerf::lookahead {
 using interp::ActiveConstraint;
 
 enum class SegmentPart : std::uint8_t {
-  begin_coast,
+  begin_constant_velocity,
   acceleration,
   cruise,
   deceleration,
-  end_coast
+  end_constant_velocity
 };
 
-// - A coast is there for a joint's sake, or waits below the foot of a ceiling.
+// - A part at constant velocity is there for a joint's sake, or waits below the foot of a ceiling.
 // - A cruise runs at what its block allows, or below a ceiling.
 // - A change of feedrate is bound by jerk and acceleration, each while it is what binds; where the
 //   profile has both at once, by the one of which a hundredth more would save more time. Where it
@@ -36,8 +36,9 @@ class SegmentConstraint {
                                     double s_begin_mm) const;
 
  private:
-  [[nodiscard]] ActiveConstraint coast(double coast_s, const profiles::Transition& law,
-                                       double s_begin_mm) const;
+  [[nodiscard]] ActiveConstraint constant_velocity(double constant_velocity_s,
+                                                   const profiles::Transition& law,
+                                                   double s_begin_mm) const;
   [[nodiscard]] ActiveConstraint cruise(const profiles::Transition& law, double s_begin_mm) const;
   [[nodiscard]] ActiveConstraint ramp(const profiles::Transition& law, double s_begin_mm) const;
   // Null: turning does not bind.

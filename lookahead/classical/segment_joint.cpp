@@ -20,15 +20,16 @@ double gain_in_tick_mm_s(const VelocitySegment& segment, const JointRules& rules
 }
 
 // Beside the segment, at the feedrate of the joint with one that speeds up away from it.
-double coast_beside_s(const Block& block, double v_joint_mm_s, const VelocitySegment& speeding_up,
-                      const JointRules& rules) {
+double constant_velocity_beside_s(const Block& block, double v_joint_mm_s,
+                                  const VelocitySegment& speeding_up, const JointRules& rules) {
   const double fastest_mm_s = v_joint_mm_s + gain_in_tick_mm_s(speeding_up, rules);
   return passing_feedrate_mm_s(block, rules.limits) < fastest_mm_s ? rules.limits.period_s : 0.0;
 }
 
-void fit_coast(double coast_s, const VelocitySegment& segment, double& v_mm_s) {
-  if (coast_s > 0.0) {
-    v_mm_s = std::min(v_mm_s, kBelowRounding * 0.5 * segment.length_mm / coast_s);
+void fit_constant_velocity(double constant_velocity_s, const VelocitySegment& segment,
+                           double& v_mm_s) {
+  if (constant_velocity_s > 0.0) {
+    v_mm_s = std::min(v_mm_s, kBelowRounding * 0.5 * segment.length_mm / constant_velocity_s);
   }
 }
 
@@ -57,20 +58,21 @@ SegmentJoint segment_joint(const JointSides& sides, const JointRules& rules) {
         std::min(after.ceiling.front().v_mm_s, sides.after->rise.bottom_mm_s());
     v = std::min(v, valley_mm_s(begin_mm_s, *sides.after, rules));
   }
-  if (joint.coast_s > 0.0) {
+  if (joint.constant_velocity_s > 0.0) {
     const bool turns = !sides.before->turning.empty() || !sides.after->turning.empty();
     joint = turns ? beside_turning(joint, sides, rules.limits) : joint;
   }
   v = std::min(
       {v, passing_feedrate_mm_s(before, rules.limits), passing_feedrate_mm_s(after, rules.limits)});
-  if (joint.coast_s > 0.0 || v == 0.0) {
-    return {.end = joint, .begin_coast_s = joint.coast_s};
+  if (joint.constant_velocity_s > 0.0 || v == 0.0) {
+    return {.end = joint, .begin_constant_velocity_s = joint.constant_velocity_s};
   }
-  const double begin_coast_s = coast_beside_s(before, v, *sides.after, rules);
-  joint.coast_s = coast_beside_s(after, v, *sides.before, rules);
-  fit_coast(joint.coast_s, *sides.before, v);
-  fit_coast(begin_coast_s, *sides.after, v);
-  return {.end = joint, .begin_coast_s = begin_coast_s};
+  const double begin_constant_velocity_s =
+      constant_velocity_beside_s(before, v, *sides.after, rules);
+  joint.constant_velocity_s = constant_velocity_beside_s(after, v, *sides.before, rules);
+  fit_constant_velocity(joint.constant_velocity_s, *sides.before, v);
+  fit_constant_velocity(begin_constant_velocity_s, *sides.after, v);
+  return {.end = joint, .begin_constant_velocity_s = begin_constant_velocity_s};
 }
 
 }  // namespace kerf::lookahead

@@ -7,8 +7,8 @@
 namespace kerf::lookahead {
 
 struct SegmentJoint {
-  Junction end{};              // of the segment before, with its coast
-  double begin_coast_s = 0.0;  // of the segment after
+  Junction end{};                          // of the segment before, with its constant velocity
+  double begin_constant_velocity_s = 0.0;  // of the segment after
 };
 
 struct JointRules {
@@ -23,7 +23,8 @@ struct JointRules {
 double valley_mm_s(double ceiling_mm_s, const VelocitySegment& segment, const JointRules& rules);
 
 // As fast as both blocks may be passed, and beside one that a tick might pass over faster than that
-// a coast of a tick, outside of it, so that no tick that sees all of it has a part of a ramp.
+// a tick at constant velocity, outside of it, so that no tick that sees all of it has a part of a
+// ramp.
 SegmentJoint segment_joint(const JointSides& sides, const JointRules& rules);
 
 }  // namespace kerf::lookahead

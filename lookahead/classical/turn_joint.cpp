@@ -7,7 +7,8 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr int kRounds = 3;  // the way of the coasts and the part of jumps follow the feedrate
+constexpr int kRounds =
+    3;  // the way of the parts at constant velocity and the part of jumps follow the feedrate
 constexpr double kWider = 1.1;
 constexpr double kBelowRounding = 1.0 - 1e-9;
 
@@ -16,15 +17,16 @@ struct Largest {
   double third_per_mm2 = 0.0;
 };
 
-struct Coast {
+struct ConstantVelocity {
   double v_mm_s = 0.0;
   double duration_s = 0.0;
 };
 
-// Of the axes, within a coast from the place.
-Largest largest_near(double place_mm, const VelocitySegment& segment, const Coast& coast) {
+// Of the axes, within a part at constant velocity from the place.
+Largest largest_near(double place_mm, const VelocitySegment& segment,
+                     const ConstantVelocity& constant_velocity) {
   Largest largest;
-  const double reach_mm = kWider * coast.v_mm_s * coast.duration_s;
+  const double reach_mm = kWider * constant_velocity.v_mm_s * constant_velocity.duration_s;
   const Turning& turning = segment.turning;
   for (std::size_t i = 0; i < turning.size(); ++i) {
     const TurnSample& at = turning[i];
@@ -35,7 +37,7 @@ Largest largest_near(double place_mm, const VelocitySegment& segment, const Coas
       second = std::max(second, std::abs(at.second_per_mm[k]));
       largest.third_per_mm2 =
           std::max(largest.third_per_mm2,
-                   std::abs(at.third_per_mm2[k]) + at.jumps_per_mm_s[k] / coast.v_mm_s);
+                   std::abs(at.third_per_mm2[k]) + at.jumps_per_mm_s[k] / constant_velocity.v_mm_s);
     }
   }
   return largest;
@@ -45,20 +47,20 @@ Largest largest_near(double place_mm, const VelocitySegment& segment, const Coas
 
 Junction beside_turning(const Junction& found, const JointSides& sides, const PlanLimits& limits) {
   Junction joint = found;
-  if (joint.feedrate_mm_s == 0.0 || joint.coast_s == 0.0) {
+  if (joint.feedrate_mm_s == 0.0 || joint.constant_velocity_s == 0.0) {
     return joint;
   }
   double& v = joint.feedrate_mm_s;
   for (const VelocitySegment* segment : {sides.before, sides.after}) {
     if (!segment->turning.empty()) {
-      v = std::min(v, kBelowRounding * 0.5 * segment->length_mm / joint.coast_s);
+      v = std::min(v, kBelowRounding * 0.5 * segment->length_mm / joint.constant_velocity_s);
     }
   }
   for (int i = 0; i < kRounds; ++i) {
-    const Coast coast{.v_mm_s = v, .duration_s = joint.coast_s};
+    const ConstantVelocity constant_velocity{.v_mm_s = v, .duration_s = joint.constant_velocity_s};
     const double end_mm = sides.before->s_begin_mm + sides.before->length_mm;
-    const Largest before = largest_near(end_mm, *sides.before, coast);
-    const Largest after = largest_near(sides.after->s_begin_mm, *sides.after, coast);
+    const Largest before = largest_near(end_mm, *sides.before, constant_velocity);
+    const Largest after = largest_near(sides.after->s_begin_mm, *sides.after, constant_velocity);
     BlockEnd end = sides.blocks.before->end;
     BlockEnd begin = sides.blocks.after->begin;
     end.third_per_mm2 = std::max(end.third_per_mm2, before.third_per_mm2);

@@ -15,7 +15,8 @@ struct JointSides {
 
 // junction() knows a curve at its end alone and leaves nothing for what turning asks of the axes
 // within the ticks that see the joint. Here it is asked again, with the largest second and third
-// derivative within the coasts, and both coasts fit into half a segment. Never faster than found.
+// derivative within the parts at constant velocity, and both parts at constant velocity fit into
+// half a segment. Never faster than found.
 Junction beside_turning(const Junction& found, const JointSides& sides, const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

@@ -11,7 +11,8 @@ void keep_surest(WindowSegment& item, double v_begin_mm_s, const profiles::Profi
     return;
   }
   item.sure = {.v_begin_mm_s = v_begin_mm_s, .v_end_mm_s = std::min(item.v_end_mm_s, v_begin_mm_s)};
-  const bool may_need_rest = !item.segment.turning.empty() || item.segment.end.coast_s > 0.0;
+  const bool may_need_rest =
+      !item.segment.turning.empty() || item.segment.end.constant_velocity_s > 0.0;
   if (may_need_rest && !joins(item.segment, item.sure, profile)) {
     item.sure.v_end_mm_s = 0.0;  // it was reached from there
   }

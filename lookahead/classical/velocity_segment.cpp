@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "lookahead/classical/acceleration_ramp.hpp"
-#include "lookahead/classical/plateau.hpp"
+#include "lookahead/classical/cruise_search.hpp"
 
 namespace kerf::lookahead {
 
@@ -23,13 +23,14 @@ constexpr double kLeastShare = 0.125;
 constexpr double kCloseInTurn = 1e-3;  // how close to the highest feedrate a reach comes
 
 // A ramp from a known feedrate at one end of a segment towards a cap at the other; a deceleration
-// is a ramp seen from the other end. Coasts lengthen with the feedrate at their end.
+// is a ramp seen from the other end. Parts at constant velocity lengthen with the feedrate at their
+// end.
 struct Reach {
   SegmentSide side = SegmentSide::rise;
   double v_low_mm_s = 0.0;
   double cap_mm_s = 0.0;
-  double near_coast_s = 0.0;
-  double far_coast_s = 0.0;
+  double near_constant_velocity_s = 0.0;
+  double far_constant_velocity_s = 0.0;
 };
 
 double reach_mm_s(const VelocitySegment& segment, const Reach& reach, const Profile& profile) {
@@ -37,8 +38,8 @@ double reach_mm_s(const VelocitySegment& segment, const Reach& reach, const Prof
     return reach.cap_mm_s;
   }
   const Slope& slope = reach.side == SegmentSide::rise ? segment.rise : segment.fall;
-  const double length = segment.length_mm - reach.near_coast_s * reach.v_low_mm_s;
-  if (slope.empty() && segment.turning.empty() && reach.far_coast_s == 0.0) {
+  const double length = segment.length_mm - reach.near_constant_velocity_s * reach.v_low_mm_s;
+  if (slope.empty() && segment.turning.empty() && reach.far_constant_velocity_s == 0.0) {
     return profile.reach_mm_s(
         {.v_mm_s = reach.v_low_mm_s, .length_mm = length, .v_cap_mm_s = reach.cap_mm_s},
         segment.limits.ramp);
@@ -47,7 +48,7 @@ double reach_mm_s(const VelocitySegment& segment, const Reach& reach, const Prof
     const RampRequest request{.side = reach.side,
                               .ramp = {.v_begin_mm_s = reach.v_low_mm_s, .v_end_mm_s = v},
                               .room_mm = length};
-    return ramp_length_mm(request, segment, profile) + reach.far_coast_s * v <= length;
+    return ramp_length_mm(request, segment, profile) + reach.far_constant_velocity_s * v <= length;
   };
   if (fits(reach.cap_mm_s)) {
     return reach.cap_mm_s;
@@ -63,9 +64,9 @@ double reach_mm_s(const VelocitySegment& segment, const Reach& reach, const Prof
 }
 
 // Makes a cruise at an end of a segment longer.
-void lengthen(Transition& coast, double v_mm_s, double by_mm) {
+void lengthen(Transition& constant_velocity, double v_mm_s, double by_mm) {
   if (by_mm > 0.0) {
-    coast = Transition::cruise(v_mm_s, coast.length_mm() + by_mm);
+    constant_velocity = Transition::cruise(v_mm_s, constant_velocity.length_mm() + by_mm);
   }
 }
 
@@ -74,7 +75,7 @@ void lengthen(Transition& coast, double v_mm_s, double by_mm) {
 double brake_in_turn(VelocitySegment& segment, const SegmentEnds& ends, const Profile& profile) {
   const double v = ends.v_begin_mm_s;
   const double least_mm =
-      v * segment.begin_coast_s + profile.length_mm({v, 0.0}, segment.limits.ramp);
+      v * segment.begin_constant_velocity_s + profile.length_mm({v, 0.0}, segment.limits.ramp);
   for (double stop_mm = std::max(least_mm, kLeastStop * segment.length_mm);
        stop_mm < segment.length_mm; stop_mm *= kFartherStop) {
     VelocitySegment cut = segment;
@@ -98,7 +99,7 @@ double brake_in_turn(VelocitySegment& segment, const SegmentEnds& ends, const Pr
   return ends.v_end_mm_s;
 }
 
-Transition coast(double v_mm_s, double duration_s) {
+Transition constant_velocity(double v_mm_s, double duration_s) {
   const double length = v_mm_s * duration_s;
   return length > 0.0 ? Transition::cruise(v_mm_s, length) : Transition{};
 }
@@ -106,8 +107,8 @@ Transition coast(double v_mm_s, double duration_s) {
 }  // namespace
 
 double SegmentPlan::duration_s() const noexcept {
-  return begin_coast.duration_s() + acceleration.duration_s() + cruise.duration_s() +
-         deceleration.duration_s() + end_coast.duration_s();
+  return begin_constant_velocity.duration_s() + acceleration.duration_s() + cruise.duration_s() +
+         deceleration.duration_s() + end_constant_velocity.duration_s();
 }
 
 double reach_backward_mm_s(const VelocitySegment& segment, const BackwardQuery& query,
@@ -115,10 +116,10 @@ double reach_backward_mm_s(const VelocitySegment& segment, const BackwardQuery& 
   Reach reach{.side = SegmentSide::fall,
               .v_low_mm_s = query.v_end_mm_s,
               .cap_mm_s = query.cap_mm_s,
-              .near_coast_s = segment.end.coast_s,
-              .far_coast_s = segment.begin_coast_s};
+              .near_constant_velocity_s = segment.end.constant_velocity_s,
+              .far_constant_velocity_s = segment.begin_constant_velocity_s};
   const double reached = reach_mm_s(segment, reach, profile);
-  if (segment.end.coast_s == 0.0 || reached >= query.cap_mm_s) {
+  if (segment.end.constant_velocity_s == 0.0 || reached >= query.cap_mm_s) {
     return reached;
   }
   reach.v_low_mm_s = 0.0;
@@ -132,8 +133,8 @@ double end_feedrate_mm_s(const VelocitySegment& segment, const SegmentEnds& want
                       {.side = SegmentSide::rise,
                        .v_low_mm_s = wanted.v_begin_mm_s,
                        .cap_mm_s = wanted.v_end_mm_s,
-                       .near_coast_s = segment.begin_coast_s,
-                       .far_coast_s = segment.end.coast_s},
+                       .near_constant_velocity_s = segment.begin_constant_velocity_s,
+                       .far_constant_velocity_s = segment.end.constant_velocity_s},
                       profile);
   }
   const auto fits = [&](double v_end) {
@@ -157,8 +158,8 @@ bool joins(const VelocitySegment& segment, const SegmentEnds& ends, const Profil
   const Ramp rise{.v_begin_mm_s = ends.v_begin_mm_s, .v_end_mm_s = ends.v_end_mm_s};
   const Ramp fall{.v_begin_mm_s = ends.v_end_mm_s, .v_end_mm_s = ends.v_begin_mm_s};
   const double room = segment.length_mm * kAboveRounding -
-                      segment.begin_coast_s * ends.v_begin_mm_s -
-                      segment.end.coast_s * ends.v_end_mm_s;
+                      segment.begin_constant_velocity_s * ends.v_begin_mm_s -
+                      segment.end.constant_velocity_s * ends.v_end_mm_s;
   const RampRequest request{.side = rises ? SegmentSide::rise : SegmentSide::fall,
                             .ramp = rises ? rise : fall,
                             .room_mm = room};
@@ -169,9 +170,9 @@ double brake(VelocitySegment& segment, const SegmentEnds& ends, const Profile& p
   if (!segment.turning.empty()) {
     return brake_in_turn(segment, ends, profile);
   }
-  const double coast_mm = ends.v_begin_mm_s * segment.begin_coast_s;
+  const double constant_velocity_mm = ends.v_begin_mm_s * segment.begin_constant_velocity_s;
   const double stop_mm =
-      coast_mm + profile.length_mm({ends.v_begin_mm_s, 0.0}, segment.limits.ramp);
+      constant_velocity_mm + profile.length_mm({ends.v_begin_mm_s, 0.0}, segment.limits.ramp);
   if (stop_mm <= segment.length_mm) {
     // The fall ends before the ceiling does, so it is below it wherever the plan to the end was.
     segment.ends_block = segment.ends_block && stop_mm == segment.length_mm;
@@ -196,31 +197,32 @@ double brake(VelocitySegment& segment, const SegmentEnds& ends, const Profile& p
 SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends,
                          const Profile& profile) {
   SegmentPlan plan;
-  plan.begin_coast = coast(ends.v_begin_mm_s, segment.begin_coast_s);
-  plan.end_coast = coast(ends.v_end_mm_s, segment.end.coast_s);
-  const double length =
-      segment.length_mm - plan.begin_coast.length_mm() - plan.end_coast.length_mm();
-  double plateau = 0.0;
+  plan.begin_constant_velocity =
+      constant_velocity(ends.v_begin_mm_s, segment.begin_constant_velocity_s);
+  plan.end_constant_velocity = constant_velocity(ends.v_end_mm_s, segment.end.constant_velocity_s);
+  const double length = segment.length_mm - plan.begin_constant_velocity.length_mm() -
+                        plan.end_constant_velocity.length_mm();
+  double cruise = 0.0;
   if (segment.rise.empty() && segment.turning.empty()) {
-    plateau = profile.peak_mm_s({ends.v_begin_mm_s, ends.v_end_mm_s},
-                                {.length_mm = length, .v_cap_mm_s = segment.limits.feedrate_mm_s},
-                                segment.limits.ramp);
-    plan.acceleration = profile.fastest({ends.v_begin_mm_s, plateau}, segment.limits.ramp);
-    plan.deceleration = profile.fastest({plateau, ends.v_end_mm_s}, segment.limits.ramp);
+    cruise = profile.peak_mm_s({ends.v_begin_mm_s, ends.v_end_mm_s},
+                               {.length_mm = length, .v_cap_mm_s = segment.limits.feedrate_mm_s},
+                               segment.limits.ramp);
+    plan.acceleration = profile.fastest({ends.v_begin_mm_s, cruise}, segment.limits.ramp);
+    plan.deceleration = profile.fastest({cruise, ends.v_end_mm_s}, segment.limits.ramp);
   } else {
-    const PlateauSearch search(segment, ends, length, profile);
-    plateau = search.best_mm_s();
-    const PlateauSides sides = search.sides(plateau);
+    const CruiseSearch search(segment, ends, length, profile);
+    cruise = search.best_mm_s();
+    const CruiseSides sides = search.sides(cruise);
     plan.acceleration = sides.up.law;
     plan.deceleration = sides.down_mirrored.law.reversed();
-    lengthen(plan.begin_coast, ends.v_begin_mm_s, sides.up.delay_mm);
-    lengthen(plan.end_coast, ends.v_end_mm_s, sides.down_mirrored.delay_mm);
+    lengthen(plan.begin_constant_velocity, ends.v_begin_mm_s, sides.up.delay_mm);
+    lengthen(plan.end_constant_velocity, ends.v_end_mm_s, sides.down_mirrored.delay_mm);
   }
-  const double spare = segment.length_mm - plan.begin_coast.length_mm() -
+  const double spare = segment.length_mm - plan.begin_constant_velocity.length_mm() -
                        plan.acceleration.length_mm() - plan.deceleration.length_mm() -
-                       plan.end_coast.length_mm();
+                       plan.end_constant_velocity.length_mm();
   if (spare > 0.0) {
-    plan.cruise = Transition::cruise(plateau, spare);
+    plan.cruise = Transition::cruise(cruise, spare);
   }
   return plan;
 }
@@ -229,8 +231,8 @@ SegmentPlan slowed_plan(const VelocitySegment& segment, const SegmentEnds& ends,
                         double v_begin_mm_s, const Profile& profile) {
   SegmentPlan plan = plan_segment(segment, ends, profile);
   const double factor = ends.v_begin_mm_s / v_begin_mm_s;
-  for (Transition* law :
-       {&plan.begin_coast, &plan.acceleration, &plan.cruise, &plan.deceleration, &plan.end_coast}) {
+  for (Transition* law : {&plan.begin_constant_velocity, &plan.acceleration, &plan.cruise,
+                          &plan.deceleration, &plan.end_constant_velocity}) {
     *law = law->slowed(factor);
   }
   return plan;

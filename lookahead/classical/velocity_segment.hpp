@@ -15,7 +15,7 @@ namespace kerf::lookahead {
 struct VelocitySegment {
   double length_mm = 0.0;
   BlockLimits limits{};
-  double begin_coast_s = 0.0;
+  double begin_constant_velocity_s = 0.0;
   Junction end{};           // what bounds the feedrate at its end
   double s_begin_mm = 0.0;  // on the block's curve
   bool ends_block = true;
@@ -34,11 +34,11 @@ struct SegmentEnds {
 
 // What a segment does, in this order; parts that are not there have no duration.
 struct SegmentPlan {
-  profiles::Transition begin_coast{};
+  profiles::Transition begin_constant_velocity{};
   profiles::Transition acceleration{};
   profiles::Transition cruise{};
   profiles::Transition deceleration{};
-  profiles::Transition end_coast{};
+  profiles::Transition end_constant_velocity{};
 
   [[nodiscard]] double duration_s() const noexcept;
 };
@@ -48,25 +48,26 @@ struct BackwardQuery {
   double cap_mm_s = 0.0;
 };
 // The largest feedrate <= cap at its beginning from which the segment can end with v_end_mm_s, or
-// with less where a coast at v_end would take the room to brake in.
+// with less where a part at constant velocity at v_end would take the room to brake in.
 double reach_backward_mm_s(const VelocitySegment& segment, const BackwardQuery& query,
                            const profiles::Profile& profile);
 
 // The largest feedrate <= wanted.v_end with which the segment can end that begins with
-// wanted.v_begin. A coast takes room at its feedrate, and braking to a third takes more room than
-// braking to rest, so a slower end may fit where a faster does not and the other way round.
-// v_end_known: an end that this beginning or a higher one is known to join. Where no such end as
-// wanted fits it may be the higher one, and the result lies between them. Precondition: v_begin is
-// at most what reach_backward gives for v_end or for v_end_known.
+// wanted.v_begin. A part at constant velocity takes room at its feedrate, and braking to a third
+// takes more room than braking to rest, so a slower end may fit where a faster does not and the
+// other way round. v_end_known: an end that this beginning or a higher one is known to join. Where
+// no such end as wanted fits it may be the higher one, and the result lies between them.
+// Precondition: v_begin is at most what reach_backward gives for v_end or for v_end_known.
 double end_feedrate_mm_s(const VelocitySegment& segment, const SegmentEnds& wanted,
                          double v_end_known_mm_s, const profiles::Profile& profile);
 
-// Whether the segment has room for the direct transition between its ends, coasts included.
+// Whether the segment has room for the direct transition between its ends, the parts at constant
+// velocity included.
 bool joins(const VelocitySegment& segment, const SegmentEnds& ends,
            const profiles::Profile& profile);
 
-// The fastest plan of the segment's kind: the plateau as high as length and ceiling allow; under a
-// ceiling the plateau of least time. Precondition: the ends can be joined.
+// The fastest plan of the segment's kind: the cruise as high as length and ceiling allow; under a
+// ceiling the cruise of least time. Precondition: the ends can be joined.
 SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends,
                          const profiles::Profile& profile);
 

@@ -9,12 +9,12 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr double kCoastTicks = 3.0;  // the support of a third difference
+constexpr double kConstantVelocityTicks = 3.0;  // the support of a third difference
 // Below these a joint is as smooth as positions in double precision can tell.
 constexpr double kSmoothTangent = 1e-12;
 constexpr double kSmoothCurvature_per_mm = 1e-12;
-// Two coasts at most fill a block; that much less, and sums of their lengths fit after rounding
-// too.
+// Two parts at constant velocity at most fill a block; that much less, and sums of their lengths
+// fit after rounding too.
 constexpr double kBelowRounding = 1.0 - 1e-9;
 
 struct Cubic {
@@ -59,7 +59,7 @@ double limit_or_path(double axis, double path) {
 }
 
 // About what passing at a feedrate saves against a stop: half of braking to rest and half of
-// accelerating from it, by the fastest law there is. It costs the two coasts.
+// accelerating from it, by the fastest law there is. It costs the two parts at constant velocity.
 double saved_s(double feedrate_mm_s, const Block& before, const Block& after) {
   static const profiles::Profile kFastest(profiles::ProfileKind::s_curve);
   const profiles::RampLimits& a = before.limits.ramp;
@@ -150,13 +150,14 @@ Junction junction(const JunctionQuery& query, const PlanLimits& limits) {
   if (corner == kUnbounded) {
     return {.feedrate_mm_s = cap};
   }
-  const double coast = kCoastTicks * limits.period_s;
-  const double fits = kBelowRounding * std::min(before.length_mm, after.length_mm) / (2.0 * coast);
+  const double constant_velocity = kConstantVelocityTicks * limits.period_s;
+  const double fits =
+      kBelowRounding * std::min(before.length_mm, after.length_mm) / (2.0 * constant_velocity);
   const double feedrate = std::min({cap, corner, fits});
-  if (saved_s(feedrate, before, after) < 2.0 * coast) {
+  if (saved_s(feedrate, before, after) < 2.0 * constant_velocity) {
     return {.feedrate_mm_s = 0.0};
   }
-  return {.feedrate_mm_s = feedrate, .coast_s = coast};
+  return {.feedrate_mm_s = feedrate, .constant_velocity_s = constant_velocity};
 }
 
 }  // namespace kerf::lookahead

@@ -17,11 +17,11 @@ namespace kerf::lookahead {
 // (of an extra axis, which is linear in the path's length, and of the path only the terms with
 // |du|), which is solved for the largest F. The last is the path's distance from the straight line
 // between the ticks on both sides, as Green's function of a chord bounds it. The plan keeps the
-// feedrate constant for coast_s on both sides, so that nothing else adds to it in any window of
-// ticks that sees the joint.
+// feedrate constant for constant_velocity_s on both sides, so that nothing else adds to it in any
+// window of ticks that sees the joint.
 struct Junction {
   double feedrate_mm_s = kUnbounded;  // 0: stop
-  double coast_s = 0.0;               // 0 where the joint is smooth or a stop
+  double constant_velocity_s = 0.0;   // 0 where the joint is smooth or a stop
 };
 
 struct JunctionQuery {

@@ -209,8 +209,8 @@ TEST(SingularCurves, ANeedleThatATickPassesOverIsSeenFromAfar) {
   }
 }
 
-// The highest plateau that fits is a ten thousandth of what is allowed, and its ends are lower yet.
-TEST(SingularCurves, APlateauIsFoundHoweverLow) {
+// The highest cruise that fits is a ten thousandth of what is allowed, and its ends are lower yet.
+TEST(SingularCurves, ACruiseIsFoundHoweverLow) {
   EXPECT_LT(judged_case(1009383, profiles::ProfileKind::s_curve, 60.0).ticks, 20'000);
 }
 

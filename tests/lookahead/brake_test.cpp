@@ -33,10 +33,10 @@ TEST(Brake, EndsAsSlowAsAShortSegmentAllows) {
   EXPECT_NEAR(0.5 * (100.0 + end) * s_curve_s(100.0 - end), 1.0, 1e-6);
 }
 
-TEST(Brake, KeepsTheCoastThatItBeginsWith) {
+TEST(Brake, KeepsTheConstantVelocityThatItBeginsWith) {
   const Profile profile{ProfileKind::s_curve};
   VelocitySegment segment = flat_segment(50.0, 100.0);
-  segment.begin_coast_s = 0.003;
+  segment.begin_constant_velocity_s = 0.003;
   EXPECT_EQ(brake(segment, {.v_begin_mm_s = 40.0, .v_end_mm_s = 40.0}, profile), 0.0);
   EXPECT_NEAR(segment.length_mm, 40.0 * 0.003 + 0.5 * 40.0 * s_curve_s(40.0), 1e-9);
 }

@@ -127,7 +127,7 @@ TEST(Constraints, ATightChordToleranceIsNamed) {
   }
 }
 
-TEST(Constraints, ManyLinesShorterThanTheirCoastsAreHeldDownByTheirJoints) {
+TEST(Constraints, ManyLinesShorterThanTheirConstantVelocityAreHeldDownByTheirJoints) {
   const Program program{polyline(2000, 5.0, 50.0), mill()};
   for (const ProfileKind kind : kKinds) {
     EXPECT_GT(shares_of(program, kind)[Constraint::joint], 0.95) << name_of(kind);

@@ -79,13 +79,14 @@ double largest_axis_jerk_mm_s3(const std::vector<Block>& blocks, const Motion& m
   return largest;
 }
 
-TEST(ContinuingBlocks, ArePassedWithoutACoast) {
+TEST(ContinuingBlocks, ArePassedWithoutConstantVelocity) {
   const std::vector<Block> compared = cut_bow(false);
   const std::vector<Block> continuing = cut_bow(true);
-  ASSERT_GT(junction({.before = &compared[0], .after = &compared[1]}, mill()).coast_s, 0.0)
+  ASSERT_GT(junction({.before = &compared[0], .after = &compared[1]}, mill()).constant_velocity_s,
+            0.0)
       << "rounding is to show";
   const Junction joint = junction({.before = &continuing[0], .after = &continuing[1]}, mill());
-  EXPECT_EQ(joint.coast_s, 0.0);
+  EXPECT_EQ(joint.constant_velocity_s, 0.0);
   EXPECT_EQ(joint.feedrate_mm_s,
             std::min(continuing[0].limits.feedrate_mm_s, continuing[1].limits.feedrate_mm_s));
 }

@@ -118,7 +118,7 @@ TEST(Junction, OfCollinearLinesDoesNotBind) {
   EXPECT_EQ(corner_feedrate_mm_s(blocks[0].end, blocks[1].begin, limits), kUnbounded);
   const Junction joint = junction({.before = &blocks[0], .after = &blocks[1]}, limits);
   EXPECT_EQ(joint.feedrate_mm_s, 40.0);
-  EXPECT_EQ(joint.coast_s, 0.0);
+  EXPECT_EQ(joint.constant_velocity_s, 0.0);
 }
 
 TEST(Junction, OfATangentArcAndLineSolvesTheCurvaturesBound) {
@@ -139,7 +139,7 @@ TEST(Junction, StopsWherePassingDoesNotPay) {
       blocks_of({line_move({{0, 0, 0}, {10, 0, 0}}), line_move({{10, 0, 0}, {10, 10, 0}})}, limits);
   const Junction joint = junction({.before = &square[0], .after = &square[1]}, limits);
   EXPECT_EQ(joint.feedrate_mm_s, 0.0);
-  EXPECT_EQ(joint.coast_s, 0.0);
+  EXPECT_EQ(joint.constant_velocity_s, 0.0);
 }
 
 TEST(Junction, PassesACornerThatIsWorthIt) {
@@ -150,7 +150,7 @@ TEST(Junction, PassesACornerThatIsWorthIt) {
       limits);
   const Junction joint = junction({.before = &blocks[0], .after = &blocks[1]}, limits);
   EXPECT_NEAR(joint.feedrate_mm_s, 0.055 / 0.002, 1e-3);
-  EXPECT_NEAR(joint.coast_s, 3.0 * kTs, 1e-15);
+  EXPECT_NEAR(joint.constant_velocity_s, 3.0 * kTs, 1e-15);
 }
 
 TEST(Junction, IsAStopBehindABlockWithExactStop) {
@@ -161,7 +161,7 @@ TEST(Junction, IsAStopBehindABlockWithExactStop) {
   EXPECT_EQ(junction({.before = &blocks[0], .after = &blocks[1]}, limits).feedrate_mm_s, 0.0);
 }
 
-TEST(Junction, CoastsNoFasterThanTwoCoastsFitIntoTheShorterBlock) {
+TEST(Junction, IsNoFasterThanTwoPartsAtConstantVelocityFitIntoTheShorterBlock) {
   const PlanLimits limits =
       axis_limits({.velocity_mm_s = 500.0, .acceleration_mm_s2 = 1e5, .jerk_mm_s3 = 1e5});
   const double length = 0.06;
@@ -170,8 +170,8 @@ TEST(Junction, CoastsNoFasterThanTwoCoastsFitIntoTheShorterBlock) {
                                 limits);
   const Junction joint = junction({.before = &blocks[0], .after = &blocks[1]}, limits);
   EXPECT_GT(joint.feedrate_mm_s, 0.0);
-  EXPECT_LE(2.0 * joint.coast_s * joint.feedrate_mm_s, blocks[1].length_mm);
-  EXPECT_GE(2.0 * joint.coast_s * joint.feedrate_mm_s, 0.999 * blocks[1].length_mm);
+  EXPECT_LE(2.0 * joint.constant_velocity_s * joint.feedrate_mm_s, blocks[1].length_mm);
+  EXPECT_GE(2.0 * joint.constant_velocity_s * joint.feedrate_mm_s, 0.999 * blocks[1].length_mm);
 }
 
 TEST(Junction, PassesACornerWhereNothingLimitsJerk) {

@@ -1,5 +1,5 @@
 // One segment: closed forms of the S-curve and the trapezoid, the four situations, the ceiling
-// between samples, coasts, braking.
+// between samples, parts at constant velocity, braking.
 #include "lookahead/classical/velocity_segment.hpp"
 
 #include <algorithm>
@@ -131,20 +131,20 @@ TEST(VelocitySegment, EndsWithWhatFitsWhereARestFitsAndAFasterEndDoesNot) {
   expect_joined(segment, ends, plan_segment(segment, ends, profile));
 }
 
-TEST(VelocitySegment, CoastsAtBothEnds) {
+TEST(VelocitySegment, KeepsConstantVelocityAtBothEnds) {
   const Profile profile{ProfileKind::s_curve};
   VelocitySegment segment = flat_segment(5.0, 100.0);
-  segment.begin_coast_s = 0.003;
-  segment.end = {.feedrate_mm_s = 20.0, .coast_s = 0.003};
+  segment.begin_constant_velocity_s = 0.003;
+  segment.end = {.feedrate_mm_s = 20.0, .constant_velocity_s = 0.003};
   const SegmentEnds ends{.v_begin_mm_s = 30.0, .v_end_mm_s = 20.0};
   const SegmentPlan plan = plan_segment(segment, ends, profile);
   expect_joined(segment, ends, plan);
-  EXPECT_NEAR(plan.begin_coast.duration_s(), 0.003, 1e-15);
-  EXPECT_NEAR(plan.end_coast.duration_s(), 0.003, 1e-15);
-  EXPECT_EQ(plan.end_coast.ramp().v_begin_mm_s, 20.0);
+  EXPECT_NEAR(plan.begin_constant_velocity.duration_s(), 0.003, 1e-15);
+  EXPECT_NEAR(plan.end_constant_velocity.duration_s(), 0.003, 1e-15);
+  EXPECT_EQ(plan.end_constant_velocity.ramp().v_begin_mm_s, 20.0);
 }
 
-TEST(VelocitySegment, WithCoastsReachesFromWhereItsPlanFits) {
+TEST(VelocitySegment, WithConstantVelocityReachesFromWhereItsPlanFits) {
   const Profile profile{ProfileKind::s_curve};
   const unsigned seed = 7;
   SCOPED_TRACE(seed);
@@ -152,8 +152,8 @@ TEST(VelocitySegment, WithCoastsReachesFromWhereItsPlanFits) {
   std::uniform_real_distribution<double> share(0.0, 1.0);
   for (int i = 0; i < 2000; ++i) {
     VelocitySegment segment = flat_segment(std::pow(10.0, -4.0 + 5.0 * share(random)), 200.0);
-    segment.begin_coast_s = 0.003;
-    segment.end.coast_s = 0.003;
+    segment.begin_constant_velocity_s = 0.003;
+    segment.end.constant_velocity_s = 0.003;
     const double fits = segment.length_mm / 0.006;  // as a junction promises
     const double v_end = std::min(fits, 200.0) * share(random);
     const double cap = std::min(fits, 200.0) * share(random);

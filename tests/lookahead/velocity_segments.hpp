@@ -42,14 +42,15 @@ inline double s_curve_s(double change) {
 }
 
 inline double length_of(const SegmentPlan& plan) {
-  return plan.begin_coast.length_mm() + plan.acceleration.length_mm() + plan.cruise.length_mm() +
-         plan.deceleration.length_mm() + plan.end_coast.length_mm();
+  return plan.begin_constant_velocity.length_mm() + plan.acceleration.length_mm() +
+         plan.cruise.length_mm() + plan.deceleration.length_mm() +
+         plan.end_constant_velocity.length_mm();
 }
 
 inline const std::vector<const Transition SegmentPlan::*>& parts() {
   static const std::vector<const Transition SegmentPlan::*> all{
-      &SegmentPlan::begin_coast, &SegmentPlan::acceleration, &SegmentPlan::cruise,
-      &SegmentPlan::deceleration, &SegmentPlan::end_coast};
+      &SegmentPlan::begin_constant_velocity, &SegmentPlan::acceleration, &SegmentPlan::cruise,
+      &SegmentPlan::deceleration, &SegmentPlan::end_constant_velocity};
   return all;
 }
 

@@ -19,10 +19,10 @@ constexpr RampLimits kPaper{.acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 55000.0}
 class ReachLaws : public ::testing::TestWithParam<Law> {
  protected:
   [[nodiscard]] const Profile& profile() const { return GetParam().profile; }
-  [[nodiscard]] double both_legs_mm(const Ramp& ends, double plateau,
+  [[nodiscard]] double both_legs_mm(const Ramp& ends, double cruise,
                                     const RampLimits& limits) const {
-    return profile().fastest({ends.v_begin_mm_s, plateau}, limits).length_mm() +
-           profile().fastest({plateau, ends.v_end_mm_s}, limits).length_mm();
+    return profile().fastest({ends.v_begin_mm_s, cruise}, limits).length_mm() +
+           profile().fastest({cruise, ends.v_end_mm_s}, limits).length_mm();
   }
 };
 
@@ -89,7 +89,7 @@ TEST_P(ReachLaws, HoldUnderOneLimitAlone) {
   }
 }
 
-TEST_P(ReachLaws, FillTheRoomUnderThePlateau) {
+TEST_P(ReachLaws, FillTheRoomUnderTheCruise) {
   Draw draw(13);
   for (int trial = 0; trial < 2000; ++trial) {
     const RampLimits limits = draw.limits();

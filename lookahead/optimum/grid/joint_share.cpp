@@ -134,7 +134,7 @@ Joint joint_of(const JunctionQuery& query, const PlanLimits& limits) {
     if ((fits && passing.feedrate_mm_s >= std::min(free_mm_s, chord)) ||
         &shares == &kShares.back()) {
       const bool stops = passing.feedrate_mm_s == 0.0;
-      return {.smooth = !stops && passing.coast_s == 0.0, .passing = passage};
+      return {.smooth = !stops && passing.constant_velocity_s == 0.0, .passing = passage};
     }
   }
   return {};

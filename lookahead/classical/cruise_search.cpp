@@ -1,4 +1,4 @@
-#include "lookahead/classical/plateau.hpp"
+#include "lookahead/classical/cruise_search.hpp"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ constexpr double kGolden = 0.6180339887498949;
 
 }  // namespace
 
-double PlateauSearch::best_mm_s() const {
+double CruiseSearch::best_mm_s() const {
   double low = std::max(ends_.v_begin_mm_s, ends_.v_end_mm_s);
   double high = std::max(low, std::min({segment_.limits.feedrate_mm_s, segment_.rise.top_mm_s(),
                                         segment_.fall.top_mm_s()}));
@@ -34,10 +34,10 @@ double PlateauSearch::best_mm_s() const {
   return fastest_in({.low_mm_s = low, .high_mm_s = high});
 }
 
-PlateauSides PlateauSearch::sides(double plateau_mm_s) const {
+CruiseSides CruiseSearch::sides(double cruise_mm_s) const {
   const auto ramp_on = [&](SegmentSide side, double v_foot_mm_s) {
     return acceleration_ramp({.side = side,
-                              .ramp = {v_foot_mm_s, plateau_mm_s},
+                              .ramp = {v_foot_mm_s, cruise_mm_s},
                               .room_mm = kWithRounding * length_mm_,
                               .may_wait = true},
                              segment_, profile_);
@@ -46,21 +46,21 @@ PlateauSides PlateauSearch::sides(double plateau_mm_s) const {
           .down_mirrored = ramp_on(SegmentSide::fall, ends_.v_end_mm_s)};
 }
 
-double PlateauSearch::spare_mm(const PlateauSides& sides) const {
+double CruiseSearch::spare_mm(const CruiseSides& sides) const {
   return length_mm_ - sides.up.length_mm() - sides.down_mirrored.length_mm();
 }
 
-double PlateauSearch::time_s(double plateau_mm_s) const {
-  const PlateauSides both = sides(plateau_mm_s);
+double CruiseSearch::time_s(double cruise_mm_s) const {
+  const CruiseSides both = sides(cruise_mm_s);
   if (!segment_.turning.empty() && spare_mm(both) < 0.0) {
     return kUnbounded;
   }
-  return both.up.duration_s() + both.down_mirrored.duration_s() + spare_mm(both) / plateau_mm_s;
+  return both.up.duration_s() + both.down_mirrored.duration_s() + spare_mm(both) / cruise_mm_s;
 }
 
-double PlateauSearch::fastest_in(const Bracket& plateau) const {
-  double a = plateau.low_mm_s;
-  double b = plateau.high_mm_s;
+double CruiseSearch::fastest_in(const Bracket& cruise) const {
+  double a = cruise.low_mm_s;
+  double b = cruise.high_mm_s;
   double x1 = b - kGolden * (b - a);
   double x2 = a + kGolden * (b - a);
   double t1 = time_s(x1);
@@ -81,7 +81,7 @@ double PlateauSearch::fastest_in(const Bracket& plateau) const {
     }
   }
   const double inner = t1 < t2 ? x1 : x2;
-  return time_s(plateau.high_mm_s) <= std::min(t1, t2) ? plateau.high_mm_s : inner;
+  return time_s(cruise.high_mm_s) <= std::min(t1, t2) ? cruise.high_mm_s : inner;
 }
 
 }  // namespace kerf::lookahead

@@ -2,7 +2,7 @@
 // of the ends, where jerk alone binds, and polynomials of w^2 where acceleration does too, joined
 // with a continuous derivative. All of these are convex, so Newton's method from above falls
 // monotonically to the root; in the rise itself the slope would be infinite at 0.
-#include "profiles/plateau.hpp"
+#include "profiles/cruise_rise.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ Growth s_curve_growth(const Rise& rise, const SCurveTimes& times) {
 
 }  // namespace
 
-double s_curve_plateau_rise(const PlateauSearch& search, const RampLimits& limits) noexcept {
+double s_curve_cruise_rise(const CruiseRoom& search, const RampLimits& limits) noexcept {
   const double faster = std::max(search.ends.v_begin_mm_s, search.ends.v_end_mm_s);
   const double slower = std::min(search.ends.v_begin_mm_s, search.ends.v_end_mm_s);
   const double jerk_phase_s = limits.acceleration_mm_s2 / limits.jerk_mm_s3;
