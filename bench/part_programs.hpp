@@ -73,7 +73,7 @@ PartProgram spiral(const SpiralShape& shape);
 PartProgram engraving();
 // Rounded rectangles from the inside outwards, G2 and G3, a helix down to each of three depths.
 PartProgram pocket();
-// Small arcs and short lines, tangential joints and corners of all kinds.
+// Small arcs and short lines, tangential junctions and corners of all kinds.
 PartProgram small_loops(int loops);
 
 }  // namespace kerf::bench

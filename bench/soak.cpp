@@ -83,7 +83,7 @@ std::string deviation_complaint(std::uint64_t seed) {
     return "";
   }
   const test::Smoothed smoothed = test::smooth(program.moves);
-  std::string complaint = test::faults_of_joints(program.moves, smoothed);
+  std::string complaint = test::faults_of_junctions(program.moves, smoothed);
   const double tolerance = std::max(program.tolerances.corner_mm, program.tolerances.merge_mm);
   const double apart = test::apart_mm(test::points_of(smoothed), test::points_of(program.moves));
   if (!(apart <= std::min(tolerance, smoothed.deviation.distance_mm) + kBetweenPoints_mm)) {

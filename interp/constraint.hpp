@@ -15,7 +15,7 @@ enum class Constraint : std::uint8_t {
   path_acceleration,
   path_jerk,
   chord_error,
-  joint,                // direction or curvature jumps between two blocks
+  junction,             // direction or curvature jumps between two blocks
   window_end,           // the look-ahead sees no farther and brakes
   x_velocity = 8,       // to 16
   x_acceleration = 17,  // to 25

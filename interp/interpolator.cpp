@@ -188,17 +188,17 @@ double Interpolator::chord_error_mm() const noexcept {
   const auto look = [&](const CurvePiece& piece, double s_mm) {
     look_at(curves::position_at(piece.geometry, s_mm));
   };
-  const double s_joint = curves::s_end_mm(piece_before_.geometry);
-  const bool joint = piece_.curve != piece_before_.curve && piece_before_.curve != 0;
+  const double s_junction = curves::s_end_mm(piece_before_.geometry);
+  const bool junction = piece_.curve != piece_before_.curve && piece_before_.curve != 0;
   for (std::size_t k = 1; k <= kChordPoints; ++k) {
     const double share = static_cast<double>(k) / kChordPoints;
-    if (joint) {
-      look(piece_before_, s_before_mm_ + share * (s_joint - s_before_mm_));
+    if (junction) {
+      look(piece_before_, s_before_mm_ + share * (s_junction - s_before_mm_));
       look(piece_, share * s_now_mm_);
       continue;
     }
     const double s = s_before_mm_ + share * (s_now_mm_ - s_before_mm_);
-    if (piece_before_.curve != 0 && s <= s_joint) {
+    if (piece_before_.curve != 0 && s <= s_junction) {
       look(piece_before_, s);
     } else if (s >= curves::s_begin_mm(piece_.geometry)) {
       look(piece_, s);

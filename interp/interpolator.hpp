@@ -40,7 +40,7 @@ class Interpolator {
   }
 
   // How far the path leaves the straight line between the last two setpoints: the largest distance
-  // of points of the path between them, joints among them. Where a tick passes over more than
+  // of points of the path between them, junctions among them. Where a tick passes over more than
   // kPassedPieces whole pieces, those after them are not looked at.
   [[nodiscard]] double chord_error_mm() const noexcept;
 

@@ -19,7 +19,7 @@ constexpr std::string_view kAxes = "XYZABCUVW";
 
 constexpr double kRelative = 1e-6;
 constexpr double kChordRelative = 5e-3;
-// Of a position: what curves agree within at their joints, and four values' rounding.
+// Of a position: what curves agree within at their junctions, and four values' rounding.
 constexpr double kRounding_mm = 1e-11;
 constexpr double kRounding = 4.0 * std::numeric_limits<double>::epsilon();
 

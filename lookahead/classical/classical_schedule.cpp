@@ -5,7 +5,7 @@
 #include <variant>
 
 #include "lookahead/classical/segment_constraint.hpp"
-#include "lookahead/classical/segment_joint.hpp"
+#include "lookahead/classical/segment_junction.hpp"
 #include "lookahead/classical/split.hpp"
 #include "lookahead/classical/turn_scan.hpp"
 #include "lookahead/path/block_limits.hpp"
@@ -51,12 +51,13 @@ void ClassicalSchedule::push(const Window<Block>& blocks) {
 void ClassicalSchedule::push(const Block& block, const Block* before) {
   std::vector<VelocitySegment> segments = segments_of(block);
   if (before != nullptr) {
-    const SegmentJoint joint = segment_joint({.blocks = {.before = before, .after = &block},
-                                              .before = &window_.back().segment,
-                                              .after = &segments.front()},
-                                             {settings_.limits, settings_.profile});
-    window_.back().segment.end = joint.end;
-    segments.front().begin_constant_velocity_s = joint.begin_constant_velocity_s;
+    const SegmentJunction junction =
+        segment_junction({.blocks = {.before = before, .after = &block},
+                          .before = &window_.back().segment,
+                          .after = &segments.front()},
+                         {settings_.limits, settings_.profile});
+    window_.back().segment.end = junction.end;
+    segments.front().begin_constant_velocity_s = junction.begin_constant_velocity_s;
   }
   for (VelocitySegment& segment : segments) {
     window_.push_back({.segment = std::move(segment)});

@@ -72,7 +72,7 @@ ActiveConstraint SegmentConstraint::constant_velocity(double constant_velocity_s
                                                       const Transition& law,
                                                       double s_begin_mm) const {
   return constant_velocity_s > 0.0 || of_.block->ceiling.empty()
-             ? active_constraint(Constraint::joint)
+             ? active_constraint(Constraint::junction)
              : ceiling(law, s_begin_mm);
 }
 

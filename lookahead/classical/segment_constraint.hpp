@@ -15,7 +15,8 @@ enum class SegmentPart : std::uint8_t {
   end_constant_velocity
 };
 
-// - A part at constant velocity is there for a joint's sake, or waits below the foot of a ceiling.
+// - A part at constant velocity is there for a junction's sake, or waits below the foot of a
+// ceiling.
 // - A cruise runs at what its block allows, or below a ceiling.
 // - A change of feedrate is bound by jerk and acceleration, each while it is what binds; where the
 //   profile has both at once, by the one of which a hundredth more would save more time. Where it

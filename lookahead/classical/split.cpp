@@ -35,9 +35,9 @@ std::vector<VelocitySegment> segments_between_cuts(const Block& block, const Cut
     segments.push_back(span_between(block, cut.ceiling, {.first = first, .last = last}));
     first = last;
     if (segments.size() > 1) {
-      double& joint = segments[segments.size() - 2].end.feedrate_mm_s;
-      joint = std::min({joint, segments[segments.size() - 2].fall.bottom_mm_s(),
-                        segments.back().rise.bottom_mm_s()});
+      double& junction = segments[segments.size() - 2].end.feedrate_mm_s;
+      junction = std::min({junction, segments[segments.size() - 2].fall.bottom_mm_s(),
+                           segments.back().rise.bottom_mm_s()});
     }
   }
   segments.back().end.feedrate_mm_s = 0.0;

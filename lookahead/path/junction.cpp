@@ -10,7 +10,7 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kConstantVelocityTicks = 3.0;  // the support of a third difference
-// Below these a joint is as smooth as positions in double precision can tell.
+// Below these a junction is as smooth as positions in double precision can tell.
 constexpr double kSmoothTangent = 1e-12;
 constexpr double kSmoothCurvature_per_mm = 1e-12;
 // Two parts at constant velocity at most fill a block; that much less, and sums of their lengths
@@ -71,7 +71,7 @@ double saved_s(double feedrate_mm_s, const Block& before, const Block& after) {
 
 }  // namespace
 
-// How far a tick of length h that sees the joint may leave its chord, at the most: h |du| / 4 by
+// How far a tick of length h that sees the junction may leave its chord, at the most: h |du| / 4 by
 // the corner in its middle and h^2 max|k| / 8 by the curvature of both sides.
 double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
                            const PlanLimits& limits) {
@@ -136,7 +136,7 @@ double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
   return std::min(feedrate, chord_feedrate_mm_s(before, after, limits));
 }
 
-Junction junction(const JunctionQuery& query, const PlanLimits& limits) {
+Junction junction_of(const JunctionQuery& query, const PlanLimits& limits) {
   const Block& before = *query.before;
   const Block& after = *query.after;
   const double cap = std::min(before.limits.feedrate_mm_s, after.limits.feedrate_mm_s);

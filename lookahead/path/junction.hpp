@@ -1,4 +1,4 @@
-// The feedrate at which the joint of two blocks may be passed.
+// The feedrate at which the junction of two blocks may be passed.
 #pragma once
 
 #include "lookahead/path/block.hpp"
@@ -6,8 +6,8 @@
 
 namespace kerf::lookahead {
 
-// A joint changes the direction of the path by du and its curvature vector by dk. Seen in ticks of
-// Ts, passing it at feedrate F with constant speed gives an axis (MATH section 4; the third
+// A junction changes the direction of the path by du and its curvature vector by dk. Seen in ticks
+// of Ts, passing it at feedrate F with constant speed gives an axis (MATH section 4; the third
 // difference of positions is x''' averaged with a quadratic B-spline, whose peak is 3/4 of 1/Ts)
 //
 //   acceleration  F |du| / Ts + F^2 max|k|            <= A
@@ -18,10 +18,10 @@ namespace kerf::lookahead {
 // |du|), which is solved for the largest F. The last is the path's distance from the straight line
 // between the ticks on both sides, as Green's function of a chord bounds it. The plan keeps the
 // feedrate constant for constant_velocity_s on both sides, so that nothing else adds to it in any
-// window of ticks that sees the joint.
+// window of ticks that sees the junction.
 struct Junction {
   double feedrate_mm_s = kUnbounded;  // 0: stop
-  double constant_velocity_s = 0.0;   // 0 where the joint is smooth or a stop
+  double constant_velocity_s = 0.0;   // 0 where the junction is smooth or a stop
 };
 
 struct JunctionQuery {
@@ -31,7 +31,7 @@ struct JunctionQuery {
 
 // Where an axis has no limit of its own, that of the path stands in. A block that continues the one
 // before is joined smoothly, whatever rounding left of a difference.
-Junction junction(const JunctionQuery& query, const PlanLimits& limits);
+Junction junction_of(const JunctionQuery& query, const PlanLimits& limits);
 
 // By what share of itself the feedrate along X, Y and Z jumps: 1 where a block on which only
 // further axes move joins one on which they move, or the other way round, else 0.

@@ -129,7 +129,7 @@ TEST(ChordError, LooksAtBlocksThatATickPassesOver) {
     script.interpolator().next(setpoint);
     largest = std::max(largest, script.interpolator().chord_error_mm());
   }
-  // Ticks at (1, 0) and (1.01, 0.01): the joint of the two blocks between lies at (1.02, 0).
+  // Ticks at (1, 0) and (1.01, 0.01): the junction of the two blocks between lies at (1.02, 0).
   EXPECT_NEAR(largest, 0.02 / std::sqrt(2.0), 1e-9);
 }
 

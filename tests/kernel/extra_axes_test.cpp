@@ -113,7 +113,7 @@ TEST(ExtraAxes, CountNothingToThePathWhereTheyMoveAlone) {
   EXPECT_TRUE(ordered);
 }
 
-TEST(ExtraAxes, PassJointsInMotionWhereTheirSlopeStays) {
+TEST(ExtraAxes, PassJunctionsInMotionWhereTheirSlopeStays) {
   const Motion whole = run("G1 X20 A20 F3000\nX40 A40\nX60 A60");
   EXPECT_EQ(whole.complaint, "");
   const auto at = std::find_if(whole.ticks.begin(), whole.ticks.end(),

@@ -57,12 +57,12 @@ const Setpoint& first(const std::vector<Tick>& ticks, const std::function<bool(c
   return ticks.back().setpoint;
 }
 
-TEST(OutputChanges, AtMotionComeAtTheJointWithoutARest) {
+TEST(OutputChanges, AtMotionComeAtTheJunctionWithoutARest) {
   const auto ticks = run("F600\nG1 X5\nM62 P3\nG1 X10\nM63 P3 \nM67 E2 Q1.5\nG1 X15\nM2\n");
   const Setpoint& on = first(ticks, [](const Tick& t) { return t.seen.digital == 8U; });
   const Setpoint& on_block = first(ticks, [](const Tick& t) { return t.setpoint.line == 4; });
   EXPECT_EQ(on.tick, on_block.tick);
-  EXPECT_NEAR(on.v_mm_s, 10.0, 1e-9) << "the joint is passed at the feedrate";
+  EXPECT_NEAR(on.v_mm_s, 10.0, 1e-9) << "the junction is passed at the feedrate";
   EXPECT_NEAR(on.position_mm[0], 5.0, 0.01) << "one tick at 10 mm/s";
   const Setpoint& off =
       first(ticks, [](const Tick& t) { return t.setpoint.line > 4 && t.seen.digital == 0U; });

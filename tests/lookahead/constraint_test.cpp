@@ -127,10 +127,10 @@ TEST(Constraints, ATightChordToleranceIsNamed) {
   }
 }
 
-TEST(Constraints, ManyLinesShorterThanTheirConstantVelocityAreHeldDownByTheirJoints) {
+TEST(Constraints, ManyLinesShorterThanTheirConstantVelocityAreHeldDownByTheirJunctions) {
   const Program program{polyline(2000, 5.0, 50.0), mill()};
   for (const ProfileKind kind : kKinds) {
-    EXPECT_GT(shares_of(program, kind)[Constraint::joint], 0.95) << name_of(kind);
+    EXPECT_GT(shares_of(program, kind)[Constraint::junction], 0.95) << name_of(kind);
   }
 }
 

@@ -1,4 +1,4 @@
-// A block that continues the one before by construction: nothing is asked of the joint that only
+// A block that continues the one before by construction: nothing is asked of the junction that only
 // rounding puts there.
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lookahead/optimum/grid/joint_share.hpp"
+#include "lookahead/optimum/grid/junction_share.hpp"
 #include "lookahead/path/junction.hpp"
 #include "tests/lookahead/programs.hpp"
 
@@ -82,25 +82,26 @@ double largest_axis_jerk_mm_s3(const std::vector<Block>& blocks, const Motion& m
 TEST(ContinuingBlocks, ArePassedWithoutConstantVelocity) {
   const std::vector<Block> compared = cut_bow(false);
   const std::vector<Block> continuing = cut_bow(true);
-  ASSERT_GT(junction({.before = &compared[0], .after = &compared[1]}, mill()).constant_velocity_s,
-            0.0)
+  ASSERT_GT(
+      junction_of({.before = &compared[0], .after = &compared[1]}, mill()).constant_velocity_s, 0.0)
       << "rounding is to show";
-  const Junction joint = junction({.before = &continuing[0], .after = &continuing[1]}, mill());
-  EXPECT_EQ(joint.constant_velocity_s, 0.0);
-  EXPECT_EQ(joint.feedrate_mm_s,
+  const Junction junction =
+      junction_of({.before = &continuing[0], .after = &continuing[1]}, mill());
+  EXPECT_EQ(junction.constant_velocity_s, 0.0);
+  EXPECT_EQ(junction.feedrate_mm_s,
             std::min(continuing[0].limits.feedrate_mm_s, continuing[1].limits.feedrate_mm_s));
 }
 
 TEST(ContinuingBlocks, JoinSmoothlyInTheTimeOptimum) {
   const std::vector<Block> blocks = cut_bow(true);
-  EXPECT_TRUE(joint_of({.before = &blocks[0], .after = &blocks[1]}, mill()).smooth);
+  EXPECT_TRUE(cell_junction_of({.before = &blocks[0], .after = &blocks[1]}, mill()).smooth);
 }
 
 TEST(ContinuingBlocks, StopWhereTheBlockBeforeStops) {
   std::vector<Block> blocks = cut_bow(true);
   blocks.front().stop_after = true;
-  EXPECT_EQ(junction({.before = &blocks[0], .after = &blocks[1]}, mill()).feedrate_mm_s, 0.0);
-  EXPECT_TRUE(joint_of({.before = &blocks[0], .after = &blocks[1]}, mill()).is_stop());
+  EXPECT_EQ(junction_of({.before = &blocks[0], .after = &blocks[1]}, mill()).feedrate_mm_s, 0.0);
+  EXPECT_TRUE(cell_junction_of({.before = &blocks[0], .after = &blocks[1]}, mill()).is_stop());
 }
 
 // One path, cut or not, has one optimum.

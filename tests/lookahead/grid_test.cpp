@@ -7,9 +7,9 @@
 namespace kerf::lookahead::test {
 namespace {
 
-// A cell at the joint lasts a tick, of 1e-8 mm. Before it the motion is faster by decades, and so
-// the cells are longer.
-TEST(Grid, HasFewCellsBeforeAJointThatIsPassedAtNextToNoFeedrate) {
+// A cell at the junction lasts a tick, of 1e-8 mm. Before it the motion is faster by decades, and
+// so the cells are longer.
+TEST(Grid, HasFewCellsBeforeAJunctionThatIsPassedAtNextToNoFeedrate) {
   const PlanLimits limits = mill();
   const Block block = blocks_of({line_move({{0, 0, 0}, {0.009, 0, 0}}, 50.0)}, limits).front();
   const std::vector<Cell> cells =

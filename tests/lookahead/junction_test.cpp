@@ -1,4 +1,4 @@
-// The feedrate at a joint, against the papers' figures and closed forms.
+// The feedrate at a junction, against the papers' figures and closed forms.
 #include "lookahead/path/junction.hpp"
 
 #include <algorithm>
@@ -116,9 +116,9 @@ TEST(Junction, OfCollinearLinesDoesNotBind) {
       {line_move({{0, 0, 0}, {10, 20, 30}}, 50.0), line_move({{10, 20, 30}, {11, 22, 33}}, 40.0)},
       limits);
   EXPECT_EQ(corner_feedrate_mm_s(blocks[0].end, blocks[1].begin, limits), kUnbounded);
-  const Junction joint = junction({.before = &blocks[0], .after = &blocks[1]}, limits);
-  EXPECT_EQ(joint.feedrate_mm_s, 40.0);
-  EXPECT_EQ(joint.constant_velocity_s, 0.0);
+  const Junction junction = junction_of({.before = &blocks[0], .after = &blocks[1]}, limits);
+  EXPECT_EQ(junction.feedrate_mm_s, 40.0);
+  EXPECT_EQ(junction.constant_velocity_s, 0.0);
 }
 
 TEST(Junction, OfATangentArcAndLineSolvesTheCurvaturesBound) {
@@ -137,9 +137,9 @@ TEST(Junction, StopsWherePassingDoesNotPay) {
       axis_limits({.velocity_mm_s = 100.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 55'000.0});
   const auto square =
       blocks_of({line_move({{0, 0, 0}, {10, 0, 0}}), line_move({{10, 0, 0}, {10, 10, 0}})}, limits);
-  const Junction joint = junction({.before = &square[0], .after = &square[1]}, limits);
-  EXPECT_EQ(joint.feedrate_mm_s, 0.0);
-  EXPECT_EQ(joint.constant_velocity_s, 0.0);
+  const Junction junction = junction_of({.before = &square[0], .after = &square[1]}, limits);
+  EXPECT_EQ(junction.feedrate_mm_s, 0.0);
+  EXPECT_EQ(junction.constant_velocity_s, 0.0);
 }
 
 TEST(Junction, PassesACornerThatIsWorthIt) {
@@ -148,9 +148,9 @@ TEST(Junction, PassesACornerThatIsWorthIt) {
   const auto blocks = blocks_of(
       {line_move({{0, 0, 0}, {10, 0, 0}}, 50.0), line_move({{10, 0, 0}, {20, 0.02, 0}}, 50.0)},
       limits);
-  const Junction joint = junction({.before = &blocks[0], .after = &blocks[1]}, limits);
-  EXPECT_NEAR(joint.feedrate_mm_s, 0.055 / 0.002, 1e-3);
-  EXPECT_NEAR(joint.constant_velocity_s, 3.0 * kTs, 1e-15);
+  const Junction junction = junction_of({.before = &blocks[0], .after = &blocks[1]}, limits);
+  EXPECT_NEAR(junction.feedrate_mm_s, 0.055 / 0.002, 1e-3);
+  EXPECT_NEAR(junction.constant_velocity_s, 3.0 * kTs, 1e-15);
 }
 
 TEST(Junction, IsAStopBehindABlockWithExactStop) {
@@ -158,7 +158,7 @@ TEST(Junction, IsAStopBehindABlockWithExactStop) {
   parser::Move first = line_move({{0, 0, 0}, {10, 0, 0}}, 50.0);
   first.mode = parser::PathMode::exact_stop;
   const auto blocks = blocks_of({first, line_move({{10, 0, 0}, {20, 0, 0}}, 50.0)}, limits);
-  EXPECT_EQ(junction({.before = &blocks[0], .after = &blocks[1]}, limits).feedrate_mm_s, 0.0);
+  EXPECT_EQ(junction_of({.before = &blocks[0], .after = &blocks[1]}, limits).feedrate_mm_s, 0.0);
 }
 
 TEST(Junction, IsNoFasterThanTwoPartsAtConstantVelocityFitIntoTheShorterBlock) {
@@ -168,10 +168,11 @@ TEST(Junction, IsNoFasterThanTwoPartsAtConstantVelocityFitIntoTheShorterBlock) {
   const auto blocks = blocks_of({line_move({{0, 0, 0}, {10, 0, 0}}, 400.0),
                                  line_move({{10, 0, 0}, {10 + length, 1e-4 * length, 0}}, 400.0)},
                                 limits);
-  const Junction joint = junction({.before = &blocks[0], .after = &blocks[1]}, limits);
-  EXPECT_GT(joint.feedrate_mm_s, 0.0);
-  EXPECT_LE(2.0 * joint.constant_velocity_s * joint.feedrate_mm_s, blocks[1].length_mm);
-  EXPECT_GE(2.0 * joint.constant_velocity_s * joint.feedrate_mm_s, 0.999 * blocks[1].length_mm);
+  const Junction junction = junction_of({.before = &blocks[0], .after = &blocks[1]}, limits);
+  EXPECT_GT(junction.feedrate_mm_s, 0.0);
+  EXPECT_LE(2.0 * junction.constant_velocity_s * junction.feedrate_mm_s, blocks[1].length_mm);
+  EXPECT_GE(2.0 * junction.constant_velocity_s * junction.feedrate_mm_s,
+            0.999 * blocks[1].length_mm);
 }
 
 TEST(Junction, PassesACornerWhereNothingLimitsJerk) {
@@ -179,9 +180,9 @@ TEST(Junction, PassesACornerWhereNothingLimitsJerk) {
   const auto blocks = blocks_of(
       {line_move({{0, 0, 0}, {10, 0, 0}}, 50.0), line_move({{10, 0, 0}, {20, 1, 0}}, 50.0)},
       limits);
-  const Junction joint = junction({.before = &blocks[0], .after = &blocks[1]}, limits);
+  const Junction junction = junction_of({.before = &blocks[0], .after = &blocks[1]}, limits);
   // |du| of y is 1 / sqrt(101), and A Ts / |du| = 3 mm/s sqrt(101).
-  EXPECT_NEAR(joint.feedrate_mm_s, 3.0 * std::sqrt(101.0), 1e-9);
+  EXPECT_NEAR(junction.feedrate_mm_s, 3.0 * std::sqrt(101.0), 1e-9);
 }
 
 }  // namespace

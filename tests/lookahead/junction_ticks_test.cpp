@@ -1,4 +1,4 @@
-// The bound of a joint, against ticks laid over the joint at every phase.
+// The bound of a junction, against ticks laid over the junction at every phase.
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +17,8 @@ struct Differences {
   double jerk_mm_s3 = 0.0;
 };
 
-// The largest differences on any axis of ticks that pass the joint of two blocks at constant
-// feedrate, for many phases of the ticks to the joint.
+// The largest differences on any axis of ticks that pass the junction of two blocks at constant
+// feedrate, for many phases of the ticks to the junction.
 Differences largest_differences(const Block& before, const Block& after, double feedrate_mm_s) {
   const auto at = [&](double t) {
     const double s = feedrate_mm_s * t;
@@ -43,7 +43,8 @@ Differences largest_differences(const Block& before, const Block& after, double 
   return largest;
 }
 
-// How far the path leaves the chord of any tick that sees the joint, passed at constant feedrate.
+// How far the path leaves the chord of any tick that sees the junction, passed at constant
+// feedrate.
 double largest_chord_error_mm(const Block& before, const Block& after, double feedrate_mm_s) {
   const auto at = [&](double s) {
     const Position point = s < 0.0 ? curves::position_at(before.curve, before.length_mm + s)
@@ -65,7 +66,7 @@ double largest_chord_error_mm(const Block& before, const Block& after, double fe
   return largest;
 }
 
-struct JointCase {
+struct JunctionCase {
   const char* name;
   parser::Move before;
   parser::Move after;
@@ -73,7 +74,7 @@ struct JointCase {
   bool jerk_binds;
 };
 
-std::vector<JointCase> joint_cases() {
+std::vector<JunctionCase> junction_cases() {
   const parser::Move quarter =
       arc_move({.ends = {{10, 0, 0}, {0, 10, 0}}, .centre = {0, 0, 0}});  // ends towards -x
   const parser::Move half_circle_on =
@@ -104,29 +105,29 @@ std::vector<JointCase> joint_cases() {
 }
 
 TEST(Junction, KeepsItsBoundInTicksAtEveryPhaseAndNearlyReachesIt) {
-  for (const JointCase& joint : joint_cases()) {
-    SCOPED_TRACE(joint.name);
-    PlanLimits limits = axis_limits(joint.axis);
-    const auto blocks = blocks_of({joint.before, joint.after}, limits);
+  for (const JunctionCase& junction : junction_cases()) {
+    SCOPED_TRACE(junction.name);
+    PlanLimits limits = axis_limits(junction.axis);
+    const auto blocks = blocks_of({junction.before, junction.after}, limits);
     const double f = corner_feedrate_mm_s(blocks[0].end, blocks[1].begin, limits);
     ASSERT_TRUE(std::isfinite(f));
     const Differences found = largest_differences(blocks[0], blocks[1], f);
-    EXPECT_LE(found.acceleration_mm_s2, joint.axis.acceleration_mm_s2 * (1.0 + 1e-6));
-    EXPECT_LE(found.jerk_mm_s3, joint.axis.jerk_mm_s3 * (1.0 + 1e-6));
-    if (joint.jerk_binds) {
-      EXPECT_GE(found.jerk_mm_s3, 0.75 * joint.axis.jerk_mm_s3);
+    EXPECT_LE(found.acceleration_mm_s2, junction.axis.acceleration_mm_s2 * (1.0 + 1e-6));
+    EXPECT_LE(found.jerk_mm_s3, junction.axis.jerk_mm_s3 * (1.0 + 1e-6));
+    if (junction.jerk_binds) {
+      EXPECT_GE(found.jerk_mm_s3, 0.75 * junction.axis.jerk_mm_s3);
     } else {
-      EXPECT_GE(found.acceleration_mm_s2, 0.999 * joint.axis.acceleration_mm_s2);
+      EXPECT_GE(found.acceleration_mm_s2, 0.999 * junction.axis.acceleration_mm_s2);
     }
   }
 }
 
 TEST(Junction, KeepsTheChordToleranceInTicksAtEveryPhaseAndNearlyReachesIt) {
-  for (const JointCase& joint : joint_cases()) {
-    SCOPED_TRACE(joint.name);
+  for (const JunctionCase& junction : junction_cases()) {
+    SCOPED_TRACE(junction.name);
     PlanLimits limits = axis_limits({.acceleration_mm_s2 = 1e7, .jerk_mm_s3 = 1e10});
     limits.chord_tolerance_mm = 1e-3;
-    const auto blocks = blocks_of({joint.before, joint.after}, limits);
+    const auto blocks = blocks_of({junction.before, junction.after}, limits);
     const double f = corner_feedrate_mm_s(blocks[0].end, blocks[1].begin, limits);
     ASSERT_TRUE(std::isfinite(f));
     const double found_mm = largest_chord_error_mm(blocks[0], blocks[1], f);

@@ -102,16 +102,16 @@ TEST(Planner, PassesTangentLineArcLineWithoutStopping) {
     }
   }
   EXPECT_EQ(rests, 2);  // the last motion, and the end of the program
-  // At the joints the jump of curvature binds: 3/4 F^2 / (R Ts) + F^3 / R^2 = J.
+  // At the junctions the jump of curvature binds: 3/4 F^2 / (R Ts) + F^3 / R^2 = J.
   const double f = corner_feedrate_mm_s(blocks[0].end, blocks[1].begin, limits);
   EXPECT_NEAR(0.75 * f * f / (10.0 * kTs) + f * f * f / 100.0, 5e4, 1e-2);
-  for (const double joint : {30.0, 30.0 + 10.0 * std::numbers::pi}) {
-    double v_at_joint = 0.0;
+  for (const double junction : {30.0, 30.0 + 10.0 * std::numbers::pi}) {
+    double v_at_junction = 0.0;
     for (double t = 0.0; t < motion.duration_s(); t += 1e-4) {
       const auto point = motion.at(t);
-      v_at_joint = point.s_mm < joint ? point.v_mm_s : v_at_joint;
+      v_at_junction = point.s_mm < junction ? point.v_mm_s : v_at_junction;
     }
-    EXPECT_NEAR(v_at_joint, f, 1e-3 * f);
+    EXPECT_NEAR(v_at_junction, f, 1e-3 * f);
   }
 }
 

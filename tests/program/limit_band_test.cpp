@@ -21,7 +21,7 @@ TEST(LimitBand, ShowsWhatMostTicksOfABucketHaveHoweverLongTheRun) {
   constexpr int kTicks = 1'000'000;
   for (int tick = 0; tick < kTicks; ++tick) {
     const Constraint long_one = tick < kTicks / 2 ? Constraint::path_jerk : Constraint::programmed;
-    band.add(tick, tick % 3 == 0 ? Constraint::joint : long_one);
+    band.add(tick, tick % 3 == 0 ? Constraint::junction : long_one);
   }
   const auto stretches = band.stretches();
   ASSERT_EQ(stretches.size(), 2U);

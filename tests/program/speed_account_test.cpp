@@ -49,7 +49,7 @@ TEST(SpeedAccount, AddsUpALineThatRunsManyTimesAndShowsTheLongest) {
   for (int turn = 0; turn < 100; ++turn) {
     for (std::uint32_t line = 1; line <= 200; ++line) {
       stretches.push_back({line, Constraint::programmed, line == 7 ? 5 : 1});
-      stretches.push_back({line, Constraint::joint, 1});
+      stretches.push_back({line, Constraint::junction, 1});
     }
   }
   const SpeedReport report = report_of(stretches);
@@ -60,7 +60,8 @@ TEST(SpeedAccount, AddsUpALineThatRunsManyTimesAndShowsTheLongest) {
 }
 
 TEST(SpeedAccount, AnswersForOneLineOrOneInstant) {
-  const std::vector<Stretch> stretches{{1, Constraint::path_jerk, 10}, {2, Constraint::joint, 10}};
+  const std::vector<Stretch> stretches{{1, Constraint::path_jerk, 10},
+                                       {2, Constraint::junction, 10}};
   const SpeedReport of_line = report_of(stretches, {.line = 1, .time_s = {}});
   ASSERT_EQ(of_line.lines.size(), 1U);
   EXPECT_EQ(of_line.lines[0].ticks, 10);
@@ -69,7 +70,7 @@ TEST(SpeedAccount, AnswersForOneLineOrOneInstant) {
   ASSERT_TRUE(at.tick.has_value());
   EXPECT_EQ(at.tick->tick, 12);
   EXPECT_EQ(at.tick->line, 2U);
-  EXPECT_EQ(at.tick->limit, Constraint::joint);
+  EXPECT_EQ(at.tick->limit, Constraint::junction);
   EXPECT_FALSE(report_of(stretches, {.line = {}, .time_s = 1.0}).tick.has_value());
 }
 

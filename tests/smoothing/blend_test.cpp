@@ -71,7 +71,7 @@ TEST(Blend, GoesOnWithDirectionAndCurvatureOfAnArcAndALine) {
   auto line_moves = lines_through({end, {end[0] + 5.0, end[1], end[2] + 1.0}}, {});
   const Smoothed smoothed = smooth({arc_move, line_moves[0]});
   ASSERT_EQ(smoothed.segments.size(), 3U);
-  EXPECT_EQ(faults_of_joints({arc_move, line_moves[0]}, smoothed), "");
+  EXPECT_EQ(faults_of_junctions({arc_move, line_moves[0]}, smoothed), "");
   EXPECT_TRUE(smoothed.segments[1].continues);
   EXPECT_TRUE(smoothed.segments[2].continues);
   EXPECT_GT(smoothed.deviation.distance_mm, 0.005);
@@ -96,7 +96,7 @@ TEST(Blend, LeavesNeighboursTheirHalfOfAShortLine) {
   const auto moves = lines_through({{0, 0, 0}, {10, 0, 0}, {10, 0.2, 0}, {0, 0.2, 0}},
                                    {.corner_mm = 0.5, .merge_mm = 0.0});
   const Smoothed smoothed = smooth(moves);
-  EXPECT_EQ(faults_of_joints(moves, smoothed), "");
+  EXPECT_EQ(faults_of_junctions(moves, smoothed), "");
   // 0.1 mm of the short line for each: |tB - tA| / 8 of it.
   EXPECT_NEAR(smoothed.deviation.distance_mm, 0.1 * std::sqrt(2.0) / 8.0, 1e-6);
 }

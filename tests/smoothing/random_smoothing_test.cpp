@@ -27,7 +27,7 @@ TEST_P(RandomSmoothing, StaysWithinTheTolerancesAndLeavesNoGap) {
     }
     const Smoothed smoothed = smooth(program.moves);
     ASSERT_FALSE(smoothed.segments.empty());
-    EXPECT_EQ(faults_of_joints(program.moves, smoothed), "");
+    EXPECT_EQ(faults_of_junctions(program.moves, smoothed), "");
     const double tolerance = std::max(program.tolerances.corner_mm, program.tolerances.merge_mm);
     // The points of the paths are 1e-5 mm off their chords.
     const double apart = apart_mm(points_of(smoothed), points_of(program.moves));

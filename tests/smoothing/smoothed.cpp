@@ -138,7 +138,7 @@ double apart_mm(const std::vector<Position>& path, const std::vector<Position>& 
   return std::max(farthest_mm(path, other), farthest_mm(other, path));
 }
 
-std::string faults_of_joints(const std::vector<parser::Move>& moves, const Smoothed& smoothed) {
+std::string faults_of_junctions(const std::vector<parser::Move>& moves, const Smoothed& smoothed) {
   std::ostringstream faults;
   Position at = moves.front().start_mm;
   const PathSegment* before = nullptr;

@@ -30,6 +30,6 @@ double apart_mm(const std::vector<curves::Position>& path,
 
 // What is wrong with how the segments join: gaps, and kinks where they are said to go on. Empty:
 // all is well.
-std::string faults_of_joints(const std::vector<parser::Move>& moves, const Smoothed& smoothed);
+std::string faults_of_junctions(const std::vector<parser::Move>& moves, const Smoothed& smoothed);
 
 }  // namespace kerf::test

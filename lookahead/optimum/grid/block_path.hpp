@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lookahead/optimum/grid/cell.hpp"
-#include "lookahead/optimum/grid/joint_share.hpp"
+#include "lookahead/optimum/grid/junction_share.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/block_limits.hpp"
 

@@ -40,7 +40,7 @@ struct LimitShares {
   double jerk = kAim;
 };
 
-// What of the limits of acceleration and jerk a joint beside a cell leaves.
+// What of the limits of acceleration and jerk a junction beside a cell leaves.
 struct AllowedShares {
   double acceleration = 1.0;
   double jerk = 1.0;

@@ -33,9 +33,9 @@ std::vector<CellStop> apart(const std::vector<CellStop>& stops, const GridScan& 
       continue;
     }
     before.rest |= stop.rest;
-    if (stop.passage &&
-        (!before.passage || stop.passage->feedrate_mm_s < before.passage->feedrate_mm_s)) {
-      before.passage = stop.passage;
+    if (stop.junction &&
+        (!before.junction || stop.junction->feedrate_mm_s < before.junction->feedrate_mm_s)) {
+      before.junction = stop.junction;
     }
   }
   kept.push_back(stops.back());
@@ -54,7 +54,7 @@ double cell_from_mm(const GridScan& seen, double s_mm, double stop_mm) {
   return std::min(length, at_end);
 }
 
-EndFeeds feeds_of(const EndPassages& ends) {
+EndFeeds feeds_of(const EndJunctions& ends) {
   EndFeeds feeds = ends.beyond;
   if (ends.begin) {
     feeds.v_begin_mm_s = std::min(feeds.v_begin_mm_s, ends.begin->feedrate_mm_s);
@@ -77,7 +77,7 @@ EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits) {
   return {.v_begin_mm_s = feeds.front(), .v_end_mm_s = feeds.back()};
 }
 
-std::vector<Cell> grid_of(const BlockPath& path, const EndPassages& ends,
+std::vector<Cell> grid_of(const BlockPath& path, const EndJunctions& ends,
                           const PlanLimits& limits) {
   std::vector<CellStop> stops = cell_stops(path, ends, limits);
   const GridScan seen(path, feeds_of(ends), stops, limits);
@@ -103,8 +103,8 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndPassages& ends,
   }
   cells.back().ends_block = true;
   for (std::size_t i = 0; i < stops.size(); ++i) {
-    if (stops[i].passage && !stops[i].rest) {
-      share_limits(cells, boundaries[i], *stops[i].passage, limits);
+    if (stops[i].junction && !stops[i].rest) {
+      share_limits(cells, boundaries[i], *stops[i].junction, limits);
     }
   }
   bind_ways(ends.ways, cells);

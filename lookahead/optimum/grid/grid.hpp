@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lookahead/optimum/grid/passages.hpp"
+#include "lookahead/optimum/grid/cell_stops.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 
 namespace kerf::lookahead {
@@ -12,7 +12,8 @@ namespace kerf::lookahead {
 // part of the axes' limits, growing with the distance from such places where nothing happens. They
 // end where derivatives jump. Around jumps the cells have their share of the limits. Rests are
 // to be refined afterwards.
-std::vector<Cell> grid_of(const BlockPath& path, const EndPassages& ends, const PlanLimits& limits);
+std::vector<Cell> grid_of(const BlockPath& path, const EndJunctions& ends,
+                          const PlanLimits& limits);
 
 // How fast the ends of a block can be passed for what is on it, were there nothing beyond.
 EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits);

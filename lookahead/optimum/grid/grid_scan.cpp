@@ -78,8 +78,8 @@ std::vector<Cell> cells_between(const BlockPath& path, const std::vector<double>
     while (at < cells.size() && cells[at].s_begin_mm < stop.s_mm) {
       ++at;
     }
-    if (stop.passage && at < cells.size()) {
-      cells[at].begin.bind_feedrate(stop.passage->feedrate_mm_s, Constraint::joint);
+    if (stop.junction && at < cells.size()) {
+      cells[at].begin.bind_feedrate(stop.junction->feedrate_mm_s, Constraint::junction);
     }
   }
   return cells;
@@ -205,7 +205,7 @@ void GridScan::find_quiet(const BlockPath& path, const std::vector<Cell>& cells,
       cap_mm_[place] = std::min(cap_mm_[place], cap);
     }
   }
-  // What lies beyond a joint may ask for a change of feedrate that begins on this side of it.
+  // What lies beyond a junction may ask for a change of feedrate that begins on this side of it.
   if (ends.v_begin_mm_s < kUnbounded) {
     quiet_mm_.front() =
         std::min(quiet_mm_.front(), -ramp_mm(cells.front(), feeds_mm_s_.front(), limits));

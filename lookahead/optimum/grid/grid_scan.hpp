@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lookahead/optimum/grid/passages.hpp"
+#include "lookahead/optimum/grid/cell_stops.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 
 namespace kerf::lookahead {

@@ -20,23 +20,24 @@ void bind(const PassingWay& way, Cell& cell) {
   cell.end.bind_feedrate(cell.passing_mm_s, Constraint::chord_error);
 }
 
-// The most that a tick from the joint on is faster than the joint, in its mean. What passes the
-// joint at v has no more acceleration there than has come up under the jerk since it was at rest.
+// The most that a tick from the junction on is faster than the junction, in its mean. What passes
+// the junction at v has no more acceleration there than has come up under the jerk since it was at
+// rest.
 double gain_in_tick_mm_s(const PassedCurve& passed, const PlanLimits& limits) {
   const Cell cell{.along = passed.beside.along.ramp};
-  const CellEnd joint{.first = passed.joint.tangent};
-  const double a = tangential_acceleration_mm_s2(cell, joint, limits);
-  const double j = tangential_jerk_mm_s3(cell, joint, limits);
+  const CellEnd junction{.first = passed.junction.tangent};
+  const double a = tangential_acceleration_mm_s2(cell, junction, limits);
+  const double j = tangential_jerk_mm_s3(cell, junction, limits);
   const double t = limits.period_s;
   return std::min(0.5 * a * t,
-                  0.5 * std::sqrt(2.0 * j * passed.v_joint_mm_s) * t + j * t * t / 6.0);
+                  0.5 * std::sqrt(2.0 * j * passed.v_junction_mm_s) * t + j * t * t / 6.0);
 }
 
 }  // namespace
 
 PassingWay passing_way(const PassedCurve& passed, const PlanLimits& limits) {
   const double bound = passing_feedrate_mm_s(passed.curve, limits);
-  if (!(passed.v_joint_mm_s + gain_in_tick_mm_s(passed, limits) > bound)) {
+  if (!(passed.v_junction_mm_s + gain_in_tick_mm_s(passed, limits) > bound)) {
     return {};
   }
   return {.feedrate_mm_s = bound, .way_mm = bound * limits.period_s};

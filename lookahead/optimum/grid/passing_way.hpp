@@ -8,26 +8,26 @@
 
 namespace kerf::lookahead {
 
-// Beside a joint: no faster over this way.
+// Beside a junction: no faster over this way.
 struct PassingWay {
   double feedrate_mm_s = kUnbounded;
   double way_mm = 0.0;  // 0: nothing is asked
 };
 
-// curve: it joins `beside`, at no more than v_joint_mm_s.
+// curve: it joins `beside`, at no more than v_junction_mm_s.
 struct PassedCurve {
   const Block& curve;
-  const BlockEnd& joint;  // of `beside`
+  const BlockEnd& junction;  // of `beside`
   const Block& beside;
-  double v_joint_mm_s = 0.0;
+  double v_junction_mm_s = 0.0;
 };
 
 // The bound of the curve (passing_feedrate_mm_s) is one of a tick's mean feedrate, and a tick that
 // passes over all of it may speed up away from it, or fall towards it. Over the way of a tick at
 // that bound beside it the bound holds as well: a tick that sees all of the curve and leaves that
-// way takes longer than a tick. Nothing is asked where the feedrate that the joint allows keeps the
-// bound with all the acceleration that there is.
-// Weakness: where `beside` is shorter than the way, what lies beyond it is not bound.
+// way takes longer than a tick. Nothing is asked where the feedrate that the junction allows keeps
+// the bound with all the acceleration that there is. Weakness: where `beside` is shorter than the
+// way, what lies beyond it is not bound.
 PassingWay passing_way(const PassedCurve& passed, const PlanLimits& limits);
 
 struct PassingWays {

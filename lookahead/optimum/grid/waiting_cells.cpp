@@ -9,12 +9,12 @@ namespace kerf::lookahead {
 
 namespace {
 
-// Nothing jumps at a smooth joint, and beside a rest the cells are refined afterwards.
-std::optional<Passage> passage_at(const Joint& joint) {
-  if (joint.is_stop() || joint.smooth) {
+// Nothing jumps at a smooth junction, and beside a rest the cells are refined afterwards.
+std::optional<JunctionLimits> limits_at(const CellJunction& junction) {
+  if (junction.is_stop() || junction.smooth) {
     return std::nullopt;
   }
-  return joint.passing;
+  return junction.limits;
 }
 
 }  // namespace
@@ -32,15 +32,17 @@ void WaitingCells::push(const Window<Block>& blocks) {
   next.own = end_feeds_of(BlockPath(after, limits_), limits_);
   if (open_) {
     const Block& before = numbered(open_->number, blocks);
-    next.begin = joint_of({.before = &before, .after = &after}, limits_);
+    next.begin = cell_junction_of({.before = &before, .after = &after}, limits_);
     next.v_before_mm_s = open_->own.v_end_mm_s;
-    BlockJoin end{.joint = next.begin, .v_beyond_mm_s = next.own.v_begin_mm_s};
+    BlockJunction end{.junction = next.begin, .v_beyond_mm_s = next.own.v_begin_mm_s};
     if (!next.begin.is_stop()) {
       const double v = std::min(next.v_before_mm_s, next.own.v_begin_mm_s);
       end.way = passing_way(
-          {.curve = after, .joint = before.end, .beside = before, .v_joint_mm_s = v}, limits_);
+          {.curve = after, .junction = before.end, .beside = before, .v_junction_mm_s = v},
+          limits_);
       next.begin_way = passing_way(
-          {.curve = before, .joint = after.begin, .beside = after, .v_joint_mm_s = v}, limits_);
+          {.curve = before, .junction = after.begin, .beside = after, .v_junction_mm_s = v},
+          limits_);
     }
     close(end, blocks);
   }
@@ -53,12 +55,12 @@ void WaitingCells::close(const Window<Block>& blocks) {
   }
 }
 
-void WaitingCells::close(const BlockJoin& end, const Window<Block>& blocks) {
+void WaitingCells::close(const BlockJunction& end, const Window<Block>& blocks) {
   const OpenBlock open = *open_;
   open_.reset();
   const Block& block = numbered(open.number, blocks);
   const bool from_rest = open.begin.is_stop();
-  if (std::holds_alternative<curves::Line>(block.curve) && from_rest && end.joint.is_stop()) {
+  if (std::holds_alternative<curves::Line>(block.curve) && from_rest && end.junction.is_stop()) {
     cells_.push_back(
         {.cell = {.block = open.number, .length_mm = block.length_mm, .rest_after = true},
          .alone = true});
@@ -66,17 +68,17 @@ void WaitingCells::close(const BlockJoin& end, const Window<Block>& blocks) {
   }
   std::vector<Cell> cells =
       grid_of(BlockPath(block, limits_),
-              {.begin = passage_at(open.begin),
-               .end = passage_at(end.joint),
+              {.begin = limits_at(open.begin),
+               .end = limits_at(end.junction),
                .beyond = {.v_begin_mm_s = from_rest ? kUnbounded : open.v_before_mm_s,
-                          .v_end_mm_s = end.joint.is_stop() ? kUnbounded : end.v_beyond_mm_s},
+                          .v_end_mm_s = end.junction.is_stop() ? kUnbounded : end.v_beyond_mm_s},
                .ways = {.begin = open.begin_way, .end = end.way}},
               limits_);
   for (Cell& cell : cells) {
     cell.block = open.number;
     cells_.push_back({.cell = cell});
   }
-  cells_.back().cell.rest_after |= end.joint.is_stop();
+  cells_.back().cell.rest_after |= end.junction.is_stop();
 }
 
 void WaitingCells::clear() {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "lookahead/optimum/grid/cell.hpp"
-#include "lookahead/optimum/grid/joint_share.hpp"
+#include "lookahead/optimum/grid/junction_share.hpp"
 #include "lookahead/optimum/grid/passing_way.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 #include "lookahead/path/limits.hpp"
@@ -20,7 +20,7 @@ struct WaitingCell {
   bool alone = false;  // the only one of a line from rest to rest
 };
 
-// A block becomes cells once the joints at both its ends are known: when the next one comes, or
+// A block becomes cells once the junctions at both its ends are known: when the next one comes, or
 // when none does.
 class WaitingCells {
  public:
@@ -50,10 +50,10 @@ class WaitingCells {
   [[nodiscard]] PathAt path_of(const Window<Block>& blocks) const;
 
  private:
-  // A block that is not on the grid yet, and the joint at its beginning.
+  // A block that is not on the grid yet, and the junction at its beginning.
   struct OpenBlock {
     std::uint64_t number = 0;
-    Joint begin{};
+    CellJunction begin{};
     EndFeeds own{};                     // end_feeds_of
     double v_before_mm_s = kUnbounded;  // at the end of the block before, likewise
     PassingWay begin_way{};
@@ -63,12 +63,12 @@ class WaitingCells {
     return blocks[number - done_];
   }
   // The end of the open block.
-  struct BlockJoin {
-    Joint joint{};
+  struct BlockJunction {
+    CellJunction junction{};
     double v_beyond_mm_s = kUnbounded;
     PassingWay way{};
   };
-  void close(const BlockJoin& end, const Window<Block>& blocks);
+  void close(const BlockJunction& end, const Window<Block>& blocks);
 
   PlanLimits limits_;
   std::uint64_t pushed_ = 0;

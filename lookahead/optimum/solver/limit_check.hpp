@@ -17,7 +17,7 @@ struct Excess {
 };
 
 // Of one cell of the spline, at places within it; shares are left out: what counts is the
-// limit, or what a joint leaves of it.
+// limit, or what a junction leaves of it.
 Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
                  const PlanLimits& limits);
 

@@ -35,12 +35,12 @@ class Prices {
   std::array<double, interp::kConstraints> price_{};
 };
 
-bool is_beside_joint(const Cell& cell) {
+bool is_beside_junction(const Cell& cell) {
   return cell.allowed.jerk < kMostOfJerk;
 }
 
-Constraint unless_joint(const Cell& cell, Constraint limit) {
-  return is_beside_joint(cell) ? Constraint::joint : limit;
+Constraint unless_junction(const Cell& cell, Constraint limit) {
+  return is_beside_junction(cell) ? Constraint::junction : limit;
 }
 
 void add_place(const Cell& cell, const CellEnd& path, const SquaredFeed& feed,
@@ -52,18 +52,18 @@ void add_place(const Cell& cell, const CellEnd& path, const SquaredFeed& feed,
   const double j_share = cell.shares.jerk;
   prices.add(v / (cell.shares.feedrate * path.feedrate_mm_s), path.from);
   prices.add(std::abs(a) / (a_share * cell.along.acceleration_mm_s2),
-             unless_joint(cell, cell.along_from.acceleration));
+             unless_junction(cell, cell.along_from.acceleration));
   prices.add(std::abs(j) / (j_share * cell.along.jerk_mm_s3),
-             unless_joint(cell, cell.along_from.jerk));
+             unless_junction(cell, cell.along_from.jerk));
   for (std::size_t k = 0; k < limits.axes.size(); ++k) {
     const double q1 = path.first[k];
     const double q2 = path.second_per_mm[k];
     const double q3 = path.third_per_mm2[k];
     prices.add(std::abs(q1 * a + q2 * v * v) / (a_share * limits.axes[k].acceleration_mm_s2),
-               unless_joint(cell, interp::of_axis(Constraint::x_acceleration, k)));
+               unless_junction(cell, interp::of_axis(Constraint::x_acceleration, k)));
     prices.add(std::abs(q1 * j + 3.0 * q2 * v * a + q3 * v * v * v) /
                    (j_share * limits.axes[k].jerk_mm_s3),
-               unless_joint(cell, interp::of_axis(Constraint::x_jerk, k)));
+               unless_junction(cell, interp::of_axis(Constraint::x_jerk, k)));
   }
 }
 
@@ -77,8 +77,8 @@ Constraint tightest_constraint(const Cell& cell, const CellFeed& feed, const Pla
   const double cap = 0.5 * (cell.begin.feedrate_mm_s * cell.begin.feedrate_mm_s +
                             cell.end.feedrate_mm_s * cell.end.feedrate_mm_s);
   prices.add(std::sqrt(std::max(feed.coefficient, 0.0) / cap) / cell.shares.feedrate, lower.from);
-  // Between two places that a joint holds down nothing else comes near.
-  return is_beside_joint(cell) && prices.are_low() ? Constraint::joint : prices.highest();
+  // Between two places that a junction holds down nothing else comes near.
+  return is_beside_junction(cell) && prices.are_low() ? Constraint::junction : prices.highest();
 }
 
 // With s = j t^3 / 6: v = j t^2 / 2, so j = 2 v^3 / (9 s^2).
@@ -91,10 +91,10 @@ Constraint tightest_constraint_at_rest(const Cell& cell, double v_mm_s, bool lau
   Prices prices;
   prices.add(v / (cell.shares.feedrate * moving.feedrate_mm_s), moving.from);
   prices.add(j / (cell.shares.jerk * cell.along.jerk_mm_s3),
-             unless_joint(cell, cell.along_from.jerk));
+             unless_junction(cell, cell.along_from.jerk));
   for (std::size_t k = 0; k < limits.axes.size(); ++k) {
     prices.add(std::abs(rest.first[k]) * j / (cell.shares.jerk * limits.axes[k].jerk_mm_s3),
-               unless_joint(cell, interp::of_axis(Constraint::x_jerk, k)));
+               unless_junction(cell, interp::of_axis(Constraint::x_jerk, k)));
   }
   return prices.highest();
 }

@@ -1,5 +1,5 @@
-// Joints beside curves whose turning binds.
-#include "lookahead/classical/turn_joint.hpp"
+// Junctions beside curves whose turning binds.
+#include "lookahead/classical/turn_junction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace kerf::lookahead::test {
 namespace {
 
-TEST(TurnJoint, LeavesRoomForTheThirdDerivativeWithinTheConstantVelocity) {
+TEST(TurnJunction, LeavesRoomForTheThirdDerivativeWithinTheConstantVelocity) {
   const PlanLimits limits =
       axis_limits({.velocity_mm_s = 200.0, .acceleration_mm_s2 = 2000.0, .jerk_mm_s3 = 5e4});
   const curves::NurbsData curve = curves::testing::shipped_curve("trident7");
@@ -22,25 +22,25 @@ TEST(TurnJoint, LeavesRoomForTheThirdDerivativeWithinTheConstantVelocity) {
   const VelocitySegment line = whole_segment(blocks[0]);
   const VelocitySegment first = split(blocks[1], turning, limits).front();
   const Junction found{.feedrate_mm_s = 50.0, .constant_velocity_s = 0.003};
-  const Junction joint = beside_turning(
+  const Junction junction = beside_turning(
       found,
       {.blocks = {.before = &blocks[0], .after = &blocks[1]}, .before = &line, .after = &first},
       limits);
-  const double v = joint.feedrate_mm_s;
+  const double v = junction.feedrate_mm_s;
   EXPECT_LT(v, found.feedrate_mm_s);
   EXPECT_GT(v, 0.0);
-  EXPECT_LE(2.0 * v * joint.constant_velocity_s, first.length_mm);
+  EXPECT_LE(2.0 * v * junction.constant_velocity_s, first.length_mm);
   for (const TurnSample& at : first.turning) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double turn = std::abs(blocks[1].begin.tangent[k] - blocks[0].end.tangent[k]);
-      if (at.s_mm <= v * joint.constant_velocity_s) {
+      if (at.s_mm <= v * junction.constant_velocity_s) {
         EXPECT_LE(v * turn / 1e-6 + std::abs(at.third_per_mm2[k]) * v * v * v, 5e4 * 1.001);
       }
     }
   }
 }
 
-TEST(TurnJoint, LeavesAStopAndASmoothJointAsTheyAre) {
+TEST(TurnJunction, LeavesAStopAndASmoothJunctionAsTheyAre) {
   EXPECT_EQ(
       beside_turning({.feedrate_mm_s = 0.0, .constant_velocity_s = 0.003}, {}, {}).feedrate_mm_s,
       0.0);

@@ -5,23 +5,23 @@
 #include <vector>
 
 #include "lookahead/optimum/grid/block_path.hpp"
-#include "lookahead/optimum/grid/joint_share.hpp"
+#include "lookahead/optimum/grid/junction_share.hpp"
 #include "lookahead/optimum/grid/passing_way.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 
 namespace kerf::lookahead {
 
-// How a block's joints are passed; none: a rest, or nothing jumps there.
-struct EndPassages {
-  std::optional<Passage> begin{};
-  std::optional<Passage> end{};
-  EndFeeds beyond{};  // what the neighbours leave where the joint itself is smooth
+// How a block's junctions are passed; none: a rest, or nothing jumps there.
+struct EndJunctions {
+  std::optional<JunctionLimits> begin{};
+  std::optional<JunctionLimits> end{};
+  EndFeeds beyond{};  // what the neighbours leave where the junction itself is smooth
   PassingWays ways{};
 };
 
 struct CellStop {
   double s_mm = 0.0;
-  std::optional<Passage> passage{};  // of what jumps there
+  std::optional<JunctionLimits> junction{};  // of what jumps there
   bool rest = false;
   double slack_mm = 0.0;  // another place so near will do
 };
@@ -30,7 +30,7 @@ struct CellStop {
 // and where the ways of three ticks beside jumps end, for a cell that begins in one has no more
 // than its share, and where the ways beside curves that a tick passes over whole end. Jumps that a
 // third difference may see together share what is theirs.
-std::vector<CellStop> cell_stops(const BlockPath& path, const EndPassages& ends,
+std::vector<CellStop> cell_stops(const BlockPath& path, const EndJunctions& ends,
                                  const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

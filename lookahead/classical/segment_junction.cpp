@@ -1,4 +1,4 @@
-#include "lookahead/classical/segment_joint.hpp"
+#include "lookahead/classical/segment_junction.hpp"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ namespace {
 constexpr double kBelowRounding = 1.0 - 1e-9;
 
 // By how much the mean of a tick that begins with the ramp of a segment is above its beginning.
-double gain_in_tick_mm_s(const VelocitySegment& segment, const JointRules& rules) {
+double gain_in_tick_mm_s(const VelocitySegment& segment, const JunctionRules& rules) {
   const double period_s = rules.limits.period_s;
   const double by_acceleration = 0.5 * segment.limits.ramp.acceleration_mm_s2 * period_s;
   const double by_jerk = segment.limits.ramp.jerk_mm_s3 * period_s * period_s / 6.0;
@@ -19,10 +19,10 @@ double gain_in_tick_mm_s(const VelocitySegment& segment, const JointRules& rules
                                                         : std::min(by_acceleration, by_jerk);
 }
 
-// Beside the segment, at the feedrate of the joint with one that speeds up away from it.
-double constant_velocity_beside_s(const Block& block, double v_joint_mm_s,
-                                  const VelocitySegment& speeding_up, const JointRules& rules) {
-  const double fastest_mm_s = v_joint_mm_s + gain_in_tick_mm_s(speeding_up, rules);
+// Beside the segment, at the feedrate of the junction with one that speeds up away from it.
+double constant_velocity_beside_s(const Block& block, double v_junction_mm_s,
+                                  const VelocitySegment& speeding_up, const JunctionRules& rules) {
+  const double fastest_mm_s = v_junction_mm_s + gain_in_tick_mm_s(speeding_up, rules);
   return passing_feedrate_mm_s(block, rules.limits) < fastest_mm_s ? rules.limits.period_s : 0.0;
 }
 
@@ -35,7 +35,8 @@ void fit_constant_velocity(double constant_velocity_s, const VelocitySegment& se
 
 }  // namespace
 
-double valley_mm_s(double ceiling_mm_s, const VelocitySegment& segment, const JointRules& rules) {
+double valley_mm_s(double ceiling_mm_s, const VelocitySegment& segment,
+                   const JunctionRules& rules) {
   if (rules.profile.kind() != ProfileKind::trapezoid) {
     return ceiling_mm_s;
   }
@@ -43,11 +44,11 @@ double valley_mm_s(double ceiling_mm_s, const VelocitySegment& segment, const Jo
   return std::max(ceiling_mm_s - rise, 0.5 * ceiling_mm_s);
 }
 
-SegmentJoint segment_joint(const JointSides& sides, const JointRules& rules) {
+SegmentJunction segment_junction(const JunctionSides& sides, const JunctionRules& rules) {
   const Block& before = *sides.blocks.before;
   const Block& after = *sides.blocks.after;
-  Junction joint = junction(sides.blocks, rules.limits);
-  double& v = joint.feedrate_mm_s;
+  Junction junction = junction_of(sides.blocks, rules.limits);
+  double& v = junction.feedrate_mm_s;
   if (!before.ceiling.empty()) {
     const double end_mm_s =
         std::min(before.ceiling.back().v_mm_s, sides.before->fall.bottom_mm_s());
@@ -58,21 +59,21 @@ SegmentJoint segment_joint(const JointSides& sides, const JointRules& rules) {
         std::min(after.ceiling.front().v_mm_s, sides.after->rise.bottom_mm_s());
     v = std::min(v, valley_mm_s(begin_mm_s, *sides.after, rules));
   }
-  if (joint.constant_velocity_s > 0.0) {
+  if (junction.constant_velocity_s > 0.0) {
     const bool turns = !sides.before->turning.empty() || !sides.after->turning.empty();
-    joint = turns ? beside_turning(joint, sides, rules.limits) : joint;
+    junction = turns ? beside_turning(junction, sides, rules.limits) : junction;
   }
   v = std::min(
       {v, passing_feedrate_mm_s(before, rules.limits), passing_feedrate_mm_s(after, rules.limits)});
-  if (joint.constant_velocity_s > 0.0 || v == 0.0) {
-    return {.end = joint, .begin_constant_velocity_s = joint.constant_velocity_s};
+  if (junction.constant_velocity_s > 0.0 || v == 0.0) {
+    return {.end = junction, .begin_constant_velocity_s = junction.constant_velocity_s};
   }
   const double begin_constant_velocity_s =
       constant_velocity_beside_s(before, v, *sides.after, rules);
-  joint.constant_velocity_s = constant_velocity_beside_s(after, v, *sides.before, rules);
-  fit_constant_velocity(joint.constant_velocity_s, *sides.before, v);
+  junction.constant_velocity_s = constant_velocity_beside_s(after, v, *sides.before, rules);
+  fit_constant_velocity(junction.constant_velocity_s, *sides.before, v);
   fit_constant_velocity(begin_constant_velocity_s, *sides.after, v);
-  return {.end = joint, .begin_constant_velocity_s = begin_constant_velocity_s};
+  return {.end = junction, .begin_constant_velocity_s = begin_constant_velocity_s};
 }
 
 }  // namespace kerf::lookahead

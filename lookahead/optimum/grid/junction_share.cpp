@@ -1,4 +1,4 @@
-#include "lookahead/optimum/grid/joint_share.hpp"
+#include "lookahead/optimum/grid/junction_share.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,24 +54,24 @@ PlanLimits jump_limits(const PlanLimits& limits, const JumpShares& shares) {
 
 namespace {
 
-Passage passage_with(const Jump& jump, double feedrate_mm_s, const JumpShares& shares,
-                     const PlanLimits& limits) {
-  Passage passage{.feedrate_mm_s = feedrate_mm_s, .shares = shares};
+JunctionLimits junction_limits_with(const Jump& jump, double feedrate_mm_s,
+                                    const JumpShares& shares, const PlanLimits& limits) {
+  JunctionLimits junction{.feedrate_mm_s = feedrate_mm_s, .shares = shares};
   double step = 0.0;
   for_each_turn(jump.before, jump.after, limits, [&](double turn, const MotionLimits& axis) {
     if (turn > 0.0) {
       const double jerk = limit_or_path(axis.jerk_mm_s3, limits.path.jerk_mm_s3);
       const double a = limit_or_path(axis.acceleration_mm_s2, limits.path.acceleration_mm_s2);
-      passage.acceleration_mm_s2 = std::min(
-          passage.acceleration_mm_s2, shares.turn * jerk * limits.period_s / (kStepPeak * turn));
+      junction.acceleration_mm_s2 = std::min(
+          junction.acceleration_mm_s2, shares.turn * jerk * limits.period_s / (kStepPeak * turn));
       step = std::max(step, feedrate_mm_s * turn / (limits.period_s * a));
     }
   });
-  passage.acceleration_share = kAllShares - std::min(step, kStepShare);
-  return passage;
+  junction.acceleration_share = kAllShares - std::min(step, kStepShare);
+  return junction;
 }
 
-// A tick around a joint at which the feedrate is least is longer than at that feedrate, by
+// A tick around a junction at which the feedrate is least is longer than at that feedrate, by
 // J Ts^3 / 24 at the most. 0: a stop.
 double chord_bound_mm_s(const JunctionQuery& query, const JumpShares& shares,
                         const PlanLimits& limits) {
@@ -92,81 +92,80 @@ double chord_bound_mm_s(const JunctionQuery& query, const JumpShares& shares,
       0.0);
 }
 
-// The way of three ticks beside a joint, on a block.
-double zone_mm(const Block& block, const BlockEnd& end, const Passage& passage,
+// The way of three ticks beside a junction, on a block.
+double zone_mm(const Block& block, const BlockEnd& end, const JunctionLimits& junction,
                const PlanLimits& limits) {
-  return zone_mm(Cell{.along = block.along.ramp}, CellEnd{.first = end.tangent}, passage, limits);
+  return zone_mm(Cell{.along = block.along.ramp}, CellEnd{.first = end.tangent}, junction, limits);
 }
 
 }  // namespace
 
-Passage passage_of(const Jump& jump, const PlanLimits& limits) {
-  Passage passage;
+JunctionLimits junction_limits_of(const Jump& jump, const PlanLimits& limits) {
+  JunctionLimits junction;
   for (const JumpShares& shares : kShares) {
     JumpShares of_one = shares;
     of_one.jump /= jump.crowd;
     const double corner =
         corner_feedrate_mm_s(jump.before, jump.after, jump_limits(limits, of_one));
-    passage = passage_with(jump, std::min(jump.allowed_mm_s, corner), shares, limits);
+    junction = junction_limits_with(jump, std::min(jump.allowed_mm_s, corner), shares, limits);
     if (corner >= jump.allowed_mm_s) {
       break;
     }
   }
-  return passage;
+  return junction;
 }
 
-Joint joint_of(const JunctionQuery& query, const PlanLimits& limits) {
+CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limits) {
   const Block& before = *query.before;
   const Block& after = *query.after;
   if (after.continues && !before.stop_after) {
-    return {.smooth = true, .passing = {.feedrate_mm_s = junction(query, limits).feedrate_mm_s}};
+    return {.smooth = true, .limits = {.feedrate_mm_s = junction_of(query, limits).feedrate_mm_s}};
   }
   const Jump jump{.before = before.end, .after = after.begin};
-  const double free_mm_s = junction(query, jump_limits(limits, {.jump = 1.0})).feedrate_mm_s;
+  const double free_mm_s = junction_of(query, jump_limits(limits, {.jump = 1.0})).feedrate_mm_s;
   for (const JumpShares& shares : kShares) {
     const double chord = chord_bound_mm_s(query, shares, limits);
-    Junction passing = junction(query, jump_limits(limits, shares));
-    passing.feedrate_mm_s = std::min(passing.feedrate_mm_s, chord);
-    const Passage passage = passage_with(jump, passing.feedrate_mm_s, shares, limits);
-    // Ways that overlap would let a third difference see two joints.
-    const bool fits = zone_mm(before, before.end, passage, limits) <= 0.5 * before.length_mm &&
-                      zone_mm(after, after.begin, passage, limits) <= 0.5 * after.length_mm;
-    if ((fits && passing.feedrate_mm_s >= std::min(free_mm_s, chord)) ||
-        &shares == &kShares.back()) {
-      const bool stops = passing.feedrate_mm_s == 0.0;
-      return {.smooth = !stops && passing.constant_velocity_s == 0.0, .passing = passage};
+    Junction found = junction_of(query, jump_limits(limits, shares));
+    found.feedrate_mm_s = std::min(found.feedrate_mm_s, chord);
+    const JunctionLimits junction = junction_limits_with(jump, found.feedrate_mm_s, shares, limits);
+    // Ways that overlap would let a third difference see two junctions.
+    const bool fits = zone_mm(before, before.end, junction, limits) <= 0.5 * before.length_mm &&
+                      zone_mm(after, after.begin, junction, limits) <= 0.5 * after.length_mm;
+    if ((fits && found.feedrate_mm_s >= std::min(free_mm_s, chord)) || &shares == &kShares.back()) {
+      const bool stops = found.feedrate_mm_s == 0.0;
+      return {.smooth = !stops && found.constant_velocity_s == 0.0, .limits = junction};
     }
   }
   return {};
 }
 
-double zone_mm(const Cell& cell, const CellEnd& end, const Passage& passage,
+double zone_mm(const Cell& cell, const CellEnd& end, const JunctionLimits& junction,
                const PlanLimits& limits) {
-  const JumpShares& shares = passage.shares;
+  const JumpShares& shares = junction.shares;
   const double t = kSupportTicks * limits.period_s;
   const double a = shares.tangential * tangential_acceleration_mm_s2(cell, end, limits);
   const double j = shares.cells * tangential_jerk_mm_s3(cell, end, limits);
-  return t * (passage.feedrate_mm_s + t * (a + 0.5 * t * j));
+  return t * (junction.feedrate_mm_s + t * (a + 0.5 * t * j));
 }
 
 namespace {
 
 // cell, end: beside the jump.
-void bind_beside(const Passage& passage, Cell& cell, CellEnd& end) {
-  end.bind_feedrate(passage.feedrate_mm_s, Constraint::joint);
+void bind_beside(const JunctionLimits& junction, Cell& cell, CellEnd& end) {
+  end.bind_feedrate(junction.feedrate_mm_s, Constraint::junction);
   // The share taken off again: the cap holds whatever the share.
   double& a = cell.along.acceleration_mm_s2;
-  a = std::min(a, passage.acceleration_mm_s2 / passage.acceleration_share);
+  a = std::min(a, junction.acceleration_mm_s2 / junction.acceleration_share);
 }
 
-double leave_rest(const Passage& passage, const PlanLimits& limits, Cell& cell) {
-  const JumpShares& shares = passage.shares;
+double leave_rest(const JunctionLimits& junction, const PlanLimits& limits, Cell& cell) {
+  const JumpShares& shares = junction.shares;
   if (shares.tangential < 1.0 && cell.allowed.jerk > shares.cells) {
     cell.along.acceleration_mm_s2 = std::min(
-        cell.along.acceleration_mm_s2, shares.tangential / passage.acceleration_share *
+        cell.along.acceleration_mm_s2, shares.tangential / junction.acceleration_share *
                                            tangential_acceleration_mm_s2(cell, cell.begin, limits));
   }
-  cell.allowed.acceleration = std::min(cell.allowed.acceleration, passage.acceleration_share);
+  cell.allowed.acceleration = std::min(cell.allowed.acceleration, junction.acceleration_share);
   cell.allowed.jerk = std::min(cell.allowed.jerk, shares.cells);
   cell.shares.acceleration = kAim * cell.allowed.acceleration;
   cell.shares.jerk = kAim * cell.allowed.jerk;
@@ -175,24 +174,24 @@ double leave_rest(const Passage& passage, const PlanLimits& limits, Cell& cell) 
 
 }  // namespace
 
-void share_limits(std::vector<Cell>& cells, std::size_t boundary, const Passage& passage,
+void share_limits(std::vector<Cell>& cells, std::size_t boundary, const JunctionLimits& junction,
                   const PlanLimits& limits) {
   if (boundary > 0) {
     Cell& last = cells[boundary - 1];
-    const double zone = zone_mm(last, last.end, passage, limits);
-    bind_beside(passage, last, last.end);
+    const double zone = zone_mm(last, last.end, junction, limits);
+    bind_beside(junction, last, last.end);
     double way = 0.0;
     for (std::size_t i = boundary; i-- > 0 && way < zone;) {
-      way += leave_rest(passage, limits, cells[i]);
+      way += leave_rest(junction, limits, cells[i]);
     }
   }
   if (boundary < cells.size()) {
     Cell& first = cells[boundary];
-    const double zone = zone_mm(first, first.begin, passage, limits);
-    bind_beside(passage, first, first.begin);
+    const double zone = zone_mm(first, first.begin, junction, limits);
+    bind_beside(junction, first, first.begin);
     double way = 0.0;
     for (std::size_t i = boundary; i < cells.size() && way < zone; ++i) {
-      way += leave_rest(passage, limits, cells[i]);
+      way += leave_rest(junction, limits, cells[i]);
     }
   }
 }

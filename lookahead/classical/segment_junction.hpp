@@ -1,17 +1,17 @@
 // How the segments of two blocks join in the classical schedule.
 #pragma once
 
-#include "lookahead/classical/turn_joint.hpp"
+#include "lookahead/classical/turn_junction.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::lookahead {
 
-struct SegmentJoint {
+struct SegmentJunction {
   Junction end{};                          // of the segment before, with its constant velocity
   double begin_constant_velocity_s = 0.0;  // of the segment after
 };
 
-struct JointRules {
+struct JunctionRules {
   const PlanLimits& limits;
   const profiles::Profile& profile;
 };
@@ -20,11 +20,11 @@ struct JointRules {
 // jerk jumps from -A to A, and the mean of the tick around it is A Ts / 4 above its middle at the
 // most. No less than half of the ceiling: where A Ts / 4 is more than that, the scan has made the
 // ceiling so wide that the tick is all in it.
-double valley_mm_s(double ceiling_mm_s, const VelocitySegment& segment, const JointRules& rules);
+double valley_mm_s(double ceiling_mm_s, const VelocitySegment& segment, const JunctionRules& rules);
 
 // As fast as both blocks may be passed, and beside one that a tick might pass over faster than that
 // a tick at constant velocity, outside of it, so that no tick that sees all of it has a part of a
 // ramp.
-SegmentJoint segment_joint(const JointSides& sides, const JointRules& rules);
+SegmentJunction segment_junction(const JunctionSides& sides, const JunctionRules& rules);
 
 }  // namespace kerf::lookahead

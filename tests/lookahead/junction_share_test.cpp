@@ -1,6 +1,6 @@
-// How the time optimum passes joints: as fast as the jump allows, and no slower for one that hardly
-// counts.
-#include "lookahead/optimum/grid/joint_share.hpp"
+// How the time optimum passes junctions: as fast as the jump allows, and no slower for one that
+// hardly counts.
+#include "lookahead/optimum/grid/junction_share.hpp"
 
 #include <cmath>
 
@@ -21,7 +21,7 @@ double duration_s(const std::vector<parser::Move>& moves, ProfileKind kind) {
 // Onto an arc of 2 m radius 0.75 v^2 / (R Ts) is an eighth of the jerk at 130 mm/s, so the motion
 // is nearly that over the straight line of the same length, whose time is known: V and A are
 // reached, L / V + V / A + A / J.
-TEST(JointShare, AMildJointIsPassedWhileTheToolSpeedsUp) {
+TEST(JunctionShare, AMildJunctionIsPassedWhileTheToolSpeedsUp) {
   const double radius = 2000.0;
   const double angle = 0.03;
   const Position end{4.0 + radius * std::sin(angle), radius * (1.0 - std::cos(angle)), 0.0};
@@ -35,9 +35,9 @@ TEST(JointShare, AMildJointIsPassedWhileTheToolSpeedsUp) {
   EXPECT_LE(time, 1.02 * straight);
 }
 
-// Every joint of a polygon is a hard one. The S-curve plans such a row of lines between given
+// Every junction of a polygon is a hard one. The S-curve plans such a row of lines between given
 // feedrates, which is optimal there.
-TEST(JointShare, ARowOfHardJointsIsHardlySlowerThanByTheSCurve) {
+TEST(JunctionShare, ARowOfHardJunctionsIsHardlySlowerThanByTheSCurve) {
   for (const double radius : {20.0, 60.0}) {
     const auto moves = polyline(120, radius, 60.0);
     EXPECT_LE(duration_s(moves, ProfileKind::time_optimal),
@@ -47,7 +47,7 @@ TEST(JointShare, ARowOfHardJointsIsHardlySlowerThanByTheSCurve) {
 }
 
 // A jump within a curve: from an arc of 5 mm to one of 8 mm.
-TEST(JointShare, WhatAJumpAsksForFitsIntoItsShare) {
+TEST(JunctionShare, WhatAJumpAsksForFitsIntoItsShare) {
   const PlanLimits limits = mill();
   Jump jump;
   jump.before.curvature_per_mm = {0.0, 0.2, 0.0};
@@ -56,19 +56,19 @@ TEST(JointShare, WhatAJumpAsksForFitsIntoItsShare) {
     for (const int crowd : {1, 3}) {
       jump.allowed_mm_s = allowed;
       jump.crowd = crowd;
-      const Passage passage = passage_of(jump, limits);
-      const double v = passage.feedrate_mm_s;
+      const JunctionLimits junction = junction_limits_of(jump, limits);
+      const double v = junction.feedrate_mm_s;
       EXPECT_LE(v, allowed);
-      EXPECT_LE(crowd * 0.75 * 0.075 * v * v / kTs, passage.shares.jump * 5e4 * (1.0 + 1e-9));
-      EXPECT_LT(passage.shares.jump + passage.shares.turn + passage.shares.cells, 1.0);
+      EXPECT_LE(crowd * 0.75 * 0.075 * v * v / kTs, junction.shares.jump * 5e4 * (1.0 + 1e-9));
+      EXPECT_LT(junction.shares.jump + junction.shares.turn + junction.shares.cells, 1.0);
       const bool binds = v < allowed;
-      EXPECT_TRUE(!binds || passage.shares.jump > 0.9) << "what binds has nearly all";
+      EXPECT_TRUE(!binds || junction.shares.jump > 0.9) << "what binds has nearly all";
     }
   }
   // At 10 mm/s it takes 5625 of 50000: a ninth.
   jump.allowed_mm_s = 10.0;
   jump.crowd = 1;
-  EXPECT_GT(passage_of(jump, limits).shares.cells, 0.5);
+  EXPECT_GT(junction_limits_of(jump, limits).shares.cells, 0.5);
 }
 
 }  // namespace

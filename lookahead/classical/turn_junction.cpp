@@ -1,4 +1,4 @@
-#include "lookahead/classical/turn_joint.hpp"
+#include "lookahead/classical/turn_junction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,19 +45,21 @@ Largest largest_near(double place_mm, const VelocitySegment& segment,
 
 }  // namespace
 
-Junction beside_turning(const Junction& found, const JointSides& sides, const PlanLimits& limits) {
-  Junction joint = found;
-  if (joint.feedrate_mm_s == 0.0 || joint.constant_velocity_s == 0.0) {
-    return joint;
+Junction beside_turning(const Junction& found, const JunctionSides& sides,
+                        const PlanLimits& limits) {
+  Junction junction = found;
+  if (junction.feedrate_mm_s == 0.0 || junction.constant_velocity_s == 0.0) {
+    return junction;
   }
-  double& v = joint.feedrate_mm_s;
+  double& v = junction.feedrate_mm_s;
   for (const VelocitySegment* segment : {sides.before, sides.after}) {
     if (!segment->turning.empty()) {
-      v = std::min(v, kBelowRounding * 0.5 * segment->length_mm / joint.constant_velocity_s);
+      v = std::min(v, kBelowRounding * 0.5 * segment->length_mm / junction.constant_velocity_s);
     }
   }
   for (int i = 0; i < kRounds; ++i) {
-    const ConstantVelocity constant_velocity{.v_mm_s = v, .duration_s = joint.constant_velocity_s};
+    const ConstantVelocity constant_velocity{.v_mm_s = v,
+                                             .duration_s = junction.constant_velocity_s};
     const double end_mm = sides.before->s_begin_mm + sides.before->length_mm;
     const Largest before = largest_near(end_mm, *sides.before, constant_velocity);
     const Largest after = largest_near(sides.after->s_begin_mm, *sides.after, constant_velocity);
@@ -73,7 +75,7 @@ Junction beside_turning(const Junction& found, const JointSides& sides, const Pl
     }
     v = std::min({v, jerk, corner_feedrate_mm_s(end, begin, limits)});
   }
-  return joint;
+  return junction;
 }
 
 }  // namespace kerf::lookahead

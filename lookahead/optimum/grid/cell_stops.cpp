@@ -1,4 +1,4 @@
-#include "lookahead/optimum/grid/passages.hpp"
+#include "lookahead/optimum/grid/cell_stops.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,20 +20,21 @@ PlanLimits of_axes(PlanLimits limits) {
   return limits;
 }
 
-double zone_at(const BlockPath& path, double s_mm, const Passage& passage,
+double zone_at(const BlockPath& path, double s_mm, const JunctionLimits& junction,
                const PlanLimits& limits) {
-  return kJustBeyond * zone_mm(Cell{.along = path.along()}, path.at(s_mm), passage, limits);
+  return kJustBeyond * zone_mm(Cell{.along = path.along()}, path.at(s_mm), junction, limits);
 }
 
 // The slower a jump is passed, the fewer others are within its ticks.
-Passage inner_passage(const BlockPath& path, double s_mm, Jump jump,
-                      const std::vector<BlockPath::Break>& breaks, const PlanLimits& limits) {
+JunctionLimits inner_junction(const BlockPath& path, double s_mm, Jump jump,
+                              const std::vector<BlockPath::Break>& breaks,
+                              const PlanLimits& limits) {
   const CellEnd here = path.at(s_mm);
   jump.allowed_mm_s = turning_feedrate_mm_s(Cell{.along = path.along()}, here, limits);
-  Passage passage;
+  JunctionLimits junction;
   for (int i = 0; i < kCrowdRounds; ++i) {
-    passage = passage_of(jump, of_axes(limits));
-    const double zone = zone_at(path, s_mm, passage, limits);
+    junction = junction_limits_of(jump, of_axes(limits));
+    const double zone = zone_at(path, s_mm, junction, limits);
     const auto crowd = std::count_if(breaks.begin(), breaks.end(), [&](const auto& other) {
       return other.jump && std::abs(other.s_mm - s_mm) < zone;
     });
@@ -42,20 +43,20 @@ Passage inner_passage(const BlockPath& path, double s_mm, Jump jump,
     }
     jump.crowd = static_cast<int>(crowd);
   }
-  return passage;
+  return junction;
 }
 
 }  // namespace
 
-std::vector<CellStop> cell_stops(const BlockPath& path, const EndPassages& ends,
+std::vector<CellStop> cell_stops(const BlockPath& path, const EndJunctions& ends,
                                  const PlanLimits& limits) {
   const std::vector<BlockPath::Break> breaks = path.breaks();
-  std::vector<CellStop> stops{{.s_mm = 0.0, .passage = ends.begin}};
+  std::vector<CellStop> stops{{.s_mm = 0.0, .junction = ends.begin}};
   for (const BlockPath::Break& place : breaks) {
     CellStop& stop = stops.emplace_back(CellStop{
         .s_mm = place.s_mm, .rest = place.rest, .slack_mm = place.valley ? kUnbounded : 0.0});
     if (place.jump) {
-      stop.passage = inner_passage(path, place.s_mm, *place.jump, breaks, limits);
+      stop.junction = inner_junction(path, place.s_mm, *place.jump, breaks, limits);
     }
   }
   for (const double s : {ends.ways.begin.way_mm, path.length_mm() - ends.ways.end.way_mm}) {
@@ -63,12 +64,12 @@ std::vector<CellStop> cell_stops(const BlockPath& path, const EndPassages& ends,
       stops.push_back({.s_mm = s});
     }
   }
-  stops.push_back({.s_mm = path.length_mm(), .passage = ends.end});
+  stops.push_back({.s_mm = path.length_mm(), .junction = ends.end});
   const std::size_t count = stops.size();
   for (std::size_t i = 0; i < count; ++i) {
-    if (stops[i].passage) {
+    if (stops[i].junction) {
       const double s = stops[i].s_mm;
-      const double zone = zone_at(path, s, *stops[i].passage, limits);
+      const double zone = zone_at(path, s, *stops[i].junction, limits);
       for (const double end : {s - zone, s + zone}) {
         if (end > 0.0 && end < path.length_mm()) {
           stops.push_back({.s_mm = end, .slack_mm = kZoneSlack * zone});

@@ -1,4 +1,4 @@
-// How fast a joint may be passed beside a curve whose turning binds.
+// How fast a junction may be passed beside a curve whose turning binds.
 #pragma once
 
 #include "lookahead/classical/velocity_segment.hpp"
@@ -6,17 +6,18 @@
 
 namespace kerf::lookahead {
 
-// The segments on both sides of a joint, and what they are part of.
-struct JointSides {
+// The segments on both sides of a junction, and what they are part of.
+struct JunctionSides {
   JunctionQuery blocks{};
   const VelocitySegment* before = nullptr;
   const VelocitySegment* after = nullptr;
 };
 
 // junction() knows a curve at its end alone and leaves nothing for what turning asks of the axes
-// within the ticks that see the joint. Here it is asked again, with the largest second and third
+// within the ticks that see the junction. Here it is asked again, with the largest second and third
 // derivative within the parts at constant velocity, and both parts at constant velocity fit into
 // half a segment. Never faster than found.
-Junction beside_turning(const Junction& found, const JointSides& sides, const PlanLimits& limits);
+Junction beside_turning(const Junction& found, const JunctionSides& sides,
+                        const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

@@ -27,7 +27,7 @@ struct JumpShares {
 PlanLimits jump_limits(const PlanLimits& limits, const JumpShares& shares);
 
 // A place that may be passed although something jumps there.
-struct Passage {
+struct JunctionLimits {
   double feedrate_mm_s = kUnbounded;
   double acceleration_mm_s2 = kUnbounded;  // along the path
   JumpShares shares{};
@@ -45,25 +45,25 @@ struct Jump {
 };
 
 // With the least shares of the jump at which the allowed feedrate can be kept.
-Passage passage_of(const Jump& jump, const PlanLimits& limits);
+JunctionLimits junction_limits_of(const Jump& jump, const PlanLimits& limits);
 
-// How a joint may be passed; a stop, unless said otherwise.
-struct Joint {
+// How a junction may be passed; a stop, unless said otherwise.
+struct CellJunction {
   bool smooth = false;  // nothing jumps there
-  Passage passing{.feedrate_mm_s = 0.0};
+  JunctionLimits limits{.feedrate_mm_s = 0.0};
 
-  [[nodiscard]] bool is_stop() const noexcept { return passing.feedrate_mm_s == 0.0; }
+  [[nodiscard]] bool is_stop() const noexcept { return limits.feedrate_mm_s == 0.0; }
 };
 
-Joint joint_of(const JunctionQuery& query, const PlanLimits& limits);
+CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limits);
 
 // The way of three ticks from a jump, at the most. cell, end: beside it.
-double zone_mm(const Cell& cell, const CellEnd& end, const Passage& passage,
+double zone_mm(const Cell& cell, const CellEnd& end, const JunctionLimits& junction,
                const PlanLimits& limits);
 
 // Caps feedrate and acceleration at a boundary of cells, the one before cells[boundary] (0 and the
 // count of cells are the ends), and leaves the cells around it their share.
-void share_limits(std::vector<Cell>& cells, std::size_t boundary, const Passage& passage,
+void share_limits(std::vector<Cell>& cells, std::size_t boundary, const JunctionLimits& junction,
                   const PlanLimits& limits);
 
 }  // namespace kerf::lookahead
