@@ -79,12 +79,12 @@ std::vector<VelocitySegment> ClassicalSchedule::segments_of(const Block& block) 
   }
   segments =
       turning.empty() ? split(block, settings_.limits.period_s) : split(block, turning, limits);
-  const double passing = passing_feedrate_mm_s(block, settings_.limits);
+  const double sub_tick = sub_tick_feedrate_mm_s(block, settings_.limits);
   for (VelocitySegment& segment : segments) {
-    bind_feedrate(segment.limits, {passing, Constraint::chord_error});
+    bind_feedrate(segment.limits, {sub_tick, Constraint::chord_error});
     if (!segment.ends_block) {
       segment.end.feedrate_mm_s = std::min(
-          passing,
+          sub_tick,
           valley_mm_s(segment.end.feedrate_mm_s, segment, {settings_.limits, settings_.profile}));
     }
   }

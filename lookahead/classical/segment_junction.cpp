@@ -23,7 +23,7 @@ double gain_in_tick_mm_s(const VelocitySegment& segment, const JunctionRules& ru
 double constant_velocity_beside_s(const Block& block, double v_junction_mm_s,
                                   const VelocitySegment& speeding_up, const JunctionRules& rules) {
   const double fastest_mm_s = v_junction_mm_s + gain_in_tick_mm_s(speeding_up, rules);
-  return passing_feedrate_mm_s(block, rules.limits) < fastest_mm_s ? rules.limits.period_s : 0.0;
+  return sub_tick_feedrate_mm_s(block, rules.limits) < fastest_mm_s ? rules.limits.period_s : 0.0;
 }
 
 void fit_constant_velocity(double constant_velocity_s, const VelocitySegment& segment,
@@ -63,8 +63,8 @@ SegmentJunction segment_junction(const JunctionSides& sides, const JunctionRules
     const bool turns = !sides.before->turning.empty() || !sides.after->turning.empty();
     junction = turns ? beside_turning(junction, sides, rules.limits) : junction;
   }
-  v = std::min(
-      {v, passing_feedrate_mm_s(before, rules.limits), passing_feedrate_mm_s(after, rules.limits)});
+  v = std::min({v, sub_tick_feedrate_mm_s(before, rules.limits),
+                sub_tick_feedrate_mm_s(after, rules.limits)});
   if (junction.constant_velocity_s > 0.0 || v == 0.0) {
     return {.end = junction, .begin_constant_velocity_s = junction.constant_velocity_s};
   }

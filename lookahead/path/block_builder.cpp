@@ -87,7 +87,7 @@ Block make_block(PathSegment segment, const PlanLimits& limits, ScanFor plan) {
                                .period_s = limits.period_s,
                                .chord_tolerance_mm = limits.chord_tolerance_mm,
                                .plan = plan});
-    bind_feedrate(block.along, {passing_feedrate_mm_s(block, limits), Constraint::chord_error});
+    bind_feedrate(block.along, {sub_tick_feedrate_mm_s(block, limits), Constraint::chord_error});
   }
   return block;
 }

@@ -83,7 +83,7 @@ double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
                        limits.chord_tolerance_mm);
 }
 
-double passing_feedrate_mm_s(const Block& block, const PlanLimits& limits) {
+double sub_tick_feedrate_mm_s(const Block& block, const PlanLimits& limits) {
   if (block.ceiling.empty() || !std::isfinite(limits.chord_tolerance_mm)) {
     return kUnbounded;
   }

@@ -43,7 +43,7 @@ double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after, const 
 // The feedrate that the block may have inside and at its ends. The chord scan bounds ticks whose
 // middle is on the curve. One that passes over a whole curve has its chord over the corner that the
 // curve rounds, and a curve shorter than a tick's way may round any corner within the tolerance.
-double passing_feedrate_mm_s(const Block& block, const PlanLimits& limits);
+double sub_tick_feedrate_mm_s(const Block& block, const PlanLimits& limits);
 
 // All bounds, without regard to lengths and without the choice to stop.
 double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,

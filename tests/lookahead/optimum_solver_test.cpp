@@ -8,8 +8,8 @@
 
 #include "lookahead/optimum/solver/band_system.hpp"
 #include "lookahead/optimum/solver/barrier.hpp"
+#include "lookahead/optimum/solver/barrier_objective.hpp"
 #include "lookahead/optimum/solver/feed_spline.hpp"
-#include "lookahead/optimum/solver/merit.hpp"
 
 namespace kerf::lookahead::test {
 namespace {
@@ -91,23 +91,23 @@ TEST(FeedSpline, HoldsEveryQuadratic) {
   }
 }
 
-struct Wall {
+struct BarrierValue {
   double value = 0.0;
   double rise = 0.0;
   double bend = 0.0;
 };
 
 // In either lane, which must not know of the other.
-Wall wall_below(const Barrier& barrier, double form, int lane) {
-  Lanes forms(0.3, 0.3);
+BarrierValue barrier_below(const Barrier& barrier, double form, int lane) {
+  SimdPair forms(0.3, 0.3);
   forms[lane] = form;
   Barrier::Sum sum;
   const Barrier::Slopes slopes = barrier.below(forms, sum);
   return {.value = sum.value()[lane], .rise = slopes.rise[lane], .bend = slopes.bend[lane]};
 }
 
-Wall wall_within(const Barrier& barrier, double form, int lane) {
-  Lanes forms(0.3, 0.3);
+BarrierValue barrier_within(const Barrier& barrier, double form, int lane) {
+  SimdPair forms(0.3, 0.3);
   forms[lane] = form;
   Barrier::Sum sum;
   const Barrier::Slopes slopes = barrier.within(forms, sum);
@@ -117,7 +117,7 @@ Wall wall_within(const Barrier& barrier, double form, int lane) {
 TEST(Barrier, GoesOnSmoothlyWhereItIsRelaxed) {
   const Barrier barrier(0.01);
   for (const int lane : {0, 1}) {
-    const auto at = [&](double slack) { return wall_below(barrier, 1.0 - slack, lane); };
+    const auto at = [&](double slack) { return barrier_below(barrier, 1.0 - slack, lane); };
     EXPECT_DOUBLE_EQ(at(0.5).value, -std::log(0.5));
     EXPECT_NEAR(at(0.01 - 1e-12).value, at(0.01 + 1e-12).value, 1e-9);
     for (const double slack : {0.3, 0.011, 0.009, 0.0, -2.0}) {
@@ -135,9 +135,9 @@ TEST(Barrier, OnBothSidesIsOneAboveAndOneBelow) {
   const Barrier barrier(0.01);
   for (const int lane : {0, 1}) {
     for (const double form : {-3.0, -0.995, -0.5, 0.0, 0.7, 0.992, 1.2}) {
-      const Wall above = wall_below(barrier, form, lane);
-      const Wall under = wall_below(barrier, -form, lane);
-      const Wall both = wall_within(barrier, form, lane);
+      const BarrierValue above = barrier_below(barrier, form, lane);
+      const BarrierValue under = barrier_below(barrier, -form, lane);
+      const BarrierValue both = barrier_within(barrier, form, lane);
       EXPECT_NEAR(both.value, above.value + under.value, 1e-12 * (1.0 + std::abs(both.value)));
       EXPECT_NEAR(both.rise, above.rise - under.rise, 1e-12 * (above.rise + under.rise));
       EXPECT_NEAR(both.bend, above.bend + under.bend, 1e-12 * both.bend);
@@ -163,7 +163,7 @@ Stretch random_stretch(std::mt19937_64& random, const StretchBegin& begin, int c
   return stretch;
 }
 
-TEST(Merit, ItsGradientIsThatOfItsValue) {
+TEST(BarrierObjective, ItsGradientIsThatOfItsValue) {
   PlanLimits limits;
   limits.axes.fill({.velocity_mm_s = 60.0, .acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
   std::mt19937_64 random(3);
@@ -171,20 +171,20 @@ TEST(Merit, ItsGradientIsThatOfItsValue) {
   for (const StretchBegin& begin : {StretchBegin{}, in_motion}) {
     for (const int cells : {8, 9}) {
       const Stretch stretch = random_stretch(random, begin, cells);
-      const Merit merit(stretch, limits);
-      const Walls walls{.weight_s = 0.01, .relaxed = 0.2};
+      const BarrierObjective objective(stretch, limits);
+      const BarrierWeights weights{.weight_s = 0.01, .relaxed = 0.2};
       BandSystem system;
       const auto value = [&](std::vector<double> at) {
-        merit.bind(at);
-        return merit.derive(at, walls, system).merit_s;
+        objective.bind(at);
+        return objective.derive(at, weights, system).objective_s;
       };
-      std::vector<double> c(merit.size());
+      std::vector<double> c(objective.size());
       for (double& coefficient : c) {
         coefficient = uniform(random, 80.0, 400.0);
       }
       value(c);
       const std::vector<double> gradient = system.gradient;
-      const auto [first, end] = merit.free_rows();
+      const auto [first, end] = objective.free_rows();
       for (std::size_t i = first; i < end; ++i) {
         const double h = 1e-5 * c[i];
         std::vector<double> up = c;
@@ -199,8 +199,8 @@ TEST(Merit, ItsGradientIsThatOfItsValue) {
 }
 
 // On a straight line along x every limit is one of the motion along the path: of the path's and x'
-// own the tighter one counts, and the merit of a cruise can be written down.
-TEST(Merit, OfACruiseIsItsTimeAndTheWallsOfTheTightestLimits) {
+// own the tighter one counts, and the objective of a cruise can be written down.
+TEST(BarrierObjective, OfACruiseIsItsTimeAndTheBarriersOfTheTightestLimits) {
   PlanLimits limits;
   limits.axes.fill({.velocity_mm_s = 60.0, .acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
   Stretch stretch{.begin = {.v_mm_s = 20.0}, .cells = {}};
@@ -212,17 +212,19 @@ TEST(Merit, OfACruiseIsItsTimeAndTheWallsOfTheTightestLimits) {
     }
     stretch.cells.push_back(cell);
   }
-  const Merit merit(stretch, limits);
+  const BarrierObjective objective(stretch, limits);
   BandSystem system;
-  const std::vector<double> cruise(merit.size(), 400.0);
-  const Merit::Value free = merit.derive(cruise, {.weight_s = 0.0, .relaxed = 1e-3}, system);
+  const std::vector<double> cruise(objective.size(), 400.0);
+  const BarrierObjective::Value free =
+      objective.derive(cruise, {.weight_s = 0.0, .relaxed = 1e-3}, system);
   // Three cells of 2 mm at 20 mm/s, and a landing, which takes three times as long.
   EXPECT_NEAR(free.time_s, 0.3 + 0.3, 1e-12);
-  EXPECT_DOUBLE_EQ(free.merit_s, free.time_s);
-  const Merit::Value walled = merit.derive(cruise, {.weight_s = 1.0, .relaxed = 1e-3}, system);
+  EXPECT_DOUBLE_EQ(free.objective_s, free.time_s);
+  const BarrierObjective::Value bounded =
+      objective.derive(cruise, {.weight_s = 1.0, .relaxed = 1e-3}, system);
   const double cap = std::pow(kAim * 50.0, 2.0);
   const double landing = 0.25 * std::pow(1e4 * kAim * 12.0 * 12.0, 2.0 / 3.0);
-  EXPECT_NEAR(walled.merit_s - walled.time_s,
+  EXPECT_NEAR(bounded.objective_s - bounded.time_s,
               -3.0 * std::log1p(-400.0 / cap) - std::log1p(-400.0 / std::min(cap, landing)), 1e-9);
 }
 

@@ -168,7 +168,8 @@ INSTANTIATE_TEST_SUITE_P(Shipped, OptimumOf,
                                          Reference{"rational4", true, kFast, 1e-3, 0.40139},
                                          Reference{"star", false, kSoft, 1e-3, 2.58361}));
 
-// Six stages and six mendings of at most fifteen steps are allowed for; what is usual is far less.
+// Six stages and six refinements of at most fifteen steps are allowed for; what is usual is far
+// less.
 TEST(Optimum, TakesABoundedNumberOfNewtonSteps) {
   for (const char* name : {"butterfly", "trident7", "mazatrol", "scroll", "rational4", "star"}) {
     for (const bool on_axes : {false, true}) {
@@ -193,8 +194,8 @@ curves::NurbsData bezier(const std::vector<curves::Position>& points) {
   return data;
 }
 
-// Four stages and eight mendings of fifteen steps are the most there can be; near-cusps down to a
-// radius of 1e-7 mm, beyond which the motion stops there, take no more than twice what is usual.
+// Four stages and eight refinements of fifteen steps are the most there can be; near-cusps down to
+// a radius of 1e-7 mm, beyond which the motion stops there, take no more than twice what is usual.
 TEST(Optimum, TakesABoundedNumberOfNewtonStepsOnNearCusps) {
   std::vector<curves::NurbsData> all;
   for (const double crossing : {1e-1, 1e-2, 1e-3}) {

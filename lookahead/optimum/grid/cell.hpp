@@ -57,7 +57,7 @@ struct Cell {
   profiles::RampLimits along{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
   LimitOrigins along_from{};
   AllowedShares allowed{};
-  double passing_mm_s = kUnbounded;  // anywhere in it: beside a curve that a tick passes over whole
+  double sub_tick_mm_s = kUnbounded;  // in a sub-tick zone: no faster anywhere in it
   // What the solver aims at, within what is allowed.
   LimitShares shares{};
   bool continues = false;        // the cell before it: one, but for a rest that a plan ends with

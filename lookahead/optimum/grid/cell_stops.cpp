@@ -59,7 +59,7 @@ std::vector<CellStop> cell_stops(const BlockPath& path, const EndJunctions& ends
       stop.junction = inner_junction(path, place.s_mm, *place.jump, breaks, limits);
     }
   }
-  for (const double s : {ends.ways.begin.way_mm, path.length_mm() - ends.ways.end.way_mm}) {
+  for (const double s : {ends.zones.begin.length_mm, path.length_mm() - ends.zones.end.length_mm}) {
     if (s > 0.0 && s < path.length_mm()) {
       stops.push_back({.s_mm = s});
     }

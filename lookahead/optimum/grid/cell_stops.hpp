@@ -6,8 +6,8 @@
 
 #include "lookahead/optimum/grid/block_path.hpp"
 #include "lookahead/optimum/grid/junction_share.hpp"
-#include "lookahead/optimum/grid/passing_way.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
+#include "lookahead/optimum/grid/sub_tick_zone.hpp"
 
 namespace kerf::lookahead {
 
@@ -16,7 +16,7 @@ struct EndJunctions {
   std::optional<JunctionLimits> begin{};
   std::optional<JunctionLimits> end{};
   EndFeeds beyond{};  // what the neighbours leave where the junction itself is smooth
-  PassingWays ways{};
+  SubTickZones zones{};
 };
 
 struct CellStop {
@@ -27,8 +27,8 @@ struct CellStop {
 };
 
 // Ascending, both ends of the block among them: where derivatives jump or the ceiling has a valley,
-// and where the ways of three ticks beside jumps end, for a cell that begins in one has no more
-// than its share, and where the ways beside curves that a tick passes over whole end. Jumps that a
+// and where the zones of three ticks beside jumps end, for a cell that begins in one has no more
+// than its share, and where the zones beside curves that a tick passes over whole end. Jumps that a
 // third difference may see together share what is theirs.
 std::vector<CellStop> cell_stops(const BlockPath& path, const EndJunctions& ends,
                                  const PlanLimits& limits);

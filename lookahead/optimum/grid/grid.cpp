@@ -107,7 +107,7 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndJunctions& ends,
       share_limits(cells, boundaries[i], *stops[i].junction, limits);
     }
   }
-  bind_ways(ends.ways, cells);
+  bind_zones(ends.zones, cells);
   return cells;
 }
 

@@ -37,10 +37,10 @@ void WaitingCells::push(const Window<Block>& blocks) {
     BlockJunction end{.junction = next.begin, .v_beyond_mm_s = next.own.v_begin_mm_s};
     if (!next.begin.is_stop()) {
       const double v = std::min(next.v_before_mm_s, next.own.v_begin_mm_s);
-      end.way = passing_way(
+      end.zone = sub_tick_zone(
           {.curve = after, .junction = before.end, .beside = before, .v_junction_mm_s = v},
           limits_);
-      next.begin_way = passing_way(
+      next.begin_zone = sub_tick_zone(
           {.curve = before, .junction = after.begin, .beside = after, .v_junction_mm_s = v},
           limits_);
     }
@@ -72,7 +72,7 @@ void WaitingCells::close(const BlockJunction& end, const Window<Block>& blocks) 
                .end = limits_at(end.junction),
                .beyond = {.v_begin_mm_s = from_rest ? kUnbounded : open.v_before_mm_s,
                           .v_end_mm_s = end.junction.is_stop() ? kUnbounded : end.v_beyond_mm_s},
-               .ways = {.begin = open.begin_way, .end = end.way}},
+               .zones = {.begin = open.begin_zone, .end = end.zone}},
               limits_);
   for (Cell& cell : cells) {
     cell.block = open.number;

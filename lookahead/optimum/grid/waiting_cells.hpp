@@ -8,8 +8,8 @@
 
 #include "lookahead/optimum/grid/cell.hpp"
 #include "lookahead/optimum/grid/junction_share.hpp"
-#include "lookahead/optimum/grid/passing_way.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
+#include "lookahead/optimum/grid/sub_tick_zone.hpp"
 #include "lookahead/path/limits.hpp"
 #include "lookahead/path/window.hpp"
 
@@ -56,7 +56,7 @@ class WaitingCells {
     CellJunction begin{};
     EndFeeds own{};                     // end_feeds_of
     double v_before_mm_s = kUnbounded;  // at the end of the block before, likewise
-    PassingWay begin_way{};
+    SubTickZone begin_zone{};
   };
 
   [[nodiscard]] const Block& numbered(std::uint64_t number, const Window<Block>& blocks) const {
@@ -66,7 +66,7 @@ class WaitingCells {
   struct BlockJunction {
     CellJunction junction{};
     double v_beyond_mm_s = kUnbounded;
-    PassingWay way{};
+    SubTickZone zone{};
   };
   void close(const BlockJunction& end, const Window<Block>& blocks);
 

@@ -23,7 +23,7 @@ CellEnd path_in(const Cell& cell, double share, double s_mm, const PathAt& path)
     return share == 0.0 ? cell.begin : cell.end;
   }
   CellEnd inside = path(cell, cell.s_begin_mm + s_mm);
-  inside.bind_feedrate(cell.passing_mm_s, Constraint::chord_error);
+  inside.bind_feedrate(cell.sub_tick_mm_s, Constraint::chord_error);
   return inside;
 }
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lookahead/optimum/solver/merit.hpp"
+#include "lookahead/optimum/solver/barrier_objective.hpp"
 
 namespace kerf::lookahead {
 

@@ -53,7 +53,7 @@ class Builder {
   }
 
   LimitRows build() {
-    for (std::size_t i = 0; i < cells_.size(); i += kLanes) {
+    for (std::size_t i = 0; i < cells_.size(); i += kSimdWidth) {
       add_pair(i);
     }
     return std::move(result_);
@@ -74,9 +74,9 @@ class Builder {
   // Of both cells; a cell to which it does not apply has a row of zeros.
   template <typename RowOf>
   bool append_row(std::size_t i, std::size_t from, std::size_t to, RowOf row_of) {
-    std::array<Row, kLanes> rows{};
+    std::array<Row, kSimdWidth> rows{};
     bool any = false;
-    for (std::size_t lane = 0; lane < kLanes && i + lane < cells_.size(); ++lane) {
+    for (std::size_t lane = 0; lane < kSimdWidth && i + lane < cells_.size(); ++lane) {
       any = row_of(i + lane, rows[lane]) || any;
     }
     for (std::size_t k = from; any && k < to; ++k) {
@@ -134,8 +134,8 @@ class Builder {
 
   void add_pair(std::size_t i) {
     CellPair pair;
-    pair.middle = {Lanes::Zero(), Lanes::Ones(), Lanes::Zero()};
-    for (std::size_t lane = 0; lane < kLanes && i + lane < cells_.size(); ++lane) {
+    pair.middle = {SimdPair::Zero(), SimdPair::Ones(), SimdPair::Zero()};
+    for (std::size_t lane = 0; lane < kSimdWidth && i + lane < cells_.size(); ++lane) {
       const auto l = static_cast<Eigen::Index>(lane);
       const CellBasis& basis = (*basis_)[i + lane];
       pair.length_mm[l] = cells_[i + lane].length_mm;

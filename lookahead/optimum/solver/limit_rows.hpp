@@ -6,19 +6,19 @@
 #include <vector>
 
 #include "lookahead/optimum/grid/cell.hpp"
+#include "lookahead/optimum/solver/barrier.hpp"
 #include "lookahead/optimum/solver/feed_spline.hpp"
-#include "lookahead/optimum/solver/lanes.hpp"
 #include "lookahead/path/limits.hpp"
 
 namespace kerf::lookahead {
 
 // Two neighbouring cells of the spline side by side. c: the three coefficients of each.
 struct CellPair {
-  Lanes length_mm = Lanes::Zero();
-  std::array<Lanes, 3> middle{};  // b in the middle of the cell
-  Lanes begin = Lanes::Zero();    // b at its begin is begin c0 + (1 - begin) c1
-  Lanes end = Lanes::Zero();      // b at its end is (1 - end) c1 + end c2
-  Lanes cap = Lanes::Zero();      // 1 over the largest c1: the spline lies below its coefficients
+  SimdPair length_mm = SimdPair::Zero();
+  std::array<SimdPair, 3> middle{};   // b in the middle of the cell
+  SimdPair begin = SimdPair::Zero();  // b at its begin is begin c0 + (1 - begin) c1
+  SimdPair end = SimdPair::Zero();    // b at its end is (1 - end) c1 + end c2
+  SimdPair cap = SimdPair::Zero();  // 1 over the largest c1: the spline lies below its coefficients
   // How many rows there are of each kind, in this order.
   std::uint8_t caps = 0;               // r0 c0 + r1 c1 <= 1, at its begin
   std::uint8_t accelerations = 0;      // |r0 c0 + r1 c1| <= 1, at its begin
@@ -34,7 +34,7 @@ struct CellPair {
 // tightest, and none that the others keep below half of it.
 struct LimitRows {
   std::vector<CellPair> pairs;  // a cell without neighbour has one of no length
-  std::vector<Lanes> rows;      // of all pairs, in order
+  std::vector<SimdPair> rows;   // of all pairs, in order
 };
 
 // basis: of the cells.

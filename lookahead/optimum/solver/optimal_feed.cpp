@@ -10,15 +10,15 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kFirstGuess = 0.3;  // of the estimate's squared feedrate
-// All walls together, over the time: the first and the last of kStages.
-constexpr double kFirstWalls = 1e-1;
-constexpr double kLastWalls = 1e-4;
+// All barriers together, over the time: the first and the last of kStages.
+constexpr double kFirstShare = 1e-1;
+constexpr double kLastShare = 1e-4;
 constexpr int kStages = 7;
-// Of the slack that a wall of a typical multiplier keeps: one whose limit, raised by a part, takes
-// as much off the time of its cell.
+// Of the slack that a barrier of a typical multiplier keeps: one whose limit, raised by a part,
+// takes as much off the time of its cell.
 constexpr double kRelaxed = 1.0;
 constexpr int kStepsOfStage = 15;
-// Of the walls, what is left to gain when a stage ends: Newton decrement.
+// Of the barriers, what is left to gain when a stage ends: Newton decrement.
 constexpr double kStageDone = 0.1;
 constexpr double kRoughly = 0.5;  // of one that is not the last
 constexpr int kHalvings = 25;
@@ -31,45 +31,46 @@ constexpr double kToZero = 0.9;  // of the way, in one step
 class Search {
  public:
   Search(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed)
-      : merit_(stretch, limits), feed_(&feed) {}
+      : objective_(stretch, limits), feed_(&feed) {}
 
-  [[nodiscard]] const Merit& merit() const { return merit_; }
+  [[nodiscard]] const BarrierObjective& objective() const { return objective_; }
 
-  // Newton steps until what is left to gain is a part of the walls. share: of all walls in the
-  // time.
+  // Newton steps until what is left to gain is a part of the barriers. share: of all barriers in
+  // the time.
   //
-  // Where the stage before has ended, the force of each wall that matters is its weight over the
-  // slack, and the slack has to shrink as the weight does. With the second derivatives of the walls
-  // of the new weight, which are so much smaller, a Newton step goes that many times too far; with
-  // those of the old weight it goes there (it is the step of a primal-dual method: Nocedal and
-  // Wright, "Numerical Optimization", chapter 19). So the first step of a stage takes these.
+  // Where the stage before has ended, the force of each barrier that matters is its weight over the
+  // slack, and the slack has to shrink as the weight does. With the second derivatives of the
+  // barriers of the new weight, which are so much smaller, a Newton step goes that many times too
+  // far; with those of the old weight it goes there (it is the step of a primal-dual method:
+  // Nocedal and Wright, "Numerical Optimization", chapter 19). So the first step of a stage takes
+  // these.
   void stage(double share, double done) {
     share_before_ = share_before_ > 0.0 ? share_before_ : share;
     if (time_s_ == 0.0) {
-      time_s_ = merit_.derive(feed_->coefficients, {.relaxed = 1.0}, system_).time_s;
+      time_s_ = objective_.derive(feed_->coefficients, {.relaxed = 1.0}, system_).time_s;
     }
-    const double count = static_cast<double>(merit_.size());
-    Walls walls{.weight_s = share * time_s_ / count,
-                .stiffness_s = share_before_ * time_s_ / count,
-                .relaxed = kRelaxed * share};
-    double before = merit_.derive(feed_->coefficients, walls, system_).merit_s;
-    walls.stiffness_s = walls.weight_s;
+    const double count = static_cast<double>(objective_.size());
+    BarrierWeights weights{.weight_s = share * time_s_ / count,
+                           .stiffness_s = share_before_ * time_s_ / count,
+                           .relaxed = kRelaxed * share};
+    double before = objective_.derive(feed_->coefficients, weights, system_).objective_s;
+    weights.stiffness_s = weights.weight_s;
     share_before_ = share;
     for (int k = 0; k < kStepsOfStage; ++k) {
-      const double gain = step(walls, before);
-      if (gain < done * walls.weight_s * count) {
+      const double gain = step(weights, before);
+      if (gain < done * weights.weight_s * count) {
         return;
       }
     }
   }
 
  private:
-  // What the linear model promises; 0 where the search is stuck. value: of the merit, renewed as
-  // the system is.
-  double step(const Walls& walls, double& value) {
+  // What the linear model promises; 0 where the search is stuck. value: of the objective, renewed
+  // as the system is.
+  double step(const BarrierWeights& weights, double& value) {
     std::vector<double>& c = feed_->coefficients;
-    const BandSystem::Rows rows = merit_.free_rows();
-    if (!solve(rows, walls)) {
+    const BandSystem::Rows rows = objective_.free_rows();
+    if (!solve(rows, weights)) {
       return 0.0;
     }
     ++feed_->newton_steps;
@@ -77,7 +78,7 @@ class Search {
     for (std::size_t i = rows.begin; i < rows.end; ++i) {
       slope += system_.gradient[i] * change_[i];
     }
-    merit_.bind_change(change_);
+    objective_.bind_change(change_);
     trial_.resize(c.size());
     double length = 1.0;
     for (int k = 0; k < kHalvings; ++k, length *= 0.5) {
@@ -85,10 +86,10 @@ class Search {
       for (std::size_t i = 0; i < c.size(); ++i) {
         trial_[i] = std::max(c[i] + length * change_[i], (1.0 - kToZero) * c[i]);
       }
-      const Merit::Value now = merit_.derive(trial_, walls, system_);
-      if (now.merit_s <= value + kArmijo * length * slope) {
+      const BarrierObjective::Value now = objective_.derive(trial_, weights, system_);
+      if (now.objective_s <= value + kArmijo * length * slope) {
         c.swap(trial_);
-        value = now.merit_s;
+        value = now.objective_s;
         time_s_ = now.time_s;
         return -slope;
       }
@@ -96,16 +97,16 @@ class Search {
     return 0.0;
   }
 
-  // Walls of very different steepness leave the system positive definite by less than rounding
-  // takes away: then a little is added to its diagonal.
-  bool solve(const BandSystem::Rows& rows, const Walls& walls) {
-    change_.assign(merit_.size(), 0.0);
+  // BarrierWeights of very different steepness leave the system positive definite by less than
+  // rounding takes away: then a little is added to its diagonal.
+  bool solve(const BandSystem::Rows& rows, const BarrierWeights& weights) {
+    change_.assign(objective_.size(), 0.0);
     if (system_.solve(rows, change_)) {
       return true;
     }
     double damping = kFirstDamping;
     for (int k = 0; k < kDampings; ++k, damping *= kMoreDamping) {
-      static_cast<void>(merit_.derive(feed_->coefficients, walls, system_));
+      static_cast<void>(objective_.derive(feed_->coefficients, weights, system_));
       for (double& d : system_.diagonal) {
         d *= 1.0 + damping;
       }
@@ -116,7 +117,7 @@ class Search {
     return false;
   }
 
-  Merit merit_;
+  BarrierObjective objective_;
   OptimalFeed* feed_;
   BandSystem system_;
   double share_before_ = 0.0;  // the stage before; 0: none
@@ -149,7 +150,7 @@ std::vector<double> first_guess(const Stretch& stretch, const PlanLimits& limits
 
 std::vector<double> first_feed(const Stretch& stretch, const PlanLimits& limits) {
   std::vector<double> coefficients = first_guess(stretch, limits);
-  Merit(stretch, limits).bind(coefficients);
+  BarrierObjective(stretch, limits).bind(coefficients);
   return coefficients;
 }
 
@@ -157,18 +158,18 @@ OptimalFeed find_optimal_feed(const Stretch& stretch, const PlanLimits& limits) 
   OptimalFeed feed;
   feed.coefficients = first_guess(stretch, limits);
   Search search(stretch, limits, feed);
-  search.merit().bind(feed.coefficients);
+  search.objective().bind(feed.coefficients);
   for (int i = 0; i + 1 < kStages; ++i) {
-    search.stage(kFirstWalls * std::pow(kLastWalls / kFirstWalls, i / (kStages - 1.0)), kRoughly);
+    search.stage(kFirstShare * std::pow(kLastShare / kFirstShare, i / (kStages - 1.0)), kRoughly);
   }
-  search.stage(kLastWalls, kStageDone);
+  search.stage(kLastShare, kStageDone);
   return feed;
 }
 
-void mend_optimal_feed(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed) {
+void refine_optimal_feed(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed) {
   Search search(stretch, limits, feed);
-  search.merit().bind(feed.coefficients);
-  search.stage(kLastWalls, kStageDone);
+  search.objective().bind(feed.coefficients);
+  search.stage(kLastShare, kStageDone);
 }
 
 }  // namespace kerf::lookahead

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "lookahead/optimum/solver/merit.hpp"
+#include "lookahead/optimum/solver/barrier_objective.hpp"
 
 namespace kerf::lookahead {
 
@@ -26,12 +26,12 @@ std::vector<double> first_feed(const Stretch& stretch, const PlanLimits& limits)
 // robots: a convex optimization approach", IEEE Trans. Automatic Control 54, 2009). Jerk is sqrt(b)
 // times a linear form; taken as linear about the present b it makes each step convex. Instead of
 // solving each such convex problem to its end, the form is renewed in every Newton step of one
-// interior-point search: walls in front of all limits, softened so that the search may begin beyond
-// them, and sharpened in small stages. b is a spline with three coefficients a cell, so a step
-// costs O(n).
+// interior-point search: barriers in front of all limits, softened so that the search may begin
+// beyond them, and sharpened in small stages. b is a spline with three coefficients a cell, so a
+// step costs O(n).
 //
 //   begin: 0.3 of the v^2 that acceleration and jerk allow  ->  weight 1e-1 of the time in all
-//   walls some 3 Newton steps each                                ->  3e-2, 1e-2, ... 1e-4
+//   barriers some 3 Newton steps each                                ->  3e-2, 1e-2, ... 1e-4
 //
 // Some 20 steps suffice on all curves tried, whatever their length. The answer is a local optimum:
 // the problem is not convex in jerk, and no bound of its distance to the true one is known; on the
@@ -42,6 +42,6 @@ std::vector<double> first_feed(const Stretch& stretch, const PlanLimits& limits)
 OptimalFeed find_optimal_feed(const Stretch& stretch, const PlanLimits& limits);
 
 // Goes on from an answer after limits have been tightened a little.
-void mend_optimal_feed(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed);
+void refine_optimal_feed(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed);
 
 }  // namespace kerf::lookahead

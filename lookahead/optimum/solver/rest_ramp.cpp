@@ -37,13 +37,13 @@ void divide(const Cell& cell, const std::vector<double>& lengths, RestAt where, 
     part.length_mm = i + 1 < lengths.size() ? lengths[i] : cell.s_end_mm() - s;
     if (i > 0) {
       part.begin = path(cell, s);
-      part.begin.bind_feedrate(cell.passing_mm_s, Constraint::chord_error);
+      part.begin.bind_feedrate(cell.sub_tick_mm_s, Constraint::chord_error);
       part.continues = where == RestAt::end;
     }
     s = part.s_end_mm();
     if (i + 1 < lengths.size()) {
       part.end = path(cell, s);
-      part.end.bind_feedrate(cell.passing_mm_s, Constraint::chord_error);
+      part.end.bind_feedrate(cell.sub_tick_mm_s, Constraint::chord_error);
     }
     into.push_back(part);
   }

@@ -11,7 +11,7 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr int kMendings = 8;
+constexpr int kMaxRefinements = 8;
 constexpr double kSlight = 1.01;  // slowing down by it is no loss to speak of
 // Of a limit, at the places where it is looked at; what is between two of them is a little more.
 constexpr double kHolds = 0.9999;
@@ -49,8 +49,8 @@ std::optional<StretchPlan> StretchPlan::find(Stretch stretch, const PathAt& path
   OptimalFeed feed = find_optimal_feed(plan.stretch_, limits);
   plan.coefficients_ = feed.coefficients;
   plan.excess_ = plan.check(path, limits);
-  for (int i = 0; i < kMendings && !holds(plan.excess_); ++i) {
-    mend_optimal_feed(plan.stretch_, limits, feed);
+  for (int i = 0; i < kMaxRefinements && !holds(plan.excess_); ++i) {
+    refine_optimal_feed(plan.stretch_, limits, feed);
     plan.coefficients_ = feed.coefficients;
     plan.excess_ = plan.check(path, limits);
   }

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "lookahead/optimum/solver/barrier_objective.hpp"
 #include "lookahead/optimum/solver/limit_check.hpp"
-#include "lookahead/optimum/solver/merit.hpp"
 #include "profiles/cell_law.hpp"
 
 namespace kerf::lookahead {
@@ -22,10 +22,10 @@ class StretchPlan {
 
   // The fastest plan found whose limits hold between the places at which the solver looks, too:
   // they are checked there, shares are taken off where they are passed, and the search goes on, in
-  // at most kMendings rounds. Where that is not enough, a plan from rest is slowed down as a whole
-  // until it holds (slowed_down where that is by more than a percent; cut the stretch at a rest,
-  // and little is lost); from a begin in motion there is none. The cells must be refined for a rest
-  // at the end and for one at the beginning if the stretch begins at rest.
+  // at most kMaxRefinements rounds. Where that is not enough, a plan from rest is slowed down as a
+  // whole until it holds (slowed_down where that is by more than a percent; cut the stretch at a
+  // rest, and little is lost); from a begin in motion there is none. The cells must be refined for
+  // a rest at the end and for one at the beginning if the stretch begins at rest.
   static std::optional<StretchPlan> find(Stretch stretch, const PathAt& path,
                                          const PlanLimits& limits);
 

@@ -8,7 +8,7 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr double kLeastSlack = 1e-6;  // what is less is rounding, or a mended cell
+constexpr double kLeastSlack = 1e-6;  // what is less is rounding, or a refined cell
 constexpr double kClearly = 1.0 + 1e-6;
 // A cell with less of the jerk than this has left most of it to the jump beside it.
 constexpr double kMostOfJerk = 0.5;

@@ -15,9 +15,9 @@ struct CellFeed {
 };
 
 // The limit of which a little more would save the most time in this cell. At an optimum found with
-// walls in front of the limits, a wall's force is the price of its limit: by how much the time
-// falls when the limit rises. The force is 1 over the slack, so the limit with the least slack is
-// the one to raise; both ends count, which keeps a limit that is only touched in passing from
+// barriers in front of the limits, a barrier's force is the price of its limit: by how much the
+// time falls when the limit rises. The force is 1 over the slack, so the limit with the least slack
+// is the one to raise; both ends count, which keeps a limit that is only touched in passing from
 // standing for the cell. Of limits that bind alike the path's is named. Cells that leave most of
 // the limits to the jump beside them are held down by that junction.
 //

@@ -1,4 +1,4 @@
-// What the time optimum minimises: the time, and a wall in front of every limit.
+// What the time optimum minimises: the time, and a barrier in front of every limit.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +6,9 @@
 
 #include "lookahead/optimum/grid/cell.hpp"
 #include "lookahead/optimum/solver/band_system.hpp"
+#include "lookahead/optimum/solver/barrier.hpp"
 #include "lookahead/optimum/solver/feed_spline.hpp"
 #include "lookahead/optimum/solver/limit_rows.hpp"
-#include "lookahead/optimum/solver/walls.hpp"
 #include "lookahead/path/limits.hpp"
 
 namespace kerf::lookahead {
@@ -32,9 +32,9 @@ struct Stretch {
 // misses the curvature of the jerk's sqrt(b): it is positive definite, and the search converges
 // fast, though not quadratically. Two coefficients at each end depend on their neighbours: a launch
 // of constant jerk over h joins the spline where b' = 4/3 b / h, a begin in motion fixes both.
-class Merit {
+class BarrierObjective {
  public:
-  Merit(const Stretch& stretch, const PlanLimits& limits);
+  BarrierObjective(const Stretch& stretch, const PlanLimits& limits);
 
   [[nodiscard]] std::size_t size() const noexcept { return stretch_->spline_cells() + 2; }
   // Of the coefficients those that are free.
@@ -46,10 +46,10 @@ class Merit {
 
   struct Value {
     double time_s = 0.0;
-    double merit_s = 0.0;  // infinite where b is not positive
+    double objective_s = 0.0;  // infinite where b is not positive
   };
   // At these coefficients, with the Newton system for the free rows.
-  [[nodiscard]] Value derive(const std::vector<double>& coefficients, const Walls& walls,
+  [[nodiscard]] Value derive(const std::vector<double>& coefficients, const BarrierWeights& weights,
                              BandSystem& system) const;
 
  private:

@@ -1,4 +1,4 @@
-#include "lookahead/optimum/solver/merit.hpp"
+#include "lookahead/optimum/solver/barrier_objective.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,16 +34,16 @@ double rest_jerk_mm_s3(const Cell& cell, const CellEnd& end, const PlanLimits& l
 
 }  // namespace
 
-struct Merit::Sums {
-  const Walls* walls = nullptr;
+struct BarrierObjective::Sums {
+  const BarrierWeights* weights = nullptr;
   BandSystem* system = nullptr;
   double time_s = 0.0;
-  double walls_s = 0.0;
+  double barrier_s = 0.0;
 };
 
 // With s = J t^3 / 6: v^2 = J^(2/3) (6 s)^(4/3) / 4.
-Merit::RestCell Merit::rest_cell(const Cell& cell, const RestEnds& ends,
-                                 double neighbour_mm) const {
+BarrierObjective::RestCell BarrierObjective::rest_cell(const Cell& cell, const RestEnds& ends,
+                                                       double neighbour_mm) const {
   const double h = cell.length_mm;
   const double jerk = rest_jerk_mm_s3(cell, *ends.rest, *limits_);
   return {.length_mm = h,
@@ -52,7 +52,7 @@ Merit::RestCell Merit::rest_cell(const Cell& cell, const RestEnds& ends,
           .gain = 1.0 / (1.0 + 2.0 * neighbour_mm / (3.0 * h))};
 }
 
-Merit::Merit(const Stretch& stretch, const PlanLimits& limits)
+BarrierObjective::BarrierObjective(const Stretch& stretch, const PlanLimits& limits)
     : stretch_(&stretch), limits_(&limits) {
   const std::vector<double> lengths = spline_lengths(stretch);
   const std::vector<Cell>& cells = stretch.cells;
@@ -66,11 +66,11 @@ Merit::Merit(const Stretch& stretch, const PlanLimits& limits)
                        lengths.back());
 }
 
-BandSystem::Rows Merit::free_rows() const noexcept {
+BandSystem::Rows BarrierObjective::free_rows() const noexcept {
   return {.begin = stretch_->begin.at_rest() ? 1U : 2U, .end = size() - 1};
 }
 
-void Merit::bind(std::vector<double>& coefficients) const noexcept {
+void BarrierObjective::bind(std::vector<double>& coefficients) const noexcept {
   const StretchBegin& begin = stretch_->begin;
   if (begin.at_rest()) {
     coefficients.front() = launch_.gain * coefficients[1];
@@ -81,7 +81,7 @@ void Merit::bind(std::vector<double>& coefficients) const noexcept {
   coefficients.back() = landing_.gain * coefficients[size() - 2];
 }
 
-void Merit::bind_change(std::vector<double>& change) const noexcept {
+void BarrierObjective::bind_change(std::vector<double>& change) const noexcept {
   if (stretch_->begin.at_rest()) {
     change.front() = launch_.gain * change[1];
   } else {
@@ -91,41 +91,43 @@ void Merit::bind_change(std::vector<double>& change) const noexcept {
 }
 
 // The spline's value at its ends is its outermost coefficient.
-void Merit::add_rest(const RestCell& rest, std::size_t outer, double squared_mm2_s2,
-                     Sums& sums) const {
+void BarrierObjective::add_rest(const RestCell& rest, std::size_t outer, double squared_mm2_s2,
+                                Sums& sums) const {
   const double b = squared_mm2_s2;
   const double t = 3.0 * rest.length_mm / std::sqrt(b);
-  Barrier::Sum wall;
-  const Barrier::Slopes slopes = Barrier(sums.walls->relaxed).below(Lanes(b / rest.cap, 0.0), wall);
-  const double weight = sums.walls->weight_s;
+  Barrier::Sum sum;
+  const Barrier::Slopes slopes =
+      Barrier(sums.weights->relaxed).below(SimdPair(b / rest.cap, 0.0), sum);
+  const double weight = sums.weights->weight_s;
   sums.time_s += t;
-  sums.walls_s += wall.value()[0];
+  sums.barrier_s += sum.value()[0];
   sums.system->gradient[outer] += -0.5 * t / b + weight * slopes.rise[0] / rest.cap;
   sums.system->diagonal[outer] +=
-      0.75 * t / (b * b) + sums.walls->stiffness_s * slopes.bend[0] / square(rest.cap);
+      0.75 * t / (b * b) + sums.weights->stiffness_s * slopes.bend[0] / square(rest.cap);
 }
 
-Merit::Value Merit::derive(const std::vector<double>& coefficients, const Walls& walls,
-                           BandSystem& system) const {
+BarrierObjective::Value BarrierObjective::derive(const std::vector<double>& coefficients,
+                                                 const BarrierWeights& weights,
+                                                 BandSystem& system) const {
   system.clear(size());
   const std::size_t count = stretch_->spline_cells();
-  Lanes time = Lanes::Zero();
-  Lanes wall_sum = Lanes::Zero();
-  const Lanes* row = rows_.rows.data();
+  SimdPair time = SimdPair::Zero();
+  SimdPair barrier_sum = SimdPair::Zero();
+  const SimdPair* row = rows_.rows.data();
   std::size_t i = 0;
   for (const CellPair& pair : rows_.pairs) {
-    const std::size_t cells = std::min(kLanes, count - i);
-    PairSums sums(pair, &coefficients[i], cells, walls);
+    const std::size_t cells = std::min(kSimdWidth, count - i);
+    PairSums sums(pair, &coefficients[i], cells, weights);
     if (!sums.are_positive()) {
-      return {.time_s = kUnbounded, .merit_s = kUnbounded};
+      return {.time_s = kUnbounded, .objective_s = kUnbounded};
     }
     time += sums.add_time();
     row = sums.add_limits(row);
-    wall_sum += sums.walls();
+    barrier_sum += sums.barrier();
     sums.store(i, cells, system);
     i += cells;
   }
-  Sums ends{.walls = &walls, .system = &system};
+  Sums ends{.weights = &weights, .system = &system};
   if (launch_.length_mm > 0.0) {
     add_rest(launch_, 0, coefficients.front(), ends);
   }
@@ -133,12 +135,12 @@ Merit::Value Merit::derive(const std::vector<double>& coefficients, const Walls&
   fold_ends(system);
   Value value;
   value.time_s = time.sum() + ends.time_s;
-  const double merit = value.time_s + walls.weight_s * (wall_sum.sum() + ends.walls_s);
-  value.merit_s = std::isfinite(merit) ? merit : kUnbounded;
+  const double objective = value.time_s + weights.weight_s * (barrier_sum.sum() + ends.barrier_s);
+  value.objective_s = std::isfinite(objective) ? objective : kUnbounded;
   return value;
 }
 
-void Merit::fold_ends(BandSystem& system) const {
+void BarrierObjective::fold_ends(BandSystem& system) const {
   const std::size_t last = size() - 1;
   const auto fold = [&system](std::size_t outer, std::size_t inner, std::size_t band, double gain) {
     system.gradient[inner] += gain * system.gradient[outer];
