@@ -32,12 +32,12 @@ double in_motion_s(const Block& block, const profiles::Profile& profile) {
   for (lookahead::VelocitySegment& segment : lookahead::split(block, 0.001)) {
     window.push_back({.segment = std::move(segment)});
   }
-  double v_end = block.ceiling.back().v_mm_s;
+  double v_end = block.limit_curve.back().v_mm_s;
   for (auto item = window.rbegin(); item != window.rend(); ++item) {
     item->v_end_mm_s = v_end;
     const auto before = std::next(item);
-    const double cap =
-        before != window.rend() ? before->segment.end.feedrate_mm_s : block.ceiling.front().v_mm_s;
+    const double cap = before != window.rend() ? before->segment.end.feedrate_mm_s
+                                               : block.limit_curve.front().v_mm_s;
     v_end = lookahead::reach_backward_mm_s(item->segment, {.v_end_mm_s = v_end, .cap_mm_s = cap},
                                            profile);
   }
@@ -99,7 +99,7 @@ bool butterfly() {
                 judged ? verdict(rest.time_s, row.rest_target_s) : "", rest.path.a_mm_s2,
                 rest.path.j_mm_s3, rest.chord_error_mm);
   }
-  const std::size_t points = lookahead::breaking_points(block.ceiling, kScreening_mm_s).size();
+  const std::size_t points = lookahead::breaking_points(block.limit_curve, kScreening_mm_s).size();
   std::printf(
       "\nThe time optimum from rest to rest is 4.362 s. Breaking points: %zu (published: 37).\n\n",
       points);

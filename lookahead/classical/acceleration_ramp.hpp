@@ -1,4 +1,4 @@
-// A transition from an end of a segment upwards, below the segment's ceiling.
+// A transition from an end of a segment upwards, below the segment's limit curve.
 #pragma once
 
 #include <cstdint>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "lookahead/path/ceiling.hpp"
+#include "lookahead/path/velocity_limit_curve.hpp"
 
 namespace kerf::lookahead {
 
@@ -12,11 +12,12 @@ namespace kerf::lookahead {
 // section 3.2; MATH section 6):
 // 1. screening: the slope of v over u changes by more than screening_mm_s between two samples;
 // 2. of these candidates those stay where v does not go on in the same direction.
-std::vector<std::size_t> breaking_points(const Ceiling& ceiling, double screening_mm_s);
+std::vector<std::size_t> breaking_points(const VelocityLimitCurve& limit_curve,
+                                         double screening_mm_s);
 
 // The breaking points that are valleys: the lowest between two hills that both rise above it by
 // more than noise, a share of the feedrate.
-std::vector<std::size_t> valleys(const Ceiling& ceiling, const std::vector<std::size_t>& breaking,
-                                 double noise = 0.01);
+std::vector<std::size_t> valleys(const VelocityLimitCurve& limit_curve,
+                                 const std::vector<std::size_t>& breaking, double noise = 0.01);
 
 }  // namespace kerf::lookahead

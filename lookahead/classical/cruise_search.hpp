@@ -1,4 +1,4 @@
-// The cruise of a segment under a ceiling.
+// The cruise of a segment under a limit curve.
 #pragma once
 
 #include "lookahead/classical/acceleration_ramp.hpp"
@@ -12,7 +12,7 @@ struct CruiseSides {
   AccelerationRamp down_mirrored{};  // accelerates from the end's feedrate
 };
 
-// Under a ceiling a higher cruise asks for gentler slopes, so the highest is not the fastest:
+// Under a limit curve a higher cruise asks for gentler slopes, so the highest is not the fastest:
 // bisect for the highest that fits, then search the least time below it. Weakness: takes time over
 // the cruise to fall and then to rise, with one valley between.
 class CruiseSearch {

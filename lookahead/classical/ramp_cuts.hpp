@@ -1,4 +1,4 @@
-// Where a ramp below a ceiling is better run as several.
+// Where a ramp below a limit curve is better run as several.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace kerf::lookahead {
 //
 //      v^2            . top         A ramp of one acceleration is a straight line over s in v^2.
 //       |         _.-'              What may be reached at all is the lower convex hull of the
-//       |      .-'    /             ceiling, and its sides are the fastest way up, each with an
+//       |      .-'    /             limit curve, and its sides are the fastest way up, each with an
 //       |   .-'     /               acceleration of its own. Where the foot stands in a feature of
 //       |.-'      / one ramp        some nanometres, the first side is so flat that a ramp that
 //       |       /                   goes on with it would crawl for the whole length of the
@@ -22,9 +22,9 @@ namespace kerf::lookahead {
 //
 // The hull is thinned where its sides differ little; of its corners the one that leaves the least
 // time in both parts is cut at, then each part again. Of the jerk only this is taken into account:
-// a place of the ceiling that it keeps out of reach from the foot does not count. Samples: distance
-// from 0, ascending, their feedrate not below 0; the ramp begins with that of the first. The jerk
-// may be infinite.
+// a place of the limit curve that it keeps out of reach from the foot does not count. Samples:
+// distance from 0, ascending, their feedrate not below 0; the ramp begins with that of the first.
+// The jerk may be infinite.
 std::vector<std::size_t> ramp_cuts(const std::vector<Slope::Sample>& samples,
                                    const profiles::RampLimits& limits);
 

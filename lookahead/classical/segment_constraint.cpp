@@ -13,7 +13,7 @@ using profiles::Transition;
 namespace {
 
 constexpr double kAlike = 1e-6;  // what differs less is rounding
-constexpr int kPlaces = 16;      // of a law under a ceiling
+constexpr int kPlaces = 16;      // of a law under a limit curve
 constexpr double kMore = 1.01;   // of a limit, to see what it is worth
 }  // namespace
 
@@ -35,10 +35,10 @@ ActiveConstraint SegmentConstraint::of(SegmentPart part, const Transition& law,
   return ramp(law, s_begin_mm);
 }
 
-ActiveConstraint SegmentConstraint::ceiling(const Transition& law, double s_begin_mm) const {
+ActiveConstraint SegmentConstraint::limit_curve(const Transition& law, double s_begin_mm) const {
   const auto sample_at = [this](double s_mm) {
     const auto found =
-        std::lower_bound(of_.block->ceiling.begin(), of_.block->ceiling.end() - 1, s_mm,
+        std::lower_bound(of_.block->limit_curve.begin(), of_.block->limit_curve.end() - 1, s_mm,
                          [](const FeedSample& sample, double s) { return sample.s_mm < s; });
     return *found;
   };
@@ -71,9 +71,9 @@ const TurnSample* SegmentConstraint::turning_at(double s_mm) const {
 ActiveConstraint SegmentConstraint::constant_velocity(double constant_velocity_s,
                                                       const Transition& law,
                                                       double s_begin_mm) const {
-  return constant_velocity_s > 0.0 || of_.block->ceiling.empty()
+  return constant_velocity_s > 0.0 || of_.block->limit_curve.empty()
              ? active_constraint(Constraint::junction)
-             : ceiling(law, s_begin_mm);
+             : limit_curve(law, s_begin_mm);
 }
 
 ActiveConstraint SegmentConstraint::cruise(const Transition& law, double s_begin_mm) const {
@@ -84,8 +84,8 @@ ActiveConstraint SegmentConstraint::cruise(const Transition& law, double s_begin
       law.ramp().v_begin_mm_s >= (1.0 - kAlike) * of_.segment->limits.feedrate_mm_s) {
     return active_constraint(of_.segment->limits.from.feedrate);
   }
-  return of_.block->ceiling.empty() ? active_constraint(of_.block->limits.from.jerk)
-                                    : ceiling(law, s_begin_mm);
+  return of_.block->limit_curve.empty() ? active_constraint(of_.block->limits.from.jerk)
+                                        : limit_curve(law, s_begin_mm);
 }
 
 ActiveConstraint SegmentConstraint::ramp(const Transition& law, double s_begin_mm) const {
@@ -94,7 +94,7 @@ ActiveConstraint SegmentConstraint::ramp(const Transition& law, double s_begin_m
   const double change = law.ramp().v_end_mm_s - law.ramp().v_begin_mm_s;
   if (!of_.segment->rise.empty() &&
       law.duration_s() > (1.0 + kAlike) * of_.profile->duration_s(change, limits)) {
-    return ceiling(law, s_begin_mm);
+    return limit_curve(law, s_begin_mm);
   }
   const double a = limits.acceleration_mm_s2;
   const double j = limits.jerk_mm_s3;

@@ -16,11 +16,11 @@ enum class SegmentPart : std::uint8_t {
 };
 
 // - A part at constant velocity is there for a junction's sake, or waits below the foot of a
-// ceiling.
-// - A cruise runs at what its block allows, or below a ceiling.
+// limit curve.
+// - A cruise runs at what its block allows, or below a limit curve.
 // - A change of feedrate is bound by jerk and acceleration, each while it is what binds; where the
 //   profile has both at once, by the one of which a hundredth more would save more time. Where it
-//   was stretched to stay below a ceiling or to leave room for turning, by that.
+//   was stretched to stay below a limit curve or to leave room for turning, by that.
 class SegmentConstraint {
  public:
   struct Settings {
@@ -44,8 +44,9 @@ class SegmentConstraint {
   [[nodiscard]] ActiveConstraint ramp(const profiles::Transition& law, double s_begin_mm) const;
   // Null: turning does not bind.
   [[nodiscard]] const TurnSample* turning_at(double s_mm) const;
-  // What the ceiling, of the block or of turning, comes from where the law is nearest to it.
-  [[nodiscard]] ActiveConstraint ceiling(const profiles::Transition& law, double s_begin_mm) const;
+  // What the limit curve, of the block or of turning, comes from where the law is nearest to it.
+  [[nodiscard]] ActiveConstraint limit_curve(const profiles::Transition& law,
+                                             double s_begin_mm) const;
 
   Settings of_;
 };

@@ -35,13 +35,12 @@ void fit_constant_velocity(double constant_velocity_s, const VelocitySegment& se
 
 }  // namespace
 
-double valley_mm_s(double ceiling_mm_s, const VelocitySegment& segment,
-                   const JunctionRules& rules) {
+double valley_mm_s(double limit_mm_s, const VelocitySegment& segment, const JunctionRules& rules) {
   if (rules.profile.kind() != ProfileKind::trapezoid) {
-    return ceiling_mm_s;
+    return limit_mm_s;
   }
   const double rise = 0.25 * segment.limits.ramp.acceleration_mm_s2 * rules.limits.period_s;
-  return std::max(ceiling_mm_s - rise, 0.5 * ceiling_mm_s);
+  return std::max(limit_mm_s - rise, 0.5 * limit_mm_s);
 }
 
 SegmentJunction segment_junction(const JunctionSides& sides, const JunctionRules& rules) {
@@ -49,14 +48,14 @@ SegmentJunction segment_junction(const JunctionSides& sides, const JunctionRules
   const Block& after = *sides.blocks.after;
   Junction junction = junction_of(sides.blocks, rules.limits);
   double& v = junction.feedrate_mm_s;
-  if (!before.ceiling.empty()) {
+  if (!before.limit_curve.empty()) {
     const double end_mm_s =
-        std::min(before.ceiling.back().v_mm_s, sides.before->fall.bottom_mm_s());
+        std::min(before.limit_curve.back().v_mm_s, sides.before->fall.bottom_mm_s());
     v = std::min(v, valley_mm_s(end_mm_s, *sides.before, rules));
   }
-  if (!after.ceiling.empty()) {
+  if (!after.limit_curve.empty()) {
     const double begin_mm_s =
-        std::min(after.ceiling.front().v_mm_s, sides.after->rise.bottom_mm_s());
+        std::min(after.limit_curve.front().v_mm_s, sides.after->rise.bottom_mm_s());
     v = std::min(v, valley_mm_s(begin_mm_s, *sides.after, rules));
   }
   if (junction.constant_velocity_s > 0.0) {

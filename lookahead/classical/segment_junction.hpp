@@ -16,11 +16,11 @@ struct JunctionRules {
   const profiles::Profile& profile;
 };
 
-// The ceiling bounds the mean feedrate of a tick. In a valley the acceleration of a law without
+// The limit curve bounds the mean feedrate of a tick. In a valley the acceleration of a law without
 // jerk jumps from -A to A, and the mean of the tick around it is A Ts / 4 above its middle at the
-// most. No less than half of the ceiling: where A Ts / 4 is more than that, the scan has made the
-// ceiling so wide that the tick is all in it.
-double valley_mm_s(double ceiling_mm_s, const VelocitySegment& segment, const JunctionRules& rules);
+// most. No less than half of the limit curve: where A Ts / 4 is more than that, the scan has made
+// the limit curve so wide that the tick is all in it.
+double valley_mm_s(double limit_mm_s, const VelocitySegment& segment, const JunctionRules& rules);
 
 // As fast as both blocks may be passed, and beside one that a tick might pass over faster than that
 // a tick at constant velocity, outside of it, so that no tick that sees all of it has a part of a

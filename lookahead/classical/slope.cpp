@@ -9,7 +9,7 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr std::size_t kRampPoints = 64;
-// A ramp between two points of it is no farther above the ceiling than they differ in feedrate.
+// A ramp between two points of it is no farther above the limit curve than they differ in feedrate.
 constexpr double kStrict = 5e-5;
 constexpr int kMostHalvings = 16;
 

@@ -4,13 +4,14 @@
 #include <limits>
 #include <vector>
 
-#include "lookahead/path/ceiling.hpp"
+#include "lookahead/path/velocity_limit_curve.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::lookahead {
 
 // The feedrate allowed at a distance from the foot, made monotone: at each point the lowest that
-// the ceiling comes down to between there and the top. Empty: no ceiling, any feedrate is allowed.
+// the limit curve comes down to between there and the top. Empty: no limit curve, any feedrate is
+// allowed.
 class Slope {
  public:
   struct Sample {
@@ -35,14 +36,15 @@ class Slope {
   // Precondition: not empty.
   [[nodiscard]] double allowed_from_mm(double v_mm_s) const;
 
-  // How long a transition from the foot upwards must be made to stay below the ceiling, as a factor
+  // How long a transition from the foot upwards must be made to stay below the limit curve, as a
+  // factor
   // >= 1 on the length and duration of ramp. A stretched transition passes through the same
   // feedrates at the same shares of its length, so each of its points asks for a length of its own
   // and the largest decides: no iteration. The ramp is then nowhere more than 5e-5 of its feedrate
-  // above the ceiling.
+  // above the limit curve.
   [[nodiscard]] double stretch_for(const profiles::Transition& ramp) const;
   // How far from the foot the ramp must begin instead, unstretched: for a law whose acceleration
-  // jumps, which no stretch keeps below a ceiling that is flat at the foot.
+  // jumps, which no stretch keeps below a limit curve that is flat at the foot.
   [[nodiscard]] double delay_for_mm(const profiles::Transition& ramp) const;
 
  private:

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "lookahead/classical/ceiling_cuts.hpp"
+#include "lookahead/classical/limit_curve_cuts.hpp"
 #include "lookahead/classical/turn_ceiling.hpp"
 
 namespace kerf::lookahead {
@@ -16,23 +16,24 @@ namespace {
 constexpr double kNoise = 0.01;
 constexpr double kTurningNoise = 0.05;
 
-VelocitySegment span_between(const Block& block, const Ceiling& ceiling, const SampleRange& range) {
-  Hill hill = hill_of(ceiling, range);
+VelocitySegment segment_between(const Block& block, const VelocityLimitCurve& limit_curve,
+                                const SampleRange& range) {
+  Hill hill = hill_of(limit_curve, range);
   VelocitySegment segment = whole_segment(block);
-  segment.s_begin_mm = ceiling[range.first].s_mm;
-  segment.length_mm = ceiling[range.last].s_mm - segment.s_begin_mm;
-  segment.end.feedrate_mm_s = ceiling[range.last].v_mm_s;
-  segment.ends_block = range.last + 1 == ceiling.size();
+  segment.s_begin_mm = limit_curve[range.first].s_mm;
+  segment.length_mm = limit_curve[range.last].s_mm - segment.s_begin_mm;
+  segment.end.feedrate_mm_s = limit_curve[range.last].v_mm_s;
+  segment.ends_block = range.last + 1 == limit_curve.size();
   segment.rise = Slope(std::move(hill.rise));
   segment.fall = Slope(std::move(hill.fall));
   return segment;
 }
 
-std::vector<VelocitySegment> segments_between_cuts(const Block& block, const CutCeiling& cut) {
+std::vector<VelocitySegment> segments_between_cuts(const Block& block, const CutLimitCurve& cut) {
   std::vector<VelocitySegment> segments;
   std::size_t first = 0;
   for (const std::size_t last : cut.cuts) {
-    segments.push_back(span_between(block, cut.ceiling, {.first = first, .last = last}));
+    segments.push_back(segment_between(block, cut.limit_curve, {.first = first, .last = last}));
     first = last;
     if (segments.size() > 1) {
       double& junction = segments[segments.size() - 2].end.feedrate_mm_s;
@@ -77,12 +78,12 @@ VelocitySegment whole_segment(const Block& block) {
 }
 
 std::vector<VelocitySegment> split(const Block& block, double period_s) {
-  if (block.ceiling.empty()) {
+  if (block.limit_curve.empty()) {
     return {whole_segment(block)};
   }
   return segments_between_cuts(
       block,
-      cut(block.ceiling, {.noise = kNoise, .period_s = period_s, .ramp = block.limits.ramp}));
+      cut(block.limit_curve, {.noise = kNoise, .period_s = period_s, .ramp = block.limits.ramp}));
 }
 
 std::vector<VelocitySegment> split(const Block& block, const Turning& turning,
@@ -96,7 +97,7 @@ std::vector<VelocitySegment> split(const Block& block, const Turning& turning,
             std::min(along.jerk_mm_s3, strongest(under, limits, &MotionLimits::jerk_mm_s3))};
   };
   std::vector<VelocitySegment> segments = segments_between_cuts(
-      block, cut(lower_ceiling(block.ceiling, turning),
+      block, cut(lower_limit_curve(block.limit_curve, turning),
                  {.noise = kTurningNoise, .period_s = limits.period_s, .ramp = steepest(turning)}));
   for (VelocitySegment& segment : segments) {
     segment.turning = part_of(turning, segment);

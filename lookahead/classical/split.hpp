@@ -13,11 +13,11 @@ namespace kerf::lookahead {
 // Valleys within a tick's way at their feedrate are one, and one as close to an end is none: beside
 // a corner that is not quite one, derivatives are rounding, and rounding has thousands of valleys.
 std::vector<VelocitySegment> split(const Block& block, double period_s);
-// The same with what turning asks of the axes, which lowers the ceiling and stays with each
-// segment. Precondition: the block is a NURBS with its ceiling; turning is not empty.
+// The same with what turning asks of the axes, which lowers the limit curve and stays with each
+// segment. Precondition: the block is a NURBS with its limit curve; turning is not empty.
 std::vector<VelocitySegment> split(const Block& block, const Turning& turning,
                                    const PlanLimits& limits);
-// The same for a block without a ceiling, which is one segment.
+// The same for a block without a limit curve, which is one segment.
 VelocitySegment whole_segment(const Block& block);
 
 }  // namespace kerf::lookahead

@@ -14,33 +14,34 @@ double between(double s0, double v0, double s1, double v1, double s) {
 
 }  // namespace
 
-Ceiling lower_ceiling(const Ceiling& ceiling, const Turning& turning) {
-  Ceiling lower;
+VelocityLimitCurve lower_limit_curve(const VelocityLimitCurve& limit_curve,
+                                     const Turning& turning) {
+  VelocityLimitCurve lower;
   const double cap =
-      std::max_element(ceiling.begin(), ceiling.end(),
+      std::max_element(limit_curve.begin(), limit_curve.end(),
                        [](const FeedSample& a, const FeedSample& b) { return a.v_mm_s < b.v_mm_s; })
           ->v_mm_s;
   const auto turn = [&](std::size_t i) { return std::min(cap, turning[i].feedrate_mm_s); };
   std::size_t c = 0;
   std::size_t t = 0;
-  while (c < ceiling.size() || t < turning.size()) {
+  while (c < limit_curve.size() || t < turning.size()) {
     FeedSample sample;
-    if (t == turning.size() || (c < ceiling.size() && ceiling[c].s_mm <= turning[t].s_mm)) {
-      sample = ceiling[c++];
+    if (t == turning.size() || (c < limit_curve.size() && limit_curve[c].s_mm <= turning[t].s_mm)) {
+      sample = limit_curve[c++];
       if (t > 0 && t < turning.size()) {
         sample.v_mm_s = std::min(sample.v_mm_s, between(turning[t - 1].s_mm, turn(t - 1),
                                                         turning[t].s_mm, turn(t), sample.s_mm));
       }
     } else {
-      const std::size_t after = std::min(c, ceiling.size() - 1);
+      const std::size_t after = std::min(c, limit_curve.size() - 1);
       const std::size_t before = after > 0 ? after - 1 : 0;
       const double s = turning[t].s_mm;
-      sample = {
-          .u = between(ceiling[before].s_mm, ceiling[before].u, ceiling[after].s_mm,
-                       ceiling[after].u, s),
-          .s_mm = s,
-          .v_mm_s = std::min(turn(t), between(ceiling[before].s_mm, ceiling[before].v_mm_s,
-                                              ceiling[after].s_mm, ceiling[after].v_mm_s, s))};
+      sample = {.u = between(limit_curve[before].s_mm, limit_curve[before].u,
+                             limit_curve[after].s_mm, limit_curve[after].u, s),
+                .s_mm = s,
+                .v_mm_s = std::min(turn(t),
+                                   between(limit_curve[before].s_mm, limit_curve[before].v_mm_s,
+                                           limit_curve[after].s_mm, limit_curve[after].v_mm_s, s))};
       ++t;
     }
     if (!lower.empty() && (sample.s_mm <= lower.back().s_mm || sample.u <= lower.back().u)) {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "lookahead/classical/turn_scan.hpp"
-#include "lookahead/path/ceiling.hpp"
+#include "lookahead/path/velocity_limit_curve.hpp"
 
 namespace kerf::lookahead {
 
-// The lower one of a ceiling and what turning allows.
-Ceiling lower_ceiling(const Ceiling& ceiling, const Turning& turning);
+// The lower one of a limit curve and what turning allows.
+VelocityLimitCurve lower_limit_curve(const VelocityLimitCurve& limit_curve, const Turning& turning);
 
 }  // namespace kerf::lookahead

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "curves/nurbs_curve.hpp"
-#include "lookahead/path/ceiling.hpp"
 #include "lookahead/path/limits.hpp"
+#include "lookahead/path/velocity_limit_curve.hpp"
 
 namespace kerf::lookahead {
 

@@ -174,7 +174,8 @@ double brake(VelocitySegment& segment, const SegmentEnds& ends, const Profile& p
   const double stop_mm =
       constant_velocity_mm + profile.length_mm({ends.v_begin_mm_s, 0.0}, segment.limits.ramp);
   if (stop_mm <= segment.length_mm) {
-    // The fall ends before the ceiling does, so it is below it wherever the plan to the end was.
+    // The fall ends before the limit curve does, so it is below it wherever the plan to the end
+    // was.
     segment.ends_block = segment.ends_block && stop_mm == segment.length_mm;
     segment.length_mm = stop_mm;
     segment.end = {.feedrate_mm_s = 0.0};

@@ -66,8 +66,8 @@ double end_feedrate_mm_s(const VelocitySegment& segment, const SegmentEnds& want
 bool joins(const VelocitySegment& segment, const SegmentEnds& ends,
            const profiles::Profile& profile);
 
-// The fastest plan of the segment's kind: the cruise as high as length and ceiling allow; under a
-// ceiling the cruise of least time. Precondition: the ends can be joined.
+// The fastest plan of the segment's kind: the cruise as high as length and limit curve allow; under
+// a limit curve the cruise of least time. Precondition: the ends can be joined.
 SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends,
                          const profiles::Profile& profile);
 

@@ -6,8 +6,8 @@
 
 #include "curves/auxiliary_axis_motion.hpp"
 #include "curves/curve.hpp"
-#include "lookahead/path/ceiling.hpp"
 #include "lookahead/path/limits.hpp"
+#include "lookahead/path/velocity_limit_curve.hpp"
 #include "profiles/shape_value.hpp"
 #include "smoothing/path_segment.hpp"
 
@@ -50,7 +50,7 @@ struct Block {
   // It goes on where and as the block before ends, in direction and curvature, by construction:
   // nothing of them jumps there but what rounding left.
   bool continues = false;
-  Ceiling ceiling{};  // empty: limits.feedrate_mm_s everywhere
+  VelocityLimitCurve limit_curve{};  // empty: limits.feedrate_mm_s everywhere
 };
 
 }  // namespace kerf::lookahead

@@ -78,7 +78,7 @@ Block make_block(PathSegment segment, const PlanLimits& limits, ScanFor plan) {
   }
   bind_extra_axes(limits, block);
   if (nurbs != nullptr) {
-    block.ceiling =
+    block.limit_curve =
         scan_feedrate(*nurbs, {.feedrate_mm_s = block.limits.feedrate_mm_s,
                                .feedrate_from = block.limits.from.feedrate,
                                .along = {.acceleration_mm_s2 = block.along.ramp.acceleration_mm_s2,

@@ -14,8 +14,8 @@
 
 namespace kerf::lookahead {
 
-// plan: that the ceiling of a curve is scanned for (Planner::scan_for). Error: axes move that the
-// machine has no limits of.
+// plan: that the limit curve of a curve is scanned for (Planner::scan_for). Error: axes move that
+// the machine has no limits of.
 tl::expected<Block, smoothing::PathError> block_of(smoothing::PathSegment segment,
                                                    const PlanLimits& limits,
                                                    ScanFor plan = ScanFor::bounded_jerk);

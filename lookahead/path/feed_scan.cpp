@@ -15,11 +15,11 @@ constexpr double kInside = 0.9998;
 // What a plan may add to the way of a tick is taken off the bound, as far as this share is left.
 constexpr double kLeastShare = 0.5;
 
-// The middles of ticks as a ceiling over s. Just before a sharp turn middles run backwards: a tick
-// that begins earlier is let past the turn, one that begins later is not. The slower one counts,
-// and that is the later one.
-Ceiling in_order(const Ceiling& samples) {
-  Ceiling kept;
+// The middles of ticks as a limit curve over s. Just before a sharp turn middles run backwards: a
+// tick that begins earlier is let past the turn, one that begins later is not. The slower one
+// counts, and that is the later one.
+VelocityLimitCurve in_order(const VelocityLimitCurve& samples) {
+  VelocityLimitCurve kept;
   for (auto sample = samples.rbegin(); sample != samples.rend(); ++sample) {
     if (kept.empty() || sample->s_mm < kept.back().s_mm) {
       kept.push_back(*sample);
@@ -83,11 +83,11 @@ bool is_before(const FeedSample& a, const FeedSample& b) {
 }
 
 // Between two samples, or as the first or last one.
-FeedSample on_line(const Ceiling& ceiling, double s_mm, const NurbsCurve& curve) {
+FeedSample on_line(const VelocityLimitCurve& limit_curve, double s_mm, const NurbsCurve& curve) {
   const auto after =
-      std::upper_bound(ceiling.begin(), ceiling.end(), FeedSample{.s_mm = s_mm}, is_before);
-  FeedSample sample = sample_at(curve, s_mm, after == ceiling.begin() ? *after : *(after - 1));
-  if (after != ceiling.begin() && after != ceiling.end()) {
+      std::upper_bound(limit_curve.begin(), limit_curve.end(), FeedSample{.s_mm = s_mm}, is_before);
+  FeedSample sample = sample_at(curve, s_mm, after == limit_curve.begin() ? *after : *(after - 1));
+  if (after != limit_curve.begin() && after != limit_curve.end()) {
     const FeedSample& before = *(after - 1);
     const double share = (s_mm - before.s_mm) / (after->s_mm - before.s_mm);
     sample.v_mm_s += share * (after->v_mm_s - before.v_mm_s);
@@ -96,41 +96,41 @@ FeedSample on_line(const Ceiling& ceiling, double s_mm, const NurbsCurve& curve)
 }
 
 // From end to end of the curve, of samples that may lie beside it.
-Ceiling along(const NurbsCurve& curve, const Ceiling& middles) {
+VelocityLimitCurve along(const NurbsCurve& curve, const VelocityLimitCurve& middles) {
   const double length = curve.length_mm();
-  Ceiling ceiling{on_line(middles, 0.0, curve)};
+  VelocityLimitCurve limit_curve{on_line(middles, 0.0, curve)};
   for (const FeedSample& middle : middles) {
     if (middle.s_mm > 0.0 && middle.s_mm < length) {
-      ceiling.push_back(sample_at(curve, middle.s_mm, middle));
+      limit_curve.push_back(sample_at(curve, middle.s_mm, middle));
     }
   }
-  ceiling.push_back(on_line(middles, length, curve));
-  return ceiling;
+  limit_curve.push_back(on_line(middles, length, curve));
+  return limit_curve;
 }
 
 // The samples with those at the ends of the ticks, on the lines between.
-Ceiling with_ends(const Ceiling& ceiling, const std::vector<HeldTick>& ticks,
-                  const NurbsCurve& curve) {
-  Ceiling all = ceiling;
+VelocityLimitCurve with_ends(const VelocityLimitCurve& limit_curve,
+                             const std::vector<HeldTick>& ticks, const NurbsCurve& curve) {
+  VelocityLimitCurve all = limit_curve;
   for (const HeldTick& tick : ticks) {
-    all.push_back(on_line(ceiling, tick.begin_mm, curve));
-    all.push_back(on_line(ceiling, tick.end_mm, curve));
+    all.push_back(on_line(limit_curve, tick.begin_mm, curve));
+    all.push_back(on_line(limit_curve, tick.end_mm, curve));
   }
   std::stable_sort(all.begin(), all.end(), is_before);
   const auto is_same = [](const FeedSample& a, const FeedSample& b) {
     return !(b.s_mm > a.s_mm && b.u > a.u);
   };
   all.erase(std::unique(all.begin(), all.end(), is_same), all.end());
-  all.back().s_mm = ceiling.back().s_mm;  // u may tell less apart than s
+  all.back().s_mm = limit_curve.back().s_mm;  // u may tell less apart than s
   return all;
 }
 
 // No sample higher than the slowest tick over it. The ticks ascend by their begin.
-void hold(const std::vector<HeldTick>& ticks, Ceiling& ceiling) {
+void hold(const std::vector<HeldTick>& ticks, VelocityLimitCurve& limit_curve) {
   const auto is_faster = [](const HeldTick& a, const HeldTick& b) { return a.v_mm_s > b.v_mm_s; };
   std::priority_queue<HeldTick, std::vector<HeldTick>, decltype(is_faster)> begun(is_faster);
   auto next = ticks.begin();
-  for (FeedSample& at : ceiling) {
+  for (FeedSample& at : limit_curve) {
     for (; next != ticks.end() && next->begin_mm <= at.s_mm; ++next) {
       begun.push(*next);
     }
@@ -146,9 +146,9 @@ void hold(const std::vector<HeldTick>& ticks, Ceiling& ceiling) {
 
 }  // namespace
 
-Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
+VelocityLimitCurve scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
   const double length = curve.length_mm();
-  Ceiling middles;
+  VelocityLimitCurve middles;
   std::vector<HeldTick> held;
   for (const TickBound& bound : tick_bounds(curve, limits)) {
     const bool binds = bound.v_mm_s < limits.feedrate_mm_s;
@@ -171,12 +171,12 @@ Ceiling scan_feedrate(const NurbsCurve& curve, const ScanLimits& limits) {
                        .v_mm_s = v,
                        .limit = binds ? Constraint::chord_error : limits.feedrate_from});
   }
-  Ceiling ceiling = along(curve, in_order(middles));
+  VelocityLimitCurve limit_curve = along(curve, in_order(middles));
   if (!held.empty()) {
-    ceiling = with_ends(ceiling, held, curve);
-    hold(held, ceiling);
+    limit_curve = with_ends(limit_curve, held, curve);
+    hold(held, limit_curve);
   }
-  return ceiling;
+  return limit_curve;
 }
 
 }  // namespace kerf::lookahead

@@ -84,7 +84,7 @@ double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
 }
 
 double sub_tick_feedrate_mm_s(const Block& block, const PlanLimits& limits) {
-  if (block.ceiling.empty() || !std::isfinite(limits.chord_tolerance_mm)) {
+  if (block.limit_curve.empty() || !std::isfinite(limits.chord_tolerance_mm)) {
     return kUnbounded;
   }
   return std::max(block.length_mm / limits.period_s,

@@ -9,9 +9,9 @@
 
 namespace kerf::lookahead {
 
-// What runs below the ceiling. Where a curve is nearly straight the classical profiles see the
-// ceiling at every half tick (their breaking points are found by its slopes), the time optimum at
-// the quarters of a piece. The acceleration of a trapezoid jumps.
+// What runs below the limit curve. Where a curve is nearly straight the classical profiles see the
+// limit curve at every half tick (their breaking points are found by its slopes), the time optimum
+// at the quarters of a piece. The acceleration of a trapezoid jumps.
 enum class ScanFor { trapezoid, bounded_jerk, time_optimum };
 
 struct ScanLimits {

@@ -41,8 +41,8 @@ TEST(Brake, KeepsTheConstantVelocityThatItBeginsWith) {
   EXPECT_NEAR(segment.length_mm, 40.0 * 0.003 + 0.5 * 40.0 * s_curve_s(40.0), 1e-9);
 }
 
-// Where the plan to the segment's end keeps the ceiling, so does the fall to rest.
-TEST(Brake, StaysBelowTheCeilingOfACurve) {
+// Where the plan to the segment's end keeps the limit curve, so does the fall to rest.
+TEST(Brake, StaysBelowTheLimitCurveOfACurve) {
   const Block block =
       blocks_of({nurbs_move(curves::testing::shipped_curve("butterfly"))}, butterfly_limits())
           .front();
@@ -50,7 +50,7 @@ TEST(Brake, StaysBelowTheCeilingOfACurve) {
     SCOPED_TRACE(profiles::name_of(kind));
     const Profile profile{kind};
     for (const VelocitySegment& whole : split(block, 0.001)) {
-      const double cap = ceiling_at(block.ceiling, whole.s_begin_mm);
+      const double cap = limit_curve_at(block.limit_curve, whole.s_begin_mm);
       VelocitySegment segment = whole;
       SegmentEnds ends{.v_begin_mm_s = 0.0, .v_end_mm_s = segment.end.feedrate_mm_s};
       ends.v_begin_mm_s =
@@ -60,7 +60,7 @@ TEST(Brake, StaysBelowTheCeilingOfACurve) {
       const SegmentPlan plan = plan_segment(segment, ends, profile);
       expect_joined(segment, ends, plan);
       const Excess excess = excess_of(
-          plan, [&](double s) { return ceiling_at(block.ceiling, whole.s_begin_mm + s); });
+          plan, [&](double s) { return limit_curve_at(block.limit_curve, whole.s_begin_mm + s); });
       EXPECT_LE(excess.share, 1e-3) << "segment at " << whole.s_begin_mm;
     }
   }

@@ -1,10 +1,10 @@
-// Ticks at the ceiling of a curve, and their chord errors.
+// Ticks at the limit curve of a curve, and their chord errors.
 #pragma once
 
 #include <algorithm>
 
 #include "curves/nurbs_curve.hpp"
-#include "lookahead/path/ceiling.hpp"
+#include "lookahead/path/velocity_limit_curve.hpp"
 
 namespace kerf::lookahead::test {
 
@@ -26,9 +26,9 @@ inline double chord_error_mm(const curves::NurbsCurve& curve, double s_from_mm, 
 }
 
 // Precondition: two samples at least.
-inline double feedrate_at_mm_s(const Ceiling& ceiling, double s_mm) {
+inline double feedrate_at_mm_s(const VelocityLimitCurve& limit_curve, double s_mm) {
   const auto after =
-      std::upper_bound(ceiling.begin() + 1, ceiling.end() - 1, s_mm,
+      std::upper_bound(limit_curve.begin() + 1, limit_curve.end() - 1, s_mm,
                        [](double s, const FeedSample& sample) { return s < sample.s_mm; });
   const FeedSample& a = *(after - 1);
   const FeedSample& b = *after;

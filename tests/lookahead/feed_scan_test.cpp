@@ -25,10 +25,10 @@ TEST(FeedScan, OfACircleIsTheClosedForm) {
     SCOPED_TRACE(radius);
     const double d = 5e-4;
     const double expected = 2.0 / 0.001 * std::sqrt(2.0 * radius * d - d * d);
-    const Ceiling ceiling = scan_feedrate(smooth_curve(nurbs_circle(radius)),
-                                          {.period_s = 0.001, .chord_tolerance_mm = d});
-    ASSERT_GE(ceiling.size(), 3U);
-    for (const FeedSample& sample : ceiling) {
+    const VelocityLimitCurve limit_curve = scan_feedrate(
+        smooth_curve(nurbs_circle(radius)), {.period_s = 0.001, .chord_tolerance_mm = d});
+    ASSERT_GE(limit_curve.size(), 3U);
+    for (const FeedSample& sample : limit_curve) {
       EXPECT_LE(sample.v_mm_s, expected * (1.0 + 1e-9));
       EXPECT_GE(sample.v_mm_s, expected * 0.999);
     }
@@ -36,10 +36,10 @@ TEST(FeedScan, OfACircleIsTheClosedForm) {
 }
 
 TEST(FeedScan, TakesTheProgrammedFeedrateWhereTheChordAllowsMore) {
-  const Ceiling ceiling = scan_feedrate(
+  const VelocityLimitCurve limit_curve = scan_feedrate(
       smooth_curve(nurbs_circle(20.0)),
       {.feedrate_mm_s = 50.0, .along = {.jerk_mm_s3 = 55'000.0}, .chord_tolerance_mm = 5e-4});
-  for (const FeedSample& sample : ceiling) {
+  for (const FeedSample& sample : limit_curve) {
     EXPECT_EQ(sample.v_mm_s, 50.0);
   }
 }
@@ -48,15 +48,15 @@ TEST(FeedScan, CoversTheCurveFromEndToEndInOrder) {
   for (const auto& named : shipped_curves()) {
     SCOPED_TRACE(named.name);
     for (const auto& part : smooth_parts(named.data)) {
-      const Ceiling ceiling =
+      const VelocityLimitCurve limit_curve =
           scan_feedrate(part, {.feedrate_mm_s = 100.0, .chord_tolerance_mm = 5e-4});
-      EXPECT_EQ(ceiling.front().s_mm, 0.0);
-      EXPECT_EQ(ceiling.back().s_mm, part.length_mm());
-      for (std::size_t i = 1; i < ceiling.size(); ++i) {
-        ASSERT_GT(ceiling[i].s_mm, ceiling[i - 1].s_mm);
-        ASSERT_GE(ceiling[i].u, ceiling[i - 1].u);
-        ASSERT_GT(ceiling[i].v_mm_s, 0.0);
-        ASSERT_LE(ceiling[i].v_mm_s, 100.0);
+      EXPECT_EQ(limit_curve.front().s_mm, 0.0);
+      EXPECT_EQ(limit_curve.back().s_mm, part.length_mm());
+      for (std::size_t i = 1; i < limit_curve.size(); ++i) {
+        ASSERT_GT(limit_curve[i].s_mm, limit_curve[i - 1].s_mm);
+        ASSERT_GE(limit_curve[i].u, limit_curve[i - 1].u);
+        ASSERT_GT(limit_curve[i].v_mm_s, 0.0);
+        ASSERT_LE(limit_curve[i].v_mm_s, 100.0);
       }
     }
   }
@@ -66,10 +66,10 @@ TEST(FeedScan, StepsNoFartherThanATick) {
   for (const auto& named : shipped_curves()) {
     SCOPED_TRACE(named.name);
     for (const auto& part : smooth_parts(named.data)) {
-      const Ceiling ceiling =
+      const VelocityLimitCurve limit_curve =
           scan_feedrate(part, {.feedrate_mm_s = 100.0, .chord_tolerance_mm = 5e-4});
-      for (std::size_t i = 1; i < ceiling.size(); ++i) {
-        EXPECT_LE(ceiling[i].s_mm - ceiling[i - 1].s_mm, 0.1);
+      for (std::size_t i = 1; i < limit_curve.size(); ++i) {
+        EXPECT_LE(limit_curve[i].s_mm - limit_curve[i - 1].s_mm, 0.1);
       }
     }
   }
@@ -85,8 +85,8 @@ TEST(FeedScan, InQuartersOfPiecesSeesAStraightPartAtFewPlaces) {
   EXPECT_GE(coarse, 4 * curve.pieces().size());
 }
 
-// Between samples the ceiling is a straight line, which may pass over what the curve allows there:
-// by 2e-4 of the tolerance on the butterfly.
+// Between samples the limit curve is a straight line, which may pass over what the curve allows
+// there: by 2e-4 of the tolerance on the butterfly.
 class ScannedIn : public testing::TestWithParam<ScanFor> {};
 
 TEST_P(ScannedIn, KeepsTheChordToleranceOfPlannedTicksAtEveryPhaseToAThousandth) {
@@ -97,10 +97,10 @@ TEST_P(ScannedIn, KeepsTheChordToleranceOfPlannedTicksAtEveryPhaseToAThousandth)
       Block block = blocks_of({nurbs_move(named.data)}, limits).front();
       block.curve = part;
       block.length_mm = part.length_mm();
-      block.ceiling = scan_feedrate(part, {.feedrate_mm_s = 100.0,
-                                           .along = {.jerk_mm_s3 = 55'000.0},
-                                           .chord_tolerance_mm = limits.chord_tolerance_mm,
-                                           .plan = GetParam()});
+      block.limit_curve = scan_feedrate(part, {.feedrate_mm_s = 100.0,
+                                               .along = {.jerk_mm_s3 = 55'000.0},
+                                               .chord_tolerance_mm = limits.chord_tolerance_mm,
+                                               .plan = GetParam()});
       const Motion motion = plan({block}, {.limits = limits});
       double largest = 0.0;
       for (int phase = 0; phase < 7; ++phase) {
@@ -137,7 +137,7 @@ curves::NurbsData sharp_turn() {
           .knots = {0, 0, 0, 1, 1, 1}};
 }
 
-// Any tick that is run at the ceiling of its middle, wherever it falls between samples.
+// Any tick that is run at the limit curve of its middle, wherever it falls between samples.
 TEST(FeedScan, KeepsTheChordToleranceBetweenItsSamplesToAThousandth) {
   const double ts = 0.001;
   std::vector<curves::testing::NamedCurve> curves = shipped_curves();
@@ -147,11 +147,11 @@ TEST(FeedScan, KeepsTheChordToleranceBetweenItsSamplesToAThousandth) {
     SCOPED_TRACE(named.name);
     for (const auto& part : smooth_parts(named.data)) {
       for (const double d : {2e-5, 5e-4}) {
-        const Ceiling ceiling =
+        const VelocityLimitCurve limit_curve =
             scan_feedrate(part, {.feedrate_mm_s = 100.0, .period_s = ts, .chord_tolerance_mm = d});
         double largest = 0.0;
         for (double s = 0.0; s < part.length_mm();) {
-          const double half_mm = 0.5 * ts * feedrate_at_mm_s(ceiling, s);
+          const double half_mm = 0.5 * ts * feedrate_at_mm_s(limit_curve, s);
           if (s >= half_mm && s + half_mm <= part.length_mm()) {
             largest = std::max(largest, chord_error_mm(part, s - half_mm, s + half_mm));
           }
@@ -168,11 +168,11 @@ TEST(FeedScan, KeepsTheChordToleranceBetweenItsSamplesToAThousandth) {
 // stands at the apex, and not where the former has its middle.
 TEST(FeedScan, BoundsASharpTurnAtItsApexAlone) {
   const curves::NurbsCurve curve = smooth_curve(sharp_turn());
-  const Ceiling ceiling =
+  const VelocityLimitCurve limit_curve =
       scan_feedrate(curve, {.feedrate_mm_s = 100.0, .period_s = 0.001, .chord_tolerance_mm = 5e-4});
   const double apex = 0.5 * curve.length_mm();
   double slowest = 100.0;
-  for (const FeedSample& sample : ceiling) {
+  for (const FeedSample& sample : limit_curve) {
     if (std::abs(sample.s_mm - apex) < 1e-3) {
       slowest = std::min(slowest, sample.v_mm_s);
     } else if (sample.s_mm > apex + 2e-3) {
@@ -220,12 +220,12 @@ TEST(FeedScan, LeavesRoomForTheJerkThatTurningTakesOffAnAxis) {
   const double apex_mm = 0.5 * curve.length_mm();
   const double curvature = curves::vec(curve.derivatives_at(apex_mm).second_per_mm).norm();
   for (const double limit : {1e3, 1.6e4, 1e5}) {
-    const Ceiling ceiling = scan_feedrate(
+    const VelocityLimitCurve limit_curve = scan_feedrate(
         curve, {.feedrate_mm_s = 100.0,
                 .axes = {MotionLimits{.jerk_mm_s3 = limit}, MotionLimits{.jerk_mm_s3 = 1e6}},
                 .period_s = ts,
                 .chord_tolerance_mm = d});
-    const double lowest = feedrate_at_mm_s(ceiling, apex_mm);
+    const double lowest = feedrate_at_mm_s(limit_curve, apex_mm);
     const double jerk = limit + curvature * curvature * lowest * lowest * lowest;
     const double half_mm = 0.5 * ts * (lowest + jerk * ts * ts / 24.0);
     EXPECT_LE(chord_error_mm(curve, apex_mm - half_mm, apex_mm + half_mm), d) << limit;

@@ -1,4 +1,4 @@
-// Ramps below ceilings made by hand.
+// Ramps below limit curves made by hand.
 #include "lookahead/classical/ramp_cuts.hpp"
 
 #include <cmath>
@@ -15,7 +15,7 @@ using Indices = std::vector<std::size_t>;
 
 constexpr profiles::RampLimits kLimits{.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 1e6};
 
-TEST(RampCuts, AreNotWhereTheCeilingAllowsOneAcceleration) {
+TEST(RampCuts, AreNotWhereTheLimitCurveAllowsOneAcceleration) {
   Samples samples;
   for (int i = 0; i <= 100; ++i) {
     samples.push_back({.distance_mm = 0.1 * i, .v_mm_s = std::sqrt(2.0 * 500.0 * 0.1 * i)});
@@ -23,7 +23,7 @@ TEST(RampCuts, AreNotWhereTheCeilingAllowsOneAcceleration) {
   EXPECT_EQ(ramp_cuts(samples, kLimits), Indices{});
 }
 
-TEST(RampCuts, AreNotWhereTheMachineIsSlowerThanTheCeiling) {
+TEST(RampCuts, AreNotWhereTheMachineIsSlowerThanTheLimitCurve) {
   EXPECT_EQ(ramp_cuts({{0.0, 1.0}, {1e-3, 90.0}, {1e-2, 91.0}, {50.0, 100.0}}, kLimits), Indices{});
 }
 
@@ -37,7 +37,7 @@ TEST(RampCuts, LieBehindATinyFeatureAtTheFoot) {
 }
 
 // From rest 10 fm on no feedrate of a nanometre a second is reached at 1e6 mm/s^3.
-TEST(RampCuts, AreNotWhereTheJerkKeepsTheCeilingOutOfReach) {
+TEST(RampCuts, AreNotWhereTheJerkKeepsTheLimitCurveOutOfReach) {
   const Samples samples{{0.0, 0.0}, {1e-14, 1e-7}, {1.0, 90.0}, {75.0, 90.0}};
   EXPECT_EQ(ramp_cuts(samples, kLimits), Indices{});
   EXPECT_EQ(ramp_cuts(samples, {.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = kUnbounded}),

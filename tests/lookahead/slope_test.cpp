@@ -1,4 +1,5 @@
-// The ceiling seen from the foot of a hill: how long a ramp must be made, or how late it begins.
+// The limit curve seen from the foot of a hill: how long a ramp must be made, or how late it
+// begins.
 #include "lookahead/classical/slope.hpp"
 
 #include <algorithm>

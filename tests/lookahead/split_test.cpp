@@ -1,4 +1,4 @@
-// Where ceilings made by hand are cut into segments.
+// Where limit curves made by hand are cut into segments.
 #include "lookahead/classical/split.hpp"
 
 #include <array>
@@ -13,22 +13,22 @@ namespace {
 
 constexpr double kPeriod_s = 0.001;
 
-Block under(const Ceiling& ceiling) {
-  Block block{.curve = curves::Line::between({0, 0, 0}, {ceiling.back().s_mm, 0, 0}).value()};
-  block.length_mm = ceiling.back().s_mm;
+Block under(const VelocityLimitCurve& limit_curve) {
+  Block block{.curve = curves::Line::between({0, 0, 0}, {limit_curve.back().s_mm, 0, 0}).value()};
+  block.length_mm = limit_curve.back().s_mm;
   block.limits = {.feedrate_mm_s = 100.0, .ramp = {.acceleration_mm_s2 = kA, .jerk_mm_s3 = kJ}};
   block.along = block.limits;
-  block.ceiling = ceiling;
+  block.limit_curve = limit_curve;
   return block;
 }
 
 // At the feedrate in mm/s of each place in mm.
-Ceiling through(const std::vector<std::array<double, 2>>& places) {
-  Ceiling ceiling;
+VelocityLimitCurve through(const std::vector<std::array<double, 2>>& places) {
+  VelocityLimitCurve limit_curve;
   for (const auto& [s, v] : places) {
-    ceiling.push_back({.u = static_cast<double>(ceiling.size()), .s_mm = s, .v_mm_s = v});
+    limit_curve.push_back({.u = static_cast<double>(limit_curve.size()), .s_mm = s, .v_mm_s = v});
   }
-  return ceiling;
+  return limit_curve;
 }
 
 double sum_mm(const std::vector<VelocitySegment>& segments) {
@@ -41,12 +41,13 @@ double sum_mm(const std::vector<VelocitySegment>& segments) {
 
 // A tick at 1 mm/s covers a micrometre, here with a thousand valleys: rounding near a corner.
 TEST(Split, TakesValleysWithinATicksWayForOne) {
-  Ceiling ceiling = through({{0.0, 100.0}});
+  VelocityLimitCurve limit_curve = through({{0.0, 100.0}});
   for (int i = 0; i < 2000; ++i) {
-    ceiling.push_back({.u = 1.0 + i, .s_mm = 5.0 + 5e-10 * i, .v_mm_s = i % 2 == 0 ? 1.0 : 60.0});
+    limit_curve.push_back(
+        {.u = 1.0 + i, .s_mm = 5.0 + 5e-10 * i, .v_mm_s = i % 2 == 0 ? 1.0 : 60.0});
   }
-  ceiling.push_back({.u = 3000.0, .s_mm = 10.0, .v_mm_s = 100.0});
-  const std::vector<VelocitySegment> segments = split(under(ceiling), kPeriod_s);
+  limit_curve.push_back({.u = 3000.0, .s_mm = 10.0, .v_mm_s = 100.0});
+  const std::vector<VelocitySegment> segments = split(under(limit_curve), kPeriod_s);
   EXPECT_LE(segments.size(), 4U);
   EXPECT_NEAR(sum_mm(segments), 10.0, 1e-9);
   for (const VelocitySegment& segment : segments) {
@@ -92,10 +93,10 @@ TEST(Split, CutsARampBehindATinyFeature) {
     time_s += plan_segment(segment, ends, profile).duration_s();
     v = ends.v_end_mm_s;
   }
-  // On lines v = v0 + c s the ceiling itself takes log(v1 / v0) / c.
-  const double ceiling_s = std::log(8e-6 / 3e-9) * 4e-6 / (8e-6 - 3e-9) +
-                           std::log(90.0 / 8e-6) * 0.4 / 90.0 + 74.6 / 90.0;
-  EXPECT_LT(time_s, 2.0 * ceiling_s);
+  // On lines v = v0 + c s the limit curve itself takes log(v1 / v0) / c.
+  const double limit_curve_s = std::log(8e-6 / 3e-9) * 4e-6 / (8e-6 - 3e-9) +
+                               std::log(90.0 / 8e-6) * 0.4 / 90.0 + 74.6 / 90.0;
+  EXPECT_LT(time_s, 2.0 * limit_curve_s);
 }
 
 }  // namespace

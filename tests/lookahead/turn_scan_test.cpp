@@ -78,13 +78,13 @@ TEST(TurnScan, CountsAJumpOfCurvatureAsJerkWithinThreeTicks) {
   EXPECT_GT(at_jump, 0.0);
 }
 
-TEST(TurnScan, LowersACeilingAndNeverLiftsIt) {
+TEST(TurnScan, LowersALimitCurveAndNeverLiftsIt) {
   const PlanLimits limits = axis_limits({.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 2e4});
   const auto curve = smooth_curve(curves::testing::shipped_curve("butterfly"));
-  const Ceiling flat{{.u = 0.0, .s_mm = 0.0, .v_mm_s = 60.0},
-                     {.u = 1.0, .s_mm = curve.length_mm(), .v_mm_s = 60.0}};
+  const VelocityLimitCurve flat{{.u = 0.0, .s_mm = 0.0, .v_mm_s = 60.0},
+                                {.u = 1.0, .s_mm = curve.length_mm(), .v_mm_s = 60.0}};
   const Turning turning = scan_turning(curve, 60.0, limits);
-  const Ceiling lower = lower_ceiling(flat, turning);
+  const VelocityLimitCurve lower = lower_limit_curve(flat, turning);
   for (std::size_t i = 1; i < lower.size(); ++i) {
     EXPECT_LT(lower[i - 1].s_mm, lower[i].s_mm);
     EXPECT_LT(lower[i - 1].u, lower[i].u);

@@ -1,4 +1,4 @@
-// One segment: closed forms of the S-curve and the trapezoid, the four situations, the ceiling
+// One segment: closed forms of the S-curve and the trapezoid, the four situations, the limit curve
 // between samples, parts at constant velocity, braking.
 #include "lookahead/classical/velocity_segment.hpp"
 
@@ -168,8 +168,8 @@ TEST(VelocitySegment, WithConstantVelocityReachesFromWhereItsPlanFits) {
   }
 }
 
-// Ceilings as scans give them: the butterfly's and the scroll's, cut at their valleys.
-TEST(VelocitySegment, IsNeverAboveTheCeilingOfACurve) {
+// Limit curves as scans give them: the butterfly's and the scroll's, cut at their valleys.
+TEST(VelocitySegment, IsNeverAboveTheLimitCurveOfACurve) {
   for (const char* name : {"butterfly", "star", "trident7"}) {
     SCOPED_TRACE(name);
     const Block block =
@@ -182,15 +182,15 @@ TEST(VelocitySegment, IsNeverAboveTheCeilingOfACurve) {
       for (const VelocitySegment& segment : split(block, 0.001)) {
         EXPECT_NEAR(segment.s_begin_mm, s_begin, 1e-12);
         SegmentEnds ends{.v_begin_mm_s = v_begin, .v_end_mm_s = segment.end.feedrate_mm_s};
-        const double cap = ceiling_at(block.ceiling, s_begin);
+        const double cap = limit_curve_at(block.limit_curve, s_begin);
         ends.v_begin_mm_s = std::min(
             v_begin, reach_backward_mm_s(segment, {.v_end_mm_s = ends.v_end_mm_s, .cap_mm_s = cap},
                                          profile));
         ends.v_end_mm_s = end_feedrate_mm_s(segment, ends, ends.v_end_mm_s, profile);
         const SegmentPlan plan = plan_segment(segment, ends, profile);
         expect_joined(segment, ends, plan);
-        const Excess excess =
-            excess_of(plan, [&](double s) { return ceiling_at(block.ceiling, s_begin + s); });
+        const Excess excess = excess_of(
+            plan, [&](double s) { return limit_curve_at(block.limit_curve, s_begin + s); });
         EXPECT_LE(excess.share, 1e-3) << "segment at " << s_begin;
         v_begin = ends.v_end_mm_s;
         s_begin += segment.length_mm;

@@ -74,7 +74,7 @@ struct Excess {
   double share = 0.0;  // of what is allowed
 };
 
-// The largest excess of the plan over a piecewise linear ceiling, at 2000 points of each part.
+// The largest excess of the plan over a piecewise linear limit curve, at 2000 points of each part.
 template <class Allowed>
 inline Excess excess_of(const SegmentPlan& plan, const Allowed& allowed_mm_s) {
   Excess worst;
@@ -92,12 +92,12 @@ inline Excess excess_of(const SegmentPlan& plan, const Allowed& allowed_mm_s) {
   return worst;
 }
 
-inline double ceiling_at(const Ceiling& ceiling, double s_mm) {
+inline double limit_curve_at(const VelocityLimitCurve& limit_curve, double s_mm) {
   const auto after =
-      std::upper_bound(ceiling.begin(), ceiling.end(), s_mm,
+      std::upper_bound(limit_curve.begin(), limit_curve.end(), s_mm,
                        [](double s, const FeedSample& sample) { return s < sample.s_mm; });
-  if (after == ceiling.begin() || after == ceiling.end()) {
-    return after == ceiling.end() ? ceiling.back().v_mm_s : ceiling.front().v_mm_s;
+  if (after == limit_curve.begin() || after == limit_curve.end()) {
+    return after == limit_curve.end() ? limit_curve.back().v_mm_s : limit_curve.front().v_mm_s;
   }
   const FeedSample& high = *after;
   const FeedSample& low = *std::prev(after);

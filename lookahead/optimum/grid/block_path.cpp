@@ -69,22 +69,22 @@ std::vector<double> sharp_places(const curves::NurbsCurve& curve) {
 }  // namespace
 
 Bound BlockPath::feedrate_at(double s_mm) const {
-  const Ceiling& ceiling = block_->ceiling;
+  const VelocityLimitCurve& limit_curve = block_->limit_curve;
   const Bound block{block_->along.feedrate_mm_s, block_->along.from.feedrate};
   const auto lower = [&block](double v_mm_s, Constraint from) {
     return v_mm_s < block.value ? Bound{v_mm_s, from} : block;
   };
-  if (ceiling.empty()) {
+  if (limit_curve.empty()) {
     return block;
   }
   const auto after =
-      std::lower_bound(ceiling.begin(), ceiling.end(), s_mm,
+      std::lower_bound(limit_curve.begin(), limit_curve.end(), s_mm,
                        [](const FeedSample& sample, double s) { return sample.s_mm < s; });
-  if (after == ceiling.begin()) {
+  if (after == limit_curve.begin()) {
     return lower(after->v_mm_s, after->limit);
   }
-  if (after == ceiling.end()) {
-    return lower(ceiling.back().v_mm_s, ceiling.back().limit);
+  if (after == limit_curve.end()) {
+    return lower(limit_curve.back().v_mm_s, limit_curve.back().limit);
   }
   const auto before = std::prev(after);
   const double share = (s_mm - before->s_mm) / (after->s_mm - before->s_mm);
@@ -111,8 +111,8 @@ CellEnd BlockPath::at(double s_mm) const {
 
 std::vector<double> BlockPath::scan_places() const {
   std::vector<double> places{0.0};
-  if (!block_->ceiling.empty()) {
-    for (const FeedSample& sample : block_->ceiling) {
+  if (!block_->limit_curve.empty()) {
+    for (const FeedSample& sample : block_->limit_curve) {
       if (sample.s_mm > places.back()) {
         places.push_back(sample.s_mm);
       }
@@ -160,10 +160,11 @@ std::vector<BlockPath::Break> BlockPath::breaks() const {
       places.push_back({.s_mm = s, .rest = true});
     }
   }
-  const Ceiling& ceiling = block_->ceiling;
-  for (std::size_t i = 1; i + 1 < ceiling.size(); ++i) {
-    if (ceiling[i].v_mm_s < ceiling[i - 1].v_mm_s && ceiling[i].v_mm_s <= ceiling[i + 1].v_mm_s) {
-      places.push_back({.s_mm = ceiling[i].s_mm, .valley = true});
+  const VelocityLimitCurve& limit_curve = block_->limit_curve;
+  for (std::size_t i = 1; i + 1 < limit_curve.size(); ++i) {
+    if (limit_curve[i].v_mm_s < limit_curve[i - 1].v_mm_s &&
+        limit_curve[i].v_mm_s <= limit_curve[i + 1].v_mm_s) {
+      places.push_back({.s_mm = limit_curve[i].s_mm, .valley = true});
     }
   }
   std::sort(places.begin(), places.end(),

@@ -28,8 +28,8 @@ class BlockPath {
   [[nodiscard]] std::vector<double> scan_places() const;
   // How far from the place the path's derivatives can be taken as one polynomial.
   [[nodiscard]] double piece_mm(double s_mm) const;
-  // An inner place where a cell must end: the third derivative jumps, the ceiling has a valley, or
-  // curvature jumps, as said then; or a rest, where the curve turns back within a radius of
+  // An inner place where a cell must end: the third derivative jumps, the limit curve has a valley,
+  // or curvature jumps, as said then; or a rest, where the curve turns back within a radius of
   // kStopRadius_mm.
   struct Break {
     double s_mm = 0.0;
@@ -41,7 +41,7 @@ class BlockPath {
   [[nodiscard]] std::vector<Break> breaks() const;
 
  private:
-  // The ceiling's, which is nowhere above the block's feedrate.
+  // The limit curve's, which is nowhere above the block's feedrate.
   [[nodiscard]] Bound feedrate_at(double s_mm) const;
 
   const Block* block_;

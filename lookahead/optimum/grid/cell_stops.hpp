@@ -26,10 +26,10 @@ struct CellStop {
   double slack_mm = 0.0;  // another place so near will do
 };
 
-// Ascending, both ends of the block among them: where derivatives jump or the ceiling has a valley,
-// and where the zones of three ticks beside jumps end, for a cell that begins in one has no more
-// than its share, and where the zones beside curves that a tick passes over whole end. Jumps that a
-// third difference may see together share what is theirs.
+// Ascending, both ends of the block among them: where derivatives jump or the limit curve has a
+// valley, and where the zones of three ticks beside jumps end, for a cell that begins in one has no
+// more than its share, and where the zones beside curves that a tick passes over whole end. Jumps
+// that a third difference may see together share what is theirs.
 std::vector<CellStop> cell_stops(const BlockPath& path, const EndJunctions& ends,
                                  const PlanLimits& limits);
 

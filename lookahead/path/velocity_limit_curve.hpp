@@ -16,6 +16,6 @@ struct FeedSample {
 };
 
 // Piecewise linear between samples; s ascends.
-using Ceiling = std::vector<FeedSample>;
+using VelocityLimitCurve = std::vector<FeedSample>;
 
 }  // namespace kerf::lookahead

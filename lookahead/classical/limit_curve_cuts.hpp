@@ -1,11 +1,11 @@
-// Where the ceiling of a curve is cut into segments.
+// Where the limit curve of a curve is cut into segments.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "lookahead/classical/slope.hpp"
-#include "lookahead/path/ceiling.hpp"
+#include "lookahead/path/velocity_limit_curve.hpp"
 
 namespace kerf::lookahead {
 
@@ -22,7 +22,7 @@ struct Hill {
   std::vector<Slope::Sample> fall;
 };
 
-Hill hill_of(const Ceiling& ceiling, const SampleRange& range);
+Hill hill_of(const VelocityLimitCurve& limit_curve, const SampleRange& range);
 
 struct Cutting {
   double noise = 0.0;  // dips and humps of less than this share of the feedrate are none
@@ -30,14 +30,14 @@ struct Cutting {
   profiles::RampLimits ramp{};  // no ramp is steeper
 };
 
-struct CutCeiling {
-  Ceiling ceiling;
+struct CutLimitCurve {
+  VelocityLimitCurve limit_curve;
   std::vector<std::size_t> cuts;  // samples, ascending; the last one's is the end
 };
 
-// Cut at its valleys and where a ramp from one would crawl (ramp_cuts.hpp). The ceiling has more
-// samples then where feedrates of neighbours are far apart, and between valleys within a tick's
-// way, which are one, the feedrate of the lowest. Precondition: two samples at least.
-CutCeiling cut(const Ceiling& scanned, const Cutting& how);
+// Cut at its valleys and where a ramp from one would crawl (ramp_cuts.hpp). The limit curve has
+// more samples then where feedrates of neighbours are far apart, and between valleys within a
+// tick's way, which are one, the feedrate of the lowest. Precondition: two samples at least.
+CutLimitCurve cut(const VelocityLimitCurve& scanned, const Cutting& how);
 
 }  // namespace kerf::lookahead

@@ -1,4 +1,4 @@
-#include "lookahead/classical/ceiling_cuts.hpp"
+#include "lookahead/classical/limit_curve_cuts.hpp"
 
 #include <algorithm>
 
@@ -16,35 +16,35 @@ constexpr double kFarApart = 4.0;  // feedrates of neighbours: times
 
 using Samples = std::vector<Slope::Sample>;
 
-Samples rise_of(const Ceiling& ceiling, const SampleRange& range, std::size_t top) {
+Samples rise_of(const VelocityLimitCurve& limit_curve, const SampleRange& range, std::size_t top) {
   Samples samples;
   for (std::size_t i = range.first; i <= top; ++i) {
-    samples.push_back({ceiling[i].s_mm - ceiling[range.first].s_mm, ceiling[i].v_mm_s});
+    samples.push_back({limit_curve[i].s_mm - limit_curve[range.first].s_mm, limit_curve[i].v_mm_s});
   }
   return samples;
 }
 
-Samples fall_of(const Ceiling& ceiling, const SampleRange& range, std::size_t top) {
+Samples fall_of(const VelocityLimitCurve& limit_curve, const SampleRange& range, std::size_t top) {
   Samples samples;
   for (std::size_t i = range.last + 1; i-- > top;) {
-    samples.push_back({ceiling[range.last].s_mm - ceiling[i].s_mm, ceiling[i].v_mm_s});
+    samples.push_back({limit_curve[range.last].s_mm - limit_curve[i].s_mm, limit_curve[i].v_mm_s});
   }
   return samples;
 }
 
-std::size_t top_of(const Ceiling& ceiling, const SampleRange& range) {
-  const auto at = [&ceiling](std::size_t i) {
-    return ceiling.begin() + static_cast<std::ptrdiff_t>(i);
+std::size_t top_of(const VelocityLimitCurve& limit_curve, const SampleRange& range) {
+  const auto at = [&limit_curve](std::size_t i) {
+    return limit_curve.begin() + static_cast<std::ptrdiff_t>(i);
   };
   const auto top = std::max_element(
       at(range.first), at(range.last + 1),
       [](const FeedSample& a, const FeedSample& b) { return a.v_mm_s < b.v_mm_s; });
-  return static_cast<std::size_t>(top - ceiling.begin());
+  return static_cast<std::size_t>(top - limit_curve.begin());
 }
 
-void lower(Ceiling& ceiling, const SampleRange& range, double v_mm_s) {
+void lower(VelocityLimitCurve& limit_curve, const SampleRange& range, double v_mm_s) {
   for (std::size_t k = range.first; k <= range.last; ++k) {
-    ceiling[k].v_mm_s = std::min(ceiling[k].v_mm_s, v_mm_s);
+    limit_curve[k].v_mm_s = std::min(limit_curve[k].v_mm_s, v_mm_s);
   }
 }
 
@@ -57,15 +57,15 @@ struct ValleyGroup {
 // Of valleys within a tick's way of each other the lowest, and between them its feedrate; none
 // within a tick's way of the ends, which have its feedrate then.
 std::vector<std::size_t> apart(const std::vector<std::size_t>& valleys, double period_s,
-                               Ceiling& ceiling) {
+                               VelocityLimitCurve& limit_curve) {
   const auto within_tick = [&](const SampleRange& range, std::size_t lowest) {
-    return ceiling[range.last].s_mm - ceiling[range.first].s_mm <=
-           ceiling[lowest].v_mm_s * period_s;
+    return limit_curve[range.last].s_mm - limit_curve[range.first].s_mm <=
+           limit_curve[lowest].v_mm_s * period_s;
   };
   std::vector<std::size_t> kept;
   ValleyGroup group;
   const auto close = [&] {
-    lower(ceiling, group.range, ceiling[group.lowest].v_mm_s);
+    lower(limit_curve, group.range, limit_curve[group.lowest].v_mm_s);
     if (group.range.first > 0) {
       kept.push_back(group.lowest);
     }
@@ -73,7 +73,7 @@ std::vector<std::size_t> apart(const std::vector<std::size_t>& valleys, double p
   for (const std::size_t valley : valleys) {
     const SampleRange wider{.first = group.range.first, .last = valley};
     const std::size_t lowest =
-        ceiling[valley].v_mm_s < ceiling[group.lowest].v_mm_s ? valley : group.lowest;
+        limit_curve[valley].v_mm_s < limit_curve[group.lowest].v_mm_s ? valley : group.lowest;
     if (within_tick(wider, lowest)) {
       group = {.range = wider, .lowest = lowest};
     } else {
@@ -81,9 +81,9 @@ std::vector<std::size_t> apart(const std::vector<std::size_t>& valleys, double p
       group = {.range = {.first = valley, .last = valley}, .lowest = valley};
     }
   }
-  const std::size_t end = ceiling.size() - 1;
+  const std::size_t end = limit_curve.size() - 1;
   if (within_tick({.first = group.range.first, .last = end}, group.lowest)) {
-    lower(ceiling, {.first = group.range.first, .last = end}, ceiling[group.lowest].v_mm_s);
+    lower(limit_curve, {.first = group.range.first, .last = end}, limit_curve[group.lowest].v_mm_s);
   } else {
     close();
   }
@@ -92,9 +92,9 @@ std::vector<std::size_t> apart(const std::vector<std::size_t>& valleys, double p
 
 // With samples on the lines between those whose feedrates are far apart, so that there are places
 // to cut at.
-Ceiling dense(const Ceiling& ceiling) {
-  Ceiling all;
-  for (const FeedSample& next : ceiling) {
+VelocityLimitCurve dense(const VelocityLimitCurve& limit_curve) {
+  VelocityLimitCurve all;
+  for (const FeedSample& next : limit_curve) {
     while (!all.empty()) {
       const FeedSample& at = all.back();
       const double ratio = next.v_mm_s / at.v_mm_s;
@@ -118,16 +118,16 @@ Ceiling dense(const Ceiling& ceiling) {
 }
 
 // A block may begin and end at rest.
-void add_cuts(const Ceiling& ceiling, const SampleRange& range, const profiles::RampLimits& ramp,
-              std::vector<std::size_t>& cuts) {
-  Hill hill = hill_of(ceiling, range);
+void add_cuts(const VelocityLimitCurve& limit_curve, const SampleRange& range,
+              const profiles::RampLimits& ramp, std::vector<std::size_t>& cuts) {
+  Hill hill = hill_of(limit_curve, range);
   if (range.first == 0) {
     hill.rise.front().v_mm_s = 0.0;
   }
   for (const std::size_t i : ramp_cuts(hill.rise, ramp)) {
     cuts.push_back(range.first + i);
   }
-  if (range.last + 1 == ceiling.size()) {
+  if (range.last + 1 == limit_curve.size()) {
     hill.fall.front().v_mm_s = 0.0;
   }
   const std::vector<std::size_t> falling = ramp_cuts(hill.fall, ramp);
@@ -138,21 +138,21 @@ void add_cuts(const Ceiling& ceiling, const SampleRange& range, const profiles::
 
 }  // namespace
 
-Hill hill_of(const Ceiling& ceiling, const SampleRange& range) {
-  const std::size_t top = top_of(ceiling, range);
-  return {.rise = rise_of(ceiling, range, top), .fall = fall_of(ceiling, range, top)};
+Hill hill_of(const VelocityLimitCurve& limit_curve, const SampleRange& range) {
+  const std::size_t top = top_of(limit_curve, range);
+  return {.rise = rise_of(limit_curve, range, top), .fall = fall_of(limit_curve, range, top)};
 }
 
-CutCeiling cut(const Ceiling& scanned, const Cutting& how) {
-  CutCeiling result{.ceiling = dense(scanned), .cuts = {}};
-  Ceiling& ceiling = result.ceiling;
+CutLimitCurve cut(const VelocityLimitCurve& scanned, const Cutting& how) {
+  CutLimitCurve result{.limit_curve = dense(scanned), .cuts = {}};
+  VelocityLimitCurve& limit_curve = result.limit_curve;
   std::vector<std::size_t> ends =
-      apart(valleys(ceiling, breaking_points(ceiling, kScreening_mm_s), how.noise), how.period_s,
-            ceiling);
-  ends.push_back(ceiling.size() - 1);
+      apart(valleys(limit_curve, breaking_points(limit_curve, kScreening_mm_s), how.noise),
+            how.period_s, limit_curve);
+  ends.push_back(limit_curve.size() - 1);
   std::size_t first = 0;
   for (const std::size_t end : ends) {
-    add_cuts(ceiling, {.first = first, .last = end}, how.ramp, result.cuts);
+    add_cuts(limit_curve, {.first = first, .last = end}, how.ramp, result.cuts);
     result.cuts.push_back(end);
     first = end;
   }
