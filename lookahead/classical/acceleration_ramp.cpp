@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "lookahead/classical/turn_check.hpp"
+#include "lookahead/classical/axis_limit_check.hpp"
 
 namespace kerf::lookahead {
 
@@ -85,7 +85,7 @@ class Gentler {
   }
 
   // done: the law as it was placed.
-  void give_way(const TurnAsk& ask, const Transition& done, int round) {
+  void give_way(const RampReduction& ask, const Transition& done, int round) {
     const double more = round < kPatientRounds ? 1.0 : (round < kUsualRounds ? 0.97 : 0.7);
     const double slower = done.duration_s() / law().duration_s();
     if (profile_.kind() == ProfileKind::s_curve) {
@@ -109,7 +109,7 @@ class Gentler {
 };
 
 // The ramp that begins no nearer to its end of the segment than foot_mm. The foot cruises, which
-// turning allows (TurnSample::feedrate_mm_s).
+// curvature allows (AxisLimitSample::feedrate_mm_s).
 AccelerationRamp gentle_enough(const RampRequest& request, double foot_mm,
                                const VelocitySegment& segment, const Profile& profile) {
   const Slope slope = foot_mm > 0.0 ? slope_of(request, segment).from(foot_mm) : Slope{};
@@ -121,7 +121,8 @@ AccelerationRamp gentle_enough(const RampRequest& request, double foot_mm,
     if (!(ramp.length_mm() <= request.room_mm)) {
       return ramp;
     }
-    const TurnAsk ask = ask_turning(placed(ramp, request, segment), segment.turning, segment.axes);
+    const RampReduction ask =
+        ramp_reduction(placed(ramp, request, segment), segment.axis_limits, segment.axes);
     if (ask.holds()) {
       return ramp;
     }
@@ -136,7 +137,7 @@ AccelerationRamp acceleration_ramp(const RampRequest& request, const VelocitySeg
                                    const Profile& profile) {
   const Slope& slope = slope_of(request, segment);
   const double v = request.ramp.v_begin_mm_s;
-  if (segment.turning.empty() || v == request.ramp.v_end_mm_s) {
+  if (segment.axis_limits.empty() || v == request.ramp.v_end_mm_s) {
     return below(slope, profile.fastest(request.ramp, segment.limits.ramp), profile);
   }
   AccelerationRamp best = gentle_enough(request, 0.0, segment, profile);
@@ -154,7 +155,7 @@ AccelerationRamp acceleration_ramp(const RampRequest& request, const VelocitySeg
 
 double ramp_length_mm(const RampRequest& request, const VelocitySegment& segment,
                       const Profile& profile) {
-  return slope_of(request, segment).empty() && segment.turning.empty()
+  return slope_of(request, segment).empty() && segment.axis_limits.empty()
              ? profile.length_mm(request.ramp, segment.limits.ramp)
              : acceleration_ramp(request, segment, profile).length_mm();
 }

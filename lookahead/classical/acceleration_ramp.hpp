@@ -28,13 +28,13 @@ struct RampRequest {
   SegmentSide side = SegmentSide::rise;
   profiles::Ramp ramp{};
   double room_mm = kUnbounded;
-  bool may_wait = false;  // at its foot until turning has eased, where that saves time
+  bool may_wait = false;  // at its foot until curvature has eased, where that saves time
 };
 
 // The fastest transition over the ramp, stretched until it stays below the slope; that of a
 // trapezoid begins later instead.
 //
-// Where turning binds, it is made gentler until it keeps the limits of each axis at the places
+// Where curvature binds, it is made gentler until it keeps the limits of each axis at the places
 // where it lies: the S-curve gets its own acceleration and jerk, the other laws are stretched, a
 // trapezoid gets its own acceleration. Each round takes what the places asked for in the round
 // before, so it ends above what would just do. Known weaknesses: one acceleration for all of a

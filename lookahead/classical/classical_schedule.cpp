@@ -4,10 +4,10 @@
 #include <utility>
 #include <variant>
 
+#include "lookahead/classical/axis_limit_scan.hpp"
 #include "lookahead/classical/segment_constraint.hpp"
 #include "lookahead/classical/segment_junction.hpp"
 #include "lookahead/classical/split.hpp"
-#include "lookahead/classical/turn_scan.hpp"
 #include "lookahead/path/block_limits.hpp"
 
 namespace kerf::lookahead {
@@ -67,7 +67,7 @@ void ClassicalSchedule::push(const Block& block, const Block* before) {
 std::vector<VelocitySegment> ClassicalSchedule::segments_of(const Block& block) const {
   std::vector<VelocitySegment> segments;
   const auto* nurbs = std::get_if<curves::NurbsCurve>(&block.curve);
-  Turning turning;
+  AxisLimitCurve axis_limits;
   PlanLimits limits = settings_.limits;
   if (nurbs != nullptr) {
     if (settings_.profile.kind() == ProfileKind::trapezoid) {
@@ -75,10 +75,10 @@ std::vector<VelocitySegment> ClassicalSchedule::segments_of(const Block& block) 
         axis.jerk_mm_s3 = kUnbounded;
       }
     }
-    turning = scan_turning(*nurbs, block.limits.feedrate_mm_s, limits);
+    axis_limits = scan_axis_limits(*nurbs, block.limits.feedrate_mm_s, limits);
   }
-  segments =
-      turning.empty() ? split(block, settings_.limits.period_s) : split(block, turning, limits);
+  segments = axis_limits.empty() ? split(block, settings_.limits.period_s)
+                                 : split(block, axis_limits, limits);
   const double sub_tick = sub_tick_feedrate_mm_s(block, settings_.limits);
   for (VelocitySegment& segment : segments) {
     bind_feedrate(segment.limits, {sub_tick, Constraint::chord_error});

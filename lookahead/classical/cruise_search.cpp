@@ -8,12 +8,12 @@ namespace {
 
 // What fits may miss by rounding.
 constexpr double kWithRounding = 1.0 + 1e-9;
-// Fewer where turning binds: each ramp is a search of its own there.
-constexpr int kTurningHalvings = 12;
+// Fewer where curvature binds: each ramp is a search of its own there.
+constexpr int kCurvatureHalvings = 12;
 // Where only a tiny share of the cap fits, on and on until as close as this.
 constexpr double kClose = 1e-3;
 constexpr int kMostHalvings = 200;
-constexpr int kTurningSteps = 8;
+constexpr int kCurvatureSteps = 8;
 constexpr double kGolden = 0.6180339887498949;
 
 }  // namespace
@@ -24,7 +24,7 @@ double CruiseSearch::best_mm_s() const {
                                         segment_.fall.top_mm_s()}));
   if (spare_mm(sides(high)) < 0.0) {
     double fits = low;
-    const int halvings = segment_.turning.empty() ? 40 : kTurningHalvings;
+    const int halvings = segment_.axis_limits.empty() ? 40 : kCurvatureHalvings;
     for (int i = 0; i < halvings || (high - fits > kClose * high && i < kMostHalvings); ++i) {
       const double middle = 0.5 * (fits + high);
       (spare_mm(sides(middle)) >= 0.0 ? fits : high) = middle;
@@ -52,7 +52,7 @@ double CruiseSearch::spare_mm(const CruiseSides& sides) const {
 
 double CruiseSearch::time_s(double cruise_mm_s) const {
   const CruiseSides both = sides(cruise_mm_s);
-  if (!segment_.turning.empty() && spare_mm(both) < 0.0) {
+  if (!segment_.axis_limits.empty() && spare_mm(both) < 0.0) {
     return kUnbounded;
   }
   return both.up.duration_s() + both.down_mirrored.duration_s() + spare_mm(both) / cruise_mm_s;
@@ -65,7 +65,7 @@ double CruiseSearch::fastest_in(const Bracket& cruise) const {
   double x2 = a + kGolden * (b - a);
   double t1 = time_s(x1);
   double t2 = time_s(x2);
-  for (int i = 0; i < (segment_.turning.empty() ? 24 : kTurningSteps); ++i) {
+  for (int i = 0; i < (segment_.axis_limits.empty() ? 24 : kCurvatureSteps); ++i) {
     if (t1 < t2) {
       b = x2;
       x2 = x1;

@@ -12,12 +12,12 @@ namespace kerf::lookahead {
 // acceleration takes no more than twice the time of the fastest ramp.
 //
 //      v^2            . top         A ramp of one acceleration is a straight line over s in v^2.
-//       |         _.-'              What may be reached at all is the lower convex hull of the
-//       |      .-'    /             limit curve, and its sides are the fastest way up, each with an
-//       |   .-'     /               acceleration of its own. Where the foot stands in a feature of
-//       |.-'      / one ramp        some nanometres, the first side is so flat that a ramp that
-//       |       /                   goes on with it would crawl for the whole length of the
-//       segment; |  |_./                     a cut after it costs one instant without acceleration.
+//       |         _.-'              No motion is faster than the lower convex hull of the limit
+//       |      .-'    /             curve; each side of it has an acceleration of its own. Where
+//       |   .-'     /               the foot stands in a feature of some nanometres, the first
+//       |.-'      / one ramp        side is so flat that a ramp that goes on with it would crawl
+//       |       /                   for the whole length of the segment; a cut after it costs one
+//       |  |_./                     instant without acceleration.
 //       +---------------- s
 //
 // The hull is thinned where its sides differ little; of its corners the one that leaves the least

@@ -51,21 +51,21 @@ ActiveConstraint SegmentConstraint::limit_curve(const Transition& law, double s_
       nearest = sample;
       share = motion.v_mm_s / sample.v_mm_s;
     }
-    if (const TurnSample* turn = turning_at(s_begin_mm + motion.s_mm);
-        turn != nullptr && motion.v_mm_s > share * turn->feedrate_mm_s) {
-      nearest.limit = turn->limit;
-      share = motion.v_mm_s / turn->feedrate_mm_s;
+    if (const AxisLimitSample* axis = axis_limit_at(s_begin_mm + motion.s_mm);
+        axis != nullptr && motion.v_mm_s > share * axis->feedrate_mm_s) {
+      nearest.limit = axis->limit;
+      share = motion.v_mm_s / axis->feedrate_mm_s;
     }
   }
   return active_constraint(nearest.limit);
 }
 
-const TurnSample* SegmentConstraint::turning_at(double s_mm) const {
-  const Turning& turning = of_.segment->turning;
+const AxisLimitSample* SegmentConstraint::axis_limit_at(double s_mm) const {
+  const AxisLimitCurve& axis_limits = of_.segment->axis_limits;
   const auto found =
-      std::lower_bound(turning.begin(), turning.end(), s_mm,
-                       [](const TurnSample& sample, double s) { return sample.s_mm < s; });
-  return found == turning.end() ? nullptr : &*found;
+      std::lower_bound(axis_limits.begin(), axis_limits.end(), s_mm,
+                       [](const AxisLimitSample& sample, double s) { return sample.s_mm < s; });
+  return found == axis_limits.end() ? nullptr : &*found;
 }
 
 ActiveConstraint SegmentConstraint::constant_velocity(double constant_velocity_s,

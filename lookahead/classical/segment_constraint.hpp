@@ -20,7 +20,7 @@ enum class SegmentPart : std::uint8_t {
 // - A cruise runs at what its block allows, or below a limit curve.
 // - A change of feedrate is bound by jerk and acceleration, each while it is what binds; where the
 //   profile has both at once, by the one of which a hundredth more would save more time. Where it
-//   was stretched to stay below a limit curve or to leave room for turning, by that.
+//   was stretched to stay below a limit curve or to leave room for curvature, by that.
 class SegmentConstraint {
  public:
   struct Settings {
@@ -42,9 +42,9 @@ class SegmentConstraint {
                                                    double s_begin_mm) const;
   [[nodiscard]] ActiveConstraint cruise(const profiles::Transition& law, double s_begin_mm) const;
   [[nodiscard]] ActiveConstraint ramp(const profiles::Transition& law, double s_begin_mm) const;
-  // Null: turning does not bind.
-  [[nodiscard]] const TurnSample* turning_at(double s_mm) const;
-  // What the limit curve, of the block or of turning, comes from where the law is nearest to it.
+  // Null: curvature does not bind.
+  [[nodiscard]] const AxisLimitSample* axis_limit_at(double s_mm) const;
+  // What the limit curve, of the block or of curvature, comes from where the law is nearest to it.
   [[nodiscard]] ActiveConstraint limit_curve(const profiles::Transition& law,
                                              double s_begin_mm) const;
 

@@ -59,8 +59,8 @@ SegmentJunction segment_junction(const JunctionSides& sides, const JunctionRules
     v = std::min(v, valley_mm_s(begin_mm_s, *sides.after, rules));
   }
   if (junction.constant_velocity_s > 0.0) {
-    const bool turns = !sides.before->turning.empty() || !sides.after->turning.empty();
-    junction = turns ? beside_turning(junction, sides, rules.limits) : junction;
+    const bool curved = !sides.before->axis_limits.empty() || !sides.after->axis_limits.empty();
+    junction = curved ? beside_axis_limits(junction, sides, rules.limits) : junction;
   }
   v = std::min({v, sub_tick_feedrate_mm_s(before, rules.limits),
                 sub_tick_feedrate_mm_s(after, rules.limits)});

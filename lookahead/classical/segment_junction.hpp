@@ -1,7 +1,7 @@
 // How the segments of two blocks join in the classical schedule.
 #pragma once
 
-#include "lookahead/classical/turn_junction.hpp"
+#include "lookahead/classical/axis_limit_junction.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::lookahead {

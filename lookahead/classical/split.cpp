@@ -5,16 +5,16 @@
 #include <utility>
 
 #include "lookahead/classical/limit_curve_cuts.hpp"
-#include "lookahead/classical/turn_ceiling.hpp"
+#include "lookahead/classical/lower_limit_curve.hpp"
 
 namespace kerf::lookahead {
 
 namespace {
 
 // A dip or a hump of less than this share of the feedrate is noise, not a valley or a hill; where
-// turning binds, a hill that low is not worth a stop of acceleration on both its sides.
+// curvature binds, a hill that low is not worth a stop of acceleration on both its sides.
 constexpr double kNoise = 0.01;
-constexpr double kTurningNoise = 0.05;
+constexpr double kCurvatureNoise = 0.05;
 
 VelocitySegment segment_between(const Block& block, const VelocityLimitCurve& limit_curve,
                                 const SampleRange& range) {
@@ -46,9 +46,10 @@ std::vector<VelocitySegment> segments_between_cuts(const Block& block, const Cut
 }
 
 // The weakest axis in the direction of the place where it is strongest: no place allows more.
-double strongest(const Turning& turning, const PlanLimits& limits, double MotionLimits::*limit) {
+double strongest(const AxisLimitCurve& axis_limits, const PlanLimits& limits,
+                 double MotionLimits::*limit) {
   double strongest = 0.0;
-  for (const TurnSample& at : turning) {
+  for (const AxisLimitSample& at : axis_limits) {
     double weakest = kUnbounded;
     for (std::size_t k = 0; k < 3; ++k) {
       if (at.first[k] != 0.0) {
@@ -61,13 +62,14 @@ double strongest(const Turning& turning, const PlanLimits& limits, double Motion
 }
 
 // The samples under the segment, those at its ends included.
-Turning part_of(const Turning& turning, const VelocitySegment& segment) {
-  const auto less = [](const TurnSample& at, double s_mm) { return at.s_mm < s_mm; };
-  const auto more = [](double s_mm, const TurnSample& at) { return s_mm < at.s_mm; };
-  auto first = std::lower_bound(turning.begin(), turning.end(), segment.s_begin_mm, less);
-  auto last = std::upper_bound(first, turning.end(), segment.s_begin_mm + segment.length_mm, more);
-  first -= first != turning.begin() ? 1 : 0;
-  last += last != turning.end() ? 1 : 0;
+AxisLimitCurve part_of(const AxisLimitCurve& axis_limits, const VelocitySegment& segment) {
+  const auto less = [](const AxisLimitSample& at, double s_mm) { return at.s_mm < s_mm; };
+  const auto more = [](double s_mm, const AxisLimitSample& at) { return s_mm < at.s_mm; };
+  auto first = std::lower_bound(axis_limits.begin(), axis_limits.end(), segment.s_begin_mm, less);
+  auto last =
+      std::upper_bound(first, axis_limits.end(), segment.s_begin_mm + segment.length_mm, more);
+  first -= first != axis_limits.begin() ? 1 : 0;
+  last += last != axis_limits.end() ? 1 : 0;
   return {first, last};
 }
 
@@ -86,9 +88,9 @@ std::vector<VelocitySegment> split(const Block& block, double period_s) {
       cut(block.limit_curve, {.noise = kNoise, .period_s = period_s, .ramp = block.limits.ramp}));
 }
 
-std::vector<VelocitySegment> split(const Block& block, const Turning& turning,
+std::vector<VelocitySegment> split(const Block& block, const AxisLimitCurve& axis_limits,
                                    const PlanLimits& limits) {
-  const auto steepest = [&](const Turning& under) -> profiles::RampLimits {
+  const auto steepest = [&](const AxisLimitCurve& under) -> profiles::RampLimits {
     const profiles::RampLimits& along = block.along.ramp;
     return {
         .acceleration_mm_s2 = std::min(along.acceleration_mm_s2,
@@ -97,12 +99,13 @@ std::vector<VelocitySegment> split(const Block& block, const Turning& turning,
             std::min(along.jerk_mm_s3, strongest(under, limits, &MotionLimits::jerk_mm_s3))};
   };
   std::vector<VelocitySegment> segments = segments_between_cuts(
-      block, cut(lower_limit_curve(block.limit_curve, turning),
-                 {.noise = kTurningNoise, .period_s = limits.period_s, .ramp = steepest(turning)}));
+      block,
+      cut(lower_limit_curve(block.limit_curve, axis_limits),
+          {.noise = kCurvatureNoise, .period_s = limits.period_s, .ramp = steepest(axis_limits)}));
   for (VelocitySegment& segment : segments) {
-    segment.turning = part_of(turning, segment);
+    segment.axis_limits = part_of(axis_limits, segment);
     segment.axes = limits.axes;
-    segment.limits.ramp = steepest(segment.turning);
+    segment.limits.ramp = steepest(segment.axis_limits);
   }
   return segments;
 }

@@ -12,7 +12,7 @@ void keep_surest(WindowSegment& item, double v_begin_mm_s, const profiles::Profi
   }
   item.sure = {.v_begin_mm_s = v_begin_mm_s, .v_end_mm_s = std::min(item.v_end_mm_s, v_begin_mm_s)};
   const bool may_need_rest =
-      !item.segment.turning.empty() || item.segment.end.constant_velocity_s > 0.0;
+      !item.segment.axis_limits.empty() || item.segment.end.constant_velocity_s > 0.0;
   if (may_need_rest && !joins(item.segment, item.sure, profile)) {
     item.sure.v_end_mm_s = 0.0;  // it was reached from there
   }
@@ -32,7 +32,7 @@ void backward_pass(Window<WindowSegment>& window, const profiles::Profile& profi
       v_begin_of_next = reach_backward_mm_s(
           item.segment, {.v_end_mm_s = item.v_end_mm_s, .cap_mm_s = cap}, profile);
       keep_surest(item, v_begin_of_next, profile);
-      if (!item.segment.turning.empty()) {
+      if (!item.segment.axis_limits.empty()) {
         v_begin_of_next = item.sure.v_begin_mm_s;
       }
       for_window = for_window && v_begin_of_next < cap;
@@ -45,7 +45,7 @@ Ending ending_of(const WindowSegment& item, const SegmentEnds& wanted,
   SegmentEnds ends = wanted;
   ends.v_end_mm_s = end_feedrate_mm_s(item.segment, wanted, item.sure.v_end_mm_s, profile);
   const bool rises = ends.v_end_mm_s > ends.v_begin_mm_s;
-  if ((rises && item.segment.turning.empty()) || joins(item.segment, ends, profile)) {
+  if ((rises && item.segment.axis_limits.empty()) || joins(item.segment, ends, profile)) {
     return {.v_end_mm_s = ends.v_end_mm_s};
   }
   const double factor = ends.v_begin_mm_s / item.sure.v_begin_mm_s;

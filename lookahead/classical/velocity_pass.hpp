@@ -31,7 +31,7 @@ struct WindowSegment {
 //    known, and its end is lowered to what it reaches from there.
 // 4. A pass may find less than the one before: under a jerk braking from v to v / 3 takes more room
 //    than braking to rest, so where an end need not be a rest any more its beginning may have to be
-//    slower; and where turning binds, a segment may join a higher beginning to an end and not a
+//    slower; and where curvature binds, a segment may join a higher beginning to an end and not a
 //    lower one. What has left by then was promised the higher one. So each segment keeps the
 //    highest pair that was found over the passes, and since these only rise, the end of one is
 //    never above the beginning of the next: from any beginning that was promised the motion can

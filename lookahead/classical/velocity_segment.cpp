@@ -16,7 +16,7 @@ namespace {
 
 // What the backward pass found to fit, summed in another order, may miss by rounding.
 constexpr double kAboveRounding = 1.0 + 1e-12;
-// Where turning binds: how much farther the next try at a stop is, and the lowest feedrate tried.
+// Where curvature binds: how much farther the next try at a stop is, and the lowest feedrate tried.
 constexpr double kFartherStop = 1.1;
 constexpr double kLeastStop = 1e-3;  // of the segment
 constexpr double kLeastShare = 0.125;
@@ -39,7 +39,7 @@ double reach_mm_s(const VelocitySegment& segment, const Reach& reach, const Prof
   }
   const Slope& slope = reach.side == SegmentSide::rise ? segment.rise : segment.fall;
   const double length = segment.length_mm - reach.near_constant_velocity_s * reach.v_low_mm_s;
-  if (slope.empty() && segment.turning.empty() && reach.far_constant_velocity_s == 0.0) {
+  if (slope.empty() && segment.axis_limits.empty() && reach.far_constant_velocity_s == 0.0) {
     return profile.reach_mm_s(
         {.v_mm_s = reach.v_low_mm_s, .length_mm = length, .v_cap_mm_s = reach.cap_mm_s},
         segment.limits.ramp);
@@ -55,7 +55,7 @@ double reach_mm_s(const VelocitySegment& segment, const Reach& reach, const Prof
   }
   double low = reach.v_low_mm_s;
   double high = reach.cap_mm_s;
-  const double close = segment.turning.empty() ? 1e-12 : kCloseInTurn;
+  const double close = segment.axis_limits.empty() ? 1e-12 : kCloseInTurn;
   for (int i = 0; i < 40 && high - low > close * high; ++i) {
     const double middle = 0.5 * (low + high);
     (fits(middle) ? low : high) = middle;
@@ -167,7 +167,7 @@ bool joins(const VelocitySegment& segment, const SegmentEnds& ends, const Profil
 }
 
 double brake(VelocitySegment& segment, const SegmentEnds& ends, const Profile& profile) {
-  if (!segment.turning.empty()) {
+  if (!segment.axis_limits.empty()) {
     return brake_in_turn(segment, ends, profile);
   }
   const double constant_velocity_mm = ends.v_begin_mm_s * segment.begin_constant_velocity_s;
@@ -204,7 +204,7 @@ SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends
   const double length = segment.length_mm - plan.begin_constant_velocity.length_mm() -
                         plan.end_constant_velocity.length_mm();
   double cruise = 0.0;
-  if (segment.rise.empty() && segment.turning.empty()) {
+  if (segment.rise.empty() && segment.axis_limits.empty()) {
     cruise = profile.peak_mm_s({ends.v_begin_mm_s, ends.v_end_mm_s},
                                {.length_mm = length, .v_cap_mm_s = segment.limits.feedrate_mm_s},
                                segment.limits.ramp);

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "lookahead/classical/axis_limit_scan.hpp"
 #include "lookahead/classical/slope.hpp"
-#include "lookahead/classical/turn_scan.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/junction.hpp"
 #include "profiles/profile.hpp"
@@ -22,8 +22,8 @@ struct VelocitySegment {
   Slope rise{};  // from its beginning
   Slope fall{};  // from its end
   // What binds on its stretch of the curve beside limits; empty: nothing.
-  Turning turning{};
-  std::array<MotionLimits, 3> axes{};  // for turning
+  AxisLimitCurve axis_limits{};
+  std::array<MotionLimits, 3> axes{};  // for curvature
 };
 
 // The feedrates at the two ends of a segment.

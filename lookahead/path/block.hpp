@@ -41,7 +41,7 @@ struct Block {
   bool rapid = false;
   double length_mm = 0.0;
   BlockLimits limits{};
-  // The same without what turning on a curve asks of X, Y and Z: programmed, along the path, of
+  // The same without what curvature on a curve asks of X, Y and Z: programmed, along the path, of
   // further axes and, on an arc and on a curve that a tick passes over whole, by chord error.
   BlockLimits along{};
   BlockEnd begin{};

@@ -10,11 +10,11 @@ namespace kerf::lookahead {
 namespace {
 
 // Of an axis' limits on an arc: the shares given to centripetal acceleration, to the jerk of
-// turning at constant feedrate and to the jerk of accelerating in the turn. Squares add up across
+// curvature at constant feedrate and to the jerk of accelerating in the turn. Squares add up across
 // and along, so the rest of acceleration is 0.6 and of jerk 0.8 - 0.3 on a circle. A full circle
 // runs at 0.89 of the feedrate that acceleration alone would allow.
 constexpr double kCentripetalShare = 0.8;
-constexpr double kTurningJerkShare = 0.3;
+constexpr double kCurvatureJerkShare = 0.3;
 constexpr double kCrossJerkShare = 0.6;
 
 double square(double x) {
@@ -161,7 +161,7 @@ BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits&
   bind_feedrate(block, {std::sqrt(kCentripetalShare * axis.acceleration_mm_s2 / curvature),
                         from.acceleration});
   bind_feedrate(block,
-                {std::cbrt(kTurningJerkShare * axis.jerk_mm_s3 / bend.third_per_mm2), from.jerk});
+                {std::cbrt(kCurvatureJerkShare * axis.jerk_mm_s3 / bend.third_per_mm2), from.jerk});
 
   const double v = block.feedrate_mm_s;
   if (std::isfinite(axis.acceleration_mm_s2)) {
@@ -174,9 +174,10 @@ BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits&
     bind_acceleration(block, {kCrossJerkShare * j / (3.0 * curvature * v), from.jerk});
     const double a = block.ramp.acceleration_mm_s2;
     const double across = 3.0 * curvature * v * a;
-    const double turning = bend.third_per_mm2 * v * v * v;
-    const double along = bend.third_along_tangent ? std::sqrt(square(j) - square(across)) - turning
-                                                  : std::sqrt(square(j - turning) - square(across));
+    const double from_curvature = bend.third_per_mm2 * v * v * v;
+    const double along = bend.third_along_tangent
+                             ? std::sqrt(square(j) - square(across)) - from_curvature
+                             : std::sqrt(square(j - from_curvature) - square(across));
     bind_jerk(block, {along / c, from.jerk});
   }
   return block;

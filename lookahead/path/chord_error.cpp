@@ -15,12 +15,12 @@ constexpr int kChordPoints = 7;  // inside a tick
 // for rounding: pieces are halved towards a needle, and even knots have none.
 constexpr double kClearlyLonger = 1.5;
 constexpr double kRounding = 1.0 + 1e-6;
-constexpr double kHardlyTurns = 1e-4;  // cosines would cancel
+constexpr double kHardlyCurved = 1e-4;  // cosines would cancel
 
 Eigen::Vector3d beyond(const curves::PathDerivatives& end, double way_mm) {
   const double curvature = vec(end.second_per_mm).norm();
   const double turn = curvature * way_mm;
-  if (std::abs(turn) < kHardlyTurns) {
+  if (std::abs(turn) < kHardlyCurved) {
     return vec(end.position_mm) + way_mm * vec(end.first) +
            0.5 * way_mm * way_mm * vec(end.second_per_mm);
   }

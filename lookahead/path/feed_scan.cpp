@@ -29,7 +29,7 @@ VelocityLimitCurve in_order(const VelocityLimitCurve& samples) {
   return kept;
 }
 
-// Along the path at a feedrate: of an axis it may be higher than its limit by what turning takes
+// Along the path at a feedrate: of an axis it may be higher than its limit by what curvature takes
 // off. Both unbounded where nothing binds.
 MotionLimits ramp_at(const NurbsCurve& curve, const FeedSample& at, const ScanLimits& limits) {
   MotionLimits ramp = limits.along;
@@ -39,10 +39,11 @@ MotionLimits ramp_at(const NurbsCurve& curve, const FeedSample& at, const ScanLi
     if (path.first[k] != 0.0) {
       const double along = std::abs(path.first[k]);
       const double across = std::abs(path.second_per_mm[k]) * squared;
-      const double turning = std::abs(path.third_per_mm2[k]) * squared * at.v_mm_s;
+      const double from_curvature = std::abs(path.third_per_mm2[k]) * squared * at.v_mm_s;
       ramp.acceleration_mm_s2 =
           std::min(ramp.acceleration_mm_s2, (limits.axes[k].acceleration_mm_s2 + across) / along);
-      ramp.jerk_mm_s3 = std::min(ramp.jerk_mm_s3, (limits.axes[k].jerk_mm_s3 + turning) / along);
+      ramp.jerk_mm_s3 =
+          std::min(ramp.jerk_mm_s3, (limits.axes[k].jerk_mm_s3 + from_curvature) / along);
     }
   }
   return ramp;

@@ -210,7 +210,7 @@ TEST(FeedScan, LetsATickGoAsFarAsTheToleranceHoweverTheCurveTurns) {
 // Where a curve runs along X at the feedrate v and with the curvature k, X sees the jerk j - k^2
 // v^3: around the lowest feedrate j may be that much higher than the limit of X, and the mean
 // feedrate of the tick is j Ts^2 / 24 above the lowest.
-TEST(FeedScan, LeavesRoomForTheJerkThatTurningTakesOffAnAxis) {
+TEST(FeedScan, LeavesRoomForTheJerkThatCurvatureTakesOffAnAxis) {
   const double ts = 0.001;
   const double d = 5e-5;
   const curves::NurbsCurve curve =

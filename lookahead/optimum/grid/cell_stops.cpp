@@ -30,7 +30,7 @@ JunctionLimits inner_junction(const BlockPath& path, double s_mm, Jump jump,
                               const std::vector<BlockPath::Break>& breaks,
                               const PlanLimits& limits) {
   const CellEnd here = path.at(s_mm);
-  jump.allowed_mm_s = turning_feedrate_mm_s(Cell{.along = path.along()}, here, limits);
+  jump.allowed_mm_s = curvature_feedrate_mm_s(Cell{.along = path.along()}, here, limits);
   JunctionLimits junction;
   for (int i = 0; i < kCrowdRounds; ++i) {
     junction = junction_limits_of(jump, of_axes(limits));

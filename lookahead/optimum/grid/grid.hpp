@@ -8,9 +8,9 @@
 
 namespace kerf::lookahead {
 
-// The cells of a block: about a tick long where the estimated feedrate changes or turning takes its
-// part of the axes' limits, growing with the distance from such places where nothing happens. They
-// end where derivatives jump. Around jumps the cells have their share of the limits. Rests are
+// The cells of a block: about a tick long where the estimated feedrate changes or curvature takes
+// its part of the axes' limits, growing with the distance from such places where nothing happens.
+// They end where derivatives jump. Around jumps the cells have their share of the limits. Rests are
 // to be refined afterwards.
 std::vector<Cell> grid_of(const BlockPath& path, const EndJunctions& ends,
                           const PlanLimits& limits);

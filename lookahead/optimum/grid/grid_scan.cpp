@@ -15,7 +15,7 @@ namespace {
 constexpr double kLeastTicks = 1.0;
 constexpr double kMostTicks = 8.0;
 constexpr double kGrowth = 0.08;  // of a cell over its distance from where something happens
-// Turning, or a change of feedrate, takes part in the limits where it takes this share of one.
+// Curvature, or a change of feedrate, takes part in the limits where it takes this share of one.
 constexpr double kTakesPart = 0.05;
 // Over a cell the square of what bounds the feedrate changes by so much of it: between its ends the
 // bound is then their mean to within 5e-4.
@@ -90,11 +90,11 @@ struct Feeds {
   double end_mm_s = 0.0;
 };
 
-// The feedrate follows what bounds it, and neither that nor turning asks for much.
+// The feedrate follows what bounds it, and neither that nor curvature asks for much.
 bool is_quiet(const Cell& cell, const Feeds& feeds, double acceleration_mm_s2,
               const PlanLimits& limits) {
   const auto is_bound = [&](const CellEnd& end, double v_mm_s) {
-    return std::abs(v_mm_s - turning_feedrate_mm_s(cell, end, limits)) <= kFlat * v_mm_s;
+    return std::abs(v_mm_s - curvature_feedrate_mm_s(cell, end, limits)) <= kFlat * v_mm_s;
   };
   const double from = feeds.begin_mm_s * feeds.begin_mm_s;
   const double to = feeds.end_mm_s * feeds.end_mm_s;

@@ -12,7 +12,7 @@ namespace kerf::lookahead {
 //
 //   motion   the estimated motion must be resolved: where the feedrate rises or falls, a share of
 //            the time in which the jerk builds the acceleration up (the time lost grows with about
-//            the power 3/2 of that share), and on a bend so little that what turning takes of the
+//            the power 3/2 of that share), and on a bend so little that what curvature takes of the
 //            limits changes by a part of them only; one tick at the least, eight at the most, so
 //            that the check between the ends of a cell looks at nearly every tick
 //   quiet    where the feedrate is what bounds it and nothing else happens the cells grow with the

@@ -11,8 +11,8 @@ namespace {
 // Of the jerk's ramp: at the most, and where the feedrate rises for twice as long as a ramp takes.
 constexpr double kMostOfRamp = 0.5;
 constexpr double kOfRamp = 0.08;
-// What turning takes of the limits may change by so much over a cell; of a turn by an angle so many
-// times that angle.
+// What curvature takes of the limits may change by so much over a cell; of a turn by an angle so
+// many times that angle.
 constexpr double kChange = 0.5;
 constexpr double kOfAngle = 4.0;
 constexpr double kFlat = 1e-6;

@@ -7,8 +7,8 @@
 
 namespace kerf::lookahead {
 
-// How far until what turning takes of the axes' limits has changed by a part that a cell can bear,
-// at this feedrate and up to this acceleration along the path, mm. cell: far shorter or not.
+// How far until what curvature takes of the axes' limits has changed by a part that a cell can
+// bear, at this feedrate and up to this acceleration along the path, mm. cell: far shorter or not.
 double change_mm(const Cell& cell, double v_mm_s, double acceleration_mm_s2,
                  const PlanLimits& limits);
 

@@ -90,7 +90,7 @@ double tangential_jerk_mm_s3(const Cell& cell, const CellEnd& end, const PlanLim
   return cell.shares.jerk * weakest(cell.along.jerk_mm_s3, end, limits, &MotionLimits::jerk_mm_s3);
 }
 
-double turning_feedrate_mm_s(const Cell& cell, const CellEnd& end, const PlanLimits& limits) {
+double curvature_feedrate_mm_s(const Cell& cell, const CellEnd& end, const PlanLimits& limits) {
   double v = cell.shares.feedrate * end.feedrate_mm_s;
   for (std::size_t k = 0; k < 3; ++k) {
     const MotionLimits& axis = limits.axes[k];
@@ -111,8 +111,8 @@ std::vector<double> estimate_feeds(std::span<const Cell> cells, const EndFeeds& 
   const std::size_t count = cells.size();
   std::vector<double> squared(count + 1, kUnbounded);
   for (std::size_t i = 0; i < count; ++i) {
-    const double begin = turning_feedrate_mm_s(cells[i], cells[i].begin, limits);
-    const double end = turning_feedrate_mm_s(cells[i], cells[i].end, limits);
+    const double begin = curvature_feedrate_mm_s(cells[i], cells[i].begin, limits);
+    const double end = curvature_feedrate_mm_s(cells[i], cells[i].end, limits);
     squared[i] = std::min(squared[i], begin * begin);
     squared[i + 1] = end * end;
   }

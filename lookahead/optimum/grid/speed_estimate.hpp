@@ -14,8 +14,8 @@ double tangential_acceleration_mm_s2(const Cell& cell, const CellEnd& end,
                                      const PlanLimits& limits);
 double tangential_jerk_mm_s3(const Cell& cell, const CellEnd& end, const PlanLimits& limits);
 
-// The feedrate at which the path's turning alone uses up a limit, and the cap.
-double turning_feedrate_mm_s(const Cell& cell, const CellEnd& end, const PlanLimits& limits);
+// The feedrate at which the path's curvature alone uses up a limit, and the cap.
+double curvature_feedrate_mm_s(const Cell& cell, const CellEnd& end, const PlanLimits& limits);
 
 // The feedrate of an end of a row of cells; infinity: as fast as it goes.
 struct EndFeeds {
@@ -26,7 +26,7 @@ struct EndFeeds {
 // Feedrates at the ends of the cells, one more than there are cells: the caps bent below what
 // tangential acceleration and jerk reach, forwards and backwards. Jerk is regarded where
 // acceleration builds up from what the cap has, not where it has to end again. No bound of the
-// optimum, in either direction: what turning takes from the axes' acceleration is left out.
+// optimum, in either direction: what curvature takes from the axes' acceleration is left out.
 std::vector<double> estimate_feeds(std::span<const Cell> cells, const EndFeeds& ends,
                                    const PlanLimits& limits);
 

@@ -53,10 +53,10 @@ Bounds bounds_of(const Forms& forms, double cap_mm_s) {
     if (size == 0.0) {
       continue;
     }
-    const double turning =
+    const double from_curvature =
         3.0 * std::abs(forms[k].second_per_mm) * cap_mm_s * bounds.acceleration_mm_s2 +
         std::abs(forms[k].third_per_mm2) * cap_mm_s * bounds.squared_mm2_s2;
-    const double j = (forms[k].jerk_mm_s3 + (turning > 0.0 ? turning : 0.0)) / size;
+    const double j = (forms[k].jerk_mm_s3 + (from_curvature > 0.0 ? from_curvature : 0.0)) / size;
     bounds.jerk_mm_s3 = std::min(bounds.jerk_mm_s3, j);
     if (forms[k].second_per_mm == 0.0 && forms[k].third_per_mm2 == 0.0 && j < least_jerk) {
       least_jerk = j;

@@ -76,7 +76,7 @@ RestRamp rest_ramp(const std::vector<Cell>& cells, RestAt where, const PlanLimit
   const Cell& cell = cells.front();
   const CellEnd& end = where == RestAt::begin ? cell.begin : cell.end;
   const double jerk = tangential_jerk_mm_s3(cell, end, limits);
-  const double v = turning_feedrate_mm_s(cell, end, limits);
+  const double v = curvature_feedrate_mm_s(cell, end, limits);
   double length = 0.0;
   for (const Cell& each : cells) {
     length += each.length_mm;

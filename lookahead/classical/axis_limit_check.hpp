@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "lookahead/classical/turn_scan.hpp"
+#include "lookahead/classical/axis_limit_scan.hpp"
 #include "lookahead/path/limits.hpp"
 #include "profiles/transition.hpp"
 
@@ -18,7 +18,7 @@ struct PlacedRamp {
 };
 
 // By what a ramp would have to be gentler; 1: it holds.
-struct TurnAsk {
+struct RampReduction {
   double acceleration = 1.0;  // factors <= 1 on its acceleration and its jerk, both to be taken
   double jerk = 1.0;
   double stretch = 1.0;  // or a factor >= 1 on its duration
@@ -29,9 +29,9 @@ struct TurnAsk {
 // |q' a + q'' v^2| <= A and |q' j + 3 q'' v a + q''' v^3| + jumps v^2 <= J of each axis, signs
 // included, at the places of the samples under the ramp and at its instants (ramp_instants.hpp).
 // What a place asks for is what would do there; at another length the ramp meets other places.
-// Precondition: the ramp is below what turning allows (TurnSample::feedrate_mm_s) but for
+// Precondition: the ramp is below what curvature allows (AxisLimitSample::feedrate_mm_s) but for
 // rounding.
-TurnAsk ask_turning(const PlacedRamp& ramp, const Turning& turning,
-                    const std::array<MotionLimits, 3>& axes);
+RampReduction ramp_reduction(const PlacedRamp& ramp, const AxisLimitCurve& axis_limits,
+                             const std::array<MotionLimits, 3>& axes);
 
 }  // namespace kerf::lookahead

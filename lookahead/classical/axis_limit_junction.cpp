@@ -1,4 +1,4 @@
-#include "lookahead/classical/turn_junction.hpp"
+#include "lookahead/classical/axis_limit_junction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,11 +27,11 @@ Largest largest_near(double place_mm, const VelocitySegment& segment,
                      const ConstantVelocity& constant_velocity) {
   Largest largest;
   const double reach_mm = kWider * constant_velocity.v_mm_s * constant_velocity.duration_s;
-  const Turning& turning = segment.turning;
-  for (std::size_t i = 0; i < turning.size(); ++i) {
-    const TurnSample& at = turning[i];
-    const bool before = i + 1 < turning.size() && turning[i + 1].s_mm < place_mm - reach_mm;
-    const bool behind = i > 0 && turning[i - 1].s_mm > place_mm + reach_mm;
+  const AxisLimitCurve& axis_limits = segment.axis_limits;
+  for (std::size_t i = 0; i < axis_limits.size(); ++i) {
+    const AxisLimitSample& at = axis_limits[i];
+    const bool before = i + 1 < axis_limits.size() && axis_limits[i + 1].s_mm < place_mm - reach_mm;
+    const bool behind = i > 0 && axis_limits[i - 1].s_mm > place_mm + reach_mm;
     for (std::size_t k = 0; k < 3 && !before && !behind; ++k) {
       double& second = largest.second_per_mm[k];
       second = std::max(second, std::abs(at.second_per_mm[k]));
@@ -45,15 +45,15 @@ Largest largest_near(double place_mm, const VelocitySegment& segment,
 
 }  // namespace
 
-Junction beside_turning(const Junction& found, const JunctionSides& sides,
-                        const PlanLimits& limits) {
+Junction beside_axis_limits(const Junction& found, const JunctionSides& sides,
+                            const PlanLimits& limits) {
   Junction junction = found;
   if (junction.feedrate_mm_s == 0.0 || junction.constant_velocity_s == 0.0) {
     return junction;
   }
   double& v = junction.feedrate_mm_s;
   for (const VelocitySegment* segment : {sides.before, sides.after}) {
-    if (!segment->turning.empty()) {
+    if (!segment->axis_limits.empty()) {
       v = std::min(v, kBelowRounding * 0.5 * segment->length_mm / junction.constant_velocity_s);
     }
   }

@@ -1,5 +1,5 @@
-// Junctions beside curves whose turning binds.
-#include "lookahead/classical/turn_junction.hpp"
+// Junctions beside curves where limits of axes bind.
+#include "lookahead/classical/axis_limit_junction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace kerf::lookahead::test {
 namespace {
 
-TEST(TurnJunction, LeavesRoomForTheThirdDerivativeWithinTheConstantVelocity) {
+TEST(AxisLimitJunction, LeavesRoomForTheThirdDerivativeWithinTheConstantVelocity) {
   const PlanLimits limits =
       axis_limits({.velocity_mm_s = 200.0, .acceleration_mm_s2 = 2000.0, .jerk_mm_s3 = 5e4});
   const curves::NurbsData curve = curves::testing::shipped_curve("trident7");
@@ -17,12 +17,12 @@ TEST(TurnJunction, LeavesRoomForTheThirdDerivativeWithinTheConstantVelocity) {
   const auto blocks = blocks_of(
       {line_move({{begin[0] - 10.0, begin[1], begin[2]}, begin}, 100.0), nurbs_move(curve, 100.0)},
       limits);
-  const Turning turning =
-      scan_turning(std::get<curves::NurbsCurve>(blocks[1].curve), 100.0, limits);
+  const AxisLimitCurve axis_limits =
+      scan_axis_limits(std::get<curves::NurbsCurve>(blocks[1].curve), 100.0, limits);
   const VelocitySegment line = whole_segment(blocks[0]);
-  const VelocitySegment first = split(blocks[1], turning, limits).front();
+  const VelocitySegment first = split(blocks[1], axis_limits, limits).front();
   const Junction found{.feedrate_mm_s = 50.0, .constant_velocity_s = 0.003};
-  const Junction junction = beside_turning(
+  const Junction junction = beside_axis_limits(
       found,
       {.blocks = {.before = &blocks[0], .after = &blocks[1]}, .before = &line, .after = &first},
       limits);
@@ -30,7 +30,7 @@ TEST(TurnJunction, LeavesRoomForTheThirdDerivativeWithinTheConstantVelocity) {
   EXPECT_LT(v, found.feedrate_mm_s);
   EXPECT_GT(v, 0.0);
   EXPECT_LE(2.0 * v * junction.constant_velocity_s, first.length_mm);
-  for (const TurnSample& at : first.turning) {
+  for (const AxisLimitSample& at : first.axis_limits) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double turn = std::abs(blocks[1].begin.tangent[k] - blocks[0].end.tangent[k]);
       if (at.s_mm <= v * junction.constant_velocity_s) {
@@ -40,11 +40,11 @@ TEST(TurnJunction, LeavesRoomForTheThirdDerivativeWithinTheConstantVelocity) {
   }
 }
 
-TEST(TurnJunction, LeavesAStopAndASmoothJunctionAsTheyAre) {
-  EXPECT_EQ(
-      beside_turning({.feedrate_mm_s = 0.0, .constant_velocity_s = 0.003}, {}, {}).feedrate_mm_s,
-      0.0);
-  EXPECT_EQ(beside_turning({.feedrate_mm_s = 30.0}, {}, {}).feedrate_mm_s, 30.0);
+TEST(AxisLimitJunction, LeavesAStopAndASmoothJunctionAsTheyAre) {
+  EXPECT_EQ(beside_axis_limits({.feedrate_mm_s = 0.0, .constant_velocity_s = 0.003}, {}, {})
+                .feedrate_mm_s,
+            0.0);
+  EXPECT_EQ(beside_axis_limits({.feedrate_mm_s = 30.0}, {}, {}).feedrate_mm_s, 30.0);
 }
 
 }  // namespace

@@ -1,43 +1,43 @@
-// What turning leaves for the feedrate, against closed forms and the curve itself.
-#include "lookahead/classical/turn_scan.hpp"
+// What curvature leaves for the feedrate, against closed forms and the curve itself.
+#include "lookahead/classical/axis_limit_scan.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "lookahead/classical/turn_ceiling.hpp"
+#include "lookahead/classical/lower_limit_curve.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {
 namespace {
 
-TEST(TurnScan, FindsNothingWhereNoAxisHasALimit) {
+TEST(AxisLimitScan, FindsNothingWhereNoAxisHasALimit) {
   const auto curve = smooth_curve(curves::testing::shipped_curve("trident7"));
   PlanLimits limits = test::path_limits({.velocity_mm_s = 100.0, .jerk_mm_s3 = 1e4});
-  EXPECT_TRUE(scan_turning(curve, 100.0, limits).empty());
+  EXPECT_TRUE(scan_axis_limits(curve, 100.0, limits).empty());
 }
 
 // At constant feedrate an axis on a circle sees v^2 / R and v^3 / R^2.
-TEST(TurnScan, LeavesPartOfTheLimitsOnACircle) {
+TEST(AxisLimitScan, LeavesPartOfTheLimitsOnACircle) {
   const double radius = 5.0;
   const auto curve = smooth_curve(nurbs_circle(radius));
   const PlanLimits limits = axis_limits({.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 2e4});
   const double most = std::min(std::sqrt(1000.0 * radius), std::cbrt(2e4 * radius * radius));
-  for (const TurnSample& at : scan_turning(curve, 1000.0, limits)) {
+  for (const AxisLimitSample& at : scan_axis_limits(curve, 1000.0, limits)) {
     EXPECT_LT(at.feedrate_mm_s, 1.2 * most);  // 2^(1/4): both axes share it at 45 degrees
     EXPECT_GT(at.feedrate_mm_s, 0.7 * most);
   }
 }
 
-TEST(TurnScan, MissesLittleBetweenSamples) {
+TEST(AxisLimitScan, MissesLittleBetweenSamples) {
   const PlanLimits limits = axis_limits({.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 2e4});
   for (const char* name : {"butterfly", "trident7", "scroll"}) {
     const auto curve = smooth_curve(curves::testing::shipped_curve(name));
-    const Turning turning = scan_turning(curve, 100.0, limits);
-    for (std::size_t i = 1; i < turning.size(); ++i) {
-      const TurnSample& a = turning[i - 1];
-      const TurnSample& b = turning[i];
+    const AxisLimitCurve axis_limits = scan_axis_limits(curve, 100.0, limits);
+    for (std::size_t i = 1; i < axis_limits.size(); ++i) {
+      const AxisLimitSample& a = axis_limits[i - 1];
+      const AxisLimitSample& b = axis_limits[i];
       ASSERT_LE(a.s_mm, b.s_mm);
       const double v = std::min({100.0, a.feedrate_mm_s, b.feedrate_mm_s});
       for (const double share : {0.25, 0.5, 0.75}) {
@@ -59,7 +59,7 @@ TEST(TurnScan, MissesLittleBetweenSamples) {
 }
 
 // Two arcs of parabolas that join with their tangents: curvature jumps from 2 to -2 per mm.
-TEST(TurnScan, CountsAJumpOfCurvatureAsJerkWithinThreeTicks) {
+TEST(AxisLimitScan, CountsAJumpOfCurvatureAsJerkWithinThreeTicks) {
   curves::NurbsData data{.degree = 2, .points = {}, .knots = {0, 0, 0, 1, 1, 2, 2, 2}};
   for (const Position& at : {Position{-1, 1, 0}, Position{-0.5, 0, 0}, Position{0, 0, 0},
                              Position{0.5, 0, 0}, Position{1, -1, 0}}) {
@@ -67,9 +67,9 @@ TEST(TurnScan, CountsAJumpOfCurvatureAsJerkWithinThreeTicks) {
   }
   const auto curve = smooth_curve(data);
   const PlanLimits limits = axis_limits({.jerk_mm_s3 = 1e6});
-  const Turning turning = scan_turning(curve, 1000.0, limits);
+  const AxisLimitCurve axis_limits = scan_axis_limits(curve, 1000.0, limits);
   double at_jump = kUnbounded;
-  for (const TurnSample& at : turning) {
+  for (const AxisLimitSample& at : axis_limits) {
     if (std::abs(at.s_mm - 0.5 * curve.length_mm()) < 1e-9) {
       at_jump = std::min(at_jump, at.feedrate_mm_s);
     }
@@ -78,13 +78,13 @@ TEST(TurnScan, CountsAJumpOfCurvatureAsJerkWithinThreeTicks) {
   EXPECT_GT(at_jump, 0.0);
 }
 
-TEST(TurnScan, LowersALimitCurveAndNeverLiftsIt) {
+TEST(AxisLimitScan, LowersALimitCurveAndNeverLiftsIt) {
   const PlanLimits limits = axis_limits({.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 2e4});
   const auto curve = smooth_curve(curves::testing::shipped_curve("butterfly"));
   const VelocityLimitCurve flat{{.u = 0.0, .s_mm = 0.0, .v_mm_s = 60.0},
                                 {.u = 1.0, .s_mm = curve.length_mm(), .v_mm_s = 60.0}};
-  const Turning turning = scan_turning(curve, 60.0, limits);
-  const VelocityLimitCurve lower = lower_limit_curve(flat, turning);
+  const AxisLimitCurve axis_limits = scan_axis_limits(curve, 60.0, limits);
+  const VelocityLimitCurve lower = lower_limit_curve(flat, axis_limits);
   for (std::size_t i = 1; i < lower.size(); ++i) {
     EXPECT_LT(lower[i - 1].s_mm, lower[i].s_mm);
     EXPECT_LT(lower[i - 1].u, lower[i].u);
@@ -98,7 +98,7 @@ TEST(TurnScan, LowersALimitCurveAndNeverLiftsIt) {
     return v;
   };
   EXPECT_EQ(lowest(lower, [](const FeedSample& at) { return at.v_mm_s; }),
-            lowest(turning, [](const TurnSample& at) { return at.feedrate_mm_s; }));
+            lowest(axis_limits, [](const AxisLimitSample& at) { return at.feedrate_mm_s; }));
 }
 
 }  // namespace

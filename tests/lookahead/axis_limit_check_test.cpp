@@ -1,5 +1,5 @@
 // Every classical profile keeps the limits of each axis on NURBS, judged by differences of ticks.
-#include "lookahead/classical/turn_check.hpp"
+#include "lookahead/classical/axis_limit_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ double largest_share(const std::vector<Block>& blocks, const PlanLimits& limits,
 // Of rounding: 1e-13 mm of a position is 1e-4 mm/s^3 and more.
 constexpr double kStrict = 1.0 + 1e-4;
 
-TEST(TurnCheck, KeepsEachAxisOnTheReferenceCurvesWithEveryProfile) {
+TEST(AxisLimitCheck, KeepsEachAxisOnTheReferenceCurvesWithEveryProfile) {
   std::size_t next_set = 0;
   for (const auto& [name, data] : curves::testing::shipped_curves()) {
     for (const ProfileKind kind : all_kinds()) {
@@ -116,7 +116,7 @@ curves::NurbsData random_curve(std::mt19937_64& random, int degree) {
   return data;
 }
 
-TEST(TurnCheck, KeepsEachAxisOnRandomCurvesOfEveryDegree) {
+TEST(AxisLimitCheck, KeepsEachAxisOnRandomCurvesOfEveryDegree) {
   for (std::uint64_t seed = 1; seed <= 180; ++seed) {
     std::mt19937_64 random(seed);
     const int degree = 1 + static_cast<int>(seed % 9);
@@ -131,20 +131,21 @@ TEST(TurnCheck, KeepsEachAxisOnRandomCurvesOfEveryDegree) {
 }
 
 // Along X, bent to Y: a made-up place without a third derivative.
-TEST(TurnCheck, AsksOfARampWhatTheAxisAcrossHasLeft) {
-  const Turning turning{{.s_mm = 0.0, .first = {1, 0, 0}, .second_per_mm = {0, 0.1, 0}},
-                        {.s_mm = 100.0, .first = {1, 0, 0}, .second_per_mm = {0, 0.1, 0}}};
+TEST(AxisLimitCheck, AsksOfARampWhatTheAxisAcrossHasLeft) {
+  const AxisLimitCurve axis_limits{
+      {.s_mm = 0.0, .first = {1, 0, 0}, .second_per_mm = {0, 0.1, 0}},
+      {.s_mm = 100.0, .first = {1, 0, 0}, .second_per_mm = {0, 0.1, 0}}};
   const Profile profile(ProfileKind::s_curve);
   const auto ramp = profile.fastest({.v_begin_mm_s = 10.0, .v_end_mm_s = 50.0},
                                     {.acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
   const auto ask_at = [&](double jerk_mm_s3) {
     const MotionLimits axis{.jerk_mm_s3 = jerk_mm_s3};
-    return ask_turning({.law = ramp}, turning, {axis, axis, axis});
+    return ramp_reduction({.law = ramp}, axis_limits, {axis, axis, axis});
   };
   // Acceleration peaks at 500, where the feedrate is between 20 and 40: 3 q'' v a of Y is at most
   // 6000 there and at least 3000, and the jerk of X is 1e4.
   EXPECT_TRUE(ask_at(2e4).holds());
-  const TurnAsk less = ask_at(2.5e3);
+  const RampReduction less = ask_at(2.5e3);
   EXPECT_FALSE(less.holds());
   EXPECT_LT(less.acceleration, 1.0);
   EXPECT_GT(less.stretch, 1.0);
@@ -155,7 +156,7 @@ struct Bend {
   double peak_per_mm = 0.0;
   double width_mm = 0.0;
 
-  [[nodiscard]] TurnSample at(double s_mm) const {
+  [[nodiscard]] AxisLimitSample at(double s_mm) const {
     const double x = s_mm / width_mm;
     const double under = 1.0 + x * x;
     return {.s_mm = s_mm,
@@ -163,22 +164,22 @@ struct Bend {
             .second_per_mm = {0.0, peak_per_mm / under, 0.0},
             .third_per_mm2 = {0.0, -2.0 * peak_per_mm * x / (width_mm * under * under), 0.0}};
   }
-  [[nodiscard]] Turning samples(double length_mm) const {
-    Turning turning;
+  [[nodiscard]] AxisLimitCurve samples(double length_mm) const {
+    AxisLimitCurve axis_limits;
     for (double s = 0.0; s < length_mm; s += 0.01 * std::max(width_mm, s)) {
-      turning.push_back(at(s));
+      axis_limits.push_back(at(s));
     }
-    turning.push_back(at(length_mm));
-    return turning;
+    axis_limits.push_back(at(length_mm));
+    return axis_limits;
   }
 };
 
-// What Y takes of its limits at the most, in all and of turning alone.
+// What Y takes of its limits at the most, in all and of curvature alone.
 struct Taken {
   double acceleration_mm_s2 = 0.0;
-  double turning_acceleration_mm_s2 = 0.0;
+  double curvature_acceleration_mm_s2 = 0.0;
   double jerk_mm_s3 = 0.0;
-  double turning_jerk_mm_s3 = 0.0;
+  double curvature_jerk_mm_s3 = 0.0;
 };
 
 // From 5000 instants of it, close to each other at the foot.
@@ -188,23 +189,23 @@ Taken taken_of(const Transition& ramp, const Bend& bend) {
   for (int i = 0; i <= kDense; ++i) {
     const double x = static_cast<double>(i) / kDense;
     const profiles::PathMotion at = ramp.at(ramp.duration_s() * x * x);
-    const TurnSample curve = bend.at(at.s_mm);
+    const AxisLimitSample curve = bend.at(at.s_mm);
     const double v = at.v_mm_s;
     const auto widen = [](double& most, double value) { most = std::max(most, std::abs(value)); };
-    const double turning = curve.second_per_mm[1] * v * v;
+    const double from_curvature = curve.second_per_mm[1] * v * v;
     const double third = curve.third_per_mm2[1] * v * v * v;
-    widen(taken.acceleration_mm_s2, curve.first[1] * at.a_mm_s2 + turning);
-    widen(taken.turning_acceleration_mm_s2, turning);
+    widen(taken.acceleration_mm_s2, curve.first[1] * at.a_mm_s2 + from_curvature);
+    widen(taken.curvature_acceleration_mm_s2, from_curvature);
     widen(taken.jerk_mm_s3,
           curve.first[1] * at.j_mm_s3 + 3.0 * curve.second_per_mm[1] * v * at.a_mm_s2 + third);
-    widen(taken.turning_jerk_mm_s3, third);
+    widen(taken.curvature_jerk_mm_s3, third);
   }
   return taken;
 }
 
 // Also where the acceleration has a corner between two instants that are looked at, beside a turn
 // that is much shorter than the ramp.
-TEST(TurnCheck, LetsNoRampPassThatTakesAllThatAnAxisHas) {
+TEST(AxisLimitCheck, LetsNoRampPassThatTakesAllThatAnAxisHas) {
   std::mt19937_64 random(1);
   const auto log_uniform = [&random](double low, double high) {
     return std::exp(std::uniform_real_distribution<double>(std::log(low), std::log(high))(random));
@@ -223,18 +224,19 @@ TEST(TurnCheck, LetsNoRampPassThatTakesAllThatAnAxisHas) {
     const double squared = foot_mm_s * foot_mm_s + limits.acceleration_mm_s2 * width_mm;
     const Bend bend{.peak_per_mm = limits.acceleration_mm_s2 * log_uniform(0.1, 3.0) / squared,
                     .width_mm = width_mm};
-    const Turning turning = bend.samples(ramp.length_mm());
+    const AxisLimitCurve axis_limits = bend.samples(ramp.length_mm());
     const Taken taken = taken_of(ramp, bend);
     const auto holds = [&](const MotionLimits& of_y) {
-      return ask_turning({.law = ramp}, turning, {MotionLimits{}, of_y, MotionLimits{}}).holds();
+      return ramp_reduction({.law = ramp}, axis_limits, {MotionLimits{}, of_y, MotionLimits{}})
+          .holds();
     };
-    // Else it is not below what turning allows.
-    if (taken.turning_acceleration_mm_s2 < 0.9 * taken.acceleration_mm_s2) {
+    // Else it is not below what curvature allows.
+    if (taken.curvature_acceleration_mm_s2 < 0.9 * taken.acceleration_mm_s2) {
       ++looked_at;
       EXPECT_FALSE(holds({.acceleration_mm_s2 = taken.acceleration_mm_s2}));
       EXPECT_TRUE(holds({.acceleration_mm_s2 = 1.02 * taken.acceleration_mm_s2}));
     }
-    if (kind != ProfileKind::trapezoid && taken.turning_jerk_mm_s3 < 0.7 * taken.jerk_mm_s3) {
+    if (kind != ProfileKind::trapezoid && taken.curvature_jerk_mm_s3 < 0.7 * taken.jerk_mm_s3) {
       ++looked_at;
       EXPECT_FALSE(holds({.jerk_mm_s3 = taken.jerk_mm_s3}));
     }

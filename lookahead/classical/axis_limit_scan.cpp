@@ -1,4 +1,4 @@
-#include "lookahead/classical/turn_scan.hpp"
+#include "lookahead/classical/axis_limit_scan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ using curves::vec;
 
 namespace {
 
-// Of an axis' limits, what turning at constant feedrate may take.
+// Of an axis' limits, what curvature at constant feedrate may take.
 constexpr double kAccelerationShare = 0.9;
 constexpr double kJerkShare = 0.7;
 // Of a limit, or of a feedrate: what lines between samples may miss.
@@ -46,7 +46,7 @@ class Scan {
   Scan(const NurbsCurve& curve, double feedrate_mm_s, const PlanLimits& limits)
       : curve_(curve), cap_mm_s_(feedrate_mm_s), limits_(limits) {}
 
-  Turning samples() {
+  AxisLimitCurve samples() {
     for (const NurbsPiece& piece : curve_.pieces()) {
       add_piece(piece);
     }
@@ -61,7 +61,7 @@ class Scan {
     curves::Position jerk_per_mm_s{};
   };
 
-  void find_feedrate(TurnSample& sample) const {
+  void find_feedrate(AxisLimitSample& sample) const {
     sample.feedrate_mm_s = kUnbounded;
     for (std::size_t k = 0; k < 3; ++k) {
       const MotionLimits& axis = limits_.axes[k];
@@ -86,18 +86,19 @@ class Scan {
     }
   }
 
-  [[nodiscard]] TurnSample sample_at(const NurbsPiece& piece, double s_mm) const {
+  [[nodiscard]] AxisLimitSample sample_at(const NurbsPiece& piece, double s_mm) const {
     const curves::PathDerivatives path = piece.derivatives_at(s_mm);
-    TurnSample sample{.s_mm = s_mm,
-                      .first = path.first,
-                      .second_per_mm = path.second_per_mm,
-                      .third_per_mm2 = path.third_per_mm2};
+    AxisLimitSample sample{.s_mm = s_mm,
+                           .first = path.first,
+                           .second_per_mm = path.second_per_mm,
+                           .third_per_mm2 = path.third_per_mm2};
     find_feedrate(sample);
     return sample;
   }
 
   // Whether the line from a to b misses what is in the middle.
-  [[nodiscard]] bool misses(const TurnSample& a, const TurnSample& m, const TurnSample& b) const {
+  [[nodiscard]] bool misses(const AxisLimitSample& a, const AxisLimitSample& m,
+                            const AxisLimitSample& b) const {
     const double v = std::min(cap_mm_s_, m.feedrate_mm_s);
     const double line =
         0.5 * (std::min(cap_mm_s_, a.feedrate_mm_s) + std::min(cap_mm_s_, b.feedrate_mm_s));
@@ -120,9 +121,9 @@ class Scan {
     return false;
   }
 
-  void add_between(const NurbsPiece& piece, const TurnSample& a, const TurnSample& b,
+  void add_between(const NurbsPiece& piece, const AxisLimitSample& a, const AxisLimitSample& b,
                    int halvings) {
-    const TurnSample middle = sample_at(piece, 0.5 * (a.s_mm + b.s_mm));
+    const AxisLimitSample middle = sample_at(piece, 0.5 * (a.s_mm + b.s_mm));
     const bool finer = halvings < kMostHalvings && misses(a, middle, b);
     if (finer) {
       add_between(piece, a, middle, halvings + 1);
@@ -134,11 +135,11 @@ class Scan {
   }
 
   void add_piece(const NurbsPiece& piece) {
-    TurnSample from = sample_at(piece, piece.s_begin_mm);
+    AxisLimitSample from = sample_at(piece, piece.s_begin_mm);
     add_first(from);
     for (int i = 1; i <= kPartsOfPiece; ++i) {
       const double share = static_cast<double>(i) / kPartsOfPiece;
-      const TurnSample to =
+      const AxisLimitSample to =
           sample_at(piece, i == kPartsOfPiece
                                ? piece.s_end_mm
                                : piece.s_begin_mm + share * (piece.s_end_mm - piece.s_begin_mm));
@@ -149,9 +150,9 @@ class Scan {
   }
 
   // The end of the piece before stands at the same place.
-  void add_first(const TurnSample& first) {
+  void add_first(const AxisLimitSample& first) {
     if (!samples_.empty()) {
-      const TurnSample& last = samples_.back();
+      const AxisLimitSample& last = samples_.back();
       const double size = std::max(vec(last.second_per_mm).norm(), vec(first.second_per_mm).norm());
       const Eigen::Vector3d jump = vec(first.second_per_mm) - vec(last.second_per_mm);
       if (jump.norm() > kJump * size) {
@@ -180,7 +181,7 @@ class Scan {
     }
     const auto place =
         std::lower_bound(samples_.begin(), samples_.end(), s_mm,
-                         [](const TurnSample& sample, double s) { return sample.s_mm < s; });
+                         [](const AxisLimitSample& sample, double s) { return sample.s_mm < s; });
     if (place->s_mm != s_mm) {
       samples_.insert(place, sample_at(curve_.pieces()[curve_.piece_index(s_mm)], s_mm));
     }
@@ -192,8 +193,9 @@ class Scan {
       insert(jump.s_mm + jump.reach_mm);
     }
     for (const Jump& jump : jumps_) {
-      auto sample = std::lower_bound(samples_.begin(), samples_.end(), jump.s_mm - jump.reach_mm,
-                                     [](const TurnSample& at, double s) { return at.s_mm < s; });
+      auto sample =
+          std::lower_bound(samples_.begin(), samples_.end(), jump.s_mm - jump.reach_mm,
+                           [](const AxisLimitSample& at, double s) { return at.s_mm < s; });
       for (; sample != samples_.end() && sample->s_mm <= jump.s_mm + jump.reach_mm; ++sample) {
         for (std::size_t k = 0; k < 3; ++k) {
           sample->jumps_per_mm_s[k] += jump.jerk_per_mm_s[k];
@@ -201,7 +203,7 @@ class Scan {
       }
     }
     if (!jumps_.empty()) {
-      for (TurnSample& sample : samples_) {
+      for (AxisLimitSample& sample : samples_) {
         find_feedrate(sample);
       }
     }
@@ -210,19 +212,20 @@ class Scan {
   const NurbsCurve& curve_;
   double cap_mm_s_;
   const PlanLimits& limits_;
-  Turning samples_;
+  AxisLimitCurve samples_;
   std::vector<Jump> jumps_;
 };
 
 }  // namespace
 
-Turning scan_turning(const NurbsCurve& curve, double feedrate_mm_s, const PlanLimits& limits) {
+AxisLimitCurve scan_axis_limits(const NurbsCurve& curve, double feedrate_mm_s,
+                                const PlanLimits& limits) {
   const bool any =
       std::any_of(limits.axes.begin(), limits.axes.end(), [](const MotionLimits& axis) {
         return std::isfinite(axis.velocity_mm_s) || std::isfinite(axis.acceleration_mm_s2) ||
                std::isfinite(axis.jerk_mm_s3);
       });
-  return any ? Scan(curve, feedrate_mm_s, limits).samples() : Turning{};
+  return any ? Scan(curve, feedrate_mm_s, limits).samples() : AxisLimitCurve{};
 }
 
 }  // namespace kerf::lookahead

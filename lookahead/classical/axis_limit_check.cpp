@@ -1,4 +1,4 @@
-#include "lookahead/classical/turn_check.hpp"
+#include "lookahead/classical/axis_limit_check.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,13 +22,13 @@ class Asks {
   explicit Asks(const std::array<MotionLimits, 3>& axes) : axes_(axes) {}
 
   // Signs as the motion runs.
-  void look(const TurnSample& at, double v, double a, double j) {
+  void look(const AxisLimitSample& at, double v, double a, double j) {
     for (std::size_t k = 0; k < 3; ++k) {
       const MotionLimits& axis = axes_[k];
-      const double turning = at.second_per_mm[k] * v * v;
+      const double from_curvature = at.second_per_mm[k] * v * v;
       const double change = at.first[k] * a;
-      if (std::abs(change + turning) > kAim * axis.acceleration_mm_s2) {
-        const double left = std::max(kAim * axis.acceleration_mm_s2 - std::abs(turning),
+      if (std::abs(change + from_curvature) > kAim * axis.acceleration_mm_s2) {
+        const double left = std::max(kAim * axis.acceleration_mm_s2 - std::abs(from_curvature),
                                      kLeast * axis.acceleration_mm_s2);
         need_acceleration(left / std::abs(change));
       }
@@ -44,7 +44,7 @@ class Asks {
     }
   }
 
-  [[nodiscard]] const TurnAsk& ask() const { return ask_; }
+  [[nodiscard]] const RampReduction& ask() const { return ask_; }
 
  private:
   void need_acceleration(double factor) {
@@ -72,13 +72,13 @@ class Asks {
   }
 
   const std::array<MotionLimits, 3>& axes_;
-  TurnAsk ask_;
+  RampReduction ask_;
 };
 
-TurnSample between(const TurnSample& a, const TurnSample& b, double s_mm) {
+AxisLimitSample between(const AxisLimitSample& a, const AxisLimitSample& b, double s_mm) {
   const double way = b.s_mm - a.s_mm;
   const double share = way != 0.0 ? (s_mm - a.s_mm) / way : 0.0;
-  TurnSample at{.s_mm = s_mm};
+  AxisLimitSample at{.s_mm = s_mm};
   const auto line = [share](double x, double y) { return x + share * (y - x); };
   for (std::size_t k = 0; k < 3; ++k) {
     at.first[k] = line(a.first[k], b.first[k]);
@@ -92,43 +92,45 @@ TurnSample between(const TurnSample& a, const TurnSample& b, double s_mm) {
 // The samples in the order in which a ramp meets them.
 class Way {
  public:
-  Way(const PlacedRamp& ramp, const Turning& turning) : ramp_(ramp), turning_(turning) {
+  Way(const PlacedRamp& ramp, const AxisLimitCurve& axis_limits)
+      : ramp_(ramp), axis_limits_(axis_limits) {
     while (has_next() && distance_mm() <= 0.0) {
       ++next_;
     }
   }
 
-  [[nodiscard]] bool has_next() const { return next_ < turning_.size(); }
-  [[nodiscard]] const TurnSample& next() const { return sample(next_); }
+  [[nodiscard]] bool has_next() const { return next_ < axis_limits_.size(); }
+  [[nodiscard]] const AxisLimitSample& next() const { return sample(next_); }
   // Of the next sample from the foot.
   [[nodiscard]] double distance_mm() const {
     return ramp_.direction * (next().s_mm - ramp_.foot_mm);
   }
   void pass() { ++next_; }
   // Before the next sample.
-  [[nodiscard]] TurnSample at(double distance_mm) const {
-    return between(sample(next_ > 0 ? next_ - 1 : 0), sample(std::min(next_, turning_.size() - 1)),
+  [[nodiscard]] AxisLimitSample at(double distance_mm) const {
+    return between(sample(next_ > 0 ? next_ - 1 : 0),
+                   sample(std::min(next_, axis_limits_.size() - 1)),
                    ramp_.foot_mm + ramp_.direction * distance_mm);
   }
 
  private:
-  [[nodiscard]] const TurnSample& sample(std::size_t i) const {
-    return turning_[ramp_.direction > 0.0 ? i : turning_.size() - 1 - i];
+  [[nodiscard]] const AxisLimitSample& sample(std::size_t i) const {
+    return axis_limits_[ramp_.direction > 0.0 ? i : axis_limits_.size() - 1 - i];
   }
 
   const PlacedRamp& ramp_;
-  const Turning& turning_;
+  const AxisLimitCurve& axis_limits_;
   std::size_t next_ = 0;
 };
 
 }  // namespace
 
-TurnAsk ask_turning(const PlacedRamp& ramp, const Turning& turning,
-                    const std::array<MotionLimits, 3>& axes) {
+RampReduction ramp_reduction(const PlacedRamp& ramp, const AxisLimitCurve& axis_limits,
+                             const std::array<MotionLimits, 3>& axes) {
   const std::vector<Instant> instants = instants_of(ramp.law);
   Asks asks(axes);
-  Way way(ramp, turning);
-  const auto look = [&](const TurnSample& at, const profiles::PathMotion& motion, double j) {
+  Way way(ramp, axis_limits);
+  const auto look = [&](const AxisLimitSample& at, const profiles::PathMotion& motion, double j) {
     asks.look(at, motion.v_mm_s, ramp.direction * motion.a_mm_s2, j);
   };
   const Instant* before = &instants.front();
@@ -139,7 +141,7 @@ TurnAsk ask_turning(const PlacedRamp& ramp, const Turning& turning,
       look(way.next(), at, before->j_after_mm_s3);
       look(way.next(), at, now.j_before_mm_s3);
     }
-    const TurnSample here = way.at(now.motion.s_mm);
+    const AxisLimitSample here = way.at(now.motion.s_mm);
     look(here, now.motion, now.j_before_mm_s3);
     look(here, now.motion, now.j_after_mm_s3);
     before = &now;
