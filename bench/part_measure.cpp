@@ -16,7 +16,7 @@ constexpr double kNear_mm = 0.6;
 constexpr double kDetour = 1e-7;
 constexpr double kLineSample_mm = 0.25;
 constexpr double kArcSample_mm = 0.05;
-constexpr int kMostSamples = 2000;
+constexpr int kMaxSamples = 2000;
 constexpr int kCubicParts = 16;
 
 Point cubic_through(const Point* four, double share) {  // Catmull-Rom, between the inner two
@@ -86,7 +86,7 @@ class Matching {
     for (std::size_t k = 0; k < path_.size(); ++k) {
       const double length = begins_mm_[k + 1] - begins_mm_[k];
       const double step = path_[k].radius_mm > 0.0 ? kArcSample_mm : kLineSample_mm;
-      const int samples = std::clamp(static_cast<int>(std::ceil(length / step)), 1, kMostSamples);
+      const int samples = std::clamp(static_cast<int>(std::ceil(length / step)), 1, kMaxSamples);
       for (int i = 1; i <= samples; ++i) {
         const double share = static_cast<double>(i) / samples;
         const double distance =

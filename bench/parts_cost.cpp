@@ -20,9 +20,9 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t kMillion = 1'000'000;
-constexpr double kMost_s = 10.0;
-constexpr double kMost_MiB = 128.0;
-constexpr double kMostGrowth = 10.5;
+constexpr double kMax_s = 10.0;
+constexpr double kMax_MiB = 128.0;
+constexpr double kMaxGrowth = 10.5;
 
 // The flower's lines as text, in pieces as from a file. The time that making them takes is kept.
 class FlowerText {
@@ -153,21 +153,20 @@ bool parts_cost(const PartsOrder& order) {
     return true;
   }
   const std::int64_t lines = order.quick ? kMillion / 10 : kMillion;
-  const double most_s = order.quick ? kMost_s / 10.0 : kMost_s;
+  const double most_s = order.quick ? kMax_s / 10.0 : kMax_s;
   std::printf(
       "A dry run of the flower's lines of 0.1 mm (F6000, a 500, J 50000, G64 P0.01 Q0.01) with "
       "ticks to nowhere; targets: %g s and %g MiB for %lld lines, %g times that for 10 times the "
       "lines.\n\n"
       "| lines | check [s] | run [s] | both [s] | ticks | lines/s | peak memory [MiB] | |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
-      most_s, kMost_MiB, static_cast<long long>(lines), kMostGrowth);
+      most_s, kMax_MiB, static_cast<long long>(lines), kMaxGrowth);
   const auto seconds_of = [](const Cost& cost) { return cost.check_s + cost.run_s; };
   const Cost once = dry_run_alone(lines, order.profile);
-  bool met = print_row(lines, once, seconds_of(once) <= most_s && once.peak_MiB <= kMost_MiB);
+  bool met = print_row(lines, once, seconds_of(once) <= most_s && once.peak_MiB <= kMax_MiB);
   if (order.with_long) {
     const Cost ten = dry_run_alone(10 * lines, order.profile);
-    const bool held =
-        seconds_of(ten) <= kMostGrowth * seconds_of(once) && ten.peak_MiB <= kMost_MiB;
+    const bool held = seconds_of(ten) <= kMaxGrowth * seconds_of(once) && ten.peak_MiB <= kMax_MiB;
     met = print_row(10 * lines, ten, held) && met;
   }
   std::printf("\n");

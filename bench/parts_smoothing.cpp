@@ -12,7 +12,7 @@ namespace kerf::bench {
 
 namespace {
 
-constexpr double kLeastBlocks_per_s = 300'000.0;
+constexpr double kMinBlocks_per_s = 300'000.0;
 constexpr int kBatch = 1000;
 
 struct Rate {
@@ -56,7 +56,7 @@ Rate smooth(std::int64_t blocks, const std::function<Point()>& next) {
 
 bool print_row(const char* name, const Rate& rate) {
   const double per_s = static_cast<double>(rate.blocks) / rate.smoothing_s;
-  const bool met = per_s >= kLeastBlocks_per_s;
+  const bool met = per_s >= kMinBlocks_per_s;
   std::printf("| %s | %lld | %lld | %.2f | %.0f | %s |\n", name,
               static_cast<long long>(rate.blocks), static_cast<long long>(rate.parts),
               rate.smoothing_s, per_s, met ? "met" : "MISSED");
@@ -75,7 +75,7 @@ bool parts_smoothing(const PartsOrder& order) {
       "Smoothing alone, P 0.01 and Q 0.01, moves to path parts; target: %.0f blocks a second of "
       "one core.\n\n"
       "| lines | blocks | parts | time [s] | blocks/s | |\n| --- | --- | --- | --- | --- | --- |\n",
-      kLeastBlocks_per_s);
+      kMinBlocks_per_s);
   Flower flower(0.1);
   const auto petals = [&flower] {
     flower.advance();

@@ -194,7 +194,7 @@ long peak_kib() {
 
 // The peak of a process never falls, so the short path comes first.
 bool memory_holds(const lookahead::PlanLimits& limits) {
-  constexpr double kMostGrowth = 1.1;
+  constexpr double kMaxGrowth = 1.1;
   std::printf("| short curves | peak memory [KiB] |\n| --- | --- |\n");
   long first = 0;
   long last = 0;
@@ -204,7 +204,7 @@ bool memory_holds(const lookahead::PlanLimits& limits) {
     first = first == 0 ? last : first;
     std::printf("| %d | %ld |\n", count, last);
   }
-  return static_cast<double>(last) <= kMostGrowth * static_cast<double>(first);
+  return static_cast<double>(last) <= kMaxGrowth * static_cast<double>(first);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace kerf::curves {
 namespace {
 
 constexpr double kAgree_mm = 1e-11;
-constexpr double kMostTurns = 1000.0;
+constexpr double kMaxTurns = 1000.0;
 constexpr Wide kChunk_rad = 0.2L;  // the Taylor series of degree 9 leaves 0.1^10 / 10! = 3e-17
 
 // Cosine and sine of (middle + half x) times a radius that is linear in x, as powers of x.
@@ -49,7 +49,7 @@ SpiralSeries series_of(const Chunk& chunk) {
 }
 
 tl::expected<NurbsCurve, CurveError> spiral(const ArcShape& shape, const ArcSweep& sweep) {
-  if (sweep.angle_rad > kMostTurns * 2.0 * std::numbers::pi) {
+  if (sweep.angle_rad > kMaxTurns * 2.0 * std::numbers::pi) {
     return tl::unexpected(
         CurveError{"the arc's radius changes from " + to_text(sweep.start_radius_mm) + " to " +
                    to_text(sweep.end_radius_mm) + " mm over " + std::to_string(shape.turns) +

@@ -25,7 +25,7 @@ constexpr Wide kPointLike_mm = 1e-12L;
 // tangent. Generous, because rounding moves points that should coincide, and only turning back is
 // looked for.
 constexpr Wide kCoincident = 1e-6L;
-constexpr Wide kMostWeightRatio = 16.0L;  // in one piece, so that its polynomials lose no digits
+constexpr Wide kMaxWeightRatio = 16.0L;  // in one piece, so that its polynomials lose no digits
 constexpr double kShortestCurve_mm = 1e-11;
 // A cusp within a piece so short passes for rounding of its fit. It must come to lie between
 // pieces.
@@ -54,7 +54,7 @@ class Mapper {
         continue;
       }
       const bool is_fit =
-          current.weight_ratio() <= kMostWeightRatio && !hides_cusp(current, polygon_mm);
+          current.weight_ratio() <= kMaxWeightRatio && !hides_cusp(current, polygon_mm);
       const double piece_mm = is_fit ? fit_length_map(piece) : -1.0;
       if (piece_mm >= 0.0) {
         pass_points(current, polygon_mm);

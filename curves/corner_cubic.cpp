@@ -22,7 +22,7 @@ namespace {
 constexpr double kCube = 0.08;
 constexpr double kWidthOf1mm = 0.32;
 constexpr double kPowerOfWidth = -0.07;
-constexpr int kMostPieces = 64;  // of a half
+constexpr int kMaxPieces = 64;  // of a half
 
 struct Interval {
   double middle = 0.0;  // in w
@@ -76,7 +76,7 @@ class CornerCubic {
   [[nodiscard]] int likely_count() const {
     const double width = kWidthOf1mm * std::pow(way_mm_, kPowerOfWidth);
     const double count = std::ceil(q_of(1.0 / to_singular()) / width);
-    return static_cast<int>(std::clamp(count, 1.0, 1.0 * kMostPieces));
+    return static_cast<int>(std::clamp(count, 1.0, 1.0 * kMaxPieces));
   }
 
   // The geometry: r(m + h x) by powers of x. Its place along the curve is left to the caller.
@@ -147,7 +147,7 @@ LengthMap mirrored(LengthMap map) {
 std::optional<NurbsCurve> corner_cubic(const CornerLines& lines) {
   const CornerCubic cubic(lines);
   std::vector<MappedInterval> half;
-  for (int count = cubic.likely_count(); half.empty() && count <= kMostPieces; ++count) {
+  for (int count = cubic.likely_count(); half.empty() && count <= kMaxPieces; ++count) {
     half = cubic.first_half(count);
   }
   std::vector<NurbsPiece> pieces;

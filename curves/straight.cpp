@@ -6,7 +6,7 @@ namespace kerf::curves {
 
 namespace {
 
-constexpr double kLeastWeight = 0.5;  // of the origin's, within a piece
+constexpr double kMinWeight = 0.5;  // of the origin's, within a piece
 
 double beside_mm(const Eigen::Vector3d& offset, const Eigen::Vector3d& direction) {
   return (offset - offset.dot(direction) * direction).norm();
@@ -22,7 +22,7 @@ double farthest_mm(const NurbsPiece& piece, const Position& start_mm,
     sum += beside_mm({power[0], power[1], power[2]}, direction);
     weight -= std::abs(power[3]);
   }
-  if (!(weight > kLeastWeight)) {
+  if (!(weight > kMinWeight)) {
     return HUGE_VAL;
   }
   return beside_mm(vec(piece.origin_mm) - vec(start_mm), direction) + sum / weight;

@@ -93,8 +93,8 @@ const CheckWarnings::Vertex* CheckWarnings::loop_to(const parser::Point& end_mm,
 }
 
 bool CheckWarnings::is_told(double tolerance_mm) const {
-  constexpr std::size_t kMost = 20;
-  return told_mm_.size() == kMost ||
+  constexpr std::size_t kMax = 20;
+  return told_mm_.size() == kMax ||
          std::find(told_mm_.begin(), told_mm_.end(), tolerance_mm) != told_mm_.end();
 }
 

@@ -12,7 +12,7 @@ using curves::to_text;
 
 namespace {
 
-constexpr std::uint32_t kMostIdle = 1000;
+constexpr std::uint32_t kMaxIdle = 1000;
 // What rounding leaves between the way that a law covers and that of its phase.
 constexpr double kWay_mm = 1e-7;
 constexpr double kRelative = 1e-9;
@@ -53,7 +53,7 @@ void PlanCheck::emitted(const lookahead::Outbox& outbox) {
     moves = moves || rests || phase.s_end_mm > phase.s_begin_mm;
   }
   idle_ = moves ? 0 : idle_ + 1;
-  if (idle_ > kMostIdle) {
+  if (idle_ > kMaxIdle) {
     fail(expected_.empty() ? 0 : expected_.front().line, "the plan goes on and comes nowhere");
   }
 }

@@ -195,7 +195,7 @@ Result check_options(const KernelOptions& options) {
                          nullptr};
   return check_option(shape, options.profile.sigmoid_shape().value_or(shape.min))
       .and_then([&] {
-        return check_option({"window_blocks", 2, double{kMostWindowBlocks}, nullptr},
+        return check_option({"window_blocks", 2, double{kMaxWindowBlocks}, nullptr},
                             static_cast<double>(options.window_blocks));
       })
       .and_then([&] {

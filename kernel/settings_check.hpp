@@ -13,7 +13,7 @@
 
 namespace kerf {
 
-inline constexpr std::uint32_t kMostWindowBlocks = 1'000'000;
+inline constexpr std::uint32_t kMaxWindowBlocks = 1'000'000;
 
 // The first impossible value, under the name that the machine file has for it: "axes.x.max_mm". A
 // limit may be infinite where it does not bind, but each of velocity, acceleration and jerk must be

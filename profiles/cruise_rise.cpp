@@ -56,8 +56,8 @@ double s_curve_cruise_rise(const CruiseRoom& search, const RampLimits& limits) n
                           .largest_triangular = limits.acceleration_mm_s2 * jerk_phase_s,
                           .by_root_jerk = 1.0 / std::sqrt(limits.jerk_mm_s3)};
   double w = std::sqrt(search.largest_rise_mm_s);
-  constexpr int kMostSteps = 40;
-  for (int step = 0; step < kMostSteps; ++step) {
+  constexpr int kMaxSteps = 40;
+  for (int step = 0; step < kMaxSteps; ++step) {
     const Growth from_faster = s_curve_growth({faster, w * w, w}, times);
     const Growth from_slower = s_curve_growth({slower, faster - slower + w * w, w}, times);
     const double excess = from_faster.length_mm + from_slower.length_mm - search.length_mm;

@@ -21,8 +21,8 @@ constexpr std::array<std::string_view, 7> kNames{"trapezoid",   "s-curve", "sine
 template <class Fits>
 double rounded_down(double candidate, double floor, Fits fits) {
   double step = candidate * std::numeric_limits<double>::epsilon();
-  constexpr int kMostSteps = 60;
-  for (int i = 0; i < kMostSteps && candidate > floor; ++i) {
+  constexpr int kMaxSteps = 60;
+  for (int i = 0; i < kMaxSteps && candidate > floor; ++i) {
     if (fits(candidate)) {
       return candidate;
     }

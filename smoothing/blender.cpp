@@ -18,8 +18,8 @@ constexpr double kSharpest = 1.95;      // 2 sin(77 degrees)
 constexpr double kOfTolerance = 0.999;  // rounding and the places between those looked at
 constexpr double kOfRadius = 0.5;       // of a curve beside a corner
 constexpr double kOfNeed = 1.3;         // of the way that the feedrate needs
-constexpr double kLeastWay_mm = 1e-5;
-constexpr double kLeastRest_mm =
+constexpr double kMinWay_mm = 1e-5;
+constexpr double kMinRest_mm =
     1e-6;  // of a segment between two blends; a shorter one goes with one
 constexpr int kShrinkings = 16;
 
@@ -85,7 +85,7 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
   const double tolerance =
       std::min(before.segment.corner_tolerance_mm, after.segment.corner_tolerance_mm);
   const double away_mm = std::max(before.segment.deviation_mm, after.segment.deviation_mm);
-  for (int i = 0; i < kShrinkings && way_mm > kLeastWay_mm; ++i) {
+  for (int i = 0; i < kShrinkings && way_mm > kMinWay_mm; ++i) {
     auto blend = make_blend(corner, way_mm);
     if (!blend) {
       return std::nullopt;
@@ -133,13 +133,13 @@ void Blender::settle(double wanted_at_end_mm, std::vector<PathSegment>& out) {
   const double free_mm = first_->length_mm - first_->cut_begin_mm;
   double way =
       std::min(allotted_mm(second_->wanted_mm, wanted_at_end_mm, second_->length_mm), free_mm);
-  const double most_mm = second_->length_mm - kLeastRest_mm;
+  const double most_mm = second_->length_mm - kMinRest_mm;
   way = std::min(way, most_mm);
-  if (free_mm - way < kLeastRest_mm) {
-    way = free_mm <= most_mm ? free_mm : std::min(free_mm, most_mm) - kLeastRest_mm;
+  if (free_mm - way < kMinRest_mm) {
+    way = free_mm <= most_mm ? free_mm : std::min(free_mm, most_mm) - kMinRest_mm;
   }
   std::optional<Chosen> chosen;
-  if (second_->wanted_mm > kLeastWay_mm && way > kLeastWay_mm) {
+  if (second_->wanted_mm > kMinWay_mm && way > kMinWay_mm) {
     chosen = choose(*first_, *second_, way);
   }
   const double cut_end = chosen ? chosen->way_mm : 0.0;
@@ -160,7 +160,7 @@ void Blender::emit_rest_of(Held& held, double cut_end_mm, std::vector<PathSegmen
     return;
   }
   const curves::Stretch rest{held.cut_begin_mm, held.length_mm - cut_end_mm};
-  if (!(rest.end_mm - rest.begin_mm >= 0.5 * kLeastRest_mm)) {
+  if (!(rest.end_mm - rest.begin_mm >= 0.5 * kMinRest_mm)) {
     return;
   }
   auto curve = curves::part(segment.curve, rest);

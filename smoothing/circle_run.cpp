@@ -9,7 +9,7 @@ namespace kerf::smoothing {
 
 namespace {
 
-constexpr std::size_t kLeastLines = 8;
+constexpr std::size_t kMinLines = 8;
 constexpr double kFlat_mm = 1e-9;
 // Of vertices from the circle: what three decimals in two coordinates and in the circle's own three
 // points leave.
@@ -17,7 +17,7 @@ constexpr double kRounding_mm = 1.5e-3;
 constexpr double kOfTolerance = 0.25;
 constexpr double kAllowed = 0.95;
 constexpr double kLargest_mm = 1e5;
-constexpr double kLeastSweep_rad = 0.2;  // of less a spline tells no less
+constexpr double kMinSweep_rad = 0.2;  // of less a spline tells no less
 
 using Plane = std::array<std::size_t, 3>;  // first, second, normal
 
@@ -61,7 +61,7 @@ std::optional<Eigen::Vector2d> centre_of(const std::array<Eigen::Vector2d, 3>& p
 }  // namespace
 
 std::optional<CircleRun> circle_of(const Polyline& run, std::size_t last, double tolerance_mm) {
-  const auto plane = last >= kLeastLines ? plane_of(run, last) : std::nullopt;
+  const auto plane = last >= kMinLines ? plane_of(run, last) : std::nullopt;
   if (!plane) {
     return std::nullopt;
   }
@@ -90,7 +90,7 @@ std::optional<CircleRun> circle_of(const Polyline& run, std::size_t last, double
     angles_rad.push_back(angles_rad.back() + step);
   }
   const double sweep = angles_rad.back();
-  if (sweep < kLeastSweep_rad || sweep > 2.0 * std::numbers::pi + (closed ? 1e-6 : -1e-6)) {
+  if (sweep < kMinSweep_rad || sweep > 2.0 * std::numbers::pi + (closed ? 1e-6 : -1e-6)) {
     return std::nullopt;
   }
   curves::ArcShape shape{.start_mm = run[0].point_mm,

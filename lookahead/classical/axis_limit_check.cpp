@@ -15,7 +15,7 @@ namespace {
 constexpr double kAim = 0.993;
 // A term below this share of all that can be made smaller is left alone.
 constexpr double kSmall = 0.1;
-constexpr double kLeast = 1e-3;  // of a limit: always left for changes of the feedrate
+constexpr double kMin = 1e-3;  // of a limit: always left for changes of the feedrate
 
 class Asks {
  public:
@@ -29,7 +29,7 @@ class Asks {
       const double change = at.first[k] * a;
       if (std::abs(change + from_curvature) > kAim * axis.acceleration_mm_s2) {
         const double left = std::max(kAim * axis.acceleration_mm_s2 - std::abs(from_curvature),
-                                     kLeast * axis.acceleration_mm_s2);
+                                     kMin * axis.acceleration_mm_s2);
         need_acceleration(left / std::abs(change));
       }
       const double along = at.first[k] * j;
@@ -38,7 +38,7 @@ class Asks {
       const double jumps = at.jumps_per_mm_s[k] * v * v;
       if (std::abs(along + cross + third) + jumps > kAim * axis.jerk_mm_s3) {
         const double left =
-            std::max(kAim * axis.jerk_mm_s3 - std::abs(third) - jumps, kLeast * axis.jerk_mm_s3);
+            std::max(kAim * axis.jerk_mm_s3 - std::abs(third) - jumps, kMin * axis.jerk_mm_s3);
         need_jerk(std::abs(along), std::abs(cross), left);
       }
     }

@@ -17,7 +17,7 @@ constexpr double kJerkShare = 0.7;
 // Of a limit, or of a feedrate: what lines between samples may miss.
 constexpr double kMissed = 0.0015;
 constexpr int kPartsOfPiece = 4;
-constexpr int kMostHalvings = 8;
+constexpr int kMaxHalvings = 8;
 constexpr double kJump = 1e-6;  // of curvature's size: what is less is rounding
 constexpr double kStepPeak = 0.75;
 // The support of a third difference, and what acceleration adds to its way.
@@ -124,7 +124,7 @@ class Scan {
   void add_between(const NurbsPiece& piece, const AxisLimitSample& a, const AxisLimitSample& b,
                    int halvings) {
     const AxisLimitSample middle = sample_at(piece, 0.5 * (a.s_mm + b.s_mm));
-    const bool finer = halvings < kMostHalvings && misses(a, middle, b);
+    const bool finer = halvings < kMaxHalvings && misses(a, middle, b);
     if (finer) {
       add_between(piece, a, middle, halvings + 1);
     }

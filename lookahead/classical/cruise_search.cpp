@@ -12,7 +12,7 @@ constexpr double kWithRounding = 1.0 + 1e-9;
 constexpr int kCurvatureHalvings = 12;
 // Where only a tiny share of the cap fits, on and on until as close as this.
 constexpr double kClose = 1e-3;
-constexpr int kMostHalvings = 200;
+constexpr int kMaxHalvings = 200;
 constexpr int kCurvatureSteps = 8;
 constexpr double kGolden = 0.6180339887498949;
 
@@ -25,7 +25,7 @@ double CruiseSearch::best_mm_s() const {
   if (spare_mm(sides(high)) < 0.0) {
     double fits = low;
     const int halvings = segment_.axis_limits.empty() ? 40 : kCurvatureHalvings;
-    for (int i = 0; i < halvings || (high - fits > kClose * high && i < kMostHalvings); ++i) {
+    for (int i = 0; i < halvings || (high - fits > kClose * high && i < kMaxHalvings); ++i) {
       const double middle = 0.5 * (fits + high);
       (spare_mm(sides(middle)) >= 0.0 ? fits : high) = middle;
     }

@@ -14,7 +14,7 @@ namespace {
 constexpr int kInstants = 96;
 constexpr double kSmallBend = 0.01;     // of the acceleration
 constexpr double kCorner = 1e-6;        // of the acceleration: what is missed at a corner
-constexpr int kMostCorners = 8;         // one within another
+constexpr int kMaxCorners = 8;          // one within another
 constexpr int kPeakSteps = 12;          // of a search for a peak of jerk between instants
 constexpr double kSteep = 0.01;         // beside such a peak, of it
 constexpr double kHigher = 1.0 + 1e-3;  // than what is looked at anyway
@@ -50,7 +50,7 @@ class Instants {
     }
     sort();
     for (std::size_t k = 1, count = all_.size(); k < count; ++k) {
-      add_corners(Instant(all_[k - 1]), Instant(all_[k]), kMostCorners);
+      add_corners(Instant(all_[k - 1]), Instant(all_[k]), kMaxCorners);
     }
     sort();
   }

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kRampPoints = 64;
 // A ramp between two points of it is no farther above the limit curve than they differ in feedrate.
 constexpr double kStrict = 5e-5;
-constexpr int kMostHalvings = 16;
+constexpr int kMaxHalvings = 16;
 
 }  // namespace
 
@@ -125,13 +125,13 @@ class Slope::Search {
   };
 
   [[nodiscard]] bool may_ask_for_more(const Gap& gap) const {
-    return gap.halvings < kMostHalvings && gap.high.allowed_from_mm > 0.0 &&
+    return gap.halvings < kMaxHalvings && gap.high.allowed_from_mm > 0.0 &&
            gap.high.v_mm_s - gap.low.v_mm_s > kStrict * gap.high.v_mm_s &&
            ask_(gap.high.allowed_from_mm, gap.low.s_mm) > most_;
   }
 
   void look_between(const Point& low, const Point& high) {
-    std::array<Gap, kMostHalvings + 1> open;  // each halving leaves one behind
+    std::array<Gap, kMaxHalvings + 1> open;  // each halving leaves one behind
     std::size_t count = 0;
     open[count++] = {.low = low, .high = high};
     while (count > 0) {

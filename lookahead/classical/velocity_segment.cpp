@@ -18,8 +18,8 @@ namespace {
 constexpr double kAboveRounding = 1.0 + 1e-12;
 // Where curvature binds: how much farther the next try at a stop is, and the lowest feedrate tried.
 constexpr double kFartherStop = 1.1;
-constexpr double kLeastStop = 1e-3;  // of the segment
-constexpr double kLeastShare = 0.125;
+constexpr double kMinStop = 1e-3;  // of the segment
+constexpr double kMinShare = 0.125;
 constexpr double kCloseInTurn = 1e-3;  // how close to the highest feedrate a reach comes
 
 // A ramp from a known feedrate at one end of a segment towards a cap at the other; a deceleration
@@ -76,7 +76,7 @@ double brake_in_turn(VelocitySegment& segment, const SegmentEnds& ends, const Pr
   const double v = ends.v_begin_mm_s;
   const double least_mm =
       v * segment.begin_constant_velocity_s + profile.length_mm({v, 0.0}, segment.limits.ramp);
-  for (double stop_mm = std::max(least_mm, kLeastStop * segment.length_mm);
+  for (double stop_mm = std::max(least_mm, kMinStop * segment.length_mm);
        stop_mm < segment.length_mm; stop_mm *= kFartherStop) {
     VelocitySegment cut = segment;
     cut.length_mm = stop_mm;
@@ -91,7 +91,7 @@ double brake_in_turn(VelocitySegment& segment, const SegmentEnds& ends, const Pr
     }
   }
   for (double v_end = 0.0; v_end < ends.v_end_mm_s;
-       v_end = std::max(2.0 * v_end, kLeastShare * ends.v_end_mm_s)) {
+       v_end = std::max(2.0 * v_end, kMinShare * ends.v_end_mm_s)) {
     if (joins(segment, {.v_begin_mm_s = v, .v_end_mm_s = v_end}, profile)) {
       return v_end;
     }

@@ -4,7 +4,7 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr std::size_t kLeastBlocks = 2;
+constexpr std::size_t kMinBlocks = 2;
 
 // How long the schedule takes from rest over the first blocks to rest at the end of the last.
 double classical_s(const Window<Block>& blocks, std::size_t count,
@@ -45,7 +45,7 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Stret
       whole_mm = all_mm;
     }
   }
-  if (planned.cells->front().cell.s_begin_mm > 0.0 || whole.blocks < kLeastBlocks ||
+  if (planned.cells->front().cell.s_begin_mm > 0.0 || whole.blocks < kMinBlocks ||
       !(classical_s(blocks, whole.blocks, settings) * all_mm < found.duration_s() * whole_mm)) {
     return std::nullopt;
   }

@@ -13,7 +13,7 @@ namespace {
 // What straight lines between samples may miss of the bound.
 constexpr double kInside = 0.9998;
 // What a plan may add to the way of a tick is taken off the bound, as far as this share is left.
-constexpr double kLeastShare = 0.5;
+constexpr double kMinShare = 0.5;
 
 // The middles of ticks as a limit curve over s. Just before a sharp turn middles run backwards: a
 // tick that begins earlier is let past the turn, one that begins later is not. The slower one
@@ -159,12 +159,11 @@ VelocityLimitCurve scan_feedrate(const NurbsCurve& curve, const ScanLimits& limi
     if (binds) {
       const Excess excess =
           excess_at(curve, {.s_mm = std::clamp(middle, 0.0, length), .v_mm_s = v}, limits);
-      v = kInside * std::max(v - excess.on_slope_mm_s, kLeastShare * v);
+      v = kInside * std::max(v - excess.on_slope_mm_s, kMinShare * v);
       const HeldTick tick{.begin_mm = std::max(bound.s_mm, 0.0),
                           .end_mm = std::min(bound.s_mm + way, length),
                           .v_mm_s = kInside * bound.v_mm_s};
-      if (excess.in_valley_mm_s > (1.0 - kLeastShare) * bound.v_mm_s &&
-          tick.begin_mm < tick.end_mm) {
+      if (excess.in_valley_mm_s > (1.0 - kMinShare) * bound.v_mm_s && tick.begin_mm < tick.end_mm) {
         held.push_back(tick);
       }
     }

@@ -17,9 +17,9 @@ constexpr int kMaxAdjustments = 30;
 // is gained of what is too much, after as many adjustments as are usual, half of the feedrate is
 // left. Close before a sharp turn the bound may be half of what fits, therefore.
 constexpr int kUsualAdjustments = 4;
-constexpr double kLeastGain = 0.25;
-constexpr double kMostLeft = 0.5;
-constexpr double kLeastStep_mm = 1e-7;  // below usual tolerances: keeps the walk finite
+constexpr double kMinGain = 0.25;
+constexpr double kMaxLeft = 0.5;
+constexpr double kMinStep_mm = 1e-7;  // below usual tolerances: keeps the walk finite
 // A bound that lies this share below the line of its neighbours is looked at more closely around,
 // each time at half the distance: the line's own excess is a quarter of it at the most.
 constexpr double kConvex = 4e-4;
@@ -32,7 +32,7 @@ constexpr double kFineShare = 1.0 / 64.0;
 // tick that begins at its end, its chord errors are a quarter of the tolerance: it is passed in one
 // step, whatever a tick is.
 constexpr double kNearlyStraight = 2.0;
-constexpr std::size_t kMostPieces = 4;
+constexpr std::size_t kMaxPieces = 4;
 constexpr int kStraightParts = 4;
 // The feedrate aims this far inside the tolerance, so that the adjustment ends.
 constexpr double kAim = 0.9995;
@@ -70,8 +70,8 @@ double tick_bound_mm_s(const ContinuedCurve& path, double s_mm, const ScanLimits
     }
     const double aim = kAim * limits.chord_tolerance_mm;
     const bool is_stuck =
-        i >= kUsualAdjustments && error_before - error < kLeastGain * (error_before - aim);
-    v = step / limits.period_s * (is_stuck ? kMostLeft : std::sqrt(aim / error));
+        i >= kUsualAdjustments && error_before - error < kMinGain * (error_before - aim);
+    v = step / limits.period_s * (is_stuck ? kMaxLeft : std::sqrt(aim / error));
     error_before = error;
   }
   return v;
@@ -83,7 +83,7 @@ bool is_nearly_straight(const NurbsCurve& curve, double s_mm, double way_mm,
   const double least = kNearlyStraight * limits.feedrate_mm_s;
   const std::size_t first = curve.piece_index(s_mm);
   const std::size_t last = curve.piece_index(s_mm + way_mm);
-  if (last - first >= kMostPieces) {
+  if (last - first >= kMaxPieces) {
     return false;
   }
   for (std::size_t k = first; k <= last; ++k) {
@@ -103,7 +103,7 @@ bool is_nearly_straight(const NurbsCurve& curve, double s_mm, double way_mm,
 double step_mm(const NurbsCurve& curve, const TickBound& at, const ScanLimits& limits) {
   const double half_tick = 0.5 * at.v_mm_s * limits.period_s;
   if (at.s_mm < 0.0) {
-    return std::max(std::min(half_tick, -at.s_mm), kLeastStep_mm);
+    return std::max(std::min(half_tick, -at.s_mm), kMinStep_mm);
   }
   const curves::NurbsPiece& piece = curve.pieces()[curve.piece_index(at.s_mm)];
   const double coarse = 0.25 * (piece.s_end_mm - piece.s_begin_mm);
@@ -114,10 +114,10 @@ double step_mm(const NurbsCurve& curve, const TickBound& at, const ScanLimits& l
   }
   const bool strides = limits.plan == ScanFor::time_optimum &&
                        is_nearly_straight(curve, at.s_mm, coarse + 2.0 * half_tick, limits);
-  step = std::max(strides ? coarse : std::min(step, coarse), kLeastStep_mm);
+  step = std::max(strides ? coarse : std::min(step, coarse), kMinStep_mm);
   // Pieces behind may be much shorter.
   const bool passes_over_one = curve.piece_index(at.s_mm + step) > curve.piece_index(at.s_mm) + 1;
-  return passes_over_one ? std::max(piece.s_end_mm - at.s_mm, kLeastStep_mm) : step;
+  return passes_over_one ? std::max(piece.s_end_mm - at.s_mm, kMinStep_mm) : step;
 }
 
 // From so far before the curve that its begin is not before the middle of a tick.
@@ -145,7 +145,7 @@ bool refine(std::vector<TickBound>& bounds, const ContinuedCurve& path, const Sc
     const bool convex_before = convex;
     convex = i > 0 && i + 1 < bounds.size() && is_convex(bounds[i - 1], bounds[i], bounds[i + 1]);
     if (i > 0 && (convex || convex_before) &&
-        bounds[i].s_mm - bounds[i - 1].s_mm > 2.0 * kLeastStep_mm) {
+        bounds[i].s_mm - bounds[i - 1].s_mm > 2.0 * kMinStep_mm) {
       const double middle = 0.5 * (bounds[i - 1].s_mm + bounds[i].s_mm);
       finer.push_back({.s_mm = middle, .v_mm_s = tick_bound_mm_s(path, middle, limits)});
     }

@@ -9,13 +9,13 @@ namespace kerf::test {
 namespace {
 
 constexpr int kParts = 8;  // of a stretch between two ticks
-constexpr int kMostSteps = 40;
+constexpr int kMaxSteps = 40;
 constexpr double kSameParameter = 1e-14;
 // What the scan's straight lines between its samples may miss of a curve's bound.
 constexpr double kRelative = 1e-3;
 // The kernel looks at the quarters of a tick, this checker closer: where the path bends unevenly
 // the kernel sees less of it.
-constexpr double kLeastAccount = 0.3;
+constexpr double kMinAccount = 0.3;
 
 Vec minus(const Vec& a, const Vec& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -88,7 +88,7 @@ double step_to(const Stretch& stretch, const Vec& point_mm, double u) {
 double closest_in_halves(const Stretch& stretch, const Vec& point_mm, double u_from) {
   const auto away_mm = [&](double u) { return norm(minus(stretch.at_mm(u), point_mm)); };
   double u = u_from;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     double step = step_to(stretch, point_mm, u);
     while (std::abs(step) > kSameParameter &&
            away_mm(std::clamp(u + step, u_from, 1.0)) > away_mm(u)) {
@@ -106,7 +106,7 @@ double closest_in_halves(const Stretch& stretch, const Vec& point_mm, double u_f
 // (Newton's method).
 double closest(const Stretch& stretch, const Vec& point_mm, double u_from) {
   double u = u_from;
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMaxSteps; ++i) {
     const double before = u;
     u = std::clamp(u + step_to(stretch, point_mm, u), u_from, 1.0);
     if (std::abs(u - before) < kSameParameter) {
@@ -173,7 +173,7 @@ void ChordChecker::add(const interp::Setpoint& setpoint, double kernel_says_mm) 
   if (!(kernel_says_mm <= limit_mm)) {
     complain("chord error by the kernel's account", kernel_says_mm, limit_mm, setpoint);
   }
-  if (!(kernel_says_mm >= kLeastAccount * found_mm - freedom_mm)) {
+  if (!(kernel_says_mm >= kMinAccount * found_mm - freedom_mm)) {
     complain("too little of the chord error seen by the kernel", kernel_says_mm, found_mm,
              setpoint);
   }

@@ -9,7 +9,7 @@ namespace kerf::test {
 
 namespace {
 
-constexpr int kMostHalvings = 50;
+constexpr int kMaxHalvings = 50;
 // Each span of knots at first in so many even parts, and towards its ends in halves: where weights
 // are far apart, the curve runs there.
 constexpr int kParts = 16;
@@ -117,7 +117,7 @@ class Dense {
     straight = straight && quarters - halves <= kLengths * quarters + kTiny_mm &&
                (longest < kUneven * shortest || longest < kTiny_mm);
     const double middle = part.u_begin + 0.5 * width;
-    if (straight || part.halvings == kMostHalvings || middle == part.u_begin ||
+    if (straight || part.halvings == kMaxHalvings || middle == part.u_begin ||
         middle == part.u_end) {
       // Richardson's step from the sums of chords to the arc.
       path_.push_back(

@@ -42,7 +42,7 @@ Motion run(const std::string& text, std::int64_t stop_tick = -1,
   TickChecker checker(settings.limits, true);
   Motion result;
   TickStatus status = TickStatus::running;
-  for (std::int64_t i = 0; status == TickStatus::running && i < kMostTicks; ++i) {
+  for (std::int64_t i = 0; status == TickStatus::running && i < kMaxTicks; ++i) {
     if (i == stop_tick) {
       kernel.stop();
     }

@@ -15,13 +15,13 @@ namespace kerf::test {
 using interp::Setpoint;
 using interp::TickStatus;
 
-inline constexpr std::int64_t kMostTicks = 200'000;
+inline constexpr std::int64_t kMaxTicks = 200'000;
 
 inline std::vector<Setpoint> rest_of(Kernel& kernel) {
   std::vector<Setpoint> ticks;
   Setpoint setpoint;
   TickStatus status = TickStatus::running;
-  while (status == TickStatus::running && ticks.size() < kMostTicks) {
+  while (status == TickStatus::running && ticks.size() < kMaxTicks) {
     status = kernel.next(setpoint);
     ticks.push_back(setpoint);
   }

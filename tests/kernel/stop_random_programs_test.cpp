@@ -28,7 +28,7 @@ struct Outcome {
   interp::Setpoint last{};
 };
 
-constexpr std::int64_t kMostTicks = 100'000;
+constexpr std::int64_t kMaxTicks = 100'000;
 
 Outcome run(const RandomProgram& program, const Trial& trial) {
   const MachineSettings settings = mill();
@@ -39,7 +39,7 @@ Outcome run(const RandomProgram& program, const Trial& trial) {
   Outcome outcome;
   std::size_t line_before = 1;
   auto status = interp::TickStatus::running;
-  for (std::int64_t i = 0; status == interp::TickStatus::running && i < kMostTicks; ++i) {
+  for (std::int64_t i = 0; status == interp::TickStatus::running && i < kMaxTicks; ++i) {
     if (i == trial.stop_tick) {
       kernel.stop();
     }

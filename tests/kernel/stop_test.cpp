@@ -28,7 +28,7 @@ Stopped stop_at(std::int64_t tick, ProfileKind kind, std::size_t window) {
   TickChecker checker(mill().limits, kind != ProfileKind::trapezoid);
   Stopped stopped;
   TickStatus status = TickStatus::running;
-  for (std::int64_t i = 0; status == TickStatus::running && i < kMostTicks; ++i) {
+  for (std::int64_t i = 0; status == TickStatus::running && i < kMaxTicks; ++i) {
     if (i == tick) {
       kernel.stop();
     }

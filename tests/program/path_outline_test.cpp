@@ -163,15 +163,15 @@ TEST(PathOutline, ShowsTheColoursOfAMillionRowsAsIfItKeptThemAll) {
 }
 
 TEST(PathOutline, ThinsItselfWithinItsMemory) {
-  constexpr std::size_t kMost = 2000;
+  constexpr std::size_t kMax = 2000;
   constexpr int kPoints = 20'000;
-  PathOutline outline({.distance_mm = 1e-6, .v_share = 1e-6}, kMost);
+  PathOutline outline({.distance_mm = 1e-6, .v_share = 1e-6}, kMax);
   for (int i = 0; i < kPoints; ++i) {
     outline.add({.at = on_spiral(i), .v_mm_s = 10.0 + std::sin(0.1 * i)});
   }
   const auto points = outline.points();
-  EXPECT_LE(points.size(), kMost + 1);
-  EXPECT_GE(points.size(), kMost / 8);
+  EXPECT_LE(points.size(), kMax + 1);
+  EXPECT_GE(points.size(), kMax / 8);
   EXPECT_EQ(points.back().at.u_mm, on_spiral(kPoints - 1).u_mm);
 }
 

@@ -12,8 +12,8 @@ namespace kerf::lookahead {
 namespace {
 
 // Of the estimated motion that a cell lasts.
-constexpr double kLeastTicks = 1.0;
-constexpr double kMostTicks = 8.0;
+constexpr double kMinTicks = 1.0;
+constexpr double kMaxTicks = 8.0;
 constexpr double kGrowth = 0.08;  // of a cell over its distance from where something happens
 // Curvature, or a change of feedrate, takes part in the limits where it takes this share of one.
 constexpr double kTakesPart = 0.05;
@@ -27,8 +27,8 @@ constexpr double kOfTick = 0.25;
 constexpr double kOfPiece = 0.5;
 constexpr double kFeatureGrowth = 0.15;
 // No cell is shorter, whatever the path does: sharper features are passed at next to no feedrate.
-constexpr double kLeastCell_mm = 1e-9;
-constexpr double kLeastShare = 1e-3;  // on a block that is hardly longer itself
+constexpr double kMinCell_mm = 1e-9;
+constexpr double kMinShare = 1e-3;  // on a block that is hardly longer itself
 constexpr double kFlat = 1e-6;
 constexpr double kFarAway = 1e3;   // of a block's length: finite, to be interpolated
 constexpr double kNearest = 1e-5;  // of a block's length
@@ -166,9 +166,9 @@ void GridScan::find_motion(const std::vector<Cell>& cells, const PlanLimits& lim
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double a = tangential_acceleration_mm_s2(cells[i], cells[i].begin, limits);
     const double j = tangential_jerk_mm_s3(cells[i], cells[i].begin, limits);
-    const double least_s = kLeastTicks * limits.period_s;
+    const double least_s = kMinTicks * limits.period_s;
     const double most_s =
-        std::clamp(cell_time_s(legs[i], a / j), least_s, kMostTicks * limits.period_s);
+        std::clamp(cell_time_s(legs[i], a / j), least_s, kMaxTicks * limits.period_s);
     const double v = std::max(feeds_mm_s_[i], feeds_mm_s_[i + 1]);
     const double change = change_mm(cells[i], v, a, limits);
     for (const std::size_t place : {i, i + 1}) {
@@ -219,7 +219,7 @@ void GridScan::find_quiet(const BlockPath& path, const std::vector<Cell>& cells,
 }
 
 double GridScan::least_mm() const {
-  return std::min(kLeastCell_mm, kLeastShare * length_mm());
+  return std::min(kMinCell_mm, kMinShare * length_mm());
 }
 
 double GridScan::cell_mm(double s_mm) const {

@@ -9,7 +9,7 @@ namespace kerf::lookahead {
 namespace {
 
 // Of the jerk's ramp: at the most, and where the feedrate rises for twice as long as a ramp takes.
-constexpr double kMostOfRamp = 0.5;
+constexpr double kMaxOfRamp = 0.5;
 constexpr double kOfRamp = 0.08;
 // What curvature takes of the limits may change by so much over a cell; of a turn by an angle so
 // many times that angle.
@@ -56,7 +56,7 @@ std::vector<double> legs_of(const std::vector<Cell>& cells, const std::vector<do
 
 double cell_time_s(double leg_s, double jerk_time_s) {
   const double ramp = std::min(jerk_time_s, 0.5 * leg_s);
-  return std::min(kMostOfRamp * ramp, kOfRamp * 0.5 * leg_s);
+  return std::min(kMaxOfRamp * ramp, kOfRamp * 0.5 * leg_s);
 }
 
 }  // namespace kerf::lookahead

@@ -14,7 +14,7 @@ namespace {
 // Of a cell between two places, at the least; a part turns by no more than this angle.
 constexpr int kParts = 5;
 constexpr double kAngle = 0.02;
-constexpr int kMostParts = 40;
+constexpr int kMaxParts = 40;
 constexpr double kBeside = 0.02;  // of a part: so near the cell's ends is it looked at, too
 
 // The ends from within the cell: derivatives may jump there.
@@ -134,7 +134,7 @@ Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
   const double curvature = std::max(curves::vec(cell.begin.second_per_mm).norm(),
                                     curves::vec(cell.end.second_per_mm).norm());
   const double parts =
-      std::clamp(std::ceil(curvature * cell.length_mm / kAngle), 1.0 * kParts, 1.0 * kMostParts);
+      std::clamp(std::ceil(curvature * cell.length_mm / kAngle), 1.0 * kParts, 1.0 * kMaxParts);
   std::array<Seen, 4> seen{};  // the newest last
   seen[3] = look(0.0);
   int count = 1;

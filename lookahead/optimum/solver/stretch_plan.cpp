@@ -16,7 +16,7 @@ constexpr double kSlight = 1.01;  // slowing down by it is no loss to speak of
 // Of a limit, at the places where it is looked at; what is between two of them is a little more.
 constexpr double kHolds = 0.9999;
 constexpr double kSlower = 0.999;
-constexpr double kLeastFactor = 1e-6;
+constexpr double kMinFactor = 1e-6;
 constexpr int kSlowings = 3;
 
 void take_off(double excess, double& share) {
@@ -82,7 +82,7 @@ void StretchPlan::slow_down(const PathAt& path, const PlanLimits& limits) {
         std::min({1.0 / (excess_.feedrate * excess_.feedrate), 1.0 / excess_.acceleration,
                   std::pow(excess_.jerk, -2.0 / 3.0)});
     for (double& c : coefficients_) {
-      c *= std::clamp(kSlower * factor, kLeastFactor, kSlower);
+      c *= std::clamp(kSlower * factor, kMinFactor, kSlower);
     }
     excess_ = check(path, limits);
   }

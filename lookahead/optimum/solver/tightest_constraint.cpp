@@ -8,17 +8,17 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr double kLeastSlack = 1e-6;  // what is less is rounding, or a refined cell
+constexpr double kMinSlack = 1e-6;  // what is less is rounding, or a refined cell
 constexpr double kClearly = 1.0 + 1e-6;
 // A cell with less of the jerk than this has left most of it to the jump beside it.
-constexpr double kMostOfJerk = 0.5;
+constexpr double kMaxOfJerk = 0.5;
 constexpr double kFarFromAll = 1.0;  // price of a limit that is half used
 
 class Prices {
  public:
   // form: a figure over its limit.
   void add(double form, Constraint limit) {
-    price_[static_cast<std::size_t>(limit)] += form / std::max(1.0 - form, kLeastSlack);
+    price_[static_cast<std::size_t>(limit)] += form / std::max(1.0 - form, kMinSlack);
   }
   [[nodiscard]] Constraint highest() const {
     std::size_t best = 0;
@@ -36,7 +36,7 @@ class Prices {
 };
 
 bool is_beside_junction(const Cell& cell) {
-  return cell.allowed.jerk < kMostOfJerk;
+  return cell.allowed.jerk < kMaxOfJerk;
 }
 
 Constraint unless_junction(const Cell& cell, Constraint limit) {

@@ -13,7 +13,7 @@ namespace kerf::program {
 namespace {
 
 // One byte more than a machine file may have: the parser says that it is too long.
-constexpr std::size_t kMostBytes = (std::size_t{1} << 20U) + 1;
+constexpr std::size_t kMaxBytes = (std::size_t{1} << 20U) + 1;
 
 // Error: why it cannot be read.
 tl::expected<std::string, std::string> read_text(const std::string& path) {
@@ -23,7 +23,7 @@ tl::expected<std::string, std::string> read_text(const std::string& path) {
   }
   std::string text;
   std::array<char, 16'384> buffer{};
-  while (text.size() < kMostBytes) {
+  while (text.size() < kMaxBytes) {
     const ssize_t count = ::read(file->number(), buffer.data(), buffer.size());
     if (count == 0) {
       break;

@@ -61,7 +61,7 @@ void add_common(CLI::App& command, Raw& raw) {
                   "shape s of the sigmoid (default: chosen for each transition)")
       ->type_name("S");
   command.add_option("--window", options.window_blocks, "blocks that the look-ahead sees")
-      ->check(CLI::Range(std::size_t{2}, std::size_t{kMostWindowBlocks}))
+      ->check(CLI::Range(std::size_t{2}, std::size_t{kMaxWindowBlocks}))
       ->type_name("N")
       ->capture_default_str();
   command

@@ -42,15 +42,15 @@ std::optional<double> amount_of(std::string_view text, const std::array<Unit, kU
 }  // namespace
 
 std::optional<double> duration_s_of(std::string_view text) {
-  constexpr double kMost_s = 1e10;
+  constexpr double kMax_s = 1e10;
   const auto time = amount_of(text, kTimeUnits);
-  return time && *time > 0.0 && *time <= kMost_s ? time : std::nullopt;
+  return time && *time > 0.0 && *time <= kMax_s ? time : std::nullopt;
 }
 
 std::optional<std::uint64_t> bytes_of(std::string_view text) {
-  constexpr double kMost = 0x1p60;
+  constexpr double kMax = 0x1p60;
   const auto size = amount_of(text, kSizeUnits);
-  if (!size || !(*size >= 1.0 && *size <= kMost)) {
+  if (!size || !(*size >= 1.0 && *size <= kMax)) {
     return std::nullopt;
   }
   return static_cast<std::uint64_t>(*size);

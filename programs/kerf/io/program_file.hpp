@@ -21,7 +21,7 @@ class ProgramFile {
  public:
   static constexpr std::size_t kPieceBytes = std::size_t{64} * 1024;
 
-  static constexpr std::uint64_t kMostCopiedBytes = std::uint64_t{4} << 30U;
+  static constexpr std::uint64_t kMaxCopiedBytes = std::uint64_t{4} << 30U;
 
   // What can be read only once, and more of it may be still to come: a pipe, a socket, a terminal.
   // Does not wait for its text. Closed: `path` is none of these.
@@ -30,7 +30,7 @@ class ProgramFile {
   // path "-" is standard input, of which no more is copied. Error: what the system says, with the
   // path.
   static tl::expected<ProgramFile, std::string> open(
-      const std::string& path, std::uint64_t most_copied_bytes = kMostCopiedBytes);
+      const std::string& path, std::uint64_t most_copied_bytes = kMaxCopiedBytes);
 
   // As diagnostics are to name it: the path, or <stdin>.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }

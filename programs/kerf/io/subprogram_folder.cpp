@@ -19,7 +19,7 @@ namespace {
 
 using parser::SubprogramText;
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20U;
+constexpr std::uintmax_t kMaxBytes = std::uintmax_t{64} << 20U;
 
 std::string in_capitals(std::string_view name) {
   std::string text(name);
@@ -63,7 +63,7 @@ std::optional<SubprogramText> read(const std::filesystem::path& folder, const st
   const std::filesystem::path path = folder / name;
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error) ||
-      std::filesystem::file_size(path, error) > kMostBytes || error) {
+      std::filesystem::file_size(path, error) > kMaxBytes || error) {
     return std::nullopt;
   }
   if (!lies_in(folder, path)) {

@@ -13,10 +13,10 @@ namespace kerf::program {
 namespace {
 
 // Doubling must get somewhere.
-constexpr double kLeastTolerance = 1e-9;
+constexpr double kMinTolerance = 1e-9;
 // Of the distance tolerance, which is a part of one: what is drawn is about two pixels wide.
 constexpr double kPixels = 4.0;
-constexpr double kMostCells = 1000.0;  // in a row
+constexpr double kMaxCells = 1000.0;  // in a row
 
 }  // namespace
 
@@ -40,8 +40,8 @@ std::size_t level_to(std::size_t point, const std::vector<OutlinePoint>& outline
 }
 
 PathOutline::PathOutline(const OutlineTolerance& tolerance, std::size_t max_points)
-    : tolerance_{.distance_mm = std::max(tolerance.distance_mm, kLeastTolerance),
-                 .v_share = std::max(tolerance.v_share, kLeastTolerance)},
+    : tolerance_{.distance_mm = std::max(tolerance.distance_mm, kMinTolerance),
+                 .v_share = std::max(tolerance.v_share, kMinTolerance)},
       max_points_(max_points) {}
 
 bool PathOutline::extend_stretch(const OutlinePoint& point) {
@@ -116,7 +116,7 @@ void PathOutline::drop_hidden() {
   const PaperBox box = box_around(kept_);
   const double cell_mm =
       std::max({kPixels * tolerance_.distance_mm,
-                std::max(box.width_mm(), box.height_mm()) / kMostCells, kLeastTolerance});
+                std::max(box.width_mm(), box.height_mm()) / kMaxCells, kMinTolerance});
   PathCover cover(box, cell_mm);
   std::vector<OutlinePoint> shown{kept_.front()};
   for (std::size_t i = 1; i < kept_.size(); ++i) {

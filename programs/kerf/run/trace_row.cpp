@@ -14,7 +14,7 @@ namespace {
 constexpr int kLengthDecimals = 10;
 constexpr int kMotionDecimals = 6;
 constexpr int kFewestTimeDecimals = 6;
-constexpr int kMostTimeDecimals = 12;
+constexpr int kMaxTimeDecimals = 12;
 constexpr std::size_t kMaxNumberBytes = 330;
 
 // Half of the last decimal: below it the number is written as 0, without a sign.
@@ -37,7 +37,7 @@ char* write_number(char* at, double value) noexcept {
 
 TickClock::TickClock(double period_s) noexcept : period_s_(period_s) {
   std::int64_t unit = 1'000'000;
-  for (int decimals = kFewestTimeDecimals; decimals <= kMostTimeDecimals; ++decimals, unit *= 10) {
+  for (int decimals = kFewestTimeDecimals; decimals <= kMaxTimeDecimals; ++decimals, unit *= 10) {
     const double units = period_s * static_cast<double>(unit);
     const double whole = std::round(units);
     if (whole >= 1.0 && std::abs(units - whole) <= 1e-15 * units * 4.0) {
@@ -51,7 +51,7 @@ TickClock::TickClock(double period_s) noexcept : period_s_(period_s) {
 
 char* TickClock::write(char* at, std::int64_t tick) const noexcept {
   if (period_units_ == 0) {
-    return write_number<kMostTimeDecimals>(at, static_cast<double>(tick) * period_s_);
+    return write_number<kMaxTimeDecimals>(at, static_cast<double>(tick) * period_s_);
   }
   const std::int64_t units = tick * period_units_;
   at = std::to_chars(at, at + kMaxNumberBytes, units / unit_).ptr;
