@@ -30,7 +30,7 @@ double classical_s(const Window<Block>& blocks, std::size_t count,
 
 }  // namespace
 
-std::optional<Fallback> faster_fallback(const PlannedCells& planned, const StretchPlan& found,
+std::optional<Fallback> faster_fallback(const PlannedCells& planned, const OptimalPlan& found,
                                         const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings) {
   Fallback whole;

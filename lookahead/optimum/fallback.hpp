@@ -6,7 +6,7 @@
 
 #include "lookahead/classical/classical_schedule.hpp"
 #include "lookahead/optimum/grid/waiting_cells.hpp"
-#include "lookahead/optimum/solver/stretch_plan.hpp"
+#include "lookahead/optimum/solver/optimal_plan.hpp"
 
 namespace kerf::lookahead {
 
@@ -25,7 +25,7 @@ struct Fallback {
 // The blocks over which the classical schedule, from rest to rest, is faster than the plan found
 // from there. Nothing: it is not, or they are less than two: on one curve alone a rest within it
 // leaves more of the optimum than the classical plan has.
-std::optional<Fallback> faster_fallback(const PlannedCells& planned, const StretchPlan& found,
+std::optional<Fallback> faster_fallback(const PlannedCells& planned, const OptimalPlan& found,
                                         const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings);
 

@@ -75,15 +75,15 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
 }
 
 OptimumSchedule::Taken OptimumSchedule::take(const PathAt& path) const {
-  Taken taken{.stretch = plan_.rest_from(place_, plan_.cells().size())};
-  std::vector<Cell>& cells = taken.stretch.cells;
+  Taken taken{.sequence = plan_.rest_from(place_, plan_.cells().size())};
+  std::vector<Cell>& cells = taken.sequence.cells;
   bool stops = false;
   while (taken.count < waiting_.size() && cells.size() < settings_.window_cells && !stops) {
     cells.push_back(waiting_[taken.count]);
     stops = cells.back().rest_after;
     ++taken.count;
   }
-  if (taken.stretch.begin.at_rest()) {
+  if (taken.sequence.begin.at_rest()) {
     refine_to_rest(cells, RestAt::begin, path, settings_.limits);
   }
   refine_to_rest(cells, RestAt::end, path, settings_.limits);
@@ -99,7 +99,7 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   const PathAt path = waiting_.path_of(blocks);
   const bool from_rest = cells_left() == 0;
   Taken taken = take(path);
-  auto found = StretchPlan::find(std::move(taken.stretch), path, settings_.limits);
+  auto found = OptimalPlan::find(std::move(taken.sequence), path, settings_.limits);
   if (from_rest && found->slowed_down()) {
     const auto faster = faster_fallback({.cells = &waiting_, .count = taken.count}, *found, blocks,
                                         classical(settings_));
@@ -111,7 +111,7 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   for (int i = 0; i < kCuts && from_rest && found->slowed_down() && taken.count >= kCutCells; ++i) {
     cut(taken.count, blocks, emitter);
     taken = take(path);
-    found = StretchPlan::find(std::move(taken.stretch), path, settings_.limits);
+    found = OptimalPlan::find(std::move(taken.sequence), path, settings_.limits);
   }
   if (!found) {
     renew_ = plan_.cells().size();  // it is run to its end
@@ -207,7 +207,7 @@ void OptimumSchedule::stop(const Window<Block>& blocks, const Emitter& emitter) 
     lines_.stop(blocks, emitter);
     return;
   }
-  const StretchBegin begin = plan_.state_at(place_);
+  const StartState begin = plan_.state_at(place_);
   if (begin.at_rest()) {
     place_ = {.cell = plan_.cells().size()};
     return;
@@ -222,9 +222,9 @@ void OptimumSchedule::stop(const Window<Block>& blocks, const Emitter& emitter) 
     if (way < distance || i < place_.cell + 2) {
       continue;
     }
-    Stretch stretch = plan_.rest_from(place_, i + 1);
-    refine_to_rest(stretch.cells, RestAt::end, path, settings_.limits);
-    if (auto found = StretchPlan::find(std::move(stretch), path, settings_.limits)) {
+    CellSequence sequence = plan_.rest_from(place_, i + 1);
+    refine_to_rest(sequence.cells, RestAt::end, path, settings_.limits);
+    if (auto found = OptimalPlan::find(std::move(sequence), path, settings_.limits)) {
       plan_ = std::move(*found);
       place_ = {};
       return;

@@ -7,7 +7,7 @@
 #include "lookahead/emit/schedule.hpp"
 #include "lookahead/optimum/fallback.hpp"
 #include "lookahead/optimum/grid/waiting_cells.hpp"
-#include "lookahead/optimum/solver/stretch_plan.hpp"
+#include "lookahead/optimum/solver/optimal_plan.hpp"
 
 namespace kerf::lookahead {
 
@@ -44,7 +44,7 @@ class OptimumSchedule final : public Schedule {
   void plan(Window<Block>& blocks, Emitter& emitter);
   // What is left of the plan and waits behind it, refined for the rests at its ends.
   struct Taken {
-    Stretch stretch{};
+    CellSequence sequence{};
     std::size_t count = 0;  // of waiting_
   };
   [[nodiscard]] Taken take(const PathAt& path) const;
@@ -59,7 +59,7 @@ class OptimumSchedule final : public Schedule {
   Settings settings_;
   ClassicalSchedule lines_;  // single lines from rest to rest, and blocks on which it stands in
   WaitingCells waiting_;
-  StretchPlan plan_;
+  OptimalPlan plan_;
   PlanPlace place_{};      // of plan_: what comes next
   std::size_t renew_ = 0;  // from this cell of plan_ on it is to be found anew
   bool plan_ends_at_stop_ = true;

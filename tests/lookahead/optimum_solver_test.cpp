@@ -145,8 +145,8 @@ TEST(Barrier, OnBothSidesIsOneAboveAndOneBelow) {
   }
 }
 
-Stretch random_stretch(std::mt19937_64& random, const StretchBegin& begin, int cells) {
-  Stretch stretch{.begin = begin, .cells = {}};
+CellSequence random_sequence(std::mt19937_64& random, const StartState& begin, int cells) {
+  CellSequence sequence{.begin = begin, .cells = {}};
   for (int i = 0; i < cells; ++i) {
     Cell cell{.length_mm = uniform(random, 0.05, 0.2),
               .along = {.acceleration_mm_s2 = 900.0, .jerk_mm_s3 = 2e4}};
@@ -158,20 +158,20 @@ Stretch random_stretch(std::mt19937_64& random, const StretchBegin& begin, int c
         end->third_per_mm2[k] = uniform(random, -0.2, 0.2);
       }
     }
-    stretch.cells.push_back(cell);
+    sequence.cells.push_back(cell);
   }
-  return stretch;
+  return sequence;
 }
 
 TEST(BarrierObjective, ItsGradientIsThatOfItsValue) {
   PlanLimits limits;
   limits.axes.fill({.velocity_mm_s = 60.0, .acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
   std::mt19937_64 random(3);
-  const StretchBegin in_motion{.v_mm_s = 12.0, .a_mm_s2 = 30.0};
-  for (const StretchBegin& begin : {StretchBegin{}, in_motion}) {
+  const StartState in_motion{.v_mm_s = 12.0, .a_mm_s2 = 30.0};
+  for (const StartState& begin : {StartState{}, in_motion}) {
     for (const int cells : {8, 9}) {
-      const Stretch stretch = random_stretch(random, begin, cells);
-      const BarrierObjective objective(stretch, limits);
+      const CellSequence sequence = random_sequence(random, begin, cells);
+      const BarrierObjective objective(sequence, limits);
       const BarrierWeights weights{.weight_s = 0.01, .relaxed = 0.2};
       BandSystem system;
       const auto value = [&](std::vector<double> at) {
@@ -203,16 +203,16 @@ TEST(BarrierObjective, ItsGradientIsThatOfItsValue) {
 TEST(BarrierObjective, OfACruiseIsItsTimeAndTheBarriersOfTheTightestLimits) {
   PlanLimits limits;
   limits.axes.fill({.velocity_mm_s = 60.0, .acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
-  Stretch stretch{.begin = {.v_mm_s = 20.0}, .cells = {}};
+  CellSequence sequence{.begin = {.v_mm_s = 20.0}, .cells = {}};
   for (int i = 0; i < 4; ++i) {
     Cell cell{.length_mm = 2.0, .along = {.acceleration_mm_s2 = 900.0, .jerk_mm_s3 = 2e4}};
     for (CellEnd* end : {&cell.begin, &cell.end}) {
       end->first = {1.0, 0.0, 0.0};
       end->feedrate_mm_s = 50.0;
     }
-    stretch.cells.push_back(cell);
+    sequence.cells.push_back(cell);
   }
-  const BarrierObjective objective(stretch, limits);
+  const BarrierObjective objective(sequence, limits);
   BandSystem system;
   const std::vector<double> cruise(objective.size(), 400.0);
   const BarrierObjective::Value free =

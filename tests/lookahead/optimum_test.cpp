@@ -7,23 +7,23 @@
 #include <gtest/gtest.h>
 
 #include "lookahead/optimum/grid/grid.hpp"
+#include "lookahead/optimum/solver/optimal_plan.hpp"
 #include "lookahead/optimum/solver/rest_ramp.hpp"
-#include "lookahead/optimum/solver/stretch_plan.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {
 namespace {
 
 // A program's only block from rest to rest.
-StretchPlan plan_of(const Block& block, const PlanLimits& limits) {
+OptimalPlan plan_of(const Block& block, const PlanLimits& limits) {
   const BlockPath path(block, limits);
   const PathAt at = [&path](const Cell&, double s_mm) { return path.at(s_mm); };
-  Stretch stretch{.begin = {}, .cells = grid_of(path, {}, limits)};
-  refine_to_rest(stretch.cells, RestAt::begin, at, limits);
-  refine_to_rest(stretch.cells, RestAt::end, at, limits);
-  auto plan = StretchPlan::find(std::move(stretch), at, limits);
+  CellSequence sequence{.begin = {}, .cells = grid_of(path, {}, limits)};
+  refine_to_rest(sequence.cells, RestAt::begin, at, limits);
+  refine_to_rest(sequence.cells, RestAt::end, at, limits);
+  auto plan = OptimalPlan::find(std::move(sequence), at, limits);
   EXPECT_TRUE(plan.has_value());
-  return plan.value_or(StretchPlan{});
+  return plan.value_or(OptimalPlan{});
 }
 
 PlanLimits limits_of(const MotionLimits& each, bool on_axes, double chord_mm) {
@@ -100,7 +100,7 @@ TEST(Optimum, AtAVeryLowFeedrateTakesTheTimeOfTheCruise) {
   const auto curve = curves::testing::shipped_curve("butterfly");
   const double feedrate = 1e-4;
   const Block block = only_block(nurbs_move(curve, feedrate), limits);
-  const StretchPlan plan = plan_of(block, limits);
+  const OptimalPlan plan = plan_of(block, limits);
   EXPECT_NEAR(plan.duration_s(), block.length_mm / feedrate, 1e-2 * block.length_mm / feedrate);
   EXPECT_LT(plan.cells().size(), 20000U);
 }
@@ -140,7 +140,7 @@ TEST_P(OptimumOf, IsWithinAPercentOfTheReferenceAndKeepsEveryLimit) {
   const PlanLimits limits = limits_of(reference.each, reference.on_axes, reference.chord_mm);
   const auto curve = curves::testing::shipped_curve(reference.curve);
   const Block block = only_block(nurbs_move(curve, reference.each.velocity_mm_s), limits);
-  const StretchPlan plan = plan_of(block, limits);
+  const OptimalPlan plan = plan_of(block, limits);
   const auto& [v, a, j] = reference.each;
   const double launch = std::min(a / j, std::sqrt(v / j));
   EXPECT_LE(plan.duration_s(), 1.01 * reference.time_s + launch);
@@ -208,7 +208,7 @@ TEST(Optimum, TakesABoundedNumberOfNewtonStepsOnNearCusps) {
     for (const MotionLimits& each : {kPaper, kSoft, kFast}) {
       const PlanLimits limits = limits_of(each, true, 1e-3);
       const Block block = only_block(nurbs_move(all[i], each.velocity_mm_s), limits);
-      const StretchPlan plan = plan_of(block, limits);
+      const OptimalPlan plan = plan_of(block, limits);
       EXPECT_LE(plan.newton_steps(), 80) << i << " " << each.velocity_mm_s;
       EXPECT_LE(plan.excess().largest(), 1.0) << i;
       EXPECT_FALSE(plan.slowed_down()) << i;

@@ -69,8 +69,8 @@ struct Cell {
 // The path at s_mm of the cell's block.
 using PathAt = std::function<CellEnd(const Cell& cell, double s_mm)>;
 
-// Where a stretch begins; it always ends at rest. v = 0: at rest, and then a = 0.
-struct StretchBegin {
+// Where a sequence of cells begins; it always ends at rest. v = 0: at rest, and then a = 0.
+struct StartState {
   double v_mm_s = 0.0;
   double a_mm_s2 = 0.0;
 

@@ -9,10 +9,10 @@ namespace kerf::lookahead {
 
 namespace {
 
-std::vector<double> spline_lengths(const Stretch& stretch) {
-  std::vector<double> lengths(stretch.spline_cells());
+std::vector<double> spline_lengths(const CellSequence& sequence) {
+  std::vector<double> lengths(sequence.spline_cells());
   for (std::size_t i = 0; i < lengths.size(); ++i) {
-    lengths[i] = stretch.cells[i + stretch.first_spline_cell()].length_mm;
+    lengths[i] = sequence.cells[i + sequence.first_spline_cell()].length_mm;
   }
   return lengths;
 }
@@ -52,13 +52,13 @@ BarrierObjective::RestCell BarrierObjective::rest_cell(const Cell& cell, const R
           .gain = 1.0 / (1.0 + 2.0 * neighbour_mm / (3.0 * h))};
 }
 
-BarrierObjective::BarrierObjective(const Stretch& stretch, const PlanLimits& limits)
-    : stretch_(&stretch), limits_(&limits) {
-  const std::vector<double> lengths = spline_lengths(stretch);
-  const std::vector<Cell>& cells = stretch.cells;
-  rows_ = limit_rows({cells.data() + stretch.first_spline_cell(), stretch.spline_cells()},
+BarrierObjective::BarrierObjective(const CellSequence& sequence, const PlanLimits& limits)
+    : sequence_(&sequence), limits_(&limits) {
+  const std::vector<double> lengths = spline_lengths(sequence);
+  const std::vector<Cell>& cells = sequence.cells;
+  rows_ = limit_rows({cells.data() + sequence.first_spline_cell(), sequence.spline_cells()},
                      feed_basis(lengths), limits);
-  if (stretch.begin.at_rest()) {
+  if (sequence.begin.at_rest()) {
     launch_ = rest_cell(cells.front(), {.rest = &cells.front().begin, .inner = &cells.front().end},
                         lengths.front());
   }
@@ -67,22 +67,22 @@ BarrierObjective::BarrierObjective(const Stretch& stretch, const PlanLimits& lim
 }
 
 BandSystem::Rows BarrierObjective::free_rows() const noexcept {
-  return {.begin = stretch_->begin.at_rest() ? 1U : 2U, .end = size() - 1};
+  return {.begin = sequence_->begin.at_rest() ? 1U : 2U, .end = size() - 1};
 }
 
 void BarrierObjective::bind(std::vector<double>& coefficients) const noexcept {
-  const StretchBegin& begin = stretch_->begin;
+  const StartState& begin = sequence_->begin;
   if (begin.at_rest()) {
     coefficients.front() = launch_.gain * coefficients[1];
   } else {
     coefficients[0] = square(begin.v_mm_s);
-    coefficients[1] = coefficients[0] + begin.a_mm_s2 * stretch_->cells.front().length_mm;
+    coefficients[1] = coefficients[0] + begin.a_mm_s2 * sequence_->cells.front().length_mm;
   }
   coefficients.back() = landing_.gain * coefficients[size() - 2];
 }
 
 void BarrierObjective::bind_change(std::vector<double>& change) const noexcept {
-  if (stretch_->begin.at_rest()) {
+  if (sequence_->begin.at_rest()) {
     change.front() = launch_.gain * change[1];
   } else {
     change[0] = change[1] = 0.0;
@@ -110,7 +110,7 @@ BarrierObjective::Value BarrierObjective::derive(const std::vector<double>& coef
                                                  const BarrierWeights& weights,
                                                  BandSystem& system) const {
   system.clear(size());
-  const std::size_t count = stretch_->spline_cells();
+  const std::size_t count = sequence_->spline_cells();
   SimdPair time = SimdPair::Zero();
   SimdPair barrier_sum = SimdPair::Zero();
   const SimdPair* row = rows_.rows.data();
@@ -146,7 +146,7 @@ void BarrierObjective::fold_ends(BandSystem& system) const {
     system.gradient[inner] += gain * system.gradient[outer];
     system.diagonal[inner] += gain * (2.0 * system.first[band] + gain * system.diagonal[outer]);
   };
-  if (stretch_->begin.at_rest()) {
+  if (sequence_->begin.at_rest()) {
     fold(0, 1, 0, launch_.gain);
     system.first[1] += launch_.gain * system.second[0];
   }

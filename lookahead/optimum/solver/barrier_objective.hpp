@@ -13,10 +13,10 @@
 
 namespace kerf::lookahead {
 
-// The cells of one stretch, the first one a launch from rest where it begins at rest, the last one
-// a landing; between them the feedrate squared is a spline.
-struct Stretch {
-  StretchBegin begin{};
+// The cells of one sequence of cells, the first one a launch from rest where it begins at rest, the
+// last one a landing; between them the feedrate squared is a spline.
+struct CellSequence {
+  StartState begin{};
   std::vector<Cell> cells;
 
   [[nodiscard]] std::size_t first_spline_cell() const noexcept { return begin.at_rest() ? 1 : 0; }
@@ -34,9 +34,9 @@ struct Stretch {
 // of constant jerk over h joins the spline where b' = 4/3 b / h, a begin in motion fixes both.
 class BarrierObjective {
  public:
-  BarrierObjective(const Stretch& stretch, const PlanLimits& limits);
+  BarrierObjective(const CellSequence& sequence, const PlanLimits& limits);
 
-  [[nodiscard]] std::size_t size() const noexcept { return stretch_->spline_cells() + 2; }
+  [[nodiscard]] std::size_t size() const noexcept { return sequence_->spline_cells() + 2; }
   // Of the coefficients those that are free.
   [[nodiscard]] BandSystem::Rows free_rows() const noexcept;
   // Gives the coefficients that are not free their values.
@@ -71,7 +71,7 @@ class BarrierObjective {
   void add_rest(const RestCell& rest, std::size_t outer, double squared_mm2_s2, Sums& sums) const;
   void fold_ends(BandSystem& system) const;
 
-  const Stretch* stretch_;
+  const CellSequence* sequence_;
   const PlanLimits* limits_;
   LimitRows rows_;
   RestCell launch_{};

@@ -1,4 +1,4 @@
-// All limits of a stretch as linear forms over the coefficients of its spline.
+// All limits of a sequence of cells as linear forms over the coefficients of its spline.
 #pragma once
 
 #include <cstdint>

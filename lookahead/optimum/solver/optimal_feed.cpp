@@ -30,8 +30,8 @@ constexpr double kToZero = 0.9;  // of the way, in one step
 
 class Search {
  public:
-  Search(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed)
-      : objective_(stretch, limits), feed_(&feed) {}
+  Search(const CellSequence& sequence, const PlanLimits& limits, OptimalFeed& feed)
+      : objective_(sequence, limits), feed_(&feed) {}
 
   [[nodiscard]] const BarrierObjective& objective() const { return objective_; }
 
@@ -126,13 +126,13 @@ class Search {
   std::vector<double> trial_;
 };
 
-std::vector<double> first_guess(const Stretch& stretch, const PlanLimits& limits) {
+std::vector<double> first_guess(const CellSequence& sequence, const PlanLimits& limits) {
   const std::vector<double> feeds = estimate_feeds(
-      stretch.cells,
-      {.v_begin_mm_s = stretch.begin.at_rest() ? 0.0 : stretch.begin.v_mm_s, .v_end_mm_s = 0.0},
+      sequence.cells,
+      {.v_begin_mm_s = sequence.begin.at_rest() ? 0.0 : sequence.begin.v_mm_s, .v_end_mm_s = 0.0},
       limits);
-  const std::size_t first = stretch.first_spline_cell();
-  const std::size_t count = stretch.spline_cells();
+  const std::size_t first = sequence.first_spline_cell();
+  const std::size_t count = sequence.spline_cells();
   std::vector<double> coefficients(count + 2);
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
     // Between the ends of the cell in whose middle the coefficient stands; at the outer knots.
@@ -140,7 +140,7 @@ std::vector<double> first_guess(const Stretch& stretch, const PlanLimits& limits
     const double end = feeds[first + std::min(i, count)];
     coefficients[i] = kFirstGuess * std::min(begin * begin, end * end);
     if (i > 0 && i <= count) {
-      coefficients[i] = std::max(coefficients[i], stretch.cells[first + i - 1].planned_squared);
+      coefficients[i] = std::max(coefficients[i], sequence.cells[first + i - 1].planned_squared);
     }
   }
   return coefficients;
@@ -148,16 +148,16 @@ std::vector<double> first_guess(const Stretch& stretch, const PlanLimits& limits
 
 }  // namespace
 
-std::vector<double> first_feed(const Stretch& stretch, const PlanLimits& limits) {
-  std::vector<double> coefficients = first_guess(stretch, limits);
-  BarrierObjective(stretch, limits).bind(coefficients);
+std::vector<double> first_feed(const CellSequence& sequence, const PlanLimits& limits) {
+  std::vector<double> coefficients = first_guess(sequence, limits);
+  BarrierObjective(sequence, limits).bind(coefficients);
   return coefficients;
 }
 
-OptimalFeed find_optimal_feed(const Stretch& stretch, const PlanLimits& limits) {
+OptimalFeed find_optimal_feed(const CellSequence& sequence, const PlanLimits& limits) {
   OptimalFeed feed;
-  feed.coefficients = first_guess(stretch, limits);
-  Search search(stretch, limits, feed);
+  feed.coefficients = first_guess(sequence, limits);
+  Search search(sequence, limits, feed);
   search.objective().bind(feed.coefficients);
   for (int i = 0; i + 1 < kStages; ++i) {
     search.stage(kFirstShare * std::pow(kLastShare / kFirstShare, i / (kStages - 1.0)), kRoughly);
@@ -166,8 +166,9 @@ OptimalFeed find_optimal_feed(const Stretch& stretch, const PlanLimits& limits) 
   return feed;
 }
 
-void refine_optimal_feed(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed) {
-  Search search(stretch, limits, feed);
+void refine_optimal_feed(const CellSequence& sequence, const PlanLimits& limits,
+                         OptimalFeed& feed) {
+  Search search(sequence, limits, feed);
   search.objective().bind(feed.coefficients);
   search.stage(kLastShare, kStageDone);
 }

@@ -1,4 +1,4 @@
-// The search for the time-optimal feedrate over one stretch.
+// The search for the time-optimal feedrate over one sequence of cells.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@ struct OptimalFeed {
 
 // Where the search begins: 0.3 of what velocities, accelerations and jerks allow. Positive and
 // finite.
-std::vector<double> first_feed(const Stretch& stretch, const PlanLimits& limits);
+std::vector<double> first_feed(const CellSequence& sequence, const PlanLimits& limits);
 
-// Minimises the time of a stretch under all its limits: v, a and jerk, along the path and on each
-// axis, at both ends of every cell.
+// Minimises the time of a sequence of cells under all its limits: v, a and jerk, along the path and
+// on each axis, at both ends of every cell.
 //
 // The idea. Over arc length, with b = v^2, time is a convex function and every limit but jerk is
 // linear (Verscheure, Demeulenaere, Swevers, De Schutter and Diehl, "Time-optimal path tracking for
@@ -39,9 +39,9 @@ std::vector<double> first_feed(const Stretch& stretch, const PlanLimits& limits)
 //
 // Where cells know an earlier plan that was faster than that guess, it begins from there.
 // Precondition: at least two cells of spline.
-OptimalFeed find_optimal_feed(const Stretch& stretch, const PlanLimits& limits);
+OptimalFeed find_optimal_feed(const CellSequence& sequence, const PlanLimits& limits);
 
 // Goes on from an answer after limits have been tightened a little.
-void refine_optimal_feed(const Stretch& stretch, const PlanLimits& limits, OptimalFeed& feed);
+void refine_optimal_feed(const CellSequence& sequence, const PlanLimits& limits, OptimalFeed& feed);
 
 }  // namespace kerf::lookahead

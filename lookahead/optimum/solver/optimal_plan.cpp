@@ -1,4 +1,4 @@
-#include "lookahead/optimum/solver/stretch_plan.hpp"
+#include "lookahead/optimum/solver/optimal_plan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -37,20 +37,20 @@ void widen(const Excess& excess, Excess& worst) {
 
 }  // namespace
 
-std::optional<StretchPlan> StretchPlan::find(Stretch stretch, const PathAt& path,
+std::optional<OptimalPlan> OptimalPlan::find(CellSequence sequence, const PathAt& path,
                                              const PlanLimits& limits) {
-  StretchPlan plan;
-  plan.stretch_ = std::move(stretch);
+  OptimalPlan plan;
+  plan.sequence_ = std::move(sequence);
   std::vector<double> lengths;
-  for (std::size_t i = 0; i < plan.stretch_.spline_cells(); ++i) {
-    lengths.push_back(plan.stretch_.cells[i + plan.stretch_.first_spline_cell()].length_mm);
+  for (std::size_t i = 0; i < plan.sequence_.spline_cells(); ++i) {
+    lengths.push_back(plan.sequence_.cells[i + plan.sequence_.first_spline_cell()].length_mm);
   }
   plan.basis_ = feed_basis(lengths);
-  OptimalFeed feed = find_optimal_feed(plan.stretch_, limits);
+  OptimalFeed feed = find_optimal_feed(plan.sequence_, limits);
   plan.coefficients_ = feed.coefficients;
   plan.excess_ = plan.check(path, limits);
   for (int i = 0; i < kMaxRefinements && !holds(plan.excess_); ++i) {
-    refine_optimal_feed(plan.stretch_, limits, feed);
+    refine_optimal_feed(plan.sequence_, limits, feed);
     plan.coefficients_ = feed.coefficients;
     plan.excess_ = plan.check(path, limits);
   }
@@ -58,7 +58,7 @@ std::optional<StretchPlan> StretchPlan::find(Stretch stretch, const PathAt& path
   if (holds(plan.excess_)) {
     return plan;
   }
-  if (!plan.stretch_.begin.at_rest()) {
+  if (!plan.sequence_.begin.at_rest()) {
     return std::nullopt;
   }
   plan.slow_down(path, limits);
@@ -67,14 +67,14 @@ std::optional<StretchPlan> StretchPlan::find(Stretch stretch, const PathAt& path
 
 // v^2 times a factor: accelerations by the same, jerks by its power of 3/2. Where the search ended
 // in what is no number, from its begin.
-void StretchPlan::slow_down(const PathAt& path, const PlanLimits& limits) {
+void OptimalPlan::slow_down(const PathAt& path, const PlanLimits& limits) {
   slowed_down_ = !(excess_.largest() <= kSlight);
   if (!(excess_.largest() < kUnbounded)) {
-    for (Cell& cell : stretch_.cells) {
+    for (Cell& cell : sequence_.cells) {
       cell.shares = {};
       cell.planned_squared = 0.0;
     }
-    coefficients_ = first_feed(stretch_, limits);
+    coefficients_ = first_feed(sequence_, limits);
     excess_ = check(path, limits);
   }
   for (int i = 0; i < kSlowings && !holds(excess_); ++i) {
@@ -88,8 +88,8 @@ void StretchPlan::slow_down(const PathAt& path, const PlanLimits& limits) {
   }
 }
 
-SquaredFeed StretchPlan::feed_at(const PlanPlace& place) const {
-  const std::size_t i = place.cell - stretch_.first_spline_cell();
+SquaredFeed OptimalPlan::feed_at(const PlanPlace& place) const {
+  const std::size_t i = place.cell - sequence_.first_spline_cell();
   const SquaredFeed begin = basis_[i].begin.at(&coefficients_[i]);
   const double s = place.offset_mm;
   return {.value = begin.value + s * (begin.slope + 0.5 * s * begin.bend),
@@ -97,11 +97,11 @@ SquaredFeed StretchPlan::feed_at(const PlanPlace& place) const {
           .bend = begin.bend};
 }
 
-StretchBegin StretchPlan::state_at(const PlanPlace& place) const {
+StartState OptimalPlan::state_at(const PlanPlace& place) const {
   if (place.cell == 0 && place.offset_mm == 0.0) {
-    return stretch_.begin;
+    return sequence_.begin;
   }
-  if (place.cell == stretch_.cells.size()) {
+  if (place.cell == sequence_.cells.size()) {
     return {};
   }
   if (is_landing(place.cell)) {
@@ -112,8 +112,8 @@ StretchBegin StretchPlan::state_at(const PlanPlace& place) const {
   return {.v_mm_s = std::sqrt(feed.value), .a_mm_s2 = 0.5 * feed.slope};
 }
 
-profiles::CellLaw StretchPlan::law_from(const PlanPlace& place, double longest_s) const {
-  const double length = stretch_.cells[place.cell].length_mm;
+profiles::CellLaw OptimalPlan::law_from(const PlanPlace& place, double longest_s) const {
+  const double length = sequence_.cells[place.cell].length_mm;
   if (is_launch(place.cell)) {
     return profiles::CellLaw::launch(state_at({.cell = place.cell + 1}).v_mm_s, length);
   }
@@ -130,15 +130,15 @@ profiles::CellLaw StretchPlan::law_from(const PlanPlace& place, double longest_s
              : profiles::CellLaw::between(begin, law.at(longest_s).s_mm);
 }
 
-Constraint StretchPlan::limit_on(std::size_t cell, const PlanLimits& limits) const {
-  const Cell& at = stretch_.cells[cell];
+Constraint OptimalPlan::limit_on(std::size_t cell, const PlanLimits& limits) const {
+  const Cell& at = sequence_.cells[cell];
   if (is_launch(cell)) {
     return tightest_constraint_at_rest(at, state_at({.cell = cell + 1}).v_mm_s, true, limits);
   }
   if (is_landing(cell)) {
     return tightest_constraint_at_rest(at, state_at({.cell = cell}).v_mm_s, false, limits);
   }
-  const std::size_t i = cell - stretch_.first_spline_cell();
+  const std::size_t i = cell - sequence_.first_spline_cell();
   return tightest_constraint(at,
                              {.begin = basis_[i].begin.at(&coefficients_[i]),
                               .end = basis_[i].end.at(&coefficients_[i]),
@@ -146,49 +146,49 @@ Constraint StretchPlan::limit_on(std::size_t cell, const PlanLimits& limits) con
                              limits);
 }
 
-std::size_t StretchPlan::last_braking() const {
-  std::size_t first = stretch_.cells.size();
+std::size_t OptimalPlan::last_braking() const {
+  std::size_t first = sequence_.cells.size();
   while (first > 0 && state_at({.cell = first - 1}).v_mm_s > state_at({.cell = first}).v_mm_s) {
     --first;
   }
   return first;
 }
 
-double StretchPlan::duration_s() const {
+double OptimalPlan::duration_s() const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < stretch_.cells.size(); ++i) {
+  for (std::size_t i = 0; i < sequence_.cells.size(); ++i) {
     sum += law_from({.cell = i}, kUnbounded).duration_s();
   }
   return sum;
 }
 
-Stretch StretchPlan::rest_from(const PlanPlace& place, std::size_t end_cell) const {
-  Stretch stretch{.begin = state_at(place), .cells = {}};
+CellSequence OptimalPlan::rest_from(const PlanPlace& place, std::size_t end_cell) const {
+  CellSequence sequence{.begin = state_at(place), .cells = {}};
   for (std::size_t i = place.cell; i < end_cell; ++i) {
-    if (stretch_.cells[i].continues && i > place.cell) {
-      Cell& whole = stretch.cells.back();
-      whole.length_mm = stretch_.cells[i].s_end_mm() - whole.s_begin_mm;
-      whole.end = stretch_.cells[i].end;
-      whole.ends_block = stretch_.cells[i].ends_block;
-      whole.rest_after = stretch_.cells[i].rest_after;
+    if (sequence_.cells[i].continues && i > place.cell) {
+      Cell& whole = sequence.cells.back();
+      whole.length_mm = sequence_.cells[i].s_end_mm() - whole.s_begin_mm;
+      whole.end = sequence_.cells[i].end;
+      whole.ends_block = sequence_.cells[i].ends_block;
+      whole.rest_after = sequence_.cells[i].rest_after;
       continue;
     }
-    Cell& cell = stretch.cells.emplace_back(stretch_.cells[i]);
+    Cell& cell = sequence.cells.emplace_back(sequence_.cells[i]);
     if (!is_launch(i) && !is_landing(i)) {
       cell.planned_squared = feed_at({.cell = i, .offset_mm = 0.5 * cell.length_mm}).value;
     }
   }
-  if (!stretch.cells.empty()) {
-    stretch.cells.front().s_begin_mm += place.offset_mm;
-    stretch.cells.front().length_mm -= place.offset_mm;
+  if (!sequence.cells.empty()) {
+    sequence.cells.front().s_begin_mm += place.offset_mm;
+    sequence.cells.front().length_mm -= place.offset_mm;
   }
-  return stretch;
+  return sequence;
 }
 
-Excess StretchPlan::check(const PathAt& path, const PlanLimits& limits) {
+Excess OptimalPlan::check(const PathAt& path, const PlanLimits& limits) {
   Excess worst;
-  for (std::size_t i = 0; i < stretch_.cells.size(); ++i) {
-    Cell& cell = stretch_.cells[i];
+  for (std::size_t i = 0; i < sequence_.cells.size(); ++i) {
+    Cell& cell = sequence_.cells[i];
     Excess excess;
     if (is_launch(i)) {
       excess = excess_of_rest(cell, state_at({.cell = 1}).v_mm_s, true, path, limits);

@@ -1,4 +1,4 @@
-// The planned motion over one stretch: from where the tool is to a rest.
+// The planned motion over one sequence of cells: from where the tool is to a rest.
 #pragma once
 
 #include <optional>
@@ -16,21 +16,22 @@ struct PlanPlace {
   double offset_mm = 0.0;
 };
 
-class StretchPlan {
+class OptimalPlan {
  public:
-  StretchPlan() = default;
+  OptimalPlan() = default;
 
   // The fastest plan found whose limits hold between the places at which the solver looks, too:
   // they are checked there, shares are taken off where they are passed, and the search goes on, in
   // at most kMaxRefinements rounds. Where that is not enough, a plan from rest is slowed down as a
-  // whole until it holds (slowed_down where that is by more than a percent; cut the stretch at a
-  // rest, and little is lost); from a begin in motion there is none. The cells must be refined for
-  // a rest at the end and for one at the beginning if the stretch begins at rest.
-  static std::optional<StretchPlan> find(Stretch stretch, const PathAt& path,
+  // whole until it holds (slowed_down where that is by more than a percent; cut the sequence of
+  // cells at a rest, and little is lost); from a begin in motion there is none. The cells must be
+  // refined for a rest at the end and for one at the beginning if the sequence of cells begins at
+  // rest.
+  static std::optional<OptimalPlan> find(CellSequence sequence, const PathAt& path,
                                          const PlanLimits& limits);
 
-  [[nodiscard]] const std::vector<Cell>& cells() const noexcept { return stretch_.cells; }
-  [[nodiscard]] StretchBegin state_at(const PlanPlace& place) const;
+  [[nodiscard]] const std::vector<Cell>& cells() const noexcept { return sequence_.cells; }
+  [[nodiscard]] StartState state_at(const PlanPlace& place) const;
   // From there on, at the most to the cell's end and for no longer than about the duration.
   [[nodiscard]] profiles::CellLaw law_from(const PlanPlace& place, double longest_s) const;
   [[nodiscard]] double duration_s() const;
@@ -39,7 +40,7 @@ class StretchPlan {
   // The first cell of those on which the feedrate only falls, to the rest at the end.
   [[nodiscard]] std::size_t last_braking() const;
   // What is left of the plan from a place up to a cell, to be planned anew.
-  [[nodiscard]] Stretch rest_from(const PlanPlace& place, std::size_t end_cell) const;
+  [[nodiscard]] CellSequence rest_from(const PlanPlace& place, std::size_t end_cell) const;
 
   // The largest figure over its limit that the check found, and how it was found.
   [[nodiscard]] const Excess& excess() const noexcept { return excess_; }
@@ -49,16 +50,16 @@ class StretchPlan {
  private:
   [[nodiscard]] SquaredFeed feed_at(const PlanPlace& place) const;
   [[nodiscard]] bool is_launch(std::size_t cell) const noexcept {
-    return cell == 0 && stretch_.begin.at_rest();
+    return cell == 0 && sequence_.begin.at_rest();
   }
   [[nodiscard]] bool is_landing(std::size_t cell) const noexcept {
-    return cell + 1 == stretch_.cells.size();
+    return cell + 1 == sequence_.cells.size();
   }
   // What is passed, and by how much; shares are taken off the cells where it is.
   Excess check(const PathAt& path, const PlanLimits& limits);
   void slow_down(const PathAt& path, const PlanLimits& limits);
 
-  Stretch stretch_{};
+  CellSequence sequence_{};
   std::vector<CellBasis> basis_;
   std::vector<double> coefficients_;
   Excess excess_{};
