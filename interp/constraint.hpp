@@ -1,4 +1,4 @@
-// What holds the feed down at a tick.
+// What limits the feedrate at a tick.
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,7 @@ struct Setpoint {
   std::int64_t tick = 0;                // counts interpolation periods from 0
   std::uint32_t line = 0;               // of the block that the point belongs to
   bool rapid = false;                   // on a G0
-  Constraint limit = Constraint::rest;  // what holds the feed down from here to the next tick
+  Constraint limit = Constraint::rest;  // what limits the feedrate from here to the next tick
   double s_mm = 0.0;                    // path length since the program's start, of X, Y and Z
   double v_mm_s = 0.0;                  // along the path, as planned; 0 where only extra axes move
   double a_mm_s2 = 0.0;

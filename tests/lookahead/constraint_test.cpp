@@ -1,4 +1,4 @@
-// What holds the feed down: the cause is known by construction, and is one that can be acted on.
+// What limits the feedrate: the cause is known by construction, and is one that can be acted on.
 #include <algorithm>
 #include <array>
 #include <map>

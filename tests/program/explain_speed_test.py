@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""`--explain-speed`: what holds the feed down, in the report and in the trace."""
+"""`--explain-speed`: what limits the feedrate, in the report and in the trace."""
 import csv
 import json
 

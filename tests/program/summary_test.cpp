@@ -35,7 +35,7 @@ TEST(Summary, SaysWhatHoldsTheFeedDownWhereThatIsAskedFor) {
                   .lines = {{.line = 12, .ticks = 1000, .limits = {{Constraint::x_jerk, 1000}}}},
                   .tick = {}};
   const std::string text = summary(report);
-  EXPECT_NE(text.find("  held down by\n"
+  EXPECT_NE(text.find("  limited by\n"
                       "    programmed feedrate         3.000 s   75.0 %\n"
                       "    axis x jerk                 1.000 s   25.0 %\n"
                       "  comes to rest   3 times\n"

@@ -39,7 +39,7 @@ TEST(SvgPlot, IsADocumentWithAxesUnitsAndLimits) {
 }
 
 TEST(SvgPlot, HasABandOfWhatHeldTheFeedDownWhereThatIsKept) {
-  EXPECT_EQ(svg_plot(data_of(100), {}).find("held down by"), std::string::npos);
+  EXPECT_EQ(svg_plot(data_of(100), {}).find("limited by"), std::string::npos);
   PlotData data(kFlat);
   data.add_limits();
   for (int tick = 0; tick < 300; ++tick) {
@@ -48,7 +48,7 @@ TEST(SvgPlot, HasABandOfWhatHeldTheFeedDownWhereThatIsKept) {
               .motion = {.v_mm_s = 10.0}});
   }
   const std::string svg = svg_plot(data, {});
-  for (const char* words : {"held down by", ">axis x jerk<", ">programmed feedrate<"}) {
+  for (const char* words : {"limited by", ">axis x jerk<", ">programmed feedrate<"}) {
     EXPECT_NE(svg.find(words), std::string::npos) << words;
   }
   EXPECT_EQ(svg.find(">path jerk<"), std::string::npos) << "only what is there has a legend";

@@ -35,7 +35,7 @@ class OptimalPlan {
   // From there on, at the most to the cell's end and for no longer than about the duration.
   [[nodiscard]] profiles::CellLaw law_from(const PlanPlace& place, double longest_s) const;
   [[nodiscard]] double duration_s() const;
-  // What holds the feed down on a cell.
+  // What limits the feedrate on a cell.
   [[nodiscard]] Constraint limit_on(std::size_t cell, const PlanLimits& limits) const;
   // The first cell of those on which the feedrate only falls, to the rest at the end.
   [[nodiscard]] std::size_t last_braking() const;

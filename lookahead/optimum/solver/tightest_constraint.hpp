@@ -19,7 +19,7 @@ struct CellFeed {
 // time falls when the limit rises. The force is 1 over the slack, so the limit with the least slack
 // is the one to raise; both ends count, which keeps a limit that is only touched in passing from
 // standing for the cell. Of limits that bind alike the path's is named. Cells that leave most of
-// the limits to the jump beside them are held down by that junction.
+// the limits to the jump beside them are limited by that junction.
 //
 // Weakness: where the motion only follows from its neighbours (one cell between two that are bound)
 // no limit binds, and the nearest one is named.

@@ -102,7 +102,7 @@ void add_outputs(CLI::App& command, Raw& raw) {
   command.add_option("--plot", options.plot_file, "draw the path and v, a, j over time")
       ->type_name("FILE.svg");
   command.add_flag("--explain-speed{all}", raw.explain_speed,
-                   "which limits hold the feed down, and for how long; with =14 for line 14, "
+                   "which limits bound the feedrate, and for how long; with =14 for line 14, "
                    "with =@1.5 at 1.5 s");
 }
 

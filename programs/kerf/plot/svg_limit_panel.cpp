@@ -32,7 +32,7 @@ double limit_panel_height(std::span<const LimitBand::Stretch> stretches) {
 }
 
 void draw_limit_panel(SvgCanvas& canvas, const PixelBox& frame, const LimitPanel& panel) {
-  canvas.text({.x = frame.left, .y = frame.top + kHeading - 7.0}, "held down by",
+  canvas.text({.x = frame.left, .y = frame.top + kHeading - 7.0}, "limited by",
               {.size = 12.0, .bold = true});
   const double top = frame.top + kHeading;
   const double scale = frame.width / static_cast<double>(std::max<std::int64_t>(panel.end_tick, 1));

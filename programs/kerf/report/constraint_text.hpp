@@ -1,4 +1,4 @@
-// Names and colours of what holds the feed down.
+// Names and colours of what limits the feedrate.
 #pragma once
 
 #include <string>

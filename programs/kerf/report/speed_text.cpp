@@ -37,7 +37,7 @@ std::string speed_text(const FileReport& report) {
   const auto seconds = [&report](std::int64_t ticks) {
     return static_cast<double>(ticks) * report.period_s;
   };
-  std::string text = "  held down by\n";
+  std::string text = "  limited by\n";
   const auto out = std::back_inserter(text);
   for (const LimitTime& part : speed.whole.limits) {
     fmt::format_to(out, "    {:<22} {:>10.3f} s {:>6.1f} %\n", text_of(part.limit),
@@ -56,7 +56,7 @@ std::string speed_text(const FileReport& report) {
                    limits_text(line));
   }
   if (speed.tick) {
-    fmt::format_to(out, "  at {} s: line {}, {} mm/s, held down by {}\n",
+    fmt::format_to(out, "  at {} s: line {}, {} mm/s, limited by {}\n",
                    fixed_number(seconds(speed.tick->tick), 3), speed.tick->line,
                    short_number(speed.tick->v_mm_s), text_of(speed.tick->limit));
   } else if (report.speed_question.time_s) {

@@ -1,4 +1,4 @@
-// What holds the feed down, for people: a part of the summary.
+// What limits the feedrate, for people: a part of the summary.
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@ inline constexpr std::string_view kTraceHeader =
 // What a row has behind these.
 struct TraceColumns {
   std::vector<ExtraAxis> axes;  // "a_deg", "u_mm"
-  bool limit = false;           // "limit": what holds the feed down
+  bool limit = false;           // "limit": what limits the feedrate
 };
 [[nodiscard]] std::string trace_header(const TraceColumns& columns);
 
