@@ -6,11 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "kernel/kerf.hpp"
+#include <kerf/kerf.hpp>
+
 #include "kernel/tick_judge.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/limits.hpp"
 #include "parser/moves/move.hpp"
+#include "profiles/profile.hpp"
 
 namespace kerf::bench {
 

@@ -11,6 +11,7 @@
 
 #include "bench/curve_run.hpp"
 #include "bench/program_text.hpp"
+#include "profiles/profile.hpp"
 
 namespace kerf::bench {
 

@@ -3,8 +3,10 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "kernel/kernel.hpp"
-#include "kernel/machine_file.hpp"
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
+
+#include "interp/setpoint.hpp"
 
 namespace kerf::bench {
 

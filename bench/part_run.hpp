@@ -4,9 +4,10 @@
 #include <cstdint>
 #include <string>
 
+#include <kerf/machine.hpp>
+
 #include "bench/part_measure.hpp"
 #include "bench/part_programs.hpp"
-#include "kernel/settings.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::bench {

@@ -8,10 +8,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <kerf/check.hpp>
+#include <kerf/kernel.hpp>
+
 #include "bench/part_run.hpp"
 #include "bench/parts.hpp"
-#include "kernel/check.hpp"
-#include "kernel/kernel.hpp"
+#include "interp/setpoint.hpp"
 
 namespace kerf::bench {
 
@@ -88,7 +90,8 @@ Cost dry_run(std::int64_t lines, profiles::ProfileKind profile) {
   Kernel kernel(settings, {.profile = profiles::Profile(profile), .start_mm = text.start_mm()});
   const Clock::time_point began = Clock::now();
   auto status = interp::TickStatus::running;
-  for (interp::Setpoint setpoint; status != interp::TickStatus::finished;) {
+  for (interp::Setpoint setpoint;
+       status != interp::TickStatus::finished && status != interp::TickStatus::failed;) {
     while (kernel.plan()) {
       const std::string_view piece = text.next();
       if (piece.empty()) {

@@ -76,7 +76,7 @@ Streamed stream(const Moves& next, const lookahead::PlanLimits& limits, const Wi
   planner.finish(0);
   emit();
   const std::chrono::duration<double> planning = Clock::now() - began;
-  const lookahead::PlanTotals& totals = planner.totals();
+  const PlanTotals& totals = planner.totals();
   return {.time_s = static_cast<double>(totals.ticks) * limits.period_s,
           .planning_s = planning.count(),
           .cells = totals.segments,

@@ -3,9 +3,9 @@
 #include <string>
 
 #include <benchmark/benchmark.h>
+#include <kerf/kerf.hpp>
 
 #include "bench/program_text.hpp"
-#include "kernel/kerf.hpp"
 
 namespace kerf::bench {
 namespace {

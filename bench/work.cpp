@@ -8,8 +8,10 @@
 #include <valgrind/callgrind.h>
 #endif
 
+#include <kerf/kernel.hpp>
+
 #include "bench/program_text.hpp"
-#include "kernel/kernel.hpp"
+#include "profiles/profile.hpp"
 #include "tests/kernel/singular_curves.hpp"
 
 namespace kerf::bench {

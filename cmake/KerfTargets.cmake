@@ -16,12 +16,13 @@ function(kerf_library name)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
   add_library(${target} STATIC ${sources})
   add_library(kerf::${name} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} LINKER_LANGUAGE CXX)
+  # All of them become one library, which may be a shared one (KerfInstall), and shows what KERF_API marks.
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX POSITION_INDEPENDENT_CODE ON
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   target_compile_features(${target} PUBLIC cxx_std_20)
-  target_include_directories(${target} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/kerf>)
+  target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/include")
   target_link_libraries(${target} PUBLIC ${arg_DEPENDS}
-    PRIVATE $<BUILD_INTERFACE:kerf_warnings> ${arg_PRIVATE_DEPENDS})
+    PRIVATE kerf_warnings ${arg_PRIVATE_DEPENDS})
   set_property(GLOBAL APPEND PROPERTY KERF_LIBRARIES ${target})
 endfunction()
 

@@ -1,14 +1,15 @@
 // The axes beside X, Y and Z: they move in step with a curve, linear in its length.
 #pragma once
 
-#include <array>
 #include <cstddef>
+
+#include <kerf/axes.hpp>
 
 namespace kerf::curves {
 
-inline constexpr std::size_t kAuxiliaryAxes = 6;
-
-using AuxiliaryPosition = std::array<double, kAuxiliaryAxes>;  // A, B, C in rad, then U, V, W in mm
+using kerf::AuxiliaryExtents;
+using kerf::AuxiliaryPosition;
+using kerf::kAuxiliaryAxes;
 
 struct AuxiliaryAxisMotion {
   AuxiliaryPosition begin_rad_mm{};
@@ -36,12 +37,6 @@ struct AuxiliaryAxisMotion {
   [[nodiscard]] double slope_per_mm(std::size_t axis) const noexcept {
     return length_mm > 0.0 ? (end_rad_mm[axis] - begin_rad_mm[axis]) / length_mm : 0.0;
   }
-};
-
-// The box that a way fills.
-struct AuxiliaryExtents {
-  AuxiliaryPosition min_rad_mm{};
-  AuxiliaryPosition max_rad_mm{};
 };
 
 }  // namespace kerf::curves

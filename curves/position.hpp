@@ -4,14 +4,15 @@
 // stores std::array and computes through Eigen::Map.
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include <Eigen/Core>
+#include <kerf/axes.hpp>
 
 namespace kerf::curves {
 
-using Position = std::array<double, 3>;  // x, y, z
+using kerf::Extents;
+using kerf::Position;
 
 // Coordinates beyond this (or not finite) are refused: at 1e9 mm a double resolves only 1e-7 mm.
 inline constexpr double kMaxCoordinate_mm = 1e9;
@@ -44,12 +45,6 @@ struct PathDerivatives {
 struct Stretch {
   double begin_mm = 0.0;
   double end_mm = 0.0;
-};
-
-// The box that a path fills.
-struct Extents {
-  Position min_mm{};
-  Position max_mm{};
 };
 
 }  // namespace kerf::curves

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace kerf::diagnostics {
+namespace kerf::inline v0 {
 
 std::string identifier(const ErrorPage& page) {
   constexpr std::size_t kDigits = 4;
@@ -29,4 +29,4 @@ std::string to_text(const Diagnostic& diagnostic, std::string_view file) {
   return text;
 }
 
-}  // namespace kerf::diagnostics
+}  // namespace kerf::inline v0

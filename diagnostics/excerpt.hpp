@@ -2,16 +2,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <string_view>
+
+#include <kerf/diagnostic.hpp>
 
 namespace kerf::diagnostics {
 
-struct Excerpt {
-  std::string text;              // valid UTF-8, without tabs and control characters
-  std::uint32_t caret = 0;       // columns before the place, as a terminal shows the text
-  std::uint32_t characters = 0;  // of the whole line before the place
-};
+using kerf::Excerpt;
 
 // What to show of `line` for the byte at `offset` (at most its length). Of a long line it is some
 // hundred bytes round the place, with "..." where more was left out. A tab becomes one blank, and

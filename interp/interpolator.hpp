@@ -11,13 +11,6 @@
 
 namespace kerf::interp {
 
-enum class TickStatus : std::uint8_t {
-  running,   // the setpoint moves, dwells or passes a rest
-  starved,   // nothing more is planned yet; the setpoint repeats the last, a rest if the queue was
-             // kept
-  finished,  // this setpoint is the program's last, or repeats it
-};
-
 // The tick is absolute: the n-th setpoint lies at s(n period) on the curve, so errors do not
 // accumulate. next() allocates nothing, takes no lock, throws nothing; its work is bounded by what
 // the queue can hold.

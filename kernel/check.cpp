@@ -1,10 +1,10 @@
-#include "kernel/check.hpp"
-
 #include <algorithm>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <variant>
+
+#include <kerf/check.hpp>
 
 #include "diagnostics/errors/machine.hpp"
 #include "kernel/check_warnings.hpp"
@@ -15,7 +15,7 @@
 #include "parser/text/text.hpp"
 #include "smoothing/segment_builder.hpp"
 
-namespace kerf {
+namespace kerf::inline v0 {
 
 namespace {
 
@@ -178,4 +178,4 @@ CheckReport check_program(const TextSource& text, const MachineSettings& setting
   return report;
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline v0

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "diagnostics/errors/machine.hpp"
+#include "lookahead/path/limits.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf {

@@ -6,8 +6,10 @@
 #include <deque>
 #include <vector>
 
+#include <kerf/machine.hpp>
+
 #include "diagnostics/diagnostic.hpp"
-#include "kernel/settings.hpp"
+#include "lookahead/path/limits.hpp"
 #include "parser/moves/move.hpp"
 
 namespace kerf {

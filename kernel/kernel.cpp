@@ -1,14 +1,17 @@
-#include "kernel/kernel.hpp"
-
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <utility>
 
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
+
+#include "interp/interpolator.hpp"
 #include "kernel/delivery.hpp"
-#include "kernel/machine_file.hpp"
 #include "kernel/pipeline.hpp"
 #include "kernel/settings_check.hpp"
+#include "kernel/tick_judge.hpp"
 
 namespace kerf {
 
@@ -22,7 +25,7 @@ class Kernel::Impl {
         interpolator_(queue_, settings.limits.period_s, options.start_mm,
                       options.start_extra_rad_mm),
         judge_({.limits = settings.limits,
-                .binds_jerk = options.profile.kind() != profiles::ProfileKind::trapezoid,
+                .binds_jerk = options.profile.kind != profiles::ProfileKind::trapezoid,
                 .has_extra_axes = settings.program.extra_axes != 0}),
         horizon_ticks_(
             static_cast<std::int64_t>(std::ceil(options.horizon_s / settings.limits.period_s))) {}
@@ -32,7 +35,7 @@ class Kernel::Impl {
   void refuse(Diagnostic fault) { pipeline_.refuse(std::move(fault)); }
 
   bool plan() {
-    while (!failed_ && delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
+    while (!broken_ && delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
       const bool was_finished = pipeline_.is_finished();
       switch (pipeline_.step(delivery_.outbox())) {
         case Pipeline::Step::planned:
@@ -41,6 +44,7 @@ class Kernel::Impl {
         case Pipeline::Step::took:
           if (pipeline_.is_finished() && !was_finished) {
             end_ = pipeline_.path().programmed_end();
+            wrong_ = pipeline_.path().has_errors();
           }
           break;
         case Pipeline::Step::wants_text:
@@ -52,16 +56,18 @@ class Kernel::Impl {
     return false;
   }
 
-  interp::TickStatus tick(interp::Setpoint& setpoint) noexcept {
-    const interp::TickStatus status = interpolator_.next(setpoint);
-    if (status == interp::TickStatus::starved) {
+  TickStatus tick(Setpoint& setpoint) noexcept {
+    const TickStatus status = interpolator_.next(setpoint);
+    if (status == TickStatus::starved) {
       judge_.starve();
     }
     judge_.add(setpoint, interpolator_.chord_error_mm());
-    if (status == interp::TickStatus::finished && end_) {
+    if (status == TickStatus::finished && end_) {
       judge_.judge_end(setpoint, *end_);
     }
-    return status == interp::TickStatus::starved && failed_ ? interp::TickStatus::finished : status;
+    const bool ends = status == TickStatus::finished || (status == TickStatus::starved && broken_);
+    const bool failed = broken_ || wrong_ || judge_.excess().figure != TickExcess::Figure::none;
+    return !ends ? status : failed ? TickStatus::failed : TickStatus::finished;
   }
 
   void reach_tick() {
@@ -73,14 +79,14 @@ class Kernel::Impl {
     }
   }
 
-  interp::TickStatus next(interp::Setpoint& setpoint) {
+  TickStatus next(Setpoint& setpoint) {
     if (runs_low() && plan() && runs_low()) {
       plan_to_rest();
     }
     reach_tick();
-    const interp::TickStatus status = tick(setpoint);
+    const TickStatus status = tick(setpoint);
     // There is one thread: what is not planned now never is.
-    if (status == interp::TickStatus::starved && pipeline_.is_finished()) {
+    if (status == TickStatus::starved && pipeline_.is_finished()) {
       pipeline_.fail_without_plan(setpoint.line);
       fail_with_check();
     }
@@ -121,32 +127,39 @@ class Kernel::Impl {
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const {
     return pipeline_.path().diagnostics();
   }
-  [[nodiscard]] const lookahead::PlanTotals& totals() const { return pipeline_.totals(); }
+  [[nodiscard]] const PlanTotals& totals() const { return pipeline_.totals(); }
 
  private:
-  void fail_with_check() { failed_ = pipeline_.check().is_broken(); }
+  void fail_with_check() { broken_ = pipeline_.check().is_broken(); }
 
   Pipeline pipeline_;
   MotionQueue queue_;
   interp::Interpolator interpolator_;
   TickJudge judge_;
   std::optional<PlaceOfTool> end_;    // written before the last phase is delivered, read after it
-  std::atomic<bool> failed_ = false;  // nothing more is planned
+  std::atomic<bool> wrong_ = false;   // the program has an error; the same
+  std::atomic<bool> broken_ = false;  // nothing more is planned
   std::int64_t horizon_ticks_;
   Delivery delivery_{queue_};
 };
 
 Kernel::Kernel(const MachineSettings& settings, const KernelOptions& options) {
   if (auto fault = settings_fault(settings, options)) {
-    impl_ = std::make_unique<Impl>(default_machine(), resting_options(options));
-    impl_->refuse(std::move(*fault));
+    auto resting = std::make_unique<Impl>(default_machine(), resting_options(options));
+    resting->refuse(std::move(*fault));
+    impl_ = resting.release();
   } else {
-    impl_ = std::make_unique<Impl>(settings, options);
+    impl_ = new Impl(settings, options);
   }
 }
-Kernel::~Kernel() = default;
-Kernel::Kernel(Kernel&&) noexcept = default;
-Kernel& Kernel::operator=(Kernel&&) noexcept = default;
+Kernel::~Kernel() {
+  delete impl_;
+}
+Kernel::Kernel(Kernel&& other) noexcept : impl_(std::exchange(other.impl_, nullptr)) {}
+Kernel& Kernel::operator=(Kernel&& other) noexcept {
+  std::swap(impl_, other.impl_);
+  return *this;
+}
 
 void Kernel::feed(std::string_view text) {
   impl_->feed(text);
@@ -157,11 +170,11 @@ void Kernel::finish() {
 bool Kernel::plan() {
   return impl_->plan();
 }
-interp::TickStatus Kernel::tick(interp::Setpoint& setpoint) noexcept {
+TickStatus Kernel::tick(Setpoint& setpoint) noexcept {
   return impl_->tick(setpoint);
 }
 
-interp::TickStatus Kernel::next(interp::Setpoint& setpoint) {
+TickStatus Kernel::next(Setpoint& setpoint) {
   return impl_->next(setpoint);
 }
 
@@ -183,8 +196,12 @@ double Kernel::chord_error_mm() const noexcept {
 std::optional<RunFault> Kernel::fault() const {
   return impl_->fault();
 }
-const TickJudge& Kernel::judge() const noexcept {
-  return impl_->judge();
+RunFigures Kernel::figures() const noexcept {
+  const TickJudge& judge = impl_->judge();
+  return {.path = judge.path(),
+          .axes = judge.axes(),
+          .extra = judge.extra_axes(),
+          .chord_error_mm = judge.chord_error_mm()};
 }
 smoothing::PathDeviation Kernel::deviation() const noexcept {
   return impl_->deviation();
@@ -198,7 +215,7 @@ bool Kernel::has_errors() const {
 const std::vector<Diagnostic>& Kernel::diagnostics() const {
   return impl_->diagnostics();
 }
-const lookahead::PlanTotals& Kernel::totals() const {
+const PlanTotals& Kernel::totals() const {
   return impl_->totals();
 }
 

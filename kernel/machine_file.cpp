@@ -1,11 +1,11 @@
-#include "kernel/machine_file.hpp"
-
 #include <cstddef>
 #include <utility>
 
+#include <kerf/machine.hpp>
+
 #include "kernel/machine_file_reader.hpp"
 
-namespace kerf {
+namespace kerf::inline v0 {
 namespace {
 
 constexpr std::size_t kLargestFileBytes = std::size_t{1} << 20;
@@ -36,4 +36,4 @@ tl::expected<MachineSettings, std::vector<SettingsError>> parse_machine_file(
   return MachineFileReader().read(parsed.table());
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline v0

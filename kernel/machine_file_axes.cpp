@@ -1,6 +1,7 @@
 // [axes.a] to [axes.w] of a machine file, and who else may name these axes.
 #include "kernel/machine_file_checks.hpp"
 #include "kernel/machine_file_reader.hpp"
+#include "parser/moves/extra_axes.hpp"
 
 namespace kerf {
 

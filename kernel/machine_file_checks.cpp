@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "kernel/machine_file_text.hpp"
+#include "lookahead/path/limits.hpp"
+#include "machine/table_settings.hpp"
 
 namespace kerf {
 namespace {

@@ -9,8 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include <kerf/machine.hpp>
+
 #include "kernel/machine_file_schema.hpp"
-#include "kernel/settings.hpp"
 
 namespace kerf {
 

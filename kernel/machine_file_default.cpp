@@ -1,7 +1,9 @@
 // The default table. programs/machines/table.toml says the same; a test compares every field.
-#include "kernel/machine_file.hpp"
+#include <kerf/machine.hpp>
 
-namespace kerf {
+#include "machine/table_settings.hpp"
+
+namespace kerf::inline v0 {
 
 MachineSettings default_machine() {
   MachineSettings settings{};
@@ -14,8 +16,8 @@ MachineSettings default_machine() {
     axis.travel = {.min_mm = -500.0, .max_mm = 500.0};
   }
   settings.table.axes[2].travel = {.min_mm = -200.0, .max_mm = 200.0};
-  settings.program = parser::default_machine_data();
+  settings.program = default_program_data();
   return settings;
 }
 
-}  // namespace kerf
+}  // namespace kerf::inline v0

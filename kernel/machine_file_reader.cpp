@@ -7,6 +7,7 @@
 
 #include "kernel/machine_file_checks.hpp"
 #include "kernel/machine_file_text.hpp"
+#include "parser/dialects/dialect.hpp"
 
 namespace kerf {
 

@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/machine_file.hpp"
+#include <kerf/machine.hpp>
+
 #include "kernel/machine_file_schema.hpp"
 
 // Header-only, so that an error is a value: the packaged shared library is built with exceptions.

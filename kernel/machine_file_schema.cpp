@@ -4,6 +4,11 @@
 #include <limits>
 
 #include "kernel/machine_file_text.hpp"
+#include "lookahead/path/limits.hpp"
+#include "machine/table_settings.hpp"
+#include "parser/modal/machine_data.hpp"
+#include "parser/modal/tool_table.hpp"
+#include "parser/modal/touch_box.hpp"
 
 namespace kerf {
 namespace {
@@ -117,7 +122,7 @@ constexpr std::array<std::string_view, 13> kOffsetSections{"g54", "g55",    "g56
 template <std::size_t kAxisOfPoint>
 double& offset(Settings& settings, std::size_t section) {
   parser::MachineData& data = settings.program;
-  constexpr std::size_t kSystems = parser::Coordinates::kSystems;
+  constexpr std::size_t kSystems = kWorkSystems;
   return section < kSystems        ? data.work[section].origin_mm[kAxisOfPoint]
          : section == kSystems     ? data.first_home_mm[kAxisOfPoint]
          : section == kSystems + 1 ? data.second_home_mm[kAxisOfPoint]
@@ -127,7 +132,7 @@ double& offset(Settings& settings, std::size_t section) {
 template <std::size_t kAxisOfExtra>
 double& extra_offset(Settings& settings, std::size_t section) {
   parser::MachineData& data = settings.program;
-  constexpr std::size_t kSystems = parser::Coordinates::kSystems;
+  constexpr std::size_t kSystems = kWorkSystems;
   return section < kSystems    ? data.work[section].extra_deg_mm[kAxisOfExtra]
          : section == kSystems ? data.first_home_extra_deg_mm[kAxisOfExtra]
          : section == kSystems + 1
@@ -228,7 +233,7 @@ std::span<const std::string_view> offset_sections() {
   return kOffsetSections;
 }
 std::span<const NumberRule> offset_rules(std::size_t section) {
-  const bool turns = section < parser::Coordinates::kSystems;
+  const bool turns = section < kWorkSystems;
   return std::span(kOffset).first(turns ? 10 : 9);
 }
 std::span<const NumberRule> program_rules() {

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "kernel/settings.hpp"
+#include <kerf/machine.hpp>
 
 namespace kerf {
 

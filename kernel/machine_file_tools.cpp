@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "kernel/machine_file_reader.hpp"
+#include "parser/modal/tool_table.hpp"
+#include "parser/modal/touch_box.hpp"
 
 namespace kerf {
 

@@ -14,7 +14,7 @@ Pipeline::Pipeline(const Order& order)
       limits_(order.settings.limits),
       path_(order.settings, order.options, order.path),
       planner_({.limits = order.settings.limits,
-                .profile = order.options.profile,
+                .profile = profiles::Profile(order.options.profile),
                 .window_blocks = order.options.window_blocks,
                 .longest_cruise_s = order.longest_cruise_s}) {}
 

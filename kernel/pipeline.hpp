@@ -49,7 +49,7 @@ class Pipeline {
   // All of the program is read and on its way, or it was stopped.
   [[nodiscard]] bool is_finished() const noexcept { return finished_; }
   [[nodiscard]] const ProgramPath& path() const noexcept { return path_; }
-  [[nodiscard]] const lookahead::PlanTotals& totals() const noexcept { return planner_.totals(); }
+  [[nodiscard]] const PlanTotals& totals() const noexcept { return planner_.totals(); }
   [[nodiscard]] const PlanCheck& check() const noexcept { return check_; }
   // The program is read and no plan of its end came.
   void fail_without_plan(std::uint32_t line);

@@ -5,11 +5,12 @@
 #include <optional>
 #include <string>
 
-#include "kernel/run_fault.hpp"
+#include <kerf/report.hpp>
+
 #include "lookahead/emit/emitter.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/window.hpp"
-#include "smoothing/path_deviation.hpp"
+#include "smoothing/path_deviations.hpp"
 
 namespace kerf {
 

@@ -6,6 +6,7 @@
 
 #include "diagnostics/errors/machine.hpp"
 #include "kernel/reader_options.hpp"
+#include "kernel/tick_judge.hpp"
 #include "machine/envelope.hpp"
 #include "parser/moves/short_moves.hpp"
 

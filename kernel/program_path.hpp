@@ -7,8 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "kernel/kernel.hpp"
+#include <kerf/kernel.hpp>
+
 #include "kernel/pipeline_observer.hpp"
+#include "kernel/tick_judge.hpp"
 #include "kernel/travel_check.hpp"
 #include "parser/program_reader.hpp"
 #include "smoothing/smoother.hpp"

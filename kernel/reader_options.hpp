@@ -1,8 +1,9 @@
 // How the program is read, said once: the check, the plan and the run must read the same program.
 #pragma once
 
-#include "kernel/kernel.hpp"
-#include "kernel/settings.hpp"
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
+
 #include "parser/flow/reader_options.hpp"
 
 namespace kerf {

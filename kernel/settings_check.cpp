@@ -10,6 +10,9 @@
 #include "kernel/machine_file_checks.hpp"
 #include "kernel/machine_file_schema.hpp"
 #include "kernel/machine_file_text.hpp"
+#include "lookahead/path/limits.hpp"
+#include "parser/modal/tool_table.hpp"
+#include "parser/modal/touch_box.hpp"
 #include "profiles/sigmoid.hpp"
 
 namespace kerf {
@@ -193,7 +196,7 @@ Result check_options(const KernelOptions& options) {
   using profiles::Sigmoid;
   const NumberRule shape{"profile.sigmoid_shape", Sigmoid::kSmallestShape, Sigmoid::kLargestShape,
                          nullptr};
-  return check_option(shape, options.profile.sigmoid_shape().value_or(shape.min))
+  return check_option(shape, options.profile.sigmoid_shape.value_or(shape.min))
       .and_then([&] {
         return check_option({"window_blocks", 2, double{kMaxWindowBlocks}, nullptr},
                             static_cast<double>(options.window_blocks));
@@ -211,6 +214,8 @@ tl::expected<void, SettingsError> without_page(const Result& result) {
 
 }  // namespace
 
+inline namespace v0 {
+
 tl::expected<void, SettingsError> validate(const MachineSettings& settings) {
   return without_page(check_machine(settings));
 }
@@ -218,6 +223,8 @@ tl::expected<void, SettingsError> validate(const MachineSettings& settings) {
 tl::expected<void, SettingsError> validate(const KernelOptions& options) {
   return without_page(check_options(options));
 }
+
+}  // namespace v0
 
 std::optional<diagnostics::Diagnostic> settings_fault(const MachineSettings& settings,
                                                       const KernelOptions& options) {

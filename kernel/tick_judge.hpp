@@ -5,20 +5,14 @@
 #include <cstdint>
 #include <optional>
 
+#include <kerf/report.hpp>
+
 #include "curves/auxiliary_axis_motion.hpp"
 #include "curves/position.hpp"
 #include "interp/setpoint.hpp"
-#include "kernel/run_fault.hpp"
 #include "lookahead/path/limits.hpp"
 
 namespace kerf {
-
-// Largest figures of velocity, acceleration and jerk.
-struct Peaks {
-  double v_mm_s = 0.0;
-  double a_mm_s2 = 0.0;
-  double j_mm_s3 = 0.0;
-};
 
 // A figure of one tick that is above what it may be.
 struct TickExcess {

@@ -4,7 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "kernel/settings.hpp"
+#include <kerf/machine.hpp>
+
 #include "machine/envelope.hpp"
 #include "parser/moves/move.hpp"
 #include "smoothing/path_segment.hpp"

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "curves/auxiliary_axis_motion.hpp"
 #include "curves/position.hpp"
 #include "machine/table_settings.hpp"
 

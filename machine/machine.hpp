@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "curves/auxiliary_axis_motion.hpp"
+#include "interp/outputs.hpp"
 #include "interp/setpoint.hpp"
 
 namespace kerf::machine {

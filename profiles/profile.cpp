@@ -1,7 +1,6 @@
 #include "profiles/profile.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -12,9 +11,6 @@ namespace kerf::profiles {
 namespace {
 
 constexpr Peaks kTrapezoidPeaks{.acceleration = 1.0, .jerk = 0.0};
-
-constexpr std::array<std::string_view, 7> kNames{"trapezoid",   "s-curve", "sine",        "quintic",
-                                                 "sine-series", "sigmoid", "time-optimal"};
 
 // The largest value in [floor, candidate], or a few units in the last place below it, for which
 // `fits` holds; it holds for floor, and the candidate misses by rounding at most.
@@ -37,18 +33,6 @@ bool knows_no_jerk(ProfileKind kind, const RampLimits& limits) {
 }
 
 }  // namespace
-
-std::string_view name_of(ProfileKind kind) {
-  return kNames[static_cast<std::size_t>(kind)];
-}
-
-std::optional<ProfileKind> profile_kind(std::string_view name) {
-  const auto* const found = std::find(kNames.begin(), kNames.end(), name);
-  if (found == kNames.end()) {
-    return std::nullopt;
-  }
-  return static_cast<ProfileKind>(found - kNames.begin());
-}
 
 Profile::Profile(ProfileKind kind, std::optional<double> sigmoid_shape)
     : kind_(kind), sigmoid_shape_(sigmoid_shape) {}

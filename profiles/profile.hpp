@@ -2,33 +2,19 @@
 // that two transitions leave room for.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string_view>
+
+#include <kerf/profile.hpp>
 
 #include "profiles/reach.hpp"
 #include "profiles/transition.hpp"
 
 namespace kerf::profiles {
 
-// time_optimal is a law of whole paths, which the look-ahead finds; of a single change of feedrate
-// it is the S-curve.
-enum class ProfileKind : std::uint8_t {
-  trapezoid,
-  s_curve,
-  sine,
-  quintic,
-  sine_series,
-  sigmoid,
-  time_optimal,
-};
-
-inline constexpr ProfileKind kDefaultProfile = ProfileKind::time_optimal;
-
-// "trapezoid", "s-curve", "sine", "quintic", "sine-series", "sigmoid", "time-optimal".
-std::string_view name_of(ProfileKind kind);
-// Empty for any other name; case matters.
-std::optional<ProfileKind> profile_kind(std::string_view name);
+using kerf::kDefaultProfile;
+using kerf::name_of;
+using kerf::profile_kind;
+using kerf::ProfileKind;
 
 // A block as two transitions with a cruise between them see it.
 struct Room {
@@ -41,6 +27,11 @@ class Profile {
   // sigmoid_shape fixes s of the sigmoid, within Sigmoid's domain (clamped to it); without it s is
   // chosen for each transition. The other laws ignore it.
   explicit Profile(ProfileKind kind, std::optional<double> sigmoid_shape = std::nullopt);
+
+  explicit Profile(const ProfileChoice& choice) : Profile(choice.kind, choice.sigmoid_shape) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): a profile says its choice wherever one is asked
+  // for
+  operator ProfileChoice() const { return {.kind = kind_, .sigmoid_shape = sigmoid_shape_}; }
 
   [[nodiscard]] ProfileKind kind() const noexcept { return kind_; }
   [[nodiscard]] std::optional<double> sigmoid_shape() const noexcept { return sigmoid_shape_; }

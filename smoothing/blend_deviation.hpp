@@ -2,7 +2,7 @@
 #pragma once
 
 #include "smoothing/blend.hpp"
-#include "smoothing/path_deviation.hpp"
+#include "smoothing/path_deviations.hpp"
 
 namespace kerf::smoothing {
 

@@ -6,7 +6,7 @@
 
 #include "curves/curve.hpp"
 #include "smoothing/blend.hpp"
-#include "smoothing/path_deviation.hpp"
+#include "smoothing/path_deviations.hpp"
 #include "smoothing/path_segment.hpp"
 
 namespace kerf::smoothing {

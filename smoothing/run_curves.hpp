@@ -8,7 +8,7 @@
 
 #include "curves/curve.hpp"
 #include "parser/moves/move.hpp"
-#include "smoothing/path_deviation.hpp"
+#include "smoothing/path_deviations.hpp"
 #include "smoothing/path_segment.hpp"
 #include "smoothing/polyline.hpp"
 #include "smoothing/run_fit.hpp"

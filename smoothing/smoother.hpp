@@ -9,7 +9,7 @@
 #include "parser/moves/move.hpp"
 #include "smoothing/blender.hpp"
 #include "smoothing/compressor.hpp"
-#include "smoothing/path_deviation.hpp"
+#include "smoothing/path_deviations.hpp"
 #include "smoothing/path_error.hpp"
 #include "smoothing/path_segment.hpp"
 

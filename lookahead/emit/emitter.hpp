@@ -5,10 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include <kerf/report.hpp>
+
 #include "interp/motion.hpp"
 #include "interp/outputs.hpp"
 #include "lookahead/emit/plan_clock.hpp"
-#include "lookahead/emit/plan_degradation.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/window.hpp"
 #include "profiles/time_law.hpp"
@@ -32,13 +33,9 @@ struct Outbox {
 };
 
 // Of what was emitted.
-struct PlanTotals {
-  std::uint64_t blocks = 0;
-  std::uint64_t segments = 0;
-  double path_length_mm = 0.0;
-  std::int64_t ticks = 0;
-  PlanDegradations degradations{};
-};
+using kerf::PlanDegradation;
+using kerf::PlanDegradations;
+using kerf::PlanTotals;
 
 struct Rest {
   double duration_s = 0.0;

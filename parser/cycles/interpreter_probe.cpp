@@ -4,6 +4,7 @@
 
 #include "diagnostics/errors/probing.hpp"
 #include "parser/interpreter/interpreter.hpp"
+#include "parser/modal/touch_box.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {

@@ -1,13 +1,10 @@
 // Which control's language a program is written in.
 #pragma once
 
-#include <cstdint>
+#include <kerf/program_data.hpp>
 
 namespace kerf::parser {
 
-enum class Dialect : std::uint8_t {
-  rs274,  // RS274/NGC as LinuxCNC reads it
-  fanuc,  // program numbers, custom macro B, Fanuc's meaning of shared codes
-};
+using kerf::Dialect;
 
 }  // namespace kerf::parser

@@ -8,13 +8,14 @@
 #include <string_view>
 #include <vector>
 
+#include <kerf/program_data.hpp>
+
 #include "parser/dialects/dialect.hpp"
 #include "parser/flow/labels.hpp"
 #include "parser/flow/sequence_numbers.hpp"
 #include "parser/flow/statement.hpp"
 #include "parser/flow/structure.hpp"
 #include "parser/flow/text_store.hpp"
-#include "parser/text/block_delete.hpp"
 #include "parser/text/line_splitter.hpp"
 
 namespace kerf::parser {

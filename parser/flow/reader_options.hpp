@@ -9,21 +9,17 @@
 #include <string>
 #include <string_view>
 
+#include <kerf/program_data.hpp>
+
 #include "parser/dialects/dialect.hpp"
 #include "parser/modal/machine_data.hpp"
 #include "parser/moves/move.hpp"
-#include "parser/text/block_delete.hpp"
 
 namespace kerf::parser {
 
-struct SubprogramText {
-  std::string file;  // its name, for messages
-  std::string text;
-  std::string refused{};  // why it is not read; empty: it is
-};
-// The whole text of a subprogram that is not in the program itself, by its name in lower case
-// ("pocket" of `o<Pocket> call`, "1000" of M98 P1000); nothing where there is none.
-using SubprogramSource = std::function<std::optional<SubprogramText>(std::string_view name)>;
+using kerf::BlockDelete;
+using kerf::SubprogramSource;
+using kerf::SubprogramText;
 
 struct ReaderOptions {
   Point start_mm{};                                     // where the tool is when the program starts

@@ -10,12 +10,7 @@
 
 namespace kerf::parser {
 
-// The origin of a work coordinate system and its turn about Z through that origin.
-struct WorkOffset {
-  Point origin_mm{};          // in machine coordinates
-  double rotation_deg = 0.0;  // counterclockwise, as G10 L2 R gives it
-  ExtraWords extra_deg_mm{};  // the origin of the extra axes
-};
+using kerf::WorkOffset;
 
 // G51: distances from the centre are taken times the factors; a negative one mirrors.
 struct Scaling {
@@ -52,7 +47,8 @@ struct Mirror {
 // not. As long as all of it is zero `plain()` says so, and nobody needs to compute anything.
 class Coordinates {
  public:
-  static constexpr std::size_t kSystems = 9;     // 0: G54 ... 5: G59, 6: G59.1, 7: G59.2, 8: G59.3
+  static constexpr std::size_t kSystems =
+      kWorkSystems;                              // 0: G54 ... 5: G59, 6: G59.1, 7: G59.2, 8: G59.3
   static constexpr std::size_t kExtended = 300;  // behind these: G54.1 P1 ... P300
 
   [[nodiscard]] bool plain() const { return plain_; }

@@ -1,10 +1,10 @@
-#include "parser/modal/machine_data.hpp"
+#include <kerf/program_data.hpp>
 
-namespace kerf::parser {
+namespace kerf::inline v0 {
 
-MachineData default_machine_data() {
+ProgramData default_program_data() {
   constexpr std::int32_t kPlaces = 60;
-  MachineData data;
+  ProgramData data;
   data.tools.set_given();
   for (std::int32_t number = 1; number <= kPlaces; ++number) {
     data.tools.put({.number = number, .pocket = number});
@@ -17,4 +17,4 @@ MachineData default_machine_data() {
   return data;
 }
 
-}  // namespace kerf::parser
+}  // namespace kerf::inline v0

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace kerf::parser {
+namespace kerf::inline v0 {
 
 namespace {
 
@@ -32,4 +32,4 @@ void ToolTable::put(const Tool& tool) {
   }
 }
 
-}  // namespace kerf::parser
+}  // namespace kerf::inline v0

@@ -127,13 +127,17 @@ tl::expected<void, Mistake> read_line(std::string_view text, ToolTable& table) {
 
 }  // namespace
 
+}  // namespace kerf::parser
+
+namespace kerf::inline v0 {
+
 tl::expected<ToolTable, std::vector<ToolTableError>> read_tool_table(std::string_view text) {
   ToolTable table;
   table.set_given();
   std::vector<ToolTableError> errors;
   for (std::uint32_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    if (const auto read = read_line(text.substr(0, end), table); !read) {
+    if (const auto read = parser::read_line(text.substr(0, end), table); !read) {
       errors.push_back(
           {number, static_cast<std::uint32_t>(read.error().offset) + 1, read.error().message});
     }
@@ -145,4 +149,4 @@ tl::expected<ToolTable, std::vector<ToolTableError>> read_tool_table(std::string
   return table;
 }
 
-}  // namespace kerf::parser
+}  // namespace kerf::inline v0

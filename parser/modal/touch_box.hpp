@@ -1,21 +1,13 @@
 // What a probe touches on a simulated table.
 #pragma once
 
-#include <limits>
 #include <optional>
 
 #include "parser/moves/move.hpp"
 
 namespace kerf::parser {
 
-// A block with faces along the axes, in machine coordinates; without bounds in some directions it
-// is a table (z_max alone) or a wall. The controlled point touches it: with G43 the tool's tip.
-struct TouchBox {
-  static constexpr double kFar_mm = std::numeric_limits<double>::infinity();
-
-  Point min_mm{-kFar_mm, -kFar_mm, -kFar_mm};
-  Point max_mm{kFar_mm, kFar_mm, kFar_mm};  // no component below that of min_mm
-};
+using kerf::TouchBox;
 
 // The point is in the block or on its face, but for rounding.
 bool touches(const TouchBox& box, const Point& tip_mm);

@@ -18,8 +18,7 @@ constexpr bool turns(std::size_t extra_axis) {
   return extra_axis < 3;
 }
 
-// As a program has them: A, B, C in degrees, U, V, W in mm.
-using ExtraWords = std::array<double, kExtraAxes>;
+using ExtraWords = AuxiliaryWords;
 
 // What is shorter than these is what rounding left of no way (short_moves.hpp).
 inline constexpr double kShortestWay_mm = 1e-10;

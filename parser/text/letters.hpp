@@ -1,15 +1,13 @@
 // Sets of address letters.
 #pragma once
 
-#include <cstdint>
+#include <kerf/program_data.hpp>
 
 namespace kerf::parser {
 
-// Letters as a set, one bit each.
-using Letters = std::uint32_t;
-constexpr Letters letter_bit(char upper_case) {
-  return Letters{1} << (upper_case - 'A');
-}
+using kerf::letter_bit;
+using kerf::Letters;
+
 template <class... Char>
 constexpr Letters letters(Char... upper_case) {
   return (letter_bit(upper_case) | ...);

@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include <kerf/program_data.hpp>
+
 #include "parser/dialects/dialect.hpp"
-#include "parser/text/block_delete.hpp"
+#include "parser/flow/reader_options.hpp"
 #include "profiles/profile.hpp"
 #include "programs/kerf/speed_question.hpp"
 

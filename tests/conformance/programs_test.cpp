@@ -101,7 +101,7 @@ TEST_P(RealProgramFile, RunsOrIsRefusedForTheReasonGiven) {
   }
   parser::ReaderOptions options;
   options.dialect = wanted.dialect == "fanuc" ? parser::Dialect::fanuc : parser::Dialect::rs274;
-  options.machine = parser::default_machine_data();
+  options.machine = parser::default_program_data();
   ProgramReader reader(options);
   const Diagnostic* const error = first_error(reader, read_file(path));
   const std::string said = error == nullptr ? "nothing" : to_string(*error, wanted.file);

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <kerf/check.hpp>
 
 #include "diagnostics/diagnostic.hpp"
-#include "kernel/check.hpp"
 #include "parser/program_reader.hpp"
 
 namespace kerf::faults {

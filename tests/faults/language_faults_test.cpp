@@ -6,10 +6,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <kerf/check.hpp>
+#include <kerf/machine.hpp>
 
 #include "diagnostics/errors/machine.hpp"
-#include "kernel/check.hpp"
-#include "kernel/machine_file.hpp"
 #include "parser/program_reader.hpp"
 #include "programs/kerf/io/program_file.hpp"
 #include "programs/kerf/io/subprogram_folder.hpp"

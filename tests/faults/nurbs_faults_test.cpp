@@ -4,10 +4,11 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
 
 #include "curves/nurbs_curve.hpp"
-#include "kernel/kernel.hpp"
-#include "kernel/machine_file.hpp"
+#include "interp/setpoint.hpp"
 #include "parser/curves/curve_block.hpp"
 #include "tests/faults/checked.hpp"
 

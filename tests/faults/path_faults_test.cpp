@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <kerf/kerf.hpp>
 
-#include "kernel/kerf.hpp"
 #include "tests/faults/checked.hpp"
 #include "tests/kernel/tick_checker.hpp"
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <kerf/kerf.hpp>
 
 #include "diagnostics/errors/machine.hpp"
 #include "diagnostics/errors/motion.hpp"
-#include "kernel/kerf.hpp"
 #include "parser/program_reader.hpp"
 
 namespace kerf::faults {

@@ -1,6 +1,4 @@
 // A look at a program before anything moves.
-#include "kernel/check.hpp"
-
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -8,9 +6,12 @@
 #include <utility>
 
 #include <gtest/gtest.h>
+#include <kerf/check.hpp>
+#include <kerf/machine.hpp>
 
 #include "diagnostics/errors/machine.hpp"
-#include "kernel/machine_file.hpp"
+#include "parser/dialects/dialect.hpp"
+#include "parser/flow/reader_options.hpp"
 #include "tests/kernel/shipped_text.hpp"
 
 namespace kerf::test {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "profiles/profile.hpp"
 #include "tests/kernel/run.hpp"
 
 namespace kerf::test {

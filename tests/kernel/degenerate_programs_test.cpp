@@ -6,9 +6,9 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
 
-#include "kernel/kernel.hpp"
-#include "kernel/machine_file.hpp"
 #include "tests/kernel/degenerate_program.hpp"
 #include "tests/kernel/judged_run.hpp"
 #include "tests/kernel/random_machine.hpp"

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <kerf/check.hpp>
+#include <kerf/kernel.hpp>
 
 #include "diagnostics/errors/machine.hpp"
-#include "kernel/check.hpp"
-#include "kernel/kernel.hpp"
 #include "machine/simulated_table.hpp"
 #include "tests/kernel/run.hpp"
 #include "tests/kernel/tick_checker.hpp"

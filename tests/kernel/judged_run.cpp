@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "kernel/kernel.hpp"
+#include <kerf/kernel.hpp>
+
 #include "tests/kernel/chord_checker.hpp"
 
 namespace kerf::test {

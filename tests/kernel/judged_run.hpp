@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <string>
 
+#include <kerf/machine.hpp>
+
 #include "interp/setpoint.hpp"
-#include "kernel/settings.hpp"
 #include "profiles/profile.hpp"
 #include "tests/kernel/random_program.hpp"
 #include "tests/kernel/tick_checker.hpp"

@@ -1,14 +1,14 @@
 // The kernel from text to ticks: pieces of text, repetition, errors, starvation, stops.
-#include "kernel/kernel.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include <gtest/gtest.h>
+#include <kerf/check.hpp>
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
 
-#include "kernel/check.hpp"
-#include "kernel/machine_file.hpp"
+#include "profiles/profile.hpp"
 #include "tests/kernel/run.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"

@@ -4,9 +4,10 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
 
-#include "kernel/kernel.hpp"
-#include "kernel/machine_file.hpp"
+#include "interp/setpoint.hpp"
 #include "kernel/reader_options.hpp"
 #include "parser/program_reader.hpp"
 #include "smoothing/segment_builder.hpp"

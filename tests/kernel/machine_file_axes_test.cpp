@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <kerf/machine.hpp>
 
-#include "kernel/machine_file.hpp"
 #include "tests/kernel/machine_file_helpers.hpp"
 
 namespace kerf::test {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <kerf/machine.hpp>
 
-#include "kernel/machine_file.hpp"
 #include "kernel/machine_file_schema.hpp"
 #include "kernel/machine_file_text.hpp"
 #include "tests/kernel/machine_file_helpers.hpp"

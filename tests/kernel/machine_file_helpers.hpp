@@ -7,8 +7,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#include "kernel/machine_file.hpp"
+#include <kerf/machine.hpp>
 
 namespace kerf::test {
 

@@ -1,14 +1,17 @@
 // What a machine file says, where it goes, and the files that are shipped.
-#include "kernel/machine_file.hpp"
-
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
+#include <kerf/machine.hpp>
 
 #include "kernel/machine_file_schema.hpp"
+#include "lookahead/path/limits.hpp"
+#include "machine/table_settings.hpp"
+#include "parser/dialects/dialect.hpp"
+#include "parser/modal/machine_data.hpp"
 #include "tests/kernel/machine_file_helpers.hpp"
 
 namespace {

@@ -3,12 +3,13 @@
 #include <array>
 
 #include <gtest/gtest.h>
+#include <kerf/check.hpp>
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
 
+#include "diagnostics/diagnostic.hpp"
 #include "diagnostics/errors/catalogue.hpp"
 #include "diagnostics/errors/machine.hpp"
-#include "kernel/check.hpp"
-#include "kernel/kernel.hpp"
-#include "kernel/machine_file.hpp"
 
 namespace kerf::test {
 namespace {

@@ -6,10 +6,11 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
 
-#include "kernel/kernel.hpp"
-#include "kernel/machine_file.hpp"
 #include "machine/simulated_table.hpp"
+#include "profiles/profile.hpp"
 
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "smoothing/path_deviations.hpp"
 #include "tests/kernel/run.hpp"
 
 namespace kerf::test {

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lookahead/path/limits.hpp"
+#include "parser/text/letters.hpp"
+
 namespace kerf::test {
 
 MachineSettings random_machine(std::uint64_t seed, Spread spread) {

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "kernel/settings.hpp"
+#include <kerf/machine.hpp>
 
 namespace kerf::test {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
 
-#include "kernel/kernel.hpp"
 #include "tests/kernel/judged_run.hpp"
 #include "tests/kernel/random_machine.hpp"
 #include "tests/kernel/smoothing_program.hpp"

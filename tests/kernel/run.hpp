@@ -6,8 +6,9 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
 
-#include "kernel/kernel.hpp"
+#include "interp/setpoint.hpp"
 #include "tests/kernel/shipped_text.hpp"
 
 namespace kerf::test {
@@ -25,7 +26,7 @@ inline std::vector<Setpoint> rest_of(Kernel& kernel) {
     status = kernel.next(setpoint);
     ticks.push_back(setpoint);
   }
-  EXPECT_EQ(status, TickStatus::finished);
+  EXPECT_EQ(status, kernel.has_errors() ? TickStatus::failed : TickStatus::finished);
   EXPECT_FALSE(kernel.fault()) << kernel.fault()->what;
   return ticks;
 }

@@ -9,11 +9,16 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <kerf/check.hpp>
+#include <kerf/machine.hpp>
 
+#include "curves/position.hpp"
 #include "diagnostics/errors/machine.hpp"
-#include "kernel/check.hpp"
-#include "kernel/machine_file.hpp"
+#include "interp/setpoint.hpp"
 #include "kernel/machine_file_schema.hpp"
+#include "lookahead/path/limits.hpp"
+#include "parser/moves/extra_axes.hpp"
+#include "profiles/profile.hpp"
 
 namespace kerf::test {
 namespace {
@@ -76,7 +81,7 @@ void expect_refused(const MachineSettings& settings, const KernelOptions& option
   kernel.feed(kProgram);
   kernel.finish();
   interp::Setpoint setpoint;
-  EXPECT_EQ(kernel.next(setpoint), interp::TickStatus::finished);
+  EXPECT_EQ(kernel.next(setpoint), interp::TickStatus::failed);
   EXPECT_EQ(setpoint.v_mm_s, 0.0);
   EXPECT_TRUE(kernel.has_errors());
   bool given = false;
@@ -229,7 +234,7 @@ TEST(SettingsCheck, LeavesTheToolWhereItIsWhereTheMachineIsImpossible) {
   kernel.feed("G1 X10 F600\nM2\n");
   kernel.finish();
   interp::Setpoint setpoint;
-  EXPECT_EQ(kernel.next(setpoint), interp::TickStatus::finished);
+  EXPECT_EQ(kernel.next(setpoint), interp::TickStatus::failed);
   EXPECT_EQ(setpoint.position_mm, (curves::Position{1.0, 2.0, 3.0}));
 }
 

@@ -6,9 +6,10 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
 
-#include "kernel/kernel.hpp"
-#include "kernel/machine_file.hpp"
+#include "profiles/profile.hpp"
 #include "tests/kernel/tick_checker.hpp"
 
 namespace kerf::test {

@@ -5,7 +5,9 @@
 #include <sstream>
 #include <string>
 
-#include "kernel/kernel.hpp"
+#include <kerf/kernel.hpp>
+
+#include "lookahead/path/limits.hpp"
 
 namespace kerf::test {
 

@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
 
-#include "kernel/kernel.hpp"
 #include "tests/kernel/judged_run.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"
@@ -22,7 +22,7 @@ struct Outcome {
   std::string complaint;
   interp::Setpoint last{};
   std::int64_t ticks = 0;
-  lookahead::PlanDegradations degradations{};
+  PlanDegradations degradations{};
 };
 
 struct Feed {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "profiles/profile.hpp"
 #include "tests/kernel/random_program.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"

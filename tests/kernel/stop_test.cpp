@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
 
-#include "kernel/kernel.hpp"
+#include "profiles/profile.hpp"
 #include "tests/kernel/run.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"

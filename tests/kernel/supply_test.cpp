@@ -2,8 +2,8 @@
 #include <string>
 
 #include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
 
-#include "kernel/kernel.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "curves/nurbs_curve.hpp"
+#include "lookahead/path/limits.hpp"
 #include "lookahead/path/velocity_limit_curve.hpp"
 
 namespace kerf::lookahead::test {

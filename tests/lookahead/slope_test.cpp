@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lookahead/path/limits.hpp"
+
 namespace kerf::lookahead::test {
 namespace {
 

@@ -58,7 +58,7 @@ TEST_P(BadInputFile, GetsTheVerdictOnTheRightLine) {
   const BadInput& wanted = GetParam();
   ReaderOptions options;
   options.dialect = wanted.dialect;
-  options.machine = default_machine_data();
+  options.machine = default_program_data();
   const Program program = read_program(read_file(folder() / wanted.file), options);
   EXPECT_TRUE(program.at_end);
   const diagnostics::Diagnostic* const error = first_of(program, diagnostics::Severity::error);

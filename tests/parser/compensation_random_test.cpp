@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "contour.hpp"
+#include "diagnostics/diagnostic.hpp"
 #include "diagnostics/errors/compensation.hpp"
 #include "diagnostics/errors/gouges.hpp"
 

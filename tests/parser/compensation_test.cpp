@@ -11,7 +11,7 @@ constexpr const char* kOn = "G41.1 D10 G1 F600 X20\nX50\n";
 
 Program read_with_tools(const std::string& text, Dialect dialect = Dialect::rs274) {
   ReaderOptions options;
-  options.machine = default_machine_data();
+  options.machine = default_program_data();
   options.dialect = dialect;
   return read_program(text, options);
 }

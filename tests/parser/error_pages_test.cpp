@@ -50,7 +50,7 @@ class ErrorPageTrigger : public testing::TestWithParam<const diagnostics::ErrorP
 
 TEST_P(ErrorPageTrigger, GivesThisVeryPageFirst) {
   const diagnostics::ErrorPage& page = *GetParam();
-  MachineData machine = default_machine_data();
+  MachineData machine = default_program_data();
   machine.extra_axes = &page == &errors::kExtraAxisHere ? letters('A') : 0;
   const auto linked = [](std::string_view name) {
     const SubprogramText refused{.file = "linked.ngc", .text = {}, .refused = "it is a link"};

@@ -12,7 +12,7 @@ namespace {
 constexpr double kDegree = 3.14159265358979323846 / 180.0;
 
 ReaderOptions with_axes(Letters axes, Dialect dialect = Dialect::rs274) {
-  ReaderOptions options{.dialect = dialect, .machine = default_machine_data()};
+  ReaderOptions options{.dialect = dialect, .machine = default_program_data()};
   options.machine.extra_axes = axes;
   return options;
 }

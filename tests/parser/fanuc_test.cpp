@@ -11,7 +11,7 @@ using Lines = std::vector<std::string>;
 Lines run(const std::string& text, double least_increment_mm = 0.0) {
   ReaderOptions options;
   options.dialect = Dialect::fanuc;
-  options.machine = default_machine_data();
+  options.machine = default_program_data();
   options.machine.second_home_mm = {1, 2, 3};
   options.machine.further_homes[0].mm = {4, 5, 6};
   options.machine.further_homes[1].mm = {7, 8, 9};

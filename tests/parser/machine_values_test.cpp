@@ -28,7 +28,7 @@ class MachineValuesOf : public testing::Test {
   std::uint32_t line_ = 0;
   Parameters parameters_;
   Evaluator evaluator_{parameters_};
-  Interpreter interpreter_{{}, diagnostics_, default_machine_data()};
+  Interpreter interpreter_{{}, diagnostics_, default_program_data()};
 };
 
 TEST_F(MachineValuesOf, TheStartAreThoseOfLinuxCNC) {
@@ -151,7 +151,7 @@ TEST_F(MachineValuesOf, AWaitInVainLeavesMinusOne) {
 
 TEST(FanucVariables, ShowOffsetsPositionsAndModes) {
   diagnostics::DiagnosticList diagnostics(10);
-  Interpreter interpreter({}, diagnostics, default_machine_data(), Dialect::fanuc);
+  Interpreter interpreter({}, diagnostics, default_program_data(), Dialect::fanuc);
   Parameters parameters(Dialect::fanuc);
   Evaluator evaluator(parameters);
   std::uint32_t line = 0;

@@ -10,7 +10,7 @@ namespace {
 // The ends of all straight moves, machine coordinates rounded to 0.1 um as rs274 prints them.
 std::vector<std::string> ends_of(std::string_view text) {
   const Program program =
-      read_program(std::string(text) + "\nM2\n", {.machine = default_machine_data()});
+      read_program(std::string(text) + "\nM2\n", {.machine = default_program_data()});
   std::vector<std::string> ends;
   for (const diagnostics::Diagnostic& diagnostic : program.diagnostics) {
     ends.push_back(message_line(diagnostic, "program"));
@@ -29,7 +29,7 @@ std::vector<std::string> ends_of(std::string_view text) {
 
 std::string first_message_with_table(std::string_view text) {
   const Program program =
-      read_program(std::string(text) + "\nM2\n", {.machine = default_machine_data()});
+      read_program(std::string(text) + "\nM2\n", {.machine = default_program_data()});
   return program.diagnostics.empty() ? "no message"
                                      : message_line(program.diagnostics.front(), "").substr(1);
 }

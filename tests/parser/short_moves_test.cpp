@@ -103,7 +103,7 @@ TEST(ShortMoves, AreNoMovesOfAProgramHoweverTheyCome) {
         "G0 X[1/10**11] Y[1/10**12]", "F100 G2 I[1/10**15]", "F100 G2 X[1/10**11] I[1/10**3]",
         "G10 L2 P1 X[1/10**11]\nG1 F100 X0", "X4\nG10 L2 P1 R[1/10**10]\nX4",
         "F100\no1 repeat [3]\nG91 G1 X0.1\no1 endrepeat\nX-0.3\nX0.5"}) {
-    ReaderOptions options{.machine = default_machine_data()};
+    ReaderOptions options{.machine = default_program_data()};
     for (const Move& move :
          read_program(std::string("G1 F100\n") + text + "\nM2\n", options).moves) {
       EXPECT_TRUE(end_mm(move) == nullptr || way_mm(move) >= kShortestWay_mm) << text;
@@ -112,7 +112,7 @@ TEST(ShortMoves, AreNoMovesOfAProgramHoweverTheyCome) {
 }
 
 TEST(ShortMoves, OfAnExtraAxisBesideALongTurnDoNotSayHowLongItIs) {
-  ReaderOptions options{.machine = default_machine_data()};
+  ReaderOptions options{.machine = default_program_data()};
   options.machine.extra_axes = letters('A', 'U');
   const Program program = read_program("G1 F360 A90 U[1/10**12]\nM2\n", options);
   ASSERT_FALSE(program.has_errors);
@@ -122,7 +122,7 @@ TEST(ShortMoves, OfAnExtraAxisBesideALongTurnDoNotSayHowLongItIs) {
 }
 
 TEST(ShortMoves, OfATurningAxisCountInDegrees) {
-  ReaderOptions options{.machine = default_machine_data()};
+  ReaderOptions options{.machine = default_program_data()};
   options.machine.extra_axes = letters('A');
   EXPECT_EQ(read_program("G1 F360 A[3.384/10**9]\nM2\n", options).moves.size(), 2U);
   EXPECT_EQ(read_program("G1 F360 A[9/10**11]\nM2\n", options).moves.size(), 1U);
@@ -130,7 +130,7 @@ TEST(ShortMoves, OfATurningAxisCountInDegrees) {
 
 TEST(ShortMoves, DoNotKeepAnEndlessLoopAlive) {
   const Program program = read_program("G1 F100\no1 while [1]\nX[1/10**12]\nX0\no1 endwhile\nM2\n",
-                                       {.machine = default_machine_data()});
+                                       {.machine = default_program_data()});
   EXPECT_TRUE(program.has_errors);
 }
 

@@ -125,11 +125,11 @@ TEST(LimitUse, SaysByHowMuchALimitIsExceeded) {
 }
 
 TEST(Summary, SaysWhereTheTimeOptimumWasNotFound) {
-  lookahead::PlanDegradations degradations;
+  PlanDegradations degradations;
   EXPECT_TRUE(describe(degradations).empty());
-  degradations.add({.line = 7, .s_mm = 1.5, .kind = lookahead::PlanDegradation::Kind::stop});
+  degradations.add({.line = 7, .s_mm = 1.5, .kind = PlanDegradation::Kind::stop});
   for (int i = 0; i < 9; ++i) {
-    degradations.add({.line = 9, .s_mm = 2.0, .kind = lookahead::PlanDegradation::Kind::slower});
+    degradations.add({.line = 9, .s_mm = 2.0, .kind = PlanDegradation::Kind::slower});
   }
   const std::vector<std::string> warnings = describe(degradations);
   ASSERT_EQ(warnings.size(), 9U);
@@ -143,8 +143,8 @@ TEST(Summary, SaysWhereTheTimeOptimumWasNotFound) {
 }
 
 TEST(Summary, SaysWhereThePlanOfTheSCurveStandsIn) {
-  lookahead::PlanDegradations degradations;
-  degradations.add({.line = 4, .s_mm = 0.0, .kind = lookahead::PlanDegradation::Kind::classical});
+  PlanDegradations degradations;
+  degradations.add({.line = 4, .s_mm = 0.0, .kind = PlanDegradation::Kind::classical});
   EXPECT_EQ(describe(degradations).front(),
             "the time optimum was not found within its budget on line 4: the motion follows the "
             "s-curve's plan from 0.000000 mm on, up to its next stop");

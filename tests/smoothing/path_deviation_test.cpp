@@ -1,7 +1,7 @@
 // Of many deviations the largest, and the one farthest beyond its tolerance.
-#include "smoothing/path_deviation.hpp"
-
 #include <gtest/gtest.h>
+
+#include "smoothing/path_deviations.hpp"
 
 namespace kerf::smoothing {
 namespace {

@@ -58,6 +58,12 @@ ONLY_IN = [
      LIBRARY - TICK_SIDE, "what logs, locks or opens files"),
 ]
 
+# The front door (include/kerf): what a user includes. It stands on nothing but the standard library and tl/expected. These headers
+# of it are values, which any folder may use; the others are the kernel's.
+FRONT = "include/kerf"
+VALUES = {"api", "axes", "diagnostic", "machine", "profile", "program_data", "report", "setpoint"}
+FRONT_MAY_INCLUDE = re.compile(r"([a-z_0-9]+|tl/expected\.hpp|kerf/[a-z_]+\.hpp)$")
+
 INCLUDE = re.compile(r"^\s*#\s*include(_next)?\b\s*(.*)$")
 TARGET = re.compile(r'^(?:"([^"]+)"|<([^>]+)>)')
 
@@ -91,6 +97,12 @@ def violations_in(text, path, root):
             continue
         header = target.group(1) or target.group(2)
         top = header.split("/")[0]
+        if path.relative_to(root).parent.as_posix() == FRONT and not FRONT_MAY_INCLUDE.match(header):
+            yield number, f"{FRONT} must not include <{header}>"
+        if top == "kerf" and not (root / "include" / header).is_file():
+            yield number, f"<{header}> is none of {FRONT}"
+        if top == "kerf" and folder in LIBRARY - {"kernel"} and pathlib.PurePath(header).stem not in VALUES:
+            yield number, f"{folder} must not include the kernel (<{header}>)"
         sibling = folder not in LIBRARY and (path.parent / header).is_file()
         if target.group(1) and not sibling and not (root / header).is_file():
             yield number, f'"{header}" is no file of the project; the include path is its root'

@@ -65,6 +65,16 @@ class IncludeRule(Checkout):
         self.write("lookahead/wrong.cpp", "#include <boost/spirit/home/x3.hpp>\n")
         self.assertEqual(len(self.found()), 1)
 
+    def test_keeps_the_front_door_on_its_own_feet(self):
+        for name in ("setpoint", "kernel"):
+            self.write(f"include/kerf/{name}.hpp", "#pragma once\n#include <array>\n#include <tl/expected.hpp>\n")
+        self.write("interp/interpolator.cpp", "#include <kerf/setpoint.hpp>\n")
+        self.write("kernel/kernel.cpp", "#include <kerf/kernel.hpp>\n")
+        self.assertEqual(self.found(), [])
+        self.write("include/kerf/machine.hpp", '#pragma once\n#include <Eigen/Core>\n#include "parser/move.hpp"\n')
+        self.write("interp/wrong.cpp", "#include <kerf/kernel.hpp>\n#include <kerf/none.hpp>\n")
+        self.assertEqual(len(self.found()), 5)
+
     def test_lets_a_subfolder_include_what_stands_below_it(self):
         self.write("lookahead/emit/emitter.cpp", '#include "lookahead/path/block.hpp"\n')
         self.assertEqual(self.found(), [])

@@ -4,7 +4,8 @@
 #include <cerrno>
 #include <filesystem>
 
-#include "kernel/machine_file.hpp"
+#include <kerf/machine.hpp>
+
 #include "parser/modal/tool_table.hpp"
 #include "programs/kerf/io/descriptor.hpp"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include <kerf/machine.hpp>
 #include <tl/expected.hpp>
 
-#include "kernel/settings.hpp"
 #include "programs/kerf/exit_status.hpp"
 
 namespace kerf::program {

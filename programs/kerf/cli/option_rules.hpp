@@ -6,7 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "parser/text/block_delete.hpp"
+#include <kerf/program_data.hpp>
+
 #include "programs/kerf/options.hpp"
 
 namespace kerf::program {

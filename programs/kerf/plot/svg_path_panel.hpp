@@ -5,7 +5,7 @@
 
 #include "programs/kerf/plot/plot_data.hpp"
 #include "programs/kerf/plot/svg_canvas.hpp"
-#include "smoothing/path_deviation.hpp"
+#include "smoothing/path_deviations.hpp"
 
 namespace kerf::program {
 

@@ -6,7 +6,7 @@
 
 #include "lookahead/path/limits.hpp"
 #include "programs/kerf/plot/plot_data.hpp"
-#include "smoothing/path_deviation.hpp"
+#include "smoothing/path_deviations.hpp"
 
 namespace kerf::program {
 

@@ -67,8 +67,8 @@ std::string describe(const LimitUse& use) {
 
 namespace {
 
-std::string what_happens(const lookahead::PlanDegradation& at) {
-  using Kind = lookahead::PlanDegradation::Kind;
+std::string what_happens(const PlanDegradation& at) {
+  using Kind = PlanDegradation::Kind;
   switch (at.kind) {
     case Kind::stop:
       return fmt::format("stops {:.6f} mm from the curve's begin", at.s_mm);
@@ -83,10 +83,10 @@ std::string what_happens(const lookahead::PlanDegradation& at) {
 
 }  // namespace
 
-std::vector<std::string> describe(const lookahead::PlanDegradations& degradations) {
+std::vector<std::string> describe(const PlanDegradations& degradations) {
   std::vector<std::string> warnings;
   for (std::size_t i = 0; i < degradations.kept(); ++i) {
-    const lookahead::PlanDegradation& at = degradations.first[i];
+    const PlanDegradation& at = degradations.first[i];
     const std::string what = what_happens(at);
     warnings.push_back(
         fmt::format("the time optimum was not found within its budget on line {}: the motion {}",

@@ -8,16 +8,17 @@
 #include <string_view>
 #include <vector>
 
+#include <kerf/report.hpp>
+
 #include "curves/position.hpp"
 #include "diagnostics/diagnostic.hpp"
 #include "kernel/tick_judge.hpp"
-#include "lookahead/emit/plan_degradation.hpp"
 #include "lookahead/path/limits.hpp"
 #include "parser/program_reader.hpp"
 #include "programs/kerf/exit_status.hpp"
 #include "programs/kerf/options.hpp"
 #include "programs/kerf/report/speed_account.hpp"
-#include "smoothing/path_deviation.hpp"
+#include "smoothing/path_deviations.hpp"
 
 namespace kerf::program {
 
@@ -122,6 +123,6 @@ struct LimitUse {
 [[nodiscard]] std::string describe(const LimitUse& use);
 
 // A warning for each line with a degradation, and one that counts what was not kept.
-[[nodiscard]] std::vector<std::string> describe(const lookahead::PlanDegradations& degradations);
+[[nodiscard]] std::vector<std::string> describe(const PlanDegradations& degradations);
 
 }  // namespace kerf::program

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "interp/constraint.hpp"
 #include "interp/setpoint.hpp"
 #include "machine/machine.hpp"
 #include "profiles/path_motion.hpp"

@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include <kerf/check.hpp>
 #include <tl/expected.hpp>
 
-#include "kernel/check.hpp"
 #include "programs/kerf/io/program_file.hpp"
 
 namespace kerf::program {

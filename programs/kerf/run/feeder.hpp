@@ -4,7 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "kernel/kernel.hpp"
+#include <kerf/kernel.hpp>
+
 #include "programs/kerf/io/progress.hpp"
 #include "programs/kerf/io/text_feed.hpp"
 

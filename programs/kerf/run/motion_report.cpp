@@ -17,11 +17,11 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
                            .extents = statistics.extents(),
                            .extra_extents = statistics.extra_extents(),
                            .deviation = kernel.deviation()};
-  const TickJudge& judge = kernel.judge();
-  report.motion = MotionReport{.path = judge.path(),
-                               .axes = judge.axes(),
-                               .extra = judge.extra_axes(),
-                               .chord_error_mm = judge.chord_error_mm(),
+  const RunFigures figures = kernel.figures();
+  report.motion = MotionReport{.path = figures.path,
+                               .axes = figures.axes,
+                               .extra = figures.extra,
+                               .chord_error_mm = figures.chord_error_mm,
                                .max_contour_error_mm = statistics.max_contour_error_mm(),
                                .mean_contour_error_mm = statistics.mean_contour_error_mm(),
                                .max_following_error_mm = statistics.max_following_error_mm(),

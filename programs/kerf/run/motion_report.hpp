@@ -1,7 +1,8 @@
 // From what a run measured to its report.
 #pragma once
 
-#include "kernel/kernel.hpp"
+#include <kerf/kernel.hpp>
+
 #include "programs/kerf/report/report.hpp"
 #include "programs/kerf/run/run_loop.hpp"
 

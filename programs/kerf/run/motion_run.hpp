@@ -3,9 +3,10 @@
 
 #include <optional>
 
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
+
 #include "curves/position.hpp"
-#include "kernel/kernel.hpp"
-#include "kernel/settings.hpp"
 #include "programs/kerf/io/text_feed.hpp"
 #include "programs/kerf/options.hpp"
 #include "programs/kerf/report/report.hpp"

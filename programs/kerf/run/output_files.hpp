@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include <kerf/machine.hpp>
 #include <tl/expected.hpp>
 
-#include "kernel/settings.hpp"
 #include "programs/kerf/io/output_file.hpp"
 #include "programs/kerf/options.hpp"
 #include "programs/kerf/plot/svg_plot.hpp"

@@ -6,21 +6,21 @@
 #include <string>
 #include <vector>
 
+#include <kerf/kernel.hpp>
 #include <tl/expected.hpp>
 
 #include "diagnostics/diagnostic.hpp"
-#include "kernel/kernel.hpp"
 #include "kernel/plan_check.hpp"
 #include "lookahead/planner.hpp"
 #include "programs/kerf/io/program_file.hpp"
 #include "programs/kerf/io/progress.hpp"
 #include "programs/kerf/run/block_watch.hpp"
-#include "smoothing/path_deviation.hpp"
+#include "smoothing/path_deviations.hpp"
 
 namespace kerf::program {
 
 struct PlannedProgram {
-  lookahead::PlanTotals totals{};
+  PlanTotals totals{};
   smoothing::PathDeviation deviation{};
   std::vector<diagnostics::Diagnostic> errors{};  // the plan ends before them
   std::optional<RunFault> fault{};                // the plan ends there

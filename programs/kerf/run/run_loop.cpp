@@ -69,8 +69,8 @@ class Judge {
     } else {
       starved_in_a_row_ = 0;
     }
-    return status == interp::TickStatus::finished || outcome.hung ||
-           ticks.fault().kind != machine::Fault::none;
+    return status == interp::TickStatus::finished || status == interp::TickStatus::failed ||
+           outcome.hung || ticks.fault().kind != machine::Fault::none;
   }
 
  private:

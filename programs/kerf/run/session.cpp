@@ -132,7 +132,7 @@ class Session {
     } else if (planned->too_long_at_line) {
       report_.fail_too_long({*planned->too_long_at_line, options_.max_time_s});
     } else {
-      const lookahead::PlanTotals& totals = planned->totals;
+      const PlanTotals& totals = planned->totals;
       report_.plan =
           PlanReport{.cycle_time_s = static_cast<double>(totals.ticks) * report_.period_s,
                      .ticks = totals.ticks,

@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "kernel/settings.hpp"
+#include <kerf/machine.hpp>
+
 #include "programs/kerf/options.hpp"
 #include "programs/kerf/report/report.hpp"
 

@@ -1,9 +1,10 @@
 // One tick: from the kernel to the table and into the statistics.
 #pragma once
 
-#include "kernel/kernel.hpp"
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
+
 #include "kernel/run_statistics.hpp"
-#include "kernel/settings.hpp"
 #include "machine/simulated_table.hpp"
 #include "programs/kerf/report/tick_record.hpp"
 

@@ -3,8 +3,10 @@
 #include <array>
 #include <string_view>
 
-#include "kernel/machine_file.hpp"
+#include <kerf/machine.hpp>
+
 #include "kernel/reader_options.hpp"
+#include "profiles/profile.hpp"
 
 namespace kerf::fuzz {
 namespace {

@@ -7,8 +7,9 @@
 #include <span>
 #include <string>
 
-#include "kernel/kernel.hpp"
-#include "kernel/settings.hpp"
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
+
 #include "parser/flow/reader_options.hpp"
 
 namespace kerf::fuzz {

@@ -2,7 +2,10 @@
 #include <cmath>
 #include <string_view>
 
-#include "kernel/check.hpp"
+#include <kerf/check.hpp>
+
+#include "interp/setpoint.hpp"
+#include "lookahead/path/limits.hpp"
 #include "tests/fuzz/judge/judge.hpp"
 #include "tests/fuzz/judge/verdict.hpp"
 

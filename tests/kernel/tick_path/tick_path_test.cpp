@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "machine/simulated_table.hpp"
+#include "profiles/profile.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_path/trap.hpp"
 

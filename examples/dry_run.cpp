@@ -1,7 +1,8 @@
 // G-code text in, one setpoint per tick out: all that a CNC front end needs of Kerf.
 #include <cstdio>
-#include <kerf/kerf.hpp>
 #include <string_view>
+
+#include <kerf/kerf.hpp>
 
 int main() {
   constexpr std::string_view kProgram =

@@ -3,33 +3,32 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "diagnostics/diagnostic.hpp"
-#include "interp/interpolator.hpp"
-#include "kernel/plan_check.hpp"
-#include "kernel/settings.hpp"
-#include "kernel/tick_judge.hpp"
-#include "lookahead/planner.hpp"
-#include "parser/flow/reader_options.hpp"
-#include "profiles/profile.hpp"
-#include "smoothing/path_deviation.hpp"
+#include <kerf/api.hpp>
+#include <kerf/axes.hpp>
+#include <kerf/diagnostic.hpp>
+#include <kerf/machine.hpp>
+#include <kerf/profile.hpp>
+#include <kerf/program_data.hpp>
+#include <kerf/report.hpp>
+#include <kerf/setpoint.hpp>
+#include <tl/expected.hpp>
 
-namespace kerf {
+namespace kerf::inline v0 {
 
 struct KernelOptions {
-  profiles::Profile profile{profiles::kDefaultProfile};
-  std::size_t window_blocks = 1000;    // of the look-ahead, >= 2
-  double horizon_s = 0.25;             // how far ahead of the tick motion is frozen
-  parser::BlockDelete block_delete{};  // which blocks that begin with '/' are left out
-  bool checks_travel = false;          // a block that leaves the table is an error, as in the check
-  std::array<double, 3> start_mm{};    // where the tool is
-  std::array<double, curves::kAuxiliaryAxes> start_extra_rad_mm{};  // A, B, C in rad, U, V, W in mm
-  std::optional<parser::Dialect> dialect{};                         // nothing: the machine's
-  parser::SubprogramSource subprograms{};  // those that are not in the program's own text
+  ProfileChoice profile{};
+  std::size_t window_blocks = 1000;  // of the look-ahead, >= 2
+  double horizon_s = 0.25;           // how far ahead of the tick motion is frozen
+  BlockDelete block_delete{};        // which blocks that begin with '/' are left out
+  bool checks_travel = false;        // a block that leaves the table is an error, as in the check
+  std::array<double, 3> start_mm{};  // where the tool is
+  std::array<double, kAuxiliaryAxes> start_extra_rad_mm{};  // A, B, C in rad, U, V, W in mm
+  std::optional<Dialect> dialect{};                         // nothing: the machine's
+  SubprogramSource subprograms{};  // those that are not in the program's own text
 };
 
 // Feeding and planning happen in the caller's thread; tick() only reads what was planned and is
@@ -40,7 +39,7 @@ struct KernelOptions {
 // defect of kerf. Where the segments of the plan do not fit together, the motion ends with what has
 // been delivered; else it goes on. Where validate (settings_check.hpp) finds settings or options
 // impossible, the program ends at once with that error and the tool stays where it is.
-class Kernel {
+class KERF_API Kernel {
  public:
   explicit Kernel(const MachineSettings& settings, const KernelOptions& options = {});
   ~Kernel();
@@ -55,9 +54,9 @@ class Kernel {
   // Plans ahead until the horizon is reached or more text is needed. True: more text is needed.
   bool plan();
   // One setpoint. Real time: allocates nothing, takes no lock, throws nothing.
-  interp::TickStatus tick(interp::Setpoint& setpoint) noexcept;
+  TickStatus tick(Setpoint& setpoint) noexcept;
   // plan() and tick(): for callers with one thread and no clock. Starved means: feed() or finish().
-  interp::TickStatus next(interp::Setpoint& setpoint);
+  TickStatus next(Setpoint& setpoint);
 
   // Before tick(), for callers with one thread: passes what is over before it and plans on, until
   // the queue holds the tick. Else a queue full of blocks that are all shorter than a tick starves
@@ -78,19 +77,22 @@ class Kernel {
   // once tick() is not called any more.
   [[nodiscard]] std::optional<RunFault> fault() const;
   // The largest figures so far. Belongs to the tick side.
-  [[nodiscard]] const TickJudge& judge() const noexcept;
+  [[nodiscard]] RunFigures figures() const noexcept;
   // Where G64 leads the path farthest from what the program says, as far as it is planned: the
   // larger of both directions, from the geometry. 0: nowhere. Belongs to the planning side.
-  [[nodiscard]] smoothing::PathDeviation deviation() const noexcept;
+  [[nodiscard]] PathDeviation deviation() const noexcept;
   [[nodiscard]] bool has_errors() const;
   // The error is a block that leaves the travel (KernelOptions::checks_travel).
   [[nodiscard]] bool left_travel() const noexcept;
-  [[nodiscard]] const std::vector<diagnostics::Diagnostic>& diagnostics() const;
-  [[nodiscard]] const lookahead::PlanTotals& totals() const;
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
+  [[nodiscard]] const PlanTotals& totals() const;
 
  private:
   class Impl;
-  std::unique_ptr<Impl> impl_;
+  Impl* impl_;  // owned; null once moved from
 };
 
-}  // namespace kerf
+// The first impossible value, under its name: "horizon_s".
+KERF_API tl::expected<void, SettingsError> validate(const KernelOptions& options);
+
+}  // namespace kerf::inline v0

@@ -1,25 +1,11 @@
 // How far the commanded path is from the programmed one.
 #pragma once
 
-#include <cstdint>
-
-#include "curves/position.hpp"
+#include <kerf/report.hpp>
 
 namespace kerf::smoothing {
 
-// The largest distance, either way round, and the place of the commanded path where it is.
-struct PathDeviation {
-  double distance_mm = 0.0;
-  curves::Position at_mm{};
-  std::uint32_t line = 0;
-  double tolerance_mm = 0.0;  // P or Q in force there
-
-  void widen(const PathDeviation& other) {
-    if (other.distance_mm > distance_mm) {
-      *this = other;
-    }
-  }
-};
+using kerf::PathDeviation;
 
 // Of many places.
 struct PathDeviations {

@@ -1,0 +1,26 @@
+#include <algorithm>
+#include <array>
+
+#include <kerf/profile.hpp>
+
+namespace kerf::inline v0 {
+namespace {
+
+constexpr std::array<std::string_view, 7> kNames{"trapezoid",   "s-curve", "sine",        "quintic",
+                                                 "sine-series", "sigmoid", "time-optimal"};
+
+}  // namespace
+
+std::string_view name_of(ProfileKind kind) {
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+std::optional<ProfileKind> profile_kind(std::string_view name) {
+  const auto* const found = std::find(kNames.begin(), kNames.end(), name);
+  if (found == kNames.end()) {
+    return std::nullopt;
+  }
+  return static_cast<ProfileKind>(found - kNames.begin());
+}
+
+}  // namespace kerf::inline v0
