@@ -12,14 +12,14 @@
 namespace kerf::parser {
 namespace {
 
-TEST(diagnostics::Diagnostic, HasTheFormThatEditorsUnderstand) {
+TEST(Diagnostic, HasTheFormThatEditorsUnderstand) {
   EXPECT_EQ(to_string(diagnostics::Diagnostic({12, 5}, errors::kUnknownGCode, "what"), "a/b.ngc"),
             "a/b.ngc:12:5: error: what [E0100]");
   EXPECT_EQ(to_string(diagnostics::Diagnostic({1, 1}, errors::kToolChangeWithoutTool, "what"), "x"),
             "x:1:1: warning: what [E0127]");
 }
 
-TEST(diagnostics::Diagnostic, ShowsTheBlockAndACaretUnderThePlace) {
+TEST(Diagnostic, ShowsTheBlockAndACaretUnderThePlace) {
   const Program program = read_program("G21\nG1 X10 F-100\nM2\n");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(to_text(program.diagnostics[0], "p.ngc"),
@@ -28,14 +28,14 @@ TEST(diagnostics::Diagnostic, ShowsTheBlockAndACaretUnderThePlace) {
             "           ^");
 }
 
-TEST(diagnostics::Diagnostic, ShowsNoBlockWhereItIsAboutTheWholeFile) {
+TEST(Diagnostic, ShowsNoBlockWhereItIsAboutTheWholeFile) {
   const Program program = read_program("G0 X1\n");
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(to_text(program.diagnostics[0], "p"),
             "p:1:1: warning: the program has no M2, M30 or '%' at its end [E0009]");
 }
 
-TEST(diagnostics::Diagnostic, ShowsTheSameBlockHoweverTheTextIsCut) {
+TEST(Diagnostic, ShowsTheSameBlockHoweverTheTextIsCut) {
   for (const std::size_t piece : {1U, 3U, 1000U}) {
     const Program program = read_program("G0 X1\nG0 X1 Y-\nM2\n", {}, piece);
     ASSERT_EQ(program.diagnostics.size(), 1U);
@@ -44,26 +44,26 @@ TEST(diagnostics::Diagnostic, ShowsTheSameBlockHoweverTheTextIsCut) {
   }
 }
 
-TEST(diagnostics::Excerpt, KeepsAShortLineAsItIs) {
+TEST(Excerpt, KeepsAShortLineAsItIs) {
   const diagnostics::Excerpt excerpt = diagnostics::excerpt_of("G1 X10 ?", 7);
   EXPECT_EQ(excerpt.text, "G1 X10 ?");
   EXPECT_EQ(excerpt.caret, 7U);
 }
 
-TEST(diagnostics::Excerpt, PutsTheCaretBehindTheLineForItsEnd) {
+TEST(Excerpt, PutsTheCaretBehindTheLineForItsEnd) {
   EXPECT_EQ(diagnostics::excerpt_of("G1 X", 4).caret, 4U);
   EXPECT_EQ(diagnostics::excerpt_of("", 0).text, "");
   EXPECT_EQ(diagnostics::excerpt_of("G1", 100).caret, 2U) << "an offset past the line";
 }
 
-TEST(diagnostics::Excerpt, CutsALongLineRoundThePlace) {
+TEST(Excerpt, CutsALongLineRoundThePlace) {
   const std::string line = std::string(500, 'a') + "!" + std::string(500, 'b');
   const diagnostics::Excerpt excerpt = diagnostics::excerpt_of(line, 500);
   EXPECT_EQ(excerpt.text, "..." + std::string(60, 'a') + "!" + std::string(39, 'b') + "...");
   EXPECT_EQ(excerpt.text[excerpt.caret], '!');
 }
 
-TEST(diagnostics::Excerpt, NeverCutsACharacter) {
+TEST(Excerpt, NeverCutsACharacter) {
   std::string line;
   for (int i = 0; i < 200; ++i) {
     line += "\xC3\xA4";  // two bytes, one column
@@ -75,25 +75,25 @@ TEST(diagnostics::Excerpt, NeverCutsACharacter) {
   }
 }
 
-TEST(diagnostics::Excerpt, CountsCharactersAndNotBytes) {
+TEST(Excerpt, CountsCharactersAndNotBytes) {
   EXPECT_EQ(diagnostics::excerpt_of("(\xC3\xA4\xC3\xB6) X", 7).caret, 5U);
   EXPECT_EQ(diagnostics::excerpt_of("(\xE4\xB8\xAD) X", 6).caret, 5U)
       << "a character two columns wide";
   EXPECT_EQ(diagnostics::excerpt_of("(e\xCC\x81) X", 6).caret, 4U) << "a combining accent";
 }
 
-TEST(diagnostics::Excerpt, ShowsTabsAsOneBlankAndWhatIsNoCharacterAsAMark) {
+TEST(Excerpt, ShowsTabsAsOneBlankAndWhatIsNoCharacterAsAMark) {
   const diagnostics::Excerpt excerpt = diagnostics::excerpt_of("\tG1\tX\xFF\x01Y Z1", 7);
   EXPECT_EQ(excerpt.text, " G1 X\xEF\xBF\xBD\xEF\xBF\xBDY Z1");
   EXPECT_EQ(excerpt.caret, 7U);
 }
 
-TEST(diagnostics::Excerpt, OfBinaryDataHasNoText) {
+TEST(Excerpt, OfBinaryDataHasNoText) {
   using std::string_view_literals::operator""sv;
   EXPECT_EQ(diagnostics::excerpt_of("G\0001\0 \0X\0"sv, 3).text, "");
 }
 
-TEST(diagnostics::Excerpt, OfAnyBytesIsShortValidTextWithTheCaretInsideIt) {
+TEST(Excerpt, OfAnyBytesIsShortValidTextWithTheCaretInsideIt) {
   constexpr unsigned kSeed = 11;
   std::mt19937 random(kSeed);
   constexpr std::string_view kBytes =
