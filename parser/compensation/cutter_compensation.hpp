@@ -10,6 +10,7 @@
 #include "diagnostics/diagnostic_list.hpp"
 #include "parser/compensation/held_move.hpp"
 #include "parser/compensation/path_sender.hpp"
+#include "parser/modal/end_point.hpp"
 
 namespace kerf::parser {
 
@@ -56,6 +57,9 @@ class CutterCompensation {
 
   // From start() to stop().
   [[nodiscard]] bool on() const { return on_; }
+  [[nodiscard]] ContourPhase phase() const {
+    return on_ ? ContourPhase::held : leaving_ ? ContourPhase::leaving : ContourPhase::none;
+  }
   // The next line is the exit, even if its programmed length is 0.
   [[nodiscard]] bool leaving() const { return leaving_; }
   [[nodiscard]] double radius_mm() const { return start_.radius_mm; }

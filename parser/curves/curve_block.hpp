@@ -21,6 +21,9 @@ inline constexpr int kLowestOrder = 2;
 inline constexpr int kHighestOrder = 10;
 inline constexpr std::size_t kMostControlPoints = 20'000;
 
+// What a further block means to a curve.
+enum class CurveProgress : std::uint8_t { more, complete };
+
 // Adds a control point and the line that it comes from.
 void append_point(NurbsMove& curve, const NurbsPoint& point, std::uint32_t line);
 
@@ -34,18 +37,24 @@ struct WeightRule {
 struct CurveCode {
   std::string_view name;
 
-  // Puts a fault together from parts of its message. Returns false for the caller to return.
-  bool fail(diagnostics::Fault& fault, std::uint32_t offset, const diagnostics::ErrorPage& page,
-            std::initializer_list<std::string_view> parts) const;
-  // 1 where the block has no such word. False, with the fault: not greater than 0.
-  bool read_weight(const Block& block, const WeightRule& rule, double& weight,
-                   diagnostics::Fault& fault) const;
+  // Puts a fault together from parts of its message.
+  [[nodiscard]] tl::unexpected<diagnostics::Fault> fail(
+      std::uint32_t offset, const diagnostics::ErrorPage& page,
+      std::initializer_list<std::string_view> parts) const;
+  // 1 where the block has no such word; greater than 0.
+  [[nodiscard]] Expected<double> read_weight(const Block& block, const WeightRule& rule) const;
 };
 
 // For curves of two axes: either both or none of the plane's axes. `name` begins the message.
-bool check_plane_axes(const CurveBlock& at, std::string_view name, diagnostics::Fault& fault);
+Done check_plane_axes(const Block& block, Plane plane, std::string_view name);
 
-// True where the curve has no extent.
-bool is_a_point(const NurbsMove& curve);
+struct ReadyCurve {
+  NurbsMove curve;
+  std::string_view name;  // of its code, for messages
+  diagnostics::SourcePosition source;
+  double feedrate_mm_s = 0.0;
+};
+// Hands the curve on, as far as it has any extent; the tool is then at its last control point.
+void push_curve(const RunningBlock& at, ModalState& state, ReadyCurve ready);
 
 }  // namespace kerf::parser

@@ -17,101 +17,107 @@ constexpr WeightRule kWeight{'R', &errors::kNurbsWeight};
 
 }  // namespace
 
-bool NurbsCollector::read_order(const CurveBlock& at, diagnostics::Fault& fault) {
+Done NurbsCollector::read_order(const RunningBlock& at) {
   order_ = 4;
   extension_.reset();
   if (!at.block.has('P')) {
-    return true;
+    return {};
   }
   const Word& word = at.block.word('P');
   if (word.value != std::floor(word.value)) {
-    return kCurve.fail(fault, word.offset, errors::kNurbsOrder,
+    return kCurve.fail(word.offset, errors::kNurbsOrder,
                        {"P (order) must be a whole number, found ", shortest(word.value)});
   }
   if (word.value < kLowestOrder || word.value > kHighestOrder) {
-    return kCurve.fail(fault, word.offset, errors::kNurbsOrder,
+    return kCurve.fail(word.offset, errors::kNurbsOrder,
                        {"P (order) must be ", std::to_string(kLowestOrder), " to ",
                         std::to_string(kHighestOrder), ", found ", shortest(word.value)});
   }
   order_ = static_cast<std::size_t>(word.value);
   if (order_ > kHighestPlainOrder) {
-    extension_ = diagnostics_->place({at.line, word.offset + 1});
+    extension_ = at.diagnostics.place({at.source.line, word.offset + 1});
   }
-  return true;
+  return {};
 }
 
-bool NurbsCollector::read_form(const CurveBlock& at, diagnostics::Fault& fault) {
+Done NurbsCollector::read_form(const RunningBlock& at) {
   in_plane_ = at.block.has('Q');
   if (!in_plane_) {
-    return true;
+    return {};
   }
   const Word& word = at.block.word('Q');
   if (word.value != 1.0 && word.value != 2.0 && word.value != 3.0) {
-    return kCurve.fail(fault, word.offset, errors::kNurbsForm,
+    return kCurve.fail(word.offset, errors::kNurbsForm,
                        {"Q must be 1, 2 or 3, found ", shortest(word.value)});
   }
-  return true;
+  return {};
 }
 
-bool NurbsCollector::begin(const CurveBlock& at, diagnostics::Fault& fault) {
+Done NurbsCollector::begin(const RunningBlock& at, const ModalState& state) {
   curve_ = {};
-  last_point_mm_ = at.state.position_mm;
+  last_point_mm_ = state.position_mm;
   tail_ = run_ = 0;
   axes_ = 0;
   active_ = false;
-  if (!check_foreign(at, fault) || !read_order(at, fault) || !read_form(at, fault)) {
-    return false;
+  Done head = check_foreign(at).and_then([&] { return read_order(at); }).and_then([&] {
+    return read_form(at);
+  });
+  if (!head) {
+    return head;
   }
   const Block& block = at.block;
   const bool implicit = at.codes[Group::motion] != kG62;
   const bool has_axes = block.has_any(kAxisLetters);
   if (!has_axes && implicit) {
-    return kCurve.fail(fault, block.first_word, errors::kPointMissing,
+    return kCurve.fail(block.first_word, errors::kPointMissing,
                        {"the curve is complete, a control point is expected with K"});
   }
   if (!has_axes && !block.has('P')) {
-    return kCurve.fail(fault, block.first_word, errors::kPointMissing,
+    return kCurve.fail(block.first_word, errors::kPointMissing,
                        {"P and a control point are expected in the first block"});
   }
   if (implicit && !block.has('K')) {
-    return kCurve.fail(fault, leftmost(block, kAxisLetters)->offset, errors::kKnotMissing,
+    return kCurve.fail(leftmost(block, kAxisLetters)->offset, errors::kKnotMissing,
                        {"K is missing (G6.2 is still active)"});
   }
-  if (!check_axes(at, fault) || !first_point(at, fault)) {
-    return false;
+  if (Done fine = check_axes(at, state); !fine) {
+    return fine;
+  }
+  if (Done fine = first_point(at, state); !fine) {
+    return fine;
   }
   if (implicit) {
-    diagnostics_->add({at.line, block.first_word + 1}, errors::kImplicitNurbs,
-                      "G6.2: a new curve without G6.2, order 4 is assumed");
+    at.warn(block.first_word, errors::kImplicitNurbs,
+            "G6.2: a new curve without G6.2, order 4 is assumed");
   }
   curve_.degree = static_cast<int>(order_) - 1;
   active_ = true;
-  return true;
+  return {};
 }
 
-bool NurbsCollector::first_point(const CurveBlock& at, diagnostics::Fault& fault) {
-  Point point;
-  const Point& here = at.state.position_mm;
-  if (!resolve_point(at, here, point, fault)) {
-    return false;
+Done NurbsCollector::first_point(const RunningBlock& at, const ModalState& state) {
+  const Point& here = state.position_mm;
+  Expected<Point> point = resolve_point(at, state, here);
+  if (!point) {
+    return fault_of(point);
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (!(std::fabs(point[axis] - here[axis]) <= kFirstPointTolerance_mm)) {
-      return kCurve.fail(
-          fault, leftmost(at.block, kAxisLetters)->offset, errors::kFirstPoint,
-          {"the first control point ", in_mm(point), " is not the current position ", in_mm(here)});
+    if (!(std::fabs((*point)[axis] - here[axis]) <= kFirstPointTolerance_mm)) {
+      return kCurve.fail(leftmost(at.block, kAxisLetters)->offset, errors::kFirstPoint,
+                         {"the first control point ", in_mm(*point),
+                          " is not the current position ", in_mm(here)});
     }
   }
-  double weight = 1.0;
-  if (!kCurve.read_weight(at.block, kWeight, weight, fault)) {
-    return false;
+  Expected<double> weight = kCurve.read_weight(at.block, kWeight);
+  if (!weight) {
+    return fault_of(weight);
   }
-  append_point(curve_, {here, weight}, at.line);
+  append_point(curve_, {here, *weight}, at.source.line);
   knot_pending_ = !at.block.has('K');
   if (!knot_pending_) {
-    push_knot({at.block.value('K'), at.line});
+    push_knot({at.block.value('K'), at.source.line});
   }
-  return true;
+  return {};
 }
 
 void NurbsCollector::push_knot(const KnotOfLine& given) {
@@ -120,94 +126,100 @@ void NurbsCollector::push_knot(const KnotOfLine& given) {
   curve_.knot_lines.push_back(given.line);
 }
 
-bool NurbsCollector::add_point(const CurveBlock& at, diagnostics::Fault& fault) {
+Done NurbsCollector::add_point(const RunningBlock& at, const ModalState& state) {
   const Block& block = at.block;
   const Word* const first_axis = leftmost(block, kAxisLetters);
   if (!block.has('K')) {
-    return kCurve.fail(fault, first_axis->offset, errors::kKnotMissing, {"K is missing"});
+    return kCurve.fail(first_axis->offset, errors::kKnotMissing, {"K is missing"});
   }
   if (tail_ > 0) {
-    return kCurve.fail(fault, first_axis->offset, errors::kPointAfterTail,
+    return kCurve.fail(first_axis->offset, errors::kPointAfterTail,
                        {"a control point after the knot-only blocks (",
                         std::to_string(order_ - tail_), " more of them are expected)"});
   }
-  if (!check_axes(at, fault)) {
-    return false;
+  if (Done fine = check_axes(at, state); !fine) {
+    return fine;
   }
-  Point point;
-  if (!resolve_point(at, last_point_mm_, point, fault)) {
-    return false;
+  Expected<Point> point = resolve_point(at, state, last_point_mm_);
+  if (!point) {
+    return fault_of(point);
   }
-  last_point_mm_ = point;
-  double weight = 1.0;
-  if (!kCurve.read_weight(block, kWeight, weight, fault)) {
-    return false;
+  last_point_mm_ = *point;
+  Expected<double> weight = kCurve.read_weight(block, kWeight);
+  if (!weight) {
+    return fault_of(weight);
   }
   const double knot = block.value('K');
   if (knot_pending_) {
     push_knot({knot, curve_.point_lines.front()});
     knot_pending_ = false;
   }
-  if (!check_knot(at, knot, fault)) {
-    return false;
+  if (Done fine = check_knot(at, knot); !fine) {
+    return fine;
   }
   if (curve_.points.size() == kMostControlPoints) {
-    return kCurve.fail(fault, first_axis->offset, errors::kNurbsTooManyPoints,
+    return kCurve.fail(first_axis->offset, errors::kNurbsTooManyPoints,
                        {"more than ", std::to_string(kMostControlPoints), " control points"});
   }
-  push_knot({knot, at.line});
-  append_point(curve_, {point, weight}, at.line);
-  return true;
+  push_knot({knot, at.source.line});
+  append_point(curve_, {*point, *weight}, at.source.line);
+  return {};
 }
 
-bool NurbsCollector::add_knot(const CurveBlock& at, diagnostics::Fault& fault) {
-  if (!check_tail(at, fault)) {
-    return false;
+Done NurbsCollector::add_knot(const RunningBlock& at) {
+  if (Done fine = check_tail(at); !fine) {
+    return fine;
   }
   ++tail_;
-  push_knot({at.block.value('K'), at.line});
-  return tail_ < order_ || check_whole(at, fault);
+  push_knot({at.block.value('K'), at.source.line});
+  return tail_ < order_ ? Done() : check_whole(at);
 }
 
 diagnostics::Fault NurbsCollector::unfinished(std::uint32_t offset, std::string_view where) const {
-  diagnostics::Fault fault;
   if (tail_ == 0) {
-    kCurve.fail(fault, offset, errors::kNurbsUnfinished,
-                {"the curve is not finished ", where, " (", std::to_string(order_),
-                 " knot-only blocks are missing)"});
-  } else {
-    kCurve.fail(fault, offset, errors::kNurbsUnfinished,
-                {"the curve is not finished ", where, ": ", std::to_string(order_),
-                 " knot-only blocks are needed at its end, found ", std::to_string(tail_)});
+    return kCurve
+        .fail(offset, errors::kNurbsUnfinished,
+              {"the curve is not finished ", where, " (", std::to_string(order_),
+               " knot-only blocks are missing)"})
+        .value();
   }
-  return fault;
+  return kCurve
+      .fail(offset, errors::kNurbsUnfinished,
+            {"the curve is not finished ", where, ": ", std::to_string(order_),
+             " knot-only blocks are needed at its end, found ", std::to_string(tail_)})
+      .value();
 }
 
-NurbsCollector::Result NurbsCollector::add(const CurveBlock& at, diagnostics::Fault& fault) {
-  const Block& block = at.block;
-  if (!check_foreign(at, fault)) {
-    return failed();
-  }
-  if (block.has('F')) {
-    diagnostics_->add({at.line, block.word('F').offset + 1}, errors::kFeedInNurbs,
-                      "G6.2: F inside a curve takes effect at the next curve");
-  }
-  if (block.has_any(kAxisLetters)) {
-    return add_point(at, fault) ? Result::more : failed();
-  }
-  if (!block.has_any(letters('K', 'R'))) {
-    return Result::more;
-  }
-  if (!block.has('K')) {
-    kCurve.fail(fault, block.word('R').offset, errors::kNurbsWeightAlone,
-                {"R without a control point"});
-    return failed();
-  }
-  if (!add_knot(at, fault)) {
-    return failed();
+Expected<CurveProgress> NurbsCollector::add(const RunningBlock& at, const ModalState& state) {
+  Done taken = take_block(at, state);
+  if (!taken) {
+    active_ = false;
+    return fault_of(taken);
   }
   active_ = tail_ < order_;
-  return active_ ? Result::more : Result::complete;
+  return active_ ? CurveProgress::more : CurveProgress::complete;
+}
+
+Done NurbsCollector::take_block(const RunningBlock& at, const ModalState& state) {
+  const Block& block = at.block;
+  if (Done fine = check_foreign(at); !fine) {
+    return fine;
+  }
+  if (block.has('F')) {
+    at.warn(block.word('F').offset, errors::kFeedInNurbs,
+            "G6.2: F inside a curve takes effect at the next curve");
+  }
+  if (block.has_any(kAxisLetters)) {
+    return add_point(at, state);
+  }
+  if (!block.has_any(letters('K', 'R'))) {
+    return {};
+  }
+  if (!block.has('K')) {
+    return kCurve.fail(block.word('R').offset, errors::kNurbsWeightAlone,
+                       {"R without a control point"});
+  }
+  return add_knot(at);
 }
 
 }  // namespace kerf::parser

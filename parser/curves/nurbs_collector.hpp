@@ -19,15 +19,11 @@ namespace kerf::parser {
 // can be told from one block is told there; the rest, at the latest, at the last knot block.
 class NurbsCollector {
  public:
-  enum class Result : std::uint8_t { more, complete, failed };
-
-  explicit NurbsCollector(diagnostics::DiagnosticList& diagnostics) : diagnostics_(&diagnostics) {}
-
   [[nodiscard]] bool active() const { return active_; }
-  // The block of the first control point. False, with the fault: no curve begins.
-  bool begin(const CurveBlock& at, diagnostics::Fault& fault);
-  // A further block. Precondition: active. After `complete` and `failed` it is active no more.
-  Result add(const CurveBlock& at, diagnostics::Fault& fault);
+  // The block of the first control point.
+  Done begin(const RunningBlock& at, const ModalState& state);
+  // A further block. Precondition: active. After `complete` and a fault it is active no more.
+  Expected<CurveProgress> add(const RunningBlock& at, const ModalState& state);
   // Why the curve is not complete, where the text ends here.
   [[nodiscard]] diagnostics::Fault unfinished(std::uint32_t offset, std::string_view where) const;
   void abort() { active_ = false; }
@@ -36,28 +32,24 @@ class NurbsCollector {
   [[nodiscard]] const Point& last_point_mm() const { return last_point_mm_; }
 
  private:
-  bool read_order(const CurveBlock& at, diagnostics::Fault& fault);
-  bool read_form(const CurveBlock& at, diagnostics::Fault& fault);
-  bool check_foreign(const CurveBlock& at, diagnostics::Fault& fault) const;
-  bool check_axes(const CurveBlock& at, diagnostics::Fault& fault);
-  bool first_point(const CurveBlock& at, diagnostics::Fault& fault);
-  bool add_point(const CurveBlock& at, diagnostics::Fault& fault);
-  bool add_knot(const CurveBlock& at, diagnostics::Fault& fault);
-  bool check_knot(const CurveBlock& at, double knot, diagnostics::Fault& fault) const;
-  bool wrong_head(const CurveBlock& at, double knot, diagnostics::Fault& fault) const;
-  bool check_tail(const CurveBlock& at, diagnostics::Fault& fault) const;
-  bool check_whole(const CurveBlock& at, diagnostics::Fault& fault) const;
+  Done take_block(const RunningBlock& at, const ModalState& state);
+  Done read_order(const RunningBlock& at);
+  Done read_form(const RunningBlock& at);
+  Done check_foreign(const RunningBlock& at) const;
+  Done check_axes(const RunningBlock& at, const ModalState& state);
+  Done first_point(const RunningBlock& at, const ModalState& state);
+  Done add_point(const RunningBlock& at, const ModalState& state);
+  Done add_knot(const RunningBlock& at);
+  Done check_knot(const RunningBlock& at, double knot) const;
+  Done wrong_head(const RunningBlock& at, double knot) const;
+  Done check_tail(const RunningBlock& at) const;
+  Done check_whole(const RunningBlock& at) const;
   struct KnotOfLine {
     double knot = 0.0;
     std::uint32_t line = 0;
   };
   void push_knot(const KnotOfLine& given);
-  Result failed() {
-    active_ = false;
-    return Result::failed;
-  }
 
-  diagnostics::DiagnosticList* diagnostics_;
   NurbsMove curve_;
   Point last_point_mm_{};
   std::size_t order_ = 4;

@@ -18,30 +18,30 @@ constexpr WeightRule kWeight{'P', &errors::kSplineWeight};
 
 }  // namespace
 
-bool UniformCollector::read_order(const CurveBlock& at, diagnostics::Fault& fault) {
+Done UniformCollector::read_order(const RunningBlock& at) {
   order_ = kLowest;
   if (!at.block.has('L')) {
-    return true;
+    return {};
   }
   const Word& word = at.block.word('L');
   if (word.value != std::floor(word.value) || word.value < kLowest || word.value > kHighestOrder) {
-    return kCurve.fail(fault, word.offset, errors::kSplineOrder,
+    return kCurve.fail(word.offset, errors::kSplineOrder,
                        {"L (order) must be a whole number from ", std::to_string(kLowest), " to ",
                         std::to_string(kHighestOrder), ", found ", shortest(word.value)});
   }
   order_ = static_cast<std::size_t>(word.value);
-  return true;
+  return {};
 }
 
-bool UniformCollector::check_foreign(const CurveBlock& at, diagnostics::Fault& fault) const {
+Done UniformCollector::check_foreign(const RunningBlock& at) const {
   if (at.block.m_count > 0) {
-    return kCurve.fail(fault, at.block.m[0].offset, errors::kForeignInSpline,
+    return kCurve.fail(at.block.m[0].offset, errors::kForeignInSpline,
                        {upper(at.block.text(at.block.m[0])), " is not allowed before G5.3"});
   }
   for (std::size_t i = 0; active_ && i < at.block.g_count; ++i) {
     const Word& word = at.block.g[i];
     if (at.codes[Group::motion] == kNoCode || at.block.g_count > 1) {
-      return kCurve.fail(fault, word.offset, errors::kForeignInSpline,
+      return kCurve.fail(word.offset, errors::kForeignInSpline,
                          {upper(at.block.text(word)), " is not allowed before G5.3"});
     }
   }
@@ -49,51 +49,55 @@ bool UniformCollector::check_foreign(const CurveBlock& at, diagnostics::Fault& f
       letters('N', 'P', 'F') | kAxisLetters | (active_ ? Letters{0} : letters('L'));
   if (const Word* const word = leftmost(at.block, ~usable)) {
     const char letter = letter_of(at.block, *word);
-    return kCurve.fail(fault, word->offset,
+    return kCurve.fail(word->offset,
                        letter == 'L' ? errors::kOrderNotFirst : errors::kForeignInSpline,
                        {named(letter), letter == 'L' ? " can be given only in the first block"
                                                      : " is not allowed before G5.3"});
   }
-  return true;
+  return {};
 }
 
-bool UniformCollector::begin(const CurveBlock& at, diagnostics::Fault& fault) {
+Done UniformCollector::begin(const RunningBlock& at, const ModalState& state) {
   curve_ = {};
   active_ = false;
-  last_point_mm_ = at.state.position_mm;
-  double weight = 1.0;
-  if (!check_foreign(at, fault) || !read_order(at, fault) ||
-      !kCurve.read_weight(at.block, kWeight, weight, fault)) {
-    return false;
+  last_point_mm_ = state.position_mm;
+  Expected<double> weight =
+      check_foreign(at).and_then([&] { return read_order(at); }).and_then([&] {
+        return kCurve.read_weight(at.block, kWeight);
+      });
+  if (!weight) {
+    return fault_of(weight);
   }
   const bool has_point = at.block.has_any(kAxisLetters);
-  append_point(curve_, {at.state.position_mm, has_point ? 1.0 : weight}, at.line);
-  if (has_point && !add_point(at, fault)) {
-    return false;
+  append_point(curve_, {state.position_mm, has_point ? 1.0 : *weight}, at.source.line);
+  if (has_point) {
+    if (Done fine = add_point(at, state); !fine) {
+      return fine;
+    }
   }
   active_ = true;
-  return true;
+  return {};
 }
 
-bool UniformCollector::add_point(const CurveBlock& at, diagnostics::Fault& fault) {
-  if (!check_plane_axes(at, kCurve.name, fault)) {
-    return false;
+Done UniformCollector::add_point(const RunningBlock& at, const ModalState& state) {
+  if (Done fine = check_plane_axes(at.block, state.plane, kCurve.name); !fine) {
+    return fine;
   }
-  Point point;
-  if (!resolve_point(at, last_point_mm_, point, fault)) {
-    return false;
+  Expected<Point> point = resolve_point(at, state, last_point_mm_);
+  if (!point) {
+    return fault_of(point);
   }
-  last_point_mm_ = point;
-  double weight = 1.0;
-  if (!kCurve.read_weight(at.block, kWeight, weight, fault)) {
-    return false;
+  last_point_mm_ = *point;
+  Expected<double> weight = kCurve.read_weight(at.block, kWeight);
+  if (!weight) {
+    return fault_of(weight);
   }
   if (curve_.points.size() == kMostControlPoints) {
-    return kCurve.fail(fault, at.block.first_word, errors::kSplineTooManyPoints,
+    return kCurve.fail(at.block.first_word, errors::kSplineTooManyPoints,
                        {"more than ", std::to_string(kMostControlPoints), " control points"});
   }
-  append_point(curve_, {point, weight}, at.line);
-  return true;
+  append_point(curve_, {*point, *weight}, at.source.line);
+  return {};
 }
 
 void UniformCollector::make_knots(std::uint32_t line) {
@@ -107,50 +111,60 @@ void UniformCollector::make_knots(std::uint32_t line) {
   curve_.knot_lines.assign(curve_.knots.size(), line);
 }
 
-bool UniformCollector::close(const CurveBlock& at, diagnostics::Fault& fault) {
+Done UniformCollector::close(const RunningBlock& at) {
   if (const Word* const word = leftmost(at.block, ~letters('N'))) {
-    return kCurve.fail(fault, word->offset, errors::kForeignInSplineEnd,
+    return kCurve.fail(word->offset, errors::kForeignInSplineEnd,
                        {named(letter_of(at.block, *word)), " is not used by G5.3"});
   }
   if (curve_.points.size() < order_) {
     return kCurve.fail(
-        fault, at.block.g[0].offset, errors::kSplineFewPoints,
+        at.block.g[0].offset, errors::kSplineFewPoints,
         {"order ", std::to_string(order_), " needs at least ", std::to_string(order_),
          " control points, found ", std::to_string(curve_.points.size())});
   }
   make_knots(curve_.point_lines.front());
-  return true;
+  return {};
 }
 
 diagnostics::Fault UniformCollector::unfinished(std::uint32_t offset,
                                                 std::string_view where) const {
-  diagnostics::Fault fault;
-  kCurve.fail(fault, offset, errors::kSplineUnfinished,
-              {"the curve is not finished ", where, " (G5.3 is missing)"});
-  return fault;
+  return kCurve
+      .fail(offset, errors::kSplineUnfinished,
+            {"the curve is not finished ", where, " (G5.3 is missing)"})
+      .value();
 }
 
-UniformCollector::Result UniformCollector::add(const CurveBlock& at, diagnostics::Fault& fault) {
+Expected<CurveProgress> UniformCollector::add(const RunningBlock& at, const ModalState& state) {
+  Done taken = take_block(at, state);
+  const bool closed = at.codes[Group::motion] == kG53;
+  active_ = taken && !closed;
+  if (!taken) {
+    return fault_of(taken);
+  }
+  return closed ? CurveProgress::complete : CurveProgress::more;
+}
+
+Done UniformCollector::take_block(const RunningBlock& at, const ModalState& state) {
   const Block& block = at.block;
   const Tenths code = at.codes[Group::motion];
-  bool fine = check_foreign(at, fault);
-  if (fine && code == kG53) {
-    active_ = false;
-    return close(at, fault) ? Result::complete : Result::failed;
+  if (Done fine = check_foreign(at); !fine) {
+    return fine;
   }
-  if (fine && code != kNoCode && code != kG52) {
-    const Word& word = code_word(block, at.codes, Group::motion);
-    fine = kCurve.fail(fault, word.offset, errors::kForeignInSpline,
-                       {upper(block.text(word)), " is not allowed before G5.3"});
+  if (code == kG53) {
+    return close(at);
   }
-  if (fine && block.has_any(kAxisLetters)) {
-    fine = add_point(at, fault);
-  } else if (fine && block.has('P')) {
-    fine = kCurve.fail(fault, block.word('P').offset, errors::kSplineWeightAlone,
+  if (code != kNoCode && code != kG52) {
+    return kCurve.fail(at.code_word(Group::motion).offset, errors::kForeignInSpline,
+                       {at.name_of(Group::motion), " is not allowed before G5.3"});
+  }
+  if (block.has_any(kAxisLetters)) {
+    return add_point(at, state);
+  }
+  if (block.has('P')) {
+    return kCurve.fail(block.word('P').offset, errors::kSplineWeightAlone,
                        {"weight P without a control point"});
   }
-  active_ = fine;
-  return fine ? Result::more : Result::failed;
+  return {};
 }
 
 }  // namespace kerf::parser

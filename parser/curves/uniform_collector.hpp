@@ -13,12 +13,10 @@ namespace kerf::parser {
 // and L times the last whole number. Orders below 3, which LinuxCNC takes for 3, are refused.
 class UniformCollector {
  public:
-  enum class Result : std::uint8_t { more, complete, failed };
-
   [[nodiscard]] bool active() const { return active_; }
-  bool begin(const CurveBlock& at, diagnostics::Fault& fault);
-  // Precondition: active. After `complete` and `failed` it is active no more.
-  Result add(const CurveBlock& at, diagnostics::Fault& fault);
+  Done begin(const RunningBlock& at, const ModalState& state);
+  // Precondition: active. After `complete` and a fault it is active no more.
+  Expected<CurveProgress> add(const RunningBlock& at, const ModalState& state);
   [[nodiscard]] diagnostics::Fault unfinished(std::uint32_t offset, std::string_view where) const;
   void abort() { active_ = false; }
 
@@ -26,10 +24,11 @@ class UniformCollector {
   [[nodiscard]] const Point& last_point_mm() const { return last_point_mm_; }
 
  private:
-  bool read_order(const CurveBlock& at, diagnostics::Fault& fault);
-  bool check_foreign(const CurveBlock& at, diagnostics::Fault& fault) const;
-  bool add_point(const CurveBlock& at, diagnostics::Fault& fault);
-  bool close(const CurveBlock& at, diagnostics::Fault& fault);
+  Done take_block(const RunningBlock& at, const ModalState& state);
+  Done read_order(const RunningBlock& at);
+  Done check_foreign(const RunningBlock& at) const;
+  Done add_point(const RunningBlock& at, const ModalState& state);
+  Done close(const RunningBlock& at);
   void make_knots(std::uint32_t line);
 
   NurbsMove curve_;

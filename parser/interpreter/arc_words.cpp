@@ -26,12 +26,6 @@ double distance(InPlane a, InPlane b) {
   return std::hypot(a.first - b.first, a.second - b.second);
 }
 
-bool fail(diagnostics::Fault& fault, std::uint32_t offset, const diagnostics::ErrorPage& page,
-          std::string message) {
-  fault = {offset, std::move(message), &page};
-  return false;
-}
-
 bool radii_agree(double at_start, double at_end) {
   const double difference = std::fabs(at_start - at_end);
   return difference <= kRadiusTolerance_mm ||
@@ -52,27 +46,25 @@ Point centre_in_machine(const Block& block, const ModalState& state, bool absolu
   return absolute ? words : Point{from[0] + words[0], from[1] + words[1], from[2] + words[2]};
 }
 
-bool turns_from(const Block& block, ArcMove& arc, diagnostics::Fault& fault) {
+Done turns_from(const Block& block, ArcMove& arc) {
   constexpr double kMostTurns = 1e6;
   if (!block.has('P')) {
     arc.turns = 1;
-    return true;
+    return {};
   }
   const Word& word = block.word('P');
   if (word.value != std::floor(word.value)) {
-    return fail(fault, word.offset, errors::kTurnsNotWhole,
-                "P (turns of an arc) must be a whole number");
+    return fail(word.offset, errors::kTurnsNotWhole, "P (turns of an arc) must be a whole number");
   }
   if (word.value < 1.0 || word.value > kMostTurns) {
-    return fail(fault, word.offset, errors::kTurnsOutOfRange,
+    return fail(word.offset, errors::kTurnsOutOfRange,
                 joined({"P (turns of an arc) must be 1 or more, found ", shortest(word.value)}));
   }
   arc.turns = static_cast<int>(word.value);
-  return true;
+  return {};
 }
 
-bool centre_from_radius(const Block& block, const ModalState& state, ArcMove& arc,
-                        diagnostics::Fault& fault) {
+Done centre_from_radius(const Block& block, const ModalState& state, ArcMove& arc) {
   const PlaneAxes axes = axes_of(arc.plane);
   const Word& word = block.word('R');
   const double scale = std::fabs(state.coordinates.scaling().factor[axes.first]);
@@ -81,19 +73,18 @@ bool centre_from_radius(const Block& block, const ModalState& state, ArcMove& ar
   const InPlane end = in_plane(arc.end_mm, axes);
   const double chord = distance(start, end);
   if (radius == 0.0) {
-    return fail(fault, word.offset, errors::kZeroRadius, "R must not be 0");
+    return fail(word.offset, errors::kZeroRadius, "R must not be 0");
   }
   if (!block.has_any(letter_bit(axis_letter(axes.first)) | letter_bit(axis_letter(axes.second)))) {
-    return fail(fault, word.offset, errors::kRadiusWithoutEnd,
-                "an arc given by R needs an end point");
+    return fail(word.offset, errors::kRadiusWithoutEnd, "an arc given by R needs an end point");
   }
   if (chord == 0.0) {
-    return fail(fault, word.offset, errors::kRadiusFullCircle,
+    return fail(word.offset, errors::kRadiusFullCircle,
                 "an arc given by R cannot be a full circle: the end point is the start point");
   }
   const double size = std::fabs(radius);
   if (size < chord / 2 - kHalfCircleTolerance_mm) {
-    return fail(fault, word.offset, errors::kRadiusTooSmall,
+    return fail(word.offset, errors::kRadiusTooSmall,
                 joined({"R", shortest(word.value), " is too small: the end point is ", in_mm(chord),
                         " mm away, a radius of at least ", in_mm(chord / 2), " mm is needed"}));
   }
@@ -104,7 +95,7 @@ bool centre_from_radius(const Block& block, const ModalState& state, ArcMove& ar
       (start.first + end.first) / 2 - left * (end.second - start.second) / chord;
   arc.centre_mm[axes.second] =
       (start.second + end.second) / 2 + left * (end.first - start.first) / chord;
-  return true;
+  return {};
 }
 
 std::string radii_differ(InPlane start, InPlane end, InPlane centre) {
@@ -114,8 +105,7 @@ std::string radii_differ(InPlane start, InPlane end, InPlane centre) {
                  " mm between start (", in_mm(at_start), ") and end (", in_mm(at_end), ")"});
 }
 
-bool check_radii(const Block& block, const ModalState& state, const ArcMove& arc,
-                 diagnostics::Fault& fault) {
+Done check_radii(const Block& block, const ModalState& state, const ArcMove& arc) {
   const PlaneAxes axes = axes_of(arc.plane);
   const InPlane start = in_plane(state.position_mm, axes);
   const InPlane end = in_plane(arc.end_mm, axes);
@@ -128,11 +118,11 @@ bool check_radii(const Block& block, const ModalState& state, const ArcMove& arc
       !state.absolute_centre && ((block.has(first) && block.value(first) != 0.0) ||
                                  (block.has(second) && block.value(second) != 0.0));
   if (distance(centre, start) == 0.0 && !offset_is_lost) {
-    return fail(fault, word.offset, errors::kCentreIsStart,
+    return fail(word.offset, errors::kCentreIsStart,
                 "the arc's centre is its start point (radius 0)");
   }
   if (radii_agree(distance(centre, start), distance(centre, end))) {
-    return true;
+    return {};
   }
   const InPlane as_absolute = in_plane(centre_in_machine(block, state, true), axes);
   std::string message = radii_differ(start, end, centre);
@@ -140,17 +130,16 @@ bool check_radii(const Block& block, const ModalState& state, const ArcMove& arc
       radii_agree(distance(as_absolute, start), distance(as_absolute, end))) {
     message += " (is the centre meant absolute? G91.1 is active)";
   }
-  return fail(fault, word.offset, errors::kRadiiDiffer, std::move(message));
+  return fail(word.offset, errors::kRadiiDiffer, std::move(message));
 }
 
-bool centre_from_words(const Block& block, const ModalState& state, ArcMove& arc,
-                       diagnostics::Fault& fault) {
+Done centre_from_words(const Block& block, const ModalState& state, ArcMove& arc) {
   const PlaneAxes axes = axes_of(arc.plane);
   const char first = centre_letter(axes.first);
   const char second = centre_letter(axes.second);
   if (state.absolute_centre && !(block.has(first) && block.has(second))) {
     const Word& word = block.word(block.has(first) ? first : second);
-    return fail(fault, word.offset, errors::kAbsoluteCentreIncomplete,
+    return fail(word.offset, errors::kAbsoluteCentreIncomplete,
                 joined({"G90.1 is active: ", named(std::min(first, second)), " and ",
                         named(std::max(first, second)), " must both be given"}));
   }
@@ -158,39 +147,43 @@ bool centre_from_words(const Block& block, const ModalState& state, ArcMove& arc
   for (const std::size_t axis : {axes.first, axes.second}) {
     arc.centre_mm[axis] = centre[axis];
   }
-  return check_radii(block, state, arc, fault);
+  return check_radii(block, state, arc);
 }
 
-bool check_words(const Block& block, Plane plane, diagnostics::Fault& fault) {
+Done check_centre_words(const Block& block, Plane plane) {
   const PlaneAxes axes = axes_of(plane);
   const Letters centre =
       letter_bit(centre_letter(axes.first)) | letter_bit(centre_letter(axes.second));
   const char normal = centre_letter(axes.normal);
   if (block.has(normal)) {
     return fail(
-        fault, block.word(normal).offset, errors::kCentreOutsidePlane,
+        block.word(normal).offset, errors::kCentreOutsidePlane,
         joined({named(normal), " is not used by an arc in the ", plane_name(plane), " plane"}));
   }
   if (block.has('R') && block.has_any(centre)) {
-    return fail(fault, block.word('R').offset, errors::kRadiusAndCentre,
-                "R and a centre are both given");
+    return fail(block.word('R').offset, errors::kRadiusAndCentre, "R and a centre are both given");
   }
-  return true;
+  return {};
 }
 
 }  // namespace
 
-bool build_arc(const Block& block, const ModalState& state, const Point& end_mm, ArcMove& arc,
-               diagnostics::Fault& fault) {
+Expected<ArcMove> build_arc(const Block& block, const ModalState& state, const Point& end_mm) {
+  ArcMove arc;
   arc.plane = state.plane;
   arc.clockwise = (state.motion == Motion::arc_clockwise) != state.coordinates.mirrors(state.plane);
   arc.centre_mm = state.position_mm;
   arc.end_mm = end_mm;
-  if (!check_words(block, arc.plane, fault) || !turns_from(block, arc, fault)) {
-    return false;
+  Done done = check_centre_words(block, arc.plane)
+                  .and_then([&] { return turns_from(block, arc); })
+                  .and_then([&] {
+                    return block.has('R') ? centre_from_radius(block, state, arc)
+                                          : centre_from_words(block, state, arc);
+                  });
+  if (!done) {
+    return fault_of(done);
   }
-  return block.has('R') ? centre_from_radius(block, state, arc, fault)
-                        : centre_from_words(block, state, arc, fault);
+  return arc;
 }
 
 }  // namespace kerf::parser

@@ -1,104 +1,73 @@
 #include "parser/interpreter/interpreter.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
+#include "diagnostics/errors/compensation.hpp"
 #include "parser/block/lexical_error.hpp"
-#include "parser/cycles/drill_cycle.hpp"
-#include "parser/dialects/fanuc/least_increment.hpp"
-#include "parser/modal/word_users.hpp"
+#include "parser/compensation/compensation_codes.hpp"
+#include "parser/dialects/fanuc/fanuc_codes.hpp"
+#include "parser/interpreter/words.hpp"
+#include "parser/spindle_io/switches.hpp"
 
 namespace kerf::parser {
 
-namespace {
-
-constexpr Tenths kG80 = 800;
-
-}  // namespace
-
-Interpreter::Interpreter(const Point& start_mm, diagnostics::DiagnosticList& diagnostics,
-                         MachineData machine, Dialect dialect, const ExtraWords& start_extra_deg_mm)
-    : InterpreterMemory(diagnostics, std::move(machine), dialect) {
-  state_.position_mm = start_mm;
-  state_.extra_deg_mm = start_extra_deg_mm;
-  state_.to_initial_level = dialect == Dialect::fanuc;
+Interpreter::Interpreter(ProgramMemory start, diagnostics::DiagnosticList& diagnostics)
+    : memory_(std::move(start)), diagnostics_(&diagnostics), compensation_(diagnostics) {
+  ModalState& state = memory_.state;
+  state.to_initial_level = memory_.dialect == Dialect::fanuc;
   for (std::size_t system = 0; system < Coordinates::kSystems; ++system) {
-    state_.coordinates.set_work(system, machine_.work[system]);
+    state.coordinates.set_work(system, memory_.machine.work[system]);
   }
 }
 
-bool Interpreter::fail(std::uint32_t offset, const diagnostics::ErrorPage& page,
-                       std::string message) {
-  fault_ = {offset, std::move(message), &page};
-  return false;
-}
-
-void Interpreter::report(const diagnostics::Fault& fault) {
+void Interpreter::report(std::uint32_t line, const diagnostics::Fault& fault) {
   compensation_.forget_faults();
-  if (reported_line_ != line_) {
-    diagnostics_->add_at(fault.elsewhere.value_or(diagnostics_->place({line_, fault.offset + 1})),
+  if (reported_line_ != line) {
+    diagnostics_->add_at(fault.elsewhere.value_or(diagnostics_->place({line, fault.offset + 1})),
                          *fault.page, fault.message);
-    reported_line_ = line_;
+    reported_line_ = line;
   }
-}
-
-void Interpreter::warn(std::uint32_t offset, const diagnostics::ErrorPage& page,
-                       std::string message) {
-  diagnostics_->add({line_, offset + 1}, page, std::move(message));
-}
-
-Move& Interpreter::push_move() {
-  Move& move = moves_.push();
-  move.source = {line_, block_->first_word + 1, file_};
-  move.block = blocks_run_;
-  move.start_mm = state_.position_mm;
-  move.rapid = false;
-  move.feedrate_mm_s = 0.0;
-  carry_extra(move, state_.extra_deg_mm);
-  move.mode = state_.path_mode;
-  move.blend_tolerance_mm = state_.blend_tolerance_mm;
-  move.merge_tolerance_mm = state_.merge_tolerance_mm;
-  return move;
 }
 
 void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
-  block_ = &block;
-  ++blocks_run_;
-  if (dialect_ == Dialect::fanuc && machine_.least_increment_mm != 0.0) {
-    counted_block_ = block;
-    count_in_least_increments(state_, machine_.least_increment_mm, counted_block_);
-    block_ = &counted_block_;
+  memory_.line = line;
+  source_ = {line, block.first_word + 1, file_};
+  const RunningBlock at{{moves_, source_, ++blocks_run_, memory_.machine.extra_axes},
+                        block,
+                        codes_,
+                        *diagnostics_,
+                        memory_.dialect};
+  if (curves_.skipping() && !(complete && sort_codes(block, memory_.dialect, codes_) &&
+                              curves_.leave_skipped(at, memory_.state))) {
+    recover(at);
+    return;
   }
-  line_ = line;
-  const bool sorted = sort_codes(block, dialect_, codes_, fault_);
-  if (skipped_curve_ != kNoCode) {
-    if (!sorted || !complete || !leave_skipped_curve()) {
-      recover();
-      return;
-    }
-  }
-  if (!complete && (sorted || block.stop == Stop::too_many_g)) {
-    fault_ = explain_stop(block);
-  }
-  if (!(sorted && complete && execute())) {
-    report(fault_);
-    if (curve_open()) {
-      abandon_curve();
+  if (const Done done = complete ? execute(at) : refuse(at); !done) {
+    report(line, done.error());
+    if (curves_.open()) {
+      curves_.abandon(memory_.state);
     } else {
-      skip_curve_of_wrong_block();
+      curves_.skip_from(block);
     }
-    recover();
+    recover(at);
   }
   if (compensation_.busy()) {
     compensate_moves();
   }
 }
 
+// A line in which the grammar stopped.
+Done Interpreter::refuse(const RunningBlock& at) {
+  Done sorted = sort_codes(at.block, at.dialect, codes_);
+  const bool explained = sorted || at.block.stop == Stop::too_many_g;
+  return explained ? tl::unexpected(explain_stop(at.block)) : sorted;
+}
+
 void Interpreter::end(std::uint32_t last_line, std::string_view where) {
-  line_ = last_line;
-  if (curve_open()) {
-    report(of_curve(nurbs_.active() ? nurbs_.unfinished(0, where) : uniform_.unfinished(0, where)));
-    abandon_curve();
+  memory_.line = last_line;
+  if (curves_.open()) {
+    report(last_line, curves_.unfinished({last_line, where}));
+    curves_.abandon(memory_.state);
   }
   if (compensation_.busy()) {
     compensation_.finish({last_line, 1, file_});
@@ -108,123 +77,143 @@ void Interpreter::end(std::uint32_t last_line, std::string_view where) {
 
 void Interpreter::end_program(diagnostics::SourcePosition source) {
   source.file = file_;
-  Move& move = moves_.push();
-  move = Move{EventMove{EventKind::program_end, 0.0}, source, state_.position_mm};
-  move.block = blocks_run_;
-  carry_extra(move, state_.extra_deg_mm);
+  const MoveSink at{moves_, source, blocks_run_, memory_.machine.extra_axes};
+  at.push_event(memory_.state, {EventKind::program_end});
   program_ended_ = true;
 }
 
+MacroSignal Interpreter::take_signal() {
+  return std::exchange(memory_.state.signal, {});
+}
+
 // In the order that the class names. Part of execute(), a call for each block would be felt.
-[[gnu::always_inline]] inline bool Interpreter::do_words() {
-  if (block_->g_count > 0) {
-    set_units_and_feed_mode();
+[[gnu::always_inline]] inline Done Interpreter::do_words(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  Expected<Group> axis_taker = check_words(at, state, compensation_.on());
+  if (!axis_taker) {
+    return fault_of(axis_taker);
   }
-  if ((block_->has_any(letters('F', 'S', 'T')) || codes_.has(Group::spindle_mode)) &&
-      !(set_feed() && set_speed() && select_tool())) {
-    return false;
+  if (at.block.g_count > 0) {
+    set_units_and_feed_mode(at.codes);
   }
-  if ((block_->m_count > 0 || block_->has('S')) && !switch_machine()) {
-    return false;
-  }
-  if (block_->g_count > 0 && !set_modes()) {
-    return false;
-  }
-  if (state_.surface_speed.active) {
-    follow_moved_axis();
-  }
-  if (!move()) {
-    return false;
-  }
-  if (block_->m_count > 0) {
-    stop();
-  }
-  return true;
-}
-
-bool Interpreter::execute() {
-  if (dialect_ == Dialect::fanuc && codes_.has(Group::motion)) {
-    settle_cycle_group();
-  }
-  if (compensation_.on() && !allowed_while_compensating()) {
-    return false;
-  }
-  if (curve_open()) {
-    if (!reports_open_curve()) {
-      return continue_curve();
+  if (at.block.has_any(letters('F', 'S', 'T')) || at.codes.has(Group::spindle_mode)) {
+    Done done = set_feed(at, state).and_then([&] { return set_speed(at, state); }).and_then([&] {
+      return select_tool(at, state, memory_.machine.tools);
+    });
+    if (!done) {
+      return done;
     }
-    abandon_curve();
-    skipped_curve_ = kNoCode;
   }
-  if (begins_curve()) {
-    return begin_curve();
+  if (at.block.m_count > 0 || at.block.has('S')) {
+    if (Done done = switch_machine(at); !done) {
+      return done;
+    }
   }
-  return check_words() && do_words();
+  if (at.block.g_count > 0) {
+    if (Done done = set_modes(at); !done) {
+      return done;
+    }
+  }
+  if (state.surface_speed.active) {
+    spindle_.follow_moved_axis(at, state);
+  }
+  Done moved = move(at, *axis_taker);
+  if (moved && at.block.m_count > 0) {
+    program_ended_ = stop_program(at, state) || program_ended_;
+  }
+  return moved;
 }
 
-// Takes over what can be told of a block with an error; see the class.
-void Interpreter::recover() {
-  const Block& block = *block_;
-  for (std::size_t i = 0; i < block.g_count; ++i) {
-    recover_code(block.g[i].value);
+Done Interpreter::execute(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  if (Done sorted = sort_codes(at.block, at.dialect, codes_); !sorted) {
+    return sorted;
   }
-  const CurveBlock here = curve_block();
-  Point end;
-  ExtraWords extra_end;
-  diagnostics::Fault ignored;
-  if (block.has_any(axis_letters()) && !is_cycle(state_.motion) &&
-      taker_of_axes(block, codes_) == Group::count &&
-      resolve_point(here, state_.position_mm, end, ignored) && resolve_extra(extra_end)) {
-    state_.position_mm = end;
-    state_.extra_deg_mm = extra_end;
+  if (at.dialect == Dialect::fanuc && at.codes.has(Group::motion)) {
+    settle_cycle_group(at, codes_, state);
   }
-  if (block.has('F') && block.value('F') > 0.0 && state_.feed_mode == FeedMode::per_minute) {
-    state_.feed_word = block.value('F');
-    state_.feedrate_mm_s = feedrate_mm_s_from(state_.feed_word, state_.units);
+  if (compensation_.on()) {
+    if (Done allowed = allowed_while_compensating(at, state); !allowed) {
+      return allowed;
+    }
+  }
+  if (curves_.open()) {
+    const std::optional<diagnostics::Fault> missing_end = curves_.missing_end(at);
+    if (!missing_end) {
+      return curves_.add(at, state).and_then([&] { return set_feed(at, state); });
+    }
+    report(at.source.line, *missing_end);
+    curves_.abandon(state);
+    curves_.skip_no_more();
+  }
+  if (CurveReader::begins(at, state)) {
+    return begin_curve(at);
+  }
+  return do_words(at);
+}
+
+// Takes what the block has put out through the compensation.
+void Interpreter::compensate_moves() {
+  Move move;
+  while (!moves_.empty()) {
+    moves_.pop(move);
+    compensation_.take(move);
+  }
+  if (program_ended_) {
+    compensation_.finish(source_);
+  }
+  std::swap(moves_, compensation_.ready());
+}
+
+void Interpreter::enter_subprogram() {
+  saved_modes_.enter_subprogram();
+  memory_.open_calls = saved_modes_.open_calls();
+}
+
+void Interpreter::leave_subprogram() {
+  const std::optional<ModalState> saved = saved_modes_.leave_subprogram();
+  memory_.open_calls = saved_modes_.open_calls();
+  if (saved) {
+    bring_back(
+        {moves_, {memory_.line, source_.column, file_}, blocks_run_, memory_.machine.extra_axes},
+        *saved);
   }
 }
 
-void Interpreter::recover_code(double g) {
-  const double tenths = std::round(std::clamp(g, 0.0, 99.0) * 10.0);
-  const auto code = static_cast<Tenths>(tenths);
-  if (std::fabs(g * 10.0 - tenths) > 1e-8) {
+void Interpreter::bring_back(const MoveSink& at, const ModalState& saved) {
+  ModalState& state = memory_.state;
+  const ModalState before = state;
+  SavedModes::bring_back(saved, memory_.machine.tools, state);
+  if (compensation_.on()) {
+    keep_contour_in_place(at, before);
+  }
+  if (state.spindle != before.spindle || state.spindle_speed != before.spindle_speed) {
+    if (state.spindle == Spindle::off) {
+      at.push_event(state, {EventKind::spindle_off});
+    } else {
+      at.push_event(state, spindle_.turn(state, state.spindle));
+    }
+  }
+  bring_back_coolant(at, before, state);
+}
+
+// M72, or the return from a subprogram with M73, has brought modes back: the plane and the place of
+// the coordinates must be what they were.
+void Interpreter::keep_contour_in_place(const MoveSink& at, const ModalState& before) {
+  constexpr Point kOrigin{0.0, 0.0, 0.0};
+  constexpr Point kElsewhere{1.0, 2.0, 3.0};
+  ModalState& state = memory_.state;
+  const auto same_place = [&](const Point& point) {
+    return state.coordinates.to_machine(point) == before.coordinates.to_machine(point);
+  };
+  if (state.plane == before.plane && same_place(kOrigin) && same_place(kElsewhere)) {
     return;
   }
-  switch (code) {
-    case 170:
-    case 180:
-    case 190:
-      state_.plane = plane_of(code);
-      break;
-    case 200:
-    case 210:
-      set_units(code == 200 ? Units::inch : Units::mm);
-      break;
-    case 900:
-    case 910:
-      state_.incremental = code == 910;
-      break;
-    case 930:
-    case 940:
-    case 950:
-      set_feed_mode(feed_mode_of(code));
-      break;
-    default:
-      recover_motion(code);
-      break;
-  }
-}
-
-void Interpreter::recover_motion(Tenths code) {
-  const bool plain = code == 0 || code == 10 || code == 20 || code == 30;
-  const bool ends_cycle = code == kG80 && codes_[Group::motion] == kG80;
-  if (plain || ends_cycle || is_cycle(static_cast<Motion>(code))) {
-    set_motion(code);
-  } else if (code >= 540 && code <= 593 && codes_[Group::work_offset] == code) {
-    select_work_offset();
-  } else if (code == 400 && compensation_.on()) {
-    compensation_.stop();
-  }
+  state.plane = before.plane;
+  state.coordinates = before.coordinates;
+  diagnostics_->add({at.source.line, 1, at.source.file}, errors::kNotWhileCompensating,
+                    "the saved modes (M70, M73) have another plane or other offsets: they cannot "
+                    "come back while cutter compensation is active");
 }
 
 }  // namespace kerf::parser

@@ -1,203 +1,186 @@
-// Modal words, feed and dwell.
-#include <cmath>
-
-#include "diagnostics/errors/modes.hpp"
-#include "diagnostics/errors/motion.hpp"
+// The codes beside the motion, in their order.
+#include "parser/compensation/compensation_codes.hpp"
+#include "parser/dialects/fanuc/fanuc_codes.hpp"
+#include "parser/dialects/fanuc/shape.hpp"
 #include "parser/interpreter/interpreter.hpp"
-#include "parser/text/text.hpp"
+#include "parser/interpreter/modes.hpp"
+#include "parser/offsets/program_data.hpp"
+#include "parser/offsets/reference_points.hpp"
+#include "parser/offsets/tool_length.hpp"
+#include "parser/offsets/work_offsets.hpp"
+#include "parser/spindle_io/in_out.hpp"
+#include "parser/spindle_io/switches.hpp"
 
 namespace kerf::parser {
 
 namespace {
 
 constexpr Tenths kG4 = 40;
-constexpr double kLargestFeed = 1e9;
+constexpr Tenths kG10 = 100;
+constexpr Tenths kG28 = 280;
+constexpr Tenths kStoreG28 = 281;
+constexpr Tenths kG30 = 300;
+constexpr Tenths kStoreG30 = 301;
+constexpr Tenths kG40 = 400;
+constexpr Tenths kG52 = 520;
+constexpr Tenths kG92 = 920;
 
 }  // namespace
 
-void Interpreter::set_units(Units units) {
-  state_.feed_from_other_units = state_.feed_from_other_units != (units != state_.units);
-  state_.units = units;
-}
-
-// A change of the feed mode forgets the persistent F [NISTIR 6556, 3.5.19].
-void Interpreter::set_feed_mode(FeedMode mode) {
-  if (mode != state_.feed_mode) {
-    state_.feed_mode = mode;
-    state_.feedrate_mm_s.reset();
-    state_.feed_per_revolution_mm.reset();
-    stopped_spindle_reported_ = false;
-  }
-}
-
 // What F needs to know.
-void Interpreter::set_units_and_feed_mode() {
-  if (codes_.has(Group::units)) {
-    set_units(codes_[Group::units] == 200 ? Units::inch : Units::mm);
+void Interpreter::set_units_and_feed_mode(const BlockCodes& codes) {
+  if (codes.has(Group::units)) {
+    set_units(memory_.state, codes[Group::units] == 200 ? Units::inch : Units::mm);
   }
-  if (codes_.has(Group::feed_mode)) {
-    set_feed_mode(feed_mode_of(codes_[Group::feed_mode]));
+  if (codes.has(Group::feed_mode)) {
+    feed_.set_mode(memory_.state, feed_mode_of(codes[Group::feed_mode]));
   }
+}
+
+// The M codes in the order of RS274/NGC.
+Done Interpreter::switch_machine(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  return switch_in_out(at, state)
+      .and_then([&] { return change_tool(at, state, memory_.machine.tools); })
+      .and_then([&] { return spindle_.start(at, state); })
+      .and_then([&] { return save_modes(at); })
+      .and_then([&] {
+        switch_coolant(at, state);
+        return switch_overrides(at, state);
+      });
+}
+
+// M70 to M73. By now a spindle that M3 or M4 starts runs.
+Done Interpreter::save_modes(const RunningBlock& at) {
+  const Tenths spindle = at.codes[Group::spindle];
+  if (spindle == 30 || spindle == 40) {
+    feed_.spindle_started();
+  }
+  if (!at.codes.has(Group::state)) {
+    return {};
+  }
+  Expected<std::optional<ModalState>> saved = saved_modes_.run(at, memory_.state);
+  if (!saved) {
+    return fault_of(saved);
+  }
+  if (*saved) {
+    bring_back(at, **saved);
+  }
+  return {};
 }
 
 // G4 comes before the modes.
-bool Interpreter::set_modes() {
-  if (codes_[Group::other] == kG4 && !dwell()) {
-    return false;
-  }
-  if (codes_.has(Group::plane)) {
-    state_.plane = plane_of(codes_[Group::plane]);
-  }
-  if (codes_.has(Group::cutter_compensation) && !set_compensation()) {
-    return false;
-  }
-  if (codes_.has(Group::distance)) {
-    state_.incremental = codes_[Group::distance] == 910;
-  }
-  if (codes_.has(Group::arc_distance)) {
-    state_.absolute_centre = codes_[Group::arc_distance] == 901;
-  }
-  if (codes_.has(Group::retract)) {
-    state_.to_initial_level = codes_[Group::retract] == 980;
-  }
-  if (codes_.has(Group::motion)) {
-    set_motion(codes_[Group::motion]);
-  }
-  if (codes_.has(Group::length_offset) && !set_length_offset()) {
-    return false;
-  }
-  if (!select_work_offset()) {
-    return false;
-  }
-  change_local_offset();
-  if (dialect_ == Dialect::fanuc && !shape_program()) {
-    return false;
-  }
-  return set_path_mode();
-}
-
-bool Interpreter::set_path_mode() {
-  const Tenths code = codes_[Group::path];
-  if (code == kNoCode) {
-    return true;
-  }
-  state_.path_mode = code == 640   ? PathMode::blend
-                     : code == 611 ? PathMode::exact_stop
-                                   : PathMode::exact_path;
-  state_.blend_tolerance_mm = 0.0;
-  state_.merge_tolerance_mm = 0.0;
-  return code != 640 || set_tolerances();
-}
-
-// Of G64. P alone stands for both [rs274 sets the tolerance of its naive CAM detector so]; where it
-// is missing LinuxCNC cuts corners without a bound, and here the machine's own bound holds.
-bool Interpreter::set_tolerances() {
-  state_.blend_tolerance_mm = machine_.corner_tolerance_mm;
-  state_.merge_tolerance_mm = machine_.merge_tolerance_mm;
-  if (block_->has('P')) {
-    const Word& word = block_->word('P');
-    if (word.value < 0.0) {
-      return fail(word.offset, errors::kNegativeBlendTolerance,
-                  "G64: P (tolerance) must not be negative");
+Done Interpreter::set_modes(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  const BlockCodes& codes = at.codes;
+  if (codes[Group::other] == kG4) {
+    if (Done done = dwell(at, state); !done) {
+      return done;
     }
-    state_.blend_tolerance_mm = word.value * mm_per_unit(state_.units);
-    state_.merge_tolerance_mm = state_.blend_tolerance_mm;
   }
-  if (block_->has('Q')) {
-    const Word& word = block_->word('Q');
-    if (word.value < 0.0) {
-      return fail(word.offset, errors::kNegativeMergeTolerance,
-                  "G64: Q (merging tolerance) must not be negative");
+  if (codes.has(Group::plane)) {
+    state.plane = plane_of(codes[Group::plane]);
+  }
+  if (codes.has(Group::cutter_compensation)) {
+    if (Done done = set_compensation(at); !done) {
+      return done;
     }
-    state_.merge_tolerance_mm = word.value * mm_per_unit(state_.units);
   }
-  return true;
+  if (codes.has(Group::distance)) {
+    state.incremental = codes[Group::distance] == 910;
+  }
+  if (codes.has(Group::arc_distance)) {
+    state.absolute_centre = codes[Group::arc_distance] == 901;
+  }
+  if (codes.has(Group::retract)) {
+    state.to_initial_level = codes[Group::retract] == 980;
+  }
+  if (codes.has(Group::motion)) {
+    set_motion(at, state, codes[Group::motion]);
+  }
+  if (Done done = set_coordinates(at); !done) {
+    return done;
+  }
+  return set_path_mode(at, state, memory_.machine);
 }
 
-bool Interpreter::set_feed() {
-  if (!block_->has('F')) {
-    return true;
-  }
-  const Word& word = block_->word('F');
-  if (word.value < 0.0) {
-    return fail(word.offset, errors::kNegativeFeed, "F must not be negative");
-  }
-  if (word.value > kLargestFeed) {
-    return fail(word.offset, errors::kFeedOutOfRange,
-                joined({"F: value ", upper(block_->text(word).substr(1, 40)), " is out of range"}));
-  }
-  state_.feed_word = word.value;
-  state_.feed_from_other_units = false;
-  if (state_.feed_mode == FeedMode::per_minute) {
-    state_.feedrate_mm_s = feedrate_mm_s_from(word.value, state_.units);
-  } else if (state_.feed_mode == FeedMode::per_revolution) {
-    state_.feed_per_revolution_mm = word.value * mm_per_unit(state_.units);
-  }
-  return true;
-}
-
-bool Interpreter::dwell() {
-  if (dialect_ == Dialect::fanuc) {
-    return fanuc_dwell();
-  }
-  const Word& code = code_word(*block_, codes_, Group::other);
-  if (!block_->has('P')) {
-    return fail(code.offset, errors::kDwellWithoutTime, "G4 needs P (seconds)");
-  }
-  const Word& word = block_->word('P');
-  if (word.value < 0.0) {
-    return fail(word.offset, errors::kNegativeDwell, "G4: P must not be negative");
-  }
-  push_move().shape = DwellMove{word.value};
-  return true;
-}
-
-bool Interpreter::inverse_time_feedrate(double length_mm, double& feedrate_mm_s) {
-  if (!block_->has('F')) {
-    return fail(motion_offset(), errors::kInverseTimeWithoutFeed,
-                "G93 is active: F is needed in every cutting block");
-  }
-  if (block_->value('F') == 0.0) {
-    return fail(block_->word('F').offset, errors::kInverseTimeZeroFeed,
-                "F must be greater than 0 with G93");
-  }
-  feedrate_mm_s = feedrate_mm_s_from(InverseTime{length_mm, block_->value('F')});
-  return true;
-}
-
-// The feedrate of a cutting move of this block; `length_mm` is what G93 divides by the time.
-bool Interpreter::cutting_feedrate(double length_mm, double& feedrate_mm_s) {
-  const auto name = [this] {
-    return joined({"G", shortest(static_cast<double>(state_.motion) / 10.0)});
-  };
-  if (state_.feed_mode == FeedMode::inverse_time) {
-    return inverse_time_feedrate(length_mm, feedrate_mm_s);
-  }
-  if (state_.feed_mode == FeedMode::per_revolution && state_.feed_per_revolution_mm) {
-    return feedrate_per_revolution(feedrate_mm_s);
-  }
-  if (!state_.feedrate_mm_s) {
-    if (!no_feed_reported_) {
-      no_feed_reported_ = true;
-      return fail(motion_offset(), errors::kNoFeed, joined({"no feed set: ", name(), " needs F"}));
+Done Interpreter::set_compensation(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  if (at.codes[Group::cutter_compensation] == kG40) {
+    if (compensation_.on()) {
+      compensation_.stop();
     }
-    feedrate_mm_s = 1.0;
-    return true;
+    state.cutter_compensation = kG40;
+    return {};
   }
-  if (*state_.feedrate_mm_s == 0.0) {
-    return fail(block_->has('F') ? block_->word('F').offset : motion_offset(), errors::kZeroFeed,
-                joined({"feed is zero: ", name(), " needs F greater than 0"}));
+  Expected<CompensationStart> start =
+      read_compensation(at, state, memory_.machine.tools, compensation_.on());
+  if (!start) {
+    return fault_of(start);
   }
-  if (state_.feed_from_other_units) {
-    state_.feed_from_other_units = false;
-    const bool was_inch = state_.units == Units::mm;
-    warn(motion_offset(), errors::kFeedFromOtherUnits,
-         joined({"units changed: F", shortest(state_.feed_word), was_inch ? " in/min" : " mm/min",
-                 " is now ", in_mm(*state_.feedrate_mm_s * 60.0 / mm_per_unit(state_.units)),
-                 was_inch ? " mm/min" : " in/min"}));
+  compensation_.start(*start);
+  return {};
+}
+
+Done Interpreter::set_coordinates(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  if (at.codes.has(Group::length_offset)) {
+    if (Done done = set_length_offset(at, state, memory_.machine.tools); !done) {
+      return done;
+    }
   }
-  feedrate_mm_s = *state_.feedrate_mm_s;
-  return true;
+  if (at.codes[Group::work_offset] == 541) {
+    if (Done done = select_extended_offset(at, state); !done) {
+      return done;
+    }
+  }
+  select_work_offset(at.codes, state.coordinates);
+  change_local_offset(at.codes, state);
+  return at.dialect == Dialect::fanuc ? shape_program(at, state) : Done();
+}
+
+// The codes that do something once, in place of the block's motion.
+Done Interpreter::do_once(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  MachineData& machine = memory_.machine;
+  switch (at.codes[Group::other]) {
+    case kG10:
+      return set_data(at);
+    case kG28:
+    case kG30:
+      return go_to_reference_point(at);
+    case kStoreG28:
+      machine.first_home_mm = state.position_mm;
+      machine.first_home_extra_deg_mm = state.extra_deg_mm;
+      return {};
+    case kStoreG30:
+      machine.second_home_mm = state.position_mm;
+      machine.second_home_extra_deg_mm = state.extra_deg_mm;
+      return {};
+    case kG52:
+    case kG92:
+      return set_local_offset(at, state);
+    default:
+      return {};
+  }
+}
+
+Done Interpreter::set_data(const RunningBlock& at) {
+  ToolTable& tools = memory_.machine.tools;
+  return at.dialect == Dialect::fanuc ? set_fanuc_data(at, memory_.state, tools)
+                                      : parser::set_data(at, memory_.state, tools);
+}
+
+Done Interpreter::go_to_reference_point(const RunningBlock& at) {
+  const MachineData& machine = memory_.machine;
+  Expected<HomePosition> home =
+      at.codes[Group::other] == kG30
+          ? second_reference_point(at.block, machine)
+          : HomePosition{machine.first_home_mm, machine.first_home_extra_deg_mm};
+  if (!home) {
+    return fault_of(home);
+  }
+  return go_home(at, memory_.state, *home, compensation_.phase());
 }
 
 }  // namespace kerf::parser

@@ -1,14 +1,20 @@
-// Straight moves and arcs.
+// The motion of a block.
 #include <algorithm>
 #include <cmath>
 
 #include "diagnostics/errors/arcs.hpp"
+#include "diagnostics/errors/curves.hpp"
 #include "diagnostics/errors/motion.hpp"
 #include "diagnostics/errors/offsets.hpp"
 #include "diagnostics/errors/shape.hpp"
 #include "diagnostics/errors/splines.hpp"
+#include "parser/curves/splines.hpp"
+#include "parser/cycles/canned_cycle.hpp"
+#include "parser/cycles/probe.hpp"
+#include "parser/dialects/fanuc/fanuc_codes.hpp"
 #include "parser/interpreter/arc_words.hpp"
 #include "parser/interpreter/interpreter.hpp"
+#include "parser/offsets/reference_points.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {
@@ -21,178 +27,341 @@ double distance_mm(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-}  // namespace
-
-// Where a message about the motion points: at its code, else at the first word that moves.
-std::uint32_t Interpreter::motion_offset() const {
-  if (codes_.has(Group::motion)) {
-    return code_word(*block_, codes_, Group::motion).offset;
-  }
-  const Word* const word = leftmost(*block_, axis_letters() | letters('I', 'J', 'K', 'R'));
-  return word != nullptr ? word->offset : block_->first_word;
+// The block has a motion code, or words that the motion in force takes.
+bool asks_for_motion(const RunningBlock& at, Letters beside_axes) {
+  return at.codes.has(Group::motion) || at.block.has_any(at.axis_letters() | beside_axes);
 }
 
-void Interpreter::set_motion(Tenths code) {
-  if (code == 53 || code == 63) {  // G5.3 and G6.3 leave no mode behind
-    code = static_cast<Tenths>(Motion::none);
-  }
-  const auto motion = static_cast<Motion>(code);
-  if (motion != Motion::cubic_spline) {
-    state_.spline_handle_mm.reset();
-  }
-  if (!is_cycle(motion)) {
-    state_.cycle.in_series = false;
-  }
-  if (motion != state_.motion && !(is_cycle(state_.motion) && dialect_ == Dialect::fanuc)) {
-    state_.cycle.words = {};
-  }
-  state_.motion = motion;
-}
-
-bool Interpreter::check_machine_coordinates() {
-  const Word& code = code_word(*block_, codes_, Group::other);
-  const bool by_itself = dialect_ == Dialect::fanuc && !codes_.has(Group::motion);
-  if (state_.motion != Motion::rapid && state_.motion != Motion::line && !by_itself) {
+Done check_machine_coordinates(const RunningBlock& at, const ModalState& state) {
+  const Word& code = at.code_word(Group::other);
+  const bool by_itself = at.dialect == Dialect::fanuc && !at.codes.has(Group::motion);
+  if (state.motion != Motion::rapid && state.motion != Motion::line && !by_itself) {
     return fail(code.offset, errors::kMachineMotionMode, "G53 can be used only with G0 or G1");
   }
-  if (state_.incremental) {
+  if (state.incremental) {
     return fail(code.offset, errors::kMachineIncremental, "G53 needs G90 (G91 is active)");
   }
-  if (!block_->has_any(axis_letters())) {
+  if (!at.block.has_any(at.axis_letters())) {
     return fail(code.offset, errors::kMachineWithoutAxis, "G53 needs an axis word");
   }
-  return true;
+  return {};
+}
+
+Done check_arc(const RunningBlock& at, const ModalState& state) {
+  const Point& factor = state.coordinates.scaling().factor;
+  const PlaneAxes plane_axes = axes_of(state.plane);
+  if (std::fabs(factor[plane_axes.first]) != std::fabs(factor[plane_axes.second])) {
+    return fail(
+        at.motion_offset(), errors::kArcUnevenlyScaled,
+        joined({"an arc in the ", plane_name(state.plane), " plane cannot be scaled by ",
+                shortest(factor[plane_axes.first]), " and ", shortest(factor[plane_axes.second])}));
+  }
+  if (state.plane != Plane::xy && state.coordinates.turned()) {
+    return fail(at.motion_offset(), errors::kTurnedArcPlane,
+                joined({"an arc in the ", plane_name(state.plane),
+                        " plane cannot be run while the work offset is turned (G10 L2 R)"}));
+  }
+  const Letters centre = plane_letters(state.plane) >> ('X' - 'I');
+  if (!at.block.has_any(centre | letters('R'))) {
+    const PlaneAxes axes = axes_of(state.plane);
+    const char low = std::min(centre_letter(axes.first), centre_letter(axes.second));
+    const char high = std::max(centre_letter(axes.first), centre_letter(axes.second));
+    const std::string_view plane = plane_name(state.plane);
+    if (!at.codes.has(Group::motion)) {
+      return fail(at.motion_offset(), errors::kArcStillActive,
+                  joined({"an arc (G", state.motion == Motion::arc_clockwise ? "2" : "3",
+                          " is still active) in the ", plane, " plane needs ", named(low), ", ",
+                          named(high), " or R"}));
+    }
+    const bool bare = !at.block.has_any(at.axis_letters());
+    return fail(at.motion_offset(), errors::kArcWithoutCentre,
+                joined({"an arc in the ", plane, " plane needs ", bare ? "an end point and " : "",
+                        "a centre (", named(low), ", ", named(high), ") or a radius (R)"}));
+  }
+  return {};
+}
+
+Done check_curve_feed(const RunningBlock& at, const ModalState& state) {
+  const bool nurbs = state.motion == Motion::nurbs;
+  if (state.feed_mode == FeedMode::inverse_time ||
+      (nurbs && state.feed_mode == FeedMode::per_revolution)) {
+    return fail(at.motion_offset(), errors::kCurveInverseTime,
+                nurbs ? "G6.2 cannot be used with G93 or G95" : "G5.2 cannot be used with G93");
+  }
+  return {};
+}
+
+}  // namespace
+
+Done Interpreter::move(const RunningBlock& at, Group axis_taker) {
+  const ModalState& state = memory_.state;
+  const bool on_machine = at.codes[Group::other] == kG53;
+  if (on_machine) {
+    if (Done fine = check_machine_coordinates(at, state); !fine) {
+      return fine;
+    }
+  }
+  if (on_machine && state.motion != Motion::rapid && state.motion != Motion::line) {
+    return rapid_to_words(at);
+  }
+  if (at.codes.has(Group::other)) {
+    if (Done done = do_once(at); !done) {
+      return done;
+    }
+  }
+  if (axis_taker != Group::count) {
+    return {};
+  }
+  switch (state.motion) {
+    case Motion::rapid:
+    case Motion::line:
+      return at.block.has_any(at.axis_letters()) ? straight_move(at) : Done();
+    case Motion::arc_clockwise:
+    case Motion::arc_counterclockwise:
+      return asks_for_motion(at, letters('I', 'J', 'K', 'R')) ? arc_move(at) : Done();
+    case Motion::cubic_spline:
+    case Motion::quadratic_spline:
+      return asks_for_motion(at, letters('I', 'J')) ? spline(at) : Done();
+    case Motion::none:
+      if (at.codes[Group::motion] != 53) {
+        return {};
+      }
+      return fail(at.motion_offset(), errors::kOpenWithoutCurve, "G5.3 without G5.2");
+    default:
+      return is_cycle(state.motion) ? drill(at) : probe(at);
+  }
 }
 
 // Fanuc's G53 is a rapid whatever the motion mode.
-bool Interpreter::rapid_to_words() {
-  Point end;
-  ExtraWords extra_end;
-  if (!resolve_point(curve_block(), state_.position_mm, end, fault_) || !resolve_extra(extra_end)) {
-    return false;
+Done Interpreter::rapid_to_words(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  Expected<Point> end = resolve_point(at, state, state.position_mm);
+  if (!end) {
+    return fault_of(end);
   }
-  push_rapid(end, extra_end);
-  return true;
-}
-
-// The block has a motion code, or words that the motion in force takes.
-bool Interpreter::asks_for_motion(Letters beside_axes) const {
-  return codes_.has(Group::motion) || block_->has_any(axis_letters() | beside_axes);
-}
-
-bool Interpreter::move() {
-  const bool on_machine = codes_[Group::other] == kG53;
-  if (on_machine && !check_machine_coordinates()) {
-    return false;
+  Expected<ExtraWords> extra_end = resolve_extra(at, state, compensation_.phase());
+  if (!extra_end) {
+    return fault_of(extra_end);
   }
-  if (on_machine && state_.motion != Motion::rapid && state_.motion != Motion::line) {
-    return rapid_to_words();
-  }
-  if (codes_.has(Group::other) && !do_once()) {
-    return false;
-  }
-  if (axis_taker_ != Group::count) {
-    return true;
-  }
-  switch (state_.motion) {
-    case Motion::rapid:
-    case Motion::line:
-      return !block_->has_any(axis_letters()) || straight_move();
-    case Motion::arc_clockwise:
-    case Motion::arc_counterclockwise:
-      return !asks_for_motion(letters('I', 'J', 'K', 'R')) || arc_move();
-    case Motion::cubic_spline:
-      return !asks_for_motion(letters('I', 'J')) || cubic_spline();
-    case Motion::quadratic_spline:
-      return !asks_for_motion(letters('I', 'J')) || quadratic_spline();
-    case Motion::none:
-      return codes_[Group::motion] != 53 ||
-             fail(motion_offset(), errors::kOpenWithoutCurve, "G5.3 without G5.2");
-    default:
-      return is_cycle(state_.motion) ? drill_cycle() : probe();
-  }
+  push_rapid(at, state, *end, *extra_end);
+  return {};
 }
 
 // A move of zero length is checked but not delivered.
-bool Interpreter::straight_move() {
-  Point end;
-  if (!resolve_point(curve_block(), state_.position_mm, end, fault_)) {
-    return false;
+Done Interpreter::straight_move(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  Expected<Point> end = resolve_point(at, state, state.position_mm);
+  if (!end) {
+    return fault_of(end);
   }
-  if (block_->has_any(machine_.extra_axes)) {
-    return straight_move_with_extra(end);
+  if (at.block.has_any(at.extra_axes)) {
+    return straight_move_with_extra(at, *end);
   }
-  const bool rapid = state_.motion == Motion::rapid;
-  double feedrate_mm_s = 0.0;
+  if (state.motion == Motion::rapid) {
+    push_line(at, {*end, true, 0.0});
+    return {};
+  }
   double length_mm = 0.0;
-  if (state_.feed_mode == FeedMode::inverse_time) {
-    length_mm = distance_mm(state_.position_mm, end);
+  if (state.feed_mode == FeedMode::inverse_time) {
+    length_mm = distance_mm(state.position_mm, *end);
     if (length_mm == 0.0 && compensation_.leaving()) {
       length_mm = compensation_.radius_mm();  // the exit leads from beside the contour on to it
     }
   }
-  if (!rapid && !cutting_feedrate(length_mm, feedrate_mm_s)) {
-    return false;
+  Expected<double> feedrate = feed_.cutting(at, state, length_mm);
+  if (!feedrate) {
+    return fault_of(feedrate);
   }
-  if (end == state_.position_mm && !compensation_.leaving()) {
-    return true;
-  }
-  Move& move = push_move();
-  move.shape = LineMove{end};
-  move.rapid = rapid;
-  move.feedrate_mm_s = feedrate_mm_s;
-  state_.position_mm = end;
-  return true;
+  push_line(at, {*end, false, *feedrate});
+  return {};
 }
 
-bool Interpreter::arc_move() {
-  const Point& factor = state_.coordinates.scaling().factor;
-  const PlaneAxes plane_axes = axes_of(state_.plane);
-  if (std::fabs(factor[plane_axes.first]) != std::fabs(factor[plane_axes.second])) {
-    return fail(
-        motion_offset(), errors::kArcUnevenlyScaled,
-        joined({"an arc in the ", plane_name(state_.plane), " plane cannot be scaled by ",
-                shortest(factor[plane_axes.first]), " and ", shortest(factor[plane_axes.second])}));
+inline void Interpreter::push_line(const RunningBlock& at, const Straight& line) {
+  ModalState& state = memory_.state;
+  if (line.end_mm == state.position_mm && !compensation_.leaving()) {
+    return;
   }
-  if (state_.plane != Plane::xy && state_.coordinates.turned()) {
-    return fail(motion_offset(), errors::kTurnedArcPlane,
-                joined({"an arc in the ", plane_name(state_.plane),
-                        " plane cannot be run while the work offset is turned (G10 L2 R)"}));
+  Move& move = at.push_move(state);
+  move.shape = LineMove{line.end_mm};
+  move.rapid = line.rapid;
+  move.feedrate_mm_s = line.feedrate_mm_s;
+  state.position_mm = line.end_mm;
+}
+
+// F is along X, Y and Z where one of them moves.
+Done Interpreter::straight_move_with_extra(const RunningBlock& at, const Point& end_mm) {
+  ModalState& state = memory_.state;
+  Expected<ExtraWords> extra_end = resolve_extra(at, state, compensation_.phase());
+  if (!extra_end) {
+    return fault_of(extra_end);
   }
-  const Letters centre = plane_letters(state_.plane) >> ('X' - 'I');
-  if (!block_->has_any(centre | letters('R'))) {
-    const PlaneAxes axes = axes_of(state_.plane);
-    const char low = std::min(centre_letter(axes.first), centre_letter(axes.second));
-    const char high = std::max(centre_letter(axes.first), centre_letter(axes.second));
-    const std::string_view plane = plane_name(state_.plane);
-    if (!codes_.has(Group::motion)) {
-      return fail(motion_offset(), errors::kArcStillActive,
-                  joined({"an arc (G", state_.motion == Motion::arc_clockwise ? "2" : "3",
-                          " is still active) in the ", plane, " plane needs ", named(low), ", ",
-                          named(high), " or R"}));
-    }
-    const bool bare = !block_->has_any(axis_letters());
-    return fail(motion_offset(), errors::kArcWithoutCentre,
-                joined({"an arc in the ", plane, " plane needs ", bare ? "an end point and " : "",
-                        "a centre (", named(low), ", ", named(high), ") or a radius (R)"}));
+  const double way_mm = distance_mm(end_mm, state.position_mm);
+  const ExtraWay extra = extra_way(state.extra_deg_mm, *extra_end);
+  const bool alone = extra.moves() && way_mm < kShortestWay_mm;
+  const bool rapid = state.motion == Motion::rapid;
+  Expected<double> feedrate = rapid   ? 0.0
+                              : alone ? feed_.extra_axes(at, state, extra)
+                                      : feed_.cutting(at, state, way_mm);
+  if (!feedrate) {
+    return fault_of(feedrate);
   }
-  Point end;
-  ExtraWords extra_end;
-  if (!resolve_point(curve_block(), state_.position_mm, end, fault_) || !resolve_extra(extra_end)) {
-    return false;
+  if (end_mm == state.position_mm && !extra.moves()) {
+    return {};
   }
-  ArcMove arc;
-  double feedrate_mm_s = 0.0;
-  if (!build_arc(*block_, state_, end, arc, fault_) ||
-      !cutting_feedrate(arc_length_mm(arc, state_.position_mm), feedrate_mm_s)) {
-    return false;
+  Move& move = at.push_move(state);
+  move.shape = LineMove{end_mm};
+  move.rapid = rapid;
+  move.feedrate_mm_s = *feedrate;
+  carry_extra(at, state, move, *extra_end);
+  state.position_mm = end_mm;
+  return {};
+}
+
+Done Interpreter::arc_move(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  if (Done fine = check_arc(at, state); !fine) {
+    return fine;
   }
-  Move& move = push_move();
-  move.shape = arc;
-  move.feedrate_mm_s = feedrate_mm_s;
-  carry_extra(move, extra_end);
-  state_.position_mm = end;
-  return true;
+  Expected<Point> end = resolve_point(at, state, state.position_mm);
+  if (!end) {
+    return fault_of(end);
+  }
+  Expected<ExtraWords> extra_end = resolve_extra(at, state, compensation_.phase());
+  if (!extra_end) {
+    return fault_of(extra_end);
+  }
+  Expected<ArcMove> arc = build_arc(at.block, state, *end);
+  if (!arc) {
+    return fault_of(arc);
+  }
+  Expected<double> feedrate = feed_.cutting(at, state, arc_length_mm(*arc, state.position_mm));
+  if (!feedrate) {
+    return fault_of(feedrate);
+  }
+  Move& move = at.push_move(state);
+  move.shape = *arc;
+  move.feedrate_mm_s = *feedrate;
+  carry_extra(at, state, move, *extra_end);
+  state.position_mm = *end;
+  return {};
+}
+
+Done Interpreter::begin_curve(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  set_units_and_feed_mode(at.codes);
+  if (Done done = set_modes(at); !done) {
+    return done;
+  }
+  Done begun =
+      set_feed(at, state)
+          .and_then([&] { return check_curve_feed(at, state); })
+          .and_then([&] { return feed_.cutting(at, state, 0.0); })
+          .and_then([&](double feedrate_mm_s) { return curves_.begin(at, state, feedrate_mm_s); });
+  if (!begun) {
+    curves_.skip(state.motion);
+  } else if (at.dialect == Dialect::fanuc && state.motion == Motion::nurbs) {
+    warn_of_order(at);
+  }
+  return begun;
+}
+
+Done Interpreter::spline(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  const bool cubic = state.motion == Motion::cubic_spline;
+  Expected<std::optional<Spline>> read =
+      cubic ? cubic_spline(at, state) : quadratic_spline(at, state);
+  if (!read) {
+    return fault_of(read);
+  }
+  if (!*read) {
+    return {};
+  }
+  Expected<double> feedrate = feed_.cutting(at, state, 0.0);
+  if (!feedrate) {
+    return fault_of(feedrate);
+  }
+  Spline& spline = **read;
+  push_curve(at, state, {std::move(spline.curve), cubic ? "G5" : "G5.1", at.source, *feedrate});
+  if (cubic) {
+    state.spline_handle_mm = spline.second_handle_mm;
+  }
+  return {};
+}
+
+Done Interpreter::drill(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  Expected<std::optional<DrillCycle>> cycle = read_cycle(at, state, compensation_.phase());
+  if (!cycle) {
+    return fault_of(cycle);
+  }
+  if (!*cycle) {
+    return {};
+  }
+  Expected<double> feedrate = feed_.cutting(at, state, 0.0);
+  if (!feedrate) {
+    return fault_of(feedrate);
+  }
+  if (Done done = expand_on_machine(at, state, **cycle, cycle_steps_); !done) {
+    return done;
+  }
+  for (const CycleStep& step : cycle_steps_) {
+    push_cycle_step(at, step, *feedrate);
+  }
+  return {};
+}
+
+// Cycles run on the exact path, also while G64 would let the corners go.
+void Interpreter::push_cycle_step(const RunningBlock& at, const CycleStep& step,
+                                  double feedrate_mm_s) {
+  ModalState& state = memory_.state;
+  Move& move = at.push_move(state);
+  if (move.mode == PathMode::blend) {
+    move.mode = PathMode::exact_path;
+    move.blend_tolerance_mm = 0.0;
+    move.merge_tolerance_mm = 0.0;
+  }
+  const bool clockwise =
+      (state.spindle == Spindle::clockwise) != (step.kind == StepKind::spindle_turned);
+  switch (step.kind) {
+    case StepKind::rapid:
+    case StepKind::feed:
+      move.shape = LineMove{step.end_mm};
+      move.rapid = step.kind == StepKind::rapid;
+      move.feedrate_mm_s = move.rapid ? 0.0 : feedrate_mm_s;
+      state.position_mm = step.end_mm;
+      break;
+    case StepKind::dwell:
+      move.shape = DwellMove{step.duration_s};
+      break;
+    case StepKind::spindle_off:
+      move.shape = EventMove{EventKind::spindle_off, 0.0};
+      break;
+    case StepKind::spindle_orient:
+      move.shape = EventMove{EventKind::spindle_orient, 0.0};
+      break;
+    case StepKind::program_stop:
+      move.shape = EventMove{EventKind::program_stop, 0.0};
+      break;
+    default:
+      move.shape = spindle_.turn(state, clockwise ? Spindle::clockwise : Spindle::counterclockwise);
+      break;
+  }
+}
+
+Done Interpreter::probe(const RunningBlock& at) {
+  ModalState& state = memory_.state;
+  Expected<std::optional<ProbeWay>> way = read_probe(at, state);
+  if (!way) {
+    return fault_of(way);
+  }
+  if (!*way) {
+    return {};
+  }
+  Expected<double> feedrate = feed_.cutting(at, state, (*way)->length_mm);
+  if (!feedrate) {
+    return fault_of(feedrate);
+  }
+  return run_probe(at, state, memory_.machine.touch_box, {(*way)->end_mm, *feedrate});
 }
 
 }  // namespace kerf::parser

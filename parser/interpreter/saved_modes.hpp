@@ -1,7 +1,11 @@
-// What M70 saves and M72 brings back.
+// M70 to M73: modes saved and brought back.
 #pragma once
 
-#include "parser/modal/modal_state.hpp"
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "parser/modal/running_block.hpp"
 
 namespace kerf::parser {
 
@@ -9,13 +13,25 @@ namespace kerf::parser {
 // G54 to G59.3, whether G43 and G92 are in force, G61 to G64, F, S, spindle, coolant, overrides.
 // Neither the motion mode nor where offsets lie: those that the program has moved meanwhile stay
 // moved.
-struct SavedModes {
-  ModalState state;
-  bool restore_at_return = false;  // M73
-};
+class SavedModes {
+ public:
+  // M70 to M73; what M72 brings back.
+  Expected<std::optional<ModalState>> run(const RunningBlock& at, const ModalState& state);
+  void enter_subprogram();
+  // What M73 brings back.
+  std::optional<ModalState> leave_subprogram();
+  [[nodiscard]] std::size_t open_calls() const { return calls_.size() - 1; }
 
-// Takes the saved modes over into `state`, but for the tool offset. Spindle and coolant are what
-// they are to be: the caller tells the machine.
-void restore_modes(const SavedModes& saved, ModalState& state);
+  // Takes the saved modes over into `state`. Spindle and coolant are what they are to be: the
+  // caller tells the machine.
+  static void bring_back(const ModalState& saved, const ToolTable& tools, ModalState& state);
+
+ private:
+  struct Entry {
+    ModalState state;
+    bool restore_at_return = false;  // M73
+  };
+  std::vector<std::optional<Entry>> calls_{1};  // of the main program and of each call that is open
+};
 
 }  // namespace kerf::parser

@@ -119,30 +119,34 @@ std::string_view reason_for(double g, Dialect dialect) {
   return (g >= 70.0 && g < 73.0) || g == 76.0 ? " (a cycle of lathes)" : "";
 }
 
-diagnostics::Fault why_not(const Block& block, const Word& word, const Code& code, bool is_m,
-                           Dialect dialect) {
+tl::unexpected<diagnostics::Fault> why_not(const Block& block, const Word& word, const Code& code,
+                                           bool is_m, Dialect dialect) {
   const std::string name = upper(block.text(word));
   if (!is_m && (word.value == 7.0 || word.value == 8.0)) {
-    return {word.offset, name + " (diameter or radius on X) is for lathes, this machine is a mill",
-            &errors::kLatheCode};
+    return diagnostics::fail(
+        word.offset, errors::kLatheCode,
+        name + " (diameter or radius on X) is for lathes, this machine is a mill");
   }
   if (code.status == Status::fanuc) {
-    return {word.offset, name + " is a code of the Fanuc dialect", &errors::kFanucCode};
+    return diagnostics::fail(word.offset, errors::kFanucCode,
+                             name + " is a code of the Fanuc dialect");
   }
   if (code.status == Status::refused) {
-    return {word.offset, joined({name, " is not supported", reason_for(word.value, dialect)}),
-            &errors::kCodeNotSupported};
+    return diagnostics::fail(word.offset, errors::kCodeNotSupported,
+                             joined({name, " is not supported", reason_for(word.value, dialect)}));
   }
   if (!is_m) {
-    return {word.offset, name + " is not known", &errors::kUnknownGCode};
+    return diagnostics::fail(word.offset, errors::kUnknownGCode, name + " is not known");
   }
   if (word.value >= 0.0 && word.value != std::floor(word.value)) {
-    return {word.offset, name + ": an M code must be a whole number", &errors::kDecimalMCode};
+    return diagnostics::fail(word.offset, errors::kDecimalMCode,
+                             name + ": an M code must be a whole number");
   }
   if (is_printer_code(word.value)) {
-    return {word.offset, name + " is not known (3D-printer file?)", &errors::kPrinterCode};
+    return diagnostics::fail(word.offset, errors::kPrinterCode,
+                             name + " is not known (3D-printer file?)");
   }
-  return {word.offset, name + " is not known", &errors::kUnknownMCode};
+  return diagnostics::fail(word.offset, errors::kUnknownMCode, name + " is not known");
 }
 
 // Fanuc has cycles and G80 in a group of their own (09).
@@ -167,8 +171,8 @@ void join_cycle_and_motion(const Block& block, BlockCodes& codes) {
 }
 
 template <std::size_t kSize>
-bool sort_words(const Block& block, const std::array<Word, kSize>& words, std::size_t count,
-                bool is_m, Dialect dialect, BlockCodes& codes, diagnostics::Fault& fault) {
+diagnostics::Done sort_words(const Block& block, const std::array<Word, kSize>& words,
+                             std::size_t count, bool is_m, Dialect dialect, BlockCodes& codes) {
   for (std::size_t i = 0; i < count; ++i) {
     const Word& word = words[i];
     const std::size_t place = place_of(word.value);
@@ -176,44 +180,36 @@ bool sort_words(const Block& block, const std::array<Word, kSize>& words, std::s
     const bool known =
         code.status == Status::known || (code.status == Status::fanuc && dialect == Dialect::fanuc);
     if (!known) {
-      fault = why_not(block, word, code, is_m, dialect);
-      return false;
+      return why_not(block, word, code, is_m, dialect);
     }
     const Group group = is_m ? code.group : group_of(code, place, dialect);
     BlockCodes::Entry& entry = codes.by_group[static_cast<std::size_t>(group)];
     if (entry.tenths != kNoCode) {
-      fault = {word.offset,
-               joined({upper(block.text(words[entry.index])), " and ", upper(block.text(word)),
-                       " are in the same modal group"}),
-               &errors::kSameModalGroup};
-      return false;
+      return diagnostics::fail(word.offset, errors::kSameModalGroup,
+                               joined({upper(block.text(words[entry.index])), " and ",
+                                       upper(block.text(word)), " are in the same modal group"}));
     }
     entry = {static_cast<Tenths>(place), static_cast<std::uint8_t>(i)};
   }
-  return true;
+  return {};
 }
 
 }  // namespace
 
-bool sort_some_codes(const Block& block, Dialect dialect, BlockCodes& codes,
-                     diagnostics::Fault& fault) {
+diagnostics::Done sort_some_codes(const Block& block, Dialect dialect, BlockCodes& codes) {
   if (codes.filled) {
     codes = {};
   }
   if (block.g_count + block.m_count == 0) {
-    return true;
+    return {};
   }
   codes.filled = true;
-  diagnostics::Fault other;
-  const bool g = sort_words(block, block.g, block.g_count, false, dialect, codes, fault);
-  const bool m = sort_words(block, block.m, block.m_count, true, dialect, codes, other);
+  diagnostics::Done g = sort_words(block, block.g, block.g_count, false, dialect, codes);
+  diagnostics::Done m = sort_words(block, block.m, block.m_count, true, dialect, codes);
   if (codes.has(Group::cycle)) {
     join_cycle_and_motion(block, codes);
   }
-  if (!m && (g || other.offset < fault.offset)) {
-    fault = std::move(other);
-  }
-  return g && m;
+  return !m && (g || m.error().offset < g.error().offset) ? m : g;
 }
 
 const Word& code_word(const Block& block, const BlockCodes& codes, Group group) {

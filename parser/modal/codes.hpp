@@ -70,15 +70,15 @@ struct BlockCodes {
 };
 
 // For sort_codes, which keeps blocks without codes away from it.
-bool sort_some_codes(const Block& block, Dialect dialect, BlockCodes& codes,
-                     diagnostics::Fault& fault);
+diagnostics::Done sort_some_codes(const Block& block, Dialect dialect, BlockCodes& codes);
 
-// Sorts the block's codes into their groups. False, with the fault of the leftmost wrong code:
-// not known, not supported, or a second one of its group.
-inline bool sort_codes(const Block& block, Dialect dialect, BlockCodes& codes,
-                       diagnostics::Fault& fault) {
-  return (block.g_count + block.m_count == 0 && !codes.filled) ||
-         sort_some_codes(block, dialect, codes, fault);
+// Sorts the block's codes into their groups. The fault is of the leftmost wrong code: not known,
+// not supported, or a second one of its group.
+inline diagnostics::Done sort_codes(const Block& block, Dialect dialect, BlockCodes& codes) {
+  if (block.g_count + block.m_count == 0 && !codes.filled) {
+    return {};
+  }
+  return sort_some_codes(block, dialect, codes);
 }
 
 // The word that put a code into `group`. Precondition: codes.has(group).

@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "diagnostics/errors/blocks.hpp"
 #include "diagnostics/errors/motion.hpp"
+#include "diagnostics/errors/offsets.hpp"
+#include "parser/modal/word_users.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {
@@ -15,10 +18,10 @@ constexpr Tenths kG53 = 530;
 
 // Where coordinates are not those of the machine. Axes without a word keep their place to the last
 // bit, unless the turn makes them move with another.
-Point resolved_with_offsets(const CurveBlock& at, const Point& from_mm) {
-  const Coordinates& coordinates = at.state.coordinates;
-  const double unit = mm_per_unit(at.state.units);
-  const bool incremental = at.state.incremental;
+Point resolved_with_offsets(const RunningBlock& at, const ModalState& state, const Point& from_mm) {
+  const Coordinates& coordinates = state.coordinates;
+  const double unit = mm_per_unit(state.units);
+  const bool incremental = state.incremental;
   Point program = incremental ? Point{} : coordinates.to_program(from_mm);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (at.block.has(axis_letter(axis))) {
@@ -40,13 +43,13 @@ Point resolved_with_offsets(const CurveBlock& at, const Point& from_mm) {
 }
 
 // In a turned coordinate system the word to blame may be that of the other axis.
-diagnostics::Fault out_of_range(const Block& block, char letter) {
+tl::unexpected<diagnostics::Fault> out_of_range(const Block& block, char letter) {
   const Word& word =
       block.has(letter) ? block.word(letter) : *leftmost(block, letters('X', 'Y', 'Z'));
-  return {word.offset,
-          joined({upper(block.text(word).substr(0, 1)), ": ", upper(block.text(word).substr(1, 40)),
-                  " leads outside -999999.999..999999.999 mm"}),
-          &errors::kPositionOutOfRange};
+  return fail(
+      word.offset, errors::kPositionOutOfRange,
+      joined({upper(block.text(word).substr(0, 1)), ": ", upper(block.text(word).substr(1, 40)),
+              " leads outside -999999.999..999999.999 mm"}));
 }
 
 }  // namespace
@@ -60,11 +63,11 @@ double sum_of_decimals(double one, double other) {
   return std::fabs(sum - decimal) <= rounding ? decimal : sum;
 }
 
-bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point,
-                   diagnostics::Fault& fault) {
-  const bool plain = at.state.coordinates.plain() || at.codes[Group::other] == kG53;
-  point = plain ? from_mm : resolved_with_offsets(at, from_mm);
-  const double unit = mm_per_unit(at.state.units);
+Expected<Point> resolve_point(const RunningBlock& at, const ModalState& state,
+                              const Point& from_mm) {
+  const bool plain = state.coordinates.plain() || at.codes[Group::other] == kG53;
+  Point point = plain ? from_mm : resolved_with_offsets(at, state, from_mm);
+  const double unit = mm_per_unit(state.units);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const char letter = axis_letter(axis);
     const bool named = at.block.has(letter);
@@ -73,18 +76,76 @@ bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point,
     }
     if (plain) {
       const double value = at.block.value(letter) * unit;
-      point[axis] = at.state.incremental ? sum_of_decimals(from_mm[axis], value) : value;
+      point[axis] = state.incremental ? sum_of_decimals(from_mm[axis], value) : value;
     }
     if (!(std::fabs(point[axis]) <= kLargestCoordinate_mm)) {
-      fault = out_of_range(at.block, letter);
-      return false;
+      return out_of_range(at.block, letter);
     }
   }
-  return true;
+  return point;
+}
+
+Point axis_words_mm(const Block& block, Units units) {
+  const double unit = mm_per_unit(units);
+  return {block.value_or('X', 0.0) * unit, block.value_or('Y', 0.0) * unit,
+          block.value_or('Z', 0.0) * unit};
+}
+
+Done needs_axis_words(const RunningBlock& at) {
+  if (at.block.has_any(at.axis_letters())) {
+    return {};
+  }
+  const Group taker = taker_of_axes(at.block, at.codes);
+  return fail(at.code_word(taker).offset, errors::kAxisWordMissing,
+              joined({at.name_of(taker), " needs at least one axis word"}));
 }
 
 double extra_word_deg_mm(const Block& block, std::size_t extra_axis, Units units) {
   return block.value(kExtraNames[extra_axis]) * (turns(extra_axis) ? 1.0 : mm_per_unit(units));
+}
+
+Expected<ExtraWords> resolve_extra(const RunningBlock& at, const ModalState& state,
+                                   ContourPhase phase) {
+  ExtraWords end_deg_mm = state.extra_deg_mm;
+  if (!at.block.has_any(at.extra_axes)) {
+    return end_deg_mm;
+  }
+  if (phase != ContourPhase::none) {
+    Done refused = refuse_extra(at, phase == ContourPhase::held ? "while G41/G42 is active"
+                                                                : "in the move that ends G41/G42");
+    return tl::unexpected(std::move(refused.error()));
+  }
+  ExtraWords words{};
+  for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
+    words[axis] =
+        at.block.has(kExtraNames[axis]) ? extra_word_deg_mm(at.block, axis, state.units) : 0.0;
+  }
+  const bool on_machine = state.incremental || at.codes[Group::other] == kG53;
+  const ExtraWords target = on_machine ? words : state.coordinates.extra_to_machine(words);
+  for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
+    if (!at.block.has(kExtraNames[axis])) {
+      continue;
+    }
+    end_deg_mm[axis] =
+        state.incremental ? sum_of_decimals(end_deg_mm[axis], target[axis]) : target[axis];
+    if (!(std::fabs(end_deg_mm[axis]) <= kLargestCoordinate_mm)) {
+      const Word& word = at.block.word(kExtraNames[axis]);
+      return fail(
+          word.offset, errors::kPositionOutOfRange,
+          joined({named(kExtraNames[axis]), ": ", upper(at.block.text(word).substr(1, 40)),
+                  " leads outside -999999.999..999999.999", turns(axis) ? " degrees" : " mm"}));
+    }
+  }
+  return end_deg_mm;
+}
+
+Done refuse_extra(const RunningBlock& at, std::string_view where) {
+  const Word* const word = leftmost(at.block, at.extra_axes);
+  if (word == nullptr) {
+    return {};
+  }
+  return fail(word->offset, errors::kExtraAxisHere,
+              joined({named(letter_of(at.block, *word)), " cannot be used ", where}));
 }
 
 }  // namespace kerf::parser

@@ -1,22 +1,10 @@
-// A block in the modes that it is run in, and where its words lead.
+// Where the axis words of a block lead.
 #pragma once
 
-#include <cstdint>
-
-#include "diagnostics/fault.hpp"
-#include "parser/block/block.hpp"
-#include "parser/modal/codes.hpp"
-#include "parser/modal/modal_state.hpp"
+#include "parser/modal/running_block.hpp"
 #include "parser/moves/arc_geometry.hpp"
 
 namespace kerf::parser {
-
-struct CurveBlock {
-  const Block& block;
-  const BlockCodes& codes;
-  const ModalState& state;
-  std::uint32_t line = 0;
-};
 
 inline constexpr double kLargestCoordinate_mm = 999999.999;
 
@@ -25,12 +13,25 @@ inline constexpr double kLargestCoordinate_mm = 999999.999;
 double sum_of_decimals(double one, double other);
 
 // The block's end point in machine coordinates: absolute or from `from_mm`, axes without a word
-// keep their place.
-// False, with the fault: beyond +-999999.999 mm.
-bool resolve_point(const CurveBlock& at, const Point& from_mm, Point& point,
-                   diagnostics::Fault& fault);
+// keep their place. At most +-999999.999 mm.
+Expected<Point> resolve_point(const RunningBlock& at, const ModalState& state,
+                              const Point& from_mm);
+
+// The axis words in mm; 0 for an axis without one.
+Point axis_words_mm(const Block& block, Units units);
+// The code that takes the axis words must have one.
+Done needs_axis_words(const RunningBlock& at);
 
 // The word of an extra axis. Precondition: the block has it.
 double extra_word_deg_mm(const Block& block, std::size_t extra_axis, Units units);
+
+// What cutter compensation is doing with the moves: it holds a contour or is on its way out.
+enum class ContourPhase : std::uint8_t { none, held, leaving };
+
+// Where the block's words send the extra axes, on the machine; those without a word stay.
+Expected<ExtraWords> resolve_extra(const RunningBlock& at, const ModalState& state,
+                                   ContourPhase phase);
+// The block has no word of an extra axis. `where`: "with G5".
+Done refuse_extra(const RunningBlock& at, std::string_view where);
 
 }  // namespace kerf::parser

@@ -101,10 +101,10 @@ std::optional<double> MachineValues::name(std::string_view name) const {
   if (const auto place_found = place(name)) {
     return place_found;
   }
-  if (const auto found = value_in(kModes, name, *from_.state)) {
+  if (const auto found = value_in(kModes, name, memory_->state)) {
     return found;
   }
-  if (const auto found = value_in(kMachine, name, *from_.state)) {
+  if (const auto found = value_in(kMachine, name, memory_->state)) {
     return found;
   }
   return special(name);
@@ -113,27 +113,27 @@ std::optional<double> MachineValues::name(std::string_view name) const {
 // What more than the modal state is needed for.
 std::optional<double> MachineValues::special(std::string_view name) const {
   const auto pocket = [this](double tool) {
-    const Tool* const listed = from_.machine->tools.find(static_cast<std::int32_t>(tool));
+    const Tool* const listed = memory_->machine.tools.find(static_cast<std::int32_t>(tool));
     return listed != nullptr ? static_cast<double>(listed->pocket) : 0.0;
   };
   if (name == "_line") {
-    return static_cast<double>(*from_.line);
+    return static_cast<double>(memory_->line);
   }
   if (name == "_call_level") {
-    return static_cast<double>(from_.calls->size() - 1);
+    return static_cast<double>(memory_->open_calls);
   }
   if (name == "_current_pocket") {
-    return pocket(from_.state->loaded_tool);
+    return pocket(memory_->state.loaded_tool);
   }
   if (name == "_selected_pocket") {
-    return from_.state->tool_selected ? pocket(from_.state->tool) : -1.0;
+    return memory_->state.tool_selected ? pocket(memory_->state.tool) : -1.0;
   }
   return std::nullopt;
 }
 
 // #<_x> in the program's coordinates, #<_abs_x> in the machine's.
 std::optional<double> MachineValues::place(std::string_view name) const {
-  const ModalState& state = *from_.state;
+  const ModalState& state = memory_->state;
   const auto value = [&](std::size_t axis, const Point& point_mm, const ExtraWords& extra_deg_mm) {
     const double unit = mm_per_unit(state.units);
     return axis < 3          ? point_mm[axis] / unit

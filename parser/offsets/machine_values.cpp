@@ -49,20 +49,22 @@ constexpr int kRotation = 9;
 }  // namespace
 
 std::optional<double> MachineValues::number(int number) const {
-  if (*from_.dialect == Dialect::fanuc) {
+  if (memory_->dialect == Dialect::fanuc) {
     return fanuc_number(number);
   }
-  const ModalState& state = *from_.state;
+  const ModalState& state = memory_->state;
   const double unit = mm_per_unit(state.units);
   if (const int axis = axis_in(number, kProbe); axis < kAxes) {
     return coordinate(state.probe.position_mm, state.probe.extra_deg_mm, axis) /
            unit_of(axis, unit);
   }
   if (const int axis = axis_in(number, kFirstHome); axis < kAxes) {
-    return coordinate(from_.machine->first_home_mm, from_.machine->first_home_extra_deg_mm, axis);
+    return coordinate(memory_->machine.first_home_mm, memory_->machine.first_home_extra_deg_mm,
+                      axis);
   }
   if (const int axis = axis_in(number, kSecondHome); axis < kAxes) {
-    return coordinate(from_.machine->second_home_mm, from_.machine->second_home_extra_deg_mm, axis);
+    return coordinate(memory_->machine.second_home_mm, memory_->machine.second_home_extra_deg_mm,
+                      axis);
   }
   if (const int axis = axis_in(number, kLocal); axis < kAxes) {
     return coordinate(state.stored_local_mm, state.stored_local_extra_deg_mm, axis);
@@ -93,11 +95,11 @@ std::optional<double> MachineValues::number(int number) const {
 }
 
 std::optional<double> MachineValues::tool_value(int number) const {
-  const Tool* const listed = from_.machine->tools.find(from_.state->loaded_tool);
+  const Tool* const listed = memory_->machine.tools.find(memory_->state.loaded_tool);
   const Tool tool = listed != nullptr ? *listed : Tool{};
   switch (number - kTool) {
     case 0:
-      return static_cast<double>(from_.state->loaded_tool);
+      return static_cast<double>(memory_->state.loaded_tool);
     case 10:
       return tool.diameter_mm;
     case 11:
@@ -113,7 +115,7 @@ std::optional<double> MachineValues::tool_value(int number) const {
 
 std::optional<double> MachineValues::work_value(int number) const {
   const WorkNumber which = work_number(number);
-  const WorkOffset& offset = from_.state->coordinates.work(which.system);
+  const WorkOffset& offset = memory_->state.coordinates.work(which.system);
   if (which.axis > kRotation) {
     return std::nullopt;
   }
@@ -122,10 +124,10 @@ std::optional<double> MachineValues::work_value(int number) const {
 }
 
 bool MachineValues::take(int number, double value) {
-  if (*from_.dialect == Dialect::fanuc) {
+  if (memory_->dialect == Dialect::fanuc) {
     return fanuc_take(number, value);
   }
-  ModalState& state = *from_.state;
+  ModalState& state = memory_->state;
   const auto take_axis = [&](Point& point, ExtraWords& extra, int axis) {
     if (axis >= kAxes) {
       return false;
@@ -135,15 +137,17 @@ bool MachineValues::take(int number, double value) {
       return true;
     }
     const auto k = static_cast<std::size_t>(axis - 3);
-    const bool named = (from_.machine->extra_axes & letter_bit(kExtraNames[k])) != 0;
+    const bool named = (memory_->machine.extra_axes & letter_bit(kExtraNames[k])) != 0;
     extra[k] = named ? value : extra[k];
     return named;
   };
   if (const int axis = axis_in(number, kFirstHome); axis < kAxes) {
-    return take_axis(from_.machine->first_home_mm, from_.machine->first_home_extra_deg_mm, axis);
+    return take_axis(memory_->machine.first_home_mm, memory_->machine.first_home_extra_deg_mm,
+                     axis);
   }
   if (const int axis = axis_in(number, kSecondHome); axis < kAxes) {
-    return take_axis(from_.machine->second_home_mm, from_.machine->second_home_extra_deg_mm, axis);
+    return take_axis(memory_->machine.second_home_mm, memory_->machine.second_home_extra_deg_mm,
+                     axis);
   }
   if (const int axis = axis_in(number, kLocal); axis < kAxes) {
     return take_axis(state.stored_local_mm, state.stored_local_extra_deg_mm, axis);

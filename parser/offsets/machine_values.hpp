@@ -1,16 +1,11 @@
 // The parameters #5061 to #5599 and #<_x> and its like that the machine's state gives.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string_view>
-#include <vector>
 
-#include "parser/dialects/dialect.hpp"
 #include "parser/expressions/predefined_values.hpp"
-#include "parser/interpreter/saved_modes.hpp"
-#include "parser/modal/machine_data.hpp"
-#include "parser/modal/modal_state.hpp"
+#include "parser/modal/program_memory.hpp"
 
 namespace kerf::parser {
 
@@ -29,15 +24,8 @@ namespace kerf::parser {
 // next G92.3; Fanuc's take effect at once. #5400 to #5413 and #5420 to #5428 cannot be written.
 class MachineValues final : public PredefinedValues {
  public:
-  // What the interpreter keeps; all must outlive this object.
-  struct Sources {
-    ModalState* state;
-    MachineData* machine;
-    const Dialect* dialect;
-    const std::uint32_t* line;
-    const std::vector<std::optional<SavedModes>>* calls;  // one, and one for each open call
-  };
-  explicit MachineValues(const Sources& sources) : from_(sources) {}
+  // `memory` must outlive this object.
+  explicit MachineValues(ProgramMemory& memory) : memory_(&memory) {}
 
   [[nodiscard]] std::optional<double> number(int number) const override;
   [[nodiscard]] std::optional<double> name(std::string_view name) const override;
@@ -51,7 +39,7 @@ class MachineValues final : public PredefinedValues {
   [[nodiscard]] std::optional<double> special(std::string_view name) const;
   [[nodiscard]] std::optional<double> place(std::string_view name) const;
 
-  Sources from_;
+  ProgramMemory* memory_;
 };
 
 }  // namespace kerf::parser

@@ -53,7 +53,7 @@ void ProgramRun::run_program_call(const Line& line, const Word& code) {
   }
   remove_call(block_, code);
   if ((block_.present & ~letter_bit('N')) != 0 || block_.g_count + block_.m_count > 0) {
-    interpreter_.run(block_, line.number, true);
+    interpret(line, true);
   }
   if (calls) {
     call(line, std::move(called));
@@ -104,7 +104,7 @@ bool ProgramRun::run_call(const Line& line, bool complete) {
     run_program_call(line, *code);
   } else if (code != nullptr) {
     remove_call(block_, *code);
-    interpreter_.run(block_, line.number, false);  // says what is wrong behind it
+    interpret(line, false);  // says what is wrong behind it
   }
   return code != nullptr;
 }
@@ -197,6 +197,15 @@ void ProgramRun::run_block(const Line& line, bool complete) {
     return run_fanuc_block(line, complete);
   }
   interpreter_.run(block_, line.number, complete);
+}
+
+ProgramMemory ProgramRun::memory_of(const ReaderOptions& options) {
+  ProgramMemory memory;
+  memory.state.position_mm = options.start_mm;
+  memory.state.extra_deg_mm = words_of(options.start_extra_rad_mm);
+  memory.machine = options.machine;
+  memory.dialect = options.dialect;
+  return memory;
 }
 
 }  // namespace kerf::parser

@@ -6,6 +6,7 @@
 #include "parser/block/block_grammar.hpp"
 #include "parser/cycles/drill_cycle.hpp"
 #include "parser/dialects/fanuc/end_of_block.hpp"
+#include "parser/dialects/fanuc/least_increment.hpp"
 #include "parser/flow/block_calls.hpp"
 #include "parser/flow/statement_text.hpp"
 #include "parser/reader/program_run.hpp"
@@ -94,9 +95,17 @@ void ProgramRun::act_on_signal(const Line& line) {
   }
 }
 
+void ProgramRun::interpret(const Line& line, bool complete) {
+  const double least_increment_mm = options_.machine.least_increment_mm;
+  if (options_.dialect == Dialect::fanuc && least_increment_mm != 0.0) {
+    count_in_least_increments(interpreter_.state(), least_increment_mm, block_);
+  }
+  interpreter_.run(block_, line.number, complete);
+}
+
 void ProgramRun::run_fanuc_block(const Line& line, bool complete) {
   const bool idle = interpreter_.moves().empty();
-  interpreter_.run(block_, line.number, complete);
+  interpret(line, complete);
   if (complete) {
     check_points(line);
   }

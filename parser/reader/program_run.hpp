@@ -17,6 +17,7 @@
 #include "parser/flow/reader_options.hpp"
 #include "parser/interpreter/interpreter.hpp"
 #include "parser/moves/short_moves.hpp"
+#include "parser/offsets/machine_values.hpp"
 #include "parser/reader/block_warnings.hpp"
 #include "parser/text/program_input.hpp"
 
@@ -28,12 +29,12 @@ class ProgramRun {
       : options_(std::move(options)),
         diagnostics_(options_.max_errors),
         input_(diagnostics_),
-        interpreter_(options_.start_mm, diagnostics_, options_.machine, options_.dialect,
-                     words_of(options_.start_extra_rad_mm)),
+        interpreter_(memory_of(options_), diagnostics_),
+        values_(interpreter_.memory()),
         parameters_(options_.dialect),
         evaluator_(parameters_),
         flow_(options_, input_, evaluator_, diagnostics_, interpreter_) {
-    parameters_.use(interpreter_.values());
+    parameters_.use(values_);
   }
 
   ProgramInput& input() { return input_; }
@@ -49,6 +50,8 @@ class ProgramRun {
   }
 
  private:
+  [[nodiscard]] static ProgramMemory memory_of(const ReaderOptions& options);
+
   // program_lines.cpp
   bool next_move(Move& move);  // however short
   bool next_line(Line& line);
@@ -76,12 +79,14 @@ class ProgramRun {
   void read_behind_semicolon(const Line& line);
   void act_on_signal(const Line& line);
   void check_points(const Line& line);
+  void interpret(const Line& line, bool complete);
   void run_fanuc_block(const Line& line, bool complete);
 
   ReaderOptions options_;
   diagnostics::DiagnosticList diagnostics_;
   ProgramInput input_;
   Interpreter interpreter_;
+  MachineValues values_;
   Parameters parameters_;
   Evaluator evaluator_;
   Flow flow_;

@@ -21,14 +21,15 @@ class MachineValuesOf : public testing::Test {
     }
     EXPECT_TRUE(diagnostics_.all().empty()) << diagnostics_.all().front().message;
   }
-  double value(int number) { return interpreter_.values().number(number).value_or(-999.0); }
-  double value(std::string_view name) { return interpreter_.values().name(name).value_or(-999.0); }
+  double value(int number) { return values_.number(number).value_or(-999.0); }
+  double value(std::string_view name) { return values_.name(name).value_or(-999.0); }
 
   diagnostics::DiagnosticList diagnostics_{10};
   std::uint32_t line_ = 0;
   Parameters parameters_;
   Evaluator evaluator_{parameters_};
-  Interpreter interpreter_{{}, diagnostics_, default_program_data()};
+  Interpreter interpreter_{{.machine = default_program_data()}, diagnostics_};
+  MachineValues values_{interpreter_.memory()};
 };
 
 TEST_F(MachineValuesOf, TheStartAreThoseOfLinuxCNC) {
@@ -66,9 +67,9 @@ TEST_F(MachineValuesOf, TheStartAreThoseOfLinuxCNC) {
   for (const auto& [name, number] : wanted) {
     EXPECT_EQ(value(name), number) << name;
   }
-  EXPECT_FALSE(interpreter_.values().name("_nothing"));
-  EXPECT_FALSE(interpreter_.values().name("x"));
-  EXPECT_FALSE(interpreter_.values().number(31));
+  EXPECT_FALSE(values_.name("_nothing"));
+  EXPECT_FALSE(values_.name("x"));
+  EXPECT_FALSE(values_.number(31));
 }
 
 TEST_F(MachineValuesOf, EveryModeFollowsItsCode) {
@@ -126,20 +127,20 @@ TEST_F(MachineValuesOf, OffsetsAreInMillimetresAndPositionsInTheProgramsUnits) {
 }
 
 TEST_F(MachineValuesOf, WrittenOffsetsWaitUntilTheyAreChosen) {
-  EXPECT_TRUE(interpreter_.values().take(5221, 1.0));
+  EXPECT_TRUE(values_.take(5221, 1.0));
   run({"G0 X1", "G54 X2"});
   EXPECT_EQ(value("_abs_x"), 2.0);
   run({"G55", "G54 X2"});
   EXPECT_EQ(value("_abs_x"), 3.0);
-  EXPECT_TRUE(interpreter_.values().take(5211, 4.0));
+  EXPECT_TRUE(values_.take(5211, 4.0));
   EXPECT_EQ(value(5420), 2.0);
   run({"G92.3"});
   EXPECT_EQ(value(5420), -2.0);
-  EXPECT_TRUE(interpreter_.values().take(5182, 7.0));
+  EXPECT_TRUE(values_.take(5182, 7.0));
   run({"G30 Y0"});
   EXPECT_EQ(value("_abs_y"), 7.0);
-  EXPECT_FALSE(interpreter_.values().take(5224, 1.0)) << "a mill has no axis A";
-  EXPECT_FALSE(interpreter_.values().take(100, 1.0));
+  EXPECT_FALSE(values_.take(5224, 1.0)) << "a mill has no axis A";
+  EXPECT_FALSE(values_.take(100, 1.0));
 }
 
 TEST_F(MachineValuesOf, AWaitInVainLeavesMinusOne) {
@@ -151,7 +152,8 @@ TEST_F(MachineValuesOf, AWaitInVainLeavesMinusOne) {
 
 TEST(FanucVariables, ShowOffsetsPositionsAndModes) {
   diagnostics::DiagnosticList diagnostics(10);
-  Interpreter interpreter({}, diagnostics, default_program_data(), Dialect::fanuc);
+  Interpreter interpreter({.machine = default_program_data(), .dialect = Dialect::fanuc},
+                          diagnostics);
   Parameters parameters(Dialect::fanuc);
   Evaluator evaluator(parameters);
   std::uint32_t line = 0;
@@ -165,7 +167,7 @@ TEST(FanucVariables, ShowOffsetsPositionsAndModes) {
     run(text);
   }
   EXPECT_TRUE(diagnostics.all().empty());
-  PredefinedValues& values = interpreter.values();
+  MachineValues values(interpreter.memory());
   const std::initializer_list<std::pair<int, double>> wanted{
       {5241, 5.0},  {5242, 6.0},   {5221, 0.0},   {7043, 9.0},  {5001, 1.0},   {5042, 2.0},
       {5021, 6.0},  {5023, 15.5},  {5083, 12.5},  {2001, 12.5}, {11001, 12.5}, {13001, 5.0},

@@ -117,13 +117,13 @@ std::optional<double> MachineValues::fanuc_number(int number) const {
   if (number == kAlarm || number == kMessage) {
     return 0.0;
   }
-  const ModalState& state = *from_.state;
+  const ModalState& state = memory_->state;
   const double unit = mm_per_unit(state.units);
   if (const WorkPlace place = work_place(number); place.exists()) {
     return state.coordinates.work(place.system).origin_mm[place.axis] / unit;
   }
   if (const ToolPlace place = tool_place(number); place.field != ToolField::none) {
-    const Tool* const tool = from_.machine->tools.find(place.tool);
+    const Tool* const tool = memory_->machine.tools.find(place.tool);
     if (tool == nullptr || place.field == ToolField::wear) {
       return 0.0;
     }
@@ -150,7 +150,7 @@ std::optional<double> MachineValues::fanuc_number(int number) const {
 }
 
 bool MachineValues::fanuc_take(int number, double value) {
-  ModalState& state = *from_.state;
+  ModalState& state = memory_->state;
   if (number == kAlarm || number == kMessage) {
     using Kind = MacroSignal::Kind;
     state.signal = {.kind = number == kAlarm ? Kind::alarm : Kind::stop, .number = value};
@@ -167,7 +167,7 @@ bool MachineValues::fanuc_take(int number, double value) {
   if (place.field != ToolField::length && place.field != ToolField::radius) {
     return false;
   }
-  const Tool* const listed = from_.machine->tools.find(place.tool);
+  const Tool* const listed = memory_->machine.tools.find(place.tool);
   if (listed == nullptr) {
     return false;
   }
@@ -178,7 +178,7 @@ bool MachineValues::fanuc_take(int number, double value) {
   } else {
     tool.diameter_mm = 2.0 * value * unit;
   }
-  from_.machine->tools.put(tool);
+  memory_->machine.tools.put(tool);
   return true;
 }
 

@@ -1,0 +1,53 @@
+// G6.2 and G5.2 ... G5.3: which blocks belong to a curve, and what follows an error in one.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "parser/curves/nurbs_collector.hpp"
+#include "parser/curves/uniform_collector.hpp"
+
+namespace kerf::parser {
+
+class CurveReader {
+ public:
+  // Its blocks are being gathered.
+  [[nodiscard]] bool open() const { return nurbs_.active() || uniform_.active(); }
+  // The block is the first of a curve.
+  [[nodiscard]] static bool begins(const RunningBlock& at, const ModalState& state);
+
+  Done begin(const RunningBlock& at, const ModalState& state, double feedrate_mm_s);
+  // A further block; the last one makes the move. Precondition of these three: open().
+  Done add(const RunningBlock& at, ModalState& state);
+  // A block that is no part of the curve but shows that its end is missing.
+  [[nodiscard]] std::optional<diagnostics::Fault> missing_end(const RunningBlock& at) const;
+  // The text ends here.
+  struct TextEnd {
+    std::uint32_t line = 0;
+    std::string_view where;
+  };
+  [[nodiscard]] diagnostics::Fault unfinished(const TextEnd& end) const;
+
+  // There was an error in the curve: its blocks mean nothing any more.
+  void abandon(ModalState& state);
+  // The same where the block that should have begun one has an error.
+  void skip_from(const Block& block);
+  void skip(Motion motion);
+  [[nodiscard]] bool skipping() const { return skipped_ != kNoCode; }
+  void skip_no_more() { skipped_ = kNoCode; }
+  // Blocks are passed over up to the next other code of group 1, the start of a new curve, or the
+  // end of the program. True: the block is to be run. Precondition: skipping().
+  bool leave_skipped(const RunningBlock& at, ModalState& state);
+
+ private:
+  Done add_uniform(const RunningBlock& at, ModalState& state);
+  [[nodiscard]] diagnostics::Fault of_curve(std::uint32_t line, diagnostics::Fault fault) const;
+
+  NurbsCollector nurbs_;
+  UniformCollector uniform_;
+  diagnostics::SourcePosition source_;
+  double feedrate_mm_s_ = 0.0;
+  Tenths skipped_ = kNoCode;  // the code of a curve with an error whose blocks still come
+};
+
+}  // namespace kerf::parser

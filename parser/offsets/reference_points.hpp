@@ -1,0 +1,16 @@
+// G28, G30 and the rapids beside the motion in force.
+#pragma once
+
+#include "parser/modal/end_point.hpp"
+#include "parser/modal/machine_data.hpp"
+
+namespace kerf::parser {
+
+void push_rapid(const RunningBlock& at, ModalState& state, const Point& end_mm,
+                const ExtraWords& extra_deg_mm);
+// By way of the point that the axis words name; then only the axes that have a word go home, or
+// all where none has.
+Done go_home(const RunningBlock& at, ModalState& state, const HomePosition& home,
+             ContourPhase phase);
+
+}  // namespace kerf::parser

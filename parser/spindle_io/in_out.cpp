@@ -1,0 +1,99 @@
+#include "parser/spindle_io/in_out.hpp"
+
+#include <cmath>
+
+#include "diagnostics/errors/switches.hpp"
+#include "parser/text/text.hpp"
+
+namespace kerf::parser {
+
+namespace {
+
+constexpr double kLongestWait_s = 1e6;
+
+// The number of an input or output in word `letter`.
+Expected<int> channel(const RunningBlock& at, char letter, int count) {
+  const Word& code = at.code_word(Group::in_out);
+  const std::string name = upper(at.block.text(code));
+  const std::string range = joined({named(letter), " must be 0 to ", std::to_string(count - 1)});
+  if (!at.block.has(letter)) {
+    return fail(code.offset, errors::kChannelMissing, joined({name, " needs ", named(letter)}));
+  }
+  const Word& word = at.block.word(letter);
+  if (word.value != std::floor(word.value) || word.value < 0.0 || word.value >= count) {
+    return fail(word.offset, errors::kChannelOutOfRange,
+                joined({name, ": ", range, ", found ", shortest(word.value)}));
+  }
+  return static_cast<int>(word.value);
+}
+
+// M66 P reads or waits for a digital input, M66 E reads an analog one; #5399 gets the answer. The
+// table is simulated and its inputs are low: a wait for low is over at once, every other one lasts
+// Q seconds and is in vain.
+Done wait_for_input(const RunningBlock& at, ModalState& state) {
+  const Word& code = at.code_word(Group::in_out);
+  if (at.block.has('P') == at.block.has('E')) {
+    return fail(code.offset, errors::kInputMissing,
+                "M66 needs P (digital input) or E (analog input), and not both");
+  }
+  const bool analog = at.block.has('E');
+  const auto input = channel(at, analog ? 'E' : 'P', analog ? kAnalogOutputs : kDigitalOutputs);
+  if (!input) {
+    return tl::unexpected(input.error());
+  }
+  const double kind = at.block.value_or('L', 0.0);
+  if (kind != std::floor(kind) || kind < 0.0 || kind > 4.0 || (analog && kind != 0.0)) {
+    return fail(at.block.word('L').offset, errors::kWaitKind,
+                joined({"M66: L must be ", analog ? "0 for an analog input" : "0 to 4", ", found ",
+                        shortest(kind)}));
+  }
+  const double wait_s = at.block.value_or('Q', 0.0);
+  if (wait_s < 0.0 || wait_s > kLongestWait_s || (kind != 0.0 && wait_s == 0.0)) {
+    return fail(
+        at.block.has('Q') ? at.block.word('Q').offset : code.offset, errors::kWaitTime,
+        joined({"M66 L", shortest(kind), ": Q (seconds) must be ",
+                kind == 0.0 ? "0 or more" : "greater than 0", ", found ", shortest(wait_s)}));
+  }
+  const bool in_vain = kind == 1.0 || kind == 2.0 || kind == 3.0;
+  state.input = in_vain ? -1.0 : 0.0;
+  if (in_vain) {
+    at.push_move(state).shape = DwellMove{wait_s};
+  }
+  return {};
+}
+
+}  // namespace
+
+Done switch_in_out(const RunningBlock& at, ModalState& state) {
+  const Tenths code = at.codes[Group::in_out];
+  if (code == kNoCode) {
+    return {};
+  }
+  if (code == 660) {
+    return wait_for_input(at, state);
+  }
+  if (code < 660) {
+    const auto output = channel(at, 'P', kDigitalOutputs);
+    if (!output) {
+      return tl::unexpected(output.error());
+    }
+    const bool at_motion = code == 620 || code == 630;
+    at.push_event(state, {at_motion ? EventKind::digital_at_motion : EventKind::digital_output,
+                          code == 620 || code == 640 ? 1.0 : 0.0, *output});
+    return {};
+  }
+  const auto output = channel(at, 'E', kAnalogOutputs);
+  if (!output) {
+    return tl::unexpected(output.error());
+  }
+  if (!at.block.has('Q')) {
+    const Word& word = at.code_word(Group::in_out);
+    return fail(word.offset, errors::kOutputValueMissing,
+                joined({upper(at.block.text(word)), " needs Q (the value)"}));
+  }
+  at.push_event(state, {code == 670 ? EventKind::analog_at_motion : EventKind::analog_output,
+                        at.block.value('Q'), *output});
+  return {};
+}
+
+}  // namespace kerf::parser

@@ -1,0 +1,28 @@
+// The spindle: S, G96, G97, M3, M4, M5, M19.
+#pragma once
+
+#include "parser/modal/running_block.hpp"
+
+namespace kerf::parser {
+
+// S, G96 and G97; with Fanuc S beside G92 is the highest speed of G96.
+Done set_speed(const RunningBlock& at, ModalState& state);
+// Revolutions per minute. With G96 those that give the surface speed S at the place where the tool
+// is now.
+double spindle_per_min(const ModalState& state);
+
+// What the machine was told last.
+class SpindleDrive {
+ public:
+  // M3, M4, M5, M19; a new S while the spindle turns is sent as its direction once more.
+  Done start(const RunningBlock& at, ModalState& state);
+  // Another work offset, tool offset or unit has changed what X0 or S is to a turning spindle.
+  void follow_moved_axis(const MoveSink& at, const ModalState& state);
+  // What turns the spindle, as S and G96 have it at this place.
+  EventMove turn(const ModalState& state, Spindle direction);
+
+ private:
+  SurfaceFollowing followed_{};
+};
+
+}  // namespace kerf::parser
