@@ -2,15 +2,12 @@
 
 namespace kerf::diagnostics {
 
-Fault::Fault(Fault&&) noexcept = default;
-Fault::Fault(const Fault&) = default;
-Fault& Fault::operator=(Fault&&) noexcept = default;
-Fault& Fault::operator=(const Fault&) = default;
-Fault::~Fault() = default;
+Failure failure(Fault fault) {
+  return Failure(std::make_unique<Fault>(std::move(fault)));
+}
 
-tl::unexpected<Fault> fail(std::uint32_t offset_in_line, const ErrorPage& page,
-                           std::string message) {
-  return tl::unexpected(Fault(offset_in_line, std::move(message), &page));
+Failure fail(std::uint32_t offset_in_line, const ErrorPage& page, std::string message) {
+  return failure({offset_in_line, std::move(message), &page});
 }
 
 }  // namespace kerf::diagnostics

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -16,12 +17,6 @@ namespace kerf::diagnostics {
 // Whoever says that something is wrong says why: without a page there is no fault.
 struct Fault {
   Fault() = default;  // nothing is wrong
-  // Not inline: units return faults, and what is not needed must not crowd their code.
-  Fault(Fault&&) noexcept;
-  Fault(const Fault&);
-  Fault& operator=(Fault&&) noexcept;
-  Fault& operator=(const Fault&);
-  ~Fault();
   Fault(std::uint32_t offset_in_line, std::string what, const ErrorPage* why)
       : offset(offset_in_line), message(std::move(what)), page(why) {}
 
@@ -32,17 +27,20 @@ struct Fault {
   std::optional<DiagnosticPlace> elsewhere;
 };
 
+// On its way up a fault is as small as a pointer, so that results cost little where all is well.
+using FaultPointer = std::unique_ptr<Fault>;  // never null
+using Failure = tl::unexpected<FaultPointer>;
 template <class Value>
-using Expected = tl::expected<Value, Fault>;
+using Expected = tl::expected<Value, FaultPointer>;
 using Done = Expected<void>;
 
-tl::unexpected<Fault> fail(std::uint32_t offset_in_line, const ErrorPage& page,
-                           std::string message);
+Failure failure(Fault fault);
+Failure fail(std::uint32_t offset_in_line, const ErrorPage& page, std::string message);
 
 // What went wrong, to be handed on.
 template <class Value>
-tl::unexpected<Fault> fault_of(Expected<Value>& failed) {
-  return tl::unexpected(std::move(failed.error()));
+Failure fault_of(Expected<Value>& failed) {
+  return Failure(std::move(failed.error()));
 }
 
 }  // namespace kerf::diagnostics

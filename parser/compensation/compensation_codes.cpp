@@ -89,7 +89,7 @@ Done radius_of_d(const RunningBlock& at, ModalState& state, const ToolTable& too
   state.cutter_offset = number;
   Expected<const Tool*> tool = named_tool(at, tools, number, offset);
   if (!tool) {
-    tool.error().page = &errors::kCompensationUnknownTool;
+    tool.error()->page = &errors::kCompensationUnknownTool;
     return fault_of(tool);
   }
   const int orientation = (*tool)->orientation;

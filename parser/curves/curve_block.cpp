@@ -31,10 +31,9 @@ void append_point(NurbsMove& curve, const NurbsPoint& point, std::uint32_t line)
   curve.point_lines.push_back(line);
 }
 
-tl::unexpected<diagnostics::Fault> CurveCode::fail(
-    std::uint32_t offset, const diagnostics::ErrorPage& page,
-    std::initializer_list<std::string_view> parts) const {
-  return diagnostics::fail(offset, page, joined({name, ": ", joined(parts)}));
+diagnostics::Fault CurveCode::fault(std::uint32_t offset, const diagnostics::ErrorPage& page,
+                                    std::initializer_list<std::string_view> parts) const {
+  return {offset, joined({name, ": ", joined(parts)}), &page};
 }
 
 Expected<double> CurveCode::read_weight(const Block& block, const WeightRule& rule) const {

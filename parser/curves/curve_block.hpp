@@ -38,9 +38,12 @@ struct CurveCode {
   std::string_view name;
 
   // Puts a fault together from parts of its message.
-  [[nodiscard]] tl::unexpected<diagnostics::Fault> fail(
-      std::uint32_t offset, const diagnostics::ErrorPage& page,
-      std::initializer_list<std::string_view> parts) const;
+  [[nodiscard]] diagnostics::Fault fault(std::uint32_t offset, const diagnostics::ErrorPage& page,
+                                         std::initializer_list<std::string_view> parts) const;
+  [[nodiscard]] diagnostics::Failure fail(std::uint32_t offset, const diagnostics::ErrorPage& page,
+                                          std::initializer_list<std::string_view> parts) const {
+    return diagnostics::failure(fault(offset, page, parts));
+  }
   // 1 where the block has no such word; greater than 0.
   [[nodiscard]] Expected<double> read_weight(const Block& block, const WeightRule& rule) const;
 };

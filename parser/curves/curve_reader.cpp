@@ -69,7 +69,7 @@ Done CurveReader::add(const RunningBlock& at, ModalState& state) {
   if (!progress) {
     state.position_mm = nurbs_.last_point_mm();
     skipped_ = kG62;
-    return tl::unexpected(of_curve(at.source.line, std::move(progress.error())));
+    return diagnostics::failure(of_curve(at.source.line, std::move(*progress.error())));
   }
   if (*progress == CurveProgress::complete) {
     push_curve(at, state, {nurbs_.take(), "G6.2", source_, feedrate_mm_s_});
@@ -82,7 +82,7 @@ Done CurveReader::add_uniform(const RunningBlock& at, ModalState& state) {
   if (!progress) {
     state.position_mm = uniform_.last_point_mm();
     skipped_ = at.codes[Group::motion] == kG53 ? kNoCode : kG52;
-    return tl::unexpected(of_curve(at.source.line, std::move(progress.error())));
+    return diagnostics::failure(of_curve(at.source.line, std::move(*progress.error())));
   }
   if (*progress == CurveProgress::complete) {
     set_motion(at, state, kG53);

@@ -65,13 +65,13 @@ Done NurbsCollector::wrong_head(const RunningBlock& at, double knot) const {
         at.block.word('K').offset, errors::kHeadKnots,
         {"the first ", order, " knots must be equal, found ", shortest(knot), " after ", first});
   }
-  auto failure = kCurve.fail(
+  auto fault = kCurve.fault(
       0, errors::kHeadKnots,
       {"P (order) ", order, " needs the first ", order, " knots equal, found ", shortest(knot),
        " in line ", std::to_string(at.source.line), " after ", std::to_string(curve_.knots.size()),
        curve_.knots.size() == 1 ? " knot of " : " knots of ", first, " (Fanuc takes P 2 to 4)"});
-  failure.value().elsewhere = extension_;
-  return failure;
+  fault.elsewhere = extension_;
+  return diagnostics::failure(std::move(fault));
 }
 
 Done NurbsCollector::check_knot(const RunningBlock& at, double knot) const {

@@ -177,17 +177,13 @@ Done NurbsCollector::add_knot(const RunningBlock& at) {
 
 diagnostics::Fault NurbsCollector::unfinished(std::uint32_t offset, std::string_view where) const {
   if (tail_ == 0) {
-    return kCurve
-        .fail(offset, errors::kNurbsUnfinished,
-              {"the curve is not finished ", where, " (", std::to_string(order_),
-               " knot-only blocks are missing)"})
-        .value();
+    return kCurve.fault(offset, errors::kNurbsUnfinished,
+                        {"the curve is not finished ", where, " (", std::to_string(order_),
+                         " knot-only blocks are missing)"});
   }
-  return kCurve
-      .fail(offset, errors::kNurbsUnfinished,
-            {"the curve is not finished ", where, ": ", std::to_string(order_),
-             " knot-only blocks are needed at its end, found ", std::to_string(tail_)})
-      .value();
+  return kCurve.fault(offset, errors::kNurbsUnfinished,
+                      {"the curve is not finished ", where, ": ", std::to_string(order_),
+                       " knot-only blocks are needed at its end, found ", std::to_string(tail_)});
 }
 
 Expected<CurveProgress> NurbsCollector::add(const RunningBlock& at, const ModalState& state) {

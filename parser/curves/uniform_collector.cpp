@@ -128,10 +128,8 @@ Done UniformCollector::close(const RunningBlock& at) {
 
 diagnostics::Fault UniformCollector::unfinished(std::uint32_t offset,
                                                 std::string_view where) const {
-  return kCurve
-      .fail(offset, errors::kSplineUnfinished,
-            {"the curve is not finished ", where, " (G5.3 is missing)"})
-      .value();
+  return kCurve.fault(offset, errors::kSplineUnfinished,
+                      {"the curve is not finished ", where, " (G5.3 is missing)"});
 }
 
 Expected<CurveProgress> UniformCollector::add(const RunningBlock& at, const ModalState& state) {

@@ -43,7 +43,7 @@ void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
     return;
   }
   if (const Done done = complete ? execute(at) : refuse(at); !done) {
-    report(line, done.error());
+    report(line, *done.error());
     if (curves_.open()) {
       curves_.abandon(memory_.state);
     } else {
@@ -60,7 +60,7 @@ void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
 Done Interpreter::refuse(const RunningBlock& at) {
   Done sorted = sort_codes(at.block, at.dialect, codes_);
   const bool explained = sorted || at.block.stop == Stop::too_many_g;
-  return explained ? tl::unexpected(explain_stop(at.block)) : sorted;
+  return explained ? diagnostics::failure(explain_stop(at.block)) : std::move(sorted);
 }
 
 void Interpreter::end(std::uint32_t last_line, std::string_view where) {
@@ -117,8 +117,11 @@ MacroSignal Interpreter::take_signal() {
   if (state.surface_speed.active) {
     spindle_.follow_moved_axis(at, state);
   }
+  if (at.block.m_count == 0) {
+    return move(at, *axis_taker);
+  }
   Done moved = move(at, *axis_taker);
-  if (moved && at.block.m_count > 0) {
+  if (moved) {
     program_ended_ = stop_program(at, state) || program_ended_;
   }
   return moved;

@@ -83,7 +83,7 @@ Done check_ranges(const RunningBlock& at, Units units, Letters ranged) {
   return {};
 }
 
-tl::unexpected<diagnostics::Fault> refuse_line_number(const RunningBlock& at) {
+diagnostics::Failure refuse_line_number(const RunningBlock& at) {
   const Word& word = at.block.word('N');
   return fail(
       word.offset, errors::kLineNumberOutOfRange,

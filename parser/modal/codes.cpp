@@ -119,8 +119,8 @@ std::string_view reason_for(double g, Dialect dialect) {
   return (g >= 70.0 && g < 73.0) || g == 76.0 ? " (a cycle of lathes)" : "";
 }
 
-tl::unexpected<diagnostics::Fault> why_not(const Block& block, const Word& word, const Code& code,
-                                           bool is_m, Dialect dialect) {
+diagnostics::Failure why_not(const Block& block, const Word& word, const Code& code, bool is_m,
+                             Dialect dialect) {
   const std::string name = upper(block.text(word));
   if (!is_m && (word.value == 7.0 || word.value == 8.0)) {
     return diagnostics::fail(
@@ -209,7 +209,7 @@ diagnostics::Done sort_some_codes(const Block& block, Dialect dialect, BlockCode
   if (codes.has(Group::cycle)) {
     join_cycle_and_motion(block, codes);
   }
-  return !m && (g || m.error().offset < g.error().offset) ? m : g;
+  return !m && (g || m.error()->offset < g.error()->offset) ? std::move(m) : std::move(g);
 }
 
 const Word& code_word(const Block& block, const BlockCodes& codes, Group group) {

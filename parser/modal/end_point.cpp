@@ -43,7 +43,7 @@ Point resolved_with_offsets(const RunningBlock& at, const ModalState& state, con
 }
 
 // In a turned coordinate system the word to blame may be that of the other axis.
-tl::unexpected<diagnostics::Fault> out_of_range(const Block& block, char letter) {
+diagnostics::Failure out_of_range(const Block& block, char letter) {
   const Word& word =
       block.has(letter) ? block.word(letter) : *leftmost(block, letters('X', 'Y', 'Z'));
   return fail(
@@ -113,7 +113,7 @@ Expected<ExtraWords> resolve_extra(const RunningBlock& at, const ModalState& sta
   if (phase != ContourPhase::none) {
     Done refused = refuse_extra(at, phase == ContourPhase::held ? "while G41/G42 is active"
                                                                 : "in the move that ends G41/G42");
-    return tl::unexpected(std::move(refused.error()));
+    return fault_of(refused);
   }
   ExtraWords words{};
   for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {

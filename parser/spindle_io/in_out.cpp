@@ -37,9 +37,9 @@ Done wait_for_input(const RunningBlock& at, ModalState& state) {
                 "M66 needs P (digital input) or E (analog input), and not both");
   }
   const bool analog = at.block.has('E');
-  const auto input = channel(at, analog ? 'E' : 'P', analog ? kAnalogOutputs : kDigitalOutputs);
+  auto input = channel(at, analog ? 'E' : 'P', analog ? kAnalogOutputs : kDigitalOutputs);
   if (!input) {
-    return tl::unexpected(input.error());
+    return fault_of(input);
   }
   const double kind = at.block.value_or('L', 0.0);
   if (kind != std::floor(kind) || kind < 0.0 || kind > 4.0 || (analog && kind != 0.0)) {
@@ -73,18 +73,18 @@ Done switch_in_out(const RunningBlock& at, ModalState& state) {
     return wait_for_input(at, state);
   }
   if (code < 660) {
-    const auto output = channel(at, 'P', kDigitalOutputs);
+    auto output = channel(at, 'P', kDigitalOutputs);
     if (!output) {
-      return tl::unexpected(output.error());
+      return fault_of(output);
     }
     const bool at_motion = code == 620 || code == 630;
     at.push_event(state, {at_motion ? EventKind::digital_at_motion : EventKind::digital_output,
                           code == 620 || code == 640 ? 1.0 : 0.0, *output});
     return {};
   }
-  const auto output = channel(at, 'E', kAnalogOutputs);
+  auto output = channel(at, 'E', kAnalogOutputs);
   if (!output) {
-    return tl::unexpected(output.error());
+    return fault_of(output);
   }
   if (!at.block.has('Q')) {
     const Word& word = at.code_word(Group::in_out);

@@ -30,8 +30,8 @@ Done select_tool(const RunningBlock& at, ModalState& state, const ToolTable& too
         word.offset, errors::kToolOutOfRange,
         joined({"T: value ", upper(at.block.text(word).substr(1, 40)), " is out of range"}));
   }
-  if (const auto tool = named_tool(at, tools, word.value, word.offset); !tool) {
-    return tl::unexpected(tool.error());
+  if (auto tool = named_tool(at, tools, word.value, word.offset); !tool) {
+    return fault_of(tool);
   }
   state.tool = word.value;
   state.tool_selected = true;
@@ -60,8 +60,8 @@ Done change_tool(const RunningBlock& at, ModalState& state, const ToolTable& too
     return fail(word.offset, errors::kToolNumberMissing,
                 joined({"M61: Q must be a tool's number, found ", shortest(word.value)}));
   }
-  if (const auto tool = named_tool(at, tools, word.value, word.offset); !tool) {
-    return tl::unexpected(tool.error());
+  if (auto tool = named_tool(at, tools, word.value, word.offset); !tool) {
+    return fault_of(tool);
   }
   state.loaded_tool = static_cast<std::int32_t>(word.value);
   at.push_event(state, {EventKind::tool_number, word.value});
