@@ -21,14 +21,6 @@ bool ends_program(const BlockCodes& codes) {
 
 }  // namespace
 
-bool CurveReader::begins(const RunningBlock& at, const ModalState& state) {
-  const Tenths code = at.codes[Group::motion];
-  if (code != kNoCode) {
-    return code == kG62 || code == kG52;
-  }
-  return state.motion == Motion::nurbs && at.block.has_any(at.axis_letters() | letters('K', 'R'));
-}
-
 Done CurveReader::begin(const RunningBlock& at, const ModalState& state, double feedrate_mm_s) {
   source_ = at.source;
   feedrate_mm_s_ = feedrate_mm_s;
@@ -101,7 +93,7 @@ void CurveReader::abandon(ModalState& state) {
 
 void CurveReader::skip_from(const Block& block) {
   for (std::size_t i = 0; i < block.g_count; ++i) {
-    for (const Tenths code : {kG52, kG62}) {
+    for (const Tenths code : kBegins) {
       if (std::fabs(block.g[i].value * 10.0 - code) < 1e-8) {
         skipped_ = code;
       }

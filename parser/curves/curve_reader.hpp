@@ -1,6 +1,7 @@
 // G6.2 and G5.2 ... G5.3: which blocks belong to a curve, and what follows an error in one.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -14,7 +15,12 @@ class CurveReader {
   // Its blocks are being gathered.
   [[nodiscard]] bool open() const { return nurbs_.active() || uniform_.active(); }
   // The block is the first of a curve.
-  [[nodiscard]] static bool begins(const RunningBlock& at, const ModalState& state);
+  [[nodiscard]] static bool begins(const RunningBlock& at, const ModalState& state) {
+    const Tenths code = at.codes[Group::motion];
+    return code != kNoCode ? code == kBegins[0] || code == kBegins[1]
+                           : state.motion == Motion::nurbs &&
+                                 at.block.has_any(at.axis_letters() | letters('K', 'R'));
+  }
 
   Done begin(const RunningBlock& at, const ModalState& state, double feedrate_mm_s);
   // A further block; the last one makes the move. Precondition of these three: open().
@@ -40,6 +46,7 @@ class CurveReader {
   bool leave_skipped(const RunningBlock& at, ModalState& state);
 
  private:
+  static constexpr std::array<Tenths, 2> kBegins{52, 62};  // G5.2 and G6.2
   Done add_uniform(const RunningBlock& at, ModalState& state);
   [[nodiscard]] diagnostics::Fault of_curve(std::uint32_t line, diagnostics::Fault fault) const;
 

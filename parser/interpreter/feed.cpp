@@ -85,7 +85,7 @@ Expected<double> Feed::per_revolution(const RunningBlock& at, const ModalState& 
   return *state.feed_per_revolution_mm * per_min / 60.0;
 }
 
-Expected<double> Feed::cutting(const RunningBlock& at, ModalState& state, double length_mm) {
+Expected<double> Feed::worked_out(const RunningBlock& at, ModalState& state, double length_mm) {
   if (state.feed_mode == FeedMode::inverse_time) {
     return inverse_time_feedrate(at, length_mm);
   }

@@ -16,12 +16,17 @@ class Feed {
   void spindle_started() { stopped_spindle_reported_ = false; }
 
   // The feedrate of a cutting move of this block; `length_mm` is what G93 divides by the time.
-  Expected<double> cutting(const RunningBlock& at, ModalState& state, double length_mm);
+  Expected<double> cutting(const RunningBlock& at, ModalState& state, double length_mm) {
+    const bool plain = state.feed_mode == FeedMode::per_minute && !state.feed_from_other_units;
+    return plain && state.feedrate_mm_s.value_or(0.0) > 0.0 ? *state.feedrate_mm_s
+                                                            : worked_out(at, state, length_mm);
+  }
   // Of a move of the extra axes alone: along U, V and W where one of them moves, else along A, B
   // and C: then F counts degrees.
   Expected<double> extra_axes(const RunningBlock& at, ModalState& state, const ExtraWay& way);
 
  private:
+  Expected<double> worked_out(const RunningBlock& at, ModalState& state, double length_mm);
   Expected<double> per_revolution(const RunningBlock& at, const ModalState& state);
 
   bool no_feed_reported_ = false;

@@ -31,29 +31,38 @@ void Interpreter::report(std::uint32_t line, const diagnostics::Fault& fault) {
 
 void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
   memory_.line = line;
-  source_ = {line, block.first_word + 1, file_};
-  const RunningBlock at{{moves_, source_, ++blocks_run_, memory_.machine.extra_axes},
+  column_ = block.first_word + 1;
+  const RunningBlock at{{moves_, {line, column_, file_}, ++blocks_run_, memory_.machine.extra_axes},
                         block,
                         codes_,
                         *diagnostics_,
                         memory_.dialect};
-  if (curves_.skipping() && !(complete && sort_codes(block, memory_.dialect, codes_) &&
-                              curves_.leave_skipped(at, memory_.state))) {
+  if (curves_.skipping() && !leaves_skipped_curve(at, complete)) {
     recover(at);
     return;
   }
   if (const Done done = complete ? execute(at) : refuse(at); !done) {
-    report(line, *done.error());
-    if (curves_.open()) {
-      curves_.abandon(memory_.state);
-    } else {
-      curves_.skip_from(block);
-    }
-    recover(at);
+    take_fault(at, *done.error());
   }
   if (compensation_.busy()) {
-    compensate_moves();
+    compensate_moves(at.source);
   }
+}
+
+bool Interpreter::leaves_skipped_curve(const RunningBlock& at, bool complete) {
+  return complete && sort_codes(at.block, at.dialect, codes_) &&
+         curves_.leave_skipped(at, memory_.state);
+}
+
+[[gnu::cold]] void Interpreter::take_fault(const RunningBlock& at,
+                                           const diagnostics::Fault& fault) {
+  report(at.source.line, fault);
+  if (curves_.open()) {
+    curves_.abandon(memory_.state);
+  } else {
+    curves_.skip_from(at.block);
+  }
+  recover(at);
 }
 
 // A line in which the grammar stopped.
@@ -71,7 +80,7 @@ void Interpreter::end(std::uint32_t last_line, std::string_view where) {
   }
   if (compensation_.busy()) {
     compensation_.finish({last_line, 1, file_});
-    compensate_moves();
+    compensate_moves({last_line, 1, file_});
   }
 }
 
@@ -127,6 +136,17 @@ MacroSignal Interpreter::take_signal() {
   return moved;
 }
 
+// False: the curve is given up, since its end is missing.
+bool Interpreter::belongs_to_curve(const RunningBlock& at) {
+  const std::optional<diagnostics::Fault> missing_end = curves_.missing_end(at);
+  if (missing_end) {
+    report(at.source.line, *missing_end);
+    curves_.abandon(memory_.state);
+    curves_.skip_no_more();
+  }
+  return !missing_end;
+}
+
 Done Interpreter::execute(const RunningBlock& at) {
   ModalState& state = memory_.state;
   if (Done sorted = sort_codes(at.block, at.dialect, codes_); !sorted) {
@@ -140,14 +160,8 @@ Done Interpreter::execute(const RunningBlock& at) {
       return allowed;
     }
   }
-  if (curves_.open()) {
-    const std::optional<diagnostics::Fault> missing_end = curves_.missing_end(at);
-    if (!missing_end) {
-      return curves_.add(at, state).and_then([&] { return set_feed(at, state); });
-    }
-    report(at.source.line, *missing_end);
-    curves_.abandon(state);
-    curves_.skip_no_more();
+  if (curves_.open() && belongs_to_curve(at)) {
+    return curves_.add(at, state).and_then([&] { return set_feed(at, state); });
   }
   if (CurveReader::begins(at, state)) {
     return begin_curve(at);
@@ -156,14 +170,14 @@ Done Interpreter::execute(const RunningBlock& at) {
 }
 
 // Takes what the block has put out through the compensation.
-void Interpreter::compensate_moves() {
+void Interpreter::compensate_moves(const diagnostics::SourcePosition& source) {
   Move move;
   while (!moves_.empty()) {
     moves_.pop(move);
     compensation_.take(move);
   }
   if (program_ended_) {
-    compensation_.finish(source_);
+    compensation_.finish(source);
   }
   std::swap(moves_, compensation_.ready());
 }
@@ -177,9 +191,8 @@ void Interpreter::leave_subprogram() {
   const std::optional<ModalState> saved = saved_modes_.leave_subprogram();
   memory_.open_calls = saved_modes_.open_calls();
   if (saved) {
-    bring_back(
-        {moves_, {memory_.line, source_.column, file_}, blocks_run_, memory_.machine.extra_axes},
-        *saved);
+    bring_back({moves_, {memory_.line, column_, file_}, blocks_run_, memory_.machine.extra_axes},
+               *saved);
   }
 }
 

@@ -65,7 +65,10 @@ class Interpreter {
   Done execute(const RunningBlock& at);
   Done do_words(const RunningBlock& at);
   void report(std::uint32_t line, const diagnostics::Fault& fault);
-  void compensate_moves();
+  bool leaves_skipped_curve(const RunningBlock& at, bool complete);
+  bool belongs_to_curve(const RunningBlock& at);
+  void take_fault(const RunningBlock& at, const diagnostics::Fault& fault);
+  void compensate_moves(const diagnostics::SourcePosition& source);
   void bring_back(const MoveSink& at, const ModalState& saved);
   void keep_contour_in_place(const MoveSink& at, const ModalState& before);
 
@@ -113,8 +116,8 @@ class Interpreter {
   SpindleDrive spindle_;
   std::vector<CycleStep> cycle_steps_;  // of the running block
   BlockCodes codes_;                    // the same
-  diagnostics::SourcePosition source_;  // of the last block that ran
   std::uint64_t blocks_run_ = 0;
+  std::uint32_t column_ = 0;         // of the last block that ran
   std::uint32_t reported_line_ = 0;  // one error per block
   std::uint16_t file_ = 0;
   bool program_ended_ = false;

@@ -83,7 +83,13 @@ Done check_ranges(const RunningBlock& at, Units units, Letters ranged) {
   return {};
 }
 
-diagnostics::Failure refuse_line_number(const RunningBlock& at) {
+// Words that somebody uses: no two may, and their values must be coordinates at most.
+[[gnu::noinline]] Done check_parameters(const RunningBlock& at, Units units, Letters of_motion,
+                                        Letters ranged) {
+  return check_users(at, of_motion).and_then([&] { return check_ranges(at, units, ranged); });
+}
+
+[[gnu::cold]] diagnostics::Failure refuse_line_number(const RunningBlock& at) {
   const Word& word = at.block.word('N');
   return fail(
       word.offset, errors::kLineNumberOutOfRange,
@@ -101,8 +107,8 @@ bool has_axis_user(const RunningBlock& at, Motion in_force) {
 
 // Of D and H it is plain that they name an offset; programs carry them along where nothing takes
 // them up, so they are no reason to stop.
-void take_idle_offset_numbers(const RunningBlock& at, ModalState& state, Letters unused,
-                              bool compensating) {
+[[gnu::cold]] void take_idle_offset_numbers(const RunningBlock& at, ModalState& state,
+                                            Letters unused, bool compensating) {
   for (const char letter : {'D', 'H'}) {
     if ((unused & letter_bit(letter)) != 0) {
       const Word& word = at.block.word(letter);
@@ -119,7 +125,7 @@ void take_idle_offset_numbers(const RunningBlock& at, ModalState& state, Letters
 
 // G10, G28, G30, G52 and G92 take the axis words; beside a motion code they would be in doubt. Of a
 // rapid it is plain what it means: `G0 G91 G28 Z0` is usual with Fanuc.
-Done check_axis_taker(const RunningBlock& at, Group taker) {
+[[gnu::cold]] Done check_axis_taker(const RunningBlock& at, Group taker) {
   if (!at.codes.has(Group::motion) || at.codes[Group::motion] == 800 ||
       !at.block.has_any(at.axis_letters())) {
     return {};
@@ -134,7 +140,7 @@ Done check_axis_taker(const RunningBlock& at, Group taker) {
                       upper(at.block.text(motion)), " both use the axis words"}));
 }
 
-Done explain_idle_axes(const RunningBlock& at) {
+[[gnu::cold]] Done explain_idle_axes(const RunningBlock& at) {
   const Word& word = *leftmost(at.block, at.axis_letters() | letters('I', 'J', 'K', 'R'));
   if (at.codes.has(Group::motion)) {
     const std::string name = at.name_of(Group::motion);
@@ -149,7 +155,7 @@ Done explain_idle_axes(const RunningBlock& at) {
               "axis words are given but no motion mode is active (G0, G1, G2 ... is expected)");
 }
 
-Done explain_unused(const RunningBlock& at, const Word& word) {
+[[gnu::cold]] Done explain_unused(const RunningBlock& at, const Word& word) {
   const char letter = letter_of(at.block, word);
   const std::string_view name = named(letter);
   switch (letter) {
@@ -203,13 +209,9 @@ Expected<Group> check_words(const RunningBlock& at, ModalState& state, bool comp
     return refuse_line_number(at);
   }
   const bool taken = use.taker != Group::count;
-  // Words that somebody uses: no two may, and their values must be coordinates at most.
   const Letters ranged = letters('I', 'J', 'K', 'P', 'Q', 'R') | (taken ? at.axis_letters() : 0);
   if (block.has_any(ranged)) {
-    Done fine = check_users(at, use.of_motion).and_then([&] {
-      return check_ranges(at, state.units, ranged);
-    });
-    if (!fine) {
+    if (Done fine = check_parameters(at, state.units, use.of_motion, ranged); !fine) {
       return fault_of(fine);
     }
   }
