@@ -4,7 +4,6 @@
 #include "diagnostics/errors/fanuc.hpp"
 #include "diagnostics/errors/macros.hpp"
 #include "parser/block/block_grammar.hpp"
-#include "parser/cycles/drill_cycle.hpp"
 #include "parser/dialects/fanuc/end_of_block.hpp"
 #include "parser/dialects/fanuc/least_increment.hpp"
 #include "parser/flow/block_calls.hpp"

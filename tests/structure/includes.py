@@ -25,11 +25,33 @@ MAY_INCLUDE = {
 }
 LIBRARY = set(MAY_INCLUDE)
 
+# What a unit of the interpreter may include: the block and the modal state, and neither the interpreter nor another unit.
+PARSER_UNIT = {"parser/text", "parser/dialects", "parser/moves", "parser/block", "parser/modal"}
+PARSER_UNITS = {"parser/offsets", "parser/spindle_io", "parser/cycles", "parser/compensation", "parser/curves",
+                "parser/dialects/fanuc"}
+
 # Subfolder: the folders of the same tree that it may include besides itself. Each names only folders above it in this
 # table, so there is no circle. A tree that begins here is listed whole.
 SUBFOLDERS = {
     "diagnostics/errors": set(),
     "diagnostics": {"diagnostics/errors"},
+    "parser/text": set(),
+    "parser/dialects": set(),
+    "parser/moves": {"parser/text"},
+    "parser/expressions": {"parser/text", "parser/dialects"},
+    "parser/block": {"parser/text", "parser/expressions"},
+    "parser/modal": {"parser/text", "parser/dialects", "parser/moves", "parser/block"},
+    "parser/offsets": PARSER_UNIT | {"parser/expressions"},
+    "parser/spindle_io": PARSER_UNIT,
+    "parser/cycles": PARSER_UNIT,
+    "parser/compensation": PARSER_UNIT,
+    "parser/curves": PARSER_UNIT,
+    "parser/dialects/fanuc": PARSER_UNIT | {"parser/offsets"},
+    "parser/interpreter": PARSER_UNIT | PARSER_UNITS,
+    "parser/flow": PARSER_UNIT | {"parser/expressions", "parser/interpreter"},
+    "parser/reader": PARSER_UNIT | {"parser/expressions", "parser/offsets", "parser/dialects/fanuc", "parser/interpreter",
+                                    "parser/flow"},
+    "parser": {"parser/moves", "parser/flow", "parser/reader"},
     "lookahead/path": set(),
     "lookahead/emit": {"lookahead/path"},
     "lookahead/classical": {"lookahead/path", "lookahead/emit"},

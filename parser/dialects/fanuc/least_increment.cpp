@@ -1,7 +1,5 @@
 #include "parser/dialects/fanuc/least_increment.hpp"
 
-#include "parser/cycles/drill_cycle.hpp"
-
 namespace kerf::parser {
 
 namespace {
