@@ -5,7 +5,7 @@
 // coefficients are sums over the samples (exact quadrature of degree 2 kNodes - 1), and each
 // Legendre polynomial has its integral in closed form, (P[k+1] - P[k-1]) / (2 k + 1). So the
 // integral up to any fixed x is one dot product with weights known beforehand. (Legendre series:
-// Trefethen, Approximation Theory and Approximation Practice, chapters 17 and 19.)
+// [Trefethen, chapters 17 and 19].)
 #pragma once
 
 #include <Eigen/Core>

@@ -135,7 +135,7 @@ tl::expected<void, CurveError> check(const NurbsData& data) {
 
 // The blossom of a span at p arguments between its two knots, computed by de Boor's scheme, uses
 // weights in [0, 1] only; with i arguments at the end and the others at the begin it is control
-// point i (Ramshaw 1989; Farin, Curves and Surfaces for CAGD, chapter 8).
+// point i [Ramshaw] [Farin, chapter 8].
 BezierSpan bezier_span(const NurbsData& data, std::size_t knot) {
   const auto wide_knot = [&](std::size_t k) { return static_cast<Wide>(data.knots[k]); };
   const auto p = static_cast<std::size_t>(data.degree);

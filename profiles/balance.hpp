@@ -1,7 +1,7 @@
 // The fastest member of a family of shapes, one of whose peaks grows as the other falls.
 //
 // T = max(a* dv / A, sqrt(j* dv / J)) depends on the member through j* / a*^2 against the severity
-// kappa = dv J / A^2 alone. Three cases (Huang and Zhu, figure 5): jerk binds even for the member
+// kappa = dv J / A^2 alone. Three cases [SineSeries, figure 5]: jerk binds even for the member
 // of the lowest j*; acceleration binds even for the one of the lowest a*; else the two are equal,
 // j* = kappa a*^2, for one member between. That also turns the reach into one equation in the
 // member p instead of two nested ones: dv = A^2/J j*/a*^2 and T = A/J j*/a* at the balance.

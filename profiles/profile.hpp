@@ -36,7 +36,7 @@ class Profile {
   [[nodiscard]] ProfileKind kind() const noexcept { return kind_; }
   [[nodiscard]] std::optional<double> sigmoid_shape() const noexcept { return sigmoid_shape_; }
 
-  // The shortest duration of a change of feedrate by change_mm_s (either sign): MATH section 1,
+  // The shortest duration of a change of feedrate by change_mm_s (either sign): docs/math.md, 2.1,
   // T = max(a* |dv| / A, sqrt(j* |dv| / J)). The trapezoid does not know jerk. 0 where no limit
   // binds.
   [[nodiscard]] double duration_s(double change_mm_s, const RampLimits& limits) const;

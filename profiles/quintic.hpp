@@ -1,12 +1,12 @@
-// Quintic (Chen, Yeh and Sun): the polynomial of lowest degree whose acceleration and jerk are 0 at
-// both ends.
+// The law of [Quintic]: the polynomial of lowest degree whose acceleration and jerk are 0 at both
+// ends.
 #pragma once
 
 #include "profiles/feedrate_shape.hpp"
 
 namespace kerf::profiles {
 
-// phi = 10 x^3 - 15 x^4 + 6 x^5 (MATH section 4). Jerk is continuous and 0 at both ends.
+// phi = 10 x^3 - 15 x^4 + 6 x^5 (docs/math.md, 2.5). Jerk is continuous and 0 at both ends.
 class Quintic {
  public:
   static constexpr Peaks kPeaks{.acceleration = 1.875,       // at x = 1/2

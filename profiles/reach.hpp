@@ -1,6 +1,6 @@
 // Durations, and the largest change of feedrate that fits into a length, in closed form.
 //
-// A transition by dv from v takes the length (v + dv/2) T(dv) (MATH section 1), so each law's
+// A transition by dv from v takes the length (v + dv/2) T(dv) (docs/math.md, 2.9), so each law's
 // duration T gives an equation for dv: a quadratic where acceleration binds, a cubic in sqrt(dv)
 // with one real root where jerk does. The duration of every law grows with the change, so where it
 // is the larger of two, the change that fits is the smaller of two.

@@ -7,8 +7,8 @@
 namespace kerf::profiles {
 
 // The middle third of phi is a logistic curve of shape s, the outer thirds are the cubics that join
-// it with continuous acceleration and start from acceleration 0 (MATH section 2). Jerk jumps at the
-// ends and at the joints.
+// it with continuous acceleration and start from acceleration 0 (docs/math.md, 2.6). Jerk jumps at
+// the ends and at the joints.
 class Sigmoid {
  public:
   // Above the largest s the cubic would dip below 0: its b2 = 27 phi(1/3) - 3 phi'(1/3) changes

@@ -1,11 +1,11 @@
-// Sine: acceleration is half a sine wave (Lee et al.; the baseline of the papers).
+// Sine: acceleration is half a sine wave [LeeEtAl], the baseline of the papers.
 #pragma once
 
 #include "profiles/feedrate_shape.hpp"
 
 namespace kerf::profiles {
 
-// phi = (1 + sin(pi (x - 1/2))) / 2 (MATH section 1). Jerk jumps at both ends.
+// phi = (1 + sin(pi (x - 1/2))) / 2 (docs/math.md, 2.4). Jerk jumps at both ends.
 class Sine {
  public:
   static constexpr Peaks kPeaks{.acceleration = 1.5707963267948966,  // pi / 2

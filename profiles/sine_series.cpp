@@ -81,7 +81,7 @@ double dilogarithm(const DiscPoint& z) noexcept {
          dilogarithm_series({-log_r, -z.theta});
 }
 
-// a* at x = 1/2; j* where cos 2 pi x = 1 - h, the root of MATH section 3 without cancellation.
+// a* at x = 1/2; j* where cos 2 pi x = 1 - h, the root of docs/math.md, 2.7 without cancellation.
 Peaks peaks_of_gap(double gap) noexcept {
   const double r = 1.0 - gap;
   const double e = gap * gap;

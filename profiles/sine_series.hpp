@@ -1,4 +1,4 @@
-// Sine series with a geometric sequence of coefficients (Huang and Zhu): continuous jerk.
+// Sine series with a geometric sequence of coefficients [SineSeries]: continuous jerk.
 #pragma once
 
 #include "profiles/feedrate_shape.hpp"
@@ -7,7 +7,7 @@
 namespace kerf::profiles {
 
 // phi' = (1 + r) (1 - cos 2 pi x) / (1 - 2 r cos 2 pi x + r^2) with the ratio r in [0, 1)
-// (MATH section 3). A larger r has the lower peak acceleration; the lowest peak jerk is at
+// (docs/math.md, 2.7). A larger r has the lower peak acceleration; the lowest peak jerk is at
 // r = sqrt(17) - 4. What is stored is the gap 1 - r, on which everything depends as r nears 1.
 class SineSeries {
  public:

@@ -4,7 +4,7 @@
 // that the machine feels jumps, and its coefficients are what minimises the weighted sum of squared
 // distances from the samples: a system with eleven diagonals, O(n) to solve. Points that decimals
 // have moved to and fro are averaged by it as long as there are more of them than knots.
-// (Least squares with B-splines: C. de Boor, A Practical Guide to Splines, chapter XIV.)
+// (Least squares with B-splines: [DeBoor, chapter XIV].)
 //
 // Weakness. The parameter is the length of the polyline, so where noise makes the polyline much
 // longer than the curve, the curve's speed is below 1; and next to an end the derivatives are known

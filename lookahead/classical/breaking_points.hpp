@@ -8,8 +8,8 @@
 
 namespace kerf::lookahead {
 
-// Indices of the breaking points of a scan, first and last sample included, in two steps (Sigmoid,
-// section 3.2; MATH section 6):
+// Indices of the breaking points of a scan, first and last sample included, in two steps
+// [Sigmoid, section 3.2], docs/math.md, 6.1:
 // 1. screening: the slope of v over u changes by more than screening_mm_s between two samples;
 // 2. of these candidates those stay where v does not go on in the same direction.
 std::vector<std::size_t> breaking_points(const VelocityLimitCurve& limit_curve,

@@ -80,8 +80,8 @@ WeakestAxis weakest_of(const std::vector<std::size_t>& axes, const PlanLimits& l
   return weakest;
 }
 
-// The feedrate at which one tick's chord leaves an arc of radius_mm by the tolerance (MATH
-// section 5): the tick spans 2 sqrt(2 r d - d^2) in the plane, at the most the diameter.
+// The feedrate at which one tick's chord leaves an arc of radius_mm by the tolerance
+// (docs/math.md, 4.1): the tick spans 2 sqrt(2 r d - d^2) in the plane, at the most the diameter.
 double chord_feedrate_mm_s(double radius_mm, const PlanLimits& limits) {
   const double d = std::min(limits.chord_tolerance_mm, radius_mm);
   return 2.0 / limits.period_s * std::sqrt(2.0 * radius_mm * d - d * d);

@@ -7,7 +7,7 @@
 namespace kerf::lookahead {
 
 // A junction changes the direction of the path by du and its curvature vector by dk. Seen in ticks
-// of Ts, passing it at feedrate F with constant speed gives an axis (MATH section 4; the third
+// of Ts, passing it at feedrate F with constant speed gives an axis (docs/math.md, 7.1; the third
 // difference of positions is x''' averaged with a quadratic B-spline, whose peak is 3/4 of 1/Ts)
 //
 //   acceleration  F |du| / Ts + F^2 max|k|            <= A

@@ -37,7 +37,7 @@ constexpr int kStraightParts = 4;
 // The feedrate aims this far inside the tolerance, so that the adjustment ends.
 constexpr double kAim = 0.9995;
 
-// MATH section 5, closed form for a constant radius. Never less than the tolerance in a tick: no
+// docs/math.md, 4.1, closed form for a constant radius. Never less than the tolerance in a tick: no
 // point of a way is farther than half of it from the nearer one of its ends, so even twice as much
 // is no chord error whatever the turn. The half is kept free, for a tick around the turn is bound
 // by lines between those that begin before it and at it.

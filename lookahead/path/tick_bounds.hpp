@@ -33,9 +33,9 @@ struct TickBound {
 
 // Walks the curve; at each place begins with the feedrate that the curvature there allows, measures
 // the chord error of the tick and shrinks the feedrate with the square root of its excess until it
-// fits (Sigmoid, section 3.1; MATH section 5). It is never below what goes as far as the tolerance
-// in a tick: no turn, however sharp, makes a chord error of that. The walk goes by arc length, so a
-// step needs no Taylor series.
+// fits ([Sigmoid, section 3.1]; docs/math.md, 4.3). It is never below what goes as far as the
+// tolerance in a tick: no turn, however sharp, makes a chord error of that. The walk goes by arc
+// length, so a step needs no Taylor series.
 //
 // Steps are half a tick, and no longer than a quarter of a piece of the arc-length map, which is
 // short where the curve is sharp; none passes over a whole piece of more than 1e-7 mm, and in a

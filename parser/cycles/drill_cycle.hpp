@@ -1,5 +1,5 @@
 // The canned cycles as what they do: straight moves, dwells and the spindle, as LinuxCNC 2.9 does
-// them and NISTIR 6556, 3.5.16 describes them.
+// them and [NISTIR 6556, 3.5.16] describes them.
 #pragma once
 
 #include <cstddef>

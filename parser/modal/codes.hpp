@@ -11,7 +11,7 @@
 
 namespace kerf::parser {
 
-// The modal groups of RS274/NGC (NISTIR 6556, table 4), as far as they hold a code that runs here.
+// The modal groups of RS274/NGC [NISTIR 6556, table 4], as far as they hold a code that runs here.
 enum class Group : std::uint8_t {
   other,  // for one block: G4, G10, G28, G28.1, G30, G30.1, G52, G53, G92
   motion,

@@ -19,7 +19,7 @@ std::size_t knot_span(const NurbsData& data, Wide u) {
 }
 
 // Values at u of the basis functions of this degree that do not vanish in span k: number k - degree
-// and following, row by row of the triangle of equation 2.5.
+// and following, row by row of the triangle [NurbsBook, equation 2.5].
 std::vector<Wide> basis(const std::vector<double>& knots, std::size_t k, std::size_t degree,
                         Wide u) {
   const auto knot = [&](std::size_t i) { return static_cast<Wide>(knots[i]); };
@@ -53,7 +53,7 @@ WidePoint value(const NurbsData& data, Wide u) {
   return sum;
 }
 
-// By equation 3.4 of the book.
+// [NurbsBook, equation 3.4].
 WidePoint derivative(const NurbsData& data, Wide u) {
   WidePoint sum = WidePoint::Zero();
   const auto p = static_cast<std::size_t>(data.degree);

@@ -1,5 +1,5 @@
 // A second, plain NURBS evaluator to judge the library by: Cox-de Boor basis functions in long
-// double, straight from the definition (Piegl and Tiller, The NURBS Book, equations 2.5 and 4.1).
+// double, straight from the definition [NurbsBook, equations 2.5 and 4.1].
 #pragma once
 
 #include <random>

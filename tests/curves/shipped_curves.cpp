@@ -17,8 +17,7 @@ NamedCurve curve(const char* name, int degree, const std::vector<Point>& points,
   return result;
 }
 
-// The butterfly of the NURBS interpolation literature (Hu, Jiang, Huo et al., International Journal
-// of Advanced Manufacturing Technology 129, 2843-2860, 2023, doi 10.1007/s00170-023-12427-5).
+// The butterfly of the NURBS interpolation literature [Butterfly].
 NamedCurve butterfly() {
   return curve(
       "butterfly", 3,
@@ -42,7 +41,7 @@ NamedCurve butterfly() {
        0.8069, 0.8491, 0.8707, 0.9145, 0.9639, 0.985, 0.9917, 1.0,    1.0,    1.0,    1.0});
 }
 
-// The full circle in four quarters, textbook (Piegl and Tiller, The NURBS Book).
+// The full circle in four quarters, textbook [NurbsBook].
 NamedCurve circle() {
   return curve("circle", 2,
                {{1.0, 0.0, 1.0},

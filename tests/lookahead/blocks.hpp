@@ -30,7 +30,7 @@ inline PlanLimits path_limits(const MotionLimits& path) {
   return limits;
 }
 
-// The limits of the butterfly in the paper on Sigmoid feedrate profiles (MATH section 8).
+// The limits of the butterfly [Sigmoid, table 3], docs/math.md, 12.
 inline PlanLimits butterfly_limits() {
   PlanLimits limits =
       path_limits({.velocity_mm_s = 100.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 55000.0});

@@ -15,7 +15,7 @@ namespace {
 constexpr double kPerMinute = 60.0;
 constexpr double kTs = 0.001;
 
-// Chen, Yeh and Sun: 12.5 m/s2 on each axis, ticks of 1 ms, no bound on the corner but this.
+// [Quintic, section 3]: 12.5 m/s2 on each axis, ticks of 1 ms, no bound on the corner but this.
 PlanLimits quintic_paper() {
   return axis_limits({.acceleration_mm_s2 = 12'500.0});
 }
@@ -36,8 +36,7 @@ TEST(Junction, OfARightAngleThatBisectsTheAxesIsThePapersCornerD) {
   EXPECT_NEAR(f * kPerMinute, 530.33, 0.005);
 }
 
-// The corners of programs/polygon.ngc, which are ours, made for the feedrates of the paper's
-// table 2.
+// The corners of programs/polygon.ngc, which are ours, made for those feedrates [Quintic, table 2].
 TEST(Junction, OfThePolygonHasThePapersCornerFeedrates) {
   const Position a{5.001, 40.0, 0.0};
   const Position b{30.904, 48.566, 0.0};

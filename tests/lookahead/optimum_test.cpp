@@ -47,8 +47,8 @@ Block only_block(const parser::Move& move, const PlanLimits& limits) {
   return blocks.front();
 }
 
-// The fastest rest to rest over a straight line under v, a and jerk (MATH section 2): seven phases,
-// of which those vanish that find no room.
+// The fastest rest to rest over a straight line under v, a and jerk (docs/math.md, 2.3): seven
+// phases, of which those vanish that find no room.
 double straight_s(double length_mm, const MotionLimits& limits) {
   const auto [v, a, j] = limits;
   const auto ramp = [a = a, j = j](double to) {

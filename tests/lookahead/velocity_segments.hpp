@@ -36,7 +36,7 @@ inline VelocitySegment flat_segment(double length_mm, double feedrate_mm_s) {
                      .ramp = {.acceleration_mm_s2 = kA, .jerk_mm_s3 = kJ}}};
 }
 
-// The S-curve's duration, MATH section 1.
+// The S-curve's duration, docs/math.md, 2.3.
 inline double s_curve_s(double change) {
   return change >= kA * kA / kJ ? change / kA + kA / kJ : 2.0 * std::sqrt(change / kJ);
 }

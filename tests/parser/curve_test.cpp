@@ -14,7 +14,7 @@ NurbsMove curve_of(std::string_view text) {
   return {};
 }
 
-// A point of the curve by the Cox-de Boor recursion [Piegl and Tiller, The NURBS Book, 2.5].
+// A point of the curve by the Cox-de Boor recursion [NurbsBook, equation 2.5].
 double basis(const std::vector<double>& knots, std::size_t i, int degree, double u) {
   if (degree == 0) {
     return u >= knots[i] && u < knots[i + 1] ? 1.0 : 0.0;

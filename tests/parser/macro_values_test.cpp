@@ -1,4 +1,4 @@
-// Values in Fanuc's dialect. Sources: FANUC B-64304EN, chapter 16 (custom macro).
+// Values in Fanuc's dialect. Sources: [B-64304EN, chapter 16] (custom macro).
 #include <cmath>
 #include <string>
 

@@ -26,7 +26,7 @@ TEST(Peaks, OfTheClosedFormsAreTheTabulated) {
   EXPECT_DOUBLE_EQ(SCurve{0.5}.peak_acceleration(), 2.0);
 }
 
-// The run of Chen, Yeh and Sun, table 3: 0 to 800 mm/min in 0.2 s.
+// The run of [Quintic, table 3]: 0 to 800 mm/min in 0.2 s.
 TEST(Peaks, OfTheQuinticAreThoseOfItsPaper) {
   const Transition run({.v_begin_mm_s = 0.0, .v_end_mm_s = 800.0 / 60.0}, 0.2, Quintic{});
   EXPECT_NEAR(run.at(0.1).a_mm_s2, 125.0, 1e-9);
@@ -154,7 +154,7 @@ TEST(OptimalRatio, OfTheSineSeriesBeatsEveryOther) {
   }
 }
 
-// The three cases of Huang and Zhu.
+// The three cases of [SineSeries, figure 5].
 TEST(OptimalRatio, FollowsTheLimitThatBinds) {
   const RampLimits limits{.acceleration_mm_s2 = 100.0, .jerk_mm_s3 = 1000.0};
   EXPECT_EQ(SineSeries::fastest(1e-3, limits).ratio(), SineSeries::kGentlestRatio);

@@ -28,10 +28,10 @@ struct CellPair {
 };
 
 // Along the path: v^2 <= cap^2, |b'| / 2 <= A, sqrt(b) |b''| / 2 <= J; on an axis: |q' b' / 2 + q''
-// b| <= A and sqrt(b) |q' b'' / 2 + 3/2 q'' b' + q''' b| <= J, divided by the limit (MATH section
-// 9). Each limit is looked at where it may be largest, but not twice: of two cells that go on into
-// each other the acceleration between them once, of limits that one line along the path shares the
-// tightest, and none that the others keep below half of it.
+// b| <= A and sqrt(b) |q' b'' / 2 + 3/2 q'' b' + q''' b| <= J, divided by the limit (docs/math.md,
+// 5.1). Each limit is looked at where it may be largest, but not twice: of two cells that go on
+// into each other the acceleration between them once, of limits that one line along the path shares
+// the tightest, and none that the others keep below half of it.
 struct LimitRows {
   std::vector<CellPair> pairs;  // a cell without neighbour has one of no length
   std::vector<SimdPair> rows;   // of all pairs, in order

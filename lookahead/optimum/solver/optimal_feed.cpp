@@ -41,9 +41,8 @@ class Search {
   // Where the stage before has ended, the force of each barrier that matters is its weight over the
   // slack, and the slack has to shrink as the weight does. With the second derivatives of the
   // barriers of the new weight, which are so much smaller, a Newton step goes that many times too
-  // far; with those of the old weight it goes there (it is the step of a primal-dual method:
-  // Nocedal and Wright, "Numerical Optimization", chapter 19). So the first step of a stage takes
-  // these.
+  // far; with those of the old weight it goes there (it is the step of a primal-dual method
+  // [Nocedal, chapter 19]). So the first step of a stage takes these.
   void stage(double share, double done) {
     share_before_ = share_before_ > 0.0 ? share_before_ : share;
     if (time_s_ == 0.0) {

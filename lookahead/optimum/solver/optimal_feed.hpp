@@ -22,13 +22,11 @@ std::vector<double> first_feed(const CellSequence& sequence, const PlanLimits& l
 // on each axis, at both ends of every cell.
 //
 // The idea. Over arc length, with b = v^2, time is a convex function and every limit but jerk is
-// linear (Verscheure, Demeulenaere, Swevers, De Schutter and Diehl, "Time-optimal path tracking for
-// robots: a convex optimization approach", IEEE Trans. Automatic Control 54, 2009). Jerk is sqrt(b)
-// times a linear form; taken as linear about the present b it makes each step convex. Instead of
-// solving each such convex problem to its end, the form is renewed in every Newton step of one
-// interior-point search: barriers in front of all limits, softened so that the search may begin
-// beyond them, and sharpened in small stages. b is a spline with three coefficients a cell, so a
-// step costs O(n).
+// linear [Verscheure]. Jerk is sqrt(b) times a linear form; taken as linear about the present b it
+// makes each step convex. Instead of solving each such convex problem to its end, the form is
+// renewed in every Newton step of one interior-point search: barriers in front of all limits,
+// softened so that the search may begin beyond them, and sharpened in small stages. b is a spline
+// with three coefficients a cell, so a step costs O(n).
 //
 //   begin: 0.3 of the v^2 that acceleration and jerk allow  ->  weight 1e-1 of the time in all
 //   barriers some 3 Newton steps each                                ->  3e-2, 1e-2, ... 1e-4
