@@ -12,6 +12,8 @@ sys.path.insert(0, str(HERE))
 import error_pages  # noqa: E402
 import includes  # noqa: E402
 import paths  # noqa: E402
+import pictures  # noqa: E402
+import references  # noqa: E402
 
 
 class Checkout(unittest.TestCase):
@@ -159,6 +161,102 @@ class ErrorPageRule(Checkout):
         self.write("parser/arc.cpp", "fail(errors::kShort);\n")
         self.write("tests/parser/arc_test.cpp", "errors::kLong\n")
         self.assertEqual(self.found(), ["diagnostics/errors/arcs.hpp:2: error: nothing gives kLong"])
+
+
+class ReferenceRule(Checkout):
+    PAGE = """# The mathematics
+
+## 2. Profiles
+
+### 2.4 Sine
+
+Of [Sigmoid, section 2.2], in `sine`: `kPeak = 1.5`, see (2.1).
+
+```math
+T = 1 \\tag{2.1}
+```
+
+![One picture](pictures/sine.svg)
+
+## References
+
+- **[Sigmoid]** H. Li et al.: A method.
+- **[NISTIR 6556]** T. Kramer: A report.
+"""
+
+    def setUp(self):
+        super().setUp()
+        self.write("docs/math.md", self.PAGE)
+        self.write("docs/pictures/sine.svg", "<svg/>\n")
+        self.write("profiles/sine.hpp", "constexpr double kPeak = 1.5;\n")
+
+    def found(self):
+        return list(references.findings(self.root))
+
+    def comment(self, *lines):
+        self.write("profiles/law.cpp", "int x;\n" + "".join(f"// {line}\n" for line in lines))
+        return self.found()
+
+    def page(self, old, new):
+        self.assertIn(old, self.PAGE)
+        self.write("docs/math.md", self.PAGE.replace(old, new))
+        return self.found()
+
+    def test_accepts_works_of_the_list_and_chapters_of_the_page(self):
+        self.assertEqual(self.comment("As in [Sigmoid, section 2.2], [Sigmoid] and [NISTIR 6556, 3.5.3],", "docs/math.md, 2.4 and docs/math.md,", "2."), [])
+
+    def test_finds_a_number_without_a_work(self):
+        for words in ("section 5", "(Sigmoid, section 3.1)", "MATH section 5", "equations 2.5", "eq. (12)", "Eqn. 3", "table 4", "Figure 5", "fig. 2",
+                      "chapter XIV", "§3", "appendix B"):
+            with self.subTest(words=words):
+                self.assertEqual(len(self.comment(f"as {words} says")), 1)
+
+    def test_finds_one_that_is_broken_over_two_lines_and_names_the_line(self):
+        self.assertEqual(self.comment("As MATH", "says in section", "5 of it."),
+                         ["profiles/law.cpp:4: error: 'section 5' names no work; write [Work, section 5] or docs/math.md, N"])
+
+    def test_finds_a_work_that_is_not_in_the_list(self):
+        self.assertEqual(self.comment("As in [Sigmoids, section 2.2]."),
+                         ["profiles/law.cpp:2: error: [Sigmoids, section 2.2] is not in the references of docs/math.md"])
+
+    def test_finds_a_chapter_that_the_page_has_not(self):
+        self.assertEqual(self.comment("docs/math.md, 2.5"), ["profiles/law.cpp:2: error: docs/math.md, 2.5 is no chapter of the page"])
+        self.assertEqual(len(self.comment("see docs/math.md")), 1)
+
+    def test_finds_all_of_them_where_the_page_has_gone(self):
+        (self.root / "docs" / "math.md").unlink()
+        self.assertEqual(len(self.comment("[Sigmoid, section 2.2], docs/math.md, 2.4")), 2)
+
+    def test_looks_at_comments_only_and_at_all_of_them(self):
+        self.write("profiles/law.cpp", 'int a; const char* text = "// section 5"; char c = \'"\'; auto raw = R"(// table 4)";\n')
+        self.assertEqual(self.found(), [])
+        self.write("profiles/law.cpp", "int a;  // section 5\n/* and\n   table 4 */\n")
+        self.assertEqual([line.split(" error")[0] for line in self.found()], ["profiles/law.cpp:1:", "profiles/law.cpp:3:"])
+
+    def test_leaves_brackets_that_cite_nothing_alone(self):
+        self.assertEqual(self.comment("s in [0, 1], v[i], rows[k, 2], a table of 5, the section above, figures, equation"), [])
+
+    def test_finds_what_the_page_names_and_nobody_has(self):
+        for old, new in (("`sine`", "`cosine`"), ("`kPeak = 1.5`", "`kPeak = 1.6`"), ("(2.1)", "(2.2)"), ("sine.svg", "cosine.svg"),
+                         ("[Sigmoid, section 2.2]", "[Sigmund, section 2.2]")):
+            with self.subTest(new=new):
+                self.assertEqual(len(self.page(old, new)), 1)
+
+
+class PictureRule(Checkout):
+    def setUp(self):
+        super().setUp()
+        self.write("scripts/draw_math_pictures.py", "import pathlib, sys\npathlib.Path(sys.argv[1], 'a.svg').write_text('<svg/>')\n")
+        self.write("docs/pictures/a.svg", "<svg/>")
+
+    def test_accepts_what_the_script_draws(self):
+        self.assertEqual(list(pictures.findings(self.root)), [])
+
+    def test_finds_pictures_that_differ_are_missing_or_left_over(self):
+        self.write("docs/pictures/a.svg", "<svg></svg>")
+        self.assertEqual(len(list(pictures.findings(self.root))), 1)
+        (self.root / "docs" / "pictures" / "a.svg").rename(self.root / "docs" / "pictures" / "b.svg")
+        self.assertEqual(len(list(pictures.findings(self.root))), 2)
 
 
 if __name__ == "__main__":
