@@ -365,7 +365,7 @@ def draw_breaking_points(folder):
     picture = Picture(760, 310, "Breaking points of the butterfly's ceiling")
     axes = Axes(picture, (55, 40, 680, 200), (0, 384), (0, 110))
     axes.frame([0, 50, 100, 150, 200, 250, 300, 350], [0, 50, 100], "s [mm]",
-               f"allowed feedrate [mm/s]; chord tolerance 0.5 µm, Ts 1 ms, F 100 mm/s: it turns {len(breaking)} times")
+               f"allowed feedrate [mm/s]; chord tolerance 0.5 µm, Ts 1 ms, F 100 mm/s: {len(breaking)} points without screening")
     axes.points(thinned(samples, 0.4), BLUE, width=1.3)
     valleys = 0
     for n, k in enumerate(breaking):
@@ -375,7 +375,7 @@ def draw_breaking_points(folder):
     picture.dot(440, 294, RED, 3.2)
     picture.text(450, 298, f"valleys ({valleys}): spans end here", size=12)
     picture.dot(100, 294, INK, 3.2, True)
-    picture.text(110, 298, "ends, peaks and ends of level stretches", size=12)
+    picture.text(110, 298, "both ends, and ends of level stretches", size=12)
     picture.save(folder, "breaking-points.svg")
 
 
