@@ -11,7 +11,7 @@ import re
 import sys
 
 sys.dont_write_bytecode = True
-from sources import cpp_files, project_files  # noqa: E402
+from sources import cpp_files  # noqa: E402
 
 PAGE = "docs/math.md"
 NUMBER = r"\(?(?:[0-9][0-9.]*|[IVXL]+\b|[A-Z]\b)"
@@ -85,14 +85,30 @@ def findings_in_comments(text, page):
             yield first + line, message
 
 
+def sources_by_line(text, stems):
+    """For each line the sources that are named between the same two headings."""
+    found, here = [], set()
+    for line in text.split("\n"):
+        here = set() if line.startswith("#") else here
+        here.update(span for span in CODE.findall(line) if span in stems)
+        found.append(here)
+    return found
+
+
+def is_said(constant, near, everywhere):
+    """Of sources named near that have this constant all have this value; where none has it, any source has."""
+    name = re.compile(rf"\b{constant.split(' ')[0]} = ")
+    near = [text for text in near if name.search(text)]
+    return all(f" {constant};" in text for text in near) if near else any(f" {constant};" in text for text in everywhere)
+
+
 def findings_in_page(root, page):
     """Works, equations, pictures and names of the sources that the page names and that do not exist."""
-    sources = [path for path in project_files(root) if path.suffix in (".hpp", ".cpp")]
-    words = {path.stem for path in sources}
-    texts = []
-    for path in sources:
-        texts.append(path.read_text(encoding="utf-8"))
-        words.update(re.findall(r"\w+", texts[-1]))
+    texts = {}  # by stem: of a header and its source
+    for path in cpp_files(root):
+        texts[path.stem] = texts.get(path.stem, "") + path.read_text(encoding="utf-8")
+    words = set(texts).union(*(re.findall(r"\w+", text) for text in texts.values()))
+    named = sources_by_line(page.text, texts)
     for number, line in enumerate(FORMULA.sub(lambda m: "\n" * m.group().count("\n"), page.text).split("\n"), 1):
         for message in unresolved(CODE.sub("", PICTURE.sub("", line)), page) if not ENTRY.match(line) else ():
             if "names no work" not in message:
@@ -105,7 +121,7 @@ def findings_in_page(root, page):
                 yield number, f"there is no picture {picture}"
         for span in CODE.findall(line):
             if re.fullmatch(r"\w+ = \S+", span):
-                if not any(f"{span};" in text for text in texts):
+                if not is_said(span, [texts[stem] for stem in named[number - 1]], texts.values()):
                     yield number, f"no source says {span}"
             elif re.fullmatch(r"\w+", span) and span not in words:
                 yield number, f"{span} is neither a file nor a name of the sources"

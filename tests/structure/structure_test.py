@@ -243,6 +243,12 @@ T = 1 \\tag{2.1}
                 self.assertEqual(len(self.page(old, new)), 1)
 
 
+    def test_looks_for_a_constant_in_the_sources_named_beside_it(self):
+        self.write("curves/other.cpp", "constexpr double kPeak = 1.6;\n")
+        self.assertEqual(len(self.page("`kPeak = 1.5`", "`kPeak = 1.6`")), 1)
+        self.assertEqual(self.page("`sine`: `kPeak = 1.5`", "`kPeak = 1.6`"), [])
+
+
 class PictureRule(Checkout):
     def setUp(self):
         super().setUp()
