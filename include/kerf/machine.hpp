@@ -31,7 +31,7 @@ struct AuxiliaryTravel {
 // acceleration that it would give, in mm/s2 at the table.
 //
 // The defaults are those of the default table. Screw and encoder are those of the servo table in
-// Huang and Zhu's paper on sine-series feedrate profiles; the gains and friction make the contour
+// the paper on sine-series feedrate profiles [SineSeries]; the gains and friction make the contour
 // error on the butterfly in the paper's 4.8 s what was measured there, 20.9 um at the most and
 // 3.9 um in the mean: 20 and 3.3 um.
 struct AxisDrive {
