@@ -7,45 +7,46 @@
 
 namespace kerf::inline v0 {
 
-// X, Y, Z in mm.
+/// X, Y, Z in mm.
 using Position = std::array<double, 3>;
 
-// A, B, C, U, V, W, in this order everywhere.
+/// A, B, C, U, V, W, in this order everywhere.
 inline constexpr std::size_t kAuxiliaryAxes = 6;
 
-// A, B, C in rad, then U, V, W in mm.
+/// A, B, C in rad, then U, V, W in mm.
 using AuxiliaryPosition = std::array<double, kAuxiliaryAxes>;
 
-// The box that a path fills.
+/// The box that a path fills.
 struct Extents {
   Position min_mm{};
   Position max_mm{};
 };
+/// The same of A, B, C in rad and U, V, W in mm.
 struct AuxiliaryExtents {
   AuxiliaryPosition min_rad_mm{};
   AuxiliaryPosition max_rad_mm{};
 };
 
-// A limit of this does not bind.
+/// A limit of this does not bind.
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-// Of one axis, or along the path. Each is above 0.
+/// Of one axis, or along the path. Each is above 0.
 struct MotionLimits {
   double velocity_mm_s = kUnbounded;
   double acceleration_mm_s2 = kUnbounded;
   double jerk_mm_s3 = kUnbounded;
 };
 
-// What the motion keeps. Each of velocity, acceleration and jerk must be bounded along the path or
-// on all of X, Y and Z, and on each auxiliary axis that the machine has.
+/// What the motion keeps. Each of velocity, acceleration and jerk must be bounded along the path or
+/// on all of X, Y and Z, and on each auxiliary axis that the machine has.
 struct MachineLimits {
-  double period_s = 0.001;  // between two setpoints
+  double period_s = 0.001;  ///< between two setpoints
   MotionLimits path{};
   std::array<MotionLimits, 3> axes{};
-  // With rad in place of mm for A, B, C. They bind whatever the limits along the path, which do not
-  // count where only these axes move.
+  /// With rad in place of mm for A, B, C. They bind whatever the limits along the path, which do
+  /// not count where only these axes move.
   std::array<MotionLimits, kAuxiliaryAxes> extra{};
-  double chord_tolerance_mm = kUnbounded;  // between path and chord of two setpoints, on NURBS
+  double chord_tolerance_mm = kUnbounded;  ///< between path and chord of two setpoints, on NURBS
 };
 
 }  // namespace kerf::inline v0

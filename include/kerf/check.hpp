@@ -14,27 +14,28 @@
 
 namespace kerf::inline v0 {
 
+/// What a check found.
 struct KERF_API CheckReport {
-  std::vector<Diagnostic> diagnostics;   // of the text and of curves that cannot be built
-  std::vector<Diagnostic> limit_faults;  // paths that leave the travel, one for each block
-  Extents extents{};                     // of all motion, with the bulge of arcs and splines
-  AuxiliaryExtents extra_extents{};      // of A, B, C, U, V, W
-  bool moves = false;                    // false: extents mean nothing
+  std::vector<Diagnostic> diagnostics;   ///< of the text and of curves that cannot be built
+  std::vector<Diagnostic> limit_faults;  ///< paths that leave the travel, one for each block
+  Extents extents{};                     ///< of all motion, with the bulge of arcs and splines
+  AuxiliaryExtents extra_extents{};      ///< of A, B, C, U, V, W
+  bool moves = false;                    ///< false: extents mean nothing
 
   [[nodiscard]] bool has_errors() const;
 };
 
-// Gives the next bytes of the program; empty at its end.
+/// Gives the next bytes of the program; empty at its end.
 using TextSource = std::function<std::string_view()>;
 
-// Asked before each move; true ends the check early.
+/// Asked before each move; true ends the check early.
 using StopRequest = std::function<bool()>;
 
-// Where a check ends though the program goes on: it may loop for ever.
+/// Where a check ends though the program goes on: it may loop for ever.
 struct CheckBounds {
   StopRequest stop{};
-  // An error once the program must have run for longer, for the length of its moves alone
-  // (LeastTime). A program that passes may still take longer.
+  /// An error once the program must have run for longer, for the length of its moves alone
+  /// (LeastTime). A program that passes may still take longer.
   double max_time_s = std::numeric_limits<double>::infinity();
 };
 

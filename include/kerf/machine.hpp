@@ -15,85 +15,86 @@
 
 namespace kerf::inline v0 {
 
-// Of X, Y or Z, in machine coordinates.
+/// Of X, Y or Z, in machine coordinates.
 struct Travel {
   double min_mm = -std::numeric_limits<double>::infinity();
   double max_mm = std::numeric_limits<double>::infinity();
 };
 
-// Of A, B, C in rad, of U, V, W in mm.
+/// Of A, B, C in rad, of U, V, W in mm.
 struct AuxiliaryTravel {
   double min_rad_mm = -std::numeric_limits<double>::infinity();
   double max_rad_mm = std::numeric_limits<double>::infinity();
 };
 
-// Forces and gains are divided by the moved inertia, so that no mass appears: a torque is the
-// acceleration that it would give, in mm/s2 at the table.
+/// Forces and gains are divided by the moved inertia, so that no mass appears: a torque is the
+/// acceleration that it would give, in mm/s2 at the table.
 //
-// The defaults are those of the default table. Screw and encoder are those of the servo table in
-// the paper on sine-series feedrate profiles [SineSeries]; the gains and friction make the contour
-// error on the butterfly in the paper's 4.8 s what was measured there, 20.9 um at the most and
-// 3.9 um in the mean: 20 and 3.3 um.
+/// The defaults are those of the default table. Screw and encoder are those of the servo table in
+/// the paper on sine-series feedrate profiles [SineSeries]; the gains and friction make the contour
+/// error on the butterfly in the paper's 4.8 s what was measured there, 20.9 um at the most and
+/// 3.9 um in the mean: 20 and 3.3 um.
 struct AxisDrive {
   Travel travel{};
-  double drive_velocity_mm_s = 500.0;      // what the motor can do; saturates the velocity command
-  double drive_acceleration_mm_s2 = 20e3;  // the motor's largest torque
-  double screw_lead_mm = 10.0;             // table travel per motor revolution
-  double counts_per_rev = 10'000.0;        // encoder resolution; infinity: no quantisation
-  double position_gain_per_s = 120.0;      // Kv of the outer loop
-  double velocity_gain_per_s = 1000.0;     // proportional gain of the inner loop
-  double velocity_integral_per_s2 = 50e3;  // integral gain of the inner loop
-  double feed_forward = 1.0;               // share of the commanded velocity fed forward, 0..1
-  double coulomb_friction_mm_s2 = 500.0;   // opposes motion, and holds at rest up to this force
+  double drive_velocity_mm_s = 500.0;  ///< what the motor can do; saturates the velocity command
+  double drive_acceleration_mm_s2 = 20e3;  ///< the motor's largest torque
+  double screw_lead_mm = 10.0;             ///< table travel per motor revolution
+  double counts_per_rev = 10'000.0;        ///< encoder resolution; infinity: no quantisation
+  double position_gain_per_s = 120.0;      ///< Kv of the outer loop
+  double velocity_gain_per_s = 1000.0;     ///< proportional gain of the inner loop
+  double velocity_integral_per_s2 = 50e3;  ///< integral gain of the inner loop
+  double feed_forward = 1.0;               ///< share of the commanded velocity fed forward, 0..1
+  double coulomb_friction_mm_s2 = 500.0;   ///< opposes motion, and holds at rest up to this force
   double viscous_friction_per_s = 5.0;
   double max_following_error_mm = 5.0;
 };
 
-// The simulated table.
+/// The simulated table.
 struct TableSettings {
   double period_s = 0.001;
   std::array<AxisDrive, 3> axes{};
-  std::array<AuxiliaryTravel, kAuxiliaryAxes> extra{};  // without drives: see SimulatedTable
+  std::array<AuxiliaryTravel, kAuxiliaryAxes> extra{};  ///< without drives: see SimulatedTable
 };
 
-// What the motion keeps, what programs find, and what the simulated table is. A machine of your own
-// needs the first two; of the table only the travel counts then.
+/// What the motion keeps, what programs find, and what the simulated table is. A machine of your
+/// own needs the first two; of the table only the travel counts then.
 struct MachineSettings {
   MachineLimits limits{};
   ProgramData program{};
   TableSettings table{};
-  Dialect dialect = Dialect::rs274;  // of its programs, unless told otherwise
-  // A tool table that the file names but does not hold; empty: none. Whoever opens files reads it.
+  Dialect dialect = Dialect::rs274;  ///< of its programs, unless told otherwise
+  ///< A tool table that the file names but does not hold; empty: none. Whoever opens files reads
+  ///< it.
   std::string tool_file{};
 };
 
-// What is wrong with settings or options.
+/// What is wrong with settings or options.
 struct SettingsError {
-  unsigned line = 0;  // of a machine file, 1-based; 0 where no place is to blame
+  unsigned line = 0;  ///< of a machine file, 1-based; 0 where no place is to blame
   unsigned column = 0;
   std::string message;
 };
 
-// "file:line:column: error: message", or "file: error: message" where no place is to blame.
+/// "file:line:column: error: message", or "file: error: message" where no place is to blame.
 KERF_API std::string to_string(const SettingsError& error, std::string_view file);
 
-// The schema is in docs/machine-file.md. What the text leaves out keeps the defaults of the
-// structs, the limits of a plan then do not bind. All errors are returned, in the order of the text
-// (of a text that is not TOML only the first, and nothing else).
+/// The schema is in docs/machine-file.md. What the text leaves out keeps the defaults of the
+/// structs, the limits of a plan then do not bind. All errors are returned, in the order of the
+/// text (of a text that is not TOML only the first, and nothing else).
 //
-// Errors: not TOML, unknown key, wrong type, impossible value, a limit that nothing bounds (each of
-// velocity, acceleration and jerk needs a value along the path or on all three axes), min_mm not
-// below max_mm, a drive weaker than the axis' limits, a position loop faster than the velocity
-// loop, over 1 MiB.
+/// Errors: not TOML, unknown key, wrong type, impossible value, a limit that nothing bounds (each
+/// of velocity, acceleration and jerk needs a value along the path or on all three axes), min_mm
+/// not below max_mm, a drive weaker than the axis' limits, a position loop faster than the velocity
+/// loop, over 1 MiB.
 KERF_API tl::expected<MachineSettings, std::vector<SettingsError>> parse_machine_file(
     std::string_view toml);
 
-// The default table: what programs/machines/table.toml says, without a file.
+/// The default table: what programs/machines/table.toml says, without a file.
 KERF_API MachineSettings default_machine();
 
-// The first impossible value, under the name that the machine file has for it: "axes.x.max_mm".
-// What MachineLimits may leave unbounded is said there. Of the table's drives each number is looked
-// at by itself, not whether they can do what is planned.
+/// The first impossible value, under the name that the machine file has for it: "axes.x.max_mm".
+/// What MachineLimits may leave unbounded is said there. Of the table's drives each number is
+/// looked at by itself, not whether they can do what is planned.
 KERF_API tl::expected<void, SettingsError> validate(const MachineSettings& settings);
 
 }  // namespace kerf::inline v0

@@ -18,32 +18,32 @@
 
 namespace kerf::inline v0 {
 
-// Which control's language a program is written in.
+/// Which control's language a program is written in.
 enum class Dialect : std::uint8_t {
-  rs274,  // RS274/NGC as LinuxCNC reads it
-  fanuc,  // program numbers, custom macro B, Fanuc's meaning of shared codes
+  rs274,  ///< RS274/NGC as LinuxCNC reads it
+  fanuc,  ///< program numbers, custom macro B, Fanuc's meaning of shared codes
 };
 
-// The operator's block delete switches: which blocks with a '/' before them are left out. Nine
-// switches, as Fanuc has them: /2 belongs to the second, a '/' alone to the first.
+/// The operator's block delete switches: which blocks with a '/' before them are left out. Nine
+/// switches, as Fanuc has them: /2 belongs to the second, a '/' alone to the first.
 class BlockDelete {
  public:
   static constexpr unsigned kSwitches = 9;
 
-  // None is on: every block runs.
+  /// None is on: every block runs.
   constexpr BlockDelete() = default;
-  // All are on: no block with a '/' runs.
+  /// All are on: no block with a '/' runs.
   static constexpr BlockDelete all() {
     BlockDelete switches;
     switches.on_ = 0xFFFF;
     return switches;
   }
-  // Precondition: 1 <= number <= kSwitches.
+  /// Precondition: 1 <= number <= kSwitches.
   constexpr void switch_on(unsigned number) {
     on_ = static_cast<std::uint16_t>(on_ | (1U << number));
   }
 
-  // Whether a line runs that has its '/' at `at`.
+  /// Whether a line runs that has its '/' at `at`.
   [[nodiscard]] constexpr bool leaves_out(std::string_view line, std::size_t at) const {
     if (on_ == 0) {
       return false;
@@ -60,122 +60,126 @@ class BlockDelete {
   friend constexpr bool operator==(BlockDelete, BlockDelete) = default;
 
  private:
-  std::uint16_t on_ = 0;  // bit n is switch n
+  std::uint16_t on_ = 0;  ///< bit n is switch n
 };
 
-// A subprogram of another file.
+/// A subprogram of another file.
 struct SubprogramText {
-  std::string file;  // its name, for messages
+  std::string file;  ///< its name, for messages
   std::string text;
-  std::string refused{};  // why it is not read; empty: it is
+  std::string refused{};  ///< why it is not read; empty: it is
 };
-// The whole text of a subprogram that is not in the program itself, by its name in lower case
-// ("pocket" of `o<Pocket> call`, "1000" of M98 P1000); nothing where there is none.
+/// The whole text of a subprogram that is not in the program itself, by its name in lower case
+/// ("pocket" of `o<Pocket> call`, "1000" of M98 P1000); nothing where there is none.
 using SubprogramSource = std::function<std::optional<SubprogramText>(std::string_view name)>;
 
-// Letters as a set, one bit each.
+/// Letters as a set, one bit each.
 using Letters = std::uint32_t;
 constexpr Letters letter_bit(char upper_case) {
   return Letters{1} << (upper_case - 'A');
 }
 
-// Values of the auxiliary axes as a program has them: A, B, C in degrees, U, V, W in mm.
+/// Values of the auxiliary axes as a program has them: A, B, C in degrees, U, V, W in mm.
 using AuxiliaryWords = std::array<double, kAuxiliaryAxes>;
 
-// The origin of a work coordinate system and its turn about Z through that origin.
+/// The origin of a work coordinate system and its turn about Z through that origin.
 struct WorkOffset {
-  Position origin_mm{};           // in machine coordinates
-  double rotation_deg = 0.0;      // counterclockwise, as G10 L2 R gives it
-  AuxiliaryWords extra_deg_mm{};  // the origin of the extra axes
+  Position origin_mm{};           ///< in machine coordinates
+  double rotation_deg = 0.0;      ///< counterclockwise, as G10 L2 R gives it
+  AuxiliaryWords extra_deg_mm{};  ///< the origin of the extra axes
 };
 
-// A block with faces along the axes, in machine coordinates; without bounds in some directions it
-// is a table (z_max alone) or a wall. The controlled point touches it: with G43 the tool's tip.
+/// A block with faces along the axes, in machine coordinates; without bounds in some directions it
+/// is a table (z_max alone) or a wall. The controlled point touches it: with G43 the tool's tip.
 struct TouchBox {
   static constexpr double kFar_mm = std::numeric_limits<double>::infinity();
 
   Position min_mm{-kFar_mm, -kFar_mm, -kFar_mm};
-  Position max_mm{kFar_mm, kFar_mm, kFar_mm};  // no component below that of min_mm
+  Position max_mm{kFar_mm, kFar_mm, kFar_mm};  ///< no component below that of min_mm
 };
 
+/// One row of the tool table.
 struct Tool {
-  std::int32_t number = 0;  // T; 0 is the empty spindle
-  std::int32_t pocket = 0;  // P
-  Position offset_mm{};     // X Y Z; a mill has its length in Z
+  std::int32_t number = 0;  ///< T; 0 is the empty spindle
+  std::int32_t pocket = 0;  ///< P
+  Position offset_mm{};     ///< X Y Z; a mill has its length in Z
   double diameter_mm = 0.0;
-  double front_angle_deg = 0.0;  // of turning tools, as I, J and Q are
+  double front_angle_deg = 0.0;  ///< of turning tools, as I, J and Q are
   double back_angle_deg = 0.0;
   std::int32_t orientation = 0;
-  double length_wear_mm = 0.0;  // of Fanuc; part of offset_mm
-  double radius_wear_mm = 0.0;  // part of diameter_mm / 2
+  double length_wear_mm = 0.0;  ///< of Fanuc; part of offset_mm
+  double radius_wear_mm = 0.0;  ///< part of diameter_mm / 2
 };
 
-// Kept by tool number. A table that nobody gave knows every tool: all have length and diameter 0.
-// T0, the empty spindle, is in every table.
+/// Kept by tool number. A table that nobody gave knows every tool: all have length and diameter 0.
+/// T0, the empty spindle, is in every table.
 class KERF_API ToolTable {
  public:
   static constexpr std::int32_t kHighestNumber = 99'999;
 
-  ToolTable() = default;  // nobody gave one
+  ToolTable() = default;  ///< nobody gave one
 
-  // True: the tools that were put in are all there are.
+  /// True: the tools that were put in are all there are.
   [[nodiscard]] bool given() const { return given_; }
   void set_given() { given_ = true; }
 
-  // The tool, with all offsets zero where a table that nobody gave does not list it. Null: the
-  // table has no such tool. The pointer is good until the table changes.
+  /// The tool, with all offsets zero where a table that nobody gave does not list it. Null: the
+  /// table has no such tool. The pointer is good until the table changes.
   [[nodiscard]] const Tool* find(std::int32_t number) const;
-  // Adds the tool, or replaces the one with its number.
+  /// Adds the tool, or replaces the one with its number.
   void put(const Tool& tool);
   [[nodiscard]] const std::vector<Tool>& listed() const { return tools_; }
 
  private:
-  std::vector<Tool> tools_;  // by number
+  std::vector<Tool> tools_;  ///< by number
   bool given_ = false;
 };
 
+/// What is wrong with the text of a tool table.
 struct ToolTableError {
-  std::uint32_t line = 0;    // 1-based
-  std::uint32_t column = 0;  // 1-based
+  std::uint32_t line = 0;    ///< 1-based
+  std::uint32_t column = 0;  ///< 1-based
   std::string message;
 };
 
-// Reads LinuxCNC's tool table, one tool a line in mm: `T1 P1 X0 Z12.5 D10 ;remark`. T must be
-// there, P is T where it is missing, everything else is 0; I, J and Q describe turning tools.
-// Blank lines and lines that begin with ';' say nothing.
+/// Reads LinuxCNC's tool table, one tool a line in mm: `T1 P1 X0 Z12.5 D10 ;remark`. T must be
+/// there, P is T where it is missing, everything else is 0; I, J and Q describe turning tools.
+/// Blank lines and lines that begin with ';' say nothing.
 //
-// Errors: no T, T or P not whole or outside 0..99999, a word twice or with no value, an axis that
-// the machine does not have, a negative D, an offset beyond 999999.999 mm, a tool listed twice.
+/// Errors: no T, T or P not whole or outside 0..99999, a word twice or with no value, an axis that
+/// the machine does not have, a negative D, an offset beyond 999999.999 mm, a tool listed twice.
 KERF_API tl::expected<ToolTable, std::vector<ToolTableError>> read_tool_table(
     std::string_view text);
 
+/// Where G30 goes.
 struct HomePosition {
-  Position mm{};  // in machine coordinates
+  Position mm{};  ///< in machine coordinates
   AuxiliaryWords extra_deg_mm{};
 };
 
-inline constexpr std::size_t kWorkSystems = 9;  // 0: G54 ... 5: G59, 6: G59.1, 7: G59.2, 8: G59.3
+inline constexpr std::size_t kWorkSystems = 9;  ///< 0: G54 ... 5: G59, 6: G59.1, 7: G59.2, 8: G59.3
 
+/// What the machine holds for its programs.
 struct ProgramData {
-  std::array<WorkOffset, kWorkSystems> work{};  // G54 to G59.3
-  Position first_home_mm{};                     // G28, in machine coordinates
-  Position second_home_mm{};                    // G30
-  Letters extra_axes = 0;                       // those of A, B, C, U, V, W that the machine has
+  std::array<WorkOffset, kWorkSystems> work{};  ///< G54 to G59.3
+  Position first_home_mm{};                     ///< G28, in machine coordinates
+  Position second_home_mm{};                    ///< G30
+  Letters extra_axes = 0;                       ///< those of A, B, C, U, V, W that the machine has
   AuxiliaryWords first_home_extra_deg_mm{};
   AuxiliaryWords second_home_extra_deg_mm{};
-  std::array<HomePosition, 2> further_homes{};  // Fanuc: G30 P3, P4
+  std::array<HomePosition, 2> further_homes{};  ///< Fanuc: G30 P3, P4
   ToolTable tools;
-  std::optional<TouchBox> touch_box{};  // what G38 finds
-  // What a number without a decimal point counts in, in the Fanuc dialect; 0: millimetres.
+  std::optional<TouchBox> touch_box{};  ///< what G38 finds
+  ///< What a number without a decimal point counts in, in the Fanuc dialect; 0: millimetres.
   double least_increment_mm = 0.0;
-  // What G64 without P and without both takes for P and for Q; not negative.
+  /// What G64 without P and without both takes for P and for Q; not negative.
   double corner_tolerance_mm = 0.01;
   double merge_tolerance_mm = 0.01;
 };
 
-// Of the default machine: no offsets, and a tool changer with 60 places. T1 (10 mm, 12.5 mm long),
-// T2 (6 mm) and T3 (20 mm, -3 mm) are measured, the others have length and diameter 0. A probe
-// touches the table's top at Z-150.
+/// Of the default machine: no offsets, and a tool changer with 60 places. T1 (10 mm, 12.5 mm long),
+/// T2 (6 mm) and T3 (20 mm, -3 mm) are measured, the others have length and diameter 0. A probe
+/// touches the table's top at Z-150.
 KERF_API ProgramData default_program_data();
 
 }  // namespace kerf::inline v0

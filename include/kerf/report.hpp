@@ -10,34 +10,34 @@
 
 namespace kerf::inline v0 {
 
-// Largest figures of velocity, acceleration and jerk.
+/// Largest figures of velocity, acceleration and jerk.
 struct Peaks {
   double v_mm_s = 0.0;
   double a_mm_s2 = 0.0;
   double j_mm_s3 = 0.0;
 };
 
-// The largest figures of a run so far, from differences of its setpoints.
+/// The largest figures of a run so far, from differences of its setpoints.
 struct RunFigures {
   Peaks path{};
   std::array<Peaks, 3> axes{};
-  std::array<Peaks, kAuxiliaryAxes> extra{};  // A, B, C in rad
+  std::array<Peaks, kAuxiliaryAxes> extra{};  ///< A, B, C in rad
   double chord_error_mm = 0.0;
 };
 
-// A promise that does not hold: a defect of kerf, not of the program.
+/// A promise that does not hold: a defect of kerf, not of the program.
 struct RunFault {
-  std::uint32_t line = 0;  // of the program; 0: none is known
+  std::uint32_t line = 0;  ///< of the program; 0: none is known
   std::string what;
 };
 
-// How far the commanded path is from the programmed one: the largest distance, either way round,
-// and the place of the commanded path where it is.
+/// How far the commanded path is from the programmed one: the largest distance, either way round,
+/// and the place of the commanded path where it is.
 struct PathDeviation {
   double distance_mm = 0.0;
   Position at_mm{};
   std::uint32_t line = 0;
-  double tolerance_mm = 0.0;  // P or Q in force there
+  double tolerance_mm = 0.0;  ///< P or Q in force there
 
   void widen(const PathDeviation& other) {
     if (other.distance_mm > distance_mm) {
@@ -46,20 +46,20 @@ struct PathDeviation {
   }
 };
 
-// Where a plan is slower than its profile promises.
+/// Where a plan is slower than its profile promises.
 struct PlanDegradation {
   enum class Kind : unsigned char {
-    slower,     // up to its next stop the motion keeps its limits, but could be faster
-    classical,  // up to its next stop it follows the plan of the S-curve
-    stop        // the motion comes to rest there though the path does not ask for it
+    slower,     ///< up to its next stop the motion keeps its limits, but could be faster
+    classical,  ///< up to its next stop it follows the plan of the S-curve
+    stop        ///< the motion comes to rest there though the path does not ask for it
   };
 
   std::uint32_t line = 0;
-  double s_mm = 0.0;  // from the line's begin: of the stop, or where the slower motion begins
+  double s_mm = 0.0;  ///< from the line's begin: of the stop, or where the slower motion begins
   Kind kind = Kind::slower;
 };
 
-// All are counted, the first ones kept: memory does not grow with a program's length.
+/// All are counted, the first ones kept: memory does not grow with a program's length.
 struct PlanDegradations {
   std::uint64_t count = 0;
   std::array<PlanDegradation, 8> first{};
@@ -75,7 +75,7 @@ struct PlanDegradations {
   }
 };
 
-// What was planned so far.
+/// What was planned so far.
 struct PlanTotals {
   std::uint64_t blocks = 0;
   std::uint64_t segments = 0;
