@@ -58,7 +58,7 @@ double farthest_mm(const Outcome& outcome, const std::vector<Place>& corners) {
 
 Outcome run(const std::string& text, ProfileKind kind,
             const MachineSettings& machine = default_machine()) {
-  Kernel kernel(machine, {.profile = Profile(kind)});
+  Kernel kernel(machine, {.profile = {.kind = kind}});
   kernel.feed(text);
   kernel.finish();
   test::TickChecker checker(machine.limits, true);

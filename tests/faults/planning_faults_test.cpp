@@ -38,7 +38,7 @@ void run(Kernel& kernel, Look look) {
 
 std::vector<Setpoint> ticks_of(const std::string& text, ProfileKind kind,
                                const MachineSettings& machine = default_machine()) {
-  Kernel kernel(machine, {.profile = Profile(kind)});
+  Kernel kernel(machine, {.profile = {.kind = kind}});
   kernel.feed(text);
   kernel.finish();
   std::vector<Setpoint> ticks;
@@ -74,7 +74,7 @@ TEST(PlanningFaults, Row57ASecondRunInTheProcessHasTheSameTicks) {
 TEST(PlanningFaults, Row59AMillionRelativeMovesEndWhereTheirSumIs) {
   constexpr int kMoves = 1'000'000;
   Kernel kernel(default_machine(),
-                {.profile = Profile(ProfileKind::s_curve), .window_blocks = 100});
+                {.profile = {.kind = ProfileKind::s_curve}, .window_blocks = 100});
   kernel.feed("G91 G1 F12000\n");
   Setpoint setpoint;
   std::int64_t ticks = 0;
@@ -138,7 +138,7 @@ TEST(PlanningFaults, Row59MotionAfterADayOfDwellIsThatWithoutIt) {
   const std::string after = "G1 X17.3 Y4\nG2 X20 Y10 R20\nM2\n";
   for (const ProfileKind kind : {ProfileKind::time_optimal, ProfileKind::sine}) {
     const auto alone = ticks_of(before + "G4 P1\n" + after, kind, slow_clock());
-    Kernel kernel(slow_clock(), {.profile = Profile(kind)});
+    Kernel kernel(slow_clock(), {.profile = {.kind = kind}});
     kernel.feed(before + "G4 P86400\n" + after);
     kernel.finish();
     std::int64_t ticks = 0;
@@ -156,7 +156,7 @@ TEST(PlanningFaults, Row59MotionAfterADayOfDwellIsThatWithoutIt) {
 }
 
 TEST(PlanningFaults, Row59ADayOfSlowMotionIsAsFastAtItsEndAsAtItsBegin) {
-  Kernel kernel(slow_clock(), {.profile = Profile(ProfileKind::s_curve)});
+  Kernel kernel(slow_clock(), {.profile = {.kind = ProfileKind::s_curve}});
   kernel.feed("G1 X432 F0.3\nM2\n");  // 24 h
   kernel.finish();
   constexpr std::int64_t kEvery = 1000;

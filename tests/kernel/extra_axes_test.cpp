@@ -8,6 +8,7 @@
 
 #include "diagnostics/errors/machine.hpp"
 #include "machine/simulated_table.hpp"
+#include "parser/text/letters.hpp"
 #include "tests/kernel/run.hpp"
 #include "tests/kernel/tick_checker.hpp"
 

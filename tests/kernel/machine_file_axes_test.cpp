@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <kerf/machine.hpp>
 
+#include "parser/text/letters.hpp"
 #include "tests/kernel/machine_file_helpers.hpp"
 
 namespace kerf::test {

@@ -136,8 +136,8 @@ TEST(MachineFile, HoldsOffsetsAndTools) {
                          "[offsets.g28]\ny_mm = 7\n[offsets.g30]\nz_mm = 8\n"
                          "[[tools.tool]]\nnumber = 7\npocket = 3\ndiameter_mm = 6\nz_mm = 40\n");
   ASSERT_TRUE(read);
-  const kerf::parser::MachineData& data = read->program;
-  EXPECT_EQ(data.work[0].origin_mm, (kerf::parser::Point{1.0, 0.0, 0.0}));
+  const kerf::ProgramData& data = read->program;
+  EXPECT_EQ(data.work[0].origin_mm, (kerf::Position{1.0, 0.0, 0.0}));
   EXPECT_EQ(data.work[0].rotation_deg, 30.0);
   EXPECT_EQ(data.work[8].origin_mm[2], -5.0);
   EXPECT_EQ(data.first_home_mm[1], 7.0);

@@ -31,9 +31,9 @@ TEST(ToolTable, ReadsTheFormOfLinuxCNC) {
   EXPECT_TRUE(table->given());
   ASSERT_EQ(table->listed().size(), 3U);
   EXPECT_EQ(table->find(1)->diameter_mm, 10.0);
-  EXPECT_EQ(table->find(1)->offset_mm, (Point{0.0, 0.0, 12.5}));
+  EXPECT_EQ(table->find(1)->offset_mm, (Position{0.0, 0.0, 12.5}));
   EXPECT_EQ(table->find(20)->pocket, 4);
-  EXPECT_EQ(table->find(20)->offset_mm, (Point{0.5, -0.25, -3.0}));
+  EXPECT_EQ(table->find(20)->offset_mm, (Position{0.5, -0.25, -3.0}));
   EXPECT_EQ(table->find(20)->front_angle_deg, 10.0);
   EXPECT_EQ(table->find(20)->back_angle_deg, 90.0);
   EXPECT_EQ(table->find(20)->orientation, 2);

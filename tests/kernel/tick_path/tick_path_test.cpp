@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "interp/interpolator.hpp"
 #include "machine/simulated_table.hpp"
 #include "profiles/profile.hpp"
 #include "tests/kernel/shipped_text.hpp"
