@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 std::string identifier(const ErrorPage& page) {
   constexpr std::size_t kDigits = 4;
@@ -29,4 +30,5 @@ std::string to_text(const Diagnostic& diagnostic, std::string_view file) {
   return text;
 }
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

@@ -15,7 +15,8 @@
 #include "parser/text/text.hpp"
 #include "smoothing/segment_builder.hpp"
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 namespace {
 
@@ -178,4 +179,5 @@ CheckReport check_program(const TextSource& text, const MachineSettings& setting
   return report;
 }
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

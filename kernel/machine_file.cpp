@@ -5,7 +5,8 @@
 
 #include "kernel/machine_file_reader.hpp"
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 namespace {
 
 constexpr std::size_t kLargestFileBytes = std::size_t{1} << 20;
@@ -36,4 +37,5 @@ tl::expected<MachineSettings, std::vector<SettingsError>> parse_machine_file(
   return MachineFileReader().read(parsed.table());
 }
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

@@ -3,7 +3,8 @@
 
 #include "machine/table_settings.hpp"
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 MachineSettings default_machine() {
   MachineSettings settings{};
@@ -20,4 +21,5 @@ MachineSettings default_machine() {
   return settings;
 }
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

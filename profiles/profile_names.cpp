@@ -3,7 +3,8 @@
 
 #include <kerf/profile.hpp>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 namespace {
 
 constexpr std::array<std::string_view, 7> kNames{"trapezoid",   "s-curve", "sine",        "quintic",
@@ -23,4 +24,5 @@ std::optional<ProfileKind> profile_kind(std::string_view name) {
   return static_cast<ProfileKind>(found - kNames.begin());
 }
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

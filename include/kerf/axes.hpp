@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 /// X, Y, Z in mm.
 using Position = std::array<double, 3>;
@@ -28,7 +28,7 @@ struct AuxiliaryExtents {
 };
 
 /// A limit of this does not bind.
-inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+inline constexpr double kUnbounded = __builtin_huge_val();  // <limits> is a thousand lines
 
 /// Of one axis, or along the path. Each is above 0.
 struct MotionLimits {
@@ -49,4 +49,5 @@ struct MachineLimits {
   double chord_tolerance_mm = kUnbounded;  ///< between path and chord of two setpoints, on NURBS
 };
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

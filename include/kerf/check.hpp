@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -12,7 +11,8 @@
 #include <kerf/kernel.hpp>
 #include <kerf/machine.hpp>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 /// What a check found.
 struct KERF_API CheckReport {
@@ -36,11 +36,12 @@ struct CheckBounds {
   StopRequest stop{};
   /// An error once the program must have run for longer, for the length of its moves alone
   /// (LeastTime). A program that passes may still take longer.
-  double max_time_s = std::numeric_limits<double>::infinity();
+  double max_time_s = kUnbounded;
 };
 
 KERF_API CheckReport check_program(const TextSource& text, const MachineSettings& settings,
                                    const KernelOptions& options = {},
                                    const CheckBounds& bounds = {});
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

@@ -8,7 +8,8 @@
 
 #include <kerf/api.hpp>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 enum class Severity : std::uint8_t { error, warning };
 
@@ -68,4 +69,5 @@ KERF_API std::string to_string(const Diagnostic& diagnostic, std::string_view fi
 /// The same with the block below it and a caret under the place.
 KERF_API std::string to_text(const Diagnostic& diagnostic, std::string_view file);
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

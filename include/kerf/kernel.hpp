@@ -17,7 +17,8 @@
 #include <kerf/setpoint.hpp>
 #include <tl/expected.hpp>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 /// How one program is run.
 struct KernelOptions {
@@ -103,4 +104,5 @@ class KERF_API Kernel {
 /// The first impossible value, under its name: "horizon_s".
 KERF_API tl::expected<void, SettingsError> validate(const KernelOptions& options);
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

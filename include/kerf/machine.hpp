@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,18 +12,19 @@
 #include <kerf/program_data.hpp>
 #include <tl/expected.hpp>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 /// Of X, Y or Z, in machine coordinates.
 struct Travel {
-  double min_mm = -std::numeric_limits<double>::infinity();
-  double max_mm = std::numeric_limits<double>::infinity();
+  double min_mm = -kUnbounded;
+  double max_mm = kUnbounded;
 };
 
 /// Of A, B, C in rad, of U, V, W in mm.
 struct AuxiliaryTravel {
-  double min_rad_mm = -std::numeric_limits<double>::infinity();
-  double max_rad_mm = std::numeric_limits<double>::infinity();
+  double min_rad_mm = -kUnbounded;
+  double max_rad_mm = kUnbounded;
 };
 
 /// Forces and gains are divided by the moved inertia, so that no mass appears: a torque is the
@@ -97,4 +97,5 @@ KERF_API MachineSettings default_machine();
 /// looked at by itself, not whether they can do what is planned.
 KERF_API tl::expected<void, SettingsError> validate(const MachineSettings& settings);
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

@@ -7,7 +7,8 @@
 
 #include <kerf/api.hpp>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 /// time_optimal is found for the whole path; the others say how one change of feedrate runs.
 enum class ProfileKind : std::uint8_t {
@@ -34,4 +35,5 @@ struct ProfileChoice {
   std::optional<double> sigmoid_shape{};
 };
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,7 +15,8 @@
 #include <kerf/axes.hpp>
 #include <tl/expected.hpp>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 /// Which control's language a program is written in.
 enum class Dialect : std::uint8_t {
@@ -92,7 +92,7 @@ struct WorkOffset {
 /// A block with faces along the axes, in machine coordinates; without bounds in some directions it
 /// is a table (z_max alone) or a wall. The controlled point touches it: with G43 the tool's tip.
 struct TouchBox {
-  static constexpr double kFar_mm = std::numeric_limits<double>::infinity();
+  static constexpr double kFar_mm = kUnbounded;
 
   Position min_mm{-kFar_mm, -kFar_mm, -kFar_mm};
   Position max_mm{kFar_mm, kFar_mm, kFar_mm};  ///< no component below that of min_mm
@@ -182,4 +182,5 @@ struct ProgramData {
 /// touches the table's top at Z-150.
 KERF_API ProgramData default_program_data();
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

@@ -8,7 +8,8 @@
 
 #include <kerf/axes.hpp>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 /// Largest figures of velocity, acceleration and jerk.
 struct Peaks {
@@ -84,4 +85,5 @@ struct PlanTotals {
   PlanDegradations degradations{};
 };
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

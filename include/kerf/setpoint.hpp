@@ -7,7 +7,8 @@
 
 #include <kerf/axes.hpp>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 /// What limits the feed. One byte that the planner sets where it knows it. Of an axis the values
 /// are those of X plus the axis' number in XYZABCUVW.
@@ -89,4 +90,5 @@ enum class TickStatus : std::uint8_t {
   failed,    ///< the same, of a program that ended before an error, or of a run that has a fault
 };
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

@@ -1,6 +1,7 @@
 #include <kerf/program_data.hpp>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 ProgramData default_program_data() {
   constexpr std::int32_t kPlaces = 60;
@@ -17,4 +18,5 @@ ProgramData default_program_data() {
   return data;
 }
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 namespace {
 
@@ -32,4 +33,5 @@ void ToolTable::put(const Tool& tool) {
   }
 }
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

@@ -129,7 +129,8 @@ tl::expected<void, Mistake> read_line(std::string_view text, ToolTable& table) {
 
 }  // namespace kerf::parser
 
-namespace kerf::inline v0 {
+namespace kerf {
+inline namespace v0 {
 
 tl::expected<ToolTable, std::vector<ToolTableError>> read_tool_table(std::string_view text) {
   ToolTable table;
@@ -149,4 +150,5 @@ tl::expected<ToolTable, std::vector<ToolTableError>> read_tool_table(std::string
   return table;
 }
 
-}  // namespace kerf::inline v0
+}  // namespace v0
+}  // namespace kerf

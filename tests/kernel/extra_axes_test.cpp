@@ -51,7 +51,8 @@ Motion run(const std::string& text, std::int64_t stop_tick = -1,
     checker.add({.setpoint = result.ticks.back(), .feedrate_mm_s = 150.0});
   }
   result.complaint = checker.complaint();
-  result.complaint += status == TickStatus::finished ? "" : " did not finish";
+  const bool ended = status == TickStatus::finished || status == TickStatus::failed;
+  result.complaint += ended ? "" : " did not finish";
   for (const auto& found : kernel.diagnostics()) {
     result.complaint += found.message;
   }
