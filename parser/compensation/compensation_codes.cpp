@@ -73,11 +73,11 @@ Done tip_of_l(const RunningBlock& at, const ModalState& state, CompensationStart
 Done radius_of_d(const RunningBlock& at, ModalState& state, const ToolTable& tools,
                  CompensationStart& start) {
   std::uint32_t offset = at.code_word(Group::cutter_compensation).offset;
-  double number = at.dialect == Dialect::fanuc ? state.cutter_offset : state.loaded_tool;
+  double number = at.rules.keeps_d ? state.cutter_offset : state.loaded_tool;
   if (at.block.has('D')) {
     offset = at.block.word('D').offset;
     const double d = at.block.value('D');
-    number = d == 0.0 && at.dialect == Dialect::rs274 ? number : d;
+    number = d == 0.0 && !at.rules.zero_is_no_offset ? number : d;
   }
   if (number < 0.0) {
     return fail(offset, errors::kCompensationNegativeD, "D must not be negative");
@@ -168,7 +168,7 @@ Expected<CompensationStart> read_compensation(const RunningBlock& at, ModalState
   const std::string name = upper(at.block.text(word));
   const Tenths code = at.codes[Group::cutter_compensation];
   const CutterSide side = code == kG41 || code == kG411 ? CutterSide::left : CutterSide::right;
-  if (on && at.dialect == Dialect::fanuc && code != state.cutter_compensation) {
+  if (on && at.rules.side_change_known && code != state.cutter_compensation) {
     return fail(word.offset, errors::kCompensationSideChange,
                 joined({name, " while ", code_name(state.cutter_compensation),
                         " is active: a change of side is not supported, write G40 between them"}));

@@ -52,7 +52,7 @@ Done check_cycle_modes(const RunningBlock& at, const ModalState& state, ContourP
     return fail(at.motion_offset(), errors::kCycleInverseTime,
                 joined({motion_name(state), " cannot be used with G93: write G94 or G95"}));
   }
-  if (at.dialect == Dialect::fanuc && state.motion == Motion::back_bore) {
+  if (!at.rules.back_bore_aside && state.motion == Motion::back_bore) {
     return fail(at.motion_offset(), errors::kFanucBackBore,
                 "G87 with Fanuc's words (Q: the shift) is not supported");
   }
@@ -73,7 +73,7 @@ Done take_cycle_words(const RunningBlock& at, ModalState& state) {
   take('R', unit, words.clearance_mm);
   take(up, unit, words.bottom_mm);
   take('Q', unit, words.peck_mm);
-  take('P', at.dialect == Dialect::fanuc ? 0.001 : 1.0, words.dwell_s);
+  take('P', at.rules.cycle_dwell_unit_s, words.dwell_s);
   for (std::size_t axis = 0; axis < 3 && state.motion == Motion::back_bore; ++axis) {
     take(centre_letter(axis), unit, words.offset_mm[axis]);
   }
@@ -91,7 +91,7 @@ Done take_cycle_words(const RunningBlock& at, ModalState& state) {
   if (needs_peck(state.motion) && !words.peck_mm) {
     return missing(words.peck_mm, errors::kCycleWithoutPeck, 'Q', 1.0);
   }
-  if (needs_dwell(state.motion) && !words.dwell_s && at.dialect == Dialect::rs274) {
+  if (needs_dwell(state.motion) && !words.dwell_s && !at.rules.cycle_dwell_optional) {
     return missing(words.dwell_s, errors::kCycleWithoutDwell, 'P', 0.0);
   }
   return {};
@@ -107,10 +107,10 @@ Done set_cycle_levels(const RunningBlock& at, ModalState& state, DrillCycle& cyc
   DrillLevels& levels = cycle.levels;
   levels.initial_mm = memory.initial_mm;
   CycleWords& words = memory.words;
-  if (at.dialect == Dialect::rs274 || at.block.has('R')) {
+  if (!at.rules.levels_keep_mode || at.block.has('R')) {
     words.clearance_adds = state.incremental;
   }
-  if (at.dialect == Dialect::rs274 || at.block.has(axis_letter(up))) {
+  if (!at.rules.levels_keep_mode || at.block.has(axis_letter(up))) {
     words.bottom_adds = state.incremental;
   }
   levels.clearance_mm = *words.clearance_mm + (words.clearance_adds ? levels.initial_mm : 0.0);
@@ -159,7 +159,7 @@ Done set_cycle_repeats(const RunningBlock& at, const ModalState& state, DrillCyc
     cycle.hole_mm[axis] = value + (state.incremental ? cycle.hole_mm[axis] : 0.0);
     cycle.between_mm[axis] = state.incremental ? value : 0.0;
   }
-  const char letter = at.dialect == Dialect::fanuc && at.block.has('K') ? 'K' : 'L';
+  const char letter = at.rules.repeats_in_k && at.block.has('K') ? 'K' : 'L';
   const double holes = at.block.value_or(letter, 1.0);
   const std::string name = joined({motion_name(state), " ", named(letter)});
   if (!(holes >= 0.0) || holes != std::floor(holes)) {
@@ -172,7 +172,7 @@ Done set_cycle_repeats(const RunningBlock& at, const ModalState& state, DrillCyc
     return fail(at.motion_offset(), errors::kCycleTooLong,
                 joined({motion_name(state), ": the block makes more than 200000 moves"}));
   }
-  if (holes == 0.0 && at.dialect == Dialect::rs274) {
+  if (holes == 0.0 && !at.rules.repeats_in_k) {
     at.warn(at.block.word(letter).offset, errors::kCycleZeroRepeats,
             joined({name, "0: nothing is drilled"}));
   }
@@ -195,7 +195,7 @@ Done set_up(const RunningBlock& at, ModalState& state, DrillCycle& cycle) {
   }
   const bool dwells = needs_dwell(cycle.kind) || cycle.kind == Motion::tap ||
                       cycle.kind == Motion::tap_left ||
-                      (at.dialect == Dialect::fanuc && needs_peck(cycle.kind));
+                      (at.rules.cycle_dwell_optional && needs_peck(cycle.kind));
   cycle.dwell_s = dwells ? words.dwell_s.value_or(0.0) : 0.0;
   if (cycle.dwell_s < 0.0) {
     words.dwell_s = 0.0;
@@ -212,11 +212,11 @@ Done set_up(const RunningBlock& at, ModalState& state, DrillCycle& cycle) {
 
 Expected<std::optional<DrillCycle>> read_cycle(const RunningBlock& at, ModalState& state,
                                                ContourPhase phase) {
-  const bool fanuc_r = at.dialect == Dialect::fanuc && at.block.has('R');
+  const bool by_r = at.rules.r_alone_drills && at.block.has('R');
   if (Done fine = refuse_extra(at, "in a canned cycle"); !fine) {
     return fault_of(fine);
   }
-  if (!at.block.has_any(kAxisLetters) && !fanuc_r) {
+  if (!at.block.has_any(kAxisLetters) && !by_r) {
     if (!at.codes.has(Group::motion) && !at.block.has_any(letters('R', 'I', 'J', 'K'))) {
       return std::nullopt;
     }

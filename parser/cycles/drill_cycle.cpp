@@ -161,18 +161,18 @@ class Expansion {
 
 }  // namespace
 
-Letters letters_of_cycle(Motion motion, Dialect dialect) {
-  const Letters common = letters('R', 'L') | (dialect == Dialect::fanuc ? letters('K') : 0);
+Letters letters_of_cycle(Motion motion, const DialectRules& rules) {
+  const Letters common = letters('R', 'L') | (rules.repeats_in_k ? letters('K') : 0);
   switch (motion) {
     case Motion::chip_breaking:
     case Motion::peck:
-      return common | letters('Q') | (dialect == Dialect::fanuc ? letters('P') : 0);
+      return common | letters('Q') | (rules.cycle_dwell_optional ? letters('P') : 0);
     case Motion::drill:
     case Motion::bore:
       return common;
     case Motion::back_bore:
       return common | letters('I', 'J', 'K') |
-             (dialect == Dialect::fanuc ? letters('P', 'Q') : 0);  // for a message of its own
+             (rules.back_bore_aside ? 0 : letters('P', 'Q'));  // for a message of its own
     default:
       return common | letters('P');
   }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "parser/block/block.hpp"
-#include "parser/dialects/dialect.hpp"
+#include "parser/dialects/dialect_rules.hpp"
 #include "parser/modal/modal_state.hpp"
 
 namespace kerf::parser {
@@ -54,7 +54,7 @@ struct CycleStep {
 inline constexpr double kChipGap_mm = 0.254;
 
 // Letters that the cycle takes beside the axes: R, L and its own.
-Letters letters_of_cycle(Motion motion, Dialect dialect);
+Letters letters_of_cycle(Motion motion, const DialectRules& rules);
 
 // How often G73 and G83 feed for one hole; 1 for the other cycles.
 double feeds_of(const DrillCycle& cycle);

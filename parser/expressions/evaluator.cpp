@@ -172,7 +172,7 @@ bool Evaluator::check_writable(const Reference& variable, int& number) {
   if (!variable.named && !find_number(variable, number)) {
     return false;
   }
-  if (variable.named && dialect() == Dialect::fanuc) {
+  if (variable.named && rules_of(dialect()).macro_b) {
     return fail(variable.at, errors::kNoSuchVariable,
                 joined({"variable #<", variable.name,
                         ">: names belong to RS274/NGC, here variables have numbers"}));
@@ -215,7 +215,7 @@ bool Evaluator::read_assignment(Cursor& cursor) {
   }
   cursor.at = static_cast<std::size_t>(skip_blanks(at + 1, end) - cursor.line.data());
   double value = 0.0;
-  const bool fanuc = dialect() == Dialect::fanuc;
+  const bool fanuc = rules_of(dialect()).macro_b;
   if (!(fanuc ? read_expression(cursor, value) : read_value(cursor, value))) {
     if (variable.named && !parameters_->get(variable.name)) {
       // Else each later use of the name would be reported as well.

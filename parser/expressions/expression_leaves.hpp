@@ -189,7 +189,7 @@ struct FunctionName : ValueLeaf<FunctionName, Call> {
 struct Comma : ValueLeaf<Comma, Nothing> {
   bool read(const Reading& reading, Nothing&) const {
     if (reading.at == reading.end || *reading.at != ',' ||
-        reading.evaluator.dialect() != Dialect::fanuc) {
+        !rules_of(reading.evaluator.dialect()).macro_b) {
       return false;
     }
     ++reading.at;

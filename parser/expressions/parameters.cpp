@@ -6,14 +6,6 @@ namespace kerf::parser {
 
 namespace {
 
-constexpr std::size_t kNgcLocals = 30;
-constexpr std::size_t kFanucLocals = 33;
-// The first that the interpreter may have: the probe's result #5061, Fanuc's system variables.
-constexpr std::size_t kNgcFirstPredefined = 5001;
-constexpr std::size_t kFanucFirstPredefined = 1000;
-constexpr std::size_t kNgcEnd = 5602;
-constexpr std::size_t kFanucEnd = 1000;
-
 // Tool number, tool offsets and the current position [LinuxCNC 2.9, "Numbered parameters"; rs274].
 constexpr bool is_read_only(int number) {
   return (number >= 5400 && number <= 5413) || (number >= 5420 && number <= 5428);
@@ -27,38 +19,38 @@ constexpr bool is_plain(char c) {
 
 Parameters::Parameters(Dialect dialect)
     : dialect_(dialect),
-      locals_(dialect == Dialect::fanuc ? kFanucLocals : kNgcLocals),
-      plain_end_(dialect == Dialect::fanuc ? kFanucLocals + 1 : kNgcFirstPredefined),
-      first_predefined_(dialect == Dialect::fanuc ? kFanucFirstPredefined : kNgcFirstPredefined),
-      empty_(dialect == Dialect::fanuc ? kVacant : 0.0),
-      numbered_(dialect == Dialect::fanuc ? kFanucEnd : kNgcEnd, empty_),
+      locals_(rules_of(dialect).locals),
+      plain_end_(rules_of(dialect).plain_end),
+      first_asked_(rules_of(dialect).first_asked),
+      empty_(rules_of(dialect).macro_b ? kVacant : 0.0),
+      numbered_(rules_of(dialect).variables_end, empty_),
       written_(numbered_.size()) {}
 
 bool Parameters::keeps(int number) const {
   if (number < 1 || static_cast<std::size_t>(number) >= numbered_.size()) {
     return false;
   }
-  return dialect_ == Dialect::rs274 || static_cast<std::size_t>(number) <= locals_ ||
+  return !rules_of(dialect_).macro_b || static_cast<std::size_t>(number) <= locals_ ||
          (number >= 100 && number <= 199) || number >= 500;
 }
 
 std::optional<double> Parameters::get_other(int number) const {
-  if (predefined_ != nullptr && number >= static_cast<int>(first_predefined_)) {
+  if (predefined_ != nullptr && number >= static_cast<int>(first_asked_)) {
     if (const auto value = predefined_->number(number)) {
       return value;
     }
   }
-  if (number == 0 && dialect_ == Dialect::fanuc) {
+  if (number == 0 && rules_of(dialect_).macro_b) {
     return kVacant;
   }
   return keeps(number) ? std::optional(numbered_[static_cast<std::size_t>(number)]) : std::nullopt;
 }
 
 Write Parameters::may_set(int number) const {
-  if (dialect_ == Dialect::rs274 && is_read_only(number)) {
+  if (!rules_of(dialect_).macro_b && is_read_only(number)) {
     return Write::read_only;
   }
-  if (dialect_ == Dialect::fanuc && number == 0) {
+  if (rules_of(dialect_).macro_b && number == 0) {
     return Write::read_only;
   }
   return get(number) ? Write::done : Write::no_such_parameter;
@@ -68,7 +60,7 @@ Write Parameters::set(int number, double value) {
   if (const Write write = may_set(number); write != Write::done) {
     return write;
   }
-  if (static_cast<std::size_t>(number) >= first_predefined_ && predefined_ != nullptr &&
+  if (static_cast<std::size_t>(number) >= first_asked_ && predefined_ != nullptr &&
       predefined_->take(number, value)) {
     return Write::done;
   }

@@ -50,7 +50,7 @@ class Parameters {
   bool is_first_unset_read(int number) {
     const auto place = static_cast<std::size_t>(number);
     const bool unset = number > 0 && place < plain_end_ && !written_[place] &&
-                       (place > locals_ || frames_.empty()) && dialect_ == Dialect::rs274;
+                       (place > locals_ || frames_.empty()) && !rules_of(dialect_).macro_b;
     if (unset) {
       written_[place] = true;
     }
@@ -98,9 +98,9 @@ class Parameters {
 
   Dialect dialect_;
   std::size_t locals_;
-  std::size_t plain_end_;         // up to here all exist and nobody else has them
-  std::size_t first_predefined_;  // before it nobody else has any
-  double empty_;                  // what a parameter holds before it is written
+  std::size_t plain_end_;    // up to here all exist and nobody else has them
+  std::size_t first_asked_;  // before it nobody else has any
+  double empty_;             // what a parameter holds before it is written
   std::vector<double> numbered_;
   std::vector<bool> written_;  // of numbered_; or its reading unset has been seen
   std::vector<Frame> frames_;

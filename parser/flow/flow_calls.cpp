@@ -99,7 +99,8 @@ bool Flow::find_and_enter() {
   if (found.text == nullptr && !local) {
     found = find_in(*main_, call_);
   }
-  if (found.text == nullptr && !local && (options_->dialect == Dialect::rs274 || main_->closed())) {
+  if (found.text == nullptr && !local &&
+      (!rules_of(options_->dialect).macro_b || main_->closed())) {
     found = find_in_file();
   }
   if (found.text == nullptr) {

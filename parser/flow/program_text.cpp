@@ -47,10 +47,10 @@ void ProgramText::take(const Line& line) {
     return;
   }
   const BlockStart start = find_block_start(text);
-  if (start.line_number && origin_.dialect == Dialect::fanuc) {
+  if (start.line_number && rules_of(origin_.dialect).macro_b) {
     numbers_.add(*start.line_number, index, structure_.innermost());
   }
-  if (may_be_statement(text, start.at, origin_.dialect)) {
+  if (may_be_statement(text, start.at, rules_of(origin_.dialect))) {
     take_statement(index, text, start.at);
     if (first_block && statements_.back().keyword == Keyword::program) {
       head_ = statements_.size() - 1;

@@ -99,7 +99,7 @@ void read_o_word(std::string_view line, std::size_t at, Dialect dialect, Stateme
   }
   statement.keyword = word->keyword;
   const bool program = word->keyword == Keyword::program;
-  if (dialect == Dialect::fanuc && !program) {
+  if (rules_of(dialect).macro_b && !program) {
     refuse(statement, fault,
            fault_at(at, errors::kOWordInFanuc,
                     joined({name, " ", text,
@@ -238,11 +238,11 @@ bool read_macro(std::string_view line, std::size_t at, Statement& statement,
 bool read_statement(std::string_view line, std::size_t at, Dialect dialect, Statement& statement,
                     diagnostics::Fault& fault) {
   const char first = at < line.size() ? lower(line[at]) : ' ';
-  if (first == 'o' || (first == ':' && dialect == Dialect::fanuc)) {
+  if (first == 'o' || (first == ':' && rules_of(dialect).macro_b)) {
     read_o_word(line, at, dialect, statement, fault);
     return true;
   }
-  return dialect == Dialect::fanuc && read_macro(line, at, statement, fault);
+  return rules_of(dialect).macro_b && read_macro(line, at, statement, fault);
 }
 
 }  // namespace kerf::parser

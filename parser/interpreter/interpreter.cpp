@@ -12,9 +12,12 @@
 namespace kerf::parser {
 
 Interpreter::Interpreter(ProgramMemory start, diagnostics::DiagnosticList& diagnostics)
-    : memory_(std::move(start)), diagnostics_(&diagnostics), compensation_(diagnostics) {
+    : memory_(std::move(start)),
+      rules_(&rules_of(memory_.dialect)),
+      diagnostics_(&diagnostics),
+      compensation_(diagnostics) {
   ModalState& state = memory_.state;
-  state.to_initial_level = memory_.dialect == Dialect::fanuc;
+  state.to_initial_level = rules_->starts_at_initial;
   for (std::size_t system = 0; system < Coordinates::kSystems; ++system) {
     state.coordinates.set_work(system, memory_.machine.work[system]);
   }
@@ -36,7 +39,7 @@ void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
                         block,
                         codes_,
                         *diagnostics_,
-                        memory_.dialect};
+                        *rules_};
   if (curves_.skipping() && !leaves_skipped_curve(at, complete)) {
     recover(at);
     return;
@@ -50,7 +53,7 @@ void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
 }
 
 bool Interpreter::leaves_skipped_curve(const RunningBlock& at, bool complete) {
-  return complete && sort_codes(at.block, at.dialect, codes_) &&
+  return complete && sort_codes(at.block, at.rules, codes_) &&
          curves_.leave_skipped(at, memory_.state);
 }
 
@@ -67,7 +70,7 @@ bool Interpreter::leaves_skipped_curve(const RunningBlock& at, bool complete) {
 
 // A line in which the grammar stopped.
 Done Interpreter::refuse(const RunningBlock& at) {
-  Done sorted = sort_codes(at.block, at.dialect, codes_);
+  Done sorted = sort_codes(at.block, at.rules, codes_);
   const bool explained = sorted || at.block.stop == Stop::too_many_g;
   return explained ? diagnostics::failure(explain_stop(at.block)) : std::move(sorted);
 }
@@ -149,10 +152,10 @@ bool Interpreter::belongs_to_curve(const RunningBlock& at) {
 
 Done Interpreter::execute(const RunningBlock& at) {
   ModalState& state = memory_.state;
-  if (Done sorted = sort_codes(at.block, at.dialect, codes_); !sorted) {
+  if (Done sorted = sort_codes(at.block, at.rules, codes_); !sorted) {
     return sorted;
   }
-  if (at.dialect == Dialect::fanuc && at.codes.has(Group::motion)) {
+  if (at.codes.has(Group::motion) && at.rules.cycle_group) {
     settle_cycle_group(at, codes_, state);
   }
   if (compensation_.on()) {

@@ -107,6 +107,7 @@ class Interpreter {
   Done probe(const RunningBlock& at);
 
   ProgramMemory memory_;
+  const DialectRules* rules_;
   SavedModes saved_modes_;
   MoveQueue moves_;
   diagnostics::DiagnosticList* diagnostics_;

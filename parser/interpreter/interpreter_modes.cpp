@@ -136,7 +136,7 @@ Done Interpreter::set_coordinates(const RunningBlock& at) {
   }
   select_work_offset(at.codes, state.coordinates);
   change_local_offset(at.codes, state);
-  return at.dialect == Dialect::fanuc ? shape_program(at, state) : Done();
+  return at.rules.control_codes ? shape_program(at, state) : Done();
 }
 
 // The codes that do something once, in place of the block's motion.
@@ -167,8 +167,8 @@ Done Interpreter::do_once(const RunningBlock& at) {
 
 Done Interpreter::set_data(const RunningBlock& at) {
   ToolTable& tools = memory_.machine.tools;
-  return at.dialect == Dialect::fanuc ? set_fanuc_data(at, memory_.state, tools)
-                                      : parser::set_data(at, memory_.state, tools);
+  return at.rules.offset_memory ? set_fanuc_data(at, memory_.state, tools)
+                                : parser::set_data(at, memory_.state, tools);
 }
 
 Done Interpreter::go_to_reference_point(const RunningBlock& at) {

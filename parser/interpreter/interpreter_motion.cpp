@@ -34,7 +34,7 @@ bool asks_for_motion(const RunningBlock& at, Letters beside_axes) {
 
 Done check_machine_coordinates(const RunningBlock& at, const ModalState& state) {
   const Word& code = at.code_word(Group::other);
-  const bool by_itself = at.dialect == Dialect::fanuc && !at.codes.has(Group::motion);
+  const bool by_itself = at.rules.machine_rapid && !at.codes.has(Group::motion);
   if (state.motion != Motion::rapid && state.motion != Motion::line && !by_itself) {
     return fail(code.offset, errors::kMachineMotionMode, "G53 can be used only with G0 or G1");
   }
@@ -259,7 +259,7 @@ Done Interpreter::begin_curve(const RunningBlock& at) {
           .and_then([&](double feedrate_mm_s) { return curves_.begin(at, state, feedrate_mm_s); });
   if (!begun) {
     curves_.skip(state.motion);
-  } else if (at.dialect == Dialect::fanuc && state.motion == Motion::nurbs) {
+  } else if (state.motion == Motion::nurbs) {
     warn_of_order(at);
   }
   return begun;

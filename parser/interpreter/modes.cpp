@@ -49,7 +49,7 @@ Done set_path_mode(const RunningBlock& at, ModalState& state, const MachineData&
 }
 
 Done dwell(const RunningBlock& at, const ModalState& state) {
-  if (at.dialect == Dialect::fanuc) {
+  if (at.rules.dwell_in_axes) {
     return fanuc_dwell(at, state);
   }
   const Word& code = at.code_word(Group::other);

@@ -31,7 +31,7 @@ struct AxisUse {
 };
 
 // Letters that the motion takes beside the axes.
-Letters letters_of(Motion motion, Dialect dialect) {
+Letters letters_of(Motion motion, const DialectRules& rules) {
   switch (motion) {
     case Motion::arc_clockwise:
     case Motion::arc_counterclockwise:
@@ -41,7 +41,7 @@ Letters letters_of(Motion motion, Dialect dialect) {
     case Motion::quadratic_spline:
       return letters('I', 'J', 'Q');
     default:
-      return is_cycle(motion) ? letters_of_cycle(motion, dialect) : 0;
+      return is_cycle(motion) ? letters_of_cycle(motion, rules) : 0;
   }
 }
 
@@ -51,8 +51,7 @@ Letters letters_of(Motion motion, Dialect dialect) {
   if (at.block.g_count + at.block.m_count == 0) {
     return always;
   }
-  return always | letters_of_codes(at.codes) |
-         (at.dialect == Dialect::fanuc ? letters_of_fanuc(at) : 0);
+  return always | letters_of_codes(at.codes) | (at.rules.control_codes ? letters_of_fanuc(at) : 0);
 }
 
 Done check_users(const RunningBlock& at, Letters of_motion) {
@@ -97,7 +96,7 @@ Done check_ranges(const RunningBlock& at, Units units, Letters ranged) {
 }
 
 bool has_axis_user(const RunningBlock& at, Motion in_force) {
-  if (at.dialect == Dialect::fanuc && at.codes[Group::other] == kG53Machine) {
+  if (at.rules.machine_rapid && at.codes[Group::other] == kG53Machine) {
     return true;
   }
   const Tenths code = at.codes[Group::motion];
@@ -112,7 +111,7 @@ bool has_axis_user(const RunningBlock& at, Motion in_force) {
   for (const char letter : {'D', 'H'}) {
     if ((unused & letter_bit(letter)) != 0) {
       const Word& word = at.block.word(letter);
-      if (letter == 'D' && at.dialect == Dialect::fanuc && !compensating) {
+      if (letter == 'D' && at.rules.keeps_d && !compensating) {
         state.cutter_offset = word.value;
         continue;
       }
@@ -190,13 +189,13 @@ Expected<Group> check_words(const RunningBlock& at, ModalState& state, bool comp
   const Tenths code = at.codes[Group::motion];
   const Motion motion = code == kNoCode ? state.motion : static_cast<Motion>(code);
   AxisUse use{block.g_count > 0 ? taker_of_axes(block, at.codes) : Group::count};
-  if (at.dialect == Dialect::fanuc && at.codes[Group::other] == kG4) {
+  if (at.codes[Group::other] == kG4 && at.rules.dwell_in_axes) {
     use.taker = Group::other;  // X is a time
   }
   const bool moves =
       use.taker == Group::count &&
       (code != kNoCode || block.has_any(at.axis_letters() | letters('I', 'J', 'K', 'R')));
-  use.of_motion = moves ? letters_of(motion, at.dialect) : 0;
+  use.of_motion = moves ? letters_of(motion, at.rules) : 0;
   if (Letters unused = block.present & ~usable_letters(at, use.of_motion); unused != 0) {
     take_idle_offset_numbers(at, state, unused, compensating);
     unused &= ~letters('D', 'H');

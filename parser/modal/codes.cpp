@@ -106,8 +106,8 @@ std::size_t place_of(double value) {
 }
 
 // Why a known G code is not run.
-std::string_view reason_for(double g, Dialect dialect) {
-  if (g == 76.0 && dialect == Dialect::fanuc) {
+std::string_view reason_for(double g, const DialectRules& rules) {
+  if (g == 76.0 && rules.control_codes) {
     return " (fine boring: the way aside is a parameter of the control): write the moves out";
   }
   if (g == 15.0 || g == 16.0) {
@@ -120,7 +120,7 @@ std::string_view reason_for(double g, Dialect dialect) {
 }
 
 diagnostics::Failure why_not(const Block& block, const Word& word, const Code& code, bool is_m,
-                             Dialect dialect) {
+                             const DialectRules& rules) {
   const std::string name = upper(block.text(word));
   if (!is_m && (word.value == 7.0 || word.value == 8.0)) {
     return diagnostics::fail(
@@ -133,7 +133,7 @@ diagnostics::Failure why_not(const Block& block, const Word& word, const Code& c
   }
   if (code.status == Status::refused) {
     return diagnostics::fail(word.offset, errors::kCodeNotSupported,
-                             joined({name, " is not supported", reason_for(word.value, dialect)}));
+                             joined({name, " is not supported", reason_for(word.value, rules)}));
   }
   if (!is_m) {
     return diagnostics::fail(word.offset, errors::kUnknownGCode, name + " is not known");
@@ -150,9 +150,9 @@ diagnostics::Failure why_not(const Block& block, const Word& word, const Code& c
 }
 
 // Fanuc has cycles and G80 in a group of their own (09).
-Group group_of(const Code& code, std::size_t place, Dialect dialect) {
-  const bool cycle = dialect == Dialect::fanuc && code.group == Group::motion &&
-                     is_cycle(static_cast<Motion>(place));
+Group group_of(const Code& code, std::size_t place, const DialectRules& rules) {
+  const bool cycle =
+      rules.cycle_group && code.group == Group::motion && is_cycle(static_cast<Motion>(place));
   return cycle ? Group::cycle : code.group;
 }
 
@@ -172,17 +172,18 @@ void join_cycle_and_motion(const Block& block, BlockCodes& codes) {
 
 template <std::size_t kSize>
 diagnostics::Done sort_words(const Block& block, const std::array<Word, kSize>& words,
-                             std::size_t count, bool is_m, Dialect dialect, BlockCodes& codes) {
+                             std::size_t count, bool is_m, const DialectRules& rules,
+                             BlockCodes& codes) {
   for (std::size_t i = 0; i < count; ++i) {
     const Word& word = words[i];
     const std::size_t place = place_of(word.value);
     const Code code = place < kCodes ? (is_m ? kM : kG)[place] : Code{};
     const bool known =
-        code.status == Status::known || (code.status == Status::fanuc && dialect == Dialect::fanuc);
+        code.status == Status::known || (code.status == Status::fanuc && rules.control_codes);
     if (!known) {
-      return why_not(block, word, code, is_m, dialect);
+      return why_not(block, word, code, is_m, rules);
     }
-    const Group group = is_m ? code.group : group_of(code, place, dialect);
+    const Group group = is_m ? code.group : group_of(code, place, rules);
     BlockCodes::Entry& entry = codes.by_group[static_cast<std::size_t>(group)];
     if (entry.tenths != kNoCode) {
       return diagnostics::fail(word.offset, errors::kSameModalGroup,
@@ -196,7 +197,8 @@ diagnostics::Done sort_words(const Block& block, const std::array<Word, kSize>& 
 
 }  // namespace
 
-diagnostics::Done sort_some_codes(const Block& block, Dialect dialect, BlockCodes& codes) {
+diagnostics::Done sort_some_codes(const Block& block, const DialectRules& rules,
+                                  BlockCodes& codes) {
   if (codes.filled) {
     codes = {};
   }
@@ -204,8 +206,8 @@ diagnostics::Done sort_some_codes(const Block& block, Dialect dialect, BlockCode
     return {};
   }
   codes.filled = true;
-  diagnostics::Done g = sort_words(block, block.g, block.g_count, false, dialect, codes);
-  diagnostics::Done m = sort_words(block, block.m, block.m_count, true, dialect, codes);
+  diagnostics::Done g = sort_words(block, block.g, block.g_count, false, rules, codes);
+  diagnostics::Done m = sort_words(block, block.m, block.m_count, true, rules, codes);
   if (codes.has(Group::cycle)) {
     join_cycle_and_motion(block, codes);
   }

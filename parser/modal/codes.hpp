@@ -6,7 +6,7 @@
 
 #include "diagnostics/fault.hpp"
 #include "parser/block/block.hpp"
-#include "parser/dialects/dialect.hpp"
+#include "parser/dialects/dialect_rules.hpp"
 #include "parser/modal/modal_state.hpp"
 
 namespace kerf::parser {
@@ -70,15 +70,16 @@ struct BlockCodes {
 };
 
 // For sort_codes, which keeps blocks without codes away from it.
-diagnostics::Done sort_some_codes(const Block& block, Dialect dialect, BlockCodes& codes);
+diagnostics::Done sort_some_codes(const Block& block, const DialectRules& rules, BlockCodes& codes);
 
 // Sorts the block's codes into their groups. The fault is of the leftmost wrong code: not known,
 // not supported, or a second one of its group.
-inline diagnostics::Done sort_codes(const Block& block, Dialect dialect, BlockCodes& codes) {
+inline diagnostics::Done sort_codes(const Block& block, const DialectRules& rules,
+                                    BlockCodes& codes) {
   if (block.g_count + block.m_count == 0 && !codes.filled) {
     return {};
   }
-  return sort_some_codes(block, dialect, codes);
+  return sort_some_codes(block, rules, codes);
 }
 
 // The word that put a code into `group`. Precondition: codes.has(group).

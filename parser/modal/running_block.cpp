@@ -51,7 +51,7 @@ void set_motion(const RunningBlock& at, ModalState& state, Tenths code) {
   if (!is_cycle(motion)) {
     state.cycle.in_series = false;
   }
-  if (motion != state.motion && !(is_cycle(state.motion) && at.dialect == Dialect::fanuc)) {
+  if (motion != state.motion && !(is_cycle(state.motion) && at.rules.cycle_group)) {
     state.cycle.words = {};
   }
   state.motion = motion;

@@ -8,7 +8,7 @@
 #include "diagnostics/diagnostic_list.hpp"
 #include "diagnostics/fault.hpp"
 #include "parser/block/block.hpp"
-#include "parser/dialects/dialect.hpp"
+#include "parser/dialects/dialect_rules.hpp"
 #include "parser/modal/codes.hpp"
 #include "parser/modal/modal_state.hpp"
 #include "parser/modal/tool_table.hpp"
@@ -41,7 +41,7 @@ struct RunningBlock : MoveSink {
   const Block& block;
   const BlockCodes& codes;
   diagnostics::DiagnosticList& diagnostics;
-  Dialect dialect = Dialect::rs274;
+  const DialectRules& rules;
 
   [[nodiscard]] Letters axis_letters() const { return kAxisLetters | extra_axes; }
   [[nodiscard]] const Word& code_word(Group group) const {

@@ -34,7 +34,7 @@ Done set_work_data(const RunningBlock& at, ModalState& state, bool from_position
     offset.rotation_deg = at.block.value('R');
   }
   const Point words = axis_words_mm(at.block, state.units);
-  const bool adds = at.dialect == Dialect::fanuc && state.incremental;
+  const bool adds = at.rules.offset_memory && state.incremental;
   if (from_position) {
     Point program = coordinates.to_program(state.position_mm);
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -145,7 +145,7 @@ Expected<int> data_number(const RunningBlock& at, std::string_view name, Numbers
 
 void set_extra_origin(const RunningBlock& at, const ModalState& state, WorkOffset& offset,
                       bool from_position) {
-  const bool adds = at.dialect == Dialect::fanuc && state.incremental && !from_position;
+  const bool adds = at.rules.offset_memory && state.incremental && !from_position;
   for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
     if (!at.block.has(kExtraNames[axis])) {
       continue;

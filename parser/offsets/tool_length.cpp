@@ -13,7 +13,7 @@ namespace {
 // with Fanuc H0 is no offset.
 Expected<const Tool*> tool_of_h(const RunningBlock& at, const ModalState& state,
                                 const ToolTable& tools) {
-  if (!at.block.has('H') || (at.block.value('H') == 0.0 && at.dialect == Dialect::rs274)) {
+  if (!at.block.has('H') || (at.block.value('H') == 0.0 && !at.rules.zero_is_no_offset)) {
     return named_tool(at, tools, state.loaded_tool, at.code_word(Group::length_offset).offset);
   }
   const Word& word = at.block.word('H');

@@ -16,7 +16,7 @@ void select_work_offset(const BlockCodes& codes, Coordinates& coordinates) {
 }
 
 Done set_local_offset(const RunningBlock& at, ModalState& state) {
-  if (at.dialect == Dialect::fanuc && at.block.has('S') && !at.block.has_any(at.axis_letters())) {
+  if (at.rules.speed_limit_in_g92 && at.block.has('S') && !at.block.has_any(at.axis_letters())) {
     return {};  // the highest speed of G96
   }
   if (Done given = needs_axis_words(at); !given) {

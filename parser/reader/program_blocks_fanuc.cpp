@@ -96,7 +96,7 @@ void ProgramRun::act_on_signal(const Line& line) {
 
 void ProgramRun::interpret(const Line& line, bool complete) {
   const double least_increment_mm = options_.machine.least_increment_mm;
-  if (options_.dialect == Dialect::fanuc && least_increment_mm != 0.0) {
+  if (rules_.macro_b && least_increment_mm != 0.0) {
     count_in_least_increments(interpreter_.state(), least_increment_mm, block_);
   }
   interpreter_.run(block_, line.number, complete);

@@ -59,7 +59,7 @@ void ProgramRun::reach_end() {
 
 // Whether the text has to be kept from this line on.
 bool ProgramRun::begins_flow(std::string_view text) const {
-  if (flow_.keeps_from_start()) {
+  if (rules_.macro_b && flow_.keeps_from_start()) {
     return true;
   }
   std::size_t at = skip_blanks(text, 0);
@@ -70,7 +70,7 @@ bool ProgramRun::begins_flow(std::string_view text) const {
     }
     at = find_block_start(text).at;
   }
-  if (!may_be_statement(text, at, options_.dialect)) {
+  if (!may_be_statement(text, at, rules_)) {
     return false;
   }
   Statement statement;

@@ -27,6 +27,7 @@ class ProgramRun {
  public:
   explicit ProgramRun(ReaderOptions options)
       : options_(std::move(options)),
+        rules_(rules_of(options_.dialect)),
         diagnostics_(options_.max_errors),
         input_(diagnostics_),
         interpreter_(memory_of(options_), diagnostics_),
@@ -83,6 +84,7 @@ class ProgramRun {
   void run_fanuc_block(const Line& line, bool complete);
 
   ReaderOptions options_;
+  const DialectRules& rules_;
   diagnostics::DiagnosticList diagnostics_;
   ProgramInput input_;
   Interpreter interpreter_;

@@ -41,7 +41,7 @@ Done set_spindle_mode(const RunningBlock& at, ModalState& state) {
     return fail(at.code_word(Group::spindle_mode).offset, errors::kSurfaceSpeedWithoutS,
                 "G96 needs S (surface speed)");
   }
-  if (at.dialect == Dialect::rs274) {
+  if (!at.rules.speed_limit_in_g92) {
     state.surface_speed = {};
   }
   state.surface_speed.active = true;
@@ -96,7 +96,7 @@ Done set_speed(const RunningBlock& at, ModalState& state) {
         word.offset, errors::kSpeedOutOfRange,
         joined({"S: value ", upper(at.block.text(word).substr(1, 40)), " is out of range"}));
   }
-  if (at.dialect == Dialect::fanuc && at.codes[Group::other] == kG92) {
+  if (at.rules.speed_limit_in_g92 && at.codes[Group::other] == kG92) {
     state.surface_speed.most_per_min = word.value;
   } else {
     state.spindle_speed = word.value;

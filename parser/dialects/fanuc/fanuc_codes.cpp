@@ -86,8 +86,7 @@ Done set_offset_memory(const RunningBlock& at, const ModalState& state, ToolTabl
 }  // namespace
 
 void warn_of_order(const RunningBlock& at) {
-  constexpr double kHighestOfFanuc = 4.0;
-  if (at.block.has('P') && at.block.value('P') > kHighestOfFanuc) {
+  if (at.block.has('P') && at.block.value('P') > at.rules.usual_order) {
     at.warn(at.block.word('P').offset, errors::kOrderExtension,
             joined({"G6.2: P (order) ", shortest(at.block.value('P')),
                     " is an extension: Fanuc takes 2 to 4"}));

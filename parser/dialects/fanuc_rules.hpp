@@ -1,0 +1,30 @@
+#pragma once
+
+#include "parser/dialects/dialect_rules.hpp"
+
+namespace kerf::parser {
+
+inline constexpr DialectRules kFanucRules{.control_codes = true,
+                                          .cycle_group = true,
+                                          .starts_at_initial = true,
+                                          .machine_rapid = true,
+                                          .dwell_in_axes = true,
+                                          .usual_order = 4.0,
+                                          .zero_is_no_offset = true,
+                                          .keeps_d = true,
+                                          .side_change_known = true,
+                                          .offset_memory = true,
+                                          .speed_limit_in_g92 = true,
+                                          .cycle_dwell_unit_s = 0.001,
+                                          .cycle_dwell_optional = true,
+                                          .levels_keep_mode = true,
+                                          .repeats_in_k = true,
+                                          .r_alone_drills = true,
+                                          .back_bore_aside = false,
+                                          .macro_b = true,
+                                          .locals = 33,
+                                          .plain_end = 34,
+                                          .first_asked = 1000,
+                                          .variables_end = 1000};
+
+}  // namespace kerf::parser
