@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "profiles/path_motion.hpp"
+#include "profiles/shape_value.hpp"
 
 namespace kerf::profiles {
 

@@ -17,4 +17,11 @@ struct RampLimits {
   double jerk_mm_s3 = 0.0;          // > 0
 };
 
+struct PathMotion {
+  double s_mm = 0.0;
+  double v_mm_s = 0.0;
+  double a_mm_s2 = 0.0;
+  double j_mm_s3 = 0.0;
+};
+
 }  // namespace kerf::profiles

@@ -1,8 +1,8 @@
 // One change of feedrate, or a cruise where both feedrates are equal, as a value in closed form.
 #pragma once
 
-#include "profiles/path_motion.hpp"
 #include "profiles/shape.hpp"
+#include "profiles/shape_value.hpp"
 
 namespace kerf::profiles {
 

@@ -109,7 +109,7 @@ class Gentler {
 };
 
 // The ramp that begins no nearer to its end of the segment than foot_mm. The foot cruises, which
-// curvature allows (AxisLimitSample::feedrate_mm_s).
+// curvature allows (PathSample::feedrate_mm_s).
 AccelerationRamp gentle_enough(const RampRequest& request, double foot_mm,
                                const VelocitySegment& segment, const Profile& profile) {
   const Slope slope = foot_mm > 0.0 ? slope_of(request, segment).from(foot_mm) : Slope{};

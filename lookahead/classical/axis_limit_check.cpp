@@ -22,24 +22,21 @@ class Asks {
   explicit Asks(const std::array<MotionLimits, 3>& axes) : axes_(axes) {}
 
   // Signs as the motion runs.
-  void look(const AxisLimitSample& at, double v, double a, double j) {
+  void look(const PathSample& at, const profiles::PathMotion& motion) {
     for (std::size_t k = 0; k < 3; ++k) {
       const MotionLimits& axis = axes_[k];
-      const double from_curvature = at.second_per_mm[k] * v * v;
-      const double change = at.first[k] * a;
-      if (std::abs(change + from_curvature) > kAim * axis.acceleration_mm_s2) {
-        const double left = std::max(kAim * axis.acceleration_mm_s2 - std::abs(from_curvature),
-                                     kMin * axis.acceleration_mm_s2);
-        need_acceleration(left / std::abs(change));
-      }
-      const double along = at.first[k] * j;
-      const double cross = 3.0 * at.second_per_mm[k] * v * a;
-      const double third = at.third_per_mm2[k] * v * v * v;
-      const double jumps = at.jumps_per_mm_s[k] * v * v;
-      if (std::abs(along + cross + third) + jumps > kAim * axis.jerk_mm_s3) {
+      const AxisTerms terms = axis_terms(at, k, motion);
+      if (std::abs(terms.acceleration_mm_s2()) > kAim * axis.acceleration_mm_s2) {
         const double left =
-            std::max(kAim * axis.jerk_mm_s3 - std::abs(third) - jumps, kMin * axis.jerk_mm_s3);
-        need_jerk(std::abs(along), std::abs(cross), left);
+            std::max(kAim * axis.acceleration_mm_s2 - std::abs(terms.centripetal_mm_s2),
+                     kMin * axis.acceleration_mm_s2);
+        need_acceleration(left / std::abs(terms.tangential_mm_s2));
+      }
+      const double jumps = at.jumps_per_mm_s[k] * motion.v_mm_s * motion.v_mm_s;
+      if (std::abs(terms.jerk_mm_s3()) + jumps > kAim * axis.jerk_mm_s3) {
+        const double left = std::max(kAim * axis.jerk_mm_s3 - std::abs(terms.third_mm_s3) - jumps,
+                                     kMin * axis.jerk_mm_s3);
+        need_jerk(std::abs(terms.along_mm_s3), std::abs(terms.cross_mm_s3), left);
       }
     }
   }
@@ -75,10 +72,10 @@ class Asks {
   RampReduction ask_;
 };
 
-AxisLimitSample between(const AxisLimitSample& a, const AxisLimitSample& b, double s_mm) {
+PathSample between(const PathSample& a, const PathSample& b, double s_mm) {
   const double way = b.s_mm - a.s_mm;
   const double share = way != 0.0 ? (s_mm - a.s_mm) / way : 0.0;
-  AxisLimitSample at{.s_mm = s_mm};
+  PathSample at{{}, s_mm};
   const auto line = [share](double x, double y) { return x + share * (y - x); };
   for (std::size_t k = 0; k < 3; ++k) {
     at.first[k] = line(a.first[k], b.first[k]);
@@ -100,21 +97,21 @@ class Way {
   }
 
   [[nodiscard]] bool has_next() const { return next_ < axis_limits_.size(); }
-  [[nodiscard]] const AxisLimitSample& next() const { return sample(next_); }
+  [[nodiscard]] const PathSample& next() const { return sample(next_); }
   // Of the next sample from the foot.
   [[nodiscard]] double distance_mm() const {
     return ramp_.direction * (next().s_mm - ramp_.foot_mm);
   }
   void pass() { ++next_; }
   // Before the next sample.
-  [[nodiscard]] AxisLimitSample at(double distance_mm) const {
+  [[nodiscard]] PathSample at(double distance_mm) const {
     return between(sample(next_ > 0 ? next_ - 1 : 0),
                    sample(std::min(next_, axis_limits_.size() - 1)),
                    ramp_.foot_mm + ramp_.direction * distance_mm);
   }
 
  private:
-  [[nodiscard]] const AxisLimitSample& sample(std::size_t i) const {
+  [[nodiscard]] const PathSample& sample(std::size_t i) const {
     return axis_limits_[ramp_.direction > 0.0 ? i : axis_limits_.size() - 1 - i];
   }
 
@@ -130,8 +127,10 @@ RampReduction ramp_reduction(const PlacedRamp& ramp, const AxisLimitCurve& axis_
   const std::vector<Instant> instants = instants_of(ramp.law);
   Asks asks(axes);
   Way way(ramp, axis_limits);
-  const auto look = [&](const AxisLimitSample& at, const profiles::PathMotion& motion, double j) {
-    asks.look(at, motion.v_mm_s, ramp.direction * motion.a_mm_s2, j);
+  const auto look = [&](const PathSample& at, profiles::PathMotion motion, double j) {
+    motion.a_mm_s2 *= ramp.direction;
+    motion.j_mm_s3 = j;
+    asks.look(at, motion);
   };
   const Instant* before = &instants.front();
   for (const Instant& now : instants) {
@@ -141,7 +140,7 @@ RampReduction ramp_reduction(const PlacedRamp& ramp, const AxisLimitCurve& axis_
       look(way.next(), at, before->j_after_mm_s3);
       look(way.next(), at, now.j_before_mm_s3);
     }
-    const AxisLimitSample here = way.at(now.motion.s_mm);
+    const PathSample here = way.at(now.motion.s_mm);
     look(here, now.motion, now.j_before_mm_s3);
     look(here, now.motion, now.j_after_mm_s3);
     before = &now;

@@ -29,7 +29,7 @@ struct RampReduction {
 // |q' a + q'' v^2| <= A and |q' j + 3 q'' v a + q''' v^3| + jumps v^2 <= J of each axis, signs
 // included, at the places of the samples under the ramp and at its instants (ramp_instants.hpp).
 // What a place asks for is what would do there; at another length the ramp meets other places.
-// Precondition: the ramp is below what curvature allows (AxisLimitSample::feedrate_mm_s) but for
+// Precondition: the ramp is below what curvature allows (PathSample::feedrate_mm_s) but for
 // rounding.
 RampReduction ramp_reduction(const PlacedRamp& ramp, const AxisLimitCurve& axis_limits,
                              const std::array<MotionLimits, 3>& axes);

@@ -29,7 +29,7 @@ Largest largest_near(double place_mm, const VelocitySegment& segment,
   const double reach_mm = kWider * constant_velocity.v_mm_s * constant_velocity.duration_s;
   const AxisLimitCurve& axis_limits = segment.axis_limits;
   for (std::size_t i = 0; i < axis_limits.size(); ++i) {
-    const AxisLimitSample& at = axis_limits[i];
+    const PathSample& at = axis_limits[i];
     const bool before = i + 1 < axis_limits.size() && axis_limits[i + 1].s_mm < place_mm - reach_mm;
     const bool behind = i > 0 && axis_limits[i - 1].s_mm > place_mm + reach_mm;
     for (std::size_t k = 0; k < 3 && !before && !behind; ++k) {

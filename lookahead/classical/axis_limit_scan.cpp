@@ -61,15 +61,12 @@ class Scan {
     curves::Position jerk_per_mm_s{};
   };
 
-  void find_feedrate(AxisLimitSample& sample) const {
+  void find_feedrate(PathSample& sample) const {
     sample.feedrate_mm_s = kUnbounded;
     for (std::size_t k = 0; k < 3; ++k) {
       const MotionLimits& axis = limits_.axes[k];
       const auto bind = [&](double v_mm_s, Constraint limit) {
-        if (v_mm_s < sample.feedrate_mm_s) {
-          sample.feedrate_mm_s = v_mm_s;
-          sample.limit = interp::of_axis(limit, k);
-        }
+        sample.bind_feedrate(v_mm_s, interp::of_axis(limit, k));
       };
       const double second = std::abs(sample.second_per_mm[k]);
       if (sample.first[k] != 0.0) {
@@ -86,19 +83,14 @@ class Scan {
     }
   }
 
-  [[nodiscard]] AxisLimitSample sample_at(const NurbsPiece& piece, double s_mm) const {
-    const curves::PathDerivatives path = piece.derivatives_at(s_mm);
-    AxisLimitSample sample{.s_mm = s_mm,
-                           .first = path.first,
-                           .second_per_mm = path.second_per_mm,
-                           .third_per_mm2 = path.third_per_mm2};
+  [[nodiscard]] PathSample sample_at(const NurbsPiece& piece, double s_mm) const {
+    PathSample sample{piece.derivatives_at(s_mm), s_mm};
     find_feedrate(sample);
     return sample;
   }
 
   // Whether the line from a to b misses what is in the middle.
-  [[nodiscard]] bool misses(const AxisLimitSample& a, const AxisLimitSample& m,
-                            const AxisLimitSample& b) const {
+  [[nodiscard]] bool misses(const PathSample& a, const PathSample& m, const PathSample& b) const {
     const double v = std::min(cap_mm_s_, m.feedrate_mm_s);
     const double line =
         0.5 * (std::min(cap_mm_s_, a.feedrate_mm_s) + std::min(cap_mm_s_, b.feedrate_mm_s));
@@ -121,9 +113,9 @@ class Scan {
     return false;
   }
 
-  void add_between(const NurbsPiece& piece, const AxisLimitSample& a, const AxisLimitSample& b,
+  void add_between(const NurbsPiece& piece, const PathSample& a, const PathSample& b,
                    int halvings) {
-    const AxisLimitSample middle = sample_at(piece, 0.5 * (a.s_mm + b.s_mm));
+    const PathSample middle = sample_at(piece, 0.5 * (a.s_mm + b.s_mm));
     const bool finer = halvings < kMaxHalvings && misses(a, middle, b);
     if (finer) {
       add_between(piece, a, middle, halvings + 1);
@@ -135,11 +127,11 @@ class Scan {
   }
 
   void add_piece(const NurbsPiece& piece) {
-    AxisLimitSample from = sample_at(piece, piece.s_begin_mm);
+    PathSample from = sample_at(piece, piece.s_begin_mm);
     add_first(from);
     for (int i = 1; i <= kPartsOfPiece; ++i) {
       const double share = static_cast<double>(i) / kPartsOfPiece;
-      const AxisLimitSample to =
+      const PathSample to =
           sample_at(piece, i == kPartsOfPiece
                                ? piece.s_end_mm
                                : piece.s_begin_mm + share * (piece.s_end_mm - piece.s_begin_mm));
@@ -150,9 +142,9 @@ class Scan {
   }
 
   // The end of the piece before stands at the same place.
-  void add_first(const AxisLimitSample& first) {
+  void add_first(const PathSample& first) {
     if (!samples_.empty()) {
-      const AxisLimitSample& last = samples_.back();
+      const PathSample& last = samples_.back();
       const double size = std::max(vec(last.second_per_mm).norm(), vec(first.second_per_mm).norm());
       const Eigen::Vector3d jump = vec(first.second_per_mm) - vec(last.second_per_mm);
       if (jump.norm() > kJump * size) {
@@ -181,7 +173,7 @@ class Scan {
     }
     const auto place =
         std::lower_bound(samples_.begin(), samples_.end(), s_mm,
-                         [](const AxisLimitSample& sample, double s) { return sample.s_mm < s; });
+                         [](const PathSample& sample, double s) { return sample.s_mm < s; });
     if (place->s_mm != s_mm) {
       samples_.insert(place, sample_at(curve_.pieces()[curve_.piece_index(s_mm)], s_mm));
     }
@@ -193,9 +185,8 @@ class Scan {
       insert(jump.s_mm + jump.reach_mm);
     }
     for (const Jump& jump : jumps_) {
-      auto sample =
-          std::lower_bound(samples_.begin(), samples_.end(), jump.s_mm - jump.reach_mm,
-                           [](const AxisLimitSample& at, double s) { return at.s_mm < s; });
+      auto sample = std::lower_bound(samples_.begin(), samples_.end(), jump.s_mm - jump.reach_mm,
+                                     [](const PathSample& at, double s) { return at.s_mm < s; });
       for (; sample != samples_.end() && sample->s_mm <= jump.s_mm + jump.reach_mm; ++sample) {
         for (std::size_t k = 0; k < 3; ++k) {
           sample->jumps_per_mm_s[k] += jump.jerk_per_mm_s[k];
@@ -203,7 +194,7 @@ class Scan {
       }
     }
     if (!jumps_.empty()) {
-      for (AxisLimitSample& sample : samples_) {
+      for (PathSample& sample : samples_) {
         find_feedrate(sample);
       }
     }

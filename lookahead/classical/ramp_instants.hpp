@@ -1,4 +1,4 @@
-// When a ramp is looked at, to see whether it keeps the limits of each axis (turn_check.hpp).
+// When a ramp is looked at, to see whether it keeps the limits of each axis (axis_limit_check.hpp).
 #pragma once
 
 #include <vector>

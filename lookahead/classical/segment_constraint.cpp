@@ -51,7 +51,7 @@ ActiveConstraint SegmentConstraint::limit_curve(const Transition& law, double s_
       nearest = sample;
       share = motion.v_mm_s / sample.v_mm_s;
     }
-    if (const AxisLimitSample* axis = axis_limit_at(s_begin_mm + motion.s_mm);
+    if (const PathSample* axis = axis_limit_at(s_begin_mm + motion.s_mm);
         axis != nullptr && motion.v_mm_s > share * axis->feedrate_mm_s) {
       nearest.limit = axis->limit;
       share = motion.v_mm_s / axis->feedrate_mm_s;
@@ -60,11 +60,11 @@ ActiveConstraint SegmentConstraint::limit_curve(const Transition& law, double s_
   return active_constraint(nearest.limit);
 }
 
-const AxisLimitSample* SegmentConstraint::axis_limit_at(double s_mm) const {
+const PathSample* SegmentConstraint::axis_limit_at(double s_mm) const {
   const AxisLimitCurve& axis_limits = of_.segment->axis_limits;
   const auto found =
       std::lower_bound(axis_limits.begin(), axis_limits.end(), s_mm,
-                       [](const AxisLimitSample& sample, double s) { return sample.s_mm < s; });
+                       [](const PathSample& sample, double s) { return sample.s_mm < s; });
   return found == axis_limits.end() ? nullptr : &*found;
 }
 

@@ -43,7 +43,7 @@ class SegmentConstraint {
   [[nodiscard]] ActiveConstraint cruise(const profiles::Transition& law, double s_begin_mm) const;
   [[nodiscard]] ActiveConstraint ramp(const profiles::Transition& law, double s_begin_mm) const;
   // Null: curvature does not bind.
-  [[nodiscard]] const AxisLimitSample* axis_limit_at(double s_mm) const;
+  [[nodiscard]] const PathSample* axis_limit_at(double s_mm) const;
   // What the limit curve, of the block or of curvature, comes from where the law is nearest to it.
   [[nodiscard]] ActiveConstraint limit_curve(const profiles::Transition& law,
                                              double s_begin_mm) const;

@@ -49,7 +49,7 @@ std::vector<VelocitySegment> segments_between_cuts(const Block& block, const Cut
 double strongest(const AxisLimitCurve& axis_limits, const PlanLimits& limits,
                  double MotionLimits::*limit) {
   double strongest = 0.0;
-  for (const AxisLimitSample& at : axis_limits) {
+  for (const PathSample& at : axis_limits) {
     double weakest = kUnbounded;
     for (std::size_t k = 0; k < 3; ++k) {
       if (at.first[k] != 0.0) {
@@ -63,8 +63,8 @@ double strongest(const AxisLimitCurve& axis_limits, const PlanLimits& limits,
 
 // The samples under the segment, those at its ends included.
 AxisLimitCurve part_of(const AxisLimitCurve& axis_limits, const VelocitySegment& segment) {
-  const auto less = [](const AxisLimitSample& at, double s_mm) { return at.s_mm < s_mm; };
-  const auto more = [](double s_mm, const AxisLimitSample& at) { return s_mm < at.s_mm; };
+  const auto less = [](const PathSample& at, double s_mm) { return at.s_mm < s_mm; };
+  const auto more = [](double s_mm, const PathSample& at) { return s_mm < at.s_mm; };
   auto first = std::lower_bound(axis_limits.begin(), axis_limits.end(), segment.s_begin_mm, less);
   auto last =
       std::upper_bound(first, axis_limits.end(), segment.s_begin_mm + segment.length_mm, more);

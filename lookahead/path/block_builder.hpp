@@ -20,8 +20,8 @@ tl::expected<Block, smoothing::PathError> block_of(smoothing::PathSegment segmen
                                                    const PlanLimits& limits,
                                                    ScanFor plan = ScanFor::bounded_jerk);
 
-// Appends the blocks of a move as it is programmed (smoothing/part_builder.hpp). Error: the curve
-// is not valid, with the line to blame.
+// Appends the blocks of a move as it is programmed (smoothing/segment_builder.hpp). Error: the
+// curve is not valid, with the line to blame.
 tl::expected<void, smoothing::PathError> append_blocks(const parser::Move& move,
                                                        const PlanLimits& limits,
                                                        std::vector<Block>& blocks,

@@ -132,9 +132,8 @@ TEST(AxisLimitCheck, KeepsEachAxisOnRandomCurvesOfEveryDegree) {
 
 // Along X, bent to Y: a made-up place without a third derivative.
 TEST(AxisLimitCheck, AsksOfARampWhatTheAxisAcrossHasLeft) {
-  const AxisLimitCurve axis_limits{
-      {.s_mm = 0.0, .first = {1, 0, 0}, .second_per_mm = {0, 0.1, 0}},
-      {.s_mm = 100.0, .first = {1, 0, 0}, .second_per_mm = {0, 0.1, 0}}};
+  const AxisLimitCurve axis_limits{{{.first = {1, 0, 0}, .second_per_mm = {0, 0.1, 0}}, 0.0},
+                                   {{.first = {1, 0, 0}, .second_per_mm = {0, 0.1, 0}}, 100.0}};
   const Profile profile(ProfileKind::s_curve);
   const auto ramp = profile.fastest({.v_begin_mm_s = 10.0, .v_end_mm_s = 50.0},
                                     {.acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
@@ -156,13 +155,13 @@ struct Bend {
   double peak_per_mm = 0.0;
   double width_mm = 0.0;
 
-  [[nodiscard]] AxisLimitSample at(double s_mm) const {
+  [[nodiscard]] PathSample at(double s_mm) const {
     const double x = s_mm / width_mm;
     const double under = 1.0 + x * x;
-    return {.s_mm = s_mm,
-            .first = {0.7, 0.7, 0.0},
-            .second_per_mm = {0.0, peak_per_mm / under, 0.0},
-            .third_per_mm2 = {0.0, -2.0 * peak_per_mm * x / (width_mm * under * under), 0.0}};
+    return {{.first = {0.7, 0.7, 0.0},
+             .second_per_mm = {0.0, peak_per_mm / under, 0.0},
+             .third_per_mm2 = {0.0, -2.0 * peak_per_mm * x / (width_mm * under * under), 0.0}},
+            s_mm};
   }
   [[nodiscard]] AxisLimitCurve samples(double length_mm) const {
     AxisLimitCurve axis_limits;
@@ -189,7 +188,7 @@ Taken taken_of(const Transition& ramp, const Bend& bend) {
   for (int i = 0; i <= kDense; ++i) {
     const double x = static_cast<double>(i) / kDense;
     const profiles::PathMotion at = ramp.at(ramp.duration_s() * x * x);
-    const AxisLimitSample curve = bend.at(at.s_mm);
+    const PathSample curve = bend.at(at.s_mm);
     const double v = at.v_mm_s;
     const auto widen = [](double& most, double value) { most = std::max(most, std::abs(value)); };
     const double from_curvature = curve.second_per_mm[1] * v * v;

@@ -30,7 +30,7 @@ TEST(AxisLimitJunction, LeavesRoomForTheThirdDerivativeWithinTheConstantVelocity
   EXPECT_LT(v, found.feedrate_mm_s);
   EXPECT_GT(v, 0.0);
   EXPECT_LE(2.0 * v * junction.constant_velocity_s, first.length_mm);
-  for (const AxisLimitSample& at : first.axis_limits) {
+  for (const PathSample& at : first.axis_limits) {
     for (std::size_t k = 0; k < 3; ++k) {
       const double turn = std::abs(blocks[1].begin.tangent[k] - blocks[0].end.tangent[k]);
       if (at.s_mm <= v * junction.constant_velocity_s) {

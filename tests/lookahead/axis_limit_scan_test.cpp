@@ -24,7 +24,7 @@ TEST(AxisLimitScan, LeavesPartOfTheLimitsOnACircle) {
   const auto curve = smooth_curve(nurbs_circle(radius));
   const PlanLimits limits = axis_limits({.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 2e4});
   const double most = std::min(std::sqrt(1000.0 * radius), std::cbrt(2e4 * radius * radius));
-  for (const AxisLimitSample& at : scan_axis_limits(curve, 1000.0, limits)) {
+  for (const PathSample& at : scan_axis_limits(curve, 1000.0, limits)) {
     EXPECT_LT(at.feedrate_mm_s, 1.2 * most);  // 2^(1/4): both axes share it at 45 degrees
     EXPECT_GT(at.feedrate_mm_s, 0.7 * most);
   }
@@ -36,8 +36,8 @@ TEST(AxisLimitScan, MissesLittleBetweenSamples) {
     const auto curve = smooth_curve(curves::testing::shipped_curve(name));
     const AxisLimitCurve axis_limits = scan_axis_limits(curve, 100.0, limits);
     for (std::size_t i = 1; i < axis_limits.size(); ++i) {
-      const AxisLimitSample& a = axis_limits[i - 1];
-      const AxisLimitSample& b = axis_limits[i];
+      const PathSample& a = axis_limits[i - 1];
+      const PathSample& b = axis_limits[i];
       ASSERT_LE(a.s_mm, b.s_mm);
       const double v = std::min({100.0, a.feedrate_mm_s, b.feedrate_mm_s});
       for (const double share : {0.25, 0.5, 0.75}) {
@@ -69,7 +69,7 @@ TEST(AxisLimitScan, CountsAJumpOfCurvatureAsJerkWithinThreeTicks) {
   const PlanLimits limits = axis_limits({.jerk_mm_s3 = 1e6});
   const AxisLimitCurve axis_limits = scan_axis_limits(curve, 1000.0, limits);
   double at_jump = kUnbounded;
-  for (const AxisLimitSample& at : axis_limits) {
+  for (const PathSample& at : axis_limits) {
     if (std::abs(at.s_mm - 0.5 * curve.length_mm()) < 1e-9) {
       at_jump = std::min(at_jump, at.feedrate_mm_s);
     }
@@ -98,7 +98,7 @@ TEST(AxisLimitScan, LowersALimitCurveAndNeverLiftsIt) {
     return v;
   };
   EXPECT_EQ(lowest(lower, [](const FeedSample& at) { return at.v_mm_s; }),
-            lowest(axis_limits, [](const AxisLimitSample& at) { return at.feedrate_mm_s; }));
+            lowest(axis_limits, [](const PathSample& at) { return at.feedrate_mm_s; }));
 }
 
 }  // namespace

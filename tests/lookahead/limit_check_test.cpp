@@ -11,7 +11,7 @@ namespace {
 // 0.01 (1 - 100 (s - 0.1)^2), the most of it, 1 mm/s, between two places at which the check looks.
 TEST(LimitCheck, SeesAnAxisVelocityThatPeaksBetweenTwoOfItsPlaces) {
   const auto path = [](const Cell&, double s_mm) {
-    CellEnd end;
+    PathSample end;
     end.first = {0.01 * (1.0 - 100.0 * (s_mm - 0.1) * (s_mm - 0.1)), 1.0, 0.0};
     end.second_per_mm = {-2.0 * (s_mm - 0.1), 0.0, 0.0};
     end.third_per_mm2 = {-2.0, 0.0, 0.0};
@@ -37,7 +37,7 @@ TEST(LimitCheck, SeesTheJerkAtAKnotWhereverInACellItLies) {
   for (int i = 1; i < 100; ++i) {
     const double knot_mm = 0.2 * i / 100.0;
     const auto path = [knot_mm](const Cell&, double s_mm) {
-      CellEnd end;
+      PathSample end;
       end.first = {0.0, 1.0, 0.0};
       end.third_per_mm2 = {1.0 - 0.04 * std::abs(s_mm - knot_mm) / 0.2, 0.0, 0.0};
       end.feedrate_mm_s = 1000.0;

@@ -150,7 +150,7 @@ CellSequence random_sequence(std::mt19937_64& random, const StartState& begin, i
   for (int i = 0; i < cells; ++i) {
     Cell cell{.length_mm = uniform(random, 0.05, 0.2),
               .along = {.acceleration_mm_s2 = 900.0, .jerk_mm_s3 = 2e4}};
-    for (CellEnd* end : {&cell.begin, &cell.end}) {
+    for (PathSample* end : {&cell.begin, &cell.end}) {
       end->feedrate_mm_s = 50.0;
       for (std::size_t k = 0; k < 3; ++k) {
         end->first[k] = uniform(random, -0.7, 0.7);
@@ -206,7 +206,7 @@ TEST(BarrierObjective, OfACruiseIsItsTimeAndTheBarriersOfTheTightestLimits) {
   CellSequence sequence{.begin = {.v_mm_s = 20.0}, .cells = {}};
   for (int i = 0; i < 4; ++i) {
     Cell cell{.length_mm = 2.0, .along = {.acceleration_mm_s2 = 900.0, .jerk_mm_s3 = 2e4}};
-    for (CellEnd* end : {&cell.begin, &cell.end}) {
+    for (PathSample* end : {&cell.begin, &cell.end}) {
       end->first = {1.0, 0.0, 0.0};
       end->feedrate_mm_s = 50.0;
     }

@@ -92,14 +92,11 @@ Bound BlockPath::feedrate_at(double s_mm) const {
                before->v_mm_s < after->v_mm_s ? before->limit : after->limit);
 }
 
-CellEnd BlockPath::at(double s_mm) const {
-  const curves::PathDerivatives path = curves::derivatives_at(block_->curve, s_mm);
+PathSample BlockPath::at(double s_mm) const {
   const Bound feedrate = feedrate_at(s_mm);
-  CellEnd end{.first = path.first,
-              .second_per_mm = path.second_per_mm,
-              .third_per_mm2 = path.third_per_mm2,
-              .feedrate_mm_s = feedrate.value,
-              .from = feedrate.from};
+  PathSample end{curves::derivatives_at(block_->curve, s_mm), s_mm};
+  end.feedrate_mm_s = feedrate.value;
+  end.limit = feedrate.from;
   for (std::size_t k = 0; k < 3; ++k) {
     if (end.first[k] != 0.0) {
       end.bind_feedrate(limits_->axes[k].velocity_mm_s / std::abs(end.first[k]),

@@ -18,7 +18,7 @@ class BlockPath {
 
   [[nodiscard]] double length_mm() const { return block_->length_mm; }
   // s_mm is clamped. At a place where derivatives jump either side may be given.
-  [[nodiscard]] CellEnd at(double s_mm) const;
+  [[nodiscard]] PathSample at(double s_mm) const;
   // What bounds motion along the block beside the axes.
   [[nodiscard]] const profiles::RampLimits& along() const { return block_->along.ramp; }
   [[nodiscard]] const LimitOrigins& along_from() const { return block_->along.from; }

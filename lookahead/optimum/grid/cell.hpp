@@ -5,29 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "curves/position.hpp"
-#include "lookahead/path/limits.hpp"
-#include "profiles/shape_value.hpp"
+#include "lookahead/path/path_sample.hpp"
 
 namespace kerf::lookahead {
-
-// The path at one end of a cell, seen from within the cell: derivatives by arc length may jump from
-// a cell to the next.
-struct CellEnd {
-  curves::Position first{};
-  curves::Position second_per_mm{};
-  curves::Position third_per_mm2{};
-  double feedrate_mm_s = 0.0;  // allowed there: programmed, chord error, axis velocities
-  Constraint from{};           // which of them it is
-
-  // A lower feedrate stands in its place.
-  void bind_feedrate(double bound_mm_s, Constraint limit) noexcept {
-    if (bound_mm_s < feedrate_mm_s) {
-      feedrate_mm_s = bound_mm_s;
-      from = limit;
-    }
-  }
-};
 
 // A little inside, so that what the check finds between two places is not beyond.
 inline constexpr double kAim = 0.9995;
@@ -52,8 +32,9 @@ struct Cell {
   double length_mm = 0.0;
   bool ends_block = false;  // the block's last
   bool rest_after = false;  // the motion comes to rest at its end
-  CellEnd begin{};
-  CellEnd end{};
+  // The path at its ends, seen from within: derivatives may jump from a cell to the next.
+  PathSample begin{};
+  PathSample end{};
   profiles::RampLimits along{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
   LimitOrigins along_from{};
   AllowedShares allowed{};
@@ -67,7 +48,7 @@ struct Cell {
 };
 
 // The path at s_mm of the cell's block.
-using PathAt = std::function<CellEnd(const Cell& cell, double s_mm)>;
+using PathAt = std::function<PathSample(const Cell& cell, double s_mm)>;
 
 // Where a sequence of cells begins; it always ends at rest. v = 0: at rest, and then a = 0.
 struct StartState {

@@ -29,7 +29,7 @@ double zone_at(const BlockPath& path, double s_mm, const JunctionLimits& junctio
 JunctionLimits inner_junction(const BlockPath& path, double s_mm, Jump jump,
                               const std::vector<BlockPath::Break>& breaks,
                               const PlanLimits& limits) {
-  const CellEnd here = path.at(s_mm);
+  const PathSample here = path.at(s_mm);
   jump.allowed_mm_s = curvature_feedrate_mm_s(Cell{.along = path.along()}, here, limits);
   JunctionLimits junction;
   for (int i = 0; i < kCrowdRounds; ++i) {

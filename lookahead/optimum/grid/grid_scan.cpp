@@ -93,7 +93,7 @@ struct Feeds {
 // The feedrate follows what bounds it, and neither that nor curvature asks for much.
 bool is_quiet(const Cell& cell, const Feeds& feeds, double acceleration_mm_s2,
               const PlanLimits& limits) {
-  const auto is_bound = [&](const CellEnd& end, double v_mm_s) {
+  const auto is_bound = [&](const PathSample& end, double v_mm_s) {
     return std::abs(v_mm_s - curvature_feedrate_mm_s(cell, end, limits)) <= kFlat * v_mm_s;
   };
   const double from = feeds.begin_mm_s * feeds.begin_mm_s;
@@ -134,7 +134,7 @@ void limit_growth(const std::vector<double>& places_mm, double growth,
 }
 
 // What a feature of the path asks of the cells around it, were it far shorter than a tick.
-double feature_mm(const CellEnd& end, double piece_mm, double tick_mm) {
+double feature_mm(const PathSample& end, double piece_mm, double tick_mm) {
   const double curvature = curves::vec(end.second_per_mm).norm();
   return std::min(kOfRadius / curvature, std::max(kOfPiece * piece_mm, kOfTick * tick_mm));
 }

@@ -82,8 +82,8 @@ double chord_bound_mm_s(const JunctionQuery& query, const JumpShares& shares,
     return chord;
   }
   const auto jerk = [&limits](const Block& block, const BlockEnd& end) {
-    return tangential_jerk_mm_s3(Cell{.along = block.along.ramp}, CellEnd{.first = end.tangent},
-                                 limits);
+    return tangential_jerk_mm_s3(Cell{.along = block.along.ramp},
+                                 PathSample{{.first = end.tangent}}, limits);
   };
   const double most =
       shares.cells * std::max(jerk(*query.before, before), jerk(*query.after, after));
@@ -95,7 +95,8 @@ double chord_bound_mm_s(const JunctionQuery& query, const JumpShares& shares,
 // The way of three ticks beside a junction, on a block.
 double zone_mm(const Block& block, const BlockEnd& end, const JunctionLimits& junction,
                const PlanLimits& limits) {
-  return zone_mm(Cell{.along = block.along.ramp}, CellEnd{.first = end.tangent}, junction, limits);
+  return zone_mm(Cell{.along = block.along.ramp}, PathSample{{.first = end.tangent}}, junction,
+                 limits);
 }
 
 }  // namespace
@@ -139,7 +140,7 @@ CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limi
   return {};
 }
 
-double zone_mm(const Cell& cell, const CellEnd& end, const JunctionLimits& junction,
+double zone_mm(const Cell& cell, const PathSample& end, const JunctionLimits& junction,
                const PlanLimits& limits) {
   const JumpShares& shares = junction.shares;
   const double t = kSupportTicks * limits.period_s;
@@ -151,7 +152,7 @@ double zone_mm(const Cell& cell, const CellEnd& end, const JunctionLimits& junct
 namespace {
 
 // cell, end: beside the jump.
-void bind_beside(const JunctionLimits& junction, Cell& cell, CellEnd& end) {
+void bind_beside(const JunctionLimits& junction, Cell& cell, PathSample& end) {
   end.bind_feedrate(junction.feedrate_mm_s, Constraint::junction);
   // The share taken off again: the cap holds whatever the share.
   double& a = cell.along.acceleration_mm_s2;

@@ -9,7 +9,7 @@ namespace kerf::lookahead {
 namespace {
 
 // The weakest axis in a direction, or the path.
-double weakest(double along, const CellEnd& end, const PlanLimits& limits,
+double weakest(double along, const PathSample& end, const PlanLimits& limits,
                double MotionLimits::*limit) {
   for (std::size_t k = 0; k < 3; ++k) {
     if (end.first[k] != 0.0) {
@@ -55,7 +55,7 @@ void pass(std::span<const Cell> cells, Direction direction, const PlanLimits& li
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = forwards ? k : count - 1 - k;
     const Cell& cell = cells[i];
-    const CellEnd& end = forwards ? cell.begin : cell.end;
+    const PathSample& end = forwards ? cell.begin : cell.end;
     const double from = squared[forwards ? i : i + 1];
     double& to = squared[forwards ? i + 1 : i];
     const double a = tangential_acceleration_mm_s2(cell, end, limits);
@@ -80,17 +80,17 @@ void pass(std::span<const Cell> cells, Direction direction, const PlanLimits& li
 
 }  // namespace
 
-double tangential_acceleration_mm_s2(const Cell& cell, const CellEnd& end,
+double tangential_acceleration_mm_s2(const Cell& cell, const PathSample& end,
                                      const PlanLimits& limits) {
   return cell.shares.acceleration *
          weakest(cell.along.acceleration_mm_s2, end, limits, &MotionLimits::acceleration_mm_s2);
 }
 
-double tangential_jerk_mm_s3(const Cell& cell, const CellEnd& end, const PlanLimits& limits) {
+double tangential_jerk_mm_s3(const Cell& cell, const PathSample& end, const PlanLimits& limits) {
   return cell.shares.jerk * weakest(cell.along.jerk_mm_s3, end, limits, &MotionLimits::jerk_mm_s3);
 }
 
-double curvature_feedrate_mm_s(const Cell& cell, const CellEnd& end, const PlanLimits& limits) {
+double curvature_feedrate_mm_s(const Cell& cell, const PathSample& end, const PlanLimits& limits) {
   double v = cell.shares.feedrate * end.feedrate_mm_s;
   for (std::size_t k = 0; k < 3; ++k) {
     const MotionLimits& axis = limits.axes[k];

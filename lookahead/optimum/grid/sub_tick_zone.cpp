@@ -25,7 +25,7 @@ void bind(const SubTickZone& zone, Cell& cell) {
 // rest.
 double gain_in_tick_mm_s(const SubTickBlock& sub_tick, const PlanLimits& limits) {
   const Cell cell{.along = sub_tick.beside.along.ramp};
-  const CellEnd junction{.first = sub_tick.junction.tangent};
+  const PathSample junction{{.first = sub_tick.junction.tangent}};
   const double a = tangential_acceleration_mm_s2(cell, junction, limits);
   const double j = tangential_jerk_mm_s3(cell, junction, limits);
   const double t = limits.period_s;

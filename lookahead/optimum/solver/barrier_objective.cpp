@@ -22,7 +22,7 @@ double square(double x) {
 }
 
 // The largest jerk of the launch or landing in a cell, along the path.
-double rest_jerk_mm_s3(const Cell& cell, const CellEnd& end, const PlanLimits& limits) {
+double rest_jerk_mm_s3(const Cell& cell, const PathSample& end, const PlanLimits& limits) {
   double jerk = cell.along.jerk_mm_s3;
   for (std::size_t k = 0; k < 3; ++k) {
     if (end.first[k] != 0.0) {

@@ -61,8 +61,8 @@ class BarrierObjective {
 
   // rest: the end at rest; inner: the other one.
   struct RestEnds {
-    const CellEnd* rest = nullptr;
-    const CellEnd* inner = nullptr;
+    const PathSample* rest = nullptr;
+    const PathSample* inner = nullptr;
   };
   [[nodiscard]] RestCell rest_cell(const Cell& cell, const RestEnds& ends,
                                    double neighbour_mm) const;

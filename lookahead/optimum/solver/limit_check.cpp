@@ -18,11 +18,11 @@ constexpr int kMaxParts = 40;
 constexpr double kBeside = 0.02;  // of a part: so near the cell's ends is it looked at, too
 
 // The ends from within the cell: derivatives may jump there.
-CellEnd path_in(const Cell& cell, double share, double s_mm, const PathAt& path) {
+PathSample path_in(const Cell& cell, double share, double s_mm, const PathAt& path) {
   if (share == 0.0 || share == 1.0) {
     return share == 0.0 ? cell.begin : cell.end;
   }
-  CellEnd inside = path(cell, cell.s_begin_mm + s_mm);
+  PathSample inside = path(cell, cell.s_begin_mm + s_mm);
   inside.bind_feedrate(cell.sub_tick_mm_s, Constraint::chord_error);
   return inside;
 }
@@ -43,23 +43,18 @@ struct Seen {
   curves::Position jerk_mm_s3{};
 };
 
-Seen look_at(const profiles::PathMotion& motion, const Cell& cell, const CellEnd& path,
+Seen look_at(const profiles::PathMotion& motion, const Cell& cell, const PathSample& path,
              const PlanLimits& limits, Excess& worst) {
-  const double v = motion.v_mm_s;
-  const double a = motion.a_mm_s2;
-  const double j = motion.j_mm_s3;
-  grow(worst.feedrate, v / path.feedrate_mm_s);
+  grow(worst.feedrate, motion.v_mm_s / path.feedrate_mm_s);
   grow(worst.acceleration,
-       std::abs(a) / (cell.allowed.acceleration * cell.along.acceleration_mm_s2));
-  grow(worst.jerk, std::abs(j) / (cell.allowed.jerk * cell.along.jerk_mm_s3));
-  Seen seen{.s_mm = motion.s_mm, .v_mm_s = v};
+       std::abs(motion.a_mm_s2) / (cell.allowed.acceleration * cell.along.acceleration_mm_s2));
+  grow(worst.jerk, std::abs(motion.j_mm_s3) / (cell.allowed.jerk * cell.along.jerk_mm_s3));
+  Seen seen{.s_mm = motion.s_mm, .v_mm_s = motion.v_mm_s};
   for (std::size_t k = 0; k < 3; ++k) {
-    const double q1 = path.first[k];
-    const double q2 = path.second_per_mm[k];
-    const double q3 = path.third_per_mm2[k];
-    seen.velocity_mm_s[k] = q1 * v;
-    seen.acceleration_mm_s2[k] = q1 * a + q2 * v * v;
-    seen.jerk_mm_s3[k] = q1 * j + 3.0 * q2 * v * a + q3 * v * v * v;
+    const AxisTerms terms = axis_terms(path, k, motion);
+    seen.velocity_mm_s[k] = path.first[k] * motion.v_mm_s;
+    seen.acceleration_mm_s2[k] = terms.acceleration_mm_s2();
+    seen.jerk_mm_s3[k] = terms.jerk_mm_s3();
     grow(worst.acceleration, std::abs(seen.acceleration_mm_s2[k]) /
                                  (cell.allowed.acceleration * limits.axes[k].acceleration_mm_s2));
     grow(worst.jerk,

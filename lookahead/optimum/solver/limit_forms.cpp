@@ -14,7 +14,7 @@ constexpr double kSamePlace = 1e-4;
 
 }  // namespace
 
-Forms forms_at(const Cell& cell, const CellEnd& end, const PlanLimits& limits) {
+Forms forms_at(const Cell& cell, const PathSample& end, const PlanLimits& limits) {
   Forms forms;
   forms[0] = {.first = 1.0,
               .acceleration_mm_s2 = cell.shares.acceleration * cell.along.acceleration_mm_s2,

@@ -23,7 +23,7 @@ inline constexpr std::size_t kForms = 4;
 using Forms = std::array<Form, kForms>;
 
 // With the cell's shares of the limits.
-Forms forms_at(const Cell& cell, const CellEnd& end, const PlanLimits& limits);
+Forms forms_at(const Cell& cell, const PathSample& end, const PlanLimits& limits);
 
 // What the motion may be at most at a place. A limit with q' alone bounds the motion along the
 // path, and of those only the tightest counts.

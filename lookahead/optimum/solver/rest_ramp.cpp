@@ -74,7 +74,7 @@ double from_rest_to_rest_s(double length_mm, double jerk_mm_s3) {
 
 RestRamp rest_ramp(const std::vector<Cell>& cells, RestAt where, const PlanLimits& limits) {
   const Cell& cell = cells.front();
-  const CellEnd& end = where == RestAt::begin ? cell.begin : cell.end;
+  const PathSample& end = where == RestAt::begin ? cell.begin : cell.end;
   const double jerk = tangential_jerk_mm_s3(cell, end, limits);
   const double v = curvature_feedrate_mm_s(cell, end, limits);
   double length = 0.0;

@@ -43,26 +43,23 @@ Constraint unless_junction(const Cell& cell, Constraint limit) {
   return is_beside_junction(cell) ? Constraint::junction : limit;
 }
 
-void add_place(const Cell& cell, const CellEnd& path, const SquaredFeed& feed,
+void add_place(const Cell& cell, const PathSample& path, const SquaredFeed& feed,
                const PlanLimits& limits, Prices& prices) {
   const double v = std::sqrt(std::max(feed.value, 0.0));
-  const double a = 0.5 * feed.slope;
-  const double j = 0.5 * v * feed.bend;
+  const profiles::PathMotion motion{
+      .v_mm_s = v, .a_mm_s2 = 0.5 * feed.slope, .j_mm_s3 = 0.5 * v * feed.bend};
   const double a_share = cell.shares.acceleration;
   const double j_share = cell.shares.jerk;
-  prices.add(v / (cell.shares.feedrate * path.feedrate_mm_s), path.from);
-  prices.add(std::abs(a) / (a_share * cell.along.acceleration_mm_s2),
+  prices.add(v / (cell.shares.feedrate * path.feedrate_mm_s), path.limit);
+  prices.add(std::abs(motion.a_mm_s2) / (a_share * cell.along.acceleration_mm_s2),
              unless_junction(cell, cell.along_from.acceleration));
-  prices.add(std::abs(j) / (j_share * cell.along.jerk_mm_s3),
+  prices.add(std::abs(motion.j_mm_s3) / (j_share * cell.along.jerk_mm_s3),
              unless_junction(cell, cell.along_from.jerk));
   for (std::size_t k = 0; k < limits.axes.size(); ++k) {
-    const double q1 = path.first[k];
-    const double q2 = path.second_per_mm[k];
-    const double q3 = path.third_per_mm2[k];
-    prices.add(std::abs(q1 * a + q2 * v * v) / (a_share * limits.axes[k].acceleration_mm_s2),
+    const AxisTerms terms = axis_terms(path, k, motion);
+    prices.add(std::abs(terms.acceleration_mm_s2()) / (a_share * limits.axes[k].acceleration_mm_s2),
                unless_junction(cell, interp::of_axis(Constraint::x_acceleration, k)));
-    prices.add(std::abs(q1 * j + 3.0 * q2 * v * a + q3 * v * v * v) /
-                   (j_share * limits.axes[k].jerk_mm_s3),
+    prices.add(std::abs(terms.jerk_mm_s3()) / (j_share * limits.axes[k].jerk_mm_s3),
                unless_junction(cell, interp::of_axis(Constraint::x_jerk, k)));
   }
 }
@@ -73,10 +70,11 @@ Constraint tightest_constraint(const Cell& cell, const CellFeed& feed, const Pla
   Prices prices;
   add_place(cell, cell.begin, feed.begin, limits, prices);
   add_place(cell, cell.end, feed.end, limits, prices);
-  const CellEnd& lower = cell.begin.feedrate_mm_s < cell.end.feedrate_mm_s ? cell.begin : cell.end;
+  const PathSample& lower =
+      cell.begin.feedrate_mm_s < cell.end.feedrate_mm_s ? cell.begin : cell.end;
   const double cap = 0.5 * (cell.begin.feedrate_mm_s * cell.begin.feedrate_mm_s +
                             cell.end.feedrate_mm_s * cell.end.feedrate_mm_s);
-  prices.add(std::sqrt(std::max(feed.coefficient, 0.0) / cap) / cell.shares.feedrate, lower.from);
+  prices.add(std::sqrt(std::max(feed.coefficient, 0.0) / cap) / cell.shares.feedrate, lower.limit);
   // Between two places that a junction holds down nothing else comes near.
   return is_beside_junction(cell) && prices.are_low() ? Constraint::junction : prices.highest();
 }
@@ -84,12 +82,12 @@ Constraint tightest_constraint(const Cell& cell, const CellFeed& feed, const Pla
 // With s = j t^3 / 6: v = j t^2 / 2, so j = 2 v^3 / (9 s^2).
 Constraint tightest_constraint_at_rest(const Cell& cell, double v_mm_s, bool launch,
                                        const PlanLimits& limits) {
-  const CellEnd& rest = launch ? cell.begin : cell.end;
-  const CellEnd& moving = launch ? cell.end : cell.begin;
+  const PathSample& rest = launch ? cell.begin : cell.end;
+  const PathSample& moving = launch ? cell.end : cell.begin;
   const double v = v_mm_s;
   const double j = 2.0 * v * v * v / (9.0 * cell.length_mm * cell.length_mm);
   Prices prices;
-  prices.add(v / (cell.shares.feedrate * moving.feedrate_mm_s), moving.from);
+  prices.add(v / (cell.shares.feedrate * moving.feedrate_mm_s), moving.limit);
   prices.add(j / (cell.shares.jerk * cell.along.jerk_mm_s3),
              unless_junction(cell, cell.along_from.jerk));
   for (std::size_t k = 0; k < limits.axes.size(); ++k) {

@@ -7,7 +7,7 @@
 #include "interp/constraint.hpp"
 #include "interp/setpoint.hpp"
 #include "machine/machine.hpp"
-#include "profiles/path_motion.hpp"
+#include "profiles/shape_value.hpp"
 
 namespace kerf::program {
 
