@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/curve_run.hpp"
-#include "lookahead/classical/breaking_points.hpp"
+#include "lookahead/classical/limit_curve_cuts.hpp"
 #include "lookahead/classical/split.hpp"
 #include "lookahead/classical/velocity_pass.hpp"
 #include "lookahead/path/block_builder.hpp"

@@ -1,10 +1,24 @@
 // One change of feedrate, or a cruise where both feedrates are equal, as a value in closed form.
 #pragma once
 
-#include "profiles/shape.hpp"
+#include <type_traits>
+#include <variant>
+
+#include "profiles/quintic.hpp"
+#include "profiles/s_curve.hpp"
 #include "profiles/shape_value.hpp"
+#include "profiles/sigmoid.hpp"
+#include "profiles/sine.hpp"
+#include "profiles/sine_series.hpp"
+#include "profiles/trapezoid.hpp"
 
 namespace kerf::profiles {
+
+// Any of the shapes, by value.
+using Shape = std::variant<Trapezoid, SCurve, Sine, Quintic, SineSeries, Sigmoid>;
+
+static_assert(std::is_trivially_copyable_v<Shape>);
+static_assert(sizeof(Shape) <= 40);
 
 // The feedrates that a transition joins, both >= 0.
 struct Ramp {

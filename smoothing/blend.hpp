@@ -20,6 +20,7 @@
 #include <optional>
 
 #include "curves/curve.hpp"
+#include "smoothing/path_deviations.hpp"
 
 namespace kerf::smoothing {
 
@@ -46,5 +47,9 @@ struct CornerShape {
 };
 
 CornerShape shape_of(const Corner& corner);
+
+// The larger of how far places of the blend are from the curves and places of what it replaces from
+// the blend. Its line is not set.
+PathDeviation deviation_of(const Blend& blend, const Corner& corner, double way_mm);
 
 }  // namespace kerf::smoothing

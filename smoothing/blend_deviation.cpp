@@ -1,10 +1,10 @@
-#include "smoothing/blend_deviation.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <variant>
+
+#include "smoothing/blend.hpp"
 
 namespace kerf::smoothing {
 

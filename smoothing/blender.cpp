@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "smoothing/blend_deviation.hpp"
+#include "smoothing/blend.hpp"
 #include "smoothing/segment_marks.hpp"
 #include "smoothing/travel.hpp"
 
@@ -94,7 +94,7 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
     deviation.distance_mm += away_mm;
     if (deviation.distance_mm <= kOfTolerance * tolerance + 1e-12 &&
         !(settings_.travel && leaves_travel(blend->curve.extents(), *settings_.travel))) {
-      deviation.line = mark_at(after.segment, 0.0).line;
+      deviation.line = after.segment.mark_at(0.0).line;
       deviation.tolerance_mm = tolerance;
       deviations_.add(deviation);
       return Chosen{.blend = std::move(*blend), .way_mm = way_mm};

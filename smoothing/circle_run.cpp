@@ -1,9 +1,9 @@
-#include "smoothing/circle_run.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+
+#include "smoothing/run_segments.hpp"
 
 namespace kerf::smoothing {
 

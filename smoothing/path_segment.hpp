@@ -1,8 +1,11 @@
 // What smoothing hands to the look-ahead: one smooth curve and what the program says of it.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "curves/auxiliary_axis_motion.hpp"
@@ -16,6 +19,19 @@ struct LineMark {
   double s_mm = 0.0;
   std::uint32_t line = 0;
   std::uint64_t run_block = 0;  // parser::Move::block of the line's move
+};
+
+// The mark that a place belongs to, one at a mark to that; before the first, and of no marks, to
+// `whole`.
+inline LineMark mark_at(const std::vector<LineMark>& marks, double s_mm, const LineMark& whole) {
+  const auto after = std::ranges::upper_bound(marks, s_mm, {}, &LineMark::s_mm);
+  return after == marks.begin() ? whole : *std::prev(after);
+}
+
+// Why a move cannot be run.
+struct PathError {
+  std::uint32_t line = 0;
+  std::string message;
 };
 
 struct PathSegment {
@@ -37,6 +53,10 @@ struct PathSegment {
   std::vector<parser::EventMove> changes{};
   // Direction and curvature go on from the segment before, by construction.
   bool continues = false;
+
+  [[nodiscard]] LineMark mark_at(double s_mm) const {
+    return smoothing::mark_at(marks, s_mm, {.line = source.line, .run_block = run_block});
+  }
 };
 
 }  // namespace kerf::smoothing

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "smoothing/circle_run.hpp"
 #include "smoothing/run_segments.hpp"
 #include "smoothing/travel.hpp"
 

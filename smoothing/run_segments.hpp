@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "curves/arc.hpp"
 #include "curves/curve.hpp"
 #include "parser/moves/move.hpp"
 #include "smoothing/path_segment.hpp"
@@ -25,5 +27,16 @@ struct MergedCurve {
 // Appends it in one segment, or in one for each stretch of one feedrate. like: a move of the run.
 void append_segments(const Polyline& run, const MergedCurve& merged, const parser::Move& like,
                      std::vector<PathSegment>& segments);
+
+struct CircleRun {
+  curves::Arc arc;
+  std::vector<double> s_mm;   // where on the arc each line begins
+  double deviation_mm = 0.0;  // of the arc from vertices and lines
+};
+
+// The arc from the first vertex to `last` in one of the planes of the axes, a whole circle if it is
+// closed. Nothing where there are few lines, where a vertex is farther from the circle than the
+// last decimals of a program explain, or a line farther than the tolerance.
+std::optional<CircleRun> circle_of(const Polyline& run, std::size_t last, double tolerance_mm);
 
 }  // namespace kerf::smoothing

@@ -6,7 +6,6 @@
 #include <tl/expected.hpp>
 
 #include "parser/moves/move.hpp"
-#include "smoothing/path_error.hpp"
 #include "smoothing/path_segment.hpp"
 
 namespace kerf::smoothing {

@@ -18,17 +18,6 @@ void shift_marks(PathSegment& segment, double by_mm) {
   marks.resize(kept);
 }
 
-LineMark mark_at(const PathSegment& segment, double s_mm) {
-  LineMark found{.line = segment.source.line, .run_block = segment.run_block};
-  for (const LineMark& mark : segment.marks) {
-    if (mark.s_mm > s_mm) {
-      break;
-    }
-    found = mark;
-  }
-  return found;
-}
-
 // At w the blend is way (1 - w)^3 before the corner and way w^3 behind it. It passes the corner at
 // 1 / 2, where that is an eighth of the way: marks nearer to the corner are looked for from there.
 std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathSegment& before,
@@ -50,7 +39,7 @@ std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathS
       marks.push_back(mark);
     }
   };
-  add(mark_at(before, length - way_mm), 0.0);
+  add(before.mark_at(length - way_mm), 0.0);
   for (const LineMark& mark : before.marks) {
     const double behind = length - mark.s_mm;
     if (behind < way_mm && behind > 0.0) {
@@ -59,7 +48,7 @@ std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathS
       add(mark, std::min(s, blend.s_corner_mm));
     }
   }
-  add(mark_at(after, 0.0), blend.s_corner_mm);
+  add(after.mark_at(0.0), blend.s_corner_mm);
   for (const LineMark& mark : after.marks) {
     if (mark.s_mm > 0.0 && mark.s_mm < way_mm) {
       const double w = std::max(std::cbrt(mark.s_mm / way_mm), 0.5);

@@ -10,7 +10,6 @@
 #include "smoothing/blender.hpp"
 #include "smoothing/compressor.hpp"
 #include "smoothing/path_deviations.hpp"
-#include "smoothing/path_error.hpp"
 #include "smoothing/path_segment.hpp"
 
 namespace kerf::smoothing {

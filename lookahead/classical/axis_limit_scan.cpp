@@ -171,9 +171,7 @@ class Scan {
     if (!(s_mm > 0.0 && s_mm < curve_.length_mm())) {
       return;
     }
-    const auto place =
-        std::lower_bound(samples_.begin(), samples_.end(), s_mm,
-                         [](const PathSample& sample, double s) { return sample.s_mm < s; });
+    const auto place = std::ranges::lower_bound(samples_, s_mm, {}, &PathSample::s_mm);
     if (place->s_mm != s_mm) {
       samples_.insert(place, sample_at(curve_.pieces()[curve_.piece_index(s_mm)], s_mm));
     }
@@ -185,8 +183,8 @@ class Scan {
       insert(jump.s_mm + jump.reach_mm);
     }
     for (const Jump& jump : jumps_) {
-      auto sample = std::lower_bound(samples_.begin(), samples_.end(), jump.s_mm - jump.reach_mm,
-                                     [](const PathSample& at, double s) { return at.s_mm < s; });
+      auto sample =
+          std::ranges::lower_bound(samples_, jump.s_mm - jump.reach_mm, {}, &PathSample::s_mm);
       for (; sample != samples_.end() && sample->s_mm <= jump.s_mm + jump.reach_mm; ++sample) {
         for (std::size_t k = 0; k < 3; ++k) {
           sample->jumps_per_mm_s[k] += jump.jerk_per_mm_s[k];
@@ -207,6 +205,11 @@ class Scan {
   std::vector<Jump> jumps_;
 };
 
+// A line through values over s.
+double between(double s0, double v0, double s1, double v1, double s) {
+  return s1 > s0 ? v0 + (v1 - v0) * (s - s0) / (s1 - s0) : std::min(v0, v1);
+}
+
 }  // namespace
 
 AxisLimitCurve scan_axis_limits(const NurbsCurve& curve, double feedrate_mm_s,
@@ -217,6 +220,46 @@ AxisLimitCurve scan_axis_limits(const NurbsCurve& curve, double feedrate_mm_s,
                std::isfinite(axis.jerk_mm_s3);
       });
   return any ? Scan(curve, feedrate_mm_s, limits).samples() : AxisLimitCurve{};
+}
+
+VelocityLimitCurve lower_limit_curve(const VelocityLimitCurve& limit_curve,
+                                     const AxisLimitCurve& axis_limits) {
+  VelocityLimitCurve lower;
+  const double cap =
+      std::max_element(limit_curve.begin(), limit_curve.end(),
+                       [](const FeedSample& a, const FeedSample& b) { return a.v_mm_s < b.v_mm_s; })
+          ->v_mm_s;
+  const auto turn = [&](std::size_t i) { return std::min(cap, axis_limits[i].feedrate_mm_s); };
+  std::size_t c = 0;
+  std::size_t t = 0;
+  while (c < limit_curve.size() || t < axis_limits.size()) {
+    FeedSample sample;
+    if (t == axis_limits.size() ||
+        (c < limit_curve.size() && limit_curve[c].s_mm <= axis_limits[t].s_mm)) {
+      sample = limit_curve[c++];
+      if (t > 0 && t < axis_limits.size()) {
+        sample.v_mm_s = std::min(sample.v_mm_s, between(axis_limits[t - 1].s_mm, turn(t - 1),
+                                                        axis_limits[t].s_mm, turn(t), sample.s_mm));
+      }
+    } else {
+      const std::size_t after = std::min(c, limit_curve.size() - 1);
+      const std::size_t before = after > 0 ? after - 1 : 0;
+      const double s = axis_limits[t].s_mm;
+      sample = {.u = between(limit_curve[before].s_mm, limit_curve[before].u,
+                             limit_curve[after].s_mm, limit_curve[after].u, s),
+                .s_mm = s,
+                .v_mm_s = std::min(turn(t),
+                                   between(limit_curve[before].s_mm, limit_curve[before].v_mm_s,
+                                           limit_curve[after].s_mm, limit_curve[after].v_mm_s, s))};
+      ++t;
+    }
+    if (!lower.empty() && (sample.s_mm <= lower.back().s_mm || sample.u <= lower.back().u)) {
+      lower.back().v_mm_s = std::min(lower.back().v_mm_s, sample.v_mm_s);
+    } else {
+      lower.push_back(sample);
+    }
+  }
+  return lower;
 }
 
 }  // namespace kerf::lookahead

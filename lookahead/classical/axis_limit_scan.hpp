@@ -25,4 +25,8 @@ using AxisLimitCurve = std::vector<PathSample>;
 AxisLimitCurve scan_axis_limits(const curves::NurbsCurve& curve, double feedrate_mm_s,
                                 const PlanLimits& limits);
 
+// The lower one of a limit curve and what curvature allows.
+VelocityLimitCurve lower_limit_curve(const VelocityLimitCurve& limit_curve,
+                                     const AxisLimitCurve& axis_limits);
+
 }  // namespace kerf::lookahead

@@ -1,7 +1,7 @@
-#include "lookahead/classical/breaking_points.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "lookahead/classical/limit_curve_cuts.hpp"
 
 namespace kerf::lookahead {
 

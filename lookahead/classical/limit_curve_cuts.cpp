@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "lookahead/classical/breaking_points.hpp"
-#include "lookahead/classical/ramp_cuts.hpp"
-
 namespace kerf::lookahead {
 
 namespace {
@@ -36,9 +33,8 @@ std::size_t top_of(const VelocityLimitCurve& limit_curve, const SampleRange& ran
   const auto at = [&limit_curve](std::size_t i) {
     return limit_curve.begin() + static_cast<std::ptrdiff_t>(i);
   };
-  const auto top = std::max_element(
-      at(range.first), at(range.last + 1),
-      [](const FeedSample& a, const FeedSample& b) { return a.v_mm_s < b.v_mm_s; });
+  const auto top =
+      std::ranges::max_element(at(range.first), at(range.last + 1), {}, &FeedSample::v_mm_s);
   return static_cast<std::size_t>(top - limit_curve.begin());
 }
 

@@ -9,6 +9,38 @@
 
 namespace kerf::lookahead {
 
+// Indices of the breaking points of a scan, first and last sample included, in two steps
+// [Sigmoid, section 3.2], docs/math.md, 6.1:
+// 1. screening: the slope of v over u changes by more than screening_mm_s between two samples;
+// 2. of these candidates those stay where v does not go on in the same direction.
+std::vector<std::size_t> breaking_points(const VelocityLimitCurve& limit_curve,
+                                         double screening_mm_s);
+
+// The breaking points that are valleys: the lowest between two hills that both rise above it by
+// more than noise, a share of the feedrate.
+std::vector<std::size_t> valleys(const VelocityLimitCurve& limit_curve,
+                                 const std::vector<std::size_t>& breaking, double noise = 0.01);
+
+// The samples at which the ramp from the foot is to be cut, ascending; none where one ramp of one
+// acceleration takes no more than twice the time of the fastest ramp.
+//
+//      v^2            . top         A ramp of one acceleration is a straight line over s in v^2.
+//       |         _.-'              No motion is faster than the lower convex hull of the limit
+//       |      .-'    /             curve; each side of it has an acceleration of its own. Where
+//       |   .-'     /               the foot stands in a feature of some nanometres, the first
+//       |.-'      / one ramp        side is so flat that a ramp that goes on with it would crawl
+//       |       /                   for the whole length of the segment; a cut after it costs one
+//       |  |_./                     instant without acceleration.
+//       +---------------- s
+//
+// The hull is thinned where its sides differ little; of its corners the one that leaves the least
+// time in both parts is cut at, then each part again. Of the jerk only this is taken into account:
+// a place of the limit curve that it keeps out of reach from the foot does not count. Samples:
+// distance from 0, ascending, their feedrate not below 0; the ramp begins with that of the first.
+// The jerk may be infinite.
+std::vector<std::size_t> ramp_cuts(const std::vector<Slope::Sample>& samples,
+                                   const profiles::RampLimits& limits);
+
 // Of samples, both included.
 struct SampleRange {
   std::size_t first = 0;
@@ -35,7 +67,7 @@ struct CutLimitCurve {
   std::vector<std::size_t> cuts;  // samples, ascending; the last one's is the end
 };
 
-// Cut at its valleys and where a ramp from one would crawl (ramp_cuts.hpp). The limit curve has
+// Cut at its valleys and where a ramp from one would crawl (ramp_cuts). The limit curve has
 // more samples then where feedrates of neighbours are far apart, and between valleys within a
 // tick's way, which are one, the feedrate of the lowest. Precondition: two samples at least.
 CutLimitCurve cut(const VelocityLimitCurve& scanned, const Cutting& how);

@@ -1,9 +1,8 @@
-#include "lookahead/classical/ramp_cuts.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "lookahead/classical/limit_curve_cuts.hpp"
 #include "lookahead/path/limits.hpp"
 
 namespace kerf::lookahead {

@@ -66,10 +66,7 @@ class Instants {
             .j_after_mm_s3 = motion.j_mm_s3};
   }
   void add(double t_s) { all_.push_back(instant(t_s)); }
-  void sort() {
-    std::sort(all_.begin(), all_.end(),
-              [](const Instant& a, const Instant& b) { return a.t_s < b.t_s; });
-  }
+  void sort() { std::ranges::sort(all_, {}, &Instant::t_s); }
   [[nodiscard]] double jerk(double t_s) const { return std::abs(law_.at(t_s).j_mm_s3); }
   [[nodiscard]] double jerk_of(std::size_t k) const { return std::abs(all_[k].motion.j_mm_s3); }
 

@@ -36,11 +36,9 @@ ActiveConstraint SegmentConstraint::of(SegmentPart part, const Transition& law,
 }
 
 ActiveConstraint SegmentConstraint::limit_curve(const Transition& law, double s_begin_mm) const {
-  const auto sample_at = [this](double s_mm) {
-    const auto found =
-        std::lower_bound(of_.block->limit_curve.begin(), of_.block->limit_curve.end() - 1, s_mm,
-                         [](const FeedSample& sample, double s) { return sample.s_mm < s; });
-    return *found;
+  const VelocityLimitCurve& curve = of_.block->limit_curve;
+  const auto sample_at = [&curve](double s_mm) {
+    return *std::ranges::lower_bound(curve.begin(), curve.end() - 1, s_mm, {}, &FeedSample::s_mm);
   };
   FeedSample nearest;
   double share = 0.0;
@@ -62,9 +60,7 @@ ActiveConstraint SegmentConstraint::limit_curve(const Transition& law, double s_
 
 const PathSample* SegmentConstraint::axis_limit_at(double s_mm) const {
   const AxisLimitCurve& axis_limits = of_.segment->axis_limits;
-  const auto found =
-      std::lower_bound(axis_limits.begin(), axis_limits.end(), s_mm,
-                       [](const PathSample& sample, double s) { return sample.s_mm < s; });
+  const auto found = std::ranges::lower_bound(axis_limits, s_mm, {}, &PathSample::s_mm);
   return found == axis_limits.end() ? nullptr : &*found;
 }
 

@@ -1,10 +1,25 @@
 // How the segments of two blocks join in the classical schedule.
 #pragma once
 
-#include "lookahead/classical/axis_limit_junction.hpp"
+#include "lookahead/classical/velocity_segment.hpp"
+#include "lookahead/path/junction.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::lookahead {
+
+// The segments on both sides of a junction, and what they are part of.
+struct JunctionSides {
+  JunctionQuery blocks{};
+  const VelocitySegment* before = nullptr;
+  const VelocitySegment* after = nullptr;
+};
+
+// junction_of() knows a curve at its end alone and leaves nothing for what curvature asks of the
+// axes within the ticks that see the junction. Here it is asked again, with the largest second and
+// third derivative within the parts at constant velocity, and both parts at constant velocity fit
+// into half a segment. Never faster than found.
+Junction beside_axis_limits(const Junction& found, const JunctionSides& sides,
+                            const PlanLimits& limits);
 
 struct SegmentJunction {
   Junction end{};                          // of the segment before, with its constant velocity

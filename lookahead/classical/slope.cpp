@@ -61,8 +61,7 @@ Slope Slope::from(double distance_mm) const {
 
 double Slope::allowed_from_mm(double v_mm_s) const {
   const auto above =
-      std::lower_bound(samples_.begin(), samples_.end() - 1, v_mm_s,
-                       [](const Sample& sample, double v) { return sample.v_mm_s < v; });
+      std::ranges::lower_bound(samples_.begin(), samples_.end() - 1, v_mm_s, {}, &Sample::v_mm_s);
   if (above == samples_.begin()) {
     return 0.0;
   }

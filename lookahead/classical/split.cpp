@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lookahead/classical/axis_limit_scan.hpp"
 #include "lookahead/classical/limit_curve_cuts.hpp"
-#include "lookahead/classical/lower_limit_curve.hpp"
 
 namespace kerf::lookahead {
 
@@ -50,24 +50,16 @@ double strongest(const AxisLimitCurve& axis_limits, const PlanLimits& limits,
                  double MotionLimits::*limit) {
   double strongest = 0.0;
   for (const PathSample& at : axis_limits) {
-    double weakest = kUnbounded;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (at.first[k] != 0.0) {
-        weakest = std::min(weakest, limits.axes[k].*limit / std::abs(at.first[k]));
-      }
-    }
-    strongest = std::max(strongest, weakest);
+    strongest = std::max(strongest, weakest_along(kUnbounded, at, limits, limit));
   }
   return strongest;
 }
 
 // The samples under the segment, those at its ends included.
 AxisLimitCurve part_of(const AxisLimitCurve& axis_limits, const VelocitySegment& segment) {
-  const auto less = [](const PathSample& at, double s_mm) { return at.s_mm < s_mm; };
-  const auto more = [](double s_mm, const PathSample& at) { return s_mm < at.s_mm; };
-  auto first = std::lower_bound(axis_limits.begin(), axis_limits.end(), segment.s_begin_mm, less);
-  auto last =
-      std::upper_bound(first, axis_limits.end(), segment.s_begin_mm + segment.length_mm, more);
+  auto first = std::ranges::lower_bound(axis_limits, segment.s_begin_mm, {}, &PathSample::s_mm);
+  auto last = std::ranges::upper_bound(
+      first, axis_limits.end(), segment.s_begin_mm + segment.length_mm, {}, &PathSample::s_mm);
   first -= first != axis_limits.begin() ? 1 : 0;
   last += last != axis_limits.end() ? 1 : 0;
   return {first, last};

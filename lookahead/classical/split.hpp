@@ -1,5 +1,5 @@
 // Blocks to segments: a curve is cut at the valleys of the feedrate it allows, and where one ramp
-// from a valley would crawl (ramp_cuts.hpp).
+// from a valley would crawl (limit_curve_cuts.hpp).
 #pragma once
 
 #include <vector>

@@ -1,10 +1,31 @@
 #include "lookahead/emit/emitter.hpp"
 
+#include <algorithm>
 #include <variant>
 
-#include "lookahead/path/line_marks.hpp"
-
 namespace kerf::lookahead {
+
+namespace {
+
+// A rest that ends this close behind a tick ends on it: rounding of sums of durations.
+constexpr double kTickRounding = 1e-9;
+
+}  // namespace
+
+std::int64_t PlanClock::next_tick() const noexcept {
+  return now_.tick + (now_.offset_s > kTickRounding * period_s_ ? 1 : 0);
+}
+
+void PlanClock::advance(double duration_s) noexcept {
+  const double offset = now_.offset_s + duration_s;
+  const auto whole = static_cast<std::int64_t>(offset / period_s_);
+  now_.tick += whole;
+  now_.offset_s = std::max(offset - static_cast<double>(whole) * period_s_, 0.0);
+}
+
+void PlanClock::align_to_tick() noexcept {
+  now_ = {.tick = next_tick()};
+}
 
 void Emitter::change_at_block(std::uint64_t number, const interp::OutputChange& change) {
   output_changes_.push_back({.number = number, .change = change});
@@ -36,7 +57,7 @@ void Emitter::emit(const Block& block, const profiles::TimeLaw& law, double s_en
   if (!block_begun_) {
     begin_block(block, outbox);
   }
-  const LineMark from = mark_at(block, s_mm_);
+  const LineMark from = block.mark_at(s_mm_);
   outbox.phases.push_back({.curve = curve_,
                            .begin = clock_.now(),
                            .s_begin_mm = s_mm_,
@@ -48,7 +69,7 @@ void Emitter::emit(const Block& block, const profiles::TimeLaw& law, double s_en
                            .has_changes = !block.marks.empty(),
                            .rapid = block.rapid});
   s_mm_ = s_end_mm;
-  line_ = block.marks.empty() ? block.line : mark_at(block, s_end_mm).line;
+  line_ = block.marks.empty() ? block.line : block.mark_at(s_end_mm).line;
   clock_.advance(law.duration_s());
 }
 

@@ -9,7 +9,6 @@
 
 #include "interp/motion.hpp"
 #include "interp/outputs.hpp"
-#include "lookahead/emit/plan_clock.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/window.hpp"
 #include "profiles/time_law.hpp"
@@ -42,6 +41,26 @@ struct Rest {
   std::uint32_t line = 0;  // 0: that of the last motion
   bool ends_program = false;
   std::optional<interp::OutputChange> change{};
+};
+
+// The time at which planned motion begins. Counts whole ticks beside the rest of one, so that it
+// does not wear out.
+class PlanClock {
+ public:
+  explicit PlanClock(double period_s) : period_s_(period_s) {}
+
+  [[nodiscard]] const interp::TickTime& now() const noexcept { return now_; }
+  // The tick that is now, or the first one after it.
+  [[nodiscard]] std::int64_t next_tick() const noexcept;
+
+  // duration_s >= 0
+  void advance(double duration_s) noexcept;
+  // On to next_tick(), as after a rest.
+  void align_to_tick() noexcept;
+
+ private:
+  double period_s_;
+  interp::TickTime now_{};
 };
 
 class Emitter {

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "lookahead/optimum/fallback.hpp"
-#include "lookahead/optimum/solver/rest_ramp.hpp"
-#include "lookahead/path/line_marks.hpp"
+#include "lookahead/optimum/grid/grid.hpp"
 
 namespace kerf::lookahead {
 
@@ -18,7 +17,7 @@ constexpr std::size_t kCutCells = 16;
 constexpr std::size_t kMarginOfWindow = 8;
 
 PlanDegradation degradation_on(const Block& block, double s_mm) {
-  const LineMark mark = mark_at(block, s_mm);
+  const LineMark mark = block.mark_at(s_mm);
   return {.line = mark.line, .s_mm = s_mm - mark.s_mm};
 }
 

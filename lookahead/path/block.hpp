@@ -51,6 +51,11 @@ struct Block {
   // nothing of them jumps there but what rounding left.
   bool continues = false;
   VelocityLimitCurve limit_curve{};  // empty: limits.feedrate_mm_s everywhere
+
+  // s_mm of the mark: where on the curve the line's part begins.
+  [[nodiscard]] LineMark mark_at(double at_mm) const {
+    return smoothing::mark_at(marks, at_mm, {.line = line, .run_block = run_block});
+  }
 };
 
 }  // namespace kerf::lookahead

@@ -9,7 +9,6 @@
 #include "lookahead/path/feed_scan.hpp"
 #include "lookahead/path/limits.hpp"
 #include "parser/moves/move.hpp"
-#include "smoothing/path_error.hpp"
 #include "smoothing/path_segment.hpp"
 
 namespace kerf::lookahead {

@@ -1,10 +1,55 @@
-// The chord-error scan: how fast a curve may be run at each of its points.
+// The chord-error scan: how far a tick may go from each place of a curve, and so how fast it may be
+// run.
 #pragma once
 
-#include "lookahead/path/tick_bounds.hpp"
+#include <array>
+#include <vector>
+
+#include "curves/nurbs_curve.hpp"
+#include "lookahead/path/limits.hpp"
 #include "lookahead/path/velocity_limit_curve.hpp"
 
 namespace kerf::lookahead {
+
+// What runs below the limit curve. Where a curve is nearly straight the classical profiles see the
+// limit curve at every half tick (their breaking points are found by its slopes), the time optimum
+// at the quarters of a piece. The acceleration of a trapezoid jumps.
+enum class ScanFor { trapezoid, bounded_jerk, time_optimum };
+
+struct ScanLimits {
+  double feedrate_mm_s = kUnbounded;
+  Constraint feedrate_from = Constraint::programmed;
+  // How a plan may accelerate, for scan_feedrate alone. What velocities leave is in feedrate_mm_s.
+  MotionLimits along{};
+  std::array<MotionLimits, 3> axes{};
+  double period_s = 0.001;
+  double chord_tolerance_mm = kUnbounded;
+  ScanFor plan = ScanFor::bounded_jerk;
+};
+
+// Of the tick that begins at s_mm, below 0 before the curve.
+struct TickBound {
+  double s_mm = 0.0;
+  double v_mm_s = 0.0;
+};
+
+// Walks the curve; at each place begins with the feedrate that the curvature there allows, measures
+// the chord error of the tick and shrinks the feedrate with the square root of its excess until it
+// fits ([Sigmoid, section 3.1]; docs/math.md, 4.3). It is never below what goes as far as the
+// tolerance in a tick: no turn, however sharp, makes a chord error of that. The walk goes by arc
+// length, so a step needs no Taylor series.
+//
+// Steps are half a tick, and no longer than a quarter of a piece of the arc-length map, which is
+// short where the curve is sharp; none passes over a whole piece of more than 1e-7 mm, and in a
+// tick that does the ends of the sharpest are looked at: a needle is not stepped over. Where a tick
+// is far shorter than that and curvature allows many times the feedrate, they are a 64th of it; in
+// steps of quarter pieces they are a whole one where curvature allows twice the feedrate all over
+// it. Where the bound lies below a straight line between its neighbours (curvature jumps, or is
+// about to), the steps are halved until it hardly does.
+//
+// Ticks that pass over an end of the curve are among them, with what it meets taken to go on as it
+// ends (ContinuedCurve). They ascend, from half a tick before the curve to its end.
+std::vector<TickBound> tick_bounds(const curves::NurbsCurve& curve, const ScanLimits& limits);
 
 // The bounds of ticks as a limit curve of the feedrate. A tick judged at its start s covers
 // [s, s + v Ts]; what it bounds is its mean feedrate, which is the feedrate at its middle in time

@@ -1,6 +1,8 @@
 // One place of a path: how it bends there, and the feedrate allowed.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "curves/position.hpp"
@@ -51,6 +53,17 @@ inline AxisTerms axis_terms(const curves::PathDerivatives& path, std::size_t axi
           .along_mm_s3 = path.first[axis] * motion.j_mm_s3,
           .cross_mm_s3 = 3.0 * q2 * v * motion.a_mm_s2,
           .third_mm_s3 = path.third_per_mm2[axis] * v * v * v};
+}
+
+// The weakest axis in the direction of the path, or what is given where that is weaker.
+inline double weakest_along(double given, const curves::PathDerivatives& path,
+                            const PlanLimits& limits, double MotionLimits::*limit) {
+  for (std::size_t k = 0; k < limits.axes.size(); ++k) {
+    if (path.first[k] != 0.0) {
+      given = std::min(given, limits.axes[k].*limit / std::abs(path.first[k]));
+    }
+  }
+  return given;
 }
 
 }  // namespace kerf::lookahead

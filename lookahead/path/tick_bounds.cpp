@@ -1,9 +1,8 @@
-#include "lookahead/path/tick_bounds.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "lookahead/path/chord_error.hpp"
+#include "lookahead/path/feed_scan.hpp"
 
 namespace kerf::lookahead {
 

@@ -1,8 +1,7 @@
 // Junctions beside curves where limits of axes bind.
-#include "lookahead/classical/axis_limit_junction.hpp"
-
 #include <gtest/gtest.h>
 
+#include "lookahead/classical/segment_junction.hpp"
 #include "lookahead/classical/split.hpp"
 #include "tests/lookahead/programs.hpp"
 

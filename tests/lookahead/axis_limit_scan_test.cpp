@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "lookahead/classical/lower_limit_curve.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {

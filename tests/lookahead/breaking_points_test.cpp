@@ -1,11 +1,10 @@
 // Breaking points of limit curves made by hand, and the butterfly's that the paper counts.
-#include "lookahead/classical/breaking_points.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "lookahead/classical/limit_curve_cuts.hpp"
 #include "lookahead/path/feed_scan.hpp"
 #include "tests/curves/shipped_curves.hpp"
 #include "tests/lookahead/blocks.hpp"

@@ -1,11 +1,10 @@
 // Lines of the program on a block that stands for many of them, from the plan to the tick.
-#include "lookahead/path/line_marks.hpp"
-
 #include <memory>
 
 #include <gtest/gtest.h>
 
 #include "interp/interpolator.hpp"
+#include "lookahead/path/block.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {
@@ -35,21 +34,21 @@ std::vector<Block> marked_blocks() {
 
 TEST(LineMarks, APlaceBelongsToTheMarkBeforeIt) {
   const Block block = marked_blocks().front();
-  EXPECT_EQ(mark_at(block, 0.0).line, 10U);
-  EXPECT_EQ(mark_at(block, 19.999).line, 10U);
-  EXPECT_EQ(mark_at(block, 20.0).line, 11U);
-  EXPECT_EQ(mark_at(block, 20.0005).s_mm, 20.0);
-  EXPECT_EQ(mark_at(block, 60.0).line, 13U);
-  EXPECT_EQ(mark_at(block, 60.0).run_block, 4U);
+  EXPECT_EQ(block.mark_at(0.0).line, 10U);
+  EXPECT_EQ(block.mark_at(19.999).line, 10U);
+  EXPECT_EQ(block.mark_at(20.0).line, 11U);
+  EXPECT_EQ(block.mark_at(20.0005).s_mm, 20.0);
+  EXPECT_EQ(block.mark_at(60.0).line, 13U);
+  EXPECT_EQ(block.mark_at(60.0).run_block, 4U);
 }
 
 TEST(LineMarks, WithoutMarksABlockIsOfOneLine) {
   Block block = marked_blocks().front();
   block.marks.clear();
   block.run_block = 8;
-  EXPECT_EQ(mark_at(block, 30.0).line, 10U);
-  EXPECT_EQ(mark_at(block, 30.0).run_block, 8U);
-  EXPECT_EQ(mark_at(block, 30.0).s_mm, 0.0);
+  EXPECT_EQ(block.mark_at(30.0).line, 10U);
+  EXPECT_EQ(block.mark_at(30.0).run_block, 8U);
+  EXPECT_EQ(block.mark_at(30.0).s_mm, 0.0);
 }
 
 TEST(LineMarks, APhaseIsOfTheLineWhereItBegins) {
@@ -58,7 +57,7 @@ TEST(LineMarks, APhaseIsOfTheLineWhereItBegins) {
     Planner planner({.limits = mill(), .profile = Profile{kind}});
     for (const interp::Phase& phase : run(planner, blocks).phases) {
       if (phase.run_block != 0) {
-        const LineMark mark = mark_at(blocks[phase.curve - 1], phase.s_begin_mm);
+        const LineMark mark = blocks[phase.curve - 1].mark_at(phase.s_begin_mm);
         EXPECT_EQ(phase.line, mark.line);
         EXPECT_EQ(phase.run_block, mark.run_block);
       }
@@ -86,8 +85,8 @@ TEST(LineMarks, EveryTickIsOfTheLineAtItsPlace) {
     while (interpolator.next(setpoint) == interp::TickStatus::running) {
       const bool first = setpoint.s_mm < blocks[0].length_mm;
       const double s = setpoint.s_mm - (first ? 0.0 : blocks[0].length_mm);
-      const LineMark before = mark_at(blocks[first ? 0 : 1], std::max(s - 1e-9, 0.0));
-      const LineMark after = mark_at(blocks[first ? 0 : 1], s + 1e-9);
+      const LineMark before = blocks[first ? 0 : 1].mark_at(std::max(s - 1e-9, 0.0));
+      const LineMark after = blocks[first ? 0 : 1].mark_at(s + 1e-9);
       ASSERT_TRUE(setpoint.line == before.line || setpoint.line == after.line) << setpoint.s_mm;
     }
     EXPECT_EQ(setpoint.line, 99U) << "the end is of the line that ends the program";
@@ -111,7 +110,7 @@ TEST(LineMarks, AStopOnTheWayIsOfTheLineWhereItEnds) {
     }
     const interp::Phase& rest = outbox.phases.back();
     ASSERT_TRUE(rest.ends_program);
-    EXPECT_EQ(rest.line, mark_at(blocks[rest.curve - 1], rest.s_begin_mm).line);
+    EXPECT_EQ(rest.line, blocks[rest.curve - 1].mark_at(rest.s_begin_mm).line);
   }
 }
 

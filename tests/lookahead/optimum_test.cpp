@@ -8,7 +8,6 @@
 
 #include "lookahead/optimum/grid/grid.hpp"
 #include "lookahead/optimum/solver/optimal_plan.hpp"
-#include "lookahead/optimum/solver/rest_ramp.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {

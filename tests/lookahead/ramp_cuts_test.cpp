@@ -1,10 +1,9 @@
 // Ramps below limit curves made by hand.
-#include "lookahead/classical/ramp_cuts.hpp"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
+#include "lookahead/classical/limit_curve_cuts.hpp"
 #include "lookahead/path/limits.hpp"
 
 namespace kerf::lookahead::test {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "profiles/shape.hpp"
+#include "profiles/transition.hpp"
 
 namespace kerf::profiles::test {
 namespace {

@@ -77,9 +77,7 @@ Bound BlockPath::feedrate_at(double s_mm) const {
   if (limit_curve.empty()) {
     return block;
   }
-  const auto after =
-      std::lower_bound(limit_curve.begin(), limit_curve.end(), s_mm,
-                       [](const FeedSample& sample, double s) { return sample.s_mm < s; });
+  const auto after = std::ranges::lower_bound(limit_curve, s_mm, {}, &FeedSample::s_mm);
   if (after == limit_curve.begin()) {
     return lower(after->v_mm_s, after->limit);
   }
@@ -164,8 +162,7 @@ std::vector<BlockPath::Break> BlockPath::breaks() const {
       places.push_back({.s_mm = limit_curve[i].s_mm, .valley = true});
     }
   }
-  std::sort(places.begin(), places.end(),
-            [](const Break& a, const Break& b) { return a.s_mm < b.s_mm; });
+  std::ranges::sort(places, {}, &Break::s_mm);
   return places;
 }
 

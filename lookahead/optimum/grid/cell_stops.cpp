@@ -77,8 +77,7 @@ std::vector<CellStop> cell_stops(const BlockPath& path, const EndJunctions& ends
       }
     }
   }
-  std::sort(stops.begin(), stops.end(),
-            [](const CellStop& a, const CellStop& b) { return a.s_mm < b.s_mm; });
+  std::ranges::sort(stops, {}, &CellStop::s_mm);
   return stops;
 }
 

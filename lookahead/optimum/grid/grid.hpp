@@ -18,4 +18,11 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndJunctions& ends,
 // How fast the ends of a block can be passed for what is on it, were there nothing beyond.
 EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits);
 
+enum class RestAt { begin, end };
+
+// Divides the cells towards a rest at their beginning or end so that a launch or landing and the
+// ramp after it find room; the outermost cell is then that launch or landing.
+void refine_to_rest(std::vector<Cell>& cells, RestAt where, const PathAt& path,
+                    const PlanLimits& limits);
+
 }  // namespace kerf::lookahead

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "lookahead/optimum/grid/motion_scale.hpp"
+#include "lookahead/optimum/grid/speed_estimate.hpp"
 
 namespace kerf::lookahead {
 
@@ -66,9 +66,7 @@ std::vector<Cell> cells_between(const BlockPath& path, const std::vector<double>
   cells.reserve(places_mm.size());
   auto stop_here = stops.begin();
   for (std::size_t i = 0; i + 1 < places_mm.size(); ++i) {
-    stop_here =
-        std::lower_bound(stop_here, stops.end(), places_mm[i],
-                         [](const CellStop& stop, double s_mm) { return stop.s_mm < s_mm; });
+    stop_here = std::ranges::lower_bound(stop_here, stops.end(), places_mm[i], {}, &CellStop::s_mm);
     const bool jumps = stop_here != stops.end() && stop_here->s_mm == places_mm[i];
     const Cell* before = cells.empty() || jumps ? nullptr : &cells.back();
     cells.push_back(cell_between(path, {places_mm[i], places_mm[i + 1]}, before));
@@ -141,12 +139,12 @@ double feature_mm(const PathSample& end, double piece_mm, double tick_mm) {
 
 }  // namespace
 
-Cell cell_between(const BlockPath& path, const Interval& interval, const Cell* before) {
-  const double inside = 1e-9 * (interval.to_mm - interval.from_mm);  // its own side of a jump
-  return {.s_begin_mm = interval.from_mm,
-          .length_mm = interval.to_mm - interval.from_mm,
-          .begin = before != nullptr ? before->end : path.at(interval.from_mm + inside),
-          .end = path.at(interval.to_mm - inside),
+Cell cell_between(const BlockPath& path, const curves::Stretch& stretch, const Cell* before) {
+  const double inside = 1e-9 * (stretch.end_mm - stretch.begin_mm);  // its own side of a jump
+  return {.s_begin_mm = stretch.begin_mm,
+          .length_mm = stretch.end_mm - stretch.begin_mm,
+          .begin = before != nullptr ? before->end : path.at(stretch.begin_mm + inside),
+          .end = path.at(stretch.end_mm - inside),
           .along = path.along(),
           .along_from = path.along_from()};
 }

@@ -44,13 +44,8 @@ class GridScan {
   std::vector<double> feature_mm_;
 };
 
-struct Interval {
-  double from_mm = 0.0;
-  double to_mm = 0.0;
-};
-
-// The cell of a block on an interval. before: the cell that ends where it begins, if nothing jumps
-// there; else nullptr.
-Cell cell_between(const BlockPath& path, const Interval& interval, const Cell* before);
+// The cell of a block on a stretch of it. before: the cell that ends where it begins, if nothing
+// jumps there; else nullptr.
+Cell cell_between(const BlockPath& path, const curves::Stretch& stretch, const Cell* before);
 
 }  // namespace kerf::lookahead

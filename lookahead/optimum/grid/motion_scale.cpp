@@ -1,8 +1,8 @@
-#include "lookahead/optimum/grid/motion_scale.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+
+#include "lookahead/optimum/grid/speed_estimate.hpp"
 
 namespace kerf::lookahead {
 

@@ -8,17 +8,6 @@ namespace kerf::lookahead {
 
 namespace {
 
-// The weakest axis in a direction, or the path.
-double weakest(double along, const PathSample& end, const PlanLimits& limits,
-               double MotionLimits::*limit) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (end.first[k] != 0.0) {
-      along = std::min(along, limits.axes[k].*limit / std::abs(end.first[k]));
-    }
-  }
-  return along;
-}
-
 // The feedrate at a distance from where it was v0 and acceleration 0, under a jerk J:
 // d = v0 t + J t^3 / 6, v = v0 + J t^2 / 2. The cubic has one real root.
 double ramp_feed_mm_s(double v_begin_mm_s, double jerk_mm_s3, double distance_mm) {
@@ -82,12 +71,13 @@ void pass(std::span<const Cell> cells, Direction direction, const PlanLimits& li
 
 double tangential_acceleration_mm_s2(const Cell& cell, const PathSample& end,
                                      const PlanLimits& limits) {
-  return cell.shares.acceleration *
-         weakest(cell.along.acceleration_mm_s2, end, limits, &MotionLimits::acceleration_mm_s2);
+  return cell.shares.acceleration * weakest_along(cell.along.acceleration_mm_s2, end, limits,
+                                                  &MotionLimits::acceleration_mm_s2);
 }
 
 double tangential_jerk_mm_s3(const Cell& cell, const PathSample& end, const PlanLimits& limits) {
-  return cell.shares.jerk * weakest(cell.along.jerk_mm_s3, end, limits, &MotionLimits::jerk_mm_s3);
+  return cell.shares.jerk *
+         weakest_along(cell.along.jerk_mm_s3, end, limits, &MotionLimits::jerk_mm_s3);
 }
 
 double curvature_feedrate_mm_s(const Cell& cell, const PathSample& end, const PlanLimits& limits) {

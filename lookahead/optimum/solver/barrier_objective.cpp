@@ -3,33 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lookahead/optimum/grid/speed_estimate.hpp"
 #include "lookahead/optimum/solver/pair_sums.hpp"
 
 namespace kerf::lookahead {
 
 namespace {
 
-std::vector<double> spline_lengths(const CellSequence& sequence) {
-  std::vector<double> lengths(sequence.spline_cells());
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    lengths[i] = sequence.cells[i + sequence.first_spline_cell()].length_mm;
-  }
-  return lengths;
-}
-
 double square(double x) {
   return x * x;
-}
-
-// The largest jerk of the launch or landing in a cell, along the path.
-double rest_jerk_mm_s3(const Cell& cell, const PathSample& end, const PlanLimits& limits) {
-  double jerk = cell.along.jerk_mm_s3;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (end.first[k] != 0.0) {
-      jerk = std::min(jerk, limits.axes[k].jerk_mm_s3 / std::abs(end.first[k]));
-    }
-  }
-  return cell.shares.jerk * jerk;
 }
 
 }  // namespace
@@ -45,7 +27,7 @@ struct BarrierObjective::Sums {
 BarrierObjective::RestCell BarrierObjective::rest_cell(const Cell& cell, const RestEnds& ends,
                                                        double neighbour_mm) const {
   const double h = cell.length_mm;
-  const double jerk = rest_jerk_mm_s3(cell, *ends.rest, *limits_);
+  const double jerk = tangential_jerk_mm_s3(cell, *ends.rest, *limits_);
   return {.length_mm = h,
           .cap = std::min(0.25 * square(std::cbrt(jerk * square(6.0 * h))),
                           square(cell.shares.feedrate * ends.inner->feedrate_mm_s)),
@@ -54,7 +36,7 @@ BarrierObjective::RestCell BarrierObjective::rest_cell(const Cell& cell, const R
 
 BarrierObjective::BarrierObjective(const CellSequence& sequence, const PlanLimits& limits)
     : sequence_(&sequence), limits_(&limits) {
-  const std::vector<double> lengths = spline_lengths(sequence);
+  const std::vector<double> lengths = sequence.spline_lengths_mm();
   const std::vector<Cell>& cells = sequence.cells;
   rows_ = limit_rows({cells.data() + sequence.first_spline_cell(), sequence.spline_cells()},
                      feed_basis(lengths), limits);

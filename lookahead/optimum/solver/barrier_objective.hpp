@@ -23,6 +23,13 @@ struct CellSequence {
   [[nodiscard]] std::size_t spline_cells() const noexcept {
     return cells.size() - 1 - first_spline_cell();
   }
+  [[nodiscard]] std::vector<double> spline_lengths_mm() const {
+    std::vector<double> lengths(spline_cells());
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      lengths[i] = cells[i + first_spline_cell()].length_mm;
+    }
+    return lengths;
+  }
 };
 
 // T(c) + weight sum of barriers over the limits of each cell (limit_rows), c the coefficients of

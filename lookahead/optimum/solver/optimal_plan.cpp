@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lookahead/optimum/solver/limit_check.hpp"
 #include "lookahead/optimum/solver/optimal_feed.hpp"
-#include "lookahead/optimum/solver/tightest_constraint.hpp"
 
 namespace kerf::lookahead {
 
@@ -41,11 +41,7 @@ std::optional<OptimalPlan> OptimalPlan::find(CellSequence sequence, const PathAt
                                              const PlanLimits& limits) {
   OptimalPlan plan;
   plan.sequence_ = std::move(sequence);
-  std::vector<double> lengths;
-  for (std::size_t i = 0; i < plan.sequence_.spline_cells(); ++i) {
-    lengths.push_back(plan.sequence_.cells[i + plan.sequence_.first_spline_cell()].length_mm);
-  }
-  plan.basis_ = feed_basis(lengths);
+  plan.basis_ = feed_basis(plan.sequence_.spline_lengths_mm());
   OptimalFeed feed = find_optimal_feed(plan.sequence_, limits);
   plan.coefficients_ = feed.coefficients;
   plan.excess_ = plan.check(path, limits);

@@ -1,8 +1,8 @@
-#include "lookahead/optimum/solver/tightest_constraint.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "lookahead/optimum/solver/limit_check.hpp"
 
 namespace kerf::lookahead {
 

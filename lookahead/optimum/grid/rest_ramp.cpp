@@ -1,9 +1,8 @@
-#include "lookahead/optimum/solver/rest_ramp.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
+#include "lookahead/optimum/grid/grid.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 
 namespace kerf::lookahead {
