@@ -21,7 +21,7 @@ struct CurvePiece {
   curves::AuxiliaryAxisMotion extra{};  // along the whole curve
 };
 
-// From s_mm on, on this curve, setpoints belong to the line.
+// From s_mm on, setpoints on this curve belong to the line.
 struct LineChange {
   std::uint64_t curve = 0;
   double s_mm = 0.0;
@@ -29,7 +29,7 @@ struct LineChange {
   std::uint64_t run_block = 0;  // as Phase::run_block
 };
 
-// An instant as a whole number of ticks and the rest of a tick, so that time does not lose digits
+// An instant as a whole number of ticks and the rest of one, so that time keeps its precision
 // however long a program runs.
 struct TickTime {
   std::int64_t tick = 0;

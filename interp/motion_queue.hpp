@@ -10,10 +10,10 @@
 
 namespace kerf::interp {
 
-// Wait-free rings of fixed size, for one producing and one consuming thread. A phase is pushed
-// after the piece that it begins on and after the changes of the line up to there. What lies here
-// need not end at rest: the planner holds the rest of the way to a stop, and must push it before
-// the tick has used up what is here.
+// Wait-free rings of fixed size, for one producing and one consuming thread. Push a phase after the
+// piece that it begins on and after the line changes up to there. What is queued need not end at
+// rest: the planner holds the rest of the way to a stop, and must push it before the tick has used
+// up the queue.
 class MotionQueue {
  public:
   static constexpr std::size_t kPieces = 1024;
@@ -23,7 +23,7 @@ class MotionQueue {
 
   bool push(const CurvePiece& piece) { return pieces_.push(piece); }
   bool push(const Phase& phase) { return phases_.push(phase); }
-  // In the order of their ticks, each before the phase that holds its tick.
+  // In the order of their ticks, each before the phase that its tick is in.
   bool push(const OutputChangeAtTick& change) { return output_changes_.push(change); }
   // In the order of their places.
   bool push(const LineChange& change) { return line_changes_.push(change); }

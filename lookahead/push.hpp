@@ -1,4 +1,4 @@
-// What is next of a program into the planner, its events as changes of the machine's outputs.
+// Hands a program to the planner, its events as changes of the machine's outputs.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace kerf::lookahead {
 
-// Both hand to the planner what is next of a program. Precondition: planner.wants_block().
-// A dwell or an event: as a rest, or for the next motion.
+// Precondition of both: planner.wants_block().
+// A dwell or an event becomes a rest, or a change with the next motion.
 void push_pause(const parser::Move& pause, Planner& planner);
-// A block, with the changes that come with its first tick.
+// changes: those that take effect at the first tick on the block.
 void push_block(Block block, const std::vector<parser::EventMove>& changes, Planner& planner);
 
 }  // namespace kerf::lookahead

@@ -1,4 +1,4 @@
-// Moves to path segments as they are programmed: every curve exact and valid.
+// Turns moves into path segments as they are programmed, exactly.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,9 @@
 
 namespace kerf::smoothing {
 
-// Appends the segments of a move, normally one: a NURBS with corners gives one for each smooth
-// segment. A dwell or an event gives none. Error: the curve is not valid, with the line to blame.
+// Appends the segments of a move: normally one, of a NURBS with corners one for each smooth length,
+// of an arc of very many turns several, of a dwell or an event none. Error: the curve is not valid;
+// it names the line.
 tl::expected<void, PathError> append_segments(const parser::Move& move,
                                               std::vector<PathSegment>& segments);
 

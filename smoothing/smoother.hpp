@@ -1,4 +1,4 @@
-// Programmed moves to the path that is run: what stands between the parser and the look-ahead.
+// Turns programmed moves into the path that is run.
 #pragma once
 
 #include <variant>
@@ -14,9 +14,9 @@
 
 namespace kerf::smoothing {
 
-// Moves go in; in the same order come out the segments of the path, and the moves that are a dwell
-// or an event. In G61 and G61.1 a segment is a move; in G64 runs of short lines are merged within Q
-// and corners blended within P.
+// Moves go in. Path segments come out in the same order, and with them the moves that are a dwell
+// or an event. In G61 and G61.1 each move is a segment. In G64 runs of short lines are merged
+// within Q and corners are blended within P.
 class Smoother {
  public:
   using Output = std::variant<parser::Move, PathSegment>;
@@ -24,14 +24,14 @@ class Smoother {
   explicit Smoother(const BlendSettings& settings)
       : compressor_(settings.travel), blender_(settings) {}
 
-  // Error: the curve is not valid; nothing of the move is taken.
+  // Error: the curve is not valid, and the move is left out.
   tl::expected<void, PathError> push(const parser::Move& move);
-  // Everything that is held back comes out; the path ends where the program's does so far.
+  // Releases all that is held back: the path ends where the program does so far.
   void flush();
-  // False: more moves have to come, or a flush.
+  // False: push more moves, or flush.
   bool next(Output& output);
 
-  // Of all that came out.
+  // Of all segments that have come out.
   [[nodiscard]] PathDeviations deviations() const noexcept;
 
  private:

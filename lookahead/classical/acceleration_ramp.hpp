@@ -1,4 +1,4 @@
-// A transition from an end of a segment upwards, below the segment's limit curve.
+// Accelerates from an end of a segment, below its limit curve.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace kerf::lookahead {
 
-// The law, and how far it cruises at that end first.
+// First delay_mm at constant velocity, then the law.
 struct AccelerationRamp {
   profiles::Transition law{};
   double delay_mm = 0.0;
@@ -19,7 +19,7 @@ struct AccelerationRamp {
   }
 };
 
-// From its beginning, or mirrored from its end.
+// Forwards from the begin of a segment, or mirrored from its end.
 enum class SegmentSide : std::uint8_t { rise, fall };
 
 // A ramp in a segment: ramp ascends, from the feedrate at that end; room_mm is what it has without

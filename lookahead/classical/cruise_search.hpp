@@ -1,4 +1,4 @@
-// The cruise of a segment under a limit curve.
+// Finds the cruise of a segment under a limit curve.
 #pragma once
 
 #include "lookahead/classical/acceleration_ramp.hpp"
@@ -6,7 +6,7 @@
 
 namespace kerf::lookahead {
 
-// Both sides of a cruise.
+// The ramps on both sides of a cruise.
 struct CruiseSides {
   AccelerationRamp up{};
   AccelerationRamp down_mirrored{};  // accelerates from the end's feedrate

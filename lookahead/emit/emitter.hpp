@@ -1,4 +1,4 @@
-// Where the emission of motion stands: on which block, how far, and when.
+// Turns planned blocks into phases, and knows how far the emission has come.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@
 
 namespace kerf::lookahead {
 
-// Planned motion in the order in which it runs: pieces of a curve before the phases on it.
+// Emitted motion, in the order in which it runs. The pieces of a curve come before its phases.
 struct Outbox {
   std::vector<interp::CurvePiece> pieces;
   std::vector<interp::LineChange> line_changes;  // of a curve, with its pieces
   std::vector<interp::Phase> phases;
   std::vector<interp::OutputChangeAtTick> output_changes;  // by tick, which lies in the phases
 
-  // For the next of it, in the same memory.
+  // Keeps its memory.
   void clear() noexcept {
     pieces.clear();
     line_changes.clear();
@@ -31,7 +31,7 @@ struct Outbox {
   }
 };
 
-// Of what was emitted.
+// Totals of what has been emitted.
 using kerf::PlanDegradation;
 using kerf::PlanDegradations;
 using kerf::PlanTotals;
@@ -43,19 +43,19 @@ struct Rest {
   std::optional<interp::OutputChange> change{};
 };
 
-// The time at which planned motion begins. Counts whole ticks beside the rest of one, so that it
-// does not wear out.
+// The time at which the next phase begins, as whole ticks and the rest of one, so that it keeps its
+// precision however long a program runs.
 class PlanClock {
  public:
   explicit PlanClock(double period_s) : period_s_(period_s) {}
 
   [[nodiscard]] const interp::TickTime& now() const noexcept { return now_; }
-  // The tick that is now, or the first one after it.
+  // The present tick, or the next one if time stands between two.
   [[nodiscard]] std::int64_t next_tick() const noexcept;
 
   // duration_s >= 0
   void advance(double duration_s) noexcept;
-  // On to next_tick(), as after a rest.
+  // Moves on to next_tick(), as after a rest.
   void align_to_tick() noexcept;
 
  private:
@@ -67,24 +67,25 @@ class Emitter {
  public:
   explicit Emitter(double period_s) : clock_(period_s) {}
 
-  // The change comes at the first tick on the block with this number, counted from 1.
+  // The change takes effect at the first tick on the block with this number, counted from 1.
   void change_at_block(std::uint64_t number, const interp::OutputChange& change);
 
-  // False: the front block's first phase is still to come.
+  // False: no phase of the front block has been emitted yet.
   [[nodiscard]] bool block_begun() const noexcept { return block_begun_; }
-  // On the block that is being emitted or comes next.
+  // The place on the block that is being emitted, or that comes next.
   [[nodiscard]] double s_mm() const noexcept { return block_begun_ ? s_mm_ : 0.0; }
   [[nodiscard]] const PlanTotals& totals() const noexcept { return totals_; }
 
   void note(const PlanDegradation& degradation) { totals_.degradations.add(degradation); }
 
-  // The block's motion from where it stands to s_end_mm. Its pieces leave with the first phase.
+  // Emits a phase from where the block's motion stands to s_end_mm. The block's pieces are emitted
+  // with its first phase.
   void emit(const Block& block, const profiles::TimeLaw& law, double s_end_mm, Outbox& outbox);
-  // A segment within the block is done at s_mm.
+  // A segment of the block ends at s_mm.
   void end_segment(double s_mm);
-  // The block's last segment is done, and the block.
+  // The block ends with its last segment.
   void end_block(const Block& block);
-  // The motion has come to rest with the last phase: time goes on at the next tick.
+  // The last phase has ended at rest: time goes on at the next tick.
   void come_to_rest(Outbox& outbox);
   void emit_rest(const Rest& rest, Outbox& outbox);
 
@@ -100,7 +101,7 @@ class Emitter {
   Window<OutputChangeAtBlock> output_changes_;
   bool block_begun_ = false;
   std::uint64_t curve_ = 0;
-  bool rests_ = false;  // on it X, Y and Z rest: it adds nothing to the path
+  bool rests_ = false;  // X, Y and Z rest on it: it adds nothing to the path
   double s_mm_ = 0.0;
   double path_begin_mm_ = 0.0;  // of all curves before this one
   std::uint32_t line_ = 0;

@@ -1,4 +1,4 @@
-// How feedrates are found: the part of the planner that profiles differ in.
+// Finds the feedrates: the part of the planner in which profiles differ.
 #pragma once
 
 #include "lookahead/emit/emitter.hpp"
@@ -8,15 +8,15 @@
 
 namespace kerf::lookahead {
 
-// How much is known of what follows.
+// What is known of the blocks that follow.
 enum class Supply {
-  wanted,   // more blocks may come before the schedule must go on
-  full,     // no more fit
-  to_rest,  // none follow until the motion has come to rest
+  wanted,   // more blocks may come before the schedule has to emit
+  full,     // no more blocks fit into the window
+  to_rest,  // no block follows until the motion has come to rest
 };
 
-// Plans the blocks of a window that its owner holds, and takes them from its front once they are
-// emitted. Whatever it has emitted can be followed by a stop.
+// Plans the blocks of a window that its owner holds, and removes them from the front once they have
+// been emitted. A stop can follow whatever it has emitted.
 class Schedule {
  public:
   Schedule() = default;
@@ -24,15 +24,15 @@ class Schedule {
   Schedule& operator=(const Schedule&) = delete;
   virtual ~Schedule() = default;
 
-  // The window's last block is new.
+  // The last block of the window is new.
   virtual void push(const Window<Block>& blocks) = 0;
-  // Nothing is left to emit.
+  // True: nothing is left to emit.
   [[nodiscard]] virtual bool empty() const = 0;
   // False: it holds as much as it can plan at once.
   [[nodiscard]] virtual bool has_room() const = 0;
-  // Appends some motion. False: it wants more blocks first. Precondition: not empty.
+  // Appends motion. False: it needs more blocks first. Precondition: not empty.
   virtual bool emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) = 0;
-  // What is left is cut down to the shortest way to a rest.
+  // Cuts what is left down to the shortest way to a rest.
   virtual void stop(const Window<Block>& blocks, const Emitter& emitter) = 0;
 };
 

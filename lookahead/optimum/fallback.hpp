@@ -16,7 +16,7 @@ struct PlannedCells {
   std::size_t count = 0;
 };
 
-// Whole blocks at the front of them.
+// The whole blocks at the front of them that follow the classical plan.
 struct Fallback {
   std::size_t blocks = 0;
   std::size_t cells = 0;

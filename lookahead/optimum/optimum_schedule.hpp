@@ -16,9 +16,9 @@ namespace kerf::lookahead {
 // from where the tool is, with what has come since. The cells that two plans share are the same, so
 // what the old plan still held is a feasible way for the new one; where the search does not find a
 // way that holds, the old plan is kept and ends at rest. Where it does not find one from rest, the
-// classical plan stands in over whole blocks, if it is faster; else the way is cut in two at its
-// sharpest place, by a rest there, a few times at the most, and what then still does not hold is
-// slowed down. Each of these is noted as a degradation.
+// classical plan is the fallback over whole blocks, if it is faster; else the way is cut in two at
+// its sharpest place, by a rest there, a few times at the most, and what then still does not hold
+// is slowed down. Each of these is noted as a degradation.
 //
 // A single line from rest to rest is planned by the S-curve, which is its optimum in closed form.
 class OptimumSchedule final : public Schedule {

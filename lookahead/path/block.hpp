@@ -1,4 +1,4 @@
-// What the look-ahead plans: one smooth curve with its limits, or a rest.
+// What the look-ahead plans: one smooth curve with its limits.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +20,12 @@ struct BlockLimits {
   LimitOrigins from{};
 };
 
-// The direction and curvature of the path where two blocks meet, and what bounds them there.
+// The path at an end of a block, where it meets the next one.
 struct BlockEnd {
   curves::Position tangent{};
   curves::Position curvature_per_mm{};
-  double third_per_mm2 = 0.0;  // bound of |q'''| of the curve, 0 where it does not bind
-  curves::AuxiliaryPosition extra_per_mm{};  // what the extra axes move by the path's length
+  double third_per_mm2 = 0.0;                // the largest |q'''| of the curve; 0: it does not bind
+  curves::AuxiliaryPosition extra_per_mm{};  // how far the extra axes move per length of the path
 };
 
 using smoothing::LineMark;
@@ -35,24 +35,24 @@ struct Block {
   curves::AuxiliaryAxisMotion extra{};
   std::uint32_t line = 0;
   std::uint64_t run_block = 0;  // parser::Move::block of the move that it begins with
-  // Where the curve stands for more than one line: ascending, the first at 0. Empty: it is of
-  // `line` everywhere.
+  // Where each line of the program begins on the curve, ascending, the first at 0. Empty: all of it
+  // belongs to `line`.
   std::vector<LineMark> marks{};
   bool rapid = false;
   double length_mm = 0.0;
   BlockLimits limits{};
-  // The same without what curvature on a curve asks of X, Y and Z: programmed, along the path, of
-  // further axes and, on an arc and on a curve that a tick passes over whole, by chord error.
+  // The same without what curvature takes of the limits of X, Y and Z: programmed, along the path,
+  // of further axes and, on an arc and on a sub-tick block, by chord error.
   BlockLimits along{};
   BlockEnd begin{};
   BlockEnd end{};
   bool stop_after = false;  // exact stop
-  // It goes on where and as the block before ends, in direction and curvature, by construction:
-  // nothing of them jumps there but what rounding left.
+  // Direction and curvature go on from the block before by construction; they differ by rounding
+  // alone.
   bool continues = false;
   VelocityLimitCurve limit_curve{};  // empty: limits.feedrate_mm_s everywhere
 
-  // s_mm of the mark: where on the curve the line's part begins.
+  // The line at a place of the curve, and where on the curve it begins.
   [[nodiscard]] LineMark mark_at(double at_mm) const {
     return smoothing::mark_at(marks, at_mm, {.line = line, .run_block = run_block});
   }

@@ -29,15 +29,15 @@ struct JunctionQuery {
   const Block* after = nullptr;
 };
 
-// Where an axis has no limit of its own, that of the path stands in. A block that continues the one
-// before is joined smoothly, whatever rounding left of a difference.
+// An axis without a limit of its own has that of the path. A block that continues the one before
+// joins it smoothly, whatever difference rounding has left.
 Junction junction_of(const JunctionQuery& query, const PlanLimits& limits);
 
-// By what share of itself the feedrate along X, Y and Z jumps: 1 where a block on which only
-// further axes move joins one on which they move, or the other way round, else 0.
+// The share of itself by which the feedrate along X, Y and Z jumps: 1 between a block on which they
+// move and one on which only further axes do, else 0.
 double path_step_of(const BlockEnd& before, const BlockEnd& after);
 
-// The bound by the chord error alone.
+// The bound by chord error alone.
 double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after, const PlanLimits& limits);
 
 // The feedrate that the block may have inside and at its ends. The chord scan bounds ticks whose
@@ -45,7 +45,7 @@ double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after, const 
 // curve rounds, and a curve shorter than a tick's way may round any corner within the tolerance.
 double sub_tick_feedrate_mm_s(const Block& block, const PlanLimits& limits);
 
-// All bounds, without regard to lengths and without the choice to stop.
+// All bounds, whatever the lengths of the blocks, and without the choice to stop.
 double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
                             const PlanLimits& limits);
 

@@ -1,4 +1,4 @@
-// The limits that a plan keeps. Infinity: does not bind.
+// The limits that a plan keeps. An infinite limit does not bind.
 #pragma once
 
 #include <kerf/axes.hpp>
@@ -13,15 +13,15 @@ using kerf::MotionLimits;
 using PlanLimits = MachineLimits;
 using interp::Constraint;
 
-// Which limit of the machine or of the program a limit along the path comes from.
+// The constraint that each limit along the path comes from.
 struct LimitOrigins {
   Constraint feedrate = Constraint::programmed;
   Constraint acceleration = Constraint::path_acceleration;
   Constraint jerk = Constraint::path_jerk;
 };
 
-// What of "velocity", "acceleration" or "jerk" is bounded neither along the path nor on all axes: a
-// rapid would have no end. Null: nothing.
+// The first of "velocity", "acceleration" and "jerk" that is bounded neither along the path nor on
+// all axes, so that a rapid would have no end. Null: all are bounded.
 const char* unbounded(const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

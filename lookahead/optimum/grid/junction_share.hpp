@@ -26,7 +26,7 @@ struct JumpShares {
 // The limits with the share of the jump itself.
 PlanLimits jump_limits(const PlanLimits& limits, const JumpShares& shares);
 
-// A place that may be passed although something jumps there.
+// What the motion may be at a place where direction or curvature jumps.
 struct JunctionLimits {
   double feedrate_mm_s = kUnbounded;
   double acceleration_mm_s2 = kUnbounded;  // along the path
