@@ -14,10 +14,10 @@ constexpr double kPatch = 11.0;
 constexpr std::size_t kColumns = 5;
 
 // Each once, in the order of their numbers.
-std::vector<Constraint> limits_in(std::span<const LimitBand::Stretch> stretches) {
+std::vector<Constraint> limits_in(std::span<const LimitBand::Interval> intervals) {
   std::vector<Constraint> limits;
-  for (const LimitBand::Stretch& stretch : stretches) {
-    limits.push_back(stretch.limit);
+  for (const LimitBand::Interval& interval : intervals) {
+    limits.push_back(interval.limit);
   }
   std::sort(limits.begin(), limits.end());
   limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
@@ -26,8 +26,8 @@ std::vector<Constraint> limits_in(std::span<const LimitBand::Stretch> stretches)
 
 }  // namespace
 
-double limit_panel_height(std::span<const LimitBand::Stretch> stretches) {
-  const std::size_t rows = (limits_in(stretches).size() + kColumns - 1) / kColumns;
+double limit_panel_height(std::span<const LimitBand::Interval> intervals) {
+  const std::size_t rows = (limits_in(intervals).size() + kColumns - 1) / kColumns;
   return rows > 0 ? kHeading + kBand + kRow * static_cast<double>(rows) + kPatch : 0.0;
 }
 
@@ -36,17 +36,17 @@ void draw_limit_panel(SvgCanvas& canvas, const PixelBox& frame, const LimitPanel
               {.size = 12.0, .bold = true});
   const double top = frame.top + kHeading;
   const double scale = frame.width / static_cast<double>(std::max<std::int64_t>(panel.end_tick, 1));
-  for (std::size_t i = 0; i < panel.stretches.size(); ++i) {
-    const bool last = i + 1 == panel.stretches.size();
-    const std::int64_t end = last ? panel.end_tick : panel.stretches[i + 1].tick;
-    const std::int64_t begin = std::min(panel.stretches[i].tick, end);
+  for (std::size_t i = 0; i < panel.intervals.size(); ++i) {
+    const bool last = i + 1 == panel.intervals.size();
+    const std::int64_t end = last ? panel.end_tick : panel.intervals[i + 1].tick;
+    const std::int64_t begin = std::min(panel.intervals[i].tick, end);
     canvas.box({.left = frame.left + scale * static_cast<double>(begin),
                 .top = top,
                 .width = scale * static_cast<double>(end - begin),
                 .height = kBand},
-               colour_of(panel.stretches[i].limit), {.colour = "none"});
+               colour_of(panel.intervals[i].limit), {.colour = "none"});
   }
-  const std::vector<Constraint> limits = limits_in(panel.stretches);
+  const std::vector<Constraint> limits = limits_in(panel.intervals);
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const auto column = static_cast<double>(i % kColumns);
     const auto row = static_cast<double>(i / kColumns);

@@ -9,11 +9,11 @@
 
 namespace kerf::program {
 
-// Of the band and its legend; 0 where there is no stretch.
-[[nodiscard]] double limit_panel_height(std::span<const LimitBand::Stretch> stretches);
+// Of the band and its legend; 0 where there is no interval.
+[[nodiscard]] double limit_panel_height(std::span<const LimitBand::Interval> intervals);
 
 struct LimitPanel {
-  std::span<const LimitBand::Stretch> stretches{};
+  std::span<const LimitBand::Interval> intervals{};
   std::int64_t end_tick = 0;
 };
 

@@ -39,8 +39,8 @@ std::string svg_plot(const PlotData& data, const PlotCaption& caption) {
                                           .is_signed = true,
                                           .colour = "#7a4fa3"}}};
   const double curves_height = static_cast<double>(curves.size()) * (kCurveHeight + kCurveGap);
-  const std::vector<LimitBand::Stretch> band =
-      data.limits() ? data.limits()->stretches() : std::vector<LimitBand::Stretch>{};
+  const std::vector<LimitBand::Interval> band =
+      data.limits() ? data.limits()->intervals() : std::vector<LimitBand::Interval>{};
   SvgCanvas canvas(kWidth,
                    kHeading + kPathHeight + curves_height + kFoot + limit_panel_height(band));
   canvas.text({.x = kEdge, .y = 32.0}, caption.title,
@@ -64,7 +64,7 @@ std::string svg_plot(const PlotData& data, const PlotCaption& caption) {
   }
   if (!band.empty()) {
     frame.top += kFoot - kCurveGap;
-    draw_limit_panel(canvas, frame, {.stretches = band, .end_tick = data.last_tick()});
+    draw_limit_panel(canvas, frame, {.intervals = band, .end_tick = data.last_tick()});
   }
   return canvas.take();
 }

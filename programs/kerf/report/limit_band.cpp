@@ -27,20 +27,20 @@ void LimitBand::halve() noexcept {
   ticks_per_bucket_ *= 2;
 }
 
-std::vector<LimitBand::Stretch> LimitBand::stretches() const {
-  std::vector<Stretch> stretches;
+std::vector<LimitBand::Interval> LimitBand::intervals() const {
+  std::vector<Interval> intervals;
   for (std::size_t i = 0; i < used_; ++i) {
     const auto most = std::max_element(buckets_[i].begin(), buckets_[i].end());
     if (*most == 0) {
       continue;
     }
     const auto limit = static_cast<Constraint>(most - buckets_[i].begin());
-    if (stretches.empty() || stretches.back().limit != limit) {
-      stretches.push_back(
+    if (intervals.empty() || intervals.back().limit != limit) {
+      intervals.push_back(
           {.tick = static_cast<std::int64_t>(i) * ticks_per_bucket_, .limit = limit});
     }
   }
-  return stretches;
+  return intervals;
 }
 
 }  // namespace kerf::program

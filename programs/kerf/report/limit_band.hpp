@@ -21,12 +21,12 @@ class LimitBand {
   // Ticks come in ascending order; gaps are allowed. Allocates nothing.
   void add(std::int64_t tick, Constraint limit) noexcept;
 
-  // From its first tick up to that of the next stretch, the limit that most of the ticks have.
-  struct Stretch {
+  // From its first tick up to that of the next interval, the limit that most of the ticks have.
+  struct Interval {
     std::int64_t tick = 0;
     Constraint limit{};
   };
-  [[nodiscard]] std::vector<Stretch> stretches() const;
+  [[nodiscard]] std::vector<Interval> intervals() const;
 
  private:
   using Counts = std::array<std::uint32_t, interp::kConstraints>;
