@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
+#include "interp/axis_terms.hpp"
+
 namespace kerf::interp {
 
-using curves::to_position;
 using curves::vec;
 
 namespace {
@@ -111,11 +112,11 @@ void Interpolator::fill(const profiles::PathMotion& motion, double s_mm) noexcep
   }
   now_.extra_rad_mm = piece_.extra.at(s_mm);
   const curves::PathDerivatives path = curves::derivatives_at(piece_.geometry, s_mm);
-  const double v = motion.v_mm_s;
   now_.position_mm = path.position_mm;
-  now_.velocity_mm_s = to_position(vec(path.first) * v);
-  now_.acceleration_mm_s2 =
-      to_position(vec(path.first) * motion.a_mm_s2 + vec(path.second_per_mm) * (v * v));
+  for (std::size_t k = 0; k < path.first.size(); ++k) {
+    now_.velocity_mm_s[k] = path.first[k] * motion.v_mm_s;
+    now_.acceleration_mm_s2[k] = axis_terms(path, k, motion).acceleration_mm_s2();
+  }
 }
 
 void Interpolator::begin_tick() noexcept {

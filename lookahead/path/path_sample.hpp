@@ -6,8 +6,8 @@
 #include <cstddef>
 
 #include "curves/position.hpp"
+#include "interp/axis_terms.hpp"
 #include "lookahead/path/limits.hpp"
-#include "profiles/shape_value.hpp"
 
 namespace kerf::lookahead {
 
@@ -28,32 +28,8 @@ struct PathSample : curves::PathDerivatives {
   }
 };
 
-// What an axis sees of the motion along the path, term by term.
-struct AxisTerms {
-  double tangential_mm_s2 = 0.0;   // q' a
-  double centripetal_mm_s2 = 0.0;  // q'' v^2
-  double along_mm_s3 = 0.0;        // q' j
-  double cross_mm_s3 = 0.0;        // 3 q'' v a
-  double third_mm_s3 = 0.0;        // q''' v^3
-
-  [[nodiscard]] double acceleration_mm_s2() const noexcept {
-    return tangential_mm_s2 + centripetal_mm_s2;
-  }
-  [[nodiscard]] double jerk_mm_s3() const noexcept {
-    return along_mm_s3 + cross_mm_s3 + third_mm_s3;
-  }
-};
-
-inline AxisTerms axis_terms(const curves::PathDerivatives& path, std::size_t axis,
-                            const profiles::PathMotion& motion) noexcept {
-  const double v = motion.v_mm_s;
-  const double q2 = path.second_per_mm[axis];
-  return {.tangential_mm_s2 = path.first[axis] * motion.a_mm_s2,
-          .centripetal_mm_s2 = q2 * v * v,
-          .along_mm_s3 = path.first[axis] * motion.j_mm_s3,
-          .cross_mm_s3 = 3.0 * q2 * v * motion.a_mm_s2,
-          .third_mm_s3 = path.third_per_mm2[axis] * v * v * v};
-}
+using interp::axis_terms;
+using interp::AxisTerms;
 
 // The weakest axis in the direction of the path, or what is given where that is weaker.
 inline double weakest_along(double given, const curves::PathDerivatives& path,
