@@ -36,7 +36,7 @@ tl::expected<ArcSweep, CurveError> sweep_of(const ArcShape& shape);
 
 class Arc {
  public:
-  // Start and end at one distance from the centre within 1e-9 mm; make_arc in arc_builder.hpp
+  // Start and end at one distance from the centre within 1e-9 mm; make_arc in curve_builders.hpp
   // takes what programs really hold. Error: zero radius, radii differ, not finite or beyond
   // kMaxCoordinate_mm, turns < 1, no such axis.
   static tl::expected<Arc, CurveError> make(const ArcShape& shape);

@@ -1,10 +1,9 @@
-#include "curves/arc_builder.hpp"
-
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "curves/bezier_span.hpp"
+#include "curves/curve_builders.hpp"
 
 namespace kerf::curves {
 namespace {

@@ -5,13 +5,12 @@
 // where as large a share of its length is more to be off by, a little shorter. With w = (1 + t x) /
 // 2 and x = q + kCube q^3 pieces of one width in q are that. The second half is the first one
 // mirrored and needs no fit of its own.
-#include "curves/corner_cubic.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
+#include "curves/curve_builders.hpp"
 #include "curves/piece_fit.hpp"
 
 namespace kerf::curves {

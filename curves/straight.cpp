@@ -1,6 +1,6 @@
-#include "curves/straight.hpp"
-
 #include <cmath>
+
+#include "curves/curve_builders.hpp"
 
 namespace kerf::curves {
 

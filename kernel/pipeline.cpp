@@ -5,7 +5,7 @@
 
 #include "diagnostics/errors/machine.hpp"
 #include "lookahead/path/block_builder.hpp"
-#include "lookahead/push.hpp"
+#include "lookahead/planner.hpp"
 
 namespace kerf {
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "interp/outputs.hpp"
 #include "lookahead/emit/emitter.hpp"
@@ -11,6 +12,7 @@
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/feed_scan.hpp"
 #include "lookahead/path/window.hpp"
+#include "parser/moves/move.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::lookahead {
@@ -67,5 +69,11 @@ class Planner {
   std::uint64_t pushed_blocks_ = 0;
   Emitter emitter_;
 };
+
+// Precondition of both: planner.wants_block().
+// A dwell or an event becomes a rest, or a change with the next motion.
+void push_pause(const parser::Move& pause, Planner& planner);
+// changes: those that take effect at the first tick on the block.
+void push_block(Block block, const std::vector<parser::EventMove>& changes, Planner& planner);
 
 }  // namespace kerf::lookahead

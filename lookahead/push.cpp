@@ -1,9 +1,8 @@
-#include "lookahead/push.hpp"
-
 #include <optional>
 #include <utility>
 
 #include "interp/outputs.hpp"
+#include "lookahead/planner.hpp"
 
 namespace kerf::lookahead {
 

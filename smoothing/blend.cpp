@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "curves/bezier_span.hpp"
-#include "curves/corner_cubic.hpp"
+#include "curves/curve_builders.hpp"
 
 namespace kerf::smoothing {
 

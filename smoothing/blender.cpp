@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "smoothing/blend.hpp"
-#include "smoothing/segment_marks.hpp"
 #include "smoothing/travel.hpp"
 
 namespace kerf::smoothing {

@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include "smoothing/span_breaks.hpp"
 #include "smoothing/travel.hpp"
 
 namespace kerf::smoothing {

@@ -6,8 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "curves/arc_builder.hpp"
-#include "curves/straight.hpp"
+#include "curves/curve_builders.hpp"
 
 namespace kerf::smoothing {
 

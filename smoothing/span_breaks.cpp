@@ -1,6 +1,6 @@
-#include "smoothing/span_breaks.hpp"
-
 #include <utility>
+
+#include "smoothing/run_fit.hpp"
 
 namespace kerf::smoothing {
 

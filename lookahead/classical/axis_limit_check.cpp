@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lookahead/classical/ramp_instants.hpp"
-
 namespace kerf::lookahead {
 
 namespace {

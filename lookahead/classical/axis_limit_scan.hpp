@@ -5,7 +5,6 @@
 
 #include "curves/nurbs_curve.hpp"
 #include "lookahead/path/path_sample.hpp"
-#include "lookahead/path/velocity_limit_curve.hpp"
 
 namespace kerf::lookahead {
 

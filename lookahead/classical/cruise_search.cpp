@@ -1,6 +1,6 @@
-#include "lookahead/classical/cruise_search.hpp"
-
 #include <algorithm>
+
+#include "lookahead/classical/acceleration_ramp.hpp"
 
 namespace kerf::lookahead {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lookahead/classical/slope.hpp"
-#include "lookahead/path/velocity_limit_curve.hpp"
+#include "lookahead/path/path_sample.hpp"
 
 namespace kerf::lookahead {
 

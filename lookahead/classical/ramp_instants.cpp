@@ -1,11 +1,11 @@
-#include "lookahead/classical/ramp_instants.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <utility>
+
+#include "lookahead/classical/axis_limit_check.hpp"
 
 namespace kerf::lookahead {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "lookahead/path/velocity_limit_curve.hpp"
+#include "lookahead/path/path_sample.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::lookahead {

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "lookahead/classical/acceleration_ramp.hpp"
-#include "lookahead/classical/cruise_search.hpp"
 
 namespace kerf::lookahead {
 

@@ -7,7 +7,7 @@
 #include "curves/auxiliary_axis_motion.hpp"
 #include "curves/curve.hpp"
 #include "lookahead/path/limits.hpp"
-#include "lookahead/path/velocity_limit_curve.hpp"
+#include "lookahead/path/path_sample.hpp"
 #include "profiles/shape_value.hpp"
 #include "smoothing/path_segment.hpp"
 

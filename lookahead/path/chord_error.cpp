@@ -1,8 +1,8 @@
-#include "lookahead/path/chord_error.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "lookahead/path/feed_scan.hpp"
 
 namespace kerf::lookahead {
 

@@ -7,7 +7,7 @@
 
 #include "curves/nurbs_curve.hpp"
 #include "lookahead/path/limits.hpp"
-#include "lookahead/path/velocity_limit_curve.hpp"
+#include "lookahead/path/path_sample.hpp"
 
 namespace kerf::lookahead {
 
@@ -61,5 +61,27 @@ std::vector<TickBound> tick_bounds(const curves::NurbsCurve& curve, const ScanLi
 // the limit curve is no higher than the bound all over [s, s + v Ts]: that way takes a tick then,
 // whatever accelerations a plan has.
 VelocityLimitCurve scan_feedrate(const curves::NurbsCurve& curve, const ScanLimits& limits);
+
+// A curve with what it meets taken to go on as it ends there: along a circle of its curvature, or
+// straight. A tick may pass over an end, and its chord be over what lies behind; where that turns
+// in another way, the junction bounds the feedrate.
+class ContinuedCurve {
+ public:
+  // The curve has to outlive it.
+  explicit ContinuedCurve(const curves::NurbsCurve& curve);
+
+  [[nodiscard]] const curves::NurbsCurve& curve() const { return curve_; }
+  // Any place: below 0 before the curve, above its length behind it.
+  [[nodiscard]] Eigen::Vector3d at(double s_mm) const;
+
+ private:
+  const curves::NurbsCurve& curve_;
+  curves::PathDerivatives begin_;
+  curves::PathDerivatives end_;
+};
+
+// The farthest of kChordPoints points of the tick, then of those half and a quarter of their
+// distance beside it; and of those where the curve is sharpest, which may all lie between them.
+double chord_error_mm(const ContinuedCurve& path, const curves::Stretch& tick);
 
 }  // namespace kerf::lookahead

@@ -1,12 +1,14 @@
-// One place of a path: how it bends there, and the feedrate allowed.
+// One place of a path: how it bends there, and the feedrate allowed; and the velocity limit curve.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "curves/position.hpp"
 #include "interp/axis_terms.hpp"
+#include "interp/constraint.hpp"
 #include "lookahead/path/limits.hpp"
 
 namespace kerf::lookahead {
@@ -41,5 +43,15 @@ inline double weakest_along(double given, const curves::PathDerivatives& path,
   }
   return given;
 }
+
+struct FeedSample {
+  double u = 0.0;
+  double s_mm = 0.0;
+  double v_mm_s = 0.0;
+  interp::Constraint limit = interp::Constraint::chord_error;  // that v_mm_s comes from
+};
+
+// Piecewise linear between samples; s ascends.
+using VelocityLimitCurve = std::vector<FeedSample>;
 
 }  // namespace kerf::lookahead

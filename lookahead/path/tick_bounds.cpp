@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lookahead/path/chord_error.hpp"
 #include "lookahead/path/feed_scan.hpp"
 
 namespace kerf::lookahead {

@@ -1,9 +1,9 @@
-#include "curves/arc_builder.hpp"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "curves/curve_builders.hpp"
 
 namespace kerf::curves {
 namespace {

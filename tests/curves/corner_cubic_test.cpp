@@ -1,5 +1,3 @@
-#include "curves/corner_cubic.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "curves/arc_length.hpp"
+#include "curves/curve_builders.hpp"
 
 namespace kerf::curves {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "curves/arc_builder.hpp"
 #include "curves/curve.hpp"
+#include "curves/curve_builders.hpp"
 #include "tests/curves/reference_nurbs.hpp"
 #include "tests/curves/shipped_curves.hpp"
 

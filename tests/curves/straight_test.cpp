@@ -1,7 +1,7 @@
 // Which curves are taken for lines.
-#include "curves/straight.hpp"
-
 #include <gtest/gtest.h>
+
+#include "curves/curve_builders.hpp"
 
 namespace kerf::curves {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "curves/nurbs_curve.hpp"
 #include "lookahead/path/limits.hpp"
-#include "lookahead/path/velocity_limit_curve.hpp"
+#include "lookahead/path/path_sample.hpp"
 
 namespace kerf::lookahead::test {
 

@@ -5,11 +5,43 @@
 #include <vector>
 
 #include "lookahead/optimum/grid/block_path.hpp"
+#include "lookahead/optimum/grid/cell.hpp"
 #include "lookahead/optimum/grid/junction_share.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
-#include "lookahead/optimum/grid/sub_tick_zone.hpp"
+#include "lookahead/path/block.hpp"
 
 namespace kerf::lookahead {
+
+// Beside a junction: no faster over this length.
+struct SubTickZone {
+  double feedrate_mm_s = kUnbounded;
+  double length_mm = 0.0;  // 0: nothing is asked
+};
+
+// curve: it joins `beside`, at no more than v_junction_mm_s.
+struct SubTickBlock {
+  const Block& curve;
+  const BlockEnd& junction;  // of `beside`
+  const Block& beside;
+  double v_junction_mm_s = 0.0;
+};
+
+// A sub-tick block is one that a tick may pass over whole. Its bound (sub_tick_feedrate_mm_s) is
+// one of a tick's mean feedrate, and a tick that passes over all of it may speed up away from it,
+// or slow down towards it. So the bound holds as well beside it, over the length of one tick at
+// that bound: a tick that sees all of the block and leaves the zone would take longer than a tick.
+// There is no zone where the feedrate that the junction allows keeps the bound with all the
+// acceleration that there is. Weakness: where `beside` is shorter than the zone, what lies beyond
+// it is not bound.
+SubTickZone sub_tick_zone(const SubTickBlock& sub_tick, const PlanLimits& limits);
+
+struct SubTickZones {
+  SubTickZone begin{};
+  SubTickZone end{};
+};
+
+// Bounds the cells of a block that lie in its zones.
+void bind_zones(const SubTickZones& zones, std::vector<Cell>& cells);
 
 // How a block's junctions are passed; none: a rest, or nothing jumps there.
 struct EndJunctions {

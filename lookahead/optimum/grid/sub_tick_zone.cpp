@@ -1,8 +1,7 @@
-#include "lookahead/optimum/grid/sub_tick_zone.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "lookahead/optimum/grid/cell_stops.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 #include "lookahead/path/junction.hpp"
 

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "lookahead/optimum/grid/cell.hpp"
+#include "lookahead/optimum/grid/cell_stops.hpp"
 #include "lookahead/optimum/grid/junction_share.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
-#include "lookahead/optimum/grid/sub_tick_zone.hpp"
 #include "lookahead/path/limits.hpp"
 #include "lookahead/path/window.hpp"
 

@@ -1,7 +1,7 @@
-#include "lookahead/optimum/solver/limit_forms.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "lookahead/optimum/solver/limit_rows.hpp"
 
 namespace kerf::lookahead {
 

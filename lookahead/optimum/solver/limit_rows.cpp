@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "lookahead/optimum/solver/limit_forms.hpp"
-
 namespace kerf::lookahead {
 
 namespace {
