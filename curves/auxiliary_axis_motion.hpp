@@ -1,4 +1,4 @@
-// The axes beside X, Y and Z: they move in step with a curve, linear in its length.
+// How A, B, C, U, V and W follow a curve: linearly in its length.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct AuxiliaryAxisMotion {
   AuxiliaryPosition begin_rad_mm{};
   AuxiliaryPosition end_rad_mm{};
   double length_mm = 0.0;  // of the curve; 0: they rest at end_rad_mm
-  // X, Y and Z rest. The curve's length is then the way's own, in rad where only A, B, C move.
+  // True: X, Y and Z rest, and the length is that of this motion, in rad if only A, B, C move.
   bool alone = false;
 
   // s_mm is clamped to [0, length]; both ends are exact.
@@ -33,7 +33,7 @@ struct AuxiliaryAxisMotion {
     }
     return position;
   }
-  // Of an axis by the curve's length.
+  // How far an axis moves per length of the curve.
   [[nodiscard]] double slope_per_mm(std::size_t axis) const noexcept {
     return length_mm > 0.0 ? (end_rad_mm[axis] - begin_rad_mm[axis]) / length_mm : 0.0;
   }

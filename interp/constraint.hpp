@@ -10,7 +10,8 @@ using kerf::kConstraints;
 using kerf::kLimitedAxes;
 using kerf::of_axis;
 
-// In a phase: what binds, and what does while its jerk is 0. Of an S-curve the two differ.
+// What limits the feedrate in a phase, and what does while the jerk is 0: in an S-curve they
+// differ.
 struct ActiveConstraint {
   Constraint limit = Constraint::rest;
   Constraint steady = Constraint::rest;

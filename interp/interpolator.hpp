@@ -22,8 +22,8 @@ class Interpolator {
 
   TickStatus next(Setpoint& setpoint) noexcept;
 
-  // Passes what is over before the next tick, which makes room in the queue. True: all that was
-  // there is passed, and the next tick needs more. Nothing else of the tick changes by it.
+  // Removes from the queue what ends before the next tick, to make room. True: the queue is used up
+  // and the next tick needs more. The tick itself is not affected.
   bool pass_what_is_over() noexcept;
 
   // The tick of the next setpoint in the plan's time, which stands still while starved. May be read
@@ -32,9 +32,9 @@ class Interpolator {
     return plan_tick_.load(std::memory_order_relaxed);
   }
 
-  // How far the path leaves the straight line between the last two setpoints: the largest distance
-  // of points of the path between them, junctions among them. Where a tick passes over more than
-  // kPassedPieces whole pieces, those after them are not looked at.
+  // The largest distance of the path from the straight line between the last two setpoints, taken
+  // at points of the path between them, junctions included. If a tick passes over more than
+  // kPassedPieces whole pieces, the later ones are not looked at.
   [[nodiscard]] double chord_error_mm() const noexcept;
 
  private:
@@ -42,7 +42,7 @@ class Interpolator {
   static constexpr std::size_t kChordPoints = 4;  // of each piece, its end among them
 
   [[nodiscard]] double time_into_s(const Phase& phase) const noexcept;
-  // Keeps what the chord to the next tick begins with; once a tick.
+  // Keeps where the chord to the next tick begins; once a tick.
   void begin_tick() noexcept;
   // The phase that holds the present tick. False: there was none yet.
   bool advance_phase() noexcept;

@@ -1,4 +1,4 @@
-// What a program switches beside the axes: spindle, coolant, tool, outputs.
+// The machine's outputs beside its axes: spindle, coolant, tool, digital and analog outputs.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ struct OutputChange {
   SurfaceSpeed surface{};
 };
 
-// A change that holds from a tick of the plan on.
+// A change that takes effect at a tick of the plan.
 struct OutputChangeAtTick {
   std::int64_t tick = 0;
   OutputChange change{};
