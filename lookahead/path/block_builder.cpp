@@ -17,10 +17,6 @@ using smoothing::PathSegment;
 
 namespace {
 
-BlockEnd block_end(const curves::PathDerivatives& path) {
-  return {.tangent = path.first, .curvature_per_mm = path.second_per_mm, .third_per_mm2 = 0.0};
-}
-
 // What the limits along the path do not bind.
 BlockLimits free_limits(double feedrate_mm_s) {
   return {.feedrate_mm_s = feedrate_mm_s,
@@ -55,7 +51,7 @@ Block make_block(PathSegment segment, const PlanLimits& limits, ScanFor plan) {
   const double feedrate = segment.rapid ? kUnbounded : segment.feedrate_mm_s;
   if (const auto* line = std::get_if<curves::Line>(&block.curve)) {
     block.limits = block.extra.alone ? free_limits(feedrate) : line_limits(*line, feedrate, limits);
-    block.begin.tangent = line->direction();
+    block.begin.first = line->direction();
     block.end = block.begin;
     bind_extra_axes(limits, block);
     block.along = block.limits;
@@ -63,16 +59,16 @@ Block make_block(PathSegment segment, const PlanLimits& limits, ScanFor plan) {
   }
   block.along = path_limits(feedrate, limits);
   bind_extra(block.extra, limits, block.along);
-  block.begin = block_end(curves::derivatives_at(block.curve, 0.0));
-  block.end = block_end(curves::derivatives_at(block.curve, block.length_mm));
+  block.begin = {curves::derivatives_at(block.curve, 0.0)};
+  block.end = {curves::derivatives_at(block.curve, block.length_mm)};
   const auto* nurbs = std::get_if<curves::NurbsCurve>(&block.curve);
   if (segment.arc_normal) {
     const Bend bend = nurbs != nullptr ? bend_of(*nurbs, *segment.arc_normal)
                                        : bend_of(std::get<curves::Arc>(block.curve));
     block.limits = arc_limits(bend, feedrate, limits);
     bind_feedrate(block.along, {arc_chord_feedrate_mm_s(bend, limits), Constraint::chord_error});
-    block.begin.third_per_mm2 = bend.third_per_mm2;
-    block.end.third_per_mm2 = bend.third_per_mm2;
+    block.begin.most_third_per_mm2 = bend.third_per_mm2;
+    block.end.most_third_per_mm2 = bend.third_per_mm2;
   } else {
     block.limits = nurbs_limits(*nurbs, feedrate, limits);
   }

@@ -76,9 +76,9 @@ double saved_s(double feedrate_mm_s, const Block& before, const Block& after) {
 double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
                            const PlanLimits& limits) {
   const double ts = limits.period_s;
-  const double turn = (curves::vec(after.tangent) - curves::vec(before.tangent)).norm();
-  const double curvature = std::sqrt(std::max(curves::vec(before.curvature_per_mm).squaredNorm(),
-                                              curves::vec(after.curvature_per_mm).squaredNorm()));
+  const double turn = (curves::vec(after.first) - curves::vec(before.first)).norm();
+  const double curvature = std::sqrt(std::max(curves::vec(before.second_per_mm).squaredNorm(),
+                                              curves::vec(after.second_per_mm).squaredNorm()));
   return largest_below({.linear = 0.25 * turn * ts, .quadratic = 0.125 * curvature * ts * ts},
                        limits.chord_tolerance_mm);
 }
@@ -92,23 +92,23 @@ double sub_tick_feedrate_mm_s(const Block& block, const PlanLimits& limits) {
 }
 
 double path_step_of(const BlockEnd& before, const BlockEnd& after) {
-  return std::abs(curves::vec(after.tangent).norm() - curves::vec(before.tangent).norm());
+  return std::abs(curves::vec(after.first).norm() - curves::vec(before.first).norm());
 }
 
 double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
                             const PlanLimits& limits) {
   const double ts = limits.period_s;
-  const double third = std::max(before.third_per_mm2, after.third_per_mm2);
+  const double third = std::max(before.most_third_per_mm2, after.most_third_per_mm2);
   double feedrate = kUnbounded;
   for (std::size_t k = 0; k < 3; ++k) {
     const MotionLimits& axis = limits.axes[k];
-    const double turn = std::abs(after.tangent[k] - before.tangent[k]);
-    const double bend = std::abs(after.curvature_per_mm[k] - before.curvature_per_mm[k]);
+    const double turn = std::abs(after.first[k] - before.first[k]);
+    const double bend = std::abs(after.second_per_mm[k] - before.second_per_mm[k]);
     if (turn <= kSmoothTangent && bend <= kSmoothCurvature_per_mm) {
       continue;
     }
     const double curvature =
-        std::max(std::abs(before.curvature_per_mm[k]), std::abs(after.curvature_per_mm[k]));
+        std::max(std::abs(before.second_per_mm[k]), std::abs(after.second_per_mm[k]));
     const Cubic acceleration{.linear = turn / ts, .quadratic = curvature};
     const Cubic jerk{.linear = turn / (ts * ts), .quadratic = 0.75 * bend / ts, .cubic = third};
     feedrate =

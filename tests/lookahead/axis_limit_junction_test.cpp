@@ -31,7 +31,7 @@ TEST(AxisLimitJunction, LeavesRoomForTheThirdDerivativeWithinTheConstantVelocity
   EXPECT_LE(2.0 * v * junction.constant_velocity_s, first.length_mm);
   for (const PathSample& at : first.axis_limits) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const double turn = std::abs(blocks[1].begin.tangent[k] - blocks[0].end.tangent[k]);
+      const double turn = std::abs(blocks[1].begin.first[k] - blocks[0].end.first[k]);
       if (at.s_mm <= v * junction.constant_velocity_s) {
         EXPECT_LE(v * turn / 1e-6 + std::abs(at.third_per_mm2[k]) * v * v * v, 5e4 * 1.001);
       }

@@ -50,8 +50,8 @@ TEST(JunctionShare, ARowOfHardJunctionsIsHardlySlowerThanByTheSCurve) {
 TEST(JunctionShare, WhatAJumpAsksForFitsIntoItsShare) {
   const PlanLimits limits = mill();
   Jump jump;
-  jump.before.curvature_per_mm = {0.0, 0.2, 0.0};
-  jump.after.curvature_per_mm = {0.0, 0.125, 0.0};
+  jump.before.second_per_mm = {0.0, 0.2, 0.0};
+  jump.after.second_per_mm = {0.0, 0.125, 0.0};
   for (const double allowed : {1.0, 10.0, 30.0, 1e3}) {
     for (const int crowd : {1, 3}) {
       jump.allowed_mm_s = allowed;

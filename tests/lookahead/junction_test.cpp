@@ -21,7 +21,7 @@ PlanLimits quintic_paper() {
 }
 
 BlockEnd straight(double angle_rad) {
-  return {.tangent = {std::cos(angle_rad), std::sin(angle_rad), 0.0}};
+  return {{.first = {std::cos(angle_rad), std::sin(angle_rad), 0.0}}};
 }
 
 double corner_of(const Position& before, const Position& at, const Position& after) {
@@ -97,7 +97,7 @@ TEST(Junction, FallsBackToThePathsLimitsWhereAnAxisHasNone) {
 // from one tick to the next, which the limits along the path bound as they bound an axis.
 TEST(Junction, IsBoundByThePathWhereItsOwnAxesComeToRest) {
   BlockEnd along_x;
-  along_x.tangent = {1, 0, 0};
+  along_x.first = {1, 0, 0};
   BlockEnd at_rest;
   at_rest.extra_per_mm[3] = 1.0;
   PlanLimits limits = axis_limits({.acceleration_mm_s2 = 1e6, .jerk_mm_s3 = 1e9});

@@ -27,9 +27,7 @@ bool differ(const curves::Position& a, const curves::Position& b) {
 
 // The tangent goes on: what differs is rounding.
 BlockEnd end_of(const curves::PathDerivatives& path) {
-  return {.tangent = {},
-          .curvature_per_mm = path.second_per_mm,
-          .third_per_mm2 = vec(path.third_per_mm2).cwiseAbs().maxCoeff()};
+  return {{.second_per_mm = path.second_per_mm}, vec(path.third_per_mm2).cwiseAbs().maxCoeff()};
 }
 
 // The pieces of a curve are short where it turns sharply (curves/arc_length.cpp), even where a

@@ -30,7 +30,7 @@ template <typename Use>
 void for_each_turn(const BlockEnd& before, const BlockEnd& after, const PlanLimits& limits,
                    Use use) {
   for (std::size_t k = 0; k < limits.axes.size(); ++k) {
-    use(std::abs(after.tangent[k] - before.tangent[k]), limits.axes[k]);
+    use(std::abs(after.first[k] - before.first[k]), limits.axes[k]);
   }
   for (std::size_t k = 0; k < limits.extra.size(); ++k) {
     use(std::abs(after.extra_per_mm[k] - before.extra_per_mm[k]), limits.extra[k]);
@@ -82,21 +82,17 @@ double chord_bound_mm_s(const JunctionQuery& query, const JumpShares& shares,
     return chord;
   }
   const auto jerk = [&limits](const Block& block, const BlockEnd& end) {
-    return tangential_jerk_mm_s3(Cell{.along = block.along.ramp},
-                                 PathSample{{.first = end.tangent}}, limits);
+    return tangential_jerk_mm_s3(Cell{.along = block.along.ramp}, end, limits);
   };
   const double most =
       shares.cells * std::max(jerk(*query.before, before), jerk(*query.after, after));
-  return std::max(
-      chord_feedrate_mm_s(before, after, limits) - most * limits.period_s * limits.period_s / 24.0,
-      0.0);
+  return std::max(chord - most * limits.period_s * limits.period_s / 24.0, 0.0);
 }
 
 // The way of three ticks beside a junction, on a block.
 double zone_mm(const Block& block, const BlockEnd& end, const JunctionLimits& junction,
                const PlanLimits& limits) {
-  return zone_mm(Cell{.along = block.along.ramp}, PathSample{{.first = end.tangent}}, junction,
-                 limits);
+  return zone_mm(Cell{.along = block.along.ramp}, end, junction, limits);
 }
 
 }  // namespace
@@ -140,7 +136,7 @@ CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limi
   return {};
 }
 
-double zone_mm(const Cell& cell, const PathSample& end, const JunctionLimits& junction,
+double zone_mm(const Cell& cell, const curves::PathDerivatives& end, const JunctionLimits& junction,
                const PlanLimits& limits) {
   const JumpShares& shares = junction.shares;
   const double t = kSupportTicks * limits.period_s;

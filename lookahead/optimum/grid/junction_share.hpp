@@ -58,7 +58,7 @@ struct CellJunction {
 CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limits);
 
 // The way of three ticks from a jump, at the most. cell, end: beside it.
-double zone_mm(const Cell& cell, const PathSample& end, const JunctionLimits& junction,
+double zone_mm(const Cell& cell, const curves::PathDerivatives& end, const JunctionLimits& junction,
                const PlanLimits& limits);
 
 // Caps feedrate and acceleration at a boundary of cells, the one before cells[boundary] (0 and the

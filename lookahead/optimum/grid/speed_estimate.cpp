@@ -69,13 +69,14 @@ void pass(std::span<const Cell> cells, Direction direction, const PlanLimits& li
 
 }  // namespace
 
-double tangential_acceleration_mm_s2(const Cell& cell, const PathSample& end,
+double tangential_acceleration_mm_s2(const Cell& cell, const curves::PathDerivatives& end,
                                      const PlanLimits& limits) {
   return cell.shares.acceleration * weakest_along(cell.along.acceleration_mm_s2, end, limits,
                                                   &MotionLimits::acceleration_mm_s2);
 }
 
-double tangential_jerk_mm_s3(const Cell& cell, const PathSample& end, const PlanLimits& limits) {
+double tangential_jerk_mm_s3(const Cell& cell, const curves::PathDerivatives& end,
+                             const PlanLimits& limits) {
   return cell.shares.jerk *
          weakest_along(cell.along.jerk_mm_s3, end, limits, &MotionLimits::jerk_mm_s3);
 }

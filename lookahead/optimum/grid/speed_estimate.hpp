@@ -10,9 +10,10 @@ namespace kerf::lookahead {
 
 // Along the path, what the path's own limit and those of the axes leave for a change of feedrate on
 // a straight path in this direction.
-double tangential_acceleration_mm_s2(const Cell& cell, const PathSample& end,
+double tangential_acceleration_mm_s2(const Cell& cell, const curves::PathDerivatives& end,
                                      const PlanLimits& limits);
-double tangential_jerk_mm_s3(const Cell& cell, const PathSample& end, const PlanLimits& limits);
+double tangential_jerk_mm_s3(const Cell& cell, const curves::PathDerivatives& end,
+                             const PlanLimits& limits);
 
 // The feedrate at which the path's curvature alone uses up a limit, and the cap.
 double curvature_feedrate_mm_s(const Cell& cell, const PathSample& end, const PlanLimits& limits);

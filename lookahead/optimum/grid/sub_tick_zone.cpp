@@ -24,9 +24,8 @@ void bind(const SubTickZone& zone, Cell& cell) {
 // rest.
 double gain_in_tick_mm_s(const SubTickBlock& sub_tick, const PlanLimits& limits) {
   const Cell cell{.along = sub_tick.beside.along.ramp};
-  const PathSample junction{{.first = sub_tick.junction.tangent}};
-  const double a = tangential_acceleration_mm_s2(cell, junction, limits);
-  const double j = tangential_jerk_mm_s3(cell, junction, limits);
+  const double a = tangential_acceleration_mm_s2(cell, sub_tick.junction, limits);
+  const double j = tangential_jerk_mm_s3(cell, sub_tick.junction, limits);
   const double t = limits.period_s;
   return std::min(0.5 * a * t,
                   0.5 * std::sqrt(2.0 * j * sub_tick.v_junction_mm_s) * t + j * t * t / 6.0);
