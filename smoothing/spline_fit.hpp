@@ -32,7 +32,7 @@ struct FitSample {
   curves::Position point_mm{};
 };
 
-// What a spline hands on to its continuation: itself at the joint, by its parameter.
+// What a spline hands on to its continuation: itself at the junction, by its parameter.
 struct SplineTail {
   std::array<Eigen::Vector3d, kFitDegree> derivatives{};  // from the 0th to the 4th
   double span_mm = 0.0;                                   // length of its last span

@@ -54,7 +54,7 @@ AccelerationRamp below(const Slope& slope, const Transition& fastest, const Prof
   return {.law = fastest.stretched(slope.stretch_for(fastest))};
 }
 
-// Where the law begins on the curve: past the constant velocity and the foot.
+// Where the law begins on the curve: past the part at constant velocity and the delay.
 PlacedRamp placed(const AccelerationRamp& ramp, const RampRequest& request,
                   const VelocitySegment& segment) {
   const double v = request.ramp.v_begin_mm_s;

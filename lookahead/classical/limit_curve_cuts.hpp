@@ -1,4 +1,4 @@
-// Where the limit curve of a curve is cut into segments.
+// Where the velocity limit curve is cut into segments: at valleys, and where a ramp would crawl.
 #pragma once
 
 #include <cstddef>

@@ -16,8 +16,8 @@ struct JunctionSides {
 
 // junction_of() knows a curve at its end alone and leaves nothing for what curvature asks of the
 // axes within the ticks that see the junction. Here it is asked again, with the largest second and
-// third derivative within the parts at constant velocity, and both parts at constant velocity fit
-// into half a segment. Never faster than found.
+// third derivative within the parts at constant velocity, each of which fits into half a segment.
+// Never faster than found.
 Junction beside_axis_limits(const Junction& found, const JunctionSides& sides,
                             const PlanLimits& limits);
 

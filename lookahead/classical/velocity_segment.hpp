@@ -1,4 +1,4 @@
-// A stretch of one block between two feedrates that are planned: ACC + CF + DEC.
+// A length of one block between two planned feedrates: acceleration, cruise, deceleration.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct VelocitySegment {
   bool ends_block = true;
   Slope rise{};  // from its beginning
   Slope fall{};  // from its end
-  // What binds on its stretch of the curve beside limits; empty: nothing.
+  // What the axes allow along it, beside `limits`; empty: they do not bind.
   AxisLimitCurve axis_limits{};
   std::array<MotionLimits, 3> axes{};  // for curvature
 };

@@ -13,8 +13,8 @@
 
 namespace kerf::lookahead {
 
-// plan: that the limit curve of a curve is scanned for (Planner::scan_for). Error: axes move that
-// the machine has no limits of.
+// plan: what the velocity limit curve is scanned for (Planner::scan_for). Error: an axis moves for
+// which the machine has no limits.
 tl::expected<Block, smoothing::PathError> block_of(smoothing::PathSegment segment,
                                                    const PlanLimits& limits,
                                                    ScanFor plan = ScanFor::bounded_jerk);

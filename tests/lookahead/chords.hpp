@@ -1,4 +1,4 @@
-// Ticks at the limit curve of a curve, and their chord errors.
+// Ticks at the velocity limit curve, and their chord errors.
 #pragma once
 
 #include <algorithm>

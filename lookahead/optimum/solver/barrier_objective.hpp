@@ -13,8 +13,8 @@
 
 namespace kerf::lookahead {
 
-// The cells of one sequence of cells, the first one a launch from rest where it begins at rest, the
-// last one a landing; between them the feedrate squared is a spline.
+// The cells that are planned at once. If they begin at rest the first one is a launch; the last one
+// is a landing; between them the feedrate squared is a spline.
 struct CellSequence {
   StartState begin{};
   std::vector<Cell> cells;
