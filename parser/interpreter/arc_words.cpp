@@ -15,17 +15,6 @@ constexpr double kRadiusTolerance_mm = 0.0283;
 constexpr double kRadiusTolerance = 0.001;
 constexpr double kLargestRadiusDifference_mm = 2.83;
 
-struct InPlane {
-  double first;
-  double second;
-};
-InPlane in_plane(const Point& point, PlaneAxes axes) {
-  return {point[axes.first], point[axes.second]};
-}
-double distance(InPlane a, InPlane b) {
-  return std::hypot(a.first - b.first, a.second - b.second);
-}
-
 bool radii_agree(double at_start, double at_end) {
   const double difference = std::fabs(at_start - at_end);
   return difference <= kRadiusTolerance_mm ||

@@ -10,17 +10,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-struct InPlane {
-  double first;
-  double second;
-};
-InPlane in_plane(const Point& point, PlaneAxes axes) {
-  return {point[axes.first], point[axes.second]};
-}
-double distance(InPlane a, InPlane b) {
-  return std::hypot(a.first - b.first, a.second - b.second);
-}
-
 }  // namespace
 
 std::string_view plane_name(Plane plane) {

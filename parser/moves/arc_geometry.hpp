@@ -1,6 +1,7 @@
 // The axes of a plane and the measures of an arc in it.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 
@@ -24,6 +25,18 @@ constexpr PlaneAxes axes_of(Plane plane) {
       return {0, 1, 2};
   }
 }
+// A point as the plane's axes see it.
+struct InPlane {
+  double first;
+  double second;
+};
+inline InPlane in_plane(const Point& point, PlaneAxes axes) {
+  return {point[axes.first], point[axes.second]};
+}
+inline double distance(InPlane a, InPlane b) {
+  return std::hypot(a.first - b.first, a.second - b.second);
+}
+
 constexpr char axis_letter(std::size_t axis) {
   return static_cast<char>('X' + axis);
 }
