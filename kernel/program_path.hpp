@@ -25,7 +25,7 @@ class ProgramPath {
   struct Order {
     std::uint32_t watched_line = 0;  // whose block the reader shows; 0: none
     bool as_programmed = false;      // the moves come out as they are, those behind an error too
-    PipelineObserver* observer = nullptr;
+    PipelineObserver* observer = nullptr;  // of the path that is run; not told as programmed
   };
 
   ProgramPath(const MachineSettings& settings, const KernelOptions& options, const Order& order);

@@ -7,7 +7,6 @@
 #include "diagnostics/errors/offsets.hpp"
 #include "diagnostics/errors/shape.hpp"
 #include "diagnostics/errors/splines.hpp"
-#include "parser/dialects/fanuc/fanuc_codes.hpp"
 #include "parser/interpreter/arc_words.hpp"
 #include "parser/interpreter/interpreter.hpp"
 #include "parser/offsets/reference_points.hpp"
