@@ -1,6 +1,7 @@
 #include "lookahead/planner.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lookahead/classical/classical_schedule.hpp"
@@ -39,6 +40,12 @@ std::unique_ptr<Schedule> schedule_for(const PlannerSettings& settings) {
       .longest_cruise_s = settings.longest_cruise_s});
 }
 
+// Of whole ticks, so that parts do not move what follows.
+double rest_part_s(const PlannerSettings& settings) {
+  const double period = settings.limits.period_s;
+  return std::max(std::floor(settings.longest_cruise_s / period), 1.0) * period;
+}
+
 }  // namespace
 
 Planner::Planner(const PlannerSettings& settings)
@@ -46,6 +53,7 @@ Planner::Planner(const PlannerSettings& settings)
                                           : settings.window_blocks),
       scan_for_(scan_for_plan(settings)),
       schedule_(schedule_for(settings)),
+      rest_part_s_(rest_part_s(settings)),
       emitter_(settings.limits.period_s) {}
 
 bool Planner::wants_block() const noexcept {
@@ -97,13 +105,22 @@ bool Planner::emit(Outbox& outbox) {
     return schedule_->emit(blocks_, supply, emitter_, outbox);
   }
   if (rest_pending_) {
-    emitter_.emit_rest(rest_, outbox);
-    rest_pending_ = false;
-    to_rest_ = rest_.ends_program;
+    emit_rest(outbox);
     return true;
   }
   to_rest_ = rest_.ends_program;
   return false;
+}
+
+void Planner::emit_rest(Outbox& outbox) {
+  if (rest_.duration_s > 2.0 * rest_part_s_) {
+    emitter_.emit_rest({.duration_s = rest_part_s_, .line = rest_.line}, outbox);
+    rest_.duration_s -= rest_part_s_;
+    return;
+  }
+  emitter_.emit_rest(rest_, outbox);
+  rest_pending_ = false;
+  to_rest_ = rest_.ends_program;
 }
 
 }  // namespace kerf::lookahead

@@ -22,7 +22,8 @@ struct PlannerSettings {
   profiles::Profile profile{profiles::ProfileKind::s_curve};
   std::size_t window_blocks = 1000;  // >= 2; the time optimum takes 4 at the least
   std::size_t window_cells = 3000;   // that the time optimum plans at once; >= 100
-  // A cruise is emitted in parts no longer than this, so that a stop need not wait for its end.
+  // Cruises and dwells are emitted in parts of about this, so that a stop need not wait for the
+  // end.
   double longest_cruise_s = 0.1;
 };
 
@@ -59,13 +60,16 @@ class Planner {
   [[nodiscard]] const PlanTotals& totals() const noexcept { return emitter_.totals(); }
 
  private:
+  void emit_rest(Outbox& outbox);
+
   std::size_t window_blocks_;
   ScanFor scan_for_;
   std::unique_ptr<Schedule> schedule_;
   Window<Block> blocks_;  // the front one is being emitted
   bool to_rest_ = false;  // the whole window may be emitted
   bool rest_pending_ = false;
-  Rest rest_{};
+  Rest rest_{};  // what is left of it
+  double rest_part_s_;
   std::uint64_t pushed_blocks_ = 0;
   Emitter emitter_;
 };

@@ -83,5 +83,18 @@ TEST(Stop, TakesNoLongerThanWhatIsFrozenAndARamp) {
   EXPECT_LE(rest_of(kernel).size(), 1200U);
 }
 
+// What is frozen, 0.25 s, and a part of the dwell.
+TEST(Stop, NeedNotWaitForTheEndOfADwell) {
+  Kernel kernel(mill());
+  kernel.feed("G21 F6000\nG1 X1\nG4 P600\nX2\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  for (int i = 0; i < 2000; ++i) {
+    ASSERT_EQ(kernel.next(setpoint), TickStatus::running);
+  }
+  kernel.stop();
+  EXPECT_LE(rest_of(kernel).size(), 500U);
+}
+
 }  // namespace
 }  // namespace kerf::test

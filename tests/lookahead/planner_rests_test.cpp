@@ -38,13 +38,35 @@ TEST(Planner, RestsForItsDurationOnTicks) {
   while (planner.emit(outbox)) {
   }
   expect_contiguous(outbox.phases);
-  const auto rest = std::find_if(outbox.phases.begin(), outbox.phases.end(),
-                                 [](const interp::Phase& phase) { return phase.line == 7; });
-  ASSERT_NE(rest, outbox.phases.end());
+  const auto is_rest = [](const interp::Phase& phase) { return phase.line == 7; };
+  const auto rest = std::find_if(outbox.phases.begin(), outbox.phases.end(), is_rest);
+  const auto after = std::find_if_not(rest, outbox.phases.end(), is_rest);
+  ASSERT_NE(after, outbox.phases.end());
   EXPECT_EQ(rest->begin.offset_s, 0.0);
-  EXPECT_EQ(rest->law.duration_s(), 0.2505);
-  EXPECT_EQ(std::next(rest)->begin.tick - rest->begin.tick, 251);
-  EXPECT_EQ(rest->path_begin_mm + rest->s_end_mm, 10.0);
+  EXPECT_EQ(after->begin.offset_s, 0.0);
+  EXPECT_EQ(after->begin.tick - rest->begin.tick, 251);
+  double rest_s = 0.0;
+  for (auto part = rest; part != after; ++part) {
+    EXPECT_LE(part->law.duration_s(), 0.2 + 1e-12);
+    EXPECT_EQ(part->path_begin_mm + part->s_end_mm, 10.0);
+    rest_s += part->law.duration_s();
+  }
+  EXPECT_NEAR(rest_s, 0.2505, 1e-12);
+}
+
+TEST(Planner, KeepsTheTicksOfADwellThatLeavesInManyParts) {
+  // The next whole tick behind so many periods.
+  for (const auto& [dwell_s, ticks] :
+       {std::pair{1e5, std::int64_t{100'000'000}}, std::pair{644.307, std::int64_t{644'307}},
+        std::pair{0.3000005, std::int64_t{301}}}) {
+    Planner planner({.limits = mill()});
+    Outbox outbox;
+    planner.push_rest(dwell_s, 7);
+    while (planner.emit(outbox)) {
+      outbox.clear();
+    }
+    EXPECT_EQ(planner.totals().ticks, ticks) << dwell_s;
+  }
 }
 
 TEST(Planner, StopsOnRequestBelowThePlan) {
