@@ -3,14 +3,15 @@
 
 #include <kerf/diagnostic.hpp>
 
-#include "diagnostics/errors/error_page.hpp"
 #include "diagnostics/excerpt.hpp"
 #include "diagnostics/source_position.hpp"
 
 namespace kerf::diagnostics {
 
 using kerf::Diagnostic;
+using kerf::ErrorPage;
 using kerf::identifier;
+using kerf::Severity;
 using kerf::to_string;
 using kerf::to_text;
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "diagnostics/errors/files.hpp"
+#include "diagnostics/errors/pages.hpp"
 
 namespace kerf::diagnostics {
 

@@ -10,7 +10,6 @@
 #include <tl/expected.hpp>
 
 #include "diagnostics/diagnostic_list.hpp"
-#include "diagnostics/errors/error_page.hpp"
 
 namespace kerf::diagnostics {
 

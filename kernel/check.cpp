@@ -6,7 +6,7 @@
 
 #include <kerf/check.hpp>
 
-#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "kernel/check_warnings.hpp"
 #include "kernel/least_time.hpp"
 #include "kernel/program_path.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "lookahead/path/limits.hpp"
 #include "parser/text/text.hpp"
 

@@ -3,7 +3,7 @@
 #include <utility>
 #include <variant>
 
-#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "lookahead/path/block_builder.hpp"
 #include "lookahead/planner.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "kernel/reader_options.hpp"
 #include "kernel/tick_judge.hpp"
 #include "machine/envelope.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "kernel/machine_file_checks.hpp"
 #include "kernel/machine_file_schema.hpp"
 #include "kernel/machine_file_text.hpp"

@@ -9,8 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnostics/errors/fanuc.hpp"
-#include "diagnostics/errors/variables.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/block/block_leaves.hpp"
 #include "parser/expressions/expression_scan.hpp"
 #include "parser/text/number.hpp"

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "diagnostics/errors/characters.hpp"
-#include "diagnostics/errors/flow.hpp"
-#include "diagnostics/errors/variables.hpp"
-#include "diagnostics/errors/words.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/block/missing_number.hpp"
 #include "parser/text/character_error.hpp"
 #include "parser/text/number.hpp"

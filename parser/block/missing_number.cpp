@@ -3,9 +3,7 @@
 #include <array>
 #include <string>
 
-#include "diagnostics/errors/characters.hpp"
-#include "diagnostics/errors/flow.hpp"
-#include "diagnostics/errors/words.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/character_error.hpp"
 #include "parser/text/number.hpp"
 #include "parser/text/text.hpp"

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "diagnostics/errors/blocks.hpp"
-#include "diagnostics/errors/compensation.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/modal/end_point.hpp"
 #include "parser/text/text.hpp"
 

@@ -4,8 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "diagnostics/errors/compensation.hpp"
-#include "diagnostics/errors/gouges.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {

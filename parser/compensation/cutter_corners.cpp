@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "diagnostics/errors/gouges.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/compensation/cutter_compensation.hpp"
 #include "parser/compensation/gouge.hpp"
 #include "parser/text/text.hpp"

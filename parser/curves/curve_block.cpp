@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "diagnostics/errors/curves.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {

@@ -1,7 +1,7 @@
 // The rules that a curve of G6.2 must keep.
 #include <cmath>
 
-#include "diagnostics/errors/nurbs.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/curves/nurbs_collector.hpp"
 #include "parser/text/text.hpp"
 

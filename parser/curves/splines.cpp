@@ -1,6 +1,6 @@
 #include "parser/curves/splines.hpp"
 
-#include "diagnostics/errors/splines.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {

@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "diagnostics/errors/compensation.hpp"
-#include "diagnostics/errors/cycles.hpp"
-#include "diagnostics/errors/motion.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/moves/arc_geometry.hpp"
 #include "parser/text/text.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "diagnostics/errors/probing.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/modal/touch_box.hpp"
 #include "parser/text/text.hpp"
 

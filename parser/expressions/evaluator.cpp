@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "diagnostics/errors/expressions.hpp"
-#include "diagnostics/errors/variables.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/expressions/expression_scan.hpp"
 #include "parser/text/text.hpp"
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "diagnostics/diagnostic_list.hpp"
-#include "diagnostics/errors/error_page.hpp"
 #include "diagnostics/fault.hpp"
 #include "parser/expressions/expression_grammar.hpp"
 #include "parser/expressions/parameters.hpp"

@@ -14,7 +14,7 @@
 
 #include <boost/spirit/home/x3.hpp>
 
-#include "diagnostics/errors/expressions.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/expressions/evaluator.hpp"
 #include "parser/expressions/expression_leaves.hpp"
 

@@ -3,8 +3,7 @@
 
 #include <string_view>
 
-#include "diagnostics/errors/expressions.hpp"
-#include "diagnostics/errors/variables.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/expressions/evaluator.hpp"
 #include "parser/expressions/expression_grammar.hpp"
 #include "parser/expressions/expression_scan.hpp"

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "diagnostics/errors/expressions.hpp"
-#include "diagnostics/errors/variables.hpp"
-#include "diagnostics/errors/words.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/expressions/evaluator.hpp"
 #include "parser/text/character_error.hpp"
 #include "parser/text/number.hpp"

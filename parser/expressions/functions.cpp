@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "diagnostics/errors/expressions.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/expressions/parameters.hpp"
 #include "parser/text/text.hpp"
 

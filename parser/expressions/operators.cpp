@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "diagnostics/errors/expressions.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/expressions/parameters.hpp"
 #include "parser/text/text.hpp"
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "diagnostics/errors/error_page.hpp"
+#include "diagnostics/diagnostic.hpp"
 #include "parser/dialects/dialect.hpp"
 
 namespace kerf::parser {

@@ -3,11 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "diagnostics/errors/fanuc.hpp"
-#include "diagnostics/errors/flow.hpp"
-#include "diagnostics/errors/macros.hpp"
-#include "diagnostics/errors/subprograms.hpp"
-#include "diagnostics/errors/words.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/flow/statement_reader.hpp"
 #include "parser/text/text.hpp"
 

@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "diagnostics/errors/flow.hpp"
-#include "diagnostics/errors/subprograms.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {

@@ -3,9 +3,7 @@
 #include <span>
 #include <utility>
 
-#include "diagnostics/errors/flow.hpp"
-#include "diagnostics/errors/macros.hpp"
-#include "diagnostics/errors/subprograms.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/flow/flow.hpp"
 #include "parser/flow/statement_reader.hpp"
 #include "parser/text/text.hpp"

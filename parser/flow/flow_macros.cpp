@@ -1,8 +1,7 @@
 // The statements of custom macro B: IF, GOTO, WHILE and END.
 #include <cmath>
 
-#include "diagnostics/errors/flow.hpp"
-#include "diagnostics/errors/macros.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/flow/flow.hpp"
 #include "parser/flow/statement_reader.hpp"
 #include "parser/text/text.hpp"

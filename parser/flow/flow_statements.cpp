@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnostics/errors/flow.hpp"
-#include "diagnostics/errors/macros.hpp"
-#include "diagnostics/errors/subprograms.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/expressions/evaluator.hpp"
 #include "parser/flow/flow.hpp"
 #include "parser/flow/statement_reader.hpp"

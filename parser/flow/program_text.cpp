@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "diagnostics/errors/flow.hpp"
-#include "diagnostics/errors/macros.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "diagnostics/fault.hpp"
 #include "parser/flow/statement_reader.hpp"
 #include "parser/text/text.hpp"

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "diagnostics/errors/flow.hpp"
-#include "diagnostics/errors/macros.hpp"
-#include "diagnostics/errors/subprograms.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/number.hpp"
 #include "parser/text/text.hpp"
 

@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "diagnostics/errors/flow.hpp"
-#include "diagnostics/errors/macros.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/flow/keyword_names.hpp"
 #include "parser/flow/statement_text.hpp"
 #include "parser/text/text.hpp"

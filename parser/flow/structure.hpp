@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnostics/errors/error_page.hpp"
+#include "diagnostics/diagnostic.hpp"
 #include "parser/flow/labels.hpp"
 #include "parser/flow/statement.hpp"
 

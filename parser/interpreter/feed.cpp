@@ -1,8 +1,6 @@
 #include "parser/interpreter/feed.hpp"
 
-#include "diagnostics/errors/modes.hpp"
-#include "diagnostics/errors/motion.hpp"
-#include "diagnostics/errors/switches.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/spindle_io/spindle.hpp"
 #include "parser/text/text.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "diagnostics/errors/compensation.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/block/lexical_error.hpp"
 #include "parser/compensation/compensation_codes.hpp"
 #include "parser/dialects/fanuc/fanuc_codes.hpp"

@@ -1,7 +1,7 @@
 // The motion of a block that a unit expands: curves with control points, cycles, probing.
 #include <optional>
 
-#include "diagnostics/errors/curves.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/curves/splines.hpp"
 #include "parser/cycles/canned_cycle.hpp"
 #include "parser/cycles/probe.hpp"

@@ -2,11 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnostics/errors/arcs.hpp"
-#include "diagnostics/errors/motion.hpp"
-#include "diagnostics/errors/offsets.hpp"
-#include "diagnostics/errors/shape.hpp"
-#include "diagnostics/errors/splines.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/interpreter/arc_words.hpp"
 #include "parser/interpreter/interpreter.hpp"
 #include "parser/offsets/reference_points.hpp"

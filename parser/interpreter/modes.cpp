@@ -1,7 +1,6 @@
 #include "parser/interpreter/modes.hpp"
 
-#include "diagnostics/errors/modes.hpp"
-#include "diagnostics/errors/motion.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/dialects/fanuc/fanuc_codes.hpp"
 
 namespace kerf::parser {

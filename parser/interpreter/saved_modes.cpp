@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "diagnostics/errors/switches.hpp"
+#include "diagnostics/errors/pages.hpp"
 
 namespace kerf::parser {
 

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include "diagnostics/errors/blocks.hpp"
-#include "diagnostics/errors/offsets.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/cycles/drill_cycle.hpp"
 #include "parser/dialects/fanuc/fanuc_codes.hpp"
 #include "parser/modal/end_point.hpp"

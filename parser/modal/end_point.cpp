@@ -4,9 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnostics/errors/blocks.hpp"
-#include "diagnostics/errors/motion.hpp"
-#include "diagnostics/errors/offsets.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/modal/word_users.hpp"
 #include "parser/text/text.hpp"
 

@@ -1,6 +1,6 @@
 #include "parser/modal/running_block.hpp"
 
-#include "diagnostics/errors/offsets.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {

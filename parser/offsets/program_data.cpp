@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "diagnostics/errors/offsets.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/modal/end_point.hpp"
 #include "parser/text/text.hpp"
 

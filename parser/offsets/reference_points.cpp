@@ -1,6 +1,6 @@
 #include "parser/offsets/reference_points.hpp"
 
-#include "diagnostics/errors/cycles.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {

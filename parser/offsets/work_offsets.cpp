@@ -1,6 +1,6 @@
 #include "parser/offsets/work_offsets.hpp"
 
-#include "diagnostics/errors/shape.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/modal/end_point.hpp"
 #include "parser/text/text.hpp"
 

@@ -3,11 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "diagnostics/errors/characters.hpp"
-#include "diagnostics/errors/fanuc.hpp"
-#include "diagnostics/errors/files.hpp"
-#include "diagnostics/errors/variables.hpp"
-#include "diagnostics/errors/words.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/dialects/fanuc/end_of_block.hpp"
 #include "parser/moves/arc_geometry.hpp"
 #include "parser/text/text.hpp"

@@ -3,10 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "diagnostics/errors/fanuc.hpp"
-#include "diagnostics/errors/files.hpp"
-#include "diagnostics/errors/flow.hpp"
-#include "diagnostics/errors/subprograms.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/block/block_grammar.hpp"
 #include "parser/flow/block_calls.hpp"
 #include "parser/flow/statement_reader.hpp"

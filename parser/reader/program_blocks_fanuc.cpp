@@ -1,8 +1,7 @@
 // Lines of the Fanuc dialect: calls by name, ';' as end of block, alarms, modal calls.
 #include <string>
 
-#include "diagnostics/errors/fanuc.hpp"
-#include "diagnostics/errors/macros.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/block/block_grammar.hpp"
 #include "parser/dialects/fanuc/end_of_block.hpp"
 #include "parser/dialects/fanuc/least_increment.hpp"

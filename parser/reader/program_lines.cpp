@@ -1,5 +1,5 @@
 // The order of a program's lines: its beginning, its end, and the flow between them.
-#include "diagnostics/errors/files.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/flow/statement_reader.hpp"
 #include "parser/reader/program_run.hpp"
 

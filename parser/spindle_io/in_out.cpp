@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "diagnostics/errors/switches.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {

@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "diagnostics/errors/modes.hpp"
-#include "diagnostics/errors/motion.hpp"
-#include "diagnostics/errors/switches.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {

@@ -3,8 +3,7 @@
 #include <array>
 #include <cstdio>
 
-#include "diagnostics/errors/characters.hpp"
-#include "diagnostics/errors/words.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "diagnostics/utf8.hpp"
 #include "parser/text/text.hpp"
 

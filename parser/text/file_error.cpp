@@ -1,6 +1,6 @@
 #include "parser/text/file_error.hpp"
 
-#include "diagnostics/errors/files.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/character_error.hpp"
 #include "parser/text/text.hpp"
 

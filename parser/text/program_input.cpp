@@ -2,8 +2,7 @@
 
 #include <utility>
 
-#include "diagnostics/errors/characters.hpp"
-#include "diagnostics/errors/files.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/text/file_error.hpp"
 
 namespace kerf::parser {

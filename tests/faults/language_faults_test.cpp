@@ -9,7 +9,7 @@
 #include <kerf/check.hpp>
 #include <kerf/machine.hpp>
 
-#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/program_reader.hpp"
 #include "programs/kerf/io/program_file.hpp"
 #include "programs/kerf/io/subprogram_folder.hpp"

@@ -10,8 +10,7 @@
 #include <gtest/gtest.h>
 #include <kerf/kerf.hpp>
 
-#include "diagnostics/errors/machine.hpp"
-#include "diagnostics/errors/motion.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/program_reader.hpp"
 
 namespace kerf::faults {

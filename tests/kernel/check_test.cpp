@@ -9,7 +9,7 @@
 #include <kerf/check.hpp>
 #include <kerf/machine.hpp>
 
-#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/dialects/dialect.hpp"
 #include "parser/flow/reader_options.hpp"
 #include "tests/kernel/shipped_text.hpp"

@@ -6,7 +6,7 @@
 #include <kerf/check.hpp>
 #include <kerf/kernel.hpp>
 
-#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "machine/simulated_table.hpp"
 #include "parser/text/letters.hpp"
 #include "tests/kernel/run.hpp"

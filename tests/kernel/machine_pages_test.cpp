@@ -8,13 +8,10 @@
 #include <kerf/machine.hpp>
 
 #include "diagnostics/diagnostic.hpp"
-#include "diagnostics/errors/catalogue.hpp"
-#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/pages.hpp"
 
 namespace kerf::test {
 namespace {
-
-namespace errors = errors;
 
 constexpr std::array kOfTheCheck{&errors::kOutsideTravel, &errors::kCurveRefused, &errors::kTooLong,
                                  &errors::kFeedBeyondReach, &errors::kToleranceSwallows};

@@ -13,7 +13,7 @@
 #include <kerf/machine.hpp>
 
 #include "curves/position.hpp"
-#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "interp/setpoint.hpp"
 #include "kernel/machine_file_schema.hpp"
 #include "lookahead/path/limits.hpp"

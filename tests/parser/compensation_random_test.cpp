@@ -5,8 +5,7 @@
 
 #include "contour.hpp"
 #include "diagnostics/diagnostic.hpp"
-#include "diagnostics/errors/compensation.hpp"
-#include "diagnostics/errors/gouges.hpp"
+#include "diagnostics/errors/pages.hpp"
 
 namespace kerf::parser {
 namespace {

@@ -2,8 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "contour.hpp"
-#include "diagnostics/errors/compensation.hpp"
-#include "diagnostics/errors/gouges.hpp"
+#include "diagnostics/errors/pages.hpp"
 
 namespace kerf::parser {
 namespace {

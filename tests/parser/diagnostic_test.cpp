@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnostics/errors/codes.hpp"
-#include "diagnostics/errors/modes.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "diagnostics/utf8.hpp"
 #include "tests/parser/program.hpp"
 

@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "diagnostics/errors/codes.hpp"
-#include "diagnostics/errors/modes.hpp"
+#include "diagnostics/errors/pages.hpp"
 
 namespace kerf::program {
 namespace {

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "diagnostics/errors/codes.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "tests/program/sample_report.hpp"
 
 namespace kerf::program {

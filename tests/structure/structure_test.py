@@ -135,32 +135,23 @@ class PlaceRule(Checkout):
 class ErrorPageRule(Checkout):
     def setUp(self):
         super().setUp()
+        self.write("diagnostics/errors/pages.def", 'ERROR_PAGE(kShort, 1, error,\n  "short")\nERROR_PAGE(kLong, 2, error, "long")\n')
         self.write("parser/arc.cpp", "fail(errors::kShort); fail(errors::kLong);\n")
-        self.write("diagnostics/errors/catalogue.cpp", "in_order(kArcsPages)\n")
-        self.topic("&kShort,\n  &kLong")
-
-    def topic(self, names):
-        self.write("diagnostics/errors/arcs.hpp", "inline constexpr ErrorPage kShort{1};\ninline constexpr ErrorPage kLong{2};\n"
-                   f"inline constexpr std::array kArcsPages{{{names}}};\n")
 
     def found(self):
         return list(error_pages.findings(self.root))
 
-    def test_accepts_pages_that_are_listed_and_used(self):
+    def test_accepts_pages_that_are_used(self):
         self.assertEqual(self.found(), [])
-
-    def test_finds_a_page_that_is_in_no_list(self):
-        self.topic("&kShort")
-        self.assertEqual(self.found(), ["diagnostics/errors/arcs.hpp:2: error: kLong is in no list of this file"])
-
-    def test_finds_a_list_that_is_not_in_the_catalogue(self):
-        self.write("diagnostics/errors/catalogue.cpp", "")
-        self.assertEqual(self.found(), ["diagnostics/errors/arcs.hpp:1: error: kArcsPages is not in the catalogue"])
 
     def test_finds_a_page_that_nothing_gives(self):
         self.write("parser/arc.cpp", "fail(errors::kShort);\n")
         self.write("tests/parser/arc_test.cpp", "errors::kLong\n")
-        self.assertEqual(self.found(), ["diagnostics/errors/arcs.hpp:2: error: nothing gives kLong"])
+        self.assertEqual(self.found(), ["diagnostics/errors/pages.def:3: error: nothing gives kLong"])
+
+    def test_finds_a_line_that_is_too_long(self):
+        self.write("diagnostics/errors/pages.def", "// " + "x" * 98 + "\n")
+        self.assertEqual(self.found(), ["diagnostics/errors/pages.def:1: error: longer than 100 columns"])
 
 
 class ReferenceRule(Checkout):

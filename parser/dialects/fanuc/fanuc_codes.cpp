@@ -2,9 +2,7 @@
 
 #include <cmath>
 
-#include "diagnostics/errors/blocks.hpp"
-#include "diagnostics/errors/fanuc.hpp"
-#include "diagnostics/errors/modes.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "parser/modal/end_point.hpp"
 #include "parser/offsets/program_data.hpp"
 #include "parser/text/text.hpp"

@@ -9,7 +9,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "diagnostics/diagnostic.hpp"
-#include "diagnostics/errors/catalogue.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "programs/kerf/io/visible_text.hpp"
 
 namespace kerf::program {
@@ -64,7 +64,7 @@ std::string visible_lines(std::string_view trigger) {
 }
 
 // What the trigger goes on with, as far as it need be shown.
-std::string more_of(const diagnostics::Repeated& more) {
+std::string more_of(const kerf::Repeated& more) {
   if (more.text.find_first_not_of(' ') == std::string_view::npos) {
     return fmt::format("({} blanks)\n", more.times);
   }

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
-#include "diagnostics/errors/error_page.hpp"
+#include "diagnostics/diagnostic.hpp"
 
 namespace kerf::program {
 

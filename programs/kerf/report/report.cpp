@@ -4,7 +4,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "diagnostics/errors/machine.hpp"
+#include "diagnostics/errors/pages.hpp"
 #include "programs/kerf/io/number_text.hpp"
 #include "programs/kerf/report/extra_axes.hpp"
 

@@ -1,13 +1,17 @@
-// All error pages in one row.
+// The pages of all errors and warnings, errors::kNotText and so on, as pages.def lists them.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <string>
 
-#include "diagnostics/errors/error_page.hpp"
+#include <kerf/diagnostic.hpp>
 
 namespace kerf::errors {
+
+#define ERROR_PAGE(name, ...) extern const ErrorPage name;
+#include "diagnostics/errors/pages.def"
+#undef ERROR_PAGE
 
 // In the order of their numbers.
 std::span<const ErrorPage* const> catalogue();
