@@ -68,9 +68,9 @@ class Checker {
     if (segments_.empty()) {
       return;
     }
-    unite(report.extra_extents, move.extra.begin_rad_mm, !report.moves);
-    unite(report.extra_extents, move.extra.end_rad_mm, false);
-    check_travel(machine::outside_travel(extra_envelope_, move.extra.end_rad_mm), move.source,
+    unite(report.extra_extents, move.auxiliary.begin_rad_mm, !report.moves);
+    unite(report.extra_extents, move.auxiliary.end_rad_mm, false);
+    check_travel(machine::outside_travel(extra_envelope_, move.auxiliary.end_rad_mm), move.source,
                  report);
     for (const smoothing::PathSegment& segment : segments_) {
       const curves::Extents extents = curves::extents(segment.curve);

@@ -45,12 +45,13 @@ CheckWarnings::CheckWarnings(const lookahead::PlanLimits& limits) : reach_mm_s_(
 
 void CheckWarnings::look_at(const parser::Move& move, std::vector<diagnostics::Diagnostic>& found) {
   constexpr std::size_t kMotions = 3;  // lines, arcs and splines come first
-  if (move.shape.index() < kMotions && !move.rapid && !move.extra.moves()) {
+  if (move.shape.index() < kMotions && !move.rapid && !move.auxiliary.moves()) {
     check_feed(move, found);
   }
   const bool goes_on = lines_ > 0 && move.blend_tolerance_mm == tolerance_mm_ &&
                        move.merge_tolerance_mm == merge_mm_;
-  const bool taken = move.mode == parser::PathMode::blend && !move.rapid && !move.extra.moves() &&
+  const bool taken = move.mode == parser::PathMode::blend && !move.rapid &&
+                     !move.auxiliary.moves() &&
                      std::holds_alternative<parser::LineMove>(move.shape);
   if (!taken || !goes_on) {
     end_run(found);

@@ -32,7 +32,7 @@ void LeastTime::add(const parser::Move& move, const std::vector<smoothing::PathS
     move_s += std::max(machine_s, feeds ? length_mm / segment.feedrate_mm_s : 0.0);
   }
   for (std::size_t k = 0; k < curves::kAuxiliaryAxes && !segments.empty(); ++k) {
-    const double way = std::abs(move.extra.end_rad_mm[k] - move.extra.begin_rad_mm[k]);
+    const double way = std::abs(move.auxiliary.end_rad_mm[k] - move.auxiliary.begin_rad_mm[k]);
     move_s = std::max(move_s, way / limits_.extra[k].velocity_mm_s);
   }
   seconds_ += move.mode == parser::PathMode::blend ? kBlendedShare * move_s : move_s;

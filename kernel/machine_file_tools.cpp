@@ -15,7 +15,7 @@ void MachineFileReader::read_offsets(const Section& offsets) {
   for (std::size_t at = 0; at < names.size(); ++at) {
     if (const auto section = subsection(offsets, names[at])) {
       read_numbers(*section, offset_rules(at), at);
-      check_offset_axes(*section, offset_rules(at).subspan(3, parser::kExtraAxes));
+      check_offset_axes(*section, offset_rules(at).subspan(3, kAuxiliaryAxes));
     }
   }
 }

@@ -92,7 +92,7 @@ bool ProgramPath::read_move() {
   }
   source_ = move.source;
   if (const auto* end = parser::end_mm(move)) {
-    end_ = {.position_mm = *end, .extra_rad_mm = move.extra.end_rad_mm};
+    end_ = {.position_mm = *end, .extra_rad_mm = move.auxiliary.end_rad_mm};
   }
   // Before smoothing, which may round the corner into the move or merge it with others.
   if (const auto excess = travel_ ? travel_->excess_of(move) : std::nullopt) {

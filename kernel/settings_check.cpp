@@ -57,7 +57,7 @@ Result check_travel(const Numbers& numbers, MachineSettings& settings) {
 }
 
 bool has_extra_axis(const MachineSettings& settings, std::size_t axis) {
-  return (settings.program.extra_axes & parser::letter_bit(parser::kExtraNames[axis])) != 0;
+  return (settings.program.extra_axes & parser::letter_bit(parser::kAuxiliaryNames[axis])) != 0;
 }
 
 std::string path_to_extra(std::size_t axis) {

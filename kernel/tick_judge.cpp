@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "curves/curve_error.hpp"
-#include "parser/moves/extra_axes.hpp"
+#include "parser/moves/auxiliary_axes.hpp"
 
 namespace kerf {
 

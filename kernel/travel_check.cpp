@@ -12,7 +12,7 @@ std::optional<machine::TravelExcess> TravelCheck::excess_of(const parser::Move& 
   if (!smoothing::append_segments(move, segments_) || segments_.empty()) {
     return std::nullopt;
   }
-  if (auto excess = machine::outside_travel(extra_envelope_, move.extra.end_rad_mm)) {
+  if (auto excess = machine::outside_travel(extra_envelope_, move.auxiliary.end_rad_mm)) {
     return excess;
   }
   for (const smoothing::PathSegment& segment : segments_) {

@@ -16,14 +16,14 @@ bool Compressor::takes(const parser::Move& move) {
   const auto* line = std::get_if<parser::LineMove>(&move.shape);
   return line != nullptr && curves::is_usable(line->end_mm) && !move.rapid &&
          move.mode == parser::PathMode::blend && move.merge_tolerance_mm > 0.0 &&
-         !move.extra.moves();
+         !move.auxiliary.moves();
 }
 
 bool Compressor::continues(const parser::Move& move) const {
   const parser::Move& like = curves_.like();
   return run_.empty() || (move.merge_tolerance_mm == like.merge_tolerance_mm &&
                           move.blend_tolerance_mm == like.blend_tolerance_mm &&
-                          move.extra.begin_rad_mm == like.extra.begin_rad_mm &&
+                          move.auxiliary.begin_rad_mm == like.auxiliary.begin_rad_mm &&
                           move.start_mm == run_.back().point_mm);
 }
 

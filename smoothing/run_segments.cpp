@@ -47,7 +47,8 @@ PathSegment segment_of(curves::Curve curve, const Polyline& run, const MergedCur
   segment.source = line.source;
   segment.run_block = line.run_block;
   segment.feedrate_mm_s = feedrate_mm_s;
-  segment.extra = {.begin_rad_mm = like.extra.begin_rad_mm, .end_rad_mm = like.extra.end_rad_mm};
+  segment.extra = {.begin_rad_mm = like.auxiliary.begin_rad_mm,
+                   .end_rad_mm = like.auxiliary.end_rad_mm};
   segment.mode = parser::PathMode::blend;
   segment.corner_tolerance_mm = like.blend_tolerance_mm;
   segment.deviation_mm = merged.deviation_mm;

@@ -62,12 +62,13 @@ std::uint32_t line_to_blame(const Move& move, const curves::CurveError& error) {
 // X, Y and Z rest, and the length is that of the extra axes' own way.
 bool moves_extra_alone(const Move& move) {
   const auto* line = std::get_if<LineMove>(&move.shape);
-  return line != nullptr && line->end_mm == move.start_mm && move.extra.moves();
+  return line != nullptr && line->end_mm == move.start_mm && move.auxiliary.moves();
 }
 
 tl::expected<curves::Line, curves::CurveError> make_line(const Move& move, const LineMove& line) {
-  return moves_extra_alone(move) ? curves::Line::resting(move.start_mm, move.extra.length_rad_mm())
-                                 : curves::Line::between(move.start_mm, line.end_mm);
+  return moves_extra_alone(move)
+             ? curves::Line::resting(move.start_mm, move.auxiliary.length_rad_mm())
+             : curves::Line::between(move.start_mm, line.end_mm);
 }
 
 PathSegment segment_of(curves::Curve curve, const Move& move) {
@@ -80,9 +81,9 @@ PathSegment segment_of(curves::Curve curve, const Move& move) {
   segment.corner_tolerance_mm =
       move.mode == parser::PathMode::blend ? move.blend_tolerance_mm : 0.0;
   segment.stop_after = move.mode == parser::PathMode::exact_stop;
-  segment.extra = {.begin_rad_mm = move.extra.begin_rad_mm,
-                   .end_rad_mm = move.extra.end_rad_mm,
-                   .length_mm = move.extra.moves() ? curves::length_mm(segment.curve) : 0.0,
+  segment.extra = {.begin_rad_mm = move.auxiliary.begin_rad_mm,
+                   .end_rad_mm = move.auxiliary.end_rad_mm,
+                   .length_mm = move.auxiliary.moves() ? curves::length_mm(segment.curve) : 0.0,
                    .alone = moves_extra_alone(move)};
   return segment;
 }
@@ -107,7 +108,7 @@ void append_arc(const curves::Arc& arc, const Move& move, std::vector<PathSegmen
     segment.curve = arc.part({.begin_mm = begin_mm, .end_mm = end_mm});
     segment.continues = i > 1.0;
     segment.stop_after = whole.stop_after && i == count;
-    if (move.extra.moves()) {
+    if (move.auxiliary.moves()) {
       segment.extra.begin_rad_mm = whole.extra.at(begin_mm);
       segment.extra.end_rad_mm = whole.extra.at(end_mm);
       segment.extra.length_mm = curves::length_mm(segment.curve);
@@ -150,7 +151,7 @@ Appended append_round(const Move& move, const ArcMove& arc, std::vector<PathSegm
 
 Appended append_nurbs(const Move& move, const NurbsMove& nurbs,
                       std::vector<PathSegment>& segments) {
-  if (move.extra.moves()) {
+  if (move.auxiliary.moves()) {
     return tl::make_unexpected(
         PathError{move.source.line, "A, B, C, U, V and W cannot move on a spline"});
   }

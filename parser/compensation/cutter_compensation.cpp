@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTurn_rad = 2 * 3.14159265358979323846;
 // Less motion in the plane than this has no direction.
-constexpr double kLeastMotion_mm = 1e-7;
+constexpr double kMinMotion_mm = 1e-7;
 
 // From the centre of the tip to the controlled point, in radii along Z and X.
 constexpr std::array<planar::Vec, 10> kTips = {
@@ -80,8 +80,7 @@ void CutterCompensation::take(const Move& move) {
 
 bool CutterCompensation::moves_in_plane(const Move& move) const {
   if (const auto* line = std::get_if<LineMove>(&move.shape)) {
-    return length(sender_.in_plane(line->end_mm) - sender_.in_plane(move.start_mm)) >
-           kLeastMotion_mm;
+    return length(sender_.in_plane(line->end_mm) - sender_.in_plane(move.start_mm)) > kMinMotion_mm;
   }
   return std::holds_alternative<ArcMove>(move.shape);
 }
@@ -123,9 +122,9 @@ void CutterCompensation::hold_idle(const Move& move) {
   hold(move, HeldRole::idle);
   if (!entered_) {
     send_all();
-  } else if (held_.size() >= kMostHeld) {
+  } else if (held_.size() >= kMaxHeld) {
     diagnostics_->add(move.source, errors::kCompensationHoldsTooMuch,
-                      joined({"cutter compensation: ", std::to_string(kMostHeld),
+                      joined({"cutter compensation: ", std::to_string(kMaxHeld),
                               " blocks without motion in the plane, the corner behind them "
                               "cannot be looked up"}));
     settle_last();

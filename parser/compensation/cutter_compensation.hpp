@@ -44,7 +44,7 @@ struct CompensationStart {
 class CutterCompensation {
  public:
   static constexpr std::size_t kWindow = 8;
-  static constexpr std::size_t kMostHeld = 1000;  // moves, those without motion in the plane too
+  static constexpr std::size_t kMaxHeld = 1000;  // moves, those without motion in the plane too
 
   explicit CutterCompensation(diagnostics::DiagnosticList& diagnostics)
       : diagnostics_(&diagnostics) {}

@@ -27,7 +27,7 @@ Move& PathSender::push(const HeldMove& held, const Point& end_mm) {
 }
 
 void PathSender::send_line(const HeldMove& held, const Point& end_mm) {
-  if (end_mm != place_mm_ || held.move.extra.moves()) {
+  if (end_mm != place_mm_ || held.move.auxiliary.moves()) {
     push(held, end_mm).shape = LineMove{end_mm};
   }
 }

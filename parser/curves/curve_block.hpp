@@ -19,7 +19,7 @@ namespace kerf::parser {
 // Orders (degree + 1) that the curves can have, and how long a curve may become in memory.
 inline constexpr int kLowestOrder = 2;
 inline constexpr int kHighestOrder = 10;
-inline constexpr std::size_t kMostControlPoints = 20'000;
+inline constexpr std::size_t kMaxControlPoints = 20'000;
 
 // What a further block means to a curve.
 enum class CurveProgress : std::uint8_t { more, complete };

@@ -157,9 +157,9 @@ Done NurbsCollector::add_point(const RunningBlock& at, const ModalState& state) 
   if (Done fine = check_knot(at, knot); !fine) {
     return fine;
   }
-  if (curve_.points.size() == kMostControlPoints) {
+  if (curve_.points.size() == kMaxControlPoints) {
     return kCurve.fail(first_axis->offset, errors::kNurbsTooManyPoints,
-                       {"more than ", std::to_string(kMostControlPoints), " control points"});
+                       {"more than ", std::to_string(kMaxControlPoints), " control points"});
   }
   push_knot({knot, at.source.line});
   append_point(curve_, {*point, *weight}, at.source.line);

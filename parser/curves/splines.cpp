@@ -48,7 +48,7 @@ Done check_axes(const RunningBlock& at, const ModalState& state, std::string_vie
     return fail(at.block.word('Z').offset, errors::kSplineWithZ,
                 joined({"Z is not used by ", name}));
   }
-  if (Done fine = refuse_extra(at, joined({"with ", name})); !fine) {
+  if (Done fine = refuse_auxiliary(at, joined({"with ", name})); !fine) {
     return fine;
   }
   if (!at.block.has_any(letters('X', 'Y'))) {

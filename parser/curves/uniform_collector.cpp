@@ -92,9 +92,9 @@ Done UniformCollector::add_point(const RunningBlock& at, const ModalState& state
   if (!weight) {
     return fault_of(weight);
   }
-  if (curve_.points.size() == kMostControlPoints) {
+  if (curve_.points.size() == kMaxControlPoints) {
     return kCurve.fail(at.block.first_word, errors::kSplineTooManyPoints,
-                       {"more than ", std::to_string(kMostControlPoints), " control points"});
+                       {"more than ", std::to_string(kMaxControlPoints), " control points"});
   }
   append_point(curve_, {*point, *weight}, at.source.line);
   return {};

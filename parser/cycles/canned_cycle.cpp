@@ -10,7 +10,7 @@ namespace kerf::parser {
 
 namespace {
 
-constexpr double kMostSteps = 200'000.0;
+constexpr double kMaxSteps = 200'000.0;
 constexpr double kStepsPerHole = 14.0;  // of G87, the longest but for pecks
 
 bool needs_peck(Motion motion) {
@@ -166,7 +166,7 @@ Done set_cycle_repeats(const RunningBlock& at, const ModalState& state, DrillCyc
         joined({name, " (repeats) must be a whole number, 1 or more, found ", shortest(holes)}));
   }
   const double moves = holes * (kStepsPerHole + 3.0 * feeds_of(cycle));
-  if (!(moves <= kMostSteps)) {
+  if (!(moves <= kMaxSteps)) {
     return fail(at.motion_offset(), errors::kCycleTooLong,
                 joined({motion_name(state), ": the block makes more than 200000 moves"}));
   }
@@ -211,7 +211,7 @@ Done set_up(const RunningBlock& at, ModalState& state, DrillCycle& cycle) {
 Expected<std::optional<DrillCycle>> read_cycle(const RunningBlock& at, ModalState& state,
                                                ContourPhase phase) {
   const bool by_r = at.rules.r_alone_drills && at.block.has('R');
-  if (Done fine = refuse_extra(at, "in a canned cycle"); !fine) {
+  if (Done fine = refuse_auxiliary(at, "in a canned cycle"); !fine) {
     return fault_of(fine);
   }
   if (!at.block.has_any(kAxisLetters) && !by_r) {

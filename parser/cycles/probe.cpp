@@ -66,7 +66,7 @@ void push_probe_move(const RunningBlock& at, ModalState& state, const Point& end
 }  // namespace
 
 Expected<std::optional<ProbeWay>> read_probe(const RunningBlock& at, const ModalState& state) {
-  if (Done fine = refuse_extra(at, joined({"with ", motion_name(state)})); !fine) {
+  if (Done fine = refuse_auxiliary(at, joined({"with ", motion_name(state)})); !fine) {
     return fault_of(fine);
   }
   if (!at.block.has_any(kAxisLetters)) {
@@ -98,7 +98,8 @@ Done run_probe(const RunningBlock& at, ModalState& state, const std::optional<To
   const Point end = found->value_or(asked.end_mm);
   push_probe_move(at, state, end, asked.feedrate_mm_s);
   state.probe = {state.coordinates.to_program(end),
-                 state.coordinates.extra_to_program(state.extra_deg_mm), found->has_value()};
+                 state.coordinates.auxiliary_to_program(state.auxiliary_deg_mm),
+                 found->has_value()};
   if (!*found && must_succeed(state.motion)) {
     return fail(at.motion_offset(), errors::kProbeInVain,
                 joined({motion_name(state),

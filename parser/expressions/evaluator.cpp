@@ -184,7 +184,7 @@ bool Evaluator::check_writable(const Reference& variable, int& number) {
     case Write::too_many_names:
       return fail(variable.at, errors::kTooManyNames,
                   joined({"#<", variable.name, "> would be one name too many: at most ",
-                          std::to_string(Parameters::kMostNames), " are kept"}));
+                          std::to_string(Parameters::kMaxNames), " are kept"}));
     case Write::no_such_parameter:
       return fail(variable.at, errors::kNoSuchVariable,
                   joined({"variable #", std::to_string(number), " does not exist"}));

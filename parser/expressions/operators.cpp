@@ -67,9 +67,9 @@ Outcome logical(Operator op, const Operands& operands) {
 }
 
 Outcome bitwise(Operator op, const Operands& operands) {
-  constexpr double kMost = 2147483647.0;
+  constexpr double kMax = 2147483647.0;
   for (const double value : {operands.left, operands.right}) {
-    if (!(std::fabs(value) <= kMost)) {
+    if (!(std::fabs(value) <= kMax)) {
       return {0.0, &errors::kNotABitPattern,
               joined({"AND, OR and XOR need whole numbers of 32 bits, found ", shortest(value)})};
     }

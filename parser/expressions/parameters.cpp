@@ -111,7 +111,7 @@ Write Parameters::may_set(std::string_view name) const {
   if (predefined_ != nullptr && predefined_->name(wanted)) {
     return Write::read_only;
   }
-  return names_ < kMostNames ? Write::done : Write::too_many_names;
+  return names_ < kMaxNames ? Write::done : Write::too_many_names;
 }
 
 Write Parameters::set(std::string_view name, double value) {

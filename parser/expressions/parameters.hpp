@@ -66,7 +66,7 @@ class Parameters {
   [[nodiscard]] Write may_set(std::string_view name) const;
 
   // So many names may be set at a time, local and shared ones together.
-  static constexpr std::size_t kMostNames = 1'000'000;
+  static constexpr std::size_t kMaxNames = 1'000'000;
 
   // A call begins: its arguments are #1, #2 ... and the other locals are empty: 0 or, for Fanuc,
   // vacant. More arguments than there are locals: the rest is not used.
@@ -78,9 +78,9 @@ class Parameters {
   [[nodiscard]] std::size_t locals() const { return locals_; }
 
  private:
-  static constexpr std::size_t kMostLocals = 33;
+  static constexpr std::size_t kMaxLocals = 33;
   struct Frame {
-    std::array<double, kMostLocals> saved{};
+    std::array<double, kMaxLocals> saved{};
   };
   struct Hash {
     using is_transparent = void;

@@ -36,9 +36,9 @@ ProgramText* Flow::load(const std::string& label) {
   if (const auto known = file_of_label_.find(label); known != file_of_label_.end()) {
     return known->second;
   }
-  constexpr std::size_t kMostFiles = 0xFFFF;
+  constexpr std::size_t kMaxFiles = 0xFFFF;
   ProgramText*& file = file_of_label_[label];
-  if (!options_->subprograms || files_.size() == kMostFiles) {
+  if (!options_->subprograms || files_.size() == kMaxFiles) {
     return file;
   }
   auto source = options_->subprograms(label);

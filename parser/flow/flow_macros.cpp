@@ -55,7 +55,7 @@ void Flow::jump_if(const Statement& statement) {
 
 // The number behind GOTO, at `at`.
 void Flow::go_to(std::size_t at, std::uint32_t around) {
-  constexpr double kMost = 999'999'999.0;
+  constexpr double kMax = 999'999'999.0;
   const std::string_view line = text_->line(current_).view();
   at = skip_blanks(line, at);
   const auto offset = static_cast<std::uint32_t>(at);
@@ -63,7 +63,7 @@ void Flow::go_to(std::size_t at, std::uint32_t around) {
   if (!read_value(at, number) || !expect_end(at)) {
     return;
   }
-  if (!(number >= 1.0 && number <= kMost) || number != std::floor(number)) {
+  if (!(number >= 1.0 && number <= kMax) || number != std::floor(number)) {
     fault(current_, offset, errors::kTargetNumber,
           joined({"GOTO: the sequence number must be a whole number from 1 to 999999999, found ",
                   shortest(number)}));

@@ -122,7 +122,7 @@ void Flow::try_clause(std::uint32_t index) {
 }
 
 void Flow::begin_repeat(std::uint32_t index, const Statement& statement) {
-  constexpr double kMost = 1e15;
+  constexpr double kMax = 1e15;
   double count = 0.0;
   if (!value_of(statement, count)) {
     return set_goal(Goal::behind, index);
@@ -139,7 +139,7 @@ void Flow::begin_repeat(std::uint32_t index, const Statement& statement) {
   if (counters_.size() <= place) {
     counters_.resize(place + 1);
   }
-  counters_[place] = static_cast<std::uint64_t>(std::min(whole, kMost));
+  counters_[place] = static_cast<std::uint64_t>(std::min(whole, kMax));
 }
 
 void Flow::end_repeat(const Statement& statement) {
@@ -175,14 +175,14 @@ void Flow::return_value(const Statement& statement) {
 }
 
 bool Flow::read_arguments(const Statement& statement) {
-  constexpr std::size_t kMost = 30;
+  constexpr std::size_t kMax = 30;
   const std::string_view line = text_->line(current_).view();
   std::size_t at = skip_blanks(line, statement.rest);
   call_.arguments = 0;
   while (at < line.size() && line[at] == '[') {
-    if (call_.arguments == kMost) {
+    if (call_.arguments == kMax) {
       fault(current_, static_cast<std::uint32_t>(at), errors::kTooManyArguments,
-            joined({"a call takes at most ", std::to_string(kMost), " arguments"}));
+            joined({"a call takes at most ", std::to_string(kMax), " arguments"}));
       return false;
     }
     if (!read_value(at, call_.values[call_.arguments++])) {

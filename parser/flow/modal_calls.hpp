@@ -13,12 +13,12 @@ namespace kerf::parser {
 // beneath it, and so on; G67 takes the last one away.
 class ModalCalls {
  public:
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMax = 4;
 
   [[nodiscard]] bool any() const { return count_ > 0; }
   // False: there are as many as there may be.
   bool add(Call call) {
-    if (count_ == kMost) {
+    if (count_ == kMax) {
       return false;
     }
     calls_[count_++] = std::move(call);
@@ -44,9 +44,9 @@ class ModalCalls {
     std::size_t call = 0;   // in calls_
     std::size_t depth = 0;  // of the macro's own lines
   };
-  std::array<Call, kMost> calls_;
+  std::array<Call, kMax> calls_;
   std::size_t count_ = 0;
-  std::array<Running, kMost> running_at_;  // each of a call beneath that of the one before
+  std::array<Running, kMax> running_at_;  // each of a call beneath that of the one before
   std::size_t running_ = 0;
 };
 

@@ -22,9 +22,9 @@ using kerf::SubprogramSource;
 using kerf::SubprogramText;
 
 struct ReaderOptions {
-  Point start_mm{};                                     // where the tool is when the program starts
-  std::array<double, kExtraAxes> start_extra_rad_mm{};  // A, B, C in rad
-  BlockDelete block_delete{};  // which blocks that begin with '/' are left out
+  Point start_mm{};                        // where the tool is when the program starts
+  AuxiliaryPosition start_extra_rad_mm{};  // A, B, C in rad
+  BlockDelete block_delete{};              // which blocks that begin with '/' are left out
   std::size_t max_errors = 100;
   Dialect dialect = Dialect::rs274;
   MachineData machine{};           // work offsets, G28, G30 and tools as the program finds them

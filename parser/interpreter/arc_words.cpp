@@ -36,7 +36,7 @@ Point centre_in_machine(const Block& block, const ModalState& state, bool absolu
 }
 
 Done turns_from(const Block& block, ArcMove& arc) {
-  constexpr double kMostTurns = 1e6;
+  constexpr double kMaxTurns = 1e6;
   if (!block.has('P')) {
     arc.turns = 1;
     return {};
@@ -45,7 +45,7 @@ Done turns_from(const Block& block, ArcMove& arc) {
   if (word.value != std::floor(word.value)) {
     return fail(word.offset, errors::kTurnsNotWhole, "P (turns of an arc) must be a whole number");
   }
-  if (word.value < 1.0 || word.value > kMostTurns) {
+  if (word.value < 1.0 || word.value > kMaxTurns) {
     return fail(word.offset, errors::kTurnsOutOfRange,
                 joined({"P (turns of an arc) must be 1 or more, found ", shortest(word.value)}));
   }

@@ -114,7 +114,8 @@ Expected<double> Feed::worked_out(const RunningBlock& at, ModalState& state, dou
   return *state.feedrate_mm_s;
 }
 
-Expected<double> Feed::extra_axes(const RunningBlock& at, ModalState& state, const ExtraWay& way) {
+Expected<double> Feed::auxiliary_axes(const RunningBlock& at, ModalState& state,
+                                      const AuxiliaryMove& way) {
   Expected<double> feedrate = cutting(at, state, way.length_rad_mm());
   // No F was ever read: that was said, and the feedrate is any.
   const bool assumed = state.feed_word == 0.0;

@@ -21,9 +21,10 @@ class Feed {
     return plain && state.feedrate_mm_s.value_or(0.0) > 0.0 ? *state.feedrate_mm_s
                                                             : worked_out(at, state, length_mm);
   }
-  // Of a move of the extra axes alone: along U, V and W where one of them moves, else along A, B
-  // and C: then F counts degrees.
-  Expected<double> extra_axes(const RunningBlock& at, ModalState& state, const ExtraWay& way);
+  // Of a move of the auxiliary axes alone: along U, V and W where one of them moves, else along A,
+  // B and C: then F counts degrees.
+  Expected<double> auxiliary_axes(const RunningBlock& at, ModalState& state,
+                                  const AuxiliaryMove& way);
 
  private:
   Expected<double> worked_out(const RunningBlock& at, ModalState& state, double length_mm);

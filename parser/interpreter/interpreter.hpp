@@ -32,7 +32,7 @@ class Interpreter {
 
   // `complete` is false where the grammar stopped inside the line.
   void run(const Block& block, std::uint32_t line, bool complete);
-  // X, Y, Z and those extra axes that the machine has.
+  // X, Y, Z and those auxiliary axes that the machine has.
   [[nodiscard]] Letters axis_letters() const { return kAxisLetters | memory_.machine.extra_axes; }
   // The line that is about to be read: what it works out may ask for its number.
   void enter_line(std::uint32_t line) { memory_.line = line; }
@@ -98,7 +98,7 @@ class Interpreter {
     double feedrate_mm_s = 0.0;
   };
   void push_line(const RunningBlock& at, const Straight& line);
-  Done straight_move_with_extra(const RunningBlock& at, const Point& end_mm);
+  Done straight_move_with_auxiliary(const RunningBlock& at, const Point& end_mm);
   Done arc_move(const RunningBlock& at);
   Done begin_curve(const RunningBlock& at);
   Done spline(const RunningBlock& at);

@@ -151,11 +151,11 @@ Done Interpreter::do_once(const RunningBlock& at) {
       return go_to_reference_point(at);
     case kStoreG28:
       machine.first_home_mm = state.position_mm;
-      machine.first_home_extra_deg_mm = state.extra_deg_mm;
+      machine.first_home_extra_deg_mm = state.auxiliary_deg_mm;
       return {};
     case kStoreG30:
       machine.second_home_mm = state.position_mm;
-      machine.second_home_extra_deg_mm = state.extra_deg_mm;
+      machine.second_home_extra_deg_mm = state.auxiliary_deg_mm;
       return {};
     case kG52:
     case kG92:

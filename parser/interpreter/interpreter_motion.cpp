@@ -120,11 +120,11 @@ Done Interpreter::rapid_to_words(const RunningBlock& at) {
   if (!end) {
     return fault_of(end);
   }
-  Expected<ExtraWords> extra_end = resolve_extra(at, state, compensation_.phase());
-  if (!extra_end) {
-    return fault_of(extra_end);
+  Expected<AuxiliaryWords> auxiliary_end = resolve_auxiliary(at, state, compensation_.phase());
+  if (!auxiliary_end) {
+    return fault_of(auxiliary_end);
   }
-  push_rapid(at, state, *end, *extra_end);
+  push_rapid(at, state, *end, *auxiliary_end);
   return {};
 }
 
@@ -135,8 +135,8 @@ Done Interpreter::straight_move(const RunningBlock& at) {
   if (!end) {
     return fault_of(end);
   }
-  if (at.block.has_any(at.extra_axes)) {
-    return straight_move_with_extra(at, *end);
+  if (at.block.has_any(at.auxiliary_axes)) {
+    return straight_move_with_auxiliary(at, *end);
   }
   if (state.motion == Motion::rapid) {
     push_line(at, {*end, true, 0.0});
@@ -170,30 +170,30 @@ inline void Interpreter::push_line(const RunningBlock& at, const Straight& line)
 }
 
 // F is along X, Y and Z where one of them moves.
-Done Interpreter::straight_move_with_extra(const RunningBlock& at, const Point& end_mm) {
+Done Interpreter::straight_move_with_auxiliary(const RunningBlock& at, const Point& end_mm) {
   ModalState& state = memory_.state;
-  Expected<ExtraWords> extra_end = resolve_extra(at, state, compensation_.phase());
-  if (!extra_end) {
-    return fault_of(extra_end);
+  Expected<AuxiliaryWords> auxiliary_end = resolve_auxiliary(at, state, compensation_.phase());
+  if (!auxiliary_end) {
+    return fault_of(auxiliary_end);
   }
   const double way_mm = distance_mm(end_mm, state.position_mm);
-  const ExtraWay extra = extra_way(state.extra_deg_mm, *extra_end);
-  const bool alone = extra.moves() && way_mm < kShortestWay_mm;
+  const AuxiliaryMove auxiliary = auxiliary_move(state.auxiliary_deg_mm, *auxiliary_end);
+  const bool alone = auxiliary.moves() && way_mm < kShortestWay_mm;
   const bool rapid = state.motion == Motion::rapid;
   Expected<double> feedrate = rapid   ? 0.0
-                              : alone ? feed_.extra_axes(at, state, extra)
+                              : alone ? feed_.auxiliary_axes(at, state, auxiliary)
                                       : feed_.cutting(at, state, way_mm);
   if (!feedrate) {
     return fault_of(feedrate);
   }
-  if (end_mm == state.position_mm && !extra.moves()) {
+  if (end_mm == state.position_mm && !auxiliary.moves()) {
     return {};
   }
   Move& move = at.push_move(state);
   move.shape = LineMove{end_mm};
   move.rapid = rapid;
   move.feedrate_mm_s = *feedrate;
-  carry_extra(at, state, move, *extra_end);
+  carry_auxiliary(at, state, move, *auxiliary_end);
   state.position_mm = end_mm;
   return {};
 }
@@ -207,9 +207,9 @@ Done Interpreter::arc_move(const RunningBlock& at) {
   if (!end) {
     return fault_of(end);
   }
-  Expected<ExtraWords> extra_end = resolve_extra(at, state, compensation_.phase());
-  if (!extra_end) {
-    return fault_of(extra_end);
+  Expected<AuxiliaryWords> auxiliary_end = resolve_auxiliary(at, state, compensation_.phase());
+  if (!auxiliary_end) {
+    return fault_of(auxiliary_end);
   }
   Expected<ArcMove> arc = build_arc(at.block, state, *end);
   if (!arc) {
@@ -222,7 +222,7 @@ Done Interpreter::arc_move(const RunningBlock& at) {
   Move& move = at.push_move(state);
   move.shape = *arc;
   move.feedrate_mm_s = *feedrate;
-  carry_extra(at, state, move, *extra_end);
+  carry_auxiliary(at, state, move, *auxiliary_end);
   state.position_mm = *end;
   return {};
 }

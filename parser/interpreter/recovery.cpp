@@ -23,10 +23,11 @@ void Interpreter::recover(const RunningBlock& at) {
   if (block.has_any(at.axis_letters()) && !is_cycle(state.motion) &&
       taker_of_axes(block, at.codes) == Group::count) {
     const Expected<Point> end = resolve_point(at, state, state.position_mm);
-    const Expected<ExtraWords> extra_end = resolve_extra(at, state, compensation_.phase());
-    if (end && extra_end) {
+    const Expected<AuxiliaryWords> auxiliary_end =
+        resolve_auxiliary(at, state, compensation_.phase());
+    if (end && auxiliary_end) {
       state.position_mm = *end;
-      state.extra_deg_mm = *extra_end;
+      state.auxiliary_deg_mm = *auxiliary_end;
     }
   }
   if (block.has('F') && block.value('F') > 0.0 && state.feed_mode == FeedMode::per_minute) {

@@ -47,7 +47,7 @@ void restore_modes(const ModalState& from, ModalState& state) {
   if (from.local_active != state.local_active) {
     state.local_active = from.local_active;
     if (from.local_active) {
-      state.coordinates.set_local(state.stored_local_mm, state.stored_local_extra_deg_mm);
+      state.coordinates.set_local(state.stored_local_mm, state.stored_local_auxiliary_deg_mm);
     } else {
       state.coordinates.set_local({});
     }

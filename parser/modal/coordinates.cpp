@@ -74,9 +74,9 @@ void Coordinates::set_work(std::size_t system, const WorkOffset& offset) {
   }
 }
 
-void Coordinates::set_local(const Point& local_mm, const ExtraWords& extra_deg_mm) {
+void Coordinates::set_local(const Point& local_mm, const AuxiliaryWords& auxiliary_deg_mm) {
   local_mm_ = local_mm;
-  local_extra_deg_mm_ = extra_deg_mm;
+  local_auxiliary_deg_mm_ = auxiliary_deg_mm;
   refresh();
 }
 
@@ -153,18 +153,18 @@ Point Coordinates::to_program(const Point& machine_mm) const {
           (x_from_x_ * d[1] - y_from_x_ * d[0]) / area, d[2] / z_from_z_};
 }
 
-ExtraWords Coordinates::extra_to_machine(const ExtraWords& program_deg_mm) const {
-  ExtraWords machine;
-  for (std::size_t k = 0; k < kExtraAxes; ++k) {
-    machine[k] = program_deg_mm[k] + (local_extra_deg_mm_[k] + chosen_.extra_deg_mm[k]);
+AuxiliaryWords Coordinates::auxiliary_to_machine(const AuxiliaryWords& program_deg_mm) const {
+  AuxiliaryWords machine;
+  for (std::size_t k = 0; k < kAuxiliaryAxes; ++k) {
+    machine[k] = program_deg_mm[k] + (local_auxiliary_deg_mm_[k] + chosen_.extra_deg_mm[k]);
   }
   return machine;
 }
 
-ExtraWords Coordinates::extra_to_program(const ExtraWords& machine_deg_mm) const {
-  ExtraWords program;
-  for (std::size_t k = 0; k < kExtraAxes; ++k) {
-    program[k] = machine_deg_mm[k] - (local_extra_deg_mm_[k] + chosen_.extra_deg_mm[k]);
+AuxiliaryWords Coordinates::auxiliary_to_program(const AuxiliaryWords& machine_deg_mm) const {
+  AuxiliaryWords program;
+  for (std::size_t k = 0; k < kAuxiliaryAxes; ++k) {
+    program[k] = machine_deg_mm[k] - (local_auxiliary_deg_mm_[k] + chosen_.extra_deg_mm[k]);
   }
   return program;
 }

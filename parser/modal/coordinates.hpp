@@ -81,8 +81,10 @@ class Coordinates {
   void store_work(std::size_t system, const WorkOffset& offset);
 
   [[nodiscard]] const Point& local_mm() const { return local_mm_; }
-  [[nodiscard]] const ExtraWords& local_extra_deg_mm() const { return local_extra_deg_mm_; }
-  void set_local(const Point& local_mm, const ExtraWords& extra_deg_mm = {});
+  [[nodiscard]] const AuxiliaryWords& local_auxiliary_deg_mm() const {
+    return local_auxiliary_deg_mm_;
+  }
+  void set_local(const Point& local_mm, const AuxiliaryWords& auxiliary_deg_mm = {});
   [[nodiscard]] const Point& tool_mm() const { return tool_mm_; }
   void set_tool(const Point& tool_mm);
 
@@ -96,9 +98,9 @@ class Coordinates {
 
   [[nodiscard]] Point to_machine(const Point& program_mm) const;
   [[nodiscard]] Point to_program(const Point& machine_mm) const;
-  // The same for the extra axes, which are only moved, by local + origin.
-  [[nodiscard]] ExtraWords extra_to_machine(const ExtraWords& program_deg_mm) const;
-  [[nodiscard]] ExtraWords extra_to_program(const ExtraWords& machine_deg_mm) const;
+  // The same for the auxiliary axes, which are only moved, by local + origin.
+  [[nodiscard]] AuxiliaryWords auxiliary_to_machine(const AuxiliaryWords& program_deg_mm) const;
+  [[nodiscard]] AuxiliaryWords auxiliary_to_program(const AuxiliaryWords& machine_deg_mm) const;
   // The program's X of a machine point is per_x x + per_y y + at_origin_mm.
   struct ProgramX {
     double per_x = 1.0;
@@ -117,7 +119,7 @@ class Coordinates {
   std::size_t system_ = 0;
   WorkOffset chosen_{};
   Point local_mm_{};
-  ExtraWords local_extra_deg_mm_{};
+  AuxiliaryWords local_auxiliary_deg_mm_{};
   Point tool_mm_{};
   Scaling scaling_{};
   ProgramTurn turn_{};

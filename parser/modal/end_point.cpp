@@ -98,51 +98,54 @@ Done needs_axis_words(const RunningBlock& at) {
               joined({at.name_of(taker), " needs at least one axis word"}));
 }
 
-double extra_word_deg_mm(const Block& block, std::size_t extra_axis, Units units) {
-  return block.value(kExtraNames[extra_axis]) * (turns(extra_axis) ? 1.0 : mm_per_unit(units));
+double auxiliary_word_deg_mm(const Block& block, std::size_t auxiliary_axis, Units units) {
+  return block.value(kAuxiliaryNames[auxiliary_axis]) *
+         (turns(auxiliary_axis) ? 1.0 : mm_per_unit(units));
 }
 
-Expected<ExtraWords> resolve_extra(const RunningBlock& at, const ModalState& state,
-                                   ContourPhase phase) {
-  ExtraWords end_deg_mm = state.extra_deg_mm;
-  if (!at.block.has_any(at.extra_axes)) {
+Expected<AuxiliaryWords> resolve_auxiliary(const RunningBlock& at, const ModalState& state,
+                                           ContourPhase phase) {
+  AuxiliaryWords end_deg_mm = state.auxiliary_deg_mm;
+  if (!at.block.has_any(at.auxiliary_axes)) {
     return end_deg_mm;
   }
   if (phase != ContourPhase::none) {
-    Done refused = refuse_extra(at, phase == ContourPhase::held ? "while G41/G42 is active"
-                                                                : "in the move that ends G41/G42");
+    Done refused =
+        refuse_auxiliary(at, phase == ContourPhase::held ? "while G41/G42 is active"
+                                                         : "in the move that ends G41/G42");
     return fault_of(refused);
   }
-  ExtraWords words{};
-  for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
-    words[axis] =
-        at.block.has(kExtraNames[axis]) ? extra_word_deg_mm(at.block, axis, state.units) : 0.0;
+  AuxiliaryWords words{};
+  for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
+    words[axis] = at.block.has(kAuxiliaryNames[axis])
+                      ? auxiliary_word_deg_mm(at.block, axis, state.units)
+                      : 0.0;
   }
   const bool on_machine = state.incremental || at.codes[Group::other] == kG53;
-  const ExtraWords target = on_machine ? words : state.coordinates.extra_to_machine(words);
-  for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
-    if (!at.block.has(kExtraNames[axis])) {
+  const AuxiliaryWords target = on_machine ? words : state.coordinates.auxiliary_to_machine(words);
+  for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
+    if (!at.block.has(kAuxiliaryNames[axis])) {
       continue;
     }
     end_deg_mm[axis] =
         state.incremental ? sum_of_decimals(end_deg_mm[axis], target[axis]) : target[axis];
     if (!(std::fabs(end_deg_mm[axis]) <= kLargestCoordinate_mm)) {
-      const Word& word = at.block.word(kExtraNames[axis]);
+      const Word& word = at.block.word(kAuxiliaryNames[axis]);
       return fail(
           word.offset, errors::kPositionOutOfRange,
-          joined({named(kExtraNames[axis]), ": ", upper(at.block.text(word).substr(1, 40)),
+          joined({named(kAuxiliaryNames[axis]), ": ", upper(at.block.text(word).substr(1, 40)),
                   " leads outside -999999.999..999999.999", turns(axis) ? " degrees" : " mm"}));
     }
   }
   return end_deg_mm;
 }
 
-Done refuse_extra(const RunningBlock& at, std::string_view where) {
-  const Word* const word = leftmost(at.block, at.extra_axes);
+Done refuse_auxiliary(const RunningBlock& at, std::string_view where) {
+  const Word* const word = leftmost(at.block, at.auxiliary_axes);
   if (word == nullptr) {
     return {};
   }
-  return fail(word->offset, errors::kExtraAxisHere,
+  return fail(word->offset, errors::kAuxiliaryAxisHere,
               joined({named(letter_of(at.block, *word)), " cannot be used ", where}));
 }
 

@@ -22,16 +22,16 @@ Point axis_words_mm(const Block& block, Units units);
 // The code that takes the axis words must have one.
 Done needs_axis_words(const RunningBlock& at);
 
-// The word of an extra axis. Precondition: the block has it.
-double extra_word_deg_mm(const Block& block, std::size_t extra_axis, Units units);
+// The word of an auxiliary axis. Precondition: the block has it.
+double auxiliary_word_deg_mm(const Block& block, std::size_t auxiliary_axis, Units units);
 
 // What cutter compensation is doing with the moves: it holds a contour or is on its way out.
 enum class ContourPhase : std::uint8_t { none, held, leaving };
 
-// Where the block's words send the extra axes, on the machine; those without a word stay.
-Expected<ExtraWords> resolve_extra(const RunningBlock& at, const ModalState& state,
-                                   ContourPhase phase);
-// The block has no word of an extra axis. `where`: "with G5".
-Done refuse_extra(const RunningBlock& at, std::string_view where);
+// Where the block's words send the auxiliary axes, on the machine; those without a word stay.
+Expected<AuxiliaryWords> resolve_auxiliary(const RunningBlock& at, const ModalState& state,
+                                           ContourPhase phase);
+// The block has no word of an auxiliary axis. `where`: "with G5".
+Done refuse_auxiliary(const RunningBlock& at, std::string_view where);
 
 }  // namespace kerf::parser

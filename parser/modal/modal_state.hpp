@@ -50,7 +50,7 @@ enum class Spindle : std::uint8_t { off, clockwise, counterclockwise };
 // What the last G38 found; not set before the first one.
 struct ProbeResult {
   Point position_mm{};  // in program coordinates
-  ExtraWords extra_deg_mm{};
+  AuxiliaryWords auxiliary_deg_mm{};
   bool touched = false;
 };
 
@@ -77,10 +77,10 @@ struct MacroSignal {
 
 struct ModalState {
   Point position_mm{};  // of the machine's axes, what the moves carry
-  ExtraWords extra_deg_mm{};
+  AuxiliaryWords auxiliary_deg_mm{};
   Coordinates coordinates;
   Point stored_local_mm{};  // of G52 or G92, for G92.3
-  ExtraWords stored_local_extra_deg_mm{};
+  AuxiliaryWords stored_local_auxiliary_deg_mm{};
   bool local_active = false;
   std::int16_t cutter_compensation = 400;  // G40, as ten times the number
   double cutter_offset = 0.0;              // D, which stays in force with Fanuc

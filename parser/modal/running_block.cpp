@@ -24,8 +24,8 @@ Move& MoveSink::push_move(const ModalState& state) const {
   move.start_mm = state.position_mm;
   move.rapid = false;
   move.feedrate_mm_s = 0.0;
-  if (extra_axes != 0) {
-    move.extra = extra_way(state.extra_deg_mm, state.extra_deg_mm);
+  if (auxiliary_axes != 0) {
+    move.auxiliary = auxiliary_move(state.auxiliary_deg_mm, state.auxiliary_deg_mm);
   }
   move.mode = state.path_mode;
   move.blend_tolerance_mm = state.blend_tolerance_mm;
@@ -33,10 +33,11 @@ Move& MoveSink::push_move(const ModalState& state) const {
   return move;
 }
 
-void carry_extra(const MoveSink& at, ModalState& state, Move& move, const ExtraWords& end_deg_mm) {
-  if (at.extra_axes != 0) {
-    move.extra = extra_way(state.extra_deg_mm, end_deg_mm);
-    state.extra_deg_mm = end_deg_mm;
+void carry_auxiliary(const MoveSink& at, ModalState& state, Move& move,
+                     const AuxiliaryWords& end_deg_mm) {
+  if (at.auxiliary_axes != 0) {
+    move.auxiliary = auxiliary_move(state.auxiliary_deg_mm, end_deg_mm);
+    state.auxiliary_deg_mm = end_deg_mm;
   }
 }
 
@@ -64,8 +65,8 @@ std::string motion_name(const ModalState& state) {
 // The message names the word as the program has it.
 Expected<const Tool*> named_tool(const RunningBlock& at, const ToolTable& tools, double number,
                                  std::uint32_t offset) {
-  constexpr double kMost = ToolTable::kHighestNumber;
-  const Tool* const tool = number <= kMost ? tools.find(static_cast<std::int32_t>(number))
+  constexpr double kMax = ToolTable::kHighestNumber;
+  const Tool* const tool = number <= kMax  ? tools.find(static_cast<std::int32_t>(number))
                            : tools.given() ? nullptr
                                            : tools.find(0);
   if (tool == nullptr) {

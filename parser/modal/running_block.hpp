@@ -26,7 +26,7 @@ struct MoveSink {
   MoveQueue& moves;
   diagnostics::SourcePosition source;  // of the block's first word
   std::uint64_t block_number = 0;      // of the program's run: Move::block
-  Letters extra_axes = 0;              // those of A, B, C, U, V, W that the machine has
+  Letters auxiliary_axes = 0;          // those of A, B, C, U, V, W that the machine has
 
   // A move that stays where `state` is, in the modes in force.
   Move& push_move(const ModalState& state) const;
@@ -43,7 +43,7 @@ struct RunningBlock : MoveSink {
   diagnostics::DiagnosticList& diagnostics;
   const DialectRules& rules;
 
-  [[nodiscard]] Letters axis_letters() const { return kAxisLetters | extra_axes; }
+  [[nodiscard]] Letters axis_letters() const { return kAxisLetters | auxiliary_axes; }
   [[nodiscard]] const Word& code_word(Group group) const {
     return parser::code_word(block, codes, group);
   }
@@ -57,8 +57,9 @@ struct RunningBlock : MoveSink {
   }
 };
 
-// The move takes the extra axes there.
-void carry_extra(const MoveSink& at, ModalState& state, Move& move, const ExtraWords& end_deg_mm);
+// The move takes the auxiliary axes there.
+void carry_auxiliary(const MoveSink& at, ModalState& state, Move& move,
+                     const AuxiliaryWords& end_deg_mm);
 
 // A code of group 1, or G80, comes into force.
 void set_motion(const RunningBlock& at, ModalState& state, Tenths code);

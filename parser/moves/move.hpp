@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "diagnostics/source_position.hpp"
-#include "parser/moves/extra_axes.hpp"
+#include "parser/moves/auxiliary_axes.hpp"
 
 namespace kerf::parser {
 
 using Point = std::array<double, 3>;  // x, y, z in mm
 
-// To where it starts: X, Y and Z rest, and only the extra axes move.
+// To where it starts: X, Y and Z rest, and only the auxiliary axes move.
 struct LineMove {
   Point end_mm{};
 };
@@ -109,7 +109,7 @@ struct Move {
   // Along the path; not used by rapids, dwells and events. Where X, Y and Z rest: along U, V, W, or
   // in rad/s if only A, B, C move.
   double feedrate_mm_s = 0.0;
-  ExtraWay extra{};  // does not move on a NurbsMove
+  AuxiliaryMove auxiliary{};  // does not move on a NurbsMove
   PathMode mode = PathMode::exact_path;
   double blend_tolerance_mm = 0.0;  // G64 P or the machine's; 0: no corner is cut
   double merge_tolerance_mm = 0.0;  // G64 Q, P or the machine's; 0: no lines are merged

@@ -89,12 +89,12 @@ double way_mm(const Move& move) {
 bool ShortMoves::take(Move& move) {
   const Point* const end = end_mm(move);
   if (end == nullptr ||
-      (!behind_ && !move.extra.moves() && are_apart(move.start_mm, *end) && !is_thread(move))) {
+      (!behind_ && !move.auxiliary.moves() && are_apart(move.start_mm, *end) && !is_thread(move))) {
     return true;
   }
   if (!behind_) {
     place_mm_ = move.start_mm;
-    place_rad_mm_ = move.extra.begin_rad_mm;
+    place_rad_mm_ = move.auxiliary.begin_rad_mm;
   }
   const double programmed_mm = way_mm(move);
   const Point programmed_end_mm = *end;
@@ -103,32 +103,33 @@ bool ShortMoves::take(Move& move) {
     move.shape = LineMove{programmed_end_mm};
   }
   start_at(move, place_mm_);
-  const std::array<double, kExtraAxes> programmed_end_rad_mm = move.extra.end_rad_mm;
-  if (!move.extra.moves()) {
-    move.extra.end_rad_mm = place_rad_mm_;
+  const AuxiliaryPosition programmed_end_rad_mm = move.auxiliary.end_rad_mm;
+  if (!move.auxiliary.moves()) {
+    move.auxiliary.end_rad_mm = place_rad_mm_;
   }
-  move.extra.begin_rad_mm = place_rad_mm_;
+  move.auxiliary.begin_rad_mm = place_rad_mm_;
   const double length_mm = way_mm(move);
-  const double extra_rad_mm = move.extra.length_rad_mm();
+  const double auxiliary_rad_mm = move.auxiliary.length_rad_mm();
   const bool moves = length_mm >= kShortestWay_mm;
-  const bool moves_extra =
-      extra_rad_mm >= (move.extra.only_turns() ? kShortestTurn_rad : kShortestWay_mm);
+  const bool moves_auxiliary =
+      auxiliary_rad_mm >= (move.auxiliary.only_turns() ? kShortestTurn_rad : kShortestWay_mm);
   behind_ = true;
-  if (!moves && !moves_extra) {
+  if (!moves && !moves_auxiliary) {
     return false;
   }
-  place_rad_mm_ = move.extra.end_rad_mm;
-  // F of a line that is programmed too short counts along the extra axes, else along X, Y and Z.
-  const bool feed_of_extra = was_line && programmed_mm < kShortestWay_mm;
+  place_rad_mm_ = move.auxiliary.end_rad_mm;
+  // F of a line that is programmed too short counts along the auxiliary axes, else along X, Y and
+  // Z.
+  const bool feed_of_auxiliary = was_line && programmed_mm < kShortestWay_mm;
   if (!moves) {
     move.shape = LineMove{place_mm_};
-    if (!feed_of_extra) {
-      move.feedrate_mm_s *= extra_rad_mm / std::max(programmed_mm, 1e-3 * kShortestWay_mm);
+    if (!feed_of_auxiliary) {
+      move.feedrate_mm_s *= auxiliary_rad_mm / std::max(programmed_mm, 1e-3 * kShortestWay_mm);
     }
   } else {
     place_mm_ = *end_mm(move);
-    if (feed_of_extra && moves_extra) {
-      move.feedrate_mm_s *= length_mm / extra_rad_mm;
+    if (feed_of_auxiliary && moves_auxiliary) {
+      move.feedrate_mm_s *= length_mm / auxiliary_rad_mm;
     }
   }
   behind_ = place_mm_ != programmed_end_mm || place_rad_mm_ != programmed_end_rad_mm;

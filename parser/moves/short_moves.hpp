@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "parser/moves/extra_axes.hpp"
+#include "parser/moves/auxiliary_axes.hpp"
 #include "parser/moves/move.hpp"
 
 namespace kerf::parser {
@@ -20,15 +20,15 @@ double way_mm(const Move& move);
 // the program is, however many short moves follow each other.
 //
 // Of a curve that is too short only the way to its end is left. Where X, Y and Z are too short and
-// an extra axis is not, the extra axes move alone, in the time that the feedrate asks for.
+// an auxiliary axis is not, the auxiliary axes move alone, in the time that the feedrate asks for.
 class ShortMoves {
  public:
   // False: the move is left out. Moves come in the order of the program.
   bool take(Move& move);
 
  private:
-  Point place_mm_{};                               // of the tool
-  std::array<double, kExtraAxes> place_rad_mm_{};  // of the extra axes
+  Point place_mm_{};                  // of the tool
+  AuxiliaryPosition place_rad_mm_{};  // of the auxiliary axes
   bool behind_ = false;  // they may not be where the program is; else neither place is in use
 };
 

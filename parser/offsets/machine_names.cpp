@@ -134,21 +134,22 @@ std::optional<double> MachineValues::special(std::string_view name) const {
 // #<_x> in the program's coordinates, #<_abs_x> in the machine's.
 std::optional<double> MachineValues::place(std::string_view name) const {
   const ModalState& state = memory_->state;
-  const auto value = [&](std::size_t axis, const Point& point_mm, const ExtraWords& extra_deg_mm) {
+  const auto value = [&](std::size_t axis, const Point& point_mm,
+                         const AuxiliaryWords& auxiliary_deg_mm) {
     const double unit = mm_per_unit(state.units);
     return axis < 3          ? point_mm[axis] / unit
-           : turns(axis - 3) ? extra_deg_mm[axis - 3]
-                             : extra_deg_mm[axis - 3] / unit;
+           : turns(axis - 3) ? auxiliary_deg_mm[axis - 3]
+                             : auxiliary_deg_mm[axis - 3] / unit;
   };
   if (const auto axis = axis_behind("_abs_", name)) {
-    return value(*axis, state.position_mm, state.extra_deg_mm);
+    return value(*axis, state.position_mm, state.auxiliary_deg_mm);
   }
   const auto axis = axis_behind("_", name);
   if (!axis) {
     return std::nullopt;
   }
   return value(*axis, state.coordinates.to_program(state.position_mm),
-               state.coordinates.extra_to_program(state.extra_deg_mm));
+               state.coordinates.auxiliary_to_program(state.auxiliary_deg_mm));
 }
 
 }  // namespace kerf::parser

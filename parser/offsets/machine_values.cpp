@@ -25,9 +25,9 @@ int axis_in(int number, int first) {
 }
 
 // Axes that the machine does not have are at 0.
-double coordinate(const Point& point, const ExtraWords& extra, int axis) {
+double coordinate(const Point& point, const AuxiliaryWords& auxiliary, int axis) {
   return axis < 3 ? point[static_cast<std::size_t>(axis)]
-                  : extra[static_cast<std::size_t>(axis - 3)];
+                  : auxiliary[static_cast<std::size_t>(axis - 3)];
 }
 
 // Angles do not change with the unit of lengths.
@@ -55,7 +55,7 @@ std::optional<double> MachineValues::number(int number) const {
   const ModalState& state = memory_->state;
   const double unit = mm_per_unit(state.units);
   if (const int axis = axis_in(number, kProbe); axis < kAxes) {
-    return coordinate(state.probe.position_mm, state.probe.extra_deg_mm, axis) /
+    return coordinate(state.probe.position_mm, state.probe.auxiliary_deg_mm, axis) /
            unit_of(axis, unit);
   }
   if (const int axis = axis_in(number, kFirstHome); axis < kAxes) {
@@ -67,11 +67,11 @@ std::optional<double> MachineValues::number(int number) const {
                       axis);
   }
   if (const int axis = axis_in(number, kLocal); axis < kAxes) {
-    return coordinate(state.stored_local_mm, state.stored_local_extra_deg_mm, axis);
+    return coordinate(state.stored_local_mm, state.stored_local_auxiliary_deg_mm, axis);
   }
   if (const int axis = axis_in(number, kPosition); axis < kAxes) {
     return coordinate(state.coordinates.to_program(state.position_mm),
-                      state.coordinates.extra_to_program(state.extra_deg_mm), axis) /
+                      state.coordinates.auxiliary_to_program(state.auxiliary_deg_mm), axis) /
            unit_of(axis, unit);
   }
   if (number >= kTool && number < kToolEnd) {
@@ -128,7 +128,7 @@ bool MachineValues::take(int number, double value) {
     return fanuc_take(number, value);
   }
   ModalState& state = memory_->state;
-  const auto take_axis = [&](Point& point, ExtraWords& extra, int axis) {
+  const auto take_axis = [&](Point& point, AuxiliaryWords& auxiliary, int axis) {
     if (axis >= kAxes) {
       return false;
     }
@@ -137,8 +137,8 @@ bool MachineValues::take(int number, double value) {
       return true;
     }
     const auto k = static_cast<std::size_t>(axis - 3);
-    const bool named = (memory_->machine.extra_axes & letter_bit(kExtraNames[k])) != 0;
-    extra[k] = named ? value : extra[k];
+    const bool named = (memory_->machine.extra_axes & letter_bit(kAuxiliaryNames[k])) != 0;
+    auxiliary[k] = named ? value : auxiliary[k];
     return named;
   };
   if (const int axis = axis_in(number, kFirstHome); axis < kAxes) {
@@ -150,10 +150,10 @@ bool MachineValues::take(int number, double value) {
                      axis);
   }
   if (const int axis = axis_in(number, kLocal); axis < kAxes) {
-    return take_axis(state.stored_local_mm, state.stored_local_extra_deg_mm, axis);
+    return take_axis(state.stored_local_mm, state.stored_local_auxiliary_deg_mm, axis);
   }
   if (const int axis = axis_in(number, kProbe); axis < kAxes) {
-    return take_axis(state.probe.position_mm, state.probe.extra_deg_mm, axis);
+    return take_axis(state.probe.position_mm, state.probe.auxiliary_deg_mm, axis);
   }
   if (number == kInput) {
     state.input = value;

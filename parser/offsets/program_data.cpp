@@ -57,7 +57,7 @@ Done set_work_data(const RunningBlock& at, ModalState& state, bool from_position
       }
     }
   }
-  set_extra_origin(at, state, offset, from_position);
+  set_auxiliary_origin(at, state, offset, from_position);
   coordinates.set_work(system, offset);
   return {};
 }
@@ -74,7 +74,7 @@ Done set_tool_data(const RunningBlock& at, const ModalState& state, ToolTable& t
   if (Done fine = check_data_words(at.block, name, letters('R', 'I', 'J', 'Q')); !fine) {
     return fine;
   }
-  if (Done fine = refuse_extra(at, joined({"with ", name})); !fine) {
+  if (Done fine = refuse_auxiliary(at, joined({"with ", name})); !fine) {
     return fine;
   }
   Expected<const Tool*> listed = named_tool(at, tools, *number, at.block.word('P').offset);
@@ -120,8 +120,8 @@ Done set_tool_data(const RunningBlock& at, const ModalState& state, ToolTable& t
 }  // namespace
 
 Done check_data_words(const Block& block, std::string_view name, Letters usable) {
-  const Letters extra = letters('I', 'J', 'Q', 'R', 'K') & ~usable;
-  if (const Word* const word = leftmost(block, extra)) {
+  const Letters surplus = letters('I', 'J', 'Q', 'R', 'K') & ~usable;
+  if (const Word* const word = leftmost(block, surplus)) {
     return fail(word->offset, errors::kG10UnusedWord,
                 joined({named(letter_of(block, *word)), " is not used by ", name}));
   }
@@ -143,18 +143,18 @@ Expected<int> data_number(const RunningBlock& at, std::string_view name, Numbers
   return static_cast<int>(word.value);
 }
 
-void set_extra_origin(const RunningBlock& at, const ModalState& state, WorkOffset& offset,
-                      bool from_position) {
+void set_auxiliary_origin(const RunningBlock& at, const ModalState& state, WorkOffset& offset,
+                          bool from_position) {
   const bool adds = at.rules.offset_memory && state.incremental && !from_position;
-  for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
-    if (!at.block.has(kExtraNames[axis])) {
+  for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
+    if (!at.block.has(kAuxiliaryNames[axis])) {
       continue;
     }
     double& origin = offset.extra_deg_mm[axis];
-    const double word = extra_word_deg_mm(at.block, axis, state.units);
-    origin = from_position
-                 ? state.extra_deg_mm[axis] - state.coordinates.local_extra_deg_mm()[axis] - word
-                 : word + (adds ? origin : 0.0);
+    const double word = auxiliary_word_deg_mm(at.block, axis, state.units);
+    origin = from_position ? state.auxiliary_deg_mm[axis] -
+                                 state.coordinates.local_auxiliary_deg_mm()[axis] - word
+                           : word + (adds ? origin : 0.0);
   }
 }
 

@@ -19,9 +19,9 @@ struct Numbers {
   int most;
 };
 Expected<int> data_number(const RunningBlock& at, std::string_view name, Numbers range);
-// The origin of the extra axes of L2, or of L20 where the place of the axes gets the coordinates of
-// the words.
-void set_extra_origin(const RunningBlock& at, const ModalState& state, WorkOffset& offset,
-                      bool from_position);
+// The origin of the auxiliary axes of L2, or of L20 where the place of the axes gets the
+// coordinates of the words.
+void set_auxiliary_origin(const RunningBlock& at, const ModalState& state, WorkOffset& offset,
+                          bool from_position);
 
 }  // namespace kerf::parser

@@ -6,14 +6,14 @@
 namespace kerf::parser {
 
 void push_rapid(const RunningBlock& at, ModalState& state, const Point& end_mm,
-                const ExtraWords& extra_deg_mm) {
-  if (end_mm == state.position_mm && extra_deg_mm == state.extra_deg_mm) {
+                const AuxiliaryWords& auxiliary_deg_mm) {
+  if (end_mm == state.position_mm && auxiliary_deg_mm == state.auxiliary_deg_mm) {
     return;
   }
   Move& move = at.push_move(state);
   move.shape = LineMove{end_mm};
   move.rapid = true;
-  carry_extra(at, state, move, extra_deg_mm);
+  carry_auxiliary(at, state, move, auxiliary_deg_mm);
   state.position_mm = end_mm;
 }
 
@@ -32,20 +32,20 @@ Done go_home(const RunningBlock& at, ModalState& state, const HomePosition& home
   if (!via) {
     return fault_of(via);
   }
-  Expected<ExtraWords> extra_via = resolve_extra(at, state, phase);
-  if (!extra_via) {
-    return fault_of(extra_via);
+  Expected<AuxiliaryWords> auxiliary_via = resolve_auxiliary(at, state, phase);
+  if (!auxiliary_via) {
+    return fault_of(auxiliary_via);
   }
-  push_rapid(at, state, *via, *extra_via);
+  push_rapid(at, state, *via, *auxiliary_via);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     (*via)[axis] = at.block.has(axis_letter(axis)) ? home.mm[axis] : (*via)[axis];
   }
-  for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
-    if (at.block.has(kExtraNames[axis])) {
-      (*extra_via)[axis] = home.extra_deg_mm[axis];
+  for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
+    if (at.block.has(kAuxiliaryNames[axis])) {
+      (*auxiliary_via)[axis] = home.extra_deg_mm[axis];
     }
   }
-  push_rapid(at, state, *via, *extra_via);
+  push_rapid(at, state, *via, *auxiliary_via);
   return {};
 }
 

@@ -7,7 +7,7 @@
 namespace kerf::parser {
 
 void push_rapid(const RunningBlock& at, ModalState& state, const Point& end_mm,
-                const ExtraWords& extra_deg_mm);
+                const AuxiliaryWords& auxiliary_deg_mm);
 // By way of the point that the axis words name; then only the axes that have a word go home, or
 // all where none has.
 Done go_home(const RunningBlock& at, ModalState& state, const HomePosition& home,

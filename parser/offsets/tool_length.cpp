@@ -61,7 +61,7 @@ Done set_length_offset(const RunningBlock& at, ModalState& state, const ToolTabl
   if (Done given = needs_axis_words(at); !given) {
     return given;
   }
-  if (Done fine = refuse_extra(at, "with G43.1 and G43.2"); !fine) {
+  if (Done fine = refuse_auxiliary(at, "with G43.1 and G43.2"); !fine) {
     return fine;
   }
   const Point words = axis_words_mm(at.block, state.units);

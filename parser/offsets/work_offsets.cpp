@@ -36,17 +36,19 @@ Done set_local_offset(const RunningBlock& at, ModalState& state) {
           at.codes[Group::other] == 520 ? words[axis] : local[axis] + here[axis] - words[axis];
     }
   }
-  const ExtraWords extra_here = state.coordinates.extra_to_program(state.extra_deg_mm);
-  ExtraWords extra = state.coordinates.local_extra_deg_mm();
-  for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
-    if (at.block.has(kExtraNames[axis])) {
-      const double word = extra_word_deg_mm(at.block, axis, state.units);
-      extra[axis] = at.codes[Group::other] == 520 ? word : extra[axis] + extra_here[axis] - word;
+  const AuxiliaryWords auxiliary_here =
+      state.coordinates.auxiliary_to_program(state.auxiliary_deg_mm);
+  AuxiliaryWords auxiliary = state.coordinates.local_auxiliary_deg_mm();
+  for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
+    if (at.block.has(kAuxiliaryNames[axis])) {
+      const double word = auxiliary_word_deg_mm(at.block, axis, state.units);
+      auxiliary[axis] =
+          at.codes[Group::other] == 520 ? word : auxiliary[axis] + auxiliary_here[axis] - word;
     }
   }
-  state.coordinates.set_local(local, extra);
+  state.coordinates.set_local(local, auxiliary);
   state.stored_local_mm = local;
-  state.stored_local_extra_deg_mm = extra;
+  state.stored_local_auxiliary_deg_mm = auxiliary;
   state.local_active = true;
   return {};
 }
@@ -58,11 +60,11 @@ void change_local_offset(const BlockCodes& codes, ModalState& state) {
   }
   if (code == 921) {
     state.stored_local_mm = {};
-    state.stored_local_extra_deg_mm = {};
+    state.stored_local_auxiliary_deg_mm = {};
   }
   state.local_active = code == 923;
   if (code == 923) {
-    state.coordinates.set_local(state.stored_local_mm, state.stored_local_extra_deg_mm);
+    state.coordinates.set_local(state.stored_local_mm, state.stored_local_auxiliary_deg_mm);
   } else {
     state.coordinates.set_local({});
   }

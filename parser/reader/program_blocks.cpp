@@ -83,7 +83,7 @@ void ProgramRun::run_macro_call(const Line& line, const Word& code) {
     call(line, std::move(called));
   } else if (!modal_calls_.add(std::move(called))) {
     diagnostics_.add({line.number, code.offset + 1}, errors::kTooManyModalCalls,
-                     joined({"at most ", std::to_string(ModalCalls::kMost),
+                     joined({"at most ", std::to_string(ModalCalls::kMax),
                              " modal calls (G66) may be in force: cancel with G67"}));
   }
 }
@@ -199,7 +199,7 @@ void ProgramRun::run_block(const Line& line, bool complete) {
 ProgramMemory ProgramRun::memory_of(const ReaderOptions& options) {
   ProgramMemory memory;
   memory.state.position_mm = options.start_mm;
-  memory.state.extra_deg_mm = words_of(options.start_extra_rad_mm);
+  memory.state.auxiliary_deg_mm = words_of(options.start_extra_rad_mm);
   memory.machine = options.machine;
   memory.dialect = options.dialect;
   return memory;

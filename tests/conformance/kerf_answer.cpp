@@ -52,10 +52,10 @@ std::optional<Step> step_of(const Move& move) {
   Step step;
   step.feed_mm_min = move.feedrate_mm_s * kSecondsPerMinute;
   for (std::size_t k = 0; k < 3; ++k) {
-    step.turned_deg[k] = move.extra.end_rad_mm[k] * kDegrees;
+    step.turned_deg[k] = move.auxiliary.end_rad_mm[k] * kDegrees;
   }
   if (const auto* line = std::get_if<parser::LineMove>(&move.shape)) {
-    const bool turns_alone = line->end_mm == move.start_mm && move.extra.moves();
+    const bool turns_alone = line->end_mm == move.start_mm && move.auxiliary.moves();
     step.feed_mm_min *= turns_alone ? kDegrees : 1.0;
     step.kind = move.rapid ? "rapid" : "feed";
     step.end_mm = line->end_mm;

@@ -169,10 +169,10 @@ TEST(NurbsFaults, Row42ACurveThatIsNotClosedIsRefused) {
 
 TEST(NurbsFaults, Row43ACurveOfVeryManyPointsIsRefusedWithTheBound) {
   std::string text = "F600\nG6.2 P3 K0 X0 Y0\n";
-  for (std::size_t i = 1; i <= parser::kMostControlPoints; ++i) {
+  for (std::size_t i = 1; i <= parser::kMaxControlPoints; ++i) {
     text += "K" + std::to_string(i < 3 ? 0 : i - 2) + " X" + std::to_string(i % 100) + " Y0\n";
   }
-  EXPECT_TRUE(says(said_of(text), "more than " + std::to_string(parser::kMostControlPoints) +
+  EXPECT_TRUE(says(said_of(text), "more than " + std::to_string(parser::kMaxControlPoints) +
                                       " control points; the curve begins in line 2"));
 }
 

@@ -17,7 +17,7 @@
 #include "interp/setpoint.hpp"
 #include "kernel/machine_file_schema.hpp"
 #include "lookahead/path/limits.hpp"
-#include "parser/moves/extra_axes.hpp"
+#include "parser/moves/auxiliary_axes.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::test {
@@ -28,7 +28,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 MachineSettings machine_with_everything() {
   MachineSettings settings = default_machine();
-  settings.program.extra_axes = parser::kExtraLetters;
+  settings.program.extra_axes = parser::kAuxiliaryLetters;
   settings.limits.extra.fill(settings.limits.path);
   settings.program.touch_box.emplace();
   return settings;

@@ -35,7 +35,7 @@ class ErrorPageTrigger : public testing::TestWithParam<const diagnostics::ErrorP
 TEST_P(ErrorPageTrigger, GivesThisVeryPageFirst) {
   const diagnostics::ErrorPage& page = *GetParam();
   MachineData machine = default_program_data();
-  machine.extra_axes = &page == &errors::kExtraAxisHere ? letters('A') : 0;
+  machine.extra_axes = &page == &errors::kAuxiliaryAxisHere ? letters('A') : 0;
   const auto linked = [](std::string_view name) {
     const SubprogramText refused{.file = "linked.ngc", .text = {}, .refused = "it is a link"};
     return name == "linked" ? std::optional(refused) : std::nullopt;

@@ -90,10 +90,10 @@ TEST(ShortMoves, LetAnExtraAxisMoveAloneInTheTimeThatTheFeedrateAsksFor) {
   Move arc;  // 6e-11 mm long at 10 mm/s takes 6e-12 s
   arc.shape = ArcMove{.centre_mm = {1e-11, 0, 0}, .end_mm = {0, 0, 0}};
   arc.feedrate_mm_s = 10.0;
-  arc.extra.end_rad_mm[0] = 1.0;
+  arc.auxiliary.end_rad_mm[0] = 1.0;
   ASSERT_TRUE(moves.take(arc));
   EXPECT_EQ(*end_mm(arc), arc.start_mm);
-  EXPECT_NEAR(arc.extra.length_rad_mm() / arc.feedrate_mm_s, 2e-11 * 3.14159265358979 / 10.0,
+  EXPECT_NEAR(arc.auxiliary.length_rad_mm() / arc.feedrate_mm_s, 2e-11 * 3.14159265358979 / 10.0,
               1e-17);
 }
 
@@ -117,7 +117,7 @@ TEST(ShortMoves, OfAnExtraAxisBesideALongTurnDoNotSayHowLongItIs) {
   const Program program = read_program("G1 F360 A90 U[1/10**12]\nM2\n", options);
   ASSERT_FALSE(program.has_errors);
   ASSERT_EQ(program.moves.size(), 2U);
-  EXPECT_NEAR(program.moves[0].extra.length_rad_mm(), 1.5707963267949, 1e-12);
+  EXPECT_NEAR(program.moves[0].auxiliary.length_rad_mm(), 1.5707963267949, 1e-12);
   EXPECT_NEAR(program.moves[0].feedrate_mm_s, 0.10471975511966, 1e-12);  // 6 degrees a second
 }
 

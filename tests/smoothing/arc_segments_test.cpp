@@ -82,8 +82,8 @@ TEST(ArcParts, StopOnlyBehindTheLast) {
 
 TEST(ArcParts, ShareTheWayOfTheExtraAxes) {
   Move move = turns(400);
-  move.extra.begin_rad_mm[0] = 1.0;
-  move.extra.end_rad_mm[0] = 5.0;
+  move.auxiliary.begin_rad_mm[0] = 1.0;
+  move.auxiliary.end_rad_mm[0] = 5.0;
   const std::vector<PathSegment> segments = parts_of(move);
   ASSERT_EQ(segments.size(), 4U);
   for (std::size_t i = 0; i < segments.size(); ++i) {

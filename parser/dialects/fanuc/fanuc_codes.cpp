@@ -31,7 +31,7 @@ Done set_extended_data(const RunningBlock& at, ModalState& state) {
       offset.origin_mm[axis] = words[axis] + (state.incremental ? offset.origin_mm[axis] : 0.0);
     }
   }
-  set_extra_origin(at, state, offset, false);
+  set_auxiliary_origin(at, state, offset, false);
   state.coordinates.set_work(system, offset);
   return {};
 }

@@ -18,7 +18,7 @@ Done mirror_program(const RunningBlock& at, ModalState& state) {
                 joined({at.name_of(Group::mirror),
                         " cannot be used while G51 or G68 is active: write G69 and G50 first"}));
   }
-  if (Done fine = refuse_extra(at, joined({"with ", at.name_of(Group::mirror)})); !fine) {
+  if (Done fine = refuse_auxiliary(at, joined({"with ", at.name_of(Group::mirror)})); !fine) {
     return fine;
   }
   const bool ends = at.codes[Group::mirror] == 501;
@@ -46,12 +46,12 @@ Expected<double> scale_factor(const Block& block, char letter, double otherwise)
   const Word& word = block.word(letter);
   const bool thousandths = block.text(word).find_first_of(".[#") == std::string_view::npos;
   const double factor = word.value * (thousandths ? 0.001 : 1.0);
-  constexpr double kLeast = 1e-5;
-  constexpr double kMost = 1000.0;
+  constexpr double kMin = 1e-5;
+  constexpr double kMax = 1000.0;
   if (factor == 0.0) {
     return fail(word.offset, errors::kScaleZero, "G51: scale must not be 0");
   }
-  if (!(std::fabs(factor) >= kLeast && std::fabs(factor) <= kMost)) {
+  if (!(std::fabs(factor) >= kMin && std::fabs(factor) <= kMax)) {
     return fail(word.offset, errors::kScaleZero,
                 joined({"G51: a scale of ", shortest(factor), " is outside 0.00001..1000"}));
   }
@@ -61,7 +61,7 @@ Expected<double> scale_factor(const Block& block, char letter, double otherwise)
 // G51 X Y Z P, or I J K for one factor an axis. Axes without a word have the tool's place as
 // centre; without any factor nothing is scaled.
 Done scale_program(const RunningBlock& at, ModalState& state) {
-  if (Done fine = refuse_extra(at, "with G51"); !fine) {
+  if (Done fine = refuse_auxiliary(at, "with G51"); !fine) {
     return fine;
   }
   const Point here = state.coordinates.to_program(state.position_mm);
@@ -94,7 +94,7 @@ Done turn_program(const RunningBlock& at, ModalState& state) {
   if (!at.block.has('R')) {
     return fail(code.offset, errors::kTurnWithoutAngle, "G68 needs R");
   }
-  if (Done fine = refuse_extra(at, "with G68"); !fine) {
+  if (Done fine = refuse_auxiliary(at, "with G68"); !fine) {
     return fine;
   }
   if (state.plane != Plane::xy) {
@@ -122,8 +122,8 @@ Done select_extended_offset(const RunningBlock& at, ModalState& state) {
     return fail(code.offset, errors::kExtendedOffsetNumber, "G54.1 needs P");
   }
   const Word& word = at.block.word('P');
-  constexpr double kMost = Coordinates::kExtended;
-  if (word.value != std::floor(word.value) || word.value < 1.0 || word.value > kMost) {
+  constexpr double kMax = Coordinates::kExtended;
+  if (word.value != std::floor(word.value) || word.value < 1.0 || word.value > kMax) {
     return fail(word.offset, errors::kExtendedOffsetNumber,
                 joined({"G54.1: P must be 1 to 300, found ", shortest(word.value)}));
   }

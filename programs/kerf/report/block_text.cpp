@@ -58,9 +58,10 @@ std::string block_text(const FileReport& report) {
   const parser::Coordinates& coordinates = state.coordinates;
   fmt::format_to(out, "  position        {} on the machine\n", point_text(state.position_mm));
   for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
-    fmt::format_to(out, "                  {} {} {} on the machine, {} in the program\n", axis.name,
-                   fixed_number(state.extra_deg_mm[axis.index], 3), axis.unit,
-                   fixed_number(coordinates.extra_to_program(state.extra_deg_mm)[axis.index], 3));
+    fmt::format_to(
+        out, "                  {} {} {} on the machine, {} in the program\n", axis.name,
+        fixed_number(state.auxiliary_deg_mm[axis.index], 3), axis.unit,
+        fixed_number(coordinates.auxiliary_to_program(state.auxiliary_deg_mm)[axis.index], 3));
   }
   if (!coordinates.plain()) {
     fmt::format_to(out, "                  {} in the program\n",

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "parser/moves/extra_axes.hpp"
+#include "parser/moves/auxiliary_axes.hpp"
 
 namespace kerf::program {
 

@@ -89,9 +89,9 @@ void set_block(Json& json, const FileReport& file) {
       {"selected_tool", state.tool}};
   for (const ExtraAxis& axis : extra_axes(file.extra_axes)) {
     const std::string unit = fmt::format("_{}", axis.unit);
-    json["block"]["position" + unit][axis.name] = state.extra_deg_mm[axis.index];
+    json["block"]["position" + unit][axis.name] = state.auxiliary_deg_mm[axis.index];
     json["block"]["program_position" + unit][axis.name] =
-        state.coordinates.extra_to_program(state.extra_deg_mm)[axis.index];
+        state.coordinates.auxiliary_to_program(state.auxiliary_deg_mm)[axis.index];
   }
 }
 

@@ -58,7 +58,7 @@ std::optional<FuzzInput> fuzz_input(std::span<const std::uint8_t> bytes) {
   const auto law = static_cast<std::uint8_t>(bytes[2] - '0');
   const auto way = static_cast<std::uint8_t>(bytes[3] - '0');
   input.machine = machine_of(static_cast<std::uint8_t>(way / kModes.size()));
-  input.machine.program.extra_axes = (bits & 4) != 0 ? parser::kExtraLetters : 0;
+  input.machine.program.extra_axes = (bits & 4) != 0 ? parser::kAuxiliaryLetters : 0;
   input.machine.dialect = (bits & 2) != 0 ? parser::Dialect::fanuc : parser::Dialect::rs274;
   input.kernel.profile = profiles::Profile(kProfiles[law % kProfiles.size()]);
   input.kernel.window_blocks = kWindows[law / kProfiles.size() % kWindows.size()];

@@ -13,7 +13,7 @@ namespace kerf::fuzz {
 // Where the tool is after the last move.
 struct EndPoint {
   parser::Point mm{};
-  std::array<double, parser::kExtraAxes> extra_rad_mm{};
+  std::array<double, kAuxiliaryAxes> extra_rad_mm{};
 };
 
 // The parser does not crash, ends, says where an error is, and hands on only moves that a curve

@@ -41,12 +41,12 @@ void check(const ArcMove& arc) {
 void check(const Move& move) {
   require(move.source.line >= 1 && move.source.column >= 1, "a move has a place");
   require(is_sane(move.start_mm), "a move starts somewhere");
-  for (std::size_t axis = 0; axis < kExtraAxes; ++axis) {
-    require(std::fabs(move.extra.end_rad_mm[axis]) <= 1e6, "a further axis is near");
+  for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
+    require(std::fabs(move.auxiliary.end_rad_mm[axis]) <= 1e6, "a further axis is near");
   }
   require(std::isfinite(move.feedrate_mm_s) && move.feedrate_mm_s >= 0.0, "a feedrate is one");
   if (const auto* line = std::get_if<LineMove>(&move.shape)) {
-    require(is_sane(line->end_mm) && (line->end_mm != move.start_mm || move.extra.moves()),
+    require(is_sane(line->end_mm) && (line->end_mm != move.start_mm || move.auxiliary.moves()),
             "a line moves");
     require(move.rapid || move.feedrate_mm_s > 0.0, "a feed has a feedrate");
   } else if (const auto* arc = std::get_if<ArcMove>(&move.shape)) {
@@ -66,7 +66,7 @@ void follow(const Move& move, EndPoint& end) {
   } else if (const auto* curve = std::get_if<NurbsMove>(&move.shape)) {
     end.mm = curve->points.back().position_mm;
   }
-  end.extra_rad_mm = move.extra.end_rad_mm;
+  end.extra_rad_mm = move.auxiliary.end_rad_mm;
 }
 
 // A program may move for ever; this many moves are looked at.

@@ -1,24 +1,22 @@
 // The axes beside X, Y and Z that a machine file may name: A, B, C turn, U, V, W go straight.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string_view>
+
+#include <kerf/axes.hpp>
 
 #include "parser/moves/units.hpp"
 #include "parser/text/letters.hpp"
 
 namespace kerf::parser {
 
-inline constexpr std::size_t kExtraAxes = 6;  // A, B, C, U, V, W, in this order everywhere
-inline constexpr std::string_view kExtraNames = "ABCUVW";
-inline constexpr Letters kExtraLetters = letters('A', 'B', 'C', 'U', 'V', 'W');
+inline constexpr std::string_view kAuxiliaryNames = "ABCUVW";
+inline constexpr Letters kAuxiliaryLetters = letters('A', 'B', 'C', 'U', 'V', 'W');
 
-constexpr bool turns(std::size_t extra_axis) {
-  return extra_axis < 3;
+constexpr bool turns(std::size_t auxiliary_axis) {
+  return auxiliary_axis < 3;
 }
-
-using ExtraWords = AuxiliaryWords;
 
 // What is shorter than these is what rounding left of no way (short_moves.hpp).
 inline constexpr double kShortestWay_mm = 1e-10;
@@ -26,9 +24,9 @@ inline constexpr double kShortestTurn_rad = 1.7e-12;  // of A, B and C: 1e-10 de
 
 // What a move does to them: A, B, C in rad, U, V, W in mm. In step with the path: linear in its
 // length.
-struct ExtraWay {
-  std::array<double, kExtraAxes> begin_rad_mm{};
-  std::array<double, kExtraAxes> end_rad_mm{};
+struct AuxiliaryMove {
+  AuxiliaryPosition begin_rad_mm{};
+  AuxiliaryPosition end_rad_mm{};
 
   [[nodiscard]] bool moves() const { return begin_rad_mm != end_rad_mm; }
   // Its own length, for a move on which X, Y and Z rest: along U, V, W in mm if one of them moves,
@@ -38,7 +36,7 @@ struct ExtraWay {
   [[nodiscard]] bool only_turns() const;
 };
 
-ExtraWords words_of(const std::array<double, kExtraAxes>& rad_mm);
-ExtraWay extra_way(const ExtraWords& begin_deg_mm, const ExtraWords& end_deg_mm);
+AuxiliaryWords words_of(const AuxiliaryPosition& rad_mm);
+AuxiliaryMove auxiliary_move(const AuxiliaryWords& begin_deg_mm, const AuxiliaryWords& end_deg_mm);
 
 }  // namespace kerf::parser

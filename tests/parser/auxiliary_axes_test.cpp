@@ -35,11 +35,11 @@ std::string first_message_with(Letters axes, std::string_view text) {
 
 // Where each move leaves an axis, in degrees or mm.
 std::vector<double> ends_of(const std::vector<Move>& moves, char letter) {
-  const std::size_t axis = kExtraNames.find(letter);
+  const std::size_t axis = kAuxiliaryNames.find(letter);
   std::vector<double> ends;
   for (const Move& move : moves) {
-    ends.push_back(std::round(move.extra.end_rad_mm[axis] / (turns(axis) ? kDegree : 1.0) * 1e4) /
-                   1e4);
+    ends.push_back(
+        std::round(move.auxiliary.end_rad_mm[axis] / (turns(axis) ? kDegree : 1.0) * 1e4) / 1e4);
   }
   return ends;
 }
@@ -47,7 +47,7 @@ std::vector<double> ends_of(const std::vector<Move>& moves, char letter) {
 using Ends = std::vector<double>;
 constexpr Letters kA = letters('A');
 constexpr Letters kU = letters('U');
-constexpr Letters kAll = kExtraLetters;
+constexpr Letters kAll = kAuxiliaryLetters;
 
 TEST(ExtraAxes, AreRefusedAsBeforeWhereTheMachineDoesNotNameThem) {
   EXPECT_EQ(first_message_with(0, "G0 X10 A90"),
@@ -64,7 +64,7 @@ TEST(ExtraAxes, MoveAbsoluteAndIncremental) {
   EXPECT_EQ(ends_of(moves, 'A'), (Ends{90, 180, 0, 10}));
   EXPECT_EQ(ends_of(moves, 'B'), (Ends{0, 0, 5, 5}));
   EXPECT_EQ(ends_of(moves, 'C'), (Ends{0, 0, 7, 7}));
-  EXPECT_EQ(moves[1].extra.begin_rad_mm, moves[0].extra.end_rad_mm);
+  EXPECT_EQ(moves[1].auxiliary.begin_rad_mm, moves[0].auxiliary.end_rad_mm);
   EXPECT_EQ(std::get<LineMove>(moves[0].shape).end_mm, moves[0].start_mm);
   EXPECT_TRUE(moves[2].rapid);
 }
@@ -73,7 +73,7 @@ TEST(ExtraAxes, KeepTheirPlaceOnEveryOtherMove) {
   const auto moves = moves_with(kA, "G1 A90 F360\nG1 X10 F100\nG2 X20 I5\nG4 P1\nG0 Z3");
   EXPECT_EQ(ends_of(moves, 'A'), (Ends{90, 90, 90, 90, 90}));
   for (std::size_t i = 1; i < moves.size(); ++i) {
-    EXPECT_FALSE(moves[i].extra.moves());
+    EXPECT_FALSE(moves[i].auxiliary.moves());
   }
 }
 
@@ -191,8 +191,8 @@ TEST(ExtraAxes, CountInLeastIncrementsOfADegree) {
   ReaderOptions options = with_axes(kA, Dialect::fanuc);
   options.machine.least_increment_mm = 0.001;
   const Program program = read_program("G20 G0 A90000\nA45.\nM2\n", options);
-  EXPECT_NEAR(program.moves.at(0).extra.end_rad_mm[0], 90 * kDegree, 1e-12);
-  EXPECT_NEAR(program.moves.at(1).extra.end_rad_mm[0], 45 * kDegree, 1e-12);
+  EXPECT_NEAR(program.moves.at(0).auxiliary.end_rad_mm[0], 90 * kDegree, 1e-12);
+  EXPECT_NEAR(program.moves.at(1).auxiliary.end_rad_mm[0], 45 * kDegree, 1e-12);
 }
 
 // Found by the fuzzer: the F of a block with an error was known to X, Y and Z alone.
