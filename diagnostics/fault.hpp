@@ -1,6 +1,7 @@
 // Something wrong in one line, before it is known which line it is.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -34,7 +35,7 @@ using Expected = tl::expected<Value, FaultPointer>;
 using Done = Expected<void>;
 
 Failure failure(Fault fault);
-Failure fail(std::uint32_t offset_in_line, const ErrorPage& page, std::string message);
+Failure fail(std::size_t offset_in_line, const ErrorPage& page, std::string message);
 
 // What went wrong, to be handed on.
 template <class Value>

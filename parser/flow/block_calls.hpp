@@ -1,6 +1,7 @@
 // Calls in blocks: M97, M98, M99, G65, G66 and G67 as words.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "diagnostics/fault.hpp"
@@ -30,19 +31,19 @@ inline const Word* find_macro_code(const Block& block) {
   return nullptr;
 }
 
-// M98 or M97 (`code`), P and L; a program that is named has its label in `call` already. Fanuc
-// writes the repeats before a program number of four digits too: P30100. False: the fault says why.
-bool read_program_call(const Block& block, const Word& code, Dialect dialect, Call& call,
-                       diagnostics::Fault& fault);
+// M98 or M97 (`code`), P and L. Fanuc writes the repeats before a program number of four digits
+// too: P30100. `label` names the program; empty: P does.
+diagnostics::Expected<Call> read_program_call(const Block& block, const Word& code, Dialect dialect,
+                                              std::string label);
 // M99 and its P.
-bool read_m99(const Block& block, const Word& code, Return& back, diagnostics::Fault& fault);
+diagnostics::Expected<Return> read_m99(const Block& block, const Word& code);
 // Takes the code and its words out of the block, so that the rest can be run.
 void remove_call(Block& block, const Word& code);
 
 // G65 and G66 with their arguments, read from the words' own text, since I, J and K may stand there
 // several times: A B C D E F H I J K M Q R S T U V W X Y Z are #1 #2 #3 #7 #8 #9 #11 #4 #5 #6 #13
 // #17 to #26; the n-th set of I J K is #3n+1 to #3n+3, n up to 10. The others are vacant.
-bool read_macro_call(std::string_view line, Evaluator& evaluator, Call& call,
-                     diagnostics::Fault& fault);
+diagnostics::Expected<Call> read_macro_call(std::string_view line, Evaluator& evaluator,
+                                            std::string label);
 
 }  // namespace kerf::parser

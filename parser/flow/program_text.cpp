@@ -58,17 +58,17 @@ void ProgramText::take(const Line& line) {
 }
 
 void ProgramText::take_statement(std::uint32_t line, std::string_view text, std::size_t at) {
-  Statement statement;
-  diagnostics::Fault fault;
-  statement.keyword_at = static_cast<std::uint32_t>(at);
-  if (!read_statement(text, at, origin_.dialect, statement, fault)) {
+  const diagnostics::Expected<Statement> read = read_statement(text, at, origin_.dialect);
+  if (read && read->keyword == Keyword::none) {
     return;
   }
-  statement.line = line;
   const auto index = static_cast<std::uint32_t>(statements_.size());
-  statements_.push_back(statement);
+  Statement& statement =
+      statements_.emplace_back(read ? *read : Statement{.keyword = Keyword::wrong});
+  statement.line = line;
   store_[line].statement = index & 0x7FFFFFFFU;
-  if (!fault.message.empty()) {
+  if (!read) {
+    diagnostics::Fault& fault = *read.error();
     faults_.push_back({line, fault.offset, fault.page, std::move(fault.message)});
     return;
   }

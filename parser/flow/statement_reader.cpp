@@ -9,10 +9,14 @@
 
 namespace kerf::parser {
 
+using diagnostics::Expected;
+
 namespace {
 
 using detail::is_blank;
 using detail::is_digit;
+using diagnostics::Done;
+using diagnostics::fail;
 
 constexpr char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
@@ -42,16 +46,6 @@ constexpr std::array<Word, 16> kOWords{{{"sub", Keyword::o_sub},
                                         {"continue", Keyword::o_continue},
                                         {"", Keyword::program}}};
 
-diagnostics::Fault fault_at(std::size_t at, const diagnostics::ErrorPage& page,
-                            std::string message) {
-  return {static_cast<std::uint32_t>(at), std::move(message), &page};
-}
-
-void refuse(Statement& statement, diagnostics::Fault& fault, diagnostics::Fault found) {
-  fault = std::move(found);
-  statement.keyword = Keyword::wrong;
-}
-
 // Letters from `at` on, blanks between them left out, as RS274/NGC reads them.
 std::string keyword_text(std::string_view line, std::size_t& at) {
   constexpr std::size_t kLongest = 24;
@@ -69,18 +63,15 @@ std::string keyword_text(std::string_view line, std::size_t& at) {
   return text;
 }
 
-void read_o_word(std::string_view line, std::size_t at, Dialect dialect, Statement& statement,
-                 diagnostics::Fault& fault) {
+Expected<Statement> read_o_word(std::string_view line, std::size_t at, const DialectRules& rules) {
   const std::size_t label = skip_blanks(line, at + 1);
   const std::size_t label_end = behind_label(line, label);
-  statement.label_at = static_cast<std::uint32_t>(label);
   if (label_end == label) {
-    refuse(statement, fault,
-           fault_at(at, errors::kNoLabel,
-                    "a number, a <name> or an [expression] is expected after "
-                    "'O'"));
-    return;
+    return fail(at, errors::kNoLabel,
+                "a number, a <name> or an [expression] is expected after 'O'");
   }
+  Statement statement;
+  statement.label_at = static_cast<std::uint32_t>(label);
   statement.computed_label = line[label] == '[';
   std::size_t end = skip_blanks(line, label_end);
   statement.keyword_at = static_cast<std::uint32_t>(end);
@@ -90,157 +81,147 @@ void read_o_word(std::string_view line, std::size_t at, Dialect dialect, Stateme
   const auto* const word = std::find_if(kOWords.begin(), kOWords.end(),
                                         [&](const Word& known) { return known.text == text; });
   if (word == kOWords.end()) {
-    refuse(statement, fault,
-           fault_at(statement.keyword_at, errors::kUnknownOWord,
-                    joined({name, ": '", text, "' is not known (sub, call, if, while ...)"})));
-    return;
+    return fail(statement.keyword_at, errors::kUnknownOWord,
+                joined({name, ": '", text, "' is not known (sub, call, if, while ...)"}));
   }
   statement.keyword = word->keyword;
   const bool program = word->keyword == Keyword::program;
-  if (rules_of(dialect).macro_b && !program) {
-    refuse(statement, fault,
-           fault_at(at, errors::kOWordInFanuc,
-                    joined({name, " ", text,
-                            ": o-words belong to RS274/NGC, not to the Fanuc "
-                            "dialect"})));
-  } else if (statement.computed_label && word->keyword == Keyword::o_sub) {
-    refuse(statement, fault,
-           fault_at(label, errors::kComputedSub,
-                    "a sub needs a number or a name, not an "
-                    "expression"));
-  } else if (program && (statement.computed_label || !only_comment_left(line, statement.rest))) {
-    refuse(statement, fault,
-           fault_at(statement.rest, errors::kUnknownOWord,
-                    joined({name, ": sub, call, if, while ... is expected, found ",
-                            quoted(line.substr(statement.rest))})));
+  if (rules.macro_b && !program) {
+    return fail(
+        at, errors::kOWordInFanuc,
+        joined({name, " ", text, ": o-words belong to RS274/NGC, not to the Fanuc dialect"}));
   }
+  if (statement.computed_label && word->keyword == Keyword::o_sub) {
+    return fail(label, errors::kComputedSub, "a sub needs a number or a name, not an expression");
+  }
+  if (program && (statement.computed_label || !only_comment_left(line, end))) {
+    return fail(
+        end, errors::kUnknownOWord,
+        joined({name, ": sub, call, if, while ... is expected, found ", quoted(line.substr(end))}));
+  }
+  return statement;
 }
 
 // Behind THEN stands an assignment, GOTO or a block, in the same line.
-void check_then(std::string_view line, std::size_t behind, Statement& statement,
-                diagnostics::Fault& fault) {
+Done check_then(std::string_view line, std::size_t behind) {
   if (only_comment_left(line, behind)) {
-    refuse(
-        statement, fault,
-        fault_at(behind, errors::kThenForm, "THEN needs a statement behind it in the same line"));
-    return;
+    return fail(behind, errors::kThenForm, "THEN needs a statement behind it in the same line");
   }
   const std::size_t at = skip_blanks(line, behind);
   for (const std::string_view keyword : {"IF", "WHILE", "DO", "END"}) {
     if (behind_keyword(line, at, keyword) != 0) {
-      refuse(statement, fault,
-             fault_at(at, errors::kThenForm,
-                      joined({keyword, " cannot stand behind THEN: write GOTO"})));
+      return fail(at, errors::kThenForm,
+                  joined({keyword, " cannot stand behind THEN: write GOTO"}));
     }
   }
+  return {};
+}
+
+// Offset behind the condition in brackets that begins at `at`.
+Expected<std::size_t> behind_condition(std::string_view line, std::size_t at,
+                                       std::string_view name) {
+  const auto close = at < line.size() && line[at] == '[' ? behind_brackets(line, at) : std::nullopt;
+  if (!close) {
+    return fail(at, errors::kNoCondition, joined({name, ": a condition in [ ] is expected"}));
+  }
+  return skip_blanks(line, *close);
 }
 
 // IF [..] GOTO, IF [..] THEN
-void read_if(std::string_view line, std::size_t behind, Statement& statement,
-             diagnostics::Fault& fault) {
-  statement.keyword = Keyword::macro_if;
+Expected<Statement> read_if(std::string_view line, std::size_t behind) {
+  Statement statement{.keyword = Keyword::macro_if};
   const std::size_t open = skip_blanks(line, behind);
   statement.rest = static_cast<std::uint32_t>(open);
-  const auto close = open < line.size() && line[open] == '[' ? behind_brackets(line, open)
-                                                             : std::optional<std::size_t>{};
-  if (!close) {
-    refuse(statement, fault,
-           fault_at(open, errors::kNoCondition, "IF: a condition in [ ] is expected"));
-    return;
+  Expected<std::size_t> then = behind_condition(line, open, "IF");
+  if (!then) {
+    return fault_of(then);
   }
-  const std::size_t then = skip_blanks(line, *close);
-  statement.keyword_at = static_cast<std::uint32_t>(then);
-  if (behind_keyword(line, then, "goto") == 0 && behind_keyword(line, then, "then") == 0) {
-    refuse(statement, fault,
-           fault_at(then, errors::kNoThen, "THEN or GOTO is expected after IF [...]"));
-  } else if (const std::size_t action = behind_keyword(line, then, "then"); action != 0) {
-    check_then(line, action, statement, fault);
+  statement.keyword_at = static_cast<std::uint32_t>(*then);
+  if (behind_keyword(line, *then, "goto") != 0) {
+    return statement;
   }
+  const std::size_t action = behind_keyword(line, *then, "then");
+  if (action == 0) {
+    return fail(*then, errors::kNoThen, "THEN or GOTO is expected after IF [...]");
+  }
+  return check_then(line, action).map([&] { return statement; });
 }
 
 // The number behind DO or END, 1 to 3.
-void read_loop_number(std::string_view line, std::size_t at, std::string_view name,
-                      Statement& statement, diagnostics::Fault& fault) {
+Expected<Statement> read_loop_number(std::string_view line, std::size_t at, std::string_view name,
+                                     Statement statement) {
   const std::size_t from = skip_blanks(line, at);
   std::size_t end = from;
   std::uint32_t number = 0;
   for (; end < line.size() && is_digit(line[end]) && number < 1000; ++end) {
     number = number * 10 + static_cast<std::uint32_t>(line[end] - '0');
   }
+  if (end == from || number < 1 || number > 3) {
+    return fail(from, errors::kLoopNumber,
+                joined({name, ": the loop's number must be 1, 2 or 3, found ",
+                        end == from ? "none" : line.substr(from, end - from)}));
+  }
+  if (!only_comment_left(line, end)) {
+    return fail(end, errors::kTextBehindStatement,
+                joined({"nothing may follow ", name, ", found ", quoted(line.substr(end))}));
+  }
   statement.label = number;
   statement.rest = static_cast<std::uint32_t>(end);
-  if (end == from || number < 1 || number > 3) {
-    refuse(statement, fault,
-           fault_at(from, errors::kLoopNumber,
-                    joined({name, ": the loop's number must be 1, 2 or 3, found ",
-                            end == from ? "none" : line.substr(from, end - from)})));
-  } else if (!only_comment_left(line, end)) {
-    refuse(statement, fault,
-           fault_at(end, errors::kTextBehindStatement,
-                    joined({"nothing may follow ", name, ", found ", quoted(line.substr(end))})));
-  }
+  return statement;
 }
 
-void read_while(std::string_view line, std::size_t behind, Statement& statement,
-                diagnostics::Fault& fault) {
-  statement.keyword = Keyword::macro_while;
+Expected<Statement> read_while(std::string_view line, std::size_t behind) {
   const std::size_t open = skip_blanks(line, behind);
-  statement.keyword_at = static_cast<std::uint32_t>(open);
-  const auto close = open < line.size() && line[open] == '[' ? behind_brackets(line, open)
-                                                             : std::optional<std::size_t>{};
-  if (!close) {
-    refuse(statement, fault,
-           fault_at(open, errors::kNoCondition, "WHILE: a condition in [ ] is expected"));
-    return;
+  Expected<std::size_t> at = behind_condition(line, open, "WHILE");
+  if (!at) {
+    return fault_of(at);
   }
-  const std::size_t at = skip_blanks(line, *close);
-  const std::size_t number = behind_keyword(line, at, "do");
+  const std::size_t number = behind_keyword(line, *at, "do");
   if (number == 0) {
-    refuse(statement, fault,
-           fault_at(at, errors::kNoDo,
-                    "DO1, DO2 or DO3 is expected after "
-                    "WHILE [...]"));
-    return;
+    return fail(*at, errors::kNoDo, "DO1, DO2 or DO3 is expected after WHILE [...]");
   }
-  read_loop_number(line, number, "DO", statement, fault);
+  return read_loop_number(
+      line, number, "DO",
+      {.keyword = Keyword::macro_while, .keyword_at = static_cast<std::uint32_t>(open)});
 }
 
-bool read_macro(std::string_view line, std::size_t at, Statement& statement,
-                diagnostics::Fault& fault) {
+Expected<Statement> read_macro(std::string_view line, std::size_t at) {
+  Statement statement{.keyword_at = static_cast<std::uint32_t>(at)};
   if (const std::size_t behind = behind_keyword(line, at, "if"); behind != 0) {
-    read_if(line, behind, statement, fault);
-  } else if (const std::size_t goto_ = behind_keyword(line, at, "goto"); goto_ != 0) {
-    statement.keyword = Keyword::macro_goto;
-    statement.rest = static_cast<std::uint32_t>(goto_);
-    statement.keyword_at = static_cast<std::uint32_t>(at);
-  } else if (const std::size_t while_ = behind_keyword(line, at, "while"); while_ != 0) {
-    read_while(line, while_, statement, fault);
-  } else if (const std::size_t do_ = behind_keyword(line, at, "do"); do_ != 0) {
-    statement.keyword = Keyword::macro_do;
-    read_loop_number(line, do_, "DO", statement, fault);
-  } else if (behind_keyword(line, at, "else") != 0 || behind_keyword(line, at, "endif") != 0) {
-    refuse(statement, fault,
-           fault_at(at, errors::kThenForm,
-                    "ELSE and ENDIF are not supported: write IF [..] GOTO around the blocks"));
-  } else if (const std::size_t end = behind_keyword(line, at, "end"); end != 0) {
-    statement.keyword = Keyword::macro_end;
-    read_loop_number(line, end, "END", statement, fault);
-  } else {
-    return false;
+    return read_if(line, behind);
   }
-  return true;
+  if (const std::size_t behind = behind_keyword(line, at, "goto"); behind != 0) {
+    statement.keyword = Keyword::macro_goto;
+    statement.rest = static_cast<std::uint32_t>(behind);
+    return statement;
+  }
+  if (const std::size_t behind = behind_keyword(line, at, "while"); behind != 0) {
+    return read_while(line, behind);
+  }
+  if (const std::size_t behind = behind_keyword(line, at, "do"); behind != 0) {
+    statement.keyword = Keyword::macro_do;
+    return read_loop_number(line, behind, "DO", statement);
+  }
+  if (behind_keyword(line, at, "else") != 0 || behind_keyword(line, at, "endif") != 0) {
+    return fail(at, errors::kThenForm,
+                "ELSE and ENDIF are not supported: write IF [..] GOTO around the blocks");
+  }
+  if (const std::size_t behind = behind_keyword(line, at, "end"); behind != 0) {
+    statement.keyword = Keyword::macro_end;
+    return read_loop_number(line, behind, "END", statement);
+  }
+  return statement;
 }
 
 }  // namespace
 
-bool read_statement(std::string_view line, std::size_t at, Dialect dialect, Statement& statement,
-                    diagnostics::Fault& fault) {
+Expected<Statement> read_statement(std::string_view line, std::size_t at, Dialect dialect) {
+  const DialectRules& rules = rules_of(dialect);
   const char first = at < line.size() ? lower(line[at]) : ' ';
-  if (first == 'o' || (first == ':' && rules_of(dialect).macro_b)) {
-    read_o_word(line, at, dialect, statement, fault);
-    return true;
+  if (first == 'o' || (first == ':' && rules.macro_b)) {
+    return read_o_word(line, at, rules);
   }
-  return rules_of(dialect).macro_b && read_macro(line, at, statement, fault);
+  return rules.macro_b ? read_macro(line, at) : Statement{};
 }
 
 }  // namespace kerf::parser

@@ -20,9 +20,8 @@ inline bool may_be_statement(std::string_view line, std::size_t at, const Dialec
 }
 
 // Reads the statement whose words begin at `at`: the label and the keyword, not what follows them.
-// False: the line is a plain block. With a fault's message set: a statement that is wrong, whose
-// keyword is then Keyword::wrong.
-bool read_statement(std::string_view line, std::size_t at, Dialect dialect, Statement& statement,
-                    diagnostics::Fault& fault);
+// A plain block has Keyword::none.
+diagnostics::Expected<Statement> read_statement(std::string_view line, std::size_t at,
+                                                Dialect dialect);
 
 }  // namespace kerf::parser

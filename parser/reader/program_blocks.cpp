@@ -39,24 +39,31 @@ void ProgramRun::call(const Line& line, Call call) {
 
 // M98 P100 L2, M99 P10, with whatever else the block says done before.
 void ProgramRun::run_program_call(const Line& line, const Word& code) {
-  Call called{.label = program_name_};
-  Return back;
-  diagnostics::Fault fault;
-  const bool calls = code.value != 99.0;
-  if (!(calls ? read_program_call(block_, code, options_.dialect, called, fault)
-              : read_m99(block_, code, back, fault))) {
-    diagnostics_.add({line.number, fault.offset + 1}, *fault.page, std::move(fault.message));
-    return;
+  if (code.value == 99.0) {
+    const auto back = read_m99(block_, code);
+    if (!back) {
+      return report(line, *back.error());
+    }
+    run_without_call(line, code);
+    return return_from_call(line, *back);
   }
+  auto called = read_program_call(block_, code, options_.dialect, program_name_);
+  if (!called) {
+    return report(line, *called.error());
+  }
+  run_without_call(line, code);
+  call(line, std::move(*called));
+}
+
+void ProgramRun::run_without_call(const Line& line, const Word& code) {
   remove_call(block_, code);
   if ((block_.present & ~letter_bit('N')) != 0 || block_.g_count + block_.m_count > 0) {
     interpret(line, true);
   }
-  if (calls) {
-    call(line, std::move(called));
-  } else {
-    return_from_call(line, back);
-  }
+}
+
+void ProgramRun::report(const Line& line, const diagnostics::Fault& fault) {
+  diagnostics_.add({line.number, fault.offset + 1}, *fault.page, fault.message);
 }
 
 void ProgramRun::return_from_call(const Line& line, const Return& back) {
@@ -75,13 +82,12 @@ void ProgramRun::run_macro_call(const Line& line, const Word& code) {
     modal_calls_.cancel();
     return;
   }
-  Call called{.label = program_name_, .offset = code.offset};
-  diagnostics::Fault fault;
-  if (!read_macro_call(line.text, evaluator_, called, fault)) {
-    diagnostics_.add({line.number, fault.offset + 1}, *fault.page, std::move(fault.message));
+  auto called = read_macro_call(line.text, evaluator_, program_name_);
+  if (!called) {
+    report(line, *called.error());
   } else if (code.value == 65.0) {
-    call(line, std::move(called));
-  } else if (!modal_calls_.add(std::move(called))) {
+    call(line, std::move(*called));
+  } else if (!modal_calls_.add(std::move(*called))) {
     diagnostics_.add({line.number, code.offset + 1}, errors::kTooManyModalCalls,
                      joined({"at most ", std::to_string(ModalCalls::kMax),
                              " modal calls (G66) may be in force: cancel with G67"}));

@@ -73,10 +73,9 @@ bool ProgramRun::begins_flow(std::string_view text) const {
   if (!may_be_statement(text, at, rules_)) {
     return false;
   }
-  Statement statement;
-  diagnostics::Fault fault;
-  return read_statement(text, at, options_.dialect, statement, fault) &&
-         (statement.keyword != Keyword::program || any_block_);
+  const auto statement = read_statement(text, at, options_.dialect);
+  return !statement || (statement->keyword != Keyword::none &&
+                        (statement->keyword != Keyword::program || any_block_));
 }
 
 bool ProgramRun::next_plain_line(Line& line) {

@@ -70,6 +70,8 @@ class ProgramRun {
   bool is_program_number(const Block& block, std::uint32_t line);
   bool run_call(const Line& line, bool complete);
   void run_program_call(const Line& line, const Word& code);
+  void run_without_call(const Line& line, const Word& code);
+  void report(const Line& line, const diagnostics::Fault& fault);
   void run_macro_call(const Line& line, const Word& code);
   void call(const Line& line, Call call);
   void return_from_call(const Line& line, const Return& back);
