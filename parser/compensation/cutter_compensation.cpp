@@ -47,17 +47,18 @@ void CutterCompensation::stop() {
   on_ = false;
 }
 
-void CutterCompensation::finish(diagnostics::SourcePosition source) {
+void CutterCompensation::finish(const diagnostics::DiagnosticPlace& place) {
   if (on_) {
-    diagnostics_->add(source, errors::kCompensationLeftOn,
-                      "cutter compensation is still on at the program's end (G40 is missing)");
+    faults_.push_back({place, &errors::kCompensationLeftOn,
+                       "cutter compensation is still on at the program's end (G40 is missing)"});
   }
   settle_last();
   send_all();
   on_ = leaving_ = false;
 }
 
-void CutterCompensation::take(const Move& move) {
+void CutterCompensation::take(const Move& move, diagnostics::DiagnosticPlace place) {
+  place_ = std::move(place);
   if (!busy() || start_.radius_mm == 0.0) {
     ready().push() = move;
     leaving_ = false;
@@ -106,7 +107,7 @@ HeldMove& CutterCompensation::hold(const Move& move, HeldRole role) {
     return held;
   }
   ++curves_;
-  held.place = diagnostics_->place(move.source);
+  held.place = place_;
   held.curve.programmed = held.wall = curve_of(move);
   const std::size_t normal = axes_of(start_.plane).normal;
   const double from = move.start_mm[normal];
@@ -123,10 +124,10 @@ void CutterCompensation::hold_idle(const Move& move) {
   if (!entered_) {
     send_all();
   } else if (held_.size() >= kMaxHeld) {
-    diagnostics_->add(move.source, errors::kCompensationHoldsTooMuch,
-                      joined({"cutter compensation: ", std::to_string(kMaxHeld),
-                              " blocks without motion in the plane, the corner behind them "
-                              "cannot be looked up"}));
+    faults_.push_back({place_, &errors::kCompensationHoldsTooMuch,
+                       joined({"cutter compensation: ", std::to_string(kMaxHeld),
+                               " blocks without motion in the plane, the corner behind them "
+                               "cannot be looked up"})});
     settle_last();
     send_all();
   }
@@ -136,8 +137,8 @@ void CutterCompensation::take_entry(const Move& move) {
   entered_ = true;
   if (std::holds_alternative<ArcMove>(move.shape)) {
     const std::string_view name = start_.side == CutterSide::left ? "G41" : "G42";
-    diagnostics_->add(move.source, errors::kCompensationStartedOnArc,
-                      joined({name, " must start on a G0 or G1 move, not on an arc"}));
+    faults_.push_back({place_, &errors::kCompensationStartedOnArc,
+                       joined({name, " must start on a G0 or G1 move, not on an arc"})});
     sender_.set_place(*end_of(move));
     return;
   }
@@ -189,8 +190,8 @@ void CutterCompensation::take_exit(const Move& move) {
     return;
   }
   if (std::holds_alternative<ArcMove>(move.shape)) {
-    diagnostics_->add(move.source, errors::kCompensationExitOnArc,
-                      "the first move after G40 must be a straight line, not an arc");
+    faults_.push_back({place_, &errors::kCompensationExitOnArc,
+                       "the first move after G40 must be a straight line, not an arc"});
     send_all();
     ready().push() = move;
   } else {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "diagnostics/diagnostic_list.hpp"
@@ -39,21 +40,18 @@ struct CompensationStart {
 // into is an error before it moves. Moves at another depth (no common range along the normal) and
 // rapids have no contour to keep away from, and a rapid ends what is compared.
 //
-// Errors go to the list with the source of the move to blame, when that move is sent. After one the
+// faults() gives what is wrong at the move to blame, when that move is sent. After an error the
 // corner or the move is left out, and what follows is still checked.
 class CutterCompensation {
  public:
   static constexpr std::size_t kWindow = 8;
   static constexpr std::size_t kMaxHeld = 1000;  // moves, those without motion in the plane too
 
-  explicit CutterCompensation(diagnostics::DiagnosticList& diagnostics)
-      : diagnostics_(&diagnostics) {}
-
   // Precondition: not on().
   void start(const CompensationStart& start);
   void stop();
-  // Says that the program ends here: sends all that is held and is off.
-  void finish(diagnostics::SourcePosition source);
+  // The program ends at `place`: sends all that is held and is off.
+  void finish(const diagnostics::DiagnosticPlace& place);
 
   // From start() to stop().
   [[nodiscard]] bool on() const { return on_; }
@@ -66,7 +64,10 @@ class CutterCompensation {
   // Moves must go through take().
   [[nodiscard]] bool busy() const { return on_ || leaving_; }
 
-  void take(const Move& move);
+  // `place` is that of the move.
+  void take(const Move& move, diagnostics::DiagnosticPlace place);
+  // What is wrong with the moves sent since the last call, in their order.
+  std::vector<ContourFault> faults() { return std::exchange(faults_, {}); }
   // Leaves untold what is wrong with the moves held: another error has spoilt the contour.
   void forget_faults();
   [[nodiscard]] MoveQueue& ready() { return sender_.sent(); }
@@ -115,8 +116,9 @@ class CutterCompensation {
     return start_.side == CutterSide::left ? start_.radius_mm : -start_.radius_mm;
   }
 
-  diagnostics::DiagnosticList* diagnostics_;
   PathSender sender_;
+  std::vector<ContourFault> faults_;
+  diagnostics::DiagnosticPlace place_;  // of the move that is being taken
   CompensationStart start_;
   bool on_ = false;
   bool leaving_ = false;

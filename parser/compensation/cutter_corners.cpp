@@ -198,7 +198,7 @@ void CutterCompensation::report_cut(const Cut& cut) {
 void CutterCompensation::blame(HeldMove& held, const diagnostics::ErrorPage& page,
                                std::string message) {
   if (!held.faulty) {
-    held.fault = HeldFault{std::move(message), &page};
+    held.fault = ContourFault{held.place, &page, std::move(message)};
   }
   held.faulty = true;
   if (page.severity == diagnostics::Severity::error) {

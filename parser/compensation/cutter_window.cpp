@@ -44,7 +44,7 @@ void CutterCompensation::send_all() {
 
 void CutterCompensation::send(const HeldMove& held) {
   if (held.fault) {
-    diagnostics_->add_at(held.place, *held.fault->page, held.fault->message);
+    faults_.push_back(*held.fault);
   }
   if (!held.left_out) {
     sender_.send(held);

@@ -14,9 +14,11 @@ namespace kerf::parser {
 // What a move is to the contour. Idle ones do not move in the plane.
 enum class HeldRole : std::uint8_t { idle, entry, contour, exit };
 
-struct HeldFault {
+// What is wrong with a contour, for the list of diagnostics.
+struct ContourFault {
+  diagnostics::DiagnosticPlace place;
+  const diagnostics::ErrorPage* page;
   std::string message;
-  const diagnostics::ErrorPage* page = nullptr;
 };
 
 struct HeldMove {
@@ -33,13 +35,13 @@ struct HeldMove {
   planar::Curve corner;
   double lost_at_start_mm = 0.0;  // of curve.path, to inside corners
   double lost_at_end_mm = 0.0;
-  bool lead = false;               // leads in or out: other moves may pass over it, see gouge.cpp
-  bool left_out = false;           // only its fault is told
-  bool faulty = false;             // not compared any more
-  std::optional<HeldFault> fault;  // to be told when the move is sent
-  std::uint64_t number = 0;        // counts curves
-  std::uint32_t run = 0;           // only moves of the same run can cut into each other; 0: of none
-  double low_mm = 0.0;             // along the plane's normal
+  bool lead = false;      // leads in or out: other moves may pass over it, see gouge.cpp
+  bool left_out = false;  // only its fault is told
+  bool faulty = false;    // not compared any more
+  std::optional<ContourFault> fault;  // to be told when the move is sent
+  std::uint64_t number = 0;           // counts curves
+  std::uint32_t run = 0;  // only moves of the same run can cut into each other; 0: of none
+  double low_mm = 0.0;    // along the plane's normal
   double high_mm = 0.0;
 };
 

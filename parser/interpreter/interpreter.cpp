@@ -12,10 +12,7 @@
 namespace kerf::parser {
 
 Interpreter::Interpreter(ProgramMemory start, diagnostics::DiagnosticList& diagnostics)
-    : memory_(std::move(start)),
-      rules_(&rules_of(memory_.dialect)),
-      diagnostics_(&diagnostics),
-      compensation_(diagnostics) {
+    : memory_(std::move(start)), rules_(&rules_of(memory_.dialect)), diagnostics_(&diagnostics) {
   ModalState& state = memory_.state;
   state.to_initial_level = rules_->starts_at_initial;
   for (std::size_t system = 0; system < Coordinates::kSystems; ++system) {
@@ -82,7 +79,7 @@ void Interpreter::end(std::uint32_t last_line, std::string_view where) {
     curves_.abandon(memory_.state);
   }
   if (compensation_.busy()) {
-    compensation_.finish({last_line, 1, file_});
+    compensation_.finish(diagnostics_->place({last_line, 1, file_}));
     compensate_moves({last_line, 1, file_});
   }
 }
@@ -177,12 +174,19 @@ void Interpreter::compensate_moves(const diagnostics::SourcePosition& source) {
   Move move;
   while (!moves_.empty()) {
     moves_.pop(move);
-    compensation_.take(move);
+    compensation_.take(move, diagnostics_->place(move.source));
   }
   if (program_ended_) {
-    compensation_.finish(source);
+    compensation_.finish(diagnostics_->place(source));
   }
   std::swap(moves_, compensation_.ready());
+  tell_contour_faults();
+}
+
+void Interpreter::tell_contour_faults() {
+  for (ContourFault& fault : compensation_.faults()) {
+    diagnostics_->add_at(std::move(fault.place), *fault.page, std::move(fault.message));
+  }
 }
 
 void Interpreter::enter_subprogram() {

@@ -68,6 +68,7 @@ class Interpreter {
   bool leaves_skipped_curve(const RunningBlock& at, bool complete);
   bool belongs_to_curve(const RunningBlock& at);
   void take_fault(const RunningBlock& at, const diagnostics::Fault& fault);
+  void tell_contour_faults();
   void compensate_moves(const diagnostics::SourcePosition& source);
   void bring_back(const MoveSink& at, const ModalState& saved);
   void keep_contour_in_place(const MoveSink& at, const ModalState& before);

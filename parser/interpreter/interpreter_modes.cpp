@@ -119,6 +119,7 @@ Done Interpreter::set_compensation(const RunningBlock& at) {
     return fault_of(start);
   }
   compensation_.start(*start);
+  tell_contour_faults();
   return {};
 }
 

@@ -79,11 +79,14 @@ struct Compensated {
 // All moves under compensation but the last, which is the exit.
 inline Compensated compensated(const Contour& contour, const CompensationStart& start) {
   diagnostics::DiagnosticList list(100);
-  CutterCompensation stage(list);
+  CutterCompensation stage;
   Compensated result;
   const auto fetch = [&] {
     while (!stage.ready().empty()) {
       stage.ready().pop(result.moves.emplace_back());
+    }
+    for (ContourFault& fault : stage.faults()) {
+      list.add_at(fault.place, *fault.page, fault.message);
     }
   };
   stage.start(start);
@@ -91,10 +94,10 @@ inline Compensated compensated(const Contour& contour, const CompensationStart& 
     if (i + 1 == contour.moves().size()) {
       stage.stop();
     }
-    stage.take(contour.moves()[i]);
+    stage.take(contour.moves()[i], list.place(contour.moves()[i].source));
     fetch();
   }
-  stage.finish({});
+  stage.finish(list.place({}));
   fetch();
   result.diagnostics = list.all();
   return result;
