@@ -104,7 +104,7 @@ bool store_word(Block& block, const char* at, const ScannedNumber& number) {
 bool rounds_to_increment(const Evaluator& evaluator, char letter) {
   constexpr Letters kOfIncrements =
       letters('A', 'B', 'C', 'E', 'F', 'I', 'J', 'K', 'Q', 'R', 'U', 'V', 'W', 'X', 'Y', 'Z');
-  return evaluator.rounding() != nullptr && rules_of(evaluator.dialect()).macro_b &&
+  return evaluator.rounding() != nullptr && rules_of(evaluator.dialect()).least_increments &&
          (kOfIncrements & letter_bit(letter)) != 0;
 }
 
@@ -180,7 +180,7 @@ const auto block_delete = x3::lit('/')[keep_delete] >>
     return false;
   }
   const bool alone = (block.present & ~letter_bit('N')) == 0 && block.g_count + block.m_count == 0;
-  if (rules_of(evaluator.dialect()).macro_b && !alone) {
+  if (rules_of(evaluator.dialect()).assigns_at_once && !alone) {
     evaluator.fail(block.line.data() + block.assignment - 1, errors::kAssignmentBesideWords,
                    "an assignment must stand alone in its block");
     block.stop = Stop::value;

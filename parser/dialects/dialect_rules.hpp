@@ -29,11 +29,28 @@ struct DialectRules {
   bool r_alone_drills;
   bool back_bore_aside;  // G87 goes aside by I, J, K; else by Q, which is not supported
 
-  // Text, variables and expressions.
-  bool macro_b;        // custom macro B and program numbers; else o-words and names
-  std::size_t locals;  // #1 and on, which each call has anew
-  std::size_t
-      plain_end;  // behind the variables that are the program's own and there from the start
+  // Text.
+  bool numbered_delete;          // '/2' to '/9' are block deletes of their own
+  bool blocks_behind_semicolon;  // ';' ends a block; else it begins a comment
+  bool abort_comments;           // (ABORT, message) ends the program
+  bool least_increments;         // the machine says what a number without a point counts in
+
+  // Flow.
+  bool o_words;            // o100 if, o<name> call and so on
+  bool macro_statements;   // IF, WHILE and GOTO of custom macro B
+  bool numbered_programs;  // ':' is O too, and a program ends where the next one begins
+  bool macro_calls;        // G65 to G67, and programs that are called by <NAME>
+  bool repeats_in_p;       // P30100 of M98 is L3 P100
+  double first_call_code;  // M97 or M98
+
+  // Variables and expressions.
+  bool macro_arithmetic;    // the functions and operators of custom macro B; else of RS274/NGC
+  bool named_variables;     // #<name>
+  bool assigns_at_once;     // else behind the words of the block
+  bool vacant_variables;    // #0, and what was never set; else that is 0
+  bool control_variables;   // from #1000 on they are those of a Fanuc control; else of LinuxCNC
+  std::size_t locals;       // #1 and on, which each call has anew
+  std::size_t plain_end;    // behind the variables that only the program writes
   std::size_t first_asked;  // from here on the machine's state is asked first
   std::size_t variables_end;
 };

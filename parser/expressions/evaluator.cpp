@@ -171,7 +171,7 @@ bool Evaluator::check_writable(const Reference& variable, int& number) {
   if (!variable.named && !find_number(variable, number)) {
     return false;
   }
-  if (variable.named && rules_of(dialect()).macro_b) {
+  if (variable.named && !rules_of(dialect()).named_variables) {
     return fail(variable.at, errors::kNoSuchVariable,
                 joined({"variable #<", variable.name,
                         ">: names belong to RS274/NGC, here variables have numbers"}));
@@ -214,15 +214,15 @@ bool Evaluator::read_assignment(Cursor& cursor) {
   }
   cursor.at = static_cast<std::size_t>(skip_blanks(at + 1, end) - cursor.line.data());
   double value = 0.0;
-  const bool fanuc = rules_of(dialect()).macro_b;
-  if (!(fanuc ? read_expression(cursor, value) : read_value(cursor, value))) {
+  const bool at_once = rules_of(dialect()).assigns_at_once;
+  if (!(at_once ? read_expression(cursor, value) : read_value(cursor, value))) {
     if (variable.named && !parameters_->get(variable.name)) {
       // Else each later use of the name would be reported as well.
       pending_.push_back({0, variable.name, 0.0});
     }
     return false;
   }
-  if (!fanuc) {
+  if (!at_once) {
     pending_.push_back({number, variable.name, value});
   } else if (parameters_->set(number, value) != Write::done) {
     return fail(variable.at, errors::kReadOnlyVariable,

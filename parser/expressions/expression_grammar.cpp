@@ -85,7 +85,7 @@ constexpr auto call_atan = [](auto& context) {
   const boost::optional<double>& divisor = fusion::at_c<3>(x3::_attr(context));
   Evaluator& evaluator = evaluator_of(context);
   const bool one = !inside && !divisor;
-  if ((inside && divisor) || (one && !rules_of(evaluator.dialect()).macro_b)) {
+  if ((inside && divisor) || (one && !rules_of(evaluator.dialect()).macro_arithmetic)) {
     x3::_pass(context) =
         evaluator.fail(at, errors::kFunctionForm, "ATAN needs the form ATAN[a]/[b]");
     return;

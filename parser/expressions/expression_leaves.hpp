@@ -188,7 +188,7 @@ struct FunctionName : ValueLeaf<FunctionName, Call> {
 struct Comma : ValueLeaf<Comma, Nothing> {
   bool read(const Reading& reading, Nothing&) const {
     if (reading.at == reading.end || *reading.at != ',' ||
-        !rules_of(reading.evaluator.dialect()).macro_b) {
+        !rules_of(reading.evaluator.dialect()).macro_arithmetic) {
       return false;
     }
     ++reading.at;

@@ -127,7 +127,7 @@ Outcome square_root(double argument) {
 }  // namespace
 
 Function find_function(std::string_view name, Dialect dialect) {
-  const bool fanuc = rules_of(dialect).macro_b;
+  const bool fanuc = rules_of(dialect).macro_arithmetic;
   for (const Entry& entry : kFunctions) {
     const bool known = fanuc ? entry.fanuc : entry.ngc;
     const bool shortened = fanuc && name.size() == 2 && entry.name.substr(0, 2) == name;
@@ -141,12 +141,12 @@ Function find_function(std::string_view name, Dialect dialect) {
 double arc_tangent_deg(double y, double x, Dialect dialect) {
   // A zero has no sign here: adding +0 takes it off.
   const double angle = std::atan2(y + 0.0, x + 0.0) * kDegrees;
-  return rules_of(dialect).macro_b && angle < 0.0 ? angle + 360.0 : angle;
+  return rules_of(dialect).macro_arithmetic && angle < 0.0 ? angle + 360.0 : angle;
 }
 
 Outcome apply(Function function, double argument, Dialect dialect) {
   const double x = is_vacant(argument) ? 0.0 : argument;
-  const bool fanuc = rules_of(dialect).macro_b;
+  const bool fanuc = rules_of(dialect).macro_arithmetic;
   switch (function) {
     case Function::abs:
       return {std::fabs(x), nullptr, {}};

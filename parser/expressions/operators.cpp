@@ -45,13 +45,13 @@ Outcome modulo(const Operands& operands, Dialect dialect) {
     return {0.0, &errors::kDivisionByZero, "division by zero in MOD"};
   }
   const double rest = std::fmod(operands.left, operands.right);
-  const bool lift = rest < 0.0 && !rules_of(dialect).macro_b;
+  const bool lift = rest < 0.0 && !rules_of(dialect).macro_arithmetic;
   return finite(lift ? rest + std::fabs(operands.right) : rest);
 }
 
 bool equal(const Operands& operands, Dialect dialect) {
   const double difference = std::fabs(operands.left - operands.right);
-  if (!rules_of(dialect).macro_b) {
+  if (!rules_of(dialect).macro_arithmetic) {
     return difference < kNgcTolerance;
   }
   return difference <=
@@ -110,7 +110,7 @@ Outcome apply_plain(Operator op, const Operands& operands, Dialect dialect) {
     case Operator::less_equal:
       return truth(operands.left <= operands.right);
     default:
-      return !rules_of(dialect).macro_b ? logical(op, operands) : bitwise(op, operands);
+      return !rules_of(dialect).macro_arithmetic ? logical(op, operands) : bitwise(op, operands);
   }
 }
 
@@ -119,7 +119,7 @@ Outcome apply_plain(Operator op, const Operands& operands, Dialect dialect) {
 int level_of(Operator op, Dialect dialect) {
   constexpr std::array<int, 16> kNgc = {-1, 4, 3, 3, 3, 2, 2, 1, 1, 1, 1, 1, 1, 0, 0, 0};
   constexpr std::array<int, 16> kFanuc = {-1, -1, 3, 3, 3, 2, 2, 1, 1, 1, 1, 1, 1, 3, 2, 2};
-  return (!rules_of(dialect).macro_b ? kNgc : kFanuc)[static_cast<std::size_t>(op)];
+  return (!rules_of(dialect).macro_arithmetic ? kNgc : kFanuc)[static_cast<std::size_t>(op)];
 }
 
 Outcome apply(Operator op, const Operands& operands, Dialect dialect) {

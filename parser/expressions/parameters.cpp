@@ -22,7 +22,7 @@ Parameters::Parameters(Dialect dialect)
       locals_(rules_of(dialect).locals),
       plain_end_(rules_of(dialect).plain_end),
       first_asked_(rules_of(dialect).first_asked),
-      empty_(rules_of(dialect).macro_b ? kVacant : 0.0),
+      empty_(rules_of(dialect).vacant_variables ? kVacant : 0.0),
       numbered_(rules_of(dialect).variables_end, empty_),
       written_(numbered_.size()) {}
 
@@ -30,7 +30,7 @@ bool Parameters::keeps(int number) const {
   if (number < 1 || static_cast<std::size_t>(number) >= numbered_.size()) {
     return false;
   }
-  return !rules_of(dialect_).macro_b || static_cast<std::size_t>(number) <= locals_ ||
+  return !rules_of(dialect_).control_variables || static_cast<std::size_t>(number) <= locals_ ||
          (number >= 100 && number <= 199) || number >= 500;
 }
 
@@ -40,17 +40,17 @@ std::optional<double> Parameters::get_other(int number) const {
       return value;
     }
   }
-  if (number == 0 && rules_of(dialect_).macro_b) {
+  if (number == 0 && rules_of(dialect_).vacant_variables) {
     return kVacant;
   }
   return keeps(number) ? std::optional(numbered_[static_cast<std::size_t>(number)]) : std::nullopt;
 }
 
 Write Parameters::may_set(int number) const {
-  if (!rules_of(dialect_).macro_b && is_read_only(number)) {
+  if (!rules_of(dialect_).control_variables && is_read_only(number)) {
     return Write::read_only;
   }
-  if (rules_of(dialect_).macro_b && number == 0) {
+  if (rules_of(dialect_).vacant_variables && number == 0) {
     return Write::read_only;
   }
   return get(number) ? Write::done : Write::no_such_parameter;

@@ -50,7 +50,7 @@ class Parameters {
   bool is_first_unset_read(int number) {
     const auto place = static_cast<std::size_t>(number);
     const bool unset = number > 0 && place < plain_end_ && !written_[place] &&
-                       (place > locals_ || frames_.empty()) && !rules_of(dialect_).macro_b;
+                       (place > locals_ || frames_.empty()) && !rules_of(dialect_).vacant_variables;
     if (unset) {
       written_[place] = true;
     }

@@ -182,7 +182,7 @@ Expected<Call> read_program_call(const Block& block, const Word& code, Dialect d
                   .runs = block.value_or('L', 1.0),
                   .program_at = block.has('P') ? block.word('P').offset : code.offset,
                   .runs_at = block.has('L') ? block.word('L').offset : code.offset};
-  const bool both = rules_of(dialect).macro_b && !local && !block.has('L') &&
+  const bool both = rules_of(dialect).repeats_in_p && !local && !block.has('L') &&
                     numbers.program > 9999.0 && is_whole(numbers.program, 0.0, kLargestNumber);
   if (both) {
     numbers.runs = std::floor(numbers.program / 10000.0);

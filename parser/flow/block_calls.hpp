@@ -14,7 +14,7 @@ namespace kerf::parser {
 
 // The first call code of a block; nullptr: it has none. One compare for each code.
 inline const Word* find_program_code(const Block& block, Dialect dialect) {
-  const double first = rules_of(dialect).macro_b ? 97.0 : 98.0;
+  const double first = rules_of(dialect).first_call_code;
   for (std::size_t i = 0; i < block.m_count; ++i) {
     if (block.m[i].value >= first && block.m[i].value <= 99.0) {
       return &block.m[i];

@@ -51,7 +51,7 @@ class Flow {
   [[nodiscard]] bool active() const { return active_; }
   // Whether a program in this dialect keeps its text from its first line on.
   [[nodiscard]] bool keeps_from_start() const {
-    return rules_of(options_->dialect).macro_b && !forgotten_;
+    return rules_of(options_->dialect).macro_statements && !forgotten_;
   }
   // Keeps the text from this line on, which next() gives again unless it has been run already.
   // `keeping`: there is no statement yet, so the text may be dropped when it gets long.

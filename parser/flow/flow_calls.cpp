@@ -98,7 +98,7 @@ bool Flow::find_and_enter() {
     found = find_in(*main_, call_);
   }
   if (found.text == nullptr && !local &&
-      (!rules_of(options_->dialect).macro_b || main_->closed())) {
+      (!rules_of(options_->dialect).numbered_programs || main_->closed())) {
     found = find_in_file();
   }
   if (found.text == nullptr) {

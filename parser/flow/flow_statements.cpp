@@ -225,7 +225,7 @@ void Flow::meet_program_number(std::uint32_t index) {
           "the subprogram before this one has no M99");
     return leave();
   }
-  if (frames_.empty() && rules_of(options_->dialect).macro_b && !text_->is_head(index)) {
+  if (frames_.empty() && rules_of(options_->dialect).numbered_programs && !text_->is_head(index)) {
     fault(current_, text_->statement(index).label_at, errors::kRunsIntoProgram,
           "the program ends here, it has no M30, M2 or M99");
     stopped_ = true;

@@ -46,7 +46,7 @@ void ProgramText::take(const Line& line) {
     return;
   }
   const BlockStart start = find_block_start(text);
-  if (start.line_number && rules_of(origin_.dialect).macro_b) {
+  if (start.line_number && rules_of(origin_.dialect).macro_statements) {
     numbers_.add(*start.line_number, index, structure_.innermost());
   }
   if (may_be_statement(text, start.at, rules_of(origin_.dialect))) {

@@ -86,7 +86,7 @@ Expected<Statement> read_o_word(std::string_view line, std::size_t at, const Dia
   }
   statement.keyword = word->keyword;
   const bool program = word->keyword == Keyword::program;
-  if (rules.macro_b && !program) {
+  if (!rules.o_words && !program) {
     return fail(
         at, errors::kOWordInFanuc,
         joined({name, " ", text, ": o-words belong to RS274/NGC, not to the Fanuc dialect"}));
@@ -218,10 +218,10 @@ Expected<Statement> read_macro(std::string_view line, std::size_t at) {
 Expected<Statement> read_statement(std::string_view line, std::size_t at, Dialect dialect) {
   const DialectRules& rules = rules_of(dialect);
   const char first = at < line.size() ? lower(line[at]) : ' ';
-  if (first == 'o' || (first == ':' && rules.macro_b)) {
+  if (first == 'o' || (first == ':' && rules.numbered_programs)) {
     return read_o_word(line, at, rules);
   }
-  return rules.macro_b ? read_macro(line, at) : Statement{};
+  return rules.macro_statements ? read_macro(line, at) : Statement{};
 }
 
 }  // namespace kerf::parser

@@ -15,8 +15,9 @@ namespace kerf::parser {
 // One look at the byte where the words begin. False: the line is no statement for sure.
 inline bool may_be_statement(std::string_view line, std::size_t at, const DialectRules& rules) {
   const auto first = static_cast<char>(at < line.size() ? line[at] | 0x20 : ' ');
-  return first == 'o' || (rules.macro_b && (first == ':' || first == 'i' || first == 'w' ||
-                                            first == 'g' || first == 'e' || first == 'd'));
+  return first == 'o' || (first == ':' && rules.numbered_programs) ||
+         (rules.macro_statements &&
+          (first == 'i' || first == 'w' || first == 'g' || first == 'e' || first == 'd'));
 }
 
 // Reads the statement whose words begin at `at`: the label and the keyword, not what follows them.

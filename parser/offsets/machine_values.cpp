@@ -49,7 +49,7 @@ constexpr int kRotation = 9;
 }  // namespace
 
 std::optional<double> MachineValues::number(int number) const {
-  if (rules_of(memory_->dialect).macro_b) {
+  if (rules_of(memory_->dialect).control_variables) {
     return fanuc_number(number);
   }
   const ModalState& state = memory_->state;
@@ -124,7 +124,7 @@ std::optional<double> MachineValues::work_value(int number) const {
 }
 
 bool MachineValues::take(int number, double value) {
-  if (rules_of(memory_->dialect).macro_b) {
+  if (rules_of(memory_->dialect).control_variables) {
     return fanuc_take(number, value);
   }
   ModalState& state = memory_->state;

@@ -37,12 +37,12 @@ void warn_about(const Block& block, LineInDialect where, SaidOnce& said,
     diagnostics.add({line, block.stale_read}, errors::kStaleRead,
                     joined({"the variable at ", quoted(rest),
                             " is set in the same block: its value from before is used"}));
-  } else if (!rules_of(where.dialect).macro_b && block.assignment != 0 &&
+  } else if (!rules_of(where.dialect).assigns_at_once && block.assignment != 0 &&
              has_words_beside_number(block)) {
     diagnostics.add({line, block.assignment}, errors::kAssignmentAmongWords,
                     "the assignment takes effect behind the words of its block");
   }
-  if (block.numbered_delete && !rules_of(where.dialect).macro_b) {
+  if (block.numbered_delete && !rules_of(where.dialect).numbered_delete) {
     diagnostics.add({line, 1}, errors::kNumberedBlockDelete,
                     joined({"numbered block delete '", block.line.substr(block.line.find('/'), 2),
                             "' belongs to the Fanuc dialect"}));
@@ -55,7 +55,7 @@ void warn_about(const Block& block, LineInDialect where, SaidOnce& said,
   if (block.remark != 0) {
     const std::string_view remark = block.line.substr(block.remark);
     const std::size_t last = remark.find_last_not_of(" \t");
-    const bool is_block = rules_of(where.dialect).macro_b && reads_as_block(remark);
+    const bool is_block = rules_of(where.dialect).blocks_behind_semicolon && reads_as_block(remark);
     if (!is_block && last != std::string_view::npos && remark[last] == ';') {
       diagnostics.add({line, block.remark}, errors::kSemicolonAtEnd,
                       joined({"the text after ';' is taken as a comment: ", quoted(remark)}));

@@ -96,7 +96,7 @@ void ProgramRun::run_macro_call(const Line& line, const Word& code) {
 
 // True: the block is done with.
 bool ProgramRun::run_call(const Line& line, bool complete) {
-  if (rules_.macro_b) {
+  if (rules_.macro_calls) {
     if (const Word* const code = find_macro_code(block_)) {
       run_macro_call(line, *code);
       return true;
@@ -134,7 +134,7 @@ void ProgramRun::read_line(const Line& line) {
     watched_block_ = {std::string(line.text), interpreter_.state(), interpreter_.blocks_run()};
   }
   read_code(line);
-  if (rules_.macro_b && block_.remark != 0) {
+  if (rules_.blocks_behind_semicolon && block_.remark != 0) {
     read_behind_semicolon(line);
   }
 }
@@ -142,7 +142,7 @@ void ProgramRun::read_line(const Line& line) {
 void ProgramRun::read_code(const Line& line) {
   called_ = false;
   const bool complete = read_block(line.text, block_, evaluator_);
-  if (!complete && rules_.macro_b && has_program_name()) {
+  if (!complete && rules_.macro_calls && has_program_name()) {
     run_named_call(line);
   } else {
     run_block(line, complete);
@@ -153,7 +153,7 @@ void ProgramRun::read_code(const Line& line) {
 // it comes before the words.
 bool ProgramRun::aborts(const Line& line) {
   constexpr std::string_view kAbort = "ABORT,";
-  if (rules_.macro_b || block_.comment == 0) {
+  if (!rules_.abort_comments || block_.comment == 0) {
     return false;
   }
   const std::string_view comment = line.text.substr(block_.comment);
@@ -181,7 +181,7 @@ void ProgramRun::run_block(const Line& line, bool complete) {
   }
   if (block_.assignment != 0) {
     any_block_ = true;
-    if (complete && rules_.macro_b) {
+    if (complete && rules_.control_variables) {
       return act_on_signal(line);
     }
   }
@@ -196,7 +196,7 @@ void ProgramRun::run_block(const Line& line, bool complete) {
   if (called_) {
     return;
   }
-  if (rules_.macro_b) {
+  if (rules_.macro_calls) {
     return run_fanuc_block(line, complete);
   }
   interpreter_.run(block_, line.number, complete);

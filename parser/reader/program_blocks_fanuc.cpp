@@ -95,7 +95,7 @@ void ProgramRun::act_on_signal(const Line& line) {
 
 void ProgramRun::interpret(const Line& line, bool complete) {
   const double least_increment_mm = options_.machine.least_increment_mm;
-  if (rules_.macro_b && least_increment_mm != 0.0) {
+  if (rules_.least_increments && least_increment_mm != 0.0) {
     count_in_least_increments(interpreter_.state(), least_increment_mm, block_);
   }
   interpreter_.run(block_, line.number, complete);
@@ -104,7 +104,7 @@ void ProgramRun::interpret(const Line& line, bool complete) {
 void ProgramRun::run_fanuc_block(const Line& line, bool complete) {
   const bool idle = interpreter_.moves().empty();
   interpret(line, complete);
-  if (complete) {
+  if (complete && rules_.least_increments) {
     check_points(line);
   }
   if (modal_calls_.any() && idle && !interpreter_.moves().empty() &&

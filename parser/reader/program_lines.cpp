@@ -59,7 +59,7 @@ void ProgramRun::reach_end() {
 
 // Whether the text has to be kept from this line on.
 bool ProgramRun::begins_flow(std::string_view text) const {
-  if (rules_.macro_b && flow_.keeps_from_start()) {
+  if (rules_.macro_statements && flow_.keeps_from_start()) {
     return true;
   }
   std::size_t at = skip_blanks(text, 0);
