@@ -80,7 +80,7 @@ bool store_word(Block& block, const char* at, const ScannedNumber& number) {
   const Letters bit = Letters{1} << index;
   Word* word = &block.words[index];
   if (((block.present | letters('G', 'M')) & bit) != 0) {
-    word = place_for(block, to_upper(*at));
+    word = place_for(block, detail::to_upper(*at));
     if (word == nullptr) {
       return false;
     }
@@ -95,7 +95,7 @@ bool store_word(Block& block, const char* at, const ScannedNumber& number) {
     block.first_word = word->offset;
   }
   if (number.oddity != Oddity::none) {
-    note_oddity(block, *word, to_upper(*at), number.oddity);
+    note_oddity(block, *word, detail::to_upper(*at), number.oddity);
   }
   return true;
 }
@@ -112,7 +112,7 @@ bool rounds_to_increment(const Evaluator& evaluator, char letter) {
 [[gnu::noinline]] bool store_worked_out(const Target& target, const char* at,
                                         ScannedNumber number) {
   Block& block = target.block;
-  const char letter = to_upper(*at);
+  const char letter = detail::to_upper(*at);
   if (rounds_to_increment(target.evaluator, letter)) {
     block.stop = Stop::value;
     return target.evaluator.fail(

@@ -11,13 +11,6 @@
 
 namespace kerf::parser::leaves {
 
-constexpr bool is_letter(char c) {
-  return static_cast<unsigned char>((c | 0x20) - 'a') < 26;
-}
-constexpr char to_upper(char c) {
-  return static_cast<char>(c & ~0x20);
-}
-
 // What is filled, and who works out what is no plain number.
 struct Target {
   Block& block;
@@ -52,7 +45,8 @@ constexpr CommentByte byte_of_remark() {
 struct Letter : Leaf<Letter, const char*> {
   template <class Context>
   bool operator()(const Place<Context>& place, const char*& at) const {
-    if (place.at == place.end || !is_letter(*place.at) || to_upper(*place.at) == 'N') {
+    if (place.at == place.end || !detail::is_letter(*place.at) ||
+        detail::to_upper(*place.at) == 'N') {
       return false;
     }
     at = place.at++;

@@ -171,10 +171,10 @@ diagnostics::Fault explain_stop(const Block& block) {
                     "' outside of brackets: an expression stands in [ ]"}),
             &errors::kOperatorOutsideBrackets};
   }
-  if (is_letter(c)) {
+  if (detail::is_letter(c)) {
     return explain_letter(block, at);
   }
-  if (c == ',' && at + 1 < line.size() && is_letter(line[at + 1])) {
+  if (c == ',' && at + 1 < line.size() && detail::is_letter(line[at + 1])) {
     return explain_corner(line, at);
   }
   return explain_beside_number(block, at);

@@ -102,7 +102,7 @@ diagnostics::Fault explain_characters(const Gap& gap) {
     }
     return {gap.at, malformed, &errors::kMalformedNumber};
   }
-  return is_letter(rest[0]) ? explain_letters(gap) : explain_character(rest, gap.at);
+  return detail::is_letter(rest[0]) ? explain_letters(gap) : explain_character(rest, gap.at);
 }
 
 }  // namespace

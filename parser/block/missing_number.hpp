@@ -7,17 +7,15 @@
 
 #include "diagnostics/fault.hpp"
 #include "parser/block/block.hpp"
+#include "parser/text/number.hpp"
 
 namespace kerf::parser {
 
-constexpr bool is_letter(char c) {
-  return static_cast<unsigned char>((c | 0x20) - 'a') < 26;
-}
-
 // The letters that `rest` begins with.
 inline std::string_view letters_at(std::string_view rest) {
-  return rest.substr(0, static_cast<std::size_t>(
-                            std::find_if_not(rest.begin(), rest.end(), is_letter) - rest.begin()));
+  return rest.substr(
+      0, static_cast<std::size_t>(std::find_if_not(rest.begin(), rest.end(), detail::is_letter) -
+                                  rest.begin()));
 }
 
 // Precondition: a letter stands at `letter_at` in the block's line, and no number behind it.

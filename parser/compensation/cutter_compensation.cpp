@@ -11,7 +11,6 @@ namespace kerf::parser {
 
 namespace {
 
-constexpr double kTurn_rad = 2 * 3.14159265358979323846;
 // Less motion in the plane than this has no direction.
 constexpr double kMinMotion_mm = 1e-7;
 
@@ -93,7 +92,7 @@ planar::Curve CutterCompensation::curve_of(const Move& move) const {
     curve.sweep_rad =
         turn_rad(curve.start_mm - curve.centre_mm, curve.end_mm - curve.centre_mm, arc->clockwise);
     const bool closed = curve.start_mm == curve.end_mm || curve.sweep_rad == 0.0;
-    const double whole = kTurn_rad * (arc->turns - (closed ? 0 : 1));
+    const double whole = planar::kTurn_rad * (arc->turns - (closed ? 0 : 1));
     curve.sweep_rad = (closed ? 0.0 : curve.sweep_rad) + (arc->clockwise ? -whole : whole);
   }
   return curve;

@@ -68,7 +68,7 @@ class CutterCompensation {
   void take(const Move& move, diagnostics::DiagnosticPlace place);
   // What is wrong with the moves sent since the last call, in their order.
   std::vector<ContourFault> faults() { return std::exchange(faults_, {}); }
-  // Leaves untold what is wrong with the moves held: another error has spoilt the contour.
+  // Drops the faults of the moves held, since another error has spoilt the contour.
   void forget_faults();
   [[nodiscard]] MoveQueue& ready() { return sender_.sent(); }
 

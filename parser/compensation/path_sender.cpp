@@ -4,12 +4,6 @@
 
 namespace kerf::parser {
 
-namespace {
-
-constexpr double kTurn_rad = 2 * 3.14159265358979323846;
-
-}  // namespace
-
 Point PathSender::point_at(planar::Vec centre_mm, double normal_mm) const {
   Point point{};
   point[axes_.first] = centre_mm.x + shift_mm_.x;
@@ -43,18 +37,19 @@ void PathSender::send_arc(const HeldMove& held, const planar::Curve& arc, double
   shape.end_mm = point_at(arc.end_mm, normal_mm);
   const double turn =
       std::fabs(turn_rad(centre_mm() - arc.centre_mm, arc.end_mm - arc.centre_mm, shape.clockwise));
-  const double sweep = turn + kTurn_rad * std::round((std::fabs(arc.sweep_rad) - turn) / kTurn_rad);
+  const double sweep =
+      turn + planar::kTurn_rad * std::round((std::fabs(arc.sweep_rad) - turn) / planar::kTurn_rad);
   if (sweep < kNoise_rad) {
     send_line(held, shape.end_mm);
     return;
   }
-  const double turns = std::round(sweep / kTurn_rad);
-  if (turns >= 1.0 && std::fabs(sweep - turns * kTurn_rad) < kNoise_rad) {
+  const double turns = std::round(sweep / planar::kTurn_rad);
+  if (turns >= 1.0 && std::fabs(sweep - turns * planar::kTurn_rad) < kNoise_rad) {
     shape.end_mm[axes_.first] = place_mm_[axes_.first];
     shape.end_mm[axes_.second] = place_mm_[axes_.second];
     shape.turns = static_cast<int>(turns);
   } else {
-    shape.turns = 1 + static_cast<int>(sweep / kTurn_rad);
+    shape.turns = 1 + static_cast<int>(sweep / planar::kTurn_rad);
   }
   push(held, shape.end_mm).shape = shape;
 }

@@ -6,7 +6,6 @@ namespace kerf::parser::planar {
 
 namespace {
 
-constexpr double kTurn_rad = 2 * 3.14159265358979323846;
 // Angles this close to a whole turn are a point just outside the arc, not one nearly round it.
 constexpr double kAngleNoise_rad = 1e-7;
 

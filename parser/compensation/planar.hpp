@@ -8,6 +8,8 @@
 
 namespace kerf::parser::planar {
 
+inline constexpr double kTurn_rad = 2 * 3.14159265358979323846;
+
 // A point or a direction, along the plane's first and second axis.
 struct Vec {
   double x = 0.0;

@@ -13,8 +13,6 @@ namespace kerf::parser::planar {
 
 namespace {
 
-constexpr double kTurn_rad = 2 * 3.14159265358979323846;
-
 double radius_mm(const Curve& arc) {
   return (arc.start_radius_mm() + arc.end_radius_mm()) / 2;
 }

@@ -12,7 +12,7 @@ namespace kerf::parser {
 
 class CurveReader {
  public:
-  // Its blocks are being gathered.
+  // A curve has begun and is not complete.
   [[nodiscard]] bool open() const { return nurbs_.active() || uniform_.active(); }
   // The block is the first of a curve.
   [[nodiscard]] static bool begins(const RunningBlock& at, const ModalState& state) {
@@ -34,9 +34,9 @@ class CurveReader {
   };
   [[nodiscard]] diagnostics::Fault unfinished(const TextEnd& end) const;
 
-  // There was an error in the curve: its blocks mean nothing any more.
+  // Drops the curve after an error. Its remaining blocks are skipped.
   void abandon(ModalState& state);
-  // The same where the block that should have begun one has an error.
+  // Skips the blocks of a curve whose first block has an error.
   void skip_from(const Block& block);
   void skip(Motion motion);
   [[nodiscard]] bool skipping() const { return skipped_ != kNoCode; }

@@ -22,7 +22,7 @@ class NurbsCollector {
   [[nodiscard]] bool active() const { return active_; }
   // The block of the first control point.
   Done begin(const RunningBlock& at, const ModalState& state);
-  // A further block. Precondition: active. After `complete` and a fault it is active no more.
+  // A further block. Precondition: active. It is not active after `complete` or a fault.
   Expected<CurveProgress> add(const RunningBlock& at, const ModalState& state);
   // Why the curve is not complete, where the text ends here.
   [[nodiscard]] diagnostics::Fault unfinished(std::uint32_t offset, std::string_view where) const;

@@ -15,7 +15,7 @@ class UniformCollector {
  public:
   [[nodiscard]] bool active() const { return active_; }
   Done begin(const RunningBlock& at, const ModalState& state);
-  // Precondition: active. After `complete` and a fault it is active no more.
+  // Precondition: active. It is not active after `complete` or a fault.
   Expected<CurveProgress> add(const RunningBlock& at, const ModalState& state);
   [[nodiscard]] diagnostics::Fault unfinished(std::uint32_t offset, std::string_view where) const;
   void abort() { active_ = false; }

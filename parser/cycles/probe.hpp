@@ -13,7 +13,7 @@ struct ProbeWay {
   Point end_mm{};
   double length_mm = 0.0;
 };
-// Where the block leads, as long as nothing is met. Nothing: the block does not probe.
+// Where the probe ends if it meets nothing. Nothing: the block does not probe.
 Expected<std::optional<ProbeWay>> read_probe(const RunningBlock& at, const ModalState& state);
 
 struct ProbeMove {

@@ -62,7 +62,6 @@ class Evaluator {
   // Does what the line's assignments say.
   void commit();
 
-  [[nodiscard]] bool has_pending() const { return !pending_.empty(); }
   [[nodiscard]] const diagnostics::Fault& fault() const { return fault_; }
   // Offset + 1 of a variable that was read behind its assignment in the same line, where it still
   // had the value from before; 0: none.

@@ -16,18 +16,11 @@ namespace {
 using detail::is_blank;
 using detail::is_digit;
 
-constexpr bool is_letter(char c) {
-  return static_cast<unsigned char>((c | 0x20) - 'a') < 26;
-}
-constexpr char to_upper(char c) {
-  return static_cast<char>(c & ~0x20);
-}
-
 // Behind `rest` at `first`; nullptr where something else stands there.
 const char* behind(const char* first, const char* last, std::string_view rest) {
   for (const char wanted : rest) {
     first = skip_blanks(first, last);
-    if (first == last || to_upper(*first) != wanted) {
+    if (first == last || detail::to_upper(*first) != wanted) {
       return nullptr;
     }
     ++first;
@@ -48,7 +41,7 @@ constexpr std::array kSpellings = {
 };
 
 std::size_t letters_in(std::string_view rest) {
-  return static_cast<std::size_t>(std::find_if_not(rest.begin(), rest.end(), is_letter) -
+  return static_cast<std::size_t>(std::find_if_not(rest.begin(), rest.end(), detail::is_letter) -
                                   rest.begin());
 }
 
@@ -61,7 +54,7 @@ std::string found(const Reading& reading) {
   if (rest[0] == '(' || rest[0] == ';') {
     return "a comment";
   }
-  if (is_letter(rest[0])) {
+  if (detail::is_letter(rest[0])) {
     return quoted(rest.substr(0, letters_in(rest)));
   }
   if (is_digit(rest[0])) {
@@ -92,7 +85,7 @@ std::string_view before(const Reading& reading) {
     --last;
   }
   const char* first = last;
-  while (first != reading.begin && is_letter(first[-1])) {
+  while (first != reading.begin && detail::is_letter(first[-1])) {
     --first;
   }
   if (first == last && first != reading.begin) {
@@ -130,11 +123,11 @@ ScannedOperator scan_operator(const char* first, const char* last) {
     default:
       break;
   }
-  if (!is_letter(*first)) {
+  if (!detail::is_letter(*first)) {
     return {};
   }
   for (const Spelling& spelling : kSpellings) {
-    if (to_upper(*first) == spelling.text[0]) {
+    if (detail::to_upper(*first) == spelling.text[0]) {
       if (const char* const end = behind(first + 1, last, spelling.text.substr(1))) {
         return {spelling.op, end};
       }
@@ -147,8 +140,8 @@ ScannedName scan_name(const char* first, const char* last) {
   ScannedName name;
   name.end = first;
   for (const char* at = first; at != last && name.size < name.letters.size(); ++at) {
-    if (is_letter(*at)) {
-      name.letters[name.size++] = to_upper(*at);
+    if (detail::is_letter(*at)) {
+      name.letters[name.size++] = detail::to_upper(*at);
       name.end = at + 1;
     } else if (!is_blank(*at)) {
       break;
@@ -169,7 +162,7 @@ bool explain_no_value(const Reading& reading) {
                           joined({"malformed number ", quoted(std::string(last) + *reading.at),
                                   ": more than one sign"}));
   }
-  if (reading.at != reading.end && is_letter(*reading.at)) {
+  if (reading.at != reading.end && detail::is_letter(*reading.at)) {
     const std::string_view rest(reading.at, static_cast<std::size_t>(reading.end - reading.at));
     return evaluator.fail(
         reading.at, errors::kUnknownFunction,

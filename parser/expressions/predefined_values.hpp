@@ -24,11 +24,4 @@ class PredefinedValues {
   virtual bool take(int number, double value) = 0;
 };
 
-class NoPredefinedValues final : public PredefinedValues {
- public:
-  [[nodiscard]] std::optional<double> number(int) const override { return std::nullopt; }
-  [[nodiscard]] std::optional<double> name(std::string_view) const override { return std::nullopt; }
-  bool take(int, double) override { return false; }
-};
-
 }  // namespace kerf::parser

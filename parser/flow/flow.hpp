@@ -47,7 +47,7 @@ class Flow {
   Flow(const ReaderOptions& options, ProgramInput& input, Evaluator& evaluator,
        diagnostics::DiagnosticList& diagnostics, Interpreter& interpreter);
 
-  // False: lines come straight from the input; ask begins_with() about each of them.
+  // False: lines come straight from the input.
   [[nodiscard]] bool active() const { return active_; }
   // Whether a program in this dialect keeps its text from its first line on.
   [[nodiscard]] bool keeps_from_start() const {

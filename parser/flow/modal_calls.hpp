@@ -9,14 +9,14 @@
 
 namespace kerf::parser {
 
-// Modal calls lie over each other: a move calls the last one, a move in the macro of that the one
-// beneath it, and so on; G67 takes the last one away.
+// Modal calls form a stack. A move calls the top one, a move inside that macro calls the one below
+// it, and so on. G67 removes the top one.
 class ModalCalls {
  public:
   static constexpr std::size_t kMax = 4;
 
   [[nodiscard]] bool any() const { return count_ > 0; }
-  // False: there are as many as there may be.
+  // False: the stack is full.
   bool add(Call call) {
     if (count_ == kMax) {
       return false;
@@ -26,7 +26,7 @@ class ModalCalls {
   }
   void cancel() { count_ -= count_ > 0 ? 1 : 0; }
 
-  // The call that a move makes which stands `depth` calls deep; nullptr: none is left.
+  // The call of a move that is `depth` calls deep; nullptr: none is left.
   const Call* begin(std::size_t depth) {
     while (running_ > 0 && depth < running_at_[running_ - 1].depth) {
       --running_;  // that macro has returned

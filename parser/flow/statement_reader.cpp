@@ -18,13 +18,6 @@ using detail::is_digit;
 using diagnostics::Done;
 using diagnostics::fail;
 
-constexpr char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
-}
-constexpr bool is_letter(char c) {
-  return static_cast<unsigned char>((c | 0x20) - 'a') < 26;
-}
-
 struct Word {
   std::string_view text;
   Keyword keyword;
@@ -52,8 +45,8 @@ std::string keyword_text(std::string_view line, std::size_t& at) {
   std::string text;
   std::size_t end = at;
   for (std::size_t i = at; i < line.size() && text.size() < kLongest; ++i) {
-    if (is_letter(line[i])) {
-      text += lower(line[i]);
+    if (detail::is_letter(line[i])) {
+      text += detail::lower(line[i]);
       end = i + 1;
     } else if (!is_blank(line[i])) {
       break;
@@ -217,11 +210,19 @@ Expected<Statement> read_macro(std::string_view line, std::size_t at) {
 
 Expected<Statement> read_statement(std::string_view line, std::size_t at, Dialect dialect) {
   const DialectRules& rules = rules_of(dialect);
-  const char first = at < line.size() ? lower(line[at]) : ' ';
+  const char first = at < line.size() ? detail::lower(line[at]) : ' ';
   if (first == 'o' || (first == ':' && rules.numbered_programs)) {
     return read_o_word(line, at, rules);
   }
   return rules.macro_statements ? read_macro(line, at) : Statement{};
+}
+
+std::string_view name_of(Keyword keyword) {
+  const Keyword written = keyword == Keyword::o_do_while ? Keyword::o_while : keyword;
+  const auto* const word =
+      std::find_if(kOWords.begin(), kOWords.end(),
+                   [written](const Word& known) { return known.keyword == written; });
+  return word == kOWords.end() ? std::string_view() : word->text;
 }
 
 }  // namespace kerf::parser

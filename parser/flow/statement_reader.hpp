@@ -25,4 +25,7 @@ inline bool may_be_statement(std::string_view line, std::size_t at, const Dialec
 diagnostics::Expected<Statement> read_statement(std::string_view line, std::size_t at,
                                                 Dialect dialect);
 
+// An o-word as it is written, for messages.
+std::string_view name_of(Keyword keyword);
+
 }  // namespace kerf::parser

@@ -12,10 +12,6 @@ namespace {
 using detail::is_blank;
 using detail::is_digit;
 
-constexpr char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
-}
-
 }  // namespace
 
 std::size_t behind_label(std::string_view line, std::size_t at) {
@@ -43,7 +39,7 @@ std::size_t skip_blanks(std::string_view line, std::size_t at) {
 std::size_t behind_keyword(std::string_view line, std::size_t at, std::string_view keyword) {
   for (const char wanted : keyword) {
     at = skip_blanks(line, at);
-    if (at >= line.size() || lower(line[at]) != lower(wanted)) {
+    if (at >= line.size() || detail::lower(line[at]) != detail::lower(wanted)) {
       return 0;
     }
     ++at;
@@ -82,7 +78,7 @@ BlockStart find_block_start(std::string_view line) {
       start.at = skip_blanks(line, start.at + 1);
     }
   }
-  if (start.at >= line.size() || lower(line[start.at]) != 'n') {
+  if (start.at >= line.size() || detail::lower(line[start.at]) != 'n') {
     return start;
   }
   std::size_t at = skip_blanks(line, start.at + 1);
@@ -104,7 +100,7 @@ std::string plain_label(std::string_view line, const Statement& statement) {
   std::string plain;
   for (const char c : label) {
     if (!is_blank(c) && !(label[0] == '<' && (c == '<' || c == '>'))) {
-      plain += lower(c);
+      plain += detail::lower(c);
     }
   }
   if (!label.empty() && is_digit(label[0])) {

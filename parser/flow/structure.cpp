@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "diagnostics/errors/pages.hpp"
-#include "parser/flow/keyword_names.hpp"
+#include "parser/flow/statement_reader.hpp"
 #include "parser/flow/statement_text.hpp"
 #include "parser/text/text.hpp"
 
@@ -17,6 +17,22 @@ bool is_loop(Keyword keyword) {
 bool is_macro(Keyword keyword) {
   return keyword == Keyword::macro_while || keyword == Keyword::macro_do ||
          keyword == Keyword::macro_end;
+}
+
+// What closes the structure that `opener` opens.
+std::string_view close_of(Keyword opener) {
+  switch (opener) {
+    case Keyword::o_sub:
+      return "endsub";
+    case Keyword::o_if:
+      return "endif";
+    case Keyword::o_while:
+      return "endwhile";
+    case Keyword::o_do:
+      return "while";
+    default:
+      return "endrepeat";
+  }
 }
 
 void add(std::vector<StatementFault>& faults, const Statement& statement,

@@ -8,7 +8,7 @@ namespace kerf::parser {
 void set_units(ModalState& state, Units units);
 Done set_feed(const RunningBlock& at, ModalState& state);
 
-// What was said of a missing F or S is not said again.
+// Reports a missing F or S once.
 class Feed {
  public:
   // A change of the feed mode forgets the persistent F [NISTIR 6556, 3.5.19].

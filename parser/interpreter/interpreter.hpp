@@ -23,9 +23,8 @@ namespace kerf::parser {
 // After an error the block's plain effects (codes of motion, plane, units, distance; end point) are
 // still taken over, so that one mistake is not reported again by the blocks behind it.
 //
-// What a code does is the matter of its unit (offsets/, spindle_io/, cycles/, curves/,
-// compensation/, dialects/), which is given the block and the modal state; here is who is asked
-// when.
+// Each code is done by its unit (offsets/, spindle_io/, cycles/, curves/, compensation/,
+// dialects/), which gets the block and the modal state. This class decides which unit comes when.
 class Interpreter {
  public:
   Interpreter(ProgramMemory start, diagnostics::DiagnosticList& diagnostics);
@@ -54,7 +53,7 @@ class Interpreter {
   [[nodiscard]] ProgramMemory& memory() { return memory_; }
   [[nodiscard]] MoveQueue& moves() { return moves_; }
   [[nodiscard]] bool program_ended() const { return program_ended_; }
-  // What the block has raised; it is raised no longer.
+  // Returns what the block has raised, and clears it.
   MacroSignal take_signal();
   // Ends the program as M2 does.
   void end_program(diagnostics::SourcePosition source);

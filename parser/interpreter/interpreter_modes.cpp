@@ -1,14 +1,11 @@
 // The codes beside the motion, in their order.
 #include "parser/compensation/compensation_codes.hpp"
 #include "parser/dialects/fanuc/fanuc_codes.hpp"
-#include "parser/dialects/fanuc/shape.hpp"
 #include "parser/interpreter/interpreter.hpp"
 #include "parser/interpreter/modes.hpp"
 #include "parser/offsets/program_data.hpp"
 #include "parser/offsets/reference_points.hpp"
-#include "parser/offsets/tool_length.hpp"
 #include "parser/offsets/work_offsets.hpp"
-#include "parser/spindle_io/in_out.hpp"
 #include "parser/spindle_io/switches.hpp"
 
 namespace kerf::parser {

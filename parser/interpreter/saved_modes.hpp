@@ -11,8 +11,8 @@ namespace kerf::parser {
 
 // The modes of LinuxCNC's M70: G17 to G19, G20, G21, G90, G91, G90.1, G91.1, G93 to G95, G96, G97,
 // G54 to G59.3, whether G43 and G92 are in force, G61 to G64, F, S, spindle, coolant, overrides.
-// Neither the motion mode nor where offsets lie: those that the program has moved meanwhile stay
-// moved.
+// The motion mode and the offsets' values are not saved: an offset that the program has changed
+// since stays changed.
 class SavedModes {
  public:
   // M70 to M73; what M72 brings back.

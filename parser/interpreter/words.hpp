@@ -5,8 +5,8 @@
 
 namespace kerf::parser {
 
-// Every word of the block must have somebody who uses it. Gives the code that takes the axis words
-// from the motion; Group::count: none does. With Fanuc a D that nothing uses is kept for later.
+// Refuses words that nothing in the block uses. Gives the code that takes the axis words from the
+// motion; Group::count: none does. With Fanuc a D that nothing uses is kept for later.
 Expected<Group> check_words(const RunningBlock& at, ModalState& state, bool compensating);
 
 }  // namespace kerf::parser

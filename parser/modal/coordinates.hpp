@@ -52,7 +52,7 @@ class Coordinates {
   static constexpr std::size_t kExtended = 300;  // behind these: G54.1 P1 ... P300
 
   [[nodiscard]] bool plain() const { return plain_; }
-  // A motion along X or Y of the program is one of both axes of the machine.
+  // A move along X or Y of the program moves both axes of the machine.
   [[nodiscard]] bool turned() const { return x_from_y_ != 0.0 || y_from_x_ != 0.0; }
   // G51 or G51.1 turns the sense of arcs in the plane round.
   [[nodiscard]] bool mirrors(Plane plane) const {
@@ -72,7 +72,7 @@ class Coordinates {
 
   [[nodiscard]] std::size_t system() const { return system_; }
   // Precondition of these four: system < kSystems + kExtended.
-  // The one in force is not read anew.
+  // Selecting the system in force changes nothing.
   void select(std::size_t system);
   [[nodiscard]] const WorkOffset& work(std::size_t system) const;
   // A change of the chosen system takes effect at once.

@@ -8,8 +8,9 @@ namespace kerf::parser {
 
 inline constexpr double kLargestCoordinate_mm = 999999.999;
 
-// Where the sum of the doubles is a decimal of nine places but for rounding, it is that: millions
-// of small steps then end where one large one does. In mm and without offsets on the same bits.
+// Adds two coordinates. A sum that is a decimal of nine places but for rounding becomes that
+// decimal, so that millions of small steps end where one large step does: in mm and without
+// offsets on the same bits.
 double sum_of_decimals(double one, double other);
 
 // The block's end point in machine coordinates: absolute or from `from_mm`, axes without a word
@@ -19,7 +20,7 @@ Expected<Point> resolve_point(const RunningBlock& at, const ModalState& state,
 
 // The axis words in mm; 0 for an axis without one.
 Point axis_words_mm(const Block& block, Units units);
-// The code that takes the axis words must have one.
+// Refuses a block without axis words, which its code needs.
 Done needs_axis_words(const RunningBlock& at);
 
 // The word of an auxiliary axis. Precondition: the block has it.
@@ -31,7 +32,7 @@ enum class ContourPhase : std::uint8_t { none, held, leaving };
 // Where the block's words send the auxiliary axes, on the machine; those without a word stay.
 Expected<AuxiliaryWords> resolve_auxiliary(const RunningBlock& at, const ModalState& state,
                                            ContourPhase phase);
-// The block has no word of an auxiliary axis. `where`: "with G5".
+// Refuses a word of an auxiliary axis. `where`: "with G5".
 Done refuse_auxiliary(const RunningBlock& at, std::string_view where);
 
 }  // namespace kerf::parser

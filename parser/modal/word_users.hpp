@@ -9,7 +9,7 @@ namespace kerf::parser {
 // Letters that the block's codes take, without those of its motion and without axis letters.
 Letters letters_of_codes(const BlockCodes& codes);
 
-// How many of the block's codes, its motion not among them, take `letter`.
+// The number of the block's codes that take `letter`; its motion does not count.
 int users_of(const BlockCodes& codes, char letter);
 
 // The code that takes the block's axis words instead of a motion: G10, G28, G30, G52, G92, G43.1,

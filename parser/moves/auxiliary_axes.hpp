@@ -18,7 +18,7 @@ constexpr bool turns(std::size_t auxiliary_axis) {
   return auxiliary_axis < 3;
 }
 
-// What is shorter than these is what rounding left of no way (short_moves.hpp).
+// Anything shorter is an effect of rounding and no way (short_moves.hpp).
 inline constexpr double kShortestWay_mm = 1e-10;
 inline constexpr double kShortestTurn_rad = 1.7e-12;  // of A, B and C: 1e-10 degrees
 

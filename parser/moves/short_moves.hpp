@@ -1,4 +1,4 @@
-// What a move is too short to be.
+// Moves that are too short to be run.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ double way_mm(const Move& move);
 
 // Leaves out moves that are too short, so that no curve is built of them, and loses nothing by it:
 // the tool stays where it is, and the next move that is long enough starts there. A curve starts
-// there as a whole, shifted by less than kShortestWay_mm, for its shape hangs on its ends; a line
-// then ends where the program says. So the tool is never farther than kShortestWay_mm from where
-// the program is, however many short moves follow each other.
+// there as a whole, shifted by less than kShortestWay_mm, because its shape depends on its ends; a
+// line then ends where the program says. So the tool is never farther than kShortestWay_mm from
+// where the program is, however many short moves follow each other.
 //
 // Of a curve that is too short only the way to its end is left. Where X, Y and Z are too short and
 // an auxiliary axis is not, the auxiliary axes move alone, in the time that the feedrate asks for.

@@ -10,17 +10,16 @@ namespace kerf::parser {
 // L1, L2, L10, L11 and L20.
 Done set_data(const RunningBlock& at, ModalState& state, ToolTable& tools);
 
-// What kinds of G10 share, those of a dialect too.
-// Words that only some kinds of G10 use.
+// Refuses words that this kind of G10 does not use.
 Done check_data_words(const Block& block, std::string_view name, Letters usable);
-// P, which must be in the range.
+// The value of P, a whole number in the range.
 struct Numbers {
   int least;
   int most;
 };
 Expected<int> data_number(const RunningBlock& at, std::string_view name, Numbers range);
-// The origin of the auxiliary axes of L2, or of L20 where the place of the axes gets the
-// coordinates of the words.
+// Sets the origin of the auxiliary axes: to the words (L2), or so that the axes stand at the words
+// (L20, `from_position`).
 void set_auxiliary_origin(const RunningBlock& at, const ModalState& state, WorkOffset& offset,
                           bool from_position);
 

@@ -8,8 +8,8 @@ namespace kerf::parser {
 
 void push_rapid(const RunningBlock& at, ModalState& state, const Point& end_mm,
                 const AuxiliaryWords& auxiliary_deg_mm);
-// By way of the point that the axis words name; then only the axes that have a word go home, or
-// all where none has.
+// Goes home by way of the point that the axis words name. Only axes with a word go home, or all if
+// none has one.
 Done go_home(const RunningBlock& at, ModalState& state, const HomePosition& home,
              ContourPhase phase);
 

@@ -1,9 +1,8 @@
-#include "parser/offsets/tool_length.hpp"
-
 #include <cmath>
 
 #include "diagnostics/errors/pages.hpp"
 #include "parser/modal/end_point.hpp"
+#include "parser/offsets/work_offsets.hpp"
 
 namespace kerf::parser {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "diagnostics/errors/pages.hpp"
-#include "parser/dialects/fanuc/end_of_block.hpp"
+#include "parser/dialects/fanuc/fanuc_codes.hpp"
 #include "parser/moves/arc_geometry.hpp"
 #include "parser/text/text.hpp"
 

@@ -1,4 +1,4 @@
-// What is odd about a block without being wrong.
+// Warnings about blocks that are odd but not wrong.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace kerf::parser {
 
-// Warnings that a program gets once, however many blocks there are reasons for.
+// Warnings that a program gets once, however many blocks give reason for them.
 struct SaidOnce {
   bool fine_number = false;
   bool no_point = false;

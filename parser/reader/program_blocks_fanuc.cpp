@@ -3,8 +3,7 @@
 
 #include "diagnostics/errors/pages.hpp"
 #include "parser/block/block_grammar.hpp"
-#include "parser/dialects/fanuc/end_of_block.hpp"
-#include "parser/dialects/fanuc/least_increment.hpp"
+#include "parser/dialects/fanuc/fanuc_codes.hpp"
 #include "parser/flow/block_calls.hpp"
 #include "parser/flow/statement_text.hpp"
 #include "parser/reader/program_run.hpp"

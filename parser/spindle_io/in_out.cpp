@@ -1,8 +1,7 @@
-#include "parser/spindle_io/in_out.hpp"
-
 #include <cmath>
 
 #include "diagnostics/errors/pages.hpp"
+#include "parser/spindle_io/switches.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {

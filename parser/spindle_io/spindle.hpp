@@ -16,9 +16,9 @@ class SpindleDrive {
  public:
   // M3, M4, M5, M19; a new S while the spindle turns is sent as its direction once more.
   Done start(const RunningBlock& at, ModalState& state);
-  // Another work offset, tool offset or unit has changed what X0 or S is to a turning spindle.
+  // Tells a turning spindle when an offset or the unit has changed what X0 or S is to it.
   void follow_moved_axis(const MoveSink& at, const ModalState& state);
-  // What turns the spindle, as S and G96 have it at this place.
+  // The event that turns the spindle at the speed that S and G96 give at this place.
   EventMove turn(const ModalState& state, Spindle direction);
 
  private:

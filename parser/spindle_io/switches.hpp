@@ -1,4 +1,4 @@
-// Tool change, coolant, overrides and stops.
+// Tool change, coolant, outputs and inputs, overrides and stops.
 #pragma once
 
 #include "parser/modal/running_block.hpp"
@@ -11,6 +11,8 @@ Done change_tool(const RunningBlock& at, ModalState& state, const ToolTable& too
 void switch_coolant(const RunningBlock& at, ModalState& state);
 // Tells the machine what has changed since `before`.
 void bring_back_coolant(const MoveSink& at, const ModalState& before, const ModalState& state);
+// in_out.cpp. M62 to M68: digital and analog outputs, waiting for an input.
+Done switch_in_out(const RunningBlock& at, ModalState& state);
 // M48 and M49 switch both overrides; M50 to M53 one thing each, off with P0.
 Done switch_overrides(const RunningBlock& at, ModalState& state);
 // M0, M1, M2, M30, M60. True: the program ends here.

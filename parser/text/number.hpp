@@ -39,6 +39,15 @@ constexpr bool is_digit(char c) {
 constexpr bool is_blank(char c) {
   return c == ' ' || c == '\t';
 }
+constexpr bool is_letter(char c) {
+  return static_cast<unsigned char>((c | 0x20) - 'a') < 26;
+}
+constexpr char to_upper(char letter) {
+  return static_cast<char>(letter & ~0x20);
+}
+constexpr char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c;
+}
 
 // Takes digits at `at` into the mantissa; returns where they end.
 inline const char* take_digits(const char* at, const char* last, std::uint64_t& mantissa) {

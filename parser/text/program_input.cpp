@@ -3,9 +3,47 @@
 #include <utility>
 
 #include "diagnostics/errors/pages.hpp"
-#include "parser/text/file_error.hpp"
+#include "diagnostics/fault.hpp"
+#include "parser/text/character_error.hpp"
+#include "parser/text/number.hpp"
+#include "parser/text/text.hpp"
 
 namespace kerf::parser {
+
+namespace {
+
+using diagnostics::fail;
+
+// Files that are no part programs at all: UTF-16, binary data, a web page, another control's
+// language.
+diagnostics::Done check_first_line(std::string_view line) {
+  const auto byte = [&](std::size_t i) {
+    return i < line.size() ? static_cast<unsigned char>(line[i]) : 0x100U;
+  };
+  if ((byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF)) {
+    return fail(0, errors::kUtf16, "the file is UTF-16, ASCII or UTF-8 is expected");
+  }
+  if (detail::is_letter(static_cast<char>(byte(0) & 0x7FU)) && byte(1) == 0) {
+    return fail(0, errors::kUtf16,
+                "the file is UTF-16 without a byte order mark, ASCII or UTF-8 is expected");
+  }
+  if (byte(0) < 0x20 && byte(0) != '\t') {
+    return fail(0, errors::kNotText,
+                joined({"the file is not text (byte 0x", hex(byte(0), 2), " at its start)"}));
+  }
+  const std::size_t first = line.find_first_not_of(" \t");
+  if (first != std::string_view::npos && line[first] == '<') {
+    return fail(first, errors::kMarkup,
+                "this is HTML or XML ('<' at its start), G-code is expected");
+  }
+  if (line.substr(0, 200).find("BEGIN PGM") != std::string_view::npos) {
+    return fail(0, errors::kHeidenhain,
+                "this is a HEIDENHAIN program ('BEGIN PGM'), G-code is expected");
+  }
+  return {};
+}
+
+}  // namespace
 
 // Text may end with end marks. Whether it really ends there only what follows can show.
 void ProgramInput::take_end_mark(Line& line) {
@@ -36,13 +74,12 @@ bool ProgramInput::accept_first(Line& line) {
     diagnostics_->add({1, 1}, errors::kByteOrderMark, "byte order mark ignored");
   }
   diagnostics_->at_line(line.number, line.text);
-  diagnostics::Fault fault = explain_first_line(line.text);
-  if (fault.message.empty()) {
-    return true;
+  if (const diagnostics::Done program = check_first_line(line.text); !program) {
+    const diagnostics::Fault& fault = *program.error();
+    diagnostics_->add({1, fault.offset + 1}, *fault.page, fault.message);
+    refused_ = true;
   }
-  diagnostics_->add({1, fault.offset + 1}, *fault.page, std::move(fault.message));
-  refused_ = true;
-  return false;
+  return !refused_;
 }
 
 }  // namespace kerf::parser

@@ -27,7 +27,7 @@ class ProgramInput {
     }
     return line.number > 1 || accept_first(line);
   }
-  // The program has ended: what the rest of the text is does not matter.
+  // The program has ended: the rest of the text is not checked.
   void pass_over() { passes_over_ = true; }
   [[nodiscard]] bool refused() const { return refused_; }
   [[nodiscard]] bool finished() const { return refused_ || lines_.finished(); }

@@ -1,12 +1,9 @@
-#include "parser/dialects/fanuc/end_of_block.hpp"
+#include "parser/dialects/fanuc/fanuc_codes.hpp"
+#include "parser/text/number.hpp"
 
 namespace kerf::parser {
 
 namespace {
-
-bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
 
 bool begins_value(char c) {
   return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == '#' || c == '[';
@@ -23,7 +20,7 @@ bool reads_as_block(std::string_view text) {
   bool any = false;
   for (std::size_t at = 0; at < text.size() && text[at] != ';' && text[at] != '('; ++at) {
     const char c = text[at];
-    if (is_letter(c)) {
+    if (detail::is_letter(c)) {
       const std::size_t value = text.find_first_not_of(kBlanks, at + 1);
       if (value == std::string_view::npos || !begins_value(text[value])) {
         return false;

@@ -1,6 +1,9 @@
 // What only the Fanuc dialect has: a group of their own for cycles, G4 with X and U, G30 P, G10 L10
-// to L13 and L20.
+// to L13 and L20, offsets and shapes of the program, numbers in least increments, ';' as the end of
+// a block.
 #pragma once
+
+#include <string_view>
 
 #include "parser/modal/machine_data.hpp"
 #include "parser/modal/running_block.hpp"
@@ -20,5 +23,19 @@ Expected<HomePosition> second_reference_point(const Block& block, const MachineD
 Done set_fanuc_data(const RunningBlock& at, ModalState& state, ToolTable& tools);
 // G06.2 P goes to 4 on the control; a program with more is for Kerf, or wrong.
 void warn_of_order(const RunningBlock& at);
+
+// shape.cpp: G54.1, and G50 and G51, G50.1 and G51.1, G68 and G69.
+Done select_extended_offset(const RunningBlock& at, ModalState& state);
+Done shape_program(const RunningBlock& at, ModalState& state);
+
+// least_increment.cpp. Multiplies the block's coordinates and distances that have no decimal point
+// by the control's least increment: with 0.001 mm X1000 is X1. In inches the increment is a tenth
+// of that many inches, as on the control (IS-B: 0.001 mm, 0.0001 inch). Times and angles count in
+// thousandths. Words of an expression, feeds, counts and numbers of things stay as they are.
+void count_in_least_increments(const ModalState& state, double least_increment_mm, Block& block);
+
+// end_of_block.cpp. Fanuc listings write the end of a block as ';', where other controls begin a
+// comment. True: the text behind a ';' is words, as in `G1 X5; G1 Y7;`, and no remark.
+bool reads_as_block(std::string_view text);
 
 }  // namespace kerf::parser

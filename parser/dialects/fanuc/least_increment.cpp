@@ -1,4 +1,4 @@
-#include "parser/dialects/fanuc/least_increment.hpp"
+#include "parser/dialects/fanuc/fanuc_codes.hpp"
 
 namespace kerf::parser {
 

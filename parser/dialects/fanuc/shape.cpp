@@ -1,8 +1,7 @@
-#include "parser/dialects/fanuc/shape.hpp"
-
 #include <cmath>
 
 #include "diagnostics/errors/pages.hpp"
+#include "parser/dialects/fanuc/fanuc_codes.hpp"
 #include "parser/modal/end_point.hpp"
 #include "parser/text/text.hpp"
 
