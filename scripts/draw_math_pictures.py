@@ -362,7 +362,7 @@ def thinned(points, tolerance):
 def draw_breaking_points(folder):
     samples = butterfly_ceiling()
     breaking = turning_points(samples)
-    picture = Picture(760, 310, "Breaking points of the butterfly's ceiling")
+    picture = Picture(760, 310, "Breaking points of the butterfly's velocity limit curve")
     axes = Axes(picture, (55, 40, 680, 200), (0, 384), (0, 110))
     axes.frame([0, 50, 100, 150, 200, 250, 300, 350], [0, 50, 100], "s [mm]",
                f"allowed feedrate [mm/s]; chord tolerance 0.5 µm, Ts 1 ms, F 100 mm/s: {len(breaking)} points without screening")
@@ -373,7 +373,7 @@ def draw_breaking_points(folder):
         valleys += is_valley
         axes.dot(*samples[k], RED if is_valley else INK, radius=3.2, hollow=not is_valley)
     picture.dot(440, 294, RED, 3.2)
-    picture.text(450, 298, f"valleys ({valleys}): spans end here", size=12)
+    picture.text(450, 298, f"valleys ({valleys}): velocity segments end here", size=12)
     picture.dot(100, 294, INK, 3.2, True)
     picture.text(110, 298, "both ends, and ends of level stretches", size=12)
     picture.save(folder, "breaking-points.svg")
@@ -434,7 +434,7 @@ def draw_adjustment(folder):
         axes.points([(length - down[-1][0] + s, v) for s, v in down], RED, width=2)
     picture.line([(60, 328), (85, 328)], GREY, 1.2, "4 3")
     picture.dot(72.5, 328, INK, 3, True)
-    picture.text(92, 332, "ceiling", size=12)
+    picture.text(92, 332, "limit", size=12)
     for x, colour, words in ((160, BLUE, "ACC"), (235, GREEN, "CF"), (300, RED, "DEC")):
         picture.line([(x, 328), (x + 25, 328)], colour, 2)
         picture.text(x + 32, 332, words, size=12)
@@ -445,7 +445,7 @@ def draw_adjustment(folder):
 # --- Junctions
 
 def draw_junction(folder):
-    picture = Picture(760, 300, "A joint passed at constant feedrate")
+    picture = Picture(760, 300, "A junction passed at constant feedrate")
     corner, turn, step = (170.0, 70.0), math.radians(50), 52.0
     out = (math.cos(turn), math.sin(turn))
     picture.line([(30, corner[1]), corner, (corner[0] + 200 * out[0], corner[1] + 200 * out[1])], BLUE, 2)
@@ -467,7 +467,7 @@ def draw_junction(folder):
     picture.arrow((base[0] + 90, base[1]), (base[0] + 90 * out[0], base[1] + 90 * out[1]), RED)
     picture.text(base[0] + 84, base[1] + 40, "Δt", RED, size=13)
     axes = Axes(picture, (420, 40, 310, 175), (-4.5, 4.5), (0, 1.05))
-    axes.frame([-3, -1.5, 0, 1.5, 3], [0, 0.25, 0.5, 0.75, 1], "t / Ts from the joint", "what differences of positions see")
+    axes.frame([-3, -1.5, 0, 1.5, 3], [0, 0.25, 0.5, 0.75, 1], "t / Ts from the junction", "what differences of positions see")
 
     def hat(x):
         return max(1 - abs(x), 0.0)
@@ -480,7 +480,7 @@ def draw_junction(folder):
     left, top = axes.at(-3, 1.0)
     right, bottom = axes.at(3, 0.0)
     picture.line([(left, bottom), (left, top + 25), (right, top + 25), (right, bottom)], GREY, 1, "4 3")
-    picture.text(left + 6, top + 44, "coast: v", GREY, size=12)
+    picture.text(left + 6, top + 44, "constant: v", GREY, size=12)
     picture.text(left + 6, top + 59, "constant", GREY, size=12)
     picture.text(axes.at(0.35, 0)[0], axes.at(0, 0.9)[1] - 4, "second", BLUE, size=12)
     picture.text(axes.at(1.0, 0)[0], axes.at(0, 0.32)[1], "third", RED, size=12)
