@@ -7,8 +7,9 @@ namespace kerf {
 inline namespace v0 {
 namespace {
 
-constexpr std::array<std::string_view, 7> kNames{"trapezoid",   "s-curve", "sine",        "quintic",
-                                                 "sine-series", "sigmoid", "time-optimal"};
+constexpr auto kNames = std::to_array<std::string_view>(
+    {"trapezoid", "s-curve", "sine", "quintic", "sine-series", "sigmoid", "time-optimal"});
+static_assert(kNames.size() == static_cast<std::size_t>(ProfileKind::time_optimal) + 1);
 
 }  // namespace
 

@@ -101,7 +101,10 @@ ActiveConstraint SegmentConstraint::ramp(const Transition& law, double s_begin_m
     case ProfileKind::time_optimal:
       return {.limit = from.jerk,
               .steady = std::abs(change) * j > a * a ? from.acceleration : from.jerk};
-    default:
+    case ProfileKind::sine:
+    case ProfileKind::quintic:
+    case ProfileKind::sine_series:
+    case ProfileKind::sigmoid:
       break;
   }
   const double with_more_a = of_.profile->duration_s(change, {kMore * a, j});

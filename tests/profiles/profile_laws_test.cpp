@@ -22,6 +22,17 @@ class ProfileLaws : public ::testing::TestWithParam<Law> {
 INSTANTIATE_TEST_SUITE_P(All, ProfileLaws, ::testing::ValuesIn(all_laws()),
                          [](const auto& instance) { return instance.param.name; });
 
+TEST(AllLaws, HaveEachProfileOfOneTransition) {
+  const std::vector<Law> laws = all_laws();
+  for (auto kind = 0U; kind < static_cast<unsigned>(ProfileKind::time_optimal); ++kind) {
+    const auto is_of_kind = [kind](const Law& law) {
+      return law.kind == static_cast<ProfileKind>(kind);
+    };
+    EXPECT_TRUE(std::any_of(laws.begin(), laws.end(), is_of_kind))
+        << name_of(static_cast<ProfileKind>(kind));
+  }
+}
+
 TEST_P(ProfileLaws, JoinBothFeedratesExactly) {
   Draw draw(1);
   for (int trial = 0; trial < kTrials; ++trial) {

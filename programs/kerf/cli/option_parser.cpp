@@ -1,6 +1,5 @@
 #include "programs/kerf/cli/option_parser.hpp"
 
-#include <array>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -16,21 +15,14 @@ namespace kerf::program {
 
 namespace {
 
-using profiles::ProfileKind;
-
-constexpr std::array kProfiles{
-    ProfileKind::trapezoid,   ProfileKind::s_curve, ProfileKind::sine,        ProfileKind::quintic,
-    ProfileKind::sine_series, ProfileKind::sigmoid, ProfileKind::time_optimal};
-
 const std::map<std::string, DiagnosticFormat> kFormats{{"text", DiagnosticFormat::text},
                                                        {"json", DiagnosticFormat::json},
                                                        {"sarif", DiagnosticFormat::sarif}};
 
 std::vector<std::string> profile_names() {
   std::vector<std::string> names;
-  names.reserve(kProfiles.size());
-  for (const ProfileKind kind : kProfiles) {
-    names.emplace_back(name_of(kind));
+  for (auto kind = 0U; kind <= static_cast<unsigned>(ProfileKind::time_optimal); ++kind) {
+    names.emplace_back(name_of(static_cast<ProfileKind>(kind)));
   }
   return names;
 }
