@@ -1,17 +1,25 @@
-// What limits the feedrate at a tick.
+// The constraint that limits the feedrate at a tick.
 #pragma once
+
+#include <cstddef>
 
 #include <kerf/setpoint.hpp>
 
 namespace kerf::interp {
 
 using kerf::Constraint;
-using kerf::kConstraints;
-using kerf::kLimitedAxes;
-using kerf::of_axis;
 
-// What limits the feedrate in a phase, and what does while the jerk is 0: in an S-curve they
-// differ.
+inline constexpr std::size_t kConstraints = 35;
+inline constexpr std::size_t kLimitedAxes = 9;
+
+// first: x_velocity, x_acceleration or x_jerk. axis < kLimitedAxes.
+constexpr Constraint of_axis(Constraint first, std::size_t axis) noexcept {
+  return static_cast<Constraint>(static_cast<std::size_t>(first) + axis);
+}
+static_assert(static_cast<std::size_t>(of_axis(Constraint::x_jerk, kLimitedAxes)) == kConstraints);
+
+// The constraint that limits the feedrate in a phase, and the one while the jerk is 0: in an
+// S-curve they differ.
 struct ActiveConstraint {
   Constraint limit = Constraint::rest;
   Constraint steady = Constraint::rest;

@@ -145,12 +145,13 @@ PathDeviation deviation_of(const Blend& blend, const Corner& corner, double way_
     beside *= 0.5;
   }
   for (const bool behind : {false, true}) {
-    largest.widen(farthest_from_blend(
+    const PathDeviation farthest = farthest_from_blend(
         [&](double share) {
           return behind ? curves::position_at(*corner.after, share * way_mm)
                         : curves::position_at(*corner.before, before_mm - share * way_mm);
         },
-        places, blend.curve));
+        places, blend.curve);
+    largest = larger(largest, farthest);
   }
   return largest;
 }

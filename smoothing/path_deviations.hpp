@@ -7,13 +7,17 @@ namespace kerf::smoothing {
 
 using kerf::PathDeviation;
 
+inline PathDeviation larger(const PathDeviation& a, const PathDeviation& b) {
+  return b.distance_mm > a.distance_mm ? b : a;
+}
+
 // Of many places.
 struct PathDeviations {
   PathDeviation largest;
-  PathDeviation worst;  // the farthest beyond its tolerance; of no distance where none is
+  PathDeviation worst;  // the farthest beyond its tolerance; distance 0 where none is
 
   void add(const PathDeviation& deviation) {
-    largest.widen(deviation);
+    largest = larger(largest, deviation);
     if (deviation.distance_mm - deviation.tolerance_mm > worst.distance_mm - worst.tolerance_mm) {
       worst = deviation;
     }

@@ -1,5 +1,5 @@
-// What a program takes from its surroundings: the dialect, block delete switches, subprograms, and
-// of the machine offsets, tools and what a probe touches.
+// What a program uses beside its own text: the dialect, block delete switches, subprograms, and the
+// machine's offsets, tools and probed block.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 namespace kerf {
 inline namespace v0 {
 
-/// Which control's language a program is written in.
+/// The language of a program.
 enum class Dialect : std::uint8_t {
   rs274,  ///< RS274/NGC as LinuxCNC reads it
   fanuc,  ///< program numbers, custom macro B, Fanuc's meaning of shared codes
@@ -35,7 +35,9 @@ class BlockDelete {
   /// All are on: no block with a '/' runs.
   static constexpr BlockDelete all() {
     BlockDelete switches;
-    switches.on_ = 0xFFFF;
+    for (unsigned number = 1; number <= kSwitches; ++number) {
+      switches.switch_on(number);
+    }
     return switches;
   }
   /// Precondition: 1 <= number <= kSwitches.
@@ -43,7 +45,7 @@ class BlockDelete {
     on_ = static_cast<std::uint16_t>(on_ | (1U << number));
   }
 
-  /// Whether a line runs that has its '/' at `at`.
+  /// Whether the line, which has a '/' at byte `at` (0-based, < line.size()), is left out.
   [[nodiscard]] constexpr bool leaves_out(std::string_view line, std::size_t at) const {
     if (on_ == 0) {
       return false;
@@ -159,7 +161,7 @@ struct HomePosition {
 
 inline constexpr std::size_t kWorkSystems = 9;  ///< 0: G54 ... 5: G59, 6: G59.1, 7: G59.2, 8: G59.3
 
-/// What the machine holds for its programs.
+/// The machine's data for its programs.
 struct ProgramData {
   std::array<WorkOffset, kWorkSystems> work{};  ///< G54 to G59.3
   Position first_home_mm{};                     ///< G28, in machine coordinates
@@ -170,9 +172,9 @@ struct ProgramData {
   std::array<HomePosition, 2> further_homes{};  ///< Fanuc: G30 P3, P4
   ToolTable tools;
   std::optional<TouchBox> touch_box{};  ///< what G38 finds
-  ///< What a number without a decimal point counts in, in the Fanuc dialect; 0: millimetres.
+  /// Fanuc dialect: the unit of a number without a decimal point, in mm, 0 to 1; 0: millimetres.
   double least_increment_mm = 0.0;
-  /// What G64 without P and without both takes for P and for Q; not negative.
+  /// The tolerances of a G64 without P: of corners and, if Q is missing too, of merged lines; >= 0.
   double corner_tolerance_mm = 0.01;
   double merge_tolerance_mm = 0.01;
 };

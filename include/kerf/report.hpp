@@ -1,4 +1,4 @@
-// What a plan and a run say of themselves.
+// The figures of a plan and of a run.
 #pragma once
 
 #include <array>
@@ -32,19 +32,13 @@ struct RunFault {
   std::string what;
 };
 
-/// How far the commanded path is from the programmed one: the largest distance, either way round,
-/// and the place of the commanded path where it is.
+/// How far the commanded path is from the programmed one: the largest distance, in either
+/// direction, and its place on the commanded path.
 struct PathDeviation {
   double distance_mm = 0.0;
   Position at_mm{};
   std::uint32_t line = 0;
   double tolerance_mm = 0.0;  ///< P or Q in force there
-
-  void widen(const PathDeviation& other) {
-    if (other.distance_mm > distance_mm) {
-      *this = other;
-    }
-  }
 };
 
 /// Where a plan is slower than its profile promises.
@@ -65,12 +59,6 @@ struct PlanDegradations {
   std::uint64_t count = 0;
   std::array<PlanDegradation, 8> first{};
 
-  void add(const PlanDegradation& degradation) noexcept {
-    if (count < first.size()) {
-      first[static_cast<std::size_t>(count)] = degradation;
-    }
-    ++count;
-  }
   [[nodiscard]] std::size_t kept() const noexcept {
     return count < first.size() ? static_cast<std::size_t>(count) : first.size();
   }

@@ -1,4 +1,4 @@
-// What a machine is told at one tick.
+// The command for a machine at one tick.
 #pragma once
 
 #include <array>
@@ -10,8 +10,7 @@
 namespace kerf {
 inline namespace v0 {
 
-/// What limits the feed. One byte that the planner sets where it knows it. Of an axis the values
-/// are those of X plus the axis' number in XYZABCUVW.
+/// What limits the feedrate. The limits of an axis follow those of X in the order XYZABCUVW.
 enum class Constraint : std::uint8_t {
   rest,           ///< a dwell, an event, a wait for text or people
   programmed,     ///< F
@@ -19,26 +18,18 @@ enum class Constraint : std::uint8_t {
   path_acceleration,
   path_jerk,
   chord_error,
-  junction,             ///< direction or curvature jumps between two blocks
+  junction,             ///< direction or curvature jumps between two blocks; "joint" in reports
   window_end,           ///< the look-ahead sees no farther and brakes
   x_velocity = 8,       ///< to 16
   x_acceleration = 17,  ///< to 25
   x_jerk = 26,          ///< to 34
 };
 
-inline constexpr std::size_t kConstraints = 35;
-inline constexpr std::size_t kLimitedAxes = 9;
-
-/// first: x_velocity, x_acceleration or x_jerk. axis < kLimitedAxes.
-constexpr Constraint of_axis(Constraint first, std::size_t axis) noexcept {
-  return static_cast<Constraint>(static_cast<std::size_t>(first) + axis);
-}
-
 /// G96: the spindle turns so that the workpiece passes the tool at one speed. The tool's distance
 /// from the axis is |per_x x + per_y y + at_origin_mm| of the axes' positions.
 struct SurfaceSpeed {
   double mm_s = 0.0;        ///< > 0 clockwise, < 0 counterclockwise; 0: not in force
-  double most_rad_s = 0.0;  ///< what the spindle turns at most; >= 0
+  double most_rad_s = 0.0;  ///< the spindle's highest speed; >= 0
   double per_x = 1.0;
   double per_y = 0.0;
   double at_origin_mm = 0.0;
@@ -51,15 +42,16 @@ struct Outputs {
   static constexpr std::size_t kDigital = 64;
   static constexpr std::size_t kAnalog = 8;
 
-  double spindle_rad_s = 0.0;      ///< positive: M3, clockwise seen from the spindle
+  /// Positive: M3, clockwise seen from the spindle; negative: M4. Under G96 as it is at this tick.
+  double spindle_rad_s = 0.0;
   SurfaceSpeed surface{};          ///< what spindle_rad_s follows from, tick by tick
   double spindle_angle_rad = 0.0;  ///< where M19 holds it
-  std::int32_t tool = 0;           ///< in the spindle
+  std::int32_t tool = 0;           ///< in the spindle; 0: none
   bool spindle_held = false;       ///< M19
   bool mist = false;
   bool flood = false;
-  std::uint64_t digital = 0;  ///< bit n: output n
-  std::array<double, kAnalog> analog{};
+  std::uint64_t digital = 0;             ///< bit n: output n
+  std::array<double, kAnalog> analog{};  ///< as the program gave it (M67, M68 Q), no unit
 
   friend bool operator==(const Outputs&, const Outputs&) = default;
 };

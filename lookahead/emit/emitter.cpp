@@ -31,6 +31,14 @@ void Emitter::change_at_block(std::uint64_t number, const interp::OutputChange& 
   output_changes_.push_back({.number = number, .change = change});
 }
 
+void Emitter::note(const PlanDegradation& degradation) noexcept {
+  PlanDegradations& noted = totals_.degradations;
+  if (noted.count < noted.first.size()) {
+    noted.first[static_cast<std::size_t>(noted.count)] = degradation;
+  }
+  ++noted.count;
+}
+
 void Emitter::begin_block(const Block& block, Outbox& outbox) {
   ++curve_;
   ++totals_.blocks;

@@ -1,4 +1,4 @@
-// Turns planned blocks into phases, and knows how far the emission has come.
+// Turns planned blocks into phases, and tracks how far emission has come.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ namespace kerf::lookahead {
 // Emitted motion, in the order in which it runs. The pieces of a curve come before its phases.
 struct Outbox {
   std::vector<interp::CurvePiece> pieces;
-  std::vector<interp::LineChange> line_changes;  // of a curve, with its pieces
+  std::vector<interp::LineChange> line_changes;  // come with the pieces of their curve
   std::vector<interp::Phase> phases;
   std::vector<interp::OutputChangeAtTick> output_changes;  // by tick, which lies in the phases
 
@@ -43,7 +43,7 @@ struct Rest {
   std::optional<interp::OutputChange> change{};
 };
 
-// The time at which the next phase begins, as whole ticks and the rest of one, so that it keeps its
+// The time at which the next phase begins, as whole ticks and a remainder, so that it keeps its
 // precision however long a program runs.
 class PlanClock {
  public:
@@ -76,7 +76,7 @@ class Emitter {
   [[nodiscard]] double s_mm() const noexcept { return block_begun_ ? s_mm_ : 0.0; }
   [[nodiscard]] const PlanTotals& totals() const noexcept { return totals_; }
 
-  void note(const PlanDegradation& degradation) { totals_.degradations.add(degradation); }
+  void note(const PlanDegradation& degradation) noexcept;
 
   // Emits a phase from where the block's motion stands to s_end_mm. The block's pieces are emitted
   // with its first phase.

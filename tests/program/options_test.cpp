@@ -94,6 +94,9 @@ TEST(CommandLine, TakesTheBlockDeleteSwitchesThatAreOn) {
   second_and_ninth.switch_on(9);
   EXPECT_EQ(std::get<Options>(parse({"check", "--block-delete=2,9", "a.nc"})).block_delete,
             second_and_ninth);
+  EXPECT_EQ(
+      std::get<Options>(parse({"check", "--block-delete=1,2,3,4,5,6,7,8,9", "a.nc"})).block_delete,
+      parser::BlockDelete::all());
   const auto without_list = parse({"check", "--block-delete", "a.nc"});
   EXPECT_EQ(std::get<Options>(without_list).files, std::vector<std::string>{"a.nc"});
   for (const char* const wrong : {"0", "10", "1,", ",1", "1 2", "x", "1,,2"}) {

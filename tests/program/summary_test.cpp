@@ -127,10 +127,9 @@ TEST(LimitUse, SaysByHowMuchALimitIsExceeded) {
 TEST(Summary, SaysWhereTheTimeOptimumWasNotFound) {
   PlanDegradations degradations;
   EXPECT_TRUE(describe(degradations).empty());
-  degradations.add({.line = 7, .s_mm = 1.5, .kind = PlanDegradation::Kind::stop});
-  for (int i = 0; i < 9; ++i) {
-    degradations.add({.line = 9, .s_mm = 2.0, .kind = PlanDegradation::Kind::slower});
-  }
+  degradations.count = 10;
+  degradations.first.fill({.line = 9, .s_mm = 2.0, .kind = PlanDegradation::Kind::slower});
+  degradations.first[0] = {.line = 7, .s_mm = 1.5, .kind = PlanDegradation::Kind::stop};
   const std::vector<std::string> warnings = describe(degradations);
   ASSERT_EQ(warnings.size(), 9U);
   EXPECT_EQ(warnings[0],
@@ -144,7 +143,8 @@ TEST(Summary, SaysWhereTheTimeOptimumWasNotFound) {
 
 TEST(Summary, SaysWhereThePlanOfTheSCurveStandsIn) {
   PlanDegradations degradations;
-  degradations.add({.line = 4, .s_mm = 0.0, .kind = PlanDegradation::Kind::classical});
+  degradations.count = 1;
+  degradations.first[0] = {.line = 4, .s_mm = 0.0, .kind = PlanDegradation::Kind::classical};
   EXPECT_EQ(describe(degradations).front(),
             "the time optimum was not found within its budget on line 4: the motion follows the "
             "s-curve's plan from 0.000000 mm on, up to its next stop");
