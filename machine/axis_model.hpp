@@ -20,6 +20,10 @@
 // saturation or of the sign of friction acts from the next sub-step, which costs
 // drive_acceleration * 50 us in speed at that place.
 //
+// The defaults of AxisDrive. Screw and encoder are those of the servo table in [SineSeries]. Gains
+// and friction are chosen so that the contour error on the butterfly in the paper's 4.8 s comes
+// near the measured one: 20 um at the most and 3.3 um in the mean, measured 20.9 um and 3.9 um.
+//
 // Called from the tick: nothing here allocates or throws.
 #pragma once
 
@@ -29,7 +33,7 @@
 
 namespace kerf::machine {
 
-// What an encoder may do wrong, for trying out what the faults do.
+// Failures of an encoder, for tests of the fault reactions.
 enum class EncoderFailure : std::uint8_t { none, frozen, not_finite };
 
 class AxisModel {
@@ -37,21 +41,21 @@ class AxisModel {
   // drive must be valid (see is_valid); period_s in 1e-5..0.1.
   AxisModel(const AxisDrive& drive, double period_s) noexcept;
 
-  // At rest there, nothing stored in the loops, the encoder whole again.
+  // Puts the axis at rest there, with empty integrators and a working encoder.
   void reset(double position_mm) noexcept;
   // One tick towards the setpoint.
   void follow(double setpoint_mm) noexcept;
   // From now on stop(): the velocity goes to 0 along a straight ramp of ramp_s, then stays there.
-  // The position loop is open, since its encoder may be what failed, and the integral is off.
+  // The position loop is open, since its encoder may have failed, and the integral is off.
   void begin_stop(double ramp_s) noexcept;
   void stop() noexcept;  // one tick of it
 
   void fail_encoder(EncoderFailure failure) noexcept;
 
-  [[nodiscard]] double encoder_mm() const noexcept;  // not a number where the encoder failed so
+  [[nodiscard]] double encoder_mm() const noexcept;  // not a number if the encoder failed that way
   [[nodiscard]] double position_mm() const noexcept { return position_mm_; }  // without encoder
   [[nodiscard]] double velocity_mm_s() const noexcept { return velocity_mm_s_; }
-  // How long a ramp to rest takes with half of the motor's torque.
+  // The time of a ramp to rest with half of the motor's torque.
   [[nodiscard]] double stopping_time_s() const noexcept;
 
  private:

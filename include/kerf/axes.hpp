@@ -21,30 +21,30 @@ struct Extents {
   Position min_mm{};
   Position max_mm{};
 };
-/// The same of A, B, C in rad and U, V, W in mm.
+/// The same for A, B, C in rad and U, V, W in mm.
 struct AuxiliaryExtents {
   AuxiliaryPosition min_rad_mm{};
   AuxiliaryPosition max_rad_mm{};
 };
 
-/// A limit of this does not bind.
-inline constexpr double kUnbounded = __builtin_huge_val();  // <limits> is a thousand lines
+/// The value of a limit that does not bind.
+inline constexpr double kUnbounded = __builtin_huge_val();
 
-/// Of one axis, or along the path. Each is above 0.
+/// Of one axis, or along the path; each > 0.
 struct MotionLimits {
   double velocity_mm_s = kUnbounded;
   double acceleration_mm_s2 = kUnbounded;
   double jerk_mm_s3 = kUnbounded;
 };
 
-/// What the motion keeps. Each of velocity, acceleration and jerk must be bounded along the path or
-/// on all of X, Y and Z, and on each auxiliary axis that the machine has.
+/// The limits of the motion. Each of velocity, acceleration and jerk must be bounded along the path
+/// or on all of X, Y and Z, and on each auxiliary axis that the machine has.
 struct MachineLimits {
   double period_s = 0.001;  ///< between two setpoints
   MotionLimits path{};
   std::array<MotionLimits, 3> axes{};
-  /// With rad in place of mm for A, B, C. They bind whatever the limits along the path, which do
-  /// not count where only these axes move.
+  /// A, B, C: read rad for mm in the names. They hold whatever the limits along the path are; where
+  /// only these axes move, the limits along the path do not count.
   std::array<MotionLimits, kAuxiliaryAxes> extra{};
   double chord_tolerance_mm = kUnbounded;  ///< between path and chord of two setpoints, on NURBS
 };

@@ -1,4 +1,4 @@
-// A look at a whole program before anything moves: text, curves and soft limits.
+// Checks a whole program before anything moves: text, curves and soft limits.
 #pragma once
 
 #include <functional>
@@ -14,31 +14,37 @@
 namespace kerf {
 inline namespace v0 {
 
-/// What a check found.
+/// The result of a check.
 struct KERF_API CheckReport {
-  std::vector<Diagnostic> diagnostics;   ///< of the text and of curves that cannot be built
-  std::vector<Diagnostic> limit_faults;  ///< paths that leave the travel, one for each block
-  Extents extents{};                     ///< of all motion, with the bulge of arcs and splines
-  AuxiliaryExtents extra_extents{};      ///< of A, B, C, U, V, W
-  bool moves = false;                    ///< false: extents mean nothing
+  /// Of the text and of curves that cannot be built. After 100 errors the reading ends.
+  std::vector<Diagnostic> diagnostics;
+  /// Moves that leave the travel: one for each block, at most 100, up to the first error.
+  std::vector<Diagnostic> limit_faults;
+  Extents extents{};                 ///< of all motion, with the bulge of arcs and splines
+  AuxiliaryExtents extra_extents{};  ///< of A, B, C, U, V, W
+  bool moves = false;                ///< false: extents mean nothing
 
+  /// There is an error in `diagnostics`. limit_faults do not count: look at both.
   [[nodiscard]] bool has_errors() const;
 };
 
-/// Gives the next bytes of the program; empty at its end.
+/// Gives the next bytes of the program; empty at its end. The view must stay valid until the next
+/// call.
 using TextSource = std::function<std::string_view()>;
 
-/// Asked before each move; true ends the check early.
+/// Asked before each step; true ends the check early. The report then covers what was read so far.
 using StopRequest = std::function<bool()>;
 
-/// Where a check ends though the program goes on: it may loop for ever.
+/// Where a check ends although the program goes on: it may loop for ever.
 struct CheckBounds {
   StopRequest stop{};
-  /// An error once the program must have run for longer, for the length of its moves alone
-  /// (LeastTime). A program that passes may still take longer.
+  /// In s. The check ends with an error when the length of the moves alone, at the highest
+  /// feedrates allowed, takes longer. A program that passes may still take longer.
   double max_time_s = kUnbounded;
 };
 
+/// Reads the program to its end and plans nothing. Impossible settings are an error in the report,
+/// but limits may be missing. Throws std::bad_alloc only, and what the callbacks throw.
 KERF_API CheckReport check_program(const TextSource& text, const MachineSettings& settings,
                                    const KernelOptions& options = {},
                                    const CheckBounds& bounds = {});

@@ -54,8 +54,8 @@ struct Diagnostic {
   Severity severity;
   SourcePosition source;
   std::string message;    ///< what was found and what is allowed
-  const ErrorPage* page;  ///< never null
-  Excerpt block;          ///< of the line; no text where the line is known no more
+  const ErrorPage* page;  ///< never null; lives as long as the program
+  Excerpt block;          ///< of the line; no text where the line is no longer known
   std::string file;       ///< of the subprogram it is about; empty: the program itself
 };
 

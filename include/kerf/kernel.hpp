@@ -23,28 +23,30 @@ inline namespace v0 {
 /// How one program is run.
 struct KernelOptions {
   ProfileChoice profile{};
-  std::size_t window_blocks = 1000;  ///< of the look-ahead, >= 2
-  double horizon_s = 0.25;           ///< how far ahead of the tick motion is frozen
-  BlockDelete block_delete{};        ///< which blocks that begin with '/' are left out
-  bool checks_travel = false;        ///< a block that leaves the table is an error, as in the check
-  std::array<double, 3> start_mm{};  ///< where the tool is
-  std::array<double, kAuxiliaryAxes> start_extra_rad_mm{};  ///< A, B, C in rad, U, V, W in mm
-  std::optional<Dialect> dialect{};                         ///< nothing: the machine's
-  SubprogramSource subprograms{};  ///< those that are not in the program's own text
+  std::size_t window_blocks = 1000;  ///< of the look-ahead, 2 to 1'000'000
+  double horizon_s = 0.25;     ///< how far ahead of the tick the motion is fixed, 1e-5 to 3600
+  BlockDelete block_delete{};  ///< which blocks that begin with '/' are left out
+  bool checks_travel = false;  ///< a block that leaves the travel is an error
+  /// Where the tool is, in machine coordinates, each within +-1e6.
+  std::array<double, 3> start_mm{};
+  /// The same for A, B, C in rad and U, V, W in mm.
+  std::array<double, kAuxiliaryAxes> start_extra_rad_mm{};
+  std::optional<Dialect> dialect{};  ///< nothing: the machine's
+  SubprogramSource subprograms{};    ///< those that are not in the program's own text
 };
 
-/// Runs one program. Feeding and planning happen in the caller's thread; tick() only reads what was
-/// planned and is safe in a real-time thread of its own. docs/embedding.md has threads, memory and
-/// errors of each method.
+/// Runs one program. Feeding and planning are for one thread; tick() and what belongs to it may run
+/// in another, with real-time priority. docs/embedding.md has threads, memory and errors of each
+/// method.
 ///
 /// A program with an error stops on the path before the block that is wrong; check_program() finds
 /// errors before anything moves. Where validate() finds settings or options impossible, the program
 /// ends at once with that error and the tool stays where it is.
 ///
 /// A run checks itself: the plan against the program's blocks, each setpoint against the limits,
-/// the last one against the programmed end. What does not hold is a fault(), a defect of Kerf. If
-/// the segments of the plan do not fit together, the motion ends with what has been delivered. Any
-/// other fault lets it go on.
+/// the last one against the programmed end. A promise that does not hold is a fault(), a defect of
+/// Kerf. If the segments of the plan do not fit together, the motion ends with what has been
+/// delivered. Any other fault lets it go on.
 class KERF_API Kernel {
  public:
   /// The tool rests at options.start_mm. See validate() for what is impossible.
@@ -53,9 +55,9 @@ class KERF_API Kernel {
   Kernel(Kernel&&) noexcept;
   Kernel& operator=(Kernel&&) noexcept;
 
-  /// Takes the next bytes of the program, in pieces of any size.
+  /// Takes the next bytes of the program, in pieces of any size. Not after finish().
   void feed(std::string_view text);
-  /// No more text follows.
+  /// No more text follows. Call it once.
   void finish();
 
   /// Plans ahead until the horizon is reached or more text is needed. True: more text is needed.
@@ -66,34 +68,37 @@ class KERF_API Kernel {
   /// finish().
   TickStatus next(Setpoint& setpoint);
 
-  /// Before tick(), for callers with one thread: passes what is over before it and plans on, until
-  /// the queue holds the tick. Else a queue full of blocks that are all shorter than a tick starves
-  /// it. next() does so by itself.
+  /// For callers with one thread that call plan() and tick() themselves: call it before each
+  /// tick(). Where blocks are shorter than a tick, it passes those that are over and plans on, so
+  /// that the queue reaches the tick. next() does so by itself.
   void reach_tick();
 
-  /// Lets the tool come to rest after all that was read: for when more text does not come before
-  /// the horizon is used up. next() does so by itself.
+  /// Lets the tool come to rest after all that was read. Call it when the text is late and the
+  /// horizon is nearly used up. next() does so by itself.
   void plan_to_rest();
-  /// Less than half of the horizon is planned. Belongs to the planning side.
+  /// Less than half of the horizon is planned. Planning side.
   [[nodiscard]] bool runs_low() const noexcept;
   /// Lets the tool come to rest on the path as soon as the limits allow, and ends the program
   /// there.
   void stop();
 
-  /// How far the path leaves the straight line between the last two setpoints.
+  /// How far the path leaves the straight line between the last two setpoints. Tick side.
   [[nodiscard]] double chord_error_mm() const noexcept;
-  /// What did not hold so far. Nothing: all did. Not from a real-time thread, and complete only
-  /// once tick() is not called any more.
+  /// The first promise that did not hold; nothing: all did. Call it when no tick() runs any more:
+  /// it reads what tick() writes. Allocates.
   [[nodiscard]] std::optional<RunFault> fault() const;
-  /// The largest figures so far. Belongs to the tick side.
+  /// The largest figures so far. Tick side.
   [[nodiscard]] RunFigures figures() const noexcept;
-  /// Where G64 leads the path farthest from what the program says, as far as it is planned: the
-  /// larger of both directions, from the geometry. 0: nowhere. Belongs to the planning side.
+  /// The place where G64 leads the path farthest from the programmed one, as far as it is planned:
+  /// the larger of both directions, from the geometry. 0: nowhere. Planning side.
   [[nodiscard]] PathDeviation deviation() const noexcept;
+  /// The program has an error in what was read so far. Planning side.
   [[nodiscard]] bool has_errors() const;
-  /// The error is a block that leaves the travel (KernelOptions::checks_travel).
+  /// The error is a block that leaves the travel (KernelOptions::checks_travel). Planning side.
   [[nodiscard]] bool left_travel() const noexcept;
+  /// Errors and warnings so far. The reference is good until the next call on the planning side.
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
+  /// What was planned so far. Planning side.
   [[nodiscard]] const PlanTotals& totals() const;
 
  private:

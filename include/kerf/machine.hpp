@@ -1,5 +1,5 @@
-// A machine: its limits, what programs take from it, the simulated table, and the file that says
-// it.
+// A machine: its limits, what programs take from it, the simulated table, and the file that
+// describes them.
 #pragma once
 
 #include <array>
@@ -27,13 +27,9 @@ struct AuxiliaryTravel {
   double max_rad_mm = kUnbounded;
 };
 
-/// Forces and gains are divided by the moved inertia, so that no mass appears: a torque is the
-/// acceleration that it would give, in mm/s2 at the table.
-//
-/// The defaults are those of the default table. Screw and encoder are those of the servo table in
-/// the paper on sine-series feedrate profiles [SineSeries]; the gains and friction make the contour
-/// error on the butterfly in the paper's 4.8 s what was measured there, 20.9 um at the most and
-/// 3.9 um in the mean: 20 and 3.3 um.
+/// The drive of the simulated table; the plan uses none of it but travel. Forces and gains are
+/// divided by the moved inertia, so that no mass appears: a torque is the acceleration that it
+/// would give, in mm/s2 at the table. Defaults: a servo axis with a ball screw.
 struct AxisDrive {
   Travel travel{};
   double drive_velocity_mm_s = 500.0;  ///< what the motor can do; saturates the velocity command
@@ -51,20 +47,20 @@ struct AxisDrive {
 
 /// The simulated table.
 struct TableSettings {
-  double period_s = 0.001;
+  double period_s = 0.001;  ///< of the simulated table alone; the plan uses MachineLimits::period_s
   std::array<AxisDrive, 3> axes{};
-  std::array<AuxiliaryTravel, kAuxiliaryAxes> extra{};  ///< without drives: see SimulatedTable
+  std::array<AuxiliaryTravel, kAuxiliaryAxes> extra{};  ///< they follow without drives
 };
 
-/// What the motion keeps, what programs find, and what the simulated table is. A machine of your
+/// The limits of the motion, the data that programs use, and the simulated table. A machine of your
 /// own needs the first two; of the table only the travel counts then.
 struct MachineSettings {
   MachineLimits limits{};
   ProgramData program{};
   TableSettings table{};
   Dialect dialect = Dialect::rs274;  ///< of its programs, unless told otherwise
-  ///< A tool table that the file names but does not hold; empty: none. Whoever opens files reads
-  ///< it.
+  /// The tool table that the file names but does not hold; empty: none. The library opens no files:
+  /// read it yourself, give its text to read_tool_table() and put the result into program.tools.
   std::string tool_file{};
 };
 
@@ -93,8 +89,8 @@ KERF_API tl::expected<MachineSettings, std::vector<SettingsError>> parse_machine
 KERF_API MachineSettings default_machine();
 
 /// The first impossible value, under the name that the machine file has for it: "axes.x.max_mm".
-/// What MachineLimits may leave unbounded is said there. Of the table's drives each number is
-/// looked at by itself, not whether they can do what is planned.
+/// MachineLimits says which limits must be bounded. Each number of the table's drives is checked by
+/// itself; whether the drives can follow the plan is not.
 KERF_API tl::expected<void, SettingsError> validate(const MachineSettings& settings);
 
 }  // namespace v0
