@@ -1,5 +1,5 @@
-// What the check of a program finds odd: a feed out of the machine's reach, and a tolerance of G64
-// that is larger than what it is applied to.
+// Warnings of the check: a feed that the machine cannot reach, and a G64 tolerance larger than the
+// moves it applies to.
 #pragma once
 
 #include <cstdint>
@@ -39,19 +39,19 @@ class CheckWarnings {
   void take_line(const parser::Move& move, std::vector<diagnostics::Diagnostic>& found);
   [[nodiscard]] const Vertex* loop_to(const parser::Point& end_mm, double tolerance_mm) const;
   void end_run(std::vector<diagnostics::Diagnostic>& found);
-  // Each tolerance is warned of once, and not very many of them.
+  // One warning per tolerance, and only for the first few.
   [[nodiscard]] bool is_told(double tolerance_mm) const;
 
-  double reach_mm_s_;  // of the fastest direction
+  double reach_mm_s_;  // highest feedrate in any direction
   bool feed_told_ = false;
   // Straight feeds under one G64, with nothing between them.
-  std::deque<Vertex> vertices_;  // the last of them
+  std::deque<Vertex> vertices_;  // the most recent ones
   Box box_;
   diagnostics::SourcePosition run_begin_;
   std::uint64_t lines_ = 0;
   double tolerance_mm_ = 0.0;
   double merge_mm_ = 0.0;
-  std::vector<double> told_mm_;  // tolerances that were warned of
+  std::vector<double> told_mm_;  // tolerances with a warning
 };
 
 }  // namespace kerf

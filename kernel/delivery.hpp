@@ -1,4 +1,4 @@
-// Hands planned motion over to the tick side, as far as it may be frozen yet.
+// Hands planned motion to the tick side, up to the horizon.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +13,16 @@ class Delivery {
  public:
   explicit Delivery(interp::MotionQueue& queue) : queue_(&queue) {}
 
-  // What the planner has planned and is to be delivered.
+  // Planned motion that waits to be delivered.
   [[nodiscard]] lookahead::Outbox& outbox() { return outbox_; }
 
-  // Moves what begins up to tick `horizon` into the queue, pieces first: a phase follows only once
-  // the piece that it begins on, the lines up to there and what is switched as it begins are there.
-  // True: all phases went; pieces and lines that only later ones need may still wait in the outbox.
+  // Moves phases and output changes up to tick `horizon` into the queue, pieces and line changes as
+  // far as there is room. A phase goes only after the piece it begins on, the line changes up to
+  // there and the output changes at its begin. True: all phases and output changes were moved;
+  // pieces and line changes that only later phases need may remain.
   bool deliver(std::int64_t horizon);
 
-  // The last phase that was delivered begins there.
+  // The tick at which the last delivered phase begins.
   [[nodiscard]] std::int64_t frozen_until_tick() const noexcept { return frozen_until_tick_; }
 
  private:

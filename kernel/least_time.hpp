@@ -1,4 +1,4 @@
-// The time of a program from below: for its length alone, whatever is planned on it.
+// A lower bound of a program's time, from its length alone.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace kerf {
 
-// Lengths over the fastest that program and machine allow, and dwells. That G64 shortens the path
-// is allowed for by a share, so there it says much less.
+// Length divided by the highest feedrate that program and machine allow, plus dwells. G64 may
+// shorten the path, so under G64 only a share of the length counts and the bound is weaker.
 class LeastTime {
  public:
   explicit LeastTime(const lookahead::PlanLimits& limits);
@@ -22,7 +22,7 @@ class LeastTime {
 
  private:
   lookahead::PlanLimits limits_;
-  double fastest_mm_s_;  // of X, Y and Z together
+  double fastest_mm_s_;  // with X, Y and Z together
   double seconds_ = 0.0;
 };
 

@@ -1,4 +1,4 @@
-// What the keys of one axis must be to each other, each being right for itself.
+// Checks between the keys of one axis, once each is valid by itself.
 #pragma once
 
 #include <cstddef>
@@ -20,17 +20,18 @@ struct KeyProblem {
   std::string message;   // "found ..., expected ..."
 };
 
-// The plan must stay within what the motor can do: a drive that the file is silent about can do
-// twice what is asked of it, where that is more than the default.
+// A plan must not ask more than the motor can do: a drive that the file does not describe can do
+// twice what the limits ask, or the default if that is more.
 void raise_silent_drive(MachineSettings& settings, std::size_t axis,
                         const std::function<bool(std::string_view)>& has_key);
 
-// What is wrong with the upper of two ends of travel, the first two of the rules; nothing: there is
-// some way between them.
+// What is wrong with the upper end of travel (rules[0] and rules[1] are the two ends); nothing: it
+// is above the lower one.
 std::optional<std::string> travel_problem(std::span<const NumberRule> rules,
                                           MachineSettings& settings, std::size_t axis);
 
-// The drive at least as strong as the plan, the position loop no faster than the velocity loop.
+// The drive must be at least as strong as the limits of the plan, and the position loop no faster
+// than the velocity loop.
 std::vector<KeyProblem> check_axis(const MachineSettings& settings, std::size_t axis,
                                    const std::function<bool(std::string_view)>& has_key);
 

@@ -21,14 +21,15 @@ struct NumberRule {
   // offset_sections() in an [offsets.*] table, else ignored. Null in tool_rules().
   double& (*field)(MachineSettings& settings, std::size_t axis);
   double factor = 1.0;  // from the unit of the key to the one inside
-  // The infinity that says "does not bind" inside; a file leaves the key out. 0: there must be one.
+  // The infinity that stands for "does not bind" in the settings (a file leaves the key out). 0:
+  // the key is required.
   double open = 0.0;
 };
 
 // "found 0, expected a number from 1 to 2"; nothing where the rule allows the number, which is in
 // the unit of the key.
 std::optional<std::string> range_problem(const NumberRule& rule, double number);
-// The same of what the settings have inside.
+// The same for the value in the settings.
 std::optional<std::string> range_problem(const NumberRule& rule, MachineSettings& settings,
                                          std::size_t axis);
 

@@ -14,9 +14,9 @@ std::string text_of(double number);
 // A key of the file in quotes: on one line, of bounded length, without control characters.
 std::string in_quotes(std::string_view key);
 
-// The known word that the fewest changed, missing, surplus or swapped neighbouring characters turn
-// into `word` (upper and lower case count as one). Nothing where that takes more than a third of
-// the known word's length, or where the word is longer than 64 characters.
+// The known word with the smallest edit distance to `word` (changed, missing and extra characters
+// and swapped neighbours count 1; case does not count). Nothing if the distance exceeds a third of
+// the known word's length, or `word` is longer than 64 characters.
 std::optional<std::string_view> nearest_word(std::string_view word,
                                              std::span<const std::string_view> known);
 

@@ -1,4 +1,4 @@
-// A program's text to its plan: reader, smoothing, blocks and look-ahead, wired once.
+// From a program's text to its plan: reader, smoothing, blocks and look-ahead, wired once.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@
 
 namespace kerf {
 
-// Whatever makes a plan of a program makes it here: the kernel that runs it, the estimate of its
-// time, the explanation of a line. So they plan one path. The plan is held against the program's
-// blocks (PlanCheck). One thread.
+// Every plan is made here: by the kernel that runs it, for the estimate of its time and for the
+// explanation of a line, so all three plan the same path. PlanCheck checks the plan against the
+// program's blocks. For one thread.
 class Pipeline {
  public:
   struct Order {
@@ -24,7 +24,7 @@ class Pipeline {
   };
   enum class Step : unsigned char {
     planned,     // something is in the outbox
-    took,        // something of the program is on its way
+    took,        // took something from the program; nothing planned yet
     wants_text,  // feed() or finish() must come first
     ended,       // the program is planned to its end, or to where it was stopped
   };
@@ -33,29 +33,29 @@ class Pipeline {
 
   void feed(std::string_view text) { path_.feed(text); }
   void finish() { path_.finish(); }
-  // Nothing is run, for a reason that is not in the text.
+  // Runs nothing, for a reason that is not in the text.
   void refuse(diagnostics::Diagnostic fault) { path_.refuse(std::move(fault)); }
 
   // One step. Precondition: the outbox is empty.
   Step step(lookahead::Outbox& outbox);
 
-  // What is held back for the sake of what follows comes out without it.
+  // Releases what waits for its successor, as if none came.
   void flush() { path_.flush(); }
-  // The plan ends at rest behind what was read, until more is.
+  // The plan comes to rest after what was read so far; more text continues it.
   void plan_to_rest() { planner_.plan_to_rest(); }
   // The plan ends at rest as soon as the limits allow.
   void stop();
 
-  // All of the program is read and on its way, or it was stopped.
+  // The whole program was read and goes to the plan, or it was stopped.
   [[nodiscard]] bool is_finished() const noexcept { return finished_; }
   [[nodiscard]] const ProgramPath& path() const noexcept { return path_; }
   [[nodiscard]] const PlanTotals& totals() const noexcept { return planner_.totals(); }
   [[nodiscard]] const PlanCheck& check() const noexcept { return check_; }
-  // The program is read and no plan of its end came.
+  // The whole program was read, but its end was never planned.
   void fail_without_plan(std::uint32_t line);
 
  private:
-  // What is next of the program into the window. False: there is no more text.
+  // Takes the next item of the program into the window. False: there is no more text.
   bool take_next();
   void push_segment(smoothing::PathSegment segment);
 

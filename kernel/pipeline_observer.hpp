@@ -1,4 +1,4 @@
-// What passes on the way from a program's text to its plan.
+// An observer of what passes from a program's text to its plan.
 #pragma once
 
 #include "lookahead/emit/emitter.hpp"
@@ -6,8 +6,8 @@
 
 namespace kerf {
 
-// Told in the order of the program: what is planned comes later than what is read, by up to a
-// window. The planning side's thread.
+// Called in program order, in the planning thread. Planned motion lags behind reading by up to one
+// window.
 class PipelineObserver {
  public:
   PipelineObserver() = default;
@@ -19,7 +19,7 @@ class PipelineObserver {
   virtual void read(const parser::ProgramReader& /*reader*/) {}
   // The move was read.
   virtual void move(const parser::Move& /*move*/) {}
-  // A move is a rest in the plan.
+  // A dwell or event became a rest in the plan.
   virtual void rest() {}
   // All that was planned at once.
   virtual void planned(const lookahead::Outbox& /*outbox*/) {}

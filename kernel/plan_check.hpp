@@ -1,4 +1,4 @@
-// Holds the plan against the blocks that it was made for.
+// Checks the plan against the blocks that it was made for.
 #pragma once
 
 #include <cstdint>
@@ -14,25 +14,25 @@
 
 namespace kerf {
 
-// Each block is planned in the order of the program, from its beginning to its end without a gap
-// and not above its feedrate, each phase covers the way that it says, the plan goes on, and all of
-// the path is planned when the program ends.
+// Checks that each block is planned in program order, from its beginning to its end, without gaps
+// and not above its feedrate; that each phase covers its stated distance; that planning makes
+// progress; and that the whole path is planned when the program ends.
 class PlanCheck {
  public:
   // In the order in which they go to the planner.
   void pushed(const lookahead::Block& block);
   // All that emit() appended: `outbox` was empty before.
   void emitted(const lookahead::Outbox& outbox);
-  // Of the whole program: how far it is led from its path.
+  // Checks the deviation of the whole program against its tolerance.
   void judge(const smoothing::PathDeviation& deviation);
-  // What is left of the program need not come.
+  // The rest of the program need not be planned.
   void stop() { stopped_ = true; }
 
   // The program's end is planned.
   [[nodiscard]] bool has_ended() const { return ended_; }
-  // The first; nothing while all holds.
+  // The first fault; nothing while there is none.
   [[nodiscard]] const std::optional<RunFault>& fault() const { return fault_; }
-  // What was planned cannot be run: its segments do not fit.
+  // The plan cannot be run: its segments do not fit together.
   [[nodiscard]] bool is_broken() const { return broken_; }
   void fail(std::uint32_t line, std::string what);
 
@@ -52,10 +52,10 @@ class PlanCheck {
   void leave_block();
 
   lookahead::Window<Expected> expected_;  // the front is the block that is being emitted
-  bool begun_ = false;                    // the front
-  std::uint64_t curve_ = 0;               // its number, or that of the block before
-  double s_mm_ = 0.0;                     // on it
-  double path_mm_ = 0.0;                  // of the blocks before the front
+  bool begun_ = false;                    // the front block has begun
+  std::uint64_t curve_ = 0;               // curve number of the front block, else of the one before
+  double s_mm_ = 0.0;                     // position on it
+  double path_mm_ = 0.0;                  // length of the blocks before the front
   std::uint32_t idle_ = 0;                // calls in a row that brought nothing
   bool stopped_ = false;
   bool ended_ = false;

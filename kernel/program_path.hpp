@@ -1,5 +1,4 @@
-// The program as the path that is run: text in, segments of the path and pauses on it out, with
-// what is wrong with the program.
+// Turns a program's text into the path that is run: segments and pauses, and diagnostics.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +23,9 @@ class ProgramPath {
 
   struct Order {
     std::uint32_t watched_line = 0;  // whose block the reader shows; 0: none
-    bool as_programmed = false;      // the moves come out as they are, those behind an error too
-    PipelineObserver* observer = nullptr;  // of the path that is run; not told as programmed
+    bool as_programmed = false;      // moves come out unsmoothed, including those after an error
+    PipelineObserver* observer =
+        nullptr;  // for the path that is run; not called with as_programmed
   };
 
   ProgramPath(const MachineSettings& settings, const KernelOptions& options, const Order& order);
@@ -36,21 +36,21 @@ class ProgramPath {
     has_all_text_ = true;
   }
 
-  // At a block with an error the path ends, where the program is right so far.
+  // The path ends before the first block with an error.
   // Order::as_programmed: each output is a move.
   Next next(Output& output);
   // No more of the program is run, whatever text follows.
   [[nodiscard]] bool at_end() const { return reader_.at_end(); }
-  // What is held back for the sake of what follows comes out without it.
+  // Releases what waits for its successor, as if none came.
   void flush() { smoother_.flush(); }
-  // The part that next() gave cannot be run: the path has ended before it, with this error.
+  // The segment that next() gave cannot be run: the path has ended before it, with this error.
   void cut(const diagnostics::SourcePosition& source, const smoothing::PathError& error,
            const diagnostics::ErrorPage& page);
 
-  // Nothing is run, for a reason that is not in the text.
+  // Runs nothing, for a reason that is not in the text.
   void refuse(diagnostics::Diagnostic fault);
 
-  // Where the program leads the tool, so far as it was read. Nothing: it has an error.
+  // The programmed end of what was read so far; nothing if the program has an error.
   [[nodiscard]] std::optional<PlaceOfTool> programmed_end() const;
   // Of the move read last, or of the segment that was cut.
   [[nodiscard]] std::uint32_t line() const noexcept { return source_.line; }
@@ -69,7 +69,7 @@ class ProgramPath {
   // The next move into the smoother. False: there is no more text.
   bool read_move();
   void fail(const smoothing::PathError& error, const diagnostics::ErrorPage& page);
-  // What is held back still runs.
+  // Moves that the smoother still holds are run.
   void end();
   Next next_as_programmed(Output& output);
 
@@ -81,8 +81,8 @@ class ProgramPath {
   smoothing::Smoother smoother_;
   PlaceOfTool end_{};                   // of the move read last
   diagnostics::SourcePosition source_;  // of the move read last, or of the segment that was cut
-  bool ended_ = false;                  // what the smoother still holds is all that follows
-  bool cut_ = false;                    // and none of that is run
+  bool ended_ = false;                  // only what the smoother still holds will follow
+  bool cut_ = false;                    // that is not run either
   bool failed_ = false;
   bool left_travel_ = false;
   std::vector<diagnostics::Diagnostic> all_diagnostics_;  // once it failed

@@ -1,4 +1,5 @@
-// How the program is read, said once: the check, the plan and the run must read the same program.
+// The reader's options, made in one place: the check, the plan and the run must read the same
+// program.
 #pragma once
 
 #include <kerf/kernel.hpp>

@@ -1,4 +1,4 @@
-// What a run did, gathered tick by tick from the setpoints and the machine's answers.
+// Statistics of a run, gathered tick by tick from the setpoints and the machine's state.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace kerf {
 // How long and how far; the largest figures are TickJudge's.
 class RunStatistics {
  public:
-  // A, B, C, U, V and W are looked at where the machine has one of them.
+  // A, B, C, U, V and W count if the machine has one of them.
   explicit RunStatistics(double period_s, bool has_extra_axes = false)
       : period_s_(period_s), has_extra_axes_(has_extra_axes) {}
 

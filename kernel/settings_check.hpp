@@ -1,4 +1,5 @@
-// Which settings a program can be planned with. The keys of a machine file have the same rules.
+// Checks whether a program can be planned with the settings. The keys of a machine file have the
+// same rules.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +15,13 @@ namespace kerf {
 
 inline constexpr std::uint32_t kMaxWindowBlocks = 1'000'000;
 
-// What validate() finds, as Kernel reports it, at the program's first line; check_program, which
-// plans nothing, lets limits be missing.
+// What validate() finds, as Kernel reports it, at the program's first line. check_program, which
+// plans nothing, accepts settings without limits.
 std::optional<diagnostics::Diagnostic> settings_fault(const MachineSettings& settings,
                                                       const KernelOptions& options);
 
-// Options to rest with where those that were given are impossible: the tool stays where they say
-// that it is, if they do.
+// Safe options in place of impossible ones: the given start position if it is valid, defaults
+// otherwise.
 KernelOptions resting_options(const KernelOptions& given);
 
 }  // namespace kerf

@@ -1,4 +1,4 @@
-// Holds what comes out against the limits, tick by tick.
+// Checks each setpoint against the limits.
 #pragma once
 
 #include <array>
@@ -45,13 +45,13 @@ struct PlaceOfTool {
 };
 
 // Figures along the path come from the arc length between ticks, those of the axes from positions,
-// both by finite differences: what a drive sees, not what the plan says of itself. Each may exceed
-// its limit by 1e-6 of it and by what rounding leaves open in the differences; a chord by 0.5 % of
-// its tolerance. Real time: add() allocates nothing, takes no lock, throws nothing.
+// both by finite differences: what a drive sees, not what the plan states. Each may exceed its
+// limit by a relative 1e-6 plus the rounding error of the differences; a chord by 0.5 % of its
+// tolerance. Real time: add() allocates nothing, takes no lock, throws nothing.
 class TickJudge {
  public:
-  // binds_jerk: false for a profile that knows no jerk. has_extra_axes: A, B, C, U, V and W are
-  // looked at.
+  // binds_jerk: false for a profile without a jerk limit. has_extra_axes: A, B, C, U, V and W are
+  // checked too.
   struct Settings {
     lookahead::PlanLimits limits{};
     bool binds_jerk = true;
@@ -62,20 +62,20 @@ class TickJudge {
 
   void add(const interp::Setpoint& setpoint, double chord_error_mm) noexcept;
 
-  // The tick before this one found nothing planned: what it did says nothing of the plan, so the
-  // differences that hold it are not looked at.
+  // The tick before this one found nothing planned: its position says nothing about the plan, so
+  // differences that include it are skipped.
   void starve() noexcept { settling_ = kDifferences + 1; }
 
-  // The program's last tick. What is shorter than the resolution of programs need not be run.
+  // Call with the program's last tick. Moves shorter than the program's resolution may be left out.
   void judge_end(const interp::Setpoint& last, const PlaceOfTool& programmed) noexcept;
 
-  // The first; its figure is `none` while all holds.
+  // The first excess found; its figure is `none` while there is none.
   [[nodiscard]] const TickExcess& excess() const noexcept { return excess_; }
   [[nodiscard]] Peaks path() const noexcept { return peaks_of(path_); }
   [[nodiscard]] std::array<Peaks, 3> axes() const noexcept;
   // Of A, B, C in rad.
   [[nodiscard]] std::array<Peaks, curves::kAuxiliaryAxes> extra_axes() const noexcept;
-  // The largest, and that of the latest tick.
+  // The largest so far, and that of the latest tick.
   [[nodiscard]] double chord_error_mm() const noexcept { return chord_error_mm_; }
   [[nodiscard]] double latest_chord_error_mm() const noexcept { return latest_chord_error_mm_; }
 
@@ -105,7 +105,7 @@ class TickJudge {
   bool binds_jerk_;
   bool has_extra_axes_;
   bool began_ = false;
-  int settling_ = 0;  // ticks whose differences are not looked at
+  int settling_ = 0;  // ticks whose differences are skipped
   Track path_{};
   std::array<Track, 3> axes_{};
   std::array<Track, curves::kAuxiliaryAxes> extra_{};

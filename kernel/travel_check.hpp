@@ -1,4 +1,4 @@
-// Moves against the soft limits, as they are programmed.
+// Checks programmed moves against the soft limits.
 #pragma once
 
 #include <optional>
