@@ -20,7 +20,7 @@ namespace kerf::lookahead {
 struct PlannerSettings {
   PlanLimits limits{};
   profiles::Profile profile{profiles::ProfileKind::s_curve};
-  std::size_t window_blocks = 1000;  // >= 2; the time optimum takes 4 at the least
+  std::size_t window_blocks = 1000;  // >= 2; at least 4 for the time optimum
   std::size_t window_cells = 3000;   // that the time optimum plans at once; >= 100
   // Cruises and dwells are emitted in parts of about this, so that a stop need not wait for the
   // end.
@@ -33,7 +33,7 @@ class Planner {
  public:
   explicit Planner(const PlannerSettings& settings);
 
-  // How append_blocks has to scan curves for this profile.
+  // The scan that append_blocks needs for this profile.
   [[nodiscard]] ScanFor scan_for() const noexcept { return scan_for_; }
   // False: call emit() before the next move. All blocks of one move may be pushed, even beyond the
   // window.

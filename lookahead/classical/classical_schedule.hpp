@@ -1,4 +1,4 @@
-// The classical schedule: ACC + CF + DEC between the valleys of what is allowed.
+// The classical schedule: ACC + CF + DEC between the valleys of the velocity limit curve.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace kerf::lookahead {
 
-// A segment is emitted once half a window of blocks is known behind it, or once the program rests
-// there anyway. Amortised each block is visited twice by the backward pass and once by the forward
+// A segment is emitted once half a window of blocks is known after it, or once the program rests
+// there anyway. Amortised, each block is visited twice by the backward pass and once by the forward
 // pass, whatever the length of the program.
 class ClassicalSchedule final : public Schedule {
  public:
   struct Settings {
     PlanLimits limits{};
     profiles::Profile profile{profiles::ProfileKind::s_curve};
-    std::size_t ready_blocks = 500;  // that leave a full window before it is planned again, >= 1
+    std::size_t ready_blocks = 500;  // leave a full window before it is planned again; >= 1
     // A cruise leaves in parts of this duration, so that a stop need not wait for its end.
     double longest_cruise_s = 0.1;
   };
@@ -47,9 +47,9 @@ class ClassicalSchedule final : public Schedule {
   Window<WindowSegment> window_;
   std::size_t ready_segments_ = 0;  // of window_, planned and allowed to leave
   bool to_rest_ = false;
-  double v_mm_s_ = 0.0;  // where emission stands
-  // Of the front segment, of which a part has left: what is left, as long as it ends as was
-  // planned.
+  double v_mm_s_ = 0.0;  // at the end of what was emitted
+  // The rest of the front segment's plan once a part of it was emitted; valid as long as the
+  // segment ends as planned.
   std::optional<SegmentPlan> left_;
   double left_end_mm_s_ = 0.0;
 };

@@ -12,17 +12,17 @@ namespace kerf::lookahead {
 // Indices of the breaking points of a scan, first and last sample included, in two steps
 // [Sigmoid, section 3.2], docs/math.md, 6.1:
 // 1. screening: the slope of v over u changes by more than screening_mm_s between two samples;
-// 2. of these candidates those stay where v does not go on in the same direction.
+// 2. of these candidates those stay where v stops rising or falling.
 std::vector<std::size_t> breaking_points(const VelocityLimitCurve& limit_curve,
                                          double screening_mm_s);
 
-// The breaking points that are valleys: the lowest between two hills that both rise above it by
-// more than noise, a share of the feedrate.
+// The breaking points that are valleys: the lowest between two places that are both higher by more
+// than noise, a share of the feedrate.
 std::vector<std::size_t> valleys(const VelocityLimitCurve& limit_curve,
                                  const std::vector<std::size_t>& breaking, double noise = 0.01);
 
-// The samples at which the ramp from the foot is to be cut, ascending; none where one ramp of one
-// acceleration takes no more than twice the time of the fastest ramp.
+// The samples at which the ramp from the foot (its slower end) is cut, ascending; none where one
+// ramp of one acceleration takes no more than twice the time of the fastest ramp.
 //
 //      v^2            . top         A ramp of one acceleration is a straight line over s in v^2.
 //       |         _.-'              No motion is faster than the lower convex hull of the limit
@@ -41,7 +41,7 @@ std::vector<std::size_t> valleys(const VelocityLimitCurve& limit_curve,
 std::vector<std::size_t> ramp_cuts(const std::vector<Slope::Sample>& samples,
                                    const profiles::RampLimits& limits);
 
-// Of samples, both included.
+// A range of samples, both ends included.
 struct SampleRange {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -57,7 +57,7 @@ struct Hill {
 Hill hill_of(const VelocityLimitCurve& limit_curve, const SampleRange& range);
 
 struct Cutting {
-  double noise = 0.0;  // dips and humps of less than this share of the feedrate are none
+  double noise = 0.0;  // dips and humps of less than this share of the feedrate do not count
   double period_s = 0.0;
   profiles::RampLimits ramp{};  // no ramp is steeper
 };
@@ -67,9 +67,9 @@ struct CutLimitCurve {
   std::vector<std::size_t> cuts;  // samples, ascending; the last one's is the end
 };
 
-// Cut at its valleys and where a ramp from one would crawl (ramp_cuts). The limit curve has
-// more samples then where feedrates of neighbours are far apart, and between valleys within a
-// tick's way, which are one, the feedrate of the lowest. Precondition: two samples at least.
+// The limit curve, cut at its valleys and where a ramp from one would crawl (ramp_cuts). It gets
+// more samples where feedrates of neighbours are far apart. Valleys within a tick's distance count
+// as one, and between them it gets the feedrate of the lowest. Precondition: two samples at least.
 CutLimitCurve cut(const VelocityLimitCurve& scanned, const Cutting& how);
 
 }  // namespace kerf::lookahead

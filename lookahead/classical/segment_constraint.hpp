@@ -1,4 +1,4 @@
-// Which limit holds the parts of a segment down, of the classical schedule.
+// The limit that binds in each part of a segment of the classical schedule.
 #pragma once
 
 #include "lookahead/classical/velocity_segment.hpp"
@@ -15,19 +15,18 @@ enum class SegmentPart : std::uint8_t {
   end_constant_velocity
 };
 
-// - A part at constant velocity is there for a junction's sake, or waits below the foot of a
-// limit curve.
-// - A cruise runs at what its block allows, or below a limit curve.
-// - A change of feedrate is bound by jerk and acceleration, each while it is what binds; where the
-//   profile has both at once, by the one of which a hundredth more would save more time. Where it
-//   was stretched to stay below a limit curve or to leave room for curvature, by that.
+// - A part at constant velocity serves a junction, or waits at the low end of a limit curve.
+// - A cruise runs at the feedrate that its block allows, or below a limit curve.
+// - A change of feedrate is bound by jerk and acceleration, each in its own part; where the profile
+//   has both at once, by the one of which a hundredth more would save more time. Where it was
+//   stretched to stay below a limit curve or to leave room for curvature, that limit binds.
 class SegmentConstraint {
  public:
   struct Settings {
     const Block* block = nullptr;
     const VelocitySegment* segment = nullptr;  // of the block
     const profiles::Profile* profile = nullptr;
-    bool brakes_for_window = false;  // what is behind the segment is not known yet
+    bool brakes_for_window = false;  // the segment after it is not known yet
   };
   // Lives no longer than what the settings point to.
   explicit SegmentConstraint(const Settings& settings) : of_(settings) {}
@@ -44,7 +43,8 @@ class SegmentConstraint {
   [[nodiscard]] ActiveConstraint ramp(const profiles::Transition& law, double s_begin_mm) const;
   // Null: curvature does not bind.
   [[nodiscard]] const PathSample* axis_limit_at(double s_mm) const;
-  // What the limit curve, of the block or of curvature, comes from where the law is nearest to it.
+  // The origin of the limit curve (of the block or of curvature) at the place where the law is
+  // nearest to it.
   [[nodiscard]] ActiveConstraint limit_curve(const profiles::Transition& law,
                                              double s_begin_mm) const;
 

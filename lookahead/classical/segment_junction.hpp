@@ -14,10 +14,10 @@ struct JunctionSides {
   const VelocitySegment* after = nullptr;
 };
 
-// junction_of() knows a curve at its end alone and leaves nothing for what curvature asks of the
-// axes within the ticks that see the junction. Here it is asked again, with the largest second and
+// junction_of() knows a curve only at its end and leaves nothing for the demands of curvature on
+// the axes within the ticks that see the junction. This repeats it with the largest second and
 // third derivative within the parts at constant velocity, each of which fits into half a segment.
-// Never faster than found.
+// Never faster than `found`.
 Junction beside_axis_limits(const Junction& found, const JunctionSides& sides,
                             const PlanLimits& limits);
 
@@ -37,9 +37,9 @@ struct JunctionRules {
 // the limit curve so wide that the tick is all in it.
 double valley_mm_s(double limit_mm_s, const VelocitySegment& segment, const JunctionRules& rules);
 
-// As fast as both blocks may be passed, and beside one that a tick might pass over faster than that
-// a tick at constant velocity, outside of it, so that no tick that sees all of it has a part of a
-// ramp.
+// The highest feedrate at which both blocks may be passed. Beside a block that one tick might pass
+// over faster, a tick at constant velocity is added outside of it, so that no tick that sees the
+// whole block includes a part of a ramp.
 SegmentJunction segment_junction(const JunctionSides& sides, const JunctionRules& rules);
 
 }  // namespace kerf::lookahead

@@ -1,4 +1,5 @@
-// One side of the hill of allowed feedrate between two valleys, seen from its foot.
+// One side of the velocity limit curve between two valleys, from its lower end (the foot) to the
+// highest place (the top).
 #pragma once
 
 #include <limits>
@@ -9,9 +10,8 @@
 
 namespace kerf::lookahead {
 
-// The feedrate allowed at a distance from the foot, made monotone: at each point the lowest that
-// the limit curve comes down to between there and the top. Empty: no limit curve, any feedrate is
-// allowed.
+// The feedrate allowed at a distance from the foot, made monotone: at each point the lowest value
+// of the limit curve between there and the top. Empty: no limit curve, any feedrate is allowed.
 class Slope {
  public:
   struct Sample {
@@ -32,19 +32,18 @@ class Slope {
   // The same side seen from a foot that far up.
   [[nodiscard]] Slope from(double distance_mm) const;
 
-  // The distance from which a feedrate is allowed; that of the top for more than is allowed there.
+  // The distance from which a feedrate is allowed; that of the top for a feedrate above it.
   // Precondition: not empty.
   [[nodiscard]] double allowed_from_mm(double v_mm_s) const;
 
-  // How long a transition from the foot upwards must be made to stay below the limit curve, as a
-  // factor
-  // >= 1 on the length and duration of ramp. A stretched transition passes through the same
-  // feedrates at the same shares of its length, so each of its points asks for a length of its own
-  // and the largest decides: no iteration. The ramp is then nowhere more than 5e-5 of its feedrate
+  // The factor >= 1 on length and duration by which a transition from the foot upwards must be
+  // stretched to stay below the limit curve. A stretched transition passes through the same
+  // feedrates at the same shares of its length, so each of its points needs a length of its own and
+  // the largest decides: no iteration. The ramp is then nowhere more than 5e-5 of its feedrate
   // above the limit curve.
   [[nodiscard]] double stretch_for(const profiles::Transition& ramp) const;
-  // How far from the foot the ramp must begin instead, unstretched: for a law whose acceleration
-  // jumps, which no stretch keeps below a limit curve that is flat at the foot.
+  // The distance from the foot at which the ramp must begin instead, unstretched: for a law whose
+  // acceleration jumps, which no stretch keeps below a limit curve that is flat at the foot.
   [[nodiscard]] double delay_for_mm(const profiles::Transition& ramp) const;
 
  private:

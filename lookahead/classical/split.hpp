@@ -1,5 +1,5 @@
-// Blocks to segments: a curve is cut at the valleys of the feedrate it allows, and where one ramp
-// from a valley would crawl (limit_curve_cuts.hpp).
+// Splits blocks into segments: a curve is cut at the valleys of its velocity limit curve, and where
+// one ramp from a valley would crawl (limit_curve_cuts.hpp).
 #pragma once
 
 #include <vector>
@@ -10,11 +10,12 @@
 namespace kerf::lookahead {
 
 // The segments of a block in order; the junction at the last one's end is still open (a stop).
-// Valleys within a tick's way at their feedrate are one, and one as close to an end is none: beside
-// a corner that is not quite one, derivatives are rounding, and rounding has thousands of valleys.
+// Valleys within a tick's distance at their feedrate count as one, and a valley as close to an end
+// does not count: beside a corner that is almost smooth, derivatives are rounding errors with
+// thousands of valleys.
 std::vector<VelocitySegment> split(const Block& block, double period_s);
-// The same with what curvature asks of the axes, which lowers the limit curve and stays with each
-// segment. Precondition: the block is a NURBS with its limit curve; axis_limits is not empty.
+// The same with the demands of curvature on the axes, which lower the limit curve and stay with
+// each segment. Precondition: the block is a NURBS with its limit curve; axis_limits is not empty.
 std::vector<VelocitySegment> split(const Block& block, const AxisLimitCurve& axis_limits,
                                    const PlanLimits& limits);
 // The same for a block without a limit curve, which is one segment.

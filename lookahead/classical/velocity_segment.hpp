@@ -16,12 +16,12 @@ struct VelocitySegment {
   double length_mm = 0.0;
   BlockLimits limits{};
   double begin_constant_velocity_s = 0.0;
-  Junction end{};           // what bounds the feedrate at its end
+  Junction end{};           // bounds the feedrate at its end
   double s_begin_mm = 0.0;  // on the block's curve
   bool ends_block = true;
   Slope rise{};  // from its beginning
   Slope fall{};  // from its end
-  // What the axes allow along it, beside `limits`; empty: they do not bind.
+  // The limits of the axes along it, beside `limits`; empty: they do not bind.
   AxisLimitCurve axis_limits{};
   std::array<MotionLimits, 3> axes{};  // for curvature
 };
@@ -32,7 +32,7 @@ struct SegmentEnds {
   double v_end_mm_s = 0.0;
 };
 
-// What a segment does, in this order; parts that are not there have no duration.
+// The parts of a segment, in this order; missing parts have no duration.
 struct SegmentPlan {
   profiles::Transition begin_constant_velocity{};
   profiles::Transition acceleration{};
@@ -54,9 +54,9 @@ double reach_backward_mm_s(const VelocitySegment& segment, const BackwardQuery& 
 
 // The largest feedrate <= wanted.v_end with which the segment can end that begins with
 // wanted.v_begin. A part at constant velocity takes room at its feedrate, and braking to a third
-// takes more room than braking to rest, so a slower end may fit where a faster does not and the
+// takes more room than braking to rest, so a slower end may fit where a faster one does not and the
 // other way round. v_end_known: an end that this beginning or a higher one is known to join. Where
-// no such end as wanted fits it may be the higher one, and the result lies between them.
+// the wanted end does not fit, v_end_known may be higher, and the result lies between them.
 // Precondition: v_begin is at most what reach_backward gives for v_end or for v_end_known.
 double end_feedrate_mm_s(const VelocitySegment& segment, const SegmentEnds& wanted,
                          double v_end_known_mm_s, const profiles::Profile& profile);
@@ -66,8 +66,8 @@ double end_feedrate_mm_s(const VelocitySegment& segment, const SegmentEnds& want
 bool joins(const VelocitySegment& segment, const SegmentEnds& ends,
            const profiles::Profile& profile);
 
-// The fastest plan of the segment's kind: the cruise as high as length and limit curve allow; under
-// a limit curve the cruise of least time. Precondition: the ends can be joined.
+// The fastest plan: the cruise as high as length and limits allow; under a limit curve the cruise
+// of least time. Precondition: the ends can be joined.
 SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends,
                          const profiles::Profile& profile);
 

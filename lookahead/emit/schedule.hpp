@@ -8,7 +8,7 @@
 
 namespace kerf::lookahead {
 
-// What is known of the blocks that follow.
+// Whether more blocks follow.
 enum class Supply {
   wanted,   // more blocks may come before the schedule has to emit
   full,     // no more blocks fit into the window
@@ -32,7 +32,7 @@ class Schedule {
   [[nodiscard]] virtual bool has_room() const = 0;
   // Appends motion. False: it needs more blocks first. Precondition: not empty.
   virtual bool emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) = 0;
-  // Cuts what is left down to the shortest way to a rest.
+  // Shortens the rest of the plan to a stop as soon as the limits allow.
   virtual void stop(const Window<Block>& blocks, const Emitter& emitter) = 0;
 };
 

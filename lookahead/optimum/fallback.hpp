@@ -1,4 +1,4 @@
-// The classical plan over blocks on which the time optimum is not found.
+// The classical plan over blocks for which no time optimum was found.
 #pragma once
 
 #include <cstddef>
@@ -10,21 +10,21 @@
 
 namespace kerf::lookahead {
 
-// The first cells that wait, as many as a plan covers.
+// The first waiting cells, as many as a plan covers.
 struct PlannedCells {
   const WaitingCells* cells = nullptr;
   std::size_t count = 0;
 };
 
-// The whole blocks at the front of them that follow the classical plan.
+// The whole blocks at their front that follow the classical plan.
 struct Fallback {
   std::size_t blocks = 0;
   std::size_t cells = 0;
 };
 
 // The blocks over which the classical schedule, from rest to rest, is faster than the plan found
-// from there. Nothing: it is not, or they are less than two: on one curve alone a rest within it
-// leaves more of the optimum than the classical plan has.
+// from there. Nothing: it is slower, or they are fewer than two: on a single curve, the optimum
+// with a rest inside is faster than the classical plan.
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const OptimalPlan& found,
                                         const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings);

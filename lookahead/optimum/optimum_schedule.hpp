@@ -11,14 +11,14 @@
 
 namespace kerf::lookahead {
 
-// A plan covers what is known up to the next stop, at most window_cells; shortly before it begins
-// to brake for what is not known yet, but not before half of it has been emitted, it is found anew
-// from where the tool is, with what has come since. The cells that two plans share are the same, so
-// what the old plan still held is a feasible way for the new one; where the search does not find a
-// way that holds, the old plan is kept and ends at rest. Where it does not find one from rest, the
-// classical plan is the fallback over whole blocks, if it is faster; else the way is cut in two at
-// its sharpest place, by a rest there, a few times at the most, and what then still does not hold
-// is slowed down. Each of these is noted as a degradation.
+// A plan covers the known cells up to the next stop, at most window_cells. Shortly before it begins
+// to brake for the end of the window, but not before half of it has been emitted, it is planned
+// anew from the tool's place, with the blocks that have come since. The cells that two plans share
+// are the same, so the rest of the old plan is a feasible start for the new one. Where the search
+// finds no plan that keeps the limits, the old plan is kept and ends at rest. Where it finds none
+// from rest, the classical plan is the fallback over whole blocks, if it is faster; else the path
+// is cut in two by a rest at its sharpest place, a few times at the most, and a plan that still
+// exceeds a limit is slowed down. Each of these is noted as a degradation.
 //
 // A single line from rest to rest is planned by the S-curve, which is its optimum in closed form.
 class OptimumSchedule final : public Schedule {
@@ -26,7 +26,7 @@ class OptimumSchedule final : public Schedule {
   struct Settings {
     PlanLimits limits{};
     std::size_t window_cells = 3000;
-    // A part of a cell that leaves at once is no longer, so that a stop need not wait for its end.
+    // A cell is emitted in parts no longer than this, so that a stop need not wait for its end.
     double longest_phase_s = 0.1;
   };
 
@@ -42,7 +42,7 @@ class OptimumSchedule final : public Schedule {
   [[nodiscard]] std::size_t cells_left() const { return plan_.cells().size() - place_.cell; }
   [[nodiscard]] bool is_to_be_renewed() const;
   void plan(Window<Block>& blocks, Emitter& emitter);
-  // What is left of the plan and waits behind it, refined for the rests at its ends.
+  // The rest of the plan and the cells that wait after it, refined for the rests at its ends.
   struct Taken {
     CellSequence sequence{};
     std::size_t count = 0;  // of waiting_
@@ -50,9 +50,9 @@ class OptimumSchedule final : public Schedule {
   [[nodiscard]] Taken take(const PathAt& path) const;
   // Hands these blocks to the classical schedule, from rest to rest.
   void fall_back(const Fallback& classical, const Window<Block>& blocks, Emitter& emitter);
-  // A rest at the sharpest place of the first cells that wait.
+  // Puts a rest at the sharpest place of the first waiting cells.
   void cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter);
-  // At its end.
+  // Notes a stop at the end of the cell.
   void note_stop(const Cell& cell, const Window<Block>& blocks, Emitter& emitter) const;
   void emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox);
 
@@ -60,10 +60,10 @@ class OptimumSchedule final : public Schedule {
   ClassicalSchedule lines_;  // single lines from rest to rest, and blocks on which it stands in
   WaitingCells waiting_;
   OptimalPlan plan_;
-  PlanPlace place_{};      // of plan_: what comes next
-  std::size_t renew_ = 0;  // from this cell of plan_ on it is to be found anew
+  PlanPlace place_{};      // on plan_: comes next
+  std::size_t renew_ = 0;  // from this cell of plan_ on it is planned anew
   bool plan_ends_at_stop_ = true;
-  std::size_t window_brake_ = 0;  // from this cell of plan_ on it brakes for what is not known yet
+  std::size_t window_brake_ = 0;  // from this cell of plan_ on it brakes for the end of the window
 };
 
 }  // namespace kerf::lookahead

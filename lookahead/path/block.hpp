@@ -1,4 +1,4 @@
-// What the look-ahead plans: one smooth curve with its limits.
+// A block of the look-ahead: one smooth curve with its limits.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +39,9 @@ struct Block {
   bool rapid = false;
   double length_mm = 0.0;
   BlockLimits limits{};
-  // The same without what curvature takes of the limits of X, Y and Z: programmed, along the path,
-  // of further axes and, on an arc and on a sub-tick block, by chord error.
+  // The same without the share that curvature takes of the limits of X, Y and Z: the programmed
+  // feedrate, limits along the path and of further axes and, on an arc and on a sub-tick block,
+  // chord error.
   BlockLimits along{};
   BlockEnd begin{};
   BlockEnd end{};

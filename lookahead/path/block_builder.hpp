@@ -1,4 +1,4 @@
-// Path segments to blocks: a valid curve with its limits and the feedrate it allows at each point.
+// Turns path segments into blocks: a curve with its limits and the feedrate allowed at each point.
 #pragma once
 
 #include <vector>
@@ -13,13 +13,13 @@
 
 namespace kerf::lookahead {
 
-// plan: what the velocity limit curve is scanned for (Planner::scan_for). Error: an axis moves for
-// which the machine has no limits.
+// plan: the kind of profile that the velocity limit curve is for (Planner::scan_for). Error: an
+// axis moves for which the machine has no limits.
 tl::expected<Block, smoothing::PathError> block_of(smoothing::PathSegment segment,
                                                    const PlanLimits& limits,
                                                    ScanFor plan = ScanFor::bounded_jerk);
 
-// Appends the blocks of a move as it is programmed (smoothing/segment_builder.hpp). Error: the
+// Appends the blocks of a move as programmed (smoothing/segment_builder.hpp). Error: the
 // curve is not valid, with the line to blame.
 tl::expected<void, smoothing::PathError> append_blocks(const parser::Move& move,
                                                        const PlanLimits& limits,

@@ -1,4 +1,4 @@
-// Limits of the machine, seen from one curve.
+// The limits of the machine along one curve.
 #pragma once
 
 #include "curves/arc.hpp"
@@ -9,18 +9,18 @@
 
 namespace kerf::lookahead {
 
-// A bound along the path, and what it comes from.
+// A bound along the path, and its origin.
 struct Bound {
   double value = kUnbounded;
   Constraint from{};
 };
 
-// Where the bound is lower than what bounds the feedrate now, it stands in its place.
+// Takes the bound if it is lower than the present bound of the feedrate.
 void bind_feedrate(BlockLimits& block, const Bound& bound);
 
 // feedrate_mm_s: programmed, infinity for a rapid.
 
-// Of the path alone.
+// The limits of the path alone.
 BlockLimits path_limits(double feedrate_mm_s, const PlanLimits& limits);
 
 // An axis moves by its share of the direction, so its limits divided by that share bind.
@@ -41,21 +41,21 @@ struct Bend {
 };
 
 Bend bend_of(const curves::Arc& arc);
-// Of an arc whose ends have different radii and that became a spiral: sampled, with a margin.
+// For an arc whose ends have different radii, which became a spiral: sampled, with a margin.
 Bend bend_of(const curves::NurbsCurve& spiral, int normal_axis);
 
 // On an arc of radius R and in-plane share c an axis sees c a along and c^2 v^2 / R across, and in
-// jerk c j - c^3 v^3 / R^2 along and 3 c^2 v a / R across. The feedrate is kept where the
-// centripetal terms leave room, and a and j are what remains there: one set of constants for the
-// whole arc.
+// jerk c j - c^3 v^3 / R^2 along and 3 c^2 v a / R across. The feedrate is limited so that
+// the centripetal terms leave room, and a and j get the rest: one set of constants for the whole
+// arc.
 BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits& limits);
 
 // The feedrate at which the chord of a tick leaves the arc by the tolerance.
 double arc_chord_feedrate_mm_s(const Bend& bend, const PlanLimits& limits);
 
-// Along a NURBS the limits of the path bind, and acceleration and jerk of the weakest of the axes
-// that move, as if it ran along the curve: a first bound. What each axis allows at each place is
-// found by turn_scan in the classical schedule and by the cells of the time optimum.
+// Along a NURBS the limits of the path bind, and acceleration and jerk of the weakest moving axis,
+// as if it ran along the curve: a first bound. The limits of each axis at each place are applied by
+// axis_limit_scan in the classical schedule and by the cells of the time optimum.
 BlockLimits nurbs_limits(const curves::NurbsCurve& curve, double feedrate_mm_s,
                          const PlanLimits& limits);
 

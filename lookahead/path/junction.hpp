@@ -33,16 +33,17 @@ struct JunctionQuery {
 // joins it smoothly, whatever difference rounding has left.
 Junction junction_of(const JunctionQuery& query, const PlanLimits& limits);
 
-// The share of itself by which the feedrate along X, Y and Z jumps: 1 between a block on which they
-// move and one on which only further axes do, else 0.
+// The relative jump of the feedrate along X, Y and Z: 1 between a block on which they move and one
+// on which only further axes do, else 0.
 double path_step_of(const BlockEnd& before, const BlockEnd& after);
 
 // The bound by chord error alone.
 double chord_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after, const PlanLimits& limits);
 
-// The feedrate that the block may have inside and at its ends. The chord scan bounds ticks whose
-// middle is on the curve. One that passes over a whole curve has its chord over the corner that the
-// curve rounds, and a curve shorter than a tick's way may round any corner within the tolerance.
+// The highest feedrate inside the block and at its ends. The chord scan bounds ticks whose
+// middle is on the curve. The chord of a tick that passes over a whole curve cuts the corner that
+// the curve rounds, and a curve shorter than a tick's distance may round any corner within the
+// tolerance.
 double sub_tick_feedrate_mm_s(const Block& block, const PlanLimits& limits);
 
 // All bounds, whatever the lengths of the blocks, and without the choice to stop.

@@ -15,13 +15,13 @@ namespace kerf::lookahead {
 
 struct PathSample : curves::PathDerivatives {
   double s_mm = 0.0;
-  // Of the axes' jerk in mm/s^3 over the feedrate squared: what a third difference of positions
-  // sees of jumps of curvature within its reach.
+  // Jerk of the axes in mm/s^3, divided by the feedrate squared, that a third difference of
+  // positions sees of jumps of curvature within its reach.
   curves::Position jumps_per_mm_s{};
   double feedrate_mm_s = kUnbounded;
-  Constraint limit = Constraint::programmed;  // that feedrate_mm_s comes from
+  Constraint limit = Constraint::programmed;  // the origin of feedrate_mm_s
 
-  // A lower feedrate stands in its place.
+  // Takes the bound if it is lower.
   void bind_feedrate(double bound_mm_s, Constraint from) noexcept {
     if (bound_mm_s < feedrate_mm_s) {
       feedrate_mm_s = bound_mm_s;
@@ -33,7 +33,7 @@ struct PathSample : curves::PathDerivatives {
 using interp::axis_terms;
 using interp::AxisTerms;
 
-// The weakest axis in the direction of the path, or what is given where that is weaker.
+// The limit of the weakest axis in the direction of the path, or `given` if that is lower.
 inline double weakest_along(double given, const curves::PathDerivatives& path,
                             const PlanLimits& limits, double MotionLimits::*limit) {
   for (std::size_t k = 0; k < limits.axes.size(); ++k) {
@@ -48,7 +48,7 @@ struct FeedSample {
   double u = 0.0;
   double s_mm = 0.0;
   double v_mm_s = 0.0;
-  interp::Constraint limit = interp::Constraint::chord_error;  // that v_mm_s comes from
+  interp::Constraint limit = interp::Constraint::chord_error;  // the origin of v_mm_s
 };
 
 // Piecewise linear between samples; s ascends.

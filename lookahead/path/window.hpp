@@ -1,4 +1,4 @@
-// A queue that keeps its memory: what goes in and out a million times is not allocated each time.
+// A queue that keeps its memory: items that pass through are not allocated each time.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ class Window {
     items_.push_back(std::move(value));
   }
   void pop_front() { items_.pop_front(); }
-  // Drops everything behind the first count.
+  // Drops everything after the first count.
   void keep_front(std::size_t count) { items_.erase_end(items_.size() - count); }
 
   [[nodiscard]] bool empty() const noexcept { return items_.empty(); }

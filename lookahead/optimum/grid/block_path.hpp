@@ -19,17 +19,17 @@ class BlockPath {
   [[nodiscard]] double length_mm() const { return block_->length_mm; }
   // s_mm is clamped. At a place where derivatives jump either side may be given.
   [[nodiscard]] PathSample at(double s_mm) const;
-  // What bounds motion along the block beside the axes.
+  // The limits along the block, without those of the axes.
   [[nodiscard]] const profiles::RampLimits& along() const { return block_->along.ramp; }
   [[nodiscard]] const LimitOrigins& along_from() const { return block_->along.from; }
 
-  // Places in ascending order, both ends among them, so dense that what bounds the feedrate hardly
+  // Places in ascending order, both ends among them, so dense that the bound of the feedrate hardly
   // changes between two of them.
   [[nodiscard]] std::vector<double> scan_places() const;
   // How far from the place the path's derivatives can be taken as one polynomial.
   [[nodiscard]] double piece_mm(double s_mm) const;
   // An inner place where a cell must end: the third derivative jumps, the limit curve has a valley,
-  // or curvature jumps, as said then; or a rest, where the curve turns back within a radius of
+  // or curvature jumps (`jump`); or a rest, where the curve turns back within a radius of
   // kStopRadius_mm.
   struct Break {
     double s_mm = 0.0;

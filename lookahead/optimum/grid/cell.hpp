@@ -1,4 +1,4 @@
-// The grid of the time optimum: cells of a path, each with what bounds the motion on it.
+// The grid of the time optimum: cells of a path, each with the limits of the motion on it.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,18 @@
 
 namespace kerf::lookahead {
 
-// A little inside, so that what the check finds between two places is not beyond.
+// The solver aims a little inside the limits, so that the check between two places finds no excess.
 inline constexpr double kAim = 0.9995;
 
-// What of the limits the solver may use in a cell: less where a check found that the limits were
-// passed between the places at which it looks.
+// The share of the limits that the solver may use in a cell: less where a check found the limits
+// exceeded between the places at which the solver evaluates them.
 struct LimitShares {
   double feedrate = kAim;
   double acceleration = kAim;
   double jerk = kAim;
 };
 
-// What of the limits of acceleration and jerk a junction beside a cell leaves.
+// The share of the limits of acceleration and jerk that a junction leaves to the cell beside it.
 struct AllowedShares {
   double acceleration = 1.0;
   double jerk = 1.0;
@@ -38,8 +38,8 @@ struct Cell {
   profiles::RampLimits along{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
   LimitOrigins along_from{};
   AllowedShares allowed{};
-  double sub_tick_mm_s = kUnbounded;  // in a sub-tick zone: no faster anywhere in it
-  // What the solver aims at, within what is allowed.
+  double sub_tick_mm_s = kUnbounded;  // the highest feedrate in it, if it lies in a sub-tick zone
+  // The solver aims at these, within `allowed`.
   LimitShares shares{};
   bool continues = false;        // the cell before it: one, but for a rest that a plan ends with
   double planned_squared = 0.0;  // v^2 in its middle in an earlier plan, mm^2/s^2; 0: none

@@ -12,10 +12,10 @@
 
 namespace kerf::lookahead {
 
-// Beside a junction: no faster over this length.
+// The highest feedrate over a length beside a junction.
 struct SubTickZone {
   double feedrate_mm_s = kUnbounded;
-  double length_mm = 0.0;  // 0: nothing is asked
+  double length_mm = 0.0;  // 0: no zone
 };
 
 // curve: it joins `beside`, at no more than v_junction_mm_s.
@@ -27,12 +27,11 @@ struct SubTickBlock {
 };
 
 // A sub-tick block is one that a tick may pass over whole. Its bound (sub_tick_feedrate_mm_s) is
-// one of a tick's mean feedrate, and a tick that passes over all of it may speed up away from it,
-// or slow down towards it. So the bound holds as well beside it, over the length of one tick at
-// that bound: a tick that sees all of the block and leaves the zone would take longer than a tick.
-// There is no zone where the feedrate that the junction allows keeps the bound with all the
-// acceleration that there is. Weakness: where `beside` is shorter than the zone, what lies beyond
-// it is not bound.
+// for a tick's mean feedrate, and a tick that passes over all of it may speed up away from it, or
+// slow down towards it. So the bound also applies beside it, over the length of one tick at that
+// bound: a tick that sees all of the block and leaves the zone would take longer than a tick. There
+// is no zone where the feedrate that the junction allows keeps the bound even with full
+// acceleration. Weakness: where `beside` is shorter than the zone, the block after it is not bound.
 SubTickZone sub_tick_zone(const SubTickBlock& sub_tick, const PlanLimits& limits);
 
 struct SubTickZones {
@@ -47,21 +46,21 @@ void bind_zones(const SubTickZones& zones, std::vector<Cell>& cells);
 struct EndJunctions {
   std::optional<JunctionLimits> begin{};
   std::optional<JunctionLimits> end{};
-  EndFeeds beyond{};  // what the neighbours leave where the junction itself is smooth
+  EndFeeds beyond{};  // feedrates that the neighbours allow where the junction itself is smooth
   SubTickZones zones{};
 };
 
 struct CellStop {
   double s_mm = 0.0;
-  std::optional<JunctionLimits> junction{};  // of what jumps there
+  std::optional<JunctionLimits> junction{};  // where something jumps there
   bool rest = false;
   double slack_mm = 0.0;  // another place so near will do
 };
 
-// Ascending, both ends of the block among them: where derivatives jump or the limit curve has a
-// valley, and where the zones of three ticks beside jumps end, for a cell that begins in one has no
-// more than its share, and where the zones beside curves that a tick passes over whole end. Jumps
-// that a third difference may see together share what is theirs.
+// Ascending, both ends of the block among them: the places where derivatives jump or the limit
+// curve has a valley, the ends of the zones of three ticks beside jumps (a cell that begins in one
+// has no more than its share), and the ends of the zones beside sub-tick blocks. Jumps that one
+// third difference may see together share the limits.
 std::vector<CellStop> cell_stops(const BlockPath& path, const EndJunctions& ends,
                                  const PlanLimits& limits);
 

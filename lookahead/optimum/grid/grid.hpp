@@ -1,4 +1,4 @@
-// Where the cells of the time optimum end.
+// The grid of the time optimum: where its cells end.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 namespace kerf::lookahead {
 
 // The cells of a block: about a tick long where the estimated feedrate changes or curvature takes
-// its part of the axes' limits, growing with the distance from such places where nothing happens.
-// They end where derivatives jump. Around jumps the cells have their share of the limits. Rests are
-// to be refined afterwards.
+// its part of the axes' limits, and longer with the distance from such places. They end where
+// derivatives jump. Around jumps the cells have their share of the limits. Call refine_to_rest()
+// afterwards for rests.
 std::vector<Cell> grid_of(const BlockPath& path, const EndJunctions& ends,
                           const PlanLimits& limits);
 
-// How fast the ends of a block can be passed for what is on it, were there nothing beyond.
+// The highest feedrates at the ends of a block by its own path alone, without its neighbours.
 EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits);
 
 enum class RestAt { begin, end };

@@ -1,4 +1,4 @@
-// How long the cells of the time optimum may be, seen over a whole block.
+// The lengths that the cells of the time optimum may have along a block.
 #pragma once
 
 #include <vector>
@@ -15,13 +15,13 @@ namespace kerf::lookahead {
 //            the power 3/2 of that share), and on a bend so little that what curvature takes of the
 //            limits changes by a part of them only; one tick at the least, eight at the most, so
 //            that the check between the ends of a cell looks at nearly every tick
-//   quiet    where the feedrate is what bounds it and nothing else happens the cells grow with the
-//            distance from what happens, so far that this bound can be taken as one between the
-//            ends
-//   feature  what the path itself does, were it far shorter than a tick: radius, pieces
+//   quiet    where only the limit of the feedrate binds, the cells grow with the distance from
+//            places where something else does, as long as that limit is nearly constant between
+//            their ends
+//   feature  features of the path itself, even if far shorter than a tick: radius, pieces
 class GridScan {
  public:
-  // ends: how fast the block's ends may be passed; stops: where cells end anyway.
+  // ends: the feedrates allowed at the block's ends; stops: where cells end anyway.
   GridScan(const BlockPath& path, const EndFeeds& ends, const std::vector<CellStop>& stops,
            const PlanLimits& limits);
 
@@ -39,8 +39,8 @@ class GridScan {
   std::vector<double> places_mm_;
   std::vector<double> feeds_mm_s_;
   std::vector<double> motion_mm_;
-  std::vector<double> quiet_mm_;  // the distance from where something happens
-  std::vector<double> cap_mm_;    // in which what bounds the feedrate changes by a part of it
+  std::vector<double> quiet_mm_;  // the distance from places that are not quiet
+  std::vector<double> cap_mm_;    // in which the bound of the feedrate changes by a part of it
   std::vector<double> feature_mm_;
 };
 

@@ -1,4 +1,4 @@
-// How a place where direction or curvature jumps shares the axes' limits with the motion around it.
+// Shares the axes' limits between a jump of direction or curvature and the motion around it.
 #pragma once
 
 #include <cstddef>
@@ -11,43 +11,43 @@ namespace kerf::lookahead {
 
 // A third difference of positions that sees a jump adds up three things, each of which gets its
 // share of the jerk: the jump at constant feedrate (junction.hpp), the acceleration along the path,
-// which turns with the direction (3/4 a |du| / Ts), and what the cells within three ticks' way ask
-// for. A jump that hardly counts at the feedrate that is allowed anyway takes little, and the tool
-// goes on accelerating over it; one that bounds the feedrate takes nearly all, for the motion
-// beside it is almost a cruise then.
+// which turns with the direction (3/4 a |du| / Ts), and the jerk of the cells within a distance of
+// three ticks. A jump that hardly counts at the allowed feedrate takes little, and the tool keeps
+// accelerating over it; one that bounds the feedrate takes nearly all, since the motion beside it
+// is almost a cruise then.
 struct JumpShares {
   double jump = 0.0;
   double turn = 0.0;
   double cells = 1.0;
-  // Of the acceleration along the path that there would be: the cells may use that much of it.
+  // Share of the acceleration along the path that the cells may use.
   double tangential = 1.0;
 };
 
 // The limits with the share of the jump itself.
 PlanLimits jump_limits(const PlanLimits& limits, const JumpShares& shares);
 
-// What the motion may be at a place where direction or curvature jumps.
+// Limits of the motion at a place where direction or curvature jumps.
 struct JunctionLimits {
   double feedrate_mm_s = kUnbounded;
   double acceleration_mm_s2 = kUnbounded;  // along the path
   JumpShares shares{};
-  // What of the axes' acceleration the jump leaves to the cells.
+  // Share of the axes' acceleration that the jump leaves to the cells.
   double acceleration_share = 1.0;
 };
 
-// What jumps at a place within a curve.
+// A jump at a place within a curve.
 struct Jump {
   BlockEnd before{};
   BlockEnd after{};
-  double allowed_mm_s = kUnbounded;  // by anything else
+  double allowed_mm_s = kUnbounded;  // the feedrate by all other limits
   // How many jumps a third difference that sees this one may see, itself included.
   int crowd = 1;
 };
 
-// With the least shares of the jump at which the allowed feedrate can be kept.
+// The jump gets the least shares with which the allowed feedrate can be kept.
 JunctionLimits junction_limits_of(const Jump& jump, const PlanLimits& limits);
 
-// How a junction may be passed; a stop, unless said otherwise.
+// How a junction may be passed; by default a stop.
 struct CellJunction {
   bool smooth = false;  // nothing jumps there
   JunctionLimits limits{.feedrate_mm_s = 0.0};
@@ -57,7 +57,7 @@ struct CellJunction {
 
 CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limits);
 
-// The way of three ticks from a jump, at the most. cell, end: beside it.
+// The distance of three ticks from a jump, at the most. cell, end: beside it.
 double zone_mm(const Cell& cell, const curves::PathDerivatives& end, const JunctionLimits& junction,
                const PlanLimits& limits);
 

@@ -1,4 +1,4 @@
-// A first guess of the optimum: as fast as velocities, accelerations and jerks allow.
+// A first estimate of the optimum: as fast as velocities, accelerations and jerks allow.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace kerf::lookahead {
 
-// Along the path, what the path's own limit and those of the axes leave for a change of feedrate on
+// The limits along the path, from the path's own and those of the axes, for a change of feedrate on
 // a straight path in this direction.
 double tangential_acceleration_mm_s2(const Cell& cell, const curves::PathDerivatives& end,
                                      const PlanLimits& limits);
@@ -25,23 +25,24 @@ struct EndFeeds {
 };
 
 // Feedrates at the ends of the cells, one more than there are cells: the caps bent below what
-// tangential acceleration and jerk reach, forwards and backwards. Jerk is regarded where
-// acceleration builds up from what the cap has, not where it has to end again. No bound of the
-// optimum, in either direction: what curvature takes from the axes' acceleration is left out.
+// tangential acceleration and jerk reach, forwards and backwards. Jerk counts where acceleration
+// builds up from the cap's, not where it has to end again. No bound of the optimum, in either
+// direction: the share of the axes' acceleration that curvature takes is left out.
 std::vector<double> estimate_feeds(std::span<const Cell> cells, const EndFeeds& ends,
                                    const PlanLimits& limits);
 
-// How far until what curvature takes of the axes' limits has changed by a part that a cell can
-// bear, at this feedrate and up to this acceleration along the path, mm. cell: far shorter or not.
+// The distance in mm over which the share that curvature takes of the axes' limits changes by no
+// more than one cell allows, at this feedrate and up to this acceleration along the path. The
+// length of the cell does not matter.
 double change_mm(const Cell& cell, double v_mm_s, double acceleration_mm_s2,
                  const PlanLimits& limits);
 
-// Of each cell, how long the estimated feedrate rises or falls around it, or does neither, s.
-// feeds: at the ends of the cells, one more than there are.
+// For each cell the time in s for which the estimated feedrate rises, falls or stays level around
+// it. feeds: at the ends of the cells, one more than there are.
 std::vector<double> legs_of(const std::vector<Cell>& cells, const std::vector<double>& feeds_mm_s);
 
 // The time of a cell on a leg, where the jerk takes jerk_time_s to build the acceleration up. The
-// fewer of its time are such ramps, the less of it is lost where they are resolved coarsely.
+// smaller the share of such ramps is, the less time is lost by resolving them coarsely.
 double cell_time_s(double leg_s, double jerk_time_s);
 
 }  // namespace kerf::lookahead

@@ -17,7 +17,7 @@ namespace kerf::lookahead {
 
 struct WaitingCell {
   Cell cell{};
-  bool alone = false;  // the only one of a line from rest to rest
+  bool alone = false;  // the only cell of a line from rest to rest
 };
 
 // A block becomes cells once the junctions at both its ends are known: when the next one comes, or
@@ -43,7 +43,7 @@ class WaitingCells {
   void drop(std::size_t count);
   void rest_after(std::size_t i) { cells_[i].cell.rest_after = true; }
 
-  // Of waiting cells and of those of a plan.
+  // For waiting cells and for those of a plan.
   [[nodiscard]] const Block& block_of(const Cell& cell, const Window<Block>& blocks) const {
     return numbered(cell.block, blocks);
   }
@@ -55,7 +55,7 @@ class WaitingCells {
     std::uint64_t number = 0;
     CellJunction begin{};
     EndFeeds own{};                     // end_feeds_of
-    double v_before_mm_s = kUnbounded;  // at the end of the block before, likewise
+    double v_before_mm_s = kUnbounded;  // end_feeds_of, at the end of the block before
     SubTickZone begin_zone{};
   };
 

@@ -1,4 +1,4 @@
-// The barrier in front of a limit, which the solver feels but may break through.
+// The relaxed barrier of a limit: finite beyond the limit, too.
 #pragma once
 
 #include <cstddef>
@@ -36,8 +36,8 @@ class Barrier {
     SimdPair bend;  // the second
   };
 
-  // Of many barriers: one logarithm of the product of their slacks. After as many as a cell has it
-  // is to be taken, for a product of more might underflow.
+  // The sum of many barriers: one logarithm of the product of their slacks. Take it after the
+  // limits of one cell; a product of more might underflow.
   struct Sum {
     SimdPair product = SimdPair::Ones();
     SimdPair rest = SimdPair::Zero();

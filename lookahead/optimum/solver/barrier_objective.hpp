@@ -1,4 +1,4 @@
-// What the time optimum minimises: the time, and a barrier in front of every limit.
+// The objective of the time optimum: the time, and a barrier for every limit.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace kerf::lookahead {
 
-// The cells that are planned at once. If they begin at rest the first one is a launch; the last one
+// Cells that are planned at once. If they begin at rest the first one is a launch; the last one
 // is a landing; between them the feedrate squared is a spline.
 struct CellSequence {
   StartState begin{};
@@ -44,11 +44,11 @@ class BarrierObjective {
   BarrierObjective(const CellSequence& sequence, const PlanLimits& limits);
 
   [[nodiscard]] std::size_t size() const noexcept { return sequence_->spline_cells() + 2; }
-  // Of the coefficients those that are free.
+  // The free coefficients.
   [[nodiscard]] BandSystem::Rows free_rows() const noexcept;
   // Gives the coefficients that are not free their values.
   void bind(std::vector<double>& coefficients) const noexcept;
-  // The same of a change of the coefficients.
+  // The same for a change of the coefficients.
   void bind_change(std::vector<double>& change) const noexcept;
 
   struct Value {
@@ -73,7 +73,7 @@ class BarrierObjective {
   };
   [[nodiscard]] RestCell rest_cell(const Cell& cell, const RestEnds& ends,
                                    double neighbour_mm) const;
-  // Of the launch or landing, which meets the spline at its outermost coefficient.
+  // For the launch or landing, which meets the spline at its outermost coefficient.
   struct Sums;
   void add_rest(const RestCell& rest, std::size_t outer, double squared_mm2_s2, Sums& sums) const;
   void fold_ends(BandSystem& system) const;

@@ -1,4 +1,4 @@
-// Whether a plan keeps its limits between the places at which the solver looked.
+// Checks whether a plan keeps its limits between the places at which the solver evaluated them.
 #pragma once
 
 #include <vector>
@@ -16,12 +16,12 @@ struct Excess {
   [[nodiscard]] double largest() const noexcept;
 };
 
-// Of one cell of the spline, at places within it; shares are left out: what counts is the
-// limit, or what a junction leaves of it.
+// For one cell of the spline, at places within it. Shares are left out: the limit counts, or the
+// part of it that a junction leaves.
 Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
                  const PlanLimits& limits);
 
-// A launch or landing of constant jerk that meets the spline with v.
+// For a launch or landing of constant jerk that meets the spline with v.
 Excess excess_of_rest(const Cell& cell, double v_mm_s, bool launch, const PathAt& path,
                       const PlanLimits& limits);
 
@@ -36,15 +36,15 @@ struct CellFeed {
 // The limit of which a little more would save the most time in this cell. At an optimum found with
 // barriers in front of the limits, a barrier's force is the price of its limit: by how much the
 // time falls when the limit rises. The force is 1 over the slack, so the limit with the least slack
-// is the one to raise; both ends count, which keeps a limit that is only touched in passing from
-// standing for the cell. Of limits that bind alike the path's is named. Cells that leave most of
-// the limits to the jump beside them are limited by that junction.
+// is the one to raise; both ends count, so that a limit that is only touched in passing does not
+// count for the cell. Of limits that bind alike the path's is named. Cells that leave most of the
+// limits to the jump beside them are limited by that junction.
 //
 // Weakness: where the motion only follows from its neighbours (one cell between two that are bound)
 // no limit binds, and the nearest one is named.
 Constraint tightest_constraint(const Cell& cell, const CellFeed& feed, const PlanLimits& limits);
 
-// Of a launch from rest or a landing that meets the spline with v_mm_s.
+// For a launch from rest or a landing that meets the spline with v_mm_s.
 Constraint tightest_constraint_at_rest(const Cell& cell, double v_mm_s, bool launch,
                                        const PlanLimits& limits);
 

@@ -30,7 +30,7 @@ using Forms = std::array<Form, kForms>;
 // With the cell's shares of the limits.
 Forms forms_at(const Cell& cell, const PathSample& end, const PlanLimits& limits);
 
-// What the motion may be at most at a place. A limit with q' alone bounds the motion along the
+// Bounds of the motion along the path at a place. A limit with q' alone bounds the motion along the
 // path, and of those only the tightest counts.
 struct Bounds {
   double squared_mm2_s2 = 0.0;
@@ -67,9 +67,9 @@ struct CellPair {
 
 // Along the path: v^2 <= cap^2, |b'| / 2 <= A, sqrt(b) |b''| / 2 <= J; on an axis: |q' b' / 2 + q''
 // b| <= A and sqrt(b) |q' b'' / 2 + 3/2 q'' b' + q''' b| <= J, divided by the limit (docs/math.md,
-// 5.1). Each limit is looked at where it may be largest, but not twice: of two cells that go on
-// into each other the acceleration between them once, of limits that one line along the path shares
-// the tightest, and none that the others keep below half of it.
+// 5.1). Each limit has a row where its value may be largest, but only one: between two continuous
+// cells the acceleration once, of limits with a common direction along the path the tightest, and
+// none that the others keep below half of it.
 struct LimitRows {
   std::vector<CellPair> pairs;  // a cell without neighbour has one of no length
   std::vector<SimdPair> rows;   // of all pairs, in order

@@ -1,4 +1,4 @@
-// The planned motion over one sequence of cells: from where the tool is to a rest.
+// The planned motion over one sequence of cells, from the tool's place to a rest.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace kerf::lookahead {
 
-// A place in a plan: on a cell, so far from its beginning.
+// A place in a plan: a cell and the distance from its beginning.
 struct PlanPlace {
   std::size_t cell = 0;
   double offset_mm = 0.0;
@@ -20,29 +20,29 @@ class OptimalPlan {
  public:
   OptimalPlan() = default;
 
-  // The fastest plan found whose limits hold between the places at which the solver looks, too:
-  // they are checked there, shares are taken off where they are passed, and the search goes on, in
-  // at most kMaxRefinements rounds. Where that is not enough, a plan from rest is slowed down as a
-  // whole until it holds (slowed_down where that is by more than a percent; cut the sequence of
-  // cells at a rest, and little is lost); from a begin in motion there is none. The cells must be
-  // refined for a rest at the end and for one at the beginning if the sequence of cells begins at
-  // rest.
+  // The fastest plan found that also keeps the limits between the places at which the solver
+  // evaluates them: they are checked there, the shares are lowered where they are exceeded, and the
+  // search goes on, in at most kMaxRefinements rounds. Where that is not enough, a plan from rest
+  // is slowed down as a whole until it keeps them (slowed_down() if by more than a percent; cutting
+  // the sequence of cells at a rest then loses little); from a begin in motion there is no plan.
+  // The cells must be refined for a rest at the end, and for one at the beginning if the sequence
+  // begins at rest.
   static std::optional<OptimalPlan> find(CellSequence sequence, const PathAt& path,
                                          const PlanLimits& limits);
 
   [[nodiscard]] const std::vector<Cell>& cells() const noexcept { return sequence_.cells; }
   [[nodiscard]] StartState state_at(const PlanPlace& place) const;
-  // From there on, at the most to the cell's end and for no longer than about the duration.
+  // The law from there on, at the most to the cell's end and for no longer than about longest_s.
   [[nodiscard]] profiles::CellLaw law_from(const PlanPlace& place, double longest_s) const;
   [[nodiscard]] double duration_s() const;
-  // What limits the feedrate on a cell.
+  // The constraint that limits the feedrate on a cell.
   [[nodiscard]] Constraint limit_on(std::size_t cell, const PlanLimits& limits) const;
-  // The first cell of those on which the feedrate only falls, to the rest at the end.
+  // The first of the cells on which the feedrate only falls, down to the rest at the end.
   [[nodiscard]] std::size_t last_braking() const;
-  // What is left of the plan from a place up to a cell, to be planned anew.
+  // The cells of the plan from a place up to a cell, to be planned anew.
   [[nodiscard]] CellSequence rest_from(const PlanPlace& place, std::size_t end_cell) const;
 
-  // The largest figure over its limit that the check found, and how it was found.
+  // The largest figures over their limits that the check found, and how the plan was found.
   [[nodiscard]] const Excess& excess() const noexcept { return excess_; }
   [[nodiscard]] int newton_steps() const noexcept { return newton_steps_; }
   [[nodiscard]] bool slowed_down() const noexcept { return slowed_down_; }
@@ -55,7 +55,7 @@ class OptimalPlan {
   [[nodiscard]] bool is_landing(std::size_t cell) const noexcept {
     return cell + 1 == sequence_.cells.size();
   }
-  // What is passed, and by how much; shares are taken off the cells where it is.
+  // Which limits are exceeded, and by how much; lowers the shares of those cells.
   Excess check(const PathAt& path, const PlanLimits& limits);
   void slow_down(const PathAt& path, const PlanLimits& limits);
 

@@ -1,4 +1,4 @@
-// What two cells add to the objective of the time optimum.
+// The contribution of two cells to the objective of the time optimum.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ struct SimdRow {
   SimdPair r2;
 };
 
-// What two cells add to the objective and to the Newton system. A form over fewer coefficients
-// costs less.
+// The contribution of two cells to the objective and to the Newton system. A form over fewer
+// coefficients costs less.
 class PairSums {
  public:
   PairSums(const CellPair& pair, const double* coefficients, std::size_t cells,
@@ -44,7 +44,7 @@ class PairSums {
     add({pair_->middle[0], pair_->middle[1], pair_->middle[2]}, slope, -1.5 * slope * inverse);
     return t;
   }
-  // Returns the row behind those of the pair.
+  // Returns the row after those of the pair.
   const SimdPair* add_limits(const SimdPair* row) {
     const CellPair& pair = *pair_;
     add_middle(pair.cap, barrier_.below(c1_ * pair.cap, barrier_sum_));
