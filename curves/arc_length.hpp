@@ -15,8 +15,8 @@ namespace kerf::curves {
 
 // Largest error along the path of a piece's x(s), for pieces up to 1e3 mm long: a point asked for
 // at s lies at s +- this from the begin of its piece. Over a whole curve the rounding of s itself
-// and of the sum of the pieces' lengths comes on top; together they stay below kTotalTolerance_mm
-// for curves up to 1e3 mm.
+// and of the sum of the pieces' lengths are added; together they stay below kTotalTolerance_mm for
+// curves up to 1e3 mm.
 inline constexpr double kArcLengthTolerance_mm = 1e-11;
 inline constexpr double kTotalTolerance_mm = 1e-9;
 

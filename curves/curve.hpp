@@ -16,11 +16,11 @@
 
 namespace kerf::curves {
 
-// What the tick side evaluates: trivially copyable, s counted from the start of its curve.
+// A piece is evaluated on the tick side: trivially copyable, s counted from the start of its curve.
 using Piece = std::variant<Line, Arc, NurbsPiece>;
 static_assert(std::is_trivially_copyable_v<Piece>);
 
-// What the look-ahead plans on. A NurbsCurve holds its pieces in order.
+// A curve is planned by the look-ahead. A NurbsCurve holds its pieces in order.
 using Curve = std::variant<Line, Arc, NurbsCurve>;
 
 // s_mm outside the piece's or the curve's range is clamped. At s >= length the answer is the

@@ -17,11 +17,11 @@ namespace kerf::curves {
 // one as the radii differ: if it turns by half a circle at the most, or the move is no larger than
 // that. Else (nearly full circles whose ends do not quite meet) the radius changes evenly with the
 // angle, as polynomials of degree 9 within 1e-12 mm of that spiral for radii up to 1e4 mm.
-// How much the radii may differ at all is for the parser to say. Errors: as Arc::make, and a spiral
+// The parser decides how much the radii may differ. Errors: as Arc::make, and a spiral
 // of more than 1000 turns.
 tl::expected<std::variant<Arc, NurbsCurve>, CurveError> make_arc(const ArcShape& shape);
 
-// What a line may miss of the curve that it stands for.
+// The largest distance of a line from the curve that it stands for.
 inline constexpr double kStraight_mm = 5e-10;
 
 // The line from the curve's begin to its end where no point of the curve lies farther beside it
@@ -33,7 +33,7 @@ struct CornerLines {
   Position corner_mm{};
   Position direction_in{};  // unit vectors, not opposite to each other
   Position direction_out{};
-  double way_mm = 0.0;  // from the corner to either end, > 0
+  double way_mm = 0.0;  // length from the corner to either end, > 0
 };
 
 // r(w) = corner - way (1 - w)^3 in + way w^3 out; its u is w, in [0, 1]. The same curve as

@@ -14,7 +14,7 @@ class Line {
   static tl::expected<Line, CurveError> between(const Position& start_mm, const Position& end_mm);
 
   // A line that stays at one point: for a move on which only other axes move, along which s counts
-  // their way. Error: the point is not usable, or the length is not positive and finite.
+  // their distance. Error: the point is not usable, or the length is not positive and finite.
   static tl::expected<Line, CurveError> resting(const Position& point_mm, double length_mm);
 
   // From begin_mm to end_mm along it. Precondition: 0 <= begin < end <= length.

@@ -49,9 +49,8 @@ class NurbsCurve {
     return NurbsCurve(std::move(pieces));
   }
 
-  // From begin_mm to end_mm along it, on the same points to rounding. Precondition: 0 <= begin <
-  // end
-  // <= length. Nothing: there is no way between these in double.
+  // From begin_mm to end_mm along it, on the same points to rounding. Nothing: their distance is 0
+  // in double. Precondition: 0 <= begin < end <= length.
   [[nodiscard]] std::optional<NurbsCurve> part(const Stretch& stretch) const;
 
   [[nodiscard]] double length_mm() const noexcept { return pieces_.back().s_end_mm; }

@@ -1,4 +1,4 @@
-// A stretch of a NURBS curve short enough that u(s) is one polynomial: what a tick evaluates.
+// A stretch of a NURBS curve short enough that u(s) is one polynomial; a tick evaluates it.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What an axis sees of the motion along the path (docs/math.md, 5.1).
+// Acceleration and jerk of an axis from the motion along the path (docs/math.md, 5.1).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Planned motion to setpoints: one call, one tick.
+// Turns planned motion into setpoints: one call, one tick.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ class Interpolator {
 
   TickStatus next(Setpoint& setpoint) noexcept;
 
-  // Removes from the queue what ends before the next tick, to make room. True: the queue is used up
-  // and the next tick needs more. The tick itself is not affected.
+  // Removes phases that end before the next tick from the queue, to make room. True: the queue is
+  // used up and the next tick needs more. The tick itself is not affected.
   bool pass_what_is_over() noexcept;
 
   // The tick of the next setpoint in the plan's time, which stands still while starved. May be read
@@ -34,7 +34,7 @@ class Interpolator {
 
   // The largest distance of the path from the straight line between the last two setpoints, taken
   // at points of the path between them, junctions included. If a tick passes over more than
-  // kPassedPieces whole pieces, the later ones are not looked at.
+  // kPassedPieces whole pieces, the later ones do not count.
   [[nodiscard]] double chord_error_mm() const noexcept;
 
  private:

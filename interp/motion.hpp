@@ -1,4 +1,4 @@
-// What crosses from the look-ahead to the tick side: geometry and time laws, as streams of
+// The data that crosses from the look-ahead to the tick side: geometry and time laws, as streams of
 // trivially copyable values.
 //
 // q(t) = r(s(t)): a CurvePiece is a stretch of r, a Phase a stretch of s(t). Both name the curve
@@ -29,8 +29,8 @@ struct LineChange {
   std::uint64_t run_block = 0;  // as Phase::run_block
 };
 
-// An instant as a whole number of ticks and the rest of one, so that time keeps its precision
-// however long a program runs.
+// An instant as a whole number of ticks and a remainder, so that time keeps its precision however
+// long a program runs.
 struct TickTime {
   std::int64_t tick = 0;
   double offset_s = 0.0;  // in [0, period)
@@ -46,7 +46,7 @@ struct Phase {
   double path_begin_mm = 0.0;  // path length of all curves before this one
   profiles::TimeLaw law{};
   std::uint32_t line = 0;       // where it begins
-  std::uint64_t run_block = 0;  // of the program's run, counted from 1, as the line; 0: a rest
+  std::uint64_t run_block = 0;  // the run block where it begins, counted from 1; 0: a rest
   bool has_changes = false;     // LineChanges say where on the curve the line is another one
   bool rapid = false;
   ActiveConstraint active_constraint{};

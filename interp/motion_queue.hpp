@@ -11,8 +11,8 @@
 namespace kerf::interp {
 
 // Wait-free rings of fixed size, for one producing and one consuming thread. Push a phase after the
-// piece that it begins on and after the line changes up to there. What is queued need not end at
-// rest: the planner holds the rest of the way to a stop, and must push it before the tick has used
+// piece that it begins on and after the line changes up to there. The queued motion need not end at
+// rest: the planner holds the rest of the path to a stop, and must push it before the tick has used
 // up the queue.
 class MotionQueue {
  public:

@@ -1,4 +1,4 @@
-// What a machine is told at one tick, in the words of the tick side.
+// The command for a machine at one tick, under the names of the tick side.
 #pragma once
 
 #include <kerf/setpoint.hpp>

@@ -1,4 +1,4 @@
-// Where setpoints go: a drive, or its simulation.
+// The receiver of setpoints: a drive, or its simulation.
 #pragma once
 
 #include <cstdint>

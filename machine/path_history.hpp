@@ -1,12 +1,12 @@
 // The recent commanded path, and how far a point is from it.
 //
-// The path is the polyline through the setpoints, which is also what the axes are told: they run
-// straight between two setpoints. It differs from the curve by the chord error of one tick,
+// The path is the polyline through the setpoints, which the axes follow: they run straight between
+// two setpoints. It differs from the curve by the chord error of one tick,
 // (v Ts)^2 / (8 rho), which the planner keeps below its chord tolerance; so does the distance.
 //
 // Lag is no contour error: an axis set that follows the path late, but on it, has distance 0.
 // Therefore the distance is not taken to the newest setpoint but to the nearest point of the path
-// behind it. That point is within `lag` of the actual position, where lag is the distance to the
+// before it. That point is within `lag` of the actual position, where lag is the distance to the
 // newest setpoint, hence within 2 lag of the newest setpoint: the search goes back from it for 4
 // lag of path length, which leaves room for the path to curl, and no farther, so that an old
 // stretch that happens to pass near is not taken for the one being followed. Where the path curls
@@ -29,7 +29,7 @@ class PathHistory {
 
   void restart(const curves::Position& point_mm) noexcept;
   void append(const curves::Position& point_mm) noexcept;
-  // At most kCapacity segments are looked at.
+  // At most kCapacity segments are searched.
   [[nodiscard]] double distance_mm(const curves::Position& actual_mm) const noexcept;
 
  private:

@@ -10,7 +10,7 @@ using kerf::AxisDrive;
 using kerf::TableSettings;
 using kerf::Travel;
 
-// Every number is of its kind (gains, lead, counts and drive limits positive, friction and integral
+// Every number is valid (gains, lead, counts and drive limits positive, friction and integral
 // not negative, feed_forward in 0..1, min < max, period in 1e-5..0.1 s) and finite where the struct
 // does not say otherwise.
 [[nodiscard]] bool is_valid(const TableSettings& settings) noexcept;

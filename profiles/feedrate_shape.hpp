@@ -1,4 +1,4 @@
-// What a feedrate law has to be: the written contract that every shape is checked against.
+// The concept of a feedrate law, which every shape is checked against.
 #pragma once
 
 #include <concepts>
@@ -28,7 +28,7 @@ concept FeedrateShape = std::is_trivially_copyable_v<S> && std::default_initiali
 // The peaks of a shape, which are all that a duration depends on.
 struct Peaks {
   double acceleration = 1.0;  // a*
-  double jerk = 0.0;          // j*; 0 for a law that does not know jerk
+  double jerk = 0.0;          // j*; 0 for a law without a jerk limit
 };
 
 // The value at x of the second half from the value at 1 - x of the first:

@@ -16,7 +16,7 @@ using kerf::name_of;
 using kerf::profile_kind;
 using kerf::ProfileKind;
 
-// A block as two transitions with a cruise between them see it.
+// The length and the highest feedrate for two transitions with a cruise between them.
 struct Room {
   double length_mm = 0.0;   // >= 0
   double v_cap_mm_s = 0.0;  // the cruise is not to be faster; may be infinite
@@ -29,8 +29,7 @@ class Profile {
   explicit Profile(ProfileKind kind, std::optional<double> sigmoid_shape = std::nullopt);
 
   explicit Profile(const ProfileChoice& choice) : Profile(choice.kind, choice.sigmoid_shape) {}
-  // NOLINTNEXTLINE(google-explicit-constructor): a profile says its choice wherever one is asked
-  // for
+  // NOLINTNEXTLINE(google-explicit-constructor): a profile is its choice wherever one is needed
   operator ProfileChoice() const { return {.kind = kind_, .sigmoid_shape = sigmoid_shape_}; }
 
   [[nodiscard]] ProfileKind kind() const noexcept { return kind_; }
@@ -40,7 +39,7 @@ class Profile {
   // T = max(a* |dv| / A, sqrt(j* |dv| / J)). The trapezoid does not know jerk. 0 where no limit
   // binds.
   [[nodiscard]] double duration_s(double change_mm_s, const RampLimits& limits) const;
-  // The length of the transition of that duration; exactly what fastest().length_mm() is.
+  // The length of the transition of that duration; exactly fastest().length_mm().
   [[nodiscard]] double length_mm(const Ramp& ramp, const RampLimits& limits) const;
   // The transition of that duration.
   [[nodiscard]] Transition fastest(const Ramp& ramp, const RampLimits& limits) const;

@@ -1,4 +1,4 @@
-// The normalised transition that every feedrate profile is: phi(0) = 0, phi(1) = 1,
+// The normalised transition of every feedrate profile: phi(0) = 0, phi(1) = 1,
 // phi(x) + phi(1 - x) = 1 for x in [0, 1].
 #pragma once
 
@@ -11,7 +11,7 @@ struct ShapeValue {
   double curvature = 0.0;  // phi''
 };
 
-// What a transition may not exceed. Infinity where a limit does not bind.
+// The limits of a transition. Infinity: the limit does not bind.
 struct RampLimits {
   double acceleration_mm_s2 = 0.0;  // > 0
   double jerk_mm_s3 = 0.0;          // > 0

@@ -1,4 +1,4 @@
-// What s(t) is made of: a transition of a profile, a cruise, a rest, or a cell of the time optimum.
+// A part of s(t): a transition of a profile, a cruise, a rest, or a cell of the time optimum.
 #pragma once
 
 #include <type_traits>
@@ -12,7 +12,7 @@ namespace kerf::profiles {
 class TimeLaw {
  public:
   TimeLaw() = default;
-  // A law is one of its kinds: no more is said by naming the conversion.
+  // A law is one of its kinds, so the conversions need no name.
   // NOLINTNEXTLINE(google-explicit-constructor)
   TimeLaw(const Transition& law) : law_(law) {}
   // NOLINTNEXTLINE(google-explicit-constructor)

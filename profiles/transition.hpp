@@ -45,7 +45,7 @@ class Transition {
     return 0.5 * (ramp_.v_begin_mm_s + ramp_.v_end_mm_s) * duration_s_;
   }
   // Motion t_s after the start; s counts from 0 there. t_s outside [0, duration] is clamped. Exact
-  // at both ends: v_begin and s = 0 there, v_end and s = length_mm() here. Of duration 0 it is at
+  // at both ends: v_begin and s = 0 there, v_end and s = length_mm() here. With duration 0 it is at
   // its end throughout.
   // NOLINTNEXTLINE(bugprone-exception-escape): std::visit throws on a Shape without a law only.
   [[nodiscard]] PathMotion at(double t_s) const noexcept;

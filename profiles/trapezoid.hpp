@@ -5,7 +5,7 @@
 
 namespace kerf::profiles {
 
-// phi = x (docs/math.md, 2.2). It does not know jerk: it plans as if the limit were not there.
+// phi = x (docs/math.md, 2.2). It ignores the jerk limit.
 class Trapezoid {
  public:
   static Trapezoid fastest(double change_mm_s, const RampLimits& limits) noexcept;

@@ -2,8 +2,8 @@
 //
 // Idea. Let the tool still brake along the curve into the corner while it already accelerates along
 // the curve out of it: r(w) = A(L - d (1 - w)^3) + B(d w^3) - C for w in [0, 1], where A is the
-// curve before with its length L, B the one after, C the corner and d the way that the blend takes
-// of each. That is what axes do which may overlap their moves: with a corner between two axes each
+// curve before with its length L, B the one after, C the corner and d the length that the blend
+// takes of each. So do axes whose moves may overlap: with a corner between two axes each
 // of them keeps the law of its jerk, s = J t^3 / 6, so a corner is passed in half the time in which
 // the tool would stop in it, on a path that is as far from it as the tolerance allows. The added
 // curve begins with its third power, so r has A's direction and curvature at its begin and B's at
@@ -12,8 +12,8 @@
 // derivatives at both ends, which is the same on lines. Between lines the corner is its farthest
 // place, d |tB - tA| / 8 away.
 //
-// Weakness. It suits corners that are passed in less time than the acceleration takes to build up,
-// and those are they which tolerances of some hundredths leave. A rounder curve would let wide
+// Weakness. It suits corners that are passed in less time than the acceleration takes to build up;
+// with tolerances of some hundredths these are nearly all. A rounder curve would let wide
 // corners pass a few per cent faster.
 #pragma once
 
@@ -39,7 +39,7 @@ struct Blend {
 // would have a cusp, or is too short to be a curve.
 std::optional<Blend> make_blend(const Corner& corner, double way_mm);
 
-// What a corner is about, by which its blend is sized.
+// The figures of a corner by which its blend is sized.
 struct CornerShape {
   double turn = 0.0;              // |tB - tA|: 2 sin of half the angle
   double curvature_per_mm = 0.0;  // the larger of both sides
@@ -48,8 +48,8 @@ struct CornerShape {
 
 CornerShape shape_of(const Corner& corner);
 
-// The larger of how far places of the blend are from the curves and places of what it replaces from
-// the blend. Its line is not set.
+// The largest distance between the blend and the parts of the curves that it replaces, in either
+// direction. Its line is not set.
 PathDeviation deviation_of(const Blend& blend, const Corner& corner, double way_mm);
 
 }  // namespace kerf::smoothing

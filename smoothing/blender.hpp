@@ -11,7 +11,7 @@
 
 namespace kerf::smoothing {
 
-// What blends are sized by. An infinite limit does not bind.
+// The limits by which blends are sized. An infinite limit does not bind.
 struct BlendSettings {
   double acceleration_mm_s2 = 0.0;  // of the weakest axis
   double jerk_mm_s3 = 0.0;
@@ -27,7 +27,7 @@ class Blender {
   explicit Blender(const BlendSettings& settings) : settings_(settings) {}
 
   void push(PathSegment segment, std::vector<PathSegment>& out);
-  // Releases what is held back, up to its programmed end.
+  // Releases the held segments, up to their programmed end.
   void flush(std::vector<PathSegment>& out);
 
   [[nodiscard]] const PathDeviations& deviations() const noexcept { return deviations_; }
@@ -61,7 +61,7 @@ class Blender {
   PathDeviations deviations_;
 };
 
-// What the segment's marks are once its first by_mm are gone.
+// The segment's marks once its first by_mm are gone.
 void shift_marks(PathSegment& segment, double by_mm);
 
 // The lines that a blend runs along: up to the corner those of the segment before, then those of

@@ -1,12 +1,13 @@
-// Runs of short lines to curves: moves in, path segments out, with a window of some hundred lines.
+// Turns runs of short lines into curves: moves in, path segments out, with a window of some hundred
+// lines.
 //
 // Idea. A run ends where the program means a corner (polyline.hpp); between its corners it becomes
 // one spline, four times continuously differentiable, or a line or an arc where it is one. A long
-// run is fitted window by window: of a window's curve the front part leaves for good, once what
-// lies behind it can hardly change it any more, and the next window's curve goes on from its place
-// and its first four derivatives there. Where no spline of reasonable spans stays within the
+// run is fitted window by window: the front part of a window's curve is final once the lines after
+// it can hardly change it any more, and the next window's curve goes on from its end point and its
+// first four derivatives there. Where no spline of reasonable spans stays within the
 // tolerance there is a corner after all; a line alone stays as it is. So every result is within the
-// tolerance, as it was measured.
+// tolerance, as measured.
 //
 // The window counts lines and knows nothing of how the text was read: the same program always gives
 // the same path.
@@ -30,7 +31,7 @@ namespace kerf::smoothing {
 
 class Compressor {
  public:
-  // travel: what of it no curve leaves.
+  // travel: no curve leaves it.
   explicit Compressor(const std::optional<curves::Extents>& travel) : curves_({.travel = travel}) {}
 
   // A straight feed in G64 with a merging tolerance, of X, Y and Z alone, to a usable place.

@@ -1,4 +1,5 @@
-// What smoothing hands to the look-ahead: one smooth curve and what the program says of it.
+// A segment of the path that goes to the look-ahead: one smooth curve and its data from the
+// program.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +22,8 @@ struct LineMark {
   std::uint64_t run_block = 0;  // parser::Move::block of the line's move
 };
 
-// The mark that a place belongs to, one at a mark to that; before the first, and of no marks, to
-// `whole`.
+// The mark of a place: the last one at or before it; `whole` before the first mark or without
+// marks.
 inline LineMark mark_at(const std::vector<LineMark>& marks, double s_mm, const LineMark& whole) {
   const auto after = std::ranges::upper_bound(marks, s_mm, {}, &LineMark::s_mm);
   return after == marks.begin() ? whole : *std::prev(after);
@@ -42,8 +43,9 @@ struct PathSegment {
   double feedrate_mm_s = 0.0;  // not used by rapids
   curves::AuxiliaryAxisMotion extra{};
   parser::PathMode mode = parser::PathMode::exact_path;
-  double corner_tolerance_mm = 0.0;  // within which its corners may be blended
-  double deviation_mm = 0.0;         // from what is programmed, at the most: what a blend has less
+  double corner_tolerance_mm = 0.0;  // for blends of its corners
+  double deviation_mm =
+      0.0;  // largest distance from the programmed path; a blend has that much less
   bool stop_after = false;
   // The normal axis of the arc that it was programmed as. A spiral is a NurbsCurve with one.
   std::optional<int> arc_normal{};

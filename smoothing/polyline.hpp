@@ -1,4 +1,4 @@
-// The points of a run of short lines, and what its corners are.
+// The points of a run of short lines, and its corners.
 #pragma once
 
 #include <cstddef>
@@ -29,8 +29,8 @@ using Polyline = std::vector<Vertex>;
 // - where two lines turn by more than a curve within the tolerance of both could follow: the
 //   curve's height over a chord is length times turn / 8;
 // - where the run turns, within a few tolerances, by much more than before and after. The lengths
-//   over which directions are taken are as long as the tolerance's, for noise in the last decimal
-//   turns very short lines by any angle;
+//   over which directions are taken are about the tolerance, since noise in the last decimal turns
+//   very short lines by any angle;
 // - where a long line meets a short one: it was not meant to be part of the curve.
 bool is_corner(const Polyline& run, std::size_t index, double tolerance_mm);
 

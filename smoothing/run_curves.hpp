@@ -1,5 +1,5 @@
-// The curves that take the place of a run's lines, as path segments, with how far they are from
-// them.
+// The curves that take the place of a run's lines, as path segments, with their deviation from the
+// lines.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +24,7 @@ class RunCurves {
 
   [[nodiscard]] const parser::Move& like() const noexcept { return like_; }
   [[nodiscard]] const RunFitSettings& settings() const noexcept { return settings_; }
-  // Of all that was appended.
+  // Of all segments appended.
   [[nodiscard]] const PathDeviations& deviations() const noexcept { return deviations_; }
 
   // The lines up to this vertex, which are as good as on a line, as one.
@@ -39,8 +39,8 @@ class RunCurves {
   };
   void append_spans(const Polyline& run, const RunFit& fit, const Spans& spans,
                     std::vector<PathSegment>& out);
-  // The first line as it is, but for its begin, which is no farther from the first vertex than the
-  // tolerance.
+  // The first line as it is, except that it begins at begin_mm, which is no farther from the first
+  // vertex than the tolerance.
   void append_first_line(const Polyline& run, const curves::Position& begin_mm,
                          std::vector<PathSegment>& out);
 
@@ -71,7 +71,7 @@ class RunCurves {
   void widen(const Place& place, double distance_mm);
 
   RunFitSettings settings_;
-  parser::Move like_{};  // what the moves of the run have in common
+  parser::Move like_{};  // data common to the moves of the run
   bool broken_ = false;  // the last segment is lines where a spline was meant to go on
   PathDeviations deviations_;
 };

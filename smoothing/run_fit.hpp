@@ -14,7 +14,7 @@ namespace kerf::smoothing {
 
 struct RunFitSettings {
   double tolerance_mm = 0.0;
-  std::optional<curves::Extents> travel{};  // what of it no curve leaves
+  std::optional<curves::Extents> travel{};  // no curve leaves it
 };
 
 struct RunFit {
@@ -27,12 +27,12 @@ struct RunFit {
 
 // Fits the vertices first to last. The run's begin is a point of the curve unless a tail is given,
 // its end if pinned. breaks: where spans should end, of an earlier fit; more are added where the
-// path turns, and where the curve is too far from the lines. Places that count are those up to the
-// vertex `judged`; beyond it the distance may be any.
+// path turns, and where the curve is too far from the lines. The tolerance counts up to the vertex
+// `judged`; after it the distance may be any.
 //
 // The distance is taken between the points of curve and lines at the same length, which is no less
-// than the distance of either from the other, at vertices and between them; what the curve can bend
-// between two such places is added.
+// than the distance of either from the other, at vertices and between them; a bound of how far the
+// curve can bend between two such places is added.
 struct RunStretch {
   std::size_t last = 0;  // the first is vertex 0
   std::size_t judged = 0;
@@ -46,7 +46,7 @@ class SpanBreaks {
  public:
   struct Settings {
     std::size_t last = 0;       // vertex; the first is 0
-    double before_mm = 0.0;     // length of the span that the spline goes on from; 0: of none
+    double before_mm = 0.0;     // length of the span that the spline continues; 0: none
     double tolerance_mm = 0.0;  // of merging
   };
 

@@ -1,4 +1,4 @@
-// What a run of short lines has become, as path segments with the feedrates and lines of the
+// The curves made from a run of short lines, as path segments with the feedrates and lines of the
 // program.
 #pragma once
 

@@ -1,8 +1,8 @@
 // A smooth curve through noisy points: least squares in the space of quintic splines.
 //
 // Idea. A spline of degree 5 on given knots is four times continuously differentiable, so nothing
-// that the machine feels jumps, and its coefficients are what minimises the weighted sum of squared
-// distances from the samples: a system with eleven diagonals, O(n) to solve. Points that decimals
+// that the machine feels jumps. Its coefficients minimise the weighted sum of squared distances
+// from the samples: a system with eleven diagonals, O(n) to solve. Points that decimals
 // have moved to and fro are averaged by it as long as there are more of them than knots.
 // (Least squares with B-splines: [DeBoor, chapter XIV].)
 //
@@ -32,7 +32,8 @@ struct FitSample {
   curves::Position point_mm{};
 };
 
-// What a spline hands on to its continuation: itself at the junction, by its parameter.
+// The data for the continuation of a spline: its value and derivatives at the junction, by its
+// parameter.
 struct SplineTail {
   std::array<Eigen::Vector3d, kFitDegree> derivatives{};  // from the 0th to the 4th
   double span_mm = 0.0;                                   // length of its last span
@@ -64,7 +65,7 @@ struct FitEnds {
 struct SplineFit {
   std::vector<FitSpan> spans;
 
-  // To go on behind this many spans. Precondition: 0 < count <= spans.
+  // To go on after this many spans. Precondition: 0 < count <= spans.
   [[nodiscard]] SplineTail tail_after(std::size_t count) const;
 };
 

@@ -1,4 +1,4 @@
-// What of the machine's travel a smoothed path may fill: all of it, and no more.
+// Checks whether a smoothed path leaves the machine's travel.
 #pragma once
 
 #include <cstddef>
