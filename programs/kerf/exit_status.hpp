@@ -1,4 +1,4 @@
-// What `kerf` returns to the shell.
+// The exit status of `kerf`.
 #pragma once
 
 #include <exception>
@@ -22,7 +22,7 @@ constexpr int to_int(ExitStatus status) noexcept {
   return static_cast<int>(status);
 }
 
-// Of what ends the program in mid-air.
+// The status for an exception that ends the program.
 ExitStatus status_of(const std::exception& exception) noexcept;
 
 }  // namespace kerf::program

@@ -1,4 +1,4 @@
-// What --explain-speed is asked.
+// The question that --explain-speed asks.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The command line to options.
+// Parses the command line into options.
 #pragma once
 
 #include <string>

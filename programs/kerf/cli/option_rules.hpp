@@ -1,4 +1,4 @@
-// What values options may have, and which of them go together.
+// The values that options may have, and which options go together.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,7 @@ std::optional<double> duration_s_of(std::string_view text);
 // 1024. Nothing where it is none of these, or more than 2^60.
 std::optional<std::uint64_t> bytes_of(std::string_view text);
 
-// What is wrong with the options that the command line itself lets pass, as a sentence; nothing:
-// they go together.
+// Why options do not go together that are valid one by one, as a sentence; nothing: they do.
 std::optional<std::string> contradiction(const Options& options);
 
 }  // namespace kerf::program

@@ -24,7 +24,7 @@ class Descriptor {
   [[nodiscard]] int number() const noexcept { return number_; }
   [[nodiscard]] bool is_open() const noexcept { return number_ >= 0; }
 
-  // 0, or the errno of what the system could not write after all.
+  // 0, or the errno of a write that failed only now.
   int close() noexcept;
 
  private:
@@ -35,7 +35,7 @@ class Descriptor {
 // pipe or a terminal, a request to stop (interrupt.hpp) ends the wait: EINTR.
 int write_all(int descriptor, std::string_view bytes) noexcept;
 
-// A regular file for reading. What is none is not waited for. Error: why not.
+// Opens a regular file for reading; never waits for a file of another kind. Error: the reason.
 tl::expected<Descriptor, std::string> open_regular(const std::string& path);
 
 // "No space left on device", the same in every locale.

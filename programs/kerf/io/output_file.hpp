@@ -28,11 +28,10 @@ class OutputFile {
 
   // An earlier run left FILE.incomplete, which this one has replaced: it was killed or failed.
   [[nodiscard]] bool follows_incomplete() const noexcept { return follows_incomplete_; }
-  // As messages are to call it.
+  // The name for messages.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   [[nodiscard]] bool is_standard_output() const noexcept { return name_ == "<stdout>"; }
-  // Where what was written is, if it has not got its name: "; what was written is in
-  // FILE.incomplete".
+  // For messages, if the file did not get its name: "; what was written is in FILE.incomplete".
   [[nodiscard]] std::string remains() const;
 
  private:

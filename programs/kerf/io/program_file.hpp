@@ -14,8 +14,8 @@
 namespace kerf::program {
 
 // The file stays open, so that deleting or replacing it does not matter to a run. One that is
-// written to between the check and the end of the run is an error: what was checked is not what
-// would run. Memory is one piece. Standard input cannot be read twice and is first copied to an
+// written to between the check and the end of the run is an error: another program would run than
+// was checked. Memory is one piece. Standard input cannot be read twice and is first copied to an
 // unnamed temporary file; under a path there must be a regular file.
 class ProgramFile {
  public:
@@ -23,7 +23,7 @@ class ProgramFile {
 
   static constexpr std::uint64_t kMaxCopiedBytes = std::uint64_t{4} << 30U;
 
-  // What can be read only once, and more of it may be still to come: a pipe, a socket, a terminal.
+  // Opens a source that can be read only once and may still grow: a pipe, a socket, a terminal.
   // Does not wait for its text. Closed: `path` is none of these.
   [[nodiscard]] static Descriptor open_live(const std::string& path);
 
@@ -32,7 +32,7 @@ class ProgramFile {
   static tl::expected<ProgramFile, std::string> open(
       const std::string& path, std::uint64_t most_copied_bytes = kMaxCopiedBytes);
 
-  // As diagnostics are to name it: the path, or <stdin>.
+  // The name for diagnostics: the path, or <stdin>.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }
   [[nodiscard]] std::uint64_t size_bytes() const noexcept { return size_bytes_; }
   [[nodiscard]] std::uint64_t bytes_read() const noexcept { return offset_; }

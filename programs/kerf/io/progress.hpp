@@ -1,4 +1,4 @@
-// How far a program is, shared between the threads that work and the one that shows it.
+// The progress of a program, shared between the threads that work and the one that shows it.
 #pragma once
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 
 namespace kerf::program {
 
-// Writers store, nobody waits. What is known is the share of the text that was read, the path
-// length that it gave so far, and how far the tool is on it.
+// Writers store, nobody waits. Holds the share of the text that was read, the path length planned
+// so far, and the tool's place on it.
 class Progress {
  public:
   void set_read(double share) noexcept { read_.store(share, kOrder); }

@@ -1,4 +1,4 @@
-// A bar on the terminal for what takes longer than a second.
+// A bar on the terminal for work that takes longer than a second.
 #pragma once
 
 #include <condition_variable>

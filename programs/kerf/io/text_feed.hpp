@@ -1,4 +1,4 @@
-// Where the text of a running program comes from.
+// The source of a running program's text.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct TextPiece {
   std::string_view bytes{};  // valid until the next read
 };
 
-// Never waits: what is not there yet is said to be so.
+// Never waits: text that has not come yet is `not_yet`.
 class TextFeed {
  public:
   TextFeed() = default;
@@ -32,7 +32,7 @@ class TextFeed {
   [[nodiscard]] virtual double share_read() const noexcept = 0;
 };
 
-// All of it is there.
+// The whole text is in a file.
 class FileFeed final : public TextFeed {
  public:
   explicit FileFeed(ProgramFile& file) noexcept : file_(&file) {}

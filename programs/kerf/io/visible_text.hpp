@@ -1,4 +1,4 @@
-// Text of others (names of files, words of a program) as it may be shown on a terminal.
+// Foreign text (names of files, words of a program) in a form that is safe on a terminal.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace kerf::program {
 
-// On one line: control characters, bytes that are not UTF-8 and what else cannot be seen or turns
-// the direction of writing as "\x1B", byte by byte. The rest as it is.
+// On one line: control characters, bytes that are not UTF-8, invisible characters and those that
+// turn the direction of writing appear as "\x1B", byte by byte. The rest stays as it is.
 [[nodiscard]] std::string visible(std::string_view text);
 
 }  // namespace kerf::program

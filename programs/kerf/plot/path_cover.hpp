@@ -15,7 +15,7 @@ class PathCover {
   // cell_mm > 0
   PathCover(const PaperBox& box, double cell_mm);
 
-  // Draws a straight line. False: it shows nowhere, for all of its cells have a level as low.
+  // Draws a straight line. False: it is hidden, since all of its cells have a level as low.
   bool draw(const PaperPoint& from, const PaperPoint& to, std::size_t level);
 
  private:

@@ -13,7 +13,7 @@ struct OutlinePoint {
   PaperPoint at{};
   double v_mm_s = 0.0;
   bool rapid = false;
-  bool hidden = false;  // the line to here shows nowhere
+  bool hidden = false;  // the line to here is hidden
 };
 
 // Precondition: not empty.

@@ -1,4 +1,4 @@
-// What a plot keeps of a run, in bounded memory.
+// The data of a run for its plot, in bounded memory.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ class PlotData {
   // extents: of the whole path, known before it runs; they set how fine the outline is.
   explicit PlotData(const curves::Extents& extents);
 
-  // From the first tick on the plot keeps what held the feed down, too.
+  // From the first tick on the plot keeps the active constraints, too.
   void add_limits() { limits_.emplace(); }
   void add(const TickRecord& record);
 

@@ -1,4 +1,4 @@
-// Under the curves: a band coloured by what held the feed down, and what the colours mean.
+// Under the curves: a band coloured by the active constraint, and its legend.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@
 
 namespace kerf::program {
 
-// What the time axis counts in, so that its numbers stay short.
+// The unit of the time axis, chosen so that its numbers stay short.
 struct TimeAxis {
   double ticks_per_unit = 1000.0;
   std::string_view unit = "s";

@@ -1,4 +1,4 @@
-// What `kerf explain` prints.
+// The text that `kerf explain` prints.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace kerf::program {
 
-// Of a report without a block: nothing.
+// Empty for a report without a block.
 std::string block_text(const FileReport& report);
 
 }  // namespace kerf::program

@@ -1,4 +1,4 @@
-// Names and colours of what limits the feedrate.
+// Names and colours of the constraints.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What was found in programs, as one document that other programs read.
+// Errors and warnings of programs as one document for other programs.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The report as other programs read it. docs/json.md says what every key means.
+// The report as JSON for other programs. docs/json.md describes each key.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What held the feed down over time, in bounded memory, for the plot.
+// The active constraint over time, in bounded memory, for the plot.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What there is to say about one program once it is over.
+// The report on one program once it is over.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ struct PlanReport {
   [[nodiscard]] bool deviates() const noexcept { return deviation.distance_mm >= 5e-7; }
 };
 
-// What is in force just before a block runs for the first time, and when that is.
+// The state just before a block runs for the first time, and the time of that.
 struct BlockReport {
   std::uint32_t line = 0;
   parser::WatchedBlock block;

@@ -1,4 +1,4 @@
-// How much time each limit takes: what --explain-speed answers.
+// The time that each constraint binds: the answer of --explain-speed.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct LimitTime {
   std::int64_t ticks = 0;
 };
 
-// Of one line of the program, over all the times it runs, or of the whole.
+// For one line of the program, over all the times it runs, or for the whole.
 struct LineSpeed {
   std::uint32_t line = 0;
   std::int64_t ticks = 0;

@@ -1,4 +1,4 @@
-// What limits the feedrate, for people: a part of the summary.
+// The constraints of the feedrate as text: a part of the summary.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The report as a machinist reads it.
+// The report as text for a machinist.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace kerf::program {
 
-// Some lines of text, each with its end. A program that did not get as far as a plan has none: its
-// errors say what there is to say.
+// Some lines of text, each with its newline. Empty for a program without a plan: its errors say
+// enough.
 [[nodiscard]] std::string summary(const FileReport& report);
 
 }  // namespace kerf::program

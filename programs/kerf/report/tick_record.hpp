@@ -1,4 +1,4 @@
-// What is kept of one tick for traces and plots.
+// The data of one tick for traces and plots.
 #pragma once
 
 #include <cstdint>

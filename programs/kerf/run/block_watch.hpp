@@ -10,10 +10,10 @@
 
 namespace kerf::program {
 
-// Told of everything that is read and planned, in order. What is planned comes later than what is
-// read, by up to a window; motion is known by the block of the program's run that it belongs to, a
-// rest by counting rests on both sides. Cutter compensation holds moves back before that; so they
-// are counted from the block's own or the next.
+// Called for everything that is read and planned, in program order. Planned motion lags behind
+// reading by up to one window; motion is known by the block of the program's run that it belongs
+// to, a rest by counting rests on both sides. Cutter compensation holds moves back before that; so
+// they are counted from the block's own or the next.
 class BlockWatch : public PipelineObserver {
  public:
   struct Settings {
@@ -55,7 +55,7 @@ class BlockWatch : public PipelineObserver {
   std::uint32_t line_;
   double period_s_;
   std::optional<parser::WatchedBlock> block_;
-  // Of the first move that is planned at the block or behind it.
+  // Of the first move that is planned at the block or after it.
   struct First {
     std::uint64_t run_block = 0;
     std::uint64_t rests_before = 0;

@@ -1,4 +1,4 @@
-// The look at a whole program before anything moves.
+// The check of a whole program before anything moves.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Text into the kernel, as it asks for it.
+// Feeds text to the kernel as it needs it.
 #pragma once
 
 #include <optional>

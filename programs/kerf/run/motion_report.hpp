@@ -1,4 +1,4 @@
-// From what a run measured to its report.
+// Turns the measurements of a run into its report.
 #pragma once
 
 #include <kerf/kernel.hpp>

@@ -1,4 +1,4 @@
-// The motion of one program, from its text to what the report says of it.
+// The motion of one program, from its text to its report.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace kerf::program {
 
-// What the look at the whole program found of its path; of text that runs as it comes, nothing.
+// The path as the check of the whole program found it; empty for text that runs as it comes.
 struct CheckedPath {
   std::optional<curves::Extents> extents;  // none: no path
   curves::AuxiliaryExtents extra_extents{};

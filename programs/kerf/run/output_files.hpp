@@ -18,8 +18,8 @@ namespace kerf::program {
 
 class OutputFiles {
  public:
-  // Before anything moves, so that what cannot be written is known by then. extents: of the whole
-  // path.
+  // Call it before anything moves, so that errors of writing are known by then. extents: of the
+  // whole path.
   static tl::expected<OutputFiles, std::string> open(const Options& options,
                                                      const MachineSettings& settings,
                                                      const curves::Extents& extents);
@@ -29,10 +29,9 @@ class OutputFiles {
   // An earlier run did not end as it should, and left this behind.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
-  // After the motion: ends the trace and draws the plot. What went wrong, if anything did. dropped:
-  // ticks that the recorder never saw.
-  // is_cut: the run has ended before its program. What is written keeps the name of an incomplete
-  // file.
+  // After the motion: end the trace and draw the plot. Return the error, if there was one. dropped:
+  // ticks that the recorder never saw. is_cut: the run has ended before its program, so the file
+  // keeps the name of an incomplete one.
   std::optional<std::string> close_trace(std::uint64_t dropped, bool is_cut);
   std::optional<std::string> write_plot(const PlotCaption& caption, bool is_cut);
 

@@ -35,7 +35,7 @@ struct PlanOrder {
 
 // Preconditions: check_program() found no error; the file is rewound. Memory does not grow with the
 // length of the program, and the work not with its time. Ends early when a stop is requested.
-// Error: the file cannot be read. watch: told of what is read and planned.
+// Error: the file cannot be read. watch: called for everything that is read and planned.
 //
 // A run sends a cruise in short parts, whose times are rounded: where a cruise takes hours, it may
 // end a tick beside what is planned here.

@@ -1,5 +1,4 @@
-// Where ticks go to be kept: the trace, the plot, the account of what held the feed down; any of
-// them or none.
+// Records ticks: the trace, the plot, the account of the active constraints; any of them or none.
 #pragma once
 
 #include <atomic>
@@ -24,7 +23,7 @@ struct Recorder {
 
   [[nodiscard]] bool wants_ticks() const noexcept { return trace || plot || speed; }
 
-  // What is left of the motion would not be in the trace.
+  // The rest of the motion would not be in the trace.
   [[nodiscard]] bool trace_ended() const noexcept { return trace && trace->ended(); }
 
   void add(const TickRecord& record) {
@@ -41,7 +40,7 @@ struct Recorder {
 };
 
 // A recorder behind a ring, with a thread of its own. push() is for the tick: it waits for nothing
-// and never sees the disk. What does not fit into the ring is left out and counted.
+// and never sees the disk. Records that do not fit into the ring are dropped and counted.
 class RecorderThread {
  public:
   explicit RecorderThread(Recorder& recorder);

@@ -20,7 +20,7 @@ struct RunStage {
   std::int64_t last_tick = std::numeric_limits<std::int64_t>::max();  // of a run without a clock
 };
 
-// For so long there was no tick behind this one.
+// A time without ticks after this tick.
 struct TickGap {
   double duration_s = 0.0;
   std::uint32_t line = 0;
@@ -30,8 +30,8 @@ struct TickGap {
 struct RunOutcome {
   bool hung = false;                // a defect: all is planned, and still the tick waits
   std::uint64_t starved_ticks = 0;  // rested because nothing was planned yet
-  std::uint64_t late_ticks = 0;     // began a period or more behind their time
-  double worst_delay_s = 0.0;       // of a tick behind its time
+  std::uint64_t late_ticks = 0;     // began a period or more after their time
+  double worst_delay_s = 0.0;       // of a tick after its time
   std::uint64_t dropped_records = 0;
   bool trace_ended = false;    // and with it the run, as it has no clock
   std::optional<TickGap> gap;  // a fault
@@ -45,8 +45,8 @@ struct RunOutcome {
 RunOutcome run_without_clock(const RunStage& stage);
 
 // The same ticks, one every period_s of CLOCK_MONOTONIC, in this thread; planning and recording
-// each have a thread of their own. A late tick is counted, and those after it keep their distance:
-// what was lost is not caught up with. A gap (TickTimer) is a fault that ends the run at once.
+// each have a thread of their own. A late tick is counted, and the ticks after it keep their
+// distance: lost time is not caught up. A gap (TickTimer) is a fault that ends the run at once.
 RunOutcome run_in_real_time(const RunStage& stage, double period_s);
 
 }  // namespace kerf::program

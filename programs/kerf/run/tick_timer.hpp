@@ -1,4 +1,4 @@
-// The beat of a run in real time.
+// The timer of a run in real time.
 #pragma once
 
 #include <cstdint>

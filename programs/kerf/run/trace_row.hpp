@@ -13,10 +13,10 @@ namespace kerf::program {
 
 inline constexpr std::string_view kTraceHeader =
     "t_s,line,s_mm,v_mm_s,a_mm_s2,j_mm_s3,x_mm,y_mm,z_mm,actual_x_mm,actual_y_mm,actual_z_mm\n";
-// What a row has behind these.
+// Further columns of a row.
 struct TraceColumns {
   std::vector<ExtraAxis> axes;  // "a_deg", "u_mm"
-  bool limit = false;           // "limit": what limits the feedrate
+  bool limit = false;           // "limit": the active constraint
 };
 [[nodiscard]] std::string trace_header(const TraceColumns& columns);
 

@@ -21,8 +21,8 @@ struct TraceSettings {
   std::uint64_t max_bytes = std::numeric_limits<std::uint64_t>::max();
 };
 
-// After the first error nothing more is written: what is on the disk then is the beginning of the
-// trace, whole rows but for a disk that is full, and error() says why it ends.
+// After the first error nothing more is written: the file then has the beginning of the trace, in
+// whole rows unless the disk is full, and error() says why it ends.
 class TraceWriter {
  public:
   // path "-" is standard output. Error: what the system says, with the path.
