@@ -9,6 +9,8 @@
 // [--long] [--profile NAME]: programs of short segments, or those whose name begins so; quick:
 // without the longest exact stops, long: ten million lines too. Anything else: Google Benchmark's
 // cases and options, parse, plan and tick.
+#include <array>
+#include <cstddef>
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -26,6 +28,9 @@
 #include "bench/work.hpp"
 
 namespace {
+
+constexpr int kUsage = 2;  // the exit status where the words make no command
+constexpr std::size_t kMany = 100;
 
 // soak [--seed N] [--last M] [--seconds S] [--kind smoothed|degenerate] [--fingerprints]
 std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& words) {
@@ -81,37 +86,52 @@ std::optional<kerf::bench::PartsOrder> parts_order(const std::vector<std::string
   return order;
 }
 
+using Words = std::vector<std::string>;
+
+struct Command {
+  std::string_view name;
+  std::size_t most_words;  // after it
+  int (*run)(const Words& words);
+};
+
+constexpr std::array kCommands{
+    Command{"papers", 0, [](const Words&) { return kerf::bench::papers(); }},
+    Command{"optimum", 0, [](const Words&) { return kerf::bench::optimum(); }},
+    Command{"parse", 1,
+            [](const Words& words) {
+              return words.size() == 2 ? kerf::bench::parse() : kerf::bench::parse_once(words[2]);
+            }},
+    Command{"streaming", 0, [](const Words&) { return kerf::bench::streaming(); }},
+    Command{"work", 2,
+            [](const Words& words) {
+              using kerf::bench::Counted;
+              return words.size() < 4
+                         ? kUsage
+                         : kerf::bench::work(
+                               words[2], words[3] == "ticks" ? Counted::ticks : Counted::windows);
+            }},
+    Command{"soak", kMany,
+            [](const Words& words) {
+              const auto order = soak_order(words);
+              return order ? kerf::bench::soak(*order) : kUsage;
+            }},
+    Command{"parts", kMany, [](const Words& words) {
+              const auto order = parts_order(words);
+              return order ? kerf::bench::parts(*order) : kUsage;
+            }}};
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc == 2 && std::string_view(argv[1]) == "papers") {
-    return kerf::bench::papers();
-  }
-  if (argc == 2 && std::string_view(argv[1]) == "optimum") {
-    return kerf::bench::optimum();
-  }
-  if (argc >= 2 && argc <= 3 && std::string_view(argv[1]) == "parse") {
-    return argc == 2 ? kerf::bench::parse() : kerf::bench::parse_once(argv[2]);
-  }
-  if (argc == 2 && std::string_view(argv[1]) == "streaming") {
-    return kerf::bench::streaming();
-  }
-  if (argc == 4 && std::string_view(argv[1]) == "work") {
-    using kerf::bench::Counted;
-    return kerf::bench::work(
-        argv[2], std::string_view(argv[3]) == "ticks" ? Counted::ticks : Counted::windows);
-  }
-  if (argc >= 2 && std::string_view(argv[1]) == "soak") {
-    const auto order = soak_order({argv, argv + argc});
-    return order ? kerf::bench::soak(*order) : 2;
-  }
-  if (argc >= 2 && std::string_view(argv[1]) == "parts") {
-    const auto order = parts_order({argv, argv + argc});
-    return order ? kerf::bench::parts(*order) : 2;
+  const Words words(argv, argv + argc);
+  for (const Command& command : kCommands) {
+    if (words.size() > 1 && words[1] == command.name && words.size() - 2 <= command.most_words) {
+      return command.run(words);
+    }
   }
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
-    return 2;
+    return kUsage;
   }
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();

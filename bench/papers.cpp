@@ -1,6 +1,7 @@
 #include "bench/papers.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -137,7 +138,7 @@ bool corners() {
       throw std::runtime_error("polygon.ngc has a move that cannot be planned");
     }
   }
-  constexpr double kPublished[] = {674, 425, 530, 425, 674};
+  constexpr std::array<double, 5> kPublished{674, 425, 530, 425, 674};
   bool met = blocks.size() == 6;
   for (std::size_t i = 0; i + 1 < blocks.size(); ++i) {
     const double here =

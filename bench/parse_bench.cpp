@@ -17,7 +17,7 @@ void parse(benchmark::State& state, const ParseProgram& program) {
       state.SkipWithError("the program has errors");
     }
   }
-  const std::int64_t size = static_cast<std::int64_t>(program.text.size());
+  const auto size = static_cast<std::int64_t>(program.text.size());
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(program.lines));
   state.SetBytesProcessed(state.iterations() * size);
 }

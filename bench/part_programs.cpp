@@ -1,5 +1,6 @@
 #include "bench/part_programs.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <utility>
@@ -25,9 +26,9 @@ double PartWriter::rounded(double value) const {
 }
 
 void PartWriter::write(char letter, double value) {
-  char text[40];
-  const int length = std::snprintf(text, sizeof text, "%c%.*f", letter, decimals_, value);
-  program_.body.append(text, static_cast<std::size_t>(length));
+  std::array<char, 40> text{};
+  const int length = std::snprintf(text.data(), text.size(), "%c%.*f", letter, decimals_, value);
+  program_.body.append(text.data(), static_cast<std::size_t>(length));
 }
 
 void PartWriter::line_to(const Point& to_mm, bool rapid) {
@@ -111,13 +112,16 @@ PartProgram raster(int lines) {
   return writer.finish();
 }
 
-PartProgram flower(double length_mm, int decimals) {
+PartProgram flower(int decimals) {
+  constexpr double kLength_mm = 20'000.0;
   constexpr double kStep_mm = 0.1;
   Flower curve(kStep_mm);
   PartWriter writer(curve.here(), decimals);
-  for (double s = kStep_mm; s <= length_mm * (1.0 + 1e-12); s += kStep_mm) {
+  double s = kStep_mm;
+  while (s <= kLength_mm * (1.0 + 1e-12)) {
     curve.advance();
     writer.line_to(curve.here());
+    s += kStep_mm;
   }
   return writer.finish();
 }

@@ -58,7 +58,7 @@ class Flower {
 // Rows of 100 mm in steps of 0.2 mm over z = 5 sin(x/12) cos(y/9) + 0.3 sin(x/1.7), the rows 0.2 mm
 // apart and joined by a step in Y.
 PartProgram raster(int lines);
-PartProgram flower(double length_mm, int decimals);
+PartProgram flower(int decimals);
 // Along X.
 PartProgram straight(double length_mm, int lines);
 PartProgram square(double side_mm);

@@ -14,20 +14,27 @@ constexpr double kDegree = kFullTurn_rad / 360.0;
 using Spot = std::array<double, 2>;
 using Stroke = std::vector<Spot>;
 
-// A bow of an ellipse, flattened into steps of 0.1 mm or so of a letter 6 mm high.
-void add_bow(Stroke& stroke, const Spot& centre, const Spot& radii, const Spot& from_to_deg) {
-  const double sweep = (from_to_deg[1] - from_to_deg[0]) * kDegree;
-  const double steps = std::ceil(std::abs(sweep) * radii[0] / 0.1);
-  for (double i = 0.0; i <= steps; ++i) {
-    const double angle = from_to_deg[0] * kDegree + sweep * i / steps;
-    stroke.push_back(
-        {centre[0] + radii[0] * std::cos(angle), centre[1] + radii[1] * std::sin(angle)});
+// Of an ellipse.
+struct Bow {
+  Spot centre{};
+  Spot radii{};
+  Spot from_to_deg{};
+};
+
+// Flattened into steps of 0.1 mm or so of a letter 6 mm high.
+void add_bow(Stroke& stroke, const Bow& bow) {
+  const double sweep = (bow.from_to_deg[1] - bow.from_to_deg[0]) * kDegree;
+  const int steps = static_cast<int>(std::ceil(std::abs(sweep) * bow.radii[0] / 0.1));
+  for (int i = 0; i <= steps; ++i) {
+    const double angle = bow.from_to_deg[0] * kDegree + sweep * i / steps;
+    stroke.push_back({bow.centre[0] + bow.radii[0] * std::cos(angle),
+                      bow.centre[1] + bow.radii[1] * std::sin(angle)});
   }
 }
 
 Stroke ring(const Spot& centre, const Spot& radii) {
   Stroke stroke;
-  add_bow(stroke, centre, radii, {90.0, 450.0});
+  add_bow(stroke, {centre, radii, {90.0, 450.0}});
   return stroke;
 }
 
@@ -43,14 +50,14 @@ std::vector<Stroke> letter(char name) {
       return {stem, {{4, 6}, {0, 3}, {4, 0}}};
     case 'R': {
       Stroke bow{{0, 0}, {0, 6}};
-      add_bow(bow, {2.5, 4.5}, {1.5, 1.5}, {90.0, -90.0});
+      add_bow(bow, {{2.5, 4.5}, {1.5, 1.5}, {90.0, -90.0}});
       bow.push_back({0, 3});
       return {bow, {{2, 3}, {4, 0}}};
     }
     case 'S': {
       Stroke bows;
-      add_bow(bows, {2, 4.5}, {2, 1.5}, {30.0, 270.0});
-      add_bow(bows, {2, 1.5}, {2, 1.5}, {90.0, -150.0});
+      add_bow(bows, {{2, 4.5}, {2, 1.5}, {30.0, 270.0}});
+      add_bow(bows, {{2, 1.5}, {2, 1.5}, {90.0, -150.0}});
       return {bows};
     }
     case '8':

@@ -67,7 +67,7 @@ void add_flower(Table& table) {
                                         "times a), Klipper 339.6, g2core 2395"}}};
   std::vector<std::optional<PartRun>> runs;
   for (const Flower& each : flowers) {
-    const PartProgram program = flower(20'000.0, each.decimals);
+    const PartProgram program = flower(each.decimals);
     Row row{.name = "flower, " + std::to_string(each.decimals) + " decimals",
             .program = &program,
             .axes = {500.0, 5e4},

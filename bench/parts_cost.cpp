@@ -1,3 +1,4 @@
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -23,7 +24,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::int64_t kMillion = 1'000'000;
 constexpr double kMax_s = 10.0;
-constexpr double kMax_MiB = 128.0;
+constexpr double kMaxMiB = 128.0;
 constexpr double kMaxGrowth = 10.5;
 
 // The flower's lines as text, in pieces as from a file. The time that making them takes is kept.
@@ -44,10 +45,10 @@ class FlowerText {
     while (piece_.size() < kPiece && lines_left_ > 0) {
       flower_.advance();
       const Point point = flower_.here();
-      char line[80];
-      const int length =
-          std::snprintf(line, sizeof line, "G1 X%.4f Y%.4f Z%.4f\n", point[0], point[1], point[2]);
-      piece_.append(line, static_cast<std::size_t>(length));
+      std::array<char, 80> line{};
+      const int length = std::snprintf(line.data(), line.size(), "G1 X%.4f Y%.4f Z%.4f\n", point[0],
+                                       point[1], point[2]);
+      piece_.append(line.data(), static_cast<std::size_t>(length));
       if (--lines_left_ == 0) {
         piece_ += "M2\n";
       }
@@ -69,7 +70,7 @@ struct Cost {
   double check_s = 0.0;
   double run_s = 0.0;
   std::int64_t ticks = 0;
-  double peak_MiB = 0.0;
+  double peak_mib = 0.0;
 };
 
 double check(const MachineSettings& settings, std::int64_t lines) {
@@ -112,8 +113,8 @@ Cost dry_run(std::int64_t lines, profiles::ProfileKind profile) {
 
 // In a process of its own, whose memory is the run's.
 Cost dry_run_alone(std::int64_t lines, profiles::ProfileKind profile) {
-  int ends[2];
-  if (::pipe(ends) != 0) {
+  std::array<int, 2> ends{};
+  if (::pipe(ends.data()) != 0) {
     throw std::runtime_error("no pipe");
   }
   std::fflush(stdout);
@@ -135,7 +136,8 @@ Cost dry_run_alone(std::int64_t lines, profiles::ProfileKind profile) {
   if (!received || status != 0) {
     throw std::runtime_error("a dry run failed");
   }
-  cost.peak_MiB = static_cast<double>(usage.ru_maxrss) / 1024.0;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-union-access): a member of rusage is one.
+  cost.peak_mib = static_cast<double>(usage.ru_maxrss) / 1024.0;
   return cost;
 }
 
@@ -143,7 +145,7 @@ bool print_row(std::int64_t lines, const Cost& cost, bool met) {
   const double all_s = cost.check_s + cost.run_s;
   std::printf("| %lld | %.2f | %.2f | %.2f | %lld | %.0f | %.1f | %s |\n",
               static_cast<long long>(lines), cost.check_s, cost.run_s, all_s,
-              static_cast<long long>(cost.ticks), static_cast<double>(lines) / all_s, cost.peak_MiB,
+              static_cast<long long>(cost.ticks), static_cast<double>(lines) / all_s, cost.peak_mib,
               met ? "met" : "MISSED");
   std::fflush(stdout);
   return met;
@@ -163,13 +165,13 @@ bool parts_cost(const PartsOrder& order) {
       "lines.\n\n"
       "| lines | check [s] | run [s] | both [s] | ticks | lines/s | peak memory [MiB] | |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
-      most_s, kMax_MiB, static_cast<long long>(lines), kMaxGrowth);
+      most_s, kMaxMiB, static_cast<long long>(lines), kMaxGrowth);
   const auto seconds_of = [](const Cost& cost) { return cost.check_s + cost.run_s; };
   const Cost once = dry_run_alone(lines, order.profile);
-  bool met = print_row(lines, once, seconds_of(once) <= most_s && once.peak_MiB <= kMax_MiB);
+  bool met = print_row(lines, once, seconds_of(once) <= most_s && once.peak_mib <= kMaxMiB);
   if (order.with_long) {
     const Cost ten = dry_run_alone(10 * lines, order.profile);
-    const bool held = seconds_of(ten) <= kMaxGrowth * seconds_of(once) && ten.peak_MiB <= kMax_MiB;
+    const bool held = seconds_of(ten) <= kMaxGrowth * seconds_of(once) && ten.peak_mib <= kMaxMiB;
     met = print_row(10 * lines, ten, held) && met;
   }
   std::printf("\n");

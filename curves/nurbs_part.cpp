@@ -65,6 +65,7 @@ class Part {
     }
   }
   // With its length to be fitted.
+  // NOLINTNEXTLINE(misc-no-recursion): no deeper than kHalvings.
   void append_restricted(const NurbsPiece& whole, const Interval& to, int halvings = 0) {
     NurbsPiece piece = whole;
     restrict(piece, to);

@@ -22,14 +22,14 @@ constexpr double kShort_mm = 1.0;  // up to this double will do for the interpol
 using Rule = ArcLengthRule;
 using MapCoefficients = std::array<double, NurbsPiece::kMapDegree + 1>;
 
-// The polynomial x(y) through (y_j, knots_j), by divided differences, as powers of y. Unrolled, for
-// it is most of what a fit costs.
+// The polynomial x(y) through (y_j, x_j), x_j the rule's knots, by divided differences, as powers
+// of y. Unrolled, for it is most of what a fit costs.
 template <typename Real>
-MapCoefficients interpolate_inverse(const Eigen::Matrix<double, Rule::kKnots, 1>& y,
-                                    const Eigen::Matrix<double, Rule::kKnots, 1>& x) {
+MapCoefficients interpolate_inverse(const Eigen::Matrix<double, Rule::kKnots, 1>& y) {
   constexpr int kCount = Rule::kKnots;
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): it is converted, if Real is wider.
   const Eigen::Matrix<Real, kCount, 1> node = y.cast<Real>();
-  Eigen::Matrix<Real, kCount, 1> difference = x.cast<Real>();
+  Eigen::Matrix<Real, kCount, 1> difference = Rule::get().knots.cast<Real>();
   std::array<Real, kCount> divided{difference[0]};
 #pragma GCC unroll 16
   for (int level = 1; level < kCount; ++level) {
@@ -97,8 +97,8 @@ std::optional<LengthMap> length_map(const NodeSpeeds& speed) {
       return std::nullopt;
     }
   }
-  return LengthMap{length_mm, length_mm <= kShort_mm ? interpolate_inverse<double>(y, rule.knots)
-                                                     : interpolate_inverse<Wide>(y, rule.knots)};
+  return LengthMap{length_mm, length_mm <= kShort_mm ? interpolate_inverse<double>(y)
+                                                     : interpolate_inverse<Wide>(y)};
 }
 
 bool holds(const LengthMap& map, const NodeSpeeds& speed, const CheckSpeeds& at_checks) {

@@ -144,35 +144,35 @@ bool Interpolator::pass_what_is_over() noexcept {
   return true;
 }
 
+TickStatus Interpolator::follow_phase() noexcept {
+  const double t = time_into_s(phase_);
+  // With a next phase time has only rounded past the end: that phase begins before the next tick.
+  const bool over = t >= phase_.law.duration_s() && queue_->next_phase() == nullptr;
+  profiles::PathMotion motion = phase_.law.at(t);
+  double s = phase_.s_begin_mm + motion.s_mm;
+  if (over || s > phase_.s_end_mm) {
+    s = phase_.s_end_mm;
+  }
+  if (over && phase_.ends_at_rest) {
+    motion = {};
+  }
+  advance_piece(s);
+  advance_line(s);
+  fill(motion, s);
+  const ActiveConstraint active_constraint = over ? ActiveConstraint{} : phase_.active_constraint;
+  now_.limit = motion.j_mm_s3 == 0.0 ? active_constraint.steady : active_constraint.limit;
+  if (!over) {
+    return TickStatus::running;
+  }
+  return phase_.ends_program ? TickStatus::finished : TickStatus::starved;
+}
+
 TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   begin_tick();
   tick_begun_ = false;
   ++now_.tick;
   advance_outputs();
-  TickStatus status = TickStatus::starved;
-  if (advance_phase()) {
-    const double t = time_into_s(phase_);
-    // With a next phase time has only rounded past the end: that phase begins before the next tick.
-    const bool over = t >= phase_.law.duration_s() && queue_->next_phase() == nullptr;
-    profiles::PathMotion motion = phase_.law.at(t);
-    double s = phase_.s_begin_mm + motion.s_mm;
-    if (over || s > phase_.s_end_mm) {
-      s = phase_.s_end_mm;
-    }
-    if (over && phase_.ends_at_rest) {
-      motion = {};
-    }
-    advance_piece(s);
-    advance_line(s);
-    fill(motion, s);
-    const ActiveConstraint active_constraint = over ? ActiveConstraint{} : phase_.active_constraint;
-    now_.limit = motion.j_mm_s3 == 0.0 ? active_constraint.steady : active_constraint.limit;
-    if (!over) {
-      status = TickStatus::running;
-    } else if (phase_.ends_program) {
-      status = TickStatus::finished;
-    }
-  }
+  const TickStatus status = advance_phase() ? follow_phase() : TickStatus::starved;
   if (status == TickStatus::running) {
     plan_tick_.store(plan_tick() + 1, std::memory_order_relaxed);
   }

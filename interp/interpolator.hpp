@@ -42,6 +42,8 @@ class Interpolator {
   static constexpr std::size_t kChordPoints = 4;  // of each piece, its end among them
 
   [[nodiscard]] double time_into_s(const Phase& phase) const noexcept;
+  // Where the plan says the tool is at this tick.
+  TickStatus follow_phase() noexcept;
   // Keeps where the chord to the next tick begins; once a tick.
   void begin_tick() noexcept;
   // The phase that holds the present tick. False: there was none yet.

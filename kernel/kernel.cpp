@@ -149,7 +149,7 @@ Kernel::Kernel(const MachineSettings& settings, const KernelOptions& options) {
     resting->refuse(std::move(*fault));
     impl_ = resting.release();
   } else {
-    impl_ = new Impl(settings, options);
+    impl_ = std::make_unique<Impl>(settings, options).release();
   }
 }
 Kernel::~Kernel() {

@@ -79,17 +79,7 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
     read_numbers(*path, path_rules(), 0);
   }
   if (const auto axes = subsection(file, "axes")) {
-    check_keys(*axes, kAllAxisNames);
-    for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
-      if (const auto section = subsection(*axes, kAxisNames[axis])) {
-        read_axis(*section, axis);
-      }
-    }
-    for (std::size_t axis = 0; axis < kExtraAxisNames.size(); ++axis) {
-      if (const auto section = subsection(*axes, kExtraAxisNames[axis])) {
-        read_extra_axis(*section, axis);
-      }
-    }
+    read_axes(*axes);
   }
   if (const auto offsets = subsection(file, "offsets")) {
     read_offsets(*offsets);
@@ -112,6 +102,20 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
     return std::tie(a.line, a.column) < std::tie(b.line, b.column);
   });
   return tl::unexpected(std::move(errors_));
+}
+
+void MachineFileReader::read_axes(const Section& axes) {
+  check_keys(axes, kAllAxisNames);
+  for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
+    if (const auto section = subsection(axes, kAxisNames[axis])) {
+      read_axis(*section, axis);
+    }
+  }
+  for (std::size_t axis = 0; axis < kExtraAxisNames.size(); ++axis) {
+    if (const auto section = subsection(axes, kExtraAxisNames[axis])) {
+      read_extra_axis(*section, axis);
+    }
+  }
 }
 
 void MachineFileReader::report(const toml::source_region& where, std::string message) {

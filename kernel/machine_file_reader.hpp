@@ -50,6 +50,7 @@ class MachineFileReader {
   void read_numbers(const Section& section, std::span<const NumberRule> rules, std::size_t axis);
   std::optional<double> read_number(const Section& section, const NumberRule& rule,
                                     const toml::node& node);
+  void read_axes(const Section& axes);
   void read_axis(const Section& section, std::size_t axis);
   void read_program(const Section& section);
   void check_bounds(const Section& file);

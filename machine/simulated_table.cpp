@@ -8,9 +8,9 @@ namespace kerf::machine {
 namespace {
 
 // The place of the first coordinate that is not finite.
-template <std::size_t count>
-std::optional<std::int8_t> not_finite_axis(const std::array<double, count>& position) {
-  for (std::size_t axis = 0; axis < count; ++axis) {
+template <std::size_t kCount>
+std::optional<std::int8_t> not_finite_axis(const std::array<double, kCount>& position) {
+  for (std::size_t axis = 0; axis < kCount; ++axis) {
     if (!std::isfinite(position[axis])) {
       return static_cast<std::int8_t>(axis);
     }

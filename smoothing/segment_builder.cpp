@@ -94,19 +94,19 @@ constexpr double kLongestSegment_rad = 200.0 * std::numbers::pi;
 void append_arc(const curves::Arc& arc, const Move& move, std::vector<PathSegment>& segments) {
   const double turned_rad = arc.in_plane_share() * arc.length_mm() / arc.radius_mm();
   // A last turn that is not whole needs no segment of its own.
-  const double count = std::max(1.0, std::floor(turned_rad / kLongestSegment_rad));
+  const int count = std::max(1, static_cast<int>(turned_rad / kLongestSegment_rad));
   const PathSegment whole = segment_of(arc, move);
-  if (count == 1.0) {
+  if (count == 1) {
     segments.push_back(whole);
     return;
   }
   const double length_mm = arc.length_mm();
   double begin_mm = 0.0;
-  for (double i = 1.0; i <= count; ++i) {
-    const double end_mm = i < count ? length_mm * (i / count) : length_mm;
+  for (int i = 1; i <= count; ++i) {
+    const double end_mm = i < count ? length_mm * (static_cast<double>(i) / count) : length_mm;
     PathSegment& segment = segments.emplace_back(whole);
     segment.curve = arc.part({.begin_mm = begin_mm, .end_mm = end_mm});
-    segment.continues = i > 1.0;
+    segment.continues = i > 1;
     segment.stop_after = whole.stop_after && i == count;
     if (move.auxiliary.moves()) {
       segment.extra.begin_rad_mm = whole.extra.at(begin_mm);

@@ -64,7 +64,7 @@ class BetweenInstants {
 
   profiles::PathMotion from_;
   double duration_s_;
-  double jerk_mm_s3_ = 0.0;
+  double jerk_mm_s3_;
   double scale_ = 1.0;
 };
 

@@ -113,6 +113,7 @@ class Scan {
     return false;
   }
 
+  // NOLINTNEXTLINE(misc-no-recursion): no deeper than kMaxHalvings.
   void add_between(const NurbsPiece& piece, const PathSample& a, const PathSample& b,
                    int halvings) {
     const PathSample middle = sample_at(piece, 0.5 * (a.s_mm + b.s_mm));
@@ -210,6 +211,25 @@ double between(double s0, double v0, double s1, double v1, double s) {
   return s1 > s0 ? v0 + (v1 - v0) * (s - s0) / (s1 - s0) : std::min(v0, v1);
 }
 
+// Of the limit curve at a place; after: its first sample behind that.
+FeedSample sample_at(const VelocityLimitCurve& limit_curve, std::size_t after, double s_mm) {
+  after = std::min(after, limit_curve.size() - 1);
+  const FeedSample& next = limit_curve[after];
+  const FeedSample& last = limit_curve[after > 0 ? after - 1 : 0];
+  return {.u = between(last.s_mm, last.u, next.s_mm, next.u, s_mm),
+          .s_mm = s_mm,
+          .v_mm_s = between(last.s_mm, last.v_mm_s, next.s_mm, next.v_mm_s, s_mm)};
+}
+
+// Of samples at one place the slower counts.
+void append(const FeedSample& sample, VelocityLimitCurve& curve) {
+  if (!curve.empty() && (sample.s_mm <= curve.back().s_mm || sample.u <= curve.back().u)) {
+    curve.back().v_mm_s = std::min(curve.back().v_mm_s, sample.v_mm_s);
+  } else {
+    curve.push_back(sample);
+  }
+}
+
 }  // namespace
 
 AxisLimitCurve scan_axis_limits(const NurbsCurve& curve, double feedrate_mm_s,
@@ -242,22 +262,11 @@ VelocityLimitCurve lower_limit_curve(const VelocityLimitCurve& limit_curve,
                                                         axis_limits[t].s_mm, turn(t), sample.s_mm));
       }
     } else {
-      const std::size_t after = std::min(c, limit_curve.size() - 1);
-      const std::size_t before = after > 0 ? after - 1 : 0;
-      const double s = axis_limits[t].s_mm;
-      sample = {.u = between(limit_curve[before].s_mm, limit_curve[before].u,
-                             limit_curve[after].s_mm, limit_curve[after].u, s),
-                .s_mm = s,
-                .v_mm_s = std::min(turn(t),
-                                   between(limit_curve[before].s_mm, limit_curve[before].v_mm_s,
-                                           limit_curve[after].s_mm, limit_curve[after].v_mm_s, s))};
+      sample = sample_at(limit_curve, c, axis_limits[t].s_mm);
+      sample.v_mm_s = std::min(turn(t), sample.v_mm_s);
       ++t;
     }
-    if (!lower.empty() && (sample.s_mm <= lower.back().s_mm || sample.u <= lower.back().u)) {
-      lower.back().v_mm_s = std::min(lower.back().v_mm_s, sample.v_mm_s);
-    } else {
-      lower.push_back(sample);
-    }
+    append(sample, lower);
   }
   return lower;
 }

@@ -76,9 +76,14 @@ std::vector<Corner> capped(std::vector<Corner> hull, double most) {
   return hull;
 }
 
+struct SquaredFeeds {
+  double begin = 0.0;
+  double end = 0.0;
+};
+
 // At the acceleration that joins the squared feedrates.
-double ramp_s(double way_mm, double squared_begin, double squared_end) {
-  const double sum = std::sqrt(squared_begin) + std::sqrt(squared_end);
+double ramp_s(double way_mm, const SquaredFeeds& squared) {
+  const double sum = std::sqrt(squared.begin) + std::sqrt(squared.end);
   return sum > 0.0 ? 2.0 * way_mm / sum : kUnbounded;
 }
 
@@ -115,7 +120,7 @@ class Cuts {
       const double left = corners_[part.end].s_mm - foot.s_mm;
       const double end = foot.squared + left * slope_of(foot, corners_[touched]);
       const double wait = k > part.begin ? (way - left) / std::sqrt(foot.squared) : 0.0;
-      best = std::min(best, wait + ramp_s(left, foot.squared, end));
+      best = std::min(best, wait + ramp_s(left, {foot.squared, end}));
     }
     return best;
   }
@@ -123,12 +128,13 @@ class Cuts {
   [[nodiscard]] double fastest_s(const Part& part) const {
     double sum = 0.0;
     for (std::size_t k = part.begin; k < part.end; ++k) {
-      sum += ramp_s(corners_[k + 1].s_mm - corners_[k].s_mm, corners_[k].squared,
-                    corners_[k + 1].squared);
+      sum += ramp_s(corners_[k + 1].s_mm - corners_[k].s_mm,
+                    {corners_[k].squared, corners_[k + 1].squared});
     }
     return sum;
   }
 
+  // NOLINTNEXTLINE(misc-no-recursion): each call cuts off a corner.
   void look(const Part& part) {
     if (part.end < part.begin + 2) {
       return;

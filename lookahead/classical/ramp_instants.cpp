@@ -45,7 +45,7 @@ class Instants {
       const double beside = std::min(jerk_of(k - 1), jerk_of(k + 1));
       if (jerk_of(k) > jerk_of(k - 1) && jerk_of(k) >= jerk_of(k + 1) &&
           jerk_of(k) - beside > kSteep * jerk_of(k)) {
-        add_peak(all_[k - 1].t_s, all_[k + 1].t_s, jerk_of(k));
+        add_peak({all_[k - 1].t_s, all_[k + 1].t_s}, jerk_of(k));
       }
     }
     sort();
@@ -72,6 +72,7 @@ class Instants {
 
   // Where the tangents of two instants meet above both; what is there is no higher. Where it is as
   // high it is a corner, else there may be one on each side.
+  // NOLINTNEXTLINE(misc-no-recursion): no deeper than kMaxCorners.
   void add_corners(const Instant& from, const Instant& to, int left) {
     const double step_s = to.t_s - from.t_s;
     const double bend = from.j_after_mm_s3 - to.j_before_mm_s3;
@@ -96,8 +97,14 @@ class Instants {
     all_.push_back(corner);
   }
 
-  // One peak lies between the two, and its mirror image: golden sections.
-  void add_peak(double begin_s, double end_s, double known) {
+  struct TimeSpan {
+    double begin_s = 0.0;
+    double end_s = 0.0;
+  };
+
+  // One peak lies in the span, and its mirror image beyond: golden sections.
+  void add_peak(const TimeSpan& span, double known) {
+    auto [begin_s, end_s] = span;
     constexpr double kGolden = 0.6180339887498949;
     double low_s = end_s - kGolden * (end_s - begin_s);
     double high_s = begin_s + kGolden * (end_s - begin_s);
@@ -134,7 +141,7 @@ class Instants {
       now = jerk(0.5 * t_s);
     }
     if (before > known) {
-      add_peak(0.5 * t_s, 2.0 * t_s, known);
+      add_peak({0.5 * t_s, 2.0 * t_s}, known);
     }
   }
 
@@ -149,8 +156,9 @@ std::vector<Instant> instants_of(const profiles::Transition& law) {
 }
 
 BetweenInstants::BetweenInstants(const Instant& from, const Instant& to)
-    : from_(from.motion), duration_s_(to.t_s - from.t_s) {
-  jerk_mm_s3_ = duration_s_ > 0.0 ? (to.motion.a_mm_s2 - from_.a_mm_s2) / duration_s_ : 0.0;
+    : from_(from.motion),
+      duration_s_(to.t_s - from.t_s),
+      jerk_mm_s3_(duration_s_ > 0.0 ? (to.motion.a_mm_s2 - from_.a_mm_s2) / duration_s_ : 0.0) {
   // Where it is not quite linear the end is met all the same.
   const double way_mm = to.motion.s_mm - from_.s_mm;
   scale_ = way_mm > 0.0 ? way_after_mm(duration_s_) / way_mm : 1.0;

@@ -75,8 +75,8 @@ double brake_in_turn(VelocitySegment& segment, const SegmentEnds& ends, const Pr
   const double v = ends.v_begin_mm_s;
   const double least_mm =
       v * segment.begin_constant_velocity_s + profile.length_mm({v, 0.0}, segment.limits.ramp);
-  for (double stop_mm = std::max(least_mm, kMinStop * segment.length_mm);
-       stop_mm < segment.length_mm; stop_mm *= kFartherStop) {
+  double stop_mm = std::max(least_mm, kMinStop * segment.length_mm);
+  while (stop_mm < segment.length_mm) {
     VelocitySegment cut = segment;
     cut.length_mm = stop_mm;
     cut.end = {.feedrate_mm_s = 0.0};
@@ -88,12 +88,14 @@ double brake_in_turn(VelocitySegment& segment, const SegmentEnds& ends, const Pr
       segment = std::move(cut);
       return 0.0;
     }
+    stop_mm *= kFartherStop;
   }
-  for (double v_end = 0.0; v_end < ends.v_end_mm_s;
-       v_end = std::max(2.0 * v_end, kMinShare * ends.v_end_mm_s)) {
+  double v_end = 0.0;
+  while (v_end < ends.v_end_mm_s) {
     if (joins(segment, {.v_begin_mm_s = v, .v_end_mm_s = v_end}, profile)) {
       return v_end;
     }
+    v_end = std::max(2.0 * v_end, kMinShare * ends.v_end_mm_s);
   }
   return ends.v_end_mm_s;
 }

@@ -124,6 +124,8 @@ bool rounds_to_increment(const Evaluator& evaluator, char letter) {
   return is_vacant(number.value) || store_word(block, at, number);
 }
 
+// NOLINTBEGIN(readability-identifier-naming): rules and actions of a grammar, lower case as its
+// words.
 constexpr auto keep_word = [](auto& context) {
   const char* const at = boost::fusion::at_c<0>(x3::_attr(context));
   const ScannedNumber& number = boost::fusion::at_c<1>(x3::_attr(context));
@@ -191,6 +193,7 @@ const auto block_delete = x3::lit('/')[keep_delete] >>
 
 const auto line = blanks >> -block_delete >> -line_number >>
                   *(word | comment | (assignment >> blanks)) >> -remark;
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 // through the arc's centre, for two arcs through both. All of them are tried. An arc with two radii
 // is taken to have the mean of both.
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "parser/compensation/planar.hpp"
@@ -85,13 +86,11 @@ bool arcs_cross(const Curve& a, const Curve& b, Vec between) {
     return false;
   }
   const Vec along = (1.0 / apart) * between;
-  for (const double side : {std::sqrt(square), -std::sqrt(square)}) {
+  const std::array sides{std::sqrt(square), -std::sqrt(square)};
+  return std::ranges::any_of(sides, [&](double side) {
     const Vec from_a = foot * along + side * left_of(along);
-    if (holds_angle(a, from_a) && holds_angle(b, from_a - between)) {
-      return true;
-    }
-  }
-  return false;
+    return holds_angle(a, from_a) && holds_angle(b, from_a - between);
+  });
 }
 
 double arc_to_arc_mm(const Curve& a, const Curve& b) {

@@ -75,22 +75,22 @@ Done take_cycle_words(const RunningBlock& at, ModalState& state) {
   for (std::size_t axis = 0; axis < 3 && state.motion == Motion::back_bore; ++axis) {
     take(centre_letter(axis), unit, words.offset_mm[axis]);
   }
-  const auto missing = [&](std::optional<double>& word, const diagnostics::ErrorPage& page,
-                           char letter, double assumed) -> Done {
+  const auto missing = [&](std::optional<double>& word, double assumed,
+                           const diagnostics::ErrorPage& page, char letter) -> Done {
     word = assumed;
     return fail(at.motion_offset(), page, joined({motion_name(state), " needs ", named(letter)}));
   };
   if (!words.clearance_mm) {
-    return missing(words.clearance_mm, errors::kCycleWithoutClearance, 'R', 0.0);
+    return missing(words.clearance_mm, 0.0, errors::kCycleWithoutClearance, 'R');
   }
   if (!words.bottom_mm) {
-    return missing(words.bottom_mm, errors::kCycleWithoutBottom, up, *words.clearance_mm);
+    return missing(words.bottom_mm, *words.clearance_mm, errors::kCycleWithoutBottom, up);
   }
   if (needs_peck(state.motion) && !words.peck_mm) {
-    return missing(words.peck_mm, errors::kCycleWithoutPeck, 'Q', 1.0);
+    return missing(words.peck_mm, 1.0, errors::kCycleWithoutPeck, 'Q');
   }
   if (needs_dwell(state.motion) && !words.dwell_s && !at.rules.cycle_dwell_optional) {
-    return missing(words.dwell_s, errors::kCycleWithoutDwell, 'P', 0.0);
+    return missing(words.dwell_s, 0.0, errors::kCycleWithoutDwell, 'P');
   }
   return {};
 }

@@ -81,7 +81,7 @@ class Expansion {
   void peck() {
     const double clearance_mm = cycle_.levels.clearance_mm;
     const double feeds = feeds_of(cycle_);
-    for (double i = 1.0; i < feeds; ++i) {
+    for (int i = 1; i < feeds; ++i) {
       const double depth_mm = clearance_mm - i * cycle_.peck_mm;
       move_to(StepKind::feed, depth_mm);
       if (cycle_.kind == Motion::peck) {

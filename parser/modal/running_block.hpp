@@ -29,6 +29,7 @@ struct MoveSink {
   Letters auxiliary_axes = 0;          // those of A, B, C, U, V, W that the machine has
 
   // A move that stays where `state` is, in the modes in force.
+  // NOLINTNEXTLINE(modernize-use-nodiscard): a rapid or a feed needs no more than its modes.
   Move& push_move(const ModalState& state) const;
   void push_event(const ModalState& state, EventMove event) const {
     push_move(state).shape = event;

@@ -112,8 +112,8 @@ std::vector<double> BlockPath::scan_places() const {
     }
   } else if (const auto* arc = std::get_if<curves::Arc>(&block_->curve)) {
     const double angle = arc->length_mm() * arc->in_plane_share() / arc->radius_mm();
-    const double parts = std::ceil(angle / kArcStep_rad);
-    for (double k = 1.0; k <= parts; ++k) {
+    const auto parts = static_cast<int>(std::ceil(angle / kArcStep_rad));
+    for (int k = 1; k <= parts; ++k) {
       places.push_back(length_mm() * k / parts);
     }
   }

@@ -46,6 +46,24 @@ JunctionLimits inner_junction(const BlockPath& path, double s_mm, Jump jump,
   return junction;
 }
 
+// Where the zones of three ticks beside the stops' jumps end.
+void append_ends_of_zones(const BlockPath& path, const PlanLimits& limits,
+                          std::vector<CellStop>& stops) {
+  const std::size_t count = stops.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!stops[i].junction) {
+      continue;
+    }
+    const double s = stops[i].s_mm;
+    const double zone = zone_at(path, s, *stops[i].junction, limits);
+    for (const double end : {s - zone, s + zone}) {
+      if (end > 0.0 && end < path.length_mm()) {
+        stops.push_back({.s_mm = end, .slack_mm = kZoneSlack * zone});
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<CellStop> cell_stops(const BlockPath& path, const EndJunctions& ends,
@@ -65,18 +83,7 @@ std::vector<CellStop> cell_stops(const BlockPath& path, const EndJunctions& ends
     }
   }
   stops.push_back({.s_mm = path.length_mm(), .junction = ends.end});
-  const std::size_t count = stops.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    if (stops[i].junction) {
-      const double s = stops[i].s_mm;
-      const double zone = zone_at(path, s, *stops[i].junction, limits);
-      for (const double end : {s - zone, s + zone}) {
-        if (end > 0.0 && end < path.length_mm()) {
-          stops.push_back({.s_mm = end, .slack_mm = kZoneSlack * zone});
-        }
-      }
-    }
-  }
+  append_ends_of_zones(path, limits, stops);
   std::ranges::sort(stops, {}, &CellStop::s_mm);
   return stops;
 }

@@ -54,6 +54,38 @@ double cell_from_mm(const GridScan& seen, double s_mm, double stop_mm) {
   return std::min(length, at_end);
 }
 
+// Up to the next stop, evenly where few are left.
+double cell_end_mm(const GridScan& seen, double s_mm, double stop_mm) {
+  const double length = cell_from_mm(seen, s_mm, stop_mm);
+  const double left = stop_mm - s_mm;
+  if (left < 1.5 * length) {
+    return stop_mm;
+  }
+  return s_mm + (left < 2.5 * length ? 0.5 * left : length);
+}
+
+// From stop to stop. boundaries: how many cells end at or before each stop.
+std::vector<Cell> cells_between(const BlockPath& path, const std::vector<CellStop>& stops,
+                                const GridScan& seen, std::vector<std::size_t>& boundaries) {
+  std::vector<Cell> cells;
+  double s = 0.0;
+  for (const CellStop& stop : stops) {
+    bool begins = true;  // at the stop before, where something may jump
+    while (s < stop.s_mm) {
+      const double next = cell_end_mm(seen, s, stop.s_mm);
+      cells.push_back(cell_between(path, {s, next}, begins ? nullptr : &cells.back()));
+      begins = false;
+      s = next;
+    }
+    boundaries.push_back(cells.size());
+    if (stop.rest && !cells.empty()) {
+      cells.back().rest_after = true;
+    }
+  }
+  cells.back().ends_block = true;
+  return cells;
+}
+
 EndFeeds feeds_of(const EndJunctions& ends) {
   EndFeeds feeds = ends.beyond;
   if (ends.begin) {
@@ -82,26 +114,8 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndJunctions& ends,
   std::vector<CellStop> stops = cell_stops(path, ends, limits);
   const GridScan seen(path, feeds_of(ends), stops, limits);
   stops = apart(stops, seen);
-  std::vector<Cell> cells;
   std::vector<std::size_t> boundaries;
-  double s = 0.0;
-  for (const CellStop& stop : stops) {
-    bool begins = true;  // at the stop before, where something may jump
-    while (s < stop.s_mm) {
-      const double length = cell_from_mm(seen, s, stop.s_mm);
-      const double left = stop.s_mm - s;
-      const double next =
-          left < 1.5 * length ? stop.s_mm : s + (left < 2.5 * length ? 0.5 * left : length);
-      cells.push_back(cell_between(path, {s, next}, begins ? nullptr : &cells.back()));
-      begins = false;
-      s = next;
-    }
-    boundaries.push_back(cells.size());
-    if (stop.rest && !cells.empty()) {
-      cells.back().rest_after = true;
-    }
-  }
-  cells.back().ends_block = true;
+  std::vector<Cell> cells = cells_between(path, stops, seen, boundaries);
   for (std::size_t i = 0; i < stops.size(); ++i) {
     if (stops[i].junction && !stops[i].rest) {
       share_limits(cells, boundaries[i], *stops[i].junction, limits);

@@ -38,13 +38,15 @@ constexpr double kFarther = 1.5;
 void add_places_beside_ends(const EndFeeds& ends, std::vector<double>& places_mm) {
   const double length = places_mm.back();
   const std::size_t count = places_mm.size();
-  for (double d = kNearest * length; d < 0.5 * length; d *= kFarther) {
+  double d = kNearest * length;
+  while (d < 0.5 * length) {
     if (ends.v_begin_mm_s < kUnbounded && d < places_mm[1]) {
       places_mm.push_back(d);
     }
     if (ends.v_end_mm_s < kUnbounded && length - d > places_mm[count - 2]) {
       places_mm.push_back(length - d);
     }
+    d *= kFarther;
   }
 }
 
@@ -168,7 +170,7 @@ void GridScan::find_motion(const std::vector<Cell>& cells, const PlanLimits& lim
     const double most_s =
         std::clamp(cell_time_s(legs[i], a / j), least_s, kMaxTicks * limits.period_s);
     const double v = std::max(feeds_mm_s_[i], feeds_mm_s_[i + 1]);
-    const double change = change_mm(cells[i], v, a, limits);
+    const double change = change_mm(cells[i], {.v_mm_s = v, .a_mm_s2 = a}, limits);
     for (const std::size_t place : {i, i + 1}) {
       const double at = feeds_mm_s_[place];
       motion_mm_[place] =

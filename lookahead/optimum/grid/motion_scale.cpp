@@ -19,17 +19,16 @@ constexpr double kFlat = 1e-6;
 
 }  // namespace
 
-double change_mm(const Cell& cell, double v_mm_s, double acceleration_mm_s2,
-                 const PlanLimits& limits) {
-  const double v2 = v_mm_s * v_mm_s;
+double change_mm(const Cell& cell, const StartState& motion, const PlanLimits& limits) {
+  const double v2 = motion.v_mm_s * motion.v_mm_s;
   double most = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     const MotionLimits& axis = limits.axes[k];
     const double second = std::abs(cell.end.second_per_mm[k] - cell.begin.second_per_mm[k]);
     const double third = std::abs(cell.end.third_per_mm2[k] - cell.begin.third_per_mm2[k]);
-    const double a = std::min(acceleration_mm_s2, axis.acceleration_mm_s2);
+    const double a = std::min(motion.a_mm_s2, axis.acceleration_mm_s2);
     most = std::max({most, second * v2 / axis.acceleration_mm_s2,
-                     (third * v2 + 3.0 * second * a) * v_mm_s / axis.jerk_mm_s3});
+                     (third * v2 + 3.0 * second * a) * motion.v_mm_s / axis.jerk_mm_s3});
   }
   const double turn = std::max(curves::vec(cell.begin.second_per_mm).norm(),
                                curves::vec(cell.end.second_per_mm).norm());

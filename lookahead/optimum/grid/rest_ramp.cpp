@@ -86,10 +86,12 @@ RestRamp rest_ramp(const std::vector<Cell>& cells, RestAt where, const PlanLimit
                               kWayStep * from_rest_to_rest_s(length, jerk)})};
 }
 
-// How a cell from one distance from the rest to another is to be divided.
-std::vector<double> lengths_between(const RestRamp& ramp, double from_mm, double to_mm) {
+// How a cell is to be divided. distances: of its ends from the rest.
+std::vector<double> lengths_between(const RestRamp& ramp, const curves::Stretch& distances) {
+  const double to_mm = distances.end_mm;
   std::vector<double> lengths;
-  for (double d = from_mm; d < to_mm;) {
+  double d = distances.begin_mm;
+  while (d < to_mm) {
     const double h =
         d == 0.0 ? std::min(std::max({ramp.first_mm(), kShortestOfCell * to_mm, kShortest_mm}),
                             kFirstOfCell * to_mm)
@@ -113,7 +115,7 @@ void refine_to_rest(std::vector<Cell>& cells, RestAt where, const PathAt& path,
   double distance = 0.0;
   for (const Cell& cell : cells) {
     const double end = distance + cell.length_mm;
-    std::vector<double> lengths = lengths_between(ramp, distance, end);
+    std::vector<double> lengths = lengths_between(ramp, {distance, end});
     distance = end;
     if (where == RestAt::end) {
       std::reverse(lengths.begin(), lengths.end());

@@ -35,6 +35,29 @@ struct Rise {
 
 enum class Direction { forwards, backwards };
 
+// What of a cell bounds a rise over it.
+struct CellBounds {
+  double length_mm = 0.0;
+  double acceleration_mm_s2 = 0.0;
+  double jerk_mm_s3 = 0.0;
+};
+
+// Bends the squared feedrate at the end of a cell to what is reached from that at its begin.
+void bend(double from, const CellBounds& cell, Rise& rise, double& to) {
+  const auto [h, a, j] = cell;
+  rise.distance_mm += h;
+  const double v = ramp_feed_mm_s(rise.v_begin_mm_s, j, rise.distance_mm);
+  const double reached = std::min(from + 2.0 * a * h, v * v);
+  if (to <= reached) {
+    rise = Rise::at(std::sqrt(to), std::clamp(0.5 * (to - from) / h, 0.0, a), j);
+    return;
+  }
+  if (reached < v * v) {
+    rise = Rise::at(std::sqrt(reached), a, j);
+  }
+  to = reached;
+}
+
 // Bends what rises more than acceleration and jerk allow, seen in one direction.
 void pass(std::span<const Cell> cells, Direction direction, const PlanLimits& limits,
           std::vector<double>& squared) {
@@ -46,24 +69,14 @@ void pass(std::span<const Cell> cells, Direction direction, const PlanLimits& li
     const Cell& cell = cells[i];
     const PathSample& end = forwards ? cell.begin : cell.end;
     const double from = squared[forwards ? i : i + 1];
-    double& to = squared[forwards ? i + 1 : i];
-    const double a = tangential_acceleration_mm_s2(cell, end, limits);
-    const double j = tangential_jerk_mm_s3(cell, end, limits);
-    const double h = cell.length_mm;
     if (k == 0) {
       rise = {.v_begin_mm_s = std::sqrt(from), .distance_mm = 0.0};
     }
-    rise.distance_mm += h;
-    const double v = ramp_feed_mm_s(rise.v_begin_mm_s, j, rise.distance_mm);
-    const double reached = std::min(from + 2.0 * a * h, v * v);
-    if (to <= reached) {
-      rise = Rise::at(std::sqrt(to), std::clamp(0.5 * (to - from) / h, 0.0, a), j);
-    } else {
-      if (reached < v * v) {
-        rise = Rise::at(std::sqrt(reached), a, j);
-      }
-      to = reached;
-    }
+    bend(from,
+         {.length_mm = cell.length_mm,
+          .acceleration_mm_s2 = tangential_acceleration_mm_s2(cell, end, limits),
+          .jerk_mm_s3 = tangential_jerk_mm_s3(cell, end, limits)},
+         rise, squared[forwards ? i + 1 : i]);
   }
 }
 

@@ -32,10 +32,9 @@ std::vector<double> estimate_feeds(std::span<const Cell> cells, const EndFeeds& 
                                    const PlanLimits& limits);
 
 // The distance in mm over which the share that curvature takes of the axes' limits changes by no
-// more than one cell allows, at this feedrate and up to this acceleration along the path. The
-// length of the cell does not matter.
-double change_mm(const Cell& cell, double v_mm_s, double acceleration_mm_s2,
-                 const PlanLimits& limits);
+// more than one cell allows, at the feedrate of the motion and up to its acceleration along the
+// path. The length of the cell does not matter.
+double change_mm(const Cell& cell, const StartState& motion, const PlanLimits& limits);
 
 // For each cell the time in s for which the estimated feedrate rises, falls or stays level around
 // it. feeds: at the ends of the cells, one more than there are.

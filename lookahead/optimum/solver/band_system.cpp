@@ -9,8 +9,24 @@ void BandSystem::clear(std::size_t size) {
 }
 
 bool BandSystem::solve(const Rows& rows, std::vector<double>& x) {
+  if (!eliminate(rows, x)) {
+    return false;
+  }
   const auto [begin, end] = rows;
-  // diagonal becomes D, first and second the columns of L.
+  for (std::size_t i = end; i-- > begin;) {
+    x[i] /= diagonal[i];
+    if (i + 1 < end) {
+      x[i] -= first[i] * x[i + 1];
+    }
+    if (i + 2 < end) {
+      x[i] -= second[i] * x[i + 2];
+    }
+  }
+  return true;
+}
+
+bool BandSystem::eliminate(const Rows& rows, std::vector<double>& x) {
+  const auto [begin, end] = rows;
   for (std::size_t i = begin; i < end; ++i) {
     const double d = diagonal[i];
     if (!(d > 0.0)) {
@@ -34,15 +50,6 @@ bool BandSystem::solve(const Rows& rows, std::vector<double>& x) {
     }
     first[i] = l1;
     second[i] = l2;
-  }
-  for (std::size_t i = end; i-- > begin;) {
-    x[i] /= diagonal[i];
-    if (i + 1 < end) {
-      x[i] -= first[i] * x[i + 1];
-    }
-    if (i + 2 < end) {
-      x[i] -= second[i] * x[i + 2];
-    }
   }
   return true;
 }

@@ -22,6 +22,8 @@ struct BandSystem {
     std::size_t end = 0;
   };
   bool solve(const Rows& rows, std::vector<double>& x);
+  // Its first half: the diagonal becomes D, the bands the columns of L, x is L^-1 (-g).
+  bool eliminate(const Rows& rows, std::vector<double>& x);
 };
 
 }  // namespace kerf::lookahead

@@ -73,9 +73,9 @@ void BarrierObjective::bind_change(std::vector<double>& change) const noexcept {
 }
 
 // The spline's value at its ends is its outermost coefficient.
-void BarrierObjective::add_rest(const RestCell& rest, std::size_t outer, double squared_mm2_s2,
-                                Sums& sums) const {
-  const double b = squared_mm2_s2;
+void BarrierObjective::add_rest(const RestCell& rest, std::size_t outer,
+                                const std::vector<double>& coefficients, Sums& sums) const {
+  const double b = coefficients[outer];
   const double t = 3.0 * rest.length_mm / std::sqrt(b);
   Barrier::Sum sum;
   const Barrier::Slopes slopes =
@@ -106,14 +106,14 @@ BarrierObjective::Value BarrierObjective::derive(const std::vector<double>& coef
     time += sums.add_time();
     row = sums.add_limits(row);
     barrier_sum += sums.barrier();
-    sums.store(i, cells, system);
+    sums.store(i, system);
     i += cells;
   }
   Sums ends{.weights = &weights, .system = &system};
   if (launch_.length_mm > 0.0) {
-    add_rest(launch_, 0, coefficients.front(), ends);
+    add_rest(launch_, 0, coefficients, ends);
   }
-  add_rest(landing_, size() - 1, coefficients.back(), ends);
+  add_rest(landing_, size() - 1, coefficients, ends);
   fold_ends(system);
   Value value;
   value.time_s = time.sum() + ends.time_s;

@@ -75,7 +75,8 @@ class BarrierObjective {
                                    double neighbour_mm) const;
   // For the launch or landing, which meets the spline at its outermost coefficient.
   struct Sums;
-  void add_rest(const RestCell& rest, std::size_t outer, double squared_mm2_s2, Sums& sums) const;
+  void add_rest(const RestCell& rest, std::size_t outer, const std::vector<double>& coefficients,
+                Sums& sums) const;
   void fold_ends(BandSystem& system) const;
 
   const CellSequence* sequence_;

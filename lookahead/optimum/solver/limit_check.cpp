@@ -17,12 +17,18 @@ constexpr double kAngle = 0.02;
 constexpr int kMaxParts = 40;
 constexpr double kBeside = 0.02;  // of a part: so near the cell's ends is it looked at, too
 
+// In a cell, counted from its begin.
+struct Place {
+  double share = 0.0;  // of its length or of its time: 0 and 1 are its ends
+  double s_mm = 0.0;
+};
+
 // The ends from within the cell: derivatives may jump there.
-PathSample path_in(const Cell& cell, double share, double s_mm, const PathAt& path) {
-  if (share == 0.0 || share == 1.0) {
-    return share == 0.0 ? cell.begin : cell.end;
+PathSample path_in(const Cell& cell, const Place& place, const PathAt& path) {
+  if (place.share == 0.0 || place.share == 1.0) {
+    return place.share == 0.0 ? cell.begin : cell.end;
   }
-  PathSample inside = path(cell, cell.s_begin_mm + s_mm);
+  PathSample inside = path(cell, cell.s_begin_mm + place.s_mm);
   inside.bind_feedrate(cell.sub_tick_mm_s, Constraint::chord_error);
   return inside;
 }
@@ -65,9 +71,13 @@ Seen look_at(const profiles::PathMotion& motion, const Cell& cell, const PathSam
 
 // What rises at one place and falls at the next has a peak between them; its slope is taken as
 // linear in time there. Nothing: it has none.
-std::optional<double> peak_between(double value, double slope, double slope_after, double time_s) {
-  const double rise = std::copysign(slope, value * slope);
-  const double fall = -std::copysign(slope_after, value * slope_after);
+struct Slopes {
+  double before = 0.0;
+  double after = 0.0;
+};
+std::optional<double> peak_between(double value, const Slopes& slopes, double time_s) {
+  const double rise = std::copysign(slopes.before, value * slopes.before);
+  const double fall = -std::copysign(slopes.after, value * slopes.after);
   if (rise > 0.0 && fall > 0.0) {
     return std::abs(value) + 0.5 * time_s * rise * rise / (rise + fall);
   }
@@ -79,12 +89,13 @@ void look_between(const Seen& before, const Seen& after, const Cell& cell, const
                   Excess& worst) {
   const double time = 2.0 * (after.s_mm - before.s_mm) / (before.v_mm_s + after.v_mm_s);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (const auto peak = peak_between(before.velocity_mm_s[k], before.acceleration_mm_s2[k],
-                                       after.acceleration_mm_s2[k], time)) {
+    if (const auto peak =
+            peak_between(before.velocity_mm_s[k],
+                         {before.acceleration_mm_s2[k], after.acceleration_mm_s2[k]}, time)) {
       grow(worst.feedrate, *peak / limits.axes[k].velocity_mm_s);
     }
-    if (const auto peak = peak_between(before.acceleration_mm_s2[k], before.jerk_mm_s3[k],
-                                       after.jerk_mm_s3[k], time)) {
+    if (const auto peak = peak_between(before.acceleration_mm_s2[k],
+                                       {before.jerk_mm_s3[k], after.jerk_mm_s3[k]}, time)) {
       grow(worst.acceleration,
            *peak / (cell.allowed.acceleration * limits.axes[k].acceleration_mm_s2));
     }
@@ -124,7 +135,7 @@ Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
     const double v = std::sqrt(std::max(b, 0.0));
     return look_at(
         {.s_mm = s, .v_mm_s = v, .a_mm_s2 = 0.5 * slope, .j_mm_s3 = 0.5 * v * begin.bend}, cell,
-        path_in(cell, place, s, path), limits, worst);
+        path_in(cell, {place, s}, path), limits, worst);
   };
   const double curvature = std::max(curves::vec(cell.begin.second_per_mm).norm(),
                                     curves::vec(cell.end.second_per_mm).norm());
@@ -162,7 +173,7 @@ Excess excess_of_rest(const Cell& cell, double v_mm_s, bool launch, const PathAt
   for (int i = 0; i <= kParts; ++i) {
     const double place = static_cast<double>(i) / kParts;
     const profiles::PathMotion motion = law.at(place * law.duration_s());
-    look_at(motion, cell, path_in(cell, place, motion.s_mm, path), limits, worst);
+    look_at(motion, cell, path_in(cell, {place, motion.s_mm}, path), limits, worst);
   }
   return worst;
 }

@@ -69,15 +69,26 @@ class Builder {
     }
   }
 
-  // Of both cells; a cell to which it does not apply has a row of zeros.
+  // Of cells: their begins, or their ends.
+  struct Place {
+    std::size_t cell = 0;
+    bool at_end = false;
+  };
+  // Of a row: the coefficients that it is over.
+  struct Columns {
+    std::size_t first = 0;
+    std::size_t end = 3;
+  };
+
+  // Of both cells; a cell to which it does not apply has a row of zeros. False: it applies to none.
   template <typename RowOf>
-  bool append_row(std::size_t i, std::size_t from, std::size_t to, RowOf row_of) {
+  bool append_row(std::size_t i, const Columns& columns, RowOf row_of) {
     std::array<Row, kSimdWidth> rows{};
     bool any = false;
     for (std::size_t lane = 0; lane < kSimdWidth && i + lane < cells_.size(); ++lane) {
       any = row_of(i + lane, rows[lane]) || any;
     }
-    for (std::size_t k = from; any && k < to; ++k) {
+    for (std::size_t k = columns.first; any && k < columns.end; ++k) {
       result_.rows.emplace_back(rows[0][k], rows[1][k]);
     }
     return any;
@@ -98,7 +109,8 @@ class Builder {
     return true;
   }
 
-  bool acceleration_row(std::size_t i, std::size_t k, bool at_end, Row& row) const {
+  bool acceleration_row(const Place& place, std::size_t k, Row& row) const {
+    const auto [i, at_end] = place;
     const CellForms& cell = forms_[i];
     const Forms& forms = at_end ? cell.end : cell.begin;
     const Form& form = forms[k];
@@ -114,7 +126,8 @@ class Builder {
     return true;
   }
 
-  bool jerk_row(std::size_t i, std::size_t k, bool at_end, Row& row) const {
+  bool jerk_row(const Place& place, std::size_t k, Row& row) const {
+    const auto [i, at_end] = place;
     const CellForms& cell = forms_[i];
     const Forms& forms = at_end ? cell.end : cell.begin;
     const Form& form = forms[k];
@@ -128,6 +141,32 @@ class Builder {
                form.jerk_mm_s3;
     }
     return true;
+  }
+
+  // How many forms have a row there.
+  std::uint8_t append_accelerations(const Place& at) {
+    std::uint8_t count = 0;
+    for (std::size_t k = 0; k < kForms; ++k) {
+      const auto row_of = [&](std::size_t cell, Row& row) {
+        return acceleration_row({cell, at.at_end}, k, row);
+      };
+      if (append_row(at.cell, at.at_end ? Columns{1, 3} : Columns{0, 2}, row_of)) {
+        ++count;
+      }
+    }
+    return count;
+  }
+  std::uint8_t append_jerks(const Place& at) {
+    std::uint8_t count = 0;
+    for (std::size_t k = 0; k < kForms; ++k) {
+      const auto row_of = [&](std::size_t cell, Row& row) {
+        return jerk_row({cell, at.at_end}, k, row);
+      };
+      if (append_row(at.cell, {}, row_of)) {
+        ++count;
+      }
+    }
+    return count;
   }
 
   void add_pair(std::size_t i) {
@@ -144,21 +183,12 @@ class Builder {
         pair.middle[c][l] = basis.middle.value[c];
       }
     }
-    pair.caps +=
-        append_row(i, 0, 2, [&](std::size_t cell, Row& row) { return cap_row(cell, row); });
-    for (const bool at_end : {false, true}) {
-      for (std::size_t k = 0; k < kForms; ++k) {
-        (at_end ? pair.end_accelerations : pair.accelerations) += append_row(
-            i, at_end ? 1 : 0, at_end ? 3 : 2,
-            [&](std::size_t cell, Row& row) { return acceleration_row(cell, k, at_end, row); });
-      }
-    }
-    for (const bool at_end : {false, true}) {
-      for (std::size_t k = 0; k < kForms; ++k) {
-        (at_end ? pair.end_jerks : pair.jerks) += append_row(
-            i, 0, 3, [&](std::size_t cell, Row& row) { return jerk_row(cell, k, at_end, row); });
-      }
-    }
+    const auto cap = [&](std::size_t cell, Row& row) { return cap_row(cell, row); };
+    pair.caps = append_row(i, {.first = 0, .end = 2}, cap) ? 1 : 0;
+    pair.accelerations = append_accelerations({.cell = i, .at_end = false});
+    pair.end_accelerations = append_accelerations({.cell = i, .at_end = true});
+    pair.jerks = append_jerks({.cell = i, .at_end = false});
+    pair.end_jerks = append_jerks({.cell = i, .at_end = true});
     result_.pairs.push_back(pair);
   }
 

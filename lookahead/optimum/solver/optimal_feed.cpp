@@ -35,20 +35,25 @@ class Search {
 
   [[nodiscard]] const BarrierObjective& objective() const { return objective_; }
 
-  // Newton steps until what is left to gain is a part of the barriers. share: of all barriers in
-  // the time.
+  struct Goal {
+    double share = 0.0;  // of all barriers in the time
+    double done = 0.0;   // what may be left to gain, a part of the barriers
+  };
+
+  // Newton steps until no more is left to gain.
   //
   // Where the stage before has ended, the force of each barrier that matters is its weight over the
   // slack, and the slack has to shrink as the weight does. With the second derivatives of the
   // barriers of the new weight, which are so much smaller, a Newton step goes that many times too
   // far; with those of the old weight it goes there (it is the step of a primal-dual method
   // [Nocedal, chapter 19]). So the first step of a stage takes these.
-  void stage(double share, double done) {
+  void stage(const Goal& goal) {
+    const auto [share, done] = goal;
     share_before_ = share_before_ > 0.0 ? share_before_ : share;
     if (time_s_ == 0.0) {
       time_s_ = objective_.derive(feed_->coefficients, {.relaxed = 1.0}, system_).time_s;
     }
-    const double count = static_cast<double>(objective_.size());
+    const auto count = static_cast<double>(objective_.size());
     BarrierWeights weights{.weight_s = share * time_s_ / count,
                            .stiffness_s = share_before_ * time_s_ / count,
                            .relaxed = kRelaxed * share};
@@ -80,7 +85,7 @@ class Search {
     objective_.bind_change(change_);
     trial_.resize(c.size());
     double length = 1.0;
-    for (int k = 0; k < kHalvings; ++k, length *= 0.5) {
+    for (int k = 0; k < kHalvings; ++k) {
       // Each by itself: one that falls steeply would hold up all others.
       for (std::size_t i = 0; i < c.size(); ++i) {
         trial_[i] = std::max(c[i] + length * change_[i], (1.0 - kToZero) * c[i]);
@@ -92,6 +97,7 @@ class Search {
         time_s_ = now.time_s;
         return -slope;
       }
+      length *= 0.5;
     }
     return 0.0;
   }
@@ -104,7 +110,7 @@ class Search {
       return true;
     }
     double damping = kFirstDamping;
-    for (int k = 0; k < kDampings; ++k, damping *= kMoreDamping) {
+    for (int k = 0; k < kDampings; ++k) {
       static_cast<void>(objective_.derive(feed_->coefficients, weights, system_));
       for (double& d : system_.diagonal) {
         d *= 1.0 + damping;
@@ -112,6 +118,7 @@ class Search {
       if (system_.solve(rows, change_)) {
         return true;
       }
+      damping *= kMoreDamping;
     }
     return false;
   }
@@ -159,9 +166,10 @@ OptimalFeed find_optimal_feed(const CellSequence& sequence, const PlanLimits& li
   Search search(sequence, limits, feed);
   search.objective().bind(feed.coefficients);
   for (int i = 0; i + 1 < kStages; ++i) {
-    search.stage(kFirstShare * std::pow(kLastShare / kFirstShare, i / (kStages - 1.0)), kRoughly);
+    search.stage({.share = kFirstShare * std::pow(kLastShare / kFirstShare, i / (kStages - 1.0)),
+                  .done = kRoughly});
   }
-  search.stage(kLastShare, kStageDone);
+  search.stage({.share = kLastShare, .done = kStageDone});
   return feed;
 }
 
@@ -169,7 +177,7 @@ void refine_optimal_feed(const CellSequence& sequence, const PlanLimits& limits,
                          OptimalFeed& feed) {
   Search search(sequence, limits, feed);
   search.objective().bind(feed.coefficients);
-  search.stage(kLastShare, kStageDone);
+  search.stage({.share = kLastShare, .done = kStageDone});
 }
 
 }  // namespace kerf::lookahead

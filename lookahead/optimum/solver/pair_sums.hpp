@@ -23,6 +23,7 @@ class PairSums {
   PairSums(const CellPair& pair, const double* coefficients, std::size_t cells,
            const BarrierWeights& weights)
       : pair_(&pair),
+        cells_(cells),
         c0_(coefficients[0], coefficients[1]),
         c1_(coefficients[1], coefficients[2]),
         c2_(coefficients[2], coefficients[cells == kSimdWidth ? 3 : 2]),
@@ -39,9 +40,9 @@ class PairSums {
   // Returns the time.
   SimdPair add_time() {
     const SimdPair inverse = 1.0 / middle_;
-    const SimdPair t = pair_->length_mm * inverse * middle_.sqrt();
+    SimdPair t = pair_->length_mm * inverse * middle_.sqrt();
     const SimdPair slope = -0.5 * t * inverse;
-    add({pair_->middle[0], pair_->middle[1], pair_->middle[2]}, slope, -1.5 * slope * inverse);
+    add({pair_->middle[0], pair_->middle[1], pair_->middle[2]}, {slope, -1.5 * slope * inverse});
     return t;
   }
   // Returns the row after those of the pair.
@@ -61,8 +62,8 @@ class PairSums {
     return add_jerks(row, pair.end_jerks, end_, {SimdPair::Zero(), 1.0 - pair.end, pair.end});
   }
   // Into the rows of as many cells as there are.
-  void store(std::size_t at, std::size_t cells, BandSystem& system) const {
-    for (std::size_t lane = 0; lane < cells; ++lane) {
+  void store(std::size_t at, BandSystem& system) const {
+    for (std::size_t lane = 0; lane < cells_; ++lane) {
       const auto l = static_cast<Eigen::Index>(lane);
       const std::size_t i = at + lane;
       system.gradient[i] += g0_[l];
@@ -92,11 +93,12 @@ class PairSums {
       const SimdPair by_root = half * linear;
       add({v * row[0] + by_root * value.r0, v * row[1] + by_root * value.r1,
            v * row[2] + by_root * value.r2},
-          weight_s_ * slopes.rise, stiffness_s_ * slopes.bend);
+          {weight_s_ * slopes.rise, stiffness_s_ * slopes.bend});
     }
     return row;
   }
-  void add(const SimdRow& row, const SimdPair& rise, const SimdPair& bend) {
+  void add(const SimdRow& row, const Barrier::Slopes& slopes) {
+    const auto& [rise, bend] = slopes;
     const SimdPair b0 = bend * row.r0;
     const SimdPair b1 = bend * row.r1;
     const SimdPair b2 = bend * row.r2;
@@ -136,6 +138,7 @@ class PairSums {
   }
 
   const CellPair* pair_;
+  std::size_t cells_;  // that there are of the two
   SimdPair c0_;
   SimdPair c1_;
   SimdPair c2_;

@@ -143,7 +143,7 @@ tl::expected<std::string, std::string> error_page_text(std::string_view identifi
 
 std::string error_pages_markdown() {
   std::string text(kPreamble);
-  auto chapter = kChapters.begin();
+  const auto* chapter = kChapters.begin();
   for (const ErrorPage* page : errors::catalogue()) {
     while (chapter != kChapters.end() && page->number >= chapter->first) {
       if (std::next(chapter) == kChapters.end() || page->number < std::next(chapter)->first) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "programs/kerf/io/interrupt.hpp"
@@ -29,16 +30,26 @@ bool is_stream(int descriptor) {
          (S_ISFIFO(about.st_mode) || S_ISSOCK(about.st_mode) || ::isatty(descriptor) == 1);
 }
 
+// Why standard input cannot be read. Nothing: it can.
+std::optional<std::string> input_fault() {
+  struct stat about {};
+  if (::fstat(STDIN_FILENO, &about) != 0) {
+    return error_text(errno);
+  }
+  if (S_ISDIR(about.st_mode)) {
+    return error_text(EISDIR);
+  }
+  if (!S_ISREG(about.st_mode) && !is_stream(STDIN_FILENO)) {
+    return "is a device, neither a file nor a pipe";
+  }
+  return std::nullopt;
+}
+
 // What standard input still gives, in a temporary file: it may be a file that somebody has read a
 // part of. Error: why not.
 tl::expected<Descriptor, std::string> copy_of_input(std::uint64_t most_bytes) {
-  struct stat about {};
-  if (::fstat(STDIN_FILENO, &about) != 0) {
-    return tl::unexpected(error_text(errno));
-  }
-  if (!S_ISREG(about.st_mode) && !is_stream(STDIN_FILENO)) {
-    return tl::unexpected(S_ISDIR(about.st_mode) ? error_text(EISDIR)
-                                                 : "is a device, neither a file nor a pipe");
+  if (auto fault = input_fault()) {
+    return tl::unexpected(std::move(*fault));
   }
   Descriptor to = temporary_file();
   if (!to.is_open()) {

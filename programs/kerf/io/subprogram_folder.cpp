@@ -52,10 +52,14 @@ std::vector<std::string> file_names(std::string_view name, parser::Dialect diale
 }
 
 // Whether the file lies where its name says, wherever symbolic links lead.
-bool lies_in(const std::filesystem::path& folder, const std::filesystem::path& file) {
+struct FileIn {
+  const std::filesystem::path& folder;
+  const std::filesystem::path& path;
+};
+bool lies_there(const FileIn& file) {
   std::error_code error;
-  const auto here = std::filesystem::canonical(folder.empty() ? "." : folder, error);
-  const auto there = std::filesystem::canonical(file, error);
+  const auto here = std::filesystem::canonical(file.folder.empty() ? "." : file.folder, error);
+  const auto there = std::filesystem::canonical(file.path, error);
   return !error && there.parent_path() == here;
 }
 
@@ -66,7 +70,7 @@ std::optional<SubprogramText> read(const std::filesystem::path& folder, const st
       std::filesystem::file_size(path, error) > kMaxBytes || error) {
     return std::nullopt;
   }
-  if (!lies_in(folder, path)) {
+  if (!lies_there({.folder = folder, .path = path})) {
     return SubprogramText{.file = path.string(),
                           .text = {},
                           .refused = "it is a symbolic link out of the program's folder"};

@@ -35,11 +35,13 @@ bool PathCover::draw(const PaperPoint& from, const PaperPoint& to, std::size_t l
   const double steps = std::ceil(std::max(std::abs(du), std::abs(dv)) / cell_mm_);
   const auto lowest = static_cast<std::uint8_t>(level);
   bool shows = false;
-  for (double step = 0.0; step <= steps; step += 1.0) {
+  double step = 0.0;
+  while (step <= steps) {
     const double share = steps > 0.0 ? step / steps : 0.0;
     std::uint8_t& cell = at(from.u_mm + share * du, from.v_mm + share * dv);
     shows = shows || lowest < cell;
     cell = std::min(cell, lowest);
+    step += 1.0;
   }
   return shows;
 }

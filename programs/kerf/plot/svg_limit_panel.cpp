@@ -49,9 +49,9 @@ void draw_limit_panel(SvgCanvas& canvas, const PixelBox& frame, const LimitPanel
   const std::vector<Constraint> limits = limits_in(panel.intervals);
   for (std::size_t i = 0; i < limits.size(); ++i) {
     const auto column = static_cast<double>(i % kColumns);
-    const auto row = static_cast<double>(i / kColumns);
+    const std::size_t row = i / kColumns;
     const double x = frame.left + column * frame.width / static_cast<double>(kColumns);
-    const double y = top + kBand + 7.0 + row * kRow;
+    const double y = top + kBand + 7.0 + static_cast<double>(row) * kRow;
     canvas.box({.left = x, .top = y, .width = kPatch, .height = kPatch}, colour_of(limits[i]),
                {.colour = "none"});
     canvas.text({.x = x + kPatch + 5.0, .y = y + kPatch - 1.5}, text_of(limits[i]), {.size = 11.0});

@@ -30,7 +30,7 @@ void LimitBand::halve() noexcept {
 std::vector<LimitBand::Interval> LimitBand::intervals() const {
   std::vector<Interval> intervals;
   for (std::size_t i = 0; i < used_; ++i) {
-    const auto most = std::max_element(buckets_[i].begin(), buckets_[i].end());
+    const auto* const most = std::max_element(buckets_[i].begin(), buckets_[i].end());
     if (*most == 0) {
       continue;
     }
