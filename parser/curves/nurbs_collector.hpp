@@ -35,15 +35,15 @@ class NurbsCollector {
   Done take_block(const RunningBlock& at, const ModalState& state);
   Done read_order(const RunningBlock& at);
   Done read_form(const RunningBlock& at);
-  Done check_foreign(const RunningBlock& at) const;
+  [[nodiscard]] Done check_foreign(const RunningBlock& at) const;
   Done check_axes(const RunningBlock& at, const ModalState& state);
   Done first_point(const RunningBlock& at, const ModalState& state);
   Done add_point(const RunningBlock& at, const ModalState& state);
   Done add_knot(const RunningBlock& at);
-  Done check_knot(const RunningBlock& at, double knot) const;
-  Done wrong_head(const RunningBlock& at, double knot) const;
-  Done check_tail(const RunningBlock& at) const;
-  Done check_whole(const RunningBlock& at) const;
+  [[nodiscard]] Done check_knot(const RunningBlock& at, double knot) const;
+  [[nodiscard]] Done wrong_head(const RunningBlock& at, double knot) const;
+  [[nodiscard]] Done check_tail(const RunningBlock& at) const;
+  [[nodiscard]] Done check_whole(const RunningBlock& at) const;
   struct KnotOfLine {
     double knot = 0.0;
     std::uint32_t line = 0;

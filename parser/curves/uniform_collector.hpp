@@ -26,7 +26,7 @@ class UniformCollector {
  private:
   Done take_block(const RunningBlock& at, const ModalState& state);
   Done read_order(const RunningBlock& at);
-  Done check_foreign(const RunningBlock& at) const;
+  [[nodiscard]] Done check_foreign(const RunningBlock& at) const;
   Done add_point(const RunningBlock& at, const ModalState& state);
   Done close(const RunningBlock& at);
   void make_knots(std::uint32_t line);

@@ -1,5 +1,6 @@
 #include "parser/expressions/evaluator.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "diagnostics/errors/pages.hpp"
@@ -127,13 +128,10 @@ bool Evaluator::fail_reading(const Reference& variable, int number) {
 }
 
 bool Evaluator::is_pending(const Reference& variable) const {
-  for (const Pending& pending : pending_) {
-    if (variable.named ? pending.number == 0 && same_name(pending.name, variable.name)
-                       : pending.number != 0 && pending.number == std::lround(variable.number)) {
-      return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(pending_, [&](const Pending& pending) {
+    return variable.named ? pending.number == 0 && same_name(pending.name, variable.name)
+                          : pending.number != 0 && pending.number == std::lround(variable.number);
+  });
 }
 
 bool Evaluator::read(const Reference& variable, double& value) {

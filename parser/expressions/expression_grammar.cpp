@@ -35,6 +35,8 @@ void keep(const Context& context, const char* at, Outcome&& outcome) {
   x3::_val(context) = outcome.value;
 }
 
+// NOLINTBEGIN(readability-identifier-naming): rules and actions of a grammar, lower case as its
+// words.
 constexpr auto take = [](auto& context) { x3::_val(context) = x3::_attr(context); };
 constexpr auto combine = [](auto& context) {
   const Join& join = fusion::at_c<0>(x3::_attr(context));
@@ -156,18 +158,20 @@ const auto signed_value = rule<double>("signed value") = (sign >> unsigned_value
 const auto any_value = rule<double>("value") = number | signed_value;
 
 // The operands of a level are the expressions of the next higher one.
-template <int level>
+template <int kLevel>
 constexpr auto level_rule() {
-  if constexpr (level > kHighestLevel) {
+  if constexpr (kLevel > kHighestLevel) {
     return any_value;
   } else {
     return rule<double>("expression") =
-               level_rule<level + 1>()[take] >>
-               *(blanks >> operator_of(level) >> blanks >> level_rule<level + 1>())[combine];
+               level_rule<kLevel + 1>()[take] >>
+               *(blanks >> operator_of(kLevel) >> blanks >> level_rule<kLevel + 1>())[combine];
   }
 }
 const auto expression = level_rule<kLowestLevel>();
+// NOLINTEND(readability-identifier-naming)
 
+// NOLINTBEGIN(misc-no-recursion): Evaluator::enter says how deep.
 template <class Grammar, class Value>
 bool parse_with(const Grammar& grammar, const Reading& reading, Value& result) {
   // The context is made by hand: x3::with would copy the grammar for each value.
@@ -189,5 +193,6 @@ bool parse_expression(const Reading& reading, double& result) {
 bool parse_reference(const Reading& reading, Reference& result) {
   return parse_with(reference, reading, result);
 }
+// NOLINTEND(misc-no-recursion)
 
 }  // namespace kerf::parser

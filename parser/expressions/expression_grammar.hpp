@@ -24,8 +24,8 @@ struct Reading {
 };
 
 // False: the evaluator has the fault. See Evaluator for what each of them is.
-bool parse_value(const Reading& reading, double& value);
-bool parse_expression(const Reading& reading, double& value);
-bool parse_reference(const Reading& reading, Reference& reference);
+bool parse_value(const Reading& reading, double& result);
+bool parse_expression(const Reading& reading, double& result);
+bool parse_reference(const Reading& reading, Reference& result);
 
 }  // namespace kerf::parser

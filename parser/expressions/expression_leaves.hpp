@@ -28,6 +28,7 @@ Evaluator& evaluator_of(const Context& context) {
 template <class Self, class Attribute>
 struct ValueLeaf : Leaf<Self, Attribute> {
   template <class Context>
+  // NOLINTNEXTLINE(misc-no-recursion): Evaluator::enter says how deep.
   bool operator()(const Place<Context>& place, Attribute& attribute) const {
     const Surroundings& here = x3::get<SurroundingsTag>(place.context).get();
     return this->derived().read({place.at, place.end, here.begin, *here.evaluator}, attribute);
@@ -73,24 +74,25 @@ struct Number : ValueLeaf<Number, double> {
 };
 
 // Comes back to the grammar one level deeper.
-template <bool (*parse_inside)(const Reading&, double&)>
-struct Deeper : ValueLeaf<Deeper<parse_inside>, double> {
+template <bool (*kParseInside)(const Reading&, double&)>
+struct Deeper : ValueLeaf<Deeper<kParseInside>, double> {
+  // NOLINTNEXTLINE(misc-no-recursion): Evaluator::enter says how deep.
   bool read(const Reading& reading, double& value) const {
     if (!reading.evaluator.enter(reading.at)) {
       return false;
     }
-    const bool good = parse_inside(reading, value);
+    const bool good = kParseInside(reading, value);
     reading.evaluator.leave();
     return good;
   }
 };
 
 // Expected characters, whose absence is a fault.
-template <char wanted, bool (*explain)(const Reading&)>
-struct Expected : ValueLeaf<Expected<wanted, explain>, Nothing> {
+template <char kWanted, bool (*kExplain)(const Reading&)>
+struct Expected : ValueLeaf<Expected<kWanted, kExplain>, Nothing> {
   bool read(const Reading& reading, Nothing&) const {
-    if (reading.at == reading.end || *reading.at != wanted) {
-      return explain(reading);
+    if (reading.at == reading.end || *reading.at != kWanted) {
+      return kExplain(reading);
     }
     ++reading.at;
     return true;

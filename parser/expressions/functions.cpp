@@ -99,11 +99,12 @@ Outcome recode(Function function, double argument) {
   }
   double result = 0.0;
   double place = 1.0;
-  for (auto rest = static_cast<std::uint32_t>(whole); rest > 0; rest /= from, place *= base) {
+  for (auto rest = static_cast<std::uint32_t>(whole); rest > 0; rest /= from) {
     if (rest % from > 9) {
       return refuse();
     }
     result += place * (rest % from);
+    place *= base;
   }
   return {result, nullptr, {}};
 }

@@ -29,6 +29,7 @@ struct Leaf : x3::parser<Self> {
   using attribute_type = Attribute;
   static constexpr bool has_attribute = !std::is_same_v<Attribute, Nothing>;
   template <class Context, class RContext, class Actual>
+  // NOLINTNEXTLINE(misc-no-recursion): Evaluator::enter says how deep.
   bool parse(const char*& first, const char* last, const Context& context, RContext&,
              Actual& actual) const {
     const Place<Context> place{first, last, context};

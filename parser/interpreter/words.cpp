@@ -82,9 +82,15 @@ Done check_ranges(const RunningBlock& at, Units units, Letters ranged) {
 }
 
 // Words that somebody uses: no two may, and their values must be coordinates at most.
-[[gnu::noinline]] Done check_parameters(const RunningBlock& at, Units units, Letters of_motion,
-                                        Letters ranged) {
-  return check_users(at, of_motion).and_then([&] { return check_ranges(at, units, ranged); });
+struct UsedLetters {
+  Letters of_motion = 0;
+  Letters ranged = 0;
+};
+[[gnu::noinline]] Done check_parameters(const RunningBlock& at, Units units,
+                                        const UsedLetters& used) {
+  return check_users(at, used.of_motion).and_then([&] {
+    return check_ranges(at, units, used.ranged);
+  });
 }
 
 [[gnu::cold]] diagnostics::Failure refuse_line_number(const RunningBlock& at) {
@@ -181,12 +187,11 @@ bool has_axis_user(const RunningBlock& at, Motion in_force) {
   }
 }
 
-}  // namespace
-
-Expected<Group> check_words(const RunningBlock& at, ModalState& state, bool compensating) {
+// Who takes the axis words, and what the motion takes.
+AxisUse axis_use_of(const RunningBlock& at, Motion in_force) {
   const Block& block = at.block;
   const Tenths code = at.codes[Group::motion];
-  const Motion motion = code == kNoCode ? state.motion : static_cast<Motion>(code);
+  const Motion motion = code == kNoCode ? in_force : static_cast<Motion>(code);
   AxisUse use{block.g_count > 0 ? taker_of_axes(block, at.codes) : Group::count};
   if (at.codes[Group::other] == kG4 && at.rules.dwell_in_axes) {
     use.taker = Group::other;  // X is a time
@@ -195,6 +200,24 @@ Expected<Group> check_words(const RunningBlock& at, ModalState& state, bool comp
       use.taker == Group::count &&
       (code != kNoCode || block.has_any(at.axis_letters() | letters('I', 'J', 'K', 'R')));
   use.of_motion = moves ? letters_of(motion, at.rules) : 0;
+  return use;
+}
+
+// Of axis words one is the taker, or a motion.
+Done check_axis_words(const RunningBlock& at, Group taker, Motion in_force) {
+  if (taker != Group::count) {
+    return at.codes.has(Group::motion) ? check_axis_taker(at, taker) : Done{};
+  }
+  const Letters turns = at.codes[Group::spindle] == 190 ? letters('R') : 0;  // M19 R
+  const Letters moving = (at.axis_letters() | letters('I', 'J', 'K', 'R')) & ~turns;
+  return at.block.has_any(moving) && !has_axis_user(at, in_force) ? explain_idle_axes(at) : Done{};
+}
+
+}  // namespace
+
+Expected<Group> check_words(const RunningBlock& at, ModalState& state, bool compensating) {
+  const Block& block = at.block;
+  const AxisUse use = axis_use_of(at, state.motion);
   if (Letters unused = block.present & ~usable_letters(at, use.of_motion); unused != 0) {
     take_idle_offset_numbers(at, state, unused, compensating);
     unused &= ~letters('D', 'H');
@@ -209,17 +232,12 @@ Expected<Group> check_words(const RunningBlock& at, ModalState& state, bool comp
   const bool taken = use.taker != Group::count;
   const Letters ranged = letters('I', 'J', 'K', 'P', 'Q', 'R') | (taken ? at.axis_letters() : 0);
   if (block.has_any(ranged)) {
-    if (Done fine = check_parameters(at, state.units, use.of_motion, ranged); !fine) {
+    if (Done fine = check_parameters(at, state.units, {use.of_motion, ranged}); !fine) {
       return fault_of(fine);
     }
   }
-  const Letters turns = at.codes[Group::spindle] == 190 ? letters('R') : 0;  // M19 R
-  const Letters moving = (at.axis_letters() | letters('I', 'J', 'K', 'R')) & ~turns;
-  if (taken ? at.codes.has(Group::motion)
-            : block.has_any(moving) && !has_axis_user(at, state.motion)) {
-    if (Done fine = taken ? check_axis_taker(at, use.taker) : explain_idle_axes(at); !fine) {
-      return fault_of(fine);
-    }
+  if (Done fine = check_axis_words(at, use.taker, state.motion); !fine) {
+    return fault_of(fine);
   }
   return use.taker;
 }

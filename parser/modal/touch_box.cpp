@@ -40,14 +40,19 @@ Stretch stretch_in(const TouchBox& box, const Point& from_mm, const Point& to_mm
   return in;
 }
 
+struct Face {
+  std::size_t axis = 0;
+  bool upper = false;
+};
+
 // On the face exactly, so that the next look at the point finds it there.
 Point point_on_face(const TouchBox& box, const Point& from_mm, const Point& to_mm, double part,
-                    std::size_t axis, bool upper) {
+                    const Face& face) {
   Point point;
   for (std::size_t i = 0; i < 3; ++i) {
     point[i] = from_mm[i] + part * (to_mm[i] - from_mm[i]);
   }
-  point[axis] = upper ? box.max_mm[axis] : box.min_mm[axis];
+  point[face.axis] = face.upper ? box.max_mm[face.axis] : box.min_mm[face.axis];
   return point;
 }
 
@@ -69,7 +74,7 @@ std::optional<Point> first_contact(const TouchBox& box, const Point& from_mm, co
     return std::nullopt;
   }
   const bool down = to_mm[in.begin_axis] < from_mm[in.begin_axis];
-  return point_on_face(box, from_mm, to_mm, in.begin, in.begin_axis, down);
+  return point_on_face(box, from_mm, to_mm, in.begin, {in.begin_axis, down});
 }
 
 std::optional<Point> last_contact(const TouchBox& box, const Point& from_mm, const Point& to_mm) {
@@ -81,7 +86,7 @@ std::optional<Point> last_contact(const TouchBox& box, const Point& from_mm, con
     return from_mm;
   }
   const bool up = to_mm[in.end_axis] > from_mm[in.end_axis];
-  return point_on_face(box, from_mm, to_mm, in.end, in.end_axis, up);
+  return point_on_face(box, from_mm, to_mm, in.end, {in.end_axis, up});
 }
 
 }  // namespace kerf::parser

@@ -84,8 +84,8 @@ constexpr std::array kMachine{
     Entry{"_remap_level", [](const ModalState&) { return 0.0; }},
 };
 
-template <std::size_t size>
-std::optional<double> value_in(const std::array<Entry, size>& table, std::string_view name,
+template <std::size_t kSize>
+std::optional<double> value_in(const std::array<Entry, kSize>& table, std::string_view name,
                                const ModalState& state) {
   const auto found = std::find_if(table.begin(), table.end(),
                                   [name](const Entry& entry) { return entry.name == name; });

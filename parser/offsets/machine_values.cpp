@@ -46,6 +46,26 @@ WorkNumber work_number(int number) {
 
 constexpr int kRotation = 9;
 
+struct AxisValue {
+  int axis = 0;
+  double value = 0.0;
+};
+
+// False: there is no such axis, or the machine does not have it.
+bool put(const AxisValue& given, Letters extra_axes, Point& point, AuxiliaryWords& auxiliary) {
+  if (given.axis >= kAxes) {
+    return false;
+  }
+  if (given.axis < 3) {
+    point[static_cast<std::size_t>(given.axis)] = given.value;
+    return true;
+  }
+  const auto k = static_cast<std::size_t>(given.axis - 3);
+  const bool named = (extra_axes & letter_bit(kAuxiliaryNames[k])) != 0;
+  auxiliary[k] = named ? given.value : auxiliary[k];
+  return named;
+}
+
 }  // namespace
 
 std::optional<double> MachineValues::number(int number) const {
@@ -129,17 +149,7 @@ bool MachineValues::take(int number, double value) {
   }
   ModalState& state = memory_->state;
   const auto take_axis = [&](Point& point, AuxiliaryWords& auxiliary, int axis) {
-    if (axis >= kAxes) {
-      return false;
-    }
-    if (axis < 3) {
-      point[static_cast<std::size_t>(axis)] = value;
-      return true;
-    }
-    const auto k = static_cast<std::size_t>(axis - 3);
-    const bool named = (memory_->machine.extra_axes & letter_bit(kAuxiliaryNames[k])) != 0;
-    auxiliary[k] = named ? value : auxiliary[k];
-    return named;
+    return put({axis, value}, memory_->machine.extra_axes, point, auxiliary);
   };
   if (const int axis = axis_in(number, kFirstHome); axis < kAxes) {
     return take_axis(memory_->machine.first_home_mm, memory_->machine.first_home_extra_deg_mm,

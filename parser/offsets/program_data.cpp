@@ -14,6 +14,36 @@ Point difference(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
+// As the system would place it with its origin at zero, so that the tool's place gets the
+// coordinates of the words.
+void place_origin(const RunningBlock& at, const ModalState& state, std::size_t system,
+                  WorkOffset& offset) {
+  const Point words = axis_words_mm(at.block, state.units);
+  Point program = state.coordinates.to_program(state.position_mm);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    program[axis] = at.block.has(axis_letter(axis)) ? words[axis] : program[axis];
+  }
+  Coordinates there = state.coordinates;
+  there.set_work(system, {.origin_mm = {}, .rotation_deg = offset.rotation_deg});
+  there.select(system);
+  const Point origin = difference(state.position_mm, there.to_machine(program));
+  const bool turns = there.turned() && at.block.has_any(letters('X', 'Y'));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool written = at.block.has(axis_letter(axis)) || (turns && axis < 2);
+    offset.origin_mm[axis] = written ? origin[axis] : offset.origin_mm[axis];
+  }
+}
+
+void write_origin(const RunningBlock& at, const ModalState& state, WorkOffset& offset) {
+  const Point words = axis_words_mm(at.block, state.units);
+  const bool adds = at.rules.offset_memory && state.incremental;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (at.block.has(axis_letter(axis))) {
+      offset.origin_mm[axis] = words[axis] + (adds ? offset.origin_mm[axis] : 0.0);
+    }
+  }
+}
+
 // L2 puts the origin of a work offset somewhere, L20 so that the tool's place gets the coordinates
 // of the words. P1 is G54 ... P9 G59.3, P0 the one in force.
 Done set_work_data(const RunningBlock& at, ModalState& state, bool from_position) {
@@ -33,33 +63,31 @@ Done set_work_data(const RunningBlock& at, ModalState& state, bool from_position
   if (at.block.has('R')) {
     offset.rotation_deg = at.block.value('R');
   }
-  const Point words = axis_words_mm(at.block, state.units);
-  const bool adds = at.rules.offset_memory && state.incremental;
   if (from_position) {
-    Point program = coordinates.to_program(state.position_mm);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      program[axis] = at.block.has(axis_letter(axis)) ? words[axis] : program[axis];
-    }
-    // As the system would place it with its origin at zero.
-    Coordinates there = coordinates;
-    there.set_work(system, {.origin_mm = {}, .rotation_deg = offset.rotation_deg});
-    there.select(system);
-    const Point origin = difference(state.position_mm, there.to_machine(program));
-    const bool turns = there.turned() && at.block.has_any(letters('X', 'Y'));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const bool written = at.block.has(axis_letter(axis)) || (turns && axis < 2);
-      offset.origin_mm[axis] = written ? origin[axis] : offset.origin_mm[axis];
-    }
+    place_origin(at, state, system, offset);
   } else {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (at.block.has(axis_letter(axis))) {
-        offset.origin_mm[axis] = words[axis] + (adds ? offset.origin_mm[axis] : 0.0);
-      }
-    }
+    write_origin(at, state, offset);
   }
   set_auxiliary_origin(at, state, offset, from_position);
   coordinates.set_work(system, offset);
   return {};
+}
+
+// The offset with which the tool's place gets the coordinates of the words.
+Point offset_from_position(const RunningBlock& at, const ModalState& state, const Tool& listed,
+                           bool in_g59_3) {
+  const Point words = axis_words_mm(at.block, state.units);
+  Coordinates there = state.coordinates;
+  there.set_tool({});
+  if (in_g59_3) {
+    there.set_local({});
+    there.select(Coordinates::kSystems - 1);
+  }
+  Point program = there.to_program(difference(state.position_mm, listed.offset_mm));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    program[axis] = at.block.has(axis_letter(axis)) ? words[axis] : program[axis];
+  }
+  return difference(state.position_mm, there.to_machine(program));
 }
 
 // L1 writes the offsets of a tool. L10 and L11 do so such that the tool's place would get the
@@ -83,20 +111,8 @@ Done set_tool_data(const RunningBlock& at, const ModalState& state, ToolTable& t
   }
   Tool tool = **listed;
   tool.number = *number;
-  Point offset = axis_words_mm(at.block, state.units);
-  if (kind != 1) {
-    Coordinates there = state.coordinates;
-    there.set_tool({});
-    if (kind == 11) {
-      there.set_local({});
-      there.select(Coordinates::kSystems - 1);
-    }
-    Point program = there.to_program(difference(state.position_mm, (*listed)->offset_mm));
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      program[axis] = at.block.has(axis_letter(axis)) ? offset[axis] : program[axis];
-    }
-    offset = difference(state.position_mm, there.to_machine(program));
-  }
+  const Point offset = kind == 1 ? axis_words_mm(at.block, state.units)
+                                 : offset_from_position(at, state, **listed, kind == 11);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     tool.offset_mm[axis] = at.block.has(axis_letter(axis)) ? offset[axis] : tool.offset_mm[axis];
   }

@@ -30,21 +30,21 @@ Done set_local_offset(const RunningBlock& at, ModalState& state) {
   const Point words = axis_words_mm(at.block, state.units);
   const Point here = state.coordinates.to_program(state.position_mm);
   Point local = state.coordinates.local_mm();
+  const bool sets = at.codes[Group::other] == 520;  // G92 moves by what the words differ
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (at.block.has(axis_letter(axis))) {
-      local[axis] =
-          at.codes[Group::other] == 520 ? words[axis] : local[axis] + here[axis] - words[axis];
+      local[axis] = sets ? words[axis] : local[axis] + here[axis] - words[axis];
     }
   }
   const AuxiliaryWords auxiliary_here =
       state.coordinates.auxiliary_to_program(state.auxiliary_deg_mm);
   AuxiliaryWords auxiliary = state.coordinates.local_auxiliary_deg_mm();
   for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
-    if (at.block.has(kAuxiliaryNames[axis])) {
-      const double word = auxiliary_word_deg_mm(at.block, axis, state.units);
-      auxiliary[axis] =
-          at.codes[Group::other] == 520 ? word : auxiliary[axis] + auxiliary_here[axis] - word;
+    if (!at.block.has(kAuxiliaryNames[axis])) {
+      continue;
     }
+    const double word = auxiliary_word_deg_mm(at.block, axis, state.units);
+    auxiliary[axis] = sets ? word : auxiliary[axis] + auxiliary_here[axis] - word;
   }
   state.coordinates.set_local(local, auxiliary);
   state.stored_local_mm = local;
