@@ -1,6 +1,7 @@
 #include "curves/arc.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -126,6 +127,8 @@ tl::expected<Arc, CurveError> Arc::make(const ArcShape& shape) {
 }
 
 Arc Arc::part(const Stretch& stretch) const noexcept {
+  assert(0.0 <= stretch.begin_mm && stretch.begin_mm < stretch.end_mm);
+  assert(stretch.end_mm <= length_mm_);
   Arc arc = *this;
   arc.start_mm_ = at(stretch.begin_mm);
   arc.end_mm_ = at(stretch.end_mm);

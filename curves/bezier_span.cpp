@@ -1,6 +1,7 @@
 #include "curves/bezier_span.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace kerf::curves {
 
@@ -89,6 +90,7 @@ std::array<WidePoint, kMaxDegree + 1> taylor_at_begin(const BezierSpan& span) {
 // Powers about x = -1 with t = (x + 1) / 2 in [0, 1], divided by the binomials, are the differences
 // of the control points.
 BezierSpan from_powers(const std::array<WidePoint, kMaxDegree + 1>& power, int degree) {
+  assert(1 <= degree && degree <= kMaxDegree);
   BezierSpan span;
   span.degree = degree;
   span.points = power;

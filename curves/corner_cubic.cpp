@@ -6,6 +6,7 @@
 // 2 and x = q + kCube q^3 pieces of one width in q are that. The second half is the first one
 // mirrored and needs no fit of its own.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -144,6 +145,7 @@ LengthMap mirrored(LengthMap map) {
 }  // namespace
 
 std::optional<NurbsCurve> corner_cubic(const CornerLines& lines) {
+  assert(lines.way_mm > 0.0);
   const CornerCubic cubic(lines);
   std::vector<MappedInterval> half;
   for (int count = cubic.likely_count(); half.empty() && count <= kMaxPieces; ++count) {

@@ -1,6 +1,7 @@
 #include "curves/line.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace kerf::curves {
 
@@ -42,6 +43,8 @@ tl::expected<Line, CurveError> Line::resting(const Position& point_mm, double le
 }
 
 Line Line::part(const Stretch& stretch) const noexcept {
+  assert(0.0 <= stretch.begin_mm && stretch.begin_mm < stretch.end_mm);
+  assert(stretch.end_mm <= length_mm_);
   Line line = *this;
   line.start_mm_ = at(stretch.begin_mm);
   line.end_mm_ = at(stretch.end_mm);

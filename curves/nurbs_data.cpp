@@ -1,5 +1,6 @@
 #include "curves/nurbs_data.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <string>
 
@@ -137,6 +138,7 @@ tl::expected<void, CurveError> check(const NurbsData& data) {
 // weights in [0, 1] only; with i arguments at the end and the others at the begin it is control
 // point i [Ramshaw] [Farin, chapter 8].
 BezierSpan bezier_span(const NurbsData& data, std::size_t knot) {
+  assert(knot + 1 < data.knots.size() && data.knots[knot] < data.knots[knot + 1]);
   const auto wide_knot = [&](std::size_t k) { return static_cast<Wide>(data.knots[k]); };
   const auto p = static_cast<std::size_t>(data.degree);
   BezierSpan span;

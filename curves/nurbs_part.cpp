@@ -2,6 +2,7 @@
 // in, the polynomials are moved to the remaining interval of x and their lengths fitted anew, in
 // halves where rounding leaves the fit of all of it too far off.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "curves/nurbs_curve.hpp"
@@ -90,6 +91,8 @@ class Part {
 }  // namespace
 
 std::optional<NurbsCurve> NurbsCurve::part(const Stretch& stretch) const {
+  assert(0.0 <= stretch.begin_mm && stretch.begin_mm < stretch.end_mm);
+  assert(stretch.end_mm <= length_mm());
   Part part;
   for (std::size_t i = piece_index(stretch.begin_mm); i < pieces_.size(); ++i) {
     const NurbsPiece& whole = pieces_[i];

@@ -1,5 +1,6 @@
 #include "curves/nurbs_piece.hpp"
 
+#include <cassert>
 #include <cmath>
 
 namespace kerf::curves {
@@ -118,6 +119,7 @@ double local_parameter(const NurbsPiece& piece, double s_mm) noexcept {
 }
 
 double length_at(const NurbsPiece& piece, double x) noexcept {
+  assert(-1.0 <= x && x <= 1.0);
   constexpr int kSteps = 4;
   const auto& c = piece.local_by_length;
   double y = x;

@@ -1,6 +1,7 @@
 #include "interp/interpolator.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "interp/axis_terms.hpp"
 
@@ -24,6 +25,7 @@ double distance_to_chord_mm(const Position& point, const Position& from,
 Interpolator::Interpolator(MotionQueue& queue, double period_s, const Position& start_mm,
                            const curves::AuxiliaryPosition& start_extra_rad_mm) noexcept
     : queue_(&queue), period_s_(period_s), position_before_mm_(start_mm) {
+  assert(period_s > 0.0);
   now_.tick = -1;
   now_.position_mm = start_mm;
   now_.extra_rad_mm = start_extra_rad_mm;
@@ -110,6 +112,7 @@ void Interpolator::fill(const profiles::PathMotion& motion, double s_mm) noexcep
   if (phase_.curve == 0) {
     return;
   }
+  assert(piece_.curve == phase_.curve);  // it was pushed before the phase
   now_.extra_rad_mm = piece_.extra.at(s_mm);
   const curves::PathDerivatives path = curves::derivatives_at(piece_.geometry, s_mm);
   now_.position_mm = path.position_mm;
@@ -145,6 +148,7 @@ bool Interpolator::pass_what_is_over() noexcept {
 }
 
 TickStatus Interpolator::follow_phase() noexcept {
+  assert(time_into_s(phase_) >= 0.0 && phase_.s_begin_mm <= phase_.s_end_mm);
   const double t = time_into_s(phase_);
   // With a next phase time has only rounded past the end: that phase begins before the next tick.
   const bool over = t >= phase_.law.duration_s() && queue_->next_phase() == nullptr;

@@ -1,5 +1,6 @@
 #include "kernel/pipeline.hpp"
 
+#include <cassert>
 #include <utility>
 #include <variant>
 
@@ -19,6 +20,7 @@ Pipeline::Pipeline(const Order& order)
                 .longest_cruise_s = order.longest_cruise_s}) {}
 
 Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
+  assert(outbox.phases.empty());
   if (planner_.emit(outbox)) {
     check_.emitted(outbox);
     if (observer_ != nullptr) {

@@ -36,7 +36,7 @@ class Pipeline {
   // Runs nothing, for a reason that is not in the text.
   void refuse(diagnostics::Diagnostic fault) { path_.refuse(std::move(fault)); }
 
-  // One step. Precondition: the outbox is empty.
+  // One step. Precondition: no phase is left in the outbox; pieces and line changes may wait there.
   Step step(lookahead::Outbox& outbox);
 
   // Releases what waits for its successor, as if none came.

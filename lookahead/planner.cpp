@@ -1,6 +1,7 @@
 #include "lookahead/planner.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -54,27 +55,29 @@ Planner::Planner(const PlannerSettings& settings)
       scan_for_(scan_for_plan(settings)),
       schedule_(schedule_for(settings)),
       rest_part_s_(rest_part_s(settings)),
-      emitter_(settings.limits.period_s) {}
+      emitter_(settings.limits.period_s) {
+  assert(settings.window_blocks >= 2 && settings.window_cells >= 100);
+}
 
 bool Planner::wants_block() const noexcept {
   return !to_rest_ && blocks_.size() < window_blocks_ && schedule_->has_room();
 }
 
 void Planner::push(Block block) {
+  assert(!rest_pending_ && block.length_mm > 0.0);
   ++pushed_blocks_;
   blocks_.push_back(std::move(block));
   schedule_->push(blocks_);
 }
 
 void Planner::push_rest(double duration_s, std::uint32_t line) {
-  rest_ = {.duration_s = duration_s, .line = line};
-  rest_pending_ = true;
-  to_rest_ = true;
+  assert(duration_s >= 0.0 && wants_block());
+  end_with({.duration_s = duration_s, .line = line});
 }
 
 void Planner::push_change_at_rest(const interp::OutputChange& change, std::uint32_t line) {
-  push_rest(0.0, line);
-  rest_.change = change;
+  assert(wants_block());
+  end_with({.line = line, .change = change});
 }
 
 void Planner::push_change_at_motion(const interp::OutputChange& change) {
@@ -82,8 +85,14 @@ void Planner::push_change_at_motion(const interp::OutputChange& change) {
 }
 
 void Planner::finish(std::uint32_t line) {
-  push_rest(0.0, line);
-  rest_.ends_program = true;
+  assert(wants_block());
+  end_with({.line = line, .ends_program = true});
+}
+
+void Planner::end_with(const Rest& rest) {
+  rest_ = rest;
+  rest_pending_ = true;
+  to_rest_ = true;
 }
 
 void Planner::plan_to_rest() {
@@ -95,7 +104,7 @@ void Planner::stop() {
     return;
   }
   schedule_->stop(blocks_, emitter_);
-  finish(0);
+  end_with({.ends_program = true});
 }
 
 bool Planner::emit(Outbox& outbox) {

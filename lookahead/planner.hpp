@@ -61,6 +61,7 @@ class Planner {
 
  private:
   void emit_rest(Outbox& outbox);
+  void end_with(const Rest& rest);
 
   std::size_t window_blocks_;
   ScanFor scan_for_;

@@ -1,6 +1,7 @@
 #include "profiles/cell_law.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <type_traits>
 
@@ -50,6 +51,7 @@ double atanh_ratio(double q) noexcept {
 
 // With w^2 = k, w s = (v0 + v1) tanh(w T / 2): the duration without a search.
 CellLaw CellLaw::between(const Begin& begin, double length_mm) noexcept {
+  assert(length_mm > 0.0 && begin.v_mm_s > 0.0);
   CellLaw law;
   law.begin_ = begin;
   law.length_mm_ = length_mm;
@@ -62,6 +64,7 @@ CellLaw CellLaw::between(const Begin& begin, double length_mm) noexcept {
 }
 
 CellLaw CellLaw::launch(double v_end_mm_s, double length_mm) noexcept {
+  assert(v_end_mm_s > 0.0 && length_mm > 0.0);
   CellLaw law;
   law.kind_ = Kind::launch;
   law.v_end_mm_s_ = v_end_mm_s;

@@ -5,6 +5,7 @@
 #include "profiles/cruise_rise.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace kerf::profiles {
@@ -48,6 +49,8 @@ Growth s_curve_growth(const Rise& rise, const SCurveTimes& times) {
 }  // namespace
 
 double s_curve_cruise_rise(const CruiseRoom& search, const RampLimits& limits) noexcept {
+  assert(0.0 <= search.largest_rise_mm_s && std::isfinite(search.largest_rise_mm_s));
+  assert(std::isfinite(limits.jerk_mm_s3));
   const double faster = std::max(search.ends.v_begin_mm_s, search.ends.v_end_mm_s);
   const double slower = std::min(search.ends.v_begin_mm_s, search.ends.v_end_mm_s);
   const double jerk_phase_s = limits.acceleration_mm_s2 / limits.jerk_mm_s3;

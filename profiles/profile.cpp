@@ -1,6 +1,7 @@
 #include "profiles/profile.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -114,6 +115,8 @@ double Profile::reachable_change(const Approach& approach, const RampLimits& lim
 }
 
 double Profile::reach_mm_s(const Approach& approach, const RampLimits& limits) const {
+  assert(approach.v_mm_s >= 0.0 && approach.length_mm >= 0.0);
+  assert(approach.v_cap_mm_s >= approach.v_mm_s);
   const auto fits = [&](double v_mm_s) {
     return length_mm({.v_begin_mm_s = approach.v_mm_s, .v_end_mm_s = v_mm_s}, limits) <=
            approach.length_mm;
@@ -152,6 +155,7 @@ double Profile::cruise_rise(const Ramp& ends, const Room& room, const RampLimits
 }
 
 double Profile::peak_mm_s(const Ramp& ends, const Room& room, const RampLimits& limits) const {
+  assert(ends.v_begin_mm_s >= 0.0 && ends.v_end_mm_s >= 0.0 && room.length_mm >= 0.0);
   const double faster = std::max(ends.v_begin_mm_s, ends.v_end_mm_s);
   const auto fits = [&](double v_mm_s) {
     return length_over_mm(ends, v_mm_s, limits) <= room.length_mm;

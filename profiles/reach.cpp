@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -58,12 +59,14 @@ double change_by_jerk(const Approach& approach, double jerk_mm_s3) noexcept {
 }  // namespace
 
 double duration_s(double change_mm_s, const Peaks& peaks, const RampLimits& limits) noexcept {
+  assert(limits.acceleration_mm_s2 > 0.0 && limits.jerk_mm_s3 > 0.0);
   const double change = std::abs(change_mm_s);
   return std::max(peaks.acceleration * change / limits.acceleration_mm_s2,
                   std::sqrt(peaks.jerk * change / limits.jerk_mm_s3));
 }
 
 double s_curve_duration_s(double change_mm_s, const RampLimits& limits) noexcept {
+  assert(limits.acceleration_mm_s2 > 0.0 && limits.jerk_mm_s3 > 0.0);
   const double change = std::abs(change_mm_s);
   if (std::isinf(limits.jerk_mm_s3)) {
     return change / limits.acceleration_mm_s2;

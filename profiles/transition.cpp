@@ -1,6 +1,7 @@
 #include "profiles/transition.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -20,9 +21,12 @@ ShapeValue value_at(const Shape& shape, double x) noexcept {
 }  // namespace
 
 Transition::Transition(Ramp ramp, double duration_s, Shape shape)
-    : ramp_(ramp), duration_s_(duration_s), shape_(shape) {}
+    : ramp_(ramp), duration_s_(duration_s), shape_(shape) {
+  assert(duration_s >= 0.0 && ramp.v_begin_mm_s >= 0.0 && ramp.v_end_mm_s >= 0.0);
+}
 
 Transition Transition::cruise(double v_mm_s, double length_mm) {
+  assert(v_mm_s > 0.0 && length_mm >= 0.0);
   return {{.v_begin_mm_s = v_mm_s, .v_end_mm_s = v_mm_s}, length_mm / v_mm_s, Shape{}};
 }
 
@@ -59,6 +63,7 @@ PathMotion Transition::at(double t_s) const noexcept {
 }
 
 Transition Transition::stretched(double factor) const noexcept {
+  assert(factor > 0.0);
   Transition result = *this;
   result.duration_s_ *= factor;
   return result;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -74,6 +75,8 @@ std::optional<curves::NurbsCurve> curve_between(const Corner& corner, double way
 }  // namespace
 
 std::optional<Blend> make_blend(const Corner& corner, double way_mm) {
+  assert(0.0 < way_mm && way_mm <= curves::length_mm(*corner.before) &&
+         way_mm <= curves::length_mm(*corner.after));
   const auto* before = std::get_if<curves::Line>(corner.before);
   const auto* after = std::get_if<curves::Line>(corner.after);
   auto curve = before != nullptr && after != nullptr ? curve_between_lines(*before, *after, way_mm)

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -61,6 +62,7 @@ std::optional<Eigen::Vector2d> centre_of(const std::array<Eigen::Vector2d, 3>& p
 }  // namespace
 
 std::optional<CircleRun> circle_of(const Polyline& run, std::size_t last, double tolerance_mm) {
+  assert(last < run.size());
   const auto plane = last >= kMinLines ? plane_of(run, last) : std::nullopt;
   if (!plane) {
     return std::nullopt;

@@ -1,6 +1,7 @@
 #include "smoothing/compressor.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 namespace kerf::smoothing {
@@ -28,6 +29,7 @@ bool Compressor::continues(const parser::Move& move) const {
 }
 
 void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out) {
+  assert(takes(move) && (run_.empty() || continues(move)));
   const curves::Position& end = std::get<parser::LineMove>(move.shape).end_mm;
   if (run_.empty()) {
     curves_.begin(move);

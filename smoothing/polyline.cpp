@@ -1,6 +1,7 @@
 #include "smoothing/polyline.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include <Eigen/Geometry>
@@ -55,6 +56,7 @@ double turn_beside(const Polyline& run, std::size_t index, std::size_t near, boo
 }  // namespace
 
 bool is_corner(const Polyline& run, std::size_t index, double tolerance_mm) {
+  assert(0 < index && index + 1 < run.size() && tolerance_mm > 0.0);
   const Eigen::Vector3d here = vec(run[index].point_mm);
   const Eigen::Vector3d in = here - vec(run[index - 1].point_mm);
   const Eigen::Vector3d out = vec(run[index + 1].point_mm) - here;
@@ -87,6 +89,7 @@ bool is_corner(const Polyline& run, std::size_t index, double tolerance_mm) {
 }
 
 bool is_straight(const Polyline& run, std::size_t last, double tolerance_mm) {
+  assert(last < run.size());
   const Eigen::Vector3d begin = vec(run[0].point_mm);
   const Eigen::Vector3d chord = vec(run[last].point_mm) - begin;
   const double length = chord.norm();

@@ -1,5 +1,6 @@
 #include "smoothing/run_segments.hpp"
 
+#include <cassert>
 #include <utility>
 
 namespace kerf::smoothing {
@@ -70,6 +71,7 @@ PathSegment segment_of(curves::Curve curve, const Polyline& run, const MergedCur
 
 void append_segments(const Polyline& run, const MergedCurve& merged, const parser::Move& like,
                      std::vector<PathSegment>& segments) {
+  assert(merged.first < merged.last && merged.last < run.size());
   const double length = curves::length_mm(merged.curve);
   for (std::size_t from = merged.first; from < merged.last;) {
     const SegmentLines lines = lines_of_segment(run, merged, from);

@@ -1,3 +1,4 @@
+#include <cassert>
 #include <utility>
 
 #include "smoothing/run_fit.hpp"
@@ -73,11 +74,13 @@ void SpanBreaks::grade(std::vector<bool>& spans) const {
 }
 
 void SpanBreaks::divide(std::vector<bool> spans) {
+  assert(spans.size() == span_count());
   grade(spans);
   std::vector<std::size_t> finer;
   for (std::size_t k = 0; k < span_count(); ++k) {
     finer.push_back(vertices_[k]);
     if (spans[k]) {
+      assert(is_divisible(k));
       finer.push_back(vertices_[k] + (vertices_[k + 1] - vertices_[k]) / 2);
     }
   }

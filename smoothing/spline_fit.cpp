@@ -1,6 +1,8 @@
 #include "smoothing/spline_fit.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <functional>
 
 #include "smoothing/normal_equations.hpp"
 
@@ -134,6 +136,7 @@ curves::BezierSpan FitSpan::bezier() const {
 }
 
 SplineTail SplineFit::tail_after(std::size_t count) const {
+  assert(0 < count && count <= spans.size());
   const FitSpan& last = spans[count - 1];
   SplineTail tail;
   tail.span_mm = last.w_end_mm - last.w_begin_mm;
@@ -153,6 +156,11 @@ SplineTail SplineFit::tail_after(std::size_t count) const {
 
 SplineFit fit_spline(std::span<const double> breaks_mm, std::span<const FitSample> samples,
                      const FitEnds& ends) {
+  assert(breaks_mm.size() >= 2 &&
+         std::ranges::adjacent_find(breaks_mm, std::greater_equal{}) == breaks_mm.end());
+  assert(std::ranges::is_sorted(samples, {}, &FitSample::w_mm));
+  assert(samples.empty() ||
+         (breaks_mm.front() <= samples.front().w_mm && samples.back().w_mm <= breaks_mm.back()));
   const std::size_t spans = breaks_mm.size() - 1;
   SplineFit fit;
   const std::vector<double> knots = knots_of(breaks_mm);

@@ -1,6 +1,7 @@
 #include "lookahead/classical/axis_limit_scan.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace kerf::lookahead {
@@ -244,6 +245,7 @@ AxisLimitCurve scan_axis_limits(const NurbsCurve& curve, double feedrate_mm_s,
 
 VelocityLimitCurve lower_limit_curve(const VelocityLimitCurve& limit_curve,
                                      const AxisLimitCurve& axis_limits) {
+  assert(!limit_curve.empty());
   VelocityLimitCurve lower;
   const double cap =
       std::max_element(limit_curve.begin(), limit_curve.end(),

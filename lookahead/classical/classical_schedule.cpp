@@ -1,6 +1,7 @@
 #include "lookahead/classical/classical_schedule.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 #include <variant>
 
@@ -107,6 +108,7 @@ void ClassicalSchedule::plan_window(Supply supply) {
 
 bool ClassicalSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter,
                              Outbox& outbox) {
+  assert(!empty());
   const bool to_rest = supply == Supply::to_rest;
   if (to_rest && !to_rest_) {
     ready_segments_ = 0;  // more is known now than when they were planned

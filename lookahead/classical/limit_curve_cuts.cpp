@@ -1,6 +1,7 @@
 #include "lookahead/classical/limit_curve_cuts.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace kerf::lookahead {
 
@@ -135,11 +136,13 @@ void add_cuts(const VelocityLimitCurve& limit_curve, const SampleRange& range,
 }  // namespace
 
 Hill hill_of(const VelocityLimitCurve& limit_curve, const SampleRange& range) {
+  assert(range.first <= range.last && range.last < limit_curve.size());
   const std::size_t top = top_of(limit_curve, range);
   return {.rise = rise_of(limit_curve, range, top), .fall = fall_of(limit_curve, range, top)};
 }
 
 CutLimitCurve cut(const VelocityLimitCurve& scanned, const Cutting& how) {
+  assert(scanned.size() >= 2);
   CutLimitCurve result{.limit_curve = dense(scanned), .cuts = {}};
   VelocityLimitCurve& limit_curve = result.limit_curve;
   std::vector<std::size_t> ends =

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -166,6 +167,7 @@ class Cuts {
 
 std::vector<std::size_t> ramp_cuts(const std::vector<Slope::Sample>& samples,
                                    const profiles::RampLimits& limits) {
+  assert(samples.empty() || samples.front().distance_mm == 0.0);
   if (samples.size() < 3) {
     return {};
   }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -152,6 +153,7 @@ class Instants {
 }  // namespace
 
 std::vector<Instant> instants_of(const profiles::Transition& law) {
+  assert(law.ramp().v_begin_mm_s <= law.ramp().v_end_mm_s);
   return Instants(law).all();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <utility>
 
 namespace kerf::lookahead {
@@ -60,6 +61,7 @@ Slope Slope::from(double distance_mm) const {
 }
 
 double Slope::allowed_from_mm(double v_mm_s) const {
+  assert(!samples_.empty());
   const auto above =
       std::ranges::lower_bound(samples_.begin(), samples_.end() - 1, v_mm_s, {}, &Sample::v_mm_s);
   if (above == samples_.begin()) {

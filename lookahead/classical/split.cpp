@@ -1,6 +1,7 @@
 #include "lookahead/classical/split.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -82,6 +83,7 @@ std::vector<VelocitySegment> split(const Block& block, double period_s) {
 
 std::vector<VelocitySegment> split(const Block& block, const AxisLimitCurve& axis_limits,
                                    const PlanLimits& limits) {
+  assert(!block.limit_curve.empty() && !axis_limits.empty());
   const auto steepest = [&](const AxisLimitCurve& under) -> profiles::RampLimits {
     const profiles::RampLimits& along = block.along.ramp;
     return {

@@ -1,6 +1,7 @@
 #include "lookahead/classical/velocity_pass.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 namespace kerf::lookahead {
 
@@ -42,6 +43,7 @@ void backward_pass(Window<WindowSegment>& window, const profiles::Profile& profi
 
 Ending ending_of(const WindowSegment& item, const SegmentEnds& wanted,
                  const profiles::Profile& profile) {
+  assert(wanted.v_begin_mm_s <= item.sure.v_begin_mm_s);
   SegmentEnds ends = wanted;
   ends.v_end_mm_s = end_feedrate_mm_s(item.segment, wanted, item.sure.v_end_mm_s, profile);
   const bool rises = ends.v_end_mm_s > ends.v_begin_mm_s;

@@ -1,6 +1,7 @@
 #include "lookahead/classical/velocity_segment.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "lookahead/classical/acceleration_ramp.hpp"
@@ -168,6 +169,7 @@ bool joins(const VelocitySegment& segment, const SegmentEnds& ends, const Profil
 }
 
 double brake(VelocitySegment& segment, const SegmentEnds& ends, const Profile& profile) {
+  assert(joins(segment, ends, profile));
   if (!segment.axis_limits.empty()) {
     return brake_in_turn(segment, ends, profile);
   }
@@ -198,6 +200,7 @@ double brake(VelocitySegment& segment, const SegmentEnds& ends, const Profile& p
 
 SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends,
                          const Profile& profile) {
+  assert(joins(segment, ends, profile));
   SegmentPlan plan;
   plan.begin_constant_velocity =
       constant_velocity(ends.v_begin_mm_s, segment.begin_constant_velocity_s);
@@ -231,6 +234,7 @@ SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends
 
 SegmentPlan slowed_plan(const VelocitySegment& segment, const SegmentEnds& ends,
                         double v_begin_mm_s, const Profile& profile) {
+  assert(0.0 < v_begin_mm_s && v_begin_mm_s <= ends.v_begin_mm_s);
   SegmentPlan plan = plan_segment(segment, ends, profile);
   const double factor = ends.v_begin_mm_s / v_begin_mm_s;
   for (Transition* law : {&plan.begin_constant_velocity, &plan.acceleration, &plan.cruise,

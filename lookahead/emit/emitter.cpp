@@ -1,6 +1,7 @@
 #include "lookahead/emit/emitter.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <variant>
 
 namespace kerf::lookahead {
@@ -17,6 +18,7 @@ std::int64_t PlanClock::next_tick() const noexcept {
 }
 
 void PlanClock::advance(double duration_s) noexcept {
+  assert(duration_s >= 0.0);
   const double offset = now_.offset_s + duration_s;
   const auto whole = static_cast<std::int64_t>(offset / period_s_);
   now_.tick += whole;
@@ -28,6 +30,7 @@ void PlanClock::align_to_tick() noexcept {
 }
 
 void Emitter::change_at_block(std::uint64_t number, const interp::OutputChange& change) {
+  assert(number > totals_.blocks);
   output_changes_.push_back({.number = number, .change = change});
 }
 
@@ -62,6 +65,7 @@ void Emitter::begin_block(const Block& block, Outbox& outbox) {
 
 void Emitter::emit(const Block& block, const profiles::TimeLaw& law, double s_end_mm,
                    Outbox& outbox) {
+  assert(s_mm() <= s_end_mm && s_end_mm <= block.length_mm);
   if (!block_begun_) {
     begin_block(block, outbox);
   }
@@ -94,6 +98,7 @@ void Emitter::end_block(const Block& block) {
 }
 
 void Emitter::come_to_rest(Outbox& outbox) {
+  assert(!outbox.phases.empty());
   outbox.phases.back().ends_at_rest = true;
   clock_.align_to_tick();
 }

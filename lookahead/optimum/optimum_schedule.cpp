@@ -1,6 +1,7 @@
 #include "lookahead/optimum/optimum_schedule.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -50,6 +51,7 @@ bool OptimumSchedule::is_to_be_renewed() const {
 }
 
 bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) {
+  assert(!empty());
   if (supply == Supply::to_rest) {
     waiting_.close(blocks);
   }

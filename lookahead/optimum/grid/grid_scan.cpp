@@ -1,6 +1,7 @@
 #include "lookahead/optimum/grid/grid_scan.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -142,6 +143,7 @@ double feature_mm(const PathSample& end, double piece_mm, double tick_mm) {
 }  // namespace
 
 Cell cell_between(const BlockPath& path, const curves::Stretch& stretch, const Cell* before) {
+  assert(stretch.begin_mm < stretch.end_mm);
   const double inside = 1e-9 * (stretch.end_mm - stretch.begin_mm);  // its own side of a jump
   return {.s_begin_mm = stretch.begin_mm,
           .length_mm = stretch.end_mm - stretch.begin_mm,

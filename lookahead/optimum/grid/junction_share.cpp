@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "lookahead/optimum/grid/speed_estimate.hpp"
@@ -173,6 +174,7 @@ double leave_rest(const JunctionLimits& junction, const PlanLimits& limits, Cell
 
 void share_limits(std::vector<Cell>& cells, std::size_t boundary, const JunctionLimits& junction,
                   const PlanLimits& limits) {
+  assert(boundary <= cells.size());
   if (boundary > 0) {
     Cell& last = cells[boundary - 1];
     const double zone = zone_mm(last, last.end, junction, limits);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -107,6 +108,7 @@ std::vector<double> lengths_between(const RestRamp& ramp, const curves::Stretch&
 
 void refine_to_rest(std::vector<Cell>& cells, RestAt where, const PathAt& path,
                     const PlanLimits& limits) {
+  assert(!cells.empty());
   if (where == RestAt::end) {
     std::reverse(cells.begin(), cells.end());
   }

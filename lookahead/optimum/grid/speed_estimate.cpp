@@ -1,6 +1,7 @@
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -112,6 +113,7 @@ double curvature_feedrate_mm_s(const Cell& cell, const PathSample& end, const Pl
 
 std::vector<double> estimate_feeds(std::span<const Cell> cells, const EndFeeds& ends,
                                    const PlanLimits& limits) {
+  assert(!cells.empty());
   const std::size_t count = cells.size();
   std::vector<double> squared(count + 1, kUnbounded);
   for (std::size_t i = 0; i < count; ++i) {

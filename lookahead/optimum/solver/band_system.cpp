@@ -1,5 +1,7 @@
 #include "lookahead/optimum/solver/band_system.hpp"
 
+#include <cassert>
+
 namespace kerf::lookahead {
 
 void BandSystem::clear(std::size_t size) {
@@ -9,6 +11,7 @@ void BandSystem::clear(std::size_t size) {
 }
 
 bool BandSystem::solve(const Rows& rows, std::vector<double>& x) {
+  assert(rows.begin <= rows.end && rows.end <= diagonal.size() && x.size() == diagonal.size());
   if (!eliminate(rows, x)) {
     return false;
   }

@@ -1,10 +1,13 @@
 #include "lookahead/optimum/solver/feed_spline.hpp"
 
+#include <algorithm>
+#include <cassert>
 #include <cstddef>
 
 namespace kerf::lookahead {
 
 std::vector<CellBasis> feed_basis(std::span<const double> lengths_mm) {
+  assert(std::ranges::all_of(lengths_mm, [](double length_mm) { return length_mm > 0.0; }));
   std::vector<CellBasis> cells(lengths_mm.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double h = lengths_mm[i];

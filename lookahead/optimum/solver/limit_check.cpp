@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -127,6 +128,7 @@ double Excess::largest() const noexcept {
 
 Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
                  const PlanLimits& limits) {
+  assert(cell.length_mm > 0.0);
   Excess worst;
   const auto look = [&](double place) {
     const double s = place * cell.length_mm;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -202,6 +203,7 @@ class Builder {
 
 LimitRows limit_rows(std::span<const Cell> cells, const std::vector<CellBasis>& basis,
                      const PlanLimits& limits) {
+  assert(basis.size() == cells.size());
   return Builder(cells, basis, limits).build();
 }
 

@@ -1,6 +1,7 @@
 #include "lookahead/optimum/solver/optimal_feed.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "lookahead/optimum/grid/speed_estimate.hpp"
@@ -133,6 +134,7 @@ class Search {
 };
 
 std::vector<double> first_guess(const CellSequence& sequence, const PlanLimits& limits) {
+  assert(sequence.spline_cells() >= 2);
   const std::vector<double> feeds = estimate_feeds(
       sequence.cells,
       {.v_begin_mm_s = sequence.begin.at_rest() ? 0.0 : sequence.begin.v_mm_s, .v_end_mm_s = 0.0},
