@@ -10,7 +10,7 @@ namespace kerf::bench {
 namespace {
 
 void parse(benchmark::State& state, const ParseProgram& program) {
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     std::int64_t moves = read_moves(program.text);
     benchmark::DoNotOptimize(moves);
     if (moves < 0) {

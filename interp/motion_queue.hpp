@@ -47,7 +47,6 @@ class MotionQueue {
   void pop_line_change() noexcept { line_changes_.pop(); }
 
   [[nodiscard]] std::size_t phases_free() const { return phases_.write_available(); }
-  [[nodiscard]] std::size_t pieces_free() const { return pieces_.write_available(); }
 
  private:
   boost::lockfree::spsc_queue<CurvePiece, boost::lockfree::capacity<kPieces>> pieces_;

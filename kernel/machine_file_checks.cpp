@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <kerf/machine.hpp>
+
 #include "kernel/machine_file_text.hpp"
 #include "lookahead/path/limits.hpp"
-#include "machine/table_settings.hpp"
 
 namespace kerf {
 namespace {
@@ -24,7 +25,7 @@ void raise(double& possible, double planned) {
 void raise_silent_drive(MachineSettings& settings, std::size_t axis,
                         const std::function<bool(std::string_view)>& has_key) {
   const lookahead::MotionLimits& limits = settings.limits.axes[axis];
-  machine::AxisDrive& drive = settings.table.axes[axis];
+  AxisDrive& drive = settings.table.axes[axis];
   if (!has_key(kDriveVelocity)) {
     raise(drive.drive_velocity_mm_s, limits.velocity_mm_s);
   }
@@ -47,7 +48,7 @@ std::optional<std::string> travel_problem(std::span<const NumberRule> rules,
 std::vector<KeyProblem> check_axis(const MachineSettings& settings, std::size_t axis,
                                    const std::function<bool(std::string_view)>& has_key) {
   const lookahead::MotionLimits& limits = settings.limits.axes[axis];
-  const machine::AxisDrive& drive = settings.table.axes[axis];
+  const AxisDrive& drive = settings.table.axes[axis];
   std::vector<KeyProblem> problems;
   const auto blame = [&](std::string_view key, double found, const std::string& expected) {
     problems.push_back({key, "found " + text_of(found) + ", expected " + expected});

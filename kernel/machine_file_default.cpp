@@ -1,8 +1,6 @@
 // The default table. programs/machines/table.toml says the same; a test compares every field.
 #include <kerf/machine.hpp>
 
-#include "machine/table_settings.hpp"
-
 namespace kerf {
 inline namespace v0 {
 
@@ -13,7 +11,7 @@ MachineSettings default_machine() {
   settings.limits.path = {.velocity_mm_s = 250.0, .acceleration_mm_s2 = 2500.0, .jerk_mm_s3 = 50e3};
   settings.limits.axes.fill(settings.limits.path);
   settings.table.period_s = settings.limits.period_s;
-  for (machine::AxisDrive& axis : settings.table.axes) {  // the servo's data are the defaults
+  for (AxisDrive& axis : settings.table.axes) {  // the servo's data are the defaults
     axis.travel = {.min_mm = -500.0, .max_mm = 500.0};
   }
   settings.table.axes[2].travel = {.min_mm = -200.0, .max_mm = 200.0};

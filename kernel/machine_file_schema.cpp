@@ -3,9 +3,10 @@
 #include <array>
 #include <limits>
 
+#include <kerf/machine.hpp>
+
 #include "kernel/machine_file_text.hpp"
 #include "lookahead/path/limits.hpp"
-#include "machine/table_settings.hpp"
 #include "parser/modal/machine_data.hpp"
 #include "parser/modal/tool_table.hpp"
 #include "parser/modal/touch_box.hpp"
@@ -47,19 +48,17 @@ double& limit(Settings& settings, std::size_t axis) {
   return settings.limits.axes[axis].*kMember;
 }
 
-template <double machine::AxisDrive::*kMember>
+template <double AxisDrive::*kMember>
 double& drive(Settings& settings, std::size_t axis) {
   return settings.table.axes[axis].*kMember;
 }
 
-template <double machine::Travel::*kMember>
+template <double Travel::*kMember>
 double& travel(Settings& settings, std::size_t axis) {
   return settings.table.axes[axis].travel.*kMember;
 }
 
 using lookahead::MotionLimits;
-using machine::AxisDrive;
-using machine::Travel;
 
 constexpr std::array kAxis{
     NumberRule{"min_mm", -1e6, 1e6, travel<&Travel::min_mm>, 1.0, -kOpen},
@@ -86,12 +85,10 @@ double& extra_limit(Settings& settings, std::size_t axis) {
   return settings.limits.extra[axis].*kMember;
 }
 
-template <double machine::AuxiliaryTravel::*kMember>
+template <double AuxiliaryTravel::*kMember>
 double& extra_travel(Settings& settings, std::size_t axis) {
   return settings.table.extra[axis].*kMember;
 }
-
-using machine::AuxiliaryTravel;
 
 constexpr std::array kStraightAxis{
     NumberRule{"min_mm", -1e6, 1e6, extra_travel<&AuxiliaryTravel::min_rad_mm>, 1.0, -kOpen},

@@ -29,7 +29,7 @@
 
 #include <cstdint>
 
-#include "machine/table_settings.hpp"
+#include <kerf/machine.hpp>
 
 namespace kerf::machine {
 

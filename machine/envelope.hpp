@@ -8,9 +8,10 @@
 #include <optional>
 #include <string>
 
+#include <kerf/machine.hpp>
+
 #include "curves/auxiliary_axis_motion.hpp"
 #include "curves/position.hpp"
-#include "machine/table_settings.hpp"
 
 namespace kerf::machine {
 

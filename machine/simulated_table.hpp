@@ -4,13 +4,19 @@
 #include <array>
 #include <cstddef>
 
+#include <kerf/machine.hpp>
+
 #include "machine/axis_model.hpp"
 #include "machine/envelope.hpp"
 #include "machine/machine.hpp"
 #include "machine/path_history.hpp"
-#include "machine/table_settings.hpp"
 
 namespace kerf::machine {
+
+// Every number is valid (gains, lead, counts and drive limits positive, friction and integral
+// not negative, feed_forward in 0..1, min < max, period in 1e-5..0.1 s) and finite where the struct
+// does not say otherwise.
+[[nodiscard]] bool is_valid(const TableSettings& settings) noexcept;
 
 // Deterministic: the same calls give the same states to the last bit. One write() is one period;
 // its work is bounded (see AxisModel and PathHistory) and allocates nothing.

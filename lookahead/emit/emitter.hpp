@@ -70,8 +70,6 @@ class Emitter {
   // The change takes effect at the first tick on the block with this number, counted from 1.
   void change_at_block(std::uint64_t number, const interp::OutputChange& change);
 
-  // False: no phase of the front block has been emitted yet.
-  [[nodiscard]] bool block_begun() const noexcept { return block_begun_; }
   // The place on the block that is being emitted, or that comes next.
   [[nodiscard]] double s_mm() const noexcept { return block_begun_ ? s_mm_ : 0.0; }
   [[nodiscard]] const PlanTotals& totals() const noexcept { return totals_; }
@@ -99,7 +97,7 @@ class Emitter {
 
   PlanClock clock_;
   Window<OutputChangeAtBlock> output_changes_;
-  bool block_begun_ = false;
+  bool block_begun_ = false;  // a phase of the front block has been emitted
   std::uint64_t curve_ = 0;
   bool rests_ = false;  // X, Y and Z rest on it: it adds nothing to the path
   double s_mm_ = 0.0;

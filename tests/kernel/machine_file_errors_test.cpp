@@ -12,7 +12,7 @@
 
 #include "kernel/machine_file_schema.hpp"
 #include "kernel/machine_file_text.hpp"
-#include "machine/table_settings.hpp"
+#include "machine/simulated_table.hpp"
 #include "tests/kernel/machine_file_helpers.hpp"
 
 namespace {

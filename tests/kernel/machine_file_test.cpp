@@ -9,7 +9,7 @@
 
 #include "kernel/machine_file_schema.hpp"
 #include "lookahead/path/limits.hpp"
-#include "machine/table_settings.hpp"
+#include "machine/simulated_table.hpp"
 #include "parser/dialects/dialect.hpp"
 #include "parser/modal/machine_data.hpp"
 #include "tests/kernel/machine_file_helpers.hpp"
@@ -58,7 +58,7 @@ TEST(MachineFile, ReadsEveryKeyIntoItsPlace) {
   EXPECT_EQ(y.velocity_mm_s, 13.0);
   EXPECT_EQ(y.acceleration_mm_s2, 14.0);
   EXPECT_EQ(y.jerk_mm_s3, 15.0);
-  const kerf::machine::AxisDrive& drive = read->table.axes[1];
+  const kerf::AxisDrive& drive = read->table.axes[1];
   EXPECT_EQ(drive.travel.min_mm, -11.0);
   EXPECT_EQ(drive.travel.max_mm, 12.0);
   EXPECT_EQ(drive.screw_lead_mm, 16.0);
@@ -83,7 +83,7 @@ TEST(MachineFile, WhatIsLeftOutDoesNotBindOrKeepsItsDefault) {
   EXPECT_EQ(read->limits.chord_tolerance_mm, kInfinity);
   EXPECT_EQ(read->program.corner_tolerance_mm, 0.01);
   EXPECT_EQ(read->program.merge_tolerance_mm, 0.01);
-  const kerf::machine::AxisDrive defaults{};
+  const kerf::AxisDrive defaults{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     EXPECT_EQ(read->limits.axes[axis].velocity_mm_s, kInfinity);
     EXPECT_EQ(read->limits.axes[axis].acceleration_mm_s2, kInfinity);

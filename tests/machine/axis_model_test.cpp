@@ -9,7 +9,7 @@
 
 namespace {
 
-using kerf::machine::AxisDrive;
+using kerf::AxisDrive;
 using kerf::machine::AxisModel;
 using kerf::machine::EncoderFailure;
 

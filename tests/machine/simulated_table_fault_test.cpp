@@ -13,13 +13,13 @@
 
 namespace {
 
+using kerf::TableSettings;
 using kerf::curves::Position;
 using kerf::interp::Setpoint;
 using kerf::machine::EncoderFailure;
 using kerf::machine::Fault;
 using kerf::machine::MachineState;
 using kerf::machine::SimulatedTable;
-using kerf::machine::TableSettings;
 using kerf::machine::test::at;
 using kerf::machine::test::lagging;
 using kerf::machine::test::real;

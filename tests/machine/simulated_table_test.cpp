@@ -14,12 +14,12 @@
 
 namespace {
 
+using kerf::AxisDrive;
+using kerf::TableSettings;
 using kerf::curves::Position;
-using kerf::machine::AxisDrive;
 using kerf::machine::Fault;
 using kerf::machine::MachineState;
 using kerf::machine::SimulatedTable;
-using kerf::machine::TableSettings;
 using kerf::machine::test::at;
 using kerf::machine::test::kTick;
 using kerf::machine::test::lagging;

@@ -39,8 +39,7 @@ void for_each_turn(const BlockEnd& before, const BlockEnd& after, const PlanLimi
   use(path_step_of(before, after), limits.path);
 }
 
-}  // namespace
-
+// The limits with the share of the jump itself.
 PlanLimits jump_limits(const PlanLimits& limits, const JumpShares& shares) {
   PlanLimits part = limits;
   const auto scale = [&shares](MotionLimits& of) {
@@ -52,8 +51,6 @@ PlanLimits jump_limits(const PlanLimits& limits, const JumpShares& shares) {
   std::for_each(part.extra.begin(), part.extra.end(), scale);
   return part;
 }
-
-namespace {
 
 JunctionLimits junction_limits_with(const Jump& jump, double feedrate_mm_s,
                                     const JumpShares& shares, const PlanLimits& limits) {

@@ -23,9 +23,6 @@ struct JumpShares {
   double tangential = 1.0;
 };
 
-// The limits with the share of the jump itself.
-PlanLimits jump_limits(const PlanLimits& limits, const JumpShares& shares);
-
 // Limits of the motion at a place where direction or curvature jumps.
 struct JunctionLimits {
   double feedrate_mm_s = kUnbounded;

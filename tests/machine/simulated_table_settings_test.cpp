@@ -1,5 +1,3 @@
-#include "machine/table_settings.hpp"
-
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -7,11 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include "machine/simulated_table.hpp"
+
 namespace {
 
-using kerf::machine::AxisDrive;
+using kerf::AxisDrive;
+using kerf::TableSettings;
 using kerf::machine::is_valid;
-using kerf::machine::TableSettings;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
