@@ -41,7 +41,7 @@ std::span<const ErrorPage* const> catalogue() {
 }
 
 const ErrorPage* find_page(std::uint16_t number) {
-  const auto found = std::ranges::lower_bound(kPages, number, {}, &ErrorPage::number);
+  const auto* const found = std::ranges::lower_bound(kPages, number, {}, &ErrorPage::number);
   return found == kPages.end() || (*found)->number != number ? nullptr : *found;
 }
 
