@@ -212,8 +212,8 @@ double between(double s0, double v0, double s1, double v1, double s) {
   return s1 > s0 ? v0 + (v1 - v0) * (s - s0) / (s1 - s0) : std::min(v0, v1);
 }
 
-// Of the limit curve at a place; after: its first sample behind that.
-FeedSample sample_at(const VelocityLimitCurve& limit_curve, std::size_t after, double s_mm) {
+// At a place; after: the limit curve's first sample behind that.
+FeedSample sample_at(double s_mm, const VelocityLimitCurve& limit_curve, std::size_t after) {
   after = std::min(after, limit_curve.size() - 1);
   const FeedSample& next = limit_curve[after];
   const FeedSample& last = limit_curve[after > 0 ? after - 1 : 0];
@@ -264,7 +264,7 @@ VelocityLimitCurve lower_limit_curve(const VelocityLimitCurve& limit_curve,
                                                         axis_limits[t].s_mm, turn(t), sample.s_mm));
       }
     } else {
-      sample = sample_at(limit_curve, c, axis_limits[t].s_mm);
+      sample = sample_at(axis_limits[t].s_mm, limit_curve, c);
       sample.v_mm_s = std::min(turn(t), sample.v_mm_s);
       ++t;
     }
