@@ -7,6 +7,7 @@
 namespace kerf::errors {
 
 // The texts are read here only, so that they cost the compiler nothing where a page is given.
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the list is written once.
 #define ERROR_PAGE(name, number, severity, ...) \
   constexpr ErrorPage name{number, Severity::severity, __VA_ARGS__};
 #include "diagnostics/errors/pages.def"
@@ -15,6 +16,7 @@ namespace kerf::errors {
 namespace {
 
 constexpr std::array kPages{
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): as above.
 #define ERROR_PAGE(name, ...) &name,
 #include "diagnostics/errors/pages.def"
 #undef ERROR_PAGE

@@ -9,6 +9,7 @@
 
 namespace kerf::errors {
 
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): the list is written once.
 #define ERROR_PAGE(name, ...) extern const ErrorPage name;
 #include "diagnostics/errors/pages.def"
 #undef ERROR_PAGE
