@@ -44,8 +44,8 @@ void expect_text_means_path(const PartProgram& program) {
 
 TEST(PartPrograms, MeanThePathThatIsKeptBesideThem) {
   expect_text_means_path(raster(2000));
-  expect_text_means_path(flower(100.0, 3));
-  expect_text_means_path(flower(100.0, 6));
+  expect_text_means_path(flower(3));
+  expect_text_means_path(flower(6));
   expect_text_means_path(straight(200.0, 1000));
   expect_text_means_path(square(100.0));
   expect_text_means_path(spiral({.lines = 500}));
@@ -55,7 +55,7 @@ TEST(PartPrograms, MeanThePathThatIsKeptBesideThem) {
 }
 
 TEST(PartPrograms, TakeStepsOfTheLengthThatIsAsked) {
-  for (const PathElement& element : flower(300.0, 6).path) {
+  for (const PathElement& element : flower(6).path) {
     ASSERT_NEAR(element.length_mm(), 0.1, 1e-4);
   }
   const PartProgram turns = spiral({});
