@@ -1,6 +1,7 @@
 // One thread feeds and plans, the other ticks: what they share, for the thread sanitizer too.
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -14,11 +15,22 @@
 namespace kerf::test {
 namespace {
 
+// Stands for the clock of a machine: a planning thread that is later than the horizon, 250 ticks,
+// breaks what the kernel promises, and without a clock the tick side may run away from it.
+struct Clock {
+  static constexpr std::int64_t kTicksAhead = 100;
+  std::atomic<std::int64_t> ticks = 0;
+  std::atomic<std::int64_t> allowed = 0;
+  std::atomic<bool> over = false;
+};
+
 // In pieces of some bytes, until the tick side needs no more.
-void feed_and_plan(Kernel& kernel, std::string_view text, const std::atomic<bool>& over) {
+void feed_and_plan(Kernel& kernel, std::string_view text, Clock& clock) {
   constexpr std::size_t kPiece = 7;
-  while (!over.load(std::memory_order_relaxed)) {
+  while (!clock.over.load(std::memory_order_relaxed)) {
     if (!kernel.plan()) {
+      clock.allowed.store(clock.ticks.load(std::memory_order_relaxed) + Clock::kTicksAhead,
+                          std::memory_order_relaxed);
       std::this_thread::yield();
       continue;
     }
@@ -30,23 +42,30 @@ void feed_and_plan(Kernel& kernel, std::string_view text, const std::atomic<bool
   }
 }
 
+TickStatus next_tick(Kernel& kernel, Clock& clock, Setpoint& setpoint) {
+  while (clock.ticks.load(std::memory_order_relaxed) >=
+         clock.allowed.load(std::memory_order_relaxed)) {
+    std::this_thread::yield();
+  }
+  clock.ticks.fetch_add(1, std::memory_order_relaxed);
+  return kernel.tick(setpoint);
+}
+
 // Starved ticks, which depend on how the threads run, are left out.
 std::vector<Setpoint> ticks_of_two_threads(const std::string& text, const KernelOptions& options) {
   Kernel kernel(mill(), options);
-  std::atomic<bool> over = false;
-  std::thread planner([&] { feed_and_plan(kernel, text, over); });
+  Clock clock;
+  std::thread planner([&] { feed_and_plan(kernel, text, clock); });
   std::vector<Setpoint> ticks;
   Setpoint setpoint;
   TickStatus status = TickStatus::starved;
   while (status == TickStatus::running || status == TickStatus::starved) {
-    status = kernel.tick(setpoint);
-    if (status == TickStatus::starved) {
-      std::this_thread::yield();
-    } else {
+    status = next_tick(kernel, clock, setpoint);
+    if (status != TickStatus::starved) {
       ticks.push_back(setpoint);
     }
   }
-  over.store(true, std::memory_order_relaxed);
+  clock.over.store(true, std::memory_order_relaxed);
   planner.join();
   EXPECT_EQ(status, TickStatus::finished);
   EXPECT_FALSE(kernel.fault()) << kernel.fault()->what;
@@ -69,15 +88,15 @@ TEST(TwoThreads, GiveTheTicksOfOne) {
 
 TEST(TwoThreads, ComeToRestWhereTheProgramIsWrong) {
   Kernel kernel(mill());
-  std::atomic<bool> over = false;
-  std::thread planner([&] { feed_and_plan(kernel, "G21 G90\nG1 X10 F3000\nX20 F-1\nM2\n", over); });
+  Clock clock;
+  std::thread planner(
+      [&] { feed_and_plan(kernel, "G21 G90\nG1 X10 F3000\nX20 F-1\nM2\n", clock); });
   Setpoint setpoint;
   TickStatus status = TickStatus::starved;
   while (status == TickStatus::running || status == TickStatus::starved) {
-    status = kernel.tick(setpoint);
-    std::this_thread::yield();
+    status = next_tick(kernel, clock, setpoint);
   }
-  over.store(true, std::memory_order_relaxed);
+  clock.over.store(true, std::memory_order_relaxed);
   planner.join();
   EXPECT_EQ(status, TickStatus::failed);
   EXPECT_EQ(setpoint.position_mm[0], 10.0);
