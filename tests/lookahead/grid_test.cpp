@@ -1,5 +1,9 @@
 #include "lookahead/optimum/grid/grid.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
 #include <gtest/gtest.h>
 
 #include "tests/lookahead/programs.hpp"
@@ -16,6 +20,31 @@ TEST(Grid, HasFewCellsBeforeAJunctionThatIsPassedAtNextToNoFeedrate) {
       grid_of(BlockPath(block, limits), {.beyond = {.v_end_mm_s = 1e-5}}, limits);
   EXPECT_LT(cells.size(), 200U);
   EXPECT_LT(cells.back().length_mm, 2e-8);
+}
+
+// Of degree 4, with simple knots: the jerk of an axis has a kink at each of them.
+TEST(Grid, EndsCellsWhereOnlyTheFourthDerivativeJumps) {
+  curves::NurbsData data{.degree = 4, .points = {}, .knots = {0, 0, 0, 0, 0}};
+  constexpr int kPoints = 12;
+  for (int i = 0; i < kPoints; ++i) {
+    data.points.push_back({.position_mm = {3.0 * i, 4.0 * std::sin(1.3 * i), std::cos(0.7 * i)}});
+  }
+  for (int knot = 1; knot <= kPoints - 5; ++knot) {
+    data.knots.push_back(knot);
+  }
+  data.knots.insert(data.knots.end(), 5, kPoints - 4);
+  const PlanLimits limits = mill();
+  const Block block = blocks_of({nurbs_move(data, 100.0)}, limits).front();
+  const std::vector<Cell> cells = grid_of(BlockPath(block, limits), {}, limits);
+  const auto& curve = std::get<curves::NurbsCurve>(block.curve);
+  for (int knot = 1; knot <= kPoints - 5; ++knot) {
+    const double s_mm = curve.s_at(knot);
+    const double nearest = std::abs(
+        std::ranges::min(cells, {}, [s_mm](const Cell& c) { return std::abs(c.s_end_mm() - s_mm); })
+            .s_end_mm() -
+        s_mm);
+    EXPECT_LT(nearest, 1e-9) << knot;
+  }
 }
 
 }  // namespace

@@ -14,6 +14,9 @@ namespace {
 
 // Of a derivative's size: what is less is rounding.
 constexpr double kJump = 1e-6;
+// Of the fourth derivative's size, found from differences over so much of a piece.
+constexpr double kKink = 0.05;
+constexpr double kStepOfPiece = 1e-3;
 constexpr double kArcStep_rad = 0.05;
 constexpr int kPlacesOfPiece = 4;
 // A sharper apex is a corner to any drive, and a rest there costs some milliseconds: what there is
@@ -23,6 +26,26 @@ constexpr double kStopRadius_mm = 1e-7;
 bool differ(const curves::Position& a, const curves::Position& b) {
   const double size = std::max(vec(a).norm(), vec(b).norm());
   return (vec(a) - vec(b)).norm() > kJump * size;
+}
+
+// The slope of the third derivative at an end of a piece, from its own side.
+Eigen::Vector3d fourth_derivative(const curves::NurbsPiece& piece, double end_mm) {
+  const double length = piece.s_end_mm - piece.s_begin_mm;
+  const double step = (end_mm == piece.s_end_mm ? -kStepOfPiece : kStepOfPiece) * length;
+  return (vec(piece.derivatives_at(end_mm + step).third_per_mm2) -
+          vec(piece.derivatives_at(end_mm).third_per_mm2)) /
+         step;
+}
+
+// Only the fourth derivative jumps where they join, as at a simple knot of degree 4: the jerk of an
+// axis turns off there without a jump.
+bool has_kink(const curves::NurbsPiece& before, const curves::NurbsPiece& after) {
+  if (before.degree <= 3) {
+    return false;
+  }
+  const Eigen::Vector3d left = fourth_derivative(before, before.s_end_mm);
+  const Eigen::Vector3d right = fourth_derivative(after, after.s_begin_mm);
+  return (right - left).norm() > kKink * std::max(left.norm(), right.norm());
 }
 
 // The tangent goes on: what differs is rounding.
@@ -145,7 +168,8 @@ std::vector<BlockPath::Break> BlockPath::breaks() const {
       const curves::PathDerivatives after = pieces[i + 1].derivatives_at(s);
       if (differ(before.second_per_mm, after.second_per_mm)) {
         places.push_back({s, Jump{.before = end_of(before), .after = end_of(after)}});
-      } else if (differ(before.third_per_mm2, after.third_per_mm2)) {
+      } else if (differ(before.third_per_mm2, after.third_per_mm2) ||
+                 has_kink(pieces[i], pieces[i + 1])) {
         places.push_back({s});
       }
     }
