@@ -13,6 +13,10 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr int kCuts = 5;  // of what a plan covers
+// Where no plan is found from a place in motion: of the cells that are left, how far on it is tried
+// again.
+constexpr std::size_t kTriesOfRest = 8;
+constexpr std::size_t kMinBetweenTries = 8;
 constexpr std::size_t kCutCells = 16;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
 constexpr std::size_t kMarginOfWindow = 8;
@@ -115,8 +119,7 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
     found = OptimalPlan::find(std::move(taken.sequence), path, settings_.limits);
   }
   if (!found) {
-    renew_ = plan_.cells().size();  // it is run to its end
-    note_stop(plan_.cells().back(), blocks, emitter);
+    try_again_later(blocks, emitter);
     return;
   }
   if (found->slowed_down()) {
@@ -130,6 +133,17 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   const std::size_t count = plan_.cells().size();
   window_brake_ = plan_ends_at_stop_ ? count : plan_.last_braking();
   renew_ = std::max(count / 2, window_brake_ - std::min(window_brake_, count / kMarginOfWindow));
+}
+
+// From another place the search may well end; what the plan still holds ends at rest if not.
+void OptimumSchedule::try_again_later(const Window<Block>& blocks, Emitter& emitter) {
+  const std::size_t next = place_.cell + std::max(cells_left() / kTriesOfRest, kMinBetweenTries);
+  if (next + kMinBetweenTries < plan_.cells().size()) {
+    renew_ = next;
+    return;
+  }
+  renew_ = plan_.cells().size();
+  note_stop(plan_.cells().back(), blocks, emitter);
 }
 
 void OptimumSchedule::fall_back(const Fallback& classical, const Window<Block>& blocks,

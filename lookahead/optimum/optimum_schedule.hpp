@@ -15,10 +15,11 @@ namespace kerf::lookahead {
 // to brake for the end of the window, but not before half of it has been emitted, it is planned
 // anew from the tool's place, with the blocks that have come since. The cells that two plans share
 // are the same, so the rest of the old plan is a feasible start for the new one. Where the search
-// finds no plan that keeps the limits, the old plan is kept and ends at rest. Where it finds none
-// from rest, the classical plan is the fallback over whole blocks, if it is faster; else the path
-// is cut in two by a rest at its sharpest place, a few times at the most, and a plan that still
-// exceeds a limit is slowed down. Each of these is noted as a degradation.
+// finds no plan that keeps the limits, the old plan is kept and the search begins again farther on;
+// at the last it ends at rest. Where it finds none from rest, the classical plan is the fallback
+// over whole blocks, if it is faster; else the path is cut in two by a rest at its sharpest place,
+// a few times at the most, and a plan that still exceeds a limit is slowed down. Each of these is
+// noted as a degradation.
 //
 // A single line from rest to rest is planned by the S-curve, which is its optimum in closed form.
 class OptimumSchedule final : public Schedule {
@@ -48,6 +49,7 @@ class OptimumSchedule final : public Schedule {
     std::size_t count = 0;  // of waiting_
   };
   [[nodiscard]] Taken take(const PathAt& path) const;
+  void try_again_later(const Window<Block>& blocks, Emitter& emitter);
   // Hands these blocks to the classical schedule, from rest to rest.
   void fall_back(const Fallback& classical, const Window<Block>& blocks, Emitter& emitter);
   // Puts a rest at the sharpest place of the first waiting cells.

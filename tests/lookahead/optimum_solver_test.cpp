@@ -114,6 +114,34 @@ BarrierValue barrier_within(const Barrier& barrier, double form, int lane) {
   return {.value = sum.value()[lane], .rise = slopes.rise[lane], .bend = slopes.bend[lane]};
 }
 
+TEST(FeedSpline, StaysAsItIsWhereACellIsHalved) {
+  std::mt19937_64 random(3);
+  std::vector<double> lengths;
+  std::vector<double> coefficients{uniform(random, 0.5, 2.0), uniform(random, 0.5, 2.0)};
+  for (int i = 0; i < 7; ++i) {
+    lengths.push_back(std::exp(uniform(random, -3.0, 2.0)));
+    coefficients.push_back(uniform(random, 0.5, 2.0));
+  }
+  const std::vector<CellBasis> whole = feed_basis(lengths);
+  std::vector<double> half_lengths;
+  std::vector<double> half_coefficients{coefficients.front()};
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    half_lengths.insert(half_lengths.end(), 2, 0.5 * lengths[i]);
+    for (const double c : coefficients_of_halves(whole[i].begin.at(&coefficients[i]), lengths[i])) {
+      half_coefficients.push_back(c);
+    }
+  }
+  half_coefficients.push_back(coefficients.back());
+  const std::vector<CellBasis> halves = feed_basis(half_lengths);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    const SquaredFeed before = whole[i].middle.at(&coefficients[i]);
+    const SquaredFeed after = halves[2 * i].end.at(&half_coefficients[2 * i]);
+    EXPECT_NEAR(after.value, before.value, 1e-12 * before.value) << i;
+    EXPECT_NEAR(after.slope, before.slope, 1e-10 * (1.0 + std::abs(before.slope))) << i;
+    EXPECT_NEAR(after.bend, before.bend, 1e-8 * (1.0 + std::abs(before.bend))) << i;
+  }
+}
+
 TEST(Barrier, GoesOnSmoothlyWhereItIsRelaxed) {
   const Barrier barrier(0.01);
   for (const int lane : {0, 1}) {

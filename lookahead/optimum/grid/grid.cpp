@@ -99,6 +99,26 @@ EndFeeds feeds_of(const EndJunctions& ends) {
 
 }  // namespace
 
+std::vector<Cell> parts_of(const Cell& cell, const std::vector<double>& lengths_mm,
+                           const PathAt& path) {
+  std::vector<Cell> parts(lengths_mm.size(), cell);
+  const auto inside = [&](double s_mm) {
+    PathSample sample = path(cell, s_mm);
+    sample.bind_feedrate(cell.sub_tick_mm_s, Constraint::chord_error);
+    return sample;
+  };
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+    Cell& part = parts[i];
+    Cell& next = parts[i + 1];
+    part.length_mm = lengths_mm[i];
+    part.ends_block = part.rest_after = false;
+    next.s_begin_mm = part.s_end_mm();
+    next.length_mm = cell.s_end_mm() - next.s_begin_mm;
+    part.end = next.begin = inside(next.s_begin_mm);
+  }
+  return parts;
+}
+
 EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits) {
   const std::vector<double> places = path.scan_places();
   std::vector<Cell> cells;

@@ -18,6 +18,10 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndJunctions& ends,
 // The highest feedrates at the ends of a block by its own path alone, without its neighbours.
 EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits);
 
+// The cell in parts of these lengths, of which the last ends where the cell ends.
+std::vector<Cell> parts_of(const Cell& cell, const std::vector<double>& lengths_mm,
+                           const PathAt& path);
+
 enum class RestAt { begin, end };
 
 // Divides the cells towards a rest at their beginning or end so that a launch or landing and the

@@ -24,31 +24,6 @@ constexpr double kFirstOfCell = 0.2;
 constexpr double kShortestOfCell = 1e-6;
 constexpr double kShortest_mm = 1e-11;
 
-// Appends the cell in parts of these lengths, which add up to its own.
-void divide(const Cell& cell, const std::vector<double>& lengths, RestAt where, const PathAt& path,
-            std::vector<Cell>& into) {
-  double s = cell.s_begin_mm;
-  for (std::size_t i = 0; i < lengths.size(); ++i) {
-    Cell part = cell;
-    part.s_begin_mm = s;
-    const bool last = i + 1 == lengths.size();
-    part.ends_block = last && cell.ends_block;
-    part.rest_after = last && cell.rest_after;
-    part.length_mm = i + 1 < lengths.size() ? lengths[i] : cell.s_end_mm() - s;
-    if (i > 0) {
-      part.begin = path(cell, s);
-      part.begin.bind_feedrate(cell.sub_tick_mm_s, Constraint::chord_error);
-      part.continues = where == RestAt::end;
-    }
-    s = part.s_end_mm();
-    if (i + 1 < lengths.size()) {
-      part.end = path(cell, s);
-      part.end.bind_feedrate(cell.sub_tick_mm_s, Constraint::chord_error);
-    }
-    into.push_back(part);
-  }
-}
-
 struct RestRamp {
   double jerk_mm_s3 = 0.0;
   double feedrate_mm_s = 0.0;
@@ -123,7 +98,10 @@ void refine_to_rest(std::vector<Cell>& cells, RestAt where, const PathAt& path,
       std::reverse(lengths.begin(), lengths.end());
     }
     const std::size_t first = refined.size();
-    divide(cell, lengths, where, path, refined);
+    for (Cell& part : parts_of(cell, lengths, path)) {
+      part.continues = refined.size() > first ? where == RestAt::end : cell.continues;
+      refined.push_back(part);
+    }
     if (where == RestAt::end) {
       std::reverse(refined.begin() + static_cast<std::ptrdiff_t>(first), refined.end());
     }

@@ -28,6 +28,15 @@ struct Basis {
   }
 };
 
+// The coefficients of the two halves of a cell on which the spline stays as it is: over a part of a
+// cell the coefficient is the blossom of the cell's polynomial at the part's ends. begin: of the
+// cell.
+inline std::array<double, 2> coefficients_of_halves(const SquaredFeed& begin, double length_mm) {
+  const double half = 0.5 * length_mm;
+  return {begin.value + 0.5 * half * begin.slope,
+          begin.value + 1.5 * half * begin.slope + half * half * begin.bend};
+}
+
 struct CellBasis {
   Basis begin{};
   Basis middle{};

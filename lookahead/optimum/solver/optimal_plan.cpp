@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lookahead/optimum/grid/grid.hpp"
 #include "lookahead/optimum/solver/limit_check.hpp"
 #include "lookahead/optimum/solver/optimal_feed.hpp"
 
@@ -11,7 +12,15 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr int kMaxRefinements = 8;
+constexpr int kMaxRefinements = 40;
+// A search that has not ended well spoils more with each share that is taken off.
+constexpr int kRoundsToJudge = 2;
+constexpr double kDiverges = 1.2;  // over the least excess of the rounds before
+// Between the ends of a cell no barrier stands. Where an excess does not follow the shares in so
+// many rounds, the path changes too much over the cell; in every eighth it is halved.
+constexpr int kPatience = 12;
+constexpr int kBetweenHalvings = 8;
+constexpr double kMinHalved_mm = 1e-6;
 constexpr double kSlight = 1.01;  // slowing down by it is no loss to speak of
 // Of a limit, at the places where it is looked at; what is between two of them is a little more.
 constexpr double kHolds = 0.9999;
@@ -45,10 +54,19 @@ std::optional<OptimalPlan> OptimalPlan::find(CellSequence sequence, const PathAt
   OptimalFeed feed = find_optimal_feed(plan.sequence_, limits);
   plan.coefficients_ = feed.coefficients;
   plan.excess_ = plan.check(path, limits);
+  double least = plan.excess_.largest();
   for (int i = 0; i < kMaxRefinements && !holds(plan.excess_); ++i) {
+    if (i >= kPatience && (i - kPatience) % kBetweenHalvings == 0) {
+      plan.halve_cells(path, limits);
+      feed.coefficients = plan.coefficients_;
+    }
     refine_optimal_feed(plan.sequence_, limits, feed);
     plan.coefficients_ = feed.coefficients;
     plan.excess_ = plan.check(path, limits);
+    if (i >= kRoundsToJudge && plan.excess_.largest() > kDiverges * least) {
+      break;
+    }
+    least = std::min(least, plan.excess_.largest());
   }
   plan.newton_steps_ = feed.newton_steps;
   if (holds(plan.excess_)) {
@@ -59,6 +77,37 @@ std::optional<OptimalPlan> OptimalPlan::find(CellSequence sequence, const PathAt
   }
   plan.slow_down(path, limits);
   return plan;
+}
+
+void OptimalPlan::halve_cells(const PathAt& path, const PlanLimits& limits) {
+  std::vector<Cell> cells;
+  std::vector<double> coefficients{coefficients_.front()};
+  const std::size_t first = sequence_.first_spline_cell();
+  for (std::size_t i = 0; i < sequence_.cells.size(); ++i) {
+    const Cell& cell = sequence_.cells[i];
+    if (is_launch(i) || is_landing(i)) {
+      cells.push_back(cell);
+      continue;
+    }
+    const SquaredFeed begin = feed_at({.cell = i});
+    if (cell.length_mm < kMinHalved_mm || holds(excess_of(cell, begin, path, limits))) {
+      cells.push_back(cell);
+      coefficients.push_back(coefficients_[i - first + 1]);
+      continue;
+    }
+    const double half = 0.5 * cell.length_mm;
+    for (Cell& part : parts_of(cell, {half, half}, path)) {
+      part.continues &= part.s_begin_mm == cell.s_begin_mm;
+      cells.push_back(part);
+    }
+    for (const double c : coefficients_of_halves(begin, cell.length_mm)) {
+      coefficients.push_back(c);
+    }
+  }
+  coefficients.push_back(coefficients_.back());
+  sequence_.cells = std::move(cells);
+  coefficients_ = std::move(coefficients);
+  basis_ = feed_basis(sequence_.spline_lengths_mm());
 }
 
 // v^2 times a factor: accelerations by the same, jerks by its power of 3/2. Where the search ended

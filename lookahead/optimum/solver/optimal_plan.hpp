@@ -22,11 +22,11 @@ class OptimalPlan {
 
   // The fastest plan found that also keeps the limits between the places at which the solver
   // evaluates them: they are checked there, the shares are lowered where they are exceeded, and the
-  // search goes on, in at most kMaxRefinements rounds. Where that is not enough, a plan from rest
-  // is slowed down as a whole until it keeps them (slowed_down() if by more than a percent; cutting
-  // the sequence of cells at a rest then loses little); from a begin in motion there is no plan.
-  // The cells must be refined for a rest at the end, and for one at the beginning if the sequence
-  // begins at rest.
+  // search goes on; cells in which that does not help are halved. Where the search diverges, or
+  // kMaxRefinements rounds are not enough, a plan from rest is slowed down as a whole until it
+  // keeps them (slowed_down() if by more than a percent; cutting the sequence of cells at a rest
+  // then loses little); from a begin in motion there is no plan. The cells must be refined for a
+  // rest at the end, and for one at the beginning if the sequence begins at rest.
   static std::optional<OptimalPlan> find(CellSequence sequence, const PathAt& path,
                                          const PlanLimits& limits);
 
@@ -57,6 +57,8 @@ class OptimalPlan {
   }
   // Which limits are exceeded, and by how much; lowers the shares of those cells.
   Excess check(const PathAt& path, const PlanLimits& limits);
+  // Halves the cells that exceed a limit; the planned motion stays as it is.
+  void halve_cells(const PathAt& path, const PlanLimits& limits);
   void slow_down(const PathAt& path, const PlanLimits& limits);
 
   CellSequence sequence_{};
