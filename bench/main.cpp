@@ -7,8 +7,10 @@
 // streaming: the time optimum in a window beside one over everything. kerf-bench parts [NAME]
 // [--quick]
 // [--long] [--profile NAME]: programs of short segments, or those whose name begins so; quick:
-// without the longest exact stops, long: ten million lines too. Anything else: Google Benchmark's
-// cases and options, parse, plan and tick.
+// without the longest exact stops, long: ten million lines too. kerf-bench stops [EVERY]: rests
+// that the path does not ask for, over all smooth runs or every so many-th. Anything else: Google
+// Benchmark's cases and options, parse, plan and tick.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdlib>
@@ -24,6 +26,7 @@
 #include "bench/parse.hpp"
 #include "bench/parts.hpp"
 #include "bench/soak.hpp"
+#include "bench/stops.hpp"
 #include "bench/streaming.hpp"
 #include "bench/work.hpp"
 
@@ -102,6 +105,12 @@ constexpr std::array kCommands{
               return words.size() == 2 ? kerf::bench::parse() : kerf::bench::parse_once(words[2]);
             }},
     Command{"streaming", 0, [](const Words&) { return kerf::bench::streaming(); }},
+    Command{"stops", 1,
+            [](const Words& words) {
+              return kerf::bench::stops(
+                  words.size() == 2 ? 1
+                                    : std::max(std::strtoul(words[2].c_str(), nullptr, 10), 1UL));
+            }},
     Command{"work", 2,
             [](const Words& words) {
               using kerf::bench::Counted;

@@ -1,0 +1,43 @@
+// No rest that the path does not ask for: every fiftieth or so of the runs of `kerf-bench stops`.
+#include "tests/kernel/smooth_runs.hpp"
+
+#include <array>
+#include <string>
+#include <tuple>
+
+#include <gtest/gtest.h>
+
+namespace kerf::test {
+namespace {
+
+constexpr std::size_t kEvery = 49;  // odd, so that it meets every degree
+constexpr std::size_t kParts = 4;   // that may run side by side
+
+using KindAndPart = std::tuple<SmoothKind, std::size_t>;
+
+class SmoothRuns : public testing::TestWithParam<KindAndPart> {};
+
+TEST_P(SmoothRuns, ComeToRestAtTheirEndAlone) {
+  const auto [kind, part] = GetParam();
+  for (std::size_t i = part * kEvery; i < count_of(kind); i += kParts * kEvery) {
+    const SmoothRun run = smooth_run(kind, i);
+    const SmoothPlan plan = plan_of(run);
+    EXPECT_EQ(plan.complaint, "") << run.name;
+    EXPECT_GT(plan.time_s, 0.0) << run.name;
+    EXPECT_EQ(plan.degradations.count, 0U) << run.name;
+  }
+}
+
+std::string test_name(const testing::TestParamInfo<KindAndPart>& kind_and_part) {
+  constexpr std::array kNames{"Splines", "LongSplines", "ShippedCurves", "ShortLines", "Random"};
+  const auto [kind, part] = kind_and_part.param;
+  return kNames.at(static_cast<std::size_t>(kind)) + std::to_string(part + 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(, SmoothRuns,
+                         testing::Combine(testing::ValuesIn(kSmoothKinds),
+                                          testing::Range(std::size_t{0}, kParts)),
+                         test_name);
+
+}  // namespace
+}  // namespace kerf::test
