@@ -15,12 +15,12 @@ namespace kerf::errors {
 
 namespace {
 
-constexpr std::array kPages{
+constexpr auto kPages = std::to_array<const ErrorPage*>({
 // NOLINTNEXTLINE(cppcoreguidelines-macro-usage): as above.
 #define ERROR_PAGE(name, ...) &name,
 #include "diagnostics/errors/pages.def"
 #undef ERROR_PAGE
-};
+});
 
 constexpr bool numbers_rise() {
   return std::ranges::adjacent_find(kPages, std::greater_equal{}, &ErrorPage::number) ==
