@@ -1,6 +1,8 @@
 #include "bench/stops.hpp"
 
+#include <array>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 

@@ -17,7 +17,7 @@ Pipeline::Pipeline(const Order& order)
       planner_({.limits = order.settings.limits,
                 .profile = profiles::Profile(order.options.profile),
                 .window_blocks = order.options.window_blocks,
-                .longest_cruise_s = order.longest_cruise_s}) {}
+                .longest_phase_s = order.longest_phase_s}) {}
 
 Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
   assert(outbox.phases.empty());

@@ -19,7 +19,7 @@ class Pipeline {
   struct Order {
     const MachineSettings& settings;
     const KernelOptions& options;
-    double longest_cruise_s = lookahead::PlannerSettings{}.longest_cruise_s;
+    double longest_phase_s = lookahead::PlannerSettings{}.longest_phase_s;
     ProgramPath::Order path{};
   };
   enum class Step : unsigned char {

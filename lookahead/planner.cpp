@@ -32,19 +32,19 @@ std::unique_ptr<Schedule> schedule_for(const PlannerSettings& settings) {
     return std::make_unique<OptimumSchedule>(
         OptimumSchedule::Settings{.limits = settings.limits,
                                   .window_cells = settings.window_cells,
-                                  .longest_phase_s = settings.longest_cruise_s});
+                                  .longest_phase_s = settings.longest_phase_s});
   }
   return std::make_unique<ClassicalSchedule>(ClassicalSchedule::Settings{
       .limits = settings.limits,
       .profile = settings.profile,
       .ready_blocks = std::max<std::size_t>(settings.window_blocks / 2, 1),
-      .longest_cruise_s = settings.longest_cruise_s});
+      .longest_cruise_s = settings.longest_phase_s});
 }
 
 // Of whole ticks, so that parts do not move what follows.
 double rest_part_s(const PlannerSettings& settings) {
   const double period = settings.limits.period_s;
-  return std::max(std::floor(settings.longest_cruise_s / period), 1.0) * period;
+  return std::max(std::floor(settings.longest_phase_s / period), 1.0) * period;
 }
 
 }  // namespace

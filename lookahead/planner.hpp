@@ -24,7 +24,7 @@ struct PlannerSettings {
   std::size_t window_cells = 3000;   // that the time optimum plans at once; >= 100
   // Cruises and dwells are emitted in parts of about this, so that a stop need not wait for the
   // end.
-  double longest_cruise_s = 0.1;
+  double longest_phase_s = 0.1;
 };
 
 // Push blocks while wants_block() is true, and call emit() for motion; each call emits a part of

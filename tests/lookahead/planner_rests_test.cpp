@@ -13,14 +13,14 @@ namespace {
 TEST(Planner, CommitsLongCruisesInSlices) {
   const PlanLimits limits = mill();
   const Motion motion = plan(blocks_of({line_move({{0, 0, 0}, {500, 0, 0}}, 50.0)}, limits),
-                             {.limits = limits, .longest_cruise_s = 0.1});
+                             {.limits = limits, .longest_phase_s = 0.1});
   expect_contiguous(motion.phases());
   EXPECT_GT(motion.phases().size(), 90U);
   for (const interp::Phase& phase : motion.phases()) {
     EXPECT_LE(phase.law.duration_s(), 0.2 + 1e-12);
   }
   const Motion whole = plan(blocks_of({line_move({{0, 0, 0}, {500, 0, 0}}, 50.0)}, limits),
-                            {.limits = limits, .longest_cruise_s = 1e9});
+                            {.limits = limits, .longest_phase_s = 1e9});
   EXPECT_NEAR(motion.duration_s(), whole.duration_s(), 1e-9);
 }
 

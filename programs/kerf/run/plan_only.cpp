@@ -26,10 +26,10 @@ std::optional<std::uint32_t> line_past(double time_s, const lookahead::Outbox& o
 
 tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file, const PlanOrder& order,
                                                     Progress& progress, BlockWatch& watch) {
-  // Nobody stops this plan, so a cruise need not leave in parts.
+  // Nobody stops this plan, so nothing need leave in parts.
   Pipeline pipeline({.settings = order.settings,
                      .options = order.options,
-                     .longest_cruise_s = lookahead::kUnbounded,
+                     .longest_phase_s = lookahead::kUnbounded,
                      .path = {.watched_line = watch.line(), .observer = &watch}});
   const auto size = static_cast<double>(std::max<std::uint64_t>(file.size_bytes(), 1));
   std::optional<std::uint32_t> too_long_at_line;
