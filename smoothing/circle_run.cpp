@@ -59,6 +59,14 @@ std::optional<Eigen::Vector2d> centre_of(const std::array<Eigen::Vector2d, 3>& p
   return a + from_a;
 }
 
+// Of the chord between two points, seen from the origin: its nearest point, which is not its middle
+// where one end is farther.
+double nearest_of_chord_mm(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  const Eigen::Vector2d chord = to - from;
+  const double share = std::clamp(-from.dot(chord) / chord.squaredNorm(), 0.0, 1.0);
+  return (from + share * chord).norm();
+}
+
 }  // namespace
 
 std::optional<CircleRun> circle_of(const Polyline& run, std::size_t last, double tolerance_mm) {
@@ -83,7 +91,7 @@ std::optional<CircleRun> circle_of(const Polyline& run, std::size_t last, double
     const Eigen::Vector2d here = in(*plane, run[i]) - *centre;
     const double step = sense * std::atan2(cross(before, here), before.dot(here));
     const double off = std::abs(here.norm() - radius);
-    const double height = std::abs(0.5 * (before + here).norm() - radius);
+    const double height = std::abs(nearest_of_chord_mm(before, here) - radius);
     deviation = std::max({deviation, off, height});
     if (!(step > 0.0 && off <= std::min(kRounding_mm, kOfTolerance * tolerance_mm) &&
           height <= kAllowed * tolerance_mm)) {

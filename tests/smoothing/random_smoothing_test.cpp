@@ -55,6 +55,16 @@ TEST(Smoothing, TellsHowFarABlendOfLongArcsIsFromTheirCorner) {
   EXPECT_NEAR(smoothed.deviation.distance_mm, apart, 1e-5);
 }
 
+// Found by a soak: a circle of 0.08 mm, its points rounded to micrometres. The chords' middles are
+// not where they are nearest to its centre.
+TEST(Smoothing, TellsHowFarAnArcIsFromTheChordsOfARoundedCircle) {
+  const RandomMoves program = random_moves(602344, Size::small);
+  const Smoothed smoothed = smooth(program.moves);
+  ASSERT_EQ(smoothed.segments.size(), 1U);
+  const double apart = apart_mm(points_of(smoothed), points_of(program.moves));
+  EXPECT_NEAR(smoothed.deviation.distance_mm, apart, 1e-6);
+}
+
 INSTANTIATE_TEST_SUITE_P(Shard, RandomSmoothing, testing::Range<std::uint64_t>(0, kShards));
 
 TEST(Smoothing, GivesTheSameToTheLastBitASecondTime) {
