@@ -15,7 +15,7 @@ namespace {
 constexpr std::array kShares{
     JumpShares{.jump = 0.25, .turn = 0.15, .cells = 0.59, .tangential = 1.0},
     JumpShares{.jump = 0.5, .turn = 0.1, .cells = 0.39, .tangential = 1.0},
-    JumpShares{.jump = 0.95, .turn = 0.02, .cells = 0.02, .tangential = 0.02}};
+    JumpShares{.jump = 0.995, .turn = 0.001, .cells = 0.001, .tangential = 0.001}};
 // Of an axis' acceleration, which a jump of direction takes from the cells.
 constexpr double kStepShare = 0.95;
 constexpr double kAllShares = 0.99;
