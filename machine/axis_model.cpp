@@ -1,6 +1,7 @@
 #include "machine/axis_model.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -40,14 +41,38 @@ void AxisModel::reset(double position_mm) noexcept {
 }
 
 void AxisModel::follow(double setpoint_mm) noexcept {
-  const double from_mm = command_mm_;
-  const double step_mm = (setpoint_mm - from_mm) / substeps_;
-  const double fed_forward_mm_s = drive_.feed_forward * (setpoint_mm - from_mm) / period_s_;
+  const Way way = way_to(setpoint_mm);
   for (int i = 0; i < substeps_; ++i) {
-    const double error_mm = from_mm + step_mm * i - encoder_mm();
-    substep(drive_.position_gain_per_s * error_mm + fed_forward_mm_s);
+    follow_substep(way, i);
   }
   command_mm_ = setpoint_mm;
+}
+
+void AxisModel::follow_together(std::array<AxisModel, 3>& axes,
+                                const std::array<double, 3>& setpoints_mm) noexcept {
+  assert(axes[0].substeps_ == axes[1].substeps_ && axes[0].substeps_ == axes[2].substeps_);
+  const std::array ways{axes[0].way_to(setpoints_mm[0]), axes[1].way_to(setpoints_mm[1]),
+                        axes[2].way_to(setpoints_mm[2])};
+  for (int i = 0; i < axes[0].substeps_; ++i) {
+    axes[0].follow_substep(ways[0], i);
+    axes[1].follow_substep(ways[1], i);
+    axes[2].follow_substep(ways[2], i);
+  }
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    axes[k].command_mm_ = setpoints_mm[k];
+  }
+}
+
+AxisModel::Way AxisModel::way_to(double setpoint_mm) const noexcept {
+  return {
+      .step_mm = (setpoint_mm - command_mm_) / substeps_,
+      .fed_forward_mm_s = drive_.feed_forward * (setpoint_mm - command_mm_) / period_s_,
+  };
+}
+
+void AxisModel::follow_substep(const Way& way, int i) noexcept {
+  const double error_mm = command_mm_ + way.step_mm * i - encoder_mm();
+  substep(drive_.position_gain_per_s * error_mm + way.fed_forward_mm_s);
 }
 
 void AxisModel::begin_stop(double ramp_s) noexcept {

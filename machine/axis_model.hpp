@@ -27,6 +27,7 @@
 // Called from the tick: nothing here allocates or throws.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include <kerf/machine.hpp>
@@ -45,6 +46,10 @@ class AxisModel {
   void reset(double position_mm) noexcept;
   // One tick towards the setpoint.
   void follow(double setpoint_mm) noexcept;
+  // The same of three axes of one period, side by side: a sub-step of one waits for its own last
+  // one only, so a processor works on all three at once.
+  static void follow_together(std::array<AxisModel, 3>& axes,
+                              const std::array<double, 3>& setpoints_mm) noexcept;
   // From now on stop(): the velocity goes to 0 along a straight ramp of ramp_s, then stays there.
   // The position loop is open, since its encoder may have failed, and the integral is off.
   void begin_stop(double ramp_s) noexcept;
@@ -59,6 +64,13 @@ class AxisModel {
   [[nodiscard]] double stopping_time_s() const noexcept;
 
  private:
+  // Of a tick.
+  struct Way {
+    double step_mm = 0.0;  // of the command in a sub-step
+    double fed_forward_mm_s = 0.0;
+  };
+  [[nodiscard]] Way way_to(double setpoint_mm) const noexcept;
+  void follow_substep(const Way& way, int i) noexcept;
   void substep(double velocity_command_mm_s) noexcept;
   void integrate(double velocity_error_mm_s, double motor_mm_s2) noexcept;
 

@@ -102,9 +102,7 @@ void SimulatedTable::write(const Setpoint& setpoint) noexcept {
     commanded_mm_ = setpoint.position_mm;
     state_.outputs = setpoint.outputs;
     path_.append(commanded_mm_);
-    for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
-      axes_[axis].follow(commanded_mm_[axis]);
-    }
+    AxisModel::follow_together(axes_, commanded_mm_);
   } else {
     for (AxisModel& axis : axes_) {
       axis.stop();
