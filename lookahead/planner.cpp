@@ -28,17 +28,19 @@ ScanFor scan_for_plan(const PlannerSettings& settings) {
 }
 
 std::unique_ptr<Schedule> schedule_for(const PlannerSettings& settings) {
+  const std::size_t ready_blocks = std::max<std::size_t>(settings.window_blocks / 2, 1);
   if (is_optimum(settings)) {
     return std::make_unique<OptimumSchedule>(
         OptimumSchedule::Settings{.limits = settings.limits,
                                   .window_cells = settings.window_cells,
+                                  .ready_blocks = ready_blocks,
                                   .longest_phase_s = settings.longest_phase_s});
   }
-  return std::make_unique<ClassicalSchedule>(ClassicalSchedule::Settings{
-      .limits = settings.limits,
-      .profile = settings.profile,
-      .ready_blocks = std::max<std::size_t>(settings.window_blocks / 2, 1),
-      .longest_cruise_s = settings.longest_phase_s});
+  return std::make_unique<ClassicalSchedule>(
+      ClassicalSchedule::Settings{.limits = settings.limits,
+                                  .profile = settings.profile,
+                                  .ready_blocks = ready_blocks,
+                                  .longest_cruise_s = settings.longest_phase_s});
 }
 
 // Of whole ticks, so that parts do not move what follows.

@@ -1,5 +1,7 @@
 #include "lookahead/optimum/fallback.hpp"
 
+#include <variant>
+
 namespace kerf::lookahead {
 
 namespace {
@@ -36,16 +38,19 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Optim
   Fallback whole;
   double whole_mm = 0.0;
   double all_mm = 0.0;
+  bool is_cheap = true;  // without curves under limits of axes, whose plans cost more than a search
   for (std::size_t i = 0; i < planned.count; ++i) {
     const Cell& cell = (*planned.cells)[i];
     all_mm += cell.length_mm;
     if (cell.ends_block) {
+      is_cheap &= !std::holds_alternative<curves::NurbsCurve>(blocks[whole.blocks].curve);
       ++whole.blocks;
       whole.cells = i + 1;
       whole_mm = all_mm;
     }
   }
-  if (planned.cells->front().cell.s_begin_mm > 0.0 || whole.blocks < kMinBlocks ||
+  if (planned.cells->front().cell.s_begin_mm > 0.0 ||
+      !(found.slowed_down() ? whole.blocks >= kMinBlocks : whole.blocks > 0 && is_cheap) ||
       !(classical_s(blocks, whole.blocks, settings) * all_mm < found.duration_s() * whole_mm)) {
     return std::nullopt;
   }

@@ -1,4 +1,4 @@
-// The classical plan over blocks for which no time optimum was found.
+// The classical plan over blocks on which no time optimum, or a slower one, was found.
 #pragma once
 
 #include <cstddef>
@@ -23,8 +23,9 @@ struct Fallback {
 };
 
 // The blocks over which the classical schedule, from rest to rest, is faster than the plan found
-// from there. Nothing: it is slower, or they are fewer than two: on a single curve, the optimum
-// with a rest inside is faster than the classical plan.
+// from there. Nothing: it is slower, or would cost too much to find out: where the search ended
+// well it is asked for lines and arcs alone. Where it did not, the blocks are at least two: on a
+// single curve, the optimum with a rest inside is faster than the classical plan.
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const OptimalPlan& found,
                                         const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings);

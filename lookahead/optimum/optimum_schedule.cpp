@@ -29,7 +29,7 @@ PlanDegradation degradation_on(const Block& block, double s_mm) {
 ClassicalSchedule::Settings classical(const OptimumSchedule::Settings& settings) {
   return {.limits = settings.limits,
           .profile = profiles::Profile(profiles::ProfileKind::s_curve),
-          .ready_blocks = 1,
+          .ready_blocks = settings.ready_blocks,
           .longest_cruise_s = settings.longest_phase_s};
 }
 
@@ -39,6 +39,15 @@ OptimumSchedule::OptimumSchedule(const Settings& settings)
     : settings_(settings), lines_(classical(settings)), waiting_(settings.limits) {}
 
 void OptimumSchedule::push(const Window<Block>& blocks) {
+  if (lines_go_on_ && !lines_.empty()) {
+    const Block& before = blocks[blocks.size() - 2];
+    if (!stops_between(before, blocks.back())) {
+      lines_.push(blocks.back(), &before);
+      waiting_.skip_next();
+      return;
+    }
+  }
+  lines_go_on_ = false;
   waiting_.push(blocks);
 }
 
@@ -69,7 +78,9 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
   }
   if (!lines_.empty()) {
     const std::uint64_t blocks_before = blocks.size();
-    lines_.emit(blocks, Supply::to_rest, emitter, outbox);
+    if (!lines_.emit(blocks, supply_of_lines(supply, blocks.size()), emitter, outbox)) {
+      return false;
+    }
     for (std::uint64_t left = blocks.size(); left < blocks_before; ++left) {
       waiting_.block_done();
     }
@@ -77,6 +88,14 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
   }
   emit_cell(blocks, emitter, outbox);
   return true;
+}
+
+// A window that was full of cells has room again once the classical schedule takes its blocks.
+Supply OptimumSchedule::supply_of_lines(Supply supply, std::size_t blocks) const {
+  if (!lines_go_on_) {
+    return Supply::to_rest;
+  }
+  return supply == Supply::full && blocks < 2 * settings_.ready_blocks ? Supply::wanted : supply;
 }
 
 OptimumSchedule::Taken OptimumSchedule::take(const PathAt& path) const {
@@ -96,20 +115,23 @@ OptimumSchedule::Taken OptimumSchedule::take(const PathAt& path) const {
 }
 
 void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
-  if (waiting_.front().alone && cells_left() == 0) {
-    waiting_.drop(1);
-    lines_.push(blocks.front(), nullptr);
+  if (waiting_.front().whole_line) {
+    follow_classical(blocks);
     return;
   }
   const PathAt path = waiting_.path_of(blocks);
   const bool from_rest = cells_left() == 0;
   Taken taken = take(path);
   auto found = OptimalPlan::find(std::move(taken.sequence), path, settings_.limits);
-  if (from_rest && found->slowed_down()) {
+  if (from_rest) {
     const auto faster = faster_fallback({.cells = &waiting_, .count = taken.count}, *found, blocks,
                                         classical(settings_));
-    if (faster) {
+    if (faster && found->slowed_down()) {
       fall_back(*faster, blocks, emitter);
+      return;
+    }
+    if (faster) {
+      follow_classical(blocks);
       return;
     }
   }
@@ -133,6 +155,27 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   const std::size_t count = plan_.cells().size();
   window_brake_ = plan_ends_at_stop_ ? count : plan_.last_braking();
   renew_ = std::max(count / 2, window_brake_ - std::min(window_brake_, count / kMarginOfWindow));
+}
+
+void OptimumSchedule::follow_classical(const Window<Block>& blocks) {
+  assert(cells_left() == 0);
+  std::size_t count = 0;
+  bool rests = false;
+  while (count < blocks.size() && !rests) {
+    const Block* before = count > 0 ? &blocks[count - 1] : nullptr;
+    lines_.push(blocks[count], before);
+    ++count;
+    rests = count < blocks.size() && stops_between(blocks[count - 1], blocks[count]);
+  }
+  waiting_.drop_blocks(count);
+  lines_go_on_ = !rests && waiting_.has_open_block();
+  if (lines_go_on_) {
+    waiting_.drop_open();
+  }
+}
+
+bool OptimumSchedule::stops_between(const Block& before, const Block& after) const {
+  return junction_of({.before = &before, .after = &after}, settings_.limits).feedrate_mm_s == 0.0;
 }
 
 // From another place the search may well end; what the plan still holds ends at rest if not.

@@ -21,12 +21,16 @@ namespace kerf::lookahead {
 // a few times at the most, and a plan that still exceeds a limit is slowed down. Each of these is
 // noted as a degradation.
 //
-// A single line from rest to rest is planned by the S-curve, which is its optimum in closed form.
+// Lines that are independent of each other (independent_line.hpp) are planned by the S-curve, which
+// is their optimum in closed form: all of them from a rest to the next, or as far as the window
+// reaches, and then whatever follows up to that rest.
 class OptimumSchedule final : public Schedule {
  public:
   struct Settings {
     PlanLimits limits{};
     std::size_t window_cells = 3000;
+    std::size_t ready_blocks =
+        500;  // ClassicalSchedule::Settings; a full window holds twice as many
     // A cell is emitted in parts no longer than this, so that a stop need not wait for its end.
     double longest_phase_s = 0.1;
   };
@@ -42,7 +46,11 @@ class OptimumSchedule final : public Schedule {
  private:
   [[nodiscard]] std::size_t cells_left() const { return plan_.cells().size() - place_.cell; }
   [[nodiscard]] bool is_to_be_renewed() const;
+  [[nodiscard]] Supply supply_of_lines(Supply supply, std::size_t blocks) const;
   void plan(Window<Block>& blocks, Emitter& emitter);
+  // Hands all blocks up to the next rest to the classical schedule, those to come among them.
+  void follow_classical(const Window<Block>& blocks);
+  [[nodiscard]] bool stops_between(const Block& before, const Block& after) const;
   // The rest of the plan and the cells that wait after it, refined for the rests at its ends.
   struct Taken {
     CellSequence sequence{};
@@ -59,7 +67,8 @@ class OptimumSchedule final : public Schedule {
   void emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox);
 
   Settings settings_;
-  ClassicalSchedule lines_;  // single lines from rest to rest, and blocks on which it stands in
+  ClassicalSchedule lines_;   // independent lines, and blocks on which it stands in
+  bool lines_go_on_ = false;  // the next block joins the last of lines_
   WaitingCells waiting_;
   OptimalPlan plan_;
   PlanPlace place_{};      // on plan_: comes next

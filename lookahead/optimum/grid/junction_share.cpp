@@ -15,7 +15,10 @@ namespace {
 constexpr std::array kShares{
     JumpShares{.jump = 0.25, .turn = 0.15, .cells = 0.59, .tangential = 1.0},
     JumpShares{.jump = 0.5, .turn = 0.1, .cells = 0.39, .tangential = 1.0},
+    JumpShares{.jump = 0.95, .turn = 0.02, .cells = 0.02, .tangential = 0.02},
     JumpShares{.jump = 0.995, .turn = 0.001, .cells = 0.001, .tangential = 0.001}};
+// Beside such a jump the motion is almost a cruise: it may be seen together with another one.
+constexpr double kNearlyAll = 0.95;
 // Of an axis' acceleration, which a jump of direction takes from the cells.
 constexpr double kStepShare = 0.95;
 constexpr double kAllShares = 0.99;
@@ -87,6 +90,17 @@ double chord_bound_mm_s(const JunctionQuery& query, const JumpShares& shares,
   return std::max(chord - most * limits.period_s * limits.period_s / 24.0, 0.0);
 }
 
+// What curvature beside a jump allows with the jerk that is left to the cells.
+double feedrate_beside_mm_s(const BlockEnd& before, const BlockEnd& after, const JumpShares& shares,
+                            const PlanLimits& limits) {
+  const double third = std::max(before.most_third_per_mm2, after.most_third_per_mm2);
+  double jerk = limits.path.jerk_mm_s3;
+  for (const MotionLimits& axis : limits.axes) {
+    jerk = std::min(jerk, axis.jerk_mm_s3);
+  }
+  return third > 0.0 ? std::cbrt(shares.cells * jerk / third) : kUnbounded;
+}
+
 // The way of three ticks beside a junction, on a block.
 double zone_mm(const Block& block, const BlockEnd& end, const JunctionLimits& junction,
                const PlanLimits& limits) {
@@ -96,18 +110,26 @@ double zone_mm(const Block& block, const BlockEnd& end, const JunctionLimits& ju
 }  // namespace
 
 JunctionLimits junction_limits_of(const Jump& jump, const PlanLimits& limits) {
-  JunctionLimits junction;
+  JunctionLimits fastest;
+  double most_mm_s = -1.0;
   for (const JumpShares& shares : kShares) {
     JumpShares of_one = shares;
     of_one.jump /= jump.crowd;
     const double corner =
         corner_feedrate_mm_s(jump.before, jump.after, jump_limits(limits, of_one));
-    junction = junction_limits_with(jump, std::min(jump.allowed_mm_s, corner), shares, limits);
+    const JunctionLimits junction =
+        junction_limits_with(jump, std::min(jump.allowed_mm_s, corner), shares, limits);
     if (corner >= jump.allowed_mm_s) {
-      break;
+      return junction;
+    }
+    const double passed_mm_s =
+        std::min(corner, feedrate_beside_mm_s(jump.before, jump.after, shares, limits));
+    if (passed_mm_s > most_mm_s) {
+      most_mm_s = passed_mm_s;
+      fastest = junction;
     }
   }
-  return junction;
+  return fastest;
 }
 
 CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limits) {
@@ -118,20 +140,30 @@ CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limi
   }
   const Jump jump{.before = before.end, .after = after.begin};
   const double free_mm_s = junction_of(query, jump_limits(limits, {.jump = 1.0})).feedrate_mm_s;
+  CellJunction fastest;
+  double most_mm_s = -1.0;
   for (const JumpShares& shares : kShares) {
     const double chord = chord_bound_mm_s(query, shares, limits);
     Junction found = junction_of(query, jump_limits(limits, shares));
     found.feedrate_mm_s = std::min(found.feedrate_mm_s, chord);
     const JunctionLimits junction = junction_limits_with(jump, found.feedrate_mm_s, shares, limits);
+    const bool stops = found.feedrate_mm_s == 0.0;
+    const CellJunction passed{.smooth = !stops && found.constant_velocity_s == 0.0,
+                              .limits = junction};
     // Ways that overlap would let a third difference see two junctions.
     const bool fits = zone_mm(before, before.end, junction, limits) <= 0.5 * before.length_mm &&
                       zone_mm(after, after.begin, junction, limits) <= 0.5 * after.length_mm;
-    if ((fits && found.feedrate_mm_s >= std::min(free_mm_s, chord)) || &shares == &kShares.back()) {
-      const bool stops = found.feedrate_mm_s == 0.0;
-      return {.smooth = !stops && found.constant_velocity_s == 0.0, .limits = junction};
+    if (fits && found.feedrate_mm_s >= std::min(free_mm_s, chord)) {
+      return passed;
+    }
+    const double passed_mm_s = std::min(
+        found.feedrate_mm_s, feedrate_beside_mm_s(jump.before, jump.after, shares, limits));
+    if (shares.jump >= kNearlyAll && passed_mm_s > most_mm_s) {
+      most_mm_s = passed_mm_s;
+      fastest = passed;
     }
   }
-  return {};
+  return fastest;
 }
 
 double zone_mm(const Cell& cell, const curves::PathDerivatives& end, const JunctionLimits& junction,

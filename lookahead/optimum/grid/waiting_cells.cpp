@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lookahead/optimum/grid/grid.hpp"
+#include "lookahead/optimum/grid/independent_line.hpp"
 
 namespace kerf::lookahead {
 
@@ -27,8 +28,64 @@ PathAt WaitingCells::path_of(const Window<Block>& blocks) const {
 
 void WaitingCells::push(const Window<Block>& blocks) {
   const std::uint64_t number = pushed_++;
+  if (!open_) {
+    open_ = OpenBlock{.number = number, .whole_line = true};
+    lines_ = number;
+    return;
+  }
+  if (!open_->whole_line) {
+    push_cells(number, blocks);
+    return;
+  }
+  const Junction junction =
+      junction_of({.before = &numbered(open_->number, blocks), .after = &blocks.back()}, limits_);
+  if (!close_as_line(junction, blocks)) {
+    make_cells_of_lines(blocks);
+    return;
+  }
+  open_ = OpenBlock{.number = number, .whole_line = true, .line_begin = junction};
+  if (junction.feedrate_mm_s == 0.0) {
+    lines_ = number;
+  }
+}
+
+void WaitingCells::close(const Window<Block>& blocks) {
+  if (!open_) {
+    return;
+  }
+  if (open_->whole_line && !close_as_line({.feedrate_mm_s = 0.0}, blocks)) {
+    make_cells_of_lines(blocks);
+  }
+  if (!open_->whole_line) {
+    close_as_cells({}, blocks);
+  }
+  open_.reset();
+}
+
+bool WaitingCells::close_as_line(const Junction& end, const Window<Block>& blocks) {
+  const Block& block = numbered(open_->number, blocks);
+  if (!is_independent_line(block, {.begin = open_->line_begin, .end = end})) {
+    return false;
+  }
+  cells_.push_back({.cell = {.block = open_->number,
+                             .length_mm = block.length_mm,
+                             .ends_block = true,
+                             .rest_after = end.feedrate_mm_s == 0.0},
+                    .whole_line = true});
+  return true;
+}
+
+void WaitingCells::make_cells_of_lines(const Window<Block>& blocks) {
+  cells_.erase(cells_.end() - static_cast<std::ptrdiff_t>(open_->number - lines_), cells_.end());
+  open_.reset();
+  for (std::uint64_t number = lines_; number < pushed_; ++number) {
+    push_cells(number, blocks);
+  }
+}
+
+void WaitingCells::push_cells(std::uint64_t number, const Window<Block>& blocks) {
   OpenBlock next{.number = number};  // behind a stop
-  const Block& after = blocks.back();
+  const Block& after = numbered(number, blocks);
   next.own = end_feeds_of(BlockPath(after, limits_), limits_);
   if (open_) {
     const Block& before = numbered(open_->number, blocks);
@@ -43,29 +100,19 @@ void WaitingCells::push(const Window<Block>& blocks) {
       next.begin_zone = sub_tick_zone(
           {.curve = before, .junction = after.begin, .beside = after, .v_junction_mm_s = v},
           limits_);
+    } else if (number + 1 == pushed_) {
+      next.whole_line = true;
+      lines_ = number;
     }
-    close(end, blocks);
+    close_as_cells(end, blocks);
   }
   open_ = next;
 }
 
-void WaitingCells::close(const Window<Block>& blocks) {
-  if (open_) {
-    close({}, blocks);
-  }
-}
-
-void WaitingCells::close(const BlockJunction& end, const Window<Block>& blocks) {
-  const OpenBlock open = *open_;
-  open_.reset();
+void WaitingCells::close_as_cells(const BlockJunction& end, const Window<Block>& blocks) {
+  const OpenBlock& open = *open_;
   const Block& block = numbered(open.number, blocks);
   const bool from_rest = open.begin.is_stop();
-  if (std::holds_alternative<curves::Line>(block.curve) && from_rest && end.junction.is_stop()) {
-    cells_.push_back(
-        {.cell = {.block = open.number, .length_mm = block.length_mm, .rest_after = true},
-         .alone = true});
-    return;
-  }
   std::vector<Cell> cells =
       grid_of(BlockPath(block, limits_),
               {.begin = limits_at(open.begin),
@@ -84,6 +131,12 @@ void WaitingCells::close(const BlockJunction& end, const Window<Block>& blocks) 
 void WaitingCells::clear() {
   open_.reset();
   cells_.clear();
+}
+
+void WaitingCells::drop_blocks(std::size_t count) {
+  const auto kept = std::ranges::find_if(
+      cells_, [&](const WaitingCell& waiting) { return waiting.cell.block >= done_ + count; });
+  cells_.erase(cells_.begin(), kept);
 }
 
 void WaitingCells::drop(std::size_t count) {

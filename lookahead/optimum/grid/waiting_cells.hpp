@@ -10,6 +10,7 @@
 #include "lookahead/optimum/grid/cell_stops.hpp"
 #include "lookahead/optimum/grid/junction_share.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
+#include "lookahead/path/junction.hpp"
 #include "lookahead/path/limits.hpp"
 #include "lookahead/path/window.hpp"
 
@@ -17,11 +18,12 @@ namespace kerf::lookahead {
 
 struct WaitingCell {
   Cell cell{};
-  bool alone = false;  // the only cell of a line from rest to rest
+  bool whole_line = false;  // a line that needs no cells (independent_line.hpp)
 };
 
 // A block becomes cells once the junctions at both its ends are known: when the next one comes, or
-// when none does.
+// when none does. From a rest on, lines that can be planned each by itself wait as they are; the
+// first block that cannot makes cells of them and of all that follows up to the next rest.
 class WaitingCells {
  public:
   explicit WaitingCells(const PlanLimits& limits) : limits_(limits) {}
@@ -34,6 +36,9 @@ class WaitingCells {
   void block_done() { ++done_; }
   // Nothing waits any more.
   void clear();
+  // The last block that was pushed is planned elsewhere, or the next one is.
+  void drop_open() { open_.reset(); }
+  void skip_next() { ++pushed_; }
 
   [[nodiscard]] bool has_open_block() const { return open_.has_value(); }
   [[nodiscard]] bool empty() const { return cells_.empty(); }
@@ -41,6 +46,8 @@ class WaitingCells {
   [[nodiscard]] const WaitingCell& front() const { return cells_.front(); }
   [[nodiscard]] const Cell& operator[](std::size_t i) const { return cells_[i].cell; }
   void drop(std::size_t count);
+  // All cells of the window's first blocks.
+  void drop_blocks(std::size_t count);
   void rest_after(std::size_t i) { cells_[i].cell.rest_after = true; }
 
   // For waiting cells and for those of a plan.
@@ -53,6 +60,8 @@ class WaitingCells {
   // A block that is not on the grid yet, and the junction at its beginning.
   struct OpenBlock {
     std::uint64_t number = 0;
+    bool whole_line = false;  // may be one: no cells yet between it and the last rest
+    Junction line_begin{.feedrate_mm_s = 0.0};
     CellJunction begin{};
     EndFeeds own{};                     // end_feeds_of
     double v_before_mm_s = kUnbounded;  // end_feeds_of, at the end of the block before
@@ -68,11 +77,18 @@ class WaitingCells {
     double v_beyond_mm_s = kUnbounded;
     SubTickZone zone{};
   };
-  void close(const BlockJunction& end, const Window<Block>& blocks);
+  // Whether the open block, ending so, is a whole line; then it waits as one.
+  bool close_as_line(const Junction& end, const Window<Block>& blocks);
+  // The lines since the last rest and the blocks after them, up to the last one pushed.
+  void make_cells_of_lines(const Window<Block>& blocks);
+  void push_cells(std::uint64_t number, const Window<Block>& blocks);
+  void close_as_cells(const BlockJunction& end, const Window<Block>& blocks);
 
   PlanLimits limits_;
   std::uint64_t pushed_ = 0;
   std::uint64_t done_ = 0;  // blocks that have left the window
+  std::uint64_t lines_ =
+      0;  // the first block since the last rest, while whole lines are all there is
   std::optional<OpenBlock> open_;
   std::deque<WaitingCell> cells_;
 };

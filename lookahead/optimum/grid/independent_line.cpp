@@ -1,0 +1,32 @@
+#include "lookahead/optimum/grid/independent_line.hpp"
+
+#include <algorithm>
+#include <variant>
+
+#include "profiles/profile.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr double kRise = 1.2;  // of the feedrate between junctions over the faster of them
+
+}  // namespace
+
+bool is_independent_line(const Block& block, const LineJunctions& junctions) {
+  static const profiles::Profile kFastest(profiles::ProfileKind::s_curve);
+  if (!std::holds_alternative<curves::Line>(block.curve)) {
+    return false;
+  }
+  const double peak_mm_s =
+      std::min(block.limits.feedrate_mm_s,
+               kRise * std::max(junctions.begin.feedrate_mm_s, junctions.end.feedrate_mm_s));
+  double way_mm = 0.0;
+  for (const Junction* junction : {&junctions.begin, &junctions.end}) {
+    way_mm += junction->constant_velocity_s * junction->feedrate_mm_s +
+              kFastest.length_mm({junction->feedrate_mm_s, peak_mm_s}, block.limits.ramp);
+  }
+  return way_mm <= block.length_mm;
+}
+
+}  // namespace kerf::lookahead
