@@ -147,7 +147,38 @@ class Watchdog {
   std::jthread thread_{[this](const std::stop_token& stop) { watch(stop); }};
 };
 
+// What a classical profile takes for a program that the time optimum ran. The optimum may not be
+// slower by more than a tick.
+constexpr std::array kRivals{ProfileKind::s_curve, ProfileKind::sigmoid,    ProfileKind::s_curve,
+                             ProfileKind::sine,    ProfileKind::s_curve,    ProfileKind::quintic,
+                             ProfileKind::s_curve, ProfileKind::sine_series};
+
+struct Slower {
+  std::uint64_t compared = 0;
+  std::uint64_t programs = 0;
+  std::int64_t worst_ticks = 0;
+  double worst_ratio = 1.0;
+};
+
+void compare(std::uint64_t seed, const Trial& trial, std::int64_t ticks, Slower& slower) {
+  test::Way way = trial.way;
+  way.kind = kRivals[seed / 8 % kRivals.size()];
+  const std::int64_t rival = test::judged_run(trial.program, trial.settings, way).ticks;
+  ++slower.compared;
+  if (ticks > rival + 1) {
+    ++slower.programs;
+    slower.worst_ticks = std::max(slower.worst_ticks, ticks - rival);
+    slower.worst_ratio =
+        std::max(slower.worst_ratio, static_cast<double>(ticks) / static_cast<double>(rival));
+    std::printf("seed %llu, window %zu: %lld ticks, with %s %lld\n",
+                static_cast<unsigned long long>(seed), trial.way.window_blocks,
+                static_cast<long long>(ticks), std::string(profiles::name_of(way.kind)).c_str(),
+                static_cast<long long>(rival));
+  }
+}
+
 struct Tally {
+  Slower slower{};
   std::uint64_t runs = 0;
   std::uint64_t curves = 0;
   std::uint64_t failures = 0;
@@ -176,6 +207,9 @@ void judge(std::uint64_t seed, const Soak& order, Tally& tally) {
     std::printf("%llu %lld %016llx\n", static_cast<unsigned long long>(seed),
                 static_cast<long long>(run.ticks),
                 static_cast<unsigned long long>(run.fingerprint));
+  }
+  if (trial.way.kind == ProfileKind::time_optimal && run.complaint.empty()) {
+    compare(seed, trial, run.ticks, tally.slower);
   }
   ++tally.runs;
   tally.curves += kind == SoakKind::mixed && seed % 3 == 0 ? 1U : 0U;
@@ -207,6 +241,11 @@ void print(const Tally& tally, std::uint64_t first) {
     std::printf("| %s | %.6f |\n", test::name_of(static_cast<test::Figure>(i)), tally.worst[i]);
   }
   std::printf("| chord error | %.6f |\n", tally.worst_chord);
+  std::printf(
+      "\nslower than a classical profile: %llu of %llu, at the most by %lld ticks and by %.4f\n",
+      static_cast<unsigned long long>(tally.slower.programs),
+      static_cast<unsigned long long>(tally.slower.compared),
+      static_cast<long long>(tally.slower.worst_ticks), tally.slower.worst_ratio);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "lookahead/optimum/fallback.hpp"
 
+#include <algorithm>
 #include <variant>
 
 namespace kerf::lookahead {
@@ -7,6 +8,14 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr std::size_t kMinBlocks = 2;
+
+// Curves under limits of axes cost more than a search.
+bool is_cheap_to_plan(const Block& block, const PlanLimits& limits) {
+  return !std::holds_alternative<curves::NurbsCurve>(block.curve) ||
+         std::ranges::all_of(limits.axes, [](const MotionLimits& axis) {
+           return axis.acceleration_mm_s2 == kUnbounded && axis.jerk_mm_s3 == kUnbounded;
+         });
+}
 
 // How long the schedule takes from rest over the first blocks to rest at the end of the last.
 double classical_s(const Window<Block>& blocks, std::size_t count,
@@ -38,12 +47,12 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Optim
   Fallback whole;
   double whole_mm = 0.0;
   double all_mm = 0.0;
-  bool is_cheap = true;  // without curves under limits of axes, whose plans cost more than a search
+  bool is_cheap = true;
   for (std::size_t i = 0; i < planned.count; ++i) {
     const Cell& cell = (*planned.cells)[i];
     all_mm += cell.length_mm;
     if (cell.ends_block) {
-      is_cheap &= !std::holds_alternative<curves::NurbsCurve>(blocks[whole.blocks].curve);
+      is_cheap &= is_cheap_to_plan(blocks[whole.blocks], settings.limits);
       ++whole.blocks;
       whole.cells = i + 1;
       whole_mm = all_mm;

@@ -24,8 +24,8 @@ struct Fallback {
 
 // The blocks over which the classical schedule, from rest to rest, is faster than the plan found
 // from there. Nothing: it is slower, or would cost too much to find out: where the search ended
-// well it is asked for lines and arcs alone. Where it did not, the blocks are at least two: on a
-// single curve, the optimum with a rest inside is faster than the classical plan.
+// well it is not asked for curves under limits of axes. Where it did not, the blocks are at least
+// two: on a single curve, the optimum with a rest inside is faster than the classical plan.
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const OptimalPlan& found,
                                         const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings);

@@ -194,8 +194,9 @@ SmoothRun smooth_run(SmoothKind kind, std::size_t index) {
   return random_run(index);
 }
 
-SmoothPlan plan_of(const SmoothRun& run) {
-  const KernelOptions options;
+SmoothPlan plan_of(const SmoothRun& run, ProfileKind profile) {
+  KernelOptions options;
+  options.profile.kind = profile;
   Pipeline pipeline({.settings = run.settings, .options = options});
   pipeline.feed(run.text);
   pipeline.finish();

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include <kerf/machine.hpp>
+#include <kerf/profile.hpp>
 #include <kerf/report.hpp>
 
 namespace kerf::test {
@@ -40,7 +41,7 @@ struct SmoothPlan {
   std::string complaint;  // the program has an error, or its plan is broken
 };
 
-// With the time optimum, and without ticks.
-SmoothPlan plan_of(const SmoothRun& run);
+// Without ticks.
+SmoothPlan plan_of(const SmoothRun& run, ProfileKind profile = ProfileKind::time_optimal);
 
 }  // namespace kerf::test

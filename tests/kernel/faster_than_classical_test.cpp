@@ -1,0 +1,82 @@
+// The time optimum is never slower than a classical profile by more than a tick.
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/kernel/smooth_runs.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr std::array kRivals{ProfileKind::s_curve, ProfileKind::sigmoid, ProfileKind::sine,
+                             ProfileKind::quintic, ProfileKind::sine_series};
+
+void expect_no_slower(const SmoothRun& run, ProfileKind rival) {
+  const double time_s = plan_of(run).time_s;
+  EXPECT_LE(time_s, plan_of(run, rival).time_s + 1.001 * run.settings.limits.period_s) << run.name;
+  EXPECT_GT(time_s, 0.0) << run.name;
+}
+
+TEST(TimeOptimum, IsNoSlowerThanAClassicalProfileOnRandomPrograms) {
+  for (std::size_t i = 0; i < count_of(SmoothKind::random); i += 97) {
+    for (const ProfileKind rival : kRivals) {
+      expect_no_slower(smooth_run(SmoothKind::random, i), rival);
+    }
+  }
+}
+
+TEST(TimeOptimum, IsNoSlowerThanTheSCurveOnTheShippedCurves) {
+  for (std::size_t i = 0; i < count_of(SmoothKind::shipped); i += 41) {
+    expect_no_slower(smooth_run(SmoothKind::shipped, i), ProfileKind::s_curve);
+  }
+}
+
+// Limits along the path alone: the S-curve is the optimum there but for the bends.
+TEST(TimeOptimum, IsNoSlowerThanTheSCurveUnderLimitsAlongThePath) {
+  for (std::size_t i = 0; i < count_of(SmoothKind::shipped); i += 23) {
+    SmoothRun run = smooth_run(SmoothKind::shipped, i);
+    MachineLimits& limits = run.settings.limits;
+    limits.path.acceleration_mm_s2 = limits.axes[0].acceleration_mm_s2;
+    limits.path.jerk_mm_s3 = limits.axes[0].jerk_mm_s3;
+    for (MotionLimits& axis : limits.axes) {
+      axis.acceleration_mm_s2 = axis.jerk_mm_s3 = kUnbounded;
+    }
+    expect_no_slower(run, ProfileKind::s_curve);
+  }
+}
+
+std::string zigzag(std::size_t lines) {
+  std::string text = "G21 G90 G61 F6000\n";
+  for (std::size_t i = 1; i <= lines; ++i) {
+    text += "G1 X" + std::to_string(0.5 * static_cast<double>(i)) + " Y" +
+            std::to_string(0.04 * static_cast<double>(i % 2)) + "\n";
+  }
+  return text + "M2\n";
+}
+
+// Exact corners, far more of them than the window holds: each is passed as the S-curve passes it.
+TEST(TimeOptimum, PassesExactCornersOfAnyNumberAsTheSCurveDoes) {
+  for (const std::size_t lines : {2U, 40U, 3000U}) {
+    const SmoothRun run{
+        .name = std::to_string(lines), .text = zigzag(lines), .settings = default_machine()};
+    EXPECT_EQ(plan_of(run).time_s, plan_of(run, ProfileKind::s_curve).time_s) << run.name;
+  }
+}
+
+// Corners, and then an arc that joins the last line without one: the arc makes cells of all lines.
+TEST(TimeOptimum, IsNoSlowerWhereCornersAndSmoothJunctionsTakeTurns) {
+  std::string text = "G21 G90 G61 F6000\n";
+  for (int i = 0; i < 300; ++i) {
+    const std::string x = std::to_string(2.0 * i);
+    text +=
+        i % 7 == 6 ? "G2 X" + x + " Y0.01 R3\n" : "G1 X" + x + " Y" + std::to_string(i % 2) + "\n";
+  }
+  const SmoothRun run{
+      .name = "corners and arcs", .text = text + "M2\n", .settings = default_machine()};
+  expect_no_slower(run, ProfileKind::s_curve);
+}
+
+}  // namespace
+}  // namespace kerf::test

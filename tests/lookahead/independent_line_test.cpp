@@ -1,0 +1,48 @@
+// Lines that need no cells.
+#include "lookahead/optimum/grid/independent_line.hpp"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "profiles/profile.hpp"
+#include "tests/lookahead/programs.hpp"
+
+namespace kerf::lookahead::test {
+namespace {
+
+Block line_of(double length_mm, double feedrate_mm_s = 100.0) {
+  return blocks_of({line_move({{0, 0, 0}, {length_mm, 0, 0}}, feedrate_mm_s)}, mill()).front();
+}
+
+const Junction kRest{.feedrate_mm_s = 0.0};
+const Junction kCorner{.feedrate_mm_s = 1.0, .constant_velocity_s = 3.0 * kTs};
+
+TEST(IndependentLine, IsAnyLineFromRestToRest) {
+  for (const double length_mm : {1e-6, 0.1, 100.0}) {
+    EXPECT_TRUE(is_independent_line(line_of(length_mm), {.begin = kRest, .end = kRest}));
+  }
+}
+
+// Up to 1.2 mm/s and down again takes two transitions of 0.2 mm/s, each of 2 sqrt(0.2 / J) at a
+// mean of 1.1 mm/s, and the corners take three ticks each.
+TEST(IndependentLine, HasRoomToBeFasterThanItsCorners) {
+  const double way_mm = 2.0 * (1.1 * 2.0 * std::sqrt(0.2 / 5e4) + 1.0 * 3.0 * kTs);
+  EXPECT_TRUE(is_independent_line(line_of(1.001 * way_mm), {.begin = kCorner, .end = kCorner}));
+  EXPECT_FALSE(is_independent_line(line_of(0.999 * way_mm), {.begin = kCorner, .end = kCorner}));
+}
+
+TEST(IndependentLine, MayRunThroughAtItsFeedrate) {
+  const Junction through{.feedrate_mm_s = 100.0};
+  EXPECT_TRUE(is_independent_line(line_of(0.01), {.begin = through, .end = through}));
+  EXPECT_FALSE(is_independent_line(line_of(0.01), {.begin = kRest, .end = through}));
+}
+
+TEST(IndependentLine, IsNoArc) {
+  const auto arc =
+      blocks_of({arc_move({.ends = {{0, 0, 0}, {10, 10, 0}}, .centre = {0, 10, 0}}, 10.0)}, mill());
+  EXPECT_FALSE(is_independent_line(arc.front(), {.begin = kRest, .end = kRest}));
+}
+
+}  // namespace
+}  // namespace kerf::lookahead::test
