@@ -119,6 +119,9 @@ class Kernel::Impl {
     return of_plan ? of_plan : describe(judge_.excess());
   }
   [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
+  [[nodiscard]] const std::vector<PathControlUse>& path_controls() const noexcept {
+    return pipeline_.path().path_controls();
+  }
   [[nodiscard]] smoothing::PathDeviation deviation() const noexcept {
     return pipeline_.path().deviations().largest;
   }
@@ -203,6 +206,10 @@ RunFigures Kernel::figures() const noexcept {
           .extra = judge.extra_axes(),
           .chord_error_mm = judge.chord_error_mm()};
 }
+std::vector<PathControlUse> Kernel::path_controls() const {
+  return impl_->path_controls();
+}
+
 smoothing::PathDeviation Kernel::deviation() const noexcept {
   return impl_->deviation();
 }

@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kSections{"tick",  "path",  "axes",   "offsets",
                                                     "tools", "probe", "program"};
-constexpr std::array<std::string_view, 2> kProgramKeys{"dialect", "least_increment_mm"};
+constexpr std::array<std::string_view, 3> kProgramKeys{"dialect", "least_increment_mm",
+                                                       "path_mode"};
 constexpr std::array<std::string_view, 9> kAllAxisNames{"x", "y", "z", "a", "b",
                                                         "c", "u", "v", "w"};
 constexpr auto kAxisNames = std::span(kAllAxisNames).first<3>();
@@ -90,6 +91,9 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
   if (const auto probe = subsection(file, "probe")) {
     read_probe(*probe);
   }
+  settings_.program.path_control = {.mode = PathMode::blend,
+                                    .corner_tolerance_mm = settings_.program.corner_tolerance_mm,
+                                    .merge_tolerance_mm = settings_.program.merge_tolerance_mm};
   if (const auto program = subsection(file, "program")) {
     read_program(*program);
   }
@@ -208,6 +212,11 @@ void MachineFileReader::read_program(const Section& section) {
   if (const toml::node* const node = section.table->get(increment.key)) {
     increment.field(settings_, 0) = read_number(section, increment, *node).value_or(0.0);
   }
+  read_dialect(section);
+  read_path_mode(section);
+}
+
+void MachineFileReader::read_dialect(const Section& section) {
   const toml::node* const node = section.table->get("dialect");
   if (node == nullptr) {
     return;
@@ -220,6 +229,22 @@ void MachineFileReader::read_program(const Section& section) {
                                (name ? in_quotes(*name) : std::string(name_of(node->type()))) +
                                ", expected 'rs274' or 'fanuc'");
   }
+}
+
+void MachineFileReader::read_path_mode(const Section& section) {
+  const toml::node* const node = section.table->get("path_mode");
+  if (node == nullptr) {
+    return;
+  }
+  const std::optional<std::string> words = node->value_exact<std::string>();
+  const auto control = words ? path_control_of(*words, settings_.program) : std::nullopt;
+  if (control) {
+    settings_.program.path_control = *control;
+    return;
+  }
+  report(node->source(), section.path_to("path_mode") + ": found " +
+                             (words ? in_quotes(*words) : std::string(name_of(node->type()))) +
+                             ", expected 'G61', 'G61.1' or 'G64', which may have P and Q in mm");
 }
 
 void MachineFileReader::check_bounds(const Section& file) {

@@ -74,6 +74,18 @@ ProgramPath::Next ProgramPath::next_as_programmed(Output& output) {
   return has_all_text_ ? Next::ended : Next::wants_text;
 }
 
+void ProgramPath::note_path_control(const parser::Move& move) {
+  const PathControlUse use{.control = {.mode = move.mode,
+                                       .corner_tolerance_mm = move.blend_tolerance_mm,
+                                       .merge_tolerance_mm = move.merge_tolerance_mm},
+                           .by_program = move.mode_by_program};
+  const bool is_last = !path_controls_.empty() && path_controls_.back() == use;
+  if (!is_last && path_controls_.size() < kPathControls &&
+      std::ranges::find(path_controls_, use) == path_controls_.end()) {
+    path_controls_.push_back(use);
+  }
+}
+
 bool ProgramPath::read_move() {
   parser::Move move;
   const bool read = reader_.next(move);
@@ -93,6 +105,7 @@ bool ProgramPath::read_move() {
   source_ = move.source;
   if (const auto* end = parser::end_mm(move)) {
     end_ = {.position_mm = *end, .extra_rad_mm = move.auxiliary.end_rad_mm};
+    note_path_control(move);
   }
   // Before smoothing, which may round the corner into the move or merge it with others.
   if (const auto excess = travel_ ? travel_->excess_of(move) : std::nullopt) {

@@ -61,6 +61,11 @@ class ProgramPath {
     return failed_ ? all_diagnostics_ : reader_.diagnostics();
   }
   [[nodiscard]] const parser::ProgramReader& reader() const noexcept { return reader_; }
+  // Under which motion was read, in the order of their first moves, the first kPathControls.
+  static constexpr std::size_t kPathControls = 8;
+  [[nodiscard]] const std::vector<PathControlUse>& path_controls() const noexcept {
+    return path_controls_;
+  }
   [[nodiscard]] smoothing::PathDeviations deviations() const noexcept {
     return smoother_.deviations();
   }
@@ -68,6 +73,7 @@ class ProgramPath {
  private:
   // The next move into the smoother. False: there is no more text.
   bool read_move();
+  void note_path_control(const parser::Move& move);
   void fail(const smoothing::PathError& error, const diagnostics::ErrorPage& page);
   // Moves that the smoother still holds are run.
   void end();
@@ -79,6 +85,7 @@ class ProgramPath {
   parser::ProgramReader reader_;
   std::optional<TravelCheck> travel_;
   smoothing::Smoother smoother_;
+  std::vector<PathControlUse> path_controls_;
   PlaceOfTool end_{};                   // of the move read last
   diagnostics::SourcePosition source_;  // of the move read last, or of the segment that was cut
   bool ended_ = false;                  // only what the smoother still holds will follow

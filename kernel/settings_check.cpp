@@ -129,6 +129,18 @@ Result check_probe(MachineSettings& settings) {
   return {};
 }
 
+Result check_path_mode(const MachineSettings& settings) {
+  constexpr double kMost_mm = 1e3;
+  const PathControl& path = settings.program.path_control;
+  for (const double tolerance_mm : {path.corner_tolerance_mm, path.merge_tolerance_mm}) {
+    if (!(tolerance_mm >= 0.0 && tolerance_mm <= kMost_mm)) {
+      return fail("program.path_mode", "found a tolerance of " + text_of(tolerance_mm) +
+                                           " mm, expected 0 to " + text_of(kMost_mm));
+    }
+  }
+  return {};
+}
+
 // What a plan needs beside possible numbers.
 Result check_bounds(MachineSettings& settings) {
   for (std::size_t axis = 0; axis < curves::kAuxiliaryAxes; ++axis) {
@@ -164,6 +176,7 @@ Result check_machine(MachineSettings settings) {
       .and_then([&] {
         return check({"program", program_rules()}, settings);
       })
+      .and_then([&] { return check_path_mode(settings); })
       .and_then([&] { return check_bounds(settings); });
 }
 

@@ -38,7 +38,7 @@ def point(position):
 
 
 def head(title, source, start):
-    return [f"({title})", f"(source: {source})", "G21 G90 G17", "G0 " + point(start), "S12000 M3"]
+    return [f"({title})", f"(source: {source})", "G21 G90 G17 G61", "G0 " + point(start), "S12000 M3"]
 
 
 def data_file(curve):
@@ -111,7 +111,7 @@ def ring(half_x, half_y, corner, centre_form):
 def pocket():
     """A pocket of 60 x 40 x 4 mm for a 6 mm cutter: helical entry, rings outwards at two depths, arc on and off the wall."""
     lines = ["(pocket 60 x 40 x 4 mm with corner radius 8 mm, cutter of 6 mm, climb milling)", "(source: Kerf's own)",
-             "G21 G90 G17 G94 G40", "S9000 M3", "M8", "G0 Z5.", "G0 X7. Y0."]
+             "G21 G90 G17 G94 G40 G61", "S9000 M3", "M8", "G0 Z5.", "G0 X7. Y0."]
     depth, step = 0.0, 2.0
     while depth < 4.0:
         floor = depth + step

@@ -92,6 +92,9 @@ class KERF_API Kernel {
   /// The place where G64 leads the path farthest from the programmed one, as far as it is planned:
   /// the larger of both directions, from the geometry. 0: nowhere. Planning side.
   [[nodiscard]] PathDeviation deviation() const noexcept;
+  /// The path modes and tolerances under which motion was read so far, in the order in which they
+  /// came first, at most 8. Planning side.
+  [[nodiscard]] std::vector<PathControlUse> path_controls() const;
   /// The program has an error in what was read so far. Planning side.
   [[nodiscard]] bool has_errors() const;
   /// The error is a block that leaves the travel (KernelOptions::checks_travel). Planning side.

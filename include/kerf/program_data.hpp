@@ -159,6 +159,25 @@ struct HomePosition {
   AuxiliaryWords extra_deg_mm{};
 };
 
+enum class PathMode : std::uint8_t { exact_path, exact_stop, blend };  ///< G61, G61.1, G64
+
+/// How exactly the programmed path is kept.
+struct PathControl {
+  PathMode mode = PathMode::exact_path;
+  double corner_tolerance_mm = 0.0;  ///< P of G64, >= 0; 0: no corner is rounded
+  double merge_tolerance_mm = 0.0;   ///< Q of G64, >= 0; 0: no lines are merged
+
+  friend bool operator==(const PathControl&, const PathControl&) = default;
+};
+
+/// A path control under which motion of a program ran.
+struct PathControlUse {
+  PathControl control{};
+  bool by_program = false;  ///< it names the mode; else the machine does
+
+  friend bool operator==(const PathControlUse&, const PathControlUse&) = default;
+};
+
 inline constexpr std::size_t kWorkSystems = 9;  ///< 0: G54 ... 5: G59, 6: G59.1, 7: G59.2, 8: G59.3
 
 /// The machine's data for its programs.
@@ -177,6 +196,9 @@ struct ProgramData {
   /// The tolerances of a G64 without P: of corners and, if Q is missing too, of merged lines; >= 0.
   double corner_tolerance_mm = 0.01;
   double merge_tolerance_mm = 0.01;
+  /// In force until a program names a mode. Here G61, so that nothing departs from the path
+  /// unasked; machine files and the default machine begin in G64 with the two tolerances above.
+  PathControl path_control{};
 };
 
 /// Of the default machine: no offsets, and a tool changer with 60 places. T1 (10 mm, 12.5 mm long),

@@ -42,6 +42,7 @@ Done set_path_mode(const RunningBlock& at, ModalState& state, const MachineData&
   state.path_mode = code == 640   ? PathMode::blend
                     : code == 611 ? PathMode::exact_stop
                                   : PathMode::exact_path;
+  state.path_mode_by_program = true;
   state.blend_tolerance_mm = 0.0;
   state.merge_tolerance_mm = 0.0;
   return code == 640 ? set_tolerances(at, state, machine) : Done();

@@ -37,6 +37,7 @@ void restore_modes(const ModalState& from, ModalState& state) {
   state.path_mode = from.path_mode;
   state.blend_tolerance_mm = from.blend_tolerance_mm;
   state.merge_tolerance_mm = from.merge_tolerance_mm;
+  state.path_mode_by_program = from.path_mode_by_program;
   state.spindle_speed = from.spindle_speed;
   state.spindle = from.spindle;
   state.surface_speed = from.surface_speed;

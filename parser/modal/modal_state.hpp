@@ -99,7 +99,8 @@ struct ModalState {
   PathMode path_mode = PathMode::exact_path;
   double blend_tolerance_mm = 0.0;  // both 0 but under G64
   double merge_tolerance_mm = 0.0;
-  double spindle_speed = 0.0;  // S: revolutions per minute; m or feet per minute under G96
+  bool path_mode_by_program = false;  // else the machine's
+  double spindle_speed = 0.0;         // S: revolutions per minute; m or feet per minute under G96
   Spindle spindle = Spindle::off;
   SurfaceSpeed surface_speed;
   double tool = 0.0;  // selected by T, for the next M6

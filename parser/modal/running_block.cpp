@@ -30,6 +30,7 @@ Move& MoveSink::push_move(const ModalState& state) const {
   move.mode = state.path_mode;
   move.blend_tolerance_mm = state.blend_tolerance_mm;
   move.merge_tolerance_mm = state.merge_tolerance_mm;
+  move.mode_by_program = state.path_mode_by_program;
   return move;
 }
 

@@ -6,6 +6,8 @@
 #include <variant>
 #include <vector>
 
+#include <kerf/program_data.hpp>
+
 #include "diagnostics/source_position.hpp"
 #include "parser/moves/auxiliary_axes.hpp"
 
@@ -99,7 +101,7 @@ struct EventMove {
   SurfaceFollowing surface{};  // of spindle_cw and spindle_ccw, which then follow it
 };
 
-enum class PathMode : std::uint8_t { exact_path, exact_stop, blend };  // G61, G61.1, G64
+using kerf::PathMode;
 
 struct Move {
   std::variant<LineMove, ArcMove, NurbsMove, DwellMove, EventMove> shape;
@@ -113,6 +115,7 @@ struct Move {
   PathMode mode = PathMode::exact_path;
   double blend_tolerance_mm = 0.0;  // G64 P or the machine's; 0: no corner is cut
   double merge_tolerance_mm = 0.0;  // G64 Q, P or the machine's; 0: no lines are merged
+  bool mode_by_program = false;     // else the machine's
   std::uint64_t block = 0;  // of the program's run, counted from 1: a line of a loop is many
 };
 

@@ -43,7 +43,7 @@ double planned_time_s(const std::string& text, const MachineSettings& settings) 
 TEST(LeastTime, IsLengthOverFeedrateAndTheDwells) {
   const MachineSettings settings = default_machine();
   EXPECT_DOUBLE_EQ(
-      least_time_s("G21 G90\nG1 X10 F60\nG4 P2.5\nM0\nG3 X-10 I-10 F120\nM2\n", settings),
+      least_time_s("G21 G90 G61\nG1 X10 F60\nG4 P2.5\nM0\nG3 X-10 I-10 F120\nM2\n", settings),
       10.0 + 2.5 + 3.14159265358979323846 * 10.0 / 2.0);
 }
 
@@ -58,9 +58,17 @@ TEST(LeastTime, OfARapidIsThatOfTheMachine) {
   EXPECT_DOUBLE_EQ(least_time_s("G0 X100 Y100 Z100\nM2\n", settings), 5.0);
 }
 
+// A corner within P saves at most 13 P of each of its lines.
+TEST(LeastTime, OfLongLinesIsHardlyLessUnderATightTolerance) {
+  const double exact_s = 20.0;
+  const double least_s = least_time_s("G64 P0.01 Q0.01\nG1 X10 F60\nY10\nM2\n", default_machine());
+  EXPECT_LT(least_s, exact_s);
+  EXPECT_GT(least_s, 0.98 * exact_s);
+}
+
 TEST(LeastTime, IsNeverMoreThanThePlanTakes) {
   const MachineSettings settings = default_machine();
-  for (const char* mode : {"G61\n", "G61.1\n", "G64 P5 Q2\n"}) {
+  for (const char* mode : {"", "G61\n", "G61.1\n", "G64 P0.2 Q0.1\n", "G64 P5 Q2\n"}) {
     for (const char* path :
          {"G1 F6000 X10\nY10\nX0\nY0\nM2\n", "G0 X40\nX0.5 Y8\nX40 Y16\nG2 X0 I-20 F3000\nM2\n",
           "G1 F3000 X1 Y1\nX2 Y-1\nX3 Y1\nX4 Y-1\nX5 Y1\nX6 Y-1\nM2\n"}) {

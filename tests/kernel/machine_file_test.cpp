@@ -34,6 +34,34 @@ TEST(MachineFile, SaysWhichDialectProgramsAreIn) {
   EXPECT_FALSE(parse_machine_file(section + "dialekt = 'fanuc'\n"));
 }
 
+TEST(MachineFile, SaysInWhichPathModeProgramsBegin) {
+  const std::string file = kBounded;
+  const auto mode_of = [&](const std::string& words) {
+    const auto read = parse_machine_file(file + "[program]\npath_mode = '" + words + "'\n");
+    return read ? std::optional(read->program.path_control) : std::nullopt;
+  };
+  const auto blend = [](double corner_mm, double merge_mm) {
+    return kerf::PathControl{.mode = kerf::PathMode::blend,
+                             .corner_tolerance_mm = corner_mm,
+                             .merge_tolerance_mm = merge_mm};
+  };
+  EXPECT_EQ(parse_machine_file(file)->program.path_control, blend(0.01, 0.01));
+  EXPECT_EQ(mode_of("G61"), (kerf::PathControl{.mode = kerf::PathMode::exact_path}));
+  EXPECT_EQ(mode_of("G61.1"), (kerf::PathControl{.mode = kerf::PathMode::exact_stop}));
+  EXPECT_EQ(mode_of("G64"), blend(0.01, 0.01));
+  EXPECT_EQ(mode_of("G64 P0.05"), blend(0.05, 0.05));
+  EXPECT_EQ(mode_of(" G64  Q0.002"), blend(0.01, 0.002));
+  EXPECT_EQ(mode_of("G64 P0.05 Q0"), blend(0.05, 0.0));
+  for (const char* wrong : {"", "G62", "g64", "G61 P1", "G64 P", "G64 P-1", "G64 P0.1 P0.2",
+                            "G64 R1", "G64 Pnan", "G64 P2000", "G64P0.1"}) {
+    EXPECT_EQ(mode_of(wrong), std::nullopt) << wrong;
+  }
+  EXPECT_EQ(parse_machine_file("[path]\ncorner_tolerance_mm = 0.03\nmerge_tolerance_mm = 0\n" +
+                               file.substr(file.find('\n') + 1))
+                ->program.path_control,
+            blend(0.03, 0.0));
+}
+
 TEST(MachineFile, ReadsEveryKeyIntoItsPlace) {
   const auto read = parse_machine_file(
       "[tick]\nperiod_s = 0.002\n"
@@ -119,6 +147,7 @@ TEST(MachineFile, TheDefaultMachineIsTheTableThatIsShipped) {
   }
   const auto& tools = shipped.program.tools.listed();
   const auto& built_in_tools = built_in.program.tools.listed();
+  EXPECT_EQ(shipped.program.path_control, built_in.program.path_control);
   EXPECT_TRUE(shipped.program.tools.given());
   ASSERT_EQ(tools.size(), built_in_tools.size());
   for (std::size_t i = 0; i < tools.size(); ++i) {

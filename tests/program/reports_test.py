@@ -134,8 +134,24 @@ class Trace(Case):
 
 class Json(Case):
     KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "period_s", "cycle_time_s", "ticks",
-            "path_length_mm", "blocks", "extents", "deviation", "max", "limits_exceeded", "chord_error_mm", "contour_error",
+            "path_length_mm", "blocks", "extents", "path_modes", "deviation", "max", "limits_exceeded", "chord_error_mm", "contour_error",
             "following_error", "starved_ticks", "warnings", "errors", "elapsed")
+
+    def test_names_the_path_modes_that_ran_and_who_named_them(self):
+        text = "G21 G90 F3000\nG1 X20\nY20\nG61\nX0\nG61.1\nY0\nM2\n"
+        done = self.kerf("dry-run", self.path("modes.ngc", text))
+        self.assertIn("  path mode       G64 of the machine, P 0.01, Q 0.01 mm; then G61 of the program; then G61.1 of the program\n",
+                      done.stdout)
+        report = json.loads(self.kerf("dry-run", "--json", self.path("modes.ngc", text)).stdout)
+        self.assertEqual(report["path_modes"], [
+            {"mode": "G64", "by": "machine", "corner_tolerance_mm": 0.01, "merge_tolerance_mm": 0.01},
+            {"mode": "G61", "by": "program"}, {"mode": "G61.1", "by": "program"}])
+        self.assertLessEqual(report["deviation"]["max_mm"], 0.01)
+        exact = self.path("exact.toml", "[path]\nmax_velocity_mm_s = 100\nmax_acceleration_mm_s2 = 3000\nmax_jerk_mm_s3 = 55_000\n"
+                                        "[program]\npath_mode = 'G61'\n")
+        report = json.loads(self.kerf("dry-run", "--json", "--machine", exact, self.path("modes.ngc", text)).stdout)
+        self.assertEqual(report["path_modes"][0], {"mode": "G61", "by": "machine"})
+        self.assertEqual(report["deviation"]["max_mm"], 0.0)
 
     def test_is_one_object_with_the_documented_keys(self):
         report = json.loads(self.kerf("dry-run", "--json", self.path("square.ngc", SQUARE)).stdout)

@@ -18,7 +18,9 @@ constexpr double kRampGrowth = 0.2;
 // most.
 constexpr double kRampStep = 0.05;
 constexpr double kWayStep = 1.0 / 40.0;
+// The launch lasts no longer than so many ticks and such shares.
 constexpr double kLaunchTicks = 12.0;
+constexpr double kLaunchSteps = 6.0;
 constexpr double kLaunchOfRise = 0.5;  // of the time in which the jerk builds the acceleration up
 constexpr double kFirstOfCell = 0.2;
 // Bound the number of parts, and keep what is at their ends apart.
@@ -58,14 +60,15 @@ RestRamp rest_ramp(const std::vector<Cell>& cells, RestAt where, const PlanLimit
   for (const Cell& each : cells) {
     length += each.length_mm;
   }
-  const double step_s =
-      std::min({kCellTicks * limits.period_s, kRampStep * std::sqrt(2.0 * v / jerk),
-                kWayStep * from_rest_to_rest_s(length, jerk)});
+  const double of_ramp_s = kRampStep * std::sqrt(2.0 * v / jerk);
+  const double of_way_s = kWayStep * from_rest_to_rest_s(length, jerk);
   const double rise_s = tangential_acceleration_mm_s2(cell, end, limits) / jerk;
-  return {.jerk_mm_s3 = jerk,
-          .feedrate_mm_s = v,
-          .step_s = step_s,
-          .launch_s = std::min(kLaunchTicks * step_s, kLaunchOfRise * rise_s)};
+  return {
+      .jerk_mm_s3 = jerk,
+      .feedrate_mm_s = v,
+      .step_s = std::min({kCellTicks * limits.period_s, of_ramp_s, of_way_s}),
+      .launch_s = std::min({kLaunchTicks * limits.period_s,
+                            kLaunchSteps * std::min(of_ramp_s, of_way_s), kLaunchOfRise * rise_s})};
 }
 
 // How a cell is to be divided. distances: of its ends from the rest.

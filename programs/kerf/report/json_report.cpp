@@ -55,6 +55,21 @@ Json deviation_json(const smoothing::PathDeviation& deviation) {
   return json;
 }
 
+Json path_modes_json(const std::vector<PathControlUse>& uses) {
+  constexpr std::array kCodes{"G61", "G61.1", "G64"};
+  Json json = Json::array();
+  for (const PathControlUse& use : uses) {
+    Json mode{{"mode", kCodes.at(static_cast<std::size_t>(use.control.mode))},
+              {"by", use.by_program ? "program" : "machine"}};
+    if (use.control.mode == PathMode::blend) {
+      mode["corner_tolerance_mm"] = use.control.corner_tolerance_mm;
+      mode["merge_tolerance_mm"] = use.control.merge_tolerance_mm;
+    }
+    json.push_back(std::move(mode));
+  }
+  return json;
+}
+
 void set_plan(Json& json, const FileReport& report) {
   const PlanReport& plan = *report.plan;
   json["cycle_time_s"] = plan.cycle_time_s;
@@ -62,6 +77,7 @@ void set_plan(Json& json, const FileReport& report) {
   json["path_length_mm"] = plan.path_length_mm;
   json["blocks"] = plan.blocks;
   json["extents"] = extents_json(report);
+  json["path_modes"] = path_modes_json(plan.path_controls);
   json["deviation"] = deviation_json(plan.deviation);
 }
 

@@ -78,6 +78,29 @@ std::string deviation_text(const smoothing::PathDeviation& deviation) {
                      fixed_number(at[1], 3), fixed_number(at[2], 3));
 }
 
+std::string path_mode_text(const PathControlUse& use) {
+  const PathControl& control = use.control;
+  const std::string_view by = use.by_program ? "of the program" : "of the machine";
+  switch (control.mode) {
+    case PathMode::exact_path:
+      return fmt::format("G61 {}", by);
+    case PathMode::exact_stop:
+      return fmt::format("G61.1 {}", by);
+    case PathMode::blend:
+      break;
+  }
+  return fmt::format("G64 {}, P {:.6g}, Q {:.6g} mm", by, control.corner_tolerance_mm,
+                     control.merge_tolerance_mm);
+}
+
+std::string path_modes_text(const std::vector<PathControlUse>& uses) {
+  std::string text;
+  for (const PathControlUse& use : uses) {
+    text += (text.empty() ? "" : "; then ") + path_mode_text(use);
+  }
+  return text;
+}
+
 void append_motion(std::string& text, const FileReport& report) {
   const MotionReport& motion = *report.motion;
   const auto out = std::back_inserter(text);
@@ -129,6 +152,9 @@ std::string summary(const FileReport& report) {
   fmt::format_to(out, "  path            {:.3f} mm in {}\n", plan.path_length_mm,
                  counted(plan.blocks, "block"));
   fmt::format_to(out, "  extents         {}\n", extents_text(report));
+  if (!plan.path_controls.empty()) {
+    fmt::format_to(out, "  path mode       {}\n", path_modes_text(plan.path_controls));
+  }
   if (plan.deviates()) {
     fmt::format_to(out, "  deviation       {}\n", deviation_text(plan.deviation));
   }

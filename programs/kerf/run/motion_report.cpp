@@ -16,7 +16,8 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
                            .blocks = kernel.totals().blocks,
                            .extents = statistics.extents(),
                            .extra_extents = statistics.extra_extents(),
-                           .deviation = kernel.deviation()};
+                           .deviation = kernel.deviation(),
+                           .path_controls = kernel.path_controls()};
   const RunFigures figures = kernel.figures();
   report.motion = MotionReport{.path = figures.path,
                                .axes = figures.axes,

@@ -140,7 +140,8 @@ class Session {
                      .blocks = totals.blocks,
                      .extents = path_.extents.value_or(curves::Extents{}),
                      .extra_extents = path_.extra_extents,
-                     .deviation = planned->deviation};
+                     .deviation = planned->deviation,
+                     .path_controls = planned->path_controls};
       report_.warnings = describe(totals.degradations);
       explain(watch);
     }
