@@ -78,5 +78,17 @@ TEST(TimeOptimum, IsNoSlowerWhereCornersAndSmoothJunctionsTakeTurns) {
   expect_no_slower(run, ProfileKind::s_curve);
 }
 
+// Blends so short that the third derivative changes by all of itself within a cell: the cells are
+// halved, and the search goes on from a plan that is worse at first.
+TEST(TimeOptimum, IsFoundAroundBlendsOfShortArcs) {
+  const SmoothRun run{.name = "arcs",
+                      .text =
+                          "G21 G64 P0.01\nG1 X10 Y10 F250\nY50\nX40\nG2 X50 Y40 J-10\nG1 Y20\n"
+                          "G2 X40 Y10 I-10\nG1 X10\nM2\n",
+                      .settings = default_machine()};
+  EXPECT_EQ(plan_of(run).degradations.count, 0U);
+  expect_no_slower(run, ProfileKind::s_curve);
+}
+
 }  // namespace
 }  // namespace kerf::test

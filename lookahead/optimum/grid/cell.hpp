@@ -11,6 +11,8 @@ namespace kerf::lookahead {
 
 // The solver aims a little inside the limits, so that the check between two places finds no excess.
 inline constexpr double kAim = 0.9998;
+// The feedrate where its bound is constant over a cell: a cruise is at the feedrate itself.
+inline constexpr double kAimOfCruise = 1.0 - 1e-7;
 
 // The share of the limits that the solver may use in a cell: less where a check found the limits
 // exceeded between the places at which the solver evaluates them.

@@ -145,12 +145,16 @@ double feature_mm(const PathSample& end, double piece_mm, double tick_mm) {
 Cell cell_between(const BlockPath& path, const curves::Stretch& stretch, const Cell* before) {
   assert(stretch.begin_mm < stretch.end_mm);
   const double inside = 1e-9 * (stretch.end_mm - stretch.begin_mm);  // its own side of a jump
-  return {.s_begin_mm = stretch.begin_mm,
-          .length_mm = stretch.end_mm - stretch.begin_mm,
-          .begin = before != nullptr ? before->end : path.at(stretch.begin_mm + inside),
-          .end = path.at(stretch.end_mm - inside),
-          .along = path.along(),
-          .along_from = path.along_from()};
+  Cell cell{.s_begin_mm = stretch.begin_mm,
+            .length_mm = stretch.end_mm - stretch.begin_mm,
+            .begin = before != nullptr ? before->end : path.at(stretch.begin_mm + inside),
+            .end = path.at(stretch.end_mm - inside),
+            .along = path.along(),
+            .along_from = path.along_from()};
+  if (cell.begin.feedrate_mm_s == cell.end.feedrate_mm_s) {
+    cell.shares.feedrate = kAimOfCruise;
+  }
+  return cell;
 }
 
 GridScan::GridScan(const BlockPath& path, const EndFeeds& ends, const std::vector<CellStop>& stops,

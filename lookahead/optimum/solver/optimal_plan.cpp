@@ -13,7 +13,8 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr int kMaxRefinements = 40;
-// A search that has not ended well spoils more with each share that is taken off.
+// A search that has not ended well spoils more with each share that is taken off. The first rounds
+// are not judged, nor those after cells were halved.
 constexpr int kRoundsToJudge = 2;
 constexpr double kDiverges = 1.2;  // over the least excess of the rounds before
 // Between the ends of a cell no barrier stands. Where an excess does not follow the shares in so
@@ -34,8 +35,14 @@ void take_off(double excess, double& share) {
   }
 }
 
+void take_off_feedrate(double excess, double& share) {
+  if (excess > 1.0) {
+    share *= kAim / excess;
+  }
+}
+
 bool holds(const Excess& excess) {
-  return excess.largest() <= kHolds;
+  return excess.feedrate <= 1.0 && std::max(excess.acceleration, excess.jerk) <= kHolds;
 }
 
 void widen(const Excess& excess, Excess& worst) {
@@ -55,15 +62,18 @@ std::optional<OptimalPlan> OptimalPlan::find(CellSequence sequence, const PathAt
   plan.coefficients_ = feed.coefficients;
   plan.excess_ = plan.check(path, limits);
   double least = plan.excess_.largest();
+  int judged_from = kRoundsToJudge;
   for (int i = 0; i < kMaxRefinements && !holds(plan.excess_); ++i) {
     if (i >= kPatience && (i - kPatience) % kBetweenHalvings == 0) {
       plan.halve_cells(path, limits);
       feed.coefficients = plan.coefficients_;
+      least = kUnbounded;
+      judged_from = i + kRoundsToJudge;
     }
     refine_optimal_feed(plan.sequence_, limits, feed);
     plan.coefficients_ = feed.coefficients;
     plan.excess_ = plan.check(path, limits);
-    if (i >= kRoundsToJudge && plan.excess_.largest() > kDiverges * least) {
+    if (i >= judged_from && plan.excess_.largest() > kDiverges * least) {
       break;
     }
     least = std::min(least, plan.excess_.largest());
@@ -242,7 +252,7 @@ Excess OptimalPlan::check(const PathAt& path, const PlanLimits& limits) {
     } else {
       excess = excess_of(cell, feed_at({.cell = i}), path, limits);
     }
-    take_off(excess.feedrate, cell.shares.feedrate);
+    take_off_feedrate(excess.feedrate, cell.shares.feedrate);
     take_off(excess.acceleration, cell.shares.acceleration);
     take_off(excess.jerk, cell.shares.jerk);
     widen(excess, worst);
