@@ -102,6 +102,21 @@ class Checker {
   std::vector<smoothing::PathSegment> segments_;
 };
 
+// The text alone.
+class SyntaxChecker {
+ public:
+  explicit SyntaxChecker(const MachineSettings& settings) : least_time_(settings.limits) {}
+
+  void look_at(const parser::Move& move, bool /*after_error*/, CheckReport& /*report*/) {
+    least_time_.add_straight(move);
+  }
+  [[nodiscard]] double least_time_s() const noexcept { return least_time_.seconds(); }
+  void finish(CheckReport& /*report*/) {}
+
+ private:
+  LeastTime least_time_;
+};
+
 void name_files(const parser::ProgramReader& reader,
                 std::vector<diagnostics::Diagnostic>& diagnostics) {
   for (diagnostics::Diagnostic& diagnostic : diagnostics) {
@@ -128,16 +143,9 @@ bool feed_next(const TextSource& text, ProgramPath& path) {
   return true;
 }
 
-}  // namespace
-
-bool CheckReport::has_errors() const {
-  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const diagnostics::Diagnostic& d) {
-    return d.severity == diagnostics::Severity::error;
-  });
-}
-
-CheckReport check_program(const TextSource& text, const MachineSettings& settings,
-                          const KernelOptions& options, const CheckBounds& bounds) {
+template <typename Checker>
+CheckReport read_through(const TextSource& text, const MachineSettings& settings,
+                         const KernelOptions& options, const CheckBounds& bounds) {
   CheckReport report;
   // A machine without limits is no machine to run on, but one to read a program for.
   if (auto fault = settings_fault(settings, options);
@@ -177,6 +185,24 @@ CheckReport check_program(const TextSource& text, const MachineSettings& setting
                             std::tie(b.source.file, b.source.line);
                    });
   return report;
+}
+
+}  // namespace
+
+bool CheckReport::has_errors() const {
+  return std::any_of(diagnostics.begin(), diagnostics.end(), [](const diagnostics::Diagnostic& d) {
+    return d.severity == diagnostics::Severity::error;
+  });
+}
+
+CheckReport check_program(const TextSource& text, const MachineSettings& settings,
+                          const KernelOptions& options, const CheckBounds& bounds) {
+  return read_through<Checker>(text, settings, options, bounds);
+}
+
+CheckReport check_syntax(const TextSource& text, const MachineSettings& settings,
+                         const KernelOptions& options, const CheckBounds& bounds) {
+  return read_through<SyntaxChecker>(text, settings, options, bounds);
 }
 
 }  // namespace v0

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <variant>
 
+#include "parser/moves/short_moves.hpp"
+
 namespace kerf {
 
 namespace {
@@ -26,29 +28,45 @@ LeastTime::LeastTime(const lookahead::PlanLimits& limits)
                                         limits.axes[2].velocity_mm_s))) {}
 
 void LeastTime::add(const parser::Move& move, const std::vector<smoothing::PathSegment>& segments) {
-  if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
-    seconds_ += dwell->duration_s;
-  }
-  double move_s = 0.0;
-  double way_mm = 0.0;
+  Way way;
   for (const smoothing::PathSegment& segment : segments) {
     const double length_mm = curves::length_mm(segment.curve);
-    way_mm += length_mm;
     const double machine_s = segment.extra.alone ? 0.0 : length_mm / fastest_mm_s_;
     const bool feeds = !segment.rapid && segment.feedrate_mm_s > 0.0;
-    move_s += std::max(machine_s, feeds ? length_mm / segment.feedrate_mm_s : 0.0);
+    way.length_mm += length_mm;
+    way.time_s += std::max(machine_s, feeds ? length_mm / segment.feedrate_mm_s : 0.0);
   }
-  for (std::size_t k = 0; k < curves::kAuxiliaryAxes && !segments.empty(); ++k) {
-    const double way = std::abs(move.auxiliary.end_rad_mm[k] - move.auxiliary.begin_rad_mm[k]);
-    move_s = std::max(move_s, way / limits_.extra[k].velocity_mm_s);
+  if (!segments.empty()) {
+    count(move, way);
+  } else if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
+    seconds_ += dwell->duration_s;
+  }
+}
+
+void LeastTime::add_straight(const parser::Move& move) {
+  if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
+    seconds_ += dwell->duration_s;
+  } else if (const parser::Point* end = parser::end_mm(move)) {
+    const double length_mm = (curves::vec(*end) - curves::vec(move.start_mm)).norm();
+    const bool feeds = !move.rapid && move.feedrate_mm_s > 0.0 && length_mm > 0.0;
+    count(move, {.length_mm = length_mm,
+                 .time_s = std::max(length_mm / fastest_mm_s_,
+                                    feeds ? length_mm / move.feedrate_mm_s : 0.0)});
+  }
+}
+
+void LeastTime::count(const parser::Move& move, Way way) {
+  for (std::size_t k = 0; k < curves::kAuxiliaryAxes; ++k) {
+    const double turn = std::abs(move.auxiliary.end_rad_mm[k] - move.auxiliary.begin_rad_mm[k]);
+    way.time_s = std::max(way.time_s, turn / limits_.extra[k].velocity_mm_s);
   }
   double share = 1.0;
-  if (move.mode == parser::PathMode::blend && move_s > 0.0) {
+  if (move.mode == parser::PathMode::blend && way.time_s > 0.0) {
     const double saved_mm =
         kSavedOfCorner * move.blend_tolerance_mm + kSavedOfMerging * move.merge_tolerance_mm;
-    share = std::max(1.0 - saved_mm / way_mm, kBlendedShare);
+    share = std::max(1.0 - saved_mm / way.length_mm, kBlendedShare);
   }
-  seconds_ += share * move_s;
+  seconds_ += share * way.time_s;
 }
 
 }  // namespace kerf

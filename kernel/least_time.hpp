@@ -17,10 +17,18 @@ class LeastTime {
 
   // segments: the move as it is programmed; a pause has none.
   void add(const parser::Move& move, const std::vector<smoothing::PathSegment>& segments);
+  // Without its curve: as if it led straight to its end.
+  void add_straight(const parser::Move& move);
 
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
 
  private:
+  struct Way {
+    double length_mm = 0.0;
+    double time_s = 0.0;
+  };
+  void count(const parser::Move& move, Way way);
+
   lookahead::PlanLimits limits_;
   double fastest_mm_s_;  // with X, Y and Z together
   double seconds_ = 0.0;

@@ -40,6 +40,7 @@ struct Options {
   DiagnosticFormat format = DiagnosticFormat::text;
   std::optional<parser::Dialect> dialect;  // nothing: that of the machine file
   parser::BlockDelete block_delete;
+  bool syntax_only = false;  // of Command::check
   bool json = false;
   bool quiet = false;
 };

@@ -210,5 +210,23 @@ TEST(Check, ReadsTextInPiecesOfAnySize) {
   EXPECT_EQ(report.diagnostics[0].source.line, 2U);
 }
 
+// What takes a curve or a travel to be found is not.
+TEST(Check, OfTheSyntaxIsOfTheTextAlone) {
+  const auto syntax_of = [](std::string_view text) {
+    bool first = true;
+    return check_syntax([&] { return std::exchange(first, false) ? text : std::string_view(); },
+                        default_machine(), {}, {.max_time_s = 1000.0});
+  };
+  EXPECT_TRUE(syntax_of("G21 G90\nG1 X1 F600\nG1 X@\nM2\n").has_errors());
+  const std::string far = "G21 G90\nG1 X100000 F6000000\nM2\n";
+  EXPECT_FALSE(check(far, default_machine()).limit_faults.empty());
+  EXPECT_TRUE(syntax_of(far).limit_faults.empty());
+  EXPECT_FALSE(syntax_of(far).has_errors());
+  EXPECT_FALSE(syntax_of(far).moves);
+  // 17 rounds of 60 s
+  EXPECT_TRUE(syntax_of("o1 while [1]\nG4 P60\no1 endwhile\n").has_errors());
+  EXPECT_TRUE(syntax_of("G21 G90 F600\no1 while [1]\nG1 X10\nX0\no1 endwhile\n").has_errors());
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -194,6 +194,14 @@ class ErrorPages(Case):
 
 
 class Check(Case):
+    def test_of_the_syntax_reads_the_text_alone(self):
+        far = self.path("far.ngc", "G21 G90\nG1 X100000 F3000\nM2\n")
+        done = self.kerf("check", "--syntax", far)
+        self.assertRegex(done.stdout, r"far\.ngc: ok, the text alone\n$")
+        self.kerf("check", far, status=4)
+        self.kerf("check", "--syntax", self.path("wrong.ngc", "G1 X@ F1\n"), status=1)
+        self.kerf("dry-run", "--syntax", far, status=2)
+
     def test_is_a_line_for_each_file(self):
         path = self.path("square.ngc", SQUARE)
         done = self.kerf("check", path, self.path("wrong.ngc", WRONG), path, status=1)

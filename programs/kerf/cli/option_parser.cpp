@@ -113,7 +113,10 @@ CLI::App* add_command(CLI::App& app, Command command, const std::string& descrip
         ->required()
         ->check(CLI::PositiveNumber)
         ->type_name("N");
-  } else if (command != Command::check) {
+  } else if (command == Command::check) {
+    added->add_flag("--syntax", raw.options.syntax_only,
+                    "read the text alone: no plan, no curves, no travel");
+  } else {
     add_outputs(*added, raw);
   }
   return added;

@@ -66,6 +66,7 @@ struct ClockReport {
 struct FileReport {
   std::string file;
   Command command = Command::dry_run;
+  bool syntax_only = false;
   std::string machine;  // the machine file, or "default"
   std::string_view profile;
   bool live = false;               // ran as its text came, without a check of the whole before

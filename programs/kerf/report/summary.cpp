@@ -133,6 +133,9 @@ std::string check_line(const FileReport& report) {
 }  // namespace
 
 std::string summary(const FileReport& report) {
+  if (report.syntax_only && report.status == ExitStatus::done) {
+    return fmt::format("{}: ok, the text alone\n", visible(report.file));
+  }
   if (!report.plan) {
     return {};
   }

@@ -30,7 +30,8 @@ tl::expected<CheckReport, std::string> check_pass(ProgramFile& file,
     progress.set_read(static_cast<double>(file.bytes_read()) / size);
     return *piece;
   };
-  CheckReport report = check_program(
+  const auto check = options.syntax_only ? check_syntax : check_program;
+  CheckReport report = check(
       text, settings, kernel_options,
       {.stop = [] { return stop_requested().has_value(); }, .max_time_s = options.max_time_s});
   if (error) {

@@ -13,10 +13,11 @@ namespace kerf::program {
 struct CheckPassOptions {
   double max_time_s;  // as CheckBounds
   bool shows_progress;
+  bool syntax_only;
 };
 
-// check_program() over the file. Ends early, and then means nothing, when a stop is requested.
-// Error: the file cannot be read.
+// check_program() over the file, or check_syntax(). Ends early, and then means nothing, when a stop
+// is requested. Error: the file cannot be read.
 tl::expected<CheckReport, std::string> check_pass(ProgramFile& file,
                                                   const MachineSettings& settings,
                                                   const KernelOptions& kernel_options,

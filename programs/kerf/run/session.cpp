@@ -41,6 +41,7 @@ class Session {
                         .block_delete = options.block_delete,
                         .dialect = options.dialect} {
     report_.command = options.command;
+    report_.syntax_only = options.syntax_only;
     report_.machine = options.machine_file.value_or("default");
     report_.profile = name_of(options.profile);
     report_.period_s = settings.limits.period_s;
@@ -66,7 +67,7 @@ class Session {
       report_.status = *stop_requested();
     } else if (!file) {
       report_.fail(ExitStatus::io_error, file.error());
-    } else if (check(*file)) {
+    } else if (check(*file) && !options_.syntax_only) {
       file->rewind();
       const Stopwatch watch;
       if (options_.command == Command::check || options_.command == Command::explain) {
@@ -84,9 +85,10 @@ class Session {
   // True: the program may run.
   bool check(ProgramFile& file) {
     const Stopwatch watch;
-    const auto found =
-        check_pass(file, settings_, kernel_options_,
-                   {.max_time_s = options_.max_time_s, .shows_progress = shows_progress_});
+    const auto found = check_pass(file, settings_, kernel_options_,
+                                  {.max_time_s = options_.max_time_s,
+                                   .shows_progress = shows_progress_,
+                                   .syntax_only = options_.syntax_only});
     report_.check_duration_s = watch.elapsed_s();
     if (stop_requested()) {
       report_.status = *stop_requested();
