@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What is installed: headers that need nothing of Kerf's inside, and a library that shows nothing of it.
 
-    front_door_test.py PREFIX COMPILER LIBRARY
+    front_door_test.py PREFIX COMPILER LIBRARY [FLAG...]        the flags that it was compiled with
 """
 import pathlib
 import re
@@ -11,6 +11,7 @@ import tempfile
 import unittest
 
 PREFIX, COMPILER, LIBRARY = pathlib.Path(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3])
+FLAGS = sys.argv[4:]
 MOST_LINES = 40_000
 
 
@@ -56,7 +57,7 @@ class FrontDoor(unittest.TestCase):
             shared = LIBRARY
             if LIBRARY.suffix == ".a":
                 shared = pathlib.Path(folder) / "libkerf.so"
-                output(COMPILER, "-shared", "-o", shared, "-Wl,--whole-archive", LIBRARY, "-Wl,--no-whole-archive", "-Wl,-z,defs", "-lm")
+                output(COMPILER, *FLAGS, "-shared", "-o", shared, "-Wl,--whole-archive", LIBRARY, "-Wl,--no-whole-archive", "-Wl,-z,defs", "-lm")
             shown = output("nm", "-DC", "--defined-only", shared).splitlines()
         own = [line.split(maxsplit=2)[2] for line in shown if "kerf::" in line]
         self.assertTrue(any(name.startswith("kerf::v0::Kernel::tick(") for name in own))

@@ -7,9 +7,10 @@ if(KERF_INSTALL)
       -P "${CMAKE_CURRENT_LIST_DIR}/run.cmake")
   set_tests_properties(embedding.builds_and_runs_the_examples_against_the_installed_library PROPERTIES
     TIMEOUT 600 FIXTURES_SETUP kerf_installed)
+  separate_arguments(flags NATIVE_COMMAND "${CMAKE_CXX_FLAGS}")
   add_test(NAME embedding.installs_a_front_door_of_its_own
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_LIST_DIR}/front_door_test.py" "${PROJECT_BINARY_DIR}/embedding/installed"
-      "${CMAKE_CXX_COMPILER}" "$<TARGET_FILE:kerf_front>")
+      "${CMAKE_CXX_COMPILER}" "$<TARGET_FILE:kerf_front>" ${flags})
   set_tests_properties(embedding.installs_a_front_door_of_its_own PROPERTIES TIMEOUT 300 FIXTURES_REQUIRED kerf_installed)
 endif()
 add_test(NAME embedding.configures_around_the_checkout_without_what_the_program_needs
