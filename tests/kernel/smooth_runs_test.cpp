@@ -16,7 +16,7 @@ constexpr std::size_t kEvery = 343;
 #else
 constexpr std::size_t kEvery = 49;
 #endif
-constexpr std::size_t kParts = 4;   // that may run side by side
+constexpr std::size_t kParts = 4;  // that may run side by side
 
 using KindAndPart = std::tuple<SmoothKind, std::size_t>;
 
