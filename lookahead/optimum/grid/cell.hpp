@@ -40,6 +40,9 @@ struct Cell {
   profiles::RampLimits along{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
   LimitOrigins along_from{};
   AllowedShares allowed{};
+  // Jumps of curvature that one third difference sees together with the cell add jerk to each axis,
+  // in mm/s^3 per v^2 at the most (junction_share.hpp).
+  curves::Position jumps_per_mm_s{};
   double sub_tick_mm_s = kUnbounded;  // the highest feedrate in it, if it lies in a sub-tick zone
   // The solver aims at these, within `allowed`.
   LimitShares shares{};

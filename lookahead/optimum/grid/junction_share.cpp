@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <optional>
 
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 
@@ -22,6 +23,10 @@ constexpr double kNearlyAll = 0.95;
 // Of an axis' acceleration, which a jump of direction takes from the cells.
 constexpr double kStepShare = 0.95;
 constexpr double kAllShares = 0.99;
+constexpr double kTangential = 1e-9;
+constexpr double kDynamic = 0.998;
+constexpr double kMostOfTurn = 0.1;
+constexpr double kLeastDynamic = 0.75;
 constexpr double kSupportTicks = 3.0;  // of a third difference
 constexpr double kStepPeak = 0.75;     // of a step of acceleration in a third difference
 
@@ -107,9 +112,62 @@ double zone_mm(const Block& block, const BlockEnd& end, const JunctionLimits& ju
   return zone_mm(Cell{.along = block.along.ramp}, end, junction, limits);
 }
 
+// Neither the path's own feedrate nor a further axis changes its direction.
+bool is_smooth_beside_axes(const BlockEnd& before, const BlockEnd& after) {
+  double turn = path_step_of(before, after);
+  for (std::size_t k = 0; k < before.extra_per_mm.size(); ++k) {
+    turn = std::max(turn, std::abs(after.extra_per_mm[k] - before.extra_per_mm[k]));
+  }
+  return turn <= kTangential;
+}
+
+// The limits of a jump of curvature that its cells share by its size at each feedrate; what
+// rounding of a program leaves of a turn has a fixed share. Nothing: the turn is more than that, or
+// at its feedrate the feedrate changes too much within a tick.
+//
+// A third difference whose middle is off the jump by a share x of a tick sees x^2 4/3 less of it,
+// while the feedrate there may be lower by a x Ts: what the cells take for the jump is short by
+// 3/16 (2 a Ts / v)^2 of it at the most, and that is left free.
+std::optional<JunctionLimits> dynamic_limits_of(const Jump& jump, const PlanLimits& limits) {
+  const double ts = limits.period_s;
+  JunctionLimits junction{.feedrate_mm_s = jump.allowed_mm_s};
+  double change_mm_s = 0.0;
+  for (std::size_t k = 0; k < limits.axes.size(); ++k) {
+    const double bend = std::abs(jump.after.second_per_mm[k] - jump.before.second_per_mm[k]);
+    const double jerk = limit_or_path(limits.axes[k].jerk_mm_s3, limits.path.jerk_mm_s3);
+    const double a =
+        limit_or_path(limits.axes[k].acceleration_mm_s2, limits.path.acceleration_mm_s2);
+    junction.jumps_per_mm_s[k] = kStepPeak * bend / ts;
+    change_mm_s = std::max(change_mm_s, 2.0 * a * ts);
+    if (bend > 0.0) {
+      junction.feedrate_mm_s =
+          std::min(junction.feedrate_mm_s, std::sqrt(kDynamic * jerk / junction.jumps_per_mm_s[k]));
+    }
+  }
+  double turn_share = 0.0;
+  for (std::size_t k = 0; k < limits.axes.size(); ++k) {
+    const double turn = std::abs(jump.after.first[k] - jump.before.first[k]);
+    const double jerk = limit_or_path(limits.axes[k].jerk_mm_s3, limits.path.jerk_mm_s3);
+    const double a =
+        limit_or_path(limits.axes[k].acceleration_mm_s2, limits.path.acceleration_mm_s2);
+    turn_share =
+        std::max({turn_share, turn * (junction.feedrate_mm_s / ts + kStepPeak * a) / (ts * jerk),
+                  turn * junction.feedrate_mm_s / (ts * a)});
+  }
+  const double change = change_mm_s / junction.feedrate_mm_s;
+  junction.acceleration_share = 1.0 - turn_share;
+  junction.shares = {.turn = 1.0, .cells = kDynamic - turn_share - 3.0 / 16.0 * change * change};
+  const bool holds = is_smooth_beside_axes(jump.before, jump.after) && turn_share <= kMostOfTurn &&
+                     junction.shares.cells >= kLeastDynamic;
+  return holds ? std::optional(junction) : std::nullopt;
+}
+
 }  // namespace
 
 JunctionLimits junction_limits_of(const Jump& jump, const PlanLimits& limits) {
+  if (const auto dynamic = dynamic_limits_of(jump, limits)) {
+    return *dynamic;
+  }
   JunctionLimits fastest;
   double most_mm_s = -1.0;
   for (const JumpShares& shares : kShares) {
@@ -132,6 +190,32 @@ JunctionLimits junction_limits_of(const Jump& jump, const PlanLimits& limits) {
   return fastest;
 }
 
+namespace {
+
+// Nothing: it stops there, more than curvature jumps, or a block is too short for the ticks that
+// see it.
+std::optional<CellJunction> dynamic_junction_of(const JunctionQuery& query,
+                                                const PlanLimits& limits) {
+  const Block& before = *query.before;
+  const Block& after = *query.after;
+  const Junction found = junction_of(query, limits);
+  if (found.feedrate_mm_s == 0.0 || found.constant_velocity_s == 0.0) {
+    return std::nullopt;
+  }
+  const auto junction = dynamic_limits_of(
+      {.before = before.end,
+       .after = after.begin,
+       .allowed_mm_s = std::min({before.along.feedrate_mm_s, after.along.feedrate_mm_s,
+                                 chord_bound_mm_s(query, {}, limits)})},
+      limits);
+  const bool fits = junction &&
+                    zone_mm(before, before.end, *junction, limits) <= 0.5 * before.length_mm &&
+                    zone_mm(after, after.begin, *junction, limits) <= 0.5 * after.length_mm;
+  return fits ? std::optional(CellJunction{.limits = *junction}) : std::nullopt;
+}
+
+}  // namespace
+
 CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limits) {
   const Block& before = *query.before;
   const Block& after = *query.after;
@@ -140,6 +224,9 @@ CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limi
   }
   const Jump jump{.before = before.end, .after = after.begin};
   const double free_mm_s = junction_of(query, jump_limits(limits, {.jump = 1.0})).feedrate_mm_s;
+  if (const auto dynamic = dynamic_junction_of(query, limits)) {
+    return *dynamic;
+  }
   CellJunction fastest;
   double most_mm_s = -1.0;
   for (const JumpShares& shares : kShares) {
@@ -186,6 +273,9 @@ void bind_beside(const JunctionLimits& junction, Cell& cell, PathSample& end) {
 }
 
 double leave_rest(const JunctionLimits& junction, const PlanLimits& limits, Cell& cell) {
+  for (std::size_t k = 0; k < cell.jumps_per_mm_s.size(); ++k) {
+    cell.jumps_per_mm_s[k] += junction.jumps_per_mm_s[k];
+  }
   const JumpShares& shares = junction.shares;
   if (shares.tangential < 1.0 && cell.allowed.jerk > shares.cells) {
     cell.along.acceleration_mm_s2 = std::min(

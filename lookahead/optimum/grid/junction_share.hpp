@@ -24,12 +24,17 @@ struct JumpShares {
 };
 
 // Limits of the motion at a place where direction or curvature jumps.
+//
+// Where curvature alone jumps, an axis' acceleration steps by |dk| v^2, and a third difference of
+// positions sees 3/4 |dk| v^2 / Ts of it at the most. That is a form over v^2 like any other limit
+// of the cells around it, so no share is fixed: jerk of the cell + jumps v^2 <= J.
 struct JunctionLimits {
   double feedrate_mm_s = kUnbounded;
   double acceleration_mm_s2 = kUnbounded;  // along the path
   JumpShares shares{};
   // Share of the axes' acceleration that the jump leaves to the cells.
   double acceleration_share = 1.0;
+  curves::Position jumps_per_mm_s{};  // Cell::jumps_per_mm_s; 0: the shares say what the jump takes
 };
 
 // A jump at a place within a curve.

@@ -107,6 +107,9 @@ double curvature_feedrate_mm_s(const Cell& cell, const PathSample& end, const Pl
     if (q3 > 0.0) {
       v = std::min(v, std::cbrt(cell.shares.jerk * axis.jerk_mm_s3 / q3));
     }
+    if (cell.jumps_per_mm_s[k] > 0.0) {
+      v = std::min(v, std::sqrt(cell.shares.jerk * axis.jerk_mm_s3 / cell.jumps_per_mm_s[k]));
+    }
   }
   return v;
 }

@@ -65,7 +65,8 @@ Seen look_at(const profiles::PathMotion& motion, const Cell& cell, const PathSam
     grow(worst.acceleration, std::abs(seen.acceleration_mm_s2[k]) /
                                  (cell.allowed.acceleration * limits.axes[k].acceleration_mm_s2));
     grow(worst.jerk,
-         std::abs(seen.jerk_mm_s3[k]) / (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
+         (std::abs(seen.jerk_mm_s3[k]) + cell.jumps_per_mm_s[k] * motion.v_mm_s * motion.v_mm_s) /
+             (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
   }
   return seen;
 }
@@ -115,7 +116,9 @@ void look_at_kink(const std::array<Seen, 4>& seen, const Cell& cell, const PlanL
     const double fall = (jerk(2) - jerk(3)) / (seen[3].s_mm - seen[2].s_mm);
     const double place = (jerk(2) - jerk(1) + fall * way) / (rise + fall);
     if (rise > 0.0 && fall > 0.0 && place > 0.0 && place < way) {
-      grow(worst.jerk, (jerk(1) + rise * place) / (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
+      const double jumps = cell.jumps_per_mm_s[k] * seen[1].v_mm_s * seen[1].v_mm_s;
+      grow(worst.jerk,
+           (jerk(1) + rise * place + jumps) / (cell.allowed.jerk * limits.axes[k].jerk_mm_s3));
     }
   }
 }

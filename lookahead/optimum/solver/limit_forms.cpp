@@ -25,7 +25,8 @@ Forms forms_at(const Cell& cell, const PathSample& end, const PlanLimits& limits
         .second_per_mm = end.second_per_mm[k],
         .third_per_mm2 = end.third_per_mm2[k],
         .acceleration_mm_s2 = cell.shares.acceleration * limits.axes[k].acceleration_mm_s2,
-        .jerk_mm_s3 = cell.shares.jerk * limits.axes[k].jerk_mm_s3};
+        .jerk_mm_s3 = cell.shares.jerk * limits.axes[k].jerk_mm_s3,
+        .jumps_per_mm_s = cell.jumps_per_mm_s[k]};
   }
   return forms;
 }
@@ -83,6 +84,9 @@ bool jerk_may_bind(const Forms& forms, std::size_t k, const Bounds& bounds) {
   const Form& form = forms[k];
   if (!std::isfinite(form.jerk_mm_s3)) {
     return false;
+  }
+  if (form.jumps_per_mm_s > 0.0) {
+    return true;
   }
   if (form.second_per_mm == 0.0 && form.third_per_mm2 == 0.0) {
     return k == bounds.tightest_jerk;

@@ -13,7 +13,7 @@ namespace {
 // A bound that the coefficients keep within rounding.
 constexpr double kSeenTo = 1.0001;
 
-using Row = std::array<double, 3>;
+using Row = std::array<double, 4>;
 
 struct CellForms {
   Forms begin{};
@@ -106,7 +106,7 @@ class Builder {
     if (value[0] * cap_of(cells_[i - 1]) + value[1] * cap_of(cells_[i]) <= kSeenTo * cap) {
       return false;  // the bounds of the coefficients see to it
     }
-    row = {value[0] / cap, value[1] / cap, 0.0};
+    row = {value[0] / cap, value[1] / cap};
     return true;
   }
 
@@ -127,14 +127,17 @@ class Builder {
     return true;
   }
 
-  bool jerk_row(const Place& place, std::size_t k, Row& row) const {
+  // of_jumps: the rows of places beside jumps, or all others.
+  bool jerk_row(const Place& place, std::size_t k, bool of_jumps, Row& row) const {
     const auto [i, at_end] = place;
     const CellForms& cell = forms_[i];
     const Forms& forms = at_end ? cell.end : cell.begin;
     const Form& form = forms[k];
-    if (!jerk_may_bind(forms, k, at_end ? cell.at_end : cell.at_begin)) {
+    if ((form.jumps_per_mm_s > 0.0) != of_jumps ||
+        !jerk_may_bind(forms, k, at_end ? cell.at_end : cell.at_begin)) {
       return false;
     }
+    row[3] = form.jumps_per_mm_s / form.jerk_mm_s3;
     const Basis& basis = at_end ? (*basis_)[i].end : (*basis_)[i].begin;
     for (std::size_t c = 0; c < 3; ++c) {
       row[c] = (0.5 * form.first * basis.bend[c] + 1.5 * form.second_per_mm * basis.slope[c] +
@@ -157,13 +160,13 @@ class Builder {
     }
     return count;
   }
-  std::uint8_t append_jerks(const Place& at) {
+  std::uint8_t append_jerks(const Place& at, bool of_jumps) {
     std::uint8_t count = 0;
     for (std::size_t k = 0; k < kForms; ++k) {
       const auto row_of = [&](std::size_t cell, Row& row) {
-        return jerk_row({cell, at.at_end}, k, row);
+        return jerk_row({cell, at.at_end}, k, of_jumps, row);
       };
-      if (append_row(at.cell, {}, row_of)) {
+      if (append_row(at.cell, {.first = 0, .end = of_jumps ? 4U : 3U}, row_of)) {
         ++count;
       }
     }
@@ -188,8 +191,10 @@ class Builder {
     pair.caps = append_row(i, {.first = 0, .end = 2}, cap) ? 1 : 0;
     pair.accelerations = append_accelerations({.cell = i, .at_end = false});
     pair.end_accelerations = append_accelerations({.cell = i, .at_end = true});
-    pair.jerks = append_jerks({.cell = i, .at_end = false});
-    pair.end_jerks = append_jerks({.cell = i, .at_end = true});
+    pair.jerks = append_jerks({.cell = i, .at_end = false}, false);
+    pair.end_jerks = append_jerks({.cell = i, .at_end = true}, false);
+    pair.jump_jerks = append_jerks({.cell = i, .at_end = false}, true);
+    pair.end_jump_jerks = append_jerks({.cell = i, .at_end = true}, true);
     result_.pairs.push_back(pair);
   }
 

@@ -14,13 +14,15 @@
 
 namespace kerf::lookahead {
 
-// |q' a + q'' v^2| <= A and |q' j + 3 q'' v a + q''' v^3| <= J, of the path or of an axis.
+// |q' a + q'' v^2| <= A and |q' j + 3 q'' v a + q''' v^3| + jumps v^2 <= J, of the path or of an
+// axis.
 struct Form {
   double first = 0.0;
   double second_per_mm = 0.0;
   double third_per_mm2 = 0.0;
   double acceleration_mm_s2 = kUnbounded;
   double jerk_mm_s3 = kUnbounded;
+  double jumps_per_mm_s = 0.0;
 };
 
 // The path, then the axes.
@@ -63,13 +65,15 @@ struct CellPair {
   std::uint8_t end_accelerations = 0;  // |r1 c1 + r2 c2| <= 1, at its end
   std::uint8_t jerks = 0;              // sqrt(b) |r0 c0 + r1 c1 + r2 c2| <= 1, at its begin
   std::uint8_t end_jerks = 0;          // the same at its end
+  std::uint8_t jump_jerks = 0;         // sqrt(b) |r0 c0 + r1 c1 + r2 c2| + r3 b <= 1, at its begin
+  std::uint8_t end_jump_jerks = 0;     // the same at its end
 };
 
 // Along the path: v^2 <= cap^2, |b'| / 2 <= A, sqrt(b) |b''| / 2 <= J; on an axis: |q' b' / 2 + q''
-// b| <= A and sqrt(b) |q' b'' / 2 + 3/2 q'' b' + q''' b| <= J, divided by the limit (docs/math.md,
-// 5.1). Each limit has a row where its value may be largest, but only one: between two continuous
-// cells the acceleration once, of limits with a common direction along the path the tightest, and
-// none that the others keep below half of it.
+// b| <= A and sqrt(b) |q' b'' / 2 + 3/2 q'' b' + q''' b| + jumps b <= J, divided by the limit
+// (docs/math.md, 5.1). Each limit has a row where its value may be largest, but only one: between
+// two continuous cells the acceleration once, of limits with a common direction along the path the
+// tightest, and none that the others keep below half of it.
 struct LimitRows {
   std::vector<CellPair> pairs;  // a cell without neighbour has one of no length
   std::vector<SimdPair> rows;   // of all pairs, in order

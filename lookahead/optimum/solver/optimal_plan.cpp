@@ -120,8 +120,8 @@ void OptimalPlan::halve_cells(const PathAt& path, const PlanLimits& limits) {
   basis_ = feed_basis(sequence_.spline_lengths_mm());
 }
 
-// v^2 times a factor: accelerations by the same, jerks by its power of 3/2. Where the search ended
-// in what is no number, from its begin.
+// v^2 times a factor: accelerations and the jerk of jumps by the same, other jerks by more. Where
+// the search ended in what is no number, from its begin.
 void OptimalPlan::slow_down(const PathAt& path, const PlanLimits& limits) {
   slowed_down_ = !(excess_.largest() <= kSlight);
   if (!(excess_.largest() < kUnbounded)) {
@@ -133,9 +133,8 @@ void OptimalPlan::slow_down(const PathAt& path, const PlanLimits& limits) {
     excess_ = check(path, limits);
   }
   for (int i = 0; i < kSlowings && !holds(excess_); ++i) {
-    const double factor =
-        std::min({1.0 / (excess_.feedrate * excess_.feedrate), 1.0 / excess_.acceleration,
-                  std::pow(excess_.jerk, -2.0 / 3.0)});
+    const double factor = std::min({1.0 / (excess_.feedrate * excess_.feedrate),
+                                    1.0 / excess_.acceleration, 1.0 / excess_.jerk});
     for (double& c : coefficients_) {
       c *= std::clamp(kSlower * factor, kMinFactor, kSlower);
     }

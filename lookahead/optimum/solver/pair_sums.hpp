@@ -59,7 +59,11 @@ class PairSums {
       add_last(row[0], row[1], barrier_.within(row[0] * c1_ + row[1] * c2_, barrier_sum_));
     }
     row = add_jerks(row, pair.jerks, begin_, {pair.begin, 1.0 - pair.begin, SimdPair::Zero()});
-    return add_jerks(row, pair.end_jerks, end_, {SimdPair::Zero(), 1.0 - pair.end, pair.end});
+    row = add_jerks(row, pair.end_jerks, end_, {SimdPair::Zero(), 1.0 - pair.end, pair.end});
+    row = add_jump_jerks(row, pair.jump_jerks, begin_,
+                         {pair.begin, 1.0 - pair.begin, SimdPair::Zero()});
+    return add_jump_jerks(row, pair.end_jump_jerks, end_,
+                          {SimdPair::Zero(), 1.0 - pair.end, pair.end});
   }
   // Into the rows of as many cells as there are.
   void store(std::size_t at, BandSystem& system) const {
@@ -94,6 +98,29 @@ class PairSums {
       add({v * row[0] + by_root * value.r0, v * row[1] + by_root * value.r1,
            v * row[2] + by_root * value.r2},
           {weight_s_ * slopes.rise, stiffness_s_ * slopes.bend});
+    }
+    return row;
+  }
+  // With a jump's part of the limit, which is linear in the coefficients.
+  const SimdPair* add_jump_jerks(const SimdPair* row, int jerks, const SimdPair& squared,
+                                 const SimdRow& value) {
+    if (jerks == 0) {
+      return row;
+    }
+    const SimdPair v = squared.sqrt();
+    const SimdPair half = 0.5 / v;
+    for (int k = 0; k < jerks; ++k, row += 4) {
+      const SimdPair linear = row[0] * c0_ + row[1] * c1_ + row[2] * c2_;
+      const SimdPair by_root = half * linear;
+      const SimdRow moved{v * row[0] + by_root * value.r0, v * row[1] + by_root * value.r1,
+                          v * row[2] + by_root * value.r2};
+      const SimdRow jump{row[3] * value.r0, row[3] * value.r1, row[3] * value.r2};
+      const Barrier::Slopes above = barrier_.below(row[3] * squared + v * linear, barrier_sum_);
+      add({jump.r0 + moved.r0, jump.r1 + moved.r1, jump.r2 + moved.r2},
+          {weight_s_ * above.rise, stiffness_s_ * above.bend});
+      const Barrier::Slopes under = barrier_.below(row[3] * squared - v * linear, barrier_sum_);
+      add({jump.r0 - moved.r0, jump.r1 - moved.r1, jump.r2 - moved.r2},
+          {weight_s_ * under.rise, stiffness_s_ * under.bend});
     }
     return row;
   }

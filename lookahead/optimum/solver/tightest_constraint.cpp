@@ -59,8 +59,11 @@ void add_place(const Cell& cell, const PathSample& path, const SquaredFeed& feed
     const AxisTerms terms = axis_terms(path, k, motion);
     prices.add(std::abs(terms.acceleration_mm_s2()) / (a_share * limits.axes[k].acceleration_mm_s2),
                unless_junction(cell, interp::of_axis(Constraint::x_acceleration, k)));
-    prices.add(std::abs(terms.jerk_mm_s3()) / (j_share * limits.axes[k].jerk_mm_s3),
-               unless_junction(cell, interp::of_axis(Constraint::x_jerk, k)));
+    const double jumps = cell.jumps_per_mm_s[k] * v * v;
+    const double jerk = std::abs(terms.jerk_mm_s3());
+    prices.add((jerk + jumps) / (j_share * limits.axes[k].jerk_mm_s3),
+               jumps > jerk ? Constraint::junction
+                            : unless_junction(cell, interp::of_axis(Constraint::x_jerk, k)));
   }
 }
 
