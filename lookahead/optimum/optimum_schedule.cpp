@@ -19,6 +19,7 @@ constexpr std::size_t kTriesOfRest = 8;
 constexpr std::size_t kMinBetweenTries = 8;
 constexpr std::size_t kCutCells = 16;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
+// Where it is to rest at a junction it brakes later than it may if it passes that in motion.
 constexpr std::size_t kMarginOfWindow = 8;
 
 PlanDegradation degradation_on(const Block& block, double s_mm) {
@@ -108,7 +109,11 @@ OptimumSchedule::Taken OptimumSchedule::take(const PathAt& path) const {
     ++taken.count;
   }
   if (taken.sequence.begin.at_rest()) {
+    relax_beside_rest(cells, BlockSide::begin);
     refine_to_rest(cells, RestAt::begin, path, settings_.limits);
+  }
+  if (cells.back().ends_block) {
+    relax_beside_rest(cells, BlockSide::end);
   }
   refine_to_rest(cells, RestAt::end, path, settings_.limits);
   return taken;
@@ -154,7 +159,10 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   place_ = {};
   const std::size_t count = plan_.cells().size();
   window_brake_ = plan_ends_at_stop_ ? count : plan_.last_braking();
-  renew_ = std::max(count / 2, window_brake_ - std::min(window_brake_, count / kMarginOfWindow));
+  const auto relaxed = static_cast<std::size_t>(
+      std::ranges::count_if(plan_.cells(), [](const Cell& cell) { return cell.relaxed; }));
+  const std::size_t margin = count / kMarginOfWindow + relaxed;
+  renew_ = std::max(count / 2, window_brake_ - std::min(window_brake_, margin));
 }
 
 void OptimumSchedule::follow_classical(const Window<Block>& blocks) {

@@ -28,6 +28,15 @@ struct AllowedShares {
   double jerk = 1.0;
 };
 
+// What a junction at an end of the block leaves to a cell near it.
+struct JunctionRest {
+  AllowedShares allowed{};
+  double acceleration_mm_s2 = kUnbounded;  // along the path
+  curves::Position jumps_per_mm_s{};       // Cell::jumps_per_mm_s
+};
+
+enum class BlockSide : std::uint8_t { none, begin, end };
+
 struct Cell {
   std::uint64_t block = 0;  // the block it lies on
   double s_begin_mm = 0.0;  // on the block's curve
@@ -44,6 +53,11 @@ struct Cell {
   // in mm/s^3 per v^2 at the most (junction_share.hpp).
   curves::Position jumps_per_mm_s{};
   double sub_tick_mm_s = kUnbounded;  // the highest feedrate in it, if it lies in a sub-tick zone
+  // Near a junction at this side of the block: what the cell has instead where the motion rests at
+  // the junction (relax_beside_rest).
+  BlockSide beside = BlockSide::none;
+  bool relaxed = false;  // and now has
+  JunctionRest other{};
   // The solver aims at these, within `allowed`.
   LimitShares shares{};
   bool continues = false;        // the cell before it: one, but for a rest that a plan ends with

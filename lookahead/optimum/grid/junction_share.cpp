@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 
@@ -272,6 +273,24 @@ void bind_beside(const JunctionLimits& junction, Cell& cell, PathSample& end) {
   a = std::min(a, junction.acceleration_mm_s2 / junction.acceleration_share);
 }
 
+void keep_free(BlockSide side, Cell& cell) {
+  if (side != BlockSide::none) {
+    cell.beside = side;
+    cell.other = {.allowed = cell.allowed,
+                  .acceleration_mm_s2 = cell.along.acceleration_mm_s2,
+                  .jumps_per_mm_s = cell.jumps_per_mm_s};
+  }
+}
+
+void exchange(Cell& cell) {
+  std::swap(cell.allowed, cell.other.allowed);
+  std::swap(cell.along.acceleration_mm_s2, cell.other.acceleration_mm_s2);
+  std::swap(cell.jumps_per_mm_s, cell.other.jumps_per_mm_s);
+  cell.relaxed = !cell.relaxed;
+  cell.shares.acceleration = kAim * cell.allowed.acceleration;
+  cell.shares.jerk = kAim * cell.allowed.jerk;
+}
+
 double leave_rest(const JunctionLimits& junction, const PlanLimits& limits, Cell& cell) {
   for (std::size_t k = 0; k < cell.jumps_per_mm_s.size(); ++k) {
     cell.jumps_per_mm_s[k] += junction.jumps_per_mm_s[k];
@@ -294,23 +313,43 @@ double leave_rest(const JunctionLimits& junction, const PlanLimits& limits, Cell
 void share_limits(std::vector<Cell>& cells, std::size_t boundary, const JunctionLimits& junction,
                   const PlanLimits& limits) {
   assert(boundary <= cells.size());
+  const BlockSide side = boundary == 0              ? BlockSide::begin
+                         : boundary == cells.size() ? BlockSide::end
+                                                    : BlockSide::none;
   if (boundary > 0) {
     Cell& last = cells[boundary - 1];
     const double zone = zone_mm(last, last.end, junction, limits);
-    bind_beside(junction, last, last.end);
     double way = 0.0;
     for (std::size_t i = boundary; i-- > 0 && way < zone;) {
+      keep_free(side, cells[i]);
       way += leave_rest(junction, limits, cells[i]);
     }
+    bind_beside(junction, last, last.end);
   }
   if (boundary < cells.size()) {
     Cell& first = cells[boundary];
     const double zone = zone_mm(first, first.begin, junction, limits);
-    bind_beside(junction, first, first.begin);
     double way = 0.0;
     for (std::size_t i = boundary; i < cells.size() && way < zone; ++i) {
+      keep_free(side, cells[i]);
       way += leave_rest(junction, limits, cells[i]);
     }
+    bind_beside(junction, first, first.begin);
+  }
+}
+
+void relax_beside_rest(std::vector<Cell>& cells, BlockSide side) {
+  const std::uint64_t block = side == BlockSide::begin ? cells.front().block : cells.back().block;
+  for (Cell& cell : cells) {
+    if (cell.block == block && cell.beside == side && !cell.relaxed) {
+      exchange(cell);
+    }
+  }
+}
+
+void bind_beside_junction(Cell& cell) {
+  if (cell.relaxed) {
+    exchange(cell);
   }
 }
 

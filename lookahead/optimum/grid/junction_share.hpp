@@ -63,6 +63,12 @@ CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limi
 double zone_mm(const Cell& cell, const curves::PathDerivatives& end, const JunctionLimits& junction,
                const PlanLimits& limits);
 
+// Gives the cells near a junction what they have where the motion rests at it: no jump is passed
+// there. side: of the block, the junction's.
+void relax_beside_rest(std::vector<Cell>& cells, BlockSide side);
+// What the cell has where the junction is passed in motion.
+void bind_beside_junction(Cell& cell);
+
 // Caps feedrate and acceleration at a boundary of cells, the one before cells[boundary] (0 and the
 // count of cells are the ends), and leaves the cells around it their share.
 void share_limits(std::vector<Cell>& cells, std::size_t boundary, const JunctionLimits& junction,

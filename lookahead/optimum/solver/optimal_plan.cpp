@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lookahead/optimum/grid/grid.hpp"
+#include "lookahead/optimum/grid/junction_share.hpp"
 #include "lookahead/optimum/solver/limit_check.hpp"
 #include "lookahead/optimum/solver/optimal_feed.hpp"
 
@@ -228,6 +229,7 @@ CellSequence OptimalPlan::rest_from(const PlanPlace& place, std::size_t end_cell
       continue;
     }
     Cell& cell = sequence.cells.emplace_back(sequence_.cells[i]);
+    bind_beside_junction(cell);
     if (!is_launch(i) && !is_landing(i)) {
       cell.planned_squared = feed_at({.cell = i, .offset_mm = 0.5 * cell.length_mm}).value;
     }
