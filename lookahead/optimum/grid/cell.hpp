@@ -10,7 +10,7 @@
 namespace kerf::lookahead {
 
 // The solver aims a little inside the limits, so that the check between two places finds no excess.
-inline constexpr double kAim = 0.9998;
+inline constexpr double kAim = 0.9995;
 // The feedrate where its bound is constant over a cell: a cruise is at the feedrate itself.
 inline constexpr double kAimOfCruise = 1.0 - 1e-7;
 
