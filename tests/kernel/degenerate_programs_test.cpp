@@ -54,6 +54,7 @@ TEST(DegenerateMoves, LeaveTheOthersOfTheirProgramAsTheyAre) {
       SCOPED_TRACE(std::string(lost.text) + " profile " + std::to_string(kind));
       Kernel kernel(default_machine(),
                     {.profile = profiles::Profile(static_cast<ProfileKind>(kind))});
+      kernel.feed("G61\n");
       kernel.feed(lost.text);
       kernel.finish();
       const interp::Setpoint last = rest_of(kernel).back();
