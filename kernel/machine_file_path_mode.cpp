@@ -29,6 +29,28 @@ std::optional<double> tolerance_of(std::string_view number) {
   return whole && value >= 0.0 && value <= kMost_mm ? std::optional(value) : std::nullopt;
 }
 
+struct Tolerances {
+  std::optional<double> p;
+  std::optional<double> q;
+};
+
+// The words after G64. Nothing: one of them is neither P nor Q, comes twice or has no such number.
+std::optional<Tolerances> tolerances_of(std::string_view words) {
+  Tolerances found;
+  for (std::string_view word = take_word(words); !word.empty(); word = take_word(words)) {
+    if (word.front() != 'P' && word.front() != 'Q') {
+      return std::nullopt;
+    }
+    std::optional<double>& tolerance = word.front() == 'P' ? found.p : found.q;
+    const auto value = tolerance_of(word.substr(1));
+    if (tolerance || !value) {
+      return std::nullopt;
+    }
+    tolerance = value;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::optional<PathControl> path_control_of(std::string_view words, const ProgramData& machine) {
@@ -39,22 +61,11 @@ std::optional<PathControl> path_control_of(std::string_view words, const Program
     }
     return PathControl{.mode = mode == "G61" ? PathMode::exact_path : PathMode::exact_stop};
   }
-  if (mode != "G64") {
+  const auto tolerances = mode == "G64" ? tolerances_of(words) : std::nullopt;
+  if (!tolerances) {
     return std::nullopt;
   }
-  std::optional<double> p;
-  std::optional<double> q;
-  for (std::string_view word = take_word(words); !word.empty(); word = take_word(words)) {
-    std::optional<double>* const tolerance =
-        word.front() == 'P' ? &p : (word.front() == 'Q' ? &q : nullptr);
-    if (tolerance == nullptr || *tolerance) {
-      return std::nullopt;
-    }
-    *tolerance = tolerance_of(word.substr(1));
-    if (!*tolerance) {
-      return std::nullopt;
-    }
-  }
+  const auto& [p, q] = *tolerances;
   return PathControl{.mode = PathMode::blend,
                      .corner_tolerance_mm = p.value_or(machine.corner_tolerance_mm),
                      .merge_tolerance_mm = q.value_or(p.value_or(machine.merge_tolerance_mm))};
