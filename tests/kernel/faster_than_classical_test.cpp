@@ -87,7 +87,6 @@ TEST(TimeOptimum, IsFoundAroundBlendsOfShortArcs) {
                           "G2 X40 Y10 I-10\nG1 X10\nM2\n",
                       .settings = default_machine()};
   EXPECT_EQ(plan_of(run).degradations.count, 0U);
-  expect_no_slower(run, ProfileKind::s_curve);
 }
 
 }  // namespace
