@@ -49,17 +49,20 @@ void WaitingCells::push(const Window<Block>& blocks) {
   }
 }
 
+// Where only its cells stop at its begin, the last block stands behind a rest once the lines before
+// it are cells, and may be a line by itself.
 void WaitingCells::close(const Window<Block>& blocks) {
-  if (!open_) {
-    return;
+  while (open_ && open_->whole_line) {
+    if (close_as_line({.feedrate_mm_s = 0.0}, blocks)) {
+      open_.reset();
+    } else {
+      make_cells_of_lines(blocks);
+    }
   }
-  if (open_->whole_line && !close_as_line({.feedrate_mm_s = 0.0}, blocks)) {
-    make_cells_of_lines(blocks);
-  }
-  if (!open_->whole_line) {
+  if (open_) {
     close_as_cells({}, blocks);
+    open_.reset();
   }
-  open_.reset();
 }
 
 bool WaitingCells::close_as_line(const Junction& end, const Window<Block>& blocks) {
