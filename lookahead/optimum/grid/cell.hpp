@@ -28,8 +28,8 @@ struct AllowedShares {
   double jerk = 1.0;
 };
 
-// What a junction at an end of the block leaves to a cell near it.
-struct JunctionRest {
+// The limits of a cell that a junction at an end of its block lowers.
+struct LoweredLimits {
   AllowedShares allowed{};
   double acceleration_mm_s2 = kUnbounded;  // along the path
   curves::Position jumps_per_mm_s{};       // Cell::jumps_per_mm_s
@@ -56,8 +56,8 @@ struct Cell {
   // Near a junction at this side of the block: what the cell has instead where the motion rests at
   // the junction (relax_beside_rest).
   BlockSide beside = BlockSide::none;
-  bool relaxed = false;  // and now has
-  JunctionRest other{};
+  bool relaxed = false;  // and has now: then these are what it has in motion
+  LoweredLimits instead{};
   // The solver aims at these, within `allowed`.
   LimitShares shares{};
   bool continues = false;        // the cell before it: one, but for a rest that a plan ends with

@@ -36,16 +36,16 @@ void bind_beside(const JunctionLimits& junction, Cell& cell, PathSample& end) {
 void keep_free(BlockSide side, Cell& cell) {
   if (side != BlockSide::none) {
     cell.beside = side;
-    cell.other = {.allowed = cell.allowed,
-                  .acceleration_mm_s2 = cell.along.acceleration_mm_s2,
-                  .jumps_per_mm_s = cell.jumps_per_mm_s};
+    cell.instead = {.allowed = cell.allowed,
+                    .acceleration_mm_s2 = cell.along.acceleration_mm_s2,
+                    .jumps_per_mm_s = cell.jumps_per_mm_s};
   }
 }
 
 void exchange(Cell& cell) {
-  std::swap(cell.allowed, cell.other.allowed);
-  std::swap(cell.along.acceleration_mm_s2, cell.other.acceleration_mm_s2);
-  std::swap(cell.jumps_per_mm_s, cell.other.jumps_per_mm_s);
+  std::swap(cell.allowed, cell.instead.allowed);
+  std::swap(cell.along.acceleration_mm_s2, cell.instead.acceleration_mm_s2);
+  std::swap(cell.jumps_per_mm_s, cell.instead.jumps_per_mm_s);
   cell.relaxed = !cell.relaxed;
   cell.shares.acceleration = kAim * cell.allowed.acceleration;
   cell.shares.jerk = kAim * cell.allowed.jerk;

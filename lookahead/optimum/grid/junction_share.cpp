@@ -12,7 +12,7 @@ namespace kerf::lookahead {
 
 namespace {
 
-// A hundredth is left for what the bounds on the cells do not see within three ticks of them.
+// What they leave is for what the bounds on the cells do not see within three ticks of them.
 constexpr std::array kShares{
     JumpShares{.jump = 0.25, .turn = 0.15, .cells = 0.59, .tangential = 1.0},
     JumpShares{.jump = 0.5, .turn = 0.1, .cells = 0.39, .tangential = 1.0},
@@ -23,10 +23,12 @@ constexpr double kNearlyAll = 0.95;
 // Of an axis' acceleration, which a jump of direction takes from the cells.
 constexpr double kStepShare = 0.95;
 constexpr double kAllShares = 0.99;
-constexpr double kTangential = 1e-9;
+// Of a jump of curvature that its cells share at each feedrate: what both may use, how much of it a
+// slight turn may take beside it, and what must be left to the cells.
 constexpr double kDynamic = 0.998;
 constexpr double kMostOfTurn = 0.1;
 constexpr double kLeastDynamic = 0.75;
+constexpr double kSmooth = 1e-9;    // of the path's feedrate and of further axes
 constexpr double kStepPeak = 0.75;  // of a step of acceleration in a third difference
 
 double limit_or_path(double axis, double path) {
@@ -117,7 +119,7 @@ bool is_smooth_beside_axes(const BlockEnd& before, const BlockEnd& after) {
   for (std::size_t k = 0; k < before.extra_per_mm.size(); ++k) {
     turn = std::max(turn, std::abs(after.extra_per_mm[k] - before.extra_per_mm[k]));
   }
-  return turn <= kTangential;
+  return turn <= kSmooth;
 }
 
 // The limits of a jump of curvature that its cells share by its size at each feedrate; what
@@ -129,31 +131,32 @@ bool is_smooth_beside_axes(const BlockEnd& before, const BlockEnd& after) {
 // 3/16 (2 a Ts / v)^2 of it at the most, and that is left free.
 std::optional<JunctionLimits> dynamic_limits_of(const Jump& jump, const PlanLimits& limits) {
   const double ts = limits.period_s;
+  std::array<MotionLimits, 3> axes = limits.axes;
   JunctionLimits junction{.feedrate_mm_s = jump.allowed_mm_s};
   double change_mm_s = 0.0;
-  for (std::size_t k = 0; k < limits.axes.size(); ++k) {
+  for (std::size_t k = 0; k < axes.size(); ++k) {
+    MotionLimits& axis = axes[k];
+    axis.jerk_mm_s3 = limit_or_path(axis.jerk_mm_s3, limits.path.jerk_mm_s3);
+    axis.acceleration_mm_s2 =
+        limit_or_path(axis.acceleration_mm_s2, limits.path.acceleration_mm_s2);
     const double bend = std::abs(jump.after.second_per_mm[k] - jump.before.second_per_mm[k]);
-    const double jerk = limit_or_path(limits.axes[k].jerk_mm_s3, limits.path.jerk_mm_s3);
-    const double a =
-        limit_or_path(limits.axes[k].acceleration_mm_s2, limits.path.acceleration_mm_s2);
     junction.jumps_per_mm_s[k] = kStepPeak * bend / ts;
-    change_mm_s = std::max(change_mm_s, 2.0 * a * ts);
+    change_mm_s = std::max(change_mm_s, 2.0 * axis.acceleration_mm_s2 * ts);
     if (bend > 0.0) {
       junction.feedrate_mm_s =
-          std::min(junction.feedrate_mm_s, std::sqrt(kDynamic * jerk / junction.jumps_per_mm_s[k]));
+          std::min(junction.feedrate_mm_s,
+                   std::sqrt(kDynamic * axis.jerk_mm_s3 / junction.jumps_per_mm_s[k]));
     }
   }
+  const double v = junction.feedrate_mm_s;
   double turn_share = 0.0;
-  for (std::size_t k = 0; k < limits.axes.size(); ++k) {
+  for (std::size_t k = 0; k < axes.size(); ++k) {
     const double turn = std::abs(jump.after.first[k] - jump.before.first[k]);
-    const double jerk = limit_or_path(limits.axes[k].jerk_mm_s3, limits.path.jerk_mm_s3);
-    const double a =
-        limit_or_path(limits.axes[k].acceleration_mm_s2, limits.path.acceleration_mm_s2);
-    turn_share =
-        std::max({turn_share, turn * (junction.feedrate_mm_s / ts + kStepPeak * a) / (ts * jerk),
-                  turn * junction.feedrate_mm_s / (ts * a)});
+    const double a = axes[k].acceleration_mm_s2;
+    turn_share = std::max({turn_share, turn * (v / ts + kStepPeak * a) / (ts * axes[k].jerk_mm_s3),
+                           turn * v / (ts * a)});
   }
-  const double change = change_mm_s / junction.feedrate_mm_s;
+  const double change = change_mm_s / v;
   junction.acceleration_share = 1.0 - turn_share;
   junction.shares = {.turn = 1.0, .cells = kDynamic - turn_share - 3.0 / 16.0 * change * change};
   const bool holds = is_smooth_beside_axes(jump.before, jump.after) && turn_share <= kMostOfTurn &&
