@@ -19,21 +19,29 @@ using curves::vec;
 namespace {
 
 constexpr int kDegree = 5;
+constexpr double kTangential = 1e-6;  // of a turn
 
-// r's derivatives by w at an end: s = d w^3 from the corner, so s' = 3 d and s'' = 6 d there.
-struct EndDerivatives {
-  Eigen::Vector3d point, first, second;
+// s' and s'' by w at the begin of a blend; at its end s'' has the other sign.
+struct ArcLengthRates {
+  double first_mm = 0.0, second_mm = 0.0;
 };
 
-EndDerivatives at_begin(const PathDerivatives& path, double way_mm) {
-  return {vec(path.position_mm), 3.0 * way_mm * vec(path.first),
-          9.0 * way_mm * way_mm * vec(path.second_per_mm) - 6.0 * way_mm * vec(path.first)};
+// Through a corner s = d w^3 from it, through a tangential joint w goes with s.
+ArcLengthRates rates_at_begin(bool tangential, double way_mm) {
+  return tangential ? ArcLengthRates{2.0 * way_mm, 0.0}
+                    : ArcLengthRates{3.0 * way_mm, -6.0 * way_mm};
 }
 
-EndDerivatives at_end(const PathDerivatives& path, double way_mm) {
-  return {vec(path.position_mm), 3.0 * way_mm * vec(path.first),
-          9.0 * way_mm * way_mm * vec(path.second_per_mm) + 6.0 * way_mm * vec(path.first)};
-}
+// r's derivatives by w at an end.
+struct EndDerivatives {
+  EndDerivatives(const PathDerivatives& path, const ArcLengthRates& rates)
+      : point(vec(path.position_mm)),
+        first(rates.first_mm * vec(path.first)),
+        second(rates.first_mm * rates.first_mm * vec(path.second_per_mm) +
+               rates.second_mm * vec(path.first)) {}
+
+  Eigen::Vector3d point, first, second;
+};
 
 curves::BezierSpan hermite_span(const EndDerivatives& begin, const EndDerivatives& end) {
   const std::array<Eigen::Vector3d, 6> points{
@@ -61,9 +69,10 @@ std::optional<curves::NurbsCurve> curve_between_lines(const curves::Line& before
 
 std::optional<curves::NurbsCurve> curve_between(const Corner& corner, double way_mm) {
   const double length_mm = curves::length_mm(*corner.before);
-  const EndDerivatives begin =
-      at_begin(curves::derivatives_at(*corner.before, length_mm - way_mm), way_mm);
-  const EndDerivatives end = at_end(curves::derivatives_at(*corner.after, way_mm), way_mm);
+  const ArcLengthRates rates = rates_at_begin(is_tangential(corner), way_mm);
+  const EndDerivatives begin(curves::derivatives_at(*corner.before, length_mm - way_mm), rates);
+  const EndDerivatives end(curves::derivatives_at(*corner.after, way_mm),
+                           {rates.first_mm, -rates.second_mm});
   const curves::BezierSpan span = hermite_span(begin, end);
   auto made = curves::NurbsCurve::from_spans({&span, 1}, curves::to_position(end.point));
   if (!made || made->size() != 1) {
@@ -73,6 +82,10 @@ std::optional<curves::NurbsCurve> curve_between(const Corner& corner, double way
 }
 
 }  // namespace
+
+bool is_tangential(const Corner& corner) {
+  return shape_of(corner).turn < kTangential;
+}
 
 std::optional<Blend> make_blend(const Corner& corner, double way_mm) {
   assert(0.0 < way_mm && way_mm <= curves::length_mm(*corner.before) &&
@@ -92,7 +105,10 @@ std::optional<Blend> make_blend(const Corner& corner, double way_mm) {
 CornerShape shape_of(const Corner& corner) {
   const PathDerivatives before =
       curves::derivatives_at(*corner.before, curves::length_mm(*corner.before));
-  const PathDerivatives after = curves::derivatives_at(*corner.after, 0.0);
+  return shape_between(before, curves::derivatives_at(*corner.after, 0.0));
+}
+
+CornerShape shape_between(const PathDerivatives& before, const PathDerivatives& after) {
   return {.turn = (vec(after.first) - vec(before.first)).norm(),
           .curvature_per_mm =
               std::max(vec(before.second_per_mm).norm(), vec(after.second_per_mm).norm()),

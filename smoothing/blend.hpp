@@ -47,6 +47,11 @@ struct CornerShape {
 };
 
 CornerShape shape_of(const Corner& corner);
+CornerShape shape_between(const curves::PathDerivatives& before,
+                          const curves::PathDerivatives& after);
+
+// Direction goes on and curvature alone jumps.
+bool is_tangential(const Corner& corner);
 
 // The largest distance between the blend and the parts of the curves that it replaces, in either
 // direction. Its line is not set.

@@ -118,16 +118,19 @@ PathDeviation deviation_of(const Blend& blend, const Corner& corner, double way_
   const double reach_mm = kReach * way_mm;
   const Stretch taken_before{std::max(0.0, before_mm - reach_mm), before_mm};
   const Stretch taken_after{0.0, std::min(reach_mm, after_mm)};
+  const bool tangential = is_tangential(corner);
   Places places{};
   PathDeviation largest;
   double w_largest = 0.0;
   const auto look = [&](double w) {
     const double s_mm = blend.curve.s_at(w);
     const Position point = blend.curve.at(s_mm);
-    const double behind_mm = way_mm * (1.0 - w) * (1.0 - w) * (1.0 - w);
+    // About where it would be on each curve.
+    const double to_go_mm = way_mm * (tangential ? 1.0 - 2.0 * w : std::pow(1.0 - w, 3));
+    const double gone_mm = way_mm * (tangential ? 2.0 * w - 1.0 : w * w * w);
     const double away_mm =
-        std::min(distance_mm(*corner.before, point, before_mm - behind_mm, taken_before),
-                 distance_mm(*corner.after, point, way_mm * w * w * w, taken_after));
+        std::min(distance_mm(*corner.before, point, before_mm - to_go_mm, taken_before),
+                 distance_mm(*corner.after, point, gone_mm, taken_after));
     if (away_mm > largest.distance_mm) {
       largest = {.distance_mm = away_mm, .at_mm = point};
       w_largest = w;

@@ -31,12 +31,18 @@ double feedrate_mm_s(const PathSegment& segment) {
   return segment.rapid ? std::numeric_limits<double>::infinity() : segment.feedrate_mm_s;
 }
 
+}  // namespace
+
 bool may_bend(const PathSegment& segment) {
   return segment.mode == parser::PathMode::blend && segment.corner_tolerance_mm > 0.0 &&
          segment.extra.length_mm == 0.0;
 }
 
-}  // namespace
+double way_through_jump_mm(const CornerShape& shape, double feedrate_mm_s,
+                           const BlendSettings& settings) {
+  const double v2 = feedrate_mm_s * feedrate_mm_s;
+  return 1.5 * shape.bend_per_mm * v2 * feedrate_mm_s / settings.jerk_mm_s3;
+}
 
 double Blender::wanted_way_mm(const Held& before, const Held& after) const {
   if (!may_bend(before.segment) || !may_bend(after.segment) || after.segment.continues) {
@@ -72,7 +78,7 @@ double Blender::wanted_way_mm(const Held& before, const Held& after) const {
     const double need =
         std::max(curvature * v2 / settings_.acceleration_mm_s2,
                  std::sqrt(2.5 * curvature * v2 * feedrate / settings_.jerk_mm_s3)) +
-        1.5 * shape.bend_per_mm * v2 * feedrate / settings_.jerk_mm_s3;
+        way_through_jump_mm(shape, feedrate, settings_);
     way = std::min(way, kOfNeed * need);
   }
   return way;

@@ -18,6 +18,14 @@ struct BlendSettings {
   std::optional<curves::Extents> travel{};  // no blend leaves it
 };
 
+// It is in G64 with a tolerance, and X, Y and Z move alone.
+bool may_bend(const PathSegment& segment);
+
+// What a blend takes of each side so that the jump of the curvature alone takes no more than the
+// jerk at this feedrate.
+double way_through_jump_mm(const CornerShape& shape, double feedrate_mm_s,
+                           const BlendSettings& settings);
+
 // A corner is blended if both its segments are in G64 with a tolerance; the smaller tolerance
 // counts. The blend is as large as the tolerance allows, or as the feedrate needs if that is less.
 // It takes at most half of each segment, or what the segment's other corner leaves. Corners that

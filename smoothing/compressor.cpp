@@ -28,11 +28,11 @@ bool Compressor::continues(const parser::Move& move) const {
                           move.start_mm == run_.back().point_mm);
 }
 
-void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out) {
+void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, double beside_mm) {
   assert(takes(move) && (run_.empty() || continues(move)));
   const curves::Position& end = std::get<parser::LineMove>(move.shape).end_mm;
   if (run_.empty()) {
-    curves_.begin(move);
+    curves_.begin(move, beside_mm);
     run_.push_back({.point_mm = move.start_mm, .source = move.source});
     scanned_ = 0;
   }

@@ -40,7 +40,9 @@ class Compressor {
   [[nodiscard]] bool continues(const parser::Move& move) const;
 
   // Precondition: takes() and, unless empty, continues(). A move of no length is left out.
-  void push(const parser::Move& move, std::vector<PathSegment>& out);
+  // beside_mm: how far the run's lines are from the program, less than the tolerance; of the run's
+  // first move counts.
+  void push(const parser::Move& move, std::vector<PathSegment>& out, double beside_mm = 0.0);
   // The run ends with what was pushed.
   void flush(std::vector<PathSegment>& out);
 

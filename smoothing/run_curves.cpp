@@ -15,9 +15,10 @@ constexpr std::size_t kSpansOfSegment = 24;
 
 }  // namespace
 
-void RunCurves::begin(const parser::Move& like) {
+void RunCurves::begin(const parser::Move& like, double beside_mm) {
   like_ = like;
-  settings_.tolerance_mm = like.merge_tolerance_mm;
+  settings_.tolerance_mm = like.merge_tolerance_mm - beside_mm;
+  settings_.beside_mm = beside_mm;
 }
 
 bool RunCurves::append_circle(const Polyline& run, std::size_t vertex,
@@ -27,13 +28,13 @@ bool RunCurves::append_circle(const Polyline& run, std::size_t vertex,
     return false;
   }
   widen({run[vertex / 2], circle->arc.at(circle->s_mm[vertex / 2])}, circle->deviation_mm);
-  append_segments(run,
-                  {.curve = circle->arc,
-                   .first = 0,
-                   .last = vertex,
-                   .s_mm = circle->s_mm,
-                   .deviation_mm = circle->deviation_mm},
-                  like_, out);
+  append_merged(run,
+                {.curve = circle->arc,
+                 .first = 0,
+                 .last = vertex,
+                 .s_mm = circle->s_mm,
+                 .deviation_mm = circle->deviation_mm},
+                out);
   return true;
 }
 
@@ -53,7 +54,7 @@ void RunCurves::append_line(const Polyline& run, std::size_t vertex,
     merged.deviation_mm = std::max(merged.deviation_mm, away);
     widen({run[i], line->at(merged.s_mm.back())}, away);
   }
-  append_segments(run, merged, like_, out);
+  append_merged(run, std::move(merged), out);
 }
 
 void RunCurves::append_spans(const Polyline& run, const RunFit& fit, const Spans& spans,
@@ -101,7 +102,7 @@ void RunCurves::append_segment(const Polyline& run, const RunFit& fit, const Fit
   for (std::size_t i = merged.first; i < merged.last; ++i) {
     merged.s_mm.push_back(i == merged.first ? 0.0 : made->front().s_at(run[i].w_mm));
   }
-  append_segments(run, merged, like_, out);
+  append_merged(run, std::move(merged), out);
 }
 
 void RunCurves::append_first_line(const Polyline& run, const curves::Position& begin_mm,
@@ -121,16 +122,22 @@ void RunCurves::append_chords(const Polyline& run, const Indices& lines, const C
     const curves::Position& end = last ? to : from;
     widen({at, end}, (vec(end) - vec(at.point_mm)).norm());
     if (const auto line = curves::Line::between(from, to)) {
-      append_segments(run, {.curve = *line, .first = i, .last = i + 1, .s_mm = {0.0}}, like_, out);
+      append_merged(run, {.curve = *line, .first = i, .last = i + 1, .s_mm = {0.0}}, out);
     }
   }
 }
 
+void RunCurves::append_merged(const Polyline& run, MergedCurve merged,
+                              std::vector<PathSegment>& out) const {
+  merged.deviation_mm += settings_.beside_mm;
+  append_segments(run, merged, like_, out);
+}
+
 void RunCurves::widen(const Place& place, double distance_mm) {
-  deviations_.add({.distance_mm = distance_mm,
+  deviations_.add({.distance_mm = distance_mm + settings_.beside_mm,
                    .at_mm = place.at_mm,
                    .line = place.vertex.source.line,
-                   .tolerance_mm = settings_.tolerance_mm});
+                   .tolerance_mm = like_.merge_tolerance_mm});
 }
 
 }  // namespace kerf::smoothing

@@ -12,6 +12,7 @@
 #include "smoothing/path_segment.hpp"
 #include "smoothing/polyline.hpp"
 #include "smoothing/run_fit.hpp"
+#include "smoothing/run_segments.hpp"
 
 namespace kerf::smoothing {
 
@@ -19,8 +20,8 @@ class RunCurves {
  public:
   explicit RunCurves(const RunFitSettings& settings) : settings_(settings) {}
 
-  // A new run begins, with this move.
-  void begin(const parser::Move& like);
+  // A new run begins, with this move, whose lines are beside_mm from the program.
+  void begin(const parser::Move& like, double beside_mm);
 
   [[nodiscard]] const parser::Move& like() const noexcept { return like_; }
   [[nodiscard]] const RunFitSettings& settings() const noexcept { return settings_; }
@@ -68,6 +69,7 @@ class RunCurves {
                       std::vector<PathSegment>& out);
   void append_chords(const Polyline& run, const Indices& lines, const ChordEnds& ends,
                      std::vector<PathSegment>& out);
+  void append_merged(const Polyline& run, MergedCurve merged, std::vector<PathSegment>& out) const;
   void widen(const Place& place, double distance_mm);
 
   RunFitSettings settings_;

@@ -14,6 +14,7 @@ namespace kerf::smoothing {
 
 struct RunFitSettings {
   double tolerance_mm = 0.0;
+  double beside_mm = 0.0;                   // the lines' own distance from the program
   std::optional<curves::Extents> travel{};  // no curve leaves it
 };
 

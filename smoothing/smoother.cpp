@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "smoothing/curvature_jumps.hpp"
 #include "smoothing/segment_builder.hpp"
 
 namespace kerf::smoothing {
@@ -32,9 +33,53 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
     outputs_.emplace_back(move);
     return {};
   }
+  if (std::holds_alternative<parser::NurbsMove>(move.shape) && may_bend(made_.front())) {
+    smooth_jumps(move);
+  }
   made_.front().changes = std::exchange(changes_, {});
   blend_made();
   return {};
+}
+
+void Smoother::smooth_jumps(const parser::Move& move) {
+  std::vector<PathSegment> segments = std::exchange(made_, {});
+  for (PathSegment& segment : segments) {
+    const auto* curve = std::get_if<curves::NurbsCurve>(&segment.curve);
+    const std::vector<double> jumps_mm =
+        curve != nullptr ? curvature_jumps(*curve) : std::vector<double>{};
+    if (jumps_mm.empty()) {
+      made_.push_back(std::move(segment));
+      continue;
+    }
+    const SampledCurve lines = blends_meet(*curve, jumps_mm, segment.feedrate_mm_s, settings_)
+                                   ? sampled(*curve, segment.corner_tolerance_mm)
+                                   : SampledCurve{};
+    if (lines.points_mm.empty()) {
+      append_cut(segment, jumps_mm, made_);
+      continue;
+    }
+    fit_lines(lines, move, curve->at(0.0));
+  }
+}
+
+// The curve's points as a run of its own.
+void Smoother::fit_lines(const SampledCurve& lines, const parser::Move& move,
+                         const curves::Position& begin_mm) {
+  parser::Move line{.shape = parser::LineMove{},
+                    .source = move.source,
+                    .start_mm = begin_mm,
+                    .feedrate_mm_s = move.feedrate_mm_s,
+                    .auxiliary = move.auxiliary,
+                    .mode = move.mode,
+                    .blend_tolerance_mm = move.blend_tolerance_mm,
+                    .merge_tolerance_mm = move.blend_tolerance_mm,
+                    .block = move.block};
+  for (const curves::Position& end_mm : lines.points_mm) {
+    line.shape = parser::LineMove{end_mm};
+    compressor_.push(line, made_, lines.beside_mm);
+    line.start_mm = end_mm;
+  }
+  compressor_.flush(made_);
 }
 
 void Smoother::blend_made() {

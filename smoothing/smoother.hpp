@@ -9,6 +9,7 @@
 #include "parser/moves/move.hpp"
 #include "smoothing/blender.hpp"
 #include "smoothing/compressor.hpp"
+#include "smoothing/curvature_jumps.hpp"
 #include "smoothing/path_deviations.hpp"
 #include "smoothing/path_segment.hpp"
 
@@ -22,7 +23,7 @@ class Smoother {
   using Output = std::variant<parser::Move, PathSegment>;
 
   explicit Smoother(const BlendSettings& settings)
-      : compressor_(settings.travel), blender_(settings) {}
+      : settings_(settings), compressor_(settings.travel), blender_(settings) {}
 
   // Error: the curve is not valid, and the move is left out.
   tl::expected<void, PathError> push(const parser::Move& move);
@@ -36,8 +37,13 @@ class Smoother {
 
  private:
   void blend_made();
+  // Of a NURBS in G64: takes jumps of the curvature out of what was made of it.
+  void smooth_jumps(const parser::Move& move);
+  void fit_lines(const SampledCurve& lines, const parser::Move& move,
+                 const curves::Position& begin_mm);
   void queue_segments();
 
+  BlendSettings settings_;
   Compressor compressor_;
   Blender blender_;
   std::vector<PathSegment> made_;     // of one move

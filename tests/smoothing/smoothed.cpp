@@ -90,6 +90,17 @@ double farthest_mm(const std::vector<Position>& path, const std::vector<Position
   return farthest;
 }
 
+// Precondition: a line, an arc or a NURBS.
+Position end_of(const parser::Move& move) {
+  if (const auto* line = std::get_if<parser::LineMove>(&move.shape)) {
+    return line->end_mm;
+  }
+  if (const auto* nurbs = std::get_if<parser::NurbsMove>(&move.shape)) {
+    return nurbs->points.back().position_mm;
+  }
+  return std::get<parser::ArcMove>(move.shape).end_mm;
+}
+
 }  // namespace
 
 Smoothed smooth(const std::vector<parser::Move>& moves) {
@@ -116,11 +127,13 @@ Smoothed smooth(const std::vector<parser::Move>& moves) {
 }
 
 std::vector<Position> points_of(const std::vector<parser::Move>& moves) {
-  std::vector<PathSegment> segments;
   std::vector<Position> points;
   for (const parser::Move& move : moves) {
+    std::vector<PathSegment> segments;
     if (smoothing::append_segments(move, segments)) {
-      add_points(segments.back().curve, points);
+      for (const PathSegment& segment : segments) {
+        add_points(segment.curve, points);
+      }
     }
   }
   return points;
@@ -161,11 +174,7 @@ std::string faults_of_junctions(const std::vector<parser::Move>& moves, const Sm
     at = curves::position_at(segment.curve, curves::length_mm(segment.curve));
     before = &segment;
   }
-  const auto& last = moves.back().shape;
-  const Position end = std::holds_alternative<parser::LineMove>(last)
-                           ? std::get<parser::LineMove>(last).end_mm
-                           : std::get<parser::ArcMove>(last).end_mm;
-  const double miss = (vec(at) - vec(end)).norm();
+  const double miss = (vec(at) - vec(end_of(moves.back()))).norm();
   if (miss > 1e-9) {
     faults << "ends " << miss << " mm off";
   }
