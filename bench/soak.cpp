@@ -12,18 +12,13 @@
 #include <string>
 #include <thread>
 
-#include "tests/kernel/degenerate_program.hpp"
-#include "tests/kernel/judged_run.hpp"
-#include "tests/kernel/random_machine.hpp"
-#include "tests/kernel/singular_curves.hpp"
-#include "tests/kernel/smoothing_program.hpp"
-#include "tests/smoothing/smoothed.hpp"
+#include "bench/soak_rivals.hpp"
+#include "bench/soak_trials.hpp"
 
 namespace kerf::bench {
 
 using profiles::ProfileKind;
 using test::JudgedRun;
-using test::RandomProgram;
 
 namespace {
 
@@ -31,85 +26,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kLongest_s = 60.0;  // of the processor's time: the machine may be busy
 constexpr std::uint64_t kSeedsOfASecondRun = 8;
-constexpr double kLongestCurve_s = 20.0;
-constexpr double kBetweenPoints_mm = 3e-5;  // of the paths that are compared
 constexpr double kAtEnd_mm = 2e-9;  // what the digits and the resolution of a program leave open
-
-struct Trial {
-  RandomProgram program;
-  MachineSettings settings;
-  test::Way way;
-};
-
-// The time optimum for five of eight.
-ProfileKind kind_of(std::uint64_t seed) {
-  return seed % 8 < 5 ? ProfileKind::time_optimal : static_cast<ProfileKind>(seed / 8 % 6);
-}
-
-Trial curve_trial(std::uint64_t seed) {
-  const test::SingularCase made = test::random_singular_case(seed, kLongestCurve_s);
-  Trial trial{.program = test::curve_program(made), .settings = {}, .way = {.kind = kind_of(seed)}};
-  trial.settings.limits = made.limits;
-  return trial;
-}
-
-Trial program_trial(std::uint64_t seed) {
-  Trial trial{
-      .program = {},
-      .settings =
-          test::random_machine(seed, seed / 4 % 2 == 0 ? test::Spread::wide : test::Spread::common),
-      .way = {.kind = kind_of(seed), .window_blocks = seed % 5 < 3 ? 2 + seed / 7 % 7 : 1000}};
-  const bool contour = seed % 7 == 0;
-  trial.program =
-      test::random_program(seed, {.arcs = seed % 4 != 0,
-                                  .nurbs = seed % 4 == 1,
-                                  .extra = seed % 11 == 3,
-                                  .contour = contour,
-                                  .blocks = contour ? 60 : 8,
-                                  .longest_mm = std::min(1e3, test::unhurried_mm(trial.settings))});
-  return trial;
-}
-
-Trial smoothed_trial(std::uint64_t seed) {
-  return {.program = test::smoothing_program(seed),
-          .settings = test::random_machine(seed, test::Spread::common),
-          .way = {.kind = kind_of(seed), .window_blocks = seed % 5 == 0 ? 2 + seed / 7 % 7 : 1000}};
-}
-
-// What is wrong with the path itself; empty: it has no gap and stays within the tolerances.
-std::string deviation_complaint(std::uint64_t seed) {
-  const test::RandomMoves program = test::smoothing_moves(seed);
-  if (program.moves.empty()) {
-    return "";
-  }
-  const test::Smoothed smoothed = test::smooth(program.moves);
-  std::string complaint = test::faults_of_junctions(program.moves, smoothed);
-  const double tolerance = std::max(program.tolerances.corner_mm, program.tolerances.merge_mm);
-  const double apart = test::apart_mm(test::points_of(smoothed), test::points_of(program.moves));
-  if (!(apart <= std::min(tolerance, smoothed.deviation.distance_mm) + kBetweenPoints_mm)) {
-    complaint += std::to_string(apart) + " mm apart, tolerance " + std::to_string(tolerance) +
-                 " mm, said to be " + std::to_string(smoothed.deviation.distance_mm) + " mm";
-  }
-  return complaint;
-}
-
-Trial degenerate_trial(std::uint64_t seed) {
-  return {.program = test::degenerate_program(seed),
-          .settings = test::random_machine(seed, test::Spread::common),
-          .way = {.kind = kind_of(seed)}};
-}
-
-Trial trial_of(std::uint64_t seed, SoakKind kind) {
-  switch (kind) {
-    case SoakKind::smoothed:
-      return smoothed_trial(seed);
-    case SoakKind::degenerate:
-      return degenerate_trial(seed);
-    case SoakKind::mixed:
-      break;
-  }
-  return seed % 3 == 0 ? curve_trial(seed) : program_trial(seed);
-}
 
 double distance_mm(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -146,36 +63,6 @@ class Watchdog {
   double began_s_ = spent_s();
   std::jthread thread_{[this](const std::stop_token& stop) { watch(stop); }};
 };
-
-// What a classical profile takes for a program that the time optimum ran. Where the optimum is
-// slower by more than a tick, that is printed and counted; it is no failure yet.
-constexpr std::array kRivals{ProfileKind::s_curve, ProfileKind::sigmoid,    ProfileKind::s_curve,
-                             ProfileKind::sine,    ProfileKind::s_curve,    ProfileKind::quintic,
-                             ProfileKind::s_curve, ProfileKind::sine_series};
-
-struct Slower {
-  std::uint64_t compared = 0;
-  std::uint64_t programs = 0;
-  std::int64_t worst_ticks = 0;
-  double worst_ratio = 1.0;
-};
-
-void compare(std::uint64_t seed, const Trial& trial, std::int64_t ticks, Slower& slower) {
-  test::Way way = trial.way;
-  way.kind = kRivals[seed / 8 % kRivals.size()];
-  const std::int64_t rival = test::judged_run(trial.program, trial.settings, way).ticks;
-  ++slower.compared;
-  if (ticks > rival + 1) {
-    ++slower.programs;
-    slower.worst_ticks = std::max(slower.worst_ticks, ticks - rival);
-    slower.worst_ratio =
-        std::max(slower.worst_ratio, static_cast<double>(ticks) / static_cast<double>(rival));
-    std::printf("seed %llu, window %zu: %lld ticks, with %s %lld\n",
-                static_cast<unsigned long long>(seed), trial.way.window_blocks,
-                static_cast<long long>(ticks), std::string(profiles::name_of(way.kind)).c_str(),
-                static_cast<long long>(rival));
-  }
-}
 
 struct Tally {
   Slower slower{};
