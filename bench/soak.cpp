@@ -96,7 +96,7 @@ void judge(std::uint64_t seed, const Soak& order, Tally& tally) {
                 static_cast<unsigned long long>(run.fingerprint));
   }
   if (trial.way.kind == ProfileKind::time_optimal && run.complaint.empty()) {
-    compare(seed, trial, run.ticks, tally.slower);
+    run.complaint = compare(seed, trial, run.ticks, tally.slower);
   }
   ++tally.runs;
   tally.curves += kind == SoakKind::mixed && seed % 3 == 0 ? 1U : 0U;

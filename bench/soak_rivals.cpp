@@ -15,9 +15,12 @@ constexpr std::array kRivals{ProfileKind::s_curve, ProfileKind::sigmoid,    Prof
                              ProfileKind::sine,    ProfileKind::s_curve,    ProfileKind::quintic,
                              ProfileKind::s_curve, ProfileKind::sine_series};
 
+constexpr double kWorst = 1.01;
+constexpr std::size_t kUsualWindow = 100;
+
 }  // namespace
 
-void compare(std::uint64_t seed, const Trial& trial, std::int64_t ticks, Slower& slower) {
+std::string compare(std::uint64_t seed, const Trial& trial, std::int64_t ticks, Slower& slower) {
   test::Way way = trial.way;
   way.kind = kRivals[seed / 8 % kRivals.size()];
   const std::int64_t rival = test::judged_run(trial.program, trial.settings, way).ticks;
@@ -32,6 +35,10 @@ void compare(std::uint64_t seed, const Trial& trial, std::int64_t ticks, Slower&
                 static_cast<long long>(ticks), std::string(profiles::name_of(way.kind)).c_str(),
                 static_cast<long long>(rival));
   }
+  const double most = 1.0 + kWorst * static_cast<double>(rival);
+  return trial.way.window_blocks >= kUsualWindow && static_cast<double>(ticks) > most
+             ? "slower than a classical profile"
+             : "";
 }
 
 }  // namespace kerf::bench

@@ -9,12 +9,25 @@ namespace {
 
 constexpr std::size_t kMinBlocks = 2;
 
+constexpr std::size_t kFewCells = 3000;
+
 // Curves under limits of axes cost more than a search.
 bool is_cheap_to_plan(const Block& block, const PlanLimits& limits) {
   return !std::holds_alternative<curves::NurbsCurve>(block.curve) ||
          std::ranges::all_of(limits.axes, [](const MotionLimits& axis) {
            return axis.acceleration_mm_s2 == kUnbounded && axis.jerk_mm_s3 == kUnbounded;
          });
+}
+
+// A rest within a block, or a jump of direction or curvature.
+bool has_singular_place(const PlannedCells& planned) {
+  for (std::size_t i = 0; i < planned.count; ++i) {
+    const Cell& cell = (*planned.cells)[i];
+    if ((cell.rest_after && !cell.ends_block) || cell.allowed.jerk < 1.0) {
+      return true;
+    }
+  }
+  return false;
 }
 
 // How long the schedule takes from rest over the first blocks to rest at the end of the last.
@@ -41,8 +54,7 @@ double classical_s(const Window<Block>& blocks, std::size_t count,
 
 }  // namespace
 
-std::optional<Fallback> faster_fallback(const PlannedCells& planned, const OptimalPlan& found,
-                                        const Window<Block>& blocks,
+std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings) {
   Fallback whole;
   double whole_mm = 0.0;
@@ -58,9 +70,9 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Optim
       whole_mm = all_mm;
     }
   }
-  if (planned.cells->front().cell.s_begin_mm > 0.0 ||
-      !(found.slowed_down() ? whole.blocks >= kMinBlocks : whole.blocks > 0 && is_cheap) ||
-      !(classical_s(blocks, whole.blocks, settings) * all_mm < found.duration_s() * whole_mm)) {
+  is_cheap |= planned.count <= kFewCells && has_singular_place(planned);
+  if (!(planned.slowed_down ? whole.blocks >= kMinBlocks : whole.blocks > 0 && is_cheap) ||
+      !(classical_s(blocks, whole.blocks, settings) * all_mm < planned.duration_s * whole_mm)) {
     return std::nullopt;
   }
   return whole;

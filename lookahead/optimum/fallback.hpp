@@ -10,10 +10,12 @@
 
 namespace kerf::lookahead {
 
-// The first waiting cells, as many as a plan covers.
+// The first waiting cells, from a rest at the begin of a block on, as many as plans cover.
 struct PlannedCells {
   const WaitingCells* cells = nullptr;
   std::size_t count = 0;
+  double duration_s = 0.0;
+  bool slowed_down = false;  // one of the searches did not end well
 };
 
 // The whole blocks at their front that follow the classical plan.
@@ -22,12 +24,13 @@ struct Fallback {
   std::size_t cells = 0;
 };
 
-// The blocks over which the classical schedule, from rest to rest, is faster than the plan found
-// from there. Nothing: it is slower, or would cost too much to find out: where the search ended
-// well it is not asked for curves under limits of axes. Where it did not, the blocks are at least
-// two: on a single curve, the optimum with a rest inside is faster than the classical plan.
-std::optional<Fallback> faster_fallback(const PlannedCells& planned, const OptimalPlan& found,
-                                        const Window<Block>& blocks,
+// The blocks over which the classical schedule, from rest to rest, is faster than the plans found.
+// Nothing: it is slower, or would cost too much to find out. Where the searches ended well it is
+// asked for lines and arcs, for curves without limits of axes, and for short curves that come to
+// rest within or whose curvature jumps: the others are planned in less time than it takes. Where
+// they did not, the blocks are at least two: on a single curve, the optimum with a rest inside is
+// faster than the classical plan.
+std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings);
 
 }  // namespace kerf::lookahead

@@ -37,23 +37,18 @@ ClassicalSchedule::Settings classical(const OptimumSchedule::Settings& settings)
 }  // namespace
 
 OptimumSchedule::OptimumSchedule(const Settings& settings)
-    : settings_(settings), lines_(classical(settings)), waiting_(settings.limits) {}
+    : settings_(settings), classical_(classical(settings)), waiting_(settings.limits) {}
 
 void OptimumSchedule::push(const Window<Block>& blocks) {
-  if (lines_go_on_ && !lines_.empty()) {
-    const Block& before = blocks[blocks.size() - 2];
-    if (!stops_between(before, blocks.back())) {
-      lines_.push(blocks.back(), &before);
-      waiting_.skip_next();
-      return;
-    }
+  if (classical_.push(blocks)) {
+    waiting_.skip_next();
+  } else {
+    waiting_.push(blocks);
   }
-  lines_go_on_ = false;
-  waiting_.push(blocks);
 }
 
 bool OptimumSchedule::empty() const {
-  return lines_.empty() && cells_left() == 0 && waiting_.empty() && !waiting_.has_open_block();
+  return classical_.empty() && cells_left() == 0 && waiting_.empty() && !waiting_.has_open_block();
 }
 
 bool OptimumSchedule::has_room() const {
@@ -61,7 +56,8 @@ bool OptimumSchedule::has_room() const {
 }
 
 bool OptimumSchedule::is_to_be_renewed() const {
-  return lines_.empty() && (cells_left() == 0 || (place_.cell >= renew_ && !plan_ends_at_stop_));
+  return classical_.empty() &&
+         (cells_left() == 0 || (place_.cell >= renew_ && !plan_ends_at_stop_));
 }
 
 bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) {
@@ -77,9 +73,9 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
       plan(blocks, emitter);
     }
   }
-  if (!lines_.empty()) {
+  if (!classical_.empty()) {
     const std::uint64_t blocks_before = blocks.size();
-    if (!lines_.emit(blocks, supply_of_lines(supply, blocks.size()), emitter, outbox)) {
+    if (!classical_.emit(blocks, supply, emitter, outbox)) {
       return false;
     }
     for (std::uint64_t left = blocks.size(); left < blocks_before; ++left) {
@@ -91,20 +87,23 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
   return true;
 }
 
-// A window that was full of cells has room again once the classical schedule takes its blocks.
-Supply OptimumSchedule::supply_of_lines(Supply supply, std::size_t blocks) const {
-  if (!lines_go_on_) {
-    return Supply::to_rest;
-  }
-  return supply == Supply::full && blocks < 2 * settings_.ready_blocks ? Supply::wanted : supply;
-}
-
 OptimumSchedule::Taken OptimumSchedule::take(const PathAt& path) const {
   Taken taken{.sequence = plan_.rest_from(place_, plan_.cells().size())};
+  append_waiting(0, path, taken);
+  return taken;
+}
+
+OptimumSchedule::Taken OptimumSchedule::take_from(std::size_t first, const PathAt& path) const {
+  Taken taken;
+  append_waiting(first, path, taken);
+  return taken;
+}
+
+void OptimumSchedule::append_waiting(std::size_t first, const PathAt& path, Taken& taken) const {
   std::vector<Cell>& cells = taken.sequence.cells;
   bool stops = false;
-  while (taken.count < waiting_.size() && cells.size() < settings_.window_cells && !stops) {
-    cells.push_back(waiting_[taken.count]);
+  while (first + taken.count < waiting_.size() && cells.size() < settings_.window_cells && !stops) {
+    cells.push_back(waiting_[first + taken.count]);
     stops = cells.back().rest_after;
     ++taken.count;
   }
@@ -116,7 +115,23 @@ OptimumSchedule::Taken OptimumSchedule::take(const PathAt& path) const {
     relax_beside_rest(cells, BlockSide::end);
   }
   refine_to_rest(cells, RestAt::end, path, settings_.limits);
-  return taken;
+}
+
+PlannedCells OptimumSchedule::planned_to_block_end(const OptimalPlan& found, std::size_t count,
+                                                   const PathAt& path) const {
+  PlannedCells planned{.cells = &waiting_,
+                       .count = count,
+                       .duration_s = found.duration_s(),
+                       .slowed_down = found.slowed_down()};
+  while (planned.count < waiting_.size() && !waiting_[planned.count - 1].ends_block &&
+         waiting_[planned.count - 1].rest_after) {
+    Taken next = take_from(planned.count, path);
+    const auto plan = OptimalPlan::find(std::move(next.sequence), path, settings_.limits);
+    planned.count += next.count;
+    planned.duration_s += plan->duration_s();
+    planned.slowed_down |= plan->slowed_down();
+  }
+  return planned;
 }
 
 void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
@@ -129,8 +144,10 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   Taken taken = take(path);
   auto found = OptimalPlan::find(std::move(taken.sequence), path, settings_.limits);
   if (from_rest) {
-    const auto faster = faster_fallback({.cells = &waiting_, .count = taken.count}, *found, blocks,
-                                        classical(settings_));
+    const auto faster = waiting_.front().cell.s_begin_mm > 0.0
+                            ? std::nullopt
+                            : faster_fallback(planned_to_block_end(*found, taken.count, path),
+                                              blocks, classical_.settings());
     if (faster && found->slowed_down()) {
       fall_back(*faster, blocks, emitter);
       return;
@@ -167,23 +184,10 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
 
 void OptimumSchedule::follow_classical(const Window<Block>& blocks) {
   assert(cells_left() == 0);
-  std::size_t count = 0;
-  bool rests = false;
-  while (count < blocks.size() && !rests) {
-    const Block* before = count > 0 ? &blocks[count - 1] : nullptr;
-    lines_.push(blocks[count], before);
-    ++count;
-    rests = count < blocks.size() && stops_between(blocks[count - 1], blocks[count]);
-  }
-  waiting_.drop_blocks(count);
-  lines_go_on_ = !rests && waiting_.has_open_block();
-  if (lines_go_on_) {
+  waiting_.drop_blocks(classical_.follow(blocks, waiting_.has_open_block()));
+  if (classical_.goes_on()) {
     waiting_.drop_open();
   }
-}
-
-bool OptimumSchedule::stops_between(const Block& before, const Block& after) const {
-  return junction_of({.before = &before, .after = &after}, settings_.limits).feedrate_mm_s == 0.0;
 }
 
 // From another place the search may well end; what the plan still holds ends at rest if not.
@@ -197,20 +201,18 @@ void OptimumSchedule::try_again_later(const Window<Block>& blocks, Emitter& emit
   note_stop(plan_.cells().back(), blocks, emitter);
 }
 
-void OptimumSchedule::fall_back(const Fallback& classical, const Window<Block>& blocks,
+void OptimumSchedule::fall_back(const Fallback& fallback, const Window<Block>& blocks,
                                 Emitter& emitter) {
   const Cell& first = waiting_.front().cell;
   PlanDegradation degradation = degradation_on(waiting_.block_of(first, blocks), first.s_begin_mm);
   degradation.kind = PlanDegradation::Kind::classical;
   emitter.note(degradation);
-  const Cell& last = waiting_[classical.cells - 1];
+  const Cell& last = waiting_[fallback.cells - 1];
   if (!last.rest_after) {
     note_stop(last, blocks, emitter);
   }
-  for (std::size_t i = 0; i < classical.blocks; ++i) {
-    lines_.push(blocks[i], i > 0 ? &blocks[i - 1] : nullptr);
-  }
-  waiting_.drop(classical.cells);
+  classical_.take(blocks, fallback.blocks);
+  waiting_.drop(fallback.cells);
 }
 
 void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter) {
@@ -269,8 +271,8 @@ void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox&
 void OptimumSchedule::stop(const Window<Block>& blocks, const Emitter& emitter) {
   waiting_.clear();
   plan_ends_at_stop_ = true;
-  if (!lines_.empty()) {
-    lines_.stop(blocks, emitter);
+  if (!classical_.empty()) {
+    classical_.stop(blocks, emitter);
     return;
   }
   const StartState begin = plan_.state_at(place_);

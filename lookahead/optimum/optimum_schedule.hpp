@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "lookahead/classical/classical_schedule.hpp"
 #include "lookahead/emit/schedule.hpp"
+#include "lookahead/optimum/classical_run.hpp"
 #include "lookahead/optimum/fallback.hpp"
 #include "lookahead/optimum/grid/waiting_cells.hpp"
 #include "lookahead/optimum/solver/optimal_plan.hpp"
@@ -46,20 +46,25 @@ class OptimumSchedule final : public Schedule {
  private:
   [[nodiscard]] std::size_t cells_left() const { return plan_.cells().size() - place_.cell; }
   [[nodiscard]] bool is_to_be_renewed() const;
-  [[nodiscard]] Supply supply_of_lines(Supply supply, std::size_t blocks) const;
   void plan(Window<Block>& blocks, Emitter& emitter);
   // Hands all blocks up to the next rest to the classical schedule, those to come among them.
   void follow_classical(const Window<Block>& blocks);
-  [[nodiscard]] bool stops_between(const Block& before, const Block& after) const;
   // The rest of the plan and the cells that wait after it, refined for the rests at its ends.
   struct Taken {
     CellSequence sequence{};
     std::size_t count = 0;  // of waiting_
   };
   [[nodiscard]] Taken take(const PathAt& path) const;
+  // The waiting cells from this one on, behind a rest.
+  [[nodiscard]] Taken take_from(std::size_t first, const PathAt& path) const;
+  void append_waiting(std::size_t first, const PathAt& path, Taken& taken) const;
+  // The waiting cells that the plan takes; where it comes to rest within a block, with those up to
+  // the end of it.
+  [[nodiscard]] PlannedCells planned_to_block_end(const OptimalPlan& found, std::size_t count,
+                                                  const PathAt& path) const;
   void try_again_later(const Window<Block>& blocks, Emitter& emitter);
   // Hands these blocks to the classical schedule, from rest to rest.
-  void fall_back(const Fallback& classical, const Window<Block>& blocks, Emitter& emitter);
+  void fall_back(const Fallback& fallback, const Window<Block>& blocks, Emitter& emitter);
   // Puts a rest at the sharpest place of the first waiting cells.
   void cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter);
   // Notes a stop at the end of the cell.
@@ -67,8 +72,7 @@ class OptimumSchedule final : public Schedule {
   void emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox);
 
   Settings settings_;
-  ClassicalSchedule lines_;   // independent lines, and blocks on which it stands in
-  bool lines_go_on_ = false;  // the next block joins the last of lines_
+  ClassicalRun classical_;  // independent lines, and blocks on which it is faster or stands in
   WaitingCells waiting_;
   OptimalPlan plan_;
   PlanPlace place_{};      // on plan_: comes next
