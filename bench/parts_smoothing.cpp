@@ -86,7 +86,8 @@ bool parts_smoothing(const PartsOrder& order) {
   std::int64_t step = 0;
   const auto stairs = [&step] {
     ++step;
-    return Point{static_cast<double>(step / 2), static_cast<double>((step + 1) / 2), 0.0};
+    const std::int64_t along_x = step / 2;
+    return Point{static_cast<double>(along_x), static_cast<double>(step - along_x), 0.0};
   };
   met = print_row("stairs of 1 mm, a blend at each", smooth(blocks, stairs)) && met;
   // Left and right in turn by 20 to 150 degrees, never the same.
