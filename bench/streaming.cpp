@@ -189,6 +189,7 @@ bool print_row(const Path& path, const lookahead::PlanLimits& limits) {
 long peak_kib() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-union-access): a member of rusage is one.
   return usage.ru_maxrss;
 }
 
