@@ -68,6 +68,18 @@ ToolPlace tool_place(int number) {
   return {};
 }
 
+double tool_offset_mm(const ToolTable& tools, const ToolPlace& place) {
+  const Tool* const tool = tools.find(place.tool);
+  if (tool == nullptr || place.field == ToolField::wear) {
+    return 0.0;
+  }
+  return place.field == ToolField::length ? tool->offset_mm[2] : tool->diameter_mm / 2;
+}
+
+double plane_code(Plane plane) {
+  return plane == Plane::xy ? 17.0 : plane == Plane::zx ? 18.0 : 19.0;
+}
+
 double work_code(std::size_t system) {
   if (system >= Coordinates::kSystems) {
     return 54.1;
@@ -85,7 +97,7 @@ std::optional<double> modal_value(int number, const ModalState& state) {
     case 4001:
       return static_cast<double>(state.motion) / 10.0;
     case 4002:
-      return state.plane == Plane::xy ? 17.0 : state.plane == Plane::zx ? 18.0 : 19.0;
+      return plane_code(state.plane);
     case 4003:
       return state.incremental ? 91.0 : 90.0;
     case 4005:
@@ -123,11 +135,7 @@ std::optional<double> MachineValues::fanuc_number(int number) const {
     return state.coordinates.work(place.system).origin_mm[place.axis] / unit;
   }
   if (const ToolPlace place = tool_place(number); place.field != ToolField::none) {
-    const Tool* const tool = memory_->machine.tools.find(place.tool);
-    if (tool == nullptr || place.field == ToolField::wear) {
-      return 0.0;
-    }
-    return (place.field == ToolField::length ? tool->offset_mm[2] : tool->diameter_mm / 2) / unit;
+    return tool_offset_mm(memory_->machine.tools, place) / unit;
   }
   for (const int first : {5000, 5040}) {  // where the block before ended; where the tool is
     if (const std::size_t axis = axis_behind(first, number); axis < 3) {
