@@ -13,6 +13,10 @@ bool has_g(const Block& block, double code) {
   return false;
 }
 
+bool is_in_inches(const Block& block, const ModalState& state) {
+  return has_g(block, 20.0) || (state.units == Units::inch && !has_g(block, 21.0));
+}
+
 bool has_cycle(const Block& block, const ModalState& state) {
   bool moves = false;
   for (std::size_t i = 0; i < block.g_count; ++i) {
@@ -49,8 +53,7 @@ Letters lengths_of(const Block& block, const ModalState& state) {
 }  // namespace
 
 void count_in_least_increments(const ModalState& state, double least_increment_mm, Block& block) {
-  const bool inch = has_g(block, 20.0) || (state.units == Units::inch && !has_g(block, 21.0));
-  const double length = inch ? least_increment_mm * 0.1 : least_increment_mm;
+  const double length = is_in_inches(block, state) ? least_increment_mm * 0.1 : least_increment_mm;
   constexpr double kThousandth = 0.001;
   const bool waits = has_g(block, 4.0);
   const bool turns = has_g(block, 68.0);
