@@ -38,11 +38,7 @@ Done mirror_program(const RunningBlock& at, ModalState& state) {
 }
 
 // A factor without a decimal point counts in thousandths, as on the control: P2000 is 2.
-Expected<double> scale_factor(const Block& block, char letter, double otherwise) {
-  if (!block.has(letter)) {
-    return otherwise;
-  }
-  const Word& word = block.word(letter);
+Expected<double> scale_factor(const Block& block, const Word& word) {
   const bool thousandths = block.text(word).find_first_of(".[#") == std::string_view::npos;
   const double factor = word.value * (thousandths ? 0.001 : 1.0);
   constexpr double kMin = 1e-5;
@@ -71,12 +67,14 @@ Done scale_program(const RunningBlock& at, ModalState& state) {
     scaling.centre_mm[axis] =
         !given ? here[axis] : words[axis] + (state.incremental ? here[axis] : 0.0);
   }
-  Expected<double> all = scale_factor(at.block, 'P', 1.0);
+  Expected<double> all = at.block.has('P') ? scale_factor(at.block, at.block.word('P')) : 1.0;
   if (!all) {
     return fault_of(all);
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    Expected<double> factor = scale_factor(at.block, centre_letter(axis), *all);
+    const char letter = centre_letter(axis);
+    Expected<double> factor =
+        at.block.has(letter) ? scale_factor(at.block, at.block.word(letter)) : *all;
     if (!factor) {
       return fault_of(factor);
     }
