@@ -93,7 +93,7 @@ class MacroCall {
   }
 
  private:
-  std::size_t skip_comments(std::size_t at) const {
+  [[nodiscard]] std::size_t skip_comments(std::size_t at) const {
     at = skip_blanks(line_, at);
     while (at < line_.size() && line_[at] == '(') {
       const std::size_t close = line_.find(')', at);
@@ -103,52 +103,52 @@ class MacroCall {
   }
 
   Done read_word(std::size_t& at) {
-    const std::size_t from = at;
     const std::string letter = upper(line_.substr(at, 1));
     if (letter.empty() || letter[0] < 'A' || letter[0] > 'Z') {
-      return fail(from, errors::kArgument,
+      return fail(at, errors::kArgument,
                   joined({numbers_.name, ": an argument letter is expected, found ",
-                          quoted(line_.substr(from))}));
+                          quoted(line_.substr(at))}));
     }
     Cursor cursor{line_, skip_blanks(line_, at + 1)};
-    double value = 0.0;
-    if (!evaluator_->read_value(cursor, value)) {
+    Word word{.offset = static_cast<std::uint32_t>(at)};
+    if (!evaluator_->read_value(cursor, word.value)) {
       return diagnostics::failure(evaluator_->fault());
     }
     at = cursor.at;
-    return use(letter[0], value, from);
+    return use(letter[0], word);
   }
 
-  Done use(char letter, double value, std::size_t at) {
-    if (letter == 'G' && (value == 65.0 || value == 66.0)) {
-      call_.offset = static_cast<std::uint32_t>(at);
-      numbers_.name = value == 65.0 ? "G65" : "G66";
+  Done use(char letter, const Word& word) {
+    if (letter == 'G' && (word.value == 65.0 || word.value == 66.0)) {
+      call_.offset = word.offset;
+      numbers_.name = word.value == 65.0 ? "G65" : "G66";
       return {};
     }
     if (letter == 'P') {
-      numbers_.program = value;
-      numbers_.program_at = at;
+      numbers_.program = word.value;
+      numbers_.program_at = word.offset;
       has_program_ = true;
       return {};
     }
     if (letter == 'L') {
-      numbers_.runs = value;
-      numbers_.runs_at = at;
+      numbers_.runs = word.value;
+      numbers_.runs_at = word.offset;
       return {};
     }
     std::size_t variable = variable_of(letter);
     if (variable == 0) {
-      return fail(at, errors::kArgument, joined({named(letter), " cannot be a macro argument"}));
+      return fail(word.offset, errors::kArgument,
+                  joined({named(letter), " cannot be a macro argument"}));
     }
     if (variable >= 4 && variable <= 6) {
       set_ += variable <= last_in_set_ ? 1 : 0;
       last_in_set_ = variable;
       variable += 3 * set_;
       if (set_ >= 10) {
-        return fail(at, errors::kArgument, "at most 10 sets of I, J and K are allowed");
+        return fail(word.offset, errors::kArgument, "at most 10 sets of I, J and K are allowed");
       }
     }
-    call_.values[variable - 1] = value;
+    call_.values[variable - 1] = word.value;
     return {};
   }
 
