@@ -40,6 +40,18 @@ Point resolved_with_offsets(const RunningBlock& at, const ModalState& state, con
   return point;
 }
 
+// Where the words lead on the machine, with G91 how far; nothing is meant for axes without a word.
+AuxiliaryWords auxiliary_target(const RunningBlock& at, const ModalState& state) {
+  AuxiliaryWords words{};
+  for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
+    words[axis] = at.block.has(kAuxiliaryNames[axis])
+                      ? auxiliary_word_deg_mm(at.block, axis, state.units)
+                      : 0.0;
+  }
+  const bool on_machine = state.incremental || at.codes[Group::other] == kG53;
+  return on_machine ? words : state.coordinates.auxiliary_to_machine(words);
+}
+
 // In a turned coordinate system the word to blame may be that of the other axis.
 diagnostics::Failure out_of_range(const Block& block, char letter) {
   const Word& word =
@@ -115,14 +127,7 @@ Expected<AuxiliaryWords> resolve_auxiliary(const RunningBlock& at, const ModalSt
                                                          : "in the move that ends G41/G42");
     return fault_of(refused);
   }
-  AuxiliaryWords words{};
-  for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
-    words[axis] = at.block.has(kAuxiliaryNames[axis])
-                      ? auxiliary_word_deg_mm(at.block, axis, state.units)
-                      : 0.0;
-  }
-  const bool on_machine = state.incremental || at.codes[Group::other] == kG53;
-  const AuxiliaryWords target = on_machine ? words : state.coordinates.auxiliary_to_machine(words);
+  const AuxiliaryWords target = auxiliary_target(at, state);
   for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
     if (!at.block.has(kAuxiliaryNames[axis])) {
       continue;
