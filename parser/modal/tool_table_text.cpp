@@ -52,7 +52,7 @@ tl::expected<void, Mistake> check_value(char letter, double value, std::size_t o
     return mistake(offset,
                    {named(letter), ": ", shortest(value), " is outside -999999.999..999999.999"});
   }
-  if (value != 0.0 && letter_bit(letter) & letters('A', 'B', 'C', 'U', 'V', 'W')) {
+  if (value != 0.0 && (letter_bit(letter) & letters('A', 'B', 'C', 'U', 'V', 'W')) != 0) {
     return mistake(offset, {named(letter), ": tools have offsets along X, Y and Z only"});
   }
   return {};
