@@ -86,28 +86,33 @@ double way_mm(const Move& move) {
   return line != nullptr ? distance_mm(move.start_mm, line->end_mm) : 0.0;
 }
 
+// The move begins where the tool is; auxiliary axes that it does not move stay there.
+void ShortMoves::begin_at_place(Move& move) {
+  if (!behind_) {
+    place_mm_ = move.start_mm;
+    place_rad_mm_ = move.auxiliary.begin_rad_mm;
+  }
+  start_at(move, place_mm_);
+  if (!move.auxiliary.moves()) {
+    move.auxiliary.end_rad_mm = place_rad_mm_;
+  }
+  move.auxiliary.begin_rad_mm = place_rad_mm_;
+}
+
 bool ShortMoves::take(Move& move) {
   const Point* const end = end_mm(move);
   if (end == nullptr ||
       (!behind_ && !move.auxiliary.moves() && are_apart(move.start_mm, *end) && !is_thread(move))) {
     return true;
   }
-  if (!behind_) {
-    place_mm_ = move.start_mm;
-    place_rad_mm_ = move.auxiliary.begin_rad_mm;
-  }
   const double programmed_mm = way_mm(move);
   const Point programmed_end_mm = *end;
+  const AuxiliaryPosition programmed_end_rad_mm = move.auxiliary.end_rad_mm;
   const bool was_line = std::holds_alternative<LineMove>(move.shape);
   if (programmed_mm < kShortestWay_mm || is_thread(move)) {
     move.shape = LineMove{programmed_end_mm};
   }
-  start_at(move, place_mm_);
-  const AuxiliaryPosition programmed_end_rad_mm = move.auxiliary.end_rad_mm;
-  if (!move.auxiliary.moves()) {
-    move.auxiliary.end_rad_mm = place_rad_mm_;
-  }
-  move.auxiliary.begin_rad_mm = place_rad_mm_;
+  begin_at_place(move);
   const double length_mm = way_mm(move);
   const double auxiliary_rad_mm = move.auxiliary.length_rad_mm();
   const bool moves = length_mm >= kShortestWay_mm;
@@ -126,12 +131,10 @@ bool ShortMoves::take(Move& move) {
     if (!feed_of_auxiliary) {
       move.feedrate_mm_s *= auxiliary_rad_mm / std::max(programmed_mm, 1e-3 * kShortestWay_mm);
     }
-  } else {
-    place_mm_ = *end_mm(move);
-    if (feed_of_auxiliary && moves_auxiliary) {
-      move.feedrate_mm_s *= length_mm / auxiliary_rad_mm;
-    }
+  } else if (feed_of_auxiliary && moves_auxiliary) {
+    move.feedrate_mm_s *= length_mm / auxiliary_rad_mm;
   }
+  place_mm_ = *end_mm(move);
   behind_ = place_mm_ != programmed_end_mm || place_rad_mm_ != programmed_end_rad_mm;
   return true;
 }

@@ -27,6 +27,8 @@ class ShortMoves {
   bool take(Move& move);
 
  private:
+  void begin_at_place(Move& move);
+
   Point place_mm_{};                  // of the tool
   AuxiliaryPosition place_rad_mm_{};  // of the auxiliary axes
   bool behind_ = false;  // they may not be where the program is; else neither place is in use
