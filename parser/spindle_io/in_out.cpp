@@ -26,6 +26,19 @@ Expected<int> channel(const RunningBlock& at, char letter, int count) {
   return static_cast<int>(word.value);
 }
 
+// How long M66 waits: Q, which a wait of any kind but 0 needs.
+Expected<double> waiting_time_s(const RunningBlock& at, double kind) {
+  const double wait_s = at.block.value_or('Q', 0.0);
+  if (wait_s < 0.0 || wait_s > kLongestWait_s || (kind != 0.0 && wait_s == 0.0)) {
+    const Word& word = at.block.has('Q') ? at.block.word('Q') : at.code_word(Group::in_out);
+    return fail(
+        word.offset, errors::kWaitTime,
+        joined({"M66 L", shortest(kind), ": Q (seconds) must be ",
+                kind == 0.0 ? "0 or more" : "greater than 0", ", found ", shortest(wait_s)}));
+  }
+  return wait_s;
+}
+
 // M66 P reads or waits for a digital input, M66 E reads an analog one; #5399 gets the answer. The
 // table is simulated and its inputs are low: a wait for low is over at once, every other one lasts
 // Q seconds and is in vain.
@@ -46,17 +59,14 @@ Done wait_for_input(const RunningBlock& at, ModalState& state) {
                 joined({"M66: L must be ", analog ? "0 for an analog input" : "0 to 4", ", found ",
                         shortest(kind)}));
   }
-  const double wait_s = at.block.value_or('Q', 0.0);
-  if (wait_s < 0.0 || wait_s > kLongestWait_s || (kind != 0.0 && wait_s == 0.0)) {
-    return fail(
-        at.block.has('Q') ? at.block.word('Q').offset : code.offset, errors::kWaitTime,
-        joined({"M66 L", shortest(kind), ": Q (seconds) must be ",
-                kind == 0.0 ? "0 or more" : "greater than 0", ", found ", shortest(wait_s)}));
+  Expected<double> wait_s = waiting_time_s(at, kind);
+  if (!wait_s) {
+    return fault_of(wait_s);
   }
   const bool in_vain = kind == 1.0 || kind == 2.0 || kind == 3.0;
   state.input = in_vain ? -1.0 : 0.0;
   if (in_vain) {
-    at.push_move(state).shape = DwellMove{wait_s};
+    at.push_move(state).shape = DwellMove{*wait_s};
   }
   return {};
 }
