@@ -71,11 +71,6 @@ bool Flow::grow() {
   return more;
 }
 
-void Flow::take_rest() {
-  while (grow()) {
-  }
-}
-
 void Flow::enter_text(ProgramText& text, std::uint32_t line) {
   if (&text != text_) {
     text_ = &text;
@@ -188,8 +183,15 @@ void Flow::stop_endless_loop() {
   stopped_ = true;
 }
 
-// No line is next in this text.
+// No line is next in this text. Step::block: go on, there may be one now.
 Flow::Step Flow::at_end_of_text() {
+  if (keeping_ && main_->text_bytes() > kKeptText) {
+    forget();
+    return Step::plain;
+  }
+  if (text_ == main_.get() && grow()) {
+    return Step::block;
+  }
   if (text_ == main_.get() && !main_->closed()) {
     return Step::more_text;
   }
@@ -207,41 +209,36 @@ Flow::Step Flow::at_end_of_text() {
   return stopped_ ? Step::end : Step::block;
 }
 
+// Runs the line at the cursor where it is a statement. True: `line` is to be handed out.
+bool Flow::take_line(Line& line) {
+  const StoredLine& stored = text_->line(cursor_);
+  come_to(cursor_);
+  if (++idle_steps_ > options_->max_idle_steps) {
+    stop_endless_loop();
+    return false;
+  }
+  if (stored.statement == 0) {
+    line = {stored.view(), text_->number_of(current_), stored.too_long != 0};
+    return true;
+  }
+  run(stored.statement);
+  if (has_ready_) {
+    line = {scratch_, text_->number_of(current_), false};
+  }
+  return std::exchange(has_ready_, false);
+}
+
 Flow::Step Flow::next(Line& line) {
   while (!stopped_) {
     if (goal_ != Goal::none) {
       if (!reach_goal()) {
         return Step::more_text;
       }
-      continue;
-    }
-    if (cursor_ >= text_->size()) {
-      if (keeping_ && main_->text_bytes() > kKeptText) {
-        forget();
-        return Step::plain;
-      }
-      if (text_ == main_.get() && grow()) {
-        continue;
-      }
+    } else if (cursor_ >= text_->size()) {
       if (const Step step = at_end_of_text(); step != Step::block) {
         return step;
       }
-      continue;
-    }
-    const StoredLine& stored = text_->line(cursor_);
-    come_to(cursor_);
-    if (++idle_steps_ > options_->max_idle_steps) {
-      stop_endless_loop();
-      break;
-    }
-    if (stored.statement == 0) {
-      line = {stored.view(), text_->number_of(current_), stored.too_long != 0};
-      return Step::block;
-    }
-    run(stored.statement);
-    if (has_ready_) {
-      has_ready_ = false;
-      line = {scratch_, text_->number_of(current_), false};
+    } else if (take_line(line)) {
       return Step::block;
     }
   }

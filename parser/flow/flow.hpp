@@ -75,7 +75,10 @@ class Flow {
   bool return_from_call(const Return& from);
 
   // The program has ended; the rest of its text is looked through for structures left open.
-  void take_rest();
+  void take_rest() {
+    while (grow()) {
+    }
+  }
   // Something of the text that is still to come can make it wrong.
   [[nodiscard]] bool needs_rest() const {
     return active_ && main_->structure_open() && !main_->closed();
@@ -142,6 +145,7 @@ class Flow {
   void count_motion();
   void stop_endless_loop();
   Step at_end_of_text();
+  bool take_line(Line& line);
 
   // flow_statements.cpp
   void run(std::uint32_t index);
