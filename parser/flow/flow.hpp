@@ -151,8 +151,8 @@ class Flow {
   void run(std::uint32_t index);
   void watch();
   void run_o_word(std::uint32_t index, const Statement& statement);
-  bool read_value(std::size_t& at, double& value);
-  bool value_of(const Statement& statement, double& value);
+  std::optional<double> read_value(std::size_t& at);
+  std::optional<double> value_of(const Statement& statement);
   bool holds(const Statement& statement);
   bool expect_end(std::size_t at);
   void begin_repeat(std::uint32_t index, const Statement& statement);

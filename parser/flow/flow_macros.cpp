@@ -18,8 +18,7 @@ void Flow::run_macro(std::uint32_t index, const Statement& statement) {
     case Keyword::macro_while: {
       evaluator_->begin_line();
       std::size_t at = statement.keyword_at;
-      double value = 0.0;
-      if (!read_value(at, value) || value == 0.0) {
+      if (read_value(at).value_or(0.0) == 0.0) {
         set_goal(Goal::behind, index);
       }
       return;
@@ -36,8 +35,7 @@ void Flow::run_macro(std::uint32_t index, const Statement& statement) {
 void Flow::jump_if(const Statement& statement) {
   evaluator_->begin_line();
   std::size_t at = statement.rest;
-  double value = 0.0;
-  if (!read_value(at, value) || value == 0.0) {
+  if (read_value(at).value_or(0.0) == 0.0) {
     return;
   }
   const std::string_view line = text_->line(current_).view();
@@ -59,17 +57,17 @@ void Flow::go_to(std::size_t at, std::uint32_t around) {
   const std::string_view line = text_->line(current_).view();
   at = skip_blanks(line, at);
   const auto offset = static_cast<std::uint32_t>(at);
-  double number = 0.0;
-  if (!read_value(at, number) || !expect_end(at)) {
+  const std::optional<double> number = read_value(at);
+  if (!number || !expect_end(at)) {
     return;
   }
-  if (!(number >= 1.0 && number <= kMax) || number != std::floor(number)) {
+  if (!(*number >= 1.0 && *number <= kMax) || *number != std::floor(*number)) {
     fault(current_, offset, errors::kTargetNumber,
           joined({"GOTO: the sequence number must be a whole number from 1 to 999999999, found ",
-                  shortest(number)}));
+                  shortest(*number)}));
     return;
   }
-  target_ = {.number = static_cast<std::uint32_t>(number),
+  target_ = {.number = static_cast<std::uint32_t>(*number),
              .from = current_,
              .around = around,
              .offset = offset};

@@ -64,22 +64,23 @@ void Flow::run_o_word(std::uint32_t index, const Statement& statement) {
   }
 }
 
-// A value of the line that is being run, in brackets, at `at`, which moves behind it.
-bool Flow::read_value(std::size_t& at, double& value) {
+// A value of the line that is being run, in brackets, at `at`, which moves behind it. None: it is
+// wrong and has been reported.
+std::optional<double> Flow::read_value(std::size_t& at) {
   const std::string_view line = text_->line(current_).view();
   Cursor cursor{line, at};
+  double value = 0.0;
   if (!evaluator_->read_value(cursor, value)) {
     const diagnostics::Fault& found = evaluator_->fault();
     fault(current_, found.offset, *found.page, found.message);
-    return false;
+    return std::nullopt;
   }
   at = cursor.at;
   if (const auto unset = evaluator_->take_unset_read()) {
     diagnostics_->at_line(text_->number_of(current_), line);
     warn_of_unset(*unset, text_->number_of(current_), *diagnostics_);
   }
-  value = is_vacant(value) ? 0.0 : value;
-  return true;
+  return is_vacant(value) ? 0.0 : value;
 }
 
 bool Flow::expect_end(std::size_t at) {
@@ -94,22 +95,22 @@ bool Flow::expect_end(std::size_t at) {
 }
 
 // The one value that follows the statement's keyword.
-bool Flow::value_of(const Statement& statement, double& value) {
+std::optional<double> Flow::value_of(const Statement& statement) {
   const std::string_view line = text_->line(current_).view();
   std::size_t at = skip_blanks(line, statement.rest);
   if (at >= line.size() || line[at] != '[') {
     fault(current_, static_cast<std::uint32_t>(at), errors::kNoCondition,
           joined({quoted(line.substr(statement.keyword_at, at - statement.keyword_at)),
                   " needs a value in [ ]"}));
-    return false;
+    return std::nullopt;
   }
   evaluator_->begin_line();
-  return read_value(at, value) && expect_end(at);
+  const std::optional<double> value = read_value(at);
+  return value && expect_end(at) ? value : std::nullopt;
 }
 
 bool Flow::holds(const Statement& statement) {
-  double value = 0.0;
-  return value_of(statement, value) && value != 0.0;
+  return value_of(statement).value_or(0.0) != 0.0;
 }
 
 void Flow::try_clause(std::uint32_t index) {
@@ -123,11 +124,11 @@ void Flow::try_clause(std::uint32_t index) {
 
 void Flow::begin_repeat(std::uint32_t index, const Statement& statement) {
   constexpr double kMax = 1e15;
-  double count = 0.0;
-  if (!value_of(statement, count)) {
+  const std::optional<double> count = value_of(statement);
+  if (!count) {
     return set_goal(Goal::behind, index);
   }
-  const double whole = std::round(count);
+  const double whole = std::round(*count);
   if (whole < 0.0) {
     fault(current_, statement.keyword_at, errors::kNegativeCount,
           joined({"the repeat count is negative (", shortest(whole), "): nothing is repeated"}));
@@ -163,12 +164,15 @@ void Flow::continue_loop(const Statement& statement) {
 void Flow::return_value(const Statement& statement) {
   const std::string_view line = text_->line(current_).view();
   const std::size_t at = skip_blanks(line, statement.rest);
-  const bool given = at < line.size() && line[at] == '[';
-  double value = 0.0;
-  const bool ok = given ? value_of(statement, value) : expect_end(at);
+  std::optional<double> value;
+  if (at < line.size() && line[at] == '[') {
+    value = value_of(statement);
+  } else {
+    expect_end(at);
+  }
   Parameters& parameters = evaluator_->parameters();
-  parameters.set("_value", ok && given ? value : 0.0);
-  parameters.set("_value_returned", ok && given ? 1.0 : 0.0);
+  parameters.set("_value", value.value_or(0.0));
+  parameters.set("_value_returned", value ? 1.0 : 0.0);
   if (!frames_.empty()) {
     leave();
   }
@@ -185,9 +189,11 @@ bool Flow::read_arguments(const Statement& statement) {
             joined({"a call takes at most ", std::to_string(kMax), " arguments"}));
       return false;
     }
-    if (!read_value(at, call_.values[call_.arguments++])) {
+    const std::optional<double> value = read_value(at);
+    if (!value) {
       return false;
     }
+    call_.values[call_.arguments++] = *value;
     at = skip_blanks(line, at);
   }
   return expect_end(at);
@@ -197,15 +203,15 @@ void Flow::call_sub(const Statement& statement) {
   evaluator_->begin_line();
   if (statement.computed_label) {
     std::size_t at = statement.label_at;
-    double number = 0.0;
-    if (!read_value(at, number)) {
+    const std::optional<double> number = read_value(at);
+    if (!number) {
       return;
     }
-    if (number != std::floor(number) || number < 0.0) {
+    if (*number != std::floor(*number) || *number < 0.0) {
       return fault(current_, statement.label_at, errors::kNoLabel,
-                   joined({"the label must be a whole number, found ", shortest(number)}));
+                   joined({"the label must be a whole number, found ", shortest(*number)}));
     }
-    call_.label = shortest(number);
+    call_.label = shortest(*number);
   } else {
     call_.label = text_->labels().name(statement.label);
   }
