@@ -177,7 +177,7 @@ class Flow {
   // flow_macros.cpp
   void run_macro(std::uint32_t index, const Statement& statement);
   void jump_if(const Statement& statement);
-  void go_to(std::size_t at, std::uint32_t around);
+  void go_to(const Statement& statement, std::size_t at);
   const SequenceNumber* find_number();
   bool find_target();
   void target_not_found();

@@ -14,7 +14,7 @@ void Flow::run_macro(std::uint32_t index, const Statement& statement) {
       return jump_if(statement);
     case Keyword::macro_goto:
       evaluator_->begin_line();
-      return go_to(statement.rest, statement.around);
+      return go_to(statement, statement.rest);
     case Keyword::macro_while: {
       evaluator_->begin_line();
       std::size_t at = statement.keyword_at;
@@ -40,11 +40,11 @@ void Flow::jump_if(const Statement& statement) {
   }
   const std::string_view line = text_->line(current_).view();
   if (const std::size_t target = behind_keyword(line, statement.keyword_at, "goto")) {
-    return go_to(target, statement.around);
+    return go_to(statement, target);
   }
   const std::size_t then = behind_keyword(line, statement.keyword_at, "then");
   if (const std::size_t target = behind_keyword(line, then, "goto")) {
-    return go_to(target, statement.around);
+    return go_to(statement, target);
   }
   scratch_.assign(then, ' ');
   scratch_ += line.substr(then);
@@ -52,7 +52,7 @@ void Flow::jump_if(const Statement& statement) {
 }
 
 // The number behind GOTO, at `at`.
-void Flow::go_to(std::size_t at, std::uint32_t around) {
+void Flow::go_to(const Statement& statement, std::size_t at) {
   constexpr double kMax = 999'999'999.0;
   const std::string_view line = text_->line(current_).view();
   at = skip_blanks(line, at);
@@ -69,7 +69,7 @@ void Flow::go_to(std::size_t at, std::uint32_t around) {
   }
   target_ = {.number = static_cast<std::uint32_t>(*number),
              .from = current_,
-             .around = around,
+             .around = statement.around,
              .offset = offset};
   set_goal(Goal::target, 0);
 }
