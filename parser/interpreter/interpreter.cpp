@@ -95,11 +95,18 @@ void Interpreter::end_program(diagnostics::SourcePosition source) {
   program_ended_ = true;
 }
 
-MacroSignal Interpreter::take_signal() {
-  return std::exchange(memory_.state.signal, {});
+// F, S, G96, G97 and T. Part of execute(), a call for each block would be felt.
+[[gnu::always_inline]] inline Done Interpreter::set_feed_speed_and_tool(const RunningBlock& at) {
+  if (!at.block.has_any(letters('F', 'S', 'T')) && !at.codes.has(Group::spindle_mode)) {
+    return {};
+  }
+  ModalState& state = memory_.state;
+  return set_feed(at, state).and_then([&] { return set_speed(at, state); }).and_then([&] {
+    return select_tool(at, state, memory_.machine.tools);
+  });
 }
 
-// In the order that the class names. Part of execute(), a call for each block would be felt.
+// In the order that the class names. Part of execute(), too.
 [[gnu::always_inline]] inline Done Interpreter::do_words(const RunningBlock& at) {
   ModalState& state = memory_.state;
   Expected<Group> axis_taker = check_words(at, state, compensation_.on());
@@ -109,13 +116,8 @@ MacroSignal Interpreter::take_signal() {
   if (at.block.g_count > 0) {
     set_units_and_feed_mode(at.codes);
   }
-  if (at.block.has_any(letters('F', 'S', 'T')) || at.codes.has(Group::spindle_mode)) {
-    Done done = set_feed(at, state).and_then([&] { return set_speed(at, state); }).and_then([&] {
-      return select_tool(at, state, memory_.machine.tools);
-    });
-    if (!done) {
-      return done;
-    }
+  if (Done done = set_feed_speed_and_tool(at); !done) {
+    return done;
   }
   if (at.block.m_count > 0 || at.block.has('S')) {
     if (Done done = switch_machine(at); !done) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "parser/compensation/cutter_compensation.hpp"
@@ -54,7 +55,7 @@ class Interpreter {
   [[nodiscard]] MoveQueue& moves() { return moves_; }
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   // Returns what the block has raised, and clears it.
-  MacroSignal take_signal();
+  MacroSignal take_signal() { return std::exchange(memory_.state.signal, {}); }
   // Ends the program as M2 does.
   void end_program(diagnostics::SourcePosition source);
 
@@ -62,6 +63,7 @@ class Interpreter {
   // interpreter.cpp
   Done refuse(const RunningBlock& at);
   Done execute(const RunningBlock& at);
+  Done set_feed_speed_and_tool(const RunningBlock& at);
   Done do_words(const RunningBlock& at);
   void report(std::uint32_t line, const diagnostics::Fault& fault);
   bool leaves_skipped_curve(const RunningBlock& at, bool complete);
