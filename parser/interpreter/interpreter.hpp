@@ -92,6 +92,7 @@ class Interpreter {
 
   // interpreter_motion.cpp
   Done move(const RunningBlock& at, Group axis_taker);
+  Done do_motion(const RunningBlock& at);
   Done rapid_to_words(const RunningBlock& at);
   Done straight_move(const RunningBlock& at);
   struct Straight {

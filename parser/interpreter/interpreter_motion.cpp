@@ -90,9 +90,12 @@ Done Interpreter::move(const RunningBlock& at, Group axis_taker) {
       return done;
     }
   }
-  if (axis_taker != Group::count) {
-    return {};
-  }
+  return axis_taker == Group::count ? do_motion(at) : Done();
+}
+
+// The motion in force.
+inline Done Interpreter::do_motion(const RunningBlock& at) {
+  const ModalState& state = memory_.state;
   switch (state.motion) {
     case Motion::rapid:
     case Motion::line:
