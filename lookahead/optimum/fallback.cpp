@@ -71,7 +71,7 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Windo
     }
   }
   is_cheap |= planned.count <= kFewCells && has_singular_place(planned);
-  if (!(planned.slowed_down ? whole.blocks >= kMinBlocks : whole.blocks > 0 && is_cheap) ||
+  if (!(planned.failed ? whole.blocks >= kMinBlocks : whole.blocks > 0 && is_cheap) ||
       !(classical_s(blocks, whole.blocks, settings) * all_mm < planned.duration_s * whole_mm)) {
     return std::nullopt;
   }

@@ -15,7 +15,7 @@ struct PlannedCells {
   const WaitingCells* cells = nullptr;
   std::size_t count = 0;
   double duration_s = 0.0;
-  bool slowed_down = false;  // one of the searches did not end well
+  bool failed = false;  // a search did not end well, over these cells or more
 };
 
 // The whole blocks at their front that follow the classical plan.

@@ -18,6 +18,9 @@ constexpr int kCuts = 5;  // of what a plan covers
 constexpr std::size_t kTriesOfRest = 8;
 constexpr std::size_t kMinBetweenTries = 8;
 constexpr std::size_t kCutCells = 16;
+// A search over fewer cells, half as many each time, may end well where one over all does not.
+constexpr int kShorterSearches = 3;
+constexpr std::size_t kMinShorter = 200;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
 // Where it is to rest at a junction it brakes later than it may if it passes that in motion.
 constexpr std::size_t kMarginOfWindow = 8;
@@ -87,27 +90,34 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
   return true;
 }
 
-OptimumSchedule::Taken OptimumSchedule::take(const PathAt& path) const {
-  Taken taken{.sequence = plan_.rest_from(place_, plan_.cells().size())};
-  append_waiting(0, path, taken);
-  return taken;
-}
-
-OptimumSchedule::Taken OptimumSchedule::take_from(std::size_t first, const PathAt& path) const {
-  Taken taken;
-  append_waiting(first, path, taken);
-  return taken;
-}
-
-void OptimumSchedule::append_waiting(std::size_t first, const PathAt& path, Taken& taken) const {
-  std::vector<Cell>& cells = taken.sequence.cells;
-  bool stops = false;
-  while (first + taken.count < waiting_.size() && cells.size() < settings_.window_cells && !stops) {
-    cells.push_back(waiting_[first + taken.count]);
-    stops = cells.back().rest_after;
-    ++taken.count;
+OptimumSchedule::Found OptimumSchedule::find(const PathAt& path) const {
+  Found all = find_over({.begin = 0, .end = waiting_.size()}, path);
+  std::size_t count = all.count;
+  for (int i = 0; i < kShorterSearches && !all.ended_well() && count >= kMinShorter; ++i) {
+    count /= 2;
+    if (Found shorter = find_over({.begin = 0, .end = count}, path); shorter.ended_well()) {
+      shorter.is_shorter = true;
+      return shorter;
+    }
   }
-  if (taken.sequence.begin.at_rest()) {
+  return all;
+}
+
+OptimumSchedule::Found OptimumSchedule::find_over(const Indices& waiting,
+                                                  const PathAt& path) const {
+  CellSequence sequence;
+  if (waiting.begin == 0) {
+    sequence = plan_.rest_from(place_, plan_.cells().size());
+  }
+  std::vector<Cell>& cells = sequence.cells;
+  std::size_t count = 0;
+  bool stops = false;
+  while (waiting.begin + count < waiting.end && cells.size() < settings_.window_cells && !stops) {
+    cells.push_back(waiting_[waiting.begin + count]);
+    stops = cells.back().rest_after;
+    ++count;
+  }
+  if (sequence.begin.at_rest()) {
     relax_beside_rest(cells, BlockSide::begin);
     refine_to_rest(cells, RestAt::begin, path, settings_.limits);
   }
@@ -115,21 +125,20 @@ void OptimumSchedule::append_waiting(std::size_t first, const PathAt& path, Take
     relax_beside_rest(cells, BlockSide::end);
   }
   refine_to_rest(cells, RestAt::end, path, settings_.limits);
+  return {.count = count, .plan = OptimalPlan::find(std::move(sequence), path, settings_.limits)};
 }
 
-PlannedCells OptimumSchedule::planned_to_block_end(const OptimalPlan& found, std::size_t count,
-                                                   const PathAt& path) const {
+PlannedCells OptimumSchedule::planned_to_block_end(const Found& found, const PathAt& path) const {
   PlannedCells planned{.cells = &waiting_,
-                       .count = count,
-                       .duration_s = found.duration_s(),
-                       .slowed_down = found.slowed_down()};
+                       .count = found.count,
+                       .duration_s = found.plan->duration_s(),
+                       .failed = found.is_shorter || found.plan->slowed_down()};
   while (planned.count < waiting_.size() && !waiting_[planned.count - 1].ends_block &&
          waiting_[planned.count - 1].rest_after) {
-    Taken next = take_from(planned.count, path);
-    const auto plan = OptimalPlan::find(std::move(next.sequence), path, settings_.limits);
+    const Found next = find_over({.begin = planned.count, .end = waiting_.size()}, path);
     planned.count += next.count;
-    planned.duration_s += plan->duration_s();
-    planned.slowed_down |= plan->slowed_down();
+    planned.duration_s += next.plan->duration_s();
+    planned.failed |= next.plan->slowed_down();
   }
   return planned;
 }
@@ -141,14 +150,11 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   }
   const PathAt path = waiting_.path_of(blocks);
   const bool from_rest = cells_left() == 0;
-  Taken taken = take(path);
-  auto found = OptimalPlan::find(std::move(taken.sequence), path, settings_.limits);
-  if (from_rest) {
-    const auto faster = waiting_.front().cell.s_begin_mm > 0.0
-                            ? std::nullopt
-                            : faster_fallback(planned_to_block_end(*found, taken.count, path),
-                                              blocks, classical_.settings());
-    if (faster && found->slowed_down()) {
+  Found found = find(path);
+  if (from_rest && waiting_.front().cell.s_begin_mm == 0.0) {
+    const auto faster =
+        faster_fallback(planned_to_block_end(found, path), blocks, classical_.settings());
+    if (faster && !found.ended_well()) {
       fall_back(*faster, blocks, emitter);
       return;
     }
@@ -157,22 +163,21 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
       return;
     }
   }
-  for (int i = 0; i < kCuts && from_rest && found->slowed_down() && taken.count >= kCutCells; ++i) {
-    cut(taken.count, blocks, emitter);
-    taken = take(path);
-    found = OptimalPlan::find(std::move(taken.sequence), path, settings_.limits);
+  for (int i = 0; i < kCuts && from_rest && !found.ended_well() && found.count >= kCutCells; ++i) {
+    cut(found.count, blocks, emitter);
+    found = find_over({.begin = 0, .end = waiting_.size()}, path);
   }
-  if (!found) {
+  if (!found.plan) {
     try_again_later(blocks, emitter);
     return;
   }
-  if (found->slowed_down()) {
+  if (found.plan->slowed_down()) {
     const Cell& first = waiting_.front().cell;
     emitter.note(degradation_on(waiting_.block_of(first, blocks), first.s_begin_mm));
   }
-  plan_ends_at_stop_ = waiting_[taken.count - 1].rest_after;
-  waiting_.drop(taken.count);
-  plan_ = std::move(*found);
+  plan_ends_at_stop_ = waiting_[found.count - 1].rest_after;
+  waiting_.drop(found.count);
+  plan_ = std::move(*found.plan);
   place_ = {};
   const std::size_t count = plan_.cells().size();
   window_brake_ = plan_ends_at_stop_ ? count : plan_.last_braking();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "lookahead/emit/schedule.hpp"
 #include "lookahead/optimum/classical_run.hpp"
@@ -15,11 +16,12 @@ namespace kerf::lookahead {
 // to brake for the end of the window, but not before half of it has been emitted, it is planned
 // anew from the tool's place, with the blocks that have come since. The cells that two plans share
 // are the same, so the rest of the old plan is a feasible start for the new one. Where the search
-// finds no plan that keeps the limits, the old plan is kept and the search begins again farther on;
-// at the last it ends at rest. Where it finds none from rest, the classical plan is the fallback
-// over whole blocks, if it is faster; else the path is cut in two by a rest at its sharpest place,
-// a few times at the most, and a plan that still exceeds a limit is slowed down. Each of these is
-// noted as a degradation.
+// finds no plan that keeps the limits, it is tried over fewer cells. Where it finds none from a
+// place in motion, the old plan is kept and the search begins again farther on; at the last it ends
+// at rest. Where it finds none from rest, the classical plan is the fallback over whole blocks, if
+// it is faster; else the path is cut in two by a rest at its sharpest place, a few times at the
+// most, and a plan that still exceeds a limit is slowed down. Each of these but the first is noted
+// as a degradation.
 //
 // Lines that are independent of each other (independent_line.hpp) are planned by the S-curve, which
 // is their optimum in closed form: all of them from a rest to the next, or as far as the window
@@ -49,19 +51,25 @@ class OptimumSchedule final : public Schedule {
   void plan(Window<Block>& blocks, Emitter& emitter);
   // Hands all blocks up to the next rest to the classical schedule, those to come among them.
   void follow_classical(const Window<Block>& blocks);
-  // The rest of the plan and the cells that wait after it, refined for the rests at its ends.
-  struct Taken {
-    CellSequence sequence{};
-    std::size_t count = 0;  // of waiting_
+  struct Indices {
+    std::size_t begin = 0;
+    std::size_t end = 0;
   };
-  [[nodiscard]] Taken take(const PathAt& path) const;
-  // The waiting cells from this one on, behind a rest.
-  [[nodiscard]] Taken take_from(std::size_t first, const PathAt& path) const;
-  void append_waiting(std::size_t first, const PathAt& path, Taken& taken) const;
-  // The waiting cells that the plan takes; where it comes to rest within a block, with those up to
-  // the end of it.
-  [[nodiscard]] PlannedCells planned_to_block_end(const OptimalPlan& found, std::size_t count,
-                                                  const PathAt& path) const;
+  struct Found {
+    std::size_t count = 0;  // of waiting_ that it takes
+    std::optional<OptimalPlan> plan{};
+    bool is_shorter = false;  // a search over more did not end well
+
+    [[nodiscard]] bool ended_well() const { return plan && !plan->slowed_down(); }
+  };
+  // Over the rest of the plan and what waits after it; fewer of them where that does not end well.
+  [[nodiscard]] Found find(const PathAt& path) const;
+  // Over these of waiting_, up to a rest, refined for the rests at their ends. From 0 on the rest
+  // of the plan comes first, others begin behind a rest.
+  [[nodiscard]] Found find_over(const Indices& waiting, const PathAt& path) const;
+  // What was found from a rest in front of a block; where it comes to rest within one, with what
+  // follows up to its end.
+  [[nodiscard]] PlannedCells planned_to_block_end(const Found& found, const PathAt& path) const;
   void try_again_later(const Window<Block>& blocks, Emitter& emitter);
   // Hands these blocks to the classical schedule, from rest to rest.
   void fall_back(const Fallback& fallback, const Window<Block>& blocks, Emitter& emitter);
