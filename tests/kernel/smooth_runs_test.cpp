@@ -33,6 +33,14 @@ TEST_P(SmoothRuns, ComeToRestAtTheirEndAlone) {
   }
 }
 
+// Degree 2 in G64 with the limits of a router: a search over a whole window does not end well, from
+// rest nor in motion; over half as many cells it does.
+TEST(SmoothSpline, IsPlannedOverFewerCellsWhereTheWholeWindowIsNot) {
+  const SmoothRun run = smooth_run(SmoothKind::spline, 840);
+  ASSERT_EQ(run.name, "degree 2, knots 0, machine 2, G64, seed 5");
+  EXPECT_EQ(plan_of(run).degradations.count, 0U);
+}
+
 std::string test_name(const testing::TestParamInfo<KindAndPart>& kind_and_part) {
   constexpr std::array kNames{"Splines", "LongSplines", "ShippedCurves", "ShortLines", "Random"};
   const auto [kind, part] = kind_and_part.param;
