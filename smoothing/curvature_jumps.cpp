@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "smoothing/blend.hpp"
@@ -26,7 +27,8 @@ double curvature_per_mm(const curves::NurbsPiece& piece, double share) {
   return vec(path.second_per_mm).norm();
 }
 
-double lines_of(const curves::NurbsPiece& piece, double tolerance_mm) {
+// Nothing: too many.
+std::optional<int> lines_of(const curves::NurbsPiece& piece, double tolerance_mm) {
   double curvature = 0.0;
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     curvature = std::max(curvature, curvature_per_mm(piece, share));
@@ -34,7 +36,8 @@ double lines_of(const curves::NurbsPiece& piece, double tolerance_mm) {
   const double length_mm = piece.s_end_mm - piece.s_begin_mm;
   const double by_height = length_mm * std::sqrt(curvature / (8.0 * kOfTolerance * tolerance_mm));
   const double even = std::min(length_mm / (kEvenLine * tolerance_mm), kEvenLines);
-  return std::ceil(std::max({by_height, even, kMinLines}));
+  const double count = std::ceil(std::max({by_height, even, kMinLines}));
+  return count <= kMaxLines ? std::optional(static_cast<int>(count)) : std::nullopt;
 }
 
 }  // namespace
@@ -92,12 +95,12 @@ SampledCurve sampled(const curves::NurbsCurve& curve, double tolerance_mm) {
   SampledCurve lines;
   curves::Position from = curve.at(0.0);
   for (const curves::NurbsPiece& piece : curve.pieces()) {
-    const double count = lines_of(piece, tolerance_mm);
-    if (!(count <= kMaxLines)) {
+    const auto count = lines_of(piece, tolerance_mm);
+    if (!count) {
       return {};
     }
-    const double length_mm = (piece.s_end_mm - piece.s_begin_mm) / count;
-    for (double k = 0.0; k < count; ++k) {
+    const double length_mm = (piece.s_end_mm - piece.s_begin_mm) / *count;
+    for (int k = 0; k < *count; ++k) {
       const double begin_mm = piece.s_begin_mm + k * length_mm;
       const curves::Position to = piece.at(begin_mm + length_mm);
       const curves::Position middle = piece.at(begin_mm + 0.5 * length_mm);
