@@ -51,14 +51,18 @@ void Smoother::smooth_jumps(const parser::Move& move) {
       made_.push_back(std::move(segment));
       continue;
     }
+    const std::size_t count = made_.size();
     const SampledCurve lines = blends_meet(*curve, jumps_mm, segment.feedrate_mm_s, settings_)
                                    ? sampled(*curve, segment.corner_tolerance_mm)
                                    : SampledCurve{};
     if (lines.points_mm.empty()) {
       append_cut(segment, jumps_mm, made_);
-      continue;
+    } else {
+      fit_lines(lines, move, curve->at(0.0));
     }
-    fit_lines(lines, move, curve->at(0.0));
+    if (made_.size() == count) {  // all its points coincide
+      made_.push_back(std::move(segment));
+    }
   }
 }
 

@@ -186,5 +186,33 @@ TEST(CurvatureJumps, OfRandomSplinesAreSmoothedWithinTheTolerance) {
   }
 }
 
+// Far out, where the points of a curve that is hardly one differ in their last bits or not at all.
+TEST(CurvatureJumps, LoseNoCurveWhosePointsCoincide) {
+  const double far_mm = 9e5;
+  const double bit_mm = std::nextafter(far_mm, 2.0 * far_mm) - far_mm;
+  std::mt19937 random(1);
+  int made = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::vector<Position> points;
+    for (int k = 0; k < 5; ++k) {
+      Position& point = points.emplace_back();
+      std::ranges::generate(point, [&] { return far_mm + (random() % 4 == 0 ? bit_mm : 0.0); });
+    }
+    points.back() = points.front();
+    NurbsMove nurbs = spline(2, points, 1);
+    nurbs.points[2].weight = 0.3;
+    const Move move = move_along(nurbs, 100.0, 0.01);
+    std::vector<smoothing::PathSegment> exact;
+    if (!smoothing::append_segments(move, exact)) {
+      continue;
+    }
+    ++made;
+    const Smoothed smoothed = smooth({move});
+    ASSERT_FALSE(smoothed.segments.empty());
+    EXPECT_EQ(faults_of_junctions({move}, smoothed), "");
+  }
+  EXPECT_GT(made, 100);
+}
+
 }  // namespace
 }  // namespace kerf::test
