@@ -81,6 +81,25 @@ CellLaw CellLaw::landing(double v_begin_mm_s, double length_mm) noexcept {
   return law;
 }
 
+CellLaw CellLaw::ramp(const Ramp& begin, double duration_s) noexcept {
+  CellLaw law;
+  law.kind_ = Kind::ramp;
+  law.begin_ = {.v_mm_s = begin.v_mm_s, .a_mm_s2 = begin.a_mm_s2, .bend_per_s2 = begin.j_mm_s3};
+  law.duration_s_ = duration_s;
+  const PathMotion end = law.ramp_at(duration_s);
+  law.length_mm_ = end.s_mm;
+  law.v_end_mm_s_ = end.v_mm_s;
+  return law;
+}
+
+PathMotion CellLaw::ramp_at(double t_s) const noexcept {
+  const auto& [v, a, jerk] = begin_;
+  return {.s_mm = t_s * (v + t_s * (0.5 * a + t_s * jerk / 6.0)),
+          .v_mm_s = std::max(v + t_s * (a + 0.5 * t_s * jerk), 0.0),
+          .a_mm_s2 = a + t_s * jerk,
+          .j_mm_s3 = jerk};
+}
+
 PathMotion CellLaw::at(double t_s) const noexcept {
   const double t = std::clamp(t_s, 0.0, duration_s_);
   if (kind_ == Kind::between) {
@@ -92,6 +111,9 @@ PathMotion CellLaw::at(double t_s) const noexcept {
             .v_mm_s = std::max(v_now, 0.0),
             .a_mm_s2 = a + k * s,
             .j_mm_s3 = k * v_now};
+  }
+  if (kind_ == Kind::ramp) {
+    return ramp_at(t);
   }
   const bool launches = kind_ == Kind::launch;
   const double jerk = 2.0 * (launches ? v_end_mm_s_ : begin_.v_mm_s) / (duration_s_ * duration_s_);

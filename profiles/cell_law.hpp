@@ -7,12 +7,13 @@
 
 namespace kerf::profiles {
 
-// Three kinds, each in closed form. Trivially copyable: it crosses to the tick side.
+// Four kinds, each in closed form. Trivially copyable: it crosses to the tick side.
 //
 //   between  v^2 = v0^2 + 2 a0 s + k s^2, so s'' = a0 + k s: sinh and cosh, or sin and cos. Jerk is
 //            k v. Feedrate and acceleration go on into the next cell; only k jumps.
 //   launch   constant jerk from rest: s = j t^3 / 6
 //   landing  the same to rest, backwards in time
+//   ramp     constant jerk from any feedrate and acceleration
 class CellLaw {
  public:
   // At the beginning of the cell; k = bend_per_s2 is half the second derivative of v^2 by s.
@@ -28,6 +29,13 @@ class CellLaw {
   // Precondition: both > 0.
   static CellLaw launch(double v_end_mm_s, double length_mm) noexcept;
   static CellLaw landing(double v_begin_mm_s, double length_mm) noexcept;
+  struct Ramp {
+    double v_mm_s = 0.0;
+    double a_mm_s2 = 0.0;
+    double j_mm_s3 = 0.0;
+  };
+  // Precondition: the duration is above 0, and v >= 0 throughout.
+  static CellLaw ramp(const Ramp& begin, double duration_s) noexcept;
 
   [[nodiscard]] double v_begin_mm_s() const noexcept { return begin_.v_mm_s; }
   [[nodiscard]] double v_end_mm_s() const noexcept { return v_end_mm_s_; }
@@ -37,9 +45,11 @@ class CellLaw {
   [[nodiscard]] PathMotion at(double t_s) const noexcept;
 
  private:
-  enum class Kind : std::uint8_t { between, launch, landing };
+  enum class Kind : std::uint8_t { between, launch, landing, ramp };
 
-  Begin begin_{};
+  [[nodiscard]] PathMotion ramp_at(double t_s) const noexcept;
+
+  Begin begin_{};  // of a ramp: its jerk in place of the bend
   double v_end_mm_s_ = 0.0;
   double duration_s_ = 0.0;
   double length_mm_ = 0.0;
