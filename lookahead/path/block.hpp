@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "curves/auxiliary_axis_motion.hpp"
@@ -50,7 +51,17 @@ struct Block {
   // alone.
   bool continues = false;
   VelocityLimitCurve limit_curve{};  // empty: limits.feedrate_mm_s everywhere
+  // Where this is what is left of a block (remainder_of): that block, and where on it this begins.
+  std::shared_ptr<const Block> whole{};
+  double begin_mm = 0.0;
 
+  // The place on the whole block's curve, which the tick side knows.
+  [[nodiscard]] double on_whole_mm(double s_mm) const {
+    if (!whole) {
+      return s_mm;
+    }
+    return s_mm == length_mm ? whole->length_mm : begin_mm + s_mm;
+  }
   // The line at a place of the curve, and where on the curve it begins.
   [[nodiscard]] LineMark mark_at(double at_mm) const {
     return smoothing::mark_at(marks, at_mm, {.line = line, .run_block = run_block});
