@@ -35,26 +35,51 @@ double Interpolator::time_into_s(const Phase& phase) const noexcept {
   return static_cast<double>(plan_tick() - phase.begin.tick) * period_s_ - phase.begin.offset_s;
 }
 
+void Interpolator::take_over() noexcept {
+  const Takeover* next = queue_->next_takeover();
+  if (next == nullptr || next->tick > plan_tick()) {
+    return;
+  }
+  const std::uint32_t plan = next->plan;
+  if (next->tick == plan_tick()) {
+    plan_ = plan;
+    for (std::size_t i = 0;
+         i < MotionQueue::kPhases && queue_->next_phase() != nullptr && next_phase() == nullptr;
+         ++i) {
+      queue_->pop_phase();
+    }
+  }
+  queue_->pop_takeover();
+  answer_.store(std::uint64_t{plan} << 32U | plan_, std::memory_order_release);
+}
+
+const Phase* Interpolator::next_phase() const noexcept {
+  const Phase* next = queue_->next_phase();
+  return next != nullptr && next->plan == plan_ ? next : nullptr;
+}
+
 bool Interpolator::advance_phase() noexcept {
   for (std::size_t i = 0; i < MotionQueue::kPhases; ++i) {
-    const Phase* next = queue_->next_phase();
+    const Phase* next = next_phase();
     if (next == nullptr || time_into_s(*next) < 0.0) {
       break;
     }
     phase_ = *next;
     has_phase_ = true;
     queue_->pop_phase();
+    advance_outputs();
   }
   return has_phase_;
 }
 
 void Interpolator::advance_outputs() noexcept {
-  for (std::size_t i = 0; i < MotionQueue::kOutputChanges; ++i) {
-    const OutputChangeAtTick* next = queue_->next_output_change();
-    if (next == nullptr || next->tick > plan_tick()) {
+  for (; output_changes_ < phase_.output_changes; ++output_changes_) {
+    const OutputChange* next = queue_->next_output_change();
+    assert(next != nullptr);  // it was pushed before the phase
+    if (next == nullptr) {
       break;
     }
-    apply(next->change, now_.outputs);
+    apply(*next, now_.outputs);
     queue_->pop_output_change();
   }
 }
@@ -137,7 +162,8 @@ void Interpolator::begin_tick() noexcept {
 }
 
 bool Interpolator::pass_what_is_over() noexcept {
-  if (!advance_phase() || queue_->next_phase() != nullptr || phase_.ends_at_rest ||
+  take_over();
+  if (!advance_phase() || next_phase() != nullptr || phase_.ends_at_rest ||
       time_into_s(phase_) < phase_.law.duration_s()) {
     return false;
   }
@@ -151,7 +177,7 @@ TickStatus Interpolator::follow_phase() noexcept {
   assert(time_into_s(phase_) >= 0.0 && phase_.s_begin_mm <= phase_.s_end_mm);
   const double t = time_into_s(phase_);
   // With a next phase time has only rounded past the end: that phase begins before the next tick.
-  const bool over = t >= phase_.law.duration_s() && queue_->next_phase() == nullptr;
+  const bool over = t >= phase_.law.duration_s() && next_phase() == nullptr;
   profiles::PathMotion motion = phase_.law.at(t);
   double s = phase_.s_begin_mm + motion.s_mm;
   if (over || s > phase_.s_end_mm) {
@@ -168,14 +194,16 @@ TickStatus Interpolator::follow_phase() noexcept {
   if (!over) {
     return TickStatus::running;
   }
-  return phase_.ends_program ? TickStatus::finished : TickStatus::starved;
+  return phase_.ends_program ? TickStatus::finished
+         : phase_.holds      ? TickStatus::held
+                             : TickStatus::starved;
 }
 
 TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   begin_tick();
   tick_begun_ = false;
   ++now_.tick;
-  advance_outputs();
+  take_over();
   const TickStatus status = advance_phase() ? follow_phase() : TickStatus::starved;
   if (status == TickStatus::running) {
     plan_tick_.store(plan_tick() + 1, std::memory_order_relaxed);

@@ -32,6 +32,18 @@ class Interpolator {
     return plan_tick_.load(std::memory_order_relaxed);
   }
 
+  // How the tick side took the latest plan that was to take over. May be read by the planning
+  // thread.
+  struct Answer {
+    std::uint32_t plan = 0;      // the latest that was accepted or refused
+    std::uint32_t in_force = 0;  // the latest that was accepted
+  };
+  [[nodiscard]] Answer answer() const noexcept {
+    const std::uint64_t both = answer_.load(std::memory_order_acquire);
+    return {.plan = static_cast<std::uint32_t>(both >> 32U),
+            .in_force = static_cast<std::uint32_t>(both)};
+  }
+
   // The largest distance of the path from the straight line between the last two setpoints, taken
   // at points of the path between them, junctions included. If a tick passes over more than
   // kPassedPieces whole pieces, the later ones do not count.
@@ -46,9 +58,14 @@ class Interpolator {
   TickStatus follow_phase() noexcept;
   // Keeps where the chord to the next tick begins; once a tick.
   void begin_tick() noexcept;
+  // At its tick a new plan replaces the present one. One that comes later than that is refused: the
+  // tool is somewhere else by then.
+  void take_over() noexcept;
+  // The next phase of the plan in force; null: there is none.
+  [[nodiscard]] const Phase* next_phase() const noexcept;
   // The phase that holds the present tick. False: there was none yet.
   bool advance_phase() noexcept;
-  // Applies the output changes of the plan up to the present tick.
+  // Applies the output changes that are in force from the begin of the present phase on.
   void advance_outputs() noexcept;
   // The piece of the present phase's curve that holds s_mm.
   void advance_piece(double s_mm) noexcept;
@@ -60,6 +77,9 @@ class Interpolator {
   MotionQueue* queue_;
   double period_s_;
   std::atomic<std::int64_t> plan_tick_ = 0;
+  std::atomic<std::uint64_t> answer_ = 0;  // Answer: plan, in_force
+  std::uint32_t plan_ = 0;                 // in force
+  std::uint64_t output_changes_ = 0;       // so many were applied
   bool has_phase_ = false;
   bool tick_begun_ = false;
   Phase phase_{};

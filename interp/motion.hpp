@@ -2,7 +2,9 @@
 // trivially copyable values.
 //
 // q(t) = r(s(t)): a CurvePiece is a stretch of r, a Phase a stretch of s(t). Both name the curve
-// they belong to by its number in the program, so neither needs to be cut where the other ends.
+// they belong to by its number in the program, so neither needs to be cut where the other ends. The
+// path never changes once it has crossed; phases that have not been run may be replaced by those of
+// another plan. Lines and outputs therefore change by place, not by time.
 #pragma once
 
 #include <cstdint>
@@ -45,17 +47,28 @@ struct Phase {
   double s_end_mm = 0.0;       // reached exactly when the law is over
   double path_begin_mm = 0.0;  // path length of all curves before this one
   profiles::TimeLaw law{};
-  std::uint32_t line = 0;       // where it begins
-  std::uint64_t run_block = 0;  // the run block where it begins, counted from 1; 0: a rest
-  bool has_changes = false;     // LineChanges say where on the curve the line is another one
+  std::uint32_t line = 0;            // where it begins
+  std::uint64_t run_block = 0;       // the run block where it begins, counted from 1; 0: a rest
+  bool has_changes = false;          // LineChanges say where on the curve the line is another one
+  std::uint64_t output_changes = 0;  // so many of the program's are in force from its begin on
+  std::uint32_t plan = 0;            // counts the plans that took over from another one
   bool rapid = false;
   ActiveConstraint active_constraint{};
   bool ends_at_rest = false;
+  bool holds = false;  // the rest at its end is a feed hold
   bool ends_program = false;
+};
+
+// The phases of a new plan replace what is left of the one before. Where they begin, both have the
+// tool at the same place, with the same feedrate and acceleration.
+struct Takeover {
+  std::uint32_t plan = 0;
+  std::int64_t tick = 0;  // the first at or behind their begin
 };
 
 static_assert(std::is_trivially_copyable_v<CurvePiece>);
 static_assert(std::is_trivially_copyable_v<LineChange>);
 static_assert(std::is_trivially_copyable_v<Phase>);
+static_assert(std::is_trivially_copyable_v<Takeover>);
 
 }  // namespace kerf::interp

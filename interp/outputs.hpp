@@ -34,18 +34,12 @@ struct OutputChange {
   SurfaceSpeed surface{};
 };
 
-// A change that takes effect at a tick of the plan.
-struct OutputChangeAtTick {
-  std::int64_t tick = 0;
-  OutputChange change{};
-};
-
 void apply(const OutputChange& change, Outputs& outputs) noexcept;
 
 // Sets the spindle's speed for this position, where a surface speed is in force.
 void follow_surface(const curves::Position& position_mm, Outputs& outputs) noexcept;
 
 static_assert(std::is_trivially_copyable_v<Outputs>);
-static_assert(std::is_trivially_copyable_v<OutputChangeAtTick>);
+static_assert(std::is_trivially_copyable_v<OutputChange>);
 
 }  // namespace kerf::interp

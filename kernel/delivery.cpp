@@ -1,21 +1,27 @@
 #include "kernel/delivery.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <utility>
+
 namespace kerf {
 
 namespace {
 
-// Once they are all sent, or as many as a ring holds: what is moved up each time is little.
+// Once they are all sent, or as many as a ring holds: what is moved up each time is little. Returns
+// how many.
 template <typename T>
-void forget_front(std::vector<T>& values, std::size_t of_ring, std::size_t& sent) {
-  if (sent == values.size() || sent >= of_ring) {
-    values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(sent));
-    sent = 0;
+std::size_t forget_front(std::vector<T>& values, std::size_t of_ring, std::size_t& sent) {
+  if (sent < values.size() && sent < of_ring) {
+    return 0;
   }
+  values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(sent));
+  return std::exchange(sent, 0);
 }
 
 }  // namespace
 
-bool Delivery::deliver(std::int64_t horizon) {
+void Delivery::send_path() {
   while (pieces_sent_ < outbox_.pieces.size() && queue_->push(outbox_.pieces[pieces_sent_])) {
     ++pieces_sent_;
   }
@@ -24,20 +30,68 @@ bool Delivery::deliver(std::int64_t horizon) {
     ++line_changes_sent_;
   }
   while (output_changes_sent_ < outbox_.output_changes.size() &&
-         outbox_.output_changes[output_changes_sent_].tick <= horizon &&
          queue_->push(outbox_.output_changes[output_changes_sent_])) {
     ++output_changes_sent_;
   }
+}
+
+bool Delivery::deliver(std::int64_t horizon) {
+  send_path();
   while (phases_sent_ < outbox_.phases.size()) {
     const interp::Phase& phase = outbox_.phases[phases_sent_];
-    if (phase.begin.tick > horizon || !may_follow(phase) || !queue_->push(phase)) {
+    if (phase.begin.tick > horizon) {
       break;
     }
+    send_changes_before(phase);
+    if (!may_follow(phase) || !queue_->push(phase)) {
+      break;
+    }
+    output_changes_counted_ = phase.output_changes;
     frozen_until_tick_ = phase.begin.tick;
     ++phases_sent_;
   }
+  if (takeover_ && phases_sent_ == outbox_.phases.size() && queue_->push(*takeover_)) {
+    takeover_.reset();
+  }
   forget_sent();
-  return outbox_.phases.empty() && outbox_.output_changes.empty();
+  return outbox_.phases.empty();
+}
+
+void Delivery::take_over(lookahead::Outbox&& plan) {
+  const interp::TickTime begin = plan.phases.front().begin;
+  const std::int64_t tick = begin.tick + (begin.offset_s > 0.0 ? 1 : 0);
+  const auto later = std::ranges::find_if(
+      outbox_.phases.begin() + static_cast<std::ptrdiff_t>(phases_sent_), outbox_.phases.end(),
+      [&begin](const interp::Phase& phase) {
+        return phase.begin.tick > begin.tick ||
+               (phase.begin.tick == begin.tick && phase.begin.offset_s >= begin.offset_s);
+      });
+  outbox_.phases.erase(later, outbox_.phases.end());
+  const auto append = [](auto& to, auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  append(outbox_.pieces, plan.pieces);
+  append(outbox_.line_changes, plan.line_changes);
+  append(outbox_.output_changes, plan.output_changes);
+  append(outbox_.phases, plan.phases);
+  takeover_ = {.plan = plan.phases.front().plan, .tick = tick};
+  deliver(std::numeric_limits<std::int64_t>::max());
+}
+
+// Where a phase waits for more changes than the ring holds, those that are in it go ahead: a rest
+// of no duration counts them.
+void Delivery::send_changes_before(const interp::Phase& phase) {
+  const std::uint64_t sent = output_changes_gone_ + output_changes_sent_;
+  if (sent >= phase.output_changes || sent == output_changes_counted_) {
+    return;
+  }
+  interp::Phase rest = phase;
+  rest.s_end_mm = rest.s_begin_mm;
+  rest.law = profiles::Transition::rest(0.0);
+  rest.output_changes = sent;
+  rest.ends_at_rest = true;
+  rest.ends_program = rest.holds = false;
+  if (queue_->push(rest)) {
+    output_changes_counted_ = sent;
+  }
 }
 
 // Pieces and lines may wait for a long time, behind a curve of more of them than a ring holds.
@@ -46,17 +100,14 @@ void Delivery::forget_sent() {
     outbox_.phases.clear();
     phases_sent_ = 0;
   }
-  if (output_changes_sent_ == outbox_.output_changes.size()) {
-    outbox_.output_changes.clear();
-    output_changes_sent_ = 0;
-  }
+  output_changes_gone_ += forget_front(outbox_.output_changes, interp::MotionQueue::kOutputChanges,
+                                       output_changes_sent_);
   forget_front(outbox_.pieces, interp::MotionQueue::kPieces, pieces_sent_);
   forget_front(outbox_.line_changes, interp::MotionQueue::kLineChanges, line_changes_sent_);
 }
 
 bool Delivery::may_follow(const interp::Phase& phase) const {
-  if (output_changes_sent_ < outbox_.output_changes.size() &&
-      outbox_.output_changes[output_changes_sent_].tick <= phase.begin.tick) {
+  if (output_changes_gone_ + output_changes_sent_ < phase.output_changes) {
     return false;
   }
   const auto begins_before = [&phase](std::uint64_t curve, double s_mm) {

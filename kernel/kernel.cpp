@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <memory>
@@ -21,20 +22,23 @@ using interp::MotionQueue;
 class Kernel::Impl {
  public:
   Impl(const MachineSettings& settings, const KernelOptions& options)
-      : pipeline_({.settings = settings, .options = options}),
+      : pipeline_({.settings = settings, .options = options, .may_hold = true}),
         interpolator_(queue_, settings.limits.period_s, options.start_mm,
                       options.start_extra_rad_mm),
         judge_({.limits = settings.limits,
                 .binds_jerk = options.profile.kind != profiles::ProfileKind::trapezoid,
                 .has_extra_axes = settings.program.extra_axes != 0}),
         horizon_ticks_(
-            static_cast<std::int64_t>(std::ceil(options.horizon_s / settings.limits.period_s))) {}
+            static_cast<std::int64_t>(std::ceil(options.horizon_s / settings.limits.period_s))),
+        margin_ticks_(static_cast<std::int64_t>(std::ceil(kMargin_s / settings.limits.period_s))) {}
 
   void feed(std::string_view text) { pipeline_.feed(text); }
   void finish() { pipeline_.finish(); }
   void refuse(Diagnostic fault) { pipeline_.refuse(std::move(fault)); }
 
   bool plan() {
+    pipeline_.forget_before(interpolator_.plan_tick());
+    follow_holds();
     while (!broken_ && delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
       const bool was_finished = pipeline_.is_finished();
       switch (pipeline_.step(delivery_.outbox())) {
@@ -50,6 +54,7 @@ class Kernel::Impl {
         case Pipeline::Step::wants_text:
           return true;
         case Pipeline::Step::ended:
+        case Pipeline::Step::held:
           return false;
       }
     }
@@ -80,7 +85,8 @@ class Kernel::Impl {
   }
 
   TickStatus next(Setpoint& setpoint) {
-    if (runs_low() && plan() && runs_low()) {
+    const bool is_asked = wants_hold_ || wants_resume_ || takeover_;
+    if ((is_asked || runs_low()) && plan() && runs_low()) {
       plan_to_rest();
     }
     reach_tick();
@@ -105,6 +111,17 @@ class Kernel::Impl {
         plan();
       }
     }
+  }
+
+  void hold() {
+    wants_hold_ = true;
+    wants_resume_ = false;
+    plan();
+  }
+  void resume() {
+    wants_hold_ = false;
+    wants_resume_ = true;
+    plan();
   }
 
   void stop() {
@@ -133,6 +150,44 @@ class Kernel::Impl {
   [[nodiscard]] const PlanTotals& totals() const { return pipeline_.totals(); }
 
  private:
+  // A plan that takes over does so so long after it is asked for.
+  static constexpr double kMargin_s = 0.01;
+
+  // What was asked for and could not be done yet: the tick side has not answered, or no way to rest
+  // was found.
+  void follow_holds() {
+    if (takeover_ && interpolator_.answer().plan == takeover_) {
+      pipeline_.settle(interpolator_.answer().in_force == takeover_);
+      wants_hold_ = wants_hold_ || interpolator_.answer().in_force != takeover_;
+      takeover_.reset();
+    }
+    if (!takeover_ && wants_resume_ && !wants_hold_) {
+      pipeline_.resume();
+      wants_resume_ = false;
+    }
+    if (!takeover_ && wants_hold_) {
+      wants_hold_ = !try_hold();
+    }
+  }
+
+  bool try_hold() {
+    if (pipeline_.is_held()) {
+      return true;
+    }
+    const std::int64_t now = interpolator_.plan_tick();
+    const std::int64_t last = std::max(pipeline_.emitted_until_tick(), now);
+    lookahead::Outbox plan;
+    if (!pipeline_.hold(std::min(now + margin_ticks_, last), plan)) {
+      return false;
+    }
+    if (!plan.phases.empty()) {
+      takeover_ = plan.phases.front().plan;
+      delivery_.take_over(std::move(plan));
+      fail_with_check();
+    }
+    return true;
+  }
+
   void fail_with_check() { broken_ = pipeline_.check().is_broken(); }
 
   Pipeline pipeline_;
@@ -143,6 +198,10 @@ class Kernel::Impl {
   std::atomic<bool> wrong_ = false;   // the program has an error; the same
   std::atomic<bool> broken_ = false;  // nothing more is planned
   std::int64_t horizon_ticks_;
+  std::int64_t margin_ticks_;
+  bool wants_hold_ = false;
+  bool wants_resume_ = false;
+  std::optional<std::uint32_t> takeover_{};  // the tick side has not answered yet
   Delivery delivery_{queue_};
 };
 
@@ -192,6 +251,12 @@ bool Kernel::runs_low() const noexcept {
 }
 void Kernel::stop() {
   impl_->stop();
+}
+void Kernel::hold() {
+  impl_->hold();
+}
+void Kernel::resume() {
+  impl_->resume();
 }
 double Kernel::chord_error_mm() const noexcept {
   return impl_->judge().latest_chord_error_mm();

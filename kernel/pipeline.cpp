@@ -17,7 +17,8 @@ Pipeline::Pipeline(const Order& order)
       planner_({.limits = order.settings.limits,
                 .profile = profiles::Profile(order.options.profile),
                 .window_blocks = order.options.window_blocks,
-                .longest_phase_s = order.longest_phase_s}) {}
+                .longest_phase_s = order.longest_phase_s,
+                .may_hold = order.may_hold}) {}
 
 Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
   assert(outbox.phases.empty());
@@ -27,6 +28,9 @@ Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
       observer_->planned(outbox);
     }
     return Step::planned;
+  }
+  if (planner_.is_held()) {
+    return Step::held;
   }
   if (finished_) {
     return Step::ended;
@@ -68,6 +72,22 @@ void Pipeline::push_segment(smoothing::PathSegment segment) {
   }
   check_.pushed(*block);
   lookahead::push_block(std::move(*block), changes, planner_);
+}
+
+bool Pipeline::hold(std::int64_t tick, lookahead::Outbox& outbox) {
+  if (!planner_.hold(tick, outbox)) {
+    return false;
+  }
+  if (!outbox.phases.empty()) {
+    check_.taken_over();
+    check_.emitted(outbox);
+  }
+  return true;
+}
+
+void Pipeline::forget_before(std::int64_t tick) {
+  planner_.forget_before(tick);
+  check_.forget_before(planner_.oldest_curve());
 }
 
 void Pipeline::stop() {

@@ -21,12 +21,14 @@ class Pipeline {
     const KernelOptions& options;
     double longest_phase_s = lookahead::PlannerSettings{}.longest_phase_s;
     ProgramPath::Order path{};
+    bool may_hold = false;  // PlannerSettings::may_hold
   };
   enum class Step : unsigned char {
     planned,     // something is in the outbox
     took,        // took something from the program; nothing planned yet
     wants_text,  // feed() or finish() must come first
     ended,       // the program is planned to its end, or to where it was stopped
+    held,        // nothing more is planned until resume()
   };
 
   explicit Pipeline(const Order& order);
@@ -45,6 +47,16 @@ class Pipeline {
   void plan_to_rest() { planner_.plan_to_rest(); }
   // The plan ends at rest as soon as the limits allow.
   void stop();
+  // Planner::hold, into an outbox that is empty.
+  bool hold(std::int64_t tick, lookahead::Outbox& outbox);
+  void settle(bool accepted) { planner_.settle(accepted); }
+  void resume() { planner_.resume(); }
+  [[nodiscard]] bool is_held() const noexcept { return planner_.is_held(); }
+  [[nodiscard]] std::int64_t emitted_until_tick() const noexcept {
+    return planner_.emitted_until_tick();
+  }
+  // The ticks before this one have been run.
+  void forget_before(std::int64_t tick);
 
   // The whole program was read and goes to the plan, or it was stopped.
   [[nodiscard]] bool is_finished() const noexcept { return finished_; }

@@ -43,6 +43,9 @@ void PlanCheck::note(std::uint32_t line, std::string what) {
 void PlanCheck::emitted(const lookahead::Outbox& outbox) {
   bool moves = false;
   for (const interp::Phase& phase : outbox.phases) {
+    if (takes_over_) {
+      take_over(phase);
+    }
     const bool rests =
         phase.s_begin_mm == phase.s_end_mm && phase.ends_at_rest && phase.law.length_mm() == 0.0;
     if (rests) {
@@ -54,16 +57,44 @@ void PlanCheck::emitted(const lookahead::Outbox& outbox) {
   }
   idle_ = moves ? 0 : idle_ + 1;
   if (idle_ > kMaxIdle) {
-    fail(expected_.empty() ? 0 : expected_.front().line, "the plan goes on and comes nowhere");
+    fail(is_empty() ? 0 : front().line, "the plan goes on and comes nowhere");
   }
 }
 
 // At its end a block may still have phases: what rounding left of a segment.
 void PlanCheck::leave_block() {
-  if (begun_ && s_mm_ == expected_.front().length_mm) {
-    path_mm_ += expected_.front().adds_to_path ? s_mm_ : 0.0;
-    expected_.pop_front();
+  if (begun_ && s_mm_ == front().length_mm) {
+    path_mm_ += front().adds_to_path ? s_mm_ : 0.0;
+    ++front_;
     begun_ = false;
+  }
+}
+
+void PlanCheck::forget_before(std::uint64_t curve) {
+  for (; front_ > 0 && forgotten_ + 1 < curve; ++forgotten_, --front_) {
+    expected_.pop_front();
+  }
+}
+
+// Whether the new plan has the tool where the old one had it, its ticks show.
+void PlanCheck::take_over(const interp::Phase& phase) {
+  takes_over_ = false;
+  planned_to_curve_ = std::max(planned_to_curve_, curve_);
+  if (phase.curve > planned_to_curve_ || phase.curve < forgotten_) {
+    fail(phase.line, "a plan takes over on block " + std::to_string(phase.curve) + ", and blocks " +
+                         std::to_string(forgotten_ + 1) + " to " +
+                         std::to_string(planned_to_curve_) + " are planned");
+    return;
+  }
+  curve_ = phase.curve;
+  s_mm_ = phase.s_begin_mm;
+  path_mm_ = phase.path_begin_mm;
+  front_ = phase.curve - forgotten_;
+  begun_ = false;
+  if (front_ > 0) {
+    --front_;
+    begun_ = true;
+    leave_block();
   }
 }
 
@@ -73,10 +104,10 @@ void PlanCheck::check_rest(const interp::Phase& phase) {
   if (!(phase.law.duration_s() >= 0.0) || !std::isfinite(phase.law.duration_s())) {
     fail(phase.line, "a rest of " + to_text(phase.law.duration_s()) + " s is planned");
   }
-  if (!stopped_ && !expected_.empty() && (begun_ || phase.ends_program)) {
-    fail(expected_.front().line,
-         std::string(phase.ends_program ? "the program ends" : "a rest is planned") + " at " +
-             to_text(s_mm_) + " mm of a block of " + to_text(expected_.front().length_mm) + " mm");
+  if (!stopped_ && !phase.holds && !is_empty() && (begun_ || phase.ends_program)) {
+    fail(front().line, std::string(phase.ends_program ? "the program ends" : "a rest is planned") +
+                           " at " + to_text(s_mm_) + " mm of a block of " +
+                           to_text(front().length_mm) + " mm");
   }
 }
 
@@ -103,14 +134,14 @@ void PlanCheck::check(const interp::Phase& phase) {
   if (phase.curve != curve_) {
     leave_block();
   }
-  if (expected_.empty()) {
+  if (is_empty()) {
     fail(phase.line, "motion is planned behind the last block");
     return;
   }
   if (!begun_) {
     begin_block(phase);
   }
-  const Expected block = expected_.front();
+  const Expected block = front();
   if (phase.curve != curve_ || phase.s_begin_mm != s_mm_) {
     fail(phase.line, "the plan goes on at " + to_text(phase.s_begin_mm) + " mm of block " +
                          std::to_string(phase.curve) + " and has come to " + to_text(s_mm_) +

@@ -23,6 +23,10 @@ class PlanCheck {
   void pushed(const lookahead::Block& block);
   // All that emit() appended: `outbox` was empty before.
   void emitted(const lookahead::Outbox& outbox);
+  // The next phases are of a plan that takes over from what was emitted before.
+  void taken_over() { takes_over_ = true; }
+  // Motion on the curves before this one is run, or never taken back.
+  void forget_before(std::uint64_t curve);
   // Checks the deviation of the whole program against its tolerance.
   void judge(const smoothing::PathDeviation& deviation);
   // The rest of the program need not be planned.
@@ -48,15 +52,22 @@ class PlanCheck {
   void note(std::uint32_t line, std::string what);
   void check(const interp::Phase& phase);
   void check_rest(const interp::Phase& phase);
+  void take_over(const interp::Phase& phase);
   void begin_block(const interp::Phase& phase);
   void leave_block();
+  [[nodiscard]] bool is_empty() const { return front_ == expected_.size(); }
+  [[nodiscard]] const Expected& front() const { return expected_[front_]; }
 
-  lookahead::Window<Expected> expected_;  // the front is the block that is being emitted
-  bool begun_ = false;                    // the front block has begun
-  std::uint64_t curve_ = 0;               // curve number of the front block, else of the one before
-  double s_mm_ = 0.0;                     // position on it
-  double path_mm_ = 0.0;                  // length of the blocks before the front
-  std::uint32_t idle_ = 0;                // calls in a row that brought nothing
+  lookahead::Window<Expected> expected_;
+  std::size_t front_ = 0;        // of expected_: the block that is being emitted
+  std::uint64_t forgotten_ = 0;  // blocks that were expected before the first
+  bool takes_over_ = false;
+  std::uint64_t planned_to_curve_ = 0;  // before a plan took over
+  bool begun_ = false;                  // the front block has begun
+  std::uint64_t curve_ = 0;             // curve number of the front block, else of the one before
+  double s_mm_ = 0.0;                   // position on it
+  double path_mm_ = 0.0;                // length of the blocks before the front
+  std::uint32_t idle_ = 0;              // calls in a row that brought nothing
   bool stopped_ = false;
   bool ended_ = false;
   bool broken_ = false;

@@ -7,6 +7,7 @@
 
 #include "lookahead/classical/classical_schedule.hpp"
 #include "lookahead/optimum/optimum_schedule.hpp"
+#include "lookahead/path/remainder.hpp"
 
 namespace kerf::lookahead {
 
@@ -43,6 +44,12 @@ std::unique_ptr<Schedule> schedule_for(const PlannerSettings& settings) {
                                   .longest_cruise_s = settings.longest_phase_s});
 }
 
+// From the tick on, ends of phases from which a way to rest is sought, and how far they are apart.
+constexpr std::int64_t kTicksToTry = 20;
+constexpr std::int64_t kTicksBetween = 5;
+// Of the present plan, where a new one may change its jerk, too.
+constexpr std::size_t kPlacesOfPlan = 50;
+
 // Of whole ticks, so that parts do not move what follows.
 double rest_part_s(const PlannerSettings& settings) {
   const double period = settings.limits.period_s;
@@ -52,24 +59,44 @@ double rest_part_s(const PlannerSettings& settings) {
 }  // namespace
 
 Planner::Planner(const PlannerSettings& settings)
-    : window_blocks_(is_optimum(settings) ? std::max(settings.window_blocks, kOptimumBlocks)
+    : settings_(settings),
+      window_blocks_(is_optimum(settings) ? std::max(settings.window_blocks, kOptimumBlocks)
                                           : settings.window_blocks),
       scan_for_(scan_for_plan(settings)),
       schedule_(schedule_for(settings)),
       rest_part_s_(rest_part_s(settings)),
-      emitter_(settings.limits.period_s) {
+      emitter_(settings.limits.period_s, settings.may_hold) {
   assert(settings.window_blocks >= 2 && settings.window_cells >= 100);
 }
 
-bool Planner::wants_block() const noexcept {
+bool Planner::has_room() const noexcept {
   return !to_rest_ && blocks_.size() < window_blocks_ && schedule_->has_room();
 }
 
+bool Planner::wants_block() const noexcept {
+  return !held_ && waiting_.empty() && has_room();
+}
+
 void Planner::push(Block block) {
-  assert(!rest_pending_ && block.length_mm > 0.0);
   ++pushed_blocks_;
+  take(std::move(block));
+}
+
+void Planner::take(Block block) {
+  assert(!rest_pending_ && block.length_mm > 0.0);
   blocks_.push_back(std::move(block));
   schedule_->push(blocks_);
+}
+
+void Planner::take_waiting() {
+  while (!waiting_.empty() && has_room()) {
+    if (auto* block = std::get_if<Block>(&waiting_.front())) {
+      take(std::move(*block));
+    } else {
+      end_with(std::get<Rest>(waiting_.front()));
+    }
+    waiting_.pop_front();
+  }
 }
 
 void Planner::push_rest(double duration_s, std::uint32_t line) {
@@ -105,22 +132,184 @@ void Planner::stop() {
   if (rest_.ends_program && !rest_pending_) {
     return;
   }
+  waiting_.clear();
+  held_ = false;
   schedule_->stop(blocks_, emitter_);
   end_with({.ends_program = true});
 }
 
 bool Planner::emit(Outbox& outbox) {
+  if (held_) {
+    return false;
+  }
+  take_waiting();
+  const std::size_t first = outbox.phases.size();
   if (!schedule_->empty()) {
     const Supply supply =
         to_rest_ ? Supply::to_rest : (wants_block() ? Supply::wanted : Supply::full);
-    return schedule_->emit(blocks_, supply, emitter_, outbox);
+    const bool emitted = schedule_->emit(blocks_, supply, emitter_, outbox);
+    emitter_.keep(outbox, first);
+    return emitted;
   }
   if (rest_pending_) {
     emit_rest(outbox);
+    emitter_.keep(outbox, first);
     return true;
   }
   to_rest_ = rest_.ends_program;
   return false;
+}
+
+BrakingFrom Planner::braking_from(const EmittedItems::Motion& motion) const {
+  EmittedItems::Blocks emitted = emitter_.kept().blocks_from(motion);
+  BrakingFrom from;
+  from.blocks = std::move(emitted.blocks);
+  from.before = emitted.before;
+  from.s_mm = emitted.is_on_next ? 0.0 : motion.curve_mm;
+  from.state = {.v_mm_s = motion.v_mm_s, .a_mm_s2 = motion.a_mm_s2};
+  const std::uint64_t curve = motion.phase.curve + (emitted.is_on_next ? 1 : 0);
+  for (const auto& place : emitter_.kept().places_behind(motion, kPlacesOfPlan)) {
+    if (place.curve >= curve) {
+      from.ends.push_back({.block = place.curve - curve, .s_mm = place.s_mm});
+    }
+  }
+  if (emitted.rest_follows) {
+    return from;
+  }
+  const auto add = [&from](const Block& block) {
+    from.blocks.push_back(block.whole ? block.whole.get() : &block);
+  };
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    add(blocks_[i]);
+  }
+  for (std::size_t i = 0; i < waiting_.size() && !rest_pending_; ++i) {
+    const auto* block = std::get_if<Block>(&waiting_[i]);
+    if (block == nullptr) {
+      break;
+    }
+    add(*block);
+  }
+  return from;
+}
+
+// The ends of phases come first: the plan has found the motion there feasible, and what follows.
+// Those of a classical plan are far apart, as are those of a cruise.
+std::vector<EmittedItems::Motion> Planner::motions_to_stop_from(std::int64_t tick) const {
+  std::vector<EmittedItems::Motion> motions;
+  for (const auto& end : emitter_.kept().ends_between(tick, tick + kTicksToTry)) {
+    if (motions.empty() || end.when.tick >= motions.back().when.tick + kTicksBetween) {
+      motions.push_back(end);
+    }
+  }
+  if (motions.empty() || motions.front().when.tick >= tick + kTicksBetween) {
+    motions.insert(motions.begin(), emitter_.motion_at(tick));
+  }
+  return motions;
+}
+
+std::optional<Planner::Stop> Planner::find_stop(std::int64_t tick) const {
+  const EmittedItems::Motion first = emitter_.motion_at(tick);
+  if (first.at_rest()) {
+    return Stop{.from = first};
+  }
+  const auto rest = emitter_.kept().rest_after(tick);
+  for (const EmittedItems::Motion& motion : motions_to_stop_from(tick)) {
+    if (auto parts = shortest_stop(braking_from(motion), settings_.limits)) {
+      double duration_s = motion.when.offset_s;
+      for (const BrakingPart& part : *parts) {
+        duration_s += part.law.duration_s();
+      }
+      const double rests_at =
+          static_cast<double>(motion.when.tick) + duration_s / settings_.limits.period_s;
+      if (!rest || rests_at < static_cast<double>(*rest)) {
+        return Stop{.from = motion, .parts = std::move(*parts)};
+      }
+      break;
+    }
+  }
+  return rest ? std::optional(Stop{.from = emitter_.motion_at(*rest)}) : std::nullopt;
+}
+
+bool Planner::hold(std::int64_t tick, Outbox& outbox) {
+  assert(settings_.may_hold && !held_ && outbox.phases.empty());
+  const auto stop = find_stop(tick);
+  if (!stop) {
+    return false;
+  }
+  if (stop->from.phase.ends_program) {
+    return true;
+  }
+  empty_window();
+  held_ = true;
+  before_hold_.emplace(Before{emitter_, waiting_});
+  emitter_.take_back(stop->from, waiting_);
+  emit_stop(stop->parts, outbox);
+  return true;
+}
+
+void Planner::empty_window() {
+  if (!waiting_.empty() && std::holds_alternative<Block>(waiting_.front())) {
+    auto& block = std::get<Block>(waiting_.front());
+    block = whole_of(std::move(block));
+  }
+  if (rest_pending_) {
+    waiting_.push_front(rest_);
+  }
+  for (std::size_t i = blocks_.size(); i > 0; --i) {
+    waiting_.push_front(whole_of(std::move(blocks_[i - 1])));
+  }
+  blocks_.keep_front(0);
+  schedule_ = schedule_for(settings_);
+  rest_ = {};
+  rest_pending_ = to_rest_ = false;
+}
+
+void Planner::emit_stop(const std::vector<BrakingPart>& parts, Outbox& outbox) {
+  for (const BrakingPart& part : parts) {
+    Block& block = std::get<Block>(waiting_.front());
+    emitter_.emit(block, part.law, part.s_end_mm, outbox);
+    outbox.phases.back().active_constraint = interp::active_constraint(part.limit);
+    if (part.ends_block) {
+      emitter_.end_block(std::move(block));
+      waiting_.pop_front();
+    } else {
+      emitter_.end_segment(block, part.s_end_mm);
+    }
+  }
+  if (parts.empty()) {
+    emitter_.emit_hold(outbox);
+  } else {
+    emitter_.come_to_rest(outbox);
+    outbox.phases.back().holds = true;
+  }
+  emitter_.keep(outbox, 0);
+}
+
+void Planner::settle(bool accepted) {
+  if (!accepted) {
+    emitter_.restore(std::move(before_hold_->emitter));
+    waiting_ = std::move(before_hold_->waiting);
+    held_ = false;
+  }
+  before_hold_.reset();
+}
+
+void Planner::resume() {
+  if (!held_) {
+    return;
+  }
+  held_ = false;
+  if (!emitter_.is_on_block()) {
+    return;
+  }
+  const auto whole = std::make_shared<const Block>(std::move(std::get<Block>(waiting_.front())));
+  if (auto remainder = remainder_of(whole, emitter_.curve_mm())) {
+    waiting_.front() = std::move(*remainder);
+    emitter_.begin_remainder();
+  } else {
+    emitter_.end_block(Block(*whole));
+    waiting_.pop_front();
+  }
 }
 
 void Planner::emit_rest(Outbox& outbox) {

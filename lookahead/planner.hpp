@@ -3,12 +3,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "interp/outputs.hpp"
 #include "lookahead/emit/emitter.hpp"
 #include "lookahead/emit/schedule.hpp"
+#include "lookahead/optimum/braking.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/feed_scan.hpp"
 #include "lookahead/path/window.hpp"
@@ -25,6 +28,7 @@ struct PlannerSettings {
   // Cruises and dwells are emitted in parts of about this, so that a stop need not wait for the
   // end.
   double longest_phase_s = 0.1;
+  bool may_hold = false;  // what was emitted is kept until it is run, so that it can be taken back
 };
 
 // Push blocks while wants_block() is true, and call emit() for motion; each call emits a part of
@@ -54,14 +58,51 @@ class Planner {
   // stays on the path. Does nothing once the program's end has been emitted.
   void stop();
 
+  // A feed hold: a new plan that takes over at the tick or some ticks later and comes to rest as
+  // soon as the limits allow, or at the rest of the present plan if that is as near. The outbox,
+  // which is empty before, gets its phases, and what they begin on; none where the program has
+  // ended by then. What follows waits for resume(). Precondition: may_hold, it does not hold.
+  // False: no way was found, and nothing has changed; ask again with a later tick, or when more was
+  // emitted.
+  bool hold(std::int64_t tick, Outbox& outbox);
+  // Whether the tick side took the plan of the hold. If not, there is no hold any more; ask for
+  // another one: what was emitted before is run to its end, and nothing follows.
+  void settle(bool accepted);
+  // Goes on from the rest of a hold, on the same path. Precondition: settle().
+  void resume();
+  [[nodiscard]] bool is_held() const noexcept { return held_; }
+  // Where the plan emitted so far ends; time goes on from there.
+  [[nodiscard]] std::int64_t emitted_until_tick() const noexcept { return emitter_.now().tick; }
+  // The ticks before this one have been run.
+  void forget_before(std::int64_t tick) { emitter_.forget_before(tick); }
+  // The first curve that may be taken back; curves are counted from 1.
+  [[nodiscard]] std::uint64_t oldest_curve() const noexcept { return emitter_.oldest_curve(); }
+
   // Appends motion or a rest. False: nothing is ready; push a block or finish.
   bool emit(Outbox& outbox);
 
   [[nodiscard]] const PlanTotals& totals() const noexcept { return emitter_.totals(); }
 
  private:
+  [[nodiscard]] bool has_room() const noexcept;
+  void take(Block block);
+  // From what was taken back, as much as there is room for.
+  void take_waiting();
   void emit_rest(Outbox& outbox);
   void end_with(const Rest& rest);
+  [[nodiscard]] BrakingFrom braking_from(const EmittedItems::Motion& motion) const;
+  [[nodiscard]] std::vector<EmittedItems::Motion> motions_to_stop_from(std::int64_t tick) const;
+  // Where and how a hold begins to brake; no parts: the tool is at rest then.
+  struct Stop {
+    EmittedItems::Motion from{};
+    std::vector<BrakingPart> parts{};
+  };
+  [[nodiscard]] std::optional<Stop> find_stop(std::int64_t tick) const;
+  void emit_stop(const std::vector<BrakingPart>& parts, Outbox& outbox);
+  // All that is in the window waits again.
+  void empty_window();
+
+  PlannerSettings settings_;
 
   std::size_t window_blocks_;
   ScanFor scan_for_;
@@ -72,6 +113,13 @@ class Planner {
   Rest rest_{};  // what is left of it
   double rest_part_s_;
   std::uint64_t pushed_blocks_ = 0;
+  std::deque<Item> waiting_;  // was taken back, and goes before what comes
+  bool held_ = false;
+  struct Before {
+    Emitter emitter;
+    std::deque<Item> waiting;
+  };
+  std::optional<Before> before_hold_;
   Emitter emitter_;
 };
 

@@ -81,6 +81,12 @@ class KERF_API Kernel {
   /// Lets the tool come to rest on the path as soon as the limits allow, and ends the program
   /// there.
   void stop();
+  /// Feed hold: the tool begins to brake some milliseconds later, comes to rest on the path as soon
+  /// as the limits allow, and rests until resume(); ticks are `held` then. What is left of a dwell
+  /// waits, too. Does nothing while it holds, and once the program has ended. Planning side.
+  void hold();
+  /// Goes on from a hold, on the same path. Planning side.
+  void resume();
 
   /// How far the path leaves the straight line between the last two setpoints. Tick side.
   [[nodiscard]] double chord_error_mm() const noexcept;

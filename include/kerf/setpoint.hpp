@@ -78,6 +78,7 @@ enum class TickStatus : std::uint8_t {
   running,   ///< the setpoint moves, dwells or passes a rest
   starved,   ///< nothing more is planned yet; the setpoint repeats the last, a rest if the plan was
              ///< kept ahead
+  held,      ///< the tool is at rest in a feed hold; the setpoint repeats the last
   finished,  ///< this setpoint is the program's last, or repeats it
   failed,    ///< the same, of a program that ended before an error, or of a run that has a fault
 };

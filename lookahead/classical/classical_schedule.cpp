@@ -133,7 +133,7 @@ bool ClassicalSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emit
   left_.reset();
   emit_plan(blocks.front(), plan, emitter, outbox);
   v_mm_s_ = ends.v_end_mm_s;
-  outbox.phases.back().s_end_mm = end_mm(item.segment, blocks.front());
+  outbox.phases.back().s_end_mm = blocks.front().on_whole_mm(end_mm(item.segment, blocks.front()));
   leave_segment(blocks, emitter);
   if (v_mm_s_ == 0.0) {
     emitter.come_to_rest(outbox);
@@ -200,10 +200,10 @@ void ClassicalSchedule::emit_plan(const Block& block, const SegmentPlan& plan, E
 void ClassicalSchedule::leave_segment(Window<Block>& blocks, Emitter& emitter) {
   const VelocitySegment& segment = window_.front().segment;
   if (segment.ends_block) {
-    emitter.end_block(blocks.front());
+    emitter.end_block(std::move(blocks.front()));
     blocks.pop_front();
   } else {
-    emitter.end_segment(end_mm(segment, blocks.front()));
+    emitter.end_segment(blocks.front(), end_mm(segment, blocks.front()));
   }
   window_.pop_front();
   --ready_segments_;

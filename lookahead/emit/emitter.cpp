@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 #include <variant>
+
+#include "lookahead/path/remainder.hpp"
 
 namespace kerf::lookahead {
 
@@ -29,9 +32,14 @@ void PlanClock::align_to_tick() noexcept {
   now_ = {.tick = next_tick()};
 }
 
+Emitter::Emitter(double period_s, bool keeps) : clock_(period_s) {
+  if (keeps) {
+    kept_.emplace(period_s);
+  }
+}
+
 void Emitter::change_at_block(std::uint64_t number, const interp::OutputChange& change) {
-  assert(number > totals_.blocks);
-  output_changes_.push_back({.number = number, .change = change});
+  block_changes_.push_back({.number = number, .change = change});
 }
 
 void Emitter::note(const PlanDegradation& degradation) noexcept {
@@ -42,59 +50,100 @@ void Emitter::note(const PlanDegradation& degradation) noexcept {
   ++noted.count;
 }
 
-void Emitter::begin_block(const Block& block, Outbox& outbox) {
-  ++curve_;
-  ++totals_.blocks;
-  s_mm_ = 0.0;
-  block_begun_ = true;
-  // At the first tick that is on the block, or past it where the block is shorter than a tick.
-  while (!output_changes_.empty() && output_changes_.front().number <= totals_.blocks) {
-    outbox.output_changes.push_back(
-        {.tick = clock_.next_tick(), .change = output_changes_.front().change});
-    output_changes_.pop_front();
+void Emitter::emit_change(const interp::OutputChange& change, Outbox& outbox) {
+  if (++place_.output_changes > output_changes_sent_) {
+    outbox.output_changes.push_back(change);
+    output_changes_sent_ = place_.output_changes;
   }
-  rests_ = block.extra.alone;
+}
+
+void Emitter::emit_path(const Block& block, Outbox& outbox) {
+  if (place_.curve <= curves_sent_) {
+    return;
+  }
+  curves_sent_ = place_.curve;
   curves::for_each_piece(block.curve, [&](const curves::Piece& piece) {
-    outbox.pieces.push_back({.curve = curve_, .geometry = piece, .extra = block.extra});
+    outbox.pieces.push_back({.curve = place_.curve, .geometry = piece, .extra = block.extra});
   });
   for (const LineMark& mark : block.marks) {
     outbox.line_changes.push_back(
-        {.curve = curve_, .s_mm = mark.s_mm, .line = mark.line, .run_block = mark.run_block});
+        {.curve = place_.curve, .s_mm = mark.s_mm, .line = mark.line, .run_block = mark.run_block});
   }
+}
+
+void Emitter::pass_block_changes() {
+  std::size_t next = place_.block_changes - block_changes_gone_;
+  while (next < block_changes_.size() && block_changes_[next].number <= place_.curve) {
+    ++next;
+  }
+  place_.block_changes = block_changes_gone_ + next;
+}
+
+void Emitter::drop_block_changes(std::uint64_t before) {
+  for (; block_changes_gone_ < before; ++block_changes_gone_) {
+    block_changes_.pop_front();
+  }
+}
+
+void Emitter::begin_block(const Block& block, Outbox& outbox) {
+  if (kept_) {
+    kept_->begin(place_);
+  }
+  ++place_.curve;
+  place_.s_mm = place_.curve_mm = 0.0;
+  place_.on_block = true;
+  totals_.blocks = place_.curve;
+  const std::uint64_t first = place_.block_changes;
+  pass_block_changes();
+  for (std::uint64_t i = first; i < place_.block_changes; ++i) {
+    emit_change(block_changes_[i - block_changes_gone_].change, outbox);
+  }
+  if (!kept_) {
+    drop_block_changes(place_.block_changes);
+  }
+  place_.rests = block.extra.alone;
+  emit_path(block, outbox);
 }
 
 void Emitter::emit(const Block& block, const profiles::TimeLaw& law, double s_end_mm,
                    Outbox& outbox) {
   assert(s_mm() <= s_end_mm && s_end_mm <= block.length_mm);
-  if (!block_begun_) {
+  if (!place_.on_block) {
     begin_block(block, outbox);
   }
-  const LineMark from = block.mark_at(s_mm_);
-  outbox.phases.push_back({.curve = curve_,
+  const LineMark from = block.mark_at(place_.s_mm);
+  outbox.phases.push_back({.curve = place_.curve,
                            .begin = clock_.now(),
-                           .s_begin_mm = s_mm_,
-                           .s_end_mm = s_end_mm,
-                           .path_begin_mm = path_begin_mm_,
+                           .s_begin_mm = place_.curve_mm,
+                           .s_end_mm = block.on_whole_mm(s_end_mm),
+                           .path_begin_mm = place_.path_begin_mm,
                            .law = law,
                            .line = from.line,
                            .run_block = from.run_block,
                            .has_changes = !block.marks.empty(),
+                           .output_changes = place_.output_changes,
+                           .plan = plan_,
                            .rapid = block.rapid});
-  s_mm_ = s_end_mm;
-  line_ = block.marks.empty() ? block.line : block.mark_at(s_end_mm).line;
+  place_.s_mm = s_end_mm;
+  place_.curve_mm = block.on_whole_mm(s_end_mm);
+  place_.line = block.marks.empty() ? block.line : block.mark_at(s_end_mm).line;
   clock_.advance(law.duration_s());
 }
 
-void Emitter::end_segment(double s_mm) {
-  ++totals_.segments;
-  s_mm_ = s_mm;
-  totals_.path_length_mm = path_begin_mm_ + (rests_ ? 0.0 : s_mm_);
+void Emitter::end_segment(const Block& block, double s_mm) {
+  totals_.segments = ++place_.segments;
+  place_.s_mm = s_mm;
+  place_.curve_mm = block.on_whole_mm(s_mm);
+  totals_.path_length_mm = place_.path_begin_mm + (place_.rests ? 0.0 : place_.curve_mm);
 }
 
-void Emitter::end_block(const Block& block) {
-  end_segment(block.length_mm);
-  path_begin_mm_ += rests_ ? 0.0 : s_mm_;
-  block_begun_ = false;
+void Emitter::end_block(Block&& block) {
+  end_segment(block, block.length_mm);
+  place_.path_begin_mm += place_.rests ? 0.0 : place_.curve_mm;
+  place_.on_block = false;
+  if (kept_) {
+    kept_->end(whole_of(std::move(block)));
+  }
 }
 
 void Emitter::come_to_rest(Outbox& outbox) {
@@ -103,23 +152,94 @@ void Emitter::come_to_rest(Outbox& outbox) {
   clock_.align_to_tick();
 }
 
+interp::Phase Emitter::rest_phase(double duration_s) const {
+  const bool counts_curve = !place_.on_block && !place_.rests;
+  return {.curve = place_.curve,
+          .begin = clock_.now(),
+          .s_begin_mm = place_.curve_mm,
+          .s_end_mm = place_.curve_mm,
+          .path_begin_mm = place_.path_begin_mm - (counts_curve ? place_.curve_mm : 0.0),
+          .law = profiles::Transition::rest(duration_s),
+          .line = place_.line,
+          .output_changes = place_.output_changes,
+          .plan = plan_,
+          .ends_at_rest = true};
+}
+
 void Emitter::emit_rest(const Rest& rest, Outbox& outbox) {
-  interp::Phase phase{.curve = curve_,
-                      .begin = clock_.now(),
-                      .s_begin_mm = s_mm_,
-                      .s_end_mm = s_mm_,
-                      .law = profiles::Transition::rest(rest.duration_s),
-                      .line = rest.line != 0 ? rest.line : line_,
-                      .ends_at_rest = true,
-                      .ends_program = rest.ends_program};
-  phase.path_begin_mm = block_begun_ || rests_ ? path_begin_mm_ : path_begin_mm_ - s_mm_;
-  if (rest.change) {
-    outbox.output_changes.push_back({.tick = clock_.now().tick, .change = *rest.change});
+  if (kept_) {
+    kept_->begin(place_);
+    kept_->end(rest);
   }
+  if (rest.change) {
+    emit_change(*rest.change, outbox);
+  }
+  interp::Phase phase = rest_phase(rest.duration_s);
+  phase.line = rest.line != 0 ? rest.line : place_.line;
+  phase.ends_program = rest.ends_program;
   outbox.phases.push_back(phase);
   clock_.advance(rest.duration_s);
   clock_.align_to_tick();
   totals_.ticks = clock_.now().tick;
+}
+
+void Emitter::restore(Emitter&& before) {
+  before.plan_ = plan_;
+  before.curves_sent_ = curves_sent_;
+  before.output_changes_sent_ = output_changes_sent_;
+  *this = std::move(before);
+}
+
+void Emitter::emit_hold(Outbox& outbox) {
+  outbox.phases.push_back(rest_phase(0.0));
+  outbox.phases.back().holds = true;
+}
+
+void Emitter::keep(const Outbox& outbox, std::size_t first) {
+  if (!kept_) {
+    return;
+  }
+  for (std::size_t i = first; i < outbox.phases.size(); ++i) {
+    kept_->add(outbox.phases[i]);
+  }
+}
+
+void Emitter::forget_before(std::int64_t tick) {
+  if (!kept_) {
+    return;
+  }
+  kept_->forget_before(tick);
+  const EmitPlace* oldest = kept_->oldest();
+  drop_block_changes(oldest != nullptr ? oldest->block_changes : place_.block_changes);
+}
+
+std::uint64_t Emitter::oldest_curve() const noexcept {
+  const EmitPlace* oldest = kept_ ? kept_->oldest() : nullptr;
+  return oldest != nullptr ? oldest->curve : place_.curve;
+}
+
+EmittedItems::Motion Emitter::motion_at(std::int64_t tick) const {
+  const auto motion = kept_->at(tick);
+  return motion ? *motion : EmittedItems::Motion{.when = {.tick = tick}};
+}
+
+void Emitter::take_back(const EmittedItems::Motion& motion, std::deque<Item>& ahead) {
+  ++plan_;
+  clock_.set(motion.when);
+  const EmittedItems::TakenBack taken = kept_->take_back(motion, place_, ahead);
+  place_ = taken.begin;
+  if (taken.within) {
+    const interp::Phase& phase = motion.phase;
+    place_.curve = phase.curve;
+    place_.on_block = true;
+    place_.rests = std::get<Block>(ahead.front()).extra.alone;
+    place_.s_mm = place_.curve_mm = motion.curve_mm;
+    place_.line = phase.line;
+    place_.output_changes = phase.output_changes;
+    pass_block_changes();
+  }
+  totals_.blocks = place_.curve;
+  totals_.segments = place_.segments;
 }
 
 }  // namespace kerf::lookahead

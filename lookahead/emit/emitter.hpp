@@ -1,7 +1,9 @@
 // Turns planned blocks into phases, and tracks how far emission has come.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -9,6 +11,7 @@
 
 #include "interp/motion.hpp"
 #include "interp/outputs.hpp"
+#include "lookahead/emit/emitted_items.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/window.hpp"
 #include "profiles/time_law.hpp"
@@ -20,7 +23,7 @@ struct Outbox {
   std::vector<interp::CurvePiece> pieces;
   std::vector<interp::LineChange> line_changes;  // come with the pieces of their curve
   std::vector<interp::Phase> phases;
-  std::vector<interp::OutputChangeAtTick> output_changes;  // by tick, which lies in the phases
+  std::vector<interp::OutputChange> output_changes;  // before the first phase that counts them
 
   // Keeps its memory.
   void clear() noexcept {
@@ -36,13 +39,6 @@ using kerf::PlanDegradation;
 using kerf::PlanDegradations;
 using kerf::PlanTotals;
 
-struct Rest {
-  double duration_s = 0.0;
-  std::uint32_t line = 0;  // 0: that of the last motion
-  bool ends_program = false;
-  std::optional<interp::OutputChange> change{};
-};
-
 // The time at which the next phase begins, as whole ticks and a remainder, so that it keeps its
 // precision however long a program runs.
 class PlanClock {
@@ -57,6 +53,8 @@ class PlanClock {
   void advance(double duration_s) noexcept;
   // Moves on to next_tick(), as after a rest.
   void align_to_tick() noexcept;
+  // Goes on from there.
+  void set(const interp::TickTime& time) noexcept { now_ = time; }
 
  private:
   double period_s_;
@@ -65,13 +63,14 @@ class PlanClock {
 
 class Emitter {
  public:
-  explicit Emitter(double period_s) : clock_(period_s) {}
+  // keeps: what was emitted can be taken back, up to forget_before().
+  explicit Emitter(double period_s, bool keeps = false);
 
   // The change takes effect at the first tick on the block with this number, counted from 1.
   void change_at_block(std::uint64_t number, const interp::OutputChange& change);
 
   // The place on the block that is being emitted, or that comes next.
-  [[nodiscard]] double s_mm() const noexcept { return block_begun_ ? s_mm_ : 0.0; }
+  [[nodiscard]] double s_mm() const noexcept { return place_.on_block ? place_.s_mm : 0.0; }
   [[nodiscard]] const PlanTotals& totals() const noexcept { return totals_; }
 
   void note(const PlanDegradation& degradation) noexcept;
@@ -80,12 +79,35 @@ class Emitter {
   // with its first phase.
   void emit(const Block& block, const profiles::TimeLaw& law, double s_end_mm, Outbox& outbox);
   // A segment of the block ends at s_mm.
-  void end_segment(double s_mm);
+  void end_segment(const Block& block, double s_mm);
   // The block ends with its last segment.
-  void end_block(const Block& block);
+  void end_block(Block&& block);
   // The last phase has ended at rest: time goes on at the next tick.
   void come_to_rest(Outbox& outbox);
   void emit_rest(const Rest& rest, Outbox& outbox);
+
+  // Keeps the phases of the outbox from this one on. Call it once they are complete.
+  void keep(const Outbox& outbox, std::size_t first);
+  void forget_before(std::int64_t tick);
+  [[nodiscard]] std::uint64_t oldest_curve() const noexcept;
+  // The motion at a tick; a rest where none was emitted. Precondition: what was emitted is kept,
+  // and reaches to the tick or ends at rest.
+  [[nodiscard]] EmittedItems::Motion motion_at(std::int64_t tick) const;
+  // What can be taken back. Precondition: it is kept.
+  [[nodiscard]] const EmittedItems& kept() const { return *kept_; }
+  // A new plan goes on from the motion, which may be on the first item that is ahead then;
+  // EmittedItems::take_back.
+  void take_back(const EmittedItems::Motion& motion, std::deque<Item>& ahead);
+  // Goes back to what was emitted before take_back().
+  void restore(Emitter&& before);
+  // The present block goes on as its remainder.
+  void begin_remainder() noexcept { place_.s_mm = 0.0; }
+  [[nodiscard]] bool is_on_block() const noexcept { return place_.on_block; }
+  // On the present curve.
+  [[nodiscard]] double curve_mm() const noexcept { return place_.curve_mm; }
+  [[nodiscard]] const interp::TickTime& now() const noexcept { return clock_.now(); }
+  // Emits a rest at the place where the motion is held.
+  void emit_hold(Outbox& outbox);
 
  private:
   struct OutputChangeAtBlock {
@@ -94,15 +116,22 @@ class Emitter {
   };
 
   void begin_block(const Block& block, Outbox& outbox);
+  // Those of the block that has begun.
+  void pass_block_changes();
+  void drop_block_changes(std::uint64_t before);
+  void emit_path(const Block& block, Outbox& outbox);
+  void emit_change(const interp::OutputChange& change, Outbox& outbox);
+  [[nodiscard]] interp::Phase rest_phase(double duration_s) const;
 
   PlanClock clock_;
-  Window<OutputChangeAtBlock> output_changes_;
-  bool block_begun_ = false;  // a phase of the front block has been emitted
-  std::uint64_t curve_ = 0;
-  bool rests_ = false;  // X, Y and Z rest on it: it adds nothing to the path
-  double s_mm_ = 0.0;
-  double path_begin_mm_ = 0.0;  // of all curves before this one
-  std::uint32_t line_ = 0;
+  std::optional<EmittedItems> kept_;
+  EmitPlace place_{};
+  std::uint32_t plan_ = 0;
+  // What is on its way to the tick side stays there: the path, and what it switches.
+  std::uint64_t curves_sent_ = 0;
+  std::uint64_t output_changes_sent_ = 0;
+  Window<OutputChangeAtBlock> block_changes_;  // place_.block_changes counts them from the first
+  std::uint64_t block_changes_gone_ = 0;       // that are kept no more
   PlanTotals totals_{};
 };
 

@@ -260,11 +260,11 @@ void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox&
   }
   place_ = {.cell = place_.cell + 1};
   if (ends_block) {
-    emitter.end_block(block);
+    emitter.end_block(std::move(blocks.front()));
     blocks.pop_front();
     waiting_.block_done();
   } else {
-    emitter.end_segment(s_end);
+    emitter.end_segment(block, s_end);
   }
   if (cells_left() == 0) {
     emitter.come_to_rest(outbox);

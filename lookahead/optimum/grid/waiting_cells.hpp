@@ -30,7 +30,13 @@ class WaitingCells {
 
   // The window's last block.
   void push(const Window<Block>& blocks);
+  // The same, as cells though it may be an independent line. Close with close_as_cells().
+  void push_as_cells(const Window<Block>& blocks) {
+    const std::uint64_t number = pushed_++;
+    push_cells(number, blocks);
+  }
   // The last block that was pushed ends at rest.
+  void close_as_cells(const Window<Block>& blocks) { close_as_cells({}, blocks); }
   void close(const Window<Block>& blocks);
   // The window's first block has left.
   void block_done() { ++done_; }

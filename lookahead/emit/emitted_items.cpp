@@ -1,0 +1,188 @@
+#include "lookahead/emit/emitted_items.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+
+namespace kerf::lookahead {
+
+namespace {
+
+// A dwell that ends so close to a tick ends on it: rounding of sums of durations.
+constexpr double kTickRounding = 1e-9;
+
+}  // namespace
+
+void EmittedItems::begin(const EmitPlace& place) {
+  items_.push_back({.begin = place, .first_phase = phase_count_});
+}
+
+void EmittedItems::end(Item item) {
+  assert(!items_.empty() && !items_.back().item);
+  items_.back().item = std::move(item);
+}
+
+void EmittedItems::add(const interp::Phase& phase) {
+  phases_.push_back(interp::Phase(phase));
+  ++phase_count_;
+}
+
+// The last phase stays: the motion rests at its end for as long as nothing follows. So does the
+// item before the oldest phase: how its end is passed bounds the motion behind it.
+void EmittedItems::forget_before(std::int64_t tick) {
+  while (phases_.size() > 1 && phases_[1].begin.tick + 1 < tick) {
+    phases_.pop_front();
+  }
+  const std::uint64_t first = phase_count_ - phases_.size();
+  while (items_.size() > 2 && items_[2].first_phase <= first) {
+    items_.pop_front();
+  }
+}
+
+std::optional<EmittedItems::Motion> EmittedItems::at(std::int64_t tick) const {
+  std::size_t count = phases_.size();
+  while (count > 0 && since_s(phases_[count - 1].begin, tick) < 0.0) {
+    --count;
+  }
+  if (count == 0) {
+    return std::nullopt;
+  }
+  const interp::Phase& phase = phases_[count - 1];
+  const double t = since_s(phase.begin, tick);
+  const profiles::PathMotion motion = phase.law.at(t);
+  Motion found{.when = {.tick = tick},
+               .v_mm_s = motion.v_mm_s,
+               .a_mm_s2 = motion.a_mm_s2,
+               .curve_mm = std::min(phase.s_begin_mm + motion.s_mm, phase.s_end_mm),
+               .phase = phase,
+               .number = phase_count_ - phases_.size() + count - 1};
+  if (t >= phase.law.duration_s()) {
+    found.curve_mm = phase.s_end_mm;
+    if (phase.ends_at_rest) {
+      found.v_mm_s = found.a_mm_s2 = 0.0;
+    }
+  }
+  return found;
+}
+
+std::vector<EmittedItems::Motion> EmittedItems::ends_between(std::int64_t tick,
+                                                             std::int64_t before) const {
+  std::vector<Motion> ends;
+  for (std::size_t i = 1; i < phases_.size() && phases_[i].begin.tick < before; ++i) {
+    const interp::Phase& phase = phases_[i - 1];
+    if (phases_[i].begin.tick >= tick && !phase.ends_at_rest) {
+      ends.push_back({.when = phases_[i].begin,
+                      .v_mm_s = phase.law.ramp().v_end_mm_s,
+                      .a_mm_s2 = phase.law.at(phase.law.duration_s()).a_mm_s2,
+                      .curve_mm = phase.s_end_mm,
+                      .phase = phase,
+                      .number = phase_count_ - phases_.size() + i - 1});
+    }
+  }
+  return ends;
+}
+
+std::vector<EmittedItems::CurvePlace> EmittedItems::places_behind(const Motion& motion,
+                                                                  std::size_t most) const {
+  std::vector<CurvePlace> places;
+  const std::uint64_t first = phase_count_ - phases_.size();
+  for (auto i = static_cast<std::size_t>(motion.number - first);
+       i < phases_.size() && places.size() < most; ++i) {
+    places.push_back({.curve = phases_[i].curve, .s_mm = phases_[i].s_end_mm});
+  }
+  return places;
+}
+
+std::optional<std::int64_t> EmittedItems::rest_after(std::int64_t tick) const {
+  for (std::size_t i = 0; i < phases_.size(); ++i) {
+    const interp::Phase& phase = phases_[i];
+    const double ticks = (phase.begin.offset_s + phase.law.duration_s()) / period_s_;
+    const std::int64_t end =
+        phase.begin.tick + static_cast<std::int64_t>(std::ceil(ticks - kTickRounding));
+    if (phase.ends_at_rest && end >= tick) {
+      return end;
+    }
+  }
+  return std::nullopt;
+}
+
+EmittedItems::Blocks EmittedItems::blocks_from(const Motion& motion) const {
+  Blocks found;
+  std::size_t first = items_.size();
+  while (first > 0 && items_[first - 1].first_phase > motion.number) {
+    --first;
+  }
+  first -= first > 0 ? 1 : 0;
+  if (first < items_.size() && items_[first].item) {
+    const auto* block = std::get_if<Block>(&*items_[first].item);
+    found.is_on_next = block != nullptr && motion.curve_mm == block->length_mm;
+    first += found.is_on_next ? 1 : 0;
+  }
+  if (first > 0 && items_[first - 1].item) {
+    found.before = std::get_if<Block>(&*items_[first - 1].item);
+  }
+  for (std::size_t i = first; i < items_.size() && items_[i].item; ++i) {
+    const auto* block = std::get_if<Block>(&*items_[i].item);
+    if (block == nullptr) {
+      found.rest_follows = true;
+      break;
+    }
+    found.blocks.push_back(block);
+  }
+  return found;
+}
+
+EmittedItems::TakenBack EmittedItems::take_back(const Motion& motion, const EmitPlace& present,
+                                                std::deque<Item>& ahead) {
+  TakenBack taken{.begin = present};
+  const auto reclaim = [&ahead](Entry& entry) {
+    if (entry.item) {
+      ahead.push_front(std::move(*entry.item));
+      entry.item.reset();
+    }
+  };
+  const auto drop_last = [&] {
+    reclaim(items_.back());
+    taken.begin = items_.back().begin;
+    items_.keep_front(items_.size() - 1);
+  };
+  while (!items_.empty() && items_.back().first_phase > motion.number) {
+    drop_last();
+  }
+  phases_.keep_front(phases_.size() - (phase_count_ - motion.number - 1));
+  phase_count_ = motion.number + 1;
+  if (items_.empty()) {
+    return taken;
+  }
+  Entry& entry = items_.back();
+  if (entry.item && std::holds_alternative<Rest>(*entry.item)) {
+    if (auto left = part(std::get<Rest>(*entry.item), motion.phase.begin, motion.when.tick)) {
+      ahead.push_front(*left);
+    }
+    return taken;
+  }
+  if (motion.curve_mm == 0.0) {
+    drop_last();
+    return taken;
+  }
+  const bool is_over = entry.item && motion.curve_mm == std::get<Block>(*entry.item).length_mm;
+  if (!is_over) {
+    reclaim(entry);
+    taken = {.begin = entry.begin, .within = true};
+  }
+  return taken;
+}
+
+std::optional<Rest> EmittedItems::part(Rest& rest, const interp::TickTime& begin,
+                                       std::int64_t tick) const {
+  const double run_s = since_s(begin, tick);
+  const double left_s = rest.duration_s - run_s;
+  if (!(left_s > kTickRounding * period_s_)) {
+    return std::nullopt;
+  }
+  rest.duration_s = run_s;
+  return Rest{.duration_s = left_s, .line = rest.line};
+}
+
+}  // namespace kerf::lookahead

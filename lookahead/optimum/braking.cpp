@@ -1,0 +1,49 @@
+#include "lookahead/optimum/braking.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "lookahead/optimum/stop_search.hpp"
+#include "profiles/s_curve_stop.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+std::optional<std::vector<BrakingPart>> stop_on_line(const BrakingFrom& from,
+                                                     const PlanLimits& limits) {
+  const Block& block = *from.blocks.front();
+  const double clear_mm = from.junction_zone_mm(limits.period_s);
+  if (!std::holds_alternative<curves::Line>(block.curve) ||
+      (from.before != nullptr && from.s_mm < clear_mm)) {
+    return std::nullopt;
+  }
+  const auto stop = profiles::s_curve_stop(
+      {.v_mm_s = from.state.v_mm_s, .a_mm_s2 = from.state.a_mm_s2}, block.limits.ramp);
+  if (!stop || from.s_mm + stop->length_mm() > block.length_mm - kAtBlockEnd_mm) {
+    return std::nullopt;
+  }
+  std::vector<BrakingPart> parts;
+  double s = from.s_mm;
+  for (const auto& [law, limit] : {std::pair{&stop->falling, block.limits.from.jerk},
+                                   std::pair{&stop->steady, block.limits.from.acceleration},
+                                   std::pair{&stop->landing, block.limits.from.jerk}}) {
+    if (law->duration_s() > 0.0) {
+      s += law->length_mm();
+      parts.push_back({.law = *law, .s_end_mm = s, .limit = limit});
+    }
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::optional<std::vector<BrakingPart>> shortest_stop(const BrakingFrom& from,
+                                                      const PlanLimits& limits) {
+  if (auto parts = stop_on_line(from, limits)) {
+    return parts;
+  }
+  return StopSearch(from, limits).shortest();
+}
+
+}  // namespace kerf::lookahead

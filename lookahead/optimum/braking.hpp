@@ -1,0 +1,55 @@
+// The shortest way to rest from a motion.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "lookahead/optimum/grid/cell.hpp"
+#include "lookahead/path/block.hpp"
+#include "lookahead/path/limits.hpp"
+#include "profiles/time_law.hpp"
+
+namespace kerf::lookahead {
+
+// A motion on the first of some blocks that follow each other.
+struct BrakingFrom {
+  std::vector<const Block*> blocks;
+  const Block* before = nullptr;  // the one before them; null: there is a rest between
+  double s_mm = 0.0;              // on the first
+  StartState state{};             // v > 0
+  // Where the plan so far changes its jerk: it is one of those that are looked for.
+  struct Place {
+    std::size_t block = 0;
+    double s_mm = 0.0;
+  };
+  std::vector<Place> ends{};
+
+  // The way behind a junction on which its jump is seen.
+  [[nodiscard]] double junction_zone_mm(double period_s) const {
+    constexpr double kTicks = 4.0;
+    return kTicks * period_s * state.v_mm_s;
+  }
+};
+
+// A rest so near the end of a block is at its end: what would be left is hardly a curve.
+inline constexpr double kAtBlockEnd_mm = 1e-6;
+
+// A part of the way to rest.
+struct BrakingPart {
+  std::size_t block = 0;  // of BrakingFrom::blocks
+  profiles::TimeLaw law{};
+  double s_end_mm = 0.0;  // on the block
+  bool ends_block = false;
+  Constraint limit{};
+};
+
+// On a line alone, the S-curve from any acceleration to rest, in closed form. Elsewhere the search
+// for the time optimum to a rest that is a little farther each time, from what the closed form
+// takes with the limits at this place on: the first that it finds. It is at most kStep longer than
+// the shortest that it could have found. Nothing: no way was found; from a place farther on there
+// may be one, as where the plan already lands.
+std::optional<std::vector<BrakingPart>> shortest_stop(const BrakingFrom& from,
+                                                      const PlanLimits& limits);
+
+}  // namespace kerf::lookahead

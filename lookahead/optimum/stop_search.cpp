@@ -1,0 +1,251 @@
+#include "lookahead/optimum/stop_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "lookahead/optimum/grid/grid.hpp"
+#include "lookahead/optimum/grid/speed_estimate.hpp"
+#include "lookahead/path/remainder.hpp"
+#include "profiles/s_curve_stop.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr double kStep = 1.06;
+constexpr double kFirst = 1.01;
+// From one distance to the next, until one is far enough.
+constexpr std::array<double, 6> kGrowths{1.3, 1.3, 1.3, 1.4, 1.5, 1.0};
+constexpr std::size_t kLeastCells = 3;
+constexpr double kShortest_mm = 1e-9;
+constexpr double kCellsOfWay = 40.0;
+// How far blocks are looked at, over what steady braking takes.
+constexpr double kFarthest = 4.0;
+constexpr double kLeastFar_mm = 1.0;
+// A curve so many times as long as what is looked at of it.
+constexpr double kWorthCutting = 1.5;
+
+double farthest_mm(const BrakingFrom& from, const PlanLimits& limits) {
+  double weakest = from.blocks.front()->along.ramp.acceleration_mm_s2;
+  for (const MotionLimits& axis : limits.axes) {
+    weakest = std::min(weakest, axis.acceleration_mm_s2);
+  }
+  const double v = from.state.v_mm_s;
+  return kLeastFar_mm + kFarthest * v * v / weakest;
+}
+
+void divide(std::vector<Cell>& cells, double longest_mm, const PathAt& path) {
+  std::vector<Cell> divided;
+  for (const Cell& cell : cells) {
+    const double count = std::ceil(cell.length_mm / longest_mm);
+    const std::vector<double> lengths(static_cast<std::size_t>(std::max(count, 1.0)),
+                                      cell.length_mm / std::max(count, 1.0));
+    const std::vector<Cell> parts = parts_of(cell, lengths, path);
+    divided.insert(divided.end(), parts.begin(), parts.end());
+  }
+  cells = std::move(divided);
+}
+
+// The first cells, to a rest at the distance. True: that is the end of what is known.
+bool cut_at(double distance_mm, const PathAt& path, std::vector<Cell>& cells) {
+  double way = 0.0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const double left = distance_mm - way;
+    const Cell& cell = cells[i];
+    if (cell.rest_after && left >= cell.length_mm - kAtBlockEnd_mm) {
+      cells.resize(i + 1);
+      return true;
+    }
+    if (left < cell.length_mm - kAtBlockEnd_mm) {
+      if (left > kAtBlockEnd_mm) {
+        cells[i] = parts_of(cell, {left, cell.length_mm - left}, path).front();
+      }
+      cells.resize(left > kAtBlockEnd_mm ? i + 1 : i);
+      return false;
+    }
+    way += cell.length_mm;
+  }
+  return true;
+}
+
+// A block of which only a stretch is looked at: a curve may be long. begin_mm: of the stretch, on
+// the block.
+struct NearBlock {
+  Block block;
+  double begin_mm = 0.0;
+  bool ends_block = true;  // the stretch does
+};
+
+NearBlock near_block(const Block& block, const curves::Stretch& near) {
+  const curves::Stretch stretch{.begin_mm = std::max(near.begin_mm, 0.0),
+                                .end_mm = std::min(near.end_mm, block.length_mm)};
+  if (std::holds_alternative<curves::NurbsCurve>(block.curve) &&
+      kWorthCutting * (stretch.end_mm - stretch.begin_mm) < block.length_mm) {
+    if (auto cut = stretch_of(block, stretch)) {
+      return {.block = std::move(*cut),
+              .begin_mm = stretch.begin_mm,
+              .ends_block = stretch.end_mm == block.length_mm};
+    }
+  }
+  return {.block = block};
+}
+
+}  // namespace
+
+StopSearch::StopSearch(const BrakingFrom& from, const PlanLimits& limits)
+    : from_(&from), limits_(&limits), waiting_(limits) {
+  take_blocks();
+  take_cells();
+}
+
+void StopSearch::take_blocks() {
+  const double back_mm = from_->junction_zone_mm(limits_->period_s);
+  const double far_mm = farthest_mm(*from_, *limits_);
+  const auto add = [this](Block block) {
+    blocks_.push_back(std::move(block));
+    waiting_.push_as_cells(blocks_);
+  };
+  double way_mm = -from_->s_mm;
+  for (std::size_t i = 0; i < from_->blocks.size() && way_mm < far_mm && !last_is_cut_; ++i) {
+    const Block& block = *from_->blocks[i];
+    NearBlock near = near_block(
+        block, {.begin_mm = i == 0 ? from_->s_mm - back_mm : 0.0, .end_mm = far_mm - way_mm});
+    if (i == 0) {
+      first_begin_mm_ = near.begin_mm;
+    }
+    if (i == 0 && from_->before != nullptr && near.begin_mm == 0.0) {
+      const Block& before = *from_->before;
+      add(near_block(before, {.begin_mm = before.length_mm - back_mm, .end_mm = before.length_mm})
+              .block);
+      first_ = 1;
+    }
+    add(std::move(near.block));
+    last_is_cut_ = !near.ends_block;
+    way_mm += block.length_mm;
+  }
+  waiting_.close_as_cells(blocks_);
+}
+
+// From the motion on, up to a rest or the end of what is known.
+void StopSearch::take_cells() {
+  const PathAt path = waiting_.path_of(blocks_);
+  const double s_mm = from_->s_mm - first_begin_mm_;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    Cell cell = waiting_[i];
+    const bool is_first = cell.block == first_;
+    if (cell.block < first_ || (is_first && cell.s_end_mm() <= s_mm)) {
+      continue;
+    }
+    if (is_first && cell.s_begin_mm < s_mm) {
+      const double way = s_mm - cell.s_begin_mm;
+      cell = parts_of(cell, {way, cell.length_mm - way}, path).back();
+    }
+    cells_.push_back(cell);
+    if (cell.rest_after) {
+      break;
+    }
+  }
+  cut_at_ends(path);
+  if (last_is_cut_ && !cells_.empty() && cells_.back().block + 1 == blocks_.size()) {
+    cells_.back().ends_block = false;
+  }
+}
+
+void StopSearch::cut_at_ends(const PathAt& path) {
+  std::vector<Cell> cut;
+  auto end = from_->ends.begin();
+  for (Cell cell : cells_) {
+    const std::size_t block = cell.block - first_;
+    const double begin_mm = block == 0 ? first_begin_mm_ : 0.0;
+    for (; end != from_->ends.end() &&
+           (end->block < block ||
+            (end->block == block && end->s_mm - begin_mm < cell.s_end_mm() - kShortest_mm));
+         ++end) {
+      const double way = end->s_mm - begin_mm - cell.s_begin_mm;
+      if (end->block == block && way > kShortest_mm) {
+        const std::vector<Cell> halves = parts_of(cell, {way, cell.length_mm - way}, path);
+        cut.push_back(halves.front());
+        cell = halves.back();
+      }
+    }
+    cut.push_back(cell);
+  }
+  cells_ = std::move(cut);
+}
+
+double StopSearch::least_mm() const {
+  const Cell& first = cells_.front();
+  const double acceleration = tangential_acceleration_mm_s2(first, first.begin, *limits_);
+  const auto stop =
+      profiles::s_curve_stop({.v_mm_s = from_->state.v_mm_s, .a_mm_s2 = from_->state.a_mm_s2},
+                             {acceleration, tangential_jerk_mm_s3(first, first.begin, *limits_)});
+  return stop ? stop->length_mm() : 0.5 * from_->state.v_mm_s * from_->state.v_mm_s / acceleration;
+}
+
+std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_end) const {
+  const PathAt path = waiting_.path_of(blocks_);
+  CellSequence sequence{.begin = from_->state, .cells = cells_};
+  is_end = cut_at(distance_mm, path, sequence.cells);
+  if (sequence.cells.empty()) {
+    return std::nullopt;
+  }
+  divide(sequence.cells, distance_mm / kCellsOfWay, path);
+  if (sequence.cells.back().ends_block) {
+    relax_beside_rest(sequence.cells, BlockSide::end);
+  }
+  refine_to_rest(sequence.cells, RestAt::end, path, *limits_);
+  if (sequence.cells.size() < kLeastCells) {
+    return std::nullopt;
+  }
+  return OptimalPlan::find(std::move(sequence), path, *limits_);
+}
+
+// The distance doubles or so until a way is found, and is then divided down to kStep.
+std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
+  if (cells_.empty()) {
+    return std::nullopt;
+  }
+  double too_short_mm = 0.0;
+  double distance_mm = kFirst * least_mm();
+  std::optional<OptimalPlan> best;
+  bool is_end = false;
+  for (const double growth : kGrowths) {
+    best = to_rest_at(distance_mm, is_end);
+    if (best || is_end) {
+      break;
+    }
+    too_short_mm = distance_mm;
+    distance_mm *= growth;
+  }
+  while (best && too_short_mm > 0.0 && distance_mm > kStep * too_short_mm) {
+    const double between_mm = std::sqrt(too_short_mm * distance_mm);
+    if (auto shorter = to_rest_at(between_mm, is_end)) {
+      best = std::move(shorter);
+      distance_mm = between_mm;
+    } else {
+      too_short_mm = between_mm;
+    }
+  }
+  return best ? std::optional(parts(*best)) : std::nullopt;
+}
+
+std::vector<BrakingPart> StopSearch::parts(const OptimalPlan& plan) const {
+  std::vector<BrakingPart> parts;
+  for (std::size_t i = 0; i < plan.cells().size(); ++i) {
+    const Cell& cell = plan.cells()[i];
+    const auto block = static_cast<std::size_t>(cell.block - first_);
+    const double begin_mm = block == 0 ? first_begin_mm_ : 0.0;
+    parts.push_back(
+        {.block = block,
+         .law = plan.law_from({.cell = i}, kUnbounded),
+         .s_end_mm = cell.ends_block ? from_->blocks[block]->length_mm : begin_mm + cell.s_end_mm(),
+         .ends_block = cell.ends_block,
+         .limit = plan.limit_on(i, *limits_)});
+  }
+  return parts;
+}
+
+}  // namespace kerf::lookahead

@@ -1,0 +1,226 @@
+// A feed hold at any tick of a program of every kind of motion, and what comes after it.
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
+
+#include "profiles/profile.hpp"
+#include "tests/kernel/run.hpp"
+#include "tests/kernel/shipped_text.hpp"
+#include "tests/kernel/tick_checker.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr double kFastest_mm_s = 150.0;  // of the mill
+constexpr int kHeldTicks = 20;
+
+// Calls hold() before each of these ticks, and resume() once the tool has been held for some time.
+struct HeldRun {
+  std::vector<Setpoint> ticks;
+  std::vector<TickStatus> statuses;
+  std::string complaint;
+
+  [[nodiscard]] std::int64_t count(TickStatus status) const {
+    return std::count(statuses.begin(), statuses.end(), status);
+  }
+  [[nodiscard]] const Setpoint& first_held() const {
+    const auto held = std::find(statuses.begin(), statuses.end(), TickStatus::held);
+    return ticks.at(static_cast<std::size_t>(held - statuses.begin()));
+  }
+};
+
+struct HeldProgram {
+  std::string text;
+  KernelOptions options{};
+};
+
+HeldRun run_held(const HeldProgram& program, const std::set<std::int64_t>& hold_before) {
+  Kernel kernel(mill(), program.options);
+  kernel.feed(program.text);
+  kernel.finish();
+  TickChecker checker(mill().limits, program.options.profile.kind != ProfileKind::trapezoid);
+  HeldRun run;
+  int held = 0;
+  TickStatus status = TickStatus::running;
+  while (status != TickStatus::finished && status != TickStatus::failed &&
+         run.ticks.size() < kMaxTicks) {
+    if (hold_before.contains(static_cast<std::int64_t>(run.ticks.size()))) {
+      kernel.hold();
+    }
+    Setpoint setpoint;
+    status = kernel.next(setpoint);
+    checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
+    run.ticks.push_back(setpoint);
+    run.statuses.push_back(status);
+    held = status == TickStatus::held ? held + 1 : 0;
+    if (held == kHeldTicks) {
+      kernel.resume();
+    }
+  }
+  run.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
+  run.complaint += kernel.fault() ? kernel.fault()->what : "";
+  return run;
+}
+
+// How far a tick is from the path that the whole run has at its path length, at the least.
+double off_path_mm(const std::vector<Setpoint>& whole, const Setpoint& tick) {
+  const auto after = std::lower_bound(whole.begin(), whole.end(), tick.s_mm,
+                                      [](const Setpoint& a, double s) { return a.s_mm < s; });
+  if (after == whole.end()) {
+    return tick.s_mm - whole.back().s_mm;
+  }
+  return (curves::vec(after->position_mm) - curves::vec(tick.position_mm)).norm() -
+         (after->s_mm - tick.s_mm);
+}
+
+void expect_whole(const HeldRun& run, const std::vector<Setpoint>& whole) {
+  EXPECT_EQ(run.complaint, "");
+  double off_mm = 0.0;
+  for (const Setpoint& tick : run.ticks) {
+    off_mm = std::max(off_mm, off_path_mm(whole, tick));
+  }
+  EXPECT_LE(off_mm, 1e-9);
+  EXPECT_EQ(run.ticks.back().position_mm, whole.back().position_mm);
+  EXPECT_EQ(run.ticks.back().outputs, whole.back().outputs);
+}
+
+TEST(Hold, ComesToRestOnThePathAndGoesOnToTheSameEndWhereverItIsAskedFor) {
+  for (const ProfileKind kind :
+       {ProfileKind::s_curve, ProfileKind::quintic, ProfileKind::time_optimal}) {
+    const HeldProgram program{.text = mixed_program(), .options = {.profile = {.kind = kind}}};
+    const auto whole = ticks_of(program.text, program.options);
+    for (std::int64_t tick = 1; tick < whole.back().tick; tick += 41) {
+      SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick));
+      expect_whole(run_held(program, {tick}), whole);
+      ASSERT_FALSE(testing::Test::HasFailure());
+    }
+  }
+}
+
+TEST(Hold, MayComeWhileTheToolBrakesAndAgainBehindIt) {
+  const HeldProgram program{.text = mixed_program()};
+  const auto whole = ticks_of(program.text, program.options);
+  for (std::int64_t tick = 1; tick + 400 < whole.back().tick; tick += 203) {
+    SCOPED_TRACE("tick " + std::to_string(tick));
+    expect_whole(run_held(program, {tick, tick + 15, tick + 30, tick + 160, tick + 300}), whole);
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+}
+
+TEST(Hold, OfTheSameTickGivesTheSameTicks) {
+  const HeldProgram program{.text = mixed_program()};
+  const HeldRun one = run_held(program, {500});
+  const HeldRun two = run_held(program, {500});
+  ASSERT_EQ(one.ticks.size(), two.ticks.size());
+  for (std::size_t i = 0; i < one.ticks.size(); ++i) {
+    ASSERT_EQ(one.ticks[i].position_mm, two.ticks[i].position_mm) << i;
+  }
+}
+
+// From v, jerk J to the acceleration A, that acceleration, and jerk J to rest: v^2 / 2A + v A / 2J.
+TEST(Hold, OnALineBrakesInTheShortestWay) {
+  const HeldProgram program{.text = "G21 G90\nG1 X1000 F6000\nM2\n"};
+  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+    HeldProgram of_kind = program;
+    of_kind.options.profile.kind = kind;
+    const auto whole = ticks_of(of_kind.text, of_kind.options);
+    const HeldRun run = run_held(of_kind, {1000});
+    std::size_t changed = 1000;
+    while (run.ticks[changed].position_mm == whole[changed].position_mm) {
+      ++changed;
+    }
+    EXPECT_LE(changed - 1000, 12U);
+    constexpr double kWay_mm = 100.0 * 100.0 / 4000.0 + 100.0 * 2000.0 / 1e5;
+    EXPECT_NEAR(run.first_held().s_mm - run.ticks[1009].s_mm, kWay_mm, 0.1 + 1e-6);
+    EXPECT_EQ(run.complaint, "");
+  }
+}
+
+TEST(Hold, StopsTheClockOfADwell) {
+  const HeldProgram program{.text = "G21 G90 F6000\nG1 X10\nG4 P0.5\nX20\nM2\n"};
+  const auto whole = ticks_of(program.text, program.options);
+  const auto dwells = std::find_if(
+      whole.begin(), whole.end(), [](const Setpoint& tick) { return tick.position_mm[0] == 10.0; });
+  const HeldRun run = run_held(program, {dwells->tick + 100});
+  EXPECT_EQ(run.complaint, "");
+  EXPECT_EQ(run.first_held().position_mm[0], 10.0);
+  EXPECT_EQ(run.count(TickStatus::held), kHeldTicks);
+  EXPECT_EQ(run.count(TickStatus::running) + 1, static_cast<std::int64_t>(whole.size()));
+}
+
+TEST(Hold, LeavesOutputsAtTheirPlaces) {
+  const HeldProgram program{.text =
+                                "G21 G90 F3000\nG1 X10\nM62 P1\nX20\nM63 P1\nM62 P2\nX30\nM3 S100\n"
+                                "X40\nM5\nM2\n",
+                            .options = {.profile = {.kind = ProfileKind::s_curve}}};
+  const auto switched = [](const std::vector<Setpoint>& ticks) {
+    std::vector<std::pair<std::uint64_t, double>> changes;
+    for (std::size_t i = 1; i < ticks.size(); ++i) {
+      if (ticks[i].outputs != ticks[i - 1].outputs) {
+        // The block that it is on: a tick may be anywhere behind the block's begin.
+        changes.emplace_back(ticks[i].outputs.digital, std::floor(ticks[i].s_mm / 10.0));
+      }
+    }
+    return changes;
+  };
+  const auto whole = ticks_of(program.text, program.options);
+  ASSERT_EQ(switched(whole).size(), 4U);
+  for (std::int64_t tick = 1; tick < whole.back().tick; tick += 29) {
+    SCOPED_TRACE("tick " + std::to_string(tick));
+    const HeldRun run = run_held(program, {tick});
+    EXPECT_EQ(run.complaint, "");
+    EXPECT_EQ(switched(run.ticks), switched(whole));
+  }
+}
+
+TEST(Hold, WaitsWhereTheTextIsLate) {
+  Kernel kernel(mill());
+  kernel.feed("G21 G90 G1 X10 F3000\n");
+  Setpoint setpoint;
+  while (kernel.next(setpoint) != TickStatus::starved) {
+  }
+  kernel.hold();
+  TickStatus status = TickStatus::starved;
+  for (int i = 0; i < 50; ++i) {
+    status = kernel.next(setpoint);
+  }
+  EXPECT_EQ(status, TickStatus::held);
+  kernel.feed("X20\nM2\n");
+  kernel.finish();
+  EXPECT_EQ(kernel.next(setpoint), TickStatus::held);
+  EXPECT_EQ(setpoint.position_mm[0], 10.0);
+  kernel.resume();
+  EXPECT_EQ(rest_of(kernel).back().position_mm[0], 20.0);
+}
+
+TEST(Hold, DoesNothingOnceTheProgramHasEnded) {
+  Kernel kernel(mill());
+  kernel.feed("G21 G90 G1 X1 F6000\nM2\n");
+  kernel.finish();
+  Setpoint setpoint = rest_of(kernel).back();
+  kernel.hold();
+  EXPECT_EQ(kernel.next(setpoint), TickStatus::finished);
+}
+
+TEST(Hold, EndsWithTheProgramWhereItIsStopped) {
+  Kernel kernel(mill());
+  kernel.feed("G21 G90 G1 X1000 F6000\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  for (int i = 0; i < 1000; ++i) {
+    kernel.next(setpoint);
+  }
+  kernel.hold();
+  while (kernel.next(setpoint) != TickStatus::held) {
+  }
+  const double at_mm = setpoint.position_mm[0];
+  kernel.stop();
+  EXPECT_EQ(rest_of(kernel).back().position_mm[0], at_mm);
+}
+
+}  // namespace
+}  // namespace kerf::test
