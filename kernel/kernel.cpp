@@ -67,7 +67,7 @@ class Kernel::Impl {
       judge_.starve();
     }
     judge_.add(setpoint, interpolator_.chord_error_mm());
-    if (status == TickStatus::finished && end_) {
+    if (status == TickStatus::finished && end_ && judges_end_) {
       judge_.judge_end(setpoint, *end_);
     }
     const bool ends = status == TickStatus::finished || (status == TickStatus::starved && broken_);
@@ -119,16 +119,14 @@ class Kernel::Impl {
     plan();
   }
   void resume() {
-    wants_hold_ = false;
+    wants_hold_ = stops_;
     wants_resume_ = true;
     plan();
   }
 
   void stop() {
-    if (!pipeline_.check().has_ended()) {
-      end_.reset();  // not reached any more
-    }
-    pipeline_.stop();
+    stops_ = true;
+    hold();
   }
 
   [[nodiscard]] std::optional<RunFault> fault() const {
@@ -172,15 +170,21 @@ class Kernel::Impl {
 
   bool try_hold() {
     if (pipeline_.is_held()) {
+      if (stops_) {
+        judges_end_ = false;
+        pipeline_.stop_held();
+      }
       return true;
     }
     const std::int64_t now = interpolator_.plan_tick();
     const std::int64_t last = std::max(pipeline_.emitted_until_tick(), now);
     lookahead::Outbox plan;
-    if (!pipeline_.hold(std::min(now + margin_ticks_, last), plan)) {
+    const std::int64_t tick = std::min(now + margin_ticks_, last);
+    if (!(stops_ ? pipeline_.stop(tick, plan) : pipeline_.hold(tick, plan))) {
       return false;
     }
     if (!plan.phases.empty()) {
+      judges_end_ = !stops_;
       takeover_ = plan.phases.front().plan;
       delivery_.take_over(std::move(plan));
       fail_with_check();
@@ -194,13 +198,15 @@ class Kernel::Impl {
   MotionQueue queue_;
   interp::Interpolator interpolator_;
   TickJudge judge_;
-  std::optional<PlaceOfTool> end_;    // written before the last phase is delivered, read after it
-  std::atomic<bool> wrong_ = false;   // the program has an error; the same
-  std::atomic<bool> broken_ = false;  // nothing more is planned
+  std::optional<PlaceOfTool> end_;  // written before the last phase is delivered, read after it
+  std::atomic<bool> judges_end_ = true;  // a stop does not reach it
+  std::atomic<bool> wrong_ = false;      // the program has an error; the same
+  std::atomic<bool> broken_ = false;     // nothing more is planned
   std::int64_t horizon_ticks_;
   std::int64_t margin_ticks_;
   bool wants_hold_ = false;
   bool wants_resume_ = false;
+  bool stops_ = false;                       // each hold is a stop
   std::optional<std::uint32_t> takeover_{};  // the tick side has not answered yet
   Delivery delivery_{queue_};
 };

@@ -75,25 +75,35 @@ void Pipeline::push_segment(smoothing::PathSegment segment) {
 }
 
 bool Pipeline::hold(std::int64_t tick, lookahead::Outbox& outbox) {
-  if (!planner_.hold(tick, outbox)) {
+  return took_over(planner_.hold(tick, outbox), outbox);
+}
+
+bool Pipeline::stop(std::int64_t tick, lookahead::Outbox& outbox) {
+  if (!planner_.stop(tick, outbox)) {
     return false;
   }
+  finished_ = true;
+  check_.stop();
+  return took_over(true, outbox);
+}
+
+void Pipeline::stop_held() {
+  finished_ = true;
+  check_.stop();
+  planner_.stop_held();
+}
+
+bool Pipeline::took_over(bool found, const lookahead::Outbox& outbox) {
   if (!outbox.phases.empty()) {
     check_.taken_over();
     check_.emitted(outbox);
   }
-  return true;
+  return found;
 }
 
 void Pipeline::forget_before(std::int64_t tick) {
   planner_.forget_before(tick);
   check_.forget_before(planner_.oldest_curve());
-}
-
-void Pipeline::stop() {
-  check_.stop();
-  planner_.stop();
-  finished_ = true;
 }
 
 void Pipeline::fail_without_plan(std::uint32_t line) {

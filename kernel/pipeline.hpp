@@ -45,12 +45,13 @@ class Pipeline {
   void flush() { path_.flush(); }
   // The plan comes to rest after what was read so far; more text continues it.
   void plan_to_rest() { planner_.plan_to_rest(); }
-  // The plan ends at rest as soon as the limits allow.
-  void stop();
   // Planner::hold, into an outbox that is empty.
   bool hold(std::int64_t tick, lookahead::Outbox& outbox);
   void settle(bool accepted) { planner_.settle(accepted); }
   void resume() { planner_.resume(); }
+  // Planner::stop; the rest of the program is dropped.
+  bool stop(std::int64_t tick, lookahead::Outbox& outbox);
+  void stop_held();
   [[nodiscard]] bool is_held() const noexcept { return planner_.is_held(); }
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept {
     return planner_.emitted_until_tick();
@@ -67,6 +68,7 @@ class Pipeline {
   void fail_without_plan(std::uint32_t line);
 
  private:
+  bool took_over(bool found, const lookahead::Outbox& outbox);
   // Takes the next item of the program into the window. False: there is no more text.
   bool take_next();
   void push_segment(smoothing::PathSegment segment);

@@ -44,12 +44,6 @@ std::unique_ptr<Schedule> schedule_for(const PlannerSettings& settings) {
                                   .longest_cruise_s = settings.longest_phase_s});
 }
 
-// From the tick on, ends of phases from which a way to rest is sought, and how far they are apart.
-constexpr std::int64_t kTicksToTry = 20;
-constexpr std::int64_t kTicksBetween = 5;
-// Of the present plan, where a new one may change its jerk, too.
-constexpr std::size_t kPlacesOfPlan = 50;
-
 // Of whole ticks, so that parts do not move what follows.
 double rest_part_s(const PlannerSettings& settings) {
   const double period = settings.limits.period_s;
@@ -128,16 +122,6 @@ void Planner::plan_to_rest() {
   to_rest_ = true;
 }
 
-void Planner::stop() {
-  if (rest_.ends_program && !rest_pending_) {
-    return;
-  }
-  waiting_.clear();
-  held_ = false;
-  schedule_->stop(blocks_, emitter_);
-  end_with({.ends_program = true});
-}
-
 bool Planner::emit(Outbox& outbox) {
   if (held_) {
     return false;
@@ -160,24 +144,10 @@ bool Planner::emit(Outbox& outbox) {
   return false;
 }
 
-BrakingFrom Planner::braking_from(const EmittedItems::Motion& motion) const {
-  EmittedItems::Blocks emitted = emitter_.kept().blocks_from(motion);
-  BrakingFrom from;
-  from.blocks = std::move(emitted.blocks);
-  from.before = emitted.before;
-  from.s_mm = emitted.is_on_next ? 0.0 : motion.curve_mm;
-  from.state = {.v_mm_s = motion.v_mm_s, .a_mm_s2 = motion.a_mm_s2};
-  const std::uint64_t curve = motion.phase.curve + (emitted.is_on_next ? 1 : 0);
-  for (const auto& place : emitter_.kept().places_behind(motion, kPlacesOfPlan)) {
-    if (place.curve >= curve) {
-      from.ends.push_back({.block = place.curve - curve, .s_mm = place.s_mm});
-    }
-  }
-  if (emitted.rest_follows) {
-    return from;
-  }
-  const auto add = [&from](const Block& block) {
-    from.blocks.push_back(block.whole ? block.whole.get() : &block);
+std::vector<const Block*> Planner::blocks_ahead() const {
+  std::vector<const Block*> ahead;
+  const auto add = [&ahead](const Block& block) {
+    ahead.push_back(block.whole ? block.whole.get() : &block);
   };
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     add(blocks_[i]);
@@ -189,50 +159,12 @@ BrakingFrom Planner::braking_from(const EmittedItems::Motion& motion) const {
     }
     add(*block);
   }
-  return from;
-}
-
-// The ends of phases come first: the plan has found the motion there feasible, and what follows.
-// Those of a classical plan are far apart, as are those of a cruise.
-std::vector<EmittedItems::Motion> Planner::motions_to_stop_from(std::int64_t tick) const {
-  std::vector<EmittedItems::Motion> motions;
-  for (const auto& end : emitter_.kept().ends_between(tick, tick + kTicksToTry)) {
-    if (motions.empty() || end.when.tick >= motions.back().when.tick + kTicksBetween) {
-      motions.push_back(end);
-    }
-  }
-  if (motions.empty() || motions.front().when.tick >= tick + kTicksBetween) {
-    motions.insert(motions.begin(), emitter_.motion_at(tick));
-  }
-  return motions;
-}
-
-std::optional<Planner::Stop> Planner::find_stop(std::int64_t tick) const {
-  const EmittedItems::Motion first = emitter_.motion_at(tick);
-  if (first.at_rest()) {
-    return Stop{.from = first};
-  }
-  const auto rest = emitter_.kept().rest_after(tick);
-  for (const EmittedItems::Motion& motion : motions_to_stop_from(tick)) {
-    if (auto parts = shortest_stop(braking_from(motion), settings_.limits)) {
-      double duration_s = motion.when.offset_s;
-      for (const BrakingPart& part : *parts) {
-        duration_s += part.law.duration_s();
-      }
-      const double rests_at =
-          static_cast<double>(motion.when.tick) + duration_s / settings_.limits.period_s;
-      if (!rest || rests_at < static_cast<double>(*rest)) {
-        return Stop{.from = motion, .parts = std::move(*parts)};
-      }
-      break;
-    }
-  }
-  return rest ? std::optional(Stop{.from = emitter_.motion_at(*rest)}) : std::nullopt;
+  return ahead;
 }
 
 bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   assert(settings_.may_hold && !held_ && outbox.phases.empty());
-  const auto stop = find_stop(tick);
+  const auto stop = find_stop(emitter_, blocks_ahead(), tick, settings_.limits);
   if (!stop) {
     return false;
   }
@@ -244,7 +176,28 @@ bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   before_hold_.emplace(Before{emitter_, waiting_});
   emitter_.take_back(stop->from, waiting_);
   emit_stop(stop->parts, outbox);
+  emitter_.keep(outbox, 0);
   return true;
+}
+
+bool Planner::stop(std::int64_t tick, Outbox& outbox) {
+  if (!hold(tick, outbox)) {
+    return false;
+  }
+  if (held_) {
+    const std::size_t end = outbox.phases.size();
+    emitter_.emit_rest({.ends_program = true}, outbox);
+    emitter_.keep(outbox, end);
+    stops_ = true;
+  }
+  return true;
+}
+
+void Planner::stop_held() {
+  assert(held_);
+  held_ = false;
+  waiting_.clear();
+  end_with({.ends_program = true});
 }
 
 void Planner::empty_window() {
@@ -282,7 +235,6 @@ void Planner::emit_stop(const std::vector<BrakingPart>& parts, Outbox& outbox) {
     emitter_.come_to_rest(outbox);
     outbox.phases.back().holds = true;
   }
-  emitter_.keep(outbox, 0);
 }
 
 void Planner::settle(bool accepted) {
@@ -290,7 +242,12 @@ void Planner::settle(bool accepted) {
     emitter_.restore(std::move(before_hold_->emitter));
     waiting_ = std::move(before_hold_->waiting);
     held_ = false;
+  } else if (stops_) {
+    waiting_.clear();
+    held_ = false;
+    to_rest_ = true;
   }
+  stops_ = false;
   before_hold_.reset();
 }
 

@@ -11,10 +11,10 @@
 #include "interp/outputs.hpp"
 #include "lookahead/emit/emitter.hpp"
 #include "lookahead/emit/schedule.hpp"
-#include "lookahead/optimum/braking.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/feed_scan.hpp"
 #include "lookahead/path/window.hpp"
+#include "lookahead/plan_stop.hpp"
 #include "parser/moves/move.hpp"
 #include "profiles/profile.hpp"
 
@@ -25,8 +25,8 @@ struct PlannerSettings {
   profiles::Profile profile{profiles::ProfileKind::s_curve};
   std::size_t window_blocks = 1000;  // >= 2; at least 4 for the time optimum
   std::size_t window_cells = 3000;   // that the time optimum plans at once; >= 100
-  // Cruises and dwells are emitted in parts of about this, so that a stop need not wait for the
-  // end.
+  // Cruises and dwells are emitted in parts of about this: what is planned is then as long as it is
+  // asked for.
   double longest_phase_s = 0.1;
   bool may_hold = false;  // what was emitted is kept until it is run, so that it can be taken back
 };
@@ -54,10 +54,6 @@ class Planner {
 
   // Plans everything pushed so far to a rest. Call it when the next move is late.
   void plan_to_rest();
-  // Stops as soon as the limits allow after what has been emitted, and ends the program. The tool
-  // stays on the path. Does nothing once the program's end has been emitted.
-  void stop();
-
   // A feed hold: a new plan that takes over at the tick or some ticks later and comes to rest as
   // soon as the limits allow, or at the rest of the present plan if that is as near. The outbox,
   // which is empty before, gets its phases, and what they begin on; none where the program has
@@ -65,11 +61,15 @@ class Planner {
   // False: no way was found, and nothing has changed; ask again with a later tick, or when more was
   // emitted.
   bool hold(std::int64_t tick, Outbox& outbox);
-  // Whether the tick side took the plan of the hold. If not, there is no hold any more; ask for
-  // another one: what was emitted before is run to its end, and nothing follows.
+  // Whether the tick side took the plan of the hold or stop. If not, there is none any more; ask
+  // for another one: what was emitted before is run to its end, and nothing follows.
   void settle(bool accepted);
   // Goes on from the rest of a hold, on the same path. Precondition: settle().
   void resume();
+  // As hold(), but the program ends at that rest.
+  bool stop(std::int64_t tick, Outbox& outbox);
+  // Ends the program where it is held. Precondition: is_held(), settle().
+  void stop_held();
   [[nodiscard]] bool is_held() const noexcept { return held_; }
   // Where the plan emitted so far ends; time goes on from there.
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept { return emitter_.now().tick; }
@@ -90,14 +90,8 @@ class Planner {
   void take_waiting();
   void emit_rest(Outbox& outbox);
   void end_with(const Rest& rest);
-  [[nodiscard]] BrakingFrom braking_from(const EmittedItems::Motion& motion) const;
-  [[nodiscard]] std::vector<EmittedItems::Motion> motions_to_stop_from(std::int64_t tick) const;
-  // Where and how a hold begins to brake; no parts: the tool is at rest then.
-  struct Stop {
-    EmittedItems::Motion from{};
-    std::vector<BrakingPart> parts{};
-  };
-  [[nodiscard]] std::optional<Stop> find_stop(std::int64_t tick) const;
+  // Up to a rest. Whole.
+  [[nodiscard]] std::vector<const Block*> blocks_ahead() const;
   void emit_stop(const std::vector<BrakingPart>& parts, Outbox& outbox);
   // All that is in the window waits again.
   void empty_window();
@@ -115,6 +109,7 @@ class Planner {
   std::uint64_t pushed_blocks_ = 0;
   std::deque<Item> waiting_;  // was taken back, and goes before what comes
   bool held_ = false;
+  bool stops_ = false;  // at the rest of the plan that is not settled yet
   struct Before {
     Emitter emitter;
     std::deque<Item> waiting;

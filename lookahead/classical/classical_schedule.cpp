@@ -209,26 +209,4 @@ void ClassicalSchedule::leave_segment(Window<Block>& blocks, Emitter& emitter) {
   --ready_segments_;
 }
 
-void ClassicalSchedule::stop(const Window<Block>& /*blocks*/, const Emitter& /*emitter*/) {
-  backward_pass(window_, settings_.profile);
-  double v = v_mm_s_;
-  std::size_t kept = 0;
-  while (kept < window_.size() && v > 0.0) {
-    WindowSegment& item = window_[kept++];
-    SegmentEnds ends{.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
-    const Ending ending = ending_of(item, ends, settings_.profile);
-    if (ending.is_slowed) {
-      v = item.v_end_mm_s = ending.v_end_mm_s;
-      continue;
-    }
-    ends.v_end_mm_s = ending.v_end_mm_s;
-    item.v_end_mm_s = brake(item.segment, ends, settings_.profile);
-    item.sure = {.v_begin_mm_s = v, .v_end_mm_s = item.v_end_mm_s};
-    v = item.v_end_mm_s;
-  }
-  window_.keep_front(kept);
-  ready_segments_ = 0;
-  left_.reset();
-}
-
 }  // namespace kerf::lookahead

@@ -20,7 +20,7 @@ class ClassicalSchedule final : public Schedule {
     PlanLimits limits{};
     profiles::Profile profile{profiles::ProfileKind::s_curve};
     std::size_t ready_blocks = 500;  // leave a full window before it is planned again; >= 1
-    // A cruise leaves in parts of this duration, so that a stop need not wait for its end.
+    // A cruise leaves in parts of this duration.
     double longest_cruise_s = 0.1;
   };
 
@@ -32,7 +32,6 @@ class ClassicalSchedule final : public Schedule {
   [[nodiscard]] bool empty() const override { return window_.empty(); }
   [[nodiscard]] bool has_room() const override { return true; }
   bool emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) override;
-  void stop(const Window<Block>& blocks, const Emitter& emitter) override;
 
  private:
   [[nodiscard]] std::vector<VelocitySegment> segments_of(const Block& block) const;

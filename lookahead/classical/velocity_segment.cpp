@@ -16,11 +16,8 @@ namespace {
 
 // What the backward pass found to fit, summed in another order, may miss by rounding.
 constexpr double kAboveRounding = 1.0 + 1e-12;
-// Where curvature binds: how much farther the next try at a stop is, and the lowest feedrate tried.
-constexpr double kFartherStop = 1.1;
-constexpr double kMinStop = 1e-3;  // of the segment
-constexpr double kMinShare = 0.125;
-constexpr double kCloseInTurn = 1e-3;  // how close to the highest feedrate a reach comes
+// How close to the highest feedrate a reach comes where curvature binds.
+constexpr double kCloseInTurn = 1e-3;
 
 // A ramp from a known feedrate at one end of a segment towards a cap at the other; a deceleration
 // is a ramp seen from the other end. Parts at constant velocity lengthen with the feedrate at their
@@ -68,37 +65,6 @@ void lengthen(Transition& constant_velocity, double v_mm_s, double by_mm) {
   if (by_mm > 0.0) {
     constant_velocity = Transition::cruise(v_mm_s, constant_velocity.length_mm() + by_mm);
   }
-}
-
-// A ramp meets other places at each length, so the stop is sought from the shortest on, a little
-// farther each time, then the lowest feedrate at the end.
-double brake_in_turn(VelocitySegment& segment, const SegmentEnds& ends, const Profile& profile) {
-  const double v = ends.v_begin_mm_s;
-  const double least_mm =
-      v * segment.begin_constant_velocity_s + profile.length_mm({v, 0.0}, segment.limits.ramp);
-  double stop_mm = std::max(least_mm, kMinStop * segment.length_mm);
-  while (stop_mm < segment.length_mm) {
-    VelocitySegment cut = segment;
-    cut.length_mm = stop_mm;
-    cut.end = {.feedrate_mm_s = 0.0};
-    cut.fall = segment.fall.from(segment.length_mm - stop_mm);
-    cut.rise = {};
-    cut.limits.feedrate_mm_s = v;
-    cut.ends_block = false;
-    if (joins(cut, {.v_begin_mm_s = v, .v_end_mm_s = 0.0}, profile)) {
-      segment = std::move(cut);
-      return 0.0;
-    }
-    stop_mm *= kFartherStop;
-  }
-  double v_end = 0.0;
-  while (v_end < ends.v_end_mm_s) {
-    if (joins(segment, {.v_begin_mm_s = v, .v_end_mm_s = v_end}, profile)) {
-      return v_end;
-    }
-    v_end = std::max(2.0 * v_end, kMinShare * ends.v_end_mm_s);
-  }
-  return ends.v_end_mm_s;
 }
 
 Transition constant_velocity(double v_mm_s, double duration_s) {
@@ -166,36 +132,6 @@ bool joins(const VelocitySegment& segment, const SegmentEnds& ends, const Profil
                             .ramp = rises ? rise : fall,
                             .room_mm = room};
   return ramp_length_mm(request, segment, profile) <= room;
-}
-
-double brake(VelocitySegment& segment, const SegmentEnds& ends, const Profile& profile) {
-  assert(joins(segment, ends, profile));
-  if (!segment.axis_limits.empty()) {
-    return brake_in_turn(segment, ends, profile);
-  }
-  const double constant_velocity_mm = ends.v_begin_mm_s * segment.begin_constant_velocity_s;
-  const double stop_mm =
-      constant_velocity_mm + profile.length_mm({ends.v_begin_mm_s, 0.0}, segment.limits.ramp);
-  if (stop_mm <= segment.length_mm) {
-    // The fall ends before the limit curve does, so it is below it wherever the plan to the end
-    // was.
-    segment.ends_block = segment.ends_block && stop_mm == segment.length_mm;
-    segment.length_mm = stop_mm;
-    segment.end = {.feedrate_mm_s = 0.0};
-    segment.fall = {};
-    segment.rise = {};
-    segment.limits.feedrate_mm_s = ends.v_begin_mm_s;
-    return 0.0;
-  }
-  double low = 0.0;
-  double high = ends.v_end_mm_s;
-  for (int i = 0; i < 40; ++i) {
-    const double middle = 0.5 * (low + high);
-    const double reached = reach_backward_mm_s(
-        segment, {.v_end_mm_s = middle, .cap_mm_s = ends.v_begin_mm_s}, profile);
-    (reached >= ends.v_begin_mm_s ? high : low) = middle;
-  }
-  return high;
 }
 
 SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends,

@@ -77,8 +77,4 @@ SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends
 SegmentPlan slowed_plan(const VelocitySegment& segment, const SegmentEnds& ends,
                         double v_begin_mm_s, const profiles::Profile& profile);
 
-// The lowest feedrate that a segment which begins with ends.v_begin can have at its end, at the
-// most ends.v_end. Where it can stop, it is cut short there. Precondition: the ends can be joined.
-double brake(VelocitySegment& segment, const SegmentEnds& ends, const profiles::Profile& profile);
-
 }  // namespace kerf::lookahead

@@ -16,7 +16,7 @@ enum class Supply {
 };
 
 // Plans the blocks of a window that its owner holds, and removes them from the front once they have
-// been emitted. A stop can follow whatever it has emitted.
+// been emitted.
 class Schedule {
  public:
   Schedule() = default;
@@ -32,8 +32,6 @@ class Schedule {
   [[nodiscard]] virtual bool has_room() const = 0;
   // Appends motion. False: it needs more blocks first. Precondition: not empty.
   virtual bool emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) = 0;
-  // Shortens the rest of the plan to a stop as soon as the limits allow.
-  virtual void stop(const Window<Block>& blocks, const Emitter& emitter) = 0;
 };
 
 }  // namespace kerf::lookahead

@@ -26,9 +26,6 @@ class ClassicalRun {
 
   // Precondition: not empty.
   bool emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox);
-  void stop(const Window<Block>& blocks, const Emitter& emitter) {
-    schedule_.stop(blocks, emitter);
-  }
 
  private:
   [[nodiscard]] Supply supply_of(Supply supply, std::size_t blocks) const;

@@ -107,7 +107,7 @@ OptimumSchedule::Found OptimumSchedule::find_over(const Indices& waiting,
                                                   const PathAt& path) const {
   CellSequence sequence;
   if (waiting.begin == 0) {
-    sequence = plan_.rest_from(place_, plan_.cells().size());
+    sequence = plan_.rest_from(place_);
   }
   std::vector<Cell>& cells = sequence.cells;
   std::size_t count = 0;
@@ -268,41 +268,6 @@ void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox&
   }
   if (cells_left() == 0) {
     emitter.come_to_rest(outbox);
-  }
-}
-
-// The stop is sought by its distance: from what braking takes at the least, a little farther each
-// time, to the end of the plan, which is a stop.
-void OptimumSchedule::stop(const Window<Block>& blocks, const Emitter& emitter) {
-  waiting_.clear();
-  plan_ends_at_stop_ = true;
-  if (!classical_.empty()) {
-    classical_.stop(blocks, emitter);
-    return;
-  }
-  const StartState begin = plan_.state_at(place_);
-  if (begin.at_rest()) {
-    place_ = {.cell = plan_.cells().size()};
-    return;
-  }
-  const PathAt path = waiting_.path_of(blocks);
-  const Cell& first = plan_.cells()[place_.cell];
-  const double a = tangential_acceleration_mm_s2(first, first.begin, settings_.limits);
-  double distance = 0.5 * begin.v_mm_s * begin.v_mm_s / a;
-  double way = -place_.offset_mm;
-  for (std::size_t i = place_.cell; i + 1 < plan_.cells().size(); ++i) {
-    way += plan_.cells()[i].length_mm;
-    if (way < distance || i < place_.cell + 2) {
-      continue;
-    }
-    CellSequence sequence = plan_.rest_from(place_, i + 1);
-    refine_to_rest(sequence.cells, RestAt::end, path, settings_.limits);
-    if (auto found = OptimalPlan::find(std::move(sequence), path, settings_.limits)) {
-      plan_ = std::move(*found);
-      place_ = {};
-      return;
-    }
-    distance = 1.2 * way;
   }
 }
 

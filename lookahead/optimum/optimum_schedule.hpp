@@ -33,7 +33,7 @@ class OptimumSchedule final : public Schedule {
     std::size_t window_cells = 3000;
     std::size_t ready_blocks =
         500;  // ClassicalSchedule::Settings; a full window holds twice as many
-    // A cell is emitted in parts no longer than this, so that a stop need not wait for its end.
+    // A cell is emitted in parts no longer than about this.
     double longest_phase_s = 0.1;
   };
 
@@ -43,7 +43,6 @@ class OptimumSchedule final : public Schedule {
   [[nodiscard]] bool empty() const override;
   [[nodiscard]] bool has_room() const override;
   bool emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) override;
-  void stop(const Window<Block>& blocks, const Emitter& emitter) override;
 
  private:
   [[nodiscard]] std::size_t cells_left() const { return plan_.cells().size() - place_.cell; }

@@ -27,6 +27,7 @@ constexpr double kFarthest = 4.0;
 constexpr double kLeastFar_mm = 1.0;
 // A curve so many times as long as what is looked at of it.
 constexpr double kWorthCutting = 1.5;
+constexpr int kPointsOfPart = 20;  // of the S-curve
 
 double farthest_mm(const BrakingFrom& from, const PlanLimits& limits) {
   double weakest = from.blocks.front()->along.ramp.acceleration_mm_s2;
@@ -99,6 +100,9 @@ StopSearch::StopSearch(const BrakingFrom& from, const PlanLimits& limits)
     : from_(&from), limits_(&limits), waiting_(limits) {
   take_blocks();
   take_cells();
+  if (!cells_.empty()) {
+    take_s_curve();
+  }
 }
 
 void StopSearch::take_blocks() {
@@ -176,13 +180,46 @@ void StopSearch::cut_at_ends(const PathAt& path) {
   cells_ = std::move(cut);
 }
 
-double StopSearch::least_mm() const {
+// The closed form with the limits that hold where the motion is; where there is none, steady
+// braking.
+void StopSearch::take_s_curve() {
   const Cell& first = cells_.front();
+  const StartState& begin = from_->state;
   const double acceleration = tangential_acceleration_mm_s2(first, first.begin, *limits_);
   const auto stop =
-      profiles::s_curve_stop({.v_mm_s = from_->state.v_mm_s, .a_mm_s2 = from_->state.a_mm_s2},
+      profiles::s_curve_stop({.v_mm_s = begin.v_mm_s, .a_mm_s2 = begin.a_mm_s2},
                              {acceleration, tangential_jerk_mm_s3(first, first.begin, *limits_)});
-  return stop ? stop->length_mm() : 0.5 * from_->state.v_mm_s * from_->state.v_mm_s / acceleration;
+  double way_mm = 0.0;
+  s_curve_ = {{.s_mm = 0.0, .v_squared = begin.v_mm_s * begin.v_mm_s}};
+  if (!stop) {
+    s_curve_.push_back({.s_mm = 0.5 * begin.v_mm_s * begin.v_mm_s / acceleration});
+    return;
+  }
+  for (const profiles::CellLaw* law : {&stop->falling, &stop->steady, &stop->landing}) {
+    for (int i = 1; i <= kPointsOfPart && law->duration_s() > 0.0; ++i) {
+      const profiles::PathMotion motion = law->at(law->duration_s() * i / kPointsOfPart);
+      s_curve_.push_back(
+          {.s_mm = way_mm + motion.s_mm, .v_squared = motion.v_mm_s * motion.v_mm_s});
+    }
+    way_mm += law->length_mm();
+  }
+}
+
+// Drawn out to the distance it decelerates less, so it is near what can be done.
+void StopSearch::begin_with_s_curve(double distance_mm, std::vector<Cell>& cells) const {
+  double way_mm = 0.0;
+  auto after = s_curve_.begin() + 1;
+  for (Cell& cell : cells) {
+    const double s_mm =
+        (way_mm + 0.5 * cell.length_mm) * s_curve_.back().s_mm / std::max(distance_mm, way_mm);
+    while (after + 1 != s_curve_.end() && after->s_mm < s_mm) {
+      ++after;
+    }
+    const SCurvePoint& before = *(after - 1);
+    const double share = std::clamp((s_mm - before.s_mm) / (after->s_mm - before.s_mm), 0.0, 1.0);
+    cell.planned_squared = before.v_squared + share * (after->v_squared - before.v_squared);
+    way_mm += cell.length_mm;
+  }
 }
 
 std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_end) const {
@@ -200,6 +237,7 @@ std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_e
   if (sequence.cells.size() < kLeastCells) {
     return std::nullopt;
   }
+  begin_with_s_curve(distance_mm, sequence.cells);
   return OptimalPlan::find(std::move(sequence), path, *limits_);
 }
 
@@ -209,7 +247,7 @@ std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
     return std::nullopt;
   }
   double too_short_mm = 0.0;
-  double distance_mm = kFirst * least_mm();
+  double distance_mm = kFirst * s_curve_.back().s_mm;
   std::optional<OptimalPlan> best;
   bool is_end = false;
   for (const double growth : kGrowths) {

@@ -23,7 +23,8 @@ class StopSearch {
   void take_blocks();
   void take_cells();
   void cut_at_ends(const PathAt& path);
-  [[nodiscard]] double least_mm() const;
+  void take_s_curve();
+  void begin_with_s_curve(double distance_mm, std::vector<Cell>& cells) const;
   // is_end: the distance reaches to the end of what is known, and the rest is there.
   [[nodiscard]] std::optional<OptimalPlan> to_rest_at(double distance_mm, bool& is_end) const;
   [[nodiscard]] std::vector<BrakingPart> parts(const OptimalPlan& plan) const;
@@ -36,6 +37,12 @@ class StopSearch {
   double first_begin_mm_ = 0.0;
   bool last_is_cut_ = false;
   std::vector<Cell> cells_;
+  // The search begins with it.
+  struct SCurvePoint {
+    double s_mm = 0.0;  // from the begin
+    double v_squared = 0.0;
+  };
+  std::vector<SCurvePoint> s_curve_;
 };
 
 }  // namespace kerf::lookahead

@@ -96,7 +96,7 @@ TEST(LineMarks, EveryTickIsOfTheLineAtItsPlace) {
 TEST(LineMarks, AStopOnTheWayIsOfTheLineWhereItEnds) {
   for (const ProfileKind kind : kKinds) {
     const std::vector<Block> blocks = marked_blocks();
-    Planner planner({.limits = mill(), .profile = Profile{kind}});
+    Planner planner({.limits = mill(), .profile = Profile{kind}, .may_hold = true});
     for (const Block& block : blocks) {
       planner.push(Block(block));
     }
@@ -105,10 +105,9 @@ TEST(LineMarks, AStopOnTheWayIsOfTheLineWhereItEnds) {
     while (outbox.phases.empty() || outbox.phases.back().s_end_mm < 15.0) {
       ASSERT_TRUE(planner.emit(outbox));
     }
-    planner.stop();
-    while (planner.emit(outbox)) {
-    }
-    const interp::Phase& rest = outbox.phases.back();
+    Outbox stop;
+    ASSERT_TRUE(planner.stop(outbox.phases.back().begin.tick, stop));
+    const interp::Phase& rest = stop.phases.back();
     ASSERT_TRUE(rest.ends_program);
     EXPECT_EQ(rest.line, blocks[rest.curve - 1].mark_at(rest.s_begin_mm).line);
   }

@@ -69,9 +69,10 @@ TEST(Planner, KeepsTheTicksOfADwellThatLeavesInManyParts) {
   }
 }
 
-TEST(Planner, StopsOnRequestBelowThePlan) {
+// Over several short blocks the way is not much longer than one ramp.
+TEST(Planner, HoldsFromTheMotionThatItsPlanHasAtTheTick) {
   const PlanLimits limits = mill();
-  Planner planner({.limits = limits});
+  Planner planner({.limits = limits, .may_hold = true});
   for (Block& block : blocks_of(straight(40, 3.0, 100.0), limits)) {
     planner.push(std::move(block));
   }
@@ -80,22 +81,26 @@ TEST(Planner, StopsOnRequestBelowThePlan) {
   for (int i = 0; i < 15; ++i) {
     ASSERT_TRUE(planner.emit(outbox));
   }
-  const interp::Phase& last = outbox.phases.back();
-  const double v = last.law.ramp().v_end_mm_s;
-  const double s = last.path_begin_mm + last.s_end_mm;
+  const Motion before(outbox.phases, kTs);
+  Outbox hold;
+  ASSERT_TRUE(planner.hold(outbox.phases.back().begin.tick - 20, hold));
+  planner.settle(true);
+  expect_contiguous(hold.phases);
+  const Motion motion(hold.phases, kTs);
+  const double begin_s = motion.begin_s(hold.phases.front());
+  const profiles::PathMotion begin = motion.at(begin_s);
+  const profiles::PathMotion there = before.at(begin_s);
+  const double v = there.v_mm_s;
   ASSERT_GT(v, 50.0);
-  planner.stop();
-  while (planner.emit(outbox)) {
-  }
-  expect_contiguous(outbox.phases);
-  const Motion motion(outbox.phases, kTs);
+  EXPECT_NEAR(begin.s_mm, there.s_mm, 1e-9);
+  EXPECT_NEAR(begin.v_mm_s, v, 1e-9);
+  EXPECT_NEAR(begin.a_mm_s2, there.a_mm_s2, 1e-6);
   const auto end = motion.at(motion.duration_s());
-  EXPECT_EQ(end.v_mm_s, 0.0);
-  // Over several short blocks, each ending with no acceleration, takes longer than one ramp, but
-  // not much longer.
+  EXPECT_TRUE(hold.phases.back().ends_at_rest);
+  EXPECT_NEAR(end.v_mm_s, 0.0, 1e-9);
   const double ramp = v * (v / 2000.0 + 2000.0 / 5e4) / 2.0;
-  EXPECT_GT(end.s_mm - s, 0.999 * ramp);
-  EXPECT_LT(end.s_mm - s, 2.0 * ramp + 3.0);
+  EXPECT_GT(end.s_mm - begin.s_mm, 0.999 * ramp);
+  EXPECT_LT(end.s_mm - begin.s_mm, 1.1 * ramp);
 }
 
 // What the planner holds is bounded by its window, so the work for a block is, too: between two

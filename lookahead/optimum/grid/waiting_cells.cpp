@@ -131,11 +131,6 @@ void WaitingCells::close_as_cells(const BlockJunction& end, const Window<Block>&
   cells_.back().cell.rest_after |= end.junction.is_stop();
 }
 
-void WaitingCells::clear() {
-  open_.reset();
-  cells_.clear();
-}
-
 void WaitingCells::drop_blocks(std::size_t count) {
   const auto kept = std::ranges::find_if(
       cells_, [&](const WaitingCell& waiting) { return waiting.cell.block >= done_ + count; });

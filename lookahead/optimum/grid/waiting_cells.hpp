@@ -40,8 +40,6 @@ class WaitingCells {
   void close(const Window<Block>& blocks);
   // The window's first block has left.
   void block_done() { ++done_; }
-  // Nothing waits any more.
-  void clear();
   // The last block that was pushed is planned elsewhere, or the next one is.
   void drop_open() { open_.reset(); }
   void skip_next() { ++pushed_; }

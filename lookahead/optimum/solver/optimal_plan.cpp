@@ -217,9 +217,9 @@ double OptimalPlan::duration_s() const {
   return sum;
 }
 
-CellSequence OptimalPlan::rest_from(const PlanPlace& place, std::size_t end_cell) const {
+CellSequence OptimalPlan::rest_from(const PlanPlace& place) const {
   CellSequence sequence{.begin = state_at(place), .cells = {}};
-  for (std::size_t i = place.cell; i < end_cell; ++i) {
+  for (std::size_t i = place.cell; i < sequence_.cells.size(); ++i) {
     if (sequence_.cells[i].continues && i > place.cell) {
       Cell& whole = sequence.cells.back();
       whole.length_mm = sequence_.cells[i].s_end_mm() - whole.s_begin_mm;

@@ -39,8 +39,8 @@ class OptimalPlan {
   [[nodiscard]] Constraint limit_on(std::size_t cell, const PlanLimits& limits) const;
   // The first of the cells on which the feedrate only falls, down to the rest at the end.
   [[nodiscard]] std::size_t last_braking() const;
-  // The cells of the plan from a place up to a cell, to be planned anew.
-  [[nodiscard]] CellSequence rest_from(const PlanPlace& place, std::size_t end_cell) const;
+  // The cells of the plan from a place on, to be planned anew.
+  [[nodiscard]] CellSequence rest_from(const PlanPlace& place) const;
 
   // The largest figures over their limits that the check found, and how the plan was found.
   [[nodiscard]] const Excess& excess() const noexcept { return excess_; }

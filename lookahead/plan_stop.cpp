@@ -1,0 +1,84 @@
+#include "lookahead/plan_stop.hpp"
+
+#include <utility>
+
+namespace kerf::lookahead {
+
+namespace {
+
+// How long after the tick ends of phases are from which a way to rest is sought, and how far apart.
+constexpr double kToTry_s = 0.01;
+constexpr double kBetween_s = 0.005;
+// Of the present plan, where a new one may change its jerk, too.
+constexpr std::size_t kPlacesOfPlan = 50;
+
+BrakingFrom braking_from(const EmittedItems& kept, const EmittedItems::Motion& motion,
+                         const std::vector<const Block*>& ahead) {
+  EmittedItems::Blocks emitted = kept.blocks_from(motion);
+  BrakingFrom from;
+  from.blocks = std::move(emitted.blocks);
+  from.before = emitted.before;
+  from.s_mm = emitted.is_on_next ? 0.0 : motion.curve_mm;
+  from.state = {.v_mm_s = motion.v_mm_s, .a_mm_s2 = motion.a_mm_s2};
+  const std::uint64_t curve = motion.phase.curve + (emitted.is_on_next ? 1 : 0);
+  for (const auto& place : kept.places_behind(motion, kPlacesOfPlan)) {
+    if (place.curve >= curve) {
+      from.ends.push_back({.block = place.curve - curve, .s_mm = place.s_mm});
+    }
+  }
+  if (!emitted.rest_follows) {
+    from.blocks.insert(from.blocks.end(), ahead.begin(), ahead.end());
+  }
+  return from;
+}
+
+// The ends of phases come first: the plan has found the motion there feasible, and what follows.
+// Those of a classical plan are far apart, as are those of a cruise.
+std::vector<EmittedItems::Motion> motions_to_stop_from(const Emitter& emitter, std::int64_t tick,
+                                                       double period_s) {
+  const auto ticks_to_try = static_cast<std::int64_t>(kToTry_s / period_s);
+  const auto ticks_between = static_cast<std::int64_t>(kBetween_s / period_s);
+  std::vector<EmittedItems::Motion> motions;
+  for (const auto& end : emitter.kept().ends_between(tick, tick + ticks_to_try)) {
+    if (motions.empty() || end.when.tick >= motions.back().when.tick + ticks_between) {
+      motions.push_back(end);
+    }
+  }
+  if (motions.empty() || motions.front().when.tick >= tick + ticks_between) {
+    motions.insert(motions.begin(), emitter.motion_at(tick));
+  }
+  return motions;
+}
+
+double rests_at_tick(const EmittedItems::Motion& from, const std::vector<BrakingPart>& parts,
+                     double period_s) {
+  double duration_s = from.when.offset_s;
+  for (const BrakingPart& part : parts) {
+    duration_s += part.law.duration_s();
+  }
+  return static_cast<double>(from.when.tick) + duration_s / period_s;
+}
+
+}  // namespace
+
+std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<const Block*>& ahead,
+                                  std::int64_t tick, const PlanLimits& limits) {
+  const EmittedItems::Motion first = emitter.motion_at(tick);
+  if (first.at_rest()) {
+    return PlanStop{.from = first};
+  }
+  const auto rest = emitter.kept().rest_after(tick);
+  for (const EmittedItems::Motion& motion : motions_to_stop_from(emitter, tick, limits.period_s)) {
+    auto parts = shortest_stop(braking_from(emitter.kept(), motion, ahead), limits);
+    if (!parts) {
+      continue;
+    }
+    if (!rest || rests_at_tick(motion, *parts, limits.period_s) < static_cast<double>(*rest)) {
+      return PlanStop{.from = motion, .parts = std::move(*parts)};
+    }
+    break;
+  }
+  return rest ? std::optional(PlanStop{.from = emitter.motion_at(*rest)}) : std::nullopt;
+}
+
+}  // namespace kerf::lookahead

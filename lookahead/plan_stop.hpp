@@ -1,0 +1,27 @@
+// Where and how a plan that was emitted comes to rest before its end.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "lookahead/emit/emitter.hpp"
+#include "lookahead/optimum/braking.hpp"
+#include "lookahead/path/block.hpp"
+#include "lookahead/path/limits.hpp"
+
+namespace kerf::lookahead {
+
+struct PlanStop {
+  EmittedItems::Motion from{};
+  std::vector<BrakingPart> parts{};  // none: the tool is at rest then
+};
+
+// From the tick on or some ticks later, in the shortest way that is found; or at the rest of the
+// plan itself, if that is as near. ahead: the blocks, whole, behind those that were emitted, up to
+// a rest. Nothing: no way was found, and the plan was emitted to no rest. Precondition: the emitter
+// keeps what it emits, and has emitted to the tick or to a rest.
+std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<const Block*>& ahead,
+                                  std::int64_t tick, const PlanLimits& limits);
+
+}  // namespace kerf::lookahead
