@@ -1,6 +1,7 @@
 #include "bench/curve_run.hpp"
 
 #include <chrono>
+#include <memory>
 #include <stdexcept>
 #include <variant>
 
@@ -57,7 +58,8 @@ CurveRun from_rest(const Block& block, const lookahead::PlanLimits& limits,
   while (planner.emit(outbox)) {
   }
   const std::chrono::duration<double> planning = Clock::now() - began;
-  interp::MotionQueue queue;
+  const auto ring = std::make_unique<interp::MotionQueue>();
+  interp::MotionQueue& queue = *ring;
   const curves::Position start = curves::derivatives_at(block.curve, 0.0).position_mm;
   interp::Interpolator interpolator(queue, limits.period_s, start);
   TickJudge judge({.limits = limits});
@@ -71,6 +73,7 @@ CurveRun from_rest(const Block& block, const lookahead::PlanLimits& limits,
     while (phases < outbox.phases.size() && queue.push(outbox.phases[phases])) {
       ++phases;
     }
+    queue.commit();
     Setpoint setpoint;
     status = interpolator.next(setpoint);
     judge.add(setpoint, interpolator.chord_error_mm());

@@ -36,26 +36,71 @@ double Interpolator::time_into_s(const Phase& phase) const noexcept {
 }
 
 void Interpolator::take_over() noexcept {
-  const Takeover* next = queue_->next_takeover();
-  if (next == nullptr || next->tick > plan_tick()) {
+  for (std::size_t i = 0; i < MotionQueue::kTakeovers; ++i) {
+    const Takeover* next = queue_->next_takeover();
+    if (next == nullptr || (next->from == plan_ && next->tick > plan_tick())) {
+      break;
+    }
+    const std::uint32_t plan = next->plan;
+    const bool takes = may_take(*next);
+    queue_->pop_takeover();
+    if (takes) {
+      begin_plan(plan);
+    }
+    answer_.store(std::uint64_t{plan} << 32U | plan_, std::memory_order_release);
+  }
+  take_stop();
+  drop_stale_phases();
+}
+
+bool Interpolator::may_take(const Takeover& next) const noexcept {
+  return next.from == plan_ && next.tick == plan_tick() && queue_->is_committed(next.phases_end);
+}
+
+void Interpolator::begin_plan(std::uint32_t plan) noexcept {
+  plan_ = plan;
+  stop_next_ = stop_.count;
+}
+
+void Interpolator::take_stop() noexcept {
+  const StopAhead* stop = queue_->take_stop(plan_, plan_tick());
+  if (stop == nullptr) {
     return;
   }
-  const std::uint32_t plan = next->plan;
-  if (next->tick == plan_tick()) {
-    plan_ = plan;
-    for (std::size_t i = 0;
-         i < MotionQueue::kPhases && queue_->next_phase() != nullptr && next_phase() == nullptr;
-         ++i) {
-      queue_->pop_phase();
+  stop_.count = stop->count;
+  std::copy_n(stop->phases.begin(), stop->count, stop_.phases.begin());
+  plan_ = stop->plan;
+  stop_next_ = 0;
+  answer_.store(std::uint64_t{plan_} << 32U | plan_, std::memory_order_release);
+}
+
+// A plan that is still to take over is next in its queue before its phases are committed.
+void Interpolator::drop_stale_phases() noexcept {
+  for (std::size_t i = 0; i < MotionQueue::kPhases; ++i) {
+    const Phase* next = queue_->next_phase();
+    const Takeover* takeover = queue_->next_takeover();
+    if (next == nullptr || next->plan == plan_ ||
+        (takeover != nullptr && takeover->plan == next->plan)) {
+      break;
     }
+    queue_->pop_phase();
   }
-  queue_->pop_takeover();
-  answer_.store(std::uint64_t{plan} << 32U | plan_, std::memory_order_release);
 }
 
 const Phase* Interpolator::next_phase() const noexcept {
+  if (stop_next_ < stop_.count) {
+    return &stop_.phases[stop_next_];
+  }
   const Phase* next = queue_->next_phase();
   return next != nullptr && next->plan == plan_ ? next : nullptr;
+}
+
+void Interpolator::pop_phase() noexcept {
+  if (stop_next_ < stop_.count) {
+    ++stop_next_;
+  } else {
+    queue_->pop_phase();
+  }
 }
 
 bool Interpolator::advance_phase() noexcept {
@@ -66,7 +111,7 @@ bool Interpolator::advance_phase() noexcept {
     }
     phase_ = *next;
     has_phase_ = true;
-    queue_->pop_phase();
+    pop_phase();
     advance_outputs();
   }
   return has_phase_;

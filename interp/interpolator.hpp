@@ -35,7 +35,7 @@ class Interpolator {
   // How the tick side took the latest plan that was to take over. May be read by the planning
   // thread.
   struct Answer {
-    std::uint32_t plan = 0;      // the latest that was accepted or refused
+    std::uint32_t plan = 0;      // the latest that was accepted or refused, or a stop ahead
     std::uint32_t in_force = 0;  // the latest that was accepted
   };
   [[nodiscard]] Answer answer() const noexcept {
@@ -59,10 +59,17 @@ class Interpolator {
   // Keeps where the chord to the next tick begins; once a tick.
   void begin_tick() noexcept;
   // At its tick a new plan replaces the present one. One that comes later than that is refused: the
-  // tool is somewhere else by then.
+  // tool is somewhere else by then; so is one that would replace another plan.
   void take_over() noexcept;
+  [[nodiscard]] bool may_take(const Takeover& next) const noexcept;
+  // Takes the stop ahead where this is its tick.
+  void take_stop() noexcept;
+  void begin_plan(std::uint32_t plan) noexcept;
+  // Phases of plans that were superseded or never taken.
+  void drop_stale_phases() noexcept;
   // The next phase of the plan in force; null: there is none.
   [[nodiscard]] const Phase* next_phase() const noexcept;
+  void pop_phase() noexcept;
   // The phase that holds the present tick. False: there was none yet.
   bool advance_phase() noexcept;
   // Applies the output changes that are in force from the begin of the present phase on.
@@ -79,6 +86,8 @@ class Interpolator {
   std::atomic<std::int64_t> plan_tick_ = 0;
   std::atomic<std::uint64_t> answer_ = 0;  // Answer: plan, in_force
   std::uint32_t plan_ = 0;                 // in force
+  StopAhead stop_{};                       // the latest that was taken
+  std::size_t stop_next_ = 0;              // its next phase; the count: it has begun the last one
   std::uint64_t output_changes_ = 0;       // so many were applied
   bool has_phase_ = false;
   bool tick_begun_ = false;

@@ -7,6 +7,8 @@
 // another plan. Lines and outputs therefore change by place, not by time.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <type_traits>
 
@@ -62,8 +64,21 @@ struct Phase {
 // The phases of a new plan replace what is left of the one before. Where they begin, both have the
 // tool at the same place, with the same feedrate and acceleration.
 struct Takeover {
+  std::uint32_t from = 0;  // the plan that it replaces
   std::uint32_t plan = 0;
-  std::int64_t tick = 0;  // the first at or behind their begin
+  std::int64_t tick = 0;         // the first at or behind their begin
+  std::uint32_t phases_end = 0;  // MotionQueue::phases_pushed() behind its phases to the rest
+};
+
+// A way to rest for a tick by which nothing else has come: the planning thread is late.
+struct StopAhead {
+  static constexpr std::size_t kPhases = 512;
+
+  std::uint32_t from = 0;
+  std::uint32_t plan = 0;
+  std::int64_t tick = 0;  // the first at or behind its begin
+  std::size_t count = 0;
+  std::array<Phase, kPhases> phases{};
 };
 
 static_assert(std::is_trivially_copyable_v<CurvePiece>);

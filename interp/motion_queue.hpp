@@ -1,7 +1,10 @@
 // The real-time line: planned motion waits here until the tick reaches it.
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 
 #include <boost/lockfree/spsc_queue.hpp>
 
@@ -11,9 +14,13 @@
 namespace kerf::interp {
 
 // Wait-free rings of fixed size, for one producing and one consuming thread. Push a phase after the
-// piece that it begins on and after the line changes up to there. The queued motion need not end at
-// rest: the planner holds the rest of the path to a stop, and must push it before the tick has used
-// up the queue. Phases of a plan that takes over stand behind those that they replace.
+// piece that it begins on and after the line changes up to there; it counts once it is committed.
+// Phases of a plan that takes over stand behind those that they replace.
+//
+// The queued motion need not end at rest. A way to rest may be committed with it, and the consumer
+// takes it at its tick if no other commit has come by then. One word decides: the producer's
+// commit and the consumer's take exchange it, and whichever comes second fails. What was pushed by
+// a producer that lost is passed over.
 class MotionQueue {
  public:
   static constexpr std::size_t kPieces = 1024;
@@ -23,20 +30,48 @@ class MotionQueue {
   static constexpr std::size_t kTakeovers = 4;
 
   bool push(const CurvePiece& piece) { return pieces_.push(piece); }
-  bool push(const Phase& phase) { return phases_.push(phase); }
+  bool push(const Phase& phase) {
+    const bool pushed = phases_.push(phase);
+    phases_pushed_ += pushed ? 1 : 0;
+    return pushed;
+  }
   // In program order, each before the first phase that counts it.
   bool push(const OutputChange& change) { return output_changes_.push(change); }
   // In the order of their places.
   bool push(const LineChange& change) { return line_changes_.push(change); }
-  // After all phases of its plan that lead to a rest.
+  // After all phases of its plan that lead to a rest, and before they are committed.
   bool push(const Takeover& takeover) { return takeovers_.push(takeover); }
+
+  // Where a stop ahead that is to be committed is written.
+  [[nodiscard]] StopAhead& spare_stop() { return stops_[1 - slot_]; }
+  // All phases that were pushed, with the stop ahead as it is, with the one that was written, or
+  // without. False: the consumer has taken the stop ahead.
+  enum class Ahead : std::uint8_t { same, written, none };
+  bool commit(Ahead ahead = Ahead::same);
+  [[nodiscard]] bool stop_taken() const {
+    return (word_.load(std::memory_order_relaxed) & kTaken) != 0;
+  }
+  // The stop ahead that was taken has been read: commits are possible again.
+  void release_stop() { word_.store(word_.load(std::memory_order_relaxed) & ~(kTaken | kHasStop)); }
+  // How many, ever.
+  [[nodiscard]] std::uint32_t phases_pushed() const { return phases_pushed_; }
+
+  // The consumer's: whether so many phases are committed.
+  [[nodiscard]] bool is_committed(std::uint32_t phases) const noexcept {
+    const auto committed = static_cast<std::uint32_t>(word_.load(std::memory_order_acquire));
+    return static_cast<std::int32_t>(committed - phases) >= 0;
+  }
+  // The stop ahead of that plan at that tick, taken; null: there is none. It is good until
+  // release_stop().
+  [[nodiscard]] const StopAhead* take_stop(std::uint32_t from, std::int64_t tick) noexcept;
 
   // The next value without taking it; null where there is none.
   [[nodiscard]] const CurvePiece* next_piece() noexcept {
     return pieces_.read_available() > 0 ? &pieces_.front() : nullptr;
   }
   [[nodiscard]] const Phase* next_phase() noexcept {
-    return phases_.read_available() > 0 ? &phases_.front() : nullptr;
+    const auto committed = static_cast<std::uint32_t>(word_.load(std::memory_order_acquire));
+    return committed != phases_popped_ ? &phases_.front() : nullptr;
   }
   [[nodiscard]] const OutputChange* next_output_change() noexcept {
     return output_changes_.read_available() > 0 ? &output_changes_.front() : nullptr;
@@ -48,7 +83,10 @@ class MotionQueue {
     return takeovers_.read_available() > 0 ? &takeovers_.front() : nullptr;
   }
   void pop_piece() noexcept { pieces_.pop(); }
-  void pop_phase() noexcept { phases_.pop(); }
+  void pop_phase() noexcept {
+    phases_.pop();
+    ++phases_popped_;
+  }
   void pop_output_change() noexcept { output_changes_.pop(); }
   void pop_line_change() noexcept { line_changes_.pop(); }
   void pop_takeover() noexcept { takeovers_.pop(); }
@@ -62,6 +100,24 @@ class MotionQueue {
       output_changes_;
   boost::lockfree::spsc_queue<LineChange, boost::lockfree::capacity<kLineChanges>> line_changes_;
   boost::lockfree::spsc_queue<Takeover, boost::lockfree::capacity<kTakeovers>> takeovers_;
+
+  // The word: how many phases are committed, which stop is ahead, and a number of its own for each
+  // commit, so that no two are the same.
+  static constexpr std::uint64_t kTaken = 1ULL << 32U;
+  static constexpr std::uint64_t kHasStop = 1ULL << 33U;
+  static constexpr unsigned kSlotBit = 34;
+  static constexpr unsigned kNumberBit = 35;
+  std::atomic<std::uint64_t> word_ = 0;
+  std::uint32_t phases_pushed_ = 0;
+  std::uint32_t phases_popped_ = 0;
+  // Of the stops: written one by one before the commit, read before the take.
+  struct StopKey {
+    std::atomic<std::uint32_t> from = 0;
+    std::atomic<std::int64_t> tick = 0;
+  };
+  std::array<StopKey, 2> keys_{};
+  std::array<StopAhead, 2> stops_{};
+  unsigned slot_ = 0;  // of the latest that was committed
 };
 
 }  // namespace kerf::interp

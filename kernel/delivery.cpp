@@ -19,6 +19,15 @@ std::size_t forget_front(std::vector<T>& values, std::size_t of_ring, std::size_
   return std::exchange(sent, 0);
 }
 
+template <typename T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+std::int64_t first_tick(const interp::TickTime& begin) {
+  return begin.tick + (begin.offset_s > 0.0 ? 1 : 0);
+}
+
 }  // namespace
 
 void Delivery::send_path() {
@@ -50,16 +59,18 @@ bool Delivery::deliver(std::int64_t horizon) {
     frozen_until_tick_ = phase.begin.tick;
     ++phases_sent_;
   }
-  if (takeover_ && phases_sent_ == outbox_.phases.size() && queue_->push(*takeover_)) {
-    takeover_.reset();
+  if (takeover_ && phases_sent_ == outbox_.phases.size()) {
+    takeover_->phases_end = queue_->phases_pushed();
+    if (queue_->push(*takeover_)) {
+      takeover_.reset();
+    }
   }
   forget_sent();
   return outbox_.phases.empty();
 }
 
-void Delivery::take_over(lookahead::Outbox&& plan) {
+void Delivery::take_over(lookahead::Outbox&& plan, std::uint32_t from) {
   const interp::TickTime begin = plan.phases.front().begin;
-  const std::int64_t tick = begin.tick + (begin.offset_s > 0.0 ? 1 : 0);
   const auto later = std::ranges::find_if(
       outbox_.phases.begin() + static_cast<std::ptrdiff_t>(phases_sent_), outbox_.phases.end(),
       [&begin](const interp::Phase& phase) {
@@ -67,13 +78,41 @@ void Delivery::take_over(lookahead::Outbox&& plan) {
                (phase.begin.tick == begin.tick && phase.begin.offset_s >= begin.offset_s);
       });
   outbox_.phases.erase(later, outbox_.phases.end());
-  const auto append = [](auto& to, auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  append_path(plan);
+  append(outbox_.phases, plan.phases);
+  takeover_ = {.from = from, .plan = plan.phases.front().plan, .tick = first_tick(begin)};
+  deliver(std::numeric_limits<std::int64_t>::max());
+}
+
+void Delivery::append_path(const lookahead::Outbox& plan) {
   append(outbox_.pieces, plan.pieces);
   append(outbox_.line_changes, plan.line_changes);
   append(outbox_.output_changes, plan.output_changes);
-  append(outbox_.phases, plan.phases);
-  takeover_ = {.plan = plan.phases.front().plan, .tick = tick};
-  deliver(std::numeric_limits<std::int64_t>::max());
+}
+
+bool Delivery::commit(const lookahead::Planner::StopAhead& ahead, std::uint32_t from) {
+  const std::vector<interp::Phase>& phases = ahead.outbox.phases;
+  append_path(ahead.outbox);
+  send_path();
+  if (phases.size() > interp::StopAhead::kPhases ||
+      !reaches(phases.back().curve, phases.back().s_end_mm) ||
+      output_changes_gone_ + output_changes_sent_ < phases.back().output_changes) {
+    return commit();
+  }
+  interp::StopAhead& stop = queue_->spare_stop();
+  stop.from = from;
+  stop.plan = ahead.plan;
+  stop.tick = first_tick(phases.front().begin);
+  stop.count = phases.size();
+  std::ranges::copy(phases, stop.phases.begin());
+  return queue_->commit(interp::MotionQueue::Ahead::written);
+}
+
+void Delivery::follow_stop() {
+  outbox_.phases.clear();
+  phases_sent_ = 0;
+  takeover_.reset();
+  queue_->release_stop();
 }
 
 // Where a phase waits for more changes than the ring holds, those that are in it go ahead: a rest
@@ -107,11 +146,13 @@ void Delivery::forget_sent() {
 }
 
 bool Delivery::may_follow(const interp::Phase& phase) const {
-  if (output_changes_gone_ + output_changes_sent_ < phase.output_changes) {
-    return false;
-  }
-  const auto begins_before = [&phase](std::uint64_t curve, double s_mm) {
-    return phase.curve < curve || (phase.curve == curve && phase.s_begin_mm < s_mm);
+  return output_changes_gone_ + output_changes_sent_ >= phase.output_changes &&
+         reaches(phase.curve, phase.s_begin_mm);
+}
+
+bool Delivery::reaches(std::uint64_t on_curve, double at_mm) const {
+  const auto begins_before = [on_curve, at_mm](std::uint64_t curve, double s_mm) {
+    return on_curve < curve || (on_curve == curve && at_mm < s_mm);
   };
   if (line_changes_sent_ < outbox_.line_changes.size()) {
     const interp::LineChange& waiting = outbox_.line_changes[line_changes_sent_];

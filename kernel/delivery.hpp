@@ -23,15 +23,26 @@ class Delivery {
   // phases need may remain.
   bool deliver(std::int64_t horizon);
 
-  // A new plan, whole to its rest, takes over where it begins, on a tick; phases that wait and
+  // A new plan, whole to its rest, takes over from that one where it begins; phases that wait and
   // begin later than that are dropped. The path in the outbox stays.
-  void take_over(lookahead::Outbox&& plan);
+  void take_over(lookahead::Outbox&& plan, std::uint32_t from);
+
+  // The tick side gets what was moved. False: it has taken the stop ahead, and goes no farther.
+  bool commit() { return queue_->commit(interp::MotionQueue::Ahead::none); }
+  // The same, with a way to rest for the tick by which nothing else has come. That goes without
+  // where it does not fit.
+  bool commit(const lookahead::Planner::StopAhead& ahead, std::uint32_t from);
+  // The tick side follows its stop ahead; what waits is superseded.
+  void follow_stop();
 
   // The tick at which the last delivered phase begins.
   [[nodiscard]] std::int64_t frozen_until_tick() const noexcept { return frozen_until_tick_; }
 
  private:
   [[nodiscard]] bool may_follow(const interp::Phase& phase) const;
+  // The path up to there is in the queue.
+  [[nodiscard]] bool reaches(std::uint64_t curve, double s_mm) const;
+  void append_path(const lookahead::Outbox& plan);
   void send_path();
   void send_changes_before(const interp::Phase& phase);
   void forget_sent();

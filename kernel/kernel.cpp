@@ -30,35 +30,26 @@ class Kernel::Impl {
                 .has_extra_axes = settings.program.extra_axes != 0}),
         horizon_ticks_(
             static_cast<std::int64_t>(std::ceil(options.horizon_s / settings.limits.period_s))),
-        margin_ticks_(static_cast<std::int64_t>(std::ceil(kMargin_s / settings.limits.period_s))) {}
+        margin_ticks_(static_cast<std::int64_t>(std::ceil(kMargin_s / settings.limits.period_s))),
+        keeps_stop_(!options.one_thread) {}
 
   void feed(std::string_view text) { pipeline_.feed(text); }
   void finish() { pipeline_.finish(); }
   void refuse(Diagnostic fault) { pipeline_.refuse(std::move(fault)); }
 
   bool plan() {
-    pipeline_.forget_before(interpolator_.plan_tick());
-    follow_holds();
-    while (!broken_ && delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
-      const bool was_finished = pipeline_.is_finished();
-      switch (pipeline_.step(delivery_.outbox())) {
-        case Pipeline::Step::planned:
-          fail_with_check();
-          break;
-        case Pipeline::Step::took:
-          if (pipeline_.is_finished() && !was_finished) {
-            end_ = pipeline_.path().programmed_end();
-            wrong_ = pipeline_.path().has_errors();
-          }
-          break;
-        case Pipeline::Step::wants_text:
-          return true;
-        case Pipeline::Step::ended:
-        case Pipeline::Step::held:
-          return false;
-      }
+    const std::int64_t now = interpolator_.plan_tick();
+    if (!follow_stop_ahead()) {
+      return false;
     }
-    return false;
+    pipeline_.forget_before(now);
+    follow_holds();
+    if (keeps_stop_ && !runs_low()) {
+      return false;
+    }
+    const bool wants_text = fill_queue();
+    hand_over();
+    return wants_text;
   }
 
   TickStatus tick(Setpoint& setpoint) noexcept {
@@ -85,6 +76,7 @@ class Kernel::Impl {
   }
 
   TickStatus next(Setpoint& setpoint) {
+    keeps_stop_ = false;
     const bool is_asked = wants_hold_ || wants_resume_ || takeover_;
     if ((is_asked || runs_low()) && plan() && runs_low()) {
       plan_to_rest();
@@ -100,7 +92,7 @@ class Kernel::Impl {
   }
 
   [[nodiscard]] bool runs_low() const noexcept {
-    return delivery_.frozen_until_tick() - interpolator_.plan_tick() <= horizon_ticks_ / 2;
+    return committed_until_tick_ - interpolator_.plan_tick() <= horizon_ticks_ / 2;
   }
 
   void plan_to_rest() {
@@ -150,6 +142,102 @@ class Kernel::Impl {
  private:
   // A plan that takes over does so so long after it is asked for.
   static constexpr double kMargin_s = 0.01;
+  // Of the horizon: less than this is not worth a stop ahead of its own while there is as much.
+  static constexpr std::int64_t kPartsOfHorizon = 8;
+
+  // True: more text is needed.
+  bool fill_queue() {
+    while (!broken_ && delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
+      const bool was_finished = pipeline_.is_finished();
+      switch (pipeline_.step(delivery_.outbox())) {
+        case Pipeline::Step::planned:
+          fail_with_check();
+          break;
+        case Pipeline::Step::took:
+          if (pipeline_.is_finished() && !was_finished) {
+            end_ = pipeline_.path().programmed_end();
+            wrong_ = pipeline_.path().has_errors();
+          }
+          break;
+        case Pipeline::Step::wants_text:
+          return true;
+        case Pipeline::Step::ended:
+        case Pipeline::Step::held:
+          return false;
+      }
+    }
+    return false;
+  }
+
+  // What is in the queue, to the tick side.
+  void hand_over() {
+    const std::int64_t until = delivery_.frozen_until_tick();
+    if (!keeps_stop_ || pipeline_.is_held() ||
+        (delivery_.outbox().phases.empty() && pipeline_.ends_at_rest())) {
+      commit();
+      return;
+    }
+    const std::int64_t now = interpolator_.plan_tick();
+    const std::int64_t part = horizon_ticks_ / kPartsOfHorizon;
+    const bool is_urgent = committed_until_tick_ - now <= part;
+    if (until - committed_until_tick_ < part && !is_urgent) {
+      return;
+    }
+    // Near the end of what is in the queue, or before it where there is no way to rest from there.
+    const std::int64_t earliest = std::max(committed_until_tick_ + 1, now + 1);
+    for (std::int64_t tick = until - margin_ticks_, step = margin_ticks_;; tick -= step *= 2) {
+      if (commit_with_stop(std::max(tick, earliest))) {
+        return;
+      }
+      if (tick <= earliest) {
+        break;
+      }
+    }
+    if (is_urgent) {
+      commit();
+    }
+  }
+
+  // False: there is no way to rest from the tick on.
+  bool commit_with_stop(std::int64_t tick) {
+    auto ahead = pipeline_.stop_ahead(tick);
+    if (!ahead) {
+      return false;
+    }
+    const std::int64_t until = ahead->stop.from.when.tick;
+    delivery_.deliver(until);
+    if (delivery_.commit(*ahead, pipeline_.plan())) {
+      committed_until_tick_ = until;
+      stop_ahead_ = std::move(ahead);
+    }
+    return true;
+  }
+
+  void commit() {
+    if (delivery_.commit()) {
+      committed_until_tick_ = delivery_.frozen_until_tick();
+    }
+  }
+
+  // Where the tick side has taken the stop ahead, the plan goes on from its rest. False: it is just
+  // taking it.
+  bool follow_stop_ahead() {
+    if (!queue_.stop_taken()) {
+      return true;
+    }
+    if (interpolator_.answer().in_force != stop_ahead_->plan) {
+      return false;
+    }
+    if (takeover_) {  // from the plan before: it is refused
+      pipeline_.settle(false);
+      takeover_.reset();
+      wants_hold_ = true;
+    }
+    pipeline_.follow_stop_ahead(*stop_ahead_);
+    delivery_.follow_stop();
+    committed_until_tick_ = interpolator_.plan_tick();
+    return true;
+  }
 
   // What was asked for and could not be done yet: the tick side has not answered, or no way to rest
   // was found.
@@ -179,6 +267,7 @@ class Kernel::Impl {
     const std::int64_t now = interpolator_.plan_tick();
     const std::int64_t last = std::max(pipeline_.emitted_until_tick(), now);
     lookahead::Outbox plan;
+    const std::uint32_t from = pipeline_.plan();
     const std::int64_t tick = std::min(now + margin_ticks_, last);
     if (!(stops_ ? pipeline_.stop(tick, plan) : pipeline_.hold(tick, plan))) {
       return false;
@@ -186,7 +275,8 @@ class Kernel::Impl {
     if (!plan.phases.empty()) {
       judges_end_ = !stops_;
       takeover_ = plan.phases.front().plan;
-      delivery_.take_over(std::move(plan));
+      delivery_.take_over(std::move(plan), from);
+      queue_.commit();
       fail_with_check();
     }
     return true;
@@ -204,6 +294,9 @@ class Kernel::Impl {
   std::atomic<bool> broken_ = false;     // nothing more is planned
   std::int64_t horizon_ticks_;
   std::int64_t margin_ticks_;
+  bool keeps_stop_;
+  std::int64_t committed_until_tick_ = 0;
+  std::optional<lookahead::Planner::StopAhead> stop_ahead_{};  // the latest that was committed
   bool wants_hold_ = false;
   bool wants_resume_ = false;
   bool stops_ = false;                       // each hold is a stop

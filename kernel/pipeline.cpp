@@ -87,6 +87,10 @@ bool Pipeline::stop(std::int64_t tick, lookahead::Outbox& outbox) {
   return took_over(true, outbox);
 }
 
+void Pipeline::follow_stop_ahead(const lookahead::Planner::StopAhead& taken) {
+  took_over(true, planner_.follow_stop_ahead(taken));
+}
+
 void Pipeline::stop_held() {
   finished_ = true;
   check_.stop();

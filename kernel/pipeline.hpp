@@ -49,6 +49,15 @@ class Pipeline {
   bool hold(std::int64_t tick, lookahead::Outbox& outbox);
   void settle(bool accepted) { planner_.settle(accepted); }
   void resume() { planner_.resume(); }
+  // Planner::stop_ahead.
+  std::optional<lookahead::Planner::StopAhead> stop_ahead(std::int64_t tick) {
+    return planner_.stop_ahead(tick);
+  }
+  void follow_stop_ahead(const lookahead::Planner::StopAhead& taken);
+  // What was emitted ends at rest.
+  [[nodiscard]] bool ends_at_rest() const { return planner_.ends_at_rest(); }
+  // Of what is being emitted.
+  [[nodiscard]] std::uint32_t plan() const noexcept { return planner_.plan(); }
   // Planner::stop; the rest of the program is dropped.
   bool stop(std::int64_t tick, lookahead::Outbox& outbox);
   void stop_held();

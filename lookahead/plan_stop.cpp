@@ -62,14 +62,15 @@ double rests_at_tick(const EmittedItems::Motion& from, const std::vector<Braking
 }  // namespace
 
 std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<const Block*>& ahead,
-                                  std::int64_t tick, const PlanLimits& limits) {
+                                  const StopOrder& order, const PlanLimits& limits) {
+  const std::int64_t tick = order.tick;
   const EmittedItems::Motion first = emitter.motion_at(tick);
   if (first.at_rest()) {
     return PlanStop{.from = first};
   }
   const auto rest = emitter.kept().rest_after(tick);
   for (const EmittedItems::Motion& motion : motions_to_stop_from(emitter, tick, limits.period_s)) {
-    auto parts = shortest_stop(braking_from(emitter.kept(), motion, ahead), limits);
+    auto parts = find_braking(braking_from(emitter.kept(), motion, ahead), limits, order.effort);
     if (!parts) {
       continue;
     }

@@ -17,11 +17,15 @@ struct PlanStop {
   std::vector<BrakingPart> parts{};  // none: the tool is at rest then
 };
 
-// From the tick on or some ticks later, in the shortest way that is found; or at the rest of the
-// plan itself, if that is as near. ahead: the blocks, whole, behind those that were emitted, up to
-// a rest. Nothing: no way was found, and the plan was emitted to no rest. Precondition: the emitter
-// keeps what it emits, and has emitted to the tick or to a rest.
+// From the tick on or some ticks later; or at the rest of the plan itself, if that is as near.
+// ahead: the blocks, whole, behind those that were emitted, up to a rest. Nothing: no way was
+// found, and the plan was emitted to no rest. Precondition: the emitter keeps what it emits, and
+// has emitted to the tick or to a rest.
+struct StopOrder {
+  std::int64_t tick = 0;
+  StopEffort effort = StopEffort::shortest;
+};
 std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<const Block*>& ahead,
-                                  std::int64_t tick, const PlanLimits& limits);
+                                  const StopOrder& order, const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

@@ -50,6 +50,28 @@ double rest_part_s(const PlannerSettings& settings) {
   return std::max(std::floor(settings.longest_phase_s / period), 1.0) * period;
 }
 
+// ahead: the items behind those that are emitted; those that end on the way go. No parts: it is at
+// rest already.
+void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, Emitter& emitter,
+               Outbox& outbox) {
+  for (const BrakingPart& part : parts) {
+    Block& block = std::get<Block>(ahead.front());
+    emitter.emit(block, part.law, part.s_end_mm, outbox);
+    outbox.phases.back().active_constraint = interp::active_constraint(part.limit);
+    if (part.ends_block) {
+      emitter.end_block(std::move(block));
+      ahead.pop_front();
+    } else {
+      emitter.end_segment(block, part.s_end_mm);
+    }
+  }
+  if (parts.empty()) {
+    emitter.emit_rest_here(outbox);
+  } else {
+    emitter.come_to_rest(outbox);
+  }
+}
+
 }  // namespace
 
 Planner::Planner(const PlannerSettings& settings)
@@ -164,7 +186,7 @@ std::vector<const Block*> Planner::blocks_ahead() const {
 
 bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   assert(settings_.may_hold && !held_ && outbox.phases.empty());
-  const auto stop = find_stop(emitter_, blocks_ahead(), tick, settings_.limits);
+  const auto stop = find_stop(emitter_, blocks_ahead(), {.tick = tick}, settings_.limits);
   if (!stop) {
     return false;
   }
@@ -175,9 +197,45 @@ bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   held_ = true;
   before_hold_.emplace(Before{emitter_, waiting_});
   emitter_.take_back(stop->from, waiting_);
-  emit_stop(stop->parts, outbox);
+  emit_stop(stop->parts, waiting_, emitter_, outbox);
+  outbox.phases.back().holds = true;
   emitter_.keep(outbox, 0);
   return true;
+}
+
+std::optional<Planner::StopAhead> Planner::stop_ahead(std::int64_t tick) {
+  assert(settings_.may_hold && !held_);
+  const std::vector<const Block*> blocks = blocks_ahead();
+  auto stop =
+      find_stop(emitter_, blocks, {.tick = tick, .effort = StopEffort::any}, settings_.limits);
+  if (!stop) {
+    return std::nullopt;
+  }
+  StopAhead ahead{.stop = std::move(*stop)};
+  const std::vector<BrakingPart>& parts = ahead.stop.parts;
+  const std::size_t needed = parts.empty() ? 1 : parts.back().block + 1;
+  std::deque<Item> items;
+  for (std::size_t i = 0; i < std::min(needed, blocks.size()); ++i) {
+    items.emplace_back(*blocks[i]);
+  }
+  Emitter emitter = emitter_;
+  emitter.take_back(ahead.stop.from, items);
+  emit_stop(parts, items, emitter, ahead.outbox);
+  ahead.plan = emitter.plan();
+  emitter_.note_sent_by(emitter);
+  return ahead;
+}
+
+Outbox Planner::follow_stop_ahead(const StopAhead& taken) {
+  empty_window();
+  emitter_.take_back(taken.stop.from, waiting_);
+  emitter_.repeat_plan(taken.plan);
+  Outbox outbox;
+  emit_stop(taken.stop.parts, waiting_, emitter_, outbox);
+  emitter_.keep(outbox, 0);
+  held_ = true;
+  resume();
+  return outbox;
 }
 
 bool Planner::stop(std::int64_t tick, Outbox& outbox) {
@@ -215,26 +273,6 @@ void Planner::empty_window() {
   schedule_ = schedule_for(settings_);
   rest_ = {};
   rest_pending_ = to_rest_ = false;
-}
-
-void Planner::emit_stop(const std::vector<BrakingPart>& parts, Outbox& outbox) {
-  for (const BrakingPart& part : parts) {
-    Block& block = std::get<Block>(waiting_.front());
-    emitter_.emit(block, part.law, part.s_end_mm, outbox);
-    outbox.phases.back().active_constraint = interp::active_constraint(part.limit);
-    if (part.ends_block) {
-      emitter_.end_block(std::move(block));
-      waiting_.pop_front();
-    } else {
-      emitter_.end_segment(block, part.s_end_mm);
-    }
-  }
-  if (parts.empty()) {
-    emitter_.emit_hold(outbox);
-  } else {
-    emitter_.come_to_rest(outbox);
-    outbox.phases.back().holds = true;
-  }
 }
 
 void Planner::settle(bool accepted) {

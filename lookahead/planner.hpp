@@ -66,6 +66,18 @@ class Planner {
   void settle(bool accepted);
   // Goes on from the rest of a hold, on the same path. Precondition: settle().
   void resume();
+  // A way to rest that the tick side may take at a tick, at this one or some later, if nothing else
+  // was handed over by then.
+  struct StopAhead {
+    PlanStop stop{};
+    std::uint32_t plan = 0;  // its number
+    Outbox outbox{};
+  };
+  // Nothing: none was found, as in find_stop(). Precondition: as hold().
+  std::optional<StopAhead> stop_ahead(std::int64_t tick);
+  // The tick side has taken it: the plan goes on from its rest. Its phases, for the record.
+  // Precondition: settle().
+  Outbox follow_stop_ahead(const StopAhead& taken);
   // As hold(), but the program ends at that rest.
   bool stop(std::int64_t tick, Outbox& outbox);
   // Ends the program where it is held. Precondition: is_held(), settle().
@@ -73,6 +85,10 @@ class Planner {
   [[nodiscard]] bool is_held() const noexcept { return held_; }
   // Where the plan emitted so far ends; time goes on from there.
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept { return emitter_.now().tick; }
+  // What was emitted ends at rest.
+  [[nodiscard]] bool ends_at_rest() const { return emitter_.ends_at_rest(); }
+  // The number of the plan that is being emitted.
+  [[nodiscard]] std::uint32_t plan() const noexcept { return emitter_.plan(); }
   // The ticks before this one have been run.
   void forget_before(std::int64_t tick) { emitter_.forget_before(tick); }
   // The first curve that may be taken back; curves are counted from 1.
@@ -92,7 +108,6 @@ class Planner {
   void end_with(const Rest& rest);
   // Up to a rest. Whole.
   [[nodiscard]] std::vector<const Block*> blocks_ahead() const;
-  void emit_stop(const std::vector<BrakingPart>& parts, Outbox& outbox);
   // All that is in the window waits again.
   void empty_window();
 

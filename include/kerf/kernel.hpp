@@ -26,6 +26,9 @@ struct KernelOptions {
   std::size_t window_blocks = 1000;  ///< of the look-ahead, 2 to 1'000'000
   double horizon_s = 0.25;     ///< how far ahead of the tick the motion is fixed, 1e-5 to 3600
   BlockDelete block_delete{};  ///< which blocks that begin with '/' are left out
+  /// plan() and tick() are called by one thread, which is never late: no way to rest is kept ready
+  /// behind what is planned.
+  bool one_thread = false;
   bool checks_travel = false;  ///< a block that leaves the travel is an error
   /// Where the tool is, in machine coordinates, each within +-1e6.
   std::array<double, 3> start_mm{};

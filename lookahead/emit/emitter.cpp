@@ -184,15 +184,18 @@ void Emitter::emit_rest(const Rest& rest, Outbox& outbox) {
 }
 
 void Emitter::restore(Emitter&& before) {
-  before.plan_ = plan_;
-  before.curves_sent_ = curves_sent_;
-  before.output_changes_sent_ = output_changes_sent_;
+  before.note_sent_by(*this);
   *this = std::move(before);
 }
 
-void Emitter::emit_hold(Outbox& outbox) {
+void Emitter::note_sent_by(const Emitter& copy) {
+  plans_ = copy.plans_;
+  curves_sent_ = copy.curves_sent_;
+  output_changes_sent_ = copy.output_changes_sent_;
+}
+
+void Emitter::emit_rest_here(Outbox& outbox) {
   outbox.phases.push_back(rest_phase(0.0));
-  outbox.phases.back().holds = true;
 }
 
 void Emitter::keep(const Outbox& outbox, std::size_t first) {
@@ -224,7 +227,7 @@ EmittedItems::Motion Emitter::motion_at(std::int64_t tick) const {
 }
 
 void Emitter::take_back(const EmittedItems::Motion& motion, std::deque<Item>& ahead) {
-  ++plan_;
+  plan_ = ++plans_;
   clock_.set(motion.when);
   const EmittedItems::TakenBack taken = kept_->take_back(motion, place_, ahead);
   place_ = taken.begin;

@@ -100,14 +100,21 @@ class Emitter {
   void take_back(const EmittedItems::Motion& motion, std::deque<Item>& ahead);
   // Goes back to what was emitted before take_back().
   void restore(Emitter&& before);
+  // A copy has emitted what the tick side got.
+  void note_sent_by(const Emitter& copy);
+  [[nodiscard]] bool ends_at_rest() const { return motion_at(clock_.now().tick).at_rest(); }
+  // The number of the plan that is being emitted.
+  [[nodiscard]] std::uint32_t plan() const noexcept { return plan_; }
+  // It has been emitted before, under that number.
+  void repeat_plan(std::uint32_t plan) noexcept { plan_ = plan; }
   // The present block goes on as its remainder.
   void begin_remainder() noexcept { place_.s_mm = 0.0; }
   [[nodiscard]] bool is_on_block() const noexcept { return place_.on_block; }
   // On the present curve.
   [[nodiscard]] double curve_mm() const noexcept { return place_.curve_mm; }
   [[nodiscard]] const interp::TickTime& now() const noexcept { return clock_.now(); }
-  // Emits a rest at the place where the motion is held.
-  void emit_hold(Outbox& outbox);
+  // A rest of no duration, of no item.
+  void emit_rest_here(Outbox& outbox);
 
  private:
   struct OutputChangeAtBlock {
@@ -126,7 +133,8 @@ class Emitter {
   PlanClock clock_;
   std::optional<EmittedItems> kept_;
   EmitPlace place_{};
-  std::uint32_t plan_ = 0;
+  std::uint32_t plan_ = 0;   // that is being emitted
+  std::uint32_t plans_ = 0;  // so many were begun after the first
   // What is on its way to the tick side stays there: the path, and what it switches.
   std::uint64_t curves_sent_ = 0;
   std::uint64_t output_changes_sent_ = 0;

@@ -23,27 +23,32 @@ std::optional<std::vector<BrakingPart>> stop_on_line(const BrakingFrom& from,
   if (!stop || from.s_mm + stop->length_mm() > block.length_mm - kAtBlockEnd_mm) {
     return std::nullopt;
   }
+  return parts_of(*stop, block, from.s_mm);
+}
+
+}  // namespace
+
+std::vector<BrakingPart> parts_of(const profiles::SCurveStop& stop, const Block& block,
+                                  double s_mm) {
   std::vector<BrakingPart> parts;
-  double s = from.s_mm;
-  for (const auto& [law, limit] : {std::pair{&stop->falling, block.limits.from.jerk},
-                                   std::pair{&stop->steady, block.limits.from.acceleration},
-                                   std::pair{&stop->landing, block.limits.from.jerk}}) {
+  for (const auto& [law, limit] : {std::pair{&stop.falling, block.limits.from.jerk},
+                                   std::pair{&stop.steady, block.limits.from.acceleration},
+                                   std::pair{&stop.landing, block.limits.from.jerk}}) {
     if (law->duration_s() > 0.0) {
-      s += law->length_mm();
-      parts.push_back({.law = *law, .s_end_mm = s, .limit = limit});
+      s_mm += law->length_mm();
+      parts.push_back({.law = *law, .s_end_mm = s_mm, .limit = limit});
     }
   }
   return parts;
 }
 
-}  // namespace
-
-std::optional<std::vector<BrakingPart>> shortest_stop(const BrakingFrom& from,
-                                                      const PlanLimits& limits) {
+std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
+                                                     const PlanLimits& limits, StopEffort effort) {
   if (auto parts = stop_on_line(from, limits)) {
     return parts;
   }
-  return StopSearch(from, limits).shortest();
+  const StopSearch search(from, limits);
+  return effort == StopEffort::any ? search.any() : search.shortest();
 }
 
 }  // namespace kerf::lookahead

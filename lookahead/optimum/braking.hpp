@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "lookahead/optimum/grid/cell.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/limits.hpp"
+#include "profiles/s_curve_stop.hpp"
 #include "profiles/time_law.hpp"
 
 namespace kerf::lookahead {
@@ -44,12 +46,20 @@ struct BrakingPart {
   Constraint limit{};
 };
 
+// Of a stop within the block that the motion is on.
+std::vector<BrakingPart> parts_of(const profiles::SCurveStop& stop, const Block& block,
+                                  double s_mm);
+
 // On a line alone, the S-curve from any acceleration to rest, in closed form. Elsewhere the search
 // for the time optimum to a rest that is a little farther each time, from what the closed form
 // takes with the limits at this place on: the first that it finds. It is at most kStep longer than
 // the shortest that it could have found. Nothing: no way was found; from a place farther on there
 // may be one, as where the plan already lands.
-std::optional<std::vector<BrakingPart>> shortest_stop(const BrakingFrom& from,
-                                                      const PlanLimits& limits);
+enum class StopEffort : std::uint8_t {
+  shortest,
+  any,  // the first of some distances, far enough that there is a way in most cases: it is cheap
+};
+std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
+                                                     const PlanLimits& limits, StopEffort effort);
 
 }  // namespace kerf::lookahead

@@ -16,9 +16,9 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kStep = 1.06;
-constexpr double kFirst = 1.01;
-// From one distance to the next, until one is far enough.
-constexpr std::array<double, 6> kGrowths{1.3, 1.3, 1.3, 1.4, 1.5, 1.0};
+// Over the way of the S-curve, until one is far enough.
+constexpr std::array<double, 6> kDistances{1.01, 1.3, 1.7, 2.2, 3.1, 4.6};
+constexpr std::array<double, 3> kDistancesOfAny{1.7, 3.1, 5.6};
 constexpr std::size_t kLeastCells = 3;
 constexpr double kShortest_mm = 1e-9;
 constexpr double kCellsOfWay = 40.0;
@@ -27,6 +27,10 @@ constexpr double kFarthest = 4.0;
 constexpr double kLeastFar_mm = 1.0;
 // A curve so many times as long as what is looked at of it.
 constexpr double kWorthCutting = 1.5;
+// Of the limits that hold where the motion is, for an S-curve on a curve.
+constexpr std::array<double, 3> kShares{1.0, 0.7, 0.5};
+constexpr double kLooksATick = 2.0;
+constexpr double kRounded = 1.0 + 1e-9;
 constexpr int kPointsOfPart = 20;  // of the S-curve
 
 double farthest_mm(const BrakingFrom& from, const PlanLimits& limits) {
@@ -180,19 +184,28 @@ void StopSearch::cut_at_ends(const PathAt& path) {
   cells_ = std::move(cut);
 }
 
-// The closed form with the limits that hold where the motion is; where there is none, steady
-// braking.
-void StopSearch::take_s_curve() {
+// With a share of the limits that hold where the motion is.
+std::optional<profiles::SCurveStop> StopSearch::s_curve(double share) const {
   const Cell& first = cells_.front();
   const StartState& begin = from_->state;
-  const double acceleration = tangential_acceleration_mm_s2(first, first.begin, *limits_);
-  const auto stop =
-      profiles::s_curve_stop({.v_mm_s = begin.v_mm_s, .a_mm_s2 = begin.a_mm_s2},
-                             {acceleration, tangential_jerk_mm_s3(first, first.begin, *limits_)});
+  const double acceleration =
+      tangential_acceleration_mm_s2(first, first.begin, *limits_) / first.shares.acceleration;
+  const double jerk = tangential_jerk_mm_s3(first, first.begin, *limits_) / first.shares.jerk;
+  return profiles::s_curve_stop(
+      {.v_mm_s = begin.v_mm_s, .a_mm_s2 = begin.a_mm_s2},
+      {std::max(share * acceleration, std::abs(begin.a_mm_s2)), share * jerk});
+}
+
+// The closed form; where there is none, steady braking.
+void StopSearch::take_s_curve() {
+  const auto stop = s_curve(kAim);
+  const double v = from_->state.v_mm_s;
   double way_mm = 0.0;
-  s_curve_ = {{.s_mm = 0.0, .v_squared = begin.v_mm_s * begin.v_mm_s}};
+  s_curve_ = {{.s_mm = 0.0, .v_squared = v * v}};
   if (!stop) {
-    s_curve_.push_back({.s_mm = 0.5 * begin.v_mm_s * begin.v_mm_s / acceleration});
+    const Cell& first = cells_.front();
+    s_curve_.push_back(
+        {.s_mm = 0.5 * v * v / tangential_acceleration_mm_s2(first, first.begin, *limits_)});
     return;
   }
   for (const profiles::CellLaw* law : {&stop->falling, &stop->steady, &stop->landing}) {
@@ -241,22 +254,31 @@ std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_e
   return OptimalPlan::find(std::move(sequence), path, *limits_);
 }
 
-// The distance doubles or so until a way is found, and is then divided down to kStep.
+std::optional<std::vector<BrakingPart>> StopSearch::any() const {
+  if (auto s_curve = in_closed_form()) {
+    return s_curve;
+  }
+  std::optional<OptimalPlan> found;
+  bool is_end = cells_.empty();
+  for (std::size_t i = 0; i < kDistancesOfAny.size() && !found && !is_end; ++i) {
+    found = to_rest_at(kDistancesOfAny[i] * s_curve_.back().s_mm, is_end);
+  }
+  return found ? std::optional(parts(*found)) : std::nullopt;
+}
+
+// The distance grows until a way is found, and is then divided down to kStep.
 std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
   if (cells_.empty()) {
     return std::nullopt;
   }
   double too_short_mm = 0.0;
-  double distance_mm = kFirst * s_curve_.back().s_mm;
+  double distance_mm = 0.0;
   std::optional<OptimalPlan> best;
   bool is_end = false;
-  for (const double growth : kGrowths) {
-    best = to_rest_at(distance_mm, is_end);
-    if (best || is_end) {
-      break;
-    }
+  for (std::size_t i = 0; i < kDistances.size() && !best && !is_end; ++i) {
     too_short_mm = distance_mm;
-    distance_mm *= growth;
+    distance_mm = kDistances[i] * s_curve_.back().s_mm;
+    best = to_rest_at(distance_mm, is_end);
   }
   while (best && too_short_mm > 0.0 && distance_mm > kStep * too_short_mm) {
     const double between_mm = std::sqrt(too_short_mm * distance_mm);
@@ -267,7 +289,44 @@ std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
       too_short_mm = between_mm;
     }
   }
-  return best ? std::optional(parts(*best)) : std::nullopt;
+  return best ? std::optional(parts(*best)) : in_closed_form();
+}
+
+std::optional<std::vector<BrakingPart>> StopSearch::in_closed_form() const {
+  for (std::size_t i = 0; i < kShares.size() && !cells_.empty(); ++i) {
+    const auto stop = s_curve(kShares[i]);
+    if (stop && keeps_limits(*stop)) {
+      return parts_of(*stop, *from_->blocks.front(), from_->s_mm);
+    }
+  }
+  return std::nullopt;
+}
+
+// Looks at it some times a tick, within the block.
+bool StopSearch::keeps_limits(const profiles::SCurveStop& stop) const {
+  const PathAt path = waiting_.path_of(blocks_);
+  const double begin_mm = cells_.front().s_begin_mm;
+  double way_mm = begin_mm;
+  std::size_t i = 0;
+  for (const profiles::CellLaw* law : {&stop.falling, &stop.steady, &stop.landing}) {
+    const double looks = std::ceil(kLooksATick * law->duration_s() / limits_->period_s);
+    for (double look = 0.0; look <= looks && law->duration_s() > 0.0; ++look) {
+      profiles::PathMotion motion = law->at(law->duration_s() * look / looks);
+      const double s_mm = way_mm + motion.s_mm;
+      while (i < cells_.size() && cells_[i].s_end_mm() < s_mm && !cells_[i].ends_block) {
+        ++i;
+      }
+      if (i == cells_.size() || s_mm > cells_[i].s_end_mm() - kAtBlockEnd_mm) {
+        return false;
+      }
+      motion.s_mm = s_mm - cells_[i].s_begin_mm;
+      if (excess_at(motion, cells_[i], path, *limits_).largest() > kRounded) {
+        return false;
+      }
+    }
+    way_mm += law->length_mm();
+  }
+  return true;
 }
 
 std::vector<BrakingPart> StopSearch::parts(const OptimalPlan& plan) const {

@@ -18,11 +18,15 @@ class StopSearch {
   StopSearch(const BrakingFrom& from, const PlanLimits& limits);
 
   [[nodiscard]] std::optional<std::vector<BrakingPart>> shortest() const;
+  [[nodiscard]] std::optional<std::vector<BrakingPart>> any() const;
 
  private:
   void take_blocks();
   void take_cells();
   void cut_at_ends(const PathAt& path);
+  [[nodiscard]] std::optional<profiles::SCurveStop> s_curve(double share) const;
+  [[nodiscard]] std::optional<std::vector<BrakingPart>> in_closed_form() const;
+  [[nodiscard]] bool keeps_limits(const profiles::SCurveStop& stop) const;
   void take_s_curve();
   void begin_with_s_curve(double distance_mm, std::vector<Cell>& cells) const;
   // is_end: the distance reaches to the end of what is known, and the rest is there.

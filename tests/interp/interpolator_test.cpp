@@ -112,6 +112,7 @@ TEST(Interpolator, GoesOnWhereThePhasesOfAMotionMeetOnATickButForRounding) {
   ASSERT_EQ(first.law.duration_s(), 10 * kTs);
   ASSERT_TRUE(queue->push(first));
   ASSERT_TRUE(queue->push(second));
+  queue->commit();
   Setpoint setpoint;
   for (int n = 0; n < 20; ++n) {
     ASSERT_EQ(interpolator.next(setpoint), TickStatus::running) << "tick " << n;

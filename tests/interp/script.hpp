@@ -87,6 +87,7 @@ class Script {
                 .ends_at_rest = ends.at_rest,
                 .ends_program = ends.program};
     ASSERT_TRUE(queue_->push(phase));
+    queue_->commit();
     phases_.push_back(phase);
     s_mm_ = phase.s_end_mm;
     time_s_ += law.duration_s();

@@ -72,6 +72,7 @@ TEST(Delivery, MoreLinesThanTheRingHoldsReachTheirTicks) {
   std::int64_t ticks = 0;
   for (auto status = interp::TickStatus::running; status == interp::TickStatus::running; ++ticks) {
     delivery.deliver(interpolator.plan_tick() + 50);
+    delivery.commit();
     status = interpolator.next(setpoint);
     const double in_steps = setpoint.s_mm / kStep_mm;
     if (status == interp::TickStatus::running) {

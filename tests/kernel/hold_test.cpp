@@ -66,17 +66,6 @@ HeldRun run_held(const HeldProgram& program, const std::set<std::int64_t>& hold_
   return run;
 }
 
-// How far a tick is from the path that the whole run has at its path length, at the least.
-double off_path_mm(const std::vector<Setpoint>& whole, const Setpoint& tick) {
-  const auto after = std::lower_bound(whole.begin(), whole.end(), tick.s_mm,
-                                      [](const Setpoint& a, double s) { return a.s_mm < s; });
-  if (after == whole.end()) {
-    return tick.s_mm - whole.back().s_mm;
-  }
-  return (curves::vec(after->position_mm) - curves::vec(tick.position_mm)).norm() -
-         (after->s_mm - tick.s_mm);
-}
-
 void expect_whole(const HeldRun& run, const std::vector<Setpoint>& whole) {
   EXPECT_EQ(run.complaint, "");
   double off_mm = 0.0;

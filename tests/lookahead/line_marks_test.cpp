@@ -80,6 +80,7 @@ TEST(LineMarks, EveryTickIsOfTheLineAtItsPlace) {
     for (const interp::Phase& phase : outbox.phases) {
       ASSERT_TRUE(queue->push(phase));
     }
+    queue->commit();
     interp::Interpolator interpolator(*queue, kTs, {});
     interp::Setpoint setpoint;
     while (interpolator.next(setpoint) == interp::TickStatus::running) {

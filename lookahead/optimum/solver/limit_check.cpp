@@ -170,6 +170,14 @@ Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
   return worst;
 }
 
+Excess excess_at(const profiles::PathMotion& motion, const Cell& cell, const PathAt& path,
+                 const PlanLimits& limits) {
+  Excess found;
+  look_at(motion, cell, path_in(cell, {motion.s_mm / cell.length_mm, motion.s_mm}, path), limits,
+          found);
+  return found;
+}
+
 Excess excess_of_rest(const Cell& cell, double v_mm_s, bool launch, const PathAt& path,
                       const PlanLimits& limits) {
   const profiles::CellLaw law = launch ? profiles::CellLaw::launch(v_mm_s, cell.length_mm)

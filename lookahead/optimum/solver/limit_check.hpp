@@ -21,6 +21,10 @@ struct Excess {
 Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
                  const PlanLimits& limits);
 
+// At one place of a cell, for a motion whose s counts from the cell's begin.
+Excess excess_at(const profiles::PathMotion& motion, const Cell& cell, const PathAt& path,
+                 const PlanLimits& limits);
+
 // For a launch or landing of constant jerk that meets the spline with v.
 Excess excess_of_rest(const Cell& cell, double v_mm_s, bool launch, const PathAt& path,
                       const PlanLimits& limits);

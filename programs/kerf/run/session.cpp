@@ -39,6 +39,7 @@ class Session {
         kernel_options_{.profile = profiles::Profile(options.profile, options.sigmoid_shape),
                         .window_blocks = options.window_blocks,
                         .block_delete = options.block_delete,
+                        .one_thread = options.command != Command::run,
                         .dialect = options.dialect} {
     report_.command = options.command;
     report_.syntax_only = options.syntax_only;

@@ -141,6 +141,7 @@ TEST_F(TickPath, IsQuietWhereTheLineChangesWithinACurve) {
                                         .s_end_mm = 5.0,
                                         .law = profiles::Transition::cruise(100.0, 5.0),
                                         .has_changes = true}));
+  queue->commit();
   interp::Setpoint setpoint;
   for (int i = 0; i < 55; ++i) {
     const Trap trap;

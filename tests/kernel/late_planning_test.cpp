@@ -1,0 +1,215 @@
+// A planning thread that is late, suspended or dead: the tool comes to rest on the path, and goes
+// on once there is a plan again.
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <pthread.h>
+#include <random>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
+
+#include "profiles/profile.hpp"
+#include "tests/kernel/run.hpp"
+#include "tests/kernel/shipped_text.hpp"
+#include "tests/kernel/tick_checker.hpp"
+
+namespace kerf::test {
+namespace {
+
+constexpr double kFastest_mm_s = 150.0;  // of the mill
+constexpr std::int64_t kLate = 900;      // ticks: the horizon, the way to rest and a rest behind it
+
+struct LateRun {
+  std::vector<Setpoint> ticks;
+  std::vector<TickStatus> statuses;
+  std::string complaint;
+
+  [[nodiscard]] std::int64_t starved() const {
+    return std::count(statuses.begin(), statuses.end(), TickStatus::starved);
+  }
+};
+
+// Calls plan() before each tick but those from late_from on.
+LateRun run_late(const std::string& text, const KernelOptions& options, std::int64_t late_from) {
+  Kernel kernel(mill(), options);
+  kernel.feed(text);
+  kernel.finish();
+  TickChecker checker(mill().limits, options.profile.kind != ProfileKind::trapezoid);
+  LateRun run;
+  TickStatus status = TickStatus::running;
+  while (status != TickStatus::finished && status != TickStatus::failed &&
+         run.ticks.size() < kMaxTicks) {
+    const auto tick = static_cast<std::int64_t>(run.ticks.size());
+    if (tick < late_from || tick >= late_from + kLate) {
+      kernel.plan();
+    }
+    Setpoint setpoint;
+    status = kernel.tick(setpoint);
+    checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
+    run.ticks.push_back(setpoint);
+    run.statuses.push_back(status);
+  }
+  run.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
+  run.complaint += kernel.fault() ? kernel.fault()->what : "";
+  return run;
+}
+
+void expect_whole(const LateRun& run, const std::vector<Setpoint>& whole) {
+  EXPECT_EQ(run.complaint, "");
+  double off_mm = 0.0;
+  for (const Setpoint& tick : run.ticks) {
+    off_mm = std::max(off_mm, off_path_mm(whole, tick));
+  }
+  EXPECT_LE(off_mm, 1e-9);
+  EXPECT_EQ(run.ticks.back().position_mm, whole.back().position_mm);
+  EXPECT_EQ(run.ticks.back().outputs, whole.back().outputs);
+}
+
+TEST(LatePlanning, IsARestOnThePathWithinTheLimitsWhereverItBegins) {
+  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+    const KernelOptions options{.profile = {.kind = kind}};
+    const auto whole = ticks_of(mixed_program(), options);
+    for (std::int64_t tick = 1; tick + 300 < whole.back().tick; tick += 61) {
+      SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick));
+      const LateRun run = run_late(mixed_program(), options, tick);
+      expect_whole(run, whole);
+      EXPECT_GT(run.starved(), 0);
+      ASSERT_FALSE(testing::Test::HasFailure());
+    }
+  }
+}
+
+TEST(LatePlanning, ThatIsNeverLateChangesNoTick) {
+  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+    const KernelOptions options{.profile = {.kind = kind}};
+    const auto one = ticks_of(mixed_program(), options);
+    const LateRun run = run_late(mixed_program(), options, kMaxTicks);
+    ASSERT_EQ(run.ticks.size(), one.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      ASSERT_EQ(run.ticks[i].position_mm, one[i].position_mm) << "tick " << i;
+    }
+  }
+}
+
+TEST(LatePlanning, LeavesAHoldThatWasAskedForBeforeToBeTaken) {
+  const auto whole = ticks_of(mixed_program());
+  for (std::int64_t hold = 100; hold < whole.back().tick; hold += 307) {
+    SCOPED_TRACE("tick " + std::to_string(hold));
+    Kernel kernel(mill());
+    kernel.feed(mixed_program());
+    kernel.finish();
+    TickChecker checker(mill().limits, true);
+    Setpoint setpoint;
+    TickStatus status = TickStatus::running;
+    for (std::int64_t tick = 0; tick < hold + kLate && status != TickStatus::finished; ++tick) {
+      if (tick < hold) {
+        kernel.plan();
+      } else if (tick == hold) {
+        kernel.hold();
+      }
+      status = kernel.tick(setpoint);
+      checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
+    }
+    EXPECT_TRUE(status == TickStatus::held || status == TickStatus::finished);
+    EXPECT_EQ(checker.complaint(), "");
+  }
+}
+
+// The planning thread of a real program: a signal's handler runs in it and blocks it wherever it
+// is.
+std::atomic<bool> blocks = false;
+std::atomic<bool> is_blocked = false;
+
+void block_thread(int /*signal*/) {
+  is_blocked = true;
+  while (blocks) {
+  }
+  is_blocked = false;
+}
+
+class PlanningThread {
+ public:
+  explicit PlanningThread(Kernel& kernel)
+      : thread_([this, &kernel] {
+          while (!over_) {
+            kernel.plan();
+            ++plans_;
+          }
+        }) {}
+  ~PlanningThread() {
+    over_ = true;
+    thread_.join();
+  }
+  PlanningThread(const PlanningThread&) = delete;
+  PlanningThread& operator=(const PlanningThread&) = delete;
+
+  void block() {
+    blocks = true;
+    pthread_kill(thread_.native_handle(), SIGUSR1);
+    while (!is_blocked) {
+      std::this_thread::yield();
+    }
+  }
+  static void release() { blocks = false; }
+  // Waits for so many more calls.
+  void plan(std::int64_t calls) {
+    for (const std::int64_t until = plans_ + calls; plans_ < until;) {
+      std::this_thread::yield();
+    }
+  }
+
+ private:
+  std::atomic<bool> over_ = false;
+  std::atomic<std::int64_t> plans_ = 0;
+  std::thread thread_;
+};
+
+TEST(LatePlanning, MayBeBlockedAnywhere) {
+  struct sigaction action {};
+  action.sa_handler = block_thread;
+  ASSERT_EQ(sigaction(SIGUSR1, &action, nullptr), 0);
+  constexpr int kRuns = 40;
+  const auto whole = ticks_of(mixed_program());
+  std::mt19937 random(1709);
+  for (int i = 0; i < kRuns; ++i) {
+    const auto late_from =
+        static_cast<std::int64_t>(random() % static_cast<std::uint32_t>(whole.back().tick));
+    SCOPED_TRACE("seed 1709, run " + std::to_string(i) + ", tick " + std::to_string(late_from));
+    Kernel kernel(mill());
+    kernel.feed(mixed_program());
+    kernel.finish();
+    TickChecker checker(mill().limits, true);
+    LateRun run;
+    TickStatus status = TickStatus::running;
+    PlanningThread planning(kernel);
+    planning.plan(2);
+    while (status != TickStatus::finished && status != TickStatus::failed &&
+           run.ticks.size() < kMaxTicks) {
+      const auto tick = static_cast<std::int64_t>(run.ticks.size());
+      if (tick == late_from) {
+        planning.block();
+      } else if (tick == late_from + kLate) {
+        PlanningThread::release();
+      }
+      if (tick < late_from || tick > late_from + kLate) {
+        planning.plan(tick % 50 == 0 ? 1 : 0);
+      }
+      Setpoint setpoint;
+      status = kernel.tick(setpoint);
+      checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
+      run.ticks.push_back(setpoint);
+      run.statuses.push_back(status);
+    }
+    PlanningThread::release();
+    run.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
+    run.complaint += kernel.fault() ? kernel.fault()->what : "";
+    expect_whole(run, whole);
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test
