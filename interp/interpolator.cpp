@@ -63,7 +63,7 @@ void Interpolator::begin_plan(std::uint32_t plan) noexcept {
 }
 
 void Interpolator::take_stop() noexcept {
-  const StopAhead* stop = queue_->take_stop(plan_, plan_tick());
+  const StopAhead* stop = queue_->has_stop() ? queue_->take_stop(plan_, plan_tick()) : nullptr;
   if (stop == nullptr) {
     return;
   }
@@ -78,10 +78,12 @@ void Interpolator::take_stop() noexcept {
 void Interpolator::drop_stale_phases() noexcept {
   for (std::size_t i = 0; i < MotionQueue::kPhases; ++i) {
     const Phase* next = queue_->next_phase();
+    if (next == nullptr || next->plan == plan_) {
+      return;
+    }
     const Takeover* takeover = queue_->next_takeover();
-    if (next == nullptr || next->plan == plan_ ||
-        (takeover != nullptr && takeover->plan == next->plan)) {
-      break;
+    if (takeover != nullptr && takeover->plan == next->plan) {
+      return;
     }
     queue_->pop_phase();
   }

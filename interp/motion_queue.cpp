@@ -29,12 +29,10 @@ bool MotionQueue::commit(Ahead ahead) {
 
 const StopAhead* MotionQueue::take_stop(std::uint32_t from, std::int64_t tick) noexcept {
   std::uint64_t word = word_.load(std::memory_order_acquire);
-  if ((word & kHasStop) == 0 || (word & kTaken) != 0) {
-    return nullptr;
-  }
   const std::size_t slot = (word >> kSlotBit) & 1U;
   if (keys_[slot].tick.load(std::memory_order_relaxed) != tick ||
-      keys_[slot].from.load(std::memory_order_relaxed) != from ||
+      keys_[slot].from.load(std::memory_order_relaxed) != from || (word & kTaken) != 0 ||
+      (word & kHasStop) == 0 ||
       !word_.compare_exchange_strong(word, word | kTaken, std::memory_order_acq_rel)) {
     return nullptr;
   }

@@ -61,6 +61,9 @@ class MotionQueue {
     const auto committed = static_cast<std::uint32_t>(word_.load(std::memory_order_acquire));
     return static_cast<std::int32_t>(committed - phases) >= 0;
   }
+  [[nodiscard]] bool has_stop() const noexcept {
+    return (word_.load(std::memory_order_relaxed) & (kHasStop | kTaken)) == kHasStop;
+  }
   // The stop ahead of that plan at that tick, taken; null: there is none. It is good until
   // release_stop().
   [[nodiscard]] const StopAhead* take_stop(std::uint32_t from, std::int64_t tick) noexcept;
