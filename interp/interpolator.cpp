@@ -23,8 +23,9 @@ double distance_to_chord_mm(const Position& point, const Position& from,
 }  // namespace
 
 Interpolator::Interpolator(MotionQueue& queue, double period_s, const Position& start_mm,
-                           const curves::AuxiliaryPosition& start_extra_rad_mm) noexcept
-    : queue_(&queue), period_s_(period_s), position_before_mm_(start_mm) {
+                           const curves::AuxiliaryPosition& start_extra_rad_mm,
+                           const MachineLimits& limits) noexcept
+    : queue_(&queue), period_s_(period_s), brake_(limits, period_s), position_before_mm_(start_mm) {
   assert(period_s > 0.0);
   now_.tick = -1;
   now_.position_mm = start_mm;
@@ -181,6 +182,7 @@ void Interpolator::fill(const profiles::PathMotion& motion, double s_mm) noexcep
   now_.j_mm_s3 = rests ? 0.0 : motion.j_mm_s3;
   now_.s_mm = phase_.path_begin_mm + (rests ? 0.0 : s_mm);
   s_now_mm_ = s_mm;
+  v_now_mm_s_ = motion.v_mm_s;
   if (phase_.curve == 0) {
     return;
   }
@@ -246,10 +248,43 @@ TickStatus Interpolator::follow_phase() noexcept {
                              : TickStatus::starved;
 }
 
+// Phases are passed for their lines alone.
+TickStatus Interpolator::brake() noexcept {
+  EmergencyBrake::Motion motion{.piece = piece_,
+                                .s_mm = s_now_mm_,
+                                .path_begin_mm = phase_.path_begin_mm,
+                                .v_mm_s = v_now_mm_s_};
+  brake_.advance(motion, *queue_);
+  piece_ = motion.piece;
+  for (std::size_t i = 0; i < MotionQueue::kPhases; ++i) {
+    const Phase* next = next_phase();
+    if (next == nullptr || next->curve > piece_.curve ||
+        (next->curve == piece_.curve && next->s_begin_mm > motion.s_mm)) {
+      break;
+    }
+    phase_ = *next;
+    pop_phase();
+  }
+  phase_.curve = piece_.curve;
+  phase_.path_begin_mm = motion.path_begin_mm;
+  advance_line(motion.s_mm);
+  fill({.v_mm_s = motion.v_mm_s, .a_mm_s2 = motion.a_mm_s2}, motion.s_mm);
+  now_.limit = Constraint::path_acceleration;
+  now_.outputs.spindle_rad_s = 0.0;
+  now_.outputs.surface = {};
+  now_.outputs.mist = now_.outputs.flood = false;
+  return motion.v_mm_s > 0.0 ? TickStatus::running : TickStatus::emergency_stop;
+}
+
 TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   begin_tick();
   tick_begun_ = false;
   ++now_.tick;
+  if (is_emergency()) {
+    const TickStatus braked = brake();
+    setpoint = now_;
+    return braked;
+  }
   take_over();
   const TickStatus status = advance_phase() ? follow_phase() : TickStatus::starved;
   if (status == TickStatus::running) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "interp/emergency_brake.hpp"
 #include "interp/motion_queue.hpp"
 #include "interp/setpoint.hpp"
 
@@ -16,11 +17,20 @@ namespace kerf::interp {
 // the queue can hold.
 class Interpolator {
  public:
-  // Rests at start_mm and start_extra_rad_mm until the first motion.
+  // Rests at start_mm and start_extra_rad_mm until the first motion. limits: for an emergency stop.
   Interpolator(MotionQueue& queue, double period_s, const Position& start_mm,
-               const curves::AuxiliaryPosition& start_extra_rad_mm = {}) noexcept;
+               const curves::AuxiliaryPosition& start_extra_rad_mm = {},
+               const MachineLimits& limits = {}) noexcept;
 
   TickStatus next(Setpoint& setpoint) noexcept;
+
+  // From the next tick on the tool brakes as fast as the limits of acceleration allow, on the path
+  // (EmergencyBrake), spindle and coolant off. Then the status is emergency_stop, for ever. Any
+  // thread.
+  void emergency_stop() noexcept { emergency_.store(true, std::memory_order_relaxed); }
+  [[nodiscard]] bool is_emergency() const noexcept {
+    return emergency_.load(std::memory_order_relaxed);
+  }
 
   // Removes phases that end before the next tick from the queue, to make room. True: the queue is
   // used up and the next tick needs more. The tick itself is not affected.
@@ -79,6 +89,8 @@ class Interpolator {
   // The line that s_mm on the present phase's curve belongs to.
   void advance_line(double s_mm) noexcept;
   void fill(const profiles::PathMotion& motion, double s_mm) noexcept;
+  // A tick of an emergency stop.
+  TickStatus brake() noexcept;
   void note_passed_piece() noexcept;
 
   MotionQueue* queue_;
@@ -89,6 +101,8 @@ class Interpolator {
   StopAhead stop_{};                       // the latest that was taken
   std::size_t stop_next_ = 0;              // its next phase; the count: it has begun the last one
   std::uint64_t output_changes_ = 0;       // so many were applied
+  std::atomic<bool> emergency_ = false;
+  EmergencyBrake brake_;
   bool has_phase_ = false;
   bool tick_begun_ = false;
   Phase phase_{};
@@ -99,6 +113,7 @@ class Interpolator {
   CurvePiece piece_before_{};
   Position position_before_mm_{};
   double s_now_mm_ = 0.0;
+  double v_now_mm_s_ = 0.0;  // along the curve, of further axes where they move alone
   double s_before_mm_ = 0.0;
   // Points of the pieces that lie wholly between the two.
   std::array<Position, kPassedPieces * kChordPoints> passed_mm_{};

@@ -24,7 +24,7 @@ class Kernel::Impl {
   Impl(const MachineSettings& settings, const KernelOptions& options)
       : pipeline_({.settings = settings, .options = options, .may_hold = true}),
         interpolator_(queue_, settings.limits.period_s, options.start_mm,
-                      options.start_extra_rad_mm),
+                      options.start_extra_rad_mm, settings.limits),
         judge_({.limits = settings.limits,
                 .binds_jerk = options.profile.kind != profiles::ProfileKind::trapezoid,
                 .has_extra_axes = settings.program.extra_axes != 0}),
@@ -56,6 +56,9 @@ class Kernel::Impl {
     const TickStatus status = interpolator_.next(setpoint);
     if (status == TickStatus::starved) {
       judge_.starve();
+    }
+    if (interpolator_.is_emergency()) {
+      return status;  // no promise holds any more
     }
     judge_.add(setpoint, interpolator_.chord_error_mm());
     if (status == TickStatus::finished && end_ && judges_end_) {
@@ -104,6 +107,8 @@ class Kernel::Impl {
       }
     }
   }
+
+  void emergency_stop() noexcept { interpolator_.emergency_stop(); }
 
   void hold() {
     wants_hold_ = true;
@@ -350,6 +355,9 @@ bool Kernel::runs_low() const noexcept {
 }
 void Kernel::stop() {
   impl_->stop();
+}
+void Kernel::emergency_stop() noexcept {
+  impl_->emergency_stop();
 }
 void Kernel::hold() {
   impl_->hold();

@@ -91,6 +91,11 @@ class KERF_API Kernel {
   /// Goes on from a hold, on the same path. Planning side.
   void resume();
 
+  /// From the next tick on the tool brakes on the path as fast as the accelerations of path and
+  /// axes allow, whatever the jerk, with spindle and coolant off; then ticks are `emergency_stop`,
+  /// and the program is over. Needs no planning. Any thread.
+  void emergency_stop() noexcept;
+
   /// How far the path leaves the straight line between the last two setpoints. Tick side.
   [[nodiscard]] double chord_error_mm() const noexcept;
   /// The first promise that did not hold; nothing: all did. Call it when no tick() runs any more:

@@ -70,7 +70,8 @@ class Judge {
       starved_in_a_row_ = 0;
     }
     return status == interp::TickStatus::finished || status == interp::TickStatus::failed ||
-           outcome.hung || ticks.fault().kind != machine::Fault::none;
+           status == interp::TickStatus::emergency_stop || outcome.hung ||
+           ticks.fault().kind != machine::Fault::none;
   }
 
  private:

@@ -128,6 +128,35 @@ TEST_F(TickPath, IsQuietWhileStarvedAndThroughAMachineFault) {
   EXPECT_EQ(state.fault, machine::Fault::soft_limit);
 }
 
+// A hold, a planning thread that is late, and an emergency stop, in this order.
+TEST_F(TickPath, IsQuietWhateverStopsTheTool) {
+  auto kernel = std::make_unique<Kernel>(mill());
+  kernel->feed("G21 G90\nG1 X1000 F6000\nM2\n");
+  kernel->finish();
+  interp::Setpoint setpoint;
+  std::array<int, 6> seen{};
+  for (int i = 0; i < 3000; ++i) {
+    const bool is_late = i > 1500 && i < 2300;
+    if (i == 500) {
+      kernel->hold();
+    } else if (i == 1000) {
+      kernel->resume();
+    } else if (!is_late) {
+      kernel->plan();
+    }
+    const Trap trap;
+    if (i == 2800) {
+      kernel->emergency_stop();
+    }
+    ++seen.at(static_cast<std::size_t>(kernel->tick(setpoint)));
+    ASSERT_EQ(Trap::counts().total(), 0) << "tick " << i;
+  }
+  for (const auto status : {interp::TickStatus::held, interp::TickStatus::starved,
+                            interp::TickStatus::emergency_stop}) {
+    EXPECT_GT(seen.at(static_cast<std::size_t>(status)), 0) << static_cast<int>(status);
+  }
+}
+
 // A thousand lines on one curve, some twenty of them in each tick.
 TEST_F(TickPath, IsQuietWhereTheLineChangesWithinACurve) {
   const auto queue = std::make_unique<interp::MotionQueue>();

@@ -1,0 +1,80 @@
+#include "interp/emergency_brake.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kerf::interp {
+
+namespace {
+
+// The largest d >= 0 with |second v^2 - first d| <= most; where curvature alone exceeds that, 0 or
+// what takes it back.
+double within(double first, double centripetal, double most) noexcept {
+  if (first == 0.0) {
+    return kUnbounded;
+  }
+  return std::max((most + std::copysign(centripetal, first * centripetal)) / std::abs(first), 0.0);
+}
+
+}  // namespace
+
+double EmergencyBrake::deceleration_mm_s2(const Motion& motion) const noexcept {
+  const curves::AuxiliaryAxisMotion& extra = motion.piece.extra;
+  double most = kUnbounded;
+  for (std::size_t k = 0; k < kAuxiliaryAxes; ++k) {
+    most = std::min(most, within(extra.slope_per_mm(k), 0.0, limits_.extra[k].acceleration_mm_s2));
+  }
+  if (extra.alone) {
+    return most;
+  }
+  most = std::min(most, limits_.path.acceleration_mm_s2);
+  const curves::PathDerivatives path = curves::derivatives_at(motion.piece.geometry, motion.s_mm);
+  for (std::size_t k = 0; k < limits_.axes.size(); ++k) {
+    const double centripetal = path.second_per_mm[k] * motion.v_mm_s * motion.v_mm_s;
+    most = std::min(most, within(path.first[k], centripetal, limits_.axes[k].acceleration_mm_s2));
+  }
+  return most;
+}
+
+// At the end of the path that is known it stays.
+void EmergencyBrake::follow_path(Motion& motion, MotionQueue& queue) noexcept {
+  for (std::size_t i = 0; i < MotionQueue::kPieces; ++i) {
+    const double end_mm = curves::s_end_mm(motion.piece.geometry);
+    if (motion.s_mm <= end_mm) {
+      return;
+    }
+    const CurvePiece* next = queue.next_piece();
+    if (next == nullptr) {
+      motion.s_mm = end_mm;
+      motion.v_mm_s = 0.0;
+      return;
+    }
+    if (next->curve != motion.piece.curve) {
+      motion.s_mm -= end_mm;
+      motion.path_begin_mm += motion.piece.extra.alone ? 0.0 : end_mm;
+    }
+    motion.piece = *next;
+    queue.pop_piece();
+  }
+}
+
+void EmergencyBrake::advance(Motion& motion, MotionQueue& queue) const noexcept {
+  const double v = motion.v_mm_s;
+  if (motion.piece.curve == 0 || v == 0.0) {
+    motion.v_mm_s = motion.a_mm_s2 = 0.0;
+    return;
+  }
+  const double before = deceleration_mm_s2(motion);
+  Motion ahead = motion;
+  ahead.v_mm_s = std::max(v - before * period_s_, 0.0);
+  ahead.s_mm = std::min(motion.s_mm + 0.5 * (v + ahead.v_mm_s) * period_s_,
+                        curves::s_end_mm(motion.piece.geometry));
+  const double deceleration = std::min(before, deceleration_mm_s2(ahead));
+  motion.a_mm_s2 = -deceleration;
+  motion.v_mm_s = std::max(v - deceleration * period_s_, 0.0);
+  motion.s_mm +=
+      motion.v_mm_s > 0.0 ? 0.5 * (v + motion.v_mm_s) * period_s_ : 0.5 * v * v / deceleration;
+  follow_path(motion, queue);
+}
+
+}  // namespace kerf::interp

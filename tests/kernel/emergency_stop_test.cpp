@@ -1,0 +1,109 @@
+// An emergency stop at any tick, with nothing planned after it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
+
+#include "tests/kernel/run.hpp"
+#include "tests/kernel/shipped_text.hpp"
+
+namespace kerf::test {
+namespace {
+
+// Of the second differences over the limit: the curvature changes within a tick.
+constexpr double kRounding = 1.01;
+
+struct Stopped {
+  std::vector<Setpoint> ticks;  // from two before the stop on
+  TickStatus status = TickStatus::running;
+};
+
+Stopped stop_at(std::int64_t tick, const std::string& text, const KernelOptions& options) {
+  Kernel kernel(mill(), options);
+  kernel.feed(text);
+  kernel.finish();
+  Stopped stopped;
+  Setpoint setpoint;
+  for (std::int64_t i = 0; i < tick; ++i) {
+    kernel.plan();
+    kernel.tick(setpoint);
+    if (i + 2 >= tick) {
+      stopped.ticks.push_back(setpoint);
+    }
+  }
+  kernel.emergency_stop();
+  for (int i = 0; i < 1000 && stopped.status == TickStatus::running; ++i) {
+    stopped.status = kernel.tick(setpoint);
+    stopped.ticks.push_back(setpoint);
+  }
+  return stopped;
+}
+
+double largest_acceleration_mm_s2(const std::vector<Setpoint>& ticks) {
+  double largest = 0.0;
+  for (std::size_t i = 2; i < ticks.size(); ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double second =
+          ticks[i].position_mm[k] - 2.0 * ticks[i - 1].position_mm[k] + ticks[i - 2].position_mm[k];
+      largest = std::max(largest, std::abs(second) / 1e-6);
+    }
+  }
+  return largest;
+}
+
+TEST(EmergencyStop, KeepsAccelerationsAndThePathWhenever) {
+  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+    const KernelOptions options{.profile = {.kind = kind}};
+    const auto whole = ticks_of(mixed_program(), options);
+    for (std::int64_t tick = 3; tick < whole.back().tick; tick += 37) {
+      SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick));
+      const Stopped stopped = stop_at(tick, mixed_program(), options);
+      ASSERT_EQ(stopped.status, TickStatus::emergency_stop);
+      EXPECT_LE(largest_acceleration_mm_s2(stopped.ticks), 2000.0 * kRounding);
+      for (std::size_t i = 1; i < stopped.ticks.size(); ++i) {
+        ASSERT_LE(off_path_mm(whole, stopped.ticks[i]), 1e-9);
+        ASSERT_TRUE(i < 3 || stopped.ticks[i].v_mm_s <= stopped.ticks[i - 1].v_mm_s);
+      }
+    }
+  }
+}
+
+// v^2 / 2A, with the whole acceleration from the next tick on.
+TEST(EmergencyStop, OnALineTakesTheShortestWay) {
+  const Stopped stopped = stop_at(1000, "G21 G90\nG1 X1000 F6000\nM2\n", {});
+  EXPECT_NEAR(stopped.ticks.back().s_mm - stopped.ticks[1].s_mm, 100.0 * 100.0 / 4000.0, 1e-6);
+  EXPECT_EQ(stopped.ticks.back().v_mm_s, 0.0);
+}
+
+TEST(EmergencyStop, TurnsSpindleAndCoolantOffAtOnce) {
+  const Stopped stopped = stop_at(1000, "G21 G90 M3 S1000 M8\nG1 X1000 F6000\nM2\n", {});
+  EXPECT_NE(stopped.ticks[1].outputs.spindle_rad_s, 0.0);
+  EXPECT_TRUE(stopped.ticks[1].outputs.flood);
+  EXPECT_EQ(stopped.ticks[2].outputs.spindle_rad_s, 0.0);
+  EXPECT_FALSE(stopped.ticks[2].outputs.flood);
+}
+
+TEST(EmergencyStop, HasTheLastWord) {
+  Kernel kernel(mill());
+  kernel.feed("G21 G90\nG1 X1000 F6000\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  for (int i = 0; i < 1000; ++i) {
+    kernel.next(setpoint);
+  }
+  kernel.emergency_stop();
+  while (kernel.next(setpoint) == TickStatus::running) {
+  }
+  const double at_mm = setpoint.position_mm[0];
+  kernel.resume();
+  kernel.stop();
+  EXPECT_EQ(kernel.next(setpoint), TickStatus::emergency_stop);
+  EXPECT_EQ(setpoint.position_mm[0], at_mm);
+  EXPECT_FALSE(kernel.fault());
+}
+
+}  // namespace
+}  // namespace kerf::test
