@@ -65,8 +65,11 @@ class Kernel::Impl {
       judge_.judge_end(setpoint, *end_);
     }
     const bool ends = status == TickStatus::finished || (status == TickStatus::starved && broken_);
-    const bool failed = broken_ || wrong_ || judge_.excess().figure != TickExcess::Figure::none;
-    return !ends ? status : failed ? TickStatus::failed : TickStatus::finished;
+    return !ends ? status : has_fault() || wrong_ ? TickStatus::failed : TickStatus::finished;
+  }
+
+  [[nodiscard]] bool has_fault() const noexcept {
+    return broken_ || judge_.excess().figure != TickExcess::Figure::none;
   }
 
   void reach_tick() {
@@ -282,6 +285,7 @@ class Kernel::Impl {
       takeover_ = plan.phases.front().plan;
       delivery_.take_over(std::move(plan), from);
       queue_.commit();
+      committed_until_tick_ = delivery_.frozen_until_tick();
       fail_with_check();
     }
     return true;
@@ -370,6 +374,9 @@ double Kernel::chord_error_mm() const noexcept {
 }
 std::optional<RunFault> Kernel::fault() const {
   return impl_->fault();
+}
+bool Kernel::has_fault() const noexcept {
+  return impl_->has_fault();
 }
 RunFigures Kernel::figures() const noexcept {
   const TickJudge& judge = impl_->judge();

@@ -1,10 +1,12 @@
 // Kerf's front door. Three nouns: MachineSettings says what the machine can do, Kernel takes G-code
-// text, Setpoint is what it gives at every tick. The interface is not stable yet: its version is
+// text, Setpoint is what it gives at every tick; Controller runs one program after the other, on an
+// operator's commands. The interface is not stable yet: its version is
 // the inline namespace v0.
 #pragma once
 
 #include <kerf/axes.hpp>
 #include <kerf/check.hpp>
+#include <kerf/controller.hpp>
 #include <kerf/diagnostic.hpp>
 #include <kerf/kernel.hpp>
 #include <kerf/machine.hpp>

@@ -101,6 +101,8 @@ class KERF_API Kernel {
   /// The first promise that did not hold; nothing: all did. Call it when no tick() runs any more:
   /// it reads what tick() writes. Allocates.
   [[nodiscard]] std::optional<RunFault> fault() const;
+  /// A promise did not hold so far: a defect of Kerf. Tick side.
+  [[nodiscard]] bool has_fault() const noexcept;
   /// The largest figures so far. Tick side.
   [[nodiscard]] RunFigures figures() const noexcept;
   /// The place where G64 leads the path farthest from the programmed one, as far as it is planned:

@@ -136,6 +136,9 @@ EmittedItems::Blocks EmittedItems::blocks_from(const Motion& motion) const {
 EmittedItems::TakenBack EmittedItems::take_back(const Motion& motion, const EmitPlace& present,
                                                 std::deque<Item>& ahead) {
   TakenBack taken{.begin = present};
+  if (phases_.empty()) {
+    return taken;
+  }
   const auto reclaim = [&ahead](Entry& entry) {
     if (entry.item) {
       ahead.push_front(std::move(*entry.item));

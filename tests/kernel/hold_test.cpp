@@ -186,6 +186,50 @@ TEST(Hold, WaitsWhereTheTextIsLate) {
   EXPECT_EQ(rest_of(kernel).back().position_mm[0], 20.0);
 }
 
+TEST(Hold, MayComeBeforeTheFirstText) {
+  Kernel kernel(mill());
+  Setpoint setpoint;
+  kernel.next(setpoint);
+  kernel.hold();
+  kernel.next(setpoint);
+  EXPECT_EQ(kernel.next(setpoint), TickStatus::held);
+  kernel.feed("G21 G90 G1 X20 F3000\nM2\n");
+  kernel.finish();
+  kernel.resume();
+  EXPECT_EQ(rest_of(kernel).back().position_mm[0], 20.0);
+}
+
+// With plan() and tick() apart a way to rest is kept ready, and a hold takes its place.
+TEST(Hold, GoesOnToTheSameEndWherePlanningHasAThreadOfItsOwn) {
+  const auto whole = ticks_of(mixed_program());
+  for (std::int64_t tick = 1; tick < whole.back().tick; tick += 97) {
+    SCOPED_TRACE("tick " + std::to_string(tick));
+    Kernel kernel(mill());
+    kernel.feed(mixed_program());
+    kernel.finish();
+    TickChecker checker(mill().limits, true);
+    Setpoint setpoint;
+    TickStatus status = TickStatus::running;
+    int held = 0;
+    for (std::int64_t i = 0; i < kMaxTicks && status != TickStatus::finished; ++i) {
+      kernel.plan();
+      if (i == tick) {
+        kernel.hold();
+      }
+      status = kernel.tick(setpoint);
+      checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
+      held += status == TickStatus::held ? 1 : 0;
+      if (held == kHeldTicks && status == TickStatus::held) {
+        kernel.resume();
+      }
+    }
+    EXPECT_EQ(status, TickStatus::finished);
+    EXPECT_EQ(checker.complaint(), "");
+    EXPECT_EQ(setpoint.position_mm, whole.back().position_mm);
+    ASSERT_FALSE(testing::Test::HasFailure());
+  }
+}
+
 TEST(Hold, DoesNothingOnceTheProgramHasEnded) {
   Kernel kernel(mill());
   kernel.feed("G21 G90 G1 X1 F6000\nM2\n");

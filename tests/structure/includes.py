@@ -22,6 +22,7 @@ MAY_INCLUDE = {
     "smoothing": {"diagnostics", "parser", "curves"},
     "lookahead": {"diagnostics", "parser", "smoothing", "curves", "profiles", "interp"},
     "kernel": {"diagnostics", "parser", "smoothing", "lookahead", "curves", "profiles", "interp", "machine"},
+    "control": set(),
 }
 LIBRARY = set(MAY_INCLUDE)
 
@@ -123,7 +124,7 @@ def violations_in(text, path, root):
             yield number, f"{FRONT} must not include <{header}>"
         if top == "kerf" and not (root / "include" / header).is_file():
             yield number, f"<{header}> is none of {FRONT}"
-        if top == "kerf" and folder in LIBRARY - {"kernel"} and pathlib.PurePath(header).stem not in VALUES:
+        if top == "kerf" and folder in LIBRARY - {"kernel", "control"} and pathlib.PurePath(header).stem not in VALUES:
             yield number, f"{folder} must not include the kernel (<{header}>)"
         sibling = folder not in LIBRARY and (path.parent / header).is_file()
         if target.group(1) and not sibling and not (root / header).is_file():

@@ -1,0 +1,90 @@
+#include <array>
+
+#include <kerf/controller.hpp>
+
+namespace kerf {
+
+namespace {
+
+using State = ControllerState;
+
+constexpr std::string_view kOff = "the drives are off: enable first";
+constexpr std::string_view kOn = "the drives are on";
+constexpr std::string_view kNoProgram = "no program runs";
+constexpr std::string_view kProgram = "a program runs: stop it first";
+constexpr std::string_view kNotHeld = "it is not held";
+constexpr std::string_view kStopping = "it is stopping";
+constexpr std::string_view kEmergency = "emergency stop: reset first";
+constexpr std::string_view kFault = "fault: reset first";
+constexpr std::string_view kNothing = "there is nothing to reset";
+
+constexpr Answer go(State next) {
+  return {.next = next};
+}
+constexpr Answer refuse(std::string_view why) {
+  return {.refusal = why};
+}
+
+using Row = std::array<Answer, kCommands>;
+constexpr Row kInProgram{
+    refuse(kOn),      refuse(kProgram),    refuse(kProgram),          go(State::holding),
+    refuse(kNotHeld), go(State::stopping), go(State::emergency_stop), refuse(kProgram)};
+
+// A row a state: enable, disable, start, hold, resume, stop, emergency stop, reset.
+constexpr std::array<Row, kControllerStates> kTable{{
+    // off
+    {go(State::idle), refuse(kOff), refuse(kOff), refuse(kOff), refuse(kOff), refuse(kOff),
+     go(State::emergency_stop), refuse(kNothing)},
+    // emergency_stop
+    {refuse(kEmergency), refuse(kEmergency), refuse(kEmergency), refuse(kEmergency),
+     refuse(kEmergency), refuse(kEmergency), go(State::emergency_stop), go(State::off)},
+    // idle
+    {refuse(kOn), go(State::off), go(State::running), refuse(kNoProgram), refuse(kNoProgram),
+     refuse(kNoProgram), go(State::emergency_stop), refuse(kNothing)},
+    // running, waiting
+    kInProgram,
+    kInProgram,
+    // holding
+    {refuse(kOn), refuse(kProgram), refuse(kProgram), go(State::holding), go(State::running),
+     go(State::stopping), go(State::emergency_stop), refuse(kProgram)},
+    // held
+    {refuse(kOn), refuse(kProgram), refuse(kProgram), go(State::held), go(State::running),
+     go(State::stopping), go(State::emergency_stop), refuse(kProgram)},
+    // stopping
+    {refuse(kOn), refuse(kStopping), refuse(kStopping), refuse(kStopping), refuse(kStopping),
+     go(State::stopping), go(State::emergency_stop), refuse(kStopping)},
+    // fault
+    {refuse(kFault), refuse(kFault), refuse(kFault), refuse(kFault), refuse(kFault), refuse(kFault),
+     go(State::emergency_stop), go(State::off)},
+}};
+
+constexpr std::array<std::string_view, kControllerStates> kStateNames{
+    "off", "emergency stop", "idle", "running", "waiting", "holding", "held", "stopping", "fault"};
+constexpr std::array<std::string_view, kCommands> kCommandNames{
+    "enable", "disable", "start", "hold", "resume", "stop", "emergency stop", "reset"};
+constexpr std::array<std::string_view, 3> kWaitNames{"nothing", "text", "planning"};
+
+}  // namespace
+
+inline namespace v0 {
+
+Answer answer_to(ControllerState state, Command command) noexcept {
+  Answer answer = kTable[static_cast<std::size_t>(state)][static_cast<std::size_t>(command)];
+  if (!answer.is_accepted()) {
+    answer.next = state;
+  }
+  return answer;
+}
+
+std::string_view name_of(ControllerState state) noexcept {
+  return kStateNames[static_cast<std::size_t>(state)];
+}
+std::string_view name_of(Command command) noexcept {
+  return kCommandNames[static_cast<std::size_t>(command)];
+}
+std::string_view name_of(WaitsFor what) noexcept {
+  return kWaitNames[static_cast<std::size_t>(what)];
+}
+
+}  // namespace v0
+}  // namespace kerf

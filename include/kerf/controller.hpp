@@ -1,0 +1,128 @@
+// A machine that runs programs, in one state.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include <kerf/api.hpp>
+#include <kerf/axes.hpp>
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
+#include <kerf/setpoint.hpp>
+#include <tl/expected.hpp>
+
+namespace kerf {
+inline namespace v0 {
+
+enum class ControllerState : std::uint8_t {
+  off,             ///< the drives are off
+  emergency_stop,  ///< braking, or at rest with the drives off
+  idle,            ///< enabled, no program
+  running,
+  waiting,  ///< a program rests until what it waits for is there (WaitsFor)
+  holding,  ///< braking for a feed hold
+  held,
+  stopping,  ///< braking to the end of the program
+  fault,     ///< the drives are off
+};
+inline constexpr std::size_t kControllerStates = 9;
+
+enum class Command : std::uint8_t {
+  enable,
+  disable,
+  start,
+  hold,
+  resume,
+  stop,
+  emergency_stop,
+  reset
+};
+inline constexpr std::size_t kCommands = 8;
+
+enum class WaitsFor : std::uint8_t {
+  nothing,
+  text,      ///< feed() or finish()
+  planning,  ///< plan() is late
+};
+
+KERF_API std::string_view name_of(ControllerState state) noexcept;
+KERF_API std::string_view name_of(Command command) noexcept;
+KERF_API std::string_view name_of(WaitsFor what) noexcept;
+
+/// What a state makes of a command.
+struct Answer {
+  ControllerState next = ControllerState::off;  ///< the state itself where nothing changes
+  std::string_view refusal{};                   ///< why not; empty: it is accepted
+
+  [[nodiscard]] constexpr bool is_accepted() const noexcept { return refusal.empty(); }
+};
+
+/// The one table of states and commands (docs/control.md).
+KERF_API Answer answer_to(ControllerState state, Command command) noexcept;
+
+struct Refusal {
+  ControllerState state = ControllerState::off;
+  Command command = Command::enable;
+  std::string_view reason{};
+};
+
+/// What an operator sees, of one tick.
+struct ControllerStatus {
+  ControllerState state = ControllerState::off;
+  WaitsFor waits_for = WaitsFor::nothing;
+  std::uint64_t changes = 0;   ///< of the state, ever
+  std::uint64_t programs = 0;  ///< started, ever
+  double run_s = 0.0;          ///< how long the present or last program has run, rests included
+  Setpoint setpoint{};         ///< its tick counts from the controller's first
+};
+
+/// Runs programs one after the other, each by a Kernel of its own, which begins where the tool is.
+/// Commands, feeding and planning are for one thread; tick() for another, which calls it once a
+/// period for ever, program or not. emergency_stop(), fail() and status() are for any thread.
+///
+/// The drives follow the state: they are on but in off and fault, and in emergency_stop once the
+/// tool rests (drives_on).
+class KERF_API Controller {
+ public:
+  /// Off, with the tool at rest at the start place of the options, which are those of every
+  /// program. validate() says what is impossible; such a program ends at once with that error.
+  explicit Controller(const MachineSettings& settings, const KernelOptions& options = {});
+  ~Controller();
+  Controller(const Controller&) = delete;
+  Controller& operator=(const Controller&) = delete;
+
+  /// `start` begins a program: feed() it. Allocates.
+  tl::expected<void, Refusal> give(Command command);
+
+  /// To the present program; text is dropped where there is none.
+  void feed(std::string_view text);
+  /// No more text follows.
+  void finish();
+  /// Kernel::plan(), some times a horizon. True: more text is wanted.
+  bool plan();
+  /// The text is late: the tool comes to rest after what was read, unless much is planned still.
+  void text_is_late();
+  /// The present or last program: its errors and figures. Null: there was none. Planning side.
+  [[nodiscard]] const Kernel* program() const noexcept;
+
+  /// One setpoint; without a program it repeats the last. Real time: allocates nothing, takes no
+  /// lock, throws nothing.
+  ControllerState tick(Setpoint& setpoint) noexcept;
+
+  /// Kernel::emergency_stop(), and the program is over. From every state.
+  void emergency_stop() noexcept;
+  /// The machine reports a fault: as emergency_stop(), but the state is fault.
+  void fail() noexcept;
+  [[nodiscard]] bool drives_on() const noexcept;
+  /// Of the latest tick, whole. Takes no lock; waits for a tick() that is just writing.
+  [[nodiscard]] ControllerStatus status() const noexcept;
+
+ private:
+  class Impl;
+  Impl* impl_;  ///< owned
+};
+
+}  // namespace v0
+}  // namespace kerf

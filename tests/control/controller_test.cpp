@@ -1,0 +1,258 @@
+// One machine, its states and commands, and programs one after the other.
+#include <atomic>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <kerf/controller.hpp>
+
+#include "tests/kernel/run.hpp"
+#include "tests/kernel/shipped_text.hpp"
+
+namespace kerf::test {
+namespace {
+
+using State = ControllerState;
+
+constexpr const char* kLongLine = "G21 G90\nG1 X1000 F6000\nM2\n";
+
+// Both sides in one thread.
+struct Shop {
+  Controller controller{mill()};
+  Setpoint setpoint{};
+
+  State tick(int count = 1) {
+    State state = State::off;
+    for (int i = 0; i < count; ++i) {
+      controller.plan();
+      state = controller.tick(setpoint);
+    }
+    return state;
+  }
+  void tick_until(State state) {
+    for (int i = 0; i < kMaxTicks && tick() != state; ++i) {
+    }
+    ASSERT_EQ(controller.status().state, state);
+  }
+  void give(Command command) {
+    const auto given = controller.give(command);
+    ASSERT_TRUE(given) << name_of(command) << ": " << given.error().reason;
+  }
+  void start(const std::string& text) {
+    give(Command::start);
+    controller.feed(text);
+    controller.finish();
+  }
+  void begin(const std::string& text) {
+    give(Command::enable);
+    start(text);
+    tick(500);
+  }
+};
+
+void bring_to(State state, Shop& shop) {
+  switch (state) {
+    case State::off:
+      break;
+    case State::emergency_stop:
+      shop.controller.emergency_stop();
+      break;
+    case State::idle:
+      shop.give(Command::enable);
+      break;
+    case State::running:
+      shop.begin(kLongLine);
+      break;
+    case State::waiting:
+      shop.give(Command::enable);
+      shop.give(Command::start);
+      shop.tick();
+      break;
+    case State::holding:
+    case State::held:
+      shop.begin(kLongLine);
+      shop.give(Command::hold);
+      if (state == State::held) {
+        shop.tick_until(state);
+      }
+      break;
+    case State::stopping:
+      shop.begin(kLongLine);
+      shop.give(Command::stop);
+      break;
+    case State::fault:
+      shop.controller.fail();
+      break;
+  }
+  shop.tick();
+  ASSERT_EQ(shop.controller.status().state, state);
+}
+
+// The cells of docs/control.md, by state and command.
+std::map<std::string, std::vector<std::string>> documented_table() {
+  std::ifstream file(KERF_SOURCE_DIR "/docs/control.md");
+  std::map<std::string, std::vector<std::string>> rows;
+  std::string line;
+  while (std::getline(file, line)) {
+    std::vector<std::string> cells;
+    std::stringstream cut(line);
+    for (std::string cell; std::getline(cut, cell, '|');) {
+      const auto first = cell.find_first_not_of(' ');
+      cells.push_back(first == std::string::npos
+                          ? ""
+                          : cell.substr(first, cell.find_last_not_of(' ') - first + 1));
+    }
+    if (cells.size() == kCommands + 2) {
+      rows[cells[1]] = {cells.begin() + 2, cells.end()};
+    }
+  }
+  return rows;
+}
+
+TEST(Controller, AnswersEveryCommandInEveryStateAsDocumented) {
+  const auto documented = documented_table();
+  ASSERT_EQ(documented.size(), kControllerStates + 2);  // and the head
+  for (std::size_t s = 0; s < kControllerStates; ++s) {
+    const auto state = static_cast<State>(s);
+    for (std::size_t c = 0; c < kCommands; ++c) {
+      const auto command = static_cast<Command>(c);
+      SCOPED_TRACE(std::string(name_of(state)) + ", " + std::string(name_of(command)));
+      const std::string& expected = documented.at(std::string(name_of(state))).at(c);
+      EXPECT_EQ(documented.at("state").at(c), name_of(command));
+      Shop shop;
+      bring_to(state, shop);
+      ASSERT_FALSE(HasFailure());
+      const auto given = shop.controller.give(command);
+      if (given) {
+        EXPECT_EQ(name_of(shop.controller.status().state), expected);
+      } else {
+        EXPECT_EQ(given.error().reason, expected);
+        EXPECT_EQ(given.error().state, state);
+        EXPECT_EQ(given.error().command, command);
+        EXPECT_EQ(shop.controller.status().state, state);
+      }
+    }
+  }
+}
+
+TEST(Controller, RunsASecondProgramLikeTheFirst) {
+  const std::string second = "G21 G91\nG1 X30 F3000\nG3 X10 Y10 J10\nM2\n";
+  Shop shop;
+  shop.begin("G21 G90\nG1 X10 F3000\nM2\n");
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 10.0);
+  shop.start(second);
+  const auto alone = ticks_of(second, {.start_mm = {10.0, 0.0, 0.0}});
+  for (const Setpoint& expected : alone) {
+    shop.tick();
+    ASSERT_EQ(shop.setpoint.position_mm, expected.position_mm) << expected.tick;
+  }
+  EXPECT_EQ(shop.controller.status().state, State::idle);
+  EXPECT_EQ(shop.controller.status().programs, 2U);
+  EXPECT_NEAR(shop.controller.status().run_s, static_cast<double>(alone.size()) * 1e-3, 1e-9);
+}
+
+TEST(Controller, HoldsAndGoesOnToTheSameEnd) {
+  Shop shop;
+  shop.begin(mixed_program());
+  shop.give(Command::hold);
+  shop.tick_until(State::held);
+  EXPECT_EQ(shop.setpoint.v_mm_s, 0.0);
+  shop.give(Command::resume);
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm, ticks_of(mixed_program()).back().position_mm);
+}
+
+TEST(Controller, SaysWhatItWaitsFor) {
+  Shop shop;
+  shop.give(Command::enable);
+  shop.give(Command::start);
+  shop.controller.feed("G21 G90\nG1 X1 F3000\n");
+  shop.controller.plan();
+  shop.controller.text_is_late();
+  shop.tick_until(State::waiting);
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::text);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 1.0);
+  shop.controller.feed("G1 X200\n");
+  shop.controller.finish();
+  shop.tick_until(State::running);
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::nothing);
+  State state = State::running;
+  for (int i = 0; i < 1000 && state == State::running; ++i) {
+    state = shop.controller.tick(shop.setpoint);
+  }
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::planning);
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 200.0);
+}
+
+TEST(Controller, MovesNothingAfterAnEmergencyStopUntilResetEnableAndStart) {
+  Shop shop;
+  shop.begin(kLongLine);
+  shop.controller.emergency_stop();
+  EXPECT_TRUE(shop.controller.drives_on());
+  const auto too_early = shop.controller.give(Command::reset);
+  ASSERT_FALSE(too_early);
+  EXPECT_EQ(too_early.error().reason, "the tool still moves");
+  while (shop.controller.drives_on()) {
+    shop.tick();
+  }
+  const Position at = shop.setpoint.position_mm;
+  shop.give(Command::reset);
+  shop.tick(100);
+  shop.give(Command::enable);
+  shop.tick(100);
+  EXPECT_EQ(shop.setpoint.position_mm, at);
+  shop.start("G21 G90\nG1 X0 F6000\nM2\n");
+  shop.tick();
+  EXPECT_NEAR(shop.setpoint.position_mm[0], at[0], 1e-3);
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 0.0);
+}
+
+TEST(Controller, IsIdleAfterAProgramWithAnErrorAndHasIt) {
+  Shop shop;
+  shop.begin("G21 G90\nG1 X1 F3000\nX2 F-1\nM2\n");
+  shop.tick_until(State::idle);
+  ASSERT_NE(shop.controller.program(), nullptr);
+  EXPECT_TRUE(shop.controller.program()->has_errors());
+}
+
+// On this line X is the path length, of one tick or of another, never of two.
+TEST(Controller, ShowsEachThreadAWholeTick) {
+  Shop shop;
+  shop.begin(kLongLine);
+  std::atomic<bool> over = false;
+  std::atomic<int> seen = 0;
+  std::atomic<int> torn = 0;
+  std::thread reader([&] {
+    while (!over) {
+      const ControllerStatus status = shop.controller.status();
+      torn += status.setpoint.position_mm[0] != status.setpoint.s_mm ? 1 : 0;
+      ++seen;
+    }
+  });
+  while (seen < 100 || shop.controller.status().state != State::idle) {
+    shop.tick();
+  }
+  over = true;
+  reader.join();
+  EXPECT_EQ(torn, 0);
+}
+
+TEST(Controller, IsStoppedByAThreadOfItsOwn) {
+  Shop shop;
+  shop.begin(kLongLine);
+  std::thread button([&] { shop.controller.emergency_stop(); });
+  while (shop.tick() != State::emergency_stop || shop.controller.drives_on()) {
+  }
+  button.join();
+  EXPECT_LT(shop.setpoint.position_mm[0], 1000.0);
+}
+
+}  // namespace
+}  // namespace kerf::test
