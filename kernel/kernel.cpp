@@ -272,6 +272,9 @@ class Kernel::Impl {
       }
       return true;
     }
+    if (queue_.phases_free() < interp::StopAhead::kPhases + delivery_.outbox().phases.size()) {
+      return false;
+    }
     const std::int64_t now = interpolator_.plan_tick();
     const std::int64_t last = std::max(pipeline_.emitted_until_tick(), now);
     lookahead::Outbox plan;

@@ -32,6 +32,15 @@ void PlanClock::align_to_tick() noexcept {
   now_ = {.tick = next_tick()};
 }
 
+void PlanClock::set(const interp::TickTime& time) noexcept {
+  now_ = time;
+  if (now_.offset_s <= kTickRounding * period_s_) {
+    now_.offset_s = 0.0;
+  } else if (now_.offset_s >= (1.0 - kTickRounding) * period_s_) {
+    now_ = {.tick = time.tick + 1};
+  }
+}
+
 Emitter::Emitter(double period_s, bool keeps) : clock_(period_s) {
   if (keeps) {
     kept_.emplace(period_s);

@@ -53,8 +53,9 @@ class PlanClock {
   void advance(double duration_s) noexcept;
   // Moves on to next_tick(), as after a rest.
   void align_to_tick() noexcept;
-  // Goes on from there.
-  void set(const interp::TickTime& time) noexcept { now_ = time; }
+  // Goes on from there; on a tick where only rounding parts them, so that a plan which ends there
+  // is not over a tick before the next one begins.
+  void set(const interp::TickTime& time) noexcept;
 
  private:
   double period_s_;

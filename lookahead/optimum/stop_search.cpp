@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "interp/motion.hpp"
 #include "lookahead/optimum/grid/grid.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 #include "lookahead/path/remainder.hpp"
@@ -20,6 +21,8 @@ constexpr double kStep = 1.06;
 constexpr std::array<double, 6> kDistances{1.01, 1.3, 1.7, 2.2, 3.1, 4.6};
 constexpr std::array<double, 3> kDistancesOfAny{1.7, 3.1, 5.6};
 constexpr std::size_t kLeastCells = 3;
+// More come of a way that is no way: near a rest, at a crawl.
+constexpr std::size_t kMostCells = interp::StopAhead::kPhases / 2;
 constexpr double kShortest_mm = 1e-9;
 constexpr double kCellsOfWay = 40.0;
 // How far blocks are looked at, over what steady braking takes.
@@ -247,7 +250,7 @@ std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_e
     relax_beside_rest(sequence.cells, BlockSide::end);
   }
   refine_to_rest(sequence.cells, RestAt::end, path, *limits_);
-  if (sequence.cells.size() < kLeastCells) {
+  if (sequence.cells.size() < kLeastCells || sequence.cells.size() > kMostCells) {
     return std::nullopt;
   }
   begin_with_s_curve(distance_mm, sequence.cells);

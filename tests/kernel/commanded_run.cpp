@@ -1,0 +1,167 @@
+#include "tests/kernel/commanded_run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <random>
+#include <vector>
+
+#include <kerf/kernel.hpp>
+
+#include "tests/kernel/random_program.hpp"
+#include "tests/kernel/run.hpp"
+#include "tests/kernel/shipped_text.hpp"
+#include "tests/kernel/tick_checker.hpp"
+
+namespace kerf::test {
+
+namespace {
+
+enum class Order : std::uint8_t { hold, late, stop, emergency_stop };
+
+struct Timed {
+  std::int64_t tick = 0;
+  Order order = Order::hold;
+  int ticks = 0;           // until the resume, or how long planning is late
+  bool after_rest = true;  // the resume counts from the first held tick
+};
+
+std::vector<Timed> random_orders(std::mt19937_64& random, std::int64_t whole_ticks) {
+  const auto below = [&random](std::int64_t count) {
+    return static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(count));
+  };
+  std::vector<Timed> orders(static_cast<std::size_t>(1 + below(20)));
+  for (Timed& timed : orders) {
+    timed.tick = below(whole_ticks);
+    timed.order = below(4) == 0 ? Order::late : Order::hold;
+    timed.ticks = static_cast<int>(timed.order == Order::late ? below(700) : 1 + below(60));
+    timed.after_rest = below(3) != 0;
+  }
+  std::ranges::sort(orders, {}, &Timed::tick);
+  const std::int64_t end = below(10);
+  orders.back().order = end == 0   ? Order::emergency_stop
+                        : end <= 2 ? Order::stop
+                                   : orders.back().order;
+  return orders;
+}
+
+std::string to_text(const std::vector<Timed>& orders) {
+  constexpr std::array<const char*, 4> kNames{"hold", "late", "stop", "emergency stop"};
+  std::string text;
+  for (const Timed& timed : orders) {
+    text += std::to_string(timed.tick) + " " + kNames.at(static_cast<std::size_t>(timed.order)) +
+            " " + std::to_string(timed.ticks) + (timed.after_rest ? "" : " early") + ", ";
+  }
+  return text;
+}
+
+class Operator {
+ public:
+  Operator(Kernel& kernel, const std::vector<Timed>& orders) : kernel_(&kernel), next_(&orders) {}
+
+  // Before each tick; false: planning is late.
+  bool before(std::int64_t tick) {
+    for (; at_ < next_->size() && (*next_)[at_].tick <= tick; ++at_) {
+      const Timed& timed = (*next_)[at_];
+      if (timed.order == Order::hold && resume_in_ < 0 && !stopped_) {
+        kernel_->hold();
+        resume_in_ = timed.ticks;
+        after_rest_ = timed.after_rest;
+      } else if (timed.order == Order::late) {
+        late_until_ = tick + timed.ticks;
+      } else if (timed.order == Order::stop) {
+        kernel_->stop();
+        stopped_ = true;
+      } else if (timed.order == Order::emergency_stop) {
+        kernel_->emergency_stop();
+        stopped_ = emergency_ = true;
+      }
+    }
+    return tick >= late_until_;
+  }
+  void after(TickStatus status) {
+    resume_in_ -= resume_in_ > 0 && (!after_rest_ || status == TickStatus::held) ? 1 : 0;
+    if (resume_in_ == 0) {
+      kernel_->resume();
+      resume_in_ = -1;
+    }
+  }
+  [[nodiscard]] bool stopped() const { return stopped_; }
+  [[nodiscard]] bool emergency() const { return emergency_; }
+
+ private:
+  Kernel* kernel_;
+  const std::vector<Timed>* next_;
+  std::size_t at_ = 0;
+  int resume_in_ = -1;  // none waits
+  bool after_rest_ = true;
+  std::int64_t late_until_ = 0;
+  bool stopped_ = false;
+  bool emergency_ = false;
+};
+
+bool is_over(TickStatus status) {
+  return status == TickStatus::finished || status == TickStatus::failed ||
+         status == TickStatus::emergency_stop;
+}
+
+}  // namespace
+
+CommandedRun commanded_run(std::uint64_t seed) {
+  constexpr std::array kKinds{ProfileKind::s_curve, ProfileKind::time_optimal,
+                              ProfileKind::quintic};
+  std::mt19937_64 random(seed);
+  const RandomProgram program =
+      random_program(seed, {.blocks = 8, .longest_mm = seed % 3 == 0 ? 5.0 : 60.0});
+  KernelOptions options{.profile = {.kind = kKinds[random() % kKinds.size()]}};
+  options.start_mm = program.start_mm;
+  const std::vector<Setpoint> whole = ticks_of(program.text, options);
+  const std::vector<Timed> orders = random_orders(random, whole.back().tick);
+  const bool has_threads = random() % 2 == 0;
+
+  Kernel kernel(mill(), options);
+  kernel.feed(program.text);
+  kernel.finish();
+  TickChecker checker(mill().limits, true);
+  CommandedRun run{.commands = to_text(orders)};
+  Operator by(kernel, orders);
+  Setpoint setpoint;
+  double off_mm = 0.0;
+  TickStatus status = TickStatus::running;
+  for (; !is_over(status) && run.ticks < kMaxTicks; ++run.ticks) {
+    const bool in_time = by.before(run.ticks);
+    if (has_threads) {
+      if (in_time) {
+        kernel.plan();
+      }
+      status = kernel.tick(setpoint);
+    } else {
+      status = kernel.next(setpoint);
+    }
+    if (in_time || !has_threads) {
+      by.after(status);
+    }
+    if (!by.emergency()) {
+      checker.add({.setpoint = setpoint, .feedrate_mm_s = 150.0});
+    }
+    off_mm = std::max(off_mm, off_path_mm(whole, setpoint));
+    for (const double x : setpoint.position_mm) {
+      run.fingerprint = run.fingerprint * 1'099'511'628'211U + std::bit_cast<std::uint64_t>(x);
+    }
+  }
+  run.complaint = checker.complaint();
+  const auto complain = [&run](bool is_wrong, const std::string& what) {
+    if (is_wrong && run.complaint.empty()) {
+      run.complaint = what;
+    }
+  };
+  complain(kernel.fault().has_value(), kernel.fault() ? kernel.fault()->what : "");
+  complain(off_mm > 1e-9, std::to_string(off_mm) + " mm off the path");
+  complain(!is_over(status), "does not end");
+  complain(setpoint.v_mm_s != 0.0, "ends in motion");
+  complain(!by.stopped() && setpoint.position_mm != whole.back().position_mm,
+           "ends somewhere else");
+  return run;
+}
+
+}  // namespace kerf::test

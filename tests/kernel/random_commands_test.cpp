@@ -1,0 +1,37 @@
+// Random commands at random ticks of random programs.
+#include <gtest/gtest.h>
+
+#include "tests/kernel/commanded_run.hpp"
+
+namespace kerf::test {
+namespace {
+
+#ifdef KERF_SLOW_BUILD
+constexpr std::uint64_t kRuns = 5;
+#else
+constexpr std::uint64_t kRuns = 100;
+#endif
+
+class RandomCommands : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RandomCommands, KeepLimitsPathAndEnd) {
+  for (std::uint64_t i = 0; i < kRuns; ++i) {
+    const std::uint64_t seed = 5'000'000 + GetParam() * kRuns + i;
+    const CommandedRun run = commanded_run(seed);
+    ASSERT_EQ(run.complaint, "") << "seed " << seed << ": " << run.commands;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shard, RandomCommands, testing::Range<std::uint64_t>(0, 10));
+
+TEST(RandomCommandsAgain, GiveTheSameTicks) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const CommandedRun one = commanded_run(seed);
+    const CommandedRun two = commanded_run(seed);
+    ASSERT_EQ(one.ticks, two.ticks) << "seed " << seed;
+    ASSERT_EQ(one.fingerprint, two.fingerprint) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace kerf::test
