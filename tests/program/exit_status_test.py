@@ -10,7 +10,7 @@ import time
 from command_line import Case, KERF, LONG, SOURCE, SQUARE, TOO_FAR, WRONG, main
 
 # 6 is a defect, of which there is none to show: ExitStatus.OfADefectIs6 has it.
-ALL = {0, 1, 2, 3, 4, 5, 6, 129, 130, 143}
+ALL = {0, 1, 2, 3, 4, 5, 6, 7, 8, 129, 130, 143}
 
 
 class ExitStatus(Case):

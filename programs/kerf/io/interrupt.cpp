@@ -4,18 +4,27 @@
 #include <csignal>
 #include <unistd.h>
 
+#include "programs/kerf/io/keyboard.hpp"
+
 namespace kerf::program {
 
 namespace {
 
 // A handler can reach nothing but what is global.
-// NOLINTNEXTLINE(cppcoreguidelines-avoid-non-const-global-variables)
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables)
 std::atomic<int> first_signal{0};
+std::atomic<bool> expects_emergency_stop{false};
+std::atomic<bool> emergency{false};
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 static_assert(std::atomic<int>::is_always_lock_free, "or the handler may not touch it");
 
 void on_signal(int signal) {
   int none = 0;
-  if (!first_signal.compare_exchange_strong(none, signal)) {
+  if (first_signal.compare_exchange_strong(none, signal)) {
+    return;
+  }
+  if (!expects_emergency_stop || emergency.exchange(true)) {
+    Keyboard::restore();
     _exit(128 + signal);
   }
 }
@@ -33,6 +42,14 @@ void install_signal_handlers() {
   for (const int signal : {SIGPIPE, SIGXFSZ}) {
     sigaction(signal, &action, nullptr);
   }
+}
+
+void expect_emergency_stop() noexcept {
+  expects_emergency_stop = true;
+}
+
+bool emergency_stop_requested() noexcept {
+  return emergency.load(std::memory_order_relaxed);
 }
 
 std::optional<ExitStatus> stop_requested() noexcept {

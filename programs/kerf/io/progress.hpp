@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include <kerf/setpoint.hpp>
+
 namespace kerf::program {
 
 // Writers store, nobody waits. Holds the share of the text that was read, the path length planned
@@ -14,6 +16,9 @@ class Progress {
   void set_planned(double length_mm) noexcept { planned_mm_.store(length_mm, kOrder); }
   void set_done(double s_mm) noexcept { done_mm_.store(s_mm, kOrder); }
 
+  void set_status(TickStatus status) noexcept { status_.store(status, kOrder); }
+
+  [[nodiscard]] TickStatus status() const noexcept { return status_.load(kOrder); }
   // 0..1.
   [[nodiscard]] double share() const noexcept {
     const double planned = planned_mm_.load(kOrder);
@@ -27,6 +32,7 @@ class Progress {
   std::atomic<double> read_{0.0};
   std::atomic<double> planned_mm_{0.0};
   std::atomic<double> done_mm_{0.0};
+  std::atomic<TickStatus> status_{TickStatus::running};  // of the latest tick
 };
 
 }  // namespace kerf::program

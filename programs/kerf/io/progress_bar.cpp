@@ -28,7 +28,8 @@ bool ProgressBar::has_terminal() noexcept {
          (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
-ProgressBar::ProgressBar(std::string label, std::function<double()> share, bool shown)
+ProgressBar::ProgressBar(std::function<std::string()> label, std::function<double()> share,
+                         bool shown)
     : label_(std::move(label)), share_(std::move(share)) {
   if (shown) {
     thread_ = std::thread([this] { draw(); });
@@ -58,7 +59,7 @@ void ProgressBar::draw() {
         break;
       }
     }
-    write_all(STDERR_FILENO, std::string(kClearLine) + progress_line(label_, share_()));
+    write_all(STDERR_FILENO, std::string(kClearLine) + progress_line(label_(), share_()));
     drawn = true;
   }
   if (drawn) {

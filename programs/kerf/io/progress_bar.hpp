@@ -16,8 +16,9 @@ namespace kerf::program {
 // terminal that is stopped stops nothing else. Gone without a trace when destroyed.
 class ProgressBar {
  public:
-  // share: called from the other thread, 0..1. shown: false makes the whole thing do nothing.
-  ProgressBar(std::string label, std::function<double()> share, bool shown);
+  // label, share (0..1): called from the other thread. shown: false makes the whole thing do
+  // nothing.
+  ProgressBar(std::function<std::string()> label, std::function<double()> share, bool shown);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -28,7 +29,7 @@ class ProgressBar {
  private:
   void draw();
 
-  std::string label_;
+  std::function<std::string()> label_;
   std::function<double()> share_;
   std::mutex mutex_;
   std::condition_variable over_;

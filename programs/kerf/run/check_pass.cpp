@@ -14,8 +14,8 @@ tl::expected<CheckReport, std::string> check_pass(ProgramFile& file,
                                                   const KernelOptions& kernel_options,
                                                   const CheckPassOptions& options) {
   Progress progress;
-  const ProgressBar bar(
-      "checking", [&] { return progress.read_share(); }, options.shows_progress);
+  const ProgressBar bar([] { return std::string("checking"); },
+                        [&] { return progress.read_share(); }, options.shows_progress);
   std::optional<std::string> error;
   const auto size = static_cast<double>(std::max<std::uint64_t>(file.size_bytes(), 1));
   const TextSource text = [&]() -> std::string_view {

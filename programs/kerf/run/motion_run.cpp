@@ -14,8 +14,11 @@ namespace kerf::program {
 namespace {
 
 RunOutcome run(const RunStage& stage, const MotionOrder& order, double period_s) {
-  const ProgressBar bar(
-      "running ", [&stage] { return stage.progress.share(); }, order.shows_progress);
+  if (order.shows_progress && stage.by.has_keys()) {
+    fmt::print(stderr, "{}\n", Operator::kKeys);
+  }
+  const ProgressBar bar([&stage] { return stage.by.state_after(stage.progress.status()); },
+                        [&stage] { return stage.progress.share(); }, order.shows_progress);
   return order.options.command == Command::run ? run_in_real_time(stage, period_s)
                                                : run_without_clock(stage);
 }
@@ -25,6 +28,7 @@ struct End {
   const MachineFault& fault;
   const std::optional<std::string>& read_error;
   const RunOutcome& outcome;
+  const Operator& by;
   double max_time_s;
 };
 
@@ -38,8 +42,12 @@ void report_end(FileReport& report, const End& end) {
     report.fail(ExitStatus::machine_fault, describe(end.fault, report.period_s));
   } else if (end.outcome.gap) {
     report.fail(ExitStatus::machine_fault, describe(*end.outcome.gap, report.period_s));
+  } else if (end.by.asked_for_emergency_stop()) {
+    report.status = ExitStatus::emergency_stop;
   } else if (stop_requested()) {
     report.status = *stop_requested();
+  } else if (end.by.asked_to_stop()) {
+    report.status = ExitStatus::stopped;
   } else if (end.outcome.too_long_at_line) {
     report.fail_too_long({*end.outcome.too_long_at_line, end.max_time_s});
   } else if (end.read_error) {
@@ -82,15 +90,17 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
   Progress progress;
   Feeder feeder(kernel, text, progress);
   TickStage ticks(kernel, order.settings, order.kernel_options.start_mm);
+  Operator by(kernel, order.options.command == Command::run && !report.live);
   const RunOutcome outcome =
-      run({feeder, ticks, outputs->recorder(), progress, report.live,
+      run({feeder, ticks, outputs->recorder(), progress, by, report.live,
            static_cast<std::int64_t>(order.options.max_time_s / report.period_s)},
           order, report.period_s);
   report_motion(report, kernel, ticks.statistics(), outcome);
   if (const auto& speed = outputs->recorder().speed) {
     report.speed = speed->report();
   }
-  report_end(report, {kernel, ticks.fault(), feeder.error(), outcome, order.options.max_time_s});
+  report_end(report,
+             {kernel, ticks.fault(), feeder.error(), outcome, by, order.options.max_time_s});
   report.trace_reader_gone = outcome.trace_ended && outputs->recorder().trace->reader_gone();
   if (report.status == ExitStatus::done && order.path.extents && !outcome.trace_ended) {
     // Of the curves: ticks need not meet their extremes.

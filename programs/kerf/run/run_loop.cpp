@@ -18,7 +18,7 @@ constexpr std::chrono::milliseconds kPlanningPause{1};
 // Keeps the queue of the kernel full until the last tick.
 class PlanningThread {
  public:
-  explicit PlanningThread(Feeder& feeder) : feeder_(&feeder) {
+  PlanningThread(Feeder& feeder, Operator& by) : feeder_(&feeder), by_(&by) {
     feeder_->pump();  // the first tick finds its motion planned
     thread_ = std::thread([this] { work(); });
   }
@@ -41,6 +41,7 @@ class PlanningThread {
         if (stop_requested()) {
           feeder_->stop();
         }
+        by_->carry_out(*feeder_);
         feeder_->pump();
         std::this_thread::sleep_for(kPlanningPause);
       }
@@ -51,6 +52,7 @@ class PlanningThread {
   }
 
   Feeder* feeder_;
+  Operator* by_;
   std::exception_ptr error_;
   std::atomic<bool> failed_{false};
   std::atomic<bool> over_{false};
@@ -105,10 +107,11 @@ RunOutcome run_without_clock(const RunStage& stage) {
 }
 
 RunOutcome run_in_real_time(const RunStage& stage, double period_s) {
+  expect_emergency_stop();
   RunOutcome outcome;
   RecorderThread recorder(stage.recorder);
   {
-    const PlanningThread planning(stage.feeder);
+    const PlanningThread planning(stage.feeder, stage.by);
     TickTimer timer(period_s);
     Judge judge(stage.waits_for_text);
     for (TickRecord record;;) {
@@ -116,9 +119,13 @@ RunOutcome run_in_real_time(const RunStage& stage, double period_s) {
         outcome.gap = TickGap{.duration_s = gap_s, .line = record.line, .tick = record.tick};
         break;
       }
+      if (emergency_stop_requested()) {
+        stage.by.emergency_stop();
+      }
       const interp::TickStatus status = stage.ticks.step(record);
       recorder.push(record);
       stage.progress.set_done(record.motion.s_mm);
+      stage.progress.set_status(status);
       if (judge.is_over(status, stage.ticks, outcome)) {
         break;
       }

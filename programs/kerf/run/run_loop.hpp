@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "programs/kerf/run/feeder.hpp"
+#include "programs/kerf/run/operator.hpp"
 #include "programs/kerf/run/recorder.hpp"
 #include "programs/kerf/run/tick_stage.hpp"
 
@@ -16,6 +17,7 @@ struct RunStage {
   TickStage& ticks;
   Recorder& recorder;
   Progress& progress;
+  Operator& by;
   bool waits_for_text = false;  // a tick without motion is no defect: the text is still to come
   std::int64_t last_tick = std::numeric_limits<std::int64_t>::max();  // of a run without a clock
 };

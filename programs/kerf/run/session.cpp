@@ -116,8 +116,8 @@ class Session {
 
   void plan(ProgramFile& file) {
     Progress progress;
-    const ProgressBar bar(
-        "planning", [&] { return progress.read_share(); }, shows_progress_);
+    const ProgressBar bar([] { return std::string("planning"); },
+                          [&] { return progress.read_share(); }, shows_progress_);
     BlockWatch watch({.line = options_.explained_line, .period_s = report_.period_s});
     const auto planned = plan_only(
         file,

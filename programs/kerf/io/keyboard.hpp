@@ -1,0 +1,29 @@
+// The keys of the person at the terminal, one by one.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+namespace kerf::program {
+
+// While it lives, keys come without Return and are not shown. For standard input, where that is the
+// terminal of this process and in the foreground; elsewhere it is closed. At most one may live.
+class Keyboard {
+ public:
+  Keyboard() noexcept;
+  ~Keyboard();
+  Keyboard(const Keyboard&) = delete;
+  Keyboard& operator=(const Keyboard&) = delete;
+
+  [[nodiscard]] bool is_open() const noexcept { return open_; }
+  // Nothing: none came in time, or one that is several characters, as arrows are.
+  [[nodiscard]] std::optional<char> key(std::chrono::milliseconds wait) noexcept;
+
+  // Gives the terminal back, as the destructor does. Safe in a signal's handler.
+  static void restore() noexcept;
+
+ private:
+  bool open_ = false;
+};
+
+}  // namespace kerf::program

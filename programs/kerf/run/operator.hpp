@@ -1,0 +1,53 @@
+// What the person at the terminal asks of a run.
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <kerf/kernel.hpp>
+
+#include "programs/kerf/io/keyboard.hpp"
+#include "programs/kerf/run/feeder.hpp"
+
+namespace kerf::program {
+
+// Space holds and resumes, Enter resumes, q stops, Esc is the emergency stop. Keys are read in a
+// thread of its own; what needs planning is carried out by the thread that plans, the emergency
+// stop at once.
+class Operator {
+ public:
+  // No keys where standard input is no terminal, or has_keys is false: the program comes from it.
+  Operator(Kernel& kernel, bool has_keys);
+  ~Operator();
+  Operator(const Operator&) = delete;
+  Operator& operator=(const Operator&) = delete;
+
+  static constexpr const char* kKeys =
+      "keys: space holds and resumes, q stops on the path, Esc is the emergency stop";
+  [[nodiscard]] bool has_keys() const noexcept { return thread_.joinable(); }
+  // In the thread that plans.
+  void carry_out(Feeder& feeder);
+  // Any thread.
+  void emergency_stop() noexcept;
+  [[nodiscard]] bool asked_to_stop() const noexcept { return stop_; }
+  [[nodiscard]] bool asked_for_emergency_stop() const noexcept { return emergency_; }
+  // For a line of status; `status` is that of the latest tick.
+  [[nodiscard]] std::string state_after(TickStatus status) const;
+
+ private:
+  void read_keys();
+  void press(char key) noexcept;
+
+  Kernel* kernel_;
+  std::optional<Keyboard> keyboard_;
+  std::atomic<bool> hold_ = false;  // is asked for
+  std::atomic<bool> stop_ = false;
+  std::atomic<bool> emergency_ = false;
+  bool held_ = false;  // was asked of the kernel; of the thread that plans
+  std::atomic<bool> over_ = false;
+  std::thread thread_;
+};
+
+}  // namespace kerf::program
