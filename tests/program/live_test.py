@@ -103,15 +103,25 @@ class Signals(Case):
     def test_hung_up_run_is_129(self):
         self.stopped_run(signal.SIGHUP, 129)
 
-    def test_second_interrupt_ends_at_once(self):
+    def interrupted_at_once(self, *signals):
+        """The exit status and the summary."""
         process = self.start("run", self.path("long.ngc", LONG), "--trace", self.path("trace.csv"))
         self.wait_for_rows(self.path("trace.csv"), process)
         process.send_signal(signal.SIGSTOP)
-        process.send_signal(signal.SIGINT)
-        process.send_signal(signal.SIGTERM)  # another number: two pending SIGINT would be one
+        for number in signals:  # of different numbers: two pending SIGINT would be one
+            process.send_signal(number)
         process.send_signal(signal.SIGCONT)
-        process.communicate(timeout=60)
-        self.assertIn(process.returncode, (130, 143))
+        out, _ = process.communicate(timeout=60)
+        return process.returncode, out
+
+    def test_second_interrupt_is_the_emergency_stop(self):
+        status, out = self.interrupted_at_once(signal.SIGINT, signal.SIGTERM)
+        self.assertEqual(status, 8)
+        self.assertIn("emergency stop", out)
+
+    def test_third_interrupt_ends_at_once(self):
+        status, _ = self.interrupted_at_once(signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+        self.assertIn(status, (129, 130, 143))
         self.assertEqual(sorted(os.listdir(self.folder)), ["long.ngc", "trace.csv.incomplete"])
 
     def test_interrupt_while_waiting_for_input_is_130(self):

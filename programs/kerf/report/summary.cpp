@@ -30,7 +30,10 @@ std::string verdict(ExitStatus status) {
     case ExitStatus::interrupted:
     case ExitStatus::terminated:
     case ExitStatus::hung_up:
+    case ExitStatus::stopped:
       return "stopped on the path, as asked for";
+    case ExitStatus::emergency_stop:
+      return "emergency stop";
     default:
       return "failed";
   }
