@@ -262,7 +262,7 @@ std::optional<std::vector<BrakingPart>> StopSearch::any() const {
     return s_curve;
   }
   std::optional<OptimalPlan> found;
-  bool is_end = cells_.empty();
+  bool is_end = cells_.empty() || s_curve_.back().s_mm < kAtBlockEnd_mm;
   for (std::size_t i = 0; i < kDistancesOfAny.size() && !found && !is_end; ++i) {
     found = to_rest_at(kDistancesOfAny[i] * s_curve_.back().s_mm, is_end);
   }
@@ -271,8 +271,8 @@ std::optional<std::vector<BrakingPart>> StopSearch::any() const {
 
 // The distance grows until a way is found, and is then divided down to kStep.
 std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
-  if (cells_.empty()) {
-    return std::nullopt;
+  if (cells_.empty() || s_curve_.back().s_mm < kAtBlockEnd_mm) {
+    return in_closed_form();
   }
   double too_short_mm = 0.0;
   double distance_mm = 0.0;

@@ -24,6 +24,12 @@ TEST_P(RandomCommands, KeepLimitsPathAndEnd) {
 
 INSTANTIATE_TEST_SUITE_P(Shard, RandomCommands, testing::Range<std::uint64_t>(0, 10));
 
+// Held a billionth of a millimetre before a rest: 28,872 cells of 1e-13 mm, and no memory left.
+TEST(RandomCommandsAgain, HoldAtACrawlBesideARest) {
+  const CommandedRun run = commanded_run(6'000'505);
+  EXPECT_EQ(run.complaint, "") << run.commands;
+}
+
 TEST(RandomCommandsAgain, GiveTheSameTicks) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const CommandedRun one = commanded_run(seed);
