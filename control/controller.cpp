@@ -16,10 +16,10 @@ using State = ControllerState;
 // state says so.
 class Controller::Impl {
  public:
-  Impl(const MachineSettings& settings, const KernelOptions& options)
-      : settings_(settings), options_(options) {
-    last_.position_mm = options.start_mm;
-    last_.extra_rad_mm = options.start_extra_rad_mm;
+  Impl(MachineSettings settings, KernelOptions options)
+      : settings_(std::move(settings)), options_(std::move(options)) {
+    last_.position_mm = options_.start_mm;
+    last_.extra_rad_mm = options_.start_extra_rad_mm;
     publish();
   }
 

@@ -41,7 +41,7 @@ class Delivery {
  private:
   [[nodiscard]] bool may_follow(const interp::Phase& phase) const;
   // The path up to there is in the queue.
-  [[nodiscard]] bool reaches(std::uint64_t curve, double s_mm) const;
+  [[nodiscard]] bool reaches(std::uint64_t on_curve, double at_mm) const;
   void append_path(const lookahead::Outbox& plan);
   void send_path();
   void send_changes_before(const interp::Phase& phase);

@@ -35,11 +35,11 @@ BrakingFrom braking_from(const EmittedItems& kept, const EmittedItems::Motion& m
 // The ends of phases come first: the plan has found the motion there feasible, and what follows.
 // Those of a classical plan are far apart, as are those of a cruise.
 std::vector<EmittedItems::Motion> motions_to_stop_from(const Emitter& emitter, std::int64_t tick,
-                                                       double period_s) {
-  const auto ticks_to_try = static_cast<std::int64_t>(kToTry_s / period_s);
-  const auto ticks_between = static_cast<std::int64_t>(kBetween_s / period_s);
+                                                       const PlanLimits& limits) {
+  const auto ticks_to_try = static_cast<std::int64_t>(kToTry_s / limits.period_s);
+  const auto ticks_between = static_cast<std::int64_t>(kBetween_s / limits.period_s);
   std::vector<EmittedItems::Motion> motions;
-  for (const auto& end : emitter.kept().ends_between(tick, tick + ticks_to_try)) {
+  for (const auto& end : emitter.kept().ends_within({.begin = tick, .end = tick + ticks_to_try})) {
     if (motions.empty() || end.when.tick >= motions.back().when.tick + ticks_between) {
       motions.push_back(end);
     }
@@ -69,7 +69,7 @@ std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<cons
     return PlanStop{.from = first};
   }
   const auto rest = emitter.kept().rest_after(tick);
-  for (const EmittedItems::Motion& motion : motions_to_stop_from(emitter, tick, limits.period_s)) {
+  for (const EmittedItems::Motion& motion : motions_to_stop_from(emitter, tick, limits)) {
     auto parts = find_braking(braking_from(emitter.kept(), motion, ahead), limits, order.effort);
     if (!parts) {
       continue;

@@ -55,7 +55,7 @@ double rest_part_s(const PlannerSettings& settings) {
 void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, Emitter& emitter,
                Outbox& outbox) {
   for (const BrakingPart& part : parts) {
-    Block& block = std::get<Block>(ahead.front());
+    auto& block = std::get<Block>(ahead.front());
     emitter.emit(block, part.law, part.s_end_mm, outbox);
     outbox.phases.back().active_constraint = interp::active_constraint(part.limit);
     if (part.ends_block) {

@@ -66,12 +66,11 @@ std::optional<EmittedItems::Motion> EmittedItems::at(std::int64_t tick) const {
   return found;
 }
 
-std::vector<EmittedItems::Motion> EmittedItems::ends_between(std::int64_t tick,
-                                                             std::int64_t before) const {
+std::vector<EmittedItems::Motion> EmittedItems::ends_within(const Ticks& ticks) const {
   std::vector<Motion> ends;
-  for (std::size_t i = 1; i < phases_.size() && phases_[i].begin.tick < before; ++i) {
+  for (std::size_t i = 1; i < phases_.size() && phases_[i].begin.tick < ticks.end; ++i) {
     const interp::Phase& phase = phases_[i - 1];
-    if (phases_[i].begin.tick >= tick && !phase.ends_at_rest) {
+    if (phases_[i].begin.tick >= ticks.begin && !phase.ends_at_rest) {
       ends.push_back({.when = phases_[i].begin,
                       .v_mm_s = phase.law.ramp().v_end_mm_s,
                       .a_mm_s2 = phase.law.at(phase.law.duration_s()).a_mm_s2,

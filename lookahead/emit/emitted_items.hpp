@@ -67,8 +67,12 @@ class EmittedItems {
   };
   // Nothing: no phase has begun by then.
   [[nodiscard]] std::optional<Motion> at(std::int64_t tick) const;
-  // Where the first phases end that end at the tick or later and before the other one.
-  [[nodiscard]] std::vector<Motion> ends_between(std::int64_t tick, std::int64_t before) const;
+  struct Ticks {
+    std::int64_t begin = 0;
+    std::int64_t end = 0;  // behind the last
+  };
+  // Where the phases end that end within the ticks.
+  [[nodiscard]] std::vector<Motion> ends_within(const Ticks& ticks) const;
   // Where the phases behind the motion end, on their curves, at most so many.
   struct CurvePlace {
     std::uint64_t curve = 0;

@@ -44,6 +44,9 @@ std::vector<BrakingPart> parts_of(const profiles::SCurveStop& stop, const Block&
 
 std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
                                                      const PlanLimits& limits, StopEffort effort) {
+  if (from.blocks.empty()) {
+    return std::nullopt;
+  }
   if (auto parts = stop_on_line(from, limits)) {
     return parts;
   }

@@ -14,7 +14,8 @@
 
 namespace kerf::lookahead {
 
-// A motion on the first of some blocks that follow each other.
+// A motion on the first of some blocks that follow each other; none: it is at the end of the last,
+// about to rest.
 struct BrakingFrom {
   std::vector<const Block*> blocks;
   const Block* before = nullptr;  // the one before them; null: there is a rest between

@@ -57,6 +57,11 @@ void divide(std::vector<Cell>& cells, double longest_mm, const PathAt& path) {
   cells = std::move(divided);
 }
 
+int looks_at(const profiles::CellLaw& law, double period_s) {
+  constexpr double kMost = 1e6;
+  return static_cast<int>(std::min(std::ceil(kLooksATick * law.duration_s() / period_s), kMost));
+}
+
 // The first cells, to a rest at the distance. True: that is the end of what is known.
 bool cut_at(double distance_mm, const PathAt& path, std::vector<Cell>& cells) {
   double way = 0.0;
@@ -312,14 +317,15 @@ bool StopSearch::keeps_limits(const profiles::SCurveStop& stop) const {
   double way_mm = begin_mm;
   std::size_t i = 0;
   for (const profiles::CellLaw* law : {&stop.falling, &stop.steady, &stop.landing}) {
-    const double looks = std::ceil(kLooksATick * law->duration_s() / limits_->period_s);
-    for (double look = 0.0; look <= looks && law->duration_s() > 0.0; ++look) {
+    const int looks = law->duration_s() > 0.0 ? looks_at(*law, limits_->period_s) : -1;
+    for (int look = 0; look <= looks; ++look) {
       profiles::PathMotion motion = law->at(law->duration_s() * look / looks);
       const double s_mm = way_mm + motion.s_mm;
       while (i < cells_.size() && cells_[i].s_end_mm() < s_mm && !cells_[i].ends_block) {
         ++i;
       }
-      if (i == cells_.size() || s_mm > cells_[i].s_end_mm() - kAtBlockEnd_mm) {
+      if (i == cells_.size() ||
+          (cells_[i].ends_block && s_mm > cells_[i].s_end_mm() - kAtBlockEnd_mm)) {
         return false;
       }
       motion.s_mm = s_mm - cells_[i].s_begin_mm;

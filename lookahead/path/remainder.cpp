@@ -97,8 +97,8 @@ std::optional<Block> remainder_of(const std::shared_ptr<const Block>& whole, dou
   return rest;
 }
 
-Block whole_of(Block block) {
-  return block.whole ? *block.whole : std::move(block);
+Block whole_of(Block&& block) {
+  return block.whole ? Block(*block.whole) : std::move(block);
 }
 
 }  // namespace kerf::lookahead

@@ -18,6 +18,6 @@ std::optional<Block> stretch_of(const Block& block, const curves::Stretch& stret
 std::optional<Block> remainder_of(const std::shared_ptr<const Block>& whole, double s_mm);
 
 // The block that it is the remainder of, or the block itself.
-Block whole_of(Block block);
+Block whole_of(Block&& block);
 
 }  // namespace kerf::lookahead

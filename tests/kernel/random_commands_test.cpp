@@ -30,6 +30,12 @@ TEST(RandomCommandsAgain, HoldAtACrawlBesideARest) {
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
+// Stopped at the end of the last block before a rest, where rounding leaves some feedrate.
+TEST(RandomCommandsAgain, StopWhereNoBlockIsLeft) {
+  const CommandedRun run = commanded_run(6'001'417);
+  EXPECT_EQ(run.complaint, "") << run.commands;
+}
+
 TEST(RandomCommandsAgain, GiveTheSameTicks) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const CommandedRun one = commanded_run(seed);
