@@ -34,6 +34,9 @@ class Controller::Impl {
       if (command == Command::reset && running_.load() != nullptr) {
         return refusal(state, command, "the tool still moves");
       }
+      if (command == Command::resume && state == State::waiting && !waits_for_answer_.load()) {
+        return refusal(state, command, "it waits for no answer");
+      }
       if (command == Command::start && !next) {
         next = kernel_from_here();
       }
@@ -104,6 +107,7 @@ class Controller::Impl {
     status.state = state_.load();
     status.changes = changes_.load();
     status.waits_for = status.state != State::waiting ? WaitsFor::nothing
+                       : waits_for_answer_.load()     ? WaitsFor::answer
                        : wants_text_.load()           ? WaitsFor::text
                                                       : WaitsFor::planning;
     return status;
@@ -151,6 +155,7 @@ class Controller::Impl {
     options.start_mm = at.position_mm;
     options.start_extra_rad_mm = at.extra_rad_mm;
     options.one_thread = false;
+    options.waits = true;
     return std::make_unique<Kernel>(settings_, options);
   }
 
@@ -162,11 +167,13 @@ class Controller::Impl {
   }
 
   void follow(TickStatus status, const Kernel& kernel) noexcept {
+    waits_for_answer_.store(status == TickStatus::waiting, std::memory_order_relaxed);
     switch (status) {
       case TickStatus::running:
         change_if(State::waiting, State::running);
         break;
       case TickStatus::starved:
+      case TickStatus::waiting:
         change_if(State::running, State::waiting);
         break;
       case TickStatus::held:
@@ -212,6 +219,7 @@ class Controller::Impl {
   std::atomic<std::uint64_t> programs_ = 0;
   std::atomic<std::int64_t> run_ticks_ = 0;
   std::atomic<bool> wants_text_ = false;
+  std::atomic<bool> waits_for_answer_ = false;
   std::atomic<Kernel*> running_ = nullptr;
   std::unique_ptr<Kernel> kernel_;
   // Of the tick side.

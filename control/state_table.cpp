@@ -26,10 +26,6 @@ constexpr Answer refuse(std::string_view why) {
 }
 
 using Row = std::array<Answer, kCommands>;
-constexpr Row kInProgram{
-    refuse(kOn),      refuse(kProgram),    refuse(kProgram),          go(State::holding),
-    refuse(kNotHeld), go(State::stopping), go(State::emergency_stop), refuse(kProgram)};
-
 // A row a state: enable, disable, start, hold, resume, stop, emergency stop, reset.
 constexpr std::array<Row, kControllerStates> kTable{{
     // off
@@ -41,9 +37,12 @@ constexpr std::array<Row, kControllerStates> kTable{{
     // idle
     {refuse(kOn), go(State::off), go(State::running), refuse(kNoProgram), refuse(kNoProgram),
      refuse(kNoProgram), go(State::emergency_stop), refuse(kNothing)},
-    // running, waiting
-    kInProgram,
-    kInProgram,
+    // running
+    {refuse(kOn), refuse(kProgram), refuse(kProgram), go(State::holding), refuse(kNotHeld),
+     go(State::stopping), go(State::emergency_stop), refuse(kProgram)},
+    // waiting
+    {refuse(kOn), refuse(kProgram), refuse(kProgram), go(State::holding), go(State::running),
+     go(State::stopping), go(State::emergency_stop), refuse(kProgram)},
     // holding
     {refuse(kOn), refuse(kProgram), refuse(kProgram), go(State::holding), go(State::running),
      go(State::stopping), go(State::emergency_stop), refuse(kProgram)},
@@ -62,7 +61,7 @@ constexpr std::array<std::string_view, kControllerStates> kStateNames{
     "off", "emergency stop", "idle", "running", "waiting", "holding", "held", "stopping", "fault"};
 constexpr std::array<std::string_view, kCommands> kCommandNames{
     "enable", "disable", "start", "hold", "resume", "stop", "emergency stop", "reset"};
-constexpr std::array<std::string_view, 3> kWaitNames{"nothing", "text", "planning"};
+constexpr std::array<std::string_view, 4> kWaitNames{"nothing", "answer", "text", "planning"};
 
 }  // namespace
 

@@ -245,6 +245,7 @@ TickStatus Interpolator::follow_phase() noexcept {
   }
   return phase_.ends_program ? TickStatus::finished
          : phase_.holds      ? TickStatus::held
+         : phase_.waits      ? TickStatus::waiting
                              : TickStatus::starved;
 }
 

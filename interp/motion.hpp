@@ -58,6 +58,7 @@ struct Phase {
   ActiveConstraint active_constraint{};
   bool ends_at_rest = false;
   bool holds = false;  // the rest at its end is a feed hold
+  bool waits = false;  // it is a wait for an answer
   bool ends_program = false;
 };
 

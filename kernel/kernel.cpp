@@ -256,7 +256,10 @@ class Kernel::Impl {
       takeover_.reset();
     }
     if (!takeover_ && wants_resume_ && !wants_hold_) {
-      pipeline_.resume();
+      // A wait that the tool has not come to is not answered.
+      if (pipeline_.is_held() || interpolator_.plan_tick() >= pipeline_.emitted_until_tick()) {
+        pipeline_.resume();
+      }
       wants_resume_ = false;
     }
     if (!takeover_ && wants_hold_) {

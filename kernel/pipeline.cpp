@@ -18,6 +18,8 @@ Pipeline::Pipeline(const Order& order)
                 .profile = profiles::Profile(order.options.profile),
                 .window_blocks = order.options.window_blocks,
                 .longest_phase_s = order.longest_phase_s,
+                .waits = order.options.waits && order.may_hold,
+                .optional_stop = order.options.optional_stop,
                 .may_hold = order.may_hold}) {}
 
 Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
@@ -29,7 +31,7 @@ Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
     }
     return Step::planned;
   }
-  if (planner_.is_held()) {
+  if (planner_.is_held() || planner_.waits()) {
     return Step::held;
   }
   if (finished_) {

@@ -62,6 +62,7 @@ class Pipeline {
   bool stop(std::int64_t tick, lookahead::Outbox& outbox);
   void stop_held();
   [[nodiscard]] bool is_held() const noexcept { return planner_.is_held(); }
+  [[nodiscard]] bool waits() const noexcept { return planner_.waits(); }
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept {
     return planner_.emitted_until_tick();
   }

@@ -90,7 +90,7 @@ bool Planner::has_room() const noexcept {
 }
 
 bool Planner::wants_block() const noexcept {
-  return !held_ && waiting_.empty() && has_room();
+  return !held_ && !waits_ && waiting_.empty() && has_room();
 }
 
 void Planner::push(Block block) {
@@ -120,6 +120,18 @@ void Planner::push_rest(double duration_s, std::uint32_t line) {
   end_with({.duration_s = duration_s, .line = line});
 }
 
+void Planner::push_wait(const std::optional<interp::OutputChange>& change, std::uint32_t line) {
+  assert(settings_.may_hold && wants_block());
+  end_with({.line = line, .waits = true, .change = change});
+}
+
+bool Planner::waits_at(parser::EventKind kind) const noexcept {
+  using parser::EventKind;
+  return settings_.waits && (kind == EventKind::program_stop || kind == EventKind::pallet_change ||
+                             kind == EventKind::tool_change ||
+                             (kind == EventKind::optional_stop && settings_.optional_stop));
+}
+
 void Planner::push_change_at_rest(const interp::OutputChange& change, std::uint32_t line) {
   assert(wants_block());
   end_with({.line = line, .change = change});
@@ -145,7 +157,7 @@ void Planner::plan_to_rest() {
 }
 
 bool Planner::emit(Outbox& outbox) {
-  if (held_) {
+  if (held_ || waits_) {
     return false;
   }
   take_waiting();
@@ -195,7 +207,8 @@ bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   }
   empty_window();
   held_ = true;
-  before_hold_.emplace(Before{emitter_, waiting_});
+  before_hold_.emplace(Before{emitter_, waiting_, waits_});
+  waits_ = false;
   emitter_.take_back(stop->from, waiting_);
   emit_stop(stop->parts, waiting_, emitter_, outbox);
   outbox.phases.back().holds = true;
@@ -228,6 +241,7 @@ std::optional<Planner::StopAhead> Planner::stop_ahead(std::int64_t tick) {
 
 Outbox Planner::follow_stop_ahead(const StopAhead& taken) {
   empty_window();
+  waits_ = false;
   emitter_.take_back(taken.stop.from, waiting_);
   emitter_.repeat_plan(taken.plan);
   Outbox outbox;
@@ -279,6 +293,7 @@ void Planner::settle(bool accepted) {
   if (!accepted) {
     emitter_.restore(std::move(before_hold_->emitter));
     waiting_ = std::move(before_hold_->waiting);
+    waits_ = before_hold_->waits;
     held_ = false;
   } else if (stops_) {
     waiting_.clear();
@@ -290,6 +305,7 @@ void Planner::settle(bool accepted) {
 }
 
 void Planner::resume() {
+  waits_ = false;
   if (!held_) {
     return;
   }
@@ -314,6 +330,7 @@ void Planner::emit_rest(Outbox& outbox) {
     return;
   }
   emitter_.emit_rest(rest_, outbox);
+  outbox.phases.back().waits = waits_ = rest_.waits;
   rest_pending_ = false;
   to_rest_ = rest_.ends_program;
 }

@@ -28,6 +28,9 @@ struct PlannerSettings {
   // Cruises and dwells are emitted in parts of about this: what is planned is then as long as it is
   // asked for.
   double longest_phase_s = 0.1;
+  // M0, M60, M6 and, where optional stops are on, M1 wait for resume(). Needs may_hold.
+  bool waits = false;
+  bool optional_stop = false;
   bool may_hold = false;  // what was emitted is kept until it is run, so that it can be taken back
 };
 
@@ -45,6 +48,10 @@ class Planner {
   void push(Block block);
   // The tool stops and rests for duration_s (0 for an event). Precondition: wants_block().
   void push_rest(double duration_s, std::uint32_t line);
+  // The tool stops and waits for resume(), after the change where there is one. Precondition:
+  // wants_block().
+  void push_wait(const std::optional<interp::OutputChange>& change, std::uint32_t line);
+  [[nodiscard]] bool waits_at(parser::EventKind kind) const noexcept;
   // The change takes effect once the tool is at rest. Precondition: wants_block().
   void push_change_at_rest(const interp::OutputChange& change, std::uint32_t line);
   // The change takes effect at the first tick on the block that is pushed next.
@@ -64,7 +71,7 @@ class Planner {
   // Whether the tick side took the plan of the hold or stop. If not, there is none any more; ask
   // for another one: what was emitted before is run to its end, and nothing follows.
   void settle(bool accepted);
-  // Goes on from the rest of a hold, on the same path. Precondition: settle().
+  // Goes on from the rest of a hold, on the same path, or from a wait. Precondition: settle().
   void resume();
   // A way to rest that the tick side may take at a tick, at this one or some later, if nothing else
   // was handed over by then.
@@ -83,6 +90,8 @@ class Planner {
   // Ends the program where it is held. Precondition: is_held(), settle().
   void stop_held();
   [[nodiscard]] bool is_held() const noexcept { return held_; }
+  // What was emitted ends in a wait.
+  [[nodiscard]] bool waits() const noexcept { return waits_; }
   // Where the plan emitted so far ends; time goes on from there.
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept { return emitter_.now().tick; }
   // What was emitted ends at rest.
@@ -124,10 +133,12 @@ class Planner {
   std::uint64_t pushed_blocks_ = 0;
   std::deque<Item> waiting_;  // was taken back, and goes before what comes
   bool held_ = false;
+  bool waits_ = false;
   bool stops_ = false;  // at the rest of the plan that is not settled yet
   struct Before {
     Emitter emitter;
     std::deque<Item> waiting;
+    bool waits = false;
   };
   std::optional<Before> before_hold_;
   Emitter emitter_;

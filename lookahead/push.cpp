@@ -69,7 +69,9 @@ std::optional<interp::OutputChange> output_change_of(const parser::EventMove& ev
 
 void push_event(const parser::EventMove& event, std::uint32_t line, Planner& planner) {
   const auto change = output_change_of(event);
-  if (!change) {
+  if (planner.waits_at(event.kind)) {
+    planner.push_wait(change, line);
+  } else if (!change) {
     planner.push_rest(0.0, line);
   } else if (parser::is_at_motion(event.kind)) {
     planner.push_change_at_motion(*change);

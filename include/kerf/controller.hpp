@@ -43,6 +43,7 @@ inline constexpr std::size_t kCommands = 8;
 
 enum class WaitsFor : std::uint8_t {
   nothing,
+  answer,    ///< resume: M0, M1, M60 or M6
   text,      ///< feed() or finish()
   planning,  ///< plan() is late
 };
@@ -87,7 +88,8 @@ struct ControllerStatus {
 class KERF_API Controller {
  public:
   /// Off, with the tool at rest at the start place of the options, which are those of every
-  /// program. validate() says what is impossible; such a program ends at once with that error.
+  /// program, but that it waits for answers and has a planning thread. validate() says what is
+  /// impossible; such a program ends at once with that error.
   explicit Controller(const MachineSettings& settings, const KernelOptions& options = {});
   ~Controller();
   Controller(const Controller&) = delete;

@@ -26,6 +26,10 @@ struct KernelOptions {
   std::size_t window_blocks = 1000;  ///< of the look-ahead, 2 to 1'000'000
   double horizon_s = 0.25;     ///< how far ahead of the tick the motion is fixed, 1e-5 to 3600
   BlockDelete block_delete{};  ///< which blocks that begin with '/' are left out
+  /// M0, M60 and M6 wait for resume(); with optional_stop so does M1. Else the tool rests for a
+  /// tick there.
+  bool waits = false;
+  bool optional_stop = false;
   /// plan() and tick() are called by one thread, which is never late: no way to rest is kept ready
   /// behind what is planned.
   bool one_thread = false;
@@ -88,7 +92,7 @@ class KERF_API Kernel {
   /// as the limits allow, and rests until resume(); ticks are `held` then. What is left of a dwell
   /// waits, too. Does nothing while it holds, and once the program has ended. Planning side.
   void hold();
-  /// Goes on from a hold, on the same path. Planning side.
+  /// Goes on from a hold, on the same path, or from where the program waits. Planning side.
   void resume();
 
   /// From the next tick on the tool brakes on the path as fast as the accelerations of path and

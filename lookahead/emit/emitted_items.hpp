@@ -18,6 +18,7 @@ struct Rest {
   double duration_s = 0.0;
   std::uint32_t line = 0;  // 0: that of the last motion
   bool ends_program = false;
+  bool waits = false;  // until resume()
   std::optional<interp::OutputChange> change{};
 };
 

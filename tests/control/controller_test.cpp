@@ -69,8 +69,8 @@ void bring_to(State state, Shop& shop) {
       break;
     case State::waiting:
       shop.give(Command::enable);
-      shop.give(Command::start);
-      shop.tick();
+      shop.start("G21 G90 F3000\nG1 X1\nM0\nX20\nM2\n");
+      shop.tick_until(state);
       break;
     case State::holding:
     case State::held:
@@ -176,6 +176,7 @@ TEST(Controller, SaysWhatItWaitsFor) {
   shop.controller.text_is_late();
   shop.tick_until(State::waiting);
   EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::text);
+  EXPECT_EQ(shop.controller.give(Command::resume).error().reason, "it waits for no answer");
   EXPECT_EQ(shop.setpoint.position_mm[0], 1.0);
   shop.controller.feed("G1 X200\n");
   shop.controller.finish();
@@ -188,6 +189,18 @@ TEST(Controller, SaysWhatItWaitsFor) {
   EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::planning);
   shop.tick_until(State::idle);
   EXPECT_EQ(shop.setpoint.position_mm[0], 200.0);
+}
+
+TEST(Controller, WaitsForAnAnswerAtAProgramStop) {
+  Shop shop;
+  bring_to(State::waiting, shop);
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::answer);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 1.0);
+  shop.tick(100);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 1.0);
+  shop.give(Command::resume);
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 20.0);
 }
 
 TEST(Controller, MovesNothingAfterAnEmergencyStopUntilResetEnableAndStart) {

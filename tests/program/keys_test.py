@@ -76,6 +76,13 @@ class Keys(Case):
             longest = max(longest, run)
         self.assertGreater(longest, 300, "ticks at rest in the middle")
 
+    def test_enter_answers_a_program_stop(self):
+        process = self.start("G21 G90\nG1 X10 F6000\nM0\nX20\nM2\n")
+        time.sleep(0.5)
+        self.assertIsNone(process.poll())
+        self.press(b"\n")
+        self.assertEqual(self.finish(process, 0)[-1], 20.0)
+
     def test_a_second_interrupt_is_the_emergency_stop(self):
         process = self.start()
         process.send_signal(signal.SIGINT)

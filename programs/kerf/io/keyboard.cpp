@@ -18,9 +18,12 @@ std::atomic<bool> is_changed = false;
 
 }  // namespace
 
+bool Keyboard::has_terminal() noexcept {
+  return ::isatty(STDIN_FILENO) == 1 && ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
+}
+
 Keyboard::Keyboard() noexcept {
-  if (::isatty(STDIN_FILENO) != 1 || ::tcgetpgrp(STDIN_FILENO) != ::getpgrp() ||
-      ::tcgetattr(STDIN_FILENO, &before) != 0) {
+  if (!has_terminal() || ::tcgetattr(STDIN_FILENO, &before) != 0) {
     return;
   }
   termios keys = before;

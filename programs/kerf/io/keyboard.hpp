@@ -15,6 +15,8 @@ class Keyboard {
   Keyboard(const Keyboard&) = delete;
   Keyboard& operator=(const Keyboard&) = delete;
 
+  // Would it be open?
+  [[nodiscard]] static bool has_terminal() noexcept;
   [[nodiscard]] bool is_open() const noexcept { return open_; }
   // Nothing: none came in time, or one that is several characters, as arrows are.
   [[nodiscard]] std::optional<char> key(std::chrono::milliseconds wait) noexcept;

@@ -86,11 +86,15 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     return;
   }
   report.warnings = outputs->warnings();
-  Kernel kernel(order.settings, order.kernel_options);
+  const bool has_keys =
+      order.options.command == Command::run && !report.live && Keyboard::has_terminal();
+  KernelOptions kernel_options = order.kernel_options;
+  kernel_options.waits = has_keys;
+  Kernel kernel(order.settings, kernel_options);
   Progress progress;
   Feeder feeder(kernel, text, progress);
   TickStage ticks(kernel, order.settings, order.kernel_options.start_mm);
-  Operator by(kernel, order.options.command == Command::run && !report.live);
+  Operator by(kernel, has_keys);
   const RunOutcome outcome =
       run({feeder, ticks, outputs->recorder(), progress, by, report.live,
            static_cast<std::int64_t>(order.options.max_time_s / report.period_s)},

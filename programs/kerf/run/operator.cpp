@@ -37,6 +37,7 @@ void Operator::press(char key) noexcept {
     hold_ = !hold_;
   } else if (key == '\n' || key == '\r') {
     hold_ = false;
+    answer_ = true;
   } else if (key == 'q') {
     stop_ = true;
   } else if (key == kEscape) {
@@ -55,6 +56,9 @@ void Operator::carry_out(Feeder& feeder) {
   } else if (hold_ != held_) {
     held_ = !held_;
     held_ ? kernel_->hold() : kernel_->resume();
+    answer_ = false;
+  } else if (answer_.exchange(false)) {
+    kernel_->resume();
   }
 }
 
@@ -67,6 +71,9 @@ std::string Operator::state_after(TickStatus status) const {
   }
   if (status == TickStatus::held) {
     return "held     ";
+  }
+  if (status == TickStatus::waiting) {
+    return "waiting  ";
   }
   return hold_ ? "holding  " : "running  ";
 }

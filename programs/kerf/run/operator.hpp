@@ -13,9 +13,9 @@
 
 namespace kerf::program {
 
-// Space holds and resumes, Enter resumes, q stops, Esc is the emergency stop. Keys are read in a
-// thread of its own; what needs planning is carried out by the thread that plans, the emergency
-// stop at once.
+// Space holds and resumes, Enter resumes and answers a wait, q stops, Esc is the emergency stop.
+// Keys are read in a thread of its own; what needs planning is carried out by the thread that
+// plans, the emergency stop at once.
 class Operator {
  public:
   // No keys where standard input is no terminal, or has_keys is false: the program comes from it.
@@ -25,7 +25,8 @@ class Operator {
   Operator& operator=(const Operator&) = delete;
 
   static constexpr const char* kKeys =
-      "keys: space holds and resumes, q stops on the path, Esc is the emergency stop";
+      "keys: space holds and resumes, Enter goes on, q stops on the path, Esc is the emergency "
+      "stop";
   [[nodiscard]] bool has_keys() const noexcept { return thread_.joinable(); }
   // In the thread that plans.
   void carry_out(Feeder& feeder);
@@ -43,6 +44,7 @@ class Operator {
   Kernel* kernel_;
   std::optional<Keyboard> keyboard_;
   std::atomic<bool> hold_ = false;  // is asked for
+  std::atomic<bool> answer_ = false;
   std::atomic<bool> stop_ = false;
   std::atomic<bool> emergency_ = false;
   bool held_ = false;  // was asked of the kernel; of the thread that plans

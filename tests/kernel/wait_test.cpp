@@ -1,0 +1,112 @@
+// M0, M1, M60 and M6 wait for an answer, where the options say so.
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
+
+#include "tests/kernel/run.hpp"
+#include "tests/kernel/shipped_text.hpp"
+
+namespace kerf::test {
+namespace {
+
+// Answers each wait after 50 ticks; where X was at each.
+std::vector<double> waits_of(const std::string& text, KernelOptions options) {
+  Kernel kernel(mill(), options);
+  kernel.feed(text);
+  kernel.finish();
+  std::vector<double> places;
+  Setpoint setpoint;
+  TickStatus status = TickStatus::running;
+  int waited = 0;
+  for (int i = 0; i < 20'000 && status != TickStatus::finished; ++i) {
+    kernel.plan();
+    status = kernel.tick(setpoint);
+    waited = status == TickStatus::waiting ? waited + 1 : 0;
+    if (waited == 1) {
+      places.push_back(setpoint.position_mm[0]);
+      EXPECT_EQ(setpoint.v_mm_s, 0.0);
+    } else if (waited == 50) {
+      kernel.resume();
+    }
+  }
+  EXPECT_EQ(status, TickStatus::finished);
+  EXPECT_EQ(setpoint.position_mm[0], 50.0);
+  EXPECT_FALSE(kernel.fault());
+  return places;
+}
+
+constexpr const char* kStops =
+    "G21 G90 F3000\nG1 X10\nM0\nX20\nM1\nX30\nM60\nX40\nT2 M6\nX50\nM2\n";
+
+TEST(Wait, IsForAnAnswerAtStopsAndToolChanges) {
+  EXPECT_EQ(waits_of(kStops, {.waits = true}), (std::vector<double>{10.0, 30.0, 40.0}));
+  EXPECT_EQ(waits_of(kStops, {.waits = true, .optional_stop = true}),
+            (std::vector<double>{10.0, 20.0, 30.0, 40.0}));
+}
+
+TEST(Wait, IsNoneWhereNobodyAnswers) {
+  EXPECT_EQ(waits_of(kStops, {}), std::vector<double>{});
+}
+
+TEST(Wait, IsNotAnsweredBeforeTheToolIsThere) {
+  Kernel kernel(mill(), {.waits = true});
+  kernel.feed("G21 G90 G1 X10 F3000\nM0\nX20\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  TickStatus status = TickStatus::running;
+  for (int i = 0; i < 1000; ++i) {
+    if (i == 100) {
+      kernel.resume();
+    }
+    status = kernel.next(setpoint);
+  }
+  EXPECT_EQ(status, TickStatus::waiting);
+  EXPECT_EQ(setpoint.position_mm[0], 10.0);
+}
+
+TEST(Wait, LetsAHoldBrakeOnTheWayToIt) {
+  Kernel kernel(mill(), {.waits = true});
+  kernel.feed("G21 G90 G1 X10 F3000\nM0\nX20\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  TickStatus status = TickStatus::running;
+  for (int i = 0; i < 100; ++i) {
+    status = kernel.next(setpoint);
+  }
+  kernel.hold();
+  for (int i = 0; i < 200; ++i) {
+    status = kernel.next(setpoint);
+  }
+  EXPECT_EQ(status, TickStatus::held);
+  EXPECT_LT(setpoint.position_mm[0], 10.0);
+  kernel.resume();
+  for (int i = 0; i < 1000; ++i) {
+    status = kernel.next(setpoint);
+  }
+  EXPECT_EQ(status, TickStatus::waiting);
+  EXPECT_EQ(setpoint.position_mm[0], 10.0);
+  kernel.resume();
+  EXPECT_EQ(rest_of(kernel).back().position_mm[0], 20.0);
+}
+
+TEST(Wait, EndsWithAStop) {
+  Kernel kernel(mill(), {.waits = true});
+  kernel.feed("G21 G90 G1 X10 F3000\nM0\nX20\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  for (int i = 0; i < 1000; ++i) {
+    kernel.next(setpoint);
+  }
+  kernel.stop();
+  TickStatus status = TickStatus::waiting;
+  for (int i = 0; i < 20 && status != TickStatus::finished; ++i) {
+    status = kernel.next(setpoint);
+  }
+  EXPECT_EQ(status, TickStatus::finished);
+  EXPECT_EQ(setpoint.position_mm[0], 10.0);
+}
+
+}  // namespace
+}  // namespace kerf::test
