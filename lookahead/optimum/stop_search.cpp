@@ -4,12 +4,10 @@
 #include <array>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "interp/motion.hpp"
 #include "lookahead/optimum/grid/grid.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
-#include "lookahead/path/remainder.hpp"
 #include "profiles/s_curve_stop.hpp"
 
 namespace kerf::lookahead {
@@ -23,27 +21,12 @@ constexpr std::array<double, 3> kDistancesOfAny{1.7, 3.1, 5.6};
 constexpr std::size_t kLeastCells = 3;
 // More come of a way that is no way: near a rest, at a crawl.
 constexpr std::size_t kMostCells = interp::StopAhead::kPhases / 2;
-constexpr double kShortest_mm = 1e-9;
 constexpr double kCellsOfWay = 40.0;
-// How far blocks are looked at, over what steady braking takes.
-constexpr double kFarthest = 4.0;
-constexpr double kLeastFar_mm = 1.0;
-// A curve so many times as long as what is looked at of it.
-constexpr double kWorthCutting = 1.5;
 // Of the limits that hold where the motion is, for an S-curve on a curve.
 constexpr std::array<double, 3> kShares{1.0, 0.7, 0.5};
 constexpr double kLooksATick = 2.0;
 constexpr double kRounded = 1.0 + 1e-9;
 constexpr int kPointsOfPart = 20;  // of the S-curve
-
-double farthest_mm(const BrakingFrom& from, const PlanLimits& limits) {
-  double weakest = from.blocks.front()->along.ramp.acceleration_mm_s2;
-  for (const MotionLimits& axis : limits.axes) {
-    weakest = std::min(weakest, axis.acceleration_mm_s2);
-  }
-  const double v = from.state.v_mm_s;
-  return kLeastFar_mm + kFarthest * v * v / weakest;
-}
 
 void divide(std::vector<Cell>& cells, double longest_mm, const PathAt& path) {
   std::vector<Cell> divided;
@@ -84,117 +67,18 @@ bool cut_at(double distance_mm, const PathAt& path, std::vector<Cell>& cells) {
   return true;
 }
 
-// A block of which only a stretch is looked at: a curve may be long. begin_mm: of the stretch, on
-// the block.
-struct NearBlock {
-  Block block;
-  double begin_mm = 0.0;
-  bool ends_block = true;  // the stretch does
-};
-
-NearBlock near_block(const Block& block, const curves::Stretch& near) {
-  const curves::Stretch stretch{.begin_mm = std::max(near.begin_mm, 0.0),
-                                .end_mm = std::min(near.end_mm, block.length_mm)};
-  if (std::holds_alternative<curves::NurbsCurve>(block.curve) &&
-      kWorthCutting * (stretch.end_mm - stretch.begin_mm) < block.length_mm) {
-    if (auto cut = stretch_of(block, stretch)) {
-      return {.block = std::move(*cut),
-              .begin_mm = stretch.begin_mm,
-              .ends_block = stretch.end_mm == block.length_mm};
-    }
-  }
-  return {.block = block};
-}
-
 }  // namespace
 
 StopSearch::StopSearch(const BrakingFrom& from, const PlanLimits& limits)
-    : from_(&from), limits_(&limits), waiting_(limits) {
-  take_blocks();
-  take_cells();
-  if (!cells_.empty()) {
+    : from_(&from), limits_(&limits), way_(from, limits) {
+  if (!way_.cells().empty()) {
     take_s_curve();
   }
 }
 
-void StopSearch::take_blocks() {
-  const double back_mm = from_->junction_zone_mm(limits_->period_s);
-  const double far_mm = farthest_mm(*from_, *limits_);
-  const auto add = [this](Block block) {
-    blocks_.push_back(std::move(block));
-    waiting_.push_as_cells(blocks_);
-  };
-  double way_mm = -from_->s_mm;
-  for (std::size_t i = 0; i < from_->blocks.size() && way_mm < far_mm && !last_is_cut_; ++i) {
-    const Block& block = *from_->blocks[i];
-    NearBlock near = near_block(
-        block, {.begin_mm = i == 0 ? from_->s_mm - back_mm : 0.0, .end_mm = far_mm - way_mm});
-    if (i == 0) {
-      first_begin_mm_ = near.begin_mm;
-    }
-    if (i == 0 && from_->before != nullptr && near.begin_mm == 0.0) {
-      const Block& before = *from_->before;
-      add(near_block(before, {.begin_mm = before.length_mm - back_mm, .end_mm = before.length_mm})
-              .block);
-      first_ = 1;
-    }
-    add(std::move(near.block));
-    last_is_cut_ = !near.ends_block;
-    way_mm += block.length_mm;
-  }
-  waiting_.close_as_cells(blocks_);
-}
-
-// From the motion on, up to a rest or the end of what is known.
-void StopSearch::take_cells() {
-  const PathAt path = waiting_.path_of(blocks_);
-  const double s_mm = from_->s_mm - first_begin_mm_;
-  for (std::size_t i = 0; i < waiting_.size(); ++i) {
-    Cell cell = waiting_[i];
-    const bool is_first = cell.block == first_;
-    if (cell.block < first_ || (is_first && cell.s_end_mm() <= s_mm)) {
-      continue;
-    }
-    if (is_first && cell.s_begin_mm < s_mm) {
-      const double way = s_mm - cell.s_begin_mm;
-      cell = parts_of(cell, {way, cell.length_mm - way}, path).back();
-    }
-    cells_.push_back(cell);
-    if (cell.rest_after) {
-      break;
-    }
-  }
-  cut_at_ends(path);
-  if (last_is_cut_ && !cells_.empty() && cells_.back().block + 1 == blocks_.size()) {
-    cells_.back().ends_block = false;
-  }
-}
-
-void StopSearch::cut_at_ends(const PathAt& path) {
-  std::vector<Cell> cut;
-  auto end = from_->ends.begin();
-  for (Cell cell : cells_) {
-    const std::size_t block = cell.block - first_;
-    const double begin_mm = block == 0 ? first_begin_mm_ : 0.0;
-    for (; end != from_->ends.end() &&
-           (end->block < block ||
-            (end->block == block && end->s_mm - begin_mm < cell.s_end_mm() - kShortest_mm));
-         ++end) {
-      const double way = end->s_mm - begin_mm - cell.s_begin_mm;
-      if (end->block == block && way > kShortest_mm) {
-        const std::vector<Cell> halves = parts_of(cell, {way, cell.length_mm - way}, path);
-        cut.push_back(halves.front());
-        cell = halves.back();
-      }
-    }
-    cut.push_back(cell);
-  }
-  cells_ = std::move(cut);
-}
-
 // With a share of the limits that hold where the motion is.
 std::optional<profiles::SCurveStop> StopSearch::s_curve(double share) const {
-  const Cell& first = cells_.front();
+  const Cell& first = way_.cells().front();
   const StartState& begin = from_->state;
   const double acceleration =
       tangential_acceleration_mm_s2(first, first.begin, *limits_) / first.shares.acceleration;
@@ -211,7 +95,7 @@ void StopSearch::take_s_curve() {
   double way_mm = 0.0;
   s_curve_ = {{.s_mm = 0.0, .v_squared = v * v}};
   if (!stop) {
-    const Cell& first = cells_.front();
+    const Cell& first = way_.cells().front();
     s_curve_.push_back(
         {.s_mm = 0.5 * v * v / tangential_acceleration_mm_s2(first, first.begin, *limits_)});
     return;
@@ -244,8 +128,8 @@ void StopSearch::begin_with_s_curve(double distance_mm, std::vector<Cell>& cells
 }
 
 std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_end) const {
-  const PathAt path = waiting_.path_of(blocks_);
-  CellSequence sequence{.begin = from_->state, .cells = cells_};
+  const PathAt path = way_.path();
+  CellSequence sequence{.begin = from_->state, .cells = way_.cells()};
   is_end = cut_at(distance_mm, path, sequence.cells);
   if (sequence.cells.empty()) {
     return std::nullopt;
@@ -267,7 +151,7 @@ std::optional<std::vector<BrakingPart>> StopSearch::any() const {
     return s_curve;
   }
   std::optional<OptimalPlan> found;
-  bool is_end = cells_.empty() || s_curve_.back().s_mm < kAtBlockEnd_mm;
+  bool is_end = way_.cells().empty() || s_curve_.back().s_mm < kAtBlockEnd_mm;
   for (std::size_t i = 0; i < kDistancesOfAny.size() && !found && !is_end; ++i) {
     found = to_rest_at(kDistancesOfAny[i] * s_curve_.back().s_mm, is_end);
   }
@@ -276,7 +160,7 @@ std::optional<std::vector<BrakingPart>> StopSearch::any() const {
 
 // The distance grows until a way is found, and is then divided down to kStep.
 std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
-  if (cells_.empty() || s_curve_.back().s_mm < kAtBlockEnd_mm) {
+  if (way_.cells().empty() || s_curve_.back().s_mm < kAtBlockEnd_mm) {
     return in_closed_form();
   }
   double too_short_mm = 0.0;
@@ -301,7 +185,7 @@ std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
 }
 
 std::optional<std::vector<BrakingPart>> StopSearch::in_closed_form() const {
-  for (std::size_t i = 0; i < kShares.size() && !cells_.empty(); ++i) {
+  for (std::size_t i = 0; i < kShares.size() && !way_.cells().empty(); ++i) {
     const auto stop = s_curve(kShares[i]);
     if (stop && keeps_limits(*stop)) {
       return parts_of(*stop, *from_->blocks.front(), from_->s_mm);
@@ -312,8 +196,8 @@ std::optional<std::vector<BrakingPart>> StopSearch::in_closed_form() const {
 
 // Looks at it some times a tick, within the block.
 bool StopSearch::keeps_limits(const profiles::SCurveStop& stop) const {
-  const PathAt path = waiting_.path_of(blocks_);
-  const double begin_mm = cells_.front().s_begin_mm;
+  const PathAt path = way_.path();
+  const double begin_mm = way_.cells().front().s_begin_mm;
   double way_mm = begin_mm;
   std::size_t i = 0;
   for (const profiles::CellLaw* law : {&stop.falling, &stop.steady, &stop.landing}) {
@@ -321,15 +205,16 @@ bool StopSearch::keeps_limits(const profiles::SCurveStop& stop) const {
     for (int look = 0; look <= looks; ++look) {
       profiles::PathMotion motion = law->at(law->duration_s() * look / looks);
       const double s_mm = way_mm + motion.s_mm;
-      while (i < cells_.size() && cells_[i].s_end_mm() < s_mm && !cells_[i].ends_block) {
+      while (i < way_.cells().size() && way_.cells()[i].s_end_mm() < s_mm &&
+             !way_.cells()[i].ends_block) {
         ++i;
       }
-      if (i == cells_.size() ||
-          (cells_[i].ends_block && s_mm > cells_[i].s_end_mm() - kAtBlockEnd_mm)) {
+      if (i == way_.cells().size() ||
+          (way_.cells()[i].ends_block && s_mm > way_.cells()[i].s_end_mm() - kAtBlockEnd_mm)) {
         return false;
       }
-      motion.s_mm = s_mm - cells_[i].s_begin_mm;
-      if (excess_at(motion, cells_[i], path, *limits_).largest() > kRounded) {
+      motion.s_mm = s_mm - way_.cells()[i].s_begin_mm;
+      if (excess_at(motion, way_.cells()[i], path, *limits_).largest() > kRounded) {
         return false;
       }
     }
@@ -342,8 +227,8 @@ std::vector<BrakingPart> StopSearch::parts(const OptimalPlan& plan) const {
   std::vector<BrakingPart> parts;
   for (std::size_t i = 0; i < plan.cells().size(); ++i) {
     const Cell& cell = plan.cells()[i];
-    const auto block = static_cast<std::size_t>(cell.block - first_);
-    const double begin_mm = block == 0 ? first_begin_mm_ : 0.0;
+    const std::size_t block = way_.block_of(cell);
+    const double begin_mm = way_.begin_mm(block);
     parts.push_back(
         {.block = block,
          .law = plan.law_from({.cell = i}, kUnbounded),

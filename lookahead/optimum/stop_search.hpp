@@ -1,18 +1,26 @@
 // The way to rest by the search for the time optimum.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "lookahead/optimum/braking.hpp"
-#include "lookahead/optimum/grid/waiting_cells.hpp"
 #include "lookahead/optimum/solver/optimal_plan.hpp"
-#include "lookahead/path/window.hpp"
+#include "lookahead/optimum/way_ahead.hpp"
 
 namespace kerf::lookahead {
 
-// The search over the cells ahead, to a rest at any distance.
+// The search over the cells ahead, to a rest at one distance after the other.
+//
+// The solver finds the fastest way to a given rest; the nearest rest to which there is a way is
+// found by trying. Each try begins with the S-curve of the limits at this place, drawn out to the
+// distance: it decelerates less than they allow, so the solver begins within the limits and takes
+// some twenty Newton steps. An S-curve in closed form stands in where it keeps the limits when it
+// is looked at twice a tick.
+//
+// Weakness: a motion that needs all of an axis' jerk leaves the solver, which aims at 0.9995 of the
+// limits, no way at any distance; then all tries fail, which takes tens of milliseconds. The caller
+// tries other places of the plan.
 class StopSearch {
  public:
   StopSearch(const BrakingFrom& from, const PlanLimits& limits);
@@ -21,9 +29,6 @@ class StopSearch {
   [[nodiscard]] std::optional<std::vector<BrakingPart>> any() const;
 
  private:
-  void take_blocks();
-  void take_cells();
-  void cut_at_ends(const PathAt& path);
   [[nodiscard]] std::optional<profiles::SCurveStop> s_curve(double share) const;
   [[nodiscard]] std::optional<std::vector<BrakingPart>> in_closed_form() const;
   [[nodiscard]] bool keeps_limits(const profiles::SCurveStop& stop) const;
@@ -35,12 +40,7 @@ class StopSearch {
 
   const BrakingFrom* from_;
   const PlanLimits* limits_;
-  WaitingCells waiting_;
-  Window<Block> blocks_;
-  std::uint64_t first_ = 0;  // of blocks_: the one that the motion is on
-  double first_begin_mm_ = 0.0;
-  bool last_is_cut_ = false;
-  std::vector<Cell> cells_;
+  WayAhead way_;
   // The search begins with it.
   struct SCurvePoint {
     double s_mm = 0.0;  // from the begin

@@ -1,0 +1,210 @@
+#include "kernel/kernel_impl.hpp"
+
+#include <algorithm>
+
+namespace kerf {
+
+bool Kernel::Impl::plan() {
+  const std::int64_t now = interpolator_.plan_tick();
+  if (!follow_stop_ahead()) {
+    return false;
+  }
+  pipeline_.forget_before(now);
+  follow_holds();
+  if (keeps_stop_ && !runs_low()) {
+    return false;
+  }
+  const bool wants_text = fill_queue();
+  hand_over();
+  return wants_text;
+}
+
+bool Kernel::Impl::fill_queue() {
+  while (!broken_ && delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
+    const bool was_finished = pipeline_.is_finished();
+    switch (pipeline_.step(delivery_.outbox())) {
+      case Pipeline::Step::planned:
+        fail_with_check();
+        break;
+      case Pipeline::Step::took:
+        if (pipeline_.is_finished() && !was_finished) {
+          end_ = pipeline_.path().programmed_end();
+          wrong_ = pipeline_.path().has_errors();
+        }
+        break;
+      case Pipeline::Step::wants_text:
+        return true;
+      case Pipeline::Step::ended:
+      case Pipeline::Step::held:
+        return false;
+    }
+  }
+  return false;
+}
+
+void Kernel::Impl::hand_over() {
+  const std::int64_t until = delivery_.frozen_until_tick();
+  if (!keeps_stop_ || pipeline_.is_held() ||
+      (delivery_.outbox().phases.empty() && pipeline_.ends_at_rest())) {
+    commit();
+    return;
+  }
+  const std::int64_t now = interpolator_.plan_tick();
+  const std::int64_t part = horizon_ticks_ / kPartsOfHorizon;
+  const bool is_urgent = committed_until_tick_ - now <= part;
+  if (until - committed_until_tick_ < part && !is_urgent) {
+    return;
+  }
+  // Near the end of what is in the queue, or before it where there is no way to rest from there.
+  const std::int64_t earliest = std::max(committed_until_tick_ + 1, now + 1);
+  for (std::int64_t tick = until - margin_ticks_, step = margin_ticks_;; tick -= step *= 2) {
+    if (commit_with_stop(std::max(tick, earliest))) {
+      return;
+    }
+    if (tick <= earliest) {
+      break;
+    }
+  }
+  if (is_urgent) {
+    commit();
+  }
+}
+
+bool Kernel::Impl::commit_with_stop(std::int64_t tick) {
+  auto ahead = pipeline_.stop_ahead(tick);
+  if (!ahead) {
+    return false;
+  }
+  const std::int64_t until = ahead->stop.from.when.tick;
+  delivery_.deliver(until);
+  if (delivery_.commit(*ahead, pipeline_.plan())) {
+    committed_until_tick_ = until;
+    stop_ahead_ = std::move(ahead);
+  }
+  return true;
+}
+
+void Kernel::Impl::commit() {
+  if (delivery_.commit()) {
+    committed_until_tick_ = delivery_.frozen_until_tick();
+  }
+}
+
+bool Kernel::Impl::follow_stop_ahead() {
+  if (!queue_.stop_taken()) {
+    return true;
+  }
+  if (interpolator_.answer().in_force != stop_ahead_->plan) {
+    return false;
+  }
+  if (takeover_) {  // from the plan before: it is refused
+    pipeline_.settle(false);
+    takeover_.reset();
+    wants_hold_ = true;
+  }
+  pipeline_.follow_stop_ahead(*stop_ahead_);
+  delivery_.follow_stop();
+  committed_until_tick_ = interpolator_.plan_tick();
+  return true;
+}
+
+void Kernel::Impl::follow_holds() {
+  if (takeover_ && interpolator_.answer().plan == takeover_) {
+    pipeline_.settle(interpolator_.answer().in_force == takeover_);
+    wants_hold_ = wants_hold_ || interpolator_.answer().in_force != takeover_;
+    takeover_.reset();
+  }
+  if (!takeover_ && wants_resume_ && !wants_hold_) {
+    // A wait that the tool has not come to is not answered.
+    if (pipeline_.is_held() || interpolator_.plan_tick() >= pipeline_.emitted_until_tick()) {
+      pipeline_.resume();
+    }
+    wants_resume_ = false;
+  }
+  if (!takeover_ && wants_hold_) {
+    wants_hold_ = !try_hold();
+  }
+}
+
+bool Kernel::Impl::try_hold() {
+  if (pipeline_.is_held()) {
+    if (stops_) {
+      judges_end_ = false;
+      pipeline_.stop_held();
+    }
+    return true;
+  }
+  if (queue_.phases_free() < interp::StopAhead::kPhases + delivery_.outbox().phases.size()) {
+    return false;
+  }
+  const std::int64_t now = interpolator_.plan_tick();
+  const std::int64_t last = std::max(pipeline_.emitted_until_tick(), now);
+  lookahead::Outbox plan;
+  const std::uint32_t from = pipeline_.plan();
+  const std::int64_t tick = std::min(now + margin_ticks_, last);
+  if (!(stops_ ? pipeline_.stop(tick, plan) : pipeline_.hold(tick, plan))) {
+    return false;
+  }
+  if (!plan.phases.empty()) {
+    judges_end_ = !stops_;
+    takeover_ = plan.phases.front().plan;
+    delivery_.take_over(std::move(plan), from);
+    queue_.commit();
+    committed_until_tick_ = delivery_.frozen_until_tick();
+    fail_with_check();
+  }
+  return true;
+}
+
+TickStatus Kernel::Impl::tick(Setpoint& setpoint) noexcept {
+  const TickStatus status = interpolator_.next(setpoint);
+  if (status == TickStatus::starved) {
+    judge_.starve();
+  }
+  if (interpolator_.is_emergency()) {
+    return status;  // no promise holds any more
+  }
+  judge_.add(setpoint, interpolator_.chord_error_mm());
+  if (status == TickStatus::finished && end_ && judges_end_) {
+    judge_.judge_end(setpoint, *end_);
+  }
+  const bool ends = status == TickStatus::finished || (status == TickStatus::starved && broken_);
+  return !ends ? status : has_fault() || wrong_ ? TickStatus::failed : TickStatus::finished;
+}
+
+void Kernel::Impl::reach_tick() {
+  while (interpolator_.pass_what_is_over()) {
+    plan();
+    if (queue_.next_phase() == nullptr) {
+      return;  // no more is planned
+    }
+  }
+}
+
+TickStatus Kernel::Impl::next(Setpoint& setpoint) {
+  keeps_stop_ = false;
+  const bool is_asked = wants_hold_ || wants_resume_ || takeover_;
+  if ((is_asked || runs_low()) && plan() && runs_low()) {
+    plan_to_rest();
+  }
+  reach_tick();
+  const TickStatus status = tick(setpoint);
+  // There is one thread: what is not planned now never is.
+  if (status == TickStatus::starved && pipeline_.is_finished()) {
+    pipeline_.fail_without_plan(setpoint.line);
+    fail_with_check();
+  }
+  return status;
+}
+
+void Kernel::Impl::plan_to_rest() {
+  if (!pipeline_.is_finished()) {
+    pipeline_.flush();
+    if (plan()) {
+      pipeline_.plan_to_rest();
+      plan();
+    }
+  }
+}
+
+}  // namespace kerf

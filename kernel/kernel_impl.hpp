@@ -1,0 +1,147 @@
+// What a Kernel is made of.
+#pragma once
+
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <kerf/kernel.hpp>
+
+#include "interp/interpolator.hpp"
+#include "kernel/delivery.hpp"
+#include "kernel/pipeline.hpp"
+#include "kernel/tick_judge.hpp"
+
+namespace kerf {
+
+// Planning: text becomes a plan as far as the horizon, and what is in the queue is committed to the
+// tick side. With a planning thread each commit brings a way to rest behind it (hand_over), so the
+// tick side never runs out of plan; if it has taken that way, planning goes on from its rest
+// (follow_stop_ahead). A hold or a stop is a plan that takes over from the present one some
+// milliseconds later (try_hold); the tick side answers whether it came in time (follow_holds).
+class Kernel::Impl {
+ public:
+  Impl(const MachineSettings& settings, const KernelOptions& options)
+      : pipeline_({.settings = settings, .options = options, .may_hold = true}),
+        interpolator_(queue_, settings.limits.period_s, options.start_mm,
+                      options.start_extra_rad_mm, settings.limits),
+        judge_({.limits = settings.limits,
+                .binds_jerk = options.profile.kind != profiles::ProfileKind::trapezoid,
+                .has_extra_axes = settings.program.extra_axes != 0}),
+        horizon_ticks_(
+            static_cast<std::int64_t>(std::ceil(options.horizon_s / settings.limits.period_s))),
+        margin_ticks_(static_cast<std::int64_t>(std::ceil(kMargin_s / settings.limits.period_s))),
+        keeps_stop_(!options.one_thread) {}
+
+  void feed(std::string_view text) { pipeline_.feed(text); }
+  void finish() { pipeline_.finish(); }
+  void refuse(diagnostics::Diagnostic fault) { pipeline_.refuse(std::move(fault)); }
+
+  bool plan();
+
+  TickStatus tick(Setpoint& setpoint) noexcept;
+
+  [[nodiscard]] bool has_fault() const noexcept {
+    return broken_ || judge_.excess().figure != TickExcess::Figure::none;
+  }
+
+  void reach_tick();
+
+  TickStatus next(Setpoint& setpoint);
+
+  [[nodiscard]] bool runs_low() const noexcept {
+    return committed_until_tick_ - interpolator_.plan_tick() <= horizon_ticks_ / 2;
+  }
+
+  void plan_to_rest();
+
+  void emergency_stop() noexcept { interpolator_.emergency_stop(); }
+
+  void hold() {
+    wants_hold_ = true;
+    wants_resume_ = false;
+    plan();
+  }
+  void resume() {
+    wants_hold_ = stops_;
+    wants_resume_ = true;
+    plan();
+  }
+
+  void stop() {
+    stops_ = true;
+    hold();
+  }
+
+  [[nodiscard]] std::optional<RunFault> fault() const {
+    const std::optional<RunFault>& of_plan = pipeline_.check().fault();
+    return of_plan ? of_plan : describe(judge_.excess());
+  }
+  [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
+  [[nodiscard]] const std::vector<PathControlUse>& path_controls() const noexcept {
+    return pipeline_.path().path_controls();
+  }
+  [[nodiscard]] smoothing::PathDeviation deviation() const noexcept {
+    return pipeline_.path().deviations().largest;
+  }
+  [[nodiscard]] bool has_errors() const { return pipeline_.path().has_errors(); }
+  [[nodiscard]] bool left_travel() const noexcept { return pipeline_.path().left_travel(); }
+  [[nodiscard]] const std::vector<diagnostics::Diagnostic>& diagnostics() const {
+    return pipeline_.path().diagnostics();
+  }
+  [[nodiscard]] const PlanTotals& totals() const { return pipeline_.totals(); }
+
+ private:
+  // A plan that takes over does so so long after it is asked for.
+  static constexpr double kMargin_s = 0.01;
+  // Of the horizon: less than this is not worth a stop ahead of its own while there is as much.
+  static constexpr std::int64_t kPartsOfHorizon = 8;
+
+  // True: more text is needed.
+  bool fill_queue();
+
+  // What is in the queue, to the tick side.
+  void hand_over();
+
+  // False: there is no way to rest from the tick on.
+  bool commit_with_stop(std::int64_t tick);
+
+  void commit();
+
+  // Where the tick side has taken the stop ahead, the plan goes on from its rest. False: it is just
+  // taking it.
+  bool follow_stop_ahead();
+
+  // What was asked for and could not be done yet: the tick side has not answered, or no way to rest
+  // was found.
+  void follow_holds();
+
+  bool try_hold();
+
+  void fail_with_check() { broken_ = pipeline_.check().is_broken(); }
+
+  Pipeline pipeline_;
+  interp::MotionQueue queue_;
+  interp::Interpolator interpolator_;
+  TickJudge judge_;
+  std::optional<PlaceOfTool> end_;  // written before the last phase is delivered, read after it
+  std::atomic<bool> judges_end_ = true;  // a stop does not reach it
+  std::atomic<bool> wrong_ = false;      // the program has an error; the same
+  std::atomic<bool> broken_ = false;     // nothing more is planned
+  std::int64_t horizon_ticks_;
+  std::int64_t margin_ticks_;
+  bool keeps_stop_;
+  std::int64_t committed_until_tick_ = 0;
+  std::optional<lookahead::Planner::StopAhead> stop_ahead_{};  // the latest that was committed
+  bool wants_hold_ = false;
+  bool wants_resume_ = false;
+  bool stops_ = false;                       // each hold is a stop
+  std::optional<std::uint32_t> takeover_{};  // the tick side has not answered yet
+  Delivery delivery_{queue_};
+};
+
+}  // namespace kerf

@@ -1,0 +1,135 @@
+#include "lookahead/optimum/way_ahead.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "lookahead/optimum/grid/grid.hpp"
+#include "lookahead/path/remainder.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+constexpr double kShortest_mm = 1e-9;
+// How far blocks are looked at, over what steady braking takes.
+constexpr double kFarthest = 4.0;
+constexpr double kLeastFar_mm = 1.0;
+// A curve so many times as long as what is looked at of it.
+constexpr double kWorthCutting = 1.5;
+
+double farthest_mm(const BrakingFrom& from, const PlanLimits& limits) {
+  double weakest = from.blocks.front()->along.ramp.acceleration_mm_s2;
+  for (const MotionLimits& axis : limits.axes) {
+    weakest = std::min(weakest, axis.acceleration_mm_s2);
+  }
+  const double v = from.state.v_mm_s;
+  return kLeastFar_mm + kFarthest * v * v / weakest;
+}
+
+// A block of which only a stretch is looked at: a curve may be long. begin_mm: of the stretch, on
+// the block.
+struct NearBlock {
+  Block block;
+  double begin_mm = 0.0;
+  bool ends_block = true;  // the stretch does
+};
+
+NearBlock near_block(const Block& block, const curves::Stretch& near) {
+  const curves::Stretch stretch{.begin_mm = std::max(near.begin_mm, 0.0),
+                                .end_mm = std::min(near.end_mm, block.length_mm)};
+  if (std::holds_alternative<curves::NurbsCurve>(block.curve) &&
+      kWorthCutting * (stretch.end_mm - stretch.begin_mm) < block.length_mm) {
+    if (auto cut = stretch_of(block, stretch)) {
+      return {.block = std::move(*cut),
+              .begin_mm = stretch.begin_mm,
+              .ends_block = stretch.end_mm == block.length_mm};
+    }
+  }
+  return {.block = block};
+}
+
+}  // namespace
+
+WayAhead::WayAhead(const BrakingFrom& from, const PlanLimits& limits)
+    : limits_(limits), waiting_(limits) {
+  take_blocks(from);
+  take_cells(from);
+}
+
+void WayAhead::take_blocks(const BrakingFrom& from) {
+  const double back_mm = from.junction_zone_mm(limits_.period_s);
+  const double far_mm = farthest_mm(from, limits_);
+  const auto add = [this](Block block) {
+    blocks_.push_back(std::move(block));
+    waiting_.push_as_cells(blocks_);
+  };
+  double way_mm = -from.s_mm;
+  for (std::size_t i = 0; i < from.blocks.size() && way_mm < far_mm && !last_is_cut_; ++i) {
+    const Block& block = *from.blocks[i];
+    NearBlock near = near_block(
+        block, {.begin_mm = i == 0 ? from.s_mm - back_mm : 0.0, .end_mm = far_mm - way_mm});
+    if (i == 0) {
+      first_begin_mm_ = near.begin_mm;
+    }
+    if (i == 0 && from.before != nullptr && near.begin_mm == 0.0) {
+      const Block& before = *from.before;
+      add(near_block(before, {.begin_mm = before.length_mm - back_mm, .end_mm = before.length_mm})
+              .block);
+      first_ = 1;
+    }
+    add(std::move(near.block));
+    last_is_cut_ = !near.ends_block;
+    way_mm += block.length_mm;
+  }
+  waiting_.close_as_cells(blocks_);
+}
+
+// From the motion on, up to a rest or the end of what is known.
+void WayAhead::take_cells(const BrakingFrom& from) {
+  const PathAt path = this->path();
+  const double s_mm = from.s_mm - first_begin_mm_;
+  for (std::size_t i = 0; i < waiting_.size(); ++i) {
+    Cell cell = waiting_[i];
+    const bool is_first = cell.block == first_;
+    if (cell.block < first_ || (is_first && cell.s_end_mm() <= s_mm)) {
+      continue;
+    }
+    if (is_first && cell.s_begin_mm < s_mm) {
+      const double way = s_mm - cell.s_begin_mm;
+      cell = parts_of(cell, {way, cell.length_mm - way}, path).back();
+    }
+    cells_.push_back(cell);
+    if (cell.rest_after) {
+      break;
+    }
+  }
+  cut_at_ends(from, path);
+  if (last_is_cut_ && !cells_.empty() && cells_.back().block + 1 == blocks_.size()) {
+    cells_.back().ends_block = false;
+  }
+}
+
+void WayAhead::cut_at_ends(const BrakingFrom& from, const PathAt& path) {
+  std::vector<Cell> cut;
+  auto end = from.ends.begin();
+  for (Cell cell : cells_) {
+    const std::size_t block = block_of(cell);
+    const double begin_mm = this->begin_mm(block);
+    for (; end != from.ends.end() &&
+           (end->block < block ||
+            (end->block == block && end->s_mm - begin_mm < cell.s_end_mm() - kShortest_mm));
+         ++end) {
+      const double way = end->s_mm - begin_mm - cell.s_begin_mm;
+      if (end->block == block && way > kShortest_mm) {
+        const std::vector<Cell> halves = parts_of(cell, {way, cell.length_mm - way}, path);
+        cut.push_back(halves.front());
+        cell = halves.back();
+      }
+    }
+    cut.push_back(cell);
+  }
+  cells_ = std::move(cut);
+}
+
+}  // namespace kerf::lookahead
