@@ -43,30 +43,33 @@ bool Kernel::Impl::fill_queue() {
 }
 
 void Kernel::Impl::hand_over() {
-  const std::int64_t until = delivery_.frozen_until_tick();
-  if (!keeps_stop_ || pipeline_.is_held() ||
-      (delivery_.outbox().phases.empty() && pipeline_.ends_at_rest())) {
+  if (pipeline_.is_held()) {
+    queue_.commit();  // the stop ahead stays: the hold may be refused
+    return;
+  }
+  if (!keeps_stop_ || (delivery_.outbox().phases.empty() && pipeline_.ends_at_rest())) {
     commit();
     return;
   }
+  const std::int64_t until = delivery_.frozen_until_tick();
   const std::int64_t now = interpolator_.plan_tick();
   const std::int64_t part = horizon_ticks_ / kPartsOfHorizon;
-  const bool is_urgent = committed_until_tick_ - now <= part;
-  if (until - committed_until_tick_ < part && !is_urgent) {
+  if (until - committed_until_tick_ < part && committed_until_tick_ - now > part) {
     return;
   }
   // Near the end of what is in the queue, or before it where there is no way to rest from there.
-  const std::int64_t earliest = std::max(committed_until_tick_ + 1, now + 1);
+  // Without one the stop ahead stays as it is, and is tried again with what is planned by then.
+  const std::int64_t earliest = std::max(committed_until_tick_, now) + 1;
+  if (earliest > pipeline_.emitted_until_tick()) {
+    return;
+  }
   for (std::int64_t tick = until - margin_ticks_, step = margin_ticks_;; tick -= step *= 2) {
     if (commit_with_stop(std::max(tick, earliest))) {
       return;
     }
     if (tick <= earliest) {
-      break;
+      return;
     }
-  }
-  if (is_urgent) {
-    commit();
   }
 }
 

@@ -118,6 +118,41 @@ TEST(LatePlanning, LeavesAHoldThatWasAskedForBeforeToBeTaken) {
   }
 }
 
+// Nobody says that it is late, and planning goes on.
+TEST(LatePlanning, AndLateTextAreARestWithinTheLimits) {
+  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+    SCOPED_TRACE(name_of(kind));
+    Kernel kernel(mill(), {.profile = {.kind = kind}, .window_blocks = 20});
+    std::string text = "G21 G90 F6000\n";
+    for (int i = 1; i <= 100; ++i) {
+      text += "G1 X" + std::to_string(5 * i) + " Y" + std::to_string(i % 2) + "\n";
+    }
+    kernel.feed(text);
+    TickChecker checker(mill().limits, true);
+    Setpoint setpoint;
+    TickStatus status = TickStatus::running;
+    const auto tick = [&] {
+      kernel.plan();
+      status = kernel.tick(setpoint);
+      checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
+    };
+    for (int starved = 0; starved < 50;) {
+      tick();
+      starved += status == TickStatus::starved ? 1 : 0;
+    }
+    EXPECT_GT(setpoint.position_mm[0], 100.0);
+    EXPECT_LT(setpoint.position_mm[0], 500.0);
+    kernel.feed("M2\n");
+    kernel.finish();
+    while (status != TickStatus::finished && setpoint.tick < kMaxTicks) {
+      tick();
+    }
+    EXPECT_EQ(setpoint.position_mm[0], 500.0);
+    EXPECT_EQ(checker.complaint(), "");
+    EXPECT_FALSE(kernel.fault());
+  }
+}
+
 // The planning thread of a real program: a signal's handler runs in it and blocks it wherever it
 // is.
 std::atomic<bool> blocks = false;
