@@ -27,15 +27,10 @@ class Controller::Impl {
     std::unique_ptr<Kernel> next;
     for (;;) {
       State state = state_.load();
-      const Answer answer = answer_to(state, command);
+      const Answer answer = answer_now(state, command);
       if (!answer.is_accepted()) {
-        return refusal(state, command, answer.refusal);
-      }
-      if (command == Command::reset && running_.load() != nullptr) {
-        return refusal(state, command, "the tool still moves");
-      }
-      if (command == Command::resume && state == State::waiting && !waits_for_answer_.load()) {
-        return refusal(state, command, "it waits for no answer");
+        return tl::unexpected(
+            Refusal{.state = state, .command = command, .reason = answer.refusal});
       }
       if (command == Command::start && !next) {
         next = kernel_from_here();
@@ -114,8 +109,16 @@ class Controller::Impl {
   }
 
  private:
-  static tl::unexpected<Refusal> refusal(State state, Command command, std::string_view reason) {
-    return tl::unexpected(Refusal{.state = state, .command = command, .reason = reason});
+  // The table, and what it cannot say.
+  [[nodiscard]] Answer answer_now(State state, Command command) const noexcept {
+    if (command == Command::reset && running_.load() != nullptr &&
+        answer_to(state, command).is_accepted()) {
+      return {.next = state, .refusal = "the tool still moves"};
+    }
+    if (command == Command::resume && state == State::waiting && !waits_for_answer_.load()) {
+      return {.next = state, .refusal = "it waits for no answer"};
+    }
+    return answer_to(state, command);
   }
 
   // False: it is another state by now, and `from` says which.

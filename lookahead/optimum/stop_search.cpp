@@ -197,30 +197,35 @@ std::optional<std::vector<BrakingPart>> StopSearch::in_closed_form() const {
 // Looks at it some times a tick, within the block.
 bool StopSearch::keeps_limits(const profiles::SCurveStop& stop) const {
   const PathAt path = way_.path();
-  const double begin_mm = way_.cells().front().s_begin_mm;
-  double way_mm = begin_mm;
-  std::size_t i = 0;
+  double way_mm = way_.cells().front().s_begin_mm;
+  std::size_t cell = 0;
   for (const profiles::CellLaw* law : {&stop.falling, &stop.steady, &stop.landing}) {
     const int looks = law->duration_s() > 0.0 ? looks_at(*law, limits_->period_s) : -1;
     for (int look = 0; look <= looks; ++look) {
       profiles::PathMotion motion = law->at(law->duration_s() * look / looks);
-      const double s_mm = way_mm + motion.s_mm;
-      while (i < way_.cells().size() && way_.cells()[i].s_end_mm() < s_mm &&
-             !way_.cells()[i].ends_block) {
-        ++i;
-      }
-      if (i == way_.cells().size() ||
-          (way_.cells()[i].ends_block && s_mm > way_.cells()[i].s_end_mm() - kAtBlockEnd_mm)) {
-        return false;
-      }
-      motion.s_mm = s_mm - way_.cells()[i].s_begin_mm;
-      if (excess_at(motion, way_.cells()[i], path, *limits_).largest() > kRounded) {
+      motion.s_mm += way_mm;
+      if (!keeps_limits(motion, path, cell)) {
         return false;
       }
     }
     way_mm += law->length_mm();
   }
   return true;
+}
+
+// s counts on the block. cell: that of the place before, or an earlier one.
+bool StopSearch::keeps_limits(profiles::PathMotion motion, const PathAt& path,
+                              std::size_t& cell) const {
+  const std::vector<Cell>& cells = way_.cells();
+  while (cell < cells.size() && cells[cell].s_end_mm() < motion.s_mm && !cells[cell].ends_block) {
+    ++cell;
+  }
+  if (cell == cells.size() ||
+      (cells[cell].ends_block && motion.s_mm > cells[cell].s_end_mm() - kAtBlockEnd_mm)) {
+    return false;
+  }
+  motion.s_mm -= cells[cell].s_begin_mm;
+  return excess_at(motion, cells[cell], path, *limits_).largest() <= kRounded;
 }
 
 std::vector<BrakingPart> StopSearch::parts(const OptimalPlan& plan) const {

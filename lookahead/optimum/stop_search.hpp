@@ -32,6 +32,8 @@ class StopSearch {
   [[nodiscard]] std::optional<profiles::SCurveStop> s_curve(double share) const;
   [[nodiscard]] std::optional<std::vector<BrakingPart>> in_closed_form() const;
   [[nodiscard]] bool keeps_limits(const profiles::SCurveStop& stop) const;
+  [[nodiscard]] bool keeps_limits(profiles::PathMotion motion, const PathAt& path,
+                                  std::size_t& cell) const;
   void take_s_curve();
   void begin_with_s_curve(double distance_mm, std::vector<Cell>& cells) const;
   // is_end: the distance reaches to the end of what is known, and the rest is there.

@@ -134,7 +134,7 @@ TEST_F(TickPath, IsQuietWhateverStopsTheTool) {
   kernel->feed("G21 G90\nG1 X1000 F6000\nM2\n");
   kernel->finish();
   interp::Setpoint setpoint;
-  std::array<int, 6> seen{};
+  std::array<int, 7> seen{};
   for (int i = 0; i < 3000; ++i) {
     const bool is_late = i > 1500 && i < 2300;
     if (i == 500) {
