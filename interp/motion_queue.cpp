@@ -7,36 +7,46 @@ bool MotionQueue::commit(Ahead ahead) {
   if ((word & kTaken) != 0) {
     return false;
   }
-  unsigned slot = slot_;
-  std::uint64_t stop = word & kHasStop;
-  if (ahead == Ahead::written) {
-    slot = 1 - slot_;
-    keys_[slot].from.store(stops_[slot].from, std::memory_order_relaxed);
-    keys_[slot].tick.store(stops_[slot].tick, std::memory_order_relaxed);
-    stop = kHasStop;
+  std::uint64_t stops = word & (has_bit(0) | has_bit(1));
+  const unsigned spare = 1 - slot_;
+  if (ahead == Ahead::written || ahead == Ahead::beside) {
+    keys_[spare].from.store(stops_[spare].from, std::memory_order_relaxed);
+    keys_[spare].tick.store(stops_[spare].tick, std::memory_order_relaxed);
+    stops = has_bit(spare) | (ahead == Ahead::beside ? stops : 0);
   } else if (ahead == Ahead::none) {
-    stop = 0;
+    stops = 0;
   }
   const std::uint64_t number = (word >> kNumberBit) + 1;
-  const std::uint64_t next =
-      phases_pushed_ | stop | std::uint64_t{slot} << kSlotBit | number << kNumberBit;
+  const std::uint64_t next = phases_pushed_ | stops | number << kNumberBit;
   if (!word_.compare_exchange_strong(word, next, std::memory_order_acq_rel)) {
     return false;
   }
-  slot_ = slot;
+  slot_ = ahead == Ahead::written ? spare : slot_;
   return true;
+}
+
+// Where the consumer is faster it has taken one of them, and none stays.
+void MotionQueue::settle(bool took_over) {
+  slot_ = took_over ? 1 - slot_ : slot_;
+  std::uint64_t word = word_.load(std::memory_order_relaxed);
+  const std::uint64_t number = (word >> kNumberBit) + 1;
+  const std::uint64_t phases = word & (kTaken - 1);
+  const std::uint64_t next = phases | (word & has_bit(slot_)) | number << kNumberBit;
+  if ((word & kTaken) == 0) {
+    word_.compare_exchange_strong(word, next, std::memory_order_acq_rel);
+  }
 }
 
 const StopAhead* MotionQueue::take_stop(std::uint32_t from, std::int64_t tick) noexcept {
   std::uint64_t word = word_.load(std::memory_order_acquire);
-  const std::size_t slot = (word >> kSlotBit) & 1U;
-  if (keys_[slot].tick.load(std::memory_order_relaxed) != tick ||
-      keys_[slot].from.load(std::memory_order_relaxed) != from || (word & kTaken) != 0 ||
-      (word & kHasStop) == 0 ||
-      !word_.compare_exchange_strong(word, word | kTaken, std::memory_order_acq_rel)) {
-    return nullptr;
+  for (unsigned slot = 0; slot < stops_.size() && (word & kTaken) == 0; ++slot) {
+    if ((word & has_bit(slot)) != 0 && keys_[slot].tick.load(std::memory_order_relaxed) == tick &&
+        keys_[slot].from.load(std::memory_order_relaxed) == from &&
+        word_.compare_exchange_strong(word, word | kTaken, std::memory_order_acq_rel)) {
+      return &stops_[slot];
+    }
   }
-  return &stops_[slot];
+  return nullptr;
 }
 
 }  // namespace kerf::interp

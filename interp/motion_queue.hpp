@@ -45,14 +45,20 @@ class MotionQueue {
   // Where a stop ahead that is to be committed is written.
   [[nodiscard]] StopAhead& spare_stop() { return stops_[1 - slot_]; }
   // All phases that were pushed, with the stop ahead as it is, with the one that was written, or
-  // without. False: the consumer has taken the stop ahead.
-  enum class Ahead : std::uint8_t { same, written, none };
+  // without. Beside it: the one that was written is for a plan that takes over, until settle().
+  // False: the consumer has taken a stop ahead.
+  enum class Ahead : std::uint8_t { same, written, beside, none };
   bool commit(Ahead ahead = Ahead::same);
+  // Of the two, that of the plan in force stays. Call it after a commit beside, and no other but
+  // those with the stop ahead as it is between them.
+  void settle(bool took_over);
   [[nodiscard]] bool stop_taken() const {
     return (word_.load(std::memory_order_relaxed) & kTaken) != 0;
   }
   // The stop ahead that was taken has been read: commits are possible again.
-  void release_stop() { word_.store(word_.load(std::memory_order_relaxed) & ~(kTaken | kHasStop)); }
+  void release_stop() {
+    word_.store(word_.load(std::memory_order_relaxed) & ~(kTaken | has_bit(0) | has_bit(1)));
+  }
   // How many, ever.
   [[nodiscard]] std::uint32_t phases_pushed() const { return phases_pushed_; }
 
@@ -62,7 +68,8 @@ class MotionQueue {
     return static_cast<std::int32_t>(committed - phases) >= 0;
   }
   [[nodiscard]] bool has_stop() const noexcept {
-    return (word_.load(std::memory_order_relaxed) & (kHasStop | kTaken)) == kHasStop;
+    const std::uint64_t word = word_.load(std::memory_order_relaxed);
+    return (word & kTaken) == 0 && (word & (has_bit(0) | has_bit(1))) != 0;
   }
   // The stop ahead of that plan at that tick, taken; null: there is none. It is good until
   // release_stop().
@@ -104,12 +111,11 @@ class MotionQueue {
   boost::lockfree::spsc_queue<LineChange, boost::lockfree::capacity<kLineChanges>> line_changes_;
   boost::lockfree::spsc_queue<Takeover, boost::lockfree::capacity<kTakeovers>> takeovers_;
 
-  // The word: how many phases are committed, which stop is ahead, and a number of its own for each
-  // commit, so that no two are the same.
+  // The word: how many phases are committed, which stops are ahead, and a number of its own for
+  // each commit, so that no two are the same.
   static constexpr std::uint64_t kTaken = 1ULL << 32U;
-  static constexpr std::uint64_t kHasStop = 1ULL << 33U;
-  static constexpr unsigned kSlotBit = 34;
   static constexpr unsigned kNumberBit = 35;
+  static constexpr std::uint64_t has_bit(unsigned slot) { return 1ULL << (33U + slot); }
   std::atomic<std::uint64_t> word_ = 0;
   std::uint32_t phases_pushed_ = 0;
   std::uint32_t phases_popped_ = 0;
@@ -120,7 +126,7 @@ class MotionQueue {
   };
   std::array<StopKey, 2> keys_{};
   std::array<StopAhead, 2> stops_{};
-  unsigned slot_ = 0;  // of the latest that was committed
+  unsigned slot_ = 0;  // of the latest that was committed, but beside it
 };
 
 }  // namespace kerf::interp

@@ -69,7 +69,8 @@ bool Delivery::deliver(std::int64_t horizon) {
   return outbox_.phases.empty();
 }
 
-void Delivery::take_over(lookahead::Outbox&& plan, std::uint32_t from) {
+void Delivery::take_over(lookahead::Outbox&& plan, std::uint32_t from,
+                         const lookahead::Planner::StopAhead* ahead) {
   const interp::TickTime begin = plan.phases.front().begin;
   const auto later = std::ranges::find_if(
       outbox_.phases.begin() + static_cast<std::ptrdiff_t>(phases_sent_), outbox_.phases.end(),
@@ -80,8 +81,11 @@ void Delivery::take_over(lookahead::Outbox&& plan, std::uint32_t from) {
   outbox_.phases.erase(later, outbox_.phases.end());
   append_path(plan);
   append(outbox_.phases, plan.phases);
-  takeover_ = {.from = from, .plan = plan.phases.front().plan, .tick = first_tick(begin)};
+  const std::uint32_t takeover_plan = plan.phases.front().plan;
+  takeover_ = {.from = from, .plan = takeover_plan, .tick = first_tick(begin)};
   deliver(std::numeric_limits<std::int64_t>::max());
+  const bool stops = ahead != nullptr && write_stop(*ahead, takeover_plan);
+  queue_->commit(stops ? interp::MotionQueue::Ahead::beside : interp::MotionQueue::Ahead::same);
 }
 
 void Delivery::append_path(const lookahead::Outbox& plan) {
@@ -91,13 +95,17 @@ void Delivery::append_path(const lookahead::Outbox& plan) {
 }
 
 bool Delivery::commit(const lookahead::Planner::StopAhead& ahead, std::uint32_t from) {
+  return write_stop(ahead, from) ? queue_->commit(interp::MotionQueue::Ahead::written) : commit();
+}
+
+bool Delivery::write_stop(const lookahead::Planner::StopAhead& ahead, std::uint32_t from) {
   const std::vector<interp::Phase>& phases = ahead.outbox.phases;
   append_path(ahead.outbox);
   send_path();
   if (phases.size() > interp::StopAhead::kPhases ||
       !reaches(phases.back().curve, phases.back().s_end_mm) ||
       output_changes_gone_ + output_changes_sent_ < phases.back().output_changes) {
-    return commit();
+    return false;
   }
   interp::StopAhead& stop = queue_->spare_stop();
   stop.from = from;
@@ -105,7 +113,7 @@ bool Delivery::commit(const lookahead::Planner::StopAhead& ahead, std::uint32_t 
   stop.tick = first_tick(phases.front().begin);
   stop.count = phases.size();
   std::ranges::copy(phases, stop.phases.begin());
-  return queue_->commit(interp::MotionQueue::Ahead::written);
+  return true;
 }
 
 void Delivery::follow_stop() {

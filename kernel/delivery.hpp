@@ -23,9 +23,11 @@ class Delivery {
   // phases need may remain.
   bool deliver(std::int64_t horizon);
 
-  // A new plan, whole to its rest, takes over from that one where it begins; phases that wait and
-  // begin later than that are dropped. The path in the outbox stays.
-  void take_over(lookahead::Outbox&& plan, std::uint32_t from);
+  // A new plan takes over from that one where it begins; phases that wait and begin later than that
+  // are dropped. The path in the outbox stays. It is whole to its rest, or a way to rest goes on
+  // from it. Commits, once the plan fits.
+  void take_over(lookahead::Outbox&& plan, std::uint32_t from,
+                 const lookahead::Planner::StopAhead* ahead = nullptr);
 
   // The tick side gets what was moved. False: it has taken the stop ahead, and goes no farther.
   bool commit() { return queue_->commit(interp::MotionQueue::Ahead::none); }
@@ -43,6 +45,8 @@ class Delivery {
   // The path up to there is in the queue.
   [[nodiscard]] bool reaches(std::uint64_t on_curve, double at_mm) const;
   void append_path(const lookahead::Outbox& plan);
+  // False: the path up to its rest does not fit.
+  bool write_stop(const lookahead::Planner::StopAhead& ahead, std::uint32_t from);
   void send_path();
   void send_changes_before(const interp::Phase& phase);
   void forget_sent();

@@ -67,6 +67,9 @@ void Kernel::hold() {
 void Kernel::resume() {
   impl_->resume();
 }
+bool Kernel::set_overrides(const Overrides& overrides) {
+  return impl_->set_overrides(overrides);
+}
 double Kernel::chord_error_mm() const noexcept {
   return impl_->judge().latest_chord_error_mm();
 }

@@ -4,13 +4,25 @@
 
 namespace kerf {
 
+namespace {
+
+bool is_within(double value, double least, double most) {
+  return least <= value && value <= most;
+}
+
+bool is_possible(const Overrides& overrides) {
+  return is_within(overrides.feed, 0.0, 2.0) && is_within(overrides.rapid, 0.05, 1.0);
+}
+
+}  // namespace
+
 bool Kernel::Impl::plan() {
   const std::int64_t now = interpolator_.plan_tick();
   if (!follow_stop_ahead()) {
     return false;
   }
   pipeline_.forget_before(now);
-  follow_holds();
+  follow_commands();
   if (keeps_stop_ && !runs_low()) {
     return false;
   }
@@ -43,8 +55,8 @@ bool Kernel::Impl::fill_queue() {
 }
 
 void Kernel::Impl::hand_over() {
-  if (pipeline_.is_held()) {
-    queue_.commit();  // the stop ahead stays: the hold may be refused
+  if (pipeline_.is_held() || pipeline_.awaits_answer()) {
+    queue_.commit();  // the stop ahead stays: the plan may be refused
     return;
   }
   if (!keeps_stop_ || (delivery_.outbox().phases.empty() && pipeline_.ends_at_rest())) {
@@ -97,13 +109,15 @@ bool Kernel::Impl::follow_stop_ahead() {
   if (!queue_.stop_taken()) {
     return true;
   }
-  if (interpolator_.answer().in_force != stop_ahead_->plan) {
+  const std::uint32_t in_force = interpolator_.answer().in_force;
+  if (takeover_ && takeover_->stop && takeover_->stop->plan == in_force) {
+    auto stop = std::move(takeover_->stop);
+    settle(true);
+    stop_ahead_ = std::move(stop);
+  } else if (in_force != stop_ahead_->plan) {
     return false;
-  }
-  if (takeover_) {  // from the plan before: it is refused
-    pipeline_.settle(false);
-    takeover_.reset();
-    wants_hold_ = true;
+  } else if (takeover_) {
+    settle(false);  // it was to replace the plan before
   }
   pipeline_.follow_stop_ahead(*stop_ahead_);
   delivery_.follow_stop();
@@ -111,11 +125,45 @@ bool Kernel::Impl::follow_stop_ahead() {
   return true;
 }
 
-void Kernel::Impl::follow_holds() {
-  if (takeover_ && interpolator_.answer().plan == takeover_) {
-    pipeline_.settle(interpolator_.answer().in_force == takeover_);
-    wants_hold_ = wants_hold_ || interpolator_.answer().in_force != takeover_;
-    takeover_.reset();
+void Kernel::Impl::follow_hold() {
+  wants_hold_ = holds_ || stops_ || overrides_.feed == 0.0;
+  wants_resume_ = !holds_ && overrides_.feed > 0.0;
+  plan();
+}
+
+bool Kernel::Impl::set_overrides(const Overrides& overrides) {
+  if (!is_possible(overrides)) {
+    return false;
+  }
+  // A wait is not answered by it.
+  const bool releases =
+      overrides_.feed == 0.0 && overrides.feed > 0.0 && (pipeline_.is_held() || takeover_);
+  overrides_ = overrides;
+  wants_feed_ = true;
+  wants_hold_ = holds_ || stops_ || overrides_.feed == 0.0;
+  wants_resume_ = !wants_hold_ && (wants_resume_ || releases);
+  plan();
+  return true;
+}
+
+void Kernel::Impl::settle(bool accepted) {
+  pipeline_.settle(accepted);
+  if (takeover_->changes_feed) {
+    queue_.settle(accepted);
+    if (accepted && takeover_->stop) {
+      stop_ahead_ = std::move(takeover_->stop);
+    }
+  }
+  if (!accepted) {
+    (takeover_->changes_feed ? wants_feed_ : wants_hold_) = true;
+  }
+  refusals_ = accepted ? 0 : std::min(refusals_ + 1, kMostRefusals);
+  takeover_.reset();
+}
+
+void Kernel::Impl::follow_commands() {
+  if (takeover_ && interpolator_.answer().plan == takeover_->plan) {
+    settle(interpolator_.answer().in_force == takeover_->plan);
   }
   if (!takeover_ && wants_resume_ && !wants_hold_) {
     // A wait that the tool has not come to is not answered.
@@ -127,6 +175,15 @@ void Kernel::Impl::follow_holds() {
   if (!takeover_ && wants_hold_) {
     wants_hold_ = !try_hold();
   }
+  if (!takeover_ && wants_feed_) {
+    wants_feed_ = !try_change_feed();
+  }
+}
+
+std::int64_t Kernel::Impl::takeover_tick() const {
+  const std::int64_t now = interpolator_.plan_tick();
+  const std::int64_t last = std::max(pipeline_.emitted_until_tick(), now);
+  return std::min(now + (margin_ticks_ << refusals_), last);
 }
 
 bool Kernel::Impl::try_hold() {
@@ -137,23 +194,53 @@ bool Kernel::Impl::try_hold() {
     }
     return true;
   }
+  if (!holds_ && !stops_ && pipeline_.waits()) {
+    return false;  // at feed 0, once the wait is answered
+  }
   if (queue_.phases_free() < interp::StopAhead::kPhases + delivery_.outbox().phases.size()) {
     return false;
   }
-  const std::int64_t now = interpolator_.plan_tick();
-  const std::int64_t last = std::max(pipeline_.emitted_until_tick(), now);
   lookahead::Outbox plan;
   const std::uint32_t from = pipeline_.plan();
-  const std::int64_t tick = std::min(now + margin_ticks_, last);
+  const std::int64_t tick = takeover_tick();
   if (!(stops_ ? pipeline_.stop(tick, plan) : pipeline_.hold(tick, plan))) {
     return false;
   }
   if (!plan.phases.empty()) {
     judges_end_ = !stops_;
-    takeover_ = plan.phases.front().plan;
+    takeover_ = {.plan = plan.phases.front().plan};
     delivery_.take_over(std::move(plan), from);
-    queue_.commit();
     committed_until_tick_ = delivery_.frozen_until_tick();
+    fail_with_check();
+  }
+  return true;
+}
+
+bool Kernel::Impl::try_change_feed() {
+  if (overrides_.feed == 0.0 || stops_) {
+    return true;  // it holds
+  }
+  if (queue_.phases_free() < interp::MotionQueue::kPhases / 2 + delivery_.outbox().phases.size()) {
+    return false;
+  }
+  lookahead::Outbox plan;
+  const std::uint32_t from = pipeline_.plan();
+  const std::int64_t tick = takeover_tick();
+  auto changed = pipeline_.change_feed({.by = {.feed = overrides_.feed, .rapid = overrides_.rapid},
+                                        .tick = tick,
+                                        .until_tick = tick + first_part_ticks_,
+                                        .needs_stop = keeps_stop_},
+                                       plan);
+  if (!changed) {
+    return false;
+  }
+  if (!plan.phases.empty()) {
+    takeover_ = {
+        .plan = plan.phases.front().plan, .changes_feed = true, .stop = std::move(changed->stop)};
+    const auto* stop = takeover_->stop ? &*takeover_->stop : nullptr;
+    delivery_.take_over(std::move(plan), from, stop);
+    committed_until_tick_ =
+        stop != nullptr ? stop->stop.from.when.tick : delivery_.frozen_until_tick();
     fail_with_check();
   }
   return true;
@@ -186,7 +273,7 @@ void Kernel::Impl::reach_tick() {
 
 TickStatus Kernel::Impl::next(Setpoint& setpoint) {
   keeps_stop_ = false;
-  const bool is_asked = wants_hold_ || wants_resume_ || takeover_;
+  const bool is_asked = wants_hold_ || wants_resume_ || wants_feed_ || takeover_;
   if ((is_asked || runs_low()) && plan() && runs_low()) {
     plan_to_rest();
   }

@@ -22,7 +22,8 @@ namespace kerf {
 // tick side. With a planning thread each commit brings a way to rest behind it (hand_over), so the
 // tick side never runs out of plan; if it has taken that way, planning goes on from its rest
 // (follow_stop_ahead). A hold or a stop is a plan that takes over from the present one some
-// milliseconds later (try_hold); the tick side answers whether it came in time (follow_holds).
+// milliseconds later (try_hold, try_change_feed); the tick side answers whether it came in time
+// (follow_commands).
 class Kernel::Impl {
  public:
   Impl(const MachineSettings& settings, const KernelOptions& options)
@@ -35,6 +36,8 @@ class Kernel::Impl {
         horizon_ticks_(
             static_cast<std::int64_t>(std::ceil(options.horizon_s / settings.limits.period_s))),
         margin_ticks_(static_cast<std::int64_t>(std::ceil(kMargin_s / settings.limits.period_s))),
+        first_part_ticks_(
+            static_cast<std::int64_t>(std::ceil(kFirstPart_s / settings.limits.period_s))),
         keeps_stop_(!options.one_thread) {}
 
   void feed(std::string_view text) { pipeline_.feed(text); }
@@ -62,20 +65,19 @@ class Kernel::Impl {
   void emergency_stop() noexcept { interpolator_.emergency_stop(); }
 
   void hold() {
-    wants_hold_ = true;
-    wants_resume_ = false;
-    plan();
+    holds_ = true;
+    follow_hold();
   }
   void resume() {
-    wants_hold_ = stops_;
-    wants_resume_ = true;
-    plan();
+    holds_ = false;
+    follow_hold();
   }
-
   void stop() {
     stops_ = true;
     hold();
   }
+  bool set_overrides(const Overrides& overrides);
+  [[nodiscard]] const Overrides& overrides() const noexcept { return overrides_; }
 
   [[nodiscard]] std::optional<RunFault> fault() const {
     const std::optional<RunFault>& of_plan = pipeline_.check().fault();
@@ -98,6 +100,9 @@ class Kernel::Impl {
  private:
   // A plan that takes over does so so long after it is asked for.
   static constexpr double kMargin_s = 0.01;
+  static constexpr int kMostRefusals = 4;  // after so many the margin does not grow
+  // Of a plan with other feedrates so much is handed over at once.
+  static constexpr double kFirstPart_s = 0.1;
   // Of the horizon: less than this is not worth a stop ahead of its own while there is as much.
   static constexpr std::int64_t kPartsOfHorizon = 8;
 
@@ -116,11 +121,18 @@ class Kernel::Impl {
   // taking it.
   bool follow_stop_ahead();
 
+  // The tool is to hold, or to go on.
+  void follow_hold();
   // What was asked for and could not be done yet: the tick side has not answered, or no way to rest
   // was found.
-  void follow_holds();
+  void follow_commands();
+  // The tick side took the plan that was to take over, or refused it.
+  void settle(bool accepted);
+  // The tick at which a plan takes over that is made now.
+  [[nodiscard]] std::int64_t takeover_tick() const;
 
   bool try_hold();
+  bool try_change_feed();
 
   void fail_with_check() { broken_ = pipeline_.check().is_broken(); }
 
@@ -134,13 +146,24 @@ class Kernel::Impl {
   std::atomic<bool> broken_ = false;     // nothing more is planned
   std::int64_t horizon_ticks_;
   std::int64_t margin_ticks_;
+  std::int64_t first_part_ticks_;
   bool keeps_stop_;
   std::int64_t committed_until_tick_ = 0;
   std::optional<lookahead::Planner::StopAhead> stop_ahead_{};  // the latest that was committed
+  Overrides overrides_{};
+  bool holds_ = false;  // the operator asked for it; a feed override of 0 is not among this
+  bool stops_ = false;  // each hold is a stop
   bool wants_hold_ = false;
   bool wants_resume_ = false;
-  bool stops_ = false;                       // each hold is a stop
-  std::optional<std::uint32_t> takeover_{};  // the tick side has not answered yet
+  bool wants_feed_ = false;
+  // A plan that is to take over: the tick side has not answered yet.
+  struct Takeover {
+    std::uint32_t plan = 0;
+    bool changes_feed = false;
+    std::optional<lookahead::Planner::StopAhead> stop{};
+  };
+  std::optional<Takeover> takeover_{};
+  int refusals_ = 0;  // in a row: planning took longer than the margin
   Delivery delivery_{queue_};
 };
 

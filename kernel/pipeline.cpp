@@ -31,7 +31,7 @@ Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
     }
     return Step::planned;
   }
-  if (planner_.is_held() || planner_.waits()) {
+  if (planner_.is_held() || planner_.waits() || planner_.awaits_answer()) {
     return Step::held;
   }
   if (finished_) {
@@ -78,6 +78,17 @@ void Pipeline::push_segment(smoothing::PathSegment segment) {
 
 bool Pipeline::hold(std::int64_t tick, lookahead::Outbox& outbox) {
   return took_over(planner_.hold(tick, outbox), outbox);
+}
+
+std::optional<lookahead::Planner::ChangedFeed> Pipeline::change_feed(
+    const lookahead::Planner::FeedChange& change, lookahead::Outbox& outbox) {
+  auto changed = planner_.change_feed(change, outbox);
+  if (changed) {
+    const std::uint64_t from_curve = outbox.phases.empty() ? 0 : outbox.phases.front().curve;
+    check_.overridden(change.by, {.from_curve = from_curve, .to_curve = changed->slows_to_curve});
+    took_over(true, outbox);
+  }
+  return changed;
 }
 
 bool Pipeline::stop(std::int64_t tick, lookahead::Outbox& outbox) {

@@ -28,7 +28,7 @@ class Pipeline {
     took,        // took something from the program; nothing planned yet
     wants_text,  // feed() or finish() must come first
     ended,       // the program is planned to its end, or to where it was stopped
-    held,        // nothing more is planned until resume()
+    held,        // nothing more is planned until resume() or settle()
   };
 
   explicit Pipeline(const Order& order);
@@ -47,6 +47,9 @@ class Pipeline {
   void plan_to_rest() { planner_.plan_to_rest(); }
   // Planner::hold, into an outbox that is empty.
   bool hold(std::int64_t tick, lookahead::Outbox& outbox);
+  // Planner::change_feed, into an outbox that is empty.
+  std::optional<lookahead::Planner::ChangedFeed> change_feed(
+      const lookahead::Planner::FeedChange& change, lookahead::Outbox& outbox);
   void settle(bool accepted) { planner_.settle(accepted); }
   void resume() { planner_.resume(); }
   // Planner::stop_ahead.
@@ -63,6 +66,7 @@ class Pipeline {
   void stop_held();
   [[nodiscard]] bool is_held() const noexcept { return planner_.is_held(); }
   [[nodiscard]] bool waits() const noexcept { return planner_.waits(); }
+  [[nodiscard]] bool awaits_answer() const noexcept { return planner_.awaits_answer(); }
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept {
     return planner_.emitted_until_tick();
   }

@@ -19,6 +19,8 @@ constexpr double kRelative = 1e-9;
 constexpr double kDeviation_mm = 1e-9;
 constexpr double kFeedrateRelative = 1e-6;
 constexpr double kFeedrate_mm_s = 1e-9;
+// The room that a motion has that slows down (lookahead/path/slowing).
+constexpr double kSlowing = 1.001;
 
 }  // namespace
 
@@ -26,6 +28,8 @@ void PlanCheck::pushed(const lookahead::Block& block) {
   expected_.push_back({.line = block.line,
                        .length_mm = block.length_mm,
                        .feedrate_mm_s = block.along.feedrate_mm_s,
+                       .programmed_mm_s = block.feedrate_mm_s,
+                       .rapid = block.rapid,
                        .adds_to_path = !block.extra.alone});
 }
 
@@ -43,13 +47,14 @@ void PlanCheck::note(std::uint32_t line, std::string what) {
 void PlanCheck::emitted(const lookahead::Outbox& outbox) {
   bool moves = false;
   for (const interp::Phase& phase : outbox.phases) {
-    if (takes_over_) {
+    const bool takes_over = takes_over_;
+    if (takes_over) {
       take_over(phase);
     }
     const bool rests =
         phase.s_begin_mm == phase.s_end_mm && phase.ends_at_rest && phase.law.length_mm() == 0.0;
     if (rests) {
-      check_rest(phase);
+      check_rest(phase, takes_over);
     } else {
       check(phase);
     }
@@ -98,17 +103,38 @@ void PlanCheck::take_over(const interp::Phase& phase) {
   }
 }
 
-void PlanCheck::check_rest(const interp::Phase& phase) {
+// A plan may take over where the tool rests: that it does, its ticks show.
+void PlanCheck::check_rest(const interp::Phase& phase, bool takes_over) {
   leave_block();
   ended_ = ended_ || phase.ends_program;
   if (!(phase.law.duration_s() >= 0.0) || !std::isfinite(phase.law.duration_s())) {
     fail(phase.line, "a rest of " + to_text(phase.law.duration_s()) + " s is planned");
   }
-  if (!stopped_ && !phase.holds && !is_empty() && (begun_ || phase.ends_program)) {
+  if (!stopped_ && !phase.holds && !takes_over && !is_empty() && (begun_ || phase.ends_program)) {
     fail(front().line, std::string(phase.ends_program ? "the program ends" : "a rest is planned") +
                            " at " + to_text(s_mm_) + " mm of a block of " +
                            to_text(front().length_mm) + " mm");
   }
+}
+
+void PlanCheck::overridden(const lookahead::FeedOverride& by, const Slowing& slowing) {
+  const bool slows = slowing.from_curve <= slows_to_curve_;
+  before_ = {.feed = slows ? std::max(kSlowing * before_.feed, by_.feed) : by_.feed,
+             .rapid = slows ? std::max(kSlowing * before_.rapid, by_.rapid) : by_.rapid};
+  by_ = by;
+  slows_to_curve_ = slows ? std::max(slows_to_curve_, slowing.to_curve) : slowing.to_curve;
+}
+
+// What the machine allows above the programmed feedrate, the ticks show.
+double PlanCheck::most_mm_s(const Expected& block) const {
+  const auto under = [&block](const lookahead::FeedOverride& by) {
+    if (block.rapid) {
+      return by.rapid * block.feedrate_mm_s;
+    }
+    return by.feed > 1.0 ? by.feed * block.programmed_mm_s
+                         : std::min(block.feedrate_mm_s, by.feed * block.programmed_mm_s);
+  };
+  return curve_ <= slows_to_curve_ ? std::max(under(by_), kSlowing * under(before_)) : under(by_);
 }
 
 void PlanCheck::judge(const smoothing::PathDeviation& deviation) {
@@ -157,10 +183,11 @@ void PlanCheck::check(const interp::Phase& phase) {
                          to_text(covered_mm) + " mm in " + to_text(phase.law.duration_s()) + " s");
   }
   const profiles::Ramp ramp = phase.law.ramp();
-  const double most_mm_s = block.feedrate_mm_s * (1.0 + kFeedrateRelative) + kFeedrate_mm_s;
-  if (!(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s) <= most_mm_s)) {
+  const double most_mm_s = this->most_mm_s(block);
+  if (!(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s) <=
+        most_mm_s * (1.0 + kFeedrateRelative) + kFeedrate_mm_s)) {
     note(phase.line, "a feedrate of " + to_text(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s)) +
-                         " mm/s is planned, above " + to_text(block.feedrate_mm_s) + " mm/s");
+                         " mm/s is planned, above " + to_text(most_mm_s) + " mm/s");
   }
   s_mm_ = phase.s_end_mm;
 }

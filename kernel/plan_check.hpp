@@ -9,6 +9,7 @@
 
 #include "lookahead/emit/emitter.hpp"
 #include "lookahead/path/block.hpp"
+#include "lookahead/path/feed_override.hpp"
 #include "lookahead/path/window.hpp"
 #include "smoothing/path_deviations.hpp"
 
@@ -25,6 +26,13 @@ class PlanCheck {
   void emitted(const lookahead::Outbox& outbox);
   // The next phases are of a plan that takes over from what was emitted before.
   void taken_over() { takes_over_ = true; }
+  // Blocks may be as fast as the override makes them; on the curves on which the motion may slow
+  // down still, as fast as they might be before it. from_curve 0: no plan takes over for it.
+  struct Slowing {
+    std::uint64_t from_curve = 0;
+    std::uint64_t to_curve = 0;
+  };
+  void overridden(const lookahead::FeedOverride& by, const Slowing& slowing);
   // Motion on the curves before this one is run, or never taken back.
   void forget_before(std::uint64_t curve);
   // Checks the deviation of the whole program against its tolerance.
@@ -44,17 +52,20 @@ class PlanCheck {
   struct Expected {
     std::uint32_t line = 0;
     double length_mm = 0.0;
-    double feedrate_mm_s = 0.0;
+    double feedrate_mm_s = 0.0;  // that the limits leave without an override
+    double programmed_mm_s = 0.0;
+    bool rapid = false;
     bool adds_to_path = true;
   };
 
   // The plan can be run, but is not what it should be.
   void note(std::uint32_t line, std::string what);
   void check(const interp::Phase& phase);
-  void check_rest(const interp::Phase& phase);
+  void check_rest(const interp::Phase& phase, bool takes_over);
   void take_over(const interp::Phase& phase);
   void begin_block(const interp::Phase& phase);
   void leave_block();
+  [[nodiscard]] double most_mm_s(const Expected& block) const;
   [[nodiscard]] bool is_empty() const { return front_ == expected_.size(); }
   [[nodiscard]] const Expected& front() const { return expected_[front_]; }
 
@@ -68,6 +79,9 @@ class PlanCheck {
   double s_mm_ = 0.0;                   // position on it
   double path_mm_ = 0.0;                // length of the blocks before the front
   std::uint32_t idle_ = 0;              // calls in a row that brought nothing
+  lookahead::FeedOverride by_{};
+  lookahead::FeedOverride before_{};  // the most of each before the override, while it slows down
+  std::uint64_t slows_to_curve_ = 0;
   bool stopped_ = false;
   bool ended_ = false;
   bool broken_ = false;

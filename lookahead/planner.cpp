@@ -6,8 +6,7 @@
 #include <utility>
 
 #include "lookahead/classical/classical_schedule.hpp"
-#include "lookahead/optimum/optimum_schedule.hpp"
-#include "lookahead/path/remainder.hpp"
+#include "lookahead/path/block_builder.hpp"
 
 namespace kerf::lookahead {
 
@@ -28,48 +27,10 @@ ScanFor scan_for_plan(const PlannerSettings& settings) {
                                                                      : ScanFor::bounded_jerk;
 }
 
-std::unique_ptr<Schedule> schedule_for(const PlannerSettings& settings) {
-  const std::size_t ready_blocks = std::max<std::size_t>(settings.window_blocks / 2, 1);
-  if (is_optimum(settings)) {
-    return std::make_unique<OptimumSchedule>(
-        OptimumSchedule::Settings{.limits = settings.limits,
-                                  .window_cells = settings.window_cells,
-                                  .ready_blocks = ready_blocks,
-                                  .longest_phase_s = settings.longest_phase_s});
-  }
-  return std::make_unique<ClassicalSchedule>(
-      ClassicalSchedule::Settings{.limits = settings.limits,
-                                  .profile = settings.profile,
-                                  .ready_blocks = ready_blocks,
-                                  .longest_cruise_s = settings.longest_phase_s});
-}
-
 // Of whole ticks, so that parts do not move what follows.
 double rest_part_s(const PlannerSettings& settings) {
   const double period = settings.limits.period_s;
   return std::max(std::floor(settings.longest_phase_s / period), 1.0) * period;
-}
-
-// ahead: the items behind those that are emitted; those that end on the way go. No parts: it is at
-// rest already.
-void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, Emitter& emitter,
-               Outbox& outbox) {
-  for (const BrakingPart& part : parts) {
-    auto& block = std::get<Block>(ahead.front());
-    emitter.emit(block, part.law, part.s_end_mm, outbox);
-    outbox.phases.back().active_constraint = interp::active_constraint(part.limit);
-    if (part.ends_block) {
-      emitter.end_block(std::move(block));
-      ahead.pop_front();
-    } else {
-      emitter.end_segment(block, part.s_end_mm);
-    }
-  }
-  if (parts.empty()) {
-    emitter.emit_rest_here(outbox);
-  } else {
-    emitter.come_to_rest(outbox);
-  }
 }
 
 }  // namespace
@@ -79,10 +40,32 @@ Planner::Planner(const PlannerSettings& settings)
       window_blocks_(is_optimum(settings) ? std::max(settings.window_blocks, kOptimumBlocks)
                                           : settings.window_blocks),
       scan_for_(scan_for_plan(settings)),
-      schedule_(schedule_for(settings)),
+      schedule_(new_schedule()),
       rest_part_s_(rest_part_s(settings)),
       emitter_(settings.limits.period_s, settings.may_hold) {
   assert(settings.window_blocks >= 2 && settings.window_cells >= 100);
+}
+
+std::size_t Planner::ready_blocks() const {
+  return std::max<std::size_t>(settings_.window_blocks / 2, 1);
+}
+
+OptimumSchedule::Settings Planner::optimum_settings() const {
+  return {.limits = settings_.limits,
+          .window_cells = settings_.window_cells,
+          .ready_blocks = ready_blocks(),
+          .longest_phase_s = settings_.longest_phase_s};
+}
+
+std::unique_ptr<Schedule> Planner::new_schedule() const {
+  if (is_optimum(settings_)) {
+    return std::make_unique<OptimumSchedule>(optimum_settings());
+  }
+  return std::make_unique<ClassicalSchedule>(
+      ClassicalSchedule::Settings{.limits = settings_.limits,
+                                  .profile = settings_.profile,
+                                  .ready_blocks = ready_blocks(),
+                                  .longest_cruise_s = settings_.longest_phase_s});
 }
 
 bool Planner::has_room() const noexcept {
@@ -95,6 +78,9 @@ bool Planner::wants_block() const noexcept {
 
 void Planner::push(Block block) {
   ++pushed_blocks_;
+  if (by_ != FeedOverride{}) {
+    set_limits(by_, settings_.limits, scan_for_, block);
+  }
   take(std::move(block));
 }
 
@@ -107,6 +93,9 @@ void Planner::take(Block block) {
 void Planner::take_waiting() {
   while (!waiting_.empty() && has_room()) {
     if (auto* block = std::get_if<Block>(&waiting_.front())) {
+      if (block->slows) {
+        set_limits(by_, settings_.limits, scan_for_, *block);
+      }
       take(std::move(*block));
     } else {
       end_with(std::get<Rest>(waiting_.front()));
@@ -157,9 +146,10 @@ void Planner::plan_to_rest() {
 }
 
 bool Planner::emit(Outbox& outbox) {
-  if (held_ || waits_) {
-    return false;
-  }
+  return !held_ && !waits_ && !before_ && emit_next(outbox);
+}
+
+bool Planner::emit_next(Outbox& outbox) {
   take_waiting();
   const std::size_t first = outbox.phases.size();
   if (!schedule_->empty()) {
@@ -167,6 +157,9 @@ bool Planner::emit(Outbox& outbox) {
         to_rest_ ? Supply::to_rest : (wants_block() ? Supply::wanted : Supply::full);
     const bool emitted = schedule_->emit(blocks_, supply, emitter_, outbox);
     emitter_.keep(outbox, first);
+    if (stands_in_ && !emitter_.is_on_block() && emitter_.ends_at_rest()) {
+      empty_window();
+    }
     return emitted;
   }
   if (rest_pending_) {
@@ -176,151 +169,6 @@ bool Planner::emit(Outbox& outbox) {
   }
   to_rest_ = rest_.ends_program;
   return false;
-}
-
-std::vector<const Block*> Planner::blocks_ahead() const {
-  std::vector<const Block*> ahead;
-  const auto add = [&ahead](const Block& block) {
-    ahead.push_back(block.whole ? block.whole.get() : &block);
-  };
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    add(blocks_[i]);
-  }
-  for (std::size_t i = 0; i < waiting_.size() && !rest_pending_; ++i) {
-    const auto* block = std::get_if<Block>(&waiting_[i]);
-    if (block == nullptr) {
-      break;
-    }
-    add(*block);
-  }
-  return ahead;
-}
-
-bool Planner::hold(std::int64_t tick, Outbox& outbox) {
-  assert(settings_.may_hold && !held_ && outbox.phases.empty());
-  const auto stop = find_stop(emitter_, blocks_ahead(), {.tick = tick}, settings_.limits);
-  if (!stop) {
-    return false;
-  }
-  if (stop->from.phase.ends_program) {
-    return true;
-  }
-  empty_window();
-  held_ = true;
-  before_hold_.emplace(Before{emitter_, waiting_, waits_});
-  waits_ = false;
-  emitter_.take_back(stop->from, waiting_);
-  emit_stop(stop->parts, waiting_, emitter_, outbox);
-  outbox.phases.back().holds = true;
-  emitter_.keep(outbox, 0);
-  return true;
-}
-
-std::optional<Planner::StopAhead> Planner::stop_ahead(std::int64_t tick) {
-  assert(settings_.may_hold && !held_);
-  const std::vector<const Block*> blocks = blocks_ahead();
-  auto stop =
-      find_stop(emitter_, blocks, {.tick = tick, .effort = StopEffort::any}, settings_.limits);
-  if (!stop) {
-    return std::nullopt;
-  }
-  StopAhead ahead{.stop = std::move(*stop)};
-  const std::vector<BrakingPart>& parts = ahead.stop.parts;
-  const std::size_t needed = parts.empty() ? 1 : parts.back().block + 1;
-  std::deque<Item> items;
-  for (std::size_t i = 0; i < std::min(needed, blocks.size()); ++i) {
-    items.emplace_back(*blocks[i]);
-  }
-  Emitter emitter = emitter_;
-  emitter.take_back(ahead.stop.from, items);
-  emit_stop(parts, items, emitter, ahead.outbox);
-  ahead.plan = emitter.plan();
-  emitter_.note_sent_by(emitter);
-  return ahead;
-}
-
-Outbox Planner::follow_stop_ahead(const StopAhead& taken) {
-  empty_window();
-  waits_ = false;
-  emitter_.take_back(taken.stop.from, waiting_);
-  emitter_.repeat_plan(taken.plan);
-  Outbox outbox;
-  emit_stop(taken.stop.parts, waiting_, emitter_, outbox);
-  emitter_.keep(outbox, 0);
-  held_ = true;
-  resume();
-  return outbox;
-}
-
-bool Planner::stop(std::int64_t tick, Outbox& outbox) {
-  if (!hold(tick, outbox)) {
-    return false;
-  }
-  if (held_) {
-    const std::size_t end = outbox.phases.size();
-    emitter_.emit_rest({.ends_program = true}, outbox);
-    emitter_.keep(outbox, end);
-    stops_ = true;
-  }
-  return true;
-}
-
-void Planner::stop_held() {
-  assert(held_);
-  held_ = false;
-  waiting_.clear();
-  end_with({.ends_program = true});
-}
-
-void Planner::empty_window() {
-  if (!waiting_.empty() && std::holds_alternative<Block>(waiting_.front())) {
-    auto& block = std::get<Block>(waiting_.front());
-    block = whole_of(std::move(block));
-  }
-  if (rest_pending_) {
-    waiting_.push_front(rest_);
-  }
-  for (std::size_t i = blocks_.size(); i > 0; --i) {
-    waiting_.push_front(whole_of(std::move(blocks_[i - 1])));
-  }
-  blocks_.keep_front(0);
-  schedule_ = schedule_for(settings_);
-  rest_ = {};
-  rest_pending_ = to_rest_ = false;
-}
-
-void Planner::settle(bool accepted) {
-  if (!accepted) {
-    emitter_.restore(std::move(before_hold_->emitter));
-    waiting_ = std::move(before_hold_->waiting);
-    waits_ = before_hold_->waits;
-    held_ = false;
-  } else if (stops_) {
-    waiting_.clear();
-    held_ = false;
-    to_rest_ = true;
-  }
-  stops_ = false;
-  before_hold_.reset();
-}
-
-void Planner::resume() {
-  waits_ = false;
-  if (!held_) {
-    return;
-  }
-  held_ = false;
-  if (!emitter_.is_on_block()) {
-    return;
-  }
-  const auto whole = std::make_shared<const Block>(std::move(std::get<Block>(waiting_.front())));
-  if (auto remainder = remainder_of(whole, emitter_.curve_mm())) {
-    waiting_.front() = std::move(*remainder);
-    emitter_.begin_remainder();
-  } else {
-    emitter_.end_block(Block(*whole));
-    waiting_.pop_front();
-  }
 }
 
 void Planner::emit_rest(Outbox& outbox) {

@@ -11,7 +11,9 @@
 #include "interp/outputs.hpp"
 #include "lookahead/emit/emitter.hpp"
 #include "lookahead/emit/schedule.hpp"
+#include "lookahead/optimum/optimum_schedule.hpp"
 #include "lookahead/path/block.hpp"
+#include "lookahead/path/feed_override.hpp"
 #include "lookahead/path/feed_scan.hpp"
 #include "lookahead/path/window.hpp"
 #include "lookahead/plan_stop.hpp"
@@ -85,6 +87,27 @@ class Planner {
   // The tick side has taken it: the plan goes on from its rest. Its phases, for the record.
   // Precondition: settle().
   Outbox follow_stop_ahead(const StopAhead& taken);
+  // Goes on with other feedrates, from a tick or some later, in motion where a plan from there is
+  // found, else from the rest that hold() would find; the profile of the settings is back after the
+  // next rest. The outbox, which is empty before, gets phases up to until_tick; they go on as the
+  // plan of emit() does. None where nothing was emitted that could change. Precondition: as hold(),
+  // but that it may be held.
+  struct FeedChange {
+    FeedOverride by{};
+    std::int64_t tick = 0;
+    std::int64_t until_tick = 0;
+    bool needs_stop = false;  // a way to rest, too, where what was emitted does not end at rest
+  };
+  struct ChangedFeed {
+    std::optional<StopAhead> stop{};
+    // Up to this curve the motion may still slow down from feedrates above the new ones.
+    std::uint64_t slows_to_curve = 0;
+  };
+  // Nothing: as hold() false.
+  std::optional<ChangedFeed> change_feed(const FeedChange& change, Outbox& outbox);
+  [[nodiscard]] const FeedOverride& feed_override() const noexcept { return by_; }
+  // Plans that take over are not emitted farther before they are settled.
+  [[nodiscard]] bool awaits_answer() const noexcept { return before_.has_value(); }
   // As hold(), but the program ends at that rest.
   bool stop(std::int64_t tick, Outbox& outbox);
   // Ends the program where it is held. Precondition: is_held(), settle().
@@ -113,8 +136,27 @@ class Planner {
   void take(Block block);
   // From what was taken back, as much as there is room for.
   void take_waiting();
+  bool emit_next(Outbox& outbox);
   void emit_rest(Outbox& outbox);
   void end_with(const Rest& rest);
+  [[nodiscard]] std::size_t ready_blocks() const;
+  [[nodiscard]] OptimumSchedule::Settings optimum_settings() const;
+  [[nodiscard]] std::unique_ptr<Schedule> new_schedule() const;
+  // Takes back what follows the motion.
+  void take_back(const EmittedItems::Motion& from);
+  // The limits of what waits, from this one on.
+  void limit_waiting(std::size_t first = 0);
+  // False: no plan from there was found, and nothing has changed.
+  struct InMotion {
+    const PlanStop* stop = nullptr;
+    std::optional<Block> before{};
+  };
+  bool go_on_in_motion(InMotion from, const FeedChange& change, ChangedFeed& changed,
+                       Outbox& outbox);
+  bool begin_in_motion(InMotion from);
+  // Of the blocks that wait, those on which the motion may be faster than they allow: how many.
+  std::size_t let_slow_down(const OptimumSchedule::Begin& from);
+  void begin_rest_of_block();
   // Up to a rest. Whole.
   [[nodiscard]] std::vector<const Block*> blocks_ahead() const;
   // All that is in the window waits again.
@@ -140,7 +182,9 @@ class Planner {
     std::deque<Item> waiting;
     bool waits = false;
   };
-  std::optional<Before> before_hold_;
+  std::optional<Before> before_;  // the plan that is not settled yet
+  FeedOverride by_{};
+  bool stands_in_ = false;  // a time optimum, for the profile of the settings, to the next rest
   Emitter emitter_;
 };
 

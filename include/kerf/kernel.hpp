@@ -42,6 +42,15 @@ struct KernelOptions {
   SubprogramSource subprograms{};    ///< those that are not in the program's own text
 };
 
+/// What an operator makes of the feedrates of a program, as shares of them. Limits of path and axes
+/// hold whatever they are.
+struct Overrides {
+  double feed = 1.0;   ///< of programmed feedrates, 0 to 2; at 0 the tool holds
+  double rapid = 1.0;  ///< of rapids, 0.05 to 1
+
+  friend bool operator==(const Overrides&, const Overrides&) = default;
+};
+
 /// Runs one program. Feeding and planning are for one thread; tick() and what belongs to it may run
 /// in another, with real-time priority. docs/embedding.md has threads, memory and errors of each
 /// method.
@@ -94,6 +103,13 @@ class KERF_API Kernel {
   void hold();
   /// Goes on from a hold, on the same path, or from where the program waits. Planning side.
   void resume();
+
+  /// Goes on with other feedrates some milliseconds later, on the same path, without a stop where
+  /// the limits allow; a feedrate that is too high by then falls as fast as they allow. The last
+  /// one counts. At feed 0 the tool holds until another value comes. The profile of the options is
+  /// back after the next rest: until then the motion is time-optimal. False: a value is out of its
+  /// range, and nothing changes. Planning side.
+  bool set_overrides(const Overrides& overrides);
 
   /// From the next tick on the tool brakes on the path as fast as the accelerations of path and
   /// axes allow, whatever the jerk, with spindle and coolant off; then ticks are `emergency_stop`,

@@ -72,6 +72,10 @@ class EmittedItems {
     std::int64_t begin = 0;
     std::int64_t end = 0;  // behind the last
   };
+  // It rests, and nothing was emitted behind it.
+  [[nodiscard]] bool is_last(const Motion& motion) const {
+    return motion.at_rest() && motion.number + 1 >= phase_count_;
+  }
   // Where the phases end that end within the ticks.
   [[nodiscard]] std::vector<Motion> ends_within(const Ticks& ticks) const;
   // Where the phases behind the motion end, on their curves, at most so many.

@@ -111,6 +111,10 @@ class Emitter {
   // The present block goes on as its remainder.
   void begin_remainder() noexcept { place_.s_mm = 0.0; }
   [[nodiscard]] bool is_on_block() const noexcept { return place_.on_block; }
+  // The present curve, or the one that comes next.
+  [[nodiscard]] std::uint64_t next_curve() const noexcept {
+    return place_.curve + (place_.on_block ? 0 : 1);
+  }
   // On the present curve.
   [[nodiscard]] double curve_mm() const noexcept { return place_.curve_mm; }
   [[nodiscard]] const interp::TickTime& now() const noexcept { return clock_.now(); }

@@ -1,5 +1,6 @@
 #include "lookahead/optimum/braking.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <variant>
 
@@ -10,12 +11,20 @@ namespace kerf::lookahead {
 
 namespace {
 
+constexpr double kRounded = 1.0 + 1e-9;
+
 std::optional<std::vector<BrakingPart>> stop_on_line(const BrakingFrom& from,
                                                      const PlanLimits& limits) {
   const Block& block = *from.blocks.front();
-  const double clear_mm = from.junction_zone_mm(limits.period_s);
+  const double clear_mm = junction_zone_mm(from.state, limits);
   if (!std::holds_alternative<curves::Line>(block.curve) ||
       (from.before != nullptr && from.s_mm < clear_mm)) {
+    return std::nullopt;
+  }
+  // A trapezoid turns its acceleration off at once; no jerk within the limits can.
+  const double a = std::max(from.state.a_mm_s2, 0.0);
+  if (from.state.v_mm_s + 0.5 * a * a / block.limits.ramp.jerk_mm_s3 >
+      kRounded * block.limits.feedrate_mm_s) {
     return std::nullopt;
   }
   const auto stop = profiles::s_curve_stop(

@@ -27,13 +27,13 @@ struct BrakingFrom {
     double s_mm = 0.0;
   };
   std::vector<Place> ends{};
-
-  // The way behind a junction on which its jump is seen.
-  [[nodiscard]] double junction_zone_mm(double period_s) const {
-    constexpr double kTicks = 4.0;
-    return kTicks * period_s * state.v_mm_s;
-  }
 };
+
+// The way behind a junction on which its jump is seen.
+inline double junction_zone_mm(const StartState& motion, const PlanLimits& limits) {
+  constexpr double kTicks = 4.0;
+  return kTicks * limits.period_s * motion.v_mm_s;
+}
 
 // A rest so near the end of a block is at its end: what would be left is hardly a curve.
 inline constexpr double kAtBlockEnd_mm = 1e-6;

@@ -21,6 +21,11 @@ constexpr std::size_t kCutCells = 16;
 // A search over fewer cells, half as many each time, may end well where one over all does not.
 constexpr int kShorterSearches = 3;
 constexpr std::size_t kMinShorter = 200;
+// That are planned at once from a motion: the answer is urgent, and what follows is added later.
+constexpr std::size_t kCellsInMotion = 600;
+constexpr std::size_t kFewestInMotion = 3;
+// On the way that it would take to rest.
+constexpr double kCellsToRest = 40.0;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
 // Where it is to rest at a junction it brakes later than it may if it passes that in motion.
 constexpr std::size_t kMarginOfWindow = 8;
@@ -48,6 +53,49 @@ void OptimumSchedule::push(const Window<Block>& blocks) {
   } else {
     waiting_.push(blocks);
   }
+}
+
+void OptimumSchedule::push_in_motion(const Window<Block>& blocks) {
+  waiting_.push_as_cells(blocks);
+}
+
+bool OptimumSchedule::begin(const Begin& from, bool closed, Window<Block>& blocks) {
+  if (closed) {
+    waiting_.close(blocks);
+  }
+  waiting_.begin_at({.block = from.has_before ? 1U : 0U, .s_mm = from.s_mm}, blocks);
+  if (from.has_before) {
+    blocks.pop_front();
+    waiting_.block_done();
+  }
+  waiting_.refine_begin(from.to_rest.back().way_mm / kCellsToRest, blocks);
+  if (waiting_.size() < kFewestInMotion) {
+    return false;
+  }
+  plan_ = OptimalPlan(from.state);
+  const std::size_t count = std::min(waiting_.size(), kCellsInMotion);
+  double way_mm = 0.0;
+  auto after = from.to_rest.begin();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double middle_mm = way_mm + 0.5 * waiting_[i].length_mm;
+    while (after != from.to_rest.end() && after->way_mm < middle_mm) {
+      ++after;
+    }
+    if (after == from.to_rest.begin() || after == from.to_rest.end()) {
+      break;
+    }
+    const Begin::Feed& before = *std::prev(after);
+    const double share = (middle_mm - before.way_mm) / (after->way_mm - before.way_mm);
+    const double v = before.v_mm_s + share * (after->v_mm_s - before.v_mm_s);
+    waiting_.plan_at(i, v * v);
+    way_mm += waiting_[i].length_mm;
+  }
+  Found found = find_over({.begin = 0, .end = count}, waiting_.path_of(blocks));
+  if (!found.plan) {
+    return false;
+  }
+  adopt(std::move(found));
+  return true;
 }
 
 bool OptimumSchedule::empty() const {
@@ -175,6 +223,10 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
     const Cell& first = waiting_.front().cell;
     emitter.note(degradation_on(waiting_.block_of(first, blocks), first.s_begin_mm));
   }
+  adopt(std::move(found));
+}
+
+void OptimumSchedule::adopt(Found found) {
   plan_ends_at_stop_ = waiting_[found.count - 1].rest_after;
   waiting_.drop(found.count);
   plan_ = std::move(*found.plan);

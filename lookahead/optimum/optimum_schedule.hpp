@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "lookahead/emit/schedule.hpp"
 #include "lookahead/optimum/classical_run.hpp"
@@ -39,6 +40,23 @@ class OptimumSchedule final : public Schedule {
 
   explicit OptimumSchedule(const Settings& settings);
 
+  // A motion that this plan goes on from.
+  struct Begin {
+    double s_mm = 0.0;        // on the first block
+    bool has_before = false;  // the window begins with the block before the first, which is over
+    StartState state{};       // in motion
+    // A way to rest from there, by the way from the motion on: the search begins with it.
+    struct Feed {
+      double way_mm = 0.0;
+      double v_mm_s = 0.0;
+    };
+    std::vector<Feed> to_rest{};
+  };
+  // Push the blocks with this one where a motion goes on, as far as they are known, and call
+  // begin(). closed: a rest follows them. False: no plan was found.
+  void push_in_motion(const Window<Block>& blocks);
+  [[nodiscard]] bool begin(const Begin& from, bool closed, Window<Block>& blocks);
+
   void push(const Window<Block>& blocks) override;
   [[nodiscard]] bool empty() const override;
   [[nodiscard]] bool has_room() const override;
@@ -61,6 +79,8 @@ class OptimumSchedule final : public Schedule {
 
     [[nodiscard]] bool ended_well() const { return plan && !plan->slowed_down(); }
   };
+  // What was found is the plan from now on. Precondition: there is a plan.
+  void adopt(Found found);
   // Over the rest of the plan and what waits after it; fewer of them where that does not end well.
   [[nodiscard]] Found find(const PathAt& path) const;
   // Over these of waiting_, up to a rest, refined for the rests at their ends. From 0 on the rest

@@ -58,7 +58,7 @@ WayAhead::WayAhead(const BrakingFrom& from, const PlanLimits& limits)
 }
 
 void WayAhead::take_blocks(const BrakingFrom& from) {
-  const double back_mm = from.junction_zone_mm(limits_.period_s);
+  const double back_mm = junction_zone_mm(from.state, limits_);
   const double far_mm = farthest_mm(from, limits_);
   const auto add = [this](Block block) {
     blocks_.push_back(std::move(block));

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "curves/auxiliary_axis_motion.hpp"
@@ -38,6 +39,8 @@ struct Block {
   // belongs to `line`.
   std::vector<LineMark> marks{};
   bool rapid = false;
+  double feedrate_mm_s = kUnbounded;  // programmed; of a rapid, none
+  std::optional<int> arc_normal{};    // smoothing::PathSegment
   double length_mm = 0.0;
   BlockLimits limits{};
   // The same without the share that curvature takes of the limits of X, Y and Z: the programmed
@@ -51,6 +54,8 @@ struct Block {
   // alone.
   bool continues = false;
   VelocityLimitCurve limit_curve{};  // empty: limits.feedrate_mm_s everywhere
+  // A motion slows down on it that was faster than it now may be: its limits allow for that.
+  bool slows = false;
   // Where this is what is left of a block (remainder_of): that block, and where on it this begins.
   std::shared_ptr<const Block> whole{};
   double begin_mm = 0.0;

@@ -6,6 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "lookahead/path/block.hpp"
+#include "lookahead/path/feed_override.hpp"
 #include "lookahead/path/feed_scan.hpp"
 #include "lookahead/path/limits.hpp"
 #include "parser/moves/move.hpp"
@@ -18,6 +19,11 @@ namespace kerf::lookahead {
 tl::expected<Block, smoothing::PathError> block_of(smoothing::PathSegment segment,
                                                    const PlanLimits& limits,
                                                    ScanFor plan = ScanFor::bounded_jerk);
+
+// The limits of the block anew, under an override.
+void set_limits(const FeedOverride& by, const PlanLimits& limits, ScanFor plan, Block& block);
+// The same for this feedrate, infinity for that of a rapid.
+void set_limits(double feedrate_mm_s, const PlanLimits& limits, ScanFor plan, Block& block);
 
 // Appends the blocks of a move as programmed (smoothing/segment_builder.hpp). Error: the
 // curve is not valid, with the line to blame.

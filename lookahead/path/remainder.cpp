@@ -71,6 +71,9 @@ std::optional<Block> stretch_of(const Block& block, const curves::Stretch& stret
   on.run_block = mark.run_block;
   on.marks = marks_on(block.marks, stretch);
   on.rapid = block.rapid;
+  on.feedrate_mm_s = block.feedrate_mm_s;
+  on.arc_normal = block.arc_normal;
+  on.slows = block.slows;
   on.length_mm = curves::length_mm(on.curve);
   on.limits = block.limits;
   on.along = block.along;

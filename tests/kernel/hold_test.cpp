@@ -78,8 +78,8 @@ void expect_whole(const HeldRun& run, const std::vector<Setpoint>& whole) {
 }
 
 TEST(Hold, ComesToRestOnThePathAndGoesOnToTheSameEndWhereverItIsAskedFor) {
-  for (const ProfileKind kind :
-       {ProfileKind::s_curve, ProfileKind::quintic, ProfileKind::time_optimal}) {
+  for (const ProfileKind kind : {ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::quintic,
+                                 ProfileKind::time_optimal}) {
     const HeldProgram program{.text = mixed_program(), .options = {.profile = {.kind = kind}}};
     const auto whole = ticks_of(program.text, program.options);
     for (std::int64_t tick = 1; tick < whole.back().tick; tick += 41) {

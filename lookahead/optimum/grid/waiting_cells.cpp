@@ -18,6 +18,17 @@ std::optional<JunctionLimits> limits_at(const CellJunction& junction) {
   return junction.limits;
 }
 
+// Of the way from a motion to a cell, how long the cell may be.
+constexpr double kOfWay = 0.05;
+
+// A little more than an S-curve takes between rest and the feedrate at the cell's begin.
+double ramp_mm(const Cell& cell, const PlanLimits& limits) {
+  const double v = std::min(cell.begin.feedrate_mm_s, limits.path.velocity_mm_s);
+  const double a = tangential_acceleration_mm_s2(cell, cell.begin, limits);
+  const double j = tangential_jerk_mm_s3(cell, cell.begin, limits);
+  return v * v / a + v * a / j;
+}
+
 }  // namespace
 
 PathAt WaitingCells::path_of(const Window<Block>& blocks) const {
@@ -129,6 +140,47 @@ void WaitingCells::close_as_cells(const BlockJunction& end, const Window<Block>&
     cells_.push_back({.cell = cell});
   }
   cells_.back().cell.rest_after |= end.junction.is_stop();
+}
+
+void WaitingCells::begin_at(const Place& place, const Window<Block>& blocks) {
+  const auto first = std::ranges::find_if(cells_, [&place](const WaitingCell& waiting) {
+    return waiting.cell.block > place.block ||
+           (waiting.cell.block == place.block && waiting.cell.s_end_mm() > place.s_mm);
+  });
+  cells_.erase(cells_.begin(), first);
+  if (!cells_.empty() && cells_.front().cell.block == place.block &&
+      cells_.front().cell.s_begin_mm < place.s_mm) {
+    Cell& cell = cells_.front().cell;
+    const double way_mm = place.s_mm - cell.s_begin_mm;
+    cell = parts_of(cell, {way_mm, cell.length_mm - way_mm}, path_of(blocks)).back();
+  }
+}
+
+void WaitingCells::refine_begin(double finest_mm, const Window<Block>& blocks) {
+  const PathAt path = path_of(blocks);
+  std::deque<WaitingCell> refined;
+  double way_mm = 0.0;
+  for (const WaitingCell& waiting : cells_) {
+    const Cell& cell = waiting.cell;
+    if (waiting.whole_line || way_mm > ramp_mm(cell, limits_)) {
+      refined.push_back(waiting);
+      way_mm = kUnbounded;
+      continue;
+    }
+    std::vector<double> lengths;
+    double left_mm = cell.length_mm;
+    while (left_mm > 0.0) {
+      const double part_mm =
+          way_mm > ramp_mm(cell, limits_) ? left_mm : std::max(finest_mm, kOfWay * way_mm);
+      lengths.push_back(left_mm < 1.5 * part_mm ? left_mm : part_mm);
+      left_mm -= lengths.back();
+      way_mm += lengths.back();
+    }
+    for (const Cell& part : parts_of(cell, lengths, path)) {
+      refined.push_back({.cell = part});
+    }
+  }
+  cells_ = std::move(refined);
 }
 
 void WaitingCells::drop_blocks(std::size_t count) {

@@ -44,6 +44,19 @@ class WaitingCells {
   void drop_open() { open_.reset(); }
   void skip_next() { ++pushed_; }
 
+  // The cells before that place are dropped.
+  struct Place {
+    std::uint64_t block = 0;  // counted from the first that was pushed
+    double s_mm = 0.0;
+  };
+  void begin_at(const Place& place, const Window<Block>& blocks);
+  // Divides the first cells: no longer than finest_mm, and than a small part of the way up to them
+  // where that is more, until the motion may have come to its feedrate from any other.
+  void refine_begin(double finest_mm, const Window<Block>& blocks);
+  void plan_at(std::size_t i, double planned_squared) {
+    cells_[i].cell.planned_squared = planned_squared;
+  }
+
   [[nodiscard]] bool has_open_block() const { return open_.has_value(); }
   [[nodiscard]] bool empty() const { return cells_.empty(); }
   [[nodiscard]] std::size_t size() const { return cells_.size(); }

@@ -19,6 +19,8 @@ struct PlanPlace {
 class OptimalPlan {
  public:
   OptimalPlan() = default;
+  // Over, before a motion that goes on.
+  explicit OptimalPlan(const StartState& end) : sequence_{.begin = end, .cells = {}} {}
 
   // The fastest plan found that also keeps the limits between the places at which the solver
   // evaluates them: they are checked there, the shares are lowered where they are exceeded, and the

@@ -1,0 +1,358 @@
+// What takes back the plan that was emitted: hold, stop, override, and what follows them.
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "lookahead/optimum/optimum_schedule.hpp"
+#include "lookahead/path/block_builder.hpp"
+#include "lookahead/path/remainder.hpp"
+#include "lookahead/path/slowing.hpp"
+#include "lookahead/planner.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+// ahead: the items behind those that are emitted; those that end on the way go. No parts: it is at
+// rest already.
+void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, Emitter& emitter,
+               Outbox& outbox) {
+  for (const BrakingPart& part : parts) {
+    auto& block = std::get<Block>(ahead.front());
+    emitter.emit(block, part.law, part.s_end_mm, outbox);
+    outbox.phases.back().active_constraint = interp::active_constraint(part.limit);
+    if (part.ends_block) {
+      emitter.end_block(std::move(block));
+      ahead.pop_front();
+    } else {
+      emitter.end_segment(block, part.s_end_mm);
+    }
+  }
+  if (parts.empty()) {
+    emitter.emit_rest_here(outbox);
+  } else {
+    emitter.come_to_rest(outbox);
+  }
+}
+
+OptimumSchedule::Begin begin_of(const PlanStop& stop) {
+  constexpr int kPointsOfPart = 4;
+  OptimumSchedule::Begin begin{.state = {.v_mm_s = stop.from.v_mm_s, .a_mm_s2 = stop.from.a_mm_s2}};
+  begin.to_rest.push_back({.way_mm = 0.0, .v_mm_s = stop.from.v_mm_s});
+  double way_mm = 0.0;
+  for (const BrakingPart& part : stop.parts) {
+    for (int i = 1; i <= kPointsOfPart; ++i) {
+      const profiles::PathMotion at = part.law.at(part.law.duration_s() * i / kPointsOfPart);
+      begin.to_rest.push_back({.way_mm = way_mm + at.s_mm, .v_mm_s = at.v_mm_s});
+    }
+    way_mm += part.law.length_mm();
+  }
+  return begin;
+}
+
+// A curve may be long, and only its end matters.
+Block end_of(Block block, double length_mm) {
+  if (std::holds_alternative<curves::NurbsCurve>(block.curve) &&
+      2.0 * length_mm < block.length_mm) {
+    if (auto end = stretch_of(
+            block, {.begin_mm = block.length_mm - length_mm, .end_mm = block.length_mm})) {
+      return *std::move(end);
+    }
+  }
+  return block;
+}
+
+}  // namespace
+
+std::vector<const Block*> Planner::blocks_ahead() const {
+  std::vector<const Block*> ahead;
+  const auto add = [&ahead](const Block& block) {
+    ahead.push_back(block.whole ? block.whole.get() : &block);
+  };
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    add(blocks_[i]);
+  }
+  for (std::size_t i = 0; i < waiting_.size() && !rest_pending_; ++i) {
+    const auto* block = std::get_if<Block>(&waiting_[i]);
+    if (block == nullptr) {
+      break;
+    }
+    add(*block);
+  }
+  return ahead;
+}
+
+bool Planner::hold(std::int64_t tick, Outbox& outbox) {
+  assert(settings_.may_hold && !held_ && !before_ && outbox.phases.empty());
+  const auto stop = find_stop(emitter_, blocks_ahead(), {.tick = tick}, settings_.limits);
+  if (!stop) {
+    return false;
+  }
+  if (stop->from.phase.ends_program) {
+    return true;
+  }
+  take_back(stop->from);
+  held_ = true;
+  emit_stop(stop->parts, waiting_, emitter_, outbox);
+  outbox.phases.back().holds = true;
+  emitter_.keep(outbox, 0);
+  return true;
+}
+
+void Planner::take_back(const EmittedItems::Motion& from) {
+  empty_window();
+  before_.emplace(Before{emitter_, waiting_, waits_});
+  waits_ = false;
+  emitter_.take_back(from, waiting_);
+}
+
+std::optional<Planner::StopAhead> Planner::stop_ahead(std::int64_t tick) {
+  assert(settings_.may_hold && !held_);
+  const std::vector<const Block*> blocks = blocks_ahead();
+  auto stop =
+      find_stop(emitter_, blocks, {.tick = tick, .effort = StopEffort::any}, settings_.limits);
+  if (!stop) {
+    return std::nullopt;
+  }
+  StopAhead ahead{.stop = std::move(*stop)};
+  const std::vector<BrakingPart>& parts = ahead.stop.parts;
+  const std::size_t needed = parts.empty() ? 1 : parts.back().block + 1;
+  std::deque<Item> items;
+  for (std::size_t i = 0; i < std::min(needed, blocks.size()); ++i) {
+    items.emplace_back(*blocks[i]);
+  }
+  Emitter emitter = emitter_;
+  emitter.take_back(ahead.stop.from, items);
+  emit_stop(parts, items, emitter, ahead.outbox);
+  ahead.plan = emitter.plan();
+  emitter_.note_sent_by(emitter);
+  return ahead;
+}
+
+Outbox Planner::follow_stop_ahead(const StopAhead& taken) {
+  empty_window();
+  waits_ = false;
+  emitter_.take_back(taken.stop.from, waiting_);
+  emitter_.repeat_plan(taken.plan);
+  Outbox outbox;
+  emit_stop(taken.stop.parts, waiting_, emitter_, outbox);
+  emitter_.keep(outbox, 0);
+  held_ = true;
+  resume();
+  return outbox;
+}
+
+std::optional<Planner::ChangedFeed> Planner::change_feed(const FeedChange& change, Outbox& outbox) {
+  assert(settings_.may_hold && !before_ && outbox.phases.empty());
+  if (held_) {
+    by_ = change.by;
+    limit_waiting();
+    return ChangedFeed{};
+  }
+  const auto stop = find_stop(emitter_, blocks_ahead(), {.tick = change.tick}, settings_.limits);
+  if (!stop) {
+    return std::nullopt;
+  }
+  by_ = change.by;
+  if (stop->from.phase.ends_program || emitter_.kept().is_last(stop->from)) {
+    empty_window();
+    limit_waiting();
+    begin_rest_of_block();
+    return ChangedFeed{};
+  }
+  InMotion from{.stop = &*stop};
+  if (const Block* before = emitter_.kept().blocks_from(stop->from).before) {
+    from.before = *before;
+  }
+  take_back(stop->from);
+  ChangedFeed changed;
+  if (stop->parts.empty()) {
+    limit_waiting();
+  } else {
+    const std::size_t slowed = let_slow_down(begin_of(*stop));
+    limit_waiting(slowed);
+    changed.slows_to_curve = emitter_.next_curve() + slowed - 1;
+  }
+  if (stop->parts.empty() || !go_on_in_motion(std::move(from), change, changed, outbox)) {
+    emit_stop(stop->parts, waiting_, emitter_, outbox);
+    emitter_.keep(outbox, 0);
+    held_ = true;
+    resume();
+  }
+  return changed;
+}
+
+void Planner::limit_waiting(std::size_t first) {
+  for (std::size_t i = first; i < waiting_.size(); ++i) {
+    if (auto* block = std::get_if<Block>(&waiting_[i])) {
+      set_limits(by_, settings_.limits, scan_for_, *block);
+    }
+  }
+}
+
+bool Planner::go_on_in_motion(InMotion from, const FeedChange& change, ChangedFeed& changed,
+                              Outbox& outbox) {
+  const Emitter emitter = emitter_;
+  const std::deque<Item> waiting = waiting_;
+  if (begin_in_motion(std::move(from))) {
+    while (emitter_.now().tick < change.until_tick && emit_next(outbox)) {
+    }
+    if (change.needs_stop && !outbox.phases.empty() && !emitter_.ends_at_rest()) {
+      changed.stop = stop_ahead(emitter_.now().tick);
+    }
+    if (!outbox.phases.empty() && (!change.needs_stop || changed.stop || emitter_.ends_at_rest())) {
+      return true;
+    }
+  }
+  outbox.clear();
+  changed.stop.reset();
+  empty_window();
+  emitter_ = emitter;
+  waiting_ = waiting;
+  return false;
+}
+
+// Where the motion is so near behind a junction that ticks see it, the whole block is planned with
+// the one before it, else what is left of it.
+bool Planner::begin_in_motion(InMotion from) {
+  OptimumSchedule::Begin begin = begin_of(*from.stop);
+  const bool on_block = emitter_.is_on_block();
+  const double zone_mm = junction_zone_mm(begin.state, settings_.limits);
+  begin.s_mm = on_block ? emitter_.curve_mm() : 0.0;
+  begin.has_before = from.before && begin.s_mm < zone_mm;
+  if (on_block && !begin.has_before) {
+    begin.s_mm = 0.0;
+    begin_rest_of_block();
+  }
+  if (waiting_.empty() || !std::holds_alternative<Block>(waiting_.front()) ||
+      emitter_.is_on_block() != on_block) {
+    return false;
+  }
+  auto schedule = std::make_unique<OptimumSchedule>(optimum_settings());
+  OptimumSchedule& optimum = *schedule;
+  schedule_ = std::move(schedule);
+  stands_in_ = settings_.profile.kind() != profiles::ProfileKind::time_optimal;
+  if (begin.has_before) {
+    blocks_.push_back(end_of(*std::move(from.before), zone_mm));
+    optimum.push_in_motion(blocks_);
+  }
+  blocks_.push_back(std::move(std::get<Block>(waiting_.front())));
+  waiting_.pop_front();
+  optimum.push_in_motion(blocks_);
+  while (!waiting_.empty() && has_room() && std::holds_alternative<Block>(waiting_.front())) {
+    take(std::move(std::get<Block>(waiting_.front())));
+    waiting_.pop_front();
+  }
+  const bool is_cut = !waiting_.empty() && std::holds_alternative<Block>(waiting_.front());
+  if (is_cut && std::get<Block>(waiting_.front()).slows) {
+    return false;
+  }
+  to_rest_ = !is_cut && (!waiting_.empty() || blocks_.size() == (begin.has_before ? 2U : 1U));
+  if (to_rest_ && !waiting_.empty()) {
+    end_with(std::get<Rest>(waiting_.front()));
+    waiting_.pop_front();
+  }
+  return optimum.begin(begin, to_rest_, blocks_);
+}
+
+std::size_t Planner::let_slow_down(const OptimumSchedule::Begin& from) {
+  std::vector<Block*> ahead;
+  for (Item& item : waiting_) {
+    auto* block = std::get_if<Block>(&item);
+    if (block == nullptr) {
+      break;
+    }
+    ahead.push_back(block);
+  }
+  return lookahead::let_slow_down(
+      {.motion = {.s_mm = emitter_.is_on_block() ? emitter_.curve_mm() : 0.0,
+                  .v_mm_s = from.state.v_mm_s,
+                  .a_mm_s2 = from.state.a_mm_s2},
+       .to_rest_mm = from.to_rest.back().way_mm,
+       .by = by_,
+       .plan = scan_for_},
+      settings_.limits, ahead);
+}
+
+bool Planner::stop(std::int64_t tick, Outbox& outbox) {
+  if (!hold(tick, outbox)) {
+    return false;
+  }
+  if (held_) {
+    const std::size_t end = outbox.phases.size();
+    emitter_.emit_rest({.ends_program = true}, outbox);
+    emitter_.keep(outbox, end);
+    stops_ = true;
+  }
+  return true;
+}
+
+void Planner::stop_held() {
+  assert(held_);
+  held_ = false;
+  waiting_.clear();
+  end_with({.ends_program = true});
+}
+
+void Planner::empty_window() {
+  if (!waiting_.empty() && std::holds_alternative<Block>(waiting_.front())) {
+    auto& block = std::get<Block>(waiting_.front());
+    block = whole_of(std::move(block));
+  }
+  if (rest_pending_) {
+    waiting_.push_front(rest_);
+  }
+  for (std::size_t i = blocks_.size(); i > 0; --i) {
+    waiting_.push_front(whole_of(std::move(blocks_[i - 1])));
+  }
+  blocks_.keep_front(0);
+  schedule_ = new_schedule();
+  stands_in_ = false;
+  rest_ = {};
+  rest_pending_ = to_rest_ = false;
+}
+
+void Planner::settle(bool accepted) {
+  if (!accepted) {
+    empty_window();
+    emitter_.restore(std::move(before_->emitter));
+    waiting_ = std::move(before_->waiting);
+    waits_ = before_->waits;
+    held_ = false;
+  } else if (stops_) {
+    waiting_.clear();
+    held_ = false;
+    to_rest_ = true;
+  }
+  stops_ = false;
+  before_.reset();
+}
+
+void Planner::resume() {
+  waits_ = false;
+  if (!held_) {
+    return;
+  }
+  held_ = false;
+  if (emitter_.is_on_block() && std::get<Block>(waiting_.front()).slows) {
+    set_limits(by_, settings_.limits, scan_for_, std::get<Block>(waiting_.front()));
+  }
+  begin_rest_of_block();
+}
+
+// On the block that waits first. Hardly a way: the block is over.
+void Planner::begin_rest_of_block() {
+  if (!emitter_.is_on_block()) {
+    return;
+  }
+  const auto whole = std::make_shared<const Block>(std::move(std::get<Block>(waiting_.front())));
+  if (auto remainder = remainder_of(whole, emitter_.curve_mm())) {
+    waiting_.front() = std::move(*remainder);
+    emitter_.begin_remainder();
+  } else {
+    emitter_.end_block(Block(*whole));
+    waiting_.pop_front();
+  }
+}
+
+}  // namespace kerf::lookahead
