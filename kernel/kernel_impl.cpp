@@ -175,8 +175,9 @@ void Kernel::Impl::follow_commands() {
   if (!takeover_ && wants_hold_) {
     wants_hold_ = !try_hold();
   }
-  if (!takeover_ && wants_feed_) {
+  if (!takeover_ && wants_feed_ && interpolator_.plan_tick() >= next_try_tick_) {
     wants_feed_ = !try_change_feed();
+    next_try_tick_ = wants_feed_ ? interpolator_.plan_tick() + margin_ticks_ : 0;
   }
 }
 

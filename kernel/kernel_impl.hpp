@@ -163,7 +163,8 @@ class Kernel::Impl {
     std::optional<lookahead::Planner::StopAhead> stop{};
   };
   std::optional<Takeover> takeover_{};
-  int refusals_ = 0;  // in a row: planning took longer than the margin
+  std::int64_t next_try_tick_ = 0;  // of a change of feed for which no way was found
+  int refusals_ = 0;                // in a row: planning took longer than the margin
   Delivery delivery_{queue_};
 };
 

@@ -154,6 +154,8 @@ class Planner {
   bool go_on_in_motion(InMotion from, const FeedChange& change, ChangedFeed& changed,
                        Outbox& outbox);
   bool begin_in_motion(InMotion from);
+  // False: there is no motion, or no way to rest behind it.
+  bool emit_first_part(const FeedChange& change, ChangedFeed& changed, Outbox& outbox);
   // Of the blocks that wait, those on which the motion may be faster than they allow: how many.
   std::size_t let_slow_down(const OptimumSchedule::Begin& from);
   void begin_rest_of_block();

@@ -35,6 +35,10 @@ void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, E
   }
 }
 
+constexpr double kFarRest_s = 0.02;
+// From ticks so far apart, twice as far each time, a way to rest is sought.
+constexpr std::int64_t kMostSteps = 64;
+
 OptimumSchedule::Begin begin_of(const PlanStop& stop) {
   constexpr int kPointsOfPart = 4;
   OptimumSchedule::Begin begin{.state = {.v_mm_s = stop.from.v_mm_s, .a_mm_s2 = stop.from.a_mm_s2}};
@@ -150,7 +154,10 @@ std::optional<Planner::ChangedFeed> Planner::change_feed(const FeedChange& chang
     return ChangedFeed{};
   }
   const auto stop = find_stop(emitter_, blocks_ahead(), {.tick = change.tick}, settings_.limits);
-  if (!stop) {
+  // Behind a rest that is far nothing else could be asked for before the tool has come to it.
+  const double wait_s = static_cast<double>(stop ? stop->from.when.tick - change.tick : 0) *
+                        settings_.limits.period_s;
+  if (!stop || (stop->parts.empty() && wait_s > kFarRest_s)) {
     return std::nullopt;
   }
   by_ = change.by;
@@ -173,11 +180,15 @@ std::optional<Planner::ChangedFeed> Planner::change_feed(const FeedChange& chang
     limit_waiting(slowed);
     changed.slows_to_curve = emitter_.next_curve() + slowed - 1;
   }
-  if (stop->parts.empty() || !go_on_in_motion(std::move(from), change, changed, outbox)) {
-    emit_stop(stop->parts, waiting_, emitter_, outbox);
-    emitter_.keep(outbox, 0);
-    held_ = true;
-    resume();
+  if (!stop->parts.empty() && go_on_in_motion(std::move(from), change, changed, outbox)) {
+    return changed;
+  }
+  emit_stop(stop->parts, waiting_, emitter_, outbox);
+  emitter_.keep(outbox, 0);
+  held_ = true;
+  resume();
+  if (stop->parts.empty()) {
+    emit_first_part(change, changed, outbox);
   }
   return changed;
 }
@@ -194,21 +205,32 @@ bool Planner::go_on_in_motion(InMotion from, const FeedChange& change, ChangedFe
                               Outbox& outbox) {
   const Emitter emitter = emitter_;
   const std::deque<Item> waiting = waiting_;
-  if (begin_in_motion(std::move(from))) {
-    while (emitter_.now().tick < change.until_tick && emit_next(outbox)) {
-    }
-    if (change.needs_stop && !outbox.phases.empty() && !emitter_.ends_at_rest()) {
-      changed.stop = stop_ahead(emitter_.now().tick);
-    }
-    if (!outbox.phases.empty() && (!change.needs_stop || changed.stop || emitter_.ends_at_rest())) {
-      return true;
-    }
+  if (begin_in_motion(std::move(from)) && emit_first_part(change, changed, outbox)) {
+    return true;
   }
   outbox.clear();
   changed.stop.reset();
   empty_window();
   emitter_ = emitter;
   waiting_ = waiting;
+  return false;
+}
+
+bool Planner::emit_first_part(const FeedChange& change, ChangedFeed& changed, Outbox& outbox) {
+  for (std::int64_t until = change.until_tick, step = 1; step <= kMostSteps; until += step *= 2) {
+    while (emitter_.now().tick < until && emit_next(outbox)) {
+    }
+    if (outbox.phases.empty()) {
+      return false;
+    }
+    if (!change.needs_stop || emitter_.ends_at_rest()) {
+      return true;
+    }
+    changed.stop = stop_ahead(emitter_.now().tick);
+    if (changed.stop) {
+      return true;
+    }
+  }
   return false;
 }
 

@@ -142,7 +142,7 @@ void bind(const Slowing& slowing, double begin_mm, double to_mm_s, const Block& 
   for (FeedSample& sample : curve) {
     const double way_mm = std::max(begin_mm + sample.s_mm, 0.0);
     const double most_mm_s =
-        std::max({sample_of(before, sample.s_mm).v_mm_s, slowing.begin_mm_s(), to_mm_s});
+        std::max((1.0 + kRoom) * sample_of(before, sample.s_mm).v_mm_s, to_mm_s);
     const double bound = std::min(slowing.bound_mm_s(way_mm, to_mm_s), most_mm_s);
     if (bound < sample.v_mm_s) {
       sample.v_mm_s = bound;
@@ -178,10 +178,6 @@ double Slowing::bound_mm_s(double way_mm, double to_mm_s) const {
 double Slowing::way_mm(double to_mm_s) const {
   const auto down = slowing_down(motion_, ramp_, to_mm_s);
   return down ? stretch_ * down->at(down->duration_s()).s_mm : 0.0;
-}
-
-double Slowing::begin_mm_s() const {
-  return (1.0 + kRoom) * motion_.v_mm_s;
 }
 
 double Slowing::most_mm_s() const {

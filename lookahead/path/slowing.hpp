@@ -28,8 +28,6 @@ class Slowing {
   [[nodiscard]] double bound_mm_s(double way_mm, double to_mm_s) const;
   // How far behind the begin the bound is down to to_mm_s.
   [[nodiscard]] double way_mm(double to_mm_s) const;
-  // A little above that of the motion.
-  [[nodiscard]] double begin_mm_s() const;
   // Nowhere higher than this or to_mm_s.
   [[nodiscard]] double most_mm_s() const;
 
@@ -40,8 +38,9 @@ class Slowing {
 };
 
 // Sets the limits of the blocks to which the motion comes before it is as slow as they allow under
-// the override, and nowhere above what they allowed so far. Returns how many they are, at the
-// front; none may be left out that the motion comes to on its way to rest. Precondition: v > 0.
+// the override, and nowhere more than a thousandth above what they allowed so far. Returns how many
+// they are, at the front; none may be left out that the motion comes to on its way to rest.
+// Precondition: v > 0.
 struct SlowingOrder {
   profiles::PathMotion motion{};  // s: on the first block
   double to_rest_mm = 0.0;

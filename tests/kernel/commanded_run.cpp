@@ -17,13 +17,14 @@ namespace kerf::test {
 
 namespace {
 
-enum class Order : std::uint8_t { hold, late, stop, emergency_stop };
+enum class Order : std::uint8_t { hold, late, override, stop, emergency_stop };
 
 struct Timed {
   std::int64_t tick = 0;
   Order order = Order::hold;
   int ticks = 0;           // until the resume, or how long planning is late
   bool after_rest = true;  // the resume counts from the first held tick
+  Overrides overrides{};
 };
 
 std::vector<Timed> random_orders(std::mt19937_64& random, std::int64_t whole_ticks) {
@@ -33,7 +34,10 @@ std::vector<Timed> random_orders(std::mt19937_64& random, std::int64_t whole_tic
   std::vector<Timed> orders(static_cast<std::size_t>(1 + below(20)));
   for (Timed& timed : orders) {
     timed.tick = below(whole_ticks);
-    timed.order = below(4) == 0 ? Order::late : Order::hold;
+    timed.order = std::array{Order::late, Order::hold, Order::hold, Order::override,
+                             Order::override}[static_cast<std::size_t>(below(5))];
+    timed.overrides = {.feed = 0.02 * static_cast<double>(below(101)),
+                       .rapid = 0.05 * static_cast<double>(1 + below(20))};
     timed.ticks = static_cast<int>(timed.order == Order::late ? below(700) : 1 + below(60));
     timed.after_rest = below(3) != 0;
   }
@@ -46,11 +50,13 @@ std::vector<Timed> random_orders(std::mt19937_64& random, std::int64_t whole_tic
 }
 
 std::string to_text(const std::vector<Timed>& orders) {
-  constexpr std::array<const char*, 4> kNames{"hold", "late", "stop", "emergency stop"};
+  constexpr std::array<const char*, 5> kNames{"hold", "late", "override", "stop", "emergency stop"};
   std::string text;
   for (const Timed& timed : orders) {
     text += std::to_string(timed.tick) + " " + kNames.at(static_cast<std::size_t>(timed.order)) +
-            " " + std::to_string(timed.ticks) + (timed.after_rest ? "" : " early") + ", ";
+            " " + std::to_string(timed.ticks) + (timed.after_rest ? "" : " early") + " " +
+            std::to_string(timed.overrides.feed) + " " + std::to_string(timed.overrides.rapid) +
+            ", ";
   }
   return text;
 }
@@ -69,6 +75,9 @@ class Operator {
         after_rest_ = timed.after_rest;
       } else if (timed.order == Order::late) {
         late_until_ = tick + timed.ticks;
+      } else if (timed.order == Order::override) {
+        kernel_->set_overrides(timed.overrides);
+        zero_until_ = timed.overrides.feed == 0.0 ? tick + 300 : -1;
       } else if (timed.order == Order::stop) {
         kernel_->stop();
         stopped_ = true;
@@ -76,6 +85,9 @@ class Operator {
         kernel_->emergency_stop();
         stopped_ = emergency_ = true;
       }
+    }
+    if (tick == zero_until_) {
+      kernel_->set_overrides({.feed = 0.7});
     }
     return tick >= late_until_;
   }
@@ -96,6 +108,7 @@ class Operator {
   int resume_in_ = -1;  // none waits
   bool after_rest_ = true;
   std::int64_t late_until_ = 0;
+  std::int64_t zero_until_ = -1;  // the feed override is 0; -1: it is not
   bool stopped_ = false;
   bool emergency_ = false;
 };
