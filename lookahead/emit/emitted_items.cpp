@@ -95,15 +95,16 @@ std::vector<EmittedItems::CurvePlace> EmittedItems::places_behind(const Motion& 
 
 std::optional<std::int64_t> EmittedItems::rest_after(std::int64_t tick) const {
   for (std::size_t i = 0; i < phases_.size(); ++i) {
-    const interp::Phase& phase = phases_[i];
-    const double ticks = (phase.begin.offset_s + phase.law.duration_s()) / period_s_;
-    const std::int64_t end =
-        phase.begin.tick + static_cast<std::int64_t>(std::ceil(ticks - kTickRounding));
-    if (phase.ends_at_rest && end >= tick) {
-      return end;
+    if (phases_[i].ends_at_rest && end_tick(phases_[i]) >= tick) {
+      return end_tick(phases_[i]);
     }
   }
   return std::nullopt;
+}
+
+std::int64_t EmittedItems::end_tick(const interp::Phase& phase) const {
+  const double ticks = (phase.begin.offset_s + phase.law.duration_s()) / period_s_;
+  return phase.begin.tick + static_cast<std::int64_t>(std::ceil(ticks - kTickRounding));
 }
 
 EmittedItems::Blocks EmittedItems::blocks_from(const Motion& motion) const {
@@ -154,6 +155,8 @@ EmittedItems::TakenBack EmittedItems::take_back(const Motion& motion, const Emit
   }
   phases_.keep_front(phases_.size() - (phase_count_ - motion.number - 1));
   phase_count_ = motion.number + 1;
+  interp::Phase& last = phases_.back();
+  last.ends_at_rest &= end_tick(last) <= motion.when.tick;  // else it does not come to its end
   if (items_.empty()) {
     return taken;
   }

@@ -36,6 +36,14 @@ TEST(RandomCommandsAgain, StopWhereNoBlockIsLeft) {
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
+// An override in the middle of a way to rest: that rest was not come to, but still looked for.
+TEST(RandomCommandsAgain, OverrideWhileItBrakesForAHold) {
+  for (const std::uint64_t seed : {387, 485}) {
+    const CommandedRun run = commanded_run(seed);
+    EXPECT_EQ(run.complaint, "") << run.commands;
+  }
+}
+
 TEST(RandomCommandsAgain, GiveTheSameTicks) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const CommandedRun one = commanded_run(seed);
