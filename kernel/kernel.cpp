@@ -70,6 +70,9 @@ void Kernel::resume() {
 bool Kernel::set_overrides(const Overrides& overrides) {
   return impl_->set_overrides(overrides);
 }
+void Kernel::set_single_block(bool on) {
+  impl_->set_single_block(on);
+}
 double Kernel::chord_error_mm() const noexcept {
   return impl_->judge().latest_chord_error_mm();
 }

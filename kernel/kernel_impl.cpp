@@ -139,23 +139,29 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
   const bool releases =
       overrides_.feed == 0.0 && overrides.feed > 0.0 && (pipeline_.is_held() || takeover_);
   overrides_ = overrides;
-  wants_feed_ = true;
+  wants_change_ = true;
   wants_hold_ = holds_ || stops_ || overrides_.feed == 0.0;
   wants_resume_ = !wants_hold_ && (wants_resume_ || releases);
   plan();
   return true;
 }
 
+void Kernel::Impl::set_single_block(bool on) {
+  single_block_ = on;
+  wants_change_ = true;
+  plan();
+}
+
 void Kernel::Impl::settle(bool accepted) {
   pipeline_.settle(accepted);
-  if (takeover_->changes_feed) {
+  if (takeover_->changes_plan) {
     queue_.settle(accepted);
     if (accepted && takeover_->stop) {
       stop_ahead_ = std::move(takeover_->stop);
     }
   }
   if (!accepted) {
-    (takeover_->changes_feed ? wants_feed_ : wants_hold_) = true;
+    (takeover_->changes_plan ? wants_change_ : wants_hold_) = true;
   }
   refusals_ = accepted ? 0 : std::min(refusals_ + 1, kMostRefusals);
   takeover_.reset();
@@ -175,9 +181,9 @@ void Kernel::Impl::follow_commands() {
   if (!takeover_ && wants_hold_) {
     wants_hold_ = !try_hold();
   }
-  if (!takeover_ && wants_feed_ && interpolator_.plan_tick() >= next_try_tick_) {
-    wants_feed_ = !try_change_feed();
-    next_try_tick_ = wants_feed_ ? interpolator_.plan_tick() + margin_ticks_ : 0;
+  if (!takeover_ && wants_change_ && interpolator_.plan_tick() >= next_try_tick_) {
+    wants_change_ = !try_change_plan();
+    next_try_tick_ = wants_change_ ? interpolator_.plan_tick() + margin_ticks_ : 0;
   }
 }
 
@@ -217,9 +223,12 @@ bool Kernel::Impl::try_hold() {
   return true;
 }
 
-bool Kernel::Impl::try_change_feed() {
-  if (overrides_.feed == 0.0 || stops_) {
-    return true;  // it holds
+bool Kernel::Impl::try_change_plan() {
+  if (stops_) {
+    return true;
+  }
+  if (overrides_.feed == 0.0) {
+    return false;  // it holds, until there is another
   }
   if (queue_.phases_free() < interp::MotionQueue::kPhases / 2 + delivery_.outbox().phases.size()) {
     return false;
@@ -227,7 +236,8 @@ bool Kernel::Impl::try_change_feed() {
   lookahead::Outbox plan;
   const std::uint32_t from = pipeline_.plan();
   const std::int64_t tick = takeover_tick();
-  auto changed = pipeline_.change_feed({.by = {.feed = overrides_.feed, .rapid = overrides_.rapid},
+  auto changed = pipeline_.change_plan({.by = {.feed = overrides_.feed, .rapid = overrides_.rapid},
+                                        .single_block = single_block_,
                                         .tick = tick,
                                         .until_tick = tick + first_part_ticks_,
                                         .needs_stop = keeps_stop_},
@@ -237,7 +247,7 @@ bool Kernel::Impl::try_change_feed() {
   }
   if (!plan.phases.empty()) {
     takeover_ = {
-        .plan = plan.phases.front().plan, .changes_feed = true, .stop = std::move(changed->stop)};
+        .plan = plan.phases.front().plan, .changes_plan = true, .stop = std::move(changed->stop)};
     const auto* stop = takeover_->stop ? &*takeover_->stop : nullptr;
     delivery_.take_over(std::move(plan), from, stop);
     committed_until_tick_ =
@@ -274,7 +284,7 @@ void Kernel::Impl::reach_tick() {
 
 TickStatus Kernel::Impl::next(Setpoint& setpoint) {
   keeps_stop_ = false;
-  const bool is_asked = wants_hold_ || wants_resume_ || wants_feed_ || takeover_;
+  const bool is_asked = wants_hold_ || wants_resume_ || wants_change_ || takeover_;
   if ((is_asked || runs_low()) && plan() && runs_low()) {
     plan_to_rest();
   }

@@ -22,7 +22,7 @@ namespace kerf {
 // tick side. With a planning thread each commit brings a way to rest behind it (hand_over), so the
 // tick side never runs out of plan; if it has taken that way, planning goes on from its rest
 // (follow_stop_ahead). A hold or a stop is a plan that takes over from the present one some
-// milliseconds later (try_hold, try_change_feed); the tick side answers whether it came in time
+// milliseconds later (try_hold, try_change_plan); the tick side answers whether it came in time
 // (follow_commands).
 class Kernel::Impl {
  public:
@@ -77,6 +77,7 @@ class Kernel::Impl {
     hold();
   }
   bool set_overrides(const Overrides& overrides);
+  void set_single_block(bool on);
   [[nodiscard]] const Overrides& overrides() const noexcept { return overrides_; }
 
   [[nodiscard]] std::optional<RunFault> fault() const {
@@ -132,7 +133,7 @@ class Kernel::Impl {
   [[nodiscard]] std::int64_t takeover_tick() const;
 
   bool try_hold();
-  bool try_change_feed();
+  bool try_change_plan();
 
   void fail_with_check() { broken_ = pipeline_.check().is_broken(); }
 
@@ -151,15 +152,16 @@ class Kernel::Impl {
   std::int64_t committed_until_tick_ = 0;
   std::optional<lookahead::Planner::StopAhead> stop_ahead_{};  // the latest that was committed
   Overrides overrides_{};
+  bool single_block_ = false;
   bool holds_ = false;  // the operator asked for it; a feed override of 0 is not among this
   bool stops_ = false;  // each hold is a stop
   bool wants_hold_ = false;
   bool wants_resume_ = false;
-  bool wants_feed_ = false;
+  bool wants_change_ = false;
   // A plan that is to take over: the tick side has not answered yet.
   struct Takeover {
     std::uint32_t plan = 0;
-    bool changes_feed = false;
+    bool changes_plan = false;
     std::optional<lookahead::Planner::StopAhead> stop{};
   };
   std::optional<Takeover> takeover_{};

@@ -80,9 +80,9 @@ bool Pipeline::hold(std::int64_t tick, lookahead::Outbox& outbox) {
   return took_over(planner_.hold(tick, outbox), outbox);
 }
 
-std::optional<lookahead::Planner::ChangedFeed> Pipeline::change_feed(
-    const lookahead::Planner::FeedChange& change, lookahead::Outbox& outbox) {
-  auto changed = planner_.change_feed(change, outbox);
+std::optional<lookahead::Planner::ChangedPlan> Pipeline::change_plan(
+    const lookahead::Planner::PlanChange& change, lookahead::Outbox& outbox) {
+  auto changed = planner_.change_plan(change, outbox);
   if (changed) {
     const std::uint64_t from_curve = outbox.phases.empty() ? 0 : outbox.phases.front().curve;
     check_.overridden(change.by, {.from_curve = from_curve, .to_curve = changed->slows_to_curve});

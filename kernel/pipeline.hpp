@@ -47,9 +47,9 @@ class Pipeline {
   void plan_to_rest() { planner_.plan_to_rest(); }
   // Planner::hold, into an outbox that is empty.
   bool hold(std::int64_t tick, lookahead::Outbox& outbox);
-  // Planner::change_feed, into an outbox that is empty.
-  std::optional<lookahead::Planner::ChangedFeed> change_feed(
-      const lookahead::Planner::FeedChange& change, lookahead::Outbox& outbox);
+  // Planner::change_plan, into an outbox that is empty.
+  std::optional<lookahead::Planner::ChangedPlan> change_plan(
+      const lookahead::Planner::PlanChange& change, lookahead::Outbox& outbox);
   void settle(bool accepted) { planner_.settle(accepted); }
   void resume() { planner_.resume(); }
   // Planner::stop_ahead.

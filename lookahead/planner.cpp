@@ -81,17 +81,35 @@ void Planner::push(Block block) {
   if (by_ != FeedOverride{}) {
     set_limits(by_, settings_.limits, scan_for_, block);
   }
-  take(std::move(block));
+  accept(std::move(block));
+}
+
+void Planner::accept(Item item) {
+  if (!waiting_.empty()) {
+    waiting_.push_back(std::move(item));
+  } else if (steps_before(item)) {
+    waiting_.push_back(std::move(item));
+    end_with_step();
+  } else if (auto* block = std::get_if<Block>(&item)) {
+    take(std::move(*block));
+  } else {
+    end_with(std::get<Rest>(item));
+  }
 }
 
 void Planner::take(Block block) {
   assert(!rest_pending_ && block.length_mm > 0.0);
+  last_ = place_of(block);
   blocks_.push_back(std::move(block));
   schedule_->push(blocks_);
 }
 
 void Planner::take_waiting() {
   while (!waiting_.empty() && has_room()) {
+    if (steps_before(waiting_.front())) {
+      end_with_step();
+      return;
+    }
     if (auto* block = std::get_if<Block>(&waiting_.front())) {
       if (block->slows) {
         set_limits(by_, settings_.limits, scan_for_, *block);
@@ -106,12 +124,12 @@ void Planner::take_waiting() {
 
 void Planner::push_rest(double duration_s, std::uint32_t line) {
   assert(duration_s >= 0.0 && wants_block());
-  end_with({.duration_s = duration_s, .line = line});
+  accept(Rest{.duration_s = duration_s, .line = line});
 }
 
 void Planner::push_wait(const std::optional<interp::OutputChange>& change, std::uint32_t line) {
   assert(settings_.may_hold && wants_block());
-  end_with({.line = line, .waits = true, .change = change});
+  accept(Rest{.line = line, .waits = true, .change = change});
 }
 
 bool Planner::waits_at(parser::EventKind kind) const noexcept {
@@ -123,7 +141,7 @@ bool Planner::waits_at(parser::EventKind kind) const noexcept {
 
 void Planner::push_change_at_rest(const interp::OutputChange& change, std::uint32_t line) {
   assert(wants_block());
-  end_with({.line = line, .change = change});
+  accept(Rest{.line = line, .change = change});
 }
 
 void Planner::push_change_at_motion(const interp::OutputChange& change) {
@@ -132,10 +150,11 @@ void Planner::push_change_at_motion(const interp::OutputChange& change) {
 
 void Planner::finish(std::uint32_t line) {
   assert(wants_block());
-  end_with({.line = line, .ends_program = true});
+  accept(Rest{.line = line, .ends_program = true});
 }
 
 void Planner::end_with(const Rest& rest) {
+  last_ = rest.waits ? std::nullopt : std::optional(place_of(rest));
   rest_ = rest;
   rest_pending_ = true;
   to_rest_ = true;

@@ -87,24 +87,27 @@ class Planner {
   // The tick side has taken it: the plan goes on from its rest. Its phases, for the record.
   // Precondition: settle().
   Outbox follow_stop_ahead(const StopAhead& taken);
-  // Goes on with other feedrates, from a tick or some later, in motion where a plan from there is
-  // found, else from the rest that hold() would find; the profile of the settings is back after the
-  // next rest. The outbox, which is empty before, gets phases up to until_tick; they go on as the
-  // plan of emit() does. None where nothing was emitted that could change. Precondition: as hold(),
-  // but that it may be held.
-  struct FeedChange {
+  // Goes on with other feedrates, or with or without a wait at each block's end, from a tick or
+  // some later, in motion where a plan from there is found, else from the rest that hold() would
+  // find; the profile of the settings is back after the next rest. The outbox, which is empty
+  // before, gets phases up to until_tick; they go on as the plan of emit() does. None where nothing
+  // was emitted that could change. Precondition: as hold(), but that it may be held.
+  struct PlanChange {
     FeedOverride by{};
+    // The tool rests and waits at the joint behind each block of the program; a curve that stands
+    // for several is one.
+    bool single_block = false;
     std::int64_t tick = 0;
     std::int64_t until_tick = 0;
     bool needs_stop = false;  // a way to rest, too, where what was emitted does not end at rest
   };
-  struct ChangedFeed {
+  struct ChangedPlan {
     std::optional<StopAhead> stop{};
     // Up to this curve the motion may still slow down from feedrates above the new ones.
     std::uint64_t slows_to_curve = 0;
   };
   // Nothing: as hold() false.
-  std::optional<ChangedFeed> change_feed(const FeedChange& change, Outbox& outbox);
+  std::optional<ChangedPlan> change_plan(const PlanChange& change, Outbox& outbox);
   [[nodiscard]] const FeedOverride& feed_override() const noexcept { return by_; }
   // Plans that take over are not emitted farther before they are settled.
   [[nodiscard]] bool awaits_answer() const noexcept { return before_.has_value(); }
@@ -144,6 +147,13 @@ class Planner {
   [[nodiscard]] std::unique_ptr<Schedule> new_schedule() const;
   // Takes back what follows the motion.
   void take_back(const EmittedItems::Motion& from);
+  // In program order: a wait comes before it where a block of the program ends in single block.
+  void accept(Item item);
+  [[nodiscard]] bool steps_before(const Item& next) const;
+  void end_with_step();
+  // Of what waits: a wait behind the first block of the program that ends with this item or later.
+  void step_behind(std::size_t item);
+  void forget_steps();
   // The limits of what waits, from this one on.
   void limit_waiting(std::size_t first = 0);
   // False: no plan from there was found, and nothing has changed.
@@ -151,11 +161,11 @@ class Planner {
     const PlanStop* stop = nullptr;
     std::optional<Block> before{};
   };
-  bool go_on_in_motion(InMotion from, const FeedChange& change, ChangedFeed& changed,
+  bool go_on_in_motion(InMotion from, const PlanChange& change, ChangedPlan& changed,
                        Outbox& outbox);
   bool begin_in_motion(InMotion from);
   // False: there is no motion, or no way to rest behind it.
-  bool emit_first_part(const FeedChange& change, ChangedFeed& changed, Outbox& outbox);
+  bool emit_first_part(const PlanChange& change, ChangedPlan& changed, Outbox& outbox);
   // Of the blocks that wait, those on which the motion may be faster than they allow: how many.
   std::size_t let_slow_down(const OptimumSchedule::Begin& from);
   void begin_rest_of_block();
@@ -186,6 +196,17 @@ class Planner {
   };
   std::optional<Before> before_;  // the plan that is not settled yet
   FeedOverride by_{};
+  bool single_block_ = false;
+  // The place in the program of what was taken last; nothing: none, or it was taken back.
+  struct ProgramPlace {
+    std::uint32_t line = 0;
+    std::uint64_t run_block = 0;  // 0: of a rest, which has none
+    std::uint32_t end_line = 0;   // where it ends
+  };
+  // A curve that stands for several lines counts as the first of them, so a block ends with it.
+  static ProgramPlace place_of(const Item& item);
+  static bool is_same_block(const ProgramPlace& before, const ProgramPlace& after);
+  std::optional<ProgramPlace> last_{};
   bool stands_in_ = false;  // a time optimum, for the profile of the settings, to the next rest
   Emitter emitter_;
 };

@@ -39,7 +39,7 @@ constexpr double kFarRest_s = 0.02;
 // From ticks so far apart, twice as far each time, a way to rest is sought.
 constexpr std::int64_t kMostSteps = 64;
 
-OptimumSchedule::Begin begin_of(const PlanStop& stop) {
+OptimumSchedule::Begin motion_of(const PlanStop& stop) {
   constexpr int kPointsOfPart = 4;
   OptimumSchedule::Begin begin{.state = {.v_mm_s = stop.from.v_mm_s, .a_mm_s2 = stop.from.a_mm_s2}};
   begin.to_rest.push_back({.way_mm = 0.0, .v_mm_s = stop.from.v_mm_s});
@@ -55,7 +55,7 @@ OptimumSchedule::Begin begin_of(const PlanStop& stop) {
 }
 
 // A curve may be long, and only its end matters.
-Block end_of(Block block, double length_mm) {
+Block last_part_of(Block block, double length_mm) {
   if (std::holds_alternative<curves::NurbsCurve>(block.curve) &&
       2.0 * length_mm < block.length_mm) {
     if (auto end = stretch_of(
@@ -107,6 +107,7 @@ void Planner::take_back(const EmittedItems::Motion& from) {
   empty_window();
   before_.emplace(Before{emitter_, waiting_, waits_});
   waits_ = false;
+  last_.reset();
   emitter_.take_back(from, waiting_);
 }
 
@@ -136,6 +137,7 @@ std::optional<Planner::StopAhead> Planner::stop_ahead(std::int64_t tick) {
 Outbox Planner::follow_stop_ahead(const StopAhead& taken) {
   empty_window();
   waits_ = false;
+  last_.reset();
   emitter_.take_back(taken.stop.from, waiting_);
   emitter_.repeat_plan(taken.plan);
   Outbox outbox;
@@ -146,12 +148,14 @@ Outbox Planner::follow_stop_ahead(const StopAhead& taken) {
   return outbox;
 }
 
-std::optional<Planner::ChangedFeed> Planner::change_feed(const FeedChange& change, Outbox& outbox) {
+std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& change, Outbox& outbox) {
   assert(settings_.may_hold && !before_ && outbox.phases.empty());
   if (held_) {
     by_ = change.by;
+    single_block_ = change.single_block;
+    forget_steps();
     limit_waiting();
-    return ChangedFeed{};
+    return ChangedPlan{};
   }
   const auto stop = find_stop(emitter_, blocks_ahead(), {.tick = change.tick}, settings_.limits);
   // Behind a rest that is far nothing else could be asked for before the tool has come to it.
@@ -161,24 +165,30 @@ std::optional<Planner::ChangedFeed> Planner::change_feed(const FeedChange& chang
     return std::nullopt;
   }
   by_ = change.by;
+  single_block_ = change.single_block;
   if (stop->from.phase.ends_program || emitter_.kept().is_last(stop->from)) {
     empty_window();
+    forget_steps();
     limit_waiting();
     begin_rest_of_block();
-    return ChangedFeed{};
+    return ChangedPlan{};
   }
   InMotion from{.stop = &*stop};
   if (const Block* before = emitter_.kept().blocks_from(stop->from).before) {
     from.before = *before;
   }
   take_back(stop->from);
-  ChangedFeed changed;
+  forget_steps();
+  ChangedPlan changed;
   if (stop->parts.empty()) {
     limit_waiting();
   } else {
-    const std::size_t slowed = let_slow_down(begin_of(*stop));
+    const std::size_t slowed = let_slow_down(motion_of(*stop));
     limit_waiting(slowed);
     changed.slows_to_curve = emitter_.next_curve() + slowed - 1;
+  }
+  if (single_block_ && !stop->parts.empty()) {
+    step_behind(stop->parts.back().block);
   }
   if (!stop->parts.empty() && go_on_in_motion(std::move(from), change, changed, outbox)) {
     return changed;
@@ -193,6 +203,47 @@ std::optional<Planner::ChangedFeed> Planner::change_feed(const FeedChange& chang
   return changed;
 }
 
+Planner::ProgramPlace Planner::place_of(const Item& item) {
+  if (const auto* rest = std::get_if<Rest>(&item)) {
+    return {.line = rest->line, .end_line = rest->line};
+  }
+  const Block& block = std::get<Block>(item);
+  return {.line = block.line,
+          .run_block = block.run_block,
+          .end_line = block.mark_at(block.length_mm).line};
+}
+
+bool Planner::is_same_block(const ProgramPlace& before, const ProgramPlace& after) {
+  return before.line == after.line &&
+         (before.run_block == after.run_block || before.run_block == 0 || after.run_block == 0);
+}
+
+bool Planner::steps_before(const Item& next) const {
+  return single_block_ && last_ && !is_same_block(*last_, place_of(next));
+}
+
+void Planner::end_with_step() {
+  end_with({.line = last_->end_line, .waits = true, .steps = true});
+}
+
+void Planner::step_behind(std::size_t item) {
+  for (; item + 1 < waiting_.size(); ++item) {
+    const ProgramPlace place = place_of(waiting_[item]);
+    if (!is_same_block(place, place_of(waiting_[item + 1]))) {
+      waiting_.insert(waiting_.begin() + static_cast<std::ptrdiff_t>(item) + 1,
+                      Rest{.line = place.end_line, .waits = true, .steps = true});
+      return;
+    }
+  }
+}
+
+void Planner::forget_steps() {
+  std::erase_if(waiting_, [](const Item& item) {
+    const auto* rest = std::get_if<Rest>(&item);
+    return rest != nullptr && rest->steps;
+  });
+}
+
 void Planner::limit_waiting(std::size_t first) {
   for (std::size_t i = first; i < waiting_.size(); ++i) {
     if (auto* block = std::get_if<Block>(&waiting_[i])) {
@@ -201,7 +252,7 @@ void Planner::limit_waiting(std::size_t first) {
   }
 }
 
-bool Planner::go_on_in_motion(InMotion from, const FeedChange& change, ChangedFeed& changed,
+bool Planner::go_on_in_motion(InMotion from, const PlanChange& change, ChangedPlan& changed,
                               Outbox& outbox) {
   const Emitter emitter = emitter_;
   const std::deque<Item> waiting = waiting_;
@@ -216,9 +267,9 @@ bool Planner::go_on_in_motion(InMotion from, const FeedChange& change, ChangedFe
   return false;
 }
 
-bool Planner::emit_first_part(const FeedChange& change, ChangedFeed& changed, Outbox& outbox) {
+bool Planner::emit_first_part(const PlanChange& change, ChangedPlan& changed, Outbox& outbox) {
   for (std::int64_t until = change.until_tick, step = 1; step <= kMostSteps; until += step *= 2) {
-    while (emitter_.now().tick < until && emit_next(outbox)) {
+    while (!waits_ && emitter_.now().tick < until && emit_next(outbox)) {
     }
     if (outbox.phases.empty()) {
       return false;
@@ -237,7 +288,7 @@ bool Planner::emit_first_part(const FeedChange& change, ChangedFeed& changed, Ou
 // Where the motion is so near behind a junction that ticks see it, the whole block is planned with
 // the one before it, else what is left of it.
 bool Planner::begin_in_motion(InMotion from) {
-  OptimumSchedule::Begin begin = begin_of(*from.stop);
+  OptimumSchedule::Begin begin = motion_of(*from.stop);
   const bool on_block = emitter_.is_on_block();
   const double zone_mm = junction_zone_mm(begin.state, settings_.limits);
   begin.s_mm = on_block ? emitter_.curve_mm() : 0.0;
@@ -255,7 +306,7 @@ bool Planner::begin_in_motion(InMotion from) {
   schedule_ = std::move(schedule);
   stands_in_ = settings_.profile.kind() != profiles::ProfileKind::time_optimal;
   if (begin.has_before) {
-    blocks_.push_back(end_of(*std::move(from.before), zone_mm));
+    blocks_.push_back(last_part_of(*std::move(from.before), zone_mm));
     optimum.push_in_motion(blocks_);
   }
   blocks_.push_back(std::move(std::get<Block>(waiting_.front())));
@@ -317,6 +368,9 @@ void Planner::stop_held() {
 }
 
 void Planner::empty_window() {
+  if (!blocks_.empty() || rest_pending_) {
+    last_.reset();
+  }
   if (!waiting_.empty() && std::holds_alternative<Block>(waiting_.front())) {
     auto& block = std::get<Block>(waiting_.front());
     block = whole_of(std::move(block));

@@ -111,6 +111,11 @@ class KERF_API Kernel {
   /// range, and nothing changes. Planning side.
   bool set_overrides(const Overrides& overrides);
 
+  /// The tool comes to rest at the joint behind each block of the program and waits for resume();
+  /// ticks are `waiting` then. Several lines that G64 made one curve of are one block. Switched on
+  /// in motion, the first is the block at whose end the limits still let it rest. Planning side.
+  void set_single_block(bool on);
+
   /// From the next tick on the tool brakes on the path as fast as the accelerations of path and
   /// axes allow, whatever the jerk, with spindle and coolant off; then ticks are `emergency_stop`,
   /// and the program is over. Needs no planning. Any thread.

@@ -19,6 +19,7 @@ struct Rest {
   std::uint32_t line = 0;  // 0: that of the last motion
   bool ends_program = false;
   bool waits = false;  // until resume()
+  bool steps = false;  // it is no item of the program: a block ends in single block
   std::optional<interp::OutputChange> change{};
 };
 
@@ -74,7 +75,8 @@ class EmittedItems {
   };
   // It rests, and nothing was emitted behind it.
   [[nodiscard]] bool is_last(const Motion& motion) const {
-    return motion.at_rest() && motion.number + 1 >= phase_count_;
+    return motion.at_rest() && motion.number + 1 >= phase_count_ &&
+           end_tick(motion.phase) <= motion.when.tick;
   }
   // Where the phases end that end within the ticks.
   [[nodiscard]] std::vector<Motion> ends_within(const Ticks& ticks) const;

@@ -17,7 +17,7 @@ namespace kerf::test {
 
 namespace {
 
-enum class Order : std::uint8_t { hold, late, override, stop, emergency_stop };
+enum class Order : std::uint8_t { hold, late, override, single_block, stop, emergency_stop };
 
 struct Timed {
   std::int64_t tick = 0;
@@ -34,8 +34,9 @@ std::vector<Timed> random_orders(std::mt19937_64& random, std::int64_t whole_tic
   std::vector<Timed> orders(static_cast<std::size_t>(1 + below(20)));
   for (Timed& timed : orders) {
     timed.tick = below(whole_ticks);
-    timed.order = std::array{Order::late, Order::hold, Order::hold, Order::override,
-                             Order::override}[static_cast<std::size_t>(below(5))];
+    timed.order = std::array{
+        Order::late,     Order::hold,     Order::hold,
+        Order::override, Order::override, Order::single_block}[static_cast<std::size_t>(below(6))];
     timed.overrides = {.feed = 0.02 * static_cast<double>(below(101)),
                        .rapid = 0.05 * static_cast<double>(1 + below(20))};
     timed.ticks = static_cast<int>(timed.order == Order::late ? below(700) : 1 + below(60));
@@ -50,7 +51,8 @@ std::vector<Timed> random_orders(std::mt19937_64& random, std::int64_t whole_tic
 }
 
 std::string to_text(const std::vector<Timed>& orders) {
-  constexpr std::array<const char*, 5> kNames{"hold", "late", "override", "stop", "emergency stop"};
+  constexpr std::array<const char*, 6> kNames{"hold",         "late", "override",
+                                              "single block", "stop", "emergency stop"};
   std::string text;
   for (const Timed& timed : orders) {
     text += std::to_string(timed.tick) + " " + kNames.at(static_cast<std::size_t>(timed.order)) +
@@ -61,6 +63,7 @@ std::string to_text(const std::vector<Timed>& orders) {
   return text;
 }
 
+// Answers waits after some ticks.
 class Operator {
  public:
   Operator(Kernel& kernel, const std::vector<Timed>& orders) : kernel_(&kernel), next_(&orders) {}
@@ -78,6 +81,8 @@ class Operator {
       } else if (timed.order == Order::override) {
         kernel_->set_overrides(timed.overrides);
         zero_until_ = timed.overrides.feed == 0.0 ? tick + 300 : -1;
+      } else if (timed.order == Order::single_block) {
+        kernel_->set_single_block(timed.after_rest);
       } else if (timed.order == Order::stop) {
         kernel_->stop();
         stopped_ = true;
@@ -92,6 +97,11 @@ class Operator {
     return tick >= late_until_;
   }
   void after(TickStatus status) {
+    waited_ = status == TickStatus::waiting ? waited_ + 1 : 0;
+    if (waited_ == kWaitTicks) {
+      kernel_->resume();
+      waited_ = 0;
+    }
     resume_in_ -= resume_in_ > 0 && (!after_rest_ || status == TickStatus::held) ? 1 : 0;
     if (resume_in_ == 0) {
       kernel_->resume();
@@ -102,6 +112,8 @@ class Operator {
   [[nodiscard]] bool emergency() const { return emergency_; }
 
  private:
+  static constexpr int kWaitTicks = 4;
+
   Kernel* kernel_;
   const std::vector<Timed>* next_;
   std::size_t at_ = 0;
@@ -109,6 +121,7 @@ class Operator {
   bool after_rest_ = true;
   std::int64_t late_until_ = 0;
   std::int64_t zero_until_ = -1;  // the feed override is 0; -1: it is not
+  int waited_ = 0;
   bool stopped_ = false;
   bool emergency_ = false;
 };

@@ -14,8 +14,9 @@ struct CommandedRun {
 };
 
 // Program, profile and commands follow from the seed: holds, resumes before and after the rest,
-// overrides, a planning thread that is late, at the end perhaps a stop or an emergency stop. Judges
-// every tick's limits, its place on the path of the run without commands, and the end.
+// overrides, single block, a planning thread that is late, at the end perhaps a stop or an
+// emergency stop. Judges every tick's limits, its place on the path of the run without commands,
+// and the end.
 CommandedRun commanded_run(std::uint64_t seed);
 
 }  // namespace kerf::test

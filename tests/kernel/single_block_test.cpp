@@ -1,0 +1,154 @@
+// Single block: a rest and a wait at the joint behind each block of the program.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
+
+#include "profiles/profile.hpp"
+#include "tests/kernel/run.hpp"
+#include "tests/kernel/shipped_text.hpp"
+#include "tests/kernel/tick_checker.hpp"
+
+namespace kerf::test {
+namespace {
+
+struct SteppedRun {
+  std::vector<Setpoint> ticks;
+  std::vector<Setpoint> waits;  // the first tick of each
+  std::string complaint;
+};
+
+struct Switching {
+  std::int64_t on_before = 0;  // this tick
+  std::int64_t off_before = kMaxTicks;
+};
+
+// Answers each wait after some ticks.
+SteppedRun run_stepped(const std::string& text, const KernelOptions& options,
+                       const Switching& switching) {
+  constexpr int kWaitTicks = 5;
+  Kernel kernel(mill(), options);
+  kernel.feed(text);
+  kernel.finish();
+  TickChecker checker(mill().limits, options.profile.kind != ProfileKind::trapezoid);
+  SteppedRun run;
+  int waited = 0;
+  TickStatus status = TickStatus::running;
+  while (status != TickStatus::finished && status != TickStatus::failed &&
+         run.ticks.size() < kMaxTicks) {
+    const auto tick = static_cast<std::int64_t>(run.ticks.size());
+    if (tick == switching.on_before || tick == switching.off_before) {
+      kernel.set_single_block(tick == switching.on_before);
+    }
+    Setpoint setpoint;
+    status = kernel.next(setpoint);
+    checker.add({.setpoint = setpoint, .feedrate_mm_s = 150.0});
+    run.ticks.push_back(setpoint);
+    waited = status == TickStatus::waiting ? waited + 1 : 0;
+    if (waited == 1) {
+      run.waits.push_back(setpoint);
+    } else if (waited == kWaitTicks) {
+      kernel.resume();
+      waited = 0;
+    }
+  }
+  run.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
+  run.complaint += kernel.fault() ? kernel.fault()->what : "";
+  return run;
+}
+
+void expect_whole(const SteppedRun& run, const std::vector<Setpoint>& whole) {
+  EXPECT_EQ(run.complaint, "");
+  double off_mm = 0.0;
+  for (const Setpoint& tick : run.ticks) {
+    off_mm = std::max(off_mm, off_path_mm(whole, tick));
+  }
+  EXPECT_LE(off_mm, 1e-9);
+  EXPECT_EQ(run.ticks.back().position_mm, whole.back().position_mm);
+}
+
+std::vector<std::uint32_t> lines_of(const std::vector<Setpoint>& ticks) {
+  std::vector<std::uint32_t> lines;
+  for (const Setpoint& tick : ticks) {
+    lines.push_back(tick.line);
+  }
+  return lines;
+}
+
+constexpr const char* kSquare =
+    "G21 G90 G61 F3000\nG1 X20\nY20\nG4 P0.1\nG3 X0 Y20 I-10\nM3 S100\nG1 Y0\nM2\n";
+
+TEST(SingleBlock, WaitsAtTheEndOfEachBlockOfTheProgram) {
+  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+    const KernelOptions options{.profile = {.kind = kind}};
+    const SteppedRun run = run_stepped(kSquare, options, {});
+    expect_whole(run, ticks_of(kSquare, options));
+    EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{2, 3, 4, 5, 6, 7}));
+    const std::vector<Position> joints{{20.0, 0.0, 0.0}, {20.0, 20.0, 0.0}, {20.0, 20.0, 0.0},
+                                       {0.0, 20.0, 0.0}, {0.0, 20.0, 0.0},  {0.0, 0.0, 0.0}};
+    ASSERT_EQ(run.waits.size(), joints.size());
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      EXPECT_EQ(run.waits[i].position_mm, joints[i]) << i;
+    }
+  }
+}
+
+TEST(SingleBlock, MayBeSwitchedOnInMotionAndOffAgain) {
+  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+    const KernelOptions options{.profile = {.kind = kind}};
+    const auto whole = ticks_of(mixed_program(), options);
+    for (std::int64_t tick = 1; tick < whole.back().tick; tick += 97) {
+      SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick));
+      const SteppedRun run =
+          run_stepped(mixed_program(), options, {.on_before = tick, .off_before = tick + 900});
+      expect_whole(run, whole);
+      ASSERT_FALSE(testing::Test::HasFailure());
+    }
+  }
+}
+
+// 50 mm/s come to rest in 2.25 mm; the joints are 10 mm apart.
+TEST(SingleBlock, SwitchedOnInMotionRestsAtTheNextJoint) {
+  std::string text = "G21 G90 G61 F3000\n";
+  for (int x = 10; x <= 200; x += 10) {
+    text += "G1 X" + std::to_string(x) + "\n";
+  }
+  text += "M2\n";
+  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+    const KernelOptions options{.profile = {.kind = kind}};
+    const auto whole = ticks_of(text, options);
+    for (const std::int64_t tick : {500, 550, 600, 677}) {
+      const double from_mm = whole.at(static_cast<std::size_t>(tick) + 10).s_mm;
+      const SteppedRun run = run_stepped(text, options, {.on_before = tick});
+      expect_whole(run, whole);
+      ASSERT_FALSE(run.waits.empty());
+      const double rest_mm = run.waits.front().position_mm[0];
+      EXPECT_EQ(std::fmod(rest_mm, 10.0), 0.0);
+      EXPECT_GT(rest_mm, from_mm);
+      EXPECT_LT(rest_mm, from_mm + 2.25 + 10.0 + 1.0);
+      EXPECT_EQ(run.waits.size(), static_cast<std::size_t>(200.0 - rest_mm) / 10 + 1);
+    }
+  }
+}
+
+// Within 0.2 mm the corners between the lines become curves, on which a line goes over into the
+// next: the block ends with the curve.
+TEST(SingleBlock, RestsBetweenBlendedLines) {
+  const std::string text = "G21 G90 G64 P0.2 F3000\nG1 X20\nY20\nX0\nY0\nM2\n";
+  const SteppedRun run = run_stepped(text, {}, {});
+  expect_whole(run, ticks_of(text));
+  EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{3, 4, 5, 5}));
+}
+
+TEST(SingleBlock, LetsAProgramWaitForItsOwnStops) {
+  const std::string text = "G21 G90 F3000\nG1 X10\nM0\nX20\nM2\n";
+  const SteppedRun run = run_stepped(text, {.waits = true}, {});
+  expect_whole(run, ticks_of(text));
+  EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{2, 3, 4}));
+}
+
+}  // namespace
+}  // namespace kerf::test
