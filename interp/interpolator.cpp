@@ -181,6 +181,7 @@ void Interpolator::fill(const profiles::PathMotion& motion, double s_mm) noexcep
   now_.a_mm_s2 = rests ? 0.0 : motion.a_mm_s2;
   now_.j_mm_s3 = rests ? 0.0 : motion.j_mm_s3;
   now_.s_mm = phase_.path_begin_mm + (rests ? 0.0 : s_mm);
+  path_begin_now_mm_ = phase_.path_begin_mm;
   s_now_mm_ = s_mm;
   v_now_mm_s_ = motion.v_mm_s;
   if (phase_.curve == 0) {
@@ -253,7 +254,7 @@ TickStatus Interpolator::follow_phase() noexcept {
 TickStatus Interpolator::brake() noexcept {
   EmergencyBrake::Motion motion{.piece = piece_,
                                 .s_mm = s_now_mm_,
-                                .path_begin_mm = phase_.path_begin_mm,
+                                .path_begin_mm = path_begin_now_mm_,
                                 .v_mm_s = v_now_mm_s_};
   brake_.advance(motion, *queue_);
   piece_ = motion.piece;

@@ -113,7 +113,8 @@ class Interpolator {
   CurvePiece piece_before_{};
   Position position_before_mm_{};
   double s_now_mm_ = 0.0;
-  double v_now_mm_s_ = 0.0;  // along the curve, of further axes where they move alone
+  double path_begin_now_mm_ = 0.0;  // of its curve; the phase may be one ahead
+  double v_now_mm_s_ = 0.0;         // along the curve, of further axes where they move alone
   double s_before_mm_ = 0.0;
   // Points of the pieces that lie wholly between the two.
   std::array<Position, kPassedPieces * kChordPoints> passed_mm_{};

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -67,6 +68,30 @@ TEST(EmergencyStop, KeepsAccelerationsAndThePathWhenever) {
         ASSERT_LE(off_path_mm(whole, stopped.ticks[i]), 1e-9);
         ASSERT_TRUE(i < 3 || stopped.ticks[i].v_mm_s <= stopped.ticks[i - 1].v_mm_s);
       }
+    }
+  }
+}
+
+// Blocks of a third of a tick: what is over is passed before the tick comes.
+TEST(EmergencyStop, HasTheLengthOfThePathWhereBlocksAreShorterThanATick) {
+  std::string text = "G21 G90 G61 F6000\n";
+  for (int i = 1; i <= 900; ++i) {
+    text += "G1 X" + std::to_string(0.03 * i) + "\n";
+  }
+  text += "M2\n";
+  for (int tick = 100; tick < 250; ++tick) {
+    Kernel kernel(mill());
+    kernel.feed(text);
+    kernel.finish();
+    Setpoint setpoint;
+    for (int i = 0; i < tick; ++i) {
+      kernel.next(setpoint);
+    }
+    kernel.reach_tick();
+    kernel.emergency_stop();
+    for (TickStatus status = TickStatus::running; status == TickStatus::running;) {
+      status = kernel.tick(setpoint);
+      ASSERT_NEAR(setpoint.s_mm, setpoint.position_mm[0], 1e-9) << tick;
     }
   }
 }
