@@ -20,6 +20,7 @@ class Controller::Impl {
       : settings_(std::move(settings)), options_(std::move(options)) {
     last_.position_mm = options_.start_mm;
     last_.extra_rad_mm = options_.start_extra_rad_mm;
+    published_.write(operator_);
     publish();
   }
 
@@ -45,6 +46,20 @@ class Controller::Impl {
       carry_out(command);
     }
     return {};
+  }
+
+  tl::expected<void, Refusal> set_overrides(const Overrides& overrides) {
+    if (!is_possible(overrides)) {
+      return tl::unexpected(Refusal{.state = state_.load(),
+                                    .command = Command::override,
+                                    .reason = "an override is out of its range"});
+    }
+    operator_.overrides = overrides;
+    return set(Command::override);
+  }
+  tl::expected<void, Refusal> set_single_block(bool on) {
+    operator_.single_block = on;
+    return set(Command::single_block);
   }
 
   void feed(std::string_view text) {
@@ -99,6 +114,9 @@ class Controller::Impl {
   }
   [[nodiscard]] ControllerStatus status() const noexcept {
     ControllerStatus status = snapshot_.read();
+    const OperatorSettings by = published_.read();
+    status.overrides = by.overrides;
+    status.single_block = by.single_block;
     status.state = state_.load();
     status.changes = changes_.load();
     status.waits_for = status.state != State::waiting ? WaitsFor::nothing
@@ -109,6 +127,17 @@ class Controller::Impl {
   }
 
  private:
+  struct OperatorSettings {
+    Overrides overrides{};
+    bool single_block = false;
+  };
+
+  // What the operator has set, for the program that runs and all to see.
+  tl::expected<void, Refusal> set(Command command) {
+    published_.write(operator_);
+    return give(command);
+  }
+
   // The table, and what it cannot say.
   [[nodiscard]] Answer answer_now(State state, Command command) const noexcept {
     if (command == Command::reset && running_.load() != nullptr &&
@@ -143,6 +172,16 @@ class Controller::Impl {
       case Command::stop:
         kernel_->stop();
         break;
+      case Command::override:
+        if (running_.load() != nullptr) {
+          kernel_->set_overrides(operator_.overrides);
+        }
+        break;
+      case Command::single_block:
+        if (running_.load() != nullptr) {
+          kernel_->set_single_block(operator_.single_block);
+        }
+        break;
       case Command::start:
       case Command::enable:
       case Command::disable:
@@ -159,7 +198,10 @@ class Controller::Impl {
     options.start_extra_rad_mm = at.extra_rad_mm;
     options.one_thread = false;
     options.waits = true;
-    return std::make_unique<Kernel>(settings_, options);
+    auto kernel = std::make_unique<Kernel>(settings_, options);
+    kernel->set_overrides(operator_.overrides);
+    kernel->set_single_block(operator_.single_block);
+    return kernel;
   }
 
   void start(std::unique_ptr<Kernel> kernel) {
@@ -225,6 +267,8 @@ class Controller::Impl {
   std::atomic<bool> waits_for_answer_ = false;
   std::atomic<Kernel*> running_ = nullptr;
   std::unique_ptr<Kernel> kernel_;
+  OperatorSettings operator_{};
+  control::Snapshot<OperatorSettings> published_;
   // Of the tick side.
   std::int64_t tick_ = 0;
   Setpoint last_{};
@@ -239,6 +283,12 @@ Controller::~Controller() {
 
 tl::expected<void, Refusal> Controller::give(Command command) {
   return impl_->give(command);
+}
+tl::expected<void, Refusal> Controller::set_overrides(const Overrides& overrides) {
+  return impl_->set_overrides(overrides);
+}
+tl::expected<void, Refusal> Controller::set_single_block(bool on) {
+  return impl_->set_single_block(on);
 }
 void Controller::feed(std::string_view text) {
   impl_->feed(text);

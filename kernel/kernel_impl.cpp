@@ -4,18 +4,6 @@
 
 namespace kerf {
 
-namespace {
-
-bool is_within(double value, double least, double most) {
-  return least <= value && value <= most;
-}
-
-bool is_possible(const Overrides& overrides) {
-  return is_within(overrides.feed, 0.0, 2.0) && is_within(overrides.rapid, 0.05, 1.0);
-}
-
-}  // namespace
-
 bool Kernel::Impl::plan() {
   const std::int64_t now = interpolator_.plan_tick();
   if (!follow_stop_ahead()) {

@@ -237,6 +237,13 @@ tl::expected<void, SettingsError> validate(const KernelOptions& options) {
   return without_page(check_options(options));
 }
 
+bool is_possible(const Overrides& overrides) noexcept {
+  const auto is_within = [](double value, double least, double most) {
+    return least <= value && value <= most;
+  };
+  return is_within(overrides.feed, 0.0, 2.0) && is_within(overrides.rapid, 0.05, 1.0);
+}
+
 }  // namespace v0
 
 std::optional<diagnostics::Diagnostic> settings_fault(const MachineSettings& settings,

@@ -37,9 +37,11 @@ enum class Command : std::uint8_t {
   resume,
   stop,
   emergency_stop,
-  reset
+  reset,
+  override,     ///< set_overrides()
+  single_block  ///< set_single_block()
 };
-inline constexpr std::size_t kCommands = 8;
+inline constexpr std::size_t kCommands = 10;
 
 enum class WaitsFor : std::uint8_t {
   nothing,
@@ -76,7 +78,9 @@ struct ControllerStatus {
   std::uint64_t changes = 0;   ///< of the state, ever
   std::uint64_t programs = 0;  ///< started, ever
   double run_s = 0.0;          ///< how long the present or last program has run, rests included
-  Setpoint setpoint{};         ///< its tick counts from the controller's first
+  Overrides overrides{};
+  bool single_block = false;
+  Setpoint setpoint{};  ///< its tick counts from the controller's first
 };
 
 /// Runs programs one after the other, each by a Kernel of its own, which begins where the tool is.
@@ -95,8 +99,14 @@ class KERF_API Controller {
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
-  /// `start` begins a program: feed() it. Allocates.
+  /// `start` begins a program: feed() it. `override` and `single_block` change nothing here.
+  /// Allocates.
   tl::expected<void, Refusal> give(Command command);
+  /// Kernel::set_overrides(), for the present program and those to come. Refused where a value is
+  /// out of its range.
+  tl::expected<void, Refusal> set_overrides(const Overrides& overrides);
+  /// Kernel::set_single_block(), for the present program and those to come.
+  tl::expected<void, Refusal> set_single_block(bool on);
 
   /// To the present program; text is dropped where there is none.
   void feed(std::string_view text);

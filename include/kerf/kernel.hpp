@@ -51,6 +51,9 @@ struct Overrides {
   friend bool operator==(const Overrides&, const Overrides&) = default;
 };
 
+/// Each is a number within its range.
+KERF_API bool is_possible(const Overrides& overrides) noexcept;
+
 /// Runs one program. Feeding and planning are for one thread; tick() and what belongs to it may run
 /// in another, with real-time priority. docs/embedding.md has threads, memory and errors of each
 /// method.

@@ -1,4 +1,5 @@
 // One machine, its states and commands, and programs one after the other.
+#include <algorithm>
 #include <atomic>
 #include <fstream>
 #include <map>
@@ -255,6 +256,39 @@ TEST(Controller, ShowsEachThreadAWholeTick) {
   over = true;
   reader.join();
   EXPECT_EQ(torn, 0);
+}
+
+TEST(Controller, HasOverridesAndSingleBlockForAllPrograms) {
+  Shop shop;
+  const auto fastest = [&shop](int ticks) {
+    double most = 0.0;
+    for (int i = 0; i < ticks; ++i) {
+      shop.tick();
+      most = std::max(most, shop.setpoint.v_mm_s);
+    }
+    return most;
+  };
+  shop.begin(kLongLine);
+  ASSERT_TRUE(shop.controller.set_overrides({.feed = 0.5}));
+  shop.tick(200);
+  EXPECT_NEAR(fastest(200), 50.0, 0.05);
+  EXPECT_EQ(shop.controller.status().overrides, (Overrides{.feed = 0.5}));
+  shop.give(Command::stop);
+  shop.tick_until(State::idle);
+  ASSERT_TRUE(shop.controller.set_single_block(true));
+  EXPECT_TRUE(shop.controller.status().single_block);
+  shop.start("G21 G91 F6000\nG1 X20\nX-20\nM2\n");
+  EXPECT_NEAR(fastest(700), 50.0, 0.05);
+  EXPECT_EQ(shop.controller.status().state, State::waiting);
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::answer);
+}
+
+TEST(Controller, RefusesAnOverrideOutOfItsRange) {
+  Shop shop;
+  const auto given = shop.controller.set_overrides({.feed = 2.5});
+  ASSERT_FALSE(given);
+  EXPECT_EQ(given.error().command, Command::override);
+  EXPECT_EQ(shop.controller.status().overrides, Overrides{});
 }
 
 TEST(Controller, IsStoppedByAThreadOfItsOwn) {

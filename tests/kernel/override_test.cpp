@@ -217,6 +217,35 @@ TEST(Override, LeavesTheHoldOfAnOperatorAndAWait) {
   EXPECT_EQ(rest_of(kernel).back().position_mm[0], 20.0);
 }
 
+// The rest of the hold was planned, and is not come to.
+TEST(Override, MayComeWhileTheToolBrakesForAHoldThatIsTakenBack) {
+  const auto whole = ticks_of(mixed_program());
+  for (std::int64_t tick = 50; tick + 300 < whole.back().tick; tick += 199) {
+    SCOPED_TRACE("tick " + std::to_string(tick));
+    Kernel kernel(mill());
+    kernel.feed(mixed_program());
+    kernel.finish();
+    TickChecker checker(mill().limits, true);
+    TickStatus status = TickStatus::running;
+    Setpoint setpoint;
+    for (std::int64_t i = 0; status != TickStatus::finished && i < kMaxTicks; ++i) {
+      if (i == tick) {
+        kernel.hold();
+      } else if (i == tick + 20) {
+        kernel.resume();
+        kernel.set_overrides({.feed = 1.5});
+      } else if (i == tick + 45) {
+        kernel.set_overrides({.feed = 0.6});
+      }
+      status = kernel.next(setpoint);
+      checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
+      ASSERT_LE(off_path_mm(whole, setpoint), 1e-9);
+    }
+    ASSERT_EQ(checker.complaint(), "");
+    ASSERT_EQ(setpoint.position_mm, whole.back().position_mm);
+  }
+}
+
 TEST(Override, OutOfItsRangeIsRefused) {
   Kernel kernel(mill());
   for (const Overrides& impossible :

@@ -36,14 +36,6 @@ TEST(RandomCommandsAgain, StopWhereNoBlockIsLeft) {
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
-// An override in the middle of a way to rest: that rest was not come to, but still looked for.
-TEST(RandomCommandsAgain, OverrideWhileItBrakesForAHold) {
-  for (const std::uint64_t seed : {387U, 485U}) {
-    const CommandedRun run = commanded_run(seed);
-    EXPECT_EQ(run.complaint, "") << run.commands;
-  }
-}
-
 // At the tick at which a rest ends the tool rests still, and what follows was emitted.
 TEST(RandomCommandsAgain, SingleBlockWhereARestEnds) {
   const CommandedRun run = commanded_run(10'094);

@@ -76,6 +76,33 @@ class Keys(Case):
             longest = max(longest, run)
         self.assertGreater(longest, 300, "ticks at rest in the middle")
 
+    def test_minus_and_plus_change_the_feed(self):
+        process = self.start()
+        for _ in range(5):
+            self.press(b"-")
+        time.sleep(1.0)
+        for _ in range(5):
+            self.press(b"+")
+        x = self.finish(process, 0)
+        self.assertEqual(x[-1], 400.0)
+        steps = [after - before for before, after in zip(x, x[1:])]
+        slow = sum(1 for step in steps if abs(step - 0.05) < 0.001)
+        fast = sum(1 for step in steps if abs(step - 0.1) < 0.001)
+        self.assertGreater(slow, 300, "ticks at 50 %")
+        self.assertGreater(fast, 1000, "ticks at 100 %")
+
+    def test_s_rests_behind_each_block(self):
+        process = self.start("G21 G90 G61\nG1 X100 F6000\nX102\nX104\nM2\n")
+        self.press(b"s")
+        for _ in range(3):
+            time.sleep(1.5)
+            self.assertIsNone(process.poll())
+            self.press(b"\n")
+        x = self.finish(process, 0)
+        self.assertEqual(x[-1], 104.0)
+        for joint in (100.0, 102.0, 104.0):
+            self.assertGreater(x.count(joint), 300, "ticks at rest at the joint")
+
     def test_enter_answers_a_program_stop(self):
         process = self.start("G21 G90\nG1 X10 F6000\nM0\nX20\nM2\n")
         time.sleep(0.5)

@@ -1,6 +1,5 @@
 #include "programs/kerf/io/keyboard.hpp"
 
-#include <array>
 #include <atomic>
 #include <poll.h>
 #include <termios.h>
@@ -45,18 +44,24 @@ void Keyboard::restore() noexcept {
 }
 
 std::optional<char> Keyboard::key(std::chrono::milliseconds wait) noexcept {
+  if (next_ < count_) {
+    return read_[next_++];
+  }
+  next_ = count_ = 0;
   pollfd terminal{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
   if (::poll(&terminal, 1, static_cast<int>(wait.count())) != 1) {
     return std::nullopt;
   }
-  std::array<char, 16> read{};
-  const ssize_t count = ::read(STDIN_FILENO, read.data(), read.size());
+  const ssize_t count = ::read(STDIN_FILENO, read_.data(), read_.size());
   if (count <= 0) {  // the terminal is gone
     ::poll(nullptr, 0, static_cast<int>(wait.count()));
     return std::nullopt;
   }
-  const bool is_sequence = read.front() == '\x1b' && count > 1;
-  return is_sequence ? std::nullopt : std::optional(read.front());
+  if (read_.front() == '\x1b' && count > 1) {
+    return std::nullopt;
+  }
+  count_ = static_cast<std::size_t>(count);
+  return read_[next_++];
 }
 
 }  // namespace kerf::program

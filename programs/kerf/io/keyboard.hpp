@@ -1,7 +1,9 @@
 // The keys of the person at the terminal, one by one.
 #pragma once
 
+#include <array>
 #include <chrono>
+#include <cstddef>
 #include <optional>
 
 namespace kerf::program {
@@ -26,6 +28,10 @@ class Keyboard {
 
  private:
   bool open_ = false;
+  // Read and not given yet.
+  std::array<char, 16> read_{};
+  std::size_t next_ = 0;
+  std::size_t count_ = 0;
 };
 
 }  // namespace kerf::program

@@ -17,7 +17,7 @@ RunOutcome run(const RunStage& stage, const MotionOrder& order, double period_s)
   if (order.shows_progress && stage.by.has_keys()) {
     fmt::print(stderr, "{}\n", Operator::kKeys);
   }
-  const ProgressBar bar([&stage] { return stage.by.state_after(stage.progress.status()); },
+  const ProgressBar bar([&stage] { return stage.by.status_line(stage.progress); },
                         [&stage] { return stage.progress.share(); }, order.shows_progress);
   return order.options.command == Command::run ? run_in_real_time(stage, period_s)
                                                : run_without_clock(stage);

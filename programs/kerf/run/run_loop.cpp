@@ -125,7 +125,7 @@ RunOutcome run_in_real_time(const RunStage& stage, double period_s) {
       const interp::TickStatus status = stage.ticks.step(record);
       recorder.push(record);
       stage.progress.set_done(record.motion.s_mm);
-      stage.progress.set_status(status);
+      stage.progress.set_tick(status, record.line, record.motion.v_mm_s);
       if (judge.is_over(status, stage.ticks, outcome)) {
         break;
       }
