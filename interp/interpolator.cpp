@@ -284,7 +284,7 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   ++now_.tick;
   if (is_emergency()) {
     const TickStatus braked = brake();
-    setpoint = now_;
+    setpoint = now_;  // the spindle is off
     return braked;
   }
   take_over();
@@ -294,6 +294,7 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   }
   follow_surface(now_.position_mm, now_.outputs);
   setpoint = now_;
+  override_spindle(spindle_override_.load(std::memory_order_relaxed), setpoint.outputs);
   return status;
 }
 

@@ -28,6 +28,10 @@ class Interpolator {
   // (EmergencyBrake), spindle and coolant off. Then the status is emergency_stop, for ever. Any
   // thread.
   void emergency_stop() noexcept { emergency_.store(true, std::memory_order_relaxed); }
+  // Of the programmed speed. Any thread.
+  void override_spindle_by(double share) noexcept {
+    spindle_override_.store(share, std::memory_order_relaxed);
+  }
   [[nodiscard]] bool is_emergency() const noexcept {
     return emergency_.load(std::memory_order_relaxed);
   }
@@ -102,6 +106,7 @@ class Interpolator {
   std::size_t stop_next_ = 0;              // its next phase; the count: it has begun the last one
   std::uint64_t output_changes_ = 0;       // so many were applied
   std::atomic<bool> emergency_ = false;
+  std::atomic<double> spindle_override_ = 1.0;
   EmergencyBrake brake_;
   bool has_phase_ = false;
   bool tick_begun_ = false;

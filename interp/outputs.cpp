@@ -1,5 +1,6 @@
 #include "interp/outputs.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace kerf::interp {
@@ -50,6 +51,9 @@ void apply(const OutputChange& change, Outputs& outputs) noexcept {
     case OutputChangeKind::coolant_off:
       outputs.mist = outputs.flood = false;
       break;
+    case OutputChangeKind::speed_override:
+      outputs.follows_speed_override = change.value != 0.0;
+      break;
     case OutputChangeKind::digital:
       set_digital(change, outputs);
       break;
@@ -62,6 +66,17 @@ void apply(const OutputChange& change, Outputs& outputs) noexcept {
       stop_spindle(outputs);
       outputs.mist = outputs.flood = false;
       break;
+  }
+}
+
+void override_spindle(double share, Outputs& outputs) noexcept {
+  if (!outputs.follows_speed_override) {
+    return;
+  }
+  outputs.spindle_rad_s *= share;
+  if (outputs.surface.mm_s != 0.0) {
+    outputs.spindle_rad_s =
+        std::clamp(outputs.spindle_rad_s, -outputs.surface.most_rad_s, outputs.surface.most_rad_s);
   }
 }
 

@@ -21,9 +21,10 @@ enum class OutputChangeKind : std::uint8_t {
   mist_on,
   flood_on,
   coolant_off,
-  digital,  // output `index` to value 0 or 1
-  analog,   // output `index` to value
-  all_off,  // the program's end: spindle and coolant
+  speed_override,  // value = 1: the spindle follows its override; 0: it does not
+  digital,         // output `index` to value 0 or 1
+  analog,          // output `index` to value
+  all_off,         // the program's end: spindle and coolant
 };
 
 // One change of the outputs. An index that no output has changes nothing.
@@ -38,6 +39,9 @@ void apply(const OutputChange& change, Outputs& outputs) noexcept;
 
 // Sets the spindle's speed for this position, where a surface speed is in force.
 void follow_surface(const curves::Position& position_mm, Outputs& outputs) noexcept;
+
+// For outputs that are given away; those that are kept have the programmed speed.
+void override_spindle(double share, Outputs& outputs) noexcept;
 
 static_assert(std::is_trivially_copyable_v<Outputs>);
 static_assert(std::is_trivially_copyable_v<OutputChange>);

@@ -126,8 +126,10 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
   // A wait is not answered by it.
   const bool releases =
       overrides_.feed == 0.0 && overrides.feed > 0.0 && (pipeline_.is_held() || takeover_);
+  interpolator_.override_spindle_by(overrides.spindle);
   overrides_ = overrides;
   wants_change_ = true;
+  next_try_tick_ = 0;
   wants_hold_ = holds_ || stops_ || overrides_.feed == 0.0;
   wants_resume_ = !wants_hold_ && (wants_resume_ || releases);
   plan();
@@ -137,6 +139,7 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
 void Kernel::Impl::set_single_block(bool on) {
   single_block_ = on;
   wants_change_ = true;
+  next_try_tick_ = 0;
   plan();
 }
 
@@ -224,12 +227,13 @@ bool Kernel::Impl::try_change_plan() {
   lookahead::Outbox plan;
   const std::uint32_t from = pipeline_.plan();
   const std::int64_t tick = takeover_tick();
-  auto changed = pipeline_.change_plan({.by = {.feed = overrides_.feed, .rapid = overrides_.rapid},
-                                        .single_block = single_block_,
-                                        .tick = tick,
-                                        .until_tick = tick + first_part_ticks_,
-                                        .needs_stop = keeps_stop_},
-                                       plan);
+  auto changed = pipeline_.change_plan(
+      {.by = {.feed = overrides_.feed, .rapid = overrides_.rapid, .spindle = overrides_.spindle},
+       .single_block = single_block_,
+       .tick = tick,
+       .until_tick = tick + first_part_ticks_,
+       .needs_stop = keeps_stop_},
+      plan);
   if (!changed) {
     return false;
   }

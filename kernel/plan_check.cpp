@@ -29,6 +29,7 @@ void PlanCheck::pushed(const lookahead::Block& block) {
                        .length_mm = block.length_mm,
                        .feedrate_mm_s = block.along.feedrate_mm_s,
                        .programmed_mm_s = block.feedrate_mm_s,
+                       .follows = block.follows,
                        .rapid = block.rapid,
                        .adds_to_path = !block.extra.alone});
 }
@@ -119,8 +120,12 @@ void PlanCheck::check_rest(const interp::Phase& phase, bool takes_over) {
 
 void PlanCheck::overridden(const lookahead::FeedOverride& by, const Slowing& slowing) {
   const bool slows = slowing.from_curve <= slows_to_curve_;
-  before_ = {.feed = slows ? std::max(kSlowing * before_.feed, by_.feed) : by_.feed,
-             .rapid = slows ? std::max(kSlowing * before_.rapid, by_.rapid) : by_.rapid};
+  const auto most = [slows](double before, double by_now) {
+    return slows ? std::max(kSlowing * before, by_now) : by_now;
+  };
+  before_ = {.feed = most(before_.feed, by_.feed),
+             .rapid = most(before_.rapid, by_.rapid),
+             .spindle = most(before_.spindle, by_.spindle)};
   by_ = by;
   slows_to_curve_ = slows ? std::max(slows_to_curve_, slowing.to_curve) : slowing.to_curve;
 }
@@ -131,8 +136,9 @@ double PlanCheck::most_mm_s(const Expected& block) const {
     if (block.rapid) {
       return by.rapid * block.feedrate_mm_s;
     }
-    return by.feed > 1.0 ? by.feed * block.programmed_mm_s
-                         : std::min(block.feedrate_mm_s, by.feed * block.programmed_mm_s);
+    const double share = lookahead::share_of(by, block.follows);
+    const double most_mm_s = share * block.programmed_mm_s;
+    return share > 1.0 ? most_mm_s : std::min(block.feedrate_mm_s, most_mm_s);
   };
   return curve_ <= slows_to_curve_ ? std::max(under(by_), kSlowing * under(before_)) : under(by_);
 }

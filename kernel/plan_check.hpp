@@ -54,6 +54,7 @@ class PlanCheck {
     double length_mm = 0.0;
     double feedrate_mm_s = 0.0;  // that the limits leave without an override
     double programmed_mm_s = 0.0;
+    parser::FollowedOverrides follows{};
     bool rapid = false;
     bool adds_to_path = true;
   };

@@ -241,7 +241,8 @@ bool is_possible(const Overrides& overrides) noexcept {
   const auto is_within = [](double value, double least, double most) {
     return least <= value && value <= most;
   };
-  return is_within(overrides.feed, 0.0, 2.0) && is_within(overrides.rapid, 0.05, 1.0);
+  return is_within(overrides.feed, 0.0, 2.0) && is_within(overrides.rapid, 0.05, 1.0) &&
+         is_within(overrides.spindle, 0.1, 2.0);
 }
 
 }  // namespace v0

@@ -54,6 +54,8 @@ std::optional<interp::OutputChange> output_change_of(const parser::EventMove& ev
       return OutputChange{.kind = OutputChangeKind::flood_on};
     case EventKind::coolant_off:
       return OutputChange{.kind = OutputChangeKind::coolant_off};
+    case EventKind::speed_override:
+      return OutputChange{.kind = OutputChangeKind::speed_override, .value = event.value};
     case EventKind::digital_output:
     case EventKind::digital_at_motion:
       return OutputChange{

@@ -188,7 +188,10 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   segment.source.line = segment.marks.front().line;
   segment.run_block = segment.marks.front().run_block;
   segment.rapid = before.segment.rapid && after.segment.rapid;
-  segment.feedrate_mm_s = std::min(feedrate_mm_s(before.segment), feedrate_mm_s(after.segment));
+  const bool is_before = feedrate_mm_s(before.segment) <= feedrate_mm_s(after.segment);
+  const PathSegment& slower = is_before ? before.segment : after.segment;
+  segment.feedrate_mm_s = feedrate_mm_s(slower);
+  segment.follows = slower.follows;
   segment.extra = {.begin_rad_mm = before.segment.extra.end_rad_mm,
                    .end_rad_mm = before.segment.extra.end_rad_mm};
   segment.mode = parser::PathMode::blend;

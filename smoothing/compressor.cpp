@@ -43,6 +43,7 @@ void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, d
   run_.push_back({.point_mm = end,
                   .w_mm = run_.back().w_mm + length,
                   .feedrate_mm_s = move.feedrate_mm_s,
+                  .follows = move.follows,
                   .source = move.source,
                   .run_block = move.block});
   if (run_.size() > awaited_) {

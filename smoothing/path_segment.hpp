@@ -41,6 +41,7 @@ struct PathSegment {
   std::uint64_t run_block = 0;           // parser::Move::block of the move that it begins with
   bool rapid = false;
   double feedrate_mm_s = 0.0;  // not used by rapids
+  parser::FollowedOverrides follows{};
   curves::AuxiliaryAxisMotion extra{};
   parser::PathMode mode = parser::PathMode::exact_path;
   double corner_tolerance_mm = 0.0;  // for blends of its corners

@@ -15,6 +15,7 @@ struct Vertex {
   double w_mm = 0.0;  // length of the run up to here
   // Of the line that ends here.
   double feedrate_mm_s = 0.0;
+  parser::FollowedOverrides follows{};
   diagnostics::SourcePosition source{};
   std::uint64_t run_block = 0;
 };

@@ -77,6 +77,7 @@ PathSegment segment_of(curves::Curve curve, const Move& move) {
   segment.run_block = move.block;
   segment.rapid = move.rapid;
   segment.feedrate_mm_s = move.feedrate_mm_s;
+  segment.follows = move.follows;
   segment.mode = move.mode;
   segment.corner_tolerance_mm =
       move.mode == parser::PathMode::blend ? move.blend_tolerance_mm : 0.0;

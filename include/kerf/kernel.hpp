@@ -45,8 +45,9 @@ struct KernelOptions {
 /// What an operator makes of the feedrates of a program, as shares of them. Limits of path and axes
 /// hold whatever they are.
 struct Overrides {
-  double feed = 1.0;   ///< of programmed feedrates, 0 to 2; at 0 the tool holds
-  double rapid = 1.0;  ///< of rapids, 0.05 to 1
+  double feed = 1.0;     ///< of programmed feedrates, 0 to 2; at 0 the tool holds
+  double rapid = 1.0;    ///< of rapids, 0.05 to 1
+  double spindle = 1.0;  ///< of the spindle's speed, and so of feedrates of G95, 0.1 to 2
 
   friend bool operator==(const Overrides&, const Overrides&) = default;
 };
@@ -110,8 +111,9 @@ class KERF_API Kernel {
   /// Goes on with other feedrates some milliseconds later, on the same path, without a stop where
   /// the limits allow; a feedrate that is too high by then falls as fast as they allow. The last
   /// one counts. At feed 0 the tool holds until another value comes. The profile of the options is
-  /// back after the next rest: until then the motion is time-optimal. False: a value is out of its
-  /// range, and nothing changes. Planning side.
+  /// back after the next rest: until then the motion is time-optimal. Where the program forbids it
+  /// (M49, M50 P0, M51 P0, tapping) the programmed feedrate or speed is kept. False: a value is out
+  /// of its range, and nothing changes. Planning side.
   bool set_overrides(const Overrides& overrides);
 
   /// The tool comes to rest at the joint behind each block of the program and waits for resume();

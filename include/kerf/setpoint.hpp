@@ -43,11 +43,12 @@ struct Outputs {
   static constexpr std::size_t kAnalog = 8;
 
   /// Positive: M3, clockwise seen from the spindle; negative: M4. Under G96 as it is at this tick.
-  double spindle_rad_s = 0.0;
-  SurfaceSpeed surface{};          ///< what spindle_rad_s follows from, tick by tick
-  double spindle_angle_rad = 0.0;  ///< where M19 holds it
-  std::int32_t tool = 0;           ///< in the spindle; 0: none
-  bool spindle_held = false;       ///< M19
+  double spindle_rad_s = 0.0;          ///< with the override
+  bool follows_speed_override = true;  ///< M48, M49, M51; not while tapping
+  SurfaceSpeed surface{};              ///< what spindle_rad_s follows from, tick by tick
+  double spindle_angle_rad = 0.0;      ///< where M19 holds it
+  std::int32_t tool = 0;               ///< in the spindle; 0: none
+  bool spindle_held = false;           ///< M19
   bool mist = false;
   bool flood = false;
   std::uint64_t digital = 0;             ///< bit n: output n

@@ -40,7 +40,8 @@ struct Block {
   std::vector<LineMark> marks{};
   bool rapid = false;
   double feedrate_mm_s = kUnbounded;  // programmed; of a rapid, none
-  std::optional<int> arc_normal{};    // smoothing::PathSegment
+  parser::FollowedOverrides follows{};
+  std::optional<int> arc_normal{};  // smoothing::PathSegment
   double length_mm = 0.0;
   BlockLimits limits{};
   // The same without the share that curvature takes of the limits of X, Y and Z: the programmed

@@ -35,6 +35,7 @@ Block path_of(PathSegment segment) {
   block.run_block = segment.run_block;
   block.rapid = segment.rapid;
   block.feedrate_mm_s = segment.rapid ? kUnbounded : segment.feedrate_mm_s;
+  block.follows = segment.follows;
   block.arc_normal = segment.arc_normal;
   block.length_mm = curves::length_mm(block.curve);
   block.stop_after = segment.stop_after;
@@ -137,9 +138,9 @@ void set_limits(double feedrate_mm_s, const PlanLimits& limits, ScanFor plan, Bl
 }
 
 void set_limits(const FeedOverride& by, const PlanLimits& limits, ScanFor plan, Block& block) {
-  set_limits(
-      block.rapid ? Feedrate{kUnbounded, by.rapid} : Feedrate{by.feed * block.feedrate_mm_s, 1.0},
-      limits, plan, block);
+  set_limits(block.rapid ? Feedrate{kUnbounded, by.rapid}
+                         : Feedrate{share_of(by, block.follows) * block.feedrate_mm_s, 1.0},
+             limits, plan, block);
 }
 
 tl::expected<void, PathError> append_blocks(const parser::Move& move, const PlanLimits& limits,

@@ -1,13 +1,21 @@
 // What an operator makes of the feedrates of a program.
 #pragma once
 
+#include "parser/moves/move.hpp"
+
 namespace kerf::lookahead {
 
 struct FeedOverride {
-  double feed = 1.0;   // of programmed feedrates, > 0
-  double rapid = 1.0;  // of rapids, > 0 and at most 1
+  double feed = 1.0;     // of programmed feedrates, > 0
+  double rapid = 1.0;    // of rapids, > 0 and at most 1
+  double spindle = 1.0;  // of feedrates per revolution, > 0
 
   friend bool operator==(const FeedOverride&, const FeedOverride&) = default;
 };
+
+// Of a programmed feedrate.
+inline double share_of(const FeedOverride& by, const parser::FollowedOverrides& follows) {
+  return (follows.feed ? by.feed : 1.0) * (follows.spindle ? by.spindle : 1.0);
+}
 
 }  // namespace kerf::lookahead

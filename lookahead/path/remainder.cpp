@@ -72,6 +72,7 @@ std::optional<Block> stretch_of(const Block& block, const curves::Stretch& stret
   on.marks = marks_on(block.marks, stretch);
   on.rapid = block.rapid;
   on.feedrate_mm_s = block.feedrate_mm_s;
+  on.follows = block.follows;
   on.arc_normal = block.arc_normal;
   on.slows = block.slows;
   on.length_mm = curves::length_mm(on.curve);

@@ -83,7 +83,7 @@ double feedrate_behind(const SlowingDown& down, double way_mm) {
 // What the block allows where nothing has to slow down.
 double allowed_mm_s(const Block& block, const SlowingOrder& order, const PlanLimits& limits) {
   if (!block.rapid) {
-    return order.by.feed * block.feedrate_mm_s;
+    return share_of(order.by, block.follows) * block.feedrate_mm_s;
   }
   Block full = block;
   set_limits(kUnbounded, limits, order.plan, full);

@@ -1,4 +1,5 @@
 // The motion of a block that a unit expands: curves with control points, cycles, probing.
+#include <algorithm>
 #include <optional>
 
 #include "diagnostics/errors/pages.hpp"
@@ -7,6 +8,7 @@
 #include "parser/cycles/probe.hpp"
 #include "parser/dialects/fanuc/fanuc_codes.hpp"
 #include "parser/interpreter/interpreter.hpp"
+#include "parser/spindle_io/switches.hpp"
 
 namespace kerf::parser {
 
@@ -82,9 +84,18 @@ Done Interpreter::drill(const RunningBlock& at) {
   if (Done done = expand_on_machine(at, state, **cycle, cycle_steps_); !done) {
     return done;
   }
+  // A tap's feed goes with the spindle's speed: nobody may change one of them.
+  const Overrides before = state.overrides;
+  if (std::ranges::find(cycle_steps_, StepKind::spindle_turned, &CycleStep::kind) !=
+      cycle_steps_.end()) {
+    follow_speed_override(at, state, false);
+    state.overrides.feed = false;
+  }
   for (const CycleStep& step : cycle_steps_) {
     push_cycle_step(at, step, *feedrate);
   }
+  follow_speed_override(at, state, before.speed);
+  state.overrides = before;
   return {};
 }
 

@@ -24,6 +24,8 @@ Move& MoveSink::push_move(const ModalState& state) const {
   move.start_mm = state.position_mm;
   move.rapid = false;
   move.feedrate_mm_s = 0.0;
+  move.follows = {.feed = state.overrides.feed,
+                  .spindle = state.feed_mode == FeedMode::per_revolution && state.overrides.speed};
   if (auxiliary_axes != 0) {
     move.auxiliary = auxiliary_move(state.auxiliary_deg_mm, state.auxiliary_deg_mm);
   }

@@ -70,11 +70,14 @@ enum class EventKind : std::uint8_t {
   analog_output,      // M68: output `index` to `value`
   digital_at_motion,  // M62, M63: as the next motion begins, without a rest
   analog_at_motion,   // M67
+  speed_override,     // M48, M49, M51: value 1, the spindle's override is followed; 0, it is not
 };
 
-// M62, M63 and M67: the change comes with the next motion, and the tool does not rest for it.
+// M62, M63, M67 and M48 to M51: the change comes with the next motion, and the tool does not rest
+// for it.
 inline bool is_at_motion(EventKind kind) {
-  return kind == EventKind::digital_at_motion || kind == EventKind::analog_at_motion;
+  return kind == EventKind::digital_at_motion || kind == EventKind::analog_at_motion ||
+         kind == EventKind::speed_override;
 }
 
 // How many outputs of each kind there are: `index` counts from 0.
@@ -103,6 +106,14 @@ struct EventMove {
 
 using kerf::PathMode;
 
+// The overrides that a feedrate follows: M48 to M51, G95, tapping.
+struct FollowedOverrides {
+  bool feed = true;
+  bool spindle = false;  // of G95: what the spindle makes of its speed
+
+  friend bool operator==(const FollowedOverrides&, const FollowedOverrides&) = default;
+};
+
 struct Move {
   std::variant<LineMove, ArcMove, NurbsMove, DwellMove, EventMove> shape;
   diagnostics::SourcePosition source;
@@ -111,6 +122,7 @@ struct Move {
   // Along the path; not used by rapids, dwells and events. Where X, Y and Z rest: along U, V, W, or
   // in rad/s if only A, B, C move.
   double feedrate_mm_s = 0.0;
+  FollowedOverrides follows{};
   AuxiliaryMove auxiliary{};  // does not move on a NurbsMove
   PathMode mode = PathMode::exact_path;
   double blend_tolerance_mm = 0.0;  // G64 P or the machine's; 0: no corner is cut

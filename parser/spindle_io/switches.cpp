@@ -79,6 +79,13 @@ void switch_coolant(const RunningBlock& at, ModalState& state) {
                                      : EventKind::coolant_off});
 }
 
+void follow_speed_override(const MoveSink& at, ModalState& state, bool on) {
+  if (state.overrides.speed != on) {
+    state.overrides.speed = on;
+    at.push_event(state, {EventKind::speed_override, on ? 1.0 : 0.0});
+  }
+}
+
 Done switch_overrides(const RunningBlock& at, ModalState& state) {
   const Tenths code = at.codes[Group::overrides];
   if (code == kNoCode) {
@@ -86,7 +93,8 @@ Done switch_overrides(const RunningBlock& at, ModalState& state) {
   }
   Overrides& overrides = state.overrides;
   if (code == 480 || code == 490) {
-    overrides.feed = overrides.speed = code == 480;
+    overrides.feed = code == 480;
+    follow_speed_override(at, state, code == 480);
     return {};
   }
   const double p = at.block.value_or('P', 1.0);
@@ -94,8 +102,11 @@ Done switch_overrides(const RunningBlock& at, ModalState& state) {
     return fail(at.block.word('P').offset, errors::kSwitchValue,
                 joined({at.name_of(Group::overrides), ": P must be 0 or 1, found ", shortest(p)}));
   }
+  if (code == 510) {
+    follow_speed_override(at, state, p == 1.0);
+    return {};
+  }
   (code == 500   ? overrides.feed
-   : code == 510 ? overrides.speed
    : code == 520 ? overrides.adaptive_feed
                  : overrides.feed_hold) = p == 1.0;
   return {};

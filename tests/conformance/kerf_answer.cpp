@@ -72,7 +72,8 @@ std::optional<Step> step_of(const Move& move) {
     step.time_s = dwell->duration_s;
   } else {
     const auto& event = std::get<parser::EventMove>(move.shape);
-    if (event.kind == parser::EventKind::program_end) {
+    if (event.kind == parser::EventKind::program_end ||
+        event.kind == parser::EventKind::speed_override) {
       return std::nullopt;
     }
     step.kind = "event";
