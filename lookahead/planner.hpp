@@ -168,7 +168,8 @@ class Planner {
   bool emit_first_part(const PlanChange& change, ChangedPlan& changed, Outbox& outbox);
   // Of the blocks that wait, those on which the motion may be faster than they allow: how many.
   std::size_t let_slow_down(const OptimumSchedule::Begin& from);
-  void begin_rest_of_block();
+  // What is left of the block that the tool is on waits in its place, from so far before it on.
+  void begin_rest_of_block(double before_mm = 0.0);
   // Up to a rest. Whole.
   [[nodiscard]] std::vector<const Block*> blocks_ahead() const;
   // All that is in the window waits again.

@@ -14,13 +14,16 @@ namespace kerf::lookahead {
 namespace {
 
 // ahead: the items behind those that are emitted; those that end on the way go. No parts: it is at
-// rest already.
+// rest already. Keeps all phases but the last, which may change yet. The outbox is empty before.
 void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, Emitter& emitter,
                Outbox& outbox) {
   for (const BrakingPart& part : parts) {
     auto& block = std::get<Block>(ahead.front());
     emitter.emit(block, part.law, part.s_end_mm, outbox);
     outbox.phases.back().active_constraint = interp::active_constraint(part.limit);
+    if (outbox.phases.size() < parts.size()) {
+      emitter.keep(outbox, outbox.phases.size() - 1);
+    }
     if (part.ends_block) {
       emitter.end_block(std::move(block));
       ahead.pop_front();
@@ -99,7 +102,7 @@ bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   held_ = true;
   emit_stop(stop->parts, waiting_, emitter_, outbox);
   outbox.phases.back().holds = true;
-  emitter_.keep(outbox, 0);
+  emitter_.keep(outbox, outbox.phases.size() - 1);
   return true;
 }
 
@@ -142,7 +145,7 @@ Outbox Planner::follow_stop_ahead(const StopAhead& taken) {
   emitter_.repeat_plan(taken.plan);
   Outbox outbox;
   emit_stop(taken.stop.parts, waiting_, emitter_, outbox);
-  emitter_.keep(outbox, 0);
+  emitter_.keep(outbox, outbox.phases.size() - 1);
   held_ = true;
   resume();
   return outbox;
@@ -194,7 +197,7 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
     return changed;
   }
   emit_stop(stop->parts, waiting_, emitter_, outbox);
-  emitter_.keep(outbox, 0);
+  emitter_.keep(outbox, outbox.phases.size() - 1);
   held_ = true;
   resume();
   if (stop->parts.empty()) {
@@ -285,21 +288,23 @@ bool Planner::emit_first_part(const PlanChange& change, ChangedPlan& changed, Ou
   return false;
 }
 
-// Where the motion is so near behind a junction that ticks see it, the whole block is planned with
-// the one before it, else what is left of it.
+// Ticks see a jump of direction or curvature behind the motion as long as it is near: what is left
+// of a block is planned with a little of the way behind, or the whole block with the one before it.
 bool Planner::begin_in_motion(InMotion from) {
-  OptimumSchedule::Begin begin = motion_of(*from.stop);
-  const bool on_block = emitter_.is_on_block();
-  const double zone_mm = junction_zone_mm(begin.state, settings_.limits);
-  begin.s_mm = on_block ? emitter_.curve_mm() : 0.0;
-  begin.has_before = from.before && begin.s_mm < zone_mm;
-  if (on_block && !begin.has_before) {
-    begin.s_mm = 0.0;
-    begin_rest_of_block();
-  }
-  if (waiting_.empty() || !std::holds_alternative<Block>(waiting_.front()) ||
-      emitter_.is_on_block() != on_block) {
+  if (waiting_.empty() || !std::holds_alternative<Block>(waiting_.front())) {
     return false;
+  }
+  OptimumSchedule::Begin begin = motion_of(*from.stop);
+  const double zone_mm = junction_zone_mm(begin.state, settings_.limits);
+  const double length_mm = std::get<Block>(waiting_.front()).length_mm;
+  begin.s_mm = emitter_.is_on_block() ? emitter_.curve_mm() : 0.0;
+  begin.has_before = from.before && begin.s_mm < zone_mm;
+  if (begin.s_mm > length_mm - kAtBlockEnd_mm) {
+    return false;
+  }
+  if (emitter_.is_on_block() && !begin.has_before) {
+    begin.s_mm = std::min(zone_mm, begin.s_mm);
+    begin_rest_of_block(begin.s_mm);
   }
   auto schedule = std::make_unique<OptimumSchedule>(optimum_settings());
   OptimumSchedule& optimum = *schedule;
@@ -417,14 +422,14 @@ void Planner::resume() {
 }
 
 // On the block that waits first. Hardly a way: the block is over.
-void Planner::begin_rest_of_block() {
+void Planner::begin_rest_of_block(double before_mm) {
   if (!emitter_.is_on_block()) {
     return;
   }
   const auto whole = std::make_shared<const Block>(std::move(std::get<Block>(waiting_.front())));
-  if (auto remainder = remainder_of(whole, emitter_.curve_mm())) {
+  if (auto remainder = remainder_of(whole, emitter_.curve_mm() - before_mm)) {
     waiting_.front() = std::move(*remainder);
-    emitter_.begin_remainder();
+    emitter_.begin_remainder(before_mm);
   } else {
     emitter_.end_block(Block(*whole));
     waiting_.pop_front();

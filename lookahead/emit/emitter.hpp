@@ -108,8 +108,8 @@ class Emitter {
   [[nodiscard]] std::uint32_t plan() const noexcept { return plan_; }
   // It has been emitted before, under that number.
   void repeat_plan(std::uint32_t plan) noexcept { plan_ = plan; }
-  // The present block goes on as its remainder.
-  void begin_remainder() noexcept { place_.s_mm = 0.0; }
+  // The present block goes on as its remainder, on which the motion is at s_mm.
+  void begin_remainder(double s_mm) noexcept { place_.s_mm = s_mm; }
   [[nodiscard]] bool is_on_block() const noexcept { return place_.on_block; }
   // The present curve, or the one that comes next.
   [[nodiscard]] std::uint64_t next_curve() const noexcept {

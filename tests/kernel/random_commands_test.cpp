@@ -42,6 +42,18 @@ TEST(RandomCommandsAgain, SingleBlockWhereARestEnds) {
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
+// Within a spline of degree 2, a tick behind the place where its curvature jumps.
+TEST(RandomCommandsAgain, OverrideBehindAJumpOfCurvature) {
+  const CommandedRun run = commanded_run(25'449);
+  EXPECT_EQ(run.complaint, "") << run.commands;
+}
+
+// Planning was late, and the way to rest that was taken leads over the end of a block.
+TEST(RandomCommandsAgain, HoldOnAWayToRestOverTwoBlocks) {
+  const CommandedRun run = commanded_run(30'343);
+  EXPECT_EQ(run.complaint, "") << run.commands;
+}
+
 TEST(RandomCommandsAgain, GiveTheSameTicks) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const CommandedRun one = commanded_run(seed);
