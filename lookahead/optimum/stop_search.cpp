@@ -26,6 +26,8 @@ constexpr double kCellsOfWay = 40.0;
 constexpr std::array<double, 3> kShares{1.0, 0.7, 0.5};
 constexpr double kLooksATick = 2.0;
 constexpr double kRounded = 1.0 + 1e-9;
+// A try that takes more does not end well in most cases; there are others.
+constexpr int kRefinements = 12;
 constexpr int kPointsOfPart = 20;  // of the S-curve
 
 void divide(std::vector<Cell>& cells, double longest_mm, const PathAt& path) {
@@ -143,7 +145,7 @@ std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_e
     return std::nullopt;
   }
   begin_with_s_curve(distance_mm, sequence.cells);
-  return OptimalPlan::find(std::move(sequence), path, *limits_);
+  return OptimalPlan::find(std::move(sequence), path, *limits_, kRefinements);
 }
 
 std::optional<std::vector<BrakingPart>> StopSearch::any() const {

@@ -13,7 +13,6 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr int kMaxRefinements = 40;
 // A search that has not ended well spoils more with each share that is taken off. The first rounds
 // are not judged, nor those after cells were halved.
 constexpr int kRoundsToJudge = 2;
@@ -55,7 +54,7 @@ void widen(const Excess& excess, Excess& worst) {
 }  // namespace
 
 std::optional<OptimalPlan> OptimalPlan::find(CellSequence sequence, const PathAt& path,
-                                             const PlanLimits& limits) {
+                                             const PlanLimits& limits, int refinements) {
   OptimalPlan plan;
   plan.sequence_ = std::move(sequence);
   plan.basis_ = feed_basis(plan.sequence_.spline_lengths_mm());
@@ -64,7 +63,7 @@ std::optional<OptimalPlan> OptimalPlan::find(CellSequence sequence, const PathAt
   plan.excess_ = plan.check(path, limits);
   double least = plan.excess_.largest();
   int judged_from = kRoundsToJudge;
-  for (int i = 0; i < kMaxRefinements && !holds(plan.excess_); ++i) {
+  for (int i = 0; i < refinements && !holds(plan.excess_); ++i) {
     if (i >= kPatience && (i - kPatience) % kBetweenHalvings == 0) {
       plan.halve_cells(path, limits);
       feed.coefficients = plan.coefficients_;

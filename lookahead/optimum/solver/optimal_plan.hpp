@@ -25,12 +25,14 @@ class OptimalPlan {
   // The fastest plan found that also keeps the limits between the places at which the solver
   // evaluates them: they are checked there, the shares are lowered where they are exceeded, and the
   // search goes on; cells in which that does not help are halved. Where the search diverges, or
-  // kMaxRefinements rounds are not enough, a plan from rest is slowed down as a whole until it
+  // so many refinements are not enough, a plan from rest is slowed down as a whole until it
   // keeps them (slowed_down() if by more than a percent; cutting the sequence of cells at a rest
   // then loses little); from a begin in motion there is no plan. The cells must be refined for a
   // rest at the end, and for one at the beginning if the sequence begins at rest.
+  static constexpr int kRefinements = 40;
   static std::optional<OptimalPlan> find(CellSequence sequence, const PathAt& path,
-                                         const PlanLimits& limits);
+                                         const PlanLimits& limits,
+                                         int refinements = kRefinements);
 
   [[nodiscard]] const std::vector<Cell>& cells() const noexcept { return sequence_.cells; }
   [[nodiscard]] StartState state_at(const PlanPlace& place) const;
