@@ -1,7 +1,7 @@
 // kerf-bench papers: the published results beside ours. kerf-bench optimum: the time optimum of
 // every shipped curve beside its reference. kerf-bench parse: text to moves, long programs; with
 // the name of one, that one read once for counting instructions. kerf-bench soak [--seed N]
-// [--last M] [--seconds S] [--kind smoothed|degenerate] [--fingerprints]: random curves and
+// [--last M] [--seconds S] [--kind smoothed|degenerate|control] [--fingerprints]: random curves and
 // programs, those of the seeds N to M and on for so long, or N alone; smoothed: programs of short
 // lines in G64; fingerprints: of the ticks of each, to compare two builds. kerf-bench
 // streaming: the time optimum in a window beside one over everything. kerf-bench parts [NAME]
@@ -35,7 +35,7 @@ namespace {
 constexpr int kUsage = 2;  // the exit status where the words make no command
 constexpr std::size_t kMany = 100;
 
-// soak [--seed N] [--last M] [--seconds S] [--kind smoothed|degenerate] [--fingerprints]
+// soak [--seed N] [--last M] [--seconds S] [--kind smoothed|degenerate|control] [--fingerprints]
 std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& words) {
   kerf::bench::Soak order;
   for (std::size_t i = 2; i < words.size(); i += 2) {
@@ -58,6 +58,8 @@ std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& word
       order.kind = kerf::bench::SoakKind::smoothed;
     } else if (words[i] == "--kind" && words[i + 1] == "degenerate") {
       order.kind = kerf::bench::SoakKind::degenerate;
+    } else if (words[i] == "--kind" && words[i + 1] == "control") {
+      order.kind = kerf::bench::SoakKind::control;
     } else {
       return std::nullopt;
     }

@@ -14,6 +14,7 @@
 
 #include "bench/soak_rivals.hpp"
 #include "bench/soak_trials.hpp"
+#include "tests/kernel/commanded_run.hpp"
 
 namespace kerf::bench {
 
@@ -75,7 +76,28 @@ struct Tally {
   double worst_chord = 0.0;
 };
 
+void judge_commands(std::uint64_t seed, Tally& tally) {
+  constexpr std::uint64_t kOverrideSteps = 41;
+  const test::CommandedRun run = test::commanded_run(
+      seed, seed % kOverrideSteps == 0 ? test::Commands::override_steps : test::Commands::all);
+  ++tally.runs;
+  tally.ticks += run.ticks;
+  for (std::size_t i = 0; i < test::kFigures; ++i) {
+    tally.worst[i] = std::max(tally.worst[i], run.worst[i]);
+  }
+  if (!run.complaint.empty()) {
+    ++tally.failures;
+    std::printf("seed %llu: %s; %s\n", static_cast<unsigned long long>(seed), run.complaint.c_str(),
+                run.commands.c_str());
+    std::fflush(stdout);
+  }
+}
+
 void judge(std::uint64_t seed, const Soak& order, Tally& tally) {
+  if (order.kind == SoakKind::control) {
+    judge_commands(seed, tally);
+    return;
+  }
   const SoakKind kind = order.kind;
   const Trial trial = trial_of(seed, kind);
   JudgedRun run = test::judged_run(trial.program, trial.settings, trial.way);

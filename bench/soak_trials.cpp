@@ -112,6 +112,7 @@ Trial trial_of(std::uint64_t seed, SoakKind kind) {
       return smoothed_trial(seed);
     case SoakKind::degenerate:
       return degenerate_trial(seed);
+    case SoakKind::control:  // has trials of its own
     case SoakKind::mixed:
       break;
   }

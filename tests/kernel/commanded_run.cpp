@@ -8,14 +8,17 @@
 
 #include <kerf/kernel.hpp>
 
+#include "tests/kernel/off_path.hpp"
 #include "tests/kernel/random_program.hpp"
-#include "tests/kernel/run.hpp"
 #include "tests/kernel/shipped_text.hpp"
-#include "tests/kernel/tick_checker.hpp"
 
 namespace kerf::test {
 
 namespace {
+
+using interp::Setpoint;
+
+constexpr std::int64_t kMaxTicks = 200'000;
 
 enum class Order : std::uint8_t { hold, late, override, single_block, stop, emergency_stop };
 
@@ -47,6 +50,17 @@ std::vector<Timed> random_orders(std::mt19937_64& random, std::int64_t whole_tic
   orders.back().order = end == 0   ? Order::emergency_stop
                         : end <= 2 ? Order::stop
                                    : orders.back().order;
+  return orders;
+}
+
+std::vector<Timed> override_steps(std::mt19937_64& random, std::int64_t whole_ticks) {
+  constexpr std::int64_t kStepTicks = 10;
+  std::vector<Timed> orders;
+  for (std::int64_t tick = 0; tick < whole_ticks; tick += kStepTicks) {
+    orders.push_back({.tick = tick,
+                      .order = Order::override,
+                      .overrides = {.feed = 0.02 * static_cast<double>(random() % 101)}});
+  }
   return orders;
 }
 
@@ -131,9 +145,26 @@ bool is_over(TickStatus status) {
          status == TickStatus::emergency_stop;
 }
 
+bool is_going_on(TickStatus status) {
+  return status == TickStatus::running || status == TickStatus::starved;
+}
+
+// Without commands.
+std::vector<Setpoint> whole_run(const std::string& text, const KernelOptions& options) {
+  Kernel kernel(mill(), options);
+  kernel.feed(text);
+  kernel.finish();
+  std::vector<Setpoint> ticks(1);
+  while (is_going_on(kernel.next(ticks.back())) &&
+         ticks.size() < static_cast<std::size_t>(kMaxTicks)) {
+    ticks.emplace_back();
+  }
+  return ticks;
+}
+
 }  // namespace
 
-CommandedRun commanded_run(std::uint64_t seed) {
+CommandedRun commanded_run(std::uint64_t seed, Commands commands) {
   constexpr std::array kKinds{ProfileKind::s_curve, ProfileKind::time_optimal,
                               ProfileKind::quintic};
   std::mt19937_64 random(seed);
@@ -141,8 +172,10 @@ CommandedRun commanded_run(std::uint64_t seed) {
       random_program(seed, {.blocks = 8, .longest_mm = seed % 3 == 0 ? 5.0 : 60.0});
   KernelOptions options{.profile = {.kind = kKinds[random() % kKinds.size()]}};
   options.start_mm = program.start_mm;
-  const std::vector<Setpoint> whole = ticks_of(program.text, options);
-  const std::vector<Timed> orders = random_orders(random, whole.back().tick);
+  const std::vector<Setpoint> whole = whole_run(program.text, options);
+  const std::vector<Timed> orders = commands == Commands::all
+                                        ? random_orders(random, whole.back().tick)
+                                        : override_steps(random, whole.back().tick);
   const bool has_threads = random() % 2 == 0;
 
   Kernel kernel(mill(), options);
@@ -176,6 +209,7 @@ CommandedRun commanded_run(std::uint64_t seed) {
     }
   }
   run.complaint = checker.complaint();
+  run.worst = checker.worst();
   const auto complain = [&run](bool is_wrong, const std::string& what) {
     if (is_wrong && run.complaint.empty()) {
       run.complaint = what;

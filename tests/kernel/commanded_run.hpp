@@ -1,8 +1,11 @@
 // A random program under random commands.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
+
+#include "tests/kernel/tick_checker.hpp"
 
 namespace kerf::test {
 
@@ -10,13 +13,19 @@ struct CommandedRun {
   std::string complaint{};  // the first; empty: everything holds
   std::string commands;     // what was asked for, and when
   std::int64_t ticks = 0;
-  std::uint64_t fingerprint = 0;  // of all positions, to the last bit
+  std::uint64_t fingerprint = 0;         // of all positions, to the last bit
+  std::array<double, kFigures> worst{};  // TickChecker::worst
+};
+
+enum class Commands : std::uint8_t {
+  all,
+  override_steps,  // a feed override of 0 to 200 % every 10 ms
 };
 
 // Program, profile and commands follow from the seed: holds, resumes before and after the rest,
 // overrides, single block, a planning thread that is late, at the end perhaps a stop or an
 // emergency stop. Judges every tick's limits, its place on the path of the run without commands,
 // and the end.
-CommandedRun commanded_run(std::uint64_t seed);
+CommandedRun commanded_run(std::uint64_t seed, Commands commands = Commands::all);
 
 }  // namespace kerf::test

@@ -24,6 +24,13 @@ TEST_P(RandomCommands, KeepLimitsPathAndEnd) {
 
 INSTANTIATE_TEST_SUITE_P(Shard, RandomCommands, testing::Range<std::uint64_t>(0, 10));
 
+TEST(OverrideSteps, MayComeEveryTenMilliseconds) {
+  for (std::uint64_t seed = 1; seed <= kRuns / 5; ++seed) {
+    const CommandedRun run = commanded_run(seed, Commands::override_steps);
+    ASSERT_EQ(run.complaint, "") << "seed " << seed;
+  }
+}
+
 // Held a billionth of a millimetre before a rest: 28,872 cells of 1e-13 mm, and no memory left.
 TEST(RandomCommandsAgain, HoldAtACrawlBesideARest) {
   const CommandedRun run = commanded_run(6'000'505);

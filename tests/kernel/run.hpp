@@ -1,7 +1,6 @@
 // Programs run to their end, for the kernel's tests.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,8 +8,8 @@
 #include <gtest/gtest.h>
 #include <kerf/kernel.hpp>
 
-#include "curves/position.hpp"
 #include "interp/setpoint.hpp"
+#include "tests/kernel/off_path.hpp"
 #include "tests/kernel/shipped_text.hpp"
 
 namespace kerf::test {
@@ -44,17 +43,6 @@ inline std::vector<Setpoint> ticks_of(const std::string& text, const KernelOptio
     ADD_FAILURE() << found.source.line << ": " << found.message;
   }
   return ticks;
-}
-
-// How far a tick is from the path that the whole run has at its path length, at the least.
-inline double off_path_mm(const std::vector<Setpoint>& whole, const Setpoint& tick) {
-  const auto after = std::lower_bound(whole.begin(), whole.end(), tick.s_mm,
-                                      [](const Setpoint& a, double s) { return a.s_mm < s; });
-  if (after == whole.end()) {
-    return tick.s_mm - whole.back().s_mm;
-  }
-  return (curves::vec(after->position_mm) - curves::vec(tick.position_mm)).norm() -
-         (after->s_mm - tick.s_mm);
 }
 
 }  // namespace kerf::test
