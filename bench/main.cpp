@@ -1,6 +1,7 @@
-// kerf-bench papers: the published results beside ours. kerf-bench optimum: the time optimum of
-// every shipped curve beside its reference. kerf-bench parse: text to moves, long programs; with
-// the name of one, that one read once for counting instructions. kerf-bench soak [--seed N]
+// kerf-bench papers: the published results beside ours. kerf-bench control: how soon a hold shows.
+// kerf-bench optimum: the time optimum of every shipped curve beside its reference. kerf-bench
+// parse: text to moves, long programs; with the name of one, that one read once for counting
+// instructions. kerf-bench soak [--seed N]
 // [--last M] [--seconds S] [--kind smoothed|degenerate|control] [--fingerprints]: random curves and
 // programs, those of the seeds N to M and on for so long, or N alone; smoothed: programs of short
 // lines in G64; fingerprints: of the ticks of each, to compare two builds. kerf-bench
@@ -21,6 +22,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "bench/control.hpp"
 #include "bench/optimum.hpp"
 #include "bench/papers.hpp"
 #include "bench/parse.hpp"
@@ -106,6 +108,7 @@ constexpr std::array kCommands{
             [](const Words& words) {
               return words.size() == 2 ? kerf::bench::parse() : kerf::bench::parse_once(words[2]);
             }},
+    Command{"control", 0, [](const Words&) { return kerf::bench::control(); }},
     Command{"streaming", 0, [](const Words&) { return kerf::bench::streaming(); }},
     Command{"stops", 1,
             [](const Words& words) {
