@@ -153,6 +153,7 @@ void Kernel::Impl::settle(bool accepted) {
   }
   if (!accepted) {
     (takeover_->changes_plan ? wants_change_ : wants_hold_) = true;
+    committed_until_tick_ = takeover_->committed_before;
   }
   refusals_ = accepted ? 0 : std::min(refusals_ + 1, kMostRefusals);
   takeover_.reset();
@@ -206,7 +207,7 @@ bool Kernel::Impl::try_hold() {
   }
   if (!plan.phases.empty()) {
     judges_end_ = !stops_;
-    takeover_ = {.plan = plan.phases.front().plan};
+    takeover_ = {.plan = plan.phases.front().plan, .committed_before = committed_until_tick_};
     delivery_.take_over(std::move(plan), from);
     committed_until_tick_ = delivery_.frozen_until_tick();
     fail_with_check();

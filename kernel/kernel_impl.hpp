@@ -162,6 +162,7 @@ class Kernel::Impl {
   struct Takeover {
     std::uint32_t plan = 0;
     bool changes_plan = false;
+    std::int64_t committed_before = 0;
     std::optional<lookahead::Planner::StopAhead> stop{};
   };
   std::optional<Takeover> takeover_{};

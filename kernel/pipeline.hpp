@@ -50,7 +50,10 @@ class Pipeline {
   // Planner::change_plan, into an outbox that is empty.
   std::optional<lookahead::Planner::ChangedPlan> change_plan(
       const lookahead::Planner::PlanChange& change, lookahead::Outbox& outbox);
-  void settle(bool accepted) { planner_.settle(accepted); }
+  void settle(bool accepted) {
+    check_.settle(accepted);
+    planner_.settle(accepted);
+  }
   void resume() { planner_.resume(); }
   // Planner::stop_ahead.
   std::optional<lookahead::Planner::StopAhead> stop_ahead(std::int64_t tick) {

@@ -85,6 +85,11 @@ void PlanCheck::forget_before(std::uint64_t curve) {
 // Whether the new plan has the tool where the old one had it, its ticks show.
 void PlanCheck::take_over(const interp::Phase& phase) {
   takes_over_ = false;
+  before_takeover_ = Place{.front = forgotten_ + front_,
+                           .begun = begun_,
+                           .curve = curve_,
+                           .s_mm = s_mm_,
+                           .path_mm = path_mm_};
   planned_to_curve_ = std::max(planned_to_curve_, curve_);
   if (phase.curve > planned_to_curve_ || phase.curve < forgotten_) {
     fail(phase.line, "a plan takes over on block " + std::to_string(phase.curve) + ", and blocks " +
@@ -104,6 +109,21 @@ void PlanCheck::take_over(const interp::Phase& phase) {
   }
 }
 
+void PlanCheck::settle(bool accepted) {
+  if (!accepted && before_takeover_) {
+    front_ = before_takeover_->front - forgotten_;
+    begun_ = before_takeover_->begun;
+    curve_ = before_takeover_->curve;
+    s_mm_ = before_takeover_->s_mm;
+    path_mm_ = before_takeover_->path_mm;
+  }
+  if (!accepted && before_override_) {
+    overridden_ = *before_override_;
+  }
+  before_takeover_.reset();
+  before_override_.reset();
+}
+
 // A plan may take over where the tool rests: that it does, its ticks show.
 void PlanCheck::check_rest(const interp::Phase& phase, bool takes_over) {
   leave_block();
@@ -119,15 +139,20 @@ void PlanCheck::check_rest(const interp::Phase& phase, bool takes_over) {
 }
 
 void PlanCheck::overridden(const lookahead::FeedOverride& by, const Slowing& slowing) {
-  const bool slows = slowing.from_curve <= slows_to_curve_;
+  const Overridden was = overridden_;
+  if (slowing.from_curve != 0) {
+    before_override_ = was;
+  }
+  const bool slows = slowing.from_curve <= was.slows_to_curve;
   const auto most = [slows](double before, double by_now) {
     return slows ? std::max(kSlowing * before, by_now) : by_now;
   };
-  before_ = {.feed = most(before_.feed, by_.feed),
-             .rapid = most(before_.rapid, by_.rapid),
-             .spindle = most(before_.spindle, by_.spindle)};
-  by_ = by;
-  slows_to_curve_ = slows ? std::max(slows_to_curve_, slowing.to_curve) : slowing.to_curve;
+  overridden_ = {
+      .by = by,
+      .before = {.feed = most(was.before.feed, was.by.feed),
+                 .rapid = most(was.before.rapid, was.by.rapid),
+                 .spindle = most(was.before.spindle, was.by.spindle)},
+      .slows_to_curve = slows ? std::max(was.slows_to_curve, slowing.to_curve) : slowing.to_curve};
 }
 
 // What the machine allows above the programmed feedrate, the ticks show.
@@ -140,7 +165,10 @@ double PlanCheck::most_mm_s(const Expected& block) const {
     const double most_mm_s = share * block.programmed_mm_s;
     return share > 1.0 ? most_mm_s : std::min(block.feedrate_mm_s, most_mm_s);
   };
-  return curve_ <= slows_to_curve_ ? std::max(under(by_), kSlowing * under(before_)) : under(by_);
+  const double now_mm_s = under(overridden_.by);
+  return curve_ <= overridden_.slows_to_curve
+             ? std::max(now_mm_s, kSlowing * under(overridden_.before))
+             : now_mm_s;
 }
 
 void PlanCheck::judge(const smoothing::PathDeviation& deviation) {

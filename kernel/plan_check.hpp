@@ -26,6 +26,8 @@ class PlanCheck {
   void emitted(const lookahead::Outbox& outbox);
   // The next phases are of a plan that takes over from what was emitted before.
   void taken_over() { takes_over_ = true; }
+  // Whether the tick side took that plan. If not, what was emitted before goes on.
+  void settle(bool accepted);
   // Blocks may be as fast as the override makes them; on the curves on which the motion may slow
   // down still, as fast as they might be before it. from_curve 0: no plan takes over for it.
   struct Slowing {
@@ -74,15 +76,27 @@ class PlanCheck {
   std::size_t front_ = 0;        // of expected_: the block that is being emitted
   std::uint64_t forgotten_ = 0;  // blocks that were expected before the first
   bool takes_over_ = false;
+  struct Place {
+    std::uint64_t front = 0;  // counted from the first block of all
+    bool begun = false;
+    std::uint64_t curve = 0;
+    double s_mm = 0.0;
+    double path_mm = 0.0;
+  };
+  std::optional<Place> before_takeover_{};
   std::uint64_t planned_to_curve_ = 0;  // before a plan took over
   bool begun_ = false;                  // the front block has begun
   std::uint64_t curve_ = 0;             // curve number of the front block, else of the one before
   double s_mm_ = 0.0;                   // position on it
   double path_mm_ = 0.0;                // length of the blocks before the front
   std::uint32_t idle_ = 0;              // calls in a row that brought nothing
-  lookahead::FeedOverride by_{};
-  lookahead::FeedOverride before_{};  // the most of each before the override, while it slows down
-  std::uint64_t slows_to_curve_ = 0;
+  struct Overridden {
+    lookahead::FeedOverride by{};
+    lookahead::FeedOverride before{};  // the most of each before the override, while it slows down
+    std::uint64_t slows_to_curve = 0;
+  };
+  Overridden overridden_{};
+  std::optional<Overridden> before_override_{};  // that is not settled yet
   bool stopped_ = false;
   bool ended_ = false;
   bool broken_ = false;

@@ -73,7 +73,7 @@ bool Planner::has_room() const noexcept {
 }
 
 bool Planner::wants_block() const noexcept {
-  return !held_ && !waits_ && waiting_.empty() && has_room();
+  return !held_ && !waits_ && !is_cut_ && waiting_.empty() && has_room();
 }
 
 void Planner::push(Block block) {
@@ -165,7 +165,7 @@ void Planner::plan_to_rest() {
 }
 
 bool Planner::emit(Outbox& outbox) {
-  return !held_ && !waits_ && !before_ && emit_next(outbox);
+  return !held_ && !waits_ && !awaits_answer() && emit_next(outbox);
 }
 
 bool Planner::emit_next(Outbox& outbox) {

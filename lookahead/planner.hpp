@@ -70,8 +70,9 @@ class Planner {
   // False: no way was found, and nothing has changed; ask again with a later tick, or when more was
   // emitted.
   bool hold(std::int64_t tick, Outbox& outbox);
-  // Whether the tick side took the plan of the hold or stop. If not, there is none any more; ask
-  // for another one: what was emitted before is run to its end, and nothing follows.
+  // Whether the tick side took the plan that was to take over. If not, there is none any more; ask
+  // for another one: what was emitted before is run to its end, and where that is in motion nothing
+  // follows.
   void settle(bool accepted);
   // Goes on from the rest of a hold, on the same path, or from a wait. Precondition: settle().
   void resume();
@@ -109,8 +110,9 @@ class Planner {
   // Nothing: as hold() false.
   std::optional<ChangedPlan> change_plan(const PlanChange& change, Outbox& outbox);
   [[nodiscard]] const FeedOverride& feed_override() const noexcept { return by_; }
-  // Plans that take over are not emitted farther before they are settled.
-  [[nodiscard]] bool awaits_answer() const noexcept { return before_.has_value(); }
+  // Nothing more is emitted: a plan that takes over is not settled yet; or it was refused, and what
+  // was emitted before ends in motion, so that another has to take over.
+  [[nodiscard]] bool awaits_answer() const noexcept { return before_.has_value() || is_cut_; }
   // As hold(), but the program ends at that rest.
   bool stop(std::int64_t tick, Outbox& outbox);
   // Ends the program where it is held. Precondition: is_held(), settle().
@@ -194,8 +196,11 @@ class Planner {
     Emitter emitter;
     std::deque<Item> waiting;
     bool waits = false;
+    FeedOverride by{};
+    bool single_block = false;
   };
   std::optional<Before> before_;  // the plan that is not settled yet
+  bool is_cut_ = false;           // what was emitted ends in motion, and its plan is gone
   FeedOverride by_{};
   bool single_block_ = false;
   // The place in the program of what was taken last; nothing: none, or it was taken back.

@@ -108,8 +108,8 @@ bool Planner::hold(std::int64_t tick, Outbox& outbox) {
 
 void Planner::take_back(const EmittedItems::Motion& from) {
   empty_window();
-  before_.emplace(Before{emitter_, waiting_, waits_});
-  waits_ = false;
+  before_.emplace(Before{emitter_, waiting_, waits_, by_, single_block_});
+  waits_ = is_cut_ = false;
   last_.reset();
   emitter_.take_back(from, waiting_);
 }
@@ -139,7 +139,7 @@ std::optional<Planner::StopAhead> Planner::stop_ahead(std::int64_t tick) {
 
 Outbox Planner::follow_stop_ahead(const StopAhead& taken) {
   empty_window();
-  waits_ = false;
+  waits_ = is_cut_ = false;
   last_.reset();
   emitter_.take_back(taken.stop.from, waiting_);
   emitter_.repeat_plan(taken.plan);
@@ -167,9 +167,9 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
   if (!stop || (stop->parts.empty() && wait_s > kFarRest_s)) {
     return std::nullopt;
   }
-  by_ = change.by;
-  single_block_ = change.single_block;
   if (stop->from.phase.ends_program || emitter_.kept().is_last(stop->from)) {
+    by_ = change.by;
+    single_block_ = change.single_block;
     empty_window();
     forget_steps();
     limit_waiting();
@@ -181,6 +181,8 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
     from.before = *before;
   }
   take_back(stop->from);
+  by_ = change.by;
+  single_block_ = change.single_block;
   forget_steps();
   ChangedPlan changed;
   if (stop->parts.empty()) {
@@ -399,7 +401,13 @@ void Planner::settle(bool accepted) {
     emitter_.restore(std::move(before_->emitter));
     waiting_ = std::move(before_->waiting);
     waits_ = before_->waits;
+    by_ = before_->by;
+    single_block_ = before_->single_block;
     held_ = false;
+    is_cut_ = !emitter_.ends_at_rest();
+    if (!is_cut_) {
+      begin_rest_of_block();
+    }
   } else if (stops_) {
     waiting_.clear();
     held_ = false;

@@ -165,11 +165,17 @@ void block_thread(int /*signal*/) {
   is_blocked = false;
 }
 
+enum class Operator : std::uint8_t { none, changes_the_feed };
+
 class PlanningThread {
  public:
-  explicit PlanningThread(Kernel& kernel)
-      : thread_([this, &kernel] {
+  PlanningThread(Kernel& kernel, Operator by)
+      : thread_([this, &kernel, by] {
+          constexpr std::int64_t kPlansOfAFeed = 7;
           while (!over_) {
+            if (by == Operator::changes_the_feed && plans_ % kPlansOfAFeed == 0) {
+              kernel.set_overrides({.feed = 0.4 + 0.1 * static_cast<double>(plans_ % 13)});
+            }
             kernel.plan();
             ++plans_;
           }
@@ -202,14 +208,13 @@ class PlanningThread {
   std::thread thread_;
 };
 
-TEST(LatePlanning, MayBeBlockedAnywhere) {
+void expect_rests_where_blocked(int runs, Operator by) {
   struct sigaction action {};
   action.sa_handler = block_thread;
   ASSERT_EQ(sigaction(SIGUSR1, &action, nullptr), 0);
-  constexpr int kRuns = 40;
   const auto whole = ticks_of(mixed_program());
   std::mt19937 random(1709);
-  for (int i = 0; i < kRuns; ++i) {
+  for (int i = 0; i < runs; ++i) {
     const auto late_from =
         static_cast<std::int64_t>(random() % static_cast<std::uint32_t>(whole.back().tick));
     SCOPED_TRACE("seed 1709, run " + std::to_string(i) + ", tick " + std::to_string(late_from));
@@ -219,7 +224,7 @@ TEST(LatePlanning, MayBeBlockedAnywhere) {
     TickChecker checker(mill().limits, true);
     LateRun run;
     TickStatus status = TickStatus::running;
-    PlanningThread planning(kernel);
+    PlanningThread planning(kernel, by);
     planning.plan(2);
     while (status != TickStatus::finished && status != TickStatus::failed &&
            run.ticks.size() < kMaxTicks) {
@@ -244,6 +249,14 @@ TEST(LatePlanning, MayBeBlockedAnywhere) {
     expect_whole(run, whole);
     ASSERT_FALSE(testing::Test::HasFailure());
   }
+}
+
+TEST(LatePlanning, MayBeBlockedAnywhere) {
+  expect_rests_where_blocked(40, Operator::none);
+}
+
+TEST(LatePlanning, MayBeBlockedAnywhereWhileTheFeedChanges) {
+  expect_rests_where_blocked(10, Operator::changes_the_feed);
 }
 
 }  // namespace
