@@ -1,6 +1,7 @@
 #include "lookahead/plan_stop.hpp"
 
 #include <utility>
+#include <variant>
 
 namespace kerf::lookahead {
 
@@ -80,6 +81,29 @@ std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<cons
     break;
   }
   return rest ? std::optional(PlanStop{.from = emitter.motion_at(*rest)}) : std::nullopt;
+}
+
+void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, Emitter& emitter,
+               Outbox& outbox) {
+  for (const BrakingPart& part : parts) {
+    auto& block = std::get<Block>(ahead.front());
+    emitter.emit(block, part.law, part.s_end_mm, outbox);
+    outbox.phases.back().active_constraint = interp::active_constraint(part.limit);
+    if (outbox.phases.size() < parts.size()) {
+      emitter.keep(outbox, outbox.phases.size() - 1);
+    }
+    if (part.ends_block) {
+      emitter.end_block(std::move(block));
+      ahead.pop_front();
+    } else {
+      emitter.end_segment(block, part.s_end_mm);
+    }
+  }
+  if (parts.empty()) {
+    emitter.emit_rest_here(outbox);
+  } else {
+    emitter.come_to_rest(outbox);
+  }
 }
 
 }  // namespace kerf::lookahead

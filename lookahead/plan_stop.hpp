@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -27,5 +28,10 @@ struct StopOrder {
 };
 std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<const Block*>& ahead,
                                   const StopOrder& order, const PlanLimits& limits);
+
+// ahead: the items behind those that are emitted; those that end on the way go. No parts: it is at
+// rest already. Keeps all phases but the last, which may change yet. The outbox is empty before.
+void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, Emitter& emitter,
+               Outbox& outbox);
 
 }  // namespace kerf::lookahead

@@ -15,6 +15,7 @@ constexpr double kShortestSegment_mm = 1e-9;
 struct SegmentLines {
   std::size_t from = 0;
   std::size_t to = 0;
+  std::size_t feedrate_of = 0;  // the vertex that has it
 };
 
 bool is_of_one_feedrate(const Vertex& a, const Vertex& b) {
@@ -30,10 +31,11 @@ SegmentLines lines_of_segment(const Polyline& run, const MergedCurve& merged, st
   };
   SegmentLines lines{.from = from, .to = from};
   do {
-    const Vertex& first = run[lines.to + 1];
+    lines.feedrate_of = lines.to + 1;
     do {
       ++lines.to;
-    } while (lines.to < merged.last && is_of_one_feedrate(run[lines.to + 1], first));
+    } while (lines.to < merged.last &&
+             is_of_one_feedrate(run[lines.to + 1], run[lines.feedrate_of]));
   } while (lines.to < merged.last && s_mm(lines.to) - s_mm(from) < kShortestSegment_mm);
   if (s_mm(merged.last) - s_mm(lines.to) < kShortestSegment_mm) {
     lines.to = merged.last;
@@ -44,14 +46,14 @@ SegmentLines lines_of_segment(const Polyline& run, const MergedCurve& merged, st
 // The lines of the run, on the curve that is theirs.
 PathSegment segment_of(curves::Curve curve, const Polyline& run, const MergedCurve& merged,
                        const SegmentLines& lines, const parser::Move& like) {
-  const auto [from, to] = lines;
+  const auto [from, to, feedrate_of] = lines;
   const double s_begin = merged.s_mm[from - merged.first];
   PathSegment segment{.curve = std::move(curve)};
   const Vertex& line = run[from + 1];
   segment.source = line.source;
   segment.run_block = line.run_block;
-  segment.feedrate_mm_s = run[to].feedrate_mm_s;
-  segment.follows = run[to].follows;
+  segment.feedrate_mm_s = run[feedrate_of].feedrate_mm_s;
+  segment.follows = run[feedrate_of].follows;
   segment.extra = {.begin_rad_mm = like.auxiliary.begin_rad_mm,
                    .end_rad_mm = like.auxiliary.end_rad_mm};
   segment.mode = parser::PathMode::blend;

@@ -304,5 +304,33 @@ TEST(Controller, IsStoppedByAThreadOfItsOwn) {
   EXPECT_LT(shop.setpoint.position_mm[0], 1000.0);
 }
 
+// By its number in the list of faults, as in tests/kernel/faults_test.cpp.
+TEST(Fault55, AResumeBehindAnAbortIsRefused) {
+  const auto tick = [](Controller& controller, int count) {
+    Setpoint setpoint;
+    for (int i = 0; i < count; ++i) {
+      controller.plan();
+      controller.tick(setpoint);
+    }
+    return setpoint.position_mm;
+  };
+  for (const bool held : {false, true}) {
+    Controller controller(mill());
+    ASSERT_TRUE(controller.give(Command::enable));
+    ASSERT_TRUE(controller.give(Command::start));
+    controller.feed("G21 G90\nG1 X500 F6000\nM2\n");
+    controller.finish();
+    tick(controller, 500);
+    ASSERT_TRUE(controller.give(Command::hold));
+    tick(controller, held ? 400 : 20);
+    ASSERT_TRUE(controller.give(Command::stop));
+    EXPECT_FALSE(controller.give(Command::resume));
+    const Position rest_mm = tick(controller, 400);
+    EXPECT_EQ(controller.status().state, ControllerState::idle);
+    EXPECT_FALSE(controller.give(Command::resume));
+    EXPECT_EQ(tick(controller, 200), rest_mm);
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test

@@ -19,14 +19,16 @@ using Steps = std::vector<std::string>;
 
 TEST(Cycles, TappingTurnsTheSpindleRoundAtTheBottomAndBackAtTheTop) {
   EXPECT_EQ(steps_of("F60 S500 M3 G84 Z-3 R0 P0.5"),
-            (Steps{"spindle cw 500", "line to 0 0 -3 feed 1", "spindle off 0", "spindle ccw 500",
-                   "dwell 0.5", "line to 0 0 0 feed 1", "spindle off 0", "spindle cw 500"}));
+            (Steps{"spindle cw 500", "speed override 0", "line to 0 0 -3 feed 1", "spindle off 0",
+                   "spindle ccw 500", "dwell 0.5", "line to 0 0 0 feed 1", "spindle off 0",
+                   "spindle cw 500", "speed override 1"}));
 }
 
 TEST(Cycles, LeftHandTappingDoesSoTheOtherWay) {
   EXPECT_EQ(steps_of("F60 S500 M4 G74 Z-3 R0"),
-            (Steps{"spindle ccw 500", "line to 0 0 -3 feed 1", "spindle off 0", "spindle cw 500",
-                   "line to 0 0 0 feed 1", "spindle off 0", "spindle ccw 500"}));
+            (Steps{"spindle ccw 500", "speed override 0", "line to 0 0 -3 feed 1", "spindle off 0",
+                   "spindle cw 500", "line to 0 0 0 feed 1", "spindle off 0", "spindle ccw 500",
+                   "speed override 1"}));
 }
 
 TEST(Cycles, BoringLeavesTheHoleWithTheSpindleStopped) {

@@ -31,8 +31,7 @@ class OptimalPlan {
   // rest at the end, and for one at the beginning if the sequence begins at rest.
   static constexpr int kRefinements = 40;
   static std::optional<OptimalPlan> find(CellSequence sequence, const PathAt& path,
-                                         const PlanLimits& limits,
-                                         int refinements = kRefinements);
+                                         const PlanLimits& limits, int refinements = kRefinements);
 
   [[nodiscard]] const std::vector<Cell>& cells() const noexcept { return sequence_.cells; }
   [[nodiscard]] StartState state_at(const PlanPlace& place) const;

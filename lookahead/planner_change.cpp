@@ -1,4 +1,4 @@
-// What takes back the plan that was emitted: hold, stop, override, and what follows them.
+// Goes on with another plan, in motion: overrides, and single block.
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -12,31 +12,6 @@
 namespace kerf::lookahead {
 
 namespace {
-
-// ahead: the items behind those that are emitted; those that end on the way go. No parts: it is at
-// rest already. Keeps all phases but the last, which may change yet. The outbox is empty before.
-void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, Emitter& emitter,
-               Outbox& outbox) {
-  for (const BrakingPart& part : parts) {
-    auto& block = std::get<Block>(ahead.front());
-    emitter.emit(block, part.law, part.s_end_mm, outbox);
-    outbox.phases.back().active_constraint = interp::active_constraint(part.limit);
-    if (outbox.phases.size() < parts.size()) {
-      emitter.keep(outbox, outbox.phases.size() - 1);
-    }
-    if (part.ends_block) {
-      emitter.end_block(std::move(block));
-      ahead.pop_front();
-    } else {
-      emitter.end_segment(block, part.s_end_mm);
-    }
-  }
-  if (parts.empty()) {
-    emitter.emit_rest_here(outbox);
-  } else {
-    emitter.come_to_rest(outbox);
-  }
-}
 
 constexpr double kFarRest_s = 0.02;
 // From ticks so far apart, twice as far each time, a way to rest is sought.
@@ -70,86 +45,6 @@ Block last_part_of(Block block, double length_mm) {
 }
 
 }  // namespace
-
-std::vector<const Block*> Planner::blocks_ahead() const {
-  std::vector<const Block*> ahead;
-  const auto add = [&ahead](const Block& block) {
-    ahead.push_back(block.whole ? block.whole.get() : &block);
-  };
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    add(blocks_[i]);
-  }
-  for (std::size_t i = 0; i < waiting_.size() && !rest_pending_; ++i) {
-    const auto* block = std::get_if<Block>(&waiting_[i]);
-    if (block == nullptr) {
-      break;
-    }
-    add(*block);
-  }
-  return ahead;
-}
-
-bool Planner::hold(std::int64_t tick, Outbox& outbox) {
-  assert(settings_.may_hold && !held_ && !before_ && outbox.phases.empty());
-  const auto stop = find_stop(emitter_, blocks_ahead(), {.tick = tick}, settings_.limits);
-  if (!stop) {
-    return false;
-  }
-  if (stop->from.phase.ends_program) {
-    return true;
-  }
-  take_back(stop->from);
-  held_ = true;
-  emit_stop(stop->parts, waiting_, emitter_, outbox);
-  outbox.phases.back().holds = true;
-  emitter_.keep(outbox, outbox.phases.size() - 1);
-  return true;
-}
-
-void Planner::take_back(const EmittedItems::Motion& from) {
-  empty_window();
-  before_.emplace(Before{emitter_, waiting_, waits_, by_, single_block_});
-  waits_ = is_cut_ = false;
-  last_.reset();
-  emitter_.take_back(from, waiting_);
-}
-
-std::optional<Planner::StopAhead> Planner::stop_ahead(std::int64_t tick) {
-  assert(settings_.may_hold && !held_);
-  const std::vector<const Block*> blocks = blocks_ahead();
-  auto stop =
-      find_stop(emitter_, blocks, {.tick = tick, .effort = StopEffort::any}, settings_.limits);
-  if (!stop) {
-    return std::nullopt;
-  }
-  StopAhead ahead{.stop = std::move(*stop)};
-  const std::vector<BrakingPart>& parts = ahead.stop.parts;
-  const std::size_t needed = parts.empty() ? 1 : parts.back().block + 1;
-  std::deque<Item> items;
-  for (std::size_t i = 0; i < std::min(needed, blocks.size()); ++i) {
-    items.emplace_back(*blocks[i]);
-  }
-  Emitter emitter = emitter_;
-  emitter.take_back(ahead.stop.from, items);
-  emit_stop(parts, items, emitter, ahead.outbox);
-  ahead.plan = emitter.plan();
-  emitter_.note_sent_by(emitter);
-  return ahead;
-}
-
-Outbox Planner::follow_stop_ahead(const StopAhead& taken) {
-  empty_window();
-  waits_ = is_cut_ = false;
-  last_.reset();
-  emitter_.take_back(taken.stop.from, waiting_);
-  emitter_.repeat_plan(taken.plan);
-  Outbox outbox;
-  emit_stop(taken.stop.parts, waiting_, emitter_, outbox);
-  emitter_.keep(outbox, outbox.phases.size() - 1);
-  held_ = true;
-  resume();
-  return outbox;
-}
 
 std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& change, Outbox& outbox) {
   assert(settings_.may_hold && !before_ && outbox.phases.empty());
@@ -206,47 +101,6 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
     emit_first_part(change, changed, outbox);
   }
   return changed;
-}
-
-Planner::ProgramPlace Planner::place_of(const Item& item) {
-  if (const auto* rest = std::get_if<Rest>(&item)) {
-    return {.line = rest->line, .end_line = rest->line};
-  }
-  const Block& block = std::get<Block>(item);
-  return {.line = block.line,
-          .run_block = block.run_block,
-          .end_line = block.mark_at(block.length_mm).line};
-}
-
-bool Planner::is_same_block(const ProgramPlace& before, const ProgramPlace& after) {
-  return before.line == after.line &&
-         (before.run_block == after.run_block || before.run_block == 0 || after.run_block == 0);
-}
-
-bool Planner::steps_before(const Item& next) const {
-  return single_block_ && last_ && !is_same_block(*last_, place_of(next));
-}
-
-void Planner::end_with_step() {
-  end_with({.line = last_->end_line, .waits = true, .steps = true});
-}
-
-void Planner::step_behind(std::size_t item) {
-  for (; item + 1 < waiting_.size(); ++item) {
-    const ProgramPlace place = place_of(waiting_[item]);
-    if (!is_same_block(place, place_of(waiting_[item + 1]))) {
-      waiting_.insert(waiting_.begin() + static_cast<std::ptrdiff_t>(item) + 1,
-                      Rest{.line = place.end_line, .waits = true, .steps = true});
-      return;
-    }
-  }
-}
-
-void Planner::forget_steps() {
-  std::erase_if(waiting_, [](const Item& item) {
-    const auto* rest = std::get_if<Rest>(&item);
-    return rest != nullptr && rest->steps;
-  });
 }
 
 void Planner::limit_waiting(std::size_t first) {
@@ -352,96 +206,6 @@ std::size_t Planner::let_slow_down(const OptimumSchedule::Begin& from) {
        .by = by_,
        .plan = scan_for_},
       settings_.limits, ahead);
-}
-
-bool Planner::stop(std::int64_t tick, Outbox& outbox) {
-  if (!hold(tick, outbox)) {
-    return false;
-  }
-  if (held_) {
-    const std::size_t end = outbox.phases.size();
-    emitter_.emit_rest({.ends_program = true}, outbox);
-    emitter_.keep(outbox, end);
-    stops_ = true;
-  }
-  return true;
-}
-
-void Planner::stop_held() {
-  assert(held_);
-  held_ = false;
-  waiting_.clear();
-  end_with({.ends_program = true});
-}
-
-void Planner::empty_window() {
-  if (!blocks_.empty() || rest_pending_) {
-    last_.reset();
-  }
-  if (!waiting_.empty() && std::holds_alternative<Block>(waiting_.front())) {
-    auto& block = std::get<Block>(waiting_.front());
-    block = whole_of(std::move(block));
-  }
-  if (rest_pending_) {
-    waiting_.push_front(rest_);
-  }
-  for (std::size_t i = blocks_.size(); i > 0; --i) {
-    waiting_.push_front(whole_of(std::move(blocks_[i - 1])));
-  }
-  blocks_.keep_front(0);
-  schedule_ = new_schedule();
-  stands_in_ = false;
-  rest_ = {};
-  rest_pending_ = to_rest_ = false;
-}
-
-void Planner::settle(bool accepted) {
-  if (!accepted) {
-    empty_window();
-    emitter_.restore(std::move(before_->emitter));
-    waiting_ = std::move(before_->waiting);
-    waits_ = before_->waits;
-    by_ = before_->by;
-    single_block_ = before_->single_block;
-    held_ = false;
-    is_cut_ = !emitter_.ends_at_rest();
-    if (!is_cut_) {
-      begin_rest_of_block();
-    }
-  } else if (stops_) {
-    waiting_.clear();
-    held_ = false;
-    to_rest_ = true;
-  }
-  stops_ = false;
-  before_.reset();
-}
-
-void Planner::resume() {
-  waits_ = false;
-  if (!held_) {
-    return;
-  }
-  held_ = false;
-  if (emitter_.is_on_block() && std::get<Block>(waiting_.front()).slows) {
-    set_limits(by_, settings_.limits, scan_for_, std::get<Block>(waiting_.front()));
-  }
-  begin_rest_of_block();
-}
-
-// On the block that waits first. Hardly a way: the block is over.
-void Planner::begin_rest_of_block(double before_mm) {
-  if (!emitter_.is_on_block()) {
-    return;
-  }
-  const auto whole = std::make_shared<const Block>(std::move(std::get<Block>(waiting_.front())));
-  if (auto remainder = remainder_of(whole, emitter_.curve_mm() - before_mm)) {
-    waiting_.front() = std::move(*remainder);
-    emitter_.begin_remainder(before_mm);
-  } else {
-    emitter_.end_block(Block(*whole));
-    waiting_.pop_front();
-  }
 }
 
 }  // namespace kerf::lookahead

@@ -1,0 +1,145 @@
+// What an operator asks of a kernel, and the plans that take over for it.
+#include <algorithm>
+
+#include "kernel/kernel_impl.hpp"
+
+namespace kerf {
+
+void Kernel::Impl::follow_hold() {
+  wants_hold_ = holds_ || stops_ || overrides_.feed == 0.0;
+  wants_resume_ = !holds_ && overrides_.feed > 0.0;
+  plan();
+}
+
+bool Kernel::Impl::set_overrides(const Overrides& overrides) {
+  if (!is_possible(overrides)) {
+    return false;
+  }
+  // A wait is not answered by it.
+  const bool releases =
+      overrides_.feed == 0.0 && overrides.feed > 0.0 && (pipeline_.is_held() || takeover_);
+  interpolator_.override_spindle_by(overrides.spindle);
+  overrides_ = overrides;
+  wants_change_ = true;
+  next_try_tick_ = 0;
+  wants_hold_ = holds_ || stops_ || overrides_.feed == 0.0;
+  wants_resume_ = !wants_hold_ && (wants_resume_ || releases);
+  plan();
+  return true;
+}
+
+void Kernel::Impl::set_single_block(bool on) {
+  single_block_ = on;
+  wants_change_ = true;
+  next_try_tick_ = 0;
+  plan();
+}
+
+void Kernel::Impl::settle(bool accepted) {
+  pipeline_.settle(accepted);
+  if (takeover_->changes_plan) {
+    queue_.settle(accepted);
+    if (accepted && takeover_->stop) {
+      stop_ahead_ = std::move(takeover_->stop);
+    }
+  }
+  if (!accepted) {
+    (takeover_->changes_plan ? wants_change_ : wants_hold_) = true;
+    committed_until_tick_ = takeover_->committed_before;
+  }
+  refusals_ = accepted ? 0 : std::min(refusals_ + 1, kMostRefusals);
+  takeover_.reset();
+}
+
+void Kernel::Impl::follow_commands() {
+  if (takeover_ && interpolator_.answer().plan == takeover_->plan) {
+    settle(interpolator_.answer().in_force == takeover_->plan);
+  }
+  if (!takeover_ && wants_resume_ && !wants_hold_) {
+    // A wait that the tool has not come to is not answered.
+    if (pipeline_.is_held() || interpolator_.plan_tick() >= pipeline_.emitted_until_tick()) {
+      pipeline_.resume();
+    }
+    wants_resume_ = false;
+  }
+  if (!takeover_ && wants_hold_) {
+    wants_hold_ = !try_hold();
+  }
+  if (!takeover_ && wants_change_ && interpolator_.plan_tick() >= next_try_tick_) {
+    wants_change_ = !try_change_plan();
+    next_try_tick_ = wants_change_ ? interpolator_.plan_tick() + margin_ticks_ : 0;
+  }
+}
+
+std::int64_t Kernel::Impl::takeover_tick() const {
+  const std::int64_t now = interpolator_.plan_tick();
+  const std::int64_t last = std::max(pipeline_.emitted_until_tick(), now);
+  return std::min(now + (margin_ticks_ << refusals_), last);
+}
+
+bool Kernel::Impl::try_hold() {
+  if (pipeline_.is_held()) {
+    if (stops_) {
+      judges_end_ = false;
+      pipeline_.stop_held();
+    }
+    return true;
+  }
+  if (!holds_ && !stops_ && pipeline_.waits()) {
+    return false;  // at feed 0, once the wait is answered
+  }
+  if (queue_.phases_free() < interp::StopAhead::kPhases + delivery_.outbox().phases.size()) {
+    return false;
+  }
+  lookahead::Outbox plan;
+  const std::uint32_t from = pipeline_.plan();
+  const std::int64_t tick = takeover_tick();
+  if (!(stops_ ? pipeline_.stop(tick, plan) : pipeline_.hold(tick, plan))) {
+    return false;
+  }
+  if (!plan.phases.empty()) {
+    judges_end_ = !stops_;
+    takeover_ = {.plan = plan.phases.front().plan, .committed_before = committed_until_tick_};
+    delivery_.take_over(std::move(plan), from);
+    committed_until_tick_ = delivery_.frozen_until_tick();
+    fail_with_check();
+  }
+  return true;
+}
+
+bool Kernel::Impl::try_change_plan() {
+  if (stops_) {
+    return true;
+  }
+  if (overrides_.feed == 0.0) {
+    return false;  // it holds, until there is another
+  }
+  if (queue_.phases_free() < interp::MotionQueue::kPhases / 2 + delivery_.outbox().phases.size()) {
+    return false;
+  }
+  lookahead::Outbox plan;
+  const std::uint32_t from = pipeline_.plan();
+  const std::int64_t tick = takeover_tick();
+  auto changed = pipeline_.change_plan(
+      {.by = {.feed = overrides_.feed, .rapid = overrides_.rapid, .spindle = overrides_.spindle},
+       .single_block = single_block_,
+       .tick = tick,
+       .until_tick = tick + first_part_ticks_,
+       .needs_stop = keeps_stop_},
+      plan);
+  if (!changed) {
+    return false;
+  }
+  if (!plan.phases.empty()) {
+    takeover_ = {
+        .plan = plan.phases.front().plan, .changes_plan = true, .stop = std::move(changed->stop)};
+    const auto* stop = takeover_->stop ? &*takeover_->stop : nullptr;
+    delivery_.take_over(std::move(plan), from, stop);
+    committed_until_tick_ =
+        stop != nullptr ? stop->stop.from.when.tick : delivery_.frozen_until_tick();
+    fail_with_check();
+  }
+  return true;
+}
+
+}  // namespace kerf

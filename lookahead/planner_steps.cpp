@@ -1,0 +1,49 @@
+// Single block: where a block of the program ends.
+#include <utility>
+
+#include "lookahead/planner.hpp"
+
+namespace kerf::lookahead {
+
+Planner::ProgramPlace Planner::place_of(const Item& item) {
+  if (const auto* rest = std::get_if<Rest>(&item)) {
+    return {.line = rest->line, .end_line = rest->line};
+  }
+  const Block& block = std::get<Block>(item);
+  return {.line = block.line,
+          .run_block = block.run_block,
+          .end_line = block.mark_at(block.length_mm).line};
+}
+
+bool Planner::is_same_block(const ProgramPlace& before, const ProgramPlace& after) {
+  return before.line == after.line &&
+         (before.run_block == after.run_block || before.run_block == 0 || after.run_block == 0);
+}
+
+bool Planner::steps_before(const Item& next) const {
+  return single_block_ && last_ && !is_same_block(*last_, place_of(next));
+}
+
+void Planner::end_with_step() {
+  end_with({.line = last_->end_line, .waits = true, .steps = true});
+}
+
+void Planner::step_behind(std::size_t item) {
+  for (; item + 1 < waiting_.size(); ++item) {
+    const ProgramPlace place = place_of(waiting_[item]);
+    if (!is_same_block(place, place_of(waiting_[item + 1]))) {
+      waiting_.insert(waiting_.begin() + static_cast<std::ptrdiff_t>(item) + 1,
+                      Rest{.line = place.end_line, .waits = true, .steps = true});
+      return;
+    }
+  }
+}
+
+void Planner::forget_steps() {
+  std::erase_if(waiting_, [](const Item& item) {
+    const auto* rest = std::get_if<Rest>(&item);
+    return rest != nullptr && rest->steps;
+  });
+}
+
+}  // namespace kerf::lookahead
