@@ -154,8 +154,8 @@ TEST(Fault56, SingleBlockInsideABlendStopsAtItsEnd) {
   run.expect_whole();
 }
 
-// From 150 to 30 mm/s an S-curve takes dv/A + A/J = 0.1 s, at 90 mm/s in the middle; 10 ms pass
-// before it begins.
+// From 150 to 30 mm/s an S-curve takes dv/A + A/J = 0.1 s, at 90 mm/s in the middle; up to 20 ms
+// pass before it begins.
 TEST(Fault60, AMachineThatAsksToSlowDownIsObeyedAsSoonAsTheLimitsAllow) {
   Watched run("G21 G90\nG1 X500 F9000\nM2\n");
   run.tick(1000);
@@ -164,7 +164,7 @@ TEST(Fault60, AMachineThatAsksToSlowDownIsObeyedAsSoonAsTheLimitsAllow) {
   while (run.setpoint().v_mm_s > 30.5) {
     run.tick();
   }
-  EXPECT_LT(run.setpoint().s_mm - from_mm, 1.1 * (0.1 * 90.0) + 0.011 * 150.0);
+  EXPECT_LT(run.setpoint().s_mm - from_mm, 1.1 * (0.1 * 90.0) + 0.02 * 150.0);
   run.expect_whole();
 }
 
