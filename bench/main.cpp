@@ -37,6 +37,17 @@ namespace {
 constexpr int kUsage = 2;  // the exit status where the words make no command
 constexpr std::size_t kMany = 100;
 
+std::optional<kerf::bench::SoakKind> soak_kind(const std::string& name) {
+  using kerf::bench::SoakKind;
+  if (name == "smoothed") {
+    return SoakKind::smoothed;
+  }
+  if (name == "degenerate") {
+    return SoakKind::degenerate;
+  }
+  return name == "control" ? std::optional(SoakKind::control) : std::nullopt;
+}
+
 // soak [--seed N] [--last M] [--seconds S] [--kind smoothed|degenerate|control] [--fingerprints]
 std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& words) {
   kerf::bench::Soak order;
@@ -56,12 +67,8 @@ std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& word
       order.last = std::strtoull(value, nullptr, 10);
     } else if (words[i] == "--seconds") {
       order.seconds = std::strtod(value, nullptr);
-    } else if (words[i] == "--kind" && words[i + 1] == "smoothed") {
-      order.kind = kerf::bench::SoakKind::smoothed;
-    } else if (words[i] == "--kind" && words[i + 1] == "degenerate") {
-      order.kind = kerf::bench::SoakKind::degenerate;
-    } else if (words[i] == "--kind" && words[i + 1] == "control") {
-      order.kind = kerf::bench::SoakKind::control;
+    } else if (const auto kind = soak_kind(words[i + 1]); words[i] == "--kind" && kind) {
+      order.kind = *kind;
     } else {
       return std::nullopt;
     }

@@ -166,6 +166,9 @@ class Planner {
   bool go_on_in_motion(InMotion from, const PlanChange& change, ChangedPlan& changed,
                        Outbox& outbox);
   bool begin_in_motion(InMotion from);
+  bool take_blocks_in_motion(std::size_t taken);
+  // Those of the change, for what waits.
+  void take_modes(const PlanChange& change);
   // False: there is no motion, or no way to rest behind it.
   bool emit_first_part(const PlanChange& change, ChangedPlan& changed, Outbox& outbox);
   // Of the blocks that wait, those on which the motion may be faster than they allow: how many.

@@ -49,9 +49,7 @@ Block last_part_of(Block block, double length_mm) {
 std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& change, Outbox& outbox) {
   assert(settings_.may_hold && !before_ && outbox.phases.empty());
   if (held_) {
-    by_ = change.by;
-    single_block_ = change.single_block;
-    forget_steps();
+    take_modes(change);
     limit_waiting();
     return ChangedPlan{};
   }
@@ -63,10 +61,8 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
     return std::nullopt;
   }
   if (stop->from.phase.ends_program || emitter_.kept().is_last(stop->from)) {
-    by_ = change.by;
-    single_block_ = change.single_block;
     empty_window();
-    forget_steps();
+    take_modes(change);
     limit_waiting();
     begin_rest_of_block();
     return ChangedPlan{};
@@ -76,22 +72,18 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
     from.before = *before;
   }
   take_back(stop->from);
-  by_ = change.by;
-  single_block_ = change.single_block;
-  forget_steps();
+  take_modes(change);
   ChangedPlan changed;
-  if (stop->parts.empty()) {
-    limit_waiting();
-  } else {
+  if (!stop->parts.empty()) {
     const std::size_t slowed = let_slow_down(motion_of(*stop));
     limit_waiting(slowed);
     changed.slows_to_curve = emitter_.next_curve() + slowed - 1;
-  }
-  if (single_block_ && !stop->parts.empty()) {
     step_behind(stop->parts.back().block);
-  }
-  if (!stop->parts.empty() && go_on_in_motion(std::move(from), change, changed, outbox)) {
-    return changed;
+    if (go_on_in_motion(std::move(from), change, changed, outbox)) {
+      return changed;
+    }
+  } else {
+    limit_waiting();
   }
   emit_stop(stop->parts, waiting_, emitter_, outbox);
   emitter_.keep(outbox, outbox.phases.size() - 1);
@@ -101,6 +93,12 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
     emit_first_part(change, changed, outbox);
   }
   return changed;
+}
+
+void Planner::take_modes(const PlanChange& change) {
+  by_ = change.by;
+  single_block_ = change.single_block;
+  forget_steps();
 }
 
 void Planner::limit_waiting(std::size_t first) {
@@ -173,20 +171,28 @@ bool Planner::begin_in_motion(InMotion from) {
   blocks_.push_back(std::move(std::get<Block>(waiting_.front())));
   waiting_.pop_front();
   optimum.push_in_motion(blocks_);
-  while (!waiting_.empty() && has_room() && std::holds_alternative<Block>(waiting_.front())) {
+  return take_blocks_in_motion(blocks_.size()) && optimum.begin(begin, to_rest_, blocks_);
+}
+
+// As many of those that wait as there is room for, up to a rest. False: the motion slows down on
+// one for which there is no room.
+bool Planner::take_blocks_in_motion(std::size_t taken) {
+  const auto block_waits = [this] {
+    return !waiting_.empty() && std::holds_alternative<Block>(waiting_.front());
+  };
+  while (has_room() && block_waits()) {
     take(std::move(std::get<Block>(waiting_.front())));
     waiting_.pop_front();
   }
-  const bool is_cut = !waiting_.empty() && std::holds_alternative<Block>(waiting_.front());
-  if (is_cut && std::get<Block>(waiting_.front()).slows) {
-    return false;
+  if (block_waits()) {
+    return !std::get<Block>(waiting_.front()).slows;
   }
-  to_rest_ = !is_cut && (!waiting_.empty() || blocks_.size() == (begin.has_before ? 2U : 1U));
-  if (to_rest_ && !waiting_.empty()) {
+  to_rest_ = !waiting_.empty() || blocks_.size() == taken;
+  if (!waiting_.empty()) {
     end_with(std::get<Rest>(waiting_.front()));
     waiting_.pop_front();
   }
-  return optimum.begin(begin, to_rest_, blocks_);
+  return true;
 }
 
 std::size_t Planner::let_slow_down(const OptimumSchedule::Begin& from) {

@@ -9,7 +9,7 @@ Planner::ProgramPlace Planner::place_of(const Item& item) {
   if (const auto* rest = std::get_if<Rest>(&item)) {
     return {.line = rest->line, .end_line = rest->line};
   }
-  const Block& block = std::get<Block>(item);
+  const auto& block = std::get<Block>(item);
   return {.line = block.line,
           .run_block = block.run_block,
           .end_line = block.mark_at(block.length_mm).line};
@@ -29,7 +29,7 @@ void Planner::end_with_step() {
 }
 
 void Planner::step_behind(std::size_t item) {
-  for (; item + 1 < waiting_.size(); ++item) {
+  for (; single_block_ && item + 1 < waiting_.size(); ++item) {
     const ProgramPlace place = place_of(waiting_[item]);
     if (!is_same_block(place, place_of(waiting_[item + 1]))) {
       waiting_.insert(waiting_.begin() + static_cast<std::ptrdiff_t>(item) + 1,

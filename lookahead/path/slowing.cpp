@@ -126,8 +126,8 @@ profiles::RampLimits ramp_of(const SlowingOrder& order, const std::vector<Block*
 }
 
 // The block begins so far behind the motion. before: with the limits that it had so far.
-void bind(const Slowing& slowing, double begin_mm, double to_mm_s, const Block& before,
-          Block& block) {
+void bind(const Slowing& slowing, const Slowing::Ahead& ahead, const Block& before, Block& block) {
+  const auto [begin_mm, to_mm_s] = ahead;
   const double from_mm = std::max(-begin_mm, 0.0);
   const double end_mm = std::min(slowing.way_mm(to_mm_s) - begin_mm, block.length_mm);
   VelocityLimitCurve curve = block.limit_curve;
@@ -137,13 +137,16 @@ void bind(const Slowing& slowing, double begin_mm, double to_mm_s, const Block& 
   }
   curve.push_back(sample_of(block, block.length_mm));
   std::ranges::stable_sort(curve, {}, &FeedSample::s_mm);
-  const auto same = std::ranges::unique(curve, {}, &FeedSample::s_mm);
-  curve.erase(same.begin(), same.end());
+  curve.erase(
+      std::unique(curve.begin(), curve.end(),
+                  [](const FeedSample& a, const FeedSample& b) { return a.s_mm == b.s_mm; }),
+      curve.end());
   for (FeedSample& sample : curve) {
     const double way_mm = std::max(begin_mm + sample.s_mm, 0.0);
     const double most_mm_s =
         std::max((1.0 + kRoom) * sample_of(before, sample.s_mm).v_mm_s, to_mm_s);
-    const double bound = std::min(slowing.bound_mm_s(way_mm, to_mm_s), most_mm_s);
+    const double bound =
+        std::min(slowing.bound_mm_s({.way_mm = way_mm, .to_mm_s = to_mm_s}), most_mm_s);
     if (bound < sample.v_mm_s) {
       sample.v_mm_s = bound;
       sample.limit = Constraint::programmed;
@@ -163,7 +166,8 @@ Slowing::Slowing(const profiles::PathMotion& motion, const profiles::RampLimits&
   }
 }
 
-double Slowing::bound_mm_s(double way_mm, double to_mm_s) const {
+double Slowing::bound_mm_s(const Ahead& ahead) const {
+  const auto [way_mm, to_mm_s] = ahead;
   const auto down = slowing_down(motion_, ramp_, to_mm_s);
   if (!down) {
     return to_mm_s;
@@ -193,15 +197,15 @@ std::size_t let_slow_down(const SlowingOrder& order, const PlanLimits& limits,
   for (Block* block : blocks) {
     const double way_mm = std::max(begin_mm, 0.0);
     const double to_mm_s = allowed_mm_s(*block, order, limits);
-    if (slowing.bound_mm_s(way_mm, kAtRest_mm_s) <= 2.0 * kAtRest_mm_s) {
+    if (slowing.bound_mm_s({.way_mm = way_mm, .to_mm_s = kAtRest_mm_s}) <= 2.0 * kAtRest_mm_s) {
       break;  // as slow as any block may want it
     }
     ++count;
-    if (slowing.bound_mm_s(way_mm, to_mm_s) > to_mm_s) {
+    if (slowing.bound_mm_s({.way_mm = way_mm, .to_mm_s = to_mm_s}) > to_mm_s) {
       const Block before = *block;
       const double most_mm_s = std::max(slowing.most_mm_s(), to_mm_s);
       set_limits(block->rapid ? kUnbounded : most_mm_s, limits, order.plan, *block);
-      bind(slowing, begin_mm, to_mm_s, before, *block);
+      bind(slowing, {.way_mm = begin_mm, .to_mm_s = to_mm_s}, before, *block);
     } else {
       set_limits(order.by, limits, order.plan, *block);
     }

@@ -25,7 +25,11 @@ class Slowing {
 
   // The highest feedrate so far behind the begin where to_mm_s > 0 is allowed there; to_mm_s at the
   // least.
-  [[nodiscard]] double bound_mm_s(double way_mm, double to_mm_s) const;
+  struct Ahead {
+    double way_mm = 0.0;
+    double to_mm_s = 0.0;
+  };
+  [[nodiscard]] double bound_mm_s(const Ahead& ahead) const;
   // How far behind the begin the bound is down to to_mm_s.
   [[nodiscard]] double way_mm(double to_mm_s) const;
   // Nowhere higher than this or to_mm_s.
