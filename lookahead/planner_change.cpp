@@ -89,7 +89,7 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
   emitter_.keep(outbox, outbox.phases.size() - 1);
   held_ = true;
   resume();
-  if (stop->parts.empty() || !change.needs_stop) {  // it may be over at once
+  if (!change.needs_stop) {  // the rest may be over at once
     emit_first_part(change, changed, outbox);
   }
   return changed;

@@ -73,6 +73,8 @@ class EmittedItems {
     std::int64_t begin = 0;
     std::int64_t end = 0;  // behind the last
   };
+  // Within a tick it may have left a rest already.
+  [[nodiscard]] bool ends_at_rest() const { return phases_.empty() || phases_.back().ends_at_rest; }
   // It rests, and nothing was emitted behind it.
   [[nodiscard]] bool is_last(const Motion& motion) const {
     return motion.at_rest() && motion.number + 1 >= phase_count_ &&

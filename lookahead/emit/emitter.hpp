@@ -103,7 +103,7 @@ class Emitter {
   void restore(Emitter&& before);
   // A copy has emitted what the tick side got.
   void note_sent_by(const Emitter& copy);
-  [[nodiscard]] bool ends_at_rest() const { return motion_at(clock_.now().tick).at_rest(); }
+  [[nodiscard]] bool ends_at_rest() const { return kept_->ends_at_rest(); }
   // The number of the plan that is being emitted.
   [[nodiscard]] std::uint32_t plan() const noexcept { return plan_; }
   // It has been emitted before, under that number.

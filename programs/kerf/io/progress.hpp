@@ -17,10 +17,15 @@ class Progress {
   void set_planned(double length_mm) noexcept { planned_mm_.store(length_mm, kOrder); }
   void set_done(double s_mm) noexcept { done_mm_.store(s_mm, kOrder); }
 
-  void set_tick(TickStatus status, std::uint32_t line, double feedrate_mm_s) noexcept {
-    status_.store(status, kOrder);
-    line_.store(line, kOrder);
-    feedrate_mm_s_.store(feedrate_mm_s, kOrder);
+  struct Tick {
+    TickStatus status = TickStatus::running;
+    std::uint32_t line = 0;
+    double feedrate_mm_s = 0.0;
+  };
+  void set_tick(const Tick& tick) noexcept {
+    status_.store(tick.status, kOrder);
+    line_.store(tick.line, kOrder);
+    feedrate_mm_s_.store(tick.feedrate_mm_s, kOrder);
   }
 
   // Of the latest tick.

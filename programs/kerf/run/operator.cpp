@@ -96,7 +96,7 @@ const char* Operator::state_after(TickStatus status) const noexcept {
 }
 
 std::string Operator::status_line(const Progress& progress) const {
-  const std::string state = fmt::format("{:9}", state_after(progress.status()));
+  std::string state = fmt::format("{:9}", state_after(progress.status()));
   if (!has_keys()) {
     return state;
   }

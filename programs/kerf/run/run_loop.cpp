@@ -125,7 +125,8 @@ RunOutcome run_in_real_time(const RunStage& stage, double period_s) {
       const interp::TickStatus status = stage.ticks.step(record);
       recorder.push(record);
       stage.progress.set_done(record.motion.s_mm);
-      stage.progress.set_tick(status, record.line, record.motion.v_mm_s);
+      stage.progress.set_tick(
+          {.status = status, .line = record.line, .feedrate_mm_s = record.motion.v_mm_s});
       if (judge.is_over(status, stage.ticks, outcome)) {
         break;
       }
