@@ -45,7 +45,7 @@ inline constexpr std::size_t kCommands = 10;
 
 enum class WaitsFor : std::uint8_t {
   nothing,
-  answer,    ///< resume: M0, M1, M60 or M6
+  answer,    ///< resume: M0, M1, M60, M6, or the end of a block in single block
   text,      ///< feed() or finish()
   planning,  ///< plan() is late
 };

@@ -66,17 +66,6 @@ HeldRun run_held(const HeldProgram& program, const std::set<std::int64_t>& hold_
   return run;
 }
 
-void expect_whole(const HeldRun& run, const std::vector<Setpoint>& whole) {
-  EXPECT_EQ(run.complaint, "");
-  double off_mm = 0.0;
-  for (const Setpoint& tick : run.ticks) {
-    off_mm = std::max(off_mm, off_path_mm(whole, tick));
-  }
-  EXPECT_LE(off_mm, 1e-9);
-  EXPECT_EQ(run.ticks.back().position_mm, whole.back().position_mm);
-  EXPECT_EQ(run.ticks.back().outputs, whole.back().outputs);
-}
-
 TEST(Hold, ComesToRestOnThePathAndGoesOnToTheSameEndWhereverItIsAskedFor) {
   for (const ProfileKind kind : {ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::quintic,
                                  ProfileKind::time_optimal}) {

@@ -57,17 +57,6 @@ LateRun run_late(const std::string& text, const KernelOptions& options, std::int
   return run;
 }
 
-void expect_whole(const LateRun& run, const std::vector<Setpoint>& whole) {
-  EXPECT_EQ(run.complaint, "");
-  double off_mm = 0.0;
-  for (const Setpoint& tick : run.ticks) {
-    off_mm = std::max(off_mm, off_path_mm(whole, tick));
-  }
-  EXPECT_LE(off_mm, 1e-9);
-  EXPECT_EQ(run.ticks.back().position_mm, whole.back().position_mm);
-  EXPECT_EQ(run.ticks.back().outputs, whole.back().outputs);
-}
-
 TEST(LatePlanning, IsARestOnThePathWithinTheLimitsWhereverItBegins) {
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
     const KernelOptions options{.profile = {.kind = kind}};

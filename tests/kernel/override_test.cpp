@@ -51,17 +51,6 @@ OverriddenRun run_with(const std::string& text, const KernelOptions& options,
   return run;
 }
 
-void expect_whole(const OverriddenRun& run, const std::vector<Setpoint>& whole) {
-  EXPECT_EQ(run.complaint, "");
-  double off_mm = 0.0;
-  for (const Setpoint& tick : run.ticks) {
-    off_mm = std::max(off_mm, off_path_mm(whole, tick));
-  }
-  EXPECT_LE(off_mm, 1e-9);
-  EXPECT_EQ(run.ticks.back().position_mm, whole.back().position_mm);
-  EXPECT_EQ(run.ticks.back().outputs, whole.back().outputs);
-}
-
 double slowest_mm_s(const std::vector<Setpoint>& ticks, std::size_t begin, std::size_t end) {
   double least = kFastest_mm_s;
   for (std::size_t i = begin; i < end; ++i) {

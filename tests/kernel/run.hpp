@@ -1,6 +1,7 @@
 // Programs run to their end, for the kernel's tests.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -43,6 +44,19 @@ inline std::vector<Setpoint> ticks_of(const std::string& text, const KernelOptio
     ADD_FAILURE() << found.source.line << ": " << found.message;
   }
   return ticks;
+}
+
+// Run: ticks and a complaint, of a program under commands. whole: of the same one without.
+template <typename Run>
+void expect_whole(const Run& run, const std::vector<Setpoint>& whole) {
+  EXPECT_EQ(run.complaint, "");
+  double off_mm = 0.0;
+  for (const Setpoint& tick : run.ticks) {
+    off_mm = std::max(off_mm, off_path_mm(whole, tick));
+  }
+  EXPECT_LE(off_mm, 1e-9);
+  EXPECT_EQ(run.ticks.back().position_mm, whole.back().position_mm);
+  EXPECT_EQ(run.ticks.back().outputs, whole.back().outputs);
 }
 
 }  // namespace kerf::test

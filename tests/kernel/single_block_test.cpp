@@ -60,16 +60,6 @@ SteppedRun run_stepped(const std::string& text, const KernelOptions& options,
   return run;
 }
 
-void expect_whole(const SteppedRun& run, const std::vector<Setpoint>& whole) {
-  EXPECT_EQ(run.complaint, "");
-  double off_mm = 0.0;
-  for (const Setpoint& tick : run.ticks) {
-    off_mm = std::max(off_mm, off_path_mm(whole, tick));
-  }
-  EXPECT_LE(off_mm, 1e-9);
-  EXPECT_EQ(run.ticks.back().position_mm, whole.back().position_mm);
-}
-
 std::vector<std::uint32_t> lines_of(const std::vector<Setpoint>& ticks) {
   std::vector<std::uint32_t> lines;
   for (const Setpoint& tick : ticks) {
