@@ -59,33 +59,38 @@ bool Delivery::deliver(std::int64_t horizon) {
     frozen_until_tick_ = phase.begin.tick;
     ++phases_sent_;
   }
-  if (takeover_ && phases_sent_ == outbox_.phases.size()) {
-    takeover_->phases_end = queue_->phases_pushed();
-    if (queue_->push(*takeover_)) {
-      takeover_.reset();
-    }
-  }
   forget_sent();
   return outbox_.phases.empty();
 }
 
-void Delivery::take_over(lookahead::Outbox&& plan, std::uint32_t from,
-                         const lookahead::Planner::StopAhead* ahead) {
+Delivery::HandedOver Delivery::take_over(lookahead::Outbox&& plan, std::uint32_t from,
+                                         const lookahead::Planner::StopAhead* ahead) {
   const interp::TickTime begin = plan.phases.front().begin;
+  const std::uint32_t takeover_plan = plan.phases.front().plan;
+  append_path(plan);
+  send_path();
+  if (queue_->phases_free() < outbox_.phases.size() + plan.phases.size() ||
+      !may_end_with(plan.phases.back()) ||
+      (ahead != nullptr && !write_stop(*ahead, takeover_plan))) {
+    return HandedOver::no;
+  }
   const auto later = std::ranges::find_if(
       outbox_.phases.begin() + static_cast<std::ptrdiff_t>(phases_sent_), outbox_.phases.end(),
       [&begin](const interp::Phase& phase) {
         return phase.begin.tick > begin.tick ||
                (phase.begin.tick == begin.tick && phase.begin.offset_s >= begin.offset_s);
       });
+  const bool drops = later != outbox_.phases.end();
   outbox_.phases.erase(later, outbox_.phases.end());
-  append_path(plan);
   append(outbox_.phases, plan.phases);
-  const std::uint32_t takeover_plan = plan.phases.front().plan;
-  takeover_ = {.from = from, .plan = takeover_plan, .tick = first_tick(begin)};
   deliver(std::numeric_limits<std::int64_t>::max());
-  const bool stops = ahead != nullptr && write_stop(*ahead, takeover_plan);
-  queue_->commit(stops ? interp::MotionQueue::Ahead::beside : interp::MotionQueue::Ahead::same);
+  queue_->push(interp::Takeover{.from = from,
+                                .plan = takeover_plan,
+                                .tick = first_tick(begin),
+                                .phases_end = queue_->phases_pushed()});
+  queue_->commit(ahead != nullptr ? interp::MotionQueue::Ahead::beside
+                                  : interp::MotionQueue::Ahead::same);
+  return drops ? HandedOver::for_good : HandedOver::whole;
 }
 
 void Delivery::append_path(const lookahead::Outbox& plan) {
@@ -102,9 +107,7 @@ bool Delivery::write_stop(const lookahead::Planner::StopAhead& ahead, std::uint3
   const std::vector<interp::Phase>& phases = ahead.outbox.phases;
   append_path(ahead.outbox);
   send_path();
-  if (phases.size() > interp::StopAhead::kPhases ||
-      !reaches(phases.back().curve, phases.back().s_end_mm) ||
-      output_changes_gone_ + output_changes_sent_ < phases.back().output_changes) {
+  if (phases.size() > interp::StopAhead::kPhases || !may_end_with(phases.back())) {
     return false;
   }
   interp::StopAhead& stop = queue_->spare_stop();
@@ -119,7 +122,6 @@ bool Delivery::write_stop(const lookahead::Planner::StopAhead& ahead, std::uint3
 void Delivery::follow_stop() {
   outbox_.phases.clear();
   phases_sent_ = 0;
-  takeover_.reset();
   queue_->release_stop();
 }
 
@@ -156,6 +158,11 @@ void Delivery::forget_sent() {
 bool Delivery::may_follow(const interp::Phase& phase) const {
   return output_changes_gone_ + output_changes_sent_ >= phase.output_changes &&
          reaches(phase.curve, phase.s_begin_mm);
+}
+
+bool Delivery::may_end_with(const interp::Phase& phase) const {
+  return output_changes_gone_ + output_changes_sent_ >= phase.output_changes &&
+         reaches(phase.curve, phase.s_end_mm);
 }
 
 bool Delivery::reaches(std::uint64_t on_curve, double at_mm) const {

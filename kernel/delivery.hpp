@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "interp/motion_queue.hpp"
 #include "lookahead/planner.hpp"
@@ -25,9 +24,15 @@ class Delivery {
 
   // A new plan takes over from that one where it begins; phases that wait and begin later than that
   // are dropped. The path in the outbox stays. It is whole to its rest, or a way to rest goes on
-  // from it. Commits, once the plan fits.
-  void take_over(lookahead::Outbox&& plan, std::uint32_t from,
-                 const lookahead::Planner::StopAhead* ahead = nullptr);
+  // from it. Commits.
+  enum class HandedOver : std::uint8_t {
+    no,       // there is no room for it and its way to rest; nothing was dropped
+    whole,    // nothing was dropped
+    for_good  // what was emitted before is no longer whole: if this plan is refused, another must
+              // come
+  };
+  HandedOver take_over(lookahead::Outbox&& plan, std::uint32_t from,
+                       const lookahead::Planner::StopAhead* ahead = nullptr);
 
   // The tick side gets what was moved. False: it has taken the stop ahead, and goes no farther.
   bool commit() { return queue_->commit(interp::MotionQueue::Ahead::none); }
@@ -42,6 +47,8 @@ class Delivery {
 
  private:
   [[nodiscard]] bool may_follow(const interp::Phase& phase) const;
+  // The path up to its end and the output changes that it counts are in the queue.
+  [[nodiscard]] bool may_end_with(const interp::Phase& phase) const;
   // The path up to there is in the queue.
   [[nodiscard]] bool reaches(std::uint64_t on_curve, double at_mm) const;
   void append_path(const lookahead::Outbox& plan);
@@ -57,9 +64,8 @@ class Delivery {
   std::size_t line_changes_sent_ = 0;
   std::size_t phases_sent_ = 0;
   std::size_t output_changes_sent_ = 0;
-  std::uint64_t output_changes_gone_ = 0;       // that are in the outbox no more
-  std::uint64_t output_changes_counted_ = 0;    // by the phases that were sent
-  std::optional<interp::Takeover> takeover_{};  // goes behind the last phase that waits
+  std::uint64_t output_changes_gone_ = 0;     // that are in the outbox no more
+  std::uint64_t output_changes_counted_ = 0;  // by the phases that were sent
   std::int64_t frozen_until_tick_ = 0;
 };
 

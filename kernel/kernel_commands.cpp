@@ -77,6 +77,22 @@ std::int64_t Kernel::Impl::takeover_tick() const {
   return std::min(now + (margin_ticks_ << refusals_), last);
 }
 
+bool Kernel::Impl::hand_over(lookahead::Outbox&& plan, std::uint32_t from,
+                             const lookahead::Planner::StopAhead* ahead) {
+  switch (delivery_.take_over(std::move(plan), from, ahead)) {
+    case Delivery::HandedOver::no:
+      pipeline_.settle(false);
+      takeover_.reset();
+      return false;
+    case Delivery::HandedOver::for_good:
+      pipeline_.cut_plan_before();
+      return true;
+    case Delivery::HandedOver::whole:
+      return true;
+  }
+  return true;
+}
+
 bool Kernel::Impl::try_hold() {
   if (pipeline_.is_held()) {
     if (stops_) {
@@ -100,7 +116,9 @@ bool Kernel::Impl::try_hold() {
   if (!plan.phases.empty()) {
     judges_end_ = !stops_;
     takeover_ = {.plan = plan.phases.front().plan, .committed_before = committed_until_tick_};
-    delivery_.take_over(std::move(plan), from);
+    if (!hand_over(std::move(plan), from)) {
+      return false;
+    }
     committed_until_tick_ = delivery_.frozen_until_tick();
     fail_with_check();
   }
@@ -131,10 +149,14 @@ bool Kernel::Impl::try_change_plan() {
     return false;
   }
   if (!plan.phases.empty()) {
-    takeover_ = {
-        .plan = plan.phases.front().plan, .changes_plan = true, .stop = std::move(changed->stop)};
+    takeover_ = {.plan = plan.phases.front().plan,
+                 .changes_plan = true,
+                 .committed_before = committed_until_tick_,
+                 .stop = std::move(changed->stop)};
     const auto* stop = takeover_->stop ? &*takeover_->stop : nullptr;
-    delivery_.take_over(std::move(plan), from, stop);
+    if (!hand_over(std::move(plan), from, stop)) {
+      return false;
+    }
     committed_until_tick_ =
         stop != nullptr ? stop->stop.from.when.tick : delivery_.frozen_until_tick();
     fail_with_check();

@@ -132,6 +132,9 @@ class Kernel::Impl {
   // The tick at which a plan takes over that is made now.
   [[nodiscard]] std::int64_t takeover_tick() const;
 
+  // A plan that takes over. False: it did not fit, and is dropped.
+  bool hand_over(lookahead::Outbox&& plan, std::uint32_t from,
+                 const lookahead::Planner::StopAhead* ahead = nullptr);
   bool try_hold();
   bool try_change_plan();
 

@@ -50,6 +50,7 @@ class Pipeline {
   // Planner::change_plan, into an outbox that is empty.
   std::optional<lookahead::Planner::ChangedPlan> change_plan(
       const lookahead::Planner::PlanChange& change, lookahead::Outbox& outbox);
+  void cut_plan_before() { planner_.cut_plan_before(); }
   void settle(bool accepted) {
     check_.settle(accepted);
     planner_.settle(accepted);

@@ -70,6 +70,8 @@ class Planner {
   // False: no way was found, and nothing has changed; ask again with a later tick, or when more was
   // emitted.
   bool hold(std::int64_t tick, Outbox& outbox);
+  // The end of what was emitted before the plan that is to take over is lost: it is no way to rest.
+  void cut_plan_before() { before_->is_cut = true; }
   // Whether the tick side took the plan that was to take over. If not, there is none any more; ask
   // for another one: what was emitted before is run to its end, and where that is in motion nothing
   // follows.
@@ -201,6 +203,7 @@ class Planner {
     bool waits = false;
     FeedOverride by{};
     bool single_block = false;
+    bool is_cut = false;
   };
   std::optional<Before> before_;  // the plan that is not settled yet
   bool is_cut_ = false;           // what was emitted ends in motion, and its plan is gone

@@ -61,6 +61,9 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
     return std::nullopt;
   }
   if (stop->from.phase.ends_program || emitter_.kept().is_last(stop->from)) {
+    if (is_cut_) {
+      return std::nullopt;
+    }
     empty_window();
     take_modes(change);
     limit_waiting();

@@ -34,7 +34,7 @@ bool Planner::hold(std::int64_t tick, Outbox& outbox) {
     return false;
   }
   if (stop->from.phase.ends_program) {
-    return true;
+    return !is_cut_;
   }
   take_back(stop->from);
   held_ = true;
@@ -46,7 +46,7 @@ bool Planner::hold(std::int64_t tick, Outbox& outbox) {
 
 void Planner::take_back(const EmittedItems::Motion& from) {
   empty_window();
-  before_.emplace(Before{emitter_, waiting_, waits_, by_, single_block_});
+  before_.emplace(Before{emitter_, waiting_, waits_, by_, single_block_, is_cut_});
   waits_ = is_cut_ = false;
   last_.reset();
   emitter_.take_back(from, waiting_);
@@ -139,7 +139,7 @@ void Planner::settle(bool accepted) {
     by_ = before_->by;
     single_block_ = before_->single_block;
     held_ = false;
-    is_cut_ = !emitter_.ends_at_rest();
+    is_cut_ = before_->is_cut || !emitter_.ends_at_rest();
     if (!is_cut_) {
       begin_rest_of_block();
     }

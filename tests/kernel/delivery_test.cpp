@@ -82,5 +82,59 @@ TEST(Delivery, MoreLinesThanTheRingHoldsReachTheirTicks) {
   EXPECT_GE(ticks, 1000);
 }
 
+interp::Phase of_plan(std::uint32_t plan, interp::Phase phase) {
+  phase.plan = plan;
+  return phase;
+}
+
+// Begins at tick 50, in the middle of a cruise that begins at tick 0.
+lookahead::Outbox plan_that_takes_over() {
+  lookahead::Outbox plan;
+  plan.phases = {of_plan(1, cruise_phase(5.0, 5.0))};
+  return plan;
+}
+
+TEST(Delivery, SaysWhetherThePlanBeforeATakeoverWasHandedOverToItsEnd) {
+  for (const std::int64_t horizon : {std::int64_t{10}, kFar}) {
+    const auto queue = std::make_unique<MotionQueue>();
+    Delivery delivery(*queue);
+    delivery.outbox().pieces.push_back(piece(30.0));
+    delivery.outbox().phases = {cruise_phase(0.0, 10.0), cruise_phase(10.0, 10.0)};
+    delivery.deliver(horizon);
+    EXPECT_EQ(delivery.take_over(plan_that_takes_over(), 0),
+              horizon == kFar ? Delivery::HandedOver::whole : Delivery::HandedOver::for_good);
+    EXPECT_TRUE(delivery.outbox().phases.empty());
+    const interp::Takeover* takeover = queue->next_takeover();
+    ASSERT_NE(takeover, nullptr);
+    EXPECT_EQ(takeover->tick, 50);
+    EXPECT_TRUE(queue->is_committed(takeover->phases_end));
+  }
+}
+
+// The ring has no room for the path of the way to rest.
+TEST(Delivery, HandsOverNoPlanWhoseWayToRestDoesNotFit) {
+  const auto queue = std::make_unique<MotionQueue>();
+  Delivery delivery(*queue);
+  delivery.outbox().pieces.push_back(piece(30.0));
+  delivery.outbox().phases = {cruise_phase(0.0, 10.0), cruise_phase(10.0, 10.0)};
+  delivery.deliver(10);
+  lookahead::Planner::StopAhead ahead;
+  ahead.plan = 2;
+  for (std::size_t i = 0; i <= MotionQueue::kPieces; ++i) {
+    ahead.outbox.pieces.push_back(piece(1.0));
+    ahead.outbox.pieces.back().curve = i + 2;
+  }
+  ahead.outbox.phases = {of_plan(2, cruise_phase(10.0, 10.0))};
+  ahead.outbox.phases.back().curve = MotionQueue::kPieces + 2;
+  const std::uint32_t pushed = queue->phases_pushed();
+  EXPECT_EQ(delivery.take_over(plan_that_takes_over(), 0, &ahead), Delivery::HandedOver::no);
+  EXPECT_EQ(queue->next_takeover(), nullptr);
+  EXPECT_EQ(queue->phases_pushed(), pushed);
+  EXPECT_EQ(delivery.outbox().phases.size(), 2);
+  ahead.outbox.phases.back().curve = 2;
+  ahead.outbox.pieces.clear();
+  EXPECT_EQ(delivery.take_over(plan_that_takes_over(), 0, &ahead), Delivery::HandedOver::for_good);
+}
+
 }  // namespace
 }  // namespace kerf
