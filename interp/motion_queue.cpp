@@ -38,11 +38,18 @@ void MotionQueue::settle(bool took_over) {
 }
 
 const StopAhead* MotionQueue::take_stop(std::uint32_t from, std::int64_t tick) noexcept {
+  const auto is_ahead = [&](std::uint64_t word, unsigned slot) {
+    return (word & has_bit(slot)) != 0 &&
+           keys_[slot].tick.load(std::memory_order_relaxed) == tick &&
+           keys_[slot].from.load(std::memory_order_relaxed) == from;
+  };
   std::uint64_t word = word_.load(std::memory_order_acquire);
-  for (unsigned slot = 0; slot < stops_.size() && (word & kTaken) == 0; ++slot) {
-    if ((word & has_bit(slot)) != 0 && keys_[slot].tick.load(std::memory_order_relaxed) == tick &&
-        keys_[slot].from.load(std::memory_order_relaxed) == from &&
-        word_.compare_exchange_strong(word, word | kTaken, std::memory_order_acq_rel)) {
+  for (int i = 0; i < kTakes && (word & kTaken) == 0; ++i) {
+    const unsigned slot = is_ahead(word, 0) ? 0 : 1;
+    if (!is_ahead(word, slot)) {
+      return nullptr;
+    }
+    if (word_.compare_exchange_strong(word, word | kTaken, std::memory_order_acq_rel)) {
       return &stops_[slot];
     }
   }

@@ -18,9 +18,10 @@ namespace kerf::interp {
 // Phases of a plan that takes over stand behind those that they replace.
 //
 // The queued motion need not end at rest. A way to rest may be committed with it, and the consumer
-// takes it at its tick if no other commit has come by then. One word decides: the producer's
-// commit and the consumer's take exchange it, and whichever comes second fails. What was pushed by
-// a producer that lost is passed over.
+// takes it at its tick if no other has come by then. One word decides: the producer's commit and
+// the consumer's take exchange it, and whichever comes second fails: a commit behind a take, and a
+// take behind a commit that replaced the stop. What was pushed by a producer that lost is passed
+// over.
 class MotionQueue {
  public:
   static constexpr std::size_t kPieces = 1024;
@@ -115,6 +116,9 @@ class MotionQueue {
   // each commit, so that no two are the same.
   static constexpr std::uint64_t kTaken = 1ULL << 32U;
   static constexpr unsigned kNumberBit = 35;
+  // A commit that keeps the stop ahead may come between. So many in a row do not: each takes the
+  // producer longer than a take.
+  static constexpr int kTakes = 64;
   static constexpr std::uint64_t has_bit(unsigned slot) { return 1ULL << (33U + slot); }
   std::atomic<std::uint64_t> word_ = 0;
   std::uint32_t phases_pushed_ = 0;

@@ -244,9 +244,8 @@ TEST(LatePlanning, MayBeBlockedAnywhere) {
   expect_rests_where_blocked(40, Operator::none);
 }
 
-// Known fault: where ticks come far faster than planning, and most plans that are to take over are
-// refused, the tool is now and then without a way to rest.
-TEST(LatePlanning, DISABLED_MayBeBlockedAnywhereWhileTheFeedChanges) {
+// Ticks come far faster than planning, so most plans that are to take over are refused.
+TEST(LatePlanning, MayBeBlockedAnywhereWhileTheFeedChanges) {
   expect_rests_where_blocked(10, Operator::changes_the_feed);
 }
 
