@@ -199,8 +199,12 @@ class Controller::Impl {
     options.one_thread = false;
     options.waits = true;
     auto kernel = std::make_unique<Kernel>(settings_, options);
-    kernel->set_overrides(operator_.overrides);
-    kernel->set_single_block(operator_.single_block);
+    if (operator_.overrides != Overrides{}) {
+      kernel->set_overrides(operator_.overrides);
+    }
+    if (operator_.single_block) {
+      kernel->set_single_block(true);
+    }
     return kernel;
   }
 

@@ -11,6 +11,7 @@
 #include "kernel/least_time.hpp"
 #include "kernel/program_path.hpp"
 #include "kernel/settings_check.hpp"
+#include "kernel/wait_check.hpp"
 #include "machine/envelope.hpp"
 #include "parser/text/text.hpp"
 #include "smoothing/segment_builder.hpp"
@@ -47,8 +48,9 @@ diagnostics::Diagnostic refused_curve(const smoothing::PathError& error,
 
 class Checker {
  public:
-  explicit Checker(const MachineSettings& settings)
-      : envelope_(machine::envelope_of(settings.table)),
+  Checker(const MachineSettings& settings, const KernelOptions& options)
+      : waits_(options),
+        envelope_(machine::envelope_of(settings.table)),
         extra_envelope_(settings.table.extra),
         least_time_(settings.limits),
         warnings_(settings.limits) {}
@@ -65,6 +67,9 @@ class Checker {
       return;
     }
     warnings_.look_at(move, report.diagnostics);
+    if (waits_.refuses(move)) {
+      report.diagnostics.emplace_back(move.source, errors::kNobodyAnswers, WaitCheck::kWhy);
+    }
     if (segments_.empty()) {
       return;
     }
@@ -95,6 +100,7 @@ class Checker {
   }
 
   static constexpr std::size_t kMaxLimitFaults = 100;
+  WaitCheck waits_;
   machine::Envelope envelope_;
   machine::AuxiliaryEnvelope extra_envelope_;
   LeastTime least_time_;
@@ -105,7 +111,8 @@ class Checker {
 // The text alone.
 class SyntaxChecker {
  public:
-  explicit SyntaxChecker(const MachineSettings& settings) : least_time_(settings.limits) {}
+  SyntaxChecker(const MachineSettings& settings, const KernelOptions& /*options*/)
+      : least_time_(settings.limits) {}
 
   void look_at(const parser::Move& move, bool /*after_error*/, CheckReport& /*report*/) {
     least_time_.add_straight(move);
@@ -154,7 +161,7 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
     return report;
   }
   ProgramPath path(settings, options, {.as_programmed = true});
-  Checker checker(settings);
+  Checker checker(settings, options);
   ProgramPath::Output output;
   for (bool ends = false; !ends && !(bounds.stop && bounds.stop());) {
     switch (path.next(output)) {

@@ -43,6 +43,7 @@ ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& o
                          const Order& order)
     : order_(order),
       reader_(watching(reader_options(settings, options), order.watched_line)),
+      waits_(options),
       smoother_(blend_settings(settings)),
       end_{.position_mm = options.start_mm, .extra_rad_mm = options.start_extra_rad_mm} {
   if (options.checks_travel) {
@@ -107,16 +108,27 @@ bool ProgramPath::read_move() {
     end_ = {.position_mm = *end, .extra_rad_mm = move.auxiliary.end_rad_mm};
     note_path_control(move);
   }
-  // Before smoothing, which may round the corner into the move or merge it with others.
-  if (const auto excess = travel_ ? travel_->excess_of(move) : std::nullopt) {
-    left_travel_ = true;
-    fail({source_.line, machine::describe(*excess)}, errors::kOutsideTravel);
+  if (refuses(move)) {
     return true;
   }
   if (const auto taken = smoother_.push(move); !taken) {
     fail(taken.error(), errors::kCurveRefused);
   }
   return true;
+}
+
+// Before smoothing, which may round the corner into the move or merge it with others.
+bool ProgramPath::refuses(const parser::Move& move) {
+  if (const auto excess = travel_ ? travel_->excess_of(move) : std::nullopt) {
+    left_travel_ = true;
+    fail({source_.line, machine::describe(*excess)}, errors::kOutsideTravel);
+    return true;
+  }
+  if (waits_.refuses(move)) {
+    fail({source_.line, WaitCheck::kWhy}, errors::kNobodyAnswers);
+    return true;
+  }
+  return false;
 }
 
 std::optional<PlaceOfTool> ProgramPath::programmed_end() const {

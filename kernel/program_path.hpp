@@ -11,6 +11,7 @@
 #include "kernel/pipeline_observer.hpp"
 #include "kernel/tick_judge.hpp"
 #include "kernel/travel_check.hpp"
+#include "kernel/wait_check.hpp"
 #include "parser/program_reader.hpp"
 #include "smoothing/smoother.hpp"
 
@@ -74,6 +75,8 @@ class ProgramPath {
   // The next move into the smoother. False: there is no more text.
   bool read_move();
   void note_path_control(const parser::Move& move);
+  // True: the path ends before it.
+  bool refuses(const parser::Move& move);
   void fail(const smoothing::PathError& error, const diagnostics::ErrorPage& page);
   // Moves that the smoother still holds are run.
   void end();
@@ -84,6 +87,7 @@ class ProgramPath {
 
   parser::ProgramReader reader_;
   std::optional<TravelCheck> travel_;
+  WaitCheck waits_;
   smoothing::Smoother smoother_;
   std::vector<PathControlUse> path_controls_;
   PlaceOfTool end_{};                   // of the move read last

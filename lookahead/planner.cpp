@@ -133,10 +133,7 @@ void Planner::push_wait(const std::optional<interp::OutputChange>& change, std::
 }
 
 bool Planner::waits_at(parser::EventKind kind) const noexcept {
-  using parser::EventKind;
-  return settings_.waits && (kind == EventKind::program_stop || kind == EventKind::pallet_change ||
-                             kind == EventKind::tool_change ||
-                             (kind == EventKind::optional_stop && settings_.optional_stop));
+  return settings_.waits && parser::waits_for_answer(kind, settings_.optional_stop);
 }
 
 void Planner::push_change_at_rest(const interp::OutputChange& change, std::uint32_t line) {

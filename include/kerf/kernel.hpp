@@ -30,6 +30,7 @@ struct KernelOptions {
   /// tick there.
   bool waits = false;
   bool optional_stop = false;
+  bool refuses_waits = false;  ///< what would wait is an error: nobody is there to answer
   /// plan() and tick() are called by one thread, which is never late: no way to rest is kept ready
   /// behind what is planned.
   bool one_thread = false;

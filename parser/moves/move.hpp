@@ -80,6 +80,12 @@ inline bool is_at_motion(EventKind kind) {
          kind == EventKind::speed_override;
 }
 
+// M0, M60, M6, and M1 where optional stops are on: somebody is to do something and say so.
+inline bool waits_for_answer(EventKind kind, bool optional_stop) {
+  return kind == EventKind::program_stop || kind == EventKind::pallet_change ||
+         kind == EventKind::tool_change || (kind == EventKind::optional_stop && optional_stop);
+}
+
 // How many outputs of each kind there are: `index` counts from 0.
 inline constexpr int kDigitalOutputs = 64;
 inline constexpr int kAnalogOutputs = 8;

@@ -13,7 +13,8 @@
 namespace kerf::test {
 namespace {
 
-constexpr std::array kOfTheCheck{&errors::kOutsideTravel, &errors::kCurveRefused, &errors::kTooLong,
+constexpr std::array kOfTheCheck{&errors::kOutsideTravel,   &errors::kCurveRefused,
+                                 &errors::kTooLong,         &errors::kNobodyAnswers,
                                  &errors::kFeedBeyondReach, &errors::kToleranceSwallows};
 
 std::vector<diagnostics::Diagnostic> found_in(const diagnostics::ErrorPage& page) {
@@ -29,7 +30,7 @@ std::vector<diagnostics::Diagnostic> found_in(const diagnostics::ErrorPage& page
         read = true;
         return piece;
       },
-      settings, {}, {.max_time_s = 1000.0});
+      settings, {.refuses_waits = true}, {.max_time_s = 1000.0});
   std::vector<diagnostics::Diagnostic> all = report.diagnostics;
   all.insert(all.end(), report.limit_faults.begin(), report.limit_faults.end());
   return all;

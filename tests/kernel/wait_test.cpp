@@ -50,6 +50,23 @@ TEST(Wait, IsNoneWhereNobodyAnswers) {
   EXPECT_EQ(waits_of(kStops, {}), std::vector<double>{});
 }
 
+TEST(Wait, IsAnErrorOfItsLineWhereTheOptionsRefuseIt) {
+  for (const bool optional_stop : {false, true}) {
+    Kernel kernel(mill(), {.optional_stop = optional_stop, .refuses_waits = true});
+    kernel.feed("G21 G90 F3000\nG1 X10\nM1\nX20\nT1 M6\nX30\nM2\n");
+    kernel.finish();
+    Setpoint setpoint;
+    TickStatus status = TickStatus::running;
+    while (status == TickStatus::running) {
+      status = kernel.next(setpoint);
+    }
+    EXPECT_EQ(status, TickStatus::failed);
+    EXPECT_EQ(setpoint.position_mm[0], optional_stop ? 10.0 : 20.0);
+    ASSERT_FALSE(kernel.diagnostics().empty());
+    EXPECT_EQ(kernel.diagnostics().back().source.line, optional_stop ? 3U : 5U);
+  }
+}
+
 TEST(Wait, IsNotAnsweredBeforeTheToolIsThere) {
   Kernel kernel(mill(), {.waits = true});
   kernel.feed("G21 G90 G1 X10 F3000\nM0\nX20\nM2\n");

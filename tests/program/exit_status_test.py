@@ -38,6 +38,32 @@ class ExitStatus(Case):
             process.communicate(timeout=60)
             self.assertEqual(process.returncode, status)
 
+    def test_of_a_wait_that_nobody_can_answer_is_that_of_a_program_error_before_any_motion(self):
+        for wait in ("M0", "M60", "T2 M6"):
+            part = self.path("wait.ngc", f"G21 G90\nG1 X10 F6000\n{wait}\nX20\nM2\n")
+            trace = self.path("wait.csv")
+            said = self.kerf("run", part, "--trace", trace, status=1, stdin="").stderr
+            self.assertIn("wait.ngc:3:1: error: the program waits for an answer here", said)
+            self.assertFalse(os.path.exists(trace))
+            self.kerf("dry-run", part)
+
+    def test_of_a_second_run_on_a_machine_is_5(self):
+        machine = self.path("mill.toml", (pathlib.Path(SOURCE) / "programs/machines/sigmoid-butterfly.toml").read_text())
+        trace = self.path("first.csv")
+        first = subprocess.Popen([KERF, "run", self.path("long.ngc", LONG), "--machine", machine, "--trace", trace],
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(first.kill)
+        deadline = time.monotonic() + 60
+        while not os.path.exists(trace + ".incomplete") and time.monotonic() < deadline:
+            time.sleep(0.02)
+        square = self.path("square.ngc", SQUARE)
+        said = self.kerf("run", square, "--machine", machine, status=5).stderr
+        self.assertIn("mill.toml: another kerf run has this machine", said)
+        self.kerf("dry-run", square, "--machine", machine)
+        first.send_signal(signal.SIGINT)
+        first.communicate(timeout=60)
+        self.kerf("run", square, "--machine", machine)
+
     def test_is_documented(self):
         source = pathlib.Path(SOURCE)
         self.assertEqual({int(n) for n in re.findall(r"^  \w+ = (\d+),", (source / "programs/kerf/exit_status.hpp").read_text(), re.M)}, ALL)

@@ -3,9 +3,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdint>
-
-#include <kerf/setpoint.hpp>
 
 namespace kerf::program {
 
@@ -17,21 +14,6 @@ class Progress {
   void set_planned(double length_mm) noexcept { planned_mm_.store(length_mm, kOrder); }
   void set_done(double s_mm) noexcept { done_mm_.store(s_mm, kOrder); }
 
-  struct Tick {
-    TickStatus status = TickStatus::running;
-    std::uint32_t line = 0;
-    double feedrate_mm_s = 0.0;
-  };
-  void set_tick(const Tick& tick) noexcept {
-    status_.store(tick.status, kOrder);
-    line_.store(tick.line, kOrder);
-    feedrate_mm_s_.store(tick.feedrate_mm_s, kOrder);
-  }
-
-  // Of the latest tick.
-  [[nodiscard]] TickStatus status() const noexcept { return status_.load(kOrder); }
-  [[nodiscard]] std::uint32_t line() const noexcept { return line_.load(kOrder); }
-  [[nodiscard]] double feedrate_mm_s() const noexcept { return feedrate_mm_s_.load(kOrder); }
   // 0..1.
   [[nodiscard]] double share() const noexcept {
     const double planned = planned_mm_.load(kOrder);
@@ -45,9 +27,6 @@ class Progress {
   std::atomic<double> read_{0.0};
   std::atomic<double> planned_mm_{0.0};
   std::atomic<double> done_mm_{0.0};
-  std::atomic<TickStatus> status_{TickStatus::running};
-  std::atomic<std::uint32_t> line_{0};
-  std::atomic<double> feedrate_mm_s_{0.0};
 };
 
 }  // namespace kerf::program

@@ -3,11 +3,9 @@
 namespace kerf::program {
 
 void Feeder::pump() {
-  while (kernel_->plan() && !stopped_) {
+  while (planning_->plan() && !stopped_) {
     if (!feed_piece()) {
-      if (kernel_->runs_low()) {
-        kernel_->plan_to_rest();
-      }
+      planning_->text_is_late();
       return;
     }
   }
@@ -21,11 +19,11 @@ bool Feeder::feed_piece() {
   } else if (piece->state == TextPiece::State::not_yet) {
     return false;
   } else if (piece->state == TextPiece::State::end) {
-    kernel_->finish();
+    planning_->finish();
   } else {
-    kernel_->feed(piece->bytes);
+    planning_->feed(piece->bytes);
   }
-  progress_->set_planned(kernel_->totals().path_length_mm);
+  progress_->set_planned(planning_->kernel().totals().path_length_mm);
   progress_->set_read(text_->share_read());
   return true;
 }
@@ -33,8 +31,8 @@ bool Feeder::feed_piece() {
 void Feeder::stop() {
   if (!stopped_) {
     stopped_ = true;
-    kernel_->stop();
-    kernel_->plan();
+    planning_->stop();
+    planning_->plan();
   }
 }
 

@@ -1,13 +1,12 @@
-// Feeds text to the kernel as it needs it.
+// Feeds text to the planning side as it needs it.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include <kerf/kernel.hpp>
-
 #include "programs/kerf/io/progress.hpp"
 #include "programs/kerf/io/text_feed.hpp"
+#include "programs/kerf/run/planning_side.hpp"
 
 namespace kerf::program {
 
@@ -15,8 +14,8 @@ namespace kerf::program {
 // the tool come to rest on the path; so does text that is late, until it comes.
 class Feeder {
  public:
-  Feeder(Kernel& kernel, TextFeed& text, Progress& progress) noexcept
-      : kernel_(&kernel), text_(&text), progress_(&progress) {}
+  Feeder(PlanningSide& planning, TextFeed& text, Progress& progress) noexcept
+      : planning_(&planning), text_(&text), progress_(&progress) {}
 
   // Plans as far ahead as there is room.
   void pump();
@@ -28,7 +27,7 @@ class Feeder {
   // False: none is there yet.
   bool feed_piece();
 
-  Kernel* kernel_;
+  PlanningSide* planning_;
   TextFeed* text_;
   Progress* progress_;
   bool stopped_ = false;

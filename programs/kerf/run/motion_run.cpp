@@ -1,10 +1,13 @@
 #include "programs/kerf/run/motion_run.hpp"
 
+#include <utility>
+
 #include <spdlog/fmt/fmt.h>
 
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/number_text.hpp"
 #include "programs/kerf/io/progress_bar.hpp"
+#include "programs/kerf/run/keys.hpp"
 #include "programs/kerf/run/motion_report.hpp"
 #include "programs/kerf/run/output_files.hpp"
 #include "programs/kerf/run/run_loop.hpp"
@@ -12,54 +15,6 @@
 namespace kerf::program {
 
 namespace {
-
-RunOutcome run(const RunStage& stage, const MotionOrder& order, double period_s) {
-  if (order.shows_progress && stage.by.has_keys()) {
-    fmt::print(stderr, "{}\n", Operator::kKeys);
-  }
-  const ProgressBar bar([&stage] { return stage.by.status_line(stage.progress); },
-                        [&stage] { return stage.progress.share(); }, order.shows_progress);
-  return order.options.command == Command::run ? run_in_real_time(stage, period_s)
-                                               : run_without_clock(stage);
-}
-
-struct End {
-  const Kernel& kernel;
-  const MachineFault& fault;
-  const std::optional<std::string>& read_error;
-  const RunOutcome& outcome;
-  const Operator& by;
-  double max_time_s;
-};
-
-// The gravest reason first.
-void report_end(FileReport& report, const End& end) {
-  if (const auto fault = end.kernel.fault()) {
-    report.fail(*fault);
-  } else if (end.outcome.hung) {
-    report.fail({.line = 0, .what = "the program is read and nothing is planned"});
-  } else if (end.fault.kind != machine::Fault::none) {
-    report.fail(ExitStatus::machine_fault, describe(end.fault, report.period_s));
-  } else if (end.outcome.gap) {
-    report.fail(ExitStatus::machine_fault, describe(*end.outcome.gap, report.period_s));
-  } else if (end.by.asked_for_emergency_stop()) {
-    report.status = ExitStatus::emergency_stop;
-  } else if (stop_requested()) {
-    report.status = *stop_requested();
-  } else if (end.by.asked_to_stop()) {
-    report.status = ExitStatus::stopped;
-  } else if (end.outcome.too_long_at_line) {
-    report.fail_too_long({*end.outcome.too_long_at_line, end.max_time_s});
-  } else if (end.read_error) {
-    report.fail(ExitStatus::io_error, *end.read_error);
-  } else if (end.kernel.has_errors()) {
-    report.take(end.kernel.diagnostics());
-    report.status =
-        end.kernel.left_travel() ? ExitStatus::machine_fault : ExitStatus::program_error;
-  } else if (report.live) {
-    report.take(end.kernel.diagnostics());
-  }
-}
 
 PlotCaption plot_caption(const FileReport& report) {
   const PlanReport& plan = *report.plan;
@@ -71,6 +26,137 @@ PlotCaption plot_caption(const FileReport& report) {
       .limits = report.limits.path,
       .deviation = plan.deviates() ? std::optional(plan.deviation) : std::nullopt};
 }
+
+class MotionRun {
+ public:
+  MotionRun(const MotionOrder& order, TextFeed& text, OutputFiles& outputs, FileReport& report)
+      : order_(order),
+        text_(text),
+        outputs_(outputs),
+        report_(report),
+        ticks_(order.settings, order.kernel_options.start_mm) {}
+
+  void dry_run() {
+    Kernel kernel(order_.settings, order_.kernel_options);
+    KernelPlanning planning(kernel);
+    Feeder feeder(planning, text_, progress_);
+    RunOutcome outcome;
+    {
+      const auto bar = progress_bar([] { return std::string("running  "); });
+      outcome = run_without_clock(kernel, stage_with(feeder));
+    }
+    finish({kernel, feeder, outcome});
+  }
+
+  void run() {
+    Controller controller(order_.settings, order_.kernel_options);
+    Operator by(controller);
+    // Neither is refused: it is off, and then idle.
+    static_cast<void>(by.give(kerf::Command::enable));
+    static_cast<void>(by.give(kerf::Command::start));
+    ControllerPlanning planning(controller);
+    Feeder feeder(planning, text_, progress_);
+    RunOutcome outcome;
+    {
+      std::optional<Keys> keys;
+      if (order_.has_keys) {
+        keys.emplace(by);
+      }
+      if (order_.has_keys && order_.shows_progress) {
+        fmt::print(stderr, "{}\n", Keys::kWhatTheyDo);
+      }
+      const auto bar = progress_bar([&controller] { return status_line(controller.status()); });
+      outcome = run_in_real_time({controller, by, report_.period_s}, stage_with(feeder));
+    }
+    finish({.kernel = *controller.program(),
+            .feeder = feeder,
+            .outcome = outcome,
+            .is_stopped = by.has_stopped(),
+            .is_emergency = controller.status().state == ControllerState::emergency_stop});
+  }
+
+ private:
+  struct End {
+    const Kernel& kernel;
+    const Feeder& feeder;
+    const RunOutcome& outcome;
+    bool is_stopped = false;  // by an operator
+    bool is_emergency = false;
+  };
+
+  [[nodiscard]] ProgressBar progress_bar(std::function<std::string()> label) const {
+    return {std::move(label), [this] { return progress_.share(); }, order_.shows_progress};
+  }
+  RunStage stage_with(Feeder& feeder) {
+    return {feeder,
+            ticks_,
+            outputs_.recorder(),
+            progress_,
+            report_.live,
+            static_cast<std::int64_t>(order_.options.max_time_s / report_.period_s)};
+  }
+
+  void finish(const End& end) {
+    report_motion(report_, end.kernel, ticks_.statistics(), end.outcome);
+    if (const auto& speed = outputs_.recorder().speed) {
+      report_.speed = speed->report();
+    }
+    report_end(end);
+    const bool trace_ended = end.outcome.trace_ended;
+    report_.trace_reader_gone = trace_ended && outputs_.recorder().trace->reader_gone();
+    if (report_.status == ExitStatus::done && order_.path.extents && !trace_ended) {
+      // Of the curves: ticks need not meet their extremes.
+      report_.plan->extents = *order_.path.extents;
+      report_.plan->extra_extents = order_.path.extra_extents;
+    }
+    // A run that is stopped has done what its trace says; a dry run has not shown what it was to
+    // show.
+    const bool is_cut = order_.options.command == Command::dry_run &&
+                        (stop_requested() || end.outcome.too_long_at_line || trace_ended);
+    for (const auto& error : {outputs_.close_trace(end.outcome.dropped_records, is_cut),
+                              outputs_.write_plot(plot_caption(report_), is_cut)}) {
+      if (error) {
+        report_.fail(ExitStatus::io_error, *error);
+      }
+    }
+  }
+
+  // The gravest reason first.
+  void report_end(const End& end) {
+    if (const auto fault = end.kernel.fault()) {
+      report_.fail(*fault);
+    } else if (end.outcome.hung) {
+      report_.fail({.line = 0, .what = "the program is read and nothing is planned"});
+    } else if (ticks_.fault().kind != machine::Fault::none) {
+      report_.fail(ExitStatus::machine_fault, describe(ticks_.fault(), report_.period_s));
+    } else if (end.outcome.gap) {
+      report_.fail(ExitStatus::machine_fault, describe(*end.outcome.gap, report_.period_s));
+    } else if (end.is_emergency) {
+      report_.status = ExitStatus::emergency_stop;
+    } else if (stop_requested()) {
+      report_.status = *stop_requested();
+    } else if (end.is_stopped) {
+      report_.status = ExitStatus::stopped;
+    } else if (end.outcome.too_long_at_line) {
+      report_.fail_too_long({*end.outcome.too_long_at_line, order_.options.max_time_s});
+    } else if (end.feeder.error()) {
+      report_.fail(ExitStatus::io_error, *end.feeder.error());
+    } else if (end.kernel.has_errors()) {
+      report_.take(end.kernel.diagnostics());
+      report_.status =
+          end.kernel.left_travel() ? ExitStatus::machine_fault : ExitStatus::program_error;
+    } else if (report_.live) {
+      report_.take(end.kernel.diagnostics());
+    }
+  }
+
+  const MotionOrder& order_;
+  TextFeed& text_;
+  OutputFiles& outputs_;
+  FileReport& report_;
+  Progress progress_;
+  TickStage ticks_;
+};
 
 }  // namespace
 
@@ -86,40 +172,11 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     return;
   }
   report.warnings = outputs->warnings();
-  const bool has_keys =
-      order.options.command == Command::run && !report.live && Keyboard::has_terminal();
-  KernelOptions kernel_options = order.kernel_options;
-  kernel_options.waits = has_keys;
-  Kernel kernel(order.settings, kernel_options);
-  Progress progress;
-  Feeder feeder(kernel, text, progress);
-  TickStage ticks(kernel, order.settings, order.kernel_options.start_mm);
-  Operator by(kernel, has_keys);
-  const RunOutcome outcome =
-      run({feeder, ticks, outputs->recorder(), progress, by, report.live,
-           static_cast<std::int64_t>(order.options.max_time_s / report.period_s)},
-          order, report.period_s);
-  report_motion(report, kernel, ticks.statistics(), outcome);
-  if (const auto& speed = outputs->recorder().speed) {
-    report.speed = speed->report();
-  }
-  report_end(report,
-             {kernel, ticks.fault(), feeder.error(), outcome, by, order.options.max_time_s});
-  report.trace_reader_gone = outcome.trace_ended && outputs->recorder().trace->reader_gone();
-  if (report.status == ExitStatus::done && order.path.extents && !outcome.trace_ended) {
-    // Of the curves: ticks need not meet their extremes.
-    report.plan->extents = *order.path.extents;
-    report.plan->extra_extents = order.path.extra_extents;
-  }
-  // A run that is stopped has done what its trace says; a dry run has not shown what it was to
-  // show.
-  const bool is_cut = order.options.command == Command::dry_run &&
-                      (stop_requested() || outcome.too_long_at_line || outcome.trace_ended);
-  for (const auto& error : {outputs->close_trace(outcome.dropped_records, is_cut),
-                            outputs->write_plot(plot_caption(report), is_cut)}) {
-    if (error) {
-      report.fail(ExitStatus::io_error, *error);
-    }
+  MotionRun run(order, text, *outputs, report);
+  if (order.options.command == Command::run) {
+    run.run();
+  } else {
+    run.dry_run();
   }
 }
 

@@ -25,6 +25,7 @@ struct MotionOrder {
   const KernelOptions& kernel_options;
   CheckedPath path;
   bool shows_progress = false;
+  bool has_keys = false;  // somebody is at the terminal
 };
 
 // Runs the text to its end, or to where it is stopped (dry-run: without a clock; run: by it), with

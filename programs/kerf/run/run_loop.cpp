@@ -41,7 +41,7 @@ class PlanningThread {
         if (stop_requested()) {
           feeder_->stop();
         }
-        by_->carry_out(*feeder_);
+        by_->carry_out();
         feeder_->pump();
         std::this_thread::sleep_for(kPlanningPause);
       }
@@ -59,21 +59,15 @@ class PlanningThread {
   std::thread thread_;
 };
 
-// What follows from a tick for the run: counts, and whether it was the last.
+// Counts ticks that find nothing planned.
 class Judge {
  public:
   explicit Judge(bool waits_for_text) noexcept : waits_for_text_(waits_for_text) {}
 
-  bool is_over(interp::TickStatus status, const TickStage& ticks, RunOutcome& outcome) noexcept {
-    if (status == interp::TickStatus::starved) {
-      ++outcome.starved_ticks;
-      outcome.hung = ++starved_in_a_row_ >= kHungTicks && !waits_for_text_;
-    } else {
-      starved_in_a_row_ = 0;
-    }
-    return status == interp::TickStatus::finished || status == interp::TickStatus::failed ||
-           status == interp::TickStatus::emergency_stop || outcome.hung ||
-           ticks.fault().kind != machine::Fault::none;
+  void count(bool is_starved, RunOutcome& outcome) noexcept {
+    starved_in_a_row_ = is_starved ? starved_in_a_row_ + 1 : 0;
+    outcome.starved_ticks += is_starved ? 1 : 0;
+    outcome.hung = starved_in_a_row_ >= kHungTicks && !waits_for_text_;
   }
 
  private:
@@ -81,9 +75,18 @@ class Judge {
   std::uint64_t starved_in_a_row_ = 0;
 };
 
+bool is_starved(const ControllerStatus& status) noexcept {
+  return status.waits_for == WaitsFor::text || status.waits_for == WaitsFor::planning;
+}
+
+bool is_over(ControllerState state, const Controller& controller) noexcept {
+  return state == ControllerState::idle || state == ControllerState::fault ||
+         (state == ControllerState::emergency_stop && !controller.drives_on());
+}
+
 }  // namespace
 
-RunOutcome run_without_clock(const RunStage& stage) {
+RunOutcome run_without_clock(Kernel& kernel, const RunStage& stage) {
   RunOutcome outcome;
   Judge judge(stage.waits_for_text);
   for (TickRecord record;;) {
@@ -91,12 +94,16 @@ RunOutcome run_without_clock(const RunStage& stage) {
       stage.feeder.stop();
     }
     stage.feeder.pump();
-    stage.ticks.reach_tick();
-    const interp::TickStatus status = stage.ticks.step(record);
+    kernel.reach_tick();
+    Setpoint setpoint;
+    const TickStatus status = kernel.tick(setpoint);
+    record = stage.ticks.take(setpoint);
     stage.recorder.add(record);
     stage.progress.set_done(record.motion.s_mm);
     outcome.trace_ended = stage.recorder.trace_ended();
-    if (judge.is_over(status, stage.ticks, outcome) || outcome.trace_ended) {
+    judge.count(status == TickStatus::starved, outcome);
+    if (status == TickStatus::finished || status == TickStatus::failed || outcome.hung ||
+        stage.ticks.fault().kind != machine::Fault::none || outcome.trace_ended) {
       return outcome;
     }
     if (record.tick >= stage.last_tick) {
@@ -106,13 +113,13 @@ RunOutcome run_without_clock(const RunStage& stage) {
   }
 }
 
-RunOutcome run_in_real_time(const RunStage& stage, double period_s) {
+RunOutcome run_in_real_time(const RealTimeOrder& order, const RunStage& stage) {
   expect_emergency_stop();
   RunOutcome outcome;
   RecorderThread recorder(stage.recorder);
   {
-    const PlanningThread planning(stage.feeder, stage.by);
-    TickTimer timer(period_s);
+    const PlanningThread planning(stage.feeder, order.by);
+    TickTimer timer(order.period_s);
     Judge judge(stage.waits_for_text);
     for (TickRecord record;;) {
       if (const double gap_s = timer.wait(); gap_s > 0.0) {
@@ -120,14 +127,16 @@ RunOutcome run_in_real_time(const RunStage& stage, double period_s) {
         break;
       }
       if (emergency_stop_requested()) {
-        stage.by.emergency_stop();
+        order.controller.emergency_stop();
       }
-      const interp::TickStatus status = stage.ticks.step(record);
+      Setpoint setpoint;
+      const ControllerState state = order.controller.tick(setpoint);
+      record = stage.ticks.take(setpoint);
       recorder.push(record);
       stage.progress.set_done(record.motion.s_mm);
-      stage.progress.set_tick(
-          {.status = status, .line = record.line, .feedrate_mm_s = record.motion.v_mm_s});
-      if (judge.is_over(status, stage.ticks, outcome)) {
+      judge.count(is_starved(order.controller.status()), outcome);
+      if (is_over(state, order.controller) || outcome.hung ||
+          stage.ticks.fault().kind != machine::Fault::none) {
         break;
       }
       if (planning.failed()) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <optional>
 
+#include <kerf/controller.hpp>
+
 #include "programs/kerf/run/feeder.hpp"
 #include "programs/kerf/run/operator.hpp"
 #include "programs/kerf/run/recorder.hpp"
@@ -17,7 +19,6 @@ struct RunStage {
   TickStage& ticks;
   Recorder& recorder;
   Progress& progress;
-  Operator& by;
   bool waits_for_text = false;  // a tick without motion is no defect: the text is still to come
   std::int64_t last_tick = std::numeric_limits<std::int64_t>::max();  // of a run without a clock
 };
@@ -44,11 +45,18 @@ struct RunOutcome {
 // One after the other in this thread, as fast as it goes. A request to stop (interrupt.hpp) is a
 // stop on the path, after which the run is over; a fault of the machine ends it at once, and so
 // does a trace that ends: the motion serves nobody.
-RunOutcome run_without_clock(const RunStage& stage);
+RunOutcome run_without_clock(Kernel& kernel, const RunStage& stage);
 
 // The same ticks, one every period_s of CLOCK_MONOTONIC, in this thread; planning and recording
 // each have a thread of their own. A late tick is counted, and the ticks after it keep their
 // distance: lost time is not caught up. A gap (TickTimer) is a fault that ends the run at once.
-RunOutcome run_in_real_time(const RunStage& stage, double period_s);
+//
+// The run is over once the controller is idle or in fault, or at rest after an emergency stop.
+struct RealTimeOrder {
+  Controller& controller;
+  Operator& by;
+  double period_s = 0.001;
+};
+RunOutcome run_in_real_time(const RealTimeOrder& order, const RunStage& stage);
 
 }  // namespace kerf::program

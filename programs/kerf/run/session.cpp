@@ -7,6 +7,8 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "programs/kerf/io/interrupt.hpp"
+#include "programs/kerf/io/keyboard.hpp"
+#include "programs/kerf/io/machine_lock.hpp"
 #include "programs/kerf/io/progress_bar.hpp"
 #include "programs/kerf/io/subprogram_folder.hpp"
 #include "programs/kerf/io/text_feed.hpp"
@@ -58,7 +60,13 @@ class Session {
           subprograms_beside(path, options_.dialect.value_or(settings_.dialect));
     }
     if (options_.command == Command::run) {
-      if (Descriptor source = ProgramFile::open_live(path); source.is_open()) {
+      if (!lock()) {
+        return std::move(report_);
+      }
+      Descriptor source = ProgramFile::open_live(path);
+      has_keys_ = !source.is_open() && Keyboard::has_terminal();
+      kernel_options_.refuses_waits = !has_keys_;
+      if (source.is_open()) {
         run_live(std::move(source));
         return std::move(report_);
       }
@@ -83,6 +91,20 @@ class Session {
   }
 
  private:
+  // False: another run has the machine.
+  bool lock() {
+    if (!options_.machine_file) {
+      return true;
+    }
+    auto held = lock_machine(*options_.machine_file);
+    if (!held) {
+      report_.fail(ExitStatus::io_error, held.error());
+      return false;
+    }
+    machine_lock_ = *std::move(held);
+    return true;
+  }
+
   // True: the program may run.
   bool check(ProgramFile& file) {
     const Stopwatch watch;
@@ -180,13 +202,16 @@ class Session {
                 .settings = settings_,
                 .kernel_options = kernel_options_,
                 .path = path_,
-                .shows_progress = shows_progress_},
+                .shows_progress = shows_progress_,
+                .has_keys = has_keys_},
                text, report_);
   }
 
   const Options& options_;
   const MachineSettings& settings_;
   bool shows_progress_;
+  bool has_keys_ = false;
+  Descriptor machine_lock_;  // of a run
   KernelOptions kernel_options_;
   FileReport report_;
   CheckedPath path_;

@@ -1,0 +1,83 @@
+#include "programs/kerf/run/keys.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include <spdlog/fmt/fmt.h>
+
+namespace kerf::program {
+
+namespace {
+
+using Asked = kerf::Command;
+
+constexpr char kEscape = '\x1b';
+constexpr std::chrono::milliseconds kWait{50};
+constexpr int kFeedStep_percent = 10;
+constexpr int kMostFeed_percent = 200;
+
+int feed_percent(const ControllerStatus& status) {
+  return static_cast<int>(std::lround(100.0 * status.overrides.feed));
+}
+
+}  // namespace
+
+Keys::Keys(Operator& by) : by_(&by) {
+  if (keyboard_.is_open()) {
+    thread_ = std::thread([this] { read(); });
+  }
+}
+
+Keys::~Keys() {
+  over_ = true;
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+void Keys::read() {
+  while (!over_) {
+    const auto key = keyboard_.key(kWait);
+    if (key == kEscape) {
+      by_->emergency_stop();
+    } else if (key) {
+      by_->ask([this, key] { press(*key); });
+    }
+  }
+}
+
+// What the state refuses is not done: the status line shows the state.
+void Keys::press(char key) {
+  const ControllerStatus status = by_->status();
+  const bool holds =
+      status.state == ControllerState::holding || status.state == ControllerState::held;
+  if (key == ' ') {
+    static_cast<void>(by_->give(holds ? Asked::resume : Asked::hold));
+  } else if (key == '\n' || key == '\r') {
+    static_cast<void>(by_->give(Asked::resume));
+  } else if (key == '+' || key == '=') {
+    change_feed(feed_percent(status) + kFeedStep_percent);
+  } else if (key == '-') {
+    change_feed(feed_percent(status) - kFeedStep_percent);
+  } else if (key == 's') {
+    static_cast<void>(by_->set_single_block(!status.single_block));
+  } else if (key == 'q') {
+    static_cast<void>(by_->give(Asked::stop));
+  }
+}
+
+void Keys::change_feed(int percent) {
+  Overrides overrides = by_->status().overrides;
+  overrides.feed = 0.01 * std::clamp(percent, 0, kMostFeed_percent);
+  static_cast<void>(by_->set_overrides(overrides));
+}
+
+std::string status_line(const ControllerStatus& status) {
+  constexpr double kPerMinute = 60.0;
+  return fmt::format("{:9} line {:<6} F{:<6.0f} {:3} %{}", name_of(status.state),
+                     status.setpoint.line, kPerMinute * status.setpoint.v_mm_s,
+                     feed_percent(status), status.single_block ? " single block" : "");
+}
+
+}  // namespace kerf::program

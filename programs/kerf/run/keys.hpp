@@ -1,0 +1,43 @@
+// The person at the terminal of a run.
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <thread>
+
+#include "programs/kerf/io/keyboard.hpp"
+#include "programs/kerf/run/operator.hpp"
+
+namespace kerf::program {
+
+// Space holds and resumes, Enter resumes and answers a wait, + and - change the feed override by
+// 10 %, s switches single block, q stops, Esc is the emergency stop. Keys are read in a thread of
+// its own.
+class Keys {
+ public:
+  // None where standard input is no terminal.
+  explicit Keys(Operator& by);
+  ~Keys();
+  Keys(const Keys&) = delete;
+  Keys& operator=(const Keys&) = delete;
+
+  static constexpr const char* kWhatTheyDo =
+      "keys: space holds and resumes, Enter goes on, + and - change the feed, s switches single "
+      "block, q stops on the path, Esc is the emergency stop";
+
+ private:
+  void read();
+  // In the thread that plans.
+  void press(char key);
+  void change_feed(int percent);
+
+  Operator* by_;
+  Keyboard keyboard_;
+  std::atomic<bool> over_ = false;
+  std::thread thread_;
+};
+
+// The state, the line, the feedrate, the feed override and single block.
+[[nodiscard]] std::string status_line(const ControllerStatus& status);
+
+}  // namespace kerf::program
