@@ -159,7 +159,13 @@ void Interpolator::advance_line(double s_mm) noexcept {
     line_ = *next;
     queue_->pop_line_change();
   }
-  now_.line = phase_.has_changes && line_.curve == phase_.curve ? line_.line : phase_.line;
+  const bool is_behind_change = phase_.has_changes && line_.curve == phase_.curve;
+  now_.line = is_behind_change ? line_.line : phase_.line;
+  const std::uint64_t block =
+      std::max(is_behind_change ? line_.run_block : phase_.run_block, phase_.rest_block);
+  if (block > reached_block()) {
+    reached_block_.store(block, std::memory_order_relaxed);
+  }
 }
 
 void Interpolator::note_passed_piece() noexcept {

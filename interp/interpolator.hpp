@@ -58,6 +58,12 @@ class Interpolator {
             .in_force = static_cast<std::uint32_t>(both)};
   }
 
+  // The latest run block (Phase::run_block) that has begun, motion or rest. May be read by any
+  // thread.
+  [[nodiscard]] std::uint64_t reached_block() const noexcept {
+    return reached_block_.load(std::memory_order_relaxed);
+  }
+
   // The largest distance of the path from the straight line between the last two setpoints, taken
   // at points of the path between them, junctions included. If a tick passes over more than
   // kPassedPieces whole pieces, the later ones do not count.
@@ -100,6 +106,7 @@ class Interpolator {
   MotionQueue* queue_;
   double period_s_;
   std::atomic<std::int64_t> plan_tick_ = 0;
+  std::atomic<std::uint64_t> reached_block_ = 0;
   std::atomic<std::uint64_t> answer_ = 0;  // Answer: plan, in_force
   std::uint32_t plan_ = 0;                 // in force
   StopAhead stop_{};                       // the latest that was taken

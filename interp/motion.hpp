@@ -51,6 +51,7 @@ struct Phase {
   profiles::TimeLaw law{};
   std::uint32_t line = 0;            // where it begins
   std::uint64_t run_block = 0;       // the run block where it begins, counted from 1; 0: a rest
+  std::uint64_t rest_block = 0;      // of a rest, where the program has a block for it
   bool has_changes = false;          // LineChanges say where on the curve the line is another one
   std::uint64_t output_changes = 0;  // so many of the program's are in force from its begin on
   std::uint32_t plan = 0;            // counts the plans that took over from another one

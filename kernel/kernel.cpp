@@ -73,6 +73,12 @@ bool Kernel::set_overrides(const Overrides& overrides) {
 void Kernel::set_single_block(bool on) {
   impl_->set_single_block(on);
 }
+std::vector<ProgramMessage> Kernel::take_messages() {
+  return impl_->notes().take_messages();
+}
+std::string_view Kernel::active_codes() const noexcept {
+  return impl_->notes().codes();
+}
 double Kernel::chord_error_mm() const noexcept {
   return impl_->judge().latest_chord_error_mm();
 }

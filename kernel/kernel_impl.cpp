@@ -6,6 +6,9 @@ namespace kerf {
 
 bool Kernel::Impl::plan() {
   const std::int64_t now = interpolator_.plan_tick();
+  if (tells_) {
+    follow_tool();
+  }
   if (!follow_stop_ahead()) {
     return false;
   }
@@ -17,6 +20,14 @@ bool Kernel::Impl::plan() {
   const bool wants_text = fill_queue();
   hand_over();
   return wants_text;
+}
+
+void Kernel::Impl::follow_tool() {
+  if (pipeline_.is_finished() && interpolator_.plan_tick() >= pipeline_.emitted_until_tick()) {
+    notes_.reach_end();
+  } else {
+    notes_.reach(interpolator_.reached_block());
+  }
 }
 
 bool Kernel::Impl::fill_queue() {

@@ -14,6 +14,7 @@
 #include "interp/interpolator.hpp"
 #include "kernel/delivery.hpp"
 #include "kernel/pipeline.hpp"
+#include "kernel/program_notes.hpp"
 #include "kernel/tick_judge.hpp"
 
 namespace kerf {
@@ -27,7 +28,11 @@ namespace kerf {
 class Kernel::Impl {
  public:
   Impl(const MachineSettings& settings, const KernelOptions& options)
-      : pipeline_({.settings = settings, .options = options, .may_hold = true}),
+      : tells_(options.tells_operator),
+        pipeline_({.settings = settings,
+                   .options = options,
+                   .path = {.observer = tells_ ? &notes_ : nullptr},
+                   .may_hold = true}),
         interpolator_(queue_, settings.limits.period_s, options.start_mm,
                       options.start_extra_rad_mm, settings.limits),
         judge_({.limits = settings.limits,
@@ -80,6 +85,7 @@ class Kernel::Impl {
   void set_single_block(bool on);
   [[nodiscard]] const Overrides& overrides() const noexcept { return overrides_; }
 
+  [[nodiscard]] ProgramNotes& notes() noexcept { return notes_; }
   [[nodiscard]] std::optional<RunFault> fault() const {
     const std::optional<RunFault>& of_plan = pipeline_.check().fault();
     return of_plan ? of_plan : describe(judge_.excess());
@@ -106,6 +112,9 @@ class Kernel::Impl {
   static constexpr double kFirstPart_s = 0.1;
   // Of the horizon: less than this is not worth a stop ahead of its own while there is as much.
   static constexpr std::int64_t kPartsOfHorizon = 8;
+
+  // To where the tool is.
+  void follow_tool();
 
   // True: more text is needed.
   bool fill_queue();
@@ -140,6 +149,8 @@ class Kernel::Impl {
 
   void fail_with_check() { broken_ = pipeline_.check().is_broken(); }
 
+  bool tells_;
+  ProgramNotes notes_;
   Pipeline pipeline_;
   interp::MotionQueue queue_;
   interp::Interpolator interpolator_;

@@ -16,7 +16,8 @@ inline parser::ReaderOptions reader_options(const MachineSettings& settings,
           .block_delete = options.block_delete,
           .dialect = options.dialect.value_or(settings.dialect),
           .machine = settings.program,
-          .subprograms = options.subprograms};
+          .subprograms = options.subprograms,
+          .keeps_messages = options.tells_operator};
 }
 
 }  // namespace kerf

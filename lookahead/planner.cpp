@@ -122,23 +122,23 @@ void Planner::take_waiting() {
   }
 }
 
-void Planner::push_rest(double duration_s, std::uint32_t line) {
+void Planner::push_rest(double duration_s, const RestPlace& at) {
   assert(duration_s >= 0.0 && wants_block());
-  accept(Rest{.duration_s = duration_s, .line = line});
+  accept(Rest{.duration_s = duration_s, .line = at.line, .run_block = at.run_block});
 }
 
-void Planner::push_wait(const std::optional<interp::OutputChange>& change, std::uint32_t line) {
+void Planner::push_wait(const std::optional<interp::OutputChange>& change, const RestPlace& at) {
   assert(settings_.may_hold && wants_block());
-  accept(Rest{.line = line, .waits = true, .change = change});
+  accept(Rest{.line = at.line, .run_block = at.run_block, .waits = true, .change = change});
 }
 
 bool Planner::waits_at(parser::EventKind kind) const noexcept {
   return settings_.waits && parser::waits_for_answer(kind, settings_.optional_stop);
 }
 
-void Planner::push_change_at_rest(const interp::OutputChange& change, std::uint32_t line) {
+void Planner::push_change_at_rest(const interp::OutputChange& change, const RestPlace& at) {
   assert(wants_block());
-  accept(Rest{.line = line, .change = change});
+  accept(Rest{.line = at.line, .run_block = at.run_block, .change = change});
 }
 
 void Planner::push_change_at_motion(const interp::OutputChange& change) {
@@ -189,7 +189,8 @@ bool Planner::emit_next(Outbox& outbox) {
 
 void Planner::emit_rest(Outbox& outbox) {
   if (rest_.duration_s > 2.0 * rest_part_s_) {
-    emitter_.emit_rest({.duration_s = rest_part_s_, .line = rest_.line}, outbox);
+    emitter_.emit_rest(
+        {.duration_s = rest_part_s_, .line = rest_.line, .run_block = rest_.run_block}, outbox);
     rest_.duration_s -= rest_part_s_;
     return;
   }

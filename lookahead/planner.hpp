@@ -49,13 +49,17 @@ class Planner {
   [[nodiscard]] bool wants_block() const noexcept;
   void push(Block block);
   // The tool stops and rests for duration_s (0 for an event). Precondition: wants_block().
-  void push_rest(double duration_s, std::uint32_t line);
+  struct RestPlace {
+    std::uint32_t line = 0;
+    std::uint64_t run_block = 0;  // parser::Move::block; 0: of none
+  };
+  void push_rest(double duration_s, const RestPlace& at);
   // The tool stops and waits for resume(), after the change where there is one. Precondition:
   // wants_block().
-  void push_wait(const std::optional<interp::OutputChange>& change, std::uint32_t line);
+  void push_wait(const std::optional<interp::OutputChange>& change, const RestPlace& at);
   [[nodiscard]] bool waits_at(parser::EventKind kind) const noexcept;
   // The change takes effect once the tool is at rest. Precondition: wants_block().
-  void push_change_at_rest(const interp::OutputChange& change, std::uint32_t line);
+  void push_change_at_rest(const interp::OutputChange& change, const RestPlace& at);
   // The change takes effect at the first tick on the block that is pushed next.
   void push_change_at_motion(const interp::OutputChange& change);
   // The program ends, at rest, after what has been pushed. Precondition: wants_block().

@@ -69,32 +69,33 @@ std::optional<interp::OutputChange> output_change_of(const parser::EventMove& ev
   }
 }
 
-void push_event(const parser::EventMove& event, std::uint32_t line, Planner& planner) {
+void push_event(const parser::EventMove& event, const Planner::RestPlace& at, Planner& planner) {
   const auto change = output_change_of(event);
   if (planner.waits_at(event.kind)) {
-    planner.push_wait(change, line);
+    planner.push_wait(change, at);
   } else if (!change) {
-    planner.push_rest(0.0, line);
+    planner.push_rest(0.0, at);
   } else if (parser::is_at_motion(event.kind)) {
     planner.push_change_at_motion(*change);
   } else {
-    planner.push_change_at_rest(*change, line);
+    planner.push_change_at_rest(*change, at);
   }
 }
 
 }  // namespace
 
 void push_pause(const parser::Move& pause, Planner& planner) {
+  const Planner::RestPlace at{.line = pause.source.line, .run_block = pause.block};
   if (const auto* dwell = std::get_if<parser::DwellMove>(&pause.shape)) {
-    planner.push_rest(dwell->duration_s, pause.source.line);
+    planner.push_rest(dwell->duration_s, at);
   } else if (const auto* event = std::get_if<parser::EventMove>(&pause.shape)) {
-    push_event(*event, pause.source.line, planner);
+    push_event(*event, at, planner);
   }
 }
 
 void push_block(Block block, const std::vector<parser::EventMove>& changes, Planner& planner) {
   for (const parser::EventMove& change : changes) {
-    push_event(change, block.line, planner);
+    push_event(change, {.line = block.line, .run_block = block.run_block}, planner);
   }
   planner.push(std::move(block));
 }

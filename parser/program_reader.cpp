@@ -21,6 +21,12 @@ void ProgramReader::finish() {
 bool ProgramReader::next(Move& move) {
   return run_->next(move);
 }
+const std::vector<NumberedMessage>& ProgramReader::messages() const {
+  return run_->messages();
+}
+std::string ProgramReader::codes() const {
+  return run_->codes();
+}
 bool ProgramReader::at_end() const {
   return run_->at_end();
 }

@@ -1,8 +1,11 @@
 // The parser's door: bytes in, in pieces of any size; moves and diagnostics out.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +17,11 @@
 namespace kerf::parser {
 
 class ProgramRun;
+
+struct NumberedMessage {
+  std::uint64_t block = 0;  // as Move::block
+  ProgramMessage message{};
+};
 
 // Reads one program. Memory does not grow with its length: the piece fed last, a line of at most
 // 64 KiB, the modal state and one NURBS curve of at most 20,000 control points are all that is
@@ -39,6 +47,14 @@ class ProgramReader {
 
   // The next move, if the bytes so far make one up. False: feed() more, or the end if finished.
   bool next(Move& move);
+
+  // What the program told the operator in the text that the last next() read; each belongs before
+  // the block of its number. Where there are more than kMostMessages, the first of them.
+  static constexpr std::size_t kMostMessages = 1000;
+  [[nodiscard]] const std::vector<NumberedMessage>& messages() const;
+
+  // The codes in force behind the block that was read last: "G1 G17 G21 ...".
+  [[nodiscard]] std::string codes() const;
 
   // True once the program's end was met: M2, M30, the closing % or the last byte.
   [[nodiscard]] bool at_end() const;

@@ -34,7 +34,8 @@ struct KernelOptions {
   /// plan() and tick() are called by one thread, which is never late: no way to rest is kept ready
   /// behind what is planned.
   bool one_thread = false;
-  bool checks_travel = false;  ///< a block that leaves the travel is an error
+  bool tells_operator = false;  ///< take_messages() and active_codes() have something to say
+  bool checks_travel = false;   ///< a block that leaves the travel is an error
   /// Where the tool is, in machine coordinates, each within +-1e6.
   std::array<double, 3> start_mm{};
   /// The same for A, B, C in rad and U, V, W in mm.
@@ -108,6 +109,12 @@ class KERF_API Kernel {
   void hold();
   /// Goes on from a hold, on the same path, or from where the program waits. Planning side.
   void resume();
+  /// The messages of the blocks that the tool has come to since the last call. Planning side, as
+  /// active_codes(): both as of the latest plan().
+  [[nodiscard]] std::vector<ProgramMessage> take_messages();
+  /// The codes that are in force on the block that the tool is at: "G1 G17 G21 ..."; empty before
+  /// the first.
+  [[nodiscard]] std::string_view active_codes() const noexcept;
 
   /// Goes on with other feedrates some milliseconds later, on the same path, without a stop where
   /// the limits allow; a feedrate that is too high by then falls as fast as they allow. The last

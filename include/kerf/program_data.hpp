@@ -24,6 +24,18 @@ enum class Dialect : std::uint8_t {
   fanuc,  ///< program numbers, custom macro B, Fanuc's meaning of shared codes
 };
 
+/// What a program tells the operator. RS274/NGC alone; of several comments of a block the last one.
+struct ProgramMessage {
+  enum class Kind : std::uint8_t {
+    message,  ///< (MSG, text)
+    print,    ///< (PRINT, text), with #1 and #<name> as numbers of six decimals
+    debug,    ///< (DEBUG, text), the same
+  };
+  Kind kind = Kind::message;
+  std::uint32_t line = 0;
+  std::string text{};
+};
+
 /// The operator's block delete switches: which blocks with a '/' before them are left out. Nine
 /// switches, as Fanuc has them: /2 belongs to the second, a '/' alone to the first.
 class BlockDelete {

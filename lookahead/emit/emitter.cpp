@@ -185,6 +185,7 @@ void Emitter::emit_rest(const Rest& rest, Outbox& outbox) {
   }
   interp::Phase phase = rest_phase(rest.duration_s);
   phase.line = rest.line != 0 ? rest.line : place_.line;
+  phase.rest_block = rest.run_block;
   phase.ends_program = rest.ends_program;
   outbox.phases.push_back(phase);
   clock_.advance(rest.duration_s);

@@ -32,7 +32,7 @@ struct DialectRules {
   // Text.
   bool numbered_delete;          // '/2' to '/9' are block deletes of their own
   bool blocks_behind_semicolon;  // ';' ends a block; else it begins a comment
-  bool abort_comments;           // (ABORT, message) ends the program
+  bool active_comments;          // (MSG, text) is a message, (ABORT, text) ends the program
   bool least_increments;         // the machine says what a number without a point counts in
 
   // Flow.

@@ -31,6 +31,7 @@ struct ReaderOptions {
   SubprogramSource subprograms{};  // empty: only those in the program's own text
   // Lines read since the last motion that end the program as an endless loop.
   std::uint64_t max_idle_steps = 10'000'000;
+  bool keeps_messages = false;     // for ProgramReader::messages()
   std::uint32_t watched_line = 0;  // of the program's own text; 0: none
 };
 

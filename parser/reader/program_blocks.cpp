@@ -8,6 +8,8 @@
 #include "parser/flow/block_calls.hpp"
 #include "parser/flow/statement_reader.hpp"
 #include "parser/flow/statement_text.hpp"
+#include "parser/modal/codes_in_force.hpp"
+#include "parser/reader/active_comments.hpp"
 #include "parser/reader/block_warnings.hpp"
 #include "parser/reader/program_run.hpp"
 #include "parser/text/text.hpp"
@@ -149,28 +151,33 @@ void ProgramRun::read_code(const Line& line) {
   }
 }
 
-// (ABORT, message): as LinuxCNC has it, of a block's comments only the last one says anything, and
-// it comes before the words.
-bool ProgramRun::aborts(const Line& line) {
-  constexpr std::string_view kAbort = "ABORT,";
-  if (!rules_.abort_comments || block_.comment == 0) {
+// As LinuxCNC has it, of a block's comments only the last one says anything, and it comes before
+// the words. True: it ends the program.
+bool ProgramRun::act_on_comment(const Line& line) {
+  if (!rules_.active_comments || block_.comment == 0) {
     return false;
   }
-  const std::string_view comment = line.text.substr(block_.comment);
-  const std::size_t comma = comment.find(',');
-  if (comma == std::string_view::npos || upper(comment.substr(0, comma + 1)) != kAbort) {
+  const auto comment = active_comment(line.text.substr(block_.comment));
+  if (!comment) {
     return false;
   }
-  const std::string_view message = comment.substr(comma + 1, comment.find(')') - comma - 1);
-  const std::size_t begin = std::min(skip_blanks(message, 0), message.size());
+  if (comment->kind) {
+    if (options_.keeps_messages && messages_.size() < ProgramReader::kMostMessages) {
+      messages_.push_back({.block = interpreter_.blocks_run() + 1,
+                           .message = {.kind = *comment->kind,
+                                       .line = line.number,
+                                       .text = message_text(*comment, parameters_)}});
+    }
+    return false;
+  }
   diagnostics_.add({line.number, block_.comment}, errors::kAborted,
-                   joined({"the program aborts itself: ", message.substr(begin)}));
+                   joined({"the program aborts itself: ", comment->text}));
   ended_ = rest_reported_ = true;
   return true;
 }
 
 void ProgramRun::run_block(const Line& line, bool complete) {
-  if (complete && aborts(line)) {
+  if (complete && act_on_comment(line)) {
     return;
   }
   if (const auto unset = evaluator_.take_unset_read()) {
@@ -200,6 +207,14 @@ void ProgramRun::run_block(const Line& line, bool complete) {
     return run_fanuc_block(line, complete);
   }
   interpreter_.run(block_, line.number, complete);
+}
+
+std::string ProgramRun::codes() const {
+  std::string text;
+  for (const std::string& code : codes_in_force(interpreter_.state())) {
+    text += (text.empty() ? "" : " ") + code;
+  }
+  return text;
 }
 
 ProgramMemory ProgramRun::memory_of(const ReaderOptions& options) {

@@ -122,6 +122,7 @@ bool ProgramRun::next_line(Line& line) {
 }
 
 bool ProgramRun::next(Move& move) {
+  messages_.clear();
   do {
     if (!next_move(move)) {
       return false;

@@ -18,6 +18,7 @@
 #include "parser/interpreter/interpreter.hpp"
 #include "parser/moves/short_moves.hpp"
 #include "parser/offsets/machine_values.hpp"
+#include "parser/program_reader.hpp"
 #include "parser/reader/block_warnings.hpp"
 #include "parser/text/program_input.hpp"
 
@@ -45,6 +46,8 @@ class ProgramRun {
   [[nodiscard]] const std::optional<WatchedBlock>& watched_block() const {
     return flow_.watched_statement() ? flow_.watched_statement() : watched_block_;
   }
+  [[nodiscard]] const std::vector<NumberedMessage>& messages() const { return messages_; }
+  [[nodiscard]] std::string codes() const;  // program_blocks.cpp
   [[nodiscard]] std::size_t held_bytes() const { return flow_.held_bytes(); }
   [[nodiscard]] std::string_view file_name(std::uint16_t file) const {
     return flow_.file_name(file);
@@ -66,7 +69,7 @@ class ProgramRun {
   void read_line(const Line& line);
   void read_code(const Line& line);
   void run_block(const Line& line, bool complete);
-  bool aborts(const Line& line);
+  bool act_on_comment(const Line& line);
   bool is_program_number(const Block& block, std::uint32_t line);
   bool run_call(const Line& line, bool complete);
   void run_program_call(const Line& line, const Word& code);
@@ -110,6 +113,7 @@ class ProgramRun {
   bool rest_reported_ = false;
   std::uint32_t opening_line_ = 0;
   std::optional<WatchedBlock> watched_block_;
+  std::vector<NumberedMessage> messages_;  // of the text that the last next() read
 };
 
 }  // namespace kerf::parser

@@ -30,7 +30,7 @@ TEST(Planner, RestsForItsDurationOnTicks) {
   Outbox outbox;
   const auto blocks = blocks_of(straight(2, 10.0, 50.0), limits);
   planner.push(Block(blocks[0]));
-  planner.push_rest(0.2505, 7);
+  planner.push_rest(0.2505, {.line = 7});
   while (planner.emit(outbox)) {
   }
   planner.push(Block(blocks[1]));
@@ -61,7 +61,7 @@ TEST(Planner, KeepsTheTicksOfADwellThatLeavesInManyParts) {
         std::pair{0.3000005, std::int64_t{301}}}) {
     Planner planner({.limits = mill()});
     Outbox outbox;
-    planner.push_rest(dwell_s, 7);
+    planner.push_rest(dwell_s, {.line = 7});
     while (planner.emit(outbox)) {
       outbox.clear();
     }
