@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <string_view>
 
 #include <kerf/api.hpp>
@@ -71,21 +73,40 @@ struct Refusal {
   std::string_view reason{};
 };
 
+/// Something that an operator should hear of: the state is another one, or the program said
+/// something.
+struct ControllerEvent {
+  static constexpr std::size_t kKept = 256;  ///< older ones are forgotten
+  enum class Kind : std::uint8_t { state, message };
+
+  std::uint64_t number = 0;  ///< counts from 1
+  Kind kind = Kind::state;
+  ControllerState state = ControllerState::off;  ///< behind it
+  WaitsFor waits_for = WaitsFor::nothing;
+  std::uint32_t line = 0;     ///< of a state: where the tool was
+  std::uint32_t message = 0;  ///< of a message: Controller::message() has it
+};
+
 /// What an operator sees, of one tick.
 struct ControllerStatus {
+  static constexpr std::size_t kMostCodes = 200;
+
   ControllerState state = ControllerState::off;
   WaitsFor waits_for = WaitsFor::nothing;
-  std::uint64_t changes = 0;   ///< of the state, ever
-  std::uint64_t programs = 0;  ///< started, ever
-  double run_s = 0.0;          ///< how long the present or last program has run, rests included
+  std::uint64_t next_event = 1;  ///< that number will have the next event
+  std::uint64_t programs = 0;    ///< started, ever
+  double run_s = 0.0;            ///< how long the present or last program has run, rests included
   Overrides overrides{};
   bool single_block = false;
   Setpoint setpoint{};  ///< its tick counts from the controller's first
+  /// "G1 G17 G21 ...": in force where the tool is, cut off where they are longer; the rest is 0.
+  std::array<char, kMostCodes> codes{};
 };
 
 /// Runs programs one after the other, each by a Kernel of its own, which begins where the tool is.
 /// Commands, feeding and planning are for one thread; tick() for another, which calls it once a
-/// period for ever, program or not. emergency_stop(), fail() and status() are for any thread.
+/// period for ever, program or not. emergency_stop(), fail() and what only looks are for any
+/// thread, but program().
 ///
 /// The drives follow the state: they are on but in off and fault, and in emergency_stop once the
 /// tool rests (drives_on).
@@ -130,6 +151,12 @@ class KERF_API Controller {
   [[nodiscard]] bool drives_on() const noexcept;
   /// Of the latest tick, whole. Takes no lock; waits for a tick() that is just writing.
   [[nodiscard]] ControllerStatus status() const noexcept;
+  /// The events from that number on, as many as there is room for, oldest first; returns how many.
+  /// Any thread; takes no lock.
+  std::size_t events_since(std::uint64_t number, std::span<ControllerEvent> events) const noexcept;
+  /// Of an event; nothing: it is forgotten, 64 others came after it. Of a text that is longer than
+  /// 500 bytes, these. Any thread; takes no lock, allocates.
+  [[nodiscard]] std::optional<ProgramMessage> message(std::uint32_t number) const;
 
  private:
   class Impl;

@@ -1,5 +1,6 @@
 // One machine, its states and commands, and programs one after the other.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <fstream>
 #include <map>
@@ -281,6 +282,43 @@ TEST(Controller, HasOverridesAndSingleBlockForAllPrograms) {
   EXPECT_NEAR(fastest(700), 50.0, 0.05);
   EXPECT_EQ(shop.controller.status().state, State::waiting);
   EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::answer);
+}
+
+TEST(Controller, TellsEachChangeOfStateAndEachMessageOnce) {
+  Shop shop;
+  shop.give(Command::enable);
+  shop.start("G21 G90 F6000\nG1 X50\n(MSG, tool 2)\nM0\nX100 (DEBUG, at #5420)\nM2\n");
+  shop.tick_until(State::waiting);
+  shop.tick();
+  shop.give(Command::resume);
+  shop.tick(100);
+  shop.give(Command::hold);
+  shop.tick_until(State::held);
+  shop.give(Command::hold);  // it is held already: no event
+  shop.give(Command::resume);
+  shop.tick_until(State::idle);
+  shop.tick();
+  std::array<ControllerEvent, 64> events;
+  const std::size_t count = shop.controller.events_since(1, events);
+  std::vector<std::string> told;
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(events[i].number, i + 1);
+    const auto message = shop.controller.message(events[i].message);
+    told.emplace_back(message ? message->text : name_of(events[i].state));
+  }
+  EXPECT_EQ(told, (std::vector<std::string>{"idle", "running", "waiting", "tool 2", "running",
+                                            "at 50.000000", "holding", "held", "running", "idle"}));
+  EXPECT_EQ(events[2].waits_for, WaitsFor::answer);
+  EXPECT_EQ(events[2].line, 4);
+  EXPECT_EQ(shop.controller.status().next_event, count + 1);
+}
+
+TEST(Controller, ShowsTheCodesInForceWhereTheToolIs) {
+  Shop shop;
+  shop.begin("G21 G90 G61\nG1 X100 F6000\nG20 G1 X5\nM2\n");
+  EXPECT_NE(std::string(shop.controller.status().codes.data()).find("G21"), std::string::npos);
+  shop.tick(1000);
+  EXPECT_NE(std::string(shop.controller.status().codes.data()).find("G20"), std::string::npos);
 }
 
 TEST(Controller, RefusesAnOverrideOutOfItsRange) {

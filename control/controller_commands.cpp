@@ -1,0 +1,185 @@
+// The planning side of a controller: commands, text, plans.
+#include <algorithm>
+#include <utility>
+
+#include "control/controller_impl.hpp"
+
+namespace kerf {
+
+using State = ControllerState;
+
+Controller::Impl::Impl(MachineSettings settings, KernelOptions options)
+    : settings_(std::move(settings)), options_(std::move(options)) {
+  last_.position_mm = options_.start_mm;
+  last_.extra_rad_mm = options_.start_extra_rad_mm;
+  published_.write(operator_);
+  publish();
+}
+
+tl::expected<void, Refusal> Controller::Impl::give(Command command) {
+  std::unique_ptr<Kernel> next;
+  for (;;) {
+    State state = state_.load();
+    const Answer answer = answer_now(state, command);
+    if (!answer.is_accepted()) {
+      return tl::unexpected(Refusal{.state = state, .command = command, .reason = answer.refusal});
+    }
+    if (command == Command::start && !next) {
+      next = kernel_from_here();
+    }
+    if (change(state, answer.next)) {
+      break;
+    }
+  }
+  if (next) {
+    start(std::move(next));
+  } else {
+    carry_out(command);
+  }
+  return {};
+}
+
+tl::expected<void, Refusal> Controller::Impl::set_overrides(const Overrides& overrides) {
+  if (!is_possible(overrides)) {
+    return tl::unexpected(Refusal{.state = state_.load(),
+                                  .command = Command::override,
+                                  .reason = "an override is out of its range"});
+  }
+  operator_.overrides = overrides;
+  return set(Command::override);
+}
+
+tl::expected<void, Refusal> Controller::Impl::set_single_block(bool on) {
+  operator_.single_block = on;
+  return set(Command::single_block);
+}
+
+tl::expected<void, Refusal> Controller::Impl::set(Command command) {
+  published_.write(operator_);
+  return give(command);
+}
+
+Answer Controller::Impl::answer_now(State state, Command command) const noexcept {
+  if (command == Command::reset && running_.load() != nullptr &&
+      answer_to(state, command).is_accepted()) {
+    return {.next = state, .refusal = "the tool still moves"};
+  }
+  if (command == Command::resume && state == State::waiting && !waits_for_answer_.load()) {
+    return {.next = state, .refusal = "it waits for no answer"};
+  }
+  return answer_to(state, command);
+}
+
+bool Controller::Impl::change(State& from, State to) noexcept {
+  const State before = from;
+  if (!state_.compare_exchange_strong(from, to)) {
+    return false;
+  }
+  if (before != to) {
+    events_.note({.state = to, .waits_for = waits_for(to), .line = line_.load()});
+  }
+  return true;
+}
+
+void Controller::Impl::carry_out(Command command) {
+  switch (command) {
+    case Command::hold:
+      kernel_->hold();
+      break;
+    case Command::resume:
+      kernel_->resume();
+      break;
+    case Command::stop:
+      kernel_->stop();
+      break;
+    case Command::override:
+      if (running_.load() != nullptr) {
+        kernel_->set_overrides(operator_.overrides);
+      }
+      break;
+    case Command::single_block:
+      if (running_.load() != nullptr) {
+        kernel_->set_single_block(operator_.single_block);
+      }
+      break;
+    case Command::start:
+    case Command::enable:
+    case Command::disable:
+    case Command::emergency_stop:
+    case Command::reset:
+      break;
+  }
+}
+
+std::unique_ptr<Kernel> Controller::Impl::kernel_from_here() const {
+  const Setpoint at = snapshot_.read().setpoint;
+  KernelOptions options = options_;
+  options.start_mm = at.position_mm;
+  options.start_extra_rad_mm = at.extra_rad_mm;
+  options.one_thread = false;
+  options.waits = true;
+  options.tells_operator = true;
+  auto kernel = std::make_unique<Kernel>(settings_, options);
+  if (operator_.overrides != Overrides{}) {
+    kernel->set_overrides(operator_.overrides);
+  }
+  if (operator_.single_block) {
+    kernel->set_single_block(true);
+  }
+  return kernel;
+}
+
+void Controller::Impl::start(std::unique_ptr<Kernel> kernel) {
+  kernel_ = std::move(kernel);
+  run_ticks_ = 0;
+  programs_.fetch_add(1);
+  running_.store(kernel_.get(), std::memory_order_release);
+}
+
+void Controller::Impl::feed(std::string_view text) {
+  if (running_.load() != nullptr) {
+    kernel_->feed(text);
+  }
+}
+
+void Controller::Impl::finish() {
+  if (running_.load() != nullptr) {
+    kernel_->finish();
+  }
+}
+
+// Once more behind the program's end: it may have said something there.
+bool Controller::Impl::plan() {
+  const bool runs = running_.load() != nullptr;
+  bool wants_text = false;
+  if (runs || ran_) {
+    wants_text = kernel_->plan() && runs;
+    tell();
+  }
+  ran_ = runs;
+  wants_text_.store(wants_text, std::memory_order_relaxed);
+  return wants_text;
+}
+
+void Controller::Impl::tell() {
+  for (const ProgramMessage& message : kernel_->take_messages()) {
+    events_.note({.kind = ControllerEvent::Kind::message,
+                  .state = state_.load(),
+                  .message = messages_.add(message)});
+  }
+  const std::string_view codes = kernel_->active_codes().substr(0, operator_.codes.size());
+  if (codes != std::string_view(operator_.codes.data(), codes.size()) ||
+      (codes.size() < operator_.codes.size() && operator_.codes[codes.size()] != '\0')) {
+    operator_.codes = {};
+    std::ranges::copy(codes, operator_.codes.begin());
+    published_.write(operator_);
+  }
+}
+
+void Controller::Impl::text_is_late() {
+  if (running_.load() != nullptr && kernel_->runs_low()) {
+    kernel_->plan_to_rest();
+  }
+}
+
+}  // namespace kerf

@@ -1,0 +1,97 @@
+// What a Controller is made of.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include <kerf/controller.hpp>
+
+#include "control/event_log.hpp"
+#include "control/messages.hpp"
+#include "control/snapshot.hpp"
+
+namespace kerf {
+
+// The state is one atomic word: each side changes it by exchange, from the state that it knows, so
+// an emergency stop from any thread is never lost. A kernel belongs to the planning side; the tick
+// side has it from `start` on until it has seen the program's end, and gives it back before the
+// state says so.
+class Controller::Impl {
+ public:
+  Impl(MachineSettings settings, KernelOptions options);
+
+  tl::expected<void, Refusal> give(Command command);
+  tl::expected<void, Refusal> set_overrides(const Overrides& overrides);
+  tl::expected<void, Refusal> set_single_block(bool on);
+
+  void feed(std::string_view text);
+  void finish();
+  bool plan();
+  void text_is_late();
+  [[nodiscard]] const Kernel* program() const noexcept { return kernel_.get(); }
+
+  ControllerState tick(Setpoint& setpoint) noexcept;
+
+  void leave_for(ControllerState next) noexcept;
+  [[nodiscard]] bool drives_on() const noexcept;
+  [[nodiscard]] ControllerStatus status() const noexcept;
+  [[nodiscard]] const control::EventLog& events() const noexcept { return events_; }
+  [[nodiscard]] std::optional<ProgramMessage> message(std::uint32_t number) const {
+    return messages_.find(number);
+  }
+
+ private:
+  // Of the planning side, for all to see.
+  struct Published {
+    Overrides overrides{};
+    bool single_block = false;
+    std::array<char, ControllerStatus::kMostCodes> codes{};
+  };
+
+  // The table, and what it cannot say.
+  [[nodiscard]] Answer answer_now(ControllerState state, Command command) const noexcept;
+  // False: it is another state by now, and `from` says which.
+  bool change(ControllerState& from, ControllerState to) noexcept;
+  void change_if(ControllerState from, ControllerState to) noexcept { change(from, to); }
+  void carry_out(Command command);
+  // What the operator has set, for the program that runs and all to see.
+  tl::expected<void, Refusal> set(Command command);
+
+  [[nodiscard]] std::unique_ptr<Kernel> kernel_from_here() const;
+  void start(std::unique_ptr<Kernel> kernel);
+  // What the program says where the tool is.
+  void tell();
+
+  void follow(TickStatus status, const Kernel& kernel) noexcept;
+  void end(ControllerState next) noexcept;
+  [[nodiscard]] WaitsFor waits_for(ControllerState state) const noexcept;
+  // Spindle and coolant stay as the program left them, and are off without drives.
+  void rest() noexcept;
+  void publish() noexcept;
+
+  MachineSettings settings_;
+  KernelOptions options_;
+  std::atomic<ControllerState> state_ = ControllerState::off;
+  std::atomic<std::uint64_t> programs_ = 0;
+  std::atomic<std::int64_t> run_ticks_ = 0;
+  std::atomic<bool> wants_text_ = false;
+  std::atomic<bool> waits_for_answer_ = false;
+  std::atomic<std::uint32_t> line_ = 0;
+  std::atomic<Kernel*> running_ = nullptr;
+  std::unique_ptr<Kernel> kernel_;
+  Published operator_{};
+  bool ran_ = false;  // at the last plan()
+  control::Snapshot<Published> published_;
+  control::EventLog events_;
+  control::Messages messages_;
+  // Of the tick side.
+  std::int64_t tick_ = 0;
+  Setpoint last_{};
+  WaitsFor told_wait_ = WaitsFor::nothing;
+  control::Snapshot<ControllerStatus> snapshot_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,110 @@
+// The tick side of a controller, and what any thread may do or see.
+#include "control/controller_impl.hpp"
+
+namespace kerf {
+
+using State = ControllerState;
+
+ControllerState Controller::Impl::tick(Setpoint& setpoint) noexcept {
+  if (Kernel* kernel = running_.load(std::memory_order_acquire)) {
+    const State state = state_.load();
+    if (state == State::emergency_stop || state == State::fault) {
+      kernel->emergency_stop();
+    }
+    const TickStatus status = kernel->tick(last_);
+    ++run_ticks_;
+    line_.store(last_.line, std::memory_order_relaxed);
+    follow(status, *kernel);
+  } else {
+    rest();
+  }
+  last_.tick = tick_++;
+  publish();
+  setpoint = last_;
+  return state_.load();
+}
+
+void Controller::Impl::follow(TickStatus status, const Kernel& kernel) noexcept {
+  waits_for_answer_.store(status == TickStatus::waiting, std::memory_order_relaxed);
+  switch (status) {
+    case TickStatus::running:
+      change_if(State::waiting, State::running);
+      break;
+    case TickStatus::starved:
+    case TickStatus::waiting:
+      change_if(State::running, State::waiting);
+      break;
+    case TickStatus::held:
+      change_if(State::holding, State::held);
+      break;
+    case TickStatus::finished:
+    case TickStatus::failed:
+    case TickStatus::emergency_stop:
+      end(kernel.has_fault() ? State::fault : State::idle);
+      break;
+  }
+}
+
+void Controller::Impl::end(State next) noexcept {
+  running_.store(nullptr, std::memory_order_release);
+  State state = state_.load();
+  while (state != State::emergency_stop && state != State::fault && !change(state, next)) {
+  }
+}
+
+void Controller::Impl::rest() noexcept {
+  last_.v_mm_s = last_.a_mm_s2 = last_.j_mm_s3 = 0.0;
+  last_.velocity_mm_s = last_.acceleration_mm_s2 = {};
+  last_.limit = Constraint::rest;
+  if (!drives_on()) {
+    last_.outputs.spindle_rad_s = 0.0;
+    last_.outputs.surface = {};
+    last_.outputs.mist = last_.outputs.flood = false;
+  }
+}
+
+// A wait that becomes another one is an event, too.
+void Controller::Impl::publish() noexcept {
+  const State state = state_.load();
+  const WaitsFor waits = waits_for(state);
+  if (state == State::waiting && told_wait_ != WaitsFor::nothing && waits != told_wait_) {
+    events_.note({.state = state, .waits_for = waits, .line = last_.line});
+  }
+  told_wait_ = waits;
+  snapshot_.write({.programs = programs_.load(),
+                   .run_s = static_cast<double>(run_ticks_.load()) * settings_.limits.period_s,
+                   .setpoint = last_});
+}
+
+void Controller::Impl::leave_for(State next) noexcept {
+  State state = state_.load();
+  while (!change(state, next)) {
+  }
+}
+
+bool Controller::Impl::drives_on() const noexcept {
+  const State state = state_.load();
+  return state != State::off && state != State::fault &&
+         (state != State::emergency_stop || running_.load() != nullptr);
+}
+
+WaitsFor Controller::Impl::waits_for(State state) const noexcept {
+  return state != State::waiting    ? WaitsFor::nothing
+         : waits_for_answer_.load() ? WaitsFor::answer
+         : wants_text_.load()       ? WaitsFor::text
+                                    : WaitsFor::planning;
+}
+
+ControllerStatus Controller::Impl::status() const noexcept {
+  ControllerStatus status = snapshot_.read();
+  const Published by = published_.read();
+  status.overrides = by.overrides;
+  status.single_block = by.single_block;
+  status.codes = by.codes;
+  status.state = state_.load();
+  status.next_event = events_.next_number();
+  status.waits_for = waits_for(status.state);
+  return status;
+}
+
+}  // namespace kerf
