@@ -21,6 +21,12 @@ tl::expected<void, Refusal> Controller::set_overrides(const Overrides& overrides
 tl::expected<void, Refusal> Controller::set_single_block(bool on) {
   return impl_->set_single_block(on);
 }
+tl::expected<void, Refusal> Controller::set_optional_stop(bool on) {
+  return impl_->set_optional_stop(on);
+}
+tl::expected<void, Refusal> Controller::set_block_delete(const BlockDelete& switches) {
+  return impl_->set_block_delete(switches);
+}
 void Controller::feed(std::string_view text) {
   impl_->feed(text);
 }

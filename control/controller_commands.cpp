@@ -12,20 +12,31 @@ Controller::Impl::Impl(MachineSettings settings, KernelOptions options)
     : settings_(std::move(settings)), options_(std::move(options)) {
   last_.position_mm = options_.start_mm;
   last_.extra_rad_mm = options_.start_extra_rad_mm;
+  operator_.optional_stop = options_.optional_stop;
+  operator_.block_delete = options_.block_delete;
   published_.write(operator_);
   publish();
 }
 
 tl::expected<void, Refusal> Controller::Impl::give(Command command) {
   std::unique_ptr<Kernel> next;
+  bool is_resumed = false;
   for (;;) {
     State state = state_.load();
+    if (is_resumed && state == State::running) {
+      return {};  // the tick side has seen the motion already
+    }
     const Answer answer = answer_now(state, command);
     if (!answer.is_accepted()) {
       return tl::unexpected(Refusal{.state = state, .command = command, .reason = answer.refusal});
     }
     if (command == Command::start && !next) {
       next = kernel_from_here();
+    }
+    // Before the state says so: else the next tick would find the old wait and say it again.
+    if (command == Command::resume && !is_resumed) {
+      kernel_->resume();
+      is_resumed = true;
     }
     if (change(state, answer.next)) {
       break;
@@ -52,6 +63,16 @@ tl::expected<void, Refusal> Controller::Impl::set_overrides(const Overrides& ove
 tl::expected<void, Refusal> Controller::Impl::set_single_block(bool on) {
   operator_.single_block = on;
   return set(Command::single_block);
+}
+
+tl::expected<void, Refusal> Controller::Impl::set_optional_stop(bool on) {
+  operator_.optional_stop = on;
+  return set(Command::optional_stop);
+}
+
+tl::expected<void, Refusal> Controller::Impl::set_block_delete(const BlockDelete& switches) {
+  operator_.block_delete = switches;
+  return set(Command::block_delete);
 }
 
 tl::expected<void, Refusal> Controller::Impl::set(Command command) {
@@ -86,9 +107,6 @@ void Controller::Impl::carry_out(Command command) {
     case Command::hold:
       kernel_->hold();
       break;
-    case Command::resume:
-      kernel_->resume();
-      break;
     case Command::stop:
       kernel_->stop();
       break;
@@ -102,6 +120,17 @@ void Controller::Impl::carry_out(Command command) {
         kernel_->set_single_block(operator_.single_block);
       }
       break;
+    case Command::optional_stop:
+      if (running_.load() != nullptr) {
+        kernel_->set_optional_stop(operator_.optional_stop);
+      }
+      break;
+    case Command::block_delete:
+      if (running_.load() != nullptr) {
+        kernel_->set_block_delete(operator_.block_delete);
+      }
+      break;
+    case Command::resume:  // done already
     case Command::start:
     case Command::enable:
     case Command::disable:
@@ -119,6 +148,8 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_from_here() const {
   options.one_thread = false;
   options.waits = true;
   options.tells_operator = true;
+  options.optional_stop = operator_.optional_stop;
+  options.block_delete = operator_.block_delete;
   auto kernel = std::make_unique<Kernel>(settings_, options);
   if (operator_.overrides != Overrides{}) {
     kernel->set_overrides(operator_.overrides);

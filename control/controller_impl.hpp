@@ -19,26 +19,32 @@ namespace kerf {
 // an emergency stop from any thread is never lost. A kernel belongs to the planning side; the tick
 // side has it from `start` on until it has seen the program's end, and gives it back before the
 // state says so.
-class Controller::Impl {
+class [[gnu::visibility("hidden")]] Controller::Impl {
  public:
   Impl(MachineSettings settings, KernelOptions options);
 
   tl::expected<void, Refusal> give(Command command);
   tl::expected<void, Refusal> set_overrides(const Overrides& overrides);
   tl::expected<void, Refusal> set_single_block(bool on);
+  tl::expected<void, Refusal> set_optional_stop(bool on);
+  tl::expected<void, Refusal> set_block_delete(const BlockDelete& switches);
 
   void feed(std::string_view text);
   void finish();
   bool plan();
   void text_is_late();
-  [[nodiscard]] const Kernel* program() const noexcept { return kernel_.get(); }
+  [[nodiscard]] const Kernel* program() const noexcept {
+    return kernel_.get();
+  }
 
-  ControllerState tick(Setpoint& setpoint) noexcept;
+  ControllerState tick(Setpoint & setpoint) noexcept;
 
   void leave_for(ControllerState next) noexcept;
   [[nodiscard]] bool drives_on() const noexcept;
   [[nodiscard]] ControllerStatus status() const noexcept;
-  [[nodiscard]] const control::EventLog& events() const noexcept { return events_; }
+  [[nodiscard]] const control::EventLog& events() const noexcept {
+    return events_;
+  }
   [[nodiscard]] std::optional<ProgramMessage> message(std::uint32_t number) const {
     return messages_.find(number);
   }
@@ -48,14 +54,18 @@ class Controller::Impl {
   struct Published {
     Overrides overrides{};
     bool single_block = false;
+    bool optional_stop = false;
+    BlockDelete block_delete{};
     std::array<char, ControllerStatus::kMostCodes> codes{};
   };
 
   // The table, and what it cannot say.
   [[nodiscard]] Answer answer_now(ControllerState state, Command command) const noexcept;
   // False: it is another state by now, and `from` says which.
-  bool change(ControllerState& from, ControllerState to) noexcept;
-  void change_if(ControllerState from, ControllerState to) noexcept { change(from, to); }
+  bool change(ControllerState & from, ControllerState to) noexcept;
+  void change_if(ControllerState from, ControllerState to) noexcept {
+    change(from, to);
+  }
   void carry_out(Command command);
   // What the operator has set, for the program that runs and all to see.
   tl::expected<void, Refusal> set(Command command);

@@ -100,6 +100,8 @@ ControllerStatus Controller::Impl::status() const noexcept {
   const Published by = published_.read();
   status.overrides = by.overrides;
   status.single_block = by.single_block;
+  status.optional_stop = by.optional_stop;
+  status.block_delete = by.block_delete;
   status.codes = by.codes;
   status.state = state_.load();
   status.next_event = events_.next_number();

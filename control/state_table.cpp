@@ -27,49 +27,52 @@ constexpr Answer refuse(std::string_view why) {
 
 using Row = std::array<Answer, kCommands>;
 // A row a state: enable, disable, start, hold, resume, stop, emergency stop, reset,
-// override, single block.
+// override, single block, optional stop, block delete.
 constexpr std::array<Row, kControllerStates> kTable{{
     // off
     {go(State::idle), refuse(kOff), refuse(kOff), refuse(kOff), refuse(kOff), refuse(kOff),
-     go(State::emergency_stop), refuse(kNothing), go(State::off), go(State::off)},
+     go(State::emergency_stop), refuse(kNothing), go(State::off), go(State::off), go(State::off),
+     go(State::off)},
     // emergency_stop
     {refuse(kEmergency), refuse(kEmergency), refuse(kEmergency), refuse(kEmergency),
      refuse(kEmergency), refuse(kEmergency), go(State::emergency_stop), go(State::off),
-     go(State::emergency_stop), go(State::emergency_stop)},
+     go(State::emergency_stop), go(State::emergency_stop), go(State::emergency_stop),
+     go(State::emergency_stop)},
     // idle
     {refuse(kOn), go(State::off), go(State::running), refuse(kNoProgram), refuse(kNoProgram),
      refuse(kNoProgram), go(State::emergency_stop), refuse(kNothing), go(State::idle),
-     go(State::idle)},
+     go(State::idle), go(State::idle), go(State::idle)},
     // running
     {refuse(kOn), refuse(kProgram), refuse(kProgram), go(State::holding), refuse(kNotHeld),
      go(State::stopping), go(State::emergency_stop), refuse(kProgram), go(State::running),
-     go(State::running)},
+     go(State::running), go(State::running), go(State::running)},
     // waiting
     {refuse(kOn), refuse(kProgram), refuse(kProgram), go(State::holding), go(State::running),
      go(State::stopping), go(State::emergency_stop), refuse(kProgram), go(State::waiting),
-     go(State::waiting)},
+     go(State::waiting), go(State::waiting), go(State::waiting)},
     // holding
     {refuse(kOn), refuse(kProgram), refuse(kProgram), go(State::holding), go(State::running),
      go(State::stopping), go(State::emergency_stop), refuse(kProgram), go(State::holding),
-     go(State::holding)},
+     go(State::holding), go(State::holding), go(State::holding)},
     // held
     {refuse(kOn), refuse(kProgram), refuse(kProgram), go(State::held), go(State::running),
      go(State::stopping), go(State::emergency_stop), refuse(kProgram), go(State::held),
-     go(State::held)},
+     go(State::held), go(State::held), go(State::held)},
     // stopping
     {refuse(kOn), refuse(kStopping), refuse(kStopping), refuse(kStopping), refuse(kStopping),
      go(State::stopping), go(State::emergency_stop), refuse(kStopping), go(State::stopping),
-     go(State::stopping)},
+     go(State::stopping), go(State::stopping), go(State::stopping)},
     // fault
     {refuse(kFault), refuse(kFault), refuse(kFault), refuse(kFault), refuse(kFault), refuse(kFault),
-     go(State::emergency_stop), go(State::off), go(State::fault), go(State::fault)},
+     go(State::emergency_stop), go(State::off), go(State::fault), go(State::fault),
+     go(State::fault), go(State::fault)},
 }};
 
 constexpr std::array<std::string_view, kControllerStates> kStateNames{
     "off", "emergency stop", "idle", "running", "waiting", "holding", "held", "stopping", "fault"};
 constexpr std::array<std::string_view, kCommands> kCommandNames{
-    "enable", "disable",        "start", "hold",     "resume",
-    "stop",   "emergency stop", "reset", "override", "single block"};
+    "enable",         "disable", "start",    "hold",         "resume",        "stop",
+    "emergency stop", "reset",   "override", "single block", "optional stop", "block delete"};
 constexpr std::array<std::string_view, 4> kWaitNames{"nothing", "answer", "text", "planning"};
 
 }  // namespace

@@ -252,7 +252,7 @@ TickStatus Interpolator::follow_phase() noexcept {
   }
   return phase_.ends_program ? TickStatus::finished
          : phase_.holds      ? TickStatus::held
-         : phase_.waits      ? TickStatus::waiting
+         : phase_.wait != 0  ? TickStatus::waiting
                              : TickStatus::starved;
 }
 

@@ -36,6 +36,9 @@ class Interpolator {
     return emergency_.load(std::memory_order_relaxed);
   }
 
+  // Phase::wait of the present rest. Of the thread that calls next().
+  [[nodiscard]] std::uint32_t wait() const noexcept { return phase_.wait; }
+
   // Removes phases that end before the next tick from the queue, to make room. True: the queue is
   // used up and the next tick needs more. The tick itself is not affected.
   bool pass_what_is_over() noexcept;

@@ -58,8 +58,8 @@ struct Phase {
   bool rapid = false;
   ActiveConstraint active_constraint{};
   bool ends_at_rest = false;
-  bool holds = false;  // the rest at its end is a feed hold
-  bool waits = false;  // it is a wait for an answer
+  bool holds = false;      // the rest at its end is a feed hold
+  std::uint32_t wait = 0;  // counts the waits for an answer, of which its end is one; 0: it is none
   bool ends_program = false;
 };
 

@@ -73,6 +73,12 @@ bool Kernel::set_overrides(const Overrides& overrides) {
 void Kernel::set_single_block(bool on) {
   impl_->set_single_block(on);
 }
+void Kernel::set_optional_stop(bool on) {
+  impl_->set_optional_stop(on);
+}
+void Kernel::set_block_delete(const BlockDelete& switches) {
+  impl_->set_block_delete(switches);
+}
 std::vector<ProgramMessage> Kernel::take_messages() {
   return impl_->notes().take_messages();
 }

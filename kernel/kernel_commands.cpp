@@ -58,6 +58,9 @@ void Kernel::Impl::follow_commands() {
   if (!takeover_ && wants_resume_ && !wants_hold_) {
     // A wait that the tool has not come to is not answered.
     if (pipeline_.is_held() || interpolator_.plan_tick() >= pipeline_.emitted_until_tick()) {
+      if (pipeline_.waits()) {
+        answered_wait_.store(pipeline_.wait(), std::memory_order_relaxed);
+      }
       pipeline_.resume();
     }
     wants_resume_ = false;

@@ -136,6 +136,11 @@ TickStatus Kernel::Impl::tick(Setpoint& setpoint) noexcept {
   if (status == TickStatus::finished && end_ && judges_end_) {
     judge_.judge_end(setpoint, *end_);
   }
+  // The plan that follows the answer may not be there yet.
+  if (status == TickStatus::waiting &&
+      interpolator_.wait() == answered_wait_.load(std::memory_order_relaxed)) {
+    return TickStatus::running;
+  }
   const bool ends = status == TickStatus::finished || (status == TickStatus::starved && broken_);
   return !ends ? status : has_fault() || wrong_ ? TickStatus::failed : TickStatus::finished;
 }

@@ -38,6 +38,13 @@ class Pipeline {
   // Runs nothing, for a reason that is not in the text.
   void refuse(diagnostics::Diagnostic fault) { path_.refuse(std::move(fault)); }
 
+  // Of text that is not read yet.
+  void set_optional_stop(bool on) {
+    path_.set_optional_stop(on);
+    planner_.set_optional_stop(on);
+  }
+  void set_block_delete(const BlockDelete& switches) { path_.set_block_delete(switches); }
+
   // One step. Precondition: no phase is left in the outbox; pieces and line changes may wait there.
   Step step(lookahead::Outbox& outbox);
 
@@ -70,6 +77,7 @@ class Pipeline {
   void stop_held();
   [[nodiscard]] bool is_held() const noexcept { return planner_.is_held(); }
   [[nodiscard]] bool waits() const noexcept { return planner_.waits(); }
+  [[nodiscard]] std::uint32_t wait() const noexcept { return planner_.wait(); }
   [[nodiscard]] bool awaits_answer() const noexcept { return planner_.awaits_answer(); }
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept {
     return planner_.emitted_until_tick();

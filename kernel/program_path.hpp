@@ -37,6 +37,10 @@ class ProgramPath {
     has_all_text_ = true;
   }
 
+  // Of text that is not read yet.
+  void set_optional_stop(bool on) { waits_.set_optional_stop(on); }
+  void set_block_delete(const BlockDelete& switches) { reader_.set_block_delete(switches); }
+
   // The path ends before the first block with an error.
   // Order::as_programmed: each output is a move.
   Next next(Output& output);

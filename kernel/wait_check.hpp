@@ -14,6 +14,8 @@ class WaitCheck {
   explicit WaitCheck(const KernelOptions& options) noexcept
       : refuses_(options.refuses_waits), optional_stop_(options.optional_stop) {}
 
+  void set_optional_stop(bool on) noexcept { optional_stop_ = on; }
+
   static constexpr const char* kWhy =
       "the program waits for an answer here, and nobody is there to give it";
   [[nodiscard]] bool refuses(const parser::Move& move) const noexcept {

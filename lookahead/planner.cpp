@@ -195,7 +195,8 @@ void Planner::emit_rest(Outbox& outbox) {
     return;
   }
   emitter_.emit_rest(rest_, outbox);
-  outbox.phases.back().waits = waits_ = rest_.waits;
+  waits_ = rest_.waits;
+  outbox.phases.back().wait = waits_ ? ++waits_emitted_ : 0;
   rest_pending_ = false;
   to_rest_ = rest_.ends_program;
 }

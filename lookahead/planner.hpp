@@ -58,6 +58,8 @@ class Planner {
   // wants_block().
   void push_wait(const std::optional<interp::OutputChange>& change, const RestPlace& at);
   [[nodiscard]] bool waits_at(parser::EventKind kind) const noexcept;
+  // Of what is not pushed yet.
+  void set_optional_stop(bool on) noexcept { settings_.optional_stop = on; }
   // The change takes effect once the tool is at rest. Precondition: wants_block().
   void push_change_at_rest(const interp::OutputChange& change, const RestPlace& at);
   // The change takes effect at the first tick on the block that is pushed next.
@@ -124,8 +126,9 @@ class Planner {
   // Ends the program where it is held. Precondition: is_held(), settle().
   void stop_held();
   [[nodiscard]] bool is_held() const noexcept { return held_; }
-  // What was emitted ends in a wait.
+  // What was emitted ends in a wait, and its number (Phase::wait).
   [[nodiscard]] bool waits() const noexcept { return waits_; }
+  [[nodiscard]] std::uint32_t wait() const noexcept { return waits_emitted_; }
   // Where the plan emitted so far ends; time goes on from there.
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept { return emitter_.now().tick; }
   // What was emitted ends at rest.
@@ -200,6 +203,7 @@ class Planner {
   std::deque<Item> waiting_;  // was taken back, and goes before what comes
   bool held_ = false;
   bool waits_ = false;
+  std::uint32_t waits_emitted_ = 0;
   bool stops_ = false;  // at the rest of the plan that is not settled yet
   struct Before {
     Emitter emitter;

@@ -18,6 +18,9 @@ void ProgramReader::feed(std::string_view bytes) {
 void ProgramReader::finish() {
   run_->input().finish();
 }
+void ProgramReader::set_block_delete(const BlockDelete& switches) {
+  run_->set_block_delete(switches);
+}
 bool ProgramReader::next(Move& move) {
   return run_->next(move);
 }

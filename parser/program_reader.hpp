@@ -1,8 +1,6 @@
 // The parser's door: bytes in, in pieces of any size; moves and diagnostics out.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "diagnostics/diagnostic.hpp"
+#include "parser/flow/numbered_message.hpp"
 #include "parser/flow/reader_options.hpp"
 #include "parser/flow/watched_block.hpp"
 #include "parser/moves/move.hpp"
@@ -17,11 +16,6 @@
 namespace kerf::parser {
 
 class ProgramRun;
-
-struct NumberedMessage {
-  std::uint64_t block = 0;  // as Move::block
-  ProgramMessage message{};
-};
 
 // Reads one program. Memory does not grow with its length: the piece fed last, a line of at most
 // 64 KiB, the modal state and one NURBS curve of at most 20,000 control points are all that is
@@ -45,12 +39,14 @@ class ProgramReader {
   // Says that no bytes will follow.
   void finish();
 
+  // Of blocks that are not read yet.
+  void set_block_delete(const BlockDelete& switches);
+
   // The next move, if the bytes so far make one up. False: feed() more, or the end if finished.
   bool next(Move& move);
 
   // What the program told the operator in the text that the last next() read; each belongs before
   // the block of its number. Where there are more than kMostMessages, the first of them.
-  static constexpr std::size_t kMostMessages = 1000;
   [[nodiscard]] const std::vector<NumberedMessage>& messages() const;
 
   // The codes in force behind the block that was read last: "G1 G17 G21 ...".

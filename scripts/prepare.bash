@@ -6,7 +6,8 @@
 kBuildPackages=(g++ cmake ninja-build libeigen3-dev libboost-dev libspdlog-dev libcli11-dev libtomlplusplus-dev
   nlohmann-json3-dev libexpected-dev)
 # shellcheck disable=SC2034  # used by ./test
-kTestPackages=("${kBuildPackages[@]}" libgtest-dev libgmock-dev libbenchmark-dev python3 clang-format pkg-config)
+kTestPackages=("${kBuildPackages[@]}" libgtest-dev libgmock-dev libbenchmark-dev python3 python3-jsonschema
+  clang-format pkg-config)
 kCannotRun=125  # as env and timeout have it: the command itself was not reached
 
 say() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }

@@ -40,10 +40,12 @@ enum class Command : std::uint8_t {
   stop,
   emergency_stop,
   reset,
-  override,     ///< set_overrides()
-  single_block  ///< set_single_block()
+  override,       ///< set_overrides()
+  single_block,   ///< set_single_block()
+  optional_stop,  ///< set_optional_stop()
+  block_delete    ///< set_block_delete()
 };
-inline constexpr std::size_t kCommands = 10;
+inline constexpr std::size_t kCommands = 12;
 
 enum class WaitsFor : std::uint8_t {
   nothing,
@@ -98,6 +100,8 @@ struct ControllerStatus {
   double run_s = 0.0;            ///< how long the present or last program has run, rests included
   Overrides overrides{};
   bool single_block = false;
+  bool optional_stop = false;
+  BlockDelete block_delete{};
   Setpoint setpoint{};  ///< its tick counts from the controller's first
   /// "G1 G17 G21 ...": in force where the tool is, cut off where they are longer; the rest is 0.
   std::array<char, kMostCodes> codes{};
@@ -120,7 +124,7 @@ class KERF_API Controller {
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
-  /// `start` begins a program: feed() it. `override` and `single_block` change nothing here.
+  /// `start` begins a program: feed() it. The commands that come with a value change nothing here.
   /// Allocates.
   tl::expected<void, Refusal> give(Command command);
   /// Kernel::set_overrides(), for the present program and those to come. Refused where a value is
@@ -128,6 +132,10 @@ class KERF_API Controller {
   tl::expected<void, Refusal> set_overrides(const Overrides& overrides);
   /// Kernel::set_single_block(), for the present program and those to come.
   tl::expected<void, Refusal> set_single_block(bool on);
+
+  /// Kernel::set_optional_stop() and set_block_delete(), the same.
+  tl::expected<void, Refusal> set_optional_stop(bool on);
+  tl::expected<void, Refusal> set_block_delete(const BlockDelete& switches);
 
   /// To the present program; text is dropped where there is none.
   void feed(std::string_view text);

@@ -109,6 +109,10 @@ class KERF_API Kernel {
   void hold();
   /// Goes on from a hold, on the same path, or from where the program waits. Planning side.
   void resume();
+  /// Whether M1 waits, of text that is not read yet. Planning side.
+  void set_optional_stop(bool on);
+  /// Which blocks with a '/' are left out, of text that is not read yet. Planning side.
+  void set_block_delete(const BlockDelete& switches);
   /// The messages of the blocks that the tool has come to since the last call. Planning side, as
   /// active_codes(): both as of the latest plan().
   [[nodiscard]] std::vector<ProgramMessage> take_messages();

@@ -57,6 +57,9 @@ class BlockDelete {
     on_ = static_cast<std::uint16_t>(on_ | (1U << number));
   }
 
+  /// The same precondition.
+  [[nodiscard]] constexpr bool is_on(unsigned number) const { return ((on_ >> number) & 1U) != 0; }
+
   /// Whether the line, which has a '/' at byte `at` (0-based, < line.size()), is left out.
   [[nodiscard]] constexpr bool leaves_out(std::string_view line, std::size_t at) const {
     if (on_ == 0) {
@@ -68,7 +71,7 @@ class BlockDelete {
     }
     const char c = at < line.size() ? line[at] : '1';
     const unsigned number = c >= '1' && c <= '9' ? static_cast<unsigned>(c - '0') : 1U;
-    return ((on_ >> number) & 1U) != 0;
+    return is_on(number);
   }
 
   friend constexpr bool operator==(BlockDelete, BlockDelete) = default;

@@ -162,7 +162,7 @@ bool ProgramRun::act_on_comment(const Line& line) {
     return false;
   }
   if (comment->kind) {
-    if (options_.keeps_messages && messages_.size() < ProgramReader::kMostMessages) {
+    if (options_.keeps_messages && messages_.size() < kMostMessages) {
       messages_.push_back({.block = interpreter_.blocks_run() + 1,
                            .message = {.kind = *comment->kind,
                                        .line = line.number,

@@ -14,11 +14,11 @@
 #include "parser/flow/call.hpp"
 #include "parser/flow/flow.hpp"
 #include "parser/flow/modal_calls.hpp"
+#include "parser/flow/numbered_message.hpp"
 #include "parser/flow/reader_options.hpp"
 #include "parser/interpreter/interpreter.hpp"
 #include "parser/moves/short_moves.hpp"
 #include "parser/offsets/machine_values.hpp"
-#include "parser/program_reader.hpp"
 #include "parser/reader/block_warnings.hpp"
 #include "parser/text/program_input.hpp"
 
@@ -40,6 +40,7 @@ class ProgramRun {
   }
 
   ProgramInput& input() { return input_; }
+  void set_block_delete(const BlockDelete& switches) { options_.block_delete = switches; }
   bool next(Move& move);  // program_lines.cpp
   [[nodiscard]] bool at_end() const { return ended_ && all_fetched_ && !flow_.needs_rest(); }
   [[nodiscard]] const diagnostics::DiagnosticList& diagnostics() const { return diagnostics_; }

@@ -40,7 +40,9 @@ struct Options {
   DiagnosticFormat format = DiagnosticFormat::text;
   std::optional<parser::Dialect> dialect;  // nothing: that of the machine file
   parser::BlockDelete block_delete;
-  bool syntax_only = false;  // of Command::check
+  bool syntax_only = false;            // of Command::check
+  bool optional_stop = false;          // of Command::run
+  std::optional<std::string> control;  // of Command::run: a descriptor, two of them, or a socket
   bool json = false;
   bool quiet = false;
 };

@@ -284,6 +284,71 @@ TEST(Controller, HasOverridesAndSingleBlockForAllPrograms) {
   EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::answer);
 }
 
+TEST(Controller, HasOptionalStopsAndBlockDeleteForTextThatIsNotReadYet) {
+  Shop shop;
+  shop.give(Command::enable);
+  shop.give(Command::start);
+  shop.controller.feed("G21 G90 F6000\nG1 X100\n");
+  shop.tick(100);
+  BlockDelete second;
+  second.switch_on(2);
+  ASSERT_TRUE(shop.controller.set_optional_stop(true));
+  ASSERT_TRUE(shop.controller.set_block_delete(second));
+  EXPECT_TRUE(shop.controller.status().optional_stop);
+  EXPECT_EQ(shop.controller.status().block_delete, second);
+  shop.controller.feed("/2 X200\n/3 X120\nM1\nX130\nM2\n");
+  shop.controller.finish();
+  for (int i = 0; i < 5000 && shop.controller.status().waits_for != WaitsFor::answer; ++i) {
+    shop.tick();
+  }
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::answer);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 120.0);
+  shop.give(Command::resume);
+  shop.tick_until(State::idle);
+  shop.start("G21 G90 G0 X0\n/2 X50\nM1\nM2\n");
+  shop.tick_until(State::waiting);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 0.0);
+}
+
+// Ticks come while the answer is carried out.
+TEST(Controller, WaitsOnceAtEachStop) {
+  constexpr int kStops = 200;
+  std::string text = "G21 G91 F6000\n";
+  for (int i = 0; i < kStops; ++i) {
+    text += "G1 X0.1\nM0\n" + std::string(i % 3 == 0 ? "M0\n" : "");
+  }
+  Controller controller{mill()};
+  ASSERT_TRUE(controller.give(Command::enable));
+  ASSERT_TRUE(controller.give(Command::start));
+  controller.feed(text + "M2\n");
+  controller.finish();
+  controller.plan();
+  std::atomic<bool> over = false;
+  std::thread ticks([&] {
+    for (Setpoint setpoint; !over;) {
+      controller.tick(setpoint);
+    }
+  });
+  int answers = 0;
+  int waits = 0;
+  for (std::uint64_t next = 1; controller.status().state != State::idle;) {
+    std::array<ControllerEvent, ControllerEvent::kKept> events;
+    const std::size_t count = controller.events_since(next, events);
+    for (std::size_t i = 0; i < count; ++i) {
+      next = events[i].number + 1;
+      waits += events[i].waits_for == WaitsFor::answer ? 1 : 0;
+      if (events[i].waits_for == WaitsFor::answer) {
+        answers += controller.give(Command::resume) ? 1 : 0;
+      }
+    }
+    controller.plan();
+  }
+  over = true;
+  ticks.join();
+  EXPECT_EQ(waits, kStops + (kStops + 2) / 3);
+  EXPECT_EQ(answers, waits);
+}
+
 TEST(Controller, TellsEachChangeOfStateAndEachMessageOnce) {
   Shop shop;
   shop.give(Command::enable);

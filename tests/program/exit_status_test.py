@@ -46,6 +46,9 @@ class ExitStatus(Case):
             self.assertIn("wait.ngc:3:1: error: the program waits for an answer here", said)
             self.assertFalse(os.path.exists(trace))
             self.kerf("dry-run", part)
+        optional = self.path("optional.ngc", "G21 G90\nG1 X10 F6000\nM1\nX20\nM2\n")
+        self.kerf("run", optional)
+        self.assertIn("optional.ngc:3:1: error", self.kerf("run", optional, "--optional-stop", status=1, stdin="").stderr)
 
     def test_of_a_second_run_on_a_machine_is_5(self):
         machine = self.path("mill.toml", (pathlib.Path(SOURCE) / "programs/machines/sigmoid-butterfly.toml").read_text())

@@ -65,7 +65,8 @@ SUBFOLDERS = {
     "programs/kerf/io": {"programs/kerf"},
     "programs/kerf/report": {"programs/kerf", "programs/kerf/io"},
     "programs/kerf/plot": {"programs/kerf/io", "programs/kerf/report"},
-    "programs/kerf/run": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/plot"},
+    "programs/kerf/control": {"programs/kerf", "programs/kerf/io", "programs/kerf/report"},
+    "programs/kerf/run": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/plot", "programs/kerf/control"},
     "programs/kerf/cli": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/run"},
 }
 TICK_SIDE = {"profiles", "curves", "interp", "machine"}

@@ -119,6 +119,14 @@ CLI::App* add_command(CLI::App& app, Command command, const std::string& descrip
   } else {
     add_outputs(*added, raw);
   }
+  if (command == Command::run) {
+    added->add_flag("--optional-stop", raw.options.optional_stop, "M1 waits, as M0 does");
+    added
+        ->add_option("--control", raw.options.control,
+                     "commands in and events out as JSON lines: 3, a descriptor; 4,5, one to read "
+                     "and one to write; else the path of a socket to make")
+        ->type_name("WHERE");
+  }
   return added;
 }
 

@@ -26,6 +26,8 @@ class Descriptor {
 
   // 0, or the errno of a write that failed only now.
   int close() noexcept;
+  // The number, which somebody else owns from now on.
+  [[nodiscard]] int release() && noexcept { return std::exchange(number_, -1); }
 
  private:
   int number_ = -1;

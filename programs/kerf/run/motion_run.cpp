@@ -4,10 +4,12 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "programs/kerf/control/channel.hpp"
+#include "programs/kerf/control/keys.hpp"
+#include "programs/kerf/control/message_printer.hpp"
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/number_text.hpp"
 #include "programs/kerf/io/progress_bar.hpp"
-#include "programs/kerf/run/keys.hpp"
 #include "programs/kerf/run/motion_report.hpp"
 #include "programs/kerf/run/output_files.hpp"
 #include "programs/kerf/run/run_loop.hpp"
@@ -48,7 +50,7 @@ class MotionRun {
     finish({kernel, feeder, outcome});
   }
 
-  void run() {
+  void run(std::optional<ControlEndpoint> control) {
     Controller controller(order_.settings, order_.kernel_options);
     Operator by(controller);
     // Neither is refused: it is off, and then idle.
@@ -57,7 +59,15 @@ class MotionRun {
     ControllerPlanning planning(controller);
     Feeder feeder(planning, text_, progress_);
     RunOutcome outcome;
+    std::optional<ControlChannel> channel;
+    if (control) {
+      channel.emplace(
+          *std::move(control), by,
+          ControlChannel::Order{
+              .file = report_.file, .extra = report_.extra_axes, .others_answer = order_.has_keys});
+    }
     {
+      const MessagePrinter messages(controller, report_.file);
       std::optional<Keys> keys;
       if (order_.has_keys) {
         keys.emplace(by);
@@ -67,12 +77,17 @@ class MotionRun {
       }
       const auto bar = progress_bar([&controller] { return status_line(controller.status()); });
       outcome = run_in_real_time({controller, by, report_.period_s}, stage_with(feeder));
+      controller.plan();  // what the program said last
     }
     finish({.kernel = *controller.program(),
             .feeder = feeder,
             .outcome = outcome,
             .is_stopped = by.has_stopped(),
             .is_emergency = controller.status().state == ControllerState::emergency_stop});
+    if (channel) {
+      by.carry_out();  // what came too late is refused
+      channel->finish(report_.status);
+    }
   }
 
  private:
@@ -172,9 +187,18 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     return;
   }
   report.warnings = outputs->warnings();
+  std::optional<ControlEndpoint> control;
+  if (order.options.control) {
+    auto opened = open_control(*order.options.control);
+    if (!opened) {
+      report.fail(ExitStatus::io_error, opened.error());
+      return;
+    }
+    control = *std::move(opened);
+  }
   MotionRun run(order, text, *outputs, report);
   if (order.options.command == Command::run) {
-    run.run();
+    run.run(std::move(control));
   } else {
     run.dry_run();
   }

@@ -7,8 +7,8 @@
 
 #include <kerf/controller.hpp>
 
+#include "programs/kerf/control/operator.hpp"
 #include "programs/kerf/run/feeder.hpp"
-#include "programs/kerf/run/operator.hpp"
 #include "programs/kerf/run/recorder.hpp"
 #include "programs/kerf/run/tick_stage.hpp"
 

@@ -41,6 +41,7 @@ class Session {
         kernel_options_{.profile = profiles::Profile(options.profile, options.sigmoid_shape),
                         .window_blocks = options.window_blocks,
                         .block_delete = options.block_delete,
+                        .optional_stop = options.optional_stop,
                         .one_thread = options.command != Command::run,
                         .dialect = options.dialect} {
     report_.command = options.command;
@@ -65,7 +66,7 @@ class Session {
       }
       Descriptor source = ProgramFile::open_live(path);
       has_keys_ = !source.is_open() && Keyboard::has_terminal();
-      kernel_options_.refuses_waits = !has_keys_;
+      kernel_options_.refuses_waits = !has_keys_ && !options_.control;
       if (source.is_open()) {
         run_live(std::move(source));
         return std::move(report_);

@@ -19,16 +19,15 @@ class Operator {
   void ask(std::function<void()> order);
   void emergency_stop() noexcept { controller_->emergency_stop(); }
   [[nodiscard]] ControllerStatus status() const noexcept { return controller_->status(); }
+  // For what is no command without a value; its threads are the same.
+  [[nodiscard]] Controller& controller() const noexcept { return *controller_; }
+
+  // No more are carried out: who asked is going.
+  void drop_orders();
 
   // In the thread that plans, as all below.
   void carry_out();
   tl::expected<void, Refusal> give(kerf::Command command);
-  tl::expected<void, Refusal> set_overrides(const Overrides& overrides) {
-    return controller_->set_overrides(overrides);
-  }
-  tl::expected<void, Refusal> set_single_block(bool on) {
-    return controller_->set_single_block(on);
-  }
   // Somebody stopped the program. Also once no thread plans any more.
   [[nodiscard]] bool has_stopped() const noexcept { return has_stopped_; }
 

@@ -1,4 +1,4 @@
-#include "programs/kerf/run/operator.hpp"
+#include "programs/kerf/control/operator.hpp"
 
 #include <utility>
 
@@ -7,6 +7,11 @@ namespace kerf::program {
 void Operator::ask(std::function<void()> order) {
   const std::lock_guard lock(mutex_);
   orders_.push_back(std::move(order));
+}
+
+void Operator::drop_orders() {
+  const std::lock_guard lock(mutex_);
+  orders_.clear();
 }
 
 void Operator::carry_out() {

@@ -1,4 +1,4 @@
-#include "programs/kerf/run/keys.hpp"
+#include "programs/kerf/control/keys.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -61,7 +61,7 @@ void Keys::press(char key) {
   } else if (key == '-') {
     change_feed(feed_percent(status) - kFeedStep_percent);
   } else if (key == 's') {
-    static_cast<void>(by_->set_single_block(!status.single_block));
+    static_cast<void>(by_->controller().set_single_block(!status.single_block));
   } else if (key == 'q') {
     static_cast<void>(by_->give(Asked::stop));
   }
@@ -70,7 +70,7 @@ void Keys::press(char key) {
 void Keys::change_feed(int percent) {
   Overrides overrides = by_->status().overrides;
   overrides.feed = 0.01 * std::clamp(percent, 0, kMostFeed_percent);
-  static_cast<void>(by_->set_overrides(overrides));
+  static_cast<void>(by_->controller().set_overrides(overrides));
 }
 
 std::string status_line(const ControllerStatus& status) {

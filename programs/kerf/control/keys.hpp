@@ -5,8 +5,8 @@
 #include <string>
 #include <thread>
 
+#include "programs/kerf/control/operator.hpp"
 #include "programs/kerf/io/keyboard.hpp"
-#include "programs/kerf/run/operator.hpp"
 
 namespace kerf::program {
 

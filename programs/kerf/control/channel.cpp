@@ -1,0 +1,316 @@
+#include "programs/kerf/control/channel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <deque>
+#include <optional>
+#include <thread>
+#include <unistd.h>
+#include <utility>
+#include <vector>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/local/stream_protocol.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/read_until.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/write.hpp>
+
+#include "programs/kerf/control/protocol.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+namespace asio = boost::asio;
+using boost::system::error_code;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kLongestLine = 65'536;
+constexpr std::size_t kMostWaiting = 1U << 20U;  // bytes
+constexpr std::chrono::milliseconds kBeat{10};
+constexpr std::chrono::seconds kFarewell{1};
+
+// One connection. Of the channel's thread.
+class Client : public std::enable_shared_from_this<Client> {
+ public:
+  using OnLine = std::function<void(const std::shared_ptr<Client>&, std::string_view)>;
+
+  Client(asio::io_context& context, Descriptor in, Descriptor out, OnLine on_line)
+      : in_(context, std::move(in).release()), on_line_(std::move(on_line)) {
+    if (out.is_open()) {
+      out_.emplace(context, std::move(out).release());
+    }
+  }
+
+  void read() {
+    asio::async_read_until(in_, asio::dynamic_buffer(text_, kLongestLine), '\n',
+                           [self = shared_from_this()](const error_code& error, std::size_t size) {
+                             if (error) {
+                               self->stop_reading();
+                               return;
+                             }
+                             self->on_line_(self,
+                                            std::string_view(self->text_).substr(0, size - 1));
+                             self->text_.erase(0, size);
+                             self->read();
+                           });
+  }
+  void write(std::string line) {
+    waiting_bytes_ += line.size();
+    lines_.push_back(std::move(line));
+    if (waiting_bytes_ > kMostWaiting) {
+      close();
+    } else if (lines_.size() == 1) {
+      write_next();
+    }
+  }
+  void close() {
+    error_code ignored;
+    in_.close(ignored);
+    if (out_) {
+      out_->close(ignored);
+    }
+    is_open_ = false;
+  }
+
+  [[nodiscard]] bool is_open() const { return is_open_; }
+  [[nodiscard]] bool reads() const { return is_open_ && reads_; }
+  [[nodiscard]] bool has_written() const { return !is_open_ || lines_.empty(); }
+
+  // Statuses that come by themselves; 0: none.
+  Clock::duration every{0};
+  Clock::time_point next_status{};
+
+ private:
+  // It may still be told what happens.
+  void stop_reading() {
+    reads_ = false;
+    if (!out_) {
+      close();
+    }
+  }
+  void write_next() {
+    asio::async_write(out_ ? *out_ : in_, asio::buffer(lines_.front()),
+                      [self = shared_from_this()](const error_code& error, std::size_t size) {
+                        if (error) {
+                          self->close();
+                          return;
+                        }
+                        self->waiting_bytes_ -= size;
+                        self->lines_.pop_front();
+                        if (!self->lines_.empty()) {
+                          self->write_next();
+                        }
+                      });
+  }
+
+  asio::posix::stream_descriptor in_;
+  std::optional<asio::posix::stream_descriptor> out_;
+  OnLine on_line_;
+  std::string text_;
+  std::deque<std::string> lines_;
+  std::size_t waiting_bytes_ = 0;
+  bool is_open_ = true;
+  bool reads_ = true;
+};
+
+}  // namespace
+
+class ControlChannel::Server {
+ public:
+  Server(ControlEndpoint endpoint, Operator& by, Order order)
+      : order_(std::move(order)), by_(&by), socket_path_(endpoint.socket_path) {
+    if (endpoint.listens.is_open()) {
+      acceptor_.emplace(context_, asio::local::stream_protocol(),
+                        std::move(endpoint.listens).release());
+      accept();
+    } else {
+      add(std::move(endpoint.in), std::move(endpoint.out));
+    }
+    beat();
+    thread_ = std::thread([this] { context_.run(); });
+  }
+  ~Server() {
+    context_.stop();
+    thread_.join();
+    by_->drop_orders();  // they would answer to clients
+    if (!socket_path_.empty()) {
+      ::unlink(socket_path_.c_str());
+    }
+  }
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  void finish(ExitStatus status) {
+    asio::post(context_, [this, status] {
+      is_over_ = true;
+      tell_events();
+      tell_all(end_json(status));
+    });
+    const auto deadline = Clock::now() + kFarewell;
+    while (!is_told_ && Clock::now() < deadline) {
+      std::this_thread::sleep_for(kBeat);
+    }
+  }
+
+ private:
+  void accept() {
+    acceptor_->async_accept([this](const error_code& error, auto socket) {
+      if (!error) {
+        add(Descriptor(socket.release()), {});
+      }
+      if (acceptor_->is_open()) {
+        accept();
+      }
+    });
+  }
+  void add(Descriptor in, Descriptor out) {
+    clients_.push_back(
+        std::make_shared<Client>(context_, std::move(in), std::move(out),
+                                 [this](const std::shared_ptr<Client>& client,
+                                        std::string_view line) { answer(client, line); }));
+    clients_.back()->write(hello_json(order_.file));
+    clients_.back()->read();
+  }
+
+  void beat() {
+    timer_.expires_after(kBeat);
+    timer_.async_wait([this](const error_code& error) {
+      if (error) {
+        return;
+      }
+      std::erase_if(clients_, [](const auto& client) { return !client->is_open(); });
+      tell_events();
+      tell_statuses();
+      stop_where_nobody_answers();
+      is_told_ = is_over_ && std::ranges::all_of(clients_, &Client::has_written);
+      beat();
+    });
+  }
+  void tell_all(const std::string& line) {
+    for (const auto& client : clients_) {
+      client->write(line);
+    }
+  }
+  [[nodiscard]] std::vector<std::string> events_since(std::uint64_t& number) const {
+    std::array<ControllerEvent, ControllerEvent::kKept> events;
+    const std::size_t count = by_->controller().events_since(number, events);
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < count; ++i) {
+      lines.push_back(event_json(events[i], by_->controller().message(events[i].message)));
+      number = events[i].number + 1;
+    }
+    return lines;
+  }
+  void tell_events() {
+    for (const std::string& line : events_since(next_event_)) {
+      tell_all(line);
+    }
+  }
+  void tell_statuses() {
+    const auto now = Clock::now();
+    for (const auto& client : clients_) {
+      if (client->every.count() > 0 && now >= client->next_status) {
+        client->next_status = now + client->every;
+        client->write(status_json(by_->status(), order_.extra));
+      }
+    }
+  }
+  // Asked again and again: the operator may be about to carry out an answer.
+  void stop_where_nobody_answers() {
+    const bool answers =
+        order_.others_answer || acceptor_ || std::ranges::any_of(clients_, &Client::reads);
+    if (!answers && by_->status().waits_for == WaitsFor::answer) {
+      by_->ask([by = by_] {
+        if (by->status().waits_for == WaitsFor::answer) {
+          static_cast<void>(by->give(kerf::Command::stop));
+        }
+      });
+    }
+  }
+
+  void answer(const std::shared_ptr<Client>& client, std::string_view line) {
+    auto request = control_request(line);
+    if (!request) {
+      client->write(bad_request_json(request.error(), by_->status().state));
+      return;
+    }
+    if (is_over_) {
+      client->write(refused_json(*request, by_->status().state, "the run is over"));
+    } else if (request->kind == ControlRequest::Kind::events) {
+      for (const std::string& event : events_since(request->since)) {
+        client->write(event);
+      }
+    } else if (request->kind == ControlRequest::Kind::status) {
+      client->write(status_json(by_->status(), order_.extra));
+      if (request->every_s) {
+        client->every = std::chrono::duration_cast<Clock::duration>(
+            std::chrono::duration<double>(*request->every_s));
+        client->next_status = Clock::now() + client->every;
+      }
+    } else if (request->kind == ControlRequest::Kind::command &&
+               request->command == kerf::Command::emergency_stop) {
+      by_->emergency_stop();
+      client->write(accepted_json(*request, by_->status().state));
+    } else {
+      by_->ask([this, client, request = *std::move(request)] {
+        const auto done = carry_out(request);
+        const ControllerState state = by_->status().state;
+        asio::post(context_, [client, line = done ? accepted_json(request, state)
+                                                  : refused_json(request, done.error().state,
+                                                                 done.error().reason)] {
+          client->write(line);
+        });
+      });
+    }
+  }
+  // In the thread that plans.
+  tl::expected<void, Refusal> carry_out(const ControlRequest& request) {
+    switch (request.kind) {
+      case ControlRequest::Kind::override: {
+        Overrides overrides = by_->status().overrides;
+        overrides.feed = request.feed.value_or(overrides.feed);
+        overrides.rapid = request.rapid.value_or(overrides.rapid);
+        overrides.spindle = request.spindle.value_or(overrides.spindle);
+        return by_->controller().set_overrides(overrides);
+      }
+      case ControlRequest::Kind::single_block:
+        return by_->controller().set_single_block(request.on);
+      case ControlRequest::Kind::optional_stop:
+        return by_->controller().set_optional_stop(request.on);
+      case ControlRequest::Kind::block_delete:
+        return by_->controller().set_block_delete(request.switches);
+      case ControlRequest::Kind::command:
+      case ControlRequest::Kind::status:
+      case ControlRequest::Kind::events:
+        break;
+    }
+    return by_->give(request.command);
+  }
+
+  Order order_;
+  Operator* by_;
+  std::string socket_path_;
+  asio::io_context context_;
+  std::optional<asio::local::stream_protocol::acceptor> acceptor_;
+  asio::steady_timer timer_{context_};
+  std::vector<std::shared_ptr<Client>> clients_;
+  std::uint64_t next_event_ = 1;
+  bool is_over_ = false;
+  std::atomic<bool> is_told_ = false;
+  std::thread thread_;
+};
+
+ControlChannel::ControlChannel(ControlEndpoint endpoint, Operator& by, Order order)
+    : server_(std::make_unique<Server>(std::move(endpoint), by, std::move(order))) {}
+ControlChannel::~ControlChannel() = default;
+
+void ControlChannel::finish(ExitStatus status) {
+  server_->finish(status);
+}
+
+}  // namespace kerf::program

@@ -1,0 +1,42 @@
+// The control channel of a run: who watches it and commands it from another program.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "parser/moves/auxiliary_axes.hpp"
+#include "programs/kerf/control/endpoint.hpp"
+#include "programs/kerf/control/operator.hpp"
+#include "programs/kerf/exit_status.hpp"
+
+namespace kerf::program {
+
+// Serves all clients in a thread of its own. Commands are carried out by the thread that plans, an
+// emergency stop at once. A client that does not read is dropped once a megabyte waits for it; it
+// keeps nobody else waiting.
+//
+// Where the descriptors that were handed over have come to their end, nobody can answer a wait: the
+// program is stopped there.
+class ControlChannel {
+ public:
+  struct Order {
+    std::string file;         // of the program, for the greeting
+    parser::Letters extra{};  // the machine's axes beside X, Y and Z
+    bool others_answer = false;
+  };
+  ControlChannel(ControlEndpoint endpoint, Operator& by, Order order);
+  ~ControlChannel();
+  ControlChannel(const ControlChannel&) = delete;
+  ControlChannel& operator=(const ControlChannel&) = delete;
+
+  // No more commands are taken. What happened until then and how the run ended is told to all that
+  // still read, within a second.
+  void finish(ExitStatus status);
+
+ private:
+  class Server;
+  std::unique_ptr<Server> server_;
+};
+
+}  // namespace kerf::program

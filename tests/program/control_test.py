@@ -1,0 +1,268 @@
+#!/usr/bin/env python3
+"""`kerf run --control`: another program watches a run and commands it, in JSON lines that hold to docs/control.schema.json."""
+import contextlib
+import json
+import os
+import pathlib
+import socket
+import stat
+import subprocess
+import time
+
+import jsonschema
+from command_line import Case, KERF, SOURCE, main
+
+SCHEMA = json.loads((pathlib.Path(SOURCE) / "docs/control.schema.json").read_text())
+LINE = "G21 G90\nG1 X400 F6000\nM2\n"  # 4 s at 100 mm/s
+
+
+def validator(name):
+    return jsonschema.Draft202012Validator({**SCHEMA, "$ref": f"#/$defs/{name}"})
+
+
+REQUEST, REPLY = validator("request"), validator("reply")
+
+
+class Client:
+    """One end of a channel; every line that comes is checked."""
+
+    def __init__(self, case, reader, writer, connection=None):
+        self.case, self.reader, self.writer, self.connection, self.events = case, reader, writer, connection, []
+
+    def write(self, text):
+        self.writer.write(text.encode())
+        self.writer.flush()
+
+    def read(self):
+        line = self.reader.readline()
+        self.case.assertTrue(line.endswith(b"\n"), line)
+        reply = json.loads(line)
+        REPLY.validate(reply)
+        if reply["type"] == "event":
+            self.events.append(reply)
+        return reply
+
+    def read_until(self, **wanted):
+        while True:
+            reply = self.read()
+            if all(reply.get(key) == value for key, value in wanted.items()):
+                return reply
+
+    def ask(self, command, **more):
+        request = {"id": [command], "command": command, **more}
+        REQUEST.validate(request)
+        self.write(json.dumps(request) + "\n")
+        return self.read_until(type="answer", id=[command])
+
+
+class Control(Case):
+    def run_kerf(self, control, program=LINE, fds=(), stdin=subprocess.DEVNULL):
+        process = subprocess.Popen([KERF, "run", self.path("part.ngc", program), "--control", control, "--trace", self.path("run.csv")],
+                                   stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE, pass_fds=fds)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return process
+
+    def start(self, program=LINE):
+        """`kerf run` at the other end of a socket."""
+        ours, theirs = socket.socketpair()
+        process = self.run_kerf(str(theirs.fileno()), program, (theirs.fileno(),))
+        theirs.close()
+        self.addCleanup(ours.close)
+        ours.settimeout(60)
+        return process, self.client(ours)
+
+    def client(self, connection):
+        reader, writer = connection.makefile("rb"), connection.makefile("wb")
+        self.addCleanup(reader.close)
+        client = Client(self, reader, writer, connection)
+        hello = client.read()
+        self.assertEqual((hello["type"], hello["schema_version"]), ("hello", 1))
+        return client
+
+    def end(self, process, status):
+        self.assertEqual(process.wait(timeout=60), status)
+        with open(self.path("run.csv"), encoding="utf-8") as file:
+            return [line for line in file if not line.startswith("#")]
+
+    def test_hold_status_override_and_resume(self):
+        process, client = self.start()
+        self.assertEqual(client.read_until(type="event")["state"], "idle")
+        client.read_until(type="event", state="running")
+        time.sleep(0.5)
+        self.assertTrue(client.ask("hold")["accepted"])
+        client.read_until(type="event", state="held")
+        client.write('{"command":"status"}\n')
+        held = client.read_until(type="status")
+        self.assertEqual((held["state"], held["feedrate_mm_s"], held["line"]), ("held", 0, 2))
+        self.assertTrue(0 < held["position_mm"]["x"] < 400)
+        self.assertIn("G90", held["codes"].split())
+        answer = client.ask("override", feed_percent=200, spindle_percent=110)
+        self.assertTrue(answer["accepted"])
+        self.assertTrue(client.ask("resume")["accepted"])
+        time.sleep(0.7)
+        client.write('{"command":"status"}\n')
+        fast = client.read_until(type="status")
+        self.assertEqual(fast["overrides"], {"feed_percent": 200, "rapid_percent": 100, "spindle_percent": 110})
+        self.assertAlmostEqual(fast["feedrate_mm_s"], 200, delta=1)
+        self.assertEqual(client.read_until(type="end"), {"type": "end", "exit_status": 0})
+        self.assertEqual(client.reader.read(), b"")
+        self.end(process, 0)
+        self.assertEqual([event["number"] for event in client.events], list(range(1, len(client.events) + 1)))
+        self.assertEqual([event["state"] for event in client.events], ["idle", "running", "holding", "held", "running", "idle"])
+
+    def test_what_the_state_refuses_and_what_is_no_request(self):
+        process, client = self.start()
+        client.read_until(type="event", state="running")
+        refused = client.ask("resume")
+        self.assertEqual((refused["accepted"], refused["state"], refused["reason"]), (False, "running", "it is not held"))
+        for text in ("hold", "[1]", "{}", '{"command":"start"}', '{"command":7}', '{"command":"hold","now":true}', '{"command":"single_block"}',
+                     '{"command":"single_block","on":1}', '{"command":"override","feed_percent":"fast"}', '{"command":"status","every_s":-1}',
+                     '{"command":"events","since":-1}', "[" * 10000, "\0\xff"):
+            client.write(text + "\n")
+            answer = client.read_until(type="answer")
+            self.assertFalse(answer["accepted"], text)
+            self.assertTrue(answer["reason"], text)
+        client.write('{"id":{"a":1},"command":"override","feed_percent":201}\n')
+        answer = client.read_until(type="answer")
+        self.assertEqual((answer["id"], answer["accepted"], answer["reason"]), ({"a": 1}, False, "an override is out of its range"))
+        self.assertTrue(client.ask("stop")["accepted"])
+        self.assertEqual(client.read_until(type="end")["exit_status"], 7)
+        self.end(process, 7)
+
+    def test_an_emergency_stop(self):
+        process, client = self.start()
+        client.read_until(type="event", state="running")
+        time.sleep(0.3)
+        self.assertEqual(client.ask("emergency_stop")["state"], "emergency_stop")
+        self.assertEqual(client.read_until(type="end")["exit_status"], 8)
+        self.end(process, 8)
+
+    def test_messages_and_an_answer_to_a_wait(self):
+        process, client = self.start("G21 G90\nG1 X10 F6000\n(MSG, tool \xe4)\nT2 M6\n(DEBUG, now #5400)\nX20\n(PRINT, over)\nM2\n")
+        tool = client.read_until(type="event", event="message")
+        self.assertEqual((tool["text"], tool["line"]), ("tool \xe4", 3))
+        while not any(event.get("waits_for") == "answer" for event in client.events):
+            client.read()
+        self.assertTrue(client.ask("resume")["accepted"])
+        self.assertEqual(client.read_until(type="event", event="debug")["text"], "now 2.000000")
+        self.assertEqual(client.read_until(type="event", event="print")["text"], "over")
+        self.assertEqual(client.read_until(type="end")["exit_status"], 0)
+        self.end(process, 0)
+
+    def test_single_block_and_statuses_by_themselves(self):
+        process, client = self.start("G21 G90 G61\nG1 X100 F6000\nX102\nM2\n")
+        self.assertTrue(client.ask("single_block", on=True)["accepted"])
+        client.write('{"command":"status","every_s":0.02}\n')
+        seen = [client.read_until(type="status") for _ in range(20)]
+        ticks = [status["tick"] for status in seen]
+        self.assertEqual(ticks, sorted(ticks))
+        self.assertGreater(ticks[-1] - ticks[0], 200)
+        self.assertTrue(seen[-1]["single_block"])
+        waits = 0
+        while True:
+            reply = client.read()
+            if reply["type"] == "end":
+                break
+            if reply.get("waits_for") == "answer" and reply["type"] == "event":
+                waits += 1
+                client.write('{"command":"resume"}\n')
+        self.assertEqual(waits, 2)
+        self.end(process, 0)
+
+    def test_optional_stops_and_block_delete_of_text_that_is_not_read_yet(self):
+        long = "G21 G90 F6000\n" + "".join(f"G1 X{100 * (i % 2)} Y{i}\n" for i in range(1, 12)) + "M0\n/ G0 X150\n/3 G0 Z7\nM1\nG0 X3\nM2\n"
+        process, client = self.start(long)
+        self.assertTrue(client.ask("block_delete", switches=[1])["accepted"])
+        self.assertTrue(client.ask("optional_stop", on=True)["accepted"])
+        client.ask("override", feed_percent=200)
+        waits = []
+        while True:
+            reply = client.read()
+            if reply["type"] == "end":
+                break
+            if reply["type"] == "event" and reply.get("waits_for") == "answer":
+                client.write('{"command":"status"}\n')
+                status = client.read_until(type="status")
+                waits.append((reply["line"], status["position_mm"]["x"], status["position_mm"]["z"]))
+                self.assertEqual((status["optional_stop"], status["block_delete"]), (True, [1]))
+                client.write('{"command":"resume"}\n')
+        self.assertEqual(waits, [(13, 100, 0), (16, 100, 7)])
+        self.end(process, 0)
+
+    def test_two_pipes(self):
+        from_kerf, to_us = os.pipe()
+        from_us, to_kerf = os.pipe()
+        process = self.run_kerf(f"{from_us},{to_us}", fds=(from_us, to_us))
+        os.close(from_us)
+        os.close(to_us)
+        client = Client(self, os.fdopen(from_kerf, "rb"), os.fdopen(to_kerf, "wb"))
+        self.addCleanup(client.reader.close)
+        client.read_until(type="event", state="running")
+        self.assertTrue(client.ask("hold")["accepted"])
+        client.read_until(type="event", state="held")
+        self.assertTrue(client.ask("resume")["accepted"])
+        client.writer.close()  # no more commands; events go on
+        self.assertEqual(client.read_until(type="end")["exit_status"], 0)
+        self.end(process, 0)
+
+    def test_a_program_is_stopped_at_a_wait_once_nobody_can_answer(self):
+        process, client = self.start("G21 G90\nG1 X10 F6000\nM0\nX20\nM2\n")
+        client.read_until(type="event", state="running")
+        client.connection.close()
+        client.reader.close()
+        client.writer.close()
+        self.end(process, 7)
+
+    def test_a_socket_is_for_its_owner_and_goes_with_the_run(self):
+        where = self.path("kerf.sock")
+        stale = socket.socket(socket.AF_UNIX)
+        stale.bind(where)
+        stale.close()  # nobody listens any more
+        process = self.run_kerf(where)
+        deadline = time.monotonic() + 60
+        connection = socket.socket(socket.AF_UNIX)
+        self.addCleanup(connection.close)
+        while time.monotonic() < deadline:
+            try:
+                connection.connect(where)
+                break
+            except (ConnectionRefusedError, FileNotFoundError):
+                time.sleep(0.02)
+        connection.settimeout(60)
+        client = self.client(connection)
+        self.assertEqual(stat.S_IMODE(os.stat(where).st_mode), 0o600)
+        second = self.run_kerf(where)
+        self.assertEqual(second.wait(timeout=60), 5)
+        self.assertIn(b"Address already in use", second.stderr.read())
+        other = socket.socket(socket.AF_UNIX)
+        self.addCleanup(other.close)
+        other.connect(where)
+        other.settimeout(60)
+        watcher = self.client(other)
+        watcher.write('{"command":"events","since":1}\n')
+        self.assertEqual(watcher.read_until(type="event")["number"], 1)
+        self.assertTrue(client.ask("stop")["accepted"])
+        self.assertEqual(client.read_until(type="end")["exit_status"], 7)
+        self.assertEqual(watcher.read_until(type="end")["exit_status"], 7)
+        self.assertEqual(process.wait(timeout=60), 7)
+        self.assertFalse(os.path.exists(where))
+
+    def test_a_client_that_does_not_read_keeps_nobody_waiting(self):
+        process, client = self.start()
+        with contextlib.suppress(BrokenPipeError, ConnectionResetError):  # it is dropped
+            client.write('{"command":"status"}\n' * 20000)
+        self.assertEqual(process.wait(timeout=60), 0)
+
+    def test_a_channel_that_is_none_is_refused_before_anything_moves(self):
+        regular = os.open(self.path("regular", "x"), os.O_RDONLY)
+        self.addCleanup(os.close, regular)
+        for control, said in (("77", b"descriptor 77: Bad file descriptor"), (str(regular), b"Invalid argument"), ("/nowhere/kerf.sock", b"No such file"),
+                              (self.path("x" * 200), b"is no path of 1 to"), (self.path("part.ngc", LINE), b"Address already in use")):
+            process = self.run_kerf(control, fds=(regular,))
+            self.assertEqual(process.wait(timeout=60), 5, control)
+            self.assertIn(said, process.stderr.read())
+
+
+if __name__ == "__main__":
+    main()
