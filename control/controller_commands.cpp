@@ -22,9 +22,10 @@ tl::expected<void, Refusal> Controller::Impl::give(Command command) {
   std::unique_ptr<Kernel> next;
   bool is_resumed = false;
   for (;;) {
-    State state = state_.load();
-    if (is_resumed && state == State::running) {
-      return {};  // the tick side has seen the motion already
+    auto seen = state_.load();
+    const State state = seen.state();
+    if (is_resumed && (state == State::running || state == State::waiting)) {
+      return {};  // the tick side has seen the motion already, or even the next wait
     }
     const Answer answer = answer_now(state, command);
     if (!answer.is_accepted()) {
@@ -38,7 +39,7 @@ tl::expected<void, Refusal> Controller::Impl::give(Command command) {
       kernel_->resume();
       is_resumed = true;
     }
-    if (change(state, answer.next)) {
+    if (change(seen, answer.next)) {
       break;
     }
   }
@@ -52,7 +53,7 @@ tl::expected<void, Refusal> Controller::Impl::give(Command command) {
 
 tl::expected<void, Refusal> Controller::Impl::set_overrides(const Overrides& overrides) {
   if (!is_possible(overrides)) {
-    return tl::unexpected(Refusal{.state = state_.load(),
+    return tl::unexpected(Refusal{.state = state_.state(),
                                   .command = Command::override,
                                   .reason = "an override is out of its range"});
   }
@@ -91,9 +92,9 @@ Answer Controller::Impl::answer_now(State state, Command command) const noexcept
   return answer_to(state, command);
 }
 
-bool Controller::Impl::change(State& from, State to) noexcept {
-  const State before = from;
-  if (!state_.compare_exchange_strong(from, to)) {
+bool Controller::Impl::change(control::StateWord::Seen& from, State to) noexcept {
+  const State before = from.state();
+  if (!state_.change(from, to)) {
     return false;
   }
   if (before != to) {
@@ -195,7 +196,7 @@ bool Controller::Impl::plan() {
 void Controller::Impl::tell() {
   for (const ProgramMessage& message : kernel_->take_messages()) {
     events_.note({.kind = ControllerEvent::Kind::message,
-                  .state = state_.load(),
+                  .state = state_.state(),
                   .message = messages_.add(message)});
   }
   const std::string_view codes = kernel_->active_codes().substr(0, operator_.codes.size());

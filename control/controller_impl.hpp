@@ -12,6 +12,7 @@
 #include "control/event_log.hpp"
 #include "control/messages.hpp"
 #include "control/snapshot.hpp"
+#include "control/state_word.hpp"
 
 namespace kerf {
 
@@ -19,7 +20,7 @@ namespace kerf {
 // an emergency stop from any thread is never lost. A kernel belongs to the planning side; the tick
 // side has it from `start` on until it has seen the program's end, and gives it back before the
 // state says so.
-class [[gnu::visibility("hidden")]] Controller::Impl {
+class KERF_LOCAL Controller::Impl {
  public:
   Impl(MachineSettings settings, KernelOptions options);
 
@@ -33,18 +34,14 @@ class [[gnu::visibility("hidden")]] Controller::Impl {
   void finish();
   bool plan();
   void text_is_late();
-  [[nodiscard]] const Kernel* program() const noexcept {
-    return kernel_.get();
-  }
+  [[nodiscard]] const Kernel* program() const noexcept { return kernel_.get(); }
 
-  ControllerState tick(Setpoint & setpoint) noexcept;
+  ControllerState tick(Setpoint& setpoint) noexcept;
 
   void leave_for(ControllerState next) noexcept;
   [[nodiscard]] bool drives_on() const noexcept;
   [[nodiscard]] ControllerStatus status() const noexcept;
-  [[nodiscard]] const control::EventLog& events() const noexcept {
-    return events_;
-  }
+  [[nodiscard]] const control::EventLog& events() const noexcept { return events_; }
   [[nodiscard]] std::optional<ProgramMessage> message(std::uint32_t number) const {
     return messages_.find(number);
   }
@@ -61,11 +58,8 @@ class [[gnu::visibility("hidden")]] Controller::Impl {
 
   // The table, and what it cannot say.
   [[nodiscard]] Answer answer_now(ControllerState state, Command command) const noexcept;
-  // False: it is another state by now, and `from` says which.
-  bool change(ControllerState & from, ControllerState to) noexcept;
-  void change_if(ControllerState from, ControllerState to) noexcept {
-    change(from, to);
-  }
+  // StateWord::change, with the event.
+  bool change(control::StateWord::Seen& from, ControllerState to) noexcept;
   void carry_out(Command command);
   // What the operator has set, for the program that runs and all to see.
   tl::expected<void, Refusal> set(Command command);
@@ -75,7 +69,12 @@ class [[gnu::visibility("hidden")]] Controller::Impl {
   // What the program says where the tool is.
   void tell();
 
-  void follow(TickStatus status, const Kernel& kernel) noexcept;
+  // What a tick found, and the state before it: a command that came meanwhile knows better.
+  struct Ticked {
+    control::StateWord::Seen before{};
+    TickStatus status = TickStatus::running;
+  };
+  void follow(Ticked tick, const Kernel& kernel) noexcept;
   void end(ControllerState next) noexcept;
   [[nodiscard]] WaitsFor waits_for(ControllerState state) const noexcept;
   // Spindle and coolant stay as the program left them, and are off without drives.
@@ -84,7 +83,7 @@ class [[gnu::visibility("hidden")]] Controller::Impl {
 
   MachineSettings settings_;
   KernelOptions options_;
-  std::atomic<ControllerState> state_ = ControllerState::off;
+  control::StateWord state_;
   std::atomic<std::uint64_t> programs_ = 0;
   std::atomic<std::int64_t> run_ticks_ = 0;
   std::atomic<bool> wants_text_ = false;

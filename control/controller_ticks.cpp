@@ -7,26 +7,31 @@ using State = ControllerState;
 
 ControllerState Controller::Impl::tick(Setpoint& setpoint) noexcept {
   if (Kernel* kernel = running_.load(std::memory_order_acquire)) {
-    const State state = state_.load();
-    if (state == State::emergency_stop || state == State::fault) {
+    const auto before = state_.load();
+    if (before.state() == State::emergency_stop || before.state() == State::fault) {
       kernel->emergency_stop();
     }
     const TickStatus status = kernel->tick(last_);
     ++run_ticks_;
     line_.store(last_.line, std::memory_order_relaxed);
-    follow(status, *kernel);
+    follow({.before = before, .status = status}, *kernel);
   } else {
     rest();
   }
   last_.tick = tick_++;
   publish();
   setpoint = last_;
-  return state_.load();
+  return state_.state();
 }
 
-void Controller::Impl::follow(TickStatus status, const Kernel& kernel) noexcept {
-  waits_for_answer_.store(status == TickStatus::waiting, std::memory_order_relaxed);
-  switch (status) {
+void Controller::Impl::follow(Ticked tick, const Kernel& kernel) noexcept {
+  waits_for_answer_.store(tick.status == TickStatus::waiting, std::memory_order_relaxed);
+  const auto change_if = [&](State from, State to) {
+    if (tick.before.state() == from) {
+      change(tick.before, to);
+    }
+  };
+  switch (tick.status) {
     case TickStatus::running:
       change_if(State::waiting, State::running);
       break;
@@ -47,8 +52,9 @@ void Controller::Impl::follow(TickStatus status, const Kernel& kernel) noexcept 
 
 void Controller::Impl::end(State next) noexcept {
   running_.store(nullptr, std::memory_order_release);
-  State state = state_.load();
-  while (state != State::emergency_stop && state != State::fault && !change(state, next)) {
+  auto seen = state_.load();
+  while (seen.state() != State::emergency_stop && seen.state() != State::fault &&
+         !change(seen, next)) {
   }
 }
 
@@ -65,7 +71,7 @@ void Controller::Impl::rest() noexcept {
 
 // A wait that becomes another one is an event, too.
 void Controller::Impl::publish() noexcept {
-  const State state = state_.load();
+  const State state = state_.state();
   const WaitsFor waits = waits_for(state);
   if (state == State::waiting && told_wait_ != WaitsFor::nothing && waits != told_wait_) {
     events_.note({.state = state, .waits_for = waits, .line = last_.line});
@@ -77,13 +83,13 @@ void Controller::Impl::publish() noexcept {
 }
 
 void Controller::Impl::leave_for(State next) noexcept {
-  State state = state_.load();
-  while (!change(state, next)) {
+  auto seen = state_.load();
+  while (!change(seen, next)) {
   }
 }
 
 bool Controller::Impl::drives_on() const noexcept {
-  const State state = state_.load();
+  const State state = state_.state();
   return state != State::off && state != State::fault &&
          (state != State::emergency_stop || running_.load() != nullptr);
 }
@@ -103,7 +109,7 @@ ControllerStatus Controller::Impl::status() const noexcept {
   status.optional_stop = by.optional_stop;
   status.block_delete = by.block_delete;
   status.codes = by.codes;
-  status.state = state_.load();
+  status.state = state_.state();
   status.next_event = events_.next_number();
   status.waits_for = waits_for(status.state);
   return status;

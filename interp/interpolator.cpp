@@ -109,7 +109,8 @@ void Interpolator::pop_phase() noexcept {
 bool Interpolator::advance_phase() noexcept {
   for (std::size_t i = 0; i < MotionQueue::kPhases; ++i) {
     const Phase* next = next_phase();
-    if (next == nullptr || time_into_s(*next) < 0.0) {
+    has_next_ = next != nullptr;
+    if (!has_next_ || time_into_s(*next) < 0.0) {
       break;
     }
     phase_ = *next;
@@ -219,7 +220,7 @@ void Interpolator::begin_tick() noexcept {
 
 bool Interpolator::pass_what_is_over() noexcept {
   take_over();
-  if (!advance_phase() || next_phase() != nullptr || phase_.ends_at_rest ||
+  if (!advance_phase() || has_next_ || phase_.ends_at_rest ||
       time_into_s(phase_) < phase_.law.duration_s()) {
     return false;
   }
@@ -233,7 +234,7 @@ TickStatus Interpolator::follow_phase() noexcept {
   assert(time_into_s(phase_) >= 0.0 && phase_.s_begin_mm <= phase_.s_end_mm);
   const double t = time_into_s(phase_);
   // With a next phase time has only rounded past the end: that phase begins before the next tick.
-  const bool over = t >= phase_.law.duration_s() && next_phase() == nullptr;
+  const bool over = t >= phase_.law.duration_s() && !has_next_;
   profiles::PathMotion motion = phase_.law.at(t);
   double s = phase_.s_begin_mm + motion.s_mm;
   if (over || s > phase_.s_end_mm) {

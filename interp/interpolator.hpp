@@ -119,6 +119,7 @@ class Interpolator {
   std::atomic<double> spindle_override_ = 1.0;
   EmergencyBrake brake_;
   bool has_phase_ = false;
+  bool has_next_ = false;  // of the plan in force, when the tick looked: more may come at any time
   bool tick_begun_ = false;
   Phase phase_{};
   CurvePiece piece_{};

@@ -25,7 +25,7 @@ namespace kerf {
 // (follow_stop_ahead). A hold or a stop is a plan that takes over from the present one some
 // milliseconds later (try_hold, try_change_plan); the tick side answers whether it came in time
 // (follow_commands).
-class [[gnu::visibility("hidden")]] Kernel::Impl {
+class KERF_LOCAL Kernel::Impl {
  public:
   Impl(const MachineSettings& settings, const KernelOptions& options)
       : tells_(options.tells_operator),
@@ -45,19 +45,13 @@ class [[gnu::visibility("hidden")]] Kernel::Impl {
             static_cast<std::int64_t>(std::ceil(kFirstPart_s / settings.limits.period_s))),
         keeps_stop_(!options.one_thread) {}
 
-  void feed(std::string_view text) {
-    pipeline_.feed(text);
-  }
-  void finish() {
-    pipeline_.finish();
-  }
-  void refuse(diagnostics::Diagnostic fault) {
-    pipeline_.refuse(std::move(fault));
-  }
+  void feed(std::string_view text) { pipeline_.feed(text); }
+  void finish() { pipeline_.finish(); }
+  void refuse(diagnostics::Diagnostic fault) { pipeline_.refuse(std::move(fault)); }
 
   bool plan();
 
-  TickStatus tick(Setpoint & setpoint) noexcept;
+  TickStatus tick(Setpoint& setpoint) noexcept;
 
   [[nodiscard]] bool has_fault() const noexcept {
     return broken_ || judge_.excess().figure != TickExcess::Figure::none;
@@ -65,7 +59,7 @@ class [[gnu::visibility("hidden")]] Kernel::Impl {
 
   void reach_tick();
 
-  TickStatus next(Setpoint & setpoint);
+  TickStatus next(Setpoint& setpoint);
 
   [[nodiscard]] bool runs_low() const noexcept {
     return committed_until_tick_ - interpolator_.plan_tick() <= horizon_ticks_ / 2;
@@ -73,9 +67,7 @@ class [[gnu::visibility("hidden")]] Kernel::Impl {
 
   void plan_to_rest();
 
-  void emergency_stop() noexcept {
-    interpolator_.emergency_stop();
-  }
+  void emergency_stop() noexcept { interpolator_.emergency_stop(); }
 
   void hold() {
     holds_ = true;
@@ -91,44 +83,28 @@ class [[gnu::visibility("hidden")]] Kernel::Impl {
   }
   bool set_overrides(const Overrides& overrides);
   void set_single_block(bool on);
-  void set_optional_stop(bool on) {
-    pipeline_.set_optional_stop(on);
-  }
-  void set_block_delete(const BlockDelete& switches) {
-    pipeline_.set_block_delete(switches);
-  }
-  [[nodiscard]] const Overrides& overrides() const noexcept {
-    return overrides_;
-  }
+  void set_optional_stop(bool on) { pipeline_.set_optional_stop(on); }
+  void set_block_delete(const BlockDelete& switches) { pipeline_.set_block_delete(switches); }
+  [[nodiscard]] const Overrides& overrides() const noexcept { return overrides_; }
 
-  [[nodiscard]] ProgramNotes& notes() noexcept {
-    return notes_;
-  }
+  [[nodiscard]] ProgramNotes& notes() noexcept { return notes_; }
   [[nodiscard]] std::optional<RunFault> fault() const {
     const std::optional<RunFault>& of_plan = pipeline_.check().fault();
     return of_plan ? of_plan : describe(judge_.excess());
   }
-  [[nodiscard]] const TickJudge& judge() const noexcept {
-    return judge_;
-  }
+  [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
   [[nodiscard]] const std::vector<PathControlUse>& path_controls() const noexcept {
     return pipeline_.path().path_controls();
   }
   [[nodiscard]] smoothing::PathDeviation deviation() const noexcept {
     return pipeline_.path().deviations().largest;
   }
-  [[nodiscard]] bool has_errors() const {
-    return pipeline_.path().has_errors();
-  }
-  [[nodiscard]] bool left_travel() const noexcept {
-    return pipeline_.path().left_travel();
-  }
+  [[nodiscard]] bool has_errors() const { return pipeline_.path().has_errors(); }
+  [[nodiscard]] bool left_travel() const noexcept { return pipeline_.path().left_travel(); }
   [[nodiscard]] const std::vector<diagnostics::Diagnostic>& diagnostics() const {
     return pipeline_.path().diagnostics();
   }
-  [[nodiscard]] const PlanTotals& totals() const {
-    return pipeline_.totals();
-  }
+  [[nodiscard]] const PlanTotals& totals() const { return pipeline_.totals(); }
 
  private:
   // A plan that takes over does so so long after it is asked for.
@@ -168,14 +144,12 @@ class [[gnu::visibility("hidden")]] Kernel::Impl {
   [[nodiscard]] std::int64_t takeover_tick() const;
 
   // A plan that takes over. False: it did not fit, and is dropped.
-  bool hand_over(lookahead::Outbox && plan, std::uint32_t from,
+  bool hand_over(lookahead::Outbox&& plan, std::uint32_t from,
                  const lookahead::Planner::StopAhead* ahead = nullptr);
   bool try_hold();
   bool try_change_plan();
 
-  void fail_with_check() {
-    broken_ = pipeline_.check().is_broken();
-  }
+  void fail_with_check() { broken_ = pipeline_.check().is_broken(); }
 
   bool tells_;
   ProgramNotes notes_;
