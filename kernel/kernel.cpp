@@ -117,6 +117,9 @@ bool Kernel::has_errors() const {
 const std::vector<Diagnostic>& Kernel::diagnostics() const {
   return impl_->diagnostics();
 }
+const PlanWaits& Kernel::waits() const noexcept {
+  return impl_->waits();
+}
 const PlanTotals& Kernel::totals() const {
   return impl_->totals();
 }

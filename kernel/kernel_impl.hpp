@@ -104,6 +104,7 @@ class KERF_LOCAL Kernel::Impl {
   [[nodiscard]] const std::vector<diagnostics::Diagnostic>& diagnostics() const {
     return pipeline_.path().diagnostics();
   }
+  [[nodiscard]] const PlanWaits& waits() const noexcept { return pipeline_.waits_read(); }
   [[nodiscard]] const PlanTotals& totals() const { return pipeline_.totals(); }
 
  private:

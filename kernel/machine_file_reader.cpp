@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kSections{"tick",  "path",  "axes",   "offsets",
                                                     "tools", "probe", "program"};
-constexpr std::array<std::string_view, 3> kProgramKeys{"dialect", "least_increment_mm",
-                                                       "path_mode"};
+constexpr std::array<std::string_view, 5> kProgramKeys{"dialect", "least_increment_mm", "path_mode",
+                                                       "tool_change_s", "spindle_start_s"};
 constexpr std::array<std::string_view, 9> kAllAxisNames{"x", "y", "z", "a", "b",
                                                         "c", "u", "v", "w"};
 constexpr auto kAxisNames = std::span(kAllAxisNames).first<3>();
@@ -208,9 +208,10 @@ void MachineFileReader::read_axis(const Section& section, std::size_t axis) {
 
 void MachineFileReader::read_program(const Section& section) {
   check_keys(section, kProgramKeys);
-  const NumberRule& increment = program_rules().front();
-  if (const toml::node* const node = section.table->get(increment.key)) {
-    increment.field(settings_, 0) = read_number(section, increment, *node).value_or(0.0);
+  for (const NumberRule& rule : program_rules()) {
+    if (const toml::node* const node = section.table->get(rule.key)) {
+      rule.field(settings_, 0) = read_number(section, rule, *node).value_or(0.0);
+    }
   }
   read_dialect(section);
   read_path_mode(section);

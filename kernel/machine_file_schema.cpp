@@ -170,9 +170,14 @@ constexpr std::array kProbe{
     NumberRule{"z_max_mm", -kFarthest, kFarthest, probe_face<2, true>, 1.0, kOpen},
 };
 
+constexpr double kLongestWait_s = 86'400.0;
 constexpr std::array kProgram{
     NumberRule{"least_increment_mm", 0.0, 1.0,
                [](Settings& s, std::size_t) -> double& { return s.program.least_increment_mm; }},
+    NumberRule{"tool_change_s", 0.0, kLongestWait_s,
+               [](Settings& s, std::size_t) -> double& { return s.program.tool_change_s; }},
+    NumberRule{"spindle_start_s", 0.0, kLongestWait_s,
+               [](Settings& s, std::size_t) -> double& { return s.program.spindle_start_s; }},
 };
 
 constexpr std::array kTool{

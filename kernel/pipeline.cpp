@@ -20,6 +20,8 @@ Pipeline::Pipeline(const Order& order)
                 .longest_phase_s = order.longest_phase_s,
                 .waits = order.options.waits && order.may_hold,
                 .optional_stop = order.options.optional_stop,
+                .tool_change_s = order.settings.program.tool_change_s,
+                .spindle_start_s = order.settings.program.spindle_start_s,
                 .may_hold = order.may_hold}) {}
 
 Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {

@@ -89,6 +89,7 @@ class Pipeline {
   [[nodiscard]] bool is_finished() const noexcept { return finished_; }
   [[nodiscard]] const ProgramPath& path() const noexcept { return path_; }
   [[nodiscard]] const PlanTotals& totals() const noexcept { return planner_.totals(); }
+  [[nodiscard]] const PlanWaits& waits_read() const noexcept { return planner_.waits_pushed(); }
   [[nodiscard]] const PlanCheck& check() const noexcept { return check_; }
   // The whole program was read, but its end was never planned.
   void fail_without_plan(std::uint32_t line);

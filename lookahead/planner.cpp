@@ -136,9 +136,37 @@ bool Planner::waits_at(parser::EventKind kind) const noexcept {
   return settings_.waits && parser::waits_for_answer(kind, settings_.optional_stop);
 }
 
-void Planner::push_change_at_rest(const interp::OutputChange& change, const RestPlace& at) {
+void Planner::push_change_at_rest(const interp::OutputChange& change, const RestPlace& at,
+                                  double duration_s) {
   assert(wants_block());
-  accept(Rest{.line = at.line, .run_block = at.run_block, .change = change});
+  accept(
+      Rest{.duration_s = duration_s, .line = at.line, .run_block = at.run_block, .change = change});
+}
+
+double Planner::duration_s(const parser::EventMove& event) noexcept {
+  using parser::EventKind;
+  switch (event.kind) {
+    case EventKind::spindle_cw:
+    case EventKind::spindle_ccw:
+      return std::exchange(spindle_turns_, true) || event.taps ? 0.0 : settings_.spindle_start_s;
+    case EventKind::spindle_off:
+    case EventKind::spindle_orient:
+    case EventKind::program_end:
+      spindle_turns_ = false;
+      return 0.0;
+    case EventKind::tool_change:
+      return waits_at(event.kind) ? 0.0 : settings_.tool_change_s;
+    default:
+      return 0.0;
+  }
+}
+
+void Planner::note_wait(const PlanWait& wait) noexcept {
+  if (waits_pushed_.count < waits_pushed_.first.size()) {
+    waits_pushed_.first[static_cast<std::size_t>(waits_pushed_.count)] = wait;
+  }
+  ++waits_pushed_.count;
+  waits_pushed_.duration_s += wait.duration_s;
 }
 
 void Planner::push_change_at_motion(const interp::OutputChange& change) {

@@ -33,6 +33,9 @@ struct PlannerSettings {
   // M0, M60, M6 and, where optional stops are on, M1 wait for resume(). Needs may_hold.
   bool waits = false;
   bool optional_stop = false;
+  // How long an M6 that does not wait takes, and the start of the spindle.
+  double tool_change_s = 0.0;
+  double spindle_start_s = 0.0;
   bool may_hold = false;  // what was emitted is kept until it is run, so that it can be taken back
 };
 
@@ -60,12 +63,20 @@ class Planner {
   [[nodiscard]] bool waits_at(parser::EventKind kind) const noexcept;
   // Of what is not pushed yet.
   void set_optional_stop(bool on) noexcept { settings_.optional_stop = on; }
-  // The change takes effect once the tool is at rest. Precondition: wants_block().
-  void push_change_at_rest(const interp::OutputChange& change, const RestPlace& at);
+  [[nodiscard]] bool stops_optionally() const noexcept { return settings_.optional_stop; }
+  // The change takes effect once the tool is at rest; it rests for duration_s then. Precondition:
+  // wants_block().
+  void push_change_at_rest(const interp::OutputChange& change, const RestPlace& at,
+                           double duration_s = 0.0);
   // The change takes effect at the first tick on the block that is pushed next.
   void push_change_at_motion(const interp::OutputChange& change);
   // The program ends, at rest, after what has been pushed. Precondition: wants_block().
   void finish(std::uint32_t line);
+
+  // How long the machine takes for the event, where nobody is asked.
+  [[nodiscard]] double duration_s(const parser::EventMove& event) noexcept;
+  void note_wait(const PlanWait& wait) noexcept;
+  [[nodiscard]] const PlanWaits& waits_pushed() const noexcept { return waits_pushed_; }
 
   // Plans everything pushed so far to a rest. Call it when the next move is late.
   void plan_to_rest();
@@ -204,6 +215,8 @@ class Planner {
   bool held_ = false;
   bool waits_ = false;
   std::uint32_t waits_emitted_ = 0;
+  PlanWaits waits_pushed_{};
+  bool spindle_turns_ = false;  // behind what was pushed
   bool stops_ = false;  // at the rest of the plan that is not settled yet
   struct Before {
     Emitter emitter;

@@ -69,8 +69,46 @@ std::optional<interp::OutputChange> output_change_of(const parser::EventMove& ev
   }
 }
 
+// Nothing: neither somebody nor the machine is waited for.
+std::optional<PlanWait::Kind> wait_kind(parser::EventKind kind) {
+  using parser::EventKind;
+  switch (kind) {
+    case EventKind::program_stop:
+      return PlanWait::Kind::program_stop;
+    case EventKind::optional_stop:
+      return PlanWait::Kind::optional_stop;
+    case EventKind::pallet_change:
+      return PlanWait::Kind::pallet_change;
+    case EventKind::tool_change:
+      return PlanWait::Kind::tool_change;
+    case EventKind::spindle_cw:
+    case EventKind::spindle_ccw:
+      return PlanWait::Kind::spindle_start;
+    default:
+      return std::nullopt;
+  }
+}
+
+// M1 counts where it would stop, a spindle where its start takes time.
+double note_wait(const parser::EventMove& event, std::uint32_t line, Planner& planner) {
+  const double duration_s = planner.duration_s(event);
+  const auto kind = wait_kind(event.kind);
+  const bool counts = kind == PlanWait::Kind::optional_stop   ? planner.stops_optionally()
+                      : kind == PlanWait::Kind::spindle_start ? duration_s > 0.0
+                                                              : kind.has_value();
+  if (counts) {
+    const bool changes_tool = kind == PlanWait::Kind::tool_change;
+    planner.note_wait({.line = line,
+                       .kind = *kind,
+                       .tool = changes_tool ? static_cast<std::int32_t>(event.value) : 0,
+                       .duration_s = duration_s});
+  }
+  return duration_s;
+}
+
 void push_event(const parser::EventMove& event, const Planner::RestPlace& at, Planner& planner) {
   const auto change = output_change_of(event);
+  const double duration_s = note_wait(event, at.line, planner);
   if (planner.waits_at(event.kind)) {
     planner.push_wait(change, at);
   } else if (!change) {
@@ -78,7 +116,7 @@ void push_event(const parser::EventMove& event, const Planner::RestPlace& at, Pl
   } else if (parser::is_at_motion(event.kind)) {
     planner.push_change_at_motion(*change);
   } else {
-    planner.push_change_at_rest(*change, at);
+    planner.push_change_at_rest(*change, at, duration_s);
   }
 }
 

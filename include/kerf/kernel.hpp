@@ -161,6 +161,8 @@ class KERF_API Kernel {
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
   /// What was planned so far. Planning side.
   [[nodiscard]] const PlanTotals& totals() const;
+  /// Where what was read rests for somebody or something. Planning side.
+  [[nodiscard]] const PlanWaits& waits() const noexcept;
 
  private:
   class Impl;

@@ -214,6 +214,8 @@ struct ProgramData {
   /// In force until a program names a mode. Here G61, so that nothing departs from the path
   /// unasked; machine files and the default machine begin in G64 with the two tolerances above.
   PathControl path_control{};
+  double tool_change_s = 0.0;    ///< of an M6 that waits for no answer, >= 0
+  double spindle_start_s = 0.0;  ///< rest behind an M3 or M4 that starts the spindle, >= 0
 };
 
 /// Of the default machine: no offsets, and a tool changer with 60 places. T1 (10 mm, 12.5 mm long),

@@ -64,6 +64,29 @@ struct PlanDegradations {
   }
 };
 
+/// Where a program rests for somebody or something: M0, M1, M6, M60, and M3 or M4 where starting
+/// the spindle takes time.
+struct PlanWait {
+  enum class Kind : unsigned char {
+    program_stop,
+    optional_stop,
+    pallet_change,
+    tool_change,
+    spindle_start
+  };
+  std::uint32_t line = 0;
+  Kind kind = Kind::program_stop;
+  std::int32_t tool = 0;    ///< of a tool change
+  double duration_s = 0.0;  ///< that the machine takes; 0: none, or until somebody answers
+};
+
+/// All are counted, the first ones kept.
+struct PlanWaits {
+  std::uint64_t count = 0;
+  double duration_s = 0.0;  ///< of all
+  std::array<PlanWait, 8> first{};
+};
+
 /// What was planned so far.
 struct PlanTotals {
   std::uint64_t blocks = 0;

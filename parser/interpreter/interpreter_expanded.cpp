@@ -131,9 +131,13 @@ void Interpreter::push_cycle_step(const RunningBlock& at, const CycleStep& step,
     case StepKind::program_stop:
       move.shape = EventMove{EventKind::program_stop, 0.0};
       break;
-    default:
-      move.shape = spindle_.turn(state, clockwise ? Spindle::clockwise : Spindle::counterclockwise);
+    default: {
+      EventMove turn =
+          spindle_.turn(state, clockwise ? Spindle::clockwise : Spindle::counterclockwise);
+      turn.taps = state.motion == Motion::tap || state.motion == Motion::tap_left;
+      move.shape = turn;
       break;
+    }
   }
 }
 

@@ -108,6 +108,7 @@ struct EventMove {
   double value = 0.0;
   std::int32_t index = 0;
   SurfaceFollowing surface{};  // of spindle_cw and spindle_ccw, which then follow it
+  bool taps = false;           // the tap is in its hole: nothing waits for the spindle
 };
 
 using kerf::PathMode;

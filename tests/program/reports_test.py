@@ -134,8 +134,30 @@ class Trace(Case):
 
 class Json(Case):
     KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "period_s", "cycle_time_s", "ticks",
-            "path_length_mm", "blocks", "extents", "path_modes", "deviation", "max", "limits_exceeded", "chord_error_mm", "contour_error",
+            "path_length_mm", "blocks", "extents", "path_modes", "waits", "deviation", "max", "limits_exceeded", "chord_error_mm", "contour_error",
             "following_error", "starved_ticks", "warnings", "errors", "elapsed")
+
+    def test_lists_where_a_program_waits_and_the_time_that_the_machine_file_gives_it(self):
+        part = self.path("waits.ngc", "G21 G90 G61 F6000\nG1 X10\nM3 S1000\nM1\nM0\nS2000\nM5\nM4\nT2 M6\nM60\nG1 X0\nM2\n")
+        plain = json.loads(self.kerf("dry-run", part, "--json").stdout)
+        self.assertEqual(plain["waits"], {"count": 3, "duration_s": 0, "first": [
+            {"line": 5, "kind": "program_stop", "duration_s": 0}, {"line": 9, "kind": "tool_change", "duration_s": 0, "tool": 2},
+            {"line": 10, "kind": "pallet_change", "duration_s": 0}]})
+        slow = self.path("slow.toml", (pathlib.Path(SOURCE) / "programs/machines/sigmoid-butterfly.toml").read_text())
+        base = json.loads(self.kerf("dry-run", part, "--machine", slow, "--json").stdout)["cycle_time_s"]
+        with open(slow, "a", encoding="utf-8") as file:
+            file.write("\n[program]\ntool_change_s = 7.5\nspindle_start_s = 2\n")
+        report = json.loads(self.kerf("dry-run", part, "--machine", slow, "--json").stdout)
+        self.assertEqual([(wait["line"], wait["kind"], wait["duration_s"]) for wait in report["waits"]["first"]],
+                         [(3, "spindle_start", 2), (5, "program_stop", 0), (8, "spindle_start", 2), (9, "tool_change", 7.5), (10, "pallet_change", 0)])
+        self.assertEqual(report["waits"]["duration_s"], 11.5)
+        self.assertAlmostEqual(report["cycle_time_s"] - base, 11.5, delta=0.003)
+        self.assertEqual(json.loads(self.kerf("check", part, "--machine", slow, "--json").stdout)["waits"], report["waits"])
+        tapping = self.path("tapping.ngc", "G21 G90 G0 Z5\nM3 S500\nG84 X1 Y1 Z-5 R1 F500\nG86 X3 Y1 Z-5 R1 F500\nM5\nM2\n")
+        report = json.loads(self.kerf("dry-run", tapping, "--machine", slow, "--json").stdout)
+        self.assertEqual([wait["line"] for wait in report["waits"]["first"]], [2, 4])
+        self.assertIn("waits           spindle start in line 3 (2 s), M0 in line 5, spindle start in line 8 (2 s), M6 to T2 in line 9 (7.5 s), M60 in line 10; "
+                      "11.5 s of the cycle time", self.kerf("dry-run", part, "--machine", slow).stdout)
 
     def test_names_the_path_modes_that_ran_and_who_named_them(self):
         text = "G21 G90 F3000\nG1 X20\nY20\nG61\nX0\nG61.1\nY0\nM2\n"

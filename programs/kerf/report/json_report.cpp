@@ -70,6 +70,22 @@ Json path_modes_json(const std::vector<PathControlUse>& uses) {
   return json;
 }
 
+Json waits_json(const PlanWaits& waits) {
+  constexpr std::array kKinds{"program_stop", "optional_stop", "pallet_change", "tool_change",
+                              "spindle_start"};
+  Json first = Json::array();
+  for (std::size_t i = 0; i < waits.first.size() && i < waits.count; ++i) {
+    const PlanWait& wait = waits.first[i];
+    first.push_back({{"line", wait.line},
+                     {"kind", kKinds.at(static_cast<std::size_t>(wait.kind))},
+                     {"duration_s", wait.duration_s}});
+    if (wait.kind == PlanWait::Kind::tool_change) {
+      first.back()["tool"] = wait.tool;
+    }
+  }
+  return {{"count", waits.count}, {"duration_s", waits.duration_s}, {"first", first}};
+}
+
 void set_plan(Json& json, const FileReport& report) {
   const PlanReport& plan = *report.plan;
   json["cycle_time_s"] = plan.cycle_time_s;
@@ -78,6 +94,7 @@ void set_plan(Json& json, const FileReport& report) {
   json["blocks"] = plan.blocks;
   json["extents"] = extents_json(report);
   json["path_modes"] = path_modes_json(plan.path_controls);
+  json["waits"] = waits_json(plan.waits);
   json["deviation"] = deviation_json(plan.deviation);
 }
 

@@ -32,6 +32,7 @@ struct PlanReport {
   curves::AuxiliaryExtents extra_extents{};
   smoothing::PathDeviation deviation{};  // of the commanded path from the programmed one
   std::vector<PathControlUse> path_controls{};
+  PlanWaits waits{};
 
   // By more than rounding.
   [[nodiscard]] bool deviates() const noexcept { return deviation.distance_mm >= 5e-7; }

@@ -1,5 +1,6 @@
 #include "programs/kerf/report/summary.hpp"
 
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -104,6 +105,30 @@ std::string path_modes_text(const std::vector<PathControlUse>& uses) {
   return text;
 }
 
+std::string wait_text(const PlanWait& wait) {
+  constexpr std::array kCodes{"M0", "M1", "M60", "M6", "spindle start"};
+  std::string text = kCodes.at(static_cast<std::size_t>(wait.kind));
+  if (wait.kind == PlanWait::Kind::tool_change) {
+    text += fmt::format(" to T{}", wait.tool);
+  }
+  text += fmt::format(" in line {}", wait.line);
+  return wait.duration_s > 0.0 ? text + fmt::format(" ({} s)", short_number(wait.duration_s))
+                               : text;
+}
+
+std::string waits_text(const PlanWaits& waits) {
+  std::string text;
+  for (std::size_t i = 0; i < waits.first.size() && i < waits.count; ++i) {
+    text += (i == 0 ? "" : ", ") + wait_text(waits.first[i]);
+  }
+  if (waits.count > waits.first.size()) {
+    text += fmt::format(" and {} more", waits.count - waits.first.size());
+  }
+  return waits.duration_s > 0.0
+             ? text + fmt::format("; {} s of the cycle time", short_number(waits.duration_s))
+             : text;
+}
+
 void append_motion(std::string& text, const FileReport& report) {
   const MotionReport& motion = *report.motion;
   const auto out = std::back_inserter(text);
@@ -160,6 +185,9 @@ std::string summary(const FileReport& report) {
   fmt::format_to(out, "  extents         {}\n", extents_text(report));
   if (!plan.path_controls.empty()) {
     fmt::format_to(out, "  path mode       {}\n", path_modes_text(plan.path_controls));
+  }
+  if (plan.waits.count > 0) {
+    fmt::format_to(out, "  waits           {}\n", waits_text(plan.waits));
   }
   if (plan.deviates()) {
     fmt::format_to(out, "  deviation       {}\n", deviation_text(plan.deviation));

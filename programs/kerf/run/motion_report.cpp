@@ -17,7 +17,8 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
                            .extents = statistics.extents(),
                            .extra_extents = statistics.extra_extents(),
                            .deviation = kernel.deviation(),
-                           .path_controls = kernel.path_controls()};
+                           .path_controls = kernel.path_controls(),
+                           .waits = kernel.waits()};
   const RunFigures figures = kernel.figures();
   report.motion = MotionReport{.path = figures.path,
                                .axes = figures.axes,

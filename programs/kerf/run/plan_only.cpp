@@ -59,6 +59,7 @@ tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file, const Pla
   return PlannedProgram{.totals = pipeline.totals(),
                         .deviation = pipeline.path().deviations().largest,
                         .path_controls = pipeline.path().path_controls(),
+                        .waits = pipeline.waits_read(),
                         .errors = pipeline.path().has_errors()
                                       ? pipeline.path().diagnostics()
                                       : std::vector<diagnostics::Diagnostic>{},

@@ -23,6 +23,7 @@ struct PlannedProgram {
   PlanTotals totals{};
   smoothing::PathDeviation deviation{};
   std::vector<PathControlUse> path_controls{};
+  PlanWaits waits{};
   std::vector<diagnostics::Diagnostic> errors{};  // the plan ends before them
   std::optional<RunFault> fault{};                // the plan ends there
   std::optional<std::uint32_t> too_long_at_line;  // the plan ends there

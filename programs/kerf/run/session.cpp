@@ -167,7 +167,8 @@ class Session {
                      .extents = path_.extents.value_or(curves::Extents{}),
                      .extra_extents = path_.extra_extents,
                      .deviation = planned->deviation,
-                     .path_controls = planned->path_controls};
+                     .path_controls = planned->path_controls,
+                     .waits = planned->waits};
       report_.warnings = describe(totals.degradations);
       explain(watch);
     }
