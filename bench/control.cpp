@@ -18,8 +18,7 @@
 #include <kerf/kernel.hpp>
 #include <kerf/machine.hpp>
 
-#include "bench/part_programs.hpp"
-#include "bench/program_text.hpp"
+#include "bench/control_programs.hpp"
 
 namespace kerf::bench {
 
@@ -37,25 +36,8 @@ constexpr double kMedianAtMost_ms = 30.0;
 constexpr double kWorstOf99AtMost_ms = 60.0;
 constexpr double kWayAtMost = 1.1;
 
-struct Program {
-  std::string name;
-  std::string text;
-  std::array<double, 3> start_mm{};
-  bool is_line = false;
-};
-
-Program part(const std::string& name, const PartProgram& made) {
-  return {.name = name,
-          .text = "G21 G90 G64 P0.01 F6000\n" + made.body + "M2\n",
-          .start_mm = made.start_mm};
-}
-
-std::vector<Program> programs() {
-  return {{.name = "line", .text = "G21 G90\nG1 X2500 F6000\nM2\n", .is_line = true},
-          part("raster", raster(20'000)),
-          {.name = "butterfly", .text = source_file("programs/butterfly.ngc")},
-          part("pocket", pocket()),
-          part("flower", flower(3))};
+bool is_line(const ControlProgram& program) {
+  return program.name == "line";
 }
 
 struct Held {
@@ -67,7 +49,7 @@ struct Held {
 
 class HeldRun {
  public:
-  HeldRun(const Program& program, ProfileKind profile)
+  HeldRun(const ControlProgram& program, ProfileKind profile)
       : program_(&program), options_{.profile = {.kind = profile}, .start_mm = program.start_mm} {
     Kernel kernel = fresh();
     Setpoint setpoint;
@@ -118,7 +100,7 @@ class HeldRun {
   }
 
  private:
-  const Program* program_;
+  const ControlProgram* program_;
   KernelOptions options_;
   std::vector<Setpoint> whole_;
   mutable double last_mm_ = 0.0;
@@ -149,7 +131,7 @@ double shortest_on_line_mm() {
   return 0.5 * kLineFeed_mm_s * (kLineFeed_mm_s / a + a / j);
 }
 
-bool in_virtual_time(const Program& program, ProfileKind profile) {
+bool in_virtual_time(const ControlProgram& program, ProfileKind profile) {
   const HeldRun run(program, profile);
   std::vector<double> reaction;
   std::vector<double> planning;
@@ -163,11 +145,11 @@ bool in_virtual_time(const Program& program, ProfileKind profile) {
     way_mm = std::max(way_mm, held.way_mm);
   }
   const bool holds = quantile(reaction, 1.0) <= kReactionAtMost_ms &&
-                     (!program.is_line || way_mm <= kWayAtMost * shortest_on_line_mm());
+                     (!is_line(program) || way_mm <= kWayAtMost * shortest_on_line_mm());
   std::printf("| %s | %s | %.0f | %.0f | %.1f | %.1f | %.0f | %.2f |\n", program.name.c_str(),
               std::string(name_of(profile)).c_str(), quantile(reaction, 0.5),
               quantile(reaction, 1.0), quantile(planning, 0.5), quantile(planning, 1.0),
-              quantile(rest, 1.0), program.is_line ? way_mm / shortest_on_line_mm() : way_mm);
+              quantile(rest, 1.0), is_line(program) ? way_mm / shortest_on_line_mm() : way_mm);
   std::fflush(stdout);
   return holds;
 }
@@ -241,7 +223,7 @@ Held hold_in_real_time(const HeldRun& run, std::int64_t tick, bool& is_urgent) {
   return held;
 }
 
-bool in_real_time(const Program& program, ProfileKind profile) {
+bool in_real_time(const ControlProgram& program, ProfileKind profile) {
   const HeldRun run(program, profile);
   const Load load;
   std::vector<double> reaction;
@@ -260,7 +242,7 @@ bool in_real_time(const Program& program, ProfileKind profile) {
 }  // namespace
 
 int control() {
-  const std::vector<Program> all = programs();
+  const std::vector<ControlProgram> all = control_programs();
   constexpr std::array kProfiles{ProfileKind::time_optimal, ProfileKind::s_curve};
   bool holds = true;
   std::printf(
@@ -270,7 +252,7 @@ int control() {
       "| program | profile | reaction, median ms | worst | planning, median ms | worst | braking, "
       "worst ms | way |\n| --- | --- | --- | --- | --- | --- | --- | --- |\n",
       kHolds);
-  for (const Program& program : all) {
+  for (const ControlProgram& program : all) {
     for (const ProfileKind profile : kProfiles) {
       holds &= in_virtual_time(program, profile);
     }
@@ -279,7 +261,7 @@ int control() {
       "\nIn real time, two busy threads beside it.\n\n"
       "| program | profile | reaction, median ms | 99 %% | worst | SCHED_FIFO |\n"
       "| --- | --- | --- | --- | --- | --- |\n");
-  for (const Program& program : all) {
+  for (const ControlProgram& program : all) {
     for (const ProfileKind profile : kProfiles) {
       holds &= in_real_time(program, profile);
     }

@@ -8,6 +8,15 @@ namespace kerf {
 
 using State = ControllerState;
 
+namespace {
+
+// Behind a resume: the tick side has seen the motion already, or even the next wait.
+bool has_gone_on(State state) noexcept {
+  return state == State::running || state == State::waiting;
+}
+
+}  // namespace
+
 Controller::Impl::Impl(MachineSettings settings, KernelOptions options)
     : settings_(std::move(settings)), options_(std::move(options)) {
   last_.position_mm = options_.start_mm;
@@ -20,24 +29,18 @@ Controller::Impl::Impl(MachineSettings settings, KernelOptions options)
 
 tl::expected<void, Refusal> Controller::Impl::give(Command command) {
   std::unique_ptr<Kernel> next;
-  bool is_resumed = false;
-  for (;;) {
+  for (bool is_prepared = false;; is_prepared = true) {
     auto seen = state_.load();
-    const State state = seen.state();
-    if (is_resumed && (state == State::running || state == State::waiting)) {
-      return {};  // the tick side has seen the motion already, or even the next wait
+    if (is_prepared && command == Command::resume && has_gone_on(seen.state())) {
+      return {};
     }
-    const Answer answer = answer_now(state, command);
+    const Answer answer = answer_now(seen.state(), command);
     if (!answer.is_accepted()) {
-      return tl::unexpected(Refusal{.state = state, .command = command, .reason = answer.refusal});
+      return tl::unexpected(
+          Refusal{.state = seen.state(), .command = command, .reason = answer.refusal});
     }
-    if (command == Command::start && !next) {
-      next = kernel_from_here();
-    }
-    // Before the state says so: else the next tick would find the old wait and say it again.
-    if (command == Command::resume && !is_resumed) {
-      kernel_->resume();
-      is_resumed = true;
+    if (!is_prepared) {
+      next = prepare(command);
     }
     if (change(seen, answer.next)) {
       break;
@@ -49,6 +52,15 @@ tl::expected<void, Refusal> Controller::Impl::give(Command command) {
     carry_out(command);
   }
   return {};
+}
+
+// Before the state says so. Of a resume: else the next tick would find the old wait and say it
+// again.
+std::unique_ptr<Kernel> Controller::Impl::prepare(Command command) {
+  if (command == Command::resume) {
+    kernel_->resume();
+  }
+  return command == Command::start ? kernel_from_here() : nullptr;
 }
 
 tl::expected<void, Refusal> Controller::Impl::set_overrides(const Overrides& overrides) {

@@ -60,6 +60,8 @@ class KERF_LOCAL Controller::Impl {
   [[nodiscard]] Answer answer_now(ControllerState state, Command command) const noexcept;
   // StateWord::change, with the event.
   bool change(control::StateWord::Seen& from, ControllerState to) noexcept;
+  // What comes before the state changes: of a start, the kernel.
+  std::unique_ptr<Kernel> prepare(Command command);
   void carry_out(Command command);
   // What the operator has set, for the program that runs and all to see.
   tl::expected<void, Refusal> set(Command command);

@@ -161,7 +161,8 @@ class KERF_API Controller {
   [[nodiscard]] ControllerStatus status() const noexcept;
   /// The events from that number on, as many as there is room for, oldest first; returns how many.
   /// Any thread; takes no lock.
-  std::size_t events_since(std::uint64_t number, std::span<ControllerEvent> events) const noexcept;
+  [[nodiscard]] std::size_t events_since(std::uint64_t number,
+                                         std::span<ControllerEvent> events) const noexcept;
   /// Of an event; nothing: it is forgotten, 64 others came after it. Of a text that is longer than
   /// 500 bytes, these. Any thread; takes no lock, allocates.
   [[nodiscard]] std::optional<ProgramMessage> message(std::uint32_t number) const;

@@ -153,7 +153,7 @@ class Json(Case):
         self.assertEqual(report["waits"]["duration_s"], 11.5)
         self.assertAlmostEqual(report["cycle_time_s"] - base, 11.5, delta=0.003)
         self.assertEqual(json.loads(self.kerf("check", part, "--machine", slow, "--json").stdout)["waits"], report["waits"])
-        tapping = self.path("tapping.ngc", "G21 G90 G0 Z5\nM3 S500\nG84 X1 Y1 Z-5 R1 F500\nG86 X3 Y1 Z-5 R1 F500\nM5\nM2\n")
+        tapping = self.path("tapping.ngc", "G21 G90 G0 Z5\nM3 S500\nG84 X1 Y1 Z-5 R1 F500\nG86 X3 Y1 Z-5 R1 P0 F500\nM5\nM2\n")
         report = json.loads(self.kerf("dry-run", tapping, "--machine", slow, "--json").stdout)
         self.assertEqual([wait["line"] for wait in report["waits"]["first"]], [2, 4])
         self.assertIn("waits           spindle start in line 3 (2 s), M0 in line 5, spindle start in line 8 (2 s), M6 to T2 in line 9 (7.5 s), M60 in line 10; "

@@ -1,0 +1,180 @@
+#include "bench/holds.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
+
+#include "bench/control_programs.hpp"
+#include "tests/kernel/off_path.hpp"
+#include "tests/kernel/tick_checker.hpp"
+
+namespace kerf::bench {
+
+namespace {
+
+constexpr int kStep = 37;
+constexpr int kRestTicks = 20;  // before it is resumed
+constexpr double kOffPathAtMost_mm = 1e-9;
+
+struct Holds {
+  const ControlProgram& program;
+  ProfileKind profile{};
+  int step = 1;
+  int remainders = 1;
+};
+
+// A kernel that has come to a tick, and what has judged it until then. A process that forks holds a
+// copy of both.
+class Run {
+ public:
+  Run(const ControlProgram& program, ProfileKind profile)
+      : kernel_(default_machine(),
+                {.profile = {.kind = profile}, .one_thread = true, .start_mm = program.start_mm}),
+        fastest_mm_s_(default_machine().limits.path.velocity_mm_s),
+        checker_(default_machine().limits, profile != ProfileKind::trapezoid) {
+    kernel_.feed(program.text);
+    kernel_.finish();
+  }
+
+  TickStatus next() {
+    const TickStatus status = kernel_.next(setpoint_);
+    checker_.add({.setpoint = setpoint_, .feedrate_mm_s = fastest_mm_s_});
+    return status;
+  }
+  [[nodiscard]] const Setpoint& setpoint() const { return setpoint_; }
+
+  // Empty: all held.
+  std::string hold_and_resume(const std::vector<Setpoint>& whole) {
+    kernel_.hold();
+    double off_mm = 0.0;
+    int rests = 0;
+    TickStatus status = TickStatus::running;
+    while (status == TickStatus::running || status == TickStatus::held) {
+      status = next();
+      off_mm = std::max(off_mm, test::off_path_mm(whole, setpoint_));
+      rests += status == TickStatus::held ? 1 : 0;
+      if (status == TickStatus::held && rests == kRestTicks) {
+        kernel_.resume();
+      }
+    }
+    if (const auto fault = kernel_.fault()) {
+      return fault->what;
+    }
+    if (!checker_.complaint().empty()) {
+      return checker_.complaint();
+    }
+    if (off_mm > kOffPathAtMost_mm) {
+      return std::to_string(off_mm) + " mm off the path";
+    }
+    return status != TickStatus::finished                      ? "it did not finish"
+           : setpoint_.position_mm != whole.back().position_mm ? "it ends elsewhere"
+                                                               : "";
+  }
+
+ private:
+  Kernel kernel_;
+  double fastest_mm_s_;
+  test::TickChecker checker_;
+  Setpoint setpoint_{};
+};
+
+// Runs each hold in a process of its own, as many at a time as there are processors.
+class Children {
+ public:
+  template <typename Job>
+  void start(std::int64_t tick, const Job& job) {
+    if (running_ == most_) {
+      wait();
+    }
+    std::fflush(stdout);
+    if (const pid_t child = ::fork(); child == 0) {
+      const std::string complaint = job();
+      if (!complaint.empty()) {
+        std::printf("tick %lld: %s\n", static_cast<long long>(tick), complaint.c_str());
+        std::fflush(stdout);
+      }
+      ::_exit(complaint.empty() ? 0 : 1);
+    }
+    ++running_;
+    ++started_;
+  }
+  void finish() {
+    while (running_ > 0) {
+      wait();
+    }
+  }
+  [[nodiscard]] std::int64_t started() const { return started_; }
+  [[nodiscard]] std::int64_t failed() const { return failed_; }
+
+ private:
+  void wait() {
+    int status = 0;
+    ::wait(&status);
+    failed_ += WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : 1;
+    --running_;
+  }
+
+  unsigned most_ = std::max(1U, std::thread::hardware_concurrency());
+  unsigned running_ = 0;
+  std::int64_t started_ = 0;
+  std::int64_t failed_ = 0;
+};
+
+std::vector<Setpoint> ticks_of(const Holds& order) {
+  std::vector<Setpoint> ticks;
+  Run run(order.program, order.profile);
+  for (TickStatus status = TickStatus::running; status == TickStatus::running;) {
+    status = run.next();
+    ticks.push_back(run.setpoint());
+  }
+  return ticks;
+}
+
+bool hold_everywhere(const Holds& order) {
+  const std::vector<Setpoint> whole = ticks_of(order);
+  Children children;
+  Run held(order.program, order.profile);
+  for (std::int64_t tick = 0; tick < static_cast<std::int64_t>(whole.size()) - 1; ++tick) {
+    held.next();
+    if (tick % order.step < order.remainders) {
+      children.start(tick, [&] { return held.hold_and_resume(whole); });
+    }
+  }
+  children.finish();
+  std::printf("| %s | %s | %lld | %lld |\n", order.program.name.c_str(),
+              std::string(name_of(order.profile)).c_str(),
+              static_cast<long long>(children.started()),
+              static_cast<long long>(children.failed()));
+  std::fflush(stdout);
+  return children.failed() == 0;
+}
+
+}  // namespace
+
+int holds(int remainders) {
+  bool all_hold = true;
+  std::printf("| program | profile | holds | broken |\n| --- | --- | --- | --- |\n");
+  for (const ControlProgram& program : control_programs()) {
+    const bool is_butterfly = program.name == "butterfly";
+    if (!is_butterfly && program.name != "pocket" && program.name != "raster") {
+      continue;
+    }
+    for (const ProfileKind profile : {ProfileKind::time_optimal, ProfileKind::s_curve}) {
+      all_hold &= hold_everywhere({.program = program,
+                                   .profile = profile,
+                                   .step = is_butterfly ? 1 : kStep,
+                                   .remainders = is_butterfly ? 1 : remainders});
+    }
+  }
+  return all_hold ? 0 : 1;
+}
+
+}  // namespace kerf::bench
