@@ -54,6 +54,9 @@ void Controller::fail() noexcept {
 bool Controller::drives_on() const noexcept {
   return impl_->drives_on();
 }
+WaitsFor Controller::waits_for() const noexcept {
+  return impl_->waits_for();
+}
 ControllerStatus Controller::status() const noexcept {
   return impl_->status();
 }

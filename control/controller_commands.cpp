@@ -211,13 +211,11 @@ void Controller::Impl::tell() {
                   .state = state_.state(),
                   .message = messages_.add(message)});
   }
+  operator_.left_s = kernel_->left_s();
   const std::string_view codes = kernel_->active_codes().substr(0, operator_.codes.size());
-  if (codes != std::string_view(operator_.codes.data(), codes.size()) ||
-      (codes.size() < operator_.codes.size() && operator_.codes[codes.size()] != '\0')) {
-    operator_.codes = {};
-    std::ranges::copy(codes, operator_.codes.begin());
-    published_.write(operator_);
-  }
+  operator_.codes = {};
+  std::ranges::copy(codes, operator_.codes.begin());
+  published_.write(operator_);
 }
 
 void Controller::Impl::text_is_late() {

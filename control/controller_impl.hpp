@@ -40,6 +40,7 @@ class KERF_LOCAL Controller::Impl {
 
   void leave_for(ControllerState next) noexcept;
   [[nodiscard]] bool drives_on() const noexcept;
+  [[nodiscard]] WaitsFor waits_for() const noexcept { return waits_for(state_.state()); }
   [[nodiscard]] ControllerStatus status() const noexcept;
   [[nodiscard]] const control::EventLog& events() const noexcept { return events_; }
   [[nodiscard]] std::optional<ProgramMessage> message(std::uint32_t number) const {
@@ -53,6 +54,7 @@ class KERF_LOCAL Controller::Impl {
     bool single_block = false;
     bool optional_stop = false;
     BlockDelete block_delete{};
+    std::optional<double> left_s{};
     std::array<char, ControllerStatus::kMostCodes> codes{};
   };
 

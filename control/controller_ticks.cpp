@@ -109,6 +109,7 @@ ControllerStatus Controller::Impl::status() const noexcept {
   status.optional_stop = by.optional_stop;
   status.block_delete = by.block_delete;
   status.codes = by.codes;
+  status.left_s = by.left_s;
   status.state = state_.state();
   status.next_event = events_.next_number();
   status.waits_for = waits_for(status.state);

@@ -299,6 +299,7 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   if (status == TickStatus::running) {
     plan_tick_.store(plan_tick() + 1, std::memory_order_relaxed);
   }
+  reached_path_mm_.store(now_.s_mm, std::memory_order_relaxed);
   follow_surface(now_.position_mm, now_.outputs);
   setpoint = now_;
   override_spindle(spindle_override_.load(std::memory_order_relaxed), setpoint.outputs);

@@ -39,6 +39,11 @@ class Interpolator {
   // Phase::wait of the present rest. Of the thread that calls next().
   [[nodiscard]] std::uint32_t wait() const noexcept { return phase_.wait; }
 
+  // Setpoint::s_mm of the latest tick. Any thread.
+  [[nodiscard]] double reached_path_mm() const noexcept {
+    return reached_path_mm_.load(std::memory_order_relaxed);
+  }
+
   // Removes phases that end before the next tick from the queue, to make room. True: the queue is
   // used up and the next tick needs more. The tick itself is not affected.
   bool pass_what_is_over() noexcept;
@@ -110,6 +115,7 @@ class Interpolator {
   double period_s_;
   std::atomic<std::int64_t> plan_tick_ = 0;
   std::atomic<std::uint64_t> reached_block_ = 0;
+  std::atomic<double> reached_path_mm_ = 0.0;
   std::atomic<std::uint64_t> answer_ = 0;  // Answer: plan, in_force
   std::uint32_t plan_ = 0;                 // in force
   StopAhead stop_{};                       // the latest that was taken

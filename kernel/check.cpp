@@ -85,7 +85,7 @@ class Checker {
     }
   }
 
-  [[nodiscard]] double least_time_s() const noexcept { return least_time_.seconds(); }
+  [[nodiscard]] const LeastTime& least_time() const noexcept { return least_time_; }
   void finish(CheckReport& report) { warnings_.finish(report.diagnostics); }
 
  private:
@@ -117,7 +117,7 @@ class SyntaxChecker {
   void look_at(const parser::Move& move, bool /*after_error*/, CheckReport& /*report*/) {
     least_time_.add_straight(move);
   }
-  [[nodiscard]] double least_time_s() const noexcept { return least_time_.seconds(); }
+  [[nodiscard]] const LeastTime& least_time() const noexcept { return least_time_; }
   void finish(CheckReport& /*report*/) {}
 
  private:
@@ -168,7 +168,7 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
       case ProgramPath::Next::output: {
         const auto& move = std::get<parser::Move>(output);
         checker.look_at(move, path.has_errors(), report);
-        if (checker.least_time_s() > bounds.max_time_s) {
+        if (checker.least_time().seconds() > bounds.max_time_s) {
           report.diagnostics.push_back(too_long(move.source, bounds.max_time_s));
           ends = true;
         }
@@ -182,6 +182,7 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
     }
   }
   checker.finish(report);
+  report.nominal_s = checker.least_time().nominal_s();
   const std::vector<diagnostics::Diagnostic>& found = path.diagnostics();
   report.diagnostics.insert(report.diagnostics.end(), found.begin(), found.end());
   name_files(path.reader(), report.diagnostics);

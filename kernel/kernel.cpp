@@ -85,6 +85,9 @@ std::vector<ProgramMessage> Kernel::take_messages() {
 std::string_view Kernel::active_codes() const noexcept {
   return impl_->notes().codes();
 }
+std::optional<double> Kernel::left_s() const {
+  return impl_->notes().time_left().left_s();
+}
 double Kernel::chord_error_mm() const noexcept {
   return impl_->judge().latest_chord_error_mm();
 }

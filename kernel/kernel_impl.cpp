@@ -28,6 +28,9 @@ void Kernel::Impl::follow_tool() {
   } else {
     notes_.reach(interpolator_.reached_block());
   }
+  notes_.follow({.path_mm = interpolator_.reached_path_mm(),
+                 .moved_s = static_cast<double>(interpolator_.plan_tick()) * period_s_,
+                 .feed_override = overrides_.feed});
 }
 
 bool Kernel::Impl::fill_queue() {

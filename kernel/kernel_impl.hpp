@@ -29,6 +29,8 @@ class KERF_LOCAL Kernel::Impl {
  public:
   Impl(const MachineSettings& settings, const KernelOptions& options)
       : tells_(options.tells_operator),
+        notes_(settings.limits, options.nominal_s),
+        period_s_(settings.limits.period_s),
         pipeline_({.settings = settings,
                    .options = options,
                    .path = {.observer = tells_ ? &notes_ : nullptr},
@@ -154,6 +156,7 @@ class KERF_LOCAL Kernel::Impl {
 
   bool tells_;
   ProgramNotes notes_;
+  double period_s_;
   Pipeline pipeline_;
   interp::MotionQueue queue_;
   interp::Interpolator interpolator_;

@@ -21,11 +21,14 @@ constexpr double kSavedOfMerging = 4.0;  // Q
 
 }  // namespace
 
+double LeastTime::fastest_mm_s(const lookahead::PlanLimits& limits) {
+  return std::min(limits.path.velocity_mm_s,
+                  std::hypot(limits.axes[0].velocity_mm_s, limits.axes[1].velocity_mm_s,
+                             limits.axes[2].velocity_mm_s));
+}
+
 LeastTime::LeastTime(const lookahead::PlanLimits& limits)
-    : limits_(limits),
-      fastest_mm_s_(std::min(limits.path.velocity_mm_s,
-                             std::hypot(limits.axes[0].velocity_mm_s, limits.axes[1].velocity_mm_s,
-                                        limits.axes[2].velocity_mm_s))) {}
+    : limits_(limits), fastest_mm_s_(fastest_mm_s(limits)) {}
 
 void LeastTime::add(const parser::Move& move, const std::vector<smoothing::PathSegment>& segments) {
   Way way;
@@ -39,13 +42,13 @@ void LeastTime::add(const parser::Move& move, const std::vector<smoothing::PathS
   if (!segments.empty()) {
     count(move, way);
   } else if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
-    seconds_ += dwell->duration_s;
+    rest(dwell->duration_s);
   }
 }
 
 void LeastTime::add_straight(const parser::Move& move) {
   if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
-    seconds_ += dwell->duration_s;
+    rest(dwell->duration_s);
   } else if (const parser::Point* end = parser::end_mm(move)) {
     const double length_mm = (curves::vec(*end) - curves::vec(move.start_mm)).norm();
     const bool feeds = !move.rapid && move.feedrate_mm_s > 0.0 && length_mm > 0.0;
@@ -53,6 +56,11 @@ void LeastTime::add_straight(const parser::Move& move) {
                  .time_s = std::max(length_mm / fastest_mm_s_,
                                     feeds ? length_mm / move.feedrate_mm_s : 0.0)});
   }
+}
+
+void LeastTime::rest(double duration_s) {
+  seconds_ += duration_s;
+  nominal_s_ += duration_s;
 }
 
 void LeastTime::count(const parser::Move& move, Way way) {
@@ -67,6 +75,7 @@ void LeastTime::count(const parser::Move& move, Way way) {
     share = std::max(1.0 - saved_mm / way.length_mm, kBlendedShare);
   }
   seconds_ += share * way.time_s;
+  nominal_s_ += way.time_s;
 }
 
 }  // namespace kerf

@@ -14,6 +14,8 @@ namespace kerf {
 class LeastTime {
  public:
   explicit LeastTime(const lookahead::PlanLimits& limits);
+  // With X, Y and Z together.
+  [[nodiscard]] static double fastest_mm_s(const lookahead::PlanLimits& limits);
 
   // segments: the move as it is programmed; a pause has none.
   void add(const parser::Move& move, const std::vector<smoothing::PathSegment>& segments);
@@ -21,6 +23,8 @@ class LeastTime {
   void add_straight(const parser::Move& move);
 
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
+  // The same for the path as it is programmed.
+  [[nodiscard]] double nominal_s() const noexcept { return nominal_s_; }
 
  private:
   struct Way {
@@ -28,10 +32,12 @@ class LeastTime {
     double time_s = 0.0;
   };
   void count(const parser::Move& move, Way way);
+  void rest(double duration_s);
 
   lookahead::PlanLimits limits_;
-  double fastest_mm_s_;  // with X, Y and Z together
+  double fastest_mm_s_;
   double seconds_ = 0.0;
+  double nominal_s_ = 0.0;
 };
 
 }  // namespace kerf

@@ -59,9 +59,11 @@ bool Pipeline::take_next() {
     push_segment(std::move(*segment));
     return true;
   }
-  lookahead::push_pause(std::get<parser::Move>(output), planner_);
+  const auto& pause = std::get<parser::Move>(output);
+  lookahead::push_pause(pause, planner_);
   if (observer_ != nullptr) {
-    observer_->rest();
+    const auto* dwell = std::get_if<parser::DwellMove>(&pause.shape);
+    observer_->rest(dwell != nullptr ? dwell->duration_s : 0.0);
   }
   return true;
 }
@@ -75,6 +77,9 @@ void Pipeline::push_segment(smoothing::PathSegment segment) {
     return;
   }
   check_.pushed(*block);
+  if (observer_ != nullptr) {
+    observer_->pushed(*block);
+  }
   lookahead::push_block(std::move(*block), changes, planner_);
 }
 

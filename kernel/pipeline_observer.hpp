@@ -19,8 +19,10 @@ class PipelineObserver {
   virtual void read(const parser::ProgramReader& /*reader*/) {}
   // The move was read.
   virtual void move(const parser::Move& /*move*/) {}
-  // A dwell or event became a rest in the plan.
-  virtual void rest() {}
+  // A dwell or event became a rest in the plan; of so long, as the program says.
+  virtual void rest(double /*duration_s*/) {}
+  // Goes to the plan.
+  virtual void pushed(const lookahead::Block& /*block*/) {}
   // All that was planned at once.
   virtual void planned(const lookahead::Outbox& /*outbox*/) {}
 };

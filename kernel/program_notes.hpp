@@ -1,4 +1,5 @@
-// What an operator is told of a program while it runs: its messages, and the codes in force.
+// What an operator is told of a program while it runs: its messages, the codes in force, the time
+// that is left.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "kernel/pipeline_observer.hpp"
+#include "kernel/time_left.hpp"
 
 namespace kerf {
 
@@ -14,17 +16,25 @@ namespace kerf {
 // until the tool has come to it. Of the planning thread.
 class ProgramNotes final : public PipelineObserver {
  public:
+  // TimeLeft.
+  ProgramNotes(const lookahead::PlanLimits& limits, double nominal_s)
+      : time_left_(limits, nominal_s) {}
+
   void read(const parser::ProgramReader& reader) override;
   void move(const parser::Move& move) override;
+  void rest(double duration_s) override { time_left_.push_rest(duration_s); }
+  void pushed(const lookahead::Block& block) override { time_left_.push(block); }
 
   // The tool has come to this block (parser::Move::block), or to the program's end.
   void reach(std::uint64_t block);
   void reach_end();
+  void follow(const TimeLeft::Tool& tool) { time_left_.follow(tool); }
 
   // Those of the blocks that were reached since the last call.
   std::vector<ProgramMessage> take_messages();
   // "G1 G17 G21 ...", behind the words of the block that was reached.
   [[nodiscard]] const std::string& codes() const noexcept { return codes_; }
+  [[nodiscard]] const TimeLeft& time_left() const noexcept { return time_left_; }
 
  private:
   struct Codes {
@@ -36,6 +46,7 @@ class ProgramNotes final : public PipelineObserver {
   std::string read_codes_;
   std::deque<Codes> codes_ahead_;
   std::string codes_;
+  TimeLeft time_left_;
 };
 
 }  // namespace kerf

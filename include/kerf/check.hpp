@@ -23,6 +23,8 @@ struct KERF_API CheckReport {
   Extents extents{};                 ///< of all motion, with the bulge of arcs and splines
   AuxiliaryExtents extra_extents{};  ///< of A, B, C, U, V, W
   bool moves = false;                ///< false: extents mean nothing
+  /// The moves' length over their feedrates, with dwells: what KernelOptions::nominal_s wants.
+  double nominal_s = 0.0;
 
   /// There is an error in `diagnostics`. limit_faults do not count: look at both.
   [[nodiscard]] bool has_errors() const;

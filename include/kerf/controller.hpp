@@ -95,9 +95,10 @@ struct ControllerStatus {
 
   ControllerState state = ControllerState::off;
   WaitsFor waits_for = WaitsFor::nothing;
-  std::uint64_t next_event = 1;  ///< that number will have the next event
-  std::uint64_t programs = 0;    ///< started, ever
-  double run_s = 0.0;            ///< how long the present or last program has run, rests included
+  std::uint64_t next_event = 1;    ///< that number will have the next event
+  std::uint64_t programs = 0;      ///< started, ever
+  double run_s = 0.0;              ///< how long the present or last program has run, rests included
+  std::optional<double> left_s{};  ///< Kernel::left_s(), as of the latest plan()
   Overrides overrides{};
   bool single_block = false;
   bool optional_stop = false;
@@ -157,7 +158,10 @@ class KERF_API Controller {
   /// The machine reports a fault: as emergency_stop(), but the state is fault.
   void fail() noexcept;
   [[nodiscard]] bool drives_on() const noexcept;
-  /// Of the latest tick, whole. Takes no lock; waits for a tick() that is just writing.
+  /// ControllerStatus::waits_for. Waits for nobody, so that the thread of tick() may ask, too.
+  [[nodiscard]] WaitsFor waits_for() const noexcept;
+  /// Of the latest tick, whole. Takes no lock, but waits for a thread that is just writing: not for
+  /// the thread of tick().
   [[nodiscard]] ControllerStatus status() const noexcept;
   /// The events from that number on, as many as there is room for, oldest first; returns how many.
   /// Any thread; takes no lock.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <kerf/check.hpp>
 #include <kerf/kernel.hpp>
 
 #include "tests/kernel/run.hpp"
@@ -119,6 +120,45 @@ TEST(ProgramNotes, HaveTheCodesOfTheBlockThatTheToolIsAt) {
   ASSERT_GE(run.codes.size(), 3);
   EXPECT_TRUE(has(run.codes[1].second, "G2")) << run.codes[1].second;
   EXPECT_NEAR(run.codes[1].first, 10.0, kTick_mm);
+}
+
+// A raster of short and long moves: the first part is like the rest.
+TEST(ProgramNotes, KnowTheTimeThatIsLeftAndFollowTheOverride) {
+  std::string text = "G21 G90 G64 P0.01 F6000\n";
+  for (int i = 0; i < 60; ++i) {
+    text +=
+        "G1 X" + std::to_string(40 * (i % 2 == 0 ? 1 : 0)) + "\nY" + std::to_string(i % 30) + "\n";
+  }
+  text += "M2\n";
+  bool read = false;
+  const auto whole_text = [&]() -> std::string_view {
+    return std::exchange(read, true) ? std::string_view() : std::string_view(text);
+  };
+  const double nominal_s = check_program(whole_text, mill()).nominal_s;
+  const double period_s = mill().limits.period_s;
+  const auto whole = ticks_of(text);
+  Kernel kernel(mill(), {.tells_operator = true, .nominal_s = nominal_s});
+  kernel.feed(text);
+  kernel.finish();
+  EXPECT_NEAR(*kernel.left_s(), nominal_s, 1e-9);
+  Setpoint setpoint;
+  for (std::size_t tick = 0; tick < whole.size() - 1; ++tick) {
+    kernel.plan();
+    kernel.tick(setpoint);
+    if (tick % 997 == 0 && tick > 4000) {
+      const double left_s = static_cast<double>(whole.size() - tick) * period_s;
+      EXPECT_NEAR(*kernel.left_s(), left_s, 0.1 * left_s + 0.1) << "tick " << tick;
+    }
+  }
+  Kernel half(mill(), {.tells_operator = true, .nominal_s = nominal_s});
+  half.set_overrides({.feed = 0.5});
+  half.feed(text);
+  half.finish();
+  EXPECT_NEAR(*half.left_s(), 2.0 * nominal_s, 1e-9);
+  half.set_overrides({.feed = 0.0});
+  half.plan();
+  EXPECT_FALSE(half.left_s());
+  EXPECT_FALSE(Kernel(mill(), {.tells_operator = true}).left_s()) << "nobody knows";
 }
 
 TEST(ProgramNotes, ChangeNoTick) {

@@ -206,6 +206,23 @@ class Control(Case):
         self.assertEqual(client.read_until(type="end")["exit_status"], 0)
         self.end(process, 0)
 
+    def test_standard_input_and_output(self):
+        part = self.path("part.ngc", LINE)
+        for words in ([], ["-q", "--json"], ["-q", "--trace", "-"]):
+            self.kerf("run", part, "--control", "0,1", *words, status=2)
+        self.kerf("run", "-", "--control", "0,1", "-q", status=2)
+        process = subprocess.Popen([KERF, "run", part, "--control", "0,1", "-q", "--trace", self.path("run.csv")],
+                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.addCleanup(process.kill)
+        client = Client(self, process.stdout, process.stdin)
+        client.read_until(type="event", state="running")
+        self.assertTrue(client.ask("stop")["accepted"])
+        self.assertEqual(client.read_until(type="end")["exit_status"], 7)
+        self.assertEqual(client.reader.read(), b"")
+        self.end(process, 7)
+        process.stdin.close()
+        process.stdout.close()
+
     def test_a_program_is_stopped_at_a_wait_once_nobody_can_answer(self):
         process, client = self.start("G21 G90\nG1 X10 F6000\nM0\nX20\nM2\n")
         client.read_until(type="event", state="running")

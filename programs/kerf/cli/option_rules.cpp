@@ -71,6 +71,26 @@ std::optional<parser::BlockDelete> block_delete_of(std::string_view text) {
   return switches;
 }
 
+namespace {
+
+std::optional<std::string> contradiction_of_control(const Options& options) {
+  const std::string where = options.control.value_or("");
+  if (where.empty() || where.front() < '0' || where.front() > '9') {
+    return std::nullopt;  // a path
+  }
+  const bool reads_input = where == "0" || where.starts_with("0,");
+  const bool writes_output = where == "1" || where.ends_with(",1");
+  if (reads_input && options.files.front() == "-") {
+    return "standard input can be read only once";
+  }
+  if (writes_output && (!options.quiet || options.json || options.trace_file == "-")) {
+    return "--control on standard output goes with --quiet, and with neither --json nor --trace -";
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<std::string> contradiction(const Options& options) {
   if (options.files.size() > 1 && (options.trace_file || options.plot_file)) {
     return "--trace and --plot take one FILE at a time";
@@ -95,7 +115,7 @@ std::optional<std::string> contradiction(const Options& options) {
   if (std::count(options.files.begin(), options.files.end(), "-") > 1) {
     return "standard input can be read only once";
   }
-  return std::nullopt;
+  return contradiction_of_control(options);
 }
 
 }  // namespace kerf::program

@@ -6,6 +6,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "programs/kerf/io/number_text.hpp"
+
 namespace kerf::program {
 
 namespace {
@@ -75,9 +77,10 @@ void Keys::change_feed(int percent) {
 
 std::string status_line(const ControllerStatus& status) {
   constexpr double kPerMinute = 60.0;
-  return fmt::format("{:9} line {:<6} F{:<6.0f} {:3} %{}", name_of(status.state),
+  return fmt::format("{:9} line {:<6} F{:<6.0f} {:3} %{}{}", name_of(status.state),
                      status.setpoint.line, kPerMinute * status.setpoint.v_mm_s,
-                     feed_percent(status), status.single_block ? " single block" : "");
+                     feed_percent(status), status.single_block ? " single block" : "",
+                     status.left_s ? " left " + clock_time(*status.left_s) : "");
 }
 
 }  // namespace kerf::program

@@ -283,7 +283,8 @@ std::string status_json(const ControllerStatus& status, parser::Letters extra) {
             {"waits_for", name_of(status.waits_for)},
             {"line", at.line},
             {"tick", at.tick},
-            {"run_s", status.run_s}};
+            {"run_s", status.run_s},
+            {"left_s", status.left_s ? Json(*status.left_s) : Json()}};
   set_position(json, at, extra);
   json["path_mm"] = at.s_mm;
   json["feedrate_mm_s"] = at.v_mm_s;

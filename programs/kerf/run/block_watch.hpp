@@ -27,7 +27,7 @@ class BlockWatch : public PipelineObserver {
 
   void read(const parser::ProgramReader& reader) override;
   void move(const parser::Move& move) override;
-  void rest() override { ++rests_pushed_; }
+  void rest(double /*duration_s*/) override { ++rests_pushed_; }
   // The lines of a curve come with its first phase.
   void planned(const lookahead::Outbox& outbox) override;
 

@@ -75,8 +75,9 @@ class Judge {
   std::uint64_t starved_in_a_row_ = 0;
 };
 
-bool is_starved(const ControllerStatus& status) noexcept {
-  return status.waits_for == WaitsFor::text || status.waits_for == WaitsFor::planning;
+bool is_starved(const Controller& controller) noexcept {
+  const WaitsFor what = controller.waits_for();
+  return what == WaitsFor::text || what == WaitsFor::planning;
 }
 
 bool is_over(ControllerState state, const Controller& controller) noexcept {
@@ -134,7 +135,7 @@ RunOutcome run_in_real_time(const RealTimeOrder& order, const RunStage& stage) {
       record = stage.ticks.take(setpoint);
       recorder.push(record);
       stage.progress.set_done(record.motion.s_mm);
-      judge.count(is_starved(order.controller.status()), outcome);
+      judge.count(is_starved(order.controller), outcome);
       if (is_over(state, order.controller) || outcome.hung ||
           stage.ticks.fault().kind != machine::Fault::none) {
         break;

@@ -127,6 +127,7 @@ class Session {
 
   void judge(const CheckReport& found) {
     report_.take(found.diagnostics);
+    kernel_options_.nominal_s = found.nominal_s;
     if (found.has_errors()) {
       report_.status = ExitStatus::program_error;
     } else if (!found.limit_faults.empty()) {

@@ -1,0 +1,50 @@
+// How long what is left of a program takes.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "lookahead/path/block.hpp"
+
+namespace kerf {
+
+// The idea: a program's nominal time, length over feedrate, is known from its check, and so is the
+// nominal time of the path that the tool has behind it. What the machine took for that, beside what
+// it would take at the feedrate, is what it will take for the rest. Weakness: a program whose end
+// is of another kind than its begin is judged by the begin.
+class TimeLeft {
+ public:
+  // Of the whole program (CheckReport::nominal_s); 0: nobody knows.
+  TimeLeft(const lookahead::PlanLimits& limits, double nominal_s);
+
+  // In program order, as the path is run.
+  void push(const lookahead::Block& block);
+  void push_rest(double duration_s);
+
+  struct Tool {
+    double path_mm = 0.0;
+    double moved_s = 0.0;  // without holds and waits
+    double feed_override = 1.0;
+  };
+  void follow(const Tool& tool);
+  // Nothing: nobody knows, or at a feed of 0 never.
+  [[nodiscard]] std::optional<double> left_s() const;
+
+ private:
+  struct Mark {
+    double path_mm = 0.0;
+    double nominal_s = 0.0;
+  };
+  [[nodiscard]] double nominal_at_s(double path_mm);
+
+  double fastest_mm_s_;
+  double whole_nominal_s_;
+  std::deque<Mark> marks_;  // ends of what lies ahead of the tool
+  Mark pushed_{};           // the end of all
+  Mark behind_{};           // the latest that the tool has passed
+  double done_nominal_s_ = 0.0;
+  double expected_s_ = 0.0;  // nominal, at the overrides that were in force
+  Tool tool_{};
+};
+
+}  // namespace kerf
