@@ -217,7 +217,7 @@ class Planner {
   std::uint32_t waits_emitted_ = 0;
   PlanWaits waits_pushed_{};
   bool spindle_turns_ = false;  // behind what was pushed
-  bool stops_ = false;  // at the rest of the plan that is not settled yet
+  bool stops_ = false;          // at the rest of the plan that is not settled yet
   struct Before {
     Emitter emitter;
     std::deque<Item> waiting;
