@@ -159,12 +159,13 @@ bool hold_everywhere(const Holds& order) {
 
 }  // namespace
 
-int holds(int remainders) {
+int holds(const std::string& name, int remainders) {
   bool all_hold = true;
   std::printf("| program | profile | holds | broken |\n| --- | --- | --- | --- |\n");
   for (const ControlProgram& program : control_programs()) {
     const bool is_butterfly = program.name == "butterfly";
-    if (!is_butterfly && program.name != "pocket" && program.name != "raster") {
+    const bool is_meant = is_butterfly || program.name == "pocket" || program.name == "raster";
+    if (!is_meant || (!name.empty() && name != program.name)) {
       continue;
     }
     for (const ProfileKind profile : {ProfileKind::time_optimal, ProfileKind::s_curve}) {

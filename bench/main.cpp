@@ -1,8 +1,8 @@
 // kerf-bench papers: the published results beside ours. kerf-bench control: how soon a hold shows.
-// kerf-bench holds [N]: a hold at every tick of a curve, and of parts at every 37th, with N of the
-// 37 remainders. kerf-bench optimum: the time optimum of every shipped curve beside its reference.
-// kerf-bench parse: text to moves, long programs; with the name of one, that one read once for
-// counting instructions. kerf-bench soak [--seed N]
+// kerf-bench holds [NAME [N]]: a hold at every tick of a curve, and of parts at every 37th, with N
+// of the 37 remainders. kerf-bench optimum: the time optimum of every shipped curve beside its
+// reference. kerf-bench parse: text to moves, long programs; with the name of one, that one read
+// once for counting instructions. kerf-bench soak [--seed N]
 // [--last M] [--seconds S] [--kind smoothed|degenerate|control] [--fingerprints]: random curves and
 // programs, those of the seeds N to M and on for so long, or N alone; smoothed: programs of short
 // lines in G64; fingerprints: of the ticks of each, to compare two builds. kerf-bench
@@ -118,9 +118,10 @@ constexpr std::array kCommands{
               return words.size() == 2 ? kerf::bench::parse() : kerf::bench::parse_once(words[2]);
             }},
     Command{"control", 0, [](const Words&) { return kerf::bench::control(); }},
-    Command{"holds", 1,
+    Command{"holds", 2,
             [](const Words& words) {
-              return kerf::bench::holds(words.size() > 2 ? std::atoi(words[2].c_str()) : 1);
+              return kerf::bench::holds(words.size() > 2 ? words[2] : "",
+                                        words.size() > 3 ? std::atoi(words[3].c_str()) : 1);
             }},
     Command{"streaming", 0, [](const Words&) { return kerf::bench::streaming(); }},
     Command{"stops", 1,

@@ -56,13 +56,7 @@ void Kernel::Impl::follow_commands() {
     settle(interpolator_.answer().in_force == takeover_->plan);
   }
   if (!takeover_ && wants_resume_ && !wants_hold_) {
-    // A wait that the tool has not come to is not answered.
-    if (pipeline_.is_held() || interpolator_.plan_tick() >= pipeline_.emitted_until_tick()) {
-      if (pipeline_.waits()) {
-        answered_wait_.store(pipeline_.wait(), std::memory_order_relaxed);
-      }
-      pipeline_.resume();
-    }
+    go_on();
     wants_resume_ = false;
   }
   if (!takeover_ && wants_hold_) {
@@ -72,6 +66,18 @@ void Kernel::Impl::follow_commands() {
     wants_change_ = !try_change_plan();
     next_try_tick_ = wants_change_ ? interpolator_.plan_tick() + margin_ticks_ : 0;
   }
+}
+
+// A wait that the tool has not come to is not answered.
+void Kernel::Impl::go_on() {
+  const bool is_there = interpolator_.plan_tick() >= pipeline_.emitted_until_tick();
+  if (!pipeline_.is_held() && !is_there) {
+    return;
+  }
+  if (pipeline_.waits()) {
+    answered_wait_.store(pipeline_.wait(), std::memory_order_relaxed);
+  }
+  pipeline_.resume();
 }
 
 std::int64_t Kernel::Impl::takeover_tick() const {

@@ -138,6 +138,8 @@ class KERF_LOCAL Kernel::Impl {
 
   // The tool is to hold, or to go on.
   void follow_hold();
+  // From a hold or a wait.
+  void go_on();
   // What was asked for and could not be done yet: the tick side has not answered, or no way to rest
   // was found.
   void follow_commands();
