@@ -4,7 +4,6 @@
 #include <array>
 #include <atomic>
 #include <chrono>
-#include <deque>
 #include <optional>
 #include <thread>
 #include <unistd.h>
@@ -13,13 +12,12 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/local/stream_protocol.hpp>
-#include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/read_until.hpp>
 #include <boost/asio/steady_timer.hpp>
-#include <boost/asio/write.hpp>
 
-#include "programs/kerf/control/protocol.hpp"
+#include "programs/kerf/control/client.hpp"
+#include "programs/kerf/control/replies.hpp"
+#include "programs/kerf/control/request.hpp"
 
 namespace kerf::program {
 
@@ -29,98 +27,8 @@ namespace asio = boost::asio;
 using boost::system::error_code;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kLongestLine = 65'536;
-constexpr std::size_t kMostWaiting = 1U << 20U;  // bytes
 constexpr std::chrono::milliseconds kBeat{10};
 constexpr std::chrono::seconds kFarewell{1};
-
-// One connection. Of the channel's thread.
-class Client : public std::enable_shared_from_this<Client> {
- public:
-  using OnLine = std::function<void(const std::shared_ptr<Client>&, std::string_view)>;
-
-  Client(asio::io_context& context, Descriptor in, Descriptor out, OnLine on_line)
-      : in_(context, std::move(in).release()), on_line_(std::move(on_line)) {
-    if (out.is_open()) {
-      out_.emplace(context, std::move(out).release());
-    }
-  }
-
-  // NOLINTBEGIN(misc-no-recursion): each handler is called once this call is long over.
-  void read() {
-    asio::async_read_until(in_, asio::dynamic_buffer(text_, kLongestLine), '\n',
-                           [self = shared_from_this()](const error_code& error, std::size_t size) {
-                             if (error) {
-                               self->stop_reading();
-                               return;
-                             }
-                             self->on_line_(self,
-                                            std::string_view(self->text_).substr(0, size - 1));
-                             self->text_.erase(0, size);
-                             self->read();
-                           });
-  }
-  // NOLINTEND(misc-no-recursion)
-  void write(std::string line) {
-    waiting_bytes_ += line.size();
-    lines_.push_back(std::move(line));
-    if (waiting_bytes_ > kMostWaiting) {
-      close();
-    } else if (lines_.size() == 1) {
-      write_next();
-    }
-  }
-  void close() {
-    error_code ignored;
-    in_.close(ignored);
-    if (out_) {
-      out_->close(ignored);
-    }
-    is_open_ = false;
-  }
-
-  [[nodiscard]] bool is_open() const { return is_open_; }
-  [[nodiscard]] bool reads() const { return is_open_ && reads_; }
-  [[nodiscard]] bool has_written() const { return !is_open_ || lines_.empty(); }
-
-  // Statuses that come by themselves; 0: none.
-  Clock::duration every{0};
-  Clock::time_point next_status{};
-
- private:
-  // It may still be told what happens.
-  void stop_reading() {
-    reads_ = false;
-    if (!out_) {
-      close();
-    }
-  }
-  // NOLINTBEGIN(misc-no-recursion): as read().
-  void write_next() {
-    asio::async_write(out_ ? *out_ : in_, asio::buffer(lines_.front()),
-                      [self = shared_from_this()](const error_code& error, std::size_t size) {
-                        if (error) {
-                          self->close();
-                          return;
-                        }
-                        self->waiting_bytes_ -= size;
-                        self->lines_.pop_front();
-                        if (!self->lines_.empty()) {
-                          self->write_next();
-                        }
-                      });
-  }
-  // NOLINTEND(misc-no-recursion)
-
-  asio::posix::stream_descriptor in_;
-  std::optional<asio::posix::stream_descriptor> out_;
-  OnLine on_line_;
-  std::string text_;
-  std::deque<std::string> lines_;
-  std::size_t waiting_bytes_ = 0;
-  bool is_open_ = true;
-  bool reads_ = true;
-};
 
 }  // namespace
 
@@ -174,9 +82,9 @@ class ControlChannel::Server {
   }
   void add(Descriptor in, Descriptor out) {
     clients_.push_back(
-        std::make_shared<Client>(context_, std::move(in), std::move(out),
-                                 [this](const std::shared_ptr<Client>& client,
-                                        std::string_view line) { answer(client, line); }));
+        std::make_shared<ControlClient>(context_, std::move(in), std::move(out),
+                                        [this](const std::shared_ptr<ControlClient>& client,
+                                               std::string_view line) { answer(client, line); }));
     clients_.back()->write(hello_json(order_.file));
     clients_.back()->read();
   }
@@ -191,7 +99,7 @@ class ControlChannel::Server {
       tell_events();
       tell_statuses();
       stop_where_nobody_answers();
-      is_told_ = is_over_ && std::ranges::all_of(clients_, &Client::has_written);
+      is_told_ = is_over_ && std::ranges::all_of(clients_, &ControlClient::has_written);
       beat();
     });
   }
@@ -227,7 +135,7 @@ class ControlChannel::Server {
   // Asked again and again: the operator may be about to carry out an answer.
   void stop_where_nobody_answers() {
     const bool answers =
-        order_.others_answer || acceptor_ || std::ranges::any_of(clients_, &Client::reads);
+        order_.others_answer || acceptor_ || std::ranges::any_of(clients_, &ControlClient::reads);
     if (!answers && by_->status().waits_for == WaitsFor::answer) {
       by_->ask([by = by_] {
         if (by->status().waits_for == WaitsFor::answer) {
@@ -237,7 +145,7 @@ class ControlChannel::Server {
     }
   }
 
-  void answer(const std::shared_ptr<Client>& client, std::string_view line) {
+  void answer(const std::shared_ptr<ControlClient>& client, std::string_view line) {
     auto request = control_request(line);
     if (!request) {
       client->write(bad_request_json(request.error(), by_->status().state));
@@ -302,7 +210,7 @@ class ControlChannel::Server {
   asio::io_context context_;
   std::optional<asio::local::stream_protocol::acceptor> acceptor_;
   asio::steady_timer timer_{context_};
-  std::vector<std::shared_ptr<Client>> clients_;
+  std::vector<std::shared_ptr<ControlClient>> clients_;
   std::uint64_t next_event_ = 1;
   bool is_over_ = false;
   std::atomic<bool> is_told_ = false;

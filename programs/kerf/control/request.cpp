@@ -1,15 +1,9 @@
-#include "programs/kerf/control/protocol.hpp"
+#include "programs/kerf/control/request.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstring>
 #include <string>
 
 #include <nlohmann/json.hpp>
-
-#include "programs/kerf/report/constraint_text.hpp"
-#include "programs/kerf/report/extra_axes.hpp"
 
 namespace kerf::program {
 
@@ -20,20 +14,6 @@ using Json = nlohmann::ordered_json;
 using Kind = ControlRequest::Kind;
 
 constexpr double kPercent = 0.01;
-
-std::string line_of(const Json& json) {
-  // Text of a program may be anything; what is no UTF-8 becomes U+FFFD.
-  return json.dump(-1, ' ', true, Json::error_handler_t::replace) + '\n';
-}
-
-// "emergency_stop" of "emergency stop".
-std::string key_of_name(std::string_view name) {
-  std::string key(name);
-  for (char& letter : key) {
-    letter = letter == ' ' ? '_' : letter;
-  }
-  return key;
-}
 
 // Reads the keys of a request; what is wrong with the first wrong one stays.
 class RequestKeys {
@@ -118,12 +98,6 @@ void share_of(std::optional<double>& percent) {
   }
 }
 
-// Without what rounding adds to 110.
-double percent_of(double share) {
-  constexpr double kDigits = 1e6;
-  return std::round(share / kPercent * kDigits) / kDigits;
-}
-
 // One program is run, from its start on: these would begin another one.
 bool is_for_a_run(kerf::Command command) {
   return command != kerf::Command::enable && command != kerf::Command::disable &&
@@ -195,26 +169,15 @@ std::string read_request(RequestKeys& keys, ControlRequest& request) {
   return keys.complaint();
 }
 
-Json answer_json(const std::string& id, const std::string& name, ControllerState state) {
-  return {{"type", "answer"},
-          {"id", Json::parse(id)},
-          {"command", name.empty() ? Json() : Json(name)},
-          {"state", key_of_name(name_of(state))}};
-}
-
-Json axes_json(const std::array<double, 3>& values) {
-  return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}};
-}
-
-void set_position(Json& json, const Setpoint& setpoint, parser::Letters extra) {
-  json["position_mm"] = axes_json(setpoint.position_mm);
-  for (const ExtraAxis& axis : extra_axes(extra)) {
-    json[axis.unit == "deg" ? "position_deg" : "position_mm"][std::string(axis.name)] =
-        axis.factor * setpoint.extra_rad_mm[axis.index];
-  }
-}
-
 }  // namespace
+
+std::string key_of_name(std::string_view name) {
+  std::string key(name);
+  for (char& letter : key) {
+    letter = letter == ' ' ? '_' : letter;
+  }
+  return key;
+}
 
 tl::expected<ControlRequest, BadRequest> control_request(std::string_view line) {
   const Json json = Json::parse(line, nullptr, false);
@@ -232,86 +195,6 @@ tl::expected<ControlRequest, BadRequest> control_request(std::string_view line) 
     return tl::unexpected(BadRequest{.reason = std::move(reason), .id = request.id});
   }
   return request;
-}
-
-std::string hello_json(std::string_view file) {
-  return line_of({{"type", "hello"}, {"schema_version", kControlVersion}, {"file", file}});
-}
-
-std::string accepted_json(const ControlRequest& request, ControllerState state) {
-  Json json = answer_json(request.id, request.name, state);
-  json["accepted"] = true;
-  return line_of(json);
-}
-
-std::string refused_json(const ControlRequest& request, ControllerState state,
-                         std::string_view reason) {
-  Json json = answer_json(request.id, request.name, state);
-  json["accepted"] = false;
-  json["reason"] = reason;
-  return line_of(json);
-}
-
-std::string bad_request_json(const BadRequest& request, ControllerState state) {
-  Json json = answer_json(request.id, "", state);
-  json["accepted"] = false;
-  json["reason"] = request.reason;
-  return line_of(json);
-}
-
-std::string event_json(const ControllerEvent& event, const std::optional<ProgramMessage>& message) {
-  constexpr std::array kKinds{"message", "print", "debug"};
-  Json json{{"type", "event"}, {"number", event.number}};
-  if (event.kind == ControllerEvent::Kind::state) {
-    json["event"] = "state";
-    json["state"] = key_of_name(name_of(event.state));
-    json["waits_for"] = name_of(event.waits_for);
-    json["line"] = event.line;
-  } else {
-    json["event"] = message ? kKinds.at(static_cast<std::size_t>(message->kind)) : kKinds[0];
-    json["line"] = message ? Json(message->line) : Json();
-    json["text"] = message ? Json(message->text) : Json();
-  }
-  return line_of(json);
-}
-
-std::string status_json(const ControllerStatus& status, parser::Letters extra) {
-  constexpr double kRadPerRevolution = 6.283185307179586477;
-  const Setpoint& at = status.setpoint;
-  Json json{{"type", "status"},
-            {"state", key_of_name(name_of(status.state))},
-            {"waits_for", name_of(status.waits_for)},
-            {"line", at.line},
-            {"tick", at.tick},
-            {"run_s", status.run_s},
-            {"left_s", status.left_s ? Json(*status.left_s) : Json()}};
-  set_position(json, at, extra);
-  json["path_mm"] = at.s_mm;
-  json["feedrate_mm_s"] = at.v_mm_s;
-  json["limit"] = key_of(at.limit);
-  json["overrides"] = {{"feed_percent", percent_of(status.overrides.feed)},
-                       {"rapid_percent", percent_of(status.overrides.rapid)},
-                       {"spindle_percent", percent_of(status.overrides.spindle)}};
-  json["single_block"] = status.single_block;
-  json["optional_stop"] = status.optional_stop;
-  json["block_delete"] = Json::array();
-  for (unsigned number = 1; number <= BlockDelete::kSwitches; ++number) {
-    if (status.block_delete.is_on(number)) {
-      json["block_delete"].push_back(number);
-    }
-  }
-  json["codes"] = std::string_view(status.codes.data(), status.codes.size())
-                      .substr(0, ::strnlen(status.codes.data(), status.codes.size()));
-  json["tool"] = at.outputs.tool;
-  json["spindle_per_min"] = 60.0 * at.outputs.spindle_rad_s / kRadPerRevolution;
-  json["mist"] = at.outputs.mist;
-  json["flood"] = at.outputs.flood;
-  json["next_event"] = status.next_event;
-  return line_of(json);
-}
-
-std::string end_json(ExitStatus status) {
-  return line_of({{"type", "end"}, {"exit_status", to_int(status)}});
 }
 
 }  // namespace kerf::program

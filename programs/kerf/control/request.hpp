@@ -1,4 +1,4 @@
-// The JSON lines of `kerf run --control` (docs/control-protocol.md).
+// What a client of `kerf run --control` writes (docs/control-protocol.md).
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,7 @@
 #include <kerf/controller.hpp>
 #include <tl/expected.hpp>
 
-#include "parser/moves/auxiliary_axes.hpp"
-#include "programs/kerf/exit_status.hpp"
-
 namespace kerf::program {
-
-inline constexpr int kControlVersion = 1;
 
 // What a client asks for. What it does not name stays as it is.
 struct ControlRequest {
@@ -46,15 +41,7 @@ struct BadRequest {
 };
 tl::expected<ControlRequest, BadRequest> control_request(std::string_view line);
 
-// Each is one object on one line, with its '\n'.
-std::string hello_json(std::string_view file);
-std::string accepted_json(const ControlRequest& request, ControllerState state);
-std::string refused_json(const ControlRequest& request, ControllerState state,
-                         std::string_view reason);
-std::string bad_request_json(const BadRequest& request, ControllerState state);
-// message: of an event that is one; nothing: it is forgotten.
-std::string event_json(const ControllerEvent& event, const std::optional<ProgramMessage>& message);
-std::string status_json(const ControllerStatus& status, parser::Letters extra);
-std::string end_json(ExitStatus status);
+// "emergency_stop" of "emergency stop": states and commands as JSON has them.
+std::string key_of_name(std::string_view name);
 
 }  // namespace kerf::program

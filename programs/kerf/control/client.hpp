@@ -1,0 +1,115 @@
+// One connection of the control channel.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/read_until.hpp>
+#include <boost/asio/write.hpp>
+
+#include "programs/kerf/io/descriptor.hpp"
+
+namespace kerf::program {
+
+// Gives each line that comes to on_line, and writes lines without waiting. Of the channel's thread.
+class ControlClient : public std::enable_shared_from_this<ControlClient> {
+ public:
+  using OnLine = std::function<void(const std::shared_ptr<ControlClient>&, std::string_view)>;
+
+  ControlClient(boost::asio::io_context& context, Descriptor in, Descriptor out, OnLine on_line)
+      : in_(context, std::move(in).release()), on_line_(std::move(on_line)) {
+    if (out.is_open()) {
+      out_.emplace(context, std::move(out).release());
+    }
+  }
+
+  // NOLINTBEGIN(misc-no-recursion): each handler is called once this call is long over.
+  void read() {
+    boost::asio::async_read_until(
+        in_, boost::asio::dynamic_buffer(text_, kLongestLine), '\n',
+        [self = shared_from_this()](const boost::system::error_code& error, std::size_t size) {
+          if (error) {
+            self->stop_reading();
+            return;
+          }
+          self->on_line_(self, std::string_view(self->text_).substr(0, size - 1));
+          self->text_.erase(0, size);
+          self->read();
+        });
+  }
+  // NOLINTEND(misc-no-recursion)
+  void write(std::string line) {
+    waiting_bytes_ += line.size();
+    lines_.push_back(std::move(line));
+    if (waiting_bytes_ > kMostWaiting) {
+      close();
+    } else if (lines_.size() == 1) {
+      write_next();
+    }
+  }
+  void close() {
+    boost::system::error_code ignored;
+    in_.close(ignored);
+    if (out_) {
+      out_->close(ignored);
+    }
+    is_open_ = false;
+  }
+
+  [[nodiscard]] bool is_open() const { return is_open_; }
+  [[nodiscard]] bool reads() const { return is_open_ && reads_; }
+  [[nodiscard]] bool has_written() const { return !is_open_ || lines_.empty(); }
+
+  // Statuses that come by themselves; 0: none.
+  std::chrono::steady_clock::duration every{0};
+  std::chrono::steady_clock::time_point next_status{};
+
+ private:
+  static constexpr std::size_t kLongestLine = 65'536;
+  static constexpr std::size_t kMostWaiting = 1U << 20U;  // bytes
+
+  // It may still be told what happens.
+  void stop_reading() {
+    reads_ = false;
+    if (!out_) {
+      close();
+    }
+  }
+  // NOLINTBEGIN(misc-no-recursion): as read().
+  void write_next() {
+    boost::asio::async_write(
+        out_ ? *out_ : in_, boost::asio::buffer(lines_.front()),
+        [self = shared_from_this()](const boost::system::error_code& error, std::size_t size) {
+          if (error) {
+            self->close();
+            return;
+          }
+          self->waiting_bytes_ -= size;
+          self->lines_.pop_front();
+          if (!self->lines_.empty()) {
+            self->write_next();
+          }
+        });
+  }
+  // NOLINTEND(misc-no-recursion)
+
+  boost::asio::posix::stream_descriptor in_;
+  std::optional<boost::asio::posix::stream_descriptor> out_;
+  OnLine on_line_;
+  std::string text_;
+  std::deque<std::string> lines_;
+  std::size_t waiting_bytes_ = 0;
+  bool is_open_ = true;
+  bool reads_ = true;
+};
+
+}  // namespace kerf::program
