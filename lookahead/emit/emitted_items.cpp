@@ -61,6 +61,8 @@ std::optional<EmittedItems::Motion> EmittedItems::at(std::int64_t tick) const {
     found.curve_mm = phase.s_end_mm;
     if (phase.ends_at_rest) {
       found.v_mm_s = found.a_mm_s2 = 0.0;
+    } else {
+      found.when = end_of(phase);  // in motion, nothing is known behind it
     }
   }
   return found;
@@ -100,6 +102,13 @@ std::optional<std::int64_t> EmittedItems::rest_after(std::int64_t tick) const {
     }
   }
   return std::nullopt;
+}
+
+interp::TickTime EmittedItems::end_of(const interp::Phase& phase) const {
+  const double offset_s = phase.begin.offset_s + phase.law.duration_s();
+  const auto whole = static_cast<std::int64_t>(offset_s / period_s_);
+  return {.tick = phase.begin.tick + whole,
+          .offset_s = std::max(offset_s - static_cast<double>(whole) * period_s_, 0.0)};
 }
 
 std::int64_t EmittedItems::end_tick(const interp::Phase& phase) const {

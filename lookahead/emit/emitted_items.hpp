@@ -122,6 +122,7 @@ class EmittedItems {
   // What is left of a dwell; nothing: it is over.
   [[nodiscard]] std::optional<Rest> part(Rest& rest, const interp::TickTime& begin,
                                          std::int64_t tick) const;
+  [[nodiscard]] interp::TickTime end_of(const interp::Phase& phase) const;
   [[nodiscard]] std::int64_t end_tick(const interp::Phase& phase) const;
   [[nodiscard]] double since_s(const interp::TickTime& begin, std::int64_t tick) const {
     return static_cast<double>(tick - begin.tick) * period_s_ - begin.offset_s;

@@ -55,6 +55,13 @@ TEST(RandomCommandsAgain, OverrideBehindAJumpOfCurvature) {
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
+// What was planned ends in motion between two ticks, and the next plan begins there, not at the
+// tick.
+TEST(RandomCommandsAgain, OverrideWherePlannedMotionEndsBetweenTicks) {
+  const CommandedRun run = commanded_run(103'271);
+  EXPECT_EQ(run.complaint, "") << run.commands;
+}
+
 // Planning was late, and the way to rest that was taken leads over the end of a block.
 TEST(RandomCommandsAgain, HoldOnAWayToRestOverTwoBlocks) {
   const CommandedRun run = commanded_run(30'343);
