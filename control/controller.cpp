@@ -24,6 +24,9 @@ tl::expected<void, Refusal> Controller::set_single_block(bool on) {
 tl::expected<void, Refusal> Controller::set_optional_stop(bool on) {
   return impl_->set_optional_stop(on);
 }
+bool Controller::set_feed_inputs(const FeedInputs& inputs) {
+  return impl_->set_feed_inputs(inputs);
+}
 tl::expected<void, Refusal> Controller::set_block_delete(const BlockDelete& switches) {
   return impl_->set_block_delete(switches);
 }

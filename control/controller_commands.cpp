@@ -88,6 +88,18 @@ tl::expected<void, Refusal> Controller::Impl::set_block_delete(const BlockDelete
   return set(Command::block_delete);
 }
 
+bool Controller::Impl::set_feed_inputs(const FeedInputs& inputs) {
+  if (!is_possible(inputs)) {
+    return false;
+  }
+  operator_.feed_inputs = inputs;
+  published_.write(operator_);
+  if (running_.load() != nullptr) {
+    kernel_->set_feed_inputs(inputs);
+  }
+  return true;
+}
+
 tl::expected<void, Refusal> Controller::Impl::set(Command command) {
   published_.write(operator_);
   return give(command);
@@ -166,6 +178,9 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_from_here() const {
   auto kernel = std::make_unique<Kernel>(settings_, options);
   if (operator_.overrides != Overrides{}) {
     kernel->set_overrides(operator_.overrides);
+  }
+  if (operator_.feed_inputs != FeedInputs{}) {
+    kernel->set_feed_inputs(operator_.feed_inputs);
   }
   if (operator_.single_block) {
     kernel->set_single_block(true);

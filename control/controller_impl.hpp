@@ -29,6 +29,7 @@ class KERF_LOCAL Controller::Impl {
   tl::expected<void, Refusal> set_single_block(bool on);
   tl::expected<void, Refusal> set_optional_stop(bool on);
   tl::expected<void, Refusal> set_block_delete(const BlockDelete& switches);
+  bool set_feed_inputs(const FeedInputs& inputs);
 
   void feed(std::string_view text);
   void finish();
@@ -51,6 +52,7 @@ class KERF_LOCAL Controller::Impl {
   // Of the planning side, for all to see.
   struct Published {
     Overrides overrides{};
+    FeedInputs feed_inputs{};
     bool single_block = false;
     bool optional_stop = false;
     BlockDelete block_delete{};

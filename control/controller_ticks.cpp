@@ -105,6 +105,7 @@ ControllerStatus Controller::Impl::status() const noexcept {
   ControllerStatus status = snapshot_.read();
   const Published by = published_.read();
   status.overrides = by.overrides;
+  status.feed_inputs = by.feed_inputs;
   status.single_block = by.single_block;
   status.optional_stop = by.optional_stop;
   status.block_delete = by.block_delete;

@@ -129,6 +129,9 @@ void Interpolator::advance_outputs() noexcept {
       break;
     }
     apply(*next, now_.outputs);
+    heeded_.store({.adaptive_feed = now_.outputs.follows_adaptive_feed,
+                   .feed_stop = now_.outputs.heeds_feed_stop},
+                  std::memory_order_relaxed);
     queue_->pop_output_change();
   }
 }

@@ -72,6 +72,15 @@ class Interpolator {
     return reached_block_.load(std::memory_order_relaxed);
   }
 
+  // Which inputs of the machine count where the tool is (M52, M53). May be read by any thread.
+  struct HeededInputs {
+    bool adaptive_feed = false;
+    bool feed_stop = true;
+  };
+  [[nodiscard]] HeededInputs heeded_inputs() const noexcept {
+    return heeded_.load(std::memory_order_relaxed);
+  }
+
   // The largest distance of the path from the straight line between the last two setpoints, taken
   // at points of the path between them, junctions included. If a tick passes over more than
   // kPassedPieces whole pieces, the later ones do not count.
@@ -123,6 +132,7 @@ class Interpolator {
   std::uint64_t output_changes_ = 0;       // so many were applied
   std::atomic<bool> emergency_ = false;
   std::atomic<double> spindle_override_ = 1.0;
+  std::atomic<HeededInputs> heeded_{};
   EmergencyBrake brake_;
   bool has_phase_ = false;
   bool has_next_ = false;  // of the plan in force, when the tick looked: more may come at any time

@@ -54,6 +54,12 @@ void apply(const OutputChange& change, Outputs& outputs) noexcept {
     case OutputChangeKind::speed_override:
       outputs.follows_speed_override = change.value != 0.0;
       break;
+    case OutputChangeKind::adaptive_feed:
+      outputs.follows_adaptive_feed = change.value != 0.0;
+      break;
+    case OutputChangeKind::feed_stop:
+      outputs.heeds_feed_stop = change.value != 0.0;
+      break;
     case OutputChangeKind::digital:
       set_digital(change, outputs);
       break;

@@ -22,6 +22,8 @@ enum class OutputChangeKind : std::uint8_t {
   flood_on,
   coolant_off,
   speed_override,  // value = 1: the spindle follows its override; 0: it does not
+  adaptive_feed,   // the same of the machine's share of the feedrate
+  feed_stop,       // the same of the machine's feed stop
   digital,         // output `index` to value 0 or 1
   analog,          // output `index` to value
   all_off,         // the program's end: spindle and coolant

@@ -70,6 +70,9 @@ void Kernel::resume() {
 bool Kernel::set_overrides(const Overrides& overrides) {
   return impl_->set_overrides(overrides);
 }
+bool Kernel::set_feed_inputs(const FeedInputs& inputs) {
+  return impl_->set_feed_inputs(inputs);
+}
 void Kernel::set_single_block(bool on) {
   impl_->set_single_block(on);
 }

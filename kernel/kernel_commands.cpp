@@ -6,8 +6,8 @@
 namespace kerf {
 
 void Kernel::Impl::follow_hold() {
-  wants_hold_ = holds_ || stops_ || overrides_.feed == 0.0;
-  wants_resume_ = !holds_ && overrides_.feed > 0.0;
+  wants_hold_ = holds_ || stops_ || is_at_feed_0();
+  wants_resume_ = !holds_ && !is_at_feed_0();
   plan();
 }
 
@@ -15,17 +15,49 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
   if (!is_possible(overrides)) {
     return false;
   }
-  // A wait is not answered by it.
-  const bool releases =
-      overrides_.feed == 0.0 && overrides.feed > 0.0 && (pipeline_.is_held() || takeover_);
+  const bool was_at_feed_0 = is_at_feed_0();
   interpolator_.override_spindle_by(overrides.spindle);
   overrides_ = overrides;
-  wants_change_ = true;
-  next_try_tick_ = 0;
-  wants_hold_ = holds_ || stops_ || overrides_.feed == 0.0;
-  wants_resume_ = !wants_hold_ && (wants_resume_ || releases);
+  change_feed(was_at_feed_0);
   plan();
   return true;
+}
+
+bool Kernel::Impl::set_feed_inputs(const FeedInputs& inputs) {
+  if (!is_possible(inputs)) {
+    return false;
+  }
+  const bool changes = inputs.adaptive > 0.0 && inputs.adaptive != adaptive_;
+  inputs_ = inputs;
+  if (changes) {
+    adaptive_ = inputs.adaptive;
+    change_feed(is_at_feed_0());
+  }
+  plan();
+  return true;
+}
+
+bool Kernel::Impl::inputs_stop() const noexcept {
+  const interp::Interpolator::HeededInputs heeded = interpolator_.heeded_inputs();
+  return (heeded.feed_stop && inputs_.stop) || (heeded.adaptive_feed && inputs_.adaptive == 0.0);
+}
+
+void Kernel::Impl::follow_inputs() {
+  const bool was_at_feed_0 = is_at_feed_0();
+  is_stopped_ = inputs_stop();
+  if (is_at_feed_0() != was_at_feed_0) {
+    change_feed(was_at_feed_0);
+  }
+}
+
+void Kernel::Impl::change_feed(bool was_at_feed_0) {
+  // A wait is not answered by it.
+  const bool releases =
+      was_at_feed_0 && !is_at_feed_0() && (pipeline_.is_held() || takeover_.has_value());
+  wants_change_ = true;
+  next_try_tick_ = 0;
+  wants_hold_ = holds_ || stops_ || is_at_feed_0();
+  wants_resume_ = !wants_hold_ && (wants_resume_ || releases);
 }
 
 void Kernel::Impl::set_single_block(bool on) {
@@ -138,7 +170,7 @@ bool Kernel::Impl::try_change_plan() {
   if (stops_) {
     return true;
   }
-  if (overrides_.feed == 0.0) {
+  if (is_at_feed_0()) {
     return false;  // it holds, until there is another
   }
   if (queue_.phases_free() < interp::MotionQueue::kPhases / 2 + delivery_.outbox().phases.size()) {
@@ -147,13 +179,15 @@ bool Kernel::Impl::try_change_plan() {
   lookahead::Outbox plan;
   const std::uint32_t from = pipeline_.plan();
   const std::int64_t tick = takeover_tick();
-  auto changed = pipeline_.change_plan(
-      {.by = {.feed = overrides_.feed, .rapid = overrides_.rapid, .spindle = overrides_.spindle},
-       .single_block = single_block_,
-       .tick = tick,
-       .until_tick = tick + first_part_ticks_,
-       .needs_stop = keeps_stop_},
-      plan);
+  auto changed = pipeline_.change_plan({.by = {.feed = overrides_.feed,
+                                               .rapid = overrides_.rapid,
+                                               .spindle = overrides_.spindle,
+                                               .adaptive = adaptive_},
+                                        .single_block = single_block_,
+                                        .tick = tick,
+                                        .until_tick = tick + first_part_ticks_,
+                                        .needs_stop = keeps_stop_},
+                                       plan);
   if (!changed) {
     return false;
   }

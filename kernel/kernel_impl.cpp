@@ -13,6 +13,7 @@ bool Kernel::Impl::plan() {
     return false;
   }
   pipeline_.forget_before(now);
+  follow_inputs();
   follow_commands();
   if (keeps_stop_ && !runs_low()) {
     return false;
@@ -30,7 +31,13 @@ void Kernel::Impl::follow_tool() {
   }
   notes_.follow({.path_mm = interpolator_.reached_path_mm(),
                  .moved_s = static_cast<double>(interpolator_.plan_tick()) * period_s_,
-                 .feed_override = overrides_.feed});
+                 .feed_override = feed_share()});
+}
+
+// Of the programmed feedrate, where the tool is.
+double Kernel::Impl::feed_share() const noexcept {
+  const double adaptive = interpolator_.heeded_inputs().adaptive_feed ? adaptive_ : 1.0;
+  return is_stopped_ ? 0.0 : overrides_.feed * adaptive;
 }
 
 bool Kernel::Impl::fill_queue() {
@@ -159,7 +166,8 @@ void Kernel::Impl::reach_tick() {
 
 TickStatus Kernel::Impl::next(Setpoint& setpoint) {
   keeps_stop_ = false;
-  const bool is_asked = wants_hold_ || wants_resume_ || wants_change_ || takeover_;
+  const bool is_asked =
+      wants_hold_ || wants_resume_ || wants_change_ || takeover_ || inputs_stop() != is_stopped_;
   if ((is_asked || runs_low()) && plan() && runs_low()) {
     plan_to_rest();
   }

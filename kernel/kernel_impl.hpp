@@ -84,6 +84,7 @@ class KERF_LOCAL Kernel::Impl {
     hold();
   }
   bool set_overrides(const Overrides& overrides);
+  bool set_feed_inputs(const FeedInputs& inputs);
   void set_single_block(bool on);
   void set_optional_stop(bool on) { pipeline_.set_optional_stop(on); }
   void set_block_delete(const BlockDelete& switches) { pipeline_.set_block_delete(switches); }
@@ -120,6 +121,7 @@ class KERF_LOCAL Kernel::Impl {
 
   // To where the tool is.
   void follow_tool();
+  [[nodiscard]] double feed_share() const noexcept;
 
   // True: more text is needed.
   bool fill_queue();
@@ -138,6 +140,14 @@ class KERF_LOCAL Kernel::Impl {
 
   // The tool is to hold, or to go on.
   void follow_hold();
+  // At feed 0 the tool holds though nobody asked for it, and goes on by itself.
+  [[nodiscard]] bool is_at_feed_0() const noexcept { return overrides_.feed == 0.0 || is_stopped_; }
+  // Whether the machine's inputs stop the tool where it is.
+  [[nodiscard]] bool inputs_stop() const noexcept;
+  // What they say there, if that is another thing.
+  void follow_inputs();
+  // Other feedrates come, and at feed 0 a hold.
+  void change_feed(bool was_at_feed_0);
   // From a hold or a wait.
   void go_on();
   // What was asked for and could not be done yet: the tick side has not answered, or no way to rest
@@ -175,6 +185,9 @@ class KERF_LOCAL Kernel::Impl {
   std::int64_t committed_until_tick_ = 0;
   std::optional<lookahead::Planner::StopAhead> stop_ahead_{};  // the latest that was committed
   Overrides overrides_{};
+  FeedInputs inputs_{};
+  double adaptive_ = 1.0;    // the latest of the inputs above 0
+  bool is_stopped_ = false;  // by the inputs
   bool single_block_ = false;
   bool holds_ = false;  // the operator asked for it; a feed override of 0 is not among this
   bool stops_ = false;  // each hold is a stop

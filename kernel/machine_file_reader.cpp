@@ -13,8 +13,8 @@ namespace kerf {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kSections{"tick",  "path",  "axes",   "offsets",
-                                                    "tools", "probe", "program"};
+constexpr std::array<std::string_view, 8> kSections{"tick",  "path",  "axes",    "offsets",
+                                                    "tools", "probe", "program", "inputs"};
 constexpr std::array<std::string_view, 5> kProgramKeys{"dialect", "least_increment_mm", "path_mode",
                                                        "tool_change_s", "spindle_start_s"};
 constexpr std::array<std::string_view, 9> kAllAxisNames{"x", "y", "z", "a", "b",
@@ -96,6 +96,9 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
                                     .merge_tolerance_mm = settings_.program.merge_tolerance_mm};
   if (const auto program = subsection(file, "program")) {
     read_program(*program);
+  }
+  if (const auto inputs = subsection(file, "inputs")) {
+    read_inputs(*inputs);
   }
   check_bounds(file);
   settings_.table.period_s = settings_.limits.period_s;
@@ -215,6 +218,21 @@ void MachineFileReader::read_program(const Section& section) {
   }
   read_dialect(section);
   read_path_mode(section);
+}
+
+void MachineFileReader::read_inputs(const Section& section) {
+  std::vector<std::string_view> keys;
+  for (const InputRule& rule : input_rules()) {
+    keys.push_back(rule.number.key);
+    const toml::node* const node = section.table->get(rule.number.key);
+    const auto number = node != nullptr ? read_number(section, rule.number, *node) : std::nullopt;
+    if (const auto problem = number ? input_problem(rule, *number) : std::nullopt) {
+      report(node->source(), section.path_to(rule.number.key) + ": " + *problem);
+    } else if (number) {
+      settings_.program.feed_inputs.*rule.field = static_cast<std::int32_t>(*number);
+    }
+  }
+  check_keys(section, keys);
 }
 
 void MachineFileReader::read_dialect(const Section& section) {

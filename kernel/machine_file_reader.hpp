@@ -53,6 +53,7 @@ class MachineFileReader {
   void read_axes(const Section& axes);
   void read_axis(const Section& section, std::size_t axis);
   void read_program(const Section& section);
+  void read_inputs(const Section& section);
   void read_dialect(const Section& section);
   void read_path_mode(const Section& section);
   void check_bounds(const Section& file);

@@ -1,6 +1,7 @@
 #include "kernel/machine_file_schema.hpp"
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include <kerf/machine.hpp>
@@ -180,6 +181,12 @@ constexpr std::array kProgram{
                [](Settings& s, std::size_t) -> double& { return s.program.spindle_start_s; }},
 };
 
+constexpr std::array kInputs{
+    InputRule{{"adaptive_feed", 0.0, Outputs::kAnalog - 1.0, nullptr},
+              &FeedInputNumbers::adaptive_feed},
+    InputRule{{"feed_stop", 0.0, Outputs::kDigital - 1.0, nullptr}, &FeedInputNumbers::feed_stop},
+};
+
 constexpr std::array kTool{
     NumberRule{"number", 0.0, double{parser::ToolTable::kHighestNumber}, nullptr},
     NumberRule{"pocket", 0.0, double{parser::ToolTable::kHighestNumber}, nullptr},
@@ -240,6 +247,17 @@ std::span<const NumberRule> offset_rules(std::size_t section) {
 }
 std::span<const NumberRule> program_rules() {
   return kProgram;
+}
+std::span<const InputRule> input_rules() {
+  return kInputs;
+}
+std::optional<std::string> input_problem(const InputRule& rule, double number) {
+  if (auto problem = range_problem(rule.number, number)) {
+    return problem;
+  }
+  return number == std::floor(number)
+             ? std::nullopt
+             : std::optional("found " + text_of(number) + ", expected a whole number");
 }
 std::span<const NumberRule> tool_rules() {
   return kTool;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,6 +50,15 @@ std::span<const NumberRule> program_rules();
 std::span<const NumberRule> tool_rules();
 // Lower and upper face of x, y and z in turn. Precondition of the fields: there is a touch_box.
 std::span<const NumberRule> probe_rules();
+
+// A number of an input.
+struct InputRule {
+  NumberRule number;
+  std::optional<std::int32_t> FeedInputNumbers::*field;
+};
+std::span<const InputRule> input_rules();
+// "found 1.5, expected a whole number"; nothing where the rule allows it.
+std::optional<std::string> input_problem(const InputRule& rule, double number);
 
 // The keys that bound one quantity of a plan, in [path] or in [axes.*] under the same name.
 struct BoundRule {

@@ -151,7 +151,8 @@ void PlanCheck::overridden(const lookahead::FeedOverride& by, const Slowing& slo
       .by = by,
       .before = {.feed = most(was.before.feed, was.by.feed),
                  .rapid = most(was.before.rapid, was.by.rapid),
-                 .spindle = most(was.before.spindle, was.by.spindle)},
+                 .spindle = most(was.before.spindle, was.by.spindle),
+                 .adaptive = most(was.before.adaptive, was.by.adaptive)},
       .slows_to_curve = slows ? std::max(was.slows_to_curve, slowing.to_curve) : slowing.to_curve};
 }
 
@@ -159,7 +160,7 @@ void PlanCheck::overridden(const lookahead::FeedOverride& by, const Slowing& slo
 double PlanCheck::most_mm_s(const Expected& block) const {
   const auto under = [&block](const lookahead::FeedOverride& by) {
     if (block.rapid) {
-      return by.rapid * block.feedrate_mm_s;
+      return lookahead::share_of_rapid(by, block.follows) * block.feedrate_mm_s;
     }
     const double share = lookahead::share_of(by, block.follows);
     const double most_mm_s = share * block.programmed_mm_s;

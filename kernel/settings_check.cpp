@@ -129,6 +129,16 @@ Result check_probe(MachineSettings& settings) {
   return {};
 }
 
+Result check_inputs(const MachineSettings& settings) {
+  for (const InputRule& rule : input_rules()) {
+    const auto number = settings.program.feed_inputs.*rule.field;
+    if (const auto problem = number ? input_problem(rule, *number) : std::nullopt) {
+      return fail("inputs." + std::string(rule.number.key), *problem);
+    }
+  }
+  return {};
+}
+
 Result check_path_mode(const MachineSettings& settings) {
   constexpr double kMost_mm = 1e3;
   const PathControl& path = settings.program.path_control;
@@ -176,6 +186,7 @@ Result check_machine(MachineSettings settings) {
       .and_then([&] {
         return check({"program", program_rules()}, settings);
       })
+      .and_then([&] { return check_inputs(settings); })
       .and_then([&] { return check_path_mode(settings); })
       .and_then([&] { return check_bounds(settings); });
 }
@@ -243,6 +254,10 @@ bool is_possible(const Overrides& overrides) noexcept {
   };
   return is_within(overrides.feed, 0.0, 2.0) && is_within(overrides.rapid, 0.05, 1.0) &&
          is_within(overrides.spindle, 0.1, 2.0);
+}
+
+bool is_possible(const FeedInputs& inputs) noexcept {
+  return 0.0 <= inputs.adaptive && inputs.adaptive <= 1.0;
 }
 
 }  // namespace v0

@@ -56,6 +56,10 @@ std::optional<interp::OutputChange> output_change_of(const parser::EventMove& ev
       return OutputChange{.kind = OutputChangeKind::coolant_off};
     case EventKind::speed_override:
       return OutputChange{.kind = OutputChangeKind::speed_override, .value = event.value};
+    case EventKind::adaptive_feed:
+      return OutputChange{.kind = OutputChangeKind::adaptive_feed, .value = event.value};
+    case EventKind::feed_stop:
+      return OutputChange{.kind = OutputChangeKind::feed_stop, .value = event.value};
     case EventKind::digital_output:
     case EventKind::digital_at_motion:
       return OutputChange{

@@ -100,6 +100,7 @@ struct ControllerStatus {
   double run_s = 0.0;              ///< how long the present or last program has run, rests included
   std::optional<double> left_s{};  ///< Kernel::left_s(), as of the latest plan()
   Overrides overrides{};
+  FeedInputs feed_inputs{};
   bool single_block = false;
   bool optional_stop = false;
   BlockDelete block_delete{};
@@ -137,6 +138,10 @@ class KERF_API Controller {
   /// Kernel::set_optional_stop() and set_block_delete(), the same.
   tl::expected<void, Refusal> set_optional_stop(bool on);
   tl::expected<void, Refusal> set_block_delete(const BlockDelete& switches);
+
+  /// Kernel::set_feed_inputs(), for the present program and those to come. False: a value is out of
+  /// its range, and nothing changes.
+  bool set_feed_inputs(const FeedInputs& inputs);
 
   /// To the present program; text is dropped where there is none.
   void feed(std::string_view text);

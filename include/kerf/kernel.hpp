@@ -59,6 +59,18 @@ struct Overrides {
 /// Each is a number within its range.
 KERF_API bool is_possible(const Overrides& overrides) noexcept;
 
+/// What the machine makes of the feedrates of a program, where the program lets it.
+struct FeedInputs {
+  double adaptive =
+      1.0;            ///< share of all feedrates, rapids too, under M52 P1; 0 to 1, at 0 it holds
+  bool stop = false;  ///< the tool holds, but under M53 P0
+
+  friend bool operator==(const FeedInputs&, const FeedInputs&) = default;
+};
+
+/// The same.
+KERF_API bool is_possible(const FeedInputs& inputs) noexcept;
+
 /// Runs one program. Feeding and planning are for one thread; tick() and what belongs to it may run
 /// in another, with real-time priority. docs/embedding.md has threads, memory and errors of each
 /// method.
@@ -132,6 +144,11 @@ class KERF_API Kernel {
   /// (M49, M50 P0, M51 P0, tapping) the programmed feedrate or speed is kept. False: a value is out
   /// of its range, and nothing changes. Planning side.
   bool set_overrides(const Overrides& overrides);
+
+  /// Follows the machine's inputs, in the way of set_overrides(). Where the tool is, the program
+  /// says whether a stop counts: the tool begins to hold some milliseconds behind the block that
+  /// lets it. False: a value is out of its range, and nothing changes. Planning side.
+  bool set_feed_inputs(const FeedInputs& inputs);
 
   /// The tool comes to rest at the joint behind each block of the program and waits for resume();
   /// ticks are `waiting` then. Several lines that G64 made one curve of are one block. Switched on

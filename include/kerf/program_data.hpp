@@ -90,6 +90,12 @@ struct SubprogramText {
 /// ("pocket" of `o<Pocket> call`, "1000" of M98 P1000); nothing where there is none.
 using SubprogramSource = std::function<std::optional<SubprogramText>(std::string_view name)>;
 
+/// Which of the machine's inputs the feedrate follows (Kernel::set_feed_inputs). Nothing: none.
+struct FeedInputNumbers {
+  std::optional<std::int32_t> adaptive_feed{};  ///< analog, 0 to 7: a share of the feedrate, M52
+  std::optional<std::int32_t> feed_stop{};      ///< digital, 0 to 63: high, the tool holds, M53
+};
+
 /// Letters as a set, one bit each.
 using Letters = std::uint32_t;
 constexpr Letters letter_bit(char upper_case) {
@@ -214,6 +220,7 @@ struct ProgramData {
   /// In force until a program names a mode. Here G61, so that nothing departs from the path
   /// unasked; machine files and the default machine begin in G64 with the two tolerances above.
   PathControl path_control{};
+  FeedInputNumbers feed_inputs{};
   double tool_change_s = 0.0;    ///< of an M6 that waits for no answer, >= 0
   double spindle_start_s = 0.0;  ///< rest behind an M3 or M4 that starts the spindle, >= 0
 };

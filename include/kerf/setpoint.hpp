@@ -45,6 +45,8 @@ struct Outputs {
   /// Positive: M3, clockwise seen from the spindle; negative: M4. Under G96 as it is at this tick.
   double spindle_rad_s = 0.0;          ///< with the override
   bool follows_speed_override = true;  ///< M48, M49, M51; not while tapping
+  bool follows_adaptive_feed = false;  ///< M52; not while tapping
+  bool heeds_feed_stop = true;         ///< M53
   SurfaceSpeed surface{};              ///< what spindle_rad_s follows from, tick by tick
   double spindle_angle_rad = 0.0;      ///< where M19 holds it
   std::int32_t tool = 0;               ///< in the spindle; 0: none

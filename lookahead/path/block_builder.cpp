@@ -138,7 +138,7 @@ void set_limits(double feedrate_mm_s, const PlanLimits& limits, ScanFor plan, Bl
 }
 
 void set_limits(const FeedOverride& by, const PlanLimits& limits, ScanFor plan, Block& block) {
-  set_limits(block.rapid ? Feedrate{kUnbounded, by.rapid}
+  set_limits(block.rapid ? Feedrate{kUnbounded, share_of_rapid(by, block.follows)}
                          : Feedrate{share_of(by, block.follows) * block.feedrate_mm_s, 1.0},
              limits, plan, block);
 }

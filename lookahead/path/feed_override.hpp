@@ -1,4 +1,4 @@
-// What an operator makes of the feedrates of a program.
+// What an operator and the machine make of the feedrates of a program.
 #pragma once
 
 #include "parser/moves/move.hpp"
@@ -6,16 +6,22 @@
 namespace kerf::lookahead {
 
 struct FeedOverride {
-  double feed = 1.0;     // of programmed feedrates, > 0
-  double rapid = 1.0;    // of rapids, > 0 and at most 1
-  double spindle = 1.0;  // of feedrates per revolution, > 0
+  double feed = 1.0;      // of programmed feedrates, > 0
+  double rapid = 1.0;     // of rapids, > 0 and at most 1
+  double spindle = 1.0;   // of feedrates per revolution, > 0
+  double adaptive = 1.0;  // of both where the program says so, > 0 and at most 1
 
   friend bool operator==(const FeedOverride&, const FeedOverride&) = default;
 };
 
 // Of a programmed feedrate.
 inline double share_of(const FeedOverride& by, const parser::FollowedOverrides& follows) {
-  return (follows.feed ? by.feed : 1.0) * (follows.spindle ? by.spindle : 1.0);
+  return (follows.feed ? by.feed : 1.0) * (follows.spindle ? by.spindle : 1.0) *
+         (follows.adaptive ? by.adaptive : 1.0);
+}
+
+inline double share_of_rapid(const FeedOverride& by, const parser::FollowedOverrides& follows) {
+  return by.rapid * (follows.adaptive ? by.adaptive : 1.0);
 }
 
 }  // namespace kerf::lookahead

@@ -87,7 +87,7 @@ double allowed_mm_s(const Block& block, const SlowingOrder& order, const PlanLim
   }
   Block full = block;
   set_limits(kUnbounded, limits, order.plan, full);
-  return order.by.rapid * full.along.feedrate_mm_s;
+  return share_of_rapid(order.by, block.follows) * full.along.feedrate_mm_s;
 }
 
 FeedSample sample_of(const Block& block, double s_mm) {

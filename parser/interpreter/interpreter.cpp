@@ -224,6 +224,7 @@ void Interpreter::bring_back(const MoveSink& at, const ModalState& saved) {
     }
   }
   bring_back_coolant(at, before, state);
+  follow_overrides(at, state, saved.overrides);
 }
 
 // M72, or the return from a subprogram with M73, has brought modes back: the plane and the place of

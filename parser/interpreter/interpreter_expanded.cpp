@@ -88,14 +88,12 @@ Done Interpreter::drill(const RunningBlock& at) {
   const Overrides before = state.overrides;
   if (std::ranges::find(cycle_steps_, StepKind::spindle_turned, &CycleStep::kind) !=
       cycle_steps_.end()) {
-    follow_speed_override(at, state, false);
-    state.overrides.feed = false;
+    follow_overrides(at, state, {.feed = false, .speed = false, .feed_hold = before.feed_hold});
   }
   for (const CycleStep& step : cycle_steps_) {
     push_cycle_step(at, step, *feedrate);
   }
-  follow_speed_override(at, state, before.speed);
-  state.overrides = before;
+  follow_overrides(at, state, before);
   return {};
 }
 

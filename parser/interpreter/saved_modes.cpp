@@ -43,7 +43,6 @@ void restore_modes(const ModalState& from, ModalState& state) {
   state.surface_speed = from.surface_speed;
   state.mist = from.mist;
   state.flood = from.flood;
-  state.overrides = from.overrides;
   state.coordinates.select(from.coordinates.system());
   if (from.local_active != state.local_active) {
     state.local_active = from.local_active;

@@ -25,7 +25,8 @@ Move& MoveSink::push_move(const ModalState& state) const {
   move.rapid = false;
   move.feedrate_mm_s = 0.0;
   move.follows = {.feed = state.overrides.feed,
-                  .spindle = state.feed_mode == FeedMode::per_revolution && state.overrides.speed};
+                  .spindle = state.feed_mode == FeedMode::per_revolution && state.overrides.speed,
+                  .adaptive = state.overrides.adaptive_feed};
   if (auxiliary_axes != 0) {
     move.auxiliary = auxiliary_move(state.auxiliary_deg_mm, state.auxiliary_deg_mm);
   }

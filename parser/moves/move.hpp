@@ -71,13 +71,16 @@ enum class EventKind : std::uint8_t {
   digital_at_motion,  // M62, M63: as the next motion begins, without a rest
   analog_at_motion,   // M67
   speed_override,     // M48, M49, M51: value 1, the spindle's override is followed; 0, it is not
+  adaptive_feed,      // M52: the same of the machine's share of the feedrate
+  feed_stop,          // M53: the same of the machine's feed stop
 };
 
-// M62, M63, M67 and M48 to M51: the change comes with the next motion, and the tool does not rest
+// M62, M63, M67 and M48 to M53: the change comes with the next motion, and the tool does not rest
 // for it.
 inline bool is_at_motion(EventKind kind) {
   return kind == EventKind::digital_at_motion || kind == EventKind::analog_at_motion ||
-         kind == EventKind::speed_override;
+         kind == EventKind::speed_override || kind == EventKind::adaptive_feed ||
+         kind == EventKind::feed_stop;
 }
 
 // M0, M60, M6, and M1 where optional stops are on: somebody is to do something and say so.
@@ -113,10 +116,11 @@ struct EventMove {
 
 using kerf::PathMode;
 
-// The overrides that a feedrate follows: M48 to M51, G95, tapping.
+// The overrides that a feedrate follows: M48 to M52, G95, tapping.
 struct FollowedOverrides {
   bool feed = true;
-  bool spindle = false;  // of G95: what the spindle makes of its speed
+  bool spindle = false;   // of G95: what the spindle makes of its speed
+  bool adaptive = false;  // rapids too
 
   friend bool operator==(const FollowedOverrides&, const FollowedOverrides&) = default;
 };

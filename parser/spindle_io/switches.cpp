@@ -1,6 +1,7 @@
 #include "parser/spindle_io/switches.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "diagnostics/errors/pages.hpp"
 #include "parser/text/text.hpp"
@@ -79,11 +80,16 @@ void switch_coolant(const RunningBlock& at, ModalState& state) {
                                      : EventKind::coolant_off});
 }
 
-void follow_speed_override(const MoveSink& at, ModalState& state, bool on) {
-  if (state.overrides.speed != on) {
-    state.overrides.speed = on;
-    at.push_event(state, {EventKind::speed_override, on ? 1.0 : 0.0});
-  }
+void follow_overrides(const MoveSink& at, ModalState& state, const Overrides& overrides) {
+  const Overrides before = std::exchange(state.overrides, overrides);
+  const auto tell = [&](EventKind kind, bool was, bool is) {
+    if (was != is) {
+      at.push_event(state, {kind, is ? 1.0 : 0.0});
+    }
+  };
+  tell(EventKind::speed_override, before.speed, overrides.speed);
+  tell(EventKind::adaptive_feed, before.adaptive_feed, overrides.adaptive_feed);
+  tell(EventKind::feed_stop, before.feed_hold, overrides.feed_hold);
 }
 
 Done switch_overrides(const RunningBlock& at, ModalState& state) {
@@ -91,10 +97,10 @@ Done switch_overrides(const RunningBlock& at, ModalState& state) {
   if (code == kNoCode) {
     return {};
   }
-  Overrides& overrides = state.overrides;
+  Overrides overrides = state.overrides;
   if (code == 480 || code == 490) {
-    overrides.feed = code == 480;
-    follow_speed_override(at, state, code == 480);
+    overrides.feed = overrides.speed = code == 480;
+    follow_overrides(at, state, overrides);
     return {};
   }
   const double p = at.block.value_or('P', 1.0);
@@ -102,13 +108,11 @@ Done switch_overrides(const RunningBlock& at, ModalState& state) {
     return fail(at.block.word('P').offset, errors::kSwitchValue,
                 joined({at.name_of(Group::overrides), ": P must be 0 or 1, found ", shortest(p)}));
   }
-  if (code == 510) {
-    follow_speed_override(at, state, p == 1.0);
-    return {};
-  }
   (code == 500   ? overrides.feed
+   : code == 510 ? overrides.speed
    : code == 520 ? overrides.adaptive_feed
                  : overrides.feed_hold) = p == 1.0;
+  follow_overrides(at, state, overrides);
   return {};
 }
 

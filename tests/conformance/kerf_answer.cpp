@@ -73,7 +73,9 @@ std::optional<Step> step_of(const Move& move) {
   } else {
     const auto& event = std::get<parser::EventMove>(move.shape);
     if (event.kind == parser::EventKind::program_end ||
-        event.kind == parser::EventKind::speed_override) {
+        event.kind == parser::EventKind::speed_override ||
+        event.kind == parser::EventKind::adaptive_feed ||
+        event.kind == parser::EventKind::feed_stop) {
       return std::nullopt;
     }
     step.kind = "event";

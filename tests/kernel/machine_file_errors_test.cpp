@@ -271,6 +271,14 @@ TEST(MachineFileErrors, NamesWhatIsWrongWithOffsets) {
   EXPECT_EQ(errors_of(kBounded + "[offsets.g60]\nx_mm = 1\n").size(), 1U);
 }
 
+TEST(MachineFileErrors, NamesWhatIsWrongWithInputs) {
+  EXPECT_EQ(
+      errors_of(kBounded + "[inputs]\nadaptive_feed = 8\nfeed_stop = 1.5\n"),
+      (Lines{"m.toml:6:17: error: inputs.adaptive_feed: found 8, expected a number from 0 to 7",
+             "m.toml:7:13: error: inputs.feed_stop: found 1.5, expected a whole number"}));
+  EXPECT_EQ(errors_of(kBounded + "[inputs]\nfeed_stop = true\nfeed_step = 1\n").size(), 2U);
+}
+
 TEST(MachineFileErrors, NamesWhatIsWrongWithTools) {
   EXPECT_EQ(errors_of(kBounded + "[[tools.tool]]\nnumber = 1\nnumbr = 2\n").size(), 1U);
   EXPECT_EQ(errors_of(kBounded + "[tools]\nfile = 3\n"),

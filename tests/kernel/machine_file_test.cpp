@@ -178,6 +178,15 @@ TEST(MachineFile, HoldsOffsetsAndTools) {
   EXPECT_EQ(data.tools.find(8), nullptr);
 }
 
+TEST(MachineFile, NamesTheInputsThatTheFeedrateFollows) {
+  const auto read = parse_machine_file(kBounded + "[inputs]\nadaptive_feed = 7\nfeed_stop = 63\n");
+  ASSERT_TRUE(read);
+  const auto inputs = read->program.feed_inputs;
+  EXPECT_EQ(inputs.adaptive_feed, 7);
+  EXPECT_EQ(inputs.feed_stop, 63);
+  EXPECT_FALSE(kerf::default_machine().program.feed_inputs.feed_stop);
+}
+
 TEST(MachineFile, WithoutToolsKnowsEveryTool) {
   const auto read = parse_machine_file(kBounded);
   ASSERT_TRUE(read);

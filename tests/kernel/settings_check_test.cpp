@@ -182,6 +182,14 @@ TEST(SettingsCheck, LooksAtToolsAndAtFurtherAxesOnlyWhereTheMachineHasThem) {
   expect_refused(settings, {}, "tools.tool.diameter_mm");
 }
 
+TEST(SettingsCheck, RefusesAnInputThatNoMachineHas) {
+  for (const std::int32_t number : {-1, 64}) {
+    MachineSettings settings = default_machine();
+    settings.program.feed_inputs.feed_stop = number;
+    expect_refused(settings, {}, "inputs.feed_stop");
+  }
+}
+
 TEST(SettingsCheck, RefusesImpossibleOptions) {
   const auto expect = [](const std::string& field, const std::function<void(KernelOptions&)>& set) {
     KernelOptions options;

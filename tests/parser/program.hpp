@@ -110,11 +110,11 @@ inline std::string text_of(const Move& move) {
     out << "dwell " << dwell->duration_s;
   } else {
     static constexpr const char* kNames[] = {
-        "program stop",     "optional stop", "program end", "spindle cw",
-        "spindle ccw",      "spindle off",   "tool",        "mist on",
-        "flood on",         "coolant off",   "pallet",      "tool number",
-        "orient",           "digital",       "analog",      "digital at motion",
-        "analog at motion", "speed override"};
+        "program stop",     "optional stop",  "program end",   "spindle cw",
+        "spindle ccw",      "spindle off",    "tool",          "mist on",
+        "flood on",         "coolant off",    "pallet",        "tool number",
+        "orient",           "digital",        "analog",        "digital at motion",
+        "analog at motion", "speed override", "adaptive feed", "feed stop"};
     const auto& event = std::get<EventMove>(move.shape);
     out << kNames[static_cast<int>(event.kind)] << ' ';
     if (event.kind >= EventKind::digital_output && event.kind <= EventKind::analog_at_motion) {

@@ -96,6 +96,35 @@ TEST(Spindle, KeepsTheSurfaceSpeedWhereItIsTold) {
   EXPECT_EQ(first_message("G96 S1 D-1"), "1:8: error: G96: D (highest speed) must not be negative");
 }
 
+TEST(OverrideSwitches, TellWhatTheyChange) {
+  EXPECT_EQ(lines_of("M48\nM51 P0\nM51\nM49\nM49"),
+            (Lines{"2: speed override 0", "3: speed override 1", "4: speed override 0"}));
+  EXPECT_EQ(
+      lines_of("M52 P1\nM52\nM53\nM53 P0\nM52 P0\nM53 P1"),
+      (Lines{"1: adaptive feed 1", "4: feed stop 0", "5: adaptive feed 0", "6: feed stop 1"}));
+}
+
+TEST(OverrideSwitches, OfAdaptiveFeedAreOffWhileTapping) {
+  const std::vector<Move> moves = moves_of("M52 P1\nM3 S100 F100\nG84 Z-5 R2\nG80 G1 X1");
+  const auto adaptive = [](const Move& move) { return move.follows.adaptive; };
+  const auto is_cut = [](const Move& move) {
+    return std::holds_alternative<LineMove>(move.shape) && !move.rapid;
+  };
+  std::vector<bool> cuts;
+  for (const Move& move : moves) {
+    if (is_cut(move)) {
+      cuts.push_back(adaptive(move));
+    }
+  }
+  EXPECT_EQ(cuts, (std::vector<bool>{false, false, true})) << "into the hole, out of it, the line";
+}
+
+TEST(SavedModes, BringBackOverrideSwitches) {
+  EXPECT_EQ(lines_of("M51 P0\nM70\nM51\nM52\nM72"),
+            (Lines{"1: speed override 0", "3: speed override 1", "4: adaptive feed 1",
+                   "5: speed override 0", "5: adaptive feed 0"}));
+}
+
 TEST(SavedModes, ComeBack) {
   EXPECT_EQ(lines_of("G21 G90 F60\nM70\nG20 G91 G55 F7\nM72\nG1 X1"),
             (Lines{"5: line to 1 0 0 feed 1"}));
