@@ -56,17 +56,17 @@ class Client:
 
 
 class Control(Case):
-    def run_kerf(self, control, program=LINE, fds=(), stdin=subprocess.DEVNULL):
-        process = subprocess.Popen([KERF, "run", self.path("part.ngc", program), "--control", control, "--trace", self.path("run.csv")],
+    def run_kerf(self, control, program=LINE, fds=(), stdin=subprocess.DEVNULL, options=()):
+        process = subprocess.Popen([KERF, "run", self.path("part.ngc", program), "--control", control, "--trace", self.path("run.csv"), *options],
                                    stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE, pass_fds=fds)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         return process
 
-    def start(self, program=LINE):
+    def start(self, program=LINE, options=()):
         """`kerf run` at the other end of a socket."""
         ours, theirs = socket.socketpair()
-        process = self.run_kerf(str(theirs.fileno()), program, (theirs.fileno(),))
+        process = self.run_kerf(str(theirs.fileno()), program, (theirs.fileno(),), options=options)
         theirs.close()
         self.addCleanup(ours.close)
         ours.settimeout(60)
@@ -188,6 +188,32 @@ class Control(Case):
                 self.assertEqual((status["optional_stop"], status["block_delete"]), (True, [1]))
                 client.write('{"command":"resume"}\n')
         self.assertEqual(waits, [(13, 100, 0), (16, 100, 7)])
+        self.end(process, 0)
+
+    def test_inputs_of_the_machine_that_the_feedrate_follows(self):
+        table = (pathlib.Path(SOURCE) / "programs/machines/table.toml").read_text()
+        machine = self.path("inputs.toml", table + "\n[inputs]\nadaptive_feed = 2\nfeed_stop = 5\n")
+        process, client = self.start("G21 G90\nM52 P1\nG1 X400 F6000\nM2\n", ["--machine", machine])
+        client.read_until(type="event", state="running")
+        self.assertTrue(client.ask("input", analog=2, value=0.5)["accepted"])
+        time.sleep(0.5)
+        client.write('{"command":"status"}\n')
+        slow = client.read_until(type="status")
+        self.assertAlmostEqual(slow["feedrate_mm_s"], 50, delta=1)
+        self.assertEqual((slow["adaptive_feed_percent"], slow["feed_stop"]), (50, False))
+        self.assertTrue(client.ask("input", digital=5, value=1)["accepted"])
+        time.sleep(0.5)
+        client.write('{"command":"status"}\n')
+        stopped = client.read_until(type="status")
+        self.assertEqual((stopped["feedrate_mm_s"], stopped["state"], stopped["feed_stop"]), (0, "running", True))
+        for wrong in ({"analog": 1, "value": 0.5}, {"digital": 2, "value": 1}, {"analog": 2, "value": 1.5}):
+            self.assertFalse(client.ask("input", **wrong)["accepted"], wrong)
+        for text in ('{"command":"input"}', '{"command":"input","analog":2}', '{"command":"input","analog":2,"digital":5,"value":1}'):
+            client.write(text + "\n")
+            self.assertFalse(client.read_until(type="answer")["accepted"], text)
+        client.ask("input", analog=2, value=1)
+        self.assertTrue(client.ask("input", digital=5, value=0)["accepted"])
+        self.assertEqual(client.read_until(type="end")["exit_status"], 0)
         self.end(process, 0)
 
     def test_two_pipes(self):

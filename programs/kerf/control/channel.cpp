@@ -196,12 +196,32 @@ class ControlChannel::Server {
         return by_->controller().set_optional_stop(request.on);
       case ControlRequest::Kind::block_delete:
         return by_->controller().set_block_delete(request.switches);
+      case ControlRequest::Kind::input:
+        return set_input(request);
       case ControlRequest::Kind::command:
       case ControlRequest::Kind::status:
       case ControlRequest::Kind::events:
         break;
     }
     return by_->give(request.command);
+  }
+  tl::expected<void, Refusal> set_input(const ControlRequest& request) {
+    const ControllerStatus status = by_->status();
+    const auto refused = [&](std::string_view why) {
+      return tl::unexpected(Refusal{.state = status.state, .reason = why});
+    };
+    FeedInputs inputs = status.feed_inputs;
+    if (request.analog && order_.feed_inputs.adaptive_feed == request.analog) {
+      inputs.adaptive = request.value;
+    } else if (request.digital && order_.feed_inputs.feed_stop == request.digital) {
+      inputs.stop = request.value != 0.0;
+    } else {
+      return refused("[inputs] of the machine file does not name it");
+    }
+    if (!by_->controller().set_feed_inputs(inputs)) {
+      return refused("value is to be 0 to 1");
+    }
+    return {};
   }
 
   Order order_;

@@ -23,6 +23,7 @@ class ControlChannel {
   struct Order {
     std::string file;         // of the program, for the greeting
     parser::Letters extra{};  // the machine's axes beside X, Y and Z
+    FeedInputNumbers feed_inputs{};
     bool others_answer = false;
   };
   ControlChannel(ControlEndpoint endpoint, Operator& by, Order order);

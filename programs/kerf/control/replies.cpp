@@ -106,6 +106,8 @@ std::string status_json(const ControllerStatus& status, parser::Letters extra) {
   json["overrides"] = {{"feed_percent", percent_of(status.overrides.feed)},
                        {"rapid_percent", percent_of(status.overrides.rapid)},
                        {"spindle_percent", percent_of(status.overrides.spindle)}};
+  json["adaptive_feed_percent"] = percent_of(status.feed_inputs.adaptive);
+  json["feed_stop"] = status.feed_inputs.stop;
   json["single_block"] = status.single_block;
   json["optional_stop"] = status.optional_stop;
   json["block_delete"] = Json::array();

@@ -52,6 +52,9 @@ class RequestKeys {
       complain(key, "a number");
     }
   }
+  void read_into(const char* key, const Json& found, std::optional<std::uint64_t>& value) {
+    read_into(key, found, value.emplace());
+  }
   void read_into(const char* key, const Json& found, bool& value) {
     if (found.is_boolean()) {
       value = found.get<bool>();
@@ -129,8 +132,22 @@ bool find_command(ControlRequest& request) {
       return true;
     }
   }
-  request.kind = request.name == "status" ? Kind::status : Kind::events;
-  return request.name == "status" || request.name == "events";
+  request.kind = request.name == "status"  ? Kind::status
+                 : request.name == "input" ? Kind::input
+                                           : Kind::events;
+  return request.kind != Kind::events || request.name == "events";
+}
+
+std::string read_input(RequestKeys& keys, ControlRequest& request) {
+  keys.read("analog", request.analog);
+  keys.read("digital", request.digital);
+  std::optional<double> value;
+  keys.read("value", value);
+  if (keys.has("analog") == keys.has("digital") || !keys.has("value")) {
+    return "input takes analog or digital, a number, and value";
+  }
+  request.value = value.value_or(0.0);
+  return keys.complaint();
 }
 
 std::string read_request(RequestKeys& keys, ControlRequest& request) {
@@ -165,6 +182,8 @@ std::string read_request(RequestKeys& keys, ControlRequest& request) {
     }
   } else if (request.kind == Kind::events) {
     keys.read("since", request.since);
+  } else if (request.kind == Kind::input) {
+    return read_input(keys, request);
   }
   return keys.complaint();
 }

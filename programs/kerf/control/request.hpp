@@ -19,16 +19,20 @@ struct ControlRequest {
     single_block,
     optional_stop,
     block_delete,
+    input,
     status,
     events
   };
   Kind kind = Kind::command;
-  kerf::Command command{};  // of all kinds but status and events
+  kerf::Command command{};  // of all kinds but input, status and events
   std::optional<double> feed{};
   std::optional<double> rapid{};
   std::optional<double> spindle{};
-  bool on = false;                  // of single_block and optional_stop
-  BlockDelete switches{};           // of block_delete
+  bool on = false;                        // of single_block and optional_stop
+  BlockDelete switches{};                 // of block_delete
+  std::optional<std::uint64_t> analog{};  // of an input: its number, and none of the other kind
+  std::optional<std::uint64_t> digital{};
+  double value = 0.0;               // of an input
   std::optional<double> every_s{};  // of a status: again and again; 0: no more
   std::uint64_t since = 0;          // of events
   std::string name{};               // of the command, as the client wrote it

@@ -61,10 +61,11 @@ class MotionRun {
     RunOutcome outcome;
     std::optional<ControlChannel> channel;
     if (control) {
-      channel.emplace(
-          *std::move(control), by,
-          ControlChannel::Order{
-              .file = report_.file, .extra = report_.extra_axes, .others_answer = order_.has_keys});
+      channel.emplace(*std::move(control), by,
+                      ControlChannel::Order{.file = report_.file,
+                                            .extra = report_.extra_axes,
+                                            .feed_inputs = order_.settings.program.feed_inputs,
+                                            .others_answer = order_.has_keys});
     }
     {
       const MessagePrinter messages(controller, report_.file);
