@@ -54,7 +54,7 @@ std::span<const NumberRule> probe_rules();
 // A number of an input.
 struct InputRule {
   NumberRule number;
-  std::optional<std::int32_t> FeedInputNumbers::*field;
+  std::optional<std::int32_t> FeedInputNumbers::*field = nullptr;
 };
 std::span<const InputRule> input_rules();
 // "found 1.5, expected a whole number"; nothing where the rule allows it.

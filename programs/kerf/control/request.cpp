@@ -150,6 +150,24 @@ std::string read_input(RequestKeys& keys, ControlRequest& request) {
   return keys.complaint();
 }
 
+std::string read_override(RequestKeys& keys, ControlRequest& request) {
+  keys.read("feed_percent", request.feed);
+  keys.read("rapid_percent", request.rapid);
+  keys.read("spindle_percent", request.spindle);
+  share_of(request.feed);
+  share_of(request.rapid);
+  share_of(request.spindle);
+  return keys.complaint();
+}
+
+std::string read_status(RequestKeys& keys, ControlRequest& request) {
+  keys.read("every_s", request.every_s);
+  if (request.every_s && !(*request.every_s >= 0.0 && *request.every_s <= 3600.0)) {
+    return "every_s is to be 0 to 3600";
+  }
+  return keys.complaint();
+}
+
 std::string read_request(RequestKeys& keys, ControlRequest& request) {
   keys.read("command", request.name);
   if (!keys.has("command")) {
@@ -158,32 +176,25 @@ std::string read_request(RequestKeys& keys, ControlRequest& request) {
   if (!find_command(request)) {
     return "there is no such command";
   }
-  if (request.kind == Kind::override) {
-    keys.read("feed_percent", request.feed);
-    keys.read("rapid_percent", request.rapid);
-    keys.read("spindle_percent", request.spindle);
-    share_of(request.feed);
-    share_of(request.rapid);
-    share_of(request.spindle);
-  } else if (request.kind == Kind::single_block || request.kind == Kind::optional_stop) {
-    keys.read("on", request.on);
-    if (!keys.has("on")) {
-      return request.name + " takes on, true or false";
-    }
-  } else if (request.kind == Kind::block_delete) {
-    keys.read("switches", request.switches);
-    if (!keys.has("switches")) {
-      return "block_delete takes switches, as in [1, 3]";
-    }
-  } else if (request.kind == Kind::status) {
-    keys.read("every_s", request.every_s);
-    if (request.every_s && !(*request.every_s >= 0.0 && *request.every_s <= 3600.0)) {
-      return "every_s is to be 0 to 3600";
-    }
-  } else if (request.kind == Kind::events) {
-    keys.read("since", request.since);
-  } else if (request.kind == Kind::input) {
-    return read_input(keys, request);
+  switch (request.kind) {
+    case Kind::override:
+      return read_override(keys, request);
+    case Kind::single_block:
+    case Kind::optional_stop:
+      keys.read("on", request.on);
+      return keys.has("on") ? keys.complaint() : request.name + " takes on, true or false";
+    case Kind::block_delete:
+      keys.read("switches", request.switches);
+      return keys.has("switches") ? keys.complaint() : "block_delete takes switches, as in [1, 3]";
+    case Kind::input:
+      return read_input(keys, request);
+    case Kind::status:
+      return read_status(keys, request);
+    case Kind::events:
+      keys.read("since", request.since);
+      return keys.complaint();
+    case Kind::command:
+      return keys.complaint();
   }
   return keys.complaint();
 }
