@@ -8,6 +8,7 @@
 #include "interp/motion.hpp"
 #include "lookahead/optimum/grid/grid.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
+#include "lookahead/optimum/steepest_braking.hpp"
 #include "profiles/s_curve_stop.hpp"
 
 namespace kerf::lookahead {
@@ -157,77 +158,114 @@ std::optional<std::vector<BrakingPart>> StopSearch::any() const {
   for (std::size_t i = 0; i < kDistancesOfAny.size() && !found && !is_end; ++i) {
     found = to_rest_at(kDistancesOfAny[i] * s_curve_.back().s_mm, is_end);
   }
-  return found ? std::optional(parts(*found)) : std::nullopt;
+  return found ? std::optional(parts(*found)) : steepest();
 }
 
-// The distance grows until a way is found, and is then divided down to kStep.
+// The distance grows until a way is found, that of steps at the latest, and is then divided down to
+// kStep.
 std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
   if (way_.cells().empty() || s_curve_.back().s_mm < kAtBlockEnd_mm) {
     return in_closed_form();
   }
+  std::optional<std::vector<BrakingPart>> best = steepest();
   double too_short_mm = 0.0;
-  double distance_mm = 0.0;
-  std::optional<OptimalPlan> best;
+  double distance_mm = best ? best->back().s_end_mm - from_->s_mm : kUnbounded;
   bool is_end = false;
-  for (std::size_t i = 0; i < kDistances.size() && !best && !is_end; ++i) {
-    too_short_mm = distance_mm;
-    distance_mm = kDistances[i] * s_curve_.back().s_mm;
-    best = to_rest_at(distance_mm, is_end);
-  }
-  while (best && too_short_mm > 0.0 && distance_mm > kStep * too_short_mm) {
-    const double between_mm = std::sqrt(too_short_mm * distance_mm);
-    if (auto shorter = to_rest_at(between_mm, is_end)) {
-      best = std::move(shorter);
-      distance_mm = between_mm;
+  const auto try_at = [&](double to_rest_mm) {
+    if (const auto plan = to_rest_at(to_rest_mm, is_end)) {
+      best = parts(*plan);
+      distance_mm = to_rest_mm;
     } else {
-      too_short_mm = between_mm;
+      too_short_mm = to_rest_mm;
+    }
+    return distance_mm == to_rest_mm;
+  };
+  for (std::size_t i = 0; i < kDistances.size() && !is_end; ++i) {
+    const double next_mm = kDistances[i] * s_curve_.back().s_mm;
+    if (next_mm >= distance_mm || try_at(next_mm)) {
+      break;
     }
   }
-  return best ? std::optional(parts(*best)) : in_closed_form();
+  while (best && too_short_mm > 0.0 && distance_mm > kStep * too_short_mm) {
+    try_at(std::sqrt(too_short_mm * distance_mm));
+  }
+  return best ? std::move(best) : in_closed_form();
 }
 
 std::optional<std::vector<BrakingPart>> StopSearch::in_closed_form() const {
   for (std::size_t i = 0; i < kShares.size() && !way_.cells().empty(); ++i) {
     const auto stop = s_curve(kShares[i]);
-    if (stop && keeps_limits(*stop)) {
+    if (stop && keeps_limits(std::array{stop->falling, stop->steady, stop->landing})) {
       return parts_of(*stop, *from_->blocks.front(), from_->s_mm);
     }
   }
   return std::nullopt;
 }
 
-// Looks at it some times a tick, within the block.
-bool StopSearch::keeps_limits(const profiles::SCurveStop& stop) const {
+std::optional<std::vector<BrakingPart>> StopSearch::steepest() const {
+  if (way_.cells().empty()) {
+    return std::nullopt;
+  }
+  const Block& block = *from_->blocks.front();
+  for (const std::vector<profiles::CellLaw>& laws :
+       steepest_braking(from_->state, way_, *limits_)) {
+    if (!keeps_limits(laws)) {
+      continue;
+    }
+    std::vector<BrakingPart> parts;
+    double s_mm = from_->s_mm;
+    for (const profiles::CellLaw& law : laws) {
+      s_mm += law.length_mm();
+      parts.push_back({.law = law, .s_end_mm = s_mm, .limit = block.limits.from.jerk});
+    }
+    return parts;
+  }
+  return std::nullopt;
+}
+
+// Looks at them some times a tick, within the block.
+bool StopSearch::keeps_limits(std::span<const profiles::CellLaw> laws) const {
   const PathAt path = way_.path();
   double way_mm = way_.cells().front().s_begin_mm;
-  std::size_t cell = 0;
-  for (const profiles::CellLaw* law : {&stop.falling, &stop.steady, &stop.landing}) {
-    const int looks = law->duration_s() > 0.0 ? looks_at(*law, limits_->period_s) : -1;
+  Seen seen;
+  for (const profiles::CellLaw& law : laws) {
+    const int looks = law.duration_s() > 0.0 ? looks_at(law, limits_->period_s) : -1;
     for (int look = 0; look <= looks; ++look) {
-      profiles::PathMotion motion = law->at(law->duration_s() * look / looks);
+      profiles::PathMotion motion = law.at(law.duration_s() * look / looks);
       motion.s_mm += way_mm;
-      if (!keeps_limits(motion, path, cell)) {
+      if (!keeps_limits(motion, path, seen)) {
         return false;
       }
     }
-    way_mm += law->length_mm();
+    way_mm += law.length_mm();
   }
   return true;
 }
 
-// s counts on the block. cell: that of the place before, or an earlier one.
-bool StopSearch::keeps_limits(profiles::PathMotion motion, const PathAt& path,
-                              std::size_t& cell) const {
+// s counts on the block. The ends of cells that were passed since have bounds of their own, for the
+// higher of the two feedrates.
+bool StopSearch::keeps_limits(profiles::PathMotion motion, const PathAt& path, Seen& seen) const {
   const std::vector<Cell>& cells = way_.cells();
-  while (cell < cells.size() && cells[cell].s_end_mm() < motion.s_mm && !cells[cell].ends_block) {
-    ++cell;
+  const double passing_mm_s = std::max(seen.v_mm_s, motion.v_mm_s);
+  const auto passes = [&](const Cell& at, double s_mm) {
+    const profiles::PathMotion there{
+        .s_mm = s_mm, .v_mm_s = passing_mm_s, .a_mm_s2 = motion.a_mm_s2, .j_mm_s3 = motion.j_mm_s3};
+    return excess_at(there, at, path, *limits_).largest() <= kRounded;
+  };
+  for (; cells[seen.cell].s_end_mm() < motion.s_mm; ++seen.cell) {
+    const Cell& passed = cells[seen.cell];
+    if (passed.ends_block || seen.cell + 1 == cells.size() || !passes(passed, passed.length_mm) ||
+        !passes(cells[seen.cell + 1], 0.0)) {
+      return false;
+    }
   }
-  if (cell == cells.size() ||
-      (cells[cell].ends_block && motion.s_mm > cells[cell].s_end_mm() - kAtBlockEnd_mm)) {
+  const Cell& cell = cells[seen.cell];
+  if (cell.ends_block && motion.s_mm > cell.s_end_mm() - kAtBlockEnd_mm) {
     return false;
   }
-  motion.s_mm -= cells[cell].s_begin_mm;
-  return excess_at(motion, cells[cell], path, *limits_).largest() <= kRounded;
+  seen.v_mm_s = motion.v_mm_s;
+  motion.s_mm -= cell.s_begin_mm;
+  return excess_at(motion, cell, path, *limits_).largest() <= kRounded;
 }
 
 std::vector<BrakingPart> StopSearch::parts(const OptimalPlan& plan) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lookahead/optimum/braking.hpp"
@@ -18,9 +19,12 @@ namespace kerf::lookahead {
 // some twenty Newton steps. An S-curve in closed form stands in where it keeps the limits when it
 // is looked at twice a tick.
 //
-// Weakness: a motion that needs all of an axis' jerk leaves the solver, which aims at 0.9995 of the
-// limits, no way at any distance; then all tries fail, which takes tens of milliseconds. The caller
-// tries other places of the plan.
+// A way made step by step (steepest_braking) is the bound: no rest farther away is tried, and it is
+// the way where the solver finds none, as where the motion needs all of an axis' jerk: the solver
+// aims at 0.9995 of the limits.
+//
+// Weakness: where there are no steps either all tries fail, which takes tens of milliseconds. The
+// caller tries other places of the plan.
 class StopSearch {
  public:
   StopSearch(const BrakingFrom& from, const PlanLimits& limits);
@@ -31,9 +35,15 @@ class StopSearch {
  private:
   [[nodiscard]] std::optional<profiles::SCurveStop> s_curve(double share) const;
   [[nodiscard]] std::optional<std::vector<BrakingPart>> in_closed_form() const;
-  [[nodiscard]] bool keeps_limits(const profiles::SCurveStop& stop) const;
+  [[nodiscard]] std::optional<std::vector<BrakingPart>> steepest() const;
+  [[nodiscard]] bool keeps_limits(std::span<const profiles::CellLaw> laws) const;
+  // The place before.
+  struct Seen {
+    std::size_t cell = 0;
+    double v_mm_s = 0.0;
+  };
   [[nodiscard]] bool keeps_limits(profiles::PathMotion motion, const PathAt& path,
-                                  std::size_t& cell) const;
+                                  Seen& seen) const;
   void take_s_curve();
   void begin_with_s_curve(double distance_mm, std::vector<Cell>& cells) const;
   // is_end: the distance reaches to the end of what is known, and the rest is there.

@@ -12,19 +12,22 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kShortest_mm = 1e-9;
-// How far blocks are looked at, over what steady braking takes.
+// How far blocks are looked at, over what steady braking takes from the highest feedrate to come:
+// where the motion accelerates, half of the weakest jerk ends that.
 constexpr double kFarthest = 4.0;
 constexpr double kLeastFar_mm = 1.0;
 // A curve so many times as long as what is looked at of it.
 constexpr double kWorthCutting = 1.5;
 
 double farthest_mm(const BrakingFrom& from, const PlanLimits& limits) {
-  double weakest = from.blocks.front()->along.ramp.acceleration_mm_s2;
+  profiles::RampLimits weakest = from.blocks.front()->along.ramp;
   for (const MotionLimits& axis : limits.axes) {
-    weakest = std::min(weakest, axis.acceleration_mm_s2);
+    weakest.acceleration_mm_s2 = std::min(weakest.acceleration_mm_s2, axis.acceleration_mm_s2);
+    weakest.jerk_mm_s3 = std::min(weakest.jerk_mm_s3, axis.jerk_mm_s3);
   }
-  const double v = from.state.v_mm_s;
-  return kLeastFar_mm + kFarthest * v * v / weakest;
+  const double a = std::max(from.state.a_mm_s2, 0.0);
+  const double v = from.state.v_mm_s + a * a / weakest.jerk_mm_s3;
+  return kLeastFar_mm + kFarthest * v * v / weakest.acceleration_mm_s2;
 }
 
 // A block of which only a stretch is looked at: a curve may be long. begin_mm: of the stretch, on

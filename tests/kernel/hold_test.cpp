@@ -1,7 +1,9 @@
 // A feed hold at any tick of a program of every kind of motion, and what comes after it.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -115,6 +117,45 @@ TEST(Hold, OnALineBrakesInTheShortestWay) {
     constexpr double kWay_mm = 100.0 * 100.0 / 4000.0 + 100.0 * 2000.0 / 1e5;
     EXPECT_NEAR(run.first_held().s_mm - run.ticks[1009].s_mm, kWay_mm, 0.1 + 1e-6);
     EXPECT_EQ(run.complaint, "");
+  }
+}
+
+// On the butterfly an axis rides on its limit of jerk there. The first other setpoint comes within
+// 20 ms.
+TEST(Hold, BrakesSoonWhereAnAxisNeedsAllOfItsJerk) {
+  const KernelOptions options{.profile = {.kind = ProfileKind::time_optimal}};
+  const std::string text = shipped_program("butterfly.ngc");
+  const auto fresh = [&] {
+    Kernel kernel(default_machine(), options);
+    kernel.feed(text);
+    kernel.finish();
+    return kernel;
+  };
+  Kernel free = fresh();
+  const std::vector<Setpoint> whole = rest_of(free);
+  for (const std::size_t hold : {465U, 476U, 487U, 1609U, 2610U, 3072U, 3523U, 4073U}) {
+    SCOPED_TRACE(hold);
+    Kernel kernel = fresh();
+    TickChecker checker(default_machine().limits, true);
+    const double feedrate_mm_s = default_machine().limits.path.velocity_mm_s;
+    Setpoint setpoint;
+    std::optional<std::int64_t> other;
+    TickStatus status = TickStatus::running;
+    for (std::size_t tick = 0; status == TickStatus::running && tick < whole.size(); ++tick) {
+      if (tick == hold) {
+        kernel.hold();
+      }
+      status = kernel.next(setpoint);
+      checker.add({.setpoint = setpoint, .feedrate_mm_s = feedrate_mm_s});
+      if (!other && setpoint.position_mm != whole[tick].position_mm) {
+        other = static_cast<std::int64_t>(tick - hold);
+      }
+    }
+    EXPECT_EQ(status, TickStatus::held);
+    EXPECT_EQ(checker.complaint(), "");
+    ASSERT_TRUE(other);
+    EXPECT_LE(*other, 20);
+    EXPECT_LE(off_path_mm(whole, setpoint), 1e-9);
   }
 }
 

@@ -63,6 +63,12 @@ TEST(RandomCommandsAgain, OverrideWherePlannedMotionEndsBetweenTicks) {
 }
 
 // Planning was late, and the way to rest that was taken leads over the end of a block.
+// A way to rest in steps passed a knot of degree 2 faster than its jump of curvature allows.
+TEST(RandomCommandsAgain, HoldBeforeAJumpOfCurvatureWithinACurve) {
+  const CommandedRun run = commanded_run(5'000'582);
+  EXPECT_EQ(run.complaint, "") << run.commands;
+}
+
 TEST(RandomCommandsAgain, HoldOnAWayToRestOverTwoBlocks) {
   const CommandedRun run = commanded_run(30'343);
   EXPECT_EQ(run.complaint, "") << run.commands;
