@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -137,6 +138,12 @@ diagnostics::Diagnostic too_long(const diagnostics::SourcePosition& source, doub
               " s that are allowed"};
 }
 
+diagnostics::Diagnostic too_many(const diagnostics::SourcePosition& source, std::uint64_t moves) {
+  return {source, errors::kTooManyMoves,
+          "up to here the program has more than the " + std::to_string(moves) +
+              " moves that are allowed"};
+}
+
 // False: what follows is never run, however long it is.
 bool feed_next(const TextSource& text, ProgramPath& path) {
   const std::string_view piece = text();
@@ -163,6 +170,7 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
   ProgramPath path(settings, options, {.as_programmed = true});
   Checker checker(settings, options);
   ProgramPath::Output output;
+  std::uint64_t moves = 0;
   for (bool ends = false; !ends && !(bounds.stop && bounds.stop());) {
     switch (path.next(output)) {
       case ProgramPath::Next::output: {
@@ -170,6 +178,9 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
         checker.look_at(move, path.has_errors(), report);
         if (checker.least_time().seconds() > bounds.max_time_s) {
           report.diagnostics.push_back(too_long(move.source, bounds.max_time_s));
+          ends = true;
+        } else if (++moves > bounds.max_moves) {
+          report.diagnostics.push_back(too_many(move.source, bounds.max_moves));
           ends = true;
         }
         break;

@@ -1,7 +1,9 @@
 // Checks a whole program before anything moves: text, curves and soft limits.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -43,6 +45,8 @@ struct CheckBounds {
   /// In s. The check ends with an error when the length of the moves alone, at the highest
   /// feedrates allowed, takes longer. A program that passes may still take longer.
   double max_time_s = kUnbounded;
+  /// How many moves, those of a loop as often as they run. More are an error.
+  std::uint64_t max_moves = std::numeric_limits<std::uint64_t>::max();
 };
 
 /// Reads the program to its end and plans nothing. Impossible settings are an error in the report,

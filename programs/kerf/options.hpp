@@ -33,6 +33,7 @@ struct Options {
   std::optional<std::string> trace_file;
   std::optional<std::string> plot_file;
   double max_time_s = 30.0 * 86'400.0;  // of machine time that a program may take
+  std::uint64_t max_moves = 100'000'000;
   std::uint64_t max_trace_bytes = std::uint64_t{4} << 30U;
   std::size_t window_blocks = 1000;
   std::uint32_t explained_line = 0;  // of Command::explain

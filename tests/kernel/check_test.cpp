@@ -120,6 +120,22 @@ TEST(Check, EndsAnEndlessLoopWithMotionAtTheBlockThatTakesItTooLong) {
             "up to here the program takes more than the 1000 s that are allowed");
 }
 
+// 2 micrometres a round: by its length it could go on for months.
+TEST(Check, EndsAnEndlessLoopThatHardlyMovesAfterSoManyMoves) {
+  const std::string text = "G21 G90 F600\no1 while [1]\nG1 X0.001\nX0\no1 endwhile\n";
+  bool given = false;
+  const CheckReport report = check_program(
+      [&]() -> std::string_view {
+        return std::exchange(given, true) ? std::string_view() : std::string_view(text);
+      },
+      default_machine(), {}, {.max_time_s = 3e6, .max_moves = 1000});
+  ASSERT_TRUE(report.has_errors());
+  EXPECT_EQ(report.diagnostics.back().page, &errors::kTooManyMoves);
+  EXPECT_EQ(report.diagnostics.back().source.line, 3U);  // the 1001st move
+  EXPECT_EQ(report.diagnostics.back().message,
+            "up to here the program has more than the 1000 moves that are allowed");
+}
+
 TEST(Check, EndsAnEndlessLoopThatHasAnError) {
   const CheckReport report =
       check_for(1000.0, "G21 G90\no1 while [1]\nG0 X10\nG0 X0\nG1 X@\no1 endwhile\n");

@@ -13,9 +13,10 @@
 namespace kerf::test {
 namespace {
 
-constexpr std::array kOfTheCheck{&errors::kOutsideTravel,   &errors::kCurveRefused,
-                                 &errors::kTooLong,         &errors::kNobodyAnswers,
-                                 &errors::kFeedBeyondReach, &errors::kToleranceSwallows};
+constexpr std::array kOfTheCheck{&errors::kOutsideTravel,    &errors::kCurveRefused,
+                                 &errors::kTooLong,          &errors::kNobodyAnswers,
+                                 &errors::kTooManyMoves,     &errors::kFeedBeyondReach,
+                                 &errors::kToleranceSwallows};
 
 std::vector<diagnostics::Diagnostic> found_in(const diagnostics::ErrorPage& page) {
   MachineSettings settings;
@@ -30,7 +31,7 @@ std::vector<diagnostics::Diagnostic> found_in(const diagnostics::ErrorPage& page
         read = true;
         return piece;
       },
-      settings, {.refuses_waits = true}, {.max_time_s = 1000.0});
+      settings, {.refuses_waits = true}, {.max_time_s = 1000.0, .max_moves = 200'000});
   std::vector<diagnostics::Diagnostic> all = report.diagnostics;
   all.insert(all.end(), report.limit_faults.begin(), report.limit_faults.end());
   return all;

@@ -22,6 +22,13 @@ class MaxTime(Case):
                 self.assertRegex(lines[1], r"^ {6}G1 X")
                 self.assertEqual(done.stdout, "")
 
+    def test_or_too_many_moves_end_an_endless_loop(self):
+        endless = self.path("endless.ngc", "G21 G90 F600\no1 while [1]\nG1 X0.001\nX0\no1 endwhile\nM2\n")
+        for command in (("check",), ("dry-run",), ("explain", "--line", "4")):
+            with self.subTest(command=command):
+                done = self.kerf(*command, endless, "--max-moves", "10000", status=1)
+                self.assertIn("up to here the program has more than the 10000 moves that are allowed [E1006]", done.stderr)
+
     def test_ends_an_endless_loop_of_dwells(self):
         endless = self.path("endless.ngc", "o1 while [1]\nG4 P1000\nG0 X1\nG0 X0\no1 endwhile\nM2\n")
         self.assertIn("E1003", self.kerf("check", endless, status=1).stderr)

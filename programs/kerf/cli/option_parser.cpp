@@ -73,6 +73,10 @@ void add_common(CLI::App& command, Raw& raw) {
       .add_option("--max-time", raw.max_time,
                   "machine time that the program may take: 90, 90s, 5min, 2h, 30d (default: 30d)")
       ->type_name("TIME");
+  command
+      .add_option("--max-moves", options.max_moves,
+                  "how many moves the program may have, loops included (default: 100000000)")
+      ->type_name("N");
   command.add_flag("--json", options.json, "report as JSON on standard output");
   command
       .add_option("--format", options.format,

@@ -31,9 +31,10 @@ tl::expected<CheckReport, std::string> check_pass(ProgramFile& file,
     return *piece;
   };
   const auto check = options.syntax_only ? check_syntax : check_program;
-  CheckReport report = check(
-      text, settings, kernel_options,
-      {.stop = [] { return stop_requested().has_value(); }, .max_time_s = options.max_time_s});
+  CheckReport report = check(text, settings, kernel_options,
+                             {.stop = [] { return stop_requested().has_value(); },
+                              .max_time_s = options.max_time_s,
+                              .max_moves = options.max_moves});
   if (error) {
     return tl::unexpected(*error);
   }

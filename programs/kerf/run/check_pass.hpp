@@ -1,6 +1,7 @@
 // The check of a whole program before anything moves.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include <kerf/check.hpp>
@@ -11,7 +12,8 @@
 namespace kerf::program {
 
 struct CheckPassOptions {
-  double max_time_s;  // as CheckBounds
+  double max_time_s;        // as CheckBounds
+  std::uint64_t max_moves;  // the same
   bool shows_progress;
   bool syntax_only;
 };

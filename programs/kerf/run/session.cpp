@@ -111,6 +111,7 @@ class Session {
     const Stopwatch watch;
     const auto found = check_pass(file, settings_, kernel_options_,
                                   {.max_time_s = options_.max_time_s,
+                                   .max_moves = options_.max_moves,
                                    .shows_progress = shows_progress_,
                                    .syntax_only = options_.syntax_only});
     report_.check_duration_s = watch.elapsed_s();
