@@ -4,7 +4,7 @@
 : "${root:?}"
 
 kBuildPackages=(g++ cmake ninja-build libeigen3-dev libboost-dev libspdlog-dev libcli11-dev libtomlplusplus-dev
-  nlohmann-json3-dev libexpected-dev)
+  nlohmann-json3-dev libexpected-dev zlib1g-dev)
 # shellcheck disable=SC2034  # used by ./test
 kTestPackages=("${kBuildPackages[@]}" libgtest-dev libgmock-dev libbenchmark-dev python3 python3-jsonschema
   clang-format pkg-config)
@@ -64,6 +64,39 @@ require_packages() {
   ((${#missing[@]} == 0)) || install_packages "${missing[@]}"
   [[ $stamp -nt $status ]] || : >"$stamp"
   printf '%s\n' "$wanted" >>"$stamp"
+}
+
+# What the page of `kerf report` and `kerf view` needs, and only they: node 18 or newer, from wherever it comes.
+require_node() {
+  command -v node npm >/dev/null || require_packages nodejs npm 9>&-
+  local version
+  version=$(node --version 2>/dev/null) || give_up "node does not start"
+  version=${version#v}
+  ((${version%%.*} >= 18)) || give_up "node 18 or newer is needed for the page; this one is $version"
+}
+
+# Installs the page's libraries where the lock file asks for others than there are.
+install_page_libraries() {
+  local web="$root/web" log="$root/build/npm.log"
+  [[ $web/node_modules/.package-lock.json -nt $web/package-lock.json ]] && return
+  say "installing the page's libraries"
+  (cd -- "$web" && npm ci --ignore-scripts --no-audit) >"$log" 2>&1 9>&- </dev/null && return
+  tail -n 20 "$log" >&2
+  give_up "npm could not install the page's libraries (log: $log)"
+}
+
+# build_page FOLDER: the page without data, as FOLDER/page.html.
+build_page() {
+  local web="$root/web" built="$root/build/web/page.html" log="$root/build/page.log"
+  if [[ ! -f $built || -n $(find "$web" -name node_modules -prune -o -type f -newer "$built" -print -quit) ]]; then
+    require_node
+    install_page_libraries
+    if ! (cd -- "$web" && node build.mjs) >"$log" 2>&1 9>&- </dev/null; then
+      cat -- "$log" >&2
+      give_up "the page could not be built (log: $log)"
+    fi
+  fi
+  cmp -s -- "$built" "$1/page.html" || cp -- "$built" "$1/page.html"
 }
 
 # Holds the checkout's build lock on descriptor 9 until unlock.

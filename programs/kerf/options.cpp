@@ -10,6 +10,10 @@ std::string_view name_of(Command command) noexcept {
       return "check";
     case Command::explain:
       return "explain";
+    case Command::report:
+      return "report";
+    case Command::view:
+      return "view";
     case Command::dry_run:
       break;
   }

@@ -16,7 +16,7 @@
 
 namespace kerf::program {
 
-enum class Command : unsigned char { dry_run, run, check, explain };
+enum class Command : unsigned char { dry_run, run, check, explain, report, view };
 
 std::string_view name_of(Command command) noexcept;
 
@@ -27,6 +27,7 @@ struct Options {
   Command command = Command::dry_run;
   std::vector<std::string> files;
   std::optional<std::string> machine_file;
+  std::vector<std::string> machine_files;  // of Command::report and view: each with all FILEs
   std::optional<std::string> tool_file;
   profiles::ProfileKind profile = profiles::kDefaultProfile;
   std::optional<double> sigmoid_shape;
@@ -44,6 +45,9 @@ struct Options {
   bool syntax_only = false;            // of Command::check
   bool optional_stop = false;          // of Command::run
   std::optional<std::string> control;  // of Command::run: a descriptor, two of them, or a socket
+  std::string page_file;               // of Command::report: where the page goes
+  std::optional<std::string> page_template;  // of Command::report and view
+  bool leaves_out_source = false;            // the same
   bool json = false;
   bool quiet = false;
 };

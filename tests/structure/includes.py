@@ -65,9 +65,11 @@ SUBFOLDERS = {
     "programs/kerf/io": {"programs/kerf"},
     "programs/kerf/report": {"programs/kerf", "programs/kerf/io"},
     "programs/kerf/plot": {"programs/kerf/io", "programs/kerf/report"},
+    "programs/kerf/page": {"programs/kerf/io", "programs/kerf/report"},
     "programs/kerf/control": {"programs/kerf", "programs/kerf/io", "programs/kerf/report"},
-    "programs/kerf/run": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/plot", "programs/kerf/control"},
-    "programs/kerf/cli": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/run"},
+    "programs/kerf/run": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/plot", "programs/kerf/page",
+                         "programs/kerf/control"},
+    "programs/kerf/cli": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/page", "programs/kerf/run"},
 }
 TICK_SIDE = {"profiles", "curves", "interp", "machine"}
 

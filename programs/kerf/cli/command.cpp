@@ -13,6 +13,7 @@
 
 #include "programs/kerf/cli/machine_choice.hpp"
 #include "programs/kerf/cli/option_parser.hpp"
+#include "programs/kerf/cli/page_maker.hpp"
 #include "programs/kerf/io/descriptor.hpp"
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/log.hpp"
@@ -65,7 +66,7 @@ ExitStatus print_report(const FileReport& report, const Options& options) {
     return print(STDOUT_FILENO, json_report(report));
   }
   // Where the trace goes to standard output, nothing else does; a document stands alone, too.
-  const bool traced = options.trace_file == "-";
+  const bool traced = options.trace_file == "-" || options.page_file == "-";
   if (options.quiet || report.trace_reader_gone ||
       (!text && (traced || options.command == Command::check))) {
     return ExitStatus::done;
@@ -107,24 +108,80 @@ ExitStatus refuse_machine(const MachineRefusal& refusal, const Options& options)
   return refusal.status;
 }
 
-ExitStatus process_all(const Options& options) {
-  const auto settings =
-      choose_machine({.machine = options.machine_file, .tools = options.tool_file});
-  if (!settings) {
-    return refuse_machine(settings.error(), options);
+struct NamedMachine {
+  std::optional<std::string> file;
+  MachineSettings settings;
+};
+
+// One, but for a page: all that stand side by side in it.
+tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(const Options& options) {
+  std::vector<std::optional<std::string>> files(options.machine_files.begin(),
+                                                options.machine_files.end());
+  if (files.empty()) {
+    files.push_back(options.machine_file);
   }
-  ExitStatus status = ExitStatus::done;
-  std::vector<FileReport> reports;
-  for (const std::string& path : options.files) {
-    reports.push_back(process_file(path, options, *settings));
-    const ExitStatus ended = reports.back().status;
-    status = first_failure({status, ended, print_report(reports.back(), options)});
+  std::vector<NamedMachine> machines;
+  for (const auto& file : files) {
+    auto settings = choose_machine({.machine = file, .tools = options.tool_file});
+    if (!settings) {
+      return tl::unexpected(settings.error());
+    }
+    machines.push_back({.file = file, .settings = *std::move(settings)});
+  }
+  return machines;
+}
+
+// Every program on every machine.
+class AllPrograms {
+ public:
+  explicit AllPrograms(const Options& options) : options_(options) {}
+
+  ExitStatus process(const std::vector<NamedMachine>& machines) {
+    if (makes_page(options_.command)) {
+      auto opened = PageMaker::open(options_);
+      if (!opened) {
+        spdlog::error("{}", visible(opened.error()));
+        return ExitStatus::io_error;
+      }
+      page_.emplace(*std::move(opened));
+    }
+    for (const std::string& path : options_.files) {
+      for (const NamedMachine& machine : machines) {
+        if (!stop_requested()) {
+          process(path, machine);
+        }
+      }
+    }
+    return first_failure(
+        {status_, page_ ? page_->finish() : ExitStatus::done, print_document(reports_, options_)});
+  }
+
+ private:
+  void process(const std::string& path, const NamedMachine& machine) {
+    Options options = options_;
+    options.machine_file = machine.file;
+    PageRecord record{.wants_source = !options.leaves_out_source};
+    reports_.push_back(process_file(path, options, machine.settings, page_ ? &record : nullptr));
+    const FileReport& report = reports_.back();
+    status_ = first_failure({status_, report.status, print_report(report, options)});
+    if (page_) {
+      page_->add(report, machine.settings, record);
+    }
     if (const auto requested = stop_requested()) {
-      status = first_failure({ended, *requested});
-      break;
+      status_ = first_failure({report.status, *requested});
     }
   }
-  return first_failure({status, print_document(reports, options)});
+
+  const Options& options_;
+  std::optional<PageMaker> page_;
+  std::vector<FileReport> reports_;
+  ExitStatus status_ = ExitStatus::done;
+};
+
+ExitStatus process_all(const Options& options) {
+  const auto machines = choose_machines(options);
+  return machines ? AllPrograms(options).process(*machines)
+                  : refuse_machine(machines.error(), options);
 }
 
 }  // namespace

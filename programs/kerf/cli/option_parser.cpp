@@ -37,10 +37,13 @@ struct Raw {
   std::string max_trace;      // the same
 };
 
-void add_common(CLI::App& command, Raw& raw) {
-  Options& options = raw.options;
+void add_machine(CLI::App& command, Options& options) {
   command.add_option("--machine", options.machine_file, "machine file (default: a small mill)")
       ->type_name("FILE.toml");
+}
+
+void add_common(CLI::App& command, Raw& raw) {
+  Options& options = raw.options;
   command
       .add_option("--tools", options.tool_file, "tool table (default: that of the machine file)")
       ->type_name("FILE");
@@ -102,6 +105,26 @@ void add_outputs(CLI::App& command, Raw& raw) {
                    "with =@1.5 at 1.5 s");
 }
 
+void add_page(CLI::App& command, Command which, Options& options) {
+  command
+      .add_option("--machine", options.machine_files,
+                  "machine file (default: a small mill); several stand side by side")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("FILE.toml");
+  if (which == Command::report) {
+    command.add_option("-o,--output", options.page_file, "the page to write")
+        ->required()
+        ->type_name("FILE.html");
+  }
+  command.add_flag("--no-source", options.leaves_out_source,
+                   "leave the program's text out of the page");
+  command
+      .add_option("--page", options.page_template,
+                  "the page without data (default: page.html beside kerf, or as installed)")
+      ->type_name("FILE.html");
+}
+
 CLI::App* add_command(CLI::App& app, Command command, const std::string& description, Raw& raw) {
   CLI::App* added = app.add_subcommand(std::string(name_of(command)), description);
   CLI::Option* files =
@@ -110,6 +133,12 @@ CLI::App* add_command(CLI::App& app, Command command, const std::string& descrip
           ->type_name("");
   if (command == Command::run || command == Command::explain) {
     files->expected(1);
+  }
+  const bool makes_page = command == Command::report || command == Command::view;
+  if (makes_page) {
+    add_page(*added, command, raw.options);
+  } else {
+    add_machine(*added, raw.options);
   }
   add_common(*added, raw);
   if (command == Command::explain) {
@@ -120,7 +149,7 @@ CLI::App* add_command(CLI::App& app, Command command, const std::string& descrip
   } else if (command == Command::check) {
     added->add_flag("--syntax", raw.options.syntax_only,
                     "read the text alone: no plan, no curves, no travel");
-  } else {
+  } else if (!makes_page) {
     add_outputs(*added, raw);
   }
   if (command == Command::run) {
@@ -219,7 +248,11 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   const CLI::App* run = add_command(app, Command::run, "run in real time", raw);
   const CLI::App* check = add_command(app, Command::check, "read and plan only", raw);
   const ErrorPageCommand error_pages(app);
-  add_command(app, Command::explain, "what is in force at a line of the program, and when", raw);
+  const CLI::App* explain = add_command(app, Command::explain,
+                                        "what is in force at a line of the program, and when", raw);
+  const CLI::App* report =
+      add_command(app, Command::report, "run as dry-run does, into a page for the browser", raw);
+  add_command(app, Command::view, "the same, shown in the browser", raw);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -235,13 +268,18 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
     return text ? Leave{.status = ExitStatus::done, .text = *text} : wrong_use(text.error());
   }
   Options& options = raw.options;
-  options.command = dry_run->parsed() ? Command::dry_run
-                    : run->parsed()   ? Command::run
-                    : check->parsed() ? Command::check
-                                      : Command::explain;
+  options.command = dry_run->parsed()   ? Command::dry_run
+                    : run->parsed()     ? Command::run
+                    : check->parsed()   ? Command::check
+                    : explain->parsed() ? Command::explain
+                    : report->parsed()  ? Command::report
+                                        : Command::view;
   options.profile = *profiles::profile_kind(raw.profile);
   if (const auto message = give_meaning(raw)) {
     return wrong_use(*message);
+  }
+  if (options.command == Command::report || options.command == Command::view) {
+    options.explained_speed.emplace();  // the page shows it
   }
   if (const auto message = contradiction(options)) {
     return wrong_use(*message);

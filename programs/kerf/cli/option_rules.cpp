@@ -112,7 +112,11 @@ std::optional<std::string> contradiction(const Options& options) {
     return fmt::format("--sigmoid-shape: s is to be {} to {}", Sigmoid::kSmallestShape,
                        Sigmoid::kLargestShape);
   }
-  if (std::count(options.files.begin(), options.files.end(), "-") > 1) {
+  if (options.page_file == "-" && options.json) {
+    return "--json and -o - both write to standard output";
+  }
+  const auto from_input = std::count(options.files.begin(), options.files.end(), "-");
+  if (from_input > 1 || (from_input == 1 && options.machine_files.size() > 1)) {
     return "standard input can be read only once";
   }
   return contradiction_of_control(options);

@@ -15,6 +15,7 @@ struct TickRecord {
   std::int64_t tick = 0;
   std::uint32_t line = 0;
   bool rapid = false;
+  std::int32_t tool = 0;  // in the spindle
   interp::Constraint limit{};
   profiles::PathMotion motion{};
   curves::Position position_mm{};
@@ -28,6 +29,7 @@ inline TickRecord record_of(const interp::Setpoint& setpoint,
   return {.tick = setpoint.tick,
           .line = setpoint.line,
           .rapid = setpoint.rapid,
+          .tool = setpoint.outputs.tool,
           .limit = setpoint.limit,
           .motion = {.s_mm = setpoint.s_mm,
                      .v_mm_s = setpoint.v_mm_s,

@@ -127,7 +127,7 @@ class MotionRun {
     }
     // A run that is stopped has done what its trace says; a dry run has not shown what it was to
     // show.
-    const bool is_cut = order_.options.command == Command::dry_run &&
+    const bool is_cut = order_.options.command != Command::run &&
                         (stop_requested() || end.outcome.too_long_at_line || trace_ended);
     for (const auto& error : {outputs_.close_trace(end.outcome.dropped_records, is_cut),
                               outputs_.write_plot(plot_caption(report_), is_cut)}) {
@@ -188,6 +188,13 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     return;
   }
   report.warnings = outputs->warnings();
+  if (order.page != nullptr) {
+    order.page->motion.emplace(
+        TickColumns::Settings{.period_s = report.period_s,
+                              .extra = extra_axes(order.settings.program.extra_axes)},
+        order.path.extents.value_or(curves::Extents{}));
+    outputs->recorder().page = &*order.page->motion;
+  }
   std::optional<ControlEndpoint> control;
   if (order.options.control) {
     auto opened = open_control(*order.options.control);

@@ -9,6 +9,7 @@
 #include "curves/position.hpp"
 #include "programs/kerf/io/text_feed.hpp"
 #include "programs/kerf/options.hpp"
+#include "programs/kerf/page/plan_gatherer.hpp"
 #include "programs/kerf/report/report.hpp"
 
 namespace kerf::program {
@@ -25,7 +26,8 @@ struct MotionOrder {
   const KernelOptions& kernel_options;
   CheckedPath path;
   bool shows_progress = false;
-  bool has_keys = false;  // somebody is at the terminal
+  bool has_keys = false;       // somebody is at the terminal
+  PageRecord* page = nullptr;  // to be filled in, where it is not null
 };
 
 // Runs the text to its end, or to where it is stopped (dry-run: without a clock; run: by it), with

@@ -1,4 +1,5 @@
-// Records ticks: the trace, the plot, the account of the active constraints; any of them or none.
+// Records ticks: the trace, the plot, the account of the active constraints, the page; any of them
+// or none.
 #pragma once
 
 #include <atomic>
@@ -10,6 +11,7 @@
 
 #include <boost/lockfree/spsc_queue.hpp>
 
+#include "programs/kerf/page/plan_gatherer.hpp"
 #include "programs/kerf/plot/plot_data.hpp"
 #include "programs/kerf/report/speed_account.hpp"
 #include "programs/kerf/run/trace_writer.hpp"
@@ -20,8 +22,11 @@ struct Recorder {
   std::optional<TraceWriter> trace;
   std::optional<PlotData> plot;
   std::optional<SpeedAccount> speed;
+  PlanGatherer* page = nullptr;  // of whom asks for the page
 
-  [[nodiscard]] bool wants_ticks() const noexcept { return trace || plot || speed; }
+  [[nodiscard]] bool wants_ticks() const noexcept {
+    return trace || plot || speed || page != nullptr;
+  }
 
   // The rest of the motion would not be in the trace.
   [[nodiscard]] bool trace_ended() const noexcept { return trace && trace->ended(); }
@@ -35,6 +40,9 @@ struct Recorder {
     }
     if (speed) {
       speed->add(record);
+    }
+    if (page != nullptr) {
+      page->add(record);
     }
   }
 };

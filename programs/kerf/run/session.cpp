@@ -33,9 +33,10 @@ class Stopwatch {
 
 class Session {
  public:
-  Session(const Options& options, const MachineSettings& settings)
+  Session(const Options& options, const MachineSettings& settings, PageRecord* page)
       : options_(options),
         settings_(settings),
+        page_(page),
         shows_progress_(!options.quiet && options.format == DiagnosticFormat::text &&
                         ProgressBar::has_terminal()),
         kernel_options_{.profile = profiles::Profile(options.profile, options.sigmoid_shape),
@@ -77,7 +78,7 @@ class Session {
       report_.status = *stop_requested();
     } else if (!file) {
       report_.fail(ExitStatus::io_error, file.error());
-    } else if (check(*file) && !options_.syntax_only) {
+    } else if (keep_source(*file) && check(*file) && !options_.syntax_only) {
       file->rewind();
       const Stopwatch watch;
       if (options_.command == Command::check || options_.command == Command::explain) {
@@ -103,6 +104,29 @@ class Session {
       return false;
     }
     machine_lock_ = *std::move(held);
+    return true;
+  }
+
+  // The program's text for the page. False: the file cannot be read.
+  bool keep_source(ProgramFile& file) {
+    if (page_ == nullptr || !page_->wants_source ||
+        file.size_bytes() > PageRecord::kMaxSourceBytes) {
+      return true;
+    }
+    std::string text;
+    for (;;) {
+      const auto piece = file.read();
+      if (!piece) {
+        report_.fail(ExitStatus::io_error, piece.error());
+        return false;
+      }
+      if (piece->empty()) {
+        break;
+      }
+      text += *piece;
+    }
+    file.rewind();
+    page_->source = std::move(text);
     return true;
   }
 
@@ -134,6 +158,9 @@ class Session {
     } else if (!found.limit_faults.empty()) {
       report_.take(found.limit_faults);
       report_.status = ExitStatus::machine_fault;
+    }
+    if (page_ != nullptr && found.moves) {
+      page_->extents = found.extents;
     }
     path_ = {.extents = found.moves ? std::optional(found.extents) : std::nullopt,
              .extra_extents = found.extra_extents};
@@ -207,12 +234,14 @@ class Session {
                 .kernel_options = kernel_options_,
                 .path = path_,
                 .shows_progress = shows_progress_,
-                .has_keys = has_keys_},
+                .has_keys = has_keys_,
+                .page = page_},
                text, report_);
   }
 
   const Options& options_;
   const MachineSettings& settings_;
+  PageRecord* page_;
   bool shows_progress_;
   bool has_keys_ = false;
   Descriptor machine_lock_;  // of a run
@@ -224,8 +253,8 @@ class Session {
 }  // namespace
 
 FileReport process_file(const std::string& path, const Options& options,
-                        const MachineSettings& settings) {
-  return Session(options, settings).process(path);
+                        const MachineSettings& settings, PageRecord* page) {
+  return Session(options, settings, page).process(path);
 }
 
 }  // namespace kerf::program

@@ -1,0 +1,85 @@
+#include "programs/kerf/cli/page_maker.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/spdlog.h>
+
+#include "programs/kerf/io/descriptor.hpp"
+#include "programs/kerf/io/interrupt.hpp"
+#include "programs/kerf/io/log.hpp"
+#include "programs/kerf/io/visible_text.hpp"
+#include "programs/kerf/page/plan_document.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// In a new folder of its own, which stays: the browser reads it when it likes.
+tl::expected<std::string, std::string> temporary_page(const std::string& program) {
+  std::error_code error;
+  std::string folder = (fs::temp_directory_path(error) / "kerf-XXXXXX").string();
+  if (error || ::mkdtemp(folder.data()) == nullptr) {
+    return tl::unexpected(folder + ": " + error_text(error ? error.value() : errno));
+  }
+  const std::string stem = fs::path(program).stem().string();
+  return (fs::path(folder) / ((program == "-" || stem.empty() ? "program" : stem) + ".html"))
+      .string();
+}
+
+}  // namespace
+
+bool makes_page(Command command) noexcept {
+  return command == Command::report || command == Command::view;
+}
+
+tl::expected<PageMaker, std::string> PageMaker::open(const Options& options) {
+  auto page_template = read_page_template(options.page_template);
+  if (!page_template) {
+    return tl::unexpected(page_template.error());
+  }
+  tl::expected<std::string, std::string> path = options.page_file;
+  if (options.command == Command::view) {
+    path = temporary_page(options.files.front());
+  }
+  if (!path) {
+    return tl::unexpected(path.error());
+  }
+  auto file = PageFile::create(*path, *std::move(page_template));
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  return PageMaker(*std::move(file), options);
+}
+
+void PageMaker::add(const FileReport& report, const MachineSettings& settings,
+                    const PageRecord& record) {
+  if (record.source || record.motion) {
+    file_.add(plan_document(report, settings, record));
+    has_source_ = has_source_ || record.source.has_value();
+  }
+}
+
+ExitStatus PageMaker::finish() {
+  if (const auto error = file_.finish(!stop_requested())) {
+    spdlog::error("{}", visible(*error));
+    return ExitStatus::io_error;
+  }
+  if (!file_.has_plans() || stop_requested()) {
+    return ExitStatus::done;
+  }
+  const bool shown = options_->command == Command::view && open_in_browser(file_.name());
+  if (!options_->quiet || (options_->command == Command::view && !shown)) {
+    write_error_line(fmt::format("{}: {:.2f} MB, {} the program's text", visible(file_.name()),
+                                 static_cast<double>(file_.bytes()) / 1e6,
+                                 has_source_ ? "with" : "without"));
+  }
+  return ExitStatus::done;
+}
+
+}  // namespace kerf::program

@@ -1,0 +1,37 @@
+// What `kerf report` and `kerf view` do beside running programs: the page.
+#pragma once
+
+#include <string>
+
+#include <kerf/machine.hpp>
+#include <tl/expected.hpp>
+
+#include "programs/kerf/options.hpp"
+#include "programs/kerf/page/page_file.hpp"
+#include "programs/kerf/page/plan_gatherer.hpp"
+#include "programs/kerf/report/report.hpp"
+
+namespace kerf::program {
+
+[[nodiscard]] bool makes_page(Command command) noexcept;
+
+class PageMaker {
+ public:
+  // Call it before anything runs, so that what cannot be written is known by then. Error: a
+  // sentence.
+  static tl::expected<PageMaker, std::string> open(const Options& options);
+
+  // A program that could be read stands in the page, whether it runs or not.
+  void add(const FileReport& report, const MachineSettings& settings, const PageRecord& record);
+  // Writes the page, says where it is, and shows that of `kerf view`.
+  ExitStatus finish();
+
+ private:
+  PageMaker(PageFile file, const Options& options) : file_(std::move(file)), options_(&options) {}
+
+  PageFile file_;
+  const Options* options_;
+  bool has_source_ = false;
+};
+
+}  // namespace kerf::program

@@ -1,0 +1,50 @@
+// What the page shows of a run, gathered tick by tick in bounded memory.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "programs/kerf/page/motion_runs.hpp"
+#include "programs/kerf/page/tick_columns.hpp"
+#include "programs/kerf/page/timed_path.hpp"
+
+namespace kerf::program {
+
+class PlanGatherer {
+ public:
+  // How far the drawn path may be from the setpoints, of its size, as long as there are points.
+  static constexpr double kPathShare = 1e-6;
+
+  // extents: of the whole path, known before it runs.
+  PlanGatherer(const TickColumns::Settings& columns, const curves::Extents& extents);
+
+  void add(const TickRecord& record) {
+    columns_.add(record);
+    path_.add({.tick = record.tick, .position_mm = record.position_mm, .rapid = record.rapid});
+    runs_.add(record);
+    last_tick_ = record.tick;
+  }
+
+  [[nodiscard]] const TickColumns& columns() const noexcept { return columns_; }
+  [[nodiscard]] const TimedPath& path() const noexcept { return path_; }
+  [[nodiscard]] const MotionRuns& runs() const noexcept { return runs_; }
+  [[nodiscard]] std::int64_t last_tick() const noexcept { return last_tick_; }
+
+ private:
+  TickColumns columns_;
+  TimedPath path_;
+  MotionRuns runs_;
+  std::int64_t last_tick_ = 0;
+};
+
+// A program for the page: its text before it runs, what it did after.
+struct PageRecord {
+  bool wants_source = true;
+  std::optional<std::string> source{};       // none: not wanted, or longer than kMaxSourceBytes
+  std::optional<curves::Extents> extents{};  // of the path, also of one that leaves the travel
+  std::optional<PlanGatherer> motion{};      // none: nothing has moved
+
+  static constexpr std::uint64_t kMaxSourceBytes = std::uint64_t{256} << 20U;
+};
+
+}  // namespace kerf::program

@@ -1,0 +1,110 @@
+#include "programs/kerf/page/tick_columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace kerf::program {
+
+namespace {
+
+constexpr std::size_t kAxes = 3;
+constexpr std::size_t kPerTrack = 3;  // v, a, j
+
+}  // namespace
+
+TickColumns::TickColumns(const Settings& settings)
+    : tracks_(kAxes + settings.extra.size()),
+      extra_(settings.extra),
+      max_columns_(settings.max_columns),
+      period_s_(settings.period_s),
+      series_(kPerTrack * (1 + tracks_.size()) + 1) {}
+
+void TickColumns::take(std::size_t series, double value) {
+  const auto figure = static_cast<float>(value);
+  ColumnSeries& into = series_[series];
+  if (opens_column_) {
+    into.min.push_back(figure);
+    into.max.push_back(figure);
+  } else {
+    into.min.back() = std::min(into.min.back(), figure);
+    into.max.back() = std::max(into.max.back(), figure);
+  }
+}
+
+void TickColumns::take_axis(std::size_t axis, double x) {
+  std::array<double, 3>& last = tracks_[axis];
+  if (ticks_ == 0) {
+    last.fill(x);
+  }
+  const auto [x1, x2, x3] = last;
+  const std::size_t first = kPerTrack * (1 + axis);
+  take(first, (x - x1) / period_s_);
+  take(first + 1, (x - 2.0 * x1 + x2) / (period_s_ * period_s_));
+  take(first + 2, (x - 3.0 * (x1 - x2) - x3) / (period_s_ * period_s_ * period_s_));
+  last = {x, x1, x2};
+}
+
+void TickColumns::take_limit(std::uint8_t limit) {
+  if (opens_column_) {
+    counts_ = {};
+    limits_.push_back({.limit = limit, .ticks = 0});
+  }
+  const std::uint32_t ticks = ++counts_[limit];
+  if (ticks > limits_.back().ticks) {
+    limits_.back() = {.limit = limit, .ticks = ticks};
+  }
+}
+
+void TickColumns::add(const TickRecord& record) {
+  opens_column_ = ticks_ % ticks_per_column_ == 0;
+  if (opens_column_ && limits_.size() == max_columns_) {
+    halve();
+    opens_column_ = ticks_ % ticks_per_column_ == 0;
+  }
+  take(0, record.motion.v_mm_s);
+  take(1, record.motion.a_mm_s2);
+  take(2, record.motion.j_mm_s3);
+  for (std::size_t k = 0; k < kAxes; ++k) {
+    take_axis(k, record.position_mm[k]);
+  }
+  for (std::size_t k = 0; k < extra_.size(); ++k) {
+    take_axis(kAxes + k, extra_[k].factor * record.extra_rad_mm[extra_[k].index]);
+  }
+  take(series_.size() - 1, std::hypot(record.actual_mm[0] - record.position_mm[0],
+                                      record.actual_mm[1] - record.position_mm[1],
+                                      record.actual_mm[2] - record.position_mm[2]));
+  take_limit(static_cast<std::uint8_t>(record.limit));
+  ++ticks_;
+}
+
+void TickColumns::halve() {
+  ticks_per_column_ *= 2;
+  for (ColumnSeries& series : series_) {
+    const std::size_t half = series.min.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+      series.min[i] = std::min(series.min[2 * i], series.min[2 * i + 1]);
+      series.max[i] = std::max(series.max[2 * i], series.max[2 * i + 1]);
+    }
+    series.min.resize(half);
+    series.max.resize(half);
+  }
+  const std::size_t half = limits_.size() / 2;
+  for (std::size_t i = 0; i < half; ++i) {
+    const LimitShare& a = limits_[2 * i];
+    const LimitShare& b = limits_[2 * i + 1];
+    limits_[i] = a.limit == b.limit  ? LimitShare{.limit = a.limit, .ticks = a.ticks + b.ticks}
+                 : b.ticks > a.ticks ? b
+                                     : a;
+  }
+  limits_.resize(half);
+}
+
+std::vector<std::uint8_t> TickColumns::limits() const {
+  std::vector<std::uint8_t> limits(limits_.size());
+  std::transform(limits_.begin(), limits_.end(), limits.begin(),
+                 [](const LimitShare& share) { return share.limit; });
+  return limits;
+}
+
+}  // namespace kerf::program

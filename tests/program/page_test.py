@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""What `kerf report` and `kerf view` write, without a browser: the page around the plans, and what the plans say."""
+import base64
+import json
+import os
+import pathlib
+import re
+import subprocess
+import zlib
+
+from command_line import Case, KERF, SOURCE, SQUARE, TOO_FAR, WRONG, main
+
+TEMPLATE = "<!doctype html><title>t</title>\n<!-- plans of version 1 -->\n<p>end</p>\n"
+PLAN = re.compile(r'<script type="application/x-kerf-plan">([^<]*)</script>')
+HOSTILE = "G21 G90 F3000\n(</script><script>alert`1`</script>)\n(MSG, <img src=x onerror=alert`2`>)\nG1 X1\nM30\n"
+
+
+def plans_of(path):
+    """(header, sections by name) of each plan of a page."""
+    found = []
+    for packed in PLAN.findall(pathlib.Path(path).read_text()):
+        data = zlib.decompress(base64.b64decode(packed, validate=True))
+        assert data[:8] == b"KERFPLAN"
+        size = int.from_bytes(data[8:12], "little")
+        header = json.loads(data[12:12 + size])
+        at = 12 + size
+        sections = {}
+        for section in header["sections"]:
+            part = data[at:at + section["bytes"]]
+            at += section["bytes"]
+            sections[section["name"]] = part if section["coding"] == "bytes" else unpacked(part, section["unit"])
+        assert at == len(data)
+        found.append((header, sections))
+    return found
+
+
+def unpacked(data, unit):
+    numbers, last, step, shift = [], 0, 0, 0
+    for byte in data:
+        step |= (byte & 0x7F) << shift
+        shift += 7
+        if byte < 0x80:
+            last += (step >> 1) ^ -(step & 1)
+            numbers.append(last * unit)
+            step = shift = 0
+    return numbers
+
+
+class Report(Case):
+    def setUp(self):
+        super().setUp()
+        self.template = self.path("template.html", TEMPLATE)
+        self.page = self.path("part.html")
+
+    def report(self, *words, **more):
+        return self.kerf("report", *words, "-o", self.page, "--page", self.template, **more)
+
+    def test_puts_a_program_and_its_run_between_the_halves_of_the_page(self):
+        self.report(self.path("square.ngc", SQUARE))
+        text = pathlib.Path(self.page).read_text()
+        self.assertTrue(text.startswith(TEMPLATE.split("<!--")[0]))
+        self.assertTrue(text.endswith("\n<p>end</p>\n"))
+        [(header, sections)] = plans_of(self.page)
+        self.assertEqual(header["version"], 1)
+        self.assertEqual(sections["source"].decode(), SQUARE)
+        self.assertEqual(header["report"]["command"], "report")
+        dry = json.loads(self.kerf("dry-run", "--json", "--explain-speed", self.path("square.ngc")).stdout)
+        for key in ("cycle_time_s", "ticks", "path_length_mm", "blocks", "extents", "max", "speed_limits"):
+            self.assertEqual(header["report"][key], dry[key], key)
+
+    def test_has_the_ticks_of_the_trace(self):
+        program = self.path("square.ngc", SQUARE)
+        self.report(program)
+        self.kerf("dry-run", "-q", program, "--trace", self.path("trace.csv"))
+        rows = [line.split(",") for line in pathlib.Path(self.path("trace.csv")).read_text().splitlines()[1:]]
+        [(header, sections)] = plans_of(self.page)
+        self.assertEqual(header["columns"], len(rows))
+        self.assertEqual(header["last_tick"], len(rows) - 1)
+        for column, name in ((3, "path.v"), (4, "path.a"), (5, "path.j")):
+            most = max(abs(float(row[column])) for row in rows)
+            for row, value in zip(rows, sections[name]):
+                self.assertAlmostEqual(float(row[column]), value, delta=2e-7 * most + 1e-6)
+        # The place of the tool at each tick, between the points of the path.
+        ticks = sections["path.tick"]
+        for k, axis in enumerate("xyz"):
+            at = 0
+            for tick, row in enumerate(rows):
+                while at + 2 < len(ticks) and ticks[at + 1] < tick:
+                    at += 1
+                a, b = sections["path." + axis][at:at + 2]
+                share = (tick - ticks[at]) / (ticks[at + 1] - ticks[at])
+                self.assertAlmostEqual(float(row[6 + k]), a + share * (b - a), delta=header["path_tolerance_mm"] + 1e-6)
+        begins = sections["runs.tick"]
+        for begin, line in zip(begins, sections["runs.line"]):
+            self.assertEqual(int(rows[int(begin)][1]), line)
+
+    def test_has_nothing_of_a_program_but_base64(self):
+        name = self.path("<script>alert`3`<", HOSTILE)
+        self.report(name)
+        text = pathlib.Path(self.page).read_text()
+        self.assertNotIn("alert", text)
+        self.assertEqual(text.count("<script"), 1)
+        self.assertEqual(plans_of(self.page)[0][1]["source"].decode(), HOSTILE)
+
+    def test_leaves_the_text_out_where_that_is_asked_for(self):
+        program = self.path("square.ngc", SQUARE)
+        self.assertIn("with the program's text", self.report(program).stderr)
+        self.assertIn("without the program's text", self.report("--no-source", program).stderr)
+        [(header, sections)] = plans_of(self.page)
+        self.assertFalse(header["has_source"])
+        self.assertNotIn("source", sections)
+
+    def test_sets_programs_and_machines_side_by_side(self):
+        machines = [SOURCE + "/programs/machines/" + name for name in ("table.toml", "sigmoid-wm.toml")]
+        programs = [self.path("square.ngc", SQUARE), self.path("other.ngc", SQUARE.replace("20", "30"))]
+        self.report("-q", *programs, "--machine", machines[0], "--machine", machines[1])
+        found = [(header["report"]["file"], header["report"]["machine"]) for header, _ in plans_of(self.page)]
+        self.assertEqual(found, [(program, machine) for program in programs for machine in machines])
+
+    def test_shows_errors_of_a_program_that_does_not_run(self):
+        self.report(self.path("wrong.ngc", WRONG), status=1)
+        [(header, sections)] = plans_of(self.page)
+        asked = self.kerf("dry-run", "--format", "json", self.path("wrong.ngc"), status=1).stderr
+        self.assertEqual(header["diagnostics"], json.loads(asked)["diagnostics"])
+        self.assertEqual({one["line"] for one in header["diagnostics"]}, {3, 5})
+        self.assertNotIn("last_tick", header)
+        self.assertEqual(sections["source"].decode(), WRONG)
+
+    def test_says_how_far_a_program_leaves_the_travel(self):
+        self.report(self.path("far.ngc", TOO_FAR), status=4)
+        [(header, _)] = plans_of(self.page)
+        self.assertEqual(header["extents"]["max_mm"][0], 1000.0)
+        self.assertEqual(header["machine"]["axes"][0]["travel"], [-500.0, 500.0])
+
+    def test_writes_to_standard_output(self):
+        done = self.kerf("report", self.path("square.ngc", SQUARE), "-o", "-", "--page", self.template)
+        self.assertEqual(len(PLAN.findall(done.stdout)), 1)
+        self.assertTrue(done.stdout.endswith("<p>end</p>\n"))
+
+    def test_says_what_is_missing(self):
+        program = self.path("square.ngc", SQUARE)
+        self.assertIn("none.html", self.kerf("report", program, "-o", self.page, "--page", self.path("none.html"), status=5).stderr)
+        other = self.path("other.html", "<!-- plans of version 99 -->")
+        self.assertIn("version", self.kerf("report", program, "-o", self.page, "--page", other, status=5).stderr)
+        self.assertIn("nowhere", self.kerf("report", program, "-o", self.path("nowhere/x.html"), "--page", self.template, status=5).stderr)
+        self.report(self.path("none.ngc"), status=5)
+        self.assertFalse(os.path.exists(self.page))
+        self.kerf("report", program, status=2)  # no -o
+        self.kerf("report", "-", "-o", self.page, "--machine", "a", "--machine", "b", status=2, stdin=SQUARE)
+
+    def test_names_the_place_of_the_page_where_it_is_in_none(self):
+        copy = self.path("kerf")
+        pathlib.Path(copy).write_bytes(pathlib.Path(KERF).read_bytes())
+        os.chmod(copy, 0o755)
+        done = subprocess.run([copy, "report", self.path("square.ngc", SQUARE), "-o", self.page], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 5)
+        self.assertIn("page.html", done.stderr)
+        self.assertIn("./kerf report", done.stderr)
+        self.path("page.html", TEMPLATE)
+        subprocess.run([copy, "report", "-q", self.path("square.ngc"), "-o", self.page], check=True)
+
+
+class View(Case):
+    def test_says_where_the_page_is_where_there_is_no_desktop(self):
+        template = self.path("template.html", TEMPLATE)
+        env = {"TMPDIR": str(self.folder), "PATH": os.environ["PATH"]}
+        done = self.kerf("view", "-q", self.path("square.ngc", SQUARE), "--page", template, env=env)
+        page = re.match(r"(.*/square\.html): ", done.stderr).group(1)
+        self.assertEqual(pathlib.Path(page).parent.parent, self.folder)
+        self.assertEqual(len(plans_of(page)), 1)
+
+
+if __name__ == "__main__":
+    main()
