@@ -1,0 +1,158 @@
+// Reads the bytes of a plan: the magic, the size of the header, the header (JSON), then the sections that it lists.
+// kerf writes them in programs/kerf/page/plan_document.cpp; docs/page-data.md describes them.
+
+export const PLAN_VERSION = 1;
+
+export interface Limits {
+  readonly v: number | null; // mm/s or deg/s; null: does not bind
+  readonly a: number | null;
+  readonly j: number | null;
+}
+
+export interface AxisData {
+  readonly name: string;
+  readonly unit: "mm" | "deg";
+  readonly limits: Limits;
+  readonly travel: readonly [number | null, number | null];
+}
+
+export interface ConstraintData {
+  readonly key: string;
+  readonly text: string;
+  readonly colour: string;
+}
+
+export interface Diagnostic {
+  readonly id: string;
+  readonly severity: "error" | "warning";
+  readonly file: string;
+  readonly line: number;
+  readonly column: number;
+  readonly message: string;
+  readonly title: string;
+  readonly remedy: string;
+}
+
+type Triple = readonly [number, number, number];
+
+export interface Extents {
+  readonly min_mm: Readonly<Record<string, number>>;
+  readonly max_mm: Readonly<Record<string, number>>;
+}
+
+// What `kerf dry-run --json` prints: docs/json.md. Only what the page uses.
+export interface Report {
+  readonly file: string;
+  readonly exit_status: number;
+  readonly machine: string;
+  readonly profile: string;
+  readonly period_s: number;
+  readonly cycle_time_s?: number;
+  readonly ticks?: number;
+  readonly path_length_mm?: number;
+  readonly blocks?: number;
+  readonly extents?: Extents;
+  readonly deviation?: { max_mm: number; tolerance_mm?: number; at_mm?: Record<string, number>; line?: number };
+  readonly max?: { path: Record<string, number>; axes: Record<string, Record<string, number>> };
+  readonly chord_error_mm?: number;
+  readonly contour_error?: { max_mm: number; mean_mm: number };
+  readonly speed_limits?: Readonly<Record<string, { time_s: number; share: number }>>;
+  readonly speed_limits_of_lines?: readonly {
+    line: number;
+    time_s: number;
+    limits: Record<string, { time_s: number; share: number }>;
+  }[];
+  readonly warnings: readonly string[];
+  readonly errors: readonly { message: string; line?: number; id?: string }[];
+}
+
+interface Section {
+  readonly name: string;
+  readonly coding: "differences" | "bytes";
+  readonly unit?: number;
+  readonly count: number;
+  readonly bytes: number;
+}
+
+export interface Header {
+  readonly version: number;
+  readonly report: Report;
+  readonly diagnostics: readonly Diagnostic[];
+  readonly machine: {
+    readonly path_limits: Limits;
+    readonly axes: readonly AxisData[];
+    readonly work_offsets: readonly { name: string; origin_mm: Triple; rotation_deg: number }[];
+    readonly chord_tolerance_mm: number | null;
+  };
+  readonly constraints: readonly ConstraintData[];
+  readonly has_source: boolean;
+  readonly extents?: { readonly min_mm: Triple; readonly max_mm: Triple }; // also of a path that leaves the travel
+  readonly last_tick?: number; // these only of a program that ran
+  readonly ticks_per_column?: number;
+  readonly columns?: number;
+  readonly path_tolerance_mm?: number;
+  readonly shortest_run_ticks?: number;
+  readonly sections: readonly Section[];
+}
+
+export interface Decoded {
+  readonly header: Header;
+  readonly numbers: ReadonlyMap<string, Float64Array>;
+  readonly bytes: ReadonlyMap<string, Uint8Array>;
+}
+
+const MAGIC = "KERFPLAN";
+
+// Whole numbers as differences: 7 bits a byte, the lowest first, the sign in the lowest bit. No number leaves the 53 bits
+// that a double holds.
+export function unpackNumbers(bytes: Uint8Array, count: number, unit: number): Float64Array {
+  const numbers = new Float64Array(count);
+  let at = 0;
+  let last = 0;
+  for (let i = 0; i < count; ++i) {
+    let step = 0;
+    let weight = 1;
+    let byte = 0;
+    do {
+      if (at >= bytes.length) {
+        throw new Error("the numbers of the plan end early");
+      }
+      byte = bytes[at++]!;
+      step += (byte & 0x7f) * weight;
+      weight *= 128;
+    } while (byte >= 0x80);
+    const half = Math.floor(step / 2);
+    last += step % 2 === 0 ? half : -half - 1;
+    numbers[i] = last * unit;
+  }
+  return numbers;
+}
+
+export function decodePlan(bytes: Uint8Array): Decoded {
+  const magic = String.fromCharCode(...bytes.subarray(0, MAGIC.length));
+  if (magic !== MAGIC) {
+    throw new Error("the data of this page is no plan");
+  }
+  const size = new DataView(bytes.buffer, bytes.byteOffset).getUint32(MAGIC.length, true);
+  const begin = MAGIC.length + 4;
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(begin, begin + size))) as Header;
+  if (header.version !== PLAN_VERSION) {
+    throw new Error(`the plan has version ${header.version}, this page reads ${PLAN_VERSION}`);
+  }
+  const numbers = new Map<string, Float64Array>();
+  const raw = new Map<string, Uint8Array>();
+  let at = begin + size;
+  for (const section of header.sections) {
+    const part = bytes.subarray(at, at + section.bytes);
+    if (part.length !== section.bytes) {
+      throw new Error("the plan ends early");
+    }
+    at += section.bytes;
+    if (section.coding === "differences") {
+      numbers.set(section.name, unpackNumbers(part, section.count, section.unit ?? 1));
+    } else {
+      raw.set(section.name, part);
+    }
+  }
+  return { header, numbers, bytes: raw };
+}

@@ -1,0 +1,174 @@
+// A program and its run, ready to be looked at: what every view reads.
+import type { Decoded, Header } from "./decode.ts";
+import { Pyramid, type MinMax } from "./pyramid.ts";
+
+export enum RunKind {
+  rest,
+  rapid,
+  cut,
+  toolChange, // a rest in which the tool in the spindle changes; found here
+}
+
+// Run i is from tick[i] up to tick[i + 1], the last one up to the end.
+export interface Runs {
+  readonly tick: Float64Array;
+  readonly line: Float64Array;
+  readonly tool: Float64Array;
+  readonly kind: Uint8Array;
+}
+
+// The tool goes straight and evenly from point to point, to within the path's tolerance.
+export interface Path {
+  readonly tick: Float64Array;
+  readonly xyz: readonly [Float64Array, Float64Array, Float64Array];
+  readonly rapid: Uint8Array; // the way to the point
+}
+
+export type Quantity = "v" | "a" | "j";
+
+// The last i with values[i] <= value; -1: none.
+export function lastAtOrBefore(values: Float64Array, value: number): number {
+  let low = 0;
+  let high = values.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (values[middle]! <= value) low = middle + 1;
+    else high = middle;
+  }
+  return low - 1;
+}
+
+export interface Motion {
+  readonly path: Path;
+  readonly runs: Runs;
+  readonly limit: Uint8Array; // of each column: its number in header.constraints
+  readonly ticksPerColumn: number;
+  readonly columns: number;
+  readonly lastTick: number;
+}
+
+// Rests within one line that the tool in the spindle changes in, or that end with another one.
+function findToolChanges(runs: Runs): void {
+  const { kind, line, tool } = runs;
+  let begin = 0;
+  while (begin < kind.length) {
+    let end = begin + 1;
+    if (kind[begin] === RunKind.rest) {
+      while (end < kind.length && kind[end] === RunKind.rest && line[end] === line[begin]) ++end;
+      const before = begin > 0 ? tool[begin - 1] : 0;
+      if (tool[end - 1] !== before) kind.fill(RunKind.toolChange, begin, end);
+    }
+    begin = end;
+  }
+}
+
+function motionOf(decoded: Decoded): Motion | null {
+  const { header, numbers, bytes } = decoded;
+  if (header.last_tick === undefined) return null;
+  const of = (name: string): Float64Array => {
+    const found = numbers.get(name);
+    if (!found) throw new Error(`the plan lacks ${name}`);
+    return found;
+  };
+  const bytesOf = (name: string): Uint8Array => {
+    const found = bytes.get(name);
+    if (!found) throw new Error(`the plan lacks ${name}`);
+    return found;
+  };
+  const runs: Runs = {
+    tick: of("runs.tick"),
+    line: of("runs.line"),
+    tool: of("runs.tool"),
+    kind: bytesOf("runs.kind").slice(),
+  };
+  findToolChanges(runs);
+  return {
+    path: { tick: of("path.tick"), xyz: [of("path.x"), of("path.y"), of("path.z")], rapid: bytesOf("path.rapid") },
+    runs,
+    limit: bytesOf("limit"),
+    ticksPerColumn: header.ticks_per_column ?? 1,
+    columns: header.columns ?? 0,
+    lastTick: header.last_tick,
+  };
+}
+
+export class Plan {
+  readonly header: Header;
+  readonly motion: Motion | null; // null: it did not run
+  readonly source: string | null;
+  private readonly decoded: Decoded;
+  private readonly pyramids = new Map<string, Pyramid>();
+
+  constructor(decoded: Decoded) {
+    this.decoded = decoded;
+    this.header = decoded.header;
+    this.motion = motionOf(decoded);
+    const text = decoded.bytes.get("source");
+    // What is not UTF-8 becomes U+FFFD.
+    this.source = text ? new TextDecoder().decode(text) : null;
+  }
+
+  get period_s(): number {
+    return this.header.report.period_s;
+  }
+
+  // "path", "x", "y", ...
+  get tracks(): string[] {
+    return ["path", ...this.header.machine.axes.map((axis) => axis.name)];
+  }
+
+  unitOf(track: string): "mm" | "deg" {
+    return this.header.machine.axes.find((axis) => axis.name === track)?.unit ?? "mm";
+  }
+
+  limitOf(track: string, quantity: Quantity): number | null {
+    const axis = this.header.machine.axes.find((one) => one.name === track);
+    return (axis ? axis.limits : this.header.machine.path_limits)[quantity];
+  }
+
+  // "path.v", "x.j", "following_error"
+  series(name: string): Pyramid {
+    let pyramid = this.pyramids.get(name);
+    if (!pyramid) {
+      const single = this.decoded.numbers.get(name);
+      const min = single ?? this.decoded.numbers.get(`${name}.min`);
+      const max = single ?? this.decoded.numbers.get(`${name}.max`);
+      if (!min || !max) throw new Error(`the plan lacks ${name}`);
+      const low = Float32Array.from(min);
+      pyramid = new Pyramid(low, single ? low : Float32Array.from(max));
+      this.pyramids.set(name, pyramid);
+    }
+    return pyramid;
+  }
+
+  columnAt(tick: number): number {
+    const motion = this.motion;
+    return motion ? Math.min(motion.columns - 1, Math.max(0, Math.floor(tick / motion.ticksPerColumn))) : 0;
+  }
+
+  // Of the column that the tick is in: a single value where columns are ticks.
+  valueAt(name: string, tick: number): MinMax {
+    const column = this.columnAt(tick);
+    return this.series(name).range(column, column + 1);
+  }
+
+  positionAt(tick: number): [number, number, number] {
+    const path = this.motion?.path;
+    if (!path || path.tick.length === 0) return [0, 0, 0];
+    const i = Math.max(0, lastAtOrBefore(path.tick, tick));
+    const next = Math.min(i + 1, path.tick.length - 1);
+    const span = path.tick[next]! - path.tick[i]!;
+    const share = span > 0 ? Math.min(1, (tick - path.tick[i]!) / span) : 0;
+    const at = (k: 0 | 1 | 2): number => path.xyz[k][i]! + share * (path.xyz[k][next]! - path.xyz[k][i]!);
+    return [at(0), at(1), at(2)];
+  }
+
+  runAt(tick: number): number {
+    return this.motion ? Math.max(0, lastAtOrBefore(this.motion.runs.tick, tick)) : 0;
+  }
+
+  runEnd(run: number): number {
+    const { runs, lastTick } = this.motion!;
+    return run + 1 < runs.tick.length ? runs.tick[run + 1]! : lastTick;
+  }
+}

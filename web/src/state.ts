@@ -1,0 +1,101 @@
+// What the views share: the plan that is shown, the present instant, how things are shown. The URL's fragment keeps it.
+import type { Units } from "./units.ts";
+
+export const COLOURS = ["feed", "limit", "acceleration", "jerk", "tool", "following"] as const;
+export type ColourBy = (typeof COLOURS)[number];
+export type Theme = "auto" | "light" | "dark";
+// Who has moved the instant: the others follow.
+export type Origin = "path" | "time" | "program" | "play" | "answer" | "page";
+
+export interface State {
+  plan: number;
+  tick: number; // the present instant
+  hover: number | null; // an instant that is looked at in passing
+  colourBy: ColourBy;
+  shown: readonly number[] | null; // of a legend of parts: those that are not dimmed; null: all
+  track: string; // whose v, a and j stand over time
+  units: Units;
+  theme: Theme;
+  camera: string; // what the view from the path's side needs to come back
+  playing: boolean;
+  speed: number;
+}
+
+export type Change = Partial<State>;
+type Listener = (state: Readonly<State>, change: Change, origin: Origin) => void;
+
+export class Store {
+  readonly state: State;
+  private readonly listeners: Listener[] = [];
+
+  constructor(state: State) {
+    this.state = state;
+  }
+
+  listen(listener: Listener): void {
+    this.listeners.push(listener);
+  }
+
+  set(change: Change, origin: Origin): void {
+    Object.assign(this.state, change);
+    for (const listener of this.listeners) listener(this.state, change, origin);
+  }
+
+  // The instant that is shown.
+  get instant(): number {
+    return this.state.hover ?? this.state.tick;
+  }
+}
+
+export function initialState(): State {
+  return {
+    plan: 0,
+    tick: 0,
+    hover: null,
+    colourBy: "feed",
+    shown: null,
+    track: "path",
+    units: { length: "mm", time: "min" },
+    theme: "auto",
+    camera: "",
+    playing: false,
+    speed: 1,
+  };
+}
+
+export function toFragment(state: Readonly<State>): string {
+  const words = new URLSearchParams();
+  if (state.plan > 0) words.set("plan", String(state.plan + 1));
+  if (state.tick > 0) words.set("tick", String(Math.round(state.tick)));
+  if (state.colourBy !== "feed") words.set("colour", state.colourBy);
+  if (state.track !== "path") words.set("track", state.track);
+  if (state.units.length !== "mm") words.set("length", state.units.length);
+  if (state.units.time !== "min") words.set("per", state.units.time);
+  if (state.theme !== "auto") words.set("theme", state.theme);
+  if (state.camera !== "") words.set("view", state.camera);
+  return words.toString();
+}
+
+// What the fragment says; what it says wrongly is left out.
+export function fromFragment(fragment: string): Change {
+  const words = new URLSearchParams(fragment.replace(/^#/, ""));
+  const change: Change = {};
+  const whole = (name: string): number | null => {
+    const text = words.get(name);
+    return text !== null && /^\d{1,12}$/.test(text) ? Number(text) : null;
+  };
+  const plan = whole("plan");
+  if (plan !== null && plan > 0) change.plan = plan - 1;
+  const tick = whole("tick");
+  if (tick !== null) change.tick = tick;
+  const colour = COLOURS.find((name) => name === words.get("colour"));
+  if (colour) change.colourBy = colour;
+  const track = words.get("track");
+  if (track !== null && /^[a-z]+$/.test(track)) change.track = track;
+  change.units = { length: words.get("length") === "inch" ? "inch" : "mm", time: words.get("per") === "s" ? "s" : "min" };
+  const theme = words.get("theme");
+  if (theme === "light" || theme === "dark") change.theme = theme;
+  const view = words.get("view");
+  if (view !== null && /^[-\d.,e]+$/.test(view)) change.camera = view;
+  return change;
+}

@@ -1,0 +1,269 @@
+// The answer: how long, does it fit, how close to the limits, how exact, which lines cost most.
+import { fitsOf, total, type Account, type Fit, type Part, type Split } from "../plan/account.ts";
+import type { Plan, Quantity } from "../plan/plan.ts";
+import type { Store } from "../state.ts";
+import { h } from "../ui/dom.ts";
+import { MM_PER_INCH, clock, fixed, lengthText, lengthUnit, percent, plain, unitOf, type Units } from "../units.ts";
+
+const KINDS: readonly (readonly [keyof Split, string])[] = [
+  ["cut", "cutting"],
+  ["rapid", "rapid"],
+  ["rest", "rest"],
+  ["toolChange", "tool change"],
+];
+
+// What to change where a constraint costs time.
+const REMEDIES: readonly (readonly [RegExp, string])[] = [
+  [/^rest$/, "a dwell, a spindle start or an event: the tool stands"],
+  [/^programmed_feedrate$/, "a higher F would save time"],
+  [/^chord_error$/, "a wider chord tolerance of the machine would save time"],
+  [/^joint$/, "direction or curvature jumps there: G64 with a larger P rounds it"],
+  [/^window_end$/, "the look-ahead ends there: raise --window"],
+  [/_velocity$/, "the machine's speed: only a faster axis helps"],
+  [/_acceleration$/, "the machine's acceleration: a gentler path or a faster machine"],
+  [/_jerk$/, "the machine's jerk: a smoother path or a stiffer machine"],
+];
+export const remedyOf = (key: string): string => REMEDIES.find(([pattern]) => pattern.test(key))?.[1] ?? "";
+
+interface Use {
+  readonly track: string;
+  readonly quantity: Quantity;
+  readonly peak: number;
+  readonly limit: number | null;
+  readonly share: number; // 0 without a limit
+}
+
+// The largest figures as --json has them, with their limits.
+export function usesOf(plan: Plan): Use[] {
+  const max = plan.header.report.max;
+  if (!max) return [];
+  const keys: readonly (readonly [Quantity, string])[] = [
+    ["v", "v_"],
+    ["a", "a_"],
+    ["j", "j_"],
+  ];
+  return plan.tracks.flatMap((track) => {
+    const figures = track === "path" ? max.path : max.axes[track];
+    return keys.flatMap(([quantity, key]) => {
+      const found = Object.entries(figures ?? {}).find(([name]) => name.startsWith(key));
+      if (!found) return [];
+      const limit = plan.limitOf(track, quantity);
+      return [{ track, quantity, peak: found[1], limit, share: limit ? found[1] / limit : 0 }];
+    });
+  });
+}
+
+const NAMES: Record<Quantity, string> = { v: "velocity", a: "acceleration", j: "jerk" };
+
+function bar(split: Split, seconds: (ticks: number) => string): HTMLElement {
+  const all = total(split);
+  const parts = KINDS.filter(([kind]) => split[kind] > 0).map(([kind, name]) => {
+    const part = h("span", { class: `part ${kind}`, title: `${name} ${seconds(split[kind])}` });
+    part.style.flexGrow = String(split[kind] / all);
+    return part;
+  });
+  return h("div", { class: "bar" }, ...parts);
+}
+
+function table(head: readonly string[], rows: readonly (readonly (string | Node)[])[], test: string): HTMLElement {
+  return h(
+    "table",
+    { "data-test": test },
+    h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text)))),
+    h("tbody", {}, ...rows.map((row) => h("tr", {}, ...row.map((cell) => h("td", {}, cell))))),
+  );
+}
+
+function fitText(fit: Fit, units: Units): string {
+  const text = (value: number): string => (fit.unit === "mm" ? lengthText(value, units) : fixed(value, 3));
+  return `${text(fit.min)} to ${text(fit.max)}`;
+}
+
+// How far the work offset could be moved: "-12 to 340"; of a machine without travel nothing is said.
+function shiftText(fit: Fit, units: Units): string {
+  if (fit.shift === null) return "none: the program is larger than the travel";
+  const end = (value: number): string => {
+    if (!Number.isFinite(value)) return "any";
+    const text = fit.unit === "mm" ? lengthText(value, units) : fixed(value, 3);
+    return value > 0 ? `+${text}` : text;
+  };
+  return `${end(fit.shift[0])} to ${end(fit.shift[1])}`;
+}
+
+export class AnswerView {
+  readonly strip = h("section", { class: "strip", "aria-label": "The answer" });
+  readonly details = h("section", { class: "details", tabindex: "0", "aria-label": "The answer in full" });
+  private plan: Plan | null = null;
+  private account: Account | null = null;
+  private readonly store: Store;
+
+  constructor(store: Store) {
+    this.store = store;
+    store.listen((_state, change) => {
+      if ("units" in change) this.build();
+    });
+  }
+
+  show(plan: Plan, account: Account): void {
+    this.plan = plan;
+    this.account = account;
+    this.build();
+  }
+
+  private seconds = (ticks: number): string => clock(ticks * this.plan!.period_s);
+
+  private lineButton(line: number): HTMLElement {
+    const tick = this.account!.firstTick.get(line);
+    if (tick === undefined) return h("span", {}, `line ${line}`);
+    return h("button", { type: "button", class: "link", click: () => this.store.set({ tick, hover: null, playing: false }, "answer") }, `line ${line}`);
+  }
+
+  private build(): void {
+    if (!this.plan || !this.account) return;
+    this.strip.replaceChildren(...this.cards());
+    this.details.replaceChildren(...this.sections());
+  }
+
+  private card(title: string, test: string, ...children: (Node | string | null)[]): HTMLElement {
+    return h("div", { class: "card", "data-test": test }, h("h2", {}, title), ...children);
+  }
+
+  private cards(): HTMLElement[] {
+    const plan = this.plan!;
+    const { report } = plan.header;
+    if (!plan.motion) {
+      const errors = [...plan.header.diagnostics.filter((one) => one.severity === "error").map((one) => one.message), ...report.errors.map((one) => one.message)];
+      return [this.card("Does not run", "failed", h("div", { class: "big bad" }, `${errors.length > 0 ? new Set(errors).size : "no"} error${new Set(errors).size === 1 ? "" : "s"}`), h("div", { class: "soft" }, errors[0] ?? ""))];
+    }
+    return [this.timeCard(), this.fitCard(), this.limitsCard(), this.exactCard(), this.linesCard()].filter((card): card is HTMLElement => card !== null);
+  }
+
+  private timeCard(): HTMLElement {
+    const { whole } = this.account!;
+    const keys = KINDS.filter(([kind]) => whole[kind] > 0 || kind === "cut" || kind === "rapid").map(([kind, name]) =>
+      h("span", { class: "key" }, h("i", { class: `part ${kind}` }), `${name} `, h("b", { "data-test": `time-${kind}` }, this.seconds(whole[kind]))),
+    );
+    const seconds = this.plan!.header.report.cycle_time_s ?? 0;
+    return this.card("Cycle time", "cycle", h("div", { class: "big", "data-test": "cycle-time", "data-seconds": String(seconds) }, clock(seconds)), bar(whole, this.seconds), h("div", { class: "keys" }, ...keys));
+  }
+
+  private fitCard(): HTMLElement {
+    const { units } = this.store.state;
+    const fits = fitsOf(this.plan!);
+    const over = fits.filter((fit) => fit.over > 0);
+    const known = fits.some((fit) => fit.travel[0] !== null || fit.travel[1] !== null);
+    const verdict = over.length > 0 ? `does not fit` : known ? "fits the travel" : "no travel known";
+    const rows = fits.map((fit) =>
+      h("div", { class: fit.over > 0 ? "bad" : "" }, `${fit.axis.toUpperCase()} ${fitText(fit, units)}${fit.over > 0 ? `, over by ${lengthText(fit.over, units)}` : ""}`),
+    );
+    return this.card(`Travel, ${lengthUnit(units)}`, "fit", h("div", { class: `big ${over.length > 0 ? "bad" : "good"}`, "data-test": "fit-verdict" }, verdict), h("div", { class: "soft rows", "data-test": "extents" }, ...rows));
+  }
+
+  private limitsCard(): HTMLElement {
+    const uses = usesOf(this.plan!);
+    const { units } = this.store.state;
+    const rows = (["v", "a", "j"] as const).flatMap((quantity) => {
+      const of = uses.filter((use) => use.quantity === quantity && use.limit !== null).sort((a, b) => b.share - a.share)[0];
+      if (!of) return [];
+      const { factor, unit } = unitOf(quantity, this.plan!.unitOf(of.track), units);
+      const meter = h("span", { class: "meter" }, h("i", { class: of.share > 1.005 ? "over" : "" }));
+      (meter.firstChild as HTMLElement).style.width = `${Math.min(100, 100 * of.share)}%`;
+      return [h("div", { class: "use" }, h("span", {}, NAMES[quantity]), meter, h("b", {}, percent(of.share)), h("span", { class: "soft" }, `${of.track === "path" ? "path" : of.track.toUpperCase()} ${plain(of.peak * factor)} ${unit}`))];
+    });
+    return this.card("Largest, of its limit", "limits", h("div", { class: "uses" }, ...rows));
+  }
+
+  private exactCard(): HTMLElement {
+    const { report, machine } = this.plan!.header;
+    const { units } = this.store.state;
+    const deviation = report.deviation;
+    const max = deviation?.max_mm ?? 0;
+    const small = (mm: number): string => (units.length === "mm" ? `${plain(1000 * mm, 3)} \u00b5m` : `${plain(mm / MM_PER_INCH, 2)} in`);
+    const where = deviation?.line === undefined || max === 0 ? null : h("div", {}, `of ${small(deviation.tolerance_mm ?? 0)} allowed, `, this.lineButton(deviation.line));
+    const chord = report.chord_error_mm ?? 0;
+    const chordText = `chord error ${small(chord)}${machine.chord_tolerance_mm ? `, ${percent(chord / machine.chord_tolerance_mm)}` : ""}`;
+    return this.card("Off the programmed path", "deviation", h("div", { class: "big" }, max < 5e-7 ? "nothing" : small(max)), h("div", { class: "soft rows" }, where, h("div", {}, chordText), h("div", {}, `table off the path ${small(report.contour_error?.max_mm ?? 0)}`)));
+  }
+
+  private linesCard(): HTMLElement | null {
+    const line = this.plan!.header.report.speed_limits_of_lines?.[0];
+    if (!line) return null;
+    const key = Object.keys(line.limits)[0] ?? "";
+    const share = line.time_s / Math.max(this.plan!.header.report.cycle_time_s ?? 1, 1e-9);
+    return this.card("Costs most", "slowest", h("div", { class: "big" }, this.lineButton(line.line)), h("div", { class: "soft rows" }, h("div", {}, `${clock(line.time_s)}, ${percent(share)} of the time`), h("div", {}, `mostly ${key.replaceAll("_", " ")}`), h("div", {}, remedyOf(key))));
+  }
+
+  private sections(): HTMLElement[] {
+    const plan = this.plan!;
+    const parts: HTMLElement[] = [];
+    const add = (title: string, ...children: (Node | string)[]): void => void parts.push(h("div", { class: "part-of-answer" }, h("h3", {}, title), ...children));
+    const { report } = plan.header;
+    const messages = [...plan.header.diagnostics.map((one) => `${one.severity} ${one.id}, line ${one.line}: ${one.message}. ${one.remedy}`), ...report.errors.filter((one) => one.id === undefined).map((one) => one.message), ...report.warnings];
+    if (messages.length > 0) add("Messages", h("ul", { "data-test": "messages" }, ...messages.map((text) => h("li", {}, text))));
+    if (!plan.motion) return parts;
+    const { units } = this.store.state;
+    add("Five lines that cost most", this.linesTable());
+    add("What limits the feed", this.constraintsTable());
+    if (this.account!.tools.length > 1 || this.account!.whole.toolChange > 0) add("By tool", this.partsTable("tool", this.account!.tools));
+    if (this.account!.operations.length > 0) add("By operation, as the comments name them", this.partsTable("operation", this.account!.operations));
+    add(
+      `Where the offset may move to, ${lengthUnit(units)}`,
+      table(
+        ["axis", "the path", "may move by"],
+        fitsOf(plan).map((fit) => [fit.axis.toUpperCase(), fitText(fit, units), shiftText(fit, units)]),
+        "offsets",
+      ),
+    );
+    add("Largest figures", this.usesTable());
+    add("The plan", table(["", ""], [["program", report.file], ["machine", report.machine], ["profile", report.profile], ["path", `${lengthText(report.path_length_mm ?? 0, units)} ${lengthUnit(units)} in ${report.blocks ?? 0} blocks`], ["ticks", `${report.ticks ?? 0} of ${plain(1000 * plan.period_s)} ms`]], "plan"));
+    return parts;
+  }
+
+  private linesTable(): HTMLElement {
+    const lines = this.plan!.header.report.speed_limits_of_lines ?? [];
+    return table(
+      ["line", "time", "limited by", "what would help"],
+      lines.map((line) => {
+        const [key, share] = Object.entries(line.limits)[0] ?? ["", { share: 0 }];
+        return [this.lineButton(line.line), clock(line.time_s), `${key.replaceAll("_", " ")} ${percent(share.share)}`, remedyOf(key)];
+      }),
+      "lines",
+    );
+  }
+
+  private constraintsTable(): HTMLElement {
+    const limits = Object.entries(this.plan!.header.report.speed_limits ?? {});
+    return table(
+      ["limit", "time", "share"],
+      limits.map(([key, { time_s, share }]) => [key.replaceAll("_", " "), clock(time_s), percent(share)]),
+      "constraints",
+    );
+  }
+
+  private partsTable(what: string, parts: readonly Part[]): HTMLElement {
+    return table(
+      [what, "time", "cutting", "rapid", "rest", "change"],
+      parts.map((part) => [
+        part.name,
+        this.seconds(total(part.split)),
+        this.seconds(part.split.cut),
+        this.seconds(part.split.rapid),
+        this.seconds(part.split.rest),
+        this.seconds(part.split.toolChange),
+      ]),
+      `by-${what}`,
+    );
+  }
+
+  private usesTable(): HTMLElement {
+    const { units } = this.store.state;
+    return table(
+      ["where", "largest", "limit", "share"],
+      usesOf(this.plan!).map((use) => {
+        const { factor, unit } = unitOf(use.quantity, this.plan!.unitOf(use.track), units);
+        return [`${use.track === "path" ? "path" : `axis ${use.track.toUpperCase()}`} ${NAMES[use.quantity]}`, `${plain(use.peak * factor)} ${unit}`, use.limit === null ? "none" : plain(use.limit * factor), use.limit === null ? "" : percent(use.share)];
+      }),
+      "largest",
+    );
+  }
+}

@@ -1,0 +1,54 @@
+// What a chart of some pixels' width shows of a series: every minimum and maximum, at any zoom.
+import type { Plan } from "../plan/plan.ts";
+
+export interface Span {
+  readonly from: number; // in ticks
+  readonly to: number;
+}
+
+export interface Drawn {
+  readonly tick: Float64Array;
+  readonly min: Float64Array;
+  readonly max: Float64Array;
+}
+
+// One point a pixel, or one a column of the plan where these are fewer. A pixel's range reaches into the next one's first
+// column, so that neighbours meet.
+export function drawnColumns(plan: Plan, series: string, span: Span, pixels: number): Drawn {
+  const { ticksPerColumn, columns } = plan.motion!;
+  const first = Math.max(0, Math.floor(span.from / ticksPerColumn));
+  const last = Math.min(columns - 1, Math.ceil(span.to / ticksPerColumn));
+  const count = Math.max(0, last - first + 1);
+  const pyramid = plan.series(series);
+  const points = Math.min(count, Math.max(1, Math.floor(pixels)));
+  const drawn = { tick: new Float64Array(points), min: new Float64Array(points), max: new Float64Array(points) };
+  for (let i = 0; i < points; ++i) {
+    const begin = first + Math.floor((i * count) / points);
+    const end = first + Math.floor(((i + 1) * count) / points);
+    const { min, max } = pyramid.range(begin, points < count ? end + 1 : end);
+    drawn.tick[i] = begin * ticksPerColumn;
+    drawn.min[i] = min;
+    drawn.max[i] = max;
+  }
+  return drawn;
+}
+
+// Which constraint has most of the columns behind each pixel; -1: the program is over there.
+export function drawnLimits(plan: Plan, span: Span, pixels: number): Int16Array {
+  const { limit, ticksPerColumn, columns } = plan.motion!;
+  const counts = new Uint32Array(256);
+  const found = new Int16Array(pixels).fill(-1);
+  const column = (pixel: number): number => (span.from + ((span.to - span.from) * pixel) / pixels) / ticksPerColumn;
+  for (let i = 0; i < pixels; ++i) {
+    const begin = Math.floor(column(i));
+    const end = Math.min(columns, Math.max(begin + 1, Math.floor(column(i + 1))));
+    if (begin < 0 || begin >= end) continue;
+    counts.fill(0);
+    let best = limit[begin]!;
+    for (let k = begin; k < end; ++k) {
+      if (++counts[limit[k]!]! > counts[best]!) best = limit[k]!;
+    }
+    found[i] = best;
+  }
+  return found;
+}

@@ -1,0 +1,223 @@
+// The program's text with the time that each line takes, and errors and warnings at their lines.
+import { EditorState, RangeSetBuilder, StateEffect, StateField, type Extension } from "@codemirror/state";
+import { Decoration, EditorView, GutterMarker, WidgetType, gutter, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
+import type { Account } from "../plan/account.ts";
+import type { Diagnostic } from "../plan/decode.ts";
+import type { Plan } from "../plan/plan.ts";
+import type { Store } from "../state.ts";
+import { h } from "../ui/dom.ts";
+import { shortTime } from "../units.ts";
+
+const setLine = StateEffect.define<number>(); // 1-based; 0: none
+const activeLine = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(decorations, transaction) {
+    for (const effect of transaction.effects) {
+      if (!effect.is(setLine)) continue;
+      const { doc } = transaction.state;
+      if (effect.value < 1 || effect.value > doc.lines) return Decoration.none;
+      return Decoration.set([Decoration.line({ class: "cm-now" }).range(doc.line(effect.value).from)]);
+    }
+    return decorations;
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+class TimeMarker extends GutterMarker {
+  private readonly text: string;
+  private readonly share: number; // of the line that takes longest
+
+  constructor(text: string, share: number) {
+    super();
+    this.text = text;
+    this.share = share;
+  }
+
+  override eq(other: TimeMarker): boolean {
+    return this.text === other.text && this.share === other.share;
+  }
+
+  override toDOM(): HTMLElement {
+    const element = h("div", { class: "cm-time" }, this.text);
+    element.style.backgroundSize = `${Math.round(100 * this.share)}% 100%`;
+    return element;
+  }
+}
+
+class DiagnosticWidget extends WidgetType {
+  private readonly diagnostic: Diagnostic;
+
+  constructor(diagnostic: Diagnostic) {
+    super();
+    this.diagnostic = diagnostic;
+  }
+
+  override eq(other: DiagnosticWidget): boolean {
+    return this.diagnostic === other.diagnostic;
+  }
+
+  override toDOM(): HTMLElement {
+    const { id, severity, message, remedy, column } = this.diagnostic;
+    return h("div", { class: `cm-diagnostic cm-${severity}` }, h("b", {}, `${severity} ${id}`), ` ${message} (column ${column})`, h("div", { class: "cm-remedy" }, remedy));
+  }
+}
+
+function diagnosticsOf(plan: Plan): Extension {
+  return StateField.define<DecorationSet>({
+    create(state) {
+      const builder = new RangeSetBuilder<Decoration>();
+      const here = plan.header.diagnostics.filter((one) => one.line >= 1 && one.line <= state.doc.lines && one.file === plan.header.report.file);
+      here.sort((a, b) => a.line - b.line);
+      for (const diagnostic of here) {
+        const { to } = state.doc.line(diagnostic.line);
+        builder.add(to, to, Decoration.widget({ widget: new DiagnosticWidget(diagnostic), block: true, side: 1 }));
+      }
+      return builder.finish();
+    },
+    update: (decorations) => decorations,
+    provide: (field) => EditorView.decorations.from(field),
+  });
+}
+
+const look = EditorView.theme({
+  "&": { height: "100%", fontSize: "13px", color: "var(--text)", backgroundColor: "var(--panel)" },
+  ".cm-scroller": { fontFamily: "ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, monospace", lineHeight: "1.5" },
+  ".cm-content": { caretColor: "var(--accent)" },
+  "&.cm-focused": { outline: "2px solid var(--accent)", outlineOffset: "-2px" },
+  ".cm-gutters": { backgroundColor: "var(--panel)", color: "var(--soft)", borderRight: "1px solid var(--line)" },
+  ".cm-now": { backgroundColor: "var(--mark)", boxShadow: "inset 3px 0 0 var(--accent)" },
+  ".cm-time": {
+    padding: "0 6px",
+    textAlign: "right",
+    minWidth: "52px",
+    color: "var(--text)",
+    backgroundImage: "linear-gradient(var(--mark), var(--mark))",
+    backgroundRepeat: "no-repeat",
+    backgroundPosition: "right",
+    backgroundSize: "0 100%",
+  },
+  ".cm-selectionBackground": { backgroundColor: "var(--mark) !important" },
+  ".cm-diagnostic": { fontFamily: "system-ui, sans-serif", padding: "4px 8px", whiteSpace: "normal" },
+  ".cm-error": { backgroundColor: "var(--error-ground)", color: "var(--error)" },
+  ".cm-warning": { backgroundColor: "var(--warning-ground)", color: "var(--warning)" },
+  ".cm-remedy": { color: "var(--text)" },
+});
+
+export class ProgramView {
+  readonly element: HTMLElement;
+  private readonly host = h("div", { class: "editor" });
+  private readonly root: ShadowRoot;
+  private readonly message = h("div", { class: "empty" });
+  private view: EditorView | null = null;
+  private plan: Plan | null = null;
+  private account: Account | null = null;
+  private line = 0;
+  private readonly store: Store;
+
+  constructor(store: Store) {
+    this.store = store;
+    // In a shadow tree CodeMirror's style sheets are objects, which the page's policy lets pass.
+    this.root = this.host.attachShadow({ mode: "open" });
+    this.element = h("div", { class: "program-view" }, this.host, this.message);
+    store.listen((_state, change, origin) => {
+      if ("tick" in change || "hover" in change) this.showInstant(origin !== "program");
+    });
+  }
+
+  show(plan: Plan, account: Account): void {
+    this.plan = plan;
+    this.account = account;
+    this.line = 0;
+    this.view?.destroy();
+    this.view = null;
+    this.host.hidden = plan.source === null;
+    this.message.hidden = plan.source !== null;
+    if (plan.source === null) {
+      this.showInstant(true);
+      return;
+    }
+    let longest = 1;
+    for (const ticks of account.lines.values()) longest = Math.max(longest, ticks);
+    const marker = (line: number): TimeMarker | null => {
+      const ticks = account.lines.get(line);
+      return ticks === undefined || ticks === 0 ? null : new TimeMarker(shortTime(ticks * plan.period_s), ticks / longest);
+    };
+    const state = EditorState.create({
+      doc: plan.source,
+      extensions: [
+        EditorState.readOnly.of(true),
+        lineNumbers(),
+        gutter({
+          class: "cm-times",
+          lineMarker: (view, block) => marker(view.state.doc.lineAt(block.from).number),
+          initialSpacer: () => new TimeMarker("00.00", 0),
+        }),
+        activeLine,
+        diagnosticsOf(plan),
+        look,
+        keymap.of([
+          { key: "ArrowUp", run: () => this.step(-1) },
+          { key: "ArrowDown", run: () => this.step(1) },
+        ]),
+        EditorView.contentAttributes.of({ "aria-label": "The program's text, with the time of each line", "aria-readonly": "true" }),
+        EditorView.domEventHandlers({
+          mousedown: (event, view) => this.pointed(event, view, true),
+          mousemove: (event, view) => this.pointed(event, view, false),
+          mouseleave: () => {
+            if (this.store.state.hover !== null) this.store.set({ hover: null }, "program");
+          },
+        }),
+      ],
+    });
+    this.view = new EditorView({ state, parent: this.root, root: this.root });
+    this.showInstant(true);
+  }
+
+  // The next line, in that direction, that takes time.
+  private step(way: 1 | -1): boolean {
+    const first = this.account?.firstTick;
+    if (!first || !this.view) return false;
+    for (let line = this.line + way; line >= 1 && line <= this.view.state.doc.lines; line += way) {
+      const tick = first.get(line);
+      if (tick !== undefined) {
+        this.store.set({ tick, hover: null, playing: false }, "page");
+        return true;
+      }
+    }
+    return true;
+  }
+
+  private pointed(event: MouseEvent, view: EditorView, chosen: boolean): boolean {
+    if (!chosen && (event.buttons !== 0 || this.store.state.playing)) return false;
+    const at = view.posAtCoords({ x: event.clientX, y: event.clientY }, false);
+    const line = view.state.doc.lineAt(at).number;
+    const tick = this.account?.firstTick.get(line);
+    if (tick === undefined) return false;
+    if (chosen) this.store.set({ tick, hover: null, playing: false }, "program");
+    else if (line !== this.line) this.store.set({ hover: tick }, "program");
+    return false;
+  }
+
+  private showInstant(scroll: boolean): void {
+    const runs = this.plan?.motion?.runs;
+    const line = runs && runs.line.length > 0 ? runs.line[this.plan!.runAt(this.store.instant)]! : 0;
+    if (this.plan?.source === null) {
+      this.message.textContent = `The program's text is not in this report. The tool is in line ${line}.`;
+      return;
+    }
+    if (!this.view || line === this.line) return;
+    this.line = line;
+    const { doc } = this.view.state;
+    const inside = line >= 1 && line <= doc.lines;
+    const effects: StateEffect<unknown>[] = [setLine.of(line)];
+    if (scroll && inside && !this.isSeen(line)) effects.push(EditorView.scrollIntoView(doc.line(line).from, { y: "center" }));
+    this.view.dispatch({ effects });
+  }
+
+  private isSeen(line: number): boolean {
+    const view = this.view!;
+    const block = view.lineBlockAt(view.state.doc.line(line).from);
+    const { scrollTop, clientHeight } = view.scrollDOM;
+    return block.top >= scrollTop && block.bottom <= scrollTop + clientHeight;
+  }
+}

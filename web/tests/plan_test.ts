@@ -1,0 +1,139 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { accountOf, fitsOf, headingsOf, total } from "../src/plan/account.ts";
+import { decodePlan, unpackNumbers } from "../src/plan/decode.ts";
+import { RunKind, lastAtOrBefore } from "../src/plan/plan.ts";
+import { Pyramid } from "../src/plan/pyramid.ts";
+import { drawnColumns, drawnLimits } from "../src/views/columns.ts";
+import { planOf } from "./helper.ts";
+
+// 0, 1, -1, 64, then back to 0: steps 0, 1, -2, 65, -64 as zigzag 0, 2, 3, 130 (two bytes), 127.
+test("numbers are packed as differences of seven bits a byte", () => {
+  const bytes = Uint8Array.from([0, 2, 3, 0x82, 0x01, 127]);
+  assert.deepEqual([...unpackNumbers(bytes, 5, 0.5)], [0, 0.5, -0.5, 32, 0]);
+  assert.throws(() => unpackNumbers(bytes.subarray(0, 4), 5, 1), /end early/);
+});
+
+test("numbers beyond 32 bits keep every bit", () => {
+  // 2^40 as zigzag is 2^41: five bytes of nothing and 2^41 / 2^35 = 64.
+  assert.deepEqual([...unpackNumbers(Uint8Array.from([0x80, 0x80, 0x80, 0x80, 0x80, 64]), 1, 1)], [2 ** 40]);
+});
+
+test("what is no plan, or of another version, is refused", () => {
+  const made = (magic: string, header: object): Uint8Array => {
+    const text = new TextEncoder().encode(JSON.stringify(header));
+    return Uint8Array.from([...new TextEncoder().encode(magic), text.length & 255, text.length >> 8, 0, 0, ...text]);
+  };
+  assert.throws(() => decodePlan(made("KERFPLAY", {})), /no plan/);
+  assert.throws(() => decodePlan(made("KERFPLAN", { version: 99, sections: [] })), /version 99/);
+  assert.throws(() => decodePlan(made("KERFPLAN", { version: 1, sections: [{ name: "x", coding: "bytes", count: 5, bytes: 5 }] })), /ends early/);
+  assert.equal(decodePlan(made("KERFPLAN", { version: 1, sections: [] })).header.version, 1);
+});
+
+test("a pyramid finds minimum and maximum of every range as a look at all values does", () => {
+  let seed = 7;
+  const random = (): number => (seed = (seed * 16807) % 2147483647) / 2147483647;
+  for (const size of [1, 3, 4, 5, 64, 257, 1000]) {
+    const low = Float32Array.from({ length: size }, random);
+    const high = low.map((value) => value + random());
+    const pyramid = new Pyramid(low, high);
+    for (let trial = 0; trial < 200; ++trial) {
+      const from = Math.floor(random() * size);
+      const to = from + 1 + Math.floor(random() * (size - from));
+      assert.deepEqual(pyramid.range(from, to), { min: Math.min(...low.subarray(from, to)), max: Math.max(...high.subarray(from, to)) }, `${from} to ${to} of ${size}`);
+    }
+    assert.deepEqual(pyramid.range(-5, size + 5), { min: Math.min(...low), max: Math.max(...high) });
+    assert.ok(Number.isNaN(pyramid.range(size, size + 1).max));
+  }
+});
+
+test("the last value at or before another is found", () => {
+  const values = Float64Array.from([0, 3, 3, 10]);
+  assert.deepEqual([-1, 0, 2, 3, 9, 10, 99].map((value) => lastAtOrBefore(values, value)), [-1, 0, 0, 2, 2, 3, 3]);
+});
+
+test("time is split by what the machine does, by tool and by line", () => {
+  const plan = planOf([
+    { ticks: 10, line: 1, kind: RunKind.rapid },
+    { ticks: 500, line: 2, kind: RunKind.rest, tool: 0 },
+    { ticks: 1, line: 2, kind: RunKind.rest, tool: 4 },
+    { ticks: 70, line: 3, kind: RunKind.cut, tool: 4 },
+    { ticks: 30, line: 4, kind: RunKind.rest, tool: 4 },
+    { ticks: 5, line: 3, kind: RunKind.cut, tool: 4 },
+  ]);
+  const account = accountOf(plan);
+  assert.deepEqual(account.whole, { cut: 75, rapid: 10, rest: 30, toolChange: 501 });
+  assert.equal(total(account.whole), 616);
+  assert.deepEqual(account.tools.map((part) => [part.name, total(part.split)]), [["no tool", 510], ["T4", 106]]);
+  assert.deepEqual([...account.lines], [[1, 10], [2, 501], [3, 75], [4, 30]]);
+  assert.equal(account.firstTick.get(3), 511, "the first of the times that a line runs");
+  assert.deepEqual(account.operations, []);
+});
+
+test("headings are the comments that stand alone in a line", () => {
+  const source = "(T1 end mill)\nG0 X1 (not this)\n N20 (pocket 1)\n; contour\n(MSG, hello)\n(print,#1)\n()\n(a)(b)\n";
+  assert.deepEqual(headingsOf(source), [
+    { line: 1, text: "T1 end mill" },
+    { line: 3, text: "pocket 1" },
+    { line: 4, text: "contour" },
+  ]);
+});
+
+test("time by operation goes to the last heading before the line", () => {
+  const source = "G21\n(rough)\nG1 X1\n(finish)\nG1 X2\n(nothing moves here)\n";
+  const account = accountOf(
+    planOf(
+      [
+        { ticks: 1, line: 1, kind: RunKind.cut },
+        { ticks: 20, line: 3, kind: RunKind.cut },
+        { ticks: 300, line: 5, kind: RunKind.cut },
+      ],
+      source,
+    ),
+  );
+  assert.deepEqual(account.operations.map((part) => [part.name, part.line, part.split.cut]), [
+    ["before the first heading", 1, 1],
+    ["rough", 2, 20],
+    ["finish", 4, 300],
+  ]);
+});
+
+test("what does not fit says by how much, and how far the offset may move", () => {
+  const fits = fitsOf(planOf([{ ticks: 1, line: 1, kind: RunKind.cut }]));
+  // 0 to 50 within -100 to 300.
+  assert.deepEqual(fits[0], { axis: "x", unit: "mm", min: 0, max: 50, travel: [-100, 300], over: 0, shift: [-100, 250] });
+});
+
+test("between two points of the path the tool goes evenly", () => {
+  const plan = planOf([
+    { ticks: 10, line: 1, kind: RunKind.cut },
+    { ticks: 4, line: 2, kind: RunKind.rest },
+  ]);
+  assert.deepEqual(plan.positionAt(2.5), [2.5, 0, 0]);
+  assert.deepEqual(plan.positionAt(12), [10, 0, 0]);
+  assert.deepEqual(plan.positionAt(99), [10, 0, 0]);
+});
+
+test("a chart has every peak at any width", () => {
+  const plan = planOf([{ ticks: 1000, line: 1, kind: RunKind.cut }]);
+  const values = new Float32Array(1000);
+  values[637] = 5;
+  values[638] = -3;
+  plan.series = () => new Pyramid(values, values);
+  for (const pixels of [1, 7, 100, 640, 2000]) {
+    const drawn = drawnColumns(plan, "path.v", { from: 0, to: 1000 }, pixels);
+    assert.equal(Math.max(...drawn.max), 5, `${pixels} pixels`);
+    assert.equal(Math.min(...drawn.min), -3, `${pixels} pixels`);
+    assert.ok(drawn.tick.length <= Math.min(pixels, 1000));
+  }
+  const near = drawnColumns(plan, "path.v", { from: 630, to: 640 }, 500);
+  assert.deepEqual([...near.tick], [630, 631, 632, 633, 634, 635, 636, 637, 638, 639, 640]);
+  assert.equal(near.max[7], 5);
+});
+
+test("the band shows what limits most of the time behind a pixel", () => {
+  const plan = planOf([{ ticks: 12, line: 1, kind: RunKind.cut }]);
+  plan.motion!.limit.set([1, 1, 2, 2, 2, 1, 3, 3, 3, 4, 4, 4]);
+  assert.deepEqual([...drawnLimits(plan, { from: 0, to: 12 }, 4)], [1, 2, 3, 4]);
+  assert.deepEqual([...drawnLimits(plan, { from: 10, to: 14 }, 4)], [4, 4, -1, -1], "nothing behind the end");
+});

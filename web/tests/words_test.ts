@@ -1,0 +1,65 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { luminance, mixed, rgbOf, scaleColour, visibleOn } from "../src/colours.ts";
+import { fromFragment, initialState, toFragment } from "../src/state.ts";
+import { clock, lengthText, percent, plain, shortTime, unitOf } from "../src/units.ts";
+
+test("times are read as clocks", () => {
+  assert.equal(clock(5.19), "5.190 s");
+  assert.equal(clock(105.986), "1:45.99");
+  assert.equal(clock(3600 + 119.96), "1:02:00.0", "rounded before it is divided");
+  assert.equal(shortTime(0.0354), "0.035");
+  assert.equal(shortTime(2.534), "2.53");
+  assert.equal(shortTime(123.4), "2:03");
+});
+
+test("figures have the digits that can be read, and a minus sign", () => {
+  assert.equal(plain(1234.5678), "1235");
+  assert.equal(plain(-0.0123456), "\u22120.01235");
+  assert.equal(plain(0), "0");
+  assert.equal(plain(-1e-9), "0");
+  assert.equal(plain(NaN), "\u2013");
+  assert.equal(percent(1), "100 %");
+  assert.equal(percent(0.0314), "3.1 %");
+});
+
+test("units are those that are asked for", () => {
+  const inch = { length: "inch", time: "min" } as const;
+  // 254 mm/s are 10 in/s, 600 in/min.
+  assert.equal(254 * unitOf("v", "mm", inch).factor, 600);
+  assert.equal(unitOf("v", "mm", inch).unit, "in/min");
+  assert.equal(unitOf("a", "mm", { length: "mm", time: "min" }).factor, 1, "only feeds are told per minute");
+  assert.deepEqual(unitOf("v", "deg", { length: "inch", time: "s" }), { factor: 1, unit: "\u00b0/s" });
+  assert.equal(lengthText(25.4, inch), "1.0000");
+});
+
+test("the fragment brings back what it was made from, and what is wrong in it is left out", () => {
+  const state = { ...initialState(), plan: 1, tick: 77, colourBy: "jerk", track: "y", theme: "dark", camera: "1,2,3,0,0,0,9.5" } as const;
+  const back = { ...initialState(), ...fromFragment(`#${toFragment(state)}`) };
+  assert.deepEqual(back, state);
+  assert.equal(toFragment(initialState()), "");
+  const wrong = fromFragment("#tick=-4&colour=<b>&theme=pink&view=alert(1)&plan=x");
+  assert.deepEqual(wrong, { units: { length: "mm", time: "min" } });
+});
+
+test("the scale gets lighter evenly on both grounds", () => {
+  for (const dark of [false, true]) {
+    let last = -1;
+    for (let i = 0; i <= 20; ++i) {
+      const light = luminance(scaleColour(i / 20, dark));
+      assert.ok(light > last, `${i} of 20`);
+      last = light;
+    }
+  }
+});
+
+test("colours of parts stand out from their ground by 3 to 1", () => {
+  for (const ground of ["#ffffff", "#171c24"].map(rgbOf)) {
+    for (const colour of ["#e3e6ea", "#333333", "#1b5aa8", "#9aa3ad", "#ffffff", "#000000"].map(rgbOf)) {
+      const shown = visibleOn(colour, ground);
+      const [a, b] = [luminance(shown), luminance(ground)].sort((x, y) => y - x);
+      assert.ok((a! + 0.05) / (b! + 0.05) >= 3);
+    }
+  }
+  assert.deepEqual(mixed([0, 0, 0], [1, 1, 1], 0.5), [0.5, 0.5, 0.5]);
+});
