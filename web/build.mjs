@@ -1,5 +1,6 @@
 // Builds the page without data: one HTML file with its script and style in it, which may load nothing.
-//   node build.mjs [page|tests]      writes into ../build/web
+//   node build.mjs            writes ../build/web/page.html
+//   node build.mjs tests      writes node_modules/.tests
 import { createHash } from "node:crypto";
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -62,7 +63,7 @@ async function buildTests() {
   await build({
     ...shared,
     entryPoints: tests.map((name) => join("tests", name)),
-    outdir: join(output, "tests"),
+    outdir: join("node_modules", ".tests"),  // from where they find playwright-core
     outExtension: { ".js": ".mjs" },
     platform: "node",
     target: "node18",

@@ -70,7 +70,7 @@ function table(head: readonly string[], rows: readonly (readonly (string | Node)
     "table",
     { "data-test": test },
     h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text)))),
-    h("tbody", {}, ...rows.map((row) => h("tr", {}, ...row.map((cell) => h("td", {}, cell))))),
+    h("tbody", {}, ...rows.map((row) => h("tr", {}, ...row.map((cell) => h("td", typeof cell === "string" && /^[\u2212\d]/.test(cell) ? { class: "number" } : {}, cell))))),
   );
 }
 
@@ -112,10 +112,10 @@ export class AnswerView {
 
   private seconds = (ticks: number): string => clock(ticks * this.plan!.period_s);
 
-  private lineButton(line: number): HTMLElement {
+  private lineButton(line: number, text = `line ${line}`): HTMLElement {
     const tick = this.account!.firstTick.get(line);
-    if (tick === undefined) return h("span", {}, `line ${line}`);
-    return h("button", { type: "button", class: "link", click: () => this.store.set({ tick, hover: null, playing: false }, "answer") }, `line ${line}`);
+    if (tick === undefined) return h("span", {}, text);
+    return h("button", { type: "button", class: "link", "aria-label": `line ${line}`, click: () => this.store.set({ tick, hover: null, playing: false }, "answer") }, text);
   }
 
   private build(): void {
@@ -133,7 +133,9 @@ export class AnswerView {
     const { report } = plan.header;
     if (!plan.motion) {
       const errors = [...plan.header.diagnostics.filter((one) => one.severity === "error").map((one) => one.message), ...report.errors.map((one) => one.message)];
-      return [this.card("Does not run", "failed", h("div", { class: "big bad" }, `${errors.length > 0 ? new Set(errors).size : "no"} error${new Set(errors).size === 1 ? "" : "s"}`), h("div", { class: "soft" }, errors[0] ?? ""))];
+      const count = new Set(errors).size;
+      const failed = this.card("Does not run", "failed", h("div", { class: "big bad" }, `${count} error${count === 1 ? "" : "s"}`), h("div", { class: "soft" }, errors[0] ?? ""));
+      return plan.header.extents ? [failed, this.fitCard()] : [failed];
     }
     return [this.timeCard(), this.fitCard(), this.limitsCard(), this.exactCard(), this.linesCard()].filter((card): card is HTMLElement => card !== null);
   }
@@ -200,32 +202,34 @@ export class AnswerView {
     const { report } = plan.header;
     const messages = [...plan.header.diagnostics.map((one) => `${one.severity} ${one.id}, line ${one.line}: ${one.message}. ${one.remedy}`), ...report.errors.filter((one) => one.id === undefined).map((one) => one.message), ...report.warnings];
     if (messages.length > 0) add("Messages", h("ul", { "data-test": "messages" }, ...messages.map((text) => h("li", {}, text))));
-    if (!plan.motion) return parts;
     const { units } = this.store.state;
+    if (plan.header.extents) add(`Where the offset may move to, ${lengthUnit(units)}`, this.offsetsTable());
+    if (!plan.motion) return parts;
     add("Five lines that cost most", this.linesTable());
     add("What limits the feed", this.constraintsTable());
     if (this.account!.tools.length > 1 || this.account!.whole.toolChange > 0) add("By tool", this.partsTable("tool", this.account!.tools));
     if (this.account!.operations.length > 0) add("By operation, as the comments name them", this.partsTable("operation", this.account!.operations));
-    add(
-      `Where the offset may move to, ${lengthUnit(units)}`,
-      table(
-        ["axis", "the path", "may move by"],
-        fitsOf(plan).map((fit) => [fit.axis.toUpperCase(), fitText(fit, units), shiftText(fit, units)]),
-        "offsets",
-      ),
-    );
     add("Largest figures", this.usesTable());
     add("The plan", table(["", ""], [["program", report.file], ["machine", report.machine], ["profile", report.profile], ["path", `${lengthText(report.path_length_mm ?? 0, units)} ${lengthUnit(units)} in ${report.blocks ?? 0} blocks`], ["ticks", `${report.ticks ?? 0} of ${plain(1000 * plan.period_s)} ms`]], "plan"));
     return parts;
   }
 
+  private offsetsTable(): HTMLElement {
+    const { units } = this.store.state;
+    return table(
+      ["axis", "the path", "may move by"],
+      fitsOf(this.plan!).map((fit) => [fit.axis.toUpperCase(), fitText(fit, units), shiftText(fit, units)]),
+      "offsets",
+    );
+  }
+
   private linesTable(): HTMLElement {
     const lines = this.plan!.header.report.speed_limits_of_lines ?? [];
     return table(
-      ["line", "time", "limited by", "what would help"],
+      ["line", "time", "limited by", ""],
       lines.map((line) => {
         const [key, share] = Object.entries(line.limits)[0] ?? ["", { share: 0 }];
-        return [this.lineButton(line.line), clock(line.time_s), `${key.replaceAll("_", " ")} ${percent(share.share)}`, remedyOf(key)];
+        return [this.lineButton(line.line, String(line.line)), clock(line.time_s), `${key.replaceAll("_", " ")} ${percent(share.share)}`, remedyOf(key)];
       }),
       "lines",
     );
@@ -242,7 +246,7 @@ export class AnswerView {
 
   private partsTable(what: string, parts: readonly Part[]): HTMLElement {
     return table(
-      [what, "time", "cutting", "rapid", "rest", "change"],
+      [what, "time", "cut", "rapid", "rest", "tool"],
       parts.map((part) => [
         part.name,
         this.seconds(total(part.split)),

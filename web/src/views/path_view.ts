@@ -94,9 +94,6 @@ export class PathView {
   readonly element: HTMLElement;
   colouring: Colouring | null = null;
   onColouring: (colouring: Colouring) => void = () => undefined;
-  // Of the frame that was drawn last, for who wants to know what it costs.
-  readonly cost = { script_ms: 0, vertices: 0 };
-
   private readonly canvas = h("canvas", { tabindex: "0", "aria-label": "Tool path. Drag to turn, right drag to move, wheel to zoom" });
   private readonly overlay = h("canvas", { class: "overlay", "aria-hidden": "true" });
   private readonly tip = h("div", { class: "tip", hidden: true });
@@ -354,7 +351,8 @@ export class PathView {
       this.scheduled = false;
       const began = performance.now();
       this.render();
-      this.cost.script_ms = performance.now() - began;
+      // What the frame cost, for who wants to know.
+      this.canvas.dataset["scriptMs"] = (performance.now() - began).toFixed(2);
     });
   }
 
@@ -369,7 +367,7 @@ export class PathView {
     }
     this.tool.object.visible = this.plan !== null;
     this.renderer.render(this.scene, this.camera);
-    this.cost.vertices = this.countVertices();
+    this.canvas.dataset["vertices"] = String(this.countVertices());
     this.drawOverlay();
   }
 

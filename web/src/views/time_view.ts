@@ -178,10 +178,10 @@ export class TimeView {
       height: chart.host.clientHeight,
       padding: [4, RIGHT_PIXELS, 2, 0],
       legend: { show: false },
-      cursor: { show: true, x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false }, sync: { key: "kerf" } },
+      cursor: { show: true, x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
       scales: { x: { time: false, range: () => [this.span.from * plan.period_s, this.span.to * plan.period_s] }, y: { range } },
       axes: [
-        { ...axis, size: isLast ? TIME_AXIS_PIXELS : 0, values: isLast ? (_u, ticks) => ticks.map((t) => `${plain(t, 6).replace(/\.?0+$/, "")} s`) : () => [], gap: 2, space: 90 },
+        { ...axis, size: isLast ? TIME_AXIS_PIXELS : 0, values: isLast ? (_u, ticks) => ticks.map((t) => `${String(Number(t.toPrecision(6)))} s`) : () => [], gap: 2, space: 90 },
         { ...axis, size: AXIS_PIXELS, space: 18, values: (_u, ticks) => ticks.map((value) => Number(value.toPrecision(6)).toLocaleString("en").replaceAll(",", "\u2009")) },
       ],
       series: [{}, { stroke: ground.accent, width: 1.25, points: { show: false } }, { stroke: ground.accent, width: 1.25, points: { show: false } }],
@@ -274,7 +274,11 @@ export class TimeView {
     for (const chart of this.charts) {
       const { factor } = unitOf(chart.quantity, this.plan.unitOf(this.track), this.store.state.units);
       const { min, max } = this.plan.valueAt(`${this.track}.${chart.quantity}`, tick);
-      chart.value.textContent = min === max ? plain(max * factor) : `${plain(min * factor)} \u2026 ${plain(max * factor)}`;
+      // Digits below a 100,000th of the largest are the rounding of differences.
+      const { min: lowest, max: highest } = this.plan.series(`${this.track}.${chart.quantity}`).range(0, this.plan.motion!.columns);
+      const least = 1e-5 * Math.max(-lowest, highest);
+      const text = (value: number): string => plain(Math.abs(value) < least ? 0 : value * factor);
+      chart.value.textContent = min === max ? text(max) : `${text(min)} \u2026 ${text(max)}`;
     }
     const limit = this.plan.header.constraints[this.plan.motion!.limit[this.plan.columnAt(tick)]!];
     this.limitNow.textContent = limit?.text ?? "";
