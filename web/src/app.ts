@@ -34,6 +34,7 @@ export class App {
   private readonly time: TimeView;
   private readonly program: ProgramView;
   private readonly answer: AnswerView;
+  private readonly main = h("main", {});
   private readonly title = h("h1", {});
   private readonly what = h("div", { class: "what" });
   private readonly legend = h("div", {});
@@ -55,7 +56,8 @@ export class App {
     this.time = new TimeView(this.store, ground);
     this.program = new ProgramView(this.store);
     this.answer = new AnswerView(this.store);
-    root.replaceChildren(this.header(), this.answer.strip, h("main", {}, this.spacePanel(), this.timePanel(), this.sidePanel()));
+    root.replaceChildren(this.header(), this.answer.strip, this.main);
+    this.main.append(this.spacePanel(), this.timePanel(), this.sidePanel());
     this.listen();
     this.show();
   }
@@ -184,6 +186,7 @@ export class App {
     this.title.title = report.file;
     document.title = `${nameOf(plan)} \u2013 Kerf`;
     this.what.textContent = `${report.machine === "default" ? "default machine" : report.machine.split("/").pop()}, ${report.profile}${plan.source === null ? "" : ", with the program\u2019s text"}`;
+    this.main.classList.toggle("still", plan.motion === null);
     this.scrub.max = String(plan.motion?.lastTick ?? 0);
     this.tracks.replaceChildren(...plan.tracks.map((track) => h("option", { value: track }, track === "path" ? "along the path" : `axis ${track.toUpperCase()}`)));
     this.tracks.value = plan.tracks.includes(state.track) ? state.track : "path";

@@ -170,7 +170,7 @@ export class AnswerView {
       const { factor, unit } = unitOf(quantity, this.plan!.unitOf(of.track), units);
       const meter = h("span", { class: "meter" }, h("i", { class: of.share > 1.005 ? "over" : "" }));
       (meter.firstChild as HTMLElement).style.width = `${Math.min(100, 100 * of.share)}%`;
-      return [h("div", { class: "use" }, h("span", {}, NAMES[quantity]), meter, h("b", {}, percent(of.share)), h("span", { class: "soft" }, `${of.track === "path" ? "path" : of.track.toUpperCase()} ${plain(of.peak * factor)} ${unit}`))];
+      return [h("div", { class: "use" }, h("span", {}, quantity === "a" ? "accel." : NAMES[quantity]), meter, h("b", {}, percent(of.share)), h("span", { class: "soft" }, `${of.track === "path" ? "path" : of.track.toUpperCase()} ${plain(of.peak * factor)} ${unit}`))];
     });
     return this.card("Largest, of its limit", "limits", h("div", { class: "uses" }, ...rows));
   }
@@ -203,12 +203,16 @@ export class AnswerView {
     const messages = [...plan.header.diagnostics.map((one) => `${one.severity} ${one.id}, line ${one.line}: ${one.message}. ${one.remedy}`), ...report.errors.filter((one) => one.id === undefined).map((one) => one.message), ...report.warnings];
     if (messages.length > 0) add("Messages", h("ul", { "data-test": "messages" }, ...messages.map((text) => h("li", {}, text))));
     const { units } = this.store.state;
-    if (plan.header.extents) add(`Where the offset may move to, ${lengthUnit(units)}`, this.offsetsTable());
-    if (!plan.motion) return parts;
+    const addOffsets = (): void => add(`How far the work offset may move, ${lengthUnit(units)}`, this.offsetsTable());
+    if (!plan.motion) {
+      if (plan.header.extents) addOffsets();
+      return parts;
+    }
     add("Five lines that cost most", this.linesTable());
     add("What limits the feed", this.constraintsTable());
     if (this.account!.tools.length > 1 || this.account!.whole.toolChange > 0) add("By tool", this.partsTable("tool", this.account!.tools));
     if (this.account!.operations.length > 0) add("By operation, as the comments name them", this.partsTable("operation", this.account!.operations));
+    addOffsets();
     add("Largest figures", this.usesTable());
     add("The plan", table(["", ""], [["program", report.file], ["machine", report.machine], ["profile", report.profile], ["path", `${lengthText(report.path_length_mm ?? 0, units)} ${lengthUnit(units)} in ${report.blocks ?? 0} blocks`], ["ticks", `${report.ticks ?? 0} of ${plain(1000 * plan.period_s)} ms`]], "plan"));
     return parts;

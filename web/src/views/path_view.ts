@@ -1,7 +1,7 @@
 // The path in space: orbit, pan, zoom, pick.
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { rgbOf, type Rgb } from "../colours.ts";
+import { mixed, rgbOf, type Rgb } from "../colours.ts";
 import { lastAtOrBefore, type Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
@@ -75,6 +75,15 @@ function stretchesOf(plan: Plan, colouring: Colouring, shown: readonly number[] 
     rapid_mm += Math.sqrt(square);
   }
   return { a, b, tint, dashed, along };
+}
+
+// How long the way to each point is.
+function lengthsBefore(points: readonly Triple[]): Float32Array {
+  const lengths = new Float32Array(points.length);
+  for (let i = 1; i < points.length; ++i) {
+    lengths[i] = lengths[i - 1]! + Math.hypot(...points[i]!.map((at, k) => at - points[i - 1]![k]!));
+  }
+  return lengths;
 }
 
 function lineBox(min: Triple, max: Triple, colour: string): THREE.LineSegments {
@@ -247,26 +256,29 @@ export class PathView {
     const from = Math.max(0, lastAtOrBefore(path.tick, begin));
     const to = Math.min(path.tick.length - 1, lastAtOrBefore(path.tick, end) + 1);
     const points: Triple[] = [this.plan!.positionAt(begin)];
+    const isRapid: number[] = [];
     for (let i = from + 1; i < to; ++i) {
-      if (path.tick[i]! > begin && path.tick[i]! < end) points.push([path.xyz[0][i]!, path.xyz[1][i]!, path.xyz[2][i]!]);
+      if (path.tick[i]! <= begin || path.tick[i]! >= end) continue;
+      points.push([path.xyz[0][i]!, path.xyz[1][i]!, path.xyz[2][i]!]);
+      isRapid.push(path.rapid[i]!);
     }
     points.push(this.plan!.positionAt(end));
+    isRapid.push(path.rapid[to]!);
     const most = 20_000; // of a mark: more is no line but the whole program
     const count = Math.min(points.length - 1, most);
-    const rgb = rgbOf(this.ground.accent).map((part) => Math.round(255 * part));
+    const rgb = mixed(this.ground.rgb, rgbOf(this.ground.accent), 0.45).map((part) => Math.round(255 * part));
     const stretches: Stretches = {
       a: new Float32Array(points.slice(0, count).flat()),
       b: new Float32Array(points.slice(1, count + 1).flat()),
       tint: new Uint8Array(3 * count).map((_, i) => rgb[i % 3]!),
-      dashed: new Uint8Array(count),
-      along: new Float32Array(count),
+      dashed: Uint8Array.from(isRapid.slice(0, count)),
+      along: lengthsBefore(points).subarray(0, count),
     };
-    this.lineMark = strokes(stretches, 4.5);
-    const material = (this.lineMark as THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>).material;
-    material.transparent = true;
-    material.uniforms["opacity"]!.value = 0.6;
-    material.depthTest = false;
-    this.lineMark.renderOrder = 4;
+    // A broad band below the path, whose colours stay as they are.
+    this.lineMark = strokes(stretches, 9);
+    const { material } = this.lineMark as THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
+    material.depthTest = material.depthWrite = false;
+    this.lineMark.renderOrder = -1;
     this.scene.add(this.lineMark);
   }
 

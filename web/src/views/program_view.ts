@@ -97,7 +97,7 @@ const look = EditorView.theme({
     backgroundSize: "0 100%",
   },
   ".cm-selectionBackground": { backgroundColor: "var(--mark) !important" },
-  ".cm-diagnostic": { fontFamily: "system-ui, sans-serif", padding: "4px 8px", whiteSpace: "normal" },
+  ".cm-diagnostic": { fontFamily: "system-ui, sans-serif", padding: "4px 8px", whiteSpace: "normal", boxSizing: "border-box", maxWidth: "calc(100cqw - 110px)" },
   ".cm-error": { backgroundColor: "var(--error-ground)", color: "var(--error)" },
   ".cm-warning": { backgroundColor: "var(--warning-ground)", color: "var(--warning)" },
   ".cm-remedy": { color: "var(--text)" },

@@ -18,6 +18,17 @@ const RIGHT_PIXELS = 12;
 const TIME_AXIS_PIXELS = 22;
 const NEAREST_TICKS = 8; // the closest zoom
 
+// Between two marks of the time axis.
+const TIME_STEPS_S = [
+  ...[-5, -4, -3, -2, -1, 0].flatMap((power) => [1, 2, 5].map((digit) => digit * 10 ** power)),
+  ...[10, 15, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 14400, 36000, 86400, 864000],
+];
+// "0.25 s", but "8:20" and "2:00:00" from a minute on.
+function timeText(seconds: number): string {
+  const text = seconds >= 60 ? clock(seconds) : `${Number(seconds.toPrecision(6))} s`;
+  return seconds >= 60 ? text.replace(/\.0*$/, "") : text;
+}
+
 interface Chart {
   readonly quantity: Quantity;
   readonly name: HTMLElement;
@@ -181,7 +192,7 @@ export class TimeView {
       cursor: { show: true, x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
       scales: { x: { time: false, range: () => [this.span.from * plan.period_s, this.span.to * plan.period_s] }, y: { range } },
       axes: [
-        { ...axis, size: isLast ? TIME_AXIS_PIXELS : 0, values: isLast ? (_u, ticks) => ticks.map((t) => `${String(Number(t.toPrecision(6)))} s`) : () => [], gap: 2, space: 90 },
+        { ...axis, size: isLast ? TIME_AXIS_PIXELS : 0, values: isLast ? (_u, ticks) => ticks.map(timeText) : () => [], gap: 2, space: 90, incrs: TIME_STEPS_S },
         { ...axis, size: AXIS_PIXELS, space: 18, values: (_u, ticks) => ticks.map((value) => Number(value.toPrecision(6)).toLocaleString("en").replaceAll(",", "\u2009")) },
       ],
       series: [{}, { stroke: ground.accent, width: 1.25, points: { show: false } }, { stroke: ground.accent, width: 1.25, points: { show: false } }],
@@ -277,8 +288,8 @@ export class TimeView {
       // Digits below a 100,000th of the largest are the rounding of differences.
       const { min: lowest, max: highest } = this.plan.series(`${this.track}.${chart.quantity}`).range(0, this.plan.motion!.columns);
       const least = 1e-5 * Math.max(-lowest, highest);
-      const text = (value: number): string => plain(Math.abs(value) < least ? 0 : value * factor);
-      chart.value.textContent = min === max ? text(max) : `${text(min)} \u2026 ${text(max)}`;
+      const text = (value: number): string => plain(Math.abs(value) < least ? 0 : value * factor, min === max ? 4 : 3);
+      chart.value.textContent = min === max ? text(max) : `${text(min)}\u2026${text(max)}`;
     }
     const limit = this.plan.header.constraints[this.plan.motion!.limit[this.plan.columnAt(tick)]!];
     this.limitNow.textContent = limit?.text ?? "";
