@@ -103,10 +103,13 @@ export class App {
     const about = aboutBox();
     const help = h("button", { type: "button", click: () => about.showModal() }, "About");
     const several = this.plans.length > 1 ? this.planChoice() : null;
+    this.store.listen((changed) => {
+      if (several) several.value = String(changed.plan);
+    });
     return h("header", {}, this.title, this.what, several, length.element, per.element, theme, help, about);
   }
 
-  private planChoice(): HTMLElement {
+  private planChoice(): HTMLSelectElement {
     const names = this.plans.map((plan, i) => {
       const { cycle_time_s: seconds, machine } = plan.header.report;
       const where = machine === "default" ? "" : `, ${machine.split("/").pop()}`;
@@ -191,7 +194,7 @@ export class App {
     this.tracks.replaceChildren(...plan.tracks.map((track) => h("option", { value: track }, track === "path" ? "along the path" : `axis ${track.toUpperCase()}`)));
     this.tracks.value = plan.tracks.includes(state.track) ? state.track : "path";
     const account = (this.accounts[state.plan] ??= accountOf(plan));
-    this.answer.show(plan, account);
+    this.answer.show(plan, account, this.plans);
     this.program.show(plan, account);
     this.path?.show(plan);
     this.time.show(plan);

@@ -67,4 +67,4 @@ export function unitOf(quantity: "v" | "a" | "j" | "length", axisUnit: "mm" | "d
   }
 }
 
-export const percent = (share: number): string => `${(100 * share).toFixed(share < 0.0995 && share > 0 ? 1 : 0)} %`;
+export const percent = (share: number): string => `${(100 * share).toFixed(share < 0.0995 && share > 0 ? 1 : 0)}\u00a0%`;

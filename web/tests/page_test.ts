@@ -108,6 +108,34 @@ async function markedLine(page: Page): Promise<string> {
   return (await page.locator(".cm-now").first().textContent()) ?? "";
 }
 
+// Texts on the page that are less than 4.5 to 1 from their ground (WCAG 2, 1.4.3). Runs in the page.
+function faintWords(): string[] {
+  const numbers = (colour: string): number[] => (colour.match(/[\d.]+/g) ?? []).map(Number);
+  const light = ([r, g, b]: number[]): number => {
+    const linear = [r!, g!, b!].map((part) => (part / 255 <= 0.04045 ? part / 255 / 12.92 : ((part / 255 + 0.055) / 1.055) ** 2.4));
+    return 0.2126 * linear[0]! + 0.7152 * linear[1]! + 0.0722 * linear[2]!;
+  };
+  const roots: (Document | ShadowRoot)[] = [document, ...[...document.querySelectorAll("*")].flatMap((element) => (element.shadowRoot ? [element.shadowRoot] : []))];
+  const faint: string[] = [];
+  for (const element of roots.flatMap((root) => [...root.querySelectorAll<HTMLElement>("*")])) {
+    const words = [...element.childNodes].filter((node) => node.nodeType === Node.TEXT_NODE && node.textContent!.trim() !== "").map((node) => node.textContent!.trim());
+    if (words.length === 0 || !element.checkVisibility() || /^(script|style|noscript|option)$/i.test(element.tagName)) continue;
+    let opacity = 1;
+    let ground: number[] | null = null;
+    for (let at: Element | null = element; at; at = at.parentElement ?? (at.getRootNode() as ShadowRoot).host ?? null) {
+      const style = getComputedStyle(at);
+      opacity *= Number(style.opacity);
+      const colour = numbers(style.backgroundColor);
+      if (!ground && style.backgroundColor.startsWith("rgb") && (colour[3] ?? 1) > 0.5) ground = colour;
+    }
+    const style = getComputedStyle(element);
+    const [above, below] = [light(numbers(style.color)), light(ground ?? [255, 255, 255])];
+    const ratio = (Math.max(above, below) + 0.05) / (Math.min(above, below) + 0.05);
+    if (ratio < 4.5 || opacity < 0.99) faint.push(`${words[0]}: ${ratio.toFixed(2)}, opacity ${opacity}`);
+  }
+  return faint;
+}
+
 const shipped = readdirSync(join(SOURCE, "programs")).filter((name) => name.endsWith(".ngc"));
 
 describe("a report of a shipped program", () => {
@@ -350,9 +378,29 @@ describe("the page", () => {
     assert.equal(await textOf(page, "cycle-time"), times[0]);
     await select.selectOption("1");
     assert.equal(await textOf(page, "cycle-time"), times[1]);
+    await page.locator("[data-tab=answer]").click();
+    const seconds = machines.map((machine) => JSON.parse(kerf("dry-run", "--json", wm, "--machine", machine).out).cycle_time_s as number);
+    const difference = shown(await page.locator("[data-test=side-by-side] tbody tr:nth-child(2) td:last-child").textContent() ?? "");
+    assert.equal(parseFloat(difference).toFixed(3), (seconds[1]! - seconds[0]!).toFixed(3));
+    await page.locator("[data-test=side-by-side] button").first().click();
+    assert.equal(await textOf(page, "cycle-time"), times[0]);
+    assert.equal(await select.inputValue(), "0");
     assert.deepEqual(said, []);
     await page.context().close();
   });
+
+  for (const theme of ["light", "dark"]) {
+    test(`is legible in the ${theme} theme: 4.5 to 1`, async () => {
+      const { page } = await openReport([pocket], `#theme=${theme}&colour=limit`);
+      const found: string[] = [];
+      for (const tab of ["program", "answer"]) {
+        await page.locator(`[data-tab=${tab}]`).click();
+        found.push(...(await page.evaluate(faintWords)));
+      }
+      assert.deepEqual(found, []);
+      await page.context().close();
+    });
+  }
 
   test("names the licences of what it is made of", async () => {
     const { page } = await openReport([pocket]);

@@ -19,8 +19,8 @@ test("figures have the digits that can be read, and a minus sign", () => {
   assert.equal(plain(0), "0");
   assert.equal(plain(-1e-9), "0");
   assert.equal(plain(NaN), "\u2013");
-  assert.equal(percent(1), "100 %");
-  assert.equal(percent(0.0314), "3.1 %");
+  assert.equal(percent(1), "100\u00a0%");
+  assert.equal(percent(0.0314), "3.1\u00a0%");
 });
 
 test("units are those that are asked for", () => {

@@ -94,6 +94,7 @@ export class AnswerView {
   readonly strip = h("section", { class: "strip", "aria-label": "The answer" });
   readonly details = h("section", { class: "details", tabindex: "0", "aria-label": "The answer in full" });
   private plan: Plan | null = null;
+  private others: readonly Plan[] = [];
   private account: Account | null = null;
   private readonly store: Store;
 
@@ -104,7 +105,9 @@ export class AnswerView {
     });
   }
 
-  show(plan: Plan, account: Account): void {
+  // others: all that stand side by side, this one among them.
+  show(plan: Plan, account: Account, others: readonly Plan[]): void {
+    this.others = others;
     this.plan = plan;
     this.account = account;
     this.build();
@@ -203,6 +206,7 @@ export class AnswerView {
     const messages = [...plan.header.diagnostics.map((one) => `${one.severity} ${one.id}, line ${one.line}: ${one.message}. ${one.remedy}`), ...report.errors.filter((one) => one.id === undefined).map((one) => one.message), ...report.warnings];
     if (messages.length > 0) add("Messages", h("ul", { "data-test": "messages" }, ...messages.map((text) => h("li", {}, text))));
     const { units } = this.store.state;
+    if (this.others.length > 1) add("Side by side", this.othersTable());
     const addOffsets = (): void => add(`How far the work offset may move, ${lengthUnit(units)}`, this.offsetsTable());
     if (!plan.motion) {
       if (plan.header.extents) addOffsets();
@@ -216,6 +220,21 @@ export class AnswerView {
     add("Largest figures", this.usesTable());
     add("The plan", table(["", ""], [["program", report.file], ["machine", report.machine], ["profile", report.profile], ["path", `${lengthText(report.path_length_mm ?? 0, units)} ${lengthUnit(units)} in ${report.blocks ?? 0} blocks`], ["ticks", `${report.ticks ?? 0} of ${plain(1000 * plan.period_s)} ms`]], "plan"));
     return parts;
+  }
+
+  // Each with its difference from the first.
+  private othersTable(): HTMLElement {
+    const first = this.others[0]!.header.report.cycle_time_s;
+    return table(
+      ["program", "machine", "time", "difference"],
+      this.others.map((plan, i) => {
+        const { file, machine, cycle_time_s: seconds } = plan.header.report;
+        const name = h("button", { type: "button", class: "link", click: () => this.store.set({ plan: i, tick: 0, hover: null, shown: null, camera: "", playing: false }, "answer") }, file.split("/").pop() ?? file);
+        const difference = i === 0 || seconds === undefined || first === undefined ? "" : `${seconds < first ? "\u2212" : "+"}${clock(Math.abs(seconds - first))}, ${plain((100 * (seconds - first)) / first, 3)} %`;
+        return [name, machine === "default" ? machine : machine.split("/").pop() ?? machine, seconds === undefined ? "does not run" : clock(seconds), difference];
+      }),
+      "side-by-side",
+    );
   }
 
   private offsetsTable(): HTMLElement {

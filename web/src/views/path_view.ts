@@ -1,7 +1,7 @@
 // The path in space: orbit, pan, zoom, pick.
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { mixed, rgbOf, type Rgb } from "../colours.ts";
+import { hexOf, mixed, rgbOf, type Rgb } from "../colours.ts";
 import { lastAtOrBefore, type Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
@@ -93,6 +93,25 @@ function lineBox(min: Triple, max: Triple, colour: string): THREE.LineSegments {
   return box;
 }
 
+// A place with a name.
+interface Place {
+  readonly at: Triple;
+  readonly text: string;
+}
+
+// Where the program begins, where its zero is, where it is farthest from the programmed path.
+function placesOf(plan: Plan): Place[] {
+  const start = plan.positionAt(0);
+  const work = plan.header.machine.work_offsets[0];
+  const isAtStart = work?.origin_mm.every((mm, k) => Math.abs(mm - start[k]!) < 1e-6) ?? false;
+  const places: Place[] = [{ at: start, text: isAtStart ? `start, ${work!.name}` : "start" }];
+  if (work && !isAtStart) places.push({ at: [...work.origin_mm], text: work.name });
+  const deviation = plan.header.report.deviation;
+  const at = deviation?.at_mm;
+  if (deviation && at && deviation.max_mm >= 5e-7) places.push({ at: [at["x"] ?? 0, at["y"] ?? 0, at["z"] ?? 0], text: "largest deviation" });
+  return places;
+}
+
 // What is placed in millimetres and drawn in pixels.
 interface Marker {
   readonly object: THREE.Object3D;
@@ -115,6 +134,7 @@ export class PathView {
   private markedRun = "";
   private furniture = new THREE.Group();
   private markers: Marker[] = [];
+  private places: Place[] = [];
   private tool: Marker;
   private plan: Plan | null = null;
   private box: { min: Triple; max: Triple } = { min: [0, 0, 0], max: [0, 0, 0] };
@@ -126,9 +146,10 @@ export class PathView {
   constructor(store: Store, ground: Ground) {
     this.store = store;
     this.ground = ground;
+    THREE.ColorManagement.enabled = false; // colours are drawn as they are
     this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true });
     this.renderer.info.autoReset = true;
-    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace; // colours go through as they are
+    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.enableDamping = false;
@@ -204,6 +225,7 @@ export class PathView {
     };
     const work = plan.header.machine.work_offsets[0];
     place(work ? [...work.origin_mm] : [0, 0, 0], 26);
+    this.places = placesOf(plan);
     (this.tool.object as THREE.Mesh<THREE.BufferGeometry, THREE.MeshBasicMaterial>).material.color.set(this.ground.accent);
   }
 
@@ -418,6 +440,29 @@ export class PathView {
       pen.fillText(name, 40 + 33 * way.x, height - 40 - 33 * way.y);
     });
     this.drawScale(pen, height);
+    this.drawPlaces(pen);
+  }
+
+  private drawPlaces(pen: CanvasRenderingContext2D): void {
+    if (!this.plan) return;
+    const { clientWidth: width, clientHeight: height } = this.element;
+    pen.font = "12px system-ui, sans-serif";
+    pen.textAlign = "left";
+    for (const { at, text } of this.places) {
+      const point = new THREE.Vector3(...at).project(this.camera);
+      const [x, y] = [((point.x + 1) * width) / 2, ((1 - point.y) * height) / 2];
+      pen.strokeStyle = this.ground.text;
+      pen.lineWidth = 1.5;
+      pen.beginPath();
+      pen.arc(x, y, 4, 0, 2 * Math.PI);
+      pen.stroke();
+      // A rim in the colour of the ground keeps the words legible over lines.
+      pen.strokeStyle = hexOf(this.ground.rgb);
+      pen.lineWidth = 3.5;
+      pen.strokeText(text, x + 8, y - 9);
+      pen.fillStyle = this.ground.text;
+      pen.fillText(text, x + 8, y - 9);
+    }
   }
 
   private drawScale(pen: CanvasRenderingContext2D, height: number): void {
