@@ -273,10 +273,7 @@ export class AnswerView {
       parts.map((part) => [
         part.name,
         this.seconds(total(part.split)),
-        this.seconds(part.split.cut),
-        this.seconds(part.split.rapid),
-        this.seconds(part.split.rest),
-        this.seconds(part.split.toolChange),
+        ...KINDS.map(([kind]) => (part.split[kind] > 0 ? this.seconds(part.split[kind]) : "")),
       ]),
       `by-${what}`,
     );

@@ -288,7 +288,7 @@ export class PathView {
     isRapid.push(path.rapid[to]!);
     const most = 20_000; // of a mark: more is no line but the whole program
     const count = Math.min(points.length - 1, most);
-    const rgb = mixed(this.ground.rgb, rgbOf(this.ground.accent), 0.45).map((part) => Math.round(255 * part));
+    const rgb = mixed(this.ground.rgb, rgbOf(this.ground.accent), this.ground.dark ? 0.45 : 0.3).map((part) => Math.round(255 * part));
     const stretches: Stretches = {
       a: new Float32Array(points.slice(0, count).flat()),
       b: new Float32Array(points.slice(1, count + 1).flat()),
@@ -297,7 +297,7 @@ export class PathView {
       along: lengthsBefore(points).subarray(0, count),
     };
     // A broad band below the path, whose colours stay as they are.
-    this.lineMark = strokes(stretches, 9);
+    this.lineMark = strokes(stretches, 8);
     const { material } = this.lineMark as THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
     material.depthTest = material.depthWrite = false;
     this.lineMark.renderOrder = -1;

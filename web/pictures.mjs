@@ -1,0 +1,32 @@
+// Takes the pictures of docs/ anew: look at them before they are committed.
+//   node web/pictures.mjs      after ./test web, which installs what this needs
+import { execFileSync } from "node:child_process";
+import { mkdtempSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+const root = join(dirname(fileURLToPath(import.meta.url)), "..");
+const folder = mkdtempSync(join(tmpdir(), "kerf-pictures-"));
+const PICTURES = [
+  { name: "report", program: "butterfly", fragment: "colour=limit&tick=2500" },
+  { name: "report-dark", program: "pocket", fragment: "theme=dark&tick=30000&track=x", tab: "answer" },
+];
+
+const browser = await chromium.launch({
+  executablePath: "/usr/bin/chromium",
+  args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])],
+});
+for (const { name, program, fragment, tab } of PICTURES) {
+  const file = join(folder, `${name}.html`);
+  execFileSync(join(root, "kerf"), ["report", "-q", join(root, "programs", `${program}.ngc`), "-o", file]);
+  const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+  await page.goto(`${pathToFileURL(file).href}#${fragment}`);
+  await page.waitForSelector("header");
+  if (tab) await page.locator(`[data-tab=${tab}]`).click();
+  await page.waitForTimeout(1000);
+  await page.screenshot({ path: join(root, "docs", `${name}.png`) });
+  await page.close();
+}
+await browser.close();
