@@ -20,4 +20,8 @@ std::string_view name_of(Command command) noexcept {
   return "dry-run";
 }
 
+bool makes_page(Command command) noexcept {
+  return command == Command::report || command == Command::view;
+}
+
 }  // namespace kerf::program

@@ -19,6 +19,7 @@ namespace kerf::program {
 enum class Command : unsigned char { dry_run, run, check, explain, report, view };
 
 std::string_view name_of(Command command) noexcept;
+[[nodiscard]] bool makes_page(Command command) noexcept;
 
 // How errors and warnings are written: for people, or as one document for programs.
 enum class DiagnosticFormat : unsigned char { text, json, sarif };

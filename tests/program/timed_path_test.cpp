@@ -37,7 +37,7 @@ double largest_error_mm(const std::vector<TimedPoint>& kept, std::int64_t last_t
 }
 
 TEST(TimedPath, KeepsPlaceAndTimeWithinItsTolerance) {
-  TimedPath path(0.01);
+  TimedPath path({.tolerance_mm = 0.01});
   for (std::int64_t tick = 0; tick <= 50'000; ++tick) {
     path.add(point_at(tick));
   }
@@ -50,7 +50,7 @@ TEST(TimedPath, KeepsPlaceAndTimeWithinItsTolerance) {
 }
 
 TEST(TimedPath, HasBoundedMemoryAndSaysWhatThatCosts) {
-  TimedPath path(1e-6, 500);
+  TimedPath path({.tolerance_mm = 1e-6, .max_points = 500});
   for (std::int64_t tick = 0; tick <= 50'000; ++tick) {
     path.add(point_at(tick));
     ASSERT_LE(path.points().size(), tick % 1000 == 0 ? 501U : 50'001U);
@@ -60,7 +60,7 @@ TEST(TimedPath, HasBoundedMemoryAndSaysWhatThatCosts) {
 }
 
 TEST(TimedPath, DividesWhereARapidBeginsAndEnds) {
-  TimedPath path(1e9);
+  TimedPath path({.tolerance_mm = 1e9});
   for (std::int64_t tick = 0; tick <= 3000; ++tick) {
     path.add(point_at(tick));
   }

@@ -233,6 +233,21 @@ describe("the three views are one", () => {
     await page.context().close();
   });
 
+  test("the codes in force at the instant are those that explain names before the next line", async () => {
+    const { page, said } = await openReport([pocket]);
+    const trace = traceOf(pocket);
+    for (const line of [7, 10, 16, 44]) {
+      await goTo(page, trace.findIndex((row) => row.line === line) + 5);
+      // What a block sets is in force before the next one.
+      const block = JSON.parse(kerf("explain", pocket, "--line", String(line + 1), "--json").out).block as { codes: string[] };
+      const shownCodes = (await textOf(page, "codes")).split(" ");
+      for (const code of shownCodes) assert.ok(block.codes.includes(code), `${code} in ${block.codes.join(" ")}`);
+      assert.ok(shownCodes.length >= 8);
+    }
+    assert.deepEqual(said, []);
+    await page.context().close();
+  });
+
   test("play goes on in time, and space stops it", async () => {
     const { page, said } = await openReport([pocket], "#tick=20000");
     await page.locator("body").press("Space");
@@ -278,6 +293,7 @@ describe("the page", () => {
     assert.ok((await page.locator(".cm-content").textContent())!.includes("</script><script>document.title='owned'</script>"));
     await page.locator("[data-tab=answer]").click();
     assert.ok((await page.locator("[data-test=by-operation]").textContent())!.includes(attack));
+    assert.ok((await page.locator("[data-test=told]").textContent())!.includes(attack));
     assert.equal(await page.locator("img").count(), 0);
     assert.deepEqual(said, []);
     await page.context().close();

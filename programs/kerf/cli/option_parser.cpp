@@ -134,8 +134,7 @@ CLI::App* add_command(CLI::App& app, Command command, const std::string& descrip
   if (command == Command::run || command == Command::explain) {
     files->expected(1);
   }
-  const bool makes_page = command == Command::report || command == Command::view;
-  if (makes_page) {
+  if (makes_page(command)) {
     add_page(*added, command, raw.options);
   } else {
     add_machine(*added, raw.options);
@@ -149,7 +148,7 @@ CLI::App* add_command(CLI::App& app, Command command, const std::string& descrip
   } else if (command == Command::check) {
     added->add_flag("--syntax", raw.options.syntax_only,
                     "read the text alone: no plan, no curves, no travel");
-  } else if (!makes_page) {
+  } else if (!makes_page(command)) {
     add_outputs(*added, raw);
   }
   if (command == Command::run) {
@@ -196,6 +195,9 @@ Leave wrong_use(const std::string& message) {
 // Reads the words of raw into its options. What is wrong with them, as a sentence.
 std::optional<std::string> give_meaning(Raw& raw) {
   Options& options = raw.options;
+  if (makes_page(options.command)) {
+    options.explained_speed.emplace();  // the page shows it
+  }
   if (!raw.block_delete.empty()) {
     const auto switches = block_delete_of(raw.block_delete);
     if (!switches) {
@@ -243,16 +245,17 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
       "kerf");
   app.set_version_flag("--version", "kerf " KERF_VERSION);
   app.require_subcommand(1);
-  const CLI::App* dry_run =
-      add_command(app, Command::dry_run, "run on the simulated table without a clock", raw);
-  const CLI::App* run = add_command(app, Command::run, "run in real time", raw);
-  const CLI::App* check = add_command(app, Command::check, "read and plan only", raw);
+  std::map<const CLI::App*, Command> commands;
+  const auto add = [&](Command command, const std::string& description) {
+    commands.emplace(add_command(app, command, description, raw), command);
+  };
+  add(Command::dry_run, "run on the simulated table without a clock");
+  add(Command::run, "run in real time");
+  add(Command::check, "read and plan only");
   const ErrorPageCommand error_pages(app);
-  const CLI::App* explain = add_command(app, Command::explain,
-                                        "what is in force at a line of the program, and when", raw);
-  const CLI::App* report =
-      add_command(app, Command::report, "run as dry-run does, into a page for the browser", raw);
-  add_command(app, Command::view, "the same, shown in the browser", raw);
+  add(Command::explain, "what is in force at a line of the program, and when");
+  add(Command::report, "run as dry-run does, into a page for the browser");
+  add(Command::view, "the same, shown in the browser");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -268,18 +271,10 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
     return text ? Leave{.status = ExitStatus::done, .text = *text} : wrong_use(text.error());
   }
   Options& options = raw.options;
-  options.command = dry_run->parsed()   ? Command::dry_run
-                    : run->parsed()     ? Command::run
-                    : check->parsed()   ? Command::check
-                    : explain->parsed() ? Command::explain
-                    : report->parsed()  ? Command::report
-                                        : Command::view;
+  options.command = commands.at(app.get_subcommands().front());
   options.profile = *profiles::profile_kind(raw.profile);
   if (const auto message = give_meaning(raw)) {
     return wrong_use(*message);
-  }
-  if (options.command == Command::report || options.command == Command::view) {
-    options.explained_speed.emplace();  // the page shows it
   }
   if (const auto message = contradiction(options)) {
     return wrong_use(*message);

@@ -89,6 +89,17 @@ std::optional<std::string> contradiction_of_control(const Options& options) {
   return std::nullopt;
 }
 
+std::optional<std::string> contradiction_of_streams(const Options& options) {
+  if (options.page_file == "-" && options.json) {
+    return "--json and -o - both write to standard output";
+  }
+  const auto from_input = std::count(options.files.begin(), options.files.end(), "-");
+  if (from_input > 1 || (from_input == 1 && options.machine_files.size() > 1)) {
+    return "standard input can be read only once";
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> contradiction(const Options& options) {
@@ -112,12 +123,8 @@ std::optional<std::string> contradiction(const Options& options) {
     return fmt::format("--sigmoid-shape: s is to be {} to {}", Sigmoid::kSmallestShape,
                        Sigmoid::kLargestShape);
   }
-  if (options.page_file == "-" && options.json) {
-    return "--json and -o - both write to standard output";
-  }
-  const auto from_input = std::count(options.files.begin(), options.files.end(), "-");
-  if (from_input > 1 || (from_input == 1 && options.machine_files.size() > 1)) {
-    return "standard input can be read only once";
+  if (const auto message = contradiction_of_streams(options)) {
+    return message;
   }
   return contradiction_of_control(options);
 }

@@ -34,10 +34,6 @@ tl::expected<std::string, std::string> temporary_page(const std::string& program
 
 }  // namespace
 
-bool makes_page(Command command) noexcept {
-  return command == Command::report || command == Command::view;
-}
-
 tl::expected<PageMaker, std::string> PageMaker::open(const Options& options) {
   auto page_template = read_page_template(options.page_template);
   if (!page_template) {

@@ -13,8 +13,6 @@
 
 namespace kerf::program {
 
-[[nodiscard]] bool makes_page(Command command) noexcept;
-
 class PageMaker {
  public:
   // Call it before anything runs, so that what cannot be written is known by then. Error: a

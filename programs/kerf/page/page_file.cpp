@@ -44,13 +44,13 @@ std::optional<std::string> text_of(const fs::path& path) {
 
 }  // namespace
 
-tl::expected<std::string, std::string> read_page_template(
+tl::expected<PageTemplate, std::string> read_page_template(
     const std::optional<std::string>& asked_for) {
   const std::vector<fs::path> places =
       asked_for ? std::vector<fs::path>{*asked_for} : usual_places();
   for (const fs::path& place : places) {
     if (auto text = text_of(place)) {
-      return *std::move(text);
+      return PageTemplate{*std::move(text)};
     }
   }
   if (asked_for) {
@@ -63,8 +63,8 @@ tl::expected<std::string, std::string> read_page_template(
 }
 
 tl::expected<PageFile, std::string> PageFile::create(const std::string& path,
-                                                     std::string page_template) {
-  const std::size_t head = page_template.find(mark_of_plans());
+                                                     PageTemplate page_template) {
+  const std::size_t head = page_template.text.find(mark_of_plans());
   if (head == std::string::npos) {
     return tl::unexpected(fmt::format(
         "the page without data is of another version of kerf; this one needs {}", kPlanVersion));
@@ -73,7 +73,7 @@ tl::expected<PageFile, std::string> PageFile::create(const std::string& path,
   if (!file) {
     return tl::unexpected(file.error());
   }
-  return PageFile(*std::move(file), std::move(page_template), head);
+  return PageFile(*std::move(file), std::move(page_template.text), head);
 }
 
 void PageFile::write(std::string_view text) {

@@ -13,9 +13,14 @@
 
 namespace kerf::program {
 
-// The page without data: the one that was asked for, else page.html beside the executable, else
+// The page without data.
+struct PageTemplate {
+  std::string text;
+};
+
+// The one that was asked for, else page.html beside the executable, else
 // that of the installation. Error: what to do.
-[[nodiscard]] tl::expected<std::string, std::string> read_page_template(
+[[nodiscard]] tl::expected<PageTemplate, std::string> read_page_template(
     const std::optional<std::string>& asked_for);
 
 // A page without data as its two halves: plans stand between them.
@@ -23,7 +28,7 @@ class PageFile {
  public:
   // Error: what the system says, or that the page is of another version.
   static tl::expected<PageFile, std::string> create(const std::string& path,
-                                                    std::string page_template);
+                                                    PageTemplate page_template);
 
   // A plan_document(). Of the first error nothing more is written.
   void add(std::string_view plan);

@@ -157,7 +157,7 @@ void add_columns(Json& header, Sections& sections, const TickColumns& columns) {
         columns.series()[i], single);
   }
   const std::vector<std::uint8_t> limits = columns.limits();
-  sections.add_bytes("limit", {reinterpret_cast<const char*>(limits.data()), limits.size()});
+  sections.add_bytes("limit", std::string(limits.begin(), limits.end()));
 }
 
 void add_path(Json& header, Sections& sections, const TimedPath& path) {
@@ -189,6 +189,19 @@ void add_runs(Json& header, Sections& sections, const MotionRuns& motion) {
   sections.add_bytes("runs.kind", kinds);
 }
 
+void add_notes(Json& header, Sections& sections, const PlanGatherer& motion) {
+  const CodeRuns& codes = motion.codes();
+  header["codes"] = codes.texts();
+  sections.add_numbers({"codes.tick"}, codes.runs(), [](const CodeRun& run) { return run.tick; });
+  sections.add_numbers({"codes.text"}, codes.runs(),
+                       [](const CodeRun& run) { return std::int64_t{run.codes}; });
+  Json messages = Json::array();
+  for (const ProgramMessage& message : motion.messages()) {
+    messages.push_back({{"line", message.line}, {"text", message.text}});
+  }
+  header["messages"] = std::move(messages);
+}
+
 // The lowest byte first.
 std::string four_bytes(std::uint32_t number) {
   std::string bytes;
@@ -218,6 +231,7 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
     add_columns(header, sections, record.motion->columns());
     add_path(header, sections, record.motion->path());
     add_runs(header, sections, record.motion->runs());
+    add_notes(header, sections, *record.motion);
   }
   if (record.source) {
     sections.add_bytes("source", *record.source);

@@ -1,6 +1,7 @@
 #include "programs/kerf/page/plan_gatherer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kerf::program {
 
@@ -18,6 +19,15 @@ double tolerance_of(const curves::Extents& extents) {
 }  // namespace
 
 PlanGatherer::PlanGatherer(const TickColumns::Settings& columns, const curves::Extents& extents)
-    : columns_(columns), path_(tolerance_of(extents)) {}
+    : columns_(columns), path_({.tolerance_mm = tolerance_of(extents)}) {}
+
+void PlanGatherer::add_notes(Kernel& kernel) {
+  codes_.add(last_tick_, kernel.active_codes());
+  for (ProgramMessage& message : kernel.take_messages()) {
+    if (messages_.size() < kMaxMessages) {
+      messages_.push_back(std::move(message));
+    }
+  }
+}
 
 }  // namespace kerf::program

@@ -3,7 +3,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include <kerf/kernel.hpp>
+
+#include "programs/kerf/page/code_runs.hpp"
 #include "programs/kerf/page/motion_runs.hpp"
 #include "programs/kerf/page/tick_columns.hpp"
 #include "programs/kerf/page/timed_path.hpp"
@@ -25,15 +29,24 @@ class PlanGatherer {
     last_tick_ = record.tick;
   }
 
+  // What the kernel tells the operator since the tick that was added last.
+  void add_notes(Kernel& kernel);
+
   [[nodiscard]] const TickColumns& columns() const noexcept { return columns_; }
   [[nodiscard]] const TimedPath& path() const noexcept { return path_; }
   [[nodiscard]] const MotionRuns& runs() const noexcept { return runs_; }
+  [[nodiscard]] const CodeRuns& codes() const noexcept { return codes_; }
+  // (MSG, ...) and the like, the first kMaxMessages.
+  static constexpr std::size_t kMaxMessages = 1000;
+  [[nodiscard]] const std::vector<ProgramMessage>& messages() const noexcept { return messages_; }
   [[nodiscard]] std::int64_t last_tick() const noexcept { return last_tick_; }
 
  private:
   TickColumns columns_;
   TimedPath path_;
   MotionRuns runs_;
+  CodeRuns codes_;
+  std::vector<ProgramMessage> messages_;
   std::int64_t last_tick_ = 0;
 };
 

@@ -18,11 +18,14 @@ TickColumns::TickColumns(const Settings& settings)
       extra_(settings.extra),
       max_columns_(settings.max_columns),
       period_s_(settings.period_s),
-      series_(kPerTrack * (1 + tracks_.size()) + 1) {}
+      series_(kPerTrack * (1 + tracks_.size()) + 1) {
+  for (std::size_t k = 0; k < tracks_.size(); ++k) {
+    tracks_[k].first_series = kPerTrack * (1 + k);
+  }
+}
 
-void TickColumns::take(std::size_t series, double value) {
+void TickColumns::take(ColumnSeries& into, double value) const {
   const auto figure = static_cast<float>(value);
-  ColumnSeries& into = series_[series];
   if (opens_column_) {
     into.min.push_back(figure);
     into.max.push_back(figure);
@@ -32,17 +35,16 @@ void TickColumns::take(std::size_t series, double value) {
   }
 }
 
-void TickColumns::take_axis(std::size_t axis, double x) {
-  std::array<double, 3>& last = tracks_[axis];
+void TickColumns::take_axis(Track& track, double x) {
   if (ticks_ == 0) {
-    last.fill(x);
+    track.x.fill(x);
   }
-  const auto [x1, x2, x3] = last;
-  const std::size_t first = kPerTrack * (1 + axis);
-  take(first, (x - x1) / period_s_);
-  take(first + 1, (x - 2.0 * x1 + x2) / (period_s_ * period_s_));
-  take(first + 2, (x - 3.0 * (x1 - x2) - x3) / (period_s_ * period_s_ * period_s_));
-  last = {x, x1, x2};
+  const auto [x1, x2, x3] = track.x;
+  const std::size_t first = track.first_series;
+  take(series_[first], (x - x1) / period_s_);
+  take(series_[first + 1], (x - 2.0 * x1 + x2) / (period_s_ * period_s_));
+  take(series_[first + 2], (x - 3.0 * (x1 - x2) - x3) / (period_s_ * period_s_ * period_s_));
+  track.x = {x, x1, x2};
 }
 
 void TickColumns::take_limit(std::uint8_t limit) {
@@ -62,18 +64,18 @@ void TickColumns::add(const TickRecord& record) {
     halve();
     opens_column_ = ticks_ % ticks_per_column_ == 0;
   }
-  take(0, record.motion.v_mm_s);
-  take(1, record.motion.a_mm_s2);
-  take(2, record.motion.j_mm_s3);
+  take(series_[0], record.motion.v_mm_s);
+  take(series_[1], record.motion.a_mm_s2);
+  take(series_[2], record.motion.j_mm_s3);
   for (std::size_t k = 0; k < kAxes; ++k) {
-    take_axis(k, record.position_mm[k]);
+    take_axis(tracks_[k], record.position_mm[k]);
   }
   for (std::size_t k = 0; k < extra_.size(); ++k) {
-    take_axis(kAxes + k, extra_[k].factor * record.extra_rad_mm[extra_[k].index]);
+    take_axis(tracks_[kAxes + k], extra_[k].factor * record.extra_rad_mm[extra_[k].index]);
   }
-  take(series_.size() - 1, std::hypot(record.actual_mm[0] - record.position_mm[0],
-                                      record.actual_mm[1] - record.position_mm[1],
-                                      record.actual_mm[2] - record.position_mm[2]));
+  take(series_.back(), std::hypot(record.actual_mm[0] - record.position_mm[0],
+                                  record.actual_mm[1] - record.position_mm[1],
+                                  record.actual_mm[2] - record.position_mm[2]));
   take_limit(static_cast<std::uint8_t>(record.limit));
   ++ticks_;
 }

@@ -51,13 +51,18 @@ class TickColumns {
     std::uint32_t ticks = 0;
   };
 
-  void take(std::size_t series, double value);
-  void take_axis(std::size_t axis, double x);
+  // Of one axis: its last three positions, newest first, and its series of v, a, j.
+  struct Track {
+    std::array<double, 3> x{};
+    std::size_t first_series = 0;
+  };
+
+  void take(ColumnSeries& into, double value) const;
+  void take_axis(Track& track, double x);
   void take_limit(std::uint8_t limit);
   void halve();
 
-  std::vector<std::array<double, 3>>
-      tracks_;  // the last three positions of each axis, newest first
+  std::vector<Track> tracks_;
   std::vector<ExtraAxis> extra_;
   std::size_t max_columns_;
   std::int64_t ticks_per_column_ = 1;

@@ -5,8 +5,10 @@
 
 namespace kerf::program {
 
-TimedPath::TimedPath(double tolerance_mm, std::size_t max_points)
-    : tolerance_mm_(tolerance_mm), error_mm_(tolerance_mm), max_points_(max_points) {}
+TimedPath::TimedPath(const Settings& settings)
+    : tolerance_mm_(settings.tolerance_mm),
+      error_mm_(settings.tolerance_mm),
+      max_points_(settings.max_points) {}
 
 bool TimedPath::extends(const TimedPoint& point) {
   const TimedPoint& from = kept_.back();
@@ -61,7 +63,7 @@ void TimedPath::add(const TimedPoint& point) {
 
 void TimedPath::thin() {
   tolerance_mm_ *= 2.0;
-  TimedPath thinner(tolerance_mm_, kept_.size() + 2);
+  TimedPath thinner({.tolerance_mm = tolerance_mm_, .max_points = kept_.size() + 2});
   for (const TimedPoint& point : kept_) {
     thinner.append(point);
   }

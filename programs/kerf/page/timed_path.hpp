@@ -28,8 +28,11 @@ class TimedPath {
  public:
   static constexpr std::size_t kMaxPoints = 150'000;
 
-  // tolerance_mm > 0, max_points >= 16
-  explicit TimedPath(double tolerance_mm, std::size_t max_points = kMaxPoints);
+  struct Settings {
+    double tolerance_mm = 1e-6;           // > 0
+    std::size_t max_points = kMaxPoints;  // >= 16
+  };
+  explicit TimedPath(const Settings& settings);
 
   void add(const TimedPoint& point);
 

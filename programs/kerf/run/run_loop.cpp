@@ -95,6 +95,9 @@ RunOutcome run_without_clock(Kernel& kernel, const RunStage& stage) {
       stage.feeder.stop();
     }
     stage.feeder.pump();
+    if (stage.recorder.page != nullptr) {
+      stage.recorder.page->add_notes(kernel);
+    }
     kernel.reach_tick();
     Setpoint setpoint;
     const TickStatus status = kernel.tick(setpoint);

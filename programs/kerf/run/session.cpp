@@ -44,6 +44,7 @@ class Session {
                         .block_delete = options.block_delete,
                         .optional_stop = options.optional_stop,
                         .one_thread = options.command != Command::run,
+                        .tells_operator = page != nullptr,
                         .dialect = options.dialect} {
     report_.command = options.command;
     report_.syntax_only = options.syntax_only;
@@ -78,7 +79,7 @@ class Session {
       report_.status = *stop_requested();
     } else if (!file) {
       report_.fail(ExitStatus::io_error, file.error());
-    } else if (keep_source(*file) && check(*file) && !options_.syntax_only) {
+    } else if (check(*file) && !options_.syntax_only) {
       file->rewind();
       const Stopwatch watch;
       if (options_.command == Command::check || options_.command == Command::explain) {
@@ -132,6 +133,9 @@ class Session {
 
   // True: the program may run.
   bool check(ProgramFile& file) {
+    if (!keep_source(file)) {
+      return false;
+    }
     const Stopwatch watch;
     const auto found = check_pass(file, settings_, kernel_options_,
                                   {.max_time_s = options_.max_time_s,

@@ -91,6 +91,8 @@ export interface Header {
   readonly ticks_per_column?: number;
   readonly columns?: number;
   readonly path_tolerance_mm?: number;
+  readonly codes?: readonly string[];
+  readonly messages?: readonly { line: number; text: string }[];
   readonly shortest_run_ticks?: number;
   readonly sections: readonly Section[];
 }

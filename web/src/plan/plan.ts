@@ -163,6 +163,14 @@ export class Plan {
     return [at(0), at(1), at(2)];
   }
 
+  // "G1 G17 G21 ..."; empty where nothing is known.
+  codesAt(tick: number): string {
+    const begins = this.decoded.numbers.get("codes.tick");
+    const texts = this.decoded.numbers.get("codes.text");
+    const run = begins ? lastAtOrBefore(begins, tick) : -1;
+    return run < 0 ? "" : (this.header.codes?.[texts?.[run] ?? -1] ?? "");
+  }
+
   runAt(tick: number): number {
     return this.motion ? Math.max(0, lastAtOrBefore(this.motion.runs.tick, tick)) : 0;
   }

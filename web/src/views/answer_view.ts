@@ -206,6 +206,8 @@ export class AnswerView {
     const messages = [...plan.header.diagnostics.map((one) => `${one.severity} ${one.id}, line ${one.line}: ${one.message}. ${one.remedy}`), ...report.errors.filter((one) => one.id === undefined).map((one) => one.message), ...report.warnings];
     if (messages.length > 0) add("Messages", h("ul", { "data-test": "messages" }, ...messages.map((text) => h("li", {}, text))));
     const { units } = this.store.state;
+    const told = plan.header.messages ?? [];
+    if (told.length > 0) add("What the program tells the operator", h("ul", { "data-test": "told" }, ...told.map(({ line, text }) => h("li", {}, this.lineButton(line), `: ${text}`))));
     if (this.others.length > 1) add("Side by side", this.othersTable());
     const addOffsets = (): void => add(`How far the work offset may move, ${lengthUnit(units)}`, this.offsetsTable());
     if (!plan.motion) {

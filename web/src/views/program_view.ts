@@ -108,6 +108,7 @@ export class ProgramView {
   private readonly host = h("div", { class: "editor" });
   private readonly root: ShadowRoot;
   private readonly message = h("div", { class: "empty" });
+  private readonly codes = h("div", { class: "codes", "data-test": "codes", title: "the codes in force at this instant" });
   private view: EditorView | null = null;
   private plan: Plan | null = null;
   private account: Account | null = null;
@@ -118,7 +119,7 @@ export class ProgramView {
     this.store = store;
     // In a shadow tree CodeMirror's style sheets are objects, which the page's policy lets pass.
     this.root = this.host.attachShadow({ mode: "open" });
-    this.element = h("div", { class: "program-view" }, this.host, this.message);
+    this.element = h("div", { class: "program-view" }, this.host, this.message, this.codes);
     store.listen((_state, change, origin) => {
       if ("tick" in change || "hover" in change) this.showInstant(origin !== "program");
     });
@@ -199,6 +200,7 @@ export class ProgramView {
   }
 
   private showInstant(scroll: boolean): void {
+    this.codes.textContent = this.plan?.codesAt(this.store.instant) ?? "";
     const runs = this.plan?.motion?.runs;
     const line = runs && runs.line.length > 0 ? runs.line[this.plan!.runAt(this.store.instant)]! : 0;
     if (this.plan?.source === null) {
