@@ -6,6 +6,7 @@ import os
 import pathlib
 import re
 import subprocess
+import time
 import zlib
 
 from command_line import Case, KERF, SOURCE, SQUARE, TOO_FAR, WRONG, main
@@ -168,6 +169,18 @@ class View(Case):
         page = re.match(r"(.*/square\.html): ", done.stderr).group(1)
         self.assertEqual(pathlib.Path(page).parent.parent, self.folder)
         self.assertEqual(len(plans_of(page)), 1)
+
+    def test_shows_the_page_in_the_desktops_browser(self):
+        opener = self.path("xdg-open", f"#!/bin/sh\necho \"$1\" >'{self.folder}/asked'\nmv '{self.folder}/asked' '{self.folder}/opened'\n")
+        os.chmod(opener, 0o755)
+        env = {"TMPDIR": str(self.folder), "PATH": str(self.folder) + ":" + os.environ["PATH"], "DISPLAY": ":7"}
+        self.kerf("view", "-q", self.path("square.ngc", SQUARE), "--page", self.path("template.html", TEMPLATE), env=env)
+        opened = self.folder / "opened"
+        for _ in range(500):
+            if opened.exists():
+                break
+            time.sleep(0.02)
+        self.assertEqual(len(plans_of(opened.read_text().strip())), 1)
 
 
 if __name__ == "__main__":

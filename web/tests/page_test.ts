@@ -206,6 +206,7 @@ describe("the three views are one", () => {
     for (let x = 0.3; x < 0.8 && hit === ""; x += 0.01) {
       await page.mouse.move(box.x + x * box.width, box.y + 0.5 * box.height);
       const tip = page.locator(".tip");
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
       if (await tip.isVisible()) hit = (await tip.textContent()) ?? "";
     }
     const line = /^line (\d+) /.exec(hit)![1]!;
@@ -215,6 +216,7 @@ describe("the three views are one", () => {
     const tick = Number(/tick (\d+)/.exec(await textOf(page, "instant"))![1]);
     assert.ok(Math.abs(Number(x) - traceOf(pocket)[tick]!.x) < 0.002, `${x} at tick ${tick}`);
     await page.mouse.move(box.x + 2, box.y + 2);
+    await page.waitForFunction(() => document.querySelector<HTMLElement>(".tip")!.hidden);
     assert.equal(await textOf(page, "instant"), before);
     assert.deepEqual(said, []);
     await page.context().close();
@@ -337,6 +339,18 @@ describe("the page", () => {
     assert.ok(shown(await textOf(page, "extents")).includes("X -100.000 to 520.000, over by 20.000"));
     await page.locator("[data-tab=answer]").click();
     assert.ok(shown(await textOf(page, "offsets")).includes("-400.000 to -20.000"));
+    assert.deepEqual(said, []);
+    await page.context().close();
+  });
+
+  test("says between which values the work offset in force would fit", async () => {
+    const text = "G21 G90 G55 F6000\nG1 X20\nG1 X-100\nM30\n";
+    const machine = programFile(readFileSync(join(SOURCE, "programs/machines/table.toml"), "utf8") + "\n[offsets.g55]\nx_mm = 50\n", "offset.toml");
+    const { page, said } = await openReport([programFile(text), "--machine", machine]);
+    await page.locator("[data-tab=answer]").click();
+    // The path is at X -50 to 70 with G55 at 50; the travel is -500 to 500, so G55 may be at -400 to 480.
+    const offsets = shown(await textOf(page, "offsets"));
+    assert.ok(offsets.includes("G55 between") && offsets.includes("-400.000 to 480.000"), offsets);
     assert.deepEqual(said, []);
     await page.context().close();
   });

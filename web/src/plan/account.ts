@@ -102,6 +102,18 @@ export interface Fit {
   readonly shift: readonly [number, number] | null; // how far the work offset may move; null: no shift helps
 }
 
+// The work coordinate system that the program runs in, if it is a single one, not turned, and the program's text shows that
+// nothing moves it: its name and origin. Of a program that did not run, as its text names it.
+export function workSystemOf(plan: Plan): { name: string; origin_mm: readonly [number, number, number] } | null {
+  if (plan.source === null) return null;
+  const text = plan.source.replace(/\([^)\n]*\)|;.*/g, " ").toUpperCase();
+  if (/G(?:10|52|68|92)(?!\d)|M98|G65|O<|O\d+ *CALL/.test(text)) return null;
+  const words = plan.header.codes?.join(" ") || text;
+  const names = new Set(words.match(/G5[4-9](?:\.[1-3])?(?![\d.])/g) ?? ["G54"]);
+  const found = plan.header.machine.work_offsets.find((work) => names.has(work.name));
+  return names.size === 1 && found && found.rotation_deg === 0 ? found : null;
+}
+
 // The box of the program beside the travel of X, Y and Z. Empty without motion.
 export function fitsOf(plan: Plan): Fit[] {
   const { extents } = plan.header;

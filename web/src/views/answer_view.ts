@@ -1,5 +1,5 @@
 // The answer: how long, does it fit, how close to the limits, how exact, which lines cost most.
-import { fitsOf, total, type Account, type Fit, type Part, type Split } from "../plan/account.ts";
+import { fitsOf, total, workSystemOf, type Account, type Fit, type Part, type Split } from "../plan/account.ts";
 import type { Plan, Quantity } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
@@ -79,15 +79,11 @@ function fitText(fit: Fit, units: Units): string {
   return `${text(fit.min)} to ${text(fit.max)}`;
 }
 
-// How far the work offset could be moved: "-12 to 340"; of a machine without travel nothing is said.
-function shiftText(fit: Fit, units: Units): string {
-  if (fit.shift === null) return "none: the program is larger than the travel";
-  const end = (value: number): string => {
-    if (!Number.isFinite(value)) return "any";
-    const text = fit.unit === "mm" ? lengthText(value, units) : fixed(value, 3);
-    return value > 0 ? `+${text}` : text;
-  };
-  return `${end(fit.shift[0])} to ${end(fit.shift[1])}`;
+// How far the work offset could be moved, from where it is: "-12 to 340".
+function shiftText(fit: Fit, units: Units, from: number): string {
+  if (fit.shift === null) return "no place: larger than the travel";
+  const end = (value: number): string => (!Number.isFinite(value) ? "any" : fit.unit === "mm" ? lengthText(value, units) : fixed(value, 3));
+  return `${end(from + fit.shift[0])} to ${end(from + fit.shift[1])}`;
 }
 
 export class AnswerView {
@@ -241,9 +237,10 @@ export class AnswerView {
 
   private offsetsTable(): HTMLElement {
     const { units } = this.store.state;
+    const work = workSystemOf(this.plan!);
     return table(
-      ["axis", "the path", "may move by"],
-      fitsOf(this.plan!).map((fit) => [fit.axis.toUpperCase(), fitText(fit, units), shiftText(fit, units)]),
+      ["axis", "the path", "may move by", ...(work ? [`${work.name} between`] : [])],
+      fitsOf(this.plan!).map((fit, k) => [fit.axis.toUpperCase(), fitText(fit, units), shiftText(fit, units, 0), ...(work ? [shiftText(fit, units, work.origin_mm[k] ?? 0)] : [])]),
       "offsets",
     );
   }

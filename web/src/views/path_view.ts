@@ -163,8 +163,20 @@ export class PathView {
     this.tool = { object: cone, at: [0, 0, 0] };
     this.scene.add(cone, this.furniture);
     this.element = h("div", { class: "path-view" }, this.canvas, this.overlay, this.tip);
-    this.canvas.addEventListener("pointermove", (event) => this.hover(event));
-    this.canvas.addEventListener("pointerleave", () => this.leave());
+    let moved: PointerEvent | null = null;
+    this.canvas.addEventListener("pointermove", (event) => {
+      if (moved === null) {
+        requestAnimationFrame(() => {
+          if (moved) this.hover(moved);
+          moved = null;
+        });
+      }
+      moved = event;
+    });
+    this.canvas.addEventListener("pointerleave", () => {
+      moved = null;
+      this.leave();
+    });
     let down: [number, number] = [0, 0];
     this.canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
     this.canvas.addEventListener("click", (event) => {
@@ -489,27 +501,36 @@ export class PathView {
     const { path } = this.plan.motion!;
     const rect = this.canvas.getBoundingClientRect();
     const m = new THREE.Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse).elements;
-    const [halfWidth, halfHeight] = [rect.width / 2, rect.height / 2];
-    const [px, py] = [event.clientX - rect.left - halfWidth, rect.top + halfHeight - event.clientY];
+    const halfWidth = rect.width / 2;
+    const halfHeight = rect.height / 2;
+    // Pixels from the pointer: u = u0 + ux x + uy y + uz z, and so v.
+    const [ux, uy, uz] = [m[0]! * halfWidth, m[4]! * halfWidth, m[8]! * halfWidth];
+    const [vx, vy, vz] = [m[1]! * halfHeight, m[5]! * halfHeight, m[9]! * halfHeight];
+    const u0 = m[12]! * halfWidth - (event.clientX - rect.left - halfWidth);
+    const v0 = m[13]! * halfHeight - (rect.top + halfHeight - event.clientY);
     const [xs, ys, zs] = path.xyz;
     let best = PICK_PIXELS ** 2;
     let found: number | null = null;
-    let [lastU, lastV] = [0, 0];
+    let lastU = 0;
+    let lastV = 0;
     for (let i = 0; i < xs.length; ++i) {
-      const [x, y, z] = [xs[i]!, ys[i]!, zs[i]!];
-      const u = (m[0]! * x + m[4]! * y + m[8]! * z + m[12]!) * halfWidth - px;
-      const v = (m[1]! * x + m[5]! * y + m[9]! * z + m[13]!) * halfHeight - py;
+      const u = u0 + ux * xs[i]! + uy * ys[i]! + uz * zs[i]!;
+      const v = v0 + vx * xs[i]! + vy * ys[i]! + vz * zs[i]!;
       if (i > 0) {
-        const [du, dv] = [u - lastU, v - lastV];
+        const du = u - lastU;
+        const dv = v - lastV;
         const square = du * du + dv * dv;
         const share = square > 0 ? Math.min(1, Math.max(0, -(lastU * du + lastV * dv) / square)) : 0;
-        const distance = (lastU + share * du) ** 2 + (lastV + share * dv) ** 2;
+        const nearU = lastU + share * du;
+        const nearV = lastV + share * dv;
+        const distance = nearU * nearU + nearV * nearV;
         if (distance < best) {
           best = distance;
           found = path.tick[i - 1]! + share * (path.tick[i]! - path.tick[i - 1]!);
         }
       }
-      [lastU, lastV] = [u, v];
+      lastU = u;
+      lastV = v;
     }
     return found === null ? null : Math.floor(found);
   }
