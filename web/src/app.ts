@@ -8,7 +8,8 @@ import { choice, h, select } from "./ui/dom.ts";
 import { clock } from "./units.ts";
 import { AnswerView } from "./views/answer_view.ts";
 import { legendOf } from "./views/legend.ts";
-import { PathView, SIDES, type Ground } from "./views/path_view.ts";
+import type { Ground } from "./views/ground.ts";
+import { PathView, SIDES } from "./views/path_view.ts";
 import { ProgramView } from "./views/program_view.ts";
 import { TimeView } from "./views/time_view.ts";
 

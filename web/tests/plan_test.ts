@@ -5,6 +5,7 @@ import { decodePlan, unpackNumbers } from "../src/plan/decode.ts";
 import { RunKind, lastAtOrBefore } from "../src/plan/plan.ts";
 import { Pyramid } from "../src/plan/pyramid.ts";
 import { drawnColumns, drawnLimits } from "../src/views/columns.ts";
+import { pointingOf, tickNear } from "../src/views/pick.ts";
 import { planOf } from "./helper.ts";
 
 // 0, 1, -1, 64, then back to 0: steps 0, 1, -2, 65, -64 as zigzag 0, 2, 3, 130 (two bytes), 127.
@@ -136,4 +137,19 @@ test("the band shows what limits most of the time behind a pixel", () => {
   plan.motion!.limit.set([1, 1, 2, 2, 2, 1, 3, 3, 3, 4, 4, 4]);
   assert.deepEqual([...drawnLimits(plan, { from: 0, to: 12 }, 4)], [1, 2, 3, 4]);
   assert.deepEqual([...drawnLimits(plan, { from: 10, to: 14 }, 4)], [4, 4, -1, -1], "nothing behind the end");
+});
+
+test("the instant at a place of the view is that of the nearest stretch, in pixels", () => {
+  const plan = planOf([
+    { ticks: 100, line: 1, kind: RunKind.cut },
+    { ticks: 50, line: 2, kind: RunKind.rest },
+    { ticks: 100, line: 3, kind: RunKind.cut },
+  ]);
+  // X 0 to 200 mm over a view of 400 by 200 pixels: 2 pixels a millimetre, x = 0 in the middle.
+  const projection = [2 / 200, 0, 0, 0, 0, 2 / 100, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  const at = (x: number, y: number): number | null => tickNear(plan.motion!.path, pointingOf(projection, { width: 400, height: 200 }, { x, y }), 12);
+  assert.equal(at(200 + 2 * 30, 100), 30);
+  assert.equal(at(200 + 2 * 30, 109), 30, "9 pixels below it");
+  assert.equal(at(200 + 2 * 30, 113), null, "13 pixels below it");
+  assert.equal(at(200 + 2 * 150, 100), 200, "behind the rest of 50 ticks");
 });

@@ -123,7 +123,7 @@ std::optional<std::string> contradiction(const Options& options) {
     return fmt::format("--sigmoid-shape: s is to be {} to {}", Sigmoid::kSmallestShape,
                        Sigmoid::kLargestShape);
   }
-  if (const auto message = contradiction_of_streams(options)) {
+  if (auto message = contradiction_of_streams(options)) {
     return message;
   }
   return contradiction_of_control(options);

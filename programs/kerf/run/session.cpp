@@ -62,18 +62,30 @@ class Session {
       kernel_options_.subprograms =
           subprograms_beside(path, options_.dialect.value_or(settings_.dialect));
     }
-    if (options_.command == Command::run) {
-      if (!lock()) {
-        return std::move(report_);
-      }
-      Descriptor source = ProgramFile::open_live(path);
-      has_keys_ = !source.is_open() && Keyboard::has_terminal();
-      kernel_options_.refuses_waits = !has_keys_ && !options_.control;
-      if (source.is_open()) {
-        run_live(std::move(source));
-        return std::move(report_);
-      }
+    if (options_.command != Command::run || !begin_run(path)) {
+      check_and_run(path);
     }
+    return std::move(report_);
+  }
+
+ private:
+  // True: it is over. Another run has the machine, or the text came as it ran.
+  bool begin_run(const std::string& path) {
+    if (!lock()) {
+      return true;
+    }
+    Descriptor source = ProgramFile::open_live(path);
+    has_keys_ = !source.is_open() && Keyboard::has_terminal();
+    kernel_options_.refuses_waits = !has_keys_ && !options_.control;
+    if (source.is_open()) {
+      run_live(std::move(source));
+      return true;
+    }
+    return false;
+  }
+
+  // Text that can be read twice.
+  void check_and_run(const std::string& path) {
     auto file = ProgramFile::open(path);
     if (stop_requested()) {
       report_.status = *stop_requested();
@@ -90,10 +102,8 @@ class Session {
       }
       report_.run_duration_s = watch.elapsed_s();
     }
-    return std::move(report_);
   }
 
- private:
   // False: another run has the machine.
   bool lock() {
     if (!options_.machine_file) {

@@ -1,115 +1,28 @@
 // The path in space: orbit, pan, zoom, pick.
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { hexOf, mixed, rgbOf, type Rgb } from "../colours.ts";
-import { lastAtOrBefore, type Plan } from "../plan/plan.ts";
+import type { Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
-import { lengthText, lengthUnit, plain } from "../units.ts";
+import { lengthText, lengthUnit } from "../units.ts";
+import type { Ground } from "./ground.ts";
 import { colouringOf, type Colouring } from "./path_colours.ts";
-import { strokes, type Stretches } from "./thick_lines.ts";
+import { drawOverlay, placesOf, type Place } from "./path_overlay.ts";
+import { pointingOf, tickNear } from "./pick.ts";
+import { boxOfCut, markOf, stretchesOf, type Triple } from "./stretches.ts";
+import { strokes } from "./thick_lines.ts";
 
-type Triple = [number, number, number];
 export const SIDES = ["top", "front", "right", "iso"] as const;
 export type Side = (typeof SIDES)[number];
 const DIRECTIONS: Record<Side, Triple> = { top: [0, 0, 1], front: [0, -1, 0], right: [1, 0, 0], iso: [-1, -1.4, 1.1] };
 
 const PICK_PIXELS = 12;
 
-export interface Ground {
-  readonly rgb: Rgb;
-  readonly dark: boolean;
-  readonly accent: string;
-  readonly faint: string;
-  readonly text: string;
-}
-
-// Where the path of a plan goes: of the stretches that are no rapids, or of all if there are only rapids.
-export function boxOfCut(plan: Plan): { min: Triple; max: Triple } {
-  const { path } = plan.motion!;
-  const box = (rapids: boolean): { min: Triple; max: Triple } => {
-    const min: Triple = [Infinity, Infinity, Infinity];
-    const max: Triple = [-Infinity, -Infinity, -Infinity];
-    for (let i = 1; i < path.tick.length; ++i) {
-      if (path.rapid[i] === 1 && !rapids) continue;
-      // A rest at the place where a rapid begins is no cut.
-      if (!rapids && path.xyz.every((axis) => axis[i] === axis[i - 1])) continue;
-      for (const end of [i - 1, i]) {
-        path.xyz.forEach((axis, k) => {
-          min[k] = Math.min(min[k]!, axis[end]!);
-          max[k] = Math.max(max[k]!, axis[end]!);
-        });
-      }
-    }
-    return { min, max };
-  };
-  const cut = box(false);
-  if (cut.min[0] <= cut.max[0]) return cut;
-  const all = box(true);
-  return all.min[0] <= all.max[0] ? all : { min: [0, 0, 0], max: [0, 0, 0] };
-}
-
-function stretchesOf(plan: Plan, colouring: Colouring, shown: readonly number[] | null, ground: Ground): Stretches {
-  const { path } = plan.motion!;
-  const count = Math.max(0, path.tick.length - 1);
-  const a = new Float32Array(3 * count);
-  const b = new Float32Array(3 * count);
-  const tint = new Uint8Array(3 * count);
-  const dashed = new Uint8Array(count);
-  const along = new Float32Array(count);
-  const faint = rgbOf(ground.faint).map((part) => Math.round(255 * part));
-  let rapid_mm = 0;
-  for (let i = 1; i <= count; ++i) {
-    let square = 0;
-    for (let k = 0; k < 3; ++k) {
-      a[3 * (i - 1) + k] = path.xyz[k]![i - 1]!;
-      b[3 * (i - 1) + k] = path.xyz[k]![i]!;
-      square += (path.xyz[k]![i]! - path.xyz[k]![i - 1]!) ** 2;
-    }
-    const part = colouring.part?.[i];
-    const dim = shown !== null && part !== undefined && !shown.includes(part);
-    tint.set(dim ? faint : colouring.colour.subarray(3 * i, 3 * i + 3), 3 * (i - 1));
-    dashed[i - 1] = path.rapid[i]!;
-    rapid_mm = path.rapid[i] === 1 && path.rapid[i - 1] === 1 ? rapid_mm : 0;
-    along[i - 1] = rapid_mm;
-    rapid_mm += Math.sqrt(square);
-  }
-  return { a, b, tint, dashed, along };
-}
-
-// How long the way to each point is.
-function lengthsBefore(points: readonly Triple[]): Float32Array {
-  const lengths = new Float32Array(points.length);
-  for (let i = 1; i < points.length; ++i) {
-    lengths[i] = lengths[i - 1]! + Math.hypot(...points[i]!.map((at, k) => at - points[i - 1]![k]!));
-  }
-  return lengths;
-}
-
 function lineBox(min: Triple, max: Triple, colour: string): THREE.LineSegments {
   const geometry = new THREE.EdgesGeometry(new THREE.BoxGeometry(max[0] - min[0], max[1] - min[1], max[2] - min[2]));
   const box = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: colour }));
   box.position.set((min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2);
   return box;
-}
-
-// A place with a name.
-interface Place {
-  readonly at: Triple;
-  readonly text: string;
-}
-
-// Where the program begins, where its zero is, where it is farthest from the programmed path.
-function placesOf(plan: Plan): Place[] {
-  const start = plan.positionAt(0);
-  const work = plan.header.machine.work_offsets[0];
-  const isAtStart = work?.origin_mm.every((mm, k) => Math.abs(mm - start[k]!) < 1e-6) ?? false;
-  const places: Place[] = [{ at: start, text: isAtStart ? `start, ${work!.name}` : "start" }];
-  if (work && !isAtStart) places.push({ at: [...work.origin_mm], text: work.name });
-  const deviation = plan.header.report.deviation;
-  const at = deviation?.at_mm;
-  if (deviation && at && deviation.max_mm >= 5e-7) places.push({ at: [at["x"] ?? 0, at["y"] ?? 0, at["z"] ?? 0], text: "largest deviation" });
-  return places;
 }
 
 // What is placed in millimetres and drawn in pixels.
@@ -273,7 +186,7 @@ export class PathView {
 
   // The stretches of the run that the instant is in, and of its neighbours of the same line.
   private markLine(run: number): void {
-    const { path, runs } = this.plan!.motion!;
+    const { runs } = this.plan!.motion!;
     let first = run;
     let last = run;
     while (first > 0 && runs.line[first - 1] === runs.line[run]) --first;
@@ -285,31 +198,8 @@ export class PathView {
       this.scene.remove(this.lineMark);
       (this.lineMark as THREE.Mesh).geometry.dispose();
     }
-    const begin = runs.tick[first]!;
-    const end = this.plan!.runEnd(last);
-    const from = Math.max(0, lastAtOrBefore(path.tick, begin));
-    const to = Math.min(path.tick.length - 1, lastAtOrBefore(path.tick, end) + 1);
-    const points: Triple[] = [this.plan!.positionAt(begin)];
-    const isRapid: number[] = [];
-    for (let i = from + 1; i < to; ++i) {
-      if (path.tick[i]! <= begin || path.tick[i]! >= end) continue;
-      points.push([path.xyz[0][i]!, path.xyz[1][i]!, path.xyz[2][i]!]);
-      isRapid.push(path.rapid[i]!);
-    }
-    points.push(this.plan!.positionAt(end));
-    isRapid.push(path.rapid[to]!);
-    const most = 20_000; // of a mark: more is no line but the whole program
-    const count = Math.min(points.length - 1, most);
-    const rgb = mixed(this.ground.rgb, rgbOf(this.ground.accent), this.ground.dark ? 0.45 : 0.3).map((part) => Math.round(255 * part));
-    const stretches: Stretches = {
-      a: new Float32Array(points.slice(0, count).flat()),
-      b: new Float32Array(points.slice(1, count + 1).flat()),
-      tint: new Uint8Array(3 * count).map((_, i) => rgb[i % 3]!),
-      dashed: Uint8Array.from(isRapid.slice(0, count)),
-      along: lengthsBefore(points).subarray(0, count),
-    };
     // A broad band below the path, whose colours stay as they are.
-    this.lineMark = strokes(stretches, 8);
+    this.lineMark = strokes(markOf(this.plan!, { first, last }, this.ground), 8);
     const { material } = this.lineMark as THREE.Mesh<THREE.BufferGeometry, THREE.ShaderMaterial>;
     material.depthTest = material.depthWrite = false;
     this.lineMark.renderOrder = -1;
@@ -414,7 +304,10 @@ export class PathView {
     this.tool.object.visible = this.plan !== null;
     this.renderer.render(this.scene, this.camera);
     this.canvas.dataset["vertices"] = String(this.countVertices());
-    this.drawOverlay();
+    const { clientWidth: width, clientHeight: height } = this.element;
+    const pen = this.overlay.getContext("2d")!;
+    pen.setTransform(window.devicePixelRatio, 0, 0, window.devicePixelRatio, 0, 0);
+    drawOverlay({ pen, width, height, camera: this.camera, ground: this.ground }, this.store.state.units, this.plan ? this.places : []);
   }
 
   private countVertices(): number {
@@ -428,111 +321,13 @@ export class PathView {
     return vertices;
   }
 
-  // The axes' directions, the scale, and the names of places.
-  private drawOverlay(): void {
-    const pen = this.overlay.getContext("2d")!;
-    const ratio = window.devicePixelRatio;
-    const { clientWidth: width, clientHeight: height } = this.element;
-    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    pen.clearRect(0, 0, width, height);
-    pen.font = "600 12px system-ui, sans-serif";
-    pen.textAlign = "center";
-    pen.textBaseline = "middle";
-    const turn = new THREE.Matrix4().extractRotation(this.camera.matrixWorldInverse);
-    const colours = this.ground.dark ? ["#ff7b72", "#56d364", "#79c0ff"] : ["#c62828", "#1b7a34", "#1556b0"];
-    ["X", "Y", "Z"].forEach((name, k) => {
-      const way = new THREE.Vector3().setComponent(k, 1).applyMatrix4(turn);
-      if (Math.hypot(way.x, way.y) < 0.05) return;
-      pen.strokeStyle = pen.fillStyle = colours[k]!;
-      pen.lineWidth = 2;
-      pen.beginPath();
-      pen.moveTo(40, height - 40);
-      pen.lineTo(40 + 24 * way.x, height - 40 - 24 * way.y);
-      pen.stroke();
-      pen.fillText(name, 40 + 33 * way.x, height - 40 - 33 * way.y);
-    });
-    this.drawScale(pen, height);
-    this.drawPlaces(pen);
-  }
-
-  private drawPlaces(pen: CanvasRenderingContext2D): void {
-    if (!this.plan) return;
-    const { clientWidth: width, clientHeight: height } = this.element;
-    pen.font = "12px system-ui, sans-serif";
-    pen.textAlign = "left";
-    for (const { at, text } of this.places) {
-      const point = new THREE.Vector3(...at).project(this.camera);
-      const [x, y] = [((point.x + 1) * width) / 2, ((1 - point.y) * height) / 2];
-      pen.strokeStyle = this.ground.text;
-      pen.lineWidth = 1.5;
-      pen.beginPath();
-      pen.arc(x, y, 4, 0, 2 * Math.PI);
-      pen.stroke();
-      // A rim in the colour of the ground keeps the words legible over lines.
-      pen.strokeStyle = hexOf(this.ground.rgb);
-      pen.lineWidth = 3.5;
-      pen.strokeText(text, x + 8, y - 9);
-      pen.fillStyle = this.ground.text;
-      pen.fillText(text, x + 8, y - 9);
-    }
-  }
-
-  private drawScale(pen: CanvasRenderingContext2D, height: number): void {
-    const { units } = this.store.state;
-    const perUnit = units.length === "mm" ? this.camera.zoom : this.camera.zoom * 25.4;
-    const wanted = 110 / perUnit;
-    const power = 10 ** Math.floor(Math.log10(wanted));
-    const size = [5, 2, 1].map((n) => n * power).find((n) => n <= wanted) ?? power;
-    const left = 88;
-    pen.strokeStyle = pen.fillStyle = this.ground.text;
-    pen.lineWidth = 1.5;
-    pen.beginPath();
-    pen.moveTo(left, height - 28);
-    pen.lineTo(left, height - 22);
-    pen.lineTo(left + size * perUnit, height - 22);
-    pen.lineTo(left + size * perUnit, height - 28);
-    pen.stroke();
-    pen.fillText(`${plain(size, 1)} ${lengthUnit(units)}`, left + (size * perUnit) / 2, height - 34);
-  }
-
   // The tick at which the tool passes nearest to the pointer; null: nowhere near it.
   private pick(event: MouseEvent): number | null {
     if (!this.plan) return null;
-    const { path } = this.plan.motion!;
-    const rect = this.canvas.getBoundingClientRect();
-    const m = new THREE.Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse).elements;
-    const halfWidth = rect.width / 2;
-    const halfHeight = rect.height / 2;
-    // Pixels from the pointer: u = u0 + ux x + uy y + uz z, and so v.
-    const [ux, uy, uz] = [m[0]! * halfWidth, m[4]! * halfWidth, m[8]! * halfWidth];
-    const [vx, vy, vz] = [m[1]! * halfHeight, m[5]! * halfHeight, m[9]! * halfHeight];
-    const u0 = m[12]! * halfWidth - (event.clientX - rect.left - halfWidth);
-    const v0 = m[13]! * halfHeight - (rect.top + halfHeight - event.clientY);
-    const [xs, ys, zs] = path.xyz;
-    let best = PICK_PIXELS ** 2;
-    let found: number | null = null;
-    let lastU = 0;
-    let lastV = 0;
-    for (let i = 0; i < xs.length; ++i) {
-      const u = u0 + ux * xs[i]! + uy * ys[i]! + uz * zs[i]!;
-      const v = v0 + vx * xs[i]! + vy * ys[i]! + vz * zs[i]!;
-      if (i > 0) {
-        const du = u - lastU;
-        const dv = v - lastV;
-        const square = du * du + dv * dv;
-        const share = square > 0 ? Math.min(1, Math.max(0, -(lastU * du + lastV * dv) / square)) : 0;
-        const nearU = lastU + share * du;
-        const nearV = lastV + share * dv;
-        const distance = nearU * nearU + nearV * nearV;
-        if (distance < best) {
-          best = distance;
-          found = path.tick[i - 1]! + share * (path.tick[i]! - path.tick[i - 1]!);
-        }
-      }
-      lastU = u;
-      lastV = v;
-    }
-    return found === null ? null : Math.floor(found);
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    const projection = new THREE.Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
+    const pointing = pointingOf(projection.elements, { width, height }, { x: event.clientX - left, y: event.clientY - top });
+    return tickNear(this.plan.motion!.path, pointing, PICK_PIXELS);
   }
 
   private hover(event: PointerEvent): void {

@@ -6,7 +6,7 @@ import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { clock, plain, unitOf } from "../units.ts";
 import { drawnColumns, drawnLimits, type Span } from "./columns.ts";
-import type { Ground } from "./path_view.ts";
+import type { Ground } from "./ground.ts";
 
 const QUANTITIES: readonly (readonly [Quantity, string])[] = [
   ["v", "feed"],

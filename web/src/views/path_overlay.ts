@@ -1,0 +1,99 @@
+// Over the path: the axes' directions, the scale, and the names of places.
+import * as THREE from "three";
+import { hexOf } from "../colours.ts";
+import type { Plan } from "../plan/plan.ts";
+import { MM_PER_INCH, lengthUnit, plain, type Units } from "../units.ts";
+import type { Ground } from "./ground.ts";
+import type { Triple } from "./stretches.ts";
+
+// A place with a name.
+export interface Place {
+  readonly at: Triple;
+  readonly text: string;
+}
+
+// Where the program begins, where its zero is, where it is farthest from the programmed path.
+export function placesOf(plan: Plan): Place[] {
+  const start = plan.positionAt(0);
+  const work = plan.header.machine.work_offsets[0];
+  const isAtStart = work?.origin_mm.every((mm, k) => Math.abs(mm - start[k]!) < 1e-6) ?? false;
+  const places: Place[] = [{ at: start, text: isAtStart ? `start, ${work!.name}` : "start" }];
+  if (work && !isAtStart) places.push({ at: [...work.origin_mm], text: work.name });
+  const deviation = plan.header.report.deviation;
+  const at = deviation?.at_mm;
+  if (deviation && at && deviation.max_mm >= 5e-7) places.push({ at: [at["x"] ?? 0, at["y"] ?? 0, at["z"] ?? 0], text: "largest deviation" });
+  return places;
+}
+
+export interface Overlay {
+  readonly pen: CanvasRenderingContext2D; // in CSS pixels
+  readonly width: number;
+  readonly height: number;
+  readonly camera: THREE.OrthographicCamera;
+  readonly ground: Ground;
+}
+
+export function drawOverlay(overlay: Overlay, units: Units, places: readonly Place[]): void {
+  const { pen, width, height } = overlay;
+  pen.clearRect(0, 0, width, height);
+  pen.textBaseline = "middle";
+  pen.font = "600 12px system-ui, sans-serif";
+  pen.textAlign = "center";
+  drawAxes(overlay);
+  drawScale(overlay, units);
+  drawPlaces(overlay, places);
+}
+
+function drawAxes({ pen, height, camera, ground }: Overlay): void {
+  const turn = new THREE.Matrix4().extractRotation(camera.matrixWorldInverse);
+  const colours = ground.dark ? ["#ff7b72", "#56d364", "#79c0ff"] : ["#c62828", "#1b7a34", "#1556b0"];
+  ["X", "Y", "Z"].forEach((name, k) => {
+    const way = new THREE.Vector3().setComponent(k, 1).applyMatrix4(turn);
+    if (Math.hypot(way.x, way.y) < 0.05) return;
+    pen.strokeStyle = pen.fillStyle = colours[k]!;
+    pen.lineWidth = 2;
+    pen.beginPath();
+    pen.moveTo(40, height - 40);
+    pen.lineTo(40 + 24 * way.x, height - 40 - 24 * way.y);
+    pen.stroke();
+    pen.fillText(name, 40 + 33 * way.x, height - 40 - 33 * way.y);
+  });
+}
+
+// A round length of some 100 pixels at most.
+function drawScale({ pen, height, camera, ground }: Overlay, units: Units): void {
+  const perUnit = units.length === "mm" ? camera.zoom : camera.zoom * MM_PER_INCH;
+  const wanted = 110 / perUnit;
+  const power = 10 ** Math.floor(Math.log10(wanted));
+  const size = [5, 2, 1].map((n) => n * power).find((n) => n <= wanted) ?? power;
+  const left = 88;
+  pen.strokeStyle = pen.fillStyle = ground.text;
+  pen.lineWidth = 1.5;
+  pen.beginPath();
+  pen.moveTo(left, height - 28);
+  pen.lineTo(left, height - 22);
+  pen.lineTo(left + size * perUnit, height - 22);
+  pen.lineTo(left + size * perUnit, height - 28);
+  pen.stroke();
+  pen.fillText(`${plain(size, 1)} ${lengthUnit(units)}`, left + (size * perUnit) / 2, height - 34);
+}
+
+function drawPlaces({ pen, width, height, camera, ground }: Overlay, places: readonly Place[]): void {
+  pen.font = "12px system-ui, sans-serif";
+  pen.textAlign = "left";
+  for (const { at, text } of places) {
+    const point = new THREE.Vector3(...at).project(camera);
+    const [x, y] = [((point.x + 1) * width) / 2, ((1 - point.y) * height) / 2];
+    pen.strokeStyle = ground.text;
+    pen.lineWidth = 1.5;
+    pen.beginPath();
+    pen.arc(x, y, 4, 0, 2 * Math.PI);
+    pen.stroke();
+    // A rim in the colour of the ground keeps the words legible over lines.
+    pen.strokeStyle = hexOf(ground.rgb);
+    pen.lineWidth = 3.5;
+    pen.strokeText(text, x + 8, y - 9);
+    pen.fillStyle = ground.text;
+    pen.fillText(text, x + 8, y - 9);
+  }
+}
