@@ -24,7 +24,7 @@ export const mixed = (a: Rgb, b: Rgb, share: number): Rgb => [
 export function scaleColour(share: number, dark: boolean): Rgb {
   const clamped = Math.min(1, Math.max(0, Number.isFinite(share) ? share : 0));
   const steps = PLASMA.length - 1;
-  const at = dark ? 1.6 + clamped * (steps - 1.6) : clamped * (steps - 1);
+  const at = dark ? 2.4 + clamped * (steps - 2.4) : clamped * (steps - 1);
   const i = Math.min(steps - 1, Math.floor(at));
   return mixed(PLASMA[i]!, PLASMA[i + 1]!, at - i);
 }
