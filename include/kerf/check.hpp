@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -46,7 +45,7 @@ struct CheckBounds {
   /// feedrates allowed, takes longer. A program that passes may still take longer.
   double max_time_s = kUnbounded;
   /// How many moves, those of a loop as often as they run. More are an error.
-  std::uint64_t max_moves = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t max_moves = UINT64_MAX;
 };
 
 /// Reads the program to its end and plans nothing. Impossible settings are an error in the report,
