@@ -68,7 +68,7 @@ require_packages() {
 
 # What the page of `kerf report` and `kerf view` needs, and only they: node 18 or newer, from wherever it comes.
 require_node() {
-  command -v node npm >/dev/null || require_packages nodejs npm 9>&-
+  { command -v node && command -v npm; } >/dev/null || require_packages nodejs npm 9>&-
   local version
   version=$(node --version 2>/dev/null) || give_up "node does not start"
   version=${version#v}

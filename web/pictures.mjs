@@ -16,7 +16,7 @@ const PICTURES = [
 
 const browser = await chromium.launch({
   executablePath: "/usr/bin/chromium",
-  args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])],
+  args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])],
 });
 for (const { name, program, fragment, tab } of PICTURES) {
   const file = join(folder, `${name}.html`);

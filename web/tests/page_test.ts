@@ -20,7 +20,7 @@ before(async () => {
   browser = await chromium.launch({
     executablePath: "/usr/bin/chromium",
     // The path is drawn by the processor where there is no graphics card.
-    args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])],
+    args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])],
   });
 });
 after(async () => {
