@@ -26,7 +26,7 @@
 #include "bench/control.hpp"
 #include "bench/holds.hpp"
 #include "bench/optimum.hpp"
-#include "bench/papers.hpp"
+#include "bench/papers/papers.hpp"
 #include "bench/parse.hpp"
 #include "bench/parts.hpp"
 #include "bench/soak.hpp"

@@ -78,19 +78,34 @@ def linuxcnc(curve):
     return lines + ["M5", "M30"]
 
 
-# Corners A to F. The paper gives corner feedrates only; these corners have them where the greatest change of the unit
-# direction along one axis is 12.5 mm/s over the feedrate (A = 12.5 m/s2, Ts = 1 ms), as near as three decimals allow.
-POLYGON = [(5.001, 40.0), (30.904, 48.566), (42.936, 32.591), (48.111, 51.909), (92.807, 29.495), (49.266, 4.915)]
+# The paper gives no corners. Its largest axial feedrates are 800 cos 11.25 and 800 sin 56.25 degrees (table 3), and its
+# corner feedrates (table 2) are A Ts / (2 sin(turn / 2)) of turns by 67.5, 123.75 and 90 degrees, so its legs run in
+# multiples of 11.25 degrees. A hexagon whose halves mirror each other, with these turns and no leg nearer to Y, has these
+# directions; the lengths are our own.
+POLYGON_START = (70.0, 30.0)
+POLYGON_LEGS = [(236.25, 30.0), (168.75, 40.0), (45.0, None), (135.0, None), (11.25, 40.0), (-56.25, 30.0)]  # degrees, mm
 CORNER_FEEDRATES = {"B": 674, "C": 425, "D": 530, "E": 425, "F": 674}  # mm/min
 
 
+def polygon_corners():
+    """A to F and A again. Both legs at D are as long as it takes to come to D at the height of A."""
+    height = sum(length * math.sin(math.radians(angle)) for angle, length in POLYGON_LEGS[:2])
+    middle = -height / math.sin(math.radians(POLYGON_LEGS[2][0]))
+    corners = [POLYGON_START]
+    for angle, length in POLYGON_LEGS:
+        (x, y), way = corners[-1], length if length is not None else middle
+        corners.append((x + way * math.cos(math.radians(angle)), y + way * math.sin(math.radians(angle))))
+    return [(round(x, 6), round(y, 6)) for x, y in corners[:-1]] + [POLYGON_START]
+
+
 def polygon():
-    lines = head("closed polygon with known corner feedrates, exact path",
-                 "corner feedrates of Chen, Yeh and Sun, doi 10.3722/cadaps.2011.583-592, table 2; corners are our own",
-                 POLYGON[0])
+    corners = polygon_corners()
+    lines = head("closed polygon, legs in multiples of 11.25 degrees, exact path",
+                 "directions from tables 2 and 3 of Chen, Yeh and Sun, doi 10.3722/cadaps.2011.583-592; lengths are our own",
+                 corners[0])
     lines += ["G61", "F800."]
-    for name, corner in zip("BCDEFA", POLYGON[1:] + POLYGON[:1]):
-        feedrate = f" (corner {name}: {CORNER_FEEDRATES[name]} mm/min)" if name in CORNER_FEEDRATES else " (A)"
+    for name, corner in zip("BCDEFA", corners[1:]):
+        feedrate = f" (corner {name}: {CORNER_FEEDRATES[name]} mm/min in the paper)" if name in CORNER_FEEDRATES else " (A)"
         lines.append("G1 " + point(corner) + feedrate)
     return lines + ["M5", "M30"]
 

@@ -200,7 +200,7 @@ TEST(MachineFile, MayNameAFileOfTools) {
 }
 
 TEST(MachineFile, EveryShippedMachineLoadsAndCanBeSimulated) {
-  for (const char* name : {"table", "sigmoid-butterfly", "sigmoid-wm", "quintic"}) {
+  for (const char* name : {"table", "sigmoid-butterfly", "sigmoid-wm", "sine-series", "quintic"}) {
     const auto read =
         parse_machine_file(read_text(std::string("programs/machines/") + name + ".toml"));
     ASSERT_TRUE(read) << name;
@@ -262,7 +262,7 @@ TEST(MachineFile, DocumentsEveryKeyWithItsDefaultAndEveryShippedMachine) {
       }
     }
   }
-  for (const char* name : {"table", "sigmoid-butterfly", "sigmoid-wm", "quintic"}) {
+  for (const char* name : {"table", "sigmoid-butterfly", "sigmoid-wm", "sine-series", "quintic"}) {
     EXPECT_NE(page.find("`" + std::string(name) + ".toml`"), std::string::npos);
   }
 }

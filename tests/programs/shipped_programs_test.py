@@ -63,15 +63,25 @@ class ShippedPrograms(unittest.TestCase):
                 for letter, value in block:
                     self.assertLessEqual(abs(value), TRAVEL_MM.get(letter, math.inf), path.name)
 
-    def test_polygon_has_the_published_corner_feedrates(self):
+    def polygon_directions(self):
+        """Of its legs, in degrees."""
         corners = [(b["X"], b["Y"]) for b in map(dict, words(PROGRAMS / "polygon.ngc")) if "X" in b]
         self.assertEqual(corners[0], corners[-1])
-        legs = [(b[0] - a[0], b[1] - a[1]) for a, b in zip(corners, corners[1:])]
-        units = [(x / math.hypot(x, y), y / math.hypot(x, y)) for x, y in legs]
-        # 12.5 m/s2 over a tick of 1 ms is a jump of 12.5 mm/s an axis, 750 mm/min.
-        feedrates = [750.0 / max(abs(p - q) for p, q in zip(a, b)) for a, b in zip(units, units[1:])]
-        for found, published in zip(feedrates, (674.0, 425.0, 530.33, 425.0, 674.0)):
-            self.assertAlmostEqual(found, published, delta=0.01)
+        return [math.degrees(math.atan2(b[1] - a[1], b[0] - a[0])) for a, b in zip(corners, corners[1:])]
+
+    def test_polygon_has_the_published_corner_feedrates(self):
+        # 12.5 m/s2 over a tick of 1 ms is a jump of 12.5 mm/s along its vector, 750 mm/min; the paper drops what is behind the point.
+        directions = self.polygon_directions()
+        turns = [math.radians(b - a) for a, b in zip(directions, directions[1:])]
+        feedrates = [750.0 / abs(2.0 * math.sin(turn / 2.0)) for turn in turns]
+        self.assertEqual([int(feedrate) for feedrate in feedrates], [674, 425, 530, 425, 674])
+
+    def test_polygon_has_the_published_axial_feedrates_at_800(self):
+        directions = self.polygon_directions()
+        for direction in directions:
+            self.assertAlmostEqual(direction / 11.25, round(direction / 11.25), delta=1e-6)
+        self.assertAlmostEqual(max(800.0 * abs(math.cos(math.radians(d))) for d in directions), 784.628, delta=5e-4)
+        self.assertAlmostEqual(max(800.0 * abs(math.sin(math.radians(d))) for d in directions), 665.176, delta=5e-4)
 
     def test_pocket_closes_every_arc(self):
         """Both radii of an arc agree to a nanometre, so that no control refuses it."""

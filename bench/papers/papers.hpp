@@ -1,0 +1,16 @@
+// The published results beside ours.
+#pragma once
+
+namespace kerf::bench {
+
+// Prints the tables as Markdown on standard output. Exit status: 0, 1 where a figure is not what
+// the tables say of it, or a limit is exceeded.
+int papers();
+
+// One paper each; false where its part of that is not so.
+bool sigmoid_butterfly();
+bool sigmoid_wm();
+bool sine_series();
+bool quintic();
+
+}  // namespace kerf::bench
