@@ -34,6 +34,13 @@ constexpr std::array kPath{
     NumberRule{"max_jerk_mm_s3", 1e-6, 1e12,
                [](Settings& s, std::size_t) -> double& { return s.limits.path.jerk_mm_s3; }, 1.0,
                kOpen},
+    NumberRule{
+        "max_normal_acceleration_mm_s2", 1e-6, 1e9,
+        [](Settings& s, std::size_t) -> double& { return s.limits.normal_acceleration_mm_s2; }, 1.0,
+        kOpen},
+    NumberRule{"max_normal_jerk_mm_s3", 1e-6, 1e12,
+               [](Settings& s, std::size_t) -> double& { return s.limits.normal_jerk_mm_s3; }, 1.0,
+               kOpen},
     NumberRule{"chord_tolerance_mm", 1e-9, 1e3,
                [](Settings& s, std::size_t) -> double& { return s.limits.chord_tolerance_mm; }, 1.0,
                kOpen},

@@ -47,6 +47,10 @@ struct MachineLimits {
   /// only these axes move, the limits along the path do not count.
   std::array<MotionLimits, kAuxiliaryAxes> extra{};
   double chord_tolerance_mm = kUnbounded;  ///< between path and chord of two setpoints, on NURBS
+  /// Across the path of X, Y and Z where it is curved, at feedrate v and curvature k: k v^2, and
+  /// k^2 v^3, the jerk on the circle of curvature. Corners are junctions and not bound by them.
+  double normal_acceleration_mm_s2 = kUnbounded;
+  double normal_jerk_mm_s3 = kUnbounded;
 };
 
 }  // namespace v0

@@ -8,6 +8,7 @@
 #include "lookahead/path/block_limits.hpp"
 #include "lookahead/path/feed_scan.hpp"
 #include "lookahead/path/junction.hpp"
+#include "lookahead/path/normal_limits.hpp"
 #include "smoothing/segment_builder.hpp"
 
 namespace kerf::lookahead {
@@ -74,6 +75,7 @@ void set_limits_of_curve(double feedrate_mm_s, const PlanLimits& limits, Block& 
                                        : bend_of(std::get<curves::Arc>(block.curve));
     block.limits = arc_limits(bend, feedrate_mm_s, limits);
     bind_feedrate(block.along, {arc_chord_feedrate_mm_s(bend, limits), Constraint::chord_error});
+    bind_feedrate(block.along, normal_bound(bend.curvature_per_mm, limits));
     block.begin.most_third_per_mm2 = bend.third_per_mm2;
     block.end.most_third_per_mm2 = bend.third_per_mm2;
   } else {
@@ -98,6 +100,7 @@ void scan(const PlanLimits& limits, ScanFor plan, Block& block) {
                              .period_s = limits.period_s,
                              .chord_tolerance_mm = limits.chord_tolerance_mm,
                              .plan = plan});
+  lower_to_normal_limits(*nurbs, limits, block.limit_curve);
   bind_feedrate(block.along, {sub_tick_feedrate_mm_s(block, limits), Constraint::chord_error});
 }
 

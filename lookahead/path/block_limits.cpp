@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <vector>
 
+#include "lookahead/path/normal_limits.hpp"
+
 namespace kerf::lookahead {
 
 namespace {
@@ -158,6 +160,7 @@ BlockLimits arc_limits(const Bend& bend, double feedrate_mm_s, const PlanLimits&
   const double curvature = bend.curvature_per_mm;
   bind_feedrate(block, {axis.velocity_mm_s / c, from.feedrate});
   bind_feedrate(block, {arc_chord_feedrate_mm_s(bend, limits), Constraint::chord_error});
+  bind_feedrate(block, normal_bound(curvature, limits));
   bind_feedrate(block, {std::sqrt(kCentripetalShare * axis.acceleration_mm_s2 / curvature),
                         from.acceleration});
   bind_feedrate(block,
