@@ -48,6 +48,9 @@ const Kernel* Controller::program() const noexcept {
 ControllerState Controller::tick(Setpoint& setpoint) noexcept {
   return impl_->tick(setpoint);
 }
+TickDetail Controller::detail() const noexcept {
+  return impl_->detail();
+}
 void Controller::emergency_stop() noexcept {
   impl_->leave_for(ControllerState::emergency_stop);
 }

@@ -38,6 +38,7 @@ class KERF_LOCAL Controller::Impl {
   [[nodiscard]] const Kernel* program() const noexcept { return kernel_.get(); }
 
   ControllerState tick(Setpoint& setpoint) noexcept;
+  [[nodiscard]] const TickDetail& detail() const noexcept { return detail_; }
 
   void leave_for(ControllerState next) noexcept;
   [[nodiscard]] bool drives_on() const noexcept;
@@ -104,6 +105,7 @@ class KERF_LOCAL Controller::Impl {
   control::Messages messages_;
   // Of the tick side.
   std::int64_t tick_ = 0;
+  TickDetail detail_{};
   Setpoint last_{};
   WaitsFor told_wait_ = WaitsFor::nothing;
   control::Snapshot<ControllerStatus> snapshot_;

@@ -12,6 +12,7 @@ ControllerState Controller::Impl::tick(Setpoint& setpoint) noexcept {
       kernel->emergency_stop();
     }
     const TickStatus status = kernel->tick(last_);
+    detail_ = kernel->detail();
     ++run_ticks_;
     line_.store(last_.line, std::memory_order_relaxed);
     follow({.before = before, .status = status}, *kernel);

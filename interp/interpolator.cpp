@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
+#include <variant>
 
 #include "interp/axis_terms.hpp"
 
@@ -307,6 +309,12 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   setpoint = now_;
   override_spindle(spindle_override_.load(std::memory_order_relaxed), setpoint.outputs);
   return status;
+}
+
+double Interpolator::curve_parameter() const noexcept {
+  const auto* nurbs = std::get_if<curves::NurbsPiece>(&piece_.geometry);
+  return nurbs != nullptr && piece_.curve != 0 ? nurbs->u_at(s_now_mm_)
+                                               : std::numeric_limits<double>::quiet_NaN();
 }
 
 double Interpolator::chord_error_mm() const noexcept {

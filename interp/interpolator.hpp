@@ -85,6 +85,8 @@ class Interpolator {
   // at points of the path between them, junctions included. If a tick passes over more than
   // kPassedPieces whole pieces, the later ones do not count.
   [[nodiscard]] double chord_error_mm() const noexcept;
+  // u of the NURBS at the last setpoint; NaN where that is on none.
+  [[nodiscard]] double curve_parameter() const noexcept;
 
  private:
   static constexpr std::size_t kPassedPieces = 16;

@@ -94,6 +94,9 @@ std::optional<double> Kernel::left_s() const {
 double Kernel::chord_error_mm() const noexcept {
   return impl_->judge().latest_chord_error_mm();
 }
+TickDetail Kernel::detail() const noexcept {
+  return impl_->detail();
+}
 std::optional<RunFault> Kernel::fault() const {
   return impl_->fault();
 }

@@ -95,6 +95,10 @@ class KERF_LOCAL Kernel::Impl {
     const std::optional<RunFault>& of_plan = pipeline_.check().fault();
     return of_plan ? of_plan : describe(judge_.excess());
   }
+  [[nodiscard]] TickDetail detail() const noexcept {
+    return {.curve_parameter = interpolator_.curve_parameter(),
+            .chord_error_mm = judge_.latest_chord_error_mm()};
+  }
   [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
   [[nodiscard]] const std::vector<PathControlUse>& path_controls() const noexcept {
     return pipeline_.path().path_controls();

@@ -1,10 +1,12 @@
 #include "kernel/pipeline.hpp"
 
 #include <cassert>
+#include <memory>
 #include <utility>
 #include <variant>
 
 #include "diagnostics/errors/pages.hpp"
+#include "kernel/plan_notes.hpp"
 #include "lookahead/path/block_builder.hpp"
 #include "lookahead/planner.hpp"
 
@@ -22,7 +24,10 @@ Pipeline::Pipeline(const Order& order)
                 .optional_stop = order.options.optional_stop,
                 .tool_change_s = order.settings.program.tool_change_s,
                 .spindle_start_s = order.settings.program.spindle_start_s,
-                .may_hold = order.may_hold}) {}
+                .may_hold = order.may_hold,
+                .observer = order.options.plan_log
+                                ? std::make_shared<const PlanNotes>(order.options.plan_log)
+                                : nullptr}) {}
 
 Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
   assert(outbox.phases.empty());

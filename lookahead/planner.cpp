@@ -54,7 +54,8 @@ OptimumSchedule::Settings Planner::optimum_settings() const {
   return {.limits = settings_.limits,
           .window_cells = settings_.window_cells,
           .ready_blocks = ready_blocks(),
-          .longest_phase_s = settings_.longest_phase_s};
+          .longest_phase_s = settings_.longest_phase_s,
+          .observer = settings_.observer};
 }
 
 std::unique_ptr<Schedule> Planner::new_schedule() const {
@@ -65,7 +66,8 @@ std::unique_ptr<Schedule> Planner::new_schedule() const {
       ClassicalSchedule::Settings{.limits = settings_.limits,
                                   .profile = settings_.profile,
                                   .ready_blocks = ready_blocks(),
-                                  .longest_cruise_s = settings_.longest_phase_s});
+                                  .longest_cruise_s = settings_.longest_phase_s,
+                                  .observer = settings_.observer});
 }
 
 bool Planner::has_room() const noexcept {
@@ -99,6 +101,9 @@ void Planner::accept(Item item) {
 
 void Planner::take(Block block) {
   assert(!rest_pending_ && block.length_mm > 0.0);
+  if (settings_.observer) {
+    settings_.observer->pushed(block);
+  }
   last_ = place_of(block);
   blocks_.push_back(std::move(block));
   schedule_->push(blocks_);

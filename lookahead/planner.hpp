@@ -15,6 +15,7 @@
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/feed_override.hpp"
 #include "lookahead/path/feed_scan.hpp"
+#include "lookahead/path/plan_observer.hpp"
 #include "lookahead/path/window.hpp"
 #include "lookahead/plan_stop.hpp"
 #include "parser/moves/move.hpp"
@@ -37,6 +38,7 @@ struct PlannerSettings {
   double tool_change_s = 0.0;
   double spindle_start_s = 0.0;
   bool may_hold = false;  // what was emitted is kept until it is run, so that it can be taken back
+  std::shared_ptr<const PlanObserver> observer{};  // null: nobody is told
 };
 
 // Push blocks while wants_block() is true, and call emit() for motion; each call emits a part of

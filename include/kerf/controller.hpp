@@ -157,6 +157,8 @@ class KERF_API Controller {
   /// One setpoint; without a program it repeats the last. Real time: allocates nothing, takes no
   /// lock, throws nothing.
   ControllerState tick(Setpoint& setpoint) noexcept;
+  /// Kernel::detail(); without a program that of the last one. Of the thread that calls tick().
+  [[nodiscard]] TickDetail detail() const noexcept;
 
   /// Kernel::emergency_stop(), and the program is over. From every state.
   void emergency_stop() noexcept;

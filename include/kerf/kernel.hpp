@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -44,6 +46,18 @@ struct KernelOptions {
   std::array<double, kAuxiliaryAxes> start_extra_rad_mm{};
   std::optional<Dialect> dialect{};  ///< nothing: the machine's
   SubprogramSource subprograms{};    ///< those that are not in the program's own text
+  /// Gets lines about how the motion is planned: scans, breaking points, blocks, adjusted
+  /// feedrates, searches. Called by what plans, on the planning side; empty: nobody is told.
+  std::function<void(std::string_view line)> plan_log{};
+};
+
+/// What belongs to a tick beside its setpoint.
+struct TickDetail {
+  /// The parameter u of the NURBS at the setpoint: as the program wrote it where the path is exact,
+  /// of Kerf's own curve where G64 made one. NaN: it is on none.
+  double curve_parameter = std::numeric_limits<double>::quiet_NaN();
+  /// How far the path leaves the straight line from the setpoint before to this one.
+  double chord_error_mm = 0.0;
 };
 
 /// What an operator makes of the feedrates of a program, as shares of them. Limits of path and axes
@@ -162,6 +176,8 @@ class KERF_API Kernel {
 
   /// How far the path leaves the straight line between the last two setpoints. Tick side.
   [[nodiscard]] double chord_error_mm() const noexcept;
+  /// Of the latest tick. Tick side.
+  [[nodiscard]] TickDetail detail() const noexcept;
   /// The first promise that did not hold; nothing: all did. Call it when no tick() runs any more:
   /// it reads what tick() writes. Allocates.
   [[nodiscard]] std::optional<RunFault> fault() const;

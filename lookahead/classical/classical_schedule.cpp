@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "lookahead/classical/axis_limit_scan.hpp"
+#include "lookahead/classical/limit_curve_cuts.hpp"
 #include "lookahead/classical/segment_constraint.hpp"
 #include "lookahead/classical/segment_junction.hpp"
 #include "lookahead/classical/split.hpp"
@@ -51,6 +52,11 @@ void ClassicalSchedule::push(const Window<Block>& blocks) {
 
 void ClassicalSchedule::push(const Block& block, const Block* before) {
   std::vector<VelocitySegment> segments = segments_of(block);
+  if (settings_.observer && !block.limit_curve.empty()) {
+    settings_.observer->cut({.line = block.line,
+                             .breaking_points = breaking_points(block.limit_curve, 0.0).size(),
+                             .velocity_segments = segments.size()});
+  }
   if (before != nullptr) {
     const SegmentJunction junction =
         segment_junction({.blocks = {.before = before, .after = &block},
@@ -122,7 +128,11 @@ bool ClassicalSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emit
   }
   WindowSegment& item = window_.front();
   SegmentEnds ends{.v_begin_mm_s = v_mm_s_, .v_end_mm_s = item.v_end_mm_s};
+  const bool goes_on = left_.has_value();
   SegmentPlan plan = plan_front(ends);
+  if (settings_.observer && !goes_on) {
+    tell_front(ends, plan, blocks.front());
+  }
   if (plan.cruise.duration_s() > 2.0 * settings_.longest_cruise_s) {
     emit_cruise(blocks.front(), plan, emitter, outbox);
     cut_front(item.segment, {.s_mm = emitter.s_mm(), .v_mm_s = v_mm_s_});
@@ -168,6 +178,23 @@ SegmentPlan ClassicalSchedule::plan_front(SegmentEnds& ends) {
   return ending.is_slowed
              ? slowed_plan(item.segment, item.sure, ends.v_begin_mm_s, settings_.profile)
              : plan_segment(item.segment, ends, settings_.profile);
+}
+
+void ClassicalSchedule::tell_front(const SegmentEnds& ends, const SegmentPlan& plan,
+                                   const Block& block) const {
+  const VelocitySegment& segment = window_[0].segment;
+  const double up_mm_s = plan.acceleration.ramp().v_end_mm_s;
+  const double down_mm_s = plan.deceleration.ramp().v_begin_mm_s;
+  settings_.observer->planned(
+      {.line = block.line,
+       .kind = kind_of(plan),
+       .s_begin_mm = segment.s_begin_mm,
+       .length_mm = segment.length_mm,
+       .v_begin_mm_s = ends.v_begin_mm_s,
+       .v_cruise_mm_s = std::max({up_mm_s, down_mm_s, ends.v_begin_mm_s, ends.v_end_mm_s}),
+       .v_end_mm_s = ends.v_end_mm_s,
+       .v_end_allowed_mm_s = segment.end.feedrate_mm_s,
+       .duration_s = plan.duration_s()});
 }
 
 void ClassicalSchedule::emit_plan(const Block& block, const SegmentPlan& plan, Emitter& emitter,

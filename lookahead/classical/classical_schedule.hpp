@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "lookahead/classical/velocity_pass.hpp"
 #include "lookahead/emit/schedule.hpp"
+#include "lookahead/path/plan_observer.hpp"
 #include "profiles/profile.hpp"
 
 namespace kerf::lookahead {
@@ -22,6 +24,7 @@ class ClassicalSchedule final : public Schedule {
     std::size_t ready_blocks = 500;  // leave a full window before it is planned again; >= 1
     // A cruise leaves in parts of this duration.
     double longest_cruise_s = 0.1;
+    std::shared_ptr<const PlanObserver> observer{};  // null: nobody is told
   };
 
   explicit ClassicalSchedule(const Settings& settings) : settings_(settings) {}
@@ -36,6 +39,7 @@ class ClassicalSchedule final : public Schedule {
  private:
   [[nodiscard]] std::vector<VelocitySegment> segments_of(const Block& block) const;
   SegmentPlan plan_front(SegmentEnds& ends);
+  void tell_front(const SegmentEnds& ends, const SegmentPlan& plan, const Block& block) const;
   void plan_window(Supply supply);
   void emit_cruise(const Block& block, const SegmentPlan& plan, Emitter& emitter, Outbox& outbox);
   void emit_plan(const Block& block, const SegmentPlan& plan, Emitter& emitter,

@@ -74,6 +74,23 @@ Transition constant_velocity(double v_mm_s, double duration_s) {
 
 }  // namespace
 
+std::string_view kind_of(const SegmentPlan& plan) noexcept {
+  constexpr double kRounding_s = 1e-9;
+  const bool up = plan.acceleration.duration_s() > kRounding_s;
+  const bool level = plan.cruise.duration_s() > kRounding_s;
+  const bool down = plan.deceleration.duration_s() > kRounding_s;
+  if (up && down) {
+    return level ? "ACC + CF + DEC" : "ACC + DEC";
+  }
+  if (up) {
+    return level ? "ACC + CF" : "ACC";
+  }
+  if (down) {
+    return level ? "CF + DEC" : "DEC";
+  }
+  return "CF";
+}
+
 double SegmentPlan::duration_s() const noexcept {
   return begin_constant_velocity.duration_s() + acceleration.duration_s() + cruise.duration_s() +
          deceleration.duration_s() + end_constant_velocity.duration_s();

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "lookahead/classical/axis_limit_scan.hpp"
 #include "lookahead/classical/slope.hpp"
@@ -42,6 +43,11 @@ struct SegmentPlan {
 
   [[nodiscard]] double duration_s() const noexcept;
 };
+
+// Which of its parts a plan has, as the papers name them [SineSeries]: "ACC + CF + DEC", "ACC +
+// DEC", "ACC + CF", "CF + DEC", "ACC", "DEC" or "CF". Parts at constant velocity beside a junction
+// do not count beside others.
+std::string_view kind_of(const SegmentPlan& plan) noexcept;
 
 struct BackwardQuery {
   double v_end_mm_s = 0.0;

@@ -39,7 +39,8 @@ ClassicalSchedule::Settings classical(const OptimumSchedule::Settings& settings)
   return {.limits = settings.limits,
           .profile = profiles::Profile(profiles::ProfileKind::s_curve),
           .ready_blocks = settings.ready_blocks,
-          .longest_cruise_s = settings.longest_phase_s};
+          .longest_cruise_s = settings.longest_phase_s,
+          .observer = settings.observer};
 }
 
 }  // namespace
@@ -173,7 +174,19 @@ OptimumSchedule::Found OptimumSchedule::find_over(const Indices& waiting,
     relax_beside_rest(cells, BlockSide::end);
   }
   refine_to_rest(cells, RestAt::end, path, settings_.limits);
-  return {.count = count, .plan = OptimalPlan::find(std::move(sequence), path, settings_.limits)};
+  PlanSearch search{.cells = cells.size(), .from_rest = sequence.begin.at_rest()};
+  Found found{.count = count,
+              .plan = OptimalPlan::find(std::move(sequence), path, settings_.limits)};
+  if (settings_.observer) {
+    search.has_plan = found.plan.has_value();
+    if (found.plan) {
+      search.slowed_down = found.plan->slowed_down();
+      search.newton_steps = found.plan->newton_steps();
+      search.duration_s = found.plan->duration_s();
+    }
+    settings_.observer->searched(search);
+  }
+  return found;
 }
 
 PlannedCells OptimumSchedule::planned_to_block_end(const Found& found, const PathAt& path) const {
@@ -267,6 +280,9 @@ void OptimumSchedule::fall_back(const Fallback& fallback, const Window<Block>& b
   const Cell& last = waiting_[fallback.cells - 1];
   if (!last.rest_after) {
     note_stop(last, blocks, emitter);
+  }
+  if (settings_.observer) {
+    settings_.observer->took_classical(fallback.blocks);
   }
   classical_.take(blocks, fallback.blocks);
   waiting_.drop(fallback.cells);

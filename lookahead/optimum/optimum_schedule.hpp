@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "lookahead/optimum/fallback.hpp"
 #include "lookahead/optimum/grid/waiting_cells.hpp"
 #include "lookahead/optimum/solver/optimal_plan.hpp"
+#include "lookahead/path/plan_observer.hpp"
 
 namespace kerf::lookahead {
 
@@ -36,6 +38,7 @@ class OptimumSchedule final : public Schedule {
         500;  // ClassicalSchedule::Settings; a full window holds twice as many
     // A cell is emitted in parts no longer than about this.
     double longest_phase_s = 0.1;
+    std::shared_ptr<const PlanObserver> observer{};  // null: nobody is told
   };
 
   explicit OptimumSchedule(const Settings& settings);

@@ -24,6 +24,9 @@ std::string_view name_of(Command command) noexcept;
 // How errors and warnings are written: for people, or as one document for programs.
 enum class DiagnosticFormat : unsigned char { text, json, sarif };
 
+// Which messages are written; debug: how the motion is planned, too.
+enum class LogLevel : unsigned char { debug, info, error };
+
 struct Options {
   Command command = Command::dry_run;
   std::vector<std::string> files;
@@ -49,6 +52,8 @@ struct Options {
   std::string page_file;               // of Command::report: where the page goes
   std::optional<std::string> page_template;  // of Command::report and view
   bool leaves_out_source = false;            // the same
+  LogLevel log_level = LogLevel::info;
+  std::optional<std::string> log_file;  // nothing: standard error
   bool json = false;
   bool quiet = false;
 };

@@ -49,12 +49,17 @@ TEST(VelocitySegment, OfASituationHasItsParts) {
                                 {"CF + DEC", 50.0, {100.0, 20.0}, false, true, true},
                                 {"ACC + DEC", 2.0, {20.0, 10.0}, true, false, true},
                                 {"ACC + CF + DEC", 50.0, {20.0, 10.0}, true, true, true},
+                                {"ACC", 0.0, {20.0, 70.0}, true, false, false},
+                                {"DEC", 0.0, {70.0, 20.0}, false, false, true},
                                 {"CF", 50.0, {100.0, 100.0}, false, true, false}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
-    const VelocitySegment segment = flat_segment(c.length_mm, 100.0);
+    // Of one transition alone, just its length.
+    const double length_mm = c.length_mm > 0.0 ? c.length_mm : 0.5 * 90.0 * s_curve_s(50.0);
+    const VelocitySegment segment = flat_segment(length_mm * (1.0 + 1e-14), 100.0);
     const SegmentPlan plan = plan_segment(segment, c.ends, profile);
     expect_joined(segment, c.ends, plan);
+    EXPECT_EQ(kind_of(plan), c.name);
     EXPECT_EQ(plan.acceleration.duration_s() > 0.0, c.acceleration);
     EXPECT_EQ(plan.cruise.duration_s() > 1e-6, c.cruise);
     EXPECT_EQ(plan.deceleration.duration_s() > 0.0, c.deceleration);

@@ -7,6 +7,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import time
 import xml.etree.ElementTree
 
@@ -62,7 +63,7 @@ class DryRun(Case):
 
 
 class Trace(Case):
-    HEADER = "t_s,line,s_mm,v_mm_s,a_mm_s2,j_mm_s3,x_mm,y_mm,z_mm,actual_x_mm,actual_y_mm,actual_z_mm"
+    HEADER = "t_s,line,s_mm,v_mm_s,a_mm_s2,j_mm_s3,x_mm,y_mm,z_mm,actual_x_mm,actual_y_mm,actual_z_mm,u,chord_error_mm"
 
     def trace(self, *words):
         path = self.path("trace.csv")
@@ -128,8 +129,55 @@ class Trace(Case):
         done = self.kerf("dry-run", self.path("square.ngc", SQUARE), "--trace", "-")
         lines = done.stdout.splitlines()
         self.assertEqual(lines[0], self.HEADER)
-        self.assertTrue(all(line.count(",") == 11 for line in lines))
+        self.assertTrue(all(line.count(",") == 13 for line in lines))
         self.assertIn("square.ngc: done", done.stderr)
+
+
+    def test_has_the_parameter_of_the_curve_and_the_chord_error(self):
+        machine = os.path.join(SOURCE, "programs/machines/sigmoid-butterfly.toml")
+        report, text = self.trace(os.path.join(SOURCE, "programs/butterfly.ngc"), "--machine", machine)
+        rows = list(csv.DictReader(text.splitlines()))
+        sys.path.insert(0, os.path.join(SOURCE, "tests", "tools"))
+        from nurbs import Nurbs
+        curve = Nurbs.load(os.path.join(SOURCE, "tests/programs/curves/butterfly.json"))
+        on_curve = [row for row in rows if row["u"]]
+        parameters = [float(row["u"]) for row in on_curve]
+        self.assertEqual(parameters, sorted(parameters))
+        self.assertEqual(parameters[-1], 1.0)
+        self.assertGreater(len(rows), len(on_curve))  # the approach is on no curve
+        for row in on_curve[::50]:
+            point, _ = curve.evaluate(float(row["u"]))
+            self.assertLess(math.dist(point, [float(row[axis + "_mm"]) for axis in "xyz"]), 1e-7)
+        self.assertAlmostEqual(max(float(row["chord_error_mm"]) for row in rows), report["chord_error_mm"], delta=1e-10)
+
+
+class Log(Case):
+    PROGRAM = os.path.join(SOURCE, "programs/trident7.ngc")
+
+    def test_of_level_debug_tells_how_the_motion_is_planned(self):
+        for profile, words in (("sine", ("scan of", "breaking points", "velocity segments", "segment from s", "end is adjusted")),
+                               ("time-optimal", ("scan of", "search over", "Newton steps"))):
+            done = self.kerf("dry-run", self.PROGRAM, "--profile", profile, "--log-level", "debug", "--quiet", "--log", self.path("l.log"))
+            self.assertEqual(done.stderr, "")
+            text = pathlib.Path(self.path("l.log")).read_text()
+            for word in words:
+                self.assertIn(word, text)
+            self.assertTrue(all(" kerf: debug: " in line for line in text.splitlines()))
+
+    def test_goes_to_standard_error_without_a_file(self):
+        for command in ("dry-run", "check"):
+            self.assertIn("kerf: debug: line 6: scan of 48.99", self.kerf(command, self.PROGRAM, "--log-level", "debug").stderr)
+            self.assertEqual(self.kerf(command, self.PROGRAM).stderr, "")
+
+    def test_leaves_the_motion_to_the_bit(self):
+        plain, logged = self.path("plain.csv"), self.path("logged.csv")
+        self.kerf("dry-run", self.PROGRAM, "--trace", plain)
+        self.kerf("dry-run", self.PROGRAM, "--trace", logged, "--log-level", "debug", "--log", self.path("l.log"))
+        self.assertEqual(pathlib.Path(plain).read_bytes(), pathlib.Path(logged).read_bytes())
+
+    def test_that_cannot_be_written_ends_the_command_with_5(self):
+        for file in (self.path("no/such/folder.log"), self.path("")):
+            self.assertIn("kerf: error: ", self.kerf("dry-run", self.PROGRAM, "--log", file, status=5).stderr)
 
 
 class Json(Case):
@@ -255,9 +303,19 @@ class Plot(Case):
         root = xml.etree.ElementTree.parse(path).getroot()
         self.assertTrue(root.tag.endswith("svg"))
         texts = [element.text or "" for element in root.iter() if element.tag.endswith("text")]
-        for words in ("v, mm/s", "feedrate, mm/s", "rapid", "time, s"):
+        for words in ("v, mm/s", "chord error, \u00b5m", "feedrate, mm/s", "rapid", "time, s"):
             self.assertIn(words, texts)
         self.assertLess(os.path.getsize(path), 1_000_000)
+
+    def test_shows_the_scan_of_the_first_curve_with_its_breaking_points(self):
+        path = self.path("plot.svg")
+        words = lambda: "".join(xml.etree.ElementTree.parse(path).getroot().itertext())
+        machine = os.path.join(SOURCE, "programs/machines/sigmoid-butterfly.toml")
+        self.kerf("dry-run", os.path.join(SOURCE, "programs/butterfly.ngc"), "--machine", machine, "--plot", path)
+        self.assertIn("v over u, mm/s, of the curve in line 6", words())
+        self.assertIn("scanned, 39 breaking points, 38 blocks", words())  # docs/math.md, 6.1
+        self.kerf("dry-run", self.path("square.ngc", SQUARE), "--plot", path)
+        self.assertNotIn("breaking points", words())
 
 
 if __name__ == "__main__":

@@ -34,19 +34,20 @@ TEST(TraceRow, HasTheColumnsOfTheHeaderWithTheirDecimals) {
       .actual_mm = {0.3333, -1.999, 1e-10}};
   EXPECT_EQ(row_of(record, 0.001),
             "1.234000,56,1.5000000000,100.000000,-2500.250000,50000.000000,"
-            "0.3333333333,-2.0000000000,0.0000000000,0.3333000000,-1.9990000000,0.0000000001\n");
+            "0.3333333333,-2.0000000000,0.0000000000,0.3333000000,-1.9990000000,0.0000000001,,0."
+            "0000000000\n");
   const std::string row = row_of(record, 0.001);
   EXPECT_EQ(std::count(row.begin(), row.end(), ','),
             std::count(kTraceHeader.begin(), kTraceHeader.end(), ','));
 }
 
 TEST(TraceRow, HasTheLimitAtItsEndWhereItIsAskedFor) {
-  EXPECT_TRUE(trace_header({.axes = {}, .limit = true}).ends_with("actual_z_mm,limit\n"));
+  EXPECT_TRUE(trace_header({.axes = {}, .limit = true}).ends_with("chord_error_mm,limit\n"));
   const TickRecord record{.limit = Constraint::x_jerk};
   std::array<char, kMaxRowBytes> buffer{};
   const std::string row(buffer.data(), write_row(buffer.data(), record, TickClock(0.001),
                                                  {.axes = {}, .limit = true}));
-  EXPECT_TRUE(row.ends_with(",0.0000000000,axis_x_jerk\n"));
+  EXPECT_TRUE(row.ends_with(",,0.0000000000,axis_x_jerk\n"));
 }
 
 TEST(TraceRow, HasColumnsOfFurtherAxesBehindTheOthers) {
@@ -59,7 +60,7 @@ TEST(TraceRow, HasColumnsOfFurtherAxesBehindTheOthers) {
   const std::string row(buffer.data(),
                         write_row(buffer.data(), record, TickClock(0.001), {.axes = axes}));
   EXPECT_EQ(row.substr(row.size() - 29), ",90.0000000000,-2.5000000000\n");
-  EXPECT_EQ(std::count(row.begin(), row.end(), ','), 13);
+  EXPECT_EQ(std::count(row.begin(), row.end(), ','), 15);
 }
 
 TEST(TraceRow, WritesNoNegativeZero) {
@@ -67,7 +68,13 @@ TEST(TraceRow, WritesNoNegativeZero) {
                           .position_mm = {-1e-11, -0.0, -0.6e-10}};
   EXPECT_EQ(row_of(record, 0.001),
             "0.000000,0,0.0000000000,0.000000,0.000000,0.000000,"
-            "0.0000000000,0.0000000000,-0.0000000001,0.0000000000,0.0000000000,0.0000000000\n");
+            "0.0000000000,0.0000000000,-0.0000000001,0.0000000000,0.0000000000,0.0000000000,,0."
+            "0000000000\n");
+}
+
+TEST(TraceRow, HasTheParameterOfACurveAndTheChordError) {
+  const TickRecord record{.detail = {.curve_parameter = 0.346605, .chord_error_mm = 5e-4}};
+  EXPECT_TRUE(row_of(record, 0.001).ends_with(",0.3466050000,0.0005000000\n"));
 }
 
 TEST(TraceRow, FitsEvenWhereEveryNumberIsTheLargest) {

@@ -24,7 +24,7 @@ import tick_laws  # noqa: E402
 from nurbs import Nurbs  # noqa: E402
 
 PROFILES = ("s-curve", "sine", "quintic", "sine-series", "sigmoid", "time-optimal")
-HEADER = "t_s,line,s_mm,v_mm_s,a_mm_s2,j_mm_s3,x_mm,y_mm,z_mm,actual_x_mm,actual_y_mm,actual_z_mm"
+HEADER = "t_s,line,s_mm,v_mm_s,a_mm_s2,j_mm_s3,x_mm,y_mm,z_mm,actual_x_mm,actual_y_mm,actual_z_mm,u,chord_error_mm"
 TOLERANCE = "0.005"
 
 

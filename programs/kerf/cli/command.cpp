@@ -188,7 +188,7 @@ ExitStatus process_all(const Options& options) {
 
 int run_command(int argc, char** argv) {
   install_signal_handlers();
-  open_log(false);
+  static_cast<void>(open_log({}));  // without a file it cannot fail
   try {
     const auto parsed = parse_options(argc, argv);
     if (const auto* leave = std::get_if<Leave>(&parsed)) {
@@ -197,7 +197,12 @@ int run_command(int argc, char** argv) {
       return to_int(asked_for ? printed : leave->status);
     }
     const auto& options = std::get<Options>(parsed);
-    open_log(options.quiet);
+    if (const auto opened = open_log(
+            {.quiet = options.quiet, .level = options.log_level, .file = options.log_file});
+        !opened) {
+      spdlog::error("{}", visible(opened.error()));
+      return to_int(ExitStatus::io_error);
+    }
     return to_int(process_all(options));
   } catch (const std::exception& exception) {
     const ExitStatus status = status_of(exception);

@@ -19,6 +19,9 @@ const std::map<std::string, DiagnosticFormat> kFormats{{"text", DiagnosticFormat
                                                        {"json", DiagnosticFormat::json},
                                                        {"sarif", DiagnosticFormat::sarif}};
 
+const std::map<std::string, LogLevel> kLogLevels{
+    {"debug", LogLevel::debug}, {"info", LogLevel::info}, {"error", LogLevel::error}};
+
 std::vector<std::string> profile_names() {
   std::vector<std::string> names;
   for (auto kind = 0U; kind <= static_cast<unsigned>(ProfileKind::time_optimal); ++kind) {
@@ -86,6 +89,16 @@ void add_common(CLI::App& command, Raw& raw) {
                   "errors and warnings as text, json or sarif (check: on standard output)")
       ->transform(CLI::CheckedTransformer(kFormats).description("{text,json,sarif}"))
       ->type_name("NAME");
+  command
+      .add_option("--log-level", options.log_level,
+                  "messages: error, info or debug, which tells how the motion is planned "
+                  "(default: info)")
+      ->transform(CLI::CheckedTransformer(kLogLevels).description("{error,info,debug}"))
+      ->type_name("NAME");
+  command
+      .add_option("--log", options.log_file,
+                  "file that gets the messages with the time before them, too")
+      ->type_name("FILE");
   command.add_flag("-q,--quiet", options.quiet, "no summary, no progress bar, no warnings");
 }
 

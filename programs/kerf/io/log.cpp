@@ -1,8 +1,13 @@
 #include "programs/kerf/io/log.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 #include <unistd.h>
+#include <utility>
 
+#include <spdlog/sinks/basic_file_sink.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -10,12 +15,61 @@
 
 namespace kerf::program {
 
-void open_log(bool quiet) {
-  auto logger = std::make_shared<spdlog::logger>(
-      "kerf", std::make_shared<spdlog::sinks::stderr_color_sink_st>());
-  logger->set_pattern("%n: %^%l%$: %v");
-  logger->set_level(quiet ? spdlog::level::err : spdlog::level::info);
+namespace {
+
+using spdlog::level::level_enum;
+
+level_enum level_of(LogLevel level) {
+  switch (level) {
+    case LogLevel::debug:
+      return level_enum::debug;
+    case LogLevel::error:
+      return level_enum::err;
+    case LogLevel::info:
+      break;
+  }
+  return level_enum::info;
+}
+
+// The level of standard error: a file takes what is below info.
+level_enum shown_level(const LogSettings& settings) {
+  const level_enum level = level_of(settings.level);
+  const level_enum lowest = settings.quiet  ? level_enum::err
+                            : settings.file ? level_enum::info
+                                            : level_enum::trace;
+  return std::max(level, lowest);
+}
+
+}  // namespace
+
+tl::expected<void, std::string> open_log(const LogSettings& settings) {
+  // The planning thread and the main one write.
+  auto shown = std::make_shared<spdlog::sinks::stderr_color_sink_mt>();
+  shown->set_pattern("%n: %^%l%$: %v");
+  shown->set_level(shown_level(settings));
+  auto logger = std::make_shared<spdlog::logger>("kerf", std::move(shown));
+  if (settings.file) {
+    // spdlog would make the folders.
+    const auto folder = std::filesystem::path(*settings.file).parent_path();
+    if (std::error_code error; !folder.empty() && !std::filesystem::is_directory(folder, error)) {
+      return tl::make_unexpected(*settings.file + ": there is no folder " + folder.string());
+    }
+    try {
+      auto kept = std::make_shared<spdlog::sinks::basic_file_sink_mt>(*settings.file, true);
+      kept->set_pattern("%Y-%m-%d %H:%M:%S.%e %n: %l: %v");
+      kept->set_level(level_of(settings.level));
+      logger->sinks().push_back(std::move(kept));
+    } catch (const spdlog::spdlog_ex& exception) {
+      return tl::make_unexpected(std::string(exception.what()));
+    }
+  }
+  logger->set_level(level_enum::trace);  // its sinks decide
   spdlog::set_default_logger(std::move(logger));
+  return {};
+}
+
+void log_debug(std::string_view line) {
+  spdlog::debug("{}", line);
 }
 
 void write_error_line(std::string_view line) {

@@ -6,6 +6,8 @@ namespace kerf::program {
 
 namespace {
 
+constexpr double kMicrometre = 1e3;
+
 // A quarter of a pixel on a picture some 700 pixels wide, and half a step of colour.
 OutlineTolerance tolerance_of(const curves::Extents& extents) {
   const PaperBox box = box_of(view_of(extents), extents);
@@ -27,6 +29,10 @@ void PlotData::add(const TickRecord& record) {
   v_.add(record.tick, record.motion.v_mm_s);
   a_.add(record.tick, record.motion.a_mm_s2);
   j_.add(record.tick, record.motion.j_mm_s3);
+  chord_error_um_.add(record.tick, kMicrometre * record.detail.chord_error_mm);
+  if (scan_) {
+    scan_->add(record);
+  }
   if (limits_) {
     limits_->add(record.tick, record.limit);
   }

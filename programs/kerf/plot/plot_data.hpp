@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "curves/position.hpp"
 #include "programs/kerf/plot/path_outline.hpp"
 #include "programs/kerf/plot/projection.hpp"
+#include "programs/kerf/plot/scanned_curve.hpp"
 #include "programs/kerf/report/limit_band.hpp"
 #include "programs/kerf/report/min_max_series.hpp"
 #include "programs/kerf/report/tick_record.hpp"
@@ -19,6 +21,8 @@ class PlotData {
 
   // From the first tick on the plot keeps the active constraints, too.
   void add_limits() { limits_.emplace(); }
+  // Before the first tick: a curve that it shows over u, too.
+  void add_scan(ScannedCurve curve) { scan_.emplace(std::move(curve)); }
   void add(const TickRecord& record);
 
   [[nodiscard]] View view() const noexcept { return view_; }
@@ -26,6 +30,8 @@ class PlotData {
   [[nodiscard]] const MinMaxSeries& v() const noexcept { return v_; }
   [[nodiscard]] const MinMaxSeries& a() const noexcept { return a_; }
   [[nodiscard]] const MinMaxSeries& j() const noexcept { return j_; }
+  [[nodiscard]] const MinMaxSeries& chord_error_um() const noexcept { return chord_error_um_; }
+  [[nodiscard]] const std::optional<ScannedCurve>& scan() const noexcept { return scan_; }
   [[nodiscard]] const std::optional<LimitBand>& limits() const noexcept { return limits_; }
   // The largest feedrate outside rapids; 0 where there is none.
   [[nodiscard]] double max_feedrate_mm_s() const noexcept { return max_feedrate_mm_s_; }
@@ -37,6 +43,8 @@ class PlotData {
   MinMaxSeries v_;
   MinMaxSeries a_;
   MinMaxSeries j_;
+  MinMaxSeries chord_error_um_;
+  std::optional<ScannedCurve> scan_;
   std::optional<LimitBand> limits_;
   double max_feedrate_mm_s_ = 0.0;
   std::int64_t last_tick_ = 0;

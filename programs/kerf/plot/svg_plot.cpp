@@ -6,6 +6,7 @@
 #include "programs/kerf/plot/svg_canvas.hpp"
 #include "programs/kerf/plot/svg_limit_panel.hpp"
 #include "programs/kerf/plot/svg_path_panel.hpp"
+#include "programs/kerf/plot/svg_scan_panel.hpp"
 #include "programs/kerf/plot/svg_time_panel.hpp"
 
 namespace kerf::program {
@@ -17,6 +18,7 @@ constexpr double kEdge = 24.0;
 constexpr double kHeading = 66.0;
 constexpr double kPathHeight = 560.0;
 constexpr double kCurveHeight = 120.0;
+constexpr double kScanHeight = 200.0;
 constexpr double kCurveGap = 34.0;
 constexpr double kCurveLeft = 76.0;
 constexpr double kFoot = 44.0;
@@ -24,7 +26,7 @@ constexpr double kFoot = 44.0;
 }  // namespace
 
 std::string svg_plot(const PlotData& data, const PlotCaption& caption) {
-  const std::array<TimeCurve, 3> curves{{{.label = "v, mm/s",
+  const std::array<TimeCurve, 4> curves{{{.label = "v, mm/s",
                                           .series = &data.v(),
                                           .limit = caption.limits.velocity_mm_s,
                                           .colour = "#1f5fa8"},
@@ -37,12 +39,17 @@ std::string svg_plot(const PlotData& data, const PlotCaption& caption) {
                                           .series = &data.j(),
                                           .limit = caption.limits.jerk_mm_s3,
                                           .is_signed = true,
-                                          .colour = "#7a4fa3"}}};
+                                          .colour = "#7a4fa3"},
+                                         {.label = "chord error, \u00b5m",
+                                          .series = &data.chord_error_um(),
+                                          .limit = 1e3 * caption.chord_tolerance_mm,
+                                          .colour = "#8a6d1a"}}};
   const double curves_height = static_cast<double>(curves.size()) * (kCurveHeight + kCurveGap);
   const std::vector<LimitBand::Interval> band =
       data.limits() ? data.limits()->intervals() : std::vector<LimitBand::Interval>{};
-  SvgCanvas canvas(kWidth,
-                   kHeading + kPathHeight + curves_height + kFoot + limit_panel_height(band));
+  SvgCanvas canvas(kWidth, kHeading + kPathHeight + curves_height + kFoot +
+                               limit_panel_height(band) +
+                               (data.scan() ? kCurveGap + kScanHeight + kCurveGap : 0.0));
   canvas.text({.x = kEdge, .y = 32.0}, caption.title,
               {.size = 19.0, .colour = "#222", .bold = true});
   canvas.text({.x = kEdge, .y = 52.0}, caption.subtitle, {.size = 13.0, .colour = "#666"});
@@ -65,6 +72,12 @@ std::string svg_plot(const PlotData& data, const PlotCaption& caption) {
   if (!band.empty()) {
     frame.top += kFoot - kCurveGap;
     draw_limit_panel(canvas, frame, {.intervals = band, .end_tick = data.last_tick()});
+    frame.top += limit_panel_height(band);
+  }
+  if (data.scan()) {
+    frame.top += kCurveGap;
+    frame.height = kScanHeight;
+    draw_scan_panel(canvas, frame, *data.scan());
   }
   return canvas.take();
 }

@@ -1,4 +1,5 @@
-// The picture of a run: the path coloured by feedrate, and v, a and j over time under it.
+// The picture of a run: the path coloured by feedrate, and v, a, j and the chord error over time
+// under it; of a curve also the scan over u.
 #pragma once
 
 #include <optional>
@@ -15,6 +16,7 @@ struct PlotCaption {
   std::string subtitle;
   double period_s = 0.001;
   lookahead::MotionLimits limits{};  // along the path; drawn where they are finite
+  double chord_tolerance_mm = lookahead::kUnbounded;
   std::optional<smoothing::PathDeviation> deviation{};
 };
 

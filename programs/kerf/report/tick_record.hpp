@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include <kerf/kernel.hpp>
+
 #include "interp/constraint.hpp"
 #include "interp/setpoint.hpp"
 #include "machine/machine.hpp"
@@ -21,10 +23,11 @@ struct TickRecord {
   curves::Position position_mm{};
   curves::Position actual_mm{};
   curves::AuxiliaryPosition extra_rad_mm{};
+  TickDetail detail{};
 };
 static_assert(std::is_trivially_copyable_v<TickRecord>);
 
-inline TickRecord record_of(const interp::Setpoint& setpoint,
+inline TickRecord record_of(const interp::Setpoint& setpoint, const TickDetail& detail,
                             const machine::MachineState& state) noexcept {
   return {.tick = setpoint.tick,
           .line = setpoint.line,
@@ -37,7 +40,8 @@ inline TickRecord record_of(const interp::Setpoint& setpoint,
                      .j_mm_s3 = setpoint.j_mm_s3},
           .position_mm = setpoint.position_mm,
           .actual_mm = state.actual_mm,
-          .extra_rad_mm = setpoint.extra_rad_mm};
+          .extra_rad_mm = setpoint.extra_rad_mm,
+          .detail = detail};
 }
 
 }  // namespace kerf::program

@@ -26,6 +26,7 @@ PlotCaption plot_caption(const FileReport& report) {
                               plan.path_length_mm, counted(plan.blocks, "block"), report.profile),
       .period_s = report.period_s,
       .limits = report.limits.path,
+      .chord_tolerance_mm = report.limits.chord_tolerance_mm,
       .deviation = plan.deviates() ? std::optional(plan.deviation) : std::nullopt};
 }
 
@@ -194,6 +195,9 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
                               .extra = extra_axes(order.settings.program.extra_axes)},
         order.path.extents.value_or(curves::Extents{}));
     outputs->recorder().page = &*order.page->motion;
+  }
+  if (outputs->recorder().plot && order.path.scan) {
+    outputs->recorder().plot->add_scan(*order.path.scan);
   }
   std::optional<ControlEndpoint> control;
   if (order.options.control) {

@@ -10,6 +10,7 @@
 #include "programs/kerf/io/text_feed.hpp"
 #include "programs/kerf/options.hpp"
 #include "programs/kerf/page/plan_gatherer.hpp"
+#include "programs/kerf/plot/scanned_curve.hpp"
 #include "programs/kerf/report/report.hpp"
 
 namespace kerf::program {
@@ -18,6 +19,7 @@ namespace kerf::program {
 struct CheckedPath {
   std::optional<curves::Extents> extents;  // none: no path
   curves::AuxiliaryExtents extra_extents{};
+  std::optional<ScannedCurve> scan{};  // for the plot
 };
 
 struct MotionOrder {

@@ -101,7 +101,7 @@ RunOutcome run_without_clock(Kernel& kernel, const RunStage& stage) {
     kernel.reach_tick();
     Setpoint setpoint;
     const TickStatus status = kernel.tick(setpoint);
-    record = stage.ticks.take(setpoint);
+    record = stage.ticks.take(setpoint, kernel.detail());
     stage.recorder.add(record);
     stage.progress.set_done(record.motion.s_mm);
     outcome.trace_ended = stage.recorder.trace_ended();
@@ -135,7 +135,7 @@ RunOutcome run_in_real_time(const RealTimeOrder& order, const RunStage& stage) {
       }
       Setpoint setpoint;
       const ControllerState state = order.controller.tick(setpoint);
-      record = stage.ticks.take(setpoint);
+      record = stage.ticks.take(setpoint, order.controller.detail());
       recorder.push(record);
       stage.progress.set_done(record.motion.s_mm);
       judge.count(is_starved(order.controller), outcome);

@@ -8,12 +8,14 @@
 
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/keyboard.hpp"
+#include "programs/kerf/io/log.hpp"
 #include "programs/kerf/io/machine_lock.hpp"
 #include "programs/kerf/io/progress_bar.hpp"
 #include "programs/kerf/io/subprogram_folder.hpp"
 #include "programs/kerf/io/text_feed.hpp"
 #include "programs/kerf/run/block_lookup.hpp"
 #include "programs/kerf/run/check_pass.hpp"
+#include "programs/kerf/run/first_scan.hpp"
 #include "programs/kerf/run/motion_run.hpp"
 #include "programs/kerf/run/plan_only.hpp"
 
@@ -46,6 +48,9 @@ class Session {
                         .one_thread = options.command != Command::run,
                         .tells_operator = page != nullptr,
                         .dialect = options.dialect} {
+    if (options.log_level == LogLevel::debug) {
+      kernel_options_.plan_log = log_debug;
+    }
     report_.command = options.command;
     report_.syntax_only = options.syntax_only;
     report_.machine = options.machine_file.value_or("default");
@@ -97,6 +102,10 @@ class Session {
       if (options_.command == Command::check || options_.command == Command::explain) {
         plan(*file);
       } else {
+        if (options_.plot_file) {
+          path_.scan = first_scan(*file, settings_, kernel_options_);
+          file->rewind();
+        }
         FileFeed text(*file);
         run(text);
       }

@@ -25,7 +25,7 @@ class TickStage {
   }
 
   // Real time: allocates nothing, takes no lock, throws nothing.
-  TickRecord take(const Setpoint& setpoint) noexcept {
+  TickRecord take(const Setpoint& setpoint, const TickDetail& detail) noexcept {
     table_.write(setpoint);
     const machine::MachineState state = table_.read();
     statistics_.add(setpoint, state);
@@ -35,7 +35,7 @@ class TickStage {
                 .line = setpoint.line,
                 .tick = setpoint.tick};
     }
-    return record_of(setpoint, state);
+    return record_of(setpoint, detail, state);
   }
 
   [[nodiscard]] const RunStatistics& statistics() const noexcept { return statistics_; }

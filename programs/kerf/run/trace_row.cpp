@@ -88,6 +88,12 @@ char* write_row(char* at, const TickRecord& record, const TickClock& clock,
       at = write_number<kLengthDecimals>(at, coordinate);
     }
   }
+  *at++ = ',';
+  if (!std::isnan(record.detail.curve_parameter)) {
+    at = write_number<kLengthDecimals>(at, record.detail.curve_parameter);
+  }
+  *at++ = ',';
+  at = write_number<kLengthDecimals>(at, record.detail.chord_error_mm);
   for (const ExtraAxis& axis : columns.axes) {
     *at++ = ',';
     at = write_number<kLengthDecimals>(at, axis.factor * record.extra_rad_mm[axis.index]);

@@ -12,7 +12,8 @@
 namespace kerf::program {
 
 inline constexpr std::string_view kTraceHeader =
-    "t_s,line,s_mm,v_mm_s,a_mm_s2,j_mm_s3,x_mm,y_mm,z_mm,actual_x_mm,actual_y_mm,actual_z_mm\n";
+    "t_s,line,s_mm,v_mm_s,a_mm_s2,j_mm_s3,x_mm,y_mm,z_mm,actual_x_mm,actual_y_mm,actual_z_mm,u,"
+    "chord_error_mm\n";
 // Further columns of a row.
 struct TraceColumns {
   std::vector<ExtraAxis> axes;  // "a_deg", "u_mm"
@@ -36,11 +37,12 @@ class TickClock {
   std::int64_t period_units_ = 0;  // 0: the period is no whole number of units
 };
 
-// No row is longer: 17 numbers of at most 309 + 1 + 10 digits and the time.
+// No row is longer: 19 numbers of at most 309 + 1 + 10 digits and the time.
 inline constexpr std::size_t kMaxRowBytes = 8192;
 
-// Lengths with 10 decimals, v, a and j with 6; a decimal point whatever the locale. Returns the end
-// of what was written at `at`, which has room for kMaxRowBytes.
+// Lengths and u with 10 decimals, v, a and j with 6; u is empty where the tick is on no NURBS; a
+// decimal point whatever the locale. Returns the end of what was written at `at`, which has room
+// for kMaxRowBytes.
 char* write_row(char* at, const TickRecord& record, const TickClock& clock,
                 const TraceColumns& columns = {}) noexcept;
 
