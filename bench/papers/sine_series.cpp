@@ -5,6 +5,9 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include "bench/curve_run.hpp"
 #include "bench/papers/comparison.hpp"
@@ -106,6 +109,47 @@ void print_map() {
   }
 }
 
+// Maxima of curvature, the smallest first.
+std::vector<double> curvature_maxima_per_mm(const std::string& program) {
+  constexpr int kPlaces = 400'000;
+  const lookahead::Block block = curve_block(program, machine(kMachine).limits);
+  const auto& curve = std::get<curves::NurbsCurve>(block.curve);
+  std::vector<double> maxima;
+  double before = 0.0;
+  double here = 0.0;
+  for (int i = 0; i <= kPlaces; ++i) {
+    const double after =
+        curves::vec(curve.derivatives_at(curve.length_mm() * i / kPlaces).second_per_mm).norm();
+    if (i > 1 && here > before && here >= after) {
+      maxima.push_back(here);
+    }
+    before = std::exchange(here, after);
+  }
+  std::ranges::sort(maxima);
+  return maxima;
+}
+
+// [SineSeries] divides a curve at its ends and where curvature is highest and above a threshold;
+// from a curvature of 8 d / ((v Ts)^2 + 4 d^2) at the least the chord error binds [LeeEtAl].
+void print_critical_points(const lookahead::PlanLimits& limits, Comparison& table) {
+  constexpr std::size_t kPublished = 37;
+  const std::vector<double> maxima = curvature_maxima_per_mm(kButterfly);
+  const double way = limits.path.velocity_mm_s * limits.period_s;
+  const double d = limits.chord_tolerance_mm;
+  const double by_chord = 8.0 * d / (way * way + 4.0 * d * d);
+  const auto above =
+      static_cast<std::size_t>(maxima.end() - std::ranges::lower_bound(maxima, by_chord));
+  const std::size_t least = maxima.size() + 2 - kPublished;
+  std::printf(
+      "Critical points of the butterfly: it has %zu maxima of curvature, and with its ends the "
+      "published 37 for a threshold between %.4f and %.4f /mm. Where the chord error binds at %.0f "
+      "mm/s the threshold is %.3f /mm, with %zu points.\n\n",
+      maxima.size(), least > 0 ? maxima[least - 1] : 0.0, maxima[least], limits.path.velocity_mm_s,
+      by_chord, above + 2);
+  table.require("the butterfly has 35 maxima of curvature at the least",
+                maxima.size() + 2 >= kPublished);
+}
+
 struct ContourError {
   double most_um = 0.0;
   double mean_um = 0.0;
@@ -201,6 +245,7 @@ bool sine_series() {
               " mm/s2, J " + fixed(path.jerk_mm_s3, 0) +
               " mm/s3, chord 5e-4 mm, Ts 1 ms: limits that are inferred, for the paper's are lost "
               "(programs/machines/sine-series.toml).");
+  print_critical_points(settings.limits, table);
   print_searched();
   print_map();
   return table.judge();
