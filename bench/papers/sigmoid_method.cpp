@@ -10,7 +10,6 @@
 
 namespace kerf::bench {
 
-using lookahead::FeedSample;
 using lookahead::VelocityLimitCurve;
 using profiles::Ramp;
 using profiles::RampLimits;
@@ -111,18 +110,18 @@ VelocityLimitCurve method_scan(const MethodCurve& curve, ChordRule rule,
                                const lookahead::PlanLimits& limits) {
   constexpr double kRounding = 1e-9;
   const ParametricCurve& walk = curve.by_parameter;
+  // Of the tolerance and the tick's error.
+  const auto share_of = [&](double from, double to) {
+    return limits.chord_tolerance_mm / error_mm(walk, rule, from, to);
+  };
   VelocityLimitCurve scan;
   double u = walk.u_begin();
   while (u < walk.u_end()) {
     double v = limits.path.velocity_mm_s;
-    double next = u;
-    for (;;) {
-      next = walk.step(u, v * limits.period_s);
-      const double share = limits.chord_tolerance_mm / error_mm(walk, rule, u, next);
-      if (share >= 1.0 - kRounding) {
-        break;
-      }
+    double next = walk.step(u, v * limits.period_s);
+    for (double share = share_of(u, next); share < 1.0 - kRounding; share = share_of(u, next)) {
       v *= std::min(std::sqrt(share), 1.0 - kRounding);
+      next = walk.step(u, v * limits.period_s);
     }
     scan.push_back({.u = u, .s_mm = curve.by_length.s_at(u), .v_mm_s = v});
     u = next;
@@ -148,12 +147,12 @@ MethodPlan method_plan(const MethodCurve& curve, const VelocityLimitCurve& scan,
     return by_length.pieces()[by_length.piece_index(s_mm)].u_at(s_mm);
   };
   double u = u_at(0.0);
-  for (double t = limits.period_s; t < plan.time_s; t += limits.period_s, ++plan.ticks) {
-    const double next = u_at(s_at(parts, t));
+  for (plan.ticks = 1; static_cast<double>(plan.ticks) * limits.period_s < plan.time_s;
+       ++plan.ticks) {
+    const double next = u_at(s_at(parts, static_cast<double>(plan.ticks) * limits.period_s));
     plan.chord_error_mm = std::max(plan.chord_error_mm, curve.by_parameter.chord_error_mm(u, next));
     u = next;
   }
-  ++plan.ticks;
   return plan;
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "lookahead/classical/velocity_pass.hpp"
@@ -27,7 +28,7 @@ class ClassicalSchedule final : public Schedule {
     std::shared_ptr<const PlanObserver> observer{};  // null: nobody is told
   };
 
-  explicit ClassicalSchedule(const Settings& settings) : settings_(settings) {}
+  explicit ClassicalSchedule(Settings settings) : settings_(std::move(settings)) {}
 
   void push(const Window<Block>& blocks) override;
   // before: the block that it joins; null: it begins at rest.

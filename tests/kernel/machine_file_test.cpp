@@ -141,7 +141,9 @@ TEST(MachineFile, TheDefaultMachineIsTheTableThatIsShipped) {
     for (const NumberRule& rule : rules) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         EXPECT_EQ(rule.field(shipped, axis), rule.field(built_in, axis)) << rule.key << axis;
-        EXPECT_TRUE(std::isfinite(rule.field(shipped, axis))) << rule.key << axis;
+        // All that a machine needs is bound; across the path the limits of the axes bind.
+        const bool across = rule.key.find("normal") != std::string_view::npos;
+        EXPECT_EQ(std::isfinite(rule.field(shipped, axis)), !across) << rule.key << axis;
       }
     }
   }

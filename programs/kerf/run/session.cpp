@@ -102,12 +102,7 @@ class Session {
       if (options_.command == Command::check || options_.command == Command::explain) {
         plan(*file);
       } else {
-        if (options_.plot_file) {
-          path_.scan = first_scan(*file, settings_, kernel_options_);
-          file->rewind();
-        }
-        FileFeed text(*file);
-        run(text);
+        move(*file);
       }
       report_.run_duration_s = watch.elapsed_s();
     }
@@ -239,6 +234,15 @@ class Session {
                                 .block = *watch.block(),
                                 .begin_s = watch.begin_s().value_or(report_.plan->cycle_time_s),
                                 .duration_s = watch.duration_s()};
+  }
+
+  void move(ProgramFile& file) {
+    if (options_.plot_file) {
+      path_.scan = first_scan(file, settings_, kernel_options_);
+      file.rewind();
+    }
+    FileFeed text(file);
+    run(text);
   }
 
   // Text that can be read only once runs as it comes: each block is checked before it is planned,
