@@ -119,8 +119,8 @@ VelocityLimitCurve method_scan(const MethodCurve& curve, ChordRule rule,
   while (u < walk.u_end()) {
     double v = limits.path.velocity_mm_s;
     double next = walk.step(u, v * limits.period_s);
-    for (double share = share_of(u, next); share < 1.0 - kRounding; share = share_of(u, next)) {
-      v *= std::min(std::sqrt(share), 1.0 - kRounding);
+    while (share_of(u, next) < 1.0 - kRounding) {
+      v *= std::min(std::sqrt(share_of(u, next)), 1.0 - kRounding);
       next = walk.step(u, v * limits.period_s);
     }
     scan.push_back({.u = u, .s_mm = curve.by_length.s_at(u), .v_mm_s = v});
