@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
+#include <optional>
 #include <variant>
 
 #include "interp/axis_terms.hpp"
@@ -311,10 +311,10 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   return status;
 }
 
-double Interpolator::curve_parameter() const noexcept {
+std::optional<double> Interpolator::curve_parameter() const noexcept {
   const auto* nurbs = std::get_if<curves::NurbsPiece>(&piece_.geometry);
-  return nurbs != nullptr && piece_.curve != 0 ? nurbs->u_at(s_now_mm_)
-                                               : std::numeric_limits<double>::quiet_NaN();
+  return nurbs != nullptr && piece_.curve != 0 ? std::optional(nurbs->u_at(s_now_mm_))
+                                               : std::nullopt;
 }
 
 double Interpolator::chord_error_mm() const noexcept {

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "interp/emergency_brake.hpp"
 #include "interp/motion_queue.hpp"
@@ -85,8 +86,8 @@ class Interpolator {
   // at points of the path between them, junctions included. If a tick passes over more than
   // kPassedPieces whole pieces, the later ones do not count.
   [[nodiscard]] double chord_error_mm() const noexcept;
-  // u of the NURBS at the last setpoint; NaN where that is on none.
-  [[nodiscard]] double curve_parameter() const noexcept;
+  // u of the NURBS at the last setpoint; nothing where that is on none.
+  [[nodiscard]] std::optional<double> curve_parameter() const noexcept;
 
  private:
   static constexpr std::size_t kPassedPieces = 16;

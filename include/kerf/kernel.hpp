@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -54,8 +53,8 @@ struct KernelOptions {
 /// What belongs to a tick beside its setpoint.
 struct TickDetail {
   /// The parameter u of the NURBS at the setpoint: as the program wrote it where the path is exact,
-  /// of Kerf's own curve where G64 made one. NaN: it is on none.
-  double curve_parameter = std::numeric_limits<double>::quiet_NaN();
+  /// of Kerf's own curve where G64 made one. Nothing: it is on none.
+  std::optional<double> curve_parameter{};
   /// How far the path leaves the straight line from the setpoint before to this one.
   double chord_error_mm = 0.0;
 };

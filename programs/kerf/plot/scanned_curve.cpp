@@ -1,7 +1,6 @@
 #include "programs/kerf/plot/scanned_curve.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "lookahead/classical/limit_curve_cuts.hpp"
@@ -47,10 +46,10 @@ ScannedCurve::ScannedCurve(std::uint32_t line, lookahead::VelocityLimitCurve sca
     : line_(line), scan_(std::move(scan)), breaking_points_(turns_of(scan_)) {}
 
 void ScannedCurve::add(const TickRecord& record) {
-  if (record.line != line_ || std::isnan(record.detail.curve_parameter)) {
+  if (record.line != line_ || !record.detail.curve_parameter) {
     return;
   }
-  const double share = share_of(record.detail.curve_parameter);
+  const double share = share_of(*record.detail.curve_parameter);
   const auto step = static_cast<std::int64_t>(std::clamp(share, 0.0, 1.0) * kSteps);
   if (step > last_step_) {
     planned_.add(step, record.motion.v_mm_s);

@@ -89,8 +89,8 @@ char* write_row(char* at, const TickRecord& record, const TickClock& clock,
     }
   }
   *at++ = ',';
-  if (!std::isnan(record.detail.curve_parameter)) {
-    at = write_number<kLengthDecimals>(at, record.detail.curve_parameter);
+  if (record.detail.curve_parameter) {
+    at = write_number<kLengthDecimals>(at, *record.detail.curve_parameter);
   }
   *at++ = ',';
   at = write_number<kLengthDecimals>(at, record.detail.chord_error_mm);
