@@ -1,6 +1,10 @@
 // The published results beside ours.
 #pragma once
 
+#include <kerf/kerf.hpp>
+
+#include "bench/papers/comparison.hpp"
+
 namespace kerf::bench {
 
 // Prints the tables as Markdown on standard output. Exit status: 0, 1 where a figure is not what
@@ -12,5 +16,8 @@ bool sigmoid_butterfly();
 bool sigmoid_wm();
 bool sine_series();
 bool quintic();
+
+// The rows of the contour errors of [SineSeries], of a butterfly and of a trident.
+void add_contour_errors(const MachineSettings& settings, Comparison& table);
 
 }  // namespace kerf::bench

@@ -1,5 +1,5 @@
-// [SineSeries]: the times of the butterfly and of a trident, and the contour errors of its table.
-// The table of its limits is lost, and so are the trident's points.
+// [SineSeries]: the times of the butterfly and of a trident. The table of its limits is lost, and
+// so are the trident's points.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,6 @@
 #include "bench/curve_run.hpp"
 #include "bench/papers/comparison.hpp"
 #include "bench/papers/papers.hpp"
-#include "machine/simulated_table.hpp"
 
 namespace kerf::bench {
 
@@ -150,34 +149,6 @@ void print_critical_points(const lookahead::PlanLimits& limits, Comparison& tabl
                 maxima.size() + 2 >= kPublished);
 }
 
-struct ContourError {
-  double most_um = 0.0;
-  double mean_um = 0.0;
-};
-
-// Of the simulated table behind the ticks.
-ContourError contour_error(const MachineSettings& settings, ProfileKind kind, Comparison& table) {
-  constexpr double kMicrometre = 1e3;
-  const lookahead::Block block =
-      curve_block(kButterfly, settings.limits, settings.limits.path.velocity_mm_s);
-  const PlannedRun run = plan_of({block}, settings.limits, Profile(kind));
-  machine::SimulatedTable servo(settings.table);
-  TickJudge judge({.limits = settings.limits});
-  ContourError error;
-  servo.enable(run.ticks.front().setpoint.position_mm);
-  for (const TickOfRun& tick : run.ticks) {
-    judge.add(tick.setpoint, tick.chord_error_mm);
-    servo.write(tick.setpoint);
-    const double um = kMicrometre * servo.read().contour_error_mm;
-    error.most_um = std::max(error.most_um, um);
-    error.mean_um += um / static_cast<double>(run.ticks.size());
-  }
-  table.require("the table follows the butterfly", servo.read().fault == machine::Fault::none);
-  table.require("the butterfly keeps its limits",
-                judge.excess().figure == TickExcess::Figure::none);
-  return error;
-}
-
 void add_times(const Limits& limits, Comparison& table) {
   const std::string inferred = "the limits are inferred";
   const std::string lost = "the trident's points are lost: these are of another with as many";
@@ -218,28 +189,7 @@ bool sine_series() {
   const lookahead::MotionLimits& path = settings.limits.path;
   Comparison table;
   add_times({path.velocity_mm_s, path.acceleration_mm_s2, path.jerk_mm_s3}, table);
-  struct Row {
-    ProfileKind kind;
-    double most_um;
-    double mean_um;
-  };
-  const char* model =
-      "a simulated table: its gains and friction are ours, the paper's are not in it";
-  for (const auto& [kind, most_um, mean_um] :
-       {Row{ProfileKind::sine, 19.9, 3.6}, Row{ProfileKind::sine_series, 20.9, 3.9}}) {
-    const ContourError error = contour_error(settings, kind, table);
-    const std::string name = kind == ProfileKind::sine ? "single sine" : "sine series";
-    const auto add = [&](const char* what, double published, double here, double band) {
-      table.add({.name = "contour error, " + std::string(what) + ", " + name + " [um]",
-                 .published = published,
-                 .decimals = 1,
-                 .here = here,
-                 .band = band,
-                 .why = model});
-    };
-    add("largest", most_um, error.most_um, 4.0);
-    add("mean", mean_um, error.mean_um, 1.5);
-  }
+  add_contour_errors(settings, table);
   table.print("## SineSeries\n\nIts simulations and experiments, from rest to rest, V " +
               fixed(path.velocity_mm_s, 0) + " mm/s, A " + fixed(path.acceleration_mm_s2, 0) +
               " mm/s2, J " + fixed(path.jerk_mm_s3, 0) +
