@@ -37,7 +37,7 @@ function(kerf_tests name)
   target_include_directories(${name}_tests PRIVATE "${PROJECT_SOURCE_DIR}")
   target_compile_definitions(${name}_tests PRIVATE KERF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   # Quicker to build; it is the libraries that need to be fast.
-  target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-Og>)
   if(CMAKE_CXX_FLAGS MATCHES "-fsanitize" OR CMAKE_BUILD_TYPE STREQUAL "Debug")
     target_compile_definitions(${name}_tests PRIVATE KERF_SLOW_BUILD)  # fewer random cases
   endif()
