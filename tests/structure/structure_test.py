@@ -10,6 +10,7 @@ sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import error_pages  # noqa: E402
+import front_door  # noqa: E402
 import includes  # noqa: E402
 import paths  # noqa: E402
 import pictures  # noqa: E402
@@ -152,6 +153,55 @@ class ErrorPageRule(Checkout):
     def test_finds_a_line_that_is_too_long(self):
         self.write("diagnostics/errors/pages.def", "// " + "x" * 98 + "\n")
         self.assertEqual(self.found(), ["diagnostics/errors/pages.def:1: error: longer than 100 columns"])
+
+
+class FrontDoorRule(Checkout):
+    HEADER = """#pragma once
+#define KERF_API __attribute__((visibility("default")))
+KERF_API bool validate(const Settings& settings);  // as in old(1)
+class KERF_API Kernel {
+ public:
+  explicit Kernel(const Settings& settings, const Options& options = {});
+  ~Kernel();
+  Kernel& operator=(Kernel&&) noexcept;
+  [[nodiscard]] bool has_fault() const noexcept { return fault_.has_value(); }
+  void feed(std::string_view text);
+
+ private:
+  void hidden();
+  int count_ = 0;
+};
+"""
+    PAGE = """| `Kernel` | thread | allocates |
+| --- | --- | --- |
+| `Kernel(settings, options)` | any | yes |
+| `feed`, `has_fault` | any | yes |
+
+| `function` | thread | allocates |
+| --- | --- | --- |
+| `validate` | any | yes |
+
+| header | what it has |
+| --- | --- |
+| `kerf/kernel.hpp` | all |
+"""
+
+    def found(self, old="", new=""):
+        self.write("include/kerf/kernel.hpp", self.HEADER)
+        self.write("docs/embedding.md", self.PAGE.replace(old, new) if old else self.PAGE)
+        return list(front_door.findings(self.root))
+
+    def test_accepts_a_row_for_each_method_and_function(self):
+        self.assertEqual(self.found(), [])
+
+    def test_finds_a_method_without_a_row(self):
+        self.assertEqual(self.found(", `has_fault`"), ["docs/embedding.md: error: says nothing of Kernel has_fault"])
+
+    def test_finds_a_function_without_a_row(self):
+        self.assertEqual(self.found("`validate`", "nothing"), ["docs/embedding.md: error: says nothing of function validate"])
+
+    def test_finds_a_row_without_a_method(self):
+        self.assertEqual(self.found("`feed`", "`feed`, `hidden`"), ["docs/embedding.md: error: there is no Kernel hidden"])
 
 
 class ReferenceRule(Checkout):
