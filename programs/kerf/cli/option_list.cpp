@@ -1,0 +1,165 @@
+#include "programs/kerf/cli/option_list.hpp"
+
+#include <map>
+#include <vector>
+
+#include "kernel/settings_check.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+const std::map<std::string, DiagnosticFormat> kFormats{{"text", DiagnosticFormat::text},
+                                                       {"json", DiagnosticFormat::json},
+                                                       {"sarif", DiagnosticFormat::sarif}};
+
+const std::map<std::string, LogLevel> kLogLevels{
+    {"debug", LogLevel::debug}, {"info", LogLevel::info}, {"error", LogLevel::error}};
+
+std::vector<std::string> profile_names() {
+  std::vector<std::string> names;
+  for (auto kind = 0U; kind <= static_cast<unsigned>(ProfileKind::time_optimal); ++kind) {
+    names.emplace_back(name_of(static_cast<ProfileKind>(kind)));
+  }
+  return names;
+}
+
+void add_machine(CLI::App& command, Options& options) {
+  command.add_option("--machine", options.machine_file, "machine file (default: a small mill)")
+      ->type_name("FILE.toml");
+}
+
+void add_common(CLI::App& command, OptionWords& words) {
+  Options& options = words.options;
+  command
+      .add_option("--tools", options.tool_file, "tool table (default: that of the machine file)")
+      ->type_name("FILE");
+  command.add_option("--profile", words.profile, "feedrate profile")
+      ->check(CLI::IsMember(profile_names()))
+      ->type_name("NAME")
+      ->capture_default_str();
+  command
+      .add_option("--sigmoid-shape", options.sigmoid_shape,
+                  "shape s of the sigmoid (default: chosen for each transition)")
+      ->type_name("S");
+  command.add_option("--window", options.window_blocks, "blocks that the look-ahead sees")
+      ->check(CLI::Range(std::size_t{2}, std::size_t{kMaxWindowBlocks}))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      .add_option_function<std::string>(
+          "--dialect",
+          [&options](const std::string& name) {
+            options.dialect = name == "fanuc" ? parser::Dialect::fanuc : parser::Dialect::rs274;
+          },
+          "language of the program: rs274 or fanuc (default: that of the machine file)")
+      ->check(CLI::IsMember({"rs274", "fanuc"}))
+      ->type_name("NAME");
+  command.add_flag(
+      "--block-delete{all}", words.block_delete,
+      "leave out blocks that begin with /, or with =1,3 those with / (which is /1) and "
+      "/3");
+  command
+      .add_option("--max-time", words.max_time,
+                  "machine time that the program may take: 90, 90s, 5min, 2h, 30d (default: 30d)")
+      ->type_name("TIME");
+  command
+      .add_option("--max-moves", options.max_moves,
+                  "how many moves the program may have, loops included (default: 100000000)")
+      ->type_name("N");
+  command.add_flag("--json", options.json, "report as JSON on standard output");
+  command
+      .add_option("--format", options.format,
+                  "errors and warnings as text, json or sarif (check: on standard output)")
+      ->transform(CLI::CheckedTransformer(kFormats).description("{text,json,sarif}"))
+      ->type_name("NAME");
+  command
+      .add_option("--log-level", options.log_level,
+                  "messages: error, info or debug, which tells how the motion is planned "
+                  "(default: info)")
+      ->transform(CLI::CheckedTransformer(kLogLevels).description("{error,info,debug}"))
+      ->type_name("NAME");
+  command
+      .add_option("--log", options.log_file,
+                  "file that gets the messages with the time before them, too")
+      ->type_name("FILE");
+  command.add_flag("-q,--quiet", options.quiet, "no summary, no progress bar, no warnings");
+}
+
+void add_outputs(CLI::App& command, OptionWords& words) {
+  Options& options = words.options;
+  command
+      .add_option("--trace", options.trace_file, "write one row per tick (- is standard output)")
+      ->type_name("FILE.csv");
+  command
+      .add_option("--max-trace", words.max_trace,
+                  "size that the trace may have: 1000, 500MB, 4GiB (default: 4GiB)")
+      ->type_name("SIZE");
+  command.add_option("--plot", options.plot_file, "draw the path and v, a, j over time")
+      ->type_name("FILE.svg");
+  command.add_flag("--explain-speed{all}", words.explain_speed,
+                   "which limits bound the feedrate, and for how long; with =14 for line 14, "
+                   "with =@1.5 at 1.5 s");
+}
+
+void add_page(CLI::App& command, Command which, Options& options) {
+  command
+      .add_option("--machine", options.machine_files,
+                  "machine file (default: a small mill); several stand side by side")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->type_name("FILE.toml");
+  if (which == Command::report) {
+    command.add_option("-o,--output", options.page_file, "the page to write")
+        ->required()
+        ->type_name("FILE.html");
+  }
+  command.add_flag("--no-source", options.leaves_out_source,
+                   "leave the program's text out of the page");
+  command
+      .add_option("--page", options.page_template,
+                  "the page without data (default: page.html beside kerf, or as installed)")
+      ->type_name("FILE.html");
+}
+
+}  // namespace
+
+CLI::App* add_command(CLI::App& app, Command command, const std::string& description,
+                      OptionWords& words) {
+  CLI::App* added = app.add_subcommand(std::string(name_of(command)), description);
+  CLI::Option* files =
+      added->add_option("FILE", words.options.files, "part program (- is standard input)")
+          ->required()
+          ->type_name("");
+  if (command == Command::run || command == Command::explain) {
+    files->expected(1);
+  }
+  if (makes_page(command)) {
+    add_page(*added, command, words.options);
+  } else {
+    add_machine(*added, words.options);
+  }
+  add_common(*added, words);
+  if (command == Command::explain) {
+    added->add_option("--line", words.options.explained_line, "the line to explain")
+        ->required()
+        ->check(CLI::PositiveNumber)
+        ->type_name("N");
+  } else if (command == Command::check) {
+    added->add_flag("--syntax", words.options.syntax_only,
+                    "read the text alone: no plan, no curves, no travel");
+  } else if (!makes_page(command)) {
+    add_outputs(*added, words);
+  }
+  if (command == Command::run) {
+    added->add_flag("--optional-stop", words.options.optional_stop, "M1 waits, as M0 does");
+    added
+        ->add_option("--control", words.options.control,
+                     "commands in and events out as JSON lines: 3, a descriptor; 4,5, one to read "
+                     "and one to write; else the path of a socket to make")
+        ->type_name("WHERE");
+  }
+  return added;
+}
+
+}  // namespace kerf::program
