@@ -2,32 +2,20 @@
 
 #include <algorithm>
 #include <cassert>
-#include <optional>
 #include <variant>
 
 #include "interp/axis_terms.hpp"
 
 namespace kerf::interp {
 
-using curves::vec;
-
-namespace {
-
-double distance_to_chord_mm(const Position& point, const Position& from,
-                            const Position& to) noexcept {
-  const Eigen::Vector3d chord = vec(to) - vec(from);
-  const Eigen::Vector3d offset = vec(point) - vec(from);
-  const double squared = chord.squaredNorm();
-  const double share = squared > 0.0 ? std::clamp(offset.dot(chord) / squared, 0.0, 1.0) : 0.0;
-  return (offset - share * chord).norm();
-}
-
-}  // namespace
-
 Interpolator::Interpolator(MotionQueue& queue, double period_s, const Position& start_mm,
                            const curves::AuxiliaryPosition& start_extra_rad_mm,
                            const MachineLimits& limits) noexcept
-    : queue_(&queue), period_s_(period_s), brake_(limits, period_s), position_before_mm_(start_mm) {
+    : queue_(&queue),
+      plan_(queue),
+      period_s_(period_s),
+      brake_(limits, period_s),
+      chord_(start_mm) {
   assert(period_s > 0.0);
   now_.tick = -1;
   now_.position_mm = start_mm;
@@ -38,86 +26,16 @@ double Interpolator::time_into_s(const Phase& phase) const noexcept {
   return static_cast<double>(plan_tick() - phase.begin.tick) * period_s_ - phase.begin.offset_s;
 }
 
-void Interpolator::take_over() noexcept {
-  for (std::size_t i = 0; i < MotionQueue::kTakeovers; ++i) {
-    const Takeover* next = queue_->next_takeover();
-    if (next == nullptr || (next->from == plan_ && next->tick > plan_tick())) {
-      break;
-    }
-    const std::uint32_t plan = next->plan;
-    const bool takes = may_take(*next);
-    queue_->pop_takeover();
-    if (takes) {
-      begin_plan(plan);
-    }
-    answer_.store(std::uint64_t{plan} << 32U | plan_, std::memory_order_release);
-  }
-  take_stop();
-  drop_stale_phases();
-}
-
-bool Interpolator::may_take(const Takeover& next) const noexcept {
-  return next.from == plan_ && next.tick == plan_tick() && queue_->is_committed(next.phases_end);
-}
-
-void Interpolator::begin_plan(std::uint32_t plan) noexcept {
-  plan_ = plan;
-  stop_next_ = stop_.count;
-}
-
-void Interpolator::take_stop() noexcept {
-  const StopAhead* stop = queue_->has_stop() ? queue_->take_stop(plan_, plan_tick()) : nullptr;
-  if (stop == nullptr) {
-    return;
-  }
-  stop_.count = stop->count;
-  std::copy_n(stop->phases.begin(), stop->count, stop_.phases.begin());
-  plan_ = stop->plan;
-  stop_next_ = 0;
-  answer_.store(std::uint64_t{plan_} << 32U | plan_, std::memory_order_release);
-}
-
-// A plan that is still to take over is next in its queue before its phases are committed.
-void Interpolator::drop_stale_phases() noexcept {
-  for (std::size_t i = 0; i < MotionQueue::kPhases; ++i) {
-    const Phase* next = queue_->next_phase();
-    if (next == nullptr || next->plan == plan_) {
-      return;
-    }
-    const Takeover* takeover = queue_->next_takeover();
-    if (takeover != nullptr && takeover->plan == next->plan) {
-      return;
-    }
-    queue_->pop_phase();
-  }
-}
-
-const Phase* Interpolator::next_phase() const noexcept {
-  if (stop_next_ < stop_.count) {
-    return &stop_.phases[stop_next_];
-  }
-  const Phase* next = queue_->next_phase();
-  return next != nullptr && next->plan == plan_ ? next : nullptr;
-}
-
-void Interpolator::pop_phase() noexcept {
-  if (stop_next_ < stop_.count) {
-    ++stop_next_;
-  } else {
-    queue_->pop_phase();
-  }
-}
-
 bool Interpolator::advance_phase() noexcept {
   for (std::size_t i = 0; i < MotionQueue::kPhases; ++i) {
-    const Phase* next = next_phase();
+    const Phase* next = plan_.next_phase();
     has_next_ = next != nullptr;
     if (!has_next_ || time_into_s(*next) < 0.0) {
       break;
     }
     phase_ = *next;
     has_phase_ = true;
-    pop_phase();
+    plan_.pop_phase();
     advance_outputs();
   }
   return has_phase_;
@@ -148,7 +66,7 @@ void Interpolator::advance_piece(double s_mm) noexcept {
       break;
     }
     if (i > 0) {
-      note_passed_piece();
+      chord_.pass(piece_);
     }
     piece_ = *next;
     queue_->pop_piece();
@@ -171,18 +89,6 @@ void Interpolator::advance_line(double s_mm) noexcept {
       std::max(is_behind_change ? line_.run_block : phase_.run_block, phase_.rest_block);
   if (block > reached_block()) {
     reached_block_.store(block, std::memory_order_relaxed);
-  }
-}
-
-void Interpolator::note_passed_piece() noexcept {
-  if (passed_points_ == passed_mm_.size()) {
-    return;
-  }
-  const double begin = curves::s_begin_mm(piece_.geometry);
-  const double length = curves::s_end_mm(piece_.geometry) - begin;
-  for (std::size_t k = 1; k <= kChordPoints; ++k) {
-    const double share = static_cast<double>(k) / kChordPoints;
-    passed_mm_[passed_points_++] = curves::position_at(piece_.geometry, begin + share * length);
   }
 }
 
@@ -214,17 +120,11 @@ void Interpolator::begin_tick() noexcept {
     return;
   }
   tick_begun_ = true;
-  position_before_mm_ = now_.position_mm;
-  s_before_mm_ = s_now_mm_;
-  passed_points_ = 0;
-  if (piece_before_.curve != piece_.curve ||
-      curves::s_begin_mm(piece_before_.geometry) != curves::s_begin_mm(piece_.geometry)) {
-    piece_before_ = piece_;
-  }
+  chord_.begin(place());
 }
 
 bool Interpolator::pass_what_is_over() noexcept {
-  take_over();
+  plan_.take_over(plan_tick());
   if (!advance_phase() || has_next_ || phase_.ends_at_rest ||
       time_into_s(phase_) < phase_.law.duration_s()) {
     return false;
@@ -271,13 +171,13 @@ TickStatus Interpolator::brake() noexcept {
   brake_.advance(motion, *queue_);
   piece_ = motion.piece;
   for (std::size_t i = 0; i < MotionQueue::kPhases; ++i) {
-    const Phase* next = next_phase();
+    const Phase* next = plan_.next_phase();
     if (next == nullptr || next->curve > piece_.curve ||
         (next->curve == piece_.curve && next->s_begin_mm > motion.s_mm)) {
       break;
     }
     phase_ = *next;
-    pop_phase();
+    plan_.pop_phase();
   }
   phase_.curve = piece_.curve;
   phase_.path_begin_mm = motion.path_begin_mm;
@@ -299,7 +199,7 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
     setpoint = now_;  // the spindle is off
     return braked;
   }
-  take_over();
+  plan_.take_over(plan_tick());
   const TickStatus status = advance_phase() ? follow_phase() : TickStatus::starved;
   if (status == TickStatus::running) {
     plan_tick_.store(plan_tick() + 1, std::memory_order_relaxed);
@@ -315,34 +215,6 @@ std::optional<double> Interpolator::curve_parameter() const noexcept {
   const auto* nurbs = std::get_if<curves::NurbsPiece>(&piece_.geometry);
   return nurbs != nullptr && piece_.curve != 0 ? std::optional(nurbs->u_at(s_now_mm_))
                                                : std::nullopt;
-}
-
-double Interpolator::chord_error_mm() const noexcept {
-  double error = 0.0;
-  const auto look_at = [&](const Position& point) {
-    error = std::max(error, distance_to_chord_mm(point, position_before_mm_, now_.position_mm));
-  };
-  const auto look = [&](const CurvePiece& piece, double s_mm) {
-    look_at(curves::position_at(piece.geometry, s_mm));
-  };
-  const double s_junction = curves::s_end_mm(piece_before_.geometry);
-  const bool junction = piece_.curve != piece_before_.curve && piece_before_.curve != 0;
-  for (std::size_t k = 1; k <= kChordPoints; ++k) {
-    const double share = static_cast<double>(k) / kChordPoints;
-    if (junction) {
-      look(piece_before_, s_before_mm_ + share * (s_junction - s_before_mm_));
-      look(piece_, share * s_now_mm_);
-      continue;
-    }
-    const double s = s_before_mm_ + share * (s_now_mm_ - s_before_mm_);
-    if (piece_before_.curve != 0 && s <= s_junction) {
-      look(piece_before_, s);
-    } else if (s >= curves::s_begin_mm(piece_.geometry)) {
-      look(piece_, s);
-    }
-  }
-  std::for_each_n(passed_mm_.begin(), passed_points_, look_at);
-  return error;
 }
 
 }  // namespace kerf::interp

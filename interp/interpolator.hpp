@@ -1,15 +1,15 @@
 // Turns planned motion into setpoints: one call, one tick.
 #pragma once
 
-#include <array>
 #include <atomic>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "interp/emergency_brake.hpp"
 #include "interp/motion_queue.hpp"
+#include "interp/plan_in_force.hpp"
 #include "interp/setpoint.hpp"
+#include "interp/tick_chord.hpp"
 
 namespace kerf::interp {
 
@@ -55,17 +55,8 @@ class Interpolator {
     return plan_tick_.load(std::memory_order_relaxed);
   }
 
-  // How the tick side took the latest plan that was to take over. May be read by the planning
-  // thread.
-  struct Answer {
-    std::uint32_t plan = 0;      // the latest that was accepted or refused, or a stop ahead
-    std::uint32_t in_force = 0;  // the latest that was accepted
-  };
-  [[nodiscard]] Answer answer() const noexcept {
-    const std::uint64_t both = answer_.load(std::memory_order_acquire);
-    return {.plan = static_cast<std::uint32_t>(both >> 32U),
-            .in_force = static_cast<std::uint32_t>(both)};
-  }
+  // May be read by the planning thread.
+  [[nodiscard]] PlanInForce::Answer answer() const noexcept { return plan_.answer(); }
 
   // The latest run block (Phase::run_block) that has begun, motion or rest. May be read by any
   // thread.
@@ -82,34 +73,17 @@ class Interpolator {
     return heeded_.load(std::memory_order_relaxed);
   }
 
-  // The largest distance of the path from the straight line between the last two setpoints, taken
-  // at points of the path between them, junctions included. If a tick passes over more than
-  // kPassedPieces whole pieces, the later ones do not count.
-  [[nodiscard]] double chord_error_mm() const noexcept;
+  // Of the path between the last two setpoints.
+  [[nodiscard]] double chord_error_mm() const noexcept { return chord_.error_mm(place()); }
   // u of the NURBS at the last setpoint; nothing where that is on none.
   [[nodiscard]] std::optional<double> curve_parameter() const noexcept;
 
  private:
-  static constexpr std::size_t kPassedPieces = 16;
-  static constexpr std::size_t kChordPoints = 4;  // of each piece, its end among them
-
   [[nodiscard]] double time_into_s(const Phase& phase) const noexcept;
   // Where the plan says the tool is at this tick.
   TickStatus follow_phase() noexcept;
   // Keeps where the chord to the next tick begins; once a tick.
   void begin_tick() noexcept;
-  // At its tick a new plan replaces the present one. One that comes later than that is refused: the
-  // tool is somewhere else by then; so is one that would replace another plan.
-  void take_over() noexcept;
-  [[nodiscard]] bool may_take(const Takeover& next) const noexcept;
-  // Takes the stop ahead where this is its tick.
-  void take_stop() noexcept;
-  void begin_plan(std::uint32_t plan) noexcept;
-  // Phases of plans that were superseded or never taken.
-  void drop_stale_phases() noexcept;
-  // The next phase of the plan in force; null: there is none.
-  [[nodiscard]] const Phase* next_phase() const noexcept;
-  void pop_phase() noexcept;
   // The phase that holds the present tick. False: there was none yet.
   bool advance_phase() noexcept;
   // Applies the output changes that are in force from the begin of the present phase on.
@@ -121,18 +95,17 @@ class Interpolator {
   void fill(const profiles::PathMotion& motion, double s_mm) noexcept;
   // A tick of an emergency stop.
   TickStatus brake() noexcept;
-  void note_passed_piece() noexcept;
+  [[nodiscard]] TickPlace place() const noexcept {
+    return {.piece = piece_, .s_mm = s_now_mm_, .position_mm = now_.position_mm};
+  }
 
   MotionQueue* queue_;
+  PlanInForce plan_;
   double period_s_;
   std::atomic<std::int64_t> plan_tick_ = 0;
   std::atomic<std::uint64_t> reached_block_ = 0;
   std::atomic<double> reached_path_mm_ = 0.0;
-  std::atomic<std::uint64_t> answer_ = 0;  // Answer: plan, in_force
-  std::uint32_t plan_ = 0;                 // in force
-  StopAhead stop_{};                       // the latest that was taken
-  std::size_t stop_next_ = 0;              // its next phase; the count: it has begun the last one
-  std::uint64_t output_changes_ = 0;       // so many were applied
+  std::uint64_t output_changes_ = 0;  // so many were applied
   std::atomic<bool> emergency_ = false;
   std::atomic<double> spindle_override_ = 1.0;
   std::atomic<HeededInputs> heeded_{};
@@ -144,16 +117,10 @@ class Interpolator {
   CurvePiece piece_{};
   LineChange line_{};  // the latest that was passed
   Setpoint now_{};
-  // The setpoint before, for the chord between the two.
-  CurvePiece piece_before_{};
-  Position position_before_mm_{};
+  TickChord chord_;  // from the setpoint before
   double s_now_mm_ = 0.0;
   double path_begin_now_mm_ = 0.0;  // of its curve; the phase may be one ahead
   double v_now_mm_s_ = 0.0;         // along the curve, of further axes where they move alone
-  double s_before_mm_ = 0.0;
-  // Points of the pieces that lie wholly between the two.
-  std::array<Position, kPassedPieces * kChordPoints> passed_mm_{};
-  std::size_t passed_points_ = 0;
 };
 
 }  // namespace kerf::interp

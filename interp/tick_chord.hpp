@@ -1,0 +1,40 @@
+// How far the path is from the straight line between two setpoints.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "interp/motion.hpp"
+
+namespace kerf::interp {
+
+// A place on the path.
+struct TickPlace {
+  const CurvePiece& piece;
+  double s_mm = 0.0;
+  const Position& position_mm;
+};
+
+// begin() where the chord begins, pass() each piece that lies wholly between the two setpoints.
+class TickChord {
+ public:
+  explicit TickChord(const Position& start_mm) noexcept : begin_mm_(start_mm) {}
+
+  void begin(const TickPlace& place) noexcept;
+  void pass(const CurvePiece& piece) noexcept;
+  // The largest distance, taken at points of the path between the two, junctions included. If more
+  // than kPassedPieces were passed, the later ones do not count.
+  [[nodiscard]] double error_mm(const TickPlace& end) const noexcept;
+
+ private:
+  static constexpr std::size_t kPassedPieces = 16;
+  static constexpr std::size_t kPoints = 4;  // of each piece, its end among them
+
+  CurvePiece piece_{};
+  Position begin_mm_;
+  double s_begin_mm_ = 0.0;
+  std::array<Position, kPassedPieces * kPoints> passed_mm_{};
+  std::size_t passed_points_ = 0;
+};
+
+}  // namespace kerf::interp
