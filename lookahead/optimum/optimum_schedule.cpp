@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "lookahead/optimum/fallback.hpp"
-#include "lookahead/optimum/grid/grid.hpp"
 
 namespace kerf::lookahead {
 
@@ -18,14 +17,6 @@ constexpr int kCuts = 5;  // of what a plan covers
 constexpr std::size_t kTriesOfRest = 8;
 constexpr std::size_t kMinBetweenTries = 8;
 constexpr std::size_t kCutCells = 16;
-// A search over fewer cells, half as many each time, may end well where one over all does not.
-constexpr int kShorterSearches = 3;
-constexpr std::size_t kMinShorter = 200;
-// That are planned at once from a motion: the answer is urgent, and what follows is added later.
-constexpr std::size_t kCellsInMotion = 600;
-constexpr std::size_t kFewestInMotion = 3;
-// On the way that it would take to rest.
-constexpr double kCellsToRest = 40.0;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
 // Where it is to rest at a junction it brakes later than it may if it passes that in motion.
 constexpr std::size_t kMarginOfWindow = 8;
@@ -64,34 +55,12 @@ bool OptimumSchedule::begin(const Begin& from, bool closed, Window<Block>& block
   if (closed) {
     waiting_.close(blocks);
   }
-  waiting_.begin_at({.block = from.has_before ? 1U : 0U, .s_mm = from.s_mm}, blocks);
-  if (from.has_before) {
-    blocks.pop_front();
-    waiting_.block_done();
-  }
-  waiting_.refine_begin(from.to_rest.back().way_mm / kCellsToRest, blocks);
-  if (waiting_.size() < kFewestInMotion) {
+  const std::size_t count = prepare_to_begin(from, waiting_, blocks);
+  if (count == 0) {
     return false;
   }
   plan_ = OptimalPlan(from.state);
-  const std::size_t count = std::min(waiting_.size(), kCellsInMotion);
-  double way_mm = 0.0;
-  auto after = from.to_rest.begin();
-  for (std::size_t i = 0; i < count; ++i) {
-    const double middle_mm = way_mm + 0.5 * waiting_[i].length_mm;
-    while (after != from.to_rest.end() && after->way_mm < middle_mm) {
-      ++after;
-    }
-    if (after == from.to_rest.begin() || after == from.to_rest.end()) {
-      break;
-    }
-    const Begin::Feed& before = *std::prev(after);
-    const double share = (middle_mm - before.way_mm) / (after->way_mm - before.way_mm);
-    const double v = before.v_mm_s + share * (after->v_mm_s - before.v_mm_s);
-    waiting_.plan_at(i, v * v);
-    way_mm += waiting_[i].length_mm;
-  }
-  Found found = find_over({.begin = 0, .end = count}, waiting_.path_of(blocks));
+  FoundPlan found = search(blocks).over({.begin = 0, .end = count});
   if (!found.plan) {
     return false;
   }
@@ -139,69 +108,12 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
   return true;
 }
 
-OptimumSchedule::Found OptimumSchedule::find(const PathAt& path) const {
-  Found all = find_over({.begin = 0, .end = waiting_.size()}, path);
-  std::size_t count = all.count;
-  for (int i = 0; i < kShorterSearches && !all.ended_well() && count >= kMinShorter; ++i) {
-    count /= 2;
-    if (Found shorter = find_over({.begin = 0, .end = count}, path); shorter.ended_well()) {
-      shorter.is_shorter = true;
-      return shorter;
-    }
-  }
-  return all;
-}
-
-OptimumSchedule::Found OptimumSchedule::find_over(const Indices& waiting,
-                                                  const PathAt& path) const {
-  CellSequence sequence;
-  if (waiting.begin == 0) {
-    sequence = plan_.rest_from(place_);
-  }
-  std::vector<Cell>& cells = sequence.cells;
-  std::size_t count = 0;
-  bool stops = false;
-  while (waiting.begin + count < waiting.end && cells.size() < settings_.window_cells && !stops) {
-    cells.push_back(waiting_[waiting.begin + count]);
-    stops = cells.back().rest_after;
-    ++count;
-  }
-  if (sequence.begin.at_rest()) {
-    relax_beside_rest(cells, BlockSide::begin);
-    refine_to_rest(cells, RestAt::begin, path, settings_.limits);
-  }
-  if (cells.back().ends_block) {
-    relax_beside_rest(cells, BlockSide::end);
-  }
-  refine_to_rest(cells, RestAt::end, path, settings_.limits);
-  PlanSearch search{.cells = cells.size(), .from_rest = sequence.begin.at_rest()};
-  Found found{.count = count,
-              .plan = OptimalPlan::find(std::move(sequence), path, settings_.limits)};
-  if (settings_.observer) {
-    search.has_plan = found.plan.has_value();
-    if (found.plan) {
-      search.slowed_down = found.plan->slowed_down();
-      search.newton_steps = found.plan->newton_steps();
-      search.duration_s = found.plan->duration_s();
-    }
-    settings_.observer->searched(search);
-  }
-  return found;
-}
-
-PlannedCells OptimumSchedule::planned_to_block_end(const Found& found, const PathAt& path) const {
-  PlannedCells planned{.cells = &waiting_,
-                       .count = found.count,
-                       .duration_s = found.plan->duration_s(),
-                       .failed = found.is_shorter || found.plan->slowed_down()};
-  while (planned.count < waiting_.size() && !waiting_[planned.count - 1].ends_block &&
-         waiting_[planned.count - 1].rest_after) {
-    const Found next = find_over({.begin = planned.count, .end = waiting_.size()}, path);
-    planned.count += next.count;
-    planned.duration_s += next.plan->duration_s();
-    planned.failed |= next.plan->slowed_down();
-  }
-  return planned;
+WindowSearch OptimumSchedule::search(const Window<Block>& blocks) const {
+  return {
+      {.limits = &settings_.limits,
+       .max_cells = settings_.window_cells,
+       .observer = settings_.observer.get()},
+      {.waiting = &waiting_, .plan = &plan_, .place = place_, .path = waiting_.path_of(blocks)}};
 }
 
 void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
@@ -209,12 +121,12 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
     follow_classical(blocks);
     return;
   }
-  const PathAt path = waiting_.path_of(blocks);
+  const WindowSearch search = this->search(blocks);
   const bool from_rest = cells_left() == 0;
-  Found found = find(path);
+  FoundPlan found = search.over_all();
   if (from_rest && waiting_.front().cell.s_begin_mm == 0.0) {
     const auto faster =
-        faster_fallback(planned_to_block_end(found, path), blocks, classical_.settings());
+        faster_fallback(search.planned_to_block_end(found), blocks, classical_.settings());
     if (faster && !found.ended_well()) {
       fall_back(*faster, blocks, emitter);
       return;
@@ -226,7 +138,7 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   }
   for (int i = 0; i < kCuts && from_rest && !found.ended_well() && found.count >= kCutCells; ++i) {
     cut(found.count, blocks, emitter);
-    found = find_over({.begin = 0, .end = waiting_.size()}, path);
+    found = search.over({.begin = 0, .end = waiting_.size()});
   }
   if (!found.plan) {
     try_again_later(blocks, emitter);
@@ -239,7 +151,7 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   adopt(std::move(found));
 }
 
-void OptimumSchedule::adopt(Found found) {
+void OptimumSchedule::adopt(FoundPlan found) {
   plan_ends_at_stop_ = waiting_[found.count - 1].rest_after;
   waiting_.drop(found.count);
   plan_ = std::move(*found.plan);

@@ -3,14 +3,14 @@
 
 #include <cstddef>
 #include <memory>
-#include <optional>
-#include <vector>
 
 #include "lookahead/emit/schedule.hpp"
+#include "lookahead/optimum/begin_in_motion.hpp"
 #include "lookahead/optimum/classical_run.hpp"
 #include "lookahead/optimum/fallback.hpp"
 #include "lookahead/optimum/grid/waiting_cells.hpp"
 #include "lookahead/optimum/solver/optimal_plan.hpp"
+#include "lookahead/optimum/window_search.hpp"
 #include "lookahead/path/plan_observer.hpp"
 
 namespace kerf::lookahead {
@@ -44,17 +44,7 @@ class OptimumSchedule final : public Schedule {
   explicit OptimumSchedule(const Settings& settings);
 
   // A motion that this plan goes on from.
-  struct Begin {
-    double s_mm = 0.0;        // on the first block
-    bool has_before = false;  // the window begins with the block before the first, which is over
-    StartState state{};       // in motion
-    // A way to rest from there, by the way from the motion on: the search begins with it.
-    struct Feed {
-      double way_mm = 0.0;
-      double v_mm_s = 0.0;
-    };
-    std::vector<Feed> to_rest{};
-  };
+  using Begin = BeginInMotion;
   // Push the blocks with this one where a motion goes on, as far as they are known, and call
   // begin(). closed: a rest follows them. False: no plan was found.
   void push_in_motion(const Window<Block>& blocks);
@@ -71,27 +61,9 @@ class OptimumSchedule final : public Schedule {
   void plan(Window<Block>& blocks, Emitter& emitter);
   // Hands all blocks up to the next rest to the classical schedule, those to come among them.
   void follow_classical(const Window<Block>& blocks);
-  struct Indices {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-  };
-  struct Found {
-    std::size_t count = 0;  // of waiting_ that it takes
-    std::optional<OptimalPlan> plan{};
-    bool is_shorter = false;  // a search over more did not end well
-
-    [[nodiscard]] bool ended_well() const { return plan && !plan->slowed_down(); }
-  };
   // What was found is the plan from now on. Precondition: there is a plan.
-  void adopt(Found found);
-  // Over the rest of the plan and what waits after it; fewer of them where that does not end well.
-  [[nodiscard]] Found find(const PathAt& path) const;
-  // Over these of waiting_, up to a rest, refined for the rests at their ends. From 0 on the rest
-  // of the plan comes first, others begin behind a rest.
-  [[nodiscard]] Found find_over(const Indices& waiting, const PathAt& path) const;
-  // What was found from a rest in front of a block; where it comes to rest within one, with what
-  // follows up to its end.
-  [[nodiscard]] PlannedCells planned_to_block_end(const Found& found, const PathAt& path) const;
+  void adopt(FoundPlan found);
+  [[nodiscard]] WindowSearch search(const Window<Block>& blocks) const;
   void try_again_later(const Window<Block>& blocks, Emitter& emitter);
   // Hands these blocks to the classical schedule, from rest to rest.
   void fall_back(const Fallback& fallback, const Window<Block>& blocks, Emitter& emitter);

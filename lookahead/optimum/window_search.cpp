@@ -1,0 +1,83 @@
+#include "lookahead/optimum/window_search.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "lookahead/optimum/grid/grid.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+// A search over fewer cells, half as many each time, may end well where one over all does not.
+constexpr int kShorterSearches = 3;
+constexpr std::size_t kMinShorter = 200;
+
+}  // namespace
+
+FoundPlan WindowSearch::over_all() const {
+  FoundPlan all = over({.begin = 0, .end = cells_.waiting->size()});
+  std::size_t count = all.count;
+  for (int i = 0; i < kShorterSearches && !all.ended_well() && count >= kMinShorter; ++i) {
+    count /= 2;
+    if (FoundPlan shorter = over({.begin = 0, .end = count}); shorter.ended_well()) {
+      shorter.is_shorter = true;
+      return shorter;
+    }
+  }
+  return all;
+}
+
+FoundPlan WindowSearch::over(const Indices& waiting) const {
+  CellSequence sequence;
+  if (waiting.begin == 0) {
+    sequence = cells_.plan->rest_from(cells_.place);
+  }
+  std::vector<Cell>& cells = sequence.cells;
+  std::size_t count = 0;
+  bool stops = false;
+  while (waiting.begin + count < waiting.end && cells.size() < settings_.max_cells && !stops) {
+    cells.push_back((*cells_.waiting)[waiting.begin + count]);
+    stops = cells.back().rest_after;
+    ++count;
+  }
+  if (sequence.begin.at_rest()) {
+    relax_beside_rest(cells, BlockSide::begin);
+    refine_to_rest(cells, RestAt::begin, cells_.path, *settings_.limits);
+  }
+  if (cells.back().ends_block) {
+    relax_beside_rest(cells, BlockSide::end);
+  }
+  refine_to_rest(cells, RestAt::end, cells_.path, *settings_.limits);
+  PlanSearch search{.cells = cells.size(), .from_rest = sequence.begin.at_rest()};
+  FoundPlan found{.count = count,
+                  .plan = OptimalPlan::find(std::move(sequence), cells_.path, *settings_.limits)};
+  if (settings_.observer != nullptr) {
+    search.has_plan = found.plan.has_value();
+    if (found.plan) {
+      search.slowed_down = found.plan->slowed_down();
+      search.newton_steps = found.plan->newton_steps();
+      search.duration_s = found.plan->duration_s();
+    }
+    settings_.observer->searched(search);
+  }
+  return found;
+}
+
+PlannedCells WindowSearch::planned_to_block_end(const FoundPlan& found) const {
+  const WaitingCells& waiting = *cells_.waiting;
+  PlannedCells planned{.cells = &waiting,
+                       .count = found.count,
+                       .duration_s = found.plan->duration_s(),
+                       .failed = found.is_shorter || found.plan->slowed_down()};
+  while (planned.count < waiting.size() && !waiting[planned.count - 1].ends_block &&
+         waiting[planned.count - 1].rest_after) {
+    const FoundPlan next = over({.begin = planned.count, .end = waiting.size()});
+    planned.count += next.count;
+    planned.duration_s += next.plan->duration_s();
+    planned.failed |= next.plan->slowed_down();
+  }
+  return planned;
+}
+
+}  // namespace kerf::lookahead
