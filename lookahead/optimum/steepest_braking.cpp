@@ -88,16 +88,13 @@ class Steps {
   };
 
   // Nothing: it lies behind the block.
-  std::optional<Place> at(double s_mm) {
-    const std::vector<Cell>& cells = way_->cells();
-    std::size_t i = cell_;
-    while (i < cells.size() && cells[i].s_end_mm() < s_mm && !cells[i].ends_block) {
-      ++i;
-    }
-    if (i == cells.size() || (cells[i].ends_block && s_mm > cells[i].s_end_mm() - kAtBlockEnd_mm)) {
+  [[nodiscard]] std::optional<Place> at(double s_mm) const {
+    const auto index = way_->cell_at(s_mm, cell_);
+    if (!index) {
       return std::nullopt;
     }
-    return Place{.cell = &cells[i], .path = path_(cells[i], s_mm)};
+    const Cell& cell = way_->cells()[*index];
+    return Place{.cell = &cell, .path = path_(cell, s_mm)};
   }
 
   // The jerk that leads to rest in 2 v / |a|.
@@ -178,9 +175,7 @@ class Steps {
     laws_.push_back(profiles::CellLaw::ramp(
         {.v_mm_s = now_.v_mm_s, .a_mm_s2 = now_.a_mm_s2, .j_mm_s3 = jerk_mm_s3}, step_s_));
     now_ = end_of_step(jerk_mm_s3);
-    while (cell_ + 1 < way_->cells().size() && way_->cells()[cell_].s_end_mm() < now_.s_mm) {
-      ++cell_;
-    }
+    cell_ = way_->cell_at(now_.s_mm, cell_).value_or(cell_);
     return true;
   }
 

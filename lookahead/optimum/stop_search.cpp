@@ -9,6 +9,7 @@
 #include "lookahead/optimum/grid/grid.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 #include "lookahead/optimum/steepest_braking.hpp"
+#include "lookahead/optimum/stop_check.hpp"
 #include "profiles/s_curve_stop.hpp"
 
 namespace kerf::lookahead {
@@ -19,14 +20,12 @@ constexpr double kStep = 1.06;
 // Over the way of the S-curve, until one is far enough.
 constexpr std::array<double, 6> kDistances{1.01, 1.3, 1.7, 2.2, 3.1, 4.6};
 constexpr std::array<double, 3> kDistancesOfAny{1.7, 3.1, 5.6};
-constexpr std::size_t kLeastCells = 3;
+constexpr std::size_t kMinCells = 3;
 // More come of a way that is no way: near a rest, at a crawl.
-constexpr std::size_t kMostCells = interp::StopAhead::kPhases / 2;
+constexpr std::size_t kMaxCells = interp::StopAhead::kPhases / 2;
 constexpr double kCellsOfWay = 40.0;
 // Of the limits that hold where the motion is, for an S-curve on a curve.
 constexpr std::array<double, 3> kShares{1.0, 0.7, 0.5};
-constexpr double kLooksATick = 2.0;
-constexpr double kRounded = 1.0 + 1e-9;
 // A try that takes more does not end well in most cases; there are others.
 constexpr int kRefinements = 12;
 constexpr int kPointsOfPart = 20;  // of the S-curve
@@ -41,11 +40,6 @@ void divide(std::vector<Cell>& cells, double longest_mm, const PathAt& path) {
     divided.insert(divided.end(), parts.begin(), parts.end());
   }
   cells = std::move(divided);
-}
-
-int looks_at(const profiles::CellLaw& law, double period_s) {
-  constexpr double kMost = 1e6;
-  return static_cast<int>(std::min(std::ceil(kLooksATick * law.duration_s() / period_s), kMost));
 }
 
 // The first cells, to a rest at the distance. True: that is the end of what is known.
@@ -142,7 +136,7 @@ std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_e
     relax_beside_rest(sequence.cells, BlockSide::end);
   }
   refine_to_rest(sequence.cells, RestAt::end, path, *limits_);
-  if (sequence.cells.size() < kLeastCells || sequence.cells.size() > kMostCells) {
+  if (sequence.cells.size() < kMinCells || sequence.cells.size() > kMaxCells) {
     return std::nullopt;
   }
   begin_with_s_curve(distance_mm, sequence.cells);
@@ -195,7 +189,8 @@ std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
 std::optional<std::vector<BrakingPart>> StopSearch::in_closed_form() const {
   for (std::size_t i = 0; i < kShares.size() && !way_.cells().empty(); ++i) {
     const auto stop = s_curve(kShares[i]);
-    if (stop && keeps_limits(std::array{stop->falling, stop->steady, stop->landing})) {
+    if (stop &&
+        keeps_limits(std::array{stop->falling, stop->steady, stop->landing}, way_, *limits_)) {
       return parts_of(*stop, *from_->blocks.front(), from_->s_mm);
     }
   }
@@ -209,7 +204,7 @@ std::optional<std::vector<BrakingPart>> StopSearch::steepest() const {
   const Block& block = *from_->blocks.front();
   for (const std::vector<profiles::CellLaw>& laws :
        steepest_braking(from_->state, way_, *limits_)) {
-    if (!keeps_limits(laws)) {
+    if (!keeps_limits(laws, way_, *limits_)) {
       continue;
     }
     std::vector<BrakingPart> parts;
@@ -221,51 +216,6 @@ std::optional<std::vector<BrakingPart>> StopSearch::steepest() const {
     return parts;
   }
   return std::nullopt;
-}
-
-// Looks at them some times a tick, within the block.
-bool StopSearch::keeps_limits(std::span<const profiles::CellLaw> laws) const {
-  const PathAt path = way_.path();
-  double way_mm = way_.cells().front().s_begin_mm;
-  Seen seen;
-  for (const profiles::CellLaw& law : laws) {
-    const int looks = law.duration_s() > 0.0 ? looks_at(law, limits_->period_s) : -1;
-    for (int look = 0; look <= looks; ++look) {
-      profiles::PathMotion motion = law.at(law.duration_s() * look / looks);
-      motion.s_mm += way_mm;
-      if (!keeps_limits(motion, path, seen)) {
-        return false;
-      }
-    }
-    way_mm += law.length_mm();
-  }
-  return true;
-}
-
-// s counts on the block. The ends of cells that were passed since have bounds of their own, for the
-// higher of the two feedrates.
-bool StopSearch::keeps_limits(profiles::PathMotion motion, const PathAt& path, Seen& seen) const {
-  const std::vector<Cell>& cells = way_.cells();
-  const double passing_mm_s = std::max(seen.v_mm_s, motion.v_mm_s);
-  const auto passes = [&](const Cell& at, double s_mm) {
-    const profiles::PathMotion there{
-        .s_mm = s_mm, .v_mm_s = passing_mm_s, .a_mm_s2 = motion.a_mm_s2, .j_mm_s3 = motion.j_mm_s3};
-    return excess_at(there, at, path, *limits_).largest() <= kRounded;
-  };
-  for (; cells[seen.cell].s_end_mm() < motion.s_mm; ++seen.cell) {
-    const Cell& passed = cells[seen.cell];
-    if (passed.ends_block || seen.cell + 1 == cells.size() || !passes(passed, passed.length_mm) ||
-        !passes(cells[seen.cell + 1], 0.0)) {
-      return false;
-    }
-  }
-  const Cell& cell = cells[seen.cell];
-  if (cell.ends_block && motion.s_mm > cell.s_end_mm() - kAtBlockEnd_mm) {
-    return false;
-  }
-  seen.v_mm_s = motion.v_mm_s;
-  motion.s_mm -= cell.s_begin_mm;
-  return excess_at(motion, cell, path, *limits_).largest() <= kRounded;
 }
 
 std::vector<BrakingPart> StopSearch::parts(const OptimalPlan& plan) const {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "lookahead/optimum/braking.hpp"
@@ -36,14 +35,6 @@ class StopSearch {
   [[nodiscard]] std::optional<profiles::SCurveStop> s_curve(double share) const;
   [[nodiscard]] std::optional<std::vector<BrakingPart>> in_closed_form() const;
   [[nodiscard]] std::optional<std::vector<BrakingPart>> steepest() const;
-  [[nodiscard]] bool keeps_limits(std::span<const profiles::CellLaw> laws) const;
-  // The place before.
-  struct Seen {
-    std::size_t cell = 0;
-    double v_mm_s = 0.0;
-  };
-  [[nodiscard]] bool keeps_limits(profiles::PathMotion motion, const PathAt& path,
-                                  Seen& seen) const;
   void take_s_curve();
   void begin_with_s_curve(double distance_mm, std::vector<Cell>& cells) const;
   // is_end: the distance reaches to the end of what is known, and the rest is there.

@@ -60,6 +60,18 @@ WayAhead::WayAhead(const BrakingFrom& from, const PlanLimits& limits)
   take_cells(from);
 }
 
+std::optional<std::size_t> WayAhead::cell_at(double s_mm, std::size_t from) const {
+  std::size_t i = from;
+  while (i < cells_.size() && cells_[i].s_end_mm() < s_mm && !cells_[i].ends_block) {
+    ++i;
+  }
+  if (i == cells_.size() ||
+      (cells_[i].ends_block && s_mm > cells_[i].s_end_mm() - kAtBlockEnd_mm)) {
+    return std::nullopt;
+  }
+  return i;
+}
+
 void WayAhead::take_blocks(const BrakingFrom& from) {
   const double back_mm = junction_zone_mm(from.state, limits_);
   const double far_mm = farthest_mm(from, limits_);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lookahead/optimum/braking.hpp"
@@ -19,6 +20,9 @@ class WayAhead {
   WayAhead(const BrakingFrom& from, const PlanLimits& limits);
 
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
+  // The cell that holds the place on the first block, looked for from a cell on; nothing: it lies
+  // at the block's end or behind it.
+  [[nodiscard]] std::optional<std::size_t> cell_at(double s_mm, std::size_t from) const;
   [[nodiscard]] PathAt path() const { return waiting_.path_of(blocks_); }
   // Of BrakingFrom::blocks.
   [[nodiscard]] std::size_t block_of(const Cell& cell) const {
