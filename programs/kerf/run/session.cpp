@@ -4,8 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include <spdlog/fmt/fmt.h>
-
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/keyboard.hpp"
 #include "programs/kerf/io/log.hpp"
@@ -17,7 +15,7 @@
 #include "programs/kerf/run/check_pass.hpp"
 #include "programs/kerf/run/first_scan.hpp"
 #include "programs/kerf/run/motion_run.hpp"
-#include "programs/kerf/run/plan_only.hpp"
+#include "programs/kerf/run/plan_run.hpp"
 
 namespace kerf::program {
 
@@ -185,55 +183,12 @@ class Session {
   }
 
   void plan(ProgramFile& file) {
-    Progress progress;
-    const ProgressBar bar([] { return std::string("planning"); },
-                          [&] { return progress.read_share(); }, shows_progress_);
-    BlockWatch watch({.line = options_.explained_line, .period_s = report_.period_s});
-    const auto planned = plan_only(
-        file,
-        {.settings = settings_, .options = kernel_options_, .max_time_s = options_.max_time_s},
-        progress, watch);
-    if (!planned) {
-      report_.fail(ExitStatus::io_error, planned.error());
-    } else if (!planned->errors.empty()) {
-      report_.take(planned->errors);
-      report_.status = ExitStatus::program_error;
-    } else if (planned->fault) {
-      report_.fail(*planned->fault);
-    } else if (stop_requested()) {
-      report_.status = *stop_requested();
-    } else if (planned->too_long_at_line) {
-      report_.fail_too_long({*planned->too_long_at_line, options_.max_time_s});
-    } else {
-      const PlanTotals& totals = planned->totals;
-      report_.plan =
-          PlanReport{.cycle_time_s = static_cast<double>(totals.ticks) * report_.period_s,
-                     .ticks = totals.ticks,
-                     .path_length_mm = totals.path_length_mm,
-                     .blocks = totals.blocks,
-                     .extents = path_.extents.value_or(curves::Extents{}),
-                     .extra_extents = path_.extra_extents,
-                     .deviation = planned->deviation,
-                     .path_controls = planned->path_controls,
-                     .waits = planned->waits};
-      report_.warnings = describe(totals.degradations);
-      explain(watch);
-    }
-  }
-
-  void explain(const BlockWatch& watch) {
-    if (options_.command != Command::explain) {
-      return;
-    }
-    if (!watch.block()) {
-      report_.fail(ExitStatus::program_error,
-                   fmt::format("{}: line {} is never run", report_.file, options_.explained_line));
-      return;
-    }
-    report_.block = BlockReport{.line = options_.explained_line,
-                                .block = *watch.block(),
-                                .begin_s = watch.begin_s().value_or(report_.plan->cycle_time_s),
-                                .duration_s = watch.duration_s()};
+    run_plan({.options = options_,
+              .settings = settings_,
+              .kernel_options = kernel_options_,
+              .path = path_,
+              .shows_progress = shows_progress_},
+             file, report_);
   }
 
   void move(ProgramFile& file) {
