@@ -89,10 +89,9 @@ bool sigmoid_wm() {
       method_scan({curve, std::get<curves::NurbsCurve>(sigmoid.block.curve)},
                   ChordRule::largest_distance, limits);
   const auto breaking = lookahead::breaking_points(scan, kScreening_mm_s);
-  table.add({.name = "breaking points",
-             .published = 20,
-             .here = static_cast<double>(breaking.size()),
-             .tolerance = 0.5});
+  const auto count = static_cast<double>(breaking.size());
+  table.add({.name = "breaking points", .published = 20, .here = count, .tolerance = 0.5});
+  table.add({.name = "blocks", .published = 19, .here = count - 1.0, .tolerance = 0.5});
   add(kSigmoid, sigmoid, limits, table);
   add(kSine, sine, limits, table);
   table.print(
@@ -102,6 +101,10 @@ bool sigmoid_wm() {
       "eight control points). Ours, " +
       fixed(sigmoid.block.length_mm, 1) +
       " mm, has points of our own, chosen for six sharp turns, the time and the end stretches.");
+  std::printf(
+      "Impossible to compare: the feedrates at the paper's point A, 100 mm/s by the sigmoid and 97 "
+      "by the sine. A is marked in its figure 13 alone, on the curve whose points are not "
+      "there.\n\n");
   print_blocks(scan, breaking);
   return table.judge();
 }
