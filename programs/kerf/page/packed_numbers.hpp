@@ -1,9 +1,8 @@
-// Numbers as few bytes, and bytes as text.
+// Numbers as few bytes.
 #pragma once
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 namespace kerf::program {
 
@@ -18,11 +17,5 @@ class PackedNumbers {
   std::string bytes_;
   std::int64_t last_ = 0;
 };
-
-// As zlib writes it (RFC 1950). Throws std::bad_alloc.
-[[nodiscard]] std::string deflated(std::string_view bytes);
-
-// RFC 4648, with '=' at the end.
-[[nodiscard]] std::string base64(std::string_view bytes);
 
 }  // namespace kerf::program

@@ -13,7 +13,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "programs/kerf/page/packed_numbers.hpp"
+#include "programs/kerf/page/packed_text.hpp"
 #include "programs/kerf/page/plan_document.hpp"
 
 namespace kerf::program {
