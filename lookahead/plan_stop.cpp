@@ -24,7 +24,8 @@ BrakingFrom braking_from(const EmittedItems& kept, const EmittedItems::Motion& m
   const std::uint64_t curve = motion.phase.curve + (emitted.is_on_next ? 1 : 0);
   for (const auto& place : kept.places_behind(motion, kPlacesOfPlan)) {
     if (place.curve >= curve) {
-      from.ends.push_back({.block = place.curve - curve, .s_mm = place.s_mm});
+      from.ends.push_back(
+          {.block = static_cast<std::size_t>(place.curve - curve), .s_mm = place.s_mm});
     }
   }
   if (!emitted.rest_follows) {

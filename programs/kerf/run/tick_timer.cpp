@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <ctime>
 
 namespace kerf::program {
 
@@ -28,8 +29,8 @@ TickTimer::TickTimer(double period_s) noexcept
       longest_gap_ns_(std::llround(std::max(kLongestGap_s, kFewestPeriods * period_s) * 1e9)) {}
 
 double TickTimer::wait() noexcept {
-  const timespec due{.tv_sec = due_ns_ / kNanosecondsPerSecond,
-                     .tv_nsec = due_ns_ % kNanosecondsPerSecond};
+  const timespec due{.tv_sec = static_cast<std::time_t>(due_ns_ / kNanosecondsPerSecond),
+                     .tv_nsec = static_cast<long>(due_ns_ % kNanosecondsPerSecond)};
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR) {
   }
   const std::int64_t now = now_ns(CLOCK_MONOTONIC);

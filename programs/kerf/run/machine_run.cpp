@@ -1,0 +1,74 @@
+#include "programs/kerf/run/machine_run.hpp"
+
+#include <optional>
+#include <utility>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "programs/kerf/control/channel.hpp"
+#include "programs/kerf/control/keys.hpp"
+#include "programs/kerf/control/message_printer.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+void run_with(std::optional<ControlEndpoint> control, MotionStage& stage) {
+  const MotionOrder& order = stage.order();
+  FileReport& report = stage.report();
+  Controller controller(order.settings, order.kernel_options);
+  Operator by(controller);
+  // Neither is refused: it is off, and then idle.
+  static_cast<void>(by.give(kerf::Command::enable));
+  static_cast<void>(by.give(kerf::Command::start));
+  ControllerPlanning planning(controller);
+  Feeder feeder = stage.feeder(planning);
+  RunOutcome outcome;
+  std::optional<ControlChannel> channel;
+  if (control) {
+    channel.emplace(*std::move(control), by,
+                    ControlChannel::Order{.file = report.file,
+                                          .extra = report.extra_axes,
+                                          .feed_inputs = order.settings.program.feed_inputs,
+                                          .others_answer = order.has_keys});
+  }
+  {
+    const MessagePrinter messages(controller, report.file);
+    std::optional<Keys> keys;
+    if (order.has_keys) {
+      keys.emplace(by);
+    }
+    if (order.has_keys && order.shows_progress) {
+      fmt::print(stderr, "{}\n", Keys::kWhatTheyDo);
+    }
+    const auto bar = stage.progress_bar([&controller] { return status_line(controller.status()); });
+    outcome = run_in_real_time({controller, by, report.period_s}, stage.stage_with(feeder));
+    controller.plan();  // what the program said last
+  }
+  stage.finish({.kernel = *controller.program(),
+                .feeder = feeder,
+                .outcome = outcome,
+                .is_stopped = by.has_stopped(),
+                .is_emergency = controller.status().state == ControllerState::emergency_stop});
+  if (channel) {
+    by.carry_out();  // what came too late is refused
+    channel->finish(report.status);
+  }
+}
+
+}  // namespace
+
+void run_machine(MotionStage& stage) {
+  std::optional<ControlEndpoint> control;
+  if (stage.order().options.control) {
+    auto opened = open_control(*stage.order().options.control);
+    if (!opened) {
+      stage.report().fail(ExitStatus::io_error, opened.error());
+      return;
+    }
+    control = *std::move(opened);
+  }
+  run_with(std::move(control), stage);
+}
+
+}  // namespace kerf::program

@@ -1,0 +1,11 @@
+// A program run on the machine, by the clock and under an operator's commands.
+#pragma once
+
+#include "programs/kerf/run/motion_stage.hpp"
+
+namespace kerf::program {
+
+// Without the control channel that was asked for nothing moves.
+void run_machine(MotionStage& stage);
+
+}  // namespace kerf::program

@@ -1,0 +1,92 @@
+#include "programs/kerf/run/motion_stage.hpp"
+
+#include <cstdint>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "programs/kerf/io/interrupt.hpp"
+#include "programs/kerf/io/number_text.hpp"
+#include "programs/kerf/run/motion_report.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+PlotCaption plot_caption(const FileReport& report) {
+  const PlanReport& plan = *report.plan;
+  return {
+      .title = report.file,
+      .subtitle = fmt::format("{} \u00b7 {:.1f} mm in {} \u00b7 {}", clock_time(plan.cycle_time_s),
+                              plan.path_length_mm, counted(plan.blocks, "block"), report.profile),
+      .period_s = report.period_s,
+      .limits = report.limits.path,
+      .chord_tolerance_mm = report.limits.chord_tolerance_mm,
+      .deviation = plan.deviates() ? std::optional(plan.deviation) : std::nullopt};
+}
+
+}  // namespace
+
+RunStage MotionStage::stage_with(Feeder& feeder) {
+  return {feeder,
+          ticks_,
+          outputs_.recorder(),
+          progress_,
+          report_.live,
+          static_cast<std::int64_t>(order_.options.max_time_s / report_.period_s)};
+}
+
+void MotionStage::finish(const End& end) {
+  report_motion(report_, end.kernel, ticks_.statistics(), end.outcome);
+  if (const auto& speed = outputs_.recorder().speed) {
+    report_.speed = speed->report();
+  }
+  report_end(end);
+  const bool trace_ended = end.outcome.trace_ended;
+  report_.trace_reader_gone = trace_ended && outputs_.recorder().trace->reader_gone();
+  if (report_.status == ExitStatus::done && order_.path.extents && !trace_ended) {
+    // Of the curves: ticks need not meet their extremes.
+    report_.plan->extents = *order_.path.extents;
+    report_.plan->extra_extents = order_.path.extra_extents;
+  }
+  // A run that is stopped has done what its trace says; a dry run has not shown what it was to
+  // show.
+  const bool is_cut = order_.options.command != Command::run &&
+                      (stop_requested() || end.outcome.too_long_at_line || trace_ended);
+  for (const auto& error : {outputs_.close_trace(end.outcome.dropped_records, is_cut),
+                            outputs_.write_plot(plot_caption(report_), is_cut)}) {
+    if (error) {
+      report_.fail(ExitStatus::io_error, *error);
+    }
+  }
+}
+
+// The gravest reason first.
+void MotionStage::report_end(const End& end) {
+  if (const auto fault = end.kernel.fault()) {
+    report_.fail(*fault);
+  } else if (end.outcome.hung) {
+    report_.fail({.line = 0, .what = "the program is read and nothing is planned"});
+  } else if (ticks_.fault().kind != machine::Fault::none) {
+    report_.fail(ExitStatus::machine_fault, describe(ticks_.fault(), report_.period_s));
+  } else if (end.outcome.gap) {
+    report_.fail(ExitStatus::machine_fault, describe(*end.outcome.gap, report_.period_s));
+  } else if (end.is_emergency) {
+    report_.status = ExitStatus::emergency_stop;
+  } else if (stop_requested()) {
+    report_.status = *stop_requested();
+  } else if (end.is_stopped) {
+    report_.status = ExitStatus::stopped;
+  } else if (end.outcome.too_long_at_line) {
+    report_.fail_too_long({*end.outcome.too_long_at_line, order_.options.max_time_s});
+  } else if (end.feeder.error()) {
+    report_.fail(ExitStatus::io_error, *end.feeder.error());
+  } else if (end.kernel.has_errors()) {
+    report_.take(end.kernel.diagnostics());
+    report_.status =
+        end.kernel.left_travel() ? ExitStatus::machine_fault : ExitStatus::program_error;
+  } else if (report_.live) {
+    report_.take(end.kernel.diagnostics());
+  }
+}
+
+}  // namespace kerf::program

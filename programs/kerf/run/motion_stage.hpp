@@ -1,0 +1,61 @@
+// What a dry run and a run by the clock have in common: the ticks' way, and the end.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <kerf/kernel.hpp>
+
+#include "programs/kerf/io/progress.hpp"
+#include "programs/kerf/io/progress_bar.hpp"
+#include "programs/kerf/io/text_feed.hpp"
+#include "programs/kerf/report/report.hpp"
+#include "programs/kerf/run/feeder.hpp"
+#include "programs/kerf/run/motion_run.hpp"
+#include "programs/kerf/run/output_files.hpp"
+#include "programs/kerf/run/run_loop.hpp"
+#include "programs/kerf/run/tick_stage.hpp"
+
+namespace kerf::program {
+
+// Refers to all that it is given.
+class MotionStage {
+ public:
+  MotionStage(const MotionOrder& order, TextFeed& text, OutputFiles& outputs, FileReport& report)
+      : order_(order),
+        text_(text),
+        outputs_(outputs),
+        report_(report),
+        ticks_(order.settings, order.kernel_options.start_mm) {}
+
+  [[nodiscard]] const MotionOrder& order() const noexcept { return order_; }
+  [[nodiscard]] FileReport& report() noexcept { return report_; }
+
+  [[nodiscard]] Feeder feeder(PlanningSide& planning) { return {planning, text_, progress_}; }
+  [[nodiscard]] ProgressBar progress_bar(std::function<std::string()> label) const {
+    return {std::move(label), [this] { return progress_.share(); }, order_.shows_progress};
+  }
+  [[nodiscard]] RunStage stage_with(Feeder& feeder);
+
+  // Fills in the report and ends the files.
+  struct End {
+    const Kernel& kernel;
+    const Feeder& feeder;
+    const RunOutcome& outcome;
+    bool is_stopped = false;  // by an operator
+    bool is_emergency = false;
+  };
+  void finish(const End& end);
+
+ private:
+  void report_end(const End& end);
+
+  const MotionOrder& order_;
+  TextFeed& text_;
+  OutputFiles& outputs_;
+  FileReport& report_;
+  Progress progress_;
+  TickStage ticks_;
+};
+
+}  // namespace kerf::program
