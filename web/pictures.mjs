@@ -1,5 +1,5 @@
 // Takes the pictures of docs/ anew: look at them before they are committed.
-//   node web/pictures.mjs      after ./test web, which installs what this needs
+//   node web/pictures.mjs      after ./test web and scripts/build_playground, which install and make what this needs
 import { execFileSync } from "node:child_process";
 import { mkdtempSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -29,4 +29,10 @@ for (const { name, program, fragment, tab } of PICTURES) {
   await page.screenshot({ path: join(root, "docs", `${name}.png`) });
   await page.close();
 }
+const playground = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+await playground.goto(`${pathToFileURL(join(root, "web", "dist", "index.html")).href}#colour=limit&tick=20000`);
+await playground.waitForSelector("header", { timeout: 60_000 });
+await playground.locator("[data-tab=machine]").click();
+await playground.waitForTimeout(1000);
+await playground.screenshot({ path: join(root, "docs", "playground.png") });
 await browser.close();

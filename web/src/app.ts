@@ -10,7 +10,7 @@ import { AnswerView } from "./views/answer_view.ts";
 import { legendOf } from "./views/legend.ts";
 import type { Ground } from "./views/ground.ts";
 import { PathView, SIDES } from "./views/path_view.ts";
-import { ProgramView } from "./views/program_view.ts";
+import { ProgramView, type Editing } from "./views/program_view.ts";
 import { TimeView } from "./views/time_view.ts";
 
 const COLOUR_NAMES: Record<ColourBy, string> = {
@@ -27,10 +27,18 @@ function nameOf(plan: Plan): string {
   return plan.header.report.file.split("/").pop() ?? plan.header.report.file;
 }
 
+// What a page has beside its plans.
+export interface Extras {
+  readonly editing?: Editing; // of the program's text
+  readonly bar?: HTMLElement; // below the header
+  readonly panes?: readonly (readonly [name: string, text: string, HTMLElement])[]; // beside program and answer
+}
+
 export class App {
   private readonly store: Store;
-  private readonly plans: readonly Plan[];
-  private readonly accounts: (Account | undefined)[];
+  private plans: readonly Plan[];
+  private accounts: (Account | undefined)[];
+  private readonly extras: Extras;
   private readonly path: PathView | null;
   private readonly time: TimeView;
   private readonly program: ProgramView;
@@ -45,8 +53,9 @@ export class App {
   private readonly tracks = h("select", { "aria-label": "Along the path, or an axis" });
   private lastFrame_ms = 0;
 
-  constructor(root: HTMLElement, plans: readonly Plan[]) {
+  constructor(root: HTMLElement, plans: readonly Plan[], extras: Extras = {}) {
     this.plans = plans;
+    this.extras = extras;
     this.accounts = new Array<Account | undefined>(plans.length);
     this.store = new Store({ ...initialState(), ...fromFragment(location.hash) });
     const { state } = this.store;
@@ -55,12 +64,19 @@ export class App {
     const ground = this.ground();
     this.path = this.makePath(ground);
     this.time = new TimeView(this.store, ground);
-    this.program = new ProgramView(this.store);
+    this.program = new ProgramView(this.store, extras.editing ?? null);
     this.answer = new AnswerView(this.store);
-    root.replaceChildren(this.header(), this.answer.strip, this.main);
+    root.replaceChildren(this.header(), ...(extras.bar ? [extras.bar] : []), this.answer.strip, this.main);
     this.main.append(this.spacePanel(), this.timePanel(), this.sidePanel());
     this.listen();
     this.show();
+  }
+
+  // Other plans in place of those that are shown.
+  replace(plans: readonly Plan[]): void {
+    this.plans = plans;
+    this.accounts = new Array<Account | undefined>(plans.length);
+    this.store.set({ plan: 0, hover: null, playing: false }, "page");
   }
 
   private makePath(ground: Ground): PathView | null {
@@ -148,7 +164,7 @@ export class App {
   }
 
   private sidePanel(): HTMLElement {
-    const panes = [["program", "Program", this.program.element], ["answer", "Answer in full", this.answer.details]] as const;
+    const panes = [["program", "Program", this.program.element], ["answer", "Answer in full", this.answer.details], ...(this.extras.panes ?? [])] as const;
     const content = h("div", { class: "content" }, ...panes.map(([, , pane]) => pane));
     const tabs = panes.map(([name, text]) => h("button", { type: "button", role: "tab", "data-tab": name, click: () => choose(name) }, text));
     const choose = (name: string): void => {
@@ -190,7 +206,7 @@ export class App {
     this.title.title = report.file;
     document.title = `${nameOf(plan)} \u2013 Kerf`;
     this.what.textContent = `${report.machine === "default" ? "default machine" : report.machine.split("/").pop()}, ${report.profile}${plan.source === null ? "" : ", with the program\u2019s text"}`;
-    this.main.classList.toggle("still", plan.motion === null);
+    this.main.classList.toggle("still", plan.motion === null && !this.extras.editing);
     this.scrub.max = String(plan.motion?.lastTick ?? 0);
     this.tracks.replaceChildren(...plan.tracks.map((track) => h("option", { value: track }, track === "path" ? "along the path" : `axis ${track.toUpperCase()}`)));
     this.tracks.value = plan.tracks.includes(state.track) ? state.track : "path";

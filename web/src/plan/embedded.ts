@@ -10,8 +10,9 @@ function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-async function inflated(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+// What base64 of a zlib stream stands for.
+export async function inflatedText(base64: string): Promise<Uint8Array<ArrayBuffer>> {
+  const stream = new Blob([bytesOf(base64)]).stream().pipeThrough(new DecompressionStream("deflate"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
@@ -25,7 +26,7 @@ export class EmbeddedSource implements PlanSource {
   async plans(): Promise<Plan[]> {
     const plans: Plan[] = [];
     for (const element of this.document.querySelectorAll('script[type="application/x-kerf-plan"]')) {
-      plans.push(new Plan(decodePlan(await inflated(bytesOf(element.textContent ?? "")))));
+      plans.push(new Plan(decodePlan(await inflatedText(element.textContent ?? ""))));
       element.remove(); // its text is large
     }
     return plans;

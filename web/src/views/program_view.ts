@@ -1,5 +1,5 @@
 // The program's text with the time that each line takes, and errors and warnings at their lines.
-import { EditorState, RangeSetBuilder, StateEffect, StateField, type Extension } from "@codemirror/state";
+import { EditorState, RangeSetBuilder, StateEffect, StateField, type Extension, type Text } from "@codemirror/state";
 import { Decoration, EditorView, GutterMarker, WidgetType, gutter, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
 import type { Diagnostic } from "../plan/decode.ts";
@@ -62,24 +62,35 @@ class DiagnosticWidget extends WidgetType {
   }
 }
 
-function diagnosticsOf(plan: Plan): Extension {
-  return StateField.define<DecorationSet>({
-    create(state) {
-      const builder = new RangeSetBuilder<Decoration>();
-      const here = plan.header.diagnostics.filter((one) => one.line >= 1 && one.line <= state.doc.lines && one.file === plan.header.report.file);
-      here.sort((a, b) => a.line - b.line);
-      for (const diagnostic of here) {
-        const { to } = state.doc.line(diagnostic.line);
-        builder.add(to, to, Decoration.widget({ widget: new DiagnosticWidget(diagnostic), block: true, side: 1 }));
-      }
-      return builder.finish();
-    },
-    update: (decorations) => decorations,
-    provide: (field) => EditorView.decorations.from(field),
-  });
+function diagnosticsOf(plan: Plan, doc: Text): DecorationSet {
+  const builder = new RangeSetBuilder<Decoration>();
+  const here = plan.header.diagnostics.filter((one) => one.line >= 1 && one.line <= doc.lines && one.file === plan.header.report.file);
+  here.sort((a, b) => a.line - b.line);
+  for (const diagnostic of here) {
+    const { to } = doc.line(diagnostic.line);
+    builder.add(to, to, Decoration.widget({ widget: new DiagnosticWidget(diagnostic), block: true, side: 1 }));
+  }
+  return builder.finish();
 }
 
-const look = EditorView.theme({
+const setPlan = StateEffect.define<Plan>();
+const diagnostics = StateField.define<DecorationSet>({
+  create: () => Decoration.none,
+  update(decorations, transaction) {
+    const planned = transaction.effects.find((effect) => effect.is(setPlan));
+    return planned ? diagnosticsOf(planned.value as Plan, transaction.state.doc) : decorations.map(transaction.changes);
+  },
+  provide: (field) => EditorView.decorations.from(field),
+});
+
+// Of a program that is written here: what the editor can do, and who wants to know the text.
+export interface Editing {
+  readonly extension: Extension;
+  changed(text: string): void;
+}
+
+// Of any text that an editor shows.
+export const look = EditorView.theme({
   "&": { height: "100%", fontSize: "13px", color: "var(--text)", backgroundColor: "var(--panel)" },
   ".cm-scroller": { fontFamily: "ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, monospace", lineHeight: "1.5" },
   ".cm-content": { caretColor: "var(--accent)" },
@@ -113,10 +124,13 @@ export class ProgramView {
   private plan: Plan | null = null;
   private account: Account | null = null;
   private line = 0;
+  private longest = 1; // ticks of the line that takes longest
   private readonly store: Store;
+  private readonly editing: Editing | null;
 
-  constructor(store: Store) {
+  constructor(store: Store, editing: Editing | null = null) {
     this.store = store;
+    this.editing = editing;
     // In a shadow tree CodeMirror's style sheets are objects, which the page's policy lets pass.
     this.root = this.host.attachShadow({ mode: "open" });
     this.element = h("div", { class: "program-view" }, this.host, this.message, this.codes);
@@ -129,49 +143,55 @@ export class ProgramView {
     this.plan = plan;
     this.account = account;
     this.line = 0;
-    this.view?.destroy();
-    this.view = null;
+    this.longest = 1;
+    for (const ticks of account.lines.values()) this.longest = Math.max(this.longest, ticks);
     this.host.hidden = plan.source === null;
     this.message.hidden = plan.source !== null;
-    if (plan.source === null) {
-      this.showInstant(true);
-      return;
+    if (this.view?.state.doc.toString() !== plan.source) {
+      this.view?.destroy();
+      this.view = plan.source === null ? null : this.editor(plan.source);
     }
-    let longest = 1;
-    for (const ticks of account.lines.values()) longest = Math.max(longest, ticks);
-    const marker = (line: number): TimeMarker | null => {
-      const ticks = account.lines.get(line);
-      return ticks === undefined || ticks === 0 ? null : new TimeMarker(shortTime(ticks * plan.period_s), ticks / longest);
-    };
-    const state = EditorState.create({
-      doc: plan.source,
-      extensions: [
-        EditorState.readOnly.of(true),
-        lineNumbers(),
-        gutter({
-          class: "cm-times",
-          lineMarker: (view, block) => marker(view.state.doc.lineAt(block.from).number),
-          initialSpacer: () => new TimeMarker("00.00", 0),
-        }),
-        activeLine,
-        diagnosticsOf(plan),
-        look,
-        keymap.of([
-          { key: "ArrowUp", run: () => this.step(-1) },
-          { key: "ArrowDown", run: () => this.step(1) },
-        ]),
-        EditorView.contentAttributes.of({ "aria-label": "The program's text, with the time of each line", "aria-readonly": "true" }),
-        EditorView.domEventHandlers({
-          mousedown: (event, view) => this.pointed(event, view, true),
-          mousemove: (event, view) => this.pointed(event, view, false),
-          mouseleave: () => {
-            if (this.store.state.hover !== null) this.store.set({ hover: null }, "program");
-          },
-        }),
-      ],
-    });
-    this.view = new EditorView({ state, parent: this.root, root: this.root });
+    this.view?.dispatch({ effects: setPlan.of(plan) });
     this.showInstant(true);
+  }
+
+  private editor(text: string): EditorView {
+    const { editing } = this;
+    const label = editing ? "The program, with the time of each line" : "The program's text, with the time of each line";
+    const stepping = keymap.of([
+      { key: "ArrowUp", run: () => this.step(-1) },
+      { key: "ArrowDown", run: () => this.step(1) },
+    ]);
+    const extensions = [
+      editing ? editing.extension : [EditorState.readOnly.of(true), stepping],
+      lineNumbers(),
+      gutter({
+        class: "cm-times",
+        lineMarker: (view, block) => this.marker(view.state.doc.lineAt(block.from).number),
+        lineMarkerChange: (update) => update.transactions.some((one) => one.effects.some((effect) => effect.is(setPlan))),
+        initialSpacer: () => new TimeMarker("00.00", 0),
+      }),
+      activeLine,
+      diagnostics,
+      look,
+      EditorView.contentAttributes.of({ "aria-label": label, "aria-readonly": String(editing === null) }),
+      EditorView.updateListener.of((update) => {
+        if (update.docChanged) editing?.changed(update.state.doc.toString());
+      }),
+      EditorView.domEventHandlers({
+        mousedown: (event, view) => this.pointed(event, view, true),
+        mousemove: (event, view) => this.pointed(event, view, false),
+        mouseleave: () => {
+          if (this.store.state.hover !== null) this.store.set({ hover: null }, "program");
+        },
+      }),
+    ];
+    return new EditorView({ state: EditorState.create({ doc: text, extensions }), parent: this.root, root: this.root });
+  }
+
+  private marker(line: number): TimeMarker | null {
+    const ticks = this.account?.lines.get(line) ?? 0;
+    return ticks === 0 ? null : new TimeMarker(shortTime(ticks * this.plan!.period_s), ticks / this.longest);
   }
 
   // The next line, in that direction, that takes time.

@@ -1,0 +1,109 @@
+// A program planned in the browser: the same report as `kerf report` makes, called from a worker.
+#include <cstdint>
+#include <emscripten.h>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include <kerf/machine.hpp>
+#include <nlohmann/json.hpp>
+
+#include "programs/kerf/page/plan_document.hpp"
+#include "programs/kerf/run/machine_run.hpp"
+#include "programs/kerf/run/session.hpp"
+
+// There is no machine behind a page.
+void kerf::program::run_machine(MotionStage& stage) {
+  stage.report().fail(ExitStatus::settings_error, "nothing runs in a browser");
+}
+
+namespace {
+
+using kerf::MachineSettings;
+using Json = nlohmann::json;
+
+// Bounds of what a page waits for; the first is of machine time.
+constexpr double kMaxTime_s = 86'400.0;
+constexpr std::uint64_t kMaxMoves = 10'000'000;
+
+std::string answer;  // to the last order: valid until the next
+
+// In place of a plan: {"refused": ["table.toml:3:1: error: ..."]}
+std::string refusal(const std::vector<std::string>& messages) {
+  return Json{{"refused", messages}}.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+// Subprograms are looked for beside the program, so all files go into one folder, which is the
+// present one from then on: reports name the file alone.
+void write_files(const Json& files) {
+  const std::filesystem::path folder = "/programs";
+  std::filesystem::current_path("/");
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  std::filesystem::current_path(folder);
+  for (const Json& file : files) {
+    // The name alone: a browser tells no folder.
+    const auto name = std::filesystem::path(file.at("name").get<std::string>()).filename();
+    std::ofstream(name, std::ios::binary) << file.at("text").get_ref<const std::string&>();
+  }
+}
+
+kerf::program::Options options_of(const Json& order) {
+  kerf::program::Options options{.command = kerf::program::Command::report};
+  options.profile = kerf::profile_kind(order.at("profile").get<std::string>()).value();
+  options.explained_speed.emplace();
+  options.max_time_s = kMaxTime_s;
+  options.max_moves = kMaxMoves;
+  options.quiet = true;
+  return options;
+}
+
+// {"files": [{"name", "text"}, ...], "machine": {"name", "text"}, "profile": "s-curve"}. The first
+// file is the program, the others its subprograms; an empty text is the default machine.
+std::string plan(const Json& order) {
+  const Json& machine = order.at("machine");
+  const auto machine_name = machine.at("name").get<std::string>();
+  kerf::program::Options options = options_of(order);
+  MachineSettings settings = kerf::default_machine();
+  if (const auto& text = machine.at("text").get_ref<const std::string&>(); !text.empty()) {
+    auto read = kerf::parse_machine_file(text);
+    if (!read) {
+      std::vector<std::string> messages;
+      for (const kerf::SettingsError& error : read.error()) {
+        messages.push_back(to_string(error, machine_name));
+      }
+      return refusal(messages);
+    }
+    settings = *std::move(read);
+    options.machine_file = machine_name;
+  }
+  write_files(order.at("files"));
+  kerf::program::PageRecord record;
+  const auto report = kerf::program::process_file(
+      std::filesystem::path(order.at("files").at(0).at("name").get<std::string>()).filename(),
+      options, settings, &record);
+  return plan_document(report, settings, record);
+}
+
+}  // namespace
+
+extern "C" {
+
+// order: JSON as of plan(), of that many bytes, UTF-8. Returns where the answer begins: a plan
+// document (docs/page-data.md), or a refusal.
+EMSCRIPTEN_KEEPALIVE const char* kerf_plan(const char* order, std::size_t bytes) {
+  try {
+    answer = plan(Json::parse(std::string_view(order, bytes)));
+  } catch (const std::exception& exception) {
+    answer = refusal({std::string("internal error: ") + exception.what()});
+  }
+  return answer.data();
+}
+
+EMSCRIPTEN_KEEPALIVE std::size_t kerf_plan_bytes() {
+  return answer.size();
+}
+
+}  // extern "C"

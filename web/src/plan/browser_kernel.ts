@@ -1,0 +1,74 @@
+// Plans computed in the browser: the kernel as WebAssembly, in a worker of its own.
+import { decodePlan } from "./decode.ts";
+import { Plan } from "./plan.ts";
+
+export interface TextFile {
+  readonly name: string;
+  readonly text: string;
+}
+
+export interface Order {
+  readonly files: readonly [TextFile, ...TextFile[]]; // the program, then its subprograms
+  readonly machine: TextFile; // an empty text: the default machine
+  readonly profile: string;
+}
+
+// refused: what is wrong with the machine file, or within kerf.
+export type Answer = { readonly plan: Plan; readonly took_s: number } | { readonly refused: readonly string[] };
+
+// What the worker answers.
+export type Reply = { readonly bytes: Uint8Array<ArrayBuffer> } | { readonly failure: string };
+
+const MAGIC = "KERFPLAN";
+
+export function answerOf(bytes: Uint8Array, took_s: number): Answer {
+  if (new TextDecoder().decode(bytes.subarray(0, MAGIC.length)) === MAGIC) return { plan: new Plan(decodePlan(bytes)), took_s };
+  return JSON.parse(new TextDecoder().decode(bytes)) as { refused: string[] };
+}
+
+export class BrowserKernel {
+  private readonly script: string; // the worker's, as a URL
+  private readonly module: WebAssembly.Module;
+  private worker: Worker | null = null;
+  private abandon: (() => void) | null = null; // of the order that is being worked on
+
+  constructor(script: string, module: WebAssembly.Module) {
+    this.script = script;
+    this.module = module;
+  }
+
+  // null: a newer order has taken its place.
+  plan(order: Order): Promise<Answer | null> {
+    if (this.abandon) {
+      this.abandon();
+      this.worker?.terminate();
+      this.worker = null;
+    }
+    const worker = (this.worker ??= this.start());
+    const began_ms = performance.now();
+    return new Promise((resolve) => {
+      const end = (answer: Answer | null): void => {
+        this.abandon = null;
+        resolve(answer);
+      };
+      this.abandon = () => end(null);
+      const fail = (why: string): void => {
+        worker.terminate();
+        this.worker = null;
+        end({ refused: [`The kernel has failed: ${why}`] });
+      };
+      worker.onmessage = ({ data }: MessageEvent<Reply>) => {
+        if ("failure" in data) fail(data.failure);
+        else end(answerOf(data.bytes, (performance.now() - began_ms) / 1000));
+      };
+      worker.onerror = (event) => fail(event.message);
+      worker.postMessage(order);
+    });
+  }
+
+  private start(): Worker {
+    const worker = new Worker(this.script);
+    worker.postMessage(this.module);
+    return worker;
+  }
+}

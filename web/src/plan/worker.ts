@@ -1,0 +1,35 @@
+// The worker that plans: first comes the module, then orders one by one.
+import makeKernel, { type Kernel } from "kerf-kernel";
+import type { Order, Reply } from "./browser_kernel.ts";
+
+let kernel: Promise<Kernel> | null = null;
+
+function instantiated(module: WebAssembly.Module): Promise<Kernel> {
+  return makeKernel({
+    locateFile: (name) => name, // nothing is loaded
+    instantiateWasm(imports, done) {
+      void WebAssembly.instantiate(module, imports).then(done);
+      return {};
+    },
+  });
+}
+
+function planned(running: Kernel, order: Order): Uint8Array<ArrayBuffer> {
+  const bytes = new TextEncoder().encode(JSON.stringify(order));
+  const at = running._malloc(bytes.length);
+  running.HEAPU8.set(bytes, at);
+  const answer = running._kerf_plan(at, bytes.length);
+  running._free(at);
+  return running.HEAPU8.slice(answer, answer + running._kerf_plan_bytes());
+}
+
+self.onmessage = async ({ data }: MessageEvent<WebAssembly.Module | Order>) => {
+  if (data instanceof WebAssembly.Module) {
+    kernel = instantiated(data);
+    return;
+  }
+  const reply: Reply = await kernel!
+    .then((running) => ({ bytes: planned(running, data) }))
+    .catch((error: unknown) => ({ failure: String(error) }));
+  self.postMessage(reply, "bytes" in reply ? { transfer: [reply.bytes.buffer] } : {});
+};

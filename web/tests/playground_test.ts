@@ -1,0 +1,124 @@
+// The playground as its visitors meet it: opened from disk in Chromium without a network, beside what kerf itself says.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { chromium, type Browser, type Page } from "playwright-core";
+import { clock } from "../src/units.ts";
+
+const KERF = process.env["KERF"] ?? "";
+const SOURCE = process.env["KERF_SOURCE"] ?? "";
+const folder = mkdtempSync(join(tmpdir(), "kerf-playground-"));
+
+let browser: Browser;
+let page: Page;
+const said: string[] = []; // by the console: nothing is to be
+
+before(async () => {
+  browser = await chromium.launch({
+    executablePath: "/usr/bin/chromium",
+    args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])],
+  });
+  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, offline: true });
+  page = await context.newPage();
+  page.on("console", (message) => said.push(message.text()));
+  page.on("pageerror", (error) => said.push(String(error)));
+  page.on("request", (request) => {
+    if (!/^(file|blob):/.test(request.url())) said.push(`asked for ${request.url()}`);
+  });
+  await page.goto(pathToFileURL(join(SOURCE, "web", "dist", "index.html")).href);
+  await planned();
+});
+after(async () => {
+  await browser.close();
+  rmSync(folder, { recursive: true });
+});
+
+async function planned(): Promise<void> {
+  await page.waitForFunction(() => /^planned|^not planned/.test(document.querySelector('[data-test="status"]')?.textContent ?? ""), null, { timeout: 120_000 });
+}
+
+// What is done begins another plan; waits until it is there.
+async function after_(doing: () => Promise<unknown>): Promise<void> {
+  await page.evaluate(() => (document.querySelector('[data-test="status"]')!.textContent = ""));
+  await doing();
+  await planned();
+}
+
+const open = (label: string, ...files: string[]): Promise<void> => after_(() => page.locator(`input[aria-label^="${label}"]`).setInputFiles(files));
+const program = (text: string, name: string): string => {
+  const file = join(folder, name);
+  writeFileSync(file, text);
+  return file;
+};
+const shownTime = async (): Promise<string> => (await page.locator(".big").first().textContent()) ?? "";
+
+function timeOf(...words: string[]): number {
+  return (JSON.parse(execFileSync(KERF, ["dry-run", "--json", ...words], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] })) as { cycle_time_s: number }).cycle_time_s;
+}
+
+const secondsOf = (text: string): number => text.replace(/ s$/, "").split(":").reduce((sum, part) => 60 * sum + Number(part), 0);
+
+test("every shipped program takes the time that kerf says, to a thousandth", async () => {
+  for (const name of readdirSync(join(SOURCE, "programs")).filter((one) => one.endsWith(".ngc"))) {
+    const file = join(SOURCE, "programs", name);
+    await open("Open a program", file);
+    const here = secondsOf(await shownTime());
+    const there = timeOf(file);
+    const rounding = 0.006 + (there >= 3600 ? 0.05 : 0);
+    assert.ok(Math.abs(here - there) <= 0.001 * there + rounding, `${name}: ${here} s in the page, ${there} s by kerf`);
+  }
+});
+
+test("what is typed is planned, and an error stands at its line until it is mended", async () => {
+  await open("Open a program", program("G1 F600 X10\nM2\n", "typed.ngc"));
+  assert.equal(await shownTime(), clock(timeOf(join(folder, "typed.ngc"))));
+  const editor = page.locator(".program-view .cm-content");
+  await editor.click();
+  await page.keyboard.press("Control+Home");
+  await after_(() => page.keyboard.type("G1 G2 X1 F100\n"));
+  assert.match((await page.locator(".cm-error").textContent()) ?? "", /E\d{4}/);
+  await after_(async () => {
+    for (let i = 0; i < 14; ++i) await page.keyboard.press("Backspace");
+  });
+  assert.equal(await page.locator(".cm-error").count(), 0);
+  assert.equal(await shownTime(), clock(timeOf(join(folder, "typed.ngc"))));
+});
+
+test("another profile and another machine take their own time", async () => {
+  const file = join(SOURCE, "programs", "pocket.ngc");
+  await open("Open a program", file);
+  await after_(() => page.locator('select[aria-label="Profile"]').selectOption("quintic"));
+  assert.equal(await shownTime(), clock(timeOf("--profile", "quintic", file)));
+  const machine = program("[path]\nmax_velocity_mm_s = 5\nmax_acceleration_mm_s2 = 100\nmax_jerk_mm_s3 = 1000\n", "slow.toml");
+  await open("Open a machine file", machine);
+  assert.equal(await shownTime(), clock(timeOf("--profile", "quintic", "--machine", machine, file)));
+  await after_(() => page.locator('select[aria-label="Profile"]').selectOption("time-optimal"));
+});
+
+test("a machine file that is wrong is refused with its place", async () => {
+  await open("Open a machine file", program("[path]\nmax_velocty_mm_s = 5\n", "wrong.toml"));
+  assert.match((await page.locator(".refusal").textContent()) ?? "", /wrong\.toml:2:1: error: unknown key 'max_velocty_mm_s'/);
+  await after_(() => page.locator('select[aria-label="Example machine"]').selectOption("table.toml"));
+  assert.equal(await page.locator(".refusal").isVisible(), false);
+});
+
+test("a subprogram is found beside its program", async () => {
+  const main = program("o<line> call [7]\nM2\n", "main.ngc");
+  await open("Open a program", main, program("o<line> sub\nG1 F300 X#1\no<line> endsub\nM2\n", "line.ngc"));
+  assert.equal(await shownTime(), clock(timeOf(main)));
+});
+
+test("texts of a hostile program are shown, not run", async () => {
+  await open("Open a program", program("(<script>document.title='x'</script>)\n(MSG, <img src=x onerror=alert(1)>)\nG1 F100 X1\nM2\n", "<img src=x>.ngc"));
+  assert.notEqual(await page.title(), "x");
+  assert.equal(await page.locator("main img").count(), 0);
+});
+
+test("the console says nothing, and nothing is asked of the network", () => {
+  assert.deepEqual(said, []);
+  assert.ok(readFileSync(join(SOURCE, "web", "dist", "index.html"), "utf8").includes("default-src 'none'"));
+});
