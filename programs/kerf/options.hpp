@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,9 @@ struct Options {
   double max_time_s = 30.0 * 86'400.0;  // of machine time that a program may take
   std::uint64_t max_moves = 100'000'000;
   std::uint64_t max_trace_bytes = std::uint64_t{4} << 30U;
+  std::int64_t trace_every = 1;  // ticks; > 0
+  double trace_from_s = 0.0;
+  double trace_to_s = std::numeric_limits<double>::infinity();
   std::size_t window_blocks = 1000;
   std::uint32_t explained_line = 0;  // of Command::explain
   std::optional<SpeedQuestion> explained_speed;

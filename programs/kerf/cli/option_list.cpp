@@ -89,8 +89,18 @@ void add_common(CLI::App& command, OptionWords& words) {
 void add_outputs(CLI::App& command, OptionWords& words) {
   Options& options = words.options;
   command
-      .add_option("--trace", options.trace_file, "write one row per tick (- is standard output)")
+      .add_option("--trace", options.trace_file,
+                  "write one row per tick (- is standard output; NAME.npy: an array of NumPy)")
       ->type_name("FILE.csv");
+  command
+      .add_option("--trace-every", options.trace_every,
+                  "a row for every so many-th tick (default: 1)")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}))
+      ->type_name("N");
+  command.add_option("--trace-from", words.trace_from, "no row before: 90, 90s, 5min")
+      ->type_name("TIME");
+  command.add_option("--trace-to", words.trace_to, "no row after: 90, 90s, 5min")
+      ->type_name("TIME");
   command
       .add_option("--max-trace", words.max_trace,
                   "size that the trace may have: 1000, 500MB, 4GiB (default: 4GiB)")

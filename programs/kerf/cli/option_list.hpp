@@ -19,6 +19,8 @@ struct OptionWords {
   std::string explain_speed;  // the same
   std::string max_time;       // the same
   std::string max_trace;      // the same
+  std::string trace_from;     // the same
+  std::string trace_to;       // the same
 };
 
 CLI::App* add_command(CLI::App& app, Command command, const std::string& description,

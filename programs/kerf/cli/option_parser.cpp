@@ -46,6 +46,36 @@ Leave wrong_use(const std::string& message) {
           .text = "kerf: " + visible(message) + "\nTry: kerf --help\n"};
 }
 
+struct TimeWord {
+  std::string_view name;
+  const std::string& word;  // empty: not given
+  double& value_s;
+};
+
+std::optional<std::string> read_time(const TimeWord& time) {
+  if (time.word.empty()) {
+    return std::nullopt;
+  }
+  const auto value_s = duration_s_of(time.word);
+  if (!value_s) {
+    return std::string(time.name) + " takes seconds, or a number with s, min, h or d; found " +
+           time.word;
+  }
+  time.value_s = *value_s;
+  return std::nullopt;
+}
+
+std::optional<std::string> read_times(const OptionWords& words, Options& options) {
+  for (const TimeWord& time : {TimeWord{"--max-time", words.max_time, options.max_time_s},
+                               TimeWord{"--trace-from", words.trace_from, options.trace_from_s},
+                               TimeWord{"--trace-to", words.trace_to, options.trace_to_s}}) {
+    if (auto message = read_time(time)) {
+      return message;
+    }
+  }
+  return std::nullopt;
+}
+
 // Reads the words into their options. What is wrong with them, as a sentence.
 std::optional<std::string> give_meaning(OptionWords& words) {
   Options& options = words.options;
@@ -67,12 +97,8 @@ std::optional<std::string> give_meaning(OptionWords& words) {
              words.explain_speed;
     }
   }
-  if (!words.max_time.empty()) {
-    const auto time = duration_s_of(words.max_time);
-    if (!time) {
-      return "--max-time takes seconds, or a number with s, min, h or d; found " + words.max_time;
-    }
-    options.max_time_s = *time;
+  if (auto message = read_times(words, options)) {
+    return message;
   }
   if (!words.max_trace.empty()) {
     const auto size = bytes_of(words.max_trace);

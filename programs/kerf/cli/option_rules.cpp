@@ -100,14 +100,31 @@ std::optional<std::string> contradiction_of_streams(const Options& options) {
   return std::nullopt;
 }
 
+std::optional<std::string> contradiction_of_trace(const Options& options) {
+  const Options usual;
+  const bool chooses_ticks = options.trace_every != usual.trace_every ||
+                             options.trace_from_s != usual.trace_from_s ||
+                             options.trace_to_s != usual.trace_to_s;
+  if (chooses_ticks && !options.trace_file) {
+    return "--trace-every, --trace-from and --trace-to go with --trace";
+  }
+  if (options.trace_from_s > options.trace_to_s) {
+    return "--trace-from is later than --trace-to";
+  }
+  if (options.json && options.trace_file == "-") {
+    return "--json and --trace - both write to standard output";
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<std::string> contradiction(const Options& options) {
   if (options.files.size() > 1 && (options.trace_file || options.plot_file)) {
     return "--trace and --plot take one FILE at a time";
   }
-  if (options.json && options.trace_file == "-") {
-    return "--json and --trace - both write to standard output";
+  if (auto message = contradiction_of_trace(options)) {
+    return message;
   }
   if (options.json && options.command == Command::check &&
       options.format != DiagnosticFormat::text) {

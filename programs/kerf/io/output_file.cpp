@@ -73,6 +73,22 @@ int OutputFile::write(std::string_view bytes) noexcept {
   return write_all(descriptor_.number(), bytes);
 }
 
+int OutputFile::write_again(std::string_view bytes) noexcept {
+  while (!bytes.empty()) {
+    const ssize_t count = ::pwrite(descriptor_.number(), bytes.data(), bytes.size(), 0);
+    if (count == static_cast<ssize_t>(bytes.size())) {
+      return 0;
+    }
+    if (count >= 0) {
+      return ENOSPC;  // some of what is there already
+    }
+    if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
+}
+
 int OutputFile::finish(bool whole) noexcept {
   if (const int error = descriptor_.close(); error != 0 || !whole || final_path_.empty()) {
     return error;

@@ -23,6 +23,8 @@ class OutputFile {
 
   // The first bytes take the place of an older FILE. 0, or the errno.
   int write(std::string_view bytes) noexcept;
+  // In place of the first bytes, which were written before; of a regular file. 0, or the errno.
+  int write_again(std::string_view bytes) noexcept;
   // Nothing more is written. whole: all is there, so that it may have its name. 0, or the errno.
   int finish(bool whole) noexcept;
 

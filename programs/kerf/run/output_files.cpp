@@ -15,6 +15,9 @@ tl::expected<OutputFiles, std::string> OutputFiles::open(const Options& options,
                                      {.period_s = settings.limits.period_s,
                                       .columns = {.axes = extra_axes(settings.program.extra_axes),
                                                   .limit = options.explained_speed.has_value()},
+                                      .ticks = {.every = options.trace_every,
+                                                .from_s = options.trace_from_s,
+                                                .to_s = options.trace_to_s},
                                       .max_bytes = options.max_trace_bytes});
     if (!trace) {
       return tl::unexpected(trace.error());

@@ -2,17 +2,21 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <utility>
+
+#include "programs/kerf/run/trace_npy.hpp"
 
 namespace kerf::program {
 
 TraceWriter::TraceWriter(OutputFile file, const TraceSettings& settings)
     : file_(std::move(file)),
       clock_(settings.period_s),
-      columns_(settings.columns),
-      buffer_(kBufferBytes),
-      max_bytes_(settings.max_bytes) {
-  const std::string header = trace_header(columns_);
+      settings_(settings),
+      is_npy_(file_.name().ends_with(".npy")),
+      buffer_(kBufferBytes) {
+  const std::string header =
+      is_npy_ ? npy_header(settings_.columns, 0) : trace_header(settings_.columns);
   std::copy(header.begin(), header.end(), buffer_.begin());
   used_ = header.size();
 }
@@ -26,8 +30,16 @@ tl::expected<TraceWriter, std::string> TraceWriter::create(const std::string& pa
   return TraceWriter(*std::move(file), settings);
 }
 
+// A time names the tick that is nearest to it.
+bool TraceWriter::is_wanted(std::int64_t tick) const noexcept {
+  const auto at = static_cast<double>(tick);
+  return tick % settings_.ticks.every == 0 &&
+         at >= std::round(settings_.ticks.from_s / settings_.period_s) &&
+         at <= std::round(settings_.ticks.to_s / settings_.period_s);
+}
+
 void TraceWriter::add(const TickRecord& record) {
-  if (closed_ || ended()) {
+  if (closed_ || ended() || !is_wanted(record.tick)) {
     return;
   }
   line_ = record.line;
@@ -35,13 +47,17 @@ void TraceWriter::add(const TickRecord& record) {
     flush();
   }
   char* const at = buffer_.data() + used_;
-  const auto bytes = static_cast<std::size_t>(write_row(at, record, clock_, columns_) - at);
-  if (written_bytes_ + used_ + bytes > max_bytes_) {
+  const char* const end_of_row =
+      is_npy_ ? write_npy_row(at, record, settings_.period_s, settings_.columns)
+              : write_row(at, record, clock_, settings_.columns);
+  const auto bytes = static_cast<std::size_t>(end_of_row - at);
+  if (written_bytes_ + used_ + bytes > settings_.max_bytes) {
     flush();
-    end("would be larger than " + std::to_string(max_bytes_) + " bytes (--max-trace)");
+    end("would be larger than " + std::to_string(settings_.max_bytes) + " bytes (--max-trace)");
     return;
   }
   used_ += bytes;
+  ++rows_;
 }
 
 void TraceWriter::close(bool lacks_rows) {
@@ -49,6 +65,7 @@ void TraceWriter::close(bool lacks_rows) {
     return;
   }
   flush();
+  write_count();
   closed_ = true;
   if (const int error = file_.finish(!ended() && !lacks_rows)) {
     note(error);
@@ -66,7 +83,17 @@ void TraceWriter::flush() {
   }
 }
 
+void TraceWriter::write_count() {
+  if (!is_npy_ || is_broken_) {
+    return;
+  }
+  if (const int error = file_.write_again(npy_header(settings_.columns, rows_))) {
+    note(error);
+  }
+}
+
 void TraceWriter::note(int error_number) {
+  is_broken_ = true;
   if (error_number == EPIPE && file_.is_standard_output()) {
     reader_gone_ = true;
   } else if (error_number == EINTR) {
