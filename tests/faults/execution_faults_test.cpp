@@ -51,8 +51,7 @@ CommandedRun run_commanded(Kernel& kernel,
     run.ticks.push_back(setpoint);
     run.statuses.push_back(status);
   }
-  run.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
-  run.complaint += kernel.fault() ? kernel.fault()->what : "";
+  run.complaint = test::complaint_at_end(status, checker, kernel);
   return run;
 }
 
@@ -273,8 +272,8 @@ TEST(ExecutionFaults, Row56SingleBlockInABlendRestsAtABlocksEnd) {
     }
   });
   expect_whole(stepped, whole);
-  // The blend belongs to the block before it: the joint is where the straight part of the next one
-  // begins.
+  // The blend belongs to the block before it: the junction is where the straight part of the next
+  // one begins.
   ASSERT_EQ(rests_mm.size(), 3U);
   EXPECT_NEAR(rests_mm[0][0], 20.0, 1e-9);
   EXPECT_LT(rests_mm[0][1], 10.0);

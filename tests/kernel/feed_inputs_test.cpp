@@ -59,8 +59,7 @@ FollowedRun run_with(const std::string& text, const InputsAt& inputs) {
     run.ticks.push_back(setpoint);
     run.statuses.push_back(status);
   }
-  run.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
-  run.complaint += kernel.fault() ? kernel.fault()->what : "";
+  run.complaint = complaint_at_end(status, checker, kernel);
   return run;
 }
 

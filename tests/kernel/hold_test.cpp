@@ -63,8 +63,7 @@ HeldRun run_held(const HeldProgram& program, const std::set<std::int64_t>& hold_
       kernel.resume();
     }
   }
-  run.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
-  run.complaint += kernel.fault() ? kernel.fault()->what : "";
+  run.complaint = complaint_at_end(status, checker, kernel);
   return run;
 }
 

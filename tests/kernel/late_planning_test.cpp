@@ -52,8 +52,7 @@ LateRun run_late(const std::string& text, const KernelOptions& options, std::int
     run.ticks.push_back(setpoint);
     run.statuses.push_back(status);
   }
-  run.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
-  run.complaint += kernel.fault() ? kernel.fault()->what : "";
+  run.complaint = complaint_at_end(status, checker, kernel);
   return run;
 }
 
@@ -233,8 +232,7 @@ void expect_rests_where_blocked(int runs, Operator by) {
       run.statuses.push_back(status);
     }
     PlanningThread::release();
-    run.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
-    run.complaint += kernel.fault() ? kernel.fault()->what : "";
+    run.complaint = complaint_at_end(status, checker, kernel);
     expect_whole(run, whole);
     ASSERT_FALSE(testing::Test::HasFailure());
   }

@@ -46,8 +46,7 @@ OverriddenRun run_with(const std::string& text, const KernelOptions& options,
     checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
     run.ticks.push_back(setpoint);
   }
-  run.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
-  run.complaint += kernel.fault() ? kernel.fault()->what : "";
+  run.complaint = complaint_at_end(status, checker, kernel);
   return run;
 }
 

@@ -12,6 +12,7 @@
 #include "interp/setpoint.hpp"
 #include "tests/kernel/off_path.hpp"
 #include "tests/kernel/shipped_text.hpp"
+#include "tests/kernel/tick_checker.hpp"
 
 namespace kerf::test {
 
@@ -44,6 +45,14 @@ inline std::vector<Setpoint> ticks_of(const std::string& text, const KernelOptio
     ADD_FAILURE() << found.source.line << ": " << found.message;
   }
   return ticks;
+}
+
+// Of a run that is to have finished; empty: everything holds.
+inline std::string complaint_at_end(TickStatus status, const TickChecker& checker,
+                                    const Kernel& kernel) {
+  const std::string complaint =
+      status == TickStatus::finished ? checker.complaint() : "did not finish";
+  return complaint + (kernel.fault() ? kernel.fault()->what : "");
 }
 
 // Run: ticks and a complaint, of a program under commands. whole: of the same one without.

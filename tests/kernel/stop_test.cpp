@@ -37,8 +37,7 @@ Stopped stop_at(std::int64_t tick, ProfileKind kind, std::size_t window) {
     stopped.ticks_after += i >= tick ? 1 : 0;
     checker.add({.setpoint = stopped.last, .feedrate_mm_s = 150.0});
   }
-  stopped.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
-  stopped.complaint += kernel.fault() ? kernel.fault()->what : "";
+  stopped.complaint = complaint_at_end(status, checker, kernel);
   return stopped;
 }
 
