@@ -11,8 +11,10 @@ import sys
 
 PAGE = "docs/embedding.md"
 NO_CODE = re.compile(r"//[^\n]*|/\*.*?\*/|^#[^\n]*", re.DOTALL | re.MULTILINE)
-CLASS = re.compile(r"\b(class|struct) KERF_API (\w+)[^;{]*\{(.*?)\n\};", re.DOTALL)
-FUNCTION = re.compile(r"\bKERF_API [^;{(]*?\b(\w+)\(")
+CLASS = re.compile(r"^(class|struct) (?:KERF_API )?(\w+)[^;{]*\{(.*?)\n\};", re.DOTALL | re.MULTILINE)
+FUNCTION = re.compile(r"^(?:KERF_API|constexpr|inline) [^;{(=]*?\b(\w+)\(", re.MULTILINE)
+BRACES = re.compile(r"\{[^{}]*\}")
+ANGLES = re.compile(r"<[^<>]*>")
 ROW = re.compile(r"^\| (.*?) \|", re.MULTILINE)
 NAME = re.compile(r"`(\w+)(?:\([^`]*\))?`")
 
@@ -29,8 +31,11 @@ def public_part(kind, body):
 
 def declared_names(body):
     """Of methods: the name before the first bracket of each declaration at the body's own level."""
-    flat = re.sub(r"\{[^{}]*\}", ";", body)
-    for declaration in flat.split(";"):
+    while BRACES.search(body):
+        body = BRACES.sub(";", body)
+    while ANGLES.search(body):
+        body = ANGLES.sub("", body)
+    for declaration in body.split(";"):
         declaration = re.sub(r"\[\[\w+\]\]", "", declaration)
         if "(" not in declaration or "friend" in declaration or "operator" in declaration or "= delete" in declaration or "=" in declaration.split("(")[0]:
             continue
