@@ -17,7 +17,7 @@ namespace {
 // Of the limits of axes: the places between the ends of a step are not looked at.
 constexpr double kAimOfSteps = 0.998;
 constexpr double kSteps = 150.0;  // of the whole way, about
-constexpr std::size_t kMostSteps = 250;
+constexpr std::size_t kMaxSteps = 250;
 constexpr int kRounds = 3;  // for where a step of this jerk ends
 // Of the limit of jerk, until a landing keeps all limits.
 constexpr std::array<double, 3> kLandings{0.9, 0.6, 0.35};
@@ -64,7 +64,7 @@ class Steps {
     const double j_mm_s3 = tangential_jerk_mm_s3(first, first.begin, *limits_);
     const double whole_s = now_.v_mm_s / a_mm_s2 + a_mm_s2 / j_mm_s3;
     step_s_ = std::max(limits_->period_s, whole_s / kSteps);
-    for (std::size_t i = 0; i < kMostSteps; ++i) {
+    for (std::size_t i = 0; i < kMaxSteps; ++i) {
       const auto place = at(now_.s_mm);
       if (!place) {
         return std::nullopt;
@@ -89,7 +89,7 @@ class Steps {
 
   // Nothing: it lies behind the block.
   [[nodiscard]] std::optional<Place> at(double s_mm) const {
-    const auto index = way_->cell_at(s_mm, cell_);
+    const auto index = way_->cell_at({.s_mm = s_mm, .from = cell_});
     if (!index) {
       return std::nullopt;
     }
@@ -175,7 +175,7 @@ class Steps {
     laws_.push_back(profiles::CellLaw::ramp(
         {.v_mm_s = now_.v_mm_s, .a_mm_s2 = now_.a_mm_s2, .j_mm_s3 = jerk_mm_s3}, step_s_));
     now_ = end_of_step(jerk_mm_s3);
-    cell_ = way_->cell_at(now_.s_mm, cell_).value_or(cell_);
+    cell_ = way_->cell_at({.s_mm = now_.s_mm, .from = cell_}).value_or(cell_);
     return true;
   }
 

@@ -28,7 +28,7 @@ class StopCheck {
   // their own, for the higher of the two feedrates.
   bool keeps_limits(profiles::PathMotion motion) {
     const std::vector<Cell>& cells = way_->cells();
-    const auto here = way_->cell_at(motion.s_mm, cell_);
+    const auto here = way_->cell_at({.s_mm = motion.s_mm, .from = cell_});
     if (!here) {
       return false;
     }

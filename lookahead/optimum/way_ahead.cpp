@@ -15,7 +15,7 @@ constexpr double kShortest_mm = 1e-9;
 // How far blocks are looked at, over what steady braking takes from the highest feedrate to come:
 // where the motion accelerates, half of the weakest jerk ends that.
 constexpr double kFarthest = 4.0;
-constexpr double kLeastFar_mm = 1.0;
+constexpr double kMinFar_mm = 1.0;
 // A curve so many times as long as what is looked at of it.
 constexpr double kWorthCutting = 1.5;
 
@@ -27,7 +27,7 @@ double farthest_mm(const BrakingFrom& from, const PlanLimits& limits) {
   }
   const double a = std::max(from.state.a_mm_s2, 0.0);
   const double v = from.state.v_mm_s + a * a / weakest.jerk_mm_s3;
-  return kLeastFar_mm + kFarthest * v * v / weakest.acceleration_mm_s2;
+  return kMinFar_mm + kFarthest * v * v / weakest.acceleration_mm_s2;
 }
 
 // A block of which only a stretch is looked at: a curve may be long. begin_mm: of the stretch, on
@@ -60,13 +60,13 @@ WayAhead::WayAhead(const BrakingFrom& from, const PlanLimits& limits)
   take_cells(from);
 }
 
-std::optional<std::size_t> WayAhead::cell_at(double s_mm, std::size_t from) const {
-  std::size_t i = from;
-  while (i < cells_.size() && cells_[i].s_end_mm() < s_mm && !cells_[i].ends_block) {
+std::optional<std::size_t> WayAhead::cell_at(const Sought& sought) const {
+  std::size_t i = sought.from;
+  while (i < cells_.size() && cells_[i].s_end_mm() < sought.s_mm && !cells_[i].ends_block) {
     ++i;
   }
   if (i == cells_.size() ||
-      (cells_[i].ends_block && s_mm > cells_[i].s_end_mm() - kAtBlockEnd_mm)) {
+      (cells_[i].ends_block && sought.s_mm > cells_[i].s_end_mm() - kAtBlockEnd_mm)) {
     return std::nullopt;
   }
   return i;

@@ -20,9 +20,13 @@ class WayAhead {
   WayAhead(const BrakingFrom& from, const PlanLimits& limits);
 
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
-  // The cell that holds the place on the first block, looked for from a cell on; nothing: it lies
-  // at the block's end or behind it.
-  [[nodiscard]] std::optional<std::size_t> cell_at(double s_mm, std::size_t from) const;
+  // The cell that holds a place on the first block; nothing: it lies at the block's end or behind
+  // it.
+  struct Sought {
+    double s_mm = 0.0;
+    std::size_t from = 0;  // no cell before this one is looked at
+  };
+  [[nodiscard]] std::optional<std::size_t> cell_at(const Sought& sought) const;
   [[nodiscard]] PathAt path() const { return waiting_.path_of(blocks_); }
   // Of BrakingFrom::blocks.
   [[nodiscard]] std::size_t block_of(const Cell& cell) const {
