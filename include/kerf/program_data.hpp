@@ -28,7 +28,7 @@ enum class Dialect : std::uint8_t {
 struct ProgramMessage {
   enum class Kind : std::uint8_t {
     message,  ///< (MSG, text)
-    print,    ///< (PRINT, text), with #1 and #<name> as numbers of six decimals
+    print,    ///< (PRINT, text), with `#1` and `#<name>` as numbers of six decimals
     debug,    ///< (DEBUG, text), the same
   };
   Kind kind = Kind::message;
