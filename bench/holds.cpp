@@ -91,7 +91,7 @@ class Children {
  public:
   template <typename Job>
   void start(std::int64_t tick, const Job& job) {
-    if (running_ == most_) {
+    if (running_ == max_) {
       wait();
     }
     std::fflush(stdout);
@@ -122,7 +122,7 @@ class Children {
     --running_;
   }
 
-  unsigned most_ = std::max(1U, std::thread::hardware_concurrency());
+  unsigned max_ = std::max(1U, std::thread::hardware_concurrency());
   unsigned running_ = 0;
   std::int64_t started_ = 0;
   std::int64_t failed_ = 0;

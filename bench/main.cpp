@@ -106,7 +106,7 @@ using Words = std::vector<std::string>;
 
 struct Command {
   std::string_view name;
-  std::size_t most_words;  // after it
+  std::size_t max_words;  // after it
   int (*run)(const Words& words);
 };
 
@@ -153,7 +153,7 @@ constexpr std::array kCommands{
 int main(int argc, char** argv) {
   const Words words(argv, argv + argc);
   for (const Command& command : kCommands) {
-    if (words.size() > 1 && words[1] == command.name && words.size() - 2 <= command.most_words) {
+    if (words.size() > 1 && words[1] == command.name && words.size() - 2 <= command.max_words) {
       return command.run(words);
     }
   }

@@ -158,17 +158,17 @@ bool parts_cost(const PartsOrder& order) {
     return true;
   }
   const std::int64_t lines = order.quick ? kMillion / 10 : kMillion;
-  const double most_s = order.quick ? kMax_s / 10.0 : kMax_s;
+  const double max_s = order.quick ? kMax_s / 10.0 : kMax_s;
   std::printf(
       "A dry run of the flower's lines of 0.1 mm (F6000, a 500, J 50000, G64 P0.01 Q0.01) with "
       "ticks to nowhere; targets: %g s and %g MiB for %lld lines, %g times that for 10 times the "
       "lines.\n\n"
       "| lines | check [s] | run [s] | both [s] | ticks | lines/s | peak memory [MiB] | |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- |\n",
-      most_s, kMaxMiB, static_cast<long long>(lines), kMaxGrowth);
+      max_s, kMaxMiB, static_cast<long long>(lines), kMaxGrowth);
   const auto seconds_of = [](const Cost& cost) { return cost.check_s + cost.run_s; };
   const Cost once = dry_run_alone(lines, order.profile);
-  bool met = print_row(lines, once, seconds_of(once) <= most_s && once.peak_mib <= kMaxMiB);
+  bool met = print_row(lines, once, seconds_of(once) <= max_s && once.peak_mib <= kMaxMiB);
   if (order.with_long) {
     const Cost ten = dry_run_alone(10 * lines, order.profile);
     const bool held = seconds_of(ten) <= kMaxGrowth * seconds_of(once) && ten.peak_mib <= kMaxMiB;

@@ -40,14 +40,14 @@ void plan_lines(benchmark::State& state, profiles::ProfileKind kind) {
     move.feedrate_mm_s = 100.0;
     lookahead::Outbox outbox;
     std::vector<lookahead::Block> blocks;
-    const auto drain = [&] {
+    const auto plan_to_rest = [&] {
       while (planner.emit(outbox)) {
         outbox.clear();
       }
     };
     for (std::int64_t i = 0; i < count; ++i) {
       if (!planner.wants_block()) {
-        drain();
+        plan_to_rest();
       }
       blocks.clear();
       const auto k = static_cast<std::size_t>(i);
@@ -60,9 +60,9 @@ void plan_lines(benchmark::State& state, profiles::ProfileKind kind) {
       }
       planner.push(std::move(blocks.front()));
     }
-    drain();
+    plan_to_rest();
     planner.finish(0);
-    drain();
+    plan_to_rest();
     benchmark::DoNotOptimize(planner.totals().ticks);
   }
   state.SetItemsProcessed(state.iterations() * count);

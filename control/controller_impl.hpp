@@ -58,7 +58,7 @@ class KERF_LOCAL Controller::Impl {
     bool optional_stop = false;
     BlockDelete block_delete{};
     std::optional<double> left_s{};
-    std::array<char, ControllerStatus::kMostCodes> codes{};
+    std::array<char, ControllerStatus::kMaxCodes> codes{};
   };
 
   // The table, and what it cannot say.

@@ -82,7 +82,7 @@ void override_spindle(double share, Outputs& outputs) noexcept {
   outputs.spindle_rad_s *= share;
   if (outputs.surface.mm_s != 0.0) {
     outputs.spindle_rad_s =
-        std::clamp(outputs.spindle_rad_s, -outputs.surface.most_rad_s, outputs.surface.most_rad_s);
+        std::clamp(outputs.spindle_rad_s, -outputs.surface.max_rad_s, outputs.surface.max_rad_s);
   }
 }
 
@@ -94,8 +94,8 @@ void follow_surface(const curves::Position& position_mm, Outputs& outputs) noexc
   const double radius_mm = std::fabs(surface.per_x * position_mm[0] +
                                      surface.per_y * position_mm[1] + surface.at_origin_mm);
   const double speed_mm_s = std::fabs(surface.mm_s);
-  const bool limited = speed_mm_s >= surface.most_rad_s * radius_mm;
-  const double rad_s = limited ? surface.most_rad_s : speed_mm_s / radius_mm;
+  const bool limited = speed_mm_s >= surface.max_rad_s * radius_mm;
+  const double rad_s = limited ? surface.max_rad_s : speed_mm_s / radius_mm;
   outputs.spindle_rad_s = std::copysign(rad_s, surface.mm_s);
 }
 

@@ -64,7 +64,7 @@ bool Delivery::deliver(std::int64_t horizon) {
 }
 
 Delivery::HandedOver Delivery::take_over(lookahead::Outbox&& plan, std::uint32_t from,
-                                         const lookahead::Planner::StopAhead* ahead) {
+                                         const lookahead::Planner::PlannedStopAhead* ahead) {
   const interp::TickTime begin = plan.phases.front().begin;
   const std::uint32_t takeover_plan = plan.phases.front().plan;
   append_path(plan);
@@ -99,11 +99,11 @@ void Delivery::append_path(const lookahead::Outbox& plan) {
   append(outbox_.output_changes, plan.output_changes);
 }
 
-bool Delivery::commit(const lookahead::Planner::StopAhead& ahead, std::uint32_t from) {
+bool Delivery::commit(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from) {
   return write_stop(ahead, from) ? queue_->commit(interp::MotionQueue::Ahead::written) : commit();
 }
 
-bool Delivery::write_stop(const lookahead::Planner::StopAhead& ahead, std::uint32_t from) {
+bool Delivery::write_stop(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from) {
   const std::vector<interp::Phase>& phases = ahead.outbox.phases;
   append_path(ahead.outbox);
   send_path();

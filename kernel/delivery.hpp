@@ -32,13 +32,13 @@ class Delivery {
               // come
   };
   HandedOver take_over(lookahead::Outbox&& plan, std::uint32_t from,
-                       const lookahead::Planner::StopAhead* ahead = nullptr);
+                       const lookahead::Planner::PlannedStopAhead* ahead = nullptr);
 
   // The tick side gets what was moved. False: it has taken the stop ahead, and goes no farther.
   bool commit() { return queue_->commit(interp::MotionQueue::Ahead::none); }
   // The same, with a way to rest for the tick by which nothing else has come. That goes without
   // where it does not fit.
-  bool commit(const lookahead::Planner::StopAhead& ahead, std::uint32_t from);
+  bool commit(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from);
   // The tick side follows its stop ahead; what waits is superseded.
   void follow_stop();
 
@@ -53,7 +53,7 @@ class Delivery {
   [[nodiscard]] bool reaches(std::uint64_t on_curve, double at_mm) const;
   void append_path(const lookahead::Outbox& plan);
   // False: the path up to its rest does not fit.
-  bool write_stop(const lookahead::Planner::StopAhead& ahead, std::uint32_t from);
+  bool write_stop(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from);
   void send_path();
   void send_changes_before(const interp::Phase& phase);
   void forget_sent();

@@ -79,7 +79,7 @@ void Kernel::Impl::settle(bool accepted) {
     (takeover_->changes_plan ? wants_change_ : wants_hold_) = true;
     committed_until_tick_ = takeover_->committed_before;
   }
-  refusals_ = accepted ? 0 : std::min(refusals_ + 1, kMostRefusals);
+  refusals_ = accepted ? 0 : std::min(refusals_ + 1, kMaxRefusals);
   takeover_.reset();
 }
 
@@ -119,7 +119,7 @@ std::int64_t Kernel::Impl::takeover_tick() const {
 }
 
 bool Kernel::Impl::hand_over(lookahead::Outbox&& plan, std::uint32_t from,
-                             const lookahead::Planner::StopAhead* ahead) {
+                             const lookahead::Planner::PlannedStopAhead* ahead) {
   switch (delivery_.take_over(std::move(plan), from, ahead)) {
     case Delivery::HandedOver::no:
       pipeline_.settle(false);

@@ -117,7 +117,7 @@ class KERF_LOCAL Kernel::Impl {
  private:
   // A plan that takes over does so so long after it is asked for.
   static constexpr double kMargin_s = 0.01;
-  static constexpr int kMostRefusals = 4;  // after so many the margin does not grow
+  static constexpr int kMaxRefusals = 4;  // after so many the margin does not grow
   // Of a plan with other feedrates so much is handed over at once.
   static constexpr double kFirstPart_s = 0.1;
   // Of the horizon: less than this is not worth a stop ahead of its own while there is as much.
@@ -164,7 +164,7 @@ class KERF_LOCAL Kernel::Impl {
 
   // A plan that takes over. False: it did not fit, and is dropped.
   bool hand_over(lookahead::Outbox&& plan, std::uint32_t from,
-                 const lookahead::Planner::StopAhead* ahead = nullptr);
+                 const lookahead::Planner::PlannedStopAhead* ahead = nullptr);
   bool try_hold();
   bool try_change_plan();
 
@@ -187,7 +187,8 @@ class KERF_LOCAL Kernel::Impl {
   std::int64_t first_part_ticks_;
   bool keeps_stop_;
   std::int64_t committed_until_tick_ = 0;
-  std::optional<lookahead::Planner::StopAhead> stop_ahead_{};  // the latest that was committed
+  // The latest that was committed.
+  std::optional<lookahead::Planner::PlannedStopAhead> stop_ahead_{};
   Overrides overrides_{};
   FeedInputs inputs_{};
   double adaptive_ = 1.0;    // the latest of the inputs above 0
@@ -199,13 +200,13 @@ class KERF_LOCAL Kernel::Impl {
   bool wants_resume_ = false;
   bool wants_change_ = false;
   // A plan that is to take over: the tick side has not answered yet.
-  struct Takeover {
+  struct PendingTakeover {
     std::uint32_t plan = 0;
     bool changes_plan = false;
     std::int64_t committed_before = 0;
-    std::optional<lookahead::Planner::StopAhead> stop{};
+    std::optional<lookahead::Planner::PlannedStopAhead> stop{};
   };
-  std::optional<Takeover> takeover_{};
+  std::optional<PendingTakeover> takeover_{};
   std::int64_t next_try_tick_ = 0;  // of a change of feed for which no way was found
   int refusals_ = 0;                // in a row: planning took longer than the margin
   Delivery delivery_{queue_};

@@ -9,7 +9,7 @@
 namespace kerf {
 namespace {
 
-constexpr double kMost_mm = 1e3;
+constexpr double kMax_mm = 1e3;
 
 // The first word, taken off the text; empty at its end.
 std::string_view take_word(std::string_view& text) {
@@ -26,7 +26,7 @@ std::optional<double> tolerance_of(std::string_view number) {
   const char* const end = number.data() + number.size();
   const auto read = std::from_chars(number.data(), end, value);
   const bool whole = read.ec == std::errc() && read.ptr == end;
-  return whole && value >= 0.0 && value <= kMost_mm ? std::optional(value) : std::nullopt;
+  return whole && value >= 0.0 && value <= kMax_mm ? std::optional(value) : std::nullopt;
 }
 
 struct Tolerances {

@@ -127,13 +127,13 @@ Result check_inputs(const MachineSettings& settings) {
 }
 
 Result check_path_mode(const MachineSettings& settings) {
-  constexpr double kMost_mm = 1e3;
+  constexpr double kMax_mm = 1e3;
   const PathControl& path = settings.program.path_control;
   for (const double tolerance_mm : {path.corner_tolerance_mm, path.merge_tolerance_mm}) {
-    if (!(tolerance_mm >= 0.0 && tolerance_mm <= kMost_mm)) {
+    if (!(tolerance_mm >= 0.0 && tolerance_mm <= kMax_mm)) {
       return SettingsFault::of("program.path_mode", "found a tolerance of " +
                                                         text_of(tolerance_mm) +
-                                                        " mm, expected 0 to " + text_of(kMost_mm));
+                                                        " mm, expected 0 to " + text_of(kMax_mm));
     }
   }
   return {};

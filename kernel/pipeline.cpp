@@ -112,7 +112,7 @@ bool Pipeline::stop(std::int64_t tick, lookahead::Outbox& outbox) {
   return took_over(true, outbox);
 }
 
-void Pipeline::follow_stop_ahead(const lookahead::Planner::StopAhead& taken) {
+void Pipeline::follow_stop_ahead(const lookahead::Planner::PlannedStopAhead& taken) {
   took_over(true, planner_.follow_stop_ahead(taken));
 }
 

@@ -64,10 +64,10 @@ class Pipeline {
   }
   void resume() { planner_.resume(); }
   // Planner::stop_ahead.
-  std::optional<lookahead::Planner::StopAhead> stop_ahead(std::int64_t tick) {
+  std::optional<lookahead::Planner::PlannedStopAhead> stop_ahead(std::int64_t tick) {
     return planner_.stop_ahead(tick);
   }
-  void follow_stop_ahead(const lookahead::Planner::StopAhead& taken);
+  void follow_stop_ahead(const lookahead::Planner::PlannedStopAhead& taken);
   // What was emitted ends at rest.
   [[nodiscard]] bool ends_at_rest() const { return planner_.ends_at_rest(); }
   // Of what is being emitted.

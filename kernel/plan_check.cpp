@@ -138,7 +138,7 @@ void PlanCheck::check_rest(const interp::Phase& phase, bool takes_over) {
   }
 }
 
-void PlanCheck::overridden(const lookahead::FeedOverride& by, const Slowing& slowing) {
+void PlanCheck::overridden(const lookahead::FeedOverride& by, const SlowingCurves& slowing) {
   const Overridden was = overridden_;
   if (slowing.from_curve != 0) {
     before_override_ = was;
@@ -157,14 +157,14 @@ void PlanCheck::overridden(const lookahead::FeedOverride& by, const Slowing& slo
 }
 
 // What the machine allows above the programmed feedrate, the ticks show.
-double PlanCheck::most_mm_s(const Expected& block) const {
+double PlanCheck::max_mm_s(const Expected& block) const {
   const auto under = [&block](const lookahead::FeedOverride& by) {
     if (block.rapid) {
       return lookahead::share_of_rapid(by, block.follows) * block.feedrate_mm_s;
     }
     const double share = lookahead::share_of(by, block.follows);
-    const double most_mm_s = share * block.programmed_mm_s;
-    return share > 1.0 ? most_mm_s : std::min(block.feedrate_mm_s, most_mm_s);
+    const double max_mm_s = share * block.programmed_mm_s;
+    return share > 1.0 ? max_mm_s : std::min(block.feedrate_mm_s, max_mm_s);
   };
   const double now_mm_s = under(overridden_.by);
   return curve_ <= overridden_.slows_to_curve
@@ -218,11 +218,11 @@ void PlanCheck::check(const interp::Phase& phase) {
                          to_text(covered_mm) + " mm in " + to_text(phase.law.duration_s()) + " s");
   }
   const profiles::Ramp ramp = phase.law.ramp();
-  const double most_mm_s = this->most_mm_s(block);
+  const double max_mm_s = this->max_mm_s(block);
   if (!(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s) <=
-        most_mm_s * (1.0 + kFeedrateRelative) + kFeedrate_mm_s)) {
+        max_mm_s * (1.0 + kFeedrateRelative) + kFeedrate_mm_s)) {
     note(phase.line, "a feedrate of " + to_text(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s)) +
-                         " mm/s is planned, above " + to_text(most_mm_s) + " mm/s");
+                         " mm/s is planned, above " + to_text(max_mm_s) + " mm/s");
   }
   s_mm_ = phase.s_end_mm;
 }

@@ -30,11 +30,11 @@ class PlanCheck {
   void settle(bool accepted);
   // Blocks may be as fast as the override makes them; on the curves on which the motion may slow
   // down still, as fast as they might be before it. from_curve 0: no plan takes over for it.
-  struct Slowing {
+  struct SlowingCurves {
     std::uint64_t from_curve = 0;
     std::uint64_t to_curve = 0;
   };
-  void overridden(const lookahead::FeedOverride& by, const Slowing& slowing);
+  void overridden(const lookahead::FeedOverride& by, const SlowingCurves& slowing);
   // Motion on the curves before this one is run, or never taken back.
   void forget_before(std::uint64_t curve);
   // Checks the deviation of the whole program against its tolerance.
@@ -68,7 +68,7 @@ class PlanCheck {
   void take_over(const interp::Phase& phase);
   void begin_block(const interp::Phase& phase);
   void leave_block();
-  [[nodiscard]] double most_mm_s(const Expected& block) const;
+  [[nodiscard]] double max_mm_s(const Expected& block) const;
   [[nodiscard]] bool is_empty() const { return front_ == expected_.size(); }
   [[nodiscard]] const Expected& front() const { return expected_[front_]; }
 

@@ -28,7 +28,7 @@ class ProgramNotes final : public PipelineObserver {
   // The tool has come to this block (parser::Move::block), or to the program's end.
   void reach(std::uint64_t block);
   void reach_end();
-  void follow(const TimeLeft::Tool& tool) { time_left_.follow(tool); }
+  void follow(const TimeLeft::ToolPlace& tool) { time_left_.follow(tool); }
 
   // Those of the blocks that were reached since the last call.
   std::vector<ProgramMessage> take_messages();

@@ -41,7 +41,7 @@ double TimeLeft::nominal_at_s(double path_mm) {
   return behind_.nominal_s + std::max(share, 0.0) * (next.nominal_s - behind_.nominal_s);
 }
 
-void TimeLeft::follow(const Tool& tool) {
+void TimeLeft::follow(const ToolPlace& tool) {
   const double done_s = nominal_at_s(tool.path_mm);
   if (tool.feed_override > 0.0) {
     expected_s_ += (done_s - done_nominal_s_) / tool.feed_override;

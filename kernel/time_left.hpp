@@ -21,12 +21,12 @@ class TimeLeft {
   void push(const lookahead::Block& block);
   void push_rest(double duration_s);
 
-  struct Tool {
+  struct ToolPlace {
     double path_mm = 0.0;
     double moved_s = 0.0;  // without holds and waits
     double feed_override = 1.0;
   };
-  void follow(const Tool& tool);
+  void follow(const ToolPlace& tool);
   // Nothing: nobody knows, or at a feed of 0 never.
   [[nodiscard]] std::optional<double> left_s() const;
 
@@ -44,7 +44,7 @@ class TimeLeft {
   Mark behind_{};           // the latest that the tool has passed
   double done_nominal_s_ = 0.0;
   double expected_s_ = 0.0;  // nominal, at the overrides that were in force
-  Tool tool_{};
+  ToolPlace tool_{};
 };
 
 }  // namespace kerf

@@ -99,16 +99,16 @@ class Planner {
   void resume();
   // A way to rest that the tick side may take at a tick, at this one or some later, if nothing else
   // was handed over by then.
-  struct StopAhead {
+  struct PlannedStopAhead {
     PlanStop stop{};
     std::uint32_t plan = 0;  // its number
     Outbox outbox{};
   };
   // Nothing: none was found, as in find_stop(). Precondition: as hold().
-  std::optional<StopAhead> stop_ahead(std::int64_t tick);
+  std::optional<PlannedStopAhead> stop_ahead(std::int64_t tick);
   // The tick side has taken it: the plan goes on from its rest. Its phases, for the record.
   // Precondition: settle().
-  Outbox follow_stop_ahead(const StopAhead& taken);
+  Outbox follow_stop_ahead(const PlannedStopAhead& taken);
   // Goes on with other feedrates, or with or without a wait at each block's end, from a tick or
   // some later, in motion where a plan from there is found, else from the rest that hold() would
   // find; the profile of the settings is back after the next rest. The outbox, which is empty
@@ -116,15 +116,15 @@ class Planner {
   // was emitted that could change. Precondition: as hold(), but that it may be held.
   struct PlanChange {
     FeedOverride by{};
-    // The tool rests and waits at the joint behind each block of the program; a curve that stands
-    // for several is one.
+    // The tool rests and waits at the junction behind each block of the program; a curve that
+    // stands for several is one.
     bool single_block = false;
     std::int64_t tick = 0;
     std::int64_t until_tick = 0;
     bool needs_stop = false;  // a way to rest, too, where what was emitted does not end at rest
   };
   struct ChangedPlan {
-    std::optional<StopAhead> stop{};
+    std::optional<PlannedStopAhead> stop{};
     // Up to this curve the motion may still slow down from feedrates above the new ones.
     std::uint64_t slows_to_curve = 0;
   };

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFarRest_s = 0.02;
 // From ticks so far apart, twice as far each time, a way to rest is sought.
-constexpr std::int64_t kMostSteps = 64;
+constexpr std::int64_t kMaxSteps = 64;
 
 OptimumSchedule::Begin motion_of(const PlanStop& stop) {
   constexpr int kPointsOfPart = 4;
@@ -128,7 +128,7 @@ bool Planner::go_on_in_motion(InMotion from, const PlanChange& change, ChangedPl
 }
 
 bool Planner::emit_first_part(const PlanChange& change, ChangedPlan& changed, Outbox& outbox) {
-  for (std::int64_t until = change.until_tick, step = 1; step <= kMostSteps; until += step *= 2) {
+  for (std::int64_t until = change.until_tick, step = 1; step <= kMaxSteps; until += step *= 2) {
     while (!waits_ && emitter_.now().tick < until && emit_next(outbox)) {
     }
     if (outbox.phases.empty()) {

@@ -52,7 +52,7 @@ void Planner::take_back(const EmittedItems::Motion& from) {
   emitter_.take_back(from, waiting_);
 }
 
-std::optional<Planner::StopAhead> Planner::stop_ahead(std::int64_t tick) {
+std::optional<Planner::PlannedStopAhead> Planner::stop_ahead(std::int64_t tick) {
   assert(settings_.may_hold && !held_);
   const std::vector<const Block*> blocks = blocks_ahead();
   auto stop =
@@ -60,7 +60,7 @@ std::optional<Planner::StopAhead> Planner::stop_ahead(std::int64_t tick) {
   if (!stop) {
     return std::nullopt;
   }
-  StopAhead ahead{.stop = std::move(*stop)};
+  PlannedStopAhead ahead{.stop = std::move(*stop)};
   const std::vector<BrakingPart>& parts = ahead.stop.parts;
   const std::size_t needed = parts.empty() ? 1 : parts.back().block + 1;
   std::deque<Item> items;
@@ -75,7 +75,7 @@ std::optional<Planner::StopAhead> Planner::stop_ahead(std::int64_t tick) {
   return ahead;
 }
 
-Outbox Planner::follow_stop_ahead(const StopAhead& taken) {
+Outbox Planner::follow_stop_ahead(const PlannedStopAhead& taken) {
   empty_window();
   waits_ = is_cut_ = false;
   last_.reset();

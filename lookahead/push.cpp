@@ -21,7 +21,7 @@ interp::OutputChange spindle_of(const parser::EventMove& event) {
                               .value = sign * rad_s_from(event.value)};
   if (surface.mm_s != 0.0) {
     change.surface = {.mm_s = sign * surface.mm_s,
-                      .most_rad_s = rad_s_from(surface.most_per_min),
+                      .max_rad_s = rad_s_from(surface.max_per_min),
                       .per_x = surface.per_x,
                       .per_y = surface.per_y,
                       .at_origin_mm = surface.at_origin_mm};

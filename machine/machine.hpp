@@ -12,7 +12,7 @@ namespace kerf::machine {
 using curves::Position;
 using interp::Setpoint;
 
-enum class Fault : std::uint8_t {
+enum class DriveFault : std::uint8_t {
   none,
   not_enabled,      // no enable() yet
   soft_limit,       // a setpoint outside the travel
@@ -26,7 +26,7 @@ struct MachineState {
   double contour_error_mm = 0.0;  // distance of the actual position from the commanded path
   interp::Outputs outputs{};      // of the last setpoint that was not refused; after a fault
                                   // spindle and coolant are off
-  Fault fault = Fault::none;
+  DriveFault fault = DriveFault::none;
   std::int8_t fault_axis = -1;  // x, y, z, a, b, c, u, v, w; -1 where no axis is to blame
 };
 

@@ -84,8 +84,8 @@ void SimulatedTable::enable(const Position& position_mm) noexcept {
     return;
   }
   if (const auto axis = not_finite_axis(position_mm)) {
-    state_.fault = Fault::none;
-    fault(Fault::not_finite, *axis);
+    state_.fault = DriveFault::none;
+    fault(DriveFault::not_finite, *axis);
     return;
   }
   commanded_mm_ = position_mm;
@@ -98,7 +98,7 @@ void SimulatedTable::enable(const Position& position_mm) noexcept {
 }
 
 void SimulatedTable::write(const Setpoint& setpoint) noexcept {
-  if (state_.fault == Fault::none && accepts(setpoint)) {
+  if (state_.fault == DriveFault::none && accepts(setpoint)) {
     commanded_mm_ = setpoint.position_mm;
     state_.outputs = setpoint.outputs;
     path_.append(commanded_mm_);
@@ -119,15 +119,15 @@ void SimulatedTable::fail_encoder(std::size_t axis, EncoderFailure failure) noex
 
 bool SimulatedTable::accepts(const Setpoint& setpoint) noexcept {
   if (const auto axis = not_finite_axis(setpoint)) {
-    fault(Fault::not_finite, *axis);
+    fault(DriveFault::not_finite, *axis);
     return false;
   }
   if (const auto excess = outside_travel(envelope_, setpoint.position_mm)) {
-    fault(Fault::soft_limit, excess->axis);
+    fault(DriveFault::soft_limit, excess->axis);
     return false;
   }
   if (const auto excess = outside_travel(settings_.extra, setpoint.extra_rad_mm)) {
-    fault(Fault::soft_limit, excess->axis);
+    fault(DriveFault::soft_limit, excess->axis);
     return false;
   }
   return true;
@@ -137,21 +137,21 @@ void SimulatedTable::observe() noexcept {
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
     const double actual_mm = axes_[axis].encoder_mm();
     if (!std::isfinite(actual_mm)) {
-      fault(Fault::not_finite, static_cast<std::int8_t>(axis));
+      fault(DriveFault::not_finite, static_cast<std::int8_t>(axis));
       continue;
     }
     state_.actual_mm[axis] = actual_mm;
     state_.following_error_mm[axis] = commanded_mm_[axis] - actual_mm;
     if (std::abs(state_.following_error_mm[axis]) > settings_.axes[axis].max_following_error_mm) {
-      fault(Fault::following_error, static_cast<std::int8_t>(axis));
+      fault(DriveFault::following_error, static_cast<std::int8_t>(axis));
     }
   }
   state_.contour_error_mm = path_.distance_mm(state_.actual_mm);
 }
 
 // The first fault stays until enable(). Every axis takes as long to rest as the slowest one.
-void SimulatedTable::fault(Fault kind, std::int8_t axis) noexcept {
-  if (state_.fault != Fault::none && state_.fault != Fault::not_enabled) {
+void SimulatedTable::fault(DriveFault kind, std::int8_t axis) noexcept {
+  if (state_.fault != DriveFault::none && state_.fault != DriveFault::not_enabled) {
     return;
   }
   state_.fault = kind;

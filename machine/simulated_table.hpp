@@ -45,14 +45,14 @@ class SimulatedTable final : public Machine {
  private:
   [[nodiscard]] bool accepts(const Setpoint& setpoint) noexcept;
   void observe() noexcept;
-  void fault(Fault kind, std::int8_t axis) noexcept;
+  void fault(DriveFault kind, std::int8_t axis) noexcept;
 
   TableSettings settings_;
   Envelope envelope_;
   std::array<AxisModel, 3> axes_;
   PathHistory path_;
   Position commanded_mm_{};
-  MachineState state_{.fault = Fault::not_enabled};
+  MachineState state_{.fault = DriveFault::not_enabled};
   bool valid_;
 };
 

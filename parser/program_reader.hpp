@@ -46,7 +46,7 @@ class ProgramReader {
   bool next(Move& move);
 
   // What the program told the operator in the text that the last next() read; each belongs before
-  // the block of its number. Where there are more than kMostMessages, the first of them.
+  // the block of its number. Where there are more than kMaxMessages, the first of them.
   [[nodiscard]] const std::vector<NumberedMessage>& messages() const;
 
   // The codes in force behind the block that was read last: "G1 G17 G21 ...".

@@ -8,7 +8,7 @@
 //
 // Family:
 //   static constexpr double kJerkBest, kAccelerationBest;  // the parameters of these two members
-//   static Peaks peaks(double p) noexcept;                 // j* / a*^2 is monotone between them
+//   static ShapePeaks peaks(double p) noexcept;  // j* / a*^2 is monotone between them
 #pragma once
 
 #include <algorithm>
@@ -48,7 +48,7 @@ double bracketed_root(const Bracket& bracket, Function function) {
   return ascending ? root.first : root.second;  // the end where the function is not positive
 }
 
-inline double severity_ratio(const Peaks& peaks) noexcept {
+inline double severity_ratio(const ShapePeaks& peaks) noexcept {
   return peaks.jerk / (peaks.acceleration * peaks.acceleration);
 }
 
@@ -76,7 +76,7 @@ double balanced_reachable_change(const Approach& approach, const RampLimits& lim
     double length_mm;
   };
   const auto balance = [&](double p) {
-    const Peaks peaks = Family::peaks(p);
+    const ShapePeaks peaks = Family::peaks(p);
     const double time_s =
         limits.acceleration_mm_s2 / limits.jerk_mm_s3 * peaks.jerk / peaks.acceleration;
     const double change = limits.acceleration_mm_s2 * time_s / peaks.acceleration;

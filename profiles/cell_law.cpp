@@ -81,7 +81,7 @@ CellLaw CellLaw::landing(double v_begin_mm_s, double length_mm) noexcept {
   return law;
 }
 
-CellLaw CellLaw::ramp(const Ramp& begin, double duration_s) noexcept {
+CellLaw CellLaw::ramp(const RampStart& begin, double duration_s) noexcept {
   CellLaw law;
   law.kind_ = Kind::ramp;
   law.begin_ = {.v_mm_s = begin.v_mm_s, .a_mm_s2 = begin.a_mm_s2, .bend_per_s2 = begin.j_mm_s3};

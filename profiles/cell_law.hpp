@@ -29,13 +29,13 @@ class CellLaw {
   // Precondition: both > 0.
   static CellLaw launch(double v_end_mm_s, double length_mm) noexcept;
   static CellLaw landing(double v_begin_mm_s, double length_mm) noexcept;
-  struct Ramp {
+  struct RampStart {
     double v_mm_s = 0.0;
     double a_mm_s2 = 0.0;
     double j_mm_s3 = 0.0;
   };
   // Precondition: the duration is above 0, and v >= 0 throughout.
-  static CellLaw ramp(const Ramp& begin, double duration_s) noexcept;
+  static CellLaw ramp(const RampStart& begin, double duration_s) noexcept;
 
   [[nodiscard]] double v_begin_mm_s() const noexcept { return begin_.v_mm_s; }
   [[nodiscard]] double v_end_mm_s() const noexcept { return v_end_mm_s_; }

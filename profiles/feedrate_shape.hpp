@@ -26,7 +26,7 @@ concept FeedrateShape = std::is_trivially_copyable_v<S> && std::default_initiali
 };
 
 // The peaks of a shape, which are all that a duration depends on.
-struct Peaks {
+struct ShapePeaks {
   double acceleration = 1.0;  // a*
   double jerk = 0.0;          // j*; 0 for a law without a jerk limit
 };

@@ -11,7 +11,7 @@
 namespace kerf::profiles {
 namespace {
 
-constexpr Peaks kTrapezoidPeaks{.acceleration = 1.0, .jerk = 0.0};
+constexpr ShapePeaks kTrapezoidPeaks{.acceleration = 1.0, .jerk = 0.0};
 
 // The largest value in [floor, candidate], or a few units in the last place below it, for which
 // `fits` holds; it holds for floor, and the candidate misses by rounding at most.

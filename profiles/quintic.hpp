@@ -9,8 +9,9 @@ namespace kerf::profiles {
 // phi = 10 x^3 - 15 x^4 + 6 x^5 (docs/math.md, 2.5). Jerk is continuous and 0 at both ends.
 class Quintic {
  public:
-  static constexpr Peaks kPeaks{.acceleration = 1.875,       // at x = 1/2
-                                .jerk = 5.773502691896258};  // 10 / sqrt(3), at 0.211 and 0.789
+  static constexpr ShapePeaks kPeaks{
+      .acceleration = 1.875,       // at x = 1/2
+      .jerk = 5.773502691896258};  // 10 / sqrt(3), at 0.211 and 0.789
 
   static Quintic fastest(double change_mm_s, const RampLimits& limits) noexcept;
 

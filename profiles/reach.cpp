@@ -58,7 +58,7 @@ double change_by_jerk(const Approach& approach, double jerk_mm_s3) noexcept {
 
 }  // namespace
 
-double duration_s(double change_mm_s, const Peaks& peaks, const RampLimits& limits) noexcept {
+double duration_s(double change_mm_s, const ShapePeaks& peaks, const RampLimits& limits) noexcept {
   assert(limits.acceleration_mm_s2 > 0.0 && limits.jerk_mm_s3 > 0.0);
   const double change = std::abs(change_mm_s);
   return std::max(peaks.acceleration * change / limits.acceleration_mm_s2,
@@ -78,7 +78,7 @@ double s_curve_duration_s(double change_mm_s, const RampLimits& limits) noexcept
   return 2.0 * std::sqrt(change / limits.jerk_mm_s3);
 }
 
-double reachable_change(const Approach& approach, const Peaks& peaks,
+double reachable_change(const Approach& approach, const ShapePeaks& peaks,
                         const RampLimits& limits) noexcept {
   const double by_acceleration =
       change_by_acceleration(approach, limits.acceleration_mm_s2 / peaks.acceleration);

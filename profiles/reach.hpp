@@ -21,13 +21,13 @@ struct Approach {
 };
 
 // T = max(a* |dv| / A, sqrt(j* |dv| / J)). 0 where no limit binds.
-double duration_s(double change_mm_s, const Peaks& peaks, const RampLimits& limits) noexcept;
+double duration_s(double change_mm_s, const ShapePeaks& peaks, const RampLimits& limits) noexcept;
 // T = |dv| / A + A / J where |dv| >= A^2 / J, else 2 sqrt(|dv| / J).
 double s_curve_duration_s(double change_mm_s, const RampLimits& limits) noexcept;
 
 // The cap aside, the largest change dv >= 0 [mm/s] whose transition from approach.v_mm_s upwards
 // fits, to some units in the last place; rounded to either side. Infinite where no limit binds.
-double reachable_change(const Approach& approach, const Peaks& peaks,
+double reachable_change(const Approach& approach, const ShapePeaks& peaks,
                         const RampLimits& limits) noexcept;
 double s_curve_reachable_change(const Approach& approach, const RampLimits& limits) noexcept;
 

@@ -11,7 +11,7 @@ namespace {
 struct Family {
   static constexpr double kJerkBest = Sigmoid::kJerkBestShape;
   static constexpr double kAccelerationBest = Sigmoid::kAccelerationBestShape;
-  static Peaks peaks(double shape) noexcept { return Sigmoid{shape}.peaks(); }
+  static ShapePeaks peaks(double shape) noexcept { return Sigmoid{shape}.peaks(); }
 };
 
 }  // namespace
@@ -39,10 +39,10 @@ Sigmoid::Cubic Sigmoid::cubic() const noexcept {
   return {.b1 = 9.0 * slope - 54.0 * phi, .b2 = 27.0 * phi - 3.0 * slope};
 }
 
-Peaks Sigmoid::peaks() const noexcept {
+ShapePeaks Sigmoid::peaks() const noexcept {
   const auto [b1, b2] = cubic();
-  Peaks peaks{.acceleration = shape_ * gain_,
-              .jerk = std::max(std::abs(2.0 * b2), std::abs(2.0 * b1 + 2.0 * b2))};
+  ShapePeaks peaks{.acceleration = shape_ * gain_,
+                   .jerk = std::max(std::abs(2.0 * b2), std::abs(2.0 * b1 + 2.0 * b2))};
   if (b1 < 0.0 && b2 < -b1) {  // the cubic's own peak, at x = -b2 / (3 b1) < 1/3
     peaks.acceleration = std::max(peaks.acceleration, -b2 * b2 / (3.0 * b1));
   }

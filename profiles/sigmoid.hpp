@@ -38,7 +38,7 @@ class Sigmoid {
   [[nodiscard]] double peak_jerk() const noexcept { return peaks().jerk; }
   // The true peaks of the shape; the paper's bound of j* is a little higher where the logistic's
   // own extreme lies outside the middle third.
-  [[nodiscard]] Peaks peaks() const noexcept;
+  [[nodiscard]] ShapePeaks peaks() const noexcept;
 
  private:
   struct Cubic {  // phi = b1 x^3 + b2 x^2

@@ -8,8 +8,8 @@ namespace kerf::profiles {
 // phi = (1 + sin(pi (x - 1/2))) / 2 (docs/math.md, 2.4). Jerk jumps at both ends.
 class Sine {
  public:
-  static constexpr Peaks kPeaks{.acceleration = 1.5707963267948966,  // pi / 2
-                                .jerk = 4.934802200544679};          // pi^2 / 2
+  static constexpr ShapePeaks kPeaks{.acceleration = 1.5707963267948966,  // pi / 2
+                                     .jerk = 4.934802200544679};          // pi^2 / 2
 
   static Sine fastest(double change_mm_s, const RampLimits& limits) noexcept;
 

@@ -82,7 +82,7 @@ double dilogarithm(const DiscPoint& z) noexcept {
 }
 
 // a* at x = 1/2; j* where cos 2 pi x = 1 - h, the root of docs/math.md, 2.7 without cancellation.
-Peaks peaks_of_gap(double gap) noexcept {
+ShapePeaks peaks_of_gap(double gap) noexcept {
   const double r = 1.0 - gap;
   const double e = gap * gap;
   const double h =
@@ -96,7 +96,7 @@ Peaks peaks_of_gap(double gap) noexcept {
 struct Family {
   static constexpr double kJerkBest = -0.13136873356426446;        // log(1 - kGentlestRatio)
   static constexpr double kAccelerationBest = -20.72326583694641;  // log(kSmallestGap)
-  static Peaks peaks(double log_gap) noexcept { return peaks_of_gap(std::exp(log_gap)); }
+  static ShapePeaks peaks(double log_gap) noexcept { return peaks_of_gap(std::exp(log_gap)); }
 };
 
 double optimal_gap(double change_mm_s, const RampLimits& limits) {

@@ -138,10 +138,10 @@ void Blender::settle(double wanted_at_end_mm, std::vector<PathSegment>& out) {
   const double free_mm = first_->length_mm - first_->cut_begin_mm;
   double way =
       std::min(allotted_mm(second_->wanted_mm, wanted_at_end_mm, second_->length_mm), free_mm);
-  const double most_mm = second_->length_mm - kMinRest_mm;
-  way = std::min(way, most_mm);
+  const double max_mm = second_->length_mm - kMinRest_mm;
+  way = std::min(way, max_mm);
   if (free_mm - way < kMinRest_mm) {
-    way = free_mm <= most_mm ? free_mm : std::min(free_mm, most_mm) - kMinRest_mm;
+    way = free_mm <= max_mm ? free_mm : std::min(free_mm, max_mm) - kMinRest_mm;
   }
   std::optional<Chosen> chosen;
   if (second_->wanted_mm > kMinWay_mm && way > kMinWay_mm) {

@@ -20,9 +20,9 @@ constexpr double kAllowed = 0.95;
 constexpr double kLargest_mm = 1e5;
 constexpr double kMinSweep_rad = 0.2;  // of less a spline tells no less
 
-using Plane = std::array<std::size_t, 3>;  // first, second, normal
+using AxisOrder = std::array<std::size_t, 3>;  // first, second, normal
 
-Eigen::Vector2d in(const Plane& plane, const Vertex& vertex) {
+Eigen::Vector2d in(const AxisOrder& plane, const Vertex& vertex) {
   return {vertex.point_mm[plane[0]], vertex.point_mm[plane[1]]};
 }
 
@@ -30,8 +30,8 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-std::optional<Plane> plane_of(const Polyline& run, std::size_t last) {
-  for (const Plane& plane : {Plane{0, 1, 2}, Plane{2, 0, 1}, Plane{1, 2, 0}}) {
+std::optional<AxisOrder> plane_of(const Polyline& run, std::size_t last) {
+  for (const AxisOrder& plane : {AxisOrder{0, 1, 2}, AxisOrder{2, 0, 1}, AxisOrder{1, 2, 0}}) {
     const bool flat = std::all_of(
         run.begin(), run.begin() + static_cast<std::ptrdiff_t>(last) + 1, [&](const Vertex& v) {
           return std::abs(v.point_mm[plane[2]] - run[0].point_mm[plane[2]]) <= kFlat_mm;

@@ -3,9 +3,9 @@
 // Idea. A jump of the curvature by k is a jump of the acceleration by k v^2, for which the jerk of
 // a tick has to suffice: so it is passed slowly, however smooth the rest of the curve is. Under G64
 // it becomes a ramp, within P. Where jumps are far apart, the curve is cut at them and a blend goes
-// into each joint; what lies between stays as it is programmed. Where they are so near that blends
-// would take all of the curve, its points go the way of runs of short lines: one spline, four times
-// continuously differentiable, within the tolerance of all of it.
+// into each junction; what lies between stays as it is programmed. Where they are so near that
+// blends would take all of the curve, its points go the way of runs of short lines: one spline,
+// four times continuously differentiable, within the tolerance of all of it.
 //
 // Weakness. One near pair of jumps makes a spline of all of the curve.
 #pragma once

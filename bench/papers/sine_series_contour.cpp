@@ -15,7 +15,7 @@ using profiles::ProfileKind;
 namespace {
 
 struct ContourError {
-  double most_um = 0.0;
+  double max_um = 0.0;
   double mean_um = 0.0;
 };
 
@@ -34,11 +34,11 @@ ContourError contour_error(const char* program, const MachineSettings& settings,
     judge.add(tick.setpoint, tick.chord_error_mm);
     servo.write(tick.setpoint);
     const double um = kMicrometre * servo.read().contour_error_mm;
-    error.most_um = std::max(error.most_um, um);
+    error.max_um = std::max(error.max_um, um);
     error.mean_um += um / static_cast<double>(run.ticks.size());
   }
   const std::string name = program;
-  table.require("the table follows " + name, servo.read().fault == machine::Fault::none);
+  table.require("the table follows " + name, servo.read().fault == machine::DriveFault::none);
   table.require(name + " keeps its limits", judge.excess().figure == TickExcess::Figure::none);
   return error;
 }
@@ -46,12 +46,12 @@ ContourError contour_error(const char* program, const MachineSettings& settings,
 }  // namespace
 
 void add_contour_errors(const MachineSettings& settings, Comparison& table) {
-  constexpr double kMostBand_um = 4.0;
+  constexpr double kMaxBand_um = 4.0;
   constexpr double kMeanBand_um = 1.5;
   struct Row {
     const char* curve;
     ProfileKind kind;
-    double most_um;
+    double max_um;
     double mean_um;
   };
   const std::string model =
@@ -73,7 +73,7 @@ void add_contour_errors(const MachineSettings& settings, Comparison& table) {
            .band = band,
            .why = lost ? "the trident's points are lost; " + model : model});
     };
-    add("largest", row.most_um, error.most_um, kMostBand_um);
+    add("largest", row.max_um, error.max_um, kMaxBand_um);
     add("mean", row.mean_um, error.mean_um, kMeanBand_um);
   }
 }

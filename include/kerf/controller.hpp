@@ -91,7 +91,7 @@ struct ControllerEvent {
 
 /// What an operator sees, of one tick.
 struct ControllerStatus {
-  static constexpr std::size_t kMostCodes = 200;
+  static constexpr std::size_t kMaxCodes = 200;
 
   ControllerState state = ControllerState::off;
   WaitsFor waits_for = WaitsFor::nothing;
@@ -106,7 +106,7 @@ struct ControllerStatus {
   BlockDelete block_delete{};
   Setpoint setpoint{};  ///< its tick counts from the controller's first
   /// "G1 G17 G21 ...": in force where the tool is, cut off where they are longer; the rest is 0.
-  std::array<char, kMostCodes> codes{};
+  std::array<char, kMaxCodes> codes{};
 };
 
 /// Runs programs one after the other, each by a Kernel of its own, which begins where the tool is.

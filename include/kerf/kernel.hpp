@@ -163,9 +163,10 @@ class KERF_API Kernel {
   /// lets it. False: a value is out of its range, and nothing changes. Planning side.
   bool set_feed_inputs(const FeedInputs& inputs);
 
-  /// The tool comes to rest at the joint behind each block of the program and waits for resume();
-  /// ticks are `waiting` then. Several lines that G64 made one curve of are one block. Switched on
-  /// in motion, the first is the block at whose end the limits still let it rest. Planning side.
+  /// The tool comes to rest at the junction behind each block of the program and waits for
+  /// resume(); ticks are `waiting` then. Several lines that G64 made one curve of are one block.
+  /// Switched on in motion, the first is the block at whose end the limits still let it rest.
+  /// Planning side.
   void set_single_block(bool on);
 
   /// From the next tick on the tool brakes on the path as fast as the accelerations of path and

@@ -28,8 +28,8 @@ enum class Constraint : std::uint8_t {
 /// G96: the spindle turns so that the workpiece passes the tool at one speed. The tool's distance
 /// from the axis is |per_x x + per_y y + at_origin_mm| of the axes' positions.
 struct SurfaceSpeed {
-  double mm_s = 0.0;        ///< > 0 clockwise, < 0 counterclockwise; 0: not in force
-  double most_rad_s = 0.0;  ///< the spindle's highest speed; >= 0
+  double mm_s = 0.0;       ///< > 0 clockwise, < 0 counterclockwise; 0: not in force
+  double max_rad_s = 0.0;  ///< the spindle's highest speed; >= 0
   double per_x = 1.0;
   double per_y = 0.0;
   double at_origin_mm = 0.0;

@@ -15,13 +15,13 @@ constexpr double kGain_s = 0.002;     // a cut costs some instants without accel
 constexpr double kSideGrowth = 1.25;  // from one side of the hull to the next that is kept
 
 // A corner of the hull.
-struct Corner {
+struct HullCorner {
   std::size_t sample = 0;
   double s_mm = 0.0;
   double squared = 0.0;  // of the feedrate
 };
 
-double slope_of(const Corner& a, const Corner& b) {
+double slope_of(const HullCorner& a, const HullCorner& b) {
   return (b.squared - a.squared) / (b.s_mm - a.s_mm);
 }
 
@@ -33,8 +33,8 @@ bool is_out_of_reach(const Slope::Sample& sample, double v_foot_mm_s, double jer
 }
 
 // Never below 0: no feedrate further up lies below one before it.
-std::vector<Corner> lower_hull(const std::vector<Slope::Sample>& samples, double jerk_mm_s3) {
-  std::vector<Corner> corners;
+std::vector<HullCorner> lower_hull(const std::vector<Slope::Sample>& samples, double jerk_mm_s3) {
+  std::vector<HullCorner> corners;
   double lowest = kUnbounded;
   for (std::size_t i = samples.size(); i-- > 0;) {
     lowest = std::min(lowest, samples[i].v_mm_s);
@@ -42,7 +42,8 @@ std::vector<Corner> lower_hull(const std::vector<Slope::Sample>& samples, double
         is_out_of_reach({samples[i].distance_mm, lowest}, samples.front().v_mm_s, jerk_mm_s3)) {
       continue;
     }
-    const Corner corner{.sample = i, .s_mm = samples[i].distance_mm, .squared = lowest * lowest};
+    const HullCorner corner{
+        .sample = i, .s_mm = samples[i].distance_mm, .squared = lowest * lowest};
     while (corners.size() > 1 &&
            slope_of(corner, corners[corners.size() - 2]) <= slope_of(corner, corners.back())) {
       corners.pop_back();
@@ -53,8 +54,8 @@ std::vector<Corner> lower_hull(const std::vector<Slope::Sample>& samples, double
   return corners;
 }
 
-std::vector<Corner> thinned(const std::vector<Corner>& hull) {
-  std::vector<Corner> kept{hull.front()};
+std::vector<HullCorner> thinned(const std::vector<HullCorner>& hull) {
+  std::vector<HullCorner> kept{hull.front()};
   for (std::size_t i = 1; i + 1 < hull.size(); ++i) {
     if (slope_of(hull[i], hull[i + 1]) > kSideGrowth * slope_of(kept.back(), hull[i])) {
       kept.push_back(hull[i]);
@@ -65,10 +66,10 @@ std::vector<Corner> thinned(const std::vector<Corner>& hull) {
 }
 
 // From the corner on where it is too steep for the machine: a line as steep as that.
-std::vector<Corner> capped(std::vector<Corner> hull, double most) {
+std::vector<HullCorner> capped(std::vector<HullCorner> hull, double most) {
   for (std::size_t i = 0; i + 1 < hull.size(); ++i) {
     if (slope_of(hull[i], hull[i + 1]) > most) {
-      Corner end = hull.back();
+      HullCorner end = hull.back();
       end.squared = hull[i].squared + most * (end.s_mm - hull[i].s_mm);
       hull.resize(i + 1);
       hull.push_back(end);
@@ -90,7 +91,7 @@ double ramp_s(double way_mm, const SquaredFeeds& squared) {
 
 class Cuts {
  public:
-  explicit Cuts(std::vector<Corner> corners) : corners_(std::move(corners)) {}
+  explicit Cuts(std::vector<HullCorner> corners) : corners_(std::move(corners)) {}
 
   std::vector<std::size_t> find() {
     look({.begin = 0, .end = corners_.size() - 1});
@@ -107,7 +108,7 @@ class Cuts {
 
   // With a wait at the foot's feedrate, to any of the corners, where that is faster.
   [[nodiscard]] double one_ramp_s(const Part& part) const {
-    Corner foot = corners_[part.begin];
+    HullCorner foot = corners_[part.begin];
     const double way = corners_[part.end].s_mm - foot.s_mm;
     double best = kUnbounded;
     std::size_t touched = part.begin + 1;  // the corner that the steepest line from the foot meets
@@ -159,7 +160,7 @@ class Cuts {
     look({.begin = best, .end = part.end});
   }
 
-  std::vector<Corner> corners_;
+  std::vector<HullCorner> corners_;
   std::vector<std::size_t> samples_;
 };
 
@@ -171,7 +172,7 @@ std::vector<std::size_t> ramp_cuts(const std::vector<Slope::Sample>& samples,
   if (samples.size() < 3) {
     return {};
   }
-  const std::vector<Corner> hull =
+  const std::vector<HullCorner> hull =
       capped(lower_hull(samples, limits.jerk_mm_s3), 2.0 * limits.acceleration_mm_s2);
   return hull.size() < 3 ? std::vector<std::size_t>{} : Cuts(thinned(hull)).find();
 }

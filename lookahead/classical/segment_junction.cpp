@@ -91,8 +91,8 @@ Junction beside_axis_limits(const Junction& found, const JunctionSides& sides,
     const Largest after = largest_near(sides.after->s_begin_mm, *sides.after, constant_velocity);
     BlockEnd end = sides.blocks.before->end;
     BlockEnd begin = sides.blocks.after->begin;
-    end.most_third_per_mm2 = std::max(end.most_third_per_mm2, before.third_per_mm2);
-    begin.most_third_per_mm2 = std::max(begin.most_third_per_mm2, after.third_per_mm2);
+    end.max_third_per_mm2 = std::max(end.max_third_per_mm2, before.third_per_mm2);
+    begin.max_third_per_mm2 = std::max(begin.max_third_per_mm2, after.third_per_mm2);
     const double jerk = corner_feedrate_mm_s(end, begin, limits);
     for (std::size_t k = 0; k < 3; ++k) {
       end.second_per_mm[k] = begin.second_per_mm[k] =

@@ -81,7 +81,7 @@ template <typename Ask>
 class Slope::Search {
  public:
   Search(const Slope& slope, const profiles::Transition& ramp, double least, const Ask& ask)
-      : slope_(slope), ramp_(ramp), most_(least), ask_(ask) {}
+      : slope_(slope), ramp_(ramp), max_(least), ask_(ask) {}
 
   double most() {
     std::array<Point, kRampPoints + 1> points;
@@ -94,7 +94,7 @@ class Slope::Search {
     for (std::size_t k = 1; k < points.size(); ++k) {
       look_between(points[k - 1], points[k]);
     }
-    return most_;
+    return max_;
   }
 
  private:
@@ -115,7 +115,7 @@ class Slope::Search {
 
   void hear(const Point& point) {
     if (point.allowed_from_mm > 0.0) {
-      most_ = std::max(most_, ask_(point.allowed_from_mm, point.s_mm));
+      max_ = std::max(max_, ask_(point.allowed_from_mm, point.s_mm));
     }
   }
 
@@ -128,7 +128,7 @@ class Slope::Search {
   [[nodiscard]] bool may_ask_for_more(const Gap& gap) const {
     return gap.halvings < kMaxHalvings && gap.high.allowed_from_mm > 0.0 &&
            gap.high.v_mm_s - gap.low.v_mm_s > kStrict * gap.high.v_mm_s &&
-           ask_(gap.high.allowed_from_mm, gap.low.s_mm) > most_;
+           ask_(gap.high.allowed_from_mm, gap.low.s_mm) > max_;
   }
 
   void look_between(const Point& low, const Point& high) {
@@ -149,7 +149,7 @@ class Slope::Search {
 
   const Slope& slope_;
   const profiles::Transition& ramp_;
-  double most_;
+  double max_;
   const Ask& ask_;
 };
 

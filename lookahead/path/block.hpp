@@ -24,7 +24,7 @@ struct BlockLimits {
 
 // The path at an end of a block, where it meets the next one.
 struct BlockEnd : curves::PathDerivatives {
-  double most_third_per_mm2 = 0.0;           // the largest |q'''| of the curve; 0: it does not bind
+  double max_third_per_mm2 = 0.0;            // the largest |q'''| of the curve; 0: it does not bind
   curves::AuxiliaryPosition extra_per_mm{};  // how far the extra axes move per length of the path
 };
 

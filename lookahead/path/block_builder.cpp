@@ -76,8 +76,8 @@ void set_limits_of_curve(double feedrate_mm_s, const PlanLimits& limits, Block& 
     block.limits = arc_limits(bend, feedrate_mm_s, limits);
     bind_feedrate(block.along, {arc_chord_feedrate_mm_s(bend, limits), Constraint::chord_error});
     bind_feedrate(block.along, normal_bound(bend.curvature_per_mm, limits));
-    block.begin.most_third_per_mm2 = bend.third_per_mm2;
-    block.end.most_third_per_mm2 = bend.third_per_mm2;
+    block.begin.max_third_per_mm2 = bend.third_per_mm2;
+    block.end.max_third_per_mm2 = bend.third_per_mm2;
   } else {
     block.limits = nurbs_limits(*nurbs, feedrate_mm_s, limits);
   }

@@ -50,12 +50,12 @@ MotionLimits ramp_at(const NurbsCurve& curve, const FeedSample& at, const ScanLi
 }
 
 // By how much the mean feedrate of a tick may be above the one at its middle.
-struct Excess {
+struct OverLimit {
   double on_slope_mm_s = 0.0;
   double in_valley_mm_s = 0.0;
 };
 
-Excess excess_at(const NurbsCurve& curve, const FeedSample& middle, const ScanLimits& limits) {
+OverLimit excess_at(const NurbsCurve& curve, const FeedSample& middle, const ScanLimits& limits) {
   const MotionLimits ramp = ramp_at(curve, middle, limits);
   const double by_jerk = ramp.jerk_mm_s3 * limits.period_s * limits.period_s / 24.0;
   const double by_jump = 0.25 * ramp.acceleration_mm_s2 * limits.period_s;
@@ -157,7 +157,7 @@ VelocityLimitCurve scan_feedrate(const NurbsCurve& curve, const ScanLimits& limi
     const double middle = bound.s_mm + 0.5 * way;
     double v = bound.v_mm_s;
     if (binds) {
-      const Excess excess =
+      const OverLimit excess =
           excess_at(curve, {.s_mm = std::clamp(middle, 0.0, length), .v_mm_s = v}, limits);
       v = kInside * std::max(v - excess.on_slope_mm_s, kMinShare * v);
       const HeldTick tick{.begin_mm = std::max(bound.s_mm, 0.0),

@@ -98,7 +98,7 @@ double path_step_of(const BlockEnd& before, const BlockEnd& after) {
 double corner_feedrate_mm_s(const BlockEnd& before, const BlockEnd& after,
                             const PlanLimits& limits) {
   const double ts = limits.period_s;
-  const double third = std::max(before.most_third_per_mm2, after.most_third_per_mm2);
+  const double third = std::max(before.max_third_per_mm2, after.max_third_per_mm2);
   double feedrate = kUnbounded;
   for (std::size_t k = 0; k < 3; ++k) {
     const MotionLimits& axis = limits.axes[k];

@@ -83,9 +83,9 @@ class Scan {
 };
 
 // The value of a line through samples; the first or last one's beyond them.
-class Line {
+class LimitLine {
  public:
-  explicit Line(const VelocityLimitCurve& samples) : samples_(samples) {}
+  explicit LimitLine(const VelocityLimitCurve& samples) : samples_(samples) {}
 
   // Places must ascend.
   FeedSample at(double s_mm) {
@@ -141,8 +141,8 @@ void lower_to_normal_limits(const curves::NurbsCurve& curve, const PlanLimits& l
   VelocityLimitCurve places;
   std::ranges::merge(limit_curve, scan.samples(), std::back_inserter(places), {}, &FeedSample::s_mm,
                      &FeedSample::s_mm);
-  Line before(limit_curve);
-  Line normal(scan.samples());
+  LimitLine before(limit_curve);
+  LimitLine normal(scan.samples());
   VelocityLimitCurve lower;
   for (const FeedSample& place : places) {
     const FeedSample a = before.at(place.s_mm);

@@ -143,10 +143,10 @@ void bind(const Slowing& slowing, const Slowing::Ahead& ahead, const Block& befo
       curve.end());
   for (FeedSample& sample : curve) {
     const double way_mm = std::max(begin_mm + sample.s_mm, 0.0);
-    const double most_mm_s =
+    const double max_mm_s =
         std::max((1.0 + kRoom) * sample_of(before, sample.s_mm).v_mm_s, to_mm_s);
     const double bound =
-        std::min(slowing.bound_mm_s({.way_mm = way_mm, .to_mm_s = to_mm_s}), most_mm_s);
+        std::min(slowing.bound_mm_s({.way_mm = way_mm, .to_mm_s = to_mm_s}), max_mm_s);
     if (bound < sample.v_mm_s) {
       sample.v_mm_s = bound;
       sample.limit = Constraint::programmed;
@@ -184,7 +184,7 @@ double Slowing::way_mm(double to_mm_s) const {
   return down ? stretch_ * down->at(down->duration_s()).s_mm : 0.0;
 }
 
-double Slowing::most_mm_s() const {
+double Slowing::max_mm_s() const {
   const double a = std::max(motion_.a_mm_s2, 0.0);
   return (1.0 + kRoom) * (motion_.v_mm_s + 0.5 * a * a / ramp_.jerk_mm_s3);
 }
@@ -203,8 +203,8 @@ std::size_t let_slow_down(const SlowingOrder& order, const PlanLimits& limits,
     ++count;
     if (slowing.bound_mm_s({.way_mm = way_mm, .to_mm_s = to_mm_s}) > to_mm_s) {
       const Block before = *block;
-      const double most_mm_s = std::max(slowing.most_mm_s(), to_mm_s);
-      set_limits(block->rapid ? kUnbounded : most_mm_s, limits, order.plan, *block);
+      const double max_mm_s = std::max(slowing.max_mm_s(), to_mm_s);
+      set_limits(block->rapid ? kUnbounded : max_mm_s, limits, order.plan, *block);
       bind(slowing, {.way_mm = begin_mm, .to_mm_s = to_mm_s}, before, *block);
     } else {
       set_limits(order.by, limits, order.plan, *block);

@@ -33,7 +33,7 @@ class Slowing {
   // How far behind the begin the bound is down to to_mm_s.
   [[nodiscard]] double way_mm(double to_mm_s) const;
   // Nowhere higher than this or to_mm_s.
-  [[nodiscard]] double most_mm_s() const;
+  [[nodiscard]] double max_mm_s() const;
 
  private:
   profiles::PathMotion motion_;

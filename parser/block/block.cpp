@@ -2,7 +2,7 @@
 
 namespace kerf::parser {
 
-const Word* leftmost(const Block& block, Letters set) {
+const Word* leftmost(const BlockWords& block, Letters set) {
   const Word* first = nullptr;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     if ((set & letter_bit(letter)) != 0 && block.has(letter) &&
@@ -13,7 +13,7 @@ const Word* leftmost(const Block& block, Letters set) {
   return first;
 }
 
-char letter_of(const Block& block, const Word& word) {
+char letter_of(const BlockWords& block, const Word& word) {
   return static_cast<char>(block.line[word.offset] & ~0x20);
 }
 

@@ -23,7 +23,7 @@ struct Word {
 // Why the grammar stopped before the end of the line, where the bytes alone do not show it.
 enum class Stop : std::uint8_t { none, repeated, too_many_g, too_many_m, value };
 
-struct Block {
+struct BlockWords {
   static constexpr std::size_t kMaxG = 16;
   static constexpr std::size_t kMaxM = 4;
   static constexpr std::uint32_t kNoWord = 0xFFFFFFFF;
@@ -80,8 +80,8 @@ struct Block {
 };
 
 // The first word of `set` in the order of the line; nullptr where there is none.
-const Word* leftmost(const Block& block, Letters set);
+const Word* leftmost(const BlockWords& block, Letters set);
 // The capital letter of a word.
-char letter_of(const Block& block, const Word& word);
+char letter_of(const BlockWords& block, const Word& word);
 
 }  // namespace kerf::parser

@@ -21,11 +21,11 @@ namespace {
 
 using namespace leaves;
 
-std::uint32_t offset_in(const Block& block, const char* at) {
+std::uint32_t offset_in(const BlockWords& block, const char* at) {
   return static_cast<std::uint32_t>(at - block.line.data());
 }
 
-[[gnu::noinline]] void note_oddity(Block& block, Word& word, char letter, Oddity oddity) {
+[[gnu::noinline]] void note_oddity(BlockWords& block, Word& word, char letter, Oddity oddity) {
   constexpr Letters kCoordinates = letters('X', 'Y', 'Z', 'I', 'J');
   if (oddity == Oddity::blank_inside) {
     block.blank_in_number = block.blank_in_number == 0 ? word.offset + 1 : block.blank_in_number;
@@ -40,16 +40,16 @@ std::uint32_t offset_in(const Block& block, const char* at) {
 
 // The place for a word whose letter has been before, or is G or M; nullptr where it may not stand
 // again.
-[[gnu::noinline]] Word* place_for(Block& block, char letter) {
+[[gnu::noinline]] Word* place_for(BlockWords& block, char letter) {
   if (letter == 'G') {
-    if (block.g_count == Block::kMaxG) {
+    if (block.g_count == BlockWords::kMaxG) {
       block.stop = Stop::too_many_g;
       return nullptr;
     }
     return &block.g[block.g_count++];
   }
   if (letter == 'M') {
-    if (block.m_count == Block::kMaxM) {
+    if (block.m_count == BlockWords::kMaxM) {
       block.stop = Stop::too_many_m;
       return nullptr;
     }
@@ -75,7 +75,7 @@ double settled(const ScannedNumber& number, char letter) {
 
 // A word is stored after one test of its letter's bit; only G, M and a letter that was there
 // before need a closer look.
-bool store_word(Block& block, const char* at, const ScannedNumber& number) {
+bool store_word(BlockWords& block, const char* at, const ScannedNumber& number) {
   const auto index = static_cast<unsigned>((*at | 0x20) - 'a');
   const Letters bit = Letters{1} << index;
   Word* word = &block.words[index];
@@ -91,7 +91,7 @@ bool store_word(Block& block, const char* at, const ScannedNumber& number) {
   word->offset = offset_in(block, at);
   word->length = static_cast<std::uint32_t>(number.end - at);
   block.pointed |= static_cast<Letters>(number.point) << index;
-  if (block.first_word == Block::kNoWord) {
+  if (block.first_word == BlockWords::kNoWord) {
     block.first_word = word->offset;
   }
   if (number.oddity != Oddity::none) {
@@ -111,7 +111,7 @@ bool rounds_to_increment(const Evaluator& evaluator, char letter) {
 // The same for a value of the evaluator: a vacant one makes no word.
 [[gnu::noinline]] bool store_worked_out(const Target& target, const char* at,
                                         ScannedNumber number) {
-  Block& block = target.block;
+  BlockWords& block = target.block;
   const char letter = detail::to_upper(*at);
   if (rounds_to_increment(target.evaluator, letter)) {
     block.stop = Stop::value;
@@ -135,7 +135,7 @@ constexpr auto keep_word = [](auto& context) {
 constexpr auto keep_line_number = [](auto& context) {
   const auto& parts = x3::_attr(context);
   const char* const at = boost::fusion::at_c<0>(parts);
-  Block& block = target_of(context).block;
+  BlockWords& block = target_of(context).block;
   const ScannedNumber& number = boost::fusion::at_c<1>(parts);
   const auto* const sign = std::find(at, number.end, '-');
   x3::_pass(context) = sign == number.end && store_word(block, at, number);
@@ -147,11 +147,11 @@ constexpr auto keep_delete_switch = [](auto& context) {
   target_of(context).block.numbered_delete = target_of(context).block.remarkable = true;
 };
 constexpr auto keep_comment = [](auto& context) {
-  Block& block = target_of(context).block;
+  BlockWords& block = target_of(context).block;
   block.comment = offset_in(block, x3::_attr(context)) + 1;
 };
 constexpr auto keep_remark = [](auto& context) {
-  Block& block = target_of(context).block;
+  BlockWords& block = target_of(context).block;
   block.remark = offset_in(block, x3::_attr(context)) + 1;
   block.remarkable = true;
 };
@@ -161,7 +161,7 @@ const Letter letter{};
 const PlainNumber number{};
 const Value value{};
 const Assignment assignment{};
-const Position here{};
+const ReadPosition here{};
 const CommentByte inside_brackets{};
 const CommentByte to_the_end = byte_of_remark();
 
@@ -174,7 +174,7 @@ const auto line_number =
 const auto block_delete = x3::lit('/')[keep_delete] >>
                           -(x3::char_('1', '9')[keep_delete_switch]) >> blanks;
 // False: the line is not complete.
-[[gnu::noinline]] bool finish_assignments(Block& block, Evaluator& evaluator) {
+[[gnu::noinline]] bool finish_assignments(BlockWords& block, Evaluator& evaluator) {
   evaluator.commit();
   block.stale_read = evaluator.stale_read();
   block.remarkable = true;
@@ -197,7 +197,7 @@ const auto line = blanks >> -block_delete >> -line_number >>
 
 }  // namespace
 
-bool read_block(std::string_view text, Block& block, Evaluator& evaluator) {
+bool read_block(std::string_view text, BlockWords& block, Evaluator& evaluator) {
   block.clear(text);
   evaluator.begin_line();
   const char* at = text.data();

@@ -13,7 +13,7 @@ namespace kerf::parser::leaves {
 
 // What is filled, and who works out what is no plain number.
 struct Target {
-  Block& block;
+  BlockWords& block;
   Evaluator& evaluator;
 };
 struct TargetTag {};
@@ -26,7 +26,7 @@ const Target& target_of(const Context& context) {
 struct CommentByte : Leaf<CommentByte, Nothing> {
   bool brackets = false;
   template <class Context>
-  bool operator()(const Place<Context>& place, Nothing&) const {
+  bool operator()(const GrammarPlace<Context>& place, Nothing&) const {
     if (place.at == place.end || *place.at == '\0' ||
         (!brackets && (*place.at == '(' || *place.at == ')'))) {
       return false;
@@ -44,7 +44,7 @@ constexpr CommentByte byte_of_remark() {
 // An address letter other than N, which has its own place.
 struct Letter : Leaf<Letter, const char*> {
   template <class Context>
-  bool operator()(const Place<Context>& place, const char*& at) const {
+  bool operator()(const GrammarPlace<Context>& place, const char*& at) const {
     if (place.at == place.end || !detail::is_letter(*place.at) ||
         detail::to_upper(*place.at) == 'N') {
       return false;
@@ -56,7 +56,7 @@ struct Letter : Leaf<Letter, const char*> {
 
 struct PlainNumber : Leaf<PlainNumber, ScannedNumber> {
   template <class Context>
-  bool operator()(const Place<Context>& place, ScannedNumber& number) const {
+  bool operator()(const GrammarPlace<Context>& place, ScannedNumber& number) const {
     number = scan_number(place.at, place.end);
     if (number.end == nullptr) {
       return false;
@@ -92,7 +92,7 @@ struct PlainNumber : Leaf<PlainNumber, ScannedNumber> {
 
 struct Value : Leaf<Value, ScannedNumber> {
   template <class Context>
-  bool operator()(const Place<Context>& place, ScannedNumber& number) const {
+  bool operator()(const GrammarPlace<Context>& place, ScannedNumber& number) const {
     // '+' to '9': the signs, the point, the digits, and ',' and '/', which no value begins with.
     if (place.at != place.end && static_cast<unsigned char>(*place.at - '+') <= '9' - '+') {
       number = scan_number(place.at, place.end);
@@ -106,7 +106,7 @@ struct Value : Leaf<Value, ScannedNumber> {
 };
 
 [[gnu::noinline]] inline bool read_assignment(const Target& target, const char*& at) {
-  Block& block = target.block;
+  BlockWords& block = target.block;
   Cursor cursor{block.line, static_cast<std::size_t>(at - block.line.data())};
   if (block.assignment == 0) {
     block.assignment = static_cast<std::uint32_t>(cursor.at) + 1;
@@ -121,16 +121,16 @@ struct Value : Leaf<Value, ScannedNumber> {
 
 struct Assignment : Leaf<Assignment, Nothing> {
   template <class Context>
-  bool operator()(const Place<Context>& place, Nothing&) const {
+  bool operator()(const GrammarPlace<Context>& place, Nothing&) const {
     return place.at != place.end && *place.at == '#' &&
            read_assignment(target_of(place.context), place.at);
   }
 };
 
 // Where the grammar is, without taking anything.
-struct Position : Leaf<Position, const char*> {
+struct ReadPosition : Leaf<ReadPosition, const char*> {
   template <class Context>
-  bool operator()(const Place<Context>& place, const char*& at) const {
+  bool operator()(const GrammarPlace<Context>& place, const char*& at) const {
     at = place.at;
     return true;
   }

@@ -28,7 +28,7 @@ bool is_macro_word(const std::string& word) {
   });
 }
 
-diagnostics::Fault explain_comment(const Block& block, std::size_t at) {
+diagnostics::Fault explain_comment(const BlockWords& block, std::size_t at) {
   for (std::size_t i = at + 1; i < block.line.size(); ++i) {
     if (block.line[i] == '(') {
       return {static_cast<std::uint32_t>(i), "'(' inside a comment", &errors::kNestedComment};
@@ -41,7 +41,7 @@ diagnostics::Fault explain_comment(const Block& block, std::size_t at) {
           &errors::kUnclosedComment};
 }
 
-diagnostics::Fault explain_letter(const Block& block, std::size_t at) {
+diagnostics::Fault explain_letter(const BlockWords& block, std::size_t at) {
   const char letter = static_cast<char>(block.line[at] & ~0x20);
   const auto offset = static_cast<std::uint32_t>(at);
   if (block.stop == Stop::repeated) {
@@ -49,14 +49,16 @@ diagnostics::Fault explain_letter(const Block& block, std::size_t at) {
             &errors::kRepeatedWord};
   }
   if (block.stop == Stop::too_many_g) {
-    return {offset,
-            joined({"too many G codes in one block (at most ", std::to_string(Block::kMaxG), ")"}),
-            &errors::kTooManyGCodes};
+    return {
+        offset,
+        joined({"too many G codes in one block (at most ", std::to_string(BlockWords::kMaxG), ")"}),
+        &errors::kTooManyGCodes};
   }
   if (block.stop == Stop::too_many_m) {
-    return {offset,
-            joined({"too many M codes in one block (at most ", std::to_string(Block::kMaxM), ")"}),
-            &errors::kTooManyMCodes};
+    return {
+        offset,
+        joined({"too many M codes in one block (at most ", std::to_string(BlockWords::kMaxM), ")"}),
+        &errors::kTooManyMCodes};
   }
   const std::string_view word = letters_at(block.line.substr(at));
   if (upper(word) == "THEN") {
@@ -79,7 +81,7 @@ diagnostics::Fault explain_letter(const Block& block, std::size_t at) {
 }
 
 // A character straight after a number that cannot go on there.
-diagnostics::Fault explain_after_number(const Block& block, std::size_t at) {
+diagnostics::Fault explain_after_number(const BlockWords& block, std::size_t at) {
   std::size_t start = at;
   while (start > 0 && (is_digit(block.line[start - 1]) || block.line[start - 1] == '.')) {
     --start;
@@ -132,7 +134,7 @@ bool is_operator_behind_value(std::string_view line, std::size_t at) {
 }
 
 // What is left: parts of numbers where no number can be, and what no block has.
-diagnostics::Fault explain_beside_number(const Block& block, std::size_t at) {
+diagnostics::Fault explain_beside_number(const BlockWords& block, std::size_t at) {
   const std::string_view line = block.line;
   const char c = line[at];
   const std::size_t open =
@@ -155,7 +157,7 @@ diagnostics::Fault explain_beside_number(const Block& block, std::size_t at) {
 
 }  // namespace
 
-diagnostics::Fault explain_stop(const Block& block) {
+diagnostics::Fault explain_stop(const BlockWords& block) {
   if (block.stop == Stop::value) {
     return *block.fault;
   }

@@ -7,6 +7,6 @@
 namespace kerf::parser {
 
 // Precondition: read_block returned false for this block.
-diagnostics::Fault explain_stop(const Block& block);
+diagnostics::Fault explain_stop(const BlockWords& block);
 
 }  // namespace kerf::parser

@@ -107,7 +107,7 @@ diagnostics::Fault explain_characters(const Gap& gap) {
 
 }  // namespace
 
-diagnostics::Fault explain_missing_number(const Block& block, std::size_t letter_at) {
+diagnostics::Fault explain_missing_number(const BlockWords& block, std::size_t letter_at) {
   const std::string_view line = block.line;
   std::size_t at = letter_at + 1;
   while (at < line.size() && is_blank(line[at])) {

@@ -19,6 +19,6 @@ inline std::string_view letters_at(std::string_view rest) {
 }
 
 // Precondition: a letter stands at `letter_at` in the block's line, and no number behind it.
-diagnostics::Fault explain_missing_number(const Block& block, std::size_t letter_at);
+diagnostics::Fault explain_missing_number(const BlockWords& block, std::size_t letter_at);
 
 }  // namespace kerf::parser

@@ -18,8 +18,8 @@ using planar::Vec;
 // How far the tool may be inside the contour where a corner is taken for straight.
 constexpr double kSmooth_mm = 5e-7;
 
-Corner smooth_corner(const OffsetCurve& first, const OffsetCurve& second, double left_mm) {
-  Corner corner;
+OffsetCorner smooth_corner(const OffsetCurve& first, const OffsetCurve& second, double left_mm) {
+  OffsetCorner corner;
   corner.kind = CornerKind::smooth;
   if (first.path.is_arc()) {
     corner.first_end_mm = first.path.end_mm;
@@ -35,8 +35,8 @@ Corner smooth_corner(const OffsetCurve& first, const OffsetCurve& second, double
   return corner;
 }
 
-Corner inside_corner(const OffsetCurve& first, const OffsetCurve& second, double left_mm) {
-  Corner corner;
+OffsetCorner inside_corner(const OffsetCurve& first, const OffsetCurve& second, double left_mm) {
+  OffsetCorner corner;
   corner.kind = CornerKind::too_tight;
   planar::Crossings meet = crossings(first.path, second.path);
   if (!first.path.is_arc() && !second.path.is_arc()) {
@@ -63,7 +63,7 @@ Corner inside_corner(const OffsetCurve& first, const OffsetCurve& second, double
 }
 
 // To the left positive.
-double bend_per_mm(const planar::Curve& curve) {
+double bend_per_mm(const planar::ContourElement& curve) {
   return !curve.is_arc() ? 0.0 : std::copysign(1.0 / curve.start_radius_mm(), curve.sweep_rad);
 }
 
@@ -78,7 +78,7 @@ bool turns_back(double sine, double cosine, const OffsetCurve& first, const Offs
 
 }  // namespace
 
-Corner corner_between(const OffsetCurve& first, const OffsetCurve& second, double left_mm) {
+OffsetCorner corner_between(const OffsetCurve& first, const OffsetCurve& second, double left_mm) {
   const Vec before = end_direction(first.programmed);
   const Vec after = start_direction(second.programmed);
   const double sine = cross(before, after);

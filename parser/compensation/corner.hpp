@@ -14,7 +14,7 @@ enum class CornerKind : std::uint8_t {
   too_tight,  // inside, and the curves do not meet: the tool does not fit between them
 };
 
-struct Corner {
+struct OffsetCorner {
   CornerKind kind = CornerKind::smooth;
   planar::Vec first_end_mm;     // where the first curve is left
   planar::Vec second_start_mm;  // where the second is begun; not the same at an outside corner
@@ -24,11 +24,11 @@ struct Corner {
 
 // A programmed curve and the tool's way beside it, whole.
 struct OffsetCurve {
-  planar::Curve programmed;
-  planar::Curve path;
+  planar::ContourElement programmed;
+  planar::ContourElement path;
 };
 
 // `left_mm` is the offset of both: positive with the tool on the left. Both are not 0 long.
-Corner corner_between(const OffsetCurve& first, const OffsetCurve& second, double left_mm);
+OffsetCorner corner_between(const OffsetCurve& first, const OffsetCurve& second, double left_mm);
 
 }  // namespace kerf::parser

@@ -85,8 +85,9 @@ bool CutterCompensation::moves_in_plane(const Move& move) const {
   return std::holds_alternative<ArcMove>(move.shape);
 }
 
-planar::Curve CutterCompensation::curve_of(const Move& move) const {
-  planar::Curve curve{sender_.in_plane(move.start_mm), sender_.in_plane(*end_of(move)), {}};
+planar::ContourElement CutterCompensation::curve_of(const Move& move) const {
+  planar::ContourElement curve{
+      sender_.in_plane(move.start_mm), sender_.in_plane(*end_of(move)), {}};
   if (const auto* arc = std::get_if<ArcMove>(&move.shape)) {
     curve.centre_mm = sender_.in_plane(arc->centre_mm);
     curve.sweep_rad =
@@ -160,9 +161,9 @@ void CutterCompensation::take_contour(const Move& move) {
     second.run = 0;
     ++run_;
   }
-  const std::optional<planar::Curve> path = offset(second.curve.programmed, left_mm());
+  const std::optional<planar::ContourElement> path = offset(second.curve.programmed, left_mm());
   if (!path) {
-    const planar::Curve& arc = second.curve.programmed;
+    const planar::ContourElement& arc = second.curve.programmed;
     blame(second, errors::kCompensationArcTooSmall,
           joined({"the tool does not fit inside the arc: radius ",
                   in_mm(std::min(arc.start_radius_mm(), arc.end_radius_mm())),

@@ -94,7 +94,7 @@ class CutterCompensation {
   [[nodiscard]] bool goes_on_at(const Point& start_mm);
   [[nodiscard]] HeldMove* last_curve();
   void join(HeldMove& first, HeldMove& second);
-  void join_inside(HeldMove& first, HeldMove& second, const Corner& corner);
+  void join_inside(HeldMove& first, HeldMove& second, const OffsetCorner& corner);
   bool has_room(HeldMove& held);
   [[nodiscard]] bool is_first(const HeldMove& move) const;
   static void cut_off_overrun(const HeldMove& first, HeldMove& newest);
@@ -110,7 +110,7 @@ class CutterCompensation {
   void send(const HeldMove& held);
   void blame(HeldMove& held, const diagnostics::ErrorPage& page, std::string message);
 
-  [[nodiscard]] planar::Curve curve_of(const Move& move) const;
+  [[nodiscard]] planar::ContourElement curve_of(const Move& move) const;
   [[nodiscard]] bool moves_in_plane(const Move& move) const;
   [[nodiscard]] double left_mm() const {
     return start_.side == CutterSide::left ? start_.radius_mm : -start_.radius_mm;

@@ -23,7 +23,7 @@ std::string line_of(const Move& move) {
 }  // namespace
 
 void CutterCompensation::join(HeldMove& first, HeldMove& second) {
-  const Corner corner = corner_between(first.curve, second.curve, left_mm());
+  const OffsetCorner corner = corner_between(first.curve, second.curve, left_mm());
   if (corner.kind == CornerKind::too_tight) {
     blame(second, errors::kCompensationCornerTooTight,
           joined({"the tool (radius ", in_mm(start_.radius_mm),
@@ -51,7 +51,8 @@ void CutterCompensation::join(HeldMove& first, HeldMove& second) {
   }
 }
 
-void CutterCompensation::join_inside(HeldMove& first, HeldMove& second, const Corner& corner) {
+void CutterCompensation::join_inside(HeldMove& first, HeldMove& second,
+                                     const OffsetCorner& corner) {
   first.lost_at_end_mm = corner.first_loses_mm;
   second.lost_at_start_mm = corner.second_loses_mm;
   if (!has_room(first) || !has_room(second)) {
@@ -59,7 +60,7 @@ void CutterCompensation::join_inside(HeldMove& first, HeldMove& second, const Co
     second.run = run_;
     return;
   }
-  const auto lose = [](planar::Curve& way, double lost_mm, double radius_mm) {
+  const auto lose = [](planar::ContourElement& way, double lost_mm, double radius_mm) {
     if (way.is_arc()) {
       way.sweep_rad -= std::copysign(lost_mm / radius_mm, way.sweep_rad);
     }

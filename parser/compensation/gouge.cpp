@@ -27,12 +27,12 @@ constexpr double kDeepestNick = 0.3;  // of the radius
 constexpr double kSamePlace_mm = 1e-3;
 
 bool on_curve(planar::Vec place_mm, const HeldMove& move) {
-  const planar::Curve point{place_mm, place_mm, {}};
+  const planar::ContourElement point{place_mm, place_mm, {}};
   return !far_apart(point, move.curve.programmed, kSamePlace_mm) &&
          distance_mm(point, move.curve.programmed) < kSamePlace_mm;
 }
 
-double radii_differ_mm(const planar::Curve& curve) {
+double radii_differ_mm(const planar::ContourElement& curve) {
   return curve.is_arc() ? std::fabs(curve.start_radius_mm() - curve.end_radius_mm()) : 0.0;
 }
 
@@ -45,7 +45,8 @@ bool comparable(const HeldMove& mover, const HeldMove& contour) {
           (mover.role == HeldRole::exit && contour.number + 1 == mover.number));
 }
 
-double depth_mm(const planar::Curve& way, const planar::Curve& contour, double radius_mm) {
+double depth_mm(const planar::ContourElement& way, const planar::ContourElement& contour,
+                double radius_mm) {
   if (far_apart(way, contour, radius_mm)) {
     return 0.0;
   }
@@ -83,7 +84,7 @@ bool ends_on(const HeldMove& move, const HeldMove& other) {
 }
 
 bool is_closed(const HeldMove& move) {
-  const planar::Curve& curve = move.curve.programmed;
+  const planar::ContourElement& curve = move.curve.programmed;
   return length(curve.start_mm - curve.end_mm) < kSamePlace_mm;
 }
 

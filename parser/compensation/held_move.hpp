@@ -25,14 +25,15 @@ struct HeldMove {
   Move move;                           // as programmed
   diagnostics::DiagnosticPlace place;  // of curves
   HeldRole role = HeldRole::idle;
-  OffsetCurve curve;   // both without regard to corners
-  planar::Curve wall;  // what is to be kept of curve.programmed
-  planar::Curve way;   // of the tool's centre: curve.path with its ends where the corners put them
+  OffsetCurve curve;            // both without regard to corners
+  planar::ContourElement wall;  // what is to be kept of curve.programmed
+  // Of the tool's centre: curve.path with its ends where the corners put them.
+  planar::ContourElement way;
   // The tool first rolls about the corner at the start, along `corner`. An entry has the corner at
   // its end here, to be compared with the contour and not to be sent.
   bool has_corner = false;
   bool corner_is_of_entry = false;  // is sent and not compared
-  planar::Curve corner;
+  planar::ContourElement corner;
   double lost_at_start_mm = 0.0;  // of curve.path, to inside corners
   double lost_at_end_mm = 0.0;
   bool lead = false;      // leads in or out: other moves may pass over it, see gouge.cpp

@@ -28,7 +28,8 @@ void PathSender::send_line(const HeldMove& held, const Point& end_mm) {
 
 // An ArcMove tells its sweep by its ends and turns, so an end that comes within rounding of the
 // start must be the start, or an almost full circle would become almost none.
-void PathSender::send_arc(const HeldMove& held, const planar::Curve& arc, double normal_mm) {
+void PathSender::send_arc(const HeldMove& held, const planar::ContourElement& arc,
+                          double normal_mm) {
   constexpr double kNoise_rad = 1e-9;
   ArcMove shape;
   shape.plane = plane_;

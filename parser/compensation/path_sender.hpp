@@ -34,7 +34,7 @@ class PathSender {
   [[nodiscard]] Point point_at(planar::Vec centre_mm, double normal_mm) const;
   Move& push(const HeldMove& held, const Point& end_mm);
   void send_line(const HeldMove& held, const Point& end_mm);
-  void send_arc(const HeldMove& held, const planar::Curve& arc, double normal_mm);
+  void send_arc(const HeldMove& held, const planar::ContourElement& arc, double normal_mm);
 
   Plane plane_ = Plane::xy;
   PlaneAxes axes_ = axes_of(Plane::xy);

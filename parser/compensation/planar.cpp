@@ -9,11 +9,11 @@ namespace {
 // Angles this close to a whole turn are a point just outside the arc, not one nearly round it.
 constexpr double kAngleNoise_rad = 1e-7;
 
-bool clockwise(const Curve& curve) {
+bool clockwise(const ContourElement& curve) {
   return curve.sweep_rad < 0.0;
 }
 
-Vec direction_at(const Curve& arc, Vec point) {
+Vec direction_at(const ContourElement& arc, Vec point) {
   const Vec radial = point - arc.centre_mm;
   const Vec along = (1.0 / length(radial)) * left_of(radial);
   return clockwise(arc) ? -1.0 * along : along;
@@ -73,7 +73,7 @@ double turn_rad(Vec from, Vec to, bool clockwise) {
   return turn < 0.0 ? turn + kTurn_rad : turn;
 }
 
-Vec start_direction(const Curve& curve) {
+Vec start_direction(const ContourElement& curve) {
   if (curve.is_arc()) {
     return direction_at(curve, curve.start_mm);
   }
@@ -81,17 +81,17 @@ Vec start_direction(const Curve& curve) {
   return (1.0 / length(along)) * along;
 }
 
-Vec end_direction(const Curve& curve) {
+Vec end_direction(const ContourElement& curve) {
   return curve.is_arc() ? direction_at(curve, curve.end_mm) : start_direction(curve);
 }
 
-double length_mm(const Curve& curve) {
+double length_mm(const ContourElement& curve) {
   return curve.is_arc()
              ? std::fabs(curve.sweep_rad) * (curve.start_radius_mm() + curve.end_radius_mm()) / 2
              : length(curve.end_mm - curve.start_mm);
 }
 
-std::optional<Curve> offset(const Curve& curve, double left_mm) {
+std::optional<ContourElement> offset(const ContourElement& curve, double left_mm) {
   constexpr double kSmallestRadius_mm = 1e-6;
   if (curve.is_arc()) {
     const double inwards = clockwise(curve) ? -left_mm : left_mm;
@@ -100,13 +100,13 @@ std::optional<Curve> offset(const Curve& curve, double left_mm) {
       return std::nullopt;
     }
   }
-  Curve moved = curve;
+  ContourElement moved = curve;
   moved.start_mm = curve.start_mm + left_mm * left_of(start_direction(curve));
   moved.end_mm = curve.end_mm + left_mm * left_of(end_direction(curve));
   return moved;
 }
 
-Crossings crossings(const Curve& first, const Curve& second) {
+Crossings crossings(const ContourElement& first, const ContourElement& second) {
   const Circle first_circle{first.centre_mm, first.end_radius_mm()};
   const Circle second_circle{second.centre_mm, second.start_radius_mm()};
   if (first.is_arc()) {
@@ -119,7 +119,7 @@ Crossings crossings(const Curve& first, const Curve& second) {
                          : of_lines(first.end_mm, along, second.start_mm, start_direction(second));
 }
 
-double ahead_of_start_mm(const Curve& curve, Vec point_mm) {
+double ahead_of_start_mm(const ContourElement& curve, Vec point_mm) {
   if (!curve.is_arc()) {
     return dot(point_mm - curve.start_mm, start_direction(curve));
   }
@@ -128,7 +128,7 @@ double ahead_of_start_mm(const Curve& curve, Vec point_mm) {
   return turn > kTurn_rad - kAngleNoise_rad ? 0.0 : turn * curve.start_radius_mm();
 }
 
-double before_end_mm(const Curve& curve, Vec point_mm) {
+double before_end_mm(const ContourElement& curve, Vec point_mm) {
   if (!curve.is_arc()) {
     return dot(curve.end_mm - point_mm, end_direction(curve));
   }
@@ -137,8 +137,8 @@ double before_end_mm(const Curve& curve, Vec point_mm) {
   return turn > kTurn_rad - kAngleNoise_rad ? 0.0 : turn * curve.end_radius_mm();
 }
 
-Curve up_to(const Curve& curve, Vec point_mm) {
-  Curve part = curve;
+ContourElement up_to(const ContourElement& curve, Vec point_mm) {
+  ContourElement part = curve;
   part.end_mm = point_mm;
   if (curve.is_arc()) {
     part.sweep_rad =

@@ -39,7 +39,7 @@ inline double angle_rad(Vec a) {
 
 // A line, or an arc about `centre_mm`. The radii at an arc's ends may differ by what the control
 // tolerates; neither is 0. A line is longer than 0 unless both its ends were cut back to one point.
-struct Curve {
+struct ContourElement {
   Vec start_mm;
   Vec end_mm;
   Vec centre_mm;           // of an arc
@@ -54,34 +54,34 @@ struct Curve {
 // (-2 pi, 0].
 double turn_rad(Vec from, Vec to, bool clockwise);
 
-Vec start_direction(const Curve& curve);  // unit length, the way of travel
-Vec end_direction(const Curve& curve);
-double length_mm(const Curve& curve);  // of an arc with the mean of its radii
+Vec start_direction(const ContourElement& curve);  // unit length, the way of travel
+Vec end_direction(const ContourElement& curve);
+double length_mm(const ContourElement& curve);  // of an arc with the mean of its radii
 
 // The curve moved `left_mm` to the left of its travel (negative: right). Nothing where that is at
 // or beyond an arc's centre, or the arc is but a point.
-std::optional<Curve> offset(const Curve& curve, double left_mm);
+std::optional<ContourElement> offset(const ContourElement& curve, double left_mm);
 
 // Where the curves meet if each is carried on beyond its ends; an arc with two radii has the one
-// next to the joint, which is the first's end and the second's start.
+// next to the junction, which is the first's end and the second's start.
 struct Crossings {
   std::array<Vec, 2> points_mm;
   std::size_t count = 0;
 };
-Crossings crossings(const Curve& first, const Curve& second);
+Crossings crossings(const ContourElement& first, const ContourElement& second);
 
 // How far along the curve the point, which lies on it or its continuation, is behind its start or
 // before its end; negative if outside a line.
-double ahead_of_start_mm(const Curve& curve, Vec point_mm);
-double before_end_mm(const Curve& curve, Vec point_mm);
+double ahead_of_start_mm(const ContourElement& curve, Vec point_mm);
+double before_end_mm(const ContourElement& curve, Vec point_mm);
 
 // The curve up to the point, which lies on it.
-Curve up_to(const Curve& curve, Vec point_mm);
+ContourElement up_to(const ContourElement& curve, Vec point_mm);
 
 // The smallest distance between two curves, 0 where they cross.
-double distance_mm(const Curve& a, const Curve& b);
+double distance_mm(const ContourElement& a, const ContourElement& b);
 
 // Whether the curves are certainly farther apart than that, told at little cost.
-bool far_apart(const Curve& a, const Curve& b, double distance_mm);
+bool far_apart(const ContourElement& a, const ContourElement& b, double distance_mm);
 
 }  // namespace kerf::parser::planar

@@ -14,28 +14,28 @@ namespace kerf::parser::planar {
 
 namespace {
 
-double radius_mm(const Curve& arc) {
+double radius_mm(const ContourElement& arc) {
   return (arc.start_radius_mm() + arc.end_radius_mm()) / 2;
 }
 
-bool holds_angle(const Curve& arc, Vec from_centre) {
+bool holds_angle(const ContourElement& arc, Vec from_centre) {
   constexpr double kNoise_rad = 1e-12;
   const double turn =
       std::fabs(turn_rad(arc.start_mm - arc.centre_mm, from_centre, arc.sweep_rad < 0.0));
   return turn <= std::fabs(arc.sweep_rad) + kNoise_rad || turn > kTurn_rad - kNoise_rad;
 }
 
-bool holds_place(const Curve& line, Vec point) {
+bool holds_place(const ContourElement& line, Vec point) {
   const Vec along = line.end_mm - line.start_mm;
   const double at = dot(point - line.start_mm, along);
   return at >= 0.0 && at <= dot(along, along);
 }
 
-bool holds(const Curve& curve, Vec point) {
+bool holds(const ContourElement& curve, Vec point) {
   return curve.is_arc() ? holds_angle(curve, point - curve.centre_mm) : holds_place(curve, point);
 }
 
-double from_point_mm(Vec point, const Curve& curve) {
+double from_point_mm(Vec point, const ContourElement& curve) {
   const double to_ends = std::min(length(point - curve.start_mm), length(point - curve.end_mm));
   if (!holds(curve, point)) {
     return to_ends;
@@ -50,7 +50,7 @@ double from_point_mm(Vec point, const Curve& curve) {
 }
 
 // Of a line and an arc by their common normal, and 0 if they cross.
-double line_to_arc_mm(const Curve& line, const Curve& arc) {
+double line_to_arc_mm(const ContourElement& line, const ContourElement& arc) {
   double best = std::numeric_limits<double>::infinity();
   const Vec along = line.end_mm - line.start_mm;
   const double square = dot(along, along);
@@ -76,7 +76,7 @@ double line_to_arc_mm(const Curve& line, const Curve& arc) {
   return best;
 }
 
-bool arcs_cross(const Curve& a, const Curve& b, Vec between) {
+bool arcs_cross(const ContourElement& a, const ContourElement& b, Vec between) {
   const double apart = length(between);
   const double ra = radius_mm(a);
   const double rb = radius_mm(b);
@@ -93,7 +93,7 @@ bool arcs_cross(const Curve& a, const Curve& b, Vec between) {
   });
 }
 
-double arc_to_arc_mm(const Curve& a, const Curve& b) {
+double arc_to_arc_mm(const ContourElement& a, const ContourElement& b) {
   double best = std::numeric_limits<double>::infinity();
   const Vec between = b.centre_mm - a.centre_mm;
   const double apart = length(between);
@@ -116,7 +116,7 @@ double arc_to_arc_mm(const Curve& a, const Curve& b) {
   return best;
 }
 
-bool lines_cross(const Curve& a, const Curve& b) {
+bool lines_cross(const ContourElement& a, const ContourElement& b) {
   const Vec along_a = a.end_mm - a.start_mm;
   const Vec along_b = b.end_mm - b.start_mm;
   const auto parted = [](double first, double second) { return first * second < 0.0; };
@@ -124,7 +124,7 @@ bool lines_cross(const Curve& a, const Curve& b) {
          parted(cross(along_b, a.start_mm - b.start_mm), cross(along_b, a.end_mm - b.start_mm));
 }
 
-double inside_mm(const Curve& a, const Curve& b) {
+double inside_mm(const ContourElement& a, const ContourElement& b) {
   if (a.is_arc()) {
     return b.is_arc() ? arc_to_arc_mm(a, b) : line_to_arc_mm(b, a);
   }
@@ -138,7 +138,7 @@ struct Box {
   Vec low;
   Vec high;
 };
-Box box_of(const Curve& curve) {
+Box box_of(const ContourElement& curve) {
   if (curve.is_arc()) {
     const double radius = std::max(curve.start_radius_mm(), curve.end_radius_mm());
     return {curve.centre_mm - Vec{radius, radius}, curve.centre_mm + Vec{radius, radius}};
@@ -149,12 +149,12 @@ Box box_of(const Curve& curve) {
 
 }  // namespace
 
-double distance_mm(const Curve& a, const Curve& b) {
+double distance_mm(const ContourElement& a, const ContourElement& b) {
   return std::min({from_point_mm(a.start_mm, b), from_point_mm(a.end_mm, b),
                    from_point_mm(b.start_mm, a), from_point_mm(b.end_mm, a), inside_mm(a, b)});
 }
 
-bool far_apart(const Curve& a, const Curve& b, double distance_mm) {
+bool far_apart(const ContourElement& a, const ContourElement& b, double distance_mm) {
   const Box box_a = box_of(a);
   const Box box_b = box_of(b);
   return box_a.low.x - box_b.high.x > distance_mm || box_b.low.x - box_a.high.x > distance_mm ||

@@ -36,7 +36,7 @@ diagnostics::Fault CurveCode::fault(std::uint32_t offset, const diagnostics::Err
   return {offset, joined({name, ": ", joined(parts)}), &page};
 }
 
-Expected<double> CurveCode::read_weight(const Block& block, const WeightRule& rule) const {
+Expected<double> CurveCode::read_weight(const BlockWords& block, const WeightRule& rule) const {
   const double weight = block.value_or(rule.letter, 1.0);
   if (weight > 0.0) {
     return weight;
@@ -46,7 +46,7 @@ Expected<double> CurveCode::read_weight(const Block& block, const WeightRule& ru
                shortest(weight)});
 }
 
-Done check_plane_axes(const Block& block, Plane plane, std::string_view name) {
+Done check_plane_axes(const BlockWords& block, Plane plane, std::string_view name) {
   const Letters wanted = plane_letters(plane);
   if (const Word* const foreign = leftmost(block, kAxisLetters & ~wanted)) {
     return fail(foreign->offset, errors::kCurveForeignAxis,

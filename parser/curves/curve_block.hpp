@@ -45,11 +45,11 @@ struct CurveCode {
     return diagnostics::failure(fault(offset, page, parts));
   }
   // 1 where the block has no such word; greater than 0.
-  [[nodiscard]] Expected<double> read_weight(const Block& block, const WeightRule& rule) const;
+  [[nodiscard]] Expected<double> read_weight(const BlockWords& block, const WeightRule& rule) const;
 };
 
 // For curves of two axes: either both or none of the plane's axes. `name` begins the message.
-Done check_plane_axes(const Block& block, Plane plane, std::string_view name);
+Done check_plane_axes(const BlockWords& block, Plane plane, std::string_view name);
 
 struct ReadyCurve {
   NurbsMove curve;

@@ -91,7 +91,7 @@ void CurveReader::abandon(ModalState& state) {
   uniform_.abort();
 }
 
-void CurveReader::skip_from(const Block& block) {
+void CurveReader::skip_from(const BlockWords& block) {
   for (std::size_t i = 0; i < block.g_count; ++i) {
     for (const Tenths code : kBegins) {
       if (std::fabs(block.g[i].value * 10.0 - code) < 1e-8) {

@@ -37,7 +37,7 @@ class CurveReader {
   // Drops the curve after an error. Its remaining blocks are skipped.
   void abandon(ModalState& state);
   // Skips the blocks of a curve whose first block has an error.
-  void skip_from(const Block& block);
+  void skip_from(const BlockWords& block);
   void skip(Motion motion);
   [[nodiscard]] bool skipping() const { return skipped_ != kNoCode; }
   void skip_no_more() { skipped_ = kNoCode; }

@@ -101,7 +101,7 @@ Done NurbsCollector::check_knot(const RunningBlock& at, double knot) const {
 }
 
 Done NurbsCollector::check_tail(const RunningBlock& at) const {
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   if (block.has('R')) {
     return kCurve.fail(block.word('R').offset, errors::kNurbsWeightAlone,
                        {"R without a control point"});

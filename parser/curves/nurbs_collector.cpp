@@ -65,7 +65,7 @@ Done NurbsCollector::begin(const RunningBlock& at, const ModalState& state) {
   if (!head) {
     return head;
   }
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   const bool implicit = at.codes[Group::motion] != kG62;
   const bool has_axes = block.has_any(kAxisLetters);
   if (!has_axes && implicit) {
@@ -127,7 +127,7 @@ void NurbsCollector::push_knot(const KnotOfLine& given) {
 }
 
 Done NurbsCollector::add_point(const RunningBlock& at, const ModalState& state) {
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   const Word* const first_axis = leftmost(block, kAxisLetters);
   if (!block.has('K')) {
     return kCurve.fail(first_axis->offset, errors::kKnotMissing, {"K is missing"});
@@ -197,7 +197,7 @@ Expected<CurveProgress> NurbsCollector::add(const RunningBlock& at, const ModalS
 }
 
 Done NurbsCollector::take_block(const RunningBlock& at, const ModalState& state) {
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   if (Done fine = check_foreign(at); !fine) {
     return fine;
   }

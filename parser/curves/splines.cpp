@@ -65,7 +65,7 @@ Done check_axes(const RunningBlock& at, const ModalState& state, std::string_vie
 }  // namespace
 
 Expected<std::optional<Spline>> cubic_spline(const RunningBlock& at, ModalState& state) {
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   if (is_high_speed_mode(at)) {
     at.warn(at.motion_offset(), errors::kHighSpeedMode,
             joined({upper(block.text(code_word(block, at.codes, Group::motion))), " ",
@@ -103,7 +103,7 @@ Expected<std::optional<Spline>> cubic_spline(const RunningBlock& at, ModalState&
 }
 
 Expected<std::optional<Spline>> quadratic_spline(const RunningBlock& at, ModalState& state) {
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   if (is_high_speed_mode(at)) {
     at.warn(at.motion_offset(), errors::kHighSpeedMode,
             joined({"G5.1 ", upper(block.text(*leftmost(block, letters('P', 'Q')))),

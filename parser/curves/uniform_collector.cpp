@@ -143,7 +143,7 @@ Expected<CurveProgress> UniformCollector::add(const RunningBlock& at, const Moda
 }
 
 Done UniformCollector::take_block(const RunningBlock& at, const ModalState& state) {
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   const Tenths code = at.codes[Group::motion];
   if (Done fine = check_foreign(at); !fine) {
     return fine;

@@ -77,7 +77,7 @@ constexpr auto call_plain = [](auto& context) {
     return;
   }
   keep(context, at,
-       other ? apply(Operator::power, {first, *other}, Dialect::fanuc)
+       other ? apply(BinaryOperator::power, {first, *other}, Dialect::fanuc)
              : apply(function, first, evaluator.dialect()));
 };
 constexpr auto call_atan = [](auto& context) {
@@ -116,15 +116,15 @@ const Number number{};
 const Comma comma{};
 const Hash hash{};
 const Name name{};
-const Expected<'[', explain_no_bracket> open{};
-const Expected<']', explain_not_closed> close{};
+const Required<'[', explain_no_bracket> open{};
+const Required<']', explain_not_closed> close{};
 const Deeper<parse_expression> inner{};
 const Deeper<parse_value> inner_value{};
 const Digits digits{};
 const VariableBegins variable_begins{};
 const NoValue no_value{};
 const NoReference no_reference{};
-const Opening opening{};
+const OpeningBracket opening{};
 
 template <class Value>
 constexpr auto rule(const char* what) {

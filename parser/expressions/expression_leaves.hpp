@@ -29,7 +29,7 @@ template <class Self, class Attribute>
 struct ValueLeaf : Leaf<Self, Attribute> {
   template <class Context>
   // NOLINTNEXTLINE(misc-no-recursion): Evaluator::enter says how deep.
-  bool operator()(const Place<Context>& place, Attribute& attribute) const {
+  bool operator()(const GrammarPlace<Context>& place, Attribute& attribute) const {
     const Surroundings& here = x3::get<SurroundingsTag>(place.context).get();
     return this->derived().read({place.at, place.end, here.begin, *here.evaluator}, attribute);
   }
@@ -87,9 +87,9 @@ struct Deeper : ValueLeaf<Deeper<kParseInside>, double> {
   }
 };
 
-// Expected characters, whose absence is a fault.
+// Required characters, whose absence is a fault.
 template <char kWanted, bool (*kExplain)(const Reading&)>
-struct Expected : ValueLeaf<Expected<kWanted, kExplain>, Nothing> {
+struct Required : ValueLeaf<Required<kWanted, kExplain>, Nothing> {
   bool read(const Reading& reading, Nothing&) const {
     if (reading.at == reading.end || *reading.at != kWanted) {
       return kExplain(reading);
@@ -110,7 +110,7 @@ struct NoReference : ValueLeaf<NoReference, Reference> {
   }
 };
 // Whether '[' is next, without taking it.
-struct Opening : ValueLeaf<Opening, Nothing> {
+struct OpeningBracket : ValueLeaf<OpeningBracket, Nothing> {
   bool read(const Reading& reading, Nothing&) const {
     return reading.at != reading.end && *reading.at == '[';
   }
@@ -167,14 +167,14 @@ struct Hash : ValueLeaf<Hash, const char*> {
   }
 };
 
-struct Call {
+struct FunctionCall {
   const char* at = nullptr;
   Function function = Function::none;
 };
 // A function's name; with `only`, that function's, else any but those of another form.
-struct FunctionName : ValueLeaf<FunctionName, Call> {
+struct FunctionName : ValueLeaf<FunctionName, FunctionCall> {
   Function only = Function::none;
-  bool read(const Reading& reading, Call& call) const {
+  bool read(const Reading& reading, FunctionCall& call) const {
     const ScannedName name = scan_name(reading.at, reading.end);
     const Function found = find_function(name.text(), reading.evaluator.dialect());
     const bool special = found == Function::atan || found == Function::exists;
@@ -200,7 +200,7 @@ struct Comma : ValueLeaf<Comma, Nothing> {
 
 struct Join {
   const char* at = nullptr;
-  Operator op = Operator::none;
+  BinaryOperator op = BinaryOperator::none;
 };
 struct OperatorOf : ValueLeaf<OperatorOf, Join> {
   int level = 0;
@@ -209,7 +209,8 @@ struct OperatorOf : ValueLeaf<OperatorOf, Join> {
       return false;
     }
     const ScannedOperator found = scan_operator(reading.at, reading.end);
-    if (found.op == Operator::none || level_of(found.op, reading.evaluator.dialect()) != level) {
+    if (found.op == BinaryOperator::none ||
+        level_of(found.op, reading.evaluator.dialect()) != level) {
       return false;
     }
     join = {reading.at, found.op};

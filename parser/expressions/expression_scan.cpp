@@ -30,14 +30,14 @@ const char* behind(const char* first, const char* last, std::string_view rest) {
 
 struct Spelling {
   std::string_view text;
-  Operator op;
+  BinaryOperator op;
 };
 constexpr std::array kSpellings = {
-    Spelling{"EQ", Operator::equal},       Spelling{"NE", Operator::not_equal},
-    Spelling{"GT", Operator::greater},     Spelling{"GE", Operator::greater_equal},
-    Spelling{"LT", Operator::less},        Spelling{"LE", Operator::less_equal},
-    Spelling{"MOD", Operator::modulo},     Spelling{"AND", Operator::conjunction},
-    Spelling{"OR", Operator::disjunction}, Spelling{"XOR", Operator::exclusive_or},
+    Spelling{"EQ", BinaryOperator::equal},       Spelling{"NE", BinaryOperator::not_equal},
+    Spelling{"GT", BinaryOperator::greater},     Spelling{"GE", BinaryOperator::greater_equal},
+    Spelling{"LT", BinaryOperator::less},        Spelling{"LE", BinaryOperator::less_equal},
+    Spelling{"MOD", BinaryOperator::modulo},     Spelling{"AND", BinaryOperator::conjunction},
+    Spelling{"OR", BinaryOperator::disjunction}, Spelling{"XOR", BinaryOperator::exclusive_or},
 };
 
 std::size_t letters_in(std::string_view rest) {
@@ -110,16 +110,16 @@ ScannedOperator scan_operator(const char* first, const char* last) {
   }
   switch (*first) {
     case '+':
-      return {Operator::add, first + 1};
+      return {BinaryOperator::add, first + 1};
     case '-':
-      return {Operator::subtract, first + 1};
+      return {BinaryOperator::subtract, first + 1};
     case '/':
-      return {Operator::divide, first + 1};
+      return {BinaryOperator::divide, first + 1};
     case '*':
       if (last - first > 1 && first[1] == '*') {
-        return {Operator::power, first + 2};
+        return {BinaryOperator::power, first + 2};
       }
-      return {Operator::multiply, first + 1};
+      return {BinaryOperator::multiply, first + 1};
     default:
       break;
   }

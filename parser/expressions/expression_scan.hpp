@@ -12,7 +12,7 @@
 namespace kerf::parser {
 
 struct ScannedOperator {
-  Operator op = Operator::none;
+  BinaryOperator op = BinaryOperator::none;
   const char* end = nullptr;
 };
 // The operator at `first`, blanks between its letters passed over.

@@ -17,13 +17,14 @@ using Nothing = x3::unused_type;
 
 // Where a leaf reads, and the context that its grammar was given.
 template <class Context>
-struct Place {
+struct GrammarPlace {
   const char*& at;  // moved behind what was read
   const char* end;
   const Context& context;
 };
 
-// A leaf is a function object: it takes a Place and fills its attribute. False: nothing was read.
+// A leaf is a function object: it takes a GrammarPlace and fills its attribute. False: nothing was
+// read.
 template <class Self, class Attribute>
 struct Leaf : x3::parser<Self> {
   using attribute_type = Attribute;
@@ -32,7 +33,7 @@ struct Leaf : x3::parser<Self> {
   // NOLINTNEXTLINE(misc-no-recursion): Evaluator::enter says how deep.
   bool parse(const char*& first, const char* last, const Context& context, RContext&,
              Actual& actual) const {
-    const Place<Context> place{first, last, context};
+    const GrammarPlace<Context> place{first, last, context};
     if constexpr (std::is_same_v<Actual, Attribute>) {
       return this->derived()(place, actual);
     } else {
@@ -45,7 +46,7 @@ struct Leaf : x3::parser<Self> {
 
 struct Blanks : Leaf<Blanks, Nothing> {
   template <class Context>
-  bool operator()(const Place<Context>& place, Nothing&) const {
+  bool operator()(const GrammarPlace<Context>& place, Nothing&) const {
     while (place.at != place.end && detail::is_blank(*place.at)) {
       ++place.at;
     }

@@ -58,15 +58,15 @@ bool equal(const Operands& operands, Dialect dialect) {
          kFanucTolerance * std::fmax(std::fabs(operands.left), std::fabs(operands.right));
 }
 
-Outcome logical(Operator op, const Operands& operands) {
+Outcome logical(BinaryOperator op, const Operands& operands) {
   const bool left = operands.left != 0.0;
   const bool right = operands.right != 0.0;
-  return truth(op == Operator::conjunction
+  return truth(op == BinaryOperator::conjunction
                    ? left && right
-                   : (op == Operator::disjunction ? left || right : left != right));
+                   : (op == BinaryOperator::disjunction ? left || right : left != right));
 }
 
-Outcome bitwise(Operator op, const Operands& operands) {
+Outcome bitwise(BinaryOperator op, const Operands& operands) {
   constexpr double kMax = 2147483647.0;
   for (const double value : {operands.left, operands.right}) {
     if (!(std::fabs(value) <= kMax)) {
@@ -78,36 +78,37 @@ Outcome bitwise(Operator op, const Operands& operands) {
   const auto right = static_cast<std::int32_t>(std::lround(operands.right));
   const auto l = static_cast<std::uint32_t>(left);
   const auto r = static_cast<std::uint32_t>(right);
-  const std::uint32_t bits =
-      op == Operator::conjunction ? l & r : (op == Operator::disjunction ? l | r : l ^ r);
+  const std::uint32_t bits = op == BinaryOperator::conjunction
+                                 ? l & r
+                                 : (op == BinaryOperator::disjunction ? l | r : l ^ r);
   return {static_cast<double>(static_cast<std::int32_t>(bits)), nullptr, {}};
 }
 
-Outcome apply_plain(Operator op, const Operands& operands, Dialect dialect) {
+Outcome apply_plain(BinaryOperator op, const Operands& operands, Dialect dialect) {
   switch (op) {
-    case Operator::power:
+    case BinaryOperator::power:
       return power(operands);
-    case Operator::multiply:
+    case BinaryOperator::multiply:
       return finite(operands.left * operands.right);
-    case Operator::divide:
+    case BinaryOperator::divide:
       return divide(operands);
-    case Operator::modulo:
+    case BinaryOperator::modulo:
       return modulo(operands, dialect);
-    case Operator::add:
+    case BinaryOperator::add:
       return finite(operands.left + operands.right);
-    case Operator::subtract:
+    case BinaryOperator::subtract:
       return finite(operands.left - operands.right);
-    case Operator::equal:
+    case BinaryOperator::equal:
       return truth(equal(operands, dialect));
-    case Operator::not_equal:
+    case BinaryOperator::not_equal:
       return truth(!equal(operands, dialect));
-    case Operator::greater:
+    case BinaryOperator::greater:
       return truth(operands.left > operands.right);
-    case Operator::greater_equal:
+    case BinaryOperator::greater_equal:
       return truth(operands.left >= operands.right);
-    case Operator::less:
+    case BinaryOperator::less:
       return truth(operands.left < operands.right);
-    case Operator::less_equal:
+    case BinaryOperator::less_equal:
       return truth(operands.left <= operands.right);
     default:
       return !rules_of(dialect).macro_arithmetic ? logical(op, operands) : bitwise(op, operands);
@@ -116,18 +117,18 @@ Outcome apply_plain(Operator op, const Operands& operands, Dialect dialect) {
 
 }  // namespace
 
-int level_of(Operator op, Dialect dialect) {
+int level_of(BinaryOperator op, Dialect dialect) {
   constexpr std::array<int, 16> kNgc = {-1, 4, 3, 3, 3, 2, 2, 1, 1, 1, 1, 1, 1, 0, 0, 0};
   constexpr std::array<int, 16> kFanuc = {-1, -1, 3, 3, 3, 2, 2, 1, 1, 1, 1, 1, 1, 3, 2, 2};
   return (!rules_of(dialect).macro_arithmetic ? kNgc : kFanuc)[static_cast<std::size_t>(op)];
 }
 
-Outcome apply(Operator op, const Operands& operands, Dialect dialect) {
+Outcome apply(BinaryOperator op, const Operands& operands, Dialect dialect) {
   const bool left = is_vacant(operands.left);
   const bool right = is_vacant(operands.right);
   if (left || right) {
-    if (op == Operator::equal || op == Operator::not_equal) {
-      return truth((left && right) == (op == Operator::equal));
+    if (op == BinaryOperator::equal || op == BinaryOperator::not_equal) {
+      return truth((left && right) == (op == BinaryOperator::equal));
     }
     return apply_plain(op, {left ? 0.0 : operands.left, right ? 0.0 : operands.right}, dialect);
   }

@@ -9,7 +9,7 @@
 
 namespace kerf::parser {
 
-enum class Operator : std::uint8_t {
+enum class BinaryOperator : std::uint8_t {
   none,
   power,
   multiply,
@@ -45,11 +45,11 @@ struct Outcome {
 // 2.9, measured with rs274]. Fanuc: * / MOD AND | + - OR XOR | comparisons [B-64304EN, 16.2].
 inline constexpr int kLowestLevel = 0;
 inline constexpr int kHighestLevel = 4;
-int level_of(Operator op, Dialect dialect);
+int level_of(BinaryOperator op, Dialect dialect);
 
 // RS274/NGC: EQ and NE take values that differ by less than 0.0001 for equal, AND OR XOR are
 // logical, MOD is never negative. Fanuc: AND OR XOR work on the bits of whole numbers, MOD has the
 // sign of the left value, kVacant counts as 0 but equals only kVacant.
-Outcome apply(Operator op, const Operands& operands, Dialect dialect);
+Outcome apply(BinaryOperator op, const Operands& operands, Dialect dialect);
 
 }  // namespace kerf::parser

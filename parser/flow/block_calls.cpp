@@ -163,7 +163,7 @@ class MacroCall {
 
 }  // namespace
 
-Expected<Call> read_program_call(const Block& block, const Word& code, Dialect dialect,
+Expected<Call> read_program_call(const BlockWords& block, const Word& code, Dialect dialect,
                                  std::string label) {
   const bool local = code.value == 97.0;
   const std::string_view name = local ? "M97" : "M98";
@@ -193,7 +193,7 @@ Expected<Call> read_program_call(const Block& block, const Word& code, Dialect d
                                 .offset = code.offset});
 }
 
-Expected<Return> read_m99(const Block& block, const Word& code) {
+Expected<Return> read_m99(const BlockWords& block, const Word& code) {
   constexpr double kLargestLineNumber = 999'999'999.0;
   Return back{.offset = code.offset};
   if (!block.has('P')) {
@@ -209,7 +209,7 @@ Expected<Return> read_m99(const Block& block, const Word& code) {
   return back;
 }
 
-void remove_call(Block& block, const Word& code) {
+void remove_call(BlockWords& block, const Word& code) {
   const auto place = static_cast<std::size_t>(&code - block.m.data());
   for (std::size_t i = place + 1; i < block.m_count; ++i) {
     block.m[i - 1] = block.m[i];

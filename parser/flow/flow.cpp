@@ -15,7 +15,7 @@ Flow::Flow(const ReaderOptions& options, ProgramInput& input, Evaluator& evaluat
       diagnostics_(&diagnostics),
       interpreter_(&interpreter) {}
 
-void Flow::start(const Line& line, Start how) {
+void Flow::start(const NumberedLine& line, Start how) {
   main_ = std::make_unique<ProgramText>(TextOrigin{.dialect = options_->dialect,
                                                    .block_delete = options_->block_delete,
                                                    .first_line = line.number});
@@ -60,7 +60,7 @@ bool Flow::grow() {
   if (main_->closed()) {
     return false;
   }
-  Line line;
+  NumberedLine line;
   const bool more = input_->next(line);
   if (more) {
     main_->take(line);
@@ -210,7 +210,7 @@ Flow::Step Flow::at_end_of_text() {
 }
 
 // Runs the line at the cursor where it is a statement. True: `line` is to be handed out.
-bool Flow::take_line(Line& line) {
+bool Flow::take_line(NumberedLine& line) {
   const StoredLine& stored = text_->line(cursor_);
   come_to(cursor_);
   if (++idle_steps_ > options_->max_idle_steps) {
@@ -228,7 +228,7 @@ bool Flow::take_line(Line& line) {
   return std::exchange(has_ready_, false);
 }
 
-Flow::Step Flow::next(Line& line) {
+Flow::Step Flow::next(NumberedLine& line) {
   while (!stopped_) {
     if (goal_ != Goal::none) {
       if (!reach_goal()) {

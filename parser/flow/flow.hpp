@@ -59,9 +59,9 @@ class Flow {
     bool has_run = false;
     bool keeping = false;
   };
-  void start(const Line& line, Start how);
+  void start(const NumberedLine& line, Start how);
   // Precondition: active(). The line is valid until the next call.
-  Step next(Line& line);
+  Step next(NumberedLine& line);
   // The line that next() gave made the tool move.
   void moved() {
     if (active_) {
@@ -145,7 +145,7 @@ class Flow {
   void count_motion();
   void stop_endless_loop();
   Step at_end_of_text();
-  bool take_line(Line& line);
+  bool take_line(NumberedLine& line);
 
   // flow_statements.cpp
   void run(std::uint32_t index);

@@ -64,7 +64,7 @@ ProgramText* Flow::load(const std::string& label) {
   LineSplitter lines;
   lines.feed(bytes);
   lines.finish();
-  for (Line line; !file->closed() && lines.next(line);) {
+  for (NumberedLine line; !file->closed() && lines.next(line);) {
     file->take(line);
   }
   file->close();

@@ -14,6 +14,6 @@ struct NumberedMessage {
 };
 
 // Between two moves; further ones are lost.
-inline constexpr std::size_t kMostMessages = 1000;
+inline constexpr std::size_t kMaxMessages = 1000;
 
 }  // namespace kerf::parser

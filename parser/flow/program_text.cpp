@@ -29,7 +29,7 @@ bool ProgramText::take_percent(std::string_view text, std::size_t at) {
   return true;
 }
 
-void ProgramText::take(const Line& line) {
+void ProgramText::take(const NumberedLine& line) {
   const std::uint32_t index = store_.append(line);
   const std::string_view text = store_[index].view();
   const std::size_t first = skip_blanks(text, 0);

@@ -37,7 +37,7 @@ class ProgramText {
   ProgramText& operator=(const ProgramText&) = delete;
 
   // Precondition: not closed(). A closing '%' closes the text.
-  void take(const Line& line);
+  void take(const NumberedLine& line);
   // No line follows.
   void close();
   [[nodiscard]] bool closed() const { return closed_; }

@@ -18,26 +18,26 @@ using detail::is_digit;
 using diagnostics::Done;
 using diagnostics::fail;
 
-struct Word {
+struct OWord {
   std::string_view text;
   Keyword keyword;
 };
-constexpr std::array<Word, 16> kOWords{{{"sub", Keyword::o_sub},
-                                        {"endsub", Keyword::o_endsub},
-                                        {"return", Keyword::o_return},
-                                        {"call", Keyword::o_call},
-                                        {"if", Keyword::o_if},
-                                        {"elseif", Keyword::o_elseif},
-                                        {"else", Keyword::o_else},
-                                        {"endif", Keyword::o_endif},
-                                        {"while", Keyword::o_while},
-                                        {"endwhile", Keyword::o_endwhile},
-                                        {"do", Keyword::o_do},
-                                        {"repeat", Keyword::o_repeat},
-                                        {"endrepeat", Keyword::o_endrepeat},
-                                        {"break", Keyword::o_break},
-                                        {"continue", Keyword::o_continue},
-                                        {"", Keyword::program}}};
+constexpr std::array<OWord, 16> kOWords{{{"sub", Keyword::o_sub},
+                                         {"endsub", Keyword::o_endsub},
+                                         {"return", Keyword::o_return},
+                                         {"call", Keyword::o_call},
+                                         {"if", Keyword::o_if},
+                                         {"elseif", Keyword::o_elseif},
+                                         {"else", Keyword::o_else},
+                                         {"endif", Keyword::o_endif},
+                                         {"while", Keyword::o_while},
+                                         {"endwhile", Keyword::o_endwhile},
+                                         {"do", Keyword::o_do},
+                                         {"repeat", Keyword::o_repeat},
+                                         {"endrepeat", Keyword::o_endrepeat},
+                                         {"break", Keyword::o_break},
+                                         {"continue", Keyword::o_continue},
+                                         {"", Keyword::program}}};
 
 // Letters from `at` on, blanks between them left out, as RS274/NGC reads them.
 std::string keyword_text(std::string_view line, std::size_t& at) {
@@ -72,7 +72,7 @@ Expected<Statement> read_o_word(std::string_view line, std::size_t at, const Dia
   statement.rest = static_cast<std::uint32_t>(end);
   const std::string name = shown_label(plain_label(line, statement));
   const auto* const word = std::find_if(kOWords.begin(), kOWords.end(),
-                                        [&](const Word& known) { return known.text == text; });
+                                        [&](const OWord& known) { return known.text == text; });
   if (word == kOWords.end()) {
     return fail(statement.keyword_at, errors::kUnknownOWord,
                 joined({name, ": '", text, "' is not known (sub, call, if, while ...)"}));
@@ -221,7 +221,7 @@ std::string_view name_of(Keyword keyword) {
   const Keyword written = keyword == Keyword::o_do_while ? Keyword::o_while : keyword;
   const auto* const word =
       std::find_if(kOWords.begin(), kOWords.end(),
-                   [written](const Word& known) { return known.keyword == written; });
+                   [written](const OWord& known) { return known.keyword == written; });
   return word == kOWords.end() ? std::string_view() : word->text;
 }
 

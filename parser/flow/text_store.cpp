@@ -4,7 +4,7 @@
 
 namespace kerf::parser {
 
-std::uint32_t TextStore::append(const Line& line) {
+std::uint32_t TextStore::append(const NumberedLine& line) {
   if (chunks_.empty() || used_ + line.text.size() > kChunk) {
     chunks_.push_back(std::make_unique_for_overwrite<Chunk>());
     used_ = 0;

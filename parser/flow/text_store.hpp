@@ -26,7 +26,7 @@ struct StoredLine {
 class TextStore {
  public:
   // The line's index; lines are counted from 0.
-  std::uint32_t append(const Line& line);
+  std::uint32_t append(const NumberedLine& line);
   [[nodiscard]] std::uint32_t size() const { return lines_; }
   [[nodiscard]] const StoredLine& operator[](std::uint32_t index) const {
     return (*blocks_[index / kBlock])[index % kBlock];

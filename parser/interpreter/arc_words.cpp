@@ -23,7 +23,7 @@ bool radii_agree(double at_start, double at_end) {
 }
 
 // I, J and K as a place on the machine, absolute or from where the tool is.
-Point centre_in_machine(const Block& block, const ModalState& state, bool absolute) {
+Point centre_in_machine(const BlockWords& block, const ModalState& state, bool absolute) {
   const double unit = mm_per_unit(state.units);
   Point words{block.value_or('I', 0.0) * unit, block.value_or('J', 0.0) * unit,
               block.value_or('K', 0.0) * unit};
@@ -35,7 +35,7 @@ Point centre_in_machine(const Block& block, const ModalState& state, bool absolu
   return absolute ? words : Point{from[0] + words[0], from[1] + words[1], from[2] + words[2]};
 }
 
-Done turns_from(const Block& block, ArcMove& arc) {
+Done turns_from(const BlockWords& block, ArcMove& arc) {
   constexpr double kMaxTurns = 1e6;
   if (!block.has('P')) {
     arc.turns = 1;
@@ -53,7 +53,7 @@ Done turns_from(const Block& block, ArcMove& arc) {
   return {};
 }
 
-Done centre_from_radius(const Block& block, const ModalState& state, ArcMove& arc) {
+Done centre_from_radius(const BlockWords& block, const ModalState& state, ArcMove& arc) {
   const PlaneAxes axes = axes_of(arc.plane);
   const Word& word = block.word('R');
   const double scale = std::fabs(state.coordinates.scaling().factor[axes.first]);
@@ -94,7 +94,7 @@ std::string radii_differ(InPlane start, InPlane end, InPlane centre) {
                  " mm between start (", in_mm(at_start), ") and end (", in_mm(at_end), ")"});
 }
 
-Done check_radii(const Block& block, const ModalState& state, const ArcMove& arc) {
+Done check_radii(const BlockWords& block, const ModalState& state, const ArcMove& arc) {
   const PlaneAxes axes = axes_of(arc.plane);
   const InPlane start = in_plane(state.position_mm, axes);
   const InPlane end = in_plane(arc.end_mm, axes);
@@ -122,7 +122,7 @@ Done check_radii(const Block& block, const ModalState& state, const ArcMove& arc
   return fail(word.offset, errors::kRadiiDiffer, std::move(message));
 }
 
-Done centre_from_words(const Block& block, const ModalState& state, ArcMove& arc) {
+Done centre_from_words(const BlockWords& block, const ModalState& state, ArcMove& arc) {
   const PlaneAxes axes = axes_of(arc.plane);
   const char first = centre_letter(axes.first);
   const char second = centre_letter(axes.second);
@@ -139,7 +139,7 @@ Done centre_from_words(const Block& block, const ModalState& state, ArcMove& arc
   return check_radii(block, state, arc);
 }
 
-Done check_centre_words(const Block& block, Plane plane) {
+Done check_centre_words(const BlockWords& block, Plane plane) {
   const PlaneAxes axes = axes_of(plane);
   const Letters centre =
       letter_bit(centre_letter(axes.first)) | letter_bit(centre_letter(axes.second));
@@ -157,7 +157,7 @@ Done check_centre_words(const Block& block, Plane plane) {
 
 }  // namespace
 
-Expected<ArcMove> build_arc(const Block& block, const ModalState& state, const Point& end_mm) {
+Expected<ArcMove> build_arc(const BlockWords& block, const ModalState& state, const Point& end_mm) {
   ArcMove arc;
   arc.plane = state.plane;
   arc.clockwise = (state.motion == Motion::arc_clockwise) != state.coordinates.mirrors(state.plane);

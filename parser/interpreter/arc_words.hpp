@@ -11,6 +11,6 @@ namespace kerf::parser {
 // taken as a half circle. In the centre form the radii at the start and at the end may differ by
 // 0.0283 mm, or by 0.1 % up to 2.83 mm, which are LinuxCNC's limits.
 // Precondition: the block has no word that an arc cannot use.
-Expected<ArcMove> build_arc(const Block& block, const ModalState& state, const Point& end_mm);
+Expected<ArcMove> build_arc(const BlockWords& block, const ModalState& state, const Point& end_mm);
 
 }  // namespace kerf::parser

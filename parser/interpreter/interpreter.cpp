@@ -33,7 +33,7 @@ void Interpreter::report(std::uint32_t line, const diagnostics::Fault& fault) {
   }
 }
 
-void Interpreter::run(const Block& block, std::uint32_t line, bool complete) {
+void Interpreter::run(const BlockWords& block, std::uint32_t line, bool complete) {
   memory_.line = line;
   column_ = block.first_word + 1;
   const RunningBlock at{{moves_, {line, column_, file_}, ++blocks_run_, memory_.machine.extra_axes},

@@ -31,7 +31,7 @@ class Interpreter {
   Interpreter(ProgramMemory start, diagnostics::DiagnosticList& diagnostics);
 
   // `complete` is false where the grammar stopped inside the line.
-  void run(const Block& block, std::uint32_t line, bool complete);
+  void run(const BlockWords& block, std::uint32_t line, bool complete);
   // X, Y, Z and those auxiliary axes that the machine has.
   [[nodiscard]] Letters axis_letters() const { return kAxisLetters | memory_.machine.extra_axes; }
   // The line that is about to be read: what it works out may ask for its number.

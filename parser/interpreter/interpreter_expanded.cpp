@@ -85,7 +85,7 @@ Done Interpreter::drill(const RunningBlock& at) {
     return done;
   }
   // A tap's feed goes with the spindle's speed: nobody may change one of them.
-  const Overrides before = state.overrides;
+  const AllowedOverrides before = state.overrides;
   if (std::ranges::find(cycle_steps_, StepKind::spindle_turned, &CycleStep::kind) !=
       cycle_steps_.end()) {
     follow_overrides(at, state, {.feed = false, .speed = false, .feed_hold = before.feed_hold});

@@ -15,7 +15,7 @@ constexpr Tenths kG80 = 800;
 }  // namespace
 
 void Interpreter::recover(const RunningBlock& at) {
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   ModalState& state = memory_.state;
   for (std::size_t i = 0; i < block.g_count; ++i) {
     recover_code(at, block.g[i].value);

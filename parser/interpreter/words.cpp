@@ -54,7 +54,7 @@ Letters letters_of(Motion motion, const DialectRules& rules) {
 }
 
 Done check_users(const RunningBlock& at, Letters of_motion) {
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   for (const char letter : {'P', 'Q', 'R'}) {
     if (block.has(letter) &&
         users_of(at.codes, letter) + ((of_motion & letter_bit(letter)) != 0 ? 1 : 0) > 1) {
@@ -66,7 +66,7 @@ Done check_users(const RunningBlock& at, Letters of_motion) {
 }
 
 Done check_ranges(const RunningBlock& at, Units units, Letters ranged) {
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     const bool is_angle = letter <= 'C';
     const double unit = is_angle ? 1.0 : mm_per_unit(units);
@@ -189,7 +189,7 @@ bool has_axis_user(const RunningBlock& at, Motion in_force) {
 
 // Who takes the axis words, and what the motion takes.
 AxisUse axis_use_of(const RunningBlock& at, Motion in_force) {
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   const Tenths code = at.codes[Group::motion];
   const Motion motion = code == kNoCode ? in_force : static_cast<Motion>(code);
   AxisUse use{block.g_count > 0 ? taker_of_axes(block, at.codes) : Group::count};
@@ -216,7 +216,7 @@ Done check_axis_words(const RunningBlock& at, Group taker, Motion in_force) {
 }  // namespace
 
 Expected<Group> check_words(const RunningBlock& at, ModalState& state, bool compensating) {
-  const Block& block = at.block;
+  const BlockWords& block = at.block;
   const AxisUse use = axis_use_of(at, state.motion);
   if (Letters unused = block.present & ~usable_letters(at, use.of_motion); unused != 0) {
     take_idle_offset_numbers(at, state, unused, compensating);

@@ -119,7 +119,7 @@ std::string_view reason_for(double g, const DialectRules& rules) {
   return (g >= 70.0 && g < 73.0) || g == 76.0 ? " (a cycle of lathes)" : "";
 }
 
-diagnostics::Failure why_not(const Block& block, const Word& word, const Code& code, bool is_m,
+diagnostics::Failure why_not(const BlockWords& block, const Word& word, const Code& code, bool is_m,
                              const DialectRules& rules) {
   const std::string name = upper(block.text(word));
   if (!is_m && (word.value == 7.0 || word.value == 8.0)) {
@@ -158,7 +158,7 @@ Group group_of(const Code& code, std::size_t place, const DialectRules& rules) {
 
 // A motion goes before G80. Of a motion and a cycle, with Fanuc, the one that is written last
 // counts; the other takes its place in the cycle's group.
-void join_cycle_and_motion(const Block& block, BlockCodes& codes) {
+void join_cycle_and_motion(const BlockWords& block, BlockCodes& codes) {
   constexpr Tenths kG80 = 800;
   auto& motion = codes.by_group[static_cast<std::size_t>(Group::motion)];
   auto& cycle = codes.by_group[static_cast<std::size_t>(Group::cycle)];
@@ -171,7 +171,7 @@ void join_cycle_and_motion(const Block& block, BlockCodes& codes) {
 }
 
 template <std::size_t kSize>
-diagnostics::Done sort_words(const Block& block, const std::array<Word, kSize>& words,
+diagnostics::Done sort_words(const BlockWords& block, const std::array<Word, kSize>& words,
                              std::size_t count, bool is_m, const DialectRules& rules,
                              BlockCodes& codes) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -197,7 +197,7 @@ diagnostics::Done sort_words(const Block& block, const std::array<Word, kSize>& 
 
 }  // namespace
 
-diagnostics::Done sort_some_codes(const Block& block, const DialectRules& rules,
+diagnostics::Done sort_some_codes(const BlockWords& block, const DialectRules& rules,
                                   BlockCodes& codes) {
   if (codes.filled) {
     codes = {};
@@ -214,7 +214,7 @@ diagnostics::Done sort_some_codes(const Block& block, const DialectRules& rules,
   return !m && (g || m.error()->offset < g.error()->offset) ? std::move(m) : std::move(g);
 }
 
-const Word& code_word(const Block& block, const BlockCodes& codes, Group group) {
+const Word& code_word(const BlockWords& block, const BlockCodes& codes, Group group) {
   const std::size_t index = codes.by_group[static_cast<std::size_t>(group)].index;
   return is_m_group(group) ? block.m[index] : block.g[index];
 }

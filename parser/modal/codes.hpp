@@ -58,7 +58,7 @@ constexpr FeedMode feed_mode_of(Tenths code) {
 struct BlockCodes {
   struct Entry {
     Tenths tenths = kNoCode;
-    std::uint8_t index = 0;  // in Block::g or Block::m
+    std::uint8_t index = 0;  // in BlockWords::g or BlockWords::m
   };
   std::array<Entry, static_cast<std::size_t>(Group::count)> by_group;
   bool filled = false;  // an entry may hold a code; most blocks have none and need no clearing
@@ -70,11 +70,12 @@ struct BlockCodes {
 };
 
 // For sort_codes, which keeps blocks without codes away from it.
-diagnostics::Done sort_some_codes(const Block& block, const DialectRules& rules, BlockCodes& codes);
+diagnostics::Done sort_some_codes(const BlockWords& block, const DialectRules& rules,
+                                  BlockCodes& codes);
 
 // Sorts the block's codes into their groups. The fault is of the leftmost wrong code: not known,
 // not supported, or a second one of its group.
-inline diagnostics::Done sort_codes(const Block& block, const DialectRules& rules,
+inline diagnostics::Done sort_codes(const BlockWords& block, const DialectRules& rules,
                                     BlockCodes& codes) {
   if (block.g_count + block.m_count == 0 && !codes.filled) {
     return {};
@@ -83,6 +84,6 @@ inline diagnostics::Done sort_codes(const Block& block, const DialectRules& rule
 }
 
 // The word that put a code into `group`. Precondition: codes.has(group).
-const Word& code_word(const Block& block, const BlockCodes& codes, Group group);
+const Word& code_word(const BlockWords& block, const BlockCodes& codes, Group group);
 
 }  // namespace kerf::parser

@@ -53,7 +53,7 @@ AuxiliaryWords auxiliary_target(const RunningBlock& at, const ModalState& state)
 }
 
 // In a turned coordinate system the word to blame may be that of the other axis.
-diagnostics::Failure out_of_range(const Block& block, char letter) {
+diagnostics::Failure out_of_range(const BlockWords& block, char letter) {
   const Word& word =
       block.has(letter) ? block.word(letter) : *leftmost(block, letters('X', 'Y', 'Z'));
   return fail(
@@ -95,7 +95,7 @@ Expected<Point> resolve_point(const RunningBlock& at, const ModalState& state,
   return point;
 }
 
-Point axis_words_mm(const Block& block, Units units) {
+Point axis_words_mm(const BlockWords& block, Units units) {
   const double unit = mm_per_unit(units);
   return {block.value_or('X', 0.0) * unit, block.value_or('Y', 0.0) * unit,
           block.value_or('Z', 0.0) * unit};
@@ -110,7 +110,7 @@ Done needs_axis_words(const RunningBlock& at) {
               joined({at.name_of(taker), " needs at least one axis word"}));
 }
 
-double auxiliary_word_deg_mm(const Block& block, std::size_t auxiliary_axis, Units units) {
+double auxiliary_word_deg_mm(const BlockWords& block, std::size_t auxiliary_axis, Units units) {
   return block.value(kAuxiliaryNames[auxiliary_axis]) *
          (turns(auxiliary_axis) ? 1.0 : mm_per_unit(units));
 }

@@ -19,12 +19,12 @@ Expected<Point> resolve_point(const RunningBlock& at, const ModalState& state,
                               const Point& from_mm);
 
 // The axis words in mm; 0 for an axis without one.
-Point axis_words_mm(const Block& block, Units units);
+Point axis_words_mm(const BlockWords& block, Units units);
 // Refuses a block without axis words, which its code needs.
 Done needs_axis_words(const RunningBlock& at);
 
 // The word of an auxiliary axis. Precondition: the block has it.
-double auxiliary_word_deg_mm(const Block& block, std::size_t auxiliary_axis, Units units);
+double auxiliary_word_deg_mm(const BlockWords& block, std::size_t auxiliary_axis, Units units);
 
 // What cutter compensation is doing with the moves: it holds a contour or is on its way out.
 enum class ContourPhase : std::uint8_t { none, held, leaving };

@@ -55,13 +55,13 @@ struct ProbeResult {
 };
 
 // G96: the spindle follows the distance from the axis X = 0.
-struct SurfaceSpeed {
+struct SurfaceSpeedMode {
   bool active = false;
-  double most_per_min = 1e5;  // D of G96, revolutions; no spindle turns faster
+  double max_per_min = 1e5;  // D of G96, revolutions; no spindle turns faster
 };
 
 // What M48 to M53 allow the operator and the machine to change while a program runs.
-struct Overrides {
+struct AllowedOverrides {
   bool feed = true;
   bool speed = true;
   bool adaptive_feed = false;
@@ -102,13 +102,13 @@ struct ModalState {
   bool path_mode_by_program = false;  // else the machine's
   double spindle_speed = 0.0;         // S: revolutions per minute; m or feet per minute under G96
   Spindle spindle = Spindle::off;
-  SurfaceSpeed surface_speed;
+  SurfaceSpeedMode surface_speed;
   double tool = 0.0;  // selected by T, for the next M6
   bool tool_selected = false;
   std::int32_t loaded_tool = 0;  // in the spindle
   bool mist = false;
   bool flood = false;
-  Overrides overrides;
+  AllowedOverrides overrides;
   double input = 0.0;  // what the last M66 read, -1 after a wait in vain
   ProbeResult probe;
   bool to_initial_level = false;  // G98, not G99: where a canned cycle ends

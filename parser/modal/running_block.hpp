@@ -39,7 +39,7 @@ struct MoveSink {
 // What every unit is given: the block's words and codes, and where its moves and warnings go. The
 // modal state comes beside it, to be read or to be changed.
 struct RunningBlock : MoveSink {
-  const Block& block;
+  const BlockWords& block;
   const BlockCodes& codes;
   diagnostics::DiagnosticList& diagnostics;
   const DialectRules& rules;

@@ -9,15 +9,15 @@ namespace {
 constexpr double kRounding_mm = 1e-6;
 
 // The stretch of a way, as parts of its length, that lies in the block.
-struct Stretch {
+struct Inside {
   double begin = -TouchBox::kFar_mm;
   double end = TouchBox::kFar_mm;
   std::size_t begin_axis = 0;  // whose face it passes there
   std::size_t end_axis = 0;
 };
 
-Stretch stretch_in(const TouchBox& box, const Point& from_mm, const Point& to_mm) {
-  Stretch in;
+Inside stretch_in(const TouchBox& box, const Point& from_mm, const Point& to_mm) {
+  Inside in;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double way = to_mm[axis] - from_mm[axis];
     if (way == 0.0) {
@@ -69,7 +69,7 @@ bool touches(const TouchBox& box, const Point& tip_mm) {
 }
 
 std::optional<Point> first_contact(const TouchBox& box, const Point& from_mm, const Point& to_mm) {
-  const Stretch in = stretch_in(box, from_mm, to_mm);
+  const Inside in = stretch_in(box, from_mm, to_mm);
   if (!(in.begin <= in.end && in.begin >= 0.0 && in.begin <= 1.0)) {
     return std::nullopt;
   }
@@ -78,7 +78,7 @@ std::optional<Point> first_contact(const TouchBox& box, const Point& from_mm, co
 }
 
 std::optional<Point> last_contact(const TouchBox& box, const Point& from_mm, const Point& to_mm) {
-  const Stretch in = stretch_in(box, from_mm, to_mm);
+  const Inside in = stretch_in(box, from_mm, to_mm);
   if (!(in.end <= 1.0)) {
     return std::nullopt;
   }

@@ -61,7 +61,7 @@ int users_of(const BlockCodes& codes, char letter) {
   return users;
 }
 
-Group taker_of_axes(const Block& block, const BlockCodes& codes) {
+Group taker_of_axes(const BlockWords& block, const BlockCodes& codes) {
   switch (codes[Group::other]) {
     case 100:
     case 280:

@@ -15,6 +15,6 @@ int users_of(const BlockCodes& codes, char letter);
 // The code that takes the block's axis words instead of a motion: G10, G28, G30, G52, G92, G43.1,
 // G43.2 without H, G51, G68. Group::count where there is none. Precondition: the block has axis
 // words.
-Group taker_of_axes(const Block& block, const BlockCodes& codes);
+Group taker_of_axes(const BlockWords& block, const BlockCodes& codes);
 
 }  // namespace kerf::parser

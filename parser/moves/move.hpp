@@ -97,7 +97,7 @@ inline constexpr int kAnalogOutputs = 8;
 // |per_x x + per_y y + at_origin_mm| of the moves' coordinates.
 struct SurfaceFollowing {
   double mm_s = 0.0;  // 0: not in force
-  double most_per_min = 0.0;
+  double max_per_min = 0.0;
   double per_x = 1.0;
   double per_y = 0.0;
   double at_origin_mm = 0.0;

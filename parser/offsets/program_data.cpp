@@ -135,7 +135,7 @@ Done set_tool_data(const RunningBlock& at, const ModalState& state, ToolTable& t
 
 }  // namespace
 
-Done check_data_words(const Block& block, std::string_view name, Letters usable) {
+Done check_data_words(const BlockWords& block, std::string_view name, Letters usable) {
   const Letters surplus = letters('I', 'J', 'Q', 'R', 'K') & ~usable;
   if (const Word* const word = leftmost(block, surplus)) {
     return fail(word->offset, errors::kG10UnusedWord,
@@ -144,7 +144,7 @@ Done check_data_words(const Block& block, std::string_view name, Letters usable)
   return {};
 }
 
-Expected<int> data_number(const RunningBlock& at, std::string_view name, Numbers range) {
+Expected<int> data_number(const RunningBlock& at, std::string_view name, NumberRange range) {
   const std::string allowed =
       joined({" must be ", std::to_string(range.least), " to ", std::to_string(range.most)});
   if (!at.block.has('P')) {

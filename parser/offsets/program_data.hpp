@@ -11,13 +11,13 @@ namespace kerf::parser {
 Done set_data(const RunningBlock& at, ModalState& state, ToolTable& tools);
 
 // Refuses words that this kind of G10 does not use.
-Done check_data_words(const Block& block, std::string_view name, Letters usable);
+Done check_data_words(const BlockWords& block, std::string_view name, Letters usable);
 // The value of P, a whole number in the range.
-struct Numbers {
+struct NumberRange {
   int least;
   int most;
 };
-Expected<int> data_number(const RunningBlock& at, std::string_view name, Numbers range);
+Expected<int> data_number(const RunningBlock& at, std::string_view name, NumberRange range);
 // Sets the origin of the auxiliary axes: to the words (L2), or so that the axes stand at the words
 // (L20, `from_position`).
 void set_auxiliary_origin(const RunningBlock& at, const ModalState& state, WorkOffset& offset,

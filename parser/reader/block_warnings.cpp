@@ -12,13 +12,13 @@ namespace kerf::parser {
 
 namespace {
 
-bool has_words_beside_number(const Block& block) {
+bool has_words_beside_number(const BlockWords& block) {
   return block.g_count + block.m_count != 0 || (block.present & ~letter_bit('N')) != 0;
 }
 
 }  // namespace
 
-void warn_about(const Block& block, LineInDialect where, SaidOnce& said,
+void warn_about(const BlockWords& block, LineInDialect where, SaidOnce& said,
                 diagnostics::DiagnosticList& diagnostics) {
   const std::uint32_t line = where.number;
   if (block.blank_in_number != 0) {
@@ -63,7 +63,7 @@ void warn_about(const Block& block, LineInDialect where, SaidOnce& said,
   }
 }
 
-void warn_of_missing_point(const Block& block, const ModalState& state, std::uint32_t line,
+void warn_of_missing_point(const BlockWords& block, const ModalState& state, std::uint32_t line,
                            SaidOnce& said, diagnostics::DiagnosticList& diagnostics) {
   for (std::size_t axis = 0; axis < 3 && !said.no_point; ++axis) {
     const char letter = axis_letter(axis);

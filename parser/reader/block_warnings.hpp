@@ -21,12 +21,12 @@ struct LineInDialect {
   Dialect dialect = Dialect::rs274;
 };
 
-void warn_about(const Block& block, LineInDialect where, SaidOnce& said,
+void warn_about(const BlockWords& block, LineInDialect where, SaidOnce& said,
                 diagnostics::DiagnosticList& diagnostics);
 
 // Of the Fanuc dialect: a coordinate without a decimal point, which a control may read in least
 // increments. Precondition: numbers count in units.
-void warn_of_missing_point(const Block& block, const ModalState& state, std::uint32_t line,
+void warn_of_missing_point(const BlockWords& block, const ModalState& state, std::uint32_t line,
                            SaidOnce& said, diagnostics::DiagnosticList& diagnostics);
 
 }  // namespace kerf::parser

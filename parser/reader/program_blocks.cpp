@@ -17,7 +17,7 @@
 namespace kerf::parser {
 
 // O1234 at the head of the program. True: the block is done with.
-bool ProgramRun::is_program_number(const Block& block, std::uint32_t line) {
+bool ProgramRun::is_program_number(const BlockWords& block, std::uint32_t line) {
   if (!block.has('O')) {
     return false;
   }
@@ -32,7 +32,7 @@ bool ProgramRun::is_program_number(const Block& block, std::uint32_t line) {
   return true;
 }
 
-void ProgramRun::call(const Line& line, Call call) {
+void ProgramRun::call(const NumberedLine& line, Call call) {
   if (!flow_.active()) {
     flow_.start(line, {.has_run = true});
   }
@@ -40,7 +40,7 @@ void ProgramRun::call(const Line& line, Call call) {
 }
 
 // M98 P100 L2, M99 P10, with whatever else the block says done before.
-void ProgramRun::run_program_call(const Line& line, const Word& code) {
+void ProgramRun::run_program_call(const NumberedLine& line, const Word& code) {
   if (code.value == 99.0) {
     const auto back = read_m99(block_, code);
     if (!back) {
@@ -57,18 +57,18 @@ void ProgramRun::run_program_call(const Line& line, const Word& code) {
   call(line, std::move(*called));
 }
 
-void ProgramRun::run_without_call(const Line& line, const Word& code) {
+void ProgramRun::run_without_call(const NumberedLine& line, const Word& code) {
   remove_call(block_, code);
   if ((block_.present & ~letter_bit('N')) != 0 || block_.g_count + block_.m_count > 0) {
     interpret(line, true);
   }
 }
 
-void ProgramRun::report(const Line& line, const diagnostics::Fault& fault) {
+void ProgramRun::report(const NumberedLine& line, const diagnostics::Fault& fault) {
   diagnostics_.add({line.number, fault.offset + 1}, *fault.page, fault.message);
 }
 
-void ProgramRun::return_from_call(const Line& line, const Return& back) {
+void ProgramRun::return_from_call(const NumberedLine& line, const Return& back) {
   if (flow_.active() && flow_.return_from_call(back)) {
     return;
   }
@@ -79,7 +79,7 @@ void ProgramRun::return_from_call(const Line& line, const Return& back) {
 }
 
 // G65 calls once; G66 calls after each block that moves, until G67.
-void ProgramRun::run_macro_call(const Line& line, const Word& code) {
+void ProgramRun::run_macro_call(const NumberedLine& line, const Word& code) {
   if (code.value == 67.0) {
     modal_calls_.cancel();
     return;
@@ -97,7 +97,7 @@ void ProgramRun::run_macro_call(const Line& line, const Word& code) {
 }
 
 // True: the block is done with.
-bool ProgramRun::run_call(const Line& line, bool complete) {
+bool ProgramRun::run_call(const NumberedLine& line, bool complete) {
   if (rules_.macro_calls) {
     if (const Word* const code = find_macro_code(block_)) {
       run_macro_call(line, *code);
@@ -114,7 +114,7 @@ bool ProgramRun::run_call(const Line& line, bool complete) {
   return code != nullptr;
 }
 
-void ProgramRun::read_line(const Line& line) {
+void ProgramRun::read_line(const NumberedLine& line) {
   if (line.too_long) {
     diagnostics_.add({line.number, static_cast<std::uint32_t>(LineSplitter::kMaxLine) + 1},
                      errors::kLineTooLong,
@@ -141,7 +141,7 @@ void ProgramRun::read_line(const Line& line) {
   }
 }
 
-void ProgramRun::read_code(const Line& line) {
+void ProgramRun::read_code(const NumberedLine& line) {
   called_ = false;
   const bool complete = read_block(line.text, block_, evaluator_);
   if (!complete && rules_.macro_calls && has_program_name()) {
@@ -153,7 +153,7 @@ void ProgramRun::read_code(const Line& line) {
 
 // As LinuxCNC has it, of a block's comments only the last one says anything, and it comes before
 // the words. True: it ends the program.
-bool ProgramRun::act_on_comment(const Line& line) {
+bool ProgramRun::act_on_comment(const NumberedLine& line) {
   if (!rules_.active_comments || block_.comment == 0) {
     return false;
   }
@@ -162,7 +162,7 @@ bool ProgramRun::act_on_comment(const Line& line) {
     return false;
   }
   if (comment->kind) {
-    if (options_.keeps_messages && messages_.size() < kMostMessages) {
+    if (options_.keeps_messages && messages_.size() < kMaxMessages) {
       messages_.push_back({.block = interpreter_.blocks_run() + 1,
                            .message = {.kind = *comment->kind,
                                        .line = line.number,
@@ -176,7 +176,7 @@ bool ProgramRun::act_on_comment(const Line& line) {
   return true;
 }
 
-void ProgramRun::run_block(const Line& line, bool complete) {
+void ProgramRun::run_block(const NumberedLine& line, bool complete) {
   if (complete && act_on_comment(line)) {
     return;
   }

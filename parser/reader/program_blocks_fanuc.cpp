@@ -24,21 +24,21 @@ bool ProgramRun::has_program_name() const {
 }
 
 // Keeps the name and reads the line again without it.
-void ProgramRun::run_named_call(const Line& line) {
+void ProgramRun::run_named_call(const NumberedLine& line) {
   const std::size_t at = block_.stopped_at;
   const std::size_t length = behind_label(line.text, at) - at;
   program_name_ = plain_label(line.text, {.label_at = static_cast<std::uint32_t>(at)});
   without_name_ = line.text;
   without_name_.replace(at, length, length, ' ');
-  const Line rest{without_name_, line.number, line.too_long};
+  const NumberedLine rest{without_name_, line.number, line.too_long};
   run_block(rest, read_block(rest.text, block_, evaluator_));
   program_name_.clear();
 }
 
 // The blocks that follow in the line, each with blanks in place of those before it, so that columns
 // stay what they are.
-void ProgramRun::read_behind_semicolon(const Line& line) {
-  Line rest = line;
+void ProgramRun::read_behind_semicolon(const NumberedLine& line) {
+  NumberedLine rest = line;
   while (block_.remark != 0 && reads_as_block(rest.text.substr(block_.remark)) &&
          !interpreter_.program_ended()) {
     if (called_) {
@@ -60,7 +60,7 @@ void ProgramRun::read_behind_semicolon(const Line& line) {
 
 // Where numbers count in units, that they do is said once, at the first cut; not of a program with
 // curves of G6.2, whose knots without a point leave no doubt.
-void ProgramRun::check_points(const Line& line) {
+void ProgramRun::check_points(const NumberedLine& line) {
   const Motion motion = interpreter_.state().motion;
   const bool cuts = motion == Motion::line || motion == Motion::arc_clockwise ||
                     motion == Motion::arc_counterclockwise || is_cycle(motion);
@@ -71,7 +71,7 @@ void ProgramRun::check_points(const Line& line) {
 }
 
 // Fanuc: #3000=n(TEXT) ends the program with an alarm, #3006=1(TEXT) stops it as M0 does.
-void ProgramRun::act_on_signal(const Line& line) {
+void ProgramRun::act_on_signal(const NumberedLine& line) {
   const MacroSignal signal = interpreter_.take_signal();
   if (signal.kind == MacroSignal::Kind::stop) {
     read_block("M0", block_, evaluator_);
@@ -92,7 +92,7 @@ void ProgramRun::act_on_signal(const Line& line) {
   }
 }
 
-void ProgramRun::interpret(const Line& line, bool complete) {
+void ProgramRun::interpret(const NumberedLine& line, bool complete) {
   const double least_increment_mm = options_.machine.least_increment_mm;
   if (rules_.least_increments && least_increment_mm != 0.0) {
     count_in_least_increments(interpreter_.state(), least_increment_mm, block_);
@@ -100,7 +100,7 @@ void ProgramRun::interpret(const Line& line, bool complete) {
   interpreter_.run(block_, line.number, complete);
 }
 
-void ProgramRun::run_fanuc_block(const Line& line, bool complete) {
+void ProgramRun::run_fanuc_block(const NumberedLine& line, bool complete) {
   const bool idle = interpreter_.moves().empty();
   interpret(line, complete);
   if (complete && rules_.least_increments) {

@@ -6,7 +6,7 @@
 namespace kerf::parser {
 
 // '%' opens the program (a title may follow it) and closes it. True: the line is done with.
-bool ProgramRun::read_percent(const Line& line, std::size_t at) {
+bool ProgramRun::read_percent(const NumberedLine& line, std::size_t at) {
   if (!opened_by_percent_ && !any_block_) {
     opened_by_percent_ = true;
     opening_line_ = line.number;
@@ -25,7 +25,7 @@ bool ProgramRun::read_percent(const Line& line, std::size_t at) {
 }
 
 // Text behind the program's end is passed over; that it is there is said once.
-void ProgramRun::read_rest(const Line& line) {
+void ProgramRun::read_rest(const NumberedLine& line) {
   const std::size_t at = skip_blanks(line.text, 0);
   const bool empty = at == line.text.size() || line.text[at] == '(' || line.text[at] == ';';
   if (rest_reported_ || empty || (line.text[at] == '%' && !closed_by_percent_)) {
@@ -78,7 +78,7 @@ bool ProgramRun::begins_flow(std::string_view text) const {
                         (statement->keyword != Keyword::program || any_block_));
 }
 
-bool ProgramRun::next_plain_line(Line& line) {
+bool ProgramRun::next_plain_line(NumberedLine& line) {
   if (input_.next(line)) {
     return true;
   }
@@ -91,7 +91,7 @@ bool ProgramRun::next_plain_line(Line& line) {
 }
 
 // The line to run or, once the program has ended, of the rest.
-bool ProgramRun::next_line(Line& line) {
+bool ProgramRun::next_line(NumberedLine& line) {
   while (!ended_) {
     if (!flow_.active()) {
       if (!next_plain_line(line)) {
@@ -137,7 +137,7 @@ bool ProgramRun::next(Move& move) {
 
 bool ProgramRun::next_move(Move& move) {
   while (interpreter_.moves().empty()) {
-    Line line;
+    NumberedLine line;
     if (!next_line(line)) {
       if (interpreter_.moves().empty()) {
         return false;

@@ -59,35 +59,35 @@ class ProgramRun {
 
   // program_lines.cpp
   bool next_move(Move& move);  // however short
-  bool next_line(Line& line);
-  bool next_plain_line(Line& line);
+  bool next_line(NumberedLine& line);
+  bool next_plain_line(NumberedLine& line);
   bool begins_flow(std::string_view text) const;
-  bool read_percent(const Line& line, std::size_t at);
-  void read_rest(const Line& line);
+  bool read_percent(const NumberedLine& line, std::size_t at);
+  void read_rest(const NumberedLine& line);
   void reach_end();
 
   // program_blocks.cpp
-  void read_line(const Line& line);
-  void read_code(const Line& line);
-  void run_block(const Line& line, bool complete);
-  bool act_on_comment(const Line& line);
-  bool is_program_number(const Block& block, std::uint32_t line);
-  bool run_call(const Line& line, bool complete);
-  void run_program_call(const Line& line, const Word& code);
-  void run_without_call(const Line& line, const Word& code);
-  void report(const Line& line, const diagnostics::Fault& fault);
-  void run_macro_call(const Line& line, const Word& code);
-  void call(const Line& line, Call call);
-  void return_from_call(const Line& line, const Return& back);
+  void read_line(const NumberedLine& line);
+  void read_code(const NumberedLine& line);
+  void run_block(const NumberedLine& line, bool complete);
+  bool act_on_comment(const NumberedLine& line);
+  bool is_program_number(const BlockWords& block, std::uint32_t line);
+  bool run_call(const NumberedLine& line, bool complete);
+  void run_program_call(const NumberedLine& line, const Word& code);
+  void run_without_call(const NumberedLine& line, const Word& code);
+  void report(const NumberedLine& line, const diagnostics::Fault& fault);
+  void run_macro_call(const NumberedLine& line, const Word& code);
+  void call(const NumberedLine& line, Call call);
+  void return_from_call(const NumberedLine& line, const Return& back);
 
   // fanuc/program_blocks_fanuc.cpp
   [[nodiscard]] bool has_program_name() const;
-  void run_named_call(const Line& line);
-  void read_behind_semicolon(const Line& line);
-  void act_on_signal(const Line& line);
-  void check_points(const Line& line);
-  void interpret(const Line& line, bool complete);
-  void run_fanuc_block(const Line& line, bool complete);
+  void run_named_call(const NumberedLine& line);
+  void read_behind_semicolon(const NumberedLine& line);
+  void act_on_signal(const NumberedLine& line);
+  void check_points(const NumberedLine& line);
+  void interpret(const NumberedLine& line, bool complete);
+  void run_fanuc_block(const NumberedLine& line, bool complete);
 
   ReaderOptions options_;
   const DialectRules& rules_;
@@ -99,7 +99,7 @@ class ProgramRun {
   Evaluator evaluator_;
   Flow flow_;
   ShortMoves short_moves_;
-  Block block_;
+  BlockWords block_;
   SaidOnce said_;
   bool called_ = false;           // the block is a call or a return
   std::string behind_semicolon_;  // the rest of a Fanuc line with more than one block

@@ -23,7 +23,7 @@ SurfaceFollowing surface_following(const ModalState& state) {
   const double metre_mm = state.units == Units::inch ? 12.0 * 25.4 : 1000.0;
   const Coordinates::ProgramX x = state.coordinates.program_x();
   return {.mm_s = state.spindle_speed * metre_mm / kSecondsPerMinute,
-          .most_per_min = state.surface_speed.most_per_min,
+          .max_per_min = state.surface_speed.max_per_min,
           .per_x = x.per_x,
           .per_y = x.per_y,
           .at_origin_mm = x.at_origin_mm};
@@ -49,7 +49,7 @@ Done set_spindle_mode(const RunningBlock& at, ModalState& state) {
       return fail(word.offset, errors::kNegativeMostSpeed,
                   "G96: D (highest speed) must not be negative");
     }
-    state.surface_speed.most_per_min = word.value;
+    state.surface_speed.max_per_min = word.value;
   }
   return {};
 }
@@ -95,7 +95,7 @@ Done set_speed(const RunningBlock& at, ModalState& state) {
         joined({"S: value ", upper(at.block.text(word).substr(1, 40)), " is out of range"}));
   }
   if (at.rules.speed_limit_in_g92 && at.codes[Group::other] == kG92) {
-    state.surface_speed.most_per_min = word.value;
+    state.surface_speed.max_per_min = word.value;
   } else {
     state.spindle_speed = word.value;
   }
@@ -108,7 +108,7 @@ double spindle_per_min(const ModalState& state) {
   }
   const double radius_mm = std::fabs(state.coordinates.to_program(state.position_mm)[0]);
   const double surface_mm = surface_following(state).mm_s * kSecondsPerMinute;
-  const double most = state.surface_speed.most_per_min;
+  const double most = state.surface_speed.max_per_min;
   return surface_mm >= most * kTwoPi * radius_mm ? most : surface_mm / (kTwoPi * radius_mm);
 }
 

@@ -80,8 +80,8 @@ void switch_coolant(const RunningBlock& at, ModalState& state) {
                                      : EventKind::coolant_off});
 }
 
-void follow_overrides(const MoveSink& at, ModalState& state, const Overrides& overrides) {
-  const Overrides before = std::exchange(state.overrides, overrides);
+void follow_overrides(const MoveSink& at, ModalState& state, const AllowedOverrides& overrides) {
+  const AllowedOverrides before = std::exchange(state.overrides, overrides);
   const auto tell = [&](EventKind kind, bool was, bool is) {
     if (was != is) {
       at.push_event(state, {kind, is ? 1.0 : 0.0});
@@ -97,7 +97,7 @@ Done switch_overrides(const RunningBlock& at, ModalState& state) {
   if (code == kNoCode) {
     return {};
   }
-  Overrides overrides = state.overrides;
+  AllowedOverrides overrides = state.overrides;
   if (code == 480 || code == 490) {
     overrides.feed = overrides.speed = code == 480;
     follow_overrides(at, state, overrides);

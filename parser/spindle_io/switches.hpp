@@ -14,7 +14,7 @@ void bring_back_coolant(const MoveSink& at, const ModalState& before, const Moda
 // in_out.cpp. M62 to M68: digital and analog outputs, waiting for an input.
 Done switch_in_out(const RunningBlock& at, ModalState& state);
 // What counts from the next motion on.
-void follow_overrides(const MoveSink& at, ModalState& state, const Overrides& overrides);
+void follow_overrides(const MoveSink& at, ModalState& state, const AllowedOverrides& overrides);
 // M48 and M49 switch both overrides; M50 to M53 one thing each, off with P0.
 Done switch_overrides(const RunningBlock& at, ModalState& state);
 // M0, M1, M2, M30, M60. True: the program ends here.

@@ -54,12 +54,12 @@ bool LineSplitter::drop_rest_of_long_line() {
   return true;
 }
 
-void LineSplitter::take(std::size_t length, Line& line) {
+void LineSplitter::take(std::size_t length, NumberedLine& line) {
   line = {std::string_view(buffer_).substr(at_, length), ++lines_, false};
   at_ += length;
 }
 
-bool LineSplitter::next(Line& line) {
+bool LineSplitter::next(NumberedLine& line) {
   if (dropping_ && !drop_rest_of_long_line()) {
     return false;
   }

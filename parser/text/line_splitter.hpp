@@ -8,7 +8,7 @@
 
 namespace kerf::parser {
 
-struct Line {
+struct NumberedLine {
   std::string_view text;  // without its end; valid until the next call of the splitter
   std::uint32_t number = 0;
   bool too_long = false;  // text is then its beginning, the rest is dropped
@@ -23,7 +23,7 @@ class LineSplitter {
   void feed(std::string_view bytes);
   void finish() { finished_ = true; }
   // False: feed more, or the end.
-  bool next(Line& line);
+  bool next(NumberedLine& line);
   [[nodiscard]] bool finished() const { return finished_; }
   [[nodiscard]] std::uint32_t lines() const { return lines_; }
   [[nodiscard]] std::size_t held_bytes() const { return buffer_.capacity(); }
@@ -32,7 +32,7 @@ class LineSplitter {
   void skip_rest_of_line_end();
   bool drop_rest_of_long_line();
   std::size_t find_line_end();
-  void take(std::size_t length, Line& line);
+  void take(std::size_t length, NumberedLine& line);
 
   std::string buffer_;
   std::size_t at_ = 0;       // start of the next line

@@ -46,7 +46,7 @@ diagnostics::Done check_first_line(std::string_view line) {
 }  // namespace
 
 // Text may end with end marks. Whether it really ends there only what follows can show.
-void ProgramInput::take_end_mark(Line& line) {
+void ProgramInput::take_end_mark(NumberedLine& line) {
   const std::size_t last = line.text.find_last_not_of("\x1A \t");
   const std::size_t behind = last == std::string_view::npos ? 0 : last + 1;
   if (end_mark_ && behind > 0 && !passes_over_) {
@@ -67,7 +67,7 @@ void ProgramInput::take_end_mark(Line& line) {
   line.text = line.text.substr(0, mark);
 }
 
-bool ProgramInput::accept_first(Line& line) {
+bool ProgramInput::accept_first(NumberedLine& line) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (line.text.substr(0, kByteOrderMark.size()) == kByteOrderMark) {
     line.text.remove_prefix(kByteOrderMark.size());

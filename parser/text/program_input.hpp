@@ -18,7 +18,7 @@ class ProgramInput {
   void finish() { lines_.finish(); }
 
   // False: feed more, or the end, or the file was refused as no part program.
-  bool next(Line& line) {
+  bool next(NumberedLine& line) {
     if (refused_ || !lines_.next(line)) {
       return false;
     }
@@ -37,8 +37,8 @@ class ProgramInput {
  private:
   static constexpr char kEndMark = '\x1A';  // Ctrl-Z, as CP/M and DOS end a text
 
-  bool accept_first(Line& line);
-  void take_end_mark(Line& line);
+  bool accept_first(NumberedLine& line);
+  void take_end_mark(NumberedLine& line);
 
   LineSplitter lines_;
   diagnostics::DiagnosticList* diagnostics_;

@@ -2,26 +2,26 @@
 
 namespace kerf::program {
 
-std::string_view name_of(Command command) noexcept {
+std::string_view name_of(Subcommand command) noexcept {
   switch (command) {
-    case Command::run:
+    case Subcommand::run:
       return "run";
-    case Command::check:
+    case Subcommand::check:
       return "check";
-    case Command::explain:
+    case Subcommand::explain:
       return "explain";
-    case Command::report:
+    case Subcommand::report:
       return "report";
-    case Command::view:
+    case Subcommand::view:
       return "view";
-    case Command::dry_run:
+    case Subcommand::dry_run:
       break;
   }
   return "dry-run";
 }
 
-bool makes_page(Command command) noexcept {
-  return command == Command::report || command == Command::view;
+bool makes_page(Subcommand command) noexcept {
+  return command == Subcommand::report || command == Subcommand::view;
 }
 
 }  // namespace kerf::program

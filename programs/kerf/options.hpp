@@ -17,10 +17,10 @@
 
 namespace kerf::program {
 
-enum class Command : unsigned char { dry_run, run, check, explain, report, view };
+enum class Subcommand : unsigned char { dry_run, run, check, explain, report, view };
 
-std::string_view name_of(Command command) noexcept;
-[[nodiscard]] bool makes_page(Command command) noexcept;
+std::string_view name_of(Subcommand command) noexcept;
+[[nodiscard]] bool makes_page(Subcommand command) noexcept;
 
 // How errors and warnings are written: for people, or as one document for programs.
 enum class DiagnosticFormat : unsigned char { text, json, sarif };
@@ -29,10 +29,10 @@ enum class DiagnosticFormat : unsigned char { text, json, sarif };
 enum class LogLevel : unsigned char { debug, info, error };
 
 struct Options {
-  Command command = Command::dry_run;
+  Subcommand command = Subcommand::dry_run;
   std::vector<std::string> files;
   std::optional<std::string> machine_file;
-  std::vector<std::string> machine_files;  // of Command::report and view: each with all FILEs
+  std::vector<std::string> machine_files;  // of Subcommand::report and view: each with all FILEs
   std::optional<std::string> tool_file;
   profiles::ProfileKind profile = profiles::kDefaultProfile;
   std::optional<double> sigmoid_shape;
@@ -45,16 +45,16 @@ struct Options {
   double trace_from_s = 0.0;
   double trace_to_s = std::numeric_limits<double>::infinity();
   std::size_t window_blocks = 1000;
-  std::uint32_t explained_line = 0;  // of Command::explain
+  std::uint32_t explained_line = 0;  // of Subcommand::explain
   std::optional<SpeedQuestion> explained_speed;
   DiagnosticFormat format = DiagnosticFormat::text;
   std::optional<parser::Dialect> dialect;  // nothing: that of the machine file
   parser::BlockDelete block_delete;
-  bool syntax_only = false;            // of Command::check
-  bool optional_stop = false;          // of Command::run
-  std::optional<std::string> control;  // of Command::run: a descriptor, two of them, or a socket
-  std::string page_file;               // of Command::report: where the page goes
-  std::optional<std::string> page_template;  // of Command::report and view
+  bool syntax_only = false;            // of Subcommand::check
+  bool optional_stop = false;          // of Subcommand::run
+  std::optional<std::string> control;  // of Subcommand::run: a descriptor, two of them, or a socket
+  std::string page_file;               // of Subcommand::report: where the page goes
+  std::optional<std::string> page_template;  // of Subcommand::report and view
   bool leaves_out_source = false;            // the same
   LogLevel log_level = LogLevel::info;
   std::optional<std::string> log_file;  // nothing: standard error

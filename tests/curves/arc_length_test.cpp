@@ -80,7 +80,7 @@ TEST_P(ArcLengthOfRandom, AgreesWithQuadrature) {
                  .points = degree + 1 + static_cast<int>(round),
                  .size_mm = size_mm,
                  .weight_decades = round % 3 == 0 ? 0.0 : (round % 3 == 1 ? 1.0 : 3.0),
-                 .most_repeats = round % 2 == 0 ? 1 : degree});
+                 .max_repeats = round % 2 == 0 ? 1 : degree});
     expect_true_map(data, "random");
   }
 }

@@ -160,7 +160,7 @@ NurbsData random_nurbs(std::mt19937_64& random, const RandomNurbsOptions& option
   data.knots.assign(static_cast<std::size_t>(order), 0.0);
   int inner = options.points - order;
   while (inner > 0) {
-    const int most = std::min(inner, options.most_repeats);
+    const int most = std::min(inner, options.max_repeats);
     const int repeats = std::uniform_int_distribution<int>(1, most)(random);
     const double next = data.knots.back() + 0.05 + unit(random);
     data.knots.insert(data.knots.end(), static_cast<std::size_t>(repeats), next);

@@ -27,7 +27,7 @@ struct RandomNurbsOptions {
   int points = 8;
   double size_mm = 100.0;
   double weight_decades = 0.0;  // weights between 10^-this and 10^this
-  int most_repeats = 1;         // of an inner knot
+  int max_repeats = 1;          // of an inner knot
 };
 
 NurbsData random_nurbs(std::mt19937_64& random, const RandomNurbsOptions& options);

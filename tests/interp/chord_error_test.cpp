@@ -104,14 +104,14 @@ TEST(ChordError, LooksAtPiecesThatATickPassesOver) {
   script.law(Transition::cruise(tick_mm / kTs, curve.length_mm()));
   Setpoint setpoint;
   ASSERT_EQ(script.interpolator().next(setpoint), TickStatus::running);
-  std::size_t most_passed = 0;
+  std::size_t max_passed = 0;
   for (double s = 0.0; s + tick_mm < curve.length_mm(); s += tick_mm) {
     ASSERT_EQ(script.interpolator().next(setpoint), TickStatus::running);
-    most_passed = std::max(most_passed, curve.piece_index(s + tick_mm) - curve.piece_index(s));
+    max_passed = std::max(max_passed, curve.piece_index(s + tick_mm) - curve.piece_index(s));
     const double brute = many_points_mm(curve, s, s + tick_mm);
     ASSERT_NEAR(script.interpolator().chord_error_mm(), brute, 0.1 * brute) << setpoint.tick;
   }
-  EXPECT_GE(most_passed, 5U);
+  EXPECT_GE(max_passed, 5U);
 }
 
 TEST(ChordError, LooksAtBlocksThatATickPassesOver) {

@@ -118,7 +118,7 @@ TEST(Delivery, HandsOverNoPlanWhoseWayToRestDoesNotFit) {
   delivery.outbox().pieces.push_back(piece(30.0));
   delivery.outbox().phases = {cruise_phase(0.0, 10.0), cruise_phase(10.0, 10.0)};
   delivery.deliver(10);
-  lookahead::Planner::StopAhead ahead;
+  lookahead::Planner::PlannedStopAhead ahead;
   ahead.plan = 2;
   for (std::size_t i = 0; i <= MotionQueue::kPieces; ++i) {
     ahead.outbox.pieces.push_back(piece(1.0));

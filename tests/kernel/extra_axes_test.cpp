@@ -189,16 +189,16 @@ TEST(ExtraAxes, AreCheckedForTheirTravelAtEveryTick) {
   Setpoint setpoint;
   setpoint.extra_rad_mm[0] = 9.0;
   table.write(setpoint);
-  EXPECT_EQ(table.read().fault, machine::Fault::none);
+  EXPECT_EQ(table.read().fault, machine::DriveFault::none);
   setpoint.extra_rad_mm[0] = 10.1;
   table.write(setpoint);
-  EXPECT_EQ(table.read().fault, machine::Fault::soft_limit);
+  EXPECT_EQ(table.read().fault, machine::DriveFault::soft_limit);
   EXPECT_EQ(table.read().fault_axis, 3);
   table.enable({});
   setpoint.extra_rad_mm = {};
   setpoint.extra_rad_mm[5] = std::nan("");
   table.write(setpoint);
-  EXPECT_EQ(table.read().fault, machine::Fault::not_finite);
+  EXPECT_EQ(table.read().fault, machine::DriveFault::not_finite);
   EXPECT_EQ(table.read().fault_axis, 8);
 }
 

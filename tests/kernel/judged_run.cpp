@@ -53,7 +53,7 @@ JudgedRun judged_run(const RandomProgram& program, const MachineSettings& settin
       curve.add(run.last);
     }
     run.complaint = checker.complaint() + chords.complaint() + curve.complaint();
-    if (run.complaint.empty() && checker.ticks() > way.most_ticks) {
+    if (run.complaint.empty() && checker.ticks() > way.max_ticks) {
       run.complaint = "does not end";
     }
   }

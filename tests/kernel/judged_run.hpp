@@ -18,7 +18,7 @@ namespace kerf::test {
 struct Way {
   profiles::ProfileKind kind = profiles::ProfileKind::s_curve;
   std::size_t window_blocks = 1000;
-  std::int64_t most_ticks = 3'000'000;  // more are a hang
+  std::int64_t max_ticks = 3'000'000;  // more are a hang
 };
 
 struct JudgedRun {

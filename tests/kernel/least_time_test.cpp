@@ -61,9 +61,9 @@ TEST(LeastTime, OfARapidIsThatOfTheMachine) {
 // A corner within P saves at most 13 P of each of its lines.
 TEST(LeastTime, OfLongLinesIsHardlyLessUnderATightTolerance) {
   const double exact_s = 20.0;
-  const double least_s = least_time_s("G64 P0.01 Q0.01\nG1 X10 F60\nY10\nM2\n", default_machine());
-  EXPECT_LT(least_s, exact_s);
-  EXPECT_GT(least_s, 0.98 * exact_s);
+  const double min_s = least_time_s("G64 P0.01 Q0.01\nG1 X10 F60\nY10\nM2\n", default_machine());
+  EXPECT_LT(min_s, exact_s);
+  EXPECT_GT(min_s, 0.98 * exact_s);
 }
 
 TEST(LeastTime, IsNeverMoreThanThePlanTakes) {

@@ -1,4 +1,4 @@
-// Single block: a rest and a wait at the joint behind each block of the program.
+// Single block: a rest and a wait at the junction behind each block of the program.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -55,8 +55,7 @@ SteppedRun run_stepped(const std::string& text, const KernelOptions& options,
       waited = 0;
     }
   }
-  run.complaint = status == TickStatus::finished ? checker.complaint() : "did not finish";
-  run.complaint += kernel.fault() ? kernel.fault()->what : "";
+  run.complaint = complaint_at_end(status, checker, kernel);
   return run;
 }
 
@@ -77,11 +76,11 @@ TEST(SingleBlock, WaitsAtTheEndOfEachBlockOfTheProgram) {
     const SteppedRun run = run_stepped(kSquare, options, {});
     expect_whole(run, ticks_of(kSquare, options));
     EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{2, 3, 4, 5, 6, 7}));
-    const std::vector<Position> joints{{20.0, 0.0, 0.0}, {20.0, 20.0, 0.0}, {20.0, 20.0, 0.0},
-                                       {0.0, 20.0, 0.0}, {0.0, 20.0, 0.0},  {0.0, 0.0, 0.0}};
-    ASSERT_EQ(run.waits.size(), joints.size());
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      EXPECT_EQ(run.waits[i].position_mm, joints[i]) << i;
+    const std::vector<Position> junctions{{20.0, 0.0, 0.0}, {20.0, 20.0, 0.0}, {20.0, 20.0, 0.0},
+                                          {0.0, 20.0, 0.0}, {0.0, 20.0, 0.0},  {0.0, 0.0, 0.0}};
+    ASSERT_EQ(run.waits.size(), junctions.size());
+    for (std::size_t i = 0; i < junctions.size(); ++i) {
+      EXPECT_EQ(run.waits[i].position_mm, junctions[i]) << i;
     }
   }
 }
@@ -100,7 +99,7 @@ TEST(SingleBlock, MayBeSwitchedOnInMotionAndOffAgain) {
   }
 }
 
-// 50 mm/s come to rest in 2.25 mm; the joints are 10 mm apart.
+// 50 mm/s come to rest in 2.25 mm; the junctions are 10 mm apart.
 TEST(SingleBlock, SwitchedOnInMotionRestsAtTheNextJoint) {
   std::string text = "G21 G90 G61 F3000\n";
   for (int x = 10; x <= 200; x += 10) {

@@ -27,7 +27,7 @@ struct Outcome {
 
 struct Feed {
   double feedrate_mm_s = 0.0;
-  std::int64_t most_ticks = 0;  // more are a hang
+  std::int64_t max_ticks = 0;  // more are a hang
 };
 
 Outcome run(const curves::NurbsData& data, const lookahead::PlanLimits& limits, const Feed& feed) {
@@ -41,7 +41,7 @@ Outcome run(const curves::NurbsData& data, const lookahead::PlanLimits& limits, 
   Outcome outcome;
   double chord_mm = 0.0;
   TickStatus status = TickStatus::running;
-  while (status == TickStatus::running && checker.ticks() < feed.most_ticks) {
+  while (status == TickStatus::running && checker.ticks() < feed.max_ticks) {
     status = kernel.next(outcome.last);
     checker.add({.setpoint = outcome.last, .feedrate_mm_s = feed.feedrate_mm_s});
     chord_mm = std::max(chord_mm, kernel.chord_error_mm());
@@ -86,7 +86,7 @@ TEST_P(Singular, CurvesAreRunAtTheOptimumWithoutALimitBroken) {
   for (const lookahead::PlanLimits& limits : all) {
     SCOPED_TRACE(limits.axes[0].acceleration_mm_s2);
     const Outcome outcome =
-        run(data, limits, {.feedrate_mm_s = limits.path.velocity_mm_s, .most_ticks = 60'000});
+        run(data, limits, {.feedrate_mm_s = limits.path.velocity_mm_s, .max_ticks = 60'000});
     EXPECT_EQ(outcome.complaint, "");
     expect_at_end(outcome, data);
     EXPECT_EQ(outcome.degradations.count, 0U);
@@ -105,7 +105,7 @@ TEST(SingularCurves, ANearCuspIsNoSlowerThanAStopAtIt) {
     const auto& all = singular_curves();
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&name](const SingularCurve& c) { return c.name == name; });
-    return run(found->data, limits, {.feedrate_mm_s = 100.0, .most_ticks = 60'000}).ticks;
+    return run(found->data, limits, {.feedrate_mm_s = 100.0, .max_ticks = 60'000}).ticks;
   };
   const std::int64_t cusp = ticks("cusp");
   for (const char* name : {"crossing_1e_3", "crossing_1e_4", "crossing_1e_5", "crossing_1e_6"}) {
@@ -254,7 +254,7 @@ TEST(SingularCurves, AtRandomAreRunWithoutALimitBroken) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const SingularCase made = random_singular_case(seed);
     const Outcome outcome =
-        run(made.data, made.limits, {.feedrate_mm_s = made.feedrate_mm_s, .most_ticks = 2'000'000});
+        run(made.data, made.limits, {.feedrate_mm_s = made.feedrate_mm_s, .max_ticks = 2'000'000});
     EXPECT_EQ(outcome.complaint, "");
     expect_at_end(outcome, made.data);
   }

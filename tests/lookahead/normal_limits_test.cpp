@@ -35,7 +35,7 @@ struct Across {
 
 // The largest of second differences of positions across the path, at four phases of the ticks. A
 // circle with that acceleration at the feedrate has the jerk a^2 / v.
-Across most_across(const Block& block, const PlanLimits& limits, ProfileKind kind) {
+Across max_across(const Block& block, const PlanLimits& limits, ProfileKind kind) {
   const Motion motion = plan({block}, {.limits = limits, .profile = Profile(kind)});
   const double ts = limits.period_s;
   const auto at = [&](double t_s) {
@@ -80,7 +80,7 @@ TEST(NormalLimits, BoundAnArcAsItsCurve) {
   EXPECT_DOUBLE_EQ(blocks[0].limits.feedrate_mm_s, v);
   EXPECT_EQ(blocks[0].limits.from.feedrate, Constraint::path_acceleration);
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
-    const Across most = most_across(blocks[0], limits, kind);
+    const Across most = max_across(blocks[0], limits, kind);
     EXPECT_LE(most.acceleration_mm_s2, kNormalAcceleration_mm_s2 * (1.0 + 1e-6));
     EXPECT_GE(most.acceleration_mm_s2, kNormalAcceleration_mm_s2 * 0.99);
   }
@@ -93,7 +93,7 @@ TEST(NormalLimits, OfAccelerationAreKeptByTheTicksOfCurvesAndReached) {
     for (const ProfileKind kind :
          {ProfileKind::s_curve, ProfileKind::sigmoid, ProfileKind::time_optimal}) {
       SCOPED_TRACE(std::string(name) + " " + std::string(profiles::name_of(kind)));
-      const Across most = most_across(block, limits, kind);
+      const Across most = max_across(block, limits, kind);
       EXPECT_LE(most.acceleration_mm_s2, kNormalAcceleration_mm_s2 * (1.0 + 1e-3));
       EXPECT_GE(most.acceleration_mm_s2, kNormalAcceleration_mm_s2 * 0.97);
     }
@@ -106,7 +106,7 @@ TEST(NormalLimits, OfJerkAreKeptByTheTicksOfCurvesAndReached) {
     const Block block = blocks_of({nurbs_move(shipped_curve(name), 100.0)}, limits).front();
     for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
       SCOPED_TRACE(std::string(name) + " " + std::string(profiles::name_of(kind)));
-      const Across most = most_across(block, limits, kind);
+      const Across most = max_across(block, limits, kind);
       EXPECT_LE(most.jerk_mm_s3, kNormalJerk_mm_s3 * (1.0 + 3e-3));
       EXPECT_GE(most.jerk_mm_s3, kNormalJerk_mm_s3 * 0.95);
     }

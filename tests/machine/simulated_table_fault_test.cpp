@@ -16,8 +16,8 @@ namespace {
 using kerf::TableSettings;
 using kerf::curves::Position;
 using kerf::interp::Setpoint;
+using kerf::machine::DriveFault;
 using kerf::machine::EncoderFailure;
-using kerf::machine::Fault;
 using kerf::machine::MachineState;
 using kerf::machine::SimulatedTable;
 using kerf::machine::test::at;
@@ -28,12 +28,12 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(SimulatedTableFaults, TakesNothingBeforeItIsEnabled) {
   SimulatedTable table(lagging());
-  EXPECT_EQ(table.read().fault, Fault::not_enabled);
+  EXPECT_EQ(table.read().fault, DriveFault::not_enabled);
   table.write(at({1.0, 0.0, 0.0}));
-  EXPECT_EQ(table.read().fault, Fault::not_enabled);
+  EXPECT_EQ(table.read().fault, DriveFault::not_enabled);
   EXPECT_EQ(table.read().actual_mm[0], 0.0);
   table.enable({});
-  EXPECT_EQ(table.read().fault, Fault::none);
+  EXPECT_EQ(table.read().fault, DriveFault::none);
 }
 
 TEST(SimulatedTableFaults, CannotBeEnabledWithSettingsThatAreNotValid) {
@@ -41,21 +41,21 @@ TEST(SimulatedTableFaults, CannotBeEnabledWithSettingsThatAreNotValid) {
   settings.axes[1].screw_lead_mm = 0.0;
   SimulatedTable table(settings);
   table.enable({});
-  EXPECT_EQ(table.read().fault, Fault::not_enabled);
+  EXPECT_EQ(table.read().fault, DriveFault::not_enabled);
 }
 
 TEST(SimulatedTableFaults, FaultsAtTheVeryTickThatLeavesTheTravel) {
   SimulatedTable table(lagging());
   table.enable({299.0, 0.0, 0.0});
   table.write(at({300.0 + 0.5e-6, 0.0, 0.0}));
-  EXPECT_EQ(table.read().fault, Fault::none);
+  EXPECT_EQ(table.read().fault, DriveFault::none);
   table.write(at({300.0 + 2e-6, 0.0, 0.0}));
-  EXPECT_EQ(table.read().fault, Fault::soft_limit);
+  EXPECT_EQ(table.read().fault, DriveFault::soft_limit);
   EXPECT_EQ(table.read().fault_axis, 0);
 
   table.enable({});
   table.write(at({0.0, 0.0, -300.1}));
-  EXPECT_EQ(table.read().fault, Fault::soft_limit);
+  EXPECT_EQ(table.read().fault, DriveFault::soft_limit);
   EXPECT_EQ(table.read().fault_axis, 2);
 }
 
@@ -75,7 +75,7 @@ TEST(SimulatedTableFaults, FaultsOnAnythingInASetpointThatIsNotFinite) {
       Setpoint setpoint = at({0.01, 0.01, 0.0});
       fields[field](setpoint) = bad;
       table.write(setpoint);
-      EXPECT_EQ(table.read().fault, Fault::not_finite) << field;
+      EXPECT_EQ(table.read().fault, DriveFault::not_finite) << field;
       EXPECT_EQ(table.read().fault_axis, field < 3 ? 1 : -1) << field;
       for (const double actual_mm : table.read().actual_mm) {
         EXPECT_TRUE(std::isfinite(actual_mm));
@@ -88,15 +88,15 @@ TEST(SimulatedTableFaults, FaultsOnAnythingInASetpointThatIsNotFinite) {
 TEST(SimulatedTableFaults, CannotBeEnabledAtAPointThatIsNotFinite) {
   SimulatedTable table(real());
   table.enable({0.0, 0.0, kNaN});
-  EXPECT_EQ(table.read().fault, Fault::not_finite);
+  EXPECT_EQ(table.read().fault, DriveFault::not_finite);
   EXPECT_EQ(table.read().fault_axis, 2);
   EXPECT_TRUE(std::isfinite(table.read().actual_mm[2]));
 
   table.enable({});
   table.write(at({0.0, 400.0, 0.0}));
-  ASSERT_EQ(table.read().fault, Fault::soft_limit);
+  ASSERT_EQ(table.read().fault, DriveFault::soft_limit);
   table.enable({kNaN, 0.0, 0.0});
-  EXPECT_EQ(table.read().fault, Fault::not_finite);
+  EXPECT_EQ(table.read().fault, DriveFault::not_finite);
   EXPECT_EQ(table.read().fault_axis, 0);
 }
 
@@ -111,12 +111,12 @@ void run_at_speed(SimulatedTable& table, int ticks) {
 TEST(SimulatedTableFaults, NeverLetsANaNOfAnEncoderThrough) {
   SimulatedTable table(real());
   run_at_speed(table, 200);
-  ASSERT_EQ(table.read().fault, Fault::none);
+  ASSERT_EQ(table.read().fault, DriveFault::none);
   table.fail_encoder(1, EncoderFailure::not_finite);
   for (int tick = 0; tick < 300; ++tick) {
     table.write(at({15.0, -7.5, 0.0}));
     const MachineState state = table.read();
-    EXPECT_EQ(state.fault, Fault::not_finite);
+    EXPECT_EQ(state.fault, DriveFault::not_finite);
     EXPECT_EQ(state.fault_axis, 1);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       EXPECT_TRUE(std::isfinite(state.actual_mm[axis]));
@@ -131,11 +131,11 @@ TEST(SimulatedTableFaults, NoticesAFrozenEncoderByTheFollowingError) {
   run_at_speed(table, 200);
   table.fail_encoder(0, EncoderFailure::frozen);
   int ticks = 0;
-  for (double way_mm = 15.0; table.read().fault == Fault::none && ticks < 1000; ++ticks) {
+  for (double way_mm = 15.0; table.read().fault == DriveFault::none && ticks < 1000; ++ticks) {
     way_mm += 0.1;
     table.write(at({way_mm, -7.5, 0.0}));
   }
-  EXPECT_EQ(table.read().fault, Fault::following_error);
+  EXPECT_EQ(table.read().fault, DriveFault::following_error);
   EXPECT_EQ(table.read().fault_axis, 0);
   EXPECT_LE(ticks, 51);  // 5 mm at 0.1 mm a tick
 }
@@ -146,10 +146,10 @@ TEST(SimulatedTableFaults, FaultsWhenAnAxisCannotFollow) {
   settings.axes[2].max_following_error_mm = 0.5;
   SimulatedTable table(settings);
   table.enable({});
-  for (int tick = 1; tick <= 300 && table.read().fault == Fault::none; ++tick) {
+  for (int tick = 1; tick <= 300 && table.read().fault == DriveFault::none; ++tick) {
     table.write(at({0.0, 0.0, 0.0005 * tick * tick}));
   }
-  EXPECT_EQ(table.read().fault, Fault::following_error);
+  EXPECT_EQ(table.read().fault, DriveFault::following_error);
   EXPECT_EQ(table.read().fault_axis, 2);
   EXPECT_GT(table.read().following_error_mm[2], 0.5);
 }
@@ -158,7 +158,7 @@ TEST(SimulatedTableFaults, AfterAFaultAllAxesStopTogetherAndStayWhereTheyAre) {
   SimulatedTable table(real());
   run_at_speed(table, 400);  // 100 and 50 mm/s
   table.write(at({1000.0, 0.0, 0.0}));
-  ASSERT_EQ(table.read().fault, Fault::soft_limit);
+  ASSERT_EQ(table.read().fault, DriveFault::soft_limit);
   Position last_mm = table.read().actual_mm;
   std::array<int, 2> rest{};
   for (int tick = 1; tick <= 200; ++tick) {
@@ -175,7 +175,7 @@ TEST(SimulatedTableFaults, AfterAFaultAllAxesStopTogetherAndStayWhereTheyAre) {
   EXPECT_GE(rest[0], 9);
   EXPECT_LE(rest[0], 14);
   EXPECT_LE(std::abs(rest[0] - rest[1]), 2);
-  EXPECT_EQ(table.read().fault, Fault::soft_limit);
+  EXPECT_EQ(table.read().fault, DriveFault::soft_limit);
   EXPECT_EQ(table.read().actual_mm[2], 0.0);
 }
 
@@ -184,23 +184,23 @@ TEST(SimulatedTableFaults, EnablingClearsTheFaultAndMovesAgain) {
   run_at_speed(table, 50);
   table.fail_encoder(0, EncoderFailure::not_finite);
   table.write(at({}));
-  ASSERT_EQ(table.read().fault, Fault::not_finite);
+  ASSERT_EQ(table.read().fault, DriveFault::not_finite);
   table.enable({7.0, 8.0, 9.0});
-  EXPECT_EQ(table.read().fault, Fault::none);
+  EXPECT_EQ(table.read().fault, DriveFault::none);
   EXPECT_EQ(table.read().fault_axis, -1);
   EXPECT_EQ(table.read().actual_mm, (Position{7.0, 8.0, 9.0}));
   for (int tick = 0; tick < 500; ++tick) {
     table.write(at({8.0, 8.0, 9.0}));
   }
   EXPECT_NEAR(table.read().actual_mm[0], 8.0, 1e-9);
-  EXPECT_EQ(table.read().fault, Fault::none);
+  EXPECT_EQ(table.read().fault, DriveFault::none);
 }
 
 TEST(SimulatedTableFaults, RefusesToGoToTheEndOfTheWorldWithoutTravelToo) {
   SimulatedTable table(TableSettings{});
   table.enable({});
   table.write(at({0.0, 1e300, 0.0}));
-  EXPECT_EQ(table.read().fault, Fault::soft_limit);
+  EXPECT_EQ(table.read().fault, DriveFault::soft_limit);
   EXPECT_EQ(table.read().fault_axis, 1);
 }
 

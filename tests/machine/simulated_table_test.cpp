@@ -17,7 +17,7 @@ namespace {
 using kerf::AxisDrive;
 using kerf::TableSettings;
 using kerf::curves::Position;
-using kerf::machine::Fault;
+using kerf::machine::DriveFault;
 using kerf::machine::MachineState;
 using kerf::machine::SimulatedTable;
 using kerf::machine::test::at;
@@ -39,7 +39,7 @@ TEST(SimulatedTable, HasNoContourErrorOnALineWithMatchedAxes) {
     const double t = tick * kTick;
     table.write(at(on_line(direction, 50.0 * t * t)));  // up to 150 mm/s
     const MachineState state = table.read();
-    ASSERT_EQ(state.fault, Fault::none);
+    ASSERT_EQ(state.fault, DriveFault::none);
     EXPECT_LT(state.contour_error_mm, 1e-10);
     lag_mm = std::max(lag_mm, std::abs(state.following_error_mm[1]));
   }

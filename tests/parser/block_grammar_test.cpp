@@ -7,7 +7,7 @@
 namespace kerf::parser {
 namespace {
 
-bool read(std::string_view line, Block& block) {
+bool read(std::string_view line, BlockWords& block) {
   static Parameters parameters;
   static Evaluator evaluator(parameters);
   return read_block(line, block, evaluator);
@@ -15,7 +15,7 @@ bool read(std::string_view line, Block& block) {
 
 TEST(Block, HoldsItsWordsWithTheirPlaces) {
   const std::string line = "/N7 g1x-2.5 Y 3 (note) m3 M8 G17;rest";
-  Block block;
+  BlockWords block;
   ASSERT_TRUE(read(line, block));
   EXPECT_TRUE(block.deleted);
   EXPECT_EQ(block.value('N'), 7.0);
@@ -33,7 +33,7 @@ TEST(Block, HoldsItsWordsWithTheirPlaces) {
 }
 
 TEST(Block, IsEmptyWhereTheLineHasNoWords) {
-  Block block;
+  BlockWords block;
   for (const char* const line : {"", "  \t", "(only a comment)", "; rest", "/", "(a)(b) ; c"}) {
     EXPECT_TRUE(read(line, block)) << line;
     EXPECT_TRUE(block.empty()) << line;
@@ -41,7 +41,7 @@ TEST(Block, IsEmptyWhereTheLineHasNoWords) {
 }
 
 TEST(Block, ForgetsTheLineBefore) {
-  Block block;
+  BlockWords block;
   ASSERT_TRUE(read("N1 G1 X1 M3", block));
   ASSERT_TRUE(read("Y2", block));
   EXPECT_EQ(block.present, letter_bit('Y'));
@@ -49,7 +49,7 @@ TEST(Block, ForgetsTheLineBefore) {
 }
 
 TEST(Block, StopsWhereTheLineIsWrongWithTheWordsBeforeIt) {
-  Block block;
+  BlockWords block;
   const std::string line = "G1 X1 Y? Z2";
   EXPECT_FALSE(read(line, block));
   EXPECT_EQ(block.stopped_at, 6U);
@@ -57,14 +57,14 @@ TEST(Block, StopsWhereTheLineIsWrongWithTheWordsBeforeIt) {
 }
 
 TEST(Block, KeepsBytesOfAnyEncodingInComments) {
-  Block block;
+  BlockWords block;
   EXPECT_TRUE(read("X1 (\xE4\xF6\xFC \xC3\xA9 \x7F)", block));
   EXPECT_TRUE(read("X1 ; \xFF\x80", block));
 }
 
 TEST(Block, SurvivesEveryByteInEveryPlace) {
   const std::string good = "/N7G1X-2.5 Y 3(n)M3;r";
-  Block block;
+  BlockWords block;
   int refused = 0;
   for (std::size_t place = 0; place < good.size(); ++place) {
     for (int byte = 0; byte < 256; ++byte) {

@@ -21,7 +21,7 @@ void PrintTo(const Found& found, std::ostream* out) {
 std::vector<Found> split(const std::string& text, std::size_t piece) {
   LineSplitter splitter;
   std::vector<Found> found;
-  Line line;
+  NumberedLine line;
   const auto fetch = [&] {
     while (splitter.next(line)) {
       found.push_back({line.too_long ? "too long" : std::string(line.text), line.number});
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Pieces, testing::Values(1, 2, 3, 7, 4096, 1'000'000
 
 TEST(LineSplitter, HoldsNoMoreThanALineOfALineThatNeverEnds) {
   LineSplitter splitter;
-  Line line;
+  NumberedLine line;
   const std::string piece(1 << 16, 'x');
   int lines = 0;
   for (int i = 0; i < 1000; ++i) {

@@ -15,7 +15,7 @@ class MachineValuesOf : public testing::Test {
  protected:
   void run(std::initializer_list<std::string_view> blocks) {
     for (const std::string_view text : blocks) {
-      Block block;
+      BlockWords block;
       const bool complete = read_block(text, block, evaluator_);
       interpreter_.run(block, ++line_, complete);
     }
@@ -158,7 +158,7 @@ TEST(FanucVariables, ShowOffsetsPositionsAndModes) {
   Evaluator evaluator(parameters);
   std::uint32_t line = 0;
   const auto run = [&](std::string_view text) {
-    Block block;
+    BlockWords block;
     const bool complete = read_block(text, block, evaluator);
     interpreter.run(block, ++line, complete);
   };

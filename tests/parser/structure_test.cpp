@@ -15,7 +15,7 @@ void take(ProgramText& text, std::string_view lines) {
   LineSplitter splitter;
   splitter.feed(lines);
   splitter.finish();
-  Line line;
+  NumberedLine line;
   while (!text.closed() && splitter.next(line)) {
     text.take(line);
   }

@@ -30,7 +30,7 @@ class Blocks {
 
   Parameters parameters;
   Evaluator evaluator{parameters};
-  Block block;
+  BlockWords block;
 };
 
 }  // namespace kerf::parser

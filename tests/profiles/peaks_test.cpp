@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-TEST(Peaks, OfTheClosedFormsAreTheTabulated) {
+TEST(ShapePeaks, OfTheClosedFormsAreTheTabulated) {
   EXPECT_EQ(Trapezoid{}.peak_acceleration(), 1.0);
   EXPECT_TRUE(std::isinf(Trapezoid{}.peak_jerk()));
   EXPECT_DOUBLE_EQ(Sine{}.peak_acceleration(), kPi / 2.0);
@@ -27,7 +27,7 @@ TEST(Peaks, OfTheClosedFormsAreTheTabulated) {
 }
 
 // The run of [Quintic, table 3]: 0 to 800 mm/min in 0.2 s.
-TEST(Peaks, OfTheQuinticAreThoseOfItsPaper) {
+TEST(ShapePeaks, OfTheQuinticAreThoseOfItsPaper) {
   const Transition run({.v_begin_mm_s = 0.0, .v_end_mm_s = 800.0 / 60.0}, 0.2, Quintic{});
   EXPECT_NEAR(run.at(0.1).a_mm_s2, 125.0, 1e-9);
   const double peak_at = 0.2 * (0.5 - std::sqrt(3.0) / 6.0);  // 0.211 T
@@ -35,7 +35,7 @@ TEST(Peaks, OfTheQuinticAreThoseOfItsPaper) {
   EXPECT_NEAR(run.at(0.2 - peak_at).j_mm_s3, -1924.5, 0.05);
 }
 
-TEST(Peaks, OfTheSineSeriesAreThoseOfItsRatio) {
+TEST(ShapePeaks, OfTheSineSeriesAreThoseOfItsRatio) {
   struct Row {
     double ratio, acceleration, jerk;
   };
@@ -46,7 +46,7 @@ TEST(Peaks, OfTheSineSeriesAreThoseOfItsRatio) {
   }
 }
 
-TEST(Peaks, OfTheSigmoidAreTheTruePeaksNotThePapersBound) {
+TEST(ShapePeaks, OfTheSigmoidAreTheTruePeaksNotThePapersBound) {
   EXPECT_NEAR(Sigmoid{3.3}.peak_acceleration(), 1.7764, 5e-5);
   EXPECT_NEAR(Sigmoid{3.3}.peak_jerk(), 4.4628, 5e-5);
   EXPECT_NEAR(Sigmoid{2.0}.peak_acceleration(), 1.313, 5e-4);
@@ -74,8 +74,8 @@ struct SigmoidDefinition {
     return x < 1.0 / 3.0 ? 6.0 * b1 * x + 2.0 * b2
                          : 4.0 * s * s * g * (1.0 - g) * (1.0 - 2.0 * g) / c;
   }
-  [[nodiscard]] Peaks peaks() const {
-    Peaks most{.acceleration = 0.0, .jerk = 0.0};
+  [[nodiscard]] ShapePeaks peaks() const {
+    ShapePeaks most{.acceleration = 0.0, .jerk = 0.0};
     constexpr int kSamples = 1200;  // over the first half; a multiple of 3 meets the joint
     for (int i = 0; i <= kSamples; ++i) {
       const double x = 0.5 * i / kSamples;
@@ -87,9 +87,9 @@ struct SigmoidDefinition {
   double s, c, b1 = 0.0, b2 = 0.0;
 };
 
-TEST(Peaks, OfEverySigmoidAreWhatItsDefinitionShows) {
+TEST(ShapePeaks, OfEverySigmoidAreWhatItsDefinitionShows) {
   for (double s = 0.2; s < 5.1; s += 0.05) {
-    const Peaks expected = SigmoidDefinition{s}.peaks();
+    const ShapePeaks expected = SigmoidDefinition{s}.peaks();
     EXPECT_NEAR(Sigmoid{s}.peak_acceleration(), expected.acceleration, 1e-5) << "s = " << s;
     EXPECT_NEAR(Sigmoid{s}.peak_jerk(), expected.jerk, 0.05) << "s = " << s;
     EXPECT_GE(Sigmoid{s}.peak_jerk(), expected.jerk * (1.0 - 1e-12)) << "s = " << s;
@@ -98,7 +98,7 @@ TEST(Peaks, OfEverySigmoidAreWhatItsDefinitionShows) {
 
 struct Member {
   double parameter;
-  Peaks peaks;
+  ShapePeaks peaks;
 };
 
 double shortest(const std::vector<Member>& members, double change, const RampLimits& limits) {

@@ -72,17 +72,17 @@ TEST_P(ProfileLaws, CoverTheIntegralOfTheFeedrate) {
     const Transition transition = profile().fastest(ramp, draw.limits());
     constexpr int kPanels = 400;
     const double step = transition.duration_s() / kPanels;
-    const double v_most = std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s);
+    const double v_max = std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s);
     double sum = 0.0;
     for (int i = 0; i < kPanels; ++i) {
       const double t = i * step;
       sum += step / 6.0 *
              (transition.at(t).v_mm_s + 4.0 * transition.at(t + 0.5 * step).v_mm_s +
               transition.at(t + step).v_mm_s);
-      ASSERT_NEAR(transition.at(t + step).s_mm, sum, 1e-6 * v_most * transition.duration_s())
+      ASSERT_NEAR(transition.at(t + step).s_mm, sum, 1e-6 * v_max * transition.duration_s())
           << "seed " << draw.seed() << " trial " << trial << " panel " << i;
     }
-    ASSERT_NEAR(transition.length_mm(), sum, 1e-9 * v_most * transition.duration_s());
+    ASSERT_NEAR(transition.length_mm(), sum, 1e-9 * v_max * transition.duration_s());
   }
 }
 

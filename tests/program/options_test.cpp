@@ -27,7 +27,7 @@ std::string refusal(const std::vector<const char*>& words) {
 TEST(CommandLine, HasDefaults) {
   const auto parsed = parse({"dry-run", "a.ngc"});
   const auto& options = std::get<Options>(parsed);
-  EXPECT_EQ(options.command, Command::dry_run);
+  EXPECT_EQ(options.command, Subcommand::dry_run);
   EXPECT_EQ(options.files, std::vector<std::string>{"a.ngc"});
   EXPECT_EQ(options.profile, profiles::ProfileKind::time_optimal);
   EXPECT_EQ(options.window_blocks, 1000U);
@@ -76,7 +76,7 @@ TEST(CommandLine, TakesEveryOption) {
                              "--sigmoid-shape", "2.5", "--trace", "t.csv", "--plot", "p.svg",
                              "--window", "50", "--block-delete", "--json", "--quiet", "-"});
   const auto& options = std::get<Options>(parsed);
-  EXPECT_EQ(options.command, Command::run);
+  EXPECT_EQ(options.command, Subcommand::run);
   EXPECT_EQ(options.files, std::vector<std::string>{"-"});
   EXPECT_EQ(options.machine_file, "m.toml");
   EXPECT_EQ(options.profile, profiles::ProfileKind::sigmoid);

@@ -96,7 +96,7 @@ TEST(Summary, OfAProgramWithErrorsIsNothing) {
 
 TEST(Summary, OfACheckIsOneLine) {
   FileReport report = sample_report();
-  report.command = Command::check;
+  report.command = Subcommand::check;
   report.motion.reset();
   EXPECT_EQ(summary(report),
             "wing.ngc: ok, 0:00:04.449, 383.123 mm in 1 block, "

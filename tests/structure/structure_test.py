@@ -12,6 +12,7 @@ sys.path.insert(0, str(HERE))
 import error_pages  # noqa: E402
 import front_door  # noqa: E402
 import includes  # noqa: E402
+import namesakes  # noqa: E402
 import paths  # noqa: E402
 import pictures  # noqa: E402
 import references  # noqa: E402
@@ -171,6 +172,11 @@ class KERF_API Kernel {
   void hidden();
   int count_ = 0;
 };
+struct Answer {
+  int count = 0;
+  constexpr bool is_accepted() const { if (count) { return false; } return true; }
+};
+constexpr int letter_bit(char letter) { return 1 << (letter - 'A'); }
 """
     PAGE = """| `Kernel` | thread | allocates |
 | --- | --- | --- |
@@ -179,7 +185,11 @@ class KERF_API Kernel {
 
 | `function` | thread | allocates |
 | --- | --- | --- |
-| `validate` | any | yes |
+| `validate`, `letter_bit` | any | yes |
+
+| `Answer` | thread | allocates |
+| --- | --- | --- |
+| `is_accepted` | any | no |
 
 | header | what it has |
 | --- | --- |
@@ -200,8 +210,37 @@ class KERF_API Kernel {
     def test_finds_a_function_without_a_row(self):
         self.assertEqual(self.found("`validate`", "nothing"), ["docs/embedding.md: error: says nothing of function validate"])
 
+    def test_finds_those_written_in_the_header_too(self):
+        self.assertEqual(self.found(", `letter_bit`"), ["docs/embedding.md: error: says nothing of function letter_bit"])
+        self.assertEqual(self.found("`is_accepted`", "nothing"), ["docs/embedding.md: error: says nothing of Answer is_accepted"])
+
     def test_finds_a_row_without_a_method(self):
         self.assertEqual(self.found("`feed`", "`feed`, `hidden`"), ["docs/embedding.md: error: there is no Kernel hidden"])
+
+
+class NamesakeRule(Checkout):
+    def setUp(self):
+        super().setUp()
+        self.write("parser/block.hpp", "namespace kerf::parser {\nstruct Block {\n  struct Part {\n  };\n};\n}\n")
+
+    def found(self):
+        return list(namesakes.findings(self.root))
+
+    def test_accepts_types_with_names_of_their_own(self):
+        self.write("lookahead/block.hpp", "struct PlanBlock {\n  struct Part {\n  };\n};\nstruct Block;\nusing Block = parser::Block;\n")
+        self.write("lookahead/one.cpp", "struct Local {\n};\n")
+        self.write("lookahead/two.cpp", "struct Local {\n};\n")
+        self.assertEqual(self.found(), [])
+
+    def test_finds_two_types_of_one_name_in_headers(self):
+        self.write("lookahead/block.hpp", "namespace kerf::lookahead {\nclass Block final : public Base {\n};\n}\n")
+        self.assertEqual(self.found(), ["lookahead/block.hpp:2: error: Block is the name of another type, in parser/block.hpp"])
+
+    def test_finds_one_in_a_source_file_and_an_alias(self):
+        self.write("smoothing/local.cpp", "\nenum class Block : char { none };\n")
+        self.write("smoothing/other.cpp", "using Block = std::array<int, 3>;\n")
+        self.assertEqual(self.found(), ["smoothing/local.cpp:2: error: Block is the name of another type, in parser/block.hpp",
+                                        "smoothing/other.cpp:1: error: Block is the name of another type, in parser/block.hpp"])
 
 
 class ReferenceRule(Checkout):

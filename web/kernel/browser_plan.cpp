@@ -51,7 +51,7 @@ void write_files(const Json& files) {
 }
 
 kerf::program::Options options_of(const Json& order) {
-  kerf::program::Options options{.command = kerf::program::Command::report};
+  kerf::program::Options options{.command = kerf::program::Subcommand::report};
   options.profile = kerf::profile_kind(order.at("profile").get<std::string>()).value();
   options.explained_speed.emplace();
   options.max_time_s = kMaxTime_s;

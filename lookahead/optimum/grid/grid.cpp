@@ -23,7 +23,7 @@ std::vector<CellStop> apart(const std::vector<CellStop>& stops, const GridScan& 
         stop.s_mm - kept.back().s_mm < std::min(shortest, kept.back().slack_mm)) {
       kept.pop_back();
     }
-    const double room = std::max(std::min(shortest, stop.slack_mm), seen.least_mm());
+    const double room = std::max(std::min(shortest, stop.slack_mm), seen.min_mm());
     if (length - stop.s_mm < room) {
       stop.s_mm = length;
     }

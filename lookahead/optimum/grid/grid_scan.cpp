@@ -172,15 +172,14 @@ void GridScan::find_motion(const std::vector<Cell>& cells, const PlanLimits& lim
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double a = tangential_acceleration_mm_s2(cells[i], cells[i].begin, limits);
     const double j = tangential_jerk_mm_s3(cells[i], cells[i].begin, limits);
-    const double least_s = kMinTicks * limits.period_s;
-    const double most_s =
-        std::clamp(cell_time_s(legs[i], a / j), least_s, kMaxTicks * limits.period_s);
+    const double min_s = kMinTicks * limits.period_s;
+    const double max_s =
+        std::clamp(cell_time_s(legs[i], a / j), min_s, kMaxTicks * limits.period_s);
     const double v = std::max(feeds_mm_s_[i], feeds_mm_s_[i + 1]);
     const double change = change_mm(cells[i], {.v_mm_s = v, .a_mm_s2 = a}, limits);
     for (const std::size_t place : {i, i + 1}) {
       const double at = feeds_mm_s_[place];
-      motion_mm_[place] =
-          std::min(motion_mm_[place], std::clamp(change, least_s * at, most_s * at));
+      motion_mm_[place] = std::min(motion_mm_[place], std::clamp(change, min_s * at, max_s * at));
     }
   }
 }
@@ -224,7 +223,7 @@ void GridScan::find_quiet(const BlockPath& path, const std::vector<Cell>& cells,
   limit_growth(places_mm_, kFeatureGrowth, feature_mm_);
 }
 
-double GridScan::least_mm() const {
+double GridScan::min_mm() const {
   return std::min(kMinCell_mm, kMinShare * length_mm());
 }
 
@@ -239,7 +238,7 @@ double GridScan::cell_mm(double s_mm) const {
     return values[from] + share * (values[to] - values[from]);
   };
   const double of_motion = std::max(at(motion_mm_), std::min(kGrowth * at(quiet_mm_), at(cap_mm_)));
-  return std::max(least_mm(), std::min(at(feature_mm_), of_motion));
+  return std::max(min_mm(), std::min(at(feature_mm_), of_motion));
 }
 
 }  // namespace kerf::lookahead

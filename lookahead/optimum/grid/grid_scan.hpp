@@ -28,7 +28,7 @@ class GridScan {
   // How long a cell at this place of the block may be.
   [[nodiscard]] double cell_mm(double s_mm) const;
   // No cell is shorter.
-  [[nodiscard]] double least_mm() const;
+  [[nodiscard]] double min_mm() const;
   [[nodiscard]] double length_mm() const { return places_mm_.back(); }
 
  private:

@@ -26,8 +26,8 @@ constexpr double kAllShares = 0.99;
 // Of a jump of curvature that its cells share at each feedrate: what both may use, how much of it a
 // slight turn may take beside it, and what must be left to the cells.
 constexpr double kDynamic = 0.998;
-constexpr double kMostOfTurn = 0.1;
-constexpr double kLeastDynamic = 0.75;
+constexpr double kMaxOfTurn = 0.1;
+constexpr double kMinDynamic = 0.75;
 constexpr double kSmooth = 1e-9;    // of the path's feedrate and of further axes
 constexpr double kStepPeak = 0.75;  // of a step of acceleration in a third difference
 
@@ -99,7 +99,7 @@ double chord_bound_mm_s(const JunctionQuery& query, const JumpShares& shares,
 // What curvature beside a jump allows with the jerk that is left to the cells.
 double feedrate_beside_mm_s(const BlockEnd& before, const BlockEnd& after, const JumpShares& shares,
                             const PlanLimits& limits) {
-  const double third = std::max(before.most_third_per_mm2, after.most_third_per_mm2);
+  const double third = std::max(before.max_third_per_mm2, after.max_third_per_mm2);
   double jerk = limits.path.jerk_mm_s3;
   for (const MotionLimits& axis : limits.axes) {
     jerk = std::min(jerk, axis.jerk_mm_s3);
@@ -159,8 +159,8 @@ std::optional<JunctionLimits> dynamic_limits_of(const Jump& jump, const PlanLimi
   const double change = change_mm_s / v;
   junction.acceleration_share = 1.0 - turn_share;
   junction.shares = {.turn = 1.0, .cells = kDynamic - turn_share - 3.0 / 16.0 * change * change};
-  const bool holds = is_smooth_beside_axes(jump.before, jump.after) && turn_share <= kMostOfTurn &&
-                     junction.shares.cells >= kLeastDynamic;
+  const bool holds = is_smooth_beside_axes(jump.before, jump.after) && turn_share <= kMaxOfTurn &&
+                     junction.shares.cells >= kMinDynamic;
   return holds ? std::optional(junction) : std::nullopt;
 }
 
@@ -171,7 +171,7 @@ JunctionLimits junction_limits_of(const Jump& jump, const PlanLimits& limits) {
     return *dynamic;
   }
   JunctionLimits fastest;
-  double most_mm_s = -1.0;
+  double max_mm_s = -1.0;
   for (const JumpShares& shares : kShares) {
     JumpShares of_one = shares;
     of_one.jump /= jump.crowd;
@@ -184,8 +184,8 @@ JunctionLimits junction_limits_of(const Jump& jump, const PlanLimits& limits) {
     }
     const double passed_mm_s =
         std::min(corner, feedrate_beside_mm_s(jump.before, jump.after, shares, limits));
-    if (passed_mm_s > most_mm_s) {
-      most_mm_s = passed_mm_s;
+    if (passed_mm_s > max_mm_s) {
+      max_mm_s = passed_mm_s;
       fastest = junction;
     }
   }
@@ -230,7 +230,7 @@ CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limi
     return *dynamic;
   }
   CellJunction fastest;
-  double most_mm_s = -1.0;
+  double max_mm_s = -1.0;
   for (const JumpShares& shares : kShares) {
     const double chord = chord_bound_mm_s(query, shares, limits);
     Junction found = junction_of(query, jump_limits(limits, shares));
@@ -247,8 +247,8 @@ CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limi
     }
     const double passed_mm_s = std::min(
         found.feedrate_mm_s, feedrate_beside_mm_s(jump.before, jump.after, shares, limits));
-    if (shares.jump >= kNearlyAll && passed_mm_s > most_mm_s) {
-      most_mm_s = passed_mm_s;
+    if (shares.jump >= kNearlyAll && passed_mm_s > max_mm_s) {
+      max_mm_s = passed_mm_s;
       fastest = passed;
     }
   }

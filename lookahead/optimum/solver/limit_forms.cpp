@@ -33,8 +33,8 @@ Forms forms_at(const Cell& cell, const PathSample& end, const PlanLimits& limits
 
 Bounds bounds_of(const Forms& forms, double cap_mm_s) {
   Bounds bounds{.squared_mm2_s2 = cap_mm_s * cap_mm_s};
-  double least_acceleration = kUnbounded;
-  double least_jerk = kUnbounded;
+  double min_acceleration = kUnbounded;
+  double min_jerk = kUnbounded;
   for (std::size_t k = 0; k < kForms; ++k) {
     const double size = std::abs(forms[k].first);
     if (size == 0.0) {
@@ -44,8 +44,8 @@ Bounds bounds_of(const Forms& forms, double cap_mm_s) {
         (forms[k].acceleration_mm_s2 + std::abs(forms[k].second_per_mm) * bounds.squared_mm2_s2) /
         size;
     bounds.acceleration_mm_s2 = std::min(bounds.acceleration_mm_s2, a);
-    if (forms[k].second_per_mm == 0.0 && a < least_acceleration) {
-      least_acceleration = a;
+    if (forms[k].second_per_mm == 0.0 && a < min_acceleration) {
+      min_acceleration = a;
       bounds.tightest_acceleration = k;
     }
   }
@@ -59,8 +59,8 @@ Bounds bounds_of(const Forms& forms, double cap_mm_s) {
         std::abs(forms[k].third_per_mm2) * cap_mm_s * bounds.squared_mm2_s2;
     const double j = (forms[k].jerk_mm_s3 + (from_curvature > 0.0 ? from_curvature : 0.0)) / size;
     bounds.jerk_mm_s3 = std::min(bounds.jerk_mm_s3, j);
-    if (forms[k].second_per_mm == 0.0 && forms[k].third_per_mm2 == 0.0 && j < least_jerk) {
-      least_jerk = j;
+    if (forms[k].second_per_mm == 0.0 && forms[k].third_per_mm2 == 0.0 && j < min_jerk) {
+      min_jerk = j;
       bounds.tightest_jerk = k;
     }
   }

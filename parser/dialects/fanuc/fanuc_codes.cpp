@@ -144,7 +144,7 @@ Done fanuc_dwell(const RunningBlock& at, const ModalState& state) {
   return {};
 }
 
-Expected<HomePosition> second_reference_point(const Block& block, const MachineData& machine) {
+Expected<HomePosition> second_reference_point(const BlockWords& block, const MachineData& machine) {
   const double number = block.value_or('P', 2.0);
   if (number == 2.0) {
     return HomePosition{machine.second_home_mm, machine.second_home_extra_deg_mm};

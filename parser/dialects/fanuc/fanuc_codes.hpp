@@ -18,7 +18,7 @@ void settle_cycle_group(const RunningBlock& at, BlockCodes& codes, ModalState& s
 // G4: P in milliseconds, X and U in seconds.
 Done fanuc_dwell(const RunningBlock& at, const ModalState& state);
 // G30 P2 to P4: the second to the fourth reference point; without P the second.
-Expected<HomePosition> second_reference_point(const Block& block, const MachineData& machine);
+Expected<HomePosition> second_reference_point(const BlockWords& block, const MachineData& machine);
 // G10 as the dialect has it, with the kinds that it shares.
 Done set_fanuc_data(const RunningBlock& at, ModalState& state, ToolTable& tools);
 // G06.2 P goes to 4 on the control; a program with more is for Kerf, or wrong.
@@ -32,7 +32,8 @@ Done shape_program(const RunningBlock& at, ModalState& state);
 // by the control's least increment: with 0.001 mm X1000 is X1. In inches the increment is a tenth
 // of that many inches, as on the control (IS-B: 0.001 mm, 0.0001 inch). Times and angles count in
 // thousandths. Words of an expression, feeds, counts and numbers of things stay as they are.
-void count_in_least_increments(const ModalState& state, double least_increment_mm, Block& block);
+void count_in_least_increments(const ModalState& state, double least_increment_mm,
+                               BlockWords& block);
 
 // end_of_block.cpp. Fanuc listings write the end of a block as ';', where other controls begin a
 // comment. True: the text behind a ';' is words, as in `G1 X5; G1 Y7;`, and no remark.

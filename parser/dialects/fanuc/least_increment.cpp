@@ -4,7 +4,7 @@ namespace kerf::parser {
 
 namespace {
 
-bool has_g(const Block& block, double code) {
+bool has_g(const BlockWords& block, double code) {
   for (std::size_t i = 0; i < block.g_count; ++i) {
     if (block.g[i].value == code) {
       return true;
@@ -13,11 +13,11 @@ bool has_g(const Block& block, double code) {
   return false;
 }
 
-bool is_in_inches(const Block& block, const ModalState& state) {
+bool is_in_inches(const BlockWords& block, const ModalState& state) {
   return has_g(block, 20.0) || (state.units == Units::inch && !has_g(block, 21.0));
 }
 
-bool has_cycle(const Block& block, const ModalState& state) {
+bool has_cycle(const BlockWords& block, const ModalState& state) {
   bool moves = false;
   for (std::size_t i = 0; i < block.g_count; ++i) {
     const double g = block.g[i].value;
@@ -30,7 +30,7 @@ bool has_cycle(const Block& block, const ModalState& state) {
 }
 
 // Letters whose numbers are lengths, or angles of A, B and C, in this block.
-Letters lengths_of(const Block& block, const ModalState& state) {
+Letters lengths_of(const BlockWords& block, const ModalState& state) {
   Letters lengths =
       letters('X', 'Y', 'Z', 'I', 'J', 'K', 'R', 'Q', 'U', 'V', 'W') | letters('A', 'B', 'C');
   if (has_cycle(block, state)) {
@@ -52,7 +52,8 @@ Letters lengths_of(const Block& block, const ModalState& state) {
 
 }  // namespace
 
-void count_in_least_increments(const ModalState& state, double least_increment_mm, Block& block) {
+void count_in_least_increments(const ModalState& state, double least_increment_mm,
+                               BlockWords& block) {
   const double length = is_in_inches(block, state) ? least_increment_mm * 0.1 : least_increment_mm;
   constexpr double kThousandth = 0.001;
   const bool waits = has_g(block, 4.0);

@@ -38,7 +38,7 @@ Done mirror_program(const RunningBlock& at, ModalState& state) {
 }
 
 // A factor without a decimal point counts in thousandths, as on the control: P2000 is 2.
-Expected<double> scale_factor(const Block& block, const Word& word) {
+Expected<double> scale_factor(const BlockWords& block, const Word& word) {
   const bool thousandths = block.text(word).find_first_of(".[#") == std::string_view::npos;
   const double factor = word.value * (thousandths ? 0.001 : 1.0);
   constexpr double kMin = 1e-5;

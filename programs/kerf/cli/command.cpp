@@ -68,7 +68,7 @@ ExitStatus print_report(const FileReport& report, const Options& options) {
   // Where the trace goes to standard output, nothing else does; a document stands alone, too.
   const bool traced = options.trace_file == "-" || options.page_file == "-";
   if (options.quiet || report.trace_reader_gone ||
-      (!text && (traced || options.command == Command::check))) {
+      (!text && (traced || options.command == Subcommand::check))) {
     return ExitStatus::done;
   }
   return print(traced ? STDERR_FILENO : STDOUT_FILENO, summary(report));
@@ -79,7 +79,7 @@ ExitStatus print_document(const std::vector<FileReport>& reports, const Options&
   if (options.format == DiagnosticFormat::text) {
     return ExitStatus::done;
   }
-  return print(options.command == Command::check ? STDOUT_FILENO : STDERR_FILENO,
+  return print(options.command == Subcommand::check ? STDOUT_FILENO : STDERR_FILENO,
                options.format == DiagnosticFormat::json ? json_diagnostics(reports)
                                                         : sarif_diagnostics(reports));
 }

@@ -112,14 +112,14 @@ void add_outputs(CLI::App& command, OptionWords& words) {
                    "with =@1.5 at 1.5 s");
 }
 
-void add_page(CLI::App& command, Command which, Options& options) {
+void add_page(CLI::App& command, Subcommand which, Options& options) {
   command
       .add_option("--machine", options.machine_files,
                   "machine file (default: a small mill); several stand side by side")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("FILE.toml");
-  if (which == Command::report) {
+  if (which == Subcommand::report) {
     command.add_option("-o,--output", options.page_file, "the page to write")
         ->required()
         ->type_name("FILE.html");
@@ -134,14 +134,14 @@ void add_page(CLI::App& command, Command which, Options& options) {
 
 }  // namespace
 
-CLI::App* add_command(CLI::App& app, Command command, const std::string& description,
+CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& description,
                       OptionWords& words) {
   CLI::App* added = app.add_subcommand(std::string(name_of(command)), description);
   CLI::Option* files =
       added->add_option("FILE", words.options.files, "part program (- is standard input)")
           ->required()
           ->type_name("");
-  if (command == Command::run || command == Command::explain) {
+  if (command == Subcommand::run || command == Subcommand::explain) {
     files->expected(1);
   }
   if (makes_page(command)) {
@@ -150,18 +150,18 @@ CLI::App* add_command(CLI::App& app, Command command, const std::string& descrip
     add_machine(*added, words.options);
   }
   add_common(*added, words);
-  if (command == Command::explain) {
+  if (command == Subcommand::explain) {
     added->add_option("--line", words.options.explained_line, "the line to explain")
         ->required()
         ->check(CLI::PositiveNumber)
         ->type_name("N");
-  } else if (command == Command::check) {
+  } else if (command == Subcommand::check) {
     added->add_flag("--syntax", words.options.syntax_only,
                     "read the text alone: no plan, no curves, no travel");
   } else if (!makes_page(command)) {
     add_outputs(*added, words);
   }
-  if (command == Command::run) {
+  if (command == Subcommand::run) {
     added->add_flag("--optional-stop", words.options.optional_stop, "M1 waits, as M0 does");
     added
         ->add_option("--control", words.options.control,

@@ -23,7 +23,7 @@ struct OptionWords {
   std::string trace_to;       // the same
 };
 
-CLI::App* add_command(CLI::App& app, Command command, const std::string& description,
+CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& description,
                       OptionWords& words);
 
 }  // namespace kerf::program

@@ -125,17 +125,17 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
       "kerf");
   app.set_version_flag("--version", "kerf " KERF_VERSION);
   app.require_subcommand(1);
-  std::map<const CLI::App*, Command> commands;
-  const auto add = [&](Command command, const std::string& description) {
+  std::map<const CLI::App*, Subcommand> commands;
+  const auto add = [&](Subcommand command, const std::string& description) {
     commands.emplace(add_command(app, command, description, words), command);
   };
-  add(Command::dry_run, "run on the simulated table without a clock");
-  add(Command::run, "run in real time");
-  add(Command::check, "read and plan only");
+  add(Subcommand::dry_run, "run on the simulated table without a clock");
+  add(Subcommand::run, "run in real time");
+  add(Subcommand::check, "read and plan only");
   const ErrorPageCommand error_pages(app);
-  add(Command::explain, "what is in force at a line of the program, and when");
-  add(Command::report, "run as dry-run does, into a page for the browser");
-  add(Command::view, "the same, shown in the browser");
+  add(Subcommand::explain, "what is in force at a line of the program, and when");
+  add(Subcommand::report, "run as dry-run does, into a page for the browser");
+  add(Subcommand::view, "the same, shown in the browser");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -126,7 +126,7 @@ std::optional<std::string> contradiction(const Options& options) {
   if (auto message = contradiction_of_trace(options)) {
     return message;
   }
-  if (options.json && options.command == Command::check &&
+  if (options.json && options.command == Subcommand::check &&
       options.format != DiagnosticFormat::text) {
     return "--json and --format both write to standard output";
   }

@@ -40,7 +40,7 @@ tl::expected<PageMaker, std::string> PageMaker::open(const Options& options) {
     return tl::unexpected(page_template.error());
   }
   tl::expected<std::string, std::string> path = options.page_file;
-  if (options.command == Command::view) {
+  if (options.command == Subcommand::view) {
     path = temporary_page(options.files.front());
   }
   if (!path) {
@@ -69,8 +69,8 @@ ExitStatus PageMaker::finish() {
   if (!file_.has_plans() || stop_requested()) {
     return ExitStatus::done;
   }
-  const bool shown = options_->command == Command::view && open_in_browser(file_.name());
-  if (!options_->quiet || (options_->command == Command::view && !shown)) {
+  const bool shown = options_->command == Subcommand::view && open_in_browser(file_.name());
+  if (!options_->quiet || (options_->command == Subcommand::view && !shown)) {
     write_error_line(fmt::format("{}: {:.2f} MB, {} the program's text", visible(file_.name()),
                                  static_cast<double>(file_.bytes()) / 1e6,
                                  has_source_ ? "with" : "without"));

@@ -50,7 +50,7 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
   void write(std::string line) {
     waiting_bytes_ += line.size();
     lines_.push_back(std::move(line));
-    if (waiting_bytes_ > kMostWaiting) {
+    if (waiting_bytes_ > kMaxWaiting) {
       close();
     } else if (lines_.size() == 1) {
       write_next();
@@ -75,7 +75,7 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
 
  private:
   static constexpr std::size_t kLongestLine = 65'536;
-  static constexpr std::size_t kMostWaiting = 1U << 20U;  // bytes
+  static constexpr std::size_t kMaxWaiting = 1U << 20U;  // bytes
 
   // It may still be told what happens.
   void stop_reading() {

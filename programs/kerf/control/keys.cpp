@@ -17,7 +17,7 @@ using Asked = kerf::Command;
 constexpr char kEscape = '\x1b';
 constexpr std::chrono::milliseconds kWait{50};
 constexpr int kFeedStep_percent = 10;
-constexpr int kMostFeed_percent = 200;
+constexpr int kMaxFeed_percent = 200;
 
 int feed_percent(const ControllerStatus& status) {
   return static_cast<int>(std::lround(100.0 * status.overrides.feed));
@@ -71,7 +71,7 @@ void Keys::press(char key) {
 
 void Keys::change_feed(int percent) {
   Overrides overrides = by_->status().overrides;
-  overrides.feed = 0.01 * std::clamp(percent, 0, kMostFeed_percent);
+  overrides.feed = 0.01 * std::clamp(percent, 0, kMaxFeed_percent);
   static_cast<void>(by_->controller().set_overrides(overrides));
 }
 

@@ -47,7 +47,7 @@ std::optional<std::string> input_fault() {
 
 // What standard input still gives, in a temporary file: it may be a file that somebody has read a
 // part of. Error: why not.
-tl::expected<Descriptor, std::string> copy_of_input(std::uint64_t most_bytes) {
+tl::expected<Descriptor, std::string> copy_of_input(std::uint64_t max_bytes) {
   if (auto fault = input_fault()) {
     return tl::unexpected(std::move(*fault));
   }
@@ -70,8 +70,8 @@ tl::expected<Descriptor, std::string> copy_of_input(std::uint64_t most_bytes) {
     }
     const auto bytes = static_cast<std::size_t>(count);
     copied += bytes;
-    if (copied > most_bytes) {
-      return tl::unexpected("more than " + std::to_string(most_bytes) +
+    if (copied > max_bytes) {
+      return tl::unexpected("more than " + std::to_string(max_bytes) +
                             " bytes: write them into a file and give its name");
     }
     if (const int error = write_all(to.number(), {buffer.data(), bytes})) {
@@ -100,9 +100,9 @@ Descriptor ProgramFile::open_live(const std::string& path) {
 }
 
 tl::expected<ProgramFile, std::string> ProgramFile::open(const std::string& path,
-                                                         std::uint64_t most_copied_bytes) {
+                                                         std::uint64_t max_copied_bytes) {
   const std::string name = path == "-" ? "<stdin>" : path;
-  auto source = path == "-" ? copy_of_input(most_copied_bytes) : open_regular(path);
+  auto source = path == "-" ? copy_of_input(max_copied_bytes) : open_regular(path);
   if (!source) {
     return tl::unexpected(name + ": " + source.error());
   }

@@ -30,7 +30,7 @@ class ProgramFile {
   // path "-" is standard input, of which no more is copied. Error: what the system says, with the
   // path.
   static tl::expected<ProgramFile, std::string> open(
-      const std::string& path, std::uint64_t most_copied_bytes = kMaxCopiedBytes);
+      const std::string& path, std::uint64_t max_copied_bytes = kMaxCopiedBytes);
 
   // The name for diagnostics: the path, or <stdin>.
   [[nodiscard]] const std::string& name() const noexcept { return name_; }

@@ -66,7 +66,7 @@ struct ClockReport {
 
 struct FileReport {
   std::string file;
-  Command command = Command::dry_run;
+  Subcommand command = Subcommand::dry_run;
   bool syntax_only = false;
   std::string machine;  // the machine file, or "default"
   std::string_view profile;
@@ -81,7 +81,7 @@ struct FileReport {
   std::vector<std::string> failures;  // errors without one: files, faults of the machine
   std::vector<std::string> warnings;  // without a place
   std::optional<PlanReport> plan;
-  std::optional<BlockReport> block;  // of Command::explain
+  std::optional<BlockReport> block;  // of Subcommand::explain
   std::optional<MotionReport> motion;
   std::optional<ClockReport> clock;
   SpeedQuestion speed_question{};

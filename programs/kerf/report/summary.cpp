@@ -167,10 +167,10 @@ std::string summary(const FileReport& report) {
   if (!report.plan) {
     return {};
   }
-  if (report.command == Command::explain) {
+  if (report.command == Subcommand::explain) {
     return block_text(report);
   }
-  if (report.command == Command::check) {
+  if (report.command == Subcommand::check) {
     return check_line(report);
   }
   const PlanReport& plan = *report.plan;

@@ -20,7 +20,7 @@ void fill_in(Open open, ProgramFile& file) {
     return a->source.line < b->source.line;
   });
   auto next = open.begin();
-  const auto take = [&](const parser::Line& line) {
+  const auto take = [&](const parser::NumberedLine& line) {
     for (; next != open.end() && (*next)->source.line <= line.number; ++next) {
       if ((*next)->source.line == line.number) {
         (*next)->block = diagnostics::excerpt_of(line.text, (*next)->source.column - 1);
@@ -36,7 +36,7 @@ void fill_in(Open open, ProgramFile& file) {
     } else {
       lines.feed(*piece);
     }
-    for (parser::Line line; next != open.end() && lines.next(line);) {
+    for (parser::NumberedLine line; next != open.end() && lines.next(line);) {
       take(line);
     }
   }

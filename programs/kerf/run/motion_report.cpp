@@ -28,7 +28,7 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
                                .mean_contour_error_mm = statistics.mean_contour_error_mm(),
                                .max_following_error_mm = statistics.max_following_error_mm(),
                                .starved_ticks = outcome.starved_ticks};
-  if (report.command == Command::run) {
+  if (report.command == Subcommand::run) {
     report.clock =
         ClockReport{.late_ticks = outcome.late_ticks, .worst_delay_s = outcome.worst_delay_s};
   }
@@ -57,17 +57,17 @@ std::string describe(const MachineFault& fault, double period_s) {
   }
   std::string what;
   switch (fault.kind) {
-    case machine::Fault::soft_limit:
+    case machine::DriveFault::soft_limit:
       what = "soft limit" + axis;
       break;
-    case machine::Fault::following_error:
+    case machine::DriveFault::following_error:
       what = "following error" + axis + " too large";
       break;
-    case machine::Fault::not_finite:
+    case machine::DriveFault::not_finite:
       what = "position" + axis + " is not a number";
       break;
-    case machine::Fault::none:
-    case machine::Fault::not_enabled:
+    case machine::DriveFault::none:
+    case machine::DriveFault::not_enabled:
       what = "drives not enabled";
       break;
   }

@@ -45,7 +45,7 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     outputs->recorder().plot->add_scan(*order.path.scan);
   }
   MotionStage stage(order, text, *outputs, report);
-  if (order.options.command == Command::run) {
+  if (order.options.command == Subcommand::run) {
     run_machine(stage);
   } else {
     dry_run(stage);

@@ -50,7 +50,7 @@ void MotionStage::finish(const End& end) {
   }
   // A run that is stopped has done what its trace says; a dry run has not shown what it was to
   // show.
-  const bool is_cut = order_.options.command != Command::run &&
+  const bool is_cut = order_.options.command != Subcommand::run &&
                       (stop_requested() || end.outcome.too_long_at_line || trace_ended);
   for (const auto& error : {outputs_.close_trace(end.outcome.dropped_records, is_cut),
                             outputs_.write_plot(plot_caption(report_), is_cut)}) {
@@ -66,7 +66,7 @@ void MotionStage::report_end(const End& end) {
     report_.fail(*fault);
   } else if (end.outcome.hung) {
     report_.fail({.line = 0, .what = "the program is read and nothing is planned"});
-  } else if (ticks_.fault().kind != machine::Fault::none) {
+  } else if (ticks_.fault().kind != machine::DriveFault::none) {
     report_.fail(ExitStatus::machine_fault, describe(ticks_.fault(), report_.period_s));
   } else if (end.outcome.gap) {
     report_.fail(ExitStatus::machine_fault, describe(*end.outcome.gap, report_.period_s));

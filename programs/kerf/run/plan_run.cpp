@@ -64,7 +64,7 @@ void run_plan(const PlanRunOrder& order, ProgramFile& file, FileReport& report) 
   } else {
     report.plan = report_of(*planned, order.path, report.period_s);
     report.warnings = describe(planned->totals.degradations);
-    if (options.command == Command::explain) {
+    if (options.command == Subcommand::explain) {
       explain(watch, options.explained_line, report);
     }
   }

@@ -107,7 +107,7 @@ RunOutcome run_without_clock(Kernel& kernel, const RunStage& stage) {
     outcome.trace_ended = stage.recorder.trace_ended();
     judge.count(status == TickStatus::starved, outcome);
     if (status == TickStatus::finished || status == TickStatus::failed || outcome.hung ||
-        stage.ticks.fault().kind != machine::Fault::none || outcome.trace_ended) {
+        stage.ticks.fault().kind != machine::DriveFault::none || outcome.trace_ended) {
       return outcome;
     }
     if (record.tick >= stage.last_tick) {
@@ -140,7 +140,7 @@ RunOutcome run_in_real_time(const RealTimeOrder& order, const RunStage& stage) {
       stage.progress.set_done(record.motion.s_mm);
       judge.count(is_starved(order.controller), outcome);
       if (is_over(state, order.controller) || outcome.hung ||
-          stage.ticks.fault().kind != machine::Fault::none) {
+          stage.ticks.fault().kind != machine::DriveFault::none) {
         break;
       }
       if (planning.failed()) {

@@ -43,7 +43,7 @@ class Session {
                         .window_blocks = options.window_blocks,
                         .block_delete = options.block_delete,
                         .optional_stop = options.optional_stop,
-                        .one_thread = options.command != Command::run,
+                        .one_thread = options.command != Subcommand::run,
                         .tells_operator = page != nullptr,
                         .dialect = options.dialect} {
     if (options.log_level == LogLevel::debug) {
@@ -65,7 +65,7 @@ class Session {
       kernel_options_.subprograms =
           subprograms_beside(path, options_.dialect.value_or(settings_.dialect));
     }
-    if (options_.command != Command::run || !begin_run(path)) {
+    if (options_.command != Subcommand::run || !begin_run(path)) {
       check_and_run(path);
     }
     return std::move(report_);
@@ -97,7 +97,7 @@ class Session {
     } else if (check(*file) && !options_.syntax_only) {
       file->rewind();
       const Stopwatch watch;
-      if (options_.command == Command::check || options_.command == Command::explain) {
+      if (options_.command == Subcommand::check || options_.command == Subcommand::explain) {
         plan(*file);
       } else {
         move(*file);

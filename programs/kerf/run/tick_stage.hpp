@@ -10,7 +10,7 @@
 namespace kerf::program {
 
 struct MachineFault {
-  machine::Fault kind = machine::Fault::none;
+  machine::DriveFault kind = machine::DriveFault::none;
   std::int8_t axis = -1;
   std::uint32_t line = 0;
   std::int64_t tick = 0;
@@ -29,7 +29,7 @@ class TickStage {
     table_.write(setpoint);
     const machine::MachineState state = table_.read();
     statistics_.add(setpoint, state);
-    if (state.fault != machine::Fault::none && fault_.kind == machine::Fault::none) {
+    if (state.fault != machine::DriveFault::none && fault_.kind == machine::DriveFault::none) {
       fault_ = {.kind = state.fault,
                 .axis = state.fault_axis,
                 .line = setpoint.line,

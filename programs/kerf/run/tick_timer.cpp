@@ -26,7 +26,7 @@ double seconds(std::int64_t time_ns) noexcept {
 TickTimer::TickTimer(double period_s) noexcept
     : period_ns_(std::llround(period_s * 1e9)),
       due_ns_(now_ns(CLOCK_MONOTONIC)),
-      longest_gap_ns_(std::llround(std::max(kLongestGap_s, kFewestPeriods * period_s) * 1e9)) {}
+      longest_gap_ns_(std::llround(std::max(kLongestGap_s, kMinPeriods * period_s) * 1e9)) {}
 
 double TickTimer::wait() noexcept {
   const timespec due{.tv_sec = static_cast<std::time_t>(due_ns_ / kNanosecondsPerSecond),

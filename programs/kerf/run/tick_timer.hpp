@@ -15,7 +15,7 @@ class TickTimer {
   // system that is not made for real time.
   static constexpr double kLongestGap_s = 0.25;
   // A long period is not a gap.
-  static constexpr double kFewestPeriods = 4.0;
+  static constexpr double kMinPeriods = 4.0;
 
   // Sleeps until the next tick is due, on CLOCK_MONOTONIC and against absolute times, so that
   // delays do not add up. Where it is due a period ago or more, the tick counts as late and the

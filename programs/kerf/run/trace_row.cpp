@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLengthDecimals = 10;
 constexpr int kMotionDecimals = 6;
-constexpr int kFewestTimeDecimals = 6;
+constexpr int kMinTimeDecimals = 6;
 constexpr int kMaxTimeDecimals = 12;
 constexpr std::size_t kMaxNumberBytes = 330;
 
@@ -37,7 +37,7 @@ char* write_number(char* at, double value) noexcept {
 
 TickClock::TickClock(double period_s) noexcept : period_s_(period_s) {
   std::int64_t unit = 1'000'000;
-  for (int decimals = kFewestTimeDecimals; decimals <= kMaxTimeDecimals; ++decimals, unit *= 10) {
+  for (int decimals = kMinTimeDecimals; decimals <= kMaxTimeDecimals; ++decimals, unit *= 10) {
     const double units = period_s * static_cast<double>(unit);
     const double whole = std::round(units);
     if (whole >= 1.0 && std::abs(units - whole) <= 1e-15 * units * 4.0) {

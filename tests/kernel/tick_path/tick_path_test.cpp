@@ -94,7 +94,7 @@ void expect_quiet_ticks(const std::string& program, const MachineSettings& setti
   EXPECT_FALSE(kernel->has_errors());
   EXPECT_GT(ticks, 1000);
   EXPECT_GT(chord_mm, 0.0);
-  EXPECT_EQ(state.fault, machine::Fault::none);
+  EXPECT_EQ(state.fault, machine::DriveFault::none);
 }
 
 TEST_F(TickPath, IsQuietUnderEveryLaw) {
@@ -125,7 +125,7 @@ TEST_F(TickPath, IsQuietWhileStarvedAndThroughAMachineFault) {
     ASSERT_EQ(Trap::counts().total(), 0) << "tick " << setpoint.tick;
   }
   EXPECT_EQ(status, interp::TickStatus::starved);
-  EXPECT_EQ(state.fault, machine::Fault::soft_limit);
+  EXPECT_EQ(state.fault, machine::DriveFault::soft_limit);
 }
 
 // A hold, a planning thread that is late, and an emergency stop, in this order.
