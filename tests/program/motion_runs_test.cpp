@@ -20,10 +20,10 @@ TEST(MotionRuns, EndWhereLineKindOrToolChange) {
   add({.line = 5, .tool = 4, .limit = Constraint::programmed});
   add({.line = 5, .tool = 4, .limit = Constraint::chord_error});
   ASSERT_EQ(runs.runs().size(), 4U);
-  EXPECT_EQ(runs.runs()[0].kind, RunKind::rapid);
-  EXPECT_EQ(runs.runs()[1].kind, RunKind::rest);
+  EXPECT_EQ(runs.runs()[0].kind, TickKind::rapid);
+  EXPECT_EQ(runs.runs()[1].kind, TickKind::rest);
   EXPECT_EQ(runs.runs()[2].tool, 4);
-  EXPECT_EQ(runs.runs()[3].kind, RunKind::cut);
+  EXPECT_EQ(runs.runs()[3].kind, TickKind::cut);
   EXPECT_EQ(runs.runs()[3].tick, 30);
   EXPECT_EQ(runs.shortest_ticks(), 1);
 }

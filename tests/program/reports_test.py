@@ -182,7 +182,7 @@ class Log(Case):
 
 class Json(Case):
     KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "period_s", "cycle_time_s", "ticks",
-            "path_length_mm", "blocks", "extents", "path_modes", "waits", "deviation", "max", "limits_exceeded", "chord_error_mm", "contour_error",
+            "path_length_mm", "blocks", "extents", "path_modes", "waits", "deviation", "time_split", "max", "limits_exceeded", "chord_error_mm", "contour_error",
             "following_error", "starved_ticks", "warnings", "errors", "elapsed")
 
     def test_lists_where_a_program_waits_and_the_time_that_the_machine_file_gives_it(self):
@@ -200,6 +200,10 @@ class Json(Case):
                          [(3, "spindle_start", 2), (5, "program_stop", 0), (8, "spindle_start", 2), (9, "tool_change", 7.5), (10, "pallet_change", 0)])
         self.assertEqual(report["waits"]["duration_s"], 11.5)
         self.assertAlmostEqual(report["cycle_time_s"] - base, 11.5, delta=0.003)
+        split = report["time_split"]
+        self.assertAlmostEqual(split["tool_change_s"], 7.5, delta=0.0021)
+        self.assertAlmostEqual(split["rest_s"], 4.0, delta=0.0081)
+        self.assertAlmostEqual(sum(split.values()), report["cycle_time_s"], places=9)
         self.assertEqual(json.loads(self.kerf("check", part, "--machine", slow, "--json").stdout)["waits"], report["waits"])
         tapping = self.path("tapping.ngc", "G21 G90 G0 Z5\nM3 S500\nG84 X1 Y1 Z-5 R1 F500\nG86 X3 Y1 Z-5 R1 P0 F500\nM5\nM2\n")
         report = json.loads(self.kerf("dry-run", tapping, "--machine", slow, "--json").stdout)

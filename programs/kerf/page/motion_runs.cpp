@@ -2,17 +2,6 @@
 
 namespace kerf::program {
 
-namespace {
-
-RunKind kind_of(const TickRecord& record) noexcept {
-  if (record.limit == interp::Constraint::rest) {
-    return RunKind::rest;
-  }
-  return record.rapid ? RunKind::rapid : RunKind::cut;
-}
-
-}  // namespace
-
 void MotionRuns::add(const TickRecord& record) {
   const LineRun run{
       .tick = record.tick, .line = record.line, .tool = record.tool, .kind = kind_of(record)};

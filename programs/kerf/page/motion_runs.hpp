@@ -9,14 +9,12 @@
 
 namespace kerf::program {
 
-enum class RunKind : std::uint8_t { rest, rapid, cut };
-
 // From its tick up to that of the next run.
 struct LineRun {
   std::int64_t tick = 0;
   std::uint32_t line = 0;
   std::int32_t tool = 0;  // in the spindle
-  RunKind kind = RunKind::rest;
+  TickKind kind = TickKind::rest;
 };
 
 // A run ends where line, kind or tool change. When runs run out, short ones in a row become one

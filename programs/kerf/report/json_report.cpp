@@ -130,6 +130,13 @@ void set_block(Json& json, const FileReport& file) {
 
 void set_motion(Json& json, const FileReport& report) {
   const MotionReport& motion = *report.motion;
+  const auto seconds = [&report](std::int64_t ticks) {
+    return static_cast<double>(ticks) * report.period_s;
+  };
+  json["time_split"] = {{"cutting_s", seconds(motion.time.cutting)},
+                        {"rapid_s", seconds(motion.time.rapid)},
+                        {"rest_s", seconds(motion.time.rest)},
+                        {"tool_change_s", seconds(motion.time.tool_change)}};
   json["max"] = {{"path", peaks_json(motion.path)},
                  {"axes",
                   {{"x", peaks_json(motion.axes[0])},

@@ -18,6 +18,7 @@
 #include "programs/kerf/exit_status.hpp"
 #include "programs/kerf/options.hpp"
 #include "programs/kerf/report/speed_account.hpp"
+#include "programs/kerf/report/time_split.hpp"
 #include "smoothing/path_deviations.hpp"
 
 namespace kerf::program {
@@ -55,6 +56,7 @@ struct MotionReport {
   double max_contour_error_mm = 0.0;
   double mean_contour_error_mm = 0.0;
   std::array<double, 3> max_following_error_mm{};
+  TimeSplit time{};
   std::uint64_t starved_ticks = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include <spdlog/fmt/fmt.h>
 
@@ -129,6 +130,21 @@ std::string waits_text(const PlanWaits& waits) {
              : text;
 }
 
+// Empty where all of the time is one kind of it.
+std::string time_text(const TimeSplit& time, double period_s) {
+  const std::array parts{std::pair{"cutting", time.cutting}, std::pair{"rapid", time.rapid},
+                         std::pair{"rest", time.rest}, std::pair{"tool change", time.tool_change}};
+  std::string text;
+  int named = 0;
+  for (const auto& [name, ticks] : parts) {
+    if (ticks > 0) {
+      text += fmt::format("{}{} {}", named++ > 0 ? ", " : "", name,
+                          clock_time(static_cast<double>(ticks) * period_s));
+    }
+  }
+  return named > 1 ? text : "";
+}
+
 void append_motion(std::string& text, const FileReport& report) {
   const MotionReport& motion = *report.motion;
   const auto out = std::back_inserter(text);
@@ -180,6 +196,11 @@ std::string summary(const FileReport& report) {
   fmt::format_to(out, "  cycle time      {}   {} of {:g} ms, {}\n", clock_time(plan.cycle_time_s),
                  counted(static_cast<unsigned long long>(plan.ticks), "tick"),
                  1000.0 * report.period_s, report.profile);
+  if (const std::string split =
+          report.motion ? time_text(report.motion->time, report.period_s) : "";
+      !split.empty()) {
+    fmt::format_to(out, "  time            {}\n", split);
+  }
   fmt::format_to(out, "  path            {:.3f} mm in {}\n", plan.path_length_mm,
                  counted(plan.blocks, "block"));
   fmt::format_to(out, "  extents         {}\n", extents_text(report));

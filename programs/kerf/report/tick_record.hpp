@@ -13,6 +13,9 @@
 
 namespace kerf::program {
 
+// What the machine does from a tick to the next.
+enum class TickKind : std::uint8_t { rest, rapid, cut };
+
 struct TickRecord {
   std::int64_t tick = 0;
   std::uint32_t line = 0;
@@ -26,6 +29,13 @@ struct TickRecord {
   TickDetail detail{};
 };
 static_assert(std::is_trivially_copyable_v<TickRecord>);
+
+inline TickKind kind_of(const TickRecord& record) noexcept {
+  if (record.limit == interp::Constraint::rest) {
+    return TickKind::rest;
+  }
+  return record.rapid ? TickKind::rapid : TickKind::cut;
+}
 
 inline TickRecord record_of(const interp::Setpoint& setpoint, const TickDetail& detail,
                             const machine::MachineState& state) noexcept {

@@ -37,6 +37,7 @@ RunStage MotionStage::stage_with(Feeder& feeder) {
 
 void MotionStage::finish(const End& end) {
   report_motion(report_, end.kernel, ticks_.statistics(), end.outcome);
+  report_.motion->time = ticks_.time_split();
   if (const auto& speed = outputs_.recorder().speed) {
     report_.speed = speed->report();
   }

@@ -6,6 +6,7 @@
 #include "kernel/run_statistics.hpp"
 #include "machine/simulated_table.hpp"
 #include "programs/kerf/report/tick_record.hpp"
+#include "programs/kerf/report/time_split.hpp"
 
 namespace kerf::program {
 
@@ -35,15 +36,19 @@ class TickStage {
                 .line = setpoint.line,
                 .tick = setpoint.tick};
     }
-    return record_of(setpoint, detail, state);
+    const TickRecord record = record_of(setpoint, detail, state);
+    time_.add(record);
+    return record;
   }
 
   [[nodiscard]] const RunStatistics& statistics() const noexcept { return statistics_; }
+  [[nodiscard]] TimeSplit time_split() const noexcept { return time_.split(); }
   [[nodiscard]] const MachineFault& fault() const noexcept { return fault_; }
 
  private:
   machine::SimulatedTable table_;
   RunStatistics statistics_;
+  TimeAccount time_;
   MachineFault fault_{};
 };
 
