@@ -123,10 +123,31 @@ TEST_F(ProgramFileTest, CopiesNoMoreOfStandardInputThanItMay) {
 }
 
 TEST(ProgressLine, HasABarOfConstantWidth) {
-  EXPECT_EQ(progress_line("running", 0.0), "running [" + std::string(40, ' ') + "]   0 %");
-  EXPECT_EQ(progress_line("running", 0.5),
+  EXPECT_EQ(progress_line("running", {.share = 0.0}),
+            "running [" + std::string(40, ' ') + "]   0 %");
+  EXPECT_EQ(progress_line("running", {.share = 0.5}),
             "running [" + std::string(20, '#') + std::string(20, ' ') + "]  50 %");
-  EXPECT_EQ(progress_line("running", 7.0), "running [" + std::string(40, '#') + "] 100 %");
+  EXPECT_EQ(progress_line("running", {.share = 7.0}),
+            "running [" + std::string(40, '#') + "] 100 %");
+}
+
+TEST(ProgressLine, SaysHowLongTheRestTakes) {
+  const auto end_of = [](double left_s) {
+    const std::string line = progress_line("", {.share = 0.5, .left_s = left_s});
+    return line.substr(line.find('%'));
+  };
+  EXPECT_EQ(end_of(0.2), "%, 1 s left");
+  EXPECT_EQ(end_of(59.5), "%, 1 min 00 s left");
+  EXPECT_EQ(end_of(3599.0), "%, 59 min 59 s left");
+  EXPECT_EQ(end_of(7384.0), "%, 2 h 03 min left");
+}
+
+TEST(ProgressBar, TakesTheRestForAsFastAsWhatIsDone) {
+  EXPECT_DOUBLE_EQ(left_s_of({.elapsed_s = 30.0, .share = 0.25}).value(), 90.0);
+  EXPECT_EQ(left_s_of({.elapsed_s = 30.0, .share = 1.0}), 0.0);
+  EXPECT_FALSE(left_s_of({.elapsed_s = 1.0, .share = 0.25}).has_value()) << "too soon";
+  EXPECT_FALSE(left_s_of({.elapsed_s = 30.0, .share = 0.001}).has_value()) << "too little";
+  EXPECT_FALSE(left_s_of({.elapsed_s = 30.0, .share = 0.0}).has_value());
 }
 
 TEST(Progress, IsTheShareOfThePathThatTheWholeTextWillGive) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <string_view>
 #include <unistd.h>
@@ -14,12 +15,42 @@
 
 namespace kerf::program {
 
-std::string progress_line(const std::string& label, double share) {
+namespace {
+
+// Whole seconds, upwards: what is not over is not 0.
+std::string left_text(double left_s) {
+  constexpr std::int64_t kMinute = 60;
+  constexpr std::int64_t kHour = 3600;
+  const auto left = static_cast<std::int64_t>(std::ceil(left_s));
+  if (left < kMinute) {
+    return fmt::format("{} s left", left);
+  }
+  if (left < kHour) {
+    return fmt::format("{} min {:02} s left", left / kMinute, left % kMinute);
+  }
+  return fmt::format("{} h {:02} min left", left / kHour, left % kHour / kMinute);
+}
+
+}  // namespace
+
+std::optional<double> left_s_of(const WorkDone& done) noexcept {
+  constexpr double kLeastElapsed_s = 2.0;
+  constexpr double kLeastShare = 0.01;
+  constexpr double kMax_s = 1e7;
+  if (!(done.elapsed_s >= kLeastElapsed_s && done.share >= kLeastShare)) {
+    return std::nullopt;
+  }
+  const double left_s = done.elapsed_s * std::max(1.0 / done.share - 1.0, 0.0);
+  return left_s <= kMax_s ? std::optional(left_s) : std::nullopt;
+}
+
+std::string progress_line(const std::string& label, const ProgressShown& shown) {
   constexpr std::size_t kWidth = 40;
-  const double clamped = std::clamp(share, 0.0, 1.0);
+  const double clamped = std::clamp(shown.share, 0.0, 1.0);
   const auto full = static_cast<std::size_t>(clamped * static_cast<double>(kWidth));
-  return fmt::format("{} [{}{}] {:3.0f} %", label, std::string(full, '#'),
-                     std::string(kWidth - full, ' '), std::floor(clamped * 100.0));
+  return fmt::format("{} [{}{}] {:3.0f} %{}", label, std::string(full, '#'),
+                     std::string(kWidth - full, ' '), std::floor(clamped * 100.0),
+                     shown.left_s ? ", " + left_text(*shown.left_s) : "");
 }
 
 bool ProgressBar::has_terminal() noexcept {
@@ -29,8 +60,8 @@ bool ProgressBar::has_terminal() noexcept {
 }
 
 ProgressBar::ProgressBar(std::function<std::string()> label, std::function<double()> share,
-                         bool shown)
-    : label_(std::move(label)), share_(std::move(share)) {
+                         bool shown, Left left)
+    : label_(std::move(label)), share_(std::move(share)), left_(left) {
   if (shown) {
     thread_ = std::thread([this] { draw(); });
   }
@@ -51,6 +82,7 @@ ProgressBar::~ProgressBar() {
 void ProgressBar::draw() {
   using std::chrono::milliseconds;
   constexpr std::string_view kClearLine = "\r\x1b[K";
+  const auto began = std::chrono::steady_clock::now();
   bool drawn = false;
   for (milliseconds wait{1000};; wait = milliseconds{100}) {
     {
@@ -59,7 +91,12 @@ void ProgressBar::draw() {
         break;
       }
     }
-    write_all(STDERR_FILENO, std::string(kClearLine) + progress_line(label_(), share_()));
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
+    ProgressShown shown{.share = share_()};
+    if (left_ == Left::estimated) {
+      shown.left_s = left_s_of({.elapsed_s = elapsed.count(), .share = shown.share});
+    }
+    write_all(STDERR_FILENO, std::string(kClearLine) + progress_line(label_(), shown));
     drawn = true;
   }
   if (drawn) {

@@ -4,21 +4,38 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
 namespace kerf::program {
 
-// One line of text: "running  [#####     ]  51 %".
-[[nodiscard]] std::string progress_line(const std::string& label, double share);
+struct ProgressShown {
+  double share = 0.0;              // 0..1
+  std::optional<double> left_s{};  // nothing: not said
+};
+
+// One line of text: "running  [#####     ]  51 %, 12 s left".
+[[nodiscard]] std::string progress_line(const std::string& label, const ProgressShown& shown);
+
+// What is left of work of which the share was done in the time: as much a share as before. Nothing:
+// too little is done to say.
+struct WorkDone {
+  double elapsed_s = 0.0;
+  double share = 0.0;
+};
+[[nodiscard]] std::optional<double> left_s_of(const WorkDone& done) noexcept;
 
 // Draws on standard error, ten times a second from the first second on, in a thread of its own: a
 // terminal that is stopped stops nothing else. Gone without a trace when destroyed.
 class ProgressBar {
  public:
+  enum class Left : unsigned char { estimated, not_said };
+
   // label, share (0..1): called from the other thread. shown: false makes the whole thing do
   // nothing.
-  ProgressBar(std::function<std::string()> label, std::function<double()> share, bool shown);
+  ProgressBar(std::function<std::string()> label, std::function<double()> share, bool shown,
+              Left left = Left::estimated);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -31,6 +48,7 @@ class ProgressBar {
 
   std::function<std::string()> label_;
   std::function<double()> share_;
+  Left left_;
   std::mutex mutex_;
   std::condition_variable over_;
   bool is_over_ = false;

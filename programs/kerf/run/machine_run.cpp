@@ -41,7 +41,8 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage) {
     if (order.has_keys && order.shows_progress) {
       fmt::print(stderr, "{}\n", Keys::kWhatTheyDo);
     }
-    const auto bar = stage.progress_bar([&controller] { return status_line(controller.status()); });
+    const auto bar = stage.progress_bar([&controller] { return status_line(controller.status()); },
+                                        ProgressBar::Left::not_said);  // the status says it
     outcome = run_in_real_time({controller, by, report.period_s}, stage.stage_with(feeder));
     controller.plan();  // what the program said last
   }

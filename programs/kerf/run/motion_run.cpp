@@ -14,7 +14,8 @@ void dry_run(MotionStage& stage) {
   Feeder feeder = stage.feeder(planning);
   RunOutcome outcome;
   {
-    const auto bar = stage.progress_bar([] { return std::string("running  "); });
+    const auto bar =
+        stage.progress_bar([] { return std::string("running  "); }, ProgressBar::Left::estimated);
     outcome = run_without_clock(kernel, stage.stage_with(feeder));
   }
   stage.finish({kernel, feeder, outcome});

@@ -32,8 +32,9 @@ class MotionStage {
   [[nodiscard]] FileReport& report() noexcept { return report_; }
 
   [[nodiscard]] Feeder feeder(PlanningSide& planning) { return {planning, text_, progress_}; }
-  [[nodiscard]] ProgressBar progress_bar(std::function<std::string()> label) const {
-    return {std::move(label), [this] { return progress_.share(); }, order_.shows_progress};
+  [[nodiscard]] ProgressBar progress_bar(std::function<std::string()> label,
+                                         ProgressBar::Left left) const {
+    return {std::move(label), [this] { return progress_.share(); }, order_.shows_progress, left};
   }
   [[nodiscard]] RunStage stage_with(Feeder& feeder);
 
