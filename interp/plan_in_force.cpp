@@ -54,20 +54,4 @@ void PlanInForce::drop_stale_phases() noexcept {
   }
 }
 
-const Phase* PlanInForce::next_phase() const noexcept {
-  if (stop_next_ < stop_.count) {
-    return &stop_.phases[stop_next_];
-  }
-  const Phase* next = queue_->next_phase();
-  return next != nullptr && next->plan == plan_ ? next : nullptr;
-}
-
-void PlanInForce::pop_phase() noexcept {
-  if (stop_next_ < stop_.count) {
-    ++stop_next_;
-  } else {
-    queue_->pop_phase();
-  }
-}
-
 }  // namespace kerf::interp

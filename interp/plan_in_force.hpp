@@ -20,8 +20,20 @@ class PlanInForce {
   void take_over(std::int64_t tick) noexcept;
 
   // The next phase; null: there is none.
-  [[nodiscard]] const Phase* next_phase() const noexcept;
-  void pop_phase() noexcept;
+  [[nodiscard]] const Phase* next_phase() const noexcept {
+    if (stop_next_ < stop_.count) {
+      return &stop_.phases[stop_next_];
+    }
+    const Phase* next = queue_->next_phase();
+    return next != nullptr && next->plan == plan_ ? next : nullptr;
+  }
+  void pop_phase() noexcept {
+    if (stop_next_ < stop_.count) {
+      ++stop_next_;
+    } else {
+      queue_->pop_phase();
+    }
+  }
 
   // How the latest plan that was to take over was taken. May be read by the planning thread.
   struct Answer {

@@ -19,16 +19,6 @@ double distance_to_chord_mm(const Position& point, const Position& from,
 
 }  // namespace
 
-void TickChord::begin(const TickPlace& place) noexcept {
-  begin_mm_ = place.position_mm;
-  s_begin_mm_ = place.s_mm;
-  passed_points_ = 0;
-  if (piece_.curve != place.piece.curve ||
-      curves::s_begin_mm(piece_.geometry) != curves::s_begin_mm(place.piece.geometry)) {
-    piece_ = place.piece;
-  }
-}
-
 void TickChord::pass(const CurvePiece& piece) noexcept {
   if (passed_points_ == passed_mm_.size()) {
     return;

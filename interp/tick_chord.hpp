@@ -20,7 +20,15 @@ class TickChord {
  public:
   explicit TickChord(const Position& start_mm) noexcept : begin_mm_(start_mm) {}
 
-  void begin(const TickPlace& place) noexcept;
+  void begin(const TickPlace& place) noexcept {
+    begin_mm_ = place.position_mm;
+    s_begin_mm_ = place.s_mm;
+    passed_points_ = 0;
+    if (piece_.curve != place.piece.curve ||
+        curves::s_begin_mm(piece_.geometry) != curves::s_begin_mm(place.piece.geometry)) {
+      piece_ = place.piece;
+    }
+  }
   void pass(const CurvePiece& piece) noexcept;
   // The largest distance, taken at points of the path between the two, junctions included. If more
   // than kPassedPieces were passed, the later ones do not count.
