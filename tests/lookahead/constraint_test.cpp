@@ -64,7 +64,7 @@ constexpr Constraint axis_j(std::size_t k) {
   return interp::of_axis(Constraint::x_jerk, k);
 }
 
-TEST(Constraints, ALongLineIsHeldDownByFAndAtItsEndsByTheAxis) {
+TEST(Constraints, ALongLineIsLimitedByFAndAtItsEndsByTheAxis) {
   const Program program{{line_move({{0, 0, 0}, {600, 0, 0}}, 160.0)}, mill()};
   // Each ramp to 160 mm/s at 2000 mm/s2 and 5e4 mm/s3: 40 ms of jerk, 40 ms at constant
   // acceleration, 40 ms of jerk.
@@ -109,7 +109,7 @@ TEST(Constraints, ASlowAxisHoldsARapidDown) {
   }
 }
 
-TEST(Constraints, ASmallCircleIsHeldDownByTheAxesAcceleration) {
+TEST(Constraints, ASmallCircleIsLimitedByTheAxesAcceleration) {
   const Program program{
       {arc_move({.ends = {{5, 0, 0}, {5, 0, 0}}, .centre = {0, 0, 0}}, 200.0)},
       axis_limits({.velocity_mm_s = 200.0, .acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e6})};
@@ -127,7 +127,7 @@ TEST(Constraints, ATightChordToleranceIsNamed) {
   }
 }
 
-TEST(Constraints, ManyLinesShorterThanTheirConstantVelocityAreHeldDownByTheirJunctions) {
+TEST(Constraints, ManyLinesShorterThanTheirConstantVelocityAreLimitedByTheirJunctions) {
   const Program program{polyline(2000, 5.0, 50.0), mill()};
   for (const ProfileKind kind : kKinds) {
     EXPECT_GT(shares_of(program, kind)[Constraint::junction], 0.95) << name_of(kind);
