@@ -10,6 +10,7 @@
 
 #include <kerf/machine.hpp>
 
+#include "kernel/driver_settings.hpp"
 #include "kernel/machine_file_schema.hpp"
 
 // Header-only, so that an error is a value: the packaged shared library is built with exceptions.
@@ -41,6 +42,8 @@ class MachineFileReader {
  public:
   // All that the file says, or all that is wrong with it in the order of the text.
   tl::expected<MachineSettings, std::vector<SettingsError>> read(const toml::table& root);
+  // What read() found under [driver].
+  [[nodiscard]] const DriverSettings& driver() const noexcept { return driver_; }
 
  private:
   // machine_file_reader.cpp
@@ -70,7 +73,11 @@ class MachineFileReader {
   void read_tool(const Section& section);
   void read_probe(const Section& probe);
 
+  // machine_file_driver.cpp
+  void read_driver(const Section& section);
+
   MachineSettings settings_{};
+  DriverSettings driver_{};
   std::vector<SettingsError> errors_;
 };
 

@@ -54,6 +54,9 @@ class AxisModel {
   // The position loop is open, since its encoder may have failed, and the integral is off.
   void begin_stop(double ramp_s) noexcept;
   void stop() noexcept;  // one tick of it
+  [[nodiscard]] bool is_stopped() const noexcept {
+    return stop_left_ == 0.0 && velocity_mm_s_ == 0.0;
+  }
 
   void fail_encoder(EncoderFailure failure) noexcept;
 

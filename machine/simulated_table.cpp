@@ -18,15 +18,23 @@ std::optional<std::int8_t> not_finite_axis(const std::array<double, kCount>& pos
   return std::nullopt;
 }
 
+std::optional<std::int8_t> not_finite_axis(const AxisPlaces& places) {
+  if (const auto axis = not_finite_axis(places.mm)) {
+    return axis;
+  }
+  const auto extra = not_finite_axis(places.extra_rad_mm);
+  return extra ? std::optional(static_cast<std::int8_t>(3 + *extra)) : std::nullopt;
+}
+
 std::optional<std::int8_t> not_finite_axis(const Setpoint& setpoint) {
-  for (const Position* vector :
-       {&setpoint.position_mm, &setpoint.velocity_mm_s, &setpoint.acceleration_mm_s2}) {
+  for (const Position* vector : {&setpoint.velocity_mm_s, &setpoint.acceleration_mm_s2}) {
     if (const auto axis = not_finite_axis(*vector)) {
       return axis;
     }
   }
-  if (const auto axis = not_finite_axis(setpoint.extra_rad_mm)) {
-    return static_cast<std::int8_t>(3 + *axis);
+  if (const auto axis = not_finite_axis(
+          AxisPlaces{.mm = setpoint.position_mm, .extra_rad_mm = setpoint.extra_rad_mm})) {
+    return axis;
   }
   const bool finite = std::isfinite(setpoint.s_mm) && std::isfinite(setpoint.v_mm_s) &&
                       std::isfinite(setpoint.a_mm_s2) && std::isfinite(setpoint.j_mm_s3);
@@ -79,36 +87,51 @@ SimulatedTable::SimulatedTable(const TableSettings& settings) noexcept
             AxisModel(settings_.axes[2], settings_.period_s)},
       valid_(is_valid(settings)) {}
 
-void SimulatedTable::enable(const Position& position_mm) noexcept {
+void SimulatedTable::enable(const AxisPlaces& places) noexcept {
   if (!valid_) {
     return;
   }
-  if (const auto axis = not_finite_axis(position_mm)) {
+  if (const auto axis = not_finite_axis(places)) {
     state_.fault = DriveFault::none;
     fault(DriveFault::not_finite, *axis);
     return;
   }
-  commanded_mm_ = position_mm;
-  path_.restart(position_mm);
+  commanded_mm_ = places.mm;
+  path_.restart(places.mm);
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
-    axes_[axis].reset(position_mm[axis]);
+    axes_[axis].reset(places.mm[axis]);
   }
-  state_ = {};
+  state_ = {.extra_rad_mm = places.extra_rad_mm};
+  state_.axes.fill(AxisState::on);
   observe();
+}
+
+void SimulatedTable::disable() noexcept {
+  if (state_.fault == DriveFault::none) {
+    fault(DriveFault::not_enabled, -1);
+  }
 }
 
 void SimulatedTable::write(const Setpoint& setpoint) noexcept {
   if (state_.fault == DriveFault::none && accepts(setpoint)) {
     commanded_mm_ = setpoint.position_mm;
+    state_.extra_rad_mm = setpoint.extra_rad_mm;
     state_.outputs = setpoint.outputs;
     path_.append(commanded_mm_);
     AxisModel::follow_together(axes_, commanded_mm_);
   } else {
-    for (AxisModel& axis : axes_) {
-      axis.stop();
-    }
+    stop_axes();
   }
   observe();
+}
+
+void SimulatedTable::stop_axes() noexcept {
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    axes_[axis].stop();
+    if (state_.axes[axis] == AxisState::stopping && axes_[axis].is_stopped()) {
+      state_.axes[axis] = AxisState::off;
+    }
+  }
 }
 
 void SimulatedTable::fail_encoder(std::size_t axis, EncoderFailure failure) noexcept {
@@ -164,6 +187,8 @@ void SimulatedTable::fault(DriveFault kind, std::int8_t axis) noexcept {
   for (AxisModel& model : axes_) {
     model.begin_stop(ramp_s);
   }
+  state_.axes.fill(AxisState::off);  // those without drives are at rest at once
+  std::fill_n(state_.axes.begin(), axes_.size(), AxisState::stopping);
 }
 
 }  // namespace kerf::machine

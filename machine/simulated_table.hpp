@@ -35,7 +35,8 @@ class SimulatedTable final : public Machine {
   // A table whose settings are not valid (is_valid) stays in the fault not_enabled.
   explicit SimulatedTable(const TableSettings& settings) noexcept;
 
-  void enable(const Position& position_mm) noexcept override;
+  void enable(const AxisPlaces& places) noexcept override;
+  void disable() noexcept override;
   void write(const Setpoint& setpoint) noexcept override;
   [[nodiscard]] MachineState read() const noexcept override { return state_; }
 
@@ -44,6 +45,7 @@ class SimulatedTable final : public Machine {
 
  private:
   [[nodiscard]] bool accepts(const Setpoint& setpoint) noexcept;
+  void stop_axes() noexcept;
   void observe() noexcept;
   void fault(DriveFault kind, std::int8_t axis) noexcept;
 

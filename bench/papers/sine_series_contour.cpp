@@ -29,7 +29,7 @@ ContourError contour_error(const char* program, const MachineSettings& settings,
   machine::SimulatedTable servo(settings.table);
   TickJudge judge({.limits = settings.limits});
   ContourError error;
-  servo.enable(run.ticks.front().setpoint.position_mm);
+  servo.enable({.mm = run.ticks.front().setpoint.position_mm});
   for (const TickOfRun& tick : run.ticks) {
     judge.add(tick.setpoint, tick.chord_error_mm);
     servo.write(tick.setpoint);

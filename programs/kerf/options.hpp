@@ -10,6 +10,7 @@
 
 #include <kerf/program_data.hpp>
 
+#include "kernel/driver_settings.hpp"
 #include "parser/dialects/dialect.hpp"
 #include "parser/flow/reader_options.hpp"
 #include "profiles/profile.hpp"
@@ -34,6 +35,8 @@ struct Options {
   std::optional<std::string> machine_file;
   std::vector<std::string> machine_files;  // of Subcommand::report and view: each with all FILEs
   std::optional<std::string> tool_file;
+  std::string driver_name;  // of Subcommand::run; empty: that of the machine file
+  DriverSettings driver;
   profiles::ProfileKind profile = profiles::kDefaultProfile;
   std::optional<double> sigmoid_shape;
   std::optional<std::string> trace_file;

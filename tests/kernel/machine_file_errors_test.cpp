@@ -279,6 +279,12 @@ TEST(MachineFileErrors, NamesWhatIsWrongWithInputs) {
   EXPECT_EQ(errors_of(kBounded + "[inputs]\nfeed_stop = true\nfeed_step = 1\n").size(), 2U);
 }
 
+TEST(MachineFileErrors, NamesTheDriversThereAre) {
+  EXPECT_EQ(errors_of(kBounded + "[driver]\nname = 'ethercat'\n"),
+            (Lines{"m.toml:6:8: error: driver.name: found 'ethercat', expected 'simulated'"}));
+  EXPECT_EQ(errors_of(kBounded + "[driver]\nname = 3\n").size(), 1U);
+}
+
 TEST(MachineFileErrors, NamesWhatIsWrongWithTools) {
   EXPECT_EQ(errors_of(kBounded + "[[tools.tool]]\nnumber = 1\nnumbr = 2\n").size(), 1U);
   EXPECT_EQ(errors_of(kBounded + "[tools]\nfile = 3\n"),

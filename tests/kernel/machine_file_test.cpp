@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <kerf/machine.hpp>
 
+#include "kernel/driver_settings.hpp"
 #include "kernel/machine_file_schema.hpp"
 #include "lookahead/path/limits.hpp"
 #include "machine/simulated_table.hpp"
@@ -187,6 +188,13 @@ TEST(MachineFile, NamesTheInputsThatTheFeedrateFollows) {
   EXPECT_EQ(inputs.adaptive_feed, 7);
   EXPECT_EQ(inputs.feed_stop, 63);
   EXPECT_FALSE(kerf::default_machine().program.feed_inputs.feed_stop);
+}
+
+TEST(MachineFile, NamesTheDriver) {
+  EXPECT_EQ(kerf::driver_of_machine_file(kBounded).name, "simulated");
+  EXPECT_EQ(kerf::driver_of_machine_file(kBounded + "[driver]\nname = 'simulated'\n").name,
+            "simulated");
+  EXPECT_FALSE(parse_machine_file(kBounded + "[driver]\nnames = 'simulated'\n"));
 }
 
 TEST(MachineFile, WithoutToolsKnowsEveryTool) {

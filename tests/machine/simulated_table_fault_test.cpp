@@ -46,7 +46,7 @@ TEST(SimulatedTableFaults, CannotBeEnabledWithSettingsThatAreNotValid) {
 
 TEST(SimulatedTableFaults, FaultsAtTheVeryTickThatLeavesTheTravel) {
   SimulatedTable table(lagging());
-  table.enable({299.0, 0.0, 0.0});
+  table.enable({.mm = {299.0, 0.0, 0.0}});
   table.write(at({300.0 + 0.5e-6, 0.0, 0.0}));
   EXPECT_EQ(table.read().fault, DriveFault::none);
   table.write(at({300.0 + 2e-6, 0.0, 0.0}));
@@ -87,7 +87,7 @@ TEST(SimulatedTableFaults, FaultsOnAnythingInASetpointThatIsNotFinite) {
 
 TEST(SimulatedTableFaults, CannotBeEnabledAtAPointThatIsNotFinite) {
   SimulatedTable table(real());
-  table.enable({0.0, 0.0, kNaN});
+  table.enable({.mm = {0.0, 0.0, kNaN}});
   EXPECT_EQ(table.read().fault, DriveFault::not_finite);
   EXPECT_EQ(table.read().fault_axis, 2);
   EXPECT_TRUE(std::isfinite(table.read().actual_mm[2]));
@@ -95,7 +95,7 @@ TEST(SimulatedTableFaults, CannotBeEnabledAtAPointThatIsNotFinite) {
   table.enable({});
   table.write(at({0.0, 400.0, 0.0}));
   ASSERT_EQ(table.read().fault, DriveFault::soft_limit);
-  table.enable({kNaN, 0.0, 0.0});
+  table.enable({.mm = {kNaN, 0.0, 0.0}});
   EXPECT_EQ(table.read().fault, DriveFault::not_finite);
   EXPECT_EQ(table.read().fault_axis, 0);
 }
@@ -185,7 +185,7 @@ TEST(SimulatedTableFaults, EnablingClearsTheFaultAndMovesAgain) {
   table.fail_encoder(0, EncoderFailure::not_finite);
   table.write(at({}));
   ASSERT_EQ(table.read().fault, DriveFault::not_finite);
-  table.enable({7.0, 8.0, 9.0});
+  table.enable({.mm = {7.0, 8.0, 9.0}});
   EXPECT_EQ(table.read().fault, DriveFault::none);
   EXPECT_EQ(table.read().fault_axis, -1);
   EXPECT_EQ(table.read().actual_mm, (Position{7.0, 8.0, 9.0}));

@@ -73,7 +73,7 @@ struct CircleErrors {
 };
 CircleErrors run_circle(const TableSettings& settings, const Circle& circle) {
   SimulatedTable table(settings);
-  table.enable({circle.radius_mm, 0.0, 0.0});
+  table.enable({.mm = {circle.radius_mm, 0.0, 0.0}});
   const double omega = circle.speed_mm_s / circle.radius_mm;
   CircleErrors errors;
   for (int tick = 1; tick <= 3000; ++tick) {
@@ -144,7 +144,7 @@ TEST(SimulatedTable, ReportsWholeEncoderCounts) {
 TEST(SimulatedTable, DoesTheSameToTheLastBitInASecondRun) {
   const auto run = [](SimulatedTable& table) {
     std::vector<MachineState> states;
-    table.enable({10.0, 0.0, 0.0});
+    table.enable({.mm = {10.0, 0.0, 0.0}});
     for (int tick = 1; tick <= 2000; ++tick) {
       const double angle = 0.01 * tick;
       table.write(at({10.0 * std::cos(angle), 10.0 * std::sin(2.0 * angle), 0.001 * tick}));

@@ -67,7 +67,8 @@ SUBFOLDERS = {
     "programs/kerf/plot": {"programs/kerf/io", "programs/kerf/report"},
     "programs/kerf/page": {"programs/kerf/io", "programs/kerf/report"},
     "programs/kerf/control": {"programs/kerf", "programs/kerf/io", "programs/kerf/report"},
-    "programs/kerf/run": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/plot", "programs/kerf/page",
+    "programs/kerf/driver": {"programs/kerf", "programs/kerf/io"},
+    "programs/kerf/run": {"programs/kerf", "programs/kerf/driver", "programs/kerf/io", "programs/kerf/report", "programs/kerf/plot", "programs/kerf/page",
                          "programs/kerf/control"},
     "programs/kerf/cli": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/page", "programs/kerf/run"},
 }

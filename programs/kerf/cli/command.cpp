@@ -110,7 +110,7 @@ ExitStatus refuse_machine(const MachineRefusal& refusal, const Options& options)
 
 struct NamedMachine {
   std::optional<std::string> file;
-  MachineSettings settings;
+  ChosenMachine chosen;
 };
 
 // One, but for a page: all that stand side by side in it.
@@ -122,11 +122,11 @@ tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(const Op
   }
   std::vector<NamedMachine> machines;
   for (const auto& file : files) {
-    auto settings = choose_machine({.machine = file, .tools = options.tool_file});
-    if (!settings) {
-      return tl::unexpected(settings.error());
+    auto chosen = choose_machine({.machine = file, .tools = options.tool_file});
+    if (!chosen) {
+      return tl::unexpected(chosen.error());
     }
-    machines.push_back({.file = file, .settings = *std::move(settings)});
+    machines.push_back({.file = file, .chosen = *std::move(chosen)});
   }
   return machines;
 }
@@ -159,13 +159,18 @@ class AllPrograms {
  private:
   void process(const std::string& path, const NamedMachine& machine) {
     Options options = options_;
+    const MachineSettings& settings = machine.chosen.settings;
     options.machine_file = machine.file;
+    options.driver = machine.chosen.driver;
+    if (!options.driver_name.empty()) {
+      options.driver.name = options.driver_name;
+    }
     PageRecord record{.wants_source = !options.leaves_out_source};
-    reports_.push_back(process_file(path, options, machine.settings, page_ ? &record : nullptr));
+    reports_.push_back(process_file(path, options, settings, page_ ? &record : nullptr));
     const FileReport& report = reports_.back();
     status_ = first_failure({status_, report.status, print_report(report, options)});
     if (page_) {
-      page_->add(report, machine.settings, record);
+      page_->add(report, settings, record);
     }
     if (const auto requested = stop_requested()) {
       status_ = first_failure({report.status, *requested});

@@ -43,14 +43,14 @@ tl::unexpected<MachineRefusal> unreadable(const std::string& path, const std::st
       MachineRefusal{.status = ExitStatus::io_error, .messages = {path + ": error: " + why}});
 }
 
-tl::expected<MachineSettings, MachineRefusal> read_machine(const std::string& path) {
+tl::expected<ChosenMachine, MachineRefusal> read_machine(const std::string& path) {
   const auto text = read_text(path);
   if (!text) {
     return unreadable(path, text.error());
   }
   auto settings = parse_machine_file(*text);
   if (settings) {
-    return *std::move(settings);
+    return ChosenMachine{.settings = *std::move(settings), .driver = driver_of_machine_file(*text)};
   }
   MachineRefusal refusal;
   for (const SettingsError& error : settings.error()) {
@@ -78,15 +78,16 @@ tl::expected<parser::ToolTable, MachineRefusal> read_tools(const std::string& pa
 
 }  // namespace
 
-tl::expected<MachineSettings, MachineRefusal> choose_machine(const MachineFiles& files) {
-  MachineSettings settings = default_machine();
+tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& files) {
+  ChosenMachine machine{.settings = default_machine()};
   if (files.machine) {
     auto read = read_machine(*files.machine);
     if (!read) {
       return tl::unexpected(read.error());
     }
-    settings = *std::move(read);
+    machine = *std::move(read);
   }
+  MachineSettings& settings = machine.settings;
   std::string tools = files.tools.value_or("");
   if (tools.empty() && !settings.tool_file.empty()) {
     tools = std::filesystem::path(*files.machine).replace_filename(settings.tool_file).string();
@@ -98,7 +99,7 @@ tl::expected<MachineSettings, MachineRefusal> choose_machine(const MachineFiles&
     }
     settings.program.tools = *std::move(table);
   }
-  return settings;
+  return machine;
 }
 
 }  // namespace kerf::program

@@ -8,6 +8,7 @@
 #include <kerf/machine.hpp>
 #include <tl/expected.hpp>
 
+#include "kernel/driver_settings.hpp"
 #include "programs/kerf/exit_status.hpp"
 
 namespace kerf::program {
@@ -23,7 +24,12 @@ struct MachineFiles {
   std::optional<std::string> tools;  // in place of the machine's tool table
 };
 
+struct ChosenMachine {
+  MachineSettings settings;
+  DriverSettings driver{};
+};
+
 // A tool table that the machine file names is looked for beside it.
-tl::expected<MachineSettings, MachineRefusal> choose_machine(const MachineFiles& files);
+tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& files);
 
 }  // namespace kerf::program

@@ -162,6 +162,11 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
     add_outputs(*added, words);
   }
   if (command == Subcommand::run) {
+    added
+        ->add_option("--driver", words.options.driver_name,
+                     "what takes the setpoints (default: that of the machine file)")
+        ->check(CLI::IsMember(std::vector<std::string>(kDriverNames.begin(), kDriverNames.end())))
+        ->type_name("NAME");
     added->add_flag("--optional-stop", words.options.optional_stop, "M1 waits, as M0 does");
     added
         ->add_option("--control", words.options.control,

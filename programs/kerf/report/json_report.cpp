@@ -221,6 +221,7 @@ std::string json_report(const FileReport& report) {
     set_speed(json, report);
   }
   if (report.clock) {
+    json["driver"] = report.driver;
     json["late_ticks"] = report.clock->late_ticks;
     json["worst_delay_s"] = report.clock->worst_delay_s;
   }

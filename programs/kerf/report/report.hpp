@@ -71,6 +71,7 @@ struct FileReport {
   Subcommand command = Subcommand::dry_run;
   bool syntax_only = false;
   std::string machine;  // the machine file, or "default"
+  std::string driver;   // of a run
   std::string_view profile;
   bool live = false;               // ran as its text came, without a check of the whole before
   bool trace_reader_gone = false;  // and the motion was left where it was: nobody asks for more

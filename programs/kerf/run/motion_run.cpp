@@ -1,5 +1,6 @@
 #include "programs/kerf/run/motion_run.hpp"
 
+#include "programs/kerf/driver/driver.hpp"
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/run/machine_run.hpp"
 #include "programs/kerf/run/motion_stage.hpp"
@@ -24,6 +25,14 @@ void dry_run(MotionStage& stage) {
 }  // namespace
 
 void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
+  // A dry run shows what the simulated table does.
+  const DriverSettings driver =
+      order.options.command == Subcommand::run ? order.options.driver : DriverSettings{};
+  auto machine = open_driver(driver, order.settings);
+  if (!machine) {
+    report.fail(ExitStatus::io_error, machine.error());
+    return;
+  }
   auto outputs = OutputFiles::open(order.options, order.settings,
                                    order.path.extents.value_or(curves::Extents{}));
   if (!outputs && stop_requested()) {  // a FIFO was waited for
@@ -45,7 +54,8 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
   if (outputs->recorder().plot && order.path.scan) {
     outputs->recorder().plot->add_scan(*order.path.scan);
   }
-  MotionStage stage(order, text, *outputs, report);
+  MotionStage stage(order, {.text = text, .outputs = *outputs, .report = report},
+                    *std::move(machine));
   if (order.options.command == Subcommand::run) {
     run_machine(stage);
   } else {

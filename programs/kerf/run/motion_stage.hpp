@@ -2,7 +2,9 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include <kerf/kernel.hpp>
 
@@ -21,12 +23,21 @@ namespace kerf::program {
 // Refers to all that it is given.
 class MotionStage {
  public:
-  MotionStage(const MotionOrder& order, TextFeed& text, OutputFiles& outputs, FileReport& report)
+  struct Ends {
+    TextFeed& text;
+    OutputFiles& outputs;
+    FileReport& report;
+  };
+  // The machine is enabled where the program begins.
+  MotionStage(const MotionOrder& order, const Ends& ends, std::unique_ptr<machine::Machine> machine)
       : order_(order),
-        text_(text),
-        outputs_(outputs),
-        report_(report),
-        ticks_(order.settings, order.kernel_options.start_mm) {}
+        text_(ends.text),
+        outputs_(ends.outputs),
+        report_(ends.report),
+        ticks_(order.settings, std::move(machine)) {
+    ticks_.enable({.mm = order.kernel_options.start_mm,
+                   .extra_rad_mm = order.kernel_options.start_extra_rad_mm});
+  }
 
   [[nodiscard]] const MotionOrder& order() const noexcept { return order_; }
   [[nodiscard]] FileReport& report() noexcept { return report_; }

@@ -85,6 +85,23 @@ bool is_over(ControllerState state, const Controller& controller) noexcept {
          (state == ControllerState::emergency_stop && !controller.drives_on());
 }
 
+// The axes of a machine that has a fault come to rest, which is written to until then. One that
+// does not say so is left alone after a time in which any would.
+class Aftermath {
+ public:
+  explicit Aftermath(double period_s) noexcept
+      : left_(static_cast<std::int64_t>(kLongest_s / period_s)) {}
+
+  [[nodiscard]] bool is_over(const TickStage& ticks) noexcept {
+    return !ticks.is_stopping() || --left_ <= 0;
+  }
+
+ private:
+  static constexpr double kLongest_s = 2.0;
+
+  std::int64_t left_;
+};
+
 }  // namespace
 
 RunOutcome run_without_clock(Kernel& kernel, const RunStage& stage) {
@@ -125,6 +142,7 @@ RunOutcome run_in_real_time(const RealTimeOrder& order, const RunStage& stage) {
     const PlanningThread planning(stage.feeder, order.by);
     TickTimer timer(order.period_s);
     Judge judge(stage.waits_for_text);
+    Aftermath aftermath(order.period_s);
     for (TickRecord record;;) {
       if (const double gap_s = timer.wait(); gap_s > 0.0) {
         outcome.gap = TickGap{.duration_s = gap_s, .line = record.line, .tick = record.tick};
@@ -139,14 +157,17 @@ RunOutcome run_in_real_time(const RealTimeOrder& order, const RunStage& stage) {
       recorder.push(record);
       stage.progress.set_done(record.motion.s_mm);
       judge.count(is_starved(order.controller), outcome);
-      if (is_over(state, order.controller) || outcome.hung ||
-          stage.ticks.fault().kind != machine::DriveFault::none) {
+      if (stage.ticks.fault().kind != machine::DriveFault::none) {
+        order.controller.fail();
+      }
+      if ((is_over(state, order.controller) && aftermath.is_over(stage.ticks)) || outcome.hung) {
         break;
       }
       if (planning.failed()) {
         planning.rethrow();
       }
     }
+    stage.ticks.disable();
     outcome.late_ticks = timer.late();
     outcome.worst_delay_s = timer.worst_delay_s();
   }

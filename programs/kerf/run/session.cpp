@@ -52,6 +52,7 @@ class Session {
     report_.command = options.command;
     report_.syntax_only = options.syntax_only;
     report_.machine = options.machine_file.value_or("default");
+    report_.driver = options.driver.name;
     report_.profile = name_of(options.profile);
     report_.period_s = settings.limits.period_s;
     report_.limits = settings.limits;

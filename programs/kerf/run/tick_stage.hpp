@@ -1,10 +1,14 @@
-// One tick: from its setpoint to the table and into the statistics.
+// One tick: from its setpoint to the machine and into the statistics.
 #pragma once
+
+#include <algorithm>
+#include <memory>
+#include <utility>
 
 #include <kerf/machine.hpp>
 
 #include "kernel/run_statistics.hpp"
-#include "machine/simulated_table.hpp"
+#include "machine/machine.hpp"
 #include "programs/kerf/report/tick_record.hpp"
 #include "programs/kerf/report/time_split.hpp"
 
@@ -19,16 +23,19 @@ struct MachineFault {
 
 class TickStage {
  public:
-  TickStage(const MachineSettings& settings, const curves::Position& start_mm)
-      : table_(settings.table),
-        statistics_(settings.limits.period_s, settings.program.extra_axes != 0) {
-    table_.enable(start_mm);
-  }
+  TickStage(const MachineSettings& settings, std::unique_ptr<machine::Machine> machine)
+      : machine_(std::move(machine)),
+        statistics_(settings.limits.period_s, settings.program.extra_axes != 0) {}
+
+  // Real time, as take().
+  void enable(const machine::AxisPlaces& places) noexcept { machine_->enable(places); }
+  void disable() noexcept { machine_->disable(); }
 
   // Real time: allocates nothing, takes no lock, throws nothing.
   TickRecord take(const Setpoint& setpoint, const TickDetail& detail) noexcept {
-    table_.write(setpoint);
-    const machine::MachineState state = table_.read();
+    machine_->write(setpoint);
+    state_ = machine_->read();
+    const machine::MachineState& state = state_;
     statistics_.add(setpoint, state);
     if (state.fault != machine::DriveFault::none && fault_.kind == machine::DriveFault::none) {
       fault_ = {.kind = state.fault,
@@ -41,12 +48,18 @@ class TickStage {
     return record;
   }
 
+  // Axes are coming to rest because of a fault.
+  [[nodiscard]] bool is_stopping() const noexcept {
+    return std::find(state_.axes.begin(), state_.axes.end(), machine::AxisState::stopping) !=
+           state_.axes.end();
+  }
   [[nodiscard]] const RunStatistics& statistics() const noexcept { return statistics_; }
   [[nodiscard]] TimeSplit time_split() const noexcept { return time_.split(); }
   [[nodiscard]] const MachineFault& fault() const noexcept { return fault_; }
 
  private:
-  machine::SimulatedTable table_;
+  std::unique_ptr<machine::Machine> machine_;
+  machine::MachineState state_{};
   RunStatistics statistics_;
   TimeAccount time_;
   MachineFault fault_{};

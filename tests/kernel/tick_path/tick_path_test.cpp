@@ -70,7 +70,7 @@ void expect_quiet_ticks(const std::string& program, const MachineSettings& setti
                         const Profile& profile) {
   auto kernel = std::make_unique<Kernel>(settings, KernelOptions{.profile = profile});
   auto table = std::make_unique<machine::SimulatedTable>(settings.table);
-  table->enable({0, 0, 0});
+  table->enable({});
   kernel->feed(program);
   kernel->finish();
   interp::Setpoint setpoint;
@@ -111,7 +111,7 @@ TEST_F(TickPath, IsQuietWhileStarvedAndThroughAMachineFault) {
   settings.table.axes[0].travel = {.min_mm = -1.0, .max_mm = 5.0};
   auto kernel = std::make_unique<Kernel>(settings);
   auto table = std::make_unique<machine::SimulatedTable>(settings.table);
-  table->enable({0, 0, 0});
+  table->enable({});
   kernel->feed("G21 G90 G1 X10 F3000\nG4 P0.01\n");
   interp::Setpoint setpoint;
   machine::MachineState state;

@@ -1,0 +1,20 @@
+// What stands behind the setpoints of a run: `[driver]` of a machine file. The library drives
+// nothing; the executable does (programs/kerf/driver).
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace kerf {
+
+inline constexpr std::array<std::string_view, 1> kDriverNames{"simulated"};
+
+struct DriverSettings {
+  std::string name{kDriverNames.front()};
+};
+
+// Of a text that parse_machine_file() takes.
+[[nodiscard]] DriverSettings driver_of_machine_file(std::string_view toml);
+
+}  // namespace kerf
