@@ -1,5 +1,6 @@
 #include "bench/papers/comparison.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -8,17 +9,32 @@ namespace kerf::bench {
 
 namespace {
 
+double tolerance_of(const PaperFigure& figure) {
+  return figure.tolerance > 0.0 ? figure.tolerance : std::pow(10.0, -figure.decimals);
+}
+
 std::string_view standing_of(const PaperFigure& figure) {
   const double apart = std::abs(figure.here - figure.published);
-  const double last_digit = std::pow(10.0, -figure.decimals);
-  const double tolerance = figure.tolerance > 0.0 ? figure.tolerance : last_digit;
-  if (apart <= tolerance * (1.0 + 1e-9)) {
+  if (apart <= tolerance_of(figure) * (1.0 + 1e-9)) {
     return "reproduced";
   }
-  if (apart > figure.band || figure.why.empty()) {
+  const bool is_in_band = apart <= figure.band;  // a figure that is no number is not
+  if (!is_in_band || figure.why.empty()) {
     return "BROKEN";
   }
   return figure.impossible ? "impossible" : "approached";
+}
+
+std::string shortest(double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  return text.data();
+}
+
+// How far apart the two may be, where that is not one of the last digit.
+std::string band_of(const PaperFigure& figure, bool is_reproduced) {
+  const double band = is_reproduced ? figure.tolerance : figure.band;
+  return band > 0.0 ? shortest(band) : "";
 }
 
 }  // namespace
@@ -33,11 +49,14 @@ void Comparison::add(const PaperFigure& figure) {
   const std::string_view standing = standing_of(figure);
   const std::string here = fixed(figure.here, figure.decimals);
   if (standing == "BROKEN") {
-    broken_.push_back(figure.name + ": " + here + " is farther from the published one than " +
-                      fixed(figure.band, figure.decimals));
+    broken_.push_back(figure.name + ": " + here + " is farther from " +
+                      fixed(figure.published, figure.decimals) + " than " +
+                      shortest(std::max(tolerance_of(figure), figure.band)) +
+                      (figure.why.empty() ? ", or nothing says why they are apart" : ""));
   }
   rows_.push_back("| " + figure.name + " | " + fixed(figure.published, figure.decimals) + " | " +
-                  here + " | " + std::string(standing) + " | " + figure.why + " |");
+                  here + " | " + std::string(standing) + " | " +
+                  band_of(figure, standing == "reproduced") + " | " + figure.why + " |");
 }
 
 void Comparison::require(std::string_view what, bool holds) {
@@ -47,8 +66,10 @@ void Comparison::require(std::string_view what, bool holds) {
 }
 
 void Comparison::print(std::string_view heading) const {
-  std::printf("%.*s\n\n| figure | published | here | | why |\n| --- | --- | --- | --- | --- |\n",
-              static_cast<int>(heading.size()), heading.data());
+  std::printf(
+      "%.*s\n\n| figure | published | here | | band | why |\n| --- | --- | --- | --- | --- | --- "
+      "|\n",
+      static_cast<int>(heading.size()), heading.data());
   for (const std::string& row : rows_) {
     std::printf("%s\n", row.c_str());
   }

@@ -12,7 +12,8 @@ struct PaperFigure {
   double published = 0.0;  // as printed
   int decimals = 0;        // of both in the table
   double here = 0.0;
-  // How far from the published one it may be to count as reproduced; 0: one of the last digit.
+  // How far from the published one it may be to count as reproduced; 0: one of the last digit. The
+  // table states it, as it does the band.
   double tolerance = 0.0;
   // Beyond that it is approached, as long as it is no farther than this, and `why` says what parts
   // them; 0: it has to be reproduced.

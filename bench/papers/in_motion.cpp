@@ -84,6 +84,23 @@ double MotionRun::last_stretch_mm(double feedrate_mm_s) const {
   return slower == on_curve.rbegin() ? 0.0 : block.length_mm - std::prev(slower)->setpoint.s_mm;
 }
 
+bool keeps(const MotionRun& run, const lookahead::PlanLimits& limits,
+           const PublishedLimits& published) {
+  constexpr double kRounding = 1e-5;
+  const lookahead::MotionLimits& path = published.path;
+  const bool has_them = limits.path.velocity_mm_s == path.velocity_mm_s &&
+                        limits.path.acceleration_mm_s2 == path.acceleration_mm_s2 &&
+                        limits.path.jerk_mm_s3 == path.jerk_mm_s3 &&
+                        limits.chord_tolerance_mm == published.chord_error_mm;
+  const auto within = [](double figure, double limit) {
+    return figure <= limit * (1.0 + kRounding);
+  };
+  return has_them && within(run.path.v_mm_s, path.velocity_mm_s) &&
+         within(run.path.a_mm_s2, path.acceleration_mm_s2) &&
+         within(run.path.j_mm_s3, path.jerk_mm_s3) &&
+         within(run.chord_error_mm, published.chord_error_mm);
+}
+
 MotionRun in_motion(const std::string& program, const lookahead::PlanLimits& limits,
                     const profiles::Profile& profile) {
   MotionRun found{.block = curve_block(program, limits)};

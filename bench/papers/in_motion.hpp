@@ -26,6 +26,16 @@ struct MotionRun {
   [[nodiscard]] double last_stretch_mm(double feedrate_mm_s) const;
 };
 
+// The limits along the path that a paper prints.
+struct PublishedLimits {
+  lookahead::MotionLimits path;
+  double chord_error_mm = 0.0;
+};
+
+// Whether the machine file has them, and the ticks keep them.
+bool keeps(const MotionRun& run, const lookahead::PlanLimits& limits,
+           const PublishedLimits& published);
+
 MotionRun in_motion(const std::string& program, const lookahead::PlanLimits& limits,
                     const profiles::Profile& profile);
 

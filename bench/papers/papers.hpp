@@ -4,6 +4,7 @@
 #include <kerf/kerf.hpp>
 
 #include "bench/papers/comparison.hpp"
+#include "lookahead/path/limits.hpp"
 
 namespace kerf::bench {
 
@@ -19,5 +20,9 @@ bool quintic();
 
 // The rows of the contour errors of [SineSeries], of a butterfly and of a trident.
 void add_contour_errors(const MachineSettings& settings, Comparison& table);
+
+// Its critical points of curvature, and the times of its method over them.
+void add_critical_points(const lookahead::PlanLimits& limits, Comparison& table);
+void print_over_critical_points(const lookahead::PlanLimits& limits);
 
 }  // namespace kerf::bench

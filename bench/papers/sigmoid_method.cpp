@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -34,16 +35,10 @@ double error_mm(const ParametricCurve& curve, ChordRule rule, double u, double u
   return curvature > 0.0 ? bend * bend / (1.0 + std::sqrt(1.0 - bend * bend)) / curvature : 0.0;
 }
 
-// A valley, or an end.
-struct Place {
-  double s_mm = 0.0;
-  double v_mm_s = 0.0;
-};
-
-std::vector<Place> places_of(const VelocityLimitCurve& scan, bool dips) {
+std::vector<MethodPlace> places_of(const VelocityLimitCurve& scan, bool dips) {
   constexpr double kBesideEnd_mm = 2.0;
   const auto valleys = lookahead::valleys(scan, lookahead::breaking_points(scan, 0.0));
-  std::vector<Place> places{{scan.front().s_mm, scan.front().v_mm_s}};
+  std::vector<MethodPlace> places{{scan.front().s_mm, scan.front().v_mm_s}};
   for (const std::size_t i : valleys) {
     const double to_end =
         std::min(scan[i].s_mm - scan.front().s_mm, scan.back().s_mm - scan[i].s_mm);
@@ -56,8 +51,9 @@ std::vector<Place> places_of(const VelocityLimitCurve& scan, bool dips) {
 }
 
 // No end is faster than what the other allows over the distance.
-void adjust(std::vector<Place>& places, const profiles::Profile& profile, const RampLimits& ramp) {
-  const auto bind = [&](const Place& from, Place& to) {
+void adjust(std::vector<MethodPlace>& places, const profiles::Profile& profile,
+            const RampLimits& ramp) {
+  const auto bind = [&](const MethodPlace& from, MethodPlace& to) {
     to.v_mm_s = std::min(to.v_mm_s, profile.reach_mm_s({.v_mm_s = from.v_mm_s,
                                                         .length_mm = std::abs(to.s_mm - from.s_mm),
                                                         .v_cap_mm_s = to.v_mm_s},
@@ -71,11 +67,12 @@ void adjust(std::vector<Place>& places, const profiles::Profile& profile, const 
   }
 }
 
-std::vector<Transition> transitions_of(const std::vector<Place>& places,
+std::vector<Transition> transitions_of(std::vector<MethodPlace> places,
                                        const profiles::Profile& profile,
                                        const lookahead::PlanLimits& limits) {
   const RampLimits ramp{.acceleration_mm_s2 = limits.path.acceleration_mm_s2,
                         .jerk_mm_s3 = limits.path.jerk_mm_s3};
+  adjust(places, profile, ramp);
   std::vector<Transition> parts;
   for (std::size_t i = 1; i < places.size(); ++i) {
     const Ramp ends{places[i - 1].v_mm_s, places[i].v_mm_s};
@@ -90,6 +87,14 @@ std::vector<Transition> transitions_of(const std::vector<Place>& places,
     parts.push_back(down);
   }
   return parts;
+}
+
+double duration_s(const std::vector<Transition>& parts) {
+  double sum_s = 0.0;
+  for (const Transition& part : parts) {
+    sum_s += part.duration_s();
+  }
+  return sum_s;
 }
 
 double s_at(const std::vector<Transition>& parts, double t_s) {
@@ -130,18 +135,16 @@ VelocityLimitCurve method_scan(const MethodCurve& curve, ChordRule rule,
   return scan;
 }
 
+double time_over_s(std::vector<MethodPlace> places, const profiles::Profile& profile,
+                   const lookahead::PlanLimits& limits) {
+  return duration_s(transitions_of(std::move(places), profile, limits));
+}
+
 MethodPlan method_plan(const MethodCurve& curve, const VelocityLimitCurve& scan,
                        const profiles::Profile& profile, const lookahead::PlanLimits& limits,
                        bool dips) {
-  std::vector<Place> places = places_of(scan, dips);
-  adjust(
-      places, profile,
-      {.acceleration_mm_s2 = limits.path.acceleration_mm_s2, .jerk_mm_s3 = limits.path.jerk_mm_s3});
-  const std::vector<Transition> parts = transitions_of(places, profile, limits);
-  MethodPlan plan;
-  for (const Transition& part : parts) {
-    plan.time_s += part.duration_s();
-  }
+  const std::vector<Transition> parts = transitions_of(places_of(scan, dips), profile, limits);
+  MethodPlan plan{.time_s = duration_s(parts)};
   const auto u_at = [&](double s_mm) {
     const curves::NurbsCurve& by_length = curve.by_length;
     return by_length.pieces()[by_length.piece_index(s_mm)].u_at(s_mm);

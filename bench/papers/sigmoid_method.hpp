@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "bench/papers/parametric_curve.hpp"
 #include "curves/nurbs_curve.hpp"
@@ -35,6 +36,16 @@ struct MethodPlan {
   double chord_error_mm = 0.0;  // the largest of the ticks
   std::size_t ticks = 0;
 };
+
+// A valley, a critical point, an end: its feedrate at the most.
+struct MethodPlace {
+  double s_mm = 0.0;
+  double v_mm_s = 0.0;
+};
+
+// The time over the places, the first and the last being the ends.
+double time_over_s(std::vector<MethodPlace> places, const profiles::Profile& profile,
+                   const lookahead::PlanLimits& limits);
 
 // dips: of the two shallow valleys beside the ends of the butterfly, too, which a screening value
 // leaves out that finds 37 breaking points.

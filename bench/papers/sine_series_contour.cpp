@@ -46,8 +46,8 @@ ContourError contour_error(const char* program, const MachineSettings& settings,
 }  // namespace
 
 void add_contour_errors(const MachineSettings& settings, Comparison& table) {
-  constexpr double kMaxBand_um = 4.0;
-  constexpr double kMeanBand_um = 1.5;
+  constexpr double kMaxBand_um = 3.0;
+  constexpr double kMeanBand_um = 1.1;
   struct Row {
     const char* curve;
     ProfileKind kind;
