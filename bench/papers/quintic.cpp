@@ -28,10 +28,9 @@ struct PlaceOfPeak {
   double share = 0.0;  // of the duration
   double peak = 0.0;
 
-  void take(double at, double value) {
-    if (value > peak) {
-      share = at;
-      peak = value;
+  void take(const PlaceOfPeak& seen) {
+    if (seen.peak > peak) {
+      *this = seen;
     }
   }
 };
@@ -93,8 +92,8 @@ void add_law(Comparison& table) {
   for (int i = 0; i <= kPlaces / 2; ++i) {  // the second half mirrors the first
     const double share = static_cast<double>(i) / kPlaces;
     const profiles::PathMotion motion = law.at(share * duration);
-    acceleration.take(share, motion.a_mm_s2 * duration);
-    jerk.take(share, motion.j_mm_s3 * duration * duration);
+    acceleration.take({.share = share, .peak = motion.a_mm_s2 * duration});
+    jerk.take({.share = share, .peak = motion.j_mm_s3 * duration * duration});
   }
   const auto row = [&](const char* name, double published, double here) {
     table.add({.name = name, .published = published, .decimals = 3, .here = here});
