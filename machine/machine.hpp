@@ -33,7 +33,9 @@ enum class DriveFault : std::uint8_t {
   soft_limit,       // a setpoint outside the travel
   following_error,  // an axis fell too far behind
   not_finite,       // a setpoint or an encoder that is not a number
+  another_run,      // a record that is replayed is told something else than what it holds
 };
+inline constexpr DriveFault kLastDriveFault = DriveFault::another_run;
 
 enum class AxisState : std::uint8_t {
   off,

@@ -37,6 +37,8 @@ struct Options {
   std::optional<std::string> tool_file;
   std::string driver_name;  // of Subcommand::run; empty: that of the machine file
   DriverSettings driver;
+  std::string record_file;  // of what the machine is told and answers; empty: none
+  std::string replay_file;  // the machine answers as this one says; empty: it does not
   profiles::ProfileKind profile = profiles::kDefaultProfile;
   std::optional<double> sigmoid_shape;
   std::optional<std::string> trace_file;

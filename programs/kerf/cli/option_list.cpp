@@ -105,6 +105,14 @@ void add_outputs(CLI::App& command, OptionWords& words) {
       .add_option("--max-trace", words.max_trace,
                   "size that the trace may have: 1000, 500MB, 4GiB (default: 4GiB)")
       ->type_name("SIZE");
+  command
+      .add_option("--record", options.record_file,
+                  "write what the machine is told and answers, tick by tick")
+      ->type_name("FILE");
+  command
+      .add_option("--replay", options.replay_file,
+                  "the machine answers as in this record, and is to be told the same")
+      ->type_name("FILE");
   command.add_option("--plot", options.plot_file, "draw the path and v, a, j over time")
       ->type_name("FILE.svg");
   command.add_flag("--explain-speed{all}", words.explain_speed,

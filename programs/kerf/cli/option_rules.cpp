@@ -120,8 +120,12 @@ std::optional<std::string> contradiction_of_trace(const Options& options) {
 }  // namespace
 
 std::optional<std::string> contradiction(const Options& options) {
-  if (options.files.size() > 1 && (options.trace_file || options.plot_file)) {
-    return "--trace and --plot take one FILE at a time";
+  const bool records = !options.record_file.empty() || !options.replay_file.empty();
+  if (options.files.size() > 1 && (options.trace_file || options.plot_file || records)) {
+    return "--trace, --plot, --record and --replay take one FILE at a time";
+  }
+  if (!options.driver_name.empty() && !options.replay_file.empty()) {
+    return "--driver and --replay name two machines";
   }
   if (auto message = contradiction_of_trace(options)) {
     return message;

@@ -4,12 +4,64 @@
 
 namespace kerf::program {
 
-tl::expected<std::unique_ptr<machine::Machine>, std::string> open_driver(
-    const DriverSettings& driver, const MachineSettings& settings) {
-  if (driver.name == "simulated") {
-    return std::make_unique<machine::SimulatedTable>(settings.table);
+namespace {
+
+using Made = tl::expected<std::unique_ptr<machine::Machine>, std::string>;
+
+Made named_machine(const DriverOrder& order) {
+  if (order.driver.name == "simulated") {
+    return std::make_unique<machine::SimulatedTable>(order.settings.table);
   }
-  return tl::unexpected("there is no driver '" + driver.name + "'");
+  return tl::unexpected("there is no driver '" + order.driver.name + "'");
+}
+
+}  // namespace
+
+tl::expected<Driver, std::string> Driver::open(const DriverOrder& order) {
+  Driver driver;
+  if (order.replay_file.empty()) {
+    auto made = named_machine(order);
+    if (!made) {
+      return tl::unexpected(made.error());
+    }
+    driver.machine_ = *std::move(made);
+  } else {
+    auto record = RecordReader::open(order.replay_file, order.settings.limits.period_s);
+    if (!record) {
+      return tl::unexpected(record.error());
+    }
+    auto replay = std::make_unique<ReplayingMachine>(*std::move(record));
+    driver.replay_ = replay.get();
+    driver.machine_ = std::move(replay);
+  }
+  if (order.record_file.empty()) {
+    return driver;
+  }
+  auto record = RecordWriter::create(
+      order.record_file, order.settings.limits.period_s,
+      order.has_clock ? RecordWriter::WhenFull::drop : RecordWriter::WhenFull::wait);
+  if (!record) {
+    return tl::unexpected(record.error());
+  }
+  driver.record_file_ = order.record_file;
+  driver.record_ = *std::move(record);
+  driver.machine_ = std::make_unique<RecordingMachine>(std::move(driver.machine_), *driver.record_);
+  return driver;
+}
+
+std::vector<std::string> Driver::warnings() const {
+  if (record_ == nullptr || !record_->follows_incomplete()) {
+    return {};
+  }
+  return {"an earlier run did not end cleanly: its " + record_file_ + ".incomplete is replaced"};
+}
+
+std::optional<std::string> Driver::finish() {
+  return record_ == nullptr ? std::nullopt : record_->finish();
+}
+
+std::size_t Driver::calls_left() const noexcept {
+  return replay_ == nullptr ? 0 : replay_->calls_left();
 }
 
 }  // namespace kerf::program

@@ -1,19 +1,50 @@
-// The machine that a run drives, by its name.
+// The machine that a run drives, by its name, and the record of it.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <kerf/machine.hpp>
 #include <tl/expected.hpp>
 
 #include "kernel/driver_settings.hpp"
 #include "machine/machine.hpp"
+#include "programs/kerf/driver/machine_record.hpp"
+#include "programs/kerf/driver/recording_machine.hpp"
 
 namespace kerf::program {
 
-// Not enabled yet. Error: why there is none.
-[[nodiscard]] tl::expected<std::unique_ptr<machine::Machine>, std::string> open_driver(
-    const DriverSettings& driver, const MachineSettings& settings);
+struct DriverOrder {
+  const DriverSettings& driver;
+  const MachineSettings& settings;
+  std::string record_file{};  // to write; empty: none
+  std::string replay_file{};  // in place of the driver; empty: none
+  bool has_clock = false;
+};
+
+class Driver {
+ public:
+  // Error: why there is none.
+  static tl::expected<Driver, std::string> open(const DriverOrder& order);
+
+  // Not enabled yet.
+  [[nodiscard]] machine::Machine& machine() noexcept { return *machine_; }
+  // An earlier run left this behind.
+  [[nodiscard]] std::vector<std::string> warnings() const;
+  // After the last tick. Error: why the record is not whole.
+  [[nodiscard]] std::optional<std::string> finish();
+  // Of a record that is replayed: how many calls of it never came.
+  [[nodiscard]] std::size_t calls_left() const noexcept;
+
+ private:
+  Driver() = default;
+
+  std::string record_file_;
+  std::unique_ptr<RecordWriter> record_;
+  const ReplayingMachine* replay_ = nullptr;  // of machine_
+  std::unique_ptr<machine::Machine> machine_;
+};
 
 }  // namespace kerf::program

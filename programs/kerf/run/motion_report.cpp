@@ -66,6 +66,9 @@ std::string describe(const MachineFault& fault, double period_s) {
     case machine::DriveFault::not_finite:
       what = "position" + axis + " is not a number";
       break;
+    case machine::DriveFault::another_run:
+      what = "the run is another one than that of the record";
+      break;
     case machine::DriveFault::none:
     case machine::DriveFault::not_enabled:
       what = "drives not enabled";

@@ -2,6 +2,7 @@
 
 #include "programs/kerf/driver/driver.hpp"
 #include "programs/kerf/io/interrupt.hpp"
+#include "programs/kerf/io/number_text.hpp"
 #include "programs/kerf/run/machine_run.hpp"
 #include "programs/kerf/run/motion_stage.hpp"
 
@@ -18,6 +19,7 @@ void dry_run(MotionStage& stage) {
     const auto bar =
         stage.progress_bar([] { return std::string("running  "); }, ProgressBar::Left::estimated);
     outcome = run_without_clock(kernel, stage.stage_with(feeder));
+    stage.disable();
   }
   stage.finish({kernel, feeder, outcome});
 }
@@ -25,12 +27,15 @@ void dry_run(MotionStage& stage) {
 }  // namespace
 
 void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
+  const bool has_clock = order.options.command == Subcommand::run;
   // A dry run shows what the simulated table does.
-  const DriverSettings driver =
-      order.options.command == Subcommand::run ? order.options.driver : DriverSettings{};
-  auto machine = open_driver(driver, order.settings);
-  if (!machine) {
-    report.fail(ExitStatus::io_error, machine.error());
+  auto driver = Driver::open({.driver = has_clock ? order.options.driver : DriverSettings{},
+                              .settings = order.settings,
+                              .record_file = order.options.record_file,
+                              .replay_file = order.options.replay_file,
+                              .has_clock = has_clock});
+  if (!driver) {
+    report.fail(ExitStatus::io_error, driver.error());
     return;
   }
   auto outputs = OutputFiles::open(order.options, order.settings,
@@ -44,6 +49,9 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     return;
   }
   report.warnings = outputs->warnings();
+  for (std::string& warning : driver->warnings()) {
+    report.warnings.push_back(std::move(warning));
+  }
   if (order.page != nullptr) {
     order.page->motion.emplace(
         TickColumns::Settings{.period_s = report.period_s,
@@ -55,11 +63,19 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     outputs->recorder().plot->add_scan(*order.path.scan);
   }
   MotionStage stage(order, {.text = text, .outputs = *outputs, .report = report},
-                    *std::move(machine));
-  if (order.options.command == Subcommand::run) {
+                    driver->machine());
+  if (has_clock) {
     run_machine(stage);
   } else {
     dry_run(stage);
+  }
+  if (const auto error = driver->finish()) {
+    report.fail(ExitStatus::io_error, *error);
+  }
+  if (const std::size_t left = driver->calls_left();
+      left > 0 && report.status == ExitStatus::done && !report.trace_reader_gone) {
+    report.fail(ExitStatus::machine_fault,
+                "the run ended before its record, which goes on for " + counted(left, "call"));
   }
 }
 

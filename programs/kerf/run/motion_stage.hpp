@@ -2,9 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
-#include <utility>
 
 #include <kerf/kernel.hpp>
 
@@ -29,12 +27,12 @@ class MotionStage {
     FileReport& report;
   };
   // The machine is enabled where the program begins.
-  MotionStage(const MotionOrder& order, const Ends& ends, std::unique_ptr<machine::Machine> machine)
+  MotionStage(const MotionOrder& order, const Ends& ends, machine::Machine& machine)
       : order_(order),
         text_(ends.text),
         outputs_(ends.outputs),
         report_(ends.report),
-        ticks_(order.settings, std::move(machine)) {
+        ticks_(order.settings, machine) {
     ticks_.enable({.mm = order.kernel_options.start_mm,
                    .extra_rad_mm = order.kernel_options.start_extra_rad_mm});
   }
@@ -48,6 +46,7 @@ class MotionStage {
     return {std::move(label), [this] { return progress_.share(); }, order_.shows_progress, left};
   }
   [[nodiscard]] RunStage stage_with(Feeder& feeder);
+  void disable() noexcept { ticks_.disable(); }
 
   // Fills in the report and ends the files.
   struct End {

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <memory>
-#include <utility>
 
 #include <kerf/machine.hpp>
 
@@ -23,8 +21,8 @@ struct MachineFault {
 
 class TickStage {
  public:
-  TickStage(const MachineSettings& settings, std::unique_ptr<machine::Machine> machine)
-      : machine_(std::move(machine)),
+  TickStage(const MachineSettings& settings, machine::Machine& machine)
+      : machine_(&machine),
         statistics_(settings.limits.period_s, settings.program.extra_axes != 0) {}
 
   // Real time, as take().
@@ -58,7 +56,7 @@ class TickStage {
   [[nodiscard]] const MachineFault& fault() const noexcept { return fault_; }
 
  private:
-  std::unique_ptr<machine::Machine> machine_;
+  machine::Machine* machine_;
   machine::MachineState state_{};
   RunStatistics statistics_;
   TimeAccount time_;

@@ -1,0 +1,185 @@
+#include "programs/kerf/driver/machine_record.hpp"
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <zlib.h>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "programs/kerf/io/number_text.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+constexpr std::array<char, 8> kHeadMark{'K', 'E', 'R', 'F', 'R', 'E', 'C', '1'};
+constexpr std::array<char, 8> kEndMark{'K', 'E', 'R', 'F', 'E', 'N', 'D', '1'};
+
+// At the beginning with the period, at the end with the number of calls.
+struct RecordBound {
+  std::array<char, 8> mark{};
+  double period_s = 0.0;
+  std::uint64_t calls = 0;
+  std::uint64_t checksum = 0;  // of what stands before it
+};
+static_assert(sizeof(RecordBound) == 32 && std::is_trivially_copyable_v<RecordBound>);
+
+std::uint64_t checksum_of(const RecordBound& bound) noexcept {
+  return crc32(0, reinterpret_cast<const Bytef*>(&bound), offsetof(RecordBound, checksum));
+}
+
+RecordBound sealed(RecordBound bound) noexcept {
+  bound.checksum = checksum_of(bound);
+  return bound;
+}
+
+std::span<const std::byte> bytes_of(const RecordBound& bound) noexcept {
+  return std::as_bytes(std::span(&bound, 1));
+}
+
+}  // namespace
+
+tl::expected<std::unique_ptr<RecordWriter>, std::string> RecordWriter::create(
+    const std::string& path, double period_s, WhenFull when_full) {
+  auto file = OutputFile::create(path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  std::unique_ptr<RecordWriter> writer(new RecordWriter(*std::move(file), when_full));
+  writer->write(bytes_of(sealed({.mark = kHeadMark, .period_s = period_s})));
+  writer->thread_ = std::thread([own = writer.get()] { own->work(); });
+  return writer;
+}
+
+RecordWriter::RecordWriter(OutputFile file, WhenFull when_full)
+    : file_(std::move(file)), when_full_(when_full) {}
+
+RecordWriter::~RecordWriter() {
+  join();
+}
+
+void RecordWriter::push(const RecordedCall& call) noexcept {
+  while (!ring_->push(call)) {
+    if (when_full_ == WhenFull::drop) {
+      ++dropped_;
+      return;
+    }
+    std::this_thread::yield();
+  }
+}
+
+std::optional<std::string> RecordWriter::finish() {
+  join();
+  const bool is_whole = dropped_ == 0;
+  if (is_whole) {
+    write(bytes_of(sealed({.mark = kEndMark, .calls = written_})));
+  }
+  if (const int closing = file_.finish(is_whole && error_ == 0); error_ == 0) {
+    error_ = closing;
+  }
+  if (error_ != 0) {
+    return file_.name() + ": " + error_text(error_) + "; the record is incomplete" +
+           file_.remains();
+  }
+  if (dropped_ > 0) {
+    return "the record lacks " + counted(dropped_, "tick") + ": writing it was too slow" +
+           file_.remains();
+  }
+  return std::nullopt;
+}
+
+void RecordWriter::join() noexcept {
+  over_.store(true, std::memory_order_release);
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+void RecordWriter::work() noexcept {
+  for (bool last_round = false; !last_round;) {
+    last_round = over_.load(std::memory_order_acquire);
+    ring_->consume_all([this](const RecordedCall& call) {
+      write(std::as_bytes(std::span(&call, 1)));
+      ++written_;
+    });
+    if (!last_round) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+}
+
+void RecordWriter::write(std::span<const std::byte> bytes) noexcept {
+  if (error_ == 0) {
+    error_ = file_.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  }
+}
+
+tl::expected<RecordReader, std::string> RecordReader::open(const std::string& path,
+                                                           double period_s) {
+  const auto refuse = [&path](const std::string& why) { return tl::unexpected(path + ": " + why); };
+  const auto file = open_regular(path);
+  if (!file) {
+    return refuse(file.error());
+  }
+  struct stat about {};
+  if (::fstat(file->number(), &about) != 0) {
+    return refuse(error_text(errno));
+  }
+  const auto bytes = static_cast<std::size_t>(about.st_size);
+  if (bytes < 2 * sizeof(RecordBound)) {
+    return refuse("no record of a machine, or a torn one");
+  }
+  void* const map =
+      ::mmap(nullptr, bytes, PROT_READ, MAP_PRIVATE | MAP_POPULATE, file->number(), 0);
+  if (map == MAP_FAILED) {
+    return refuse(error_text(errno));
+  }
+  RecordReader reader(map, bytes);
+  if (const auto why = reader.look(period_s)) {
+    return refuse(*why);
+  }
+  return reader;
+}
+
+RecordReader::~RecordReader() {
+  if (map_ != nullptr) {
+    ::munmap(map_, bytes_);
+  }
+}
+
+RecordReader::RecordReader(RecordReader&& other) noexcept
+    : map_(std::exchange(other.map_, nullptr)), bytes_(other.bytes_), calls_(other.calls_) {}
+
+std::optional<std::string> RecordReader::look(double period_s) {
+  const auto* const at = static_cast<const std::byte*>(map_);
+  RecordBound head;
+  RecordBound end;
+  std::memcpy(&head, at, sizeof head);
+  std::memcpy(&end, at + bytes_ - sizeof end, sizeof end);
+  if (head.mark != kHeadMark || head.checksum != checksum_of(head)) {
+    return "no record of a machine, or of another version of kerf";
+  }
+  const std::size_t between = bytes_ - 2 * sizeof(RecordBound);
+  if (end.mark != kEndMark || end.checksum != checksum_of(end) ||
+      between % sizeof(RecordedCall) != 0 || end.calls != between / sizeof(RecordedCall)) {
+    return "the record is torn: its end is missing";
+  }
+  if (head.period_s != period_s) {
+    return fmt::format("the record has a period of {} s, this machine {} s", head.period_s,
+                       period_s);
+  }
+  calls_ = {reinterpret_cast<const RecordedCall*>(at + sizeof head), end.calls};
+  for (std::size_t i = 0; i < calls_.size(); ++i) {
+    const auto told = told_from(calls_[i].told);
+    const auto answer = answer_from(calls_[i].answer);
+    if (!told || !answer || answer->tick != told->setpoint.tick) {
+      return fmt::format("the record is damaged at its call {}", i + 1);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace kerf::program

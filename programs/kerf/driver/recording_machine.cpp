@@ -1,0 +1,68 @@
+#include "programs/kerf/driver/recording_machine.hpp"
+
+namespace kerf::program {
+
+using machine::AxisPlaces;
+using machine::DriveFault;
+
+namespace {
+
+ToldFrame told_places(const AxisPlaces& places) noexcept {
+  return {.call = MachineCall::enable,
+          .setpoint = {.position_mm = places.mm, .extra_rad_mm = places.extra_rad_mm}};
+}
+
+}  // namespace
+
+void RecordingMachine::enable(const AxisPlaces& places) noexcept {
+  inner_->enable(places);
+  keep(told_places(places));
+}
+
+void RecordingMachine::disable() noexcept {
+  inner_->disable();
+  keep({.call = MachineCall::disable});
+}
+
+void RecordingMachine::write(const Setpoint& setpoint) noexcept {
+  inner_->write(setpoint);
+  keep({.setpoint = setpoint});
+}
+
+void RecordingMachine::keep(const ToldFrame& told) noexcept {
+  record_->push(
+      {.told = to_bytes(told),
+       .answer = to_bytes(AnswerFrame{.tick = told.setpoint.tick, .state = inner_->read()})});
+}
+
+void ReplayingMachine::enable(const AxisPlaces& places) noexcept {
+  follow(told_places(places));
+}
+
+void ReplayingMachine::disable() noexcept {
+  follow({.call = MachineCall::disable});
+}
+
+void ReplayingMachine::write(const Setpoint& setpoint) noexcept {
+  follow({.setpoint = setpoint});
+}
+
+void ReplayingMachine::follow(const ToldFrame& told) noexcept {
+  if (state_.fault == DriveFault::another_run) {
+    return;
+  }
+  const auto calls = record_.calls();
+  const bool same = next_ < calls.size() && calls[next_].told == to_bytes(told);
+  const auto answer = same ? answer_from(calls[next_].answer) : std::nullopt;
+  ++next_;
+  if (answer) {
+    state_ = answer->state;
+    return;
+  }
+  state_.fault = DriveFault::another_run;
+  state_.fault_axis = -1;
+  state_.axes.fill(machine::AxisState::off);
+  interp::apply({.kind = interp::OutputChangeKind::all_off}, state_.outputs);
+}
+
+}  // namespace kerf::program
