@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,6 +13,7 @@ inline constexpr std::array<std::string_view, 1> kDriverNames{"simulated"};
 
 struct DriverSettings {
   std::string name{kDriverNames.front()};
+  std::optional<int> max_late_periods{};  // a tick that is later stops the program on the path
 };
 
 // Of a text that parse_machine_file() takes.

@@ -9,7 +9,8 @@ namespace kerf {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> kDriverKeys{"name"};
+constexpr std::array<std::string_view, 2> kDriverKeys{"name", "max_late_periods"};
+constexpr NumberRule kMaxLatePeriods{"max_late_periods", 1.0, 100'000.0, nullptr};
 
 std::string known_drivers() {
   std::string names;
@@ -23,6 +24,11 @@ std::string known_drivers() {
 
 void MachineFileReader::read_driver(const Section& section) {
   check_keys(section, kDriverKeys);
+  if (const toml::node* const late = section.table->get(kMaxLatePeriods.key)) {
+    if (const auto number = read_number(section, kMaxLatePeriods, *late)) {
+      driver_.max_late_periods = static_cast<int>(*number);
+    }
+  }
   const toml::node* const node = section.table->get("name");
   if (node == nullptr) {
     return;

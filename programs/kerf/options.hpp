@@ -18,7 +18,7 @@
 
 namespace kerf::program {
 
-enum class Subcommand : unsigned char { dry_run, run, check, explain, report, view };
+enum class Subcommand : unsigned char { dry_run, run, check, explain, report, view, tick_cost };
 
 std::string_view name_of(Subcommand command) noexcept;
 [[nodiscard]] bool makes_page(Subcommand command) noexcept;
@@ -56,8 +56,10 @@ struct Options {
   std::optional<parser::Dialect> dialect;  // nothing: that of the machine file
   parser::BlockDelete block_delete;
   bool syntax_only = false;            // of Subcommand::check
+  bool realtime = false;               // of Subcommand::run and tick_cost
   bool optional_stop = false;          // of Subcommand::run
   std::optional<std::string> control;  // of Subcommand::run: a descriptor, two of them, or a socket
+  double measured_s = 5.0;             // of Subcommand::tick_cost
   std::string page_file;               // of Subcommand::report: where the page goes
   std::optional<std::string> page_template;  // of Subcommand::report and view
   bool leaves_out_source = false;            // the same

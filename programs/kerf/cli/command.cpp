@@ -22,6 +22,7 @@
 #include "programs/kerf/report/json_report.hpp"
 #include "programs/kerf/report/summary.hpp"
 #include "programs/kerf/run/session.hpp"
+#include "programs/kerf/run/tick_cost.hpp"
 
 namespace kerf::program {
 
@@ -183,8 +184,23 @@ class AllPrograms {
   ExitStatus status_ = ExitStatus::done;
 };
 
+ExitStatus show_tick_cost(const Options& options, const MachineSettings& settings) {
+  const auto cost =
+      measure_tick_cost({.measured_s = options.measured_s, .realtime = options.realtime}, settings);
+  if (!cost) {
+    spdlog::error("{}", visible(cost.error()));
+    return ExitStatus::machine_fault;
+  }
+  const ExitStatus printed =
+      print(STDOUT_FILENO, options.json ? tick_cost_json(*cost) : tick_cost_text(*cost));
+  return first_failure({printed, stop_requested().value_or(ExitStatus::done)});
+}
+
 ExitStatus process_all(const Options& options) {
   const auto machines = choose_machines(options);
+  if (machines && options.command == Subcommand::tick_cost) {
+    return show_tick_cost(options, machines->front().chosen.settings);
+  }
   return machines ? AllPrograms(options).process(*machines)
                   : refuse_machine(machines.error(), options);
 }

@@ -140,6 +140,12 @@ void add_page(CLI::App& command, Subcommand which, Options& options) {
       ->type_name("FILE.html");
 }
 
+void add_realtime(CLI::App& command, Options& options) {
+  command.add_flag("--realtime", options.realtime,
+                   "ticks before all else: SCHED_FIFO, locked memory, one processor; says what is "
+                   "not permitted");
+}
+
 }  // namespace
 
 CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& description,
@@ -175,6 +181,7 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
                      "what takes the setpoints (default: that of the machine file)")
         ->check(CLI::IsMember(std::vector<std::string>(kDriverNames.begin(), kDriverNames.end())))
         ->type_name("NAME");
+    add_realtime(*added, words.options);
     added->add_flag("--optional-stop", words.options.optional_stop, "M1 waits, as M0 does");
     added
         ->add_option("--control", words.options.control,
@@ -182,6 +189,18 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
                      "and one to write; else the path of a socket to make")
         ->type_name("WHERE");
   }
+  return added;
+}
+
+CLI::App* add_tick_cost(CLI::App& app, OptionWords& words) {
+  CLI::App* added =
+      app.add_subcommand(std::string(name_of(Subcommand::tick_cost)),
+                         "what a tick costs on this computer, and which period it bears");
+  add_machine(*added, words.options);
+  add_realtime(*added, words.options);
+  added->add_option("--time", words.measured, "how long to measure: 90, 90s, 5min (default: 5s)")
+      ->type_name("TIME");
+  added->add_flag("--json", words.options.json, "the figures as JSON");
   return added;
 }
 

@@ -21,9 +21,12 @@ struct OptionWords {
   std::string max_trace;      // the same
   std::string trace_from;     // the same
   std::string trace_to;       // the same
+  std::string measured;       // the same
 };
 
 CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& description,
                       OptionWords& words);
+
+CLI::App* add_tick_cost(CLI::App& app, OptionWords& words);
 
 }  // namespace kerf::program

@@ -68,7 +68,8 @@ std::optional<std::string> read_time(const TimeWord& time) {
 std::optional<std::string> read_times(const OptionWords& words, Options& options) {
   for (const TimeWord& time : {TimeWord{"--max-time", words.max_time, options.max_time_s},
                                TimeWord{"--trace-from", words.trace_from, options.trace_from_s},
-                               TimeWord{"--trace-to", words.trace_to, options.trace_to_s}}) {
+                               TimeWord{"--trace-to", words.trace_to, options.trace_to_s},
+                               TimeWord{"--time", words.measured, options.measured_s}}) {
     if (auto message = read_time(time)) {
       return message;
     }
@@ -136,6 +137,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   add(Subcommand::explain, "what is in force at a line of the program, and when");
   add(Subcommand::report, "run as dry-run does, into a page for the browser");
   add(Subcommand::view, "the same, shown in the browser");
+  commands.emplace(add_tick_cost(app, words), Subcommand::tick_cost);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

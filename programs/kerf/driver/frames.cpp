@@ -4,7 +4,8 @@
 #include <concepts>
 #include <cstring>
 #include <type_traits>
-#include <zlib.h>
+
+#include <boost/crc.hpp>
 
 namespace kerf::program {
 
@@ -150,8 +151,9 @@ void walk_state(Fields& fields, auto& state) {
 }
 
 std::uint32_t checksum(std::span<const std::byte> bytes) noexcept {
-  return static_cast<std::uint32_t>(
-      crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
+  boost::crc_32_type sum;
+  sum.process_bytes(bytes.data(), bytes.size());
+  return sum.checksum();
 }
 
 // The bytes behind the last field stay 0.

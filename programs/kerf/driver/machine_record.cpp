@@ -5,8 +5,8 @@
 #include <cstring>
 #include <sys/mman.h>
 #include <sys/stat.h>
-#include <zlib.h>
 
+#include <boost/crc.hpp>
 #include <spdlog/fmt/fmt.h>
 
 #include "programs/kerf/io/number_text.hpp"
@@ -28,7 +28,9 @@ struct RecordBound {
 static_assert(sizeof(RecordBound) == 32 && std::is_trivially_copyable_v<RecordBound>);
 
 std::uint64_t checksum_of(const RecordBound& bound) noexcept {
-  return crc32(0, reinterpret_cast<const Bytef*>(&bound), offsetof(RecordBound, checksum));
+  boost::crc_32_type sum;
+  sum.process_bytes(&bound, offsetof(RecordBound, checksum));
+  return sum.checksum();
 }
 
 RecordBound sealed(RecordBound bound) noexcept {

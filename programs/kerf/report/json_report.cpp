@@ -224,6 +224,14 @@ std::string json_report(const FileReport& report) {
     json["driver"] = report.driver;
     json["late_ticks"] = report.clock->late_ticks;
     json["worst_delay_s"] = report.clock->worst_delay_s;
+    json["delays"] = Json::array();
+    for (const TimeHistogram::Step& step : report.clock->delays.steps()) {
+      json["delays"].push_back({{"up_to_s", step.up_to_s}, {"ticks", step.count}});
+    }
+    const TimeHistogram& ticks = report.clock->tick_times;
+    json["tick_times"] = {{"mean_s", ticks.mean_s()},
+                          {"most_s", ticks.quantile_s(0.999)},
+                          {"worst_s", ticks.worst_s()}};
   }
   json["warnings"] = Json::array();
   json["errors"] = Json::array();

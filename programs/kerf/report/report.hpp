@@ -18,6 +18,7 @@
 #include "programs/kerf/exit_status.hpp"
 #include "programs/kerf/options.hpp"
 #include "programs/kerf/report/speed_account.hpp"
+#include "programs/kerf/report/time_histogram.hpp"
 #include "programs/kerf/report/time_split.hpp"
 #include "smoothing/path_deviations.hpp"
 
@@ -64,6 +65,8 @@ struct MotionReport {
 struct ClockReport {
   std::uint64_t late_ticks = 0;
   double worst_delay_s = 0.0;
+  TimeHistogram delays{};      // of each tick behind its time
+  TimeHistogram tick_times{};  // how long each took
 };
 
 struct FileReport {

@@ -221,6 +221,17 @@ std::string summary(const FileReport& report) {
     fmt::format_to(out, "  clock           {}, the worst delay {:.3f} ms\n",
                    counted(report.clock->late_ticks, "late tick"),
                    1000.0 * report.clock->worst_delay_s);
+    const TimeHistogram& delays = report.clock->delays;
+    const TimeHistogram& ticks = report.clock->tick_times;
+    if (ticks.count() > 0) {
+      fmt::format_to(out,
+                     "  delays          half up to {:.3f} ms, 99 % {:.3f} ms, 99.9 % {:.3f} ms\n",
+                     1000.0 * delays.quantile_s(0.5), 1000.0 * delays.quantile_s(0.99),
+                     1000.0 * delays.quantile_s(0.999));
+      fmt::format_to(out,
+                     "  ticks took      {:.1f} us, 99.9 % up to {:.1f} us, the worst {:.1f} us\n",
+                     1e6 * ticks.mean_s(), 1e6 * ticks.quantile_s(0.999), 1e6 * ticks.worst_s());
+    }
   }
   for (const std::string& warning : report.warnings) {
     fmt::format_to(out, "  warning         {}\n", visible(warning));

@@ -8,10 +8,17 @@
 #include "programs/kerf/control/channel.hpp"
 #include "programs/kerf/control/keys.hpp"
 #include "programs/kerf/control/message_printer.hpp"
+#include "programs/kerf/run/real_time_loop.hpp"
 
 namespace kerf::program {
 
 namespace {
+
+// A system that was asked for real time is to keep it.
+int max_late_periods(const Options& options) {
+  constexpr int kOfRealTime = 10;
+  return options.driver.max_late_periods.value_or(options.realtime ? kOfRealTime : 0);
+}
 
 void run_with(std::optional<ControlEndpoint> control, MotionStage& stage) {
   const MotionOrder& order = stage.order();
@@ -43,7 +50,12 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage) {
     }
     const auto bar = stage.progress_bar([&controller] { return status_line(controller.status()); },
                                         ProgressBar::Left::not_said);  // the status says it
-    outcome = run_in_real_time({controller, by, report.period_s}, stage.stage_with(feeder));
+    outcome = run_in_real_time({.controller = controller,
+                                .by = by,
+                                .period_s = report.period_s,
+                                .realtime = order.options.realtime,
+                                .max_late_periods = max_late_periods(order.options)},
+                               stage.stage_with(feeder));
     controller.plan();  // what the program said last
   }
   stage.finish({.kernel = *controller.program(),

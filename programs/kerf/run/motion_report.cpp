@@ -29,8 +29,13 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
                                .max_following_error_mm = statistics.max_following_error_mm(),
                                .starved_ticks = outcome.starved_ticks};
   if (report.command == Subcommand::run) {
-    report.clock =
-        ClockReport{.late_ticks = outcome.late_ticks, .worst_delay_s = outcome.worst_delay_s};
+    report.clock = ClockReport{.late_ticks = outcome.late_ticks,
+                               .worst_delay_s = outcome.delays.worst_s(),
+                               .delays = outcome.delays,
+                               .tick_times = outcome.tick_times};
+    for (const std::string& what : outcome.not_permitted) {
+      report.warnings.push_back("not in real time: " + what);
+    }
   }
   for (const LimitUse& use : limit_uses(*report.motion, report.limits, report.extra_axes)) {
     if (use.is_exceeded()) {
@@ -76,6 +81,12 @@ std::string describe(const MachineFault& fault, double period_s) {
   }
   return fmt::format("machine fault: {}, in line {}, at {}", what, fault.line,
                      clock_time(static_cast<double>(fault.tick) * period_s));
+}
+
+std::string describe_delay(const TickGap& delay, double period_s) {
+  return fmt::format(
+      "machine fault: a tick came {:.3f} s late; stopped on the path, from line {}, at {}",
+      delay.duration_s, delay.line, clock_time(static_cast<double>(delay.tick) * period_s));
 }
 
 std::string describe(const TickGap& gap, double period_s) {

@@ -71,6 +71,9 @@ void MotionStage::report_end(const End& end) {
     report_.fail(ExitStatus::machine_fault, describe(ticks_.fault(), report_.period_s));
   } else if (end.outcome.gap) {
     report_.fail(ExitStatus::machine_fault, describe(*end.outcome.gap, report_.period_s));
+  } else if (end.outcome.too_late) {
+    report_.fail(ExitStatus::machine_fault,
+                 describe_delay(*end.outcome.too_late, report_.period_s));
   } else if (end.is_emergency) {
     report_.status = ExitStatus::emergency_stop;
   } else if (stop_requested()) {

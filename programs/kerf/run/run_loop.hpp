@@ -1,13 +1,15 @@
-// A program's ticks from the first to the last, with a clock or without.
+// A program's ticks from the first to the last, without a clock; with one: real_time_loop.hpp.
 #pragma once
 
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
-#include <kerf/controller.hpp>
+#include <kerf/kernel.hpp>
 
-#include "programs/kerf/control/operator.hpp"
+#include "programs/kerf/report/time_histogram.hpp"
 #include "programs/kerf/run/feeder.hpp"
 #include "programs/kerf/run/recorder.hpp"
 #include "programs/kerf/run/tick_stage.hpp"
@@ -31,13 +33,17 @@ struct TickGap {
 };
 
 struct RunOutcome {
-  bool hung = false;                // a defect: all is planned, and still the tick waits
-  std::uint64_t starved_ticks = 0;  // rested because nothing was planned yet
-  std::uint64_t late_ticks = 0;     // began a period or more after their time
-  double worst_delay_s = 0.0;       // of a tick after its time
+  bool hung = false;                       // a defect: all is planned, and still the tick waits
+  std::uint64_t starved_ticks = 0;         // rested because nothing was planned yet
+  std::uint64_t late_ticks = 0;            // began a period or more after their time
+  TimeHistogram delays;                    // of each tick behind its time
+  TimeHistogram tick_times;                // how long each took
+  std::vector<std::string> not_permitted;  // of what RealTimeThread does
   std::uint64_t dropped_records = 0;
   bool trace_ended = false;    // and with it the run, as it has no clock
   std::optional<TickGap> gap;  // a fault
+  // The first tick that was later than the order lets pass: a fault, and the program was stopped.
+  std::optional<TickGap> too_late;
   // A run without a clock was not over by its last tick; the line of the program at that.
   std::optional<std::uint32_t> too_long_at_line;
 };
@@ -46,17 +52,5 @@ struct RunOutcome {
 // stop on the path, after which the run is over; a fault of the machine ends it at once, and so
 // does a trace that ends: the motion serves nobody.
 RunOutcome run_without_clock(Kernel& kernel, const RunStage& stage);
-
-// The same ticks, one every period_s of CLOCK_MONOTONIC, in this thread; planning and recording
-// each have a thread of their own. A late tick is counted, and the ticks after it keep their
-// distance: lost time is not caught up. A gap (TickTimer) is a fault that ends the run at once.
-//
-// The run is over once the controller is idle or in fault, or at rest after an emergency stop.
-struct RealTimeOrder {
-  Controller& controller;
-  Operator& by;
-  double period_s = 0.001;
-};
-RunOutcome run_in_real_time(const RealTimeOrder& order, const RunStage& stage);
 
 }  // namespace kerf::program

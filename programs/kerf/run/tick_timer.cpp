@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
 
-std::int64_t now_ns(clockid_t clock) noexcept {
+std::int64_t time_ns(clockid_t clock) noexcept {
   timespec now{};
   clock_gettime(clock, &now);
   return now.tv_sec * kNanosecondsPerSecond + now.tv_nsec;
@@ -25,7 +25,7 @@ double seconds(std::int64_t time_ns) noexcept {
 
 TickTimer::TickTimer(double period_s) noexcept
     : period_ns_(std::llround(period_s * 1e9)),
-      due_ns_(now_ns(CLOCK_MONOTONIC)),
+      due_ns_(time_ns(CLOCK_MONOTONIC)),
       longest_gap_ns_(std::llround(std::max(kLongestGap_s, kMinPeriods * period_s) * 1e9)) {}
 
 double TickTimer::wait() noexcept {
@@ -33,22 +33,26 @@ double TickTimer::wait() noexcept {
                      .tv_nsec = static_cast<long>(due_ns_ % kNanosecondsPerSecond)};
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR) {
   }
-  const std::int64_t now = now_ns(CLOCK_MONOTONIC);
-  const std::int64_t delay_ns = now - due_ns_;
-  worst_delay_ns_ = std::max(worst_delay_ns_, delay_ns);
-  if (delay_ns >= period_ns_) {
+  const std::int64_t now = time_ns(CLOCK_MONOTONIC);
+  delay_ns_ = now - due_ns_;
+  delays_.add(delay_ns_);
+  if (delay_ns_ >= period_ns_) {
     ++late_;
     due_ns_ = now;
   }
   due_ns_ += period_ns_;
-  const std::int64_t awake_ns = now_ns(CLOCK_BOOTTIME);
+  const std::int64_t awake_ns = time_ns(CLOCK_BOOTTIME);
   const std::int64_t gap_ns = last_ns_ > 0 ? awake_ns - last_ns_ : 0;
   last_ns_ = awake_ns;
   return gap_ns > longest_gap_ns_ ? seconds(gap_ns) : 0.0;
 }
 
-double TickTimer::worst_delay_s() const noexcept {
-  return seconds(worst_delay_ns_);
+double TickTimer::delay_s() const noexcept {
+  return seconds(delay_ns_);
+}
+
+std::int64_t TickTimer::now_ns() noexcept {
+  return time_ns(CLOCK_MONOTONIC);
 }
 
 }  // namespace kerf::program

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <ctime>
 
+#include "programs/kerf/report/time_histogram.hpp"
+
 namespace kerf::program {
 
 class TickTimer {
@@ -25,15 +27,23 @@ class TickTimer {
   // stopped, or the computer asleep, which CLOCK_BOOTTIME counts too.
   [[nodiscard]] double wait() noexcept;
 
+  // On the same clock.
+  [[nodiscard]] static std::int64_t now_ns() noexcept;
+
   [[nodiscard]] std::uint64_t late() const noexcept { return late_; }
-  [[nodiscard]] double worst_delay_s() const noexcept;
+  [[nodiscard]] double worst_delay_s() const noexcept { return delays_.worst_s(); }
+  // Of each tick behind its time.
+  [[nodiscard]] const TimeHistogram& delays() const noexcept { return delays_; }
+  // Of the last one.
+  [[nodiscard]] double delay_s() const noexcept;
 
  private:
   std::int64_t period_ns_;
   std::int64_t due_ns_;
   std::int64_t longest_gap_ns_;
   std::int64_t last_ns_ = 0;  // of CLOCK_BOOTTIME; 0: no tick yet
-  std::int64_t worst_delay_ns_ = 0;
+  std::int64_t delay_ns_ = 0;
+  TimeHistogram delays_;
   std::uint64_t late_ = 0;
 };
 

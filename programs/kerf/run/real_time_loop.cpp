@@ -1,0 +1,182 @@
+#include "programs/kerf/run/real_time_loop.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <limits>
+#include <optional>
+#include <thread>
+
+#include "programs/kerf/io/interrupt.hpp"
+#include "programs/kerf/run/real_time_thread.hpp"
+#include "programs/kerf/run/starvation_judge.hpp"
+#include "programs/kerf/run/tick_timer.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+constexpr std::chrono::milliseconds kPlanningPause{1};
+
+// Keeps the queue of the kernel full until the last tick.
+class PlanningThread {
+ public:
+  PlanningThread(Feeder& feeder, Operator& by) : feeder_(&feeder), by_(&by) {
+    feeder_->pump();  // the first tick finds its motion planned
+    thread_ = std::thread([this] { work(); });
+  }
+  ~PlanningThread() {
+    over_.store(true, std::memory_order_relaxed);
+    thread_.join();
+  }
+  PlanningThread(const PlanningThread&) = delete;
+  PlanningThread& operator=(const PlanningThread&) = delete;
+
+  // The tool comes to rest on the path, and the program is over.
+  void stop() noexcept { stops_.store(true, std::memory_order_relaxed); }
+  // Nothing more is planned: memory may be used up.
+  [[nodiscard]] bool failed() const noexcept { return failed_.load(std::memory_order_acquire); }
+  // Precondition: failed().
+  [[noreturn]] void rethrow() const { std::rethrow_exception(error_); }
+
+ private:
+  void work() noexcept {
+    try {
+      while (!over_.load(std::memory_order_relaxed)) {
+        if (stop_requested() || stops_.load(std::memory_order_relaxed)) {
+          feeder_->stop();
+        }
+        by_->carry_out();
+        feeder_->pump();
+        std::this_thread::sleep_for(kPlanningPause);
+      }
+    } catch (...) {
+      error_ = std::current_exception();
+      failed_.store(true, std::memory_order_release);
+    }
+  }
+
+  Feeder* feeder_;
+  Operator* by_;
+  std::exception_ptr error_;
+  std::atomic<bool> failed_{false};
+  std::atomic<bool> over_{false};
+  std::atomic<bool> stops_{false};
+  std::thread thread_;
+};
+
+bool is_starved(const Controller& controller) noexcept {
+  const WaitsFor what = controller.waits_for();
+  return what == WaitsFor::text || what == WaitsFor::planning;
+}
+
+bool is_over(ControllerState state, const Controller& controller) noexcept {
+  return state == ControllerState::idle || state == ControllerState::fault ||
+         (state == ControllerState::emergency_stop && !controller.drives_on());
+}
+
+// The axes of a machine that has a fault come to rest, which is written to until then. One that
+// does not say so is left alone after a time in which any would.
+class Aftermath {
+ public:
+  explicit Aftermath(double period_s) noexcept
+      : left_(static_cast<std::int64_t>(kLongest_s / period_s)) {}
+
+  [[nodiscard]] bool is_over(const TickStage& ticks) noexcept {
+    return !ticks.is_stopping() || --left_ <= 0;
+  }
+
+ private:
+  static constexpr double kLongest_s = 2.0;
+
+  std::int64_t left_;
+};
+
+// The ticks, in the thread that calls them.
+class Ticks {
+ public:
+  Ticks(const RealTimeOrder& order, const RunStage& stage, RunOutcome& outcome)
+      : order_(order),
+        stage_(stage),
+        outcome_(outcome),
+        judge_(stage.waits_for_text),
+        aftermath_(order.period_s),
+        max_delay_s_(order.max_late_periods > 0 ? order.period_s * order.max_late_periods
+                                                : std::numeric_limits<double>::infinity()) {}
+
+  void run(RecorderThread& recorder, PlanningThread& planning) {
+    TickTimer timer(order_.period_s);
+    bool is_over = false;
+    while (!is_over) {
+      const double gap_s = timer.wait();
+      const std::int64_t begin_ns = TickTimer::now_ns();
+      if (gap_s > 0.0) {
+        outcome_.gap = TickGap{.duration_s = gap_s, .line = record_.line, .tick = record_.tick};
+        break;
+      }
+      if (timer.delay_s() > max_delay_s_ && !outcome_.too_late) {
+        outcome_.too_late =
+            TickGap{.duration_s = timer.delay_s(), .line = record_.line, .tick = record_.tick};
+        planning.stop();
+      }
+      is_over = tick(recorder);
+      outcome_.tick_times.add(TickTimer::now_ns() - begin_ns);
+      if (planning.failed()) {
+        planning.rethrow();
+      }
+    }
+    stage_.ticks.disable();
+    outcome_.late_ticks = timer.late();
+    outcome_.delays = timer.delays();
+  }
+
+ private:
+  // True: it was the last one.
+  bool tick(RecorderThread& recorder) noexcept {
+    Controller& controller = order_.controller;
+    if (emergency_stop_requested()) {
+      controller.emergency_stop();
+    }
+    Setpoint setpoint;
+    const ControllerState state = controller.tick(setpoint);
+    record_ = stage_.ticks.take(setpoint, controller.detail());
+    recorder.push(record_);
+    stage_.progress.set_done(record_.motion.s_mm);
+    judge_.count(is_starved(controller), outcome_);
+    if (stage_.ticks.fault().kind != machine::DriveFault::none) {
+      controller.fail();
+    }
+    return (is_over(state, controller) && aftermath_.is_over(stage_.ticks)) || outcome_.hung;
+  }
+
+  const RealTimeOrder& order_;
+  const RunStage& stage_;
+  RunOutcome& outcome_;
+  StarvationJudge judge_;
+  Aftermath aftermath_;
+  double max_delay_s_;
+  TickRecord record_{};
+};
+
+}  // namespace
+
+RunOutcome run_in_real_time(const RealTimeOrder& order, const RunStage& stage) {
+  expect_emergency_stop();
+  RunOutcome outcome;
+  RecorderThread recorder(stage.recorder);
+  {
+    PlanningThread planning(stage.feeder, order.by);
+    // Behind the other threads: they are not for real time.
+    std::optional<RealTimeThread> real_time;
+    if (order.realtime) {
+      real_time.emplace();
+      outcome.not_permitted = real_time->refusals();
+    }
+    Ticks(order, stage, outcome).run(recorder, planning);
+  }
+  recorder.finish();
+  outcome.dropped_records = recorder.dropped();
+  return outcome;
+}
+
+}  // namespace kerf::program
