@@ -30,6 +30,12 @@ bool Controller::set_feed_inputs(const FeedInputs& inputs) {
 tl::expected<void, Refusal> Controller::set_block_delete(const BlockDelete& switches) {
   return impl_->set_block_delete(switches);
 }
+tl::expected<void, Refusal> Controller::run_mdi(std::string_view line) {
+  return impl_->run_mdi(line);
+}
+tl::expected<void, Refusal> Controller::jog(const Jog& jog) {
+  return impl_->jog(jog);
+}
 void Controller::feed(std::string_view text) {
   impl_->feed(text);
 }
@@ -50,6 +56,12 @@ ControllerState Controller::tick(Setpoint& setpoint) noexcept {
 }
 TickDetail Controller::detail() const noexcept {
   return impl_->detail();
+}
+void Controller::set_home_switches(AxisSet closed) noexcept {
+  impl_->set_home_switches(closed);
+}
+bool Controller::has_new_place() const noexcept {
+  return impl_->has_new_place();
 }
 void Controller::emergency_stop() noexcept {
   impl_->leave_for(ControllerState::emergency_stop);

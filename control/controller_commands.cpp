@@ -18,7 +18,7 @@ bool has_gone_on(State state) noexcept {
 }  // namespace
 
 Controller::Impl::Impl(MachineSettings settings, KernelOptions options)
-    : settings_(std::move(settings)), options_(std::move(options)) {
+    : settings_(std::move(settings)), options_(std::move(options)), home_search_(settings_) {
   last_.position_mm = options_.start_mm;
   last_.extra_rad_mm = options_.start_extra_rad_mm;
   operator_.optional_stop = options_.optional_stop;
@@ -28,7 +28,12 @@ Controller::Impl::Impl(MachineSettings settings, KernelOptions options)
 }
 
 tl::expected<void, Refusal> Controller::Impl::give(Command command) {
+  follow_manual();
+  if (command == Command::resume && is_suspended_ && begin_return()) {
+    return {};
+  }
   std::unique_ptr<Kernel> next;
+  State state = State::off;
   for (bool is_prepared = false;; is_prepared = true) {
     auto seen = state_.load();
     if (is_prepared && command == Command::resume && has_gone_on(seen.state())) {
@@ -42,14 +47,16 @@ tl::expected<void, Refusal> Controller::Impl::give(Command command) {
     if (!is_prepared) {
       next = prepare(command);
     }
-    if (change(seen, answer.next)) {
+    state = answer.next;
+    if (change(seen, state)) {
       break;
     }
   }
   if (next) {
-    start(std::move(next));
+    programs_.fetch_add(1);
+    start(std::move(next), Runs::program);
   } else {
-    carry_out(command);
+    carry_out(command, state);
   }
   return {};
 }
@@ -60,7 +67,7 @@ std::unique_ptr<Kernel> Controller::Impl::prepare(Command command) {
   if (command == Command::resume) {
     kernel_->resume();
   }
-  return command == Command::start ? kernel_from_here() : nullptr;
+  return command == Command::start ? kernel_from_here(Runs::program) : nullptr;
 }
 
 tl::expected<void, Refusal> Controller::Impl::set_overrides(const Overrides& overrides) {
@@ -94,7 +101,7 @@ bool Controller::Impl::set_feed_inputs(const FeedInputs& inputs) {
   }
   operator_.feed_inputs = inputs;
   published_.write(operator_);
-  if (running_.load() != nullptr) {
+  if (has_program()) {
     kernel_->set_feed_inputs(inputs);
   }
   return true;
@@ -113,6 +120,17 @@ Answer Controller::Impl::answer_now(State state, Command command) const noexcept
   if (command == Command::resume && state == State::waiting && !waits_for_answer_.load()) {
     return {.next = state, .refusal = "it waits for no answer"};
   }
+  if ((command == Command::mdi || command == Command::jog) &&
+      answer_to(state, command).is_accepted()) {
+    return {.next = state, .refusal = "it comes with a value"};
+  }
+  if (command == Command::home && !home_search_.has_switches() &&
+      answer_to(state, command).is_accepted()) {
+    return {.next = state, .refusal = "no axis has a home switch"};
+  }
+  if (command == Command::start && needs_homing() && answer_to(state, command).is_accepted()) {
+    return {.next = state, .refusal = control::kNotHomed};
+  }
   return answer_to(state, command);
 }
 
@@ -127,36 +145,41 @@ bool Controller::Impl::change(control::StateWord::Seen& from, State to) noexcept
   return true;
 }
 
-void Controller::Impl::carry_out(Command command) {
+void Controller::Impl::carry_out(Command command, State state) {
   switch (command) {
     case Command::hold:
-      kernel_->hold();
+      state == State::holding || state == State::held ? kernel_->hold() : stop_manual();
       break;
     case Command::stop:
-      kernel_->stop();
+      state != State::stopping ? stop_manual() : is_suspended_ ? end_suspended() : kernel_->stop();
       break;
     case Command::override:
-      if (running_.load() != nullptr) {
+      if (has_program()) {
         kernel_->set_overrides(operator_.overrides);
       }
       break;
     case Command::single_block:
-      if (running_.load() != nullptr) {
+      if (has_program()) {
         kernel_->set_single_block(operator_.single_block);
       }
       break;
     case Command::optional_stop:
-      if (running_.load() != nullptr) {
+      if (has_program()) {
         kernel_->set_optional_stop(operator_.optional_stop);
       }
       break;
     case Command::block_delete:
-      if (running_.load() != nullptr) {
+      if (has_program()) {
         kernel_->set_block_delete(operator_.block_delete);
       }
       break;
+    case Command::home:
+      home_search_.begin();
+      break;
     case Command::resume:  // done already
     case Command::start:
+    case Command::mdi:
+    case Command::jog:
     case Command::enable:
     case Command::disable:
     case Command::emergency_stop:
@@ -165,9 +188,23 @@ void Controller::Impl::carry_out(Command command) {
   }
 }
 
-std::unique_ptr<Kernel> Controller::Impl::kernel_from_here() const {
-  const Setpoint at = snapshot_.read().setpoint;
+// A program behind programs begins as the first one; behind lines, with what they left.
+std::unique_ptr<Kernel> Controller::Impl::kernel_from_here(Runs what) {
+  const Setpoint at = here();
   KernelOptions options = options_;
+  if (kernel_ && (what == Runs::line || ran_line_)) {
+    kernel_->plan();  // it may not know yet how far the tool has come
+    options.begins_with = kernel_->state_left();
+    options.start_outputs = at.outputs;
+    if (at.outputs.follows_speed_override) {
+      options.start_outputs.spindle_rad_s /= operator_.overrides.spindle;
+    }
+  }
+  if (what == Runs::line) {
+    options.one_line = true;
+    options.checks_travel = true;
+    options.nominal_s = 0.0;
+  }
   options.start_mm = at.position_mm;
   options.start_extra_rad_mm = at.extra_rad_mm;
   options.one_thread = false;
@@ -188,28 +225,30 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_from_here() const {
   return kernel;
 }
 
-void Controller::Impl::start(std::unique_ptr<Kernel> kernel) {
+void Controller::Impl::start(std::unique_ptr<Kernel> kernel, Runs what) {
   kernel_ = std::move(kernel);
+  ran_line_ = what == Runs::line;
   run_ticks_ = 0;
-  programs_.fetch_add(1);
+  by_hand_ = false;
   running_.store(kernel_.get(), std::memory_order_release);
 }
 
 void Controller::Impl::feed(std::string_view text) {
-  if (running_.load() != nullptr) {
+  if (has_program()) {
     kernel_->feed(text);
   }
 }
 
 void Controller::Impl::finish() {
-  if (running_.load() != nullptr) {
+  if (has_program()) {
     kernel_->finish();
   }
 }
 
 // Once more behind the program's end: it may have said something there.
 bool Controller::Impl::plan() {
-  const bool runs = running_.load() != nullptr;
+  follow_manual();
+  const bool runs = has_program();
   bool wants_text = false;
   if (runs || ran_) {
     wants_text = kernel_->plan() && runs;
@@ -234,7 +273,7 @@ void Controller::Impl::tell() {
 }
 
 void Controller::Impl::text_is_late() {
-  if (running_.load() != nullptr && kernel_->runs_low()) {
+  if (has_program() && kernel_->runs_low()) {
     kernel_->plan_to_rest();
   }
 }

@@ -6,10 +6,13 @@
 #include <memory>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <kerf/controller.hpp>
 
 #include "control/event_log.hpp"
+#include "control/home_search.hpp"
+#include "control/manual_move.hpp"
 #include "control/messages.hpp"
 #include "control/snapshot.hpp"
 #include "control/state_word.hpp"
@@ -20,6 +23,10 @@ namespace kerf {
 // an emergency stop from any thread is never lost. A kernel belongs to the planning side; the tick
 // side has it from `start` on until it has seen the program's end, and gives it back before the
 // state says so.
+//
+// What moves by hand is a kernel, too, of one straight line, which Kernel::stop() ends. The
+// program's kernel waits meanwhile, held. Such a state ends in plan(), once the tick side has given
+// that kernel back.
 class KERF_LOCAL Controller::Impl {
  public:
   Impl(MachineSettings settings, KernelOptions options);
@@ -30,6 +37,8 @@ class KERF_LOCAL Controller::Impl {
   tl::expected<void, Refusal> set_optional_stop(bool on);
   tl::expected<void, Refusal> set_block_delete(const BlockDelete& switches);
   bool set_feed_inputs(const FeedInputs& inputs);
+  tl::expected<void, Refusal> run_mdi(std::string_view line);
+  tl::expected<void, Refusal> jog(const Jog& jog);
 
   void feed(std::string_view text);
   void finish();
@@ -39,6 +48,9 @@ class KERF_LOCAL Controller::Impl {
 
   ControllerState tick(Setpoint& setpoint) noexcept;
   [[nodiscard]] const TickDetail& detail() const noexcept { return detail_; }
+
+  void set_home_switches(AxisSet closed) noexcept { home_search_.see(closed, last_); }
+  [[nodiscard]] bool has_new_place() const noexcept { return has_new_place_; }
 
   void leave_for(ControllerState next) noexcept;
   [[nodiscard]] bool drives_on() const noexcept;
@@ -67,12 +79,43 @@ class KERF_LOCAL Controller::Impl {
   bool change(control::StateWord::Seen& from, ControllerState to) noexcept;
   // What comes before the state changes: of a start, the kernel.
   std::unique_ptr<Kernel> prepare(Command command);
-  void carry_out(Command command);
+  void carry_out(Command command, ControllerState state);
   // What the operator has set, for the program that runs and all to see.
   tl::expected<void, Refusal> set(Command command);
 
-  [[nodiscard]] std::unique_ptr<Kernel> kernel_from_here() const;
-  void start(std::unique_ptr<Kernel> kernel);
+  [[nodiscard]] bool needs_homing() const noexcept {
+    return home_search_.unhomed() != 0 && !settings_.manual.runs_unhomed;
+  }
+  enum class Runs : std::uint8_t { program, line };
+  [[nodiscard]] std::unique_ptr<Kernel> kernel_from_here(Runs what);
+  void start(std::unique_ptr<Kernel> kernel, Runs what);
+  // A program runs, or is held while the tool moves by hand.
+  [[nodiscard]] bool has_program() const noexcept {
+    return is_suspended_ || (kernel_ && running_.load() == kernel_.get());
+  }
+  // Of the latest tick. Where the state says that the tool rests, it rests there.
+  [[nodiscard]] Setpoint here() const noexcept { return snapshot_.read().setpoint; }
+
+  // controller_manual.cpp
+  // What moves by hand is followed to its end; after an emergency stop it is dropped.
+  void follow_manual();
+  void follow_jog();
+  void follow_return();
+  void follow_homing();
+  [[nodiscard]] tl::expected<control::ManualMove, std::string_view> move_of(const Jog& jog) const;
+  void run(const control::ManualMove& move);
+  // It comes to rest.
+  void end_move();
+  // The same, and nothing by hand follows.
+  void stop_manual();
+  void begin_jog(const Jog& jog, const control::ManualMove& move);
+  void queue_jog(const Jog& jog);
+  // From where the hold was left. False: the state is another one by now.
+  bool begin_return();
+  void fail_to_home(const std::string& why);
+  void leave_manual_for(ControllerState next);
+  // The program that is held ends where the tool was jogged to.
+  void end_suspended();
   // What the program says where the tool is.
   void tell();
 
@@ -81,12 +124,14 @@ class KERF_LOCAL Controller::Impl {
     control::StateWord::Seen before{};
     TickStatus status = TickStatus::running;
   };
+  TickStatus tick(Kernel& kernel, ControllerState state) noexcept;
   void follow(Ticked tick, const Kernel& kernel) noexcept;
   void end(ControllerState next) noexcept;
   [[nodiscard]] WaitsFor waits_for(ControllerState state) const noexcept;
   // Spindle and coolant stay as the program left them, and are off without drives.
   void rest() noexcept;
   void publish() noexcept;
+  void tell_wait() noexcept;
 
   MachineSettings settings_;
   KernelOptions options_;
@@ -97,14 +142,30 @@ class KERF_LOCAL Controller::Impl {
   std::atomic<bool> waits_for_answer_ = false;
   std::atomic<std::uint32_t> line_ = 0;
   std::atomic<Kernel*> running_ = nullptr;
+  std::atomic<bool> by_hand_ = false;  // what runs is no program
   std::unique_ptr<Kernel> kernel_;
   Published operator_{};
-  bool ran_ = false;  // at the last plan()
+  bool ran_ = false;       // at the last plan()
+  bool ran_line_ = false;  // the latest was one
+  // By hand.
+  struct Manual {
+    std::unique_ptr<Kernel> kernel{};
+    Jog jog{};
+    std::optional<Jog> next{};
+    std::int64_t renewed_tick = 0;
+    bool ends = false;                             // the kernel was told to stop
+    bool stops = false;                            // somebody told it so
+    std::vector<control::AxisTargets> way_back{};  // its first place is that of the hold
+  };
+  Manual manual_{};
+  bool is_suspended_ = false;  // the program is held, and the tool may be elsewhere
+  control::HomeSearch home_search_;
   control::Snapshot<Published> published_;
   control::EventLog events_;
   control::Messages messages_;
   // Of the tick side.
-  std::int64_t tick_ = 0;
+  std::atomic<std::int64_t> tick_ = 0;  // to be written by it alone
+  bool has_new_place_ = false;
   TickDetail detail_{};
   Setpoint last_{};
   WaitsFor told_wait_ = WaitsFor::nothing;

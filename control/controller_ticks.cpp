@@ -5,24 +5,49 @@ namespace kerf {
 
 using State = ControllerState;
 
+namespace {
+
+bool is_manual(State state) noexcept {
+  return state == State::jogging || state == State::returning || state == State::homing;
+}
+
+}  // namespace
+
 ControllerState Controller::Impl::tick(Setpoint& setpoint) noexcept {
-  if (Kernel* kernel = running_.load(std::memory_order_acquire)) {
-    const auto before = state_.load();
-    if (before.state() == State::emergency_stop || before.state() == State::fault) {
-      kernel->emergency_stop();
-    }
-    const TickStatus status = kernel->tick(last_);
-    detail_ = kernel->detail();
-    ++run_ticks_;
-    line_.store(last_.line, std::memory_order_relaxed);
-    follow({.before = before, .status = status}, *kernel);
+  Kernel* const kernel = running_.load(std::memory_order_acquire);
+  Ticked ticked{.before = state_.load()};
+  if (kernel != nullptr) {
+    ticked.status = tick(*kernel, ticked.before.state());
   } else {
     rest();
   }
-  last_.tick = tick_++;
+  last_.tick = tick_.fetch_add(1, std::memory_order_relaxed);
   publish();
+  if (kernel != nullptr) {
+    follow(ticked, *kernel);
+  }
+  tell_wait();
   setpoint = last_;
   return state_.state();
+}
+
+TickStatus Controller::Impl::tick(Kernel& kernel, State state) noexcept {
+  if (state == State::emergency_stop || state == State::fault) {
+    kernel.emergency_stop();
+  }
+  const Setpoint before = last_;
+  const bool by_hand = by_hand_.load(std::memory_order_relaxed);
+  has_new_place_ = false;
+  const TickStatus status = kernel.tick(last_);
+  detail_ = kernel.detail();
+  if (by_hand) {  // the program's line and way stay as they are
+    last_.line = before.line;
+    last_.s_mm = before.s_mm;
+  } else {
+    run_ticks_.fetch_add(1, std::memory_order_relaxed);
+    line_.store(last_.line, std::memory_order_relaxed);
+  }
+  return status;
 }
 
 void Controller::Impl::follow(Ticked tick, const Kernel& kernel) noexcept {
@@ -51,15 +76,17 @@ void Controller::Impl::follow(Ticked tick, const Kernel& kernel) noexcept {
   }
 }
 
+// The planning side ends what was moved by hand.
 void Controller::Impl::end(State next) noexcept {
   running_.store(nullptr, std::memory_order_release);
   auto seen = state_.load();
   while (seen.state() != State::emergency_stop && seen.state() != State::fault &&
-         !change(seen, next)) {
+         !(is_manual(seen.state()) && next != State::fault) && !change(seen, next)) {
   }
 }
 
 void Controller::Impl::rest() noexcept {
+  has_new_place_ = home_search_.take_place(last_);
   last_.v_mm_s = last_.a_mm_s2 = last_.j_mm_s3 = 0.0;
   last_.velocity_mm_s = last_.acceleration_mm_s2 = {};
   last_.limit = Constraint::rest;
@@ -70,20 +97,26 @@ void Controller::Impl::rest() noexcept {
   }
 }
 
-// A wait that becomes another one is an event, too.
 void Controller::Impl::publish() noexcept {
+  snapshot_.write({.programs = programs_.load(),
+                   .run_s = static_cast<double>(run_ticks_.load()) * settings_.limits.period_s,
+                   .setpoint = last_});
+}
+
+// A wait that becomes another one is an event, too.
+void Controller::Impl::tell_wait() noexcept {
   const State state = state_.state();
   const WaitsFor waits = waits_for(state);
   if (state == State::waiting && told_wait_ != WaitsFor::nothing && waits != told_wait_) {
     events_.note({.state = state, .waits_for = waits, .line = last_.line});
   }
   told_wait_ = waits;
-  snapshot_.write({.programs = programs_.load(),
-                   .run_s = static_cast<double>(run_ticks_.load()) * settings_.limits.period_s,
-                   .setpoint = last_});
 }
 
 void Controller::Impl::leave_for(State next) noexcept {
+  if (next == State::fault) {
+    home_search_.forget_homes();
+  }
   auto seen = state_.load();
   while (!change(seen, next)) {
   }
@@ -112,6 +145,7 @@ ControllerStatus Controller::Impl::status() const noexcept {
   status.block_delete = by.block_delete;
   status.codes = by.codes;
   status.left_s = by.left_s;
+  status.unhomed = home_search_.unhomed();
   status.state = state_.state();
   status.next_event = events_.next_number();
   status.waits_for = waits_for(status.state);

@@ -22,6 +22,11 @@ Interpolator::Interpolator(MotionQueue& queue, double period_s, const Position& 
   now_.extra_rad_mm = start_extra_rad_mm;
 }
 
+void Interpolator::begin_with(const Outputs& outputs) noexcept {
+  now_.outputs = outputs;
+  heed_inputs();
+}
+
 double Interpolator::time_into_s(const Phase& phase) const noexcept {
   return static_cast<double>(plan_tick() - phase.begin.tick) * period_s_ - phase.begin.offset_s;
 }
@@ -49,11 +54,15 @@ void Interpolator::advance_outputs() noexcept {
       break;
     }
     apply(*next, now_.outputs);
-    heeded_.store({.adaptive_feed = now_.outputs.follows_adaptive_feed,
-                   .feed_stop = now_.outputs.heeds_feed_stop},
-                  std::memory_order_relaxed);
+    heed_inputs();
     queue_->pop_output_change();
   }
+}
+
+void Interpolator::heed_inputs() noexcept {
+  heeded_.store({.adaptive_feed = now_.outputs.follows_adaptive_feed,
+                 .feed_stop = now_.outputs.heeds_feed_stop},
+                std::memory_order_relaxed);
 }
 
 void Interpolator::advance_piece(double s_mm) noexcept {

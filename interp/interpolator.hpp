@@ -23,6 +23,9 @@ class Interpolator {
                const curves::AuxiliaryPosition& start_extra_rad_mm = {},
                const MachineLimits& limits = {}) noexcept;
 
+  // What the machine has switched; before the first next().
+  void begin_with(const Outputs& outputs) noexcept;
+
   TickStatus next(Setpoint& setpoint) noexcept;
 
   // From the next tick on the tool brakes as fast as the limits of acceleration allow, on the path
@@ -88,6 +91,7 @@ class Interpolator {
   bool advance_phase() noexcept;
   // Applies the output changes that are in force from the begin of the present phase on.
   void advance_outputs() noexcept;
+  void heed_inputs() noexcept;
   // The piece of the present phase's curve that holds s_mm.
   void advance_piece(double s_mm) noexcept;
   // The line that s_mm on the present phase's curve belongs to.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kernel/program_state.hpp"
+
 namespace kerf {
 
 bool Kernel::Impl::plan() {
@@ -24,7 +26,7 @@ bool Kernel::Impl::plan() {
 }
 
 void Kernel::Impl::follow_tool() {
-  if (pipeline_.is_finished() && interpolator_.plan_tick() >= pipeline_.emitted_until_tick()) {
+  if (has_come_to_end() || (has_errors() && has_run_all())) {
     notes_.reach_end();
   } else {
     notes_.reach(interpolator_.reached_block());
@@ -32,6 +34,27 @@ void Kernel::Impl::follow_tool() {
   notes_.follow({.path_mm = interpolator_.reached_path_mm(),
                  .moved_s = static_cast<double>(interpolator_.plan_tick()) * period_s_,
                  .feed_override = feed_share()});
+}
+
+// A program that was stopped, or ended before an error, is behind what was read.
+std::shared_ptr<const ProgramState> Kernel::Impl::state_left() const {
+  const parser::ProgramReader& reader = pipeline_.path().reader();
+  if (has_come_to_end()) {
+    return std::make_shared<const ProgramState>(reader.state_left({}));
+  }
+  if (notes_.state()) {
+    return std::make_shared<const ProgramState>(reader.state_left(notes_.state()));
+  }
+  return begins_with_;
+}
+
+bool Kernel::Impl::has_run_all() const noexcept {
+  return pipeline_.is_finished() && interpolator_.plan_tick() >= pipeline_.emitted_until_tick();
+}
+
+bool Kernel::Impl::has_come_to_end() const noexcept {
+  return has_run_all() && !has_errors() && !stops_ && !pipeline_.is_held() &&
+         !interpolator_.is_emergency();
 }
 
 // Of the programmed feedrate, where the tool is.

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -45,7 +46,10 @@ class KERF_LOCAL Kernel::Impl {
         margin_ticks_(static_cast<std::int64_t>(std::ceil(kMargin_s / settings.limits.period_s))),
         first_part_ticks_(
             static_cast<std::int64_t>(std::ceil(kFirstPart_s / settings.limits.period_s))),
-        keeps_stop_(!options.one_thread) {}
+        keeps_stop_(!options.one_thread),
+        begins_with_(options.begins_with) {
+    interpolator_.begin_with(options.start_outputs);
+  }
 
   void feed(std::string_view text) { pipeline_.feed(text); }
   void finish() { pipeline_.finish(); }
@@ -91,6 +95,7 @@ class KERF_LOCAL Kernel::Impl {
   [[nodiscard]] const Overrides& overrides() const noexcept { return overrides_; }
 
   [[nodiscard]] ProgramNotes& notes() noexcept { return notes_; }
+  [[nodiscard]] std::shared_ptr<const ProgramState> state_left() const;
   [[nodiscard]] std::optional<RunFault> fault() const {
     const std::optional<RunFault>& of_plan = pipeline_.check().fault();
     return of_plan ? of_plan : describe(judge_.excess());
@@ -123,6 +128,10 @@ class KERF_LOCAL Kernel::Impl {
   // Of the horizon: less than this is not worth a stop ahead of its own while there is as much.
   static constexpr std::int64_t kPartsOfHorizon = 8;
 
+  // Nothing that was read is left to be run.
+  [[nodiscard]] bool has_run_all() const noexcept;
+  // The tool is at the program's end, and nobody ended it earlier.
+  [[nodiscard]] bool has_come_to_end() const noexcept;
   // To where the tool is.
   void follow_tool();
   [[nodiscard]] double feed_share() const noexcept;
@@ -209,6 +218,7 @@ class KERF_LOCAL Kernel::Impl {
   std::optional<PendingTakeover> takeover_{};
   std::int64_t next_try_tick_ = 0;  // of a change of feed for which no way was found
   int refusals_ = 0;                // in a row: planning took longer than the margin
+  std::shared_ptr<const ProgramState> begins_with_;
   Delivery delivery_{queue_};
 };
 

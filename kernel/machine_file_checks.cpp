@@ -62,6 +62,9 @@ std::vector<KeyProblem> check_axis(const MachineSettings& settings, std::size_t 
     blame(kDriveAcceleration, drive.drive_acceleration_mm_s2,
           "at least max_acceleration_mm_s2, " + text_of(limits.acceleration_mm_s2));
   }
+  if (settings.manual.homing[axis].search_mm_s == 0.0) {
+    blame("home_search_mm_s", 0.0, "a number that is not 0: its sign is the direction");
+  }
   // An outer loop faster than the inner one oscillates, and with an integral it may be unstable.
   if (drive.position_gain_per_s > drive.velocity_gain_per_s) {
     if (has_key("position_gain_per_s")) {

@@ -13,8 +13,8 @@ namespace kerf {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> kSections{
-    "tick", "path", "axes", "offsets", "tools", "probe", "program", "inputs", "driver"};
+constexpr std::array<std::string_view, 10> kSections{
+    "tick", "path", "axes", "offsets", "tools", "probe", "program", "inputs", "manual", "driver"};
 constexpr std::array<std::string_view, 5> kProgramKeys{"dialect", "least_increment_mm", "path_mode",
                                                        "tool_change_s", "spindle_start_s"};
 constexpr std::array<std::string_view, 9> kAllAxisNames{"x", "y", "z", "a", "b",
@@ -99,6 +99,9 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
   }
   if (const auto inputs = subsection(file, "inputs")) {
     read_inputs(*inputs);
+  }
+  if (const auto manual = subsection(file, "manual")) {
+    read_manual(*manual);
   }
   if (const auto driver = subsection(file, "driver")) {
     read_driver(*driver);

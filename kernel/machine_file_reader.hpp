@@ -57,6 +57,7 @@ class MachineFileReader {
   void read_axis(const Section& section, std::size_t axis);
   void read_program(const Section& section);
   void read_inputs(const Section& section);
+  void read_manual(const Section& section);
   void read_dialect(const Section& section);
   void read_path_mode(const Section& section);
   void check_bounds(const Section& file);

@@ -66,6 +66,11 @@ double& travel(Settings& settings, std::size_t axis) {
   return settings.table.axes[axis].travel.*kMember;
 }
 
+template <double AxisHoming::*kMember>
+double& homing(Settings& settings, std::size_t axis) {
+  return settings.manual.homing[axis].*kMember;
+}
+
 using lookahead::MotionLimits;
 
 constexpr std::array kAxis{
@@ -86,6 +91,14 @@ constexpr std::array kAxis{
     NumberRule{"coulomb_friction_mm_s2", 0.0, 1e6, drive<&AxisDrive::coulomb_friction_mm_s2>},
     NumberRule{"viscous_friction_per_s", 0.0, 1e5, drive<&AxisDrive::viscous_friction_per_s>},
     NumberRule{"max_following_error_mm", 1e-6, 1e3, drive<&AxisDrive::max_following_error_mm>},
+    NumberRule{"home_switch_mm", -1e6, 1e6, homing<&AxisHoming::switch_mm>, 1.0, kOpen},
+    NumberRule{"home_mm", -1e6, 1e6, homing<&AxisHoming::home_mm>, 1.0, kOpen},
+    NumberRule{"home_search_mm_s", -1e6, 1e6, homing<&AxisHoming::search_mm_s>},
+    NumberRule{"home_latch_mm_s", 1e-6, 1e6, homing<&AxisHoming::latch_mm_s>},
+    NumberRule{"home_back_off_mm", 1e-3, 1e6, homing<&AxisHoming::back_off_mm>},
+    NumberRule{"home_travel_mm", 1e-3, 1e6, homing<&AxisHoming::travel_mm>},
+    NumberRule{"home_time_s", 1e-3, 86'400.0, homing<&AxisHoming::time_s>},
+    NumberRule{"home_order", -1e6, 1e6, homing<&AxisHoming::order>},
 };
 
 template <double lookahead::MotionLimits::*kMember>
@@ -188,6 +201,15 @@ constexpr std::array kProgram{
                [](Settings& s, std::size_t) -> double& { return s.program.spindle_start_s; }},
 };
 
+constexpr std::array kManual{
+    NumberRule{"jog_mm_s", 1e-6, 1e6,
+               [](Settings& s, std::size_t) -> double& { return s.manual.jog_mm_s; }, 1.0, kOpen},
+    NumberRule{"unhomed_jog_mm_s", 0.0, 1e6,
+               [](Settings& s, std::size_t) -> double& { return s.manual.unhomed_jog_mm_s; }},
+    NumberRule{"jog_timeout_s", 1e-3, 3600.0,
+               [](Settings& s, std::size_t) -> double& { return s.manual.jog_timeout_s; }},
+};
+
 constexpr std::array kInputs{
     InputRule{{"adaptive_feed", 0.0, Outputs::kAnalog - 1.0, nullptr},
               &FeedInputNumbers::adaptive_feed},
@@ -254,6 +276,9 @@ std::span<const NumberRule> offset_rules(std::size_t section) {
 }
 std::span<const NumberRule> program_rules() {
   return kProgram;
+}
+std::span<const NumberRule> manual_rules() {
+  return kManual;
 }
 std::span<const InputRule> input_rules() {
   return kInputs;

@@ -46,6 +46,7 @@ std::span<const NumberRule> extra_axis_rules(bool turns);
 std::span<const std::string_view> offset_sections();
 std::span<const NumberRule> offset_rules(std::size_t section);
 std::span<const NumberRule> program_rules();
+std::span<const NumberRule> manual_rules();
 // The keys of one [[tools.tool]], in the order: number, pocket, diameter, x, y, z.
 std::span<const NumberRule> tool_rules();
 // Lower and upper face of x, y and z in turn. Precondition of the fields: there is a touch_box.

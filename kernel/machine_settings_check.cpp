@@ -176,6 +176,9 @@ tl::expected<void, SettingsFault> check_machine(MachineSettings settings) {
       .and_then([&] {
         return check({"program", program_rules()}, settings);
       })
+      .and_then([&] {
+        return check({"manual", manual_rules()}, settings);
+      })
       .and_then([&] { return check_inputs(settings); })
       .and_then([&] { return check_path_mode(settings); })
       .and_then([&] { return check_bounds(settings); });

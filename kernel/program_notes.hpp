@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,17 +35,20 @@ class ProgramNotes final : public PipelineObserver {
   std::vector<ProgramMessage> take_messages();
   // "G1 G17 G21 ...", behind the words of the block that was reached.
   [[nodiscard]] const std::string& codes() const noexcept { return codes_; }
+  // Behind the same words; nothing: there are none yet.
+  [[nodiscard]] const std::optional<parser::ModalState>& state() const noexcept { return state_; }
   [[nodiscard]] const TimeLeft& time_left() const noexcept { return time_left_; }
 
  private:
-  struct Codes {
+  struct Ahead {
     std::uint64_t block = 0;
-    std::string text{};
+    parser::ModalState state{};
   };
   std::deque<parser::NumberedMessage> messages_;
   std::vector<ProgramMessage> reached_messages_;
-  std::string read_codes_;
-  std::deque<Codes> codes_ahead_;
+  parser::ModalState read_state_;
+  std::deque<Ahead> ahead_;
+  std::optional<parser::ModalState> state_{};
   std::string codes_;
   TimeLeft time_left_;
 };

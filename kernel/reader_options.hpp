@@ -2,12 +2,31 @@
 // program.
 #pragma once
 
+#include <memory>
+
 #include <kerf/kernel.hpp>
 #include <kerf/machine.hpp>
 
+#include "kernel/program_state.hpp"
 #include "parser/flow/reader_options.hpp"
 
 namespace kerf {
+
+// The drives may have been off meanwhile, and with them spindle and coolant.
+inline std::shared_ptr<const parser::ReaderState> state_at_start(const KernelOptions& options) {
+  if (options.begins_with == nullptr) {
+    return nullptr;
+  }
+  parser::ReaderState state = options.begins_with->of_reader();
+  const Outputs& outputs = options.start_outputs;
+  if (outputs.spindle_rad_s == 0.0 && state.modal.spindle_speed != 0.0) {
+    state.modal.spindle = parser::Spindle::off;
+  }
+  state.modal.mist = outputs.mist;
+  state.modal.flood = outputs.flood;
+  state.modal.loaded_tool = outputs.tool;
+  return std::make_shared<const parser::ReaderState>(std::move(state));
+}
 
 inline parser::ReaderOptions reader_options(const MachineSettings& settings,
                                             const KernelOptions& options) {
@@ -16,6 +35,8 @@ inline parser::ReaderOptions reader_options(const MachineSettings& settings,
           .block_delete = options.block_delete,
           .dialect = options.dialect.value_or(settings.dialect),
           .machine = settings.program,
+          .begins_with = state_at_start(options),
+          .one_line = options.one_line,
           .subprograms = options.subprograms,
           .keeps_messages = options.tells_operator};
 }

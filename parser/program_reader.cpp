@@ -27,8 +27,11 @@ bool ProgramReader::next(Move& move) {
 const std::vector<NumberedMessage>& ProgramReader::messages() const {
   return run_->messages();
 }
-std::string ProgramReader::codes() const {
-  return run_->codes();
+const ModalState& ProgramReader::modal_state() const {
+  return run_->modal_state();
+}
+ReaderState ProgramReader::state_left(const std::optional<ModalState>& modal) const {
+  return run_->state_left(modal);
 }
 bool ProgramReader::at_end() const {
   return run_->at_end();

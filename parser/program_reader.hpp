@@ -49,8 +49,11 @@ class ProgramReader {
   // the block of its number. Where there are more than kMaxMessages, the first of them.
   [[nodiscard]] const std::vector<NumberedMessage>& messages() const;
 
-  // The codes in force behind the block that was read last: "G1 G17 G21 ...".
-  [[nodiscard]] std::string codes() const;
+  // What is in force behind the block that was read last. The reference is good until next().
+  [[nodiscard]] const ModalState& modal_state() const;
+  // What is left to the next program, with `modal` in force; nothing: what was read last is. After
+  // M2, M30 or a closing % the codes are what LinuxCNC makes of them there.
+  [[nodiscard]] ReaderState state_left(const std::optional<ModalState>& modal) const;
 
   // True once the program's end was met: M2, M30, the closing % or the last byte.
   [[nodiscard]] bool at_end() const;

@@ -26,10 +26,13 @@ enum class ControllerState : std::uint8_t {
   waiting,  ///< a program rests until what it waits for is there (WaitsFor)
   holding,  ///< braking for a feed hold
   held,
-  stopping,  ///< braking to the end of the program
-  fault,     ///< the drives are off
+  stopping,   ///< braking to the end of the program
+  fault,      ///< the drives are off
+  jogging,    ///< by hand, from idle or held, or coming to rest behind it
+  returning,  ///< from where it was jogged to, to the place of the hold
+  homing,     ///< the axes look for their switches
 };
-inline constexpr std::size_t kControllerStates = 9;
+inline constexpr std::size_t kControllerStates = 12;
 
 enum class Command : std::uint8_t {
   enable,
@@ -43,9 +46,12 @@ enum class Command : std::uint8_t {
   override,       ///< set_overrides()
   single_block,   ///< set_single_block()
   optional_stop,  ///< set_optional_stop()
-  block_delete    ///< set_block_delete()
+  block_delete,   ///< set_block_delete()
+  mdi,            ///< run_mdi()
+  jog,            ///< jog()
+  home
 };
-inline constexpr std::size_t kCommands = 12;
+inline constexpr std::size_t kCommands = 15;
 
 enum class WaitsFor : std::uint8_t {
   nothing,
@@ -73,6 +79,21 @@ struct Refusal {
   ControllerState state = ControllerState::off;
   Command command = Command::enable;
   std::string_view reason{};
+};
+
+/// One bit an axis: bit 0 is x, then y, z.
+using AxisSet = std::uint16_t;
+
+/// A motion by hand, of several axes at once along a straight line. It ends at the travel; step or
+/// not, it comes to rest within the limits.
+struct Jog {
+  /// Of a step: how far. Else how fast, in mm/s and rad/s.
+  Position mm{};
+  AuxiliaryPosition extra_rad_mm{};
+  bool is_step = false;
+  double step_mm_s = kUnbounded;  ///< of a step, along its path; where A, B, C move alone, deg/s
+
+  friend bool operator==(const Jog&, const Jog&) = default;
 };
 
 /// Something that an operator should hear of: the state is another one, or the program said
@@ -104,6 +125,7 @@ struct ControllerStatus {
   bool single_block = false;
   bool optional_stop = false;
   BlockDelete block_delete{};
+  AxisSet unhomed = 0;  ///< have a home switch that was not found
   Setpoint setpoint{};  ///< its tick counts from the controller's first
   /// "G1 G17 G21 ...": in force where the tool is, cut off where they are longer; the rest is 0.
   std::array<char, kMaxCodes> codes{};
@@ -126,8 +148,8 @@ class KERF_API Controller {
   Controller(const Controller&) = delete;
   Controller& operator=(const Controller&) = delete;
 
-  /// `start` begins a program: feed() it. The commands that come with a value change nothing here.
-  /// Allocates.
+  /// `start` begins a program: feed() it. `home` lets each axis with a home switch find it
+  /// (ManualSettings). The commands that come with a value change nothing here. Allocates.
   tl::expected<void, Refusal> give(Command command);
   /// Kernel::set_overrides(), for the present program and those to come. Refused where a value is
   /// out of its range.
@@ -138,6 +160,16 @@ class KERF_API Controller {
   /// Kernel::set_optional_stop() and set_block_delete(), the same.
   tl::expected<void, Refusal> set_optional_stop(bool on);
   tl::expected<void, Refusal> set_block_delete(const BlockDelete& switches);
+
+  /// Runs one line of an operator as a program of its own, with what the program or line before has
+  /// left in force; a program behind lines begins with what they left. A line that is wrong is
+  /// refused, and program() says why; of a line that calls others, what is wrong far behind is
+  /// found as of a program.
+  tl::expected<void, Refusal> run_mdi(std::string_view line);
+  /// Moves by hand, from idle or held. A continuous jog goes on while it is given again, at least
+  /// every jog_timeout_s; `stop` ends it. Another one while it jogs begins once that has come to
+  /// rest; steps add up. A resume goes back over the places where jogs ended, the last one first.
+  tl::expected<void, Refusal> jog(const Jog& jog);
 
   /// Kernel::set_feed_inputs(), for the present program and those to come. False: a value is out of
   /// its range, and nothing changes.
@@ -151,7 +183,8 @@ class KERF_API Controller {
   bool plan();
   /// The text is late: the tool comes to rest after what was read, unless much is planned still.
   void text_is_late();
-  /// The present or last program: its errors and figures. Null: there was none. Planning side.
+  /// The present or last program or line: its errors and figures. Null: there was none. Planning
+  /// side.
   [[nodiscard]] const Kernel* program() const noexcept;
 
   /// One setpoint; without a program it repeats the last. Real time: allocates nothing, takes no
@@ -159,6 +192,12 @@ class KERF_API Controller {
   ControllerState tick(Setpoint& setpoint) noexcept;
   /// Kernel::detail(); without a program that of the last one. Of the thread that calls tick().
   [[nodiscard]] TickDetail detail() const noexcept;
+
+  /// Which home switches are closed, as of the latest setpoint. Of the thread that calls tick().
+  void set_home_switches(AxisSet closed) noexcept;
+  /// At the latest tick homing has given an axis, at rest, its place: the drives are to be enabled
+  /// anew, at the setpoint. Of the thread that calls tick().
+  [[nodiscard]] bool has_new_place() const noexcept;
 
   /// Kernel::emergency_stop(), and the program is over. From every state.
   void emergency_stop() noexcept;

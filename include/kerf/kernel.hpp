@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,9 @@
 
 namespace kerf {
 inline namespace v0 {
+
+/// What a program leaves in force: modal codes, offsets, tools, parameters.
+class ProgramState;
 
 /// How one program is run.
 struct KernelOptions {
@@ -43,6 +47,11 @@ struct KernelOptions {
   std::array<double, 3> start_mm{};
   /// The same for A, B, C in rad and U, V, W in mm.
   std::array<double, kAuxiliaryAxes> start_extra_rad_mm{};
+  /// Kernel::state_left() of the program before, with the outputs that the machine has, before any
+  /// override. Null: what the machine's settings say.
+  std::shared_ptr<const ProgramState> begins_with{};
+  Outputs start_outputs{};
+  bool one_line = false;             ///< of an operator: it needs no M2 behind it
   std::optional<Dialect> dialect{};  ///< nothing: the machine's
   SubprogramSource subprograms{};    ///< those that are not in the program's own text
   /// Gets lines about how the motion is planned: scans, breaking points, blocks, adjusted
@@ -173,6 +182,12 @@ class KERF_API Kernel {
   /// axes allow, whatever the jerk, with spindle and coolant off; then ticks are `emergency_stop`,
   /// and the program is over. Needs no planning. Any thread.
   void emergency_stop() noexcept;
+
+  /// What is in force where the tool is: once the program has ended, or else at the block that the
+  /// tool has come to; but data and parameters, as far as the text was read. An M2 or M30 has done
+  /// what LinuxCNC does there. Of a program that tells_operator. Planning side; call it when no
+  /// tick() runs any more.
+  [[nodiscard]] std::shared_ptr<const ProgramState> state_left() const;
 
   /// How far the path leaves the straight line between the last two setpoints. Tick side.
   [[nodiscard]] double chord_error_mm() const noexcept;

@@ -52,6 +52,27 @@ struct TableSettings {
   std::array<AuxiliaryTravel, kAuxiliaryAxes> extra{};  ///< they follow without drives
 };
 
+/// How X, Y or Z finds its place. All moves of it are jerk-limited.
+struct AxisHoming {
+  double switch_mm = kUnbounded;  ///< where the home switch closes; kUnbounded: there is none
+  double home_mm = kUnbounded;    ///< where the axis goes at the end; kUnbounded: to the switch
+  double search_mm_s = -10.0;     ///< towards the switch: the sign is the direction; not 0
+  double latch_mm_s = 1.0;        ///< the second time, which counts; > 0
+  double back_off_mm = 10.0;      ///< by then the switch has opened again, or it is stuck
+  double travel_mm = 2000.0;      ///< by then it is closed, or there is none
+  double time_s = 120.0;          ///< each move of the search takes at most so long
+  double order = 1.0;             ///< the lowest one is first; of the same one X before Y before Z
+};
+
+/// What an operator may do by hand.
+struct ManualSettings {
+  double jog_mm_s = kUnbounded;   ///< no jog is faster, along its path; of A, B, C alone deg/s
+  double unhomed_jog_mm_s = 0.0;  ///< the same while not homed, without travel; 0: none then
+  double jog_timeout_s = 0.5;     ///< a continuous jog that is not renewed ends
+  bool runs_unhomed = false;      ///< programs and lines run though a home switch was not found
+  std::array<AxisHoming, 3> homing{};
+};
+
 /// The limits of the motion, the data that programs use, and the simulated table. A machine of your
 /// own needs the first two; of the table only the travel counts then.
 struct MachineSettings {
@@ -59,6 +80,7 @@ struct MachineSettings {
   ProgramData program{};
   TableSettings table{};
   Dialect dialect = Dialect::rs274;  ///< of its programs, unless told otherwise
+  ManualSettings manual{};
   /// The tool table that the file names but does not hold; empty: none. The library opens no files:
   /// read it yourself, give its text to read_tool_table() and put the result into program.tools.
   std::string tool_file{};

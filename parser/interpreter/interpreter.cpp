@@ -12,17 +12,7 @@
 namespace kerf::parser {
 
 Interpreter::Interpreter(ProgramMemory start, diagnostics::DiagnosticList& diagnostics)
-    : memory_(std::move(start)), rules_(&rules_of(memory_.dialect)), diagnostics_(&diagnostics) {
-  ModalState& state = memory_.state;
-  state.to_initial_level = rules_->starts_at_initial;
-  const PathControl& path = memory_.machine.path_control;
-  state.path_mode = path.mode;
-  state.blend_tolerance_mm = path.corner_tolerance_mm;
-  state.merge_tolerance_mm = path.merge_tolerance_mm;
-  for (std::size_t system = 0; system < Coordinates::kSystems; ++system) {
-    state.coordinates.set_work(system, memory_.machine.work[system]);
-  }
-}
+    : memory_(std::move(start)), rules_(&rules_of(memory_.dialect)), diagnostics_(&diagnostics) {}
 
 void Interpreter::report(std::uint32_t line, const diagnostics::Fault& fault) {
   compensation_.forget_faults();

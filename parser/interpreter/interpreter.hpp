@@ -52,6 +52,7 @@ class Interpreter {
   [[nodiscard]] std::uint64_t blocks_run() const { return blocks_run_; }
   // What parameters show, good as long as the interpreter is.
   [[nodiscard]] ProgramMemory& memory() { return memory_; }
+  [[nodiscard]] const ProgramMemory& memory() const { return memory_; }
   [[nodiscard]] MoveQueue& moves() { return moves_; }
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   // Returns what the block has raised, and clears it.

@@ -8,7 +8,6 @@
 #include "parser/flow/block_calls.hpp"
 #include "parser/flow/statement_reader.hpp"
 #include "parser/flow/statement_text.hpp"
-#include "parser/modal/codes_in_force.hpp"
 #include "parser/reader/active_comments.hpp"
 #include "parser/reader/block_warnings.hpp"
 #include "parser/reader/program_run.hpp"
@@ -207,23 +206,6 @@ void ProgramRun::run_block(const NumberedLine& line, bool complete) {
     return run_fanuc_block(line, complete);
   }
   interpreter_.run(block_, line.number, complete);
-}
-
-std::string ProgramRun::codes() const {
-  std::string text;
-  for (const std::string& code : codes_in_force(interpreter_.state())) {
-    text += (text.empty() ? "" : " ") + code;
-  }
-  return text;
-}
-
-ProgramMemory ProgramRun::memory_of(const ReaderOptions& options) {
-  ProgramMemory memory;
-  memory.state.position_mm = options.start_mm;
-  memory.state.auxiliary_deg_mm = words_of(options.start_extra_rad_mm);
-  memory.machine = options.machine;
-  memory.dialect = options.dialect;
-  return memory;
 }
 
 }  // namespace kerf::parser

@@ -48,6 +48,8 @@ void ProgramRun::reach_end() {
   }
   if (!any_block_ && !flow_.has_statements()) {
     diagnostics_.add({1, 1}, errors::kEmptyProgram, "the program is empty");
+  } else if (options_.one_line) {
+    return;
   } else if (opened_by_percent_) {
     diagnostics_.add({opening_line_, 1}, errors::kUnclosedPercent,
                      "the file starts with '%' but has no closing '%'");

@@ -33,7 +33,8 @@ class ProgramRun {
         input_(diagnostics_),
         interpreter_(memory_of(options_), diagnostics_),
         values_(interpreter_.memory()),
-        parameters_(options_.dialect),
+        parameters_(options_.begins_with ? options_.begins_with->parameters
+                                         : Parameters(options_.dialect)),
         evaluator_(parameters_),
         flow_(options_, input_, evaluator_, diagnostics_, interpreter_) {
     parameters_.use(values_);
@@ -48,14 +49,16 @@ class ProgramRun {
     return flow_.watched_statement() ? flow_.watched_statement() : watched_block_;
   }
   [[nodiscard]] const std::vector<NumberedMessage>& messages() const { return messages_; }
-  [[nodiscard]] std::string codes() const;  // program_blocks.cpp
+  [[nodiscard]] const ModalState& modal_state() const { return interpreter_.state(); }
+  [[nodiscard]] ReaderState state_left(
+      const std::optional<ModalState>& modal) const;  // state_left.cpp
   [[nodiscard]] std::size_t held_bytes() const { return flow_.held_bytes(); }
   [[nodiscard]] std::string_view file_name(std::uint16_t file) const {
     return flow_.file_name(file);
   }
 
  private:
-  [[nodiscard]] static ProgramMemory memory_of(const ReaderOptions& options);
+  [[nodiscard]] static ProgramMemory memory_of(const ReaderOptions& options);  // state_left.cpp
 
   // program_lines.cpp
   bool next_move(Move& move);  // however short

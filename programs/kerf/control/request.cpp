@@ -104,7 +104,9 @@ void share_of(std::optional<double>& percent) {
 // One program is run, from its start on: these would begin another one.
 bool is_for_a_run(kerf::Command command) {
   return command != kerf::Command::enable && command != kerf::Command::disable &&
-         command != kerf::Command::start && command != kerf::Command::reset;
+         command != kerf::Command::start && command != kerf::Command::reset &&
+         command != kerf::Command::mdi && command != kerf::Command::jog &&
+         command != kerf::Command::home;
 }
 
 Kind kind_of(kerf::Command command) {

@@ -1,0 +1,264 @@
+// What moves by hand: lines of an operator, jogs, the way back to a hold, homing.
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "control/controller_impl.hpp"
+
+namespace kerf {
+
+using State = ControllerState;
+
+namespace {
+
+bool is_by_hand(State state) noexcept {
+  return state == State::jogging || state == State::returning || state == State::homing;
+}
+
+}  // namespace
+
+tl::expected<void, Refusal> Controller::Impl::run_mdi(std::string_view line) {
+  follow_manual();
+  auto seen = state_.load();
+  const auto refused = [&](std::string_view why) {
+    return tl::unexpected(Refusal{.state = seen.state(), .command = Command::mdi, .reason = why});
+  };
+  if (const Answer answer = answer_to(seen.state(), Command::mdi); !answer.is_accepted()) {
+    return refused(answer.refusal);
+  }
+  if (needs_homing()) {
+    return refused(control::kNotHomed);
+  }
+  if (line.find_first_of("\r\n") != std::string_view::npos) {
+    return refused("one line is wanted");
+  }
+  auto kernel = kernel_from_here(Runs::line);
+  kernel->feed(line);
+  kernel->feed("\n");
+  kernel->finish();
+  kernel->plan();
+  if (kernel->has_errors()) {
+    kernel_ = std::move(kernel);
+    return refused("the line is wrong");
+  }
+  if (!change(seen, State::running)) {
+    return run_mdi(line);
+  }
+  start(std::move(kernel), Runs::line);
+  return {};
+}
+
+tl::expected<control::ManualMove, std::string_view> Controller::Impl::move_of(
+    const Jog& jog) const {
+  return control::move_of(jog, here(), home_search_.unhomed(), settings_);
+}
+
+tl::expected<void, Refusal> Controller::Impl::jog(const Jog& jog) {
+  follow_manual();
+  auto seen = state_.load();
+  const auto refused = [&](std::string_view why) {
+    return tl::unexpected(Refusal{.state = seen.state(), .command = Command::jog, .reason = why});
+  };
+  if (const Answer answer = answer_to(seen.state(), Command::jog); !answer.is_accepted()) {
+    return refused(answer.refusal);
+  }
+  const bool is_again = jog == manual_.jog && !jog.is_step && !manual_.ends && !manual_.next;
+  if (seen.state() == State::jogging && is_again) {
+    manual_.renewed_tick = tick_.load();
+    return {};
+  }
+  const auto move = move_of(jog);
+  if (!move) {
+    return refused(move.error());
+  }
+  if (seen.state() == State::jogging) {
+    queue_jog(jog);
+    return {};
+  }
+  const State before = seen.state();
+  if (!change(seen, State::jogging)) {
+    return this->jog(jog);
+  }
+  is_suspended_ = before == State::held;
+  begin_jog(jog, *move);
+  return {};
+}
+
+void Controller::Impl::begin_jog(const Jog& jog, const control::ManualMove& move) {
+  manual_.jog = jog;
+  manual_.renewed_tick = tick_.load();
+  if (is_suspended_) {
+    manual_.way_back.push_back(control::place_of(here()));
+  }
+  run(move);
+}
+
+// Behind the present one, which ends early unless it is a step.
+void Controller::Impl::queue_jog(const Jog& jog) {
+  std::optional<Jog>& next = manual_.next;
+  if (next && next->is_step && jog.is_step && next->step_mm_s == jog.step_mm_s) {
+    for (std::size_t axis = 0; axis < jog.mm.size(); ++axis) {
+      next->mm[axis] += jog.mm[axis];
+    }
+    for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
+      next->extra_rad_mm[axis] += jog.extra_rad_mm[axis];
+    }
+  } else {
+    next = jog;
+  }
+  if (!manual_.jog.is_step) {
+    end_move();
+  }
+}
+
+void Controller::Impl::run(const control::ManualMove& move) {
+  manual_.kernel = control::kernel_of(move, here(), settings_, options_);
+  manual_.ends = false;
+  by_hand_ = true;
+  running_.store(manual_.kernel.get(), std::memory_order_release);
+}
+
+void Controller::Impl::end_move() {
+  if (running_.load() != nullptr && !std::exchange(manual_.ends, true)) {
+    manual_.kernel->stop();
+  }
+}
+
+void Controller::Impl::stop_manual() {
+  manual_.next.reset();
+  manual_.stops = true;
+  end_move();
+}
+
+void Controller::Impl::follow_manual() {
+  switch (state_.state()) {
+    case State::off:
+    case State::emergency_stop:
+    case State::fault:
+      if (running_.load() == nullptr) {
+        is_suspended_ = false;
+        manual_ = {};
+      }
+      break;
+    case State::jogging:
+      follow_jog();
+      break;
+    case State::returning:
+      follow_return();
+      break;
+    case State::homing:
+      follow_homing();
+      break;
+    default:
+      break;
+  }
+}
+
+// The new state, unless there was an emergency stop or a fault.
+void Controller::Impl::leave_manual_for(State next) {
+  manual_.stops = false;
+  manual_.kernel.reset();
+  auto seen = state_.load();
+  if (is_by_hand(seen.state())) {
+    change(seen, next);
+  }
+}
+
+void Controller::Impl::follow_jog() {
+  if (running_.load() != nullptr) {
+    manual_.kernel->plan();
+    const double silent_s =
+        static_cast<double>(tick_.load() - manual_.renewed_tick) * settings_.limits.period_s;
+    if (!manual_.jog.is_step && silent_s > settings_.manual.jog_timeout_s) {
+      stop_manual();
+    }
+    return;
+  }
+  if (const auto next = std::exchange(manual_.next, std::nullopt)) {
+    if (const auto move = move_of(*next)) {
+      begin_jog(*next, *move);
+      return;
+    }
+  }
+  leave_manual_for(is_suspended_ ? State::held : State::idle);
+}
+
+bool Controller::Impl::begin_return() {
+  auto seen = state_.load();
+  return seen.state() == State::held && change(seen, State::returning);
+}
+
+// One move after the other, each to where a jog began.
+void Controller::Impl::follow_return() {
+  if (manual_.kernel && running_.load() != nullptr) {
+    manual_.kernel->plan();
+    return;
+  }
+  if (manual_.stops) {
+    leave_manual_for(State::held);
+    return;
+  }
+  if (manual_.kernel) {
+    manual_.way_back.pop_back();
+  }
+  if (!manual_.way_back.empty()) {
+    run({.to = manual_.way_back.back(), .mm_s = settings_.manual.jog_mm_s});
+    return;
+  }
+  is_suspended_ = false;
+  kernel_->resume();
+  leave_manual_for(State::running);
+  by_hand_ = false;
+  running_.store(kernel_.get(), std::memory_order_release);
+}
+
+void Controller::Impl::end_suspended() {
+  is_suspended_ = false;
+  manual_ = {};
+  auto seen = state_.load();
+  if (seen.state() == State::stopping) {
+    change(seen, State::idle);
+  }
+}
+
+void Controller::Impl::follow_homing() {
+  if (running_.load() != nullptr) {
+    manual_.kernel->plan();
+    if (const auto complaint = home_search_.complaint(tick_.load())) {
+      fail_to_home(*complaint);
+    } else if (home_search_.has_found()) {
+      end_move();
+    }
+    return;
+  }
+  if (manual_.stops) {
+    leave_manual_for(State::idle);
+    return;
+  }
+  control::HomeSearch::Move move;
+  switch (home_search_.next(here(), move)) {
+    case control::HomeSearch::Next::moves: {
+      control::AxisTargets to = control::place_of(here());
+      to.mm[move.axis] = move.to_mm;
+      run({.to = to, .mm_s = move.mm_s});
+      break;
+    }
+    case control::HomeSearch::Next::waits:
+      break;
+    case control::HomeSearch::Next::done:
+      leave_manual_for(State::idle);
+      break;
+    case control::HomeSearch::Next::failed:
+      fail_to_home(home_search_.failure());
+      break;
+  }
+}
+
+void Controller::Impl::fail_to_home(const std::string& why) {
+  events_.note({.kind = ControllerEvent::Kind::message,
+                .state = state_.state(),
+                .message = messages_.add({.text = why})});
+  leave_for(State::fault);
+}
+
+}  // namespace kerf

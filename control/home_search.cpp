@@ -1,0 +1,170 @@
+#include "control/home_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace kerf::control {
+
+namespace {
+
+constexpr std::array kNames{"x", "y", "z"};
+
+AxisSet bit_of(std::size_t axis) {
+  return static_cast<AxisSet>(1U << axis);
+}
+
+std::string text_of(double number) {
+  std::array<char, 32> digits{};
+  const int count = std::snprintf(digits.data(), digits.size(), "%g", number);
+  return {digits.data(), static_cast<std::size_t>(count)};
+}
+
+}  // namespace
+
+HomeSearch::HomeSearch(const MachineSettings& settings)
+    : homing_(settings.manual.homing), period_s_(settings.limits.period_s) {
+  for (std::size_t axis = 0; axis < homing_.size(); ++axis) {
+    if (std::isfinite(homing_[axis].switch_mm)) {
+      switches_ = static_cast<AxisSet>(switches_ | bit_of(axis));
+      order_.push_back(axis);
+    }
+  }
+  std::ranges::stable_sort(order_, {}, [this](std::size_t axis) { return homing_[axis].order; });
+  unhomed_ = switches_;
+}
+
+void HomeSearch::begin() {
+  forget_homes();
+  axes_done_ = 0;
+  step_ = Step::begin;
+}
+
+HomeSearch::Next HomeSearch::next(const Setpoint& at, Move& move) {
+  watch_.store({});
+  switch (step_) {
+    case Step::begin:
+      return is_closed(axis()) ? back_off(Step::clear, at, move) : look_for_it(at, move);
+    case Step::clear:
+      return has_found() ? look_for_it(at, move) : fail("stays closed");
+    case Step::search:
+      return has_found() ? back_off(Step::back_off, at, move)
+                         : fail("did not close within " + text_of(of_axis().travel_mm) + " mm");
+    case Step::back_off: {
+      const double way_mm = std::copysign(of_axis().back_off_mm, of_axis().search_mm_s);
+      return has_found() ? look(Step::latch, true,
+                                {.axis = axis(),
+                                 .to_mm = at.position_mm[axis()] + way_mm,
+                                 .mm_s = of_axis().latch_mm_s},
+                                at.tick, move)
+                         : fail("stays closed");
+    }
+    case Step::latch:
+      if (!has_found()) {
+        return fail("did not close again");
+      }
+      shifted_axis_ = axis();
+      shift_mm_ = of_axis().switch_mm - found_mm_.load(std::memory_order_relaxed);
+      step_ = Step::place;
+      shifts_.store(true, std::memory_order_release);
+      return Next::waits;
+    case Step::place:
+      if (shifts_.load(std::memory_order_acquire) || at.tick < place_tick_) {
+        return Next::waits;
+      }
+      unhomed_.fetch_and(static_cast<AxisSet>(~bit_of(axis())));
+      step_ = Step::go_home;
+      found_.store(false);
+      move = {.axis = axis(),
+              .to_mm = std::isfinite(of_axis().home_mm) ? of_axis().home_mm : of_axis().switch_mm,
+              .mm_s = std::fabs(of_axis().search_mm_s)};
+      begun_tick_ = at.tick;
+      return Next::moves;
+    case Step::go_home:
+      step_ = Step::begin;
+      return ++axes_done_ == order_.size() ? Next::done : next(at, move);
+  }
+  return Next::done;
+}
+
+HomeSearch::Next HomeSearch::look_for_it(const Setpoint& at, Move& move) {
+  const AxisHoming& homing = of_axis();
+  return look(
+      Step::search, true,
+      {.axis = axis(),
+       .to_mm = at.position_mm[axis()] + std::copysign(homing.travel_mm, homing.search_mm_s),
+       .mm_s = std::fabs(homing.search_mm_s)},
+      at.tick, move);
+}
+
+HomeSearch::Next HomeSearch::back_off(Step step, const Setpoint& at, Move& move) {
+  const AxisHoming& homing = of_axis();
+  return look(
+      step, false,
+      {.axis = axis(),
+       .to_mm = at.position_mm[axis()] - std::copysign(homing.back_off_mm, homing.search_mm_s),
+       .mm_s = std::fabs(homing.search_mm_s)},
+      at.tick, move);
+}
+
+HomeSearch::Next HomeSearch::look(Step step, bool closed, const Move& move, std::int64_t tick,
+                                  Move& out) {
+  step_ = step;
+  out = move;
+  begun_tick_ = tick;
+  closed_at_begin_ = closed_.load();
+  found_.store(false);
+  watch_.store({.axis = static_cast<std::int8_t>(axis()), .closed = closed});
+  return Next::moves;
+}
+
+std::optional<std::string> HomeSearch::complaint(std::int64_t tick) const {
+  if (static_cast<double>(tick - begun_tick_) * period_s_ > of_axis().time_s) {
+    return of_switch("was not found within " + text_of(of_axis().time_s) + " s");
+  }
+  if (step_ == Step::go_home) {
+    return std::nullopt;
+  }
+  const auto changed = static_cast<AxisSet>((closed_.load() ^ closed_at_begin_) & unhomed());
+  for (std::size_t other = 0; other < homing_.size(); ++other) {
+    if (other != axis() && (changed & bit_of(other)) != 0) {
+      return std::string("homing ") + kNames[axis()] + ": the switch of " + kNames[other] +
+             " changed";
+    }
+  }
+  return std::nullopt;
+}
+
+HomeSearch::Next HomeSearch::fail(const std::string& what) {
+  failure_ = of_switch(what);
+  return Next::failed;
+}
+
+std::string HomeSearch::of_switch(const std::string& what) const {
+  return std::string("homing ") + kNames[axis()] + ": its switch " + what;
+}
+
+void HomeSearch::see(AxisSet closed, const Setpoint& last) noexcept {
+  closed_.store(closed, std::memory_order_relaxed);
+  const Watch watch = watch_.load();
+  if (watch.axis < 0 || found_.load(std::memory_order_relaxed)) {
+    return;
+  }
+  const auto axis = static_cast<std::size_t>(watch.axis);
+  if ((((closed >> axis) & 1U) != 0) == watch.closed) {
+    found_mm_.store(last.position_mm[axis], std::memory_order_relaxed);
+    found_.store(true, std::memory_order_release);
+  }
+}
+
+bool HomeSearch::take_place(Setpoint& last) noexcept {
+  if (!shifts_.load(std::memory_order_acquire)) {
+    return false;
+  }
+  last.position_mm[shifted_axis_] += shift_mm_;
+  place_tick_ = last.tick + 1;
+  shifts_.store(false, std::memory_order_release);
+  return true;
+}
+
+}  // namespace kerf::control

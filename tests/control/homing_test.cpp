@@ -1,0 +1,205 @@
+// Axes find their home switches.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/control/limit_watch.hpp"
+#include "tests/control/shop.hpp"
+
+namespace kerf::test {
+namespace {
+
+struct HomingShop : Shop {
+  explicit HomingShop(const MachineSettings& settings = mill_with_switches()) : Shop(settings) {
+    give(Command::enable);
+    tick();
+  }
+  void home() {
+    give(Command::home);
+    tick_until(State::idle);
+  }
+  void fails(const std::string& why) {
+    give(Command::home);
+    tick_until(State::fault);
+    std::array<ControllerEvent, ControllerEvent::kKept> events;
+    const std::size_t count = controller.events_since(1, events);
+    std::string told;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (events[i].kind == ControllerEvent::Kind::message) {
+        told = controller.message(events[i].message)->text;
+      }
+    }
+    EXPECT_EQ(told, why);
+  }
+};
+
+// The latch finds the switch at the setpoint of a tick: at 1 mm/s within 1 um.
+TEST(Homing, GivesEachAxisItsTruePlace) {
+  HomingShop shop;
+  shop.off_mm = {13.7, -8.3, 41.9};
+  shop.tick();
+  EXPECT_EQ(shop.controller.status().unhomed, 7U);
+  shop.home();
+  EXPECT_EQ(shop.controller.status().unhomed, 0U);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(shop.setpoint.position_mm[axis], -100.0, 1e-9);
+    EXPECT_NEAR(shop.true_mm(axis), -100.0, 1.001e-3);
+  }
+}
+
+TEST(Homing, GoesInItsOrderOneAxisAtATime) {
+  HomingShop shop;
+  shop.give(Command::home);
+  std::string order;
+  Position before = shop.setpoint.position_mm;
+  while (shop.tick() == State::homing) {
+    int moving = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const bool moves =
+          shop.setpoint.position_mm[axis] != before[axis] && !shop.controller.has_new_place();
+      moving += moves ? 1 : 0;
+      if (moves && (order.empty() || order.back() != "XYZ"[axis])) {
+        order += "XYZ"[axis];
+      }
+    }
+    ASSERT_LE(moving, 1);
+    before = shop.setpoint.position_mm;
+  }
+  EXPECT_EQ(order, "ZXY");
+}
+
+TEST(Homing, KeepsTheLimitsAtEveryTickButWhereAPlaceIsGiven) {
+  HomingShop shop;
+  shop.off_mm = {3.0, 0.0, -5.0};
+  shop.give(Command::home);
+  LimitWatch watch(shop.machine.limits);
+  for (State state = State::homing; state == State::homing;) {
+    state = shop.tick();
+    if (shop.controller.has_new_place()) {
+      EXPECT_EQ(watch.complaint(), "");
+      EXPECT_EQ(shop.setpoint.v_mm_s, 0.0);
+      watch = LimitWatch(shop.machine.limits);
+    }
+    watch.add(shop.setpoint);
+  }
+  EXPECT_EQ(watch.complaint(), "");
+}
+
+TEST(Homing, BeginsOnASwitchThatIsClosed) {
+  HomingShop shop;
+  shop.off_mm = {-107.0, 0.0, 0.0};
+  shop.tick();
+  shop.home();
+  EXPECT_NEAR(shop.true_mm(0), -100.0, 1.001e-3);
+}
+
+TEST(Homing, FindsASwitchAtTheUpperEnd) {
+  MachineSettings settings = mill_with_switches();
+  settings.manual.homing[2].switch_mm = 403.0;
+  settings.manual.homing[2].search_mm_s = 25.0;
+  settings.manual.homing[2].home_mm = 350.0;
+  HomingShop shop(settings);
+  shop.home();
+  EXPECT_NEAR(shop.true_mm(2), 350.0, 1.001e-3);
+  EXPECT_NEAR(shop.setpoint.position_mm[2], 350.0, 1e-9);
+}
+
+TEST(Homing, IsTheSameFromAnywhere) {
+  for (const double off_mm : {-40.0, -0.3, 17.25, 90.0}) {
+    HomingShop shop;
+    shop.off_mm = {off_mm, 0.0, 0.0};
+    shop.home();
+    EXPECT_NEAR(shop.true_mm(0), -100.0, 1.001e-3) << off_mm;
+  }
+}
+
+TEST(Homing, IsWantedBeforeAProgramUnlessTheMachineFileSaysOtherwise) {
+  MachineSettings settings = mill_with_switches();
+  settings.manual.runs_unhomed = false;
+  HomingShop shop(settings);
+  EXPECT_EQ(shop.controller.give(Command::start).error().reason,
+            "the axes are not homed: home first");
+  EXPECT_EQ(shop.controller.run_mdi("G0 X1").error().reason, "the axes are not homed: home first");
+  shop.home();
+  shop.start("G21 G90 G0 X5\nM2\n");
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 5.0);
+  HomingShop free;
+  free.start("G21 G90 G0 X5\nM2\n");
+  free.tick_until(State::idle);
+}
+
+TEST(Homing, IsRefusedWithoutSwitches) {
+  HomingShop shop(mill());
+  EXPECT_EQ(shop.controller.status().unhomed, 0U);
+  EXPECT_EQ(shop.controller.give(Command::home).error().reason, "no axis has a home switch");
+}
+
+TEST(Homing, ThatIsStoppedLeavesTheAxisWithoutItsPlace) {
+  HomingShop shop;
+  shop.give(Command::home);
+  shop.tick(500);
+  shop.give(Command::stop);
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.controller.status().unhomed, 7U);
+  const Position at = shop.setpoint.position_mm;
+  shop.tick(100);
+  EXPECT_EQ(shop.setpoint.position_mm, at);
+  shop.home();
+  EXPECT_EQ(shop.controller.status().unhomed, 0U);
+}
+
+TEST(Homing, IsAskedForAgainBehindAFault) {
+  HomingShop shop;
+  shop.home();
+  shop.controller.fail();
+  EXPECT_EQ(shop.controller.status().unhomed, 7U);
+}
+
+// By their numbers in the list of faults, as in tests/kernel/faults_test.cpp.
+TEST(Fault64, AJogStopsAtTheSoftLimitOnceHomed) {
+  HomingShop shop;
+  shop.home();
+  ASSERT_TRUE(shop.controller.jog({.mm = {1000.0, 0.0, 0.0}, .is_step = true}));
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 400.0);
+}
+
+TEST(Fault66, ASwitchThatIsStuckClosedIsRefused) {
+  HomingShop shop;
+  shop.always_closed = 1U;
+  shop.tick();
+  shop.fails("homing x: its switch stays closed");
+  EXPECT_EQ(shop.controller.status().unhomed & 1U, 1U);
+}
+
+TEST(Fault66, TheSwitchOfAnotherAxisIsRefused) {
+  HomingShop shop;
+  shop.give(Command::home);
+  shop.tick(1000);
+  shop.always_closed = 2U;  // Z moves, and the wire of Y answers
+  shop.tick_until(State::fault);
+  EXPECT_EQ(shop.controller.status().unhomed, 7U);
+}
+
+TEST(Fault73, ASwitchThatIsNotThereIsNotLookedForBeyondTheTravel) {
+  HomingShop shop;
+  shop.never_closed = 4U;
+  shop.fails("homing z: its switch did not close within 600 mm");
+  EXPECT_NEAR(shop.setpoint.position_mm[2], -600.0, 1e-9);
+  EXPECT_FALSE(shop.controller.drives_on());
+}
+
+TEST(Fault73, ASwitchIsNotLookedForLongerThanItsTime) {
+  MachineSettings settings = mill_with_switches();
+  settings.manual.homing[2].time_s = 2.0;
+  HomingShop shop(settings);
+  shop.fails("homing z: its switch was not found within 2 s");
+  EXPECT_LT(std::fabs(shop.setpoint.position_mm[2]), 2.1 * 20.0);
+}
+
+}  // namespace
+}  // namespace kerf::test

@@ -1,0 +1,128 @@
+// One line of an operator, with what programs and lines have left in force.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/control/shop.hpp"
+
+namespace kerf::test {
+namespace {
+
+struct LineShop : Shop {
+  LineShop() { give(Command::enable); }
+  [[nodiscard]] std::string codes() {
+    tick();
+    return {controller.status().codes.data()};
+  }
+};
+
+TEST(Line, MovesWithTheCodesOfTheLinesBefore) {
+  LineShop shop;
+  shop.run_mdi("G21 G91 G1 X10 F6000");
+  shop.run_mdi("X10");
+  EXPECT_EQ(shop.setpoint.position_mm[0], 20.0);
+  shop.run_mdi("G20 G90 Y1");
+  EXPECT_EQ(shop.setpoint.position_mm[1], 25.4);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 20.0);
+}
+
+TEST(Line, HasParametersOffsetsAndToolsOfTheProgramBefore) {
+  LineShop shop;
+  shop.start("G21 G90\n#101 = 7\n#<_wide> = 3\nG10 L2 P2 X100 Y50\nG1 X1 F6000\nM2\n");
+  shop.tick_until(State::idle);
+  shop.run_mdi("G55 G0 X[#101] Y#<_wide>");
+  EXPECT_EQ(shop.setpoint.position_mm[0], 107.0);
+  EXPECT_EQ(shop.setpoint.position_mm[1], 53.0);
+}
+
+// As LinuxCNC has it of M2: G54, G17, G90, G94, G40, M48, M5, M9, G1; F, units and G92 stay.
+TEST(Line, BeginsBehindAProgramsEndWhereThatLeavesIt) {
+  LineShop shop;
+  shop.start("G20 G91 G18 G55 G95 M3 S600 M8\nG1 X0.1 F0.1\nM2\n");
+  shop.tick_until(State::idle);
+  shop.run_mdi("G4 P0.01");
+  const std::string codes = shop.codes();
+  for (const char* code : {"G1 ", "G17", "G20", "G90", "G94", "G40", "G54", "M5", "M9"}) {
+    EXPECT_NE(codes.find(code), std::string::npos) << code << " in " << codes;
+  }
+}
+
+TEST(Line, KeepsSpindleCoolantAndOutputsOn) {
+  LineShop shop;
+  ASSERT_TRUE(shop.controller.set_overrides({.spindle = 0.5}));
+  shop.run_mdi("M3 S600 M8");
+  shop.run_mdi("M64 P3");
+  shop.run_mdi("G21 G1 X5 F3000");
+  constexpr double kHalf_rad_s = 0.5 * 600.0 * 2.0 * 3.14159265358979323846 / 60.0;
+  EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, kHalf_rad_s, 1e-9);
+  EXPECT_TRUE(shop.setpoint.outputs.flood);
+  EXPECT_EQ(shop.setpoint.outputs.digital, 1U << 3U);
+  shop.run_mdi("M5 M9");
+  EXPECT_EQ(shop.setpoint.outputs.spindle_rad_s, 0.0);
+  EXPECT_FALSE(shop.setpoint.outputs.flood);
+}
+
+TEST(Line, LeavesWhatIsInForceToTheNextProgram) {
+  LineShop shop;
+  shop.run_mdi("G10 L2 P1 X30");
+  shop.start("G21 G90 G0 X1\nM2\n");
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 31.0);
+  shop.start("G21 G90 G0 X1\nM2\n");  // behind a program a program begins afresh
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 1.0);
+}
+
+TEST(Line, HasTheCodesOfThePlaceWhereAProgramWasStopped) {
+  LineShop shop;
+  shop.start("G21 G90 G54 G61\nG1 X500 F6000\nG10 L2 P2 X7\nG55 G91 G1 X1\nM2\n");
+  shop.tick(500);
+  shop.give(Command::stop);
+  shop.tick_until(State::idle);
+  const double at_mm = shop.setpoint.position_mm[0];
+  ASSERT_LT(at_mm, 400.0);
+  shop.run_mdi("G0 X450");
+  EXPECT_EQ(shop.setpoint.position_mm[0], 450.0);  // neither G91 nor G55 was reached
+}
+
+TEST(Line, ThatIsWrongIsRefusedAndChangesNothing) {
+  LineShop shop;
+  shop.run_mdi("G21 G91 G1 X1 F6000");
+  for (const char* line : {"G1 X1 F-1", "G55 G77", "G90 X1 Y", "G1 X1\nX2", ""}) {
+    const auto given = shop.controller.run_mdi(line);
+    ASSERT_FALSE(given) << line;
+    EXPECT_EQ(given.error().command, Command::mdi);
+    EXPECT_EQ(shop.tick(), State::idle);
+  }
+  EXPECT_FALSE(shop.controller.program()->diagnostics().empty());
+  shop.run_mdi("X1");
+  EXPECT_EQ(shop.setpoint.position_mm[0], 2.0);
+}
+
+TEST(Line, ThatLeavesTheTravelIsRefused) {
+  Shop shop(mill_with_switches());
+  shop.give(Command::enable);
+  const auto given = shop.controller.run_mdi("G21 G90 G0 X401");
+  ASSERT_FALSE(given);
+  EXPECT_EQ(given.error().reason, "the line is wrong");
+  EXPECT_TRUE(shop.controller.program()->left_travel());
+  EXPECT_EQ(shop.tick(100), State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 0.0);
+}
+
+TEST(Line, IsHeldAndStoppedAsAProgram) {
+  LineShop shop;
+  ASSERT_TRUE(shop.controller.run_mdi("G21 G1 X200 F6000"));
+  shop.tick(300);
+  shop.give(Command::hold);
+  shop.tick_until(State::held);
+  shop.give(Command::resume);
+  shop.tick(100);
+  shop.give(Command::stop);
+  shop.tick_until(State::idle);
+  EXPECT_LT(shop.setpoint.position_mm[0], 200.0);
+  EXPECT_EQ(shop.controller.status().programs, 0U);
+}
+
+}  // namespace
+}  // namespace kerf::test
