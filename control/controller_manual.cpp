@@ -39,7 +39,10 @@ tl::expected<void, Refusal> Controller::Impl::run_mdi(std::string_view line) {
   kernel->plan();
   if (kernel->has_errors()) {
     kernel_ = std::move(kernel);
-    return refused("the line is wrong");
+    return tl::unexpected(Refusal{.state = seen.state(),
+                                  .command = Command::mdi,
+                                  .reason = "the line is wrong",
+                                  .of_line = true});
   }
   if (!change(seen, State::running)) {
     return run_mdi(line);

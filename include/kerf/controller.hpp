@@ -79,6 +79,7 @@ struct Refusal {
   ControllerState state = ControllerState::off;
   Command command = Command::enable;
   std::string_view reason{};
+  bool of_line = false;  ///< the line itself is wrong: program() says why
 };
 
 /// One bit an axis: bit 0 is x, then y, z.

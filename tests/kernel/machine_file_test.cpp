@@ -144,7 +144,9 @@ TEST(MachineFile, TheDefaultMachineIsTheTableThatIsShipped) {
         EXPECT_EQ(rule.field(shipped, axis), rule.field(built_in, axis)) << rule.key << axis;
         // All that a machine needs is bound; across the path the limits of the axes bind.
         const bool across = rule.key.find("normal") != std::string_view::npos;
-        EXPECT_EQ(std::isfinite(rule.field(shipped, axis)), !across) << rule.key << axis;
+        const bool switches = rule.key == "home_switch_mm" || rule.key == "home_mm";
+        EXPECT_EQ(std::isfinite(rule.field(shipped, axis)), !across && !switches)
+            << rule.key << axis;
       }
     }
   }
@@ -251,9 +253,39 @@ TEST(MachineFile, TakesAByteOrderMarkCrlfAndInlineTables) {
       parse_machine_file(kBounded + "[axes]\nx = { min_mm = 0, max_mm = 1 }\ny.min_mm = 3"));
 }
 
+TEST(MachineFile, SaysHowAxesFindTheirHomeAndWhatAnOperatorMayDo) {
+  const auto read = parse_machine_file(
+      kBounded +
+      "[axes]\nz = { home_switch_mm = 205, home_mm = 190, home_search_mm_s = 15, "
+      "home_latch_mm_s = 0.5, home_back_off_mm = 4, home_travel_mm = 450, home_time_s = 60, "
+      "home_order = 2 }\n[manual]\njog_mm_s = 50\nunhomed_jog_mm_s = 5\njog_timeout_s = 0.2\n"
+      "runs_unhomed = true\n");
+  ASSERT_TRUE(read);
+  const kerf::AxisHoming& z = read->manual.homing[2];
+  EXPECT_EQ(z.switch_mm, 205.0);
+  EXPECT_EQ(z.home_mm, 190.0);
+  EXPECT_EQ(z.search_mm_s, 15.0);
+  EXPECT_EQ(z.latch_mm_s, 0.5);
+  EXPECT_EQ(z.back_off_mm, 4.0);
+  EXPECT_EQ(z.travel_mm, 450.0);
+  EXPECT_EQ(z.time_s, 60.0);
+  EXPECT_EQ(z.order, 2.0);
+  EXPECT_FALSE(std::isfinite(read->manual.homing[0].switch_mm));
+  EXPECT_EQ(read->manual.jog_mm_s, 50.0);
+  EXPECT_EQ(read->manual.unhomed_jog_mm_s, 5.0);
+  EXPECT_EQ(read->manual.jog_timeout_s, 0.2);
+  EXPECT_TRUE(read->manual.runs_unhomed);
+  for (const char* wrong :
+       {"[axes]\nx.home_search_mm_s = 0", "[axes]\nx.home_latch_mm_s = -1", "[manual]\njog = 1",
+        "[manual]\nruns_unhomed = 1", "[manual]\njog_timeout_s = 0"}) {
+    EXPECT_FALSE(parse_machine_file(kBounded + wrong)) << wrong;
+  }
+}
+
 TEST(MachineFile, DocumentsEveryKeyWithItsDefaultAndEveryShippedMachine) {
   const std::string page = read_text("docs/machine-file.md");
-  for (const auto& rules : {kerf::tick_rules(), kerf::path_rules(), kerf::axis_rules()}) {
+  for (const auto& rules :
+       {kerf::tick_rules(), kerf::path_rules(), kerf::axis_rules(), kerf::manual_rules()}) {
     for (const NumberRule& rule : rules) {
       const std::size_t row = page.find("\n| `" + std::string(rule.key) + "` | ");
       ASSERT_NE(row, std::string::npos) << rule.key;
