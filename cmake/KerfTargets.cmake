@@ -36,6 +36,13 @@ function(kerf_tests name)
   target_link_libraries(${name}_tests PRIVATE ${arg_DEPENDS} kerf_warnings GTest::gtest_main)
   target_include_directories(${name}_tests PRIVATE "${PROJECT_SOURCE_DIR}")
   target_compile_definitions(${name}_tests PRIVATE KERF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # Reading headers takes most of the time of a test's compilation.
+  if(KERF_PRECOMPILED_HEADERS)
+    target_link_libraries(${name}_tests PRIVATE Eigen3::Eigen tl::expected)
+    target_precompile_headers(${name}_tests PRIVATE <algorithm> <array> <cmath> <cstdint> <fstream> <functional> <limits>
+      <map> <memory> <optional> <random> <sstream> <string> <vector> <gtest/gtest.h> <kerf/kerf.hpp>
+      "${PROJECT_SOURCE_DIR}/curves/curve.hpp")
+  endif()
   # Quicker to build; it is the libraries that need to be fast.
   target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-Og>)
   if(CMAKE_CXX_FLAGS MATCHES "-fsanitize" OR CMAKE_BUILD_TYPE STREQUAL "Debug")
