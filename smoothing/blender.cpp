@@ -53,10 +53,9 @@ double Blender::wanted_way_mm(const Held& before, const Held& after) const {
   if ((shape.turn < kSmooth && shape.bend_per_mm < kSmooth) || shape.turn > kSharpest) {
     return 0.0;
   }
-  const double tolerance =
-      kOfTolerance *
-      (std::min(before.segment.corner_tolerance_mm, after.segment.corner_tolerance_mm) -
-       std::max(before.segment.deviation_mm, after.segment.deviation_mm));
+  const double tolerance = kOfTolerance * std::min(before.segment.corner_tolerance_mm,
+                                                   after.segment.corner_tolerance_mm) -
+                           std::max(before.segment.deviation_mm, after.segment.deviation_mm);
   if (!(tolerance > 0.0)) {
     return 0.0;
   }
