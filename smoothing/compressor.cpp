@@ -10,6 +10,11 @@ namespace {
 
 constexpr std::size_t kAhead = 24;           // of them, behind which corners are known
 constexpr std::size_t kLongestLine = 65536;  // in lines of the program
+constexpr double kShortestLine = 0.01;       // of the tolerance
+
+double distance_mm(const Vertex& a, const Vertex& b) {
+  return (curves::vec(b.point_mm) - curves::vec(a.point_mm)).norm();
+}
 
 }  // namespace
 
@@ -25,7 +30,7 @@ bool Compressor::continues(const parser::Move& move) const {
   return run_.empty() || (move.merge_tolerance_mm == like.merge_tolerance_mm &&
                           move.blend_tolerance_mm == like.blend_tolerance_mm &&
                           move.auxiliary.begin_rad_mm == like.auxiliary.begin_rad_mm &&
-                          move.start_mm == run_.back().point_mm);
+                          move.start_mm == last().point_mm);
 }
 
 void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, double beside_mm) {
@@ -36,22 +41,56 @@ void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, d
     run_.push_back({.point_mm = move.start_mm, .source = move.source});
     scanned_ = 0;
   }
-  const double length = (curves::vec(end) - curves::vec(run_.back().point_mm)).norm();
-  if (!(length > 0.0)) {
+  Vertex vertex{.point_mm = end,
+                .feedrate_mm_s = move.feedrate_mm_s,
+                .follows = move.follows,
+                .source = move.source,
+                .run_block = move.block};
+  if (!(distance_mm(last(), vertex) > 0.0)) {
     return;
   }
-  run_.push_back({.point_mm = end,
-                  .w_mm = run_.back().w_mm + length,
-                  .feedrate_mm_s = move.feedrate_mm_s,
-                  .follows = move.follows,
-                  .source = move.source,
-                  .run_block = move.block});
+  if (short_ && !is_of_one_feedrate(*short_, vertex)) {
+    append(*short_);
+  }
+  short_.reset();
+  // A spline that goes on has begun with the tolerance that there was.
+  const double away = distance_mm(run_.back(), vertex);
+  if (!tail_ && away <= kShortestLine * move.merge_tolerance_mm) {
+    curves_.widen_beside(away);
+    short_ = vertex;
+    return;
+  }
+  append(vertex);
   if (run_.size() > awaited_) {
     reduce(false, out);
   }
 }
 
+void Compressor::append(Vertex vertex) {
+  const double length_mm = distance_mm(run_.back(), vertex);
+  if (length_mm > 0.0) {
+    vertex.w_mm = run_.back().w_mm + length_mm;
+    run_.push_back(vertex);
+  }
+}
+
+// The line before it goes to where it ends, if there is one to do so.
+void Compressor::append_short() {
+  if (run_.size() > 1 && is_of_one_feedrate(run_.back(), *short_)) {
+    Vertex end = run_.back();
+    end.point_mm = short_->point_mm;
+    run_.pop_back();
+    append(end);
+  } else {
+    append(*short_);
+  }
+  short_.reset();
+}
+
 void Compressor::flush(std::vector<PathSegment>& out) {
+  if (short_) {
+    append_short();
+  }
   if (run_.size() > 1) {
     reduce(true, out);
   }

@@ -9,6 +9,10 @@
 // tolerance there is a corner after all; a line alone stays as it is. So every result is within the
 // tolerance, as measured.
 //
+// A line that is much shorter than the tolerance is none of the path's: the next one begins where
+// it begins, or the run's last line ends where it ends. Between two long lines it would keep their
+// corner from being blended.
+//
 // The window counts lines and knows nothing of how the text was read: the same program always gives
 // the same path.
 //
@@ -51,6 +55,11 @@ class Compressor {
  private:
   static constexpr std::size_t kWindow = 400;  // lines
 
+  // Where the last move ended. Precondition: the run is not empty.
+  [[nodiscard]] const Vertex& last() const { return short_ ? *short_ : run_.back(); }
+  // Unless it has no length.
+  void append(Vertex vertex);
+  void append_short();
   // Parts leave until more lines are needed, or all, if the run has ended.
   void reduce(bool ended, std::vector<PathSegment>& out);
   // The first corner that is known, up to the vertex before which all are.
@@ -68,6 +77,7 @@ class Compressor {
 
   RunCurves curves_;
   Polyline run_;                     // from where it has not left yet
+  std::optional<Vertex> short_;      // behind it: the end of lines too short to be of the path
   std::size_t scanned_ = 0;          // vertices up to here are no corners
   std::size_t straight_ = 0;         // up to here the run is straight; 0: it is not known to be
   std::size_t awaited_ = kWindow;    // vertices before the next look

@@ -20,6 +20,11 @@ struct Vertex {
   std::uint64_t run_block = 0;
 };
 
+// Of the lines that end there.
+inline bool is_of_one_feedrate(const Vertex& a, const Vertex& b) {
+  return a.feedrate_mm_s == b.feedrate_mm_s && a.follows == b.follows;
+}
+
 using Polyline = std::vector<Vertex>;
 
 // A place where the program means a corner, seen from the lines around it. Precondition: it is

@@ -17,8 +17,17 @@ constexpr std::size_t kSpansOfSegment = 24;
 
 void RunCurves::begin(const parser::Move& like, double beside_mm) {
   like_ = like;
-  settings_.tolerance_mm = like.merge_tolerance_mm - beside_mm;
+  beside_mm_ = beside_mm;
+  set_beside(beside_mm);
+}
+
+void RunCurves::widen_beside(double distance_mm) {
+  set_beside(std::max(settings_.beside_mm, beside_mm_ + distance_mm));
+}
+
+void RunCurves::set_beside(double beside_mm) {
   settings_.beside_mm = beside_mm;
+  settings_.tolerance_mm = like_.merge_tolerance_mm - beside_mm;
 }
 
 bool RunCurves::append_circle(const Polyline& run, std::size_t vertex,

@@ -22,6 +22,9 @@ class RunCurves {
 
   // A new run begins, with this move, whose lines are beside_mm from the program.
   void begin(const parser::Move& like, double beside_mm);
+  // What comes of the run from now on lies no farther than that from the program, beside what
+  // begin() says.
+  void widen_beside(double distance_mm);
 
   [[nodiscard]] const parser::Move& like() const noexcept { return like_; }
   [[nodiscard]] const RunFitSettings& settings() const noexcept { return settings_; }
@@ -72,9 +75,12 @@ class RunCurves {
   void append_merged(const Polyline& run, MergedCurve merged, std::vector<PathSegment>& out) const;
   void widen(const Place& place, double distance_mm);
 
+  void set_beside(double beside_mm);
+
   RunFitSettings settings_;
-  parser::Move like_{};  // data common to the moves of the run
-  bool broken_ = false;  // the last segment is lines where a spline was meant to go on
+  parser::Move like_{};     // data common to the moves of the run
+  double beside_mm_ = 0.0;  // of the run's lines as they came
+  bool broken_ = false;     // the last segment is lines where a spline was meant to go on
   PathDeviations deviations_;
 };
 

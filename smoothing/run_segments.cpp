@@ -18,10 +18,6 @@ struct SegmentLines {
   std::size_t feedrate_of = 0;  // the vertex that has it
 };
 
-bool is_of_one_feedrate(const Vertex& a, const Vertex& b) {
-  return a.feedrate_mm_s == b.feedrate_mm_s && a.follows == b.follows;
-}
-
 // Those of one feedrate from `from` on. Where they are too short to be a segment, those of the next
 // feedrate with them; so with what is too short at the curve's end.
 SegmentLines lines_of_segment(const Polyline& run, const MergedCurve& merged, std::size_t from) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -61,6 +62,82 @@ TEST(Compressor, MakesNoPartOfALineAcrossItsRunThatHasAnotherFeedrate) {
     EXPECT_EQ(smoothed.segments[0].feedrate_mm_s, moves[1].feedrate_mm_s);
     EXPECT_EQ(curves::position_at(smoothed.segments[0].curve, 1e9), points.back());
     EXPECT_EQ(smoothed.segments[0].marks.size(), 3U);
+  }
+}
+
+// Each in a corner of two long lines, whose blend is that of the corner alone.
+TEST(Compressor, BlendsACornerAcrossLinesFarShorterThanTheTolerance) {
+  const Smoothed corner = smooth(lines_through({{0, 0, 8}, {0, 0, 0}, {4, 0, 0}}, {}));
+  const std::vector<std::vector<Position>> ways{{{-8e-5, 0, 0}},
+                                                {{0, 3e-9, 0}, {0, 3e-9, 4e-320}},
+                                                {{1e-7, 0, 0}, {0, 0, 0}},
+                                                {{-5e-5, 0, 0}, {5e-5, 0, 0}, {-5e-5, 0, 0}}};
+  for (const std::vector<Position>& way : ways) {
+    std::vector<Position> points{{0, 0, 8}, {0, 0, 0}};
+    points.insert(points.end(), way.begin(), way.end());
+    points.push_back({4, 0, 0});
+    const std::vector<parser::Move> moves = lines_through(points, {});
+    const Smoothed smoothed = smooth(moves);
+    ASSERT_EQ(smoothed.segments.size(), corner.segments.size());
+    EXPECT_EQ(faults_of_junctions(moves, smoothed), "");
+    EXPECT_NEAR(length_of(smoothed), length_of(corner), 2e-4);
+    EXPECT_LE(apart_mm(points_of(moves), points_of(smoothed)),
+              smoothed.deviation.distance_mm + 1e-9);
+    EXPECT_LE(smoothed.deviation.distance_mm, 0.01);
+  }
+}
+
+TEST(Compressor, EndsARunWhereItsLastLineDoesHoweverShort) {
+  for (const double length_mm : {1e-12, 1e-8, 9e-5}) {
+    const std::vector<parser::Move> moves =
+        lines_through({{0, 0, 0}, {3, 0, 0}, {3, length_mm, 0}}, {});
+    const Smoothed smoothed = smooth(moves);
+    ASSERT_EQ(smoothed.segments.size(), 1U);
+    EXPECT_EQ(curves::position_at(smoothed.segments[0].curve, 1e9), (Position{3, length_mm, 0}));
+    EXPECT_GE(smoothed.deviation.distance_mm, length_mm);
+  }
+}
+
+TEST(Compressor, KeepsALineFarShorterThanTheToleranceThatIsAlone) {
+  const Smoothed smoothed = smooth(lines_through({{0, 0, 0}, {2e-5, 0, 0}, {2e-5, 1e-5, 0}}, {}));
+  ASSERT_EQ(smoothed.segments.size(), 1U);
+  EXPECT_EQ(curves::position_at(smoothed.segments[0].curve, 1e9), (Position{2e-5, 1e-5, 0}));
+  EXPECT_TRUE(smooth(lines_through({{0, 0, 0}, {2e-5, 0, 0}, {0, 0, 0}}, {})).segments.empty());
+}
+
+// Its own feedrate may be so low that it takes long.
+TEST(Compressor, KeepsALineFarShorterThanTheToleranceThatHasAFeedrateOfItsOwn) {
+  std::vector<parser::Move> moves =
+      lines_through({{0, 0, 8}, {0, 0, 0}, {8e-5, 0, 0}, {4, 0, 0}}, {});
+  moves[1].feedrate_mm_s = 1e-5;
+  const Smoothed smoothed = smooth(moves);
+  EXPECT_TRUE(std::ranges::any_of(
+      smoothed.segments, [](const PathSegment& segment) { return segment.feedrate_mm_s == 1e-5; }));
+}
+
+// Lines of 1e-12 to 1e-4 mm between others.
+TEST(Compressor, StaysWithinTheToldDeviationWithShortLinesAnywhere) {
+  for (unsigned seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    std::vector<Position> points{{0, 0, 0}};
+    for (int i = 0; i < 60; ++i) {
+      const bool is_short = share(random) < 0.5;
+      const double step = is_short ? std::pow(10.0, -12.0 + 8.0 * share(random))
+                                   : std::pow(10.0, -2.0 + 3.0 * share(random));
+      Position next = points.back();
+      for (double& coordinate : next) {
+        coordinate += step * (2.0 * share(random) - 1.0);
+      }
+      points.push_back(next);
+    }
+    const std::vector<parser::Move> moves = lines_through(points, {});
+    const Smoothed smoothed = smooth(moves);
+    EXPECT_EQ(faults_of_junctions(moves, smoothed), "");
+    EXPECT_LE(smoothed.deviation.distance_mm, 0.01);
+    EXPECT_LE(apart_mm(points_of(moves), points_of(smoothed)),
+              smoothed.deviation.distance_mm + 1e-6);
   }
 }
 
