@@ -58,6 +58,8 @@ struct Options {
   bool syntax_only = false;            // of Subcommand::check
   bool realtime = false;               // of Subcommand::run and tick_cost
   bool optional_stop = false;          // of Subcommand::run
+  bool homes = false;                  // the same: before the program
+  bool waits_for_start = false;        // the same
   std::optional<std::string> control;  // of Subcommand::run: a descriptor, two of them, or a socket
   double measured_s = 5.0;             // of Subcommand::tick_cost
   std::string page_file;               // of Subcommand::report: where the page goes

@@ -12,30 +12,6 @@
 namespace kerf::test {
 namespace {
 
-struct HomingShop : Shop {
-  explicit HomingShop(const MachineSettings& settings = mill_with_switches()) : Shop(settings) {
-    give(Command::enable);
-    tick();
-  }
-  void home() {
-    give(Command::home);
-    tick_until(State::idle);
-  }
-  void fails(const std::string& why) {
-    give(Command::home);
-    tick_until(State::fault);
-    std::array<ControllerEvent, ControllerEvent::kKept> events;
-    const std::size_t count = controller.events_since(1, events);
-    std::string told;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (events[i].kind == ControllerEvent::Kind::message) {
-        told = controller.message(events[i].message)->text;
-      }
-    }
-    EXPECT_EQ(told, why);
-  }
-};
-
 // The latch finds the switch at the setpoint of a tick: at 1 mm/s within 1 um.
 TEST(Homing, GivesEachAxisItsTruePlace) {
   HomingShop shop;
@@ -157,48 +133,6 @@ TEST(Homing, IsAskedForAgainBehindAFault) {
   shop.home();
   shop.controller.fail();
   EXPECT_EQ(shop.controller.status().unhomed, 7U);
-}
-
-// By their numbers in the list of faults, as in tests/kernel/faults_test.cpp.
-TEST(Fault64, AJogStopsAtTheSoftLimitOnceHomed) {
-  HomingShop shop;
-  shop.home();
-  ASSERT_TRUE(shop.controller.jog({.mm = {1000.0, 0.0, 0.0}, .is_step = true}));
-  shop.tick_until(State::idle);
-  EXPECT_EQ(shop.setpoint.position_mm[0], 400.0);
-}
-
-TEST(Fault66, ASwitchThatIsStuckClosedIsRefused) {
-  HomingShop shop;
-  shop.always_closed = 1U;
-  shop.tick();
-  shop.fails("homing x: its switch stays closed");
-  EXPECT_EQ(shop.controller.status().unhomed & 1U, 1U);
-}
-
-TEST(Fault66, TheSwitchOfAnotherAxisIsRefused) {
-  HomingShop shop;
-  shop.give(Command::home);
-  shop.tick(1000);
-  shop.always_closed = 2U;  // Z moves, and the wire of Y answers
-  shop.tick_until(State::fault);
-  EXPECT_EQ(shop.controller.status().unhomed, 7U);
-}
-
-TEST(Fault73, ASwitchThatIsNotThereIsNotLookedForBeyondTheTravel) {
-  HomingShop shop;
-  shop.never_closed = 4U;
-  shop.fails("homing z: its switch did not close within 600 mm");
-  EXPECT_NEAR(shop.setpoint.position_mm[2], -600.0, 1e-9);
-  EXPECT_FALSE(shop.controller.drives_on());
-}
-
-TEST(Fault73, ASwitchIsNotLookedForLongerThanItsTime) {
-  MachineSettings settings = mill_with_switches();
-  settings.manual.homing[2].time_s = 2.0;
-  HomingShop shop(settings);
-  shop.fails("homing z: its switch was not found within 2 s");
-  EXPECT_LT(std::fabs(shop.setpoint.position_mm[2]), 2.1 * 20.0);
 }
 
 }  // namespace

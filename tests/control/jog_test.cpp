@@ -1,8 +1,11 @@
 // Motion by hand: steps, continuous jogs, and the way back to a hold.
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <random>
 #include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -210,6 +213,26 @@ TEST(Jog, FromAHoldGoesBackOverItsPlacesBeforeTheProgramGoesOn) {
   EXPECT_FALSE(shop.controller.program()->fault());
 }
 
+// As at a tool change by hand.
+TEST(Jog, FromAHoldAtAWaitComesBackBeforeTheAnswer) {
+  JogShop shop;
+  shop.start("G21 G90 F6000\nG1 X50\nT2 M6\nG1 X90\nM2\n");
+  shop.go_until(State::waiting);
+  shop.give(Command::hold);
+  shop.go_until(State::held);
+  shop.jog({.mm = {0.0, 40.0, 0.0}, .is_step = true});
+  shop.go_until(State::held);
+  EXPECT_EQ(shop.setpoint.position_mm, (Position{50.0, 40.0, 0.0}));
+  shop.give(Command::resume);
+  shop.go_until(State::running);
+  EXPECT_EQ(shop.setpoint.position_mm, (Position{50.0, 0.0, 0.0}));
+  for (int i = 0; i < 2000 && shop.go() != State::idle; ++i) {
+    static_cast<void>(shop.controller.give(Command::resume));
+  }
+  EXPECT_EQ(shop.setpoint.position_mm, (Position{90.0, 0.0, 0.0}));
+  EXPECT_EQ(shop.setpoint.outputs.tool, 2);
+}
+
 TEST(Jog, MayBeHeldOnTheWayBack) {
   JogShop shop;
   shop.start("G21 G90\nG1 X200 F6000\nM2\n");
@@ -279,6 +302,46 @@ TEST(Jog, IsSlowAndWithoutTravelWhileNotHomed) {
   JogShop forbidden(settings);
   EXPECT_EQ(forbidden.controller.jog({.mm = {1.0, 0.0, 0.0}}).error().reason,
             "the axes are not homed: home first");
+}
+
+// Ticks come at any moment of what the other thread does.
+TEST(Jog, WorksWithTheTicksInAThreadOfTheirOwn) {
+  Controller controller(mill_with_travel());
+  ASSERT_TRUE(controller.give(Command::enable));
+  LimitWatch watch(mill_with_travel().limits);
+  std::atomic<bool> over = false;
+  std::thread ticks([&] {
+    for (Setpoint setpoint; !over; std::this_thread::sleep_for(std::chrono::microseconds(20))) {
+      controller.tick(setpoint);
+      watch.add(setpoint);
+    }
+  });
+  const auto wait_for = [&](State state) {
+    while (controller.status().state != state) {
+      controller.plan();
+    }
+  };
+  ASSERT_TRUE(controller.give(Command::start));
+  controller.feed("G21 G90\nG1 X300 F600\nM2\n");  // 30,000 ticks
+  controller.finish();
+  for (int i = 0; i < 20; ++i) {
+    wait_for(State::running);
+    ASSERT_TRUE(controller.give(Command::hold));
+    wait_for(State::held);
+    ASSERT_TRUE(controller.jog({.mm = {0.0, 0.0, 2.0}, .is_step = true}));
+    wait_for(State::held);
+    ASSERT_EQ(controller.status().setpoint.position_mm[2], 2.0);
+    ASSERT_TRUE(controller.give(Command::resume));
+    wait_for(State::running);
+    EXPECT_EQ(controller.status().setpoint.position_mm[2], 0.0);
+  }
+  ASSERT_TRUE(controller.set_overrides({.feed = 2.0}));
+  wait_for(State::idle);
+  over = true;
+  ticks.join();
+  EXPECT_EQ(watch.complaint(), "");
+  EXPECT_EQ(controller.status().setpoint.position_mm[0], 300.0);
+  EXPECT_FALSE(controller.program()->fault());
 }
 
 // Anything at any tick: limits at each tick, inside the travel, and the program's end is reached.

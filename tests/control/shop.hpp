@@ -99,4 +99,29 @@ struct Shop {
   unsigned never_closed = 0;
 };
 
+struct HomingShop : Shop {
+  explicit HomingShop(const MachineSettings& settings = mill_with_switches()) : Shop(settings) {
+    give(Command::enable);
+    tick();
+  }
+  void home() {
+    give(Command::home);
+    tick_until(State::idle);
+  }
+  // The search ends in a fault, and says why.
+  void fails_to_home(const std::string& why) {
+    give(Command::home);
+    tick_until(State::fault);
+    std::array<ControllerEvent, ControllerEvent::kKept> events;
+    const std::size_t count = controller.events_since(1, events);
+    std::string told;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (events[i].kind == ControllerEvent::Kind::message) {
+        told = controller.message(events[i].message)->text;
+      }
+    }
+    EXPECT_EQ(told, why);
+  }
+};
+
 }  // namespace kerf::test

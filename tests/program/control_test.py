@@ -190,6 +190,84 @@ class Control(Case):
         self.assertEqual(waits, [(13, 100, 0), (16, 100, 7)])
         self.end(process, 0)
 
+    def status(self, client):
+        client.write('{"command":"status"}\n')
+        return client.read_until(type="status")
+
+    def status_in(self, client, state):
+        """The first status in that state."""
+        deadline = time.monotonic() + 60
+        while (status := self.status(client))["state"] != state:
+            self.assertLess(time.monotonic(), deadline, status)
+            time.sleep(0.02)
+        return status
+
+    def test_a_jog_from_a_hold_and_the_way_back(self):
+        process, client = self.start()
+        client.read_until(type="event", state="running")
+        time.sleep(0.5)
+        self.assertEqual(client.ask("jog", x_mm=1)["reason"], "a program runs: hold it first")
+        client.ask("hold")
+        held = self.status_in(client, "held")["position_mm"]
+        self.assertTrue(client.ask("jog", z_mm=25, velocity_mm_s=100)["accepted"])
+        self.status_in(client, "held")
+        for _ in range(20):
+            self.assertTrue(client.ask("jog", x_mm_s=-40, y_mm_s=30)["accepted"])
+            time.sleep(0.05)
+        moving = self.status(client)
+        self.assertEqual(moving["state"], "jogging")
+        self.assertAlmostEqual(moving["feedrate_mm_s"], 50, delta=0.1)
+        away = self.status_in(client, "held")["position_mm"]  # nobody renews it
+        self.assertAlmostEqual((away["x"] - held["x"]) * 3, away["y"] * -4, delta=1e-6)
+        self.assertEqual(away["z"], 25)
+        client.ask("resume")
+        client.read_until(type="event", state="returning")
+        client.read_until(type="event", state="running")
+        self.assertEqual(client.read_until(type="end")["exit_status"], 0)
+        rows = self.end(process, 0)
+        x = rows[0].strip().split(",").index("x_mm")
+        self.assertEqual(float(rows[-1].split(",")[x]), 400)
+
+    def test_lines_and_jogs_before_the_program(self):
+        process, client = self.start("G90\nG1 X1 F6000\nM2\n", ["--wait-start"])
+        client.read_until(type="event", state="idle")
+        self.assertTrue(client.ask("mdi", line="G21 G91 G1 X5 F6000")["accepted"])
+        self.status_in(client, "idle")
+        wrong = client.ask("mdi", line="G1 X1 F-1")
+        self.assertEqual((wrong["accepted"], wrong["state"]), (False, "idle"))
+        self.assertRegex(wrong["reason"], r"F must not be negative \[E0120\]")
+        self.assertTrue(client.ask("jog", y_mm=2)["accepted"])
+        self.status_in(client, "idle")
+        self.assertTrue(client.ask("mdi", line="G10 L2 P1 X30")["accepted"])
+        self.assertEqual(self.status_in(client, "idle")["position_mm"], {"x": 5, "y": 2, "z": 0})
+        self.assertEqual(client.ask("home")["reason"], "no axis has a home switch")
+        self.assertTrue(client.ask("start")["accepted"])
+        self.assertEqual(client.read_until(type="end")["exit_status"], 0)
+        rows = self.end(process, 0)
+        x = rows[0].strip().split(",").index("x_mm")
+        self.assertEqual(float(rows[-1].split(",")[x]), 31)
+
+    def test_a_run_that_waits_for_its_start_may_be_stopped(self):
+        process, client = self.start(options=["--wait-start"])
+        client.read_until(type="event", state="idle")
+        self.assertTrue(client.ask("stop")["accepted"])
+        self.assertEqual(client.read_until(type="end")["exit_status"], 7)
+        process.wait(timeout=60)
+
+    def test_a_home_switch_that_is_not_there(self):
+        table = (pathlib.Path(SOURCE) / "programs/machines/table.toml").read_text()
+        home = "home_switch_mm = -499\nhome_search_mm_s = -100\nhome_travel_mm = 80\n"
+        machine = self.path("home.toml", table.replace("[axes.x]\n", "[axes.x]\n" + home))
+        process, client = self.start(options=["--machine", machine, "--home"])
+        client.read_until(type="event", state="homing")
+        self.assertEqual(client.read_until(type="event", event="message")["text"], "homing x: its switch did not close within 80 mm")
+        client.read_until(type="event", state="fault")
+        self.assertEqual(client.read_until(type="end")["exit_status"], 4)
+        process.wait(timeout=60)
+        refused = self.kerf("run", self.path("part.ngc", LINE), "--machine", machine, status=4)
+        self.assertIn("the axes are not homed: home first", refused.stderr)
+        self.kerf("dry-run", self.path("part.ngc", LINE), "--machine", machine)
+
     def test_inputs_of_the_machine_that_the_feedrate_follows(self):
         table = (pathlib.Path(SOURCE) / "programs/machines/table.toml").read_text()
         machine = self.path("inputs.toml", table + "\n[inputs]\nadaptive_feed = 2\nfeed_stop = 5\n")

@@ -182,6 +182,9 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
         ->check(CLI::IsMember(std::vector<std::string>(kDriverNames.begin(), kDriverNames.end())))
         ->type_name("NAME");
     add_realtime(*added, words.options);
+    added->add_flag("--home", words.options.homes, "find the home switches before the program");
+    added->add_flag("--wait-start", words.options.waits_for_start,
+                    "the program waits for start: until then MDI, jog and home");
     added->add_flag("--optional-stop", words.options.optional_stop, "M1 waits, as M0 does");
     added
         ->add_option("--control", words.options.control,

@@ -196,6 +196,10 @@ class ControlChannel::Server {
         return by_->controller().set_optional_stop(request.on);
       case ControlRequest::Kind::block_delete:
         return by_->controller().set_block_delete(request.switches);
+      case ControlRequest::Kind::mdi:
+        return run_mdi(request.line);
+      case ControlRequest::Kind::jog:
+        return by_->controller().jog(request.jog);
       case ControlRequest::Kind::input:
         return set_input(request);
       case ControlRequest::Kind::command:
@@ -204,6 +208,17 @@ class ControlChannel::Server {
         break;
     }
     return by_->give(request.command);
+  }
+  // With the first error of a line that has one.
+  tl::expected<void, Refusal> run_mdi(const std::string& line) {
+    auto given = by_->controller().run_mdi(line);
+    if (!given && given.error().of_line) {
+      const auto& found = by_->controller().program()->diagnostics();
+      const auto error = std::ranges::find(found, Severity::error, &Diagnostic::severity);
+      wrong_line_ = error->message + " [" + identifier(*error->page) + "]";
+      given.error().reason = wrong_line_;
+    }
+    return given;
   }
   tl::expected<void, Refusal> set_input(const ControlRequest& request) {
     const ControllerStatus status = by_->status();
@@ -231,6 +246,7 @@ class ControlChannel::Server {
   std::optional<asio::local::stream_protocol::acceptor> acceptor_;
   asio::steady_timer timer_{context_};
   std::vector<std::shared_ptr<ControlClient>> clients_;
+  std::string wrong_line_;  // of the thread that plans
   std::uint64_t next_event_ = 1;
   bool is_over_ = false;
   std::atomic<bool> is_told_ = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string_view>
 
 #include <spdlog/fmt/fmt.h>
 
@@ -17,6 +18,7 @@ using Asked = kerf::Command;
 constexpr char kEscape = '\x1b';
 constexpr std::chrono::milliseconds kWait{50};
 constexpr int kFeedStep_percent = 10;
+constexpr double kStep_mm = 1.0;
 constexpr int kMaxFeed_percent = 200;
 
 int feed_percent(const ControllerStatus& status) {
@@ -57,7 +59,15 @@ void Keys::press(char key) {
   if (key == ' ') {
     static_cast<void>(by_->give(holds ? Asked::resume : Asked::hold));
   } else if (key == '\n' || key == '\r') {
-    static_cast<void>(by_->give(Asked::resume));
+    const bool is_idle = status.state == ControllerState::idle;
+    static_cast<void>(by_->give(is_idle ? Asked::start : Asked::resume));
+  } else if (key == 'h') {
+    static_cast<void>(by_->give(Asked::home));
+  } else if (const std::size_t axis = std::string_view("xyzXYZ").find(key);
+             axis != std::string_view::npos) {
+    Jog step{.is_step = true};
+    step.mm[axis % step.mm.size()] = axis < step.mm.size() ? -kStep_mm : kStep_mm;
+    static_cast<void>(by_->controller().jog(step));
   } else if (key == '+' || key == '=') {
     change_feed(feed_percent(status) + kFeedStep_percent);
   } else if (key == '-') {

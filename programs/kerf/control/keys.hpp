@@ -10,9 +10,10 @@
 
 namespace kerf::program {
 
-// Space holds and resumes, Enter resumes and answers a wait, + and - change the feed override by
-// 10 %, s switches single block, q stops, Esc is the emergency stop. Keys are read in a thread of
-// its own.
+// Space holds and resumes, Enter resumes, answers a wait and starts a program that waits for it, +
+// and - change the feed override by 10 %, s switches single block, x, y and z move by 1 mm
+// downwards where it is held or idle, X, Y and Z upwards, h homes, q stops, Esc is the emergency
+// stop. Keys are read in a thread of its own.
 class Keys {
  public:
   // None where standard input is no terminal.
@@ -23,7 +24,8 @@ class Keys {
 
   static constexpr const char* kWhatTheyDo =
       "keys: space holds and resumes, Enter goes on, + and - change the feed, s switches single "
-      "block, q stops on the path, Esc is the emergency stop";
+      "block, xyz and XYZ jog by 1 mm while it is held, h homes, q stops on the path, Esc is the "
+      "emergency stop";
 
  private:
   void read();

@@ -23,11 +23,34 @@ void Operator::carry_out() {
   for (const auto& order : orders) {
     order();
   }
+  if (starts_ && controller_->status().state == ControllerState::idle) {
+    starts_ = false;
+    has_stopped_ = !give(kerf::Command::start);  // the search was stopped
+  }
+}
+
+tl::expected<void, Refusal> Operator::home_and_start() {
+  auto given = give(kerf::Command::home);
+  starts_ = given.has_value();
+  return given;
 }
 
 tl::expected<void, Refusal> Operator::give(kerf::Command command) {
+  if (command == kerf::Command::stop && !has_started_ &&
+      controller_->status().state == ControllerState::idle) {
+    has_stopped_ = true;
+    return {};
+  }
+  const ControllerState before = controller_->status().state;
   auto given = controller_->give(command);
-  has_stopped_ = has_stopped_ || (given && command == kerf::Command::stop);
+  if (given && command == kerf::Command::start) {
+    has_started_ = true;
+  } else if (given && command == kerf::Command::stop) {
+    const bool is_by_hand = before == ControllerState::jogging ||
+                            before == ControllerState::returning ||
+                            before == ControllerState::homing;
+    has_stopped_ = has_stopped_ || !is_by_hand;
+  }
   return given;
 }
 

@@ -1,6 +1,7 @@
 // What people and programs ask of a machine that runs.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <mutex>
 #include <vector>
@@ -28,12 +29,18 @@ class Operator {
   // In the thread that plans, as all below.
   void carry_out();
   tl::expected<void, Refusal> give(kerf::Command command);
-  // Somebody stopped the program. Also once no thread plans any more.
+  // Behind the search for the home switches; where that is refused or stopped, no program runs.
+  tl::expected<void, Refusal> home_and_start();
+
+  // Any thread. Somebody stopped the program, or what comes before it.
   [[nodiscard]] bool has_stopped() const noexcept { return has_stopped_; }
+  [[nodiscard]] bool has_started() const noexcept { return has_started_; }
 
  private:
   Controller* controller_;
-  bool has_stopped_ = false;
+  bool starts_ = false;  // once it is idle
+  std::atomic<bool> has_started_ = false;
+  std::atomic<bool> has_stopped_ = false;
   std::mutex mutex_;
   std::vector<std::function<void()>> orders_;
 };

@@ -116,6 +116,12 @@ std::string status_json(const ControllerStatus& status, parser::Letters extra) {
       json["block_delete"].push_back(number);
     }
   }
+  json["unhomed"] = Json::array();
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    if (((status.unhomed >> axis) & 1U) != 0) {
+      json["unhomed"].push_back(std::string(1, "xyz"[axis]));
+    }
+  }
   json["codes"] = std::string_view(status.codes.data(), status.codes.size())
                       .substr(0, ::strnlen(status.codes.data(), status.codes.size()));
   json["tool"] = at.outputs.tool;

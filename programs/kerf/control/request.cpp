@@ -101,12 +101,10 @@ void share_of(std::optional<double>& percent) {
   }
 }
 
-// One program is run, from its start on: these would begin another one.
+// A run has its drives on from its start to its end.
 bool is_for_a_run(kerf::Command command) {
   return command != kerf::Command::enable && command != kerf::Command::disable &&
-         command != kerf::Command::start && command != kerf::Command::reset &&
-         command != kerf::Command::mdi && command != kerf::Command::jog &&
-         command != kerf::Command::home;
+         command != kerf::Command::reset;
 }
 
 Kind kind_of(kerf::Command command) {
@@ -119,6 +117,10 @@ Kind kind_of(kerf::Command command) {
       return Kind::optional_stop;
     case kerf::Command::block_delete:
       return Kind::block_delete;
+    case kerf::Command::mdi:
+      return Kind::mdi;
+    case kerf::Command::jog:
+      return Kind::jog;
     default:
       return Kind::command;
   }
@@ -149,6 +151,33 @@ std::string read_input(RequestKeys& keys, ControlRequest& request) {
     return "input takes analog or digital, a number, and value";
   }
   request.value = value.value_or(0.0);
+  return keys.complaint();
+}
+
+// Distances are of a step, velocities of a jog that goes on.
+std::string read_jog(RequestKeys& keys, ControlRequest& request) {
+  constexpr std::string_view kAxes = "xyzabcuvw";
+  constexpr std::size_t kLinear = 3;
+  constexpr double kRad = 3.14159265358979323846 / 180.0;  // of a degree
+  Jog& jog = request.jog;
+  bool goes_on = false;
+  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    const bool turns = axis >= kLinear && axis < 2 * kLinear;
+    const std::string key = kAxes[axis] + std::string(turns ? "_deg" : "_mm");
+    double& value = axis < kLinear ? jog.mm[axis] : jog.extra_rad_mm[axis - kLinear];
+    std::optional<double> number;
+    jog.is_step = jog.is_step || keys.has(key.c_str());
+    goes_on = goes_on || keys.has((key + "_s").c_str());
+    keys.read(key.c_str(), number);
+    keys.read((key + "_s").c_str(), number);
+    value = number.value_or(0.0) * (turns ? kRad : 1.0);
+  }
+  std::optional<double> velocity_mm_s;
+  keys.read("velocity_mm_s", velocity_mm_s);
+  jog.step_mm_s = velocity_mm_s.value_or(jog.step_mm_s);
+  if (jog.is_step == goes_on || (goes_on && velocity_mm_s)) {
+    return "jog takes distances, as x_mm, and perhaps velocity_mm_s, or velocities, as x_mm_s";
+  }
   return keys.complaint();
 }
 
@@ -188,6 +217,11 @@ std::string read_request(RequestKeys& keys, ControlRequest& request) {
     case Kind::block_delete:
       keys.read("switches", request.switches);
       return keys.has("switches") ? keys.complaint() : "block_delete takes switches, as in [1, 3]";
+    case Kind::mdi:
+      keys.read("line", request.line);
+      return keys.has("line") ? keys.complaint() : "mdi takes line, a string";
+    case Kind::jog:
+      return read_jog(keys, request);
     case Kind::input:
       return read_input(keys, request);
     case Kind::status:

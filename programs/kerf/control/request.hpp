@@ -19,12 +19,16 @@ struct ControlRequest {
     single_block,
     optional_stop,
     block_delete,
+    mdi,
+    jog,
     input,
     status,
     events
   };
   Kind kind = Kind::command;
   kerf::Command command{};  // of all kinds but input, status and events
+  std::string line{};       // of mdi
+  Jog jog{};                // of jog
   std::optional<double> feed{};
   std::optional<double> rapid{};
   std::optional<double> spindle{};

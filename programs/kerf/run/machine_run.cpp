@@ -1,6 +1,8 @@
 #include "programs/kerf/run/machine_run.hpp"
 
+#include <array>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <spdlog/fmt/fmt.h>
@@ -20,14 +22,40 @@ int max_late_periods(const Options& options) {
   return options.driver.max_late_periods.value_or(options.realtime ? kOfRealTime : 0);
 }
 
+tl::expected<void, Refusal> begin(Operator& by, const Options& options) {
+  static_cast<void>(by.give(kerf::Command::enable));  // it is off: not refused
+  if (options.homes) {
+    return options.waits_for_start ? by.give(kerf::Command::home) : by.home_and_start();
+  }
+  return options.waits_for_start ? tl::expected<void, Refusal>() : by.give(kerf::Command::start);
+}
+
+// What the controller said last.
+std::string last_message(const Controller& controller) {
+  std::array<ControllerEvent, ControllerEvent::kKept> events;
+  std::string text;
+  const std::size_t count = controller.events_since(1, events);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (events[i].kind == ControllerEvent::Kind::message) {
+      const auto message = controller.message(events[i].message);
+      text = message ? message->text : text;
+    }
+  }
+  return text;
+}
+
 void run_with(std::optional<ControlEndpoint> control, MotionStage& stage) {
   const MotionOrder& order = stage.order();
   FileReport& report = stage.report();
-  Controller controller(order.settings, order.kernel_options);
+  const bool waits = order.options.waits_for_start;
+  KernelOptions options = order.kernel_options;
+  options.checks_travel = options.checks_travel || waits;  // MDI may change offsets
+  Controller controller(order.settings, options);
   Operator by(controller);
-  // Neither is refused: it is off, and then idle.
-  static_cast<void>(by.give(kerf::Command::enable));
-  static_cast<void>(by.give(kerf::Command::start));
+  if (const auto begun = begin(by, order.options); !begun) {
+    report.fail(ExitStatus::machine_fault, std::string(begun.error().reason));
+    return;
+  }
   ControllerPlanning planning(controller);
   Feeder feeder = stage.feeder(planning);
   RunOutcome outcome;
@@ -58,10 +86,14 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage) {
                                stage.stage_with(feeder));
     controller.plan();  // what the program said last
   }
-  stage.finish({.kernel = *controller.program(),
+  Kernel none(order.settings, options);
+  stage.finish({.kernel = by.has_started() ? *controller.program() : none,
                 .feeder = feeder,
                 .outcome = outcome,
                 .is_stopped = by.has_stopped(),
+                .fault = controller.status().state == ControllerState::fault
+                             ? last_message(controller)
+                             : std::string(),
                 .is_emergency = controller.status().state == ControllerState::emergency_stop});
   if (channel) {
     by.carry_out();  // what came too late is refused

@@ -74,6 +74,8 @@ void MotionStage::report_end(const End& end) {
   } else if (end.outcome.too_late) {
     report_.fail(ExitStatus::machine_fault,
                  describe_delay(*end.outcome.too_late, report_.period_s));
+  } else if (!end.fault.empty()) {
+    report_.fail(ExitStatus::machine_fault, end.fault);
   } else if (end.is_emergency) {
     report_.status = ExitStatus::emergency_stop;
   } else if (stop_requested()) {

@@ -54,6 +54,7 @@ class MotionStage {
     const Feeder& feeder;
     const RunOutcome& outcome;
     bool is_stopped = false;  // by an operator
+    std::string fault{};      // why the state is one, where nobody else says it
     bool is_emergency = false;
   };
   void finish(const End& end);

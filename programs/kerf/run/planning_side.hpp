@@ -43,21 +43,31 @@ class KernelPlanning final : public PlanningSide {
   Kernel* kernel_;
 };
 
-// Precondition: a program was started.
+// Precondition of feed(), finish() and kernel(): a program was started.
 class ControllerPlanning final : public PlanningSide {
  public:
   explicit ControllerPlanning(Controller& controller) noexcept : controller_(&controller) {}
 
   void feed(std::string_view text) override { controller_->feed(text); }
   void finish() override { controller_->finish(); }
-  bool plan() override { return controller_->plan(); }
+  bool plan() override {
+    const bool wants_text = controller_->plan();
+    if (stops_ && controller_->status().state == ControllerState::held) {
+      stop();  // it was jogged away from there
+    }
+    return wants_text;
+  }
   void text_is_late() override { controller_->text_is_late(); }
-  // Refused once the program is over.
-  void stop() override { static_cast<void>(controller_->give(kerf::Command::stop)); }
+  // Refused once the program is over. A jog is stopped first.
+  void stop() override {
+    stops_ = true;
+    static_cast<void>(controller_->give(kerf::Command::stop));
+  }
   [[nodiscard]] const Kernel& kernel() const override { return *controller_->program(); }
 
  private:
   Controller* controller_;
+  bool stops_ = false;
 };
 
 }  // namespace kerf::program

@@ -70,9 +70,12 @@ bool is_starved(const Controller& controller) noexcept {
   return what == WaitsFor::text || what == WaitsFor::planning;
 }
 
-bool is_over(ControllerState state, const Controller& controller) noexcept {
-  return state == ControllerState::idle || state == ControllerState::fault ||
-         (state == ControllerState::emergency_stop && !controller.drives_on());
+// Idle before the program is no end.
+bool is_over(ControllerState state, const RealTimeOrder& order) noexcept {
+  return (state == ControllerState::idle &&
+          (order.by.has_started() || order.by.has_stopped() || stop_requested())) ||
+         state == ControllerState::fault ||
+         (state == ControllerState::emergency_stop && !order.controller.drives_on());
 }
 
 // The axes of a machine that has a fault come to rest, which is written to until then. One that
@@ -139,14 +142,18 @@ class Ticks {
     }
     Setpoint setpoint;
     const ControllerState state = controller.tick(setpoint);
+    if (controller.has_new_place()) {
+      stage_.ticks.enable({.mm = setpoint.position_mm, .extra_rad_mm = setpoint.extra_rad_mm});
+    }
     record_ = stage_.ticks.take(setpoint, controller.detail());
+    controller.set_home_switches(stage_.ticks.inputs().home);
     recorder.push(record_);
     stage_.progress.set_done(record_.motion.s_mm);
     judge_.count(is_starved(controller), outcome_);
     if (stage_.ticks.fault().kind != machine::DriveFault::none) {
       controller.fail();
     }
-    return (is_over(state, controller) && aftermath_.is_over(stage_.ticks)) || outcome_.hung;
+    return (is_over(state, order_) && aftermath_.is_over(stage_.ticks)) || outcome_.hung;
   }
 
   const RealTimeOrder& order_;

@@ -46,6 +46,8 @@ class TickStage {
     return record;
   }
 
+  // As of the latest tick.
+  [[nodiscard]] const machine::MachineInputs& inputs() const noexcept { return state_.inputs; }
   // Axes are coming to rest because of a fault.
   [[nodiscard]] bool is_stopping() const noexcept {
     return std::find(state_.axes.begin(), state_.axes.end(), machine::AxisState::stopping) !=
