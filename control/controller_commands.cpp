@@ -1,5 +1,4 @@
-// The planning side of a controller: commands, text, plans.
-#include <algorithm>
+// What a controller makes of commands.
 #include <utility>
 
 #include "control/controller_impl.hpp"
@@ -185,96 +184,6 @@ void Controller::Impl::carry_out(Command command, State state) {
     case Command::emergency_stop:
     case Command::reset:
       break;
-  }
-}
-
-// A program behind programs begins as the first one; behind lines, with what they left.
-std::unique_ptr<Kernel> Controller::Impl::kernel_from_here(Runs what) {
-  const Setpoint at = here();
-  KernelOptions options = options_;
-  if (kernel_ && (what == Runs::line || ran_line_)) {
-    kernel_->plan();  // it may not know yet how far the tool has come
-    options.begins_with = kernel_->state_left();
-    options.start_outputs = at.outputs;
-    if (at.outputs.follows_speed_override) {
-      options.start_outputs.spindle_rad_s /= operator_.overrides.spindle;
-    }
-  }
-  if (what == Runs::line) {
-    options.one_line = true;
-    options.checks_travel = true;
-    options.nominal_s = 0.0;
-  }
-  options.start_mm = at.position_mm;
-  options.start_extra_rad_mm = at.extra_rad_mm;
-  options.one_thread = false;
-  options.waits = true;
-  options.tells_operator = true;
-  options.optional_stop = operator_.optional_stop;
-  options.block_delete = operator_.block_delete;
-  auto kernel = std::make_unique<Kernel>(settings_, options);
-  if (operator_.overrides != Overrides{}) {
-    kernel->set_overrides(operator_.overrides);
-  }
-  if (operator_.feed_inputs != FeedInputs{}) {
-    kernel->set_feed_inputs(operator_.feed_inputs);
-  }
-  if (operator_.single_block) {
-    kernel->set_single_block(true);
-  }
-  return kernel;
-}
-
-void Controller::Impl::start(std::unique_ptr<Kernel> kernel, Runs what) {
-  kernel_ = std::move(kernel);
-  ran_line_ = what == Runs::line;
-  run_ticks_ = 0;
-  by_hand_ = false;
-  running_.store(kernel_.get(), std::memory_order_release);
-}
-
-void Controller::Impl::feed(std::string_view text) {
-  if (has_program()) {
-    kernel_->feed(text);
-  }
-}
-
-void Controller::Impl::finish() {
-  if (has_program()) {
-    kernel_->finish();
-  }
-}
-
-// Once more behind the program's end: it may have said something there.
-bool Controller::Impl::plan() {
-  follow_manual();
-  const bool runs = has_program();
-  bool wants_text = false;
-  if (runs || ran_) {
-    wants_text = kernel_->plan() && runs;
-    tell();
-  }
-  ran_ = runs;
-  wants_text_.store(wants_text, std::memory_order_relaxed);
-  return wants_text;
-}
-
-void Controller::Impl::tell() {
-  for (const ProgramMessage& message : kernel_->take_messages()) {
-    events_.note({.kind = ControllerEvent::Kind::message,
-                  .state = state_.state(),
-                  .message = messages_.add(message)});
-  }
-  operator_.left_s = kernel_->left_s();
-  const std::string_view codes = kernel_->active_codes().substr(0, operator_.codes.size());
-  operator_.codes = {};
-  std::ranges::copy(codes, operator_.codes.begin());
-  published_.write(operator_);
-}
-
-void Controller::Impl::text_is_late() {
-  if (has_program() && kernel_->runs_low()) {
-    kernel_->plan_to_rest();
   }
 }
 

@@ -1,4 +1,4 @@
-// What moves by hand: lines of an operator, jogs, the way back to a hold, homing.
+// What moves by hand: jogs, the way back to a hold, homing.
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,40 +16,6 @@ bool is_by_hand(State state) noexcept {
 }
 
 }  // namespace
-
-tl::expected<void, Refusal> Controller::Impl::run_mdi(std::string_view line) {
-  follow_manual();
-  auto seen = state_.load();
-  const auto refused = [&](std::string_view why) {
-    return tl::unexpected(Refusal{.state = seen.state(), .command = Command::mdi, .reason = why});
-  };
-  if (const Answer answer = answer_to(seen.state(), Command::mdi); !answer.is_accepted()) {
-    return refused(answer.refusal);
-  }
-  if (needs_homing()) {
-    return refused(control::kNotHomed);
-  }
-  if (line.find_first_of("\r\n") != std::string_view::npos) {
-    return refused("one line is wanted");
-  }
-  auto kernel = kernel_from_here(Runs::line);
-  kernel->feed(line);
-  kernel->feed("\n");
-  kernel->finish();
-  kernel->plan();
-  if (kernel->has_errors()) {
-    kernel_ = std::move(kernel);
-    return tl::unexpected(Refusal{.state = seen.state(),
-                                  .command = Command::mdi,
-                                  .reason = "the line is wrong",
-                                  .of_line = true});
-  }
-  if (!change(seen, State::running)) {
-    return run_mdi(line);
-  }
-  start(std::move(kernel), Runs::line);
-  return {};
-}
 
 tl::expected<control::ManualMove, std::string_view> Controller::Impl::move_of(
     const Jog& jog) const {

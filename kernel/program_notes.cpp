@@ -28,20 +28,35 @@ bool is_same(const parser::Coordinates& one, const parser::Coordinates& other) {
          one.program_turn() == other.program_turn() && one.mirror() == other.mirror();
 }
 
-// But for the place and what lasts for a block or a cycle. G54.1 is seen where it is in force.
+bool is_same(const parser::AllowedOverrides& one, const parser::AllowedOverrides& other) {
+  return one.feed == other.feed && one.speed == other.speed &&
+         one.adaptive_feed == other.adaptive_feed && one.feed_hold == other.feed_hold;
+}
+
+bool has_same_codes(const parser::ModalState& one, const parser::ModalState& other) {
+  return one.motion == other.motion && one.plane == other.plane && one.units == other.units &&
+         one.incremental == other.incremental && one.absolute_centre == other.absolute_centre &&
+         one.feed_mode == other.feed_mode && one.cutter_compensation == other.cutter_compensation &&
+         one.tool_length_active == other.tool_length_active &&
+         one.local_active == other.local_active && one.path_mode == other.path_mode &&
+         one.to_initial_level == other.to_initial_level &&
+         one.surface_speed.active == other.surface_speed.active && one.spindle == other.spindle &&
+         one.mist == other.mist && one.flood == other.flood;
+}
+
+// But for the place, and what lasts for a block or a cycle.
 bool is_same(const parser::ModalState& one, const parser::ModalState& other) {
-  return one.motion == other.motion && one.feed_word == other.feed_word &&
-         one.feedrate_mm_s == other.feedrate_mm_s && one.spindle_speed == other.spindle_speed &&
-         one.tool == other.tool && one.loaded_tool == other.loaded_tool &&
-         one.input == other.input && one.cutter_offset == other.cutter_offset &&
+  return has_same_codes(one, other) && one.feed_word == other.feed_word &&
+         one.feedrate_mm_s == other.feedrate_mm_s &&
+         one.feed_per_revolution_mm == other.feed_per_revolution_mm &&
          one.blend_tolerance_mm == other.blend_tolerance_mm &&
          one.merge_tolerance_mm == other.merge_tolerance_mm &&
-         one.overrides.feed == other.overrides.feed &&
-         one.overrides.speed == other.overrides.speed &&
-         one.overrides.adaptive_feed == other.overrides.adaptive_feed &&
-         one.overrides.feed_hold == other.overrides.feed_hold &&
-         is_same(one.coordinates, other.coordinates) &&
-         parser::codes_in_force(one) == parser::codes_in_force(other);
+         one.spindle_speed == other.spindle_speed &&
+         one.surface_speed.max_per_min == other.surface_speed.max_per_min &&
+         one.tool == other.tool && one.loaded_tool == other.loaded_tool &&
+         one.cutter_offset == other.cutter_offset && one.input == other.input &&
+         one.stored_local_mm == other.stored_local_mm && is_same(one.overrides, other.overrides) &&
+         is_same(one.coordinates, other.coordinates);
 }
 
 }  // namespace
