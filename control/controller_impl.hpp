@@ -88,6 +88,8 @@ class KERF_LOCAL Controller::Impl {
   }
   enum class Runs : std::uint8_t { program, line };
   [[nodiscard]] std::unique_ptr<Kernel> kernel_from_here(Runs what);
+  // Fed and planned.
+  [[nodiscard]] std::unique_ptr<Kernel> kernel_of_line(std::string_view line);
   void start(std::unique_ptr<Kernel> kernel, Runs what);
   // A program runs, or is held while the tool moves by hand.
   [[nodiscard]] bool has_program() const noexcept {
@@ -108,6 +110,7 @@ class KERF_LOCAL Controller::Impl {
   void end_move();
   // The same, and nothing by hand follows.
   void stop_manual();
+  [[nodiscard]] bool renews(const Jog& jog) const noexcept;
   void begin_jog(const Jog& jog, const control::ManualMove& move);
   void queue_jog(const Jog& jog);
   // From where the hold was left. False: the state is another one by now.

@@ -24,33 +24,36 @@ tl::expected<control::ManualMove, std::string_view> Controller::Impl::move_of(
 
 tl::expected<void, Refusal> Controller::Impl::jog(const Jog& jog) {
   follow_manual();
-  auto seen = state_.load();
-  const auto refused = [&](std::string_view why) {
-    return tl::unexpected(Refusal{.state = seen.state(), .command = Command::jog, .reason = why});
-  };
-  if (const Answer answer = answer_to(seen.state(), Command::jog); !answer.is_accepted()) {
-    return refused(answer.refusal);
+  for (auto seen = state_.load();;) {
+    const auto refused = [&](std::string_view why) {
+      return tl::unexpected(Refusal{.state = seen.state(), .command = Command::jog, .reason = why});
+    };
+    if (const Answer answer = answer_to(seen.state(), Command::jog); !answer.is_accepted()) {
+      return refused(answer.refusal);
+    }
+    if (seen.state() == State::jogging && renews(jog)) {
+      manual_.renewed_tick = tick_.load();
+      return {};
+    }
+    const auto move = move_of(jog);
+    if (!move) {
+      return refused(move.error());
+    }
+    if (seen.state() == State::jogging) {
+      queue_jog(jog);
+      return {};
+    }
+    const State before = seen.state();
+    if (change(seen, State::jogging)) {
+      is_suspended_ = before == State::held;
+      begin_jog(jog, *move);
+      return {};
+    }
   }
-  const bool is_again = jog == manual_.jog && !jog.is_step && !manual_.ends && !manual_.next;
-  if (seen.state() == State::jogging && is_again) {
-    manual_.renewed_tick = tick_.load();
-    return {};
-  }
-  const auto move = move_of(jog);
-  if (!move) {
-    return refused(move.error());
-  }
-  if (seen.state() == State::jogging) {
-    queue_jog(jog);
-    return {};
-  }
-  const State before = seen.state();
-  if (!change(seen, State::jogging)) {
-    return this->jog(jog);
-  }
-  is_suspended_ = before == State::held;
-  begin_jog(jog, *move);
-  return {};
+}
+
+bool Controller::Impl::renews(const Jog& jog) const noexcept {
+  return jog == manual_.jog && !jog.is_step && !manual_.ends && !manual_.next;
 }
 
 void Controller::Impl::begin_jog(const Jog& jog, const control::ManualMove& move) {

@@ -11,36 +11,41 @@ using State = ControllerState;
 
 tl::expected<void, Refusal> Controller::Impl::run_mdi(std::string_view line) {
   follow_manual();
-  auto seen = state_.load();
-  const auto refused = [&](std::string_view why) {
-    return tl::unexpected(Refusal{.state = seen.state(), .command = Command::mdi, .reason = why});
-  };
-  if (const Answer answer = answer_to(seen.state(), Command::mdi); !answer.is_accepted()) {
-    return refused(answer.refusal);
+  for (auto seen = state_.load();;) {
+    const auto refused = [&](std::string_view why) {
+      return tl::unexpected(Refusal{.state = seen.state(), .command = Command::mdi, .reason = why});
+    };
+    if (const Answer answer = answer_to(seen.state(), Command::mdi); !answer.is_accepted()) {
+      return refused(answer.refusal);
+    }
+    if (needs_homing()) {
+      return refused(control::kNotHomed);
+    }
+    if (line.find_first_of("\r\n") != std::string_view::npos) {
+      return refused("one line is wanted");
+    }
+    auto kernel = kernel_of_line(line);
+    if (kernel->has_errors()) {
+      kernel_ = std::move(kernel);
+      return tl::unexpected(Refusal{.state = seen.state(),
+                                    .command = Command::mdi,
+                                    .reason = "the line is wrong",
+                                    .of_line = true});
+    }
+    if (change(seen, State::running)) {
+      start(std::move(kernel), Runs::line);
+      return {};
+    }
   }
-  if (needs_homing()) {
-    return refused(control::kNotHomed);
-  }
-  if (line.find_first_of("\r\n") != std::string_view::npos) {
-    return refused("one line is wanted");
-  }
+}
+
+std::unique_ptr<Kernel> Controller::Impl::kernel_of_line(std::string_view line) {
   auto kernel = kernel_from_here(Runs::line);
   kernel->feed(line);
   kernel->feed("\n");
   kernel->finish();
   kernel->plan();
-  if (kernel->has_errors()) {
-    kernel_ = std::move(kernel);
-    return tl::unexpected(Refusal{.state = seen.state(),
-                                  .command = Command::mdi,
-                                  .reason = "the line is wrong",
-                                  .of_line = true});
-  }
-  if (!change(seen, State::running)) {
-    return run_mdi(line);
-  }
-  start(std::move(kernel), Runs::line);
-  return {};
+  return kernel;
 }
 
 // A program behind programs begins as the first one; behind lines, with what they left.

@@ -44,47 +44,60 @@ HomeSearch::Next HomeSearch::next(const Setpoint& at, Move& move) {
   watch_.store({});
   switch (step_) {
     case Step::begin:
-      return is_closed(axis()) ? back_off(Step::clear, at, move) : look_for_it(at, move);
+      return begin_axis(at, move);
     case Step::clear:
       return has_found() ? look_for_it(at, move) : fail("stays closed");
     case Step::search:
       return has_found() ? back_off(Step::back_off, at, move)
                          : fail("did not close within " + text_of(of_axis().travel_mm) + " mm");
-    case Step::back_off: {
-      const double way_mm = std::copysign(of_axis().back_off_mm, of_axis().search_mm_s);
-      return has_found() ? look(Step::latch, true,
-                                {.axis = axis(),
-                                 .to_mm = at.position_mm[axis()] + way_mm,
-                                 .mm_s = of_axis().latch_mm_s},
-                                at.tick, move)
-                         : fail("stays closed");
-    }
+    case Step::back_off:
+      return has_found() ? latch(at, move) : fail("stays closed");
     case Step::latch:
-      if (!has_found()) {
-        return fail("did not close again");
-      }
-      shifted_axis_ = axis();
-      shift_mm_ = of_axis().switch_mm - found_mm_.load(std::memory_order_relaxed);
-      step_ = Step::place;
-      shifts_.store(true, std::memory_order_release);
-      return Next::waits;
+      return has_found() ? give_place() : fail("did not close again");
     case Step::place:
-      if (shifts_.load(std::memory_order_acquire) || at.tick < place_tick_) {
-        return Next::waits;
-      }
-      unhomed_.fetch_and(static_cast<AxisSet>(~bit_of(axis())));
-      step_ = Step::go_home;
-      found_.store(false);
-      move = {.axis = axis(),
-              .to_mm = std::isfinite(of_axis().home_mm) ? of_axis().home_mm : of_axis().switch_mm,
-              .mm_s = std::fabs(of_axis().search_mm_s)};
-      begun_tick_ = at.tick;
-      return Next::moves;
+      return go_home(at, move);
     case Step::go_home:
-      step_ = Step::begin;
-      return ++axes_done_ == order_.size() ? Next::done : next(at, move);
+      return ++axes_done_ == order_.size() ? Next::done : begin_axis(at, move);
   }
   return Next::done;
+}
+
+HomeSearch::Next HomeSearch::begin_axis(const Setpoint& at, Move& move) {
+  return is_closed(axis()) ? back_off(Step::clear, at, move) : look_for_it(at, move);
+}
+
+HomeSearch::Next HomeSearch::latch(const Setpoint& at, Move& move) {
+  const AxisHoming& homing = of_axis();
+  return look(
+      Step::latch, true,
+      {.axis = axis(),
+       .to_mm = at.position_mm[axis()] + std::copysign(homing.back_off_mm, homing.search_mm_s),
+       .mm_s = homing.latch_mm_s},
+      at.tick, move);
+}
+
+HomeSearch::Next HomeSearch::give_place() {
+  shifted_axis_ = axis();
+  shift_mm_ = of_axis().switch_mm - found_mm_.load(std::memory_order_relaxed);
+  step_ = Step::place;
+  shifts_.store(true, std::memory_order_release);
+  return Next::waits;
+}
+
+// Once the tick side has taken the place.
+HomeSearch::Next HomeSearch::go_home(const Setpoint& at, Move& move) {
+  if (shifts_.load(std::memory_order_acquire) || at.tick < place_tick_) {
+    return Next::waits;
+  }
+  const AxisHoming& homing = of_axis();
+  unhomed_.fetch_and(static_cast<AxisSet>(~bit_of(axis())));
+  step_ = Step::go_home;
+  found_.store(false);
+  begun_tick_ = at.tick;
+  move = {.axis = axis(),
+          .to_mm = std::isfinite(homing.home_mm) ? homing.home_mm : homing.switch_mm,
+          .mm_s = std::fabs(homing.search_mm_s)};
+  return Next::moves;
 }
 
 HomeSearch::Next HomeSearch::look_for_it(const Setpoint& at, Move& move) {
@@ -114,7 +127,7 @@ HomeSearch::Next HomeSearch::look(Step step, bool closed, const Move& move, std:
   begun_tick_ = tick;
   closed_at_begin_ = closed_.load();
   found_.store(false);
-  watch_.store({.axis = static_cast<std::int8_t>(axis()), .closed = closed});
+  watch_.store({.axis = static_cast<std::uint8_t>(axis()), .closed = closed});
   return Next::moves;
 }
 
@@ -147,12 +160,11 @@ std::string HomeSearch::of_switch(const std::string& what) const {
 void HomeSearch::see(AxisSet closed, const Setpoint& last) noexcept {
   closed_.store(closed, std::memory_order_relaxed);
   const Watch watch = watch_.load();
-  if (watch.axis < 0 || found_.load(std::memory_order_relaxed)) {
+  if (watch.axis == Watch::kNone || found_.load(std::memory_order_relaxed)) {
     return;
   }
-  const auto axis = static_cast<std::size_t>(watch.axis);
-  if ((((closed >> axis) & 1U) != 0) == watch.closed) {
-    found_mm_.store(last.position_mm[axis], std::memory_order_relaxed);
+  if ((((closed >> watch.axis) & 1U) != 0) == watch.closed) {
+    found_mm_.store(last.position_mm[watch.axis], std::memory_order_relaxed);
     found_.store(true, std::memory_order_release);
   }
 }

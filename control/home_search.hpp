@@ -61,8 +61,12 @@ class HomeSearch {
   }
   // Until the switch is closed, or open.
   Next look(Step step, bool closed, const Move& move, std::int64_t tick, Move& out);
+  Next begin_axis(const Setpoint& at, Move& move);
   Next look_for_it(const Setpoint& at, Move& move);
   Next back_off(Step step, const Setpoint& at, Move& move);
+  Next latch(const Setpoint& at, Move& move);
+  Next give_place();
+  Next go_home(const Setpoint& at, Move& move);
   Next fail(const std::string& what);
   [[nodiscard]] std::string of_switch(const std::string& what) const;
 
@@ -78,7 +82,8 @@ class HomeSearch {
   std::string failure_;
   // Between the sides.
   struct Watch {
-    std::int8_t axis = -1;  // none
+    static constexpr std::uint8_t kNone = 0xff;
+    std::uint8_t axis = kNone;
     bool closed = false;
   };
   std::atomic<Watch> watch_{};

@@ -62,18 +62,47 @@ double length_of(const AxisValues& way) {
                          : kDegrees * norm(all.subspan(kLinear, kTurning));
 }
 
-// The end of the travel in that direction.
-double end_of(std::size_t axis, bool above, const MachineSettings& settings) {
+bool is_in(AxisSet axes, std::size_t axis) {
+  return ((axes >> axis) & 1U) != 0;
+}
+
+Travel travel_of(std::size_t axis, const MachineSettings& settings) {
   if (axis < kLinear) {
-    const Travel& travel = settings.table.axes[axis].travel;
-    return above ? travel.max_mm : travel.min_mm;
+    return settings.table.axes[axis].travel;
   }
   const AuxiliaryTravel& travel = settings.table.extra[axis - kLinear];
-  return above ? travel.max_rad_mm : travel.min_rad_mm;
+  return {.min_mm = travel.min_rad_mm, .max_mm = travel.max_rad_mm};
+}
+
+// Of the travel, in that direction.
+double end_of(std::size_t axis, bool above, AxisSet unhomed, const MachineSettings& settings) {
+  const Travel travel = is_in(unhomed, axis) ? Travel{} : travel_of(axis, settings);
+  return above ? std::min(travel.max_mm, kFarthest) : std::max(travel.min_mm, -kFarthest);
+}
+
+// Empty: the axes may move so.
+std::string_view refusal_of(const AxisValues& way, double step_mm_s, AxisSet unhomed,
+                            const MachineSettings& settings) {
+  const auto is_number = [](double value) { return std::isfinite(value); };
+  if (!std::ranges::all_of(way, is_number) || !is_number(length_of(way)) || !(step_mm_s > 0.0)) {
+    return "a value is out of its range";
+  }
+  if (length_of(way) == 0.0) {
+    return "no axis is to move";
+  }
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (way[axis] != 0.0 && !has_axis(axis, settings)) {
+      return "the machine has no such axis";
+    }
+    if (way[axis] != 0.0 && is_in(unhomed, axis) && settings.manual.unhomed_jog_mm_s == 0.0) {
+      return kNotHomed;
+    }
+  }
+  return {};
 }
 
 // Without an exponent, which G-code does not have, and exact.
-void append_word(char letter, double value, std::string& text) {
+void append_word(char letter, std::string& text, double value) {
   std::array<char, 512> digits{};  // a double has less than 400
   const auto end =
       std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
@@ -90,7 +119,7 @@ std::string program_of(const ManualMove& move, const AxisTargets& from) {
   bool moves = false;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (to[axis] != begin[axis]) {
-      append_word(kLetters[axis], to[axis] * (turns(axis) ? kDegrees : 1.0), text);
+      append_word(kLetters[axis], text, to[axis] * (turns(axis) ? kDegrees : 1.0));
       moves = true;
     }
   }
@@ -98,7 +127,7 @@ std::string program_of(const ManualMove& move, const AxisTargets& from) {
     return "G90\n";
   }
   if (move.mm_s != kUnbounded) {
-    append_word('F', kPerMinute * move.mm_s, text);
+    append_word('F', text, kPerMinute * move.mm_s);
   }
   return text + "\n";
 }
@@ -113,34 +142,21 @@ tl::expected<ManualMove, std::string_view> move_of(const Jog& jog, const Setpoin
                                                    AxisSet unhomed,
                                                    const MachineSettings& settings) {
   const AxisValues way = values_of({.mm = jog.mm, .extra_rad_mm = jog.extra_rad_mm});
-  const double length = length_of(way);
-  const auto is_number = [](double value) { return std::isfinite(value); };
-  if (!std::ranges::all_of(way, is_number) || !std::isfinite(length) || !(jog.step_mm_s > 0.0)) {
-    return tl::unexpected(std::string_view("a value is out of its range"));
-  }
-  if (length == 0.0) {
-    return tl::unexpected(std::string_view("no axis is to move"));
+  if (const std::string_view why = refusal_of(way, jog.step_mm_s, unhomed, settings);
+      !why.empty()) {
+    return tl::unexpected(why);
   }
   const AxisValues from = values_of(place_of(at));
   AxisValues ends{};
   double share = jog.is_step ? 1.0 : kUnbounded;  // of the way
   double fastest = settings.manual.jog_mm_s;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (way[axis] == 0.0) {
-      continue;
+    if (way[axis] != 0.0) {
+      ends[axis] = end_of(axis, way[axis] > 0.0, unhomed, settings);
+      share = std::min(share, (ends[axis] - from[axis]) / way[axis]);
+      fastest =
+          is_in(unhomed, axis) ? std::min(fastest, settings.manual.unhomed_jog_mm_s) : fastest;
     }
-    if (!has_axis(axis, settings)) {
-      return tl::unexpected(std::string_view("the machine has no such axis"));
-    }
-    const bool is_homed = ((unhomed >> axis) & 1U) == 0;
-    if (!is_homed && settings.manual.unhomed_jog_mm_s == 0.0) {
-      return tl::unexpected(kNotHomed);
-    }
-    fastest = is_homed ? fastest : std::min(fastest, settings.manual.unhomed_jog_mm_s);
-    const bool above = way[axis] > 0.0;
-    const double end = is_homed ? end_of(axis, above, settings) : kUnbounded;
-    ends[axis] = std::isfinite(end) ? end : (above ? kFarthest : -kFarthest);
-    share = std::min(share, (ends[axis] - from[axis]) / way[axis]);
   }
   if (!(share > 0.0)) {
     return tl::unexpected(std::string_view("an axis is at the end of its travel"));
@@ -153,7 +169,7 @@ tl::expected<ManualMove, std::string_view> move_of(const Jog& jog, const Setpoin
     }
   }
   return ManualMove{.to = targets_of(to),
-                    .mm_s = std::min(fastest, jog.is_step ? jog.step_mm_s : length)};
+                    .mm_s = std::min(fastest, jog.is_step ? jog.step_mm_s : length_of(way))};
 }
 
 std::unique_ptr<Kernel> kernel_of(const ManualMove& move, const Setpoint& at,
