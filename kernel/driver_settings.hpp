@@ -9,10 +9,12 @@
 
 namespace kerf {
 
-inline constexpr std::array<std::string_view, 1> kDriverNames{"simulated"};
+inline constexpr std::array<std::string_view, 2> kDriverNames{"simulated", "loopback"};
 
 struct DriverSettings {
   std::string name{kDriverNames.front()};
+  std::string socket{};    // of loopback: the path of the one at which the machine listens
+  double timeout_s = 0.1;  // of loopback: by which an answer must have come
   std::optional<int> max_late_periods{};  // a tick that is later stops the program on the path
 };
 

@@ -9,8 +9,10 @@ namespace kerf {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> kDriverKeys{"name", "max_late_periods"};
+constexpr std::array<std::string_view, 4> kDriverKeys{"name", "socket", "timeout_s",
+                                                      "max_late_periods"};
 constexpr NumberRule kMaxLatePeriods{"max_late_periods", 1.0, 100'000.0, nullptr};
+constexpr NumberRule kTimeout{"timeout_s", 1e-4, 10.0, nullptr};
 
 std::string known_drivers() {
   std::string names;
@@ -29,6 +31,15 @@ void MachineFileReader::read_driver(const Section& section) {
       driver_.max_late_periods = static_cast<int>(*number);
     }
   }
+  if (const toml::node* const timeout = section.table->get(kTimeout.key)) {
+    driver_.timeout_s = read_number(section, kTimeout, *timeout).value_or(driver_.timeout_s);
+  }
+  if (const toml::node* const socket = section.table->get("socket")) {
+    driver_.socket = socket->value_exact<std::string>().value_or("");
+    if (driver_.socket.empty()) {
+      report(socket->source(), section.path_to("socket") + ": expected the path of a socket");
+    }
+  }
   const toml::node* const node = section.table->get("name");
   if (node == nullptr) {
     return;
@@ -36,6 +47,9 @@ void MachineFileReader::read_driver(const Section& section) {
   const std::optional<std::string> name = node->value_exact<std::string>();
   if (name && std::find(kDriverNames.begin(), kDriverNames.end(), *name) != kDriverNames.end()) {
     driver_.name = *name;
+    if (*name == "loopback" && !section.table->contains("socket")) {
+      report(node->source(), section.path_to("name") + ": the driver loopback needs a socket");
+    }
     return;
   }
   report(node->source(), section.path_to("name") + ": found " +

@@ -34,8 +34,11 @@ enum class DriveFault : std::uint8_t {
   following_error,  // an axis fell too far behind
   not_finite,       // a setpoint or an encoder that is not a number
   another_run,      // a record that is replayed is told something else than what it holds
+  no_answer,        // a machine in another process does not answer in time
+  bad_answer,       // it answers what is no frame, or none that was asked for
+  connection_lost,  // it is gone
 };
-inline constexpr DriveFault kLastDriveFault = DriveFault::another_run;
+inline constexpr DriveFault kLastDriveFault = DriveFault::connection_lost;
 
 enum class AxisState : std::uint8_t {
   off,
@@ -52,8 +55,8 @@ struct MachineState {
                                      // spindle and coolant are off
   MachineInputs inputs{};
   std::array<AxisState, kAllAxes> axes{};
-  DriveFault fault = DriveFault::none;
-  std::int8_t fault_axis = -1;  // x, y, z, a, b, c, u, v, w; -1 where no axis is to blame
+  DriveFault fault = DriveFault::none;  // while axes are on: bring them to rest with setpoints
+  std::int8_t fault_axis = -1;          // x, y, z, a, b, c, u, v, w; -1 where no axis is to blame
 };
 
 // Called from the tick: no member allocates, locks, logs or throws, and none waits.
@@ -72,7 +75,8 @@ class Machine {
   virtual void disable() noexcept = 0;
   // Takes the setpoint of the next tick; one call is one period of time. A setpoint that is not
   // finite or outside the travel is refused with its fault. After a fault setpoints are ignored
-  // and all axes come to rest together, until enable().
+  // and all axes come to rest together, until enable(). A machine that can still follow may leave
+  // its axes on in a fault: then setpoints count, and bring it to rest on the path.
   virtual void write(const Setpoint& setpoint) noexcept = 0;
   // As of the last of these calls.
   [[nodiscard]] virtual MachineState read() const noexcept = 0;

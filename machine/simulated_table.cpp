@@ -2,52 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace kerf::machine {
 namespace {
-
-// The place of the first coordinate that is not finite.
-template <std::size_t kCount>
-std::optional<std::int8_t> not_finite_axis(const std::array<double, kCount>& position) {
-  for (std::size_t axis = 0; axis < kCount; ++axis) {
-    if (!std::isfinite(position[axis])) {
-      return static_cast<std::int8_t>(axis);
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<std::int8_t> not_finite_axis(const AxisPlaces& places) {
-  if (const auto axis = not_finite_axis(places.mm)) {
-    return axis;
-  }
-  const auto extra = not_finite_axis(places.extra_rad_mm);
-  return extra ? std::optional(static_cast<std::int8_t>(3 + *extra)) : std::nullopt;
-}
-
-std::optional<std::int8_t> not_finite_axis(const Setpoint& setpoint) {
-  for (const Position* vector : {&setpoint.velocity_mm_s, &setpoint.acceleration_mm_s2}) {
-    if (const auto axis = not_finite_axis(*vector)) {
-      return axis;
-    }
-  }
-  if (const auto axis = not_finite_axis(
-          AxisPlaces{.mm = setpoint.position_mm, .extra_rad_mm = setpoint.extra_rad_mm})) {
-    return axis;
-  }
-  const bool finite = std::isfinite(setpoint.s_mm) && std::isfinite(setpoint.v_mm_s) &&
-                      std::isfinite(setpoint.a_mm_s2) && std::isfinite(setpoint.j_mm_s3);
-  return finite ? std::nullopt : std::optional<std::int8_t>(std::int8_t{-1});
-}
-
-Envelope bounded(Envelope envelope) {
-  for (Travel& travel : envelope) {
-    travel.min_mm = std::max(travel.min_mm, -SimulatedTable::kFarthestMm);
-    travel.max_mm = std::min(travel.max_mm, SimulatedTable::kFarthestMm);
-  }
-  return envelope;
-}
 
 TableSettings valid_or_default(const TableSettings& settings) {
   return is_valid(settings) ? settings : TableSettings{};
@@ -81,7 +38,7 @@ bool is_valid(const TableSettings& settings) noexcept {
 
 SimulatedTable::SimulatedTable(const TableSettings& settings) noexcept
     : settings_(valid_or_default(settings)),
-      envelope_(bounded(envelope_of(settings_))),
+      gate_(settings_),
       axes_{AxisModel(settings_.axes[0], settings_.period_s),
             AxisModel(settings_.axes[1], settings_.period_s),
             AxisModel(settings_.axes[2], settings_.period_s)},
@@ -91,9 +48,9 @@ void SimulatedTable::enable(const AxisPlaces& places) noexcept {
   if (!valid_) {
     return;
   }
-  if (const auto axis = not_finite_axis(places)) {
+  if (const auto refusal = SetpointGate::refusal(places)) {
     state_.fault = DriveFault::none;
-    fault(DriveFault::not_finite, *axis);
+    fault(refusal->why, refusal->axis);
     return;
   }
   commanded_mm_ = places.mm;
@@ -141,19 +98,11 @@ void SimulatedTable::fail_encoder(std::size_t axis, EncoderFailure failure) noex
 }
 
 bool SimulatedTable::accepts(const Setpoint& setpoint) noexcept {
-  if (const auto axis = not_finite_axis(setpoint)) {
-    fault(DriveFault::not_finite, *axis);
-    return false;
+  const auto refusal = gate_.refusal(setpoint);
+  if (refusal) {
+    fault(refusal->why, refusal->axis);
   }
-  if (const auto excess = outside_travel(envelope_, setpoint.position_mm)) {
-    fault(DriveFault::soft_limit, excess->axis);
-    return false;
-  }
-  if (const auto excess = outside_travel(settings_.extra, setpoint.extra_rad_mm)) {
-    fault(DriveFault::soft_limit, excess->axis);
-    return false;
-  }
-  return true;
+  return !refusal;
 }
 
 void SimulatedTable::observe() noexcept {

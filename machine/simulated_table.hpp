@@ -7,9 +7,9 @@
 #include <kerf/machine.hpp>
 
 #include "machine/axis_model.hpp"
-#include "machine/envelope.hpp"
 #include "machine/machine.hpp"
 #include "machine/path_history.hpp"
+#include "machine/setpoint_gate.hpp"
 
 namespace kerf::machine {
 
@@ -29,9 +29,6 @@ namespace kerf::machine {
 // travel is checked.
 class SimulatedTable final : public Machine {
  public:
-  // Setpoints beyond this are a soft limit on a table without travel, too: 10 km.
-  static constexpr double kFarthestMm = 1e7;
-
   // A table whose settings are not valid (is_valid) stays in the fault not_enabled.
   explicit SimulatedTable(const TableSettings& settings) noexcept;
 
@@ -50,7 +47,7 @@ class SimulatedTable final : public Machine {
   void fault(DriveFault kind, std::int8_t axis) noexcept;
 
   TableSettings settings_;
-  Envelope envelope_;
+  SetpointGate gate_;
   std::array<AxisModel, 3> axes_;
   PathHistory path_;
   Position commanded_mm_{};

@@ -281,8 +281,12 @@ TEST(MachineFileErrors, NamesWhatIsWrongWithInputs) {
 
 TEST(MachineFileErrors, NamesTheDriversThereAre) {
   EXPECT_EQ(errors_of(kBounded + "[driver]\nname = 'ethercat'\n"),
-            (Lines{"m.toml:6:8: error: driver.name: found 'ethercat', expected 'simulated'"}));
+            (Lines{"m.toml:6:8: error: driver.name: found 'ethercat', expected 'simulated' or "
+                   "'loopback'"}));
   EXPECT_EQ(errors_of(kBounded + "[driver]\nname = 3\n").size(), 1U);
+  EXPECT_EQ(errors_of(kBounded + "[driver]\nname = 'loopback'\n"),
+            (Lines{"m.toml:6:8: error: driver.name: the driver loopback needs a socket"}));
+  EXPECT_EQ(errors_of(kBounded + "[driver]\nsocket = 7\ntimeout_s = 0\n").size(), 2U);
 }
 
 TEST(MachineFileErrors, NamesWhatIsWrongWithTools) {

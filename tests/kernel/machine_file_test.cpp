@@ -196,6 +196,11 @@ TEST(MachineFile, NamesTheDriver) {
   EXPECT_EQ(kerf::driver_of_machine_file(kBounded).name, "simulated");
   EXPECT_EQ(kerf::driver_of_machine_file(kBounded + "[driver]\nname = 'simulated'\n").name,
             "simulated");
+  const auto loopback = kerf::driver_of_machine_file(
+      kBounded + "[driver]\nname = 'loopback'\nsocket = '/run/m.sock'\ntimeout_s = 0.05\n");
+  EXPECT_EQ(loopback.name, "loopback");
+  EXPECT_EQ(loopback.socket, "/run/m.sock");
+  EXPECT_EQ(loopback.timeout_s, 0.05);
   EXPECT_FALSE(parse_machine_file(kBounded + "[driver]\nnames = 'simulated'\n"));
 }
 

@@ -1,6 +1,7 @@
 #include "programs/kerf/driver/driver.hpp"
 
 #include "machine/simulated_table.hpp"
+#include "programs/kerf/driver/loopback_machine.hpp"
 
 namespace kerf::program {
 
@@ -11,6 +12,15 @@ using Made = tl::expected<std::unique_ptr<machine::Machine>, std::string>;
 Made named_machine(const DriverOrder& order) {
   if (order.driver.name == "simulated") {
     return std::make_unique<machine::SimulatedTable>(order.settings.table);
+  }
+  if (order.driver.name == "loopback") {
+    if (order.driver.socket.empty()) {
+      return tl::unexpected(
+          std::string("the driver loopback needs a socket in [driver] of the machine file"));
+    }
+    return LoopbackMachine::open({.socket = order.driver.socket,
+                                  .timeout_s = order.driver.timeout_s,
+                                  .table = order.settings.table});
   }
   return tl::unexpected("there is no driver '" + order.driver.name + "'");
 }

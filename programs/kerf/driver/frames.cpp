@@ -15,7 +15,6 @@ static_assert(std::endian::native == std::endian::little, "frames are little-end
 
 constexpr std::uint32_t kToldMark = 0x4454'464B;    // "KFTD"
 constexpr std::uint32_t kAnswerMark = 0x4E41'464B;  // "KFAN"
-constexpr std::uint32_t kVersion = 1;
 constexpr std::size_t kChecksumBytes = 4;
 
 // Writing and reading are one walk over the fields (walk), with one of these.
@@ -171,7 +170,7 @@ bool is_sealed(std::span<const std::byte> bytes, std::uint32_t mark, std::size_t
   std::uint32_t sum = 0;
   std::memcpy(head.data(), bytes.data(), sizeof head);
   std::memcpy(&sum, bytes.data() + size - kChecksumBytes, sizeof sum);
-  return head[0] == mark && head[1] == kVersion &&
+  return head[0] == mark && head[1] == kFrameVersion &&
          sum == checksum(bytes.first(size - kChecksumBytes));
 }
 
@@ -181,7 +180,7 @@ ToldBytes to_bytes(const ToldFrame& frame) noexcept {
   ToldBytes bytes{};
   FrameWriter fields(bytes);
   fields(kToldMark);
-  fields(kVersion);
+  fields(kFrameVersion);
   walk(fields, frame.setpoint);
   fields(frame.call, MachineCall::disable);
   seal(bytes);
@@ -192,7 +191,7 @@ AnswerBytes to_bytes(const AnswerFrame& frame) noexcept {
   AnswerBytes bytes{};
   FrameWriter fields(bytes);
   fields(kAnswerMark);
-  fields(kVersion);
+  fields(kFrameVersion);
   fields(frame.tick);
   walk_state(fields, frame.state);
   seal(bytes);

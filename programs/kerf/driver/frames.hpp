@@ -20,11 +20,17 @@ struct ToldFrame {
   Setpoint setpoint{};
 };
 
+[[nodiscard]] inline ToldFrame told_places(const machine::AxisPlaces& places) noexcept {
+  return {.call = MachineCall::enable,
+          .setpoint = {.position_mm = places.mm, .extra_rad_mm = places.extra_rad_mm}};
+}
+
 struct AnswerFrame {
   std::int64_t tick = 0;  // that it answers
   machine::MachineState state{};
 };
 
+inline constexpr std::uint32_t kFrameVersion = 1;
 inline constexpr std::size_t kToldBytes = 320;
 inline constexpr std::size_t kAnswerBytes = 360;
 using ToldBytes = std::array<std::byte, kToldBytes>;

@@ -2,19 +2,9 @@
 
 namespace kerf::program {
 
-using machine::AxisPlaces;
 using machine::DriveFault;
 
-namespace {
-
-ToldFrame told_places(const AxisPlaces& places) noexcept {
-  return {.call = MachineCall::enable,
-          .setpoint = {.position_mm = places.mm, .extra_rad_mm = places.extra_rad_mm}};
-}
-
-}  // namespace
-
-void RecordingMachine::enable(const AxisPlaces& places) noexcept {
+void RecordingMachine::enable(const machine::AxisPlaces& places) noexcept {
   inner_->enable(places);
   keep(told_places(places));
 }
@@ -35,7 +25,7 @@ void RecordingMachine::keep(const ToldFrame& told) noexcept {
        .answer = to_bytes(AnswerFrame{.tick = told.setpoint.tick, .state = inner_->read()})});
 }
 
-void ReplayingMachine::enable(const AxisPlaces& places) noexcept {
+void ReplayingMachine::enable(const machine::AxisPlaces& places) noexcept {
   follow(told_places(places));
 }
 

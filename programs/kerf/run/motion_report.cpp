@@ -74,6 +74,15 @@ std::string describe(const MachineFault& fault, double period_s) {
     case machine::DriveFault::another_run:
       what = "the run is another one than that of the record";
       break;
+    case machine::DriveFault::no_answer:
+      what = "the machine does not answer in time";
+      break;
+    case machine::DriveFault::bad_answer:
+      what = "the machine answers what is no answer";
+      break;
+    case machine::DriveFault::connection_lost:
+      what = "the machine is gone";
+      break;
     case machine::DriveFault::none:
     case machine::DriveFault::not_enabled:
       what = "drives not enabled";

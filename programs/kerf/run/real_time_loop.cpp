@@ -122,7 +122,7 @@ class Ticks {
             TickGap{.duration_s = timer.delay_s(), .line = record_.line, .tick = record_.tick};
         planning.stop();
       }
-      is_over = tick(recorder);
+      is_over = tick(recorder, planning);
       outcome_.tick_times.add(TickTimer::now_ns() - begin_ns);
       if (planning.failed()) {
         planning.rethrow();
@@ -135,7 +135,7 @@ class Ticks {
 
  private:
   // True: it was the last one.
-  bool tick(RecorderThread& recorder) noexcept {
+  bool tick(RecorderThread& recorder, PlanningThread& planning) noexcept {
     Controller& controller = order_.controller;
     if (emergency_stop_requested()) {
       controller.emergency_stop();
@@ -151,7 +151,11 @@ class Ticks {
     stage_.progress.set_done(record_.motion.s_mm);
     judge_.count(is_starved(controller), outcome_);
     if (stage_.ticks.fault().kind != machine::DriveFault::none) {
-      controller.fail();
+      if (stage_.ticks.follows()) {
+        planning.stop();
+      } else {
+        controller.fail();
+      }
     }
     return (is_over(state, order_) && aftermath_.is_over(stage_.ticks)) || outcome_.hung;
   }

@@ -49,15 +49,18 @@ class TickStage {
   // As of the latest tick.
   [[nodiscard]] const machine::MachineInputs& inputs() const noexcept { return state_.inputs; }
   // Axes are coming to rest because of a fault.
-  [[nodiscard]] bool is_stopping() const noexcept {
-    return std::find(state_.axes.begin(), state_.axes.end(), machine::AxisState::stopping) !=
-           state_.axes.end();
-  }
+  [[nodiscard]] bool is_stopping() const noexcept { return has(machine::AxisState::stopping); }
+  // Setpoints count.
+  [[nodiscard]] bool follows() const noexcept { return has(machine::AxisState::on); }
   [[nodiscard]] const RunStatistics& statistics() const noexcept { return statistics_; }
   [[nodiscard]] TimeSplit time_split() const noexcept { return time_.split(); }
   [[nodiscard]] const MachineFault& fault() const noexcept { return fault_; }
 
  private:
+  [[nodiscard]] bool has(machine::AxisState wanted) const noexcept {
+    return std::find(state_.axes.begin(), state_.axes.end(), wanted) != state_.axes.end();
+  }
+
   machine::Machine* machine_;
   machine::MachineState state_{};
   RunStatistics statistics_;

@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""The example's machine, which misbehaves from its Nth frame on: loopback_misbehaviour.py SOURCE_DIR SOCKET HOW [N [SECONDS]]"""
+import os
+import sys
+import time
+
+SOURCE, SOCKET, HOW = sys.argv[1:4]
+FROM = int(sys.argv[4]) if len(sys.argv) > 4 else 0
+AT_REST_MM = 1e-3  # a period, of an axis that lags; the program moves by 0.02
+DELAY_S = float(sys.argv[5]) if len(sys.argv) > 5 else 0.0
+sys.path.insert(0, f"{SOURCE}/examples")
+from loopback_machine import DISABLE, FOLLOWING_ERROR, Machine, TOLD_BYTES, Told, listen  # noqa: E402
+
+
+def spoilt(answer, number):
+    """What is sent in place of this answer; once, where the name does not say for ever."""
+    if HOW == "garbage_for_ever":
+        return b"\xff" * 360
+    if HOW == "version_at_once":
+        return answer[:4] + b"\x02" + answer[5:]
+    if number != FROM:
+        return answer
+    return {"garbage": os.urandom(200), "torn": answer[:100], "version": answer[:4] + b"\x02" + answer[5:],
+            "another_tick": answer_of_another_tick(), "nothing_but_zeros": bytes(360)}.get(HOW, answer)
+
+
+def answer_of_another_tick():
+    return Machine().answer(10 ** 12)
+
+
+def main():
+    machine, number, held = Machine(), 0, []
+    last = None
+    with listen(SOCKET) as listener:
+        connection, _ = listener.accept()
+        if HOW == "gone_at_once":
+            return
+        try:
+            while frame := connection.recv(TOLD_BYTES + 1):
+                told = Told(frame)
+                machine.take(told)
+                last = told.call
+                if HOW == "silent":
+                    continue
+                if HOW == "trip" and number == FROM:
+                    machine.stop(FOLLOWING_ERROR, 1)
+                answer = machine.answer(told.tick)
+                if HOW == "late" and number >= FROM:
+                    held.append((time.monotonic() + DELAY_S, answer))
+                    while held and held[0][0] <= time.monotonic():
+                        connection.send(held.pop(0)[1])
+                elif number < FROM or HOW in ("late", "trip", "well"):
+                    connection.send(answer)
+                else:
+                    connection.send(spoilt(answer, number))
+                number += 1
+        except (BrokenPipeError, ConnectionResetError):
+            pass
+    print("told to be off" if last == DISABLE else "hung up on", "at rest" if max(map(abs, machine.speeds)) < AT_REST_MM else "moving")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+"""kerf and the machine in two processes, and what becomes of it when one of them fails: TEST.py KERF SOURCE_DIR [NAME...]"""
+import csv
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "program"))
+from command_line import Case, KERF, SOURCE, main  # noqa: E402
+
+MISBEHAVIOUR = f"{pathlib.Path(__file__).resolve().parent}/loopback_misbehaviour.py"
+WAY = "G21 G90 G61\nF1200\nG1 X200\nM30\n"  # 10 s
+MACHINE = """[path]
+max_velocity_mm_s = 100
+max_acceleration_mm_s2 = 1000
+max_jerk_mm_s3 = 20000
+[driver]
+name = "loopback"
+timeout_s = {timeout_s}
+socket = "{socket}"
+"""
+TIMEOUT_S = 0.2  # as long as it may be: the computer of a test is busy
+
+
+class Loopback(Case):
+    def start_machine(self, *how):
+        self.socket = self.path("m.sock")
+        pathlib.Path(self.socket).unlink(missing_ok=True)
+        machine = subprocess.Popen([sys.executable, "-B", MISBEHAVIOUR, SOURCE, self.socket, *how], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(machine.kill)
+        deadline = time.monotonic() + 60
+        while not os.path.exists(self.socket):
+            self.assertIsNone(machine.poll())
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+        self.file = self.path("machine.toml", MACHINE.format(timeout_s=TIMEOUT_S, socket=self.socket))
+        return machine
+
+    def start_kerf(self, program=WAY):
+        kerf = subprocess.Popen([KERF, "run", self.path("way.ngc", program), "--machine", self.file, "--trace", self.path("t.csv")],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(kerf.kill)
+        return kerf
+
+    def run_with(self, *how):
+        machine = self.start_machine(*how)
+        kerf = self.start_kerf()
+        _, err = kerf.communicate(timeout=120)
+        out, _ = machine.communicate(timeout=60)
+        return kerf.returncode, err, out
+
+    def rows(self):
+        with open(self.path("t.csv")) as file:
+            return [(float(row["t_s"]), float(row["x_mm"])) for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+
+    def assert_stopped_on_the_path(self):
+        x = [x for _, x in self.rows()]
+        self.assertLess(x[-1], 199.0)
+        self.assertLess(abs(x[-1] - x[-2]), 1e-6)
+        steps = [b - a for a, b in zip(x, x[1:])]
+        self.assertLessEqual(max(steps), 20.0 * 0.001 * 1.0001)
+        self.assertLessEqual(max(abs(b - a) for a, b in zip(steps, steps[1:])), 1000 * 1e-6 * 1.01)
+
+    def test_a_run_over_the_socket_is_recorded_and_repeated_bit_for_bit(self):
+        machine = self.start_machine("well")
+        first, again = self.path("first.rec"), self.path("again.rec")
+        circle = f"{SOURCE}/programs/circle.ngc"
+        done = self.kerf("run", "-q", circle, "--machine", self.file, "--record", first, "--trace", self.path("t.csv"))
+        self.assertEqual(done.stderr, "")
+        self.assertEqual(machine.wait(timeout=60), 0)
+        self.kerf("run", "-q", circle, "--machine", self.file, "--replay", first, "--record", again)
+        self.assertEqual(pathlib.Path(first).read_bytes(), pathlib.Path(again).read_bytes())
+        # What the machine was told are the ticks of a dry run, to the last bit.
+        self.kerf("dry-run", "-q", circle, "--machine", self.file, "--trace", self.path("d.csv"))
+        told = [[line.split(",")[:4] for line in pathlib.Path(self.path(name)).read_text().splitlines()] for name in ("t.csv", "d.csv")]
+        self.assertEqual(told[0], told[1])
+
+    def test_row_70_a_machine_that_is_killed_is_a_fault(self):
+        machine = self.start_machine("well")
+        kerf = self.start_kerf()
+        time.sleep(1.5)
+        machine.kill()
+        killed = time.monotonic()
+        _, err = kerf.communicate(timeout=60)
+        self.assertEqual(kerf.returncode, 4, err)
+        self.assertIn("machine fault: the machine is gone, in line 3", err)
+        self.assertLess(time.monotonic() - killed, 30)
+
+    def test_row_70_a_machine_that_is_stopped_is_a_fault_within_its_time_out(self):
+        machine = self.start_machine("well")
+        kerf = self.start_kerf()
+        time.sleep(1.5)
+        machine.send_signal(signal.SIGSTOP)
+        _, err = kerf.communicate(timeout=60)
+        machine.send_signal(signal.SIGCONT)
+        self.assertEqual(kerf.returncode, 4, err)
+        self.assertIn("machine fault: the machine does not answer in time, in line 3", err)
+        out, _ = machine.communicate(timeout=60)
+        self.assertRegex(out, "told to be off|hung up on")  # when it wakes up
+
+    def test_row_70_a_machine_that_is_late_is_a_fault_and_the_motion_stops_on_the_path(self):
+        status, err, out = self.run_with("late", "1500", str(1.5 * TIMEOUT_S))
+        self.assertEqual(status, 4, err)
+        self.assertIn("machine fault: the machine does not answer in time, in line 3", err)
+        self.assert_stopped_on_the_path()
+        self.assertIn("at rest", out)
+
+    def test_row_71_garbage_is_a_fault_and_the_motion_stops_on_the_path(self):
+        for what in ("garbage", "torn", "version", "another_tick", "nothing_but_zeros"):
+            with self.subTest(what=what):
+                status, err, out = self.run_with(what, "1500")
+                self.assertEqual(status, 4, err)
+                self.assertIn("machine fault: the machine answers what is no answer, in line 3", err)
+                self.assert_stopped_on_the_path()
+                self.assertIn("at rest", out)
+
+    def test_row_71_a_machine_that_answers_with_nothing_but_garbage_is_given_up(self):
+        status, err, _ = self.run_with("garbage_for_ever", "1500")
+        self.assertEqual(status, 4, err)
+        self.assertIn("machine fault: the machine answers what is no answer", err)
+
+    def test_row_69_a_drive_of_it_that_trips_is_the_runs_fault(self):
+        status, err, out = self.run_with("trip", "1500")
+        self.assertEqual(status, 4, err)
+        self.assertIn("machine fault: following error of axis y too large, in line 3", err)
+        self.assertIn("at rest", out)
+
+    def test_what_does_not_listen_or_speaks_otherwise_is_refused_before_anything_moves(self):
+        for how, why in (("version_at_once", "no answer of version 1"), ("silent", "does not answer within 1 s"), ("gone_at_once", "hangs up")):
+            with self.subTest(how=how):
+                status, err, _ = self.run_with(how)
+                self.assertEqual(status, 5, err)
+                self.assertIn(why, err)
+                self.assertFalse(os.path.exists(self.path("t.csv")))
+        os.unlink(self.socket)
+        self.assertIn("No such file", self.kerf("run", self.path("way.ngc"), "--machine", self.file, status=5).stderr)
+        self.assertIn("needs a socket", self.kerf("run", self.path("way.ngc"), "--driver", "loopback", status=5).stderr)
+
+
+if __name__ == "__main__":
+    main()
