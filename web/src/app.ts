@@ -2,14 +2,18 @@
 import { rgbOf } from "./colours.ts";
 import { accountOf, type Account } from "./plan/account.ts";
 import type { Plan } from "./plan/plan.ts";
-import { COLOURS, Store, fromFragment, initialState, toFragment, type ColourBy, type Theme } from "./state.ts";
-import { aboutBox } from "./ui/about.ts";
-import { choice, h, select } from "./ui/dom.ts";
-import { clock } from "./units.ts";
+import type { Shown } from "./plan/source.ts";
+import { Store, fromFragment, initialState, toFragment, type ColourBy } from "./state.ts";
+import { h } from "./ui/dom.ts";
+import { Header, namesOf } from "./ui/header.ts";
+import { PlayBar } from "./ui/play_bar.ts";
 import { AnswerView } from "./views/answer_view.ts";
+import { DifferenceView, type Named } from "./views/difference_view.ts";
 import { legendOf } from "./views/legend.ts";
 import type { Ground } from "./views/ground.ts";
-import { PathView, SIDES } from "./views/path_view.ts";
+import { SIDES } from "./views/path_camera.ts";
+import { coloursOf } from "./views/path_colours.ts";
+import { PathView } from "./views/path_view.ts";
 import { ProgramView, type Editing } from "./views/program_view.ts";
 import { TimeView } from "./views/time_view.ts";
 
@@ -18,65 +22,62 @@ const COLOUR_NAMES: Record<ColourBy, string> = {
   limit: "what limits the feed",
   acceleration: "acceleration of its limit",
   jerk: "jerk of its limit",
+  deviation: "deviation from the program",
   tool: "tool",
   following: "following error",
 };
-const SPEEDS = ["0.01", "0.1", "0.25", "1", "4", "20", "100"] as const;
-
-function nameOf(plan: Plan): string {
-  return plan.header.report.file.split("/").pop() ?? plan.header.report.file;
-}
 
 // What a page has beside its plans.
 export interface Extras {
   readonly editing?: Editing; // of the program's text
   readonly bar?: HTMLElement; // below the header
   readonly panes?: readonly (readonly [name: string, text: string, HTMLElement])[]; // beside program and answer
+  readonly question?: HTMLElement; // what makes the other plan; above the difference
 }
 
 export class App {
   private readonly store: Store;
-  private plans: readonly Plan[];
-  private accounts: (Account | undefined)[];
+  private shown: Shown;
+  private readonly accounts = new WeakMap<Plan, Account>();
   private readonly extras: Extras;
+  private readonly header: Header;
   private readonly path: PathView | null;
   private readonly time: TimeView;
   private readonly program: ProgramView;
   private readonly answer: AnswerView;
+  private readonly difference: DifferenceView;
+  private readonly playBar: PlayBar;
   private readonly main = h("main", {});
-  private readonly title = h("h1", {});
-  private readonly what = h("div", { class: "what" });
   private readonly legend = h("div", {});
-  private readonly instant = h("output", { class: "instant", "data-test": "instant" });
-  private readonly play = h("button", { type: "button", class: "play", "aria-label": "Play" }, "\u25b6");
-  private readonly scrub = h("input", { type: "range", class: "scrub", min: "0", step: "1", "aria-label": "Instant" });
+  private readonly colour = h("select", { "aria-label": "Colour of the path" });
   private readonly tracks = h("select", { "aria-label": "Along the path, or an axis" });
-  private lastFrame_ms = 0;
+  private readonly tabs = new Map<string, HTMLButtonElement>();
 
-  constructor(root: HTMLElement, plans: readonly Plan[], extras: Extras = {}) {
-    this.plans = plans;
+  constructor(root: HTMLElement, shown: Shown, extras: Extras = {}) {
+    this.shown = shown;
     this.extras = extras;
-    this.accounts = new Array<Account | undefined>(plans.length);
     this.store = new Store({ ...initialState(), ...fromFragment(location.hash) });
     const { state } = this.store;
-    state.plan = Math.min(state.plan, plans.length - 1);
+    state.plan = Math.min(state.plan, shown.plans.length - 1);
     this.applyTheme();
     const ground = this.ground();
+    this.header = new Header(this.store);
     this.path = this.makePath(ground);
     this.time = new TimeView(this.store, ground);
     this.program = new ProgramView(this.store, extras.editing ?? null);
     this.answer = new AnswerView(this.store);
-    root.replaceChildren(this.header(), ...(extras.bar ? [extras.bar] : []), this.answer.strip, this.main);
+    this.difference = new DifferenceView(this.store);
+    this.playBar = new PlayBar(this.store);
+    root.replaceChildren(this.header.element, ...(extras.bar ? [extras.bar] : []), this.answer.strip, this.main);
     this.main.append(this.spacePanel(), this.timePanel(), this.sidePanel());
     this.listen();
     this.show();
   }
 
   // Other plans in place of those that are shown.
-  replace(plans: readonly Plan[]): void {
-    this.plans = plans;
-    this.accounts = new Array<Account | undefined>(plans.length);
-    this.store.set({ plan: 0, hover: null, playing: false }, "page");
+  replace(shown: Shown): void {
+    this.shown = shown;
+    this.store.set({ plan: 0, hover: null, span: null, playing: false }, "page");
   }
 
   private makePath(ground: Ground): PathView | null {
@@ -88,7 +89,7 @@ export class App {
   }
 
   private get plan(): Plan {
-    return this.plans[this.store.state.plan]!;
+    return this.shown.plans[this.store.state.plan]!;
   }
 
   private get isDark(): boolean {
@@ -106,56 +107,22 @@ export class App {
     return { rgb: rgbOf(of("--panel")), dark: this.isDark, accent: of("--accent"), faint: of("--line"), text: of("--soft") };
   }
 
-  private header(): HTMLElement {
-    const { state } = this.store;
-    const length = choice("Lengths in", [["mm", "mm"], ["inch", "inch"]] as const, state.units.length, (value) => {
-      length.set(value);
-      this.store.set({ units: { ...state.units, length: value } }, "page");
-    });
-    const per = choice("Feeds per", [["min", "/min"], ["s", "/s"]] as const, state.units.time, (value) => {
-      per.set(value);
-      this.store.set({ units: { ...state.units, time: value } }, "page");
-    });
-    const theme = select<Theme>("Theme", [["auto", "auto"], ["light", "light"], ["dark", "dark"]], state.theme, (value) => this.store.set({ theme: value }, "page"));
-    const about = aboutBox();
-    const help = h("button", { type: "button", click: () => about.showModal() }, "About");
-    const several = this.plans.length > 1 ? this.planChoice() : null;
-    this.store.listen((changed) => {
-      if (several) several.value = String(changed.plan);
-    });
-    return h("header", {}, this.title, this.what, several, length.element, per.element, theme, help, about);
-  }
-
-  private planChoice(): HTMLSelectElement {
-    const names = this.plans.map((plan, i) => {
-      const { cycle_time_s: seconds, machine } = plan.header.report;
-      const where = machine === "default" ? "" : `, ${machine.split("/").pop()}`;
-      return [String(i), `${nameOf(plan)}${where}: ${seconds === undefined ? "does not run" : clock(seconds)}`] as const;
-    });
-    return select("Program", names, String(this.store.state.plan), (value) => this.store.set({ plan: Number(value), tick: 0, hover: null, shown: null, camera: "", playing: false }, "page"));
-  }
-
   private spacePanel(): HTMLElement {
     const { path } = this;
-    const { state } = this.store;
     const sides = SIDES.map((side) => h("button", { type: "button", "data-side": side, click: () => path?.look(side) }, side));
     const fit = h("button", { type: "button", click: () => path?.fit() }, "fit");
-    const colour = select("Colour of the path", COLOURS.map((by) => [by, COLOUR_NAMES[by]] as const), state.colourBy, (value) => this.store.set({ colourBy: value, shown: null }, "page"));
-    colour.dataset["test"] = "colour";
-    const tools = h("div", { class: "tools" }, ...sides, fit, h("label", {}, "colour ", colour));
+    this.colour.addEventListener("change", () => this.store.set({ colourBy: this.colour.value as ColourBy, shown: null }, "page"));
+    this.colour.dataset["test"] = "colour";
+    const tools = h("div", { class: "tools" }, ...sides, fit, h("label", {}, "colour ", this.colour));
     const view = path?.element ?? h("div", { class: "empty" }, "The path cannot be drawn: this browser has no WebGL.");
     return h("section", { class: "panel space-panel", "aria-label": "Path" }, tools, view, this.legend);
   }
 
   private timePanel(): HTMLElement {
-    const { state } = this.store;
-    this.play.addEventListener("click", () => this.togglePlay());
-    this.scrub.addEventListener("input", () => this.store.set({ tick: Number(this.scrub.value), hover: null, playing: false }, "page"));
     this.tracks.addEventListener("change", () => this.store.set({ track: this.tracks.value }, "page"));
-    const speed = select("Speed of playing", SPEEDS.map((one) => [one, `${one}\u00d7`] as const), "1", (value) => this.store.set({ speed: Number(value) }, "page"));
     const all = h("button", { type: "button", click: () => this.time.zoomTo({ from: 0, to: Infinity }) }, "all");
-    const near = h("button", { type: "button", title: "Zoom to 0.2 s about the instant", click: () => this.zoomNear(state.tick) }, "near");
-    return h("section", { class: "panel time-panel", "aria-label": "Time" }, h("div", { class: "tools" }, this.play, speed, this.scrub, this.instant, this.tracks, near, all), this.time.element);
+    const near = h("button", { type: "button", title: "Zoom to 0.2 s about the instant", click: () => this.zoomNear(this.store.state.tick) }, "near");
+    return h("section", { class: "panel time-panel", "aria-label": "Time" }, h("div", { class: "tools" }, ...this.playBar.elements, this.tracks, near, all), this.time.element);
   }
 
   private zoomNear(tick: number): void {
@@ -164,25 +131,32 @@ export class App {
   }
 
   private sidePanel(): HTMLElement {
-    const panes = [["program", "Program", this.program.element], ["answer", "Answer in full", this.answer.details], ...(this.extras.panes ?? [])] as const;
-    const content = h("div", { class: "content" }, ...panes.map(([, , pane]) => pane));
-    const tabs = panes.map(([name, text]) => h("button", { type: "button", role: "tab", "data-tab": name, click: () => choose(name) }, text));
+    const { question } = this.extras;
+    const difference = h("div", { class: "compared" }, ...(question ? [question] : []), this.difference.element);
+    const panes = [
+      ["program", "Program", this.program.element],
+      ["answer", "Answer in full", this.answer.details],
+      ["difference", "Difference", difference],
+      ...(this.extras.panes ?? []),
+    ] as const;
     const choose = (name: string): void => {
-      panes.forEach(([one, , pane], i) => {
+      this.store.set({ tab: name }, "page");
+      for (const [one, , pane] of panes) {
         pane.hidden = one !== name;
-        tabs[i]!.setAttribute("aria-selected", String(one === name));
-      });
+        this.tabs.get(one)!.setAttribute("aria-selected", String(one === name));
+      }
+      if (name === "difference") this.difference.build();
     };
-    choose("program");
-    return h("section", { class: "panel side", "aria-label": "Program and answer" }, h("div", { class: "tools", role: "tablist" }, ...tabs), content);
+    for (const [name, text] of panes) this.tabs.set(name, h("button", { type: "button", role: "tab", "data-tab": name, click: () => choose(name) }, text));
+    choose(this.tabs.has(this.store.state.tab) ? this.store.state.tab : "program");
+    const content = h("div", { class: "content" }, ...panes.map(([, , pane]) => pane));
+    return h("section", { class: "panel side", "aria-label": "Program and answer" }, h("div", { class: "tools", role: "tablist" }, ...this.tabs.values()), content);
   }
 
   private listen(): void {
     this.store.listen((state, change) => {
       if ("plan" in change) this.show();
       if ("theme" in change) this.retheme();
-      if ("tick" in change || "hover" in change) this.showInstant();
-      if ("playing" in change) this.showPlaying();
       if ("shown" in change || "units" in change) this.showLegend();
       if (!state.playing) this.keepFragment();
     });
@@ -197,43 +171,51 @@ export class App {
     this.time.setGround(this.ground());
   }
 
+  private accountOf(plan: Plan): Account {
+    let account = this.accounts.get(plan);
+    if (!account) this.accounts.set(plan, (account = accountOf(plan)));
+    return account;
+  }
+
   private show(): void {
     const { plan } = this;
-    const { report } = plan.header;
     const { state } = this.store;
     state.tick = Math.min(state.tick, plan.motion?.lastTick ?? 0);
-    this.title.textContent = nameOf(plan);
-    this.title.title = report.file;
-    document.title = `${nameOf(plan)} \u2013 Kerf`;
-    this.what.textContent = `${report.machine === "default" ? "default machine" : report.machine.split("/").pop()}, ${report.profile}${plan.source === null ? "" : ", with the program\u2019s text"}`;
-    this.main.classList.toggle("still", plan.motion === null && !this.extras.editing);
-    this.scrub.max = String(plan.motion?.lastTick ?? 0);
+    this.header.show(plan, this.shown);
+    this.main.classList.toggle("still", plan.path === null && !this.extras.editing);
+    this.main.classList.toggle("timeless", plan.path !== null && plan.motion === null && !this.extras.editing);
+    const colours = coloursOf(plan);
+    this.colour.replaceChildren(...colours.map((by) => h("option", { value: by }, COLOUR_NAMES[by])));
+    this.colour.value = colours.includes(state.colourBy) ? state.colourBy : "feed";
+    this.colour.disabled = plan.motion === null;
     this.tracks.replaceChildren(...plan.tracks.map((track) => h("option", { value: track }, track === "path" ? "along the path" : `axis ${track.toUpperCase()}`)));
     this.tracks.value = plan.tracks.includes(state.track) ? state.track : "path";
-    const account = (this.accounts[state.plan] ??= accountOf(plan));
-    this.answer.show(plan, account, this.plans);
-    this.program.show(plan, account);
+    this.playBar.show(plan);
+    this.answer.show(plan, this.accountOf(plan), this.shown);
+    this.program.show(plan, this.accountOf(plan));
     this.path?.show(plan);
     this.time.show(plan);
+    this.showDifference();
     // The panels have their size by now.
     requestAnimationFrame(() => this.path?.restore(state.camera));
-    this.showInstant();
     this.showLegend();
   }
 
-  private showInstant(): void {
-    const { store } = this;
-    const tick = store.instant;
-    this.scrub.value = String(store.state.tick);
-    const seconds = clock(tick * this.plan.period_s);
-    const line = this.plan.motion ? this.plan.motion.runs.line[this.plan.runAt(tick)] ?? 0 : 0;
-    this.instant.textContent = `${seconds}, tick ${Math.round(tick)}, line ${line}`;
-    this.instant.dataset["tick"] = String(Math.round(tick));
+  // Of the shown plan from the base; while the base is shown, of the first other one.
+  private showDifference(): void {
+    const { plans, base } = this.shown;
+    this.tabs.get("difference")!.hidden = plans.length < 2 && !this.extras.question;
+    const names = namesOf(this.shown);
+    const named = (i: number): Named => ({ plan: plans[i]!, account: this.accountOf(plans[i]!), name: names[i]! });
+    const other = this.store.state.plan === base ? plans.findIndex((_, i) => i !== base) : this.store.state.plan;
+    this.difference.show(other < 0 ? null : { base: named(base), other: named(other), shown: this.plan });
   }
 
   private showLegend(): void {
     const { colouring } = this.path ?? {};
-    this.legend.replaceChildren(...(colouring && this.plan.motion ? [legendOf(colouring, this.store, this.isDark, this.plan.motion.lastTick)] : []));
+    const { path, motion } = this.plan;
+    const ticks = motion?.lastTick ?? path?.tick[path.tick.length - 1] ?? 0;
+    this.legend.replaceChildren(...(colouring && path ? [legendOf(colouring, this.store, this.isDark, ticks)] : []));
   }
 
   private keepFragment(): void {
@@ -241,44 +223,13 @@ export class App {
     if (this.store.state.hover === null && location.hash.slice(1) !== fragment) history.replaceState(null, "", `#${fragment}`);
   }
 
-  private togglePlay(): void {
-    const { state } = this.store;
-    const last = this.plan.motion?.lastTick ?? 0;
-    const atEnd = state.tick >= last;
-    this.store.set({ playing: !state.playing, hover: null, ...(atEnd && !state.playing ? { tick: 0 } : {}) }, "page");
-  }
-
-  private showPlaying(): void {
-    const { playing } = this.store.state;
-    this.play.textContent = playing ? "\u275a\u275a" : "\u25b6";
-    this.play.setAttribute("aria-label", playing ? "Pause" : "Play");
-    if (playing) {
-      this.lastFrame_ms = performance.now();
-      requestAnimationFrame((now) => this.frame(now));
-    }
-  }
-
-  private frame(now_ms: number): void {
-    const { state } = this.store;
-    if (!state.playing || !this.plan.motion) return;
-    const passed_s = Math.max(0, now_ms - this.lastFrame_ms) / 1000;
-    this.lastFrame_ms = now_ms;
-    const tick = Math.min(this.plan.motion.lastTick, state.tick + (passed_s * state.speed) / this.plan.period_s);
-    this.store.set(tick >= this.plan.motion.lastTick ? { tick, playing: false } : { tick }, "play");
-    requestAnimationFrame((now) => this.frame(now));
-  }
-
   private key(event: KeyboardEvent): void {
     const target = event.target as HTMLElement;
     if (event.ctrlKey || event.metaKey || event.altKey || /^(input|select|textarea)$/i.test(target.tagName)) return;
-    const step = (ticks: number): void => {
-      const tick = Math.min(this.plan.motion?.lastTick ?? 0, Math.max(0, Math.round(this.store.state.tick) + ticks));
-      this.store.set({ tick, hover: null, playing: false }, "page");
-    };
     const actions: Record<string, () => void> = {
-      " ": () => this.togglePlay(),
-      ",": () => step(-1),
-      ".": () => step(1),
+      " ": () => this.playBar.toggle(),
+      ",": () => this.playBar.step(-1),
+      ".": () => this.playBar.step(1),
       f: () => this.path?.fit(),
       "1": () => this.path?.look("top"),
       "2": () => this.path?.look("front"),
@@ -291,4 +242,3 @@ export class App {
     action();
   }
 }
-

@@ -2,11 +2,13 @@
 import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { EditorState } from "@codemirror/state";
 import { EditorView, keymap, lineNumbers } from "@codemirror/view";
-import { App } from "./app.ts";
+import { App, type Extras } from "./app.ts";
 import { BrowserKernel, type Answer, type Order, type TextFile } from "./plan/browser_kernel.ts";
 import { inflatedText } from "./plan/embedded.ts";
 import type { Plan } from "./plan/plan.ts";
+import type { PlanSource, Shown } from "./plan/source.ts";
 import { h, select } from "./ui/dom.ts";
+import { started } from "./ui/started.ts";
 import { clock } from "./units.ts";
 import { look } from "./views/program_view.ts";
 
@@ -19,19 +21,23 @@ const TYPING_MS = 250; // a text that rests so long is planned
 
 const writing = [history(), keymap.of([...defaultKeymap, ...historyKeymap])];
 
-class Playground {
+const isSame = (a: Order, b: Order): boolean => a.files === b.files && a.machine === b.machine && a.profile === b.profile;
+
+class Playground implements PlanSource {
   private readonly kernel: BrowserKernel;
   private order: Order;
-  private app: App | null = null;
+  private kept: Order | null = null; // that others are compared with; null: with none
+  private planned: { order: Order; plan: Plan }[] = []; // the last ones
+  private tell: (shown: Shown) => void = () => undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
-  private readonly root: HTMLElement;
   private readonly status = h("output", { class: "status", "data-test": "status" });
   private readonly refusal = h("div", { class: "refusal", role: "alert", hidden: true });
   private readonly machine: EditorView;
   private readonly machineHost = h("div", { class: "machine-editor", hidden: true, "data-test": "machine" });
 
-  constructor(root: HTMLElement, kernel: BrowserKernel) {
-    this.root = root;
+  private readonly keep = h("button", { type: "button", "aria-pressed": "false", click: () => this.toggleKept() }, "compare with this run");
+
+  constructor(kernel: BrowserKernel) {
     this.kernel = kernel;
     this.order = { files: [KERF_EXAMPLES[0]], machine: KERF_MACHINES[0], profile: PROFILES[0] };
     const editor = this.machineHost.appendChild(h("div", { class: "editor" }));
@@ -103,31 +109,56 @@ class Playground {
     this.timer = setTimeout(() => void this.plan(), TYPING_MS);
   }
 
-  async plan(): Promise<void> {
+  // From now on others are compared with the run that is shown, or again with none.
+  private toggleKept(): void {
+    this.kept = this.kept ? null : this.order;
+    this.keep.setAttribute("aria-pressed", String(this.kept !== null));
+    void this.plan();
+  }
+
+  async open(show: (shown: Shown) => void): Promise<void> {
+    this.tell = show;
+    await this.plan();
+  }
+
+  private async plan(): Promise<void> {
     clearTimeout(this.timer);
     this.status.textContent = "planning\u2026";
     const { order } = this;
+    const base = this.kept ?? order;
+    const answers: Answer[] = [];
+    for (const one of isSame(base, order) ? [order] : [order, base]) {
+      const answer = await this.answerTo(one);
+      if (!answer || order !== this.order) return; // the next answer is on its way
+      answers.push(answer);
+    }
+    this.show(answers);
+  }
+
+  private async answerTo(order: Order): Promise<Answer | null> {
+    const known = this.planned.find((one) => isSame(one.order, order));
+    if (known) return { plan: known.plan, took_s: 0 };
     const answer = await this.kernel.plan(order);
-    if (answer && order === this.order) this.show(answer); // else the next answer is on its way
+    if (answer && "plan" in answer) this.planned = [{ order, plan: answer.plan }, ...this.planned].slice(0, 2);
+    return answer;
   }
 
-  private show(answer: Answer): void {
-    this.refusal.hidden = !("refused" in answer);
-    if ("refused" in answer) {
+  private show(answers: readonly Answer[]): void {
+    const refused = answers.flatMap((answer) => ("refused" in answer ? answer.refused : []));
+    this.refusal.hidden = refused.length === 0;
+    this.refusal.textContent = refused.join("\n");
+    const [plan, ...base] = answers.flatMap((answer) => ("plan" in answer ? [answer.plan] : []));
+    if (refused.length > 0 || !plan) {
       this.status.textContent = "not planned";
-      this.refusal.textContent = answer.refused.join("\n");
       return;
     }
-    this.status.textContent = `planned in ${clock(answer.took_s)}`;
-    this.showPlan(answer.plan);
+    this.status.textContent = `planned in ${clock(answers.reduce((sum, answer) => sum + ("took_s" in answer ? answer.took_s : 0), 0))}`;
+    this.tell({ plans: [plan, ...base], base: base.length, ...(base.length > 0 ? { names: ["now", "before"] } : {}) });
   }
 
-  private showPlan(plan: Plan): void {
-    if (this.app) {
-      this.app.replace([plan]);
-      return;
-    }
-    this.app = new App(this.root, [plan], {
+  // What the page has beside the plans.
+  extras(): Extras {
+    return {
       editing: {
         extension: writing,
         changed: (text) => {
@@ -137,23 +168,21 @@ class Playground {
       },
       bar: h("div", {}, this.bar(), this.refusal),
       panes: [["machine", "Machine", this.machineHost]],
-    });
+      question: h("div", { class: "what-if" }, h("div", { class: "tools" }, this.keep)),
+    };
   }
 }
 
-async function start(): Promise<void> {
-  const root = document.getElementById("app")!;
-  try {
-    root.replaceChildren(h("div", { class: "empty" }, "The kernel starts\u2026"));
-    const element = document.querySelector('script[type="application/x-kerf-kernel"]')!;
-    const module = await WebAssembly.compile(await inflatedText(element.textContent ?? ""));
-    element.remove();
-    const script = URL.createObjectURL(new Blob([KERF_WORKER], { type: "text/javascript" }));
-    await new Playground(root, new BrowserKernel(script, module)).plan();
-  } catch (error) {
-    root.replaceChildren(h("div", { class: "failure", role: "alert" }, `This page cannot be shown: ${error instanceof Error ? error.message : String(error)}`));
-    throw error;
-  }
-}
-
-void start();
+void started(async (root) => {
+  root.replaceChildren(h("div", { class: "empty" }, "The kernel starts\u2026"));
+  const element = document.querySelector('script[type="application/x-kerf-kernel"]')!;
+  const module = await WebAssembly.compile(await inflatedText(element.textContent ?? ""));
+  element.remove();
+  const script = URL.createObjectURL(new Blob([KERF_WORKER], { type: "text/javascript" }));
+  const playground = new Playground(new BrowserKernel(script, module));
+  let app: App | null = null;
+  await playground.open((shown) => {
+    if (app) app.replace(shown);
+    else app = new App(root, shown, playground.extras());
+  });
+});

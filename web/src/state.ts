@@ -1,7 +1,7 @@
 // What the views share: the plan that is shown, the present instant, how things are shown. The URL's fragment keeps it.
 import type { Units } from "./units.ts";
 
-export const COLOURS = ["feed", "limit", "acceleration", "jerk", "tool", "following"] as const;
+export const COLOURS = ["feed", "limit", "acceleration", "jerk", "deviation", "tool", "following"] as const;
 export type ColourBy = (typeof COLOURS)[number];
 export type Theme = "auto" | "light" | "dark";
 // Who has moved the instant: the others follow.
@@ -14,6 +14,8 @@ export interface State {
   colourBy: ColourBy;
   shown: readonly number[] | null; // of a legend of parts: those that are not dimmed; null: all
   track: string; // whose v, a and j stand over time
+  span: readonly [number, number] | null; // the ticks that the charts show; null: all
+  tab: string; // what stands beside the path
   units: Units;
   theme: Theme;
   camera: string; // what the view from the path's side needs to come back
@@ -41,6 +43,11 @@ export class Store {
     for (const listener of this.listeners) listener(this.state, change, origin);
   }
 
+  // Another of the plans that stand side by side, from its begin.
+  showPlan(plan: number, origin: Origin): void {
+    this.set({ plan, tick: 0, hover: null, shown: null, span: null, camera: "", playing: false }, origin);
+  }
+
   // The instant that is shown.
   get instant(): number {
     return this.state.hover ?? this.state.tick;
@@ -55,6 +62,8 @@ export function initialState(): State {
     colourBy: "feed",
     shown: null,
     track: "path",
+    span: null,
+    tab: "program",
     units: { length: "mm", time: "min" },
     theme: "auto",
     camera: "",
@@ -69,6 +78,8 @@ export function toFragment(state: Readonly<State>): string {
   if (state.tick > 0) words.set("tick", String(Math.round(state.tick)));
   if (state.colourBy !== "feed") words.set("colour", state.colourBy);
   if (state.track !== "path") words.set("track", state.track);
+  if (state.span) words.set("span", state.span.map((tick) => String(Number(tick.toFixed(3)))).join(","));
+  if (state.tab !== "program") words.set("tab", state.tab);
   if (state.units.length !== "mm") words.set("length", state.units.length);
   if (state.units.time !== "min") words.set("per", state.units.time);
   if (state.theme !== "auto") words.set("theme", state.theme);
@@ -92,6 +103,10 @@ export function fromFragment(fragment: string): Change {
   if (colour) change.colourBy = colour;
   const track = words.get("track");
   if (track !== null && /^[a-z]+$/.test(track)) change.track = track;
+  const span = /^(\d{1,12}(?:\.\d+)?),(\d{1,12}(?:\.\d+)?)$/.exec(words.get("span") ?? "");
+  if (span && Number(span[1]) < Number(span[2])) change.span = [Number(span[1]), Number(span[2])];
+  const tab = words.get("tab");
+  if (tab !== null && /^[a-z]+$/.test(tab)) change.tab = tab;
   change.units = { length: words.get("length") === "inch" ? "inch" : "mm", time: words.get("per") === "s" ? "s" : "min" };
   const theme = words.get("theme");
   if (theme === "light" || theme === "dark") change.theme = theme;

@@ -45,6 +45,14 @@ export function shortTime(seconds: number): string {
   return seconds < 59.95 ? seconds.toFixed(1) : clock(seconds).split(".")[0]!;
 }
 
+// "+0.250 s, 4.81 %"; nothing where both are the same.
+export function difference(base_s: number, other_s: number): string {
+  const more_s = other_s - base_s;
+  if (Math.abs(more_s) < 5e-7) return "";
+  const share = base_s > 0 ? `, ${plain((100 * Math.abs(more_s)) / base_s, 3)}\u00a0%` : "";
+  return `${more_s < 0 ? "\u2212" : "+"}${clock(Math.abs(more_s))}${share}`;
+}
+
 export interface Quantified {
   readonly factor: number; // from mm and s
   readonly unit: string;

@@ -54,7 +54,7 @@ const program = (text: string, name: string): string => {
   writeFileSync(file, text);
   return file;
 };
-const shownTime = async (): Promise<string> => (await page.locator(".big").first().textContent()) ?? "";
+const shownTime = async (): Promise<string> => (await page.locator('[data-test="cycle-time"]').textContent()) ?? "";
 
 function timeOf(...words: string[]): number {
   return (JSON.parse(execFileSync(KERF, ["dry-run", "--json", ...words], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] })) as { cycle_time_s: number }).cycle_time_s;
@@ -104,6 +104,18 @@ test("a machine file that is wrong is refused with its place", async () => {
   assert.match((await page.locator(".refusal").textContent()) ?? "", /wrong\.toml:2:1: error: unknown key 'max_velocty_mm_s'/);
   await after_(() => page.locator('select[aria-label="Example machine"]').selectOption("table.toml"));
   assert.equal(await page.locator(".refusal").isVisible(), false);
+});
+
+test("a run that is kept is what later ones are compared with", async () => {
+  const [long, short] = [program("G21 G90 G61 F1200\nG1 X100\nM2\n", "long.ngc"), program("G21 G90 G61 F1200\nG1 X50\nM2\n", "short.ngc")];
+  await open("Open a program", long);
+  await page.locator("[data-tab=difference]").click();
+  await page.locator("button", { hasText: "compare with this run" }).click();
+  await open("Open a program", short);
+  const cells = await page.locator("[data-test=difference-whole] tbody tr").first().locator("td").allTextContents();
+  assert.deepEqual(cells.slice(0, 3), ["cycle time", clock(timeOf(long)), clock(timeOf(short))]);
+  await after_(() => page.locator("button", { hasText: "compare with this run" }).click());
+  assert.equal(await page.locator('[data-test="difference-whole"]').count(), 0);
 });
 
 test("a subprogram is found beside its program", async () => {

@@ -1,5 +1,5 @@
 // Where the time of a program goes: by what the machine does, by tool, by operation, by line.
-import { RunKind, type Plan } from "./plan.ts";
+import { RunKind, lastPart, type Plan } from "./plan.ts";
 
 export interface Split {
   cut: number; // all in ticks
@@ -13,6 +13,13 @@ export interface Part {
   readonly line: number; // where it begins; 0: none
   readonly split: Split;
 }
+
+export const SPLIT_NAMES: readonly (readonly [keyof Split, string])[] = [
+  ["cut", "cutting"],
+  ["rapid", "rapid"],
+  ["rest", "rest"],
+  ["toolChange", "tool change"],
+];
 
 const none = (): Split => ({ cut: 0, rapid: 0, rest: 0, toolChange: 0 });
 const PLACE: readonly (keyof Split)[] = ["rest", "rapid", "cut", "toolChange"];
@@ -42,7 +49,8 @@ export interface Account {
   readonly whole: Split;
   readonly tools: readonly Part[];
   readonly operations: readonly Part[]; // empty without headings
-  readonly lines: ReadonlyMap<number, number>; // ticks of each line that takes time
+  readonly files: readonly Part[]; // the program and those of its subprograms; empty without subprograms in files
+  readonly lines: ReadonlyMap<number, number>; // ticks of each line of the program that takes time
   readonly firstTick: ReadonlyMap<number, number>; // at which it begins for the first time
 }
 
@@ -62,10 +70,12 @@ export function accountOf(plan: Plan): Account {
   const whole = none();
   const tools = new Map<number, Part>();
   const operations = new Map<number, Part>();
+  const files = new Map<number, Part>();
   const lines = new Map<number, number>();
   const firstTick = new Map<number, number>();
   const headings = plan.source === null ? [] : headingsOf(plan.source);
   const runs = plan.motion?.runs;
+  let own = 0; // the line of the program, or from which the subprogram was called
   for (let i = 0; runs && i < runs.tick.length; ++i) {
     const ticks = plan.runEnd(i) - runs.tick[i]!;
     const where = PLACE[runs.kind[i] as RunKind]!;
@@ -75,21 +85,27 @@ export function accountOf(plan: Plan): Account {
     let part = tools.get(tool);
     if (!part) tools.set(tool, (part = { name: tool === 0 ? "no tool" : `T${tool}`, line, split: none() }));
     part.split[where] += ticks;
+    const file = runs.file[i]!;
+    let text = files.get(file);
+    if (!text) files.set(file, (text = { name: lastPart(plan.fileName(file)), line, split: none() }));
+    text.split[where] += ticks;
+    if (file === 0) own = line; // lines of subprograms in files are numbered by themselves
     if (headings.length > 0) {
-      const h = headingOf(headings, line);
+      const h = headingOf(headings, own);
       let operation = operations.get(h);
       if (!operation) {
         const heading = headings[h];
-        operation = { name: heading?.text ?? "before the first heading", line: heading?.line ?? line, split: none() };
+        operation = { name: heading?.text ?? "before the first heading", line: heading?.line ?? own, split: none() };
         operations.set(h, operation);
       }
       operation.split[where] += ticks;
     }
-    lines.set(line, (lines.get(line) ?? 0) + ticks);
+    if (file !== 0) continue;
+    if (ticks > 0) lines.set(line, (lines.get(line) ?? 0) + ticks);
     if (!firstTick.has(line)) firstTick.set(line, runs.tick[i]!);
   }
   const took = (parts: Map<number, Part>): Part[] => [...parts.values()].filter((part) => total(part.split) > 0);
-  return { whole, tools: took(tools), operations: took(operations), lines, firstTick };
+  return { whole, tools: took(tools), operations: took(operations), files: files.size > 1 ? took(files) : [], lines, firstTick };
 }
 
 export interface Fit {

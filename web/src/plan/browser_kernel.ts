@@ -21,8 +21,8 @@ export type Reply = { readonly bytes: Uint8Array<ArrayBuffer> } | { readonly fai
 
 const MAGIC = "KERFPLAN";
 
-export function answerOf(bytes: Uint8Array, took_s: number): Answer {
-  if (new TextDecoder().decode(bytes.subarray(0, MAGIC.length)) === MAGIC) return { plan: new Plan(decodePlan(bytes)), took_s };
+function answerOf(bytes: Uint8Array, order: Order, took_s: number): Answer {
+  if (new TextDecoder().decode(bytes.subarray(0, MAGIC.length)) === MAGIC) return { plan: new Plan(decodePlan(bytes), order.files[0].text), took_s };
   return JSON.parse(new TextDecoder().decode(bytes)) as { refused: string[] };
 }
 
@@ -59,7 +59,7 @@ export class BrowserKernel {
       };
       worker.onmessage = ({ data }: MessageEvent<Reply>) => {
         if ("failure" in data) fail(data.failure);
-        else end(answerOf(data.bytes, (performance.now() - began_ms) / 1000));
+        else end(answerOf(data.bytes, order, (performance.now() - began_ms) / 1000));
       };
       worker.onerror = (event) => fail(event.message);
       worker.postMessage(order);

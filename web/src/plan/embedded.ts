@@ -1,7 +1,7 @@
 // Plans that kerf has put into the page: base64 of zlib.
 import { decodePlan } from "./decode.ts";
 import { Plan } from "./plan.ts";
-import type { PlanSource } from "./source.ts";
+import type { PlanSource, Shown } from "./source.ts";
 
 function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   const text = atob(base64);
@@ -23,12 +23,14 @@ export class EmbeddedSource implements PlanSource {
     this.document = document;
   }
 
-  async plans(): Promise<Plan[]> {
+  async open(show: (shown: Shown) => void): Promise<void> {
     const plans: Plan[] = [];
     for (const element of this.document.querySelectorAll('script[type="application/x-kerf-plan"]')) {
       plans.push(new Plan(decodePlan(await inflatedText(element.textContent ?? ""))));
       element.remove(); // its text is large
     }
-    return plans;
+    const [first, ...others] = plans;
+    if (!first) throw new Error("there is no plan in this page");
+    show({ plans: [first, ...others], base: 0 });
   }
 }

@@ -13,16 +13,20 @@ export enum RunKind {
 export interface Runs {
   readonly tick: Float64Array;
   readonly line: Float64Array;
+  readonly file: Float64Array; // 0: the program; else one of header.files, from 1 on
   readonly tool: Float64Array;
   readonly kind: Uint8Array;
 }
 
-// The tool goes straight and evenly from point to point, to within the path's tolerance.
+// The tool goes straight and evenly from point to point, to within the path's tolerance. Of a program that does not run,
+// "ticks" are nanometres along the path.
 export interface Path {
   readonly tick: Float64Array;
   readonly xyz: readonly [Float64Array, Float64Array, Float64Array];
   readonly rapid: Uint8Array; // the way to the point
 }
+
+export const lastPart = (path: string): string => path.split("/").pop() ?? path;
 
 export type Quantity = "v" | "a" | "j";
 
@@ -62,30 +66,34 @@ function findToolChanges(runs: Runs): void {
   }
 }
 
-function motionOf(decoded: Decoded): Motion | null {
+function wanted<T>(sections: ReadonlyMap<string, T>, name: string): T {
+  const found = sections.get(name);
+  if (!found) throw new Error(`the plan lacks ${name}`);
+  return found;
+}
+
+function pathOf({ numbers, bytes }: Decoded): Path | null {
+  if (!numbers.has("path.tick")) return null;
+  const of = (name: string): Float64Array => wanted(numbers, name);
+  return { tick: of("path.tick"), xyz: [of("path.x"), of("path.y"), of("path.z")], rapid: wanted(bytes, "path.rapid") };
+}
+
+function motionOf(decoded: Decoded, path: Path | null): Motion | null {
   const { header, numbers, bytes } = decoded;
-  if (header.last_tick === undefined) return null;
-  const of = (name: string): Float64Array => {
-    const found = numbers.get(name);
-    if (!found) throw new Error(`the plan lacks ${name}`);
-    return found;
-  };
-  const bytesOf = (name: string): Uint8Array => {
-    const found = bytes.get(name);
-    if (!found) throw new Error(`the plan lacks ${name}`);
-    return found;
-  };
+  if (header.last_tick === undefined || path === null) return null;
+  const of = (name: string): Float64Array => wanted(numbers, name);
   const runs: Runs = {
     tick: of("runs.tick"),
     line: of("runs.line"),
+    file: numbers.get("runs.file") ?? new Float64Array(of("runs.tick").length),
     tool: of("runs.tool"),
-    kind: bytesOf("runs.kind").slice(),
+    kind: wanted(bytes, "runs.kind").slice(),
   };
   findToolChanges(runs);
   return {
-    path: { tick: of("path.tick"), xyz: [of("path.x"), of("path.y"), of("path.z")], rapid: bytesOf("path.rapid") },
+    path,
     runs,
-    limit: bytesOf("limit"),
+    limit: wanted(bytes, "limit"),
     ticksPerColumn: header.ticks_per_column ?? 1,
     columns: header.columns ?? 0,
     lastTick: header.last_tick,
@@ -94,18 +102,21 @@ function motionOf(decoded: Decoded): Motion | null {
 
 export class Plan {
   readonly header: Header;
+  readonly path: Path | null; // also of one that leaves the travel
   readonly motion: Motion | null; // null: it did not run
   readonly source: string | null;
   private readonly decoded: Decoded;
   private readonly pyramids = new Map<string, Pyramid>();
 
-  constructor(decoded: Decoded) {
+  // source: the program's text as its reader has it, in place of what was planned.
+  constructor(decoded: Decoded, source?: string) {
     this.decoded = decoded;
     this.header = decoded.header;
-    this.motion = motionOf(decoded);
+    this.path = pathOf(decoded);
+    this.motion = motionOf(decoded, this.path);
     const text = decoded.bytes.get("source");
     // What is not UTF-8 becomes U+FFFD.
-    this.source = text ? new TextDecoder().decode(text) : null;
+    this.source = source ?? (text ? new TextDecoder().decode(text) : null);
   }
 
   get period_s(): number {
@@ -126,7 +137,11 @@ export class Plan {
     return (axis ? axis.limits : this.header.machine.path_limits)[quantity];
   }
 
-  // "path.v", "x.j", "following_error"
+  has(series: string): boolean {
+    return this.decoded.numbers.has(series) || this.decoded.numbers.has(`${series}.min`);
+  }
+
+  // "path.v", "x.j", "following_error", "deviation"
   series(name: string): Pyramid {
     let pyramid = this.pyramids.get(name);
     if (!pyramid) {
@@ -173,6 +188,23 @@ export class Plan {
 
   runAt(tick: number): number {
     return this.motion ? Math.max(0, lastAtOrBefore(this.motion.runs.tick, tick)) : 0;
+  }
+
+  // Whether two runs are of one line.
+  isSameLine(a: number, b: number): boolean {
+    const { line, file } = this.motion!.runs;
+    return line[a] === line[b] && file[a] === file[b];
+  }
+
+  fileName(file: number): string {
+    return file === 0 ? this.header.report.file : (this.header.files?.[file - 1] ?? "");
+  }
+
+  // "line 12", "line 3 of drill.ngc"
+  placeAt(tick: number): string {
+    const { line, file } = this.motion?.runs ?? {};
+    const run = this.runAt(tick);
+    return `line ${line?.[run] ?? 0}${file?.[run] ? ` of ${lastPart(this.fileName(file[run]!))}` : ""}`;
   }
 
   runEnd(run: number): number {

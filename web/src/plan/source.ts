@@ -1,7 +1,15 @@
-// Where plans come from. Embedded in the page here; computed in the browser, or sent by a server, it is this interface.
+// Where plans come from: embedded in the page (embedded.ts), computed in the browser (../playground.ts), or sent by a server,
+// which has its place here and is not written yet. Whoever shows them knows none of the three.
 import type { Plan } from "./plan.ts";
 
+// Plans that stand side by side.
+export interface Shown {
+  readonly plans: readonly [Plan, ...Plan[]];
+  readonly base: number; // which of them the others are compared with
+  readonly names?: readonly string[]; // of each, where neither program, machine nor profile tells them apart
+}
+
 export interface PlanSource {
-  // All plans that stand side by side.
-  plans(): Promise<Plan[]>;
+  // Calls `show` with what is to be seen: once, or again with all that comes later. Fails where there is nothing.
+  open(show: (shown: Shown) => void): Promise<void>;
 }

@@ -1,6 +1,6 @@
 // The worker that plans: first comes the module, then orders one by one.
 import makeKernel, { type Kernel } from "kerf-kernel";
-import type { Order, Reply } from "./browser_kernel.ts";
+import type { Reply } from "./browser_kernel.ts";
 
 let kernel: Promise<Kernel> | null = null;
 
@@ -14,7 +14,7 @@ function instantiated(module: WebAssembly.Module): Promise<Kernel> {
   });
 }
 
-function planned(running: Kernel, order: Order): Uint8Array<ArrayBuffer> {
+function planned(running: Kernel, order: object): Uint8Array<ArrayBuffer> {
   const bytes = new TextEncoder().encode(JSON.stringify(order));
   const at = running._malloc(bytes.length);
   running.HEAPU8.set(bytes, at);
@@ -23,7 +23,7 @@ function planned(running: Kernel, order: Order): Uint8Array<ArrayBuffer> {
   return running.HEAPU8.slice(answer, answer + running._kerf_plan_bytes());
 }
 
-self.onmessage = async ({ data }: MessageEvent<WebAssembly.Module | Order>) => {
+self.onmessage = async ({ data }: MessageEvent<WebAssembly.Module | object>) => {
   if (data instanceof WebAssembly.Module) {
     kernel = instantiated(data);
     return;

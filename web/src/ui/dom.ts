@@ -49,3 +49,13 @@ export function select<T extends string>(
   element.value = chosen;
   return element;
 }
+
+// Cells that begin like a number are numbers.
+export function table(head: readonly string[], rows: readonly (readonly (string | Node)[])[], test: string): HTMLElement {
+  return h(
+    "table",
+    { "data-test": test },
+    h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text)))),
+    h("tbody", {}, ...rows.map((row) => h("tr", {}, ...row.map((cell) => h("td", typeof cell === "string" && /^[\u2212\d]/.test(cell) ? { class: "number" } : {}, cell))))),
+  );
+}

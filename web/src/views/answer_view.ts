@@ -1,16 +1,10 @@
 // The answer: how long, does it fit, how close to the limits, how exact, which lines cost most.
-import { fitsOf, total, workSystemOf, type Account, type Fit, type Part, type Split } from "../plan/account.ts";
+import { SPLIT_NAMES, fitsOf, total, workSystemOf, type Account, type Fit, type Part, type Split } from "../plan/account.ts";
 import type { Plan, Quantity } from "../plan/plan.ts";
+import type { Shown } from "../plan/source.ts";
 import type { Store } from "../state.ts";
-import { h } from "../ui/dom.ts";
-import { MM_PER_INCH, clock, fixed, lengthText, lengthUnit, percent, plain, unitOf, type Units } from "../units.ts";
-
-const KINDS: readonly (readonly [keyof Split, string])[] = [
-  ["cut", "cutting"],
-  ["rapid", "rapid"],
-  ["rest", "rest"],
-  ["toolChange", "tool change"],
-];
+import { h, table } from "../ui/dom.ts";
+import { MM_PER_INCH, clock, difference, fixed, lengthText, lengthUnit, percent, plain, unitOf, type Units } from "../units.ts";
 
 // What to change where a constraint costs time.
 const REMEDIES: readonly (readonly [RegExp, string])[] = [
@@ -57,21 +51,12 @@ const NAMES: Record<Quantity, string> = { v: "velocity", a: "acceleration", j: "
 
 function bar(split: Split, seconds: (ticks: number) => string): HTMLElement {
   const all = total(split);
-  const parts = KINDS.filter(([kind]) => split[kind] > 0).map(([kind, name]) => {
+  const parts = SPLIT_NAMES.filter(([kind]) => split[kind] > 0).map(([kind, name]) => {
     const part = h("span", { class: `part ${kind}`, title: `${name} ${seconds(split[kind])}` });
     part.style.flexGrow = String(split[kind] / all);
     return part;
   });
   return h("div", { class: "bar" }, ...parts);
-}
-
-function table(head: readonly string[], rows: readonly (readonly (string | Node)[])[], test: string): HTMLElement {
-  return h(
-    "table",
-    { "data-test": test },
-    h("thead", {}, h("tr", {}, ...head.map((text) => h("th", { scope: "col" }, text)))),
-    h("tbody", {}, ...rows.map((row) => h("tr", {}, ...row.map((cell) => h("td", typeof cell === "string" && /^[\u2212\d]/.test(cell) ? { class: "number" } : {}, cell))))),
-  );
 }
 
 function fitText(fit: Fit, units: Units): string {
@@ -90,7 +75,7 @@ export class AnswerView {
   readonly strip = h("section", { class: "strip", "aria-label": "The answer" });
   readonly details = h("section", { class: "details", tabindex: "0", "aria-label": "The answer in full" });
   private plan: Plan | null = null;
-  private others: readonly Plan[] = [];
+  private shown: Shown | null = null;
   private account: Account | null = null;
   private readonly store: Store;
 
@@ -101,9 +86,9 @@ export class AnswerView {
     });
   }
 
-  // others: all that stand side by side, this one among them.
-  show(plan: Plan, account: Account, others: readonly Plan[]): void {
-    this.others = others;
+  // shown: all that stand side by side, this one among them.
+  show(plan: Plan, account: Account, shown: Shown): void {
+    this.shown = shown;
     this.plan = plan;
     this.account = account;
     this.build();
@@ -141,11 +126,13 @@ export class AnswerView {
 
   private timeCard(): HTMLElement {
     const { whole } = this.account!;
-    const keys = KINDS.filter(([kind]) => whole[kind] > 0 || kind === "cut" || kind === "rapid").map(([kind, name]) =>
+    const keys = SPLIT_NAMES.filter(([kind]) => whole[kind] > 0 || kind === "cut" || kind === "rapid").map(([kind, name]) =>
       h("span", { class: "key" }, h("i", { class: `part ${kind}` }), `${name} `, h("b", { "data-test": `time-${kind}` }, this.seconds(whole[kind]))),
     );
     const seconds = this.plan!.header.report.cycle_time_s ?? 0;
-    return this.card("Cycle time", "cycle", h("div", { class: "big", "data-test": "cycle-time", "data-seconds": String(seconds) }, clock(seconds)), bar(whole, this.seconds), h("div", { class: "keys" }, ...keys));
+    const text = this.differenceOf(this.plan!);
+    const more = text === "" ? null : h("span", { class: `more ${text.startsWith("+") ? "bad" : "good"}`, "data-test": "time-difference", title: "against the run that it is compared with" }, text);
+    return this.card("Cycle time", "cycle", h("div", { class: "big" }, h("span", { "data-test": "cycle-time" }, clock(seconds)), more), bar(whole, this.seconds), h("div", { class: "keys" }, ...keys));
   }
 
   private fitCard(): HTMLElement {
@@ -204,7 +191,7 @@ export class AnswerView {
     const { units } = this.store.state;
     const told = plan.header.messages ?? [];
     if (told.length > 0) add("What the program tells the operator", h("ul", { "data-test": "told" }, ...told.map(({ line, text }) => h("li", {}, this.lineButton(line), `: ${text}`))));
-    if (this.others.length > 1) add("Side by side", this.othersTable());
+    if (this.shown!.plans.length > 1) add("Side by side", this.othersTable());
     const addOffsets = (): void => add(`How far the work offset may move, ${lengthUnit(units)}`, this.offsetsTable());
     if (!plan.motion) {
       if (plan.header.extents) addOffsets();
@@ -214,25 +201,32 @@ export class AnswerView {
     add("What limits the feed", this.constraintsTable());
     if (this.account!.tools.length > 1 || this.account!.whole.toolChange > 0) add("By tool", this.partsTable("tool", this.account!.tools));
     if (this.account!.operations.length > 0) add("By operation, as the comments name them", this.partsTable("operation", this.account!.operations));
+    if (this.account!.files.length > 0) add("By file, with subprograms", this.partsTable("file", this.account!.files));
     addOffsets();
     add("Largest figures", this.usesTable());
     add("The plan", table(["", ""], [["program", report.file], ["machine", report.machine], ["profile", report.profile], ["path", `${lengthText(report.path_length_mm ?? 0, units)} ${lengthUnit(units)} in ${report.blocks ?? 0} blocks`], ["ticks", `${report.ticks ?? 0} of ${plain(1000 * plan.period_s)} ms`]], "plan"));
     return parts;
   }
 
-  // Each with its difference from the first.
+  // Each with its difference from the base.
   private othersTable(): HTMLElement {
-    const first = this.others[0]!.header.report.cycle_time_s;
+    const { plans, base } = this.shown!;
     return table(
       ["program", "machine", "time", "difference"],
-      this.others.map((plan, i) => {
+      plans.map((plan, i) => {
         const { file, machine, cycle_time_s: seconds } = plan.header.report;
-        const name = h("button", { type: "button", class: "link", click: () => this.store.set({ plan: i, tick: 0, hover: null, shown: null, camera: "", playing: false }, "answer") }, file.split("/").pop() ?? file);
-        const difference = i === 0 || seconds === undefined || first === undefined ? "" : `${seconds < first ? "\u2212" : "+"}${clock(Math.abs(seconds - first))}, ${plain((100 * (seconds - first)) / first, 3)} %`;
-        return [name, machine === "default" ? machine : machine.split("/").pop() ?? machine, seconds === undefined ? "does not run" : clock(seconds), difference];
+        const name = h("button", { type: "button", class: "link", click: () => this.store.showPlan(i, "answer") }, file.split("/").pop() ?? file);
+        const time = seconds === undefined ? "does not run" : clock(seconds);
+        return [name, machine === "default" ? machine : machine.split("/").pop() ?? machine, time, i === base ? "" : this.differenceOf(plan)];
       }),
       "side-by-side",
     );
+  }
+
+  // From the base; empty where one of the two does not run.
+  private differenceOf(plan: Plan): string {
+    const [before, after] = [this.shown!.plans[this.shown!.base], plan].map((one) => one?.header.report.cycle_time_s);
+    return before === undefined || after === undefined ? "" : difference(before, after);
   }
 
   private offsetsTable(): HTMLElement {
@@ -272,7 +266,7 @@ export class AnswerView {
       parts.map((part) => [
         part.name,
         this.seconds(total(part.split)),
-        ...KINDS.map(([kind]) => (part.split[kind] > 0 ? this.seconds(part.split[kind]) : "")),
+        ...SPLIT_NAMES.map(([kind]) => (part.split[kind] > 0 ? this.seconds(part.split[kind]) : "")),
       ]),
       `by-${what}`,
     );

@@ -1,16 +1,25 @@
 // What colour each stretch of the path has, and the legend that says so.
 import { rgbOf, scaleColour, toolColour, visibleOn, type Rgb } from "../colours.ts";
-import { lastAtOrBefore, type Plan, type Quantity } from "../plan/plan.ts";
-import type { ColourBy } from "../state.ts";
+import { lastAtOrBefore, type Path, type Plan, type Quantity } from "../plan/plan.ts";
+import { COLOURS, type ColourBy } from "../state.ts";
 
+export type ScaleQuantity = "v" | "length" | "share";
 export type Legend =
-  | { readonly kind: "scale"; readonly title: string; readonly quantity: "v" | "length" | "share"; readonly most: number }
+  | { readonly kind: "scale"; readonly title: string; readonly quantity: ScaleQuantity; readonly most: number }
   | { readonly kind: "parts"; readonly title: string; readonly parts: readonly { id: number; name: string; colour: Rgb; ticks: number }[] };
 
 export interface Colouring {
-  readonly colour: Uint8Array; // r, g, b of the stretch to each point
-  readonly part: Int16Array | null; // of a legend of parts: which of them
   readonly legend: Legend;
+  // Of the way between two ticks: how far up the scale, 0 to 1, or which part.
+  valueOf(from: number, to: number): number;
+  rgbOf(value: number): Rgb;
+}
+
+// The columns that the ticks stand for, at least one.
+function columnsOf(plan: Plan, from: number, to: number): [number, number] {
+  const { ticksPerColumn, columns } = plan.motion!;
+  const first = Math.min(Math.floor(from / ticksPerColumn), columns - 1);
+  return [first, Math.min(Math.max(Math.ceil(to / ticksPerColumn), first + 1), columns)];
 }
 
 // The largest share of its limit that the quantity has in some columns, along the path or of an axis.
@@ -26,14 +35,6 @@ function shareOfLimit(plan: Plan, quantity: Quantity, from: number, to: number):
   return most;
 }
 
-// The columns that the stretch to point i stands for, at least one.
-function columnsOf(plan: Plan, i: number): [number, number] {
-  const { path, ticksPerColumn, columns } = plan.motion!;
-  const from = Math.floor(path.tick[i - 1]! / ticksPerColumn);
-  const to = Math.ceil(path.tick[i]! / ticksPerColumn);
-  return [Math.min(from, columns - 1), Math.min(Math.max(to, from + 1), columns)];
-}
-
 function mostFrequent(values: Uint8Array, from: number, to: number, counts: Uint32Array): number {
   counts.fill(0);
   let best = values[from]!;
@@ -44,85 +45,114 @@ function mostFrequent(values: Uint8Array, from: number, to: number, counts: Uint
   return best;
 }
 
-function byScale(plan: Plan, dark: boolean, value: (i: number) => number, legend: { title: string; quantity: "v" | "length" | "share" }, most: number): Colouring {
-  const points = plan.motion!.path.tick.length;
-  const colour = new Uint8Array(3 * points);
-  for (let i = 1; i < points; ++i) {
-    const rgb = scaleColour(most > 0 ? value(i) / most : 0, dark);
-    for (let k = 0; k < 3; ++k) colour[3 * i + k] = Math.round(255 * rgb[k]!);
-  }
-  return { colour, part: null, legend: { kind: "scale", ...legend, most } };
+function byScale(plan: Plan, dark: boolean, value: (from: number, to: number) => number, legend: { title: string; quantity: ScaleQuantity; most: number }): Colouring {
+  return {
+    legend: { kind: "scale", ...legend },
+    valueOf: (from, to) => (legend.most > 0 ? value(...columnsOf(plan, from, to)) / legend.most : 0),
+    rgbOf: (share) => scaleColour(share, dark),
+  };
 }
 
-function byPart(plan: Plan, partOf: (i: number) => number, legend: { title: string; name: (id: number) => string; colour: (id: number) => Rgb }): Colouring {
-  const path = plan.motion!.path;
-  const points = path.tick.length;
-  const colour = new Uint8Array(3 * points);
-  const part = new Int16Array(points);
-  const ticks = new Map<number, number>();
-  for (let i = 1; i < points; ++i) {
-    const id = partOf(i);
-    part[i] = id;
-    ticks.set(id, (ticks.get(id) ?? 0) + path.tick[i]! - path.tick[i - 1]!);
-    const rgb = legend.colour(id);
-    for (let k = 0; k < 3; ++k) colour[3 * i + k] = Math.round(255 * rgb[k]!);
-  }
+function byPart(
+  valueOf: (from: number, to: number) => number,
+  ticks: ReadonlyMap<number, number>,
+  legend: { title: string; name: (id: number) => string; colour: (id: number) => Rgb },
+): Colouring {
   const parts = [...ticks].map(([id, took]) => ({ id, name: legend.name(id), colour: legend.colour(id), ticks: took }));
   parts.sort((a, b) => b.ticks - a.ticks);
-  return { colour, part, legend: { kind: "parts", title: legend.title, parts } };
+  return { legend: { kind: "parts", title: legend.title, parts }, valueOf, rgbOf: legend.colour };
 }
 
 // The largest feedrate that is no rapid's; of a program that only has rapids theirs.
 function largestFeed(plan: Plan): number {
-  const { path } = plan.motion!;
+  const { path, columns } = plan.motion!;
   let most = 0;
   for (let i = 1; i < path.tick.length; ++i) {
-    if (path.rapid[i] === 0) most = Math.max(most, plan.series("path.v").range(...columnsOf(plan, i)).max);
+    if (path.rapid[i] === 0) most = Math.max(most, plan.series("path.v").range(...columnsOf(plan, path.tick[i - 1]!, path.tick[i]!)).max);
   }
-  return most > 0 ? most : plan.series("path.v").range(0, plan.motion!.columns).max;
+  return most > 0 ? most : plan.series("path.v").range(0, columns).max;
 }
 
-export function colouringOf(plan: Plan, by: ColourBy, ground: { rgb: Rgb; dark: boolean }): Colouring {
-  const motion = plan.motion!;
+function byLimit(plan: Plan, ground: Rgb): Colouring {
+  const { limit, ticksPerColumn } = plan.motion!;
+  const { constraints } = plan.header;
+  const counts = new Uint32Array(256);
+  const ticks = new Map<number, number>();
+  for (const id of limit) ticks.set(id, (ticks.get(id) ?? 0) + ticksPerColumn);
+  return byPart((from, to) => mostFrequent(limit, ...columnsOf(plan, from, to), counts), ticks, {
+    title: "what limits the feed",
+    name: (id) => constraints[id]?.text ?? String(id),
+    colour: (id) => visibleOn(rgbOf(constraints[id]?.colour ?? "#888888"), ground),
+  });
+}
+
+function byTool(plan: Plan, ground: Rgb): Colouring {
+  const { runs } = plan.motion!;
+  const ticks = new Map<number, number>();
+  runs.tool.forEach((tool, i) => ticks.set(tool, (ticks.get(tool) ?? 0) + plan.runEnd(i) - runs.tick[i]!));
+  return byPart((from) => runs.tool[Math.max(0, lastAtOrBefore(runs.tick, from))]!, ticks, {
+    title: "tool",
+    name: (id) => (id === 0 ? "no tool" : `T${id}`),
+    colour: (id) => visibleOn(toolColour(id), ground),
+  });
+}
+
+// By the largest value of a length in the way.
+function byLength(plan: Plan, dark: boolean, name: string, title: string): Colouring {
+  const series = plan.series(name);
+  const most = series.range(0, plan.motion!.columns).max;
+  return byScale(plan, dark, (from, to) => series.range(from, to).max, { title, quantity: "length", most });
+}
+
+// Of a path that does not run: what of it is outside the travel.
+function byTravel(plan: Plan, path: Path, ground: Rgb): Colouring {
+  const { axes } = plan.header.machine;
+  const isOut = (i: number): boolean =>
+    path.xyz.some((axis, k) => {
+      const [low, high] = axes[k]!.travel;
+      return (low !== null && axis[i]! < low) || (high !== null && axis[i]! > high);
+    });
+  const ways = Uint8Array.from(path.tick, (_, i) => Number(isOut(i) || (i > 0 && isOut(i - 1))));
+  const ticks = new Map<number, number>();
+  ways.forEach((way, i) => i > 0 && ticks.set(way, (ticks.get(way) ?? 0) + path.tick[i]! - path.tick[i - 1]!));
+  const last = (to: number): number => ways[Math.max(0, lastAtOrBefore(path.tick, to))]!;
+  return byPart((_from, to) => last(to), ticks, {
+    title: "the path as it is planned",
+    name: (id) => (id === 1 ? "leads out of the travel" : "within the travel"),
+    colour: (id) => visibleOn(rgbOf(id === 1 ? "#c62828" : "#7d8590"), ground),
+  });
+}
+
+// What can be told of this plan.
+export function coloursOf(plan: Plan): ColourBy[] {
+  return COLOURS.filter((by) => (by !== "deviation" || plan.has("deviation")) && (by !== "following" || plan.has("following_error")));
+}
+
+export function colouringOf(plan: Plan, path: Path, wanted: ColourBy, ground: { rgb: Rgb; dark: boolean }): Colouring {
+  if (!plan.motion) return byTravel(plan, path, ground.rgb);
+  const by = coloursOf(plan).includes(wanted) ? wanted : "feed";
   switch (by) {
-    case "feed":
-      return byScale(
-        plan,
-        ground.dark,
-        (i) => {
-          const { min, max } = plan.series("path.v").range(...columnsOf(plan, i));
-          return (min + max) / 2;
-        },
-        { title: "feed", quantity: "v" },
-        largestFeed(plan),
-      );
+    case "feed": {
+      const series = plan.series("path.v");
+      const middle = (from: number, to: number): number => {
+        const { min, max } = series.range(from, to);
+        return (min + max) / 2;
+      };
+      return byScale(plan, ground.dark, middle, { title: "feed", quantity: "v", most: largestFeed(plan) });
+    }
     case "acceleration":
     case "jerk": {
       const quantity = by === "jerk" ? "j" : "a";
       const title = `${by}, of the limit that is closest`;
-      return byScale(plan, ground.dark, (i) => shareOfLimit(plan, quantity, ...columnsOf(plan, i)), { title, quantity: "share" }, 1);
+      return byScale(plan, ground.dark, (from, to) => shareOfLimit(plan, quantity, from, to), { title, quantity: "share", most: 1 });
     }
-    case "following": {
-      const series = plan.series("following_error");
-      const most = series.range(0, motion.columns).max;
-      return byScale(plan, ground.dark, (i) => series.range(...columnsOf(plan, i)).max, { title: "following error", quantity: "length" }, most);
-    }
-    case "limit": {
-      const counts = new Uint32Array(256);
-      const constraints = plan.header.constraints;
-      return byPart(plan, (i) => mostFrequent(motion.limit, ...columnsOf(plan, i), counts), {
-        title: "what limits the feed",
-        name: (id) => constraints[id]?.text ?? String(id),
-        colour: (id) => visibleOn(rgbOf(constraints[id]?.colour ?? "#888888"), ground.rgb),
-      });
-    }
-    case "tool": {
-      const { runs } = motion;
-      return byPart(plan, (i) => runs.tool[Math.max(0, lastAtOrBefore(runs.tick, motion.path.tick[i - 1]!))]!, {
-        title: "tool",
-        name: (id) => (id === 0 ? "no tool" : `T${id}`),
-        colour: (id) => visibleOn(toolColour(id), ground.rgb),
-      });
-    }
+    case "following":
+      return byLength(plan, ground.dark, "following_error", "following error");
+    case "deviation":
+      return byLength(plan, ground.dark, "deviation", "off the programmed path");
+    case "limit":
+      return byLimit(plan, ground.rgb);
+    case "tool":
+      return byTool(plan, ground.rgb);
   }
 }

@@ -1,8 +1,9 @@
 // Over the path: the axes' directions, the scale, and the names of places.
 import * as THREE from "three";
 import { hexOf } from "../colours.ts";
-import type { Plan } from "../plan/plan.ts";
-import { MM_PER_INCH, lengthUnit, plain, type Units } from "../units.ts";
+import { fitsOf } from "../plan/account.ts";
+import type { Path, Plan } from "../plan/plan.ts";
+import { MM_PER_INCH, lengthText, lengthUnit, plain, type Units } from "../units.ts";
 import type { Ground } from "./ground.ts";
 import type { Triple } from "./stretches.ts";
 
@@ -10,18 +11,28 @@ import type { Triple } from "./stretches.ts";
 export interface Place {
   readonly at: Triple;
   readonly text: string;
+  readonly over_mm?: number; // told behind the text
 }
 
 // Where the program begins, where its zero is, where it is farthest from the programmed path.
-export function placesOf(plan: Plan): Place[] {
-  const start = plan.positionAt(0);
+export function placesOf(plan: Plan, path: Path): Place[] {
+  const at = (i: number): Triple => [path.xyz[0][i] ?? 0, path.xyz[1][i] ?? 0, path.xyz[2][i] ?? 0];
+  const start = at(0);
   const work = plan.header.machine.work_offsets[0];
   const isAtStart = work?.origin_mm.every((mm, k) => Math.abs(mm - start[k]!) < 1e-6) ?? false;
   const places: Place[] = [{ at: start, text: isAtStart ? `start, ${work!.name}` : "start" }];
   if (work && !isAtStart) places.push({ at: [...work.origin_mm], text: work.name });
   const deviation = plan.header.report.deviation;
-  const at = deviation?.at_mm;
-  if (deviation && at && deviation.max_mm >= 5e-7) places.push({ at: [at["x"] ?? 0, at["y"] ?? 0, at["z"] ?? 0], text: "largest deviation" });
+  const farthest = deviation?.at_mm;
+  if (deviation && farthest && deviation.max_mm >= 5e-7) places.push({ at: [farthest["x"] ?? 0, farthest["y"] ?? 0, farthest["z"] ?? 0], text: "largest deviation" });
+  // Where it is farthest out of the travel, by axis.
+  fitsOf(plan).forEach(({ axis, over, min, travel }, k) => {
+    const values = path.xyz[k];
+    if (!values || over === 0) return;
+    const isLow = travel[0] !== null && travel[0] - min === over;
+    const worst = values.indexOf(values.reduce((a, b) => (isLow ? Math.min(a, b) : Math.max(a, b))));
+    places.push({ at: at(worst), text: `${axis.toUpperCase()} ${isLow ? "below" : "above"} the travel`, over_mm: over });
+  });
   return places;
 }
 
@@ -41,7 +52,10 @@ export function drawOverlay(overlay: Overlay, units: Units, places: readonly Pla
   pen.textAlign = "center";
   drawAxes(overlay);
   drawScale(overlay, units);
-  drawPlaces(overlay, places);
+  drawPlaces(
+    overlay,
+    places.map(({ at, text, over_mm }) => ({ at, text: over_mm === undefined ? text : `${text} by ${lengthText(over_mm, units)} ${lengthUnit(units)}` })),
+  );
 }
 
 function drawAxes({ pen, height, camera, ground }: Overlay): void {

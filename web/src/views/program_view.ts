@@ -220,13 +220,17 @@ export class ProgramView {
   }
 
   private showInstant(scroll: boolean): void {
-    this.codes.textContent = this.plan?.codesAt(this.store.instant) ?? "";
-    const runs = this.plan?.motion?.runs;
-    const line = runs && runs.line.length > 0 ? runs.line[this.plan!.runAt(this.store.instant)]! : 0;
-    if (this.plan?.source === null) {
-      this.message.textContent = `The program's text is not in this report. The tool is in line ${line}.`;
+    const { plan } = this;
+    const { instant } = this.store;
+    const runs = plan?.motion?.runs;
+    const run = plan?.runAt(instant) ?? 0;
+    const isInSubprogram = (runs?.file[run] ?? 0) > 0;
+    this.codes.textContent = `${isInSubprogram ? `${plan!.placeAt(instant)}: ` : ""}${plan?.codesAt(instant) ?? ""}`;
+    if (plan?.source === null) {
+      this.message.textContent = `The program's text is not in this report. The tool is in ${plan.placeAt(instant)}.`;
       return;
     }
+    const line = isInSubprogram ? 0 : (runs?.line[run] ?? 0);
     if (!this.view || line === this.line) return;
     this.line = line;
     const { doc } = this.view.state;

@@ -1,5 +1,6 @@
 // Lines of some pixels' width, one colour a stretch, dashed where they are rapids.
 import * as THREE from "three";
+import { countOf, type Stretches } from "./stretches.ts";
 
 const VERTEX = `
 attribute vec3 a;
@@ -42,106 +43,60 @@ void main() {
   gl_FragColor = vec4(vTint, opacity);
 }`;
 
-const THIN_VERTEX = `
-attribute vec3 tint;
-attribute float dashed;
-attribute float along;
-varying vec3 vTint;
-varying float vDashed;
-varying float vAlong;
-uniform float pixelsPerMm;
-void main() {
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
-  vTint = tint;
-  vDashed = dashed;
-  vAlong = along * pixelsPerMm;
-}`;
-
-export interface Stretches {
-  readonly a: Float32Array; // x, y, z of each begin
-  readonly b: Float32Array;
-  readonly tint: Uint8Array; // r, g, b
-  readonly dashed: Uint8Array;
-  readonly along: Float32Array; // mm from where the dashes begin to the stretch
-}
-
 // Of the view, in the pixels that are drawn.
 function pixelsPerMm(renderer: THREE.WebGLRenderer, camera: THREE.Camera): number {
   return (camera as THREE.OrthographicCamera).zoom * renderer.getPixelRatio();
 }
 
-// A quad has 4 vertices and a thin line 2: up to 75,000 stretches are quads.
-export const MOST_QUADS = 75_000;
+// Of a stretch, in `data-vertices` and in the limit of 300,000.
+export const VERTICES = 4;
 
-export function strokes(stretches: Stretches, width: number): THREE.Object3D {
-  const count = stretches.dashed.length;
-  return count <= MOST_QUADS ? quads(stretches, width) : thinLines(stretches);
-}
+// At most `capacity` stretches, each a quad of some pixels' width; others may take their place at any time.
+export class Strokes {
+  readonly object: THREE.Mesh<THREE.InstancedBufferGeometry, THREE.ShaderMaterial>;
+  private readonly attributes: Record<keyof Stretches, THREE.InstancedBufferAttribute>;
 
-function quads(stretches: Stretches, width: number): THREE.Object3D {
-  const geometry = new THREE.InstancedBufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0]), 3));
-  geometry.setIndex([0, 1, 2, 2, 1, 3]);
-  geometry.setAttribute("a", new THREE.InstancedBufferAttribute(stretches.a, 3));
-  geometry.setAttribute("b", new THREE.InstancedBufferAttribute(stretches.b, 3));
-  geometry.setAttribute("tint", new THREE.InstancedBufferAttribute(stretches.tint, 3, true));
-  geometry.setAttribute("dashed", new THREE.InstancedBufferAttribute(stretches.dashed, 1));
-  geometry.setAttribute("along", new THREE.InstancedBufferAttribute(stretches.along, 1));
-  geometry.instanceCount = stretches.dashed.length;
-  const material = new THREE.ShaderMaterial({
-    vertexShader: VERTEX,
-    fragmentShader: FRAGMENT,
-    uniforms: { viewport: { value: new THREE.Vector2(1, 1) }, width: { value: width }, pixelsPerMm: { value: 1 }, opacity: { value: 1 }, dash: { value: 9 } },
-    side: THREE.DoubleSide,
-  });
-  const mesh = new THREE.Mesh(geometry, material);
-  mesh.frustumCulled = false;
-  mesh.onBeforeRender = (renderer, _scene, camera) => {
-    renderer.getDrawingBufferSize(material.uniforms["viewport"]!.value as THREE.Vector2);
-    const ratio = renderer.getPixelRatio();
-    material.uniforms["width"]!.value = width * ratio;
-    material.uniforms["pixelsPerMm"]!.value = pixelsPerMm(renderer, camera);
-    material.uniforms["dash"]!.value = 9 * ratio;
-  };
-  return mesh;
-}
-
-function twice(values: Uint8Array, size: number): Uint8Array {
-  const doubled = new Uint8Array(2 * values.length);
-  for (let i = 0; i < values.length / size; ++i) {
-    const part = values.subarray(size * i, size * (i + 1));
-    doubled.set(part, 2 * size * i);
-    doubled.set(part, 2 * size * i + size);
+  constructor(capacity: number, width: number) {
+    this.attributes = {
+      a: new THREE.InstancedBufferAttribute(new Float32Array(3 * capacity), 3),
+      b: new THREE.InstancedBufferAttribute(new Float32Array(3 * capacity), 3),
+      tint: new THREE.InstancedBufferAttribute(new Uint8Array(3 * capacity), 3, true),
+      dashed: new THREE.InstancedBufferAttribute(new Uint8Array(capacity), 1),
+      along: new THREE.InstancedBufferAttribute(new Float32Array(capacity), 1),
+    };
+    const geometry = new THREE.InstancedBufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0]), 3));
+    geometry.setIndex([0, 1, 2, 2, 1, 3]);
+    for (const [name, attribute] of Object.entries(this.attributes)) geometry.setAttribute(name, attribute);
+    geometry.instanceCount = 0;
+    const material = new THREE.ShaderMaterial({
+      vertexShader: VERTEX,
+      fragmentShader: FRAGMENT,
+      uniforms: { viewport: { value: new THREE.Vector2(1, 1) }, width: { value: width }, pixelsPerMm: { value: 1 }, opacity: { value: 1 }, dash: { value: 9 } },
+      side: THREE.DoubleSide,
+    });
+    this.object = new THREE.Mesh(geometry, material);
+    this.object.frustumCulled = false;
+    this.object.onBeforeRender = (renderer, _scene, camera) => {
+      renderer.getDrawingBufferSize(material.uniforms["viewport"]!.value as THREE.Vector2);
+      const ratio = renderer.getPixelRatio();
+      material.uniforms["width"]!.value = width * ratio;
+      material.uniforms["pixelsPerMm"]!.value = pixelsPerMm(renderer, camera);
+      material.uniforms["dash"]!.value = 9 * ratio;
+    };
   }
-  return doubled;
-}
 
-function thinLines(stretches: Stretches): THREE.Object3D {
-  const count = stretches.dashed.length;
-  const position = new Float32Array(6 * count);
-  const along = new Float32Array(2 * count);
-  for (let i = 0; i < count; ++i) {
-    const [a, b] = [stretches.a.subarray(3 * i, 3 * i + 3), stretches.b.subarray(3 * i, 3 * i + 3)];
-    position.set(a, 6 * i);
-    position.set(b, 6 * i + 3);
-    along[2 * i] = stretches.along[i]!;
-    along[2 * i + 1] = stretches.along[i]! + Math.hypot(b[0]! - a[0]!, b[1]! - a[1]!, b[2]! - a[2]!);
+  fill(parts: readonly Stretches[]): void {
+    let count = 0;
+    for (const part of parts) {
+      for (const [name, attribute] of Object.entries(this.attributes)) attribute.array.set(part[name as keyof Stretches], count * attribute.itemSize);
+      count += countOf(part);
+    }
+    for (const attribute of Object.values(this.attributes)) {
+      attribute.clearUpdateRanges();
+      attribute.addUpdateRange(0, count * attribute.itemSize);
+      attribute.needsUpdate = true;
+    }
+    this.object.geometry.instanceCount = count;
   }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(position, 3));
-  geometry.setAttribute("along", new THREE.BufferAttribute(along, 1));
-  geometry.setAttribute("tint", new THREE.BufferAttribute(twice(stretches.tint, 3), 3, true));
-  geometry.setAttribute("dashed", new THREE.BufferAttribute(twice(stretches.dashed, 1), 1));
-  const material = new THREE.ShaderMaterial({
-    vertexShader: THIN_VERTEX,
-    fragmentShader: FRAGMENT,
-    uniforms: { pixelsPerMm: { value: 1 }, opacity: { value: 1 }, dash: { value: 9 } },
-  });
-  const lines = new THREE.LineSegments(geometry, material);
-  lines.frustumCulled = false;
-  lines.onBeforeRender = (renderer, _scene, camera) => {
-    material.uniforms["pixelsPerMm"]!.value = pixelsPerMm(renderer, camera);
-    material.uniforms["dash"]!.value = 9 * renderer.getPixelRatio();
-  };
-  return lines;
 }

@@ -79,7 +79,9 @@ export class TimeView {
 
   show(plan: Plan): void {
     this.plan = plan.motion ? plan : null;
-    this.span = { from: 0, to: Math.max(1, plan.motion?.lastTick ?? 1) };
+    const last = Math.max(1, plan.motion?.lastTick ?? 1);
+    const [from, to] = this.store.state.span ?? [0, last];
+    this.span = from < last ? { from, to: Math.min(to, last) } : { from: 0, to: last };
     const perColumn = plan.motion?.ticksPerColumn ?? 1;
     this.note.textContent =
       perColumn > 1 ? `The finest level of this report is ${perColumn} ticks (${plain(perColumn * plan.period_s, 3)} s) a column; minimum and maximum are kept.` : "";
@@ -99,6 +101,7 @@ export class TimeView {
     const size = Math.min(Math.max(span.to - span.from, nearest), Math.max(1, last));
     const from = Math.min(Math.max(0, span.from), Math.max(0, last - size));
     this.span = { from, to: from + size };
+    this.store.set({ span: size >= last ? null : [from, from + size] }, "time");
     this.update();
   }
 

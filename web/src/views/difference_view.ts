@@ -1,0 +1,104 @@
+// Two runs side by side: all of their time, by what the machine does, by limit and by line.
+import { SPLIT_NAMES, total, type Account } from "../plan/account.ts";
+import { largestFirst, limitRows, lineRows, type LineRow, type Ran, type Row } from "../plan/difference.ts";
+import type { Plan } from "../plan/plan.ts";
+import type { Store } from "../state.ts";
+import { h, select, table } from "../ui/dom.ts";
+import { clock, difference } from "../units.ts";
+
+const ROWS_AT_ONCE = 200;
+
+export interface Named extends Ran {
+  readonly name: string;
+}
+
+export interface Pair {
+  readonly base: Named; // what the other one is compared with
+  readonly other: Named;
+  readonly shown: Plan; // one of them: the instant is of this one
+}
+
+export class DifferenceView {
+  readonly element = h("section", { class: "details", tabindex: "0", "aria-label": "Two runs side by side" });
+  private pair: Pair | null = null;
+  private rows: LineRow[] = [];
+  private inOrder = false;
+  private drawn = ROWS_AT_ONCE;
+  private readonly lines = h("div", {});
+  private readonly store: Store;
+
+  constructor(store: Store) {
+    this.store = store;
+  }
+
+  // What is compared is looked for once it is to be seen: it takes seconds for a million lines.
+  show(pair: Pair | null): void {
+    this.pair = pair;
+    this.element.replaceChildren();
+    if (this.element.offsetParent !== null) this.build();
+  }
+
+  build(): void {
+    const { pair } = this;
+    if (!pair || this.element.firstChild) return;
+    const dead = [pair.base, pair.other].find(({ plan }) => plan.motion === null);
+    if (dead) {
+      this.element.append(h("p", { class: "empty" }, `${dead.name} does not run: there is nothing to compare.`));
+      return;
+    }
+    this.rows = lineRows(pair.base, pair.other);
+    this.drawn = ROWS_AT_ONCE;
+    const order = select("Order of the lines", [["difference", "largest difference first"], ["program", "as in the program"]] as const, this.inOrder ? "program" : "difference", (value) => {
+      this.inOrder = value === "program";
+      this.drawn = ROWS_AT_ONCE;
+      this.drawLines();
+    });
+    this.element.append(this.wholeTable(pair), this.part("By limit", this.limitTable(pair)), this.part("By line", order, this.lines));
+    this.drawLines();
+  }
+
+  private part(title: string, ...children: Node[]): HTMLElement {
+    return h("div", { class: "part-of-answer" }, h("h3", {}, title), ...children);
+  }
+
+  private cells = ({ base_s, other_s }: Row): (string | Node)[] => [clock(base_s), clock(other_s), h("span", { class: other_s > base_s ? "bad" : "good" }, difference(base_s, other_s))];
+
+  private wholeTable({ base, other }: Pair): HTMLElement {
+    const seconds = (plan: Plan, ticks: number): number => ticks * plan.period_s;
+    const part = (name: string, of: (account: Account) => number): (string | Node)[] => [
+      name,
+      ...this.cells({ base_s: seconds(base.plan, of(base.account)), other_s: seconds(other.plan, of(other.account)) }),
+    ];
+    const kinds = SPLIT_NAMES.filter(([kind]) => base.account.whole[kind] + other.account.whole[kind] > 0);
+    return table(["", base.name, other.name, "difference"], [part("cycle time", (account) => total(account.whole)), ...kinds.map(([kind, name]) => part(name, (account) => account.whole[kind]))], "difference-whole");
+  }
+
+  private limitTable({ base, other }: Pair): HTMLElement {
+    return table(["limit", base.name, other.name, "difference"], limitRows(base.plan, other.plan).map((row) => [row.key.replaceAll("_", " "), ...this.cells(row)]), "difference-limits");
+  }
+
+  private drawLines(): void {
+    const { rows } = this;
+    const { base, other } = this.pair!;
+    const shown = (this.inOrder ? rows : largestFirst(rows)).slice(0, this.drawn);
+    const more = rows.length - shown.length;
+    this.lines.replaceChildren(
+      table(["line", "program", base.name, other.name, "difference"], shown.map((row) => [this.lineName(row), h("code", {}, row.text), ...this.cells(row)]), "difference-lines"),
+      ...(more > 0 ? [h("button", { type: "button", click: () => this.drawMore() }, `${more} more lines`)] : []),
+    );
+  }
+
+  private drawMore(): void {
+    this.drawn *= 4;
+    this.drawLines();
+  }
+
+  // "12", "12 → 14" where they are not the same, and which of them is missing.
+  private lineName({ base, other }: LineRow): Node | string {
+    const text = base === other ? String(base) : base === 0 ? `+ ${other}` : other === 0 ? `\u2212 ${base}` : `${base} \u2192 ${other}`;
+    const { shown, base: before, other: after } = this.pair!;
+    const tick = shown === before.plan ? before.account.firstTick.get(base) : after.account.firstTick.get(other);
+    if (tick === undefined) return text;
+    return h("button", { type: "button", class: "link", click: () => this.store.set({ tick, hover: null, playing: false }, "answer") }, text);
+  }
+}

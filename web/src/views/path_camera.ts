@@ -1,0 +1,113 @@
+// From where the path is seen: orbit, pan, zoom, and the views of the buttons.
+import * as THREE from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { Triple } from "./stretches.ts";
+
+export const SIDES = ["top", "front", "right", "iso"] as const;
+export type Side = (typeof SIDES)[number];
+const DIRECTIONS: Record<Side, Triple> = { top: [0, 0, 1], front: [0, -1, 0], right: [1, 0, 0], iso: [-1, -1.4, 1.1] };
+
+export interface Box {
+  readonly min: Triple;
+  readonly max: Triple;
+}
+
+export class PathCamera {
+  readonly camera = new THREE.OrthographicCamera();
+  private readonly controls: OrbitControls;
+  private box: Box = { min: [0, 0, 0], max: [0, 0, 0] }; // of what is to be seen
+  private reach = 4; // farther than anything that is drawn
+  private readonly element: HTMLElement;
+
+  // changed: the view is another one. settled: and the hand has let go.
+  constructor(element: HTMLElement, changed: () => void, settled: () => void) {
+    this.element = element;
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, element);
+    this.controls.enableDamping = false;
+    this.controls.zoomToCursor = true;
+    this.controls.screenSpacePanning = true;
+    this.controls.addEventListener("change", changed);
+    this.controls.addEventListener("end", settled);
+  }
+
+  // all: whatever is drawn beside it.
+  setScene(box: Box, all: readonly number[]): void {
+    this.box = box;
+    this.reach = 4 * Math.max(1, ...[...box.min, ...box.max, ...all].map(Math.abs));
+  }
+
+  resize(width: number, height: number): void {
+    Object.assign(this.camera, { left: -width / 2, right: width / 2, top: height / 2, bottom: -height / 2 });
+    this.camera.updateProjectionMatrix();
+  }
+
+  // Before a frame is drawn.
+  prepare(): void {
+    this.camera.near = -4 * this.reach;
+    this.camera.far = 8 * this.reach;
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+  }
+
+  get projection(): THREE.Matrix4 {
+    return new THREE.Matrix4().multiplyMatrices(this.camera.projectionMatrix, this.camera.matrixWorldInverse);
+  }
+
+  look(side: Side): void {
+    this.camera.up.set(0, 0, 1);
+    this.camera.position.copy(this.controls.target).addScaledVector(new THREE.Vector3(...DIRECTIONS[side]).normalize(), this.reach);
+    if (side === "top") this.camera.position.y -= this.reach * 1e-4; // y stays upwards
+    this.fit();
+  }
+
+  // As near as all of the box is seen.
+  fit(): void {
+    const { min, max } = this.box;
+    const middle = new THREE.Vector3(...min).add(new THREE.Vector3(...max)).multiplyScalar(0.5);
+    const offset = this.camera.position.clone().sub(this.controls.target).setLength(this.reach);
+    this.controls.target.copy(middle);
+    this.camera.position.copy(middle).add(offset);
+    this.camera.lookAt(middle);
+    this.camera.updateMatrixWorld();
+    let [width, height] = [0, 0];
+    for (let corner = 0; corner < 8; ++corner) {
+      const point = new THREE.Vector3(corner & 1 ? max[0] : min[0], corner & 2 ? max[1] : min[1], corner & 4 ? max[2] : min[2]);
+      point.applyMatrix4(this.camera.matrixWorldInverse);
+      width = Math.max(width, 2 * Math.abs(point.x));
+      height = Math.max(height, 2 * Math.abs(point.y));
+    }
+    const { clientWidth, clientHeight } = this.element;
+    const zoom = 0.86 * Math.min(clientWidth / Math.max(width, 1e-3), clientHeight / Math.max(height, 1e-3));
+    this.camera.zoom = Math.min(zoom, 1e5);
+    this.update();
+  }
+
+  // From the fragment; a fitted view from above, of what is flat, or from a corner where it says nothing.
+  restore(text: string): void {
+    const numbers = text.split(",").map(Number);
+    const [px, py, pz, tx, ty, tz, zoom] = numbers;
+    if (text === "" || numbers.length !== 7 || !numbers.every(Number.isFinite)) {
+      const { min, max } = this.box;
+      const flat = max[2] - min[2] <= 0.002 * Math.max(max[0] - min[0], max[1] - min[1]);
+      this.look(flat ? "top" : "iso");
+      return;
+    }
+    this.controls.target.set(tx!, ty!, tz!);
+    this.camera.position.set(px!, py!, pz!);
+    this.camera.zoom = zoom!;
+    this.update();
+  }
+
+  // What restore() needs.
+  get text(): string {
+    const numbers = [...this.camera.position.toArray(), ...this.controls.target.toArray(), this.camera.zoom];
+    return numbers.map((number) => String(Number(number.toPrecision(6)))).join(",");
+  }
+
+  private update(): void {
+    this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.controls.dispatchEvent({ type: "change" });
+  }
+}

@@ -1,0 +1,78 @@
+// The coloured lines of a path in any view: chunk by chunk at the level that the view needs, each made once.
+import { rgbOf } from "../colours.ts";
+import type { Path } from "../plan/plan.ts";
+import type { Ground } from "./ground.ts";
+import type { Colouring } from "./path_colours.ts";
+import { NOT_SEEN, chunksOf, levelsFor, type Chunk, type Sight } from "./path_detail.ts";
+import { linesBetween, rapidWays, type Stretches } from "./stretches.ts";
+
+export const MOST_STRETCHES = 70_000;
+const MOST_LEVELS = 32;
+
+export interface Painted {
+  readonly parts: readonly Stretches[];
+  readonly isWhole: boolean; // else some chunks are coarser than they should be, for want of time
+}
+
+const bytesOf = (rgb: readonly number[]): number[] => rgb.map((part) => Math.round(255 * part));
+
+export class PathPaint {
+  private readonly path: Path;
+  private readonly chunks: readonly Chunk[];
+  private readonly ways: Float32Array;
+  private readonly made = new Map<number, Stretches>();
+  private tint: (from: number, to: number, into: Uint8Array, at: number) => void = () => undefined;
+  private shown: Int8Array | null = null; // the level of each chunk as it was painted last
+
+  constructor(path: Path) {
+    this.path = path;
+    this.chunks = chunksOf(path);
+    this.ways = rapidWays(path);
+  }
+
+  // parts: those that are not dimmed; null: all.
+  colour(colouring: Colouring, parts: readonly number[] | null, ground: Ground): void {
+    const faint = bytesOf(rgbOf(ground.faint));
+    const steps = colouring.legend.kind === "scale" ? Array.from({ length: 257 }, (_, i) => bytesOf(colouring.rgbOf(i / 256))) : null;
+    const known = new Map<number, number[]>();
+    const { tick } = this.path;
+    this.tint = (from, to, into, at) => {
+      const value = colouring.valueOf(tick[from]!, tick[to]!);
+      let bytes: number[] | undefined;
+      if (steps) bytes = steps[Math.round(256 * Math.min(1, Math.max(0, value)))];
+      else if (parts !== null && !parts.includes(value)) bytes = faint;
+      else if (!(bytes = known.get(value))) known.set(value, (bytes = bytesOf(colouring.rgbOf(value))));
+      into.set(bytes!, at);
+    };
+    this.made.clear();
+    this.shown = null;
+    this.chunks.forEach((chunk, i) => this.make(i, chunk.levels.length - 1));
+  }
+
+  // Until: on the clock of performance.now(). Null: as it was painted last.
+  paintFor(sight: Sight, until_ms: number): Painted | null {
+    const wanted = levelsFor(this.chunks, sight, MOST_STRETCHES);
+    let isWhole = true;
+    const levels = wanted.map((level, i) => {
+      if (level === NOT_SEEN || this.made.has(i * MOST_LEVELS + level)) return level;
+      if (performance.now() < until_ms) {
+        this.make(i, level);
+        return level;
+      }
+      isWhole = false;
+      while (!this.made.has(i * MOST_LEVELS + level)) ++level; // the coarsest is always there
+      return level;
+    });
+    if (this.shown && levels.every((level, i) => level === this.shown![i])) return isWhole ? null : { parts: this.partsAt(levels), isWhole };
+    this.shown = levels;
+    return { parts: this.partsAt(levels), isWhole };
+  }
+
+  private partsAt(levels: Int8Array): Stretches[] {
+    return [...levels].flatMap((level, i) => (level === NOT_SEEN ? [] : [this.made.get(i * MOST_LEVELS + level)!]));
+  }
+
+  private make(chunk: number, level: number): void {
+    this.made.set(chunk * MOST_LEVELS + level, linesBetween(this.path, this.chunks[chunk]!.levels[level]!.points, this.ways, this.tint));
+  }
+}

@@ -1,0 +1,55 @@
+// The answer: does it fit, where the time goes, what is wrong.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { SOURCE, kerf, openReport, programFile, shown, textOf } from "./report.ts";
+
+test("shows an error at its line, with what to do", async () => {
+  const program = programFile("G21 G90\nG1 X10 F-100\nM30\n");
+  const { page, said } = await openReport([program]);
+  const diagnostic = (await page.locator(".cm-diagnostic").first().textContent())!;
+  assert.ok(diagnostic.includes("E0120"));
+  const [{ remedy }] = JSON.parse(kerf("check", "--format", "json", program).out).diagnostics;
+  assert.ok(diagnostic.includes(remedy));
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("says by how much a program does not fit, and how far the offset may move", async () => {
+  const { page, said } = await openReport([programFile("G21 G90 F6000\nG1 X520\nG1 X-100\nM30\n")]);
+  // The travel of X is -500 to 500.
+  assert.equal(await textOf(page, "fit-verdict"), "does not fit");
+  assert.ok(shown(await textOf(page, "extents")).includes("X -100.000 to 520.000, over by 20.000"));
+  await page.locator("[data-tab=answer]").click();
+  assert.ok(shown(await textOf(page, "offsets")).includes("-400.000 to -20.000"));
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("says between which values the work offset in force would fit", async () => {
+  const text = "G21 G90 G55 F6000\nG1 X20\nG1 X-100\nM30\n";
+  const machine = programFile(readFileSync(join(SOURCE, "programs/machines/table.toml"), "utf8") + "\n[offsets.g55]\nx_mm = 50\n", "offset.toml");
+  const { page, said } = await openReport([programFile(text), "--machine", machine]);
+  await page.locator("[data-tab=answer]").click();
+  // The path is at X -50 to 70 with G55 at 50; the travel is -500 to 500, so G55 may be at -400 to 480.
+  const offsets = shown(await textOf(page, "offsets"));
+  assert.ok(offsets.includes("G55 between") && offsets.includes("-400.000 to 480.000"), offsets);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("tells tool changes, dwells and rapids apart", async () => {
+  const machine = programFile('[program]\ntool_change_s = 3\n' + readFileSync(join(SOURCE, "programs/machines/table.toml"), "utf8").replace(/^\[program\]$/m, ""), "changer.toml");
+  const text = "G21 G90 F6000\nT1 M6\n(rough)\nG1 X10\nG4 P2\nT2 M6\n(finish)\nG1 X20\nG0 X0\nM30\n";
+  const { page, said } = await openReport([programFile(text), "--machine", machine]);
+  const seconds = async (name: string): Promise<number> => parseFloat(await textOf(page, name));
+  assert.ok(Math.abs((await seconds("time-toolChange")) - 6) < 0.02, await textOf(page, "time-toolChange"));
+  assert.ok(Math.abs((await seconds("time-rest")) - 2) < 0.02, await textOf(page, "time-rest"));
+  await page.locator("[data-tab=answer]").click();
+  const tools = (await page.locator("[data-test=by-tool] tbody tr td:first-child").allTextContents()).filter((name) => name !== "no tool");
+  assert.deepEqual(tools, ["T1", "T2"]);
+  assert.deepEqual(await page.locator("[data-test=by-operation] tbody tr td:first-child").allTextContents(), ["before the first heading", "rough", "finish"]);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});

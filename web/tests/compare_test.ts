@@ -1,0 +1,61 @@
+// Runs side by side.
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { test } from "node:test";
+import { clock, difference } from "../src/units.ts";
+import { SOURCE, kerf, openReport, programFile, shown, textOf, traceOf } from "./report.ts";
+
+test("sets two machines side by side", async () => {
+  const machines = ["table", "sigmoid-wm"].map((name) => join(SOURCE, `programs/machines/${name}.toml`));
+  const wm = join(SOURCE, "programs", "wm.ngc");
+  const { page, said } = await openReport([wm, "--machine", machines[0]!, "--machine", machines[1]!]);
+  const times = machines.map((machine) => clock(JSON.parse(kerf("dry-run", "--json", wm, "--machine", machine).out).cycle_time_s));
+  const select = page.locator("select[aria-label=Program]");
+  assert.deepEqual(await select.locator("option").allTextContents(), [`wm.ngc, table.toml: ${times[0]}`, `wm.ngc, sigmoid-wm.toml: ${times[1]}`]);
+  assert.equal(await textOf(page, "cycle-time"), times[0]);
+  await select.selectOption("1");
+  assert.equal(await textOf(page, "cycle-time"), times[1]);
+  await page.locator("[data-tab=answer]").click();
+  const seconds = machines.map((machine) => JSON.parse(kerf("dry-run", "--json", wm, "--machine", machine).out).cycle_time_s as number);
+  const difference = shown(await page.locator("[data-test=side-by-side] tbody tr:nth-child(2) td:last-child").textContent() ?? "");
+  assert.equal(parseFloat(difference).toFixed(3), (seconds[1]! - seconds[0]!).toFixed(3));
+  await page.locator("[data-test=side-by-side] button").first().click();
+  assert.equal(await textOf(page, "cycle-time"), times[0]);
+  assert.equal(await select.inputValue(), "0");
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("two programs are compared line by line, those first that differ most", async () => {
+  const before = programFile("G21 G90 G61 F600\nG1 X20\nG1 Y20\nG1 X0\nG1 Y0\nM2\n", "before.ngc");
+  const after = programFile("(new post)\nG21 G90 G61 F600\nG1 X20\nF1200\nG1 Y20\nG1 X0\nM2\n", "after.ngc");
+  const [slow, fast] = [before, after].map((file) => JSON.parse(kerf("dry-run", "--json", "--explain-speed", file).out));
+  // What each line takes, by the trace.
+  const [of, in_] = [before, after].map((file) => {
+    const lines = new Map<number, number>();
+    for (const row of traceOf(file).slice(0, -1)) lines.set(row.line, (lines.get(row.line) ?? 0) + slow.period_s);
+    return (line: number): string => clock(lines.get(line) ?? 0);
+  });
+  const { page, said } = await openReport([before, after]);
+  await page.locator("[data-tab=difference]").click();
+  const rows = await page.locator("[data-test=difference-lines] tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent!)));
+  const told = new Map(rows.map(([line, text, base, other]) => [text, [line, base, other]]));
+  assert.deepEqual(told.get("G1 X20"), ["2 \u2192 3", of!(2), in_!(3)]);
+  assert.deepEqual(told.get("G1 Y20"), ["3 \u2192 5", of!(3), in_!(5)]);
+  assert.deepEqual(told.get("G1 X0"), ["4 \u2192 6", of!(4), in_!(6)]);
+  assert.deepEqual(told.get("G1 Y0"), ["\u2212 5", of!(5), clock(0)]);
+  const amounts = rows.map((row) => Math.abs(parseFloat(shown(row[4]!) || "0")));
+  assert.deepEqual(amounts, [...amounts].sort((a, b) => b - a));
+  const whole = await page.locator("[data-test=difference-whole] tbody tr").first().locator("td").allTextContents();
+  assert.deepEqual(whole, ["cycle time", clock(slow.cycle_time_s), clock(fast.cycle_time_s), difference(slow.cycle_time_s, fast.cycle_time_s)]);
+  const limits = await page.locator("[data-test=difference-limits] tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent!)));
+  const feed = limits.find(([name]) => name === "programmed feedrate")!;
+  assert.deepEqual(feed.slice(1, 3), [slow, fast].map((one) => clock(one.speed_limits.programmed_feedrate.time_s)));
+  await page.locator("select[aria-label='Order of the lines']").selectOption("program");
+  assert.deepEqual(await page.locator("[data-test=difference-lines] code").allTextContents(), ["G1 X20", "G1 Y20", "G1 X0", "G1 Y0"]);
+  // A line of the run that is shown is gone to.
+  await page.locator("[data-test=difference-lines] button", { hasText: "4" }).click();
+  assert.match(await textOf(page, "instant"), /line 4$/);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});

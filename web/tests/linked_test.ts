@@ -1,0 +1,101 @@
+// Path, time and program are one: what is pointed at in one is followed by the others.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { goTo, kerf, markedLine, openReport, pocket, shown, textOf, traceOf } from "./report.ts";
+
+test("a line that is clicked moves the instant to where it begins", async () => {
+  const { page, said } = await openReport([pocket]);
+  const first = traceOf(pocket).findIndex((row) => row.line === 16);
+  await page.locator(".cm-line", { hasText: "G1 X-11. Y0. F1200." }).click();
+  assert.match(await textOf(page, "instant"), new RegExp(`tick ${first}, line 16$`));
+  assert.equal(await markedLine(page), "G1 X-11. Y0. F1200.");
+  assert.match(page.url(), new RegExp(`tick=${first}`));
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("a place on the path that is pointed at shows its line and instant, and goes again", async () => {
+  const { page, said } = await openReport([pocket], "#tick=1000");
+  const before = await textOf(page, "instant");
+  const box = (await page.locator(".path-view").boundingBox())!;
+  // Somewhere along this row the pointer crosses the path.
+  let hit = "";
+  for (let x = 0.3; x < 0.8 && hit === ""; x += 0.01) {
+    await page.mouse.move(box.x + x * box.width, box.y + 0.5 * box.height);
+    const tip = page.locator(".tip");
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    if (await tip.isVisible()) hit = (await tip.textContent()) ?? "";
+  }
+  const line = /^line (\d+) /.exec(hit)![1]!;
+  assert.match(await textOf(page, "instant"), new RegExp(`line ${line}$`));
+  assert.equal(await markedLine(page), readFileSync(pocket, "utf8").split("\n")[Number(line) - 1]);
+  const [, x] = /X (\S+)/.exec(shown(hit))!;
+  const tick = Number(/tick (\d+)/.exec(await textOf(page, "instant"))![1]);
+  assert.ok(Math.abs(Number(x) - traceOf(pocket)[tick]!.xyz[0]!) < 0.002, `${x} at tick ${tick}`);
+  await page.mouse.move(box.x + 2, box.y + 2);
+  await page.waitForFunction(() => document.querySelector<HTMLElement>(".tip")!.hidden);
+  assert.equal(await textOf(page, "instant"), before);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("an instant that is clicked in the chart marks its line", async () => {
+  const { page, said } = await openReport([pocket]);
+  const over = (await page.locator(".u-over").first().boundingBox())!;
+  await page.mouse.click(over.x + 0.4 * over.width, over.y + 10);
+  const [, tick, line] = /tick (\d+), line (\d+)$/.exec(await textOf(page, "instant"))!;
+  const trace = traceOf(pocket);
+  assert.ok(Math.abs(Number(tick) / (trace.length - 1) - 0.4) < 0.003);
+  assert.equal(trace[Number(tick)]!.line, Number(line));
+  assert.equal(await markedLine(page), readFileSync(pocket, "utf8").split("\n")[Number(line) - 1]);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("the codes in force at the instant are those that explain names before the next line", async () => {
+  const { page, said } = await openReport([pocket]);
+  const trace = traceOf(pocket);
+  for (const line of [7, 10, 16, 44]) {
+    await goTo(page, trace.findIndex((row) => row.line === line) + 5);
+    // What a block sets is in force before the next one.
+    const block = JSON.parse(kerf("explain", pocket, "--line", String(line + 1), "--json").out).block as { codes: string[] };
+    const shownCodes = (await textOf(page, "codes")).split(" ");
+    for (const code of shownCodes) assert.ok(block.codes.includes(code), `${code} in ${block.codes.join(" ")}`);
+    assert.ok(shownCodes.length >= 8);
+  }
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("play goes on in time, and space stops it", async () => {
+  const { page, said } = await openReport([pocket], "#tick=20000");
+  await page.locator("body").press("Space");
+  await page.waitForFunction(() => Number(document.querySelector<HTMLElement>(".instant")!.dataset["tick"]) > 20100);
+  await page.locator("body").press("Space");
+  const stopped = await textOf(page, "instant");
+  await page.waitForTimeout(150);
+  assert.equal(await textOf(page, "instant"), stopped);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("the chart zooms to what is dragged over, down to ticks, and back", async () => {
+  const { page, said } = await openReport([pocket]);
+  const over = (await page.locator(".u-over").first().boundingBox())!;
+  await page.mouse.move(over.x + 0.3 * over.width, over.y + 10);
+  await page.mouse.down();
+  await page.mouse.move(over.x + 0.5 * over.width, over.y + 12, { steps: 4 });
+  await page.waitForTimeout(100); // uPlot takes a move with the next frame
+  await page.mouse.up();
+  await page.mouse.move(over.x + 0.5 * over.width, over.y + 10);
+  // The middle of what is seen is now at 0.4 of the whole.
+  const tick = Number(/tick (\d+)/.exec(await textOf(page, "instant"))![1]);
+  const all = traceOf(pocket).length - 1;
+  assert.ok(Math.abs(tick / all - 0.4) < 0.003, `${tick} of ${all}`);
+  await page.locator("button", { hasText: /^all$/ }).click();
+  await page.mouse.move(over.x + 0.5 * over.width, over.y + 10);
+  assert.ok(Math.abs(Number(/tick (\d+)/.exec(await textOf(page, "instant"))![1]) / all - 0.5) < 0.003);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});

@@ -1,0 +1,87 @@
+// The path of many lines.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { clock } from "../src/units.ts";
+import type { Page } from "playwright-core";
+import { kerf, openReport, pocket, programFile, textOf } from "./report.ts";
+
+test("keeps every peak, and draws at most 300,000 vertices", async () => {
+  const lines = ["G21 G90 G64 P0.01 F6000"];
+  for (let i = 0; i < 60_000; ++i) lines.push(`G1 X${(100 * Math.cos(i / 50) + i / 1000).toFixed(3)} Y${(80 * Math.sin(i / 37)).toFixed(3)}`);
+  const program = programFile([...lines, "M30", ""].join("\n"));
+  const json = JSON.parse(kerf("dry-run", "--json", program).out);
+  assert.ok(json.ticks > 200_000, "more ticks than a report has columns");
+  const { page, said } = await openReport([program]);
+  assert.equal(await textOf(page, "cycle-time"), clock(json.cycle_time_s));
+  assert.match((await page.locator(".note").textContent())!, /finest level of this report is \d+ ticks/);
+  for (const colour of ["feed", "limit", "jerk"]) {
+    await page.locator("[data-test=colour]").selectOption(colour);
+    for (const side of ["top", "iso"]) {
+      await page.locator(`[data-side=${side}]`).click();
+      await page.waitForTimeout(50);
+      const vertices = Number(await page.locator(".path-view canvas").first().getAttribute("data-vertices"));
+      assert.ok(vertices > 10_000 && vertices <= 300_000, `${vertices} vertices`);
+    }
+  }
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+// What a hand does with the view: turns it, comes nearer, moves it. Calls `look` after each step.
+async function wander(page: Page, look: () => Promise<void>): Promise<void> {
+  const box = (await page.locator(".path-view").boundingBox())!;
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  for (const button of ["left", "right"] as const) {
+    await page.mouse.move(x, y);
+    await page.mouse.down({ button });
+    for (let step = 1; step <= 6; ++step) {
+      await page.mouse.move(x + 12 * step, y + 7 * step);
+      await look();
+    }
+    await page.mouse.up({ button });
+  }
+  await page.mouse.move(x, y);
+  for (let step = 0; step < 12; ++step) {
+    await page.mouse.wheel(0, -240);
+    await look();
+  }
+}
+
+test("a view of many lines has at most 300,000 vertices in every frame, and most frames cost at most 8 ms of script", async () => {
+  const lines = Array.from({ length: 80_000 }, (_, i) => `G1 X${(100 * Math.cos(i / 50) + 60 * Math.sin(i * i)).toFixed(3)} Y${(80 * Math.sin(i / 37) + 60 * Math.cos(3 * i * i)).toFixed(3)}`);
+  const { page, said } = await openReport([programFile(["G21 G90 G61 F12000", ...lines, "M30", ""].join("\n"))], "#colour=limit");
+  const canvas = page.locator(".path-view canvas").first();
+  const costs: number[] = [];
+  const vertices: number[] = [];
+  await wander(page, async () => {
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    vertices.push(Number(await canvas.getAttribute("data-vertices")));
+    costs.push(Number(await canvas.getAttribute("data-script-ms")));
+  });
+  assert.ok(Math.max(...vertices) > 100_000 && Math.max(...vertices) <= 300_000, `${Math.max(...vertices)} vertices`);
+  costs.sort((a, b) => a - b);
+  assert.ok(costs[costs.length >> 1]! <= 8, `${costs.join(" ")} ms`); // a machine that does something else meanwhile has worse ones
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("each colour has its legend, and a part of one that is clicked dims the others", async () => {
+  const { page, said } = await openReport([pocket]);
+  const colours = await page.locator("[data-test=colour] option").evaluateAll((all) => all.map((one) => (one as HTMLOptionElement).value));
+  assert.deepEqual(colours, ["feed", "limit", "acceleration", "jerk", "tool", "following"]);
+  for (const colour of colours) {
+    await page.locator("[data-test=colour]").selectOption(colour);
+    assert.equal(await page.locator(".legend").count(), 1);
+  }
+  await page.locator("[data-test=colour]").selectOption("limit");
+  const before = await page.locator(".path-view canvas").first().screenshot();
+  await page.locator(".legend.parts button").first().click();
+  assert.equal(await page.locator(".legend.parts button[aria-pressed=true]").count(), 1);
+  assert.ok((await page.locator(".legend.parts button.dimmed").count()) >= 1);
+  await page.waitForTimeout(200);
+  assert.ok(!before.equals(await page.locator(".path-view canvas").first().screenshot()), "the picture is another one");
+  await page.locator(".legend.parts button").first().click();
+  assert.equal(await page.locator(".legend.parts button.dimmed").count(), 0);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
