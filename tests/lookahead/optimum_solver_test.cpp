@@ -1,5 +1,7 @@
 // The parts of the search for the time optimum, each against what it must be.
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <random>
 #include <vector>
 
@@ -10,6 +12,7 @@
 #include "lookahead/optimum/solver/barrier.hpp"
 #include "lookahead/optimum/solver/barrier_objective.hpp"
 #include "lookahead/optimum/solver/feed_spline.hpp"
+#include "lookahead/optimum/solver/optimal_feed.hpp"
 
 namespace kerf::lookahead::test {
 namespace {
@@ -226,6 +229,53 @@ TEST(BarrierObjective, ItsGradientIsThatOfItsValue) {
   }
 }
 
+// What does not depend on the range is the same: the slopes by the coefficients that are free in
+// it.
+TEST(BarrierObjective, OfARangeHasTheSlopesOfTheWhole) {
+  PlanLimits limits;
+  limits.axes.fill({.velocity_mm_s = 60.0, .acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
+  std::mt19937_64 random(4);
+  for (const StartState& begin : {StartState{}, StartState{.v_mm_s = 12.0, .a_mm_s2 = 30.0}}) {
+    const CellSequence sequence = random_sequence(random, begin, 16);
+    const std::size_t count = sequence.spline_cells();
+    const BarrierObjective whole(sequence, limits);
+    const BarrierWeights weights{.weight_s = 0.01, .relaxed = 0.2};
+    std::vector<double> c(whole.size());
+    for (double& coefficient : c) {
+      coefficient = uniform(random, 80.0, 400.0);
+    }
+    whole.bind(c);
+    BandSystem of_whole;
+    ASSERT_LT(whole.derive(c, weights, of_whole).objective_s, kUnbounded);
+    for (const SplineRange& range :
+         {SplineRange{0, 7}, SplineRange{3, 10}, SplineRange{6, count}, SplineRange{0, count}}) {
+      const BarrierObjective part(sequence, limits, range);
+      ASSERT_EQ(part.size(), range.size() + 2);
+      const auto from = c.begin() + static_cast<std::ptrdiff_t>(range.begin);
+      std::vector<double> own(from, from + static_cast<std::ptrdiff_t>(part.size()));
+      const std::vector<double> given = own;
+      part.bind(own);
+      EXPECT_EQ(own, given);
+      BandSystem of_part;
+      ASSERT_LT(part.derive(own, weights, of_part).objective_s, kUnbounded);
+      const auto [first, end] = part.free_rows();
+      EXPECT_GE(end, first + 3);
+      for (std::size_t i = first; i < end; ++i) {
+        const double slope = of_whole.gradient[range.begin + i];
+        EXPECT_NEAR(of_part.gradient[i], slope, 1e-12 * (1.0 + std::abs(slope))) << i;
+      }
+      std::vector<double> change(part.size(), 1.0);
+      part.bind_change(change);
+      if (range.begin > 0) {
+        EXPECT_EQ(std::max(std::abs(change[0]), std::abs(change[1])), 0.0);
+      }
+      if (range.end < count) {
+        EXPECT_EQ(std::max(std::abs(change[end]), std::abs(change[end + 1])), 0.0);
+      }
+    }
+  }
+}
+
 // On a straight line along x every limit is one of the motion along the path: of the path's and x'
 // own the tighter one counts, and the objective of a cruise can be written down.
 TEST(BarrierObjective, OfACruiseIsItsTimeAndTheBarriersOfTheTightestLimits) {
@@ -254,6 +304,40 @@ TEST(BarrierObjective, OfACruiseIsItsTimeAndTheBarriersOfTheTightestLimits) {
   const double landing = 0.25 * std::pow(1e4 * kAim * 12.0 * 12.0, 2.0 / 3.0);
   EXPECT_NEAR(bounded.objective_s - bounded.time_s,
               -3.0 * std::log1p(-400.0 / cap) - std::log1p(-400.0 / std::min(cap, landing)), 1e-9);
+}
+
+// The feedrate beyond the range is the boundary of what is searched in it.
+TEST(OptimalFeed, IsRefinedOnARangeAlone) {
+  PlanLimits limits;
+  limits.axes.fill({.velocity_mm_s = 60.0, .acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
+  CellSequence sequence{.begin = {.v_mm_s = 20.0}, .cells = {}};
+  for (int i = 0; i < 60; ++i) {
+    Cell cell{.length_mm = 0.5, .along = {.acceleration_mm_s2 = 900.0, .jerk_mm_s3 = 2e4}};
+    for (PathSample* end : {&cell.begin, &cell.end}) {
+      end->first = {1.0, 0.0, 0.0};
+      end->feedrate_mm_s = 50.0;
+    }
+    sequence.cells.push_back(cell);
+  }
+  OptimalFeed feed = find_optimal_feed(sequence, limits);
+  const std::vector<double> before = feed.coefficients;
+  constexpr std::size_t kSlower = 25;
+  sequence.cells[kSlower].shares.feedrate *= 0.99;
+  constexpr SplineRange kRange{10, 40};
+  refine_optimal_feed(sequence, limits, kRange, feed);
+  const double cap = std::pow(0.99 * kAim * 50.0, 2.0);
+  EXPECT_GT(before[kSlower + 1], cap);
+  EXPECT_LT(feed.coefficients[kSlower + 1], cap);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (i < kRange.begin + 2 || i >= kRange.end) {
+      EXPECT_EQ(feed.coefficients[i], before[i]) << i;
+    }
+  }
+  // As over all cells, to what the last barrier leaves to gain.
+  OptimalFeed over_all = find_optimal_feed(sequence, limits);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_NEAR(feed.coefficients[i], over_all.coefficients[i], 2e-3 * before[i]) << i;
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 #include "lookahead/optimum/solver/pair_sums.hpp"
@@ -34,42 +35,60 @@ BarrierObjective::RestCell BarrierObjective::rest_cell(const Cell& cell, const R
           .gain = 1.0 / (1.0 + 2.0 * neighbour_mm / (3.0 * h))};
 }
 
-BarrierObjective::BarrierObjective(const CellSequence& sequence, const PlanLimits& limits)
-    : sequence_(&sequence), limits_(&limits) {
-  const std::vector<double> lengths = sequence.spline_lengths_mm();
+// The basis of a cell depends on its neighbours' lengths.
+BarrierObjective::BarrierObjective(const CellSequence& sequence, const PlanLimits& limits,
+                                   const SplineRange& range)
+    : sequence_(&sequence), limits_(&limits), range_(range) {
   const std::vector<Cell>& cells = sequence.cells;
-  rows_ = limit_rows({cells.data() + sequence.first_spline_cell(), sequence.spline_cells()},
-                     feed_basis(lengths), limits);
-  if (sequence.begin.at_rest()) {
+  const std::size_t first = sequence.first_spline_cell();
+  const std::size_t count = sequence.spline_cells();
+  const std::size_t before = range.begin > 0 ? 1 : 0;
+  const std::size_t after = range.end < count ? 1 : 0;
+  std::vector<double> lengths;
+  for (std::size_t i = range.begin - before; i < range.end + after; ++i) {
+    lengths.push_back(cells[first + i].length_mm);
+  }
+  const std::vector<CellBasis> basis = feed_basis(lengths);
+  rows_ = limit_rows({cells.data() + first + range.begin, range.size()},
+                     std::span(basis).subspan(before, range.size()), limits);
+  if (sequence.begin.at_rest() && range.begin == 0) {
     launch_ = rest_cell(cells.front(), {.rest = &cells.front().begin, .inner = &cells.front().end},
                         lengths.front());
   }
-  landing_ = rest_cell(cells.back(), {.rest = &cells.back().end, .inner = &cells.back().begin},
-                       lengths.back());
+  if (range.end == count) {
+    landing_ = rest_cell(cells.back(), {.rest = &cells.back().end, .inner = &cells.back().begin},
+                         lengths.back());
+  }
 }
 
 BandSystem::Rows BarrierObjective::free_rows() const noexcept {
-  return {.begin = sequence_->begin.at_rest() ? 1U : 2U, .end = size() - 1};
+  return {.begin = launches() ? 1U : 2U, .end = size() - (lands() ? 1U : 2U)};
 }
 
 void BarrierObjective::bind(std::vector<double>& coefficients) const noexcept {
-  const StartState& begin = sequence_->begin;
-  if (begin.at_rest()) {
+  if (launches()) {
     coefficients.front() = launch_.gain * coefficients[1];
-  } else {
+  } else if (begins_in_motion()) {
+    const StartState& begin = sequence_->begin;
     coefficients[0] = square(begin.v_mm_s);
     coefficients[1] = coefficients[0] + begin.a_mm_s2 * sequence_->cells.front().length_mm;
   }
-  coefficients.back() = landing_.gain * coefficients[size() - 2];
+  if (lands()) {
+    coefficients.back() = landing_.gain * coefficients[size() - 2];
+  }
 }
 
 void BarrierObjective::bind_change(std::vector<double>& change) const noexcept {
-  if (sequence_->begin.at_rest()) {
+  if (launches()) {
     change.front() = launch_.gain * change[1];
   } else {
     change[0] = change[1] = 0.0;
   }
-  change.back() = landing_.gain * change[size() - 2];
+  if (lands()) {
+    change.back() = landing_.gain * change[size() - 2];
+  } else {
+    change[size() - 2] = change[size() - 1] = 0.0;
+  }
 }
 
 // The spline's value at its ends is its outermost coefficient.
@@ -92,7 +111,7 @@ BarrierObjective::Value BarrierObjective::derive(const std::vector<double>& coef
                                                  const BarrierWeights& weights,
                                                  BandSystem& system) const {
   system.clear(size());
-  const std::size_t count = sequence_->spline_cells();
+  const std::size_t count = range_.size();
   SimdPair time = SimdPair::Zero();
   SimdPair barrier_sum = SimdPair::Zero();
   const SimdPair* row = rows_.rows.data();
@@ -110,10 +129,12 @@ BarrierObjective::Value BarrierObjective::derive(const std::vector<double>& coef
     i += cells;
   }
   Sums ends{.weights = &weights, .system = &system};
-  if (launch_.length_mm > 0.0) {
+  if (launches()) {
     add_rest(launch_, 0, coefficients, ends);
   }
-  add_rest(landing_, size() - 1, coefficients, ends);
+  if (lands()) {
+    add_rest(landing_, size() - 1, coefficients, ends);
+  }
   fold_ends(system);
   Value value;
   value.time_s = time.sum() + ends.time_s;
@@ -128,12 +149,14 @@ void BarrierObjective::fold_ends(BandSystem& system) const {
     system.gradient[inner] += gain * system.gradient[outer];
     system.diagonal[inner] += gain * (2.0 * system.first[band] + gain * system.diagonal[outer]);
   };
-  if (sequence_->begin.at_rest()) {
+  if (launches()) {
     fold(0, 1, 0, launch_.gain);
     system.first[1] += launch_.gain * system.second[0];
   }
-  fold(last, last - 1, last - 1, landing_.gain);
-  system.first[last - 2] += landing_.gain * system.second[last - 2];
+  if (lands()) {
+    fold(last, last - 1, last - 1, landing_.gain);
+    system.first[last - 2] += landing_.gain * system.second[last - 2];
+  }
 }
 
 }  // namespace kerf::lookahead

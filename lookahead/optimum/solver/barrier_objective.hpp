@@ -32,18 +32,31 @@ struct CellSequence {
   }
 };
 
+// Cells of the spline of a sequence, counted from its first.
+struct SplineRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+
+  [[nodiscard]] std::size_t size() const noexcept { return end - begin; }
+};
+
 // T(c) + weight sum of barriers over the limits of each cell (limit_rows), c the coefficients of
 // the spline.
 //
 // In the derivatives each limit is taken as linear about the present c, so the second derivative
 // misses the curvature of the jerk's sqrt(b): it is positive definite, and the search converges
 // fast, though not quadratically. Two coefficients at each end depend on their neighbours: a launch
-// of constant jerk over h joins the spline where b' = 4/3 b / h, a begin in motion fixes both.
+// of constant jerk over h joins the spline where b' = 4/3 b / h, a begin in motion fixes both. On a
+// range of the cells, whose coefficients are those of the whole from range.begin on, both are fixed
+// at an end within the spline, so that the feedrate beyond the range stays as it is.
 class BarrierObjective {
  public:
-  BarrierObjective(const CellSequence& sequence, const PlanLimits& limits);
+  BarrierObjective(const CellSequence& sequence, const PlanLimits& limits)
+      : BarrierObjective(sequence, limits, {.begin = 0, .end = sequence.spline_cells()}) {}
+  BarrierObjective(const CellSequence& sequence, const PlanLimits& limits,
+                   const SplineRange& range);
 
-  [[nodiscard]] std::size_t size() const noexcept { return sequence_->spline_cells() + 2; }
+  [[nodiscard]] std::size_t size() const noexcept { return range_.size() + 2; }
   // The free coefficients.
   [[nodiscard]] BandSystem::Rows free_rows() const noexcept;
   // Gives the coefficients that are not free their values.
@@ -78,9 +91,16 @@ class BarrierObjective {
   void add_rest(const RestCell& rest, std::size_t outer, const std::vector<double>& coefficients,
                 Sums& sums) const;
   void fold_ends(BandSystem& system) const;
+  [[nodiscard]] bool launches() const noexcept { return launch_.length_mm > 0.0; }
+  [[nodiscard]] bool lands() const noexcept { return landing_.length_mm > 0.0; }
+  // The begin of the range is that of a sequence in motion.
+  [[nodiscard]] bool begins_in_motion() const noexcept {
+    return range_.begin == 0 && !sequence_->begin.at_rest();
+  }
 
   const CellSequence* sequence_;
   const PlanLimits* limits_;
+  SplineRange range_;
   LimitRows rows_;
   RestCell launch_{};
   RestCell landing_{};

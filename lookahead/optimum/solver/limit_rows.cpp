@@ -34,9 +34,8 @@ double cap_of(const Cell& cell) {
 
 class Builder {
  public:
-  Builder(std::span<const Cell> cells, const std::vector<CellBasis>& basis,
-          const PlanLimits& limits)
-      : cells_(cells), basis_(&basis), forms_(cells.size()) {
+  Builder(std::span<const Cell> cells, std::span<const CellBasis> basis, const PlanLimits& limits)
+      : cells_(cells), basis_(basis), forms_(cells.size()) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       CellForms& forms = forms_[i];
       const double cap = cells[i].shares.feedrate *
@@ -102,7 +101,7 @@ class Builder {
     const double cap =
         std::min(squared(cells_[i - 1].shares.feedrate * cells_[i - 1].end.feedrate_mm_s),
                  squared(cells_[i].shares.feedrate * cells_[i].begin.feedrate_mm_s));
-    const std::array<double, 3>& value = (*basis_)[i].begin.value;
+    const std::array<double, 3>& value = basis_[i].begin.value;
     if (value[0] * cap_of(cells_[i - 1]) + value[1] * cap_of(cells_[i]) <= kSeenTo * cap) {
       return false;  // the bounds of the coefficients see to it
     }
@@ -119,7 +118,7 @@ class Builder {
         !acceleration_may_bind(forms, k, at_end ? cell.at_end : cell.at_begin)) {
       return false;
     }
-    const Basis& basis = at_end ? (*basis_)[i].end : (*basis_)[i].begin;
+    const Basis& basis = at_end ? basis_[i].end : basis_[i].begin;
     for (std::size_t c = 0; c < 3; ++c) {
       row[c] = (0.5 * form.first * basis.slope[c] + form.second_per_mm * basis.value[c]) /
                form.acceleration_mm_s2;
@@ -138,7 +137,7 @@ class Builder {
       return false;
     }
     row[3] = form.jumps_per_mm_s / form.jerk_mm_s3;
-    const Basis& basis = at_end ? (*basis_)[i].end : (*basis_)[i].begin;
+    const Basis& basis = at_end ? basis_[i].end : basis_[i].begin;
     for (std::size_t c = 0; c < 3; ++c) {
       row[c] = (0.5 * form.first * basis.bend[c] + 1.5 * form.second_per_mm * basis.slope[c] +
                 form.third_per_mm2 * basis.value[c]) /
@@ -178,7 +177,7 @@ class Builder {
     pair.middle = {SimdPair::Zero(), SimdPair::Ones(), SimdPair::Zero()};
     for (std::size_t lane = 0; lane < kSimdWidth && i + lane < cells_.size(); ++lane) {
       const auto l = static_cast<Eigen::Index>(lane);
-      const CellBasis& basis = (*basis_)[i + lane];
+      const CellBasis& basis = basis_[i + lane];
       pair.length_mm[l] = cells_[i + lane].length_mm;
       pair.begin[l] = basis.begin.value[0];
       pair.end[l] = basis.end.value[2];
@@ -199,14 +198,14 @@ class Builder {
   }
 
   std::span<const Cell> cells_;
-  const std::vector<CellBasis>* basis_;
+  std::span<const CellBasis> basis_;
   std::vector<CellForms> forms_;
   LimitRows result_;
 };
 
 }  // namespace
 
-LimitRows limit_rows(std::span<const Cell> cells, const std::vector<CellBasis>& basis,
+LimitRows limit_rows(std::span<const Cell> cells, std::span<const CellBasis> basis,
                      const PlanLimits& limits) {
   assert(basis.size() == cells.size());
   return Builder(cells, basis, limits).build();

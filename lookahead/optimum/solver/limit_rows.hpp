@@ -80,7 +80,7 @@ struct LimitRows {
 };
 
 // basis: of the cells.
-LimitRows limit_rows(std::span<const Cell> cells, const std::vector<CellBasis>& basis,
+LimitRows limit_rows(std::span<const Cell> cells, std::span<const CellBasis> basis,
                      const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 
@@ -33,6 +34,10 @@ class Search {
  public:
   Search(const CellSequence& sequence, const PlanLimits& limits, OptimalFeed& feed)
       : objective_(sequence, limits), feed_(&feed) {}
+  // feed: of the range, with the mean of the whole.
+  Search(const CellSequence& sequence, const PlanLimits& limits, const SplineRange& range,
+         OptimalFeed& feed)
+      : objective_(sequence, limits, range), feed_(&feed), is_part_(true) {}
 
   [[nodiscard]] const BarrierObjective& objective() const { return objective_; }
 
@@ -51,12 +56,15 @@ class Search {
   void stage(const Goal& goal) {
     const auto [share, done] = goal;
     share_before_ = share_before_ > 0.0 ? share_before_ : share;
-    if (time_s_ == 0.0) {
-      time_s_ = objective_.derive(feed_->coefficients, {.relaxed = 1.0}, system_).time_s;
-    }
     const auto count = static_cast<double>(objective_.size());
-    BarrierWeights weights{.weight_s = share * time_s_ / count,
-                           .stiffness_s = share_before_ * time_s_ / count,
+    if (!is_part_) {
+      if (time_s_ == 0.0) {
+        time_s_ = objective_.derive(feed_->coefficients, {.relaxed = 1.0}, system_).time_s;
+      }
+      feed_->mean_s = time_s_ / count;
+    }
+    BarrierWeights weights{.weight_s = share * feed_->mean_s,
+                           .stiffness_s = share_before_ * feed_->mean_s,
                            .relaxed = kRelaxed * share};
     double before = objective_.derive(feed_->coefficients, weights, system_).objective_s;
     weights.stiffness_s = weights.weight_s;
@@ -126,6 +134,7 @@ class Search {
 
   BarrierObjective objective_;
   OptimalFeed* feed_;
+  bool is_part_ = false;
   BandSystem system_;
   double share_before_ = 0.0;  // the stage before; 0: none
   double time_s_ = 0.0;        // at the coefficients; 0: not known yet
@@ -175,11 +184,16 @@ OptimalFeed find_optimal_feed(const CellSequence& sequence, const PlanLimits& li
   return feed;
 }
 
-void refine_optimal_feed(const CellSequence& sequence, const PlanLimits& limits,
-                         OptimalFeed& feed) {
-  Search search(sequence, limits, feed);
-  search.objective().bind(feed.coefficients);
+int refine_optimal_feed(const CellSequence& sequence, const PlanLimits& limits,
+                        const SplineRange& range, OptimalFeed& feed) {
+  const auto begin = feed.coefficients.begin() + static_cast<std::ptrdiff_t>(range.begin);
+  OptimalFeed part{.coefficients = {begin, begin + static_cast<std::ptrdiff_t>(range.size() + 2)},
+                   .mean_s = feed.mean_s};
+  Search search(sequence, limits, range, part);
+  search.objective().bind(part.coefficients);
   search.stage({.share = kLastShare, .done = kStageDone});
+  std::ranges::copy(part.coefficients, begin);
+  return part.newton_steps;
 }
 
 }  // namespace kerf::lookahead

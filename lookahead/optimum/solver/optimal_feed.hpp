@@ -12,6 +12,7 @@ namespace kerf::lookahead {
 struct OptimalFeed {
   std::vector<double> coefficients;
   int newton_steps = 0;
+  double mean_s = 0.0;  // the time over the coefficients, by which barriers are weighed
 };
 
 // Where the search begins: 0.3 of what velocities, accelerations and jerks allow. Positive and
@@ -39,7 +40,10 @@ std::vector<double> first_feed(const CellSequence& sequence, const PlanLimits& l
 // Precondition: at least two cells of spline.
 OptimalFeed find_optimal_feed(const CellSequence& sequence, const PlanLimits& limits);
 
-// Goes on from an answer after limits have been tightened a little.
-void refine_optimal_feed(const CellSequence& sequence, const PlanLimits& limits, OptimalFeed& feed);
+// Goes on from an answer after limits have been tightened a little on cells of the spline; the
+// feedrate beyond the range stays. Returns the Newton steps, which feed does not count.
+// Precondition: the range has at least three cells, or all.
+int refine_optimal_feed(const CellSequence& sequence, const PlanLimits& limits,
+                        const SplineRange& range, OptimalFeed& feed);
 
 }  // namespace kerf::lookahead

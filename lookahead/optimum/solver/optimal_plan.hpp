@@ -1,7 +1,9 @@
 // The planned motion over one sequence of cells, from the tool's place to a rest.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lookahead/optimum/solver/barrier_objective.hpp"
@@ -58,8 +60,16 @@ class OptimalPlan {
   [[nodiscard]] bool is_landing(std::size_t cell) const noexcept {
     return cell + 1 == sequence_.cells.size();
   }
-  // Which limits are exceeded, and by how much; lowers the shares of those cells.
-  Excess check(const PathAt& path, const PlanLimits& limits);
+  [[nodiscard]] SplineRange whole_spline() const noexcept {
+    return {.begin = 0, .end = sequence_.spline_cells()};
+  }
+  // Which limits are exceeded, and by how much; lowers the shares of those cells. found: of each
+  // cell of the sequence, renewed in the range and in the launch and landing that it meets.
+  void check(const SplineRange& range, const PathAt& path, const PlanLimits& limits,
+             std::vector<Excess>& found);
+  // Around the cells that exceed a limit, with so many cells beside them.
+  [[nodiscard]] std::vector<SplineRange> exceeded_ranges(std::span<const Excess> found,
+                                                         std::size_t beside) const;
   // Halves the cells that exceed a limit; the planned motion stays as it is.
   void halve_cells(const PathAt& path, const PlanLimits& limits);
   void slow_down(const PathAt& path, const PlanLimits& limits);
