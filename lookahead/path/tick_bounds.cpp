@@ -27,8 +27,8 @@ constexpr int kRefinements = 6;
 constexpr double kFarBelow = 8.0;
 constexpr double kFineShare = 1.0 / 64.0;
 // Where curvature allows this many times the feedrate all over a quarter piece, and all over the
-// tick that begins at its end, its chord errors are a quarter of the tolerance: it is passed in one
-// step, whatever a tick is.
+// tick that begins at its end, its chord errors are a quarter of the tolerance: no tick needs to be
+// looked at, and it is passed in one step, whatever a tick is.
 constexpr double kNearlyStraight = 2.0;
 constexpr std::size_t kMaxPieces = 4;
 constexpr int kStraightParts = 4;
@@ -97,21 +97,35 @@ bool is_nearly_straight(const NurbsCurve& curve, double s_mm, double way_mm,
   return true;
 }
 
+const curves::NurbsPiece& piece_at(const NurbsCurve& curve, double s_mm) {
+  return curve.pieces()[curve.piece_index(s_mm)];
+}
+
+double quarter_mm(const curves::NurbsPiece& piece) {
+  return 0.25 * (piece.s_end_mm - piece.s_begin_mm);
+}
+
+bool strides_from(const NurbsCurve& curve, double s_mm, const ScanLimits& limits) {
+  return limits.plan == ScanFor::time_optimum && s_mm >= 0.0 &&
+         is_nearly_straight(
+             curve, s_mm,
+             quarter_mm(piece_at(curve, s_mm)) + limits.feedrate_mm_s * limits.period_s, limits);
+}
+
 // To the next place that is looked at.
-double step_mm(const NurbsCurve& curve, const TickBound& at, const ScanLimits& limits) {
+double step_mm(const NurbsCurve& curve, const TickBound& at, bool strides,
+               const ScanLimits& limits) {
   const double half_tick = 0.5 * at.v_mm_s * limits.period_s;
   if (at.s_mm < 0.0) {
     return std::max(std::min(half_tick, -at.s_mm), kMinStep_mm);
   }
-  const curves::NurbsPiece& piece = curve.pieces()[curve.piece_index(at.s_mm)];
-  const double coarse = 0.25 * (piece.s_end_mm - piece.s_begin_mm);
+  const curves::NurbsPiece& piece = piece_at(curve, at.s_mm);
+  const double coarse = quarter_mm(piece);
   double step = half_tick;
   if (step < kFineShare * coarse &&
       curvature_bound_mm_s(curve, at.s_mm, limits) > kFarBelow * limits.feedrate_mm_s) {
     step = kFineShare * coarse;
   }
-  const bool strides = limits.plan == ScanFor::time_optimum &&
-                       is_nearly_straight(curve, at.s_mm, coarse + 2.0 * half_tick, limits);
   step = std::max(strides ? coarse : std::min(step, coarse), kMinStep_mm);
   // Pieces behind may be much shorter.
   const bool passes_over_one = curve.piece_index(at.s_mm + step) > curve.piece_index(at.s_mm) + 1;
@@ -120,11 +134,14 @@ double step_mm(const NurbsCurve& curve, const TickBound& at, const ScanLimits& l
 
 // From so far before the curve that its begin is not before the middle of a tick.
 std::vector<TickBound> walk(const ContinuedCurve& path, const ScanLimits& limits) {
-  const double length = path.curve().length_mm();
+  const NurbsCurve& curve = path.curve();
+  const double length = curve.length_mm();
   std::vector<TickBound> bounds;
   for (double s = -std::min(0.5 * limits.feedrate_mm_s * limits.period_s, length); s < length;) {
-    bounds.push_back({.s_mm = s, .v_mm_s = tick_bound_mm_s(path, s, limits)});
-    s += step_mm(path.curve(), bounds.back(), limits);
+    const bool strides = strides_from(curve, s, limits);
+    bounds.push_back(
+        {.s_mm = s, .v_mm_s = strides ? limits.feedrate_mm_s : tick_bound_mm_s(path, s, limits)});
+    s += step_mm(curve, bounds.back(), strides, limits);
   }
   return bounds;
 }

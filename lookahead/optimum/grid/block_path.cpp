@@ -158,6 +158,11 @@ double BlockPath::piece_mm(double s_mm) const {
   return piece.s_end_mm - piece.s_begin_mm;
 }
 
+bool BlockPath::joins_pieces(double s_mm) const {
+  const auto* nurbs = std::get_if<curves::NurbsCurve>(&block_->curve);
+  return nurbs != nullptr && nurbs->pieces()[nurbs->piece_index(s_mm)].s_begin_mm == s_mm;
+}
+
 std::vector<BlockPath::Break> BlockPath::breaks() const {
   std::vector<Break> places;
   if (const auto* nurbs = std::get_if<curves::NurbsCurve>(&block_->curve)) {

@@ -28,6 +28,8 @@ class BlockPath {
   [[nodiscard]] std::vector<double> scan_places() const;
   // How far from the place the path's derivatives can be taken as one polynomial.
   [[nodiscard]] double piece_mm(double s_mm) const;
+  // Derivatives may jump there.
+  [[nodiscard]] bool joins_pieces(double s_mm) const;
   // An inner place where a cell must end: the third derivative jumps, the limit curve has a valley,
   // or curvature jumps (`jump`); or a rest, where the curve turns back within a radius of
   // kStopRadius_mm.

@@ -122,8 +122,11 @@ std::vector<Cell> parts_of(const Cell& cell, const std::vector<double>& lengths_
 EndFeeds end_feeds_of(const BlockPath& path, const PlanLimits& limits) {
   const std::vector<double> places = path.scan_places();
   std::vector<Cell> cells;
+  cells.reserve(places.size());
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-    cells.push_back(cell_between(path, {places[i], places[i + 1]}, nullptr));
+    const bool may_jump = i == 0 || path.joins_pieces(places[i]);
+    cells.push_back(
+        cell_between(path, {places[i], places[i + 1]}, may_jump ? nullptr : &cells.back()));
   }
   const std::vector<double> feeds = estimate_feeds(cells, {}, limits);
   return {.v_begin_mm_s = feeds.front(), .v_end_mm_s = feeds.back()};

@@ -43,20 +43,27 @@ struct CellBounds {
   double jerk_mm_s3 = 0.0;
 };
 
+// How far a rise has come when it reaches a feedrate.
+double distance_to_mm(const Rise& rise, double v_mm_s, double jerk_mm_s3) {
+  const double dv = v_mm_s - rise.v_begin_mm_s;
+  return dv > 0.0 ? std::sqrt(2.0 * dv / jerk_mm_s3) * (rise.v_begin_mm_s + dv / 3.0) : 0.0;
+}
+
 // Bends the squared feedrate at the end of a cell to what is reached from that at its begin.
 void bend(double from, const CellBounds& cell, Rise& rise, double& to) {
   const auto [h, a, j] = cell;
   rise.distance_mm += h;
-  const double v = ramp_feed_mm_s(rise.v_begin_mm_s, j, rise.distance_mm);
-  const double reached = std::min(from + 2.0 * a * h, v * v);
-  if (to <= reached) {
-    rise = Rise::at(std::sqrt(to), std::clamp(0.5 * (to - from) / h, 0.0, a), j);
+  const double accelerated = from + 2.0 * a * h;
+  const double v_to = std::sqrt(to);
+  if (to <= accelerated && distance_to_mm(rise, v_to, j) <= rise.distance_mm) {
+    rise = Rise::at(v_to, std::clamp(0.5 * (to - from) / h, 0.0, a), j);
     return;
   }
-  if (reached < v * v) {
-    rise = Rise::at(std::sqrt(reached), a, j);
+  const double v = ramp_feed_mm_s(rise.v_begin_mm_s, j, rise.distance_mm);
+  if (accelerated < v * v) {
+    rise = Rise::at(std::sqrt(accelerated), a, j);
   }
-  to = reached;
+  to = std::min(accelerated, v * v);
 }
 
 // Bends what rises more than acceleration and jerk allow, seen in one direction.
@@ -97,21 +104,27 @@ double tangential_jerk_mm_s3(const Cell& cell, const curves::PathDerivatives& en
 
 double curvature_feedrate_mm_s(const Cell& cell, const PathSample& end, const PlanLimits& limits) {
   double v = cell.shares.feedrate * end.feedrate_mm_s;
+  double squared = kUnbounded;
+  double cubed = kUnbounded;
   for (std::size_t k = 0; k < 3; ++k) {
     const MotionLimits& axis = limits.axes[k];
+    const double jerk = cell.shares.jerk * axis.jerk_mm_s3;
     const double q2 = std::abs(end.second_per_mm[k]);
     const double q3 = std::abs(end.third_per_mm2[k]);
     if (q2 > 0.0) {
-      v = std::min(v, std::sqrt(cell.shares.acceleration * axis.acceleration_mm_s2 / q2));
+      squared = std::min(squared, cell.shares.acceleration * axis.acceleration_mm_s2 / q2);
     }
     if (q3 > 0.0) {
-      v = std::min(v, std::cbrt(cell.shares.jerk * axis.jerk_mm_s3 / q3));
+      cubed = std::min(cubed, jerk / q3);
     }
     if (cell.jumps_per_mm_s[k] > 0.0) {
-      v = std::min(v, std::sqrt(cell.shares.jerk * axis.jerk_mm_s3 / cell.jumps_per_mm_s[k]));
+      squared = std::min(squared, jerk / cell.jumps_per_mm_s[k]);
     }
   }
-  return v;
+  if (squared < v * v) {
+    v = std::sqrt(squared);
+  }
+  return cubed < v * v * v ? std::cbrt(cubed) : v;
 }
 
 std::vector<double> estimate_feeds(std::span<const Cell> cells, const EndFeeds& ends,
