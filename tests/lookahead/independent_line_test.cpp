@@ -32,6 +32,17 @@ TEST(IndependentLine, HasRoomToBeFasterThanItsCorners) {
   EXPECT_FALSE(is_independent_line(line_of(0.999 * way_mm), {.begin = kCorner, .end = kCorner}));
 }
 
+// From 1 to 1.5 mm/s in a transition of 2 sqrt(0.5 / J) at a mean of 1.25 mm/s.
+TEST(IndependentLine, IsAsLongAsItTakesFromOneCruiseToAnother) {
+  const Junction faster{.feedrate_mm_s = 1.5, .constant_velocity_s = 3.0 * kTs};
+  const double way_mm = 1.25 * 2.0 * std::sqrt(0.5 / 5e4) + (1.0 + 1.5) * 3.0 * kTs;
+  LineJunctions junctions{.begin = kCorner, .end = faster};
+  EXPECT_FALSE(is_independent_line(line_of(1.001 * way_mm), junctions));
+  junctions.are_cruises = true;
+  EXPECT_TRUE(is_independent_line(line_of(1.001 * way_mm), junctions));
+  EXPECT_FALSE(is_independent_line(line_of(0.999 * way_mm), junctions));
+}
+
 TEST(IndependentLine, MayRunThroughAtItsFeedrate) {
   const Junction through{.feedrate_mm_s = 100.0};
   EXPECT_TRUE(is_independent_line(line_of(0.01), {.begin = through, .end = through}));

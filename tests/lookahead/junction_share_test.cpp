@@ -46,6 +46,21 @@ TEST(JunctionShare, ARowOfHardJunctionsIsNoSlowerThanByTheSCurve) {
   }
 }
 
+// A turn of 0.01 rad takes all of the jerk at J Ts^2 / 0.01 = 5 mm/s; up to half of it the motion
+// may go on over it.
+TEST(JunctionShare, AJunctionThatTakesMoreThanHalfOfTheJerkIsPassedAsACruise) {
+  const PlanLimits limits = mill();
+  const auto blocks = blocks_of(
+      {line_move({{0, 0, 0}, {5, 0, 0}}, 60.0), line_move({{5, 0, 0}, {10, 0.05, 0}}, 60.0)},
+      limits);
+  ASSERT_EQ(blocks.size(), 2U);
+  const JunctionQuery query{.before = &blocks[0], .after = &blocks[1]};
+  EXPECT_NEAR(junction_of(query, limits).feedrate_mm_s, 5.0, 0.01);
+  EXPECT_TRUE(passed_as_cruise(query, 5.0, limits));
+  EXPECT_TRUE(passed_as_cruise(query, 2.6, limits));
+  EXPECT_FALSE(passed_as_cruise(query, 2.4, limits));
+}
+
 // A jump within a curve: from an arc of 5 mm to one of 8 mm.
 Jump bend() {
   Jump jump;

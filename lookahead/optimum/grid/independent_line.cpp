@@ -18,9 +18,10 @@ bool is_independent_line(const Block& block, const LineJunctions& junctions) {
   if (!std::holds_alternative<curves::Line>(block.curve)) {
     return false;
   }
-  const double peak_mm_s =
-      std::min(block.limits.feedrate_mm_s,
-               kRise * std::max(junctions.begin.feedrate_mm_s, junctions.end.feedrate_mm_s));
+  const double highest_mm_s = std::max(junctions.begin.feedrate_mm_s, junctions.end.feedrate_mm_s);
+  const double peak_mm_s = junctions.are_cruises
+                               ? highest_mm_s
+                               : std::min(block.limits.feedrate_mm_s, kRise * highest_mm_s);
   double way_mm = 0.0;
   for (const Junction* junction : {&junctions.begin, &junctions.end}) {
     way_mm += junction->constant_velocity_s * junction->feedrate_mm_s +

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include "lookahead/optimum/grid/speed_estimate.hpp"
@@ -253,6 +254,14 @@ CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limi
     }
   }
   return fastest;
+}
+
+// With the largest share that leaves room for more than a cruise it could not be passed so fast.
+bool passed_as_cruise(const JunctionQuery& query, double feedrate_mm_s, const PlanLimits& limits) {
+  const auto most = std::ranges::find_if(
+      kShares, [](const JumpShares& shares) { return shares.jump >= kNearlyAll; });
+  const PlanLimits left = jump_limits(limits, *std::prev(most));
+  return junction_of(query, left).feedrate_mm_s < feedrate_mm_s;
 }
 
 }  // namespace kerf::lookahead

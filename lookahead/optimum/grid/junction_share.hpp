@@ -59,6 +59,10 @@ struct CellJunction {
 
 CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limits);
 
+// Whether a junction passed at this feedrate takes so much of the limits that the motion beside it
+// is a cruise.
+bool passed_as_cruise(const JunctionQuery& query, double feedrate_mm_s, const PlanLimits& limits);
+
 // The distance of three ticks from a jump, at the most. cell, end: beside it.
 double zone_mm(const Cell& cell, const curves::PathDerivatives& end, const JunctionLimits& junction,
                const PlanLimits& limits);

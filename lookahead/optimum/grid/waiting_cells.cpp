@@ -48,14 +48,19 @@ void WaitingCells::push(const Window<Block>& blocks) {
     push_cells(number, blocks);
     return;
   }
-  const Junction junction =
-      junction_of({.before = &numbered(open_->number, blocks), .after = &blocks.back()}, limits_);
-  if (!close_as_line(junction, blocks)) {
+  const JunctionQuery query{.before = &numbered(open_->number, blocks), .after = &blocks.back()};
+  LineEnd end{.junction = junction_of(query, limits_)};
+  const bool rests = end.junction.feedrate_mm_s == 0.0;
+  end.is_cruise = rests || passed_as_cruise(query, end.junction.feedrate_mm_s, limits_);
+  if (!close_as_line(end, blocks)) {
     make_cells_of_lines(blocks);
     return;
   }
-  open_ = OpenBlock{.number = number, .whole_line = true, .line_begin = junction};
-  if (junction.feedrate_mm_s == 0.0) {
+  open_ = OpenBlock{.number = number,
+                    .whole_line = true,
+                    .begins_as_cruise = end.is_cruise,
+                    .line_begin = end.junction};
+  if (rests) {
     lines_ = number;
   }
 }
@@ -64,7 +69,7 @@ void WaitingCells::push(const Window<Block>& blocks) {
 // it are cells, and may be a line by itself.
 void WaitingCells::close(const Window<Block>& blocks) {
   while (open_ && open_->whole_line) {
-    if (close_as_line({.feedrate_mm_s = 0.0}, blocks)) {
+    if (close_as_line({}, blocks)) {
       open_.reset();
     } else {
       make_cells_of_lines(blocks);
@@ -76,15 +81,17 @@ void WaitingCells::close(const Window<Block>& blocks) {
   }
 }
 
-bool WaitingCells::close_as_line(const Junction& end, const Window<Block>& blocks) {
+bool WaitingCells::close_as_line(const LineEnd& end, const Window<Block>& blocks) {
   const Block& block = numbered(open_->number, blocks);
-  if (!is_independent_line(block, {.begin = open_->line_begin, .end = end})) {
+  if (!is_independent_line(block, {.begin = open_->line_begin,
+                                   .end = end.junction,
+                                   .are_cruises = open_->begins_as_cruise && end.is_cruise})) {
     return false;
   }
   cells_.push_back({.cell = {.block = open_->number,
                              .length_mm = block.length_mm,
                              .ends_block = true,
-                             .rest_after = end.feedrate_mm_s == 0.0},
+                             .rest_after = end.junction.feedrate_mm_s == 0.0},
                     .whole_line = true});
   return true;
 }

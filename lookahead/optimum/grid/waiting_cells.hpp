@@ -77,7 +77,8 @@ class WaitingCells {
   // A block that is not on the grid yet, and the junction at its beginning.
   struct OpenBlock {
     std::uint64_t number = 0;
-    bool whole_line = false;  // may be one: no cells yet between it and the last rest
+    bool whole_line = false;       // may be one: no cells yet between it and the last rest
+    bool begins_as_cruise = true;  // from rest, or passed_as_cruise
     Junction line_begin{.feedrate_mm_s = 0.0};
     CellJunction begin{};
     EndFeeds own{};                     // end_feeds_of
@@ -94,8 +95,12 @@ class WaitingCells {
     double v_beyond_mm_s = kUnbounded;
     SubTickZone zone{};
   };
+  struct LineEnd {
+    Junction junction{.feedrate_mm_s = 0.0};
+    bool is_cruise = true;  // a rest, or passed_as_cruise
+  };
   // Whether the open block, ending so, is a whole line; then it waits as one.
-  bool close_as_line(const Junction& end, const Window<Block>& blocks);
+  bool close_as_line(const LineEnd& end, const Window<Block>& blocks);
   // The lines since the last rest and the blocks after them, up to the last one pushed.
   void make_cells_of_lines(const Window<Block>& blocks);
   void push_cells(std::uint64_t number, const Window<Block>& blocks);
