@@ -20,6 +20,10 @@ constexpr std::size_t kCutCells = 16;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
 // Where it is to rest at a junction it brakes later than it may if it passes that in motion.
 constexpr std::size_t kMarginOfWindow = 8;
+// What a plan in motion takes, unless the one before it brakes for its end over more than a
+// quarter.
+constexpr std::size_t kCellsInMotion = 750;
+constexpr std::size_t kLongBraking = 4;
 
 PlanDegradation degradation_on(const Block& block, double s_mm) {
   const LineMark mark = block.mark_at(s_mm);
@@ -73,7 +77,14 @@ bool OptimumSchedule::empty() const {
 }
 
 bool OptimumSchedule::has_room() const {
-  return waiting_.size() < settings_.window_cells;
+  return waiting_.size() < max_cells();
+}
+
+std::size_t OptimumSchedule::max_cells() const {
+  const std::size_t count = plan_.cells().size();
+  const bool brakes_long = window_brake_ < count - count / kLongBraking;
+  return cells_left() == 0 || brakes_long ? settings_.window_cells
+                                          : std::min(settings_.window_cells, kCellsInMotion);
 }
 
 bool OptimumSchedule::is_to_be_renewed() const {
@@ -110,9 +121,7 @@ bool OptimumSchedule::emit(Window<Block>& blocks, Supply supply, Emitter& emitte
 
 WindowSearch OptimumSchedule::search(const Window<Block>& blocks) const {
   return {
-      {.limits = &settings_.limits,
-       .max_cells = settings_.window_cells,
-       .observer = settings_.observer.get()},
+      {.limits = &settings_.limits, .max_cells = max_cells(), .observer = settings_.observer.get()},
       {.waiting = &waiting_, .plan = &plan_, .place = place_, .path = waiting_.path_of(blocks)}};
 }
 

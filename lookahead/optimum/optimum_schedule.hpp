@@ -15,16 +15,16 @@
 
 namespace kerf::lookahead {
 
-// A plan covers the known cells up to the next stop, at most window_cells. Shortly before it begins
-// to brake for the end of the window, but not before half of it has been emitted, it is planned
-// anew from the tool's place, with the blocks that have come since. The cells that two plans share
-// are the same, so the rest of the old plan is a feasible start for the new one. Where the search
-// finds no plan that keeps the limits, it is tried over fewer cells. Where it finds none from a
-// place in motion, the old plan is kept and the search begins again farther on; at the last it ends
-// at rest. Where it finds none from rest, the classical plan is the fallback over whole blocks, if
-// it is faster; else the path is cut in two by a rest at its sharpest place, a few times at the
-// most, and a plan that still exceeds a limit is slowed down. Each of these but the first is noted
-// as a degradation.
+// A plan covers the known cells up to the next stop, at most window_cells from a rest on and fewer
+// in motion, where it is to be found soon. Shortly before it begins to brake for the end of the
+// window, but not before half of it has been emitted, it is planned anew from the tool's place,
+// with the blocks that have come since. The cells that two plans share are the same, so the rest of
+// the old plan is a feasible start for the new one. Where the search finds no plan that keeps the
+// limits, it is tried over fewer cells. Where it finds none from a place in motion, the old plan is
+// kept and the search begins again farther on; at the last it ends at rest. Where it finds none
+// from rest, the classical plan is the fallback over whole blocks, if it is faster; else the path
+// is cut in two by a rest at its sharpest place, a few times at the most, and a plan that still
+// exceeds a limit is slowed down. Each of these but the first is noted as a degradation.
 //
 // Lines that are independent of each other (independent_line.hpp) are planned by the S-curve, which
 // is their optimum in closed form: all of them from a rest to the next, or as far as the window
@@ -57,6 +57,8 @@ class OptimumSchedule final : public Schedule {
 
  private:
   [[nodiscard]] std::size_t cells_left() const { return plan_.cells().size() - place_.cell; }
+  // That the next plan takes, at the most.
+  [[nodiscard]] std::size_t max_cells() const;
   [[nodiscard]] bool is_to_be_renewed() const;
   void plan(Window<Block>& blocks, Emitter& emitter);
   // Hands all blocks up to the next rest to the classical schedule, those to come among them.

@@ -1,5 +1,6 @@
 #include "lookahead/optimum/window_search.hpp"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace {
 // A search over fewer cells, half as many each time, may end well where one over all does not.
 constexpr int kShorterSearches = 3;
 constexpr std::size_t kMinShorter = 200;
+// A plan takes so many times the cells that are left of the one before at the least.
+constexpr std::size_t kMinOfRest = 2;
 
 }  // namespace
 
@@ -34,9 +37,10 @@ FoundPlan WindowSearch::over(const Indices& waiting) const {
     sequence = cells_.plan->rest_from(cells_.place);
   }
   std::vector<Cell>& cells = sequence.cells;
+  const std::size_t max_cells = std::max(settings_.max_cells, kMinOfRest * cells.size());
   std::size_t count = 0;
   bool stops = false;
-  while (waiting.begin + count < waiting.end && cells.size() < settings_.max_cells && !stops) {
+  while (waiting.begin + count < waiting.end && cells.size() < max_cells && !stops) {
     cells.push_back((*cells_.waiting)[waiting.begin + count]);
     stops = cells.back().rest_after;
     ++count;
