@@ -20,9 +20,10 @@ constexpr std::size_t kCutCells = 16;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
 // Where it is to rest at a junction it brakes later than it may if it passes that in motion.
 constexpr std::size_t kMarginOfWindow = 8;
+constexpr std::size_t kMinMargin = 200;
 // What a plan in motion takes, unless the one before it brakes for its end over more than a
 // quarter.
-constexpr std::size_t kCellsInMotion = 750;
+constexpr std::size_t kCellsInMotion = 1000;
 constexpr std::size_t kLongBraking = 4;
 
 PlanDegradation degradation_on(const Block& block, double s_mm) {
@@ -169,7 +170,7 @@ void OptimumSchedule::adopt(FoundPlan found) {
   window_brake_ = plan_ends_at_stop_ ? count : plan_.last_braking();
   const auto relaxed = static_cast<std::size_t>(
       std::ranges::count_if(plan_.cells(), [](const Cell& cell) { return cell.relaxed; }));
-  const std::size_t margin = count / kMarginOfWindow + relaxed;
+  const std::size_t margin = std::max(count / kMarginOfWindow, kMinMargin) + relaxed;
   renew_ = std::max(count / 2, window_brake_ - std::min(window_brake_, margin));
 }
 
