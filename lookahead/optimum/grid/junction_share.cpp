@@ -258,7 +258,7 @@ CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limi
 
 // With the largest share that leaves room for more than a cruise it could not be passed so fast.
 bool passed_as_cruise(const JunctionQuery& query, double feedrate_mm_s, const PlanLimits& limits) {
-  const auto most = std::ranges::find_if(
+  const auto* const most = std::ranges::find_if(
       kShares, [](const JumpShares& shares) { return shares.jump >= kNearlyAll; });
   const PlanLimits left = jump_limits(limits, *std::prev(most));
   return junction_of(query, left).feedrate_mm_s < feedrate_mm_s;

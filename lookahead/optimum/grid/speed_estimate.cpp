@@ -44,9 +44,9 @@ struct CellBounds {
 };
 
 // How far a rise has come when it reaches a feedrate.
-double distance_to_mm(const Rise& rise, double v_mm_s, double jerk_mm_s3) {
+double distance_to_mm(const Rise& rise, double v_mm_s, const CellBounds& cell) {
   const double dv = v_mm_s - rise.v_begin_mm_s;
-  return dv > 0.0 ? std::sqrt(2.0 * dv / jerk_mm_s3) * (rise.v_begin_mm_s + dv / 3.0) : 0.0;
+  return dv > 0.0 ? std::sqrt(2.0 * dv / cell.jerk_mm_s3) * (rise.v_begin_mm_s + dv / 3.0) : 0.0;
 }
 
 // Bends the squared feedrate at the end of a cell to what is reached from that at its begin.
@@ -55,7 +55,7 @@ void bend(double from, const CellBounds& cell, Rise& rise, double& to) {
   rise.distance_mm += h;
   const double accelerated = from + 2.0 * a * h;
   const double v_to = std::sqrt(to);
-  if (to <= accelerated && distance_to_mm(rise, v_to, j) <= rise.distance_mm) {
+  if (to <= accelerated && distance_to_mm(rise, v_to, cell) <= rise.distance_mm) {
     rise = Rise::at(v_to, std::clamp(0.5 * (to - from) / h, 0.0, a), j);
     return;
   }
