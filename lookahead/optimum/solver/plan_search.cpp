@@ -21,8 +21,8 @@ constexpr int kPatience = 12;
 constexpr int kBetweenHalvings = 8;
 // What a limit that is lowered changes ends within so many cells. The rest of the plan stays as it
 // is, in later rounds less of it.
-constexpr std::size_t kBeside = 32;
-constexpr std::size_t kMoreBeside = 8;
+constexpr std::size_t kCellsBeside = 32;
+constexpr std::size_t kMoreCellsBeside = 8;
 constexpr double kMinHalved_mm = 1e-6;
 constexpr double kSlight = 1.01;  // slowing down by it is no loss to speak of
 // Of a limit, at the places where it is looked at; what is between two of them is a little more.
@@ -68,7 +68,7 @@ std::optional<OptimalPlan> OptimalPlan::find(CellSequence sequence, const PathAt
   int judged_from = kRoundsToJudge;
   for (int i = 0; i < refinements && !holds(plan.excess_); ++i) {
     std::vector<SplineRange> ranges =
-        plan.exceeded_ranges(found, kBeside + kMoreBeside * static_cast<std::size_t>(i));
+        plan.exceeded_ranges(found, kCellsBeside + kMoreCellsBeside * static_cast<std::size_t>(i));
     if (i >= kPatience && (i - kPatience) % kBetweenHalvings == 0) {
       plan.halve_cells(path, limits);
       feed.coefficients = plan.coefficients_;
