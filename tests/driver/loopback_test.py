@@ -89,6 +89,14 @@ class Loopback(Case):
         self.assertIn("machine fault: the machine is gone, in line 3", err)
         self.assertLess(time.monotonic() - killed, 30)
 
+    def test_row_70_a_machine_hears_that_kerf_is_dead(self):
+        machine = self.start_machine("well")
+        kerf = self.start_kerf()
+        time.sleep(1.0)
+        kerf.kill()
+        kerf.communicate(timeout=60)
+        self.assertIn("hung up on", machine.communicate(timeout=60)[0])
+
     def test_row_70_a_machine_that_is_stopped_is_a_fault_within_its_time_out(self):
         machine = self.start_machine("well")
         kerf = self.start_kerf()

@@ -8,6 +8,7 @@ import pathlib
 import resource
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -64,6 +65,37 @@ class ProcessFaults(Case):
         with open(trace) as file:  # whole: all that ran is in it
             last = file.read().splitlines()[-1].split(",")
         self.assertEqual(float(last[3]), 0.0)
+
+    def test_row_61_a_program_that_is_edited_while_it_is_held_is_not_resumed_into_the_other_text(self):
+        def text(end):
+            return "G21 G90\nF6000\n" + "".join(f"G1 X{i % 2 / 100} ({'-' * 100})\n" for i in range(20_000)) + end
+        place, program, trace = self.path("c.sock"), self.path("held.ngc", text("M30\n")), self.path("t.csv")
+        process = self.start("run", program, "--trace", trace, "--window", "10", "--control", place, stdin=subprocess.DEVNULL)
+        while not os.path.exists(place):
+            self.assertIsNone(process.poll())
+            time.sleep(0.01)
+        with socket.socket(socket.AF_UNIX) as client:
+            client.connect(place)
+            lines = client.makefile("rw")
+
+            def ask(command):
+                lines.write(json.dumps({"command": command}) + "\n")
+                lines.flush()
+                while (told := json.loads(lines.readline()))["type"] not in ("answer", "status"):
+                    pass
+                return told
+            self.assertTrue(ask("hold")["accepted"])
+            while ask("status")["state"] != "held":
+                time.sleep(0.02)
+            pathlib.Path(program).write_text(text("G1 X200 F1\nM30\n"))
+            ask("resume")
+            err = process.communicate(timeout=60)[1]
+        self.assertEqual(process.returncode, 5, err)
+        self.assertIn("held.ngc: changed while it was read", err)
+        with open(trace) as file:
+            rows = [line.split(",") for line in file.read().splitlines()[1:]]
+        self.assertLess(max(float(row[6]) for row in rows), 0.02)
+        self.assertEqual(float(rows[-1][3]), 0.0)
 
     def test_row_28_an_m_code_runs_no_program(self):
         script = self.path("M100", f"#!/bin/sh\ntouch {self.path('ran')}\n")
