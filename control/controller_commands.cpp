@@ -152,28 +152,16 @@ void Controller::Impl::carry_out(Command command, State state) {
     case Command::stop:
       state != State::stopping ? stop_manual() : is_suspended_ ? end_suspended() : kernel_->stop();
       break;
-    case Command::override:
-      if (has_program()) {
-        kernel_->set_overrides(operator_.overrides);
-      }
-      break;
-    case Command::single_block:
-      if (has_program()) {
-        kernel_->set_single_block(operator_.single_block);
-      }
-      break;
-    case Command::optional_stop:
-      if (has_program()) {
-        kernel_->set_optional_stop(operator_.optional_stop);
-      }
-      break;
-    case Command::block_delete:
-      if (has_program()) {
-        kernel_->set_block_delete(operator_.block_delete);
-      }
-      break;
     case Command::home:
       home_search_.begin();
+      break;
+    case Command::override:
+    case Command::single_block:
+    case Command::optional_stop:
+    case Command::block_delete:
+      if (has_program()) {
+        tell_program(command);
+      }
       break;
     case Command::resume:  // done already
     case Command::start:
@@ -184,6 +172,19 @@ void Controller::Impl::carry_out(Command command, State state) {
     case Command::emergency_stop:
     case Command::reset:
       break;
+  }
+}
+
+// What the operator has set.
+void Controller::Impl::tell_program(Command command) {
+  if (command == Command::override) {
+    kernel_->set_overrides(operator_.overrides);
+  } else if (command == Command::single_block) {
+    kernel_->set_single_block(operator_.single_block);
+  } else if (command == Command::optional_stop) {
+    kernel_->set_optional_stop(operator_.optional_stop);
+  } else {
+    kernel_->set_block_delete(operator_.block_delete);
   }
 }
 

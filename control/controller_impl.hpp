@@ -80,6 +80,7 @@ class KERF_LOCAL Controller::Impl {
   // What comes before the state changes: of a start, the kernel.
   std::unique_ptr<Kernel> prepare(Command command);
   void carry_out(Command command, ControllerState state);
+  void tell_program(Command command);
   // What the operator has set, for the program that runs and all to see.
   tl::expected<void, Refusal> set(Command command);
 

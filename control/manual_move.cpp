@@ -19,6 +19,9 @@ constexpr std::string_view kLetters = "XYZABCUVW";
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;  // of a radian
 // Of an axis without travel.
 constexpr double kFarthest = 9e5;
+// In mm/s or deg/s. Beyond the fastest only the limits bind.
+constexpr double kSlowest = 1e-6;
+constexpr double kFastest = 1e6;
 
 using AxisValues = std::array<double, kAxes>;
 
@@ -80,15 +83,23 @@ double end_of(std::size_t axis, bool above, AxisSet unhomed, const MachineSettin
   return above ? std::min(travel.max_mm, kFarthest) : std::max(travel.min_mm, -kFarthest);
 }
 
+double fastest_of(std::size_t axis, AxisSet unhomed, const ManualSettings& settings) {
+  return is_in(unhomed, axis) ? std::min(settings.jog_mm_s, settings.unhomed_jog_mm_s)
+                              : settings.jog_mm_s;
+}
+
 // Empty: the axes may move so.
-std::string_view refusal_of(const AxisValues& way, double step_mm_s, AxisSet unhomed,
+std::string_view refusal_of(const AxisValues& way, const Jog& jog, AxisSet unhomed,
                             const MachineSettings& settings) {
   const auto is_number = [](double value) { return std::isfinite(value); };
-  if (!std::ranges::all_of(way, is_number) || !is_number(length_of(way)) || !(step_mm_s > 0.0)) {
+  if (!std::ranges::all_of(way, is_number) || !is_number(length_of(way))) {
     return "a value is out of its range";
   }
   if (length_of(way) == 0.0) {
     return "no axis is to move";
+  }
+  if (!((jog.is_step ? jog.step_mm_s : length_of(way)) >= kSlowest)) {
+    return "a value is out of its range";
   }
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (way[axis] != 0.0 && !has_axis(axis, settings)) {
@@ -113,7 +124,8 @@ void append_word(char letter, std::string& text, double value) {
 std::string program_of(const ManualMove& move, const AxisTargets& from) {
   constexpr double kPerMinute = 60.0;
   std::string text = "G21 G90 G94 G61.1\n";
-  text += move.mm_s == kUnbounded ? "G0" : "G1";
+  const bool is_rapid = move.mm_s >= kFastest;
+  text += is_rapid ? "G0" : "G1";
   const AxisValues to = values_of(move.to);
   const AxisValues begin = values_of(from);
   bool moves = false;
@@ -126,7 +138,7 @@ std::string program_of(const ManualMove& move, const AxisTargets& from) {
   if (!moves) {
     return "G90\n";
   }
-  if (move.mm_s != kUnbounded) {
+  if (!is_rapid) {
     append_word('F', text, kPerMinute * move.mm_s);
   }
   return text + "\n";
@@ -142,34 +154,31 @@ tl::expected<ManualMove, std::string_view> move_of(const Jog& jog, const Setpoin
                                                    AxisSet unhomed,
                                                    const MachineSettings& settings) {
   const AxisValues way = values_of({.mm = jog.mm, .extra_rad_mm = jog.extra_rad_mm});
-  if (const std::string_view why = refusal_of(way, jog.step_mm_s, unhomed, settings);
-      !why.empty()) {
+  if (const std::string_view why = refusal_of(way, jog, unhomed, settings); !why.empty()) {
     return tl::unexpected(why);
   }
   const AxisValues from = values_of(place_of(at));
   AxisValues ends{};
   double share = jog.is_step ? 1.0 : kUnbounded;  // of the way
-  double fastest = settings.manual.jog_mm_s;
+  double fastest = jog.is_step ? jog.step_mm_s : length_of(way);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (way[axis] != 0.0) {
       ends[axis] = end_of(axis, way[axis] > 0.0, unhomed, settings);
       share = std::min(share, (ends[axis] - from[axis]) / way[axis]);
-      fastest =
-          is_in(unhomed, axis) ? std::min(fastest, settings.manual.unhomed_jog_mm_s) : fastest;
+      fastest = std::min(fastest, fastest_of(axis, unhomed, settings.manual));
     }
   }
   if (!(share > 0.0)) {
     return tl::unexpected(std::string_view("an axis is at the end of its travel"));
   }
-  AxisValues to = from;
+  AxisValues to{};
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
-    if (way[axis] != 0.0) {
-      const double target = from[axis] + share * way[axis];
-      to[axis] = way[axis] > 0.0 ? std::min(target, ends[axis]) : std::max(target, ends[axis]);
+    to[axis] = from[axis] + share * way[axis];
+    if (way[axis] != 0.0) {  // rounding must not lead beyond
+      to[axis] = way[axis] > 0.0 ? std::min(to[axis], ends[axis]) : std::max(to[axis], ends[axis]);
     }
   }
-  return ManualMove{.to = targets_of(to),
-                    .mm_s = std::min(fastest, jog.is_step ? jog.step_mm_s : length_of(way))};
+  return ManualMove{.to = targets_of(to), .mm_s = fastest};
 }
 
 std::unique_ptr<Kernel> kernel_of(const ManualMove& move, const Setpoint& at,

@@ -1,8 +1,11 @@
 // Axes find their home switches.
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -126,6 +129,37 @@ TEST(Homing, ThatIsStoppedLeavesTheAxisWithoutItsPlace) {
   EXPECT_EQ(shop.setpoint.position_mm, at);
   shop.home();
   EXPECT_EQ(shop.controller.status().unhomed, 0U);
+}
+
+// The setpoint is the true place here, so that a switch is where the machine file says; the place
+// that homing gives is off by what the tick of the contact may be off, and by nothing else.
+TEST(Homing, WorksWithTheTicksInAThreadOfTheirOwn) {
+  const MachineSettings settings = mill_with_switches();
+  Controller controller(settings);
+  std::atomic<bool> over = false;
+  std::atomic<int> places = 0;
+  std::thread ticks([&] {
+    Shop shop(settings);  // for its switches
+    while (!over) {
+      controller.tick(shop.setpoint);
+      places += controller.has_new_place() ? 1 : 0;
+      controller.set_home_switches(shop.closed());
+      std::this_thread::sleep_for(std::chrono::microseconds(5));
+    }
+  });
+  ASSERT_TRUE(controller.give(Command::enable));
+  ASSERT_TRUE(controller.give(Command::home));
+  while (controller.status().state == State::homing) {
+    controller.plan();
+  }
+  over = true;
+  ticks.join();
+  EXPECT_EQ(controller.status().state, State::idle);
+  EXPECT_EQ(controller.status().unhomed, 0U);
+  EXPECT_EQ(places, 3);
+  for (const double at_mm : controller.status().setpoint.position_mm) {
+    EXPECT_NEAR(at_mm, -100.0, 1e-9);
+  }
 }
 
 TEST(Homing, IsAskedForAgainBehindAFault) {

@@ -155,7 +155,17 @@ TEST(Jog, IsRefusedWhereItMakesNoSense) {
                 .error()
                 .reason,
             "a value is out of its range");
+  EXPECT_EQ(shop.controller.jog({.mm = {1e-9, 0.0, 0.0}}).error().reason,
+            "a value is out of its range");
   EXPECT_EQ(shop.go(), State::idle);
+}
+
+TEST(Jog, MayBeAskedForAsFastAsItGoes) {
+  JogShop shop;
+  shop.jog({.mm = {200.0, 0.0, 0.0}, .is_step = true, .step_mm_s = 1e300});
+  shop.go_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 200.0);
+  EXPECT_NEAR(shop.fastest_mm_s, 150.0, 1e-3);  // of the path
 }
 
 TEST(Jog, IsNoFasterThanTheMachineFileSays) {

@@ -61,13 +61,6 @@ void Keys::press(char key) {
   } else if (key == '\n' || key == '\r') {
     const bool is_idle = status.state == ControllerState::idle;
     static_cast<void>(by_->give(is_idle ? Asked::start : Asked::resume));
-  } else if (key == 'h') {
-    static_cast<void>(by_->give(Asked::home));
-  } else if (const std::size_t axis = std::string_view("xyzXYZ").find(key);
-             axis != std::string_view::npos) {
-    Jog step{.is_step = true};
-    step.mm[axis % step.mm.size()] = axis < step.mm.size() ? -kStep_mm : kStep_mm;
-    static_cast<void>(by_->controller().jog(step));
   } else if (key == '+' || key == '=') {
     change_feed(feed_percent(status) + kFeedStep_percent);
   } else if (key == '-') {
@@ -76,6 +69,19 @@ void Keys::press(char key) {
     static_cast<void>(by_->controller().set_single_block(!status.single_block));
   } else if (key == 'q') {
     static_cast<void>(by_->give(Asked::stop));
+  } else {
+    move_by_hand(key);
+  }
+}
+
+void Keys::move_by_hand(char key) {
+  const std::size_t axis = std::string_view("xyzXYZ").find(key);
+  if (key == 'h') {
+    static_cast<void>(by_->give(Asked::home));
+  } else if (axis != std::string_view::npos) {
+    Jog step{.is_step = true};
+    step.mm[axis % step.mm.size()] = axis < step.mm.size() ? -kStep_mm : kStep_mm;
+    static_cast<void>(by_->controller().jog(step));
   }
 }
 

@@ -31,6 +31,7 @@ class Keys {
   void read();
   // In the thread that plans.
   void press(char key);
+  void move_by_hand(char key);
   void change_feed(int percent);
 
   Operator* by_;
