@@ -56,7 +56,9 @@ TEST(Excerpt, PutsTheCaretBehindTheLineForItsEnd) {
 }
 
 TEST(Excerpt, CutsALongLineRoundThePlace) {
-  const std::string line = std::string(500, 'a') + "!" + std::string(500, 'b');
+  std::string line(1001, 'a');
+  line[500] = '!';
+  line.replace(501, 500, 500, 'b');
   const diagnostics::Excerpt excerpt = diagnostics::excerpt_of(line, 500);
   EXPECT_EQ(excerpt.text, "..." + std::string(60, 'a') + "!" + std::string(39, 'b') + "...");
   EXPECT_EQ(excerpt.text[excerpt.caret], '!');
