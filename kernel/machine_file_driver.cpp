@@ -9,9 +9,10 @@ namespace kerf {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kDriverKeys{"name", "socket", "timeout_s",
-                                                      "max_late_periods"};
+constexpr std::array<std::string_view, 6> kDriverKeys{
+    "name", "socket", "timeout_s", "spindle_timeout_s", "fault", "max_late_periods"};
 constexpr NumberRule kMaxLatePeriods{"max_late_periods", 1.0, 100'000.0, nullptr};
+constexpr NumberRule kSpindleTimeout{"spindle_timeout_s", 0.0, 3600.0, nullptr};
 constexpr NumberRule kTimeout{"timeout_s", 1e-4, 10.0, nullptr};
 
 std::string known_drivers() {
@@ -34,6 +35,11 @@ void MachineFileReader::read_driver(const Section& section) {
   if (const toml::node* const timeout = section.table->get(kTimeout.key)) {
     driver_.timeout_s = read_number(section, kTimeout, *timeout).value_or(driver_.timeout_s);
   }
+  if (const toml::node* const spindle = section.table->get(kSpindleTimeout.key)) {
+    driver_.spindle_timeout_s =
+        read_number(section, kSpindleTimeout, *spindle).value_or(driver_.spindle_timeout_s);
+  }
+  read_faults(section);
   if (const toml::node* const socket = section.table->get("socket")) {
     driver_.socket = socket->value_exact<std::string>().value_or("");
     if (driver_.socket.empty()) {

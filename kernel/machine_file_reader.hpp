@@ -77,6 +77,10 @@ class MachineFileReader {
   // machine_file_driver.cpp
   void read_driver(const Section& section);
 
+  // machine_file_faults.cpp
+  void read_faults(const Section& driver);
+  void read_fault(const Section& section);
+
   MachineSettings settings_{};
   DriverSettings driver_{};
   std::vector<SettingsError> errors_;

@@ -22,6 +22,7 @@ double nearest_whole(double value) {
 
 AxisModel::AxisModel(const AxisDrive& drive, double period_s) noexcept
     : drive_(drive),
+      healthy_(drive),
       period_s_(period_s),
       substeps_(std::max(1, static_cast<int>(std::ceil(period_s / kLongestSubstepS - 1e-9)))),
       substep_s_(period_s / substeps_),
@@ -32,6 +33,7 @@ AxisModel::AxisModel(const AxisDrive& drive, double period_s) noexcept
       decay_(-std::expm1(-substep_s_ / time_constant_s_)) {}
 
 void AxisModel::reset(double position_mm) noexcept {
+  drive_ = healthy_;
   command_mm_ = position_mm;
   position_mm_ = position_mm;
   velocity_mm_s_ = 0.0;
@@ -89,10 +91,23 @@ void AxisModel::stop() noexcept {
   }
 }
 
-void AxisModel::fail_encoder(EncoderFailure failure) noexcept {
+void AxisModel::fail_encoder(EncoderFailure failure, double jump_mm) noexcept {
   failure_ = EncoderFailure::none;
   frozen_mm_ = encoder_mm();
   failure_ = failure;
+  jump_mm_ = jump_mm;
+}
+
+void AxisModel::weaken() noexcept {
+  constexpr double kShareOfFriction = 0.5;
+  drive_.drive_acceleration_mm_s2 =
+      std::min(drive_.drive_acceleration_mm_s2, kShareOfFriction * drive_.coulomb_friction_mm_s2);
+}
+
+// It sticks to friction that nothing overcomes.
+void AxisModel::jam() noexcept {
+  velocity_mm_s_ = 0.0;
+  drive_.coulomb_friction_mm_s2 = std::numeric_limits<double>::infinity();
 }
 
 double AxisModel::encoder_mm() const noexcept {
@@ -101,15 +116,21 @@ double AxisModel::encoder_mm() const noexcept {
       return frozen_mm_;
     case EncoderFailure::not_finite:
       return std::numeric_limits<double>::quiet_NaN();
+    case EncoderFailure::jumped:
+      return whole_counts_mm() + jump_mm_;
     case EncoderFailure::none:
       break;
   }
+  return whole_counts_mm();
+}
+
+double AxisModel::whole_counts_mm() const noexcept {
   return resolution_mm_ > 0.0 ? nearest_whole(position_mm_ * counts_per_mm_) * resolution_mm_
                               : position_mm_;
 }
 
 double AxisModel::stopping_time_s() const noexcept {
-  return 2.0 * std::abs(velocity_mm_s_) / drive_.drive_acceleration_mm_s2;
+  return 2.0 * std::abs(velocity_mm_s_) / healthy_.drive_acceleration_mm_s2;
 }
 
 void AxisModel::substep(double velocity_command_mm_s) noexcept {

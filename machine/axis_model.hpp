@@ -35,14 +35,14 @@
 namespace kerf::machine {
 
 // Failures of an encoder, for tests of the fault reactions.
-enum class EncoderFailure : std::uint8_t { none, frozen, not_finite };
+enum class EncoderFailure : std::uint8_t { none, frozen, not_finite, jumped };
 
 class AxisModel {
  public:
   // drive must be valid (see is_valid); period_s in 1e-5..0.1.
   AxisModel(const AxisDrive& drive, double period_s) noexcept;
 
-  // Puts the axis at rest there, with empty integrators and a working encoder.
+  // Puts the axis at rest there, with empty integrators and nothing broken.
   void reset(double position_mm) noexcept;
   // One tick towards the setpoint.
   void follow(double setpoint_mm) noexcept;
@@ -58,7 +58,12 @@ class AxisModel {
     return stop_left_ == 0.0 && velocity_mm_s_ == 0.0;
   }
 
-  void fail_encoder(EncoderFailure failure) noexcept;
+  // jump_mm: of EncoderFailure::jumped, what it reads too much.
+  void fail_encoder(EncoderFailure failure, double jump_mm = 0.0) noexcept;
+  // The motor keeps less force than friction has: the axis slows down, and does not move again.
+  void weaken() noexcept;
+  // It stands at once, whatever the motor does.
+  void jam() noexcept;
 
   [[nodiscard]] double encoder_mm() const noexcept;  // not a number if the encoder failed that way
   [[nodiscard]] double position_mm() const noexcept { return position_mm_; }  // without encoder
@@ -72,12 +77,14 @@ class AxisModel {
     double step_mm = 0.0;  // of the command in a sub-step
     double fed_forward_mm_s = 0.0;
   };
+  [[nodiscard]] double whole_counts_mm() const noexcept;
   [[nodiscard]] Way way_to(double setpoint_mm) const noexcept;
   void follow_substep(const Way& way, int i) noexcept;
   void substep(double velocity_command_mm_s) noexcept;
   void integrate(double velocity_error_mm_s, double motor_mm_s2) noexcept;
 
   AxisDrive drive_;
+  AxisDrive healthy_;
   double period_s_;
   int substeps_;
   double substep_s_;
@@ -92,6 +99,7 @@ class AxisModel {
   double velocity_mm_s_ = 0.0;
   double integral_mm_s2_ = 0.0;
   double frozen_mm_ = 0.0;
+  double jump_mm_ = 0.0;
   EncoderFailure failure_ = EncoderFailure::none;
   double stop_from_mm_s_ = 0.0;
   double stop_left_ = 0.0;  // of the ramp, 1 at its start, 0 at its end

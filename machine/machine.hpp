@@ -29,16 +29,20 @@ struct AxisPlaces {
 
 enum class DriveFault : std::uint8_t {
   none,
-  not_enabled,      // no enable() yet, or disable() since
-  soft_limit,       // a setpoint outside the travel
-  following_error,  // an axis fell too far behind
-  not_finite,       // a setpoint or an encoder that is not a number
-  another_run,      // a record that is replayed is told something else than what it holds
-  no_answer,        // a machine in another process does not answer in time
-  bad_answer,       // it answers what is no frame, or none that was asked for
-  connection_lost,  // it is gone
+  not_enabled,       // no enable() yet, or disable() since
+  soft_limit,        // a setpoint outside the travel
+  following_error,   // an axis fell too far behind
+  not_finite,        // a setpoint or an encoder that is not a number
+  another_run,       // a record that is replayed is told something else than what it holds
+  no_answer,         // a machine in another process does not answer in time
+  bad_answer,        // it answers what is no frame, or none that was asked for
+  connection_lost,   // it is gone
+  encoder_jump,      // an encoder reads what no drive can have done in a period
+  drive_tripped,     // a drive has switched itself off
+  limit_switch,      // an axis has run into its limit switch
+  spindle_too_slow,  // the spindle does not come to its speed in time
 };
-inline constexpr DriveFault kLastDriveFault = DriveFault::connection_lost;
+inline constexpr DriveFault kLastDriveFault = DriveFault::spindle_too_slow;
 
 enum class AxisState : std::uint8_t {
   off,

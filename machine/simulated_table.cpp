@@ -58,7 +58,7 @@ void SimulatedTable::enable(const AxisPlaces& places) noexcept {
   for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
     axes_[axis].reset(places.mm[axis]);
   }
-  state_ = {.extra_rad_mm = places.extra_rad_mm};
+  state_ = {.actual_mm = places.mm, .extra_rad_mm = places.extra_rad_mm};
   state_.axes.fill(AxisState::on);
   observe();
 }
@@ -91,10 +91,36 @@ void SimulatedTable::stop_axes() noexcept {
   }
 }
 
-void SimulatedTable::fail_encoder(std::size_t axis, EncoderFailure failure) noexcept {
+void SimulatedTable::fail_encoder(std::size_t axis, EncoderFailure failure,
+                                  double jump_mm) noexcept {
   if (axis < axes_.size()) {
-    axes_[axis].fail_encoder(failure);
+    axes_[axis].fail_encoder(failure, jump_mm);
   }
+}
+
+void SimulatedTable::weaken(std::size_t axis) noexcept {
+  if (axis < axes_.size()) {
+    axes_[axis].weaken();
+  }
+}
+
+void SimulatedTable::jam(std::size_t axis) noexcept {
+  if (axis < axes_.size()) {
+    axes_[axis].jam();
+  }
+}
+
+void SimulatedTable::trip(std::size_t axis) noexcept {
+  if (axis < axes_.size()) {
+    fault(DriveFault::drive_tripped, static_cast<std::int8_t>(axis));
+  }
+}
+
+// In a period; more than the motor can be driven to, by what friction and load may add.
+double SimulatedTable::longest_step_mm(std::size_t axis) const noexcept {
+  const AxisDrive& drive = settings_.axes[axis];
+  return 1.25 * drive.drive_velocity_mm_s * settings_.period_s +
+         2.0 * drive.screw_lead_mm / drive.counts_per_rev;
 }
 
 bool SimulatedTable::accepts(const Setpoint& setpoint) noexcept {
@@ -111,6 +137,9 @@ void SimulatedTable::observe() noexcept {
     if (!std::isfinite(actual_mm)) {
       fault(DriveFault::not_finite, static_cast<std::int8_t>(axis));
       continue;
+    }
+    if (std::abs(actual_mm - state_.actual_mm[axis]) > longest_step_mm(axis)) {
+      fault(DriveFault::encoder_jump, static_cast<std::int8_t>(axis));
     }
     state_.actual_mm[axis] = actual_mm;
     state_.following_error_mm[axis] = commanded_mm_[axis] - actual_mm;

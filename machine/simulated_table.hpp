@@ -37,13 +37,17 @@ class SimulatedTable final : public Machine {
   void write(const Setpoint& setpoint) noexcept override;
   [[nodiscard]] MachineState read() const noexcept override { return state_; }
 
-  // Breaks the encoder of an axis (0..2; others are ignored) until enable().
-  void fail_encoder(std::size_t axis, EncoderFailure failure) noexcept;
+  // Break something of an axis (0..2; others are ignored) until enable().
+  void fail_encoder(std::size_t axis, EncoderFailure failure, double jump_mm = 0.0) noexcept;
+  void weaken(std::size_t axis) noexcept;
+  void jam(std::size_t axis) noexcept;
+  void trip(std::size_t axis) noexcept;  // its drive switches itself off
 
  private:
   [[nodiscard]] bool accepts(const Setpoint& setpoint) noexcept;
   void stop_axes() noexcept;
   void observe() noexcept;
+  [[nodiscard]] double longest_step_mm(std::size_t axis) const noexcept;
   void fault(DriveFault kind, std::int8_t axis) noexcept;
 
   TableSettings settings_;

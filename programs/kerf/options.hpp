@@ -43,7 +43,8 @@ struct Options {
   std::optional<double> sigmoid_shape;
   std::optional<std::string> trace_file;
   std::optional<std::string> plot_file;
-  double max_time_s = 30.0 * 86'400.0;  // of machine time that a program may take
+  std::optional<std::string> flight_file;  // what was before a fault
+  double max_time_s = 30.0 * 86'400.0;     // of machine time that a program may take
   std::uint64_t max_moves = 100'000'000;
   std::uint64_t max_trace_bytes = std::uint64_t{4} << 30U;
   std::int64_t trace_every = 1;  // ticks; > 0

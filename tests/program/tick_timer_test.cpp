@@ -18,6 +18,21 @@ TEST(TickTimer, TellsAGapOnceAndGoesOnFromThere) {
   EXPECT_GE(timer.worst_delay_s(), 0.299);
 }
 
+// Row 70: what was missed is not caught up in a burst.
+TEST(TickTimer, Row70KeepsThePeriodBehindALateTick) {
+  constexpr int kTicks = 8;
+  TickTimer timer(0.005);
+  EXPECT_EQ(timer.wait(), 0.0);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));  // 12 periods
+  const std::int64_t from_ns = TickTimer::now_ns();
+  static_cast<void>(timer.wait());  // over at once
+  EXPECT_GE(timer.delay_s(), 0.05);
+  for (int i = 0; i < kTicks; ++i) {
+    static_cast<void>(timer.wait());
+  }
+  EXPECT_GE(static_cast<double>(TickTimer::now_ns() - from_ns) * 1e-9, 0.005 * kTicks);
+}
+
 TEST(TickTimer, TakesNoPeriodForAGap) {
   TickTimer timer(0.3);
   EXPECT_EQ(timer.wait(), 0.0);

@@ -15,7 +15,7 @@
 #include "programs/kerf/run/session.hpp"
 
 // There is no machine behind a page.
-void kerf::program::run_machine(MotionStage& stage) {
+void kerf::program::run_machine(MotionStage& stage, Driver& /*driver*/) {
   stage.report().fail(ExitStatus::settings_error, "nothing runs in a browser");
 }
 

@@ -185,6 +185,10 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
     added->add_flag("--home", words.options.homes, "find the home switches before the program");
     added->add_flag("--wait-start", words.options.waits_for_start,
                     "the program waits for start: until then MDI, jog and home");
+    added
+        ->add_option("--flight-recorder", words.options.flight_file,
+                     "after a fault: the ticks of its last 5 s, as --trace has them")
+        ->type_name("FILE.csv");
     added->add_flag("--optional-stop", words.options.optional_stop, "M1 waits, as M0 does");
     added
         ->add_option("--control", words.options.control,

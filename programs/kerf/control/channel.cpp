@@ -202,6 +202,12 @@ class ControlChannel::Server {
         return by_->controller().jog(request.jog);
       case ControlRequest::Kind::input:
         return set_input(request);
+      case ControlRequest::Kind::fault:
+        if (order_.break_down && order_.break_down(request.fault)) {
+          return {};
+        }
+        return tl::unexpected(Refusal{.state = by_->status().state,
+                                      .reason = "only the simulated table can be broken"});
       case ControlRequest::Kind::command:
       case ControlRequest::Kind::status:
       case ControlRequest::Kind::events:

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "kernel/planned_fault.hpp"
 #include "parser/moves/auxiliary_axes.hpp"
 #include "programs/kerf/control/endpoint.hpp"
 #include "programs/kerf/control/operator.hpp"
@@ -24,6 +25,7 @@ class ControlChannel {
     std::string file;         // of the program, for the greeting
     parser::Letters extra{};  // the machine's axes beside X, Y and Z
     FeedInputNumbers feed_inputs{};
+    std::function<bool(const PlannedFault&)> break_down{};  // false: nothing that can be broken
     bool others_answer = false;
   };
   ControlChannel(ControlEndpoint endpoint, Operator& by, Order order);

@@ -138,6 +138,7 @@ bool find_command(ControlRequest& request) {
   }
   request.kind = request.name == "status"  ? Kind::status
                  : request.name == "input" ? Kind::input
+                 : request.name == "fault" ? Kind::fault
                                            : Kind::events;
   return request.kind != Kind::events || request.name == "events";
 }
@@ -179,6 +180,25 @@ std::string read_jog(RequestKeys& keys, ControlRequest& request) {
     return "jog takes distances, as x_mm, and perhaps velocity_mm_s, or velocities, as x_mm_s";
   }
   return keys.complaint();
+}
+
+std::string read_fault(RequestKeys& keys, ControlRequest& request) {
+  std::string kind;
+  std::string axis;
+  std::optional<double> jump_mm;
+  keys.read("fault", kind);
+  keys.read("axis", axis);
+  keys.read("jump_mm", jump_mm);
+  if (std::string complaint = keys.complaint(); !complaint.empty()) {
+    return complaint;
+  }
+  const auto fault = planned_fault(kind, axis);
+  if (!fault) {
+    return fault.error();
+  }
+  request.fault = *fault;
+  request.fault.jump_mm = jump_mm.value_or(request.fault.jump_mm);
+  return "";
 }
 
 std::string read_override(RequestKeys& keys, ControlRequest& request) {
@@ -224,6 +244,8 @@ std::string read_request(RequestKeys& keys, ControlRequest& request) {
       return read_jog(keys, request);
     case Kind::input:
       return read_input(keys, request);
+    case Kind::fault:
+      return read_fault(keys, request);
     case Kind::status:
       return read_status(keys, request);
     case Kind::events:

@@ -9,6 +9,8 @@
 #include <kerf/controller.hpp>
 #include <tl/expected.hpp>
 
+#include "kernel/planned_fault.hpp"
+
 namespace kerf::program {
 
 // What a client asks for. What it does not name stays as it is.
@@ -22,11 +24,12 @@ struct ControlRequest {
     mdi,
     jog,
     input,
+    fault,
     status,
     events
   };
   Kind kind = Kind::command;
-  kerf::Command command{};  // of all kinds but input, status and events
+  kerf::Command command{};  // of all kinds but input, fault, status and events
   std::string line{};       // of mdi
   Jog jog{};                // of jog
   std::optional<double> feed{};
@@ -37,6 +40,7 @@ struct ControlRequest {
   std::optional<std::uint64_t> analog{};  // of an input: its number, and none of the other kind
   std::optional<std::uint64_t> digital{};
   double value = 0.0;               // of an input
+  PlannedFault fault{};             // of a fault
   std::optional<double> every_s{};  // of a status: again and again; 0: no more
   std::uint64_t since = 0;          // of events
   std::string name{};               // of the command, as the client wrote it

@@ -1,6 +1,5 @@
 #include "programs/kerf/driver/driver.hpp"
 
-#include "machine/simulated_table.hpp"
 #include "programs/kerf/driver/loopback_machine.hpp"
 
 namespace kerf::program {
@@ -10,9 +9,6 @@ namespace {
 using Made = tl::expected<std::unique_ptr<machine::Machine>, std::string>;
 
 Made named_machine(const DriverOrder& order) {
-  if (order.driver.name == "simulated") {
-    return std::make_unique<machine::SimulatedTable>(order.settings.table);
-  }
   if (order.driver.name == "loopback") {
     if (order.driver.socket.empty()) {
       return tl::unexpected(
@@ -29,7 +25,13 @@ Made named_machine(const DriverOrder& order) {
 
 tl::expected<Driver, std::string> Driver::open(const DriverOrder& order) {
   Driver driver;
-  if (order.replay_file.empty()) {
+  if (order.replay_file.empty() && order.driver.name == "simulated") {
+    auto table = std::make_unique<FaultyTable>(
+        std::make_unique<machine::SimulatedTable>(order.settings.table), order.driver.faults,
+        order.settings.limits.period_s);
+    driver.table_ = table.get();
+    driver.machine_ = std::move(table);
+  } else if (order.replay_file.empty()) {
     auto made = named_machine(order);
     if (!made) {
       return tl::unexpected(made.error());

@@ -11,6 +11,7 @@
 
 #include "kernel/driver_settings.hpp"
 #include "machine/machine.hpp"
+#include "programs/kerf/driver/faulty_table.hpp"
 #include "programs/kerf/driver/machine_record.hpp"
 #include "programs/kerf/driver/recording_machine.hpp"
 
@@ -31,6 +32,11 @@ class Driver {
 
   // Not enabled yet.
   [[nodiscard]] machine::Machine& machine() noexcept { return *machine_; }
+  // Breaks something at the next tick. One thread at a time. False: it is no simulated table, or
+  // too many faults wait.
+  [[nodiscard]] bool break_down(const PlannedFault& fault) noexcept {
+    return table_ != nullptr && table_->ask(fault);
+  }
   // An earlier run left this behind.
   [[nodiscard]] std::vector<std::string> warnings() const;
   // After the last tick. Error: why the record is not whole.
@@ -43,7 +49,8 @@ class Driver {
 
   std::string record_file_;
   std::unique_ptr<RecordWriter> record_;
-  const ReplayingMachine* replay_ = nullptr;  // of machine_
+  const ReplayingMachine* replay_ = nullptr;  // of machine_, as table_
+  FaultyTable* table_ = nullptr;
   std::unique_ptr<machine::Machine> machine_;
 };
 

@@ -45,6 +45,10 @@ tl::expected<Descriptor, int> connect_to(const std::string& path) {
   if (!socket.is_open() || ::connect(socket.number(), any, sizeof address) != 0) {
     return tl::unexpected(errno);
   }
+  // As much as the system gives: the frames of a time-out and more wait for who is late.
+  constexpr int kRoomBytes = 1 << 20;
+  static_cast<void>(
+      ::setsockopt(socket.number(), SOL_SOCKET, SO_SNDBUF, &kRoomBytes, sizeof kRoomBytes));
   return socket;
 }
 

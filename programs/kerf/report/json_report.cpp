@@ -233,6 +233,14 @@ std::string json_report(const FileReport& report) {
                           {"most_s", ticks.quantile_s(0.999)},
                           {"worst_s", ticks.worst_s()}};
   }
+  if (report.machine_fault) {
+    const FaultReport& fault = *report.machine_fault;
+    json["fault"] = {{"kind", fault.kind},
+                     {"axis", fault.axis.empty() ? Json() : Json(fault.axis)},
+                     {"line", fault.line},
+                     {"t_s", fault.t_s},
+                     {"needs_homing", fault.needs_homing}};
+  }
   json["warnings"] = Json::array();
   json["errors"] = Json::array();
   for (const diagnostics::Diagnostic& diagnostic : report.diagnostics) {

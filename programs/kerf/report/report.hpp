@@ -69,6 +69,15 @@ struct ClockReport {
   TimeHistogram tick_times{};  // how long each took
 };
 
+// What the machine ended the run for.
+struct FaultReport {
+  std::string_view kind;  // "following_error"
+  std::string axis;       // empty: none is to blame
+  std::uint32_t line = 0;
+  double t_s = 0.0;
+  bool needs_homing = false;  // the machine may be elsewhere than it says
+};
+
 struct FileReport {
   std::string file;
   Subcommand command = Subcommand::dry_run;
@@ -90,6 +99,7 @@ struct FileReport {
   std::optional<BlockReport> block;  // of Subcommand::explain
   std::optional<MotionReport> motion;
   std::optional<ClockReport> clock;
+  std::optional<FaultReport> machine_fault;
   SpeedQuestion speed_question{};
   std::optional<SpeedReport> speed;  // with --explain-speed
   double check_duration_s =

@@ -44,7 +44,7 @@ std::string last_message(const Controller& controller) {
   return text;
 }
 
-void run_with(std::optional<ControlEndpoint> control, MotionStage& stage) {
+void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver& driver) {
   const MotionOrder& order = stage.order();
   FileReport& report = stage.report();
   const bool waits = order.options.waits_for_start;
@@ -61,11 +61,14 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage) {
   RunOutcome outcome;
   std::optional<ControlChannel> channel;
   if (control) {
-    channel.emplace(*std::move(control), by,
-                    ControlChannel::Order{.file = report.file,
-                                          .extra = report.extra_axes,
-                                          .feed_inputs = order.settings.program.feed_inputs,
-                                          .others_answer = order.has_keys});
+    channel.emplace(
+        *std::move(control), by,
+        ControlChannel::Order{
+            .file = report.file,
+            .extra = report.extra_axes,
+            .feed_inputs = order.settings.program.feed_inputs,
+            .break_down = [&driver](const PlannedFault& fault) { return driver.break_down(fault); },
+            .others_answer = order.has_keys});
   }
   {
     const MessagePrinter messages(controller, report.file);
@@ -103,7 +106,7 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage) {
 
 }  // namespace
 
-void run_machine(MotionStage& stage) {
+void run_machine(MotionStage& stage, Driver& driver) {
   std::optional<ControlEndpoint> control;
   if (stage.order().options.control) {
     auto opened = open_control(*stage.order().options.control);
@@ -113,7 +116,7 @@ void run_machine(MotionStage& stage) {
     }
     control = *std::move(opened);
   }
-  run_with(std::move(control), stage);
+  run_with(std::move(control), stage, driver);
 }
 
 }  // namespace kerf::program

@@ -1,5 +1,8 @@
 #include "programs/kerf/run/motion_report.hpp"
 
+#include <array>
+#include <cstddef>
+#include <string_view>
 #include <utility>
 
 #include <spdlog/fmt/fmt.h>
@@ -55,11 +58,22 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
   }
 }
 
+namespace {
+
+constexpr std::array<std::string_view, 13> kDriveFaultNames{
+    "none",          "not_enabled",  "soft_limit",      "following_error", "not_finite",
+    "another_run",   "no_answer",    "bad_answer",      "connection_lost", "encoder_jump",
+    "drive_tripped", "limit_switch", "spindle_too_slow"};
+static_assert(kDriveFaultNames.size() == static_cast<std::size_t>(machine::kLastDriveFault) + 1);
+
+std::string axis_name(std::int8_t axis) {
+  return {"xyzabcuvw"[static_cast<std::uint8_t>(axis) % machine::kAllAxes]};
+}
+
+}  // namespace
+
 std::string describe(const MachineFault& fault, double period_s) {
-  std::string axis;
-  if (fault.axis >= 0 && fault.axis < 9) {
-    axis = fmt::format(" of axis {}", "xyzabcuvw"[static_cast<std::uint8_t>(fault.axis)]);
-  }
+  const std::string axis = fault.axis < 0 ? "" : " of axis " + axis_name(fault.axis);
   std::string what;
   switch (fault.kind) {
     case machine::DriveFault::soft_limit:
@@ -83,13 +97,39 @@ std::string describe(const MachineFault& fault, double period_s) {
     case machine::DriveFault::connection_lost:
       what = "the machine is gone";
       break;
+    case machine::DriveFault::encoder_jump:
+      what = "encoder" + axis + " jumped";
+      break;
+    case machine::DriveFault::drive_tripped:
+      what = "drive" + axis + " tripped";
+      break;
+    case machine::DriveFault::limit_switch:
+      what = "limit switch" + axis + " closed";
+      break;
+    case machine::DriveFault::spindle_too_slow:
+      what = "the spindle does not come to its speed";
+      break;
     case machine::DriveFault::none:
     case machine::DriveFault::not_enabled:
       what = "drives not enabled";
       break;
   }
-  return fmt::format("machine fault: {}, in line {}, at {}", what, fault.line,
-                     clock_time(static_cast<double>(fault.tick) * period_s));
+  return fmt::format("machine fault: {}, in line {}, at {}{}", what, fault.line,
+                     clock_time(static_cast<double>(fault.tick) * period_s),
+                     may_lose_place(fault.kind) ? "; home the machine: its place may be lost" : "");
+}
+
+FaultReport fault_report(const MachineFault& fault, double period_s) {
+  return {.kind = kDriveFaultNames[static_cast<std::size_t>(fault.kind)],
+          .axis = fault.axis < 0 ? "" : axis_name(fault.axis),
+          .line = fault.line,
+          .t_s = static_cast<double>(fault.tick) * period_s,
+          .needs_homing = may_lose_place(fault.kind)};
+}
+
+std::string describe(const TickStage::EmergencyLoop& loop, double period_s) {
+  return fmt::format("emergency stop: its loop is open, in line {}, at {}", loop.line,
+                     clock_time(static_cast<double>(loop.tick) * period_s));
 }
 
 std::string describe_delay(const TickGap& delay, double period_s) {

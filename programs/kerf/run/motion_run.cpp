@@ -65,7 +65,7 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
   MotionStage stage(order, {.text = text, .outputs = *outputs, .report = report},
                     driver->machine());
   if (has_clock) {
-    run_machine(stage);
+    run_machine(stage, *driver);
   } else {
     dry_run(stage);
   }

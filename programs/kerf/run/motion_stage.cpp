@@ -59,6 +59,22 @@ void MotionStage::finish(const End& end) {
       report_.fail(ExitStatus::io_error, *error);
     }
   }
+  write_flight();
+}
+
+// Of a run that the machine ended, or an operator in an emergency.
+void MotionStage::write_flight() {
+  const auto& file = order_.options.flight_file;
+  if (!file || (report_.status != ExitStatus::machine_fault &&
+                report_.status != ExitStatus::emergency_stop)) {
+    return;
+  }
+  if (const auto error =
+          ticks_.flight().write({.path = *file,
+                                 .period_s = report_.period_s,
+                                 .columns = {.axes = extra_axes(report_.extra_axes)}})) {
+    report_.fail(ExitStatus::io_error, *error);
+  }
 }
 
 // The gravest reason first.
@@ -68,12 +84,15 @@ void MotionStage::report_end(const End& end) {
   } else if (end.outcome.hung) {
     report_.fail({.line = 0, .what = "the program is read and nothing is planned"});
   } else if (ticks_.fault().kind != machine::DriveFault::none) {
+    report_.machine_fault = fault_report(ticks_.fault(), report_.period_s);
     report_.fail(ExitStatus::machine_fault, describe(ticks_.fault(), report_.period_s));
   } else if (end.outcome.gap) {
     report_.fail(ExitStatus::machine_fault, describe(*end.outcome.gap, report_.period_s));
   } else if (end.outcome.too_late) {
     report_.fail(ExitStatus::machine_fault,
                  describe_delay(*end.outcome.too_late, report_.period_s));
+  } else if (ticks_.emergency()) {
+    report_.fail(ExitStatus::emergency_stop, describe(*ticks_.emergency(), report_.period_s));
   } else if (!end.fault.empty()) {
     report_.fail(ExitStatus::machine_fault, end.fault);
   } else if (end.is_emergency) {

@@ -32,7 +32,10 @@ class MotionStage {
         text_(ends.text),
         outputs_(ends.outputs),
         report_(ends.report),
-        ticks_(order.settings, machine) {
+        ticks_({.settings = order.settings,
+                .spindle_timeout_s = order.options.driver.spindle_timeout_s,
+                .keeps_flight = order.options.flight_file.has_value()},
+               machine) {
     ticks_.enable({.mm = order.kernel_options.start_mm,
                    .extra_rad_mm = order.kernel_options.start_extra_rad_mm});
   }
@@ -61,6 +64,7 @@ class MotionStage {
 
  private:
   void report_end(const End& end);
+  void write_flight();
 
   const MotionOrder& order_;
   TextFeed& text_;

@@ -78,15 +78,17 @@ bool is_over(ControllerState state, const RealTimeOrder& order) noexcept {
          (state == ControllerState::emergency_stop && !order.controller.drives_on());
 }
 
-// The axes of a machine that has a fault come to rest, which is written to until then. One that
-// does not say so is left alone after a time in which any would.
+// The axes of a machine that has a fault come to rest, which is written to until then: by its own
+// brakes, or by the setpoints where it still follows. One that does not say so is left alone after
+// a time in which any would.
 class Aftermath {
  public:
   explicit Aftermath(double period_s) noexcept
       : left_(static_cast<std::int64_t>(kLongest_s / period_s)) {}
 
-  [[nodiscard]] bool is_over(const TickStage& ticks) noexcept {
-    return !ticks.is_stopping() || --left_ <= 0;
+  [[nodiscard]] bool is_over(const TickStage& ticks, double v_mm_s) noexcept {
+    const bool brakes = ticks.follows() && v_mm_s > 0.0;
+    return !brakes && (!ticks.is_stopping() || --left_ <= 0);
   }
 
  private:
@@ -149,15 +151,19 @@ class Ticks {
     controller.set_home_switches(stage_.ticks.inputs().home);
     recorder.push(record_);
     stage_.progress.set_done(record_.motion.s_mm);
+    if (stage_.ticks.emergency()) {
+      controller.emergency_stop();
+    }
     judge_.count(is_starved(controller), outcome_);
     if (stage_.ticks.fault().kind != machine::DriveFault::none) {
-      if (stage_.ticks.follows()) {
+      if (stage_.ticks.stops_on_path()) {
         planning.stop();
       } else {
         controller.fail();
       }
     }
-    return (is_over(state, order_) && aftermath_.is_over(stage_.ticks)) || outcome_.hung;
+    return (is_over(state, order_) && aftermath_.is_over(stage_.ticks, setpoint.v_mm_s)) ||
+           outcome_.hung;
   }
 
   const RealTimeOrder& order_;

@@ -61,7 +61,7 @@ std::optional<std::string> run_once(std::string_view text, const TickCostOrder& 
   Progress progress;
   Feeder feeder(planning, feed, progress);
   machine::SimulatedTable table(settings.table);
-  TickStage ticks(settings, table);
+  TickStage ticks({.settings = settings}, table);
   ticks.enable({});
   Recorder recorder;
   const RunOutcome outcome = run_in_real_time({.controller = controller,

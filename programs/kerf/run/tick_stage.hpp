@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include <kerf/machine.hpp>
 
@@ -9,21 +11,24 @@
 #include "machine/machine.hpp"
 #include "programs/kerf/report/tick_record.hpp"
 #include "programs/kerf/report/time_split.hpp"
+#include "programs/kerf/run/flight_recorder.hpp"
+#include "programs/kerf/run/machine_watch.hpp"
 
 namespace kerf::program {
 
-struct MachineFault {
-  machine::DriveFault kind = machine::DriveFault::none;
-  std::int8_t axis = -1;
-  std::uint32_t line = 0;
-  std::int64_t tick = 0;
-};
-
 class TickStage {
  public:
-  TickStage(const MachineSettings& settings, machine::Machine& machine)
+  struct Order {
+    const MachineSettings& settings;
+    double spindle_timeout_s = 5.0;
+    bool keeps_flight = false;  // flight() is wanted
+  };
+  TickStage(const Order& order, machine::Machine& machine)
       : machine_(&machine),
-        statistics_(settings.limits.period_s, settings.program.extra_axes != 0) {}
+        watch_(order.spindle_timeout_s, order.settings.limits.period_s),
+        flight_(order.keeps_flight ? order.settings.limits.period_s
+                                   : std::numeric_limits<double>::infinity()),
+        statistics_(order.settings.limits.period_s, order.settings.program.extra_axes != 0) {}
 
   // Real time, as take().
   void enable(const machine::AxisPlaces& places) noexcept { machine_->enable(places); }
@@ -35,14 +40,16 @@ class TickStage {
     state_ = machine_->read();
     const machine::MachineState& state = state_;
     statistics_.add(setpoint, state);
-    if (state.fault != machine::DriveFault::none && fault_.kind == machine::DriveFault::none) {
-      fault_ = {.kind = state.fault,
-                .axis = state.fault_axis,
-                .line = setpoint.line,
-                .tick = setpoint.tick};
+    if (const MachineFault seen = watch_.look(setpoint, state);
+        fault_.kind == machine::DriveFault::none) {
+      fault_ = seen;
+    }
+    if (state.inputs.emergency_loop_open && !emergency_) {
+      emergency_ = EmergencyLoop{.line = setpoint.line, .tick = setpoint.tick};
     }
     const TickRecord record = record_of(setpoint, detail, state);
     time_.add(record);
+    flight_.add(record);
     return record;
   }
 
@@ -54,7 +61,21 @@ class TickStage {
   [[nodiscard]] bool follows() const noexcept { return has(machine::AxisState::on); }
   [[nodiscard]] const RunStatistics& statistics() const noexcept { return statistics_; }
   [[nodiscard]] TimeSplit time_split() const noexcept { return time_.split(); }
+  // The first one, which stays.
   [[nodiscard]] const MachineFault& fault() const noexcept { return fault_; }
+  // The drives can still be brought to rest by setpoints in time: the machine asks for it.
+  [[nodiscard]] bool stops_on_path() const noexcept {
+    return follows() && state_.fault == fault_.kind;
+  }
+  // Where the loop of the emergency stop was found open.
+  struct EmergencyLoop {
+    std::uint32_t line = 0;
+    std::int64_t tick = 0;
+  };
+  [[nodiscard]] const std::optional<EmergencyLoop>& emergency() const noexcept {
+    return emergency_;
+  }
+  [[nodiscard]] const FlightRecorder& flight() const noexcept { return flight_; }
 
  private:
   [[nodiscard]] bool has(machine::AxisState wanted) const noexcept {
@@ -63,9 +84,12 @@ class TickStage {
 
   machine::Machine* machine_;
   machine::MachineState state_{};
+  MachineWatch watch_;
+  FlightRecorder flight_;
   RunStatistics statistics_;
   TimeAccount time_;
   MachineFault fault_{};
+  std::optional<EmergencyLoop> emergency_;
 };
 
 }  // namespace kerf::program
