@@ -14,6 +14,8 @@ std::string_view name_of(Subcommand command) noexcept {
       return "report";
     case Subcommand::view:
       return "view";
+    case Subcommand::compare:
+      return "compare";
     case Subcommand::tick_cost:
       return "tick-cost";
     case Subcommand::dry_run:

@@ -18,7 +18,7 @@
 
 namespace kerf::program {
 
-enum class Subcommand : unsigned char { dry_run, run, check, explain, report, view, tick_cost };
+enum class Subcommand : unsigned char { dry_run, run, check, explain, report, view, compare, tick_cost };
 
 std::string_view name_of(Subcommand command) noexcept;
 [[nodiscard]] bool makes_page(Subcommand command) noexcept;
@@ -33,7 +33,9 @@ struct Options {
   Subcommand command = Subcommand::dry_run;
   std::vector<std::string> files;
   std::optional<std::string> machine_file;
-  std::vector<std::string> machine_files;  // of Subcommand::report and view: each with all FILEs
+  // Of Subcommand::report and view: each with all FILEs. Of compare: one for both, or one each.
+  std::vector<std::string> machine_files;
+  std::size_t compared_lines = 10;  // of Subcommand::compare: how many it names
   std::optional<std::string> tool_file;
   std::string driver_name;  // of Subcommand::run; empty: that of the machine file
   DriverSettings driver;

@@ -26,11 +26,10 @@ std::optional<SpeedQuestion> speed_question(std::string_view text) {
   if (text.starts_with('@')) {
     const auto time_s = number_in<double>(text.substr(1));
     const bool known = time_s && std::isfinite(*time_s) && *time_s >= 0.0 && *time_s < 1e9;
-    return known ? std::optional(SpeedQuestion{.line = {}, .time_s = time_s}) : std::nullopt;
+    return known ? std::optional(SpeedQuestion{.time_s = time_s}) : std::nullopt;
   }
   const auto line = number_in<std::uint32_t>(text);
-  return line && *line > 0 ? std::optional(SpeedQuestion{.line = line, .time_s = {}})
-                           : std::nullopt;
+  return line && *line > 0 ? std::optional(SpeedQuestion{.line = line}) : std::nullopt;
 }
 
 }  // namespace kerf::program

@@ -7,10 +7,11 @@
 
 namespace kerf::program {
 
-// Besides the whole program: nothing, a line, or an instant.
+// Besides the whole program: nothing, a line, or an instant; of a comparison each line.
 struct SpeedQuestion {
-  std::optional<std::uint32_t> line;
-  std::optional<double> time_s;
+  std::optional<std::uint32_t> line{};
+  std::optional<double> time_s{};
+  bool each_line = false;
 };
 
 // "all", a line's number, or "@" and seconds >= 0; nothing where it is none of them.

@@ -66,11 +66,12 @@ SUBFOLDERS = {
     "programs/kerf/report": {"programs/kerf", "programs/kerf/io"},
     "programs/kerf/plot": {"programs/kerf/io", "programs/kerf/report"},
     "programs/kerf/page": {"programs/kerf/io", "programs/kerf/report"},
+    "programs/kerf/compare": {"programs/kerf", "programs/kerf/io", "programs/kerf/report"},
     "programs/kerf/control": {"programs/kerf", "programs/kerf/io", "programs/kerf/report"},
     "programs/kerf/driver": {"programs/kerf", "programs/kerf/io"},
     "programs/kerf/run": {"programs/kerf", "programs/kerf/driver", "programs/kerf/io", "programs/kerf/report", "programs/kerf/plot", "programs/kerf/page",
                          "programs/kerf/control"},
-    "programs/kerf/cli": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/page", "programs/kerf/run"},
+    "programs/kerf/cli": {"programs/kerf", "programs/kerf/io", "programs/kerf/report", "programs/kerf/page", "programs/kerf/run", "programs/kerf/compare"},
 }
 TICK_SIDE = {"profiles", "curves", "interp", "machine"}
 

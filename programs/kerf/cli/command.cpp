@@ -1,98 +1,28 @@
 #include "programs/kerf/cli/command.hpp"
 
-#include <cerrno>
 #include <exception>
-#include <initializer_list>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <unistd.h>
 #include <variant>
 #include <vector>
 
 #include <spdlog/spdlog.h>
 
+#include "programs/kerf/cli/comparison_command.hpp"
 #include "programs/kerf/cli/machine_choice.hpp"
 #include "programs/kerf/cli/option_parser.hpp"
 #include "programs/kerf/cli/page_maker.hpp"
-#include "programs/kerf/io/descriptor.hpp"
+#include "programs/kerf/cli/report_output.hpp"
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/log.hpp"
 #include "programs/kerf/io/visible_text.hpp"
-#include "programs/kerf/report/diagnostic_document.hpp"
-#include "programs/kerf/report/json_report.hpp"
-#include "programs/kerf/report/summary.hpp"
 #include "programs/kerf/run/session.hpp"
 #include "programs/kerf/run/tick_cost.hpp"
 
 namespace kerf::program {
 
 namespace {
-
-// A reader that has seen enough of standard output is no error; a full disk behind it is one.
-ExitStatus print(int descriptor, std::string_view text) {
-  const int error = write_all(descriptor, text);
-  if (error == 0 || error == EPIPE) {
-    return ExitStatus::done;
-  }
-  spdlog::error("standard output: {}", error_text(error));
-  return ExitStatus::io_error;
-}
-
-void print_messages(const FileReport& report, const Options& options) {
-  for (const diagnostics::Diagnostic& diagnostic : report.diagnostics) {
-    if (!options.quiet || diagnostic.severity == diagnostics::Severity::error) {
-      diagnostics::Diagnostic shown = diagnostic;
-      shown.message = visible(shown.message);
-      shown.file = visible(shown.file);
-      write_error_line(diagnostics::to_text(shown, visible(report.file)));
-    }
-  }
-  for (const std::string& failure : report.failures) {
-    spdlog::error("{}", visible(failure));
-  }
-  for (const std::string& warning : report.warnings) {
-    // The summary has them, too.
-    if (options.json || !report.plan) {
-      spdlog::warn("{}: {}", visible(report.file), visible(warning));
-    }
-  }
-}
-
-ExitStatus print_report(const FileReport& report, const Options& options) {
-  const bool text = options.format == DiagnosticFormat::text;
-  if (text) {
-    print_messages(report, options);
-  }
-  if (options.json) {
-    return print(STDOUT_FILENO, json_report(report));
-  }
-  // Where the trace goes to standard output, nothing else does; a document stands alone, too.
-  const bool traced = options.trace_file == "-" || options.page_file == "-";
-  if (options.quiet || report.trace_reader_gone ||
-      (!text && (traced || options.command == Subcommand::check))) {
-    return ExitStatus::done;
-  }
-  return print(traced ? STDERR_FILENO : STDOUT_FILENO, summary(report));
-}
-
-// All diagnostics of all files, as one document.
-ExitStatus print_document(const std::vector<FileReport>& reports, const Options& options) {
-  if (options.format == DiagnosticFormat::text) {
-    return ExitStatus::done;
-  }
-  return print(options.command == Subcommand::check ? STDOUT_FILENO : STDERR_FILENO,
-               options.format == DiagnosticFormat::json ? json_diagnostics(reports)
-                                                        : sarif_diagnostics(reports));
-}
-
-ExitStatus first_failure(std::initializer_list<ExitStatus> parts) {
-  for (const ExitStatus part : parts) {
-    if (part != ExitStatus::done) {
-      return part;
-    }
-  }
-  return ExitStatus::done;
-}
 
 ExitStatus refuse_machine(const MachineRefusal& refusal, const Options& options) {
   if (options.format == DiagnosticFormat::text) {
@@ -107,29 +37,6 @@ ExitStatus refuse_machine(const MachineRefusal& refusal, const Options& options)
   report.failures = refusal.messages;
   print_document({report}, options);
   return refusal.status;
-}
-
-struct NamedMachine {
-  std::optional<std::string> file;
-  ChosenMachine chosen;
-};
-
-// One, but for a page: all that stand side by side in it.
-tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(const Options& options) {
-  std::vector<std::optional<std::string>> files(options.machine_files.begin(),
-                                                options.machine_files.end());
-  if (files.empty()) {
-    files.push_back(options.machine_file);
-  }
-  std::vector<NamedMachine> machines;
-  for (const auto& file : files) {
-    auto chosen = choose_machine({.machine = file, .tools = options.tool_file});
-    if (!chosen) {
-      return tl::unexpected(chosen.error());
-    }
-    machines.push_back({.file = file, .chosen = *std::move(chosen)});
-  }
-  return machines;
 }
 
 // Every program on every machine.
@@ -159,13 +66,8 @@ class AllPrograms {
 
  private:
   void process(const std::string& path, const NamedMachine& machine) {
-    Options options = options_;
+    const Options options = options_on(machine, options_);
     const MachineSettings& settings = machine.chosen.settings;
-    options.machine_file = machine.file;
-    options.driver = machine.chosen.driver;
-    if (!options.driver_name.empty()) {
-      options.driver.name = options.driver_name;
-    }
     PageRecord record{.wants_source = !options.leaves_out_source};
     reports_.push_back(process_file(path, options, settings, page_ ? &record : nullptr));
     const FileReport& report = reports_.back();
@@ -201,8 +103,11 @@ ExitStatus process_all(const Options& options) {
   if (machines && options.command == Subcommand::tick_cost) {
     return show_tick_cost(options, machines->front().chosen.settings);
   }
-  return machines ? AllPrograms(options).process(*machines)
-                  : refuse_machine(machines.error(), options);
+  if (!machines) {
+    return refuse_machine(machines.error(), options);
+  }
+  return options.command == Subcommand::compare ? compare(options, *machines)
+                                                : AllPrograms(options).process(*machines);
 }
 
 }  // namespace

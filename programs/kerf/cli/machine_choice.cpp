@@ -102,4 +102,31 @@ tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& f
   return machine;
 }
 
+tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(const Options& options) {
+  std::vector<std::optional<std::string>> files(options.machine_files.begin(),
+                                                options.machine_files.end());
+  if (files.empty()) {
+    files.push_back(options.machine_file);
+  }
+  std::vector<NamedMachine> machines;
+  for (const auto& file : files) {
+    auto chosen = choose_machine({.machine = file, .tools = options.tool_file});
+    if (!chosen) {
+      return tl::unexpected(chosen.error());
+    }
+    machines.push_back({.file = file, .chosen = *std::move(chosen)});
+  }
+  return machines;
+}
+
+Options options_on(const NamedMachine& machine, const Options& options) {
+  Options result = options;
+  result.machine_file = machine.file;
+  result.driver = machine.chosen.driver;
+  if (!options.driver_name.empty()) {
+    result.driver.name = options.driver_name;
+  }
+  return result;
+}
+
 }  // namespace kerf::program

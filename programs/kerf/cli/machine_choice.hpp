@@ -10,6 +10,7 @@
 
 #include "kernel/driver_settings.hpp"
 #include "programs/kerf/exit_status.hpp"
+#include "programs/kerf/options.hpp"
 
 namespace kerf::program {
 
@@ -31,5 +32,16 @@ struct ChosenMachine {
 
 // A tool table that the machine file names is looked for beside it.
 tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& files);
+
+struct NamedMachine {
+  std::optional<std::string> file;
+  ChosenMachine chosen;
+};
+
+// All that the options name, in their order; without any the default table.
+tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(const Options& options);
+
+// The options of a program that runs on this machine.
+[[nodiscard]] Options options_on(const NamedMachine& machine, const Options& options);
 
 }  // namespace kerf::program

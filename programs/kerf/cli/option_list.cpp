@@ -120,13 +120,25 @@ void add_outputs(CLI::App& command, OptionWords& words) {
                    "with =@1.5 at 1.5 s");
 }
 
-void add_page(CLI::App& command, Subcommand which, Options& options) {
-  command
-      .add_option("--machine", options.machine_files,
-                  "machine file (default: a small mill); several stand side by side")
+void add_machines(CLI::App& command, const std::string& description, Options& options) {
+  command.add_option("--machine", options.machine_files, description)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("FILE.toml");
+}
+
+void add_comparison(CLI::App& command, Options& options) {
+  add_machines(command, "machine file (default: a small mill); given twice, the second's", options);
+  command
+      .add_option("--lines", options.compared_lines,
+                  "how many of the lines that differ most are named")
+      ->type_name("N")
+      ->capture_default_str();
+}
+
+void add_page(CLI::App& command, Subcommand which, Options& options) {
+  add_machines(command, "machine file (default: a small mill); several stand side by side",
+               options);
   if (which == Subcommand::report) {
     command.add_option("-o,--output", options.page_file, "the page to write")
         ->required()
@@ -158,7 +170,10 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
   if (command == Subcommand::run || command == Subcommand::explain) {
     files->expected(1);
   }
-  if (makes_page(command)) {
+  if (command == Subcommand::compare) {
+    files->expected(1, 2);
+    add_comparison(*added, words.options);
+  } else if (makes_page(command)) {
     add_page(*added, command, words.options);
   } else {
     add_machine(*added, words.options);
@@ -172,7 +187,7 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
   } else if (command == Subcommand::check) {
     added->add_flag("--syntax", words.options.syntax_only,
                     "read the text alone: no plan, no curves, no travel");
-  } else if (!makes_page(command)) {
+  } else if (command == Subcommand::dry_run || command == Subcommand::run) {
     add_outputs(*added, words);
   }
   if (command == Subcommand::run) {

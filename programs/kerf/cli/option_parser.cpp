@@ -82,6 +82,8 @@ std::optional<std::string> give_meaning(OptionWords& words) {
   Options& options = words.options;
   if (makes_page(options.command)) {
     options.explained_speed.emplace();  // the page shows it
+  } else if (options.command == Subcommand::compare) {
+    options.explained_speed = SpeedQuestion{.each_line = true};
   }
   if (!words.block_delete.empty()) {
     const auto switches = block_delete_of(words.block_delete);
@@ -137,6 +139,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   add(Subcommand::explain, "what is in force at a line of the program, and when");
   add(Subcommand::report, "run as dry-run does, into a page for the browser");
   add(Subcommand::view, "the same, shown in the browser");
+  add(Subcommand::compare, "where the times of two programs differ, or of one on two machines");
   commands.emplace(add_tick_cost(app, words), Subcommand::tick_cost);
   try {
     app.parse(argc, argv);

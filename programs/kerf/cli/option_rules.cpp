@@ -94,8 +94,23 @@ std::optional<std::string> contradiction_of_streams(const Options& options) {
     return "--json and -o - both write to standard output";
   }
   const auto from_input = std::count(options.files.begin(), options.files.end(), "-");
-  if (from_input > 1 || (from_input == 1 && options.machine_files.size() > 1)) {
+  const bool runs_twice = options.machine_files.size() > 1 &&
+                          (options.command != Subcommand::compare || options.files.size() == 1);
+  if (from_input > 1 || (from_input == 1 && runs_twice)) {
     return "standard input can be read only once";
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> contradiction_of_comparison(const Options& options) {
+  if (options.command != Subcommand::compare) {
+    return std::nullopt;
+  }
+  if (options.machine_files.size() > 2) {
+    return "compare takes at most two machines";
+  }
+  if (options.files.size() < 2 && options.machine_files.size() < 2) {
+    return "compare takes two FILEs, or one and --machine twice";
   }
   return std::nullopt;
 }
@@ -126,6 +141,9 @@ std::optional<std::string> contradiction(const Options& options) {
   }
   if (!options.driver_name.empty() && !options.replay_file.empty()) {
     return "--driver and --replay name two machines";
+  }
+  if (auto message = contradiction_of_comparison(options)) {
+    return message;
   }
   if (auto message = contradiction_of_trace(options)) {
     return message;

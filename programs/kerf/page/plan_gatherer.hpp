@@ -50,8 +50,10 @@ class PlanGatherer {
   std::int64_t last_tick_ = 0;
 };
 
-// A program for the page: its text before it runs, what it did after.
+// A program for the page: its text before it runs, what it did after. A comparison wants the text
+// alone.
 struct PageRecord {
+  bool wants_motion = true;
   bool wants_source = true;
   std::optional<std::string> source{};       // none: not wanted, or longer than kMaxSourceBytes
   std::optional<curves::Extents> extents{};  // of the path, also of one that leaves the travel

@@ -45,12 +45,12 @@ SpeedAccount::SpeedAccount(const SpeedQuestion& question, double period_s) : que
   }
 }
 
-std::vector<SpeedAccount::Entry> SpeedAccount::merged(std::vector<Entry> entries) {
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+std::vector<LineLimitTime> SpeedAccount::merged(std::vector<LineLimitTime> entries) {
+  std::sort(entries.begin(), entries.end(), [](const LineLimitTime& a, const LineLimitTime& b) {
     return std::tie(a.line, a.limit) < std::tie(b.line, b.limit);
   });
-  std::vector<Entry> result;
-  for (const Entry& entry : entries) {
+  std::vector<LineLimitTime> result;
+  for (const LineLimitTime& entry : entries) {
     if (!result.empty() && result.back().line == entry.line && result.back().limit == entry.limit) {
       result.back().ticks += entry.ticks;
     } else {
@@ -86,7 +86,7 @@ void SpeedAccount::add(const TickRecord& record) {
 }
 
 SpeedReport SpeedAccount::report() const {
-  const std::vector<Entry> entries = merged(entries_);
+  std::vector<LineLimitTime> entries = merged(entries_);
   SpeedReport report;
   report.stops = stops_;
   report.tick = tick_;
@@ -104,6 +104,9 @@ SpeedReport SpeedAccount::report() const {
     }
   }
   report.whole = line_speed(0, whole);
+  if (question_.each_line) {
+    report.each_line = std::move(entries);
+  }
   return report;
 }
 

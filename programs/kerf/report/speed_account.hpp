@@ -23,6 +23,13 @@ struct LineSpeed {
   std::vector<LimitTime> limits;  // the longest first; they add up to ticks
 };
 
+// That much of a line's time.
+struct LineLimitTime {
+  std::uint32_t line = 0;
+  Constraint limit{};
+  std::int64_t ticks = 0;
+};
+
 struct TickSpeed {
   std::int64_t tick = 0;
   std::uint32_t line = 0;
@@ -35,6 +42,7 @@ struct SpeedReport {
   std::int64_t stops = 0;         // how often it comes to rest
   std::vector<LineSpeed> lines;   // those that take the longest, or the one that was asked for
   std::optional<TickSpeed> tick;  // that was asked for
+  std::vector<LineLimitTime> each_line;  // by line, then limit; where they were asked for
 };
 
 // Counts for each limit the periods that begin with it; they add up to the cycle time. Memory grows
@@ -47,18 +55,12 @@ class SpeedAccount {
   [[nodiscard]] SpeedReport report() const;
 
  private:
-  struct Entry {
-    std::uint32_t line = 0;
-    Constraint limit{};
-    std::int64_t ticks = 0;
-  };
-
-  static std::vector<Entry> merged(std::vector<Entry> entries);
+  static std::vector<LineLimitTime> merged(std::vector<LineLimitTime> entries);
 
   SpeedQuestion question_;
   std::int64_t asked_tick_ = -1;
   std::optional<TickRecord> last_;
-  std::vector<Entry> entries_;
+  std::vector<LineLimitTime> entries_;
   std::size_t merge_at_ = 4096;  // of entries_
   std::int64_t stops_ = 0;
   std::optional<TickSpeed> tick_;

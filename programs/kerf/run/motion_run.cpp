@@ -52,7 +52,7 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
   for (std::string& warning : driver->warnings()) {
     report.warnings.push_back(std::move(warning));
   }
-  if (order.page != nullptr) {
+  if (order.page != nullptr && order.page->wants_motion) {
     order.page->motion.emplace(
         TickColumns::Settings{.period_s = report.period_s,
                               .extra = extra_axes(order.settings.program.extra_axes)},

@@ -44,7 +44,7 @@ class Session {
                         .block_delete = options.block_delete,
                         .optional_stop = options.optional_stop,
                         .one_thread = options.command != Subcommand::run,
-                        .tells_operator = page != nullptr,
+                        .tells_operator = page != nullptr && page->wants_motion,
                         .dialect = options.dialect} {
     if (options.log_level == LogLevel::debug) {
       kernel_options_.plan_log = log_debug;
