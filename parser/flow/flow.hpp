@@ -93,6 +93,10 @@ class Flow {
   // Not in a subprogram's file.
   [[nodiscard]] bool in_program_text() const { return text_ == main_.get(); }
   [[nodiscard]] bool has_statements() const { return active_ && main_->has_statements(); }
+  // As ProgramText has it, of the program itself.
+  [[nodiscard]] std::uint32_t first_sub_line() const {
+    return active_ ? main_->first_sub_line() : 0;
+  }
   // Bytes of text and of what belongs to it.
   [[nodiscard]] std::size_t held_bytes() const { return active_ ? main_->held_bytes() : 0; }
   // An error or the next program's number ended the program.

@@ -57,6 +57,12 @@ void ProgramText::take(const NumberedLine& line) {
   }
 }
 
+std::uint32_t ProgramText::first_sub_line() const {
+  const auto sub = std::find_if(statements_.begin(), statements_.end(),
+                                [](const Statement& one) { return one.keyword == Keyword::o_sub; });
+  return sub == statements_.end() ? 0 : number_of(sub->line);
+}
+
 void ProgramText::take_statement(std::uint32_t line, std::string_view text, std::size_t at) {
   const diagnostics::Expected<Statement> read = read_statement(text, at, origin_.dialect);
   if (read && read->keyword == Keyword::none) {

@@ -49,6 +49,8 @@ class ProgramText {
   }
   [[nodiscard]] const Statement& statement(std::uint32_t index) const { return statements_[index]; }
   [[nodiscard]] bool has_statements() const { return statements_.size() > 1; }
+  // The number of the line in which the first `sub` stands; 0: there is none.
+  [[nodiscard]] std::uint32_t first_sub_line() const;
   [[nodiscard]] const TextOrigin& origin() const { return origin_; }
   [[nodiscard]] Labels& labels() { return labels_; }
   [[nodiscard]] SequenceNumbers& sequence_numbers() { return numbers_; }

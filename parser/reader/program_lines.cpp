@@ -123,12 +123,28 @@ bool ProgramRun::next_line(NumberedLine& line) {
   return next_plain_line(line);
 }
 
+// Once, at its end.
+void ProgramRun::report_idle_program() {
+  const std::uint32_t line = flow_.first_sub_line();
+  if (!does_anything_ && line > 0 && !diagnostics_.has_errors()) {
+    diagnostics_.at_line(line, {});
+    diagnostics_.add({line, 1}, errors::kOnlySubprograms,
+                     "the program defines subprograms and calls none: nothing is run");
+  }
+  does_anything_ = true;
+}
+
 bool ProgramRun::next(Move& move) {
   messages_.clear();
   do {
     if (!next_move(move)) {
+      if (ended_) {
+        report_idle_program();
+      }
       return false;
     }
+    const auto* event = std::get_if<EventMove>(&move.shape);
+    does_anything_ = does_anything_ || event == nullptr || event->kind != EventKind::program_end;
   } while (!short_moves_.take(move));
   constexpr std::size_t kMotions = 3;  // lines, arcs and splines come first
   if (move.shape.index() < kMotions) {

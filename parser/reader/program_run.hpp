@@ -52,6 +52,7 @@ class ProgramRun {
   [[nodiscard]] const ModalState& modal_state() const { return interpreter_.state(); }
   [[nodiscard]] ReaderState state_left(
       const std::optional<ModalState>& modal) const;  // state_left.cpp
+  [[nodiscard]] std::uint64_t blocks_run() const { return interpreter_.blocks_run(); }
   [[nodiscard]] std::size_t held_bytes() const { return flow_.held_bytes(); }
   [[nodiscard]] std::string_view file_name(std::uint16_t file) const {
     return flow_.file_name(file);
@@ -62,6 +63,7 @@ class ProgramRun {
 
   // program_lines.cpp
   bool next_move(Move& move);  // however short
+  void report_idle_program();
   bool next_line(NumberedLine& line);
   bool next_plain_line(NumberedLine& line);
   bool begins_flow(std::string_view text) const;
@@ -115,6 +117,7 @@ class ProgramRun {
   bool opened_by_percent_ = false;
   bool closed_by_percent_ = false;
   bool rest_reported_ = false;
+  bool does_anything_ = false;  // but end
   std::uint32_t opening_line_ = 0;
   std::optional<WatchedBlock> watched_block_;
   std::vector<NumberedMessage> messages_;  // of the text that the last next() read

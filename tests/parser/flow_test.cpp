@@ -46,6 +46,19 @@ TEST(Flow, GivesBackAValueOrNone) {
             "6 1 2");
 }
 
+TEST(Flow, SaysSoWhereAFileOnlyDefinesSubprograms) {
+  const std::string sub = "(hole)\n\no<hole> sub\nG1 Z-5 F100\no<hole> endsub\n";
+  const std::string message =
+      "3:1: warning: the program defines subprograms and calls none: nothing is run\n";
+  EXPECT_EQ(messages_of(sub + "M2\n"), message);
+  EXPECT_EQ(messages_of("%\n" + sub + "%\n"),
+            "4:1: warning: the program defines subprograms and calls none: nothing is run\n");
+  EXPECT_NE(messages_of(sub).find(message), std::string::npos);
+  EXPECT_EQ(messages_of(sub + "o<hole> call\nM2\n"), "");
+  EXPECT_EQ(messages_of(sub + "G4 P1\nM2\n"), "");
+  EXPECT_EQ(messages_of("M2\n"), "") << "nothing to call";
+}
+
 TEST(Flow, CallsItself) {
   EXPECT_EQ(path_of("o1 sub\no2 if [#1 GT 0]\nG0 X#1\no1 call [#1-1]\nG0 X[10+#1]\no2 endif\n"
                     "o1 endsub\no1 call [3]"),
