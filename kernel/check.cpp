@@ -10,10 +10,13 @@
 #include "diagnostics/errors/pages.hpp"
 #include "kernel/check_warnings.hpp"
 #include "kernel/least_time.hpp"
+#include "kernel/offset_followers.hpp"
 #include "kernel/program_path.hpp"
 #include "kernel/settings_check.hpp"
 #include "kernel/wait_check.hpp"
+#include "kernel/work_box.hpp"
 #include "machine/envelope.hpp"
+#include "parser/moves/short_moves.hpp"
 #include "parser/text/text.hpp"
 #include "smoothing/segment_builder.hpp"
 
@@ -21,13 +24,6 @@ namespace kerf {
 inline namespace v0 {
 
 namespace {
-
-void unite(curves::Extents& all, const curves::Extents& segment, bool first) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    all.min_mm[k] = first ? segment.min_mm[k] : std::min(all.min_mm[k], segment.min_mm[k]);
-    all.max_mm[k] = first ? segment.max_mm[k] : std::max(all.max_mm[k], segment.max_mm[k]);
-  }
-}
 
 void unite(curves::AuxiliaryExtents& all, const curves::AuxiliaryPosition& position, bool first) {
   for (std::size_t k = 0; k < curves::kAuxiliaryAxes; ++k) {
@@ -54,42 +50,62 @@ class Checker {
         envelope_(machine::envelope_of(settings.table)),
         extra_envelope_(settings.table.extra),
         least_time_(settings.limits),
-        warnings_(settings.limits) {}
+        warnings_(settings.limits),
+        followers_(settings, options) {}
+
+  void feed(std::string_view text) { followers_.feed(text); }
+  void finish_text() { followers_.finish(); }
 
   // Of what follows an error only the curves are looked at: it may start anywhere.
-  void look_at(const parser::Move& move, bool after_error, CheckReport& report) {
+  void look_at(const parser::Move& move, const ProgramPath& path, CheckReport& report) {
     segments_.clear();
     if (const auto built = smoothing::append_segments(move, segments_); !built) {
       report.diagnostics.push_back(refused_curve(built.error(), move.source));
       return;
     }
     least_time_.add(move, segments_);
-    if (after_error || report.has_errors()) {
+    if (path.has_errors() || report.has_errors()) {
       return;
     }
     warnings_.look_at(move, report.diagnostics);
     if (waits_.refuses(move)) {
       report.diagnostics.emplace_back(move.source, errors::kNobodyAnswers, WaitCheck::kWhy);
     }
-    if (segments_.empty()) {
-      return;
-    }
-    unite(report.extra_extents, move.auxiliary.begin_rad_mm, !report.moves);
-    unite(report.extra_extents, move.auxiliary.end_rad_mm, false);
-    check_travel(machine::outside_travel(extra_envelope_, move.auxiliary.end_rad_mm), move.source,
-                 report);
-    for (const smoothing::PathSegment& segment : segments_) {
-      const curves::Extents extents = curves::extents(segment.curve);
-      unite(report.extents, extents, !report.moves);
+    const std::optional<Extents> box = box_of(move, report);
+    followers_.look_at(move, box);
+    work_.look_at(path.reader(), move, box, report);
+    if (box) {
+      unite(report.extra_extents, move.auxiliary.begin_rad_mm, !report.moves);
+      unite(report.extra_extents, move.auxiliary.end_rad_mm, false);
+      unite(report.extents, *box, !report.moves);
       report.moves = true;
-      check_travel(machine::outside_travel(envelope_, extents), move.source, report);
     }
   }
 
   [[nodiscard]] const LeastTime& least_time() const noexcept { return least_time_; }
-  void finish(CheckReport& report) { warnings_.finish(report.diagnostics); }
+  void finish(CheckReport& report) {
+    warnings_.finish(report.diagnostics);
+    report.offset_extents = followers_.extents();
+  }
 
  private:
+  // That the move fills on the machine; nothing: it does not move. Complains where it leaves the
+  // travel.
+  std::optional<Extents> box_of(const parser::Move& move, CheckReport& report) const {
+    if (segments_.empty()) {
+      return std::nullopt;
+    }
+    check_travel(machine::outside_travel(extra_envelope_, move.auxiliary.end_rad_mm), move.source,
+                 report);
+    Extents box;
+    for (const smoothing::PathSegment& segment : segments_) {
+      const Extents extents = curves::extents(segment.curve);
+      unite(box, extents, &segment == &segments_.front());
+      check_travel(machine::outside_travel(envelope_, extents), move.source, report);
+    }
+    return box;
+  }
+
   static void check_travel(const std::optional<machine::TravelExcess>& excess,
                            const diagnostics::SourcePosition& source, CheckReport& report) {
     const bool named = !report.limit_faults.empty() &&
@@ -106,6 +122,8 @@ class Checker {
   machine::AuxiliaryEnvelope extra_envelope_;
   LeastTime least_time_;
   CheckWarnings warnings_;
+  WorkBox work_;
+  OffsetFollowers followers_;
   std::vector<smoothing::PathSegment> segments_;
 };
 
@@ -115,7 +133,9 @@ class SyntaxChecker {
   SyntaxChecker(const MachineSettings& settings, const KernelOptions& /*options*/)
       : least_time_(settings.limits) {}
 
-  void look_at(const parser::Move& move, bool /*after_error*/, CheckReport& /*report*/) {
+  void feed(std::string_view /*text*/) {}
+  void finish_text() {}
+  void look_at(const parser::Move& move, const ProgramPath& /*path*/, CheckReport& /*report*/) {
     least_time_.add_straight(move);
   }
   [[nodiscard]] const LeastTime& least_time() const noexcept { return least_time_; }
@@ -145,14 +165,17 @@ diagnostics::Diagnostic too_many(const diagnostics::SourcePosition& source, std:
 }
 
 // False: what follows is never run, however long it is.
-bool feed_next(const TextSource& text, ProgramPath& path) {
+template <typename Checker>
+bool feed_next(const TextSource& text, ProgramPath& path, Checker& checker) {
   const std::string_view piece = text();
   if (piece.empty()) {
     path.finish();  // its last line may not be read yet
+    checker.finish_text();
   } else if (path.at_end()) {
     return false;
   } else {
     path.feed(piece);
+    checker.feed(piece);
   }
   return true;
 }
@@ -171,11 +194,16 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
   Checker checker(settings, options);
   ProgramPath::Output output;
   std::uint64_t moves = 0;
+  bool is_unit_known = false;
   for (bool ends = false; !ends && !(bounds.stop && bounds.stop());) {
     switch (path.next(output)) {
       case ProgramPath::Next::output: {
         const auto& move = std::get<parser::Move>(output);
-        checker.look_at(move, path.has_errors(), report);
+        if (!is_unit_known && parser::end_mm(move) != nullptr) {
+          report.in_inches = path.reader().modal_state().units == parser::Units::inch;
+          is_unit_known = true;
+        }
+        checker.look_at(move, path, report);
         if (checker.least_time().seconds() > bounds.max_time_s) {
           report.diagnostics.push_back(too_long(move.source, bounds.max_time_s));
           ends = true;
@@ -186,7 +214,7 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
         break;
       }
       case ProgramPath::Next::wants_text:
-        ends = !feed_next(text, path);
+        ends = !feed_next(text, path, checker);
         break;
       case ProgramPath::Next::ended:
         ends = true;

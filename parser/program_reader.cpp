@@ -33,6 +33,9 @@ const ModalState& ProgramReader::modal_state() const {
 ReaderState ProgramReader::state_left(const std::optional<ModalState>& modal) const {
   return run_->state_left(modal);
 }
+std::uint64_t ProgramReader::blocks_read() const {
+  return run_->blocks_run();
+}
 bool ProgramReader::at_end() const {
   return run_->at_end();
 }

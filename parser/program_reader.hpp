@@ -54,6 +54,8 @@ class ProgramReader {
   // What is left to the next program, with `modal` in force; nothing: what was read last is. After
   // M2, M30 or a closing % the codes are what LinuxCNC makes of them there.
   [[nodiscard]] ReaderState state_left(const std::optional<ModalState>& modal) const;
+  // The number of that block, as Move::block counts.
+  [[nodiscard]] std::uint64_t blocks_read() const;
 
   // True once the program's end was met: M2, M30, the closing % or the last byte.
   [[nodiscard]] bool at_end() const;

@@ -1,6 +1,8 @@
 // Checks a whole program before anything moves: text, curves and soft limits.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string_view>
@@ -15,6 +17,33 @@
 namespace kerf {
 inline namespace v0 {
 
+/// What motion fills of one axis.
+struct AxisRange {
+  double min_mm = kUnbounded;
+  double max_mm = -kUnbounded;
+
+  /// Nothing moves there.
+  [[nodiscard]] bool is_empty() const { return max_mm < min_mm; }
+};
+
+/// The motion of a program in the coordinates that its text has: of the work offset in force, with
+/// G52, G92 and the tool's offset.
+struct WorkExtents {
+  /// Of the systems in which there is motion: 0 is G54 ... 8 is G59.3, then G54.1 P1 and on.
+  std::vector<std::size_t> systems;
+  Extents all{};
+  Extents cutting{};     ///< of what is no rapid; means nothing without CheckReport::cuts
+  bool is_known = true;  ///< false: axes are turned, scaled or mirrored somewhere
+};
+
+/// Which part of the motion of X, Y and Z follows which work offset. The rest stays where it is on
+/// the machine: G53, G28, the start.
+struct OffsetExtents {
+  std::array<std::array<AxisRange, 3>, kWorkSystems> following{};
+  std::array<AxisRange, 3> fixed{};
+  std::array<bool, 3> is_known{true, true, true};  ///< false: that axis' offsets do more than that
+};
+
 /// The result of a check.
 struct KERF_API CheckReport {
   /// Of the text and of curves that cannot be built. After 100 errors the reading ends.
@@ -24,6 +53,11 @@ struct KERF_API CheckReport {
   Extents extents{};                 ///< of all motion, with the bulge of arcs and splines
   AuxiliaryExtents extra_extents{};  ///< of A, B, C, U, V, W
   bool moves = false;                ///< false: extents mean nothing
+  Extents cutting_extents{};         ///< of what is no rapid
+  bool cuts = false;                 ///< false: cutting_extents mean nothing
+  WorkExtents work_extents{};
+  OffsetExtents offset_extents{};
+  bool in_inches = false;  ///< G20 was in force at the first motion
   /// The moves' length over their feedrates, with dwells: what KernelOptions::nominal_s wants.
   double nominal_s = 0.0;
 

@@ -14,11 +14,22 @@
 #include "parser/dialects/dialect.hpp"
 #include "parser/flow/reader_options.hpp"
 #include "profiles/profile.hpp"
+#include "programs/kerf/feed_unit.hpp"
 #include "programs/kerf/speed_question.hpp"
+#include "programs/kerf/start_place.hpp"
 
 namespace kerf::program {
 
-enum class Subcommand : unsigned char { dry_run, run, check, explain, report, view, compare, tick_cost };
+enum class Subcommand : unsigned char {
+  dry_run,
+  run,
+  check,
+  explain,
+  report,
+  view,
+  compare,
+  tick_cost
+};
 
 std::string_view name_of(Subcommand command) noexcept;
 [[nodiscard]] bool makes_page(Subcommand command) noexcept;
@@ -37,7 +48,9 @@ struct Options {
   std::vector<std::string> machine_files;
   std::size_t compared_lines = 10;  // of Subcommand::compare: how many it names
   std::optional<std::string> tool_file;
-  std::string driver_name;  // of Subcommand::run; empty: that of the machine file
+  StartPlace start{};              // machine zero, unless told otherwise
+  std::optional<Position> g54_mm;  // in place of the machine's
+  std::string driver_name;         // of Subcommand::run; empty: that of the machine file
   DriverSettings driver;
   std::string record_file;  // of what the machine is told and answers; empty: none
   std::string replay_file;  // the machine answers as this one says; empty: it does not
@@ -68,6 +81,7 @@ struct Options {
   std::string page_file;               // of Subcommand::report: where the page goes
   std::optional<std::string> page_template;  // of Subcommand::report and view
   bool leaves_out_source = false;            // the same
+  std::optional<FeedUnit> feed_unit;         // beside mm/s; nothing: that of the program
   LogLevel log_level = LogLevel::info;
   std::optional<std::string> log_file;  // nothing: standard error
   bool json = false;

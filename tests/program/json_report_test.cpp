@@ -71,7 +71,8 @@ TEST(JsonReport, HasWhatHoldsTheFeedDownWhereThatIsAskedFor) {
                 .limits = {{Constraint::programmed, 12}, {Constraint::x_jerk, 4}}},
       .stops = 2,
       .lines = {line},
-      .tick = TickSpeed{.tick = 500, .line = 12, .v_mm_s = 9.5, .limit = Constraint::x_jerk}};
+      .tick = TickSpeed{.tick = 500, .line = 12, .v_mm_s = 9.5, .limit = Constraint::x_jerk},
+      .each_line = {}};
   const json parsed = json::parse(json_report(report));
   EXPECT_EQ(parsed["speed_limits"]["programmed_feedrate"]["share"], 0.75);
   EXPECT_EQ(parsed["speed_limits"]["axis_x_jerk"]["time_s"], 0.004);

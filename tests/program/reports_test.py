@@ -181,8 +181,8 @@ class Log(Case):
 
 
 class Json(Case):
-    KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "period_s", "cycle_time_s", "ticks",
-            "path_length_mm", "blocks", "extents", "path_modes", "waits", "deviation", "time_split", "max", "limits_exceeded", "chord_error_mm", "contour_error",
+    KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "period_s", "path_boxes", "fit", "cycle_time_s", "ticks",
+            "path_length_mm", "blocks", "extents", "path_modes", "waits", "deviation", "time_split", "approach", "max", "limits_exceeded", "chord_error_mm", "contour_error",
             "following_error", "starved_ticks", "warnings", "errors", "elapsed")
 
     def test_lists_where_a_program_waits_and_the_time_that_the_machine_file_gives_it(self):

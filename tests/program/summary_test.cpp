@@ -33,7 +33,8 @@ TEST(Summary, SaysWhatHoldsTheFeedDownWhereThatIsAskedFor) {
                             .limits = {{Constraint::programmed, 3000}, {Constraint::x_jerk, 1000}}},
                   .stops = 3,
                   .lines = {{.line = 12, .ticks = 1000, .limits = {{Constraint::x_jerk, 1000}}}},
-                  .tick = {}};
+                  .tick = {},
+                  .each_line = {}};
   const std::string text = summary(report);
   EXPECT_NE(text.find("  limited by\n"
                       "    programmed feedrate         3.000 s   75.0 %\n"

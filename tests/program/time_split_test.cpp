@@ -45,6 +45,20 @@ TEST(TimeSplit, CountsWhatTheMachineDoesFromTickToTick) {
   EXPECT_EQ(split.tool_change, 0);
 }
 
+TEST(TimeSplit, CountsTheRapidsBeforeTheFirstCutAsTheApproach) {
+  EXPECT_EQ(split_of({{.ticks = 3, .kind = TickKind::rapid},
+                      {.ticks = 9, .kind = TickKind::rest, .line = 2},
+                      {.ticks = 4, .kind = TickKind::rapid, .line = 3},
+                      {.ticks = 10, .line = 4},
+                      {.ticks = 50, .kind = TickKind::rapid, .line = 5},
+                      {.ticks = 10, .line = 6}})
+                .approach,
+            7);
+  EXPECT_EQ(split_of({{.ticks = 3, .kind = TickKind::rapid}}).approach, 0) << "nothing is cut";
+  EXPECT_EQ(split_of({{.ticks = 3}, {.ticks = 5, .kind = TickKind::rapid}, {.ticks = 3}}).approach,
+            0);
+}
+
 TEST(TimeSplit, TakesTheRestsOfALineThatAnotherToolFollowsForAToolChange) {
   const TimeSplit split = split_of({{.ticks = 10},
                                     {.ticks = 5, .kind = TickKind::rest, .line = 2},

@@ -64,7 +64,7 @@ SUBFOLDERS = {
     "programs/kerf": set(),
     "programs/kerf/io": {"programs/kerf"},
     "programs/kerf/report": {"programs/kerf", "programs/kerf/io"},
-    "programs/kerf/plot": {"programs/kerf/io", "programs/kerf/report"},
+    "programs/kerf/plot": {"programs/kerf", "programs/kerf/io", "programs/kerf/report"},
     "programs/kerf/page": {"programs/kerf/io", "programs/kerf/report"},
     "programs/kerf/compare": {"programs/kerf", "programs/kerf/io", "programs/kerf/report"},
     "programs/kerf/control": {"programs/kerf", "programs/kerf/io", "programs/kerf/report"},

@@ -99,10 +99,11 @@ test("time by operation goes to the last heading before the line", () => {
   ]);
 });
 
-test("what does not fit says by how much, and how far the offset may move", () => {
-  const fits = fitsOf(planOf([{ ticks: 1, line: 1, kind: RunKind.cut }]));
-  // 0 to 50 within -100 to 300.
-  assert.deepEqual(fits[0], { axis: "x", unit: "mm", min: 0, max: 50, travel: [-100, 300], over: 0, shift: [-100, 250] });
+test("the box of the program stands beside the travel, with what the report says of them", () => {
+  const plan = planOf([{ ticks: 1, line: 1, kind: RunKind.cut }]);
+  assert.deepEqual(fitsOf(plan)[0], { axis: "x", min: 0, max: 50, travel: [-100, 300], over: 0 });
+  Object.assign(plan.header.report, { fit: { axes: { y: { over_mm: 12 } }, work_offsets: [] } });
+  assert.deepEqual(fitsOf(plan).map((fit) => fit.over), [0, 12, 0]);
 });
 
 test("between two points of the path the tool goes evenly", () => {

@@ -114,6 +114,9 @@ tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(const Op
     if (!chosen) {
       return tl::unexpected(chosen.error());
     }
+    if (options.g54_mm) {
+      chosen->settings.program.work[0].origin_mm = *options.g54_mm;
+    }
     machines.push_back({.file = file, .chosen = *std::move(chosen)});
   }
   return machines;

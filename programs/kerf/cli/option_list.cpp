@@ -16,6 +16,9 @@ const std::map<std::string, DiagnosticFormat> kFormats{{"text", DiagnosticFormat
 const std::map<std::string, LogLevel> kLogLevels{
     {"debug", LogLevel::debug}, {"info", LogLevel::info}, {"error", LogLevel::error}};
 
+const std::map<std::string, FeedUnit> kFeedUnits{
+    {"mm/s", FeedUnit::mm_s}, {"mm/min", FeedUnit::mm_min}, {"inch/min", FeedUnit::inch_min}};
+
 std::vector<std::string> profile_names() {
   std::vector<std::string> names;
   for (auto kind = 0U; kind <= static_cast<unsigned>(ProfileKind::time_optimal); ++kind) {
@@ -67,6 +70,20 @@ void add_common(CLI::App& command, OptionWords& words) {
       .add_option("--max-moves", options.max_moves,
                   "how many moves the program may have, loops included (default: 100000000)")
       ->type_name("N");
+  command
+      .add_option("--start", words.start,
+                  "where the tool is at the start, on the machine in mm, or first-move: where the "
+                  "first moves lead (default: 0,0,0)")
+      ->type_name("X,Y,Z");
+  command
+      .add_option("--g54", words.g54,
+                  "origin of G54 on the machine in mm (default: that of the machine file)")
+      ->type_name("X,Y,Z");
+  command
+      .add_option("--units", options.feed_unit,
+                  "unit of feedrates beside mm/s (default: that of the program, by G20 or G21)")
+      ->transform(CLI::CheckedTransformer(kFeedUnits).description("{mm/min,inch/min,mm/s}"))
+      ->type_name("UNIT");
   command.add_flag("--json", options.json, "report as JSON on standard output");
   command
       .add_option("--format", options.format,

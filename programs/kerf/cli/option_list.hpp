@@ -18,6 +18,8 @@ struct OptionWords {
   std::string block_delete;   // empty: not given
   std::string explain_speed;  // the same
   std::string max_time;       // the same
+  std::string start;          // the same
+  std::string g54;            // the same
   std::string max_trace;      // the same
   std::string trace_from;     // the same
   std::string trace_to;       // the same

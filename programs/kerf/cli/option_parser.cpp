@@ -85,6 +85,20 @@ std::optional<std::string> give_meaning(OptionWords& words) {
   } else if (options.command == Subcommand::compare) {
     options.explained_speed = SpeedQuestion{.each_line = true};
   }
+  if (!words.start.empty()) {
+    const auto start = start_place_of(words.start);
+    if (!start) {
+      return "--start takes X,Y,Z in mm, as in --start 10,0,-5.5, or first-move; found " +
+             words.start;
+    }
+    options.start = *start;
+  }
+  if (!words.g54.empty()) {
+    options.g54_mm = position_of(words.g54);
+    if (!options.g54_mm) {
+      return "--g54 takes X,Y,Z in mm, as in --g54 120,80,-35.5; found " + words.g54;
+    }
+  }
   if (!words.block_delete.empty()) {
     const auto switches = block_delete_of(words.block_delete);
     if (!switches) {

@@ -20,8 +20,11 @@ std::string point_text(const parser::Point& point_mm) {
                      fixed_number(point_mm[1], 3), fixed_number(point_mm[2], 3));
 }
 
-std::string feed_text(const parser::ModalState& state) {
-  return state.feedrate_mm_s ? short_number(60.0 * *state.feedrate_mm_s) + " mm/min" : "none yet";
+std::string feed_text(const parser::ModalState& state, FeedUnit unit) {
+  return state.feedrate_mm_s
+             ? fmt::format("{} {}", short_number(per_mm_s(unit) * *state.feedrate_mm_s),
+                           name_of(unit))
+             : "none yet";
 }
 
 void append_offsets(std::string& text, const parser::Coordinates& coordinates) {
@@ -72,7 +75,7 @@ std::string block_text(const FileReport& report) {
     fmt::format_to(out, "  G64             P {}, Q {} mm\n", short_number(state.blend_tolerance_mm),
                    short_number(state.merge_tolerance_mm));
   }
-  fmt::format_to(out, "  feed            {}\n", feed_text(state));
+  fmt::format_to(out, "  feed            {}\n", feed_text(state, report.feed_unit));
   fmt::format_to(out, "  spindle         S{}\n", short_number(state.spindle_speed));
   fmt::format_to(out, "  tool            T{} loaded, T{} selected\n", state.loaded_tool,
                  short_number(state.tool));

@@ -5,6 +5,7 @@
 
 #include "parser/modal/codes_in_force.hpp"
 #include "programs/kerf/report/extra_axes.hpp"
+#include "programs/kerf/report/place_json.hpp"
 
 namespace kerf::program {
 
@@ -137,6 +138,8 @@ void set_motion(Json& json, const FileReport& report) {
                         {"rapid_s", seconds(motion.time.rapid)},
                         {"rest_s", seconds(motion.time.rest)},
                         {"tool_change_s", seconds(motion.time.tool_change)}};
+  json["approach"] = {{"time_s", seconds(motion.time.approach)},
+                      {"cycle_time_without_s", seconds(report.plan->ticks - motion.time.approach)}};
   json["max"] = {{"path", peaks_json(motion.path)},
                  {"axes",
                   {{"x", peaks_json(motion.axes[0])},
@@ -208,6 +211,12 @@ std::string json_report(const FileReport& report) {
   json["machine"] = report.machine;
   json["profile"] = report.profile;
   json["period_s"] = report.period_s;
+  if (report.boxes) {
+    json["path_boxes"] = boxes_json(*report.boxes);
+  }
+  if (report.fit) {
+    json["fit"] = fit_json(*report.fit);
+  }
   if (report.plan) {
     set_plan(json, report);
   }

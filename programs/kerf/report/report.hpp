@@ -17,6 +17,7 @@
 #include "parser/program_reader.hpp"
 #include "programs/kerf/exit_status.hpp"
 #include "programs/kerf/options.hpp"
+#include "programs/kerf/report/fit.hpp"
 #include "programs/kerf/report/speed_account.hpp"
 #include "programs/kerf/report/time_histogram.hpp"
 #include "programs/kerf/report/time_split.hpp"
@@ -38,6 +39,13 @@ struct PlanReport {
 
   // By more than rounding.
   [[nodiscard]] bool deviates() const noexcept { return deviation.distance_mm >= 5e-7; }
+};
+
+// The path on the machine and in the coordinates of the program, as the check found it.
+struct PathBoxes {
+  curves::Extents all{};
+  std::optional<curves::Extents> cutting;  // nothing: it only goes in rapids
+  WorkExtents work{};
 };
 
 // The state just before a block runs for the first time, and the time of that.
@@ -89,12 +97,15 @@ struct FileReport {
   bool trace_reader_gone = false;  // and the motion was left where it was: nobody asks for more
   double period_s = 0.001;
   lookahead::PlanLimits limits{};
-  parser::Letters extra_axes = 0;  // that the machine has
+  parser::Letters extra_axes = 0;       // that the machine has
+  FeedUnit feed_unit = FeedUnit::mm_s;  // beside mm/s in words and pictures
   ExitStatus status = ExitStatus::done;
   std::vector<diagnostics::Diagnostic>
       diagnostics;                    // errors and warnings with a place in the program
   std::vector<std::string> failures;  // errors without one: files, faults of the machine
   std::vector<std::string> warnings;  // without a place
+  std::optional<PathBoxes> boxes;     // of a program that was checked and moves
+  std::optional<FitReport> fit;       // the same
   std::optional<PlanReport> plan;
   std::optional<BlockReport> block;  // of Subcommand::explain
   std::optional<MotionReport> motion;

@@ -27,6 +27,14 @@ std::string limits_text(const LineSpeed& line) {
   return text;
 }
 
+// "20 mm/s (1200 mm/min)"
+std::string feed_text(double v_mm_s, FeedUnit unit) {
+  const std::string text = short_number(v_mm_s) + " mm/s";
+  return unit == FeedUnit::mm_s ? text
+                                : fmt::format("{} ({} {})", text,
+                                              short_number(per_mm_s(unit) * v_mm_s), name_of(unit));
+}
+
 }  // namespace
 
 std::string speed_text(const FileReport& report) {
@@ -56,9 +64,9 @@ std::string speed_text(const FileReport& report) {
                    limits_text(line));
   }
   if (speed.tick) {
-    fmt::format_to(out, "  at {} s: line {}, {} mm/s, limited by {}\n",
+    fmt::format_to(out, "  at {} s: line {}, {}, limited by {}\n",
                    fixed_number(seconds(speed.tick->tick), 3), speed.tick->line,
-                   short_number(speed.tick->v_mm_s), text_of(speed.tick->limit));
+                   feed_text(speed.tick->v_mm_s, report.feed_unit), text_of(speed.tick->limit));
   } else if (report.speed_question.time_s) {
     fmt::format_to(out, "  at {} s the program does not run\n",
                    fixed_number(*report.speed_question.time_s, 3));

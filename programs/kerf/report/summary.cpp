@@ -10,7 +10,7 @@
 #include "programs/kerf/io/number_text.hpp"
 #include "programs/kerf/io/visible_text.hpp"
 #include "programs/kerf/report/block_text.hpp"
-#include "programs/kerf/report/extra_axes.hpp"
+#include "programs/kerf/report/extents_text.hpp"
 #include "programs/kerf/report/speed_text.hpp"
 
 namespace kerf::program {
@@ -41,25 +41,16 @@ std::string verdict(ExitStatus status) {
   }
 }
 
-std::string extents_text(const FileReport& report) {
-  const curves::Extents& extents = report.plan->extents;
-  std::string text;
-  for (std::size_t k = 0; k < 3; ++k) {
-    text += fmt::format("{}{} {} to {}", k == 0 ? "" : ", ", "xyz"[k],
-                        fixed_number(extents.min_mm[k], 3), fixed_number(extents.max_mm[k], 3));
-  }
-  text += " mm";
-  const curves::AuxiliaryExtents& extra = report.plan->extra_extents;
-  for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
-    text += fmt::format(", {} {} to {} {}", axis.name,
-                        fixed_number(axis.factor * extra.min_rad_mm[axis.index], 3),
-                        fixed_number(axis.factor * extra.max_rad_mm[axis.index], 3), axis.unit);
-  }
-  return text;
+std::string approach_text(const FileReport& report) {
+  const double approach_s = static_cast<double>(report.motion->time.approach) * report.period_s;
+  return fmt::format("{} of rapids before the first cut, {} without", clock_time(approach_s),
+                     clock_time(report.plan->cycle_time_s - approach_s));
 }
 
 void append_peaks(std::string& text, const FileReport& report) {
-  text += "  largest         velocity mm/s     acceleration mm/s2      jerk mm/s3\n";
+  const bool has_unit = report.feed_unit != FeedUnit::mm_s;
+  text += "  largest         velocity mm/s     acceleration mm/s2      jerk mm/s3";
+  text += has_unit ? fmt::format("   velocity {}\n", name_of(report.feed_unit)) : "\n";
   const auto uses = limit_uses(*report.motion, report.limits, report.extra_axes);
   for (std::size_t row = 0; row < uses.size(); row += 3) {
     fmt::format_to(std::back_inserter(text), "    {:<4} ", uses[row].where);
@@ -69,6 +60,10 @@ void append_peaks(std::string& text, const FileReport& report) {
     }
     if (uses[row].unit == "deg/s") {
       text += "in degrees";
+    } else if (has_unit) {
+      fmt::format_to(std::back_inserter(text), "{:>{}}",
+                     short_number(per_mm_s(report.feed_unit) * uses[row].peak),
+                     4 + name_of(report.feed_unit).size());
     }
     text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';
@@ -181,7 +176,7 @@ std::string summary(const FileReport& report) {
     return fmt::format("{}: ok, the text alone\n", visible(report.file));
   }
   if (!report.plan) {
-    return {};
+    return misfit_text(report);
   }
   if (report.command == Subcommand::explain) {
     return block_text(report);
@@ -201,9 +196,12 @@ std::string summary(const FileReport& report) {
       !split.empty()) {
     fmt::format_to(out, "  time            {}\n", split);
   }
+  if (report.motion && report.motion->time.approach > 0) {
+    fmt::format_to(out, "  approach        {}\n", approach_text(report));
+  }
   fmt::format_to(out, "  path            {:.3f} mm in {}\n", plan.path_length_mm,
                  counted(plan.blocks, "block"));
-  fmt::format_to(out, "  extents         {}\n", extents_text(report));
+  text += extents_rows(report);
   if (!plan.path_controls.empty()) {
     fmt::format_to(out, "  path mode       {}\n", path_modes_text(plan.path_controls));
   }

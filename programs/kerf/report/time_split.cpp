@@ -11,6 +11,8 @@ void TimeAccount::add(const TickRecord& record) noexcept {
     const std::int64_t ticks = record.tick - last_.tick;
     switch (kind_of(last_)) {
       case TickKind::cut:
+        split_.approach = has_cut_ ? split_.approach : split_.rapid;
+        has_cut_ = true;
         split_.cutting += ticks;
         break;
       case TickKind::rapid:

@@ -13,6 +13,7 @@ struct TimeSplit {
   std::int64_t rapid = 0;
   std::int64_t rest = 0;  // dwells, spindle starts, waits, exact stops of a tick and more
   std::int64_t tool_change = 0;
+  std::int64_t approach = 0;  // of the rapids those before the first cut; 0 without one
 };
 
 // Rests of one line, one after the other, are a tool change if the spindle has another tool behind
@@ -32,6 +33,7 @@ class TimeAccount {
   bool has_last_ = false;
   std::int64_t rest_ = 0;         // ticks of the present rest
   std::int32_t tool_before_ = 0;  // the rest
+  bool has_cut_ = false;
 };
 
 }  // namespace kerf::program

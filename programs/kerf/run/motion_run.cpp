@@ -38,8 +38,9 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     report.fail(ExitStatus::io_error, driver.error());
     return;
   }
-  auto outputs = OutputFiles::open(order.options, order.settings,
-                                   order.path.extents.value_or(curves::Extents{}));
+  const curves::Extents extents = order.path.extents.value_or(curves::Extents{});
+  auto outputs =
+      OutputFiles::open(order.options, order.settings, order.path.cutting.value_or(extents));
   if (!outputs && stop_requested()) {  // a FIFO was waited for
     report.status = *stop_requested();
     return;
@@ -56,7 +57,7 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     order.page->motion.emplace(
         TickColumns::Settings{.period_s = report.period_s,
                               .extra = extra_axes(order.settings.program.extra_axes)},
-        order.path.extents.value_or(curves::Extents{}));
+        extents);
     outputs->recorder().page = &*order.page->motion;
   }
   if (outputs->recorder().plot && order.path.scan) {

@@ -17,7 +17,8 @@ namespace kerf::program {
 
 // The path as the check of the whole program found it; empty for text that runs as it comes.
 struct CheckedPath {
-  std::optional<curves::Extents> extents;  // none: no path
+  std::optional<curves::Extents> extents;    // none: no path
+  std::optional<curves::Extents> cutting{};  // none: nothing is cut
   curves::AuxiliaryExtents extra_extents{};
   std::optional<ScannedCurve> scan{};  // for the plot
 };

@@ -18,8 +18,8 @@ namespace kerf::program {
 
 class OutputFiles {
  public:
-  // Call it before anything moves, so that errors of writing are known by then. extents: of the
-  // whole path.
+  // Call it before anything moves, so that errors of writing are known by then. extents: of what
+  // the plot is to show.
   static tl::expected<OutputFiles, std::string> open(const Options& options,
                                                      const MachineSettings& settings,
                                                      const curves::Extents& extents);

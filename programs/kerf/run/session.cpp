@@ -3,6 +3,7 @@
 #include <chrono>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/keyboard.hpp"
@@ -13,6 +14,7 @@
 #include "programs/kerf/io/text_feed.hpp"
 #include "programs/kerf/run/block_lookup.hpp"
 #include "programs/kerf/run/check_pass.hpp"
+#include "programs/kerf/run/first_places.hpp"
 #include "programs/kerf/run/first_scan.hpp"
 #include "programs/kerf/run/motion_run.hpp"
 #include "programs/kerf/run/plan_run.hpp"
@@ -57,6 +59,7 @@ class Session {
     report_.period_s = settings.limits.period_s;
     report_.limits = settings.limits;
     report_.extra_axes = settings.program.extra_axes;
+    report_.feed_unit = options.feed_unit.value_or(FeedUnit::mm_min);
     report_.speed_question = options.explained_speed.value_or(SpeedQuestion{});
   }
 
@@ -81,6 +84,10 @@ class Session {
     Descriptor source = ProgramFile::open_live(path);
     has_keys_ = !source.is_open() && Keyboard::has_terminal();
     kernel_options_.refuses_waits = !has_keys_ && !options_.control;
+    if (source.is_open() && std::holds_alternative<AtFirstMove>(options_.start)) {
+      report_.fail(ExitStatus::wrong_use, "--start first-move needs a FILE that can be read twice");
+      return true;
+    }
     if (source.is_open()) {
       run_live(std::move(source));
       return true;
@@ -95,7 +102,7 @@ class Session {
       report_.status = *stop_requested();
     } else if (!file) {
       report_.fail(ExitStatus::io_error, file.error());
-    } else if (check(*file) && !options_.syntax_only) {
+    } else if (choose_start(*file) && check(*file) && !options_.syntax_only) {
       file->rewind();
       const Stopwatch watch;
       if (options_.command == Subcommand::check || options_.command == Subcommand::explain) {
@@ -105,6 +112,19 @@ class Session {
       }
       report_.run_duration_s = watch.elapsed_s();
     }
+  }
+
+  // False: the program says no place where it starts.
+  bool choose_start(ProgramFile& file) {
+    const auto* given = std::get_if<Position>(&options_.start);
+    const tl::expected<Position, std::string> place =
+        given != nullptr ? *given : first_places(file, settings_, kernel_options_);
+    if (!place) {
+      report_.fail(ExitStatus::program_error, place.error());
+      return false;
+    }
+    kernel_options_.start_mm = *place;
+    return true;
   }
 
   // False: another run has the machine.
@@ -170,16 +190,27 @@ class Session {
   void judge(const CheckReport& found) {
     report_.take(found.diagnostics);
     kernel_options_.nominal_s = found.nominal_s;
+    if (found.in_inches && !options_.feed_unit) {
+      report_.feed_unit = FeedUnit::inch_min;
+    }
     if (found.has_errors()) {
       report_.status = ExitStatus::program_error;
     } else if (!found.limit_faults.empty()) {
       report_.take(found.limit_faults);
       report_.status = ExitStatus::machine_fault;
     }
+    if (found.moves) {
+      report_.boxes =
+          PathBoxes{.all = found.extents,
+                    .cutting = found.cuts ? std::optional(found.cutting_extents) : std::nullopt,
+                    .work = found.work_extents};
+      report_.fit = fit_of(found, settings_);
+    }
     if (page_ != nullptr && found.moves) {
       page_->extents = found.extents;
     }
     path_ = {.extents = found.moves ? std::optional(found.extents) : std::nullopt,
+             .cutting = found.cuts ? std::optional(found.cutting_extents) : std::nullopt,
              .extra_extents = found.extra_extents};
   }
 
@@ -204,6 +235,7 @@ class Session {
   // Text that can be read only once runs as it comes: each block is checked before it is planned,
   // and a wrong one ends the program at rest before it.
   void run_live(Descriptor source) {
+    kernel_options_.start_mm = std::get<Position>(options_.start);
     report_.live = kernel_options_.checks_travel = true;
     const Stopwatch watch;
     LiveFeed text(report_.file, std::move(source));

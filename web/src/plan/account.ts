@@ -110,37 +110,21 @@ export function accountOf(plan: Plan): Account {
 
 export interface Fit {
   readonly axis: string;
-  readonly unit: "mm" | "deg";
-  readonly min: number;
+  readonly min: number; // mm
   readonly max: number;
   readonly travel: readonly [number | null, number | null];
   readonly over: number; // by how much it leaves the travel; 0: it fits
-  readonly shift: readonly [number, number] | null; // how far the work offset may move; null: no shift helps
-}
-
-// The work coordinate system that the program runs in, if it is a single one, not turned, and the program's text shows that
-// nothing moves it: its name and origin. Of a program that did not run, as its text names it.
-export function workSystemOf(plan: Plan): { name: string; origin_mm: readonly [number, number, number] } | null {
-  if (plan.source === null) return null;
-  const text = plan.source.replace(/\([^)\n]*\)|;.*/g, " ").toUpperCase();
-  if (/G(?:10|52|68|92)(?!\d)|M98|G65|O<|O\d+ *CALL/.test(text)) return null;
-  const words = plan.header.codes?.join(" ") || text;
-  const names = new Set(words.match(/G5[4-9](?:\.[1-3])?(?![\d.])/g) ?? ["G54"]);
-  const found = plan.header.machine.work_offsets.find((work) => names.has(work.name));
-  return names.size === 1 && found && found.rotation_deg === 0 ? found : null;
 }
 
 // The box of the program beside the travel of X, Y and Z. Empty without motion.
 export function fitsOf(plan: Plan): Fit[] {
-  const { extents } = plan.header;
+  const { extents, machine, report } = plan.header;
   if (!extents) return [];
-  return plan.header.machine.axes.flatMap((axis, k) => {
-    const min = extents.min_mm[k];
-    const max = extents.max_mm[k];
-    if (min === undefined || max === undefined) return [];
-    const [low, high] = axis.travel;
-    const over = Math.max(0, low === null ? 0 : low - min, high === null ? 0 : max - high);
-    const room: [number, number] = [low === null ? -Infinity : low - min, high === null ? Infinity : high - max];
-    return [{ axis: axis.name, unit: axis.unit, min, max, travel: axis.travel, over, shift: room[0] <= room[1] ? room : null }];
-  });
+  return machine.axes.slice(0, 3).map((axis, k) => ({
+    axis: axis.name,
+    min: extents.min_mm[k]!,
+    max: extents.max_mm[k]!,
+    travel: axis.travel,
+    over: report.fit?.axes[axis.name]?.over_mm ?? 0,
+  }));
 }

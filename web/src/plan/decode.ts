@@ -40,6 +40,14 @@ export interface Extents {
   readonly max_mm: Readonly<Record<string, number>>;
 }
 
+// Between which places the origin of a work offset may lie along an axis; null: no bound.
+export interface OffsetRange {
+  readonly origin_mm: number;
+  readonly min_mm: number | null;
+  readonly max_mm: number | null;
+  readonly fits_somewhere: boolean; // false: the path is longer than the travel
+}
+
 // What `kerf dry-run --json` prints: docs/json.md. Only what the page uses.
 export interface Report {
   readonly file: string;
@@ -62,6 +70,10 @@ export interface Report {
     time_s: number;
     limits: Record<string, { time_s: number; share: number }>;
   }[];
+  readonly fit?: {
+    readonly axes: Readonly<Record<string, { over_mm: number }>>;
+    readonly work_offsets: readonly { readonly name: string; readonly axes: Readonly<Record<string, OffsetRange>> }[];
+  };
   readonly warnings: readonly string[];
   readonly errors: readonly { message: string; line?: number; id?: string }[];
 }

@@ -1,10 +1,11 @@
 // The answer: how long, does it fit, how close to the limits, how exact, which lines cost most.
-import { SPLIT_NAMES, fitsOf, total, workSystemOf, type Account, type Fit, type Part, type Split } from "../plan/account.ts";
+import { SPLIT_NAMES, fitsOf, total, type Account, type Fit, type Part, type Split } from "../plan/account.ts";
+import type { OffsetRange } from "../plan/decode.ts";
 import type { Plan, Quantity } from "../plan/plan.ts";
 import type { Shown } from "../plan/source.ts";
 import type { Store } from "../state.ts";
 import { h, table } from "../ui/dom.ts";
-import { MM_PER_INCH, clock, difference, fixed, lengthText, lengthUnit, percent, plain, unitOf, type Units } from "../units.ts";
+import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf, type Units } from "../units.ts";
 
 // What to change where a constraint costs time.
 const REMEDIES: readonly (readonly [RegExp, string])[] = [
@@ -60,15 +61,15 @@ function bar(split: Split, seconds: (ticks: number) => string): HTMLElement {
 }
 
 function fitText(fit: Fit, units: Units): string {
-  const text = (value: number): string => (fit.unit === "mm" ? lengthText(value, units) : fixed(value, 3));
-  return `${text(fit.min)} to ${text(fit.max)}`;
+  return `${lengthText(fit.min, units)} to ${lengthText(fit.max, units)}`;
 }
 
-// How far the work offset could be moved, from where it is: "-12 to 340".
-function shiftText(fit: Fit, units: Units, from: number): string {
-  if (fit.shift === null) return "no place: larger than the travel";
-  const end = (value: number): string => (!Number.isFinite(value) ? "any" : fit.unit === "mm" ? lengthText(value, units) : fixed(value, 3));
-  return `${end(from + fit.shift[0])} to ${end(from + fit.shift[1])}`;
+// Where the origin of a work offset may lie: "-12 to 340".
+function rangeText(range: OffsetRange | undefined, units: Units): string {
+  if (range === undefined) return "does not move it";
+  if (!range.fits_somewhere) return "no place: larger than the travel";
+  const end = (value: number | null): string => (value === null ? "any" : lengthText(value, units));
+  return `${end(range.min_mm)} to ${end(range.max_mm)}`;
 }
 
 export class AnswerView {
@@ -192,7 +193,7 @@ export class AnswerView {
     const told = plan.header.messages ?? [];
     if (told.length > 0) add("What the program tells the operator", h("ul", { "data-test": "told" }, ...told.map(({ line, text }) => h("li", {}, this.lineButton(line), `: ${text}`))));
     if (this.shown!.plans.length > 1) add("Side by side", this.othersTable());
-    const addOffsets = (): void => add(`How far the work offset may move, ${lengthUnit(units)}`, this.offsetsTable());
+    const addOffsets = (): void => add(`Where the work offset may lie, ${lengthUnit(units)}`, this.offsetsTable());
     if (!plan.motion) {
       if (plan.header.extents) addOffsets();
       return parts;
@@ -231,10 +232,10 @@ export class AnswerView {
 
   private offsetsTable(): HTMLElement {
     const { units } = this.store.state;
-    const work = workSystemOf(this.plan!);
+    const offsets = this.plan!.header.report.fit?.work_offsets ?? [];
     return table(
-      ["axis", "the path", "may move by", ...(work ? [`${work.name} between`] : [])],
-      fitsOf(this.plan!).map((fit, k) => [fit.axis.toUpperCase(), fitText(fit, units), shiftText(fit, units, 0), ...(work ? [shiftText(fit, units, work.origin_mm[k] ?? 0)] : [])]),
+      ["axis", "the path", ...offsets.map((offset) => `${offset.name} between`)],
+      fitsOf(this.plan!).map((fit) => [fit.axis.toUpperCase(), fitText(fit, units), ...offsets.map((offset) => rangeText(offset.axes[fit.axis], units))]),
       "offsets",
     );
   }

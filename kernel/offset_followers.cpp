@@ -1,0 +1,81 @@
+#include "kernel/offset_followers.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "kernel/reader_options.hpp"
+#include "parser/moves/short_moves.hpp"
+
+namespace kerf {
+
+namespace {
+
+// How far each offset lies elsewhere: 1/64 mm times roots of primes, so that no whole multiple, sum
+// or difference of some is another one's.
+constexpr std::array<double, kWorkSystems> kShifts_mm{0.015625,     0.0220970869, 0.0270632939,
+                                                      0.0349385621, 0.0413398642, 0.0518222623,
+                                                      0.0563367387, 0.0644235254, 0.0681077960};
+constexpr double kRounding_mm = 1e-6;
+
+parser::ReaderOptions elsewhere(parser::ReaderOptions options) {
+  for (std::size_t system = 0; system < kWorkSystems; ++system) {
+    for (double& origin_mm : options.machine.work[system].origin_mm) {
+      origin_mm += kShifts_mm[system];
+    }
+  }
+  options.keeps_messages = false;
+  return options;
+}
+
+void include(AxisRange& range, double min_mm, double max_mm) {
+  range.min_mm = std::min(range.min_mm, min_mm);
+  range.max_mm = std::max(range.max_mm, max_mm);
+}
+
+}  // namespace
+
+OffsetFollowers::OffsetFollowers(const MachineSettings& settings, const KernelOptions& options)
+    : reader_(elsewhere(reader_options(settings, options))) {}
+
+AxisRange* OffsetFollowers::range_of(std::size_t axis, double place_mm, double shifted_mm) {
+  const double shift = shifted_mm - place_mm;
+  if (std::abs(shift) < kRounding_mm) {
+    return &extents_.fixed[axis];
+  }
+  for (std::size_t system = 0; system < kWorkSystems; ++system) {
+    if (std::abs(shift - kShifts_mm[system]) < kRounding_mm) {
+      return &extents_.following[system][axis];
+    }
+  }
+  return nullptr;
+}
+
+void OffsetFollowers::look_at(const parser::Move& move, const std::optional<Extents>& box) {
+  is_lost_ = is_lost_ || !reader_.next(shifted_) || shifted_.block != move.block ||
+             shifted_.shape.index() != move.shape.index();
+  if (is_lost_) {
+    extents_.is_known.fill(false);
+    return;
+  }
+  const parser::Point* end = parser::end_mm(move);
+  if (end == nullptr || !box) {
+    return;
+  }
+  const parser::Point& shifted_end = *parser::end_mm(shifted_);
+  for (std::size_t k = 0; k < 3; ++k) {
+    AxisRange* const from = range_of(k, move.start_mm[k], shifted_.start_mm[k]);
+    AxisRange* const to = range_of(k, (*end)[k], shifted_end[k]);
+    if (from == nullptr || to == nullptr) {
+      extents_.is_known[k] = false;
+    } else if (from != to) {
+      include(*from, move.start_mm[k], move.start_mm[k]);
+      include(*to, (*end)[k], (*end)[k]);
+    } else {
+      include(*to, box->min_mm[k], box->max_mm[k]);
+    }
+  }
+}
+
+}  // namespace kerf

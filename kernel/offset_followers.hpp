@@ -1,0 +1,41 @@
+// Which part of a program's motion follows which work offset.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include <kerf/check.hpp>
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
+
+#include "parser/program_reader.hpp"
+
+namespace kerf {
+
+// Reads the program beside the check a second time, on a machine whose work offsets lie a little
+// elsewhere, each by a distance of its own: the ends of moves that lie elsewhere by that distance
+// follow that offset. So it needs to know nothing of G53, G28, G92 and G10, axis by axis.
+class OffsetFollowers {
+ public:
+  OffsetFollowers(const MachineSettings& settings, const KernelOptions& options);
+
+  // What the check's reader is given.
+  void feed(std::string_view text) { reader_.feed(text); }
+  void finish() { reader_.finish(); }
+
+  // Each move of the check's reader, and the box that it fills; nothing: it does not move.
+  void look_at(const parser::Move& move, const std::optional<Extents>& box);
+
+  [[nodiscard]] const OffsetExtents& extents() const noexcept { return extents_; }
+
+ private:
+  // The range that the axis' motion with these ends belongs to; null: there is none.
+  AxisRange* range_of(std::size_t axis, double place_mm, double shifted_mm);
+
+  parser::ProgramReader reader_;
+  parser::Move shifted_;
+  bool is_lost_ = false;  // the program runs another way there
+  OffsetExtents extents_;
+};
+
+}  // namespace kerf

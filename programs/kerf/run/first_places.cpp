@@ -1,0 +1,135 @@
+#include "programs/kerf/run/first_places.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "kernel/reader_options.hpp"
+#include "parser/moves/short_moves.hpp"
+#include "parser/program_reader.hpp"
+#include "programs/kerf/io/interrupt.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+// Where a block brings an axis.
+struct FirstPlace {
+  std::uint64_t block = 0;  // as Move::block
+  double mm = 0.0;
+};
+
+class FirstPlaces {
+ public:
+  // False: what follows does not matter.
+  bool look_at(const parser::Move& move) {
+    const parser::Point* const end = parser::end_mm(move);
+    if (end == nullptr) {
+      return true;
+    }
+    if (!move.rapid && has_moved_) {
+      return false;
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!places_[k] && (*end)[k] != move.start_mm[k]) {
+        places_[k] = FirstPlace{.block = move.block, .mm = (*end)[k]};
+        has_moved_ = true;
+      }
+    }
+    return move.rapid && !(places_[0] && places_[1] && places_[2]);
+  }
+
+  [[nodiscard]] Position from(const Position& start_mm) const {
+    Position position = start_mm;
+    for (std::size_t k = 0; k < 3; ++k) {
+      position[k] = places_[k] ? places_[k]->mm : start_mm[k];
+    }
+    return position;
+  }
+
+  // The last block that counts.
+  [[nodiscard]] std::uint64_t last_block() const {
+    std::uint64_t last = 0;
+    for (const auto& place : places_) {
+      last = place ? std::max(last, place->block) : last;
+    }
+    return last;
+  }
+
+  // The same blocks, if they move it, bring the tool to the same places. False: they do not.
+  [[nodiscard]] bool agrees(const parser::Move& move) const {
+    constexpr double kRounding_mm = 1e-9;
+    const parser::Point* const end = parser::end_mm(move);
+    for (std::size_t k = 0; end != nullptr && k < 3; ++k) {
+      if (places_[k] && places_[k]->block == move.block &&
+          std::abs(places_[k]->mm - (*end)[k]) > kRounding_mm) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  std::array<std::optional<FirstPlace>, 3> places_{};
+  bool has_moved_ = false;
+};
+
+// Shows all moves from the file's begin on, until it is told that the next does not matter. Error:
+// the file cannot be read.
+tl::expected<void, std::string> read_moves(
+    ProgramFile& file, const parser::ReaderOptions& options,
+    const std::function<bool(const parser::Move&)>& look_at) {
+  parser::ProgramReader reader(options);
+  file.rewind();
+  bool goes_on = true;
+  while (goes_on && !stop_requested()) {
+    const auto piece = file.read();
+    if (!piece) {
+      return tl::unexpected(piece.error());
+    }
+    goes_on = !piece->empty();
+    goes_on ? reader.feed(*piece) : reader.finish();
+    for (parser::Move move; reader.next(move);) {
+      if (reader.has_errors() || !look_at(move)) {
+        goes_on = false;
+        break;
+      }
+    }
+    goes_on = goes_on && !reader.at_end();
+  }
+  file.rewind();
+  return {};
+}
+
+}  // namespace
+
+tl::expected<Position, std::string> first_places(ProgramFile& file, const MachineSettings& settings,
+                                                 const KernelOptions& options) {
+  FirstPlaces places;
+  parser::ReaderOptions from = reader_options(settings, options);
+  auto read =
+      read_moves(file, from, [&](const parser::Move& move) { return places.look_at(move); });
+  // From there they must lead to the same places.
+  from.start_mm = places.from(options.start_mm);
+  bool agrees = true;
+  if (read) {
+    read = read_moves(file, from, [&](const parser::Move& move) {
+      agrees = agrees && places.agrees(move);
+      return agrees && move.block <= places.last_block();
+    });
+  }
+  if (!read) {
+    return tl::unexpected(read.error());
+  }
+  if (!agrees) {
+    return tl::unexpected(file.name() +
+                          ": its first moves are relative to the start (G91), so --start "
+                          "first-move has no place; take --start X,Y,Z");
+  }
+  return from.start_mm;
+}
+
+}  // namespace kerf::program

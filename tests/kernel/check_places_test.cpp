@@ -1,0 +1,130 @@
+// What the check says of where a program's path lies: on the machine, in work coordinates, and
+// which part of it follows which work offset.
+#include <string>
+
+#include <gtest/gtest.h>
+#include <kerf/check.hpp>
+#include <kerf/machine.hpp>
+
+namespace kerf::test {
+namespace {
+
+CheckReport check(const std::string& text, const MachineSettings& settings = {},
+                  const KernelOptions& options = {}) {
+  bool given = false;
+  return check_program(
+      [&]() -> std::string_view {
+        const bool first = !given;
+        given = true;
+        return first ? std::string_view(text) : std::string_view{};
+      },
+      settings, options);
+}
+
+MachineSettings with_offsets(const Position& g54_mm, const Position& g55_mm = {}) {
+  MachineSettings settings;
+  settings.program.work[0].origin_mm = g54_mm;
+  settings.program.work[1].origin_mm = g55_mm;
+  return settings;
+}
+
+void expect_box(const Extents& box, const Position& min_mm, const Position& max_mm) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_NEAR(box.min_mm[k], min_mm[k], 1e-9) << "xyz"[k];
+    EXPECT_NEAR(box.max_mm[k], max_mm[k], 1e-9) << "xyz"[k];
+  }
+}
+
+void expect_range(const AxisRange& range, double min_mm, double max_mm) {
+  EXPECT_NEAR(range.min_mm, min_mm, 1e-9);
+  EXPECT_NEAR(range.max_mm, max_mm, 1e-9);
+}
+
+TEST(CheckPlaces, KeepCuttingApartFromAllMotion) {
+  const CheckReport report =
+      check("G21 G90\nG0 Z5\nG0 X30 Y20\nG1 Z-1 F600\nX50\nG0 Z5\nX0 Y0\nM2\n");
+  expect_box(report.extents, {0, 0, -1}, {50, 20, 5});
+  ASSERT_TRUE(report.cuts);
+  expect_box(report.cutting_extents, {30, 20, -1}, {50, 20, 5});
+  EXPECT_FALSE(check("G21 G90\nG0 X5\nM2\n").cuts);
+}
+
+TEST(CheckPlaces, AreInTheCoordinatesOfTheProgramToo) {
+  // The tool's length and G92 count as in the program's own words.
+  const CheckReport report =
+      check("G21 G90\nG54\nG43.1 Z12\nG0 X10 Y20 Z3\nG1 X40 F600\nG92 X0\nG1 X5\nM2\n",
+            with_offsets({100, 200, -50}));
+  ASSERT_FALSE(report.has_errors());
+  EXPECT_TRUE(report.work_extents.is_known);
+  EXPECT_EQ(report.work_extents.systems, std::vector<std::size_t>{0});
+  expect_box(report.work_extents.cutting, {0, 20, 3}, {40, 20, 3});
+  expect_box(report.cutting_extents, {110, 220, -35}, {145, 220, -35});
+}
+
+TEST(CheckPlaces, NameAllSystemsAndNoneThatIsTurned) {
+  const CheckReport two =
+      check("G21 G90\nG55\nG1 X10 F600\nG54\nX20\nM2\n", with_offsets({}, {300, 0, 0}));
+  EXPECT_EQ(two.work_extents.systems, (std::vector<std::size_t>{1, 0}));
+  EXPECT_TRUE(two.work_extents.is_known);
+  EXPECT_FALSE(check("G21 G90\nG10 L2 P1 R30\nG1 X10 F600\nM2\n").work_extents.is_known);
+}
+
+TEST(CheckPlaces, ArePutDownToTheSystemThatACompensatedMoveWasReadIn) {
+  const CheckReport report =
+      check("G21 G90 G17\nT1 M6\nG41.1 D2\nG1 X10 F600\nX20\nG40\nX25\nG55\nG1 X0\nM2\n",
+            with_offsets({}, {1000, 0, 0}));
+  ASSERT_FALSE(report.has_errors());
+  // X25 of G54, and the way from it, which is X-975 of G55.
+  EXPECT_NEAR(report.work_extents.all.min_mm[0], -975.0, 1e-9);
+  EXPECT_NEAR(report.work_extents.all.max_mm[0], 25.0, 1e-9);
+}
+
+TEST(OffsetExtents, FollowTheOffsetThatIsInForce) {
+  const CheckReport report = check("G21 G90\nG54\nG0 X10\nG1 X40 Y7 F600\nG55\nG1 X5\nM2\n",
+                                   with_offsets({100, 0, 0}, {300, 0, 0}));
+  const OffsetExtents& offsets = report.offset_extents;
+  expect_range(offsets.following[0][0], 110, 140);
+  expect_range(offsets.following[1][0], 305, 305);
+  expect_range(offsets.following[0][1], 7, 7);
+  EXPECT_TRUE(offsets.following[1][1].is_empty()) << "no Y is programmed under G55";
+  EXPECT_TRUE(offsets.following[0][2].is_empty());
+  expect_range(offsets.fixed[0], 0, 0);
+  expect_range(offsets.fixed[2], 0, 0);
+}
+
+TEST(OffsetExtents, LeaveTheMachinesOwnPlacesAlone) {
+  MachineSettings settings = with_offsets({100, 0, -20});
+  settings.program.first_home_mm = {-70, 0, 40};
+  const CheckReport report =
+      check("G21 G90\nG0 X10 Z1\nG53 G0 Z30\nG28 X10\nG1 X20 Z0 F600\nM2\n", settings);
+  ASSERT_FALSE(report.has_errors());
+  const OffsetExtents& offsets = report.offset_extents;
+  expect_range(offsets.following[0][0], 110, 120);
+  expect_range(offsets.following[0][2], -20, -19);
+  expect_range(offsets.fixed[0], -70, 0);
+  expect_range(offsets.fixed[2], 0, 30);
+}
+
+TEST(OffsetExtents, HaveTheBulgeOfArcs) {
+  const CheckReport report =
+      check("G21 G90 G17\nG0 X10 Y0\nG2 X-10 Y0 I-10 J0 F600\nM2\n", with_offsets({0, 50, 0}));
+  expect_range(report.offset_extents.following[0][1], 40, 50);
+}
+
+TEST(OffsetExtents, KnowWhatG92Undoes) {
+  // G92 says where the tool is, wherever the offset lies.
+  const CheckReport report = check("G21 G90\nG92 X5\nG1 X25 F600\nM2\n", with_offsets({100, 0, 0}));
+  expect_range(report.offset_extents.fixed[0], 0, 20);
+  EXPECT_TRUE(report.offset_extents.following[0][0].is_empty());
+}
+
+TEST(OffsetExtents, AreUnknownWhereAProgramAsksForItsOffset) {
+  const CheckReport report =
+      check("G21 G90\nG1 X[2 * #5221] F600\nM2\n", with_offsets({100, 0, 0}));
+  ASSERT_FALSE(report.has_errors());
+  EXPECT_FALSE(report.offset_extents.is_known[0]);
+  EXPECT_TRUE(report.offset_extents.is_known[1]);
+}
+
+}  // namespace
+}  // namespace kerf::test
