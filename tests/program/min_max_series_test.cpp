@@ -44,6 +44,21 @@ TEST(MinMaxSeries, KeepsAOneTickPeakInAMillionTicksAtItsTick) {
   EXPECT_EQ(high->value, 50.0);
 }
 
+TEST(MinMaxSeries, GivesTheSmallestAndLargestOfEachBand) {
+  MinMaxSeries series(4);
+  for (std::int64_t tick = 0; tick < 16; ++tick) {
+    series.add(tick, tick % 2 == 0 ? static_cast<double>(tick) : -1.0);
+  }
+  EXPECT_EQ(series.ticks_per_band(), 4);
+  const auto bands = series.bands();
+  ASSERT_EQ(bands.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(bands[i].tick, static_cast<std::int64_t>(4 * i));
+    EXPECT_EQ(bands[i].min, -1.0);
+    EXPECT_EQ(bands[i].max, static_cast<double>(4 * i + 2));
+  }
+}
+
 TEST(MinMaxSeries, GivesPointsInTheOrderOfTimeAndOnlySuchAsWentIn) {
   MinMaxSeries series(16);
   std::vector<double> values;

@@ -162,6 +162,50 @@ TEST(PathOutline, ShowsTheColoursOfAMillionRowsAsIfItKeptThemAll) {
   }
 }
 
+// Slow at the ends of each row, where the tool turns round, as every real raster is.
+double v_along_row(double u) {
+  return std::min({kFast, 10.0 + 20.0 * u, 10.0 + 20.0 * (kWidth - u)});
+}
+
+TEST(PathOutline, NeverDrawsAnotherFeedrateThanThatOfThePlace) {
+  PathOutline outline({.distance_mm = kWidth / 2800.0});
+  for (int row = 0; row < 20'000; ++row) {
+    for (int i = 0; i <= 200; ++i) {
+      const double u = row % 2 == 0 ? 0.5 * i : kWidth - 0.5 * i;
+      outline.add({.at = {.u_mm = u, .v_mm = kWidth * row / 20'000.0}, .v_mm_s = v_along_row(u)});
+    }
+  }
+  const auto points = outline.points();
+  EXPECT_LE(points.size(), 100'001U);
+  std::size_t drawn = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (points[i].hidden) {
+      continue;
+    }
+    ++drawn;
+    for (const double share : {0.01, 0.5, 0.99}) {
+      const double u = points[i - 1].at.u_mm + share * (points[i].at.u_mm - points[i - 1].at.u_mm);
+      const auto of_place = static_cast<double>(colour_level(v_along_row(u), kFast));
+      // The colour of a stretch is that of its middle, and it may be a colour long.
+      ASSERT_NEAR(static_cast<double>(level_to(i, points, kFast)), of_place, 2.0)
+          << points[i - 1].at.u_mm << " to " << points[i].at.u_mm;
+    }
+  }
+  EXPECT_GT(drawn, 1000U);
+}
+
+TEST(PathOutline, FramesWhatIsCut) {
+  const std::vector<OutlinePoint> points{{.at = {.u_mm = -900.0}, .rapid = true},
+                                         {.at = {.u_mm = 10.0, .v_mm = 5.0}, .rapid = true},
+                                         {.at = {.u_mm = 20.0, .v_mm = 8.0}},
+                                         {.at = {.v_mm = 900.0}, .rapid = true}};
+  const PaperBox box = box_around(points);
+  EXPECT_EQ(box.min.u_mm, 10.0);
+  EXPECT_EQ(box.max.u_mm, 20.0);
+  EXPECT_EQ(box.max.v_mm, 8.0);
+  EXPECT_EQ(box_around({points[0], points[1]}).min.u_mm, -900.0) << "nothing is cut";
+}
+
 TEST(PathOutline, ThinsItselfWithinItsMemory) {
   constexpr std::size_t kMax = 2000;
   constexpr int kPoints = 20'000;

@@ -63,6 +63,51 @@ TEST(SvgPlot, MarksWhereThePathIsFarthestFromTheProgrammedOne) {
   EXPECT_EQ(svg_plot(data_of(100), caption).find("deviation"), std::string::npos);
 }
 
+TEST(SvgPlot, DrawsLongProgramsAsBandsAndShortOnesAsCurves) {
+  EXPECT_EQ(svg_plot(data_of(5000), {}).find("fill-opacity"), std::string::npos);
+  EXPECT_NE(svg_plot(data_of(100'000), {}).find("fill-opacity"), std::string::npos);
+}
+
+TEST(SvgPlot, FramesTheCutAndClipsTheWayToIt) {
+  PlotData data({.min_mm = {300.0, 300.0, 0.0}, .max_mm = {400.0, 350.0, 0.0}});
+  data.add({.tick = 0, .rapid = true, .motion = {.v_mm_s = 10.0}});
+  data.add(
+      {.tick = 1, .rapid = true, .motion = {.v_mm_s = 10.0}, .position_mm = {300.0, 300.0, 0.0}});
+  for (int tick = 2; tick <= 102; ++tick) {
+    data.add({.tick = tick,
+              .motion = {.v_mm_s = 10.0},
+              .position_mm = {298.0 + tick, 300.0 + tick % 50, 0.0}});
+  }
+  const std::string svg = svg_plot(data, {});
+  EXPECT_NE(svg.find("clip-path"), std::string::npos);
+  EXPECT_NE(svg.find(">300<"), std::string::npos) << "numbers of the cut";
+  EXPECT_NE(svg.find(">400<"), std::string::npos);
+  EXPECT_EQ(svg.find(">100<"), std::string::npos) << "the way from machine zero";
+}
+
+TEST(SvgPlot, NamesTheLinesAtSharpPlaces) {
+  PlotData data(kFlat);
+  for (int tick = 0; tick < 1000; ++tick) {
+    const double way = 0.1 * tick;
+    data.add({.tick = tick,
+              .line = way < 50.0 ? 7U : 8U,
+              .motion = {.v_mm_s = 10.0},
+              .position_mm = {std::min(way, 50.0), std::max(0.0, way - 50.0), 0.0}});
+  }
+  const std::string svg = svg_plot(data, {});
+  EXPECT_TRUE(svg.find(">line 7<") != std::string::npos ||
+              svg.find(">line 8<") != std::string::npos);
+  EXPECT_EQ(svg_plot(data_of(5000), {}).find(">line "), std::string::npos) << "a straight line";
+}
+
+TEST(SvgPlot, HasAnotherUnitBesideMillimetresPerSecond) {
+  const std::string svg =
+      svg_plot(data_of(5000), {.title = {}, .subtitle = {}, .feed_unit = FeedUnit::mm_min});
+  for (const char* words : {">v, mm/s; at the right mm/min<", ">mm/s<", ">mm/min<", ">600<"}) {
+    EXPECT_NE(svg.find(words), std::string::npos) << words;  // 10 mm/s
+  }
+}
+
 TEST(SvgPlot, StaysSmallHoweverLongTheRun) {
   EXPECT_LT(svg_plot(data_of(1'000'000), {}).size(), std::size_t{1'500'000});
 }

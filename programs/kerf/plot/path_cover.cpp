@@ -32,7 +32,9 @@ std::uint8_t& PathCover::at(double u_mm, double v_mm) {
 bool PathCover::draw(const PaperPoint& from, const PaperPoint& to, std::size_t level) {
   const double du = to.u_mm - from.u_mm;
   const double dv = to.v_mm - from.v_mm;
-  const double steps = std::ceil(std::max(std::abs(du), std::abs(dv)) / cell_mm_);
+  // A line that leads far out of the box is drawn coarsely.
+  const double steps = std::min(std::ceil(std::max(std::abs(du), std::abs(dv)) / cell_mm_),
+                                2.0 * static_cast<double>(columns_ + rows_));
   const auto lowest = static_cast<std::uint8_t>(level);
   bool shows = false;
   double step = 0.0;

@@ -17,18 +17,34 @@ constexpr double kMinTolerance = 1e-9;
 // Of the distance tolerance, which is a part of one: what is drawn is about two pixels wide.
 constexpr double kPixels = 4.0;
 constexpr double kMaxCells = 1000.0;  // in a row
+// One colour: what lies farther apart is never drawn as one.
+constexpr double kCoarsestShare = 1.0 / static_cast<double>(kColourLevels);
+
+}  // namespace
+
+namespace {
+
+void include(std::optional<PaperBox>& box, const PaperPoint& at) {
+  if (!box) {
+    box = PaperBox{.min = at, .max = at};
+  }
+  box->min = {.u_mm = std::min(box->min.u_mm, at.u_mm), .v_mm = std::min(box->min.v_mm, at.v_mm)};
+  box->max = {.u_mm = std::max(box->max.u_mm, at.u_mm), .v_mm = std::max(box->max.v_mm, at.v_mm)};
+}
 
 }  // namespace
 
 PaperBox box_around(const std::vector<OutlinePoint>& points) {
-  PaperBox box{.min = points.front().at, .max = points.front().at};
-  for (const OutlinePoint& point : points) {
-    box.min = {.u_mm = std::min(box.min.u_mm, point.at.u_mm),
-               .v_mm = std::min(box.min.v_mm, point.at.v_mm)};
-    box.max = {.u_mm = std::max(box.max.u_mm, point.at.u_mm),
-               .v_mm = std::max(box.max.v_mm, point.at.v_mm)};
+  std::optional<PaperBox> all;
+  std::optional<PaperBox> cut;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    include(all, points[i].at);
+    if (i > 0 && !points[i].rapid) {
+      include(cut, points[i - 1].at);
+      include(cut, points[i].at);
+    }
   }
-  return box;
+  return cut.value_or(*all);
 }
 
 std::size_t level_to(std::size_t point, const std::vector<OutlinePoint>& outline,
@@ -42,6 +58,7 @@ std::size_t level_to(std::size_t point, const std::vector<OutlinePoint>& outline
 PathOutline::PathOutline(const OutlineTolerance& tolerance, std::size_t max_points)
     : tolerance_{.distance_mm = std::max(tolerance.distance_mm, kMinTolerance),
                  .v_share = std::max(tolerance.v_share, kMinTolerance)},
+      coarsest_share_(std::max(tolerance_.v_share, kCoarsestShare)),
       max_points_(max_points) {}
 
 bool PathOutline::extend_stretch(const OutlinePoint& point) {
@@ -93,8 +110,9 @@ void PathOutline::add(const OutlinePoint& point) {
   append(point);
   if (kept_.size() >= max_points_) {
     drop_hidden();
-    if (kept_.size() > max_points_ / 4 * 3) {
+    while (kept_.size() > max_points_ / 4 * 3) {
       thin();
+      drop_hidden();
     }
   }
 }
@@ -111,18 +129,38 @@ void PathOutline::append(const OutlinePoint& point) {
   last_ = point;
 }
 
+namespace {
+
+struct OutlineLine {
+  std::size_t point = 0;  // that it leads to
+  std::size_t level = 0;
+};
+
+}  // namespace
+
 // The point that the next line begins at stays, hidden or not.
 void PathOutline::drop_hidden() {
   const PaperBox box = box_around(kept_);
   const double cell_mm =
       std::max({kPixels * tolerance_.distance_mm,
                 std::max(box.width_mm(), box.height_mm()) / kMaxCells, kMinTolerance});
+  // The slowest first: what they hide can be told at once.
+  std::vector<OutlineLine> lines;
+  for (std::size_t i = 1; i < kept_.size(); ++i) {
+    if (!kept_[i].hidden) {
+      lines.push_back({.point = i, .level = level_to(i, kept_, max_v_mm_s_)});
+    }
+  }
+  std::stable_sort(lines.begin(), lines.end(),
+                   [](const OutlineLine& a, const OutlineLine& b) { return a.level < b.level; });
   PathCover cover(box, cell_mm);
+  for (const OutlineLine& line : lines) {
+    kept_[line.point].hidden =
+        !cover.draw(kept_[line.point - 1].at, kept_[line.point].at, line.level);
+  }
   std::vector<OutlinePoint> shown{kept_.front()};
   for (std::size_t i = 1; i < kept_.size(); ++i) {
-    OutlinePoint point = kept_[i];
-    point.hidden =
-        point.hidden || !cover.draw(kept_[i - 1].at, point.at, level_to(i, kept_, max_v_mm_s_));
+    const OutlinePoint& point = kept_[i];
     if (point.hidden && shown.back().hidden) {
       shown.back() = point;
     } else {
@@ -134,9 +172,11 @@ void PathOutline::drop_hidden() {
 
 void PathOutline::thin() {
   tolerance_.distance_mm *= 2.0;
-  tolerance_.v_share *= 2.0;
+  tolerance_.v_share = std::min(2.0 * tolerance_.v_share, coarsest_share_);
   const std::optional<OutlinePoint> last = last_;
   PathOutline thinner(tolerance_, max_points_);
+  thinner.coarsest_share_ = coarsest_share_;
+  thinner.max_v_mm_s_ = max_v_mm_s_;
   for (const OutlinePoint& point : kept_) {
     if (point.hidden && thinner.last_) {
       thinner.keep(*thinner.last_);
@@ -151,6 +191,11 @@ void PathOutline::thin() {
   if (last) {
     append(*last);
   }
+}
+
+// The diagonal of a cell.
+double PathOutline::line_width_mm() const noexcept {
+  return std::sqrt(2.0) * kPixels * tolerance_.distance_mm;
 }
 
 std::vector<OutlinePoint> PathOutline::points() const {

@@ -16,7 +16,7 @@ struct OutlinePoint {
   bool hidden = false;  // the line to here is hidden
 };
 
-// Precondition: not empty.
+// Of what is cut; where nothing is, of all. Precondition: not empty.
 [[nodiscard]] PaperBox box_around(const std::vector<OutlinePoint>& points);
 
 // The colour of the line to a point; kColourLevels: it is a rapid. point > 0.
@@ -33,8 +33,8 @@ struct OutlineTolerance {
 // the tolerance, the feedrate has changed by more than its own, or a rapid begins or ends. The
 // feedrate of rapids does not matter. When the kept points run out, lines go that lie under others
 // of the same colour or a slower one, which are drawn on top: so no feedrate is mixed with that of
-// its neighbours. Only where that is not enough, the tolerances double and the outline is thinned
-// by the same rule.
+// its neighbours. Only where that is not enough, the distance doubles and the outline is thinned by
+// the same rule; feedrates that are more than a colour apart are never joined.
 //
 // The rule is a sleeve: the directions from the last kept point that pass every point since within
 // the tolerance form a sector, which only narrows. A point outside the sector ends the stretch. The
@@ -44,6 +44,9 @@ class PathOutline {
   explicit PathOutline(const OutlineTolerance& tolerance, std::size_t max_points = 100'000);
 
   void add(const OutlinePoint& point);
+
+  // How wide the lines are to be drawn at the least, so that they cover those that are hidden.
+  [[nodiscard]] double line_width_mm() const noexcept;
 
   // The kept points and the last one.
   [[nodiscard]] std::vector<OutlinePoint> points() const;
@@ -64,6 +67,7 @@ class PathOutline {
   void thin();
 
   OutlineTolerance tolerance_;
+  double coarsest_share_;
   std::size_t max_points_;
   double max_v_mm_s_ = 0.0;
   std::vector<OutlinePoint> kept_;

@@ -17,12 +17,15 @@ OutlineTolerance tolerance_of(const curves::Extents& extents) {
 }  // namespace
 
 PlotData::PlotData(const curves::Extents& extents)
-    : view_(view_of(extents)), outline_(tolerance_of(extents)) {}
+    : view_(view_of(extents)),
+      outline_(tolerance_of(extents)),
+      sharp_places_(view_, box_of(view_, extents)) {}
 
 void PlotData::add(const TickRecord& record) {
   outline_.add({.at = project(view_, record.position_mm),
                 .v_mm_s = record.motion.v_mm_s,
                 .rapid = record.rapid});
+  sharp_places_.add(record.position_mm, record.line, record.rapid);
   if (!record.rapid) {
     max_feedrate_mm_s_ = std::max(max_feedrate_mm_s_, record.motion.v_mm_s);
   }

@@ -8,6 +8,7 @@
 #include "programs/kerf/plot/path_outline.hpp"
 #include "programs/kerf/plot/projection.hpp"
 #include "programs/kerf/plot/scanned_curve.hpp"
+#include "programs/kerf/plot/sharp_places.hpp"
 #include "programs/kerf/report/limit_band.hpp"
 #include "programs/kerf/report/min_max_series.hpp"
 #include "programs/kerf/report/tick_record.hpp"
@@ -16,7 +17,8 @@ namespace kerf::program {
 
 class PlotData {
  public:
-  // extents: of the whole path, known before it runs; they set how fine the outline is.
+  // extents: of what is cut, known before it runs; where nothing is, of the whole path. They set
+  // the view and how fine the outline is.
   explicit PlotData(const curves::Extents& extents);
 
   // From the first tick on the plot keeps the active constraints, too.
@@ -27,6 +29,7 @@ class PlotData {
 
   [[nodiscard]] View view() const noexcept { return view_; }
   [[nodiscard]] const PathOutline& outline() const noexcept { return outline_; }
+  [[nodiscard]] const SharpPlaces& sharp_places() const noexcept { return sharp_places_; }
   [[nodiscard]] const MinMaxSeries& v() const noexcept { return v_; }
   [[nodiscard]] const MinMaxSeries& a() const noexcept { return a_; }
   [[nodiscard]] const MinMaxSeries& j() const noexcept { return j_; }
@@ -40,6 +43,7 @@ class PlotData {
  private:
   View view_;
   PathOutline outline_;
+  SharpPlaces sharp_places_;
   MinMaxSeries v_;
   MinMaxSeries a_;
   MinMaxSeries j_;

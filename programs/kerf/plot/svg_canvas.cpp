@@ -79,6 +79,31 @@ void SvgCanvas::polylines(std::span<const std::vector<Pixel>> lines, const Strok
   svg_ += "\"/>\n";
 }
 
+void SvgCanvas::area(std::span<const Pixel> outline, std::string_view colour) {
+  fmt::format_to(std::back_inserter(svg_),
+                 R"(<path fill="{0}" fill-opacity="0.45" stroke-linejoin="round")", colour);
+  stroke({.colour = std::string(colour), .width = 0.5});
+  svg_ += " d=\"";
+  char command = 'M';
+  for (const Pixel& point : outline) {
+    fmt::format_to(std::back_inserter(svg_), "{}{:.1f} {:.1f}", command, point.x, point.y);
+    command = 'L';
+  }
+  svg_ += "Z\"/>\n";
+}
+
+void SvgCanvas::clip(const PixelBox& box) {
+  ++clips_;
+  fmt::format_to(std::back_inserter(svg_),
+                 "<clipPath id=\"clip{0}\"><rect x=\"{1:.2f}\" y=\"{2:.2f}\" width=\"{3:.2f}\" "
+                 "height=\"{4:.2f}\"/></clipPath>\n<g clip-path=\"url(#clip{0})\">\n",
+                 clips_, box.left, box.top, box.width, box.height);
+}
+
+void SvgCanvas::end_clip() {
+  svg_ += "</g>\n";
+}
+
 void SvgCanvas::box(const PixelBox& box, std::string_view fill, const Stroke& stroke_with) {
   fmt::format_to(std::back_inserter(svg_),
                  R"(<rect x="{:.2f}" y="{:.2f}" width="{:.2f}" height="{:.2f}" fill="{}")",

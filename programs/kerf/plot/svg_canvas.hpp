@@ -45,6 +45,11 @@ class SvgCanvas {
   void line(const Pixel& from, const Pixel& to, const Stroke& stroke);
   // Several lines of one look.
   void polylines(std::span<const std::vector<Pixel>> lines, const Stroke& stroke);
+  // A closed line, filled, as thin as it may be beside that.
+  void area(std::span<const Pixel> outline, std::string_view colour);
+  // From here to end_clip() nothing shows outside of the box.
+  void clip(const PixelBox& box);
+  void end_clip();
   void box(const PixelBox& box, std::string_view fill, const Stroke& stroke);
   void dot(const Pixel& at, double radius, std::string_view fill, const Stroke& stroke);
   // Any text: what means something to XML is escaped, what it does not allow becomes '?'.
@@ -56,6 +61,7 @@ class SvgCanvas {
  private:
   void stroke(const Stroke& stroke);
   std::string svg_;
+  int clips_ = 0;
 };
 
 }  // namespace kerf::program

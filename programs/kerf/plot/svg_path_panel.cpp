@@ -17,8 +17,12 @@ namespace {
 
 constexpr double kBarWidth = 14.0;
 constexpr double kBarRoom = 92.0;
-constexpr double kMargin = 18.0;
+constexpr double kOtherRoom = 48.0;   // more, for numbers of another unit
+constexpr double kBarNumbers = 48.0;  // how wide those of mm/s are
+constexpr double kMargin = 34.0;
 constexpr const char* kDeviationColour = "#b0203a";
+constexpr std::size_t kNamedLines = 8;
+constexpr double kLineWidth = 1.8;
 constexpr double kGridRoom = 34.0;  // for numbers at the left and at the bottom
 
 const Stroke kFrame{.colour = "#c8ccd2"};
@@ -94,7 +98,20 @@ void draw_tripod(SvgCanvas& canvas, const PixelBox& frame, const Scale& scale) {
               {.anchor = Anchor::middle, .size = 11.0});
 }
 
-void draw_colour_bar(SvgCanvas& canvas, const PixelBox& bar, double max_v_mm_s) {
+// Numbers of the unit behind those of mm/s.
+void draw_other_numbers(SvgCanvas& canvas, const PixelBox& bar, double max_v_mm_s, FeedUnit unit) {
+  const double left = bar.right() + kBarNumbers;
+  const double factor = per_mm_s(unit);
+  for (const double v : axis_ticks({.min = 0.0, .max = factor * max_v_mm_s}, 6)) {
+    const double y = bar.bottom() - v / (factor * max_v_mm_s) * bar.height;
+    canvas.line({.x = left, .y = y}, {.x = left + 4.0, .y = y}, {.colour = "#666"});
+    canvas.text({.x = left + 8.0, .y = y + 4.0}, fmt::format("{:g}", v), {.size = 11.0});
+  }
+  canvas.line({.x = left, .y = bar.top}, {.x = left, .y = bar.bottom()}, {.colour = "#666"});
+  canvas.text({.x = left, .y = bar.top - 10.0}, name_of(unit), {.size = 11.0});
+}
+
+void draw_colour_bar(SvgCanvas& canvas, const PixelBox& bar, double max_v_mm_s, FeedUnit unit) {
   const double step = bar.height / static_cast<double>(kColourLevels);
   for (std::size_t level = 0; level < kColourLevels; ++level) {
     const std::string colour = colour_of(level);
@@ -109,7 +126,12 @@ void draw_colour_bar(SvgCanvas& canvas, const PixelBox& bar, double max_v_mm_s) 
     canvas.line({.x = bar.right(), .y = y}, {.x = bar.right() + 4.0, .y = y}, {.colour = "#666"});
     canvas.text({.x = bar.right() + 8.0, .y = y + 4.0}, fmt::format("{:g}", v), {.size = 11.0});
   }
-  canvas.text({.x = bar.left, .y = bar.top - 10.0}, "feedrate, mm/s", {.size = 11.0});
+  if (unit == FeedUnit::mm_s) {
+    canvas.text({.x = bar.left, .y = bar.top - 10.0}, "feedrate, mm/s", {.size = 11.0});
+    return;
+  }
+  canvas.text({.x = bar.left, .y = bar.top - 10.0}, "mm/s", {.size = 11.0});
+  draw_other_numbers(canvas, bar, max_v_mm_s, unit);
 }
 
 void draw_rapid_key(SvgCanvas& canvas, const Pixel& at) {
@@ -140,18 +162,34 @@ Runs runs_of(const std::vector<OutlinePoint>& points, const Scale& scale, double
 
 // Rapids at the bottom and the slowest on top: where lines cross, that is what one looks for.
 void draw_path(SvgCanvas& canvas, const std::vector<OutlinePoint>& points, const Scale& scale,
-               double max_v_mm_s) {
+               const PlotData& data) {
+  const double max_v_mm_s = data.max_feedrate_mm_s();
+  const double width = std::max(kLineWidth, data.outline().line_width_mm() * scale.pixels_per_mm());
   const Runs runs = runs_of(points, scale, max_v_mm_s);
   for (std::size_t level = kColourLevels + 1; level-- > 0;) {
     if (!runs[level].empty()) {
       canvas.polylines(runs[level], level == kColourLevels
                                         ? kRapid
-                                        : Stroke{.colour = colour_of(level), .width = 1.8});
+                                        : Stroke{.colour = colour_of(level), .width = width});
     }
   }
   const Stroke ring{.colour = "#222", .width = 1.4};
   canvas.dot(scale.at(points.back().at), 4.5, "none", ring);
   canvas.dot(scale.at(points.front().at), 2.5, "#222", ring);
+}
+
+// Outwards from the middle of the picture, where there is room.
+void draw_lines(SvgCanvas& canvas, const PixelBox& frame, const Scale& scale,
+                const std::vector<SharpPlace>& places) {
+  for (const SharpPlace& place : places) {
+    const Pixel at = scale.at(place.at);
+    const bool left = at.x < frame.left + 0.5 * frame.width;
+    const bool above = at.y < frame.top + 0.5 * frame.height;
+    canvas.dot(at, 2.0, "#fff", {.colour = "#222", .width = 0.8});
+    canvas.text({.x = at.x + (left ? -5.0 : 5.0), .y = at.y + (above ? -5.0 : 12.0)},
+                fmt::format("line {}", place.line),
+                {.anchor = left ? Anchor::end : Anchor::start, .size = 10.0, .colour = "#222"});
+  }
 }
 
 // A program that was stopped may not have come there.
@@ -173,11 +211,12 @@ void draw_deviation(SvgCanvas& canvas, const PixelBox& frame, const Pixel& at,
 }  // namespace
 
 void draw_path_panel(SvgCanvas& canvas, const PixelBox& place, const PlotData& data,
-                     const std::optional<smoothing::PathDeviation>& deviation) {
+                     const PathPanel& panel) {
   const std::vector<OutlinePoint> points = data.outline().points();
   const PixelBox frame{.left = place.left + kGridRoom,
                        .top = place.top,
-                       .width = place.width - kGridRoom - kBarRoom,
+                       .width = place.width - kGridRoom - kBarRoom -
+                                (panel.feed_unit == FeedUnit::mm_s ? 0.0 : kOtherRoom),
                        .height = place.height - kGridRoom};
   if (points.empty()) {
     canvas.box(frame, "none", kFrame);
@@ -193,17 +232,21 @@ void draw_path_panel(SvgCanvas& canvas, const PixelBox& place, const PlotData& d
   } else {
     draw_tripod(canvas, frame, scale);
   }
+  canvas.clip(frame);
+  draw_path(canvas, points, scale, data);
+  canvas.end_clip();
   canvas.box(frame, "none", kFrame);
-  draw_path(canvas, points, scale, max_v_mm_s);
-  if (deviation) {
-    draw_deviation(canvas, frame, scale.at(project(data.view(), deviation->at_mm)), *deviation);
+  draw_lines(canvas, frame, scale, data.sharp_places().sharpest(kNamedLines));
+  if (panel.deviation) {
+    draw_deviation(canvas, frame, scale.at(project(data.view(), panel.deviation->at_mm)),
+                   *panel.deviation);
   }
   const PixelBox bar{.left = frame.right() + 20.0,
                      .top = frame.top + 22.0,
                      .width = kBarWidth,
                      .height = frame.height - 22.0};
   if (max_v_mm_s > 0.0) {
-    draw_colour_bar(canvas, bar, max_v_mm_s);
+    draw_colour_bar(canvas, bar, max_v_mm_s, panel.feed_unit);
   }
   if (std::any_of(points.begin(), points.end(), [](const OutlinePoint& p) { return p.rapid; })) {
     draw_rapid_key(canvas, {.x = bar.left, .y = bar.bottom() + 17.0});

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lookahead/path/limits.hpp"
+#include "programs/kerf/feed_unit.hpp"
 #include "programs/kerf/plot/plot_data.hpp"
 #include "smoothing/path_deviations.hpp"
 
@@ -18,6 +19,7 @@ struct PlotCaption {
   lookahead::MotionLimits limits{};  // along the path; drawn where they are finite
   double chord_tolerance_mm = lookahead::kUnbounded;
   std::optional<smoothing::PathDeviation> deviation{};
+  FeedUnit feed_unit = FeedUnit::mm_s;  // beside mm/s
 };
 
 // A whole SVG document.

@@ -15,6 +15,8 @@ namespace {
 constexpr std::string_view kLimitColour = "#b3261e";
 // A limit so far above the curve is written instead of drawn: the curve would be a flat line.
 constexpr double kFarLimit = 4.0;
+// From so many ticks a band on, some half of a pixel, a curve would be a solid bar.
+constexpr std::int64_t kBandTicks = 16;
 
 double time_to_x(const PixelBox& frame, const TimeAxis& axis, double units) noexcept {
   return frame.left + frame.width * units / axis.end;
@@ -73,6 +75,38 @@ void draw_grid(SvgCanvas& canvas, const PixelBox& frame, const ValueRange& range
   }
 }
 
+// Around the largest values there and the smallest back.
+std::vector<Pixel> band_of(const MinMaxSeries& series, const PixelBox& frame, const TimeAxis& axis,
+                           const ValueRange& range) {
+  const std::vector<SeriesBand> bands = series.bands();
+  const double half = static_cast<double>(series.ticks_per_band()) / 2.0;
+  const auto at = [&](const SeriesBand& band, double value) {
+    const double middle = static_cast<double>(band.tick) + half;
+    return Pixel{.x = std::min(time_to_x(frame, axis, middle / axis.ticks_per_unit), frame.right()),
+                 .y = value_to_y(frame, range, value)};
+  };
+  std::vector<Pixel> outline;
+  outline.reserve(2 * bands.size());
+  for (const SeriesBand& band : bands) {
+    outline.push_back(at(band, band.max));
+  }
+  for (auto band = bands.rbegin(); band != bands.rend(); ++band) {
+    outline.push_back(at(*band, band->min));
+  }
+  return outline;
+}
+
+void draw_right_numbers(SvgCanvas& canvas, const PixelBox& frame, const ValueRange& range,
+                        double factor) {
+  for (const double value : axis_ticks({.min = factor * range.min, .max = factor * range.max}, 4)) {
+    const double y = value_to_y(frame, range, value / factor);
+    canvas.line({.x = frame.right() - 4.0, .y = y}, {.x = frame.right(), .y = y},
+                {.colour = "#666"});
+    canvas.text({.x = frame.right() + 6.0, .y = y + 4.0}, fmt::format("{:g}", value),
+                {.size = 11.0});
+  }
+}
+
 }  // namespace
 
 void draw_time_panel(SvgCanvas& canvas, const PixelBox& frame, const TimeCurve& curve,
@@ -93,8 +127,15 @@ void draw_time_panel(SvgCanvas& canvas, const PixelBox& frame, const TimeCurve& 
       draw_limit(canvas, frame, value_to_y(frame, range, -curve.limit));
     }
   }
-  const std::vector<std::vector<Pixel>> line{pixels_of(points, frame, axis, range)};
-  canvas.polylines(line, {.colour = std::string(curve.colour), .width = 1.1});
+  if (curve.right_factor > 0.0) {
+    draw_right_numbers(canvas, frame, range, curve.right_factor);
+  }
+  if (curve.series->ticks_per_band() < kBandTicks) {
+    const std::vector<std::vector<Pixel>> line{pixels_of(points, frame, axis, range)};
+    canvas.polylines(line, {.colour = std::string(curve.colour), .width = 1.1});
+  } else {
+    canvas.area(band_of(*curve.series, frame, axis, range), curve.colour);
+  }
   canvas.box(frame, "none", {.colour = "#c8ccd2"});
   canvas.text({.x = frame.left, .y = frame.top - 7.0}, curve.label, {.size = 12.0, .bold = true});
   if (has_limit) {

@@ -24,6 +24,8 @@ struct TimeCurve {
   double limit = 0.0;  // drawn where it is finite; also below zero if the curve is signed
   bool is_signed = false;
   std::string_view colour = "#1f5fa8";
+  double right_factor =
+      0.0;  // the numbers at the right are that many times those at the left; 0: none
 };
 
 void draw_time_panel(SvgCanvas& canvas, const PixelBox& frame, const TimeCurve& curve,

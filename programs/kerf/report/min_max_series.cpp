@@ -62,4 +62,15 @@ std::vector<SeriesPoint> MinMaxSeries::points() const {
   return points;
 }
 
+std::vector<SeriesBand> MinMaxSeries::bands() const {
+  std::vector<SeriesBand> bands;
+  bands.reserve(buckets_.size());
+  for (const Bucket& bucket : buckets_) {
+    bands.push_back({.tick = bucket.number * ticks_per_bucket_,
+                     .min = bucket.min.value,
+                     .max = bucket.max.value});
+  }
+  return bands;
+}
+
 }  // namespace kerf::program

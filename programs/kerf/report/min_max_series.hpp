@@ -12,6 +12,13 @@ struct SeriesPoint {
   double value = 0.0;
 };
 
+// The smallest and the largest value of some ticks from this one on.
+struct SeriesBand {
+  std::int64_t tick = 0;
+  double min = 0.0;
+  double max = 0.0;
+};
+
 // Ticks fall into buckets of 2^k ticks, of which only the smallest and the largest value are kept,
 // each at its own tick. When the buckets run out, neighbours merge and k grows by one. As long as k
 // = 0 the curve is exact.
@@ -25,6 +32,9 @@ class MinMaxSeries {
 
   // In the order of time, at most two points a bucket.
   [[nodiscard]] std::vector<SeriesPoint> points() const;
+  // The same, bucket by bucket.
+  [[nodiscard]] std::vector<SeriesBand> bands() const;
+  [[nodiscard]] std::int64_t ticks_per_band() const noexcept { return ticks_per_bucket_; }
 
  private:
   struct Bucket {

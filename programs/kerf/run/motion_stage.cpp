@@ -21,7 +21,8 @@ PlotCaption plot_caption(const FileReport& report) {
       .period_s = report.period_s,
       .limits = report.limits.path,
       .chord_tolerance_mm = report.limits.chord_tolerance_mm,
-      .deviation = plan.deviates() ? std::optional(plan.deviation) : std::nullopt};
+      .deviation = plan.deviates() ? std::optional(plan.deviation) : std::nullopt,
+      .feed_unit = report.feed_unit};
 }
 
 }  // namespace
