@@ -52,6 +52,9 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_of_line(std::string_view line) 
 std::unique_ptr<Kernel> Controller::Impl::kernel_from_here(Runs what) {
   const Setpoint at = here();
   KernelOptions options = options_;
+  if (what == Runs::line || programs_.load() > 0) {
+    options.start_in_program.reset();
+  }
   if (kernel_ && (what == Runs::line || ran_line_)) {
     kernel_->plan();  // it may not know yet how far the tool has come
     options.begins_with = kernel_->state_left();

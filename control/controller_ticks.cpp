@@ -100,6 +100,7 @@ void Controller::Impl::rest() noexcept {
 void Controller::Impl::publish() noexcept {
   snapshot_.write({.programs = programs_.load(),
                    .run_s = static_cast<double>(run_ticks_.load()) * settings_.limits.period_s,
+                   .block = detail_.block,
                    .setpoint = last_});
 }
 

@@ -30,7 +30,10 @@ class KERF_LOCAL Kernel::Impl {
  public:
   Impl(const MachineSettings& settings, const KernelOptions& options)
       : tells_(options.tells_operator),
-        notes_(settings.limits, options.nominal_s),
+        notes_({.limits = settings.limits,
+                .nominal_s = options.nominal_s,
+                .blocks_before =
+                    options.start_in_program ? options.start_in_program->blocks_before : 0}),
         period_s_(settings.limits.period_s),
         pipeline_({.settings = settings,
                    .options = options,
@@ -102,7 +105,8 @@ class KERF_LOCAL Kernel::Impl {
   }
   [[nodiscard]] TickDetail detail() const noexcept {
     return {.curve_parameter = interpolator_.curve_parameter(),
-            .chord_error_mm = judge_.latest_chord_error_mm()};
+            .chord_error_mm = judge_.latest_chord_error_mm(),
+            .block = interpolator_.reached_block()};
   }
   [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
   [[nodiscard]] const std::vector<PathControlUse>& path_controls() const noexcept {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 10> kSections{
     "tick", "path", "axes", "offsets", "tools", "probe", "program", "inputs", "manual", "driver"};
-constexpr std::array<std::string_view, 5> kProgramKeys{"dialect", "least_increment_mm", "path_mode",
-                                                       "tool_change_s", "spindle_start_s"};
+constexpr std::array<std::string_view, 6> kProgramKeys{
+    "dialect", "least_increment_mm", "path_mode", "tool_change_s", "spindle_start_s", "safe_z_mm"};
 constexpr std::array<std::string_view, 9> kAllAxisNames{"x", "y", "z", "a", "b",
                                                         "c", "u", "v", "w"};
 constexpr auto kAxisNames = std::span(kAllAxisNames).first<3>();

@@ -199,6 +199,8 @@ constexpr std::array kProgram{
                [](Settings& s, std::size_t) -> double& { return s.program.tool_change_s; }},
     NumberRule{"spindle_start_s", 0.0, kLongestWait_s,
                [](Settings& s, std::size_t) -> double& { return s.program.spindle_start_s; }},
+    NumberRule{"safe_z_mm", -kFarthest, kFarthest,
+               [](Settings& s, std::size_t) -> double& { return s.program.safe_z_mm; }, 1.0, kOpen},
 };
 
 constexpr std::array kManual{

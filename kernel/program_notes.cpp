@@ -1,5 +1,7 @@
 #include "kernel/program_notes.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -62,7 +64,10 @@ bool is_same(const parser::ModalState& one, const parser::ModalState& other) {
 }  // namespace
 
 void ProgramNotes::read(const parser::ProgramReader& reader) {
-  messages_.insert(messages_.end(), reader.messages().begin(), reader.messages().end());
+  const auto& said = reader.messages();
+  std::copy_if(
+      said.begin(), said.end(), std::back_inserter(messages_),
+      [this](const parser::NumberedMessage& message) { return message.block > blocks_before_; });
   read_state_ = reader.modal_state();
 }
 

@@ -17,9 +17,13 @@ namespace kerf {
 // until the tool has come to it. Of the planning thread.
 class ProgramNotes final : public PipelineObserver {
  public:
-  // TimeLeft.
-  ProgramNotes(const lookahead::PlanLimits& limits, double nominal_s)
-      : time_left_(limits, nominal_s) {}
+  struct Settings {
+    const lookahead::PlanLimits& limits;  // these two as of TimeLeft
+    double nominal_s = 0.0;
+    std::uint64_t blocks_before = 0;  // are not run, and say nothing
+  };
+  explicit ProgramNotes(const Settings& settings)
+      : blocks_before_(settings.blocks_before), time_left_(settings.limits, settings.nominal_s) {}
 
   void read(const parser::ProgramReader& reader) override;
   void move(const parser::Move& move) override;
@@ -44,6 +48,7 @@ class ProgramNotes final : public PipelineObserver {
     std::uint64_t block = 0;
     parser::ModalState state{};
   };
+  std::uint64_t blocks_before_;
   std::deque<parser::NumberedMessage> messages_;
   std::vector<ProgramMessage> reached_messages_;
   parser::ModalState read_state_;

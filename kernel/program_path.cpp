@@ -32,8 +32,8 @@ smoothing::BlendSettings blend_settings(const MachineSettings& settings) {
   return blend;
 }
 
-parser::ReaderOptions watching(parser::ReaderOptions options, std::uint32_t line) {
-  options.watched_line = line;
+parser::ReaderOptions watched(parser::ReaderOptions options, parser::BlockWatcher* watcher) {
+  options.watcher = watcher;
   return options;
 }
 
@@ -42,12 +42,15 @@ parser::ReaderOptions watching(parser::ReaderOptions options, std::uint32_t line
 ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& options,
                          const Order& order)
     : order_(order),
-      reader_(watching(reader_options(settings, options), order.watched_line)),
+      reader_(watched(reader_options(settings, options), order.watcher)),
       waits_(options),
       smoother_(blend_settings(settings)),
       end_{.position_mm = options.start_mm, .extra_rad_mm = options.start_extra_rad_mm} {
   if (options.checks_travel) {
     travel_.emplace(settings);
+  }
+  if (options.start_in_program && !order.as_programmed) {
+    start_.emplace(*options.start_in_program, settings, end_);
   }
 }
 
@@ -56,7 +59,7 @@ ProgramPath::Next ProgramPath::next(Output& output) {
     return next_as_programmed(output);
   }
   for (;;) {
-    if (smoother_.next(output)) {
+    if (next_to_run(output)) {
       if (!cut_) {
         return Next::output;
       }
@@ -66,6 +69,27 @@ ProgramPath::Next ProgramPath::next(Output& output) {
       return Next::wants_text;
     }
   }
+}
+
+bool ProgramPath::next_to_run(Output& output) {
+  while (way_to_start_.empty()) {
+    if (!smoother_.next(output)) {
+      return false;
+    }
+    if (!start_) {
+      return true;
+    }
+    if (!start_->leaves_out(output)) {
+      for (Output& part : start_->way_to(output)) {
+        way_to_start_.push_back(std::move(part));
+      }
+      way_to_start_.push_back(std::move(output));
+      start_.reset();
+    }
+  }
+  output = std::move(way_to_start_.front());
+  way_to_start_.pop_front();
+  return true;
 }
 
 ProgramPath::Next ProgramPath::next_as_programmed(Output& output) {
@@ -108,7 +132,7 @@ bool ProgramPath::read_move() {
     end_ = {.position_mm = *end, .extra_rad_mm = move.auxiliary.end_rad_mm};
     note_path_control(move);
   }
-  if (refuses(move)) {
+  if (!(start_ && start_->leaves_out(move.block)) && refuses(move)) {
     return true;
   }
   if (const auto taken = smoother_.push(move); !taken) {
@@ -132,7 +156,7 @@ bool ProgramPath::refuses(const parser::Move& move) {
 }
 
 std::optional<PlaceOfTool> ProgramPath::programmed_end() const {
-  return has_errors() ? std::nullopt : std::optional(end_);
+  return has_errors() || start_ ? std::nullopt : std::optional(end_);
 }
 
 void ProgramPath::cut(const diagnostics::SourcePosition& source, const smoothing::PathError& error,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <kerf/kernel.hpp>
 
 #include "kernel/pipeline_observer.hpp"
+#include "kernel/start_in_middle.hpp"
 #include "kernel/tick_judge.hpp"
 #include "kernel/travel_check.hpp"
 #include "kernel/wait_check.hpp"
@@ -23,8 +25,9 @@ class ProgramPath {
   enum class Next : std::uint8_t { output, wants_text, ended };
 
   struct Order {
-    std::uint32_t watched_line = 0;  // whose block the reader shows; 0: none
-    bool as_programmed = false;      // moves come out unsmoothed, including those after an error
+    parser::BlockWatcher* watcher = nullptr;  // ReaderOptions::watcher
+    // Moves come out unsmoothed, including those after an error and those before a start.
+    bool as_programmed = false;
     PipelineObserver* observer =
         nullptr;  // for the path that is run; not called with as_programmed
   };
@@ -84,6 +87,8 @@ class ProgramPath {
   void fail(const smoothing::PathError& error, const diagnostics::ErrorPage& page);
   // Moves that the smoother still holds are run.
   void end();
+  // False: there is none now.
+  bool next_to_run(Output& output);
   Next next_as_programmed(Output& output);
 
   Order order_;
@@ -93,6 +98,8 @@ class ProgramPath {
   std::optional<TravelCheck> travel_;
   WaitCheck waits_;
   smoothing::Smoother smoother_;
+  std::optional<StartInMiddle> start_;  // until its block comes
+  std::deque<Output> way_to_start_;     // and the first output behind it
   std::vector<PathControlUse> path_controls_;
   PlaceOfTool end_{};                   // of the move read last
   diagnostics::SourcePosition source_;  // of the move read last, or of the segment that was cut

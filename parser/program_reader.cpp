@@ -39,9 +39,6 @@ std::uint64_t ProgramReader::blocks_read() const {
 bool ProgramReader::at_end() const {
   return run_->at_end();
 }
-const std::optional<WatchedBlock>& ProgramReader::watched_block() const {
-  return run_->watched_block();
-}
 bool ProgramReader::has_errors() const {
   return run_->diagnostics().has_errors();
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,7 +9,6 @@
 #include "diagnostics/diagnostic.hpp"
 #include "parser/flow/numbered_message.hpp"
 #include "parser/flow/reader_options.hpp"
-#include "parser/flow/watched_block.hpp"
 #include "parser/moves/move.hpp"
 
 namespace kerf::parser {
@@ -60,8 +58,6 @@ class ProgramReader {
   // True once the program's end was met: M2, M30, the closing % or the last byte.
   [[nodiscard]] bool at_end() const;
   [[nodiscard]] bool has_errors() const;
-  // The watched line as it was about to run for the first time; nothing before.
-  [[nodiscard]] const std::optional<WatchedBlock>& watched_block() const;
   // Bytes of program text held because it may be read again; 0 for a program without flow.
   [[nodiscard]] std::size_t held_bytes() const;
   // Of the file that SourcePosition::file names; empty for 0, the program itself.

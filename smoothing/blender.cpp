@@ -186,6 +186,7 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   segment.source = before.segment.source;
   segment.source.line = segment.marks.front().line;
   segment.run_block = segment.marks.front().run_block;
+  segment.corner_block = after.segment.mark_at(0.0).run_block;
   segment.rapid = before.segment.rapid && after.segment.rapid;
   const bool is_before = feedrate_mm_s(before.segment) <= feedrate_mm_s(after.segment);
   const PathSegment& slower = is_before ? before.segment : after.segment;
@@ -213,6 +214,7 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   second.source = after.segment.source;
   second.source.line = second.marks.front().line;
   second.run_block = second.marks.front().run_block;
+  segment.corner_block = 0;  // `second` leads into it
   std::erase_if(segment.marks, [s](const LineMark& mark) { return mark.s_mm >= s; });
   second.changes = std::exchange(after.segment.changes, {});
   out.push_back(std::move(segment));

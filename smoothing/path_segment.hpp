@@ -56,7 +56,14 @@ struct PathSegment {
   std::vector<parser::EventMove> changes{};
   // Direction and curvature go on from the segment before, by construction.
   bool continues = false;
+  // Of the curve in a corner: parser::Move::block of the move behind it, which it leads into. 0: it
+  // is none.
+  std::uint64_t corner_block = 0;
 
+  // parser::Move::block of the first move that begins on it.
+  [[nodiscard]] std::uint64_t first_block() const noexcept {
+    return corner_block != 0 ? corner_block : run_block;
+  }
   [[nodiscard]] LineMark mark_at(double s_mm) const {
     return smoothing::mark_at(marks, s_mm, {.line = source.line, .run_block = run_block});
   }

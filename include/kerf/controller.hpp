@@ -126,8 +126,9 @@ struct ControllerStatus {
   bool single_block = false;
   bool optional_stop = false;
   BlockDelete block_delete{};
-  AxisSet unhomed = 0;  ///< have a home switch that was not found
-  Setpoint setpoint{};  ///< its tick counts from the controller's first
+  AxisSet unhomed = 0;      ///< have a home switch that was not found
+  std::uint64_t block = 0;  ///< TickDetail::block of the present or last program
+  Setpoint setpoint{};      ///< its tick counts from the controller's first
   /// "G1 G17 G21 ...": in force where the tool is, cut off where they are longer; the rest is 0.
   std::array<char, kMaxCodes> codes{};
 };

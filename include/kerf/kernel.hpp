@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -24,6 +25,15 @@ inline namespace v0 {
 
 /// What a program leaves in force: modal codes, offsets, tools, parameters.
 class ProgramState;
+
+/// A program that is run from one of its blocks on: what lies before is read, and not run. The tool
+/// goes up in Z, over the place where the path goes on, and down to it at feedrate; tool, outputs,
+/// spindle and coolant are what they would be by then. A block that begins within a curve that
+/// stands for several is no place to start at: the curve is left out as a whole.
+struct StartInProgram {
+  std::uint64_t blocks_before = 0;  ///< ControllerStatus::block counts them
+  bool waits = false;               ///< for resume(), before the tool leaves its place
+};
 
 /// How one program is run.
 struct KernelOptions {
@@ -51,7 +61,9 @@ struct KernelOptions {
   /// override. Null: what the machine's settings say.
   std::shared_ptr<const ProgramState> begins_with{};
   Outputs start_outputs{};
-  bool one_line = false;             ///< of an operator: it needs no M2 behind it
+  bool one_line = false;  ///< of an operator: it needs no M2 behind it
+  /// Nothing: from its begin. Of a Controller: its first program.
+  std::optional<StartInProgram> start_in_program{};
   std::optional<Dialect> dialect{};  ///< nothing: the machine's
   SubprogramSource subprograms{};    ///< those that are not in the program's own text
   /// Gets lines about how the motion is planned: scans, breaking points, blocks, adjusted
@@ -66,6 +78,9 @@ struct TickDetail {
   std::optional<double> curve_parameter{};
   /// How far the path leaves the straight line from the setpoint before to this one.
   double chord_error_mm = 0.0;
+  /// How many blocks of the program's run the tool has come to; a block of a loop counts as often
+  /// as it runs.
+  std::uint64_t block = 0;
 };
 
 /// What an operator makes of the feedrates of a program, as shares of them. Limits of path and axes

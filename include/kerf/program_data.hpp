@@ -221,7 +221,10 @@ struct ProgramData {
   /// unasked; machine files and the default machine begin in G64 with the two tolerances above.
   PathControl path_control{};
   FeedInputNumbers feed_inputs{};
-  double tool_change_s = 0.0;    ///< of an M6 that waits for no answer, >= 0
+  double tool_change_s = 0.0;  ///< of an M6 that waits for no answer, >= 0
+  /// To where Z goes up before a program that starts in its middle moves over the work; at most the
+  /// travel's top, which it is where this is infinite.
+  double safe_z_mm = kUnbounded;
   double spindle_start_s = 0.0;  ///< rest behind an M3 or M4 that starts the spindle, >= 0
 };
 

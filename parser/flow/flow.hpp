@@ -16,7 +16,6 @@
 #include "parser/flow/call.hpp"
 #include "parser/flow/program_text.hpp"
 #include "parser/flow/reader_options.hpp"
-#include "parser/flow/watched_block.hpp"
 #include "parser/interpreter/interpreter.hpp"
 #include "parser/text/program_input.hpp"
 
@@ -87,11 +86,9 @@ class Flow {
   [[nodiscard]] std::string_view file_name(std::uint16_t file) const {
     return file == 0 ? std::string_view() : files_[file - 1U]->origin().file_name;
   }
-  // The watched line, where it is a statement, as it was about to run for the first time.
-  [[nodiscard]] const std::optional<WatchedBlock>& watched_statement() const { return watched_; }
+  // Shows a line that is about to run, a statement or not, to the watcher, which there must be.
+  void watch(const NumberedLine& line) const;
   [[nodiscard]] std::size_t call_depth() const { return frames_.size(); }
-  // Not in a subprogram's file.
-  [[nodiscard]] bool in_program_text() const { return text_ == main_.get(); }
   [[nodiscard]] bool has_statements() const { return active_ && main_->has_statements(); }
   // As ProgramText has it, of the program itself.
   [[nodiscard]] std::uint32_t first_sub_line() const {
@@ -218,7 +215,6 @@ class Flow {
   bool moves_in_vain_ = false;
   ProgramText* loop_text_ = nullptr;  // of the last line jumped back to; nullptr: none
   std::uint32_t loop_line_ = 0;
-  std::optional<WatchedBlock> watched_;
   bool active_ = false;
   bool keeping_ = false;    // only because statements may come
   bool forgotten_ = false;  // text before what is held has been dropped

@@ -11,10 +11,22 @@
 namespace kerf::parser {
 
 void Flow::watch() {
-  if (!watched_ && in_program_text() && text_->number_of(current_) == options_->watched_line) {
-    watched_ = {std::string(text_->line(current_).view()), interpreter_->state(),
-                interpreter_->blocks_run()};
+  if (options_->watcher != nullptr) {
+    watch({text_->line(current_).view(), text_->number_of(current_)});
   }
+}
+
+void Flow::watch(const NumberedLine& line) const {
+  const std::uint16_t file = active_ ? text_->origin().file : std::uint16_t{0};
+  UpcomingBlock block{.text = line.text,
+                      .source = {.line = line.number, .column = 1, .file = file},
+                      .state = interpreter_->state(),
+                      .blocks_before = interpreter_->blocks_run(),
+                      .in_curve = interpreter_->in_curve()};
+  for (const Frame& frame : frames_) {
+    block.calls.push_back(frame.text->number_of(frame.line == 0 ? 0 : frame.line - 1));
+  }
+  options_->watcher->about_to_run(block);
 }
 
 void Flow::run(std::uint32_t index) {

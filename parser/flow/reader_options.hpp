@@ -14,6 +14,7 @@
 
 #include "parser/dialects/dialect.hpp"
 #include "parser/expressions/parameters.hpp"
+#include "parser/flow/block_watcher.hpp"
 #include "parser/modal/machine_data.hpp"
 #include "parser/modal/modal_state.hpp"
 #include "parser/moves/move.hpp"
@@ -44,8 +45,8 @@ struct ReaderOptions {
   SubprogramSource subprograms{};  // empty: only those in the program's own text
   // Lines read since the last motion that end the program as an endless loop.
   std::uint64_t max_idle_steps = 10'000'000;
-  bool keeps_messages = false;     // for ProgramReader::messages()
-  std::uint32_t watched_line = 0;  // of the program's own text; 0: none
+  bool keeps_messages = false;      // for ProgramReader::messages()
+  BlockWatcher* watcher = nullptr;  // sees each block; null: nobody does
 };
 
 }  // namespace kerf::parser

@@ -50,6 +50,8 @@ class Interpreter {
 
   [[nodiscard]] const ModalState& state() const { return memory_.state; }
   [[nodiscard]] std::uint64_t blocks_run() const { return blocks_run_; }
+  // A curve of several blocks has begun and is not complete.
+  [[nodiscard]] bool in_curve() const { return curves_.open(); }
   // What parameters show, good as long as the interpreter is.
   [[nodiscard]] ProgramMemory& memory() { return memory_; }
   [[nodiscard]] const ProgramMemory& memory() const { return memory_; }

@@ -130,9 +130,8 @@ void ProgramRun::read_line(const NumberedLine& line) {
       (line.text[at] == '/' && options_.block_delete.leaves_out(line.text, at))) {
     return;
   }
-  if (line.number == options_.watched_line && !watched_block_ &&
-      (!flow_.active() || flow_.in_program_text())) {
-    watched_block_ = {std::string(line.text), interpreter_.state(), interpreter_.blocks_run()};
+  if (options_.watcher != nullptr) {
+    flow_.watch(line);
   }
   read_code(line);
   if (rules_.blocks_behind_semicolon && block_.remark != 0) {

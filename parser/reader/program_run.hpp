@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -45,9 +44,6 @@ class ProgramRun {
   bool next(Move& move);  // program_lines.cpp
   [[nodiscard]] bool at_end() const { return ended_ && all_fetched_ && !flow_.needs_rest(); }
   [[nodiscard]] const diagnostics::DiagnosticList& diagnostics() const { return diagnostics_; }
-  [[nodiscard]] const std::optional<WatchedBlock>& watched_block() const {
-    return flow_.watched_statement() ? flow_.watched_statement() : watched_block_;
-  }
   [[nodiscard]] const std::vector<NumberedMessage>& messages() const { return messages_; }
   [[nodiscard]] const ModalState& modal_state() const { return interpreter_.state(); }
   [[nodiscard]] ReaderState state_left(
@@ -119,7 +115,6 @@ class ProgramRun {
   bool rest_reported_ = false;
   bool does_anything_ = false;  // but end
   std::uint32_t opening_line_ = 0;
-  std::optional<WatchedBlock> watched_block_;
   std::vector<NumberedMessage> messages_;  // of the text that the last next() read
 };
 

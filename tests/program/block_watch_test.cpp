@@ -8,11 +8,10 @@ namespace {
 
 // Reads a program of four lines of motion of 10 mm and tells the watch of its moves.
 void read_moves(BlockWatch& watch, const char* text) {
-  parser::ProgramReader reader({.watched_line = watch.line()});
+  parser::ProgramReader reader({.watcher = &watch});
   reader.feed(text);
   reader.finish();
   for (parser::Move move; reader.next(move);) {
-    watch.read(reader);
     watch.move(move);
     if (std::holds_alternative<parser::DwellMove>(move.shape) ||
         std::holds_alternative<parser::EventMove>(move.shape)) {

@@ -17,9 +17,9 @@ double time_at_s(const profiles::TimeLaw& law, double s_mm) {
 
 }  // namespace
 
-void BlockWatch::read(const parser::ProgramReader& reader) {
-  if (!block_ && reader.watched_block()) {
-    block_ = reader.watched_block();
+void BlockWatch::about_to_run(const parser::UpcomingBlock& block) {
+  if (!block_ && block.source.line == line_ && block.source.file == 0) {
+    block_.emplace(block);
   }
 }
 

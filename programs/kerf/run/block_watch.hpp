@@ -7,6 +7,7 @@
 
 #include "interp/motion.hpp"
 #include "kernel/pipeline_observer.hpp"
+#include "parser/flow/block_watcher.hpp"
 
 namespace kerf::program {
 
@@ -14,7 +15,7 @@ namespace kerf::program {
 // reading by up to one window; motion is known by the block of the program's run that it belongs
 // to, a rest by counting rests on both sides. Cutter compensation holds moves back before that; so
 // they are counted from the block's own or the next.
-class BlockWatch : public PipelineObserver {
+class BlockWatch : public PipelineObserver, public parser::BlockWatcher {
  public:
   struct Settings {
     std::uint32_t line = 0;
@@ -23,9 +24,7 @@ class BlockWatch : public PipelineObserver {
   explicit BlockWatch(const Settings& settings) noexcept
       : line_(settings.line), period_s_(settings.period_s) {}
 
-  [[nodiscard]] std::uint32_t line() const noexcept { return line_; }
-
-  void read(const parser::ProgramReader& reader) override;
+  void about_to_run(const parser::UpcomingBlock& block) override;
   void move(const parser::Move& move) override;
   void rest(double /*duration_s*/) override { ++rests_pushed_; }
   // The lines of a curve come with its first phase.

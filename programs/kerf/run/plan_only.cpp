@@ -30,7 +30,7 @@ tl::expected<PlannedProgram, std::string> plan_only(ProgramFile& file, const Pla
   Pipeline pipeline({.settings = order.settings,
                      .options = order.options,
                      .longest_phase_s = lookahead::kUnbounded,
-                     .path = {.watched_line = watch.line(), .observer = &watch}});
+                     .path = {.watcher = &watch, .observer = &watch}});
   const auto size = static_cast<double>(std::max<std::uint64_t>(file.size_bytes(), 1));
   std::optional<std::uint32_t> too_long_at_line;
   Pipeline::Step step = Pipeline::Step::took;

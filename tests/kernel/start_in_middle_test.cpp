@@ -1,0 +1,280 @@
+// A program that starts at one of its blocks: nothing before it is run, and the rest is as it was.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <kerf/controller.hpp>
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
+
+#include "curves/curve.hpp"
+#include "kernel/program_path.hpp"
+#include "tests/kernel/run.hpp"
+
+namespace kerf {
+namespace {
+
+using test::Setpoint;
+
+// Two rectangles at 20 mm/s, of two tools; the comment says which block of the run a line is.
+constexpr const char* kTwoTools =
+    "G21 G90 G61 F1200\n"  // 1
+    "T1 M6\n"              // 2
+    "M3 S6000 M8\n"        // 3
+    "M64 P3\n"             // 4
+    "G0 X10 Y10 Z-5\n"     // 5
+    "G1 Z-20\n"            // 6
+    "X40\n"                // 7
+    "Y30\n"                // 8
+    "G0 Z-5\n"             // 9
+    "T2 M6\n"              // 10
+    "M4 S3000\n"           // 11
+    "M7\n"                 // 12
+    "G0 X60 Y10\n"         // 13
+    "G1 Z-30 F600\n"       // 14
+    "X80\n"                // 15
+    "Y40\n"                // 16
+    "M2\n";                // 17
+
+MachineSettings machine_up_to(double top_mm) {
+  MachineSettings settings = default_machine();
+  settings.table.axes[2].travel.max_mm = top_mm;
+  return settings;
+}
+
+std::vector<Setpoint> ticks_from(const std::string& text, std::uint64_t blocks_before,
+                                 const MachineSettings& settings = default_machine(),
+                                 KernelOptions options = {}) {
+  options.start_in_program = StartInProgram{.blocks_before = blocks_before};
+  Kernel kernel(settings, options);
+  kernel.feed(text);
+  kernel.finish();
+  return test::rest_of(kernel);
+}
+
+const Setpoint& first_with(const std::vector<Setpoint>& ticks, bool (*is)(const Setpoint&)) {
+  const auto found = std::ranges::find_if(ticks, is);
+  EXPECT_NE(found, ticks.end());
+  return found == ticks.end() ? ticks.back() : *found;
+}
+
+TEST(StartInMiddle, GoesUpThenOverThePlaceThenDownAtFeed) {
+  const auto ticks = ticks_from(kTwoTools, 14, machine_up_to(25.0));
+  // From X0 Y0 Z0 over the top at Z25 to X60 Y10 Z-30.
+  double top_mm = 0.0;
+  for (const Setpoint& tick : ticks) {
+    const auto& [x, y, z] = tick.position_mm;
+    top_mm = std::max(top_mm, z);
+    const bool goes_up = x == 0.0 && y == 0.0;
+    const bool goes_over = std::abs(z - 25.0) < 1e-9;
+    const bool goes_down = std::abs(x - 60.0) < 1e-9 && std::abs(y - 10.0) < 1e-9;
+    const bool is_on_path = std::abs(z + 30.0) < 1e-9;
+    EXPECT_TRUE(goes_up || goes_over || goes_down || is_on_path) << x << " " << y << " " << z;
+    if (goes_down && z < 24.9 && z > -29.9) {
+      EXPECT_FALSE(tick.rapid);
+      EXPECT_LE(tick.v_mm_s, 10.0 + 1e-6);  // F600 is in force there
+    }
+  }
+  EXPECT_NEAR(top_mm, 25.0, 1e-9);
+  EXPECT_EQ(ticks.back().position_mm, (Position{80.0, 40.0, -30.0}));
+}
+
+TEST(StartInMiddle, TheTravelsTopIsTheSafeHeightUnlessTheMachineFileSaysLess) {
+  MachineSettings settings = machine_up_to(25.0);
+  settings.program.safe_z_mm = 5.0;
+  const auto highest = [&] {
+    const auto ticks = ticks_from(kTwoTools, 14, settings);
+    return std::ranges::max(ticks, {}, [](const Setpoint& tick) { return tick.position_mm[2]; })
+        .position_mm[2];
+  };
+  EXPECT_NEAR(highest(), 5.0, 1e-9);
+  settings.program.safe_z_mm = 100.0;
+  EXPECT_NEAR(highest(), 25.0, 1e-9);
+  settings.table.axes[2].travel.max_mm = kUnbounded;
+  settings.program.safe_z_mm = kUnbounded;
+  EXPECT_NEAR(highest(), 0.0, 1e-9);  // where the tool has been
+}
+
+TEST(StartInMiddle, TheMachineFileNamesTheSafeHeight) {
+  const std::string limits =
+      "[path]\nmax_velocity_mm_s = 1\nmax_acceleration_mm_s2 = 1\nmax_jerk_mm_s3 = 1\n[program]\n";
+  EXPECT_EQ(parse_machine_file(limits)->program.safe_z_mm, kUnbounded);
+  EXPECT_EQ(parse_machine_file(limits + "safe_z_mm = 40\n")->program.safe_z_mm, 40.0);
+  EXPECT_FALSE(parse_machine_file(limits + "safe_z_mm = 1e7\n"));
+}
+
+TEST(StartInMiddle, ToolSpindleAndCoolantAreThereBeforeTheToolGoesDown) {
+  const auto ticks = ticks_from(kTwoTools, 14, machine_up_to(25.0));
+  const auto& down = first_with(ticks, [](const Setpoint& tick) {
+    return tick.position_mm[0] > 59.9 && tick.position_mm[2] < 24.9;
+  });
+  EXPECT_EQ(down.outputs.tool, 2);
+  EXPECT_NEAR(down.outputs.spindle_rad_s, -3000.0 * 2.0 * M_PI / 60.0, 1e-9);
+  EXPECT_TRUE(down.outputs.mist);
+  EXPECT_TRUE(down.outputs.flood);
+  EXPECT_EQ(down.outputs.digital, 1U << 3U);
+  const auto& turned =
+      first_with(ticks, [](const Setpoint& tick) { return tick.outputs.spindle_rad_s != 0.0; });
+  EXPECT_NEAR(turned.position_mm[2], 25.0, 1e-9);
+  EXPECT_EQ(turned.outputs.tool, 2);
+  // The first tool was needed by nothing that is run.
+  EXPECT_TRUE(std::ranges::none_of(ticks, [](const Setpoint& t) { return t.outputs.tool == 1; }));
+}
+
+TEST(StartInMiddle, AtItsFirstBlockAProgramIsTheWhole) {
+  const auto whole = test::ticks_of("G21 G90 G61 F1200\nG1 X10\nY10\nM2\n");
+  const auto started = ticks_from("G21 G90 G61 F1200\nG1 X10\nY10\nM2\n", 0, test::mill());
+  // But for the way up to the travel's top and back.
+  EXPECT_EQ(started.back().position_mm, whole.back().position_mm);
+  EXPECT_EQ(started.back().outputs, whole.back().outputs);
+}
+
+TEST(StartInMiddle, WaitsForAnAnswerBeforeTheToolLeavesItsPlace) {
+  KernelOptions options{.waits = true,
+                        .start_in_program = StartInProgram{.blocks_before = 14, .waits = true}};
+  Kernel kernel(machine_up_to(25.0), options);
+  kernel.feed(kTwoTools);
+  kernel.finish();
+  Setpoint setpoint;
+  TickStatus status = TickStatus::running;
+  for (int i = 0; i < 100; ++i) {
+    status = kernel.next(setpoint);
+    EXPECT_EQ(setpoint.position_mm, (Position{}));
+  }
+  EXPECT_EQ(status, TickStatus::waiting);
+  kernel.resume();
+  for (int i = 0; i < 100; ++i) {
+    kernel.next(setpoint);
+  }
+  EXPECT_GT(setpoint.position_mm[2], 0.0);
+}
+
+TEST(StartInMiddle, SaysNothingOfWhatTheBlocksBeforeSay) {
+  const std::string text = "G21 G90 G61 F600\n(MSG, one)\nG1 X1\nX2\nX3\n(MSG, two)\nX4\nM2\n";
+  Kernel kernel(default_machine(),
+                {.tells_operator = true, .start_in_program = StartInProgram{.blocks_before = 4}});
+  kernel.feed(text);
+  kernel.finish();
+  static_cast<void>(test::rest_of(kernel));
+  kernel.plan();
+  const auto said = kernel.take_messages();
+  ASSERT_EQ(said.size(), 1U);
+  EXPECT_EQ(said.front().text, "two");
+}
+
+// The path as it is run, and the blocks that its parts begin with.
+struct PathPart {
+  std::uint64_t block = 0;
+  std::vector<curves::Position> places;  // of a rest one
+};
+
+std::vector<PathPart> path_of(const std::string& text, const MachineSettings& settings,
+                              std::optional<StartInProgram> start) {
+  KernelOptions options;
+  options.start_in_program = start;
+  ProgramPath path(settings, options, {});
+  path.feed(text);
+  path.finish();
+  std::vector<PathPart> parts;
+  for (ProgramPath::Output output; path.next(output) == ProgramPath::Next::output;) {
+    PathPart& part = parts.emplace_back();
+    part.block = first_block(output);
+    if (const auto* segment = std::get_if<smoothing::PathSegment>(&output)) {
+      const double length = curves::length_mm(segment->curve);
+      for (int i = 0; i <= 8; ++i) {
+        part.places.push_back(curves::position_at(segment->curve, length * i / 8.0));
+      }
+    } else {
+      part.places.push_back(std::get<parser::Move>(output).start_mm);
+    }
+  }
+  EXPECT_FALSE(path.has_errors());
+  return parts;
+}
+
+// Of every start that the path has: how many there were.
+int compare_all_starts(const std::string& text) {
+  const MachineSettings settings = default_machine();
+  const auto whole = path_of(text, settings, std::nullopt);
+  std::uint64_t block = 0;
+  int starts = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    if (whole[i].block == block) {
+      continue;
+    }
+    block = whole[i].block;
+    SCOPED_TRACE(block);
+    const auto rest = path_of(text, settings, StartInProgram{.blocks_before = block - 1});
+    const std::size_t same = whole.size() - i;
+    EXPECT_GE(rest.size(), same);
+    const std::size_t way = rest.size() - same;
+    for (std::size_t k = 0; k < same; ++k) {
+      EXPECT_EQ(rest[way + k].places, whole[i + k].places);
+    }
+    // The way there ends where they begin.
+    for (std::size_t axis = 0; way > 0 && axis < 3; ++axis) {
+      EXPECT_NEAR(rest[way - 1].places.back()[axis], whole[i].places.front()[axis], 1e-9);
+    }
+    ++starts;
+  }
+  return starts;
+}
+
+// Wherever the path of a program has a part that begins with a block, the path from there on is bit
+// for bit the same.
+TEST(StartInMiddle, ThePathFromABlockOnIsThatOfTheWhole) {
+  for (const char* name : {"pocket.ngc", "star.ngc", "scroll.ngc", "mazatrol.ngc"}) {
+    SCOPED_TRACE(name);
+    EXPECT_GT(compare_all_starts(test::shipped_program(name)), 3);
+  }
+}
+
+// Rounded corners and merged lines with it: lines of 0.5 mm along a circle's edge, then long ones.
+TEST(StartInMiddle, ThePathThatG64MakesFromABlockOnIsThatOfTheWhole) {
+  std::string text = "G21 G90 G64 P0.05 Q0.02 F1200\nG1 X40\n";
+  for (int row = 0; row < 3; ++row) {
+    for (int i = 1; i <= 60; ++i) {
+      const double angle = i * 0.0125;
+      text += "X" + std::to_string(40.0 * std::cos(angle)) + " Y" +
+              std::to_string(40.0 * std::sin(angle)) + "\n";
+    }
+    text += "X0 Y0\nZ" + std::to_string(-row) + "\nX10\nY-10\nX40 Y0\n";
+  }
+  text += "M2\n";
+  EXPECT_GT(compare_all_starts(text), 15);
+  EXPECT_GT(compare_all_starts("#1=0\no1 while [#1 LT 5]\n#1=[#1+1]\nG1 X#1 F600\nG3 X[#1+1] I0.5\n"
+                               "G1 Y#1\nG4 P0.1\no1 endwhile\nM2\n"),
+            12);
+}
+
+TEST(StartInMiddle, TheRunFromABlockOnEndsWhereTheWholeEndsToTheLastBit) {
+  const std::string text = test::shipped_program("pocket.ngc");
+  const auto end_from = [&](std::optional<StartInProgram> start) {
+    KernelOptions options;
+    options.start_in_program = start;
+    Kernel kernel(default_machine(), options);
+    kernel.feed(text);
+    kernel.finish();
+    Setpoint setpoint;
+    TickStatus status = TickStatus::running;
+    while (status == TickStatus::running) {
+      status = kernel.next(setpoint);
+    }
+    EXPECT_EQ(status, TickStatus::finished);
+    EXPECT_FALSE(kernel.fault()) << kernel.fault()->what;
+    return setpoint;
+  };
+  const Setpoint whole = end_from(std::nullopt);
+  const auto parts = path_of(text, default_machine(), std::nullopt);
+  for (std::size_t i = parts.size() / 2; i < parts.size(); i += 15) {
+    const Setpoint end = end_from(StartInProgram{.blocks_before = parts[i].block - 1});
+    EXPECT_EQ(end.position_mm, whole.position_mm);
+    EXPECT_EQ(end.outputs, whole.outputs);
+  }
+}
+
+}  // namespace
+}  // namespace kerf
