@@ -40,6 +40,12 @@ enum class DiagnosticFormat : unsigned char { text, json, sarif };
 // Which messages are written; debug: how the motion is planned, too.
 enum class LogLevel : unsigned char { debug, info, error };
 
+// A line of a program, the first time that it runs, or the second and so on.
+struct StartLine {
+  std::uint32_t line = 0;
+  std::uint64_t round = 1;
+};
+
 struct Options {
   Subcommand command = Subcommand::dry_run;
   std::vector<std::string> files;
@@ -52,8 +58,9 @@ struct Options {
   std::optional<Position> g54_mm;  // in place of the machine's
   std::string driver_name;         // of Subcommand::run; empty: that of the machine file
   DriverSettings driver;
-  std::string record_file;  // of what the machine is told and answers; empty: none
-  std::string replay_file;  // the machine answers as this one says; empty: it does not
+  std::uint64_t machine_checksum = 0;  // of the machine file and the tool table
+  std::string record_file;             // of what the machine is told and answers; empty: none
+  std::string replay_file;             // the machine answers as this one says; empty: it does not
   profiles::ProfileKind profile = profiles::kDefaultProfile;
   std::optional<double> sigmoid_shape;
   std::optional<std::string> trace_file;
@@ -78,6 +85,11 @@ struct Options {
   bool waits_for_start = false;        // the same
   std::optional<std::string> control;  // of Subcommand::run: a descriptor, two of them, or a socket
   double measured_s = 5.0;             // of Subcommand::tick_cost
+  std::optional<StartLine> from_line;  // of Subcommand::run and dry_run; nothing: the begin
+  std::string journal_file;            // of Subcommand::run; empty: none
+  bool continues = false;              // from where the journal says
+  bool takes_safe_line = false;        // where one cannot start there, the line before
+  bool is_confirmed = false;           // nobody is asked whether to start there
   std::string page_file;               // of Subcommand::report: where the page goes
   std::optional<std::string> page_template;  // of Subcommand::report and view
   bool leaves_out_source = false;            // the same

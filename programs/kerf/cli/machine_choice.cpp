@@ -7,6 +7,7 @@
 #include <kerf/machine.hpp>
 
 #include "parser/modal/tool_table.hpp"
+#include "programs/kerf/io/checksum.hpp"
 #include "programs/kerf/io/descriptor.hpp"
 
 namespace kerf::program {
@@ -43,11 +44,13 @@ tl::unexpected<MachineRefusal> unreadable(const std::string& path, const std::st
       MachineRefusal{.status = ExitStatus::io_error, .messages = {path + ": error: " + why}});
 }
 
-tl::expected<ChosenMachine, MachineRefusal> read_machine(const std::string& path) {
+tl::expected<ChosenMachine, MachineRefusal> read_machine(const std::string& path,
+                                                         Checksum& checksum) {
   const auto text = read_text(path);
   if (!text) {
     return unreadable(path, text.error());
   }
+  checksum.add(*text);
   auto settings = parse_machine_file(*text);
   if (settings) {
     return ChosenMachine{.settings = *std::move(settings), .driver = driver_of_machine_file(*text)};
@@ -59,11 +62,14 @@ tl::expected<ChosenMachine, MachineRefusal> read_machine(const std::string& path
   return tl::unexpected(refusal);
 }
 
-tl::expected<parser::ToolTable, MachineRefusal> read_tools(const std::string& path) {
+tl::expected<parser::ToolTable, MachineRefusal> read_tools(const std::string& path,
+                                                           Checksum& checksum) {
   const auto text = read_text(path);
   if (!text) {
     return unreadable(path, text.error());
   }
+  checksum.add("\ntools\n");
+  checksum.add(*text);
   auto table = parser::read_tool_table(*text);
   if (table) {
     return *std::move(table);
@@ -80,8 +86,9 @@ tl::expected<parser::ToolTable, MachineRefusal> read_tools(const std::string& pa
 
 tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& files) {
   ChosenMachine machine{.settings = default_machine()};
+  Checksum checksum;
   if (files.machine) {
-    auto read = read_machine(*files.machine);
+    auto read = read_machine(*files.machine, checksum);
     if (!read) {
       return tl::unexpected(read.error());
     }
@@ -93,12 +100,13 @@ tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& f
     tools = std::filesystem::path(*files.machine).replace_filename(settings.tool_file).string();
   }
   if (!tools.empty()) {
-    auto table = read_tools(tools);
+    auto table = read_tools(tools, checksum);
     if (!table) {
       return tl::unexpected(table.error());
     }
     settings.program.tools = *std::move(table);
   }
+  machine.checksum = checksum.value();
   return machine;
 }
 
@@ -126,6 +134,7 @@ Options options_on(const NamedMachine& machine, const Options& options) {
   Options result = options;
   result.machine_file = machine.file;
   result.driver = machine.chosen.driver;
+  result.machine_checksum = machine.chosen.checksum;
   if (!options.driver_name.empty()) {
     result.driver.name = options.driver_name;
   }

@@ -1,6 +1,7 @@
 // The machine that the command line names.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,7 @@ struct MachineFiles {
 struct ChosenMachine {
   MachineSettings settings;
   DriverSettings driver{};
+  std::uint64_t checksum = 0;  // of the texts of both files
 };
 
 // A tool table that the machine file names is looked for beside it.

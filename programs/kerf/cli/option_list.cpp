@@ -132,6 +132,12 @@ void add_outputs(CLI::App& command, OptionWords& words) {
       ->type_name("FILE");
   command.add_option("--plot", options.plot_file, "draw the path and v, a, j over time")
       ->type_name("FILE.svg");
+  command
+      .add_option("--from-line", words.from_line,
+                  "start at this line: 12, or 12:3 as it runs for the third time")
+      ->type_name("N");
+  command.add_flag("--safe-line", options.takes_safe_line,
+                   "where one cannot start at that line, start at the nearest before it");
   command.add_flag("--explain-speed{all}", words.explain_speed,
                    "which limits bound the feedrate, and for how long; with =14 for line 14, "
                    "with =@1.5 at 1.5 s");
@@ -221,6 +227,13 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
         ->add_option("--flight-recorder", words.options.flight_file,
                      "after a fault: the ticks of its last 5 s, as --trace has them")
         ->type_name("FILE.csv");
+    added
+        ->add_option("--journal", words.options.journal_file,
+                     "keep there how far the run has come, once a second")
+        ->type_name("FILE");
+    added->add_flag("--continue", words.options.continues,
+                    "go on where the journal ends (default: that of --journal, else FILE.journal)");
+    added->add_flag("--yes", words.options.is_confirmed, "start at the line without being asked");
     added->add_flag("--optional-stop", words.options.optional_stop, "M1 waits, as M0 does");
     added
         ->add_option("--control", words.options.control,

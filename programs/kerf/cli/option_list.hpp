@@ -24,6 +24,7 @@ struct OptionWords {
   std::string trace_from;     // the same
   std::string trace_to;       // the same
   std::string measured;       // the same
+  std::string from_line;      // the same
 };
 
 CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& description,

@@ -114,6 +114,14 @@ std::optional<std::string> give_meaning(OptionWords& words) {
              words.explain_speed;
     }
   }
+  if (!words.from_line.empty()) {
+    options.from_line = start_line_of(words.from_line);
+    if (!options.from_line) {
+      return "--from-line takes a line, as in --from-line 12, or 12:3 as it runs for the third "
+             "time; found " +
+             words.from_line;
+    }
+  }
   if (auto message = read_times(words, options)) {
     return message;
   }
@@ -172,6 +180,9 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
   Options& options = words.options;
   options.command = commands.at(app.get_subcommands().front());
   options.profile = *profiles::profile_kind(words.profile);
+  if (options.continues && options.journal_file.empty()) {
+    options.journal_file = options.files.front() + ".journal";
+  }
   if (const auto message = give_meaning(words)) {
     return wrong_use(*message);
   }

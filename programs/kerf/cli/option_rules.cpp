@@ -71,7 +71,38 @@ std::optional<parser::BlockDelete> block_delete_of(std::string_view text) {
   return switches;
 }
 
+std::optional<StartLine> start_line_of(std::string_view text) {
+  StartLine start;
+  const char* const end = text.data() + text.size();
+  auto read = std::from_chars(text.data(), end, start.line);
+  if (read.ec == std::errc() && read.ptr != end && *read.ptr == ':') {
+    read = std::from_chars(read.ptr + 1, end, start.round);
+  }
+  const bool is_whole = read.ec == std::errc() && read.ptr == end;
+  return is_whole && start.line > 0 && start.round > 0 ? std::optional(start) : std::nullopt;
+}
+
 namespace {
+
+std::optional<std::string> contradiction_of_start(const Options& options) {
+  if (options.from_line && options.continues) {
+    return "--from-line and --continue name two places";
+  }
+  if (options.takes_safe_line && !options.from_line) {
+    return "--safe-line goes with --from-line";
+  }
+  if (options.is_confirmed && !options.from_line && !options.continues) {
+    return "--yes goes with --from-line or --continue";
+  }
+  if (options.from_line && options.files.size() > 1) {
+    return "--from-line takes one FILE at a time";
+  }
+  const bool reads_twice = options.from_line || !options.journal_file.empty();
+  if (reads_twice && !options.files.empty() && options.files.front() == "-") {
+    return "--from-line, --journal and --continue take a FILE: standard input is read only once";
+  }
+  return std::nullopt;
+}
 
 std::optional<std::string> contradiction_of_control(const Options& options) {
   const std::string where = options.control.value_or("");
@@ -163,6 +194,9 @@ std::optional<std::string> contradiction(const Options& options) {
                        Sigmoid::kLargestShape);
   }
   if (auto message = contradiction_of_streams(options)) {
+    return message;
+  }
+  if (auto message = contradiction_of_start(options)) {
     return message;
   }
   return contradiction_of_control(options);

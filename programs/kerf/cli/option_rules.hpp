@@ -23,6 +23,9 @@ std::optional<double> duration_s_of(std::string_view text);
 // 1024. Nothing where it is none of these, or more than 2^60.
 std::optional<std::uint64_t> bytes_of(std::string_view text);
 
+// "12", or "12:3" for the third time that the line runs; nothing where it is neither.
+std::optional<StartLine> start_line_of(std::string_view text);
+
 // Why options do not go together that are valid one by one, as a sentence; nothing: they do.
 std::optional<std::string> contradiction(const Options& options);
 

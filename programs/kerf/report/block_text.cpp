@@ -38,27 +38,18 @@ void append_offsets(std::string& text, const parser::Coordinates& coordinates) {
                  point_text(coordinates.local_mm()), point_text(coordinates.tool_mm()));
 }
 
-}  // namespace
-
-std::string block_text(const FileReport& report) {
-  if (!report.block) {
-    return {};
-  }
-  const BlockReport& block = *report.block;
-  const parser::ModalState& state = block.block.state;
-  std::string words = block.block.text;
+std::string words_of(const parser::WatchedBlock& block) {
+  std::string words = block.text;
   std::replace(words.begin(), words.end(), '\t', ' ');
-  std::string text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{}:{}: {}\n", visible(report.file), block.line, visible(words));
-  fmt::format_to(out, "  begins at       {} of {}", clock_time(block.begin_s),
-                 clock_time(report.plan->cycle_time_s));
-  if (block.duration_s > 0.0) {
-    fmt::format_to(out, ", takes {} s", short_number(block.duration_s));
-  }
-  text += "\n  in force before it:\n";
-  fmt::format_to(out, "  codes           {}\n", fmt::join(parser::codes_in_force(state), " "));
+  return visible(words);
+}
+
+std::string state_text(const FileReport& report, const parser::WatchedBlock& block) {
+  const parser::ModalState& state = block.state;
   const parser::Coordinates& coordinates = state.coordinates;
+  std::string text = "  in force before it:\n";
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "  codes           {}\n", fmt::join(parser::codes_in_force(state), " "));
   fmt::format_to(out, "  position        {} on the machine\n", point_text(state.position_mm));
   for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
     fmt::format_to(
@@ -79,6 +70,41 @@ std::string block_text(const FileReport& report) {
   fmt::format_to(out, "  spindle         S{}\n", short_number(state.spindle_speed));
   fmt::format_to(out, "  tool            T{} loaded, T{} selected\n", state.loaded_tool,
                  short_number(state.tool));
+  return text;
+}
+
+}  // namespace
+
+std::string block_text(const FileReport& report) {
+  if (!report.block) {
+    return {};
+  }
+  const BlockReport& block = *report.block;
+  std::string text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "{}:{}: {}\n", visible(report.file), block.line, words_of(block.block));
+  fmt::format_to(out, "  begins at       {} of {}", clock_time(block.begin_s),
+                 clock_time(report.plan->cycle_time_s));
+  if (block.duration_s > 0.0) {
+    fmt::format_to(out, ", takes {} s", short_number(block.duration_s));
+  }
+  return text + "\n" + state_text(report, block.block);
+}
+
+std::string start_text(const FileReport& report) {
+  const StartReport& start = *report.start;
+  const std::string& file = start.place.file.empty() ? report.file : start.place.file;
+  std::string text =
+      fmt::format("{}:{}: {}\n", visible(file), start.place.line, words_of(start.block));
+  const auto out = std::back_inserter(text);
+  if (start.place.round > 1) {
+    fmt::format_to(out, "  round           {}\n", start.place.round);
+  }
+  if (!start.block.calls.empty()) {
+    fmt::format_to(out, "  called from     line {}\n", fmt::join(start.block.calls, ", line "));
+  }
+  text += state_text(report, start.block);
+  text.pop_back();
   return text;
 }
 

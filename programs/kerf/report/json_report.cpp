@@ -99,34 +99,50 @@ void set_plan(Json& json, const FileReport& report) {
   json["deviation"] = deviation_json(plan.deviation);
 }
 
-void set_block(Json& json, const FileReport& file) {
-  const BlockReport& report = *file.block;
-  const parser::ModalState& state = report.block.state;
+// What is in force before it.
+Json block_json(const parser::WatchedBlock& block, parser::Letters extra) {
+  const parser::ModalState& state = block.state;
   const parser::WorkOffset& work = state.coordinates.work(state.coordinates.system());
-  json["block"] = {
-      {"line", report.line},
-      {"text", report.block.text},
-      {"begin_s", report.begin_s},
-      {"duration_s", report.duration_s},
-      {"codes", parser::codes_in_force(state)},
-      {"position_mm", axes_json(state.position_mm)},
-      {"program_position_mm", axes_json(state.coordinates.to_program(state.position_mm))},
-      {"work_offset_mm", axes_json(work.origin_mm)},
-      {"work_rotation_deg", work.rotation_deg},
-      {"local_offset_mm", axes_json(state.coordinates.local_mm())},
-      {"tool_offset_mm", axes_json(state.coordinates.tool_mm())},
-      {"corner_tolerance_mm", state.blend_tolerance_mm},
-      {"merge_tolerance_mm", state.merge_tolerance_mm},
-      {"feedrate_mm_s", state.feedrate_mm_s ? Json(*state.feedrate_mm_s) : Json()},
-      {"spindle_speed", state.spindle_speed},
-      {"tool", state.loaded_tool},
-      {"selected_tool", state.tool}};
-  for (const ExtraAxis& axis : extra_axes(file.extra_axes)) {
+  Json json = {{"text", block.text},
+               {"codes", parser::codes_in_force(state)},
+               {"position_mm", axes_json(state.position_mm)},
+               {"program_position_mm", axes_json(state.coordinates.to_program(state.position_mm))},
+               {"work_offset_mm", axes_json(work.origin_mm)},
+               {"work_rotation_deg", work.rotation_deg},
+               {"local_offset_mm", axes_json(state.coordinates.local_mm())},
+               {"tool_offset_mm", axes_json(state.coordinates.tool_mm())},
+               {"corner_tolerance_mm", state.blend_tolerance_mm},
+               {"merge_tolerance_mm", state.merge_tolerance_mm},
+               {"feedrate_mm_s", state.feedrate_mm_s ? Json(*state.feedrate_mm_s) : Json()},
+               {"spindle_speed", state.spindle_speed},
+               {"tool", state.loaded_tool},
+               {"selected_tool", state.tool}};
+  for (const ExtraAxis& axis : extra_axes(extra)) {
     const std::string unit = fmt::format("_{}", axis.unit);
-    json["block"]["position" + unit][axis.name] = state.auxiliary_deg_mm[axis.index];
-    json["block"]["program_position" + unit][axis.name] =
+    json["position" + unit][axis.name] = state.auxiliary_deg_mm[axis.index];
+    json["program_position" + unit][axis.name] =
         state.coordinates.auxiliary_to_program(state.auxiliary_deg_mm)[axis.index];
   }
+  return json;
+}
+
+Json explained_json(const BlockReport& report, parser::Letters extra) {
+  Json json = block_json(report.block, extra);
+  json["line"] = report.line;
+  json["begin_s"] = report.begin_s;
+  json["duration_s"] = report.duration_s;
+  return json;
+}
+
+Json start_json(const StartReport& report, parser::Letters extra) {
+  Json json = block_json(report.block, extra);
+  json["line"] = report.place.line;
+  json["round"] = report.place.round;
+  json["calls"] = report.block.calls;
+  if (!report.place.file.empty()) {
+    json["file"] = report.place.file;
+  }
+  return json;
 }
 
 void set_motion(Json& json, const FileReport& report) {
@@ -221,7 +237,10 @@ std::string json_report(const FileReport& report) {
     set_plan(json, report);
   }
   if (report.block) {
-    set_block(json, report);
+    json["block"] = explained_json(*report.block, report.extra_axes);
+  }
+  if (report.start) {
+    json["start"] = start_json(*report.start, report.extra_axes);
   }
   if (report.motion) {
     set_motion(json, report);

@@ -19,6 +19,7 @@
 #include "programs/kerf/options.hpp"
 #include "programs/kerf/report/fit.hpp"
 #include "programs/kerf/report/speed_account.hpp"
+#include "programs/kerf/report/start_report.hpp"
 #include "programs/kerf/report/time_histogram.hpp"
 #include "programs/kerf/report/time_split.hpp"
 #include "smoothing/path_deviations.hpp"
@@ -108,6 +109,7 @@ struct FileReport {
   std::optional<FitReport> fit;       // the same
   std::optional<PlanReport> plan;
   std::optional<BlockReport> block;  // of Subcommand::explain
+  std::optional<StartReport> start;  // with --from-line
   std::optional<MotionReport> motion;
   std::optional<ClockReport> clock;
   std::optional<FaultReport> machine_fault;

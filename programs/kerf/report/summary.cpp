@@ -191,6 +191,9 @@ std::string summary(const FileReport& report) {
   fmt::format_to(out, "  cycle time      {}   {} of {:g} ms, {}\n", clock_time(plan.cycle_time_s),
                  counted(static_cast<unsigned long long>(plan.ticks), "tick"),
                  1000.0 * report.period_s, report.profile);
+  if (report.start) {
+    fmt::format_to(out, "  started at      {}\n", name_of(report.start->place));
+  }
   if (const std::string split =
           report.motion ? time_text(report.motion->time, report.period_s) : "";
       !split.empty()) {

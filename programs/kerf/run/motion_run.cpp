@@ -49,9 +49,8 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     report.fail(ExitStatus::io_error, outputs.error());
     return;
   }
-  report.warnings = outputs->warnings();
-  for (std::string& warning : driver->warnings()) {
-    report.warnings.push_back(std::move(warning));
+  for (const auto& warnings : {outputs->warnings(), driver->warnings()}) {
+    report.warnings.insert(report.warnings.end(), warnings.begin(), warnings.end());
   }
   if (order.page != nullptr && order.page->wants_motion) {
     order.page->motion.emplace(

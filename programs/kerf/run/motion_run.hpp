@@ -12,6 +12,7 @@
 #include "programs/kerf/page/plan_gatherer.hpp"
 #include "programs/kerf/plot/scanned_curve.hpp"
 #include "programs/kerf/report/report.hpp"
+#include "programs/kerf/run/journal.hpp"
 
 namespace kerf::program {
 
@@ -29,8 +30,9 @@ struct MotionOrder {
   const KernelOptions& kernel_options;
   CheckedPath path;
   bool shows_progress = false;
-  bool has_keys = false;       // somebody is at the terminal
-  PageRecord* page = nullptr;  // to be filled in, where it is not null
+  bool has_keys = false;             // somebody is at the terminal
+  PageRecord* page = nullptr;        // to be filled in, where it is not null
+  JournalWriter* journal = nullptr;  // of Subcommand::run; null: none is kept
 };
 
 // Runs the text to its end, or to where it is stopped (dry-run: without a clock; run: by it), with

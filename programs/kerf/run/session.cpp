@@ -18,6 +18,8 @@
 #include "programs/kerf/run/first_scan.hpp"
 #include "programs/kerf/run/motion_run.hpp"
 #include "programs/kerf/run/plan_run.hpp"
+#include "programs/kerf/run/program_mark.hpp"
+#include "programs/kerf/run/start_choice.hpp"
 
 namespace kerf::program {
 
@@ -67,7 +69,7 @@ class Session {
     report_.file = path == "-" ? "<stdin>" : path;
     if (path != "-") {
       kernel_options_.subprograms =
-          subprograms_beside(path, options_.dialect.value_or(settings_.dialect));
+          mark_.noting(subprograms_beside(path, options_.dialect.value_or(settings_.dialect)));
     }
     if (options_.command != Subcommand::run || !begin_run(path)) {
       check_and_run(path);
@@ -86,6 +88,11 @@ class Session {
     kernel_options_.refuses_waits = !has_keys_ && !options_.control;
     if (source.is_open() && std::holds_alternative<AtFirstMove>(options_.start)) {
       report_.fail(ExitStatus::wrong_use, "--start first-move needs a FILE that can be read twice");
+      return true;
+    }
+    if (source.is_open() && (options_.from_line || !options_.journal_file.empty())) {
+      report_.fail(ExitStatus::wrong_use,
+                   path + ": --from-line, --journal and --continue take a FILE that is read twice");
       return true;
     }
     if (source.is_open()) {
@@ -224,6 +231,19 @@ class Session {
   }
 
   void move(ProgramFile& file) {
+    if (!start_.choose({.options = options_,
+                        .settings = settings_,
+                        .kernel_options = kernel_options_,
+                        .mark = mark_,
+                        .has_keys = has_keys_},
+                       file, report_)) {
+      return;
+    }
+    if (start_.place()) {
+      kernel_options_.start_in_program = start_.place();
+      kernel_options_.nominal_s = 0.0;  // it is that of the whole program
+    }
+    file.rewind();
     if (options_.plot_file) {
       path_.scan = first_scan(file, settings_, kernel_options_);
       file.rewind();
@@ -250,7 +270,8 @@ class Session {
                 .path = path_,
                 .shows_progress = shows_progress_,
                 .has_keys = has_keys_,
-                .page = page_},
+                .page = page_,
+                .journal = start_.journal()},
                text, report_);
   }
 
@@ -260,6 +281,8 @@ class Session {
   bool shows_progress_;
   bool has_keys_ = false;
   Descriptor machine_lock_;  // of a run
+  ProgramMark mark_;
+  RunStart start_;
   KernelOptions kernel_options_;
   FileReport report_;
   CheckedPath path_;

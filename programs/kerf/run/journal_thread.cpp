@@ -1,0 +1,54 @@
+#include "programs/kerf/run/journal_thread.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace kerf::program {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto kLook = std::chrono::milliseconds(20);
+constexpr auto kInMotion = std::chrono::seconds(1);
+constexpr auto kBetweenRests = std::chrono::milliseconds(200);
+
+JournalledPlace place_of(const ControllerStatus& status) {
+  return {.block = status.block,
+          .line = status.setpoint.line,
+          .run_s = status.run_s,
+          .position_mm = status.setpoint.position_mm,
+          .state = std::string(name_of(status.state))};
+}
+
+}  // namespace
+
+JournalThread::JournalThread(const Controller& controller, JournalWriter& writer)
+    : controller_(&controller), writer_(&writer), thread_([this] { work(); }) {}
+
+int JournalThread::stop() {
+  over_.store(true);
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+  return error_;
+}
+
+void JournalThread::work() {
+  Clock::time_point written = Clock::now();
+  bool rested = true;
+  while (!over_.load() && error_ == 0) {
+    const ControllerStatus status = controller_->status();
+    const bool rests = status.setpoint.v_mm_s == 0.0 && status.setpoint.limit == Constraint::rest;
+    const auto since = Clock::now() - written;
+    if (status.programs > 0 && status.block > 0 &&
+        (since >= kInMotion || (rests && !rested && since >= kBetweenRests))) {
+      error_ = writer_->place(place_of(status));
+      written = Clock::now();
+    }
+    rested = rests;
+    std::this_thread::sleep_for(kLook);
+  }
+}
+
+}  // namespace kerf::program

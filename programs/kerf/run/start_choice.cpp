@@ -1,0 +1,124 @@
+#include "programs/kerf/run/start_choice.hpp"
+
+#include <string>
+#include <unistd.h>
+#include <utility>
+
+#include <spdlog/fmt/fmt.h>
+
+#include "programs/kerf/io/interrupt.hpp"
+#include "programs/kerf/io/log.hpp"
+#include "programs/kerf/report/block_text.hpp"
+#include "programs/kerf/run/start_search.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+std::string safe_lines(const FoundStart& found) {
+  if (found.before && found.after) {
+    return fmt::format("one can start at {} before it or at {} behind it", name_of(*found.before),
+                       name_of(*found.after));
+  }
+  return found.before  ? fmt::format("one can start at {} before it", name_of(*found.before))
+         : found.after ? fmt::format("one can start at {} behind it", name_of(*found.after))
+                       : "there is no other place to start at";
+}
+
+// Standard input is a terminal that gives whole lines.
+bool says_yes(const std::string& question) {
+  write_all(STDERR_FILENO, question + " [y/N] ");
+  std::string answer;
+  for (char c = 0; answer.size() < 100 && ::read(STDIN_FILENO, &c, 1) == 1 && c != '\n';) {
+    answer += c;
+  }
+  return answer == "y" || answer == "Y" || answer == "yes";
+}
+
+// At the line of the options, or the last place before a block of the program's run.
+class Choice {
+ public:
+  Choice(const StartOrder& order, ProgramFile& file, FileReport& report)
+      : order_(order), file_(file), report_(report) {}
+
+  std::optional<StartInProgram> make(std::optional<std::uint64_t> block) {
+    file_.rewind();
+    auto found = block ? find_start_before(file_, search(), *block)
+                       : find_start(file_, search(), *order_.options.from_line);
+    if (found && !found->refused.empty() && order_.options.takes_safe_line && found->before) {
+      file_.rewind();
+      found = find_start_before(file_, search(), found->before->blocks_before + 1);
+    }
+    if (stop_requested()) {
+      report_.status = *stop_requested();
+    } else if (!found) {
+      refuse(found.error());
+    } else if (!found->refused.empty()) {
+      refuse(fmt::format("{} is no place to start at, {}: {}", name_of(found->start.place),
+                         found->refused, safe_lines(*found)));
+    } else {
+      report_.start = std::move(found->start);
+      return confirm();
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] StartSearchOrder search() const {
+    return {.settings = order_.settings, .options = order_.kernel_options};
+  }
+  void refuse(const std::string& why) {
+    report_.fail(ExitStatus::program_error, report_.file + ": " + why);
+  }
+
+  std::optional<StartInProgram> confirm() {
+    if (!order_.options.quiet || order_.has_keys) {
+      write_error_line(start_text(report_));
+    }
+    StartInProgram start{.blocks_before = report_.start->place.blocks_before};
+    if (order_.options.command != Subcommand::run || order_.options.is_confirmed) {
+      return start;
+    }
+    if (!order_.has_keys && order_.options.control) {
+      start.waits = true;
+      return start;
+    }
+    if (!order_.has_keys) {
+      report_.fail(ExitStatus::wrong_use,
+                   "nobody is there to confirm the start: at a terminal, with --control or with "
+                   "--yes it is");
+    } else if (says_yes("Start there?")) {
+      return start;
+    } else {
+      report_.status = stop_requested().value_or(ExitStatus::stopped);
+    }
+    return std::nullopt;
+  }
+
+  const StartOrder& order_;
+  ProgramFile& file_;
+  FileReport& report_;
+};
+
+}  // namespace
+
+bool RunStart::choose(const StartOrder& order, ProgramFile& file, FileReport& report) {
+  std::optional<std::uint64_t> block;
+  if (!order.options.journal_file.empty()) {
+    journal_ =
+        RunJournal::prepare(order.options, order.mark.of(file, order.kernel_options), report);
+    if (!journal_) {
+      return false;
+    }
+    block = journal_->continues_at();
+  }
+  if (order.options.from_line || block) {
+    place_ = Choice(order, file, report).make(block);
+    if (!place_) {
+      return false;
+    }
+  }
+  return !journal_ || journal_->begin(place_, report);
+}
+
+}  // namespace kerf::program

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""`--journal` and `--continue`: a run that was killed goes on where it was; KERF_KILLS says how many are killed (10)."""
+import json
+import os
+import pathlib
+import random
+import re
+import signal
+import socket
+import subprocess
+import time
+
+from command_line import Case, KERF, main
+
+# Ways of 4 mm in 0.1 s or so, one a line.
+LINES = "G21 G90 G61 F3000\n" + "".join(f"G1 X{4 * (k % 2)} Y{2 * k}\n" for k in range(100)) + "M2\n"
+ROUNDED = LINES.replace("G61", "G64 P0.02 Q0")
+SHORT = "G21 G90 G61 F3000\nG1 X5\nY5\nM2\n"
+KILLS = int(os.environ.get("KERF_KILLS", "10"))
+
+
+class Journal(Case):
+    def killed(self, program, after_s):
+        """Runs until then and is killed: the time of the run that was seen last."""
+        for _ in range(10):
+            run_s, status = self.run_until(program, after_s)
+            if status != 4:  # a computer that is busy elsewhere: no tick for 0.25 s
+                break
+        self.assertEqual(status, -signal.SIGKILL)
+        return run_s
+
+    def run_until(self, program, after_s):
+        ours, theirs = socket.socketpair()
+        with ours:
+            process = subprocess.Popen([KERF, "run", program, "--journal", program + ".journal", "--control", str(theirs.fileno()), "-q"],
+                                       stdin=subprocess.DEVNULL, stderr=subprocess.DEVNULL, pass_fds=[theirs.fileno()])
+            theirs.close()
+            ours.sendall(b'{"command":"status","every_s":0.01}\n')
+            lines, run_s, end = ours.makefile("rb"), 0.0, None
+            for line in lines:
+                told = json.loads(line)
+                if told["type"] == "status":
+                    run_s = told["run_s"]
+                if end is None and run_s > 0.0:
+                    end = time.monotonic() + after_s
+                if end is not None and time.monotonic() >= end:
+                    break
+            process.kill()
+            for line in lines:  # what had been said by then
+                if line.endswith(b"\n") and json.loads(line)["type"] == "status":
+                    run_s = json.loads(line)["run_s"]
+            return run_s, process.wait()
+
+    def proposed(self, program, *words):
+        """The line that is shown; nobody confirms it, so nothing moves."""
+        stderr = self.kerf("run", program, "--continue", *words, status=2).stderr
+        self.assertIn("nobody is there to confirm", stderr)
+        return int(re.search(r":(\d+): ", stderr).group(1))
+
+    def begin_s(self, program, line):
+        return json.loads(self.kerf("explain", program, "--line", str(line), "--json").stdout)["block"]["begin_s"]
+
+    def test_a_killed_run_goes_on_at_a_line_before_the_kill_and_no_more_than_two_seconds_back(self):
+        seed = int(os.environ.get("KERF_SEED", str(random.randrange(10**6))))
+        dice = random.Random(seed)
+        programs = [self.path("lines.ngc", LINES), self.path("rounded.ngc", ROUNDED)]
+        worst_s = 0.0
+        for kill in range(KILLS):
+            program = programs[kill % 2]
+            with self.subTest(seed=seed, kill=kill):
+                run_s = self.killed(program, dice.uniform(0.02, 4.0))
+                line = self.proposed(program)
+                back_s = run_s - self.begin_s(program, line)
+                worst_s = max(worst_s, back_s)
+                self.assertGreaterEqual(back_s, 0.0)
+                self.assertLessEqual(back_s, 2.0)
+        if KILLS > 10:
+            print(f"{KILLS} kills, seed {seed}: at most {worst_s:.3f} s back")
+
+    def test_goes_on_and_keeps_its_journal(self):
+        program = self.path("lines.ngc", LINES)
+        self.killed(program, 1.5)
+        line = self.proposed(program)
+        self.assertGreater(line, 3)
+        journal = pathlib.Path(program + ".journal")
+        before = journal.read_text()
+        done = self.kerf("run", program, "--continue", "--yes")
+        self.assertIn(f"  started at      line {line}\n", done.stdout)
+        self.assertTrue(journal.read_text().startswith(before))
+        said = self.kerf("run", program, "--continue", "--yes", status=1).stderr
+        self.assertIn("has come to its end", said)
+
+    def test_a_torn_end_is_dropped(self):
+        program = self.path("lines.ngc", LINES)
+        self.killed(program, 1.5)
+        line = self.proposed(program)
+        journal = pathlib.Path(program + ".journal")
+        whole = journal.read_bytes()
+        journal.write_bytes(whole + b"0123456789abcdef {\"record\":\"pla")
+        self.assertEqual(self.proposed(program), line)
+
+    def test_a_program_or_machine_that_was_changed_is_refused(self):
+        table = (pathlib.Path(self.folder) / "table.toml")
+        table.write_text("[path]\nmax_velocity_mm_s = 100\nmax_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 50000\n")
+        called = self.path("way.ngc", "o<way> sub\nG1 X1\no<way> endsub\nM2\n")
+        program = self.path("part.ngc", "G21 G90 G61 F3000\no<way> call\nG1 X60\nG1 X0\nG1 X60\nM2\n")
+        journal = program + ".journal"
+        process = subprocess.Popen([KERF, "run", program, "--machine", str(table), "--journal", journal, "-q"], stdin=subprocess.DEVNULL)
+        time.sleep(1.5)
+        process.kill()
+        process.wait()
+        words = ["run", program, "--machine", str(table), "--continue"]
+        self.kerf(*words, status=2)
+        self.assertIn("is not the program", self.kerf(*words, "--block-delete", status=1).stderr)
+        for name, status, said in ((program, 1, "is not the program"), (called, 1, "is not the program"), (table, 3, "the machine is not that")):
+            path = pathlib.Path(name)
+            text = path.read_text()
+            path.write_text(text.replace("G1 X", "G1  X") if name != table else text + "\n")
+            self.assertIn(said, self.kerf(*words, status=status).stderr)
+            path.write_text(text)
+        self.kerf(*words, status=2)
+
+    def test_one_that_was_stopped_goes_on_and_one_that_is_new_says_that_the_last_was_not_ended(self):
+        program = self.path("lines.ngc", LINES)
+        journal = program + ".journal"
+        process = subprocess.Popen([KERF, "run", program, "--journal", journal, "-q"], stdin=subprocess.DEVNULL)
+        time.sleep(1.2)
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=60), 130)
+        self.assertGreater(self.proposed(program), 2)
+        self.killed(program, 0.3)
+        short = self.kerf("run", self.path("short.ngc", SHORT), "--journal", journal)
+        self.assertIn("was not brought to an end", short.stdout)
+
+    def test_without_a_journal_nothing_goes_on(self):
+        program = self.path("short.ngc", SHORT)
+        self.assertIn("short.ngc.journal", self.kerf("run", program, "--continue", "--yes", status=5).stderr)
+        pathlib.Path(program + ".journal").write_text("nothing\n")
+        self.assertIn("no run is in it", self.kerf("run", program, "--continue", "--yes", status=5).stderr)
+        self.kerf("run", program, "--journal", str(self.folder / "no" / "folder"), status=5)
+        self.kerf("run", program, "--continue", "--from-line", "2", status=2)
+
+    def test_the_motion_is_the_same_with_a_journal(self):
+        program = self.path("short.ngc", SHORT)
+        for name, words in (("with", ["--journal", program + ".journal"]), ("without", [])):
+            self.kerf("run", program, *words, "--trace", self.path(name + ".csv"), "-q")
+        commanded = [[line.split(",")[:9] for line in pathlib.Path(self.path(name + ".csv")).read_text().splitlines()] for name in ("with", "without")]
+        self.assertEqual(*commanded)
+
+
+if __name__ == "__main__":
+    main()
