@@ -36,6 +36,9 @@ tl::expected<void, Refusal> Controller::run_mdi(std::string_view line) {
 tl::expected<void, Refusal> Controller::jog(const Jog& jog) {
   return impl_->jog(jog);
 }
+bool Controller::set_tool(const Tool& tool) {
+  return impl_->set_tool(tool);
+}
 void Controller::feed(std::string_view text) {
   impl_->feed(text);
 }
@@ -53,6 +56,9 @@ const Kernel* Controller::program() const noexcept {
 }
 ControllerState Controller::tick(Setpoint& setpoint) noexcept {
   return impl_->tick(setpoint);
+}
+void Controller::set_program_inputs(const ProgramInputs& inputs) noexcept {
+  impl_->set_program_inputs(inputs);
 }
 TickDetail Controller::detail() const noexcept {
   return impl_->detail();

@@ -94,6 +94,17 @@ tl::expected<void, Refusal> Controller::Impl::set_block_delete(const BlockDelete
   return set(Command::block_delete);
 }
 
+bool Controller::Impl::set_tool(const Tool& tool) {
+  if (!is_possible(tool)) {
+    return false;
+  }
+  settings_.program.tools.put(tool);
+  if (running_.load() != nullptr) {
+    kernel_->set_tool(tool);
+  }
+  return true;
+}
+
 bool Controller::Impl::set_feed_inputs(const FeedInputs& inputs) {
   if (!is_possible(inputs)) {
     return false;

@@ -39,6 +39,7 @@ class KERF_LOCAL Controller::Impl {
   bool set_feed_inputs(const FeedInputs& inputs);
   tl::expected<void, Refusal> run_mdi(std::string_view line);
   tl::expected<void, Refusal> jog(const Jog& jog);
+  bool set_tool(const Tool& tool);
 
   void feed(std::string_view text);
   void finish();
@@ -47,6 +48,7 @@ class KERF_LOCAL Controller::Impl {
   [[nodiscard]] const Kernel* program() const noexcept { return kernel_.get(); }
 
   ControllerState tick(Setpoint& setpoint) noexcept;
+  void set_program_inputs(const ProgramInputs& inputs) noexcept { inputs_ = inputs; }
   [[nodiscard]] const TickDetail& detail() const noexcept { return detail_; }
 
   void set_home_switches(AxisSet closed) noexcept { home_search_.see(closed, last_); }
@@ -170,6 +172,7 @@ class KERF_LOCAL Controller::Impl {
   // Of the tick side.
   std::atomic<std::int64_t> tick_ = 0;  // to be written by it alone
   bool has_new_place_ = false;
+  ProgramInputs inputs_{};
   TickDetail detail_{};
   Setpoint last_{};
   WaitsFor told_wait_ = WaitsFor::nothing;

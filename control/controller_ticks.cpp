@@ -38,6 +38,7 @@ TickStatus Controller::Impl::tick(Kernel& kernel, State state) noexcept {
   const Setpoint before = last_;
   const bool by_hand = by_hand_.load(std::memory_order_relaxed);
   has_new_place_ = false;
+  kernel.set_program_inputs(inputs_);
   const TickStatus status = kernel.tick(last_);
   detail_ = kernel.detail();
   if (by_hand) {  // the program's line and way stay as they are

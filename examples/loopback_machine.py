@@ -15,7 +15,7 @@ import zlib
 VERSION = 1
 OUTPUTS = "6ddQ8di6B"  # spindle and G96; M19; digital, analog; tool; switches
 TOLD = struct.Struct("<4sIq9d6d4d" + OUTPUTS + "IBBB")
-TOLD_BYTES, ANSWER_BYTES = 320, 360
+TOLD_BYTES, ANSWER_BYTES = 320, 384
 ENABLE, WRITE, DISABLE = 1, 2, 3
 OFF, ON, STOPPING = 0, 1, 2
 NO_FAULT, NOT_ENABLED, FOLLOWING_ERROR = 0, 1, 3

@@ -209,9 +209,17 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
     return braked;
   }
   plan_.take_over(plan_tick());
-  const TickStatus status = advance_phase() ? follow_phase() : TickStatus::starved;
+  TickStatus status = TickStatus::starved;
+  if (advance_phase()) {
+    watch_probe();
+    status = follow_phase();
+  }
   if (status == TickStatus::running) {
+    pause_ticks_ = 0;
     plan_tick_.store(plan_tick() + 1, std::memory_order_relaxed);
+  } else if ((status == TickStatus::starved || status == TickStatus::waiting) &&
+             waits_for_machine()) {
+    status = TickStatus::running;
   }
   reached_path_mm_.store(now_.s_mm, std::memory_order_relaxed);
   follow_surface(now_.position_mm, now_.outputs);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "interp/emergency_brake.hpp"
+#include "interp/machine_watch.hpp"
 #include "interp/motion_queue.hpp"
 #include "interp/plan_in_force.hpp"
 #include "interp/setpoint.hpp"
@@ -39,6 +40,9 @@ class Interpolator {
   [[nodiscard]] bool is_emergency() const noexcept {
     return emergency_.load(std::memory_order_relaxed);
   }
+
+  // What the program asks the machine. Inputs are set before each next().
+  [[nodiscard]] MachineWatch& watch() noexcept { return watch_; }
 
   // Phase::wait of the present rest. Of the thread that calls next().
   [[nodiscard]] std::uint32_t wait() const noexcept { return phase_.wait; }
@@ -97,6 +101,10 @@ class Interpolator {
   // The line that s_mm on the present phase's curve belongs to.
   void advance_line(double s_mm) noexcept;
   void fill(const profiles::PathMotion& motion, double s_mm) noexcept;
+  // interpolator_machine.cpp
+  void watch_probe() noexcept;
+  bool waits_for_machine() noexcept;
+  void cut_piece(double s_end_mm) noexcept;
   // A tick of an emergency stop.
   TickStatus brake() noexcept;
   [[nodiscard]] TickPlace place() const noexcept {
@@ -114,6 +122,8 @@ class Interpolator {
   std::atomic<double> spindle_override_ = 1.0;
   std::atomic<HeededInputs> heeded_{};
   EmergencyBrake brake_;
+  MachineWatch watch_;
+  std::int64_t pause_ticks_ = 0;  // left, behind an answer of the machine
   bool has_phase_ = false;
   bool has_next_ = false;  // of the plan in force, when the tick looked: more may come at any time
   bool tick_begun_ = false;

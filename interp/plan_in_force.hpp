@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "interp/motion_queue.hpp"
 
@@ -35,6 +36,17 @@ class PlanInForce {
     }
   }
 
+  // From the phase on, at the instant, the motion follows these laws, to rest: a plan of its own,
+  // of the number that it returns. What the planning side has made is dropped.
+  struct BrakeFrom {
+    TickTime begin{};
+    double s_mm = 0.0;
+    double period_s = 0.001;
+  };
+  // Numbers of the planning side are even, those of brakes odd and above all before; answer() keeps
+  // the plan that was braked.
+  std::uint32_t brake(const Phase& phase, std::span<const profiles::CellLaw> laws,
+                      const BrakeFrom& from) noexcept;
   // How the latest plan that was to take over was taken. May be read by the planning thread.
   struct Answer {
     std::uint32_t plan = 0;      // the latest that was accepted or refused, or a stop ahead
@@ -53,11 +65,12 @@ class PlanInForce {
   // Phases of plans that were superseded or never taken.
   void drop_stale_phases() noexcept;
   void give_answer(std::uint32_t plan) noexcept {
-    answer_.store(std::uint64_t{plan} << 32U | plan_, std::memory_order_release);
+    answer_.store(std::uint64_t{plan} << 32U | told_plan_, std::memory_order_release);
   }
 
   MotionQueue* queue_;
   std::uint32_t plan_ = 0;
+  std::uint32_t told_plan_ = 0;            // the latest of the planning side
   StopAhead stop_{};                       // the latest that was taken
   std::size_t stop_next_ = 0;              // its next phase; the count: it has begun the last one
   std::atomic<std::uint64_t> answer_ = 0;  // Answer: plan, in_force

@@ -30,6 +30,8 @@ class TickChord {
     }
   }
   void pass(const CurvePiece& piece) noexcept;
+  // The piece where it begins ends earlier than it did.
+  void cut(const CurvePiece& piece) noexcept { piece_ = piece; }
   // The largest distance, taken at points of the path between the two, junctions included. If more
   // than kPassedPieces were passed, the later ones do not count.
   [[nodiscard]] double error_mm(const TickPlace& end) const noexcept;

@@ -73,6 +73,12 @@ bool Kernel::set_overrides(const Overrides& overrides) {
 bool Kernel::set_feed_inputs(const FeedInputs& inputs) {
   return impl_->set_feed_inputs(inputs);
 }
+bool Kernel::set_tool(const Tool& tool) {
+  return impl_->set_tool(tool);
+}
+void Kernel::set_program_inputs(const ProgramInputs& inputs) noexcept {
+  impl_->set_program_inputs(inputs);
+}
 void Kernel::set_single_block(bool on) {
   impl_->set_single_block(on);
 }

@@ -103,7 +103,7 @@ void Kernel::Impl::follow_commands() {
 // A wait that the tool has not come to is not answered.
 void Kernel::Impl::go_on() {
   const bool is_there = interpolator_.plan_tick() >= pipeline_.emitted_until_tick();
-  if (!pipeline_.is_held() && !is_there) {
+  if (!pipeline_.is_held() && (!is_there || asks_)) {
     return;
   }
   if (pipeline_.waits()) {

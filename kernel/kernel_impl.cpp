@@ -14,7 +14,10 @@ bool Kernel::Impl::plan() {
   if (!follow_stop_ahead()) {
     return false;
   }
-  pipeline_.forget_before(now);
+  follow_machine();
+  if (!asks_) {  // the machine may have braked some ticks ago
+    pipeline_.forget_before(now);
+  }
   follow_inputs();
   follow_commands();
   if (keeps_stop_ && !runs_low()) {
@@ -74,6 +77,10 @@ bool Kernel::Impl::fill_queue() {
         if (pipeline_.is_finished() && !was_finished) {
           end_ = pipeline_.path().programmed_end();
           wrong_ = pipeline_.path().has_errors();
+        }
+        if (const auto inquiry = pipeline_.take_inquiry()) {
+          interpolator_.watch().ask(*inquiry);
+          asks_ = true;
         }
         break;
       case Pipeline::Step::wants_text:
@@ -157,6 +164,23 @@ bool Kernel::Impl::follow_stop_ahead() {
   return true;
 }
 
+void Kernel::Impl::follow_machine() {
+  const interp::InquiryAnswer* answer = asks_ ? interpolator_.watch().answer() : nullptr;
+  if (answer == nullptr) {
+    return;
+  }
+  if (takeover_) {
+    settle(interpolator_.answer().in_force == takeover_->plan);
+  }
+  if (answer->has_braked) {
+    delivery_.follow_stop();
+    committed_until_tick_ = interpolator_.plan_tick();
+    wants_hold_ = holds_ || stops_ || is_at_feed_0();
+  }
+  pipeline_.follow(*answer);
+  asks_ = false;
+}
+
 TickStatus Kernel::Impl::tick(Setpoint& setpoint) noexcept {
   const TickStatus status = interpolator_.next(setpoint);
   if (status == TickStatus::starved) {
@@ -189,8 +213,9 @@ void Kernel::Impl::reach_tick() {
 
 TickStatus Kernel::Impl::next(Setpoint& setpoint) {
   keeps_stop_ = false;
-  const bool is_asked =
-      wants_hold_ || wants_resume_ || wants_change_ || takeover_ || inputs_stop() != is_stopped_;
+  const bool is_asked = wants_hold_ || wants_resume_ || wants_change_ || takeover_ ||
+                        inputs_stop() != is_stopped_ ||
+                        (asks_ && interpolator_.watch().answer() != nullptr);
   if ((is_asked || runs_low()) && plan() && runs_low()) {
     plan_to_rest();
   }

@@ -35,10 +35,11 @@ class KERF_LOCAL Kernel::Impl {
                 .blocks_before =
                     options.start_in_program ? options.start_in_program->blocks_before : 0}),
         period_s_(settings.limits.period_s),
-        pipeline_({.settings = settings,
-                   .options = options,
-                   .path = {.observer = tells_ ? &notes_ : nullptr},
-                   .may_hold = true}),
+        pipeline_(
+            {.settings = settings,
+             .options = options,
+             .path = {.asks_machine = options.asks_machine, .observer = tells_ ? &notes_ : nullptr},
+             .may_hold = true}),
         interpolator_(queue_, settings.limits.period_s, options.start_mm,
                       options.start_extra_rad_mm, settings.limits),
         judge_({.limits = settings.limits,
@@ -88,15 +89,26 @@ class KERF_LOCAL Kernel::Impl {
   }
   void stop() {
     stops_ = true;
+    interpolator_.watch().ignore_probe();
     hold();
   }
   bool set_overrides(const Overrides& overrides);
   bool set_feed_inputs(const FeedInputs& inputs);
   void set_single_block(bool on);
   void set_optional_stop(bool on) { pipeline_.set_optional_stop(on); }
+  bool set_tool(const Tool& tool) {
+    const bool possible = is_possible(tool);
+    if (possible) {
+      pipeline_.set_tool(tool);
+    }
+    return possible;
+  }
   void set_block_delete(const BlockDelete& switches) { pipeline_.set_block_delete(switches); }
   [[nodiscard]] const Overrides& overrides() const noexcept { return overrides_; }
 
+  void set_program_inputs(const ProgramInputs& inputs) noexcept {
+    interpolator_.watch().set_inputs(inputs);
+  }
   [[nodiscard]] ProgramNotes& notes() noexcept { return notes_; }
   [[nodiscard]] std::shared_ptr<const ProgramState> state_left() const;
   [[nodiscard]] std::optional<RunFault> fault() const {
@@ -155,6 +167,8 @@ class KERF_LOCAL Kernel::Impl {
   // taking it.
   bool follow_stop_ahead();
 
+  // The machine has answered what the program asked.
+  void follow_machine();
   // The tool is to hold, or to go on.
   void follow_hold();
   // At feed 0 the tool holds though nobody asked for it, and goes on by itself.
@@ -206,6 +220,7 @@ class KERF_LOCAL Kernel::Impl {
   FeedInputs inputs_{};
   double adaptive_ = 1.0;    // the latest of the inputs above 0
   bool is_stopped_ = false;  // by the inputs
+  bool asks_ = false;        // the program asks the machine, which has not answered
   bool single_block_ = false;
   bool holds_ = false;  // the operator asked for it; a feed override of 0 is not among this
   bool stops_ = false;  // each hold is a stop

@@ -16,6 +16,9 @@ MachineSettings default_machine() {
   }
   settings.table.axes[2].travel = {.min_mm = -200.0, .max_mm = 200.0};
   settings.program = default_program_data();
+  TouchBox table_top;
+  table_top.max_mm[2] = -150.0;
+  settings.simulation.surface = table_top;
   settings.program.path_control = {.mode = PathMode::blend,
                                    .corner_tolerance_mm = settings.program.corner_tolerance_mm,
                                    .merge_tolerance_mm = settings.program.merge_tolerance_mm};

@@ -13,8 +13,9 @@ namespace kerf {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> kSections{
-    "tick", "path", "axes", "offsets", "tools", "probe", "program", "inputs", "manual", "driver"};
+constexpr std::array<std::string_view, 11> kSections{"tick",   "path",   "axes",      "offsets",
+                                                     "tools",  "probe",  "program",   "inputs",
+                                                     "manual", "driver", "simulation"};
 constexpr std::array<std::string_view, 6> kProgramKeys{
     "dialect", "least_increment_mm", "path_mode", "tool_change_s", "spindle_start_s", "safe_z_mm"};
 constexpr std::array<std::string_view, 9> kAllAxisNames{"x", "y", "z", "a", "b",
@@ -102,6 +103,9 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
   }
   if (const auto manual = subsection(file, "manual")) {
     read_manual(*manual);
+  }
+  if (const auto simulation = subsection(file, "simulation")) {
+    read_simulation(*simulation);
   }
   if (const auto driver = subsection(file, "driver")) {
     read_driver(*driver);

@@ -72,7 +72,15 @@ class MachineFileReader {
   void read_tool_file(const toml::node& file);
   void read_tool_list(const toml::node& list);
   void read_tool(const Section& section);
+
+  // machine_file_simulation.cpp
   void read_probe(const Section& probe);
+  void read_box(const Section& probe);
+  void read_simulation(const Section& section);
+  void read_switches(const Section& section, std::size_t axis);
+  // The numbers of an array, one after the other; false: something is wrong with it.
+  bool read_array(const Section& section, std::string_view key, std::size_t most,
+                  std::vector<double>& numbers);
 
   // machine_file_driver.cpp
   void read_driver(const Section& section);

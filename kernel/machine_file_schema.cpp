@@ -10,7 +10,6 @@
 #include "lookahead/path/limits.hpp"
 #include "parser/modal/machine_data.hpp"
 #include "parser/modal/tool_table.hpp"
-#include "parser/modal/touch_box.hpp"
 
 namespace kerf {
 namespace {
@@ -178,7 +177,7 @@ constexpr std::array kOffset{
 
 template <std::size_t kAxisOfPoint, bool kUpper>
 double& probe_face(Settings& settings, std::size_t /*unused*/) {
-  parser::TouchBox& box = *settings.program.touch_box;
+  auto& box = std::get<TouchBox>(*settings.simulation.surface);
   return (kUpper ? box.max_mm : box.min_mm)[kAxisOfPoint];
 }
 

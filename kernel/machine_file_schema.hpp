@@ -49,7 +49,8 @@ std::span<const NumberRule> program_rules();
 std::span<const NumberRule> manual_rules();
 // The keys of one [[tools.tool]], in the order: number, pocket, diameter, x, y, z.
 std::span<const NumberRule> tool_rules();
-// Lower and upper face of x, y and z in turn. Precondition of the fields: there is a touch_box.
+// Lower and upper face of x, y and z in turn. Precondition of the fields: the surface is a
+// TouchBox.
 std::span<const NumberRule> probe_rules();
 
 // A number of an input.

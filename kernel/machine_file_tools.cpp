@@ -1,11 +1,10 @@
-// [offsets.*], [tools] and [probe] of a machine file.
+// [offsets.*] and [tools] of a machine file.
 #include <algorithm>
 #include <array>
 #include <cstdint>
 
 #include "kernel/machine_file_reader.hpp"
 #include "parser/modal/tool_table.hpp"
-#include "parser/modal/touch_box.hpp"
 
 namespace kerf {
 
@@ -92,19 +91,6 @@ void MachineFileReader::read_tool(const Section& section) {
              .pocket = has_pocket ? static_cast<std::int32_t>(values[1]) : number,
              .offset_mm = {values[3], values[4], values[5]},
              .diameter_mm = values[2]});
-}
-
-void MachineFileReader::read_probe(const Section& probe) {
-  parser::TouchBox& box = settings_.program.touch_box.emplace();
-  read_numbers(probe, probe_rules(), 0);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const NumberRule& upper = probe_rules()[2 * axis + 1];
-    const toml::node* node = probe.table->get(upper.key);
-    if (node != nullptr && box.max_mm[axis] < box.min_mm[axis]) {
-      report(node->source(), probe.path_to(upper.key) + ": must not be below " +
-                                 probe.path_to(probe_rules()[2 * axis].key));
-    }
-  }
 }
 
 }  // namespace kerf

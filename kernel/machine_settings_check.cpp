@@ -2,15 +2,20 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <variant>
+
+#include <kerf/kernel.hpp>
 
 #include "kernel/machine_file_checks.hpp"
 #include "kernel/machine_file_schema.hpp"
 #include "kernel/machine_file_text.hpp"
 #include "lookahead/path/limits.hpp"
-#include "parser/modal/tool_table.hpp"
-#include "parser/modal/touch_box.hpp"
+#include "machine/simulated_world.hpp"
+#include "parser/moves/move.hpp"
 
 namespace kerf {
 namespace {
@@ -80,17 +85,22 @@ Result check_offsets(MachineSettings& settings) {
   return {};
 }
 
+// As tool_rules() has them.
+std::array<double, 6> numbers_of(const Tool& tool) {
+  return {static_cast<double>(tool.number),
+          static_cast<double>(tool.pocket),
+          tool.diameter_mm,
+          tool.offset_mm[0],
+          tool.offset_mm[1],
+          tool.offset_mm[2]};
+}
+
 Result check_tools(const MachineSettings& settings) {
-  for (const parser::Tool& tool : settings.program.tools.listed()) {
-    const std::array<double, 6> values{static_cast<double>(tool.number),
-                                       static_cast<double>(tool.pocket),
-                                       tool.diameter_mm,
-                                       tool.offset_mm[0],
-                                       tool.offset_mm[1],
-                                       tool.offset_mm[2]};
-    for (std::size_t i = 0; i < values.size(); ++i) {
+  for (const Tool& tool : settings.program.tools.listed()) {
+    const auto numbers = numbers_of(tool);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
       const NumberRule& rule = tool_rules()[i];
-      if (const auto problem = range_problem(rule, values[i])) {
+      if (const auto problem = range_problem(rule, numbers[i])) {
         return SettingsFault::of("tools.tool." + std::string(rule.key),
                                  "of T" + std::to_string(tool.number) + " " + *problem);
       }
@@ -99,11 +109,7 @@ Result check_tools(const MachineSettings& settings) {
   return {};
 }
 
-Result check_probe(MachineSettings& settings) {
-  if (!settings.program.touch_box) {
-    return {};
-  }
-  const parser::TouchBox& box = *settings.program.touch_box;
+Result check_faces(const TouchBox& box, MachineSettings& settings) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Numbers faces{"probe", probe_rules().subspan(2 * axis, 2)};
     if (auto result = check(faces, settings); !result) {
@@ -114,6 +120,18 @@ Result check_probe(MachineSettings& settings) {
     }
   }
   return {};
+}
+
+Result check_simulation(MachineSettings& settings) {
+  const std::optional<TouchSurface>& surface = settings.simulation.surface;
+  if (const auto* box = surface ? std::get_if<TouchBox>(&*surface) : nullptr) {
+    if (auto result = check_faces(*box, settings); !result) {
+      return result;
+    }
+  }
+  return machine::is_valid(settings.simulation)
+             ? Result{}
+             : SettingsFault::of("simulation", "a number of its surface or inputs is impossible");
 }
 
 Result check_inputs(const MachineSettings& settings) {
@@ -164,6 +182,18 @@ Result check_bounds(MachineSettings& settings) {
 
 }  // namespace
 
+inline namespace v0 {
+bool is_possible(const Tool& tool) noexcept {
+  const auto numbers = numbers_of(tool);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!(numbers[i] >= tool_rules()[i].min && numbers[i] <= tool_rules()[i].max)) {
+      return false;
+    }
+  }
+  return true;
+}
+}  // namespace v0
+
 tl::expected<void, SettingsFault> check_machine(MachineSettings settings) {
   return check({"tick", tick_rules()}, settings)
       .and_then([&] {
@@ -172,7 +202,7 @@ tl::expected<void, SettingsFault> check_machine(MachineSettings settings) {
       .and_then([&] { return check_axes(settings); })
       .and_then([&] { return check_offsets(settings); })
       .and_then([&] { return check_tools(settings); })
-      .and_then([&] { return check_probe(settings); })
+      .and_then([&] { return check_simulation(settings); })
       .and_then([&] {
         return check({"program", program_rules()}, settings);
       })

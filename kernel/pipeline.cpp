@@ -1,6 +1,7 @@
 #include "kernel/pipeline.hpp"
 
 #include <cassert>
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -11,6 +12,15 @@
 #include "lookahead/planner.hpp"
 
 namespace kerf {
+
+namespace {
+
+// The time in which what follows an answer of the machine is planned: the motion goes on behind it,
+// however long the planning took within it, so that every run has the same ticks.
+constexpr double kPauseBehindAnswer_s = 0.05;
+constexpr double kRounding = 1e-9;
+
+}  // namespace
 
 Pipeline::Pipeline(const Order& order)
     : observer_(order.path.observer),
@@ -27,7 +37,8 @@ Pipeline::Pipeline(const Order& order)
                 .may_hold = order.may_hold,
                 .observer = order.options.plan_log
                                 ? std::make_shared<const PlanNotes>(order.options.plan_log)
-                                : nullptr}) {}
+                                : nullptr}),
+      period_s_(order.settings.limits.period_s) {}
 
 Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
   assert(outbox.phases.empty());
@@ -61,10 +72,12 @@ bool Pipeline::take_next() {
       break;
   }
   if (auto* segment = std::get_if<smoothing::PathSegment>(&output)) {
+    const bool probes = asking_ == Asking::motion_follows;
     push_segment(std::move(*segment));
-    return true;
+    return !probes || take_next();  // nothing of it is planned before the wait behind it is known
   }
   const auto& pause = std::get<parser::Move>(output);
+  note_question(pause);
   lookahead::push_pause(pause, planner_);
   if (observer_ != nullptr) {
     const auto* dwell = std::get_if<parser::DwellMove>(&pause.shape);
@@ -81,11 +94,68 @@ void Pipeline::push_segment(smoothing::PathSegment segment) {
     path_.cut(source, block.error(), errors::kCurveRefused);
     return;
   }
+  if (asking_ == Asking::motion_follows) {
+    inquiry_.limits = block->limits.ramp;
+    asking_ = Asking::ready;
+  }
   check_.pushed(*block);
   if (observer_ != nullptr) {
     observer_->pushed(*block);
   }
   lookahead::push_block(std::move(*block), changes, planner_);
+}
+
+// Of a probe it comes before the motion, which may be too short to be any.
+void Pipeline::note_question(const parser::Move& pause) {
+  const auto* event = std::get_if<parser::EventMove>(&pause.shape);
+  const bool begins = event != nullptr && event->kind == parser::EventKind::probe_begin;
+  if (!begins && (event == nullptr || event->kind != parser::EventKind::ask_machine)) {
+    return;
+  }
+  if (asking_ == Asking::nothing) {
+    const auto ticks = [this](double time_s) {
+      return static_cast<std::int64_t>(std::ceil(time_s / period_s_ - kRounding));
+    };
+    static_assert(static_cast<int>(interp::Inquiry::Kind::analog) ==
+                  static_cast<int>(parser::MachineQuestion::Kind::analog));
+    inquiry_ = {.block = pause.block,
+                .kind = static_cast<interp::Inquiry::Kind>(event->question.kind),
+                .channel = static_cast<std::size_t>(event->question.channel),
+                .max_ticks = ticks(event->question.max_wait_s),
+                .pause_ticks = ticks(kPauseBehindAnswer_s)};
+  }
+  if (asking_ != Asking::asked) {
+    asking_ = begins ? Asking::motion_follows : Asking::ready;
+  }
+}
+
+std::optional<interp::Inquiry> Pipeline::take_inquiry() {
+  if (asking_ != Asking::ready) {
+    return std::nullopt;
+  }
+  asking_ = Asking::asked;
+  return inquiry_;
+}
+
+void Pipeline::follow(const interp::InquiryAnswer& answer) {
+  if (answer.has_braked) {
+    took_over(true, planner_.follow_probe({.tick = answer.brake_tick,
+                                           .plan = answer.plan,
+                                           .laws = {answer.law.data(), answer.laws},
+                                           .rest_tick = answer.rest_tick}));
+    check_.settle(true);
+    check_.cut_short();
+  } else {
+    planner_.resume();
+  }
+  asking_ = Asking::nothing;
+  path_.answer({.found = answer.found,
+                .at_start = answer.at_start,
+                .value = answer.value,
+                .place_mm = answer.place_mm,
+                .rest_mm = answer.rest_mm});
+  planner_.push_rest(static_cast<double>(inquiry_.pause_ticks) * period_s_,
+                     {.line = path_.line(), .run_block = inquiry_.block});
 }
 
 bool Pipeline::hold(std::int64_t tick, lookahead::Outbox& outbox) {

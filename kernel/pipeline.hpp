@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "interp/machine_watch.hpp"
 #include "kernel/plan_check.hpp"
 #include "kernel/program_path.hpp"
 #include "lookahead/planner.hpp"
@@ -43,6 +44,7 @@ class Pipeline {
     path_.set_optional_stop(on);
     planner_.set_optional_stop(on);
   }
+  void set_tool(const Tool& tool) { path_.set_tool(tool); }
   void set_block_delete(const BlockDelete& switches) { path_.set_block_delete(switches); }
 
   // One step. Precondition: no phase is left in the outbox; pieces and line changes may wait there.
@@ -72,6 +74,10 @@ class Pipeline {
   [[nodiscard]] bool ends_at_rest() const { return planner_.ends_at_rest(); }
   // Of what is being emitted.
   [[nodiscard]] std::uint32_t plan() const noexcept { return planner_.plan(); }
+  // What the program asks the machine, once; before its motion is planned.
+  [[nodiscard]] std::optional<interp::Inquiry> take_inquiry();
+  // The machine has answered it.
+  void follow(const interp::InquiryAnswer& answer);
   // Planner::stop; the rest of the program is dropped.
   bool stop(std::int64_t tick, lookahead::Outbox& outbox);
   void stop_held();
@@ -99,12 +105,17 @@ class Pipeline {
   // Takes the next item of the program into the window. False: there is no more text.
   bool take_next();
   void push_segment(smoothing::PathSegment segment);
+  void note_question(const parser::Move& pause);
 
   PipelineObserver* observer_;
   lookahead::PlanLimits limits_;
   ProgramPath path_;
   lookahead::Planner planner_;
   PlanCheck check_;
+  double period_s_;
+  interp::Inquiry inquiry_{};
+  enum class Asking : unsigned char { nothing, motion_follows, ready, asked };
+  Asking asking_ = Asking::nothing;
   bool finished_ = false;
 };
 

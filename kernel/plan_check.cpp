@@ -76,6 +76,13 @@ void PlanCheck::leave_block() {
   }
 }
 
+void PlanCheck::cut_short() {
+  if (begun_) {
+    expected_[front_].length_mm = s_mm_;
+    leave_block();
+  }
+}
+
 void PlanCheck::forget_before(std::uint64_t curve) {
   for (; front_ > 0 && forgotten_ + 1 < curve; ++forgotten_, --front_) {
     expected_.pop_front();

@@ -35,6 +35,8 @@ class PlanCheck {
     std::uint64_t to_curve = 0;
   };
   void overridden(const lookahead::FeedOverride& by, const SlowingCurves& slowing);
+  // The block that is being planned ends where its motion has come.
+  void cut_short();
   // Motion on the curves before this one is run, or never taken back.
   void forget_before(std::uint64_t curve);
   // Checks the deviation of the whole program against its tolerance.

@@ -32,8 +32,9 @@ smoothing::BlendSettings blend_settings(const MachineSettings& settings) {
   return blend;
 }
 
-parser::ReaderOptions watched(parser::ReaderOptions options, parser::BlockWatcher* watcher) {
-  options.watcher = watcher;
+parser::ReaderOptions options_for(const ProgramPath::Order& order, parser::ReaderOptions options) {
+  options.watcher = order.watcher;
+  options.answers.is_asked = order.asks_machine;
   return options;
 }
 
@@ -42,7 +43,7 @@ parser::ReaderOptions watched(parser::ReaderOptions options, parser::BlockWatche
 ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& options,
                          const Order& order)
     : order_(order),
-      reader_(watched(reader_options(settings, options), order.watcher)),
+      reader_(options_for(order, reader_options(settings, options))),
       waits_(options),
       smoother_(blend_settings(settings)),
       end_{.position_mm = options.start_mm, .extra_rad_mm = options.start_extra_rad_mm} {
@@ -117,7 +118,7 @@ bool ProgramPath::read_move() {
   if (order_.observer != nullptr) {
     order_.observer->read(reader_);
   }
-  if (!read && !reader_.has_errors() && !reader_.at_end()) {
+  if (!read && (reader_.question() || (!reader_.has_errors() && !reader_.at_end()))) {
     return false;
   }
   if (!read || reader_.has_errors()) {
@@ -153,6 +154,13 @@ bool ProgramPath::refuses(const parser::Move& move) {
     return true;
   }
   return false;
+}
+
+void ProgramPath::answer(const parser::MachineAnswer& answer) {
+  if (parser::is_probe(*reader_.question())) {
+    end_.position_mm = answer.rest_mm;
+  }
+  reader_.answer(answer);
 }
 
 std::optional<PlaceOfTool> ProgramPath::programmed_end() const {

@@ -26,6 +26,7 @@ class ProgramPath {
 
   struct Order {
     parser::BlockWatcher* watcher = nullptr;  // ReaderOptions::watcher
+    bool asks_machine = false;                // at G38 and M66 next() wants text until answer()
     // Moves come out unsmoothed, including those after an error and those before a start.
     bool as_programmed = false;
     PipelineObserver* observer =
@@ -42,11 +43,14 @@ class ProgramPath {
 
   // Of text that is not read yet.
   void set_optional_stop(bool on) { waits_.set_optional_stop(on); }
+  void set_tool(const Tool& tool) { reader_.set_tool(tool); }
   void set_block_delete(const BlockDelete& switches) { reader_.set_block_delete(switches); }
 
   // The path ends before the first block with an error.
   // Order::as_programmed: each output is a move.
   Next next(Output& output);
+  // Of the machine. Precondition: the last output was the event that asks it.
+  void answer(const parser::MachineAnswer& answer);
   // No more of the program is run, whatever text follows.
   [[nodiscard]] bool at_end() const { return reader_.at_end(); }
   // Releases what waits for its successor, as if none came.

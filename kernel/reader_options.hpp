@@ -8,6 +8,7 @@
 #include <kerf/machine.hpp>
 
 #include "kernel/program_state.hpp"
+#include "kernel/simulated_answers.hpp"
 #include "parser/flow/reader_options.hpp"
 
 namespace kerf {
@@ -34,6 +35,7 @@ inline parser::ReaderOptions reader_options(const MachineSettings& settings,
           .start_extra_rad_mm = options.start_extra_rad_mm,
           .block_delete = options.block_delete,
           .dialect = options.dialect.value_or(settings.dialect),
+          .answers = {.assumed = std::make_shared<const SimulatedAnswers>(settings)},
           .machine = settings.program,
           .begins_with = state_at_start(options),
           .one_line = options.one_line,

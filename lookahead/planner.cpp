@@ -137,6 +137,11 @@ void Planner::push_wait(const std::optional<interp::OutputChange>& change, const
   accept(Rest{.line = at.line, .run_block = at.run_block, .waits = true, .change = change});
 }
 
+void Planner::push_machine_wait(const RestPlace& at) {
+  assert(settings_.may_hold && !rest_pending_);
+  accept(Rest{.line = at.line, .run_block = at.run_block, .waits = true, .asks_machine = true});
+}
+
 bool Planner::waits_at(parser::EventKind kind) const noexcept {
   return settings_.waits && parser::waits_for_answer(kind, settings_.optional_stop);
 }
@@ -184,7 +189,7 @@ void Planner::finish(std::uint32_t line) {
 }
 
 void Planner::end_with(const Rest& rest) {
-  last_ = rest.waits ? std::nullopt : std::optional(place_of(rest));
+  last_ = rest.waits && !rest.asks_machine ? std::nullopt : std::optional(place_of(rest));
   rest_ = rest;
   rest_pending_ = true;
   to_rest_ = true;

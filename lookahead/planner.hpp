@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "interp/outputs.hpp"
@@ -63,6 +64,9 @@ class Planner {
   // wants_block().
   void push_wait(const std::optional<interp::OutputChange>& change, const RestPlace& at);
   [[nodiscard]] bool waits_at(parser::EventKind kind) const noexcept;
+  // The same until the machine has answered. Precondition: wants_block(), or the block of its
+  // motion was pushed last.
+  void push_machine_wait(const RestPlace& at);
   // Of what is not pushed yet.
   void set_optional_stop(bool on) noexcept { settings_.optional_stop = on; }
   [[nodiscard]] bool stops_optionally() const noexcept { return settings_.optional_stop; }
@@ -82,7 +86,8 @@ class Planner {
 
   // Plans everything pushed so far to a rest. Call it when the next move is late.
   void plan_to_rest();
-  // A feed hold: a new plan that takes over at the tick or some ticks later and comes to rest as
+  // A feed hold; where the tool rests and waits for the machine it is refused: ask again behind the
+  // answer. A new plan that takes over at the tick or some ticks later and comes to rest as
   // soon as the limits allow, or at the rest of the present plan if that is as near. The outbox,
   // which is empty before, gets its phases, and what they begin on; none where the program has
   // ended by then. What follows waits for resume(). Precondition: may_hold, it does not hold.
@@ -109,6 +114,16 @@ class Planner {
   // The tick side has taken it: the plan goes on from its rest. Its phases, for the record.
   // Precondition: settle().
   Outbox follow_stop_ahead(const PlannedStopAhead& taken);
+  // The tick side has braked the motion of a probe, at the tick, along the laws, as a plan of that
+  // number, and rests. What was left of the block is dropped, and the wait for the machine behind
+  // it is over. The phases, for the record, without those of the rest. Precondition: settle().
+  struct ProbeStop {
+    std::int64_t tick = 0;
+    std::uint32_t plan = 0;
+    std::span<const profiles::CellLaw> laws{};
+    std::int64_t rest_tick = 0;
+  };
+  Outbox follow_probe(const ProbeStop& stop);
   // Goes on with other feedrates, or with or without a wait at each block's end, from a tick or
   // some later, in motion where a plan from there is found, else from the rest that hold() would
   // find; the profile of the settings is back after the next rest. The outbox, which is empty
@@ -169,6 +184,8 @@ class Planner {
   [[nodiscard]] std::size_t ready_blocks() const;
   [[nodiscard]] OptimumSchedule::Settings optimum_settings() const;
   [[nodiscard]] std::unique_ptr<Schedule> new_schedule() const;
+  bool hold_at(const PlanStop& stop, Outbox& outbox);
+  [[nodiscard]] std::optional<PlanStop> find_stop_at(std::int64_t tick) const;
   // Takes back what follows the motion.
   void take_back(const EmittedItems::Motion& from);
   // In program order: a wait comes before it where a block of the program ends in single block.

@@ -29,16 +29,23 @@ std::vector<const Block*> Planner::blocks_ahead() const {
 
 bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   assert(settings_.may_hold && !held_ && !before_ && outbox.phases.empty());
-  const auto stop = find_stop(emitter_, blocks_ahead(), {.tick = tick}, settings_.limits);
-  if (!stop) {
-    return false;
-  }
-  if (stop->from.phase.ends_program) {
+  const auto stop = find_stop_at(tick);
+  const bool waits_there =
+      stop && waits_ && rest_.asks_machine && emitter_.kept().is_last(stop->from);
+  return stop && !waits_there && hold_at(*stop, outbox);
+}
+
+std::optional<PlanStop> Planner::find_stop_at(std::int64_t tick) const {
+  return find_stop(emitter_, blocks_ahead(), {.tick = tick}, settings_.limits);
+}
+
+bool Planner::hold_at(const PlanStop& stop, Outbox& outbox) {
+  if (stop.from.phase.ends_program) {
     return !is_cut_;
   }
-  take_back(stop->from);
+  take_back(stop.from);
   held_ = true;
-  emit_stop(stop->parts, waiting_, emitter_, outbox);
+  emit_stop(stop.parts, waiting_, emitter_, outbox);
   outbox.phases.back().holds = true;
   emitter_.keep(outbox, outbox.phases.size() - 1);
   return true;
@@ -89,8 +96,53 @@ Outbox Planner::follow_stop_ahead(const PlannedStopAhead& taken) {
   return outbox;
 }
 
+Outbox Planner::follow_probe(const ProbeStop& stop) {
+  empty_window();
+  waits_ = is_cut_ = held_ = false;
+  last_.reset();
+  emitter_.take_back(emitter_.motion_at(stop.tick), waiting_);
+  emitter_.repeat_plan(stop.plan);
+  std::vector<BrakingPart> parts;
+  double s_mm = emitter_.s_mm();
+  for (const profiles::CellLaw& law : stop.laws) {
+    s_mm += law.length_mm();
+    parts.push_back({.law = law, .s_end_mm = s_mm, .limit = Constraint::path_jerk});
+  }
+  Outbox outbox;
+  const auto* not_begun =
+      emitter_.is_on_block() || waiting_.empty() ? nullptr : std::get_if<Block>(&waiting_.front());
+  if (not_begun != nullptr) {  // the tick side is on it, at its begin
+    emitter_.emit(*not_begun, profiles::Transition::rest(0.0), 0.0, outbox);
+    emitter_.come_to_rest(outbox);
+  } else {
+    emit_stop(parts, waiting_, emitter_, outbox);
+  }
+  emitter_.keep(outbox, outbox.phases.size() - 1);
+  Rest rest;
+  for (bool is_over = false; !is_over && !waiting_.empty(); waiting_.pop_front()) {
+    if (auto* block = std::get_if<Block>(&waiting_.front())) {
+      if (emitter_.is_on_block()) {
+        auto run =
+            s_mm > 0.0 ? stretch_of(*block, {.begin_mm = 0.0, .end_mm = s_mm}) : std::nullopt;
+        emitter_.end_block_here(run ? *std::move(run) : std::move(*block));
+      }
+    } else {
+      rest = std::get<Rest>(waiting_.front());
+      is_over = rest.asks_machine;
+    }
+  }
+  emitter_.go_on_at(stop.rest_tick);
+  Outbox of_rest;
+  emitter_.emit_rest({.line = rest.line, .run_block = rest.run_block}, of_rest);
+  emitter_.keep(of_rest, 0);
+  last_ = place_of(rest);
+  return outbox;
+}
+
 bool Planner::stop(std::int64_t tick, Outbox& outbox) {
-  if (!hold(tick, outbox)) {
+  assert(settings_.may_hold && !held_ && !before_ && outbox.phases.empty());
+  const auto stop = find_stop_at(tick);
+  if (!stop || !hold_at(*stop, outbox)) {
     return false;
   }
   if (held_) {

@@ -113,7 +113,9 @@ double note_wait(const parser::EventMove& event, std::uint32_t line, Planner& pl
 void push_event(const parser::EventMove& event, const Planner::RestPlace& at, Planner& planner) {
   const auto change = output_change_of(event);
   const double duration_s = note_wait(event, at.line, planner);
-  if (planner.waits_at(event.kind)) {
+  if (event.kind == parser::EventKind::ask_machine) {
+    planner.push_machine_wait(at);
+  } else if (planner.waits_at(event.kind)) {
     planner.push_wait(change, at);
   } else if (!change) {
     planner.push_rest(0.0, at);

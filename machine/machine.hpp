@@ -58,6 +58,8 @@ struct MachineState {
   interp::Outputs outputs{};         // of the last setpoint that was not refused; after a fault
                                      // spindle and coolant are off
   MachineInputs inputs{};
+  bool has_latched = false;  // the drive knows where X, Y and Z were as the probe's input changed
+  Position latched_mm{};     // within the last tick
   std::array<AxisState, kAllAxes> axes{};
   DriveFault fault = DriveFault::none;  // while axes are on: bring them to rest with setpoints
   std::int8_t fault_axis = -1;          // x, y, z, a, b, c, u, v, w; -1 where no axis is to blame

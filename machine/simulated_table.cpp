@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kerf::machine {
 namespace {
@@ -36,12 +37,14 @@ bool is_valid(const TableSettings& settings) noexcept {
                      [](const AuxiliaryTravel& t) { return t.min_rad_mm < t.max_rad_mm; });
 }
 
-SimulatedTable::SimulatedTable(const TableSettings& settings) noexcept
+SimulatedTable::SimulatedTable(const TableSettings& settings, const SimulationSettings& world,
+                               std::vector<ToolOffset> tools)
     : settings_(valid_or_default(settings)),
       gate_(settings_),
       axes_{AxisModel(settings_.axes[0], settings_.period_s),
             AxisModel(settings_.axes[1], settings_.period_s),
             AxisModel(settings_.axes[2], settings_.period_s)},
+      world_(world, std::move(tools), settings_.period_s),
       valid_(is_valid(settings)) {}
 
 void SimulatedTable::enable(const AxisPlaces& places) noexcept {
@@ -61,6 +64,7 @@ void SimulatedTable::enable(const AxisPlaces& places) noexcept {
   state_ = {.actual_mm = places.mm, .extra_rad_mm = places.extra_rad_mm};
   state_.axes.fill(AxisState::on);
   observe();
+  world_.restart(true_place_mm(), state_);
 }
 
 void SimulatedTable::disable() noexcept {
@@ -80,6 +84,11 @@ void SimulatedTable::write(const Setpoint& setpoint) noexcept {
     stop_axes();
   }
   observe();
+  world_.feel(true_place_mm(), state_);
+}
+
+Position SimulatedTable::true_place_mm() const noexcept {
+  return {axes_[0].position_mm(), axes_[1].position_mm(), axes_[2].position_mm()};
 }
 
 void SimulatedTable::stop_axes() noexcept {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include <kerf/machine.hpp>
 
@@ -10,6 +11,7 @@
 #include "machine/machine.hpp"
 #include "machine/path_history.hpp"
 #include "machine/setpoint_gate.hpp"
+#include "machine/simulated_world.hpp"
 
 namespace kerf::machine {
 
@@ -29,8 +31,10 @@ namespace kerf::machine {
 // travel is checked.
 class SimulatedTable final : public Machine {
  public:
-  // A table whose settings are not valid (is_valid) stays in the fault not_enabled.
-  explicit SimulatedTable(const TableSettings& settings) noexcept;
+  // A table whose settings are not valid (is_valid) stays in the fault not_enabled. tools: for the
+  // probe.
+  explicit SimulatedTable(const TableSettings& settings, const SimulationSettings& world = {},
+                          std::vector<ToolOffset> tools = {});
 
   void enable(const AxisPlaces& places) noexcept override;
   void disable() noexcept override;
@@ -48,12 +52,15 @@ class SimulatedTable final : public Machine {
   void stop_axes() noexcept;
   void observe() noexcept;
   [[nodiscard]] double longest_step_mm(std::size_t axis) const noexcept;
+  // Whatever the encoders read.
+  [[nodiscard]] Position true_place_mm() const noexcept;
   void fault(DriveFault kind, std::int8_t axis) noexcept;
 
   TableSettings settings_;
   SetpointGate gate_;
   std::array<AxisModel, 3> axes_;
   PathHistory path_;
+  SimulatedWorld world_;
   Position commanded_mm_{};
   MachineState state_{.fault = DriveFault::not_enabled};
   bool valid_;

@@ -21,8 +21,17 @@ void ProgramReader::finish() {
 void ProgramReader::set_block_delete(const BlockDelete& switches) {
   run_->set_block_delete(switches);
 }
+void ProgramReader::set_tool(const Tool& tool) {
+  run_->set_tool(tool);
+}
 bool ProgramReader::next(Move& move) {
   return run_->next(move);
+}
+const std::optional<MachineQuestion>& ProgramReader::question() const {
+  return run_->question();
+}
+void ProgramReader::answer(const MachineAnswer& answer) {
+  run_->answer(answer);
 }
 const std::vector<NumberedMessage>& ProgramReader::messages() const {
   return run_->messages();

@@ -39,9 +39,16 @@ class ProgramReader {
 
   // Of blocks that are not read yet.
   void set_block_delete(const BlockDelete& switches);
+  void set_tool(const Tool& tool);
 
   // The next move, if the bytes so far make one up. False: feed() more, or the end if finished.
   bool next(Move& move);
+
+  // What the machine is asked where the last move ended (ReaderOptions::answers): next() is false
+  // until answer(). Nothing: nothing is asked.
+  [[nodiscard]] const std::optional<MachineQuestion>& question() const;
+  // Precondition: there is a question.
+  void answer(const MachineAnswer& answer);
 
   // What the program told the operator in the text that the last next() read; each belongs before
   // the block of its number. Where there are more than kMaxMessages, the first of them.

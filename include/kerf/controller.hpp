@@ -12,6 +12,7 @@
 #include <kerf/axes.hpp>
 #include <kerf/kernel.hpp>
 #include <kerf/machine.hpp>
+#include <kerf/program_inputs.hpp>
 #include <kerf/setpoint.hpp>
 #include <tl/expected.hpp>
 
@@ -177,6 +178,9 @@ class KERF_API Controller {
   /// its range, and nothing changes.
   bool set_feed_inputs(const FeedInputs& inputs);
 
+  /// Kernel::set_tool(), for the present program and those to come. False: it is impossible.
+  bool set_tool(const Tool& tool);
+
   /// To the present program; text is dropped where there is none.
   void feed(std::string_view text);
   /// No more text follows.
@@ -192,6 +196,9 @@ class KERF_API Controller {
   /// One setpoint; without a program it repeats the last. Real time: allocates nothing, takes no
   /// lock, throws nothing.
   ControllerState tick(Setpoint& setpoint) noexcept;
+  /// Kernel::set_program_inputs(), for the present program and those to come. Of the thread that
+  /// calls tick(), before it. Real time.
+  void set_program_inputs(const ProgramInputs& inputs) noexcept;
   /// Kernel::detail(); without a program that of the last one. Of the thread that calls tick().
   [[nodiscard]] TickDetail detail() const noexcept;
 

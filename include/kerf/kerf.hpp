@@ -12,5 +12,7 @@
 #include <kerf/machine.hpp>
 #include <kerf/profile.hpp>
 #include <kerf/program_data.hpp>
+#include <kerf/program_inputs.hpp>
 #include <kerf/report.hpp>
 #include <kerf/setpoint.hpp>
+#include <kerf/simulation.hpp>

@@ -16,6 +16,7 @@
 #include <kerf/machine.hpp>
 #include <kerf/profile.hpp>
 #include <kerf/program_data.hpp>
+#include <kerf/program_inputs.hpp>
 #include <kerf/report.hpp>
 #include <kerf/setpoint.hpp>
 #include <tl/expected.hpp>
@@ -46,6 +47,9 @@ struct KernelOptions {
   bool waits = false;
   bool optional_stop = false;
   bool refuses_waits = false;  ///< what would wait is an error: nobody is there to answer
+  /// G38 and M66 wait for what set_program_inputs() says. Else the machine's surface and inputs
+  /// answer (MachineSettings::simulation), without motion: as check_program() assumes.
+  bool asks_machine = false;
   /// plan() and tick() are called by one thread, which is never late: no way to rest is kept ready
   /// behind what is planned.
   bool one_thread = false;
@@ -108,6 +112,9 @@ struct FeedInputs {
 /// The same.
 KERF_API bool is_possible(const FeedInputs& inputs) noexcept;
 
+/// Each number is within the range that a machine file allows.
+KERF_API bool is_possible(const Tool& tool) noexcept;
+
 /// Runs one program. Feeding and planning are for one thread; tick() and what belongs to it may run
 /// in another, with real-time priority. docs/embedding.md has threads, memory and errors of each
 /// method.
@@ -164,6 +171,10 @@ class KERF_API Kernel {
   void set_optional_stop(bool on);
   /// Which blocks with a '/' are left out, of text that is not read yet. Planning side.
   void set_block_delete(const BlockDelete& switches);
+  /// A tool is another one than the tool table said: for text that is not read yet. Where an M6
+  /// waits nothing behind it is read, so all that follows is planned with it. False: its number or
+  /// a length is impossible, and nothing changes. Planning side.
+  bool set_tool(const Tool& tool);
   /// The messages of the blocks that the tool has come to since the last call. Planning side, as
   /// active_codes(): both as of the latest plan().
   [[nodiscard]] std::vector<ProgramMessage> take_messages();
@@ -186,6 +197,10 @@ class KERF_API Kernel {
   /// says whether a stop counts: the tool begins to hold some milliseconds behind the block that
   /// lets it. False: a value is out of its range, and nothing changes. Planning side.
   bool set_feed_inputs(const FeedInputs& inputs);
+
+  /// What the machine says, for G38 and M66: call it before each tick(), in the same thread. Real
+  /// time. Without options.asks_machine it counts for nothing.
+  void set_program_inputs(const ProgramInputs& inputs) noexcept;
 
   /// The tool comes to rest at the junction behind each block of the program and waits for
   /// resume(); ticks are `waiting` then. Several lines that G64 made one curve of are one block.

@@ -10,6 +10,7 @@
 #include <kerf/api.hpp>
 #include <kerf/axes.hpp>
 #include <kerf/program_data.hpp>
+#include <kerf/simulation.hpp>
 #include <tl/expected.hpp>
 
 namespace kerf {
@@ -79,11 +80,14 @@ struct MachineSettings {
   MachineLimits limits{};
   ProgramData program{};
   TableSettings table{};
+  SimulationSettings simulation{};   ///< around the table; also what a check assumes of probes
   Dialect dialect = Dialect::rs274;  ///< of its programs, unless told otherwise
   ManualSettings manual{};
   /// The tool table that the file names but does not hold; empty: none. The library opens no files:
   /// read it yourself, give its text to read_tool_table() and put the result into program.tools.
   std::string tool_file{};
+  /// The same of the height map that a probe touches: read_height_map(), simulation.surface.
+  std::string height_map_file{};
 };
 
 /// What is wrong with settings or options.

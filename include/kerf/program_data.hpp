@@ -1,5 +1,5 @@
 // What a program uses beside its own text: the dialect, block delete switches, subprograms, and the
-// machine's offsets, tools and probed block.
+// machine's offsets and tools.
 #pragma once
 
 #include <array>
@@ -112,15 +112,6 @@ struct WorkOffset {
   AuxiliaryWords extra_deg_mm{};  ///< the origin of the extra axes
 };
 
-/// A block with faces along the axes, in machine coordinates; without bounds in some directions it
-/// is a table (z_max alone) or a wall. The controlled point touches it: with G43 the tool's tip.
-struct TouchBox {
-  static constexpr double kFar_mm = kUnbounded;
-
-  Position min_mm{-kFar_mm, -kFar_mm, -kFar_mm};
-  Position max_mm{kFar_mm, kFar_mm, kFar_mm};  ///< no component below that of min_mm
-};
-
 /// One row of the tool table.
 struct Tool {
   std::int32_t number = 0;  ///< T; 0 is the empty spindle
@@ -211,7 +202,6 @@ struct ProgramData {
   AuxiliaryWords second_home_extra_deg_mm{};
   std::array<HomePosition, 2> further_homes{};  ///< Fanuc: G30 P3, P4
   ToolTable tools;
-  std::optional<TouchBox> touch_box{};  ///< what G38 finds
   /// Fanuc dialect: the unit of a number without a decimal point, in mm, 0 to 1; 0: millimetres.
   double least_increment_mm = 0.0;
   /// The tolerances of a G64 without P: of corners and, if Q is missing too, of merged lines; >= 0.
@@ -229,8 +219,7 @@ struct ProgramData {
 };
 
 /// Of the default machine: no offsets, and a tool changer with 60 places. T1 (10 mm, 12.5 mm long),
-/// T2 (6 mm) and T3 (20 mm, -3 mm) are measured, the others have length and diameter 0. A probe
-/// touches the table's top at Z-150.
+/// T2 (6 mm) and T3 (20 mm, -3 mm) are measured, the others have length and diameter 0.
 KERF_API ProgramData default_program_data();
 
 }  // namespace v0

@@ -155,6 +155,15 @@ void Emitter::end_block(Block&& block) {
   }
 }
 
+void Emitter::end_block_here(Block&& block) {
+  place_.path_begin_mm += place_.rests ? 0.0 : place_.curve_mm;
+  totals_.path_length_mm = place_.path_begin_mm;
+  place_.on_block = false;
+  if (kept_) {
+    kept_->end(std::move(block));
+  }
+}
+
 void Emitter::come_to_rest(Outbox& outbox) {
   assert(!outbox.phases.empty());
   outbox.phases.back().ends_at_rest = true;
@@ -237,7 +246,7 @@ EmittedItems::Motion Emitter::motion_at(std::int64_t tick) const {
 }
 
 void Emitter::take_back(const EmittedItems::Motion& motion, std::deque<Item>& ahead) {
-  plan_ = ++plans_;
+  plan_ = plans_ = (plans_ | 1U) + 1U;  // odd numbers are those of the tick side
   clock_.set(motion.when);
   const EmittedItems::TakenBack taken = kept_->take_back(motion, place_, ahead);
   place_ = taken.begin;

@@ -1,6 +1,7 @@
 // Turns planned blocks into phases, and tracks how far emission has come.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -83,6 +84,10 @@ class Emitter {
   void end_segment(const Block& block, double s_mm);
   // The block ends with its last segment.
   void end_block(Block&& block);
+  // The block that is being emitted ends where its motion stands: this is what has been run of it.
+  void end_block_here(Block&& block);
+  // Time goes on there, at rest.
+  void go_on_at(std::int64_t tick) noexcept { clock_.set({.tick = tick}); }
   // The last phase has ended at rest: time goes on at the next tick.
   void come_to_rest(Outbox& outbox);
   void emit_rest(const Rest& rest, Outbox& outbox);
@@ -107,7 +112,10 @@ class Emitter {
   // The number of the plan that is being emitted.
   [[nodiscard]] std::uint32_t plan() const noexcept { return plan_; }
   // It has been emitted before, under that number.
-  void repeat_plan(std::uint32_t plan) noexcept { plan_ = plan; }
+  void repeat_plan(std::uint32_t plan) noexcept {
+    plan_ = plan;
+    plans_ = std::max(plans_, plan);
+  }
   // The present block goes on as its remainder, on which the motion is at s_mm.
   void begin_remainder(double s_mm) noexcept { place_.s_mm = s_mm; }
   [[nodiscard]] bool is_on_block() const noexcept { return place_.on_block; }
@@ -139,7 +147,7 @@ class Emitter {
   std::optional<EmittedItems> kept_;
   EmitPlace place_{};
   std::uint32_t plan_ = 0;   // that is being emitted
-  std::uint32_t plans_ = 0;  // so many were begun after the first
+  std::uint32_t plans_ = 0;  // the highest number of one
   // What is on its way to the tick side stays there: the path, and what it switches.
   std::uint64_t curves_sent_ = 0;
   std::uint64_t output_changes_sent_ = 0;

@@ -132,6 +132,9 @@ Done allowed_while_compensating(const RunningBlock& at, const ModalState& state)
   if (at.codes.has(Group::tool)) {
     return refuse(Group::tool);
   }
+  if (at.codes[Group::in_out] == 660) {  // M66: its contour is not known to its end
+    return refuse(Group::in_out);
+  }
   if (const Tenths code = at.codes[Group::plane]; code != kNoCode) {
     const Plane plane = plane_of(code);
     if (plane != state.plane) {

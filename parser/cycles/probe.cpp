@@ -3,16 +3,11 @@
 #include <cmath>
 
 #include "diagnostics/errors/pages.hpp"
-#include "parser/modal/touch_box.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {
 
 namespace {
-
-Point sum(const Point& a, const Point& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
 
 Point difference(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
@@ -24,28 +19,6 @@ bool leaves_contact(Motion motion) {
 
 bool must_succeed(Motion motion) {
   return motion == Motion::probe_on || motion == Motion::probe_off;
-}
-
-// Where contact changes on the way to `end_mm`; nothing where it does not.
-Expected<std::optional<Point>> find_contact(const RunningBlock& at, const ModalState& state,
-                                            const std::optional<TouchBox>& box,
-                                            const Point& end_mm) {
-  const bool off = leaves_contact(state.motion);
-  const Point& tool = state.coordinates.tool_mm();
-  const Point from = difference(state.position_mm, tool);
-  const bool touching = box && touches(*box, from);
-  if (touching != off) {
-    return fail(at.motion_offset(), off ? errors::kProbeNotTouching : errors::kProbeTouching,
-                joined({motion_name(state), off ? " begins without contact" : " begins in contact",
-                        off && !box ? " (the machine file has no [probe])" : ""}));
-  }
-  if (!box) {
-    return std::nullopt;
-  }
-  const Point to = difference(end_mm, tool);
-  const std::optional<Point> contact =
-      off ? last_contact(*box, from, to) : first_contact(*box, from, to);
-  return contact ? std::optional(sum(*contact, tool)) : std::nullopt;
 }
 
 // The tool comes to rest where it touches: what a probe is for.
@@ -89,22 +62,50 @@ Expected<std::optional<ProbeWay>> read_probe(const RunningBlock& at, const Modal
   return ProbeWay{*end, length_mm};
 }
 
-Done run_probe(const RunningBlock& at, ModalState& state, const std::optional<TouchBox>& box,
+Done run_probe(const RunningBlock& at, ModalState& state, const MachineSource& machine,
                const ProbeMove& asked) {
-  Expected<std::optional<Point>> found = find_contact(at, state, box, asked.end_mm);
-  if (!found) {
-    return fault_of(found);
+  const bool off = leaves_contact(state.motion);
+  if (machine.is_asked) {
+    const MachineQuestion question{.kind = off ? MachineQuestion::Kind::contact_end
+                                               : MachineQuestion::Kind::contact};
+    at.push_event(state, {.kind = EventKind::probe_begin, .question = question});
+    push_probe_move(at, state, asked.end_mm, asked.feedrate_mm_s);
+    at.push_event(state, {.kind = EventKind::ask_machine, .question = question});
+    return {};
   }
-  const Point end = found->value_or(asked.end_mm);
-  push_probe_move(at, state, end, asked.feedrate_mm_s);
-  state.probe = {state.coordinates.to_program(end),
-                 state.coordinates.auxiliary_to_program(state.auxiliary_deg_mm),
-                 found->has_value()};
-  if (!*found && must_succeed(state.motion)) {
-    return fail(at.motion_offset(), errors::kProbeInVain,
-                joined({motion_name(state),
-                        leaves_contact(state.motion) ? " ended in contact" : " met nothing",
-                        box ? "" : " (the machine file has no [probe])"}));
+  const AssumedMachine* assumed = machine.assumed.get();
+  const ProbedWay way{.from_mm = state.position_mm,
+                      .to_mm = asked.end_mm,
+                      .tool = state.loaded_tool,
+                      .until_contact = !off};
+  MachineAnswer answer{.at_start = (assumed != nullptr && assumed->touches(way)) != off};
+  answer.rest_mm = state.position_mm;
+  if (!answer.at_start) {
+    const auto contact = assumed != nullptr ? assumed->change_of_contact(way) : std::nullopt;
+    answer.found = contact.has_value();
+    answer.place_mm = answer.rest_mm = contact.value_or(asked.end_mm);
+    push_probe_move(at, state, answer.rest_mm, asked.feedrate_mm_s);
+  }
+  const bool has_surface = assumed != nullptr && assumed->has_surface();
+  return take_probe_answer({.motion = state.motion,
+                            .offset = at.motion_offset(),
+                            .why = has_surface ? "" : " (the machine file has no [probe])"},
+                           answer, state);
+}
+
+Done take_probe_answer(const AskedProbe& asked, const MachineAnswer& answer, ModalState& state) {
+  state.position_mm = answer.rest_mm;
+  const bool off = leaves_contact(asked.motion);
+  const std::string name = motion_name(asked.motion);
+  if (answer.at_start) {
+    return fail(asked.offset, off ? errors::kProbeNotTouching : errors::kProbeTouching,
+                joined({name, off ? " begins without contact" : " begins in contact", asked.why}));
+  }
+  state.probe = {state.coordinates.to_program(answer.place_mm),
+                 state.coordinates.auxiliary_to_program(state.auxiliary_deg_mm), answer.found};
+  if (!answer.found && must_succeed(asked.motion)) {
+    return fail(asked.offset, errors::kProbeInVain,
+                joined({name, off ? " ended in contact" : " met nothing", asked.why}));
   }
   return {};
 }

@@ -16,6 +16,7 @@
 #include "parser/expressions/parameters.hpp"
 #include "parser/flow/block_watcher.hpp"
 #include "parser/modal/machine_data.hpp"
+#include "parser/modal/machine_source.hpp"
 #include "parser/modal/modal_state.hpp"
 #include "parser/moves/move.hpp"
 
@@ -38,7 +39,8 @@ struct ReaderOptions {
   BlockDelete block_delete{};              // which blocks that begin with '/' are left out
   std::size_t max_errors = 100;
   Dialect dialect = Dialect::rs274;
-  MachineData machine{};  // work offsets, G28, G30 and tools as the program finds them
+  MachineSource answers{};  // what a probe touches, and inputs
+  MachineData machine{};    // work offsets, G28, G30 and tools as the program finds them
   // In place of `machine` and of what is in force at a start. Null: none.
   std::shared_ptr<const ReaderState> begins_with{};
   bool one_line = false;           // no M2 is wanted behind it

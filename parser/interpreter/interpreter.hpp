@@ -9,6 +9,7 @@
 #include "parser/compensation/cutter_compensation.hpp"
 #include "parser/curves/curve_reader.hpp"
 #include "parser/cycles/drill_cycle.hpp"
+#include "parser/cycles/probe.hpp"
 #include "parser/interpreter/feed.hpp"
 #include "parser/interpreter/saved_modes.hpp"
 #include "parser/modal/program_memory.hpp"
@@ -59,6 +60,8 @@ class Interpreter {
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   // Returns what the block has raised, and clears it.
   MacroSignal take_signal() { return std::exchange(memory_.state.signal, {}); }
+  // Of the last block that ran, which asked.
+  void take_answer(const MachineQuestion& question, const MachineAnswer& answer);
   // Ends the program as M2 does.
   void end_program(diagnostics::SourcePosition source);
 
@@ -123,6 +126,7 @@ class Interpreter {
   SpindleDrive spindle_;
   std::vector<CycleStep> cycle_steps_;  // of the running block
   BlockCodes codes_;                    // the same
+  AskedProbe asked_;                    // by the last G38
   std::uint64_t blocks_run_ = 0;
   std::uint32_t column_ = 0;         // of the last block that ran
   std::uint32_t reported_line_ = 0;  // one error per block

@@ -5,7 +5,6 @@
 #include "diagnostics/errors/pages.hpp"
 #include "parser/curves/splines.hpp"
 #include "parser/cycles/canned_cycle.hpp"
-#include "parser/cycles/probe.hpp"
 #include "parser/dialects/fanuc/fanuc_codes.hpp"
 #include "parser/interpreter/interpreter.hpp"
 #include "parser/spindle_io/switches.hpp"
@@ -152,7 +151,16 @@ Done Interpreter::probe(const RunningBlock& at) {
   if (!feedrate) {
     return fault_of(feedrate);
   }
-  return run_probe(at, state, memory_.machine.touch_box, {(*way)->end_mm, *feedrate});
+  asked_ = {.motion = state.motion, .offset = at.motion_offset()};
+  return run_probe(at, state, memory_.answers, {(*way)->end_mm, *feedrate});
+}
+
+void Interpreter::take_answer(const MachineQuestion& question, const MachineAnswer& answer) {
+  if (!is_probe(question)) {
+    memory_.state.input = answer.found ? answer.value : -1.0;
+  } else if (const Done taken = take_probe_answer(asked_, answer, memory_.state); !taken) {
+    report(memory_.line, *taken.error());
+  }
 }
 
 }  // namespace kerf::parser

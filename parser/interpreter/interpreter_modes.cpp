@@ -37,7 +37,7 @@ void Interpreter::set_units_and_feed_mode(const BlockCodes& codes) {
 // The M codes in the order of RS274/NGC.
 Done Interpreter::switch_machine(const RunningBlock& at) {
   ModalState& state = memory_.state;
-  return switch_in_out(at, state)
+  return switch_in_out(at, state, memory_.answers)
       .and_then([&] { return change_tool(at, state, memory_.machine.tools); })
       .and_then([&] { return spindle_.start(at, state); })
       .and_then([&] { return save_modes(at); })

@@ -13,8 +13,6 @@ ProgramData default_program_data() {
   data.tools.put({.number = 1, .pocket = 1, .offset_mm = {0.0, 0.0, 12.5}, .diameter_mm = 10.0});
   data.tools.put({.number = 2, .pocket = 2, .diameter_mm = 6.0});
   data.tools.put({.number = 3, .pocket = 3, .offset_mm = {0.0, 0.0, -3.0}, .diameter_mm = 20.0});
-  constexpr double kTableTop_mm = -150.0;
-  data.touch_box.emplace().max_mm[2] = kTableTop_mm;
   return data;
 }
 

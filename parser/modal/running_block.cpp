@@ -62,8 +62,12 @@ void set_motion(const RunningBlock& at, ModalState& state, Tenths code) {
   state.motion = motion;
 }
 
+std::string motion_name(Motion motion) {
+  return joined({"G", shortest(static_cast<double>(motion) / 10.0)});
+}
+
 std::string motion_name(const ModalState& state) {
-  return joined({"G", shortest(static_cast<double>(state.motion) / 10.0)});
+  return motion_name(state.motion);
 }
 
 // The message names the word as the program has it.

@@ -64,7 +64,9 @@ void carry_auxiliary(const MoveSink& at, ModalState& state, Move& move,
 
 // A code of group 1, or G80, comes into force.
 void set_motion(const RunningBlock& at, ModalState& state, Tenths code);
-// "G81", of the motion in force.
+// "G81"
+std::string motion_name(Motion motion);
+// Of the motion in force.
 std::string motion_name(const ModalState& state);
 
 // The tool of that number, which the word at `offset` gives. Never null; good until the table

@@ -73,6 +73,38 @@ enum class EventKind : std::uint8_t {
   speed_override,     // M48, M49, M51: value 1, the spindle's override is followed; 0, it is not
   adaptive_feed,      // M52: the same of the machine's share of the feedrate
   feed_stop,          // M53: the same of the machine's feed stop
+  probe_begin,        // G38: a rest, and the next motion ends where the machine says
+  ask_machine,        // G38, M66: at rest, until the machine has answered
+};
+
+// What a program asks the machine where motion has come.
+struct MachineQuestion {
+  enum class Kind : std::uint8_t {
+    contact,      // G38.2, G38.3: the probe begins to touch
+    contact_end,  // G38.4, G38.5
+    digital,      // M66 P L0, and the further L
+    rise,
+    fall,
+    high,
+    low,
+    analog,  // M66 E
+  };
+
+  Kind kind = Kind::contact;
+  std::int32_t channel = 0;
+  double max_wait_s = 0.0;
+};
+
+inline bool is_probe(const MachineQuestion& question) {
+  return question.kind <= MachineQuestion::Kind::contact_end;
+}
+
+struct MachineAnswer {
+  bool found = false;  // contact began or ended on the way; the input was as it was to be in time
+  bool at_start = false;  // of a probe: it was so already before the motion began
+  double value = 0.0;     // of an input
+  Point place_mm{};       // of a probe: of the machine's axes then, or where it ended in vain
+  Point rest_mm{};        // of a probe: where the axes rest now
 };
 
 // M62, M63, M67 and M48 to M53: the change comes with the next motion, and the tool does not rest
@@ -112,6 +144,7 @@ struct EventMove {
   std::int32_t index = 0;
   SurfaceFollowing surface{};  // of spindle_cw and spindle_ccw, which then follow it
   bool taps = false;           // the tap is in its hole: nothing waits for the spindle
+  MachineQuestion question{};  // of probe_begin and ask_machine
 };
 
 using kerf::PathMode;

@@ -25,6 +25,8 @@ class ShortMoves {
  public:
   // False: the move is left out. Moves come in the order of the program.
   bool take(Move& move);
+  // The last move has ended there, which the program could not know.
+  void end_at(const Point& place_mm) { place_mm_ = place_mm; }
 
  private:
   void begin_at_place(Move& move);

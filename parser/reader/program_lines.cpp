@@ -1,4 +1,6 @@
 // The order of a program's lines: its beginning, its end, and the flow between them.
+#include <utility>
+
 #include "diagnostics/errors/pages.hpp"
 #include "parser/flow/statement_reader.hpp"
 #include "parser/reader/program_run.hpp"
@@ -136,6 +138,9 @@ void ProgramRun::report_idle_program() {
 
 bool ProgramRun::next(Move& move) {
   messages_.clear();
+  if (question_) {
+    return false;
+  }
   do {
     if (!next_move(move)) {
       if (ended_) {
@@ -149,8 +154,19 @@ bool ProgramRun::next(Move& move) {
   constexpr std::size_t kMotions = 3;  // lines, arcs and splines come first
   if (move.shape.index() < kMotions) {
     flow_.moved();
+  } else if (const auto* event = std::get_if<EventMove>(&move.shape);
+             event != nullptr && event->kind == EventKind::ask_machine) {
+    question_ = event->question;
   }
   return true;
+}
+
+void ProgramRun::answer(const MachineAnswer& answer) {
+  const MachineQuestion question = *std::exchange(question_, std::nullopt);
+  if (is_probe(question)) {
+    short_moves_.end_at(answer.rest_mm);
+  }
+  interpreter_.take_answer(question, answer);
 }
 
 bool ProgramRun::next_move(Move& move) {

@@ -41,7 +41,10 @@ class ProgramRun {
 
   ProgramInput& input() { return input_; }
   void set_block_delete(const BlockDelete& switches) { options_.block_delete = switches; }
+  void set_tool(const Tool& tool) { interpreter_.memory().machine.tools.put(tool); }
   bool next(Move& move);  // program_lines.cpp
+  [[nodiscard]] const std::optional<MachineQuestion>& question() const { return question_; }
+  void answer(const MachineAnswer& answer);
   [[nodiscard]] bool at_end() const { return ended_ && all_fetched_ && !flow_.needs_rest(); }
   [[nodiscard]] const diagnostics::DiagnosticList& diagnostics() const { return diagnostics_; }
   [[nodiscard]] const std::vector<NumberedMessage>& messages() const { return messages_; }
@@ -102,13 +105,14 @@ class ProgramRun {
   ShortMoves short_moves_;
   BlockWords block_;
   SaidOnce said_;
-  bool called_ = false;           // the block is a call or a return
-  std::string behind_semicolon_;  // the rest of a Fanuc line with more than one block
-  std::string program_name_;      // <NAME> of the block's call, plain; empty: none
-  std::string without_name_;      // the line with blanks in its place
-  ModalCalls modal_calls_;        // G66
-  bool ended_ = false;            // the program, not the bytes
-  bool all_fetched_ = true;       // all its moves are fetched
+  bool called_ = false;                      // the block is a call or a return
+  std::string behind_semicolon_;             // the rest of a Fanuc line with more than one block
+  std::string program_name_;                 // <NAME> of the block's call, plain; empty: none
+  std::string without_name_;                 // the line with blanks in its place
+  ModalCalls modal_calls_;                   // G66
+  std::optional<MachineQuestion> question_;  // that the machine has not answered
+  bool ended_ = false;                       // the program, not the bytes
+  bool all_fetched_ = true;                  // all its moves are fetched
   bool any_block_ = false;
   bool opened_by_percent_ = false;
   bool closed_by_percent_ = false;

@@ -34,6 +34,7 @@ void end_program(ModalState& state) {
 ProgramMemory ProgramRun::memory_of(const ReaderOptions& options) {
   const ReaderState* const before = options.begins_with.get();
   ProgramMemory memory;
+  memory.answers = options.answers;
   memory.dialect = options.dialect;
   memory.machine = before != nullptr ? before->machine : options.machine;
   memory.state =

@@ -39,10 +39,27 @@ Expected<double> waiting_time_s(const RunningBlock& at, double kind) {
   return wait_s;
 }
 
-// M66 P reads or waits for a digital input, M66 E reads an analog one; #5399 gets the answer. The
-// table is simulated and its inputs are low: a wait for low is over at once, every other one lasts
-// Q seconds and is in vain.
-Done wait_for_input(const RunningBlock& at, ModalState& state) {
+// Of inputs that keep their value: a wait for another one lasts until its time is up.
+void assume_input(const RunningBlock& at, ModalState& state, const AssumedMachine* machine,
+                  const MachineQuestion& asked) {
+  using Kind = MachineQuestion::Kind;
+  const auto channel = static_cast<std::size_t>(asked.channel);
+  const bool is_high = machine != nullptr && machine->digital(channel);
+  const bool in_vain = asked.kind == Kind::rise || asked.kind == Kind::fall ||
+                       (asked.kind == Kind::high && !is_high) ||
+                       (asked.kind == Kind::low && is_high);
+  if (in_vain) {
+    state.input = -1.0;
+    at.push_move(state).shape = DwellMove{asked.max_wait_s};
+  } else if (asked.kind == Kind::analog) {
+    state.input = machine != nullptr ? machine->analog(channel) : 0.0;
+  } else {
+    state.input = is_high ? 1.0 : 0.0;
+  }
+}
+
+// M66 P reads or waits for a digital input, M66 E reads an analog one; #5399 gets the answer.
+Done wait_for_input(const RunningBlock& at, ModalState& state, const MachineSource& machine) {
   const Word& code = at.code_word(Group::in_out);
   if (at.block.has('P') == at.block.has('E')) {
     return fail(code.offset, errors::kInputMissing,
@@ -63,23 +80,29 @@ Done wait_for_input(const RunningBlock& at, ModalState& state) {
   if (!wait_s) {
     return fault_of(wait_s);
   }
-  const bool in_vain = kind == 1.0 || kind == 2.0 || kind == 3.0;
-  state.input = in_vain ? -1.0 : 0.0;
-  if (in_vain) {
-    at.push_move(state).shape = DwellMove{*wait_s};
+  using Kind = MachineQuestion::Kind;
+  const MachineQuestion asked{
+      .kind = analog ? Kind::analog
+                     : static_cast<Kind>(static_cast<int>(Kind::digital) + static_cast<int>(kind)),
+      .channel = *input,
+      .max_wait_s = *wait_s};
+  if (machine.is_asked) {
+    at.push_event(state, {.kind = EventKind::ask_machine, .question = asked});
+  } else {
+    assume_input(at, state, machine.assumed.get(), asked);
   }
   return {};
 }
 
 }  // namespace
 
-Done switch_in_out(const RunningBlock& at, ModalState& state) {
+Done switch_in_out(const RunningBlock& at, ModalState& state, const MachineSource& machine) {
   const Tenths code = at.codes[Group::in_out];
   if (code == kNoCode) {
     return {};
   }
   if (code == 660) {
-    return wait_for_input(at, state);
+    return wait_for_input(at, state, machine);
   }
   if (code < 660) {
     auto output = channel(at, 'P', kDigitalOutputs);

@@ -1,6 +1,7 @@
 // Tool change, coolant, outputs and inputs, overrides and stops.
 #pragma once
 
+#include "parser/modal/machine_source.hpp"
 #include "parser/modal/running_block.hpp"
 
 namespace kerf::parser {
@@ -12,7 +13,7 @@ void switch_coolant(const RunningBlock& at, ModalState& state);
 // Tells the machine what has changed since `before`.
 void bring_back_coolant(const MoveSink& at, const ModalState& before, const ModalState& state);
 // in_out.cpp. M62 to M68: digital and analog outputs, waiting for an input.
-Done switch_in_out(const RunningBlock& at, ModalState& state);
+Done switch_in_out(const RunningBlock& at, ModalState& state, const MachineSource& machine);
 // What counts from the next motion on.
 void follow_overrides(const MoveSink& at, ModalState& state, const AllowedOverrides& overrides);
 // M48 and M49 switch both overrides; M50 to M53 one thing each, off with P0.

@@ -221,7 +221,7 @@ TEST(LoopbackMachines, AreRefusedBeforeAnythingMoves) {
   std::string other = LoopbackPeer::text_of(to_bytes(sample_answer()));
   other[4] = 2;
   EXPECT_EQ(error_of([&](LoopbackPeer& peer, const ToldFrame&) { peer.send(other); }),
-            ": the machine answers 360 bytes that are no answer of version 1");
+            ": the machine answers 384 bytes that are no answer of version 1");
   EXPECT_EQ(error_of([](LoopbackPeer& peer, const ToldFrame&) { peer.hang_up(); }),
             ": the machine hangs up");
   EXPECT_EQ(error_of([](LoopbackPeer&, const ToldFrame&) {}),

@@ -15,13 +15,13 @@ from loopback_machine import DISABLE, FOLLOWING_ERROR, Machine, TOLD_BYTES, Told
 def spoilt(answer, number):
     """What is sent in place of this answer; once, where the name does not say for ever."""
     if HOW == "garbage_for_ever":
-        return b"\xff" * 360
+        return b"\xff" * 384
     if HOW == "version_at_once":
         return answer[:4] + b"\x02" + answer[5:]
     if number != FROM:
         return answer
     return {"garbage": os.urandom(200), "torn": answer[:100], "version": answer[:4] + b"\x02" + answer[5:],
-            "another_tick": answer_of_another_tick(), "nothing_but_zeros": bytes(360)}.get(HOW, answer)
+            "another_tick": answer_of_another_tick(), "nothing_but_zeros": bytes(384)}.get(HOW, answer)
 
 
 def answer_of_another_tick():

@@ -30,7 +30,7 @@ MachineSettings machine_with_everything() {
   MachineSettings settings = default_machine();
   settings.program.extra_axes = parser::kAuxiliaryLetters;
   settings.limits.extra.fill(settings.limits.path);
-  settings.program.touch_box.emplace();
+  settings.simulation.surface.emplace();
   return settings;
 }
 
@@ -149,8 +149,9 @@ TEST(SettingsCheck, WantsTravelToHaveALength) {
   settings.table.extra[2] = {.min_rad_mm = 3.0, .max_rad_mm = -3.0};
   expect_refused(settings, {}, "axes.c.max_deg");
   settings = machine_with_everything();
-  settings.program.touch_box->min_mm[2] = 1.0;
-  settings.program.touch_box->max_mm[2] = 0.0;
+  auto& box = std::get<TouchBox>(*settings.simulation.surface);
+  box.min_mm[2] = 1.0;
+  box.max_mm[2] = 0.0;
   expect_refused(settings, {}, "probe.z_max_mm");
 }
 

@@ -1,7 +1,10 @@
+#include <memory>
+
 #include <gtest/gtest.h>
 
 #include "diagnostics/errors/pages.hpp"
 #include "tests/parser/program.hpp"
+#include "tests/parser/table_top.hpp"
 
 namespace kerf::parser {
 namespace {
@@ -42,6 +45,7 @@ TEST_P(ErrorPageTrigger, GivesThisVeryPageFirst) {
   };
   const Program program = read_program(
       errors::trigger_of(page), {.dialect = page.dialect.empty() ? Dialect::rs274 : Dialect::fanuc,
+                                 .answers = {.assumed = std::make_shared<const TableTop>()},
                                  .machine = machine,
                                  .subprograms = linked});
   ASSERT_FALSE(program.diagnostics.empty()) << page.title;

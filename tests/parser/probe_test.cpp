@@ -1,28 +1,54 @@
+#include <algorithm>
+#include <memory>
+#include <optional>
+
 #include <gtest/gtest.h>
 
-#include "parser/modal/touch_box.hpp"
+#include "parser/modal/machine_source.hpp"
 #include "tests/parser/program.hpp"
 
 namespace kerf::parser {
 namespace {
 
-ReaderOptions with_box(const TouchBox& box) {
+// The top at Z2, the sides at X10 and X20, open to the other sides; for ways along X or Z. Tool 9
+// is 30 mm long.
+class Block final : public AssumedMachine {
+ public:
+  bool has_surface() const override { return true; }
+  bool touches(const ProbedWay& way) const override {
+    return is_inside(way.from_mm, length_mm(way));
+  }
+  std::optional<Point> change_of_contact(const ProbedWay& way) const override {
+    if (is_inside(way.from_mm, length_mm(way)) == is_inside(way.to_mm, length_mm(way))) {
+      return std::nullopt;
+    }
+    const bool along_z = way.from_mm[2] != way.to_mm[2];
+    Point place = way.from_mm;
+    if (along_z) {
+      place[2] = 2.0 + length_mm(way);
+    } else {
+      place[0] = std::min(way.from_mm[0], way.to_mm[0]) < 10.0 ? 10.0 : 20.0;
+    }
+    return place;
+  }
+  bool digital(std::size_t input) const override { return input == 4; }
+  double analog(std::size_t input) const override { return input == 2 ? 1.5 : 0.0; }
+
+ private:
+  static double length_mm(const ProbedWay& way) { return way.tool == 9 ? 30.0 : 0.0; }
+  static bool is_inside(const Point& place, double length_mm) {
+    return place[0] >= 10.0 && place[0] <= 20.0 && place[2] - length_mm <= 2.0;
+  }
+};
+
+ReaderOptions with_block() {
   ReaderOptions options;
-  options.machine.touch_box = box;
+  options.answers.assumed = std::make_shared<const Block>();
   return options;
 }
 
-// The top at Z2, the sides at X10 and X20, open to the other sides.
-TouchBox block() {
-  TouchBox box;
-  box.max_mm[2] = 2.0;
-  box.min_mm[0] = 10.0;
-  box.max_mm[0] = 20.0;
-  return box;
-}
-
 std::vector<std::string> steps_of(const std::string& text) {
-  const Program program = read_program(text + "\nM2\n", with_box(block()));
+  const Program program = read_program(text + "\nM2\n", with_block());
   std::vector<std::string> steps;
   for (const Move& move : program.moves) {
     steps.push_back(text_of(move));
@@ -31,31 +57,6 @@ std::vector<std::string> steps_of(const std::string& text) {
     steps.push_back(to_string(program.diagnostics.front(), "p"));
   }
   return steps;
-}
-
-TEST(TouchBox, MeetsAStraightWayOnItsNearFace) {
-  EXPECT_EQ(first_contact(block(), {0, 0, 0}, {40, 20, 0}), (Point{10, 5, 0}));
-  EXPECT_EQ(first_contact(block(), {40, 0, 0}, {0, 20, 0}), (Point{20, 10, 0}));
-  EXPECT_EQ(first_contact(block(), {15, 0, 10}, {15, 0, -6}), (Point{15, 0, 2}));
-}
-
-TEST(TouchBox, IsMissedByAWayThatEndsBeforeOrPassesBy) {
-  EXPECT_FALSE(first_contact(block(), {0, 0, 0}, {9, 0, 0}));
-  EXPECT_FALSE(first_contact(block(), {0, 0, 3}, {40, 0, 3}));
-  EXPECT_FALSE(first_contact(block(), {0, 0, 10}, {0, 0, -10}));
-  EXPECT_FALSE(first_contact(block(), {0, 0, 0}, {-40, 0, 0}));
-}
-
-TEST(TouchBox, IsLeftThroughTheFaceInTheWay) {
-  EXPECT_EQ(last_contact(block(), {15, 0, 0}, {15, 0, 8}), (Point{15, 0, 2}));
-  EXPECT_EQ(last_contact(block(), {15, 0, 0}, {25, 10, 0}), (Point{20, 5, 0}));
-  EXPECT_FALSE(last_contact(block(), {15, 0, 0}, {15, 0, 1}));
-}
-
-TEST(TouchBox, OnTheFaceIsTouched) {
-  EXPECT_TRUE(touches(block(), {10, 0, 0}));
-  EXPECT_TRUE(touches(block(), {15, 0, 2}));
-  EXPECT_FALSE(touches(block(), {15, 0, 2.001}));
 }
 
 TEST(Probe, EndsAtRestWhereItTouchesAndKeepsThePlace) {
@@ -71,9 +72,11 @@ TEST(Probe, GivesThePlaceInTheCoordinatesOfTheProgram) {
   EXPECT_EQ(steps.at(3), "5: rapid to 15 0 2");
 }
 
-TEST(Probe, TouchesWithTheTipOfTheToolUnderG43) {
-  EXPECT_EQ(steps_of("F60 G43.1 Z30\nG0 X15 Z10\nG38.2 Z-5").at(1),
-            "3: line to 15 0 32 feed 1 exact stop");
+TEST(Probe, TouchesWithTheTipOfTheToolInTheSpindle) {
+  const auto steps = steps_of("F60 T9 M6\nG0 X15 Z50\nG38.2 Z-5");
+  EXPECT_EQ(steps.back(), "4: program end 0");
+  EXPECT_NE(std::find(steps.begin(), steps.end(), "3: line to 15 0 32 feed 1 exact stop"),
+            steps.end());
 }
 
 TEST(Probe, InVainIsAnErrorOrANoughtIn5070) {
@@ -101,6 +104,35 @@ TEST(Probe, AwayFromContactEndsWhereItIsLost) {
 TEST(Probe, TowardsContactMustNotBeginThere) {
   EXPECT_EQ(steps_of("F60 G0 X15\nG38.3 Z-9").back(),
             "p:2:1: error: G38.3 begins in contact [E0852]");
+}
+
+TEST(Probe, InputsOfTheAssumedMachineAnswerM66) {
+  EXPECT_EQ(steps_of("M66 P4 L0\nG0 X[#5399]").at(0), "2: rapid to 1 0 0");
+  EXPECT_EQ(steps_of("M66 E2\nG0 X[#5399]").at(0), "2: rapid to 1.5 0 0");
+  EXPECT_EQ(steps_of("M66 P4 L3 Q5\nG0 X[#5399]").at(0), "2: rapid to 1 0 0");
+  EXPECT_EQ(steps_of("M66 P4 L4 Q5\nG0 X[#5399]").at(1), "2: rapid to -1 0 0");
+}
+
+// Everything of the block comes out, and nothing behind it is read before the answer.
+TEST(Probe, WaitsForTheMachineThatIsAsked) {
+  ReaderOptions options;
+  options.answers.is_asked = true;
+  ProgramReader reader(options);
+  reader.feed("F60 G38.2 Z-5\nG91 G0 X#5063 Z1\nM2\n");
+  reader.finish();
+  std::vector<std::string> steps;
+  Move move;
+  while (reader.next(move)) {
+    steps.push_back(text_of(move));
+  }
+  ASSERT_EQ(steps.size(), 3u);
+  EXPECT_EQ(steps.at(1), "1: line to 0 0 -5 feed 1 exact stop");
+  ASSERT_TRUE(reader.question());
+  EXPECT_FALSE(reader.at_end());
+  reader.answer({.found = true, .place_mm = {0.0, 0.0, -3.0}, .rest_mm = {0.0, 0.0, -3.5}});
+  ASSERT_TRUE(reader.next(move));
+  EXPECT_EQ(text_of(move), "2: rapid to -3 0 -2.5");
+  EXPECT_EQ(move.start_mm, (Point{0.0, 0.0, -3.5}));
 }
 
 TEST(Probe, IsAModeOfItsOwn) {

@@ -89,7 +89,7 @@ ONLY_IN = [
 # The front door (include/kerf): what a user includes. It stands on nothing but the standard library and tl/expected. These headers
 # of it are values, which any folder may use; the others are the kernel's.
 FRONT = "include/kerf"
-VALUES = {"api", "axes", "diagnostic", "machine", "profile", "program_data", "report", "setpoint"}
+VALUES = {"api", "axes", "diagnostic", "machine", "profile", "program_data", "program_inputs", "report", "setpoint", "simulation"}
 FRONT_MAY_INCLUDE = re.compile(r"([a-z_0-9]+|tl/expected\.hpp|kerf/[a-z_]+\.hpp)$")
 
 INCLUDE = re.compile(r"^\s*#\s*include(_next)?\b\s*(.*)$")

@@ -82,6 +82,21 @@ tl::expected<parser::ToolTable, MachineRefusal> read_tools(const std::string& pa
   return tl::unexpected(refusal);
 }
 
+tl::expected<HeightMap, MachineRefusal> read_surface(const std::string& path) {
+  const auto text = read_text(path);
+  if (!text) {
+    return unreadable(path, text.error());
+  }
+  auto map = read_height_map(*text);
+  if (map) {
+    return *std::move(map);
+  }
+  MachineRefusal refusal;
+  refusal.messages.push_back(path + ":" + std::to_string(map.error().line) +
+                             ": error: " + std::string(map.error().message));
+  return tl::unexpected(refusal);
+}
+
 }  // namespace
 
 tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& files) {
@@ -107,6 +122,14 @@ tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& f
     settings.program.tools = *std::move(table);
   }
   machine.checksum = checksum.value();
+  if (!settings.height_map_file.empty()) {
+    auto map = read_surface(
+        std::filesystem::path(*files.machine).replace_filename(settings.height_map_file).string());
+    if (!map) {
+      return tl::unexpected(map.error());
+    }
+    settings.simulation.surface = *std::move(map);
+  }
   return machine;
 }
 

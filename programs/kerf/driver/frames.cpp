@@ -147,6 +147,8 @@ void walk_state(Fields& fields, auto& state) {
   }
   fields(state.fault, machine::kLastDriveFault);
   fields(state.fault_axis);
+  fields(state.has_latched);
+  fields(state.latched_mm);
 }
 
 std::uint32_t checksum(std::span<const std::byte> bytes) noexcept {

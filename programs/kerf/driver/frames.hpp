@@ -32,7 +32,7 @@ struct AnswerFrame {
 
 inline constexpr std::uint32_t kFrameVersion = 1;
 inline constexpr std::size_t kToldBytes = 320;
-inline constexpr std::size_t kAnswerBytes = 360;
+inline constexpr std::size_t kAnswerBytes = 384;
 using ToldBytes = std::array<std::byte, kToldBytes>;
 using AnswerBytes = std::array<std::byte, kAnswerBytes>;
 

@@ -143,6 +143,7 @@ class Ticks {
       controller.emergency_stop();
     }
     Setpoint setpoint;
+    controller.set_program_inputs(stage_.ticks.program_inputs());
     const ControllerState state = controller.tick(setpoint);
     if (controller.has_new_place()) {
       stage_.ticks.enable({.mm = setpoint.position_mm, .extra_rad_mm = setpoint.extra_rad_mm});

@@ -18,6 +18,7 @@ RunOutcome run_without_clock(Kernel& kernel, const RunStage& stage) {
     }
     kernel.reach_tick();
     Setpoint setpoint;
+    kernel.set_program_inputs(stage.ticks.program_inputs());
     const TickStatus status = kernel.tick(setpoint);
     record = stage.ticks.take(setpoint, kernel.detail());
     stage.recorder.add(record);

@@ -47,6 +47,7 @@ class Session {
                         .window_blocks = options.window_blocks,
                         .block_delete = options.block_delete,
                         .optional_stop = options.optional_stop,
+                        .asks_machine = true,
                         .one_thread = options.command != Subcommand::run,
                         .tells_operator = page != nullptr && page->wants_motion,
                         .dialect = options.dialect} {

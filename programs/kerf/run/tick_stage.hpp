@@ -6,6 +6,7 @@
 #include <optional>
 
 #include <kerf/machine.hpp>
+#include <kerf/program_inputs.hpp>
 
 #include "kernel/run_statistics.hpp"
 #include "machine/machine.hpp"
@@ -31,7 +32,10 @@ class TickStage {
         statistics_(order.settings.limits.period_s, order.settings.program.extra_axes != 0) {}
 
   // Real time, as take().
-  void enable(const machine::AxisPlaces& places) noexcept { machine_->enable(places); }
+  void enable(const machine::AxisPlaces& places) noexcept {
+    machine_->enable(places);
+    state_ = machine_->read();
+  }
   void disable() noexcept { machine_->disable(); }
 
   // Real time: allocates nothing, takes no lock, throws nothing.
@@ -55,6 +59,15 @@ class TickStage {
 
   // As of the latest tick.
   [[nodiscard]] const machine::MachineInputs& inputs() const noexcept { return state_.inputs; }
+  // Of the latest tick, or of enable().
+  [[nodiscard]] ProgramInputs program_inputs() const noexcept {
+    return {.probe = state_.inputs.probe,
+            .actual_mm = state_.actual_mm,
+            .has_latched = state_.has_latched,
+            .latched_mm = state_.latched_mm,
+            .digital = state_.inputs.digital,
+            .analog = state_.inputs.analog};
+  }
   // Axes are coming to rest because of a fault.
   [[nodiscard]] bool is_stopping() const noexcept { return has(machine::AxisState::stopping); }
   // Setpoints count.

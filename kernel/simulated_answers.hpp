@@ -1,0 +1,33 @@
+// What is assumed of a machine where no ticks are: in a check, an estimate, an explanation.
+#pragma once
+
+#include <kerf/machine.hpp>
+
+#include "parser/modal/machine_source.hpp"
+
+namespace kerf {
+
+// The surface and the inputs of the simulation, in closed form: the tip of the tool is where the
+// program has it, and inputs stay as they are set.
+class SimulatedAnswers final : public parser::AssumedMachine {
+ public:
+  explicit SimulatedAnswers(const MachineSettings& settings)
+      : world_(settings.simulation), tools_(settings.program.tools) {}
+
+  [[nodiscard]] bool has_surface() const override { return world_.surface.has_value(); }
+  [[nodiscard]] bool touches(const parser::ProbedWay& way) const override;
+  [[nodiscard]] std::optional<parser::Point> change_of_contact(
+      const parser::ProbedWay& way) const override;
+  [[nodiscard]] bool digital(std::size_t input) const override {
+    return ((world_.digital >> input) & 1U) != 0;
+  }
+  [[nodiscard]] double analog(std::size_t input) const override { return world_.analog[input]; }
+
+ private:
+  [[nodiscard]] parser::Point tool_offset_mm(std::int32_t tool) const;
+
+  SimulationSettings world_;
+  ToolTable tools_;
+};
+
+}  // namespace kerf

@@ -1,0 +1,45 @@
+// Who says what a probe touches and what inputs are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "parser/moves/move.hpp"
+
+namespace kerf::parser {
+
+// Of a probe, straight.
+struct ProbedWay {
+  Point from_mm{};  // of the machine's axes
+  Point to_mm{};
+  std::int32_t tool = 0;  // in the spindle
+  bool until_contact = true;
+};
+
+// Stands in for a machine where there is no motion that it could answer to.
+class AssumedMachine {
+ public:
+  AssumedMachine() = default;
+  virtual ~AssumedMachine() = default;
+  AssumedMachine(const AssumedMachine&) = delete;
+  AssumedMachine& operator=(const AssumedMachine&) = delete;
+
+  // There is something that a probe may touch.
+  [[nodiscard]] virtual bool has_surface() const = 0;
+  // Where the way begins.
+  [[nodiscard]] virtual bool touches(const ProbedWay& way) const = 0;
+  // Where contact begins, or ends; nothing: it does not on this way.
+  [[nodiscard]] virtual std::optional<Point> change_of_contact(const ProbedWay& way) const = 0;
+  [[nodiscard]] virtual bool digital(std::size_t input) const = 0;
+  [[nodiscard]] virtual double analog(std::size_t input) const = 0;
+};
+
+struct MachineSource {
+  // The reader waits at G38 and M66 for the machine's answer. Else a machine is assumed.
+  bool is_asked = false;
+  std::shared_ptr<const AssumedMachine> assumed{};  // null: nothing is touched, inputs are low
+};
+
+}  // namespace kerf::parser
