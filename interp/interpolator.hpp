@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "interp/emergency_brake.hpp"
-#include "interp/machine_watch.hpp"
+#include "interp/inquiry_watch.hpp"
 #include "interp/motion_queue.hpp"
 #include "interp/plan_in_force.hpp"
 #include "interp/setpoint.hpp"
@@ -42,7 +42,7 @@ class Interpolator {
   }
 
   // What the program asks the machine. Inputs are set before each next().
-  [[nodiscard]] MachineWatch& watch() noexcept { return watch_; }
+  [[nodiscard]] InquiryWatch& watch() noexcept { return watch_; }
 
   // Phase::wait of the present rest. Of the thread that calls next().
   [[nodiscard]] std::uint32_t wait() const noexcept { return phase_.wait; }
@@ -122,7 +122,7 @@ class Interpolator {
   std::atomic<double> spindle_override_ = 1.0;
   std::atomic<HeededInputs> heeded_{};
   EmergencyBrake brake_;
-  MachineWatch watch_;
+  InquiryWatch watch_;
   std::int64_t pause_ticks_ = 0;  // left, behind an answer of the machine
   bool has_phase_ = false;
   bool has_next_ = false;  // of the plan in force, when the tick looked: more may come at any time

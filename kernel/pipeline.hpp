@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "interp/machine_watch.hpp"
+#include "interp/inquiry_watch.hpp"
 #include "kernel/plan_check.hpp"
 #include "kernel/program_path.hpp"
 #include "lookahead/planner.hpp"

@@ -52,6 +52,7 @@ ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& o
   }
   if (options.start_in_program && !order.as_programmed) {
     start_.emplace(*options.start_in_program, settings, end_);
+    reader_.ask_machine(false);
   }
 }
 
@@ -86,6 +87,7 @@ bool ProgramPath::next_to_run(Output& output) {
       }
       way_to_start_.push_back(std::move(output));
       start_.reset();
+      reader_.ask_machine(order_.asks_machine);  // what was read before was not run
     }
   }
   output = std::move(way_to_start_.front());

@@ -172,7 +172,8 @@ TEST(ProbeCodes, AnOverrideOnTheWayIsFollowed) {
   const TableRun run =
       whole_run(table_top(), "G21 G61 F600\nG38.2 Z-20\n(PRINT,#5063)\nM2\n", order);
   EXPECT_EQ(run.messages, std::vector<std::string>{"-10.000000"});
-  EXPECT_NEAR(run.ticks[500].v_mm_s, 5.0, 1e-9);
+  EXPECT_LE(run.ticks[500].v_mm_s, 5.0 + 1e-9);
+  EXPECT_GT(run.ticks[500].v_mm_s, 4.99);  // the time optimum comes near its limit
 }
 
 }  // namespace

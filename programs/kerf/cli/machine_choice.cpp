@@ -121,7 +121,6 @@ tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& f
     }
     settings.program.tools = *std::move(table);
   }
-  machine.checksum = checksum.value();
   if (!settings.height_map_file.empty()) {
     auto map = read_surface(
         std::filesystem::path(*files.machine).replace_filename(settings.height_map_file).string());
@@ -130,6 +129,7 @@ tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& f
     }
     settings.simulation.surface = *std::move(map);
   }
+  machine.checksum = checksum.value();
   return machine;
 }
 

@@ -1,6 +1,5 @@
 #include "programs/kerf/driver/driver.hpp"
 
-#include <utility>
 #include <vector>
 
 #include "programs/kerf/driver/loopback_machine.hpp"
@@ -11,13 +10,12 @@ namespace {
 
 using Made = tl::expected<std::unique_ptr<machine::Machine>, std::string>;
 
-std::unique_ptr<machine::SimulatedTable> simulated_table(const MachineSettings& settings) {
+std::vector<machine::ToolOffset> tools_of(const MachineSettings& settings) {
   std::vector<machine::ToolOffset> tools;
   for (const Tool& tool : settings.program.tools.listed()) {
     tools.push_back({.tool = tool.number, .offset_mm = tool.offset_mm});
   }
-  return std::make_unique<machine::SimulatedTable>(settings.table, settings.simulation,
-                                                   std::move(tools));
+  return tools;
 }
 
 Made named_machine(const DriverOrder& order) {
@@ -38,8 +36,10 @@ Made named_machine(const DriverOrder& order) {
 tl::expected<Driver, std::string> Driver::open(const DriverOrder& order) {
   Driver driver;
   if (order.replay_file.empty() && order.driver.name == "simulated") {
-    auto table = std::make_unique<FaultyTable>(simulated_table(order.settings), order.driver.faults,
-                                               order.settings.limits.period_s);
+    auto table = std::make_unique<FaultyTable>(
+        std::make_unique<machine::SimulatedTable>(order.settings.table, order.settings.simulation,
+                                                  tools_of(order.settings)),
+        order.driver.faults, order.settings.limits.period_s);
     driver.table_ = table.get();
     driver.machine_ = std::move(table);
   } else if (order.replay_file.empty()) {

@@ -49,7 +49,7 @@ struct InquiryAnswer {
 
 // One question at a time: ask() comes after the answer to the one before was read. ask(), answer()
 // and ignore_probe() are for the planning thread, the rest for the thread of the tick.
-class MachineWatch {
+class InquiryWatch {
  public:
   void ask(const Inquiry& inquiry) noexcept {
     inquiry_ = inquiry;

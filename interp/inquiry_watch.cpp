@@ -1,8 +1,8 @@
-#include "interp/machine_watch.hpp"
+#include "interp/inquiry_watch.hpp"
 
 namespace kerf::interp {
 
-const Inquiry* MachineWatch::asked() noexcept {
+const Inquiry* InquiryWatch::asked() noexcept {
   const std::uint32_t number = asked_.load(std::memory_order_acquire);
   if (number == answered_.load(std::memory_order_relaxed)) {
     return nullptr;
@@ -16,12 +16,12 @@ const Inquiry* MachineWatch::asked() noexcept {
   return &inquiry_;
 }
 
-void MachineWatch::trip() noexcept {
+void InquiryWatch::trip() noexcept {
   found_.found = true;
   found_.place_mm = inputs_.has_latched ? inputs_.latched_mm : inputs_.actual_mm;
 }
 
-bool MachineWatch::must_brake() noexcept {
+bool InquiryWatch::must_brake() noexcept {
   if (ignores_.load(std::memory_order_relaxed)) {
     return false;
   }
@@ -33,7 +33,7 @@ bool MachineWatch::must_brake() noexcept {
   return found_.found && !found_.has_braked;
 }
 
-void MachineWatch::brake(const InquiryAnswer& braked) noexcept {
+void InquiryWatch::brake(const InquiryAnswer& braked) noexcept {
   found_.has_braked = true;
   found_.brake_tick = braked.brake_tick;
   found_.plan = braked.plan;
@@ -41,7 +41,7 @@ void MachineWatch::brake(const InquiryAnswer& braked) noexcept {
   found_.law = braked.law;
 }
 
-bool MachineWatch::hears_input() noexcept {
+bool InquiryWatch::hears_input() noexcept {
   using Kind = Inquiry::Kind;
   if (inquiry_.kind == Kind::analog) {
     found_.value = inputs_.analog[inquiry_.channel];
@@ -72,7 +72,7 @@ bool MachineWatch::hears_input() noexcept {
 }
 
 // What the outputs of the first tick at rest have brought about, the machine says at the next.
-bool MachineWatch::wait(const Position& rest_mm, std::int64_t plan_tick) noexcept {
+bool InquiryWatch::wait(const Position& rest_mm, std::int64_t plan_tick) noexcept {
   const bool is_first = ticks_at_rest_++ == 0;
   if (is_first) {
     was_high_ = ((inputs_.digital >> inquiry_.channel) & 1U) != 0;
