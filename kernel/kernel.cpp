@@ -97,7 +97,7 @@ std::string_view Kernel::active_codes() const noexcept {
 std::optional<double> Kernel::left_s() const {
   return impl_->notes().time_left().left_s();
 }
-std::shared_ptr<const ProgramState> Kernel::state_left() const {
+ProgramState Kernel::state_left() const {
   return impl_->state_left();
 }
 double Kernel::chord_error_mm() const noexcept {

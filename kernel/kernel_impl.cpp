@@ -40,13 +40,13 @@ void Kernel::Impl::follow_tool() {
 }
 
 // A program that was stopped, or ended before an error, is behind what was read.
-std::shared_ptr<const ProgramState> Kernel::Impl::state_left() const {
+ProgramState Kernel::Impl::state_left() const {
   const parser::ProgramReader& reader = pipeline_.path().reader();
   if (has_come_to_end()) {
-    return std::make_shared<const ProgramState>(reader.state_left({}));
+    return ProgramState({.of_reader = reader.state_left({})});
   }
   if (notes_.state()) {
-    return std::make_shared<const ProgramState>(reader.state_left(notes_.state()));
+    return ProgramState({.of_reader = reader.state_left(notes_.state())});
   }
   return begins_with_;
 }

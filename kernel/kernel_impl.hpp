@@ -110,7 +110,7 @@ class KERF_LOCAL Kernel::Impl {
     interpolator_.watch().set_inputs(inputs);
   }
   [[nodiscard]] ProgramNotes& notes() noexcept { return notes_; }
-  [[nodiscard]] std::shared_ptr<const ProgramState> state_left() const;
+  [[nodiscard]] ProgramState state_left() const;
   [[nodiscard]] std::optional<RunFault> fault() const {
     const std::optional<RunFault>& of_plan = pipeline_.check().fault();
     return of_plan ? of_plan : describe(judge_.excess());
@@ -237,7 +237,7 @@ class KERF_LOCAL Kernel::Impl {
   std::optional<PendingTakeover> takeover_{};
   std::int64_t next_try_tick_ = 0;  // of a change of feed for which no way was found
   int refusals_ = 0;                // in a row: planning took longer than the margin
-  std::shared_ptr<const ProgramState> begins_with_;
+  ProgramState begins_with_;
   Delivery delivery_{queue_};
 };
 

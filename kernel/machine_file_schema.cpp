@@ -177,7 +177,7 @@ constexpr std::array kOffset{
 
 template <std::size_t kAxisOfPoint, bool kUpper>
 double& probe_face(Settings& settings, std::size_t /*unused*/) {
-  auto& box = std::get<TouchBox>(*settings.simulation.surface);
+  auto& box = settings.simulation.surface->box;
   return (kUpper ? box.max_mm : box.min_mm)[kAxisOfPoint];
 }
 

@@ -19,7 +19,7 @@ constexpr double kRadPerRevolution = 6.283185307179586477;
 
 template <auto kMember, std::size_t kAxis>
 double& of_plane(Settings& settings, std::size_t /*unused*/) {
-  return (std::get<TouchPlane>(*settings.simulation.surface).*kMember)[kAxis];
+  return (settings.simulation.surface->plane.*kMember)[kAxis];
 }
 
 constexpr std::array kPlane{
@@ -33,17 +33,16 @@ constexpr std::array kPlane{
 
 template <std::size_t kAxis>
 double& of_centre(Settings& settings, std::size_t /*unused*/) {
-  return std::get<TouchSphere>(*settings.simulation.surface).centre_mm[kAxis];
+  return settings.simulation.surface->sphere.centre_mm[kAxis];
 }
 
 constexpr std::array kSphere{
     NumberRule{"x_mm", -kFarthest, kFarthest, of_centre<0>},
     NumberRule{"y_mm", -kFarthest, kFarthest, of_centre<1>},
     NumberRule{"z_mm", -kFarthest, kFarthest, of_centre<2>},
-    NumberRule{"radius_mm", 1e-3, 1e4,
-               [](Settings& s, std::size_t) -> double& {
-                 return std::get<TouchSphere>(*s.simulation.surface).radius_mm;
-               }},
+    NumberRule{
+        "radius_mm", 1e-3, 1e4,
+        [](Settings& s, std::size_t) -> double& { return s.simulation.surface->sphere.radius_mm; }},
 };
 
 template <double AxisSwitches::*kMember>
@@ -70,7 +69,7 @@ constexpr std::array<std::string_view, 6> kFaces{"x_min_mm", "x_max_mm", "y_min_
 }  // namespace
 
 void MachineFileReader::read_box(const Section& probe) {
-  auto& box = settings_.simulation.surface.emplace().emplace<TouchBox>();
+  auto& box = settings_.simulation.surface.emplace(TouchBox{}).box;
   for (std::size_t at = 0; at < probe_rules().size(); ++at) {
     const NumberRule& rule = probe_rules()[at];
     const toml::node* node = probe.table->get(rule.key);
@@ -93,16 +92,16 @@ void MachineFileReader::read_probe(const Section& probe) {
   check_keys(probe, known);
   std::size_t surfaces = 0;
   if (const auto plane = subsection(probe, "plane")) {
-    settings_.simulation.surface.emplace().emplace<TouchPlane>();
+    settings_.simulation.surface.emplace(TouchPlane{});
     read_numbers(*plane, kPlane, 0);
-    const auto& normal = std::get<TouchPlane>(*settings_.simulation.surface).normal;
+    const auto& normal = settings_.simulation.surface->plane.normal;
     if (normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 0.0) {
       report(plane->table->source(), plane->name + ": the normal has no direction");
     }
     ++surfaces;
   }
   if (const auto sphere = subsection(probe, "sphere")) {
-    settings_.simulation.surface.emplace().emplace<TouchSphere>();
+    settings_.simulation.surface.emplace(TouchSphere{});
     read_numbers(*sphere, kSphere, 0);
     ++surfaces;
   }

@@ -124,7 +124,8 @@ Result check_faces(const TouchBox& box, MachineSettings& settings) {
 
 Result check_simulation(MachineSettings& settings) {
   const std::optional<TouchSurface>& surface = settings.simulation.surface;
-  if (const auto* box = surface ? std::get_if<TouchBox>(&*surface) : nullptr) {
+  if (const auto* box =
+          surface && surface->shape == TouchSurface::Shape::box ? &surface->box : nullptr) {
     if (auto result = check_faces(*box, settings); !result) {
       return result;
     }

@@ -15,10 +15,10 @@ namespace kerf {
 
 // The drives may have been off meanwhile, and with them spindle and coolant.
 inline std::shared_ptr<const parser::ReaderState> state_at_start(const KernelOptions& options) {
-  if (options.begins_with == nullptr) {
+  if (options.begins_with.content() == nullptr) {
     return nullptr;
   }
-  parser::ReaderState state = options.begins_with->of_reader();
+  parser::ReaderState state = options.begins_with.content()->of_reader;
   const Outputs& outputs = options.start_outputs;
   if (outputs.spindle_rad_s == 0.0 && state.modal.spindle_speed != 0.0) {
     state.modal.spindle = parser::Spindle::off;

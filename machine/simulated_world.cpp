@@ -53,7 +53,7 @@ Position sum(const Position& a, const Position& b) noexcept {
 bool is_valid(const SimulationSettings& settings) noexcept {
   const bool surface_is_valid =
       !settings.surface ||
-      std::visit([](const auto& surface) { return is_valid_surface(surface); }, *settings.surface);
+      visit(*settings.surface, [](const auto& surface) { return is_valid_surface(surface); });
   return surface_is_valid && settings.spindle_rad_s2 >= 0.0 &&
          std::isfinite(settings.spindle_rad_s2) &&
          std::all_of(settings.analog.begin(), settings.analog.end(),

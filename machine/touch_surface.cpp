@@ -232,15 +232,15 @@ double change_on(const auto& surface, const TipWay& way, bool to_inside) noexcep
 std::optional<Position> change(const TouchSurface& surface, const TipWay& way,
                                bool to_inside) noexcept {
   const double share =
-      std::visit([&](const auto& of) { return change_on(of, way, to_inside); }, surface);
+      visit(surface, [&](const auto& of) { return change_on(of, way, to_inside); });
   if (!(share >= 0.0 && share <= 1.0)) {
     return std::nullopt;
   }
   Position place = place_at(way, share);
-  if (const auto* box = std::get_if<TouchBox>(&surface)) {
+  if (surface.shape == TouchSurface::Shape::box) {
     // On the face exactly, so that the next look at the place finds it there.
     for (std::size_t axis = 0; axis < place.size(); ++axis) {
-      for (const double face : {box->min_mm[axis], box->max_mm[axis]}) {
+      for (const double face : {surface.box.min_mm[axis], surface.box.max_mm[axis]}) {
         if (std::abs(place[axis] - face) < 1e-9) {
           place[axis] = face;
         }
@@ -253,7 +253,7 @@ std::optional<Position> change(const TouchSurface& surface, const TipWay& way,
 }  // namespace
 
 bool touches(const TouchSurface& surface, const Position& tip_mm) noexcept {
-  return std::visit([&](const auto& of) { return depth_mm(of, tip_mm) >= -kRounding_mm; }, surface);
+  return visit(surface, [&](const auto& of) { return depth_mm(of, tip_mm) >= -kRounding_mm; });
 }
 
 std::optional<Position> first_contact(const TouchSurface& surface, const TipWay& way) noexcept {

@@ -11,6 +11,21 @@ namespace kerf::machine {
 
 using curves::Position;
 
+// What `of` says of the one that the surface is.
+template <typename Of>
+auto visit(const TouchSurface& surface, const Of& of) noexcept {
+  switch (surface.shape) {
+    case TouchSurface::Shape::plane:
+      return of(surface.plane);
+    case TouchSurface::Shape::sphere:
+      return of(surface.sphere);
+    case TouchSurface::Shape::height_map:
+      return of(surface.height_map);
+    default:
+      return of(surface.box);
+  }
+}
+
 // The tip is in what can be touched or on its face, but for rounding.
 [[nodiscard]] bool touches(const TouchSurface& surface, const Position& tip_mm) noexcept;
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <kerf/api.hpp>
@@ -24,8 +24,28 @@
 namespace kerf {
 inline namespace v0 {
 
-/// What a program leaves in force: modal codes, offsets, tools, parameters.
-class ProgramState;
+/// What a program leaves in force: modal codes, offsets, tools, parameters. One that is made
+/// without anything is empty.
+class KERF_API ProgramState {
+ public:
+  struct Content;
+
+  ProgramState() noexcept = default;
+  explicit ProgramState(Content content);
+  ProgramState(const ProgramState& other);
+  ProgramState(ProgramState&& other) noexcept : content_(std::exchange(other.content_, nullptr)) {}
+  ProgramState& operator=(ProgramState other) noexcept {
+    std::swap(content_, other.content_);
+    return *this;
+  }
+  ~ProgramState();
+
+  /// For the kernel alone. Null: it is empty.
+  [[nodiscard]] const Content* content() const noexcept { return content_; }
+
+ private:
+  const Content* content_ = nullptr;
+};
 
 /// A program that is run from one of its blocks on: what lies before is read, and not run. The tool
 /// goes up in Z, over the place where the path goes on, and down to it at feedrate; tool, outputs,
@@ -62,8 +82,8 @@ struct KernelOptions {
   /// The same for A, B, C in rad and U, V, W in mm.
   std::array<double, kAuxiliaryAxes> start_extra_rad_mm{};
   /// Kernel::state_left() of the program before, with the outputs that the machine has, before any
-  /// override. Null: what the machine's settings say.
-  std::shared_ptr<const ProgramState> begins_with{};
+  /// override. Empty: what the machine's settings say.
+  ProgramState begins_with{};
   Outputs start_outputs{};
   bool one_line = false;  ///< of an operator: it needs no M2 behind it
   /// Nothing: from its begin. Of a Controller: its first program.
@@ -217,7 +237,7 @@ class KERF_API Kernel {
   /// tool has come to; but data and parameters, as far as the text was read. An M2 or M30 has done
   /// what LinuxCNC does there. Of a program that tells_operator. Planning side; call it when no
   /// tick() runs any more.
-  [[nodiscard]] std::shared_ptr<const ProgramState> state_left() const;
+  [[nodiscard]] ProgramState state_left() const;
 
   /// How far the path leaves the straight line between the last two setpoints. Tick side.
   [[nodiscard]] double chord_error_mm() const noexcept;

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include <kerf/api.hpp>
@@ -50,8 +50,31 @@ struct HeightMap {
 };
 
 /// In machine coordinates. The tip of the tool in the spindle touches it: its offset in the tool
-/// table as the program finds it.
-using TouchSurface = std::variant<TouchBox, TouchPlane, TouchSphere, HeightMap>;
+/// table as the program finds it. It is the one that `shape` says; the others do not count.
+struct TouchSurface {
+  enum class Shape : std::uint8_t { box, plane, sphere, height_map };
+
+  TouchSurface() = default;
+  TouchSurface(const TouchBox& from) { box = from; }
+  TouchSurface(const TouchPlane& from) {
+    shape = Shape::plane;
+    plane = from;
+  }
+  TouchSurface(const TouchSphere& from) {
+    shape = Shape::sphere;
+    sphere = from;
+  }
+  TouchSurface(HeightMap from) {
+    shape = Shape::height_map;
+    height_map = std::move(from);
+  }
+
+  Shape shape = Shape::box;
+  TouchBox box{};
+  TouchPlane plane{};
+  TouchSphere sphere{};
+  HeightMap height_map{};
+};
 
 /// What is wrong with the text of a height map.
 struct HeightMapError {

@@ -75,14 +75,15 @@ class MachineFaults(Case):
         return tick
 
     def test_row_68_an_encoder_that_freezes_jumps_or_is_no_number_is_a_fault_within_its_ticks(self):
-        # Frozen: 5 mm of following error at 0.0894 mm a tick. The other two: at once.
-        for how, kind, ticks in ((fault("encoder_frozen", "x"), "following_error", 60), (fault("encoder_jump", "x", jump_mm=2), "encoder_jump", 2),
-                                 (fault("encoder_jump", "x", jump_mm=-2), "encoder_jump", 2), (fault("encoder_not_a_number", "x"), "not_finite", 2)):
+        # Frozen: 5 mm of following error at 0.0894 mm a tick, for which the drive (Kv 120 / s) runs at up to 690 mm/s; all axes stop as it does. The
+        # other two: at once.
+        for how, kind, ticks, stop_ticks in ((fault("encoder_frozen", "x"), "following_error", 60, 70), (fault("encoder_jump", "x", jump_mm=2), "encoder_jump", 2, 15),
+                                             (fault("encoder_jump", "x", jump_mm=-2), "encoder_jump", 2, 15), (fault("encoder_not_a_number", "x"), "not_finite", 2, 15)):
             with self.subTest(how=how):
                 report, rows = self.run_with(how)
                 tick = self.check(report, rows, kind, "x", True, ticks)
                 self.assertTrue(all(abs(row["actual_x_mm"]) < 300 for row in rows))  # no NaN, and no jump beyond its 2 mm
-                self.assertLessEqual(round(rows[0]["t_s"] * 1000) + self.last_motion(rows, "actual_y_mm"), tick + 15)
+                self.assertLessEqual(round(rows[0]["t_s"] * 1000) + self.last_motion(rows, "actual_y_mm"), tick + stop_ticks)
 
     def test_row_69_a_drive_that_trips_stops_all_axes_together_and_keeps_the_place(self):
         for axis in "xyz":

@@ -149,7 +149,7 @@ TEST(SettingsCheck, WantsTravelToHaveALength) {
   settings.table.extra[2] = {.min_rad_mm = 3.0, .max_rad_mm = -3.0};
   expect_refused(settings, {}, "axes.c.max_deg");
   settings = machine_with_everything();
-  auto& box = std::get<TouchBox>(*settings.simulation.surface);
+  auto& box = settings.simulation.surface->box;
   box.min_mm[2] = 1.0;
   box.max_mm[2] = 0.0;
   expect_refused(settings, {}, "probe.z_max_mm");

@@ -307,7 +307,7 @@ class Plot(Case):
         root = xml.etree.ElementTree.parse(path).getroot()
         self.assertTrue(root.tag.endswith("svg"))
         texts = [element.text or "" for element in root.iter() if element.tag.endswith("text")]
-        for words in ("v, mm/s", "chord error, \u00b5m", "feedrate, mm/s", "rapid", "time, s"):
+        for words in ("v, mm/s; at the right mm/min", "chord error, \u00b5m", "mm/s", "mm/min", "rapid", "time, s"):
             self.assertIn(words, texts)
         self.assertLess(os.path.getsize(path), 1_000_000)
 

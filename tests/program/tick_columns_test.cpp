@@ -59,7 +59,7 @@ TEST(TickColumns, HaveTheOtherAxesOfTheMachineInTheirUnits) {
   TickColumns columns({.period_s = 0.5, .extra = extra_axes(parser::letter_bit('A'))});
   columns.add({.tick = 0});
   columns.add({.tick = 1, .extra_rad_mm = {3.14159265358979 / 2.0}});
-  ASSERT_EQ(columns.series().size(), 3U + 3U * 4U + 1U);
+  ASSERT_EQ(columns.series().size(), 3U + 3U * 4U + 2U);
   EXPECT_NEAR(columns.series()[12].max[1], 180.0F, 1e-4F) << "90 degrees in half a second";
 }
 
