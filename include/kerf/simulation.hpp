@@ -55,19 +55,10 @@ struct TouchSurface {
   enum class Shape : std::uint8_t { box, plane, sphere, height_map };
 
   TouchSurface() = default;
-  TouchSurface(const TouchBox& from) { box = from; }
-  TouchSurface(const TouchPlane& from) {
-    shape = Shape::plane;
-    plane = from;
-  }
-  TouchSurface(const TouchSphere& from) {
-    shape = Shape::sphere;
-    sphere = from;
-  }
-  TouchSurface(HeightMap from) {
-    shape = Shape::height_map;
-    height_map = std::move(from);
-  }
+  TouchSurface(const TouchBox& from) : box{from} {}
+  TouchSurface(const TouchPlane& from) : shape{Shape::plane}, plane{from} {}
+  TouchSurface(const TouchSphere& from) : shape{Shape::sphere}, sphere{from} {}
+  TouchSurface(HeightMap from) : shape{Shape::height_map}, height_map{std::move(from)} {}
 
   Shape shape = Shape::box;
   TouchBox box{};
