@@ -76,6 +76,8 @@ class MachineFileReader {
   // machine_file_simulation.cpp
   void read_probe(const Section& probe);
   void read_box(const Section& probe);
+  bool read_plane(const Section& probe);  // false: there is none
+  void read_latches(const Section& probe);
   void read_simulation(const Section& section);
   void read_switches(const Section& section, std::size_t axis);
   // The numbers of an array, one after the other; false: something is wrong with it.

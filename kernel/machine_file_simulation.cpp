@@ -85,12 +85,7 @@ void MachineFileReader::read_box(const Section& probe) {
   }
 }
 
-// One surface: faces of a block, a plane, a sphere or a height map.
-void MachineFileReader::read_probe(const Section& probe) {
-  std::vector<std::string_view> known(kFaces.begin(), kFaces.end());
-  known.insert(known.end(), {"plane", "sphere", "height_map", "latches"});
-  check_keys(probe, known);
-  std::size_t surfaces = 0;
+bool MachineFileReader::read_plane(const Section& probe) {
   if (const auto plane = subsection(probe, "plane")) {
     settings_.simulation.surface.emplace(TouchPlane{});
     read_numbers(*plane, kPlane, 0);
@@ -98,8 +93,29 @@ void MachineFileReader::read_probe(const Section& probe) {
     if (normal[0] == 0.0 && normal[1] == 0.0 && normal[2] == 0.0) {
       report(plane->table->source(), plane->name + ": the normal has no direction");
     }
-    ++surfaces;
+    return true;
   }
+  return false;
+}
+
+void MachineFileReader::read_latches(const Section& probe) {
+  if (const toml::node* latches = probe.table->get("latches")) {
+    if (const auto* value = latches->as_boolean()) {
+      settings_.simulation.latches_probe = value->get();
+    } else {
+      report(latches->source(), "probe.latches: found " + std::string(name_of(latches->type())) +
+                                    ", expected a boolean");
+    }
+  }
+}
+
+// One surface: faces of a block, a plane, a sphere or a height map.
+void MachineFileReader::read_probe(const Section& probe) {
+  std::vector<std::string_view> known(kFaces.begin(), kFaces.end());
+  known.insert(known.end(), {"plane", "sphere", "height_map", "latches"});
+  check_keys(probe, known);
+  std::size_t surfaces = 0;
+  surfaces += read_plane(probe) ? 1U : 0U;
   if (const auto sphere = subsection(probe, "sphere")) {
     settings_.simulation.surface.emplace(TouchSphere{});
     read_numbers(*sphere, kSphere, 0);
@@ -127,14 +143,7 @@ void MachineFileReader::read_probe(const Section& probe) {
            "probe: found " + std::to_string(surfaces) +
                " surfaces, expected one: faces, plane, sphere or height_map");
   }
-  if (const toml::node* latches = probe.table->get("latches")) {
-    if (const auto* value = latches->as_boolean()) {
-      settings_.simulation.latches_probe = value->get();
-    } else {
-      report(latches->source(), "probe.latches: found " + std::string(name_of(latches->type())) +
-                                    ", expected a boolean");
-    }
-  }
+  read_latches(probe);
 }
 
 bool MachineFileReader::read_array(const Section& section, std::string_view key, std::size_t most,
