@@ -13,7 +13,6 @@
 #include "programs/kerf/page/plan_document.hpp"
 #include "programs/kerf/run/machine_run.hpp"
 #include "programs/kerf/run/session.hpp"
-#include "web/kernel/what_if.hpp"
 
 // There is no machine behind a page.
 void kerf::program::run_machine(MotionStage& stage, Driver& /*driver*/) {
@@ -23,14 +22,11 @@ void kerf::program::run_machine(MotionStage& stage, Driver& /*driver*/) {
 namespace {
 
 using kerf::MachineSettings;
-using kerf::browser::WhatIf;
 using Json = nlohmann::json;
 
 // Bounds of what a page waits for; the first is of machine time.
 constexpr double kMaxTime_s = 86'400.0;
 constexpr std::uint64_t kMaxMoves = 10'000'000;
-// Of ticks that stay single: some 17 minutes, in a tenth of a gigabyte.
-constexpr std::size_t kMaxColumns = std::size_t{1} << 20U;
 
 std::string answer;  // to the last order: valid until the next
 
@@ -64,9 +60,8 @@ kerf::program::Options options_of(const Json& order) {
   return options;
 }
 
-// {"files": [{"name", "text"}, ...], "machine": {"name", "text"}, "profile": "s-curve", "what_if":
-// see what_if.hpp}. The first file is the program, the others its subprograms; an empty text is the
-// default machine.
+// {"files": [{"name", "text"}, ...], "machine": {"name", "text"}, "profile": "s-curve"}. The first
+// file is the program, the others its subprograms; an empty text is the default machine.
 std::string plan(const Json& order) {
   const Json& machine = order.at("machine");
   const auto machine_name = machine.at("name").get<std::string>();
@@ -84,12 +79,8 @@ std::string plan(const Json& order) {
     settings = *std::move(read);
     options.machine_file = machine_name;
   }
-  const WhatIf what_if = kerf::browser::what_if_of(order.at("what_if"));
-  if (const auto error = change(settings, what_if)) {
-    return refusal({to_string(*error, machine_name)});
-  }
   write_files(order.at("files"));
-  kerf::program::PageRecord record{.max_columns = kMaxColumns, .overrides = what_if.overrides};
+  kerf::program::PageRecord record;
   const auto report = kerf::program::process_file(
       std::filesystem::path(order.at("files").at(0).at("name").get<std::string>()).filename(),
       options, settings, &record);

@@ -136,7 +136,7 @@ export class App {
     const panes = [
       ["program", "Program", this.program.element],
       ["answer", "Answer in full", this.answer.details],
-      ["difference", question ? "What if" : "Difference", difference],
+      ["difference", "Difference", difference],
       ...(this.extras.panes ?? []),
     ] as const;
     const choose = (name: string): void => {

@@ -3,13 +3,12 @@ import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
 import { EditorState } from "@codemirror/state";
 import { EditorView, keymap, lineNumbers } from "@codemirror/view";
 import { App, type Extras } from "./app.ts";
-import { AS_IT_IS, BrowserKernel, type Answer, type Order, type TextFile } from "./plan/browser_kernel.ts";
+import { BrowserKernel, type Answer, type Order, type TextFile } from "./plan/browser_kernel.ts";
 import { inflatedText } from "./plan/embedded.ts";
 import type { Plan } from "./plan/plan.ts";
 import type { PlanSource, Shown } from "./plan/source.ts";
 import { h, select } from "./ui/dom.ts";
 import { started } from "./ui/started.ts";
-import { WhatIfForm } from "./ui/what_if_form.ts";
 import { clock } from "./units.ts";
 import { look } from "./views/program_view.ts";
 
@@ -22,12 +21,12 @@ const TYPING_MS = 250; // a text that rests so long is planned
 
 const writing = [history(), keymap.of([...defaultKeymap, ...historyKeymap])];
 
-const isSame = (a: Order, b: Order): boolean => a.files === b.files && a.machine === b.machine && a.profile === b.profile && JSON.stringify(a.whatIf) === JSON.stringify(b.whatIf);
+const isSame = (a: Order, b: Order): boolean => a.files === b.files && a.machine === b.machine && a.profile === b.profile;
 
 class Playground implements PlanSource {
   private readonly kernel: BrowserKernel;
   private order: Order;
-  private kept: Order | null = null; // that others are compared with; null: the same as it is, without a question
+  private kept: Order | null = null; // that others are compared with; null: with none
   private planned: { order: Order; plan: Plan }[] = []; // the last ones
   private tell: (shown: Shown) => void = () => undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -37,11 +36,10 @@ class Playground implements PlanSource {
   private readonly machineHost = h("div", { class: "machine-editor", hidden: true, "data-test": "machine" });
 
   private readonly keep = h("button", { type: "button", "aria-pressed": "false", click: () => this.toggleKept() }, "compare with this run");
-  private readonly whatIf = new WhatIfForm((whatIf) => this.typed({ whatIf }), this.keep);
 
   constructor(kernel: BrowserKernel) {
     this.kernel = kernel;
-    this.order = { files: [KERF_EXAMPLES[0]], machine: KERF_MACHINES[0], profile: PROFILES[0], whatIf: AS_IT_IS };
+    this.order = { files: [KERF_EXAMPLES[0]], machine: KERF_MACHINES[0], profile: PROFILES[0] };
     const editor = this.machineHost.appendChild(h("div", { class: "editor" }));
     const tree = editor.attachShadow({ mode: "open" });
     this.machine = new EditorView({ state: this.machineState(), parent: tree, root: tree });
@@ -111,7 +109,7 @@ class Playground implements PlanSource {
     this.timer = setTimeout(() => void this.plan(), TYPING_MS);
   }
 
-  // From now on others are compared with the run that is shown, or again with the same as it is.
+  // From now on others are compared with the run that is shown, or again with none.
   private toggleKept(): void {
     this.kept = this.kept ? null : this.order;
     this.keep.setAttribute("aria-pressed", String(this.kept !== null));
@@ -127,15 +125,14 @@ class Playground implements PlanSource {
     clearTimeout(this.timer);
     this.status.textContent = "planning\u2026";
     const { order } = this;
-    const base = this.kept ?? { ...order, whatIf: AS_IT_IS };
+    const base = this.kept ?? order;
     const answers: Answer[] = [];
     for (const one of isSame(base, order) ? [order] : [order, base]) {
       const answer = await this.answerTo(one);
       if (!answer || order !== this.order) return; // the next answer is on its way
       answers.push(answer);
     }
-    const names = [isSame(order, { ...order, whatIf: AS_IT_IS }) ? "now" : "what if", this.kept ? "before" : "as it is"];
-    this.show(answers, names);
+    this.show(answers);
   }
 
   private async answerTo(order: Order): Promise<Answer | null> {
@@ -146,7 +143,7 @@ class Playground implements PlanSource {
     return answer;
   }
 
-  private show(answers: readonly Answer[], names: readonly string[]): void {
+  private show(answers: readonly Answer[]): void {
     const refused = answers.flatMap((answer) => ("refused" in answer ? answer.refused : []));
     this.refusal.hidden = refused.length === 0;
     this.refusal.textContent = refused.join("\n");
@@ -156,7 +153,7 @@ class Playground implements PlanSource {
       return;
     }
     this.status.textContent = `planned in ${clock(answers.reduce((sum, answer) => sum + ("took_s" in answer ? answer.took_s : 0), 0))}`;
-    this.tell({ plans: [plan, ...base], base: base.length, ...(base.length > 0 ? { names } : {}) });
+    this.tell({ plans: [plan, ...base], base: base.length, ...(base.length > 0 ? { names: ["now", "before"] } : {}) });
   }
 
   // What the page has beside the plans.
@@ -171,7 +168,7 @@ class Playground implements PlanSource {
       },
       bar: h("div", {}, this.bar(), this.refusal),
       panes: [["machine", "Machine", this.machineHost]],
-      question: this.whatIf.element,
+      question: h("div", { class: "what-if" }, h("div", { class: "tools" }, this.keep)),
     };
   }
 }

@@ -1,9 +1,9 @@
 // The answer: does it fit, where the time goes, what is wrong.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { dirname, join } from "node:path";
+import { join } from "node:path";
 import { test } from "node:test";
-import { SOURCE, goTo, kerf, markedLine, openReport, programFile, shown, textOf, traceOf } from "./report.ts";
+import { SOURCE, kerf, openReport, programFile, shown, textOf } from "./report.ts";
 
 test("shows an error at its line, with what to do", async () => {
   const program = programFile("G21 G90\nG1 X10 F-100\nM30\n");
@@ -23,30 +23,6 @@ test("says by how much a program does not fit, and how far the offset may move",
   assert.ok(shown(await textOf(page, "extents")).includes("X -100.000 to 520.000, over by 20.000"));
   await page.locator("[data-tab=answer]").click();
   assert.ok(shown(await textOf(page, "offsets")).includes("-400.000 to -20.000"));
-  assert.deepEqual(said, []);
-  await page.context().close();
-});
-
-test("tells lines of subprograms in files of their own from those of the program", async () => {
-  const folder = dirname(programFile("(sub)\no<legs> sub\nG1 Y#1 F600\nG4 P1\nG1 Y0\no<legs> endsub\nM2\n", "legs.ngc"));
-  const program = programFile("G21 G90 G61 F1200\nG1 X5\nG1 X9\no<legs> call [7]\nG1 X0\nM2\n", "main.ngc");
-  const trace = traceOf(program);
-  const { page, said } = await openReport([program]);
-  // The third line of both: X goes in one, Y in the other.
-  const at = (goes: (row: { v: number; xyz: readonly number[] }) => boolean): number => trace.findIndex((row) => row.line === 3 && row.v > 5 && goes(row));
-  await goTo(page, at((row) => row.xyz[0]! > 6 && row.xyz[1] === 0));
-  assert.match(await textOf(page, "instant"), /line 3$/);
-  assert.equal(await markedLine(page), "G1 X9");
-  await goTo(page, at((row) => row.xyz[1]! > 1));
-  assert.match(await textOf(page, "instant"), /line 3 of legs\.ngc$/);
-  assert.equal(await page.locator(".cm-now").count(), 0);
-  await page.locator("[data-tab=answer]").click();
-  const rows = await page.locator("[data-test=by-file] tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent!)));
-  assert.deepEqual(rows.map(([name]) => name), ["main.ngc", "legs.ngc"]);
-  // What moves Y, and the dwell, is the subprogram's.
-  const there = trace.slice(0, -1).filter((row, tick) => row.line >= 3 && (trace[tick + 1]!.xyz[1] !== row.xyz[1] || row.line === 4)).length;
-  assert.ok(Math.abs(parseFloat(rows[1]![1]!) - there / 1000) <= 0.003, `${rows[1]![1]} of ${there} ms`);
-  assert.equal(folder, dirname(program));
   assert.deepEqual(said, []);
   await page.context().close();
 });

@@ -1,7 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { accountOf } from "../src/plan/account.ts";
-import { withoutTolerances } from "../src/plan/browser_kernel.ts";
 import { largestFirst, lineRows, pairLines, type Ran } from "../src/plan/difference.ts";
 import { RunKind } from "../src/plan/plan.ts";
 import { difference } from "../src/units.ts";
@@ -72,10 +71,4 @@ test("a difference has its sign and its share of the base", () => {
   assert.equal(difference(10, 70), "+1:00.00, 600\u00a0%");
   assert.equal(difference(0, 2), "+2.000 s");
   assert.equal(difference(3, 3), "");
-});
-
-test("tolerances of G64 are taken out, and nothing else moves", () => {
-  const gone = "G64 P0.02 Q0.01 (G64 P1) G1 X1\ng64p[#1 + 1]q#<tol>\nG64.1 P2\nG64\nG4 P2 ; G64 P3\nG64 G4 P2\n";
-  const left = `G64             (G64 P1) G1 X1\ng64${" ".repeat(16)}\nG64.1 P2\nG64\nG4 P2 ; G64 P3\nG64 G4 P2\n`;
-  assert.equal(withoutTolerances(gone), left);
 });

@@ -106,59 +106,10 @@ test("a machine file that is wrong is refused with its place", async () => {
   assert.equal(await page.locator(".refusal").isVisible(), false);
 });
 
-// What is asked, by the names of the form's fields; an empty question is none.
-async function ask(question: Record<string, string>): Promise<void> {
-  await page.locator("[data-tab=difference]").click();
-  await after_(async () => {
-    await page.locator("form.what-if button", { hasText: "as it is" }).click();
-    for (const [key, value] of Object.entries(question)) await page.locator(`[data-what=${key}]`).fill(value);
-  });
-}
-
-async function isWithin(file: string, ...words: string[]): Promise<void> {
-  const [here, there] = [secondsOf(await shownTime()), timeOf(...words, file)];
-  assert.ok(Math.abs(here - there) <= 0.001 * there + 0.006, `${here} s in the page, ${there} s by kerf`);
-}
-
-test("what if the feed were overridden: the time is that of a program with that feed, beside the run as it is", async () => {
-  const text = (feed: number): string => `G21 G90 G61 F${feed}\nG1 X100\nG1 Y50\nM2\n`;
-  const [file, slow] = [program(text(1200), "feed.ngc"), program(text(600), "slow.ngc")];
-  await open("Open a program", file);
-  await ask({ feed: "50" });
-  await isWithin(slow);
-  const [name, base, other, more] = await page.locator("[data-test=difference-whole] tbody tr").first().locator("td").allTextContents();
-  assert.equal(name, "cycle time");
-  assert.equal(base, clock(timeOf(file)));
-  assert.equal(other, await shownTime());
-  assert.match(more!, /^\+.* s, 9\d\.\d/, "twice as long but for the ramps");
-  assert.equal(await page.locator('[data-test="time-difference"]').textContent(), more);
-  const limits = await page.locator("[data-test=difference-limits] tbody tr td:first-child").allTextContents();
-  assert.equal(limits[0], "programmed feedrate");
-});
-
-test("what if the machine were otherwise: the time is that of a machine file that says so", async () => {
-  const file = join(SOURCE, "programs", "pocket.ngc");
-  const table = readFileSync(join(SOURCE, "programs", "machines", "table.toml"), "utf8");
-  const halved = table.replace(/(max_(?:acceleration|jerk)\S* *= *)([-+.\de]+)/g, (_all, name: string, value: string) => `${name}${0.5 * Number(value)}`);
-  assert.notEqual(halved, table);
-  await open("Open a program", file);
-  await ask({ acceleration: "50", jerk: "50" });
-  await isWithin(file, "--machine", program(halved, "halved.toml"));
-});
-
-test("what if corners were rounder: the time is that of a program with that tolerance", async () => {
-  const text = (words: string): string => `G20 G90 F200\nG64 ${words}\nG1 X2\nG1 Y2\nG1 X0\nM2\n`;
-  await open("Open a program", program(text("P0.0001 Q0.0001"), "sharp.ngc"));
-  await ask({ corner_tolerance_mm: "1.27" });
-  await isWithin(program(text("P0.05"), "round.ngc"));
-  assert.ok((await page.locator(".program-view .cm-content").textContent())!.includes("G64 P0.0001 Q0.0001"), "the text stays as it is");
-  await ask({});
-  assert.equal(await page.locator('[data-test="difference-whole"]').count(), 0);
-});
-
 test("a run that is kept is what later ones are compared with", async () => {
   const [long, short] = [program("G21 G90 G61 F1200\nG1 X100\nM2\n", "long.ngc"), program("G21 G90 G61 F1200\nG1 X50\nM2\n", "short.ngc")];
   await open("Open a program", long);
+  await page.locator("[data-tab=difference]").click();
   await page.locator("button", { hasText: "compare with this run" }).click();
   await open("Open a program", short);
   const cells = await page.locator("[data-test=difference-whole] tbody tr").first().locator("td").allTextContents();

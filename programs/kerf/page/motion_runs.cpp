@@ -2,14 +2,11 @@
 
 namespace kerf::program {
 
-void MotionRuns::add(const TickRecord& record, std::uint16_t file) {
-  const LineRun run{.tick = record.tick,
-                    .line = record.line,
-                    .file = file,
-                    .tool = record.tool,
-                    .kind = kind_of(record)};
-  if (!runs_.empty() && runs_.back().line == run.line && runs_.back().file == run.file &&
-      runs_.back().kind == run.kind && runs_.back().tool == run.tool) {
+void MotionRuns::add(const TickRecord& record) {
+  const LineRun run{
+      .tick = record.tick, .line = record.line, .tool = record.tool, .kind = kind_of(record)};
+  if (!runs_.empty() && runs_.back().line == run.line && runs_.back().kind == run.kind &&
+      runs_.back().tool == run.tool) {
     return;
   }
   runs_.push_back(run);

@@ -13,13 +13,12 @@ namespace kerf::program {
 struct LineRun {
   std::int64_t tick = 0;
   std::uint32_t line = 0;
-  std::uint16_t file = 0;  // 0: the program; else a subprogram's
-  std::int32_t tool = 0;   // in the spindle
+  std::int32_t tool = 0;  // in the spindle
   TickKind kind = TickKind::rest;
 };
 
-// A run ends where file, line, kind or tool change. When runs run out, short ones in a row become
-// one that has the line of its first; until then the time of each line is exact.
+// A run ends where line, kind or tool change. When runs run out, short ones in a row become one
+// that has the line of its first; until then the time of each line is exact.
 class MotionRuns {
  public:
   static constexpr std::size_t kMaxRuns = 4'000'000;
@@ -28,7 +27,7 @@ class MotionRuns {
   explicit MotionRuns(std::size_t max_runs = kMaxRuns) : max_runs_(max_runs) {}
 
   // Ticks come in ascending order.
-  void add(const TickRecord& record, std::uint16_t file = 0);
+  void add(const TickRecord& record);
 
   [[nodiscard]] const std::vector<LineRun>& runs() const noexcept { return runs_; }
   // Runs shorter than that may have been joined; 1: none.

@@ -150,12 +150,11 @@ void add_columns(Json& header, Sections& sections, const TickColumns& columns) {
   }
   const bool single = columns.ticks_per_column() == 1;
   for (std::size_t i = 0; i < columns.series().size(); ++i) {
-    const std::size_t track = i / 3;
-    add_series(sections,
-               track < names.size() ? names[track] + "." + std::string(1, "vaj"[i % 3])
-               : i % 3 == 0         ? "following_error"
-                                    : "deviation",
-               columns.series()[i], single);
+    const bool is_following_error = i / 3 >= names.size();
+    add_series(
+        sections,
+        is_following_error ? "following_error" : names[i / 3] + "." + std::string(1, "vaj"[i % 3]),
+        columns.series()[i], single);
   }
   const std::vector<std::uint8_t> limits = columns.limits();
   sections.add_bytes("limit", std::string(limits.begin(), limits.end()));
@@ -184,8 +183,6 @@ void add_runs(Json& header, Sections& sections, const MotionRuns& motion) {
                        [](const LineRun& run) { return std::int64_t{run.line}; });
   sections.add_numbers({"runs.tool"}, runs,
                        [](const LineRun& run) { return std::int64_t{run.tool}; });
-  sections.add_numbers({"runs.file"}, runs,
-                       [](const LineRun& run) { return std::int64_t{run.file}; });
   std::string kinds(runs.size(), '\0');
   std::transform(runs.begin(), runs.end(), kinds.begin(),
                  [](const LineRun& run) { return static_cast<char>(run.kind); });
@@ -227,7 +224,6 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
   if (record.extents) {
     header["extents"] = {{"min_mm", record.extents->min_mm}, {"max_mm", record.extents->max_mm}};
   }
-  header["files"] = record.files;
   header["has_source"] = record.source.has_value();
   Sections sections;
   if (record.motion) {
@@ -236,9 +232,6 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
     add_path(header, sections, record.motion->path());
     add_runs(header, sections, record.motion->runs());
     add_notes(header, sections, *record.motion);
-  }
-  if (!record.motion && record.planned) {
-    add_path(header, sections, record.planned->outline());
   }
   if (record.source) {
     sections.add_bytes("source", *record.source);

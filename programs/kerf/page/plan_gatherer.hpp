@@ -9,7 +9,6 @@
 
 #include "programs/kerf/page/code_runs.hpp"
 #include "programs/kerf/page/motion_runs.hpp"
-#include "programs/kerf/page/planned_path.hpp"
 #include "programs/kerf/page/tick_columns.hpp"
 #include "programs/kerf/page/timed_path.hpp"
 
@@ -17,15 +16,16 @@ namespace kerf::program {
 
 class PlanGatherer {
  public:
+  // How far the drawn path may be from the setpoints, of its size, as long as there are points.
+  static constexpr double kPathShare = 1e-6;
+
   // extents: of the whole path, known before it runs.
-  // planned: to be kept until the last tick is in; null: nothing is known of deviations and files.
-  PlanGatherer(const TickColumns::Settings& columns, const curves::Extents& extents,
-               const PlannedPath* planned = nullptr);
+  PlanGatherer(const TickColumns::Settings& columns, const curves::Extents& extents);
 
   void add(const TickRecord& record) {
-    columns_.add(record, deviation_.advance_to(record.motion.s_mm));
+    columns_.add(record);
     path_.add({.tick = record.tick, .position_mm = record.position_mm, .rapid = record.rapid});
-    runs_.add(record, file_.advance_to(record.motion.s_mm, record.line));
+    runs_.add(record);
     last_tick_ = record.tick;
   }
 
@@ -43,8 +43,6 @@ class PlanGatherer {
 
  private:
   TickColumns columns_;
-  DeviationAlong deviation_;
-  FileAlong file_;
   TimedPath path_;
   MotionRuns runs_;
   CodeRuns codes_;
@@ -57,12 +55,8 @@ class PlanGatherer {
 struct PageRecord {
   bool wants_motion = true;
   bool wants_source = true;
-  std::size_t max_columns = TickColumns::kMaxColumns;
-  Overrides overrides{};                     // from the first tick on
   std::optional<std::string> source{};       // none: not wanted, or longer than kMaxSourceBytes
   std::optional<curves::Extents> extents{};  // of the path, also of one that leaves the travel
-  std::optional<PlannedPath> planned{};      // none: the program has errors
-  std::vector<std::string> files{};          // of subprograms, from file 1 on
   std::optional<PlanGatherer> motion{};      // none: nothing has moved
 
   static constexpr std::uint64_t kMaxSourceBytes = std::uint64_t{256} << 20U;

@@ -18,7 +18,7 @@ TickColumns::TickColumns(const Settings& settings)
       extra_(settings.extra),
       max_columns_(settings.max_columns),
       period_s_(settings.period_s),
-      series_(kPerTrack * (1 + tracks_.size()) + 2) {
+      series_(kPerTrack * (1 + tracks_.size()) + 1) {
   for (std::size_t k = 0; k < tracks_.size(); ++k) {
     tracks_[k].first_series = kPerTrack * (1 + k);
   }
@@ -58,7 +58,7 @@ void TickColumns::take_limit(std::uint8_t limit) {
   }
 }
 
-void TickColumns::add(const TickRecord& record, double deviation_mm) {
+void TickColumns::add(const TickRecord& record) {
   opens_column_ = ticks_ % ticks_per_column_ == 0;
   if (opens_column_ && limits_.size() == max_columns_) {
     halve();
@@ -73,10 +73,9 @@ void TickColumns::add(const TickRecord& record, double deviation_mm) {
   for (std::size_t k = 0; k < extra_.size(); ++k) {
     take_axis(tracks_[kAxes + k], extra_[k].factor * record.extra_rad_mm[extra_[k].index]);
   }
-  take(series_[series_.size() - 2], std::hypot(record.actual_mm[0] - record.position_mm[0],
-                                               record.actual_mm[1] - record.position_mm[1],
-                                               record.actual_mm[2] - record.position_mm[2]));
-  take(series_.back(), deviation_mm);
+  take(series_.back(), std::hypot(record.actual_mm[0] - record.position_mm[0],
+                                  record.actual_mm[1] - record.position_mm[1],
+                                  record.actual_mm[2] - record.position_mm[2]));
   take_limit(static_cast<std::uint8_t>(record.limit));
   ++ticks_;
 }

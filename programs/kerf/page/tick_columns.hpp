@@ -22,8 +22,7 @@ struct ColumnSeries {
 //
 // The series are v, a and j along the path as planned (v_mm_s, a_mm_s2, j_mm_s3), then of X, Y, Z
 // and the machine's other axes by finite differences of positions, as the judge of a run takes
-// them, and last, in mm, the distance between commanded and actual position and how far the path is
-// from the programmed one.
+// them, and last the distance between commanded and actual position in mm.
 class TickColumns {
  public:
   static constexpr std::size_t kMaxColumns = 200'000;
@@ -36,11 +35,11 @@ class TickColumns {
   explicit TickColumns(const Settings& settings);
 
   // Ticks come one by one from 0 on.
-  void add(const TickRecord& record, double deviation_mm = 0.0);
+  void add(const TickRecord& record);
 
   [[nodiscard]] std::int64_t ticks_per_column() const noexcept { return ticks_per_column_; }
   [[nodiscard]] std::size_t columns() const noexcept { return limits_.size(); }
-  // 3 + 3 * axes + 2 of them.
+  // 3 + 3 * axes + 1 of them.
   [[nodiscard]] const std::vector<ColumnSeries>& series() const noexcept { return series_; }
   // The active constraint of each column. In one of several ticks it is the one that lasts longest
   // in either half of it.

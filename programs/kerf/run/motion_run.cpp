@@ -12,10 +12,6 @@ namespace {
 
 void dry_run(MotionStage& stage) {
   Kernel kernel(stage.order().settings, stage.order().kernel_options);
-  if (const PageRecord* const page = stage.order().page;
-      page != nullptr && page->overrides != Overrides{}) {
-    kernel.set_overrides(page->overrides);
-  }
   KernelPlanning planning(kernel);
   Feeder feeder = stage.feeder(planning);
   RunOutcome outcome;
@@ -59,9 +55,8 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
   if (order.page != nullptr && order.page->wants_motion) {
     order.page->motion.emplace(
         TickColumns::Settings{.period_s = report.period_s,
-                              .extra = extra_axes(order.settings.program.extra_axes),
-                              .max_columns = order.page->max_columns},
-        extents, order.page->planned ? &*order.page->planned : nullptr);
+                              .extra = extra_axes(order.settings.program.extra_axes)},
+        extents);
     outputs->recorder().page = &*order.page->motion;
   }
   if (outputs->recorder().plot && order.path.scan) {

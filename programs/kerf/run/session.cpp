@@ -17,7 +17,6 @@
 #include "programs/kerf/run/first_places.hpp"
 #include "programs/kerf/run/first_scan.hpp"
 #include "programs/kerf/run/motion_run.hpp"
-#include "programs/kerf/run/path_pass.hpp"
 #include "programs/kerf/run/plan_run.hpp"
 #include "programs/kerf/run/program_mark.hpp"
 #include "programs/kerf/run/start_choice.hpp"
@@ -192,7 +191,6 @@ class Session {
     } else {
       judge(*found);
       fill_in_blocks(report_.diagnostics, file);
-      look_at_path(file);
     }
     return report_.status == ExitStatus::done;
   }
@@ -222,20 +220,6 @@ class Session {
     path_ = {.extents = found.moves ? std::optional(found.extents) : std::nullopt,
              .cutting = found.cuts ? std::optional(found.cutting_extents) : std::nullopt,
              .extra_extents = found.extra_extents};
-  }
-
-  // For the page: of a program that runs, or would but for the travel.
-  void look_at_path(ProgramFile& file) {
-    const bool leaves_travel = report_.status == ExitStatus::machine_fault;
-    if (page_ == nullptr || !page_->extents ||
-        (report_.status != ExitStatus::done && !leaves_travel)) {
-      return;
-    }
-    file.rewind();
-    path_pass(
-        file,
-        {.settings = settings_, .kernel_options = kernel_options_, .leaves_travel = leaves_travel},
-        *page_);
   }
 
   void plan(ProgramFile& file) {

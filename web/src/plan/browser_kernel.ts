@@ -7,37 +7,10 @@ export interface TextFile {
   readonly text: string;
 }
 
-// What would be otherwise: shares of the machine's limits and of feedrates, and P and Q in place of those of each G64, as G64
-// reads them: without Q it is P, without P all stays.
-export interface WhatIf {
-  readonly velocity: number;
-  readonly acceleration: number;
-  readonly jerk: number;
-  readonly feed: number;
-  readonly rapid: number;
-  readonly corner_tolerance_mm: number | null;
-  readonly merge_tolerance_mm: number | null;
-}
-
-export const AS_IT_IS: WhatIf = { velocity: 1, acceleration: 1, jerk: 1, feed: 1, rapid: 1, corner_tolerance_mm: null, merge_tolerance_mm: null };
-
 export interface Order {
   readonly files: readonly [TextFile, ...TextFile[]]; // the program, then its subprograms
   readonly machine: TextFile; // an empty text: the default machine
   readonly profile: string;
-  readonly whatIf: WhatIf;
-}
-
-// The text without P and Q of G64, so that the machine's tolerances hold; every other character keeps its place.
-export function withoutTolerances(text: string): string {
-  const words = /(\([^)\n]*\)|;.*)|(G64(?![\d.]))((?:\s*[PQ]\s*(?:[-+.\d]+|\[[^\]\n]*\]|#\d+|#<[^>\n]*>))+)/gi;
-  return text.replace(words, (all, comment?: string, code?: string) => (comment === undefined ? code!.padEnd(all.length) : all));
-}
-
-// As web/kernel reads it.
-function toldOrder({ files, machine, profile, whatIf }: Order): object {
-  const told = whatIf.corner_tolerance_mm !== null ? files.map(({ name, text }) => ({ name, text: withoutTolerances(text) })) : files;
-  return { files: told, machine, profile, what_if: whatIf };
 }
 
 // refused: what is wrong with the machine file, or within kerf.
@@ -89,7 +62,7 @@ export class BrowserKernel {
         else end(answerOf(data.bytes, order, (performance.now() - began_ms) / 1000));
       };
       worker.onerror = (event) => fail(event.message);
-      worker.postMessage(toldOrder(order));
+      worker.postMessage(order);
     });
   }
 
