@@ -60,30 +60,37 @@ Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
 
 bool Pipeline::take_next() {
   ProgramPath::Output output;
-  switch (path_.next(output)) {
-    case ProgramPath::Next::wants_text:
-      return false;
-    case ProgramPath::Next::ended:
-      check_.judge(path_.deviations().worst);
-      planner_.finish(path_.line());
-      finished_ = true;
+  for (bool probes = true; probes;) {
+    switch (path_.next(output)) {
+      case ProgramPath::Next::wants_text:
+        return false;
+      case ProgramPath::Next::ended:
+        check_.judge(path_.deviations().worst);
+        planner_.finish(path_.line());
+        finished_ = true;
+        return true;
+      case ProgramPath::Next::output:
+        break;
+    }
+    auto* segment = std::get_if<smoothing::PathSegment>(&output);
+    if (segment == nullptr) {
+      push_rest(std::get<parser::Move>(output));
       return true;
-    case ProgramPath::Next::output:
-      break;
-  }
-  if (auto* segment = std::get_if<smoothing::PathSegment>(&output)) {
-    const bool probes = asking_ == Asking::motion_follows;
+    }
+    // Nothing of a probe's motion is planned before the wait behind it is known.
+    probes = asking_ == Asking::motion_follows;
     push_segment(std::move(*segment));
-    return !probes || take_next();  // nothing of it is planned before the wait behind it is known
   }
-  const auto& pause = std::get<parser::Move>(output);
+  return true;
+}
+
+void Pipeline::push_rest(const parser::Move& pause) {
   note_question(pause);
   lookahead::push_pause(pause, planner_);
   if (observer_ != nullptr) {
     const auto* dwell = std::get_if<parser::DwellMove>(&pause.shape);
     observer_->rest(dwell != nullptr ? dwell->duration_s : 0.0);
   }
-  return true;
 }
 
 void Pipeline::push_segment(smoothing::PathSegment segment) {

@@ -105,6 +105,7 @@ class Pipeline {
   // Takes the next item of the program into the window. False: there is no more text.
   bool take_next();
   void push_segment(smoothing::PathSegment segment);
+  void push_rest(const parser::Move& pause);
   void note_question(const parser::Move& pause);
 
   PipelineObserver* observer_;
