@@ -103,6 +103,9 @@ ProgramPath::Next ProgramPath::next_as_programmed(Output& output) {
 }
 
 void ProgramPath::note_path_control(const parser::Move& move) {
+  if (move.probes) {
+    return;
+  }
   const PathControlUse use{.control = {.mode = move.mode,
                                        .corner_tolerance_mm = move.blend_tolerance_mm,
                                        .merge_tolerance_mm = move.merge_tolerance_mm},

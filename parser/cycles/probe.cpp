@@ -28,6 +28,7 @@ void push_probe_move(const RunningBlock& at, ModalState& state, const Point& end
     return;
   }
   Move& move = at.push_move(state);
+  move.probes = true;
   move.mode = PathMode::exact_stop;
   move.blend_tolerance_mm = 0.0;
   move.merge_tolerance_mm = 0.0;
