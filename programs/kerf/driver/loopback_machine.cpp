@@ -22,6 +22,7 @@ using machine::MachineState;
 namespace {
 
 constexpr int kAnswersATick = 16;
+constexpr const char* kHangsUp = "the machine hangs up";
 
 // With room for a byte too many, which shows that it is no answer.
 using ReceivedBytes = std::array<std::byte, kAnswerBytes + 1>;
@@ -106,7 +107,7 @@ LoopbackMachine::LoopbackMachine(Descriptor socket, const Order& order) noexcept
 
 std::optional<std::string> LoopbackMachine::greet(double timeout_s) {
   if (!send_bytes(socket_.number(), to_bytes(ToldFrame{.call = MachineCall::disable}))) {
-    return error_text(errno);
+    return errno == EPIPE || errno == ECONNRESET ? kHangsUp : error_text(errno);
   }
   pollfd waits{.fd = socket_.number(), .events = POLLIN, .revents = 0};
   if (::poll(&waits, 1, static_cast<int>(timeout_s * 1e3)) <= 0) {
@@ -116,7 +117,7 @@ std::optional<std::string> LoopbackMachine::greet(double timeout_s) {
   const ssize_t count =
       ::recv(socket_.number(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_TRUNC);
   if (count <= 0) {
-    return "the machine hangs up";
+    return kHangsUp;
   }
   const auto size = static_cast<std::size_t>(count);
   if (!answer_from(std::span(bytes).first(std::min(size, bytes.size())))) {
