@@ -8,6 +8,8 @@ kBuildPackages=(g++ cmake ninja-build libeigen3-dev libboost-dev libspdlog-dev l
 # shellcheck disable=SC2034  # used by ./test
 kTestPackages=("${kBuildPackages[@]}" libgtest-dev libgmock-dev libbenchmark-dev python3 python3-jsonschema
   clang-format pkg-config)
+# shellcheck disable=SC2034  # used by ./test all and .ci/run; the last two build scripts/tidy_own_code.cpp
+kTidyPackages=(clang-tidy libclang-14-dev llvm-14-dev)
 kCannotRun=125  # as env and timeout have it: the command itself was not reached
 
 say() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
