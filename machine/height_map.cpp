@@ -57,7 +57,7 @@ GridLines line_of(std::vector<double> places) {
   const double span = places.back() - places.front();
   GridLines line{.begin = places.front(), .points = 1};
   // Places that belong together differ by rounding.
-  const double apart = span / (2.0 * static_cast<double>(HeightMap::kMostColumns));
+  const double apart = span / (2.0 * static_cast<double>(HeightMap::kMaxColumns));
   for (std::size_t i = 1; i < places.size(); ++i) {
     line.points += places[i] - places[i - 1] > apart ? 1U : 0U;
   }
@@ -76,7 +76,7 @@ tl::expected<HeightMap, HeightMapError> grid_of(const std::vector<Row>& rows,
     std::transform(rows.begin(), rows.end(), std::back_inserter(places),
                    [k](const Row& row) { return row[k]; });
     along[k] = places.empty() ? GridLines{} : line_of(std::move(places));
-    if (along[k].points < 2 || along[k].points > HeightMap::kMostColumns) {
+    if (along[k].points < 2 || along[k].points > HeightMap::kMaxColumns) {
       return refuse(1, "expected from 2 to 1000 different x and as many different y");
     }
   }
@@ -116,7 +116,7 @@ tl::expected<HeightMap, HeightMapError> read_height_map(std::string_view text) {
       continue;
     }
     const auto row = row_of(line);
-    if (!row || rows.size() == HeightMap::kMostColumns * HeightMap::kMostColumns) {
+    if (!row || rows.size() == HeightMap::kMaxColumns * HeightMap::kMaxColumns) {
       return tl::unexpected(HeightMapError{
           .line = number, .message = row ? "too many points" : "expected x, y and z in mm"});
     }

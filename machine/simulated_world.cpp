@@ -31,8 +31,8 @@ bool is_valid_surface(const TouchSphere& sphere) noexcept {
 
 bool is_valid_surface(const HeightMap& map) noexcept {
   const std::size_t rows = map.columns > 0 ? map.heights_mm.size() / map.columns : 0;
-  return map.columns >= 2 && map.columns <= HeightMap::kMostColumns && rows >= 2 &&
-         rows <= HeightMap::kMostColumns && rows * map.columns == map.heights_mm.size() &&
+  return map.columns >= 2 && map.columns <= HeightMap::kMaxColumns && rows >= 2 &&
+         rows <= HeightMap::kMaxColumns && rows * map.columns == map.heights_mm.size() &&
          map.spacing_mm[0] > 0.0 && map.spacing_mm[1] > 0.0 && std::isfinite(map.spacing_mm[0]) &&
          std::isfinite(map.spacing_mm[1]) && std::isfinite(map.origin_mm[0]) &&
          std::isfinite(map.origin_mm[1]) &&

@@ -41,7 +41,7 @@ struct TouchSphere {
 /// What lies below heights over a grid along X and Y, bilinear between its points; beside the grid
 /// there is nothing.
 struct HeightMap {
-  static constexpr std::size_t kMostColumns = 1000;  ///< and rows
+  static constexpr std::size_t kMaxColumns = 1000;  ///< and rows
 
   std::array<double, 2> origin_mm{};           ///< x and y of the first point
   std::array<double, 2> spacing_mm{1.0, 1.0};  ///< > 0
@@ -78,7 +78,7 @@ struct HeightMapError {
 /// a comma parts numbers as a blank does.
 //
 /// Errors: a line of other than three finite numbers, no grid, a spacing that is not even, fewer
-/// than two columns or rows or more than kMostColumns.
+/// than two columns or rows or more than kMaxColumns.
 KERF_API tl::expected<HeightMap, HeightMapError> read_height_map(std::string_view text);
 
 /// Where an axis closes its switches, in machine coordinates. An infinite place is never reached.

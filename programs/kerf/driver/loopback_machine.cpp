@@ -84,9 +84,9 @@ bool LoopbackMachine::Pending::answer(std::int64_t tick) noexcept {
 
 tl::expected<std::unique_ptr<LoopbackMachine>, std::string> LoopbackMachine::open(
     const Order& order) {
-  if (order.timeout_s > kMostPeriods * order.table.period_s) {
+  if (order.timeout_s > kMaxPeriods * order.table.period_s) {
     return tl::unexpected(fmt::format("a time-out of {} s is more than {} periods of {} s",
-                                      order.timeout_s, kMostPeriods, order.table.period_s));
+                                      order.timeout_s, kMaxPeriods, order.table.period_s));
   }
   auto socket = connect_to(order.socket);
   if (!socket) {

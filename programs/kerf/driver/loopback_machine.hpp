@@ -31,7 +31,7 @@ class LoopbackMachine final : public machine::Machine {
     double timeout_s = 0.1;
     const TableSettings& table;  // its travel and its period
   };
-  static constexpr int kMostPeriods = 200;  // of a time-out: what the socket surely takes
+  static constexpr int kMaxPeriods = 200;  // of a time-out: what the socket surely takes
 
   // Connects, tells the machine to be off, and waits for its answer, a second or the time-out.
   // Error: why there is none, with the path.

@@ -34,10 +34,10 @@ std::string left_text(double left_s) {
 }  // namespace
 
 std::optional<double> left_s_of(const WorkDone& done) noexcept {
-  constexpr double kLeastElapsed_s = 2.0;
-  constexpr double kLeastShare = 0.01;
+  constexpr double kMinElapsed_s = 2.0;
+  constexpr double kMinShare = 0.01;
   constexpr double kMax_s = 1e7;
-  if (!(done.elapsed_s >= kLeastElapsed_s && done.share >= kLeastShare)) {
+  if (!(done.elapsed_s >= kMinElapsed_s && done.share >= kMinShare)) {
     return std::nullopt;
   }
   const double left_s = done.elapsed_s * std::max(1.0 / done.share - 1.0, 0.0);

@@ -7,7 +7,7 @@ namespace kerf::program {
 
 namespace {
 
-constexpr double kLeastTurn_rad = 0.5;
+constexpr double kMinTurn_rad = 0.5;
 constexpr double kChords = 350.0;  // in the size of the picture: some two pixels
 
 }  // namespace
@@ -46,7 +46,7 @@ void SharpPlaces::take(const Chord& chord) {
     const auto& after = chord.direction;
     const double cosine = before[0] * after[0] + before[1] * after[1] + before[2] * after[2];
     const double turn_rad = std::acos(std::clamp(cosine, -1.0, 1.0));
-    if (turn_rad >= kLeastTurn_rad) {
+    if (turn_rad >= kMinTurn_rad) {
       keep({.at = project(view_, chord.begin_mm), .line = last_[1].line, .turn_rad = turn_rad});
     }
   }

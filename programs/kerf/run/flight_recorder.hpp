@@ -15,11 +15,11 @@ namespace kerf::program {
 class FlightRecorder {
  public:
   static constexpr double kLength_s = 5.0;
-  static constexpr std::size_t kMostTicks = 500'000;
+  static constexpr std::size_t kMaxTicks = 500'000;
 
   // Takes the memory that it needs. An infinite period: it keeps nothing.
   explicit FlightRecorder(double period_s)
-      : ring_(std::min(kMostTicks, static_cast<std::size_t>(kLength_s / period_s))) {}
+      : ring_(std::min(kMaxTicks, static_cast<std::size_t>(kLength_s / period_s))) {}
 
   // For the tick: allocates nothing, and waits for nothing.
   void add(const TickRecord& record) noexcept {
