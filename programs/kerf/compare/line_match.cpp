@@ -104,7 +104,7 @@ class Matcher {
     if (!is_open(stretch)) {
       return;
     }
-    const std::vector<Places> anchors = longest_ascent(unique_in(stretch));
+    const std::vector<Places> anchors = longest_increasing(unique_in(stretch));
     Places begin = stretch.begin;
     for (const Places& anchor : anchors) {
       matched_.push_back(anchor);
@@ -144,8 +144,8 @@ class Matcher {
   }
 
   // The most of them that stand in the same order in the second program.
-  static std::vector<Places> longest_ascent(const std::vector<Places>& places) {
-    std::vector<std::size_t> ends;  // of ascents of 1, 2, ... places, each the lowest so far
+  static std::vector<Places> longest_increasing(const std::vector<Places>& places) {
+    std::vector<std::size_t> ends;  // of rows of 1, 2, ... places, each the lowest so far
     std::vector<std::size_t> before(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto end = std::lower_bound(
@@ -158,12 +158,12 @@ class Matcher {
         *end = i;
       }
     }
-    std::vector<Places> ascent(ends.size());
+    std::vector<Places> longest(ends.size());
     std::size_t at = ends.empty() ? 0 : ends.back();
     for (std::size_t k = ends.size(); k-- > 0; at = before[at]) {
-      ascent[k] = places[at];
+      longest[k] = places[at];
     }
-    return ascent;
+    return longest;
   }
 
   const LineKeys& first_;
