@@ -13,7 +13,7 @@ namespace kerf::control {
 namespace {
 
 constexpr std::size_t kLinear = 3;
-constexpr std::size_t kTurning = 3;  // A, B, C come first among the further axes
+constexpr std::size_t kRotary = 3;  // A, B, C come first among the further axes
 constexpr std::size_t kAxes = kLinear + kAuxiliaryAxes;
 constexpr std::string_view kLetters = "XYZABCUVW";
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;  // of a radian
@@ -39,8 +39,8 @@ AxisTargets targets_of(const AxisValues& values) {
   return place;
 }
 
-bool turns(std::size_t axis) {
-  return axis >= kLinear && axis < kLinear + kTurning;
+bool is_rotary(std::size_t axis) {
+  return axis >= kLinear && axis < kLinear + kRotary;
 }
 
 bool has_axis(std::size_t axis, const MachineSettings& settings) {
@@ -59,10 +59,10 @@ double norm(std::span<const double> values) {
 double length_of(const AxisValues& way) {
   const std::span all(way);
   const double linear = norm(all.first(kLinear));
-  const double further = norm(all.last(kAxes - kLinear - kTurning));
+  const double further = norm(all.last(kAxes - kLinear - kRotary));
   return linear > 0.0    ? linear
          : further > 0.0 ? further
-                         : kDegrees * norm(all.subspan(kLinear, kTurning));
+                         : kDegrees * norm(all.subspan(kLinear, kRotary));
 }
 
 bool is_in(AxisSet axes, std::size_t axis) {
@@ -131,7 +131,7 @@ std::string program_of(const ManualMove& move, const AxisTargets& from) {
   bool moves = false;
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     if (to[axis] != begin[axis]) {
-      append_word(kLetters[axis], text, to[axis] * (turns(axis) ? kDegrees : 1.0));
+      append_word(kLetters[axis], text, to[axis] * (is_rotary(axis) ? kDegrees : 1.0));
       moves = true;
     }
   }

@@ -8,7 +8,7 @@ namespace kerf {
 // That the table is there names the axis.
 void MachineFileReader::read_extra_axis(const Section& section, std::size_t axis) {
   settings_.program.extra_axes |= parser::letter_bit(parser::kAuxiliaryNames[axis]);
-  const auto rules = extra_axis_rules(parser::turns(axis));
+  const auto rules = extra_axis_rules(parser::is_rotary(axis));
   read_numbers(section, rules, axis);
   for (const NumberRule& limit : rules.last(3)) {
     if (!section.table->contains(limit.key)) {

@@ -110,7 +110,7 @@ double& extra_travel(Settings& settings, std::size_t axis) {
   return settings.table.extra[axis].*kMember;
 }
 
-constexpr std::array kStraightAxis{
+constexpr std::array kLinearAxis{
     NumberRule{"min_mm", -1e6, 1e6, extra_travel<&AuxiliaryTravel::min_rad_mm>, 1.0, -kOpen},
     NumberRule{"max_mm", -1e6, 1e6, extra_travel<&AuxiliaryTravel::max_rad_mm>, 1.0, kOpen},
     NumberRule{"max_velocity_mm_s", 1e-6, 1e6, extra_limit<&MotionLimits::velocity_mm_s>, 1.0,
@@ -122,7 +122,7 @@ constexpr std::array kStraightAxis{
 
 constexpr double kRad = 3.14159265358979323846 / 180.0;  // of a degree
 
-constexpr std::array kTurningAxis{
+constexpr std::array kRotaryAxis{
     NumberRule{"min_deg", -1e6, 1e6, extra_travel<&AuxiliaryTravel::min_rad_mm>, kRad, -kOpen},
     NumberRule{"max_deg", -1e6, 1e6, extra_travel<&AuxiliaryTravel::max_rad_mm>, kRad, kOpen},
     NumberRule{"max_velocity_deg_s", 1e-6, 1e6, extra_limit<&MotionLimits::velocity_mm_s>, kRad,
@@ -265,8 +265,8 @@ std::span<const NumberRule> path_rules() {
 std::span<const NumberRule> axis_rules() {
   return kAxis;
 }
-std::span<const NumberRule> extra_axis_rules(bool turns) {
-  return turns ? kTurningAxis : kStraightAxis;
+std::span<const NumberRule> extra_axis_rules(bool rotary) {
+  return rotary ? kRotaryAxis : kLinearAxis;
 }
 std::span<const std::string_view> offset_sections() {
   return kOffsetSections;

@@ -37,9 +37,9 @@ std::optional<std::string> range_problem(const NumberRule& rule, MachineSettings
 std::span<const NumberRule> tick_rules();
 std::span<const NumberRule> path_rules();
 std::span<const NumberRule> axis_rules();
-// Of [axes.a] to [axes.c] (turns) or [axes.u] to [axes.w], with axis 0..5: first the travel, then
+// Of [axes.a] to [axes.c] (rotary) or [axes.u] to [axes.w], with axis 0..5: first the travel, then
 // three limits that must be there.
-std::span<const NumberRule> extra_axis_rules(bool turns);
+std::span<const NumberRule> extra_axis_rules(bool rotary);
 
 // [offsets.*]: G54 to G59.3, then the positions of G28 and G30, which have no rotation. The keys of
 // the nine axes come first.

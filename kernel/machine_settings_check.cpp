@@ -69,7 +69,7 @@ Result check_axes(MachineSettings& settings) {
   for (std::size_t axis = 0; axis < curves::kAuxiliaryAxes && result; ++axis) {
     if (has_extra_axis(settings, axis)) {
       result = check_axis_with_travel(
-          {path_to_extra(axis), extra_axis_rules(parser::turns(axis)), axis}, settings);
+          {path_to_extra(axis), extra_axis_rules(parser::is_rotary(axis)), axis}, settings);
     }
   }
   return result;
@@ -161,7 +161,7 @@ Result check_path_mode(const MachineSettings& settings) {
 // What a plan needs beside possible numbers.
 Result check_bounds(MachineSettings& settings) {
   for (std::size_t axis = 0; axis < curves::kAuxiliaryAxes; ++axis) {
-    for (const NumberRule& rule : extra_axis_rules(parser::turns(axis)).last(3)) {
+    for (const NumberRule& rule : extra_axis_rules(parser::is_rotary(axis)).last(3)) {
       if (has_extra_axis(settings, axis) && rule.field(settings, axis) == rule.open) {
         return SettingsFault::of(path_to_extra(axis) + "." + std::string(rule.key),
                                  "expected a limit, which this axis must have",

@@ -112,7 +112,7 @@ Done needs_axis_words(const RunningBlock& at) {
 
 double auxiliary_word_deg_mm(const BlockWords& block, std::size_t auxiliary_axis, Units units) {
   return block.value(kAuxiliaryNames[auxiliary_axis]) *
-         (turns(auxiliary_axis) ? 1.0 : mm_per_unit(units));
+         (is_rotary(auxiliary_axis) ? 1.0 : mm_per_unit(units));
 }
 
 Expected<AuxiliaryWords> resolve_auxiliary(const RunningBlock& at, const ModalState& state,
@@ -139,7 +139,7 @@ Expected<AuxiliaryWords> resolve_auxiliary(const RunningBlock& at, const ModalSt
       return fail(
           word.offset, errors::kPositionOutOfRange,
           joined({named(kAuxiliaryNames[axis]), ": ", upper(at.block.text(word).substr(1, 40)),
-                  " leads outside -999999.999..999999.999", turns(axis) ? " degrees" : " mm"}));
+                  " leads outside -999999.999..999999.999", is_rotary(axis) ? " degrees" : " mm"}));
     }
   }
   return end_deg_mm;

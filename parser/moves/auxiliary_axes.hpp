@@ -14,7 +14,7 @@ namespace kerf::parser {
 inline constexpr std::string_view kAuxiliaryNames = "ABCUVW";
 inline constexpr Letters kAuxiliaryLetters = letters('A', 'B', 'C', 'U', 'V', 'W');
 
-constexpr bool turns(std::size_t auxiliary_axis) {
+constexpr bool is_rotary(std::size_t auxiliary_axis) {
   return auxiliary_axis < 3;
 }
 

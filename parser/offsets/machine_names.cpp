@@ -137,9 +137,9 @@ std::optional<double> MachineValues::place(std::string_view name) const {
   const auto value = [&](std::size_t axis, const Point& point_mm,
                          const AuxiliaryWords& auxiliary_deg_mm) {
     const double unit = mm_per_unit(state.units);
-    return axis < 3          ? point_mm[axis] / unit
-           : turns(axis - 3) ? auxiliary_deg_mm[axis - 3]
-                             : auxiliary_deg_mm[axis - 3] / unit;
+    return axis < 3              ? point_mm[axis] / unit
+           : is_rotary(axis - 3) ? auxiliary_deg_mm[axis - 3]
+                                 : auxiliary_deg_mm[axis - 3] / unit;
   };
   if (const auto axis = axis_behind("_abs_", name)) {
     return value(*axis, state.position_mm, state.auxiliary_deg_mm);

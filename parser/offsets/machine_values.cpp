@@ -32,7 +32,7 @@ double coordinate(const Point& point, const AuxiliaryWords& auxiliary, int axis)
 
 // Angles do not change with the unit of lengths.
 double unit_of(int axis, double mm_per_unit) {
-  return axis < 3 || !turns(static_cast<std::size_t>(axis - 3)) ? mm_per_unit : 1.0;
+  return axis < 3 || !is_rotary(static_cast<std::size_t>(axis - 3)) ? mm_per_unit : 1.0;
 }
 
 // Which number of which system: 20 to a system, X to W and then R.

@@ -39,7 +39,8 @@ std::vector<double> ends_of(const std::vector<Move>& moves, char letter) {
   std::vector<double> ends;
   for (const Move& move : moves) {
     ends.push_back(
-        std::round(move.auxiliary.end_rad_mm[axis] / (turns(axis) ? kDegree : 1.0) * 1e4) / 1e4);
+        std::round(move.auxiliary.end_rad_mm[axis] / (is_rotary(axis) ? kDegree : 1.0) * 1e4) /
+        1e4);
   }
   return ends;
 }

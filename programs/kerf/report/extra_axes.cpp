@@ -8,11 +8,11 @@ std::vector<ExtraAxis> extra_axes(parser::Letters named) {
   std::vector<ExtraAxis> axes;
   for (std::size_t k = 0; k < kAuxiliaryAxes; ++k) {
     if ((named & parser::letter_bit(parser::kAuxiliaryNames[k])) != 0) {
-      const bool turns = parser::turns(k);
+      const bool rotary = parser::is_rotary(k);
       axes.push_back({.index = k,
                       .name = kNames.substr(k, 1),
-                      .unit = turns ? "deg" : "mm",
-                      .factor = turns ? kDegreesPerRadian : 1.0});
+                      .unit = rotary ? "deg" : "mm",
+                      .factor = rotary ? kDegreesPerRadian : 1.0});
     }
   }
   return axes;

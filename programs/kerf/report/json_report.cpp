@@ -22,7 +22,7 @@ Json axes_json(const std::array<double, 3>& values) {
   return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}};
 }
 
-// The straight ones of the machine's other axes go beside x, y and z, the turning ones into a table
+// The linear ones of the machine's other axes go beside x, y and z, the rotary ones into a table
 // of their own.
 void add_extra(Json& in_mm, Json& in_deg, const FileReport& report,
                const curves::AuxiliaryPosition& values_rad_mm) {

@@ -46,14 +46,14 @@ std::vector<LimitUse> limit_uses(const MotionReport& motion, const lookahead::Pl
   for (const ExtraAxis& axis : program::extra_axes(extra_axes)) {
     const Peaks& peaks = motion.extra[axis.index];
     const lookahead::MotionLimits& bound = limits.extra[axis.index];
-    const bool turns = parser::turns(axis.index);
+    const bool rotary = parser::is_rotary(axis.index);
     const double k = axis.factor;
-    uses.push_back({axis.name, "velocity", turns ? "deg/s" : "mm/s", k * peaks.v_mm_s,
+    uses.push_back({axis.name, "velocity", rotary ? "deg/s" : "mm/s", k * peaks.v_mm_s,
                     k * bound.velocity_mm_s});
-    uses.push_back({axis.name, "acceleration", turns ? "deg/s2" : "mm/s2", k * peaks.a_mm_s2,
+    uses.push_back({axis.name, "acceleration", rotary ? "deg/s2" : "mm/s2", k * peaks.a_mm_s2,
                     k * bound.acceleration_mm_s2});
     uses.push_back(
-        {axis.name, "jerk", turns ? "deg/s3" : "mm/s3", k * peaks.j_mm_s3, k * bound.jerk_mm_s3});
+        {axis.name, "jerk", rotary ? "deg/s3" : "mm/s3", k * peaks.j_mm_s3, k * bound.jerk_mm_s3});
   }
   return uses;
 }
