@@ -9,11 +9,12 @@
 
 #include <spdlog/spdlog.h>
 
-#include "programs/kerf/cli/comparison_command.hpp"
 #include "programs/kerf/cli/machine_choice.hpp"
 #include "programs/kerf/cli/option_parser.hpp"
 #include "programs/kerf/cli/page_maker.hpp"
 #include "programs/kerf/cli/report_output.hpp"
+#include "programs/kerf/compare/comparison.hpp"
+#include "programs/kerf/compare/comparison_text.hpp"
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/log.hpp"
 #include "programs/kerf/io/visible_text.hpp"
@@ -98,6 +99,41 @@ ExitStatus show_tick_cost(const Options& options, const MachineSettings& setting
   return first_failure({printed, stop_requested().value_or(ExitStatus::done)});
 }
 
+// Precondition: two programs or two machines; of what is there once, both take that one.
+ExitStatus show_comparison(const Options& options, const std::vector<NamedMachine>& machines) {
+  std::vector<FileReport> reports;
+  std::vector<std::string> sources;
+  for (const std::size_t side : {0U, 1U}) {
+    const std::string& file = side < options.files.size() ? options.files[side] : options.files[0];
+    const NamedMachine& machine = side < machines.size() ? machines[side] : machines[0];
+    PageRecord text{.wants_motion = false};
+    reports.push_back(
+        process_file(file, options_on(machine, options), machine.chosen.settings, &text));
+    sources.push_back(text.source.value_or(""));
+    if (const auto requested = stop_requested()) {
+      return *requested;
+    }
+    if (options.format == DiagnosticFormat::text) {
+      print_messages(reports.back(), options);
+    }
+  }
+  const ExitStatus status = first_failure({reports[0].status, reports[1].status});
+  std::optional<Comparison> comparison;
+  if (status == ExitStatus::done) {
+    comparison = compare_programs({reports[0], sources[0]}, {reports[1], sources[1]},
+                                  options.compared_lines);
+  }
+  const ComparedReports compared{
+      .first = reports[0], .second = reports[1], .comparison = comparison ? &*comparison : nullptr};
+  ExitStatus printed = ExitStatus::done;
+  if (options.json) {
+    printed = print(STDOUT_FILENO, comparison_json(compared, status));
+  } else if (!options.quiet) {
+    printed = print(STDOUT_FILENO, comparison_text(compared));
+  }
+  return first_failure({status, printed, print_document(reports, options)});
+}
+
 ExitStatus process_all(const Options& options) {
   const auto machines = choose_machines(options);
   if (machines && options.command == Subcommand::tick_cost) {
@@ -106,7 +142,7 @@ ExitStatus process_all(const Options& options) {
   if (!machines) {
     return refuse_machine(machines.error(), options);
   }
-  return options.command == Subcommand::compare ? compare(options, *machines)
+  return options.command == Subcommand::compare ? show_comparison(options, *machines)
                                                 : AllPrograms(options).process(*machines);
 }
 
