@@ -47,6 +47,9 @@ bool InquiryWatch::hears_input() noexcept {
     found_.value = inputs_.analog[inquiry_.channel];
     return found_.found = true;
   }
+  if (inquiry_.kind == Kind::at_speed) {
+    return found_.found = inputs_.spindle_at_speed;
+  }
   const bool is_high = ((inputs_.digital >> inquiry_.channel) & 1U) != 0;
   const bool was_high = was_high_;
   was_high_ = is_high;

@@ -19,12 +19,22 @@ using curves::Position;
 // A question of a block of the program: of its motion, which ends where the probe says, and of the
 // wait behind it; or of that alone.
 struct Inquiry {
-  enum class Kind : std::uint8_t { contact, contact_end, digital, rise, fall, high, low, analog };
+  enum class Kind : std::uint8_t {
+    contact,
+    contact_end,
+    digital,
+    rise,
+    fall,
+    high,
+    low,
+    analog,
+    at_speed
+  };
 
   std::uint64_t block = 0;  // Phase::run_block of its motion, rest_block of its wait
   Kind kind = Kind::contact;
   std::size_t channel = 0;
-  std::int64_t max_ticks = 0;     // that it waits for an input
+  std::int64_t max_ticks = 0;     // that it waits for an input; for the spindle without end
   profiles::RampLimits limits{};  // of a probe's motion, along its line
   std::int64_t pause_ticks = 0;   // from the answer to the motion that follows it
 

@@ -14,13 +14,7 @@ void MachineFileReader::read_manual(const Section& section) {
     }
   }
   check_keys(section, keys);
-  const toml::node* const node = section.table->get(kRunsUnhomed);
-  if (node != nullptr && node->is_boolean()) {
-    settings_.manual.runs_unhomed = node->as_boolean()->get();
-  } else if (node != nullptr) {
-    report(node->source(), section.path_to(kRunsUnhomed) + ": found " +
-                               std::string(name_of(node->type())) + ", expected true or false");
-  }
+  settings_.manual.runs_unhomed = read_flag(section, kRunsUnhomed).value_or(false);
 }
 
 }  // namespace kerf

@@ -7,7 +7,6 @@
 
 #include "kernel/machine_file_checks.hpp"
 #include "kernel/machine_file_text.hpp"
-#include "parser/dialects/dialect.hpp"
 
 namespace kerf {
 
@@ -16,8 +15,6 @@ namespace {
 constexpr std::array<std::string_view, 11> kSections{"tick",   "path",   "axes",      "offsets",
                                                      "tools",  "probe",  "program",   "inputs",
                                                      "manual", "driver", "simulation"};
-constexpr std::array<std::string_view, 6> kProgramKeys{
-    "dialect", "least_increment_mm", "path_mode", "tool_change_s", "spindle_start_s", "safe_z_mm"};
 constexpr std::array<std::string_view, 9> kAllAxisNames{"x", "y", "z", "a", "b",
                                                         "c", "u", "v", "w"};
 constexpr auto kAxisNames = std::span(kAllAxisNames).first<3>();
@@ -200,6 +197,15 @@ std::optional<double> MachineFileReader::read_number(const Section& section, con
   return number;
 }
 
+std::optional<bool> MachineFileReader::read_flag(const Section& section, std::string_view key) {
+  const toml::node* const node = section.table->get(key);
+  if (node != nullptr && !node->is_boolean()) {
+    report(node->source(), section.path_to(key) + ": found " + std::string(name_of(node->type())) +
+                               ", expected true or false");
+  }
+  return node != nullptr ? node->value_exact<bool>() : std::nullopt;
+}
+
 void MachineFileReader::read_axis(const Section& section, std::size_t axis) {
   const std::size_t errors_before = errors_.size();
   read_numbers(section, axis_rules(), axis);
@@ -219,17 +225,6 @@ void MachineFileReader::read_axis(const Section& section, std::size_t axis) {
   }
 }
 
-void MachineFileReader::read_program(const Section& section) {
-  check_keys(section, kProgramKeys);
-  for (const NumberRule& rule : program_rules()) {
-    if (const toml::node* const node = section.table->get(rule.key)) {
-      rule.field(settings_, 0) = read_number(section, rule, *node).value_or(0.0);
-    }
-  }
-  read_dialect(section);
-  read_path_mode(section);
-}
-
 void MachineFileReader::read_inputs(const Section& section) {
   std::vector<std::string_view> keys;
   for (const InputRule& rule : input_rules()) {
@@ -243,37 +238,6 @@ void MachineFileReader::read_inputs(const Section& section) {
     }
   }
   check_keys(section, keys);
-}
-
-void MachineFileReader::read_dialect(const Section& section) {
-  const toml::node* const node = section.table->get("dialect");
-  if (node == nullptr) {
-    return;
-  }
-  const std::optional<std::string> name = node->value_exact<std::string>();
-  if (name == "fanuc") {
-    settings_.dialect = parser::Dialect::fanuc;
-  } else if (name != "rs274") {
-    report(node->source(), section.path_to("dialect") + ": found " +
-                               (name ? in_quotes(*name) : std::string(name_of(node->type()))) +
-                               ", expected 'rs274' or 'fanuc'");
-  }
-}
-
-void MachineFileReader::read_path_mode(const Section& section) {
-  const toml::node* const node = section.table->get("path_mode");
-  if (node == nullptr) {
-    return;
-  }
-  const std::optional<std::string> words = node->value_exact<std::string>();
-  const auto control = words ? path_control_of(*words, settings_.program) : std::nullopt;
-  if (control) {
-    settings_.program.path_control = *control;
-    return;
-  }
-  report(node->source(), section.path_to("path_mode") + ": found " +
-                             (words ? in_quotes(*words) : std::string(name_of(node->type()))) +
-                             ", expected 'G61', 'G61.1' or 'G64', which may have P and Q in mm");
 }
 
 void MachineFileReader::check_bounds(const Section& file) {

@@ -53,6 +53,8 @@ class MachineFileReader {
   void read_numbers(const Section& section, std::span<const NumberRule> rules, std::size_t axis);
   std::optional<double> read_number(const Section& section, const NumberRule& rule,
                                     const toml::node& node);
+  // Nothing, too, where it is missing.
+  std::optional<bool> read_flag(const Section& section, std::string_view key);
   void read_axes(const Section& axes);
   void read_axis(const Section& section, std::size_t axis);
   void read_program(const Section& section);
@@ -77,7 +79,6 @@ class MachineFileReader {
   void read_probe(const Section& probe);
   void read_box(const Section& probe);
   bool read_plane(const Section& probe);  // false: there is none
-  void read_latches(const Section& probe);
   void read_simulation(const Section& section);
   void read_switches(const Section& section, std::size_t axis);
   // The numbers of an array, one after the other; false: something is wrong with it.

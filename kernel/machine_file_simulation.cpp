@@ -98,17 +98,6 @@ bool MachineFileReader::read_plane(const Section& probe) {
   return false;
 }
 
-void MachineFileReader::read_latches(const Section& probe) {
-  if (const toml::node* latches = probe.table->get("latches")) {
-    if (const auto* value = latches->as_boolean()) {
-      settings_.simulation.latches_probe = value->get();
-    } else {
-      report(latches->source(), "probe.latches: found " + std::string(name_of(latches->type())) +
-                                    ", expected a boolean");
-    }
-  }
-}
-
 // One surface: faces of a block, a plane, a sphere or a height map.
 void MachineFileReader::read_probe(const Section& probe) {
   std::vector<std::string_view> known(kFaces.begin(), kFaces.end());
@@ -143,7 +132,7 @@ void MachineFileReader::read_probe(const Section& probe) {
            "probe: found " + std::to_string(surfaces) +
                " surfaces, expected one: faces, plane, sphere or height_map");
   }
-  read_latches(probe);
+  settings_.simulation.latches_probe = read_flag(probe, "latches").value_or(false);
 }
 
 bool MachineFileReader::read_array(const Section& section, std::string_view key, std::size_t most,

@@ -123,8 +123,8 @@ void Pipeline::note_question(const parser::Move& pause) {
     const auto ticks = [this](double time_s) {
       return static_cast<std::int64_t>(std::ceil(time_s / period_s_ - kRounding));
     };
-    static_assert(static_cast<int>(interp::Inquiry::Kind::analog) ==
-                  static_cast<int>(parser::MachineQuestion::Kind::analog));
+    static_assert(static_cast<int>(interp::Inquiry::Kind::at_speed) ==
+                  static_cast<int>(parser::MachineQuestion::Kind::at_speed));
     inquiry_ = {.block = pause.block,
                 .kind = static_cast<interp::Inquiry::Kind>(event->question.kind),
                 .channel = static_cast<std::size_t>(event->question.channel),

@@ -1,5 +1,8 @@
 #include "kernel/simulated_answers.hpp"
 
+#include <cmath>
+#include <numbers>
+
 #include "machine/touch_surface.hpp"
 
 namespace kerf {
@@ -35,6 +38,12 @@ std::optional<Point> SimulatedAnswers::change_of_contact(const parser::ProbedWay
   const auto tip = way.until_contact ? machine::first_contact(*world_.surface, of_tip)
                                      : machine::end_of_contact(*world_.surface, of_tip);
   return tip ? std::optional(moved(*tip, offset_mm, 1.0)) : std::nullopt;
+}
+
+double SimulatedAnswers::spindle_time_s(double from_per_min, double to_per_min) const {
+  constexpr double kRadPerTurn = 2.0 * std::numbers::pi;
+  const double change_rad_s = kRadPerTurn / 60.0 * std::abs(to_per_min - from_per_min);
+  return world_.spindle_rad_s2 > 0.0 ? change_rad_s / world_.spindle_rad_s2 : 0.0;
 }
 
 }  // namespace kerf

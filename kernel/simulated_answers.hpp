@@ -22,6 +22,7 @@ class SimulatedAnswers final : public parser::AssumedMachine {
     return ((world_.digital >> input) & 1U) != 0;
   }
   [[nodiscard]] double analog(std::size_t input) const override { return world_.analog[input]; }
+  [[nodiscard]] double spindle_time_s(double from_per_min, double to_per_min) const override;
 
  private:
   [[nodiscard]] parser::Point tool_offset_mm(std::int32_t tool) const;

@@ -216,6 +216,9 @@ struct ProgramData {
   /// travel's top, which it is where this is infinite.
   double safe_z_mm = kUnbounded;
   double spindle_start_s = 0.0;  ///< rest behind an M3 or M4 that starts the spindle, >= 0
+  /// Behind M3, M4 and a new S the tool rests until the machine says that the spindle is at its
+  /// speed (ProgramInputs), where KernelOptions::asks_machine.
+  bool waits_for_spindle = false;
 };
 
 /// Of the default machine: no offsets, and a tool changer with 60 places. T1 (10 mm, 12.5 mm long),

@@ -1,4 +1,4 @@
-// What a machine answers to a program: G38 and M66.
+// What a machine answers to a program: G38, M66 and the spindle.
 #pragma once
 
 #include <array>
@@ -23,6 +23,7 @@ struct ProgramInputs {
   Position latched_mm{};
   std::uint64_t digital = 0;                      ///< M66 P: bit n is input n
   std::array<double, Outputs::kAnalog> analog{};  ///< M66 E
+  bool spindle_at_speed = true;                   ///< what ProgramData::waits_for_spindle waits for
 };
 
 }  // namespace v0

@@ -156,6 +156,9 @@ Done Interpreter::probe(const RunningBlock& at) {
 }
 
 void Interpreter::take_answer(const MachineQuestion& question, const MachineAnswer& answer) {
+  if (question.kind == MachineQuestion::Kind::at_speed) {
+    return;
+  }
   if (!is_probe(question)) {
     memory_.state.input = answer.found ? answer.value : -1.0;
   } else if (const Done taken = take_probe_answer(asked_, answer, memory_.state); !taken) {

@@ -39,7 +39,7 @@ Done Interpreter::switch_machine(const RunningBlock& at) {
   ModalState& state = memory_.state;
   return switch_in_out(at, state, memory_.answers)
       .and_then([&] { return change_tool(at, state, memory_.machine.tools); })
-      .and_then([&] { return spindle_.start(at, state); })
+      .and_then([&] { return spindle_.start(at, state, memory_.answers); })
       .and_then([&] { return save_modes(at); })
       .and_then([&] {
         switch_coolant(at, state);

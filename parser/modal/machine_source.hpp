@@ -34,11 +34,14 @@ class AssumedMachine {
   [[nodiscard]] virtual std::optional<Point> change_of_contact(const ProbedWay& way) const = 0;
   [[nodiscard]] virtual bool digital(std::size_t input) const = 0;
   [[nodiscard]] virtual double analog(std::size_t input) const = 0;
+  // How long the spindle takes to its speed, clockwise positive.
+  [[nodiscard]] virtual double spindle_time_s(double from_per_min, double to_per_min) const = 0;
 };
 
 struct MachineSource {
   // The reader waits at G38 and M66 for the machine's answer. Else a machine is assumed.
   bool is_asked = false;
+  bool waits_for_spindle = false;                   // behind M3, M4 and a new S: the same
   std::shared_ptr<const AssumedMachine> assumed{};  // null: nothing is touched, inputs are low
 };
 

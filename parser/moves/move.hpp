@@ -74,7 +74,7 @@ enum class EventKind : std::uint8_t {
   adaptive_feed,      // M52: the same of the machine's share of the feedrate
   feed_stop,          // M53: the same of the machine's feed stop
   probe_begin,        // G38: a rest, and the next motion ends where the machine says
-  ask_machine,        // G38, M66: at rest, until the machine has answered
+  ask_machine,        // G38, M66, the spindle: at rest, until the machine has answered
 };
 
 // What a program asks the machine where motion has come.
@@ -87,7 +87,8 @@ struct MachineQuestion {
     fall,
     high,
     low,
-    analog,  // M66 E
+    analog,    // M66 E
+    at_speed,  // M3, M4, S: the spindle
   };
 
   Kind kind = Kind::contact;
@@ -172,7 +173,7 @@ struct Move {
   double blend_tolerance_mm = 0.0;  // G64 P or the machine's; 0: no corner is cut
   double merge_tolerance_mm = 0.0;  // G64 Q, P or the machine's; 0: no lines are merged
   bool mode_by_program = false;     // else the machine's
-  bool probes = false;  // it ends in an exact stop, whatever the path mode is
+  bool probes = false;              // it ends in an exact stop, whatever the path mode is
   std::uint64_t block = 0;  // of the program's run, counted from 1: a line of a loop is many
 };
 

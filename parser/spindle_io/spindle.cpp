@@ -1,6 +1,7 @@
 #include "parser/spindle_io/spindle.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "diagnostics/errors/pages.hpp"
 #include "parser/text/text.hpp"
@@ -125,12 +126,34 @@ void SpindleDrive::follow_moved_axis(const MoveSink& at, const ModalState& state
   }
 }
 
-Done SpindleDrive::start(const RunningBlock& at, ModalState& state) {
+void SpindleDrive::wait_for_speed(const RunningBlock& at, const ModalState& state,
+                                  const MachineSource& machine) {
+  const double sign = state.spindle == Spindle::clockwise ? 1.0 : -1.0;
+  const double before_per_min = std::exchange(turns_per_min_, sign * spindle_per_min(state));
+  if (!machine.waits_for_spindle) {
+    return;
+  }
+  if (machine.is_asked) {
+    at.push_event(state, {.kind = EventKind::ask_machine,
+                          .question = {.kind = MachineQuestion::Kind::at_speed}});
+    return;
+  }
+  const double time_s = machine.assumed != nullptr
+                            ? machine.assumed->spindle_time_s(before_per_min, turns_per_min_)
+                            : 0.0;
+  if (time_s > 0.0) {
+    at.push_move(state).shape = DwellMove{time_s};
+  }
+}
+
+Done SpindleDrive::start(const RunningBlock& at, ModalState& state, const MachineSource& machine) {
   const Tenths code = at.codes[Group::spindle];
   if (code == 190) {
+    turns_per_min_ = 0.0;
     return orient_spindle(at, state);
   }
   if (code == 50) {
+    turns_per_min_ = 0.0;
     state.spindle = Spindle::off;
     at.push_event(state, {EventKind::spindle_off});
     return {};
@@ -141,6 +164,7 @@ Done SpindleDrive::start(const RunningBlock& at, ModalState& state) {
   const bool changed = code != kNoCode || at.block.has('S') || at.codes.has(Group::spindle_mode);
   if (changed && state.spindle != Spindle::off) {
     at.push_move(state).shape = turn(state, state.spindle);
+    wait_for_speed(at, state, machine);
   }
   return {};
 }

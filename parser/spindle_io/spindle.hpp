@@ -1,6 +1,7 @@
 // The spindle: S, G96, G97, M3, M4, M5, M19.
 #pragma once
 
+#include "parser/modal/machine_source.hpp"
 #include "parser/modal/running_block.hpp"
 
 namespace kerf::parser {
@@ -15,14 +16,18 @@ double spindle_per_min(const ModalState& state);
 class SpindleDrive {
  public:
   // M3, M4, M5, M19; a new S while the spindle turns is sent as its direction once more.
-  Done start(const RunningBlock& at, ModalState& state);
+  Done start(const RunningBlock& at, ModalState& state, const MachineSource& machine);
   // Tells a turning spindle when an offset or the unit has changed what X0 or S is to it.
   void follow_moved_axis(const MoveSink& at, const ModalState& state);
   // The event that turns the spindle at the speed that S and G96 give at this place.
   EventMove turn(const ModalState& state, Spindle direction);
 
  private:
+  void wait_for_speed(const RunningBlock& at, const ModalState& state,
+                      const MachineSource& machine);
+
   SurfaceFollowing followed_{};
+  double turns_per_min_ = 0.0;  // clockwise positive
 };
 
 }  // namespace kerf::parser

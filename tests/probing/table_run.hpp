@@ -44,7 +44,8 @@ inline ProgramInputs inputs_of(const machine::MachineState& state) {
           .has_latched = state.has_latched,
           .latched_mm = state.latched_mm,
           .digital = state.inputs.digital,
-          .analog = state.inputs.analog};
+          .analog = state.inputs.analog,
+          .spindle_at_speed = state.inputs.spindle_at_speed};
 }
 
 inline std::vector<machine::ToolOffset> tools_of(const MachineSettings& settings) {

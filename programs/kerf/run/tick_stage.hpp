@@ -66,7 +66,8 @@ class TickStage {
             .has_latched = state_.has_latched,
             .latched_mm = state_.latched_mm,
             .digital = state_.inputs.digital,
-            .analog = state_.inputs.analog};
+            .analog = state_.inputs.analog,
+            .spindle_at_speed = state_.inputs.spindle_at_speed};
   }
   // Axes are coming to rest because of a fault.
   [[nodiscard]] bool is_stopping() const noexcept { return has(machine::AxisState::stopping); }
