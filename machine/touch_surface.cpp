@@ -192,10 +192,21 @@ double next_line(const HeightMap& map, const TipWay& way, double t) noexcept {
   return next;
 }
 
+// The share of the way at which it comes over the grid; 0 where it begins there.
+double begin_over(const HeightMap& map, const TipWay& way) noexcept {
+  TouchBox outline;
+  const std::array<std::size_t, 2> points{map.columns, rows_of(map)};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    outline.min_mm[k] = map.origin_mm[k];
+    outline.max_mm[k] = map.origin_mm[k] + static_cast<double>(points[k] - 1) * map.spacing_mm[k];
+  }
+  return std::max(inside_from(outline, way).begin, 0.0);
+}
+
 // From cell to cell. Contact can change at a line of the grid only at its outline.
 double change_on(const HeightMap& map, const TipWay& way, bool to_inside) noexcept {
   const std::size_t most = 2 * (map.columns + rows_of(map)) + 4;
-  double t = 0.0;
+  double t = to_inside ? begin_over(map, way) : 0.0;
   for (std::size_t i = 0; i < most && t < 1.0; ++i) {
     const double end = next_line(map, way, t);
     const Position middle = place_at(way, 0.5 * (t + end));
@@ -209,7 +220,7 @@ double change_on(const HeightMap& map, const TipWay& way, bool to_inside) noexce
     }
     const Quadratic depth = depth_along(map, *cell, way);
     const double sign = to_inside ? 1.0 : -1.0;
-    if (i > 0 && sign * depth.at(t) > 0.0) {
+    if (t > 0.0 && sign * depth.at(t) > 0.0) {
       return t;
     }
     for (const double root : depth.roots()) {

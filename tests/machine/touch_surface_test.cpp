@@ -82,6 +82,14 @@ TEST(TouchSurface, AHeightMapIsMetFromAboveAndFromTheSide) {
   EXPECT_EQ(end(roof(), {10, 5, -1}, {30, 5, -1}), (Position{20, 5, -1}));
 }
 
+// Farther beside it than the grid has lines.
+TEST(TouchSurface, AHeightMapIsMetFromFarBesideIt) {
+  EXPECT_EQ(contact(roof(), {-984, 5, -1}, {40, 5, -1}), (Position{0, 5, -1}));
+  EXPECT_EQ(contact(roof(), {1044, 5, 2}, {20, 5, 2}), std::nullopt);
+  EXPECT_EQ(contact(roof(), {1034, 5, 2}, {10, 5, 2}), (Position{15, 5, 2}));
+  EXPECT_FALSE(contact(roof(), {-984, -990, -1}, {40, -34, -1}));  // passes by
+}
+
 TEST(TouchSurface, AHeightMapEndsWithItsGrid) {
   EXPECT_FALSE(contact(roof(), {-5, 5, 9}, {-5, 5, -9}));
   EXPECT_FALSE(contact(roof(), {5, 21, 9}, {5, 21, -9}));
