@@ -152,7 +152,8 @@ void SimulatedTable::observe() noexcept {
     }
     state_.actual_mm[axis] = actual_mm;
     state_.following_error_mm[axis] = commanded_mm_[axis] - actual_mm;
-    if (std::abs(state_.following_error_mm[axis]) > settings_.axes[axis].max_following_error_mm) {
+    const double most_mm = settings_.axes[axis].max_following_error_mm;
+    if (state_.axes[axis] == AxisState::on && std::abs(state_.following_error_mm[axis]) > most_mm) {
       fault(DriveFault::following_error, static_cast<std::int8_t>(axis));
     }
   }

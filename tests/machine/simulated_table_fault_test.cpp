@@ -179,6 +179,21 @@ TEST(SimulatedTableFaults, AfterAFaultAllAxesStopTogetherAndStayWhereTheyAre) {
   EXPECT_EQ(table.read().actual_mm[2], 0.0);
 }
 
+// It comes to rest 0.5 mm beyond the last setpoint.
+TEST(SimulatedTableFaults, IsNoFollowingErrorWhereItIsDisabledAtSpeed) {
+  TableSettings settings = real();
+  settings.axes[0].max_following_error_mm = 0.2;
+  SimulatedTable table(settings);
+  run_at_speed(table, 400);
+  ASSERT_EQ(table.read().fault, DriveFault::none);
+  table.disable();
+  for (int tick = 0; tick < 50; ++tick) {
+    table.write(at({}));
+    EXPECT_EQ(table.read().fault, DriveFault::not_enabled);
+  }
+  EXPECT_LT(table.read().following_error_mm[0], -0.4);
+}
+
 TEST(SimulatedTableFaults, EnablingClearsTheFaultAndMovesAgain) {
   SimulatedTable table(lagging());
   run_at_speed(table, 50);
