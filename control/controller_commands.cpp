@@ -99,7 +99,7 @@ bool Controller::Impl::set_tool(const Tool& tool) {
     return false;
   }
   settings_.program.tools.put(tool);
-  if (running_.load() != nullptr) {
+  if (kernel_) {  // one that has ended, too: lines begin with what it has left
     kernel_->set_tool(tool);
   }
   return true;

@@ -243,6 +243,29 @@ TEST(Jog, FromAHoldAtAWaitComesBackBeforeTheAnswer) {
   EXPECT_EQ(shop.setpoint.outputs.tool, 2);
 }
 
+TEST(Jog, LetsAToolBeSetMeanwhile) {
+  const Tool longer{.number = 2, .pocket = 2, .offset_mm = {0.0, 0.0, 7.0}};
+  JogShop idle;
+  idle.jog({.mm = {40.0, 0.0, 0.0}, .is_step = true});
+  idle.go(10);
+  EXPECT_TRUE(idle.controller.set_tool(longer));
+  idle.go_until(State::idle);
+  JogShop shop;
+  shop.start("G21 G90 F6000\nG1 X50\nT2 M6\nG43 H2\nG1 Z1\nM2\n");
+  shop.go_until(State::waiting);
+  shop.give(Command::hold);
+  shop.go_until(State::held);
+  shop.jog({.mm = {0.0, 40.0, 0.0}, .is_step = true});
+  shop.go_until(State::held);
+  EXPECT_TRUE(shop.controller.set_tool(longer));
+  shop.give(Command::resume);
+  shop.go_until(State::running);
+  for (int i = 0; i < 2000 && shop.go() != State::idle; ++i) {
+    static_cast<void>(shop.controller.give(Command::resume));
+  }
+  EXPECT_EQ(shop.setpoint.position_mm, (Position{50.0, 0.0, 8.0}));
+}
+
 TEST(Jog, MayBeHeldOnTheWayBack) {
   JogShop shop;
   shop.start("G21 G90\nG1 X200 F6000\nM2\n");
