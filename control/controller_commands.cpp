@@ -190,6 +190,7 @@ void Controller::Impl::carry_out(Command command, State state) {
 void Controller::Impl::tell_program(Command command) {
   if (command == Command::override) {
     kernel_->set_overrides(operator_.overrides);
+    spindle_share_ = is_suspended_ ? spindle_share_ : operator_.overrides.spindle;
   } else if (command == Command::single_block) {
     kernel_->set_single_block(operator_.single_block);
   } else if (command == Command::optional_stop) {

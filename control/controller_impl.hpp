@@ -94,6 +94,8 @@ class KERF_LOCAL Controller::Impl {
   // Fed and planned.
   [[nodiscard]] std::unique_ptr<Kernel> kernel_of_line(std::string_view line);
   void start(std::unique_ptr<Kernel> kernel, Runs what);
+  // The ticks are those of the program from now on.
+  void run_program();
   // A program runs, or is held while the tool moves by hand.
   [[nodiscard]] bool has_program() const noexcept {
     return is_suspended_ || (kernel_ && running_.load() == kernel_.get());
@@ -151,6 +153,7 @@ class KERF_LOCAL Controller::Impl {
   std::atomic<bool> by_hand_ = false;  // what runs is no program
   std::unique_ptr<Kernel> kernel_;
   Published operator_{};
+  double spindle_share_ = 1.0;  // of the programmed speed, in the latest outputs
   bool ran_ = false;       // at the last plan()
   bool ran_line_ = false;  // the latest was one
   // By hand.

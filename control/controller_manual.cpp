@@ -180,8 +180,7 @@ void Controller::Impl::follow_return() {
   is_suspended_ = false;
   kernel_->resume();
   leave_manual_for(State::running);
-  by_hand_ = false;
-  running_.store(kernel_.get(), std::memory_order_release);
+  run_program();
 }
 
 void Controller::Impl::end_suspended() {

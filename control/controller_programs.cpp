@@ -60,7 +60,7 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_from_here(Runs what) {
     options.begins_with = kernel_->state_left();
     options.start_outputs = at.outputs;
     if (at.outputs.follows_speed_override) {
-      options.start_outputs.spindle_rad_s /= operator_.overrides.spindle;
+      options.start_outputs.spindle_rad_s /= spindle_share_;
     }
   }
   if (what == Runs::line) {
@@ -92,6 +92,11 @@ void Controller::Impl::start(std::unique_ptr<Kernel> kernel, Runs what) {
   kernel_ = std::move(kernel);
   ran_line_ = what == Runs::line;
   run_ticks_ = 0;
+  run_program();
+}
+
+void Controller::Impl::run_program() {
+  spindle_share_ = operator_.overrides.spindle;
   by_hand_ = false;
   running_.store(kernel_.get(), std::memory_order_release);
 }

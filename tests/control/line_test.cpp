@@ -62,6 +62,29 @@ TEST(Line, KeepsSpindleCoolantAndOutputsOn) {
   EXPECT_FALSE(shop.setpoint.outputs.flood);
 }
 
+TEST(Line, TurnsTheSpindleAsWasProgrammedWhenTheOverrideHasChanged) {
+  LineShop shop;
+  constexpr double kWhole_rad_s = 600.0 * 2.0 * 3.14159265358979323846 / 60.0;
+  shop.run_mdi("M3 S600");
+  ASSERT_TRUE(shop.controller.set_overrides({.spindle = 0.5}));
+  EXPECT_FALSE(shop.controller.run_mdi("G1 Y"));  // what is refused changes nothing
+  shop.run_mdi("G21 G1 X5 F3000");
+  EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, 0.5 * kWhole_rad_s, 1e-9);
+  ASSERT_TRUE(shop.controller.set_overrides({}));
+  shop.run_mdi("X0");
+  EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, kWhole_rad_s, 1e-9);
+  ASSERT_TRUE(shop.controller.run_mdi("X9"));
+  shop.tick(20);
+  shop.give(Command::hold);
+  shop.tick_until(State::held);
+  ASSERT_TRUE(shop.controller.jog({.mm = {0.0, 1.0, 0.0}, .is_step = true}));
+  shop.tick_until(State::held);
+  ASSERT_TRUE(shop.controller.set_overrides({.spindle = 0.5}));
+  shop.give(Command::stop);
+  shop.run_mdi("X3");
+  EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, 0.5 * kWhole_rad_s, 1e-9);
+}
+
 TEST(Line, HasTheToolThatWasSetBehindTheLineBefore) {
   LineShop shop;
   shop.run_mdi("G21 G90 G0 X1");
