@@ -124,6 +124,9 @@ class KERF_LOCAL Controller::Impl {
   void leave_manual_for(ControllerState next);
   // The program that is held ends where the tool was jogged to.
   void end_suspended();
+  // Plans the program and tells what it says, if it ran at the last plan() or began since. True: it
+  // wants text.
+  bool hear_out();
   // What the program says where the tool is.
   void tell();
 
@@ -154,8 +157,8 @@ class KERF_LOCAL Controller::Impl {
   std::unique_ptr<Kernel> kernel_;
   Published operator_{};
   double spindle_share_ = 1.0;  // of the programmed speed, in the latest outputs
-  bool ran_ = false;       // at the last plan()
-  bool ran_line_ = false;  // the latest was one
+  bool ran_ = false;            // at the last plan(), or began since
+  bool ran_line_ = false;       // the latest was one
   // By hand.
   struct Manual {
     std::unique_ptr<Kernel> kernel{};

@@ -55,8 +55,8 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_from_here(Runs what) {
   if (what == Runs::line || programs_.load() > 0) {
     options.start_in_program.reset();
   }
+  hear_out();
   if (kernel_ && (what == Runs::line || ran_line_)) {
-    kernel_->plan();  // it may not know yet how far the tool has come
     options.begins_with = kernel_->state_left();
     options.start_outputs = at.outputs;
     if (at.outputs.follows_speed_override) {
@@ -91,6 +91,7 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_from_here(Runs what) {
 void Controller::Impl::start(std::unique_ptr<Kernel> kernel, Runs what) {
   kernel_ = std::move(kernel);
   ran_line_ = what == Runs::line;
+  ran_ = true;
   run_ticks_ = 0;
   run_program();
 }
@@ -113,17 +114,22 @@ void Controller::Impl::finish() {
   }
 }
 
-// Once more behind the program's end: it may have said something there.
 bool Controller::Impl::plan() {
   follow_manual();
   const bool runs = has_program();
-  bool wants_text = false;
-  if (runs || ran_) {
-    wants_text = kernel_->plan() && runs;
-    tell();
-  }
+  const bool wants_text = hear_out() && runs;
   ran_ = runs;
   wants_text_.store(wants_text, std::memory_order_relaxed);
+  return wants_text;
+}
+
+// Behind its end, too: it may have said something there.
+bool Controller::Impl::hear_out() {
+  if (!std::exchange(ran_, false)) {
+    return false;
+  }
+  const bool wants_text = kernel_->plan();
+  tell();
   return wants_text;
 }
 

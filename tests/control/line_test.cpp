@@ -1,4 +1,5 @@
 // One line of an operator, with what programs and lines have left in force.
+#include <array>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -83,6 +84,26 @@ TEST(Line, TurnsTheSpindleAsWasProgrammedWhenTheOverrideHasChanged) {
   shop.give(Command::stop);
   shop.run_mdi("X3");
   EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, 0.5 * kWhole_rad_s, 1e-9);
+}
+
+// They end before the planning thread looks again.
+TEST(Line, SaysWhatItHasToSayHoweverShortItIs) {
+  LineShop shop;
+  for (const char* line : {"M5 (MSG, one)", "M9 (MSG, two)"}) {
+    ASSERT_TRUE(shop.controller.run_mdi(line));
+    for (State state = State::running; state != State::idle;) {
+      state = shop.controller.tick(shop.setpoint);
+    }
+  }
+  shop.controller.plan();
+  std::array<ControllerEvent, 16> events;
+  const std::size_t count = shop.controller.events_since(1, events);
+  std::string told;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto message = shop.controller.message(events[i].message);
+    told += message ? message->text + ";" : "";
+  }
+  EXPECT_EQ(told, "one;two;");
 }
 
 TEST(Line, HasTheToolThatWasSetBehindTheLineBefore) {
