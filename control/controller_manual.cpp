@@ -110,6 +110,7 @@ void Controller::Impl::follow_manual() {
       if (running_.load() == nullptr) {
         is_suspended_ = false;
         manual_ = {};
+        home_search_.drop_place();
       }
       break;
     case State::jogging:
@@ -203,7 +204,9 @@ void Controller::Impl::follow_homing() {
     return;
   }
   if (manual_.stops) {
-    leave_manual_for(State::idle);
+    if (!home_search_.is_placing(here())) {
+      leave_manual_for(State::idle);
+    }
     return;
   }
   control::HomeSearch::Move move;

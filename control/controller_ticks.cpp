@@ -87,7 +87,7 @@ void Controller::Impl::end(State next) noexcept {
 }
 
 void Controller::Impl::rest() noexcept {
-  has_new_place_ = home_search_.take_place(last_);
+  has_new_place_ = state_.state() == State::homing && home_search_.take_place(last_);
   last_.v_mm_s = last_.a_mm_s2 = last_.j_mm_s3 = 0.0;
   last_.velocity_mm_s = last_.acceleration_mm_s2 = {};
   last_.limit = Constraint::rest;

@@ -86,7 +86,7 @@ HomeSearch::Next HomeSearch::give_place() {
 
 // Once the tick side has taken the place.
 HomeSearch::Next HomeSearch::go_home(const Setpoint& at, Move& move) {
-  if (shifts_.load(std::memory_order_acquire) || at.tick < place_tick_) {
+  if (is_placing(at)) {
     return Next::waits;
   }
   const AxisHoming& homing = of_axis();

@@ -45,6 +45,12 @@ class HomeSearch {
   // While it moves; nothing: all is well.
   [[nodiscard]] std::optional<std::string> complaint(std::int64_t tick) const;
   [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
+  // A place was found, and setpoints do not have it yet. `at`: the latest of them.
+  [[nodiscard]] bool is_placing(const Setpoint& at) const noexcept {
+    return shifts_.load(std::memory_order_acquire) || at.tick < place_tick_;
+  }
+  // It is not to be given any more.
+  void drop_place() noexcept { shifts_.store(false); }
 
   // Tick side, from here on. The switches that are closed, as of the last setpoint.
   void see(AxisSet closed, const Setpoint& last) noexcept;

@@ -131,6 +131,55 @@ TEST(Homing, ThatIsStoppedLeavesTheAxisWithoutItsPlace) {
   EXPECT_EQ(shop.controller.status().unhomed, 0U);
 }
 
+// The planning side has found a place, and the tick side has not taken it.
+struct PlacingShop : HomingShop {
+  PlacingShop() {
+    HomingShop other;
+    other.give(Command::home);
+    int ticks = 0;
+    while (other.tick() == State::homing && !other.controller.has_new_place()) {
+      ++ticks;
+    }
+    give(Command::home);
+    tick(ticks);
+    controller.plan();
+  }
+  int places(int ticks) {
+    int count = 0;
+    for (int i = 0; i < ticks; ++i) {
+      tick();
+      count += controller.has_new_place() ? 1 : 0;
+    }
+    return count;
+  }
+};
+
+TEST(Homing, ThatIsStoppedGivesAPlaceThatIsFoundBeforeItIsIdle) {
+  PlacingShop shop;
+  shop.give(Command::stop);
+  shop.controller.plan();
+  EXPECT_EQ(shop.controller.status().state, State::homing);
+  shop.tick();
+  EXPECT_TRUE(shop.controller.has_new_place());
+  EXPECT_EQ(shop.tick(), State::idle);
+  EXPECT_EQ(shop.places(100), 0);
+}
+
+TEST(Homing, GivesNoPlaceBehindAnEmergencyStopOrAFault) {
+  for (const State end : {State::emergency_stop, State::fault}) {
+    PlacingShop shop;
+    end == State::fault ? shop.controller.fail() : shop.controller.emergency_stop();
+    EXPECT_EQ(shop.places(10), 0);
+    EXPECT_EQ(shop.controller.status().unhomed, 7U);
+    shop.give(Command::reset);
+    shop.give(Command::enable);
+    shop.give(Command::home);
+    EXPECT_EQ(shop.places(10), 0);
+    shop.tick_until(State::idle);
+    EXPECT_EQ(shop.controller.status().unhomed, 0U);
+  }
+}
+
 // The setpoint is the true place here, so that a switch is where the machine file says; the place
 // that homing gives is off by what the tick of the contact may be off, and by nothing else.
 TEST(Homing, WorksWithTheTicksInAThreadOfTheirOwn) {
