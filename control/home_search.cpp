@@ -92,7 +92,7 @@ HomeSearch::Next HomeSearch::go_home(const Setpoint& at, Move& move) {
   const AxisHoming& homing = of_axis();
   unhomed_.fetch_and(static_cast<AxisSet>(~bit_of(axis())));
   step_ = Step::go_home;
-  found_.store(false);
+  ++looks_;
   begun_tick_ = at.tick;
   move = {.axis = axis(),
           .to_mm = std::isfinite(homing.home_mm) ? homing.home_mm : homing.switch_mm,
@@ -126,8 +126,8 @@ HomeSearch::Next HomeSearch::look(Step step, bool closed, const Move& move, std:
   out = move;
   begun_tick_ = tick;
   closed_at_begin_ = closed_.load();
-  found_.store(false);
-  watch_.store({.axis = static_cast<std::uint8_t>(axis()), .closed = closed});
+  ++looks_;
+  watch_.store({.axis = static_cast<std::uint8_t>(axis()), .closed = closed, .look = looks_});
   return Next::moves;
 }
 
@@ -160,12 +160,12 @@ std::string HomeSearch::of_switch(const std::string& what) const {
 void HomeSearch::see(AxisSet closed, const Setpoint& last) noexcept {
   closed_.store(closed, std::memory_order_relaxed);
   const Watch watch = watch_.load();
-  if (watch.axis == Watch::kNone || found_.load(std::memory_order_relaxed)) {
+  if (watch.axis == Watch::kNone || found_.load(std::memory_order_relaxed) == watch.look) {
     return;
   }
   if ((((closed >> watch.axis) & 1U) != 0) == watch.closed) {
     found_mm_.store(last.position_mm[watch.axis], std::memory_order_relaxed);
-    found_.store(true, std::memory_order_release);
+    found_.store(watch.look, std::memory_order_release);
   }
 }
 

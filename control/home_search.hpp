@@ -41,7 +41,9 @@ class HomeSearch {
   // At rest. `at`: where that is.
   Next next(const Setpoint& at, Move& move);
   // While it moves: what was looked for is there.
-  [[nodiscard]] bool has_found() const noexcept { return found_.load(std::memory_order_acquire); }
+  [[nodiscard]] bool has_found() const noexcept {
+    return found_.load(std::memory_order_acquire) == looks_;
+  }
   // While it moves; nothing: all is well.
   [[nodiscard]] std::optional<std::string> complaint(std::int64_t tick) const;
   [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
@@ -86,15 +88,18 @@ class HomeSearch {
   std::int64_t begun_tick_ = 0;
   AxisSet closed_at_begin_ = 0;
   std::string failure_;
+  std::uint16_t looks_ = 1;  // counts moves: what an earlier one finds late is not taken for this
   // Between the sides.
   struct Watch {
     static constexpr std::uint8_t kNone = 0xff;
     std::uint8_t axis = kNone;
     bool closed = false;
+    std::uint16_t look = 0;
   };
+  static_assert(std::atomic<Watch>::is_always_lock_free);
   std::atomic<Watch> watch_{};
   std::atomic<AxisSet> closed_ = 0;
-  std::atomic<bool> found_ = false;
+  std::atomic<std::uint16_t> found_ = 0;  // the look that has found; written by the tick side alone
   std::atomic<double> found_mm_ = 0.0;
   std::atomic<bool> shifts_ = false;
   std::size_t shifted_axis_ = 0;  // written before shifts_ is set
