@@ -210,7 +210,14 @@ void Controller::Impl::follow_homing() {
     return;
   }
   control::HomeSearch::Move move;
-  switch (home_search_.next(here(), move)) {
+  const control::HomeSearch::Next next = home_search_.next(here(), move);
+  if (state_.state() != State::homing) {
+    if (state_.state() == State::fault) {  // it came while an axis got its place
+      home_search_.forget_homes();
+    }
+    return;
+  }
+  switch (next) {
     case control::HomeSearch::Next::moves: {
       control::AxisTargets to = control::place_of(here());
       to.mm[move.axis] = move.to_mm;

@@ -116,11 +116,11 @@ void Controller::Impl::tell_wait() noexcept {
 }
 
 void Controller::Impl::leave_for(State next) noexcept {
-  if (next == State::fault) {
-    home_search_.forget_homes();
-  }
   auto seen = state_.load();
   while (!change(seen, next)) {
+  }
+  if (next == State::fault) {
+    home_search_.forget_homes();
   }
 }
 
