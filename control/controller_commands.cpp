@@ -149,6 +149,9 @@ bool Controller::Impl::change(control::StateWord::Seen& from, State to) noexcept
   if (!state_.change(from, to)) {
     return false;
   }
+  if (to == State::fault || to == State::off) {
+    has_failed_ = to == State::fault;
+  }
   if (before != to) {
     events_.note({.state = to, .waits_for = waits_for(to), .line = line_.load()});
   }

@@ -127,7 +127,7 @@ void Controller::Impl::leave_for(State next) noexcept {
 bool Controller::Impl::drives_on() const noexcept {
   const State state = state_.state();
   return state != State::off && state != State::fault &&
-         (state != State::emergency_stop || running_.load() != nullptr);
+         (state != State::emergency_stop || (running_.load() != nullptr && !has_failed_.load()));
 }
 
 WaitsFor Controller::Impl::waits_for(State state) const noexcept {

@@ -140,7 +140,7 @@ struct ControllerStatus {
 /// thread, but program().
 ///
 /// The drives follow the state: they are on but in off and fault, and in emergency_stop once the
-/// tool rests (drives_on).
+/// tool rests or behind a fault (drives_on).
 class KERF_API Controller {
  public:
   /// Off, with the tool at rest at the start place of the options, which are those of every

@@ -210,6 +210,22 @@ TEST(Controller, MovesNothingAfterAnEmergencyStopUntilResetEnableAndStart) {
   EXPECT_EQ(shop.setpoint.position_mm[0], 0.0);
 }
 
+// Whoever presses the button behind a fault does not switch the drives on.
+TEST(Controller, KeepsTheDrivesOffInAnEmergencyStopBehindAFault) {
+  Shop shop;
+  shop.begin(kLongLine);
+  shop.controller.fail();
+  shop.tick();
+  shop.controller.emergency_stop();
+  EXPECT_FALSE(shop.controller.drives_on());
+  shop.tick(500);
+  shop.give(Command::reset);
+  shop.begin(kLongLine);
+  EXPECT_TRUE(shop.controller.drives_on());
+  shop.controller.emergency_stop();
+  EXPECT_TRUE(shop.controller.drives_on());  // it brakes
+}
+
 TEST(Controller, IsIdleAfterAProgramWithAnErrorAndHasIt) {
   Shop shop;
   shop.begin("G21 G90\nG1 X1 F3000\nX2 F-1\nM2\n");
