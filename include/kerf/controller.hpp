@@ -171,7 +171,7 @@ class KERF_API Controller {
   tl::expected<void, Refusal> run_mdi(std::string_view line);
   /// Moves by hand, from idle or held. A continuous jog goes on while it is given again, at least
   /// every jog_timeout_s; `stop` ends it. Another one while it jogs begins once that has come to
-  /// rest; steps add up. A resume goes back over the places where jogs ended, the last one first.
+  /// rest; steps add up. A resume goes back over the places where jogs began, the last one first.
   tl::expected<void, Refusal> jog(const Jog& jog);
 
   /// Kernel::set_feed_inputs(), for the present program and those to come. False: a value is out of
