@@ -123,25 +123,29 @@ tl::expected<void, Refusal> Controller::Impl::set(Command command) {
 }
 
 Answer Controller::Impl::answer_now(State state, Command command) const noexcept {
-  if (command == Command::reset && running_.load() != nullptr &&
-      answer_to(state, command).is_accepted()) {
-    return {.next = state, .refusal = "the tool still moves"};
+  const Answer answer = answer_to(state, command);
+  if (!answer.is_accepted()) {
+    return answer;
   }
-  if (command == Command::resume && state == State::waiting && !waits_for_answer_.load()) {
-    return {.next = state, .refusal = "it waits for no answer"};
+  const auto refuse = [state](std::string_view why) {
+    return Answer{.next = state, .refusal = why};
+  };
+  switch (command) {
+    case Command::reset:
+      return running_.load() != nullptr ? refuse("the tool still moves") : answer;
+    case Command::resume:
+      return state == State::waiting && !waits_for_answer_.load() ? refuse("it waits for no answer")
+                                                                  : answer;
+    case Command::mdi:
+    case Command::jog:
+      return refuse("it comes with a value");
+    case Command::home:
+      return home_search_.has_switches() ? answer : refuse("no axis has a home switch");
+    case Command::start:
+      return needs_homing() ? refuse(control::kNotHomed) : answer;
+    default:
+      return answer;
   }
-  if ((command == Command::mdi || command == Command::jog) &&
-      answer_to(state, command).is_accepted()) {
-    return {.next = state, .refusal = "it comes with a value"};
-  }
-  if (command == Command::home && !home_search_.has_switches() &&
-      answer_to(state, command).is_accepted()) {
-    return {.next = state, .refusal = "no axis has a home switch"};
-  }
-  if (command == Command::start && needs_homing() && answer_to(state, command).is_accepted()) {
-    return {.next = state, .refusal = control::kNotHomed};
-  }
-  return answer_to(state, command);
 }
 
 bool Controller::Impl::change(control::StateWord::Seen& from, State to) noexcept {

@@ -75,6 +75,10 @@ class KERF_LOCAL Controller::Impl {
     std::array<char, ControllerStatus::kMaxCodes> codes{};
   };
 
+  [[nodiscard]] static bool is_by_hand(ControllerState state) noexcept {
+    return state == ControllerState::jogging || state == ControllerState::returning ||
+           state == ControllerState::homing;
+  }
   // The table, and what it cannot say.
   [[nodiscard]] Answer answer_now(ControllerState state, Command command) const noexcept;
   // StateWord::change, with the event.

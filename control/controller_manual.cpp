@@ -9,14 +9,6 @@ namespace kerf {
 
 using State = ControllerState;
 
-namespace {
-
-bool is_by_hand(State state) noexcept {
-  return state == State::jogging || state == State::returning || state == State::homing;
-}
-
-}  // namespace
-
 tl::expected<control::ManualMove, std::string_view> Controller::Impl::move_of(
     const Jog& jog) const {
   return control::move_of(jog, here(), home_search_.unhomed(), settings_);

@@ -5,14 +5,6 @@ namespace kerf {
 
 using State = ControllerState;
 
-namespace {
-
-bool is_manual(State state) noexcept {
-  return state == State::jogging || state == State::returning || state == State::homing;
-}
-
-}  // namespace
-
 ControllerState Controller::Impl::tick(Setpoint& setpoint) noexcept {
   Kernel* const kernel = running_.load(std::memory_order_acquire);
   Ticked ticked{.before = state_.load()};
@@ -82,7 +74,7 @@ void Controller::Impl::end(State next) noexcept {
   running_.store(nullptr, std::memory_order_release);
   auto seen = state_.load();
   while (seen.state() != State::emergency_stop && seen.state() != State::fault &&
-         !(is_manual(seen.state()) && next != State::fault) && !change(seen, next)) {
+         !(is_by_hand(seen.state()) && next != State::fault) && !change(seen, next)) {
   }
 }
 
