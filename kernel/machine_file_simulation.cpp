@@ -1,7 +1,6 @@
 // [probe] and [simulation] of a machine file.
 #include <cmath>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include <kerf/machine.hpp>

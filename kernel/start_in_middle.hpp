@@ -1,7 +1,6 @@
 // A program that is run from one of its blocks on.
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <utility>
