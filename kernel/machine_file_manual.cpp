@@ -14,7 +14,7 @@ void MachineFileReader::read_manual(const Section& section) {
     }
   }
   check_keys(section, keys);
-  settings_.manual.runs_unhomed = read_flag(section, kRunsUnhomed).value_or(false);
+  read_truth(section, kRunsUnhomed, settings_.manual.runs_unhomed);
 }
 
 }  // namespace kerf

@@ -1,9 +1,11 @@
-// [program] of a machine file.
+// [program] and [inputs] of a machine file.
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <vector>
 
+#include "kernel/machine_file_checks.hpp"
 #include "kernel/machine_file_reader.hpp"
 #include "kernel/machine_file_text.hpp"
 #include "parser/dialects/dialect.hpp"
@@ -26,9 +28,24 @@ void MachineFileReader::read_program(const Section& section) {
       rule.field(settings_, 0) = read_number(section, rule, *node).value_or(0.0);
     }
   }
-  settings_.program.waits_for_spindle = read_flag(section, kWaitsForSpindle).value_or(false);
+  read_truth(section, kWaitsForSpindle, settings_.program.waits_for_spindle);
   read_dialect(section);
   read_path_mode(section);
+}
+
+void MachineFileReader::read_inputs(const Section& section) {
+  std::vector<std::string_view> keys;
+  for (const InputRule& rule : input_rules()) {
+    keys.push_back(rule.number.key);
+    const toml::node* const node = section.table->get(rule.number.key);
+    const auto number = node != nullptr ? read_number(section, rule.number, *node) : std::nullopt;
+    if (const auto problem = number ? input_problem(rule, *number) : std::nullopt) {
+      report(node->source(), section.path_to(rule.number.key) + ": " + *problem);
+    } else if (number) {
+      settings_.program.feed_inputs.*rule.field = static_cast<std::int32_t>(*number);
+    }
+  }
+  check_keys(section, keys);
 }
 
 void MachineFileReader::read_dialect(const Section& section) {

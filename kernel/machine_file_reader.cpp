@@ -197,13 +197,14 @@ std::optional<double> MachineFileReader::read_number(const Section& section, con
   return number;
 }
 
-std::optional<bool> MachineFileReader::read_flag(const Section& section, std::string_view key) {
+void MachineFileReader::read_truth(const Section& section, std::string_view key, bool& truth) {
   const toml::node* const node = section.table->get(key);
-  if (node != nullptr && !node->is_boolean()) {
+  if (node != nullptr && node->is_boolean()) {
+    truth = node->as_boolean()->get();
+  } else if (node != nullptr) {
     report(node->source(), section.path_to(key) + ": found " + std::string(name_of(node->type())) +
                                ", expected true or false");
   }
-  return node != nullptr ? node->value_exact<bool>() : std::nullopt;
 }
 
 void MachineFileReader::read_axis(const Section& section, std::size_t axis) {
@@ -223,21 +224,6 @@ void MachineFileReader::read_axis(const Section& section, std::size_t axis) {
     report(section.table->get(problem.key)->source(),
            section.path_to(problem.key) + ": " + problem.message);
   }
-}
-
-void MachineFileReader::read_inputs(const Section& section) {
-  std::vector<std::string_view> keys;
-  for (const InputRule& rule : input_rules()) {
-    keys.push_back(rule.number.key);
-    const toml::node* const node = section.table->get(rule.number.key);
-    const auto number = node != nullptr ? read_number(section, rule.number, *node) : std::nullopt;
-    if (const auto problem = number ? input_problem(rule, *number) : std::nullopt) {
-      report(node->source(), section.path_to(rule.number.key) + ": " + *problem);
-    } else if (number) {
-      settings_.program.feed_inputs.*rule.field = static_cast<std::int32_t>(*number);
-    }
-  }
-  check_keys(section, keys);
 }
 
 void MachineFileReader::check_bounds(const Section& file) {

@@ -53,16 +53,19 @@ class MachineFileReader {
   void read_numbers(const Section& section, std::span<const NumberRule> rules, std::size_t axis);
   std::optional<double> read_number(const Section& section, const NumberRule& rule,
                                     const toml::node& node);
-  // Nothing, too, where it is missing.
-  std::optional<bool> read_flag(const Section& section, std::string_view key);
+  void read_truth(const Section& section, std::string_view key, bool& truth);
   void read_axes(const Section& axes);
   void read_axis(const Section& section, std::size_t axis);
+  void check_bounds(const Section& file);
+
+  // machine_file_program.cpp
   void read_program(const Section& section);
-  void read_inputs(const Section& section);
-  void read_manual(const Section& section);
   void read_dialect(const Section& section);
   void read_path_mode(const Section& section);
-  void check_bounds(const Section& file);
+  void read_inputs(const Section& section);
+
+  // machine_file_manual.cpp
+  void read_manual(const Section& section);
 
   // machine_file_axes.cpp
   void read_extra_axis(const Section& section, std::size_t axis);

@@ -131,7 +131,7 @@ void MachineFileReader::read_probe(const Section& probe) {
            "probe: found " + std::to_string(surfaces) +
                " surfaces, expected one: faces, plane, sphere or height_map");
   }
-  settings_.simulation.latches_probe = read_flag(probe, "latches").value_or(false);
+  read_truth(probe, "latches", settings_.simulation.latches_probe);
 }
 
 bool MachineFileReader::read_array(const Section& section, std::string_view key, std::size_t most,
