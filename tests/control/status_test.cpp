@@ -1,0 +1,139 @@
+// What an operator sees and is told, from any thread.
+#include <array>
+#include <atomic>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <kerf/controller.hpp>
+
+#include "tests/control/shop.hpp"
+
+namespace kerf::test {
+namespace {
+
+TEST(Controller, SaysWhatItWaitsFor) {
+  Shop shop;
+  shop.give(Command::enable);
+  shop.give(Command::start);
+  shop.controller.feed("G21 G90\nG1 X1 F3000\n");
+  shop.controller.plan();
+  shop.controller.text_is_late();
+  shop.tick_until(State::waiting);
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::text);
+  EXPECT_EQ(shop.controller.give(Command::resume).error().reason, "it waits for no answer");
+  EXPECT_EQ(shop.setpoint.position_mm[0], 1.0);
+  shop.controller.feed("G1 X200\n");
+  shop.controller.finish();
+  shop.tick_until(State::running);
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::nothing);
+  State state = State::running;
+  for (int i = 0; i < 1000 && state == State::running; ++i) {
+    state = shop.controller.tick(shop.setpoint);
+  }
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::planning);
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 200.0);
+}
+
+// On this line X is the path length, of one tick or of another, never of two.
+TEST(Controller, ShowsEachThreadAWholeTick) {
+  Shop shop;
+  shop.begin("G21 G90\nG1 X1000 F6000\nM2\n");
+  std::atomic<bool> over = false;
+  std::atomic<int> seen = 0;
+  std::atomic<int> torn = 0;
+  std::thread reader([&] {
+    while (!over) {
+      const ControllerStatus status = shop.controller.status();
+      torn += status.setpoint.position_mm[0] != status.setpoint.s_mm ? 1 : 0;
+      ++seen;
+    }
+  });
+  while (seen < 100 || shop.controller.status().state != State::idle) {
+    shop.tick();
+  }
+  over = true;
+  reader.join();
+  EXPECT_EQ(torn, 0);
+}
+
+// Ticks come while the answer is carried out.
+TEST(Controller, WaitsOnceAtEachStop) {
+  constexpr int kStops = 200;
+  std::string text = "G21 G91 F6000\n";
+  for (int i = 0; i < kStops; ++i) {
+    text += "G1 X0.1\nM0\n" + std::string(i % 3 == 0 ? "M0\n" : "");
+  }
+  Controller controller{mill()};
+  ASSERT_TRUE(controller.give(Command::enable));
+  ASSERT_TRUE(controller.give(Command::start));
+  controller.feed(text + "M2\n");
+  controller.finish();
+  controller.plan();
+  std::atomic<bool> over = false;
+  std::thread ticks([&] {
+    for (Setpoint setpoint; !over;) {
+      controller.tick(setpoint);
+    }
+  });
+  int answers = 0;
+  int waits = 0;
+  for (std::uint64_t next = 1; controller.status().state != State::idle;) {
+    std::array<ControllerEvent, ControllerEvent::kKept> events;
+    const std::size_t count = controller.events_since(next, events);
+    for (std::size_t i = 0; i < count; ++i) {
+      next = events[i].number + 1;
+      waits += events[i].waits_for == WaitsFor::answer ? 1 : 0;
+      if (events[i].waits_for == WaitsFor::answer) {
+        answers += controller.give(Command::resume) ? 1 : 0;
+      }
+    }
+    controller.plan();
+  }
+  over = true;
+  ticks.join();
+  EXPECT_EQ(waits, kStops + (kStops + 2) / 3);
+  EXPECT_EQ(answers, waits);
+}
+
+TEST(Controller, TellsEachChangeOfStateAndEachMessageOnce) {
+  Shop shop;
+  shop.give(Command::enable);
+  shop.start("G21 G90 F6000\nG1 X50\n(MSG, tool 2)\nM0\nX100 (DEBUG, at #5420)\nM2\n");
+  shop.tick_until(State::waiting);
+  shop.tick();
+  shop.give(Command::resume);
+  shop.tick(100);
+  shop.give(Command::hold);
+  shop.tick_until(State::held);
+  shop.give(Command::hold);  // it is held already: no event
+  shop.give(Command::resume);
+  shop.tick_until(State::idle);
+  shop.tick();
+  std::array<ControllerEvent, 64> events;
+  const std::size_t count = shop.controller.events_since(1, events);
+  std::vector<std::string> told;
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(events[i].number, i + 1);
+    const auto message = shop.controller.message(events[i].message);
+    told.emplace_back(message ? message->text : name_of(events[i].state));
+  }
+  EXPECT_EQ(told, (std::vector<std::string>{"idle", "running", "waiting", "tool 2", "running",
+                                            "at 50.000000", "holding", "held", "running", "idle"}));
+  EXPECT_EQ(events[2].waits_for, WaitsFor::answer);
+  EXPECT_EQ(events[2].line, 4);
+  EXPECT_EQ(shop.controller.status().next_event, count + 1);
+}
+
+TEST(Controller, ShowsTheCodesInForceWhereTheToolIs) {
+  Shop shop;
+  shop.begin("G21 G90 G61\nG1 X100 F6000\nG20 G1 X5\nM2\n");
+  EXPECT_NE(std::string(shop.controller.status().codes.data()).find("G21"), std::string::npos);
+  shop.tick(1000);
+  EXPECT_NE(std::string(shop.controller.status().codes.data()).find("G20"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace kerf::test
