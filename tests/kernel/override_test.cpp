@@ -1,7 +1,6 @@
 // Feed and rapid override at any tick of a program of every kind of motion.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 #include <regex>
 #include <string>
@@ -10,45 +9,13 @@
 #include <gtest/gtest.h>
 #include <kerf/kernel.hpp>
 
-#include "profiles/profile.hpp"
+#include "tests/kernel/overridden_run.hpp"
 #include "tests/kernel/run.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"
 
 namespace kerf::test {
 namespace {
-
-constexpr double kFastest_mm_s = 150.0;  // of the mill
-
-using OverridesAt = std::map<std::int64_t, Overrides>;  // before each of these ticks
-
-struct OverriddenRun {
-  std::vector<Setpoint> ticks;
-  std::string complaint;
-};
-
-OverriddenRun run_with(const std::string& text, const KernelOptions& options,
-                       const OverridesAt& overrides) {
-  Kernel kernel(mill(), options);
-  kernel.feed(text);
-  kernel.finish();
-  TickChecker checker(mill().limits, options.profile.kind != ProfileKind::trapezoid);
-  OverriddenRun run;
-  TickStatus status = TickStatus::running;
-  while (status != TickStatus::finished && status != TickStatus::failed &&
-         run.ticks.size() < kMaxTicks) {
-    if (const auto now = overrides.find(static_cast<std::int64_t>(run.ticks.size()));
-        now != overrides.end()) {
-      EXPECT_TRUE(kernel.set_overrides(now->second));
-    }
-    Setpoint setpoint;
-    status = kernel.next(setpoint);
-    checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
-    run.ticks.push_back(setpoint);
-  }
-  run.complaint = complaint_at_end(status, checker, kernel);
-  return run;
-}
 
 double slowest_mm_s(const std::vector<Setpoint>& ticks, std::size_t begin, std::size_t end) {
   double least = kFastest_mm_s;
@@ -173,38 +140,6 @@ TEST(Override, OfZeroHoldsUntilAnotherComes) {
   EXPECT_NEAR(fastest_mm_s(run.ticks, 1500, run.ticks.size()), 40.0, 1e-6);
 }
 
-TEST(Override, LeavesTheHoldOfAnOperatorAndAWait) {
-  Kernel kernel(mill(), {.waits = true});
-  kernel.feed("G21 G90\nG1 X10 F3000\nM0\nX20\nM2\n");
-  kernel.finish();
-  Setpoint setpoint;
-  const auto run_for = [&](int ticks) {
-    TickStatus status = TickStatus::running;
-    for (int i = 0; i < ticks; ++i) {
-      status = kernel.next(setpoint);
-    }
-    return status;
-  };
-  run_for(100);
-  kernel.hold();
-  EXPECT_EQ(run_for(200), TickStatus::held);
-  EXPECT_TRUE(kernel.set_overrides({.feed = 0.0}));
-  EXPECT_EQ(run_for(20), TickStatus::held);
-  EXPECT_TRUE(kernel.set_overrides({.feed = 0.5}));
-  EXPECT_EQ(run_for(20), TickStatus::held);
-  kernel.resume();
-  EXPECT_EQ(run_for(2000), TickStatus::waiting);
-  EXPECT_TRUE(kernel.set_overrides({.feed = 0.0}));
-  EXPECT_EQ(run_for(20), TickStatus::waiting);
-  EXPECT_TRUE(kernel.set_overrides({.feed = 0.25}));
-  EXPECT_EQ(run_for(20), TickStatus::waiting);
-  EXPECT_EQ(setpoint.position_mm[0], 10.0);
-  kernel.resume();
-  EXPECT_EQ(run_for(300), TickStatus::running);
-  EXPECT_NEAR(setpoint.v_mm_s, 12.5, 1e-6);
-  EXPECT_EQ(rest_of(kernel).back().position_mm[0], 20.0);
-}
-
 // The rest of the hold was planned, and is not come to.
 TEST(Override, MayComeWhileTheToolBrakesForAHoldThatIsTakenBack) {
   const auto whole = ticks_of(mixed_program());
@@ -232,77 +167,6 @@ TEST(Override, MayComeWhileTheToolBrakesForAHoldThatIsTakenBack) {
     ASSERT_EQ(checker.complaint(), "");
     ASSERT_EQ(setpoint.position_mm, whole.back().position_mm);
   }
-}
-
-double fastest_on_line_mm_s(const std::vector<Setpoint>& ticks, std::uint32_t line) {
-  double most = 0.0;
-  for (const Setpoint& tick : ticks) {
-    most = tick.line == line ? std::max(most, tick.v_mm_s) : most;
-  }
-  return most;
-}
-
-TEST(Override, IsNotFollowedWhereTheProgramForbidsIt) {
-  const std::string text =
-      "G21 G90 G61 F3000\nG1 X40\nM49 X80\nM48 X120\nM50 P0 X160\nM50 P1 X200\nM2\n";
-  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
-    const auto run =
-        run_with(text, {.profile = {.kind = kind}}, {{0, {.feed = 0.5}}, {3000, {.feed = 1.2}}});
-    EXPECT_EQ(run.complaint, "");
-    EXPECT_NEAR(fastest_on_line_mm_s(run.ticks, 2), 25.0, 0.02);
-    EXPECT_NEAR(fastest_on_line_mm_s(run.ticks, 3), 50.0, 0.02);
-    EXPECT_NEAR(fastest_on_line_mm_s(run.ticks, 4), 60.0, 0.02);
-    EXPECT_NEAR(fastest_on_line_mm_s(run.ticks, 5), 50.0, 0.02);
-    EXPECT_NEAR(fastest_on_line_mm_s(run.ticks, 6), 60.0, 0.02);
-  }
-}
-
-// 600 revolutions a minute of 2 mm are 20 mm/s.
-TEST(Override, OfTheSpindleChangesItsSpeedAndFeedratesPerRevolution) {
-  const std::string text =
-      "G21 G90 G61 M3 S600\nG95 F2 G1 X40\nG94 F1200 X80\nM51 P0 G95 F2 X120\nM5\nM2\n";
-  const double rad_s = 600.0 / 60.0 * 2.0 * 3.14159265358979323846;
-  const auto run = run_with(text, {}, {{0, {.spindle = 1.5}}});
-  EXPECT_EQ(run.complaint, "");
-  EXPECT_NEAR(fastest_on_line_mm_s(run.ticks, 2), 30.0, 0.02);
-  EXPECT_NEAR(fastest_on_line_mm_s(run.ticks, 3), 20.0, 0.02);
-  EXPECT_NEAR(fastest_on_line_mm_s(run.ticks, 4), 20.0, 0.02);
-  for (const Setpoint& tick : run.ticks) {
-    if (tick.line >= 2 && tick.line <= 4 && tick.v_mm_s > 0.0) {
-      ASSERT_NEAR(tick.outputs.spindle_rad_s, tick.line == 4 ? rad_s : 1.5 * rad_s, 1e-9)
-          << tick.tick;
-    }
-  }
-}
-
-TEST(Override, OfTheSpindleIsNotFollowedWhileTapping) {
-  const std::string text = "G21 G90 F600 M3 S600\nG0 X5\nG84 X10 Z-10 R2\nG80\nG1 X20\nM2\n";
-  const auto plain = run_with(text, {}, {});
-  const auto run = run_with(text, {}, {{0, {.feed = 0.5, .spindle = 0.5}}});
-  EXPECT_EQ(run.complaint, "");
-  EXPECT_NEAR(fastest_on_line_mm_s(run.ticks, 5), 5.0, 0.02);
-  const double rad_s = 600.0 / 60.0 * 2.0 * 3.14159265358979323846;
-  double slowest = rad_s;
-  double fastest_down_mm_s = 0.0;
-  for (const Setpoint& tick : run.ticks) {
-    if (tick.line == 3 && tick.velocity_mm_s[2] != 0.0 && !tick.rapid) {
-      slowest = std::min(slowest, std::abs(tick.outputs.spindle_rad_s));
-      fastest_down_mm_s = std::max(fastest_down_mm_s, std::abs(tick.velocity_mm_s[2]));
-    }
-  }
-  EXPECT_NEAR(slowest, rad_s, 1e-9);
-  EXPECT_NEAR(fastest_down_mm_s, 10.0, 0.02);
-}
-
-TEST(Override, OutOfItsRangeIsRefused) {
-  Kernel kernel(mill());
-  for (const Overrides& impossible :
-       {Overrides{.feed = -0.1}, Overrides{.feed = 2.1}, Overrides{.feed = std::nan("")},
-        Overrides{.rapid = 0.04}, Overrides{.rapid = 1.01}, Overrides{.spindle = 0.05},
-        Overrides{.spindle = 2.5}}) {
-    EXPECT_FALSE(kernel.set_overrides(impossible));
-  }
-  EXPECT_TRUE(kernel.set_overrides({.feed = 2.0, .rapid = 0.05}));
 }
 
 TEST(Override, OfTheSameTicksGivesTheSameTicks) {
