@@ -32,11 +32,6 @@ PlaceOfTool begin_of(const StartInMiddle::Output& output) {
   return {.position_mm = pause.start_mm, .extra_rad_mm = pause.auxiliary.begin_rad_mm};
 }
 
-PlaceOfTool end_of(const smoothing::PathSegment& segment) {
-  return {.position_mm = curves::position_at(segment.curve, curves::length_mm(segment.curve)),
-          .extra_rad_mm = segment.extra.end_rad_mm};
-}
-
 diagnostics::SourcePosition source_of(const StartInMiddle::Output& output) {
   const auto* segment = std::get_if<smoothing::PathSegment>(&output);
   return segment != nullptr ? segment->source : std::get<parser::Move>(output).source;
@@ -159,10 +154,6 @@ StartInMiddle::StartInMiddle(const StartInProgram& start, const MachineSettings&
       highest_mm_(tool.position_mm[2]),
       feedrate_mm_s_(kFeedrateOfNone_mm_s) {}
 
-void StartInMiddle::pass(const PlaceOfTool& place) {
-  highest_mm_ = std::max(highest_mm_, place.position_mm[2]);
-}
-
 bool StartInMiddle::leaves_out(const Output& output) {
   if (!leaves_out(first_block(output))) {
     return false;
@@ -174,7 +165,7 @@ bool StartInMiddle::leaves_out(const Output& output) {
     if (!segment->rapid) {
       feedrate_mm_s_ = segment->feedrate_mm_s;
     }
-    pass(end_of(*segment));
+    highest_mm_ = std::max(highest_mm_, curves::extents(segment->curve).max_mm[2]);
   } else if (const auto* event = std::get_if<EventMove>(&std::get<parser::Move>(output).shape)) {
     switched_.add(*event);
   }

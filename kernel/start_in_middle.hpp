@@ -57,8 +57,6 @@ class StartInMiddle {
   [[nodiscard]] std::vector<Output> way_to(const Output& first) const;
 
  private:
-  void pass(const PlaceOfTool& place);
-
   StartInProgram start_;
   PlaceOfTool tool_;
   double safe_z_mm_;  // infinite: the highest place of the part

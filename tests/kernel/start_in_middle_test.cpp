@@ -98,6 +98,14 @@ TEST(StartInMiddle, TheTravelsTopIsTheSafeHeightUnlessTheMachineFileSaysLess) {
   EXPECT_NEAR(highest(), 0.0, 1e-9);  // where the tool has been
 }
 
+TEST(StartInMiddle, WithoutAnyItGoesAsHighAsTheTopOfAnArc) {
+  MachineSettings settings = machine_up_to(kUnbounded);
+  const auto ticks =
+      ticks_from("G21 G90 G61 G18 F1200\nG1 X10\nG3 X30 I10\nG1 X40\nX50\nM2\n", 4, settings);
+  const auto top = std::ranges::max(ticks, {}, [](const Setpoint& t) { return t.position_mm[2]; });
+  EXPECT_NEAR(top.position_mm[2], 10.0, 1e-6);
+}
+
 TEST(StartInMiddle, TheMachineFileNamesTheSafeHeight) {
   const std::string limits =
       "[path]\nmax_velocity_mm_s = 1\nmax_acceleration_mm_s2 = 1\nmax_jerk_mm_s3 = 1\n[program]\n";
