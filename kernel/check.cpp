@@ -65,6 +65,7 @@ class Checker {
     }
     least_time_.add(move, segments_);
     if (path.has_errors() || report.has_errors()) {
+      followers_.end();
       return;
     }
     warnings_.look_at(move, report.diagnostics);

@@ -53,9 +53,12 @@ AxisRange* OffsetFollowers::range_of(std::size_t axis, double place_mm, double s
 }
 
 void OffsetFollowers::look_at(const parser::Move& move, const std::optional<Extents>& box) {
-  is_lost_ = is_lost_ || !reader_.next(shifted_) || shifted_.block != move.block ||
-             shifted_.shape.index() != move.shape.index();
-  if (is_lost_) {
+  if (is_over_) {
+    return;
+  }
+  if (!reader_.next(shifted_) || shifted_.block != move.block ||
+      shifted_.shape.index() != move.shape.index()) {
+    is_over_ = true;
     extents_.is_known.fill(false);
     return;
   }

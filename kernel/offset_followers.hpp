@@ -20,11 +20,18 @@ class OffsetFollowers {
   OffsetFollowers(const MachineSettings& settings, const KernelOptions& options);
 
   // What the check's reader is given.
-  void feed(std::string_view text) { reader_.feed(text); }
+  void feed(std::string_view text) {
+    if (!is_over_) {
+      reader_.feed(text);
+    }
+  }
   void finish() { reader_.finish(); }
 
   // Each move of the check's reader, and the box that it fills; nothing: it does not move.
   void look_at(const parser::Move& move, const std::optional<Extents>& box);
+
+  // No more moves come: no text is kept for them.
+  void end() noexcept { is_over_ = true; }
 
   [[nodiscard]] const OffsetExtents& extents() const noexcept { return extents_; }
 
@@ -34,7 +41,7 @@ class OffsetFollowers {
 
   parser::ProgramReader reader_;
   parser::Move shifted_;
-  bool is_lost_ = false;  // the program runs another way there
+  bool is_over_ = false;  // or the program runs another way there
   OffsetExtents extents_;
 };
 
