@@ -183,8 +183,7 @@ tl::expected<ManualMove, std::string_view> move_of(const Jog& jog, const Setpoin
 
 std::unique_ptr<Kernel> kernel_of(const ManualMove& move, const Setpoint& at,
                                   const MachineSettings& settings, const KernelOptions& options) {
-  MachineSettings plain = settings;
-  plain.program = {};
+  MachineSettings plain{.limits = settings.limits, .table = settings.table};
   plain.program.extra_axes = settings.program.extra_axes;
   KernelOptions own{.profile = options.profile,
                     .window_blocks = options.window_blocks,
