@@ -234,6 +234,7 @@ void Planner::emit_rest(Outbox& outbox) {
   }
   emitter_.emit_rest(rest_, outbox);
   waits_ = rest_.waits;
+  asks_machine_ = rest_.asks_machine;
   outbox.phases.back().wait = waits_ ? ++waits_emitted_ : 0;
   rest_pending_ = false;
   to_rest_ = rest_.ends_program;

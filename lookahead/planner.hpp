@@ -233,6 +233,7 @@ class Planner {
   std::deque<Item> waiting_;  // was taken back, and goes before what comes
   bool held_ = false;
   bool waits_ = false;
+  bool asks_machine_ = false;  // what it waits for, if it does
   std::uint32_t waits_emitted_ = 0;
   PlanWaits waits_pushed_{};
   bool spindle_turns_ = false;  // behind what was pushed
@@ -241,6 +242,7 @@ class Planner {
     Emitter emitter;
     std::deque<Item> waiting;
     bool waits = false;
+    bool asks_machine = false;
     FeedOverride by{};
     bool single_block = false;
     bool is_cut = false;

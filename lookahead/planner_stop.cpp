@@ -30,8 +30,7 @@ std::vector<const Block*> Planner::blocks_ahead() const {
 bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   assert(settings_.may_hold && !held_ && !before_ && outbox.phases.empty());
   const auto stop = find_stop_at(tick);
-  const bool waits_there =
-      stop && waits_ && rest_.asks_machine && emitter_.kept().is_last(stop->from);
+  const bool waits_there = stop && waits_ && asks_machine_ && emitter_.kept().is_last(stop->from);
   return stop && !waits_there && hold_at(*stop, outbox);
 }
 
@@ -53,7 +52,7 @@ bool Planner::hold_at(const PlanStop& stop, Outbox& outbox) {
 
 void Planner::take_back(const EmittedItems::Motion& from) {
   empty_window();
-  before_.emplace(Before{emitter_, waiting_, waits_, by_, single_block_, is_cut_});
+  before_.emplace(Before{emitter_, waiting_, waits_, asks_machine_, by_, single_block_, is_cut_});
   waits_ = is_cut_ = false;
   last_.reset();
   emitter_.take_back(from, waiting_);
@@ -188,6 +187,7 @@ void Planner::settle(bool accepted) {
     emitter_.restore(std::move(before_->emitter));
     waiting_ = std::move(before_->waiting);
     waits_ = before_->waits;
+    asks_machine_ = before_->asks_machine;
     by_ = before_->by;
     single_block_ = before_->single_block;
     held_ = false;

@@ -76,22 +76,26 @@ TEST(Inputs, AWaitInVainLastsAsLongAsItSays) {
   EXPECT_EQ(vain.ticks, at_once - 1 + 200);  // an input is read a tick behind the rest
 }
 
-TEST(Inputs, AHoldInAWaitComesBehindIt) {
-  TableOrder order;
-  std::size_t held = 0;
-  order.before = [&](Kernel& kernel, const TableRun& run, ProgramInputs& inputs) {
-    inputs.digital = run.ticks.size() >= 800 ? 1U << 5U : 0U;
-    held += run.status == TickStatus::held ? 1U : 0U;
-    if (run.ticks.size() == 500) {
-      kernel.hold();
-    } else if (run.ticks.size() == 1200) {
-      kernel.resume();
-    }
-  };
-  const TableRun run = whole_run(
-      default_machine(), "G21 G61 F600\nG1 X1\nM66 P5 L3 Q9\nG0 Y[10 + #5399]\nM2\n", order);
-  EXPECT_EQ(run.ticks.back().position_mm[1], 11.0);
-  EXPECT_GT(held, 300u);
+TEST(Inputs, AHoldInAWaitComesBehindItWithAnOverrideOrNot) {
+  for (const bool overrides : {false, true}) {
+    TableOrder order;
+    std::size_t held = 0;
+    order.before = [&](Kernel& kernel, const TableRun& run, ProgramInputs& inputs) {
+      inputs.digital = run.ticks.size() >= 800 ? 1U << 5U : 0U;
+      held += run.status == TickStatus::held ? 1U : 0U;
+      if (run.ticks.size() == 500) {
+        kernel.hold();
+        EXPECT_TRUE(!overrides || kernel.set_overrides({.feed = 0.5}));
+      } else if (run.ticks.size() == 1200) {
+        kernel.resume();
+      }
+    };
+    const TableRun run = whole_run(
+        default_machine(), "G21 G61 F600\nG1 X1\nM66 P5 L3 Q9\nG0 Y[10 + #5399]\nM2\n", order);
+    EXPECT_EQ(run.ticks.back().position_mm[1], 11.0);
+    EXPECT_GT(held, 300u);
+    EXPECT_LT(held, 401u);
+  }
 }
 
 TEST(Inputs, AStopInAWaitEndsTheProgram) {
