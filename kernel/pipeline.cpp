@@ -146,12 +146,10 @@ std::optional<interp::Inquiry> Pipeline::take_inquiry() {
 
 void Pipeline::follow(const interp::InquiryAnswer& answer) {
   if (answer.has_braked) {
-    took_over(true, planner_.follow_probe({.tick = answer.brake_tick,
-                                           .plan = answer.plan,
-                                           .laws = {answer.law.data(), answer.laws},
-                                           .rest_tick = answer.rest_tick}));
-    check_.settle(true);
-    check_.cut_short();
+    check_.braked(planner_.follow_probe({.tick = answer.brake_tick,
+                                         .plan = answer.plan,
+                                         .laws = {answer.law.data(), answer.laws},
+                                         .rest_tick = answer.rest_tick}));
   } else {
     planner_.resume();
   }

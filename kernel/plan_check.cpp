@@ -76,7 +76,14 @@ void PlanCheck::leave_block() {
   }
 }
 
-void PlanCheck::cut_short() {
+void PlanCheck::braked(const lookahead::Outbox& outbox) {
+  if (!outbox.phases.empty()) {
+    taken_over();
+    brakes_ = true;
+    emitted(outbox);
+    brakes_ = false;
+  }
+  settle(true);
   if (begun_) {
     expected_[front_].length_mm = s_mm_;
     leave_block();
@@ -226,8 +233,8 @@ void PlanCheck::check(const interp::Phase& phase) {
   }
   const profiles::Ramp ramp = phase.law.ramp();
   const double max_mm_s = this->max_mm_s(block);
-  if (!(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s) <=
-        max_mm_s * (1.0 + kFeedrateRelative) + kFeedrate_mm_s)) {
+  if (!brakes_ && !(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s) <=
+                    max_mm_s * (1.0 + kFeedrateRelative) + kFeedrate_mm_s)) {
     note(phase.line, "a feedrate of " + to_text(std::max(ramp.v_begin_mm_s, ramp.v_end_mm_s)) +
                          " mm/s is planned, above " + to_text(max_mm_s) + " mm/s");
   }

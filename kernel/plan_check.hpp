@@ -35,8 +35,9 @@ class PlanCheck {
     std::uint64_t to_curve = 0;
   };
   void overridden(const lookahead::FeedOverride& by, const SlowingCurves& slowing);
-  // The block that is being planned ends where its motion has come.
-  void cut_short();
+  // The tick side has braked like this, and the block ends there. It was as fast as the plan, which
+  // an override that came since does not change.
+  void braked(const lookahead::Outbox& outbox);
   // Motion on the curves before this one is run, or never taken back.
   void forget_before(std::uint64_t curve);
   // Checks the deviation of the whole program against its tolerance.
@@ -78,6 +79,7 @@ class PlanCheck {
   std::size_t front_ = 0;        // of expected_: the block that is being emitted
   std::uint64_t forgotten_ = 0;  // blocks that were expected before the first
   bool takes_over_ = false;
+  bool brakes_ = false;
   struct Place {
     std::uint64_t front = 0;  // counted from the first block of all
     bool begun = false;
