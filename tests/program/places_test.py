@@ -46,6 +46,10 @@ class Start(Case):
         for command in ("dry-run", "check"):
             self.assertIn("G91", self.kerf(command, part, "--start", "first-move", status=1).stderr)
 
+    def test_at_the_first_moves_of_a_loop_that_never_cuts_ends(self):
+        part = self.path("loop.ngc", "G21 G90 G61\no1 while [1 EQ 1]\nG0 X1\nG0 X0\no1 endwhile\nM2\n")
+        self.assertIn("E1006", self.kerf("check", part, "--start", "first-move", "--max-moves", "1000", status=1).stderr)
+
     def test_is_the_same_for_check_and_explain(self):
         part = self.path("part.ngc", PART)
         dry = self.report(part, "--start", "first-move")

@@ -77,15 +77,19 @@ class FirstPlaces {
   bool has_moved_ = false;
 };
 
-// Shows all moves from the file's begin on, until it is told that the next does not matter. Error:
+// A program that goes on for longer before its first cut may be a loop that never cuts.
+constexpr int kMostMoves = 1'000'000;
+
+// Shows the moves from the file's begin on, until it is told that the next does not matter. Error:
 // the file cannot be read.
 tl::expected<void, std::string> read_moves(
     ProgramFile& file, const parser::ReaderOptions& options,
     const std::function<bool(const parser::Move&)>& look_at) {
   parser::ProgramReader reader(options);
   file.rewind();
+  int moves = 0;
   bool goes_on = true;
-  while (goes_on && !stop_requested()) {
+  while (goes_on) {
     const auto piece = file.read();
     if (!piece) {
       return tl::unexpected(piece.error());
@@ -93,12 +97,12 @@ tl::expected<void, std::string> read_moves(
     goes_on = !piece->empty();
     goes_on ? reader.feed(*piece) : reader.finish();
     for (parser::Move move; reader.next(move);) {
-      if (reader.has_errors() || !look_at(move)) {
+      if (stop_requested() || ++moves == kMostMoves || reader.has_errors() || !look_at(move)) {
         goes_on = false;
         break;
       }
     }
-    goes_on = goes_on && !reader.at_end();
+    goes_on = goes_on && !reader.at_end() && !stop_requested();
   }
   file.rewind();
   return {};
