@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include <kerf/machine.hpp>
+#include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include "parser/modal/tool_table.hpp"
 #include "programs/kerf/io/checksum.hpp"
@@ -99,20 +101,20 @@ tl::expected<HeightMap, MachineRefusal> read_surface(const std::string& path) {
 
 }  // namespace
 
-tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& files) {
+tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineOrder& order) {
   ChosenMachine machine{.settings = default_machine()};
   Checksum checksum;
-  if (files.machine) {
-    auto read = read_machine(*files.machine, checksum);
+  if (order.file) {
+    auto read = read_machine(*order.file, checksum);
     if (!read) {
       return tl::unexpected(read.error());
     }
     machine = *std::move(read);
   }
   MachineSettings& settings = machine.settings;
-  std::string tools = files.tools.value_or("");
+  std::string tools = order.tools.value_or("");
   if (tools.empty() && !settings.tool_file.empty()) {
-    tools = std::filesystem::path(*files.machine).replace_filename(settings.tool_file).string();
+    tools = std::filesystem::path(*order.file).replace_filename(settings.tool_file).string();
   }
   if (!tools.empty()) {
     auto table = read_tools(tools, checksum);
@@ -123,11 +125,15 @@ tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& f
   }
   if (!settings.height_map_file.empty()) {
     auto map = read_surface(
-        std::filesystem::path(*files.machine).replace_filename(settings.height_map_file).string());
+        std::filesystem::path(*order.file).replace_filename(settings.height_map_file).string());
     if (!map) {
       return tl::unexpected(map.error());
     }
     settings.simulation.surface = *std::move(map);
+  }
+  if (order.g54_mm) {
+    settings.program.work[0].origin_mm = *order.g54_mm;
+    checksum.add(fmt::format("\nG54 {}", fmt::join(*order.g54_mm, " ")));
   }
   machine.checksum = checksum.value();
   return machine;
@@ -141,12 +147,10 @@ tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(const Op
   }
   std::vector<NamedMachine> machines;
   for (const auto& file : files) {
-    auto chosen = choose_machine({.machine = file, .tools = options.tool_file});
+    auto chosen =
+        choose_machine({.file = file, .tools = options.tool_file, .g54_mm = options.g54_mm});
     if (!chosen) {
       return tl::unexpected(chosen.error());
-    }
-    if (options.g54_mm) {
-      chosen->settings.program.work[0].origin_mm = *options.g54_mm;
     }
     machines.push_back({.file = file, .chosen = *std::move(chosen)});
   }

@@ -20,20 +20,21 @@ struct MachineRefusal {
   std::vector<std::string> messages;  // with file, line and column where there is a place
 };
 
-// Which files the command line names; without a machine file it is the default table.
-struct MachineFiles {
-  std::optional<std::string> machine;
+// What the command line names; without a machine file it is the default table.
+struct MachineOrder {
+  std::optional<std::string> file;
   std::optional<std::string> tools;  // in place of the machine's tool table
+  std::optional<Position> g54_mm;    // in place of the machine's
 };
 
 struct ChosenMachine {
   MachineSettings settings;
   DriverSettings driver{};
-  std::uint64_t checksum = 0;  // of the texts of both files
+  std::uint64_t checksum = 0;  // of the texts of both files, and of G54 where the order has it
 };
 
 // A tool table that the machine file names is looked for beside it.
-tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineFiles& files);
+tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineOrder& order);
 
 struct NamedMachine {
   std::optional<std::string> file;

@@ -19,7 +19,7 @@ namespace kerf::program {
 struct JournalledRun {
   std::string file;
   std::uint64_t program = 0;        // checksum of its text, with what says how it is read
-  std::uint64_t machine = 0;        // of the machine file and the tool table
+  std::uint64_t machine = 0;        // of the machine file, the tool table and --g54
   std::uint64_t blocks_before = 0;  // StartInProgram
 
   friend bool operator==(const JournalledRun&, const JournalledRun&) = default;

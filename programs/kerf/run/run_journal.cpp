@@ -34,7 +34,7 @@ std::optional<RunJournal> RunJournal::prepare(
   } else if (before->run.machine != options.machine_checksum) {
     report.fail(ExitStatus::settings_error,
                 "the machine is not that of " + options.journal_file +
-                    ": the machine file or the tool table was changed since");
+                    ": the machine file, the tool table or --g54 was changed since");
   } else {
     journal.before_ = *std::move(before);
     return journal;
