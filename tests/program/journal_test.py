@@ -141,6 +141,12 @@ class Journal(Case):
         self.kerf("run", program, "--journal", str(self.folder / "no" / "folder"), status=5)
         self.kerf("run", program, "--continue", "--from-line", "2", status=2)
 
+    def test_is_written_over_no_other_file(self):
+        program, other = self.path("short.ngc", SHORT), self.path("other.txt", "something else\n")
+        self.kerf("run", program, "--journal", other, status=5)
+        self.assertEqual(pathlib.Path(other).read_text(), "something else\n")
+        self.kerf("run", program, "--journal", self.path("empty.journal", ""), "-q")
+
     def test_the_motion_is_the_same_with_a_journal(self):
         program = self.path("short.ngc", SHORT)
         for name, words in (("with", ["--journal", program + ".journal"]), ("without", [])):

@@ -71,6 +71,24 @@ TEST(CommandLine, BoundsTheTimeOfAProgramAndTheSizeOfATrace) {
   EXPECT_NE(refusal({"check", "a.ngc", "--max-trace", "1"}), "accepted");
 }
 
+TEST(CommandLine, WritesOverNothingThatItReads) {
+  const std::vector<const char*> run{"run", "a.ngc", "--machine", "m.toml", "--tools", "t.tbl"};
+  for (const char* const option :
+       {"--trace", "--plot", "--record", "--log", "--journal", "--flight-recorder"}) {
+    for (const char* const file : {"a.ngc", "m.toml", "t.tbl"}) {
+      std::vector<const char*> words = run;
+      words.insert(words.end(), {option, file});
+      EXPECT_NE(refusal(words).find(std::string(file) + " is read"), std::string::npos) << option;
+    }
+    std::vector<const char*> words = run;
+    words.insert(words.end(), {option, "new"});
+    EXPECT_EQ(refusal(words), "accepted") << option;
+  }
+  EXPECT_NE(refusal({"report", "a.ngc", "-o", "a.ngc"}), "accepted");
+  EXPECT_NE(refusal({"dry-run", "a.ngc", "--replay", "r", "--record", "r"}), "accepted");
+  EXPECT_EQ(refusal({"dry-run", "-", "--trace", "-"}), "accepted");
+}
+
 TEST(CommandLine, TakesEveryOption) {
   const auto parsed = parse({"run", "--machine", "m.toml", "--profile", "sigmoid",
                              "--sigmoid-shape", "2.5", "--trace", "t.csv", "--plot", "p.svg",

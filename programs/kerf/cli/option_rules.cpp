@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include <spdlog/fmt/fmt.h>
 
@@ -133,6 +135,24 @@ std::optional<std::string> contradiction_of_streams(const Options& options) {
   return std::nullopt;
 }
 
+// What is read is not written over.
+std::optional<std::string> contradiction_of_files(const Options& options) {
+  std::vector<std::string> read = options.files;
+  read.insert(read.end(), options.machine_files.begin(), options.machine_files.end());
+  read.push_back(options.machine_file.value_or(""));
+  read.push_back(options.tool_file.value_or(""));
+  read.push_back(options.replay_file);
+  for (const std::string& written :
+       {options.trace_file.value_or(""), options.plot_file.value_or(""),
+        options.flight_file.value_or(""), options.log_file.value_or(""), options.record_file,
+        options.journal_file, options.page_file}) {
+    if (!written.empty() && written != "-" && std::ranges::find(read, written) != read.end()) {
+      return written + " is read: it is not to be written over";
+    }
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> contradiction_of_comparison(const Options& options) {
   if (options.command != Subcommand::compare) {
     return std::nullopt;
@@ -194,6 +214,9 @@ std::optional<std::string> contradiction(const Options& options) {
                        Sigmoid::kLargestShape);
   }
   if (auto message = contradiction_of_streams(options)) {
+    return message;
+  }
+  if (auto message = contradiction_of_files(options)) {
     return message;
   }
   if (auto message = contradiction_of_start(options)) {

@@ -1,8 +1,20 @@
 #include "programs/kerf/run/run_journal.hpp"
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace kerf::program {
+
+namespace {
+
+bool has_bytes(const std::string& path) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(path, error);
+  return !error && size > 0;
+}
+
+}  // namespace
 
 std::optional<RunJournal> RunJournal::prepare(
     const Options& options, const tl::expected<std::uint64_t, std::string>& program,
@@ -16,6 +28,10 @@ std::optional<RunJournal> RunJournal::prepare(
       {.file = report.file, .program = *program, .machine = options.machine_checksum});
   auto before = read_journal_file(options.journal_file);
   if (!options.continues) {
+    if (!before && has_bytes(options.journal_file)) {
+      report.fail(ExitStatus::io_error, before.error() + "; it is not written over");
+      return std::nullopt;
+    }
     if (before && !before->exit_status) {
       report.warnings.push_back("the last run in " + options.journal_file +
                                 " was not brought to an end, and is forgotten now");
