@@ -1,4 +1,5 @@
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -69,6 +70,21 @@ TEST(CommandLine, BoundsTheTimeOfAProgramAndTheSizeOfATrace) {
     EXPECT_NE(refusal({"run", "a.ngc", "--max-trace", size}), "accepted") << size;
   }
   EXPECT_NE(refusal({"check", "a.ngc", "--max-trace", "1"}), "accepted");
+}
+
+TEST(CommandLine, NamesTheWordsThatAnOptionTakes) {
+  EXPECT_EQ(std::get<Options>(parse({"check", "a.ngc", "--units", "inch/min"})).feed_unit,
+            FeedUnit::inch_min);
+  EXPECT_EQ(std::get<Options>(parse({"check", "a.ngc", "--log-level", "debug"})).log_level,
+            LogLevel::debug);
+  EXPECT_EQ(std::get<Options>(parse({"check", "a.ngc", "--format", "sarif"})).format,
+            DiagnosticFormat::sarif);
+  for (const auto& [option, words] :
+       {std::pair{"--units", "{inch/min,mm/min,mm/s}"},
+        std::pair{"--log-level", "{debug,error,info}"}, std::pair{"--format", "{json,sarif,text}"},
+        std::pair{"--dialect", "{fanuc,rs274}"}}) {
+    EXPECT_NE(refusal({"check", "a.ngc", option, "foo"}).find(words), std::string::npos) << option;
+  }
 }
 
 TEST(CommandLine, WritesOverNothingThatItReads) {

@@ -16,8 +16,17 @@ const std::map<std::string, DiagnosticFormat> kFormats{{"text", DiagnosticFormat
 const std::map<std::string, LogLevel> kLogLevels{
     {"debug", LogLevel::debug}, {"info", LogLevel::info}, {"error", LogLevel::error}};
 
+const std::map<std::string, parser::Dialect> kDialects{{"fanuc", parser::Dialect::fanuc},
+                                                       {"rs274", parser::Dialect::rs274}};
+
 const std::map<std::string, FeedUnit> kFeedUnits{
     {"mm/s", FeedUnit::mm_s}, {"mm/min", FeedUnit::mm_min}, {"inch/min", FeedUnit::inch_min}};
+
+// For a word that stands for a value. CLI::CheckedTransformer would name the values as numbers.
+template <typename Target, typename Value>
+auto setter(Target& target, const std::map<std::string, Value>& values) {
+  return [&target, &values](const std::string& word) { target = values.at(word); };
+}
 
 std::vector<std::string> profile_names() {
   std::vector<std::string> names;
@@ -51,12 +60,9 @@ void add_common(CLI::App& command, OptionWords& words) {
       ->capture_default_str();
   command
       .add_option_function<std::string>(
-          "--dialect",
-          [&options](const std::string& name) {
-            options.dialect = name == "fanuc" ? parser::Dialect::fanuc : parser::Dialect::rs274;
-          },
+          "--dialect", setter(options.dialect, kDialects),
           "language of the program: rs274 or fanuc (default: that of the machine file)")
-      ->check(CLI::IsMember({"rs274", "fanuc"}))
+      ->check(CLI::IsMember(kDialects))
       ->type_name("NAME");
   command.add_flag(
       "--block-delete{all}", words.block_delete,
@@ -80,21 +86,23 @@ void add_common(CLI::App& command, OptionWords& words) {
                   "origin of G54 on the machine in mm (default: that of the machine file)")
       ->type_name("X,Y,Z");
   command
-      .add_option("--units", options.feed_unit,
-                  "unit of feedrates beside mm/s (default: that of the program, by G20 or G21)")
-      ->transform(CLI::CheckedTransformer(kFeedUnits).description("{mm/min,inch/min,mm/s}"))
+      .add_option_function<std::string>(
+          "--units", setter(options.feed_unit, kFeedUnits),
+          "unit of feedrates beside mm/s (default: that of the program, by G20 or G21)")
+      ->check(CLI::IsMember(kFeedUnits))
       ->type_name("UNIT");
   command.add_flag("--json", options.json, "report as JSON on standard output");
   command
-      .add_option("--format", options.format,
-                  "errors and warnings as text, json or sarif (check: on standard output)")
-      ->transform(CLI::CheckedTransformer(kFormats).description("{text,json,sarif}"))
+      .add_option_function<std::string>(
+          "--format", setter(options.format, kFormats),
+          "errors and warnings as text, json or sarif (check: on standard output)")
+      ->check(CLI::IsMember(kFormats))
       ->type_name("NAME");
   command
-      .add_option("--log-level", options.log_level,
-                  "messages: error, info or debug, which tells how the motion is planned "
-                  "(default: info)")
-      ->transform(CLI::CheckedTransformer(kLogLevels).description("{error,info,debug}"))
+      .add_option_function<std::string>(
+          "--log-level", setter(options.log_level, kLogLevels),
+          "messages: error, info or debug, which tells how the motion is planned (default: info)")
+      ->check(CLI::IsMember(kLogLevels))
       ->type_name("NAME");
   command
       .add_option("--log", options.log_file,
@@ -181,6 +189,35 @@ void add_realtime(CLI::App& command, Options& options) {
                    "not permitted");
 }
 
+void add_run(CLI::App& command, Options& options) {
+  command
+      .add_option("--driver", options.driver_name,
+                  "what takes the setpoints (default: that of the machine file)")
+      ->check(CLI::IsMember(std::vector<std::string>(kDriverNames.begin(), kDriverNames.end())))
+      ->type_name("NAME");
+  add_realtime(command, options);
+  command.add_flag("--home", options.homes, "find the home switches before the program");
+  command.add_flag("--wait-start", options.waits_for_start,
+                   "the program waits for start: until then MDI, jog and home");
+  command
+      .add_option("--flight-recorder", options.flight_file,
+                  "after a fault: the ticks of its last 5 s, as --trace has them")
+      ->type_name("FILE.csv");
+  command
+      .add_option("--journal", options.journal_file,
+                  "keep there how far the run has come, once a second")
+      ->type_name("FILE");
+  command.add_flag("--continue", options.continues,
+                   "go on where the journal ends (default: that of --journal, else FILE.journal)");
+  command.add_flag("--yes", options.is_confirmed, "start at the line without being asked");
+  command.add_flag("--optional-stop", options.optional_stop, "M1 waits, as M0 does");
+  command
+      .add_option("--control", options.control,
+                  "commands in and events out as JSON lines: 3, a descriptor; 4,5, one to read "
+                  "and one to write; else the path of a socket to make")
+      ->type_name("WHERE");
+}
+
 }  // namespace
 
 CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& description,
@@ -214,32 +251,7 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
     add_outputs(*added, words);
   }
   if (command == Subcommand::run) {
-    added
-        ->add_option("--driver", words.options.driver_name,
-                     "what takes the setpoints (default: that of the machine file)")
-        ->check(CLI::IsMember(std::vector<std::string>(kDriverNames.begin(), kDriverNames.end())))
-        ->type_name("NAME");
-    add_realtime(*added, words.options);
-    added->add_flag("--home", words.options.homes, "find the home switches before the program");
-    added->add_flag("--wait-start", words.options.waits_for_start,
-                    "the program waits for start: until then MDI, jog and home");
-    added
-        ->add_option("--flight-recorder", words.options.flight_file,
-                     "after a fault: the ticks of its last 5 s, as --trace has them")
-        ->type_name("FILE.csv");
-    added
-        ->add_option("--journal", words.options.journal_file,
-                     "keep there how far the run has come, once a second")
-        ->type_name("FILE");
-    added->add_flag("--continue", words.options.continues,
-                    "go on where the journal ends (default: that of --journal, else FILE.journal)");
-    added->add_flag("--yes", words.options.is_confirmed, "start at the line without being asked");
-    added->add_flag("--optional-stop", words.options.optional_stop, "M1 waits, as M0 does");
-    added
-        ->add_option("--control", words.options.control,
-                     "commands in and events out as JSON lines: 3, a descriptor; 4,5, one to read "
-                     "and one to write; else the path of a socket to make")
-        ->type_name("WHERE");
+    add_run(*added, words.options);
   }
   return added;
 }
