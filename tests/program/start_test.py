@@ -80,6 +80,15 @@ class Start(Case):
         for axis in "xyz":
             self.assertEqual(self.rows(rest)[-1][f"{axis}_mm"], last[f"{axis}_mm"])
 
+    def test_the_extents_are_those_of_what_runs(self):
+        program = self.path("square.ngc", SQUARE)
+        box = {"min_mm": {"x": 0, "y": 0, "z": -5}, "max_mm": {"x": 40, "y": 40, "z": TOP}}
+        extents = self.started(program, 5)["extents"]
+        for end, axes in box.items():
+            for axis, place in axes.items():
+                self.assertAlmostEqual(extents[end][axis], place, places=6)
+        self.assertIn("z -5.000 to 200.000 mm\n", self.kerf("dry-run", program, "--from-line", "5").stdout)
+
     def refused(self, text, line, *said):
         program = self.path("refused.ngc", text)
         stderr = self.kerf("dry-run", program, "--from-line", str(line), status=1).stderr

@@ -69,7 +69,7 @@ std::string extents_text(const FileReport& report) {
 }
 
 std::string extents_rows(const FileReport& report) {
-  if (!report.boxes || report.status != ExitStatus::done) {
+  if (!report.boxes || report.start || report.status != ExitStatus::done) {
     return fmt::format("  extents         {}\n", extents_text(report));
   }
   const PathBoxes& boxes = *report.boxes;

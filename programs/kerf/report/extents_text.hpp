@@ -11,7 +11,7 @@ namespace kerf::program {
 [[nodiscard]] std::string extents_text(const FileReport& report);
 
 // The rows of the summary: all motion and cutting, on the machine and in the program's coordinates.
-// Of a program of which that is not known, or that was stopped: all motion alone.
+// Of a program of which that is not known, that was stopped or that started at a line: what ran.
 [[nodiscard]] std::string extents_rows(const FileReport& report);
 
 // Of a program that does not fit: by how much, and with which work offsets it would. Else empty.

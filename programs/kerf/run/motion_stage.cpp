@@ -45,7 +45,8 @@ void MotionStage::finish(const End& end) {
   report_end(end);
   const bool trace_ended = end.outcome.trace_ended;
   report_.trace_reader_gone = trace_ended && outputs_.recorder().trace->reader_gone();
-  if (report_.status == ExitStatus::done && order_.path.extents && !trace_ended) {
+  const bool is_whole = report_.status == ExitStatus::done && !report_.start && !trace_ended;
+  if (is_whole && order_.path.extents) {
     // Of the curves: ticks need not meet their extremes.
     report_.plan->extents = *order_.path.extents;
     report_.plan->extra_extents = order_.path.extra_extents;
