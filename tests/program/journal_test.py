@@ -141,6 +141,11 @@ class Journal(Case):
         self.kerf("run", program, "--journal", str(self.folder / "no" / "folder"), status=5)
         self.kerf("run", program, "--continue", "--from-line", "2", status=2)
 
+    def test_has_the_end_of_a_run_that_could_not_begin(self):
+        program = self.path("short.ngc", SHORT)
+        self.kerf("run", program, "--journal", program + ".journal", "--trace", str(self.folder / "no" / "folder"), status=5)
+        self.assertNotIn("was not brought to an end", self.kerf("run", program, "--journal", program + ".journal").stdout)
+
     def test_is_written_over_no_other_file(self):
         program, other = self.path("short.ngc", SHORT), self.path("other.txt", "something else\n")
         self.kerf("run", program, "--journal", other, status=5)

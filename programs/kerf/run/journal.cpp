@@ -155,10 +155,13 @@ int JournalWriter::end(ExitStatus status) {
 }
 
 int JournalWriter::write(const std::string& record) {
-  if (const int error = write_all(descriptor_.number(), record)) {
-    return error;
+  if (error_ == 0) {
+    error_ = write_all(descriptor_.number(), record);
   }
-  return ::fdatasync(descriptor_.number()) == 0 ? 0 : errno;
+  if (error_ == 0 && ::fdatasync(descriptor_.number()) != 0) {
+    error_ = errno;
+  }
+  return error_;
 }
 
 }  // namespace kerf::program

@@ -54,7 +54,8 @@ tl::expected<Journal, std::string> read_journal(std::string_view bytes);
 // The same of a file; also: it cannot be read.
 tl::expected<Journal, std::string> read_journal_file(const std::string& path);
 
-// Each record is on the disk once its call is over. Not for the tick side.
+// Each record is on the disk once its call is over. Behind one that could not be written there are
+// no more. Not for the tick side.
 class JournalWriter {
  public:
   // The file is made anew, or goes on behind its valid bytes. Error: what the system says.
@@ -62,7 +63,7 @@ class JournalWriter {
                                                        const JournalledRun& run,
                                                        std::size_t valid_bytes);
 
-  // 0, or the errno.
+  // 0, or the errno of the first record that could not be written.
   int place(const JournalledPlace& place);
   int end(ExitStatus status);
 
@@ -71,6 +72,7 @@ class JournalWriter {
   int write(const std::string& record);
 
   Descriptor descriptor_;
+  int error_ = 0;
 };
 
 }  // namespace kerf::program

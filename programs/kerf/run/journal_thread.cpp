@@ -26,24 +26,22 @@ JournalledPlace place_of(const ControllerStatus& status) {
 JournalThread::JournalThread(const Controller& controller, JournalWriter& writer)
     : controller_(&controller), writer_(&writer), thread_([this] { work(); }) {}
 
-int JournalThread::stop() {
+JournalThread::~JournalThread() {
   over_.store(true);
-  if (thread_.joinable()) {
-    thread_.join();
-  }
-  return error_;
+  thread_.join();
 }
 
 void JournalThread::work() {
   Clock::time_point written = Clock::now();
   bool rested = true;
-  while (!over_.load() && error_ == 0) {
+  int error = 0;
+  while (!over_.load() && error == 0) {
     const ControllerStatus status = controller_->status();
     const bool rests = status.setpoint.v_mm_s == 0.0 && status.setpoint.limit == Constraint::rest;
     const auto since = Clock::now() - written;
     if (status.programs > 0 && status.block > 0 &&
         (since >= kInMotion || (rests && !rested && since >= kBetweenRests))) {
-      error_ = writer_->place(place_of(status));
+      error = writer_->place(place_of(status));
       written = Clock::now();
     }
     rested = rests;

@@ -16,12 +16,10 @@ class JournalThread {
  public:
   // Both outlive it.
   JournalThread(const Controller& controller, JournalWriter& writer);
-  ~JournalThread() { stop(); }
+  // No more is written.
+  ~JournalThread();
   JournalThread(const JournalThread&) = delete;
   JournalThread& operator=(const JournalThread&) = delete;
-
-  // No more is written. 0, or the errno of the first record that could not be.
-  int stop();
 
  private:
   void work();
@@ -29,7 +27,6 @@ class JournalThread {
   const Controller* controller_;
   JournalWriter* writer_;
   std::atomic<bool> over_{false};
-  int error_ = 0;  // of the thread, until it has ended
   std::thread thread_;
 };
 

@@ -10,7 +10,6 @@
 #include "programs/kerf/control/channel.hpp"
 #include "programs/kerf/control/keys.hpp"
 #include "programs/kerf/control/message_printer.hpp"
-#include "programs/kerf/io/descriptor.hpp"
 #include "programs/kerf/run/journal_thread.hpp"
 #include "programs/kerf/run/real_time_loop.hpp"
 
@@ -46,16 +45,6 @@ std::string last_message(const Controller& controller) {
   return text;
 }
 
-// A journal that cannot be written is a warning: the motion has been.
-void end_journal(JournalWriter& journal, int error, const std::string& file, FileReport& report) {
-  if (error == 0) {
-    error = journal.end(report.status);
-  }
-  if (error != 0) {
-    report.warnings.push_back("the journal " + file + " is not whole: " + error_text(error));
-  }
-}
-
 void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver& driver) {
   const MotionOrder& order = stage.order();
   FileReport& report = stage.report();
@@ -82,7 +71,6 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver
             .break_down = [&driver](const PlannedFault& fault) { return driver.break_down(fault); },
             .others_answer = order.has_keys});
   }
-  int journal_error = 0;
   {
     std::optional<JournalThread> journal;
     if (order.journal != nullptr) {
@@ -105,9 +93,6 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver
                                 .max_late_periods = max_late_periods(order.options)},
                                stage.stage_with(feeder));
     controller.plan();  // what the program said last
-    if (journal) {
-      journal_error = journal->stop();
-    }
   }
   Kernel none(order.settings, options);
   stage.finish({.kernel = by.has_started() ? *controller.program() : none,
@@ -118,9 +103,6 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver
                              ? last_message(controller)
                              : std::string(),
                 .is_emergency = controller.status().state == ControllerState::emergency_stop});
-  if (order.journal != nullptr) {
-    end_journal(*order.journal, journal_error, order.options.journal_file, report);
-  }
   if (channel) {
     by.carry_out();  // what came too late is refused
     channel->finish(report.status);

@@ -69,4 +69,10 @@ bool RunJournal::begin(const std::optional<StartInProgram>& start, FileReport& r
   return true;
 }
 
+void RunJournal::end(FileReport& report) {
+  if (const int error = writer_->end(report.status)) {
+    report.warnings.push_back("the journal " + path_ + " is not whole: " + error_text(error));
+  }
+}
+
 }  // namespace kerf::program

@@ -29,6 +29,9 @@ class RunJournal {
   }
   // False: it cannot be written, and the report says so.
   bool begin(const std::optional<StartInProgram>& start, FileReport& report);
+  // The run is over. A journal that is not whole is a warning: the motion has been. Precondition:
+  // begin().
+  void end(FileReport& report);
   // Null before begin().
   [[nodiscard]] JournalWriter* writer() noexcept { return writer_ ? &*writer_ : nullptr; }
 

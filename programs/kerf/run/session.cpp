@@ -251,6 +251,7 @@ class Session {
     }
     FileFeed text(file);
     run(text);
+    start_.end(report_);
   }
 
   // Text that can be read only once runs as it comes: each block is checked before it is planned,

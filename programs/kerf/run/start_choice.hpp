@@ -34,6 +34,13 @@ class RunStart {
 
   // Nothing: the program's begin.
   [[nodiscard]] const std::optional<StartInProgram>& place() const noexcept { return place_; }
+  // The run is over.
+  void end(FileReport& report) {
+    if (journal_) {
+      journal_->end(report);
+    }
+  }
+
   // Null: none is kept.
   [[nodiscard]] JournalWriter* journal() noexcept {
     return journal_ ? journal_->writer() : nullptr;
