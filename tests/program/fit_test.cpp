@@ -53,7 +53,7 @@ TEST(Fit, SaysSoWhereNoOffsetWouldDo) {
   fixed.extents.max_mm[2] = 340.0;
   fixed.offset_extents.fixed[2] = {.min_mm = 0.0, .max_mm = 340.0};
   EXPECT_EQ(describe(*fit_of(fixed, table())),
-            Words{"Z leaves the travel by 40.000 mm wherever the work offset lies"});
+            Words{"no work offset: Z leaves the travel by 40.000 mm wherever it lies"});
 }
 
 TEST(Fit, MovesOnlyTheOffsetsThatAreToBlame) {

@@ -88,7 +88,7 @@ std::vector<std::string> describe(const FitReport& fit) {
       continue;
     }
     if (axis.fixed_over_mm > 0.0) {
-      lines.push_back(fmt::format("{} leaves the travel by {} mm wherever the work offset lies",
+      lines.push_back(fmt::format("no work offset: {} leaves the travel by {} mm wherever it lies",
                                   name, fixed_number(axis.fixed_over_mm, 3)));
       continue;
     }
