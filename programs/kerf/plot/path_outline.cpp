@@ -20,10 +20,6 @@ constexpr double kMaxCells = 1000.0;  // in a row
 // One colour: what lies farther apart is never drawn as one.
 constexpr double kCoarsestShare = 1.0 / static_cast<double>(kColourLevels);
 
-}  // namespace
-
-namespace {
-
 void include(std::optional<PaperBox>& box, const PaperPoint& at) {
   if (!box) {
     box = PaperBox{.min = at, .max = at};
