@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/fmt/fmt.h>
 
-#include "parser/modal/codes_in_force.hpp"
+#include "programs/kerf/report/block_json.hpp"
 #include "programs/kerf/report/extra_axes.hpp"
 #include "programs/kerf/report/place_json.hpp"
 
@@ -16,10 +16,6 @@ using Json = nlohmann::ordered_json;
 
 Json peaks_json(const Peaks& peaks) {
   return {{"v_mm_s", peaks.v_mm_s}, {"a_mm_s2", peaks.a_mm_s2}, {"j_mm_s3", peaks.j_mm_s3}};
-}
-
-Json axes_json(const std::array<double, 3>& values) {
-  return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}};
 }
 
 // The linear ones of the machine's other axes go beside x, y and z, the rotary ones into a table
@@ -99,52 +95,6 @@ void set_plan(Json& json, const FileReport& report) {
   json["deviation"] = deviation_json(plan.deviation);
 }
 
-// What is in force before it.
-Json block_json(const parser::WatchedBlock& block, parser::Letters extra) {
-  const parser::ModalState& state = block.state;
-  const parser::WorkOffset& work = state.coordinates.work(state.coordinates.system());
-  Json json = {{"text", block.text},
-               {"codes", parser::codes_in_force(state)},
-               {"position_mm", axes_json(state.position_mm)},
-               {"program_position_mm", axes_json(state.coordinates.to_program(state.position_mm))},
-               {"work_offset_mm", axes_json(work.origin_mm)},
-               {"work_rotation_deg", work.rotation_deg},
-               {"local_offset_mm", axes_json(state.coordinates.local_mm())},
-               {"tool_offset_mm", axes_json(state.coordinates.tool_mm())},
-               {"corner_tolerance_mm", state.blend_tolerance_mm},
-               {"merge_tolerance_mm", state.merge_tolerance_mm},
-               {"feedrate_mm_s", state.feedrate_mm_s ? Json(*state.feedrate_mm_s) : Json()},
-               {"spindle_speed", state.spindle_speed},
-               {"tool", state.loaded_tool},
-               {"selected_tool", state.tool}};
-  for (const ExtraAxis& axis : extra_axes(extra)) {
-    const std::string unit = fmt::format("_{}", axis.unit);
-    json["position" + unit][axis.name] = state.auxiliary_deg_mm[axis.index];
-    json["program_position" + unit][axis.name] =
-        state.coordinates.auxiliary_to_program(state.auxiliary_deg_mm)[axis.index];
-  }
-  return json;
-}
-
-Json explained_json(const BlockReport& report, parser::Letters extra) {
-  Json json = block_json(report.block, extra);
-  json["line"] = report.line;
-  json["begin_s"] = report.begin_s;
-  json["duration_s"] = report.duration_s;
-  return json;
-}
-
-Json start_json(const StartReport& report, parser::Letters extra) {
-  Json json = block_json(report.block, extra);
-  json["line"] = report.place.line;
-  json["round"] = report.place.round;
-  json["calls"] = report.block.calls;
-  if (!report.place.file.empty()) {
-    json["file"] = report.place.file;
-  }
-  return json;
-}
-
 void set_motion(Json& json, const FileReport& report) {
   const MotionReport& motion = *report.motion;
   const auto seconds = [&report](std::int64_t ticks) {
@@ -216,6 +166,50 @@ void set_speed(Json& json, const FileReport& report) {
   }
 }
 
+void set_clock(Json& json, const FileReport& report) {
+  const ClockReport& clock = *report.clock;
+  json["driver"] = report.driver;
+  json["late_ticks"] = clock.late_ticks;
+  json["worst_delay_s"] = clock.worst_delay_s;
+  json["delays"] = Json::array();
+  for (const TimeHistogram::Step& step : clock.delays.steps()) {
+    json["delays"].push_back({{"up_to_s", step.up_to_s}, {"ticks", step.count}});
+  }
+  json["tick_times"] = {{"mean_s", clock.tick_times.mean_s()},
+                        {"most_s", clock.tick_times.quantile_s(0.999)},
+                        {"worst_s", clock.tick_times.worst_s()}};
+}
+
+Json fault_json(const FaultReport& fault) {
+  return {{"kind", fault.kind},
+          {"axis", fault.axis.empty() ? Json() : Json(fault.axis)},
+          {"line", fault.line},
+          {"t_s", fault.t_s},
+          {"needs_homing", fault.needs_homing}};
+}
+
+void set_messages(Json& json, const FileReport& report) {
+  json["warnings"] = Json::array();
+  json["errors"] = Json::array();
+  for (const diagnostics::Diagnostic& diagnostic : report.diagnostics) {
+    if (diagnostic.severity == diagnostics::Severity::warning) {
+      json["warnings"].push_back(
+          fmt::format("line {}: {}", diagnostic.source.line, diagnostic.message));
+    } else {
+      json["errors"].push_back({{"line", diagnostic.source.line},
+                                {"column", diagnostic.source.column},
+                                {"message", diagnostic.message},
+                                {"id", diagnostics::identifier(*diagnostic.page)}});
+    }
+  }
+  for (const std::string& warning : report.warnings) {
+    json["warnings"].push_back(warning);
+  }
+  for (const std::string& failure : report.failures) {
+    json["errors"].push_back({{"message", failure}});
+  }
+}
+
 }  // namespace
 
 std::string json_report(const FileReport& report) {
@@ -237,7 +231,7 @@ std::string json_report(const FileReport& report) {
     set_plan(json, report);
   }
   if (report.block) {
-    json["block"] = explained_json(*report.block, report.extra_axes);
+    json["block"] = block_json(*report.block, report.extra_axes);
   }
   if (report.start) {
     json["start"] = start_json(*report.start, report.extra_axes);
@@ -249,45 +243,12 @@ std::string json_report(const FileReport& report) {
     set_speed(json, report);
   }
   if (report.clock) {
-    json["driver"] = report.driver;
-    json["late_ticks"] = report.clock->late_ticks;
-    json["worst_delay_s"] = report.clock->worst_delay_s;
-    json["delays"] = Json::array();
-    for (const TimeHistogram::Step& step : report.clock->delays.steps()) {
-      json["delays"].push_back({{"up_to_s", step.up_to_s}, {"ticks", step.count}});
-    }
-    const TimeHistogram& ticks = report.clock->tick_times;
-    json["tick_times"] = {{"mean_s", ticks.mean_s()},
-                          {"most_s", ticks.quantile_s(0.999)},
-                          {"worst_s", ticks.worst_s()}};
+    set_clock(json, report);
   }
   if (report.machine_fault) {
-    const FaultReport& fault = *report.machine_fault;
-    json["fault"] = {{"kind", fault.kind},
-                     {"axis", fault.axis.empty() ? Json() : Json(fault.axis)},
-                     {"line", fault.line},
-                     {"t_s", fault.t_s},
-                     {"needs_homing", fault.needs_homing}};
+    json["fault"] = fault_json(*report.machine_fault);
   }
-  json["warnings"] = Json::array();
-  json["errors"] = Json::array();
-  for (const diagnostics::Diagnostic& diagnostic : report.diagnostics) {
-    if (diagnostic.severity == diagnostics::Severity::warning) {
-      json["warnings"].push_back(
-          fmt::format("line {}: {}", diagnostic.source.line, diagnostic.message));
-    } else {
-      json["errors"].push_back({{"line", diagnostic.source.line},
-                                {"column", diagnostic.source.column},
-                                {"message", diagnostic.message},
-                                {"id", diagnostics::identifier(*diagnostic.page)}});
-    }
-  }
-  for (const std::string& warning : report.warnings) {
-    json["warnings"].push_back(warning);
-  }
-  for (const std::string& failure : report.failures) {
-    json["errors"].push_back({{"message", failure}});
-  }
+  set_messages(json, report);
   json["elapsed"] = {{"check_s", report.check_duration_s}, {"run_s", report.run_duration_s}};
   // ASCII alone, so that no control character of a name reaches a terminal. What is not UTF-8 in a
   // file name or a message becomes U+FFFD; what is not a number, null.

@@ -12,16 +12,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array kAxes{"x", "y", "z"};
 
-Json position_json(const Position& position) {
-  Json json;
-  for (std::size_t k = 0; k < kAxes.size(); ++k) {
-    json[kAxes[k]] = position[k];
-  }
-  return json;
-}
-
 Json box_json(const curves::Extents& box) {
-  return {{"min_mm", position_json(box.min_mm)}, {"max_mm", position_json(box.max_mm)}};
+  return {{"min_mm", axes_json(box.min_mm)}, {"max_mm", axes_json(box.max_mm)}};
 }
 
 // Infinite: null.
@@ -30,6 +22,10 @@ Json bound_json(double value) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json axes_json(const std::array<double, 3>& values) {
+  return {{"x", values[0]}, {"y", values[1]}, {"z", values[2]}};
+}
 
 nlohmann::ordered_json boxes_json(const PathBoxes& boxes) {
   Json json{{"machine", {{"all", box_json(boxes.all)}}}, {"work", nullptr}};
