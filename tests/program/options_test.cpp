@@ -72,6 +72,13 @@ TEST(CommandLine, BoundsTheTimeOfAProgramAndTheSizeOfATrace) {
   EXPECT_NE(refusal({"check", "a.ngc", "--max-trace", "1"}), "accepted");
 }
 
+TEST(CommandLine, CountsNothingBelowZero) {
+  EXPECT_NE(refusal({"check", "a.ngc", "--max-moves", "-1"}), "accepted");
+  EXPECT_NE(refusal({"check", "a.ngc", "--max-moves", "0"}), "accepted");
+  EXPECT_NE(refusal({"compare", "a.ngc", "b.ngc", "--lines", "-1"}), "accepted");
+  EXPECT_EQ(refusal({"compare", "a.ngc", "b.ngc", "--lines", "0"}), "accepted");
+}
+
 TEST(CommandLine, NamesTheWordsThatAnOptionTakes) {
   EXPECT_EQ(std::get<Options>(parse({"check", "a.ngc", "--units", "inch/min"})).feed_unit,
             FeedUnit::inch_min);
