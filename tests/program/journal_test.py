@@ -151,6 +151,8 @@ class Journal(Case):
         self.kerf("run", program, "--journal", other, status=5)
         self.assertEqual(pathlib.Path(other).read_text(), "something else\n")
         self.kerf("run", program, "--journal", self.path("empty.journal", ""), "-q")
+        os.mkfifo(self.path("fifo"))
+        self.kerf("run", program, "--journal", self.path("fifo"), status=5)
 
     def test_the_motion_is_the_same_with_a_journal(self):
         program = self.path("short.ngc", SHORT)

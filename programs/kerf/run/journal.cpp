@@ -126,7 +126,9 @@ tl::expected<JournalWriter, std::string> JournalWriter::open(const std::string& 
                                                              const JournalledRun& run,
                                                              std::size_t valid_bytes) {
   const auto fault = [&path](int error) { return tl::unexpected(path + ": " + error_text(error)); };
-  Descriptor descriptor(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOCTTY, 0666));
+  // Not to wait for the reader of a FIFO, which is refused.
+  Descriptor descriptor(
+      ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOCTTY | O_NONBLOCK, 0666));
   if (!descriptor.is_open()) {
     return fault(errno);
   }
