@@ -68,7 +68,8 @@ void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, d
 
 void Compressor::append(Vertex vertex) {
   const double length_mm = distance_mm(run_.back(), vertex);
-  if (length_mm > 0.0) {
+  // Lines that lead back to where the run begins miss it by rounding: what is left is no line.
+  if (length_mm >= parser::kShortestWay_mm) {
     vertex.w_mm = run_.back().w_mm + length_mm;
     run_.push_back(vertex);
   }

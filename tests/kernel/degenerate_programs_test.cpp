@@ -49,6 +49,10 @@ TEST(DegenerateMoves, LeaveTheOthersOfTheirProgramAsTheyAre) {
                 4.6},
            Lost{"#1=[1/10**300/10**20]\nG1 F100 X#1\nX1\nM2\n", {1, 0, 0}, 1.0},
            Lost{"#1=[1/10**300/10**20]\nG1 F100 X#1\nM2\n", {0, 0, 0}, 0.0},
+           Lost{"G64 P0 Q0.01\nG91 F100\nG0 X[2/10**10]\nG1 X[-7/10**10]\nX[7/10**10]\n"
+                "G0 X[8/10**10]\nG4 P0.1\nG90 G1 X1\nM2\n",
+                {1, 0, 0},
+                1.0},
        }) {
     for (std::size_t kind = 0; kind < 7; ++kind) {
       SCOPED_TRACE(std::string(lost.text) + " profile " + std::to_string(kind));

@@ -65,6 +65,15 @@ TEST(Compressor, MakesNoPartOfALineAcrossItsRunThatHasAnotherFeedrate) {
   }
 }
 
+// There and back, but for the last bit: no line of 3e-26 mm is left of them.
+TEST(Compressor, MakesNothingOfLinesThatLeadBackWithinRounding) {
+  const double begin_mm = 2e-10;
+  const double end_mm = std::nextafter(begin_mm, 1.0);
+  const Smoothed smoothed =
+      smooth(lines_through({{begin_mm, 0, 0}, {-5e-10, 0, 0}, {end_mm, 0, 0}}, {}));
+  EXPECT_TRUE(smoothed.segments.empty());
+}
+
 // Each in a corner of two long lines, whose blend is that of the corner alone.
 TEST(Compressor, BlendsACornerAcrossLinesFarShorterThanTheTolerance) {
   const Smoothed corner = smooth(lines_through({{0, 0, 8}, {0, 0, 0}, {4, 0, 0}}, {}));
