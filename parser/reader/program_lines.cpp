@@ -7,6 +7,19 @@
 
 namespace kerf::parser {
 
+namespace {
+
+constexpr double kLoopMotion_rad_mm = 10.0 * kShortestWay_mm;
+
+// A loop may go on for as long as it moves. What its steps add up to is no motion where each is
+// too short to be one: such a loop would take days to come to a bound on moves.
+bool is_motion(const Move& move) {
+  return end_mm(move) != nullptr && (way_mm(move) >= kLoopMotion_rad_mm ||
+                                     move.auxiliary.length_rad_mm() >= kLoopMotion_rad_mm);
+}
+
+}  // namespace
+
 // '%' opens the program (a title may follow it) and closes it. True: the line is done with.
 bool ProgramRun::read_percent(const NumberedLine& line, std::size_t at) {
   if (!opened_by_percent_ && !any_block_) {
@@ -151,8 +164,7 @@ bool ProgramRun::next(Move& move) {
     const auto* event = std::get_if<EventMove>(&move.shape);
     does_anything_ = does_anything_ || event == nullptr || event->kind != EventKind::program_end;
   } while (!short_moves_.take(move));
-  constexpr std::size_t kMotions = 3;  // lines, arcs and splines come first
-  if (move.shape.index() < kMotions) {
+  if (is_motion(move)) {
     flow_.moved();
   } else if (const auto* event = std::get_if<EventMove>(&move.shape);
              event != nullptr && event->kind == EventKind::ask_machine) {

@@ -99,6 +99,9 @@ TEST(Flow, StopsALoopThatNeverMoves) {
   EXPECT_EQ(message("G0 X1\no1 while [1]\nM8\no1 endwhile\nM2\n"),
             "2:1: error: the loop ran 1000 lines without motion: it is taken to be endless\n")
       << "what the machine does at rest is no motion";
+  EXPECT_EQ(message("G91 G1 F1\no1 while [1]\nX[1/10**12]\no1 endwhile\nM2\n"),
+            "2:1: error: the loop ran 1000 lines without motion: it is taken to be endless\n")
+      << "a move of 1e-10 mm, which a hundred steps add up to, is none either";
   EXPECT_EQ(message("o1 while [1]\nG91 G0 X1\nX1 Q5\no1 endwhile\nM2\n"),
             "3:4: error: Q is not used in this block\n"
             "1:1: error: the loop ran 1000 lines behind an error: it is taken to be endless\n")
