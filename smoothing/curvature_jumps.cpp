@@ -80,12 +80,13 @@ bool blends_meet(const curves::NurbsCurve& curve, const std::vector<double>& jum
 void append_cut(const PathSegment& segment, const std::vector<double>& at_mm,
                 std::vector<PathSegment>& out) {
   const auto& curve = std::get<curves::NurbsCurve>(segment.curve);
+  PathSegment cut = segment;  // the whole curve is copied once, not for each part
   double begin_mm = 0.0;
   for (std::size_t i = 0; i <= at_mm.size(); ++i) {
     const double end_mm = i < at_mm.size() ? at_mm[i] : curve.length_mm();
     if (auto part = begin_mm < end_mm ? curve.part({begin_mm, end_mm}) : std::nullopt) {
-      out.push_back(segment);
-      out.back().curve = std::move(*part);
+      cut.curve = std::move(*part);
+      out.push_back(cut);
       begin_mm = end_mm;
     }
   }
