@@ -10,7 +10,7 @@ namespace kerf::program {
 namespace {
 
 // Moves, lines, ticks: more than anybody asks for.
-constexpr std::int64_t kMostCounted = 1'000'000'000'000;
+constexpr std::int64_t kMaxCounted = 1'000'000'000'000;
 
 const std::map<std::string, DiagnosticFormat> kFormats{{"text", DiagnosticFormat::text},
                                                        {"json", DiagnosticFormat::json},
@@ -78,7 +78,7 @@ void add_common(CLI::App& command, OptionWords& words) {
   command
       .add_option("--max-moves", options.max_moves,
                   "how many moves the program may have, loops included (default: 100000000)")
-      ->check(CLI::Range(std::int64_t{1}, kMostCounted))
+      ->check(CLI::Range(std::int64_t{1}, kMaxCounted))
       ->type_name("N");
   command
       .add_option("--start", words.start,
@@ -124,7 +124,7 @@ void add_outputs(CLI::App& command, OptionWords& words) {
   command
       .add_option("--trace-every", options.trace_every,
                   "a row for every so many-th tick (default: 1)")
-      ->check(CLI::Range(std::int64_t{1}, kMostCounted))
+      ->check(CLI::Range(std::int64_t{1}, kMaxCounted))
       ->type_name("N");
   command.add_option("--trace-from", words.trace_from, "no row before: 90, 90s, 5min")
       ->type_name("TIME");
@@ -167,7 +167,7 @@ void add_comparison(CLI::App& command, Options& options) {
   command
       .add_option("--lines", options.compared_lines,
                   "how many of the lines that differ most are named")
-      ->check(CLI::Range(std::int64_t{0}, kMostCounted))
+      ->check(CLI::Range(std::int64_t{0}, kMaxCounted))
       ->type_name("N")
       ->capture_default_str();
 }
@@ -247,7 +247,7 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
   if (command == Subcommand::explain) {
     added->add_option("--line", words.options.explained_line, "the line to explain")
         ->required()
-        ->check(CLI::Range(std::int64_t{1}, kMostCounted))
+        ->check(CLI::Range(std::int64_t{1}, kMaxCounted))
         ->type_name("N");
   } else if (command == Subcommand::check) {
     added->add_flag("--syntax", words.options.syntax_only,

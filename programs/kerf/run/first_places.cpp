@@ -78,7 +78,7 @@ class FirstPlaces {
 };
 
 // A program that goes on for longer before its first cut may be a loop that never cuts.
-constexpr int kMostMoves = 1'000'000;
+constexpr int kMaxMoves = 1'000'000;
 
 // Shows the moves from the file's begin on, until it is told that the next does not matter. Error:
 // the file cannot be read.
@@ -97,7 +97,7 @@ tl::expected<void, std::string> read_moves(
     goes_on = !piece->empty();
     goes_on ? reader.feed(*piece) : reader.finish();
     for (parser::Move move; reader.next(move);) {
-      if (stop_requested() || ++moves == kMostMoves || reader.has_errors() || !look_at(move)) {
+      if (stop_requested() || ++moves == kMaxMoves || reader.has_errors() || !look_at(move)) {
         goes_on = false;
         break;
       }
