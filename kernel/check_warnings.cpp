@@ -68,12 +68,14 @@ void CheckWarnings::check_feed(const parser::Move& move,
     return;
   }
   feed_told_ = true;
+  const auto per_min = [](double feed_mm_s) {  // without the noise of the two changes of unit
+    constexpr double kParts = 1e6;
+    return parser::shortest(std::round(feed_mm_s * kSecondsPerMinute * kParts) / kParts);
+  };
   found.emplace_back(
       move.source, errors::kFeedBeyondReach,
-      parser::joined({"a feed of ", parser::shortest(move.feedrate_mm_s * kSecondsPerMinute),
-                      " mm/min: the machine reaches ",
-                      parser::shortest(reach_mm_s_ * kSecondsPerMinute),
-                      " mm/min at the most, whatever the direction"}));
+      parser::joined({"a feed of ", per_min(move.feedrate_mm_s), " mm/min: the machine reaches ",
+                      per_min(reach_mm_s_), " mm/min at the most, whatever the direction"}));
 }
 
 // Where a loop began that ends here and is nowhere larger than the tolerance; null: none.
