@@ -203,6 +203,21 @@ double begin_over(const HeightMap& map, const TipWay& way) noexcept {
   return std::max(inside_from(outline, way).begin, 0.0);
 }
 
+// Where the depth changes its sign within a part of the way; never: it does not. Behind another
+// cell it may have done so at the line between them.
+double change_within(const ShareInside& part, const Quadratic& depth, double sign) noexcept {
+  if (part.begin > 0.0 && sign * depth.at(part.begin) > 0.0) {
+    return part.begin;
+  }
+  for (const double root : depth.roots()) {
+    const double slope = depth.c1 + 2.0 * depth.c2 * root;
+    if (root >= part.begin && root <= part.end && sign * slope > 0.0) {
+      return root;
+    }
+  }
+  return kNever;
+}
+
 // From cell to cell. Contact can change at a line of the grid only at its outline.
 double change_on(const HeightMap& map, const TipWay& way, bool to_inside) noexcept {
   const std::size_t most = 2 * (map.columns + rows_of(map)) + 4;
@@ -218,16 +233,10 @@ double change_on(const HeightMap& map, const TipWay& way, bool to_inside) noexce
       t = end;
       continue;
     }
-    const Quadratic depth = depth_along(map, *cell, way);
-    const double sign = to_inside ? 1.0 : -1.0;
-    if (t > 0.0 && sign * depth.at(t) > 0.0) {
-      return t;
-    }
-    for (const double root : depth.roots()) {
-      const double slope = depth.c1 + 2.0 * depth.c2 * root;
-      if (root >= t && root <= end && sign * slope > 0.0) {
-        return root;
-      }
+    const double found = change_within({.begin = t, .end = end}, depth_along(map, *cell, way),
+                                       to_inside ? 1.0 : -1.0);
+    if (found < kNever) {
+      return found;
     }
     t = end;
   }
