@@ -267,7 +267,9 @@ CLI::App* add_tick_cost(CLI::App& app, OptionWords& words) {
                          "what a tick costs on this computer, and which period it bears");
   add_machine(*added, words.options);
   add_realtime(*added, words.options);
-  added->add_option("--time", words.measured, "how long to measure: 90, 90s, 5min (default: 5s)")
+  added
+      ->add_option("--time", words.measured,
+                   "how long to measure at least: 90, 90s, 5min (default: 5s)")
       ->type_name("TIME");
   added->add_flag("--json", words.options.json, "the figures as JSON");
   return added;
