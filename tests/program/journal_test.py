@@ -112,7 +112,9 @@ class Journal(Case):
         words = ["run", program, "--machine", str(table), "--continue"]
         self.kerf(*words, status=2)
         self.assertIn("is not the program", self.kerf(*words, "--block-delete", status=1).stderr)
-        self.assertIn("the machine is not that", self.kerf(*words, "--g54", "50,0,0", status=3).stderr)
+        done = self.kerf(*words, "--g54", "50,0,0", "--json", status=3)
+        self.assertIn("the machine is not that", done.stderr)
+        self.assertEqual(json.loads(done.stdout)["exit_status"], 3)
         for name, status, said in ((program, 1, "is not the program"), (called, 1, "is not the program"), (table, 3, "the machine is not that")):
             path = pathlib.Path(name)
             text = path.read_text()

@@ -131,7 +131,9 @@ class Start(Case):
 
     def test_a_run_is_confirmed(self):
         program = self.path("square.ngc", SQUARE)
-        self.assertIn("--yes", self.kerf("run", program, "--from-line", "7", status=2).stderr)
+        done = self.kerf("run", program, "--from-line", "7", "--json", status=2)
+        self.assertIn("--yes", done.stderr)
+        self.assertEqual(json.loads(done.stdout)["exit_status"], 2)
         done = self.kerf("run", program, "--from-line", "7", "--yes")
         self.assertIn("  started at      line 7\n", done.stdout)
         self.assertIn("in force before it", done.stderr)
