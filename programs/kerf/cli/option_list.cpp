@@ -44,6 +44,27 @@ void add_machine(CLI::App& command, Options& options) {
       ->type_name("FILE.toml");
 }
 
+void add_messages(CLI::App& command, Options& options) {
+  command.add_flag("--json", options.json, "report as JSON on standard output");
+  command
+      .add_option_function<std::string>(
+          "--format", setter(options.format, kFormats),
+          "errors and warnings as text, json or sarif (check: on standard output)")
+      ->check(CLI::IsMember(kFormats))
+      ->type_name("NAME");
+  command
+      .add_option_function<std::string>(
+          "--log-level", setter(options.log_level, kLogLevels),
+          "messages: error, info or debug, which tells how the motion is planned (default: info)")
+      ->check(CLI::IsMember(kLogLevels))
+      ->type_name("NAME");
+  command
+      .add_option("--log", options.log_file,
+                  "file that gets the messages with the time before them, too")
+      ->type_name("FILE");
+  command.add_flag("-q,--quiet", options.quiet, "no summary, no progress bar, no warnings");
+}
+
 void add_common(CLI::App& command, OptionWords& words) {
   Options& options = words.options;
   command
@@ -95,24 +116,7 @@ void add_common(CLI::App& command, OptionWords& words) {
           "unit of feedrates beside mm/s (default: that of the program, by G20 or G21)")
       ->check(CLI::IsMember(kFeedUnits))
       ->type_name("UNIT");
-  command.add_flag("--json", options.json, "report as JSON on standard output");
-  command
-      .add_option_function<std::string>(
-          "--format", setter(options.format, kFormats),
-          "errors and warnings as text, json or sarif (check: on standard output)")
-      ->check(CLI::IsMember(kFormats))
-      ->type_name("NAME");
-  command
-      .add_option_function<std::string>(
-          "--log-level", setter(options.log_level, kLogLevels),
-          "messages: error, info or debug, which tells how the motion is planned (default: info)")
-      ->check(CLI::IsMember(kLogLevels))
-      ->type_name("NAME");
-  command
-      .add_option("--log", options.log_file,
-                  "file that gets the messages with the time before them, too")
-      ->type_name("FILE");
-  command.add_flag("-q,--quiet", options.quiet, "no summary, no progress bar, no warnings");
+  add_messages(command, options);
 }
 
 void add_outputs(CLI::App& command, OptionWords& words) {

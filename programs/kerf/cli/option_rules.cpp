@@ -183,9 +183,21 @@ std::optional<std::string> contradiction_of_trace(const Options& options) {
   return std::nullopt;
 }
 
-}  // namespace
+std::optional<std::string> contradiction_of_profile(const Options& options) {
+  using profiles::Sigmoid;
+  if (options.sigmoid_shape && options.profile != profiles::ProfileKind::sigmoid) {
+    return "--sigmoid-shape goes with --profile sigmoid";
+  }
+  // Not CLI::Range: it lets NaN pass.
+  if (options.sigmoid_shape && !(*options.sigmoid_shape >= Sigmoid::kSmallestShape &&
+                                 *options.sigmoid_shape <= Sigmoid::kLargestShape)) {
+    return fmt::format("--sigmoid-shape: s is to be {} to {}", Sigmoid::kSmallestShape,
+                       Sigmoid::kLargestShape);
+  }
+  return std::nullopt;
+}
 
-std::optional<std::string> contradiction(const Options& options) {
+std::optional<std::string> contradiction_of_outputs(const Options& options) {
   const bool records = !options.record_file.empty() || !options.replay_file.empty();
   if (options.files.size() > 1 && (options.trace_file || options.plot_file || records)) {
     return "--trace, --plot, --record and --replay take one FILE at a time";
@@ -193,36 +205,25 @@ std::optional<std::string> contradiction(const Options& options) {
   if (!options.driver_name.empty() && !options.replay_file.empty()) {
     return "--driver and --replay name two machines";
   }
-  if (auto message = contradiction_of_comparison(options)) {
-    return message;
-  }
-  if (auto message = contradiction_of_trace(options)) {
-    return message;
-  }
   if (options.json && options.command == Subcommand::check &&
       options.format != DiagnosticFormat::text) {
     return "--json and --format both write to standard output";
   }
-  if (options.sigmoid_shape && options.profile != profiles::ProfileKind::sigmoid) {
-    return "--sigmoid-shape goes with --profile sigmoid";
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> contradiction(const Options& options) {
+  for (const auto find :
+       {contradiction_of_outputs, contradiction_of_comparison, contradiction_of_trace,
+        contradiction_of_profile, contradiction_of_streams, contradiction_of_files,
+        contradiction_of_start, contradiction_of_control}) {
+    if (auto message = find(options)) {
+      return message;
+    }
   }
-  // Not CLI::Range: it lets NaN pass.
-  using profiles::Sigmoid;
-  if (options.sigmoid_shape && !(*options.sigmoid_shape >= Sigmoid::kSmallestShape &&
-                                 *options.sigmoid_shape <= Sigmoid::kLargestShape)) {
-    return fmt::format("--sigmoid-shape: s is to be {} to {}", Sigmoid::kSmallestShape,
-                       Sigmoid::kLargestShape);
-  }
-  if (auto message = contradiction_of_streams(options)) {
-    return message;
-  }
-  if (auto message = contradiction_of_files(options)) {
-    return message;
-  }
-  if (auto message = contradiction_of_start(options)) {
-    return message;
-  }
-  return contradiction_of_control(options);
+  return std::nullopt;
 }
 
 }  // namespace kerf::program
