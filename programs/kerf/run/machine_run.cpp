@@ -45,6 +45,14 @@ std::string last_message(const Controller& controller) {
   return text;
 }
 
+ControlChannel::Order channel_order(MotionStage& stage, Driver& driver) {
+  return {.file = stage.report().file,
+          .extra = stage.report().extra_axes,
+          .feed_inputs = stage.order().settings.program.feed_inputs,
+          .break_down = [&driver](const PlannedFault& fault) { return driver.break_down(fault); },
+          .others_answer = stage.order().has_keys};
+}
+
 void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver& driver) {
   const MotionOrder& order = stage.order();
   FileReport& report = stage.report();
@@ -62,14 +70,7 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver
   RunOutcome outcome;
   std::optional<ControlChannel> channel;
   if (control) {
-    channel.emplace(
-        *std::move(control), by,
-        ControlChannel::Order{
-            .file = report.file,
-            .extra = report.extra_axes,
-            .feed_inputs = order.settings.program.feed_inputs,
-            .break_down = [&driver](const PlannedFault& fault) { return driver.break_down(fault); },
-            .others_answer = order.has_keys});
+    channel.emplace(*std::move(control), by, channel_order(stage, driver));
   }
   {
     std::optional<JournalThread> journal;

@@ -103,7 +103,14 @@ void MotionStage::report_end(const End& end) {
     report_.status = *stop_requested();
   } else if (end.is_stopped) {
     report_.status = ExitStatus::stopped;
-  } else if (end.outcome.too_long_at_line) {
+  } else {
+    report_program(end);
+  }
+}
+
+// Of one that nobody ended.
+void MotionStage::report_program(const End& end) {
+  if (end.outcome.too_long_at_line) {
     report_.fail_too_long({*end.outcome.too_long_at_line, order_.options.max_time_s});
   } else if (end.feeder.error()) {
     report_.fail(ExitStatus::io_error, *end.feeder.error());

@@ -64,6 +64,7 @@ class MotionStage {
 
  private:
   void report_end(const End& end);
+  void report_program(const End& end);
   void write_flight();
 
   const MotionOrder& order_;
