@@ -26,10 +26,10 @@ class Side {
   explicit Side(const ComparedProgram& program)
       : period_s_(program.report.period_s),
         times_(program.report.speed->each_line),
-        lines_(lines_of(program.source)) {
+        lines_(lines_of(program.source)),
+        text_lines_(lines_.size()) {
     // Subprograms in files of their own count under the numbers of their lines.
     const std::size_t last = times_.empty() ? 0 : times_.back().line;
-    text_lines_ = lines_.size();
     for (std::size_t number = text_lines_ + 1; number <= last; ++number) {
       lines_.push_back("line " + std::to_string(number));
     }
@@ -77,7 +77,7 @@ class Side {
   double period_s_;
   const std::vector<LineLimitTime>& times_;  // by line
   std::vector<std::string> lines_;
-  std::size_t text_lines_ = 0;
+  std::size_t text_lines_;
 };
 
 void compare_limits(const std::array<const FileReport*, 2>& reports, Comparison& comparison) {

@@ -157,6 +157,42 @@ void append_motion(std::string& text, const FileReport& report) {
                  following[1], following[2]);
 }
 
+void append_time(std::string& text, const FileReport& report) {
+  const PlanReport& plan = *report.plan;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "  cycle time      {}   {} of {:g} ms, {}\n", clock_time(plan.cycle_time_s),
+                 counted(static_cast<unsigned long long>(plan.ticks), "tick"),
+                 1000.0 * report.period_s, report.profile);
+  if (report.start) {
+    fmt::format_to(out, "  started at      {}\n", name_of(report.start->place));
+  }
+  if (const std::string split =
+          report.motion ? time_text(report.motion->time, report.period_s) : "";
+      !split.empty()) {
+    fmt::format_to(out, "  time            {}\n", split);
+  }
+  if (report.motion && report.motion->time.approach > 0) {
+    fmt::format_to(out, "  approach        {}\n", approach_text(report));
+  }
+}
+
+void append_clock(std::string& text, const ClockReport& clock) {
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "  clock           {}, the worst delay {:.3f} ms\n",
+                 counted(clock.late_ticks, "late tick"), 1000.0 * clock.worst_delay_s);
+  const TimeHistogram& delays = clock.delays;
+  const TimeHistogram& ticks = clock.tick_times;
+  if (ticks.count() > 0) {
+    fmt::format_to(out,
+                   "  delays          half up to {:.3f} ms, 99 % {:.3f} ms, 99.9 % {:.3f} ms\n",
+                   1000.0 * delays.quantile_s(0.5), 1000.0 * delays.quantile_s(0.99),
+                   1000.0 * delays.quantile_s(0.999));
+    fmt::format_to(out,
+                   "  ticks took      {:.1f} us, 99.9 % up to {:.1f} us, the worst {:.1f} us\n",
+                   1e6 * ticks.mean_s(), 1e6 * ticks.quantile_s(0.999), 1e6 * ticks.worst_s());
+  }
+}
+
 // A check is over in a line: there are often many files.
 std::string check_line(const FileReport& report) {
   const PlanReport& plan = *report.plan;
@@ -188,20 +224,7 @@ std::string summary(const FileReport& report) {
   std::string text;
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "{}: {}\n", visible(report.file), verdict(report.status));
-  fmt::format_to(out, "  cycle time      {}   {} of {:g} ms, {}\n", clock_time(plan.cycle_time_s),
-                 counted(static_cast<unsigned long long>(plan.ticks), "tick"),
-                 1000.0 * report.period_s, report.profile);
-  if (report.start) {
-    fmt::format_to(out, "  started at      {}\n", name_of(report.start->place));
-  }
-  if (const std::string split =
-          report.motion ? time_text(report.motion->time, report.period_s) : "";
-      !split.empty()) {
-    fmt::format_to(out, "  time            {}\n", split);
-  }
-  if (report.motion && report.motion->time.approach > 0) {
-    fmt::format_to(out, "  approach        {}\n", approach_text(report));
-  }
+  append_time(text, report);
   fmt::format_to(out, "  path            {:.3f} mm in {}\n", plan.path_length_mm,
                  counted(plan.blocks, "block"));
   text += extents_rows(report);
@@ -219,20 +242,7 @@ std::string summary(const FileReport& report) {
   }
   text += speed_text(report);
   if (report.clock) {
-    fmt::format_to(out, "  clock           {}, the worst delay {:.3f} ms\n",
-                   counted(report.clock->late_ticks, "late tick"),
-                   1000.0 * report.clock->worst_delay_s);
-    const TimeHistogram& delays = report.clock->delays;
-    const TimeHistogram& ticks = report.clock->tick_times;
-    if (ticks.count() > 0) {
-      fmt::format_to(out,
-                     "  delays          half up to {:.3f} ms, 99 % {:.3f} ms, 99.9 % {:.3f} ms\n",
-                     1000.0 * delays.quantile_s(0.5), 1000.0 * delays.quantile_s(0.99),
-                     1000.0 * delays.quantile_s(0.999));
-      fmt::format_to(out,
-                     "  ticks took      {:.1f} us, 99.9 % up to {:.1f} us, the worst {:.1f} us\n",
-                     1e6 * ticks.mean_s(), 1e6 * ticks.quantile_s(0.999), 1e6 * ticks.worst_s());
-    }
+    append_clock(text, *report.clock);
   }
   for (const std::string& warning : report.warnings) {
     fmt::format_to(out, "  warning         {}\n", visible(warning));
