@@ -20,6 +20,10 @@ class TableTop final : public AssumedMachine {
   }
   [[nodiscard]] bool digital(std::size_t /*input*/) const override { return false; }
   [[nodiscard]] double analog(std::size_t /*input*/) const override { return 0.0; }
+  [[nodiscard]] double spindle_time_s(double /*from_per_min*/,
+                                      double /*to_per_min*/) const override {
+    return 0.0;
+  }
 
  private:
   static constexpr double kTop_mm = -150.0;
