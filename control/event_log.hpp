@@ -25,7 +25,8 @@ class EventLog {
   [[nodiscard]] std::uint64_t next_number() const noexcept { return next_number_.load(); }
 
   // From that number on, as many as there is room for and are still kept. Returns how many.
-  [[nodiscard]] std::size_t since(std::uint64_t number, std::span<ControllerEvent> events) const noexcept {
+  [[nodiscard]] std::size_t since(std::uint64_t number,
+                                  std::span<ControllerEvent> events) const noexcept {
     const std::uint64_t end = next_number();
     std::uint64_t next = std::max(number, end > kKept ? end - kKept : 1);
     std::size_t found = 0;

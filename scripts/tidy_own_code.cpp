@@ -1,13 +1,12 @@
-// A plugin of clang-tidy 14: its checks look at what stands in our own files alone. They otherwise go
-// through the standard library and everything else that a source includes, which takes four fifths of
-// the time and says nothing, for what they find there is left out.
-#include <vector>
-
+// A plugin of clang-tidy 14: its checks look at what stands in our own files alone. They otherwise
+// go through the standard library and everything else that a source includes, which takes four
+// fifths of the time and says nothing, for what they find there is left out.
 #include <clang-tidy/ClangTidyCheck.h>
 #include <clang-tidy/ClangTidyModule.h>
 #include <clang-tidy/ClangTidyModuleRegistry.h>
 #include <clang/AST/ASTContext.h>
 #include <clang/ASTMatchers/ASTMatchFinder.h>
+#include <vector>
 
 namespace kerf::tidy {
 
@@ -41,4 +40,5 @@ class OwnCodeModule : public clang::tidy::ClangTidyModule {
 
 }  // namespace kerf::tidy
 
-static clang::tidy::ClangTidyModuleRegistry::Add<kerf::tidy::OwnCodeModule> own_code("kerf", "Own code alone.");
+static clang::tidy::ClangTidyModuleRegistry::Add<kerf::tidy::OwnCodeModule> own_code(
+    "kerf", "Own code alone.");

@@ -33,6 +33,9 @@ class Block final : public AssumedMachine {
   }
   bool digital(std::size_t input) const override { return input == 4; }
   double analog(std::size_t input) const override { return input == 2 ? 1.5 : 0.0; }
+  double spindle_time_s(double /*from_per_min*/, double /*to_per_min*/) const override {
+    return 0.0;
+  }
 
  private:
   static double length_mm(const ProbedWay& way) { return way.tool == 9 ? 30.0 : 0.0; }
