@@ -90,7 +90,8 @@ class HomeSearch {
   std::string failure_;
   std::uint16_t looks_ = 1;  // counts moves: what an earlier one finds late is not taken for this
   // Between the sides.
-  struct Watch {
+  // As aligned as it is large: clang calls a library for an atomic that is not.
+  struct alignas(4) Watch {
     static constexpr std::uint8_t kNone = 0xff;
     std::uint8_t axis = kNone;
     bool closed = false;

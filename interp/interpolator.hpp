@@ -72,7 +72,8 @@ class Interpolator {
   }
 
   // Which inputs of the machine count where the tool is (M52, M53). May be read by any thread.
-  struct HeededInputs {
+  // As aligned as it is large: clang calls a library for an atomic that is not.
+  struct alignas(2) HeededInputs {
     bool adaptive_feed = false;
     bool feed_stop = true;
   };
