@@ -186,6 +186,9 @@ class Planner {
   [[nodiscard]] std::unique_ptr<Schedule> new_schedule() const;
   bool hold_at(const PlanStop& stop, Outbox& outbox);
   [[nodiscard]] std::optional<PlanStop> find_stop_at(std::int64_t tick) const;
+  // What waits up to the wait for the machine, and that: the block that the tool is on ends at
+  // s_mm. The wait.
+  Rest drop_to_machine_wait(double s_mm);
   // Takes back what follows the motion.
   void take_back(const EmittedItems::Motion& from);
   // In program order: a wait comes before it where a block of the program ends in single block.

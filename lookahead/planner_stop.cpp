@@ -117,25 +117,27 @@ Outbox Planner::follow_probe(const ProbeStop& stop) {
     emit_stop(parts, waiting_, emitter_, outbox);
   }
   emitter_.keep(outbox, outbox.phases.size() - 1);
-  Rest rest;
-  for (bool is_over = false; !is_over && !waiting_.empty(); waiting_.pop_front()) {
-    if (auto* block = std::get_if<Block>(&waiting_.front())) {
-      if (emitter_.is_on_block()) {
-        auto run =
-            s_mm > 0.0 ? stretch_of(*block, {.begin_mm = 0.0, .end_mm = s_mm}) : std::nullopt;
-        emitter_.end_block_here(run ? *std::move(run) : std::move(*block));
-      }
-    } else {
-      rest = std::get<Rest>(waiting_.front());
-      is_over = rest.asks_machine;
-    }
-  }
+  const Rest rest = drop_to_machine_wait(s_mm);
   emitter_.go_on_at(stop.rest_tick);
   Outbox of_rest;
   emitter_.emit_rest({.line = rest.line, .run_block = rest.run_block}, of_rest);
   emitter_.keep(of_rest, 0);
   last_ = place_of(rest);
   return outbox;
+}
+
+Rest Planner::drop_to_machine_wait(double s_mm) {
+  Rest rest;
+  for (; !rest.asks_machine && !waiting_.empty(); waiting_.pop_front()) {
+    auto* const block = std::get_if<Block>(&waiting_.front());
+    if (block == nullptr) {
+      rest = std::get<Rest>(waiting_.front());
+    } else if (emitter_.is_on_block()) {
+      auto run = s_mm > 0.0 ? stretch_of(*block, {.begin_mm = 0.0, .end_mm = s_mm}) : std::nullopt;
+      emitter_.end_block_here(run ? *std::move(run) : std::move(*block));
+    }
+  }
+  return rest;
 }
 
 bool Planner::stop(std::int64_t tick, Outbox& outbox) {
