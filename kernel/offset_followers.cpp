@@ -29,9 +29,9 @@ parser::ReaderOptions elsewhere(parser::ReaderOptions options) {
   return options;
 }
 
-void include(AxisRange& range, double min_mm, double max_mm) {
-  range.min_mm = std::min(range.min_mm, min_mm);
-  range.max_mm = std::max(range.max_mm, max_mm);
+void include(AxisRange& range, const AxisRange& also) {
+  range.min_mm = std::min(range.min_mm, also.min_mm);
+  range.max_mm = std::max(range.max_mm, also.max_mm);
 }
 
 }  // namespace
@@ -39,13 +39,12 @@ void include(AxisRange& range, double min_mm, double max_mm) {
 OffsetFollowers::OffsetFollowers(const MachineSettings& settings, const KernelOptions& options)
     : reader_(elsewhere(reader_options(settings, options))) {}
 
-AxisRange* OffsetFollowers::range_of(std::size_t axis, double place_mm, double shifted_mm) {
-  const double shift = shifted_mm - place_mm;
-  if (std::abs(shift) < kRounding_mm) {
+AxisRange* OffsetFollowers::range_of(std::size_t axis, double shift_mm) {
+  if (std::abs(shift_mm) < kRounding_mm) {
     return &extents_.fixed[axis];
   }
   for (std::size_t system = 0; system < kWorkSystems; ++system) {
-    if (std::abs(shift - kShifts_mm[system]) < kRounding_mm) {
+    if (std::abs(shift_mm - kShifts_mm[system]) < kRounding_mm) {
       return &extents_.following[system][axis];
     }
   }
@@ -68,15 +67,15 @@ void OffsetFollowers::look_at(const parser::Move& move, const std::optional<Exte
   }
   const parser::Point& shifted_end = *parser::end_mm(shifted_);
   for (std::size_t k = 0; k < 3; ++k) {
-    AxisRange* const from = range_of(k, move.start_mm[k], shifted_.start_mm[k]);
-    AxisRange* const to = range_of(k, (*end)[k], shifted_end[k]);
+    AxisRange* const from = range_of(k, shifted_.start_mm[k] - move.start_mm[k]);
+    AxisRange* const to = range_of(k, shifted_end[k] - (*end)[k]);
     if (from == nullptr || to == nullptr) {
       extents_.is_known[k] = false;
     } else if (from != to) {
-      include(*from, move.start_mm[k], move.start_mm[k]);
-      include(*to, (*end)[k], (*end)[k]);
+      include(*from, {move.start_mm[k], move.start_mm[k]});
+      include(*to, {(*end)[k], (*end)[k]});
     } else {
-      include(*to, box->min_mm[k], box->max_mm[k]);
+      include(*to, {box->min_mm[k], box->max_mm[k]});
     }
   }
 }

@@ -36,8 +36,8 @@ class OffsetFollowers {
   [[nodiscard]] const OffsetExtents& extents() const noexcept { return extents_; }
 
  private:
-  // The range that the axis' motion with these ends belongs to; null: there is none.
-  AxisRange* range_of(std::size_t axis, double place_mm, double shifted_mm);
+  // The range that a place of the axis belongs to which lies so far elsewhere; null: there is none.
+  AxisRange* range_of(std::size_t axis, double shift_mm);
 
   parser::ProgramReader reader_;
   parser::Move shifted_;
