@@ -141,7 +141,7 @@ std::vector<EventMove> SwitchedState::coolant() const {
   return events;
 }
 
-std::uint64_t first_block(const smoothing::Smoother::Output& output) noexcept {
+std::uint64_t first_block(const smoothing::Smoother::Output& output) {
   const auto* segment = std::get_if<smoothing::PathSegment>(&output);
   return segment != nullptr ? segment->first_block() : std::get<parser::Move>(output).block;
 }

@@ -66,6 +66,6 @@ class StartInMiddle {
 };
 
 // The block that an output of the path begins with (parser::Move::block).
-[[nodiscard]] std::uint64_t first_block(const smoothing::Smoother::Output& output) noexcept;
+[[nodiscard]] std::uint64_t first_block(const smoothing::Smoother::Output& output);
 
 }  // namespace kerf
