@@ -39,13 +39,13 @@ void include(AxisRange& range, const AxisRange& also) {
 OffsetFollowers::OffsetFollowers(const MachineSettings& settings, const KernelOptions& options)
     : reader_(elsewhere(reader_options(settings, options))) {}
 
-AxisRange* OffsetFollowers::range_of(std::size_t axis, double shift_mm) {
+OffsetFollowers::Ranges* OffsetFollowers::ranges_of(double shift_mm) {
   if (std::abs(shift_mm) < kRounding_mm) {
-    return &extents_.fixed[axis];
+    return &extents_.fixed;
   }
   for (std::size_t system = 0; system < kWorkSystems; ++system) {
     if (std::abs(shift_mm - kShifts_mm[system]) < kRounding_mm) {
-      return &extents_.following[system][axis];
+      return &extents_.following[system];
     }
   }
   return nullptr;
@@ -67,15 +67,15 @@ void OffsetFollowers::look_at(const parser::Move& move, const std::optional<Exte
   }
   const parser::Point& shifted_end = *parser::end_mm(shifted_);
   for (std::size_t k = 0; k < 3; ++k) {
-    AxisRange* const from = range_of(k, shifted_.start_mm[k] - move.start_mm[k]);
-    AxisRange* const to = range_of(k, shifted_end[k] - (*end)[k]);
+    Ranges* const from = ranges_of(shifted_.start_mm[k] - move.start_mm[k]);
+    Ranges* const to = ranges_of(shifted_end[k] - (*end)[k]);
     if (from == nullptr || to == nullptr) {
       extents_.is_known[k] = false;
     } else if (from != to) {
-      include(*from, {move.start_mm[k], move.start_mm[k]});
-      include(*to, {(*end)[k], (*end)[k]});
+      include((*from)[k], {move.start_mm[k], move.start_mm[k]});
+      include((*to)[k], {(*end)[k], (*end)[k]});
     } else {
-      include(*to, {box->min_mm[k], box->max_mm[k]});
+      include((*to)[k], {box->min_mm[k], box->max_mm[k]});
     }
   }
 }

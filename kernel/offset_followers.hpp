@@ -1,6 +1,7 @@
 // Which part of a program's motion follows which work offset.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -36,8 +37,10 @@ class OffsetFollowers {
   [[nodiscard]] const OffsetExtents& extents() const noexcept { return extents_; }
 
  private:
-  // The range that a place of the axis belongs to which lies so far elsewhere; null: there is none.
-  AxisRange* range_of(std::size_t axis, double shift_mm);
+  using Ranges = std::array<AxisRange, 3>;
+
+  // Those that a place belongs to which lies so far elsewhere; null: there are none.
+  Ranges* ranges_of(double shift_mm);
 
   parser::ProgramReader reader_;
   parser::Move shifted_;
