@@ -31,6 +31,7 @@ void PlanCheck::pushed(const lookahead::Block& block) {
                        .programmed_mm_s = block.feedrate_mm_s,
                        .follows = block.follows,
                        .rapid = block.rapid,
+                       .is_bound_by_chord = block.along.from.feedrate == Constraint::chord_error,
                        .adds_to_path = !block.extra.alone});
 }
 
@@ -173,6 +174,9 @@ void PlanCheck::overridden(const lookahead::FeedOverride& by, const SlowingCurve
 // What the machine allows above the programmed feedrate, the ticks show.
 double PlanCheck::max_mm_s(const Expected& block) const {
   const auto under = [&block](const lookahead::FeedOverride& by) {
+    if (block.rapid && block.is_bound_by_chord) {
+      return block.feedrate_mm_s;
+    }
     if (block.rapid) {
       return lookahead::share_of_rapid(by, block.follows) * block.feedrate_mm_s;
     }

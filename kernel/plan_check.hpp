@@ -61,6 +61,7 @@ class PlanCheck {
     double programmed_mm_s = 0.0;
     parser::FollowedOverrides follows{};
     bool rapid = false;
+    bool is_bound_by_chord = false;  // the ticks bind it, which overrides do not slow down
     bool adds_to_path = true;
   };
 

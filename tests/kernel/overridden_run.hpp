@@ -24,11 +24,12 @@ struct OverriddenRun {
 };
 
 inline OverriddenRun run_with(const std::string& text, const KernelOptions& options,
-                              const OverridesAt& overrides) {
-  Kernel kernel(mill(), options);
+                              const OverridesAt& overrides,
+                              const MachineSettings& settings = mill()) {
+  Kernel kernel(settings, options);
   kernel.feed(text);
   kernel.finish();
-  TickChecker checker(mill().limits, options.profile.kind != ProfileKind::trapezoid);
+  TickChecker checker(settings.limits, options.profile.kind != ProfileKind::trapezoid);
   OverriddenRun run;
   TickStatus status = TickStatus::running;
   while (status != TickStatus::finished && status != TickStatus::failed &&
@@ -39,7 +40,7 @@ inline OverriddenRun run_with(const std::string& text, const KernelOptions& opti
     }
     Setpoint setpoint;
     status = kernel.next(setpoint);
-    checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
+    checker.add({.setpoint = setpoint, .feedrate_mm_s = settings.limits.path.velocity_mm_s});
     run.ticks.push_back(setpoint);
   }
   run.complaint = complaint_at_end(status, checker, kernel);

@@ -54,6 +54,22 @@ TEST(Override, LeavesPathAndLimitsWhereverItIsAskedFor) {
   }
 }
 
+// A corner here is a curve that is passed within a tick: its feedrate is that of
+// the tick, which the share of rapids does not change as it changes that of the way before it.
+TEST(Override, OfRapidsHoldsWhereAWholeCurveIsPassedWithinATick) {
+  MachineSettings settings = default_machine();
+  settings.program.path_control = {};
+  const std::string text =
+      "G21 G64 P0.05 G90 G94 F600\nG0 X13.913185 Y10 Z10.009746\n"
+      "G1 Y-15.365518 F1328.648355\nG0 Z10\nG0 X1 Y2\nM2\n";
+  for (const double rapid : {0.1, 0.35, 0.8}) {
+    for (const std::int64_t tick : {0, 300, 700, 1100}) {
+      SCOPED_TRACE(std::to_string(rapid) + ", tick " + std::to_string(tick));
+      EXPECT_EQ(run_with(text, {}, {{tick, {.rapid = rapid}}}, settings).complaint, "");
+    }
+  }
+}
+
 // The feedrates are those that the program would have with other F words.
 TEST(Override, FromTheBeginGivesTheTicksOfAProgramOfThatFeedrate) {
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
