@@ -12,6 +12,13 @@ namespace {
 // A dwell that ends so close to a tick ends on it: rounding of sums of durations.
 constexpr double kTickRounding = 1e-9;
 
+// The place is a sum of ways, so it may miss the end by rounding: what would be left is no way.
+bool is_at_end(const Block& block, double s_mm) {
+  constexpr double kRounding_mm = 1e-12;
+  constexpr double kRelative = 1e-14;
+  return s_mm >= block.length_mm * (1.0 - kRelative) - kRounding_mm;
+}
+
 }  // namespace
 
 void EmittedItems::begin(const EmitPlace& place) {
@@ -125,7 +132,7 @@ EmittedItems::Blocks EmittedItems::blocks_from(const Motion& motion) const {
   first -= first > 0 ? 1 : 0;
   if (first < items_.size() && items_[first].item) {
     const auto* block = std::get_if<Block>(&*items_[first].item);
-    found.is_on_next = block != nullptr && motion.curve_mm == block->length_mm;
+    found.is_on_next = block != nullptr && is_at_end(*block, motion.curve_mm);
     first += found.is_on_next ? 1 : 0;
   }
   if (first > 0 && items_[first - 1].item) {
@@ -180,7 +187,7 @@ EmittedItems::TakenBack EmittedItems::take_back(const Motion& motion, const Emit
     drop_last();
     return taken;
   }
-  const bool is_over = entry.item && motion.curve_mm == std::get<Block>(*entry.item).length_mm;
+  const bool is_over = entry.item && is_at_end(std::get<Block>(*entry.item), motion.curve_mm);
   if (!is_over) {
     reclaim(entry);
     taken = {.begin = entry.begin, .within = true};
