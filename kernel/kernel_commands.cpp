@@ -100,10 +100,12 @@ void Kernel::Impl::follow_commands() {
   }
 }
 
-// A wait that the tool has not come to is not answered.
+// A wait that the tool has not come to is not answered, nor one for the machine. In single block a
+// question to it may be asked already while the block before it waits.
 void Kernel::Impl::go_on() {
   const bool is_there = interpolator_.plan_tick() >= pipeline_.emitted_until_tick();
-  if (!pipeline_.is_held() && (!is_there || asks_)) {
+  const bool is_for_machine = asks_ && !pipeline_.waits_for_resume();
+  if (!pipeline_.is_held() && (!is_there || is_for_machine)) {
     return;
   }
   if (pipeline_.waits()) {

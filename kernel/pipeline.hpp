@@ -83,6 +83,7 @@ class Pipeline {
   void stop_held();
   [[nodiscard]] bool is_held() const noexcept { return planner_.is_held(); }
   [[nodiscard]] bool waits() const noexcept { return planner_.waits(); }
+  [[nodiscard]] bool waits_for_resume() const noexcept { return planner_.waits_for_resume(); }
   [[nodiscard]] std::uint32_t wait() const noexcept { return planner_.wait(); }
   [[nodiscard]] bool awaits_answer() const noexcept { return planner_.awaits_answer(); }
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept {

@@ -156,6 +156,8 @@ class Planner {
   [[nodiscard]] bool is_held() const noexcept { return held_; }
   // What was emitted ends in a wait, and its number (Phase::wait).
   [[nodiscard]] bool waits() const noexcept { return waits_; }
+  // It is for resume(), not for the machine.
+  [[nodiscard]] bool waits_for_resume() const noexcept { return waits_ && !asks_machine_; }
   [[nodiscard]] std::uint32_t wait() const noexcept { return waits_emitted_; }
   // Where the plan emitted so far ends; time goes on from there.
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept { return emitter_.now().tick; }

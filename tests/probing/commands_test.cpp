@@ -40,5 +40,30 @@ TEST(ProbeCommands, AHoldAndAnOverrideMayComeAtAnyTick) {
   }
 }
 
+// The wait behind a block comes before that for the machine, which is asked by then.
+TEST(ProbeCommands, InSingleBlockEachBlockIsResumedAndTheMachineStillAnswers) {
+  const MachineSettings settings = touching(TouchPlane{.point_mm = {0.0, 0.0, -2.0}}, true);
+  const std::string text =
+      "G21 G61 G90 F3000\nG1 X1\nM66 P1 L3 Q0.1\nG38.2 Z-5 F600\nM66 E0 L0\nG1 Z8\nM2\n";
+  int waits = 0;
+  TableOrder order;
+  order.options.waits = true;
+  order.before = [&waits](Kernel& kernel, const TableRun& run, ProgramInputs& /*inputs*/) {
+    if (run.ticks.empty()) {
+      kernel.set_single_block(true);
+    }
+    if (run.status == TickStatus::waiting) {
+      kernel.resume();
+      ++waits;
+    }
+    if (run.ticks.size() == 20'000) {
+      kernel.stop();  // it hangs
+    }
+  };
+  const TableRun run = whole_run(settings, text, order);
+  EXPECT_EQ(run.ticks.back().position_mm, (Position{1.0, 0.0, 8.0}));
+  EXPECT_GE(waits, 4);
+}
+
 }  // namespace
 }  // namespace kerf::test
