@@ -1,10 +1,12 @@
 // Programs of probes and inputs, to which an operator gives commands at random ticks.
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <random>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +16,8 @@ namespace kerf::test {
 namespace {
 
 constexpr unsigned kPrograms = 40;
+// A takeover a rounding before a block's end went back on it; single block hung before an M66.
+constexpr std::array kFoundAFault{476U, 833U};
 constexpr std::int64_t kQuietFrom = 40'000;  // ticks: from then on nobody disturbs the program
 constexpr Position kEnd_mm{1.0, 2.0, 10.0};
 
@@ -112,7 +116,11 @@ TEST(RandomCommands, LeaveLimitsAndTheEndOfAProgramThatAsksTheMachine) {
   const unsigned first = number_of("KERF_RANDOM_SEED", 1);
   const unsigned count = number_of("KERF_RANDOM_PROGRAMS", kPrograms);
   std::cout << "seeds " << first << " to " << first + count - 1 << '\n';
+  std::vector<unsigned> seeds{kFoundAFault.begin(), kFoundAFault.end()};
   for (unsigned seed = first; seed < first + count; ++seed) {
+    seeds.push_back(seed);
+  }
+  for (const unsigned seed : seeds) {
     Dice dice(seed);
     const MachineSettings settings =
         touching(TouchPlane{.point_mm = {0.0, 0.0, -2.0},
