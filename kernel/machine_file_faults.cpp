@@ -37,7 +37,7 @@ void MachineFileReader::read_faults(const Section& driver) {
 
 void MachineFileReader::read_fault(const Section& section) {
   check_keys(section, kFaultKeys);
-  auto fault = planned_fault(text_at(section, "kind"), text_at(section, "axis"));
+  auto fault = planned_fault({.kind = text_at(section, "kind"), .axis = text_at(section, "axis")});
   if (!fault) {
     report(section.table->source(), section.name + ": " + fault.error());
     return;

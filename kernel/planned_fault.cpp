@@ -6,8 +6,8 @@
 
 namespace kerf {
 
-tl::expected<PlannedFault, std::string> planned_fault(std::string_view kind,
-                                                      std::string_view axis) {
+tl::expected<PlannedFault, std::string> planned_fault(const FaultWords& words) {
+  const auto& [kind, axis] = words;
   const auto* const name = std::ranges::find(kTableFaultNames, kind);
   if (name == kTableFaultNames.end()) {
     const auto meant = nearest_word(kind, kTableFaultNames);

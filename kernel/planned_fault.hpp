@@ -38,8 +38,12 @@ struct PlannedFault {
   double jump_mm = 2.0;   // of encoder_jump
 };
 
-// By its name and the letter of its axis, empty where it has none. Error: what is wrong with them.
-[[nodiscard]] tl::expected<PlannedFault, std::string> planned_fault(std::string_view kind,
-                                                                    std::string_view axis);
+struct FaultWords {
+  std::string_view kind;
+  std::string_view axis{};  // its letter; empty: none
+};
+
+// Error: what is wrong with the words.
+[[nodiscard]] tl::expected<PlannedFault, std::string> planned_fault(const FaultWords& words);
 
 }  // namespace kerf

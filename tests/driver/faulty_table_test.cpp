@@ -27,7 +27,7 @@ Setpoint setpoint_at(int tick) {
 }
 
 PlannedFault fault(std::string_view kind, std::string_view axis, double at_s) {
-  PlannedFault planned = planned_fault(kind, axis).value();
+  PlannedFault planned = planned_fault({.kind = kind, .axis = axis}).value();
   planned.at_s = at_s;
   return planned;
 }
@@ -90,7 +90,9 @@ TEST(FaultyTables, Row66SwitchesStuckSayWhatTheyAreStuckAt) {
 
 TEST(FaultyTables, HaveAFaultOfEachName) {
   for (const std::string_view kind : kTableFaultNames) {
-    EXPECT_NE(planned_fault(kind, "y").has_value(), planned_fault(kind, "").has_value()) << kind;
+    EXPECT_NE(planned_fault({.kind = kind, .axis = "y"}).has_value(),
+              planned_fault({.kind = kind}).has_value())
+        << kind;
   }
 }
 
@@ -100,8 +102,8 @@ TEST(FaultyTables, BreakWithoutAllocationsOrLocksInTheTick) {
   }
   std::vector<PlannedFault> planned;
   for (const std::string_view kind : kTableFaultNames) {
-    const auto of_axis = planned_fault(kind, "x");
-    planned.push_back(of_axis ? *of_axis : planned_fault(kind, "").value());
+    const auto of_axis = planned_fault({.kind = kind, .axis = "x"});
+    planned.push_back(of_axis ? *of_axis : planned_fault({.kind = kind}).value());
     planned.back().at_s = 0.05;
   }
   FaultyTable faulty(table(), planned, kTick);

@@ -77,14 +77,8 @@ std::optional<std::string> read_times(const OptionWords& words, Options& options
   return std::nullopt;
 }
 
-// Reads the words into their options. What is wrong with them, as a sentence.
-std::optional<std::string> give_meaning(OptionWords& words) {
-  Options& options = words.options;
-  if (makes_page(options.command)) {
-    options.explained_speed.emplace();  // the page shows it
-  } else if (options.command == Subcommand::compare) {
-    options.explained_speed = SpeedQuestion{.each_line = true};
-  }
+// Where the tool and the work are.
+std::optional<std::string> read_places(const OptionWords& words, Options& options) {
   if (!words.start.empty()) {
     const auto start = start_place_of(words.start);
     if (!start) {
@@ -99,14 +93,11 @@ std::optional<std::string> give_meaning(OptionWords& words) {
       return "--g54 takes X,Y,Z in mm, as in --g54 120,80,-35.5; found " + words.g54;
     }
   }
-  if (!words.block_delete.empty()) {
-    const auto switches = block_delete_of(words.block_delete);
-    if (!switches) {
-      return "--block-delete takes numbers from 1 to 9, as in --block-delete=1,3; found " +
-             words.block_delete;
-    }
-    options.block_delete = *switches;
-  }
+  return std::nullopt;
+}
+
+// Which lines are meant.
+std::optional<std::string> read_lines(const OptionWords& words, Options& options) {
   if (!words.explain_speed.empty()) {
     options.explained_speed = speed_question(words.explain_speed);
     if (!options.explained_speed) {
@@ -121,6 +112,31 @@ std::optional<std::string> give_meaning(OptionWords& words) {
              "time; found " +
              words.from_line;
     }
+  }
+  return std::nullopt;
+}
+
+// Reads the words into their options. What is wrong with them, as a sentence.
+std::optional<std::string> give_meaning(OptionWords& words) {
+  Options& options = words.options;
+  if (makes_page(options.command)) {
+    options.explained_speed.emplace();  // the page shows it
+  } else if (options.command == Subcommand::compare) {
+    options.explained_speed = SpeedQuestion{.each_line = true};
+  }
+  if (auto message = read_places(words, options)) {
+    return message;
+  }
+  if (!words.block_delete.empty()) {
+    const auto switches = block_delete_of(words.block_delete);
+    if (!switches) {
+      return "--block-delete takes numbers from 1 to 9, as in --block-delete=1,3; found " +
+             words.block_delete;
+    }
+    options.block_delete = *switches;
+  }
+  if (auto message = read_lines(words, options)) {
+    return message;
   }
   if (auto message = read_times(words, options)) {
     return message;

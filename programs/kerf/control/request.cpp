@@ -192,7 +192,7 @@ std::string read_fault(RequestKeys& keys, ControlRequest& request) {
   if (std::string complaint = keys.complaint(); !complaint.empty()) {
     return complaint;
   }
-  const auto fault = planned_fault(kind, axis);
+  const auto fault = planned_fault({.kind = kind, .axis = axis});
   if (!fault) {
     return fault.error();
   }

@@ -42,7 +42,8 @@ machine::MachineState FaultyTable::read() const noexcept {
 }
 
 void FaultyTable::apply(const PlannedFault& fault) noexcept {
-  const auto axis = static_cast<std::size_t>(fault.axis);  // -1: none, which the table ignores
+  // -1: none, which the table ignores.
+  const std::size_t axis = static_cast<std::uint8_t>(fault.axis);
   switch (fault.what) {
     case TableFault::encoder_frozen:
       table_->fail_encoder(axis, EncoderFailure::frozen);

@@ -97,7 +97,7 @@ std::string times_text(const TimeHistogram& times) {
 std::optional<double> TickCost::shortest_period_s() const noexcept {
   constexpr double kLongest_s = 0.1;
   const double needed_s = delays.worst_s() + tick_times.worst_s();
-  for (double decade_s = 1e-5; decade_s < kLongest_s; decade_s *= 10.0) {
+  for (const double decade_s : {1e-5, 1e-4, 1e-3, 1e-2}) {
     for (const double factor : {1.0, 2.0, 5.0}) {
       if (factor * decade_s >= needed_s) {
         return factor * decade_s;
