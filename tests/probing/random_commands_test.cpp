@@ -112,7 +112,7 @@ class RandomOperator {
   bool steps_ = false;
 };
 
-TEST(RandomCommands, LeaveLimitsAndTheEndOfAProgramThatAsksTheMachine) {
+TEST(RandomProbeCommands, LeaveLimitsAndTheEndOfAProgramThatAsksTheMachine) {
   const unsigned first = number_of("KERF_RANDOM_SEED", 1);
   const unsigned count = number_of("KERF_RANDOM_PROGRAMS", kPrograms);
   std::cout << "seeds " << first << " to " << first + count - 1 << '\n';
