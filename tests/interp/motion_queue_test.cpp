@@ -43,7 +43,8 @@ TEST(MotionQueue, KeepsOfTwoStopsThatOfThePlanInForce) {
   }
 }
 
-// Commits that keep the stop ahead come between the consumer's look and its take.
+// Commits that keep the stop ahead come between the consumer's look and its take, each with the
+// phase that it is for.
 TEST(MotionQueue, GivesAStopAheadAtItsTickWhateverIsCommittedMeanwhile) {
   constexpr std::int64_t kStops = 20'000;
   const auto queue = std::make_unique<MotionQueue>();
@@ -54,7 +55,10 @@ TEST(MotionQueue, GivesAStopAheadAtItsTickWhateverIsCommittedMeanwhile) {
       commit_stop(*queue, tick);
       ahead = tick;
       while (asked < tick) {
-        queue->commit(Ahead::same);
+        if (queue->push(Phase{})) {
+          queue->commit(Ahead::same);
+        }
+        std::this_thread::yield();
       }
       queue->release_stop();
     }
@@ -66,6 +70,9 @@ TEST(MotionQueue, GivesAStopAheadAtItsTickWhateverIsCommittedMeanwhile) {
     }
     missed += queue->take_stop(0, tick) == nullptr ? 1 : 0;
     asked = tick;
+    while (queue->next_phase() != nullptr && ahead == tick) {
+      queue->pop_phase();
+    }
   }
   producer.join();
   EXPECT_EQ(missed, 0);
