@@ -47,5 +47,24 @@ TEST(Grid, EndsCellsWhereOnlyTheFourthDerivativeJumps) {
   }
 }
 
+// Two parabolas, almost straight: curvature jumps from 2e-6 to 6e-6 per mm, an axis' acceleration
+// by 0.04 mm/s2 at 100 mm/s and by 4e-6 at 1 mm/s. Its jerk allows 50 within a tick.
+TEST(BlockPath, HasNoJumpWhereNoAxisFeelsIt) {
+  const curves::NurbsData data{.degree = 2,
+                               .points = {{.position_mm = {0, 0, 0}},
+                                          {.position_mm = {5, 0, 0}},
+                                          {.position_mm = {15, 2e-4, 0}},
+                                          {.position_mm = {20, 6e-4, 0}}},
+                               .knots = {0, 0, 0, 1, 2, 2, 2}};
+  const PlanLimits limits = mill();
+  const auto jumps_at = [&](double feedrate_mm_s) {
+    const Block block = blocks_of({nurbs_move(data, feedrate_mm_s)}, limits).front();
+    return std::ranges::count_if(BlockPath(block, limits).breaks(),
+                                 [](const BlockPath::Break& at) { return at.jump.has_value(); });
+  };
+  EXPECT_EQ(jumps_at(100.0), 1);
+  EXPECT_EQ(jumps_at(1.0), 0);
+}
+
 }  // namespace
 }  // namespace kerf::lookahead::test

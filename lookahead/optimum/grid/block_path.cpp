@@ -14,6 +14,9 @@ namespace {
 
 // Of a derivative's size: what is less is rounding.
 constexpr double kJump = 1e-6;
+// Of what an axis' acceleration may change within a tick, at the highest feedrate: where the
+// parameter's speed nearly vanishes, rounding makes more of a derivative jump than kJump.
+constexpr double kSlightJump = 1e-6;
 // Of the fourth derivative's size, found from differences over so much of a piece.
 constexpr double kKink = 0.05;
 constexpr double kStepOfPiece = 1e-3;
@@ -163,6 +166,19 @@ bool BlockPath::joins_pieces(double s_mm) const {
   return nurbs != nullptr && nurbs->pieces()[nurbs->piece_index(s_mm)].s_begin_mm == s_mm;
 }
 
+bool BlockPath::counts(const Jump& jump, double s_mm) const {
+  const double v = at(s_mm).feedrate_mm_s;
+  for (std::size_t k = 0; k < limits_->axes.size(); ++k) {
+    const double step =
+        std::abs(jump.after.second_per_mm[k] - jump.before.second_per_mm[k]) * v * v;
+    const double jerk = std::min(limits_->axes[k].jerk_mm_s3, limits_->path.jerk_mm_s3);
+    if (step > kSlightJump * jerk * limits_->period_s) {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::vector<BlockPath::Break> BlockPath::breaks() const {
   std::vector<Break> places;
   if (const auto* nurbs = std::get_if<curves::NurbsCurve>(&block_->curve)) {
@@ -171,8 +187,9 @@ std::vector<BlockPath::Break> BlockPath::breaks() const {
       const double s = pieces[i].s_end_mm;
       const curves::PathDerivatives before = pieces[i].derivatives_at(s);
       const curves::PathDerivatives after = pieces[i + 1].derivatives_at(s);
-      if (differ(before.second_per_mm, after.second_per_mm)) {
-        places.push_back({s, Jump{.before = end_of(before), .after = end_of(after)}});
+      const Jump jump{.before = end_of(before), .after = end_of(after)};
+      if (differ(before.second_per_mm, after.second_per_mm) && counts(jump, s)) {
+        places.push_back({s, jump});
       } else if (differ(before.third_per_mm2, after.third_per_mm2) ||
                  has_kink(pieces[i], pieces[i + 1])) {
         places.push_back({s});

@@ -31,8 +31,8 @@ class BlockPath {
   // Derivatives may jump there.
   [[nodiscard]] bool joins_pieces(double s_mm) const;
   // An inner place where a cell must end: the third derivative jumps, the limit curve has a valley,
-  // or curvature jumps (`jump`); or a rest, where the curve turns back within a radius of
-  // kStopRadius_mm.
+  // or curvature jumps by more than rounding leaves (`jump`); or a rest, where the curve turns back
+  // within a radius of kStopRadius_mm.
   struct Break {
     double s_mm = 0.0;
     std::optional<Jump> jump{};
@@ -43,6 +43,8 @@ class BlockPath {
   [[nodiscard]] std::vector<Break> breaks() const;
 
  private:
+  // Whether a jump of curvature between pieces takes part in the limits of an axis.
+  [[nodiscard]] bool counts(const Jump& jump, double s_mm) const;
   // The limit curve's, which is nowhere above the block's feedrate.
   [[nodiscard]] Bound feedrate_at(double s_mm) const;
 
