@@ -47,6 +47,10 @@ class PlanClock {
   explicit PlanClock(double period_s) : period_s_(period_s) {}
 
   [[nodiscard]] const interp::TickTime& now() const noexcept { return now_; }
+  // Loses precision after days.
+  [[nodiscard]] double now_s() const noexcept {
+    return static_cast<double>(now_.tick) * period_s_ + now_.offset_s;
+  }
   // The present tick, or the next one if time stands between two.
   [[nodiscard]] std::int64_t next_tick() const noexcept;
 

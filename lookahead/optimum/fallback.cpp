@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::size_t kMinBlocks = 2;
 
-constexpr std::size_t kFewCells = 3000;
-
 // Curves under limits of axes cost more than a search.
 bool is_cheap_to_plan(const Block& block, const PlanLimits& limits) {
   return !std::holds_alternative<curves::NurbsCurve>(block.curve) ||
@@ -30,31 +28,39 @@ bool has_singular_place(const PlannedCells& planned) {
   return false;
 }
 
-// How long the schedule takes from rest over the first blocks to rest at the end of the last.
-double classical_s(const Window<Block>& blocks, std::size_t count,
-                   const ClassicalSchedule::Settings& settings) {
+double classical_s(const FirstBlocks& first, const ClassicalSchedule::Settings& settings) {
   ClassicalSchedule::Settings trial = settings;
   trial.observer = nullptr;  // nothing of it is run
   ClassicalSchedule schedule(trial);
-  Window<Block> copies;
-  for (std::size_t i = 0; i < count; ++i) {
-    copies.push_back(Block(blocks[i]));
-    schedule.push(copies);
-  }
-  Emitter emitter(settings.limits.period_s);
-  Outbox outbox;
-  double sum_s = 0.0;
-  while (!schedule.empty()) {
-    schedule.emit(copies, Supply::to_rest, emitter, outbox);
-    for (const interp::Phase& phase : outbox.phases) {
-      sum_s += phase.law.duration_s();
-    }
-    outbox = {};
-  }
-  return sum_s;
+  return duration_from_rest_s(schedule, first, settings.limits);
 }
 
 }  // namespace
+
+double duration_from_rest_s(Schedule& schedule, const FirstBlocks& first,
+                            const PlanLimits& limits) {
+  Window<Block> copies;
+  for (std::size_t i = 0; i < first.count; ++i) {
+    copies.push_back(Block((*first.blocks)[i]));
+    schedule.push(copies);
+  }
+  Emitter emitter(limits.period_s);
+  Outbox outbox;
+  PlanClock clock(limits.period_s);
+  bool rests = false;
+  while (!schedule.empty()) {
+    schedule.emit(copies, Supply::to_rest, emitter, outbox);
+    for (const interp::Phase& phase : outbox.phases) {
+      if (rests) {
+        clock.align_to_tick();
+      }
+      clock.advance(phase.law.duration_s());
+      rests = phase.ends_at_rest;
+    }
+    outbox.clear();
+  }
+  return clock.now_s();
+}
 
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings) {
@@ -72,12 +78,15 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Windo
       whole_mm = all_mm;
     }
   }
-  is_cheap |= planned.count <= kFewCells && has_singular_place(planned);
-  if (!(planned.failed ? whole.blocks >= kMinBlocks : whole.blocks > 0 && is_cheap) ||
-      !(classical_s(blocks, whole.blocks, settings) * all_mm < planned.duration_s * whole_mm)) {
+  is_cheap |= planned.tried || (planned.count <= kFewCells && has_singular_place(planned));
+  const bool is_asked = planned.failed ? whole.blocks >= kMinBlocks : whole.blocks > 0 && is_cheap;
+  if (!is_asked) {
     return std::nullopt;
   }
-  return whole;
+  const double limit_s = planned.duration_s * whole_mm / all_mm;
+  const bool is_faster =
+      classical_s({.blocks = &blocks, .count = whole.blocks}, settings) < limit_s;
+  return is_faster ? std::optional(whole) : std::nullopt;
 }
 
 }  // namespace kerf::lookahead

@@ -5,17 +5,30 @@
 #include <optional>
 
 #include "lookahead/classical/classical_schedule.hpp"
+#include "lookahead/emit/schedule.hpp"
 #include "lookahead/optimum/grid/waiting_cells.hpp"
 #include "lookahead/optimum/solver/optimal_plan.hpp"
 
 namespace kerf::lookahead {
 
+// What is planned twice, to take the better plan, holds no more.
+inline constexpr std::size_t kFewCells = 3000;
+
+// How long the schedule takes from rest over the first blocks to rest at the end of the last. A
+// rest within lasts until the next tick.
+struct FirstBlocks {
+  const Window<Block>* blocks = nullptr;
+  std::size_t count = 0;
+};
+double duration_from_rest_s(Schedule& schedule, const FirstBlocks& first, const PlanLimits& limits);
+
 // The first waiting cells, from a rest at the begin of a block on, as many as plans cover.
 struct PlannedCells {
   const WaitingCells* cells = nullptr;
   std::size_t count = 0;
-  double duration_s = 0.0;
-  bool failed = false;  // a search did not end well, over these cells or more
+  double duration_s = 0.0;  // as duration_from_rest_s()
+  bool failed = false;      // a search did not end well, over these cells or more
+  bool tried = false;       // and the duration is that of what would be run instead
 };
 
 // The whole blocks at their front that follow the classical plan.
@@ -28,8 +41,8 @@ struct Fallback {
 // Nothing: it is slower, or would cost too much to find out. Where the searches ended well it is
 // asked for lines and arcs, for curves without limits of axes, and for short curves that come to
 // rest within or whose curvature jumps: the others are planned in less time than it takes. Where
-// they did not, the blocks are at least two: on a single curve, the optimum with a rest inside is
-// faster than the classical plan.
+// they did not, the blocks are at least two, or what would be run instead was tried: on a single
+// curve, the optimum with a rest inside is faster than the classical plan.
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings);
 

@@ -70,17 +70,20 @@ FoundPlan WindowSearch::over(const Indices& waiting) const {
 
 PlannedCells WindowSearch::planned_to_block_end(const FoundPlan& found) const {
   const WaitingCells& waiting = *cells_.waiting;
+  PlanClock clock(settings_.limits->period_s);
+  clock.advance(found.plan->duration_s());
   PlannedCells planned{.cells = &waiting,
                        .count = found.count,
-                       .duration_s = found.plan->duration_s(),
                        .failed = found.is_shorter || found.plan->slowed_down()};
   while (planned.count < waiting.size() && !waiting[planned.count - 1].ends_block &&
          waiting[planned.count - 1].rest_after) {
     const FoundPlan next = over({.begin = planned.count, .end = waiting.size()});
     planned.count += next.count;
-    planned.duration_s += next.plan->duration_s();
+    clock.align_to_tick();
+    clock.advance(next.plan->duration_s());
     planned.failed |= next.plan->slowed_down();
   }
+  planned.duration_s = clock.now_s();
   return planned;
 }
 
