@@ -134,9 +134,9 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   const WindowSearch search = this->search(blocks);
   const bool from_rest = cells_left() == 0;
   FoundPlan found = search.over_all();
-  if (from_rest && waiting_.front().cell.s_begin_mm == 0.0) {
+  if (from_rest && settings_.takes_classical && waiting_.front().cell.s_begin_mm == 0.0) {
     const auto faster =
-        faster_fallback(search.planned_to_block_end(found), blocks, classical_.settings());
+        faster_fallback(tried_to_block_end(found, search, blocks), blocks, classical_.settings());
     if (faster && !found.ended_well()) {
       fall_back(*faster, blocks, emitter);
       return;
@@ -159,6 +159,28 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
     emitter.note(degradation_on(waiting_.block_of(first, blocks), first.s_begin_mm));
   }
   adopt(std::move(found));
+}
+
+PlannedCells OptimumSchedule::tried_to_block_end(const FoundPlan& found, const WindowSearch& search,
+                                                 const Window<Block>& blocks) const {
+  PlannedCells planned = search.planned_to_block_end(found);
+  std::size_t first_block = 1;  // its cells
+  while (first_block < waiting_.size() && !waiting_[first_block - 1].ends_block) {
+    ++first_block;
+  }
+  if (!found.is_shorter || planned.count >= first_block || first_block > kFewCells) {
+    return planned;
+  }
+  Settings settings = settings_;
+  settings.observer = nullptr;  // nothing of it is run
+  settings.takes_classical = false;
+  OptimumSchedule schedule(settings);
+  planned.count = first_block;
+  planned.duration_s =
+      duration_from_rest_s(schedule, {.blocks = &blocks, .count = 1}, settings_.limits);
+  planned.failed = false;
+  planned.tried = true;
+  return planned;
 }
 
 void OptimumSchedule::adopt(FoundPlan found) {

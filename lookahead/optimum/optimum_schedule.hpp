@@ -38,6 +38,7 @@ class OptimumSchedule final : public Schedule {
         500;  // ClassicalSchedule::Settings; a full window holds twice as many
     // A cell is emitted in parts no longer than about this.
     double longest_phase_s = 0.1;
+    bool takes_classical = true;                     // where that is faster
     std::shared_ptr<const PlanObserver> observer{};  // null: nobody is told
   };
 
@@ -63,6 +64,10 @@ class OptimumSchedule final : public Schedule {
   void plan(Window<Block>& blocks, Emitter& emitter);
   // Hands all blocks up to the next rest to the classical schedule, those to come among them.
   void follow_classical(const Window<Block>& blocks);
+  // What was found from a rest in front of a block, up to the end of a block: where a search ended
+  // well over a part of a short curve alone, all of that is planned to see how long it takes.
+  [[nodiscard]] PlannedCells tried_to_block_end(const FoundPlan& found, const WindowSearch& search,
+                                                const Window<Block>& blocks) const;
   // What was found is the plan from now on. Precondition: there is a plan.
   void adopt(FoundPlan found);
   [[nodiscard]] WindowSearch search(const Window<Block>& blocks) const;
