@@ -5,16 +5,14 @@
 #include <utility>
 #include <variant>
 
-#include "lookahead/classical/axis_limit_scan.hpp"
+#include "lookahead/classical/block_segments.hpp"
 #include "lookahead/classical/limit_curve_cuts.hpp"
 #include "lookahead/classical/segment_constraint.hpp"
 #include "lookahead/classical/segment_junction.hpp"
-#include "lookahead/classical/split.hpp"
 #include "lookahead/path/block_limits.hpp"
 
 namespace kerf::lookahead {
 
-using profiles::ProfileKind;
 
 namespace {
 
@@ -51,7 +49,7 @@ void ClassicalSchedule::push(const Window<Block>& blocks) {
 }
 
 void ClassicalSchedule::push(const Block& block, const Block* before) {
-  std::vector<VelocitySegment> segments = segments_of(block);
+  std::vector<VelocitySegment> segments = segments_of(block, {settings_.limits, settings_.profile});
   if (settings_.observer && !block.limit_curve.empty()) {
     settings_.observer->cut({.line = block.line,
                              .breaking_points = breaking_points(block.limit_curve, 0.0).size(),
@@ -69,33 +67,6 @@ void ClassicalSchedule::push(const Block& block, const Block* before) {
   for (VelocitySegment& segment : segments) {
     window_.push_back({.segment = std::move(segment)});
   }
-}
-
-std::vector<VelocitySegment> ClassicalSchedule::segments_of(const Block& block) const {
-  std::vector<VelocitySegment> segments;
-  const auto* nurbs = std::get_if<curves::NurbsCurve>(&block.curve);
-  AxisLimitCurve axis_limits;
-  PlanLimits limits = settings_.limits;
-  if (nurbs != nullptr) {
-    if (settings_.profile.kind() == ProfileKind::trapezoid) {
-      for (MotionLimits& axis : limits.axes) {
-        axis.jerk_mm_s3 = kUnbounded;
-      }
-    }
-    axis_limits = scan_axis_limits(*nurbs, block.limits.feedrate_mm_s, limits);
-  }
-  segments = axis_limits.empty() ? split(block, settings_.limits.period_s)
-                                 : split(block, axis_limits, limits);
-  const double sub_tick = sub_tick_feedrate_mm_s(block, settings_.limits);
-  for (VelocitySegment& segment : segments) {
-    bind_feedrate(segment.limits, {sub_tick, Constraint::chord_error});
-    if (!segment.ends_block) {
-      segment.end.feedrate_mm_s = std::min(
-          sub_tick,
-          valley_mm_s(segment.end.feedrate_mm_s, segment, {settings_.limits, settings_.profile}));
-    }
-  }
-  return segments;
 }
 
 void ClassicalSchedule::plan_window(Supply supply) {
@@ -172,12 +143,9 @@ SegmentPlan ClassicalSchedule::plan_front(SegmentEnds& ends) {
   if (left_ && ends.v_end_mm_s == left_end_mm_s_) {
     return *left_;
   }
-  const WindowSegment& item = window_.front();
-  const Ending ending = ending_of(item, ends, settings_.profile);
+  const Ending ending = ending_of(window_.front(), ends, settings_.profile);
   ends.v_end_mm_s = ending.v_end_mm_s;
-  return ending.is_slowed
-             ? slowed_plan(item.segment, item.sure, ends.v_begin_mm_s, settings_.profile)
-             : plan_segment(item.segment, ends, settings_.profile);
+  return plan_joined(window_.front(), ending, ends.v_begin_mm_s, settings_.profile);
 }
 
 void ClassicalSchedule::tell_front(const SegmentEnds& ends, const SegmentPlan& plan,

@@ -38,7 +38,6 @@ class ClassicalSchedule final : public Schedule {
   bool emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) override;
 
  private:
-  [[nodiscard]] std::vector<VelocitySegment> segments_of(const Block& block) const;
   SegmentPlan plan_front(SegmentEnds& ends);
   void tell_front(const SegmentEnds& ends, const SegmentPlan& plan, const Block& block) const;
   void plan_window(Supply supply);

@@ -12,10 +12,8 @@ namespace kerf::lookahead {
 
 namespace {
 
-// A dip or a hump of less than this share of the feedrate is noise, not a valley or a hill; where
-// curvature binds, a hill that low is not worth a stop of acceleration on both its sides.
+// A dip or a hump of less than this share of the feedrate is noise, not a valley or a hill.
 constexpr double kNoise = 0.01;
-constexpr double kCurvatureNoise = 0.05;
 
 VelocitySegment segment_between(const Block& block, const VelocityLimitCurve& limit_curve,
                                 const SampleRange& range) {
@@ -81,8 +79,10 @@ std::vector<VelocitySegment> split(const Block& block, double period_s) {
       cut(block.limit_curve, {.noise = kNoise, .period_s = period_s, .ramp = block.limits.ramp}));
 }
 
-std::vector<VelocitySegment> split(const Block& block, const AxisLimitCurve& axis_limits,
-                                   const PlanLimits& limits) {
+std::vector<VelocitySegment> split(const Block& block, const CurvatureDemands& demands,
+                                   double height) {
+  const AxisLimitCurve& axis_limits = demands.axis_limits;
+  const PlanLimits& limits = demands.limits;
   assert(!block.limit_curve.empty() && !axis_limits.empty());
   const auto steepest = [&](const AxisLimitCurve& under) -> profiles::RampLimits {
     const profiles::RampLimits& along = block.along.ramp;
@@ -93,9 +93,8 @@ std::vector<VelocitySegment> split(const Block& block, const AxisLimitCurve& axi
             std::min(along.jerk_mm_s3, strongest(under, limits, &MotionLimits::jerk_mm_s3))};
   };
   std::vector<VelocitySegment> segments = segments_between_cuts(
-      block,
-      cut(lower_limit_curve(block.limit_curve, axis_limits),
-          {.noise = kCurvatureNoise, .period_s = limits.period_s, .ramp = steepest(axis_limits)}));
+      block, cut(lower_limit_curve(block.limit_curve, axis_limits),
+                 {.noise = height, .period_s = limits.period_s, .ramp = steepest(axis_limits)}));
   for (VelocitySegment& segment : segments) {
     segment.axis_limits = part_of(axis_limits, segment);
     segment.axes = limits.axes;

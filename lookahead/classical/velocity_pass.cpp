@@ -54,4 +54,33 @@ Ending ending_of(const WindowSegment& item, const SegmentEnds& wanted,
   return {.v_end_mm_s = item.sure.v_end_mm_s * factor, .is_slowed = true};
 }
 
+SegmentPlan plan_joined(const WindowSegment& item, const Ending& ending, double v_begin_mm_s,
+                        const profiles::Profile& profile) {
+  return ending.is_slowed ? slowed_plan(item.segment, item.sure, v_begin_mm_s, profile)
+                          : plan_segment(item.segment, {v_begin_mm_s, ending.v_end_mm_s}, profile);
+}
+
+std::vector<double> RestToRest::durations_s(const std::vector<VelocitySegment>& segments) {
+  Window<WindowSegment> window;
+  for (const VelocitySegment& segment : segments) {
+    window.push_back({.segment = segment});
+  }
+  backward_pass(window, profile_);
+  std::vector<double> durations_s;
+  double v_mm_s = 0.0;
+  for (std::size_t i = 0; i < window.size(); ++i) {
+    const VelocitySegment& segment = window[i].segment;
+    SegmentEnds ends{.v_begin_mm_s = v_mm_s, .v_end_mm_s = window[i].v_end_mm_s};
+    const Ending ending = ending_of(window[i], ends, profile_);
+    ends.v_end_mm_s = v_mm_s = ending.v_end_mm_s;
+    const auto [known, is_new] = known_s_.try_emplace(
+        {segment.s_begin_mm, segment.length_mm, ends.v_begin_mm_s, ends.v_end_mm_s});
+    if (is_new) {
+      known->second = plan_joined(window[i], ending, ends.v_begin_mm_s, profile_).duration_s();
+    }
+    durations_s.push_back(known->second);
+  }
+  return durations_s;
+}
+
 }  // namespace kerf::lookahead

@@ -1,8 +1,13 @@
 // The feedrates at the ends of the segments in the window.
 #pragma once
 
+#include <array>
+#include <map>
+#include <vector>
+
 #include "lookahead/classical/velocity_segment.hpp"
 #include "lookahead/path/window.hpp"
+#include "profiles/profile.hpp"
 
 namespace kerf::lookahead {
 
@@ -49,5 +54,21 @@ struct Ending {
 // of item.sure.
 Ending ending_of(const WindowSegment& item, const SegmentEnds& wanted,
                  const profiles::Profile& profile);
+// The plan from the same beginning to that end.
+SegmentPlan plan_joined(const WindowSegment& item, const Ending& ending, double v_begin_mm_s,
+                        const profiles::Profile& profile);
+
+// How long segments take where all of them are run from rest to rest.
+class RestToRest {
+ public:
+  explicit RestToRest(const profiles::Profile& profile) : profile_(profile) {}
+
+  // Of each segment. One that was asked for before, with the same ends, costs no plan.
+  std::vector<double> durations_s(const std::vector<VelocitySegment>& segments);
+
+ private:
+  const profiles::Profile& profile_;
+  std::map<std::array<double, 4>, double> known_s_;  // where from, how far, and the feedrates there
+};
 
 }  // namespace kerf::lookahead

@@ -19,7 +19,7 @@ TEST(AxisLimitJunction, LeavesRoomForTheThirdDerivativeWithinTheConstantVelocity
   const AxisLimitCurve axis_limits =
       scan_axis_limits(std::get<curves::NurbsCurve>(blocks[1].curve), 100.0, limits);
   const VelocitySegment line = whole_segment(blocks[0]);
-  const VelocitySegment first = split(blocks[1], axis_limits, limits).front();
+  const VelocitySegment first = split(blocks[1], {axis_limits, limits}, 0.05).front();
   const Junction found{.feedrate_mm_s = 50.0, .constant_velocity_s = 0.003};
   const Junction junction = beside_axis_limits(
       found,

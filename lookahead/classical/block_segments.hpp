@@ -1,0 +1,23 @@
+// A block's segments for the classical schedule.
+#pragma once
+
+#include <vector>
+
+#include "lookahead/classical/segment_junction.hpp"
+#include "lookahead/classical/velocity_segment.hpp"
+#include "lookahead/path/block.hpp"
+
+namespace kerf::lookahead {
+
+// In order, with the feedrates of the valleys between them; the junction at the last one's end is
+// still open (a stop).
+//
+// On a curve under limits of axes it is chosen which valleys of the limit curve end a segment
+// (docs/math.md, 6.2). There the acceleration is 0, which costs time on both sides; a ramp over the
+// valley is no steeper than its bottom allows, which does, too. So the curve is planned from rest
+// to rest with shallow valleys and without; between places where both are cut the faster of two
+// plans is taken, and planned again. Known weakness: of a few heights alone, and a block that is
+// passed in motion is judged as if it were not.
+std::vector<VelocitySegment> segments_of(const Block& block, const JunctionRules& rules);
+
+}  // namespace kerf::lookahead
