@@ -179,6 +179,11 @@ class Log(Case):
         for file in (self.path("no/such/folder.log"), self.path("")):
             self.assertIn("kerf: error: ", self.kerf("dry-run", self.PROGRAM, "--log", file, status=5).stderr)
 
+    def test_on_a_full_disk_ends_the_command_with_5_and_says_so(self):
+        done = self.kerf("dry-run", self.PROGRAM, "--log", "/dev/full", "--log-level", "debug", status=5)
+        self.assertIn("cycle time", done.stdout)
+        self.assertIn("kerf: error: Failed flush to file /dev/full: No space left on device", done.stderr)
+
 
 class Json(Case):
     KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "period_s", "path_boxes", "fit", "cycle_time_s", "ticks",

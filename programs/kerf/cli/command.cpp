@@ -165,7 +165,12 @@ int run_command(int argc, char** argv) {
       spdlog::error("{}", visible(opened.error()));
       return to_int(ExitStatus::io_error);
     }
-    return to_int(process_all(options));
+    const ExitStatus status = process_all(options);
+    const auto logged = close_log();
+    if (!logged) {
+      spdlog::error("{}", visible(logged.error()));
+    }
+    return to_int(first_failure({status, logged ? ExitStatus::done : ExitStatus::io_error}));
   } catch (const std::exception& exception) {
     const ExitStatus status = status_of(exception);
     spdlog::critical(

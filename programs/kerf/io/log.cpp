@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -40,6 +41,30 @@ level_enum shown_level(const LogSettings& settings) {
   return std::max(level, lowest);
 }
 
+// What could not be written first. Planning thread and main one write.
+class FirstFailure {
+ public:
+  void note(const std::string& what) {
+    const std::scoped_lock lock(mutex_);
+    if (what_.empty()) {
+      what_ = what;
+    }
+  }
+  [[nodiscard]] std::string what() {
+    const std::scoped_lock lock(mutex_);
+    return what_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::string what_;
+};
+
+FirstFailure& log_failure() {
+  static FirstFailure failure;
+  return failure;
+}
+
 }  // namespace
 
 tl::expected<void, std::string> open_log(const LogSettings& settings) {
@@ -64,7 +89,16 @@ tl::expected<void, std::string> open_log(const LogSettings& settings) {
     }
   }
   logger->set_level(level_enum::trace);  // its sinks decide
+  logger->set_error_handler([](const std::string& what) { log_failure().note(what); });
   spdlog::set_default_logger(std::move(logger));
+  return {};
+}
+
+tl::expected<void, std::string> close_log() {
+  spdlog::default_logger_raw()->flush();
+  if (const std::string what = log_failure().what(); !what.empty()) {
+    return tl::make_unexpected(what);
+  }
   return {};
 }
 

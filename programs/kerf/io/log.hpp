@@ -22,6 +22,9 @@ struct LogSettings {
 // log is as it was then.
 tl::expected<void, std::string> open_log(const LogSettings& settings);
 
+// Writes what the log still holds. Error: what the system said of the first line that is lost.
+tl::expected<void, std::string> close_log();
+
 // A line of the level debug. Any thread but that of the ticks.
 void log_debug(std::string_view line);
 
