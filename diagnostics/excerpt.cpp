@@ -25,8 +25,8 @@ constexpr std::array kWide{Range{0x1100, 0x115F},  Range{0x2E80, 0x303E}, Range{
                            Range{0xFF00, 0xFF60},  Range{0xFFE0, 0xFFE6}, Range{0x1F300, 0x1FAFF},
                            Range{0x20000, 0x3FFFD}};
 // Marks that are put over the character before: no column of their own.
-constexpr std::array kCombining{Range{0x0300, 0x036F}, Range{0x200B, 0x200F}, Range{0x20D0, 0x20FF},
-                                Range{0xFE00, 0xFE0F}, Range{0xFEFF, 0xFEFF}};
+constexpr std::array kCombining{Range{0x0300, 0x036F}, Range{0x200B, 0x200D}, Range{0x20D0, 0x20FF},
+                                Range{0xFE00, 0xFE0F}};
 
 template <std::size_t kSize>
 bool is_in(const std::array<Range, kSize>& ranges, char32_t code) {
@@ -37,10 +37,6 @@ bool is_in(const std::array<Range, kSize>& ranges, char32_t code) {
 
 std::uint32_t columns_of(char32_t code) {
   return is_in(kCombining, code) ? 0 : is_in(kWide, code) ? 2 : 1;
-}
-
-bool is_control(char32_t code) {
-  return code < 0x20 || (code >= 0x7F && code < 0xA0);
 }
 
 // `at`, or the start of the character that it is inside.
@@ -89,7 +85,7 @@ Excerpt excerpt_of(std::string_view line, std::uint32_t offset) {
     }
     if (character.code == '\t') {
       show(" ", 1);
-    } else if (character.code == 0 || is_control(character.code)) {
+    } else if (is_hidden(character.code)) {
       show(kReplacement, 1);
       ++unreadable;
     } else {

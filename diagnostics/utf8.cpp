@@ -1,6 +1,28 @@
 #include "diagnostics/utf8.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace kerf::diagnostics {
+
+namespace {
+
+struct Range {
+  char32_t first;
+  char32_t last;
+};
+
+// C0; DEL, C1 and the blank that is no blank; marks of direction and ends of lines; the byte order
+// mark.
+constexpr std::array kHidden{Range{0x00, 0x1F},     Range{0x7F, 0xA0},     Range{0x200E, 0x200F},
+                             Range{0x2028, 0x202E}, Range{0x2066, 0x2069}, Range{0xFEFF, 0xFEFF}};
+
+}  // namespace
+
+bool is_hidden(char32_t code) {
+  return std::ranges::any_of(
+      kHidden, [code](const Range& range) { return code >= range.first && code <= range.last; });
+}
 
 Utf8 utf8_at(std::string_view bytes) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };

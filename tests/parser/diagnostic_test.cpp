@@ -76,6 +76,18 @@ TEST(Excerpt, NeverCutsACharacter) {
   }
 }
 
+// U+202E turns the direction of what follows it.
+TEST(Excerpt, HidesWhatWouldChangeHowTheLineIsShown) {
+  const diagnostics::Excerpt excerpt = diagnostics::excerpt_of(
+      "G1 Q\xE2\x80\xAE"
+      "5 X1 Y1",
+      4);
+  EXPECT_EQ(excerpt.text,
+            "G1 Q\xEF\xBF\xBD"
+            "5 X1 Y1");
+  EXPECT_EQ(excerpt.caret, 4U);
+}
+
 TEST(Excerpt, CountsCharactersAndNotBytes) {
   EXPECT_EQ(diagnostics::excerpt_of("(\xC3\xA4\xC3\xB6) X", 7).caret, 5U);
   EXPECT_EQ(diagnostics::excerpt_of("(\xE4\xB8\xAD) X", 6).caret, 5U)
