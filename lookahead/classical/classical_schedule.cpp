@@ -13,7 +13,6 @@
 
 namespace kerf::lookahead {
 
-
 namespace {
 
 // Within a cruise.
