@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -19,6 +20,11 @@ namespace {
 
 // Of the valleys that count: shares of the feedrate.
 constexpr std::array kHeights{0.05, 0.2, 0.6};
+
+// The first height alone where the block goes on from the one before it, in motion.
+std::span<const double> heights_for(const Block& block) {
+  return std::span(kHeights).first(block.continues ? 1 : kHeights.size());
+}
 
 // The axes' jerk does not bind the trapezoid.
 PlanLimits limits_of(const JunctionRules& rules) {
@@ -126,7 +132,7 @@ std::vector<VelocitySegment> segments_of(const Block& block, const JunctionRules
       fastest = std::move(planned);
     }
   };
-  for (const double height : kHeights) {
+  for (const double height : heights_for(block)) {
     std::vector<VelocitySegment> segments = split(block, {axis_limits, limits}, height);
     bind_valleys(segments, block, rules);
     PlannedSegments planned(std::move(segments), run);

@@ -16,8 +16,9 @@ namespace kerf::lookahead {
 // (docs/math.md, 6.2). There the acceleration is 0, which costs time on both sides; a ramp over the
 // valley is no steeper than its bottom allows, which does, too. So the curve is planned from rest
 // to rest with shallow valleys and without; between places where both are cut the faster of two
-// plans is taken, and planned again. Known weakness: of a few heights alone, and a block that is
-// passed in motion is judged as if it were not.
+// plans is taken, and planned again. A block that goes on from the one before it does not begin at
+// rest and is cut at every valley. Known weakness: of a few heights alone, and a block that ends in
+// motion is judged as if it did not.
 std::vector<VelocitySegment> segments_of(const Block& block, const JunctionRules& rules);
 
 }  // namespace kerf::lookahead
