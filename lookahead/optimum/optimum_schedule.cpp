@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 #include "lookahead/optimum/fallback.hpp"
@@ -12,10 +11,6 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr int kCuts = 5;  // of what a plan covers
-// Where no plan is found from a place in motion: of the cells that are left, how far on it is tried
-// again.
-constexpr std::size_t kTriesOfRest = 8;
-constexpr std::size_t kMinBetweenTries = 8;
 constexpr std::size_t kCutCells = 16;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
 // Where it is to rest at a junction it brakes later than it may if it passes that in motion.
@@ -25,11 +20,6 @@ constexpr std::size_t kMinMargin = 200;
 // quarter.
 constexpr std::size_t kCellsInMotion = 1000;
 constexpr std::size_t kLongBraking = 4;
-
-PlanDegradation degradation_on(const Block& block, double s_mm) {
-  const LineMark mark = block.mark_at(s_mm);
-  return {.line = mark.line, .s_mm = s_mm - mark.s_mm};
-}
 
 ClassicalSchedule::Settings classical(const OptimumSchedule::Settings& settings) {
   return {.limits = settings.limits,
@@ -155,32 +145,9 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
     return;
   }
   if (found.plan->slowed_down()) {
-    const Cell& first = waiting_.front().cell;
-    emitter.note(degradation_on(waiting_.block_of(first, blocks), first.s_begin_mm));
+    note_slow_plan(blocks, emitter);
   }
   adopt(std::move(found));
-}
-
-PlannedCells OptimumSchedule::tried_to_block_end(const FoundPlan& found, const WindowSearch& search,
-                                                 const Window<Block>& blocks) const {
-  PlannedCells planned = search.planned_to_block_end(found);
-  std::size_t first_block = 1;  // its cells
-  while (first_block < waiting_.size() && !waiting_[first_block - 1].ends_block) {
-    ++first_block;
-  }
-  if (!found.is_shorter || planned.count >= first_block || first_block > kFewCells) {
-    return planned;
-  }
-  Settings settings = settings_;
-  settings.observer = nullptr;  // nothing of it is run
-  settings.takes_classical = false;
-  OptimumSchedule schedule(settings);
-  planned.count = first_block;
-  planned.duration_s =
-      duration_from_rest_s(schedule, {.blocks = &blocks, .count = 1}, settings_.limits);
-  planned.failed = false;
-  planned.tried = true;
-  return planned;
 }
 
 void OptimumSchedule::adopt(FoundPlan found) {
@@ -202,56 +169,6 @@ void OptimumSchedule::follow_classical(const Window<Block>& blocks) {
   if (classical_.goes_on()) {
     waiting_.drop_open();
   }
-}
-
-// From another place the search may well end; what the plan still holds ends at rest if not.
-void OptimumSchedule::try_again_later(const Window<Block>& blocks, Emitter& emitter) {
-  const std::size_t next = place_.cell + std::max(cells_left() / kTriesOfRest, kMinBetweenTries);
-  if (next + kMinBetweenTries < plan_.cells().size()) {
-    renew_ = next;
-    return;
-  }
-  renew_ = plan_.cells().size();
-  note_stop(plan_.cells().back(), blocks, emitter);
-}
-
-void OptimumSchedule::fall_back(const Fallback& fallback, const Window<Block>& blocks,
-                                Emitter& emitter) {
-  const Cell& first = waiting_.front().cell;
-  PlanDegradation degradation = degradation_on(waiting_.block_of(first, blocks), first.s_begin_mm);
-  degradation.kind = PlanDegradation::Kind::classical;
-  emitter.note(degradation);
-  const Cell& last = waiting_[fallback.cells - 1];
-  if (!last.rest_after) {
-    note_stop(last, blocks, emitter);
-  }
-  if (settings_.observer) {
-    settings_.observer->took_classical(fallback.blocks);
-  }
-  classical_.take(blocks, fallback.blocks);
-  waiting_.drop(fallback.cells);
-}
-
-void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter) {
-  const std::size_t margin = count / 4;
-  std::size_t sharpest = margin;
-  double most = 0.0;
-  for (std::size_t i = margin; i < count - margin; ++i) {
-    const double curvature = curves::vec(waiting_[i].end.second_per_mm).norm();
-    if (curvature > most) {
-      most = curvature;
-      sharpest = i;
-    }
-  }
-  waiting_.rest_after(sharpest);
-  note_stop(waiting_[sharpest], blocks, emitter);
-}
-
-void OptimumSchedule::note_stop(const Cell& cell, const Window<Block>& blocks,
-                                Emitter& emitter) const {
-  PlanDegradation stop = degradation_on(waiting_.block_of(cell, blocks), cell.s_end_mm());
-  stop.kind = PlanDegradation::Kind::stop;
-  emitter.note(stop);
 }
 
 void OptimumSchedule::emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox) {

@@ -76,6 +76,8 @@ class OptimumSchedule final : public Schedule {
   void fall_back(const Fallback& fallback, const Window<Block>& blocks, Emitter& emitter);
   // Puts a rest at the sharpest place of the first waiting cells.
   void cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter);
+  // Notes that the plan from the first waiting cell on was slowed down.
+  void note_slow_plan(const Window<Block>& blocks, Emitter& emitter) const;
   // Notes a stop at the end of the cell.
   void note_stop(const Cell& cell, const Window<Block>& blocks, Emitter& emitter) const;
   void emit_cell(Window<Block>& blocks, Emitter& emitter, Outbox& outbox);

@@ -1,0 +1,100 @@
+// What OptimumSchedule does where a search does not end well.
+#include <algorithm>
+#include <cassert>
+
+#include "lookahead/optimum/optimum_schedule.hpp"
+
+namespace kerf::lookahead {
+
+namespace {
+
+// Where no plan is found from a place in motion: of the cells that are left, how far on it is tried
+// again.
+constexpr std::size_t kTriesOfRest = 8;
+constexpr std::size_t kMinBetweenTries = 8;
+
+PlanDegradation degradation_on(const Block& block, double s_mm) {
+  const LineMark mark = block.mark_at(s_mm);
+  return {.line = mark.line, .s_mm = s_mm - mark.s_mm};
+}
+
+}  // namespace
+
+PlannedCells OptimumSchedule::tried_to_block_end(const FoundPlan& found, const WindowSearch& search,
+                                                 const Window<Block>& blocks) const {
+  PlannedCells planned = search.planned_to_block_end(found);
+  std::size_t first_block = 1;  // its cells
+  while (first_block < waiting_.size() && !waiting_[first_block - 1].ends_block) {
+    ++first_block;
+  }
+  if (!found.is_shorter || planned.count >= first_block || first_block > kFewCells) {
+    return planned;
+  }
+  Settings settings = settings_;
+  settings.observer = nullptr;  // nothing of it is run
+  settings.takes_classical = false;
+  OptimumSchedule schedule(settings);
+  planned.count = first_block;
+  planned.duration_s =
+      duration_from_rest_s(schedule, {.blocks = &blocks, .count = 1}, settings_.limits);
+  planned.failed = false;
+  planned.tried = true;
+  return planned;
+}
+
+// From another place the search may well end; what the plan still holds ends at rest if not.
+void OptimumSchedule::try_again_later(const Window<Block>& blocks, Emitter& emitter) {
+  const std::size_t next = place_.cell + std::max(cells_left() / kTriesOfRest, kMinBetweenTries);
+  if (next + kMinBetweenTries < plan_.cells().size()) {
+    renew_ = next;
+    return;
+  }
+  renew_ = plan_.cells().size();
+  note_stop(plan_.cells().back(), blocks, emitter);
+}
+
+void OptimumSchedule::fall_back(const Fallback& fallback, const Window<Block>& blocks,
+                                Emitter& emitter) {
+  const Cell& first = waiting_.front().cell;
+  PlanDegradation degradation = degradation_on(waiting_.block_of(first, blocks), first.s_begin_mm);
+  degradation.kind = PlanDegradation::Kind::classical;
+  emitter.note(degradation);
+  const Cell& last = waiting_[fallback.cells - 1];
+  if (!last.rest_after) {
+    note_stop(last, blocks, emitter);
+  }
+  if (settings_.observer) {
+    settings_.observer->took_classical(fallback.blocks);
+  }
+  classical_.take(blocks, fallback.blocks);
+  waiting_.drop(fallback.cells);
+}
+
+void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter) {
+  const std::size_t margin = count / 4;
+  std::size_t sharpest = margin;
+  double most = 0.0;
+  for (std::size_t i = margin; i < count - margin; ++i) {
+    const double curvature = curves::vec(waiting_[i].end.second_per_mm).norm();
+    if (curvature > most) {
+      most = curvature;
+      sharpest = i;
+    }
+  }
+  waiting_.rest_after(sharpest);
+  note_stop(waiting_[sharpest], blocks, emitter);
+}
+
+void OptimumSchedule::note_slow_plan(const Window<Block>& blocks, Emitter& emitter) const {
+  const Cell& first = waiting_.front().cell;
+  emitter.note(degradation_on(waiting_.block_of(first, blocks), first.s_begin_mm));
+}
+
+void OptimumSchedule::note_stop(const Cell& cell, const Window<Block>& blocks,
+                                Emitter& emitter) const {
+  PlanDegradation stop = degradation_on(waiting_.block_of(cell, blocks), cell.s_end_mm());
+  stop.kind = PlanDegradation::Kind::stop;
+  emitter.note(stop);
+}
+
+}  // namespace kerf::lookahead
