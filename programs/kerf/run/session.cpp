@@ -1,7 +1,6 @@
 #include "programs/kerf/run/session.hpp"
 
 #include <chrono>
-#include <optional>
 #include <utility>
 #include <variant>
 
@@ -12,12 +11,11 @@
 #include "programs/kerf/io/progress_bar.hpp"
 #include "programs/kerf/io/subprogram_folder.hpp"
 #include "programs/kerf/io/text_feed.hpp"
-#include "programs/kerf/run/block_lookup.hpp"
-#include "programs/kerf/run/check_pass.hpp"
 #include "programs/kerf/run/first_places.hpp"
 #include "programs/kerf/run/first_scan.hpp"
 #include "programs/kerf/run/motion_run.hpp"
 #include "programs/kerf/run/plan_run.hpp"
+#include "programs/kerf/run/program_check.hpp"
 #include "programs/kerf/run/program_mark.hpp"
 #include "programs/kerf/run/start_choice.hpp"
 
@@ -149,77 +147,18 @@ class Session {
     return true;
   }
 
-  // The program's text for the page. False: the file cannot be read.
-  bool keep_source(ProgramFile& file) {
-    if (page_ == nullptr || !page_->wants_source ||
-        file.size_bytes() > PageRecord::kMaxSourceBytes) {
-      return true;
-    }
-    std::string text;
-    for (;;) {
-      const auto piece = file.read();
-      if (!piece) {
-        report_.fail(ExitStatus::io_error, piece.error());
-        return false;
-      }
-      if (piece->empty()) {
-        break;
-      }
-      text += *piece;
-    }
-    file.rewind();
-    page_->source = std::move(text);
-    return true;
-  }
-
   // True: the program may run.
   bool check(ProgramFile& file) {
-    if (!keep_source(file)) {
-      return false;
-    }
     const Stopwatch watch;
-    const auto found = check_pass(file, settings_, kernel_options_,
-                                  {.max_time_s = options_.max_time_s,
-                                   .max_moves = options_.max_moves,
-                                   .shows_progress = shows_progress_,
-                                   .syntax_only = options_.syntax_only});
+    const bool may_run = check_program({.options = options_,
+                                        .settings = settings_,
+                                        .kernel_options = kernel_options_,
+                                        .path = path_,
+                                        .shows_progress = shows_progress_,
+                                        .page = page_},
+                                       file, report_);
     report_.check_duration_s = watch.elapsed_s();
-    if (stop_requested()) {
-      report_.status = *stop_requested();
-    } else if (!found) {
-      report_.fail(ExitStatus::io_error, found.error());
-    } else {
-      judge(*found);
-      fill_in_blocks(report_.diagnostics, file);
-    }
-    return report_.status == ExitStatus::done;
-  }
-
-  void judge(const CheckReport& found) {
-    report_.take(found.diagnostics);
-    kernel_options_.nominal_s = found.nominal_s;
-    if (found.in_inches && !options_.feed_unit) {
-      report_.feed_unit = FeedUnit::inch_min;
-    }
-    if (found.has_errors()) {
-      report_.status = ExitStatus::program_error;
-    } else if (!found.limit_faults.empty()) {
-      report_.take(found.limit_faults);
-      report_.status = ExitStatus::machine_fault;
-    }
-    if (found.moves) {
-      report_.boxes =
-          PathBoxes{.all = found.extents,
-                    .cutting = found.cuts ? std::optional(found.cutting_extents) : std::nullopt,
-                    .work = found.work_extents};
-      report_.fit = fit_of(found, settings_);
-    }
-    if (page_ != nullptr && found.moves) {
-      page_->extents = found.extents;
-    }
-    path_ = {.extents = found.moves ? std::optional(found.extents) : std::nullopt,
-             .cutting = found.cuts ? std::optional(found.cutting_extents) : std::nullopt,
-             .extra_extents = found.extra_extents};
+    return may_run;
   }
 
   void plan(ProgramFile& file) {

@@ -1,0 +1,85 @@
+#include "programs/kerf/run/program_check.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "programs/kerf/io/interrupt.hpp"
+#include "programs/kerf/report/fit.hpp"
+#include "programs/kerf/run/block_lookup.hpp"
+#include "programs/kerf/run/check_pass.hpp"
+
+namespace kerf::program {
+
+namespace {
+
+// The program's text for the page. False: the file cannot be read.
+bool keep_source(PageRecord* page, ProgramFile& file, FileReport& report) {
+  if (page == nullptr || !page->wants_source || file.size_bytes() > PageRecord::kMaxSourceBytes) {
+    return true;
+  }
+  std::string text;
+  for (;;) {
+    const auto piece = file.read();
+    if (!piece) {
+      report.fail(ExitStatus::io_error, piece.error());
+      return false;
+    }
+    if (piece->empty()) {
+      break;
+    }
+    text += *piece;
+  }
+  file.rewind();
+  page->source = std::move(text);
+  return true;
+}
+
+void judge(const ProgramCheck& how, const CheckReport& found, FileReport& report) {
+  report.take(found.diagnostics);
+  how.kernel_options.nominal_s = found.nominal_s;
+  if (found.in_inches && !how.options.feed_unit) {
+    report.feed_unit = FeedUnit::inch_min;
+  }
+  if (found.has_errors()) {
+    report.status = ExitStatus::program_error;
+  } else if (!found.limit_faults.empty()) {
+    report.take(found.limit_faults);
+    report.status = ExitStatus::machine_fault;
+  }
+  const auto cutting = found.cuts ? std::optional(found.cutting_extents) : std::nullopt;
+  if (found.moves) {
+    report.boxes = PathBoxes{.all = found.extents, .cutting = cutting, .work = found.work_extents};
+    report.fit = fit_of(found, how.settings);
+  }
+  if (how.page != nullptr && found.moves) {
+    how.page->extents = found.extents;
+  }
+  how.path = {.extents = found.moves ? std::optional(found.extents) : std::nullopt,
+              .cutting = cutting,
+              .extra_extents = found.extra_extents};
+}
+
+}  // namespace
+
+bool check_program(const ProgramCheck& how, ProgramFile& file, FileReport& report) {
+  if (!keep_source(how.page, file, report)) {
+    return false;
+  }
+  const auto found = check_pass(file, how.settings, how.kernel_options,
+                                {.max_time_s = how.options.max_time_s,
+                                 .max_moves = how.options.max_moves,
+                                 .shows_progress = how.shows_progress,
+                                 .syntax_only = how.options.syntax_only});
+  if (stop_requested()) {
+    report.status = *stop_requested();
+  } else if (!found) {
+    report.fail(ExitStatus::io_error, found.error());
+  } else {
+    judge(how, *found, report);
+    fill_in_blocks(report.diagnostics, file);
+  }
+  return report.status == ExitStatus::done;
+}
+
+}  // namespace kerf::program
