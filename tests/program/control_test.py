@@ -1,90 +1,13 @@
 #!/usr/bin/env python3
-"""`kerf run --control`: another program watches a run and commands it, in JSON lines that hold to docs/control.schema.json."""
-import contextlib
-import json
-import os
+"""`kerf run --control`: another program watches a run and commands it."""
 import pathlib
-import socket
-import stat
-import subprocess
 import time
 
-import jsonschema
-from command_line import Case, KERF, SOURCE, main
-
-SCHEMA = json.loads((pathlib.Path(SOURCE) / "docs/control.schema.json").read_text())
-LINE = "G21 G90\nG1 X400 F6000\nM2\n"  # 4 s at 100 mm/s
+from command_line import SOURCE, main
+from control_channel import ControlCase, LINE
 
 
-def validator(name):
-    return jsonschema.Draft202012Validator({**SCHEMA, "$ref": f"#/$defs/{name}"})
-
-
-REQUEST, REPLY = validator("request"), validator("reply")
-
-
-class Client:
-    """One end of a channel; every line that comes is checked."""
-
-    def __init__(self, case, reader, writer, connection=None):
-        self.case, self.reader, self.writer, self.connection, self.events = case, reader, writer, connection, []
-
-    def write(self, text):
-        self.writer.write(text.encode())
-        self.writer.flush()
-
-    def read(self):
-        line = self.reader.readline()
-        self.case.assertTrue(line.endswith(b"\n"), line)
-        reply = json.loads(line)
-        REPLY.validate(reply)
-        if reply["type"] == "event":
-            self.events.append(reply)
-        return reply
-
-    def read_until(self, **wanted):
-        while True:
-            reply = self.read()
-            if all(reply.get(key) == value for key, value in wanted.items()):
-                return reply
-
-    def ask(self, command, **more):
-        request = {"id": [command], "command": command, **more}
-        REQUEST.validate(request)
-        self.write(json.dumps(request) + "\n")
-        return self.read_until(type="answer", id=[command])
-
-
-class Control(Case):
-    def run_kerf(self, control, program=LINE, fds=(), stdin=subprocess.DEVNULL, options=()):
-        process = subprocess.Popen([KERF, "run", self.path("part.ngc", program), "--control", control, "--trace", self.path("run.csv"), *options],
-                                   stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE, pass_fds=fds)
-        self.addCleanup(process.communicate)
-        self.addCleanup(process.kill)
-        return process
-
-    def start(self, program=LINE, options=()):
-        """`kerf run` at the other end of a socket."""
-        ours, theirs = socket.socketpair()
-        process = self.run_kerf(str(theirs.fileno()), program, (theirs.fileno(),), options=options)
-        theirs.close()
-        self.addCleanup(ours.close)
-        ours.settimeout(60)
-        return process, self.client(ours)
-
-    def client(self, connection):
-        reader, writer = connection.makefile("rb"), connection.makefile("wb")
-        self.addCleanup(reader.close)
-        client = Client(self, reader, writer, connection)
-        hello = client.read()
-        self.assertEqual((hello["type"], hello["schema_version"]), ("hello", 1))
-        return client
-
-    def end(self, process, status):
-        self.assertEqual(process.wait(timeout=60), status)
-        with open(self.path("run.csv"), encoding="utf-8") as file:
-            return [line for line in file if not line.startswith("#")]
-
+class Control(ControlCase):
     def test_hold_status_override_and_resume(self):
         process, client = self.start()
         self.assertEqual(client.read_until(type="event")["state"], "idle")
@@ -293,96 +216,6 @@ class Control(Case):
         self.assertTrue(client.ask("input", digital=5, value=0)["accepted"])
         self.assertEqual(client.read_until(type="end")["exit_status"], 0)
         self.end(process, 0)
-
-    def test_two_pipes(self):
-        from_kerf, to_us = os.pipe()
-        from_us, to_kerf = os.pipe()
-        process = self.run_kerf(f"{from_us},{to_us}", fds=(from_us, to_us))
-        os.close(from_us)
-        os.close(to_us)
-        client = Client(self, os.fdopen(from_kerf, "rb"), os.fdopen(to_kerf, "wb"))
-        self.addCleanup(client.reader.close)
-        client.read_until(type="event", state="running")
-        self.assertTrue(client.ask("hold")["accepted"])
-        client.read_until(type="event", state="held")
-        self.assertTrue(client.ask("resume")["accepted"])
-        client.writer.close()  # no more commands; events go on
-        self.assertEqual(client.read_until(type="end")["exit_status"], 0)
-        self.end(process, 0)
-
-    def test_standard_input_and_output(self):
-        part = self.path("part.ngc", LINE)
-        for words in ([], ["-q", "--json"], ["-q", "--trace", "-"]):
-            self.kerf("run", part, "--control", "0,1", *words, status=2)
-        self.kerf("run", "-", "--control", "0,1", "-q", status=2)
-        process = subprocess.Popen([KERF, "run", part, "--control", "0,1", "-q", "--trace", self.path("run.csv")],
-                                   stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-        self.addCleanup(process.kill)
-        client = Client(self, process.stdout, process.stdin)
-        client.read_until(type="event", state="running")
-        self.assertTrue(client.ask("stop")["accepted"])
-        self.assertEqual(client.read_until(type="end")["exit_status"], 7)
-        self.assertEqual(client.reader.read(), b"")
-        self.end(process, 7)
-        process.stdin.close()
-        process.stdout.close()
-
-    def test_a_program_is_stopped_at_a_wait_once_nobody_can_answer(self):
-        process, client = self.start("G21 G90\nG1 X10 F6000\nM0\nX20\nM2\n")
-        client.read_until(type="event", state="running")
-        client.connection.close()
-        client.reader.close()
-        client.writer.close()
-        self.end(process, 7)
-
-    def test_a_socket_is_for_its_owner_and_goes_with_the_run(self):
-        where = self.path("kerf.sock")
-        stale = socket.socket(socket.AF_UNIX)
-        stale.bind(where)
-        stale.close()  # nobody listens any more
-        process = self.run_kerf(where)
-        deadline = time.monotonic() + 60
-        connection = socket.socket(socket.AF_UNIX)
-        self.addCleanup(connection.close)
-        while time.monotonic() < deadline:
-            try:
-                connection.connect(where)
-                break
-            except (ConnectionRefusedError, FileNotFoundError):
-                time.sleep(0.02)
-        connection.settimeout(60)
-        client = self.client(connection)
-        self.assertEqual(stat.S_IMODE(os.stat(where).st_mode), 0o600)
-        second = self.run_kerf(where)
-        self.assertEqual(second.wait(timeout=60), 5)
-        self.assertIn(b"Address already in use", second.stderr.read())
-        other = socket.socket(socket.AF_UNIX)
-        self.addCleanup(other.close)
-        other.connect(where)
-        other.settimeout(60)
-        watcher = self.client(other)
-        watcher.write('{"command":"events","since":1}\n')
-        self.assertEqual(watcher.read_until(type="event")["number"], 1)
-        self.assertTrue(client.ask("stop")["accepted"])
-        self.assertEqual(client.read_until(type="end")["exit_status"], 7)
-        self.assertEqual(watcher.read_until(type="end")["exit_status"], 7)
-        self.assertEqual(process.wait(timeout=60), 7)
-        self.assertFalse(os.path.exists(where))
-
-    def test_a_client_that_does_not_read_keeps_nobody_waiting(self):
-        process, client = self.start()
-        with contextlib.suppress(BrokenPipeError, ConnectionResetError):  # it is dropped
-            client.write('{"command":"status"}\n' * 20000)
-        self.assertEqual(process.wait(timeout=60), 0)
-
-    def test_a_channel_that_is_none_is_refused_before_anything_moves(self):
-        regular = os.open(self.path("regular", "x"), os.O_RDONLY)
-        self.addCleanup(os.close, regular)
-        for control, said in (("77", b"descriptor 77: Bad file descriptor"), (str(regular), b"Invalid argument"), ("/nowhere/kerf.sock", b"No such file"),
-                              (self.path("x" * 200), b"is no path of 1 to"), (self.path("part.ngc", LINE), b"Address already in use")):
-            process = self.run_kerf(control, fds=(regular,))
-            self.assertEqual(process.wait(timeout=60), 5, control)
-            self.assertIn(said, process.stderr.read())
 
 
 if __name__ == "__main__":

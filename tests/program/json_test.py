@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""The JSON report: its keys, what it tells of a run, a check, several files and errors."""
+import json
+import os
+import pathlib
+
+from command_line import Case, SOURCE, SQUARE, WRONG, main
+
+
+class Json(Case):
+    KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "period_s", "path_boxes", "fit", "cycle_time_s", "ticks",
+            "path_length_mm", "blocks", "extents", "path_modes", "waits", "deviation", "time_split", "approach", "max", "limits_exceeded", "chord_error_mm", "contour_error",
+            "following_error", "starved_ticks", "warnings", "errors", "elapsed")
+
+    def test_lists_where_a_program_waits_and_the_time_that_the_machine_file_gives_it(self):
+        part = self.path("waits.ngc", "G21 G90 G61 F6000\nG1 X10\nM3 S1000\nM1\nM0\nS2000\nM5\nM4\nT2 M6\nM60\nG1 X0\nM2\n")
+        plain = json.loads(self.kerf("dry-run", part, "--json").stdout)
+        self.assertEqual(plain["waits"], {"count": 3, "duration_s": 0, "first": [
+            {"line": 5, "kind": "program_stop", "duration_s": 0}, {"line": 9, "kind": "tool_change", "duration_s": 0, "tool": 2},
+            {"line": 10, "kind": "pallet_change", "duration_s": 0}]})
+        slow = self.path("slow.toml", (pathlib.Path(SOURCE) / "programs/machines/sigmoid-butterfly.toml").read_text())
+        base = json.loads(self.kerf("dry-run", part, "--machine", slow, "--json").stdout)["cycle_time_s"]
+        with open(slow, "a", encoding="utf-8") as file:
+            file.write("\n[program]\ntool_change_s = 7.5\nspindle_start_s = 2\n")
+        report = json.loads(self.kerf("dry-run", part, "--machine", slow, "--json").stdout)
+        self.assertEqual([(wait["line"], wait["kind"], wait["duration_s"]) for wait in report["waits"]["first"]],
+                         [(3, "spindle_start", 2), (5, "program_stop", 0), (8, "spindle_start", 2), (9, "tool_change", 7.5), (10, "pallet_change", 0)])
+        self.assertEqual(report["waits"]["duration_s"], 11.5)
+        self.assertAlmostEqual(report["cycle_time_s"] - base, 11.5, delta=0.003)
+        split = report["time_split"]
+        self.assertAlmostEqual(split["tool_change_s"], 7.5, delta=0.0021)
+        self.assertAlmostEqual(split["rest_s"], 4.0, delta=0.0081)
+        self.assertAlmostEqual(sum(split.values()), report["cycle_time_s"], places=9)
+        self.assertEqual(json.loads(self.kerf("check", part, "--machine", slow, "--json").stdout)["waits"], report["waits"])
+        tapping = self.path("tapping.ngc", "G21 G90 G0 Z5\nM3 S500\nG84 X1 Y1 Z-5 R1 F500\nG86 X3 Y1 Z-5 R1 P0 F500\nM5\nM2\n")
+        report = json.loads(self.kerf("dry-run", tapping, "--machine", slow, "--json").stdout)
+        self.assertEqual([wait["line"] for wait in report["waits"]["first"]], [2, 4])
+        self.assertIn("waits           spindle start in line 3 (2 s), M0 in line 5, spindle start in line 8 (2 s), M6 to T2 in line 9 (7.5 s), M60 in line 10; "
+                      "11.5 s of the cycle time", self.kerf("dry-run", part, "--machine", slow).stdout)
+
+    def test_names_the_path_modes_that_ran_and_who_named_them(self):
+        text = "G21 G90 F3000\nG1 X20\nY20\nG61\nX0\nG61.1\nY0\nM2\n"
+        done = self.kerf("dry-run", self.path("modes.ngc", text))
+        self.assertIn("  path mode       G64 of the machine, P 0.01, Q 0.01 mm; then G61 of the program; then G61.1 of the program\n",
+                      done.stdout)
+        report = json.loads(self.kerf("dry-run", "--json", self.path("modes.ngc", text)).stdout)
+        self.assertEqual(report["path_modes"], [
+            {"mode": "G64", "by": "machine", "corner_tolerance_mm": 0.01, "merge_tolerance_mm": 0.01},
+            {"mode": "G61", "by": "program"}, {"mode": "G61.1", "by": "program"}])
+        self.assertLessEqual(report["deviation"]["max_mm"], 0.01)
+        exact = self.path("exact.toml", "[path]\nmax_velocity_mm_s = 100\nmax_acceleration_mm_s2 = 3000\nmax_jerk_mm_s3 = 55_000\n"
+                                        "[program]\npath_mode = 'G61'\n")
+        report = json.loads(self.kerf("dry-run", "--json", "--machine", exact, self.path("modes.ngc", text)).stdout)
+        self.assertEqual(report["path_modes"][0], {"mode": "G61", "by": "machine"})
+        self.assertEqual(report["deviation"]["max_mm"], 0.0)
+
+    def test_is_one_object_with_the_documented_keys(self):
+        report = json.loads(self.kerf("dry-run", "--json", self.path("square.ngc", SQUARE)).stdout)
+        self.assertEqual(tuple(report), self.KEYS)
+        documented = (pathlib.Path(SOURCE) / "docs/json.md").read_text()
+        for key in self.KEYS:
+            self.assertIn(f"`{key}`", documented)
+        self.assertAlmostEqual(report["cycle_time_s"], report["ticks"] * 0.001)
+        self.assertEqual(report["max"].keys(), {"path", "axes"})
+        self.assertEqual(report["extents"]["max_mm"], {"x": 20.0, "y": 20.0, "z": 0.0})
+
+    def test_of_a_run_counts_late_ticks(self):
+        report = json.loads(self.kerf("run", "--json", self.path("square.ngc", SQUARE)).stdout)
+        self.assertIsInstance(report["late_ticks"], int)
+        self.assertGreaterEqual(report["worst_delay_s"], 0)
+
+    def test_of_several_files_is_a_line_for_each(self):
+        square = self.path("square.ngc", SQUARE)
+        lines = self.kerf("check", "--json", square, square).stdout.splitlines()
+        self.assertEqual([json.loads(line)["command"] for line in lines], ["check", "check"])
+
+    def test_tells_errors_too(self):
+        report = json.loads(self.kerf("dry-run", "--json", self.path("wrong.ngc", WRONG), status=1).stdout)
+        self.assertEqual(report["exit_status"], 1)
+        self.assertEqual([error["line"] for error in report["errors"]], [3, 5])
+
+    def test_says_by_how_much_a_figure_exceeds_its_limit(self):
+        # A law without jerk, on a machine with one.
+        program = os.path.join(SOURCE, "programs/circle.ngc")
+        done = self.kerf("dry-run", "--json", "--profile", "trapezoid", program)
+        report = json.loads(done.stdout)
+        jerk = next(e for e in report["limits_exceeded"] if e["where"] == "path" and e["quantity"] == "jerk")
+        self.assertAlmostEqual(jerk["ratio"], jerk["value"] / jerk["limit"])
+        self.assertGreater(jerk["ratio"], 2)
+        self.assertTrue(any("path jerk" in warning for warning in report["warnings"]))
+        self.assertIn("kerf: warning: ", done.stderr)
+
+    def test_exceeds_no_limit_on_a_spline(self):
+        for profile in ("time-optimal", "s-curve"):
+            report = json.loads(self.kerf("dry-run", "--json", "--profile", profile,
+                                          os.path.join(SOURCE, "programs/butterfly.ngc")).stdout)
+            self.assertEqual(report["limits_exceeded"], [])
+            self.assertEqual(report["warnings"], [])
+
+
+if __name__ == "__main__":
+    main()
