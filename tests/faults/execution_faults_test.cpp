@@ -11,75 +11,35 @@
 #include <kerf/controller.hpp>
 #include <kerf/kerf.hpp>
 
-#include "tests/kernel/run.hpp"
 #include "tests/kernel/shipped_text.hpp"
-#include "tests/kernel/tick_checker.hpp"
+#include "tests/kernel/watched_run.hpp"
 
 namespace kerf::faults {
 namespace {
 
 using test::expect_whole;
-using test::kMaxTicks;
+using test::kFastest_mm_s;
 using test::mill;
 using test::mixed_program;
+using test::watched_run;
+using test::WatchedRun;
 
-constexpr double kFastest_mm_s = 150.0;  // of the mill
 constexpr std::int64_t kHeldTicks = 30;
 
-struct CommandedRun {
-  std::vector<Setpoint> ticks;
-  std::vector<TickStatus> statuses;
-  std::string complaint;
-
-  [[nodiscard]] std::int64_t count(TickStatus status) const {
-    return std::ranges::count(statuses, status);
-  }
-};
-
-// One thread; `before` sees the kernel before each tick.
-CommandedRun run_commanded(Kernel& kernel,
-                           const std::function<void(Kernel&, const CommandedRun&)>& before) {
-  test::TickChecker checker(mill().limits, true);
-  CommandedRun run;
-  TickStatus status = TickStatus::running;
-  while (status != TickStatus::finished && status != TickStatus::failed &&
-         run.ticks.size() < kMaxTicks) {
-    before(kernel, run);
-    Setpoint setpoint;
-    status = kernel.next(setpoint);
-    checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
-    run.ticks.push_back(setpoint);
-    run.statuses.push_back(status);
-  }
-  run.complaint = test::complaint_at_end(status, checker, kernel);
-  return run;
-}
-
-Kernel kernel_with(const std::string& text, const KernelOptions& options = {}) {
-  Kernel kernel(mill(), options);
-  kernel.feed(text);
-  kernel.finish();
-  return kernel;
-}
-
 // Goes on once the tool has been held for some ticks.
-void go_on_from_hold(Kernel& kernel, const CommandedRun& run) {
-  const auto held = static_cast<std::size_t>(kHeldTicks);
-  if (run.statuses.size() >= held &&
-      std::all_of(run.statuses.end() - kHeldTicks, run.statuses.end(),
-                  [](TickStatus status) { return status == TickStatus::held; })) {
+void go_on_from_hold(Kernel& kernel, const WatchedRun& run) {
+  if (run.count_at_end(TickStatus::held) >= kHeldTicks) {
     kernel.resume();
   }
 }
 
 // Holds before each of these ticks, and goes on.
-CommandedRun run_held(const std::string& text, const std::vector<std::int64_t>& hold_before) {
-  Kernel kernel = kernel_with(text);
-  return run_commanded(kernel, [&](Kernel& k, const CommandedRun& so_far) {
-    if (std::ranges::find(hold_before, std::ssize(so_far.ticks)) != hold_before.end()) {
-      k.hold();
+WatchedRun run_held(const std::string& text, const std::vector<std::int64_t>& hold_before) {
+  return watched_run({.text = text}, [&](Kernel& kernel, const WatchedRun& run) {
+    if (std::ranges::find(hold_before, run.next()) != hold_before.end()) {
+      kernel.hold();
     }
-    go_on_from_hold(k, so_far);
+    go_on_from_hold(kernel, run);
   });
 }
 
@@ -105,16 +65,16 @@ TEST(ExecutionFaults, Row45ASlowParserIsARestOnThePath) {
   constexpr std::int64_t kTicksALine = 400;
   const auto whole = test::ticks_of(mixed_program());
   const auto lines = lines_of(mixed_program());
-  Kernel kernel(mill());
   std::size_t fed = 0;
-  const CommandedRun slow = run_commanded(kernel, [&](Kernel& k, const CommandedRun& so_far) {
-    if (fed < lines.size() && std::ssize(so_far.ticks) % kTicksALine == 0) {
-      k.feed(lines[fed++]);
-      if (fed == lines.size()) {
-        k.finish();
-      }
-    }
-  });
+  const WatchedRun slow =
+      watched_run({.comes_later = true}, [&](Kernel& k, const WatchedRun& so_far) {
+        if (fed < lines.size() && so_far.next() % kTicksALine == 0) {
+          k.feed(lines[fed++]);
+          if (fed == lines.size()) {
+            k.finish();
+          }
+        }
+      });
   EXPECT_EQ(slow.complaint, "");
   EXPECT_GT(slow.count(TickStatus::starved), 100);
   for (std::size_t i = 0; i < slow.ticks.size(); ++i) {
@@ -133,8 +93,7 @@ TEST(ExecutionFaults, Row46AProgramThatJustEndsIsARestAtItsEnd) {
       continue;  // nothing moves yet, or a curve that is not whole
     }
     SCOPED_TRACE(i + 1);
-    Kernel kernel = kernel_with(text);
-    const CommandedRun ended = run_commanded(kernel, [](Kernel&, const CommandedRun&) {});
+    const WatchedRun ended = watched_run({.text = text}, [](Kernel&, const WatchedRun&) {});
     EXPECT_EQ(ended.complaint, "");
     EXPECT_EQ(ended.ticks.back().v_mm_s, 0.0);
     const Position velocity = ended.ticks.back().velocity_mm_s;
@@ -144,12 +103,12 @@ TEST(ExecutionFaults, Row46AProgramThatJustEndsIsARestAtItsEnd) {
 
 TEST(ExecutionFaults, Row53OverrideStepsEveryTenMillisecondsKeepLimitsAndPath) {
   const auto whole = test::ticks_of(mixed_program());
-  Kernel kernel = kernel_with(mixed_program());
-  const CommandedRun stepped = run_commanded(kernel, [](Kernel& k, const CommandedRun& so_far) {
-    if (so_far.ticks.size() % 10 == 0) {
-      EXPECT_TRUE(k.set_overrides({.feed = so_far.ticks.size() % 20 == 0 ? 0.0 : 2.0}));
-    }
-  });
+  const WatchedRun stepped =
+      watched_run({.text = mixed_program()}, [](Kernel& k, const WatchedRun& so_far) {
+        if (so_far.next() % 10 == 0) {
+          EXPECT_TRUE(k.set_overrides({.feed = so_far.next() % 20 == 0 ? 0.0 : 2.0}));
+        }
+      });
   expect_whole(stepped, whole);
 }
 
@@ -158,10 +117,9 @@ TEST(ExecutionFaults, Row53AnOverrideOfZeroInACornerIsAHoldThere) {
   const auto whole = test::ticks_of(text);
   const std::int64_t corner =
       tick_where(whole, [](const Setpoint& tick) { return tick.position_mm[1] > 0.01; });
-  Kernel kernel = kernel_with(text);
-  const CommandedRun held = run_commanded(kernel, [&](Kernel& k, const CommandedRun& so_far) {
-    if (std::ssize(so_far.ticks) == corner || std::ssize(so_far.ticks) == corner + 600) {
-      EXPECT_TRUE(k.set_overrides({.feed = std::ssize(so_far.ticks) == corner ? 0.0 : 1.0}));
+  const WatchedRun held = watched_run({.text = text}, [&](Kernel& k, const WatchedRun& so_far) {
+    if (so_far.next() == corner || so_far.next() == corner + 600) {
+      EXPECT_TRUE(k.set_overrides({.feed = so_far.next() == corner ? 0.0 : 1.0}));
     }
   });
   expect_whole(held, whole);
@@ -174,7 +132,7 @@ TEST(ExecutionFaults, Row54AHoldComesToRestOnThePathWhateverTheToolIsIn) {
   const std::int64_t in_corner =
       tick_where(corner, [](const Setpoint& tick) { return tick.position_mm[1] > 0.01; });
   for (const std::int64_t before : {12, 8, 4, 0}) {
-    const CommandedRun held = run_held(corner_text, {in_corner - before});
+    const WatchedRun held = run_held(corner_text, {in_corner - before});
     expect_whole(held, corner);
     EXPECT_GE(held.count(TickStatus::held), kHeldTicks);
   }
@@ -202,22 +160,22 @@ TEST(ExecutionFaults, Row54AHoldComesToRestOnThePathWhateverTheToolIsIn) {
 TEST(ExecutionFaults, Row54AHoldWhereTheTextIsLateLastsUntilItIsResumed) {
   const auto whole = test::ticks_of(mixed_program());
   const auto lines = lines_of(mixed_program());
-  Kernel kernel(mill());
   std::size_t fed = 0;
-  const CommandedRun held = run_commanded(kernel, [&](Kernel& k, const CommandedRun& so_far) {
-    if (fed < lines.size() && so_far.ticks.size() % 400 == 0) {
-      k.feed(lines[fed++]);
-      if (fed == lines.size()) {
-        k.finish();
-      }
-    }
-    if (so_far.ticks.size() % 1300 == 390) {  // it starves by then
-      k.hold();
-    }
-    if (so_far.ticks.size() % 1300 == 1000) {
-      k.resume();
-    }
-  });
+  const WatchedRun held =
+      watched_run({.comes_later = true}, [&](Kernel& k, const WatchedRun& so_far) {
+        if (fed < lines.size() && so_far.next() % 400 == 0) {
+          k.feed(lines[fed++]);
+          if (fed == lines.size()) {
+            k.finish();
+          }
+        }
+        if (so_far.next() % 1300 == 390) {  // it starves by then
+          k.hold();
+        }
+        if (so_far.next() % 1300 == 1000) {
+          k.resume();
+        }
+      });
   EXPECT_EQ(held.complaint, "");
   EXPECT_EQ(held.ticks.back().position_mm, whole.back().position_mm);
 }
@@ -258,10 +216,9 @@ TEST(ExecutionFaults, Row56SingleBlockInABlendRestsAtABlocksEnd) {
   const auto whole = test::ticks_of(text);
   const std::int64_t in_corner =
       tick_where(whole, [](const Setpoint& tick) { return tick.position_mm[1] > 0.01; });
-  Kernel kernel = kernel_with(text);
   std::vector<Position> rests_mm;
-  const CommandedRun stepped = run_commanded(kernel, [&](Kernel& k, const CommandedRun& so_far) {
-    if (std::ssize(so_far.ticks) == in_corner - 3) {
+  const WatchedRun stepped = watched_run({.text = text}, [&](Kernel& k, const WatchedRun& so_far) {
+    if (so_far.next() == in_corner - 3) {
       k.set_single_block(true);
     }
     if (!so_far.statuses.empty() && so_far.statuses.back() == TickStatus::waiting) {
@@ -283,12 +240,12 @@ TEST(ExecutionFaults, Row56SingleBlockInABlendRestsAtABlocksEnd) {
 }
 
 TEST(ExecutionFaults, Row56ARapidOverrideChangesRapidsAlone) {
-  Kernel kernel = kernel_with("G61 G0 X60\nG1 X120 F3000\nM2\n");
-  const CommandedRun slowed = run_commanded(kernel, [](Kernel& k, const CommandedRun& so_far) {
-    if (so_far.ticks.empty()) {
-      EXPECT_TRUE(k.set_overrides({.rapid = 0.25}));
-    }
-  });
+  const WatchedRun slowed = watched_run({.text = "G61 G0 X60\nG1 X120 F3000\nM2\n"},
+                                        [](Kernel& k, const WatchedRun& so_far) {
+                                          if (so_far.ticks.empty()) {
+                                            EXPECT_TRUE(k.set_overrides({.rapid = 0.25}));
+                                          }
+                                        });
   EXPECT_EQ(slowed.complaint, "");
   std::array<double, 4> fastest_mm_s{};
   for (const Setpoint& tick : slowed.ticks) {
@@ -303,22 +260,22 @@ TEST(ExecutionFaults, Row56ARapidOverrideChangesRapidsAlone) {
 // mean.
 TEST(ExecutionFaults, Row60TheMachineMaySlowDownTheMotion) {
   constexpr double kWay_mm = 100.0 * 0.011 + 55.0 * (90.0 / 2000.0 + 2000.0 / 5e4);
-  Kernel kernel = kernel_with("G61 M52 P1 G1 X200 F6000\nM2\n");
   double asked_at_mm = 0.0;
   double slow_at_mm = 0.0;
-  const CommandedRun slowed = run_commanded(kernel, [&](Kernel& k, const CommandedRun& so_far) {
-    if (so_far.ticks.size() == 600) {
-      asked_at_mm = so_far.ticks.back().s_mm;
-      EXPECT_NEAR(so_far.ticks.back().v_mm_s, 100.0, 0.1);
-      EXPECT_TRUE(k.set_feed_inputs({.adaptive = 0.1}));
-    }
-    if (so_far.ticks.size() > 600 && slow_at_mm == 0.0 && so_far.ticks.back().v_mm_s < 10.01) {
-      slow_at_mm = so_far.ticks.back().s_mm;
-    }
-    if (so_far.ticks.size() == 1500) {
-      EXPECT_TRUE(k.set_feed_inputs({}));
-    }
-  });
+  const WatchedRun slowed = watched_run(
+      {.text = "G61 M52 P1 G1 X200 F6000\nM2\n"}, [&](Kernel& k, const WatchedRun& so_far) {
+        if (so_far.next() == 600) {
+          asked_at_mm = so_far.ticks.back().s_mm;
+          EXPECT_NEAR(so_far.ticks.back().v_mm_s, 100.0, 0.1);
+          EXPECT_TRUE(k.set_feed_inputs({.adaptive = 0.1}));
+        }
+        if (so_far.next() > 600 && slow_at_mm == 0.0 && so_far.ticks.back().v_mm_s < 10.01) {
+          slow_at_mm = so_far.ticks.back().s_mm;
+        }
+        if (so_far.next() == 1500) {
+          EXPECT_TRUE(k.set_feed_inputs({}));
+        }
+      });
   EXPECT_EQ(slowed.complaint, "");
   EXPECT_LE(slow_at_mm - asked_at_mm, 1.1 * kWay_mm);
 }

@@ -8,79 +8,48 @@
 #include <gtest/gtest.h>
 #include <kerf/kernel.hpp>
 
-#include "tests/kernel/run.hpp"
-#include "tests/kernel/shipped_text.hpp"
-#include "tests/kernel/tick_checker.hpp"
+#include "tests/kernel/watched_run.hpp"
 
 namespace kerf::test {
 namespace {
 
-constexpr double kFastest_mm_s = 150.0;  // of the mill
-
 using InputsAt = std::map<std::int64_t, FeedInputs>;  // before each of these ticks
 
-struct FollowedRun {
-  std::vector<Setpoint> ticks;
-  std::vector<TickStatus> statuses;
-  std::string complaint;
-
-  [[nodiscard]] std::int64_t held() const { return std::ranges::count(statuses, TickStatus::held); }
-  // The first held tick; the last tick where there is none.
-  [[nodiscard]] const Setpoint& first_held() const {
-    const auto held = std::ranges::find(statuses, TickStatus::held);
-    return held == statuses.end() ? ticks.back()
-                                  : ticks.at(static_cast<std::size_t>(held - statuses.begin()));
+double fastest_mm_s(const WatchedRun& run, std::uint32_t line) {
+  double most = 0.0;
+  for (const Setpoint& tick : run.ticks) {
+    most = tick.line == line ? std::max(most, tick.v_mm_s) : most;
   }
-  [[nodiscard]] double fastest_mm_s(std::uint32_t line) const {
-    double most = 0.0;
-    for (const Setpoint& tick : ticks) {
-      most = tick.line == line ? std::max(most, tick.v_mm_s) : most;
-    }
-    return most;
-  }
-};
-
-FollowedRun run_with(const std::string& text, const InputsAt& inputs) {
-  Kernel kernel(mill(), {.profile = {.kind = ProfileKind::time_optimal}});
-  kernel.feed(text);
-  kernel.finish();
-  TickChecker checker(mill().limits, true);
-  FollowedRun run;
-  TickStatus status = TickStatus::running;
-  while (status != TickStatus::finished && status != TickStatus::failed &&
-         run.ticks.size() < kMaxTicks) {
-    if (const auto now = inputs.find(static_cast<std::int64_t>(run.ticks.size()));
-        now != inputs.end()) {
-      EXPECT_TRUE(kernel.set_feed_inputs(now->second));
-    }
-    Setpoint setpoint;
-    status = kernel.next(setpoint);
-    checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
-    run.ticks.push_back(setpoint);
-    run.statuses.push_back(status);
-  }
-  run.complaint = complaint_at_end(status, checker, kernel);
-  return run;
+  return most;
 }
 
-bool same_end(const FollowedRun& a, const FollowedRun& b) {
+WatchedRun run_with(const std::string& text, const InputsAt& inputs) {
+  return watched_run({.text = text, .options = {.profile = {.kind = ProfileKind::time_optimal}}},
+                     [&](Kernel& kernel, const WatchedRun& run) {
+                       if (const auto now = inputs.find(run.next()); now != inputs.end()) {
+                         EXPECT_TRUE(kernel.set_feed_inputs(now->second));
+                       }
+                     });
+}
+
+bool same_end(const WatchedRun& a, const WatchedRun& b) {
   return a.ticks.back().position_mm == b.ticks.back().position_mm &&
          a.ticks.back().s_mm == b.ticks.back().s_mm;
 }
 
 TEST(AdaptiveFeed, IsFollowedUnderM52Alone) {
   const std::string text = "G61 G1 X40 F3000\nM52 P1\nX80\nG0 X0\nM52 P0\nG1 X40\nM2\n";
-  const FollowedRun run = run_with(text, {{0, {.adaptive = 0.5}}});
+  const WatchedRun run = run_with(text, {{0, {.adaptive = 0.5}}});
   EXPECT_EQ(run.complaint, "");
-  EXPECT_NEAR(run.fastest_mm_s(1), 50.0, 0.05);
-  EXPECT_NEAR(run.fastest_mm_s(3), 25.0, 0.05);
-  EXPECT_NEAR(run.fastest_mm_s(4), 0.5 * kFastest_mm_s, 0.1);
-  EXPECT_NEAR(run.fastest_mm_s(6), 50.0, 0.05);
+  EXPECT_NEAR(fastest_mm_s(run, 1), 50.0, 0.05);
+  EXPECT_NEAR(fastest_mm_s(run, 3), 25.0, 0.05);
+  EXPECT_NEAR(fastest_mm_s(run, 4), 0.5 * kFastest_mm_s, 0.1);
+  EXPECT_NEAR(fastest_mm_s(run, 6), 50.0, 0.05);
 }
 
 TEST(AdaptiveFeed, MayChangeInMotion) {
   const std::string text = "G61 M52 P1\nG1 X100 F3000\nM2\n";
-  const FollowedRun run = run_with(text, {{500, {.adaptive = 0.2}}, {1500, {}}});
+  const WatchedRun run = run_with(text, {{500, {.adaptive = 0.2}}, {1500, {}}});
   EXPECT_EQ(run.complaint, "");
   EXPECT_NEAR(run.ticks.at(400).v_mm_s, 50.0, 0.05);
   EXPECT_NEAR(run.ticks.at(1400).v_mm_s, 10.0, 0.05);
@@ -89,10 +58,10 @@ TEST(AdaptiveFeed, MayChangeInMotion) {
 
 TEST(AdaptiveFeed, Of0HoldsFromTheBlockOnThatFollowsIt) {
   const std::string text = "G61 G1 X40 F3000\nM52 P1\nX80\nM2\n";
-  const FollowedRun free = run_with(text, {});
-  const FollowedRun run = run_with(text, {{0, {.adaptive = 0.0}}, {3000, {.adaptive = 1.0}}});
+  const WatchedRun free = run_with(text, {});
+  const WatchedRun run = run_with(text, {{0, {.adaptive = 0.0}}, {3000, {.adaptive = 1.0}}});
   EXPECT_EQ(run.complaint, "");
-  EXPECT_GT(run.held(), 500);
+  EXPECT_GT(run.count(TickStatus::held), 500);
   EXPECT_GE(run.first_held().position_mm[0], 40.0);
   EXPECT_LT(run.first_held().position_mm[0], 45.0);  // 50 mm/s for 10 ms, then the shortest way
   EXPECT_EQ(run.first_held().line, 3U);
@@ -109,22 +78,22 @@ TEST(AdaptiveFeed, OutOfItsRangeIsRefused) {
 
 TEST(FeedStop, HoldsWhereverItComesAndIsOverWithTheInput) {
   const std::string text = mixed_program();
-  const FollowedRun free = run_with(text, {});
+  const WatchedRun free = run_with(text, {});
   ASSERT_EQ(free.complaint, "");
   const auto end = static_cast<std::int64_t>(free.ticks.size());
   for (std::int64_t tick = 13; tick < end; tick += end / 23) {
     SCOPED_TRACE(tick);
-    const FollowedRun run = run_with(text, {{tick, {.stop = true}}, {tick + 900, {}}});
+    const WatchedRun run = run_with(text, {{tick, {.stop = true}}, {tick + 900, {}}});
     EXPECT_EQ(run.complaint, "");
     EXPECT_TRUE(same_end(run, free));
-    EXPECT_GT(run.held() + 400, run.ticks.size() - free.ticks.size());
+    EXPECT_GT(run.count(TickStatus::held) + 400, run.ticks.size() - free.ticks.size());
   }
 }
 
 TEST(FeedStop, LeavesTheWayUnderM53P0) {
   const std::string text = "G61 M53 P0\nG1 X40 F3000\nM53\nX80\nM2\n";
-  const FollowedRun free = run_with(text, {});
-  const FollowedRun run = run_with(text, {{100, {.stop = true}}, {4000, {}}});
+  const WatchedRun free = run_with(text, {});
+  const WatchedRun run = run_with(text, {{100, {.stop = true}}, {4000, {}}});
   EXPECT_EQ(run.complaint, "");
   EXPECT_GE(run.first_held().position_mm[0], 40.0);
   EXPECT_LT(run.first_held().position_mm[0], 45.0);

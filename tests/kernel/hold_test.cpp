@@ -13,64 +13,29 @@
 #include "tests/kernel/run.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"
+#include "tests/kernel/watched_run.hpp"
 
 namespace kerf::test {
 namespace {
 
-constexpr double kFastest_mm_s = 150.0;  // of the mill
 constexpr int kHeldTicks = 20;
 
 // Calls hold() before each of these ticks, and resume() once the tool has been held for some time.
-struct HeldRun {
-  std::vector<Setpoint> ticks;
-  std::vector<TickStatus> statuses;
-  std::string complaint;
-
-  [[nodiscard]] std::int64_t count(TickStatus status) const {
-    return std::count(statuses.begin(), statuses.end(), status);
-  }
-  [[nodiscard]] const Setpoint& first_held() const {
-    const auto held = std::find(statuses.begin(), statuses.end(), TickStatus::held);
-    return ticks.at(static_cast<std::size_t>(held - statuses.begin()));
-  }
-};
-
-struct HeldProgram {
-  std::string text;
-  KernelOptions options{};
-};
-
-HeldRun run_held(const HeldProgram& program, const std::set<std::int64_t>& hold_before) {
-  Kernel kernel(mill(), program.options);
-  kernel.feed(program.text);
-  kernel.finish();
-  TickChecker checker(mill().limits, program.options.profile.kind != ProfileKind::trapezoid);
-  HeldRun run;
-  int held = 0;
-  TickStatus status = TickStatus::running;
-  while (status != TickStatus::finished && status != TickStatus::failed &&
-         run.ticks.size() < kMaxTicks) {
-    if (hold_before.contains(static_cast<std::int64_t>(run.ticks.size()))) {
-      kernel.hold();
-    }
-    Setpoint setpoint;
-    status = kernel.next(setpoint);
-    checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
-    run.ticks.push_back(setpoint);
-    run.statuses.push_back(status);
-    held = status == TickStatus::held ? held + 1 : 0;
-    if (held == kHeldTicks) {
+WatchedRun run_held(const WatchedProgram& program, const std::set<std::int64_t>& hold_before) {
+  return watched_run(program, [&](Kernel& kernel, const WatchedRun& run) {
+    if (run.count_at_end(TickStatus::held) == kHeldTicks) {
       kernel.resume();
     }
-  }
-  run.complaint = complaint_at_end(status, checker, kernel);
-  return run;
+    if (hold_before.contains(run.next())) {
+      kernel.hold();
+    }
+  });
 }
 
 TEST(Hold, ComesToRestOnThePathAndGoesOnToTheSameEndWhereverItIsAskedFor) {
   for (const ProfileKind kind : {ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::quintic,
                                  ProfileKind::time_optimal}) {
-    const HeldProgram program{.text = mixed_program(), .options = {.profile = {.kind = kind}}};
+    const WatchedProgram program{.text = mixed_program(), .options = {.profile = {.kind = kind}}};
     const auto whole = ticks_of(program.text, program.options);
     for (std::int64_t tick = 1; tick < whole.back().tick; tick += 41) {
       SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick));
@@ -81,7 +46,7 @@ TEST(Hold, ComesToRestOnThePathAndGoesOnToTheSameEndWhereverItIsAskedFor) {
 }
 
 TEST(Hold, MayComeWhileTheToolBrakesAndAgainBehindIt) {
-  const HeldProgram program{.text = mixed_program()};
+  const WatchedProgram program{.text = mixed_program()};
   const auto whole = ticks_of(program.text, program.options);
   for (std::int64_t tick = 1; tick + 400 < whole.back().tick; tick += 203) {
     SCOPED_TRACE("tick " + std::to_string(tick));
@@ -91,9 +56,9 @@ TEST(Hold, MayComeWhileTheToolBrakesAndAgainBehindIt) {
 }
 
 TEST(Hold, OfTheSameTickGivesTheSameTicks) {
-  const HeldProgram program{.text = mixed_program()};
-  const HeldRun one = run_held(program, {500});
-  const HeldRun two = run_held(program, {500});
+  const WatchedProgram program{.text = mixed_program()};
+  const WatchedRun one = run_held(program, {500});
+  const WatchedRun two = run_held(program, {500});
   ASSERT_EQ(one.ticks.size(), two.ticks.size());
   for (std::size_t i = 0; i < one.ticks.size(); ++i) {
     ASSERT_EQ(one.ticks[i].position_mm, two.ticks[i].position_mm) << i;
@@ -102,12 +67,12 @@ TEST(Hold, OfTheSameTickGivesTheSameTicks) {
 
 // From v, jerk J to the acceleration A, that acceleration, and jerk J to rest: v^2 / 2A + v A / 2J.
 TEST(Hold, OnALineBrakesInTheShortestWay) {
-  const HeldProgram program{.text = "G21 G90\nG1 X1000 F6000\nM2\n"};
+  const WatchedProgram program{.text = "G21 G90\nG1 X1000 F6000\nM2\n"};
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
-    HeldProgram of_kind = program;
+    WatchedProgram of_kind = program;
     of_kind.options.profile.kind = kind;
     const auto whole = ticks_of(of_kind.text, of_kind.options);
-    const HeldRun run = run_held(of_kind, {1000});
+    const WatchedRun run = run_held(of_kind, {1000});
     std::size_t changed = 1000;
     while (run.ticks[changed].position_mm == whole[changed].position_mm) {
       ++changed;
@@ -159,11 +124,11 @@ TEST(Hold, BrakesSoonWhereAnAxisNeedsAllOfItsJerk) {
 }
 
 TEST(Hold, StopsTheClockOfADwell) {
-  const HeldProgram program{.text = "G21 G90 F6000\nG1 X10\nG4 P0.5\nX20\nM2\n"};
+  const WatchedProgram program{.text = "G21 G90 F6000\nG1 X10\nG4 P0.5\nX20\nM2\n"};
   const auto whole = ticks_of(program.text, program.options);
   const auto dwells = std::find_if(
       whole.begin(), whole.end(), [](const Setpoint& tick) { return tick.position_mm[0] == 10.0; });
-  const HeldRun run = run_held(program, {dwells->tick + 100});
+  const WatchedRun run = run_held(program, {dwells->tick + 100});
   EXPECT_EQ(run.complaint, "");
   EXPECT_EQ(run.first_held().position_mm[0], 10.0);
   EXPECT_EQ(run.count(TickStatus::held), kHeldTicks);
@@ -171,10 +136,11 @@ TEST(Hold, StopsTheClockOfADwell) {
 }
 
 TEST(Hold, LeavesOutputsAtTheirPlaces) {
-  const HeldProgram program{.text =
-                                "G21 G90 F3000\nG1 X10\nM62 P1\nX20\nM63 P1\nM62 P2\nX30\nM3 S100\n"
-                                "X40\nM5\nM2\n",
-                            .options = {.profile = {.kind = ProfileKind::s_curve}}};
+  const WatchedProgram program{
+      .text =
+          "G21 G90 F3000\nG1 X10\nM62 P1\nX20\nM63 P1\nM62 P2\nX30\nM3 S100\n"
+          "X40\nM5\nM2\n",
+      .options = {.profile = {.kind = ProfileKind::s_curve}}};
   const auto switched = [](const std::vector<Setpoint>& ticks) {
     std::vector<std::pair<std::uint64_t, double>> changes;
     for (std::size_t i = 1; i < ticks.size(); ++i) {
@@ -189,7 +155,7 @@ TEST(Hold, LeavesOutputsAtTheirPlaces) {
   ASSERT_EQ(switched(whole).size(), 4U);
   for (std::int64_t tick = 1; tick < whole.back().tick; tick += 29) {
     SCOPED_TRACE("tick " + std::to_string(tick));
-    const HeldRun run = run_held(program, {tick});
+    const WatchedRun run = run_held(program, {tick});
     EXPECT_EQ(run.complaint, "");
     EXPECT_EQ(switched(run.ticks), switched(whole));
   }

@@ -15,45 +15,22 @@
 #include "tests/kernel/run.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"
+#include "tests/kernel/watched_run.hpp"
 
 namespace kerf::test {
 namespace {
 
-constexpr double kFastest_mm_s = 150.0;  // of the mill
-constexpr std::int64_t kLate = 900;      // ticks: the horizon, the way to rest and a rest behind it
-
-struct LateRun {
-  std::vector<Setpoint> ticks;
-  std::vector<TickStatus> statuses;
-  std::string complaint;
-
-  [[nodiscard]] std::int64_t starved() const {
-    return std::count(statuses.begin(), statuses.end(), TickStatus::starved);
-  }
-};
+constexpr std::int64_t kLate = 900;  // ticks: the horizon, the way to rest and a rest behind it
 
 // Calls plan() before each tick but those from late_from on.
-LateRun run_late(const std::string& text, const KernelOptions& options, std::int64_t late_from) {
-  Kernel kernel(mill(), options);
-  kernel.feed(text);
-  kernel.finish();
-  TickChecker checker(mill().limits, options.profile.kind != ProfileKind::trapezoid);
-  LateRun run;
-  TickStatus status = TickStatus::running;
-  while (status != TickStatus::finished && status != TickStatus::failed &&
-         run.ticks.size() < kMaxTicks) {
-    const auto tick = static_cast<std::int64_t>(run.ticks.size());
-    if (tick < late_from || tick >= late_from + kLate) {
-      kernel.plan();
-    }
-    Setpoint setpoint;
-    status = kernel.tick(setpoint);
-    checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
-    run.ticks.push_back(setpoint);
-    run.statuses.push_back(status);
-  }
-  run.complaint = complaint_at_end(status, checker, kernel);
-  return run;
+WatchedRun run_late(const std::string& text, const KernelOptions& options, std::int64_t late_from) {
+  return run_ticks({.text = text, .options = options},
+                   [&](Kernel& kernel, const WatchedRun& run, Setpoint& setpoint) {
+                     if (run.next() < late_from || run.next() >= late_from + kLate) {
+                       kernel.plan();
+                     }
+                     return kernel.tick(setpoint);
+                   });
 }
 
 TEST(LatePlanning, IsARestOnThePathWithinTheLimitsWhereverItBegins) {
@@ -62,9 +39,9 @@ TEST(LatePlanning, IsARestOnThePathWithinTheLimitsWhereverItBegins) {
     const auto whole = ticks_of(mixed_program(), options);
     for (std::int64_t tick = 1; tick + 300 < whole.back().tick; tick += 61) {
       SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick));
-      const LateRun run = run_late(mixed_program(), options, tick);
+      const WatchedRun run = run_late(mixed_program(), options, tick);
       expect_whole(run, whole);
-      EXPECT_GT(run.starved(), 0);
+      EXPECT_GT(run.count(TickStatus::starved), 0);
       ASSERT_FALSE(testing::Test::HasFailure());
     }
   }
@@ -74,7 +51,7 @@ TEST(LatePlanning, ThatIsNeverLateChangesNoTick) {
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
     const KernelOptions options{.profile = {.kind = kind}};
     const auto one = ticks_of(mixed_program(), options);
-    const LateRun run = run_late(mixed_program(), options, kMaxTicks);
+    const WatchedRun run = run_late(mixed_program(), options, kMaxTicks);
     ASSERT_EQ(run.ticks.size(), one.size());
     for (std::size_t i = 0; i < one.size(); ++i) {
       ASSERT_EQ(run.ticks[i].position_mm, one[i].position_mm) << "tick " << i;
@@ -210,7 +187,7 @@ void expect_rests_where_blocked(int runs, Operator by) {
     kernel.feed(mixed_program());
     kernel.finish();
     TickChecker checker(mill().limits, true);
-    LateRun run;
+    WatchedRun run;
     TickStatus status = TickStatus::running;
     PlanningThread planning(kernel, by);
     planning.plan(2);

@@ -8,17 +8,14 @@
 #include <kerf/kernel.hpp>
 
 #include "profiles/profile.hpp"
-#include "tests/kernel/run.hpp"
-#include "tests/kernel/shipped_text.hpp"
-#include "tests/kernel/tick_checker.hpp"
+#include "tests/kernel/watched_run.hpp"
 
 namespace kerf::test {
 namespace {
 
 struct SteppedRun {
-  std::vector<Setpoint> ticks;
+  WatchedRun run;
   std::vector<Setpoint> waits;  // the first tick of each
-  std::string complaint;
 };
 
 struct Switching {
@@ -30,33 +27,23 @@ struct Switching {
 SteppedRun run_stepped(const std::string& text, const KernelOptions& options,
                        const Switching& switching) {
   constexpr int kWaitTicks = 5;
-  Kernel kernel(mill(), options);
-  kernel.feed(text);
-  kernel.finish();
-  TickChecker checker(mill().limits, options.profile.kind != ProfileKind::trapezoid);
-  SteppedRun run;
+  SteppedRun stepped;
   int waited = 0;
-  TickStatus status = TickStatus::running;
-  while (status != TickStatus::finished && status != TickStatus::failed &&
-         run.ticks.size() < kMaxTicks) {
-    const auto tick = static_cast<std::int64_t>(run.ticks.size());
-    if (tick == switching.on_before || tick == switching.off_before) {
-      kernel.set_single_block(tick == switching.on_before);
-    }
-    Setpoint setpoint;
-    status = kernel.next(setpoint);
-    checker.add({.setpoint = setpoint, .feedrate_mm_s = 150.0});
-    run.ticks.push_back(setpoint);
-    waited = status == TickStatus::waiting ? waited + 1 : 0;
-    if (waited == 1) {
-      run.waits.push_back(setpoint);
-    } else if (waited == kWaitTicks) {
-      kernel.resume();
-      waited = 0;
-    }
-  }
-  run.complaint = complaint_at_end(status, checker, kernel);
-  return run;
+  stepped.run =
+      watched_run({.text = text, .options = options}, [&](Kernel& kernel, const WatchedRun& run) {
+        const bool waits = run.next() > 0 && run.statuses.back() == TickStatus::waiting;
+        waited = waits ? waited + 1 : 0;
+        if (waited == 1) {
+          stepped.waits.push_back(run.ticks.back());
+        } else if (waited == kWaitTicks) {
+          kernel.resume();
+          waited = 0;
+        }
+        if (run.next() == switching.on_before || run.next() == switching.off_before) {
+          kernel.set_single_block(run.next() == switching.on_before);
+        }
+      });
+  return stepped;
 }
 
 std::vector<std::uint32_t> lines_of(const std::vector<Setpoint>& ticks) {
@@ -74,7 +61,7 @@ TEST(SingleBlock, WaitsAtTheEndOfEachBlockOfTheProgram) {
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
     const KernelOptions options{.profile = {.kind = kind}};
     const SteppedRun run = run_stepped(kSquare, options, {});
-    expect_whole(run, ticks_of(kSquare, options));
+    expect_whole(run.run, ticks_of(kSquare, options));
     EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{2, 3, 4, 5, 6, 7}));
     const std::vector<Position> junctions{{20.0, 0.0, 0.0}, {20.0, 20.0, 0.0}, {20.0, 20.0, 0.0},
                                           {0.0, 20.0, 0.0}, {0.0, 20.0, 0.0},  {0.0, 0.0, 0.0}};
@@ -93,7 +80,7 @@ TEST(SingleBlock, MayBeSwitchedOnInMotionAndOffAgain) {
       SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick));
       const SteppedRun run =
           run_stepped(mixed_program(), options, {.on_before = tick, .off_before = tick + 900});
-      expect_whole(run, whole);
+      expect_whole(run.run, whole);
       ASSERT_FALSE(testing::Test::HasFailure());
     }
   }
@@ -112,7 +99,7 @@ TEST(SingleBlock, SwitchedOnInMotionRestsAtTheNextJoint) {
     for (const std::int64_t tick : {500, 550, 600, 677}) {
       const double from_mm = whole.at(static_cast<std::size_t>(tick) + 10).s_mm;
       const SteppedRun run = run_stepped(text, options, {.on_before = tick});
-      expect_whole(run, whole);
+      expect_whole(run.run, whole);
       ASSERT_FALSE(run.waits.empty());
       const double rest_mm = run.waits.front().position_mm[0];
       EXPECT_EQ(std::fmod(rest_mm, 10.0), 0.0);
@@ -128,14 +115,14 @@ TEST(SingleBlock, SwitchedOnInMotionRestsAtTheNextJoint) {
 TEST(SingleBlock, RestsBetweenBlendedLines) {
   const std::string text = "G21 G90 G64 P0.2 F3000\nG1 X20\nY20\nX0\nY0\nM2\n";
   const SteppedRun run = run_stepped(text, {}, {});
-  expect_whole(run, ticks_of(text));
+  expect_whole(run.run, ticks_of(text));
   EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{3, 4, 5, 5}));
 }
 
 TEST(SingleBlock, LetsAProgramWaitForItsOwnStops) {
   const std::string text = "G21 G90 F3000\nG1 X10\nM0\nX20\nM2\n";
   const SteppedRun run = run_stepped(text, {.waits = true}, {});
-  expect_whole(run, ticks_of(text));
+  expect_whole(run.run, ticks_of(text));
   EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{2, 3, 4}));
 }
 
