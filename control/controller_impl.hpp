@@ -124,6 +124,8 @@ class KERF_LOCAL Controller::Impl {
   // From where the hold was left. False: the state is another one by now.
   bool begin_return();
   void fail_to_home(const std::string& why);
+  // To the operator, as an event.
+  void say(const std::string& text);
   void leave_manual_for(ControllerState next);
   // The program that is held ends where the tool was jogged to.
   void end_suspended();

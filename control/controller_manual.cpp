@@ -140,10 +140,12 @@ void Controller::Impl::follow_jog() {
     return;
   }
   if (const auto next = std::exchange(manual_.next, std::nullopt)) {
-    if (const auto move = move_of(*next)) {
+    const auto move = move_of(*next);
+    if (move) {
       begin_jog(*next, *move);
       return;
     }
+    say("the jog that was to follow is left out: " + std::string(move.error()));
   }
   leave_manual_for(is_suspended_ ? State::held : State::idle);
 }
@@ -228,10 +230,14 @@ void Controller::Impl::follow_homing() {
 }
 
 void Controller::Impl::fail_to_home(const std::string& why) {
+  say(why);
+  leave_for(State::fault);
+}
+
+void Controller::Impl::say(const std::string& text) {
   events_.note({.kind = ControllerEvent::Kind::message,
                 .state = state_.state(),
-                .message = messages_.add({.text = why})});
-  leave_for(State::fault);
+                .message = messages_.add({.text = text})});
 }
 
 }  // namespace kerf

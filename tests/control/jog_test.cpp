@@ -101,6 +101,18 @@ TEST(Jog, TurnsToAnotherDirectionFromRest) {
   shop.go_until(State::idle);
 }
 
+// It was possible when it was asked for, as the one before it had not come to the travel's end yet.
+TEST(Jog, ThatIsNotPossibleOnceItsTurnComesIsSaidToBeLeftOut) {
+  JogShop shop;
+  shop.jog({.mm = {400.0, 0.0, 0.0}, .is_step = true});
+  EXPECT_EQ(shop.go(300), State::jogging);
+  shop.jog({.mm = {10.0, 0.0, 0.0}, .is_step = true, .step_mm_s = 5.0});
+  shop.go_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 400.0);
+  EXPECT_EQ(shop.told(),
+            "the jog that was to follow is left out: an axis is at the end of its travel");
+}
+
 TEST(Jog, IsRefusedWhereItMakesNoSense) {
   JogShop shop;
   EXPECT_EQ(shop.controller.jog({}).error().reason, "no axis is to move");

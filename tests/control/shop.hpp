@@ -89,6 +89,18 @@ struct Shop {
     ASSERT_TRUE(given) << line << ": " << given.error().reason;
     tick_until(State::idle);
   }
+  // The last message.
+  [[nodiscard]] std::string told() const {
+    std::array<ControllerEvent, ControllerEvent::kKept> events;
+    const std::size_t count = controller.events_since(1, events);
+    std::string told;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (events[i].kind == ControllerEvent::Kind::message) {
+        told = controller.message(events[i].message)->text;
+      }
+    }
+    return told;
+  }
 
   MachineSettings machine;
   Controller controller;
@@ -112,15 +124,7 @@ struct HomingShop : Shop {
   void fails_to_home(const std::string& why) {
     give(Command::home);
     tick_until(State::fault);
-    std::array<ControllerEvent, ControllerEvent::kKept> events;
-    const std::size_t count = controller.events_since(1, events);
-    std::string told;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (events[i].kind == ControllerEvent::Kind::message) {
-        told = controller.message(events[i].message)->text;
-      }
-    }
-    EXPECT_EQ(told, why);
+    EXPECT_EQ(told(), why);
   }
 };
 
