@@ -15,6 +15,9 @@ namespace {
 // Of the estimated motion that a cell lasts.
 constexpr double kMinTicks = 1.0;
 constexpr double kMaxTicks = 8.0;
+// Where the feedrate rises or falls for seconds, a window is to reach from a rest to the next one:
+// it has no more cells than this on the way up, and as many on the way down.
+constexpr double kMaxOnLeg = 1000.0;
 constexpr double kGrowth = 0.08;  // of a cell over its distance from where something happens
 // Curvature, or a change of feedrate, takes part in the limits where it takes this share of one.
 constexpr double kTakesPart = 0.05;
@@ -172,9 +175,9 @@ void GridScan::find_motion(const std::vector<Cell>& cells, const PlanLimits& lim
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double a = tangential_acceleration_mm_s2(cells[i], cells[i].begin, limits);
     const double j = tangential_jerk_mm_s3(cells[i], cells[i].begin, limits);
-    const double min_s = kMinTicks * limits.period_s;
-    const double max_s =
-        std::clamp(cell_time_s(legs[i], a / j), min_s, kMaxTicks * limits.period_s);
+    const double min_s = std::max(kMinTicks * limits.period_s, legs[i] / kMaxOnLeg);
+    const double max_s = std::clamp(cell_time_s(legs[i], a / j), min_s,
+                                    std::max(kMaxTicks * limits.period_s, min_s));
     const double v = std::max(feeds_mm_s_[i], feeds_mm_s_[i + 1]);
     const double change = change_mm(cells[i], {.v_mm_s = v, .a_mm_s2 = a}, limits);
     for (const std::size_t place : {i, i + 1}) {
