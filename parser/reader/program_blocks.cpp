@@ -160,6 +160,7 @@ bool ProgramRun::act_on_comment(const NumberedLine& line) {
     return false;
   }
   if (comment->kind) {
+    any_block_ = any_block_ || options_.one_line;
     if (options_.keeps_messages && messages_.size() < kMaxMessages) {
       messages_.push_back({.block = interpreter_.blocks_run() + 1,
                            .message = {.kind = *comment->kind,

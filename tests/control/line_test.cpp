@@ -106,6 +106,13 @@ TEST(Line, SaysWhatItHasToSayHoweverShortItIs) {
   EXPECT_EQ(told, "one;two;");
 }
 
+TEST(Line, MayBeAMessageAlone) {
+  LineShop shop;
+  shop.run_mdi("(MSG, the vice is at the left)");
+  EXPECT_EQ(shop.told(), "the vice is at the left");
+  EXPECT_FALSE(shop.controller.run_mdi("(nobody hears this)"));
+}
+
 TEST(Line, HasTheToolThatWasSetBehindTheLineBefore) {
   LineShop shop;
   shop.run_mdi("G21 G90 G0 X1");
