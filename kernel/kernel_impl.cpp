@@ -1,6 +1,7 @@
 #include "kernel/kernel_impl.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "kernel/program_state.hpp"
 
@@ -37,6 +38,20 @@ void Kernel::Impl::follow_tool() {
   notes_.follow({.path_mm = interpolator_.reached_path_mm(),
                  .moved_s = static_cast<double>(interpolator_.plan_tick()) * period_s_,
                  .feed_override = feed_share()});
+}
+
+// Also in what it began with: a program that is refused leaves that.
+bool Kernel::Impl::set_tool(const Tool& tool) {
+  if (!is_possible(tool)) {
+    return false;
+  }
+  pipeline_.set_tool(tool);
+  if (begins_with_.content() != nullptr) {
+    ProgramState::Content content = *begins_with_.content();
+    content.of_reader.machine.tools.put(tool);
+    begins_with_ = ProgramState(std::move(content));
+  }
+  return true;
 }
 
 // A program that was stopped, or ended before an error, is behind what was read.

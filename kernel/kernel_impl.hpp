@@ -95,13 +95,7 @@ class KERF_LOCAL Kernel::Impl {
   bool set_feed_inputs(const FeedInputs& inputs);
   void set_single_block(bool on);
   void set_optional_stop(bool on) { pipeline_.set_optional_stop(on); }
-  bool set_tool(const Tool& tool) {
-    const bool possible = is_possible(tool);
-    if (possible) {
-      pipeline_.set_tool(tool);
-    }
-    return possible;
-  }
+  bool set_tool(const Tool& tool);
   void set_block_delete(const BlockDelete& switches) { pipeline_.set_block_delete(switches); }
   [[nodiscard]] const Overrides& overrides() const noexcept { return overrides_; }
 

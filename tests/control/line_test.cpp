@@ -121,6 +121,15 @@ TEST(Line, HasTheToolThatWasSetBehindTheLineBefore) {
   EXPECT_EQ(shop.setpoint.position_mm[2], 8.0);
 }
 
+TEST(Line, HasTheToolThatWasSetBehindALineThatWasRefused) {
+  LineShop shop;
+  shop.run_mdi("G21 G90 G0 X1");
+  EXPECT_FALSE(shop.controller.run_mdi("G1 Y"));
+  ASSERT_TRUE(shop.controller.set_tool({.number = 2, .pocket = 2, .offset_mm = {0.0, 0.0, 7.0}}));
+  shop.run_mdi("G43 H2 G0 Z1");
+  EXPECT_EQ(shop.setpoint.position_mm[2], 8.0);
+}
+
 TEST(Line, LeavesWhatIsInForceToTheNextProgram) {
   LineShop shop;
   shop.run_mdi("G10 L2 P1 X30");
