@@ -111,7 +111,8 @@ class Journal(Case):
         process.wait()
         words = ["run", program, "--machine", str(table), "--continue"]
         self.kerf(*words, status=2)
-        self.assertIn("is not the program", self.kerf(*words, "--block-delete", status=1).stderr)
+        for other in (["--block-delete"], ["--start", "0,0,10"]):
+            self.assertIn("is not the program", self.kerf(*words, *other, status=1).stderr)
         done = self.kerf(*words, "--g54", "50,0,0", "--json", status=3)
         self.assertIn("the machine is not that", done.stderr)
         self.assertEqual(json.loads(done.stdout)["exit_status"], 3)

@@ -41,6 +41,9 @@ tl::expected<std::uint64_t, std::string> ProgramMark::of(ProgramFile& file,
   for (unsigned number = 1; number <= BlockDelete::kSwitches; ++number) {
     mark.add(options.block_delete.is_on(number) ? "\n1" : "\n0");
   }
+  for (const double place_mm : options.start_mm) {
+    mark.add(fmt::format("\nstart {}", place_mm));
+  }
   return mark.value();
 }
 

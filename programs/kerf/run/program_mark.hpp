@@ -1,5 +1,5 @@
-// Tells whether a program is the one that it was: its text, that of its subprograms, and how they
-// are read.
+// Tells whether a program is the one that it was: its text, that of its subprograms, how they are
+// read, and where the tool begins.
 #pragma once
 
 #include <cstdint>

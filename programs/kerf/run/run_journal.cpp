@@ -46,7 +46,7 @@ std::optional<RunJournal> RunJournal::prepare(
   } else if (before->run.program != *program) {
     report.fail(ExitStatus::program_error,
                 report.file + " is not the program of " + options.journal_file +
-                    ": it, a subprogram or how they are read was changed since");
+                    ": it, a subprogram, how they are read or --start was changed since");
   } else if (before->run.machine != options.machine_checksum) {
     report.fail(ExitStatus::settings_error,
                 "the machine is not that of " + options.journal_file +
