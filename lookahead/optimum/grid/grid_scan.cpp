@@ -175,7 +175,9 @@ void GridScan::find_motion(const std::vector<Cell>& cells, const PlanLimits& lim
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const double a = tangential_acceleration_mm_s2(cells[i], cells[i].begin, limits);
     const double j = tangential_jerk_mm_s3(cells[i], cells[i].begin, limits);
-    const double min_s = std::max(kMinTicks * limits.period_s, legs[i] / kMaxOnLeg);
+    const bool is_level = std::abs(feeds_mm_s_[i + 1] - feeds_mm_s_[i]) <= kFlat * feeds_mm_s_[i];
+    const double min_s =
+        std::max(kMinTicks * limits.period_s, is_level ? 0.0 : legs[i] / kMaxOnLeg);
     const double max_s = std::clamp(cell_time_s(legs[i], a / j), min_s,
                                     std::max(kMaxTicks * limits.period_s, min_s));
     const double v = std::max(feeds_mm_s_[i], feeds_mm_s_[i + 1]);
