@@ -41,8 +41,7 @@ struct Fallback {
 // Nothing: it is slower, or would cost too much to find out. Where the searches ended well it is
 // asked for lines and arcs, for curves without limits of axes, and for short curves that come to
 // rest within or whose curvature jumps: the others are planned in less time than it takes. Where
-// they did not, the blocks are at least two, or what would be run instead was tried: on a single
-// curve, the optimum with a rest inside is faster than the classical plan.
+// they did not, the blocks are at least two, or what would be run instead was tried.
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings);
 

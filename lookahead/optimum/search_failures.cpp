@@ -27,7 +27,7 @@ PlannedCells OptimumSchedule::tried_to_block_end(const FoundPlan& found, const W
   while (first_block < waiting_.size() && !waiting_[first_block - 1].ends_block) {
     ++first_block;
   }
-  if (!found.is_shorter || planned.count >= first_block || first_block > kFewCells) {
+  if (!planned.failed || planned.count > first_block || first_block > kFewCells) {
     return planned;
   }
   Settings settings = settings_;
