@@ -173,7 +173,8 @@ std::optional<std::string> RecordReader::look(double period_s) {
     return fmt::format("the record has a period of {} s, this machine {} s", head.period_s,
                        period_s);
   }
-  calls_ = {reinterpret_cast<const RecordedCall*>(at + sizeof head), end.calls};
+  calls_ = {reinterpret_cast<const RecordedCall*>(at + sizeof head),
+            static_cast<std::size_t>(end.calls)};
   for (std::size_t i = 0; i < calls_.size(); ++i) {
     const auto told = told_from(calls_[i].told);
     const auto answer = answer_from(calls_[i].answer);
