@@ -14,12 +14,12 @@ namespace kerf::lookahead {
 // What is planned twice, to take the better plan, holds no more.
 inline constexpr std::size_t kFewCells = 3000;
 
-// How long the schedule takes from rest over the first blocks to rest at the end of the last. A
-// rest within lasts until the next tick.
 struct FirstBlocks {
   const Window<Block>* blocks = nullptr;
   std::size_t count = 0;
 };
+// How long the schedule takes from rest over the first blocks to rest at the end of the last. A
+// rest within lasts until the next tick.
 double duration_from_rest_s(Schedule& schedule, const FirstBlocks& first, const PlanLimits& limits);
 
 // The first waiting cells, from a rest at the begin of a block on, as many as plans cover.
