@@ -115,7 +115,8 @@ void RecordWriter::work() noexcept {
 
 void RecordWriter::write(std::span<const std::byte> bytes) noexcept {
   if (error_ == 0) {
-    error_ = file_.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    const void* const data = bytes.data();
+    error_ = file_.write({static_cast<const char*>(data), bytes.size()});
   }
 }
 
@@ -173,8 +174,8 @@ std::optional<std::string> RecordReader::look(double period_s) {
     return fmt::format("the record has a period of {} s, this machine {} s", head.period_s,
                        period_s);
   }
-  calls_ = {reinterpret_cast<const RecordedCall*>(at + sizeof head),
-            static_cast<std::size_t>(end.calls)};
+  const void* const calls = at + sizeof head;
+  calls_ = {static_cast<const RecordedCall*>(calls), static_cast<std::size_t>(end.calls)};
   for (std::size_t i = 0; i < calls_.size(); ++i) {
     const auto told = told_from(calls_[i].told);
     const auto answer = answer_from(calls_[i].answer);
