@@ -62,7 +62,7 @@ TEST(BlockSegments, PassOverValleysThatHardlyBind) {
 }
 
 // Shallow valleys beside deep ones: only some are worth it.
-TEST(BlockSegments, TakeLessTimeThanWithAllValleysOrNone) {
+TEST(BlockSegments, TakeLessTimeThanWithAllValleys) {
   for (const auto kind : {profiles::ProfileKind::s_curve, profiles::ProfileKind::quintic}) {
     const Cuts cuts = cuts_of(wave(40, 5.0), kind);
     EXPECT_GT(cuts.chosen.segments, 10U);
