@@ -30,6 +30,7 @@ bool may_lock_all() noexcept {
 }
 
 [[gnu::noinline]] void touch_stack() noexcept {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): a byte a page will do
   std::array<volatile char, std::size_t{256} * 1024> room;
   for (std::size_t at = 0; at < room.size(); at += 1024) {
     room[at] = 0;
