@@ -52,5 +52,28 @@ TEST(WaitingCells, LoseNoBlockWhereOnlyCellsStopAtItsBegin) {
   EXPECT_GT(seen, 0);
 }
 
+// A line behind a rest may wait as it is, but not where the motion is on it already.
+TEST(WaitingCells, AreCellsOfABlockThatTheMotionIsOn) {
+  const PlanLimits limits = mill();
+  const std::vector<Block> blocks = blocks_of(
+      {line_move({{0, 0, 0}, {10, 0, 0}}, 50.0), line_move({{10, 0, 0}, {0, 0, 0}}, 50.0)}, limits);
+  ASSERT_EQ(junction_of({.before = &blocks[0], .after = &blocks[1]}, limits).feedrate_mm_s, 0.0);
+  WaitingCells waiting(limits);
+  Window<Block> window;
+  for (const Block& block : blocks) {
+    window.push_back(Block(block));
+    waiting.push_as_cells(window);
+  }
+  waiting.close(window);
+  waiting.begin_at({.block = 1, .s_mm = 0.001}, window);
+  double length_mm = 0.0;
+  for (std::size_t i = 0; i < waiting.size(); ++i) {
+    length_mm += waiting[i].length_mm;
+    EXPECT_LT(waiting[i].along.jerk_mm_s3, kUnbounded);
+    EXPECT_LT(waiting[i].end.feedrate_mm_s, kUnbounded);
+  }
+  EXPECT_NEAR(length_mm, 9.999, 1e-9);
+}
+
 }  // namespace
 }  // namespace kerf::lookahead::test

@@ -30,10 +30,12 @@ class WaitingCells {
 
   // The window's last block.
   void push(const Window<Block>& blocks);
-  // The same, as cells though it may be an independent line. Close with close_as_cells().
+  // The same, as cells though it may be an independent line, even behind a rest: the motion may be
+  // on it already.
   void push_as_cells(const Window<Block>& blocks) {
     const std::uint64_t number = pushed_++;
     push_cells(number, blocks);
+    open_->whole_line = false;
   }
   // The last block that was pushed ends at rest.
   void close_as_cells(const Window<Block>& blocks) { close_as_cells({}, blocks); }
