@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -109,12 +110,29 @@ inline std::string text_of(const Move& move) {
   } else if (const auto* dwell = std::get_if<DwellMove>(&move.shape)) {
     out << "dwell " << dwell->duration_s;
   } else {
-    static constexpr const char* kNames[] = {
-        "program stop",     "optional stop",  "program end",   "spindle cw",
-        "spindle ccw",      "spindle off",    "tool",          "mist on",
-        "flood on",         "coolant off",    "pallet",        "tool number",
-        "orient",           "digital",        "analog",        "digital at motion",
-        "analog at motion", "speed override", "adaptive feed", "feed stop"};
+    static constexpr std::array kNames = {"program stop",
+                                          "optional stop",
+                                          "program end",
+                                          "spindle cw",
+                                          "spindle ccw",
+                                          "spindle off",
+                                          "tool",
+                                          "mist on",
+                                          "flood on",
+                                          "coolant off",
+                                          "pallet",
+                                          "tool number",
+                                          "orient",
+                                          "digital",
+                                          "analog",
+                                          "digital at motion",
+                                          "analog at motion",
+                                          "speed override",
+                                          "adaptive feed",
+                                          "feed stop",
+                                          "probe",
+                                          "question"};
+    static_assert(kNames.size() == static_cast<std::size_t>(EventKind::ask_machine) + 1);
     const auto& event = std::get<EventMove>(move.shape);
     out << kNames[static_cast<int>(event.kind)] << ' ';
     if (event.kind >= EventKind::digital_output && event.kind <= EventKind::analog_at_motion) {
