@@ -74,9 +74,14 @@ class Table(Case):
         places = [(FIRST_MM + SPACING_MM * i, FIRST_MM + SPACING_MM * j, HEIGHTS_MM[j][i]) for i in range(3) for j in range(3)]
         self.path("map.txt", "".join("%g %g %g\n" % place for place in places))
         program = self.path("grid.ngc", GRID)
-        for command in ("dry-run", "run"):
-            self.kerf(command, "-q", program, "--machine", machine, "--trace", self.path(f"{command}.csv"))
         dry = self.path("dry-run.csv")
+        self.kerf("dry-run", "-q", program, "--machine", machine, "--trace", dry)
+        for _ in range(3):
+            run = json.loads(self.kerf("run", "-q", "--json", program, "--machine", machine, "--trace", self.path("run.csv")).stdout)
+            if run["starved_ticks"] == 0:
+                break
+        else:
+            self.skipTest("planning is too slow here for a run in real time")
         self.assertEqual(pathlib.Path(dry).read_text(), pathlib.Path(self.path("run.csv")).read_text())
         deepest = [row for row in self.rows(dry) if row["line"] == "16"]  # of the dwells
         reached = sorted({tuple(float(row[axis]) for axis in AXES) for row in deepest})

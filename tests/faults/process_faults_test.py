@@ -249,6 +249,8 @@ class ProcessFaults(Case):
     # The system around it
 
     def test_row_78_without_memory_or_threads_nothing_moves(self):
+        if b"__asan_init" in pathlib.Path(KERF).read_bytes():
+            self.skipTest("a sanitizer asks for memory of its own")
         square = self.path("square.ngc", SQUARE)
         seen = set()
         for mega in (16, 18, 20, 22, 24, 28, 32, 64, 128):
@@ -256,8 +258,6 @@ class ProcessFaults(Case):
                 done = self.limited(words, RLIMIT_AS=mega << 20)
                 if done.returncode == 127:
                     break  # not even the system's own loader has enough
-                if "AddressSanitizer" in done.stderr:
-                    self.skipTest("a sanitizer asks for memory of its own")
                 seen.add(done.returncode)
                 self.assertIn(done.returncode, (0, 5), (mega, words, done.stderr))
                 if done.returncode == 5:
