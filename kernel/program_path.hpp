@@ -65,7 +65,7 @@ class ProgramPath {
   // The programmed end of what was read so far; nothing if the program has an error.
   [[nodiscard]] std::optional<PlaceOfTool> programmed_end() const;
   // Of the move read last, or of the segment that was cut.
-  [[nodiscard]] std::uint32_t line() const noexcept { return source_.line; }
+  [[nodiscard]] std::uint32_t line() const noexcept { return source_.program_line(); }
   [[nodiscard]] bool has_errors() const { return failed_ || reader_.has_errors(); }
   // The error is a move that leaves the travel.
   [[nodiscard]] bool left_travel() const noexcept { return left_travel_; }

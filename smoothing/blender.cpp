@@ -183,8 +183,7 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
       marks_along(chosen.blend, chosen.way_mm, before.segment, after.segment);
   PathSegment segment{.curve = std::move(chosen.blend.curve)};
   segment.marks = std::move(marks);
-  segment.source = before.segment.source;
-  segment.source.line = segment.marks.front().line;
+  segment.source = {.line = segment.marks.front().line, .column = before.segment.source.column};
   segment.run_block = segment.marks.front().run_block;
   segment.corner_block = after.segment.mark_at(0.0).run_block;
   segment.rapid = before.segment.rapid && after.segment.rapid;
@@ -211,8 +210,7 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   second.curve = *curves::part(segment.curve, {s, curves::length_mm(segment.curve)});
   segment.curve = *curves::part(segment.curve, {0.0, s});
   shift_marks(second, s);
-  second.source = after.segment.source;
-  second.source.line = second.marks.front().line;
+  second.source = {.line = second.marks.front().line, .column = after.segment.source.column};
   second.run_block = second.marks.front().run_block;
   segment.corner_block = 0;  // `second` leads into it
   std::erase_if(segment.marks, [s](const LineMark& mark) { return mark.s_mm >= s; });

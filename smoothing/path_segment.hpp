@@ -15,7 +15,8 @@
 
 namespace kerf::smoothing {
 
-// From s_mm on, counted on the segment's curve, the motion belongs to this line of the program.
+// From s_mm on, counted on the segment's curve, the motion belongs to this line of the program
+// (SourcePosition::program_line).
 struct LineMark {
   double s_mm = 0.0;
   std::uint32_t line = 0;
@@ -50,7 +51,7 @@ struct PathSegment {
   bool stop_after = false;
   // The normal axis of the arc that it was programmed as. A spiral is a NurbsCurve with one.
   std::optional<int> arc_normal{};
-  // Empty: all of it belongs to source.line. Else the first is at 0.
+  // Empty: all of it belongs to the line of `source`. Else the first is at 0.
   std::vector<LineMark> marks{};
   // Changes that come with the first tick on it.
   std::vector<parser::EventMove> changes{};
@@ -65,7 +66,7 @@ struct PathSegment {
     return corner_block != 0 ? corner_block : run_block;
   }
   [[nodiscard]] LineMark mark_at(double s_mm) const {
-    return smoothing::mark_at(marks, s_mm, {.line = source.line, .run_block = run_block});
+    return smoothing::mark_at(marks, s_mm, {.line = source.program_line(), .run_block = run_block});
   }
 };
 

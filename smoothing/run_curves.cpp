@@ -145,7 +145,7 @@ void RunCurves::append_merged(const Polyline& run, MergedCurve merged,
 void RunCurves::widen(const Place& place, double distance_mm) {
   deviations_.add({.distance_mm = distance_mm + settings_.beside_mm,
                    .at_mm = place.at_mm,
-                   .line = place.vertex.source.line,
+                   .line = place.vertex.source.program_line(),
                    .tolerance_mm = like_.merge_tolerance_mm});
 }
 

@@ -62,7 +62,7 @@ PathSegment segment_of(curves::Curve curve, const Polyline& run, const MergedCur
   if (to - from > 1) {
     for (std::size_t i = from; i < to; ++i) {
       segment.marks.push_back({.s_mm = merged.s_mm[i - merged.first] - s_begin,
-                               .line = run[i + 1].source.line,
+                               .line = run[i + 1].source.program_line(),
                                .run_block = run[i + 1].run_block});
     }
   }

@@ -37,6 +37,12 @@ struct SourcePosition {
   std::uint32_t column = 0;  ///< 1-based, in bytes
   std::uint16_t file =
       0;  ///< 0: the program itself; else a subprogram's, which Diagnostic::file names
+  std::uint32_t calling_line = 0;  ///< of a subprogram's file: where the program calls it
+
+  /// The line of the program itself that the place belongs to.
+  [[nodiscard]] std::uint32_t program_line() const noexcept {
+    return file == 0 ? line : calling_line;
+  }
 };
 
 /// A line of the program, or a part of it, in a form that can be shown.

@@ -32,7 +32,7 @@ bool is_bounded(const BlockLimits& limits) {
 // The curve and what comes with it, without limits.
 Block path_of(PathSegment segment) {
   Block block{.curve = std::move(segment.curve)};
-  block.line = segment.source.line;
+  block.line = segment.source.program_line();
   block.run_block = segment.run_block;
   block.rapid = segment.rapid;
   block.feedrate_mm_s = segment.rapid ? kUnbounded : segment.feedrate_mm_s;

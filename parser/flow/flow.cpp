@@ -75,7 +75,7 @@ void Flow::enter_text(ProgramText& text, std::uint32_t line) {
   if (&text != text_) {
     text_ = &text;
     diagnostics_->enter_file(text.origin().file, text.origin().file_name);
-    interpreter_->enter_file(text.origin().file);
+    interpreter_->enter_file({.file = text.origin().file, .calling_line = calling_line()});
   }
   cursor_ = line;
 }

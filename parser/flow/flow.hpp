@@ -116,6 +116,11 @@ class Flow {
     std::uint64_t runs = 0;       // that are still to come
     std::size_t counters = 0;     // of the caller in counters_
     std::size_t arguments = 0;    // in arguments_
+
+    // The number of the call's line in `text`.
+    [[nodiscard]] std::uint32_t calling_line() const {
+      return text->number_of(line == 0 ? 0 : line - 1);
+    }
   };
   struct Target {
     std::uint32_t number = 0;
@@ -172,6 +177,8 @@ class Flow {
   Found find_local();
   ProgramText* load(const std::string& label);
   void enter(const Found& found);
+  // Of the open calls the last one in the program itself; 0: none is.
+  [[nodiscard]] std::uint32_t calling_line() const;
   void leave();
   void call_not_found();
 

@@ -179,6 +179,11 @@ void Flow::enter(const Found& found) {
   enter_text(*found.text, found.entry);
 }
 
+std::uint32_t Flow::calling_line() const {
+  const auto frame = std::ranges::find(frames_.rbegin(), frames_.rend(), main_.get(), &Frame::text);
+  return frame == frames_.rend() ? 0 : frame->calling_line();
+}
+
 // Back to the caller, or once more through a subprogram that was called with L.
 void Flow::leave() {
   Frame& frame = frames_.back();

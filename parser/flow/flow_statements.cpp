@@ -17,14 +17,13 @@ void Flow::watch() {
 }
 
 void Flow::watch(const NumberedLine& line) const {
-  const std::uint16_t file = active_ ? text_->origin().file : std::uint16_t{0};
   UpcomingBlock block{.text = line.text,
-                      .source = {.line = line.number, .column = 1, .file = file},
+                      .source = interpreter_->in_file({.line = line.number, .column = 1}),
                       .state = interpreter_->state(),
                       .blocks_before = interpreter_->blocks_run(),
                       .in_curve = interpreter_->in_curve()};
   for (const Frame& frame : frames_) {
-    block.calls.push_back(frame.text->number_of(frame.line == 0 ? 0 : frame.line - 1));
+    block.calls.push_back(frame.calling_line());
   }
   options_->watcher->about_to_run(block);
 }

@@ -26,11 +26,12 @@ void Interpreter::report(std::uint32_t line, const diagnostics::Fault& fault) {
 void Interpreter::run(const BlockWords& block, std::uint32_t line, bool complete) {
   memory_.line = line;
   column_ = block.first_word + 1;
-  const RunningBlock at{{moves_, {line, column_, file_}, ++blocks_run_, memory_.machine.extra_axes},
-                        block,
-                        codes_,
-                        *diagnostics_,
-                        *rules_};
+  const RunningBlock at{
+      {moves_, in_file({line, column_}), ++blocks_run_, memory_.machine.extra_axes},
+      block,
+      codes_,
+      *diagnostics_,
+      *rules_};
   if (curves_.skipping() && !leaves_skipped_curve(at, complete)) {
     recover(at);
     return;
@@ -73,14 +74,14 @@ void Interpreter::end(std::uint32_t last_line, std::string_view where) {
     curves_.abandon(memory_.state);
   }
   if (compensation_.busy()) {
-    compensation_.finish(diagnostics_->place({last_line, 1, file_}));
-    compensate_moves({last_line, 1, file_});
+    const diagnostics::SourcePosition last = in_file({last_line, 1});
+    compensation_.finish(diagnostics_->place(last));
+    compensate_moves(last);
   }
 }
 
-void Interpreter::end_program(diagnostics::SourcePosition source) {
-  source.file = file_;
-  const MoveSink at{moves_, source, blocks_run_, memory_.machine.extra_axes};
+void Interpreter::end_program(const diagnostics::SourcePosition& source) {
+  const MoveSink at{moves_, in_file(source), blocks_run_, memory_.machine.extra_axes};
   at.push_event(memory_.state, {EventKind::program_end});
   program_ended_ = true;
 }
@@ -194,7 +195,7 @@ void Interpreter::leave_subprogram() {
   const std::optional<ModalState> saved = saved_modes_.leave_subprogram();
   memory_.open_calls = saved_modes_.open_calls();
   if (saved) {
-    bring_back({moves_, {memory_.line, column_, file_}, blocks_run_, memory_.machine.extra_axes},
+    bring_back({moves_, in_file({memory_.line, column_}), blocks_run_, memory_.machine.extra_axes},
                *saved);
   }
 }

@@ -37,10 +37,16 @@ class Interpreter {
   [[nodiscard]] Letters axis_letters() const { return kAxisLetters | memory_.machine.extra_axes; }
   // The line that is about to be read: what it works out may ask for its number.
   void enter_line(std::uint32_t line) { memory_.line = line; }
-  // The blocks that follow are of this file: the index in their moves' SourcePosition.
-  void enter_file(std::uint16_t file) {
-    file_ = file;
+  // The blocks that follow are of that place's file, called from there.
+  void enter_file(const diagnostics::SourcePosition& place) {
+    file_ = place;
     reported_line_ = 0;
+  }
+  // Of the file that is read: of `at` line and column count.
+  [[nodiscard]] diagnostics::SourcePosition in_file(diagnostics::SourcePosition at) const {
+    at.file = file_.file;
+    at.calling_line = file_.calling_line;
+    return at;
   }
   // Says that no block will follow: a curve that is still open is an error.
   void end(std::uint32_t last_line, std::string_view where);
@@ -63,7 +69,7 @@ class Interpreter {
   // Of the last block that ran, which asked.
   void take_answer(const MachineQuestion& question, const MachineAnswer& answer);
   // Ends the program as M2 does.
-  void end_program(diagnostics::SourcePosition source);
+  void end_program(const diagnostics::SourcePosition& source);
 
  private:
   // interpreter.cpp
@@ -128,9 +134,9 @@ class Interpreter {
   BlockCodes codes_;                    // the same
   AskedProbe asked_;                    // by the last G38
   std::uint64_t blocks_run_ = 0;
-  std::uint32_t column_ = 0;         // of the last block that ran
-  std::uint32_t reported_line_ = 0;  // one error per block
-  std::uint16_t file_ = 0;
+  std::uint32_t column_ = 0;          // of the last block that ran
+  std::uint32_t reported_line_ = 0;   // one error per block
+  diagnostics::SourcePosition file_;  // whose blocks run; its line counts for nothing
   bool program_ended_ = false;
 };
 

@@ -162,10 +162,11 @@ bool ProgramRun::act_on_comment(const NumberedLine& line) {
   if (comment->kind) {
     any_block_ = any_block_ || options_.one_line;
     if (options_.keeps_messages && messages_.size() < kMaxMessages) {
-      messages_.push_back({.block = interpreter_.blocks_run() + 1,
-                           .message = {.kind = *comment->kind,
-                                       .line = line.number,
-                                       .text = message_text(*comment, parameters_)}});
+      messages_.push_back(
+          {.block = interpreter_.blocks_run() + 1,
+           .message = {.kind = *comment->kind,
+                       .line = interpreter_.in_file({.line = line.number}).program_line(),
+                       .text = message_text(*comment, parameters_)}});
     }
     return false;
   }

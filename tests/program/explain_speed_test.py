@@ -34,6 +34,20 @@ class ExplainSpeed(Case):
         self.assertEqual(report["speed_limit_at"]["limit"], "programmed_feedrate")
         self.assertAlmostEqual(report["speed_limit_at"]["v_mm_s"], 50.0)
 
+    def test_counts_what_a_file_of_its_own_runs_for_the_line_that_calls_it(self):
+        self.path("twice.ngc", "o<twice> sub\nX#1\nX0\no<back> call [#1]\no<twice> endsub\nM2\n")
+        self.path("back.ngc", "o<back> sub\n\nY#1\nG4 P1\nY0\no<back> endsub\nM2\n")
+        self.path("round.ngc", "o<round> sub\no<inner> call\nX3\no<round> endsub\nM2\n")
+        program = self.path("a.ngc", "G21 G90 G61 F600\nG1 X30\nX0\n\no<twice> call [10]\no<inner> sub\nX5\no<back> call [5]\n"
+                                     "o<inner> endsub\no<round> call\nX0\nM2\n")
+        trace = self.path("out.csv")
+        report = json.loads(self.kerf("dry-run", program, "--explain-speed=5", "--json", "--trace", trace).stdout)
+        with open(trace) as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(sorted({int(row["line"]) for row in rows}), [2, 3, 5, 7, 8, 10, 11, 12])
+        self.assertEqual(sum(row["line"] == "5" and row["limit"] == "rest" for row in rows), 1000)
+        self.assertEqual(report["speed_limits_of_lines"][0]["limits"]["rest"]["time_s"], 1.0)
+
     def test_leaves_trace_and_report_as_they_are_where_it_is_not_asked_for(self):
         trace = self.path("out.csv")
         done = self.kerf("dry-run", self.path("a.ngc", self.PROGRAM), "--json", "--trace", trace)
