@@ -63,6 +63,7 @@ struct Options {
   std::string replay_file;             // the machine answers as this one says; empty: it does not
   profiles::ProfileKind profile = profiles::kDefaultProfile;
   std::optional<double> sigmoid_shape;
+  double feed_override = 1.0;  // of all commands that move but run, whose operator gives it
   std::optional<std::string> trace_file;
   std::optional<std::string> plot_file;
   std::optional<std::string> flight_file;  // what was before a fault

@@ -8,9 +8,26 @@ from command_line import Case, SOURCE, SQUARE, WRONG, main
 
 
 class Json(Case):
-    KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "period_s", "path_boxes", "fit", "cycle_time_s", "ticks",
+    KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "feed_override", "period_s", "path_boxes", "fit", "cycle_time_s", "ticks",
             "path_length_mm", "blocks", "extents", "path_modes", "waits", "deviation", "time_split", "approach", "max", "limits_exceeded", "chord_error_mm", "contour_error",
             "following_error", "starved_ticks", "warnings", "errors", "elapsed")
+
+    def test_a_feed_override_is_what_an_operator_would_make_of_the_feedrate(self):
+        program = self.path("line.ngc", "G21 G90 G61\nG1 F600 X100\nG0 X0\nM2\n")
+        machine = self.path("slow.toml", "[path]\nmax_velocity_mm_s = 15\nmax_acceleration_mm_s2 = 100\nmax_jerk_mm_s3 = 1000\n")
+        for profile in ("s-curve", "time-optimal"):
+            # A ramp to v with acceleration a and jerk j takes v / a + a / j, or 2 sqrt(v / j) below a^2 / j = 10 mm/s; there and back half of it
+            # is lost against v. The rapid is the machine's.
+            def time_s(v):
+                return 100.0 / v + (v / 100.0 + 0.1 if v >= 10.0 else 2.0 * (v / 1000.0) ** 0.5)
+            for percent, v in ((50, 5.0), (100, 10.0), (120, 12.0), (200, 15.0)):
+                report = json.loads(self.kerf("dry-run", program, "--machine", machine, "--profile", profile, "--feed-override", str(percent), "--json").stdout)
+                self.assertEqual(report["feed_override"], percent / 100)
+                self.assertEqual(report["profile"], profile)
+                self.assertAlmostEqual(report["cycle_time_s"], time_s(v) + time_s(15.0), delta=0.003)
+        self.assertIn("  feed override   80 %\n", self.kerf("dry-run", program, "--feed-override", "80").stdout)
+        for wrong in ("0", "201", "nan", "-5"):
+            self.assertIn("--feed-override: 1 to 200 percent", self.kerf("dry-run", program, f"--feed-override={wrong}", status=2).stderr)
 
     def test_lists_where_a_program_waits_and_the_time_that_the_machine_file_gives_it(self):
         part = self.path("waits.ngc", "G21 G90 G61 F6000\nG1 X10\nM3 S1000\nM1\nM0\nS2000\nM5\nM4\nT2 M6\nM60\nG1 X0\nM2\n")

@@ -53,6 +53,7 @@ void write_files(const Json& files) {
 kerf::program::Options options_of(const Json& order) {
   kerf::program::Options options{.command = kerf::program::Subcommand::report};
   options.profile = kerf::profile_kind(order.at("profile").get<std::string>()).value();
+  options.feed_override = order.at("feed_override").get<double>();
   options.explained_speed.emplace();
   options.max_time_s = kMaxTime_s;
   options.max_moves = kMaxMoves;
@@ -60,8 +61,9 @@ kerf::program::Options options_of(const Json& order) {
   return options;
 }
 
-// {"files": [{"name", "text"}, ...], "machine": {"name", "text"}, "profile": "s-curve"}. The first
-// file is the program, the others its subprograms; an empty text is the default machine.
+// {"files": [{"name", "text"}, ...], "machine": {"name", "text"}, "profile": "s-curve",
+// "feed_override": 1.0}. The first file is the program, the others its subprograms; an empty text
+// is the default machine.
 std::string plan(const Json& order) {
   const Json& machine = order.at("machine");
   const auto machine_name = machine.at("name").get<std::string>();

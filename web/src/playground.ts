@@ -21,7 +21,7 @@ const TYPING_MS = 250; // a text that rests so long is planned
 
 const writing = [history(), keymap.of([...defaultKeymap, ...historyKeymap])];
 
-const isSame = (a: Order, b: Order): boolean => a.files === b.files && a.machine === b.machine && a.profile === b.profile;
+const isSame = (a: Order, b: Order): boolean => a.files === b.files && a.machine === b.machine && a.profile === b.profile && a.feed_override === b.feed_override;
 
 class Playground implements PlanSource {
   private readonly kernel: BrowserKernel;
@@ -39,7 +39,7 @@ class Playground implements PlanSource {
 
   constructor(kernel: BrowserKernel) {
     this.kernel = kernel;
-    this.order = { files: [KERF_EXAMPLES[0]], machine: KERF_MACHINES[0], profile: PROFILES[0] };
+    this.order = { files: [KERF_EXAMPLES[0]], machine: KERF_MACHINES[0], profile: PROFILES[0], feed_override: 1 };
     const editor = this.machineHost.appendChild(h("div", { class: "editor" }));
     const tree = editor.attachShadow({ mode: "open" });
     this.machine = new EditorView({ state: this.machineState(), parent: tree, root: tree });
@@ -66,6 +66,10 @@ class Playground implements PlanSource {
     const machines = select("Example machine", named(KERF_MACHINES), "", (name) => this.setMachine(KERF_MACHINES.find((one) => one.name === name) ?? KERF_MACHINES[0]));
     for (const choice of [examples, machines]) choice.addEventListener("change", () => (choice.value = ""));
     const profile = select("Profile", PROFILES.map((name) => [name, name] as const), this.order.profile, (name) => this.change({ profile: name }));
+    const feed = h("input", { type: "number", min: "1", max: "200", step: "1", value: "100", "aria-label": "Feed override in percent" });
+    feed.addEventListener("input", () => {
+      if (feed.value !== "" && feed.checkValidity()) this.typed({ feed_override: feed.valueAsNumber / 100 });
+    });
     return h(
       "div",
       { class: "tools order" },
@@ -77,6 +81,7 @@ class Playground implements PlanSource {
       machines,
       h("span", {}, "Profile"),
       profile,
+      h("label", {}, "Feed ", feed, " %"),
       this.status,
     );
   }

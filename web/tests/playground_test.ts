@@ -99,6 +99,24 @@ test("another profile and another machine take their own time", async () => {
   await after_(() => page.locator('select[aria-label="Profile"]').selectOption("time-optimal"));
 });
 
+test("a feed override takes the time that kerf says, and can be compared", async () => {
+  const file = join(SOURCE, "programs", "pocket.ngc");
+  await open("Open a program", file);
+  await page.locator("button", { hasText: "compare with this run" }).click();
+  const feed = page.locator('input[aria-label^="Feed override"]');
+  for (const percent of ["50", "150"]) {
+    await after_(() => feed.fill(percent));
+    assert.equal(await shownTime(), clock(timeOf("--feed-override", percent, file)));
+  }
+  await page.locator("[data-tab=difference]").click();
+  const cells = await page.locator("[data-test=difference-whole] tbody tr").first().locator("td").allTextContents();
+  assert.deepEqual(cells.slice(0, 3), ["cycle time", clock(timeOf(file)), clock(timeOf("--feed-override", "150", file))]);
+  await feed.fill("500");
+  assert.equal(await feed.evaluate((element: HTMLInputElement) => element.validity.valid), false);
+  await after_(() => feed.fill("100"));
+  await page.locator("button", { hasText: "compare with this run" }).click();
+});
+
 test("a machine file that is wrong is refused with its place", async () => {
   await open("Open a machine file", program("[path]\nmax_velocty_mm_s = 5\n", "wrong.toml"));
   assert.match((await page.locator(".refusal").textContent()) ?? "", /wrong\.toml:2:1: error: unknown key 'max_velocty_mm_s'/);

@@ -159,6 +159,15 @@ void add_outputs(CLI::App& command, OptionWords& words) {
                    "with =@1.5 at 1.5 s");
 }
 
+void add_feed_override(CLI::App& command, Options& options) {
+  command
+      .add_option_function<double>(
+          "--feed-override",
+          [&options](double percent) { options.feed_override = percent / 100.0; },
+          "share of the programmed feedrates that is run, 1 to 200 percent (default: 100)")
+      ->type_name("PERCENT");
+}
+
 void add_machines(CLI::App& command, const std::string& description, Options& options) {
   command.add_option("--machine", options.machine_files, description)
       ->expected(1)
@@ -261,6 +270,8 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
   }
   if (command == Subcommand::run) {
     add_run(*added, words.options);
+  } else if (command != Subcommand::check && command != Subcommand::explain) {
+    add_feed_override(*added, words.options);
   }
   return added;
 }

@@ -15,6 +15,9 @@ namespace kerf::program {
 
 namespace {
 
+constexpr double kMinFeedOverride = 0.01;  // at 0 nothing would move
+constexpr double kMaxFeedOverride = 2.0;
+
 struct Unit {
   std::string_view name;
   double factor;
@@ -197,6 +200,14 @@ std::optional<std::string> contradiction_of_profile(const Options& options) {
   return std::nullopt;
 }
 
+std::optional<std::string> contradiction_of_override(const Options& options) {
+  if (!(options.feed_override >= kMinFeedOverride && options.feed_override <= kMaxFeedOverride)) {
+    return fmt::format("--feed-override: {:.0f} to {:.0f} percent", 100.0 * kMinFeedOverride,
+                       100.0 * kMaxFeedOverride);
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> contradiction_of_outputs(const Options& options) {
   const bool records = !options.record_file.empty() || !options.replay_file.empty();
   if (options.files.size() > 1 && (options.trace_file || options.plot_file || records)) {
@@ -217,8 +228,8 @@ std::optional<std::string> contradiction_of_outputs(const Options& options) {
 std::optional<std::string> contradiction(const Options& options) {
   for (const auto find :
        {contradiction_of_outputs, contradiction_of_comparison, contradiction_of_trace,
-        contradiction_of_profile, contradiction_of_streams, contradiction_of_files,
-        contradiction_of_start, contradiction_of_control}) {
+        contradiction_of_profile, contradiction_of_override, contradiction_of_streams,
+        contradiction_of_files, contradiction_of_start, contradiction_of_control}) {
     if (auto message = find(options)) {
       return message;
     }

@@ -220,6 +220,7 @@ std::string json_report(const FileReport& report) {
   json["exit_status"] = to_int(report.status);
   json["machine"] = report.machine;
   json["profile"] = report.profile;
+  json["feed_override"] = report.feed_override;
   json["period_s"] = report.period_s;
   if (report.boxes) {
     json["path_boxes"] = boxes_json(*report.boxes);

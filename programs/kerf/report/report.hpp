@@ -94,6 +94,7 @@ struct FileReport {
   std::string machine;  // the machine file, or "default"
   std::string driver;   // of a run
   std::string_view profile;
+  double feed_override = 1.0;      // share of the programmed feedrates
   bool live = false;               // ran as its text came, without a check of the whole before
   bool trace_reader_gone = false;  // and the motion was left where it was: nobody asks for more
   double period_s = 0.001;

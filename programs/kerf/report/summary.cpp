@@ -163,6 +163,9 @@ void append_time(std::string& text, const FileReport& report) {
   fmt::format_to(out, "  cycle time      {}   {} of {:g} ms, {}\n", clock_time(plan.cycle_time_s),
                  counted(static_cast<unsigned long long>(plan.ticks), "tick"),
                  1000.0 * report.period_s, report.profile);
+  if (report.feed_override != 1.0) {
+    fmt::format_to(out, "  feed override   {:g} %\n", 100.0 * report.feed_override);
+  }
   if (report.start) {
     fmt::format_to(out, "  started at      {}\n", name_of(report.start->place));
   }

@@ -12,6 +12,9 @@ namespace {
 
 void dry_run(MotionStage& stage) {
   Kernel kernel(stage.order().settings, stage.order().kernel_options);
+  if (const double feed = stage.order().options.feed_override; feed != 1.0) {
+    kernel.set_overrides({.feed = feed});
+  }
   KernelPlanning planning(kernel);
   Feeder feeder = stage.feeder(planning);
   RunOutcome outcome;

@@ -57,6 +57,7 @@ class Session {
     report_.machine = options.machine_file.value_or("default");
     report_.driver = options.driver.name;
     report_.profile = name_of(options.profile);
+    report_.feed_override = options.feed_override;
     report_.period_s = settings.limits.period_s;
     report_.limits = settings.limits;
     report_.extra_axes = settings.program.extra_axes;

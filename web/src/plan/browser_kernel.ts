@@ -11,6 +11,7 @@ export interface Order {
   readonly files: readonly [TextFile, ...TextFile[]]; // the program, then its subprograms
   readonly machine: TextFile; // an empty text: the default machine
   readonly profile: string;
+  readonly feed_override: number; // share of the programmed feedrates
 }
 
 // refused: what is wrong with the machine file, or within kerf.

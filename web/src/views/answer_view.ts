@@ -205,7 +205,7 @@ export class AnswerView {
     if (this.account!.files.length > 0) add("By file, with subprograms", this.partsTable("file", this.account!.files));
     addOffsets();
     add("Largest figures", this.usesTable());
-    add("The plan", table(["", ""], [["program", report.file], ["machine", report.machine], ["profile", report.profile], ["path", `${lengthText(report.path_length_mm ?? 0, units)} ${lengthUnit(units)} in ${report.blocks ?? 0} blocks`], ["ticks", `${report.ticks ?? 0} of ${plain(1000 * plan.period_s)} ms`]], "plan"));
+    add("The plan", table(["", ""], [["program", report.file], ["machine", report.machine], ["profile", report.profile], ...(report.feed_override === 1 ? [] : [["feed override", `${plain(100 * report.feed_override)} %`]]), ["path", `${lengthText(report.path_length_mm ?? 0, units)} ${lengthUnit(units)} in ${report.blocks ?? 0} blocks`], ["ticks", `${report.ticks ?? 0} of ${plain(1000 * plan.period_s)} ms`]], "plan"));
     return parts;
   }
 
