@@ -180,7 +180,8 @@ void Flow::enter(const Found& found) {
 }
 
 std::uint32_t Flow::calling_line() const {
-  const auto frame = std::ranges::find(frames_.rbegin(), frames_.rend(), main_.get(), &Frame::text);
+  const auto frame = std::find_if(frames_.rbegin(), frames_.rend(),
+                                  [this](const Frame& open) { return open.text == main_.get(); });
   return frame == frames_.rend() ? 0 : frame->calling_line();
 }
 
