@@ -99,24 +99,6 @@ test("another profile and another machine take their own time", async () => {
   await after_(() => page.locator('select[aria-label="Profile"]').selectOption("time-optimal"));
 });
 
-test("a feed override takes the time that kerf says, and can be compared", async () => {
-  const file = join(SOURCE, "programs", "pocket.ngc");
-  await open("Open a program", file);
-  await page.locator("button", { hasText: "compare with this run" }).click();
-  const feed = page.locator('input[aria-label^="Feed override"]');
-  for (const percent of ["50", "150"]) {
-    await after_(() => feed.fill(percent));
-    assert.equal(await shownTime(), clock(timeOf("--feed-override", percent, file)));
-  }
-  await page.locator("[data-tab=difference]").click();
-  const cells = await page.locator("[data-test=difference-whole] tbody tr").first().locator("td").allTextContents();
-  assert.deepEqual(cells.slice(0, 3), ["cycle time", clock(timeOf(file)), clock(timeOf("--feed-override", "150", file))]);
-  await feed.fill("500");
-  assert.equal(await feed.evaluate((element: HTMLInputElement) => element.validity.valid), false);
-  await after_(() => feed.fill("100"));
-  await page.locator("button", { hasText: "compare with this run" }).click();
-});
-
 test("a machine file that is wrong is refused with its place", async () => {
   await open("Open a machine file", program("[path]\nmax_velocty_mm_s = 5\n", "wrong.toml"));
   assert.match((await page.locator(".refusal").textContent()) ?? "", /wrong\.toml:2:1: error: unknown key 'max_velocty_mm_s'/);
@@ -134,6 +116,24 @@ test("a run that is kept is what later ones are compared with", async () => {
   assert.deepEqual(cells.slice(0, 3), ["cycle time", clock(timeOf(long)), clock(timeOf(short))]);
   await after_(() => page.locator("button", { hasText: "compare with this run" }).click());
   assert.equal(await page.locator('[data-test="difference-whole"]').count(), 0);
+});
+
+test("a feed override takes the time that kerf says, and can be compared", async () => {
+  const file = join(SOURCE, "programs", "pocket.ngc");
+  await open("Open a program", file);
+  await page.locator("[data-tab=difference]").click();
+  await page.locator("button", { hasText: "compare with this run" }).click();
+  const feed = page.locator('input[aria-label^="Feed override"]');
+  for (const percent of ["50", "150"]) {
+    await after_(() => feed.fill(percent));
+    assert.equal(await shownTime(), clock(timeOf("--feed-override", percent, file)));
+  }
+  const cells = await page.locator("[data-test=difference-whole] tbody tr").first().locator("td").allTextContents();
+  assert.deepEqual(cells.slice(0, 3), ["cycle time", clock(timeOf(file)), clock(timeOf("--feed-override", "150", file))]);
+  await feed.fill("500");
+  assert.equal(await feed.evaluate((element: HTMLInputElement) => element.validity.valid), false);
+  await after_(() => feed.fill("100"));
+  await page.locator("button", { hasText: "compare with this run" }).click();
 });
 
 test("a subprogram is found beside its program", async () => {

@@ -54,6 +54,7 @@ export interface Report {
   readonly exit_status: number;
   readonly machine: string;
   readonly profile: string;
+  readonly feed_override: number; // share of the programmed feedrates
   readonly period_s: number;
   readonly cycle_time_s?: number;
   readonly ticks?: number;
