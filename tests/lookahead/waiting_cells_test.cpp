@@ -23,6 +23,14 @@ std::vector<Block> line_and_arc(double turn_rad, const PlanLimits& limits) {
                    limits);
 }
 
+double length_mm(const WaitingCells& waiting) {
+  double sum_mm = 0.0;
+  for (std::size_t i = 0; i < waiting.size(); ++i) {
+    sum_mm += waiting[i].length_mm;
+  }
+  return sum_mm;
+}
+
 // Between passing and stopping there are angles at which the classical schedule still passes and
 // cells, which leave a little of the limits free, do not.
 TEST(WaitingCells, LoseNoBlockWhereOnlyCellsStopAtItsBegin) {
@@ -43,11 +51,7 @@ TEST(WaitingCells, LoseNoBlockWhereOnlyCellsStopAtItsBegin) {
       waiting.push(window);
     }
     waiting.close(window);
-    double length_mm = 0.0;
-    for (std::size_t i = 0; i < waiting.size(); ++i) {
-      length_mm += waiting[i].length_mm;
-    }
-    EXPECT_NEAR(length_mm, blocks[0].length_mm + blocks[1].length_mm, 1e-9) << turn;
+    EXPECT_NEAR(length_mm(waiting), blocks[0].length_mm + blocks[1].length_mm, 1e-9) << turn;
   }
   EXPECT_GT(seen, 0);
 }
@@ -66,13 +70,11 @@ TEST(WaitingCells, AreCellsOfABlockThatTheMotionIsOn) {
   }
   waiting.close(window);
   waiting.begin_at({.block = 1, .s_mm = 0.001}, window);
-  double length_mm = 0.0;
   for (std::size_t i = 0; i < waiting.size(); ++i) {
-    length_mm += waiting[i].length_mm;
     EXPECT_LT(waiting[i].along.jerk_mm_s3, kUnbounded);
     EXPECT_LT(waiting[i].end.feedrate_mm_s, kUnbounded);
   }
-  EXPECT_NEAR(length_mm, 9.999, 1e-9);
+  EXPECT_NEAR(length_mm(waiting), 9.999, 1e-9);
 }
 
 }  // namespace
