@@ -16,10 +16,6 @@ constexpr std::size_t kCutCells = 16;
 // Where it is to rest at a junction it brakes later than it may if it passes that in motion.
 constexpr std::size_t kMarginOfWindow = 8;
 constexpr std::size_t kMinMargin = 200;
-// What a plan in motion takes, unless the one before it brakes for its end over more than a
-// quarter.
-constexpr std::size_t kCellsInMotion = 1000;
-constexpr std::size_t kLongBraking = 4;
 
 ClassicalSchedule::Settings classical(const OptimumSchedule::Settings& settings) {
   return {.limits = settings.limits,
@@ -72,10 +68,8 @@ bool OptimumSchedule::has_room() const {
 }
 
 std::size_t OptimumSchedule::max_cells() const {
-  const std::size_t count = plan_.cells().size();
-  const bool brakes_long = window_brake_ < count - count / kLongBraking;
-  return cells_left() == 0 || brakes_long ? settings_.window_cells
-                                          : std::min(settings_.window_cells, kCellsInMotion);
+  return cells_left() == 0 || brakes_long_ ? settings_.window_cells
+                                           : std::min(settings_.window_cells, kCellsOfPlan);
 }
 
 bool OptimumSchedule::is_to_be_renewed() const {
@@ -157,6 +151,7 @@ void OptimumSchedule::adopt(FoundPlan found) {
   place_ = {};
   const std::size_t count = plan_.cells().size();
   window_brake_ = plan_ends_at_stop_ ? count : plan_.last_braking();
+  brakes_long_ = !plan_ends_at_stop_ && plan_.brakes_long();
   const auto relaxed = static_cast<std::size_t>(
       std::ranges::count_if(plan_.cells(), [](const Cell& cell) { return cell.relaxed; }));
   const std::size_t margin = std::max(count / kMarginOfWindow, kMinMargin) + relaxed;

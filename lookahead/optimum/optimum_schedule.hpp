@@ -15,16 +15,17 @@
 
 namespace kerf::lookahead {
 
-// A plan covers the known cells up to the next stop, at most window_cells from a rest on and fewer
-// in motion, where it is to be found soon. Shortly before it begins to brake for the end of the
-// window, but not before half of it has been emitted, it is planned anew from the tool's place,
-// with the blocks that have come since. The cells that two plans share are the same, so the rest of
-// the old plan is a feasible start for the new one. Where the search finds no plan that keeps the
-// limits, it is tried over fewer cells. Where it finds none from a place in motion, the old plan is
-// kept and the search begins again farther on; at the last it ends at rest. Where it finds none
-// from rest, the classical plan is the fallback over whole blocks, if it is faster; else the path
-// is cut in two by a rest at its sharpest place, a few times at the most, and a plan that still
-// exceeds a limit is slowed down. Each of these but the first is noted as a degradation.
+// A plan covers the known cells up to the next stop, at most kCellsOfPlan, for it is to be found
+// soon, or window_cells where it would brake for its end for long. Shortly before it begins to
+// brake for the end of the window, but not before half of it has been emitted, it is planned anew
+// from the tool's place, with the blocks that have come since. The cells that two plans share are
+// the same, so the rest of the old plan is a feasible start for the new one. Where the search finds
+// no plan that keeps the limits, it is tried over fewer cells. Where it finds none from a place in
+// motion, the old plan is kept and the search begins again farther on; at the last it ends at rest.
+// Where it finds none from rest, the classical plan is the fallback over whole blocks, if it is
+// faster; else the path is cut in two by a rest at its sharpest place, a few times at the most, and
+// a plan that still exceeds a limit is slowed down. Each of these but the first is noted as a
+// degradation.
 //
 // Lines that are independent of each other (independent_line.hpp) are planned by the S-curve, which
 // is their optimum in closed form: all of them from a rest to the next, or as far as the window
@@ -90,6 +91,7 @@ class OptimumSchedule final : public Schedule {
   std::size_t renew_ = 0;  // from this cell of plan_ on it is planned anew
   bool plan_ends_at_stop_ = true;
   std::size_t window_brake_ = 0;  // from this cell of plan_ on it brakes for the end of the window
+  bool brakes_long_ = false;      // for that
 };
 
 }  // namespace kerf::lookahead

@@ -23,10 +23,7 @@ PlanDegradation degradation_on(const Block& block, double s_mm) {
 PlannedCells OptimumSchedule::tried_to_block_end(const FoundPlan& found, const WindowSearch& search,
                                                  const Window<Block>& blocks) const {
   PlannedCells planned = search.planned_to_block_end(found);
-  std::size_t first_block = 1;  // its cells
-  while (first_block < waiting_.size() && !waiting_[first_block - 1].ends_block) {
-    ++first_block;
-  }
+  const std::size_t first_block = waiting_.of_first_block();
   if (!planned.failed || planned.count > first_block || first_block > kFewCells) {
     return planned;
   }

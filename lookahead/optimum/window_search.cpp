@@ -18,8 +18,24 @@ constexpr std::size_t kMinOfRest = 2;
 
 }  // namespace
 
+std::size_t WindowSearch::first_count() const {
+  const WaitingCells& waiting = *cells_.waiting;
+  if (cells_.place.cell < cells_.plan->cells().size()) {
+    return waiting.size();
+  }
+  const std::size_t first_block = waiting.of_first_block();
+  return std::min(waiting.size(),
+                  first_block > kFewCells ? kCellsOfPlan : std::max(kCellsOfPlan, first_block));
+}
+
 FoundPlan WindowSearch::over_all() const {
-  FoundPlan all = over({.begin = 0, .end = cells_.waiting->size()});
+  const WaitingCells& waiting = *cells_.waiting;
+  const std::size_t first = first_count();
+  FoundPlan all = over({.begin = 0, .end = first});
+  if (first < waiting.size() && all.count == first && !waiting[first - 1].rest_after &&
+      all.ended_well() && all.plan->brakes_long()) {
+    all = over({.begin = 0, .end = waiting.size()});
+  }
   std::size_t count = all.count;
   for (int i = 0; i < kShorterSearches && !all.ended_well() && count >= kMinShorter; ++i) {
     count /= 2;

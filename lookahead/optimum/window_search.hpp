@@ -12,6 +12,10 @@
 
 namespace kerf::lookahead {
 
+// What a plan takes, so that it is found soon; more where it would brake for its end for long
+// (OptimalPlan::brakes_long).
+inline constexpr std::size_t kCellsOfPlan = 1000;
+
 struct FoundPlan {
   std::size_t count = 0;  // of the waiting cells that it takes
   std::optional<OptimalPlan> plan{};
@@ -39,7 +43,8 @@ class WindowSearch {
   WindowSearch(const Settings& settings, Cells cells)
       : settings_(settings), cells_(std::move(cells)) {}
 
-  // Over the rest of the plan and what waits after it; fewer of them where that does not end well.
+  // Over the rest of the plan and what waits after it, from a rest over kCellsOfPlan first, or over
+  // a first block that is to be compared (kFewCells); fewer of them where that does not end well.
   [[nodiscard]] FoundPlan over_all() const;
   struct Indices {
     std::size_t begin = 0;
@@ -53,6 +58,9 @@ class WindowSearch {
   [[nodiscard]] PlannedCells planned_to_block_end(const FoundPlan& found) const;
 
  private:
+  // Of the waiting cells, that are tried first.
+  [[nodiscard]] std::size_t first_count() const;
+
   Settings settings_;
   Cells cells_;
 };

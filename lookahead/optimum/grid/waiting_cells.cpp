@@ -190,6 +190,12 @@ void WaitingCells::refine_begin(double finest_mm, const Window<Block>& blocks) {
   cells_ = std::move(refined);
 }
 
+std::size_t WaitingCells::of_first_block() const {
+  const auto end = std::ranges::find_if(
+      cells_, [](const WaitingCell& waiting) { return waiting.cell.ends_block; });
+  return static_cast<std::size_t>(end - cells_.begin()) + (end == cells_.end() ? 0 : 1);
+}
+
 void WaitingCells::drop_blocks(std::size_t count) {
   const auto kept = std::ranges::find_if(
       cells_, [&](const WaitingCell& waiting) { return waiting.cell.block >= done_ + count; });

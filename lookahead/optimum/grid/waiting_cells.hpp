@@ -64,6 +64,8 @@ class WaitingCells {
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] const WaitingCell& front() const { return cells_.front(); }
   [[nodiscard]] const Cell& operator[](std::size_t i) const { return cells_[i].cell; }
+  // How many of the cells are of the first one's block. Precondition: not empty.
+  [[nodiscard]] std::size_t of_first_block() const;
   void drop(std::size_t count);
   // All cells of the window's first blocks.
   void drop_blocks(std::size_t count);

@@ -73,6 +73,10 @@ std::size_t OptimalPlan::last_braking() const {
   return first;
 }
 
+bool OptimalPlan::brakes_long() const {
+  return last_braking() < cells().size() - cells().size() / 4;
+}
+
 double OptimalPlan::duration_s() const {
   double sum = 0.0;
   for (std::size_t i = 0; i < sequence_.cells.size(); ++i) {

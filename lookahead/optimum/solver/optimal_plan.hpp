@@ -44,6 +44,8 @@ class OptimalPlan {
   [[nodiscard]] Constraint limit_on(std::size_t cell, const PlanLimits& limits) const;
   // The first of the cells on which the feedrate only falls, down to the rest at the end.
   [[nodiscard]] std::size_t last_braking() const;
+  // They are more than a quarter of all.
+  [[nodiscard]] bool brakes_long() const;
   // The cells of the plan from a place on, to be planned anew.
   [[nodiscard]] CellSequence rest_from(const PlanPlace& place) const;
 
