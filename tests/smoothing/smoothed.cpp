@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kRise_mm = 1e-5;  // of a curve over the chord between two of its points
 constexpr int kHalvings = 20;
+constexpr double kGap_mm = 1e-9;  // between two segments, and how well a place on either is known
 
 double to_segment_mm(const Position& point, const Position& from, const Position& to) {
   const Eigen::Vector3d chord = vec(to) - vec(from);
@@ -158,7 +159,7 @@ std::string faults_of_junctions(const std::vector<parser::Move>& moves, const Sm
   for (const PathSegment& segment : smoothed.segments) {
     const auto begin = curves::derivatives_at(segment.curve, 0.0);
     const double gap = (vec(begin.position_mm) - vec(at)).norm();
-    if (gap > 1e-9) {
+    if (gap > kGap_mm) {
       faults << "gap of " << gap << " mm before line " << segment.source.line << "; ";
     }
     if (segment.continues && before != nullptr) {
@@ -166,7 +167,11 @@ std::string faults_of_junctions(const std::vector<parser::Move>& moves, const Sm
       const double turn = (vec(end.first) - vec(begin.first)).norm();
       const double bend = (vec(end.second_per_mm) - vec(begin.second_per_mm)).norm();
       const double curvature = vec(end.second_per_mm).norm();
-      if (turn > 1e-8 || bend > 1e-6 * (1.0 + curvature)) {
+      // Where a curve all but stands still its radius is of nanometres.
+      const double allowed_turn = 1e-8 + 0.1 * kGap_mm * curvature;
+      const double allowed_bend =
+          1e-6 * (1.0 + curvature) + kGap_mm * vec(begin.third_per_mm2).norm();
+      if (turn > allowed_turn || bend > allowed_bend) {
         faults << "turn " << turn << ", bend " << bend << " of " << curvature << " before line "
                << segment.source.line << "; ";
       }
@@ -175,7 +180,7 @@ std::string faults_of_junctions(const std::vector<parser::Move>& moves, const Sm
     before = &segment;
   }
   const double miss = (vec(at) - vec(end_of(moves.back()))).norm();
-  if (miss > 1e-9) {
+  if (miss > kGap_mm) {
     faults << "ends " << miss << " mm off";
   }
   return faults.str();
