@@ -91,7 +91,7 @@ void Kernel::Impl::follow_commands() {
     go_on();
     wants_resume_ = false;
   }
-  if (!takeover_ && wants_hold_) {
+  if (!takeover_ && wants_hold_ && interpolator_.plan_tick() >= next_hold_tick_) {
     wants_hold_ = !try_hold();
   }
   if (!takeover_ && wants_change_ && interpolator_.plan_tick() >= next_try_tick_) {
@@ -154,6 +154,9 @@ bool Kernel::Impl::try_hold() {
   const std::uint32_t from = pipeline_.plan();
   const std::int64_t tick = takeover_tick();
   if (!(stops_ ? pipeline_.stop(tick, plan) : pipeline_.hold(tick, plan))) {
+    // A trapezoid that brakes all it can is stopped no sooner by any bounded jerk, for hundreds of
+    // ticks on end: a search at each of them would leave no time to plan.
+    next_hold_tick_ = interpolator_.plan_tick() + margin_ticks_ / 2;
     return false;
   }
   if (!plan.phases.empty()) {

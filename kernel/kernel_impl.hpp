@@ -228,8 +228,10 @@ class KERF_LOCAL Kernel::Impl {
     std::optional<lookahead::Planner::PlannedStopAhead> stop{};
   };
   std::optional<PendingTakeover> takeover_{};
-  std::int64_t next_try_tick_ = 0;  // of a change of feed for which no way was found
-  int refusals_ = 0;                // in a row: planning took longer than the margin
+  // For what no way was found, of a hold and of a change of feed.
+  std::int64_t next_hold_tick_ = 0;
+  std::int64_t next_try_tick_ = 0;
+  int refusals_ = 0;  // in a row: planning took longer than the margin
   ProgramState begins_with_;
   Delivery delivery_{queue_};
 };
