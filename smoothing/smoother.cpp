@@ -1,5 +1,7 @@
 #include "smoothing/smoother.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "smoothing/curvature_jumps.hpp"
@@ -19,25 +21,24 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
       compressor_.flush(made_);
     }
     compressor_.push(move, made_);
-    blend_made();
+    queue_made();
     return {};
   }
   compressor_.flush(made_);
-  blend_made();
+  queue_made();
   if (auto built = append_segments(move, made_); !built) {
     return built;
   }
   if (std::holds_alternative<parser::DwellMove>(move.shape) ||
       std::holds_alternative<parser::EventMove>(move.shape)) {
-    flush();
-    outputs_.emplace_back(move);
+    queue_.emplace_back(move);
     return {};
   }
   if (std::holds_alternative<parser::NurbsMove>(move.shape) && may_bend(made_.front())) {
     smooth_jumps(move);
   }
   made_.front().changes = std::exchange(changes_, {});
-  blend_made();
+  queue_made();
   return {};
 }
 
@@ -87,26 +88,31 @@ void Smoother::fit_lines(const SampledCurve& lines, const parser::Move& move,
   compressor_.flush(made_);
 }
 
-void Smoother::blend_made() {
-  for (PathSegment& segment : made_) {
-    blender_.push(std::move(segment), blended_);
-  }
+void Smoother::queue_made() {
+  std::move(made_.begin(), made_.end(), std::back_inserter(queue_));
   made_.clear();
-  queue_segments();
 }
 
 void Smoother::flush() {
+  made_.clear();
   compressor_.flush(made_);
-  blend_made();
-  blender_.flush(blended_);
-  queue_segments();
+  queue_made();
+  queue_.emplace_back(EndOfPath{});
 }
 
-void Smoother::queue_segments() {
-  for (PathSegment& segment : blended_) {
-    outputs_.emplace_back(std::move(segment));
+void Smoother::blend_next() {
+  auto item = std::move(queue_.front());
+  queue_.pop_front();
+  if (auto* segment = std::get_if<PathSegment>(&item)) {
+    blender_.push(std::move(*segment), blended_);
+  } else {
+    blender_.flush(blended_);
   }
+  std::move(blended_.begin(), blended_.end(), std::back_inserter(outputs_));
   blended_.clear();
+  if (auto* move = std::get_if<parser::Move>(&item)) {
+    outputs_.emplace_back(std::move(*move));
+  }
 }
 
 PathDeviations Smoother::deviations() const noexcept {
@@ -116,10 +122,13 @@ PathDeviations Smoother::deviations() const noexcept {
 }
 
 bool Smoother::next(Output& output) {
-  if (taken_ == outputs_.size()) {
+  while (taken_ == outputs_.size()) {
     outputs_.clear();
     taken_ = 0;
-    return false;
+    if (queue_.empty()) {
+      return false;
+    }
+    blend_next();
   }
   output = std::move(outputs_[taken_++]);
   return true;

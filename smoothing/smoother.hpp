@@ -1,6 +1,7 @@
 // Turns programmed moves into the path that is run.
 #pragma once
 
+#include <deque>
 #include <variant>
 #include <vector>
 
@@ -36,18 +37,22 @@ class Smoother {
   [[nodiscard]] PathDeviations deviations() const noexcept;
 
  private:
-  void blend_made();
+  void queue_made();
   // Of a NURBS in G64: takes jumps of the curvature out of what was made of it.
   void smooth_jumps(const parser::Move& move);
   void fit_lines(const SampledCurve& lines, const parser::Move& move,
                  const curves::Position& begin_mm);
-  void queue_segments();
+  // Corners are blended as their segments are taken: a long run of lines comes at once, and the
+  // look-ahead wants a part of it at a time.
+  void blend_next();
 
   BlendSettings settings_;
   Compressor compressor_;
   Blender blender_;
-  std::vector<PathSegment> made_;     // of one move
-  std::vector<PathSegment> blended_;  // of one push
+  std::vector<PathSegment> made_;  // of one move
+  struct EndOfPath {};             // for now
+  std::deque<std::variant<PathSegment, parser::Move, EndOfPath>> queue_;
+  std::vector<PathSegment> blended_;  // of one step
   std::vector<parser::EventMove> changes_;
   std::vector<Output> outputs_;
   std::size_t taken_ = 0;
