@@ -52,13 +52,37 @@ std::vector<EmittedItems::Motion> motions_to_stop_from(const Emitter& emitter, s
   return motions;
 }
 
-double rests_at_tick(const EmittedItems::Motion& from, const std::vector<BrakingPart>& parts,
-                     double period_s) {
-  double duration_s = from.when.offset_s;
-  for (const BrakingPart& part : parts) {
+double rests_at_tick(const PlanStop& stop, double period_s) {
+  double duration_s = stop.from.when.offset_s;
+  for (const BrakingPart& part : stop.parts) {
     duration_s += part.law.duration_s();
   }
-  return static_cast<double>(from.when.tick) + duration_s / period_s;
+  return static_cast<double>(stop.from.when.tick) + duration_s / period_s;
+}
+
+std::optional<PlanStop> first_of_shortest(const Emitter& emitter,
+                                          const std::vector<const Block*>& ahead, std::int64_t tick,
+                                          const PlanLimits& limits) {
+  for (const EmittedItems::Motion& motion : motions_to_stop_from(emitter, tick, limits)) {
+    if (auto parts = find_braking(braking_from(emitter.kept(), motion, ahead), limits)) {
+      return PlanStop{.from = motion, .parts = *std::move(parts)};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<PlanStop> first_of_any(const Emitter& emitter, const std::vector<const Block*>& ahead,
+                                     std::int64_t tick, const PlanLimits& limits) {
+  const auto motions = motions_to_stop_from(emitter, tick, limits);
+  for (const StopDistance distance : kStopDistances) {
+    for (const EmittedItems::Motion& motion : motions) {
+      const BrakingFrom from = braking_from(emitter.kept(), motion, ahead);
+      if (auto parts = find_any_braking(from, limits, distance)) {
+        return PlanStop{.from = motion, .parts = *std::move(parts)};
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -70,18 +94,14 @@ std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<cons
   if (first.at_rest()) {
     return PlanStop{.from = first};
   }
+  std::optional<PlanStop> found = order.effort == StopEffort::any
+                                      ? first_of_any(emitter, ahead, tick, limits)
+                                      : first_of_shortest(emitter, ahead, tick, limits);
   const auto rest = emitter.kept().rest_after(tick);
-  for (const EmittedItems::Motion& motion : motions_to_stop_from(emitter, tick, limits)) {
-    auto parts = find_braking(braking_from(emitter.kept(), motion, ahead), limits, order.effort);
-    if (!parts) {
-      continue;
-    }
-    if (!rest || rests_at_tick(motion, *parts, limits.period_s) < static_cast<double>(*rest)) {
-      return PlanStop{.from = motion, .parts = std::move(*parts)};
-    }
-    break;
+  if (rest && !(found && rests_at_tick(*found, limits.period_s) < static_cast<double>(*rest))) {
+    return PlanStop{.from = emitter.motion_at(*rest)};
   }
-  return rest ? std::optional(PlanStop{.from = emitter.motion_at(*rest)}) : std::nullopt;
+  return found;
 }
 
 void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, Emitter& emitter,

@@ -18,14 +18,16 @@ struct PlanStop {
   std::vector<BrakingPart> parts{};  // none: the tool is at rest then
 };
 
-// From the tick on or some ticks later; or at the rest of the plan itself, if that is as near.
-// ahead: the blocks, whole, behind those that were emitted, up to a rest. Nothing: no way was
-// found, and the plan was emitted to no rest. Precondition: the emitter keeps what it emits, and
-// has emitted to the tick or to a rest.
+// shortest: what find_braking() finds; any: find_any_braking().
+enum class StopEffort : std::uint8_t { shortest, any };
 struct StopOrder {
   std::int64_t tick = 0;
   StopEffort effort = StopEffort::shortest;
 };
+// From the tick on or some ticks later; or at the rest of the plan itself, if that is as near.
+// ahead: the blocks, whole, behind those that were emitted, up to a rest. Nothing: no way was
+// found, and the plan was emitted to no rest. Precondition: the emitter keeps what it emits, and
+// has emitted to the tick or to a rest.
 std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<const Block*>& ahead,
                                   const StopOrder& order, const PlanLimits& limits);
 

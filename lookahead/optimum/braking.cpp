@@ -52,15 +52,22 @@ std::vector<BrakingPart> parts_of(const profiles::SCurveStop& stop, const Block&
 }
 
 std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
-                                                     const PlanLimits& limits, StopEffort effort) {
+                                                     const PlanLimits& limits) {
   if (from.blocks.empty()) {
     return std::nullopt;
   }
-  if (auto parts = stop_on_line(from, limits)) {
-    return parts;
+  auto parts = stop_on_line(from, limits);
+  return parts ? std::move(parts) : StopSearch(from, limits).shortest();
+}
+
+std::optional<std::vector<BrakingPart>> find_any_braking(const BrakingFrom& from,
+                                                         const PlanLimits& limits,
+                                                         StopDistance distance) {
+  if (from.blocks.empty()) {
+    return std::nullopt;
   }
-  const StopSearch search(from, limits);
-  return effort == StopEffort::any ? search.any() : search.shortest();
+  auto parts = stop_on_line(from, limits);
+  return parts ? std::move(parts) : StopSearch(from, limits).any(distance);
 }
 
 }  // namespace kerf::lookahead

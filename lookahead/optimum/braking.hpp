@@ -1,6 +1,7 @@
 // The shortest way to rest from a motion.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -56,11 +57,17 @@ std::vector<BrakingPart> parts_of(const profiles::SCurveStop& stop, const Block&
 // takes with the limits at this place on: the first that it finds. It is at most kStep longer than
 // the shortest that it could have found. Nothing: no way was found; from a place farther on there
 // may be one, as where the plan already lands.
-enum class StopEffort : std::uint8_t {
-  shortest,
-  any,  // the first of some distances, far enough that there is a way in most cases: it is cheap
-};
 std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
-                                                     const PlanLimits& limits, StopEffort effort);
+                                                     const PlanLimits& limits);
+
+// Any way, for it is cheap: on a line as above, else one S-curve, or the optimum to a rest at one
+// distance, far enough that there is a way in most cases. Where there is none, a try costs several
+// times what one costs that ends well: other places come before other distances.
+enum class StopDistance : std::uint8_t { near, far, farthest };
+inline constexpr std::array kStopDistances{StopDistance::near, StopDistance::far,
+                                           StopDistance::farthest};
+std::optional<std::vector<BrakingPart>> find_any_braking(const BrakingFrom& from,
+                                                         const PlanLimits& limits,
+                                                         StopDistance distance);
 
 }  // namespace kerf::lookahead

@@ -19,7 +19,7 @@ namespace {
 constexpr double kStep = 1.06;
 // Over the way of the S-curve, until one is far enough.
 constexpr std::array<double, 6> kDistances{1.01, 1.3, 1.7, 2.2, 3.1, 4.6};
-constexpr std::array<double, 3> kDistancesOfAny{1.7, 3.1, 5.6};
+constexpr std::array<double, kStopDistances.size()> kDistancesOfAny{1.7, 3.1, 5.6};
 constexpr std::size_t kMinCells = 3;
 // More come of a way that is no way: near a rest, at a crawl.
 constexpr std::size_t kMaxCells = interp::StopAhead::kPhases / 2;
@@ -124,6 +124,11 @@ void StopSearch::begin_with_s_curve(double distance_mm, std::vector<Cell>& cells
   }
 }
 
+bool StopSearch::reaches_end(double distance_mm) const {
+  std::vector<Cell> cells = way_.cells();
+  return cut_at(distance_mm, way_.path(), cells);
+}
+
 std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_end) const {
   const PathAt path = way_.path();
   CellSequence sequence{.begin = from_->state, .cells = way_.cells()};
@@ -143,16 +148,25 @@ std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_e
   return OptimalPlan::find(std::move(sequence), path, *limits_, kRefinements);
 }
 
-std::optional<std::vector<BrakingPart>> StopSearch::any() const {
-  if (auto s_curve = in_closed_form()) {
-    return s_curve;
+std::optional<std::vector<BrakingPart>> StopSearch::any(StopDistance distance) const {
+  if (distance == StopDistance::near) {
+    if (auto s_curve = in_closed_form()) {
+      return s_curve;
+    }
   }
   std::optional<OptimalPlan> found;
-  bool is_end = way_.cells().empty() || s_curve_.back().s_mm < kAtBlockEnd_mm;
-  for (std::size_t i = 0; i < kDistancesOfAny.size() && !found && !is_end; ++i) {
-    found = to_rest_at(kDistancesOfAny[i] * s_curve_.back().s_mm, is_end);
+  if (!way_.cells().empty() && s_curve_.back().s_mm >= kAtBlockEnd_mm) {
+    const auto i = static_cast<std::size_t>(distance);
+    const double s_curve_mm = s_curve_.back().s_mm;
+    bool is_end = i > 0 && reaches_end(kDistancesOfAny[i - 1] * s_curve_mm);
+    if (!is_end) {
+      found = to_rest_at(kDistancesOfAny[i] * s_curve_mm, is_end);
+    }
   }
-  return found ? std::optional(parts(*found)) : steepest();
+  if (found) {
+    return parts(*found);
+  }
+  return distance == StopDistance::farthest ? steepest() : std::nullopt;
 }
 
 // The distance grows until a way is found, that of steps at the latest, and is then divided down to

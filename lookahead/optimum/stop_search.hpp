@@ -23,13 +23,13 @@ namespace kerf::lookahead {
 // aims at 0.9995 of the limits.
 //
 // Weakness: where there are no steps either all tries fail, which takes tens of milliseconds. The
-// caller tries other places of the plan.
+// caller tries other places of the plan, of a stop that may be any one first.
 class StopSearch {
  public:
   StopSearch(const BrakingFrom& from, const PlanLimits& limits);
 
   [[nodiscard]] std::optional<std::vector<BrakingPart>> shortest() const;
-  [[nodiscard]] std::optional<std::vector<BrakingPart>> any() const;
+  [[nodiscard]] std::optional<std::vector<BrakingPart>> any(StopDistance distance) const;
 
  private:
   [[nodiscard]] std::optional<profiles::SCurveStop> s_curve(double share) const;
@@ -37,7 +37,9 @@ class StopSearch {
   [[nodiscard]] std::optional<std::vector<BrakingPart>> steepest() const;
   void take_s_curve();
   void begin_with_s_curve(double distance_mm, std::vector<Cell>& cells) const;
-  // is_end: the distance reaches to the end of what is known, and the rest is there.
+  // The distance reaches to the end of what is known: a rest at it is there.
+  [[nodiscard]] bool reaches_end(double distance_mm) const;
+  // is_end: reaches_end().
   [[nodiscard]] std::optional<OptimalPlan> to_rest_at(double distance_mm, bool& is_end) const;
   [[nodiscard]] std::vector<BrakingPart> parts(const OptimalPlan& plan) const;
 
