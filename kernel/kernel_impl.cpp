@@ -82,6 +82,7 @@ double Kernel::Impl::feed_share() const noexcept {
 }
 
 bool Kernel::Impl::fill_queue() {
+  int taken = 0;
   while (!broken_ && delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
     const bool was_finished = pipeline_.is_finished();
     switch (pipeline_.step(delivery_.outbox())) {
@@ -97,6 +98,9 @@ bool Kernel::Impl::fill_queue() {
           interpolator_.watch().ask(*inquiry);
           asks_ = true;
         }
+        if (++taken >= kManyTaken && !pipeline_.wants_block() && is_nearly_half_ahead()) {
+          return false;  // the search over what was taken is for the next call
+        }
         break;
       case Pipeline::Step::wants_text:
         return true;
@@ -106,6 +110,10 @@ bool Kernel::Impl::fill_queue() {
     }
   }
   return false;
+}
+
+bool Kernel::Impl::is_nearly_half_ahead() const noexcept {
+  return delivery_.frozen_until_tick() - interpolator_.plan_tick() > horizon_ticks_ * 7 / 16;
 }
 
 void Kernel::Impl::hand_over() {

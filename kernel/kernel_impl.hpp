@@ -136,6 +136,8 @@ class KERF_LOCAL Kernel::Impl {
   static constexpr double kFirstPart_s = 0.1;
   // Of the horizon: less than this is not worth a stop ahead of its own while there is as much.
   static constexpr std::int64_t kPartsOfHorizon = 8;
+  // Of blocks, which take as long as the search over them.
+  static constexpr int kManyTaken = 10;
 
   // Nothing that was read is left to be run.
   [[nodiscard]] bool has_run_all() const noexcept;
@@ -147,6 +149,9 @@ class KERF_LOCAL Kernel::Impl {
 
   // True: more text is needed.
   bool fill_queue();
+
+  // Of the horizon: a caller that goes by runs_low() comes again in time.
+  [[nodiscard]] bool is_nearly_half_ahead() const noexcept;
 
   // What is in the queue, to the tick side.
   void hand_over();

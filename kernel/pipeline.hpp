@@ -81,6 +81,7 @@ class Pipeline {
   // Planner::stop; the rest of the program is dropped.
   bool stop(std::int64_t tick, lookahead::Outbox& outbox);
   void stop_held();
+  [[nodiscard]] bool wants_block() const noexcept { return planner_.wants_block(); }
   [[nodiscard]] bool is_held() const noexcept { return planner_.is_held(); }
   [[nodiscard]] bool waits() const noexcept { return planner_.waits(); }
   [[nodiscard]] bool waits_for_resume() const noexcept { return planner_.waits_for_resume(); }

@@ -161,6 +161,7 @@ class KERF_API Kernel {
   void finish();
 
   /// Plans ahead until the horizon is reached or more text is needed. True: more text is needed.
+  /// Where nearly half of the horizon is planned, a search may be left to the next call.
   bool plan();
   /// One setpoint. Real time: allocates nothing, takes no lock, throws nothing.
   TickStatus tick(Setpoint& setpoint) noexcept;
