@@ -10,8 +10,6 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr int kCuts = 5;  // of what a plan covers
-constexpr std::size_t kCutCells = 16;
 // Of a plan's cells, before those on which it brakes for what is not known yet: they feel its end.
 // Where it is to rest at a junction it brakes later than it may if it passes that in motion.
 constexpr std::size_t kMarginOfWindow = 8;
@@ -130,9 +128,8 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
       return;
     }
   }
-  for (int i = 0; i < kCuts && from_rest && !found.ended_well() && found.count >= kCutCells; ++i) {
-    cut(found.count, blocks, emitter);
-    found = search.over({.begin = 0, .end = waiting_.size()});
+  if (from_rest && !found.ended_well()) {
+    found = search_with_cut(std::move(found), search, blocks, emitter);
   }
   if (!found.plan) {
     try_again_later(blocks, emitter);

@@ -75,8 +75,11 @@ class OptimumSchedule final : public Schedule {
   void try_again_later(const Window<Block>& blocks, Emitter& emitter);
   // Hands these blocks to the classical schedule, from rest to rest.
   void fall_back(const Fallback& fallback, const Window<Block>& blocks, Emitter& emitter);
-  // Puts a rest at the sharpest place of the first waiting cells.
-  void cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter);
+  // Of what was found: what is found up to a rest at its sharpest place, or up to one before that.
+  [[nodiscard]] FoundPlan search_with_cut(FoundPlan found, const WindowSearch& search,
+                                          const Window<Block>& blocks, Emitter& emitter);
+  // Of the first waiting cells, but for those at both ends.
+  [[nodiscard]] std::size_t sharpest(std::size_t count) const;
   // Notes that the plan from the first waiting cell on was slowed down.
   void note_slow_plan(const Window<Block>& blocks, Emitter& emitter) const;
   // Notes a stop at the end of the cell.

@@ -1,6 +1,8 @@
 // What OptimumSchedule does where a search does not end well.
 #include <algorithm>
 #include <cassert>
+#include <optional>
+#include <utility>
 
 #include "lookahead/optimum/optimum_schedule.hpp"
 
@@ -12,6 +14,8 @@ namespace {
 // again.
 constexpr std::size_t kTriesOfRest = 8;
 constexpr std::size_t kMinBetweenTries = 8;
+constexpr int kCuts = 5;  // of what a plan covers
+constexpr std::size_t kCutCells = 16;
 
 PlanDegradation degradation_on(const Block& block, double s_mm) {
   const LineMark mark = block.mark_at(s_mm);
@@ -67,7 +71,26 @@ void OptimumSchedule::fall_back(const Fallback& fallback, const Window<Block>& b
   waiting_.drop(fallback.cells);
 }
 
-void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitter& emitter) {
+// The search may fail on a few cells close to the rest where it begins. The cuts come nearer to
+// them, and behind the last one the motion goes on to where it would have gone.
+FoundPlan OptimumSchedule::search_with_cut(FoundPlan found, const WindowSearch& search,
+                                           const Window<Block>& blocks, Emitter& emitter) {
+  std::optional<std::size_t> rest;
+  for (int i = 0; i < kCuts && !found.ended_well() && found.count >= kCutCells; ++i) {
+    if (rest) {
+      waiting_.go_on_after(*rest);
+    }
+    rest = sharpest(found.count);
+    waiting_.rest_after(*rest);
+    found = search.over({.begin = 0, .end = waiting_.size()});
+  }
+  if (rest) {
+    note_stop(waiting_[*rest], blocks, emitter);
+  }
+  return found;
+}
+
+std::size_t OptimumSchedule::sharpest(std::size_t count) const {
   const std::size_t margin = count / 4;
   std::size_t sharpest = margin;
   double most = 0.0;
@@ -78,8 +101,7 @@ void OptimumSchedule::cut(std::size_t count, const Window<Block>& blocks, Emitte
       sharpest = i;
     }
   }
-  waiting_.rest_after(sharpest);
-  note_stop(waiting_[sharpest], blocks, emitter);
+  return sharpest;
 }
 
 void OptimumSchedule::note_slow_plan(const Window<Block>& blocks, Emitter& emitter) const {

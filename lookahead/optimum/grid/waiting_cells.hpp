@@ -70,6 +70,7 @@ class WaitingCells {
   // All cells of the window's first blocks.
   void drop_blocks(std::size_t count);
   void rest_after(std::size_t i) { cells_[i].cell.rest_after = true; }
+  void go_on_after(std::size_t i) { cells_[i].cell.rest_after = false; }
 
   // For waiting cells and for those of a plan.
   [[nodiscard]] const Block& block_of(const Cell& cell, const Window<Block>& blocks) const {
