@@ -19,7 +19,7 @@ constexpr double kRelative = 1e-9;
 constexpr double kDeviation_mm = 1e-9;
 constexpr double kFeedrateRelative = 1e-6;
 constexpr double kFeedrate_mm_s = 1e-9;
-// The room that a motion has that slows down (lookahead/path/slowing).
+// The room that a motion has that slows down, above what it was allowed (lookahead/path/slowing).
 constexpr double kSlowing = 1.001;
 
 }  // namespace
@@ -160,7 +160,7 @@ void PlanCheck::overridden(const lookahead::FeedOverride& by, const SlowingCurve
   }
   const bool slows = slowing.from_curve <= was.slows_to_curve;
   const auto most = [slows](double before, double by_now) {
-    return slows ? std::max(kSlowing * before, by_now) : by_now;
+    return slows ? std::max(before, by_now) : by_now;
   };
   overridden_ = {
       .by = by,
@@ -168,6 +168,7 @@ void PlanCheck::overridden(const lookahead::FeedOverride& by, const SlowingCurve
                  .rapid = most(was.before.rapid, was.by.rapid),
                  .spindle = most(was.before.spindle, was.by.spindle),
                  .adaptive = most(was.before.adaptive, was.by.adaptive)},
+      .room = slows ? kSlowing * was.room : kSlowing,
       .slows_to_curve = slows ? std::max(was.slows_to_curve, slowing.to_curve) : slowing.to_curve};
 }
 
@@ -186,7 +187,7 @@ double PlanCheck::max_mm_s(const Expected& block) const {
   };
   const double now_mm_s = under(overridden_.by);
   return curve_ <= overridden_.slows_to_curve
-             ? std::max(now_mm_s, kSlowing * under(overridden_.before))
+             ? std::max(now_mm_s, overridden_.room * under(overridden_.before))
              : now_mm_s;
 }
 

@@ -98,6 +98,7 @@ class PlanCheck {
   struct Overridden {
     lookahead::FeedOverride by{};
     lookahead::FeedOverride before{};  // the most of each before the override, while it slows down
+    double room = 1.0;                 // above that, more with each override on the way down
     std::uint64_t slows_to_curve = 0;
   };
   Overridden overridden_{};

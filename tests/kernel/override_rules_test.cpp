@@ -105,6 +105,31 @@ TEST(Override, OfTheSpindleIsNotFollowedWhileTapping) {
   EXPECT_NEAR(fastest_down_mm_s, 10.0, 0.02);
 }
 
+// Found with a client: the way down from a rapid to a feedrate that does not follow has some room,
+// more of it with each override.
+TEST(Override, MayComeOftenBeforeABlockThatDoesNotFollow) {
+  const std::string text =
+      "G21 G90 G64\nG0 Z5\nS600 M3\nG99 G84 X5 Y5 Z-5 R2 F600\nX10\nG80\nG0 X0\nM2\n";
+  constexpr std::int64_t kBetween = 30;
+  constexpr std::int64_t kOverrides = 8;
+  for (std::int64_t begin = 150; begin < 330; begin += 6) {
+    Kernel kernel(default_machine());
+    kernel.feed(text);
+    kernel.finish();
+    Setpoint setpoint;
+    TickStatus status = TickStatus::running;
+    for (std::int64_t tick = 0; status == TickStatus::running; ++tick) {
+      const std::int64_t since = tick - begin;
+      if (since >= 0 && since < kBetween * kOverrides && since % kBetween == 0) {
+        kernel.set_overrides({.feed = since / kBetween % 2 == 0 ? 0.9 : 1.1});
+      }
+      status = kernel.next(setpoint);
+    }
+    EXPECT_EQ(status, TickStatus::finished) << "from tick " << begin;
+    EXPECT_FALSE(kernel.fault()) << "from tick " << begin << ": " << kernel.fault()->what;
+  }
+}
+
 TEST(Override, OutOfItsRangeIsRefused) {
   Kernel kernel(mill());
   for (const Overrides& impossible :
