@@ -91,6 +91,7 @@ bool Kernel::Impl::fill_queue() {
         break;
       case Pipeline::Step::took:
         if (pipeline_.is_finished() && !was_finished) {
+          fail_with_check();
           end_ = pipeline_.path().programmed_end();
           wrong_ = pipeline_.path().has_errors();
         }

@@ -63,7 +63,7 @@ class KERF_LOCAL Kernel::Impl {
   TickStatus tick(Setpoint& setpoint) noexcept;
 
   [[nodiscard]] bool has_fault() const noexcept {
-    return broken_ || judge_.excess().figure != TickExcess::Figure::none;
+    return broken_ || plan_fault_ || judge_.excess().figure != TickExcess::Figure::none;
   }
 
   void reach_tick();
@@ -193,7 +193,10 @@ class KERF_LOCAL Kernel::Impl {
   bool try_hold();
   bool try_change_plan();
 
-  void fail_with_check() { broken_ = pipeline_.check().is_broken(); }
+  void fail_with_check() {
+    plan_fault_ = pipeline_.check().fault().has_value();
+    broken_ = pipeline_.check().is_broken();
+  }
 
   bool tells_;
   ProgramNotes notes_;
@@ -205,6 +208,7 @@ class KERF_LOCAL Kernel::Impl {
   std::optional<PlaceOfTool> end_;  // written before the last phase is delivered, read after it
   std::atomic<bool> judges_end_ = true;           // a stop does not reach it
   std::atomic<bool> wrong_ = false;               // the program has an error; the same
+  std::atomic<bool> plan_fault_ = false;          // a promise of the plan does not hold
   std::atomic<bool> broken_ = false;              // nothing more is planned
   std::atomic<std::uint32_t> answered_wait_ = 0;  // Phase::wait
   std::int64_t horizon_ticks_;
