@@ -9,7 +9,7 @@
 
 namespace kerf::interp {
 
-// Brakes without a plan, so it works where planning is dead: each tick takes the largest
+// Brakes without a plan, so it works where planning is dead: each part of a tick takes the largest
 // deceleration along the path that leaves every axis within its acceleration, curvature included.
 // Jerk has no bound. Where the plan is within the same limits, the tool is never faster than
 // planned, so the path that was handed over is long enough. It may pass over a rest of the plan by
@@ -31,6 +31,7 @@ class EmergencyBrake {
 
  private:
   [[nodiscard]] double deceleration_mm_s2(const Motion& motion) const noexcept;
+  void step(Motion& motion, MotionQueue& queue, double step_s) const noexcept;
   static void follow_path(Motion& motion, MotionQueue& queue) noexcept;
 
   MachineLimits limits_;
