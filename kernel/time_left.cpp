@@ -44,7 +44,9 @@ double TimeLeft::nominal_at_s(double path_mm) {
 void TimeLeft::follow(const ToolPlace& tool) {
   const double done_s = nominal_at_s(tool.path_mm);
   if (tool.feed_override > 0.0) {
-    expected_s_ += (done_s - done_nominal_s_) / tool.feed_override;
+    // No machine is faster than that: a tool that is has not come down to the override yet.
+    expected_s_ += std::min((done_s - done_nominal_s_) / tool.feed_override,
+                            std::max(tool.moved_s - tool_.moved_s, 0.0));
   }
   done_nominal_s_ = done_s;
   tool_ = tool;
