@@ -224,8 +224,9 @@ export class App {
   }
 
   private key(event: KeyboardEvent): void {
-    const target = event.target as HTMLElement;
-    if (event.ctrlKey || event.metaKey || event.altKey || /^(input|select|textarea)$/i.test(target.tagName)) return;
+    // Seen from outside, the target of an event in a shadow tree is its host.
+    const target = event.composedPath()[0] as HTMLElement;
+    if (event.ctrlKey || event.metaKey || event.altKey || (this.extras.editing && target.isContentEditable) || /^(input|select|textarea)$/i.test(target.tagName)) return;
     const actions: Record<string, () => void> = {
       " ": () => this.playBar.toggle(),
       ",": () => this.playBar.step(-1),

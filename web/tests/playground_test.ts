@@ -79,10 +79,15 @@ test("what is typed is planned, and an error stands at its line until it is mend
   const editor = page.locator(".program-view .cm-content");
   await editor.click();
   await page.keyboard.press("Control+Home");
-  await after_(() => page.keyboard.type("G1 G2 X1 F100\n"));
+  // Each key that is a command of the page elsewhere, too.
+  const typed = "G1 G2 X1.5, F1234f ";
+  await after_(() => page.keyboard.type(`${typed}\n`));
+  assert.equal(await editor.locator(".cm-line").first().textContent(), typed);
   assert.match((await page.locator(".cm-error").textContent()) ?? "", /E\d{4}/);
+  assert.equal(await page.locator("canvas.band").evaluate((band) => (band as HTMLCanvasElement).width), 0, "nothing of the plan before");
+  assert.equal(await page.locator("[data-test=limit-now]").textContent(), "");
   await after_(async () => {
-    for (let i = 0; i < 14; ++i) await page.keyboard.press("Backspace");
+    for (let i = 0; i <= typed.length; ++i) await page.keyboard.press("Backspace");
   });
   assert.equal(await page.locator(".cm-error").count(), 0);
   assert.equal(await shownTime(), clock(timeOf(join(folder, "typed.ngc"))));

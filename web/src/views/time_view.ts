@@ -162,6 +162,10 @@ export class TimeView {
       chart.name.textContent = QUANTITIES.find(([quantity]) => quantity === chart.quantity)![1];
       chart.value.textContent = chart.limit.textContent = "";
     }
+    if (!this.plan) {
+      this.band.width = 0;
+      this.limitNow.replaceChildren();
+    }
     if (!this.plan || this.area.clientWidth === 0) return;
     this.charts.forEach((chart, i) => this.buildChart(chart, i === this.charts.length - 1));
     this.update();
