@@ -68,6 +68,8 @@ for (const theme of ["light", "dark"]) {
       await page.locator(`[data-tab=${tab}]`).click();
       found.push(...(await page.evaluate(faintWords)));
     }
+    await page.locator(".legend.parts button").first().click();
+    found.push(...(await page.evaluate(faintWords)));
     assert.deepEqual(found, []);
     await page.context().close();
   });
