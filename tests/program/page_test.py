@@ -111,6 +111,13 @@ class Report(Case):
         self.assertFalse(header["has_source"])
         self.assertNotIn("source", sections)
 
+    def test_shows_errors_without_the_text_where_that_is_asked_for(self):
+        self.report("--no-source", self.path("wrong.ngc", WRONG), status=1)
+        [(header, sections)] = plans_of(self.page)
+        self.assertFalse(header["has_source"])
+        self.assertNotIn("source", sections)
+        self.assertEqual({one["line"] for one in header["diagnostics"]}, {3, 5})
+
     def test_sets_programs_and_machines_side_by_side(self):
         machines = [SOURCE + "/programs/machines/" + name for name in ("table.toml", "sigmoid-wm.toml")]
         programs = [self.path("square.ngc", SQUARE), self.path("other.ngc", SQUARE.replace("20", "30"))]

@@ -55,7 +55,8 @@ tl::expected<PageMaker, std::string> PageMaker::open(const Options& options) {
 
 void PageMaker::add(const FileReport& report, const MachineSettings& settings,
                     const PageRecord& record) {
-  if (record.source || record.motion) {
+  // What cannot be read has nothing to show; errors show without the program's text, too.
+  if (record.source || record.motion || report.status != ExitStatus::io_error) {
     file_.add(plan_document(report, settings, record));
     has_source_ = has_source_ || record.source.has_value();
   }
