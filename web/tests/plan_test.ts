@@ -2,10 +2,10 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { accountOf, fitsOf, headingsOf, total } from "../src/plan/account.ts";
 import { decodePlan, unpackNumbers } from "../src/plan/decode.ts";
-import { RunKind, lastAtOrBefore } from "../src/plan/plan.ts";
+import { RunKind, lastAtOrBefore, type Path } from "../src/plan/plan.ts";
 import { Pyramid } from "../src/plan/pyramid.ts";
 import { drawnColumns, drawnLimits } from "../src/views/columns.ts";
-import { pointingOf, tickNear } from "../src/views/pick.ts";
+import { pointingOf, tickNear, type Pointing } from "../src/views/pick.ts";
 import { planOf } from "./helper.ts";
 
 // 0, 1, -1, 64, then back to 0: steps 0, 1, -2, 65, -64 as zigzag 0, 2, 3, 130 (two bytes), 127.
@@ -153,4 +153,31 @@ test("the instant at a place of the view is that of the nearest stretch, in pixe
   assert.equal(at(200 + 2 * 30, 109), 30, "9 pixels below it");
   assert.equal(at(200 + 2 * 30, 113), null, "13 pixels below it");
   assert.equal(at(200 + 2 * 150, 100), 200, "behind the rest of 50 ticks");
+});
+
+test("the instant at a place of a long path is the one that a look at each of its ways finds", () => {
+  const points = 5000;
+  let seed = 7;
+  const random = (): number => (seed = (seed * 48271) % 2147483647) / 2147483647;
+  const axis = (): Float64Array => Float64Array.from({ length: points }, () => 100 * random());
+  const path: Path = { tick: Float64Array.from({ length: points }, (_, i) => 3 * i), xyz: [axis(), axis(), axis()], rapid: new Uint8Array(points) };
+  const [xs, ys, zs] = path.xyz;
+  for (let k = 0; k < 50; ++k) {
+    const pointing: Pointing = { u: [-60 * random(), 1, 0.2, 0.1], v: [-60 * random(), -0.1, 1, 0.3] };
+    const seen = (i: number): [number, number] => [
+      pointing.u[0] + pointing.u[1] * xs[i]! + pointing.u[2] * ys[i]! + pointing.u[3] * zs[i]!,
+      pointing.v[0] + pointing.v[1] * xs[i]! + pointing.v[2] * ys[i]! + pointing.v[3] * zs[i]!,
+    ];
+    let nearest = Infinity;
+    let tick = -1;
+    for (let i = 1; i < points; ++i) {
+      const [[u, v], [u1, v1]] = [seen(i - 1), seen(i)];
+      const [du, dv] = [u1 - u, v1 - v];
+      const share = Math.min(1, Math.max(0, -(u * du + v * dv) / (du * du + dv * dv)));
+      const away = Math.hypot(u + share * du, v + share * dv);
+      if (away < nearest) [nearest, tick] = [away, Math.floor(3 * (i - 1 + share))];
+    }
+    assert.equal(tickNear(path, pointing, 1000), tick);
+    assert.equal(tickNear(path, pointing, 0.5 * nearest), null);
+  }
 });
