@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace kerf::control {
 
@@ -37,6 +38,7 @@ HomeSearch::HomeSearch(const MachineSettings& settings)
 void HomeSearch::begin() {
   forget_homes();
   axes_done_ = 0;
+  waits_ = false;
   step_ = Step::begin;
 }
 
@@ -44,7 +46,7 @@ HomeSearch::Next HomeSearch::next(const Setpoint& at, Move& move) {
   watch_.store({});
   switch (step_) {
     case Step::begin:
-      return begin_axis(at, move);
+      return waits_for_switches(at) ? Next::waits : begin_axis(at, move);
     case Step::clear:
       return has_found() ? look_for_it(at, move) : fail("stays closed");
     case Step::search:
@@ -60,6 +62,17 @@ HomeSearch::Next HomeSearch::next(const Setpoint& at, Move& move) {
       return ++axes_done_ == order_.size() ? Next::done : begin_axis(at, move);
   }
   return Next::done;
+}
+
+// Before the first tick nobody has read them: an axis that stands on its own would go on into it.
+bool HomeSearch::waits_for_switches(const Setpoint& at) {
+  if (has_seen_.load()) {
+    return false;
+  }
+  if (!std::exchange(waits_, true)) {
+    begun_tick_ = at.tick;
+  }
+  return static_cast<double>(at.tick - begun_tick_) * period_s_ < of_axis().time_s;
 }
 
 HomeSearch::Next HomeSearch::begin_axis(const Setpoint& at, Move& move) {
@@ -159,6 +172,7 @@ std::string HomeSearch::of_switch(const std::string& what) const {
 
 void HomeSearch::see(AxisSet closed, const Setpoint& last) noexcept {
   closed_.store(closed, std::memory_order_relaxed);
+  has_seen_.store(true);
   const Watch watch = watch_.load();
   if (watch.axis == Watch::kNone || found_.load(std::memory_order_relaxed) == watch.look) {
     return;

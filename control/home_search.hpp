@@ -69,6 +69,7 @@ class HomeSearch {
   }
   // Until the switch is closed, or open.
   Next look(Step step, bool closed, const Move& move, std::int64_t tick, Move& out);
+  [[nodiscard]] bool waits_for_switches(const Setpoint& at);
   Next begin_axis(const Setpoint& at, Move& move);
   Next look_for_it(const Setpoint& at, Move& move);
   Next back_off(Step step, const Setpoint& at, Move& move);
@@ -86,6 +87,7 @@ class HomeSearch {
   std::size_t axes_done_ = 0;
   Step step_ = Step::begin;
   std::int64_t begun_tick_ = 0;
+  bool waits_ = false;  // for the first look at the switches, since begun_tick_
   AxisSet closed_at_begin_ = 0;
   std::string failure_;
   std::uint16_t looks_ = 1;  // counts moves: what an earlier one finds late is not taken for this
@@ -100,6 +102,7 @@ class HomeSearch {
   static_assert(std::atomic<Watch>::is_always_lock_free);
   std::atomic<Watch> watch_{};
   std::atomic<AxisSet> closed_ = 0;
+  std::atomic<bool> has_seen_ = false;    // closed_ is of the machine
   std::atomic<std::uint16_t> found_ = 0;  // the look that has found; written by the tick side alone
   std::atomic<double> found_mm_ = 0.0;
   std::atomic<bool> shifts_ = false;

@@ -67,6 +67,19 @@ TEST(Homing, KeepsTheLimitsAtEveryTickButWhereAPlaceIsGiven) {
   EXPECT_EQ(watch.complaint(), "");
 }
 
+// Found with a client: it was asked for before the first tick, so no switch was known to be closed.
+TEST(Homing, BeginsBeforeTheFirstTickWithAnyAxisOnItsSwitch) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Shop shop(mill_with_switches());
+    shop.off_mm[axis] = -107.0;
+    shop.give(Command::enable);
+    shop.give(Command::home);
+    shop.tick_until(State::idle);
+    EXPECT_EQ(shop.controller.status().unhomed, 0U) << axis;
+    EXPECT_NEAR(shop.true_mm(axis), -100.0, 1.001e-3);
+  }
+}
+
 TEST(Homing, BeginsOnASwitchThatIsClosed) {
   HomingShop shop;
   shop.off_mm = {-107.0, 0.0, 0.0};
