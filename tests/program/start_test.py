@@ -17,6 +17,7 @@ COMPENSATED = "G21 G90 G61 F600\nG0 X-20 Y-20\nG41.1 D4 G1 X0 Y0\nY30\nX30\nG1 Y
 CYCLE = "G21 G90 G61 F600\nG0 X1 Z5\nG81 X10 Y0 Z-2 R1\nX20\nX30\nG80\nG1 X40\nX50\nM2\n"
 CURVE = "G21 G90 G61 F600\nG1 X1\nG6.2 P3 K0 X1 Y0 Z0\nK0 X5 Y5\nK0 X9 Y0\nK1\nK1\nK1\nG1 X20\nM2\n"
 # Ten lines of a circle's edge, merged; then an exact way.
+MEASURED = "G21 G90 F600\nG0 X10 Z0\nG38.2 Z-160\nG10 L20 P1 Z0\nG1 X20\nG1 Z1\nM2\n"
 MERGED = ("G21 G90 G64 P0.05 Q0.05 F1200\nG1 X50 Y0\n" +
           "".join(f"X{50 - 0.02 * k * k:.4f} Y{2 * k}\n" for k in range(1, 11)) + "G61\nG1 X0\nY0\nM2\n")
 ROUNDS = "G21 G90 G61 F3000\no1 sub\nG91 G1 X1\nY1\nG90\no1 endsub\n#1=0\no2 while [#1 LT 3]\no1 call\n#1=[#1+1]\no2 endwhile\nG1 X0\nM2\n"
@@ -99,6 +100,13 @@ class Start(Case):
         self.refused(CURVE, 5, "line 5 is no place to start at", "within a curve", "line 3 before it", "line 9 behind it")
         self.refused(COMPENSATED, 5, "cutter compensation is on", "line 3 before it", "line 8 behind it")
         self.refused(CYCLE, 4, "a canned cycle is in force", "line 3 before it", "line 7 behind it")
+
+    def test_does_not_start_behind_a_probe_whose_machine_is_another(self):
+        program = self.path("measured.ngc", MEASURED)
+        stderr = self.kerf("run", program, "--from-line", "5", "--driver", "loopback", "--yes", status=1).stderr
+        for words in ("line 5 is no place to start at", "behind a probe", "one can start at line 3 before it"):
+            self.assertIn(words, stderr)
+        self.assertEqual(self.started(program, 5)["start"]["line"], 5)
 
     def test_names_the_lines_around_a_merged_run(self):
         self.refused(MERGED, 6, "within a curve that G64 made of several lines", "line 3 before it", "behind it")

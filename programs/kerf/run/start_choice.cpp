@@ -65,7 +65,10 @@ class Choice {
 
  private:
   [[nodiscard]] StartSearchOrder search() const {
-    return {.settings = order_.settings, .options = order_.kernel_options};
+    return {.settings = order_.settings,
+            .options = order_.kernel_options,
+            .knows_answers = order_.options.command != Subcommand::run ||
+                             order_.options.driver.name == "simulated"};
   }
   void refuse(const std::string& why) {
     report_.fail(ExitStatus::program_error, report_.file + ": " + why);

@@ -15,7 +15,7 @@ namespace kerf::program {
 namespace {
 
 // Why nobody starts before it, as far as its modes tell.
-std::string_view refusal_of(const parser::UpcomingBlock& block) {
+std::string_view refusal_by_modes(const parser::UpcomingBlock& block) {
   constexpr std::int16_t kNoCompensation = 400;
   if (block.in_curve) {
     return "it is within a curve of several blocks";
@@ -37,12 +37,13 @@ class Search final : public PipelineObserver, public parser::BlockWatcher {
     std::uint64_t round = 1;
     std::uint64_t block = std::numeric_limits<std::uint64_t>::max();  // the last place up to it
   };
-  explicit Search(const Target& target) : target_(target) {}
+  Search(const Target& target, bool knows_answers)
+      : target_(target), knows_answers_(knows_answers) {}
 
   void about_to_run(const parser::UpcomingBlock& block) override {
     Candidate candidate{.file = block.source.file,
                         .place = {.line = block.source.line, .blocks_before = block.blocks_before},
-                        .refused = refusal_of(block)};
+                        .refused = refusal_by_modes(block)};
     candidate.place.round = ++rounds_[(std::uint64_t{candidate.file} << 32U) | block.source.line];
     if (candidate.file == target_.file && candidate.place.line == target_.line &&
         candidate.place.round == target_.round) {
@@ -61,6 +62,9 @@ class Search final : public PipelineObserver, public parser::BlockWatcher {
     const auto* event = std::get_if<parser::EventMove>(&move.shape);
     if (event != nullptr && parser::is_at_motion(event->kind)) {
       return;  // comes with the next
+    }
+    if (move.probes && !knows_answers_ && !first_probe_) {
+      first_probe_ = move.block;
     }
     for (auto at = waiting_.rbegin(); at != waiting_.rend() && at->first_move == 0; ++at) {
       if (at->place.blocks_before < move.block) {
@@ -120,23 +124,33 @@ class Search final : public PipelineObserver, public parser::BlockWatcher {
     bool is_target = false;
   };
 
+  [[nodiscard]] std::string_view refusal_of(const Candidate& candidate) const {
+    const bool is_behind_probe = first_probe_ && candidate.place.blocks_before >= *first_probe_;
+    return candidate.refused.empty() && is_behind_probe
+               ? "it is behind a probe, and what that found is not known"
+               : candidate.refused;
+  }
+
   void judge(const Candidate& candidate) {
     const Place place{.file = candidate.file, .place = candidate.place};
+    const std::string_view refused = refusal_of(candidate);
     if (candidate.place.blocks_before >= target_.block) {
       over_ = true;
     } else if (candidate.is_target) {
       judged_ = place;
-      refused_ = candidate.refused;
+      refused_ = refused;
       over_ = refused_.empty();
-    } else if (candidate.refused.empty() && judged_.place.line == 0) {
+    } else if (refused.empty() && judged_.place.line == 0) {
       before_ = place;
-    } else if (candidate.refused.empty()) {
+    } else if (refused.empty()) {
       after_ = place;
       over_ = true;
     }
   }
 
   Target target_;
+  bool knows_answers_;
+  std::optional<std::uint64_t> first_probe_;                 // parser::Move::block of it
   std::unordered_map<std::uint64_t, std::uint64_t> rounds_;  // of each line of each file
   std::deque<Candidate> waiting_;                            // for the path that they begin with
   std::optional<parser::WatchedBlock> found_;
@@ -171,7 +185,7 @@ struct Searched {
 
 tl::expected<Searched, std::string> search(ProgramFile& file, const StartSearchOrder& order,
                                            const Search::Target& target) {
-  Search search(target);
+  Search search(target, order.knows_answers);
   KernelOptions options = order.options;
   options.start_in_program.reset();
   ProgramPath path(order.settings, options, {.watcher = &search, .observer = &search});

@@ -27,10 +27,12 @@ struct FoundStart {
 struct StartSearchOrder {
   const MachineSettings& settings;
   const KernelOptions& options;
+  bool knows_answers = true;  // what probes found, is what the simulated machine says now
 };
 
 // One can start at a block if the path that is run has a curve or a rest that begins with it, and
-// neither a curve of several blocks nor cutter compensation nor a canned cycle is under way.
+// neither a curve of several blocks nor cutter compensation nor a canned cycle is under way, nor
+// was a probe whose answer nobody knows.
 //
 // Reads the file from where it stands, with its path as it is run and without a plan, as far as it
 // has to. Preconditions of both: check_program() found no error; the file is rewound. Error: the
