@@ -5,6 +5,7 @@ import { decodePlan, unpackNumbers } from "../src/plan/decode.ts";
 import { RunKind, lastAtOrBefore, type Path } from "../src/plan/plan.ts";
 import { Pyramid } from "../src/plan/pyramid.ts";
 import { drawnColumns, drawnLimits } from "../src/views/columns.ts";
+import { innerColumns } from "../src/views/path_colours.ts";
 import { pointingOf, tickNear, type Pointing } from "../src/views/pick.ts";
 import { planOf } from "./helper.ts";
 
@@ -180,4 +181,10 @@ test("the instant at a place of a long path is the one that a look at each of it
     assert.equal(tickNear(path, pointing, 1000), tick);
     assert.equal(tickNear(path, pointing, 0.5 * nearest), null);
   }
+});
+
+test("a long stretch is coloured by what is between its ends, a short one by all of it", () => {
+  assert.deepEqual(innerColumns(26, 10002), [90, 9938]);
+  assert.deepEqual(innerColumns(100, 140), [110, 130]);
+  assert.deepEqual(innerColumns(7, 10), [7, 10]);
 });

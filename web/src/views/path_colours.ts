@@ -22,6 +22,13 @@ function columnsOf(plan: Plan, from: number, to: number): [number, number] {
   return [first, Math.min(Math.max(Math.ceil(to / ticksPerColumn), first + 1), columns)];
 }
 
+// Of columns, without those at both ends: a long stretch takes in some of the motion that it begins and ends with.
+const MOST_AT_END = 64;
+export function innerColumns(from: number, to: number): [number, number] {
+  const atEnd = Math.min(MOST_AT_END, Math.floor((to - from) / 4));
+  return [from + atEnd, to - atEnd];
+}
+
 // The largest share of its limit that the quantity has in some columns, along the path or of an axis.
 function shareOfLimit(plan: Plan, quantity: Quantity, from: number, to: number): number {
   let most = 0;
@@ -101,7 +108,7 @@ function byTool(plan: Plan, ground: Rgb): Colouring {
 function byLength(plan: Plan, dark: boolean, name: string, title: string): Colouring {
   const series = plan.series(name);
   const most = series.range(0, plan.motion!.columns).max;
-  return byScale(plan, dark, (from, to) => series.range(from, to).max, { title, quantity: "length", most });
+  return byScale(plan, dark, (from, to) => series.range(...innerColumns(from, to)).max, { title, quantity: "length", most });
 }
 
 // Of a path that does not run: what of it is outside the travel.
@@ -144,7 +151,11 @@ export function colouringOf(plan: Plan, path: Path, wanted: ColourBy, ground: { 
     case "jerk": {
       const quantity = by === "jerk" ? "j" : "a";
       const title = `${by}, of the limit that is closest`;
-      return byScale(plan, ground.dark, (from, to) => shareOfLimit(plan, quantity, from, to), { title, quantity: "share", most: 1 });
+      const share = (from: number, to: number): number => {
+        const most = shareOfLimit(plan, quantity, from, to);
+        return most > 1.001 ? most : shareOfLimit(plan, quantity, ...innerColumns(from, to)); // what is over a limit shows
+      };
+      return byScale(plan, ground.dark, share, { title, quantity: "share", most: 1 });
     }
     case "following":
       return byLength(plan, ground.dark, "following_error", "following error");
