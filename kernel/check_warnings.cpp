@@ -28,6 +28,20 @@ double distance_mm(const parser::Point& a, const parser::Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
+// The highest feedrate along a line, where each axis takes its share of it.
+double reach_along(const lookahead::PlanLimits& limits, const parser::Point& from_mm,
+                   const parser::Point& to_mm) {
+  const double length_mm = distance_mm(from_mm, to_mm);
+  double reach_mm_s = limits.path.velocity_mm_s;
+  for (std::size_t k = 0; k < limits.axes.size(); ++k) {
+    const double step_mm = std::abs(to_mm[k] - from_mm[k]);
+    if (step_mm > 0.0) {
+      reach_mm_s = std::min(reach_mm_s, limits.axes[k].velocity_mm_s * (length_mm / step_mm));
+    }
+  }
+  return reach_mm_s;
+}
+
 }  // namespace
 
 void CheckWarnings::Box::include(const parser::Point& point_mm) {
@@ -41,7 +55,8 @@ double CheckWarnings::Box::size_mm() const {
   return std::max({max_mm[0] - min_mm[0], max_mm[1] - min_mm[1], max_mm[2] - min_mm[2]});
 }
 
-CheckWarnings::CheckWarnings(const lookahead::PlanLimits& limits) : reach_mm_s_(reach_of(limits)) {}
+CheckWarnings::CheckWarnings(const lookahead::PlanLimits& limits)
+    : limits_(limits), reach_mm_s_(reach_of(limits)) {}
 
 void CheckWarnings::look_at(const parser::Move& move, std::vector<diagnostics::Diagnostic>& found) {
   constexpr std::size_t kMotions = 3;  // lines, arcs and splines come first
@@ -61,10 +76,17 @@ void CheckWarnings::look_at(const parser::Move& move, std::vector<diagnostics::D
   }
 }
 
-// The machine's limits hold all the same, so it is enough to say it of the first.
+// The machine's limits hold all the same, so it is enough to say it of the first. Of a curve it is
+// said where no direction has the feedrate.
 void CheckWarnings::check_feed(const parser::Move& move,
                                std::vector<diagnostics::Diagnostic>& found) {
-  if (feed_told_ || !(move.feedrate_mm_s > reach_mm_s_ * (1.0 + 1e-9))) {
+  if (feed_told_) {
+    return;
+  }
+  const auto* const line = std::get_if<parser::LineMove>(&move.shape);
+  const double reach_mm_s =
+      line != nullptr ? reach_along(limits_, move.start_mm, line->end_mm) : reach_mm_s_;
+  if (!(move.feedrate_mm_s > reach_mm_s * (1.0 + 1e-9))) {
     return;
   }
   feed_told_ = true;
@@ -75,7 +97,8 @@ void CheckWarnings::check_feed(const parser::Move& move,
   found.emplace_back(
       move.source, errors::kFeedBeyondReach,
       parser::joined({"a feed of ", per_min(move.feedrate_mm_s), " mm/min: the machine reaches ",
-                      per_min(reach_mm_s_), " mm/min at the most, whatever the direction"}));
+                      per_min(reach_mm_s), " mm/min at the most, ",
+                      line != nullptr ? "along this line" : "whatever the direction"}));
 }
 
 // Where a loop began that ends here and is nowhere larger than the tolerance; null: none.

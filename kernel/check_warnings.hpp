@@ -42,6 +42,7 @@ class CheckWarnings {
   // One warning per tolerance, and only for the first few.
   [[nodiscard]] bool is_told(double tolerance_mm) const;
 
+  lookahead::PlanLimits limits_;
   double reach_mm_s_;  // highest feedrate in any direction
   bool feed_told_ = false;
   // Straight feeds under one G64, with nothing between them.
