@@ -192,7 +192,8 @@ class Planner {
   // s_mm. The wait.
   Rest drop_to_machine_wait(double s_mm);
   // Takes back what follows the motion.
-  void take_back(const EmittedItems::Motion& from);
+  // Of the items that wait then, so many may change before the plan is settled.
+  void take_back(const EmittedItems::Motion& from, std::size_t changing);
   // In program order: a wait comes before it where a block of the program ends in single block.
   void accept(Item item);
   [[nodiscard]] bool steps_before(const Item& next) const;
@@ -223,6 +224,8 @@ class Planner {
   [[nodiscard]] std::vector<const Block*> blocks_ahead() const;
   // All that is in the window waits again.
   void empty_window();
+  // What waited before the plan that is not settled yet.
+  void wait_as_before();
 
   PlannerSettings settings_;
 
@@ -245,7 +248,9 @@ class Planner {
   bool stops_ = false;          // at the rest of the plan that is not settled yet
   struct Before {
     Emitter emitter;
-    std::deque<Item> waiting;
+    std::deque<Item> changing;           // the first that waited
+    std::size_t others = 0;              // that waited behind them
+    std::unique_ptr<Schedule> schedule;  // its end takes time, and the plan may be urgent
     bool waits = false;
     bool asks_machine = false;
     FeedOverride by{};

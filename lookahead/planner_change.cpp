@@ -1,6 +1,7 @@
 // Goes on with another plan, in motion: overrides, and single block.
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <utility>
 
 #include "lookahead/optimum/optimum_schedule.hpp"
@@ -14,6 +15,8 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kFarRest_s = 0.02;
+// The limits of all that waits may change.
+constexpr auto kAllItems = std::numeric_limits<std::size_t>::max();
 // From ticks so far apart, twice as far each time, a way to rest is sought.
 constexpr std::int64_t kMaxSteps = 64;
 
@@ -74,7 +77,7 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
   if (const Block* before = emitter_.kept().blocks_from(stop->from).before) {
     from.before = *before;
   }
-  take_back(stop->from);
+  take_back(stop->from, kAllItems);
   take_modes(change);
   ChangedPlan changed;
   if (!stop->parts.empty()) {

@@ -1,6 +1,7 @@
 // What takes back the plan that was emitted: hold, stop, a stop ahead, and what follows them.
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <utility>
 
 #include "lookahead/path/block_builder.hpp"
@@ -8,6 +9,15 @@
 #include "lookahead/planner.hpp"
 
 namespace kerf::lookahead {
+
+namespace {
+
+// The blocks that a way to rest is on, at the most.
+std::size_t needed_for(const std::vector<BrakingPart>& parts) {
+  return parts.empty() ? 1 : parts.back().block + 1;
+}
+
+}  // namespace
 
 std::vector<const Block*> Planner::blocks_ahead() const {
   std::vector<const Block*> ahead;
@@ -42,7 +52,7 @@ bool Planner::hold_at(const PlanStop& stop, Outbox& outbox) {
   if (stop.from.phase.ends_program) {
     return !is_cut_;
   }
-  take_back(stop.from);
+  take_back(stop.from, needed_for(stop.parts));
   held_ = true;
   emit_stop(stop.parts, waiting_, emitter_, outbox);
   outbox.phases.back().holds = true;
@@ -50,9 +60,20 @@ bool Planner::hold_at(const PlanStop& stop, Outbox& outbox) {
   return true;
 }
 
-void Planner::take_back(const EmittedItems::Motion& from) {
+void Planner::take_back(const EmittedItems::Motion& from, std::size_t changing) {
+  std::unique_ptr<Schedule> schedule = std::exchange(schedule_, nullptr);
   empty_window();
-  before_.emplace(Before{emitter_, waiting_, waits_, asks_machine_, by_, single_block_, is_cut_});
+  const std::size_t first = std::min(changing, waiting_.size());
+  before_.emplace(
+      Before{.emitter = emitter_,
+             .changing = {waiting_.begin(), waiting_.begin() + static_cast<std::ptrdiff_t>(first)},
+             .others = waiting_.size() - first,
+             .schedule = std::move(schedule),
+             .waits = waits_,
+             .asks_machine = asks_machine_,
+             .by = by_,
+             .single_block = single_block_,
+             .is_cut = is_cut_});
   waits_ = is_cut_ = false;
   last_.reset();
   emitter_.take_back(from, waiting_);
@@ -68,9 +89,8 @@ std::optional<Planner::PlannedStopAhead> Planner::stop_ahead(std::int64_t tick) 
   }
   PlannedStopAhead ahead{.stop = std::move(*stop)};
   const std::vector<BrakingPart>& parts = ahead.stop.parts;
-  const std::size_t needed = parts.empty() ? 1 : parts.back().block + 1;
   std::deque<Item> items;
-  for (std::size_t i = 0; i < std::min(needed, blocks.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(needed_for(parts), blocks.size()); ++i) {
     items.emplace_back(*blocks[i]);
   }
   Emitter emitter = emitter_;
@@ -183,11 +203,19 @@ void Planner::empty_window() {
   rest_pending_ = to_rest_ = false;
 }
 
+void Planner::wait_as_before() {
+  assert(waiting_.size() >= before_->others);
+  const auto first = static_cast<std::ptrdiff_t>(waiting_.size() - before_->others);
+  waiting_.erase(waiting_.begin(), waiting_.begin() + first);
+  waiting_.insert(waiting_.begin(), std::make_move_iterator(before_->changing.begin()),
+                  std::make_move_iterator(before_->changing.end()));
+}
+
 void Planner::settle(bool accepted) {
   if (!accepted) {
     empty_window();
     emitter_.restore(std::move(before_->emitter));
-    waiting_ = std::move(before_->waiting);
+    wait_as_before();
     waits_ = before_->waits;
     asks_machine_ = before_->asks_machine;
     by_ = before_->by;

@@ -125,6 +125,15 @@ std::vector<VelocitySegment> segments_of(const Block& block, const JunctionRules
     bind_valleys(segments, block, rules);
     return segments;
   }
+  const auto split_at = [&](double height) {
+    std::vector<VelocitySegment> segments = split(block, {axis_limits, limits}, height);
+    bind_valleys(segments, block, rules);
+    return segments;
+  };
+  const std::span<const double> heights = heights_for(block);
+  if (heights.size() == 1) {
+    return split_at(heights.front());
+  }
   RestToRest run(rules.profile);
   std::optional<PlannedSegments> fastest;
   const auto take = [&](PlannedSegments&& planned) {
@@ -132,10 +141,8 @@ std::vector<VelocitySegment> segments_of(const Block& block, const JunctionRules
       fastest = std::move(planned);
     }
   };
-  for (const double height : heights_for(block)) {
-    std::vector<VelocitySegment> segments = split(block, {axis_limits, limits}, height);
-    bind_valleys(segments, block, rules);
-    PlannedSegments planned(std::move(segments), run);
+  for (const double height : heights) {
+    PlannedSegments planned(split_at(height), run);
     if (fastest) {
       take({mixed(*fastest, planned), run});
     }
