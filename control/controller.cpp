@@ -66,6 +66,9 @@ TickDetail Controller::detail() const noexcept {
 void Controller::set_home_switches(AxisSet closed) noexcept {
   impl_->set_home_switches(closed);
 }
+void Controller::set_door(bool is_open) noexcept {
+  impl_->set_door(is_open);
+}
 bool Controller::has_new_place() const noexcept {
   return impl_->has_new_place();
 }

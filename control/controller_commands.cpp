@@ -28,6 +28,9 @@ Controller::Impl::Impl(MachineSettings settings, KernelOptions options)
 
 tl::expected<void, Refusal> Controller::Impl::give(Command command) {
   follow_manual();
+  if (const std::string_view why = door_refusal(command); !why.empty()) {
+    return tl::unexpected(Refusal{.state = state_.state(), .command = command, .reason = why});
+  }
   if (command == Command::resume && is_suspended_ && begin_return()) {
     return {};
   }
@@ -146,6 +149,30 @@ Answer Controller::Impl::answer_now(State state, Command command) const noexcept
     default:
       return answer;
   }
+}
+
+std::string_view Controller::Impl::door_refusal(Command command) const noexcept {
+  const bool moves = command == Command::resume || command == Command::start ||
+                     command == Command::mdi || command == Command::jog || command == Command::home;
+  return moves && door_open_.load() ? "the door is open" : std::string_view{};
+}
+
+// A wait for an answer goes on by resume alone, which is refused.
+void Controller::Impl::follow_door() {
+  if (!door_open_.load()) {
+    return;
+  }
+  const State state = state_.state();
+  const bool may_go_on =
+      state == State::running || (state == State::waiting && !waits_for_answer_.load());
+  if (may_go_on || ((state == State::jogging || state == State::returning) && !manual_.stops)) {
+    static_cast<void>(give(Command::hold));  // refused: it has come to an end meanwhile
+  } else if (state == State::homing && !manual_.stops) {
+    static_cast<void>(give(Command::stop));
+  } else {
+    return;
+  }
+  say("the door is open");
 }
 
 bool Controller::Impl::change(control::StateWord::Seen& from, State to) noexcept {

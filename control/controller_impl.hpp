@@ -51,6 +51,7 @@ class KERF_LOCAL Controller::Impl {
   [[nodiscard]] const TickDetail& detail() const noexcept { return detail_; }
 
   void set_home_switches(AxisSet closed) noexcept { home_search_.see(closed, last_); }
+  void set_door(bool is_open) noexcept { door_open_.store(is_open, std::memory_order_relaxed); }
   [[nodiscard]] bool has_new_place() const noexcept { return has_new_place_; }
 
   void leave_for(ControllerState next) noexcept;
@@ -85,6 +86,10 @@ class KERF_LOCAL Controller::Impl {
   // What comes before the state changes: of a start, the kernel.
   std::unique_ptr<Kernel> prepare(Command command);
   void carry_out(Command command, ControllerState state);
+  // Empty: the door lets it begin.
+  [[nodiscard]] std::string_view door_refusal(Command command) const noexcept;
+  // What moves is held or stopped while the door is open.
+  void follow_door();
   void tell_program(Command command);
   // What the operator has set, for the program that runs and all to see.
   tl::expected<void, Refusal> set(Command command);
@@ -157,6 +162,7 @@ class KERF_LOCAL Controller::Impl {
   std::atomic<std::int64_t> run_ticks_ = 0;
   std::atomic<bool> wants_text_ = false;
   std::atomic<bool> waits_for_answer_ = false;
+  std::atomic<bool> door_open_ = false;
   std::atomic<std::uint32_t> line_ = 0;
   std::atomic<Kernel*> running_ = nullptr;
   std::atomic<bool> by_hand_ = false;  // what runs is no program

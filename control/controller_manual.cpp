@@ -23,6 +23,9 @@ tl::expected<void, Refusal> Controller::Impl::jog(const Jog& jog) {
     if (const Answer answer = answer_to(seen.state(), Command::jog); !answer.is_accepted()) {
       return refused(answer.refusal);
     }
+    if (const std::string_view why = door_refusal(Command::jog); !why.empty()) {
+      return refused(why);
+    }
     if (seen.state() == State::jogging && renews(jog)) {
       manual_.renewed_tick = tick_.load();
       return {};

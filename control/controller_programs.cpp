@@ -18,6 +18,9 @@ tl::expected<void, Refusal> Controller::Impl::run_mdi(std::string_view line) {
     if (const Answer answer = answer_to(seen.state(), Command::mdi); !answer.is_accepted()) {
       return refused(answer.refusal);
     }
+    if (const std::string_view why = door_refusal(Command::mdi); !why.empty()) {
+      return refused(why);
+    }
     if (needs_homing()) {
       return refused(control::kNotHomed);
     }
@@ -116,6 +119,7 @@ void Controller::Impl::finish() {
 
 bool Controller::Impl::plan() {
   follow_manual();
+  follow_door();
   const bool runs = has_program();
   const bool wants_text = hear_out() && runs;
   ran_ = runs;

@@ -140,6 +140,7 @@ ControllerStatus Controller::Impl::status() const noexcept {
   status.codes = by.codes;
   status.left_s = by.left_s;
   status.unhomed = home_search_.unhomed();
+  status.door_open = door_open_.load();
   status.state = state_.state();
   status.next_event = events_.next_number();
   status.waits_for = waits_for(status.state);

@@ -23,13 +23,14 @@ enum class TableFault : std::uint8_t {
   upper_limit_switch,
   emergency_loop,  // opens
   spindle_stuck,   // does not come to its speed
-  probe_closed
+  probe_closed,
+  door_open
 };
-inline constexpr std::array<std::string_view, 13> kTableFaultNames{
+inline constexpr std::array<std::string_view, 14> kTableFaultNames{
     "encoder_frozen",     "encoder_jump",       "encoder_not_a_number", "drive_trip",
     "drive_weak",         "axis_jammed",        "home_switch_closed",   "home_switch_open",
     "lower_limit_switch", "upper_limit_switch", "emergency_loop",       "spindle_stuck",
-    "probe_closed"};
+    "probe_closed",       "door_open"};
 
 struct PlannedFault {
   TableFault what = TableFault::encoder_frozen;

@@ -127,7 +127,8 @@ struct ControllerStatus {
   bool single_block = false;
   bool optional_stop = false;
   BlockDelete block_delete{};
-  AxisSet unhomed = 0;      ///< have a home switch that was not found
+  AxisSet unhomed = 0;  ///< have a home switch that was not found
+  bool door_open = false;
   std::uint64_t block = 0;  ///< TickDetail::block of the present or last program
   Setpoint setpoint{};      ///< its tick counts from the controller's first
   /// "G1 G17 G21 ...": in force where the tool is, cut off where they are longer; the rest is 0.
@@ -204,6 +205,10 @@ class KERF_API Controller {
 
   /// Which home switches are closed, as of the latest setpoint. Of the thread that calls tick().
   void set_home_switches(AxisSet closed) noexcept;
+  /// While the door is open nothing begins to move: programs in motion are held, jogs and homing
+  /// stopped, by plan(); resume, start, mdi, jog and home are refused. Nothing goes on by itself
+  /// once it is closed. Of the thread that calls tick().
+  void set_door(bool is_open) noexcept;
   /// At the latest tick homing has given an axis, at rest, its place: the drives are to be enabled
   /// anew, at the setpoint. Of the thread that calls tick().
   [[nodiscard]] bool has_new_place() const noexcept;

@@ -71,7 +71,8 @@ TEST(FaultyTables, Row66SwitchesStuckSayWhatTheyAreStuckAt) {
                      {fault("home_switch_closed", "x", 0.0), fault("home_switch_closed", "y", 0.0),
                       fault("home_switch_open", "y", 0.0), fault("lower_limit_switch", "z", 0.0),
                       fault("upper_limit_switch", "x", 0.0), fault("emergency_loop", "", 0.0),
-                      fault("probe_closed", "", 0.0), fault("spindle_stuck", "", 0.0)},
+                      fault("probe_closed", "", 0.0), fault("spindle_stuck", "", 0.0),
+                      fault("door_open", "", 0.0)},
                      kTick);
   faulty.enable({});
   Setpoint setpoint = setpoint_at(0);
@@ -84,6 +85,7 @@ TEST(FaultyTables, Row66SwitchesStuckSayWhatTheyAreStuckAt) {
   EXPECT_EQ(inputs.lower_limit, 4);
   EXPECT_EQ(inputs.upper_limit, 1);
   EXPECT_TRUE(inputs.emergency_loop_open);
+  EXPECT_TRUE(inputs.door_open);
   EXPECT_TRUE(inputs.probe);
   EXPECT_FALSE(inputs.spindle_at_speed);
 }

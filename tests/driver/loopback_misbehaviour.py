@@ -7,6 +7,7 @@ import time
 SOURCE, SOCKET, HOW = sys.argv[1:4]
 FROM = int(sys.argv[4]) if len(sys.argv) > 4 else 0
 AT_REST_MM = 1e-3  # a period, of an axis that lags; the program moves by 0.02
+OPEN_FRAMES = 3000  # how long the door is open
 DELAY_S = float(sys.argv[5]) if len(sys.argv) > 5 else 0.0
 sys.path.insert(0, f"{SOURCE}/examples")
 from loopback_machine import DISABLE, FOLLOWING_ERROR, Machine, TOLD_BYTES, Told, listen  # noqa: E402
@@ -38,6 +39,7 @@ def main():
         try:
             while frame := connection.recv(TOLD_BYTES + 1):
                 told = Told(frame)
+                machine.door_open = HOW == "door" and FROM <= number < FROM + OPEN_FRAMES
                 machine.take(told)
                 last = told.call
                 if HOW == "silent":
@@ -49,7 +51,7 @@ def main():
                     held.append((time.monotonic() + DELAY_S, answer))
                     while held and held[0][0] <= time.monotonic():
                         connection.send(held.pop(0)[1])
-                elif number < FROM or HOW in ("late", "trip", "well"):
+                elif number < FROM or HOW in ("late", "trip", "well", "door"):
                     connection.send(answer)
                 else:
                     connection.send(spoilt(answer, number))

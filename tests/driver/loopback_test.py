@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 """kerf and the machine in two processes, and what becomes of it when one of them fails: TEST.py KERF SOURCE_DIR [NAME...]"""
+import contextlib
 import csv
+import json
 import os
 import pathlib
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -39,9 +42,9 @@ class Loopback(Case):
         self.file = self.path("machine.toml", MACHINE.format(timeout_s=TIMEOUT_S, socket=self.socket))
         return machine
 
-    def start_kerf(self, program=WAY):
-        kerf = subprocess.Popen([KERF, "run", self.path("way.ngc", program), "--machine", self.file, "--trace", self.path("t.csv")],
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    def start_kerf(self, program=WAY, *options):
+        kerf = subprocess.Popen([KERF, "run", self.path("way.ngc", program), "--machine", self.file, "--trace", self.path("t.csv"), *options],
+                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.addCleanup(kerf.kill)
         return kerf
 
@@ -135,6 +138,43 @@ class Loopback(Case):
         self.assertEqual(status, 4, err)
         self.assertIn("machine fault: following error of axis y too large, in line 3", err)
         self.assertIn("at rest", out)
+
+    def test_an_open_door_holds_the_run_which_goes_on_once_it_is_closed_and_somebody_says_so(self):
+        machine = self.start_machine("door", "1500")
+        place = self.path("kerf.sock")
+        kerf = self.start_kerf(WAY.replace("X200", "X60"), "--control", place)
+        with self.client_of(kerf, place) as lines:
+            def ask(**request):
+                lines.write(json.dumps(request) + "\n")
+                lines.flush()
+                while (told := json.loads(lines.readline()))["type"] not in ("answer", "status"):
+                    pass
+                return told
+            while (status := ask(command="status"))["state"] != "held":
+                time.sleep(0.02)
+            self.assertTrue(status["door_open"])
+            # It opens behind 1.5 s of 20 mm/s. The answers of a machine elsewhere may be late.
+            self.assertLess(status["position_mm"]["x"], 40)
+            refused = ask(command="resume")
+            self.assertEqual((refused["accepted"], refused["reason"]), (False, "the door is open"))
+            while ask(command="status")["door_open"]:
+                time.sleep(0.02)
+            self.assertEqual(ask(command="status")["state"], "held")
+            self.assertTrue(ask(command="resume")["accepted"])
+            _, err = kerf.communicate(timeout=120)
+        self.assertEqual(kerf.returncode, 0, err)
+        self.assertIn("the door is open", err)
+        self.assertEqual(self.rows()[-1][1], 60)
+        machine.communicate(timeout=60)
+
+    @contextlib.contextmanager
+    def client_of(self, kerf, place):
+        while not os.path.exists(place):
+            self.assertIsNone(kerf.poll())
+            time.sleep(0.01)
+        with socket.socket(socket.AF_UNIX) as client:
+            client.connect(place)
+            yield client.makefile("rw")
 
     def test_what_does_not_listen_or_speaks_otherwise_is_refused_before_anything_moves(self):
         for how, why in (("version_at_once", "no answer of version 1"), ("silent", "does not answer within 1 s"), ("gone_at_once", "hangs up")):

@@ -145,6 +145,16 @@ class MachineFaults(Case):
         self.assertEqual(process.returncode, 8, err)
         self.assertIn("its loop is open", err + out)
 
+    def test_an_open_door_stops_a_run_that_nobody_can_let_go_on(self):
+        report, rows = self.run_with(fault("door_open"), status=7, options=("--trace", self.path("t.csv")))
+        self.assertNotIn("fault", report)
+        with open(self.path("t.csv")) as file:
+            rows = [{key: float(value or "nan") for key, value in row.items()} for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+        self.assert_brakes_on_the_path(rows)
+        slowed = next(i for i in range(AT - 50, len(rows)) if rows[i]["v_mm_s"] < rows[i - 1]["v_mm_s"] - 1e-9)
+        self.assertGreaterEqual(slowed, AT)
+        self.assertLessEqual(slowed, AT + 100)  # in real time, on a busy computer
+
     def test_a_spindle_that_does_not_start_is_a_fault_after_its_time_out(self):
         report, rows = self.run_with(fault("spindle_stuck", at_s=0), before="S1000 M3\n", status=4)
         self.assertEqual(report["fault"]["kind"], "spindle_too_slow")

@@ -23,9 +23,22 @@ void Operator::carry_out() {
   for (const auto& order : orders) {
     order();
   }
+  if (!is_attended_) {
+    stop_at_door();
+  }
   if (starts_ && controller_->status().state == ControllerState::idle) {
     starts_ = false;
     has_stopped_ = !give(kerf::Command::start);  // the search was stopped
+  }
+}
+
+void Operator::stop_at_door() {
+  const ControllerStatus status = controller_->status();
+  const bool goes_on =
+      status.state == ControllerState::running || status.state == ControllerState::waiting ||
+      status.state == ControllerState::holding || status.state == ControllerState::held;
+  if (status.door_open && goes_on) {
+    static_cast<void>(give(kerf::Command::stop));  // refused: it has come to its end
   }
 }
 

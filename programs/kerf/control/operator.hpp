@@ -14,7 +14,9 @@ namespace kerf::program {
 // out; the emergency stop is done at once, by whoever asks.
 class Operator {
  public:
-  explicit Operator(Controller& controller) noexcept : controller_(&controller) {}
+  // is_attended: somebody can let a program go on. Else an open door stops it.
+  Operator(Controller& controller, bool is_attended) noexcept
+      : controller_(&controller), is_attended_(is_attended) {}
 
   // Any thread.
   void ask(std::function<void()> order);
@@ -37,7 +39,10 @@ class Operator {
   [[nodiscard]] bool has_started() const noexcept { return has_started_; }
 
  private:
+  void stop_at_door();
+
   Controller* controller_;
+  bool is_attended_;
   bool starts_ = false;  // once it is idle
   std::atomic<bool> has_started_ = false;
   std::atomic<bool> has_stopped_ = false;

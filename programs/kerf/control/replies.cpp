@@ -122,6 +122,7 @@ std::string status_json(const ControllerStatus& status, parser::Letters extra) {
       json["unhomed"].push_back(std::string(1, "xyz"[axis]));
     }
   }
+  json["door_open"] = status.door_open;
   json["codes"] = std::string_view(status.codes.data(), status.codes.size())
                       .substr(0, ::strnlen(status.codes.data(), status.codes.size()));
   json["tool"] = at.outputs.tool;

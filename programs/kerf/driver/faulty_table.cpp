@@ -34,6 +34,7 @@ machine::MachineState FaultyTable::read() const noexcept {
   inputs.lower_limit = static_cast<machine::AxisBits>(inputs.lower_limit | stuck_.lower_limit);
   inputs.upper_limit = static_cast<machine::AxisBits>(inputs.upper_limit | stuck_.upper_limit);
   inputs.emergency_loop_open = inputs.emergency_loop_open || stuck_.emergency_loop_open;
+  inputs.door_open = inputs.door_open || stuck_.door_open;
   inputs.probe = inputs.probe || stuck_.probe;
   if (stuck_.spindle && state.outputs.spindle_rad_s != 0.0) {
     inputs.spindle_at_speed = false;
@@ -89,6 +90,9 @@ void FaultyTable::apply_to_inputs(const PlannedFault& fault) noexcept {
       return;
     case TableFault::emergency_loop:
       stuck_.emergency_loop_open = true;
+      return;
+    case TableFault::door_open:
+      stuck_.door_open = true;
       return;
     case TableFault::spindle_stuck:
       stuck_.spindle = true;

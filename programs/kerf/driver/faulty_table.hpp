@@ -39,6 +39,7 @@ class FaultyTable final : public machine::Machine {
     machine::AxisBits lower_limit = 0;
     machine::AxisBits upper_limit = 0;
     bool emergency_loop_open = false;
+    bool door_open = false;
     bool spindle = false;
     bool probe = false;
   };

@@ -60,7 +60,7 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver
   KernelOptions options = order.kernel_options;
   options.checks_travel = options.checks_travel || waits;  // MDI may change offsets
   Controller controller(order.settings, options);
-  Operator by(controller);
+  Operator by(controller, order.has_keys || control.has_value());
   if (const auto begun = begin(by, order.options); !begun) {
     report.fail(ExitStatus::machine_fault, std::string(begun.error().reason));
     return;

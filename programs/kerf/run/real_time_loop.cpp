@@ -144,6 +144,7 @@ class Ticks {
     }
     Setpoint setpoint;
     controller.set_program_inputs(stage_.ticks.program_inputs());
+    controller.set_door(stage_.ticks.inputs().door_open);
     const ControllerState state = controller.tick(setpoint);
     if (controller.has_new_place()) {
       stage_.ticks.enable({.mm = setpoint.position_mm, .extra_rad_mm = setpoint.extra_rad_mm});

@@ -53,7 +53,7 @@ class StringFeed final : public TextFeed {
 std::optional<std::string> run_once(std::string_view text, const TickCostOrder& order,
                                     const MachineSettings& settings, TickCost& cost) {
   Controller controller(settings);
-  Operator by(controller);
+  Operator by(controller, true);
   static_cast<void>(by.give(kerf::Command::enable));
   static_cast<void>(by.give(kerf::Command::start));
   ControllerPlanning planning(controller);
