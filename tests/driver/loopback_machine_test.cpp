@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -202,6 +203,49 @@ TEST_F(Loopback, Row68AReadingThatIsNotANumberNeverGetsThrough) {
   EXPECT_NE(pair_.peer.table().read().axes[0], AxisState::on);  // told to be off
 }
 
+// 5 mm is the largest following error of the table; an axis goes 0.01 mm a tick.
+TEST_F(Loopback, Row63APlaceFarFromItsSetpointIsAFaultWhateverTheMachineSays) {
+  for (const double said_mm : {0.0, 50.0}) {
+    LoopbackPair pair;
+    pair.machine().enable({});
+    pair.peer.serve();
+    for (std::int64_t tick = 1; tick <= 50; ++tick) {
+      pair.machine().write(setpoint_at(tick));
+      const auto told = pair.peer.receive();
+      ASSERT_TRUE(told);
+      AnswerFrame answer{.tick = tick};
+      answer.state.axes.fill(AxisState::on);
+      answer.state.actual_mm = told->setpoint.position_mm;
+      answer.state.actual_mm[1] += tick == 50 ? 5.1 : 4.9;
+      answer.state.following_error_mm[1] = said_mm;
+      EXPECT_EQ(pair.machine().read().fault, DriveFault::none) << tick;
+      pair.peer.answer_with(tick, answer.state);
+    }
+    pair.machine().write(setpoint_at(51));
+    EXPECT_EQ(pair.machine().read().fault, DriveFault::following_error);
+    EXPECT_EQ(pair.machine().read().fault_axis, 1);
+    EXPECT_EQ(pair.machine().read().axes[0], AxisState::stopping);
+    const auto told = pair.peer.receive();
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->call, MachineCall::disable);
+  }
+}
+
+TEST_F(Loopback, Row68AReadingThatIsFrozenIsAFaultOnceTheAxisShouldBeElsewhere) {
+  pair_.peer.serve();
+  for (; state().fault == DriveFault::none && tick_ < 2000;) {
+    write();
+    while (const auto told = pair_.peer.receive()) {
+      AnswerFrame answer{.tick = told->setpoint.tick};
+      answer.state.axes.fill(AxisState::on);
+      pair_.peer.answer_with(told->setpoint.tick, answer.state);
+    }
+  }
+  EXPECT_EQ(state().fault, DriveFault::following_error);
+  EXPECT_EQ(state().fault_axis, 0);
+  EXPECT_NEAR(static_cast<double>(tick_), 500.0, 3.0);
+}
+
 TEST_F(Loopback, Row69AFaultOfTheOtherEndIsTheMachines) {
   run(200);
   pair_.peer.table().fail_encoder(2, machine::EncoderFailure::not_finite);
@@ -211,6 +255,20 @@ TEST_F(Loopback, Row69AFaultOfTheOtherEndIsTheMachines) {
   EXPECT_EQ(state().axes[0], AxisState::stopping);
   run(200);
   EXPECT_EQ(state().axes[0], AxisState::off);
+}
+
+TEST(LoopbackMachines, LetTheOtherEndHearAllThatItWasToldBehindAnswersThatNobodyReads) {
+  LoopbackPair pair;
+  pair.machine().enable({});
+  pair.machine().write(setpoint_at(0));
+  pair.peer.answer(*pair.peer.receive());
+  pair.machine().disable();
+  pair.opened->reset();
+  std::vector<MachineCall> heard;
+  while (const auto told = pair.peer.receive()) {
+    heard.push_back(told->call);
+  }
+  EXPECT_EQ(heard, (std::vector{MachineCall::write, MachineCall::disable}));
 }
 
 TEST(LoopbackMachines, AreRefusedBeforeAnythingMoves) {

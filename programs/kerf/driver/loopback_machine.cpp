@@ -64,22 +64,23 @@ bool is_finite(const MachineState& state) noexcept {
 
 }  // namespace
 
-void LoopbackMachine::Pending::add(std::int64_t tick) noexcept {
-  ticks_[(first_ + count_) % ticks_.size()] = tick;
+void LoopbackMachine::Pending::add(const Told& told) noexcept {
+  told_[(first_ + count_) % told_.size()] = told;
   ++count_;
 }
 
-bool LoopbackMachine::Pending::answer(std::int64_t tick) noexcept {
+std::optional<LoopbackMachine::Told> LoopbackMachine::Pending::answer(std::int64_t tick) noexcept {
   for (std::size_t i = 0; i < count_; ++i) {
-    if (ticks_[(first_ + i) % ticks_.size()] == tick) {
-      last_was_forgotten_ = i < forgotten_;
-      first_ = (first_ + i + 1) % ticks_.size();
+    Told told = told_[(first_ + i) % told_.size()];
+    if (told.tick == tick) {
+      told.is_forgotten = i < forgotten_;
+      first_ = (first_ + i + 1) % told_.size();
       count_ -= i + 1;
       forgotten_ -= std::min(forgotten_, i + 1);
-      return true;
+      return told;
     }
   }
-  return false;
+  return std::nullopt;
 }
 
 tl::expected<std::unique_ptr<LoopbackMachine>, std::string> LoopbackMachine::open(
@@ -103,7 +104,20 @@ LoopbackMachine::LoopbackMachine(Descriptor socket, const Order& order) noexcept
     : socket_(std::move(socket)),
       gate_(order.table),
       timeout_periods_(static_cast<std::size_t>(
-          std::max(2.0, std::ceil(order.timeout_s / order.table.period_s - 1e-9)))) {}
+          std::max(2.0, std::ceil(order.timeout_s / order.table.period_s - 1e-9)))) {
+  for (std::size_t axis = 0; axis < max_following_error_mm_.size(); ++axis) {
+    max_following_error_mm_[axis] = order.table.axes[axis].max_following_error_mm;
+  }
+}
+
+// An answer that is not read when the socket closes is an error (ECONNRESET) at the other end, in
+// place of the frames that it has not read yet.
+LoopbackMachine::~LoopbackMachine() {
+  ::shutdown(socket_.number(), SHUT_RDWR);
+  ReceivedBytes bytes{};
+  while (::recv(socket_.number(), bytes.data(), bytes.size(), MSG_DONTWAIT) > 0) {
+  }
+}
 
 std::optional<std::string> LoopbackMachine::greet(double timeout_s) {
   if (!send_bytes(socket_.number(), to_bytes(ToldFrame{.call = MachineCall::disable}))) {
@@ -171,7 +185,11 @@ void LoopbackMachine::tell(const ToldFrame& told) noexcept {
   if (pending_.is_full()) {
     hang_up(DriveFault::no_answer);
   } else if (send_bytes(socket_.number(), to_bytes(told))) {
-    pending_.add(told.setpoint.tick);
+    Told pending{.tick = told.setpoint.tick};
+    if (told.call != MachineCall::disable) {
+      pending.place_mm = told.setpoint.position_mm;
+    }
+    pending_.add(pending);
   } else {
     hang_up(errno == EAGAIN ? DriveFault::no_answer : DriveFault::connection_lost);
   }
@@ -191,10 +209,12 @@ void LoopbackMachine::take_answers() noexcept {
     }
     const auto size = std::min(static_cast<std::size_t>(count), bytes.size());
     const auto answer = answer_from(std::span(bytes).first(size));
-    if (!answer || !pending_.answer(answer->tick)) {
+    const auto told = answer ? pending_.answer(answer->tick) : std::nullopt;
+    if (!told) {
       note(DriveFault::bad_answer);
-    } else if (!pending_.last_was_forgotten()) {
+    } else if (!told->is_forgotten) {
       take(answer->state);
+      judge_place(*told);
     }
   }
 }
@@ -215,6 +235,15 @@ void LoopbackMachine::take(const MachineState& answer) noexcept {
   if (fault != DriveFault::none) {  // the first one stays
     state_.fault = fault;
     state_.fault_axis = axis;
+  }
+}
+
+void LoopbackMachine::judge_place(const Told& told) noexcept {
+  for (std::size_t axis = 0; axis < max_following_error_mm_.size() && told.place_mm; ++axis) {
+    const double error_mm = (*told.place_mm)[axis] - state_.actual_mm[axis];
+    if (follows() && !(std::abs(error_mm) <= max_following_error_mm_[axis])) {
+      stop({.why = DriveFault::following_error, .axis = static_cast<std::int8_t>(axis)});
+    }
   }
 }
 
