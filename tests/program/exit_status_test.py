@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Each exit status of `kerf`, and that docs/command-line.md, docs/json.md and the help name them all."""
+"""Each exit status of `kerf`, and that README.md, docs/json.md, the schema of the control channel and the help name them all."""
 import os
 import pathlib
 import re
@@ -70,11 +70,14 @@ class ExitStatus(Case):
     def test_is_documented(self):
         source = pathlib.Path(SOURCE)
         self.assertEqual({int(n) for n in re.findall(r"^  \w+ = (\d+),", (source / "programs/kerf/exit_status.hpp").read_text(), re.M)}, ALL)
-        table = re.search(r"\| exit status \| \|\n\| --- \| --- \|\n((?:\|.*\n)+)", (source / "docs/command-line.md").read_text()).group(1)
+        table = re.search(r"\| exit status \| \|\n\| --- \| --- \|\n((?:\|.*\n)+)", (source / "README.md").read_text()).group(1)
         cells = " ".join(re.findall(r"^\| ([\d, ]+) \|", table, re.M))
         self.assertEqual({int(n) for n in re.findall(r"\d+", cells)}, ALL)
         row = next(line for line in (source / "docs/json.md").read_text().splitlines() if line.startswith("| `exit_status`"))
         self.assertEqual({int(n) for n in re.findall(r"(?:: |, )(\d+) ", row)}, ALL)
+        schema = (source / "docs/control.schema.json").read_text()
+        named = re.search(r'"exit_status": {"enum": \[([\d, ]+)\]}', schema).group(1)
+        self.assertEqual({int(n) for n in named.split(",")}, ALL)
         help_text = self.kerf("--help").stdout
         self.assertEqual({int(n) for n in re.findall(r"(?:: |, |,\n)(\d+) [a-z]", help_text[help_text.index("Exit status"):])}, ALL)
 
