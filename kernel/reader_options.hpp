@@ -26,6 +26,7 @@ inline std::shared_ptr<const parser::ReaderState> state_at_start(const KernelOpt
   state.modal.mist = outputs.mist;
   state.modal.flood = outputs.flood;
   state.modal.loaded_tool = outputs.tool;
+  state.modal.outputs = {.digital = outputs.digital, .analog = outputs.analog};
   return std::make_shared<const parser::ReaderState>(std::move(state));
 }
 

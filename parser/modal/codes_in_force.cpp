@@ -32,6 +32,21 @@ std::string work_code(std::size_t system) {
                          : "G59." + std::to_string(system - kWhole + 1);
 }
 
+void add_overrides(const AllowedOverrides& overrides, std::vector<std::string>& codes) {
+  if (!overrides.feed) {
+    codes.emplace_back("M50 P0");
+  }
+  if (!overrides.speed) {
+    codes.emplace_back("M51 P0");
+  }
+  if (overrides.adaptive_feed) {
+    codes.emplace_back("M52");
+  }
+  if (!overrides.feed_hold) {
+    codes.emplace_back("M53 P0");
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> codes_in_force(const ModalState& state) {
@@ -54,6 +69,7 @@ std::vector<std::string> codes_in_force(const ModalState& state) {
   if (coordinates.program_turn() != ProgramTurn{}) {
     codes.emplace_back("G68");
   }
+  add_overrides(state.overrides, codes);
   if (!state.mist && !state.flood) {
     codes.emplace_back("M9");
   }

@@ -9,7 +9,8 @@
 namespace kerf::parser {
 
 // One code of each modal group, in the order of the groups: "G1", "G17", "G90", ... "M3", "M9". Of
-// G51, G51.1 and G68, which only Fanuc has, those in force.
+// G51, G51.1 and G68, which only Fanuc has, those in force; of M50 to M53 those that are not as a
+// program finds them.
 std::vector<std::string> codes_in_force(const ModalState& state);
 
 }  // namespace kerf::parser

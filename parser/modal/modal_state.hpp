@@ -1,6 +1,8 @@
 // What stays in force from block to block.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -75,6 +77,12 @@ struct MacroSignal {
   double number = 0.0;
 };
 
+// As M62 to M68 leave them.
+struct SwitchedOutputs {
+  std::uint64_t digital = 0;  // bit n: output n
+  std::array<double, kAnalogOutputs> analog{};
+};
+
 struct ModalState {
   Point position_mm{};  // of the machine's axes, what the moves carry
   AuxiliaryWords auxiliary_deg_mm{};
@@ -109,6 +117,7 @@ struct ModalState {
   bool mist = false;
   bool flood = false;
   AllowedOverrides overrides;
+  SwitchedOutputs outputs;
   double input = 0.0;  // what the last M66 read, -1 after a wait in vain
   ProbeResult probe;
   bool to_initial_level = false;  // G98, not G99: where a canned cycle ends

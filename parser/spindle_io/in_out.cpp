@@ -110,8 +110,11 @@ Done switch_in_out(const RunningBlock& at, ModalState& state, const MachineSourc
       return fault_of(output);
     }
     const bool at_motion = code == 620 || code == 630;
+    const bool is_on = code == 620 || code == 640;
     at.push_event(state, {at_motion ? EventKind::digital_at_motion : EventKind::digital_output,
-                          code == 620 || code == 640 ? 1.0 : 0.0, *output});
+                          is_on ? 1.0 : 0.0, *output});
+    const std::uint64_t bit = std::uint64_t{1} << *output;
+    state.outputs.digital = is_on ? state.outputs.digital | bit : state.outputs.digital & ~bit;
     return {};
   }
   auto output = channel(at, 'E', kAnalogOutputs);
@@ -125,6 +128,7 @@ Done switch_in_out(const RunningBlock& at, ModalState& state, const MachineSourc
   }
   at.push_event(state, {code == 670 ? EventKind::analog_at_motion : EventKind::analog_output,
                         at.block.value('Q'), *output});
+  state.outputs.analog[static_cast<std::size_t>(*output)] = at.block.value('Q');
   return {};
 }
 

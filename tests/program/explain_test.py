@@ -18,6 +18,19 @@ class Explain(Case):
         self.assertAlmostEqual(told["begin_s"], rapid[0], delta=0.0011)
         self.assertIn("G43", told["codes"])
 
+    def test_outputs_and_what_overrides_are_for_are_shown_as_at_a_start_at_the_line(self):
+        path = self.path("o.ngc", "G21 G90 F600\nM62 P1\nG1 X1\nM64 P3\nM65 P1\nM68 E0 Q2.5\nM49\nM52 P1\nG1 X5\nM48\nM67 E0 Q0\nM53 P0\nG1 X9\nM2\n")
+        block = json.loads(self.kerf("explain", path, "--line", "9", "--json").stdout)["block"]
+        self.assertEqual(block["outputs"], {"digital_on": [3], "analog": [2.5, 0, 0, 0, 0, 0, 0, 0]})
+        self.assertEqual([code for code in block["codes"] if code.startswith("M5") and code != "M5"], ["M50 P0", "M51 P0", "M52"])
+        self.assertIn("  outputs         P3 on, E0 2.5\n", self.kerf("explain", path, "--line", "9").stdout)
+        start = json.loads(self.kerf("dry-run", path, "--from-line", "9", "--json", "-q").stdout)["start"]
+        self.assertEqual((start["outputs"], start["codes"]), (block["outputs"], block["codes"]))
+        block = json.loads(self.kerf("explain", path, "--line", "13", "--json").stdout)["block"]
+        self.assertEqual(block["outputs"], {"digital_on": [3], "analog": [0] * 8})
+        self.assertEqual([code for code in block["codes"] if code.startswith("M5") and code != "M5"], ["M52", "M53 P0"])
+        self.assertEqual(json.loads(self.kerf("explain", path, "--line", "3", "--json").stdout)["block"]["outputs"]["digital_on"], [1])
+
     def test_tells_the_tolerances_of_g64(self):
         program = self.path("g64.ngc", "G64 P0.02 Q0.005\nG1 X10 F600\nG20 G64 P0.01\nX1\nG61\nX2\nM2\n")
         self.assertIn("  G64             P 0.02, Q 0.005 mm\n", self.kerf("explain", program, "--line", "2").stdout)

@@ -13,6 +13,16 @@ namespace {
 // Keys in the order in which they are set.
 using Json = nlohmann::ordered_json;
 
+Json outputs_json(const parser::SwitchedOutputs& outputs) {
+  Json json = {{"digital_on", Json::array()}, {"analog", outputs.analog}};
+  for (unsigned output = 0; output < Outputs::kDigital; ++output) {
+    if (((outputs.digital >> output) & 1U) != 0) {
+      json["digital_on"].push_back(output);
+    }
+  }
+  return json;
+}
+
 // What is in force before it.
 Json state_json(const parser::WatchedBlock& block, parser::Letters extra) {
   const parser::ModalState& state = block.state;
@@ -30,7 +40,8 @@ Json state_json(const parser::WatchedBlock& block, parser::Letters extra) {
                {"feedrate_mm_s", state.feedrate_mm_s ? Json(*state.feedrate_mm_s) : Json()},
                {"spindle_speed", state.spindle_speed},
                {"tool", state.loaded_tool},
-               {"selected_tool", state.tool}};
+               {"selected_tool", state.tool},
+               {"outputs", outputs_json(state.outputs)}};
   for (const ExtraAxis& axis : extra_axes(extra)) {
     const std::string unit = fmt::format("_{}", axis.unit);
     json["position" + unit][axis.name] = state.auxiliary_deg_mm[axis.index];

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <vector>
 
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/fmt/ranges.h>
@@ -44,6 +46,24 @@ std::string words_of(const parser::WatchedBlock& block) {
   return visible(words);
 }
 
+// Those that are on, or not 0.
+void append_outputs(std::string& text, const parser::SwitchedOutputs& outputs) {
+  std::vector<std::string> told;
+  for (unsigned output = 0; output < Outputs::kDigital; ++output) {
+    if (((outputs.digital >> output) & 1U) != 0) {
+      told.push_back(fmt::format("P{} on", output));
+    }
+  }
+  for (std::size_t output = 0; output < outputs.analog.size(); ++output) {
+    if (outputs.analog[output] != 0.0) {
+      told.push_back(fmt::format("E{} {}", output, short_number(outputs.analog[output])));
+    }
+  }
+  if (!told.empty()) {
+    text += fmt::format("  outputs         {}\n", fmt::join(told, ", "));
+  }
+}
+
 std::string state_text(const FileReport& report, const parser::WatchedBlock& block) {
   const parser::ModalState& state = block.state;
   const parser::Coordinates& coordinates = state.coordinates;
@@ -70,6 +90,7 @@ std::string state_text(const FileReport& report, const parser::WatchedBlock& blo
   fmt::format_to(out, "  spindle         S{}\n", short_number(state.spindle_speed));
   fmt::format_to(out, "  tool            T{} loaded, T{} selected\n", state.loaded_tool,
                  short_number(state.tool));
+  append_outputs(text, state.outputs);
   return text;
 }
 
