@@ -23,11 +23,17 @@ Point SimulatedAnswers::tool_offset_mm(std::int32_t tool) const {
 }
 
 bool SimulatedAnswers::touches(const parser::ProbedWay& way) const {
+  if (assumes_contact_) {
+    return !way.until_contact;
+  }
   return world_.surface &&
          machine::touches(*world_.surface, moved(way.from_mm, tool_offset_mm(way.tool), -1.0));
 }
 
 std::optional<Point> SimulatedAnswers::change_of_contact(const parser::ProbedWay& way) const {
+  if (assumes_contact_) {
+    return way.to_mm;
+  }
   if (!world_.surface) {
     return std::nullopt;
   }

@@ -8,13 +8,18 @@
 namespace kerf {
 
 // The surface and the inputs of the simulation, in closed form: the tip of the tool is where the
-// program has it, and inputs stay as they are set.
+// program has it, and inputs stay as they are set. With KernelOptions::assumes_contact the surface
+// is at the end of each way.
 class SimulatedAnswers final : public parser::AssumedMachine {
  public:
-  explicit SimulatedAnswers(const MachineSettings& settings)
-      : world_(settings.simulation), tools_(settings.program.tools) {}
+  SimulatedAnswers(const MachineSettings& settings, bool assumes_contact)
+      : world_(settings.simulation),
+        tools_(settings.program.tools),
+        assumes_contact_(assumes_contact) {}
 
-  [[nodiscard]] bool has_surface() const override { return world_.surface.has_value(); }
+  [[nodiscard]] bool has_surface() const override {
+    return assumes_contact_ || world_.surface.has_value();
+  }
   [[nodiscard]] bool touches(const parser::ProbedWay& way) const override;
   [[nodiscard]] std::optional<parser::Point> change_of_contact(
       const parser::ProbedWay& way) const override;
@@ -29,6 +34,7 @@ class SimulatedAnswers final : public parser::AssumedMachine {
 
   SimulationSettings world_;
   ToolTable tools_;
+  bool assumes_contact_;
 };
 
 }  // namespace kerf

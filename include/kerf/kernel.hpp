@@ -70,6 +70,10 @@ struct KernelOptions {
   /// G38 and M66 wait for what set_program_inputs() says. Else the machine's surface and inputs
   /// answer (MachineSettings::simulation), without motion: as check_program() assumes.
   bool asks_machine = false;
+  /// Where the machine is not asked, as by check_program(): a probe finds what it looks for at the
+  /// end of its way. Of a machine whose workpiece is not in the settings; with checks_travel in the
+  /// run, since the places that follow from the real contact are other ones.
+  bool assumes_contact = false;
   /// plan() and tick() are called by one thread, which is never late: no way to rest is kept ready
   /// behind what is planned.
   bool one_thread = false;

@@ -7,6 +7,7 @@ import time
 SOURCE, SOCKET, HOW = sys.argv[1:4]
 FROM = int(sys.argv[4]) if len(sys.argv) > 4 else 0
 AT_REST_MM = 1e-3  # a period, of an axis that lags; the program moves by 0.02
+WORKPIECE_MM = -3.0  # its top
 OPEN_FRAMES = 3000  # how long the door is open
 DELAY_S = float(sys.argv[5]) if len(sys.argv) > 5 else 0.0
 sys.path.insert(0, f"{SOURCE}/examples")
@@ -41,6 +42,7 @@ def main():
                 told = Told(frame)
                 machine.door_open = HOW == "door" and FROM <= number < FROM + OPEN_FRAMES
                 machine.take(told)
+                machine.probe = HOW == "workpiece" and machine.places[2] <= WORKPIECE_MM
                 last = told.call
                 if HOW == "silent":
                     continue
@@ -51,7 +53,7 @@ def main():
                     held.append((time.monotonic() + DELAY_S, answer))
                     while held and held[0][0] <= time.monotonic():
                         connection.send(held.pop(0)[1])
-                elif number < FROM or HOW in ("late", "trip", "well", "door"):
+                elif number < FROM or HOW in ("late", "trip", "well", "door", "workpiece"):
                     connection.send(answer)
                 else:
                     connection.send(spoilt(answer, number))

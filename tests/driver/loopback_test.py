@@ -167,6 +167,35 @@ class Loopback(Case):
         self.assertEqual(self.rows()[-1][1], 60)
         machine.communicate(timeout=60)
 
+    def test_a_program_probes_a_workpiece_that_the_machine_file_knows_nothing_of(self):
+        machine = self.start_machine("workpiece")
+        kerf = self.start_kerf("G21 G90 G61\nG38.2 Z-20 F120\nG10 L20 P1 Z0\nG1 Z5 F1200\nM30\n")
+        _, err = kerf.communicate(timeout=120)
+        machine.communicate(timeout=60)
+        self.assertEqual(kerf.returncode, 0, err)
+        z = self.heights()
+        # The contact is known a few ticks of 0.002 mm late, and then the tool brakes.
+        self.assertGreater(min(z), -3.5)
+        self.assertLess(min(z), -3.0)
+        # It rests where it came to rest, which G10 L20 makes 0, and ends 5 mm above that.
+        self.assertAlmostEqual(z[-1], min(z) + 5, delta=1e-6)
+
+    def test_a_place_that_follows_from_a_probe_is_held_against_the_travel_as_it_runs(self):
+        machine = self.start_machine("workpiece")
+        with open(self.file, "a") as file:
+            file.write("[axes.z]\nmin_mm = -200\nmax_mm = 200\n")
+        # From the end of the way it leads to 195 mm, from the workpiece to 212 mm; the travel ends at 200.
+        kerf = self.start_kerf("G21 G90 G61\nG38.2 Z-20 F120\nG10 L20 P1 Z0\nG1 Z215 F1200\nM30\n")
+        _, err = kerf.communicate(timeout=120)
+        machine.communicate(timeout=60)
+        self.assertEqual(kerf.returncode, 4, err)
+        self.assertIn("[E1000]", err)
+        self.assertLess(max(self.heights()), 1e-6)
+
+    def heights(self):
+        with open(self.path("t.csv")) as file:
+            return [float(row["z_mm"]) for row in csv.DictReader(line for line in file if not line.startswith("#"))]
+
     @contextlib.contextmanager
     def client_of(self, kerf, place):
         while not os.path.exists(place):

@@ -33,6 +33,12 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+// Only the simulated table has the one of the machine file, and a record of a run on it.
+bool knows_workpiece(const Options& options, const MachineSettings& settings) {
+  return options.replay_file.empty() ? options.driver.name == "simulated"
+                                     : settings.simulation.surface.has_value();
+}
+
 class Session {
  public:
   Session(const Options& options, const MachineSettings& settings, PageRecord* page)
@@ -49,6 +55,9 @@ class Session {
                         .one_thread = options.command != Subcommand::run,
                         .tells_operator = page != nullptr && page->wants_motion,
                         .dialect = options.dialect} {
+    if (options.command == Subcommand::run && !knows_workpiece(options, settings)) {
+      kernel_options_.assumes_contact = kernel_options_.checks_travel = true;
+    }
     if (options.log_level == LogLevel::debug) {
       kernel_options_.plan_log = log_debug;
     }
