@@ -3,6 +3,8 @@ import type { Units } from "./units.ts";
 
 export const COLOURS = ["feed", "limit", "acceleration", "jerk", "deviation", "tool", "following"] as const;
 export type ColourBy = (typeof COLOURS)[number];
+// How much faster than the machine it plays.
+export const SPEEDS = [0.01, 0.1, 0.25, 1, 4, 20, 100] as const;
 export type Theme = "auto" | "light" | "dark";
 // Who has moved the instant: the others follow.
 export type Origin = "path" | "time" | "program" | "play" | "answer" | "page";
@@ -77,12 +79,14 @@ export function toFragment(state: Readonly<State>): string {
   if (state.plan > 0) words.set("plan", String(state.plan + 1));
   if (state.tick > 0) words.set("tick", String(Math.round(state.tick)));
   if (state.colourBy !== "feed") words.set("colour", state.colourBy);
+  if (state.shown) words.set("shown", state.shown.join(","));
   if (state.track !== "path") words.set("track", state.track);
   if (state.span) words.set("span", state.span.map((tick) => String(Number(tick.toFixed(3)))).join(","));
   if (state.tab !== "program") words.set("tab", state.tab);
   if (state.units.length !== "mm") words.set("length", state.units.length);
   if (state.units.time !== "min") words.set("per", state.units.time);
   if (state.theme !== "auto") words.set("theme", state.theme);
+  if (state.speed !== 1) words.set("speed", String(state.speed));
   if (state.camera !== "") words.set("view", state.camera);
   return words.toString();
 }
@@ -101,6 +105,8 @@ export function fromFragment(fragment: string): Change {
   if (tick !== null) change.tick = tick;
   const colour = COLOURS.find((name) => name === words.get("colour"));
   if (colour) change.colourBy = colour;
+  const shown = words.get("shown");
+  if (shown !== null && /^\d{1,9}(,\d{1,9}){0,999}$/.test(shown)) change.shown = shown.split(",").map(Number);
   const track = words.get("track");
   if (track !== null && /^[a-z]+$/.test(track)) change.track = track;
   const span = /^(\d{1,12}(?:\.\d+)?),(\d{1,12}(?:\.\d+)?)$/.exec(words.get("span") ?? "");
@@ -110,6 +116,8 @@ export function fromFragment(fragment: string): Change {
   change.units = { length: words.get("length") === "inch" ? "inch" : "mm", time: words.get("per") === "s" ? "s" : "min" };
   const theme = words.get("theme");
   if (theme === "light" || theme === "dark") change.theme = theme;
+  const speed = SPEEDS.find((one) => String(one) === words.get("speed"));
+  if (speed !== undefined) change.speed = speed;
   const view = words.get("view");
   if (view !== null && /^[-\d.,e]+$/.test(view)) change.camera = view;
   return change;

@@ -179,3 +179,26 @@ test("keeps the view in its address: instant, place of the eye, charts, colour, 
   await page.context().close();
   await again.page.context().close();
 });
+
+test("keeps the parts that are chosen in the legend and the speed of playing in its address", async () => {
+  const { page, said } = await openReport([pocket], "#colour=limit");
+  const dimmed = (at: typeof page): Promise<string[]> => at.locator(".legend.parts button.dimmed").allTextContents();
+  await page.locator(".legend.parts button").nth(1).click();
+  await page.locator(".legend.parts button").nth(2).click();
+  await page.locator("select[aria-label^=Speed]").selectOption("0.25");
+  const { hash } = new URL(page.url());
+  const again = await openReport([pocket], hash);
+  assert.equal(new URL(again.page.url()).hash, hash);
+  assert.equal(await again.page.locator(".legend.parts button[aria-pressed=true]").count(), 2);
+  assert.deepEqual(await dimmed(again.page), await dimmed(page));
+  assert.equal(await again.page.locator("select[aria-label^=Speed]").inputValue(), "0.25");
+  const picture = (at: typeof page): Promise<Buffer> => at.locator(".path-view canvas").first().screenshot();
+  await page.mouse.move(1, 1);
+  await page.waitForTimeout(200);
+  assert.ok((await picture(again.page)).equals(await picture(page)), "the path is dimmed alike");
+  const other = await openReport([pocket], "#colour=limit&shown=77");
+  assert.equal(await other.page.locator(".legend.parts button.dimmed").count(), 0, "what this legend has not dims nothing");
+  assert.deepEqual([...said, ...again.said, ...other.said], []);
+  for (const { page: one } of [again, other]) await one.context().close();
+  await page.context().close();
+});

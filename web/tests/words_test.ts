@@ -34,11 +34,11 @@ test("units are those that are asked for", () => {
 });
 
 test("the fragment brings back what it was made from, and what is wrong in it is left out", () => {
-  const state = { ...initialState(), plan: 1, tick: 77, colourBy: "jerk", track: "y", span: [10, 900.25], tab: "answer", theme: "dark", camera: "1,2,3,0,0,0,9.5" } as const;
+  const state = { ...initialState(), plan: 1, tick: 77, colourBy: "limit", shown: [3, 12], speed: 0.25, track: "y", span: [10, 900.25], tab: "answer", theme: "dark", camera: "1,2,3,0,0,0,9.5" } as const;
   const back = { ...initialState(), ...fromFragment(`#${toFragment(state)}`) };
   assert.deepEqual(back, state);
   assert.equal(toFragment(initialState()), "");
-  const wrong = fromFragment("#tick=-4&span=9,3&tab=<b>&colour=<b>&theme=pink&view=alert(1)&plan=x");
+  const wrong = fromFragment("#tick=-4&span=9,3&tab=<b>&colour=<b>&theme=pink&view=alert(1)&plan=x&shown=1,b&speed=3");
   assert.deepEqual(wrong, { units: { length: "mm", time: "min" } });
 });
 

@@ -1,10 +1,8 @@
 // The present instant: play, pause, speed, and the slider that moves it.
 import type { Plan } from "../plan/plan.ts";
-import type { Store } from "../state.ts";
+import { SPEEDS, type Store } from "../state.ts";
 import { clock } from "../units.ts";
 import { h, select } from "./dom.ts";
-
-const SPEEDS = ["0.01", "0.1", "0.25", "1", "4", "20", "100"] as const;
 
 export class PlayBar {
   readonly elements: readonly HTMLElement[];
@@ -19,7 +17,7 @@ export class PlayBar {
     this.store = store;
     this.play.addEventListener("click", () => this.toggle());
     this.scrub.addEventListener("input", () => store.set({ tick: Number(this.scrub.value), hover: null, playing: false }, "page"));
-    const speed = select("Speed of playing", SPEEDS.map((one) => [one, `${one}\u00d7`] as const), "1", (value) => store.set({ speed: Number(value) }, "page"));
+    const speed = select("Speed of playing", SPEEDS.map((one) => [String(one), `${one}\u00d7`] as const), String(store.state.speed), (value) => store.set({ speed: Number(value) }, "page"));
     this.elements = [this.play, speed, this.scrub, this.instant];
     store.listen((_state, change) => {
       if ("tick" in change || "hover" in change) this.showInstant();

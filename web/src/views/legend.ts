@@ -3,22 +3,23 @@ import { hexOf, scaleColour } from "../colours.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { MM_PER_INCH, percent, plain, unitOf } from "../units.ts";
-import type { Colouring } from "./path_colours.ts";
+import { chosenParts, type Colouring } from "./path_colours.ts";
 
 export function legendOf(colouring: Colouring, store: Store, dark: boolean, allTicks: number): HTMLElement {
   const { legend } = colouring;
   const { state } = store;
   if (legend.kind === "parts") {
+    const shown = chosenParts(legend, state.shown);
     const items = legend.parts.map(({ id, name, colour, ticks }) => {
       const swatch = h("i", { class: "swatch" });
       swatch.style.backgroundColor = hexOf(colour);
-      const chosen = state.shown === null || state.shown.includes(id);
+      const chosen = shown === null || shown.includes(id);
       const choose = (): void => {
-        const others = state.shown ?? [];
-        const shown = others.includes(id) ? others.filter((one) => one !== id) : [...others, id];
-        store.set({ shown: shown.length > 0 ? shown : null }, "page");
+        const others = shown ?? [];
+        const now = others.includes(id) ? others.filter((one) => one !== id) : [...others, id];
+        store.set({ shown: now.length > 0 ? now : null }, "page");
       };
-      return h("button", { type: "button", "aria-pressed": String(state.shown !== null && chosen), class: chosen ? "" : "dimmed", click: choose }, swatch, `${name} `, h("span", { class: "soft" }, percent(ticks / Math.max(1, allTicks))));
+      return h("button", { type: "button", "aria-pressed": String(shown !== null && chosen), class: chosen ? "" : "dimmed", click: choose }, swatch, `${name} `, h("span", { class: "soft" }, percent(ticks / Math.max(1, allTicks))));
     });
     return h("div", { class: "legend parts", "aria-label": legend.title }, h("div", { class: "legend-title" }, legend.title), ...items);
   }

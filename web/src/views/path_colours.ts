@@ -15,6 +15,12 @@ export interface Colouring {
   rgbOf(value: number): Rgb;
 }
 
+// Of the parts that were chosen those that the legend has; null: none was, or none of them is there.
+export function chosenParts(legend: Legend, chosen: readonly number[] | null): readonly number[] | null {
+  const there = legend.kind === "parts" ? (chosen ?? []).filter((id) => legend.parts.some((part) => part.id === id)) : [];
+  return there.length > 0 ? there : null;
+}
+
 // The columns that the ticks stand for, at least one.
 function columnsOf(plan: Plan, from: number, to: number): [number, number] {
   const { ticksPerColumn, columns } = plan.motion!;

@@ -5,7 +5,7 @@ import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import type { Ground } from "./ground.ts";
 import { PathCamera, type Side } from "./path_camera.ts";
-import { colouringOf, type Colouring } from "./path_colours.ts";
+import { chosenParts, colouringOf, type Colouring } from "./path_colours.ts";
 import { drawOverlay, placesOf, type Place } from "./path_overlay.ts";
 import { PathPointer } from "./path_pointer.ts";
 import { PathScene } from "./path_scene.ts";
@@ -86,7 +86,7 @@ export class PathView {
   }
 
   private repaint(): void {
-    if (this.colouring) this.scene.colour(this.colouring, this.store.state.shown, this.ground);
+    if (this.colouring) this.scene.colour(this.colouring, chosenParts(this.colouring.legend, this.store.state.shown), this.ground);
     this.draw();
   }
 
