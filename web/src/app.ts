@@ -7,6 +7,7 @@ import { Store, fromFragment, initialState, toFragment, type ColourBy } from "./
 import { h } from "./ui/dom.ts";
 import { Header, namesOf } from "./ui/header.ts";
 import { PlayBar } from "./ui/play_bar.ts";
+import { Tabs, type Pane } from "./ui/tabs.ts";
 import { AnswerView } from "./views/answer_view.ts";
 import { DifferenceView, type Named } from "./views/difference_view.ts";
 import { legendOf } from "./views/legend.ts";
@@ -31,7 +32,7 @@ const COLOUR_NAMES: Record<ColourBy, string> = {
 export interface Extras {
   readonly editing?: Editing; // of the program's text
   readonly bar?: HTMLElement; // below the header
-  readonly panes?: readonly (readonly [name: string, text: string, HTMLElement])[]; // beside program and answer
+  readonly panes?: readonly Pane[]; // beside program and answer
   readonly question?: HTMLElement; // what makes the other plan; above the difference
 }
 
@@ -51,7 +52,7 @@ export class App {
   private readonly legend = h("div", {});
   private readonly colour = h("select", { "aria-label": "Colour of the path" });
   private readonly tracks = h("select", { "aria-label": "Along the path, or an axis" });
-  private readonly tabs = new Map<string, HTMLButtonElement>();
+  private readonly tabs: Tabs;
 
   constructor(root: HTMLElement, shown: Shown, extras: Extras = {}) {
     this.shown = shown;
@@ -68,6 +69,7 @@ export class App {
     this.answer = new AnswerView(this.store);
     this.difference = new DifferenceView(this.store);
     this.playBar = new PlayBar(this.store);
+    this.tabs = this.makeTabs();
     root.replaceChildren(this.header.element, ...(extras.bar ? [extras.bar] : []), this.answer.strip, this.main);
     this.main.append(this.spacePanel(), this.timePanel(), this.sidePanel());
     this.listen();
@@ -130,27 +132,25 @@ export class App {
     this.time.zoomTo({ from: tick - half, to: tick + half });
   }
 
-  private sidePanel(): HTMLElement {
+  private makeTabs(): Tabs {
     const { question } = this.extras;
     const difference = h("div", { class: "compared" }, ...(question ? [question] : []), this.difference.element);
-    const panes = [
+    const panes: Pane[] = [
       ["program", "Program", this.program.element],
       ["answer", "Answer in full", this.answer.details],
       ["difference", "Difference", difference],
       ...(this.extras.panes ?? []),
-    ] as const;
-    const choose = (name: string): void => {
+    ];
+    const tabs = new Tabs("Beside the path", panes, (name) => {
       this.store.set({ tab: name }, "page");
-      for (const [one, , pane] of panes) {
-        pane.hidden = one !== name;
-        this.tabs.get(one)!.setAttribute("aria-selected", String(one === name));
-      }
       if (name === "difference") this.difference.build();
-    };
-    for (const [name, text] of panes) this.tabs.set(name, h("button", { type: "button", role: "tab", "data-tab": name, click: () => choose(name) }, text));
-    choose(this.tabs.has(this.store.state.tab) ? this.store.state.tab : "program");
-    const content = h("div", { class: "content" }, ...panes.map(([, , pane]) => pane));
-    return h("section", { class: "panel side", "aria-label": "Program and answer" }, h("div", { class: "tools", role: "tablist" }, ...this.tabs.values()), content);
+    });
+    this.store.state.tab = tabs.show(this.store.state.tab);
+    return tabs;
+  }
+
+  private sidePanel(): HTMLElement {
+    return h("section", { class: "panel side", "aria-label": "Program and answer" }, this.tabs.list, this.tabs.content);
   }
 
   private listen(): void {
@@ -204,7 +204,7 @@ export class App {
   // Of the shown plan from the base; while the base is shown, of the first other one.
   private showDifference(): void {
     const { plans, base } = this.shown;
-    this.tabs.get("difference")!.hidden = plans.length < 2 && !this.extras.question;
+    this.tabs.setHidden("difference", plans.length < 2 && !this.extras.question);
     const names = namesOf(this.shown);
     const named = (i: number): Named => ({ plan: plans[i]!, account: this.accountOf(plans[i]!), name: names[i]! });
     const other = this.store.state.plan === base ? plans.findIndex((_, i) => i !== base) : this.store.state.plan;

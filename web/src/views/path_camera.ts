@@ -7,6 +7,11 @@ export const SIDES = ["top", "front", "right", "iso"] as const;
 export type Side = (typeof SIDES)[number];
 const DIRECTIONS: Record<Side, Triple> = { top: [0, 0, 1], front: [0, -1, 0], right: [1, 0, 0], iso: [-1, -1.4, 1.1] };
 
+const WAYS: Readonly<Record<string, readonly [right: number, down: number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+const KEY_ANGLE_RAD = Math.PI / 36;
+const KEY_PIXELS = 40;
+const KEY_ZOOM = 1.25;
+
 export interface Box {
   readonly min: Triple;
   readonly max: Triple;
@@ -18,10 +23,13 @@ export class PathCamera {
   private box: Box = { min: [0, 0, 0], max: [0, 0, 0] }; // of what is to be seen
   private reach = 4; // farther than anything that is drawn
   private readonly element: HTMLElement;
+  private readonly settled: () => void;
 
   // changed: the view is another one. settled: and the hand has let go.
   constructor(element: HTMLElement, changed: () => void, settled: () => void) {
     this.element = element;
+    this.settled = settled;
+    element.addEventListener("keydown", (event) => this.key(event));
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, element);
     this.controls.enableDamping = false;
@@ -103,6 +111,25 @@ export class PathCamera {
   get text(): string {
     const numbers = [...this.camera.position.toArray(), ...this.controls.target.toArray(), this.camera.zoom];
     return numbers.map((number) => String(Number(number.toPrecision(6)))).join(",");
+  }
+
+  // As the mouse does: an arrow turns what is seen its way, with Shift it moves it.
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const { controls } = this;
+    const way = WAYS[event.key];
+    if (way && event.shiftKey) {
+      controls.pan(KEY_PIXELS * way[0], KEY_PIXELS * way[1]);
+    } else if (way) {
+      controls.rotateLeft(KEY_ANGLE_RAD * way[0]);
+      controls.rotateUp(KEY_ANGLE_RAD * way[1]);
+    } else if (event.key === "+" || event.key === "-") {
+      controls.dollyIn(event.key === "+" ? 1 / KEY_ZOOM : KEY_ZOOM);
+    } else {
+      return;
+    }
+    event.preventDefault();
+    this.settled();
   }
 
   private update(): void {

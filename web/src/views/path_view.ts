@@ -15,7 +15,7 @@ export class PathView {
   readonly element: HTMLElement;
   colouring: Colouring | null = null;
   onColouring: (colouring: Colouring) => void = () => undefined;
-  private readonly canvas = h("canvas", { tabindex: "0", "aria-label": "Tool path. Drag to turn, right drag to move, wheel to zoom" });
+  private readonly canvas = h("canvas", { tabindex: "0", role: "application", "aria-label": "Tool path. Drag or arrow keys to turn, right drag or Shift to move, wheel, plus and minus to zoom" });
   private readonly overlay = h("canvas", { class: "overlay", "aria-hidden": "true" });
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene = new PathScene();

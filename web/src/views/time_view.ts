@@ -5,6 +5,7 @@ import type { Plan, Quantity } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { clock, plain, unitOf } from "../units.ts";
+import { chartAfter } from "./chart_keys.ts";
 import { drawnColumns, drawnLimits, type Span } from "./columns.ts";
 import type { Ground } from "./ground.ts";
 
@@ -68,7 +69,7 @@ export class TimeView {
     );
     const bandRow = h("div", { class: "chart band-row" }, h("div", { class: "chart-label" }, h("div", { class: "chart-name" }, "limited by"), this.limitNow), h("div", { class: "chart-host" }, this.band));
     this.area = h("div", { class: "charts" }, ...rows, bandRow, this.line);
-    this.element = h("div", { class: "time-view", tabindex: "0", "aria-label": "Feed, acceleration and jerk over time. Drag to zoom, wheel to zoom, double click for all" }, this.area, this.note);
+    this.element = h("div", { class: "time-view", tabindex: "0", role: "application", "aria-label": "Feed, acceleration and jerk over time. Drag or wheel to zoom, double click for all; arrow keys move the instant and zoom" }, this.area, this.note);
     this.listen();
     new ResizeObserver(() => this.build()).observe(this.area);
     store.listen((_state, change) => {
@@ -134,6 +135,7 @@ export class TimeView {
         this.store.set({ tick: Math.round(tick), hover: null, playing: false }, "time");
       }
     });
+    this.element.addEventListener("keydown", (event) => this.key(event));
     this.area.addEventListener("dblclick", () => this.zoomTo({ from: 0, to: Infinity }));
     this.area.addEventListener(
       "wheel",
@@ -152,6 +154,15 @@ export class TimeView {
       },
       { passive: false },
     );
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (!this.plan || event.ctrlKey || event.metaKey || event.altKey) return;
+    const after = chartAfter(event.key, event.shiftKey, { tick: this.store.state.tick, span: this.span, last: this.plan.motion!.lastTick });
+    if (!after) return;
+    event.preventDefault();
+    this.zoomTo(after.span);
+    if (after.tick !== this.store.state.tick) this.store.set({ tick: after.tick, hover: null, playing: false }, "time");
   }
 
   // The charts anew: for another size, track, unit or theme.
