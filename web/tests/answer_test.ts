@@ -16,6 +16,39 @@ test("shows an error at its line, with what to do", async () => {
   await page.context().close();
 });
 
+test("counts every error once, at whatever line, and lists as many", async () => {
+  const program = programFile("G21 G90 F600\nG1 X10 F-100\nG1 X20 F-100\nG1 X30 Q\nM30\n");
+  const { page, said } = await openReport([program]);
+  const { errors } = JSON.parse(kerf("dry-run", "--json", program).out) as { errors: unknown[] };
+  assert.equal(errors.length, 3, "two of them in the same words");
+  assert.equal(await page.locator("[data-test=failed] .big").textContent(), "3 errors");
+  assert.equal(await page.locator(".cm-diagnostic.cm-error").count(), 3);
+  await page.locator("[data-tab=answer]").click();
+  assert.equal(await page.locator("[data-test=messages] li").count(), 3);
+  assert.equal(await page.locator(".part-of-answer h3").first().textContent(), "3 errors");
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("says that there may be more errors than were read", async () => {
+  const { page, said } = await openReport([programFile(`G21 G90 F600\n${"G1 Xq\n".repeat(5000)}M30\n`)]);
+  assert.equal(await page.locator("[data-test=failed] .big").textContent(), "100 errors or more");
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("lists a warning once, with what to do", async () => {
+  const program = programFile("G21 G90 F99999\nG1 X10\nM30\n");
+  const { page, said } = await openReport([program]);
+  const { warnings } = JSON.parse(kerf("dry-run", "--json", program).out) as { warnings: string[] };
+  assert.ok(warnings.length > 0);
+  await page.locator("[data-tab=answer]").click();
+  assert.equal(await page.locator("[data-test=messages] li").count(), warnings.length);
+  assert.equal(await page.locator(".part-of-answer h3").first().textContent(), `${warnings.length} warning${warnings.length === 1 ? "" : "s"}`);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("says by how much a program does not fit, and how far the offset may move", async () => {
   const { page, said } = await openReport([programFile("G21 G90 F6000\nG1 X520\nG1 X-100\nM30\n")]);
   // The travel of X is -500 to 500.

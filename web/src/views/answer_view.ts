@@ -1,6 +1,7 @@
 // The answer: how long, does it fit, how close to the limits, how exact, which lines cost most.
 import { SPLIT_NAMES, fitsOf, total, type Account, type Fit, type Part, type Split } from "../plan/account.ts";
 import type { OffsetRange } from "../plan/decode.ts";
+import { countText, errorCount, messagesOf } from "../plan/messages.ts";
 import type { Plan, Quantity } from "../plan/plan.ts";
 import type { Shown } from "../plan/source.ts";
 import type { Store } from "../state.ts";
@@ -115,11 +116,9 @@ export class AnswerView {
 
   private cards(): HTMLElement[] {
     const plan = this.plan!;
-    const { report } = plan.header;
     if (!plan.motion) {
-      const errors = [...plan.header.diagnostics.filter((one) => one.severity === "error").map((one) => one.message), ...report.errors.map((one) => one.message)];
-      const count = new Set(errors).size;
-      const failed = this.card("Does not run", "failed", h("div", { class: "big bad" }, `${count} error${count === 1 ? "" : "s"}`), h("div", { class: "soft" }, errors[0] ?? ""));
+      const messages = messagesOf(plan);
+      const failed = this.card("Does not run", "failed", h("div", { class: "big bad" }, errorCount(messages)), h("div", { class: "soft" }, messages.first));
       return plan.header.extents ? [failed, this.fitCard()] : [failed];
     }
     return [this.timeCard(), this.fitCard(), this.limitsCard(), this.exactCard(), this.linesCard()].filter((card): card is HTMLElement => card !== null);
@@ -187,8 +186,9 @@ export class AnswerView {
     const parts: HTMLElement[] = [];
     const add = (title: string, ...children: (Node | string)[]): void => void parts.push(h("div", { class: "part-of-answer" }, h("h3", {}, title), ...children));
     const { report } = plan.header;
-    const messages = [...plan.header.diagnostics.map((one) => `${one.severity} ${one.id}, line ${one.line}: ${one.message}. ${one.remedy}`), ...report.errors.filter((one) => one.id === undefined).map((one) => one.message), ...report.warnings];
-    if (messages.length > 0) add("Messages", h("ul", { "data-test": "messages" }, ...messages.map((text) => h("li", {}, text))));
+    const messages = messagesOf(plan);
+    const texts = [...messages.errors, ...messages.warnings];
+    if (texts.length > 0) add(countText(messages), h("ul", { "data-test": "messages" }, ...texts.map((text) => h("li", {}, text))));
     const { units } = this.store.state;
     const told = plan.header.messages ?? [];
     if (told.length > 0) add("What the program tells the operator", h("ul", { "data-test": "told" }, ...told.map(({ line, text }) => h("li", {}, this.lineButton(line), `: ${text}`))));
