@@ -94,6 +94,9 @@ std::vector<ProgramMessage> Kernel::take_messages() {
 std::string_view Kernel::active_codes() const noexcept {
   return impl_->notes().codes();
 }
+std::string_view Kernel::active_words() const noexcept {
+  return impl_->notes().words();
+}
 std::optional<double> Kernel::left_s() const {
   return impl_->notes().time_left().left_s();
 }

@@ -96,6 +96,7 @@ void ProgramNotes::reach(std::uint64_t block) {
   for (const std::string& code : parser::codes_in_force(*state_)) {
     codes_ += (codes_.empty() ? "" : " ") + code;
   }
+  words_ = parser::words_in_force(*state_);
 }
 
 void ProgramNotes::reach_end() {

@@ -39,6 +39,8 @@ class ProgramNotes final : public PipelineObserver {
   std::vector<ProgramMessage> take_messages();
   // "G1 G17 G21 ...", behind the words of the block that was reached.
   [[nodiscard]] const std::string& codes() const noexcept { return codes_; }
+  // "F600 S9000 T1", of the same block.
+  [[nodiscard]] const std::string& words() const noexcept { return words_; }
   // Behind the same words; nothing: there are none yet.
   [[nodiscard]] const std::optional<parser::ModalState>& state() const noexcept { return state_; }
   [[nodiscard]] const TimeLeft& time_left() const noexcept { return time_left_; }
@@ -55,6 +57,7 @@ class ProgramNotes final : public PipelineObserver {
   std::deque<Ahead> ahead_;
   std::optional<parser::ModalState> state_{};
   std::string codes_;
+  std::string words_;
   TimeLeft time_left_;
 };
 

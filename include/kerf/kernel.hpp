@@ -77,9 +77,9 @@ struct KernelOptions {
   /// plan() and tick() are called by one thread, which is never late: no way to rest is kept ready
   /// behind what is planned.
   bool one_thread = false;
-  bool tells_operator =
-      false;               ///< take_messages(), active_codes() and left_s() have something to say
-  double nominal_s = 0.0;  ///< CheckReport::nominal_s of the program, for left_s(); 0: unknown
+  /// take_messages(), active_codes(), active_words() and left_s() have something to say.
+  bool tells_operator = false;
+  double nominal_s = 0.0;      ///< CheckReport::nominal_s of the program, for left_s(); 0: unknown
   bool checks_travel = false;  ///< a block that leaves the travel is an error
   /// Where the tool is, in machine coordinates, each within +-1e6.
   std::array<double, 3> start_mm{};
@@ -206,6 +206,9 @@ class KERF_API Kernel {
   /// The codes that are in force on the block that the tool is at: "G1 G17 G21 ..."; empty before
   /// the first.
   [[nodiscard]] std::string_view active_codes() const noexcept;
+  /// Beside them F as it was written, S, and the tool in the spindle: "F600 S9000 T1"; no F before
+  /// the first.
+  [[nodiscard]] std::string_view active_words() const noexcept;
   /// How long the rest of the program takes, by what the part behind the tool took. Nothing: nobody
   /// knows, or at a feed override of 0 never. Planning side.
   [[nodiscard]] std::optional<double> left_s() const;

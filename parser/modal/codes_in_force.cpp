@@ -82,4 +82,9 @@ std::vector<std::string> codes_in_force(const ModalState& state) {
   return codes;
 }
 
+std::string words_in_force(const ModalState& state) {
+  const std::string feed = state.feed_word == 0.0 ? "" : "F" + shortest(state.feed_word) + " ";
+  return feed + "S" + shortest(state.spindle_speed) + " T" + std::to_string(state.loaded_tool);
+}
+
 }  // namespace kerf::parser

@@ -1,4 +1,5 @@
 // Messages and codes reach the operator as the tool comes to their blocks, not as text is read.
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -120,6 +121,29 @@ TEST(ProgramNotes, HaveTheCodesOfTheBlockThatTheToolIsAt) {
   ASSERT_GE(run.codes.size(), 3);
   EXPECT_TRUE(has(run.codes[1].second, "G2")) << run.codes[1].second;
   EXPECT_NEAR(run.codes[1].first, 10.0, kTick_mm);
+}
+
+TEST(ProgramNotes, HaveFAsWrittenAndSAndTOfTheBlockThatTheToolIsAt) {
+  KernelOptions options;
+  options.tells_operator = true;
+  Kernel kernel(mill(), options);
+  kernel.feed("G20 G90 G61\nG0 X1\nG1 X2 F120.5 S9000 M3\nT7\nX3\nM6\nX4 F60\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  std::vector<std::pair<double, std::string>> words;
+  for (auto status = TickStatus::running; status == TickStatus::running;) {
+    kernel.plan();
+    status = kernel.tick(setpoint);
+    words.emplace_back(setpoint.position_mm[0] / 25.4, kernel.active_words());
+  }
+  const auto at = [&words](double x_inch) {
+    return std::ranges::find_if(words, [=](const auto& one) { return one.first >= x_inch; })
+        ->second;
+  };
+  EXPECT_EQ(at(0.5), "S0 T0");
+  EXPECT_EQ(at(1.5), "F120.5 S9000 T0");
+  EXPECT_EQ(at(2.5), "F120.5 S9000 T0") << "tool 7 is not in the spindle yet";
+  EXPECT_EQ(at(3.5), "F60 S9000 T7");
 }
 
 // Found with a client: while the tool comes down to an override of a tenth it is faster than that,

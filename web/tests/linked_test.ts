@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { goTo, kerf, markedLine, openReport, pocket, shown, textOf, traceOf } from "./report.ts";
+import { goTo, kerf, markedLine, openReport, pocket, programFile, shown, textOf, traceOf } from "./report.ts";
 
 test("a line that is clicked moves the instant to where it begins", async () => {
   const { page, said } = await openReport([pocket]);
@@ -63,6 +63,21 @@ test("the codes in force at the instant are those that explain names before the 
     const shownCodes = (await textOf(page, "codes")).split(" ");
     for (const code of shownCodes) assert.ok(block.codes.includes(code), `${code} in ${block.codes.join(" ")}`);
     assert.ok(shownCodes.length >= 8);
+  }
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("beside the codes are F and S and T as they are in force before the next line", async () => {
+  const text = "G21 G90 G61\nT1 M6\nS9000 M3\nG1 X10 F600\nX20\nX30 F1200.5 S3000\nT5\nX40\nX50\nM30\n";
+  const program = programFile(text);
+  const { page, said } = await openReport([program]);
+  const trace = traceOf(program);
+  for (const [line, F] of [[4, 600], [5, 600], [6, 1200.5], [8, 1200.5]] as const) {
+    await goTo(page, trace.findIndex((row) => row.line === line) + 5);
+    const block = JSON.parse(kerf("explain", program, "--line", String(line + 1), "--json").out).block as { feedrate_mm_s: number; spindle_speed: number; tool: number };
+    assert.ok(Math.abs(block.feedrate_mm_s * 60 - F) < 1e-9);
+    assert.equal(await textOf(page, "words"), `F${F} S${block.spindle_speed} T${block.tool}`, `line ${line}`);
   }
   assert.deepEqual(said, []);
   await page.context().close();

@@ -1,4 +1,4 @@
-// Which codes are in force when.
+// Which codes, or words, are in force when.
 #pragma once
 
 #include <cstddef>

@@ -189,12 +189,16 @@ void add_runs(Json& header, Sections& sections, const MotionRuns& motion) {
   sections.add_bytes("runs.kind", kinds);
 }
 
-void add_notes(Json& header, Sections& sections, const PlanGatherer& motion) {
-  const CodeRuns& codes = motion.codes();
-  header["codes"] = codes.texts();
-  sections.add_numbers({"codes.tick"}, codes.runs(), [](const CodeRun& run) { return run.tick; });
-  sections.add_numbers({"codes.text"}, codes.runs(),
+void add_codes(Json& header, Sections& sections, const std::string& name, const CodeRuns& codes) {
+  header[name] = codes.texts();
+  sections.add_numbers({name + ".tick"}, codes.runs(), [](const CodeRun& run) { return run.tick; });
+  sections.add_numbers({name + ".text"}, codes.runs(),
                        [](const CodeRun& run) { return std::int64_t{run.codes}; });
+}
+
+void add_notes(Json& header, Sections& sections, const PlanGatherer& motion) {
+  add_codes(header, sections, "codes", motion.codes());
+  add_codes(header, sections, "words", motion.words());
   Json messages = Json::array();
   for (const ProgramMessage& message : motion.messages()) {
     messages.push_back({{"line", message.line}, {"text", message.text}});

@@ -23,6 +23,7 @@ PlanGatherer::PlanGatherer(const TickColumns::Settings& columns, const curves::E
 
 void PlanGatherer::add_notes(Kernel& kernel) {
   codes_.add(last_tick_, kernel.active_codes());
+  words_.add(last_tick_, kernel.active_words());
   for (ProgramMessage& message : kernel.take_messages()) {
     if (messages_.size() < kMaxMessages) {
       messages_.push_back(std::move(message));

@@ -36,6 +36,8 @@ class PlanGatherer {
   [[nodiscard]] const TimedPath& path() const noexcept { return path_; }
   [[nodiscard]] const MotionRuns& runs() const noexcept { return runs_; }
   [[nodiscard]] const CodeRuns& codes() const noexcept { return codes_; }
+  // F, S and T.
+  [[nodiscard]] const CodeRuns& words() const noexcept { return words_; }
   // (MSG, ...) and the like, the first kMaxMessages.
   static constexpr std::size_t kMaxMessages = 1000;
   [[nodiscard]] const std::vector<ProgramMessage>& messages() const noexcept { return messages_; }
@@ -46,6 +48,7 @@ class PlanGatherer {
   TimedPath path_;
   MotionRuns runs_;
   CodeRuns codes_;
+  CodeRuns words_;
   std::vector<ProgramMessage> messages_;
   std::int64_t last_tick_ = 0;
 };

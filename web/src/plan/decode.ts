@@ -106,6 +106,7 @@ export interface Header {
   readonly columns?: number;
   readonly path_tolerance_mm?: number;
   readonly codes?: readonly string[];
+  readonly words?: readonly string[]; // F, S and T
   readonly messages?: readonly { line: number; text: string }[];
   readonly shortest_run_ticks?: number;
   readonly sections: readonly Section[];

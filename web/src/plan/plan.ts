@@ -178,12 +178,12 @@ export class Plan {
     return [at(0), at(1), at(2)];
   }
 
-  // "G1 G17 G21 ..."; empty where nothing is known.
-  codesAt(tick: number): string {
-    const begins = this.decoded.numbers.get("codes.tick");
-    const texts = this.decoded.numbers.get("codes.text");
+  // "G1 G17 G21 ...", or "F600 S9000 T1"; empty where nothing is known.
+  inForceAt(what: "codes" | "words", tick: number): string {
+    const begins = this.decoded.numbers.get(`${what}.tick`);
+    const texts = this.decoded.numbers.get(`${what}.text`);
     const run = begins ? lastAtOrBefore(begins, tick) : -1;
-    return run < 0 ? "" : (this.header.codes?.[texts?.[run] ?? -1] ?? "");
+    return run < 0 ? "" : (this.header[what]?.[texts?.[run] ?? -1] ?? "");
   }
 
   runAt(tick: number): number {

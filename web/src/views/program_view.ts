@@ -119,7 +119,8 @@ export class ProgramView {
   private readonly host = h("div", { class: "editor" });
   private readonly root: ShadowRoot;
   private readonly message = h("div", { class: "empty" });
-  private readonly codes = h("div", { class: "codes", "data-test": "codes", title: "the codes in force at this instant" });
+  private readonly words = h("b", { "data-test": "words", title: "feed, spindle speed and tool in the spindle at this instant" });
+  private readonly codes = h("span", { "data-test": "codes", title: "the codes in force at this instant" });
   private view: EditorView | null = null;
   private plan: Plan | null = null;
   private account: Account | null = null;
@@ -133,7 +134,7 @@ export class ProgramView {
     this.editing = editing;
     // In a shadow tree CodeMirror's style sheets are objects, which the page's policy lets pass.
     this.root = this.host.attachShadow({ mode: "open" });
-    this.element = h("div", { class: "program-view" }, this.host, this.message, this.codes);
+    this.element = h("div", { class: "program-view" }, this.host, this.message, h("div", { class: "codes" }, this.words, " ", this.codes));
     store.listen((_state, change, origin) => {
       if ("tick" in change || "hover" in change) this.showInstant(origin !== "program");
     });
@@ -225,7 +226,8 @@ export class ProgramView {
     const runs = plan?.motion?.runs;
     const run = plan?.runAt(instant) ?? 0;
     const isInSubprogram = (runs?.file[run] ?? 0) > 0;
-    this.codes.textContent = `${isInSubprogram ? `${plan!.placeAt(instant)}: ` : ""}${plan?.codesAt(instant) ?? ""}`;
+    this.words.textContent = plan?.inForceAt("words", instant) ?? "";
+    this.codes.textContent = `${isInSubprogram ? `${plan!.placeAt(instant)}: ` : ""}${plan?.inForceAt("codes", instant) ?? ""}`;
     if (plan?.source === null) {
       this.message.textContent = `The program's text is not in this report. The tool is in ${plan.placeAt(instant)}.`;
       return;
