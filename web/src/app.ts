@@ -154,10 +154,11 @@ export class App {
   }
 
   private listen(): void {
-    this.store.listen((state, change) => {
+    this.store.listen((state, change, origin) => {
       if ("plan" in change) this.show();
       if ("theme" in change) this.retheme();
       if ("shown" in change || "units" in change) this.showLegend();
+      if ("tab" in change && origin === "answer") this.tabs.show(state.tab);
       if (!state.playing) this.keepFragment();
     });
     if (this.path) this.path.onColouring = () => this.showLegend();

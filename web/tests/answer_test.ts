@@ -72,6 +72,17 @@ test("says between which values the work offset in force would fit", async () =>
   await page.context().close();
 });
 
+test("says at the top where the first work offset may lie, and leads to the others", async () => {
+  const { page, said } = await openReport([programFile("G21 G90 F6000\nG54 G1 X20\nG55 G1 X-100 Y30\nM30\n")]);
+  // The travel of X is -500 to 500, and G54 moves the end of the first line alone, X20.
+  assert.equal(shown(await textOf(page, "offset-in-force")), "X -520 to 480G55 ...");
+  await page.locator("[data-test=offset-in-force] button").click();
+  assert.equal(await page.locator("[data-test=offsets]").isVisible(), true);
+  assert.equal(await page.locator("[data-tab=answer]").getAttribute("aria-selected"), "true");
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("tells tool changes, dwells and rapids apart", async () => {
   const machine = programFile('[program]\ntool_change_s = 3\n' + readFileSync(join(SOURCE, "programs/machines/table.toml"), "utf8").replace(/^\[program\]$/m, ""), "changer.toml");
   const text = "G21 G90 F6000\nT1 M6\n(rough)\nG1 X10\nG4 P2\nT2 M6\n(finish)\nG1 X20\nG0 X0\nM30\n";

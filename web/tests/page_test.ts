@@ -1,8 +1,9 @@
 // How the page is read: units, themes, contrast, the address, what is in it.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { SOURCE, goTo, openReport, pocket, shown, textOf } from "./report.ts";
+import { SOURCE, goTo, openReport, pocket, programFile, shown, textOf } from "./report.ts";
 
 // Texts on the page that are less than 4.5 to 1 from their ground (WCAG 2, 1.4.3). Runs in the page.
 function faintWords(): string[] {
@@ -151,6 +152,38 @@ for (const [width, height] of [[1280, 720], [1024, 768], [768, 1024]] as const) 
     assert.deepEqual(small, []);
     assert.deepEqual(said, []);
     await page.context().close();
+  });
+}
+
+// With a tool change, a rest and a rapid, a deviation, and places with all of their digits.
+const LONG_FIGURES = "G21 G90 F6000\nT1 M6\nG1 X10\nG4 P2\nT2 M6\nG1 X20.123 Y-431.001\nG0 X0 Z-123.456\nM30\n";
+
+for (const [width, height] of [[1280, 720], [1024, 768], [768, 1024]] as const) {
+  test(`shows all of the answer at ${width} by ${height}, where the work offset may lie, and the band of limits`, async () => {
+    const table = readFileSync(join(SOURCE, "programs/machines/table.toml"), "utf8");
+    const changer = programFile(`[program]\ntool_change_s = 3\n${table.replace(/^\[program\]$/m, "")}`, "changer.toml");
+    for (const words of [[pocket], [programFile(LONG_FIGURES), pocket, "--machine", changer], [programFile("G21 G90 F6000\nG1 X520\nG1 X-100\nM30\n")]]) {
+      const { page, said } = await openReport(words, "#colour=limit");
+      await page.setViewportSize({ width, height });
+      await page.waitForTimeout(200);
+      const clipped = (): Promise<(string | null)[]> =>
+        page.locator(".strip, .strip .card, .strip .card *").evaluateAll((all) =>
+          all.filter((one) => one.textContent !== "" && getComputedStyle(one).display !== "inline" && (one.scrollWidth > one.clientWidth + 1 || one.scrollHeight > one.clientHeight + 2)).map((one) => one.textContent),
+        );
+      assert.deepEqual(await clipped(), []);
+      await page.locator("button", { hasText: /^inch$/ }).click();
+      assert.deepEqual(await clipped(), [], "in inches");
+      assert.match(shown((await page.locator("[data-test=fit]").textContent())!), /G54 betweenX -?[\d.]+ to -?[\d.]+/);
+      if ((await page.locator(".band").isVisible()) || words.length > 1) {
+        const [band, panel, charts] = await Promise.all([".band-row", ".time-panel", ".charts"].map(async (one) => (await page.locator(one).boundingBox())!));
+        assert.ok(band!.height >= 24 && band!.y + band!.height <= panel!.y + panel!.height, JSON.stringify({ band, panel }));
+        assert.ok(width < 1000 || band!.y + band!.height <= height, "without scrolling");
+        assert.ok(band!.y + band!.height <= charts!.y + charts!.height + 1);
+        assert.equal(await page.locator(".band-row .chart-name").isVisible(), true);
+      }
+      assert.deepEqual(said, []);
+      await page.context().close();
+    }
   });
 }
 

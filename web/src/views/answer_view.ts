@@ -1,12 +1,12 @@
 // The answer: how long, does it fit, how close to the limits, how exact, which lines cost most.
-import { SPLIT_NAMES, fitsOf, total, type Account, type Fit, type Part, type Split } from "../plan/account.ts";
-import type { OffsetRange } from "../plan/decode.ts";
+import { SPLIT_NAMES, fitsOf, total, type Account, type Part, type Split } from "../plan/account.ts";
 import { countText, errorCount, messagesOf } from "../plan/messages.ts";
 import type { Plan, Quantity } from "../plan/plan.ts";
 import type { Shown } from "../plan/source.ts";
 import type { Store } from "../state.ts";
 import { h, table } from "../ui/dom.ts";
-import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf, type Units } from "../units.ts";
+import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf } from "../units.ts";
+import { fitCard, fitText, rangeText } from "./fit_card.ts";
 
 // What to change where a constraint costs time.
 const REMEDIES: readonly (readonly [RegExp, string])[] = [
@@ -61,18 +61,6 @@ function bar(split: Split, seconds: (ticks: number) => string): HTMLElement {
   return h("div", { class: "bar" }, ...parts);
 }
 
-function fitText(fit: Fit, units: Units): string {
-  return `${lengthText(fit.min, units)} to ${lengthText(fit.max, units)}`;
-}
-
-// Where the origin of a work offset may lie: "-12 to 340".
-function rangeText(range: OffsetRange | undefined, units: Units): string {
-  if (range === undefined) return "does not move it";
-  if (!range.fits_somewhere) return "no place: larger than the travel";
-  const end = (value: number | null): string => (value === null ? "any" : lengthText(value, units));
-  return `${end(range.min_mm)} to ${end(range.max_mm)}`;
-}
-
 export class AnswerView {
   readonly strip = h("section", { class: "strip", "aria-label": "The answer" });
   readonly details = h("section", { class: "details", tabindex: "0", "aria-label": "The answer in full" });
@@ -107,6 +95,7 @@ export class AnswerView {
   private build(): void {
     if (!this.plan || !this.account) return;
     this.strip.replaceChildren(...this.cards());
+    this.strip.classList.toggle("stopped", this.plan.motion === null);
     this.details.replaceChildren(...this.sections());
   }
 
@@ -136,15 +125,7 @@ export class AnswerView {
   }
 
   private fitCard(): HTMLElement {
-    const { units } = this.store.state;
-    const fits = fitsOf(this.plan!);
-    const over = fits.filter((fit) => fit.over > 0);
-    const known = fits.some((fit) => fit.travel[0] !== null || fit.travel[1] !== null);
-    const verdict = over.length > 0 ? `does not fit` : known ? "fits the travel" : "no travel known";
-    const rows = fits.map((fit) =>
-      h("div", { class: fit.over > 0 ? "bad" : "" }, `${fit.axis.toUpperCase()} ${fitText(fit, units)}${fit.over > 0 ? `, over by ${lengthText(fit.over, units)}` : ""}`),
-    );
-    return this.card(`Travel, ${lengthUnit(units)}`, "fit", h("div", { class: `big ${over.length > 0 ? "bad" : "good"}`, "data-test": "fit-verdict" }, verdict), h("div", { class: "soft rows", "data-test": "extents" }, ...rows));
+    return fitCard(this.plan!, this.store.state.units, () => this.store.set({ tab: "answer" }, "answer"));
   }
 
   private limitsCard(): HTMLElement {

@@ -1,0 +1,49 @@
+// Whether the program fits the travel, by how much it does not, and where the work offset would have to lie.
+import { fitsOf, type Fit } from "../plan/account.ts";
+import type { OffsetRange } from "../plan/decode.ts";
+import type { Plan } from "../plan/plan.ts";
+import { h } from "../ui/dom.ts";
+import { lengthText, lengthUnit, type Units } from "../units.ts";
+
+export function fitText(fit: Fit, units: Units): string {
+  return `${lengthText(fit.min, units)} to ${lengthText(fit.max, units)}`;
+}
+
+// Where the origin of a work offset may lie: "-12 to 340".
+export function rangeText(range: OffsetRange | undefined, units: Units): string {
+  if (range === undefined) return "does not move it";
+  if (!range.fits_somewhere) return "no place: larger than the travel";
+  const end = (value: number | null): string => (value === null ? "any" : lengthText(value, units));
+  return `${end(range.min_mm)} to ${end(range.max_mm)}`;
+}
+
+// "-12 to 340" of "-12.000 to 340.000": the card is narrow.
+const withoutZeros = (text: string): string => text.replace(/\.(\d*?)0+(?!\d)/g, (_, kept: string) => (kept === "" ? "" : `.${kept}`));
+
+// Of the first offset in use; the answer in full has them all.
+function offsetPart(plan: Plan, units: Units, openAll: () => void): HTMLElement | null {
+  const [first, ...others] = plan.header.report.fit?.work_offsets ?? [];
+  if (!first) return null;
+  const rows = Object.entries(first.axes).map(([axis, range]) => h("div", {}, `${axis.toUpperCase()} ${withoutZeros(rangeText(range, units))}`));
+  const names = others.map((one) => one.name).join(", ");
+  const more = names === "" ? null : h("button", { type: "button", class: "link", click: openAll }, `${names} ...`);
+  return h("div", {}, h("h2", {}, `${first.name} between`), h("div", { class: "soft rows", "data-test": "offset-in-force" }, ...rows, more));
+}
+
+export function fitCard(plan: Plan, units: Units, openAll: () => void): HTMLElement {
+  const fits = fitsOf(plan);
+  const over = fits.filter((fit) => fit.over > 0);
+  const known = fits.some((fit) => fit.travel[0] !== null || fit.travel[1] !== null);
+  const verdict = over.length > 0 ? "does not fit" : known ? "fits the travel" : "no travel known";
+  const rows = fits.map((fit) =>
+    h("div", { class: fit.over > 0 ? "bad" : "" }, `${fit.axis.toUpperCase()} ${fitText(fit, units)}${fit.over > 0 ? `, over by ${lengthText(fit.over, units)}` : ""}`),
+  );
+  const path = h(
+    "div",
+    {},
+    h("h2", {}, `Travel, ${lengthUnit(units)}`),
+    h("div", { class: `big ${over.length > 0 ? "bad" : "good"}`, "data-test": "fit-verdict" }, verdict),
+    h("div", { class: "soft rows", "data-test": "extents" }, ...rows),
+  );
+  return h("div", { class: "card fit", "data-test": "fit" }, path, offsetPart(plan, units, openAll));
+}
