@@ -123,13 +123,15 @@ class Report(Case):
         programs = [self.path("square.ngc", SQUARE), self.path("other.ngc", SQUARE.replace("20", "30"))]
         self.report("-q", *programs, "--machine", machines[0], "--machine", machines[1])
         found = [(header["report"]["file"], header["report"]["machine"]) for header, _ in plans_of(self.page)]
-        self.assertEqual(found, [(program, machine) for program in programs for machine in machines])
+        names = [[pathlib.Path(one).name for one in of] for of in (programs, machines)]
+        self.assertEqual(found, [(program, machine) for program in names[0] for machine in names[1]])
 
     def test_shows_errors_of_a_program_that_does_not_run(self):
         self.report(self.path("wrong.ngc", WRONG), status=1)
         [(header, sections)] = plans_of(self.page)
         asked = self.kerf("dry-run", "--format", "json", self.path("wrong.ngc"), status=1).stderr
-        self.assertEqual(header["diagnostics"], json.loads(asked)["diagnostics"])
+        expected = [{**one, "file": "wrong.ngc"} for one in json.loads(asked)["diagnostics"]]
+        self.assertEqual(header["diagnostics"], expected)
         self.assertEqual({one["line"] for one in header["diagnostics"]}, {3, 5})
         self.assertNotIn("last_tick", header)
         self.assertEqual(sections["source"].decode(), WRONG)
@@ -139,6 +141,16 @@ class Report(Case):
         [(header, _)] = plans_of(self.page)
         self.assertEqual(header["extents"]["max_mm"][0], 1000.0)
         self.assertEqual(header["machine"]["axes"][0]["travel"], [-500.0, 500.0])
+
+    def test_names_files_without_the_folders_that_they_lie_in(self):
+        program = self.path("part.ngc", "G21 G90 F600\no<drill> call\nG1 X10\nM30\n")
+        self.path("drill.ngc", "o<drill> sub\nG1 X1 F-3\no<drill> endsub\n")
+        machine = self.path("mill.toml", (pathlib.Path(SOURCE) / "programs/machines/table.toml").read_text())
+        self.report(program, "--machine", machine, status=1)
+        [(header, _)] = plans_of(self.page)
+        self.assertEqual((header["report"]["file"], header["report"]["machine"]), ("part.ngc", "mill.toml"))
+        self.assertEqual({one["file"] for one in header["diagnostics"]}, {"drill.ngc"})
+        self.assertNotIn(str(pathlib.Path(program).parent), json.dumps(header))
 
     def test_writes_to_standard_output(self):
         done = self.kerf("report", self.path("square.ngc", SQUARE), "-o", "-", "--page", self.template)

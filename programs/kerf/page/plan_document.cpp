@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "programs/kerf/page/file_names.hpp"
 #include "programs/kerf/page/packed_numbers.hpp"
 #include "programs/kerf/report/constraint_text.hpp"
 #include "programs/kerf/report/diagnostic_document.hpp"
@@ -199,11 +200,10 @@ void add_codes(Json& header, Sections& sections, const std::string& name, const 
 void add_notes(Json& header, Sections& sections, const PlanGatherer& motion) {
   add_codes(header, sections, "codes", motion.codes());
   add_codes(header, sections, "words", motion.words());
-  Json messages = Json::array();
+  Json& messages = header["messages"] = Json::array();
   for (const ProgramMessage& message : motion.messages()) {
     messages.push_back({{"line", message.line}, {"text", message.text}});
   }
-  header["messages"] = std::move(messages);
 }
 
 // The lowest byte first.
@@ -221,8 +221,9 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
                           const PageRecord& record) {
   Json header;
   header["version"] = kPlanVersion;
-  header["report"] = Json::parse(json_report(report));
-  header["diagnostics"] = Json::parse(json_diagnostics({report}))["diagnostics"];
+  const FileReport named = with_file_names(report);
+  header["report"] = Json::parse(json_report(named));
+  header["diagnostics"] = Json::parse(json_diagnostics({named}))["diagnostics"];
   header["machine"] = machine_json(settings);
   header["constraints"] = constraints_json();
   if (record.extents) {

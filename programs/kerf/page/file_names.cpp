@@ -1,0 +1,62 @@
+#include "programs/kerf/page/file_names.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace kerf::program {
+
+namespace {
+
+std::string name_of(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+// Those whose names are not all of them.
+std::vector<std::string> paths_in(const FileReport& report) {
+  std::vector<std::string> paths;
+  const auto add = [&paths](const std::string& path) {
+    if (path.find('/') != std::string::npos) {
+      paths.push_back(path);
+    }
+  };
+  add(report.file);
+  add(report.machine);
+  for (const diagnostics::Diagnostic& diagnostic : report.diagnostics) {
+    add(diagnostic.file);
+  }
+  return paths;
+}
+
+void name_files(std::string& text, const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    const std::string name = name_of(path);
+    for (std::size_t at = text.find(path); at != std::string::npos;
+         at = text.find(path, at + name.size())) {
+      text.replace(at, path.size(), name);
+    }
+  }
+}
+
+}  // namespace
+
+FileReport with_file_names(FileReport report) {
+  const std::vector<std::string> paths = paths_in(report);
+  if (paths.empty()) {
+    return report;
+  }
+  report.file = name_of(report.file);
+  report.machine = name_of(report.machine);
+  for (diagnostics::Diagnostic& diagnostic : report.diagnostics) {
+    diagnostic.file = name_of(diagnostic.file);
+    name_files(diagnostic.message, paths);
+  }
+  for (std::vector<std::string>* const messages : {&report.failures, &report.warnings}) {
+    for (std::string& message : *messages) {
+      name_files(message, paths);
+    }
+  }
+  return report;
+}
+
+}  // namespace kerf::program
