@@ -85,6 +85,8 @@ class Interpolator {
   [[nodiscard]] double chord_error_mm() const noexcept { return chord_.error_mm(place()); }
   // u of the NURBS at the last setpoint; nothing where that is on none.
   [[nodiscard]] std::optional<double> curve_parameter() const noexcept;
+  // Of the block that the last setpoint is on.
+  [[nodiscard]] double deviation_mm() const noexcept { return phase_.deviation_mm; }
 
  private:
   [[nodiscard]] double time_into_s(const Phase& phase) const noexcept;

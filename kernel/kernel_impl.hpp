@@ -111,6 +111,7 @@ class KERF_LOCAL Kernel::Impl {
   [[nodiscard]] TickDetail detail() const noexcept {
     return {.curve_parameter = interpolator_.curve_parameter(),
             .chord_error_mm = judge_.latest_chord_error_mm(),
+            .deviation_mm = interpolator_.deviation_mm(),
             .block = interpolator_.reached_block()};
   }
   [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }

@@ -101,7 +101,8 @@ std::optional<Blender::Chosen> Blender::choose(const Held& before, const Held& a
       deviation.line = after.segment.mark_at(0.0).line;
       deviation.tolerance_mm = tolerance;
       deviations_.add(deviation);
-      return Chosen{.blend = std::move(*blend), .way_mm = way_mm};
+      return Chosen{
+          .blend = std::move(*blend), .way_mm = way_mm, .deviation_mm = deviation.distance_mm};
     }
     way_mm *= 0.75;
   }
@@ -194,6 +195,7 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   segment.extra = {.begin_rad_mm = before.segment.extra.end_rad_mm,
                    .end_rad_mm = before.segment.extra.end_rad_mm};
   segment.mode = parser::PathMode::blend;
+  segment.deviation_mm = chosen.deviation_mm;
   segment.continues = !before.is_gone || before.follows_blend || before.segment.continues;
   if (before.is_gone) {
     segment.changes = before.segment.changes;

@@ -52,6 +52,7 @@ class Blender {
   struct Chosen {
     Blend blend;
     double way_mm = 0.0;
+    double deviation_mm = 0.0;
   };
 
   [[nodiscard]] double wanted_way_mm(const Held& before, const Held& after) const;

@@ -46,8 +46,8 @@ struct PathSegment {
   curves::AuxiliaryAxisMotion extra{};
   parser::PathMode mode = parser::PathMode::exact_path;
   double corner_tolerance_mm = 0.0;  // for blends of its corners
-  double deviation_mm =
-      0.0;  // largest distance from the programmed path; a blend has that much less
+  // The largest distance from the programmed path. A blend at its end has that much less.
+  double deviation_mm = 0.0;
   bool stop_after = false;
   // The normal axis of the arc that it was programmed as. A spiral is a NurbsCurve with one.
   std::optional<int> arc_normal{};

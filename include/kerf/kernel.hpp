@@ -106,6 +106,9 @@ struct TickDetail {
   std::optional<double> curve_parameter{};
   /// How far the path leaves the straight line from the setpoint before to this one.
   double chord_error_mm = 0.0;
+  /// How far the curve that the setpoint is on leaves the programmed path at the most: of a blend
+  /// in a corner, or a curve in place of lines. Else 0.
+  double deviation_mm = 0.0;
   /// How many blocks of the program's run the tool has come to; a block of a loop counts as often
   /// as it runs.
   std::uint64_t block = 0;

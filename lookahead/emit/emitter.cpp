@@ -132,7 +132,8 @@ void Emitter::emit(const Block& block, const profiles::TimeLaw& law, double s_en
                            .has_changes = !block.marks.empty(),
                            .output_changes = place_.output_changes,
                            .plan = plan_,
-                           .rapid = block.rapid});
+                           .rapid = block.rapid,
+                           .deviation_mm = block.deviation_mm});
   place_.s_mm = s_end_mm;
   place_.curve_mm = block.on_whole_mm(s_end_mm);
   place_.line = block.marks.empty() ? block.line : block.mark_at(s_end_mm).line;

@@ -39,6 +39,7 @@ struct Block {
   // belongs to `line`.
   std::vector<LineMark> marks{};
   bool rapid = false;
+  double deviation_mm = 0.0;          // smoothing::PathSegment
   double feedrate_mm_s = kUnbounded;  // programmed; of a rapid, none
   parser::FollowedOverrides follows{};
   std::optional<int> arc_normal{};  // smoothing::PathSegment

@@ -35,6 +35,7 @@ Block path_of(PathSegment segment) {
   block.line = segment.source.program_line();
   block.run_block = segment.run_block;
   block.rapid = segment.rapid;
+  block.deviation_mm = segment.deviation_mm;
   block.feedrate_mm_s = segment.rapid ? kUnbounded : segment.feedrate_mm_s;
   block.follows = segment.follows;
   block.arc_normal = segment.arc_normal;

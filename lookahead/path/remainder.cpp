@@ -71,6 +71,7 @@ std::optional<Block> stretch_of(const Block& block, const curves::Stretch& stret
   on.run_block = mark.run_block;
   on.marks = marks_on(block.marks, stretch);
   on.rapid = block.rapid;
+  on.deviation_mm = block.deviation_mm;
   on.feedrate_mm_s = block.feedrate_mm_s;
   on.follows = block.follows;
   on.arc_normal = block.arc_normal;

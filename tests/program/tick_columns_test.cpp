@@ -14,7 +14,8 @@ TickRecord record_at(std::int64_t tick) {
           .limit = tick % 8 < 5 ? Constraint::programmed : Constraint::path_jerk,
           .motion = {.v_mm_s = tick == 777 ? 99.0 : 10.0, .a_mm_s2 = tick == 778 ? -7.0 : 0.0},
           .position_mm = {t * t * t, 2.0 * t, 0.0},
-          .actual_mm = {t * t * t, 2.0 * t + 0.003, 0.004}};
+          .actual_mm = {t * t * t, 2.0 * t + 0.003, 0.004},
+          .detail = {.deviation_mm = t}};
 }
 
 TEST(TickColumns, AreTheTicksThemselvesWhileTheyLast) {
@@ -22,7 +23,7 @@ TEST(TickColumns, AreTheTicksThemselvesWhileTheyLast) {
   for (std::int64_t tick = 0; tick < 100; ++tick) {
     columns.add(record_at(tick));
   }
-  ASSERT_EQ(columns.series().size(), 3U + 3U * 3U + 1U);
+  ASSERT_EQ(columns.series().size(), 3U + 3U * 3U + 2U);
   EXPECT_EQ(columns.ticks_per_column(), 1);
   EXPECT_EQ(columns.columns(), 100U);
   EXPECT_EQ(columns.series()[0].min, columns.series()[0].max);
@@ -31,7 +32,8 @@ TEST(TickColumns, AreTheTicksThemselvesWhileTheyLast) {
   for (std::size_t i = 3; i < 100; ++i) {
     EXPECT_NEAR(columns.series()[5].min[i], 6.0F, 0.01F) << i;
     EXPECT_NEAR(columns.series()[6].min[i], 2.0F, 1e-4F) << i;
-    EXPECT_NEAR(columns.series().back().min[i], 0.005F, 1e-6F) << i;
+    EXPECT_NEAR(columns.series()[12].min[i], 0.005F, 1e-6F) << i;
+    EXPECT_NEAR(columns.series()[13].min[i], 0.001 * static_cast<double>(i), 1e-6) << i;
   }
 }
 
@@ -58,7 +60,7 @@ TEST(TickColumns, HaveTheOtherAxesOfTheMachineInTheirUnits) {
   TickColumns columns({.period_s = 0.5, .extra = extra_axes(parser::letter_bit('A'))});
   columns.add({.tick = 0});
   columns.add({.tick = 1, .extra_rad_mm = {3.14159265358979 / 2.0}});
-  ASSERT_EQ(columns.series().size(), 3U + 3U * 4U + 1U);
+  ASSERT_EQ(columns.series().size(), 3U + 3U * 4U + 2U);
   EXPECT_NEAR(columns.series()[12].max[1], 180.0F, 1e-4F) << "90 degrees in half a second";
 }
 

@@ -7,7 +7,7 @@ import { inflateSync } from "node:zlib";
 import { accountOf } from "../src/plan/account.ts";
 import { decodePlan } from "../src/plan/decode.ts";
 import { Plan } from "../src/plan/plan.ts";
-import { SOURCE, makeReport, programFile, traceOf } from "./report.ts";
+import { SOURCE, kerf, makeReport, programFile, traceOf } from "./report.ts";
 
 function planIn(file: string): Plan {
   const [, text] = /<script type="application\/x-kerf-plan">([^<]*)<\/script>/.exec(readFileSync(file, "utf8"))!;
@@ -36,6 +36,53 @@ for (const name of readdirSync(join(SOURCE, "programs")).filter((one) => one.end
     assert.deepEqual(new Map([...accountOf(plan).lines].sort((a, b) => a[0] - b[0])), new Map([...ticks].sort((a, b) => a[0] - b[0])), "what each line takes");
   });
 }
+
+// How far a place is from a square of 20 mm whose lower left corner is the zero.
+function fromSquare([x, y]: readonly number[]): number {
+  const out = Math.hypot(Math.max(0, -x!, x! - 20), Math.max(0, -y!, y! - 20));
+  return out > 0 ? out : Math.min(x!, 20 - x!, y!, 20 - y!);
+}
+
+test("the deviation of each tick bounds how far the tool is from the program, and is none on what is kept", () => {
+  const program = programFile("G21 G90 G64 P0.1 Q0 F3000\nG1 X20\nG1 Y20\nG1 X0\nG1 Y0\nM2\n");
+  const plan = planIn(makeReport([program]));
+  const { deviation } = JSON.parse(kerf("dry-run", "--json", program).out);
+  const trace = traceOf(program);
+  const values = trace.map((_, tick) => plan.valueAt("deviation", tick).max);
+  trace.forEach(({ xyz }, tick) => {
+    const off = fromSquare(xyz);
+    assert.ok(off <= values[tick]! + 1e-6, `tick ${tick}: ${off} mm off, said ${values[tick]}`); // the trace is rounded
+    // Far from the corners nothing is rounded.
+    if (Math.abs(xyz[0]! - 10) < 1 || Math.abs(xyz[1]! - 10) < 1) assert.equal(values[tick], 0);
+  });
+  assert.ok(Math.abs(Math.max(...values) - deviation.max_mm) <= 1e-6 * deviation.max_mm + 1e-9);
+  assert.ok(deviation.max_mm > 0.05 && deviation.max_mm <= 0.1);
+  // Three corners are rounded: three times it begins.
+  assert.equal(values.filter((value, tick) => value > 0 && !(values[tick - 1]! > 0)).length, 3);
+});
+
+test("of short lines that become curves no tick is farther from them than is said", () => {
+  const corners = Array.from({ length: 400 }, (_, i) => [0.5 * i, 3 * Math.sin(i / 15)] as const);
+  const program = programFile(`G21 G90 G64 P0.02 Q0.02 F3000\n${corners.map(([x, y]) => `G1 X${x.toFixed(3)} Y${y.toFixed(3)}`).join("\n")}\nM2\n`);
+  const plan = planIn(makeReport([program]));
+  const points = corners.map(([x, y]) => [Number(x.toFixed(3)), Number(y.toFixed(3))] as const);
+  const away = ([x, y]: readonly number[]): number => {
+    let least = Infinity;
+    for (let i = 1; i < points.length; ++i) {
+      const [[ax, ay], [bx, by]] = [points[i - 1]!, points[i]!];
+      const share = Math.min(1, Math.max(0, ((x! - ax) * (bx - ax) + (y! - ay) * (by - ay)) / ((bx - ax) ** 2 + (by - ay) ** 2)));
+      least = Math.min(least, Math.hypot(x! - ax - share * (bx - ax), y! - ay - share * (by - ay)));
+    }
+    return least;
+  };
+  let most = 0;
+  traceOf(program).forEach(({ xyz }, tick) => {
+    const off = away(xyz);
+    most = Math.max(most, off);
+    assert.ok(off <= plan.valueAt("deviation", tick).max + 1e-6, `tick ${tick}: ${off} mm off, said ${plan.valueAt("deviation", tick).max}`);
+  });
+  assert.ok(most > 1e-3, "lines have become curves");
+});
 
 test("of more ticks than a report has columns each column has the smallest and largest of its ticks", () => {
   const program = programFile(`G21 G90 G61 F600\n${Array.from({ length: 40 }, (_, i) => `G1 X${i % 2 === 0 ? 80 : 0}`).join("\n")}\nM2\n`);

@@ -65,10 +65,22 @@ test("a view of many lines has at most 300,000 vertices in every frame, and most
   await page.context().close();
 });
 
+test("the path is coloured by how far it is from the program, up to what kerf says", async () => {
+  const program = programFile("G21 G90 G64 P0.1 Q0 F3000\nG1 X20\nG1 Y20\nG1 X0\nG1 Y0\nM2\n");
+  const { deviation } = JSON.parse(kerf("dry-run", "--json", program).out);
+  const { page, said } = await openReport([program], "#colour=deviation");
+  assert.match((await page.locator(".legend-title").textContent())!, /off the programmed path, \u00b5m/);
+  const marks = (await page.locator(".legend .marks span").allTextContents()).map(Number);
+  assert.equal(marks[0], 0);
+  assert.ok(Math.abs(marks[4]! - 1000 * deviation.max_mm) <= 0.005 * 1000 * deviation.max_mm, `${marks[4]} of ${1000 * deviation.max_mm} \u00b5m`);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("each colour has its legend, and a part of one that is clicked dims the others", async () => {
   const { page, said } = await openReport([pocket]);
   const colours = await page.locator("[data-test=colour] option").evaluateAll((all) => all.map((one) => (one as HTMLOptionElement).value));
-  assert.deepEqual(colours, ["feed", "limit", "acceleration", "jerk", "tool", "following"]);
+  assert.deepEqual(colours, ["feed", "limit", "acceleration", "jerk", "deviation", "tool", "following"]);
   for (const colour of colours) {
     await page.locator("[data-test=colour]").selectOption(colour);
     assert.equal(await page.locator(".legend").count(), 1);

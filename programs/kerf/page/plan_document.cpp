@@ -151,11 +151,11 @@ void add_columns(Json& header, Sections& sections, const TickColumns& columns) {
   }
   const bool single = columns.ticks_per_column() == 1;
   for (std::size_t i = 0; i < columns.series().size(); ++i) {
-    const bool is_following_error = i / 3 >= names.size();
-    add_series(
-        sections,
-        is_following_error ? "following_error" : names[i / 3] + "." + std::string(1, "vaj"[i % 3]),
-        columns.series()[i], single);
+    const bool is_of_track = i / 3 < names.size();
+    const std::string name = is_of_track  ? names[i / 3] + "." + std::string(1, "vaj"[i % 3])
+                             : i % 3 == 0 ? "following_error"
+                                          : "deviation";
+    add_series(sections, name, columns.series()[i], single);
   }
   const std::vector<std::uint8_t> limits = columns.limits();
   sections.add_bytes("limit", std::string(limits.begin(), limits.end()));

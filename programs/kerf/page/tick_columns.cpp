@@ -18,7 +18,7 @@ TickColumns::TickColumns(const Settings& settings)
       extra_(settings.extra),
       max_columns_(settings.max_columns),
       period_s_(settings.period_s),
-      series_(kPerTrack * (1 + tracks_.size()) + 1) {
+      series_(kPerTrack * (1 + tracks_.size()) + 2) {
   for (std::size_t k = 0; k < tracks_.size(); ++k) {
     tracks_[k].first_series = kPerTrack * (1 + k);
   }
@@ -73,9 +73,10 @@ void TickColumns::add(const TickRecord& record) {
   for (std::size_t k = 0; k < extra_.size(); ++k) {
     take_axis(tracks_[kAxes + k], extra_[k].factor * record.extra_rad_mm[extra_[k].index]);
   }
-  take(series_.back(), std::hypot(record.actual_mm[0] - record.position_mm[0],
-                                  record.actual_mm[1] - record.position_mm[1],
-                                  record.actual_mm[2] - record.position_mm[2]));
+  take(series_[series_.size() - 2], std::hypot(record.actual_mm[0] - record.position_mm[0],
+                                               record.actual_mm[1] - record.position_mm[1],
+                                               record.actual_mm[2] - record.position_mm[2]));
+  take(series_.back(), record.detail.deviation_mm);
   take_limit(static_cast<std::uint8_t>(record.limit));
   ++ticks_;
 }

@@ -1,4 +1,5 @@
-// What each tick has of feedrate, acceleration, jerk and following error, in bounded memory.
+// What each tick has of feedrate, acceleration, jerk, following error and deviation, in bounded
+// memory.
 #pragma once
 
 #include <array>
@@ -22,7 +23,8 @@ struct ColumnSeries {
 //
 // The series are v, a and j along the path as planned (v_mm_s, a_mm_s2, j_mm_s3), then of X, Y, Z
 // and the machine's other axes by finite differences of positions, as the judge of a run takes
-// them, and last the distance between commanded and actual position in mm.
+// them, then the distance between commanded and actual position in mm, and last how far the path
+// there may be from the programmed one.
 class TickColumns {
  public:
   static constexpr std::size_t kMaxColumns = 200'000;
@@ -39,7 +41,7 @@ class TickColumns {
 
   [[nodiscard]] std::int64_t ticks_per_column() const noexcept { return ticks_per_column_; }
   [[nodiscard]] std::size_t columns() const noexcept { return limits_.size(); }
-  // 3 + 3 * axes + 1 of them.
+  // 3 + 3 * axes + 2 of them.
   [[nodiscard]] const std::vector<ColumnSeries>& series() const noexcept { return series_; }
   // The active constraint of each column. In one of several ticks it is the one that lasts longest
   // in either half of it.
