@@ -87,6 +87,30 @@ test("what is near is drawn as it is, and what is far as nobody sees it otherwis
   assert.ok(far.every((level) => level > 0));
 });
 
+test("on a straight line, too, each stretch is even in time to what nobody sees: ramps keep their colours", () => {
+  // 300 mm: the tool speeds up for 30 ticks, goes evenly for 200, and slows down.
+  const ramp = (i: number): number => (i * i) / 60;
+  const at = (i: number): number => (i < 30 ? ramp(i) : i < 230 ? ramp(30) + (i - 30) : 2 * ramp(30) + 200 - ramp(260 - i));
+  const even = pathOf(261, (i) => [at(i), 0, 0]);
+  const keep = (axis: Float64Array): Float64Array => axis.filter((_, i) => i <= 30 || i >= 230); // as a report has them
+  const path: Path = { tick: keep(even.tick), xyz: [keep(even.xyz[0]), keep(even.xyz[1]), keep(even.xyz[2])], rapid: new Uint8Array(62) };
+  const chunks = chunksOf(path);
+  for (const pixelsPerMm of [0.5, 2, 10]) {
+    const levels = levelsFor(chunks, whole(pixelsPerMm), MOST_STRETCHES);
+    chunks.forEach((chunk, c) => {
+      const { points } = chunk.levels[levels[c]!]!;
+      for (let k = 1; k < points.length; ++k) {
+        const [a, b] = [points[k - 1]!, points[k]!];
+        for (let i = a + 1; i < b; ++i) {
+          const share = (path.tick[i]! - path.tick[a]!) / (path.tick[b]! - path.tick[a]!);
+          const off = Math.abs(path.xyz[0][a]! + share * (path.xyz[0][b]! - path.xyz[0][a]!) - path.xyz[0][i]!);
+          assert.ok(off * pixelsPerMm <= 0.35, `${off * pixelsPerMm} pixels between points ${a} and ${b} at ${pixelsPerMm} a millimetre`);
+        }
+      }
+    });
+  }
+});
+
 test("each stretch has the colour of all the ticks that it stands for", () => {
   const path = pathOf(5000, wave);
   const paint = new PathPaint(path);

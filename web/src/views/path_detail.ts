@@ -6,7 +6,7 @@ import type { Path } from "../plan/plan.ts";
 
 export interface Level {
   readonly points: Uint32Array; // of the path, rising; the first and the last are those of the chunk
-  readonly error_mm: number; // how far the path may be from the lines between them
+  readonly error_mm: number; // how far the tool may be from where it would be if it went straight and evenly between them
   readonly keepsRests: boolean; // and the ends of rapids
 }
 
@@ -46,15 +46,16 @@ function coarser(path: Path, points: Uint32Array, fixed: (i: number) => boolean)
   return Uint32Array.from(kept);
 }
 
-function distance({ xyz: [x, y, z] }: Path, i: number, a: number, b: number): number {
+// From the even way between two others: a stretch has one colour, and on a straight line a ramp of the feed has many.
+function distance({ tick, xyz: [x, y, z] }: Path, i: number, a: number, b: number): number {
   const [px, py, pz] = [x[i]! - x[a]!, y[i]! - y[a]!, z[i]! - z[a]!];
   const [wx, wy, wz] = [x[b]! - x[a]!, y[b]! - y[a]!, z[b]! - z[a]!];
-  const square = wx * wx + wy * wy + wz * wz;
-  const share = square > 0 ? Math.min(1, Math.max(0, (px * wx + py * wy + pz * wz) / square)) : 0;
+  const ticks = tick[b]! - tick[a]!;
+  const share = ticks > 0 ? (tick[i]! - tick[a]!) / ticks : 0;
   return Math.hypot(px - share * wx, py - share * wy, pz - share * wz);
 }
 
-// Of the path's points from the lines between those that are kept.
+// Of the path's points from the ways between those that are kept.
 function errorOf(path: Path, points: Uint32Array): number {
   let most = 0;
   for (let k = 1; k < points.length; ++k) {
