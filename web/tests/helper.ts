@@ -12,7 +12,8 @@ export interface MadeRun {
 const limits = { v: 100, a: 1000, j: 10000 };
 
 // Runs one after the other; the tool moves along X by 1 mm a tick in each run that is no rest.
-export function planOf(runs: readonly MadeRun[], source: string | null = null): Plan {
+// series: values of each tick.
+export function planOf(runs: readonly MadeRun[], source: string | null = null, series: Readonly<Record<string, readonly number[]>> = {}): Plan {
   const begin: number[] = [];
   let tick = 0;
   for (const run of runs) {
@@ -50,6 +51,7 @@ export function planOf(runs: readonly MadeRun[], source: string | null = null): 
       ["runs.tick", Float64Array.from(begin)],
       ["runs.line", Float64Array.from(runs, (run) => run.line)],
       ["runs.tool", Float64Array.from(runs, (run) => run.tool ?? 0)],
+      ...Object.entries(series).map(([name, values]) => [name, Float64Array.from(values)] as const),
     ]),
     bytes: new Map([
       ["path.rapid", new Uint8Array(x.length)],

@@ -147,11 +147,7 @@ export function colouringOf(plan: Plan, path: Path, wanted: ColourBy, ground: { 
   switch (by) {
     case "feed": {
       const series = plan.series("path.v");
-      const middle = (from: number, to: number): number => {
-        const { min, max } = series.range(from, to);
-        return (min + max) / 2;
-      };
-      return byScale(plan, ground.dark, middle, { title: "feed", quantity: "v", most: largestFeed(plan) });
+      return byScale(plan, ground.dark, (from, to) => series.mean(from, to), { title: "feed", quantity: "v", most: largestFeed(plan) });
     }
     case "acceleration":
     case "jerk": {
