@@ -7,23 +7,23 @@
 namespace kerf::program {
 namespace {
 
-FileReport report_of_home() {
+FileReport report_with_folders() {
   FileReport report;
-  report.file = "/home/me/jobs/part.ngc";
+  report.file = "/srv/jobs/part.ngc";
   report.machine = "../machines/mill.toml";
   const auto add = [&report](const std::string& message, const std::string& file) {
     report.diagnostics.emplace_back(diagnostics::SourcePosition{}, errors::kUnknownGCode, message);
     report.diagnostics.back().file = file;
   };
-  add("in /home/me/jobs/part.ngc and lib/drill.ngc", "");
+  add("in /srv/jobs/part.ngc and lib/drill.ngc", "");
   add("F", "lib/drill.ngc");
-  report.failures = {"/home/me/jobs/part.ngc: /home/me/jobs/part.ngc has a fault"};
+  report.failures = {"/srv/jobs/part.ngc: /srv/jobs/part.ngc has a fault"};
   report.warnings = {"../machines/mill.toml: 3 / 4"};
   return report;
 }
 
 TEST(FileNames, AreAllThatAPageSaysOfWhereFilesLie) {
-  const FileReport named = with_file_names(report_of_home());
+  const FileReport named = with_file_names(report_with_folders());
   EXPECT_EQ(named.file, "part.ngc");
   EXPECT_EQ(named.machine, "mill.toml");
   EXPECT_EQ(named.diagnostics[0].file, "") << "of the program itself";
