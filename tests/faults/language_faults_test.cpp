@@ -32,8 +32,10 @@ TEST(LanguageFaults, Row15AFeedIsNeededAndOneOutOfReachIsAWarning) {
   for (auto& axis : machine.limits.axes) {
     axis.velocity_mm_s = 100.0;
   }
-  const std::string fast = "G0 X0.5\nG1 X1 F10393\nM2\n";  // 100 mm/s times the root of 3
-  EXPECT_EQ(said_of("G0 X0.5\nG1 X1 F10392\nM2\n", {}, machine), "");
+  EXPECT_EQ(said_of("G0 X0.5\nG1 X1 F6000\nM2\n", {}, machine), "");
+  EXPECT_TRUE(says(said_of("G0 X0.5\nG1 X1 F6001\nM2\n", {}, machine), "reaches 6000 mm/min"));
+  const std::string fast = "G0 X0\nG1 X1 Y1 Z1 F10393\nM2\n";  // 100 mm/s times the root of 3
+  EXPECT_EQ(said_of("G0 X0\nG1 X1 Y1 Z1 F10392\nM2\n", {}, machine), "");
   EXPECT_TRUE(says(said_of(fast, {}, machine), "2:1: warning: a feed of 10393 mm/min"));
   EXPECT_FALSE(check(fast, {}, machine).has_errors());
   machine.limits.path.velocity_mm_s = 50.0;
