@@ -94,6 +94,40 @@ Done wait_for_input(const RunningBlock& at, ModalState& state, const MachineSour
   return {};
 }
 
+// M62 to M65.
+Done switch_digital(const RunningBlock& at, ModalState& state) {
+  const Tenths code = at.codes[Group::in_out];
+  auto output = channel(at, 'P', kDigitalOutputs);
+  if (!output) {
+    return fault_of(output);
+  }
+  const bool at_motion = code == 620 || code == 630;
+  const bool is_on = code == 620 || code == 640;
+  at.push_event(state, {at_motion ? EventKind::digital_at_motion : EventKind::digital_output,
+                        is_on ? 1.0 : 0.0, *output});
+  const std::uint64_t bit = std::uint64_t{1} << *output;
+  state.outputs.digital = is_on ? state.outputs.digital | bit : state.outputs.digital & ~bit;
+  return {};
+}
+
+// M67 and M68.
+Done set_analog(const RunningBlock& at, ModalState& state) {
+  auto output = channel(at, 'E', kAnalogOutputs);
+  if (!output) {
+    return fault_of(output);
+  }
+  if (!at.block.has('Q')) {
+    const Word& word = at.code_word(Group::in_out);
+    return fail(word.offset, errors::kOutputValueMissing,
+                joined({upper(at.block.text(word)), " needs Q (the value)"}));
+  }
+  const bool at_motion = at.codes[Group::in_out] == 670;
+  at.push_event(state, {at_motion ? EventKind::analog_at_motion : EventKind::analog_output,
+                        at.block.value('Q'), *output});
+  state.outputs.analog[static_cast<std::size_t>(*output)] = at.block.value('Q');
+  return {};
+}
+
 }  // namespace
 
 Done switch_in_out(const RunningBlock& at, ModalState& state, const MachineSource& machine) {
@@ -104,32 +138,7 @@ Done switch_in_out(const RunningBlock& at, ModalState& state, const MachineSourc
   if (code == 660) {
     return wait_for_input(at, state, machine);
   }
-  if (code < 660) {
-    auto output = channel(at, 'P', kDigitalOutputs);
-    if (!output) {
-      return fault_of(output);
-    }
-    const bool at_motion = code == 620 || code == 630;
-    const bool is_on = code == 620 || code == 640;
-    at.push_event(state, {at_motion ? EventKind::digital_at_motion : EventKind::digital_output,
-                          is_on ? 1.0 : 0.0, *output});
-    const std::uint64_t bit = std::uint64_t{1} << *output;
-    state.outputs.digital = is_on ? state.outputs.digital | bit : state.outputs.digital & ~bit;
-    return {};
-  }
-  auto output = channel(at, 'E', kAnalogOutputs);
-  if (!output) {
-    return fault_of(output);
-  }
-  if (!at.block.has('Q')) {
-    const Word& word = at.code_word(Group::in_out);
-    return fail(word.offset, errors::kOutputValueMissing,
-                joined({upper(at.block.text(word)), " needs Q (the value)"}));
-  }
-  at.push_event(state, {code == 670 ? EventKind::analog_at_motion : EventKind::analog_output,
-                        at.block.value('Q'), *output});
-  state.outputs.analog[static_cast<std::size_t>(*output)] = at.block.value('Q');
-  return {};
+  return code < 660 ? switch_digital(at, state) : set_analog(at, state);
 }
 
 }  // namespace kerf::parser
