@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnostics/errors/pages.hpp"
+#include "parser/moves/auxiliary_axes.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {
@@ -67,7 +68,8 @@ Done centre_from_radius(const BlockWords& block, const ModalState& state, ArcMov
   if (!block.has_any(letter_bit(axis_letter(axes.first)) | letter_bit(axis_letter(axes.second)))) {
     return fail(word.offset, errors::kRadiusWithoutEnd, "an arc given by R needs an end point");
   }
-  if (chord == 0.0) {
+  // The centre may be anywhere around a chord that is an effect of rounding.
+  if (chord <= kShortestWay_mm) {
     return fail(word.offset, errors::kRadiusFullCircle,
                 "an arc given by R cannot be a full circle: the end point is the start point");
   }

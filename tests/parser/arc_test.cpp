@@ -27,6 +27,16 @@ double swept(const ArcMove& arc, const Point& start) {
   return angle;
 }
 
+TEST(Arc, GivenByRadiusIsRefusedWhereItsEndIsItsStartButForRounding) {
+  for (const char* const end : {"X0.3", "X[0.1+0.2]", "X[0.3+1/10**17]", "X[0.3+1/10**12]",
+                                "X0.3 Y[1/10**11]", "X0.3 Y[1/10**200]"}) {
+    for (const char* const how : {"G2 R5 ", "G3 R5 ", "G2 R-5 ", "G3 R-5 "}) {
+      const std::string text = std::string("F600 G1 X0.3\n") + how + end + "\n";
+      EXPECT_NE(first_message(text).find("cannot be a full circle"), std::string::npos) << text;
+    }
+  }
+}
+
 TEST(Arc, GivenByRadiusTakesTheShortWayAndWithANegativeRadiusTheLongOne) {
   constexpr unsigned kSeed = 11;
   std::mt19937 random(kSeed);
