@@ -63,6 +63,13 @@ void CutterCompensation::take(const Move& move, diagnostics::DiagnosticPlace pla
     leaving_ = false;
     return;
   }
+  if (const auto* arc = std::get_if<ArcMove>(&move.shape);
+      arc != nullptr && length_mm(curve_of(move)) <= kMinMotion_mm) {
+    Move rise = move;  // no contour has a turn so small
+    rise.shape = LineMove{arc->end_mm};
+    take(rise, std::move(place_));
+    return;
+  }
   if (!placed_) {
     sender_.set_place(move.start_mm);
     placed_ = true;

@@ -54,6 +54,19 @@ TEST(Compensation, LeavesByTimeWhereTheProgrammedExitHasNoLength) {
 }
 
 // Found by the fuzzer: what was held when the text ended was never run.
+TEST(Compensation, TakesAnArcTooSmallToBeAMoveForNone) {
+  const auto with = [](const std::string& block) {
+    const std::string text = kOn + ("G91\n" + block) + "\nG90\nG1 X80 Y30\nG40 Y60\nM2\n";
+    EXPECT_EQ(messages(text), "") << block;
+    return moves(text);
+  };
+  const std::string without = with("");
+  for (const char* const block :
+       {"G2 I[1/10**17]", "G3 J[1/10**9]", "G3 X[1/10**17] I[1/10**17]"}) {
+    EXPECT_EQ(with(block), without) << block;
+  }
+}
+
 TEST(Compensation, RunsWhatItHoldsWhereTheTextEndsWithoutM2) {
   EXPECT_EQ(moves(kOn), "1: line to 20 5 0 feed 10\n2: line to 50 5 0 feed 10\n");
   EXPECT_EQ(moves("O1\nG41 D2 G1 F600 X20\nX50\nO2\nM99\n", Dialect::fanuc),
