@@ -34,6 +34,14 @@ class Log(Case):
         for file in (self.path("no/such/folder.log"), self.path("")):
             self.assertIn("kerf: error: ", self.kerf("dry-run", self.PROGRAM, "--log", file, status=5).stderr)
 
+    def test_a_fifo_that_nobody_reads_is_refused_and_one_with_a_reader_gets_the_log(self):
+        fifo = self.path("log.fifo")
+        os.mkfifo(fifo)
+        self.assertIn("nobody reads it", self.kerf("check", self.PROGRAM, "--log", fifo, status=5).stderr)
+        with os.fdopen(os.open(fifo, os.O_RDONLY | os.O_NONBLOCK)) as reader:
+            self.kerf("check", self.PROGRAM, "--log", fifo, "--log-level", "debug")
+            self.assertIn("kerf: debug: ", reader.read())
+
     def test_on_a_full_disk_ends_the_command_with_5_and_says_so(self):
         done = self.kerf("dry-run", self.PROGRAM, "--log", "/dev/full", "--log-level", "debug", status=5)
         self.assertIn("cycle time", done.stdout)

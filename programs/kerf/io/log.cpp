@@ -1,6 +1,7 @@
 #include "programs/kerf/io/log.hpp"
 
 #include <algorithm>
+#include <fcntl.h>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -65,6 +66,13 @@ FirstFailure& log_failure() {
   return failure;
 }
 
+// A FIFO without a reader would keep who opens it waiting.
+bool is_unread_fifo(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::is_fifo(path, error) &&
+         !Descriptor(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC)).is_open();
+}
+
 }  // namespace
 
 tl::expected<void, std::string> open_log(const LogSettings& settings) {
@@ -78,6 +86,9 @@ tl::expected<void, std::string> open_log(const LogSettings& settings) {
     const auto folder = std::filesystem::path(*settings.file).parent_path();
     if (std::error_code error; !folder.empty() && !std::filesystem::is_directory(folder, error)) {
       return tl::make_unexpected(*settings.file + ": there is no folder " + folder.string());
+    }
+    if (is_unread_fifo(*settings.file)) {
+      return tl::make_unexpected(*settings.file + ": nobody reads it");
     }
     try {
       auto kept = std::make_shared<spdlog::sinks::basic_file_sink_mt>(*settings.file, true);
