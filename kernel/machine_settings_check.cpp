@@ -1,6 +1,7 @@
 #include "kernel/machine_settings_check.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -129,9 +130,41 @@ Result check_simulation(MachineSettings& settings) {
       return result;
     }
   }
+  const double spindle_rad_s2 = settings.simulation.spindle_rad_s2;
+  if (!(spindle_rad_s2 >= 0.0 && std::isfinite(spindle_rad_s2))) {
+    return SettingsFault::of("simulation.spindle_rad_s2",
+                             "found " + text_of(spindle_rad_s2) + ", expected 0 or more");
+  }
+  for (const double value : settings.simulation.analog) {
+    if (!std::isfinite(value)) {
+      return SettingsFault::of("simulation.analog",
+                               "found " + text_of(value) + ", expected finite numbers");
+    }
+  }
   return machine::is_valid(settings.simulation)
              ? Result{}
-             : SettingsFault::of("simulation", "a number of its surface or inputs is impossible");
+             : SettingsFault::of("probe", "a number of the surface is impossible");
+}
+
+Result check_homing(const MachineSettings& settings) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (settings.manual.homing[axis].search_mm_s == 0.0) {
+      return SettingsFault::of(std::string("axes.") + "xyz"[axis] + ".home_search_mm_s",
+                               "found 0, expected a number that is not 0: its sign is the "
+                               "direction");
+    }
+  }
+  return {};
+}
+
+Result check_enumerations_and_table(const MachineSettings& settings) {
+  if (const auto problem = range_problem(tick_rules().front(), settings.table.period_s)) {
+    return SettingsFault::of("table.period_s", *problem);
+  }
+  if (settings.dialect > Dialect::fanuc) {
+    return SettingsFault::of("dialect", "expected rs274 or fanuc");
+  }
+  return {};
 }
 
 Result check_inputs(const MachineSettings& settings) {
@@ -200,6 +233,8 @@ tl::expected<void, SettingsFault> check_machine(MachineSettings settings) {
         return check({"path", path_rules()}, settings);
       })
       .and_then([&] { return check_axes(settings); })
+      .and_then([&] { return check_homing(settings); })
+      .and_then([&] { return check_enumerations_and_table(settings); })
       .and_then([&] { return check_offsets(settings); })
       .and_then([&] { return check_tools(settings); })
       .and_then([&] { return check_simulation(settings); })

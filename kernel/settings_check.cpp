@@ -1,5 +1,6 @@
 #include "kernel/settings_check.hpp"
 
+#include <limits>
 #include <string>
 
 #include "kernel/machine_file_schema.hpp"
@@ -40,6 +41,12 @@ Result check_options(const KernelOptions& options) {
   using profiles::Sigmoid;
   const NumberRule shape{"profile.sigmoid_shape", Sigmoid::kSmallestShape, Sigmoid::kLargestShape,
                          nullptr};
+  if (options.profile.kind > ProfileKind::time_optimal) {
+    return SettingsFault::of("profile.kind", "expected a kind of profile");
+  }
+  if (options.dialect.value_or(Dialect::rs274) > Dialect::fanuc) {
+    return SettingsFault::of("dialect", "expected rs274 or fanuc");
+  }
   return check_option(shape, options.profile.sigmoid_shape.value_or(shape.min))
       .and_then([&] {
         return check_option({"window_blocks", 2, double{kMaxWindowBlocks}, nullptr},
@@ -47,6 +54,10 @@ Result check_options(const KernelOptions& options) {
       })
       .and_then([&] {
         return check_option({"horizon_s", 1e-5, 3600.0, nullptr}, options.horizon_s);
+      })
+      .and_then([&] {
+        return check_option({"nominal_s", 0.0, std::numeric_limits<double>::max(), nullptr},
+                            options.nominal_s);
       })
       .and_then([&] { return check_start(options); });
 }

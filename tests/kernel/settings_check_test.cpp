@@ -191,6 +191,32 @@ TEST(SettingsCheck, RefusesAnInputThatNoMachineHas) {
   }
 }
 
+TEST(SettingsCheck, RefusesWhatTheMachineFileRefusesOrCannotSay) {
+  const auto expect = [](const std::string& field,
+                         const std::function<void(MachineSettings&)>& set) {
+    MachineSettings settings = default_machine();
+    set(settings);
+    ASSERT_FALSE(validate(settings)) << field;
+    expect_refused(settings, {}, field);
+  };
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    expect(std::string("axes.") + "xyz"[axis] + ".home_search_mm_s",
+           [=](MachineSettings& settings) { settings.manual.homing[axis].search_mm_s = 0.0; });
+  }
+  for (const double found : {-1.0, kInfinity, kNan}) {
+    expect("simulation.spindle_rad_s2",
+           [=](MachineSettings& settings) { settings.simulation.spindle_rad_s2 = found; });
+    expect("table.period_s", [=](MachineSettings& settings) { settings.table.period_s = found; });
+  }
+  expect("simulation.analog",
+         [](MachineSettings& settings) { settings.simulation.analog[3] = kInfinity; });
+  expect("probe", [](MachineSettings& settings) {
+    settings.simulation.surface.emplace().shape = TouchSurface::Shape::sphere;
+    settings.simulation.surface->sphere.radius_mm = 0.0;
+  });
+  expect("dialect", [](MachineSettings& settings) { settings.dialect = static_cast<Dialect>(9); });
+}
+
 TEST(SettingsCheck, RefusesImpossibleOptions) {
   const auto expect = [](const std::string& field, const std::function<void(KernelOptions&)>& set) {
     KernelOptions options;
@@ -205,6 +231,12 @@ TEST(SettingsCheck, RefusesImpossibleOptions) {
        {std::size_t{0}, std::size_t{1}, std::size_t{1'000'001}, ~std::size_t{0}}) {
     expect("window_blocks", [=](KernelOptions& options) { options.window_blocks = blocks; });
   }
+  for (const double nominal_s : {-1.0, kInfinity, kNan}) {
+    expect("nominal_s", [=](KernelOptions& options) { options.nominal_s = nominal_s; });
+  }
+  expect("profile.kind",
+         [](KernelOptions& options) { options.profile.kind = static_cast<ProfileKind>(99); });
+  expect("dialect", [](KernelOptions& options) { options.dialect = static_cast<Dialect>(9); });
   for (const double shape : {0.0, -1.0, 5.2, kInfinity, kNan}) {
     expect("profile.sigmoid_shape", [=](KernelOptions& options) {
       options.profile = profiles::Profile(profiles::ProfileKind::sigmoid, shape);
