@@ -94,6 +94,8 @@ class Flow {
   [[nodiscard]] std::uint32_t first_sub_line() const {
     return active_ ? main_->first_sub_line() : 0;
   }
+  // A subprogram was called, ever.
+  [[nodiscard]] bool has_called() const { return has_called_; }
   // Bytes of text and of what belongs to it.
   [[nodiscard]] std::size_t held_bytes() const { return active_ ? main_->held_bytes() : 0; }
   // An error or the next program's number ended the program.
@@ -223,7 +225,8 @@ class Flow {
   ProgramText* loop_text_ = nullptr;  // of the last line jumped back to; nullptr: none
   std::uint32_t loop_line_ = 0;
   bool active_ = false;
-  bool keeping_ = false;    // only because statements may come
+  bool keeping_ = false;  // only because statements may come
+  bool has_called_ = false;
   bool forgotten_ = false;  // text before what is held has been dropped
   bool stopped_ = false;
 };

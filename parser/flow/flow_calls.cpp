@@ -153,6 +153,7 @@ void Flow::call(Call call) {
 }
 
 void Flow::enter(const Found& found) {
+  has_called_ = true;
   if (frames_.size() == kMaxCalls) {
     fault(
         call_.line, call_.offset, errors::kTooDeep,

@@ -141,7 +141,7 @@ bool ProgramRun::next_line(NumberedLine& line) {
 // Once, at its end.
 void ProgramRun::report_idle_program() {
   const std::uint32_t line = flow_.first_sub_line();
-  if (!does_anything_ && line > 0 && !diagnostics_.has_errors()) {
+  if (!does_anything_ && !flow_.has_called() && line > 0 && !diagnostics_.has_errors()) {
     diagnostics_.at_line(line, {});
     diagnostics_.add({line, 1}, errors::kOnlySubprograms,
                      "the program defines subprograms and calls none: nothing is run");

@@ -57,6 +57,7 @@ TEST(Flow, SaysSoWhereAFileOnlyDefinesSubprograms) {
   EXPECT_EQ(messages_of(sub + "o<hole> call\nM2\n"), "");
   EXPECT_EQ(messages_of(sub + "G4 P1\nM2\n"), "");
   EXPECT_EQ(messages_of("M2\n"), "") << "nothing to call";
+  EXPECT_EQ(messages_of("#1=1\no4 sub\n#3=1\no4 endsub\no4 call\nM2\n"), "") << "no motion";
 }
 
 TEST(Flow, CallsItself) {
