@@ -63,17 +63,21 @@ void CutterCompensation::take(const Move& move, diagnostics::DiagnosticPlace pla
     leaving_ = false;
     return;
   }
-  if (const auto* arc = std::get_if<ArcMove>(&move.shape);
-      arc != nullptr && length_mm(curve_of(move)) <= kMinMotion_mm) {
-    Move rise = move;  // no contour has a turn so small
-    rise.shape = LineMove{arc->end_mm};
-    take(rise, std::move(place_));
-    return;
-  }
   if (!placed_) {
     sender_.set_place(move.start_mm);
     placed_ = true;
   }
+  if (const auto* arc = std::get_if<ArcMove>(&move.shape);
+      arc != nullptr && !moves_in_plane(move)) {
+    Move rise = move;  // no contour has a turn so small
+    rise.shape = LineMove{arc->end_mm};
+    take_compensated(rise);
+  } else {
+    take_compensated(move);
+  }
+}
+
+void CutterCompensation::take_compensated(const Move& move) {
   if (leaving_) {
     take_exit(move);
   } else if (!moves_in_plane(move)) {
@@ -89,7 +93,7 @@ bool CutterCompensation::moves_in_plane(const Move& move) const {
   if (const auto* line = std::get_if<LineMove>(&move.shape)) {
     return length(sender_.in_plane(line->end_mm) - sender_.in_plane(move.start_mm)) > kMinMotion_mm;
   }
-  return std::holds_alternative<ArcMove>(move.shape);
+  return std::holds_alternative<ArcMove>(move.shape) && length_mm(curve_of(move)) > kMinMotion_mm;
 }
 
 planar::ContourElement CutterCompensation::curve_of(const Move& move) const {

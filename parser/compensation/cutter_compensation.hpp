@@ -86,6 +86,8 @@ class CutterCompensation {
     std::uint64_t leads_up_to = 0;  // the moves up to this number lead to the contour
   };
 
+  // In force, and placed.
+  void take_compensated(const Move& move);
   void take_entry(const Move& move);
   void take_contour(const Move& move);
   void take_exit(const Move& move);
