@@ -1,18 +1,16 @@
 #!/usr/bin/env python3
 """kerf and the machine in two processes, and what becomes of it when one of them fails: TEST.py KERF SOURCE_DIR [NAME...]"""
-import contextlib
 import csv
-import json
 import os
 import pathlib
 import signal
-import socket
 import subprocess
 import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "program"))
 from command_line import Case, KERF, SOURCE, main  # noqa: E402
+from control_channel import connect  # noqa: E402
 
 MISBEHAVIOUR = f"{pathlib.Path(__file__).resolve().parent}/loopback_misbehaviour.py"
 WAY = "G21 G90 G61\nF1200\nG1 X200\nM30\n"  # 10 s
@@ -143,25 +141,19 @@ class Loopback(Case):
         machine = self.start_machine("door", "1500")
         place = self.path("kerf.sock")
         kerf = self.start_kerf(WAY.replace("X200", "X60"), "--control", place)
-        with self.client_of(kerf, place) as lines:
-            def ask(**request):
-                lines.write(json.dumps(request) + "\n")
-                lines.flush()
-                while (told := json.loads(lines.readline()))["type"] not in ("answer", "status"):
-                    pass
-                return told
-            while (status := ask(command="status"))["state"] != "held":
-                time.sleep(0.02)
-            self.assertTrue(status["door_open"])
-            # It opens behind 1.5 s of 20 mm/s. The answers of a machine elsewhere may be late.
-            self.assertLess(status["position_mm"]["x"], 40)
-            refused = ask(command="resume")
-            self.assertEqual((refused["accepted"], refused["reason"]), (False, "the door is open"))
-            while ask(command="status")["door_open"]:
-                time.sleep(0.02)
-            self.assertEqual(ask(command="status")["state"], "held")
-            self.assertTrue(ask(command="resume")["accepted"])
-            _, err = kerf.communicate(timeout=120)
+        client = connect(self, kerf, place)
+        while (status := client.status())["state"] != "held":
+            time.sleep(0.02)
+        self.assertTrue(status["door_open"])
+        # It opens behind 1.5 s of 20 mm/s. The answers of a machine elsewhere may be late.
+        self.assertLess(status["position_mm"]["x"], 40)
+        refused = client.ask("resume")
+        self.assertEqual((refused["accepted"], refused["reason"]), (False, "the door is open"))
+        while client.status()["door_open"]:
+            time.sleep(0.02)
+        self.assertEqual(client.status()["state"], "held")
+        self.assertTrue(client.ask("resume")["accepted"])
+        _, err = kerf.communicate(timeout=120)
         self.assertEqual(kerf.returncode, 0, err)
         self.assertIn("the door is open", err)
         self.assertEqual(self.rows()[-1][1], 60)
@@ -195,15 +187,6 @@ class Loopback(Case):
     def heights(self):
         with open(self.path("t.csv")) as file:
             return [float(row["z_mm"]) for row in csv.DictReader(line for line in file if not line.startswith("#"))]
-
-    @contextlib.contextmanager
-    def client_of(self, kerf, place):
-        while not os.path.exists(place):
-            self.assertIsNone(kerf.poll())
-            time.sleep(0.01)
-        with socket.socket(socket.AF_UNIX) as client:
-            client.connect(place)
-            yield client.makefile("rw")
 
     def test_what_does_not_listen_or_speaks_otherwise_is_refused_before_anything_moves(self):
         for how, why in (("version_at_once", "no answer of version 1"), ("silent", "does not answer within 1 s"), ("gone_at_once", "hangs up")):

@@ -2,15 +2,14 @@
 """What breaks in the simulated table in a run, and what kerf does then; the rows are those of README.md: TEST.py KERF SOURCE_DIR [NAME...]"""
 import csv
 import json
-import os
 import pathlib
-import socket
 import subprocess
 import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "program"))
 from command_line import Case, KERF, main  # noqa: E402
+from control_channel import connect  # noqa: E402
 
 # x and y at 2 to 1, on for 2.8 s; x at 89 mm/s, or 0.0894 mm a tick.
 WAY = "G21 G90 G61\n{before}F6000\nG1 X250 Y125\nM30\n"
@@ -123,25 +122,14 @@ class MachineFaults(Case):
         program = self.path("tool.ngc", "G21 G90 G61\nF600\nG1 X1\nT1 M6\nG1 X200\nM30\n")
         process = subprocess.Popen([KERF, "run", program, "--control", place, "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True)
         self.addCleanup(process.kill)
-        while not os.path.exists(place):
-            self.assertIsNone(process.poll())
-            time.sleep(0.01)
-        with socket.socket(socket.AF_UNIX) as client:
-            client.connect(place)
-            lines = client.makefile("rw")
-
-            def ask(**request):
-                lines.write(json.dumps(request) + "\n")
-                lines.flush()
-                while (told := json.loads(lines.readline()))["type"] not in ("answer", "status"):
-                    pass
-                return told
-            while ask(command="status")["waits_for"] != "answer":
-                time.sleep(0.02)
-            self.assertFalse(ask(command="fault", fault="emergency_lop")["accepted"])
-            self.assertFalse(ask(command="fault", fault="encoder_frozen")["accepted"])
-            self.assertTrue(ask(command="fault", fault="emergency_loop")["accepted"])
-            out, err = process.communicate(timeout=60)
+        client = connect(self, process, place)
+        while client.status()["waits_for"] != "answer":
+            time.sleep(0.02)
+        client.write('{"id":1,"command":"fault","fault":"emergency_lop"}\n{"id":2,"command":"fault","fault":"encoder_frozen"}\n')
+        self.assertFalse(client.read_until(type="answer", id=1)["accepted"])
+        self.assertFalse(client.read_until(type="answer", id=2)["accepted"])
+        self.assertTrue(client.ask("fault", fault="emergency_loop")["accepted"])
+        out, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 8, err)
         self.assertIn("its loop is open", err + out)
 

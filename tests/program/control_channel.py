@@ -1,8 +1,10 @@
 """The other end of `kerf run --control`: every line holds to docs/control.schema.json."""
 import json
+import os
 import pathlib
 import socket
 import subprocess
+import time
 
 import jsonschema
 from command_line import Case, KERF, SOURCE
@@ -49,6 +51,31 @@ class Client:
         self.write(json.dumps(request) + "\n")
         return self.read_until(type="answer", id=[command])
 
+    def status(self):
+        self.write('{"command":"status"}\n')
+        return self.read_until(type="status")
+
+
+def connect(case, process, place):
+    """To the socket at the path, once `kerf run --control` of the process listens there."""
+    while not os.path.exists(place):
+        case.assertIsNone(process.poll())
+        time.sleep(0.01)
+    connection = socket.socket(socket.AF_UNIX)
+    case.addCleanup(connection.close)
+    connection.settimeout(60)
+    connection.connect(place)
+    return client_of(case, connection)
+
+
+def client_of(case, connection):
+    reader, writer = connection.makefile("rb"), connection.makefile("wb")
+    case.addCleanup(reader.close)
+    client = Client(case, reader, writer, connection)
+    hello = client.read()
+    case.assertEqual((hello["type"], hello["schema_version"]), ("hello", 1))
+    return client
+
 
 class ControlCase(Case):
     """Runs `kerf run --control`, and commands it."""
@@ -70,12 +97,7 @@ class ControlCase(Case):
         return process, self.client(ours)
 
     def client(self, connection):
-        reader, writer = connection.makefile("rb"), connection.makefile("wb")
-        self.addCleanup(reader.close)
-        client = Client(self, reader, writer, connection)
-        hello = client.read()
-        self.assertEqual((hello["type"], hello["schema_version"]), ("hello", 1))
-        return client
+        return client_of(self, connection)
 
     def end(self, process, status):
         self.assertEqual(process.wait(timeout=60), status)
