@@ -17,7 +17,12 @@ constexpr int kMaxAdjustments = 30;
 constexpr int kUsualAdjustments = 4;
 constexpr double kMinGain = 0.25;
 constexpr double kMaxLeft = 0.5;
-constexpr double kMinStep_mm = 1e-7;  // below usual tolerances: keeps the walk finite
+// Keep the walk finite. Steps are shorter than the first only where a tick is, too (at a cusp, with
+// a tolerance of that size), but no less than these shares: of the tolerance, which no tick that
+// matters is less than, and of the way to the curve's begin, before which all is continued.
+constexpr double kMinStep_mm = 1e-7;
+constexpr double kMinStepOfTolerance = 0.25;
+constexpr double kMinStepBefore = 0.25;
 // A bound that lies this share below the line of its neighbours is looked at more closely around,
 // each time at half the distance: the line's own excess is a quarter of it at the most.
 constexpr double kConvex = 4e-4;
@@ -112,12 +117,23 @@ bool strides_from(const NurbsCurve& curve, double s_mm, const ScanLimits& limits
              quarter_mm(piece_at(curve, s_mm)) + limits.feedrate_mm_s * limits.period_s, limits);
 }
 
+double half_tick_mm(const TickBound& at, const ScanLimits& limits) {
+  return 0.5 * at.v_mm_s * limits.period_s;
+}
+
+double least_step_mm(const TickBound& at, const ScanLimits& limits) {
+  return std::min(kMinStep_mm, std::max({half_tick_mm(at, limits),
+                                         kMinStepOfTolerance * limits.chord_tolerance_mm,
+                                         -kMinStepBefore * at.s_mm}));
+}
+
 // To the next place that is looked at.
 double step_mm(const NurbsCurve& curve, const TickBound& at, bool strides,
                const ScanLimits& limits) {
-  const double half_tick = 0.5 * at.v_mm_s * limits.period_s;
+  const double half_tick = half_tick_mm(at, limits);
+  const double least = least_step_mm(at, limits);
   if (at.s_mm < 0.0) {
-    return std::max(std::min(half_tick, -at.s_mm), kMinStep_mm);
+    return std::max(std::min(half_tick, -at.s_mm), least);
   }
   const curves::NurbsPiece& piece = piece_at(curve, at.s_mm);
   const double coarse = quarter_mm(piece);
@@ -126,10 +142,10 @@ double step_mm(const NurbsCurve& curve, const TickBound& at, bool strides,
       curvature_bound_mm_s(curve, at.s_mm, limits) > kFarBelow * limits.feedrate_mm_s) {
     step = kFineShare * coarse;
   }
-  step = std::max(strides ? coarse : std::min(step, coarse), kMinStep_mm);
+  step = std::max(strides ? coarse : std::min(step, coarse), least);
   // Pieces behind may be much shorter.
   const bool passes_over_one = curve.piece_index(at.s_mm + step) > curve.piece_index(at.s_mm) + 1;
-  return passes_over_one ? std::max(piece.s_end_mm - at.s_mm, kMinStep_mm) : step;
+  return passes_over_one ? std::max(piece.s_end_mm - at.s_mm, least) : step;
 }
 
 // From so far before the curve that its begin is not before the middle of a tick.
@@ -160,7 +176,7 @@ bool refine(std::vector<TickBound>& bounds, const ContinuedCurve& path, const Sc
     const bool convex_before = convex;
     convex = i > 0 && i + 1 < bounds.size() && is_convex(bounds[i - 1], bounds[i], bounds[i + 1]);
     if (i > 0 && (convex || convex_before) &&
-        bounds[i].s_mm - bounds[i - 1].s_mm > 2.0 * kMinStep_mm) {
+        bounds[i].s_mm - bounds[i - 1].s_mm > 2.0 * least_step_mm(bounds[i], limits)) {
       const double middle = 0.5 * (bounds[i - 1].s_mm + bounds[i].s_mm);
       finer.push_back({.s_mm = middle, .v_mm_s = tick_bound_mm_s(path, middle, limits)});
     }

@@ -209,6 +209,28 @@ TEST(SingularCurves, ANeedleThatATickPassesOverIsSeenFromAfar) {
   }
 }
 
+// Shorter than a ten millionth of a millimetre is each tick on it.
+TEST(SingularCurves, ANeedleIsPassedWithinAToleranceOfAPicometre) {
+  MachineSettings settings = mill();
+  settings.limits.chord_tolerance_mm = 1e-9;
+  settings.limits.period_s = 0.0003;
+  const RandomProgram program{.text =
+                                  "G61.1\nG6.2 P3 K0 X0 Y0 R1 F3000\nK0 X0 Y0 R1\n"
+                                  "K0 X0 Y0.0000015 R1\nK1 X0.000019 Y0 R2\nK5 X0 Y0 R2\n"
+                                  "K6\nK6\nK6\nM2\n",
+                              .start_mm = {},
+                              .end_mm = {},
+                              .feedrate_mm_s = std::vector<double>(9, 50.0),
+                              .path = {},
+                              .dense = {}};
+  for (int kind = 0; kind < 7; ++kind) {
+    const JudgedRun outcome =
+        judged_run(program, settings, {.kind = static_cast<profiles::ProfileKind>(kind)});
+    EXPECT_EQ(outcome.complaint, "") << kind;
+    EXPECT_EQ(outcome.last.position_mm, (std::array<double, 3>{0.0, 0.0, 0.0})) << kind;
+  }
+}
+
 // The highest cruise that fits is a ten thousandth of what is allowed, and its ends are lower yet.
 TEST(SingularCurves, ACruiseIsFoundHoweverLow) {
   EXPECT_LT(judged_case(1009383, profiles::ProfileKind::s_curve, 60.0).ticks, 20'000);
