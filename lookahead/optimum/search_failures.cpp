@@ -22,22 +22,31 @@ PlanDegradation degradation_on(const Block& block, double s_mm) {
   return {.line = mark.line, .s_mm = s_mm - mark.s_mm};
 }
 
+// Few cells; of one block, or of more that end at a rest and were not planned to the end.
+bool is_worth_a_trial(const FrontBlocks& front, const PlannedCells& planned) {
+  if (front.cells > kFewCells) {
+    return false;
+  }
+  const Cell& last = (*planned.cells)[front.cells - 1];
+  return front.blocks <= 1 || (planned.count < front.cells && last.rest_after);
+}
+
 }  // namespace
 
 PlannedCells OptimumSchedule::tried_to_block_end(const FoundPlan& found, const WindowSearch& search,
                                                  const Window<Block>& blocks) const {
   PlannedCells planned = search.planned_to_block_end(found);
-  const std::size_t first_block = waiting_.of_first_block();
-  if (!planned.failed || planned.count > first_block || first_block > kFewCells) {
+  const FrontBlocks front = waiting_.blocks_of_first(planned.count);
+  if (!planned.failed || !is_worth_a_trial(front, planned)) {
     return planned;
   }
   Settings settings = settings_;
   settings.observer = nullptr;  // nothing of it is run
   settings.takes_classical = false;
   OptimumSchedule schedule(settings);
-  planned.count = first_block;
+  planned.count = front.cells;
   planned.duration_s =
-      duration_from_rest_s(schedule, {.blocks = &blocks, .count = 1}, settings_.limits);
+      duration_from_rest_s(schedule, {.blocks = &blocks, .count = front.blocks}, settings_.limits);
   planned.failed = false;
   planned.tried = true;
   return planned;

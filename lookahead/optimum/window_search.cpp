@@ -23,7 +23,7 @@ std::size_t WindowSearch::first_count() const {
   if (cells_.place.cell < cells_.plan->cells().size()) {
     return waiting.size();
   }
-  const std::size_t first_block = waiting.of_first_block();
+  const std::size_t first_block = waiting.blocks_of_first(1).cells;
   return std::min(waiting.size(),
                   first_block > kFewCells ? kCellsOfPlan : std::max(kCellsOfPlan, first_block));
 }

@@ -190,10 +190,15 @@ void WaitingCells::refine_begin(double finest_mm, const Window<Block>& blocks) {
   cells_ = std::move(refined);
 }
 
-std::size_t WaitingCells::of_first_block() const {
-  const auto end = std::ranges::find_if(
-      cells_, [](const WaitingCell& waiting) { return waiting.cell.ends_block; });
-  return static_cast<std::size_t>(end - cells_.begin()) + (end == cells_.end() ? 0 : 1);
+FrontBlocks WaitingCells::blocks_of_first(std::size_t count) const {
+  FrontBlocks front;
+  bool ends_block = false;
+  while (front.cells < cells_.size() && (front.cells < count || !ends_block)) {
+    ends_block = cells_[front.cells].cell.ends_block;
+    front.blocks += ends_block ? 1 : 0;
+    ++front.cells;
+  }
+  return front;
 }
 
 void WaitingCells::drop_blocks(std::size_t count) {

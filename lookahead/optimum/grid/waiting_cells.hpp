@@ -21,6 +21,12 @@ struct WaitingCell {
   bool whole_line = false;  // a line that needs no cells (independent_line.hpp)
 };
 
+// Blocks at the front, and their cells.
+struct FrontBlocks {
+  std::size_t blocks = 0;
+  std::size_t cells = 0;
+};
+
 // A block becomes cells once the junctions at both its ends are known: when the next one comes, or
 // when none does. From a rest on, lines that can be planned each by itself wait as they are; the
 // first block that cannot makes cells of them and of all that follows up to the next rest.
@@ -64,8 +70,8 @@ class WaitingCells {
   [[nodiscard]] std::size_t size() const { return cells_.size(); }
   [[nodiscard]] const WaitingCell& front() const { return cells_.front(); }
   [[nodiscard]] const Cell& operator[](std::size_t i) const { return cells_[i].cell; }
-  // How many of the cells are of the first one's block. Precondition: not empty.
-  [[nodiscard]] std::size_t of_first_block() const;
+  // Up to the end of the block that holds the last of the first cells. Precondition: count > 0.
+  [[nodiscard]] FrontBlocks blocks_of_first(std::size_t count) const;
   void drop(std::size_t count);
   // All cells of the window's first blocks.
   void drop_blocks(std::size_t count);
