@@ -24,11 +24,14 @@ constexpr int kStep = 37;
 constexpr int kRestTicks = 20;  // before it is resumed
 constexpr double kOffPathAtMost_mm = 1e-9;
 
-struct Holds {
+struct Held {
   const ControlProgram& program;
   ProfileKind profile{};
+};
+
+struct Places {
   int step = 1;
-  int remainders = 1;
+  int remainder = 0;
 };
 
 // A kernel that has come to a tick, and what has judged it until then. A process that forks holds a
@@ -128,9 +131,9 @@ class Children {
   std::int64_t failed_ = 0;
 };
 
-std::vector<Setpoint> ticks_of(const Holds& order) {
+std::vector<Setpoint> ticks_of(const Held& of) {
   std::vector<Setpoint> ticks;
-  Run run(order.program, order.profile);
+  Run run(of.program, of.profile);
   for (TickStatus status = TickStatus::running; status == TickStatus::running;) {
     status = run.next();
     ticks.push_back(run.setpoint());
@@ -138,41 +141,52 @@ std::vector<Setpoint> ticks_of(const Holds& order) {
   return ticks;
 }
 
-bool hold_everywhere(const Holds& order) {
-  const std::vector<Setpoint> whole = ticks_of(order);
+bool hold_at(const Places& places, const Held& of, const std::vector<Setpoint>& whole) {
   Children children;
-  Run held(order.program, order.profile);
+  Run held(of.program, of.profile);
   for (std::int64_t tick = 0; tick < static_cast<std::int64_t>(whole.size()) - 1; ++tick) {
     held.next();
-    if (tick % order.step < order.remainders) {
+    if (tick % places.step == places.remainder) {
       children.start(tick, [&] { return held.hold_and_resume(whole); });
     }
   }
   children.finish();
-  std::printf("| %s | %s | %lld | %lld |\n", order.program.name.c_str(),
-              std::string(name_of(order.profile)).c_str(),
+  std::printf("| %s | %s | %d of %d | %lld | %lld |\n", of.program.name.c_str(),
+              std::string(name_of(of.profile)).c_str(), places.remainder, places.step,
               static_cast<long long>(children.started()),
               static_cast<long long>(children.failed()));
   std::fflush(stdout);
   return children.failed() == 0;
 }
 
+bool hold_everywhere(const Held& of, const HoldsOrder& order) {
+  const std::vector<Setpoint> whole = ticks_of(of);
+  if (of.program.name == "butterfly") {
+    return hold_at({}, of, whole);
+  }
+  bool all_hold = true;
+  for (int i = order.first; i <= std::min(order.last, kStep - 1); ++i) {
+    all_hold &= hold_at({.step = kStep, .remainder = i}, of, whole);
+  }
+  return all_hold;
+}
+
 }  // namespace
 
-int holds(const std::string& name, int remainders) {
+int holds(const HoldsOrder& order) {
   bool all_hold = true;
-  std::printf("| program | profile | holds | broken |\n| --- | --- | --- | --- |\n");
+  std::printf(
+      "| program | profile | remainder | holds | broken |\n| --- | --- | --- | --- | --- |\n");
   for (const ControlProgram& program : control_programs()) {
-    const bool is_butterfly = program.name == "butterfly";
-    const bool is_meant = is_butterfly || program.name == "pocket" || program.name == "raster";
-    if (!is_meant || (!name.empty() && name != program.name)) {
+    const bool is_meant =
+        program.name == "butterfly" || program.name == "pocket" || program.name == "raster";
+    if (!is_meant || (!order.only.empty() && order.only != program.name)) {
       continue;
     }
     for (const ProfileKind profile : {ProfileKind::time_optimal, ProfileKind::s_curve}) {
-      all_hold &= hold_everywhere({.program = program,
-                                   .profile = profile,
-                                   .step = is_butterfly ? 1 : kStep,
-                                   .remainders = is_butterfly ? 1 : remainders});
+      if (!order.profile || order.profile == profile) {
+        all_hold &= hold_everywhere({.program = program, .profile = profile}, order);
+      }
     }
   }
   return all_hold ? 0 : 1;

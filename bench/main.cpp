@@ -1,8 +1,9 @@
 // kerf-bench papers: the published results beside ours. kerf-bench control: how soon a hold shows.
-// kerf-bench holds [NAME [N]]: a hold at every tick of a curve, and of parts at every 37th, with N
-// of the 37 remainders. kerf-bench optimum: the time optimum of every shipped curve beside its
-// reference. kerf-bench parse: text to moves, long programs; with the name of one, that one read
-// once for counting instructions. kerf-bench soak [--seed N]
+// kerf-bench holds [NAME] [--profile NAME] [--first N] [--last M]: a hold at every tick of a curve,
+// and of parts at every 37th, once for each of the remainders N to M; all are 0 to 36. kerf-bench
+// optimum: the time optimum of every shipped curve beside its reference. kerf-bench parse: text to
+// moves, long programs; with the name of one, that one read once for counting instructions.
+// kerf-bench soak [--seed N]
 // [--last M] [--seconds S] [--kind smoothed|degenerate|control] [--fingerprints]: random curves and
 // programs, those of the seeds N to M and on for so long, or N alone; smoothed: programs of short
 // lines in G64; fingerprints: of the ticks of each, to compare two builds. kerf-bench
@@ -102,6 +103,28 @@ std::optional<kerf::bench::PartsOrder> parts_order(const std::vector<std::string
   return order;
 }
 
+// holds [NAME] [--profile NAME] [--first N] [--last M]
+std::optional<kerf::bench::HoldsOrder> holds_order(const std::vector<std::string>& words) {
+  kerf::bench::HoldsOrder order;
+  std::size_t i = 2;
+  if (i < words.size() && !words[i].starts_with('-')) {
+    order.only = words[i++];
+  }
+  for (; i + 1 < words.size(); i += 2) {
+    const auto kind = kerf::profiles::profile_kind(words[i + 1]);
+    if (words[i] == "--profile" && kind) {
+      order.profile = *kind;
+    } else if (words[i] == "--first") {
+      order.first = order.last = std::atoi(words[i + 1].c_str());
+    } else if (words[i] == "--last") {
+      order.last = std::atoi(words[i + 1].c_str());
+    } else {
+      return std::nullopt;
+    }
+  }
+  return i == words.size() ? std::optional(order) : std::nullopt;
+}
+
 using Words = std::vector<std::string>;
 
 struct Command {
@@ -118,10 +141,10 @@ constexpr std::array kCommands{
               return words.size() == 2 ? kerf::bench::parse() : kerf::bench::parse_once(words[2]);
             }},
     Command{"control", 0, [](const Words&) { return kerf::bench::control(); }},
-    Command{"holds", 2,
+    Command{"holds", kMany,
             [](const Words& words) {
-              return kerf::bench::holds(words.size() > 2 ? words[2] : "",
-                                        words.size() > 3 ? std::atoi(words[3].c_str()) : 1);
+              const auto order = holds_order(words);
+              return order ? kerf::bench::holds(*order) : kUsage;
             }},
     Command{"streaming", 0, [](const Words&) { return kerf::bench::streaming(); }},
     Command{"stops", 1,
