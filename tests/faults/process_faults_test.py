@@ -153,7 +153,8 @@ class ProcessFaults(Case):
         gap = re.search(r"machine fault: no tick for ([\d.]+) s, in line 3, at 0:00:0", err)
         self.assertTrue(gap, err)
         self.assertGreaterEqual(float(gap[1]), 1.4)
-        self.assertEqual(json.loads(out)["exit_status"], 4)
+        report = json.loads(out)
+        self.assertEqual((report["exit_status"], report["fault"]["kind"], report["fault"]["line"]), (4, "no_tick", 3))
 
     # Files and streams that are written
 

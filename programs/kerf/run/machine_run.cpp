@@ -96,14 +96,15 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver
     controller.plan();  // what the program said last
   }
   Kernel none(order.settings, options);
-  stage.finish({.kernel = by.has_started() ? *controller.program() : none,
-                .feeder = feeder,
-                .outcome = outcome,
-                .is_stopped = by.has_stopped(),
-                .fault = controller.status().state == ControllerState::fault
-                             ? last_message(controller)
-                             : std::string(),
-                .is_emergency = controller.status().state == ControllerState::emergency_stop});
+  const ControllerStatus last = controller.status();
+  stage.finish(
+      {.kernel = by.has_started() ? *controller.program() : none,
+       .feeder = feeder,
+       .outcome = outcome,
+       .is_stopped = by.has_stopped(),
+       .no_home = last.state == ControllerState::fault ? last_message(controller) : std::string(),
+       .is_unhomed = last.unhomed != 0,
+       .is_emergency = last.state == ControllerState::emergency_stop});
   if (channel) {
     by.carry_out();  // what came too late is refused
     channel->finish(report.status);

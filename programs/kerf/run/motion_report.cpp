@@ -127,6 +127,14 @@ FaultReport fault_report(const MachineFault& fault, double period_s) {
           .needs_homing = may_lose_place(fault.kind)};
 }
 
+FaultReport fault_report(std::string_view kind, const TickGap& gap, double period_s) {
+  return {.kind = kind,
+          .axis = {},
+          .line = gap.line,
+          .t_s = static_cast<double>(gap.tick) * period_s,
+          .needs_homing = false};
+}
+
 std::string describe(const TickStage::EmergencyLoop& loop, double period_s) {
   return fmt::format("emergency stop: its loop is open, in line {}, at {}", loop.line,
                      clock_time(static_cast<double>(loop.tick) * period_s));

@@ -43,6 +43,9 @@ void MotionStage::finish(const End& end) {
     report_.speed = speed->report();
   }
   report_end(end);
+  if (report_.machine_fault) {
+    report_.machine_fault->needs_homing |= end.is_unhomed;
+  }
   const bool trace_ended = end.outcome.trace_ended;
   report_.trace_reader_gone = trace_ended && outputs_.recorder().trace->reader_gone();
   const bool is_whole = report_.status == ExitStatus::done && !report_.start && !trace_ended;
@@ -89,14 +92,18 @@ void MotionStage::report_end(const End& end) {
     report_.machine_fault = fault_report(ticks_.fault(), report_.period_s);
     report_.fail(ExitStatus::machine_fault, describe(ticks_.fault(), report_.period_s));
   } else if (end.outcome.gap) {
+    report_.machine_fault = fault_report("no_tick", *end.outcome.gap, report_.period_s);
     report_.fail(ExitStatus::machine_fault, describe(*end.outcome.gap, report_.period_s));
   } else if (end.outcome.too_late) {
+    report_.machine_fault = fault_report("late_tick", *end.outcome.too_late, report_.period_s);
     report_.fail(ExitStatus::machine_fault,
                  describe_delay(*end.outcome.too_late, report_.period_s));
   } else if (ticks_.emergency()) {
     report_.fail(ExitStatus::emergency_stop, describe(*ticks_.emergency(), report_.period_s));
-  } else if (!end.fault.empty()) {
-    report_.fail(ExitStatus::machine_fault, end.fault);
+  } else if (!end.no_home.empty()) {
+    report_.machine_fault = {
+        .kind = "homing", .axis = {}, .t_s = ticks_.statistics().cycle_time_s()};
+    report_.fail(ExitStatus::machine_fault, end.no_home);
   } else if (end.is_emergency) {
     report_.status = ExitStatus::emergency_stop;
   } else if (stop_requested()) {

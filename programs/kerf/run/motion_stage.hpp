@@ -57,7 +57,8 @@ class MotionStage {
     const Feeder& feeder;
     const RunOutcome& outcome;
     bool is_stopped = false;  // by an operator
-    std::string fault{};      // why the state is one, where nobody else says it
+    std::string no_home{};    // why the search for it failed
+    bool is_unhomed = false;  // an axis with a home switch is
     bool is_emergency = false;
   };
   void finish(const End& end);
