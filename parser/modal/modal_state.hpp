@@ -118,7 +118,8 @@ struct ModalState {
   bool flood = false;
   AllowedOverrides overrides;
   SwitchedOutputs outputs;
-  double input = 0.0;  // what the last M66 read, -1 after a wait in vain
+  double input = 0.0;                    // what the last M66 read, -1 after a wait in vain
+  std::uint32_t assumed_input_line = 0;  // of the first M66 that no machine was asked; 0: none
   ProbeResult probe;
   bool to_initial_level = false;  // G98, not G99: where a canned cycle ends
   CycleState cycle;

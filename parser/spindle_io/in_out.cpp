@@ -48,6 +48,9 @@ void assume_input(const RunningBlock& at, ModalState& state, const AssumedMachin
   const bool in_vain = asked.kind == Kind::rise || asked.kind == Kind::fall ||
                        (asked.kind == Kind::high && !is_high) ||
                        (asked.kind == Kind::low && is_high);
+  if (state.assumed_input_line == 0) {
+    state.assumed_input_line = at.source.line;
+  }
   if (in_vain) {
     state.input = -1.0;
     at.push_move(state).shape = DwellMove{asked.max_wait_s};

@@ -108,6 +108,14 @@ class Start(Case):
             self.assertIn(words, stderr)
         self.assertEqual(self.started(program, 5)["start"]["line"], 5)
 
+    def test_says_that_it_guesses_what_another_machine_answered(self):
+        program = self.path("asked.ngc", "G21 G90 G61 F600\nG1 X1\nM66 P0 L0\nG1 X2\nG1 X3\nM2\n")
+        for line, driver, said in ((5, "loopback", True), (2, "loopback", False), (5, "simulated", False)):
+            with self.subTest(line=line, driver=driver):
+                stderr = self.kerf("run", program, "--from-line", str(line), "--driver", driver, status=2).stderr
+                self.assertIn("nobody is there to confirm", stderr)
+                self.assertEqual("answer to M66, first in line 3, is not known: taken as [simulation] has it" in stderr, said)
+
     def test_names_the_lines_around_a_merged_run(self):
         self.refused(MERGED, 6, "within a curve that G64 made of several lines", "line 3 before it", "behind it")
 

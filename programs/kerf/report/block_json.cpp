@@ -69,6 +69,9 @@ nlohmann::ordered_json start_json(const StartReport& report, parser::Letters ext
   if (!report.place.file.empty()) {
     json["file"] = report.place.file;
   }
+  if (report.assumed_input_line != 0) {
+    json["assumed_input_line"] = report.assumed_input_line;
+  }
   return json;
 }
 

@@ -125,6 +125,12 @@ std::string start_text(const FileReport& report) {
     fmt::format_to(out, "  called from     line {}\n", fmt::join(start.block.calls, ", line "));
   }
   text += state_text(report, start.block);
+  if (start.assumed_input_line != 0) {
+    fmt::format_to(out,
+                   "  warning         the machine's answer to M66, first in line {}, is not known: "
+                   "taken as [simulation] has it\n",
+                   start.assumed_input_line);
+  }
   text.pop_back();
   return text;
 }

@@ -19,6 +19,8 @@ struct LineRound {
 struct StartReport {
   LineRound place;
   parser::WatchedBlock block;
+  // Of the first M66 before it whose answer nobody knows, so that [simulation] gives one; 0: none.
+  std::uint32_t assumed_input_line = 0;
 };
 
 // "line 12"; "line 12:3", as it runs for the third time; "line 4 of pocket.ngc".

@@ -177,6 +177,7 @@ struct Names {
 };
 
 struct Searched {
+  bool knows_answers = true;
   Search::Result result;
   LineRound place;
   std::optional<LineRound> before;
@@ -213,7 +214,8 @@ tl::expected<Searched, std::string> search(ProgramFile& file, const StartSearchO
   }
   const Names named{path.reader()};
   const Search::Result result = search.result();
-  return Searched{.result = result,
+  return Searched{.knows_answers = order.knows_answers,
+                  .result = result,
                   .place = named(result.target),
                   .before = named(result.before),
                   .after = named(result.after)};
@@ -227,10 +229,14 @@ tl::expected<FoundStart, std::string> found_of(tl::expected<Searched, std::strin
   if (!searched->result.block) {
     return tl::unexpected(otherwise);
   }
-  return FoundStart{.start = {.place = searched->place, .block = *searched->result.block},
-                    .refused = std::string(searched->result.refused),
-                    .before = searched->before,
-                    .after = searched->after};
+  const parser::WatchedBlock& block = *searched->result.block;
+  return FoundStart{
+      .start = {.place = searched->place,
+                .block = block,
+                .assumed_input_line = searched->knows_answers ? 0 : block.state.assumed_input_line},
+      .refused = std::string(searched->result.refused),
+      .before = searched->before,
+      .after = searched->after};
 }
 
 }  // namespace
