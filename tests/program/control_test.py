@@ -170,6 +170,17 @@ class Control(ControlCase):
         x = rows[0].strip().split(",").index("x_mm")
         self.assertEqual(float(rows[-1].split(",")[x]), 31)
 
+    def test_a_tool_that_is_measured_at_its_change(self):
+        process, client = self.start("G21 G90 G61\nT2 M6\nG43 H2\nG1 X10 Z1 F6000\nM2\n")
+        client.read_until(type="event", state="waiting", waits_for="answer")
+        self.assertEqual(client.ask("tool", number=2, length_mm=1e300)["reason"], "there is no such tool")
+        self.assertTrue(client.ask("tool", number=2, length_mm=7.5)["accepted"])
+        self.assertTrue(client.ask("resume")["accepted"])
+        self.assertEqual(client.read_until(type="end")["exit_status"], 0)
+        rows = self.end(process, 0)
+        z = rows[0].strip().split(",").index("z_mm")
+        self.assertEqual(float(rows[-1].split(",")[z]), 8.5)
+
     def test_a_run_that_waits_for_its_start_may_be_stopped(self):
         process, client = self.start(options=["--wait-start"])
         client.read_until(type="event", state="idle")

@@ -1,99 +1,16 @@
 #include "programs/kerf/control/request.hpp"
 
-#include <algorithm>
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include "programs/kerf/control/request_keys.hpp"
 
 namespace kerf::program {
 
 namespace {
 
-// Keys in the order in which they are set.
-using Json = nlohmann::ordered_json;
 using Kind = ControlRequest::Kind;
 
 constexpr double kPercent = 0.01;
-
-// Reads the keys of a request; what is wrong with the first wrong one stays.
-class RequestKeys {
- public:
-  explicit RequestKeys(const Json& object) : object_(object) {}
-
-  template <typename T>
-  void read(const char* key, T& value) {
-    if (const Json* found = take(key)) {
-      read_into(key, *found, value);
-    }
-  }
-  [[nodiscard]] bool has(const char* key) const { return object_.contains(key); }
-  [[nodiscard]] std::string complaint() const {
-    if (!complaint_.empty()) {
-      return complaint_;
-    }
-    return object_.size() > taken_ ? "a key that does not belong to the command" : "";
-  }
-
- private:
-  const Json* take(const char* key) {
-    const auto found = object_.find(key);
-    taken_ += found != object_.end() ? 1U : 0U;
-    return found != object_.end() ? &*found : nullptr;
-  }
-  void complain(const char* key, const char* wanted) {
-    if (complaint_.empty()) {
-      complaint_ = std::string(key) + " is to be " + wanted;
-    }
-  }
-  void read_into(const char* key, const Json& found, std::optional<double>& value) {
-    if (found.is_number()) {
-      value = found.get<double>();
-    } else {
-      complain(key, "a number");
-    }
-  }
-  void read_into(const char* key, const Json& found, std::optional<std::uint64_t>& value) {
-    read_into(key, found, value.emplace());
-  }
-  void read_into(const char* key, const Json& found, bool& value) {
-    if (found.is_boolean()) {
-      value = found.get<bool>();
-    } else {
-      complain(key, "true or false");
-    }
-  }
-  void read_into(const char* key, const Json& found, std::uint64_t& value) {
-    if (found.is_number_unsigned()) {
-      value = found.get<std::uint64_t>();
-    } else {
-      complain(key, "a whole number of 0 or more");
-    }
-  }
-  void read_into(const char* key, const Json& found, BlockDelete& value) {
-    const auto is_switch = [](const Json& number) {
-      return number.is_number_unsigned() && number.get<std::uint64_t>() >= 1 &&
-             number.get<std::uint64_t>() <= BlockDelete::kSwitches;
-    };
-    if (!found.is_array() || !std::ranges::all_of(found, is_switch)) {
-      complain(key, "numbers from 1 to 9, as in [1, 3]");
-      return;
-    }
-    for (const Json& number : found) {
-      value.switch_on(number.get<unsigned>());
-    }
-  }
-  void read_into(const char* key, const Json& found, std::string& value) {
-    if (found.is_string()) {
-      value = found.get<std::string>();
-    } else {
-      complain(key, "a string");
-    }
-  }
-
-  const Json& object_;
-  std::size_t taken_ = 0;
-  std::string complaint_;
-};
 
 void share_of(std::optional<double>& percent) {
   if (percent) {
@@ -139,6 +56,7 @@ bool find_command(ControlRequest& request) {
   request.kind = request.name == "status"  ? Kind::status
                  : request.name == "input" ? Kind::input
                  : request.name == "fault" ? Kind::fault
+                 : request.name == "tool"  ? Kind::tool
                                            : Kind::events;
   return request.kind != Kind::events || request.name == "events";
 }
@@ -201,6 +119,25 @@ std::string read_fault(RequestKeys& keys, ControlRequest& request) {
   return "";
 }
 
+std::string read_tool(RequestKeys& keys, ControlRequest& request) {
+  std::optional<std::uint64_t> number;
+  std::optional<double> length_mm;
+  std::optional<double> diameter_mm;
+  keys.read("number", number);
+  keys.read("length_mm", length_mm);
+  keys.read("diameter_mm", diameter_mm);
+  if (!keys.has("number") || !keys.has("length_mm")) {
+    return "tool takes number and length_mm, and perhaps diameter_mm";
+  }
+  if (number.value_or(0) > ToolTable::kHighestNumber) {
+    return "number is to be 0 to 99999";
+  }
+  request.tool.number = request.tool.pocket = static_cast<std::int32_t>(number.value_or(0));
+  request.tool.offset_mm[2] = length_mm.value_or(0.0);
+  request.tool.diameter_mm = diameter_mm.value_or(0.0);
+  return keys.complaint();
+}
+
 std::string read_override(RequestKeys& keys, ControlRequest& request) {
   keys.read("feed_percent", request.feed);
   keys.read("rapid_percent", request.rapid);
@@ -246,6 +183,8 @@ std::string read_request(RequestKeys& keys, ControlRequest& request) {
       return read_input(keys, request);
     case Kind::fault:
       return read_fault(keys, request);
+    case Kind::tool:
+      return read_tool(keys, request);
     case Kind::status:
       return read_status(keys, request);
     case Kind::events:
@@ -268,14 +207,14 @@ std::string key_of_name(std::string_view name) {
 }
 
 tl::expected<ControlRequest, BadRequest> control_request(std::string_view line) {
-  const Json json = Json::parse(line, nullptr, false);
+  const auto json = RequestKeys::Json::parse(line, nullptr, false);
   if (!json.is_object()) {
     return tl::unexpected(BadRequest{.reason = "an object with a command is wanted"});
   }
   ControlRequest request;
-  Json object = json;
+  auto object = json;
   if (const auto id = object.find("id"); id != object.end()) {
-    request.id = id->dump(-1, ' ', true, Json::error_handler_t::replace);
+    request.id = id->dump(-1, ' ', true, RequestKeys::Json::error_handler_t::replace);
     object.erase("id");
   }
   RequestKeys keys(object);

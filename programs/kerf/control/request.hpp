@@ -25,11 +25,12 @@ struct ControlRequest {
     jog,
     input,
     fault,
+    tool,
     status,
     events
   };
   Kind kind = Kind::command;
-  kerf::Command command{};  // of all kinds but input, fault, status and events
+  kerf::Command command{};  // of all kinds from command to jog
   std::string line{};       // of mdi
   Jog jog{};                // of jog
   std::optional<double> feed{};
@@ -41,6 +42,7 @@ struct ControlRequest {
   std::optional<std::uint64_t> digital{};
   double value = 0.0;               // of an input
   PlannedFault fault{};             // of a fault
+  Tool tool{};                      // of a tool
   std::optional<double> every_s{};  // of a status: again and again; 0: no more
   std::uint64_t since = 0;          // of events
   std::string name{};               // of the command, as the client wrote it
