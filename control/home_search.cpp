@@ -15,6 +15,16 @@ AxisSet bit_of(std::size_t axis) {
   return static_cast<AxisSet>(1U << axis);
 }
 
+constexpr double kFarthest_mm = 2000.0;  // is a switch of an axis without travel
+
+double travel_of_search_mm(const AxisHoming& homing, const Travel& travel) {
+  const double farthest_mm = homing.search_mm_s < 0.0 ? travel.max_mm - homing.switch_mm
+                                                      : homing.switch_mm - travel.min_mm;
+  const double longest_mm =
+      std::isfinite(farthest_mm) ? farthest_mm + homing.back_off_mm : kFarthest_mm;
+  return std::isfinite(homing.travel_mm) ? homing.travel_mm : longest_mm;
+}
+
 std::string text_of(double number) {
   std::array<char, 32> digits{};
   const int count = std::snprintf(digits.data(), digits.size(), "%g", number);
@@ -26,6 +36,7 @@ std::string text_of(double number) {
 HomeSearch::HomeSearch(const MachineSettings& settings)
     : homing_(settings.manual.homing), period_s_(settings.limits.period_s) {
   for (std::size_t axis = 0; axis < homing_.size(); ++axis) {
+    homing_[axis].travel_mm = travel_of_search_mm(homing_[axis], settings.table.axes[axis].travel);
     if (std::isfinite(homing_[axis].switch_mm)) {
       switches_ = static_cast<AxisSet>(switches_ | bit_of(axis));
       order_.push_back(axis);

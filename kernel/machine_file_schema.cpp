@@ -95,7 +95,7 @@ constexpr std::array kAxis{
     NumberRule{"home_search_mm_s", -1e6, 1e6, homing<&AxisHoming::search_mm_s>},
     NumberRule{"home_latch_mm_s", 1e-6, 1e6, homing<&AxisHoming::latch_mm_s>},
     NumberRule{"home_back_off_mm", 1e-3, 1e6, homing<&AxisHoming::back_off_mm>},
-    NumberRule{"home_travel_mm", 1e-3, 1e6, homing<&AxisHoming::travel_mm>},
+    NumberRule{"home_travel_mm", 1e-3, 1e6, homing<&AxisHoming::travel_mm>, 1.0, kOpen},
     NumberRule{"home_time_s", 1e-3, 86'400.0, homing<&AxisHoming::time_s>},
     NumberRule{"home_order", -1e6, 1e6, homing<&AxisHoming::order>},
 };

@@ -60,9 +60,11 @@ struct AxisHoming {
   double search_mm_s = -10.0;     ///< towards the switch: the sign is the direction; not 0
   double latch_mm_s = 1.0;        ///< the second time, which counts; > 0
   double back_off_mm = 10.0;      ///< by then the switch has opened again, or it is stuck
-  double travel_mm = 2000.0;      ///< by then it is closed, or there is none
-  double time_s = 120.0;          ///< each move of the search takes at most so long
-  double order = 1.0;             ///< the lowest one is first; of the same one X before Y before Z
+  /// By then it is closed, or there is none. kUnbounded: from the farther end of the travel to the
+  /// switch and back_off_mm, of an axis without travel 2000.
+  double travel_mm = kUnbounded;
+  double time_s = 120.0;  ///< each move of the search takes at most so long
+  double order = 1.0;     ///< the lowest one is first; of the same one X before Y before Z
 };
 
 /// What an operator may do by hand.

@@ -112,6 +112,15 @@ TEST(ManualFaults, Row73ASwitchIsNotLookedForBeyondItsTravel) {
   EXPECT_FALSE(shop.controller.drives_on());
 }
 
+// From 400 mm, where the travel ends, to a switch at -105 mm, and 10 mm to back off.
+TEST(ManualFaults, Row73ASwitchIsNotLookedForBeyondTheTravelWhereNothingElseIsNamed) {
+  MachineSettings settings = test::mill_with_switches();
+  settings.manual.homing[2].travel_mm = kUnbounded;
+  HomingShop shop(settings);
+  shop.never_closed = 4U;
+  shop.fails_to_home("homing z: its switch did not close within 515 mm");
+}
+
 TEST(ManualFaults, Row73ASwitchIsNotLookedForLongerThanItsTime) {
   MachineSettings settings = test::mill_with_switches();
   settings.manual.homing[2].time_s = 2.0;

@@ -144,7 +144,8 @@ TEST(MachineFile, TheDefaultMachineIsTheTableThatIsShipped) {
         EXPECT_EQ(rule.field(shipped, axis), rule.field(built_in, axis)) << rule.key << axis;
         // All that a machine needs is bound; across the path the limits of the axes bind.
         const bool across = rule.key.find("normal") != std::string_view::npos;
-        const bool switches = rule.key == "home_switch_mm" || rule.key == "home_mm";
+        const bool switches =
+            rule.key == "home_switch_mm" || rule.key == "home_mm" || rule.key == "home_travel_mm";
         EXPECT_EQ(std::isfinite(rule.field(shipped, axis)), !across && !switches)
             << rule.key << axis;
       }
