@@ -3,11 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <poll.h>
-#include <span>
-#include <sys/socket.h>
-#include <sys/un.h>
 #include <utility>
 
 #include <spdlog/fmt/fmt.h>
@@ -22,36 +17,6 @@ using machine::MachineState;
 namespace {
 
 constexpr int kAnswersATick = 16;
-constexpr const char* kHangsUp = "the machine hangs up";
-
-// With room for a byte too many, which shows that it is no answer.
-using ReceivedBytes = std::array<std::byte, kAnswerBytes + 1>;
-
-bool send_bytes(int socket, const ToldBytes& bytes) noexcept {
-  return ::send(socket, bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL) ==
-         static_cast<ssize_t>(bytes.size());
-}
-
-tl::expected<Descriptor, int> connect_to(const std::string& path) {
-  sockaddr_un address{};
-  address.sun_family = AF_UNIX;
-  if (path.size() >= sizeof address.sun_path) {
-    return tl::unexpected(ENAMETOOLONG);
-  }
-  std::memcpy(static_cast<void*>(address.sun_path), path.data(), path.size());
-  Descriptor socket(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
-  // The address is that of a path, which the call takes as one of any family.
-  const auto* const any =
-      reinterpret_cast<const sockaddr*>(&address);  // NOLINT(*-reinterpret-cast)
-  if (!socket.is_open() || ::connect(socket.number(), any, sizeof address) != 0) {
-    return tl::unexpected(errno);
-  }
-  // As much as the system gives: the frames of a time-out and more wait for who is late.
-  constexpr int kRoomBytes = 1 << 20;
-  static_cast<void>(
-      ::setsockopt(socket.number(), SOL_SOCKET, SO_SNDBUF, &kRoomBytes, sizeof kRoomBytes));
-  return socket;
-}
 
 bool is_finite(const MachineState& state) noexcept {
   const auto finite = [](double value) { return std::isfinite(value); };
@@ -89,18 +54,13 @@ tl::expected<std::unique_ptr<LoopbackMachine>, std::string> LoopbackMachine::ope
     return tl::unexpected(fmt::format("a time-out of {} s is more than {} periods of {} s",
                                       order.timeout_s, kMaxPeriods, order.table.period_s));
   }
-  auto socket = connect_to(order.socket);
-  if (!socket) {
-    return tl::unexpected(order.socket + ": " + error_text(socket.error()));
-  }
-  std::unique_ptr<LoopbackMachine> machine(new LoopbackMachine(*std::move(socket), order));
-  if (const auto why = machine->greet(std::max(1.0, order.timeout_s))) {
-    return tl::unexpected(order.socket + ": " + *why);
-  }
-  return machine;
+  return FrameSocket::open(order.socket, std::max(1.0, order.timeout_s))
+      .map([&order](FrameSocket socket) {
+        return std::unique_ptr<LoopbackMachine>(new LoopbackMachine(std::move(socket), order));
+      });
 }
 
-LoopbackMachine::LoopbackMachine(Descriptor socket, const Order& order) noexcept
+LoopbackMachine::LoopbackMachine(FrameSocket socket, const Order& order) noexcept
     : socket_(std::move(socket)),
       gate_(order.table),
       timeout_periods_(static_cast<std::size_t>(
@@ -108,37 +68,6 @@ LoopbackMachine::LoopbackMachine(Descriptor socket, const Order& order) noexcept
   for (std::size_t axis = 0; axis < max_following_error_mm_.size(); ++axis) {
     max_following_error_mm_[axis] = order.table.axes[axis].max_following_error_mm;
   }
-}
-
-// An answer that is not read when the socket closes is an error (ECONNRESET) at the other end, in
-// place of the frames that it has not read yet.
-LoopbackMachine::~LoopbackMachine() {
-  ::shutdown(socket_.number(), SHUT_RDWR);
-  ReceivedBytes bytes{};
-  while (::recv(socket_.number(), bytes.data(), bytes.size(), MSG_DONTWAIT) > 0) {
-  }
-}
-
-std::optional<std::string> LoopbackMachine::greet(double timeout_s) {
-  if (!send_bytes(socket_.number(), to_bytes(ToldFrame{.call = MachineCall::disable}))) {
-    return errno == EPIPE || errno == ECONNRESET ? kHangsUp : error_text(errno);
-  }
-  pollfd waits{.fd = socket_.number(), .events = POLLIN, .revents = 0};
-  if (::poll(&waits, 1, static_cast<int>(timeout_s * 1e3)) <= 0) {
-    return fmt::format("the machine does not answer within {} s", timeout_s);
-  }
-  ReceivedBytes bytes{};
-  const ssize_t count =
-      ::recv(socket_.number(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_TRUNC);
-  if (count <= 0) {
-    return kHangsUp;
-  }
-  const auto size = static_cast<std::size_t>(count);
-  if (!answer_from(std::span(bytes).first(std::min(size, bytes.size())))) {
-    return fmt::format("the machine answers {} bytes that are no answer of version {}", size,
-                       kFrameVersion);
-  }
-  return std::nullopt;
 }
 
 void LoopbackMachine::enable(const AxisPlaces& places) noexcept {
@@ -184,7 +113,7 @@ void LoopbackMachine::tell(const ToldFrame& told) noexcept {
   }
   if (pending_.is_full()) {
     hang_up(DriveFault::no_answer);
-  } else if (send_bytes(socket_.number(), to_bytes(told))) {
+  } else if (socket_.send(told)) {
     Told pending{.tick = told.setpoint.tick};
     if (told.call != MachineCall::disable) {
       pending.place_mm = told.setpoint.position_mm;
@@ -197,23 +126,19 @@ void LoopbackMachine::tell(const ToldFrame& told) noexcept {
 
 void LoopbackMachine::take_answers() noexcept {
   for (int i = 0; i < kAnswersATick && !is_over_; ++i) {
-    ReceivedBytes bytes{};
-    const ssize_t count =
-        ::recv(socket_.number(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_TRUNC);
-    if (count < 0 && errno == EAGAIN) {
+    const FrameSocket::Received received = socket_.receive();
+    if (received.what == FrameSocket::Received::What::nothing) {
       return;
     }
-    if (count <= 0) {
+    if (received.what == FrameSocket::Received::What::hung_up) {
       hang_up(DriveFault::connection_lost);
       return;
     }
-    const auto size = std::min(static_cast<std::size_t>(count), bytes.size());
-    const auto answer = answer_from(std::span(bytes).first(size));
-    const auto told = answer ? pending_.answer(answer->tick) : std::nullopt;
+    const auto told = received.answer ? pending_.answer(received.answer->tick) : std::nullopt;
     if (!told) {
       note(DriveFault::bad_answer);
     } else if (!told->is_forgotten) {
-      take(answer->state);
+      take(received.answer->state);
       judge_place(*told);
     }
   }
@@ -282,9 +207,8 @@ void LoopbackMachine::hang_up(DriveFault fault) noexcept {
   state_.axes.fill(AxisState::off);
   interp::apply({.kind = interp::OutputChangeKind::all_off}, state_.outputs);
   // Where it still hears, it is to be off; whether it does makes no difference here.
-  static_cast<void>(
-      send_bytes(socket_.number(), to_bytes(ToldFrame{.call = MachineCall::disable})));
-  ::shutdown(socket_.number(), SHUT_RDWR);
+  static_cast<void>(socket_.send({.call = MachineCall::disable}));
+  socket_.hang_up();
   is_over_ = true;
 }
 

@@ -13,8 +13,7 @@
 
 #include "machine/machine.hpp"
 #include "machine/setpoint_gate.hpp"
-#include "programs/kerf/driver/frames.hpp"
-#include "programs/kerf/io/descriptor.hpp"
+#include "programs/kerf/driver/frame_socket.hpp"
 
 namespace kerf::program {
 
@@ -37,10 +36,6 @@ class LoopbackMachine final : public machine::Machine {
   // Connects, tells the machine to be off, and waits for its answer, a second or the time-out.
   // Error: why there is none, with the path.
   static tl::expected<std::unique_ptr<LoopbackMachine>, std::string> open(const Order& order);
-  // Closes the connection so that the other end hears all that it was told.
-  ~LoopbackMachine() override;
-  LoopbackMachine(const LoopbackMachine&) = delete;
-  LoopbackMachine& operator=(const LoopbackMachine&) = delete;
 
   void enable(const machine::AxisPlaces& places) noexcept override;
   void disable() noexcept override;
@@ -48,8 +43,7 @@ class LoopbackMachine final : public machine::Machine {
   [[nodiscard]] machine::MachineState read() const noexcept override { return state_; }
 
  private:
-  LoopbackMachine(Descriptor socket, const Order& order) noexcept;
-  [[nodiscard]] std::optional<std::string> greet(double timeout_s);
+  LoopbackMachine(FrameSocket socket, const Order& order) noexcept;
 
   struct Told {
     std::int64_t tick = 0;
@@ -86,7 +80,7 @@ class LoopbackMachine final : public machine::Machine {
   void hang_up(machine::DriveFault fault) noexcept;
   [[nodiscard]] bool follows() const noexcept;
 
-  Descriptor socket_;
+  FrameSocket socket_;
   machine::SetpointGate gate_;
   Position max_following_error_mm_{};
   std::size_t timeout_periods_;

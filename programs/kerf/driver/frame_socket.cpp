@@ -1,0 +1,110 @@
+#include "programs/kerf/driver/frame_socket.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <poll.h>
+#include <span>
+#include <sys/socket.h>
+#include <sys/un.h>
+
+#include <spdlog/fmt/fmt.h>
+
+namespace kerf::program {
+
+namespace {
+
+constexpr const char* kHangsUp = "the machine hangs up";
+
+tl::expected<Descriptor, int> connect_to(const std::string& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  if (path.size() >= sizeof address.sun_path) {
+    return tl::unexpected(ENAMETOOLONG);
+  }
+  std::memcpy(static_cast<void*>(address.sun_path), path.data(), path.size());
+  Descriptor socket(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
+  // The address is that of a path, which the call takes as one of any family.
+  const auto* const any =
+      reinterpret_cast<const sockaddr*>(&address);  // NOLINT(*-reinterpret-cast)
+  if (!socket.is_open() || ::connect(socket.number(), any, sizeof address) != 0) {
+    return tl::unexpected(errno);
+  }
+  // As much as the system gives: the frames of a time-out and more wait for who is late.
+  constexpr int kRoomBytes = 1 << 20;
+  static_cast<void>(
+      ::setsockopt(socket.number(), SOL_SOCKET, SO_SNDBUF, &kRoomBytes, sizeof kRoomBytes));
+  return socket;
+}
+
+}  // namespace
+
+tl::expected<FrameSocket, std::string> FrameSocket::open(const std::string& path,
+                                                         double timeout_s) {
+  auto connected = connect_to(path);
+  if (!connected) {
+    return tl::unexpected(path + ": " + error_text(connected.error()));
+  }
+  FrameSocket socket(*std::move(connected));
+  if (const std::string why = socket.greet(timeout_s); !why.empty()) {
+    return tl::unexpected(path + ": " + why);
+  }
+  return socket;
+}
+
+// An answer that is not read when the socket closes is an error (ECONNRESET) at the other end, in
+// place of the frames that it has not read yet.
+FrameSocket::~FrameSocket() {
+  if (socket_.is_open()) {
+    hang_up();
+    while (receive().what == Received::What::frame) {
+    }
+  }
+}
+
+std::string FrameSocket::greet(double timeout_s) {
+  if (!send({.call = MachineCall::disable})) {
+    return errno == EPIPE || errno == ECONNRESET ? kHangsUp : error_text(errno);
+  }
+  pollfd waits{.fd = socket_.number(), .events = POLLIN, .revents = 0};
+  if (::poll(&waits, 1, static_cast<int>(timeout_s * 1e3)) <= 0) {
+    return fmt::format("the machine does not answer within {} s", timeout_s);
+  }
+  const Received received = receive();
+  if (received.what != Received::What::frame) {
+    return kHangsUp;
+  }
+  return received.answer
+             ? ""
+             : fmt::format("the machine answers {} bytes that are no answer of version {}",
+                           received.bytes, kFrameVersion);
+}
+
+bool FrameSocket::send(const ToldFrame& told) noexcept {
+  const ToldBytes bytes = to_bytes(told);
+  return ::send(socket_.number(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_NOSIGNAL) ==
+         static_cast<ssize_t>(bytes.size());
+}
+
+FrameSocket::Received FrameSocket::receive() noexcept {
+  std::array<std::byte, kAnswerBytes + 1> bytes{};  // a byte too many shows that it is no answer
+  const ssize_t count =
+      ::recv(socket_.number(), bytes.data(), bytes.size(), MSG_DONTWAIT | MSG_TRUNC);
+  if (count < 0 && errno == EAGAIN) {
+    return {};
+  }
+  if (count <= 0) {
+    return {.what = Received::What::hung_up};
+  }
+  const auto size = static_cast<std::size_t>(count);
+  return {.what = Received::What::frame,
+          .bytes = size,
+          .answer = answer_from(std::span(bytes).first(std::min(size, bytes.size())))};
+}
+
+void FrameSocket::hang_up() noexcept {
+  ::shutdown(socket_.number(), SHUT_RDWR);
+}
+
+}  // namespace kerf::program
