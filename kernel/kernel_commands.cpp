@@ -79,6 +79,7 @@ void Kernel::Impl::settle(bool accepted) {
     (takeover_->changes_plan ? wants_change_ : wants_hold_) = true;
     committed_until_tick_ = takeover_->committed_before;
   }
+  has_stopped_ = has_stopped_ || (accepted && takeover_->ends_program);
   refusals_ = accepted ? 0 : std::min(refusals_ + 1, kMaxRefusals);
   takeover_.reset();
 }
@@ -137,9 +138,13 @@ bool Kernel::Impl::hand_over(lookahead::Outbox&& plan, std::uint32_t from,
 }
 
 bool Kernel::Impl::try_hold() {
+  if (has_stopped_) {
+    return true;
+  }
   if (pipeline_.is_held()) {
     if (stops_) {
       judges_end_ = false;
+      has_stopped_ = true;
       pipeline_.stop_held();
     }
     return true;
@@ -161,7 +166,9 @@ bool Kernel::Impl::try_hold() {
   }
   if (!plan.phases.empty()) {
     judges_end_ = !stops_;
-    takeover_ = {.plan = plan.phases.front().plan, .committed_before = committed_until_tick_};
+    takeover_ = {.plan = plan.phases.front().plan,
+                 .ends_program = stops_,
+                 .committed_before = committed_until_tick_};
     if (!hand_over(std::move(plan), from)) {
       return false;
     }

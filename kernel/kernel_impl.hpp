@@ -225,8 +225,9 @@ class KERF_LOCAL Kernel::Impl {
   bool is_stopped_ = false;  // by the inputs
   bool asks_ = false;        // the program asks the machine, which has not answered
   bool single_block_ = false;
-  bool holds_ = false;  // the operator asked for it; a feed override of 0 is not among this
-  bool stops_ = false;  // each hold is a stop
+  bool holds_ = false;        // the operator asked for it; a feed override of 0 is not among this
+  bool stops_ = false;        // each hold is a stop
+  bool has_stopped_ = false;  // what is planned ends the program: no other stop comes
   bool wants_hold_ = false;
   bool wants_resume_ = false;
   bool wants_change_ = false;
@@ -234,6 +235,7 @@ class KERF_LOCAL Kernel::Impl {
   struct PendingTakeover {
     std::uint32_t plan = 0;
     bool changes_plan = false;
+    bool ends_program = false;
     std::int64_t committed_before = 0;
     std::optional<lookahead::Planner::PlannedStopAhead> stop{};
   };

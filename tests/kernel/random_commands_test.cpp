@@ -62,15 +62,21 @@ TEST(RandomCommandsAgain, OverrideWherePlannedMotionEndsBetweenTicks) {
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
-// Planning was late, and the way to rest that was taken leads over the end of a block.
 // A way to rest in steps passed a knot of degree 2 faster than its jump of curvature allows.
 TEST(RandomCommandsAgain, HoldBeforeAJumpOfCurvatureWithinACurve) {
   const CommandedRun run = commanded_run(5'000'582);
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
+// Planning was late, and the way to rest that was taken leads over the end of a block.
 TEST(RandomCommandsAgain, HoldOnAWayToRestOverTwoBlocks) {
   const CommandedRun run = commanded_run(30'343);
+  EXPECT_EQ(run.complaint, "") << run.commands;
+}
+
+// Behind a stop in a hold, whose blocks are dropped: it had looked for one more way to rest.
+TEST(RandomCommandsAgain, ResumeBehindAStopThatFollowsAHold) {
+  const CommandedRun run = commanded_run(90'000'842);
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 

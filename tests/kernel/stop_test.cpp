@@ -66,6 +66,44 @@ TEST(Stop, KeepsEveryLimitAndEndsAtRestOnThePathWhenever) {
 }
 
 // The margin of 10 ms, v/A + A/J = 90 ms, and a tenth for the search over several blocks.
+// An operator's next command may come while the tool still brakes, or rests and the program has not
+// ended. Without a hold, with one just before the stop, in its braking and in its rest.
+TEST(Stop, IsTheSameWhateverIsAskedForBehindIt) {
+  for (const int held_ticks : {-1, 0, 15, 30, 300}) {
+    std::vector<Setpoint> alone;
+    for (int after = 200; after >= 0; after -= 3) {
+      SCOPED_TRACE("hold " + std::to_string(held_ticks) + ", then " + std::to_string(after));
+      Kernel kernel(mill());
+      kernel.feed("G21 G90 G61.1 F6000\nG1 X100\nG1 X200\nM2\n");
+      kernel.finish();
+      std::vector<Setpoint> ticks;
+      const auto tick = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+          kernel.next(ticks.emplace_back());
+        }
+      };
+      tick(500);
+      if (held_ticks >= 0) {
+        kernel.hold();
+        tick(held_ticks);
+      }
+      kernel.stop();
+      tick(after);
+      EXPECT_TRUE(kernel.set_overrides({.feed = 0.5}));
+      kernel.set_single_block(true);
+      kernel.resume();
+      kernel.stop();
+      tick(800 - static_cast<int>(ticks.size()));
+      EXPECT_EQ(kernel.next(ticks.back()), TickStatus::finished);
+      EXPECT_FALSE(kernel.fault());
+      alone = alone.empty() ? ticks : alone;
+      for (std::size_t i = 0; i < ticks.size(); ++i) {
+        ASSERT_EQ(ticks[i].position_mm, alone[i].position_mm) << i;
+      }
+    }
+  }
+}
+
 TEST(Stop, TakesLittleLongerThanTheShortestRamp) {
   Kernel kernel(mill());
   std::string text = "G21 G90 F6000\n";
