@@ -257,6 +257,26 @@ TEST_F(Loopback, Row69AFaultOfTheOtherEndIsTheMachines) {
   EXPECT_EQ(state().axes[0], AxisState::off);
 }
 
+TEST_F(Loopback, IsToldToBeOffBehindAFaultOfItsOwn) {
+  run(5);
+  machine::MachineState answer = state();
+  answer.fault = DriveFault::drive_tripped;
+  answer.axes.fill(AxisState::off);
+  write();
+  const auto told = pair_.peer.receive();
+  ASSERT_TRUE(told);
+  pair_.peer.answer_with(told->setpoint.tick, answer);
+  write();
+  EXPECT_EQ(state().fault, DriveFault::drive_tripped);
+  ASSERT_TRUE(pair_.peer.receive());
+  pair_.machine().disable();
+  const auto last = pair_.peer.receive();
+  ASSERT_TRUE(last);
+  EXPECT_EQ(last->call, MachineCall::disable);
+  pair_.machine().disable();
+  EXPECT_FALSE(pair_.peer.receive());
+}
+
 TEST(LoopbackMachines, LetTheOtherEndHearAllThatItWasToldBehindAnswersThatNobodyReads) {
   LoopbackPair pair;
   pair.machine().enable({});

@@ -90,6 +90,8 @@ void LoopbackMachine::disable() noexcept {
     stop({.why = DriveFault::not_enabled});
   } else if (follows()) {
     stop({.why = state_.fault, .axis = state_.fault_axis});
+  } else if (!is_disabled_) {  // a fault of the machine's own: its axes stop or are off
+    tell({.call = MachineCall::disable});
   }
 }
 
@@ -111,6 +113,7 @@ void LoopbackMachine::tell(const ToldFrame& told) noexcept {
   if (is_over_) {
     return;
   }
+  is_disabled_ = told.call == MachineCall::disable;
   if (pending_.is_full()) {
     hang_up(DriveFault::no_answer);
   } else if (socket_.send(told)) {

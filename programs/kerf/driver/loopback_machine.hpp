@@ -85,7 +85,8 @@ class LoopbackMachine final : public machine::Machine {
   Position max_following_error_mm_{};
   std::size_t timeout_periods_;
   Pending pending_;
-  bool is_over_ = false;  // the connection
+  bool is_over_ = false;     // the connection
+  bool is_disabled_ = true;  // the last thing that was told
   machine::MachineState state_{.fault = machine::DriveFault::not_enabled};
 };
 
