@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include <boost/asio/error.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/read_until.hpp>
@@ -20,7 +21,8 @@
 
 namespace kerf::program {
 
-// Gives each line that comes to on_line, and writes lines without waiting. Of the channel's thread.
+// Gives each line that comes to on_line, one that is too long as an empty one, and writes lines
+// without waiting. Of the channel's thread.
 class ControlClient : public std::enable_shared_from_this<ControlClient> {
  public:
   using OnLine = std::function<void(const std::shared_ptr<ControlClient>&, std::string_view)>;
@@ -37,12 +39,17 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
     boost::asio::async_read_until(
         in_, boost::asio::dynamic_buffer(text_, kLongestLine), '\n',
         [self = shared_from_this()](const boost::system::error_code& error, std::size_t size) {
-          if (error) {
+          if (error == boost::asio::error::not_found) {  // too long: its end is looked for
+            self->is_too_long_ = true;
+            self->text_.clear();
+          } else if (error) {
             self->stop_reading();
             return;
+          } else {
+            const bool is_whole = !std::exchange(self->is_too_long_, false);
+            self->on_line_(self, std::string_view(self->text_).substr(0, is_whole ? size - 1 : 0));
+            self->text_.erase(0, size);
           }
-          self->on_line_(self, std::string_view(self->text_).substr(0, size - 1));
-          self->text_.erase(0, size);
           self->read();
         });
   }
@@ -106,6 +113,7 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
   std::optional<boost::asio::posix::stream_descriptor> out_;
   OnLine on_line_;
   std::string text_;
+  bool is_too_long_ = false;
   std::deque<std::string> lines_;
   std::size_t waiting_bytes_ = 0;
   bool is_open_ = true;
