@@ -139,6 +139,7 @@ class KERF_LOCAL Controller::Impl {
   bool hear_out();
   // What the program says where the tool is.
   void tell();
+  void tell_failure_of_line();
 
   // What a tick found, and the state before it: a command that came meanwhile knows better.
   struct Ticked {
@@ -171,6 +172,7 @@ class KERF_LOCAL Controller::Impl {
   double spindle_share_ = 1.0;  // of the programmed speed, in the latest outputs
   bool ran_ = false;            // at the last plan(), or began since
   bool ran_line_ = false;       // the latest was one
+  bool told_failure_ = false;   // of it
   // By hand.
   struct Manual {
     std::unique_ptr<Kernel> kernel{};

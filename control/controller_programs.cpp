@@ -94,6 +94,7 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_from_here(Runs what) {
 void Controller::Impl::start(std::unique_ptr<Kernel> kernel, Runs what) {
   kernel_ = std::move(kernel);
   ran_line_ = what == Runs::line;
+  told_failure_ = false;
   ran_ = true;
   run_ticks_ = 0;
   run_program();
@@ -134,6 +135,7 @@ bool Controller::Impl::hear_out() {
   }
   const bool wants_text = kernel_->plan();
   tell();
+  tell_failure_of_line();
   return wants_text;
 }
 
@@ -148,6 +150,17 @@ void Controller::Impl::tell() {
   operator_.codes = {};
   std::ranges::copy(codes, operator_.codes.begin());
   published_.write(operator_);
+}
+
+// Once it runs: nobody but its operator would hear of it.
+void Controller::Impl::tell_failure_of_line() {
+  if (!ran_line_ || told_failure_ || !kernel_->has_errors()) {
+    return;
+  }
+  const auto& found = kernel_->diagnostics();
+  const auto error = std::ranges::find(found, Severity::error, &Diagnostic::severity);
+  told_failure_ = true;
+  say(error->message + " [" + identifier(*error->page) + "]");
 }
 
 void Controller::Impl::text_is_late() {
