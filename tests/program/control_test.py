@@ -181,6 +181,34 @@ class Control(ControlCase):
         z = rows[0].strip().split(",").index("z_mm")
         self.assertEqual(float(rows[-1].split(",")[z]), 8.5)
 
+    def test_a_tool_whose_length_leads_beyond_the_travel(self):
+        process, client = self.start("G21 G90 G61\nT2 M6\nG43 H2\nG1 X10 F6000\nG1 Z1\nM2\n")
+        client.read_until(type="event", state="waiting", waits_for="answer")
+        self.assertTrue(client.ask("tool", number=2, length_mm=300)["accepted"])
+        self.assertTrue(client.ask("resume")["accepted"])
+        self.assertEqual(client.read_until(type="end")["exit_status"], 4)
+        rows = self.end(process, 4)
+        x, z = (rows[0].strip().split(",").index(name) for name in ("x_mm", "z_mm"))
+        self.assertEqual([float(rows[-1].split(",")[k]) for k in (x, z)], [10, 0])
+
+    def test_an_operators_line_that_fails_as_it_runs(self):
+        process, client = self.start("G90\nG1 X1 F6000\nM2\n", ["--wait-start"])
+        client.read_until(type="event", state="idle")
+        self.assertTrue(client.ask("mdi", line="G38.2 X1 F1000")["accepted"])
+        self.assertRegex(client.read_until(type="event", event="message")["text"], r"\[E0854\]")
+        self.assertTrue(client.ask("stop")["accepted"])
+        client.read_until(type="end")
+        process.wait(timeout=60)
+
+    def test_a_line_that_is_too_long_is_refused_and_the_next_one_heard(self):
+        process, client = self.start(LINE)
+        client.read_until(type="event", state="running")
+        client.write("x" * 200_000 + "\n")
+        self.assertEqual(client.read_until(type="answer")["accepted"], False)
+        self.assertTrue(client.ask("emergency_stop")["accepted"])
+        self.assertEqual(client.read_until(type="end")["exit_status"], 8)
+        process.wait(timeout=60)
+
     def test_a_run_that_waits_for_its_start_may_be_stopped(self):
         process, client = self.start(options=["--wait-start"])
         client.read_until(type="event", state="idle")

@@ -55,7 +55,8 @@ class Session {
                         .one_thread = options.command != Subcommand::run,
                         .tells_operator = page != nullptr && page->wants_motion,
                         .dialect = options.dialect} {
-    if (options.command == Subcommand::run && !knows_workpiece(options, settings)) {
+    const bool has_machine = options.command == Subcommand::run || !options.replay_file.empty();
+    if (has_machine && !knows_workpiece(options, settings)) {
       kernel_options_.assumes_contact = kernel_options_.checks_travel = true;
     }
     if (options.log_level == LogLevel::debug) {
