@@ -57,6 +57,52 @@ class Journal(Case):
         self.assertIn("nobody is there to confirm", stderr)
         return int(re.search(r":(\d+): ", stderr).group(1))
 
+    def killed_under_commands(self, text, commands):
+        """A run that waits for its start, is told all this, and is killed a second after it."""
+        program = self.path("told.ngc", text)
+        ours, theirs = socket.socketpair()
+        with ours:
+            process = subprocess.Popen([KERF, "run", program, "--journal", program + ".journal", "--control", str(theirs.fileno()), "-q", "--wait-start"],
+                                       stdin=subprocess.DEVNULL, stderr=subprocess.DEVNULL, pass_fds=[theirs.fileno()])
+            self.addCleanup(process.kill)
+            theirs.close()
+            lines = ours.makefile("r")
+
+            def read_until(**wanted):
+                for line in lines:
+                    told = json.loads(line)
+                    if all(told.get(key) == value for key, value in wanted.items()):
+                        return
+                self.fail(f"no {wanted}")
+
+            read_until(type="event", state="idle")
+            for command, after in commands:
+                ours.sendall(json.dumps(command).encode() + b"\n")
+                read_until(type="answer", accepted=True)
+                if after:
+                    read_until(type="event", **after)
+            time.sleep(2.5)
+            process.kill()
+            process.wait()
+        return program
+
+    def test_does_not_go_on_where_the_program_by_itself_leads_elsewhere(self):
+        # G54 is moved by an operator's line; a tool comes with a length that nobody wrote down. Without either it goes on.
+        line = ({"command": "mdi", "line": "G10 L2 P1 X50"}, {"state": "idle"})
+        start = ({"command": "start"}, None)
+        tool = ({"command": "tool", "number": 2, "length_mm": 30}, None)
+        way = "G1 X1 Z1\n" + "".join(f"X{k}\n" for k in range(2, 60)) + "M2\n"
+        moved, changed = "G21 G90 G61 F600\nG54\n" + way, "G21 G90 G61 F600\nG43 H2\n" + way
+        for text, commands, off_mm in ((moved, [line, start], 50), (changed, [tool, start], 30)):
+            with self.subTest(off_mm=off_mm):
+                stderr = self.kerf("run", self.killed_under_commands(text, commands), "--continue", status=1).stderr
+                found = re.search(r"([\d.]+) mm from where the program leads by itself", stderr)
+                self.assertTrue(found, stderr)
+                self.assertGreater(float(found[1]), 1)
+                self.assertLessEqual(float(found[1]), off_mm + 1e-3)
+        self.assertGreater(self.proposed(self.killed_under_commands(moved, [start])), 5)
+        self.assertGreater(self.proposed(self.killed_under_commands(changed, [start])), 5)
+
     def begin_s(self, program, line):
         return json.loads(self.kerf("explain", program, "--line", str(line), "--json").stdout)["block"]["begin_s"]
 

@@ -23,10 +23,8 @@ class RunJournal {
                                            const tl::expected<std::uint64_t, std::string>& program,
                                            FileReport& report);
 
-  // The block at which the tool was last; nothing: this run begins anew.
-  [[nodiscard]] std::optional<std::uint64_t> continues_at() const noexcept {
-    return before_ ? std::optional(before_->block()) : std::nullopt;
-  }
+  // Of the run that goes on; nothing: this run begins anew.
+  [[nodiscard]] const std::optional<Journal>& before() const noexcept { return before_; }
   // False: it cannot be written, and the report says so.
   bool begin(const std::optional<StartInProgram>& start, FileReport& report);
   // The run is over. A journal that is not whole is a warning: the motion has been. Precondition:

@@ -1,14 +1,19 @@
 #include "programs/kerf/run/start_choice.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <unistd.h>
 #include <utility>
 
+#include <kerf/controller.hpp>
 #include <spdlog/fmt/fmt.h>
 
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/log.hpp"
 #include "programs/kerf/report/block_text.hpp"
+#include "programs/kerf/run/passed_place.hpp"
 #include "programs/kerf/run/start_search.hpp"
 
 namespace kerf::program {
@@ -35,16 +40,28 @@ bool says_yes(const std::string& question) {
   return answer == "y" || answer == "Y" || answer == "yes";
 }
 
+constexpr double kOnPath_mm = 1e-3;
+
+bool is_on_path(std::string_view state) {
+  using State = ControllerState;
+  return std::ranges::any_of(
+      std::array{State::running, State::waiting, State::holding, State::stopping},
+      [state](State on_path) { return name_of(on_path) == state; });
+}
+
 // At the line of the options, or the last place before a block of the program's run.
 class Choice {
  public:
   Choice(const StartOrder& order, ProgramFile& file, FileReport& report)
       : order_(order), file_(file), report_(report) {}
 
-  std::optional<StartInProgram> make(std::optional<std::uint64_t> block) {
+  std::optional<StartInProgram> make(const std::optional<Journal>& journal) {
+    if (journal && !leads_to(*journal)) {
+      return std::nullopt;
+    }
     file_.rewind();
-    auto found = block ? find_start_before(file_, search(), *block)
-                       : find_start(file_, search(), *order_.options.from_line);
+    auto found = journal ? find_start_before(file_, search(), journal->block())
+                         : find_start(file_, search(), *order_.options.from_line);
     if (found && !found->refused.empty() && order_.options.takes_safe_line && found->before) {
       file_.rewind();
       found = find_start_before(file_, search(), found->before->blocks_before + 1);
@@ -70,6 +87,30 @@ class Choice {
             .knows_answers = order_.options.command != Subcommand::run ||
                              order_.options.driver.name == "simulated"};
   }
+  // What an operator commanded in that run, and what the machine answered, is not in the program.
+  // At the place where it began, and while the tool moves by hand, it is elsewhere anyway.
+  bool leads_to(const Journal& journal) {
+    const auto& place = journal.place;
+    if (!place || place->block <= journal.run.blocks_before + 1 || !is_on_path(place->state)) {
+      return true;
+    }
+    file_.rewind();
+    const auto off_mm =
+        distance_from_path_mm(file_, order_.settings, order_.kernel_options,
+                              {.block = place->block, .position_mm = place->position_mm});
+    if (!off_mm) {
+      refuse(off_mm.error());
+    } else if (*off_mm > kOnPath_mm && !stop_requested()) {
+      refuse(
+          fmt::format("the run was at X{:.3f} Y{:.3f} Z{:.3f} in line {}, {:.3f} mm from where "
+                      "the program leads by itself: what an operator commanded or the machine "
+                      "answered counted, and is not known any more",
+                      place->position_mm[0], place->position_mm[1], place->position_mm[2],
+                      place->line, *off_mm));
+    }
+    return off_mm && *off_mm <= kOnPath_mm;
+  }
+
   void refuse(const std::string& why) {
     report_.fail(ExitStatus::program_error, report_.file + ": " + why);
   }
@@ -106,17 +147,17 @@ class Choice {
 }  // namespace
 
 bool RunStart::choose(const StartOrder& order, ProgramFile& file, FileReport& report) {
-  std::optional<std::uint64_t> block;
+  std::optional<Journal> before;
   if (!order.options.journal_file.empty()) {
     journal_ =
         RunJournal::prepare(order.options, order.mark.of(file, order.kernel_options), report);
     if (!journal_) {
       return false;
     }
-    block = journal_->continues_at();
+    before = journal_->before();
   }
-  if (order.options.from_line || block) {
-    place_ = Choice(order, file, report).make(block);
+  if (order.options.from_line || before) {
+    place_ = Choice(order, file, report).make(before);
     if (!place_) {
       return false;
     }

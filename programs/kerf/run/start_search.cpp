@@ -8,7 +8,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "kernel/program_path.hpp"
-#include "programs/kerf/io/interrupt.hpp"
+#include "programs/kerf/run/path_walk.hpp"
 
 namespace kerf::program {
 
@@ -190,27 +190,15 @@ tl::expected<Searched, std::string> search(ProgramFile& file, const StartSearchO
   KernelOptions options = order.options;
   options.start_in_program.reset();
   ProgramPath path(order.settings, options, {.watcher = &search, .observer = &search});
-  ProgramPath::Output output;
-  while (!search.is_over() && !stop_requested()) {
-    switch (path.next(output)) {
-      case ProgramPath::Next::output:
-        search.output(first_block(output));
-        break;
-      case ProgramPath::Next::ended:
-        search.end();
-        break;
-      case ProgramPath::Next::wants_text: {
-        const auto piece = file.read();
-        if (!piece) {
-          return tl::unexpected(piece.error());
-        }
-        if (piece->empty()) {
-          path.finish();
-        } else {
-          path.feed(*piece);
-        }
-      }
-    }
+  const auto ended = walk_path(file, path, [&search](const ProgramPath::Output& output) {
+    search.output(first_block(output));
+    return !search.is_over();
+  });
+  if (!ended) {
+    return tl::unexpected(ended.error());
+  }
+  if (*ended) {
+    search.end();
   }
   const Names named{path.reader()};
   const Search::Result result = search.result();
