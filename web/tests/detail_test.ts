@@ -134,6 +134,21 @@ test("each stretch has the colour of all the ticks that it stands for", () => {
   leavesNoneOut(); // the finest
 });
 
+test("while nothing but the instant moves no chunk of the path is looked at", () => {
+  const paint = new PathPaint(pathOf(5000, wave));
+  const colouring = { legend: { kind: "scale", title: "", quantity: "share", most: 1 } as const, valueOf: () => 1, rgbOf: () => [1, 0, 0] as const };
+  paint.colour(colouring, null, { rgb: [1, 1, 1], dark: false, accent: "#000000", faint: "#000000", text: "" });
+  let reads = 0;
+  const { projection, pixelsPerMm } = whole(0.5);
+  const counted = new Proxy(projection as number[], { get: (target, name) => (++reads, Reflect.get(target, name)) });
+  const sight: Sight = { projection: counted, pixelsPerMm };
+  assert.ok(paint.paintFor(sight, Infinity));
+  const first = reads;
+  reads = 0;
+  assert.equal(paint.paintFor(sight, Infinity), null);
+  assert.ok(reads < first / 2, `${reads} numbers of the view read, ${first} for the first frame`);
+});
+
 test("dashes of a rapid go on over its points and begin anew with the next", () => {
   const path = pathOf(6, (i) => [10 * i, 0, 0], (i) => i !== 3);
   const lines = linesBetween(path, [0, 1, 2, 3, 4, 5], rapidWays(path), () => undefined);

@@ -23,6 +23,7 @@ export class PathPaint {
   private readonly made = new Map<number, Stretches>();
   private tint: (from: number, to: number, into: Uint8Array, at: number) => void = () => undefined;
   private shown: Int8Array | null = null; // the level of each chunk as it was painted last
+  private wholeAt = ""; // the view that was painted last, if nothing of it was left coarser
 
   constructor(path: Path) {
     this.path = path;
@@ -46,11 +47,15 @@ export class PathPaint {
     };
     this.made.clear();
     this.shown = null;
+    this.wholeAt = "";
     this.chunks.forEach((chunk, i) => this.make(i, chunk.levels.length - 1));
   }
 
   // Until: on the clock of performance.now(). Null: as it was painted last.
   paintFor(sight: Sight, until_ms: number): Painted | null {
+    // While only the instant moves, no chunk is looked at.
+    const at = `${Array.from(sight.projection).join()} ${sight.pixelsPerMm}`;
+    if (at === this.wholeAt) return null;
     const wanted = levelsFor(this.chunks, sight, MOST_STRETCHES);
     let isWhole = true;
     const levels = wanted.map((level, i) => {
@@ -63,6 +68,7 @@ export class PathPaint {
       while (!this.made.has(i * MOST_LEVELS + level)) ++level; // the coarsest is always there
       return level;
     });
+    this.wholeAt = isWhole ? at : "";
     if (this.shown && levels.every((level, i) => level === this.shown![i])) return isWhole ? null : { parts: this.partsAt(levels), isWhole };
     this.shown = levels;
     return { parts: this.partsAt(levels), isWhole };
