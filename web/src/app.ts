@@ -3,7 +3,8 @@ import { rgbOf } from "./colours.ts";
 import { accountOf, type Account } from "./plan/account.ts";
 import type { Plan } from "./plan/plan.ts";
 import type { Shown } from "./plan/source.ts";
-import { Store, fromFragment, initialState, toFragment, type ColourBy } from "./state.ts";
+import { Store, fromFragment, initialState, type ColourBy } from "./state.ts";
+import { Address } from "./ui/address.ts";
 import { h } from "./ui/dom.ts";
 import { Header, namesOf } from "./ui/header.ts";
 import { PlayBar } from "./ui/play_bar.ts";
@@ -53,19 +54,22 @@ export class App {
   private readonly colour = h("select", { "aria-label": "Colour of the path" });
   private readonly tracks = h("select", { "aria-label": "Along the path, or an axis" });
   private readonly tabs: Tabs;
+  private readonly address: Address;
 
   constructor(root: HTMLElement, shown: Shown, extras: Extras = {}) {
     this.shown = shown;
     this.extras = extras;
     this.store = new Store({ ...initialState(), ...fromFragment(location.hash) });
+    this.address = new Address(this.store);
     const { state } = this.store;
     state.plan = Math.min(state.plan, shown.plans.length - 1);
     this.applyTheme();
     const ground = this.ground();
     this.header = new Header(this.store);
+    // The first to hear of an instant: it asks the browser where things are, before others have changed them.
+    this.program = new ProgramView(this.store, extras.editing ?? null);
     this.path = this.makePath(ground);
     this.time = new TimeView(this.store, ground);
-    this.program = new ProgramView(this.store, extras.editing ?? null);
     this.answer = new AnswerView(this.store);
     this.difference = new DifferenceView(this.store);
     this.playBar = new PlayBar(this.store);
@@ -159,7 +163,7 @@ export class App {
       if ("theme" in change) this.retheme();
       if ("shown" in change || "units" in change) this.showLegend();
       if ("tab" in change && origin === "answer") this.tabs.show(state.tab);
-      if (!state.playing) this.keepFragment();
+      if (!state.playing) this.address.keep();
     });
     if (this.path) this.path.onColouring = () => this.showLegend();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.retheme());
@@ -217,11 +221,6 @@ export class App {
     const { path, motion } = this.plan;
     const ticks = motion?.lastTick ?? path?.tick[path.tick.length - 1] ?? 0;
     this.legend.replaceChildren(...(colouring && path ? [legendOf(colouring, this.store, this.isDark, ticks)] : []));
-  }
-
-  private keepFragment(): void {
-    const fragment = toFragment(this.store.state);
-    if (this.store.state.hover === null && location.hash.slice(1) !== fragment) history.replaceState(null, "", `#${fragment}`);
   }
 
   private key(event: KeyboardEvent): void {

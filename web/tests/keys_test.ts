@@ -4,9 +4,9 @@ import { join } from "node:path";
 import { test } from "node:test";
 import type { Page } from "playwright-core";
 import { chartAfter } from "../src/views/chart_keys.ts";
-import { SOURCE, openReport, pocket } from "./report.ts";
+import { fragmentOf, SOURCE, openReport, pocket } from "./report.ts";
 
-const words = (page: Page): URLSearchParams => new URLSearchParams(new URL(page.url()).hash.slice(1));
+const words = async (page: Page): Promise<URLSearchParams> => new URLSearchParams((await fragmentOf(page)).slice(1));
 const tickOf = async (page: Page): Promise<number> => Number(await page.locator(".instant").getAttribute("data-tick"));
 
 test("a key moves the instant by a hundredth of what the charts show, at least by a tick, and never out of the program", () => {
@@ -48,7 +48,7 @@ test("the arrow keys turn the path, with Shift they move it, plus and minus zoom
   await page.locator(".path-view canvas").first().focus();
   const pressed = async (key: string): Promise<number[]> => {
     await page.keyboard.press(key);
-    return words(page).get("view")!.split(",").map(Number);
+    return (await words(page)).get("view")!.split(",").map(Number);
   };
   const direction = ([px, py, pz, tx, ty, tz]: number[]): number[] => [px! - tx!, py! - ty!, pz! - tz!];
   const near = (a: readonly number[], b: readonly number[]): boolean => a.every((one, i) => Math.abs(one - b[i]!) <= 1e-3 * Math.max(...b.map(Math.abs)));
@@ -79,13 +79,13 @@ test("in the charts the arrow keys move the instant and zoom, and the path follo
   await page.keyboard.press("ArrowLeft");
   assert.equal(await tickOf(page), 20000);
   for (let i = 0; i < 6; ++i) await page.keyboard.press("ArrowUp");
-  const [from, to] = words(page).get("span")!.split(",").map(Number);
+  const [from, to] = (await words(page)).get("span")!.split(",").map(Number);
   assert.ok(from! < 20000 && 20000 < to! && to! - from! < 30 * step, `${from} to ${to}`);
   await page.keyboard.press("ArrowRight");
   const finer = (await tickOf(page)) - 20000;
   assert.ok(finer > 0 && finer < step / 2, `${finer} of ${step}`);
   for (let i = 0; i < 8; ++i) await page.keyboard.press("ArrowDown");
-  assert.equal(words(page).get("span"), null, "all of it");
+  assert.equal((await words(page)).get("span"), null, "all of it");
   await page.keyboard.press("Home");
   assert.equal(await tickOf(page), 0);
   assert.deepEqual(said, []);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { SOURCE, goTo, openReport, pocket, programFile, shown, textOf } from "./report.ts";
+import { fragmentOf, SOURCE, goTo, openReport, pocket, programFile, shown, textOf } from "./report.ts";
 
 // Texts on the page that are less than 4.5 to 1 from their ground (WCAG 2, 1.4.3). Runs in the page.
 function faintWords(): string[] {
@@ -51,7 +51,7 @@ test("shows inches, feeds per second and the dark theme, and keeps them in the a
   // 27 mm are 1.0630 in.
   assert.ok(shown(await textOf(page, "extents")).includes("X -1.0630 to 1.0630"));
   assert.match((await page.locator(".chart-name").first().textContent())!, /in\/s/);
-  const fragment = new URL(page.url()).hash;
+  const fragment = await fragmentOf(page);
   const again = await openReport([pocket], fragment);
   assert.equal(await again.page.evaluate(() => document.documentElement.dataset["theme"]), "dark");
   assert.match((await again.page.locator(".legend-title").textContent())!, /limits the feed/);
@@ -94,7 +94,7 @@ test("is small for a butterfly", async () => {
 test("can be used from the keyboard alone", async () => {
   const { page, said } = await openReport([pocket], "#tick=1000");
   const tick = async (): Promise<number> => Number(await page.locator(".instant").getAttribute("data-tick"));
-  const view = (): string => new URLSearchParams(new URL(page.url()).hash.slice(1)).get("view") ?? "";
+  const view = async (): Promise<string> => new URLSearchParams((await fragmentOf(page)).slice(1)).get("view") ?? "";
   await page.keyboard.press(".");
   await page.keyboard.press(".");
   assert.equal(await tick(), 1002);
@@ -108,7 +108,7 @@ test("can be used from the keyboard alone", async () => {
   }
   seen.forEach((one, i) => assert.ok(!one.equals(seen[(i + 1) % 4]!), `view ${i + 1} is one of its own`));
   await page.keyboard.press("f");
-  assert.equal(view(), "", "what is fitted needs no words");
+  assert.equal(await view(), "", "what is fitted needs no words");
   // All that can be clicked is reached, in an order, and shows that it is.
   const reached: string[] = [];
   for (let i = 0; i < 60; ++i) {
@@ -196,13 +196,13 @@ test("keeps the view in its address: instant, place of the eye, charts, colour, 
   await page.locator("button", { hasText: /^near$/ }).click();
   await page.locator("select[aria-label^=Along]").selectOption("y");
   await page.locator("[data-tab=answer]").click();
-  const { hash } = new URL(page.url());
+  const hash = await fragmentOf(page);
   const words = new URLSearchParams(hash.slice(1));
   assert.deepEqual([words.get("tick"), words.get("track"), words.get("tab"), words.get("span")], ["1000", "y", "answer", "900,1100"]);
   assert.ok(words.get("view"));
   const again = await openReport([pocket], hash);
   await again.page.waitForTimeout(200);
-  assert.equal(new URL(again.page.url()).hash, hash);
+  assert.equal(await fragmentOf(again.page), hash);
   assert.equal(await again.page.locator("[data-test=lines]").isVisible(), true);
   assert.equal(await again.page.locator("select[aria-label^=Along]").inputValue(), "y");
   const over = (await again.page.locator(".u-over").first().boundingBox())!;
@@ -219,9 +219,9 @@ test("keeps the parts that are chosen in the legend and the speed of playing in 
   await page.locator(".legend.parts button").nth(1).click();
   await page.locator(".legend.parts button").nth(2).click();
   await page.locator("select[aria-label^=Speed]").selectOption("0.25");
-  const { hash } = new URL(page.url());
+  const hash = await fragmentOf(page);
   const again = await openReport([pocket], hash);
-  assert.equal(new URL(again.page.url()).hash, hash);
+  assert.equal(await fragmentOf(again.page), hash);
   assert.equal(await again.page.locator(".legend.parts button[aria-pressed=true]").count(), 2);
   assert.deepEqual(await dimmed(again.page), await dimmed(page));
   assert.equal(await again.page.locator("select[aria-label^=Speed]").inputValue(), "0.25");

@@ -94,6 +94,12 @@ export function traceOf(program: string): TraceRow[] {
 export const textOf = async (page: Page, name: string): Promise<string> => (await page.locator(`[data-test="${name}"]`).first().textContent()) ?? "";
 export const shown = (text: string): string => text.replaceAll("\u2212", "-").replaceAll("\u2009", "");
 
+// The page keeps its view in the address, a moment after the last change.
+export async function fragmentOf(page: Page): Promise<string> {
+  await page.waitForTimeout(400);
+  return new URL(page.url()).hash;
+}
+
 // The scrubber is how a hand on the keyboard moves the instant.
 export async function goTo(page: Page, tick: number): Promise<void> {
   await page.locator(".scrub").evaluate((input, value) => {
