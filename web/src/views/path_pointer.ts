@@ -57,7 +57,11 @@ export class PathPointer {
       this.leave();
       return;
     }
-    this.store.set({ hover: tick }, "path");
+    this.showTip(event, tick);
+    this.store.set({ hover: tick }, "path"); // after the tip, which asks for its size: so nothing else is laid out for that
+  }
+
+  private showTip(event: PointerEvent, tick: number): void {
     const { units } = this.store.state;
     const at = this.plan!.positionAt(tick);
     this.tip.textContent = `${this.plan!.placeAt(tick)}   ${at.map((mm, k) => `${"XYZ"[k]} ${lengthText(mm, units)}`).join("  ")} ${lengthUnit(units)}`;

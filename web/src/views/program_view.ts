@@ -138,6 +138,8 @@ export class ProgramView {
     store.listen((_state, change, origin) => {
       if ("tick" in change || "hover" in change) this.showInstant(origin !== "program");
     });
+    // Behind another tab it stands still, and comes up with the instant when it is seen again.
+    new ResizeObserver(() => this.showInstant(true)).observe(this.element);
   }
 
   show(plan: Plan, account: Account): void {
@@ -221,18 +223,20 @@ export class ProgramView {
   }
 
   private showInstant(scroll: boolean): void {
+    if (this.element.hidden) return;
     const { plan } = this;
     const { instant } = this.store;
     const runs = plan?.motion?.runs;
     const run = plan?.runAt(instant) ?? 0;
     const isInSubprogram = (runs?.file[run] ?? 0) > 0;
+    // First, for the editor asks the browser where things are: a word written before has all of the page laid out for that.
+    this.markLine(isInSubprogram ? 0 : (runs?.line[run] ?? 0), scroll);
     this.words.textContent = plan?.inForceAt("words", instant) ?? "";
     this.codes.textContent = `${isInSubprogram ? `${plan!.placeAt(instant)}: ` : ""}${plan?.inForceAt("codes", instant) ?? ""}`;
-    if (plan?.source === null) {
-      this.message.textContent = `The program's text is not in this report. The tool is in ${plan.placeAt(instant)}.`;
-      return;
-    }
-    const line = isInSubprogram ? 0 : (runs?.line[run] ?? 0);
+    if (plan?.source === null) this.message.textContent = `The program's text is not in this report. The tool is in ${plan.placeAt(instant)}.`;
+  }
+
+  private markLine(line: number, scroll: boolean): void {
     if (!this.view || line === this.line) return;
     this.line = line;
     const { doc } = this.view.state;

@@ -21,6 +21,7 @@ export class TimeView {
   private readonly area: HTMLElement;
   private plan: Plan | null = null;
   private span: Span = { from: 0, to: 1 };
+  private curves: { left: number; width: number } | null = null; // where they are in the area, in pixels; null: nowhere
   private scheduled = false;
   private ground: Ground;
   private readonly store: Store;
@@ -135,9 +136,12 @@ export class TimeView {
       this.band.width = 0;
       this.limitNow.replaceChildren();
     }
+    this.curves = null;
     if (!this.plan || this.area.clientWidth === 0) return;
     const charted = this.charted(this.plan);
     this.charts.forEach((chart, i) => chart.build(charted, i === this.charts.length - 1));
+    const { left, width } = this.charts[0]!.over!.getBoundingClientRect();
+    this.curves = { left: left - this.area.getBoundingClientRect().left, width };
     this.update();
     this.showInstant();
   }
@@ -183,14 +187,13 @@ export class TimeView {
   }
 
   private showInstant(): void {
-    const curve = this.charts[0]!.over;
-    this.line.hidden = !curve || !this.plan;
-    if (!curve || !this.plan) return;
+    const { curves } = this;
+    this.line.hidden = !curves || !this.plan;
+    if (!curves || !this.plan) return;
     const tick = this.store.instant;
     const share = (tick - this.span.from) / (this.span.to - this.span.from);
     this.line.hidden = share < 0 || share > 1;
-    const left = curve.getBoundingClientRect().left - this.area.getBoundingClientRect().left;
-    this.line.style.transform = `translateX(${left + share * curve.clientWidth}px)`;
+    this.line.style.transform = `translateX(${curves.left + share * curves.width}px)`;
     const charted = this.charted(this.plan);
     for (const chart of this.charts) chart.showInstant(charted, tick);
     const limit = this.plan.header.constraints[this.plan.motion!.limit[this.plan.columnAt(tick)]!];
