@@ -11,7 +11,7 @@ import zlib
 
 from command_line import Case, KERF, SOURCE, SQUARE, TOO_FAR, WRONG, main
 
-TEMPLATE = "<!doctype html><title>t</title>\n<!-- plans of version 1 -->\n<p>end</p>\n"
+TEMPLATE = "<!doctype html><title>t</title>\n<!-- plans of version 2 -->\n<p>end</p>\n"
 PLAN = re.compile(r'<script type="application/x-kerf-plan">([^<]*)</script>')
 HOSTILE = "G21 G90 F3000\n(</script><script>alert`1`</script>)\n(MSG, <img src=x onerror=alert`2`>)\nG1 X1\nM30\n"
 
@@ -62,7 +62,7 @@ class Report(Case):
         self.assertTrue(text.startswith(TEMPLATE.split("<!--")[0]))
         self.assertTrue(text.endswith("\n<p>end</p>\n"))
         [(header, sections)] = plans_of(self.page)
-        self.assertEqual(header["version"], 1)
+        self.assertEqual(header["version"], 2)
         self.assertEqual(sections["source"].decode(), SQUARE)
         self.assertEqual(header["report"]["command"], "report")
         dry = json.loads(self.kerf("dry-run", "--json", "--explain-speed", self.path("square.ngc")).stdout)

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
-import { inflateSync } from "node:zlib";
+import { deflateSync, inflateSync } from "node:zlib";
 import { accountOf } from "../src/plan/account.ts";
 import { decodePlan } from "../src/plan/decode.ts";
 import { Plan } from "../src/plan/plan.ts";
@@ -96,4 +96,22 @@ test("of more ticks than a report has columns each column has the smallest and l
     assert.ok(min <= Math.min(...rows) + 1e-6 && min >= Math.min(...rows) - 0.01, `column ${column}`);
     assert.ok(max >= Math.max(...rows) - 1e-6 && max <= Math.max(...rows) + 0.01, `column ${column}`);
   }
+});
+
+test("the text of a long program is the one that was read, to the byte", () => {
+  const odd = ["X01 Y.5 Z-0.00", "X1. y-7. z+3", "(at X1.5, \u00b0 and \u4e16)", "X123456789012345678 Y0.123456789", "G1X-0.0005Y12.50 \t", "X12345678.12345678 X-999999.999999999", "#1=5 X#1 X[1.5+2] N00", "\u0000 X5"];
+  const lines = Array.from({ length: 6000 }, (_, i) => `N${10 * i} G1 X${(100 * Math.sin(i)).toFixed(i % 8)} Y${-i / 8} ${odd[i % 50] ?? ""}\r`);
+  for (const text of [lines.join("\n"), `${lines.join("\n")} (\u0003)`]) {
+    const program = programFile(text);
+    assert.ok(planIn(makeReport([program])).source === new TextDecoder().decode(readFileSync(program)));
+  }
+});
+
+test("numbers of a long program take little room", () => {
+  const lines = Array.from({ length: 20_000 }, (_, i) => `N${10 * i} G1 X${(80 * Math.cos(i / 9) + i / 1e3).toFixed(4)} Y${(60 * Math.sin(i / 7)).toFixed(4)}`);
+  const text = lines.join("\n");
+  const made = readFileSync(makeReport([programFile(`M100\n${text}\n`)]), "utf8"); // an error: nothing but the text is in it
+  const [, packed] = /<script type="application\/x-kerf-plan">([^<]*)<\/script>/.exec(made)!;
+  const plain = deflateSync(text).length;
+  assert.ok(packed!.length * 0.75 < 0.75 * plain, `${packed!.length * 0.75} bytes, as text ${plain}`);
 });

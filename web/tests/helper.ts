@@ -21,7 +21,7 @@ export function planOf(runs: readonly MadeRun[], source: string | null = null, s
     tick += run.ticks;
   }
   const header = {
-    version: 1,
+    version: 2,
     report: { file: "made.ngc", period_s: 0.001, exit_status: 0, machine: "default", profile: "", warnings: [], errors: [] },
     diagnostics: [],
     machine: {

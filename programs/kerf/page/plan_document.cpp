@@ -9,7 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "programs/kerf/page/file_names.hpp"
-#include "programs/kerf/page/packed_numbers.hpp"
+#include "programs/kerf/page/packed_source.hpp"
+#include "programs/kerf/page/plan_sections.hpp"
 #include "programs/kerf/report/constraint_text.hpp"
 #include "programs/kerf/report/diagnostic_document.hpp"
 #include "programs/kerf/report/json_report.hpp"
@@ -78,40 +79,6 @@ Json constraints_json() {
   }
   return constraints;
 }
-
-// The parts behind the header, each with its line in it.
-class Sections {
- public:
-  // How the numbers of a section are to be read.
-  struct Shape {
-    std::string name;
-    double unit = 1.0;
-  };
-  template <typename Values, typename ToWhole>
-  void add_numbers(const Shape& shape, const Values& values, ToWhole to_whole) {
-    PackedNumbers packed;
-    for (const auto& value : values) {
-      packed.add(to_whole(value));
-    }
-    list_.push_back({{"name", shape.name},
-                     {"coding", "differences"},
-                     {"unit", shape.unit},
-                     {"count", values.size()},
-                     {"bytes", packed.bytes().size()}});
-    bytes_ += packed.bytes();
-  }
-  void add_bytes(const std::string& name, std::string_view bytes) {
-    list_.push_back(
-        {{"name", name}, {"coding", "bytes"}, {"count", bytes.size()}, {"bytes", bytes.size()}});
-    bytes_ += bytes;
-  }
-  [[nodiscard]] const Json& list() const noexcept { return list_; }
-  [[nodiscard]] const std::string& bytes() const noexcept { return bytes_; }
-
- private:
-  Json list_ = Json::array();
-  std::string bytes_;
-};
 
 float largest(const ColumnSeries& series) {
   float most = 0.0F;
@@ -206,6 +173,20 @@ void add_notes(Json& header, Sections& sections, const PlanGatherer& motion) {
   }
 }
 
+// A short text is as it is.
+void add_source(Sections& sections, const std::string& source) {
+  constexpr std::size_t kShort = 100'000;
+  if (source.size() < kShort) {
+    sections.add_bytes("source", source);
+    return;
+  }
+  const PackedSource packed = packed_source(source);
+  sections.add_bytes("source.text", packed.text);
+  for (const auto& [name, found] : packed.numbers) {
+    sections.add_packed({"source." + name}, found.count, found.numbers);
+  }
+}
+
 // The lowest byte first.
 std::string four_bytes(std::uint32_t number) {
   std::string bytes;
@@ -239,7 +220,7 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
     add_notes(header, sections, *record.motion);
   }
   if (record.source) {
-    sections.add_bytes("source", *record.source);
+    add_source(sections, *record.source);
   }
   header["sections"] = sections.list();
   const std::string text = header.dump(-1, ' ', true, Json::error_handler_t::replace);

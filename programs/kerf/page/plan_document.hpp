@@ -11,7 +11,7 @@
 namespace kerf::program {
 
 // Raised when a page of before could not read the data any more. The page names its own.
-inline constexpr int kPlanVersion = 1;
+inline constexpr int kPlanVersion = 2;
 
 // Bytes, not packed: text that is base64 of them, packed with zlib, goes into the page.
 [[nodiscard]] std::string plan_document(const FileReport& report, const MachineSettings& settings,
