@@ -98,6 +98,17 @@ test("of more ticks than a report has columns each column has the smallest and l
   }
 });
 
+test("the path of a program that leaves the travel is there, with its corners", () => {
+  const plan = planIn(makeReport([programFile("G21 G90 G61 F6000\nG0 X-100\nG1 X520 Y30\nG1 X400 Y-20\nM30\n")]));
+  assert.equal(plan.motion, null);
+  const { xyz, tick, rapid } = plan.path!;
+  const corners = [...tick].map((_, i) => [xyz[0][i], xyz[1][i], xyz[2][i]]);
+  assert.deepEqual(corners, [[0, 0, 0], [-100, 0, 0], [520, 30, 0], [400, -20, 0]]);
+  assert.deepEqual([...rapid].slice(1), [1, 0, 0]);
+  const length_mm = 100 + Math.hypot(620, 30) + Math.hypot(120, 50);
+  assert.ok(Math.abs(tick[3]! * 1e-6 - length_mm) < 1e-5);
+});
+
 test("the text of a long program is the one that was read, to the byte", () => {
   const odd = ["X01 Y.5 Z-0.00", "X1. y-7. z+3", "(at X1.5, \u00b0 and \u4e16)", "X123456789012345678 Y0.123456789", "G1X-0.0005Y12.50 \t", "X12345678.12345678 X-999999.999999999", "#1=5 X#1 X[1.5+2] N00", "\u0000 X5"];
   const lines = Array.from({ length: 6000 }, (_, i) => `N${10 * i} G1 X${(100 * Math.sin(i)).toFixed(i % 8)} Y${-i / 8} ${odd[i % 50] ?? ""}\r`);

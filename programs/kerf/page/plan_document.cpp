@@ -219,6 +219,9 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
     add_runs(header, sections, record.motion->runs());
     add_notes(header, sections, *record.motion);
   }
+  if (!record.motion && record.planned) {
+    add_path(header, sections, record.planned->outline());
+  }
   if (record.source) {
     add_source(sections, *record.source);
   }

@@ -9,6 +9,7 @@
 
 #include "programs/kerf/page/code_runs.hpp"
 #include "programs/kerf/page/motion_runs.hpp"
+#include "programs/kerf/page/planned_path.hpp"
 #include "programs/kerf/page/tick_columns.hpp"
 #include "programs/kerf/page/timed_path.hpp"
 
@@ -16,9 +17,6 @@ namespace kerf::program {
 
 class PlanGatherer {
  public:
-  // How far the drawn path may be from the setpoints, of its size, as long as there are points.
-  static constexpr double kPathShare = 1e-6;
-
   // extents: of the whole path, known before it runs.
   PlanGatherer(const TickColumns::Settings& columns, const curves::Extents& extents);
 
@@ -58,8 +56,10 @@ class PlanGatherer {
 struct PageRecord {
   bool wants_motion = true;
   bool wants_source = true;
+  bool wants_path_alone = false;             // nothing is planned
   std::optional<std::string> source{};       // none: not wanted, or longer than kMaxSourceBytes
   std::optional<curves::Extents> extents{};  // of the path, also of one that leaves the travel
+  std::optional<PlannedPath> planned{};      // where no motion is, but the path is known
   std::optional<PlanGatherer> motion{};      // none: nothing has moved
 
   static constexpr std::uint64_t kMaxSourceBytes = std::uint64_t{256} << 20U;

@@ -8,6 +8,7 @@
 #include "programs/kerf/report/fit.hpp"
 #include "programs/kerf/run/block_lookup.hpp"
 #include "programs/kerf/run/check_pass.hpp"
+#include "programs/kerf/run/path_pass.hpp"
 
 namespace kerf::program {
 
@@ -60,6 +61,16 @@ void judge(const ProgramCheck& how, const CheckReport& found, FileReport& report
               .extra_extents = found.extra_extents};
 }
 
+// For the page: of a program that would run but for the travel, or is not to run.
+void look_at_path(const ProgramCheck& how, ProgramFile& file, ExitStatus status) {
+  if (how.page != nullptr && how.page->extents &&
+      (status == ExitStatus::machine_fault ||
+       (status == ExitStatus::done && how.page->wants_path_alone))) {
+    file.rewind();
+    path_pass(file, how.settings, how.kernel_options, *how.page);
+  }
+}
+
 }  // namespace
 
 bool check_program(const ProgramCheck& how, ProgramFile& file, FileReport& report) {
@@ -78,8 +89,9 @@ bool check_program(const ProgramCheck& how, ProgramFile& file, FileReport& repor
   } else {
     judge(how, *found, report);
     fill_in_blocks(report.diagnostics, file);
+    look_at_path(how, file, report.status);
   }
-  return report.status == ExitStatus::done;
+  return report.status == ExitStatus::done && (how.page == nullptr || !how.page->wants_path_alone);
 }
 
 }  // namespace kerf::program

@@ -18,7 +18,7 @@ struct ProgramCheck {
   KernelOptions& kernel_options;  // how long the program takes is set
   CheckedPath& path;              // is set
   bool shows_progress = false;
-  PageRecord* page = nullptr;  // gets extents and, if it wants it, the text; may be null
+  PageRecord* page = nullptr;  // gets extents, text and path as it wants; may be null
 };
 
 // What is found goes into the report. True: the program may run.

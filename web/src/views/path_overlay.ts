@@ -106,8 +106,10 @@ function drawPlaces({ pen, width, height, camera, ground }: Overlay, places: rea
     // A rim in the colour of the ground keeps the words legible over lines.
     pen.strokeStyle = hexOf(ground.rgb);
     pen.lineWidth = 3.5;
-    pen.strokeText(text, x + 8, y - 9);
+    // To the left of a place at the right edge.
+    const left = x <= width && x + 8 + pen.measureText(text).width > width ? x - 8 - pen.measureText(text).width : x + 8;
+    pen.strokeText(text, left, y - 9);
     pen.fillStyle = ground.text;
-    pen.fillText(text, x + 8, y - 9);
+    pen.fillText(text, left, y - 9);
   }
 }

@@ -1,0 +1,17 @@
+// A look at the path that is planned, without its plan: for the page.
+#pragma once
+
+#include <kerf/kernel.hpp>
+#include <kerf/machine.hpp>
+
+#include "programs/kerf/io/program_file.hpp"
+#include "programs/kerf/page/plan_gatherer.hpp"
+
+namespace kerf::program {
+
+// Of the rewound file, which has passed its check but for the travel: PageRecord::planned, also
+// where it leaves the travel.
+void path_pass(ProgramFile& file, const MachineSettings& settings, const KernelOptions& options,
+               PageRecord& page);
+
+}  // namespace kerf::program
