@@ -63,7 +63,7 @@ kerf::program::Options options_of(const Json& order) {
 
 // {"files": [{"name", "text"}, ...], "machine": {"name", "text"}, "profile": "s-curve",
 // "feed_override": 1.0}. The first file is the program, the others its subprograms; an empty text
-// is the default machine.
+// is the default machine. With "path_alone": true no time is planned, and the answer is there soon.
 std::string plan(const Json& order) {
   const Json& machine = order.at("machine");
   const auto machine_name = machine.at("name").get<std::string>();
@@ -82,7 +82,9 @@ std::string plan(const Json& order) {
     options.machine_file = machine_name;
   }
   write_files(order.at("files"));
-  kerf::program::PageRecord record;
+  // The page has the text.
+  kerf::program::PageRecord record{.wants_source = false,
+                                   .wants_path_alone = order.value("path_alone", false)};
   const auto report = kerf::program::process_file(
       std::filesystem::path(order.at("files").at(0).at("name").get<std::string>()).filename(),
       options, settings, &record);

@@ -185,7 +185,7 @@ export class App {
   private show(): void {
     const { plan } = this;
     const { state } = this.store;
-    state.tick = Math.min(state.tick, plan.motion?.lastTick ?? 0);
+    if (plan.motion) state.tick = Math.min(state.tick, plan.motion.lastTick); // else it waits for times
     this.header.show(plan, this.shown);
     this.main.classList.toggle("still", plan.path === null && !this.extras.editing);
     this.main.classList.toggle("timeless", plan.path !== null && plan.motion === null && !this.extras.editing);

@@ -143,7 +143,7 @@ class Playground implements PlanSource {
   private async answerTo(order: Order): Promise<Answer | null> {
     const known = this.planned.find((one) => isSame(one.order, order));
     if (known) return { plan: known.plan, took_s: 0 };
-    const answer = await this.kernel.plan(order);
+    const answer = await this.kernel.plan(order, (plan) => this.tell({ plans: [plan], base: 0 }));
     if (answer && "plan" in answer) this.planned = [{ order, plan: answer.plan }, ...this.planned].slice(0, 2);
     return answer;
   }

@@ -17,8 +17,11 @@ export interface Order {
 // refused: what is wrong with the machine file, or within kerf.
 export type Answer = { readonly plan: Plan; readonly took_s: number } | { readonly refused: readonly string[] };
 
-// What the worker answers.
-export type Reply = { readonly bytes: Uint8Array<ArrayBuffer> } | { readonly failure: string };
+// What the worker answers. isPathAlone: the rest follows.
+export type Reply = { readonly bytes: Uint8Array<ArrayBuffer>; readonly isPathAlone: boolean } | { readonly failure: string };
+
+// A plan that is there by then comes without its path before it.
+const PATIENCE_MS = 500;
 
 const MAGIC = "KERFPLAN";
 
@@ -38,8 +41,8 @@ export class BrowserKernel {
     this.module = module;
   }
 
-  // null: a newer order has taken its place.
-  plan(order: Order): Promise<Answer | null> {
+  // null: a newer order has taken its place. showPath: the path of a program whose times take a while.
+  plan(order: Order, showPath: (plan: Plan) => void = () => undefined): Promise<Answer | null> {
     if (this.abandon) {
       this.abandon();
       this.worker?.terminate();
@@ -48,7 +51,10 @@ export class BrowserKernel {
     const worker = (this.worker ??= this.start());
     const began_ms = performance.now();
     return new Promise((resolve) => {
+      let waiting: ReturnType<typeof setTimeout> | undefined;
+      const passed_ms = (): number => performance.now() - began_ms;
       const end = (answer: Answer | null): void => {
+        clearTimeout(waiting);
         this.abandon = null;
         resolve(answer);
       };
@@ -59,8 +65,16 @@ export class BrowserKernel {
         end({ refused: [`The kernel has failed: ${why}`] });
       };
       worker.onmessage = ({ data }: MessageEvent<Reply>) => {
-        if ("failure" in data) fail(data.failure);
-        else end(answerOf(data.bytes, order, (performance.now() - began_ms) / 1000));
+        if ("failure" in data) {
+          fail(data.failure);
+        } else if (data.isPathAlone) {
+          waiting = setTimeout(() => {
+            const answer = answerOf(data.bytes, order, 0);
+            if ("plan" in answer) showPath(answer.plan);
+          }, PATIENCE_MS - passed_ms());
+        } else {
+          end(answerOf(data.bytes, order, passed_ms() / 1000));
+        }
       };
       worker.onerror = (event) => fail(event.message);
       worker.postMessage(order);

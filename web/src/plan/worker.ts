@@ -1,6 +1,8 @@
 // The worker that plans: first comes the module, then orders one by one.
 import makeKernel, { type Kernel } from "kerf-kernel";
-import type { Reply } from "./browser_kernel.ts";
+import type { Order, Reply } from "./browser_kernel.ts";
+
+const SHORT = 10_000; // characters of a program that is planned at once
 
 let kernel: Promise<Kernel> | null = null;
 
@@ -23,13 +25,19 @@ function planned(running: Kernel, order: object): Uint8Array<ArrayBuffer> {
   return running.HEAPU8.slice(answer, answer + running._kerf_plan_bytes());
 }
 
+async function answer(order: Order, isPathAlone: boolean): Promise<void> {
+  if (isPathAlone && order.files[0].text.length < SHORT) return;
+  const reply: Reply = await kernel!
+    .then((running) => ({ bytes: planned(running, { ...order, path_alone: isPathAlone }), isPathAlone }))
+    .catch((error: unknown) => ({ failure: String(error) }));
+  self.postMessage(reply, "bytes" in reply ? { transfer: [reply.bytes.buffer] } : {});
+}
+
 self.onmessage = async ({ data }: MessageEvent<WebAssembly.Module | object>) => {
   if (data instanceof WebAssembly.Module) {
     kernel = instantiated(data);
     return;
   }
-  const reply: Reply = await kernel!
-    .then((running) => ({ bytes: planned(running, data) }))
-    .catch((error: unknown) => ({ failure: String(error) }));
-  self.postMessage(reply, "bytes" in reply ? { transfer: [reply.bytes.buffer] } : {});
+  await answer(data as Order, true);
+  await answer(data as Order, false);
 };

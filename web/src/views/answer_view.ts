@@ -105,6 +105,9 @@ export class AnswerView {
 
   private cards(): HTMLElement[] {
     const plan = this.plan!;
+    if (!plan.motion && plan.header.report.exit_status === 0) {
+      return [this.card("Cycle time", "planning", h("div", { class: "big" }, "planning\u2026")), this.fitCard()];
+    }
     if (!plan.motion) {
       const messages = messagesOf(plan);
       const failed = this.card("Does not run", "failed", h("div", { class: "big bad" }, errorCount(messages)), h("div", { class: "soft" }, messages.first));
