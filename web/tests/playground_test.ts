@@ -93,6 +93,20 @@ test("what is typed is planned, and an error stands at its line until it is mend
   assert.equal(await shownTime(), clock(timeOf(join(folder, "typed.ngc"))));
 });
 
+test("the path of a program that takes long to plan is there before its times", async () => {
+  const lines = Array.from({ length: 5000 }, (_, i) => `G1 X${(80 * Math.sin(i * i)).toFixed(3)} Y${(60 * Math.cos(3 * i * i)).toFixed(3)}`);
+  await after_(async () => {
+    await page.locator('input[aria-label^="Open a program"]').setInputFiles(program(["G21 G90 G61 F6000", ...lines, "M2", ""].join("\n"), "corners.ngc"));
+    await page.locator("[data-test=planning]").waitFor({ timeout: 60_000 });
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+    assert.match(await page.locator("[data-test=status]").textContent() ?? "", /^planning/);
+    assert.ok(Number(await page.locator(".path-view canvas").first().getAttribute("data-vertices")) > 10_000, "all lines are drawn");
+    assert.match(await page.locator("[data-test=fit-verdict]").textContent() ?? "", /^fits/);
+  });
+  assert.equal(await page.locator("[data-test=planning]").count(), 0);
+  assert.equal(await shownTime(), clock(timeOf(join(folder, "corners.ngc"))));
+});
+
 test("another profile and another machine take their own time", async () => {
   const file = join(SOURCE, "programs", "pocket.ngc");
   await open("Open a program", file);
