@@ -39,6 +39,27 @@ test("behind another tab the program stands still, and comes up with the instant
   await page.context().close();
 });
 
+test("the program's text goes to lines that are not seen a few times a second, and ends where the instant is", async () => {
+  const { page, said } = await openReport([pocket]);
+  const moves = await page.evaluate(async () => {
+    const scrub = document.querySelector<HTMLInputElement>(".scrub")!;
+    const marked = (): string => document.querySelector(".editor")!.shadowRoot!.querySelector(".cm-now")?.textContent ?? "";
+    let count = 0;
+    for (let i = 1; i <= 60; ++i) {
+      const before = marked();
+      scrub.value = String(i % 2 === 0 ? 3000 + i : 100_000 - i);
+      scrub.dispatchEvent(new Event("input"));
+      count += marked() === before ? 0 : 1;
+    }
+    return count;
+  });
+  assert.ok(moves <= 3, `${moves} of 60 instants`);
+  const line = Number(/line (\d+)$/.exec(await textOf(page, "instant"))![1]);
+  assert.equal(await markedLine(page), readFileSync(pocket, "utf8").split("\n")[line - 1]);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("the address follows the instant without being written each time", async () => {
   const { page, said } = await openReport([pocket]);
   const written = await page.evaluate(async () => {

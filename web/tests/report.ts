@@ -108,8 +108,9 @@ export async function goTo(page: Page, tick: number): Promise<void> {
   }, tick);
 }
 
-// What the editor marks as the present line: its number in the text.
+// What the editor marks as the present line, to which it goes at most ten times a second.
 export async function markedLine(page: Page): Promise<string> {
+  await page.waitForTimeout(200);
   return (await page.locator(".cm-now").first().textContent()) ?? "";
 }
 

@@ -8,6 +8,8 @@ import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { shortTime } from "../units.ts";
 
+const JUMP_MS = 100;
+
 const setLine = StateEffect.define<number>(); // 1-based; 0: none
 const activeLine = StateField.define<DecorationSet>({
   create: () => Decoration.none,
@@ -125,6 +127,7 @@ export class ProgramView {
   private plan: Plan | null = null;
   private account: Account | null = null;
   private line = 0;
+  private later: ReturnType<typeof setTimeout> | undefined; // while the text stays where it is
   private longest = 1; // ticks of the line that takes longest
   private readonly store: Store;
   private readonly editing: Editing | null;
@@ -236,13 +239,22 @@ export class ProgramView {
     if (plan?.source === null) this.message.textContent = `The program's text is not in this report. The tool is in ${plan.placeAt(instant)}.`;
   }
 
+  // To a line that is not seen the text goes at most ten times a second: it costs the browser most of what a frame may take.
   private markLine(line: number, scroll: boolean): void {
-    if (!this.view || line === this.line) return;
+    if (!this.view || line === this.line || this.later !== undefined) return;
     this.line = line;
     const { doc } = this.view.state;
     const inside = line >= 1 && line <= doc.lines;
     const effects: StateEffect<unknown>[] = [setLine.of(line)];
-    if (scroll && inside && !this.isSeen(line)) effects.push(EditorView.scrollIntoView(doc.line(line).from, { y: "center" }));
+    if (scroll && inside && !this.isSeen(line)) {
+      effects.push(EditorView.scrollIntoView(doc.line(line).from, { y: "center" }));
+      // In a frame, behind the editor's own work: by then it is where it has been sent.
+      const goOn = (): void => {
+        this.later = undefined;
+        this.showInstant(true);
+      };
+      this.later = setTimeout(() => requestAnimationFrame(goOn), JUMP_MS);
+    }
     this.view.dispatch({ effects });
   }
 
