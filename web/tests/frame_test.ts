@@ -60,6 +60,24 @@ test("the program's text goes to lines that are not seen a few times a second, a
   await page.context().close();
 });
 
+test("the line of the instant stands at its place in the charts", async () => {
+  const { page, said } = await openReport([pocket], "#tick=20000");
+  const last = Number(await page.locator(".scrub").getAttribute("max"));
+  const off = async (tick: number): Promise<number> => {
+    const over = (await page.locator(".u-over").first().boundingBox())!;
+    const line = await page.locator(".now-line").evaluate((element) => element.getBoundingClientRect().left);
+    return Math.abs(line - over.x - (tick / last) * over.width);
+  };
+  assert.ok((await off(20_000)) <= 1);
+  await goTo(page, 90_000);
+  assert.ok((await off(90_000)) <= 1);
+  await page.setViewportSize({ width: 1600, height: 900 });
+  await page.waitForTimeout(500);
+  assert.ok((await off(90_000)) <= 1);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("the address follows the instant without being written each time", async () => {
   const { page, said } = await openReport([pocket]);
   const written = await page.evaluate(async () => {

@@ -246,16 +246,20 @@ export class ProgramView {
     const { doc } = this.view.state;
     const inside = line >= 1 && line <= doc.lines;
     const effects: StateEffect<unknown>[] = [setLine.of(line)];
-    if (scroll && inside && !this.isSeen(line)) {
-      effects.push(EditorView.scrollIntoView(doc.line(line).from, { y: "center" }));
-      // In a frame, behind the editor's own work: by then it is where it has been sent.
-      const goOn = (): void => {
-        this.later = undefined;
-        this.showInstant(true);
-      };
-      this.later = setTimeout(() => requestAnimationFrame(goOn), JUMP_MS);
+    if (scroll && inside) {
+      const seen = this.isSeen(line);
+      // The editor may still be on its way elsewhere, so it is told of a line that is seen, too.
+      effects.push(EditorView.scrollIntoView(doc.line(line).from, { y: seen ? "nearest" : "center" }));
+      if (!seen) this.rest();
     }
     this.view.dispatch({ effects });
+  }
+
+  private rest(): void {
+    this.later = setTimeout(() => {
+      this.later = undefined;
+      this.showInstant(true);
+    }, JUMP_MS);
   }
 
   private isSeen(line: number): boolean {

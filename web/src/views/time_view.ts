@@ -140,8 +140,6 @@ export class TimeView {
     if (!this.plan || this.area.clientWidth === 0) return;
     const charted = this.charted(this.plan);
     this.charts.forEach((chart, i) => chart.build(charted, i === this.charts.length - 1));
-    const { left, width } = this.charts[0]!.over!.getBoundingClientRect();
-    this.curves = { left: left - this.area.getBoundingClientRect().left, width };
     this.update();
     this.showInstant();
   }
@@ -158,9 +156,16 @@ export class TimeView {
       if (!this.plan) return;
       const charted = this.charted(this.plan);
       for (const chart of this.charts) chart.draw(charted);
+      this.measure();
       this.drawBand();
       this.showInstant();
     });
+  }
+
+  // Where the charts lie: they do so a moment after they are built.
+  private measure(): void {
+    const curve = this.charts[0]!.over?.getBoundingClientRect();
+    this.curves = curve ? { left: curve.left - this.area.getBoundingClientRect().left, width: curve.width } : null;
   }
 
   private drawBand(): void {
