@@ -19,6 +19,7 @@ test("keeps every peak, and draws at most 300,000 vertices", async () => {
     for (const side of ["top", "iso"]) {
       await page.locator(`[data-side=${side}]`).click();
       await page.waitForTimeout(50);
+      await page.waitForFunction(() => document.querySelector<HTMLElement>(".path-view canvas")!.dataset["whole"] === "true");
       const vertices = Number(await page.locator(".path-view canvas").first().getAttribute("data-vertices"));
       assert.ok(vertices > 10_000 && vertices <= 300_000, `${vertices} vertices`);
     }
