@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "kernel/program_path.hpp"
-#include "programs/kerf/io/interrupt.hpp"
+#include "programs/kerf/run/path_walk.hpp"
 
 namespace kerf::program {
 
@@ -23,24 +23,13 @@ void path_pass(ProgramFile& file, const MachineSettings& settings, const KernelO
                PageRecord& page) {
   PlannedPath& planned = page.planned.emplace(page.extents.value_or(curves::Extents{}));
   ProgramPath path(without_travel(settings), options, {});
-  for (ProgramPath::Output output; !stop_requested();) {
-    switch (path.next(output)) {
-      case ProgramPath::Next::output:
-        if (const auto* segment = std::get_if<smoothing::PathSegment>(&output)) {
-          planned.add(*segment);
-        }
-        break;
-      case ProgramPath::Next::ended:
-        return;
-      case ProgramPath::Next::wants_text:
-        if (const auto piece = file.read(); piece && !piece->empty()) {
-          path.feed(*piece);
-        } else {
-          path.finish();
-        }
-        break;
+  // A file that cannot be read any more ends the path there.
+  static_cast<void>(walk_path(file, path, [&planned](const ProgramPath::Output& output) {
+    if (const auto* segment = std::get_if<smoothing::PathSegment>(&output)) {
+      planned.add(*segment);
     }
-  }
+    return true;
+  }));
 }
 
 }  // namespace kerf::program
