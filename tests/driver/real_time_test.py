@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import pathlib
+import re
 import resource
 import signal
 import subprocess
@@ -53,6 +54,15 @@ class RealTime(Case):
         self.assertEqual(ticks, list(range(ticks[0], ticks[0] + len(ticks))))
 
     def test_row_70_without_a_bound_late_ticks_are_counted_and_the_motion_goes_on(self):
+        status, text, rows = self.run_and_suspend(0.12)
+        self.assertEqual(status, 0, text)
+        late = re.search(r"(\d+) ticks late by a period or more", text)
+        self.assertTrue(late, text)
+        self.assertGreaterEqual(int(late[1]), 1)
+        ticks = [round(float(row["t_s"]) / 0.001) for row in rows]
+        self.assertEqual(ticks, list(range(len(ticks))))  # none left out, none twice
+
+    def test_each_tick_is_in_the_histogram_of_its_lateness(self):
         square = self.path("square.ngc", SQUARE)
         report = json.loads(self.kerf("run", "--json", square).stdout)
         self.assertEqual(sum(step["ticks"] for step in report["delays"]), sum(1 for _ in range(report["ticks"] + 1)))
