@@ -158,18 +158,20 @@ void PlanCheck::overridden(const lookahead::FeedOverride& by, const SlowingCurve
   if (slowing.from_curve != 0) {
     before_override_ = was;
   }
-  const bool slows = slowing.from_curve <= was.slows_to_curve;
+  // Where nothing is to slow down the tool may still brake for a hold, and go on before its rest.
+  const std::uint64_t from_curve = slowing.from_curve != 0 ? slowing.from_curve : curve_;
+  const std::uint64_t to_curve = slowing.from_curve != 0 ? slowing.to_curve : curve_;
+  const bool slows = from_curve <= was.slows_to_curve;
   const auto most = [slows](double before, double by_now) {
     return slows ? std::max(before, by_now) : by_now;
   };
-  overridden_ = {
-      .by = by,
-      .before = {.feed = most(was.before.feed, was.by.feed),
-                 .rapid = most(was.before.rapid, was.by.rapid),
-                 .spindle = most(was.before.spindle, was.by.spindle),
-                 .adaptive = most(was.before.adaptive, was.by.adaptive)},
-      .room = slows ? kSlowing * was.room : kSlowing,
-      .slows_to_curve = slows ? std::max(was.slows_to_curve, slowing.to_curve) : slowing.to_curve};
+  overridden_ = {.by = by,
+                 .before = {.feed = most(was.before.feed, was.by.feed),
+                            .rapid = most(was.before.rapid, was.by.rapid),
+                            .spindle = most(was.before.spindle, was.by.spindle),
+                            .adaptive = most(was.before.adaptive, was.by.adaptive)},
+                 .room = slows ? kSlowing * was.room : kSlowing,
+                 .slows_to_curve = slows ? std::max(was.slows_to_curve, to_curve) : to_curve};
 }
 
 // What the machine allows above the programmed feedrate, the ticks show.

@@ -80,6 +80,13 @@ TEST(RandomCommandsAgain, ResumeBehindAStopThatFollowsAHold) {
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
+// A lower override comes while the tool brakes for a hold under a higher one, and then it goes on
+// before it rests.
+TEST(RandomCommandsAgain, OverrideInAHoldThatIsResumedBeforeItsRest) {
+  const CommandedRun run = commanded_run(90'009'357);
+  EXPECT_EQ(run.complaint, "") << run.commands;
+}
+
 TEST(RandomCommandsAgain, GiveTheSameTicks) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const CommandedRun one = commanded_run(seed);
