@@ -54,10 +54,11 @@ tl::expected<std::unique_ptr<LoopbackMachine>, std::string> LoopbackMachine::ope
     return tl::unexpected(fmt::format("a time-out of {} s is more than {} periods of {} s",
                                       order.timeout_s, kMaxPeriods, order.table.period_s));
   }
-  return FrameSocket::open(order.socket, std::max(1.0, order.timeout_s))
-      .map([&order](FrameSocket socket) {
-        return std::unique_ptr<LoopbackMachine>(new LoopbackMachine(std::move(socket), order));
-      });
+  auto socket = FrameSocket::open(order.socket, std::max(1.0, order.timeout_s));
+  if (!socket) {
+    return tl::unexpected(socket.error());
+  }
+  return std::unique_ptr<LoopbackMachine>(new LoopbackMachine(*std::move(socket), order));
 }
 
 LoopbackMachine::LoopbackMachine(FrameSocket socket, const Order& order) noexcept

@@ -14,8 +14,8 @@ namespace kerf::program {
 namespace {
 
 constexpr double kSample_mm = 0.05;
-constexpr double kMinSamples = 16.0;
-constexpr double kMaxSamples = 1e5;
+constexpr int kMinSamples = 16;
+constexpr int kMaxSamples = 100'000;
 constexpr int kHalvings = 60;  // of the way between three samples, down to rounding
 
 // The nearest of samples, and the nearest place around it.
@@ -25,10 +25,11 @@ double distance_mm(const curves::Piece& piece, const Position& place_mm) {
   const auto off_mm = [&](double s_mm) {
     return (curves::vec(curves::position_at(piece, s_mm)) - curves::vec(place_mm)).norm();
   };
-  const double samples = std::clamp(length / kSample_mm, kMinSamples, kMaxSamples);
+  const int samples =
+      std::max(static_cast<int>(std::min(length / kSample_mm, 1.0 * kMaxSamples)), kMinSamples);
   const double step = length / samples;
   double nearest = begin;
-  for (double i = 0.0; i <= samples; i += 1.0) {
+  for (int i = 1; i <= samples; ++i) {
     const double s_mm = begin + i * step;
     nearest = off_mm(s_mm) < off_mm(nearest) ? s_mm : nearest;
   }
