@@ -114,23 +114,29 @@ TEST(SingularCurves, ANearCuspIsNoSlowerThanAStopAtIt) {
   }
 }
 
-// Turning at a low feedrate only: the highest that fits is a tiny share of the programmed one.
-TEST(SingularCurves, ShortOnesEndUnderEveryProfile) {
-  MachineSettings settings = mill();
-  const RandomProgram program{.text =
-                                  "G21 G90 G17 G94\nG6.2 P2 K0 X0 Y0 Z0 F9000\n"
-                                  "K0 X0.000004 Y0.000003 Z0\nK1\nK1\nM2\n",
+void expect_to_end_under_every_profile(const std::string& text, double feedrate_mm_s,
+                                       const MachineSettings& settings,
+                                       const std::array<double, 3>& end_mm) {
+  const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  const RandomProgram program{.text = text,
                               .start_mm = {},
                               .end_mm = {},
-                              .feedrate_mm_s = std::vector<double>(5, 150.0),
+                              .feedrate_mm_s = std::vector<double>(lines, feedrate_mm_s),
                               .path = {},
                               .dense = {}};
   for (int kind = 0; kind < 7; ++kind) {
     const JudgedRun outcome =
         judged_run(program, settings, {.kind = static_cast<profiles::ProfileKind>(kind)});
     EXPECT_EQ(outcome.complaint, "") << kind;
-    EXPECT_EQ(outcome.last.position_mm, (std::array<double, 3>{4e-6, 3e-6, 0.0})) << kind;
+    EXPECT_EQ(outcome.last.position_mm, end_mm) << kind;
   }
+}
+
+// Turning at a low feedrate only: the highest that fits is a tiny share of the programmed one.
+TEST(SingularCurves, ShortOnesEndUnderEveryProfile) {
+  expect_to_end_under_every_profile(
+      "G21 G90 G17 G94\nG6.2 P2 K0 X0 Y0 Z0 F9000\nK0 X0.000004 Y0.000003 Z0\nK1\nK1\nM2\n", 150.0,
+      mill(), {4e-6, 3e-6, 0.0});
 }
 
 JudgedRun judged_case(std::uint64_t seed, profiles::ProfileKind kind, double longest_s = 500.0) {
@@ -214,21 +220,10 @@ TEST(SingularCurves, ANeedleIsPassedWithinAToleranceOfAPicometre) {
   MachineSettings settings = mill();
   settings.limits.chord_tolerance_mm = 1e-9;
   settings.limits.period_s = 0.0003;
-  const RandomProgram program{.text =
-                                  "G61.1\nG6.2 P3 K0 X0 Y0 R1 F3000\nK0 X0 Y0 R1\n"
-                                  "K0 X0 Y0.0000015 R1\nK1 X0.000019 Y0 R2\nK5 X0 Y0 R2\n"
-                                  "K6\nK6\nK6\nM2\n",
-                              .start_mm = {},
-                              .end_mm = {},
-                              .feedrate_mm_s = std::vector<double>(9, 50.0),
-                              .path = {},
-                              .dense = {}};
-  for (int kind = 0; kind < 7; ++kind) {
-    const JudgedRun outcome =
-        judged_run(program, settings, {.kind = static_cast<profiles::ProfileKind>(kind)});
-    EXPECT_EQ(outcome.complaint, "") << kind;
-    EXPECT_EQ(outcome.last.position_mm, (std::array<double, 3>{0.0, 0.0, 0.0})) << kind;
-  }
+  expect_to_end_under_every_profile(
+      "G61.1\nG6.2 P3 K0 X0 Y0 R1 F3000\nK0 X0 Y0 R1\nK0 X0 Y0.0000015 R1\nK1 X0.000019 Y0 R2\n"
+      "K5 X0 Y0 R2\nK6\nK6\nK6\nM2\n",
+      50.0, settings, {0.0, 0.0, 0.0});
 }
 
 // The highest cruise that fits is a ten thousandth of what is allowed, and its ends are lower yet.
