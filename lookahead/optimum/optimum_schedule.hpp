@@ -65,8 +65,9 @@ class OptimumSchedule final : public Schedule {
   void plan(Window<Block>& blocks, Emitter& emitter);
   // Hands all blocks up to the next rest to the classical schedule, those to come among them.
   void follow_classical(const Window<Block>& blocks);
-  // What was found from a rest in front of a block, up to the end of a block: where a search on a
-  // short curve did not end well, all of that is planned to see how long it takes.
+  // What was found from a rest in front of a block, up to the end of a block. Where a search on a
+  // short curve did not end well, or left off within a few cells before a rest, all of that is
+  // planned to see how long it takes.
   [[nodiscard]] PlannedCells tried_to_block_end(const FoundPlan& found, const WindowSearch& search,
                                                 const Window<Block>& blocks) const;
   // What was found is the plan from now on. Precondition: there is a plan.
