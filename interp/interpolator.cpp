@@ -144,6 +144,15 @@ bool Interpolator::pass_what_is_over() noexcept {
   return true;
 }
 
+bool Interpolator::needs_plan() noexcept {
+  // The next phase may begin a rounding before this one is over.
+  constexpr double kRounding_s = 1e-9;
+  plan_.take_over(plan_tick());
+  const bool is_over = !advance_phase() ||
+                       (!has_next_ && time_into_s(phase_) >= phase_.law.duration_s() - kRounding_s);
+  return is_over && question_here() == nullptr;
+}
+
 TickStatus Interpolator::follow_phase() noexcept {
   assert(time_into_s(phase_) >= 0.0 && phase_.s_begin_mm <= phase_.s_end_mm);
   const double t = time_into_s(phase_);

@@ -55,6 +55,8 @@ class Interpolator {
   // Removes phases that end before the next tick from the queue, to make room. True: the queue is
   // used up and the next tick needs more. The tick itself is not affected.
   bool pass_what_is_over() noexcept;
+  // The next tick lies behind the queue's end, and the machine is not asked for what follows.
+  bool needs_plan() noexcept;
 
   // The tick of the next setpoint in the plan's time, which stands still while starved. May be read
   // by the planning thread.
@@ -106,6 +108,8 @@ class Interpolator {
   void fill(const profiles::PathMotion& motion, double s_mm) noexcept;
   // interpolator_machine.cpp
   void watch_probe() noexcept;
+  // What the machine is to answer while the tool rests here; null: nothing.
+  [[nodiscard]] const Inquiry* question_here() noexcept;
   bool waits_for_machine() noexcept;
   void cut_piece(double s_end_mm) noexcept;
   // A tick of an emergency stop.

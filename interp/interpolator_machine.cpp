@@ -82,18 +82,23 @@ void Interpolator::cut_piece(double s_end_mm) noexcept {
 
 // At rest. True: the program waits here for the machine, or for the plan behind its answer.
 bool Interpolator::waits_for_machine() noexcept {
-  const Inquiry* asked = watch_.asked();
-  const bool is_there =
-      asked != nullptr &&
-      (watch_.has_braked() || (phase_.wait != 0 && phase_.rest_block == asked->block));
-  if (is_there && watch_.wait(now_.position_mm, plan_tick())) {
-    pause_ticks_ = asked->pause_ticks;
-  } else if (!is_there && pause_ticks_ > 0) {
+  const Inquiry* question = question_here();
+  if (question != nullptr && watch_.wait(now_.position_mm, plan_tick())) {
+    pause_ticks_ = question->pause_ticks;
+  } else if (question == nullptr && pause_ticks_ > 0) {
     --pause_ticks_;
     plan_tick_.store(plan_tick() + 1, std::memory_order_relaxed);
     return true;
   }
-  return is_there;
+  return question != nullptr;
+}
+
+const Inquiry* Interpolator::question_here() noexcept {
+  const Inquiry* asked = watch_.asked();
+  const bool is_here =
+      asked != nullptr &&
+      (watch_.has_braked() || (phase_.wait != 0 && phase_.rest_block == asked->block));
+  return is_here ? asked : nullptr;
 }
 
 }  // namespace kerf::interp

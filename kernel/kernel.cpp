@@ -49,6 +49,12 @@ TickStatus Kernel::next(Setpoint& setpoint) {
 void Kernel::reach_tick() {
   impl_->reach_tick();
 }
+bool Kernel::needs_plan() noexcept {
+  return impl_->needs_plan();
+}
+void Kernel::make_room() noexcept {
+  impl_->make_room();
+}
 void Kernel::plan_to_rest() {
   impl_->plan_to_rest();
 }

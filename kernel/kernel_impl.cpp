@@ -88,6 +88,9 @@ bool Kernel::Impl::fill_queue() {
     switch (pipeline_.step(delivery_.outbox())) {
       case Pipeline::Step::planned:
         fail_with_check();
+        if (!keeps_stop_) {
+          hand_on();
+        }
         break;
       case Pipeline::Step::took:
         if (pipeline_.is_finished() && !was_finished) {
@@ -111,6 +114,16 @@ bool Kernel::Impl::fill_queue() {
     }
   }
   return false;
+}
+
+// The tick side may wait for it, and goes on while more is planned.
+void Kernel::Impl::hand_on() {
+  const std::int64_t now = interpolator_.plan_tick();
+  delivery_.deliver(now + horizon_ticks_);
+  hand_over();
+  if (!asks_) {
+    pipeline_.forget_before(now);
+  }
 }
 
 bool Kernel::Impl::is_nearly_half_ahead() const noexcept {

@@ -68,6 +68,9 @@ class KERF_LOCAL Kernel::Impl {
 
   void reach_tick();
 
+  [[nodiscard]] bool needs_plan() noexcept { return interpolator_.needs_plan(); }
+  void make_room() noexcept { interpolator_.pass_what_is_over(); }
+
   TickStatus next(Setpoint& setpoint);
 
   [[nodiscard]] bool runs_low() const noexcept {
@@ -156,6 +159,8 @@ class KERF_LOCAL Kernel::Impl {
 
   // What is in the queue, to the tick side.
   void hand_over();
+  // What was just planned, without the end of plan().
+  void hand_on();
 
   // False: there is no way to rest from the tick on.
   bool commit_with_stop(std::int64_t tick);

@@ -74,8 +74,8 @@ struct KernelOptions {
   /// end of its way. Of a machine whose workpiece is not in the settings; with checks_travel in the
   /// run, since the places that follow from the real contact are other ones.
   bool assumes_contact = false;
-  /// plan() and tick() are called by one thread, which is never late: no way to rest is kept ready
-  /// behind what is planned.
+  /// plan() and tick() are called by one thread, or tick() waits for plan() (needs_plan()), which
+  /// is never late then: no way to rest is kept ready behind what is planned.
   bool one_thread = false;
   /// take_messages(), active_codes(), active_words() and left_s() have something to say.
   bool tells_operator = false;
@@ -180,6 +180,13 @@ class KERF_API Kernel {
   /// tick(). Where blocks are shorter than a tick, it passes those that are over and plans on, so
   /// that the queue reaches the tick. next() does so by itself.
   void reach_tick();
+  /// For callers without a clock that call plan() in another thread, with
+  /// KernelOptions::one_thread: call it before each tick(), and wait while it is true; the ticks
+  /// are those of one thread then. Where it is still true after a plan() that began later,
+  /// make_room() passes blocks that are shorter than a tick, as reach_tick() does, for the next
+  /// plan(). Nothing passed: no more is planned. Tick side, as tick().
+  [[nodiscard]] bool needs_plan() noexcept;
+  void make_room() noexcept;
 
   /// Lets the tool come to rest after all that was read. Call it when the text is late and the
   /// horizon is nearly used up. next() does so by itself.

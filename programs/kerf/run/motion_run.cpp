@@ -1,5 +1,7 @@
 #include "programs/kerf/run/motion_run.hpp"
 
+#include <thread>
+
 #include "programs/kerf/driver/driver.hpp"
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/number_text.hpp"
@@ -10,8 +12,21 @@ namespace kerf::program {
 
 namespace {
 
+// The queue between the two threads is as full as it gets.
+constexpr double kFarAhead_s = 3600.0;
+
+bool may_plan_beside(MotionStage& stage) {
+  return std::thread::hardware_concurrency() > 1 && stage.order().page == nullptr &&
+         !stage.report().live;
+}
+
 void dry_run(MotionStage& stage) {
-  Kernel kernel(stage.order().settings, stage.order().kernel_options);
+  KernelOptions options = stage.order().kernel_options;
+  const bool plans_beside = may_plan_beside(stage);
+  if (plans_beside) {
+    options.horizon_s = kFarAhead_s;
+  }
+  Kernel kernel(stage.order().settings, options);
   if (const double feed = stage.order().options.feed_override; feed != 1.0) {
     kernel.set_overrides({.feed = feed});
   }
@@ -21,7 +36,9 @@ void dry_run(MotionStage& stage) {
   {
     const auto bar =
         stage.progress_bar([] { return std::string("running  "); }, ProgressBar::Left::estimated);
-    outcome = run_without_clock(kernel, stage.stage_with(feeder));
+    RunStage run = stage.stage_with(feeder);
+    run.plans_beside = plans_beside;
+    outcome = run_without_clock(kernel, run);
     stage.disable();
   }
   stage.finish({kernel, feeder, outcome});

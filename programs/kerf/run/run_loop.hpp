@@ -23,6 +23,9 @@ struct RunStage {
   Progress& progress;
   bool waits_for_text = false;  // a tick without motion is no defect: the text is still to come
   std::int64_t last_tick = std::numeric_limits<std::int64_t>::max();  // of a run without a clock
+  // Of one: planning has a thread of its own. The page's notes and text that is still to come are
+  // for one thread.
+  bool plans_beside = false;
 };
 
 // A time without ticks after this tick.
@@ -48,8 +51,8 @@ struct RunOutcome {
   std::optional<std::uint32_t> too_long_at_line;
 };
 
-// One after the other in this thread, as fast as it goes. A request to stop (interrupt.hpp) is a
-// stop on the path, after which the run is over; a fault of the machine ends it at once, and so
+// One tick after the other in this thread, as fast as it goes. A request to stop (interrupt.hpp) is
+// a stop on the path, after which the run is over; a fault of the machine ends it at once, and so
 // does a trace that ends: the motion serves nobody.
 RunOutcome run_without_clock(Kernel& kernel, const RunStage& stage);
 

@@ -1,0 +1,44 @@
+#include "programs/kerf/run/planning_beside.hpp"
+
+#include <new>
+
+#include <gtest/gtest.h>
+#include <kerf/kernel.hpp>
+
+#include "programs/kerf/run/planning_side.hpp"
+
+namespace kerf::program {
+namespace {
+
+class NoMemory final : public PlanningSide {
+ public:
+  explicit NoMemory(const Kernel& kernel) : kernel_(&kernel) {}
+  void feed(std::string_view /*text*/) override {}
+  void finish() override {}
+  bool plan() override { throw std::bad_alloc(); }
+  void text_is_late() override {}
+  void stop() override {}
+  [[nodiscard]] const Kernel& kernel() const override { return *kernel_; }
+
+ private:
+  const Kernel* kernel_;
+};
+
+class NoText final : public TextFeed {
+ public:
+  tl::expected<TextPiece, std::string> read() override { return TextPiece{}; }
+  [[nodiscard]] double share_read() const noexcept override { return 1.0; }
+};
+
+TEST(PlanningBeside, ThrowsWhatPlanningThrewInTheThreadOfTheTicks) {
+  Kernel kernel(default_machine(), {.one_thread = true});
+  NoMemory planning(kernel);
+  NoText text;
+  Progress progress;
+  Feeder feeder(planning, text, progress);
+  PlanningBeside beside(kernel, feeder);
+  EXPECT_THROW(beside.reach_tick(), std::bad_alloc);
+}
+
+}  // namespace
+}  // namespace kerf::program
