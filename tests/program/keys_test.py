@@ -56,6 +56,19 @@ class Keys(Case):
         x = self.finish(process, 8)
         self.assertLess(x[-1], 400.0)
 
+    def test_escape_is_the_emergency_stop_whatever_comes_with_it(self):
+        for keys in (b"\x1b\x1b", b"\x1bq", b"\x1b ", b" \x1b", b"\x1b[A\x1b"):
+            with self.subTest(keys=keys):
+                process = self.start()
+                self.press(keys)
+                x = self.finish(process, 8)
+                self.assertLess(x[-1], 400.0)
+
+    def test_an_arrow_behind_a_key_is_none(self):
+        process = self.start("G21 G90\nG1 X50 F6000\nM2\n")
+        self.press(b"+\x1b[A\x1b[1;5C\x1bOP")
+        self.assertEqual(self.finish(process, 0)[-1], 50.0)
+
     def test_an_arrow_is_none(self):
         process = self.start()
         self.press(b"\x1b[A")

@@ -1,7 +1,9 @@
 #include "programs/kerf/io/keyboard.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <poll.h>
+#include <string_view>
 #include <termios.h>
 #include <unistd.h>
 
@@ -14,6 +16,19 @@ namespace {
 termios before{};
 std::atomic<bool> is_changed = false;
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
+
+// Of what a terminal sends for an arrow and the like: Esc, '[' or 'O', parameters, a letter. 0: it
+// begins with none. An Esc with anything else behind it is the key, pressed.
+std::size_t length_of_sequence(std::string_view bytes) noexcept {
+  if (bytes.size() < 2 || bytes[0] != '\x1b' || (bytes[1] != '[' && bytes[1] != 'O')) {
+    return 0;
+  }
+  std::size_t end = 2;
+  while (end < bytes.size() && bytes[end] >= ' ' && bytes[end] < '@') {
+    ++end;
+  }
+  return std::min(end + 1, bytes.size());
+}
 
 }  // namespace
 
@@ -43,9 +58,23 @@ void Keyboard::restore() noexcept {
   }
 }
 
+std::optional<char> Keyboard::next_read() noexcept {
+  for (;;) {
+    const std::string_view left(read_.data() + next_, count_ - next_);
+    if (left.empty()) {
+      return std::nullopt;
+    }
+    const std::size_t sequence = length_of_sequence(left);
+    next_ += std::max<std::size_t>(sequence, 1);
+    if (sequence == 0) {
+      return left.front();
+    }
+  }
+}
+
 std::optional<char> Keyboard::key(std::chrono::milliseconds wait) noexcept {
-  if (next_ < count_) {
-    return read_[next_++];
+  if (const auto key = next_read()) {
+    return key;
   }
   next_ = count_ = 0;
   pollfd terminal{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
@@ -57,11 +86,8 @@ std::optional<char> Keyboard::key(std::chrono::milliseconds wait) noexcept {
     ::poll(nullptr, 0, static_cast<int>(wait.count()));
     return std::nullopt;
   }
-  if (read_.front() == '\x1b' && count > 1) {
-    return std::nullopt;
-  }
   count_ = static_cast<std::size_t>(count);
-  return read_[next_++];
+  return next_read();
 }
 
 }  // namespace kerf::program

@@ -27,6 +27,9 @@ class Keyboard {
   static void restore() noexcept;
 
  private:
+  // Of what was read: nothing is left of it, or only such sequences.
+  [[nodiscard]] std::optional<char> next_read() noexcept;
+
   bool open_ = false;
   // Read and not given yet.
   std::array<char, 16> read_{};
