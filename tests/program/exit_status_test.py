@@ -63,6 +63,9 @@ class ExitStatus(Case):
         said = self.kerf("run", square, "--machine", machine, status=5).stderr
         self.assertIn("mill.toml: another kerf run has this machine", said)
         self.kerf("dry-run", square, "--machine", machine)
+        # An editor saves by putting another file in its place.
+        os.replace(self.path("saved.toml", pathlib.Path(machine).read_text()), machine)
+        self.assertIn("mill.toml: another kerf run has this machine", self.kerf("run", square, "--machine", machine, status=5).stderr)
         first.send_signal(signal.SIGINT)
         first.communicate(timeout=60)
         self.kerf("run", square, "--machine", machine)

@@ -9,8 +9,14 @@
 
 namespace kerf::program {
 
-// An advisory lock on the machine file (flock), which its descriptor holds and the system releases
-// with the process. Error: another process has it, or what the system says, with the file's name.
-tl::expected<Descriptor, std::string> lock_machine(const std::string& machine_file);
+// Of the machine file, whatever its path is, and of its path, whatever file that is by now: an
+// editor puts a new one there. The system releases both with the process.
+struct MachineLock {
+  Descriptor file;
+  Descriptor name;
+};
+
+// Error: another process has one of them, or what the system says, with the file's name.
+tl::expected<MachineLock, std::string> lock_machine(const std::string& machine_file);
 
 }  // namespace kerf::program

@@ -232,7 +232,7 @@ class Session {
   PageRecord* page_;
   bool shows_progress_;
   bool has_keys_ = false;
-  Descriptor machine_lock_;  // of a run
+  MachineLock machine_lock_;  // of a run
   ProgramMark mark_;
   RunStart start_;
   KernelOptions kernel_options_;
