@@ -34,7 +34,7 @@ class Messages {
   }
 
  private:
-  static constexpr std::size_t kKept = 64;
+  static constexpr std::size_t kKept = 1024;
   static constexpr std::size_t kLongest = 500;  // bytes
 
   struct Kept {

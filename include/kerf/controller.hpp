@@ -101,7 +101,7 @@ struct Jog {
 /// Something that an operator should hear of: the state is another one, or the program said
 /// something.
 struct ControllerEvent {
-  static constexpr std::size_t kKept = 256;  ///< older ones are forgotten
+  static constexpr std::size_t kKept = 2048;  ///< older ones are forgotten
   enum class Kind : std::uint8_t { state, message };
 
   std::uint64_t number = 0;  ///< counts from 1

@@ -1,7 +1,6 @@
 // Events of several threads, read by others, without a lock.
 #include "control/event_log.hpp"
 
-#include <array>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -36,14 +35,15 @@ TEST(EventLog, GivesEventsBackInTheirOrder) {
 
 TEST(EventLog, ForgetsTheOldestAndGivesNoMoreThanThereIsRoomFor) {
   const auto log = std::make_unique<EventLog>();
-  for (std::uint32_t i = 1; i <= 1000; ++i) {
+  constexpr std::uint32_t kEvents = 5000;
+  for (std::uint32_t i = 1; i <= kEvents; ++i) {
     log->note({.line = i});
   }
-  std::array<ControllerEvent, 300> events;
+  std::vector<ControllerEvent> events(ControllerEvent::kKept + 44);
   ASSERT_EQ(log->since(1, events), ControllerEvent::kKept);
-  EXPECT_EQ(events[0].line, 1001 - ControllerEvent::kKept);
-  ASSERT_EQ(log->since(990, std::span(events).first(4)), 4);
-  EXPECT_EQ(events[3].line, 993);
+  EXPECT_EQ(events[0].line, kEvents + 1 - ControllerEvent::kKept);
+  ASSERT_EQ(log->since(kEvents - 10, std::span(events).first(4)), 4);
+  EXPECT_EQ(events[3].line, kEvents - 7);
 }
 
 TEST(EventLog, IsNeverReadTorn) {
@@ -85,11 +85,14 @@ TEST(Messages, AreKeptForAWhileAndCutWhereTheyAreLong) {
   EXPECT_EQ(messages->find(first)->kind, ProgramMessage::Kind::debug);
   EXPECT_FALSE(messages->find(first + 1));
   EXPECT_FALSE(messages->find(0));
-  for (int i = 0; i < 64; ++i) {
+  constexpr std::uint32_t kKept = 1024;  // more than a program says between two moves
+  for (std::uint32_t i = 1; i < kKept; ++i) {
     messages->add({.text = "later"});
   }
+  EXPECT_TRUE(messages->find(first));
+  messages->add({.text = "the last"});
   EXPECT_FALSE(messages->find(first));
-  EXPECT_EQ(messages->find(first + 64)->text, "later");
+  EXPECT_EQ(messages->find(first + kKept)->text, "the last");
 }
 
 }  // namespace
