@@ -11,14 +11,21 @@ namespace {
 // is the faster for it: what a step rounds grows from there on.
 constexpr int kSteps = 16;
 constexpr double kAim = 0.9998;  // of an axis' limit, where the path bends
+// Where it can only speed up within the limit: by less than the plan does, so as to stay below it.
+constexpr double kYield = 1.0005;
 
-// The largest d >= 0 with |second v^2 - first d| <= most; where curvature alone exceeds that, 0 or
-// what takes it back.
+// The largest d with |second v^2 - first d| <= most. Below 0 where the bend alone takes more than
+// the axis has: only speeding up takes that back, as the plan does there.
 double within(double first, double centripetal, double most) noexcept {
   if (first == 0.0) {
     return kUnbounded;
   }
-  return std::max((most + std::copysign(centripetal, first * centripetal)) / std::abs(first), 0.0);
+  const double bend = std::copysign(centripetal, first * centripetal);
+  const double aim = centripetal != 0.0 ? kAim * most : most;
+  if (aim + bend >= 0.0) {
+    return (aim + bend) / std::abs(first);
+  }
+  return std::min(kYield * most + bend, 0.0) / std::abs(first);
 }
 
 }  // namespace
@@ -36,10 +43,9 @@ double EmergencyBrake::deceleration_mm_s2(const Motion& motion) const noexcept {
   const curves::PathDerivatives path = curves::derivatives_at(motion.piece.geometry, motion.s_mm);
   for (std::size_t k = 0; k < limits_.axes.size(); ++k) {
     const double centripetal = path.second_per_mm[k] * motion.v_mm_s * motion.v_mm_s;
-    const double aim = (centripetal != 0.0 ? kAim : 1.0) * limits_.axes[k].acceleration_mm_s2;
-    most = std::min(most, within(path.first[k], centripetal, aim));
+    most = std::min(most, within(path.first[k], centripetal, limits_.axes[k].acceleration_mm_s2));
   }
-  return most;
+  return std::max(most, -limits_.path.acceleration_mm_s2);
 }
 
 // At the end of the path that is known it stays.

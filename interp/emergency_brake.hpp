@@ -11,9 +11,10 @@ namespace kerf::interp {
 
 // Brakes without a plan, so it works where planning is dead: each part of a tick takes the largest
 // deceleration along the path that leaves every axis within its acceleration, curvature included.
-// Jerk has no bound. Where the plan is within the same limits, the tool is never faster than
-// planned, so the path that was handed over is long enough. It may pass over a rest of the plan by
-// what a tick rounds, some micrometres.
+// Where a bend lets none brake, it speeds up as little as they allow, and less than the plan. Jerk
+// has no bound. Where the plan is within the same limits, the tool is never faster than planned, so
+// the path that was handed over is long enough. It may pass over a rest of the plan by what a tick
+// rounds, some micrometres.
 class EmergencyBrake {
  public:
   EmergencyBrake(const MachineLimits& limits, double period_s) noexcept

@@ -118,6 +118,31 @@ TEST(EmergencyStop, HasTheLengthOfThePathWhereBlocksAreShorterThanATick) {
   }
 }
 
+// Where the bend alone takes more of an axis than it has, the plan speeds up, and no motion that
+// brakes keeps the limit.
+TEST(EmergencyStop, KeepsTheLimitsOfUnequalAxesWhereTheyLetNoneBrake) {
+  MachineSettings machine = default_machine();
+  machine.limits.path = {.velocity_mm_s = 300.0, .acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 6e4};
+  machine.limits.axes[0] = {
+      .velocity_mm_s = 250.0, .acceleration_mm_s2 = 1113.4, .jerk_mm_s3 = 5e4};
+  machine.limits.axes[1] = {.velocity_mm_s = 180.0, .acceleration_mm_s2 = 309.0, .jerk_mm_s3 = 3e4};
+  const std::string text =
+      "G21 G90 G64 P0.3\nG1 X5 F12000\n"
+      "G5 I3.013 J0.067 P-1.973 Q1.655 X15.695 Y2.309\n"
+      "G5 I1.810 J1.707 P-3.292 Q-1.703 X24.569 Y0.386\n"
+      "G5 I2.865 J-1.278 P-3.425 Q5.689 X29.634 Y-7.135\n"
+      "G5 I3.307 J5.283 P-2.686 Q2.786 X37.623 Y-2.466\n"
+      "G5 I2.614 J3.117 P-3.959 Q-5.824 X44.840 Y-3.397\n"
+      "G5 I3.463 J-3.805 P-1.936 Q4.626 X55.427 Y6.888\n"
+      "G5 I2.907 J-4.837 P-1.288 Q-5.034 X63.502 Y2.299\n"
+      "G5 I2.760 J0.993 P-2.931 Q0.398 X69.608 Y-6.850\nG1 X60 Y-5\nM2\n";
+  for (std::int64_t tick = 100; tick < 3000; tick += 7) {
+    const Stopped stopped = stop_at(tick, text, {}, machine);
+    ASSERT_EQ(stopped.status, TickStatus::emergency_stop);
+    EXPECT_LE(largest_share(stopped.ticks, machine), kRounding) << "tick " << tick;
+  }
+}
+
 // v^2 / 2A, with the whole acceleration from the next tick on.
 TEST(EmergencyStop, OnALineTakesTheShortestWay) {
   const Stopped stopped = stop_at(1000, "G21 G90\nG1 X1000 F6000\nM2\n", {});
