@@ -162,6 +162,7 @@ class KERF_LOCAL Controller::Impl {
   std::atomic<std::uint64_t> programs_ = 0;
   std::atomic<std::int64_t> run_ticks_ = 0;
   std::atomic<bool> wants_text_ = false;
+  std::atomic<bool> is_text_late_ = false;
   std::atomic<bool> waits_for_answer_ = false;
   std::atomic<bool> door_open_ = false;
   std::atomic<std::uint32_t> line_ = 0;

@@ -107,12 +107,14 @@ void Controller::Impl::run_program() {
 }
 
 void Controller::Impl::feed(std::string_view text) {
+  is_text_late_.store(false, std::memory_order_relaxed);
   if (has_program()) {
     kernel_->feed(text);
   }
 }
 
 void Controller::Impl::finish() {
+  is_text_late_.store(false, std::memory_order_relaxed);
   if (has_program()) {
     kernel_->finish();
   }
@@ -164,6 +166,7 @@ void Controller::Impl::tell_failure_of_line() {
 }
 
 void Controller::Impl::text_is_late() {
+  is_text_late_.store(true, std::memory_order_relaxed);
   if (has_program() && kernel_->runs_low()) {
     kernel_->plan_to_rest();
   }

@@ -60,6 +60,9 @@ void Controller::Impl::follow(Ticked tick, const Kernel& kernel) noexcept {
       break;
     case TickStatus::held:
       change_if(State::holding, State::held);
+      if (is_text_late_.load(std::memory_order_relaxed)) {  // it is over, and nothing is planned
+        change_if(State::running, State::waiting);
+      }
       break;
     case TickStatus::finished:
     case TickStatus::failed:

@@ -37,6 +37,32 @@ TEST(Controller, SaysWhatItWaitsFor) {
   EXPECT_EQ(shop.setpoint.position_mm[0], 200.0);
 }
 
+TEST(Controller, WaitsForTextBehindAHoldAsItDidBefore) {
+  Shop shop;
+  const auto tick_until = [&](State state) {
+    for (int i = 0; i < 2000 && shop.controller.status().state != state; ++i) {
+      if (shop.controller.plan()) {
+        shop.controller.text_is_late();
+      }
+      shop.controller.tick(shop.setpoint);
+    }
+    ASSERT_EQ(shop.controller.status().state, state);
+  };
+  shop.give(Command::enable);
+  shop.give(Command::start);
+  shop.controller.feed("G21 G90\nG1 X1 F3000\n");
+  tick_until(State::waiting);
+  shop.give(Command::hold);
+  tick_until(State::held);
+  shop.give(Command::resume);
+  tick_until(State::waiting);
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::text);
+  shop.controller.feed("G1 X2\n");
+  shop.controller.finish();
+  tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 2.0);
+}
+
 // On this line X is the path length, of one tick or of another, never of two.
 TEST(Controller, ShowsEachThreadAWholeTick) {
   Shop shop;
