@@ -44,6 +44,7 @@ class Pipeline {
     path_.set_optional_stop(on);
     planner_.set_optional_stop(on);
   }
+  void keep_lines_apart(bool on) noexcept { path_.keep_lines_apart(on); }
   void set_tool(const Tool& tool) { path_.set_tool(tool); }
   void set_block_delete(const BlockDelete& switches) { path_.set_block_delete(switches); }
 

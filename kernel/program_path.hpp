@@ -43,6 +43,8 @@ class ProgramPath {
 
   // Of text that is not read yet.
   void set_optional_stop(bool on) { waits_.set_optional_stop(on); }
+  // Lines that G64 would make one curve of stay apart.
+  void keep_lines_apart(bool on) noexcept { keeps_lines_apart_ = on; }
   void set_tool(const Tool& tool) { reader_.set_tool(tool); }
   void set_block_delete(const BlockDelete& switches) { reader_.set_block_delete(switches); }
 
@@ -97,6 +99,7 @@ class ProgramPath {
 
   Order order_;
   bool has_all_text_ = false;
+  bool keeps_lines_apart_ = false;
 
   parser::ProgramReader reader_;
   std::optional<TravelCheck> travel_;

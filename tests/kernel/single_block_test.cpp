@@ -57,6 +57,22 @@ std::vector<std::uint32_t> lines_of(const std::vector<Setpoint>& ticks) {
 constexpr const char* kSquare =
     "G21 G90 G61 F3000\nG1 X20\nY20\nG4 P0.1\nG3 X0 Y20 I-10\nM3 S100\nG1 Y0\nM2\n";
 
+// Which G64 would make one curve of.
+TEST(SingleBlock, WaitsAtTheEndOfEachOfManyShortLines) {
+  constexpr int kLines = 100;
+  std::string text = "G21 G90 G64 P0.01 Q0.01 F3000\n";
+  for (int i = 1; i <= kLines; ++i) {
+    text +=
+        "G1 X" + std::to_string(0.5 * i) + " Y" + std::to_string(5.0 * std::sin(0.05 * i)) + "\n";
+  }
+  const SteppedRun stepped = run_stepped(text + "M2\n", {}, {});
+  EXPECT_EQ(stepped.run.complaint, "");
+  EXPECT_GE(stepped.waits.size(), kLines - 1U);
+  for (std::size_t i = 0; i + 1 < stepped.waits.size(); ++i) {
+    EXPECT_LT(stepped.waits[i + 1].s_mm - stepped.waits[i].s_mm, 1.0);  // two lines: 1.1
+  }
+}
+
 TEST(SingleBlock, WaitsAtTheEndOfEachBlockOfTheProgram) {
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
     const KernelOptions options{.profile = {.kind = kind}};
