@@ -24,7 +24,7 @@ Interpolator::Interpolator(MotionQueue& queue, double period_s, const Position& 
 
 void Interpolator::begin_with(const Outputs& outputs) noexcept {
   now_.outputs = outputs;
-  heed_inputs();
+  note_heeded();
 }
 
 double Interpolator::time_into_s(const Phase& phase) const noexcept {
@@ -42,6 +42,7 @@ bool Interpolator::advance_phase() noexcept {
     has_phase_ = true;
     plan_.pop_phase();
     advance_outputs();
+    note_heeded();
   }
   return has_phase_;
 }
@@ -54,14 +55,15 @@ void Interpolator::advance_outputs() noexcept {
       break;
     }
     apply(*next, now_.outputs);
-    heed_inputs();
     queue_->pop_output_change();
   }
 }
 
-void Interpolator::heed_inputs() noexcept {
+void Interpolator::note_heeded() noexcept {
   heeded_.store({.adaptive_feed = now_.outputs.follows_adaptive_feed,
-                 .feed_stop = now_.outputs.heeds_feed_stop},
+                 .feed_stop = now_.outputs.heeds_feed_stop,
+                 .feed_override = phase_.follows_feed,
+                 .hold = phase_.follows_hold},
                 std::memory_order_relaxed);
 }
 

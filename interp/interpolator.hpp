@@ -73,15 +73,16 @@ class Interpolator {
     return reached_block_.load(std::memory_order_relaxed);
   }
 
-  // Which inputs of the machine count where the tool is (M52, M53). May be read by any thread.
-  // As aligned as it is large: clang calls a library for an atomic that is not.
-  struct alignas(2) HeededInputs {
+  // What counts where the tool is: inputs of the machine (M52, M53), the operator's feed override
+  // and hold. May be read by any thread. As aligned as it is large: clang calls a library for an
+  // atomic that is not.
+  struct alignas(4) Heeded {
     bool adaptive_feed = false;
     bool feed_stop = true;
+    bool feed_override = true;
+    bool hold = true;
   };
-  [[nodiscard]] HeededInputs heeded_inputs() const noexcept {
-    return heeded_.load(std::memory_order_relaxed);
-  }
+  [[nodiscard]] Heeded heeded() const noexcept { return heeded_.load(std::memory_order_relaxed); }
 
   // Of the path between the last two setpoints.
   [[nodiscard]] double chord_error_mm() const noexcept { return chord_.error_mm(place()); }
@@ -100,7 +101,7 @@ class Interpolator {
   bool advance_phase() noexcept;
   // Applies the output changes that are in force from the begin of the present phase on.
   void advance_outputs() noexcept;
-  void heed_inputs() noexcept;
+  void note_heeded() noexcept;
   // The piece of the present phase's curve that holds s_mm.
   void advance_piece(double s_mm) noexcept;
   // The line that s_mm on the present phase's curve belongs to.
@@ -127,7 +128,7 @@ class Interpolator {
   std::uint64_t output_changes_ = 0;  // so many were applied
   std::atomic<bool> emergency_ = false;
   std::atomic<double> spindle_override_ = 1.0;
-  std::atomic<HeededInputs> heeded_{};
+  std::atomic<Heeded> heeded_{};
   EmergencyBrake brake_;
   InquiryWatch watch_;
   std::int64_t pause_ticks_ = 0;  // left, behind an answer of the machine

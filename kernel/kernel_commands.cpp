@@ -1,13 +1,23 @@
 // What an operator asks of a kernel, and the plans that take over for it.
 #include <algorithm>
+#include <utility>
 
 #include "kernel/kernel_impl.hpp"
 
 namespace kerf {
 
-void Kernel::Impl::follow_hold() {
-  wants_hold_ = holds_ || stops_ || is_at_feed_0();
-  wants_resume_ = !holds_ && !is_at_feed_0();
+void Kernel::Impl::hold() {
+  holds_ = wants_hold_ = true;
+  wants_resume_ = false;
+  plan();
+}
+
+// A hold at a wait ends, and the wait is answered by the next; at feed 0 it is answered, too.
+void Kernel::Impl::resume() {
+  holds_ = false;
+  wants_hold_ = stops_ || is_at_feed_0();
+  const bool was_at_wait = held_wait_.exchange(0, std::memory_order_relaxed) != 0;
+  wants_resume_ = !was_at_wait && !stops_ && (!is_at_feed_0() || pipeline_.waits());
   plan();
 }
 
@@ -17,8 +27,11 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
   }
   const bool was_at_feed_0 = is_at_feed_0();
   interpolator_.override_spindle_by(overrides.spindle);
+  const double feed_before = std::exchange(feed_, overrides.feed > 0.0 ? overrides.feed : feed_);
+  wants_change_ |= feed_ != feed_before || overrides.rapid != overrides_.rapid ||
+                   overrides.spindle != overrides_.spindle;
   overrides_ = overrides;
-  change_feed(was_at_feed_0);
+  follow_feed_0(was_at_feed_0);
   plan();
   return true;
 }
@@ -31,30 +44,31 @@ bool Kernel::Impl::set_feed_inputs(const FeedInputs& inputs) {
   inputs_ = inputs;
   if (changes) {
     adaptive_ = inputs.adaptive;
-    change_feed(is_at_feed_0());
+    wants_change_ = true;
+    follow_feed_0(is_at_feed_0());
   }
   plan();
   return true;
 }
 
 bool Kernel::Impl::inputs_stop() const noexcept {
-  const interp::Interpolator::HeededInputs heeded = interpolator_.heeded_inputs();
+  const interp::Interpolator::Heeded heeded = interpolator_.heeded();
   return (heeded.feed_stop && inputs_.stop) || (heeded.adaptive_feed && inputs_.adaptive == 0.0);
 }
 
-void Kernel::Impl::follow_inputs() {
+void Kernel::Impl::follow_place() {
   const bool was_at_feed_0 = is_at_feed_0();
   is_stopped_ = inputs_stop();
+  keeps_feed_ = feed_is_kept();
   if (is_at_feed_0() != was_at_feed_0) {
-    change_feed(was_at_feed_0);
+    follow_feed_0(was_at_feed_0);
   }
 }
 
-void Kernel::Impl::change_feed(bool was_at_feed_0) {
+void Kernel::Impl::follow_feed_0(bool was_at_feed_0) {
   // A wait is not answered by it.
   const bool releases =
       was_at_feed_0 && !is_at_feed_0() && (pipeline_.is_held() || takeover_.has_value());
-  wants_change_ = true;
   next_try_tick_ = 0;
   wants_hold_ = holds_ || stops_ || is_at_feed_0();
   wants_resume_ = !wants_hold_ && (wants_resume_ || releases);
@@ -62,6 +76,7 @@ void Kernel::Impl::change_feed(bool was_at_feed_0) {
 
 void Kernel::Impl::set_single_block(bool on) {
   single_block_ = on;
+  pipeline_.keep_lines_apart(on);
   wants_change_ = true;
   next_try_tick_ = 0;
   plan();
@@ -88,7 +103,7 @@ void Kernel::Impl::follow_commands() {
   if (takeover_ && interpolator_.answer().plan == takeover_->plan) {
     settle(interpolator_.answer().in_force == takeover_->plan);
   }
-  if (!takeover_ && wants_resume_ && !wants_hold_) {
+  if (!takeover_ && wants_resume_ && (!wants_hold_ || pipeline_.waits())) {
     go_on();
     wants_resume_ = false;
   }
@@ -152,6 +167,9 @@ bool Kernel::Impl::try_hold() {
   if (!holds_ && !stops_ && pipeline_.waits()) {
     return false;  // at feed 0, once the wait is answered
   }
+  if (!interpolator_.heeded().hold) {
+    return false;  // behind the tap
+  }
   if (queue_.phases_free() < interp::StopAhead::kPhases + delivery_.outbox().phases.size()) {
     return false;
   }
@@ -174,6 +192,8 @@ bool Kernel::Impl::try_hold() {
     }
     committed_until_tick_ = delivery_.frozen_until_tick();
     fail_with_check();
+  } else if (!stops_ && pipeline_.waits()) {
+    held_wait_.store(pipeline_.wait(), std::memory_order_relaxed);
   }
   return true;
 }
@@ -191,7 +211,7 @@ bool Kernel::Impl::try_change_plan() {
   lookahead::Outbox plan;
   const std::uint32_t from = pipeline_.plan();
   const std::int64_t tick = takeover_tick();
-  auto changed = pipeline_.change_plan({.by = {.feed = overrides_.feed,
+  auto changed = pipeline_.change_plan({.by = {.feed = feed_,
                                                .rapid = overrides_.rapid,
                                                .spindle = overrides_.spindle,
                                                .adaptive = adaptive_},

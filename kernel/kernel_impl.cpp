@@ -19,7 +19,7 @@ bool Kernel::Impl::plan() {
   if (!asks_) {  // the machine may have braked some ticks ago
     pipeline_.forget_before(now);
   }
-  follow_inputs();
+  follow_place();
   follow_commands();
   if (keeps_stop_ && !runs_low()) {
     return false;
@@ -77,8 +77,8 @@ bool Kernel::Impl::has_come_to_end() const noexcept {
 
 // Of the programmed feedrate, where the tool is.
 double Kernel::Impl::feed_share() const noexcept {
-  const double adaptive = interpolator_.heeded_inputs().adaptive_feed ? adaptive_ : 1.0;
-  return is_stopped_ ? 0.0 : overrides_.feed * adaptive;
+  const double adaptive = interpolator_.heeded().adaptive_feed ? adaptive_ : 1.0;
+  return is_at_feed_0() ? 0.0 : feed_ * adaptive;
 }
 
 bool Kernel::Impl::fill_queue() {
@@ -230,10 +230,12 @@ TickStatus Kernel::Impl::tick(Setpoint& setpoint) noexcept {
   if (status == TickStatus::finished && end_ && judges_end_) {
     judge_.judge_end(setpoint, *end_);
   }
-  // The plan that follows the answer may not be there yet.
-  if (status == TickStatus::waiting &&
-      interpolator_.wait() == answered_wait_.load(std::memory_order_relaxed)) {
-    return TickStatus::running;
+  if (status == TickStatus::waiting) {
+    const std::uint32_t wait = interpolator_.wait();
+    // The plan that follows the answer may not be there yet.
+    return wait == answered_wait_.load(std::memory_order_relaxed) ? TickStatus::running
+           : wait == held_wait_.load(std::memory_order_relaxed)   ? TickStatus::held
+                                                                  : status;
   }
   const bool ends = status == TickStatus::finished || (status == TickStatus::starved && broken_);
   return !ends ? status : has_fault() || wrong_ ? TickStatus::failed : TickStatus::finished;
@@ -251,7 +253,7 @@ void Kernel::Impl::reach_tick() {
 TickStatus Kernel::Impl::next(Setpoint& setpoint) {
   keeps_stop_ = false;
   const bool is_asked = wants_hold_ || wants_resume_ || wants_change_ || takeover_ ||
-                        inputs_stop() != is_stopped_ ||
+                        inputs_stop() != is_stopped_ || feed_is_kept() != keeps_feed_ ||
                         (asks_ && interpolator_.watch().answer() != nullptr);
   if ((is_asked || runs_low()) && plan() && runs_low()) {
     plan_to_rest();

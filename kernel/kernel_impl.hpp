@@ -81,14 +81,8 @@ class KERF_LOCAL Kernel::Impl {
 
   void emergency_stop() noexcept { interpolator_.emergency_stop(); }
 
-  void hold() {
-    holds_ = true;
-    follow_hold();
-  }
-  void resume() {
-    holds_ = false;
-    follow_hold();
-  }
+  void hold();
+  void resume();
   void stop() {
     stops_ = true;
     interpolator_.watch().ignore_probe();
@@ -173,16 +167,18 @@ class KERF_LOCAL Kernel::Impl {
 
   // The machine has answered what the program asked.
   void follow_machine();
-  // The tool is to hold, or to go on.
-  void follow_hold();
   // At feed 0 the tool holds though nobody asked for it, and goes on by itself.
-  [[nodiscard]] bool is_at_feed_0() const noexcept { return overrides_.feed == 0.0 || is_stopped_; }
+  [[nodiscard]] bool is_at_feed_0() const noexcept {
+    return (overrides_.feed == 0.0 && !keeps_feed_) || is_stopped_;
+  }
   // Whether the machine's inputs stop the tool where it is.
   [[nodiscard]] bool inputs_stop() const noexcept;
-  // What they say there, if that is another thing.
-  void follow_inputs();
-  // Other feedrates come, and at feed 0 a hold.
-  void change_feed(bool was_at_feed_0);
+  // Whether the program keeps its feedrate there.
+  [[nodiscard]] bool feed_is_kept() const noexcept { return !interpolator_.heeded().feed_override; }
+  // What both say there, if that is another thing.
+  void follow_place();
+  // It holds at feed 0, and goes on with another.
+  void follow_feed_0(bool was_at_feed_0);
   // From a hold or a wait.
   void go_on();
   // What was asked for and could not be done yet: the tick side has not answered, or no way to rest
@@ -217,6 +213,7 @@ class KERF_LOCAL Kernel::Impl {
   std::atomic<bool> plan_fault_ = false;          // a promise of the plan does not hold
   std::atomic<bool> broken_ = false;              // nothing more is planned
   std::atomic<std::uint32_t> answered_wait_ = 0;  // Phase::wait
+  std::atomic<std::uint32_t> held_wait_ = 0;      // it is for after the hold
   std::int64_t horizon_ticks_;
   std::int64_t margin_ticks_;
   std::int64_t first_part_ticks_;
@@ -226,8 +223,10 @@ class KERF_LOCAL Kernel::Impl {
   std::optional<lookahead::Planner::PlannedStopAhead> stop_ahead_{};
   Overrides overrides_{};
   FeedInputs inputs_{};
+  double feed_ = 1.0;        // the latest override above 0
   double adaptive_ = 1.0;    // the latest of the inputs above 0
   bool is_stopped_ = false;  // by the inputs
+  bool keeps_feed_ = false;  // the program allows no other
   bool asks_ = false;        // the program asks the machine, which has not answered
   bool single_block_ = false;
   bool holds_ = false;        // the operator asked for it; a feed override of 0 is not among this

@@ -129,7 +129,8 @@ void Planner::take_waiting() {
 
 void Planner::push_rest(double duration_s, const RestPlace& at) {
   assert(duration_s >= 0.0 && wants_block());
-  accept(Rest{.duration_s = duration_s, .line = at.line, .run_block = at.run_block});
+  accept(Rest{
+      .duration_s = duration_s, .line = at.line, .run_block = at.run_block, .follows = at.follows});
 }
 
 void Planner::push_wait(const std::optional<interp::OutputChange>& change, const RestPlace& at) {
@@ -149,8 +150,11 @@ bool Planner::waits_at(parser::EventKind kind) const noexcept {
 void Planner::push_change_at_rest(const interp::OutputChange& change, const RestPlace& at,
                                   double duration_s) {
   assert(wants_block());
-  accept(
-      Rest{.duration_s = duration_s, .line = at.line, .run_block = at.run_block, .change = change});
+  accept(Rest{.duration_s = duration_s,
+              .line = at.line,
+              .run_block = at.run_block,
+              .follows = at.follows,
+              .change = change});
 }
 
 double Planner::duration_s(const parser::EventMove& event) noexcept {

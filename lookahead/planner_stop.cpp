@@ -40,8 +40,10 @@ std::vector<const Block*> Planner::blocks_ahead() const {
 bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   assert(settings_.may_hold && !held_ && !before_ && outbox.phases.empty());
   const auto stop = find_stop_at(tick);
-  const bool waits_there = stop && waits_ && asks_machine_ && emitter_.kept().is_last(stop->from);
-  return stop && !waits_there && hold_at(*stop, outbox);
+  if (stop && waits_ && emitter_.kept().is_last(stop->from)) {
+    return !asks_machine_;
+  }
+  return stop && stop->from.phase.follows_hold && hold_at(*stop, outbox);
 }
 
 std::optional<PlanStop> Planner::find_stop_at(std::int64_t tick) const {
@@ -163,7 +165,7 @@ Rest Planner::drop_to_machine_wait(double s_mm) {
 bool Planner::stop(std::int64_t tick, Outbox& outbox) {
   assert(settings_.may_hold && !held_ && !before_ && outbox.phases.empty());
   const auto stop = find_stop_at(tick);
-  if (!stop || !hold_at(*stop, outbox)) {
+  if (!stop || !stop->from.phase.follows_hold || !hold_at(*stop, outbox)) {
     return false;
   }
   if (held_) {

@@ -129,7 +129,8 @@ void push_event(const parser::EventMove& event, const Planner::RestPlace& at, Pl
 }  // namespace
 
 void push_pause(const parser::Move& pause, Planner& planner) {
-  const Planner::RestPlace at{.line = pause.source.program_line(), .run_block = pause.block};
+  const Planner::RestPlace at{
+      .line = pause.source.program_line(), .run_block = pause.block, .follows = pause.follows};
   if (const auto* dwell = std::get_if<parser::DwellMove>(&pause.shape)) {
     planner.push_rest(dwell->duration_s, at);
   } else if (const auto* event = std::get_if<parser::EventMove>(&pause.shape)) {

@@ -22,6 +22,7 @@ struct Rest {
   bool waits = false;         // until resume()
   bool asks_machine = false;  // it waits for the machine's answer
   bool steps = false;         // it is no item of the program: a block ends in single block
+  parser::FollowedOverrides follows{};
   std::optional<interp::OutputChange> change{};
 };
 

@@ -133,6 +133,8 @@ void Emitter::emit(const Block& block, const profiles::TimeLaw& law, double s_en
                            .output_changes = place_.output_changes,
                            .plan = plan_,
                            .rapid = block.rapid,
+                           .follows_feed = block.follows.feed,
+                           .follows_hold = block.follows.hold,
                            .deviation_mm = block.deviation_mm});
   place_.s_mm = s_end_mm;
   place_.curve_mm = block.on_whole_mm(s_end_mm);
@@ -196,6 +198,8 @@ void Emitter::emit_rest(const Rest& rest, Outbox& outbox) {
   interp::Phase phase = rest_phase(rest.duration_s);
   phase.line = rest.line != 0 ? rest.line : place_.line;
   phase.rest_block = rest.run_block;
+  phase.follows_feed = rest.follows.feed;
+  phase.follows_hold = rest.follows.hold;
   phase.ends_program = rest.ends_program;
   outbox.phases.push_back(phase);
   clock_.advance(rest.duration_s);

@@ -106,6 +106,8 @@ void Interpreter::push_cycle_step(const RunningBlock& at, const CycleStep& step,
     move.blend_tolerance_mm = 0.0;
     move.merge_tolerance_mm = 0.0;
   }
+  const bool taps = state.motion == Motion::tap || state.motion == Motion::tap_left;
+  move.follows.hold = !taps || step.kind == StepKind::rapid;
   const bool clockwise =
       (state.spindle == Spindle::clockwise) != (step.kind == StepKind::spindle_turned);
   switch (step.kind) {
@@ -131,7 +133,7 @@ void Interpreter::push_cycle_step(const RunningBlock& at, const CycleStep& step,
     default: {
       EventMove turn =
           spindle_.turn(state, clockwise ? Spindle::clockwise : Spindle::counterclockwise);
-      turn.taps = state.motion == Motion::tap || state.motion == Motion::tap_left;
+      turn.taps = taps;
       move.shape = turn;
       break;
     }

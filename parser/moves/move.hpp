@@ -153,6 +153,7 @@ using kerf::PathMode;
 // The overrides that a feedrate follows: M48 to M52, G95, tapping.
 struct FollowedOverrides {
   bool feed = true;
+  bool hold = true;       // a feed hold; not within a tap, whose spindle would turn on
   bool spindle = false;   // of G95: what the spindle makes of its speed
   bool adaptive = false;  // rapids too
 

@@ -54,11 +54,11 @@ TEST(Jog, FromAHoldAtAWaitComesBackBeforeTheAnswer) {
   shop.go_until(State::held);
   EXPECT_EQ(shop.setpoint.position_mm, (Position{50.0, 40.0, 0.0}));
   shop.give(Command::resume);
-  shop.go_until(State::running);
+  shop.go_until(State::waiting);
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::answer);
   EXPECT_EQ(shop.setpoint.position_mm, (Position{50.0, 0.0, 0.0}));
-  for (int i = 0; i < 2000 && shop.go() != State::idle; ++i) {
-    static_cast<void>(shop.controller.give(Command::resume));
-  }
+  shop.give(Command::resume);
+  shop.go_until(State::idle);
   EXPECT_EQ(shop.setpoint.position_mm, (Position{90.0, 0.0, 0.0}));
   EXPECT_EQ(shop.setpoint.outputs.tool, 2);
 }
@@ -79,10 +79,9 @@ TEST(Jog, LetsAToolBeSetMeanwhile) {
   shop.go_until(State::held);
   EXPECT_TRUE(shop.controller.set_tool(longer));
   shop.give(Command::resume);
-  shop.go_until(State::running);
-  for (int i = 0; i < 2000 && shop.go() != State::idle; ++i) {
-    static_cast<void>(shop.controller.give(Command::resume));
-  }
+  shop.go_until(State::waiting);
+  shop.give(Command::resume);
+  shop.go_until(State::idle);
   EXPECT_EQ(shop.setpoint.position_mm, (Position{50.0, 0.0, 8.0}));
 }
 

@@ -1,5 +1,6 @@
 // What an override counts for: feedrates and the spindle, where the program allows it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -43,6 +44,79 @@ TEST(Override, LeavesTheHoldOfAnOperatorAndAWait) {
   EXPECT_EQ(run_for(300), TickStatus::running);
   EXPECT_NEAR(setpoint.v_mm_s, 12.5, 1e-6);
   EXPECT_EQ(rest_of(kernel).back().position_mm[0], 20.0);
+}
+
+// Where it is on.
+TEST(Override, Of0HoldsNothingWhereTheProgramForbidsIt) {
+  for (const std::string off : {"M49", "M50 P0"}) {
+    const auto run = watched_run({.text = "G21 G90 G61 F3000\n" + off + "\nG1 X20\nM48\nX40\nM2\n"},
+                                 [&](Kernel& kernel, const WatchedRun& watched) {
+                                   if (watched.next() == 100) {
+                                     EXPECT_TRUE(kernel.set_overrides({.feed = 0.0}));
+                                   } else if (watched.next() == 1500) {
+                                     EXPECT_TRUE(kernel.set_overrides({.feed = 1.0}));
+                                   }
+                                 });
+    EXPECT_EQ(run.complaint, "");
+    const Setpoint& held = run.first_held();
+    EXPECT_EQ(held.line, 5U);
+    EXPECT_GT(held.position_mm[0], 20.0);
+    EXPECT_LT(held.position_mm[0], 25.0);
+    EXPECT_GT(run.count(TickStatus::held), 500);
+  }
+}
+
+// A tap that stops while its spindle turns breaks. What is asked for within it counts behind it.
+TEST(Tap, IsStoppedByNothingButAnEmergencyStop) {
+  const std::string text =
+      "G21 G90 G0 Z5\nS600 M3\nG98 G84 X0 Y0 Z-10 R2 F600\nG80\nG1 X50 F3000\nM5\nM2\n";
+  const KernelOptions options{.start_mm = {0.0, 0.0, 5.0}};
+  const auto undisturbed =
+      watched_run({.text = text, .options = options}, [](Kernel&, const WatchedRun&) {});
+  const auto in_hole = [](const Setpoint& tick) { return tick.position_mm[2] < 2.0; };
+  const auto of_tap = [&](const WatchedRun& run) {
+    std::vector<std::array<double, 2>> place_and_spindle;
+    for (const Setpoint& tick : run.ticks) {
+      if (in_hole(tick)) {
+        place_and_spindle.push_back({tick.position_mm[2], tick.outputs.spindle_rad_s});
+      }
+    }
+    return place_and_spindle;
+  };
+  const auto of_tap_undisturbed = of_tap(undisturbed);
+  const auto first = std::ranges::find_if(undisturbed.ticks, in_hole);
+  const auto begin = first - undisturbed.ticks.begin();
+  ASSERT_GT(of_tap_undisturbed.size(), 1000U);
+  for (std::int64_t tick = begin + 5; tick < begin + 2400; tick += 300) {
+    for (const std::string what : {"hold", "feed 0", "feed stop"}) {
+      SCOPED_TRACE(what + " at " + std::to_string(tick));
+      const auto run = watched_run({.text = text, .options = options},
+                                   [&](Kernel& kernel, const WatchedRun& watched) {
+                                     const bool on = watched.next() == tick;
+                                     if (!on && watched.next() != tick + 4000) {
+                                       return;
+                                     }
+                                     if (what == "feed 0") {
+                                       EXPECT_TRUE(kernel.set_overrides({.feed = on ? 0.0 : 1.0}));
+                                     } else if (what == "feed stop") {
+                                       EXPECT_TRUE(kernel.set_feed_inputs({.stop = on}));
+                                     } else if (on) {
+                                       kernel.hold();
+                                     } else {
+                                       kernel.resume();
+                                     }
+                                   });
+      EXPECT_EQ(run.complaint, "");
+      EXPECT_GT(run.count(TickStatus::held), 1000);
+      EXPECT_FALSE(in_hole(run.first_held()));
+      const auto places = of_tap(run);
+      ASSERT_EQ(places.size(), of_tap_undisturbed.size());
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        ASSERT_NEAR(places[i][0], of_tap_undisturbed[i][0], 1e-9);
+        ASSERT_EQ(places[i][1], of_tap_undisturbed[i][1]);
+      }
+    }
+  }
 }
 
 double fastest_on_line_mm_s(const std::vector<Setpoint>& ticks, std::uint32_t line) {

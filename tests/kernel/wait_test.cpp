@@ -108,6 +108,57 @@ TEST(Wait, LetsAHoldBrakeOnTheWayToIt) {
   EXPECT_EQ(rest_of(kernel).back().position_mm[0], 20.0);
 }
 
+// At any of the last ticks before it, where the shortest way to rest ends at the wait, and at the
+// wait itself.
+TEST(Wait, OutlastsAHold) {
+  for (const std::string stop : {"M0", "M60", "M1", "T2 M6"}) {
+    for (int tick = 160; tick < 300; tick += 3) {
+      SCOPED_TRACE(stop + ", tick " + std::to_string(tick));
+      Kernel kernel(mill(), {.waits = true, .optional_stop = true});
+      kernel.feed("G21 G90 G1 X10 F3000\n" + stop + "\nX20\nM2\n");
+      kernel.finish();
+      Setpoint setpoint;
+      const auto status_after = [&](int ticks) {
+        TickStatus status = TickStatus::running;
+        for (int i = 0; i < ticks; ++i) {
+          status = kernel.next(setpoint);
+        }
+        return status;
+      };
+      status_after(tick);
+      kernel.hold();
+      ASSERT_EQ(status_after(300), TickStatus::held);
+      kernel.resume();
+      ASSERT_EQ(status_after(300), TickStatus::waiting);
+      ASSERT_EQ(setpoint.position_mm[0], 10.0);
+      kernel.resume();
+      ASSERT_EQ(rest_of(kernel).back().position_mm[0], 20.0);
+    }
+  }
+}
+
+TEST(Wait, IsAnsweredAtFeed0AndMotionFollowsWithTheFeed) {
+  Kernel kernel(mill(), {.waits = true});
+  kernel.feed("G21 G90 G1 X10 F3000\nM0\nX20\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  const auto status_after = [&](int ticks) {
+    TickStatus status = TickStatus::running;
+    for (int i = 0; i < ticks; ++i) {
+      status = kernel.next(setpoint);
+    }
+    return status;
+  };
+  ASSERT_EQ(status_after(500), TickStatus::waiting);
+  ASSERT_TRUE(kernel.set_overrides({.feed = 0.0}));
+  kernel.resume();
+  EXPECT_EQ(status_after(100), TickStatus::held);
+  EXPECT_EQ(setpoint.position_mm[0], 10.0);
+  ASSERT_TRUE(kernel.set_overrides({.feed = 1.0}));
+  EXPECT_EQ(status_after(100), TickStatus::running);
+  EXPECT_EQ(rest_of(kernel).back().position_mm[0], 20.0);
+}
+
 TEST(Wait, EndsWithAStop) {
   Kernel kernel(mill(), {.waits = true});
   kernel.feed("G21 G90 G1 X10 F3000\nM0\nX20\nM2\n");
