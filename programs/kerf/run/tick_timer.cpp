@@ -21,19 +21,40 @@ double seconds(std::int64_t time_ns) noexcept {
   return static_cast<double>(time_ns) / static_cast<double>(kNanosecondsPerSecond);
 }
 
+class SystemClock final : public TimerClock {
+ public:
+  [[nodiscard]] std::int64_t now_ns() const noexcept override { return time_ns(CLOCK_MONOTONIC); }
+  [[nodiscard]] std::int64_t with_sleep_ns() const noexcept override {
+    return time_ns(CLOCK_BOOTTIME);
+  }
+  void sleep_until(std::int64_t due_ns) noexcept override {
+    const timespec due{.tv_sec = static_cast<std::time_t>(due_ns / kNanosecondsPerSecond),
+                       .tv_nsec = static_cast<long>(due_ns % kNanosecondsPerSecond)};
+    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR) {
+    }
+  }
+};
+
 }  // namespace
 
-TickTimer::TickTimer(double period_s) noexcept
-    : period_ns_(std::llround(period_s * 1e9)),
-      due_ns_(time_ns(CLOCK_MONOTONIC)),
+TimerClock& TimerClock::of_system() noexcept {
+  static SystemClock clock;
+  return clock;
+}
+
+TickTimer::TickTimer(double period_s, TimerClock& clock) noexcept
+    : clock_(&clock),
+      period_ns_(std::llround(period_s * 1e9)),
+      due_ns_(clock.now_ns()),
       longest_gap_ns_(std::llround(std::max(kLongestGap_s, kMinPeriods * period_s) * 1e9)) {}
 
 double TickTimer::wait() noexcept {
-  const timespec due{.tv_sec = static_cast<std::time_t>(due_ns_ / kNanosecondsPerSecond),
-                     .tv_nsec = static_cast<long>(due_ns_ % kNanosecondsPerSecond)};
-  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR) {
+  const std::int64_t back_ns = due_ns_ - period_ns_ - clock_->now_ns();
+  if (back_ns > longest_gap_ns_) {
+    return seconds(back_ns);
   }
-  const std::int64_t now = time_ns(CLOCK_MONOTONIC);
+  clock_->sleep_until(due_ns_);
+  const std::int64_t now = clock_->now_ns();
   delay_ns_ = now - due_ns_;
   delays_.add(delay_ns_);
   if (delay_ns_ >= period_ns_) {
@@ -41,7 +62,7 @@ double TickTimer::wait() noexcept {
     due_ns_ = now;
   }
   due_ns_ += period_ns_;
-  const std::int64_t awake_ns = time_ns(CLOCK_BOOTTIME);
+  const std::int64_t awake_ns = clock_->with_sleep_ns();
   const std::int64_t gap_ns = last_ns_ > 0 ? awake_ns - last_ns_ : 0;
   last_ns_ = awake_ns;
   return gap_ns > longest_gap_ns_ ? seconds(gap_ns) : 0.0;
@@ -49,10 +70,6 @@ double TickTimer::wait() noexcept {
 
 double TickTimer::delay_s() const noexcept {
   return seconds(delay_ns_);
-}
-
-std::int64_t TickTimer::now_ns() noexcept {
-  return time_ns(CLOCK_MONOTONIC);
 }
 
 }  // namespace kerf::program

@@ -8,10 +8,25 @@
 
 namespace kerf::program {
 
+// What a timer goes by: the system's clocks, or those of a test.
+class TimerClock {
+ public:
+  TimerClock() = default;
+  TimerClock(const TimerClock&) = delete;
+  TimerClock& operator=(const TimerClock&) = delete;
+  virtual ~TimerClock() = default;
+
+  [[nodiscard]] virtual std::int64_t now_ns() const noexcept = 0;         // CLOCK_MONOTONIC
+  [[nodiscard]] virtual std::int64_t with_sleep_ns() const noexcept = 0;  // CLOCK_BOOTTIME
+  virtual void sleep_until(std::int64_t due_ns) noexcept = 0;             // of now_ns()
+
+  [[nodiscard]] static TimerClock& of_system() noexcept;
+};
+
 class TickTimer {
  public:
   // The first wait() ends at once. Precondition: period_s in 1e-6..1 s.
-  explicit TickTimer(double period_s) noexcept;
+  explicit TickTimer(double period_s, TimerClock& clock = TimerClock::of_system()) noexcept;
 
   // No drive waits longer for its next setpoint. A tick that is late by less is no fault on a
   // system that is not made for real time.
@@ -24,11 +39,12 @@ class TickTimer {
   // beat goes on from now.
   //
   // Returns 0, or the time since the last tick where that is too long a gap: the process was
-  // stopped, or the computer asleep, which CLOCK_BOOTTIME counts too.
+  // stopped, or the computer asleep, which CLOCK_BOOTTIME counts too. A clock that has gone back by
+  // so much is a gap as well, and is not waited for.
   [[nodiscard]] double wait() noexcept;
 
-  // On the same clock.
-  [[nodiscard]] static std::int64_t now_ns() noexcept;
+  // Of the system, as the ticks.
+  [[nodiscard]] static std::int64_t now_ns() noexcept { return TimerClock::of_system().now_ns(); }
 
   [[nodiscard]] std::uint64_t late() const noexcept { return late_; }
   [[nodiscard]] double worst_delay_s() const noexcept { return delays_.worst_s(); }
@@ -38,6 +54,7 @@ class TickTimer {
   [[nodiscard]] double delay_s() const noexcept;
 
  private:
+  TimerClock* clock_;
   std::int64_t period_ns_;
   std::int64_t due_ns_;
   std::int64_t longest_gap_ns_;
