@@ -246,6 +246,48 @@ TEST_F(Loopback, Row68AReadingThatIsFrozenIsAFaultOnceTheAxisShouldBeElsewhere) 
   EXPECT_NEAR(static_cast<double>(tick_), 500.0, 3.0);
 }
 
+// A counter that wraps from 4.096 mm to -4.096 mm, behind 409 ticks.
+TEST_F(Loopback, Row68AReadingThatWrapsIsAFaultAtItsTick) {
+  pair_.peer.serve();
+  bool is_told_to_be_off = false;
+  for (; state().fault == DriveFault::none && tick_ < 2000;) {
+    write();
+    while (const auto told = pair_.peer.receive()) {
+      is_told_to_be_off = is_told_to_be_off || told->call == MachineCall::disable;
+      AnswerFrame answer{.tick = told->setpoint.tick};
+      answer.state.axes.fill(AxisState::on);
+      const double x_mm = told->setpoint.position_mm[0];
+      answer.state.actual_mm[0] = x_mm < 4.096 ? x_mm : x_mm - 8.192;
+      pair_.peer.answer_with(told->setpoint.tick, answer.state);
+    }
+  }
+  EXPECT_EQ(state().fault, DriveFault::following_error);
+  EXPECT_EQ(state().fault_axis, 0);
+  EXPECT_NEAR(static_cast<double>(tick_), 411.0, 1.0);
+  EXPECT_TRUE(is_told_to_be_off);
+}
+
+// The time-out of the pair is 10 periods.
+TEST_F(Loopback, Row72AMachineThatReadsNothingIsToldEachTickInARowUntilItIsGivenUp) {
+  pair_.peer.serve();
+  for (int i = 0; i < 100; ++i) {
+    write();
+  }
+  EXPECT_EQ(state().fault, DriveFault::no_answer);
+  EXPECT_EQ(state().axes[0], AxisState::off);
+  std::vector<ToldFrame> told;
+  while (const auto frame = pair_.peer.receive()) {
+    told.push_back(*frame);
+  }
+  ASSERT_GT(told.size(), 20U);
+  EXPECT_LE(told.size(), 23U);
+  EXPECT_EQ(told.back().call, MachineCall::disable);
+  for (std::size_t i = 1; i + 1 < told.size(); ++i) {
+    EXPECT_EQ(told[i].call, MachineCall::write);
+    EXPECT_EQ(told[i].setpoint.tick, told[i - 1].setpoint.tick + 1);
+  }
+}
+
 TEST_F(Loopback, Row69AFaultOfTheOtherEndIsTheMachines) {
   run(200);
   pair_.peer.table().fail_encoder(2, machine::EncoderFailure::not_finite);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The example's machine, which misbehaves from its Nth frame on: loopback_misbehaviour.py SOURCE_DIR SOCKET HOW [N [SECONDS]]"""
+"""The example's machine, which misbehaves from its Nth frame on, or at each Nth (stalls): loopback_misbehaviour.py SOURCE_DIR SOCKET HOW [N [SECONDS]]"""
 import os
 import sys
 import time
@@ -11,7 +11,7 @@ WORKPIECE_MM = -3.0  # its top
 OPEN_FRAMES = 3000  # how long the door is open
 DELAY_S = float(sys.argv[5]) if len(sys.argv) > 5 else 0.0
 sys.path.insert(0, f"{SOURCE}/examples")
-from loopback_machine import DISABLE, FOLLOWING_ERROR, Machine, TOLD_BYTES, Told, listen  # noqa: E402
+from loopback_machine import DISABLE, FOLLOWING_ERROR, Machine, TOLD_BYTES, Told, WRITE, listen  # noqa: E402
 
 
 def spoilt(answer, number):
@@ -30,8 +30,16 @@ def answer_of_another_tick():
     return Machine().answer(10 ** 12)
 
 
+def send_to_who_may_be_gone(connection, answer):
+    """What it was told before still waits to be read."""
+    try:
+        connection.send(answer)
+    except (BrokenPipeError, ConnectionResetError):
+        pass
+
+
 def main():
-    machine, number, held = Machine(), 0, []
+    machine, number, held, ticks = Machine(), 0, [], []
     last = None
     with listen(SOCKET) as listener:
         connection, _ = listener.accept()
@@ -44,6 +52,10 @@ def main():
                 machine.take(told)
                 machine.probe = HOW == "workpiece" and machine.places[2] <= WORKPIECE_MM
                 last = told.call
+                if told.call == WRITE:
+                    ticks.append(told.tick)
+                if HOW == "stalls" and number > 0 and number % FROM == 0:
+                    time.sleep(DELAY_S)
                 if HOW == "silent":
                     continue
                 if HOW == "trip" and number == FROM:
@@ -53,6 +65,8 @@ def main():
                     held.append((time.monotonic() + DELAY_S, answer))
                     while held and held[0][0] <= time.monotonic():
                         connection.send(held.pop(0)[1])
+                elif HOW == "stalls" and number >= FROM:
+                    send_to_who_may_be_gone(connection, answer)
                 elif number < FROM or HOW in ("late", "trip", "well", "door", "workpiece"):
                     connection.send(answer)
                 else:
@@ -60,7 +74,8 @@ def main():
                 number += 1
         except (BrokenPipeError, ConnectionResetError):
             pass
-    print("told to be off" if last == DISABLE else "hung up on", "at rest" if max(map(abs, machine.speeds)) < AT_REST_MM else "moving")
+    print("told to be off" if last == DISABLE else "hung up on", "at rest" if max(map(abs, machine.speeds)) < AT_REST_MM else "moving",
+          f"{len(ticks)} ticks", "in a row" if all(b == a + 1 for a, b in zip(ticks, ticks[1:])) else "not in a row")
 
 
 if __name__ == "__main__":

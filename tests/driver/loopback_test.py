@@ -117,6 +117,25 @@ class Loopback(Case):
         self.assert_stopped_on_the_path()
         self.assertIn("at rest", out)
 
+    def test_row_72_a_machine_that_reads_in_bursts_gets_every_tick(self):
+        machine = self.start_machine("stalls", "300", str(0.4 * TIMEOUT_S))
+        kerf = self.start_kerf(WAY.replace("X200", "X40"))
+        _, err = kerf.communicate(timeout=120)
+        self.assertEqual(kerf.returncode, 0, err)
+        out, _ = machine.communicate(timeout=60)
+        ticks = [round(t / 0.001) for t, _ in self.rows()]
+        self.assertIn(f"at rest {len(ticks)} ticks in a row", out)
+        self.assertEqual(ticks, list(range(len(ticks))))
+        self.assertGreater(len(ticks), 2000)
+        self.assertEqual(self.rows()[-1][1], 40)
+
+    def test_row_72_a_machine_that_reads_nothing_any_more_has_all_ticks_up_to_its_rest_waiting_for_it(self):
+        status, err, out = self.run_with("stalls", "1500", str(15 * TIMEOUT_S))
+        self.assertEqual(status, 4, err)
+        self.assertIn("machine fault: the machine does not answer in time, in line 3", err)
+        self.assert_stopped_on_the_path()
+        self.assertRegex(out, r"told to be off at rest \d+ ticks in a row")
+
     def test_row_71_garbage_is_a_fault_and_the_motion_stops_on_the_path(self):
         for what in ("garbage", "torn", "version", "another_tick", "nothing_but_zeros"):
             with self.subTest(what=what):

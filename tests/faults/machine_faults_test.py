@@ -84,6 +84,18 @@ class MachineFaults(Case):
                 self.assertTrue(all(abs(row["actual_x_mm"]) < 300 for row in rows))  # no NaN, and no jump beyond its 2 mm
                 self.assertLessEqual(round(rows[0]["t_s"] * 1000) + self.last_motion(rows, "actual_y_mm"), tick + stop_ticks)
 
+    def test_row_68_an_encoder_whose_counter_wraps_is_a_fault_at_its_tick(self):
+        # 16 bits of 1 and of 10 micrometres, and one turn of the screw.
+        for range_mm in (65.536, 655.36, 10):
+            for way in (1, -1):
+                with self.subTest(jump_mm=way * range_mm):
+                    report, rows = self.run_with(fault("encoder_jump", "x", jump_mm=way * range_mm))
+                    self.assert_all_axes_stop_together(rows, self.check(report, rows, "encoder_jump", "x", True, 2))
+                    # The reading wraps once; in that period the drive may follow it, with its 20 m/s2 or 0.02 mm, however far it is.
+                    steps = sorted(abs(b["actual_x_mm"] - a["actual_x_mm"]) for a, b in zip(rows, rows[1:]))
+                    self.assertAlmostEqual(steps[-1], range_mm, delta=0.1)
+                    self.assertLess(steps[-2], 0.0894 + 0.02 + 0.001)
+
     def test_row_69_a_drive_that_trips_stops_all_axes_together_and_keeps_the_place(self):
         for axis in "xyz":
             with self.subTest(axis=axis):
