@@ -36,7 +36,7 @@ tl::expected<void, Refusal> Controller::run_mdi(std::string_view line) {
 tl::expected<void, Refusal> Controller::jog(const Jog& jog) {
   return impl_->jog(jog);
 }
-bool Controller::set_tool(const Tool& tool) {
+tl::expected<void, Refusal> Controller::set_tool(const Tool& tool) {
   return impl_->set_tool(tool);
 }
 void Controller::feed(std::string_view text) {

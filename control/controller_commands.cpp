@@ -97,15 +97,23 @@ tl::expected<void, Refusal> Controller::Impl::set_block_delete(const BlockDelete
   return set(Command::block_delete);
 }
 
-bool Controller::Impl::set_tool(const Tool& tool) {
-  if (!is_possible(tool)) {
-    return false;
+tl::expected<void, Refusal> Controller::Impl::set_tool(const Tool& tool) {
+  const std::string_view why =
+      !is_possible(tool) ? "its number or a length is impossible"
+      : settings_.program.tools.find(tool.number) == nullptr ? "the tool table has no such tool"
+      : has_program() && kernel_->start_counts_on_tools()
+          ? "the start counts on lengths that are known: stop, and start again with this one in "
+            "the tool table"
+          : "";
+  if (!why.empty()) {
+    return tl::unexpected(Refusal{.state = state_.state(), .reason = why});
   }
   settings_.program.tools.put(tool);
-  if (kernel_) {  // one that has ended, too: lines begin with what it has left
+  options_.checks_travel = true;  // of programs to come, which were checked without it
+  if (kernel_) {                  // one that has ended, too: lines begin with what it has left
     kernel_->set_tool(tool);
   }
-  return true;
+  return {};
 }
 
 bool Controller::Impl::set_feed_inputs(const FeedInputs& inputs) {

@@ -38,7 +38,7 @@ class KERF_LOCAL Controller::Impl {
   bool set_feed_inputs(const FeedInputs& inputs);
   tl::expected<void, Refusal> run_mdi(std::string_view line);
   tl::expected<void, Refusal> jog(const Jog& jog);
-  bool set_tool(const Tool& tool);
+  tl::expected<void, Refusal> set_tool(const Tool& tool);
 
   void feed(std::string_view text);
   void finish();

@@ -82,6 +82,9 @@ bool Kernel::set_feed_inputs(const FeedInputs& inputs) {
 bool Kernel::set_tool(const Tool& tool) {
   return impl_->set_tool(tool);
 }
+bool Kernel::start_counts_on_tools() const {
+  return impl_->start_counts_on_tools();
+}
 void Kernel::set_program_inputs(const ProgramInputs& inputs) noexcept {
   impl_->set_program_inputs(inputs);
 }

@@ -93,6 +93,9 @@ class KERF_LOCAL Kernel::Impl {
   void set_single_block(bool on);
   void set_optional_stop(bool on) { pipeline_.set_optional_stop(on); }
   bool set_tool(const Tool& tool);
+  [[nodiscard]] bool start_counts_on_tools() const {
+    return pipeline_.path().start_counts_on_tools();
+  }
   void set_block_delete(const BlockDelete& switches) { pipeline_.set_block_delete(switches); }
   [[nodiscard]] const Overrides& overrides() const noexcept { return overrides_; }
 

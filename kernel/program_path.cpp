@@ -44,12 +44,11 @@ ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& o
                          const Order& order)
     : order_(order),
       reader_(options_for(order, reader_options(settings, options))),
+      travel_(settings),
+      checks_travel_(options.checks_travel),
       waits_(options),
       smoother_(blend_settings(settings)),
       end_{.position_mm = options.start_mm, .extra_rad_mm = options.start_extra_rad_mm} {
-  if (options.checks_travel) {
-    travel_.emplace(settings);
-  }
   if (options.start_in_program && !order.as_programmed) {
     start_.emplace(*options.start_in_program, settings, end_);
     reader_.ask_machine(false);
@@ -152,7 +151,7 @@ bool ProgramPath::read_move() {
 
 // Before smoothing, which may round the corner into the move or merge it with others.
 bool ProgramPath::refuses(const parser::Move& move) {
-  if (const auto excess = travel_ ? travel_->excess_of(move) : std::nullopt) {
+  if (const auto excess = checks_travel_ ? travel_.excess_of(move) : std::nullopt) {
     left_travel_ = true;
     fail({source_.line, machine::describe(*excess)}, errors::kOutsideTravel);
     return true;

@@ -45,7 +45,15 @@ class ProgramPath {
   void set_optional_stop(bool on) { waits_.set_optional_stop(on); }
   // Lines that G64 would make one curve of stay apart.
   void keep_lines_apart(bool on) noexcept { keeps_lines_apart_ = on; }
-  void set_tool(const Tool& tool) { reader_.set_tool(tool); }
+  // Its length may lead what is read from now on beyond the travel, which is checked therefore.
+  void set_tool(const Tool& tool) {
+    reader_.set_tool(tool);
+    checks_travel_ = true;
+  }
+  // Kernel::start_counts_on_tools().
+  [[nodiscard]] bool start_counts_on_tools() const {
+    return (start_ || !way_to_start_.empty()) && reader_.modal_state().tool_length_active;
+  }
   void set_block_delete(const BlockDelete& switches) { reader_.set_block_delete(switches); }
 
   // The path ends before the first block with an error.
@@ -102,7 +110,8 @@ class ProgramPath {
   bool keeps_lines_apart_ = false;
 
   parser::ProgramReader reader_;
-  std::optional<TravelCheck> travel_;
+  TravelCheck travel_;
+  bool checks_travel_;
   WaitCheck waits_;
   smoothing::Smoother smoother_;
   std::optional<StartInMiddle> start_;  // until its block comes

@@ -179,8 +179,10 @@ class KERF_API Controller {
   /// its range, and nothing changes.
   bool set_feed_inputs(const FeedInputs& inputs);
 
-  /// Kernel::set_tool(), for the present program and those to come. False: it is impossible.
-  bool set_tool(const Tool& tool);
+  /// Kernel::set_tool(), for the present program and those to come. Refused: a number or length
+  /// that is impossible, a tool that the machine's table does not have, and while a start counts on
+  /// the tools as they were (Kernel::start_counts_on_tools()).
+  tl::expected<void, Refusal> set_tool(const Tool& tool);
 
   /// To the present program; text is dropped where there is none.
   void feed(std::string_view text);

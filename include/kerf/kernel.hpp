@@ -207,9 +207,13 @@ class KERF_API Kernel {
   /// Which blocks with a '/' are left out, of text that is not read yet. Planning side.
   void set_block_delete(const BlockDelete& switches);
   /// A tool is another one than the tool table said: for text that is not read yet. Where an M6
-  /// waits nothing behind it is read, so all that follows is planned with it. False: its number or
-  /// a length is impossible, and nothing changes. Planning side.
+  /// waits nothing behind it is read, so all that follows is planned with it. What is read from now
+  /// on is held against the travel, whatever KernelOptions::checks_travel says. False: its number
+  /// or a length is impossible, and nothing changes. Planning side.
   bool set_tool(const Tool& tool);
+  /// A start in the program (KernelOptions::start_in_program) is on its way to a place under G43:
+  /// it was computed with the tools as they were, and set_tool() does not move it. Planning side.
+  [[nodiscard]] bool start_counts_on_tools() const;
   /// The messages of the blocks that the tool has come to since the last call. Planning side, as
   /// active_codes(): both as of the latest plan().
   [[nodiscard]] std::vector<ProgramMessage> take_messages();

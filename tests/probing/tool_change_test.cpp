@@ -33,6 +33,19 @@ TEST(ToolChange, AllBehindItIsPlannedWithTheLengthOfTheToolThatCame) {
   }
 }
 
+TEST(ToolChange, ALengthThatLeadsBeyondTheTravelEndsTheProgramAtRestBeforeThat) {
+  for (const double length_mm : {300.0, -300.0}) {  // of z from -200 to 200
+    const TableRun run = run_on_table(default_machine(), kProgram, changing_to(length_mm));
+    EXPECT_EQ(run.status, TickStatus::failed);
+    EXPECT_EQ(run.complaint, "");
+    EXPECT_EQ(run.ticks.back().position_mm, (Position{5.0, 0.0, 0.0}));
+    ASSERT_EQ(run.errors.size(), 1U);
+    EXPECT_EQ(run.errors.front(), length_mm > 0.0
+                                      ? "5: z goes 101 mm beyond its upper limit of 200 mm"
+                                      : "5: z goes 99 mm beyond its lower limit of -200 mm");
+  }
+}
+
 TEST(ToolChange, AToolThatCannotBeIsRefused) {
   Kernel kernel(default_machine());
   EXPECT_FALSE(kernel.set_tool({.number = -1}));

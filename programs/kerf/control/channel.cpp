@@ -209,11 +209,7 @@ class ControlChannel::Server {
         return tl::unexpected(Refusal{.state = by_->status().state,
                                       .reason = "only the simulated table can be broken"});
       case ControlRequest::Kind::tool:
-        if (by_->controller().set_tool(request.tool)) {
-          return {};
-        }
-        return tl::unexpected(
-            Refusal{.state = by_->status().state, .reason = "there is no such tool"});
+        return by_->controller().set_tool(request.tool);
       case ControlRequest::Kind::command:
       case ControlRequest::Kind::status:
       case ControlRequest::Kind::events:

@@ -58,8 +58,7 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver
   FileReport& report = stage.report();
   const bool waits = order.options.waits_for_start;
   KernelOptions options = order.kernel_options;
-  // What an operator says may change offsets: a line before the program, the length of a tool.
-  options.checks_travel = options.checks_travel || waits || control;
+  options.checks_travel = options.checks_travel || waits;  // an operator's line may change offsets
   Controller controller(order.settings, options);
   Operator by(controller, order.has_keys || control.has_value());
   if (const auto begun = begin(by, order.options); !begun) {
