@@ -14,6 +14,7 @@ PROGRAMS = pathlib.Path(SOURCE) / "programs"
 # Exact path: one starts at any line of it.
 SQUARE = "G21 G90 G61 F3000\nG0 X10 Y10 Z-2\nG1 Z-5\nX40\nY40\nX10\nY10\nG0 Z5\nM30\n"
 COMPENSATED = "G21 G90 G61 F600\nG0 X-20 Y-20\nG41.1 D4 G1 X0 Y0\nY30\nX30\nG1 Y0\nG40 X60 Y-20\nX80\nM2\n"
+ENDED = "G21 G90 G61 F600\nG0 X-20 Y-20\nG41.1 D4 G1 X0 Y0\nX40\nG40\n(beside the contour)\nG1 Y-20\nX50\nX60\nM2\n"  # G40 in a block of its own
 CYCLE = "G21 G90 G61 F600\nG0 X1 Z5\nG81 X10 Y0 Z-2 R1\nX20\nX30\nG80\nG1 X40\nX50\nM2\n"
 CURVE = "G21 G90 G61 F600\nG1 X1\nG6.2 P3 K0 X1 Y0 Z0\nK0 X5 Y5\nK0 X9 Y0\nK1\nK1\nK1\nG1 X20\nM2\n"
 # Ten lines of a circle's edge, merged; then an exact way.
@@ -99,6 +100,8 @@ class Start(Case):
     def test_names_the_lines_around_a_curve_compensation_and_a_cycle(self):
         self.refused(CURVE, 5, "line 5 is no place to start at", "within a curve", "line 3 before it", "line 9 behind it")
         self.refused(COMPENSATED, 5, "cutter compensation is on", "line 3 before it", "line 8 behind it")
+        for line in (6, 7):
+            self.refused(ENDED, line, "cutter compensation ends with its motion", "line 3 before it", "line 8 behind it")
         self.refused(CYCLE, 4, "a canned cycle is in force", "line 3 before it", "line 7 behind it")
 
     def test_does_not_start_behind_a_probe_whose_machine_is_another(self):

@@ -14,13 +14,17 @@ namespace kerf::program {
 
 namespace {
 
+bool is_compensated(const parser::UpcomingBlock& block) {
+  constexpr std::int16_t kNone = 400;
+  return block.state.cutter_compensation != kNone;
+}
+
 // Why nobody starts before it, as far as its modes tell.
 std::string_view refusal_by_modes(const parser::UpcomingBlock& block) {
-  constexpr std::int16_t kNoCompensation = 400;
   if (block.in_curve) {
     return "it is within a curve of several blocks";
   }
-  if (block.state.cutter_compensation != kNoCompensation) {
+  if (is_compensated(block)) {
     return "cutter compensation is on";
   }
   if (parser::is_cycle(block.state.motion)) {
@@ -44,6 +48,9 @@ class Search final : public PipelineObserver, public parser::BlockWatcher {
     Candidate candidate{.file = block.source.file,
                         .place = {.line = block.source.line, .blocks_before = block.blocks_before},
                         .refused = refusal_by_modes(block)};
+    if (is_beside_contour(block) && candidate.refused.empty()) {
+      candidate.refused = "cutter compensation ends with its motion";
+    }
     candidate.place.round = ++rounds_[(std::uint64_t{candidate.file} << 32U) | block.source.line];
     if (candidate.file == target_.file && candidate.place.line == target_.line &&
         candidate.place.round == target_.round) {
@@ -116,6 +123,17 @@ class Search final : public PipelineObserver, public parser::BlockWatcher {
   }
 
  private:
+  // Behind a G40 the tool is where compensation had it, and not in the program's place, until it
+  // moves.
+  bool is_beside_contour(const parser::UpcomingBlock& block) {
+    if (is_compensated(block)) {
+      compensated_mm_ = block.state.position_mm;
+    } else if (compensated_mm_ != block.state.position_mm) {
+      compensated_mm_.reset();
+    }
+    return compensated_mm_.has_value();
+  }
+
   struct Candidate {
     std::uint16_t file = 0;
     LineRound place;
@@ -152,7 +170,8 @@ class Search final : public PipelineObserver, public parser::BlockWatcher {
   bool knows_answers_;
   std::optional<std::uint64_t> first_probe_;                 // parser::Move::block of it
   std::unordered_map<std::uint64_t, std::uint64_t> rounds_;  // of each line of each file
-  std::deque<Candidate> waiting_;                            // for the path that they begin with
+  std::optional<parser::Point> compensated_mm_;  // the program's place where it was on last
+  std::deque<Candidate> waiting_;                // for the path that they begin with
   std::optional<parser::WatchedBlock> found_;
   Place judged_;
   std::string_view refused_;
