@@ -7,7 +7,7 @@ import subprocess
 AXES = "xyz"
 OF_EXPLAIN = ("begin_s", "duration_s", "line")
 OF_START = ("round", "calls", "line")
-# Of what rs274 tells: offsets and path have four decimals, in inches where the program is.
+# Of what rs274 tells, offsets have four decimals, in inches where the program is.
 OFFSET_MM = 0.6e-4
 IN_INCHES = 25.4
 
@@ -38,15 +38,19 @@ def numbers_of(start):
 
 
 def codes_of(start):
-    """rs274 does not tell G98 and G99, and gets the curves of G6.2 as lines."""
-    return {"G1" if code == "G6.2" else code for code in start["codes"]} - {"G98", "G99"}
+    """rs274 does not tell G43, G49, G98 and G99, nor G41.1 from G41, and gets the curves of G6.2 as lines."""
+    as_told = {"G6.2": "G1", "G41.1": "G41", "G42.1": "G42"}
+    return {as_told.get(code, code) for code in start["codes"]} - {"G43", "G49", "G98", "G99"}
 
 
 def off_linuxcnc(start, wanted, inches):
     """Texts: what, Kerf, LinuxCNC."""
     tolerance = OFFSET_MM * (IN_INCHES if inches else 1.0)
     off = []
-    for key, values in numbers_of(start).items():
+    numbers = numbers_of(start)
+    if "G40" not in start["codes"]:  # LinuxCNC says where the tool is, Kerf where the program is
+        del numbers["program"], numbers["machine"]
+    for key, values in numbers.items():
         expected = wanted[key] if isinstance(wanted[key], list) else [wanted[key]]
         # Where the program says no feed yet LinuxCNC has 0.
         for value, right in zip(values, expected):

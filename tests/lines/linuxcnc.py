@@ -15,9 +15,9 @@ import tempfile
 CONFORMANCE = pathlib.Path(__file__).resolve().parent.parent / "conformance" / "make_golden"
 RS274 = os.environ.get("RS274") or shutil.which("rs274")
 # A line of rs274 holds 255 characters.
-TOLD = ("x #5420 y #5421 z #5422 motion #<_motion_mode> mm #<_metric> plane #<_plane> f #<_feed> s #<_rpm> absolute #<_absolute>",
+TOLD = ("x #5420 y #5421 z #5422 motion #<_motion_mode> mm #<_metric> plane #<_plane> s #<_rpm> absolute #<_absolute>",
         "inverse #<_inverse_time> minute #<_units_per_minute> centre #<_ijk_absolute_mode> tool #<_current_tool> next #<_selected_tool>",
-        "system #<_coord_system> comp #<_ccomp> on #<_spindle_on> cw #<_spindle_cw> mist #<_mist> flood #<_flood> length #<_tool_offset>",
+        "system #<_coord_system> comp #<_ccomp> on #<_spindle_on> cw #<_spindle_cw> mist #<_mist> flood #<_flood>",
         "css #<_spindle_css_mode> speed #<_speed_override> feed #<_feed_override> adaptive #<_adaptive_feed> hold #<_feed_hold>")
 TOOLS_MM = {1: (10, 12.5), 2: (6, 0), 3: (20, -3), **{number: (0, 0) for number in range(4, 61)}}  # number: diameter, length; of table.toml
 AXES = "xyz"
@@ -56,8 +56,9 @@ def run(program, text):
 
 
 def codes_of(told, path_mode):
-    codes = {f"G{told['motion'] / 10:g}", f"G{told['plane'] / 10:g}", f"G{told['comp'] / 10:g}", f"G{told['system'] / 10:g}", path_mode}
-    for key, yes, no in (("mm", "G21", "G20"), ("absolute", "G90", "G91"), ("centre", "G90.1", "G91.1"), ("length", "G43", "G49"),
+    motion = "G80" if told["motion"] < 0 else f"G{told['motion'] / 10:g}"  # G5.3 leaves none
+    codes = {motion, f"G{told['plane'] / 10:g}", f"G{told['comp'] / 10:g}", f"G{told['system'] / 10:g}", path_mode}
+    for key, yes, no in (("mm", "G21", "G20"), ("absolute", "G90", "G91"), ("centre", "G90.1", "G91.1"),
                          ("css", "G96", "G97"), ("mist", "M7", ""), ("flood", "M8", ""), ("adaptive", "M52", ""),
                          ("feed", "", "M50 P0"), ("speed", "", "M51 P0"), ("hold", "", "M53 P0")):
         codes.add(yes if told[key] else no)
@@ -77,7 +78,8 @@ def state_of(told, place, path_mode):
              "tool_offset": list(place.tool)}
     state = {key: [round(value, 6) + 0.0 for value in values] for key, values in state.items()}
     state["turn"] = round(place.rotation * 57.29577951308232, 6)
-    state["feed"] = round(told["f"] * unit, 6) if told["minute"] else None
+    # #<_feed> is the number that was written last, and of another unit behind G20 and G21: what counts is the call.
+    state["feed"] = round(place.feed, 6) if told["minute"] else None
     state.update(speed=told["s"], tool=int(told["tool"]), next=int(told["next"]), codes=codes_of(told, path_mode))
     return state
 
