@@ -85,7 +85,7 @@ def off_ticks(state, ticks):
     runs more than once (its first tick may be of a later round), or the tool is beside the programmed path."""
     start = state["explain"]
     at = ticks["first"].get(state["line"])
-    if at is None or state["runs"] > 1 or "G40" not in start["codes"]:
+    if at is None or state["runs"] > 1 or "G40" not in start["codes"] or "compensation" in state.get("refused", ""):
         return None
     place = [start["position_mm"][axis] for axis in AXES]
     ends = [ticks["places"][max(0, at - 1)], ticks["places"][at]]
