@@ -16,7 +16,8 @@ void Kernel::Impl::hold() {
 void Kernel::Impl::resume() {
   holds_ = false;
   wants_hold_ = stops_ || is_at_feed_0();
-  const bool was_at_wait = held_wait_.exchange(0, std::memory_order_relaxed) != 0;
+  const bool was_at_wait = holds_at_wait();
+  held_wait_.store(0, std::memory_order_relaxed);
   wants_resume_ = !was_at_wait && !stops_ && (!is_at_feed_0() || pipeline_.waits());
   plan();
 }
@@ -99,6 +100,11 @@ void Kernel::Impl::settle(bool accepted) {
   takeover_.reset();
 }
 
+bool Kernel::Impl::holds_at_wait() const noexcept {
+  const std::uint32_t wait = held_wait_.load(std::memory_order_relaxed);
+  return wait != 0 && pipeline_.waits() && pipeline_.wait() == wait;
+}
+
 void Kernel::Impl::follow_commands() {
   if (takeover_ && interpolator_.answer().plan == takeover_->plan) {
     settle(interpolator_.answer().in_force == takeover_->plan);
@@ -106,6 +112,10 @@ void Kernel::Impl::follow_commands() {
   if (!takeover_ && wants_resume_ && (!wants_hold_ || pipeline_.waits())) {
     go_on();
     wants_resume_ = false;
+  }
+  if (held_wait_.load(std::memory_order_relaxed) != 0 && !takeover_ && !holds_at_wait()) {
+    held_wait_.store(0, std::memory_order_relaxed);  // another plan has no wait there
+    wants_hold_ = holds_;
   }
   if (!takeover_ && wants_hold_ && interpolator_.plan_tick() >= next_hold_tick_) {
     wants_hold_ = !try_hold();

@@ -184,6 +184,8 @@ class KERF_LOCAL Kernel::Impl {
   void follow_feed_0(bool was_at_feed_0);
   // From a hold or a wait.
   void go_on();
+  // The plan rests at a wait, which is for after the hold.
+  [[nodiscard]] bool holds_at_wait() const noexcept;
   // What was asked for and could not be done yet: the tick side has not answered, or no way to rest
   // was found.
   void follow_commands();

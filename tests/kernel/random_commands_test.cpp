@@ -43,6 +43,12 @@ TEST(RandomCommandsAgain, StopWhereNoBlockIsLeft) {
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
+// Held at the wait of single block, which is switched off then.
+TEST(RandomCommandsAgain, HoldAtAWaitThatIsNoMore) {
+  const CommandedRun run = commanded_run(5'000'511);
+  EXPECT_EQ(run.complaint, "") << run.commands;
+}
+
 // At the tick at which a rest ends the tool rests still, and what follows was emitted.
 TEST(RandomCommandsAgain, SingleBlockWhereARestEnds) {
   const CommandedRun run = commanded_run(10'094);
