@@ -88,9 +88,7 @@ bool Kernel::Impl::fill_queue() {
     switch (pipeline_.step(delivery_.outbox())) {
       case Pipeline::Step::planned:
         fail_with_check();
-        if (!keeps_stop_) {
-          hand_on();
-        }
+        hand_on();
         break;
       case Pipeline::Step::took:
         if (pipeline_.is_finished() && !was_finished) {
@@ -118,6 +116,9 @@ bool Kernel::Impl::fill_queue() {
 
 // The tick side may wait for it, and goes on while more is planned.
 void Kernel::Impl::hand_on() {
+  if (keeps_stop_) {
+    return;
+  }
   const std::int64_t now = interpolator_.plan_tick();
   delivery_.deliver(now + horizon_ticks_);
   hand_over();
@@ -231,14 +232,19 @@ TickStatus Kernel::Impl::tick(Setpoint& setpoint) noexcept {
     judge_.judge_end(setpoint, *end_);
   }
   if (status == TickStatus::waiting) {
-    const std::uint32_t wait = interpolator_.wait();
-    // The plan that follows the answer may not be there yet.
-    return wait == answered_wait_.load(std::memory_order_relaxed) ? TickStatus::running
-           : wait == held_wait_.load(std::memory_order_relaxed)   ? TickStatus::held
-                                                                  : status;
+    return status_at_wait();
   }
   const bool ends = status == TickStatus::finished || (status == TickStatus::starved && broken_);
   return !ends ? status : has_fault() || wrong_ ? TickStatus::failed : TickStatus::finished;
+}
+
+TickStatus Kernel::Impl::status_at_wait() const noexcept {
+  const std::uint32_t wait = interpolator_.wait();
+  if (wait == answered_wait_.load(std::memory_order_relaxed)) {
+    return TickStatus::running;  // the plan that follows the answer may not be there yet
+  }
+  return wait == held_wait_.load(std::memory_order_relaxed) ? TickStatus::held
+                                                            : TickStatus::waiting;
 }
 
 void Kernel::Impl::reach_tick() {

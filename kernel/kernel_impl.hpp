@@ -156,7 +156,7 @@ class KERF_LOCAL Kernel::Impl {
 
   // What is in the queue, to the tick side.
   void hand_over();
-  // What was just planned, without the end of plan().
+  // What was just planned, before the end of plan(), where no way to rest is kept behind it.
   void hand_on();
 
   // False: there is no way to rest from the tick on.
@@ -184,6 +184,7 @@ class KERF_LOCAL Kernel::Impl {
   void follow_feed_0(bool was_at_feed_0);
   // From a hold or a wait.
   void go_on();
+  [[nodiscard]] TickStatus status_at_wait() const noexcept;
   // The plan rests at a wait, which is for after the hold.
   [[nodiscard]] bool holds_at_wait() const noexcept;
   // What was asked for and could not be done yet: the tick side has not answered, or no way to rest

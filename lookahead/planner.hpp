@@ -88,12 +88,12 @@ class Planner {
   // Plans everything pushed so far to a rest. Call it when the next move is late.
   void plan_to_rest();
   // A feed hold; where the tool rests and waits for the machine, and within a tap, it is refused:
-  // ask again behind that. A new plan that takes over at the tick or some ticks later and comes to rest as
-  // soon as the limits allow, or at the rest of the present plan if that is as near. The outbox,
-  // which is empty before, gets its phases, and what they begin on; none where the program has
-  // ended by then, or waits() at the rest of the present plan. What follows waits for resume(). Precondition: may_hold, it does not hold.
-  // False: no way was found, and nothing has changed; ask again with a later tick, or when more was
-  // emitted.
+  // ask again behind that. A new plan that takes over at the tick or some ticks later and comes to
+  // rest as soon as the limits allow, or at the rest of the present plan if that is as near. The
+  // outbox, which is empty before, gets its phases, and what they begin on; none where the program
+  // has ended by then, or waits() at the rest of the present plan. What follows waits for resume().
+  // Precondition: may_hold, it does not hold. False: no way was found, and nothing has changed; ask
+  // again with a later tick, or when more was emitted.
   bool hold(std::int64_t tick, Outbox& outbox);
   // The end of what was emitted before the plan that is to take over is lost: it is no way to rest.
   void cut_plan_before() { before_->is_cut = true; }
