@@ -29,7 +29,7 @@ parser::ReaderOptions elsewhere(parser::ReaderOptions options) {
   return options;
 }
 
-void include(AxisRange& range, const AxisRange& also) {
+void extend(AxisRange& range, const AxisRange& also) {
   range.min_mm = std::min(range.min_mm, also.min_mm);
   range.max_mm = std::max(range.max_mm, also.max_mm);
 }
@@ -37,7 +37,7 @@ void include(AxisRange& range, const AxisRange& also) {
 }  // namespace
 
 OffsetFollowers::OffsetFollowers(const MachineSettings& settings, const KernelOptions& options)
-    : reader_(elsewhere(reader_options(settings, options))) {}
+    : reader_(elsewhere(reader_options(settings, options))), place_mm_(options.start_mm) {}
 
 OffsetFollowers::Ranges* OffsetFollowers::ranges_of(double shift_mm) {
   if (std::abs(shift_mm) < kRounding_mm) {
@@ -51,33 +51,52 @@ OffsetFollowers::Ranges* OffsetFollowers::ranges_of(double shift_mm) {
   return nullptr;
 }
 
+bool OffsetFollowers::read_up_to(const parser::Move& move) {
+  while (reader_.next(shifted_)) {
+    if (shifted_.block >= move.block) {
+      return shifted_.block == move.block && shifted_.source.line == move.source.line &&
+             shifted_.shape.index() == move.shape.index();
+    }
+    // The check has no move of that block: the tool is there already.
+    if (parser::end_mm(shifted_) == nullptr ||
+        !include({place_mm_, place_mm_, {place_mm_, place_mm_}})) {
+      return false;
+    }
+  }
+  return false;
+}
+
 void OffsetFollowers::look_at(const parser::Move& move, const std::optional<Extents>& box) {
   if (is_over_) {
     return;
   }
-  if (!reader_.next(shifted_) || shifted_.block != move.block ||
-      shifted_.shape.index() != move.shape.index()) {
+  if (!read_up_to(move)) {
     is_over_ = true;
     extents_.is_known.fill(false);
     return;
   }
-  const parser::Point* end = parser::end_mm(move);
-  if (end == nullptr || !box) {
-    return;
+  if (const parser::Point* end = parser::end_mm(move); end != nullptr && box) {
+    include({move.start_mm, *end, *box});
+    place_mm_ = *end;
   }
+}
+
+bool OffsetFollowers::include(const Way& way) {
+  bool all_known = true;
   const parser::Point& shifted_end = *parser::end_mm(shifted_);
   for (std::size_t k = 0; k < 3; ++k) {
-    Ranges* const from = ranges_of(shifted_.start_mm[k] - move.start_mm[k]);
-    Ranges* const to = ranges_of(shifted_end[k] - (*end)[k]);
+    Ranges* const from = ranges_of(shifted_.start_mm[k] - way.start_mm[k]);
+    Ranges* const to = ranges_of(shifted_end[k] - way.end_mm[k]);
     if (from == nullptr || to == nullptr) {
-      extents_.is_known[k] = false;
+      all_known = extents_.is_known[k] = false;
     } else if (from != to) {
-      include((*from)[k], {move.start_mm[k], move.start_mm[k]});
-      include((*to)[k], {(*end)[k], (*end)[k]});
+      extend((*from)[k], {way.start_mm[k], way.start_mm[k]});
+      extend((*to)[k], {way.end_mm[k], way.end_mm[k]});
     } else {
-      include((*to)[k], {box->min_mm[k], box->max_mm[k]});
+      extend((*to)[k], {way.box.min_mm[k], way.box.max_mm[k]});
     }
   }
+  return all_known;
 }
 
 }  // namespace kerf

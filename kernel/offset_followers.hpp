@@ -15,7 +15,8 @@ namespace kerf {
 
 // Reads the program beside the check a second time, on a machine whose work offsets lie a little
 // elsewhere, each by a distance of its own: the ends of moves that lie elsewhere by that distance
-// follow that offset. So it needs to know nothing of G53, G28, G92 and G10, axis by axis.
+// follow that offset. A move that has no length in the check may have one there. So it needs to
+// know nothing of G53, G28, G92 and G10, axis by axis.
 class OffsetFollowers {
  public:
   OffsetFollowers(const MachineSettings& settings, const KernelOptions& options);
@@ -42,9 +43,21 @@ class OffsetFollowers {
   // Those that a place belongs to which lies so far elsewhere; null: there are none.
   Ranges* ranges_of(double shift_mm);
 
+  // The move of that block. False: there is none, as the program runs another way.
+  bool read_up_to(const parser::Move& move);
+  // Of a move of the check, whose other one is shifted_.
+  struct Way {
+    const parser::Point& start_mm;
+    const parser::Point& end_mm;
+    Extents box;
+  };
+  // False: of an axis it is not known what it follows.
+  bool include(const Way& way);
+
   parser::ProgramReader reader_;
   parser::Move shifted_;
-  bool is_over_ = false;  // or the program runs another way there
+  parser::Point place_mm_;  // of the tool in the check
+  bool is_over_ = false;    // or the program runs another way there
   OffsetExtents extents_;
 };
 

@@ -118,6 +118,24 @@ TEST(OffsetExtents, KnowWhatG92Undoes) {
   EXPECT_TRUE(report.offset_extents.following[0][0].is_empty());
 }
 
+TEST(OffsetExtents, AreKnownWhereTheWayToTheFirstPlaceHasNoLength) {
+  // The tool starts where the first two blocks lead, on a machine whose offsets are zero.
+  const CheckReport report = check("G0 X0 Y0\nG0 Z0\nG1 F600 X70 Y-3\nG0 Z5\n");
+  const OffsetExtents& offsets = report.offset_extents;
+  expect_range(offsets.following[0][0], 0, 70);
+  expect_range(offsets.following[0][1], -3, 0);
+  expect_range(offsets.following[0][2], 0, 5);
+  EXPECT_EQ(offsets.is_known, (std::array{true, true, true}));
+}
+
+TEST(OffsetExtents, AreUnknownWhereTheProgramRunsAnotherWay) {
+  for (const char* block : {"G4 P1", "G0 X5"}) {
+    const CheckReport report =
+        check("o1 if [#5221 GT 0]\n" + std::string(block) + "\no1 endif\nG1 F600 X70\n");
+    EXPECT_EQ(report.offset_extents.is_known, (std::array{false, false, false})) << block;
+  }
+}
+
 TEST(OffsetExtents, AreUnknownWhereAProgramAsksForItsOffset) {
   const CheckReport report =
       check("G21 G90\nG1 X[2 * #5221] F600\nM2\n", with_offsets({100, 0, 0}));
