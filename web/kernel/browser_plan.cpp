@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <kerf/machine.hpp>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,12 @@
 void kerf::program::run_machine(MotionStage& stage, Driver& /*driver*/) {
   stage.report().fail(ExitStatus::settings_error, "nothing runs in a browser");
 }
+
+// To the worker: of each line that is planned since the last call its number and its ticks; all
+// ticks so far, and how long the rest will take, or less than 0.
+EM_JS(void, tell_progress,
+      (const std::uint32_t* lines, std::size_t count, double ticks, double left_s),
+      { Module["told"](HEAPU32.slice(lines >> 2, (lines >> 2) + count), ticks, left_s); });
 
 namespace {
 
@@ -49,6 +56,33 @@ void write_files(const Json& files) {
     std::ofstream(name, std::ios::binary) << file.at("text").get_ref<const std::string&>();
   }
 }
+
+// Tells how far the plan is, some times a second.
+class ProgressTeller {
+ public:
+  void operator()(const kerf::program::PlanGatherer& gathered, const kerf::Kernel& kernel) {
+    const double now_ms = emscripten_get_now();
+    if (now_ms < told_ms_ + kPause_ms) {
+      return;
+    }
+    told_ms_ = now_ms;
+    const auto& runs = gathered.runs().runs();
+    std::vector<std::uint32_t> lines;
+    // Of very many runs some become one, and there is more to do than to tell of them.
+    for (; gathered.runs().shortest_ticks() == 1 && told_runs_ + 1 < runs.size(); ++told_runs_) {
+      const kerf::program::LineRun& run = runs[told_runs_];
+      lines.push_back(run.line);
+      lines.push_back(static_cast<std::uint32_t>(runs[told_runs_ + 1].tick - run.tick));
+    }
+    tell_progress(lines.data(), lines.size(), static_cast<double>(gathered.last_tick()),
+                  kernel.left_s().value_or(-1.0));
+  }
+
+ private:
+  static constexpr double kPause_ms = 200.0;
+  double told_ms_ = emscripten_get_now();
+  std::size_t told_runs_ = 0;
+};
 
 kerf::program::Options options_of(const Json& order) {
   kerf::program::Options options{.command = kerf::program::Subcommand::report};
@@ -84,7 +118,8 @@ std::string plan(const Json& order) {
   write_files(order.at("files"));
   // The page has the text.
   kerf::program::PageRecord record{.wants_source = false,
-                                   .wants_path_alone = order.value("path_alone", false)};
+                                   .wants_path_alone = order.value("path_alone", false),
+                                   .watch = ProgressTeller{}};
   const auto report = kerf::program::process_file(
       std::filesystem::path(order.at("files").at(0).at("name").get<std::string>()).filename(),
       options, settings, &record);

@@ -2,7 +2,7 @@
 import { rgbOf } from "./colours.ts";
 import { accountOf, type Account } from "./plan/account.ts";
 import type { Plan } from "./plan/plan.ts";
-import type { Shown } from "./plan/source.ts";
+import type { Progress, Shown } from "./plan/source.ts";
 import { Store, fromFragment, initialState, type ColourBy } from "./state.ts";
 import { Address } from "./ui/address.ts";
 import { h } from "./ui/dom.ts";
@@ -84,6 +84,12 @@ export class App {
   replace(shown: Shown): void {
     this.shown = shown;
     this.store.set({ plan: 0, hover: null, span: null, playing: false }, "page");
+  }
+
+  // Of the plan that is shown, as long as its times are not there.
+  showProgress(progress: Progress): void {
+    this.answer.showProgress(progress);
+    this.program.showLines(progress.lines);
   }
 
   private makePath(ground: Ground): PathView | null {

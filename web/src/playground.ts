@@ -6,7 +6,7 @@ import { App, type Extras } from "./app.ts";
 import { BrowserKernel, type Answer, type Order, type TextFile } from "./plan/browser_kernel.ts";
 import { inflatedText } from "./plan/embedded.ts";
 import type { Plan } from "./plan/plan.ts";
-import type { PlanSource, Shown } from "./plan/source.ts";
+import type { PlanSource, Progress, Shown } from "./plan/source.ts";
 import { h, select } from "./ui/dom.ts";
 import { started } from "./ui/started.ts";
 import { clock } from "./units.ts";
@@ -29,6 +29,7 @@ class Playground implements PlanSource {
   private kept: Order | null = null; // that others are compared with; null: with none
   private planned: { order: Order; plan: Plan }[] = []; // the last ones
   private tell: (shown: Shown) => void = () => undefined;
+  onProgress: (progress: Progress) => void = () => undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
   private readonly status = h("output", { class: "status", "data-test": "status" });
   private readonly refusal = h("div", { class: "refusal", role: "alert", hidden: true });
@@ -143,7 +144,10 @@ class Playground implements PlanSource {
   private async answerTo(order: Order): Promise<Answer | null> {
     const known = this.planned.find((one) => isSame(one.order, order));
     if (known) return { plan: known.plan, took_s: 0 };
-    const answer = await this.kernel.plan(order, (plan) => this.tell({ plans: [plan], base: 0 }));
+    const answer = await this.kernel.plan(order, {
+      showPath: (plan) => this.tell({ plans: [plan], base: 0 }),
+      showProgress: (progress) => this.onProgress(progress),
+    });
     if (answer && "plan" in answer) this.planned = [{ order, plan: answer.plan }, ...this.planned].slice(0, 2);
     return answer;
   }
@@ -186,6 +190,7 @@ void started(async (root) => {
   const script = URL.createObjectURL(new Blob([KERF_WORKER], { type: "text/javascript" }));
   const playground = new Playground(new BrowserKernel(script, module));
   let app: App | null = null;
+  playground.onProgress = (progress) => app?.showProgress(progress);
   await playground.open((shown) => {
     if (app) app.replace(shown);
     else app = new App(root, shown, playground.extras());

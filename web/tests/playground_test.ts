@@ -94,6 +94,9 @@ test("what is typed is planned, and an error stands at its line until it is mend
 });
 
 test("the path of a program that takes long to plan is there before its times", async () => {
+  let estimate_s = 0;
+  let early: string[] = [];
+  const timesShown = (): Promise<string[]> => page.locator(".program-view .cm-time").allTextContents();
   const lines = Array.from({ length: 5000 }, (_, i) => `G1 X${(80 * Math.sin(i * i)).toFixed(3)} Y${(60 * Math.cos(3 * i * i)).toFixed(3)}`);
   await after_(async () => {
     await page.locator('input[aria-label^="Open a program"]').setInputFiles(program(["G21 G90 G61 F6000", ...lines, "M2", ""].join("\n"), "corners.ngc"));
@@ -102,9 +105,18 @@ test("the path of a program that takes long to plan is there before its times", 
     assert.match(await page.locator("[data-test=status]").textContent() ?? "", /^planning/);
     assert.ok(Number(await page.locator(".path-view canvas").first().getAttribute("data-vertices")) > 10_000, "all lines are drawn");
     assert.match(await page.locator("[data-test=fit-verdict]").textContent() ?? "", /^fits/);
+    // Then the times of lines as they are planned, and an estimate of the whole.
+    await page.waitForFunction(() => /up to line \d{2,}$/.test(document.querySelector("[data-test=so-far]")?.textContent ?? ""), null, { timeout: 60_000 });
+    estimate_s = secondsOf((await page.locator("[data-test=estimate]").textContent() ?? "").replace(/^about /, ""));
+    early = await timesShown();
   });
   assert.equal(await page.locator("[data-test=planning]").count(), 0);
-  assert.equal(await shownTime(), clock(timeOf(join(folder, "corners.ngc"))));
+  const whole_s = timeOf(join(folder, "corners.ngc"));
+  assert.equal(await shownTime(), clock(whole_s));
+  assert.ok(Math.abs(estimate_s - whole_s) < 0.2 * whole_s, `an estimate of ${estimate_s} s for ${whole_s} s`);
+  // The lines that are seen are the first ones: what was said of them stays true.
+  assert.ok(early.length > 10);
+  assert.deepEqual(early, (await timesShown()).slice(0, early.length));
 });
 
 test("another profile and another machine take their own time", async () => {

@@ -15,6 +15,9 @@ void PlanGatherer::add_notes(Kernel& kernel) {
       messages_.push_back(std::move(message));
     }
   }
+  if (watch_ && last_tick_ % kTicksOfWatch == 0) {
+    watch_(*this, kernel);
+  }
 }
 
 }  // namespace kerf::program

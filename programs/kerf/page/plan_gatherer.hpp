@@ -1,8 +1,10 @@
 // What the page shows of a run, gathered tick by tick in bounded memory.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <kerf/kernel.hpp>
@@ -30,6 +32,10 @@ class PlanGatherer {
   // What the kernel tells the operator since the tick that was added last.
   void add_notes(Kernel& kernel);
 
+  // Is called again and again as the run goes on.
+  using Watch = std::function<void(const PlanGatherer& gathered, const Kernel& kernel)>;
+  void set_watch(Watch watch) { watch_ = std::move(watch); }
+
   [[nodiscard]] const TickColumns& columns() const noexcept { return columns_; }
   [[nodiscard]] const TimedPath& path() const noexcept { return path_; }
   [[nodiscard]] const MotionRuns& runs() const noexcept { return runs_; }
@@ -49,6 +55,8 @@ class PlanGatherer {
   CodeRuns words_;
   std::vector<ProgramMessage> messages_;
   std::int64_t last_tick_ = 0;
+  Watch watch_;
+  static constexpr std::int64_t kTicksOfWatch = 64;
 };
 
 // A program for the page: its text before it runs, what it did after. A comparison wants the text
@@ -57,6 +65,7 @@ struct PageRecord {
   bool wants_motion = true;
   bool wants_source = true;
   bool wants_path_alone = false;             // nothing is planned
+  PlanGatherer::Watch watch{};               // of who waits for the motion
   std::optional<std::string> source{};       // none: not wanted, or longer than kMaxSourceBytes
   std::optional<curves::Extents> extents{};  // of the path, also of one that leaves the travel
   std::optional<PlannedPath> planned{};      // where no motion is, but the path is known

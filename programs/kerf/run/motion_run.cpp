@@ -77,6 +77,7 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
         TickColumns::Settings{.period_s = report.period_s,
                               .extra = extra_axes(order.settings.program.extra_axes)},
         extents);
+    order.page->motion->set_watch(order.page->watch);
     outputs->recorder().page = &*order.page->motion;
   }
   if (outputs->recorder().plot && order.path.scan) {

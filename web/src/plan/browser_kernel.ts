@@ -1,6 +1,7 @@
 // Plans computed in the browser: the kernel as WebAssembly, in a worker of its own.
 import { decodePlan } from "./decode.ts";
 import { Plan } from "./plan.ts";
+import type { Progress } from "./source.ts";
 
 export interface TextFile {
   readonly name: string;
@@ -17,8 +18,21 @@ export interface Order {
 // refused: what is wrong with the machine file, or within kerf.
 export type Answer = { readonly plan: Plan; readonly took_s: number } | { readonly refused: readonly string[] };
 
+// What is planned since the last time: line, ticks, line, ticks, ...; all ticks so far. left_s < 0: not known.
+interface Told {
+  readonly lines: Uint32Array<ArrayBuffer>;
+  readonly ticks: number;
+  readonly left_s: number;
+}
+
 // What the worker answers. isPathAlone: the rest follows.
-export type Reply = { readonly bytes: Uint8Array<ArrayBuffer>; readonly isPathAlone: boolean } | { readonly failure: string };
+export type Reply = Told | { readonly bytes: Uint8Array<ArrayBuffer>; readonly isPathAlone: boolean } | { readonly failure: string };
+
+// Who waits for a plan that takes a while: is shown its path, then how far it is.
+export interface Waiting {
+  showPath(plan: Plan): void;
+  showProgress(progress: Progress): void;
+}
 
 // A plan that is there by then comes without its path before it.
 const PATIENCE_MS = 500;
@@ -28,6 +42,20 @@ const MAGIC = "KERFPLAN";
 function answerOf(bytes: Uint8Array, order: Order, took_s: number): Answer {
   if (new TextDecoder().decode(bytes.subarray(0, MAGIC.length)) === MAGIC) return { plan: new Plan(decodePlan(bytes), order.files[0].text), took_s };
   return JSON.parse(new TextDecoder().decode(bytes)) as { refused: string[] };
+}
+
+// All that was told of one plan.
+class SoFar {
+  private readonly lines = new Map<number, number>();
+  private line = 0;
+
+  with({ lines, ticks, left_s }: Told): Progress {
+    for (let i = 0; i < lines.length; i += 2) {
+      this.line = lines[i]!;
+      this.lines.set(this.line, (this.lines.get(this.line) ?? 0) + lines[i + 1]!);
+    }
+    return { ticks, left_s: left_s < 0 ? null : left_s, line: this.line, lines: this.lines };
+  }
 }
 
 export class BrowserKernel {
@@ -41,8 +69,8 @@ export class BrowserKernel {
     this.module = module;
   }
 
-  // null: a newer order has taken its place. showPath: the path of a program whose times take a while.
-  plan(order: Order, showPath: (plan: Plan) => void = () => undefined): Promise<Answer | null> {
+  // null: a newer order has taken its place.
+  plan(order: Order, waits: Waiting): Promise<Answer | null> {
     if (this.abandon) {
       this.abandon();
       this.worker?.terminate();
@@ -52,6 +80,8 @@ export class BrowserKernel {
     const began_ms = performance.now();
     return new Promise((resolve) => {
       let waiting: ReturnType<typeof setTimeout> | undefined;
+      let isPathShown = false;
+      const soFar = new SoFar();
       const passed_ms = (): number => performance.now() - began_ms;
       const end = (answer: Answer | null): void => {
         clearTimeout(waiting);
@@ -67,10 +97,14 @@ export class BrowserKernel {
       worker.onmessage = ({ data }: MessageEvent<Reply>) => {
         if ("failure" in data) {
           fail(data.failure);
+        } else if ("lines" in data) {
+          const progress = soFar.with(data);
+          if (isPathShown) waits.showProgress(progress);
         } else if (data.isPathAlone) {
           waiting = setTimeout(() => {
             const answer = answerOf(data.bytes, order, 0);
-            if ("plan" in answer) showPath(answer.plan);
+            isPathShown = "plan" in answer;
+            if ("plan" in answer) waits.showPath(answer.plan);
           }, PATIENCE_MS - passed_ms());
         } else {
           end(answerOf(data.bytes, order, passed_ms() / 1000));

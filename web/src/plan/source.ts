@@ -9,6 +9,14 @@ export interface Shown {
   readonly names?: readonly string[]; // of each, where neither program, machine nor profile tells them apart
 }
 
+// How far a plan is whose path alone is shown.
+export interface Progress {
+  readonly ticks: number;
+  readonly left_s: number | null; // the kernel's estimate; null: it has none
+  readonly line: number; // the last one whose ticks are known
+  readonly lines: ReadonlyMap<number, number>; // their ticks
+}
+
 export interface PlanSource {
   // Calls `show` with what is to be seen: once, or again with all that comes later. Fails where there is nothing.
   open(show: (shown: Shown) => void): Promise<void>;

@@ -9,6 +9,9 @@ let kernel: Promise<Kernel> | null = null;
 function instantiated(module: WebAssembly.Module): Promise<Kernel> {
   return makeKernel({
     locateFile: (name) => name, // nothing is loaded
+    told(lines, ticks, left_s) {
+      self.postMessage({ lines, ticks, left_s } satisfies Reply, { transfer: [lines.buffer] });
+    },
     instantiateWasm(imports, done) {
       void WebAssembly.instantiate(module, imports).then(done);
       return {};

@@ -2,11 +2,13 @@
 import { SPLIT_NAMES, fitsOf, total, type Account, type Part, type Split } from "../plan/account.ts";
 import { countText, errorCount, messagesOf } from "../plan/messages.ts";
 import type { Plan, Quantity } from "../plan/plan.ts";
-import type { Shown } from "../plan/source.ts";
+import type { Progress, Shown } from "../plan/source.ts";
+import { usesOf } from "../plan/uses.ts";
 import type { Store } from "../state.ts";
 import { h, table } from "../ui/dom.ts";
 import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf } from "../units.ts";
 import { fitCard, fitText, rangeText } from "./fit_card.ts";
+import { waitingTexts } from "./waiting.ts";
 
 // What to change where a constraint costs time.
 const REMEDIES: readonly (readonly [RegExp, string])[] = [
@@ -20,34 +22,6 @@ const REMEDIES: readonly (readonly [RegExp, string])[] = [
   [/_jerk$/, "the machine's jerk: a smoother path or a stiffer machine"],
 ];
 export const remedyOf = (key: string): string => REMEDIES.find(([pattern]) => pattern.test(key))?.[1] ?? "";
-
-interface Use {
-  readonly track: string;
-  readonly quantity: Quantity;
-  readonly peak: number;
-  readonly limit: number | null;
-  readonly share: number; // 0 without a limit
-}
-
-// The largest figures as --json has them, with their limits.
-export function usesOf(plan: Plan): Use[] {
-  const max = plan.header.report.max;
-  if (!max) return [];
-  const keys: readonly (readonly [Quantity, string])[] = [
-    ["v", "v_"],
-    ["a", "a_"],
-    ["j", "j_"],
-  ];
-  return plan.tracks.flatMap((track) => {
-    const figures = track === "path" ? max.path : max.axes[track];
-    return keys.flatMap(([quantity, key]) => {
-      const found = Object.entries(figures ?? {}).find(([name]) => name.startsWith(key));
-      if (!found) return [];
-      const limit = plan.limitOf(track, quantity);
-      return [{ track, quantity, peak: found[1], limit, share: limit ? found[1] / limit : 0 }];
-    });
-  });
-}
 
 const NAMES: Record<Quantity, string> = { v: "velocity", a: "acceleration", j: "jerk" };
 
@@ -67,6 +41,7 @@ export class AnswerView {
   private plan: Plan | null = null;
   private shown: Shown | null = null;
   private account: Account | null = null;
+  private progress: Progress | null = null; // of a plan that is on its way
   private readonly store: Store;
 
   constructor(store: Store) {
@@ -81,7 +56,13 @@ export class AnswerView {
     this.shown = shown;
     this.plan = plan;
     this.account = account;
+    this.progress = null;
     this.build();
+  }
+
+  showProgress(progress: Progress): void {
+    this.progress = progress;
+    this.strip.firstElementChild?.replaceWith(this.waitingCard());
   }
 
   private seconds = (ticks: number): string => clock(ticks * this.plan!.period_s);
@@ -106,7 +87,7 @@ export class AnswerView {
   private cards(): HTMLElement[] {
     const plan = this.plan!;
     if (!plan.motion && plan.header.report.exit_status === 0) {
-      return [this.card("Cycle time", "planning", h("div", { class: "big" }, "planning\u2026")), this.fitCard()];
+      return [this.waitingCard(), this.fitCard()];
     }
     if (!plan.motion) {
       const messages = messagesOf(plan);
@@ -114,6 +95,11 @@ export class AnswerView {
       return plan.header.extents ? [failed, this.fitCard()] : [failed];
     }
     return [this.timeCard(), this.fitCard(), this.limitsCard(), this.exactCard(), this.linesCard()].filter((card): card is HTMLElement => card !== null);
+  }
+
+  private waitingCard(): HTMLElement {
+    const [whole, soFar] = waitingTexts(this.progress, this.plan!.period_s);
+    return this.card("Cycle time", "planning", h("div", { class: "big", "data-test": "estimate" }, whole), h("div", { class: "soft", "data-test": "so-far" }, soFar));
   }
 
   private timeCard(): HTMLElement {

@@ -149,8 +149,7 @@ export class ProgramView {
     this.plan = plan;
     this.account = account;
     this.line = 0;
-    this.longest = 1;
-    for (const ticks of account.lines.values()) this.longest = Math.max(this.longest, ticks);
+    this.findLongest(account.lines);
     this.host.hidden = plan.source === null;
     this.message.hidden = plan.source !== null;
     if (this.view?.state.doc.toString() !== plan.source) {
@@ -159,6 +158,19 @@ export class ProgramView {
     }
     this.view?.dispatch({ effects: setPlan.of(plan) });
     this.showInstant(true);
+  }
+
+  // The ticks of some lines of a plan that is on its way.
+  showLines(lines: ReadonlyMap<number, number>): void {
+    if (!this.plan || !this.account) return;
+    this.account = { ...this.account, lines };
+    this.findLongest(lines);
+    this.view?.dispatch({ effects: setPlan.of(this.plan) });
+  }
+
+  private findLongest(lines: ReadonlyMap<number, number>): void {
+    this.longest = 1;
+    for (const ticks of lines.values()) this.longest = Math.max(this.longest, ticks);
   }
 
   private editor(text: string): EditorView {
