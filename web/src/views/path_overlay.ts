@@ -5,6 +5,7 @@ import { fitsOf } from "../plan/account.ts";
 import type { Path, Plan } from "../plan/plan.ts";
 import { MM_PER_INCH, lengthText, lengthUnit, plain, type Units } from "../units.ts";
 import type { Ground } from "./ground.ts";
+import { Labels } from "./labels.ts";
 import type { Triple } from "./stretches.ts";
 
 // A place with a name.
@@ -95,6 +96,7 @@ function drawScale({ pen, height, camera, ground }: Overlay, units: Units): void
 function drawPlaces({ pen, width, height, camera, ground }: Overlay, places: readonly Place[]): void {
   pen.font = "12px system-ui, sans-serif";
   pen.textAlign = "left";
+  const labels = new Labels();
   for (const { at, text } of places) {
     const point = new THREE.Vector3(...at).project(camera);
     const [x, y] = [((point.x + 1) * width) / 2, ((1 - point.y) * height) / 2];
@@ -107,9 +109,11 @@ function drawPlaces({ pen, width, height, camera, ground }: Overlay, places: rea
     pen.strokeStyle = hexOf(ground.rgb);
     pen.lineWidth = 3.5;
     // To the left of a place at the right edge.
-    const left = x <= width && x + 8 + pen.measureText(text).width > width ? x - 8 - pen.measureText(text).width : x + 8;
-    pen.strokeText(text, left, y - 9);
+    const wide = pen.measureText(text).width;
+    const left = x <= width && x + 8 + wide > width ? x - 8 - wide : x + 8;
+    const top = labels.freeY({ left, width: wide, y: y - 9 });
+    pen.strokeText(text, left, top);
     pen.fillStyle = ground.text;
-    pen.fillText(text, left, y - 9);
+    pen.fillText(text, left, top);
   }
 }
