@@ -11,6 +11,15 @@
 namespace kerf::test {
 namespace {
 
+// The status of the last of so many ticks.
+TickStatus run_for(Kernel& kernel, int ticks, Setpoint& setpoint) {
+  TickStatus status = TickStatus::running;
+  for (int i = 0; i < ticks; ++i) {
+    status = kernel.next(setpoint);
+  }
+  return status;
+}
+
 // Answers each wait after 50 ticks; where X was at each.
 std::vector<double> waits_of(const std::string& text, KernelOptions options) {
   Kernel kernel(mill(), options);
@@ -118,13 +127,7 @@ TEST(Wait, OutlastsAHold) {
       kernel.feed("G21 G90 G1 X10 F3000\n" + stop + "\nX20\nM2\n");
       kernel.finish();
       Setpoint setpoint;
-      const auto status_after = [&](int ticks) {
-        TickStatus status = TickStatus::running;
-        for (int i = 0; i < ticks; ++i) {
-          status = kernel.next(setpoint);
-        }
-        return status;
-      };
+      const auto status_after = [&](int ticks) { return run_for(kernel, ticks, setpoint); };
       status_after(tick);
       kernel.hold();
       ASSERT_EQ(status_after(300), TickStatus::held);
@@ -142,13 +145,7 @@ TEST(Wait, IsAnsweredAtFeed0AndMotionFollowsWithTheFeed) {
   kernel.feed("G21 G90 G1 X10 F3000\nM0\nX20\nM2\n");
   kernel.finish();
   Setpoint setpoint;
-  const auto status_after = [&](int ticks) {
-    TickStatus status = TickStatus::running;
-    for (int i = 0; i < ticks; ++i) {
-      status = kernel.next(setpoint);
-    }
-    return status;
-  };
+  const auto status_after = [&](int ticks) { return run_for(kernel, ticks, setpoint); };
   ASSERT_EQ(status_after(500), TickStatus::waiting);
   ASSERT_TRUE(kernel.set_overrides({.feed = 0.0}));
   kernel.resume();
