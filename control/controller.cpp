@@ -81,6 +81,9 @@ void Controller::fail() noexcept {
 bool Controller::drives_on() const noexcept {
   return impl_->drives_on();
 }
+AxisSet Controller::unhomed() const noexcept {
+  return impl_->unhomed();
+}
 WaitsFor Controller::waits_for() const noexcept {
   return impl_->waits_for();
 }

@@ -53,6 +53,7 @@ class KERF_LOCAL Controller::Impl {
   void set_home_switches(AxisSet closed) noexcept { home_search_.see(closed, last_); }
   void set_door(bool is_open) noexcept { door_open_.store(is_open, std::memory_order_relaxed); }
   [[nodiscard]] bool has_new_place() const noexcept { return has_new_place_; }
+  [[nodiscard]] AxisSet unhomed() const noexcept { return home_search_.unhomed(); }
 
   void leave_for(ControllerState next) noexcept;
   [[nodiscard]] bool drives_on() const noexcept;

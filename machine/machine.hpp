@@ -79,6 +79,8 @@ class Machine {
   // Switches them off; axes that move come to rest together, as after a fault. It is the fault
   // not_enabled until enable(), but where there is one already.
   virtual void disable() noexcept = 0;
+  // Nobody knows where these axes are: from the next setpoint on they have no travel.
+  virtual void set_unhomed(AxisBits /*axes*/) noexcept {}
   // Takes the setpoint of the next tick; one call is one period of time. A setpoint that is not
   // finite or outside the travel is refused with its fault. After a fault setpoints are ignored
   // and all axes come to rest together, until enable(). A machine that can still follow may leave

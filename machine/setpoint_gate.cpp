@@ -54,7 +54,14 @@ Envelope bounded(Envelope envelope) {
 }  // namespace
 
 SetpointGate::SetpointGate(const TableSettings& settings) noexcept
-    : envelope_(bounded(envelope_of(settings))), extra_(settings.extra) {}
+    : travel_(bounded(envelope_of(settings))), envelope_(travel_), extra_(settings.extra) {}
+
+void SetpointGate::set_unhomed(AxisBits axes) noexcept {
+  constexpr Travel kAnywhere{.min_mm = -kFarthestMm, .max_mm = kFarthestMm};
+  for (std::size_t axis = 0; axis < envelope_.size(); ++axis) {
+    envelope_[axis] = ((axes >> axis) & 1U) != 0U ? kAnywhere : travel_[axis];
+  }
+}
 
 std::optional<SetpointGate::Refusal> SetpointGate::refusal(
     const Setpoint& setpoint) const noexcept {

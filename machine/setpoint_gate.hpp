@@ -1,4 +1,5 @@
-// What no machine takes: a number that is not finite, and a place outside the travel.
+// What no machine takes: a number that is not finite, and a place outside the travel. Of the axes
+// that can have a home switch, X, Y and Z, those that are not homed have no travel.
 #pragma once
 
 #include <cstdint>
@@ -24,13 +25,16 @@ class SetpointGate {
 
   explicit SetpointGate(const TableSettings& settings) noexcept;
 
+  // They have no travel.
+  void set_unhomed(AxisBits axes) noexcept;
   // Nothing: they may pass.
   [[nodiscard]] std::optional<Refusal> refusal(const Setpoint& setpoint) const noexcept;
   // Of places where the axes are enabled: those that are not finite alone.
   [[nodiscard]] static std::optional<Refusal> refusal(const AxisPlaces& places) noexcept;
 
  private:
-  Envelope envelope_;
+  Envelope travel_;
+  Envelope envelope_;  // the travel of axes that are homed
   AuxiliaryEnvelope extra_;
 };
 

@@ -38,6 +38,7 @@ class SimulatedTable final : public Machine {
 
   void enable(const AxisPlaces& places) noexcept override;
   void disable() noexcept override;
+  void set_unhomed(AxisBits axes) noexcept override { gate_.set_unhomed(axes); }
   void write(const Setpoint& setpoint) noexcept override;
   [[nodiscard]] MachineState read() const noexcept override { return state_; }
 

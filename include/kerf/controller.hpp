@@ -214,6 +214,8 @@ class KERF_API Controller {
   /// At the latest tick homing has given an axis, at rest, its place: the drives are to be enabled
   /// anew, at the setpoint. Of the thread that calls tick().
   [[nodiscard]] bool has_new_place() const noexcept;
+  /// ControllerStatus::unhomed: axes that have no travel yet. Of the thread that calls tick().
+  [[nodiscard]] AxisSet unhomed() const noexcept;
 
   /// Kernel::emergency_stop(), and the program is over. From every state.
   void emergency_stop() noexcept;

@@ -59,6 +59,18 @@ TEST(SimulatedTableFaults, FaultsAtTheVeryTickThatLeavesTheTravel) {
   EXPECT_EQ(table.read().fault_axis, 2);
 }
 
+TEST(SimulatedTableFaults, LeavesTheTravelWhereNobodyKnowsYetWhereTheAxisIs) {
+  SimulatedTable table(lagging());
+  table.enable({.mm = {299.0, 199.0, 0.0}});
+  table.set_unhomed(1U << 0U);
+  table.write(at({300.1, 199.0, 0.0}));
+  EXPECT_EQ(table.read().fault, DriveFault::none);
+  table.set_unhomed(0);
+  table.write(at({300.1, 199.0, 0.0}));
+  EXPECT_EQ(table.read().fault, DriveFault::soft_limit);
+  EXPECT_EQ(table.read().fault_axis, 0);
+}
+
 TEST(SimulatedTableFaults, FaultsOnAnythingInASetpointThatIsNotFinite) {
   const std::vector<std::function<double&(Setpoint&)>> fields{
       [](Setpoint& s) -> double& { return s.position_mm[1]; },

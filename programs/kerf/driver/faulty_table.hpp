@@ -25,6 +25,7 @@ class FaultyTable final : public machine::Machine {
 
   void enable(const machine::AxisPlaces& places) noexcept override;
   void disable() noexcept override { table_->disable(); }
+  void set_unhomed(machine::AxisBits axes) noexcept override { table_->set_unhomed(axes); }
   void write(const machine::Setpoint& setpoint) noexcept override;
   [[nodiscard]] machine::MachineState read() const noexcept override;
 

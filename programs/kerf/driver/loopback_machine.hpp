@@ -39,6 +39,7 @@ class LoopbackMachine final : public machine::Machine {
 
   void enable(const machine::AxisPlaces& places) noexcept override;
   void disable() noexcept override;
+  void set_unhomed(machine::AxisBits axes) noexcept override { gate_.set_unhomed(axes); }
   void write(const machine::Setpoint& setpoint) noexcept override;
   [[nodiscard]] machine::MachineState read() const noexcept override { return state_; }
 

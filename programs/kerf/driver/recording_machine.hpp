@@ -19,6 +19,7 @@ class RecordingMachine final : public machine::Machine {
 
   void enable(const machine::AxisPlaces& places) noexcept override;
   void disable() noexcept override;
+  void set_unhomed(machine::AxisBits axes) noexcept override { inner_->set_unhomed(axes); }
   void write(const machine::Setpoint& setpoint) noexcept override;
   [[nodiscard]] machine::MachineState read() const noexcept override { return inner_->read(); }
 

@@ -149,6 +149,7 @@ class Ticks {
     if (controller.has_new_place()) {
       stage_.ticks.enable({.mm = setpoint.position_mm, .extra_rad_mm = setpoint.extra_rad_mm});
     }
+    stage_.ticks.set_unhomed(controller.unhomed());
     record_ = stage_.ticks.take(setpoint, controller.detail());
     controller.set_home_switches(stage_.ticks.inputs().home);
     recorder.push(record_);

@@ -37,6 +37,7 @@ class TickStage {
     state_ = machine_->read();
   }
   void disable() noexcept { machine_->disable(); }
+  void set_unhomed(machine::AxisBits axes) noexcept { machine_->set_unhomed(axes); }
 
   // Real time: allocates nothing, takes no lock, throws nothing.
   TickRecord take(const Setpoint& setpoint, const TickDetail& detail) noexcept {
