@@ -57,6 +57,14 @@ TEST(FaultyTables, BreakAtTheTickOfTheirTime) {
   EXPECT_EQ(faulty.read().fault_axis, 2);
 }
 
+TEST(FaultyTables, HaveWhatBreaksAtTheBeginBrokenBeforeTheFirstTick) {
+  FaultyTable faulty(table(), {fault("probe_closed", "", 0.0), fault("door_open", "", 0.001)},
+                     kTick);
+  faulty.enable({});
+  EXPECT_TRUE(faulty.read().inputs.probe);
+  EXPECT_FALSE(faulty.read().inputs.door_open);
+}
+
 TEST(FaultyTables, BreakAtTheNextTickWhereItIsAskedFor) {
   FaultyTable faulty(table(), {}, kTick);
   faulty.enable({});

@@ -12,18 +12,24 @@ FaultyTable::FaultyTable(std::unique_ptr<machine::SimulatedTable> table,
 
 void FaultyTable::enable(const machine::AxisPlaces& places) noexcept {
   table_->enable(places);
+  break_what_is_due();
 }
 
 void FaultyTable::write(const machine::Setpoint& setpoint) noexcept {
-  const double now_s = static_cast<double>(ticks_++) * period_s_;
-  while (next_ < planned_.size() && planned_[next_].at_s <= now_s + 0.5 * period_s_) {
-    apply(planned_[next_++]);
-  }
+  break_what_is_due();
+  ++ticks_;
   PlannedFault asked;
   while (asked_->pop(asked)) {
     apply(asked);
   }
   table_->write(setpoint);
+}
+
+void FaultyTable::break_what_is_due() noexcept {
+  const double now_s = static_cast<double>(ticks_) * period_s_;
+  while (next_ < planned_.size() && planned_[next_].at_s <= now_s + 0.5 * period_s_) {
+    apply(planned_[next_++]);
+  }
 }
 
 machine::MachineState FaultyTable::read() const noexcept {

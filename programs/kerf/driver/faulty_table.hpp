@@ -30,6 +30,8 @@ class FaultyTable final : public machine::Machine {
   [[nodiscard]] machine::MachineState read() const noexcept override;
 
  private:
+  // By the next tick.
+  void break_what_is_due() noexcept;
   void apply(const PlannedFault& fault) noexcept;
   void apply_to_inputs(const PlannedFault& fault) noexcept;
 
