@@ -157,6 +157,14 @@ class Start(Case):
         self.assertIn("  started at      line 7\n", done.stdout)
         self.assertIn("in force before it", done.stderr)
 
+    def test_what_waits_before_the_start_needs_nobody_and_what_waits_behind_it_does(self):
+        waits = self.path("waits.ngc", "G21 G90 G61 F6000\nM0\nG1 X5\nX9\nM0\nX10\nM2\n")
+        self.assertIn(":5:1: error: the program waits for an answer here", self.kerf("run", waits, "--from-line", "3", "--yes", status=1).stderr)
+        self.kerf("run", waits, "--from-line", "6", "--yes")
+        # The tool of the line is changed in at the start.
+        changes = self.path("changes.ngc", "G21 G90 G61 F6000\nM6 T1\nG1 X5\nX9\nM2\n")
+        self.assertIn(":2:1: error: the program waits for an answer here", self.kerf("run", changes, "--from-line", "4", "--yes", status=1).stderr)
+
     def answered(self, answer):
         terminal, end = pty.openpty()
         self.addCleanup(os.close, terminal)

@@ -77,7 +77,11 @@ bool check_program(const ProgramCheck& how, ProgramFile& file, FileReport& repor
   if (!keep_source(how.page, file, report)) {
     return false;
   }
-  const auto found = check_pass(file, how.settings, how.kernel_options,
+  KernelOptions kernel_options = how.kernel_options;
+  if (how.options.from_line || how.options.continues) {
+    kernel_options.refuses_waits = false;  // those behind the start are looked for once it is known
+  }
+  const auto found = check_pass(file, how.settings, kernel_options,
                                 {.max_time_s = how.options.max_time_s,
                                  .max_moves = how.options.max_moves,
                                  .shows_progress = how.shows_progress,

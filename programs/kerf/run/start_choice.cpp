@@ -13,6 +13,8 @@
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/log.hpp"
 #include "programs/kerf/report/block_text.hpp"
+#include "programs/kerf/run/block_lookup.hpp"
+#include "programs/kerf/run/check_pass.hpp"
 #include "programs/kerf/run/passed_place.hpp"
 #include "programs/kerf/run/start_search.hpp"
 
@@ -53,7 +55,9 @@ bool is_on_path(std::string_view state) {
 class Choice {
  public:
   Choice(const StartOrder& order, ProgramFile& file, FileReport& report)
-      : order_(order), file_(file), report_(report) {}
+      : order_(order), options_(order.kernel_options), file_(file), report_(report) {
+    options_.refuses_waits = false;  // of what is left out
+  }
 
   std::optional<StartInProgram> make(const std::optional<Journal>& journal) {
     if (journal && !leads_to(*journal)) {
@@ -75,7 +79,8 @@ class Choice {
                          found->refused, safe_lines(*found)));
     } else {
       report_.start = std::move(found->start);
-      return confirm();
+      const StartInProgram start{.blocks_before = report_.start->place.blocks_before};
+      return waits_for_nobody(start) ? std::nullopt : confirm(start);
     }
     return std::nullopt;
   }
@@ -83,7 +88,7 @@ class Choice {
  private:
   [[nodiscard]] StartSearchOrder search() const {
     return {.settings = order_.settings,
-            .options = order_.kernel_options,
+            .options = options_,
             .knows_answers = order_.options.command != Subcommand::run ||
                              order_.options.driver.name == "simulated"};
   }
@@ -96,7 +101,7 @@ class Choice {
     }
     file_.rewind();
     const auto off_mm =
-        distance_from_path_mm(file_, order_.settings, order_.kernel_options,
+        distance_from_path_mm(file_, order_.settings, options_,
                               {.block = place->block, .position_mm = place->position_mm});
     if (!off_mm) {
       refuse(off_mm.error());
@@ -115,11 +120,39 @@ class Choice {
     report_.fail(ExitStatus::program_error, report_.file + ": " + why);
   }
 
-  std::optional<StartInProgram> confirm() {
+  // True: somebody is to answer behind the start, and nobody is there; the report says where.
+  bool waits_for_nobody(const StartInProgram& start) {
+    if (!order_.kernel_options.refuses_waits) {
+      return false;
+    }
+    KernelOptions options = order_.kernel_options;
+    options.start_in_program = start;
+    file_.rewind();
+    auto found = check_pass(file_, order_.settings, options,
+                            {.max_time_s = order_.options.max_time_s,
+                             .max_moves = order_.options.max_moves,
+                             .shows_progress = false,
+                             .syntax_only = false});
+    if (!found) {
+      report_.fail(ExitStatus::io_error, found.error());
+      return true;
+    }
+    if (!found->has_errors()) {
+      return false;
+    }
+    std::erase_if(found->diagnostics, [](const Diagnostic& diagnostic) {
+      return diagnostic.severity != Severity::error;  // the others are in the report
+    });
+    report_.take(found->diagnostics);
+    report_.status = ExitStatus::program_error;
+    fill_in_blocks(report_.diagnostics, file_);
+    return true;
+  }
+
+  std::optional<StartInProgram> confirm(StartInProgram start) {
     if (!order_.options.quiet || order_.has_keys) {
       write_error_line(start_text(report_));
     }
-    StartInProgram start{.blocks_before = report_.start->place.blocks_before};
     if (order_.options.command != Subcommand::run || order_.options.is_confirmed) {
       return start;
     }
@@ -140,6 +173,7 @@ class Choice {
   }
 
   const StartOrder& order_;
+  KernelOptions options_;
   ProgramFile& file_;
   FileReport& report_;
 };
