@@ -38,6 +38,9 @@ void Kernel::finish() {
 bool Kernel::plan() {
   return impl_->plan();
 }
+ReadStatus Kernel::read() {
+  return impl_->read();
+}
 TickStatus Kernel::tick(Setpoint& setpoint) noexcept {
   return impl_->tick(setpoint);
 }

@@ -59,6 +59,7 @@ class KERF_LOCAL Kernel::Impl {
   void refuse(diagnostics::Diagnostic fault) { pipeline_.refuse(std::move(fault)); }
 
   bool plan();
+  ReadStatus read() { return pipeline_.read(); }
 
   TickStatus tick(Setpoint& setpoint) noexcept;
 

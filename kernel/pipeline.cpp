@@ -6,9 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "diagnostics/errors/pages.hpp"
 #include "kernel/plan_notes.hpp"
-#include "lookahead/path/block_builder.hpp"
 #include "lookahead/planner.hpp"
 
 namespace kerf {
@@ -24,8 +22,6 @@ constexpr double kRounding = 1e-9;
 
 Pipeline::Pipeline(const Order& order)
     : observer_(order.path.observer),
-      limits_(order.settings.limits),
-      path_(order.settings, order.options, order.path),
       planner_({.limits = order.settings.limits,
                 .profile = profiles::Profile(order.options.profile),
                 .window_blocks = order.options.window_blocks,
@@ -38,6 +34,10 @@ Pipeline::Pipeline(const Order& order)
                 .observer = order.options.plan_log
                                 ? std::make_shared<const PlanNotes>(order.options.plan_log)
                                 : nullptr}),
+      source_(order.settings, order.options,
+              {.path = order.path,
+               .scan = planner_.scan_for(),
+               .reads_apart = order.options.reads_apart}),
       period_s_(order.settings.limits.period_s) {}
 
 Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
@@ -59,27 +59,23 @@ Pipeline::Step Pipeline::step(lookahead::Outbox& outbox) {
 }
 
 bool Pipeline::take_next() {
-  ProgramPath::Output output;
   for (bool probes = true; probes;) {
-    switch (path_.next(output)) {
-      case ProgramPath::Next::wants_text:
-        return false;
-      case ProgramPath::Next::ended:
-        check_.judge(path_.deviations().worst);
-        planner_.finish(path_.line());
-        finished_ = true;
-        return true;
-      case ProgramPath::Next::output:
-        break;
+    std::optional<ProgramItem> item = source_.next();
+    if (!item) {
+      return false;
     }
-    auto* segment = std::get_if<smoothing::PathSegment>(&output);
-    if (segment == nullptr) {
-      push_rest(std::get<parser::Move>(output));
-      return true;
+    if (std::holds_alternative<ProgramEnd>(*item)) {
+      check_.judge(path().deviations().worst);
+      planner_.finish(path().line());
+      finished_ = true;
+    } else if (const auto* pause = std::get_if<parser::Move>(&*item)) {
+      push_rest(*pause);
     }
     // Nothing of a probe's motion is planned before the wait behind it is known.
-    probes = asking_ == Asking::motion_follows;
-    push_segment(std::move(*segment));
+    probes = std::holds_alternative<BlockItem>(*item) && asking_ == Asking::motion_follows;
+    if (auto* motion = std::get_if<BlockItem>(&*item)) {
+      push_block(std::move(*motion));
+    }
   }
   return true;
 }
@@ -93,23 +89,16 @@ void Pipeline::push_rest(const parser::Move& pause) {
   }
 }
 
-void Pipeline::push_segment(smoothing::PathSegment segment) {
-  const diagnostics::SourcePosition source = segment.source;
-  const std::vector<parser::EventMove> changes = std::move(segment.changes);
-  auto block = lookahead::block_of(std::move(segment), limits_, planner_.scan_for());
-  if (!block) {
-    path_.cut(source, block.error(), errors::kCurveRefused);
-    return;
-  }
+void Pipeline::push_block(BlockItem item) {
   if (asking_ == Asking::motion_follows) {
-    inquiry_.limits = block->limits.ramp;
+    inquiry_.limits = item.block.limits.ramp;
     asking_ = Asking::ready;
   }
-  check_.pushed(*block);
+  check_.pushed(item.block);
   if (observer_ != nullptr) {
-    observer_->pushed(*block);
+    observer_->pushed(item.block);
   }
-  lookahead::push_block(std::move(*block), changes, planner_);
+  lookahead::push_block(std::move(item.block), item.changes, planner_);
 }
 
 // Of a probe it comes before the motion, which may be too short to be any.
@@ -154,13 +143,13 @@ void Pipeline::follow(const interp::InquiryAnswer& answer) {
     planner_.resume();
   }
   asking_ = Asking::nothing;
-  path_.answer({.found = answer.found,
-                .at_start = answer.at_start,
-                .value = answer.value,
-                .place_mm = answer.place_mm,
-                .rest_mm = answer.rest_mm});
+  const std::uint32_t line = source_.answer({.found = answer.found,
+                                             .at_start = answer.at_start,
+                                             .value = answer.value,
+                                             .place_mm = answer.place_mm,
+                                             .rest_mm = answer.rest_mm});
   planner_.push_rest(static_cast<double>(inquiry_.pause_ticks) * period_s_,
-                     {.line = path_.line(), .run_block = inquiry_.block});
+                     {.line = line, .run_block = inquiry_.block});
 }
 
 bool Pipeline::hold(std::int64_t tick, lookahead::Outbox& outbox) {

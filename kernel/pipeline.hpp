@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "interp/inquiry_watch.hpp"
+#include "kernel/block_source.hpp"
 #include "kernel/plan_check.hpp"
-#include "kernel/program_path.hpp"
 #include "lookahead/planner.hpp"
 
 namespace kerf {
@@ -34,25 +34,27 @@ class Pipeline {
 
   explicit Pipeline(const Order& order);
 
-  void feed(std::string_view text) { path_.feed(text); }
-  void finish() { path_.finish(); }
+  void feed(std::string_view text) { program().feed(text); }
+  void finish() { program().finish(); }
+  // With KernelOptions::reads_apart, by the thread that feeds.
+  ReadStatus read() { return source_.read(); }
   // Runs nothing, for a reason that is not in the text.
-  void refuse(diagnostics::Diagnostic fault) { path_.refuse(std::move(fault)); }
+  void refuse(diagnostics::Diagnostic fault) { program().refuse(std::move(fault)); }
 
   // Of text that is not read yet.
   void set_optional_stop(bool on) {
-    path_.set_optional_stop(on);
+    program().set_optional_stop(on);
     planner_.set_optional_stop(on);
   }
-  void keep_lines_apart(bool on) noexcept { path_.keep_lines_apart(on); }
-  void set_tool(const Tool& tool) { path_.set_tool(tool); }
-  void set_block_delete(const BlockDelete& switches) { path_.set_block_delete(switches); }
+  void keep_lines_apart(bool on) noexcept { program().keep_lines_apart(on); }
+  void set_tool(const Tool& tool) { program().set_tool(tool); }
+  void set_block_delete(const BlockDelete& switches) { program().set_block_delete(switches); }
 
   // One step. Precondition: no phase is left in the outbox; pieces and line changes may wait there.
   Step step(lookahead::Outbox& outbox);
 
   // Releases what waits for its successor, as if none came.
-  void flush() { path_.flush(); }
+  void flush() { program().flush(); }
   // The plan comes to rest after what was read so far; more text continues it.
   void plan_to_rest() { planner_.plan_to_rest(); }
   // Planner::hold, into an outbox that is empty.
@@ -96,7 +98,7 @@ class Pipeline {
 
   // The whole program was read and goes to the plan, or it was stopped.
   [[nodiscard]] bool is_finished() const noexcept { return finished_; }
-  [[nodiscard]] const ProgramPath& path() const noexcept { return path_; }
+  [[nodiscard]] const ProgramPath& path() const noexcept { return source_.path(); }
   [[nodiscard]] const PlanTotals& totals() const noexcept { return planner_.totals(); }
   [[nodiscard]] const PlanWaits& waits_read() const noexcept { return planner_.waits_pushed(); }
   [[nodiscard]] const PlanCheck& check() const noexcept { return check_; }
@@ -104,17 +106,17 @@ class Pipeline {
   void fail_without_plan(std::uint32_t line);
 
  private:
+  [[nodiscard]] ProgramPath& program() noexcept { return source_.path(); }
   bool took_over(bool found, const lookahead::Outbox& outbox);
   // Takes the next item of the program into the window. False: there is no more text.
   bool take_next();
-  void push_segment(smoothing::PathSegment segment);
+  void push_block(BlockItem item);
   void push_rest(const parser::Move& pause);
   void note_question(const parser::Move& pause);
 
   PipelineObserver* observer_;
-  lookahead::PlanLimits limits_;
-  ProgramPath path_;
   lookahead::Planner planner_;
+  BlockSource source_;
   PlanCheck check_;
   double period_s_;
   interp::Inquiry inquiry_{};

@@ -47,6 +47,9 @@ Result check_options(const KernelOptions& options) {
   if (options.dialect.value_or(Dialect::rs274) > Dialect::fanuc) {
     return SettingsFault::of("dialect", "expected rs274 or fanuc");
   }
+  if (options.reads_apart && options.tells_operator) {
+    return SettingsFault::of("reads_apart", "expected false where tells_operator is true");
+  }
   return check_option(shape, options.profile.sigmoid_shape.value_or(shape.min))
       .and_then([&] {
         return check_option({"window_blocks", 2, double{kMaxWindowBlocks}, nullptr},

@@ -77,6 +77,8 @@ struct KernelOptions {
   /// plan() and tick() are called by one thread, or tick() waits for plan() (needs_plan()), which
   /// is never late then: no way to rest is kept ready behind what is planned.
   bool one_thread = false;
+  /// A third thread reads, Kernel::read(). Not with tells_operator.
+  bool reads_apart = false;
   /// take_messages(), active_codes(), active_words() and left_s() have something to say.
   bool tells_operator = false;
   double nominal_s = 0.0;      ///< CheckReport::nominal_s of the program, for left_s(); 0: unknown
@@ -97,6 +99,14 @@ struct KernelOptions {
   /// Gets lines about how the motion is planned: scans, breaking points, blocks, adjusted
   /// feedrates, searches. Called by what plans, on the planning side; empty: nobody is told.
   std::function<void(std::string_view line)> plan_log{};
+};
+
+/// How far Kernel::read() has come.
+enum class ReadStatus : std::uint8_t {
+  read,        ///< something was read: call it again
+  far_enough,  ///< far ahead of plan(), or the program waits for what the machine answers
+  wants_text,  ///< feed() or finish() first
+  ended,       ///< the whole program is read
 };
 
 /// What belongs to a tick beside its setpoint.
@@ -170,6 +180,12 @@ class KERF_API Kernel {
   /// Plans ahead until the horizon is reached or more text is needed. True: more text is needed.
   /// Where nearly half of the horizon is planned, a search may be left to the next call.
   bool plan();
+  /// With KernelOptions::reads_apart, for a thread of its own beside plan(): reads the next part of
+  /// the text, smooths it and makes blocks of it. feed() and finish() belong to that thread then,
+  /// and plan() returns true where it needs what is not read yet. While that thread reads nothing
+  /// else may be called that sees or changes what is read: of the planning side only plan(),
+  /// stop(), hold(), resume() and set_overrides(). The motion is the same.
+  ReadStatus read();
   /// One setpoint. Real time: allocates nothing, takes no lock, throws nothing.
   TickStatus tick(Setpoint& setpoint) noexcept;
   /// plan() and tick(): for callers with one thread and no clock. Starved means: feed() or

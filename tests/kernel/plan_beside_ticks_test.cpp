@@ -1,6 +1,9 @@
-// Without a clock, a thread plans and another ticks: whoever needs more waits for it.
+// Without a clock, a thread reads, another plans and a third ticks: whoever needs more waits for
+// it.
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -16,10 +19,57 @@
 namespace kerf::test {
 namespace {
 
-// Plans again whenever it is asked to, with all text that is wanted.
+// Feeds a kernel piece by piece.
+class Text {
+ public:
+  Text(Kernel& kernel, std::string_view text) : kernel_(kernel), text_(text) {}
+
+  void feed() {
+    constexpr std::size_t kPiece = 100;
+    kernel_.feed(text_.substr(0, kPiece));
+    text_.remove_prefix(std::min(kPiece, text_.size()));
+    if (text_.empty()) {
+      kernel_.finish();
+    }
+  }
+
+ private:
+  Kernel& kernel_;
+  std::string_view text_;
+};
+
+// Reads as far ahead as it may, with all text that is wanted.
+class Reader {
+ public:
+  Reader(Kernel& kernel, std::string_view text)
+      : kernel_(kernel), text_(kernel, text), thread_([this] { work(); }) {}
+  ~Reader() {
+    over_ = true;
+    thread_.join();
+  }
+
+ private:
+  void work() {
+    for (ReadStatus status{}; !over_ && status != ReadStatus::ended;) {
+      status = kernel_.read();
+      if (status == ReadStatus::wants_text) {
+        text_.feed();
+      } else if (status == ReadStatus::far_enough) {
+        std::this_thread::yield();
+      }
+    }
+  }
+
+  Kernel& kernel_;
+  Text text_;
+  std::atomic<bool> over_ = false;
+  std::thread thread_;
+};
+
+// Plans again whenever it is asked to. Text comes from it, or a reader has it.
 class Planner {
  public:
-  Planner(Kernel& kernel, std::string_view text)
+  Planner(Kernel& kernel, std::optional<Text> text)
       : kernel_(kernel), text_(text), thread_([this] { work(); }) {}
   ~Planner() {
     over_ = true;
@@ -50,14 +100,13 @@ class Planner {
   }
 
   void work() {
-    constexpr std::size_t kPiece = 100;
     while (!over_) {
       const int number = wanted_;
       while (number > done_ && kernel_.plan()) {
-        kernel_.feed(text_.substr(0, kPiece));
-        text_.remove_prefix(std::min(kPiece, text_.size()));
-        if (text_.empty()) {
-          kernel_.finish();
+        if (text_) {
+          text_->feed();
+        } else {
+          std::this_thread::yield();
         }
       }
       done_ = number;
@@ -66,7 +115,7 @@ class Planner {
   }
 
   Kernel& kernel_;
-  std::string_view text_;
+  std::optional<Text> text_;
   std::atomic<int> wanted_ = 0;
   std::atomic<int> done_ = 0;
   std::atomic<bool> over_ = false;
@@ -114,7 +163,14 @@ std::vector<Setpoint> ticks_of_one_thread(const Program& program) {
 
 std::vector<Setpoint> ticks_beside(const Program& program) {
   Kernel kernel(mill(), program.options);
-  Planner planner(kernel, program.text);
+  std::optional<Reader> reader;
+  std::optional<Text> text;
+  if (program.options.reads_apart) {
+    reader.emplace(kernel, program.text);
+  } else {
+    text.emplace(kernel, program.text);
+  }
+  Planner planner(kernel, text);
   return run(kernel, [&] { planner.reach_tick(); });
 }
 
@@ -130,11 +186,16 @@ void expect_the_same(Program program) {
   program.options.one_thread = true;
   const std::vector<Setpoint> one = ticks_of_one_thread(program);
   for (const double horizon_s : {0.05, 3600.0}) {
-    program.options.horizon_s = horizon_s;
-    const std::vector<Setpoint> two = ticks_beside(program);
-    ASSERT_EQ(two.size(), one.size()) << horizon_s;
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      ASSERT_TRUE(is_same(two[i], one[i])) << horizon_s << " s, tick " << i;
+    for (const bool reads_apart : {false, true}) {
+      SCOPED_TRACE(horizon_s);
+      SCOPED_TRACE(reads_apart);
+      program.options.horizon_s = horizon_s;
+      program.options.reads_apart = reads_apart;
+      const std::vector<Setpoint> many = ticks_beside(program);
+      ASSERT_EQ(many.size(), one.size());
+      for (std::size_t i = 0; i < one.size(); ++i) {
+        ASSERT_TRUE(is_same(many[i], one[i])) << "tick " << i;
+      }
     }
   }
 }

@@ -234,6 +234,8 @@ TEST(SettingsCheck, RefusesImpossibleOptions) {
   for (const double nominal_s : {-1.0, kInfinity, kNan}) {
     expect("nominal_s", [=](KernelOptions& options) { options.nominal_s = nominal_s; });
   }
+  expect("reads_apart",
+         [](KernelOptions& options) { options.reads_apart = options.tells_operator = true; });
   expect("profile.kind",
          [](KernelOptions& options) { options.profile.kind = static_cast<ProfileKind>(99); });
   expect("dialect", [](KernelOptions& options) { options.dialect = static_cast<Dialect>(9); });

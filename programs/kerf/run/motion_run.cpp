@@ -1,12 +1,15 @@
 #include "programs/kerf/run/motion_run.hpp"
 
+#include <optional>
 #include <thread>
+#include <utility>
 
 #include "programs/kerf/driver/driver.hpp"
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/number_text.hpp"
 #include "programs/kerf/run/machine_run.hpp"
 #include "programs/kerf/run/motion_stage.hpp"
+#include "programs/kerf/run/reading_ahead.hpp"
 
 namespace kerf::program {
 
@@ -15,32 +18,47 @@ namespace {
 // The queue between the two threads is as full as it gets.
 constexpr double kFarAhead_s = 3600.0;
 
-bool may_plan_beside(MotionStage& stage) {
+bool may_use_threads(MotionStage& stage) {
   return std::thread::hardware_concurrency() > 1 && stage.order().page == nullptr &&
          !stage.report().live;
 }
 
-void dry_run(MotionStage& stage) {
-  KernelOptions options = stage.order().kernel_options;
-  const bool plans_beside = may_plan_beside(stage);
-  if (plans_beside) {
-    options.horizon_s = kFarAhead_s;
-  }
+Kernel kernel_for(MotionStage& stage, const KernelOptions& options) {
   Kernel kernel(stage.order().settings, options);
   if (const double feed = stage.order().options.feed_override; feed != 1.0) {
     kernel.set_overrides({.feed = feed});
   }
+  return kernel;
+}
+
+RunOutcome run_ticks(MotionStage& stage, Kernel& kernel, Feeder& feeder, bool plans_beside) {
+  const auto bar =
+      stage.progress_bar([] { return std::string("running  "); }, ProgressBar::Left::estimated);
+  RunStage run = stage.stage_with(feeder);
+  run.plans_beside = plans_beside;
+  const RunOutcome outcome = run_without_clock(kernel, run);
+  stage.disable();
+  return outcome;
+}
+
+void dry_run(MotionStage& stage) {
+  Kernel kernel = kernel_for(stage, stage.order().kernel_options);
   KernelPlanning planning(kernel);
   Feeder feeder = stage.feeder(planning);
-  RunOutcome outcome;
-  {
-    const auto bar =
-        stage.progress_bar([] { return std::string("running  "); }, ProgressBar::Left::estimated);
-    RunStage run = stage.stage_with(feeder);
-    run.plans_beside = plans_beside;
-    outcome = run_without_clock(kernel, run);
-    stage.disable();
-  }
+  const RunOutcome outcome = run_ticks(stage, kernel, feeder, false);
+  stage.finish({kernel, feeder, outcome});
+}
+
+// Reading, planning and ticks have a thread each; the motion is the same.
+void dry_run_in_threads(MotionStage& stage) {
+  KernelOptions options = stage.order().kernel_options;
+  options.horizon_s = kFarAhead_s;
+  options.reads_apart = true;
+  Kernel kernel = kernel_for(stage, options);
+  std::optional<ReadingAhead> reading(std::in_place, kernel, stage.text(), stage.progress());
+  Feeder feeder(*reading, *reading, stage.progress());
+  const RunOutcome outcome = run_ticks(stage, kernel, feeder, true);
+  reading.reset();  // what it read can be asked for
   stage.finish({kernel, feeder, outcome});
 }
 
@@ -87,6 +105,8 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
                     driver->machine());
   if (has_clock) {
     run_machine(stage, *driver);
+  } else if (may_use_threads(stage)) {
+    dry_run_in_threads(stage);
   } else {
     dry_run(stage);
   }

@@ -43,6 +43,8 @@ class MotionStage {
   [[nodiscard]] const MotionOrder& order() const noexcept { return order_; }
   [[nodiscard]] FileReport& report() noexcept { return report_; }
 
+  [[nodiscard]] TextFeed& text() noexcept { return text_; }
+  [[nodiscard]] Progress& progress() noexcept { return progress_; }
   [[nodiscard]] Feeder feeder(PlanningSide& planning) { return {planning, text_, progress_}; }
   [[nodiscard]] ProgressBar progress_bar(std::function<std::string()> label,
                                          ProgressBar::Left left) const {
