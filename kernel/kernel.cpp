@@ -91,6 +91,9 @@ bool Kernel::start_counts_on_tools() const {
 void Kernel::set_program_inputs(const ProgramInputs& inputs) noexcept {
   impl_->set_program_inputs(inputs);
 }
+bool Kernel::asks_machine() noexcept {
+  return impl_->asks_machine();
+}
 void Kernel::set_single_block(bool on) {
   impl_->set_single_block(on);
 }
@@ -128,11 +131,7 @@ bool Kernel::has_fault() const noexcept {
   return impl_->has_fault();
 }
 RunFigures Kernel::figures() const noexcept {
-  const TickJudge& judge = impl_->judge();
-  return {.path = judge.path(),
-          .axes = judge.axes(),
-          .extra = judge.extra_axes(),
-          .chord_error_mm = judge.chord_error_mm()};
+  return impl_->judge().figures();
 }
 std::vector<PathControlUse> Kernel::path_controls() const {
   return impl_->path_controls();

@@ -103,6 +103,7 @@ class KERF_LOCAL Kernel::Impl {
   void set_program_inputs(const ProgramInputs& inputs) noexcept {
     interpolator_.watch().set_inputs(inputs);
   }
+  [[nodiscard]] bool asks_machine() noexcept { return interpolator_.watch().asked() != nullptr; }
   [[nodiscard]] ProgramNotes& notes() noexcept { return notes_; }
   [[nodiscard]] ProgramState state_left() const;
   [[nodiscard]] std::optional<RunFault> fault() const {

@@ -78,6 +78,10 @@ class TickJudge {
   // The largest so far, and that of the latest tick.
   [[nodiscard]] double chord_error_mm() const noexcept { return chord_error_mm_; }
   [[nodiscard]] double latest_chord_error_mm() const noexcept { return latest_chord_error_mm_; }
+  [[nodiscard]] RunFigures figures() const noexcept {
+    return {
+        .path = path(), .axes = axes(), .extra = extra_axes(), .chord_error_mm = chord_error_mm_};
+  }
 
  private:
   static constexpr int kDifferences = 3;

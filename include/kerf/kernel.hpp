@@ -259,6 +259,9 @@ class KERF_API Kernel {
   /// What the machine says, for G38 and M66: call it before each tick(), in the same thread. Real
   /// time. Without options.asks_machine it counts for nothing.
   void set_program_inputs(const ProgramInputs& inputs) noexcept;
+  /// The program asks the machine something that is not answered yet. While it does not, ticks do
+  /// not depend on set_program_inputs(). Tick side, as tick().
+  [[nodiscard]] bool asks_machine() noexcept;
 
   /// The tool comes to rest at the junction behind each block of the program and waits for
   /// resume(); ticks are `waiting` then. From then on G64 makes no curve of several lines; those of

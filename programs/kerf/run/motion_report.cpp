@@ -22,7 +22,7 @@ void report_motion(FileReport& report, const Kernel& kernel, const RunStatistics
                            .deviation = kernel.deviation(),
                            .path_controls = kernel.path_controls(),
                            .waits = kernel.waits()};
-  const RunFigures figures = kernel.figures();
+  const RunFigures figures = outcome.figures.value_or(kernel.figures());
   report.motion = MotionReport{.path = figures.path,
                                .axes = figures.axes,
                                .extra = figures.extra,

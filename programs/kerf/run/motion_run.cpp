@@ -31,33 +31,40 @@ Kernel kernel_for(MotionStage& stage, const KernelOptions& options) {
   return kernel;
 }
 
-RunOutcome run_ticks(MotionStage& stage, Kernel& kernel, Feeder& feeder, bool plans_beside) {
-  const auto bar =
-      stage.progress_bar([] { return std::string("running  "); }, ProgressBar::Left::estimated);
-  RunStage run = stage.stage_with(feeder);
-  run.plans_beside = plans_beside;
-  const RunOutcome outcome = run_without_clock(kernel, run);
-  stage.disable();
-  return outcome;
+ProgressBar progress_bar(MotionStage& stage) {
+  return stage.progress_bar([] { return std::string("running  "); }, ProgressBar::Left::estimated);
 }
 
 void dry_run(MotionStage& stage) {
   Kernel kernel = kernel_for(stage, stage.order().kernel_options);
   KernelPlanning planning(kernel);
   Feeder feeder = stage.feeder(planning);
-  const RunOutcome outcome = run_ticks(stage, kernel, feeder, false);
+  RunOutcome outcome;
+  {
+    const auto bar = progress_bar(stage);
+    outcome = run_in_one_thread(kernel, stage.stage_with(feeder));
+    stage.disable();
+  }
   stage.finish({kernel, feeder, outcome});
 }
 
-// Reading, planning and ticks have a thread each; the motion is the same.
+// Reading, planning, ticks and the machine have a thread each; the motion is the same.
 void dry_run_in_threads(MotionStage& stage) {
-  KernelOptions options = stage.order().kernel_options;
+  const MotionOrder& order = stage.order();
+  KernelOptions options = order.kernel_options;
   options.horizon_s = kFarAhead_s;
   options.reads_apart = true;
   Kernel kernel = kernel_for(stage, options);
   std::optional<ReadingAhead> reading(std::in_place, kernel, stage.text(), stage.progress());
   Feeder feeder(*reading, *reading, stage.progress());
-  const RunOutcome outcome = run_ticks(stage, kernel, feeder, true);
+  TickJudge judge(
+      {.limits = order.settings.limits, .has_extra_axes = order.settings.program.extra_axes != 0});
+  RunOutcome outcome;
+  {
+    const auto bar = progress_bar(stage);
+    outcome = run_in_threads(kernel, stage.stage_with(feeder), judge);
+    stage.disable();
+  }
   reading.reset();  // what it read can be asked for
   stage.finish({kernel, feeder, outcome});
 }

@@ -9,6 +9,7 @@
 
 #include <kerf/kernel.hpp>
 
+#include "kernel/tick_judge.hpp"
 #include "programs/kerf/report/time_histogram.hpp"
 #include "programs/kerf/run/feeder.hpp"
 #include "programs/kerf/run/recorder.hpp"
@@ -23,9 +24,6 @@ struct RunStage {
   Progress& progress;
   bool waits_for_text = false;  // a tick without motion is no defect: the text is still to come
   std::int64_t last_tick = std::numeric_limits<std::int64_t>::max();  // of a run without a clock
-  // Of one: planning has a thread of its own. The page's notes and text that is still to come are
-  // for one thread.
-  bool plans_beside = false;
 };
 
 // A time without ticks after this tick.
@@ -36,6 +34,7 @@ struct TickGap {
 };
 
 struct RunOutcome {
+  std::optional<RunFigures> figures;       // where the kernel may have made more ticks than ran
   bool hung = false;                       // a defect: all is planned, and still the tick waits
   std::uint64_t starved_ticks = 0;         // rested because nothing was planned yet
   std::uint64_t late_ticks = 0;            // began a period or more after their time
@@ -51,9 +50,13 @@ struct RunOutcome {
   std::optional<std::uint32_t> too_long_at_line;
 };
 
-// One tick after the other in this thread, as fast as it goes. A request to stop (interrupt.hpp) is
-// a stop on the path, after which the run is over; a fault of the machine ends it at once, and so
-// does a trace that ends: the motion serves nobody.
-RunOutcome run_without_clock(Kernel& kernel, const RunStage& stage);
+// One tick after the other, as fast as it goes. A request to stop (interrupt.hpp) is a stop on the
+// path, after which the run is over; a fault of the machine ends it at once, and so does a trace
+// that ends: the motion serves nobody.
+RunOutcome run_in_one_thread(Kernel& kernel, const RunStage& stage);
+// The same: planning and ticks have threads of their own, ahead of the machine, which has this one.
+// Not for the page's notes, nor for text that is still to come. judge: for this run alone; of ticks
+// that were made ahead and not run it sees nothing.
+RunOutcome run_in_threads(Kernel& kernel, const RunStage& stage, TickJudge& judge);
 
 }  // namespace kerf::program
