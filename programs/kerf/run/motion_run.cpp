@@ -35,7 +35,7 @@ ProgressBar progress_bar(MotionStage& stage) {
   return stage.progress_bar([] { return std::string("running  "); }, ProgressBar::Left::estimated);
 }
 
-void dry_run(MotionStage& stage) {
+void dry_run_in_one_thread(MotionStage& stage) {
   Kernel kernel = kernel_for(stage, stage.order().kernel_options);
   KernelPlanning planning(kernel);
   Feeder feeder = stage.feeder(planning);
@@ -67,6 +67,14 @@ void dry_run_in_threads(MotionStage& stage) {
   }
   reading.reset();  // what it read can be asked for
   stage.finish({kernel, feeder, outcome});
+}
+
+void dry_run(MotionStage& stage) {
+  if (may_use_threads(stage)) {
+    dry_run_in_threads(stage);
+  } else {
+    dry_run_in_one_thread(stage);
+  }
 }
 
 }  // namespace
@@ -112,8 +120,6 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
                     driver->machine());
   if (has_clock) {
     run_machine(stage, *driver);
-  } else if (may_use_threads(stage)) {
-    dry_run_in_threads(stage);
   } else {
     dry_run(stage);
   }
