@@ -1,6 +1,7 @@
 // Without a clock, a thread reads, another plans and a third ticks: whoever needs more waits for
 // it.
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <optional>
@@ -182,10 +183,16 @@ bool is_same(const Setpoint& a, const Setpoint& b) {
          a.extra_rad_mm == b.extra_rad_mm && a.outputs == b.outputs;
 }
 
+#ifdef KERF_SLOW_BUILD
+constexpr std::array kHorizons_s{3600.0};
+#else
+constexpr std::array kHorizons_s{0.05, 3600.0};
+#endif
+
 void expect_the_same(Program program) {
   program.options.one_thread = true;
   const std::vector<Setpoint> one = ticks_of_one_thread(program);
-  for (const double horizon_s : {0.05, 3600.0}) {
+  for (const double horizon_s : kHorizons_s) {
     for (const bool reads_apart : {false, true}) {
       SCOPED_TRACE(horizon_s);
       SCOPED_TRACE(reads_apart);
