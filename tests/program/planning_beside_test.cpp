@@ -5,24 +5,10 @@
 #include <gtest/gtest.h>
 #include <kerf/kernel.hpp>
 
-#include "programs/kerf/run/planning_side.hpp"
+#include "tests/program/no_memory.hpp"
 
 namespace kerf::program {
 namespace {
-
-class NoMemory final : public PlanningSide {
- public:
-  explicit NoMemory(const Kernel& kernel) : kernel_(&kernel) {}
-  void feed(std::string_view /*text*/) override {}
-  void finish() override {}
-  bool plan() override { throw std::bad_alloc(); }
-  void text_is_late() override {}
-  void stop() override {}
-  [[nodiscard]] const Kernel& kernel() const override { return *kernel_; }
-
- private:
-  const Kernel* kernel_;
-};
 
 class NoText final : public TextFeed {
  public:

@@ -10,6 +10,7 @@
 #include <kerf/kernel.hpp>
 
 #include "programs/kerf/run/planning_side.hpp"
+#include "tests/program/no_memory.hpp"
 
 namespace kerf::program {
 namespace {
@@ -25,20 +26,6 @@ class WholeText final : public TextFeed {
 
  private:
   std::string_view text_;
-};
-
-class NoMemory final : public PlanningSide {
- public:
-  explicit NoMemory(const Kernel& kernel) : kernel_(&kernel) {}
-  void feed(std::string_view /*text*/) override {}
-  void finish() override {}
-  bool plan() override { throw std::bad_alloc(); }
-  void text_is_late() override {}
-  void stop() override {}
-  [[nodiscard]] const Kernel& kernel() const override { return *kernel_; }
-
- private:
-  const Kernel* kernel_;
 };
 
 // A probe touches below z = -5, and input 0 is high from tick 700 on.
