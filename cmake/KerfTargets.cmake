@@ -1,5 +1,7 @@
-# kerf_library(NAME DEPENDS ... PRIVATE_DEPENDS ...)
+# kerf_library(NAME DEPENDS ... PRIVATE_DEPENDS ... PRECOMPILED HEADER...)
 #   the folder's *.cpp, those of its subfolders too, as one static library, target kerf_NAME, alias kerf::NAME
+# kerf_precompile(TARGET HEADER...)
+#   headers that most sources of it include, and that take longer to read than the sources
 # kerf_tests(NAME DEPENDS ...)
 #   the folder's *.cpp as one GoogleTest executable NAME_tests, every test in it known to CTest
 
@@ -10,8 +12,17 @@ target_compile_options(kerf_warnings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<BOOL:${KERF_STRICT}>:-Werror>)
 
+function(kerf_precompile target)
+  if(KERF_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    # In what it inlines from a precompiled standard header, GCC 12 no longer knows a system header, whose warnings it leaves out.
+    target_compile_options(${target} PRIVATE
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-maybe-uninitialized;-Wno-stringop-overflow;-Wno-stringop-overread>)
+  endif()
+endfunction()
+
 function(kerf_library name)
-  cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "DEPENDS;PRIVATE_DEPENDS;PRECOMPILED" ${ARGN})
   set(target kerf_${name})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
   add_library(${target} STATIC ${sources})
@@ -23,6 +34,9 @@ function(kerf_library name)
   target_include_directories(${target} PUBLIC "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/include")
   target_link_libraries(${target} PUBLIC ${arg_DEPENDS}
     PRIVATE kerf_warnings ${arg_PRIVATE_DEPENDS})
+  if(arg_PRECOMPILED)
+    kerf_precompile(${target} ${arg_PRECOMPILED})
+  endif()
   set_property(GLOBAL APPEND PROPERTY KERF_LIBRARIES ${target})
 endfunction()
 
@@ -39,12 +53,9 @@ function(kerf_tests name)
   # Reading headers takes most of the time of a test's compilation.
   if(KERF_PRECOMPILED_HEADERS)
     target_link_libraries(${name}_tests PRIVATE Eigen3::Eigen tl::expected)
-    target_precompile_headers(${name}_tests PRIVATE <algorithm> <array> <cmath> <cstdint> <fstream> <functional> <limits>
+    kerf_precompile(${name}_tests <algorithm> <array> <cmath> <cstdint> <fstream> <functional> <limits>
       <map> <memory> <optional> <random> <sstream> <string> <vector> <gtest/gtest.h> <kerf/kerf.hpp>
       "${PROJECT_SOURCE_DIR}/curves/curve.hpp")
-    # In what it inlines from a precompiled standard header, GCC 12 no longer knows a system header, whose warnings it leaves out.
-    target_compile_options(${name}_tests PRIVATE
-      $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-maybe-uninitialized;-Wno-stringop-overflow;-Wno-stringop-overread>)
   endif()
   # Quicker to build; it is the libraries that need to be fast.
   target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-Og>)
