@@ -103,3 +103,9 @@ class ControlCase(Case):
         self.assertEqual(process.wait(timeout=60), status)
         with open(self.path("run.csv"), encoding="utf-8") as file:
             return [line for line in file if not line.startswith("#")]
+
+    def ends_at(self, process, status, **place_mm):
+        """As end(); the last row is at this place."""
+        rows = self.end(process, status)
+        last = dict(zip(rows[0].strip().split(","), rows[-1].strip().split(",")))
+        self.assertEqual({axis: float(last[f"{axis}_mm"]) for axis in place_mm}, place_mm)
