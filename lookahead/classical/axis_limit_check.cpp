@@ -100,6 +100,10 @@ class Way {
   [[nodiscard]] double distance_mm() const {
     return ramp_.direction * (next().s_mm - ramp_.foot_mm);
   }
+  // The next sample.
+  [[nodiscard]] bool comes_before(double distance_mm) const {
+    return has_next() && this->distance_mm() < distance_mm;
+  }
   void pass() { ++next_; }
   // Before the next sample.
   [[nodiscard]] PathSample at(double distance_mm) const {
@@ -125,22 +129,28 @@ RampReduction ramp_reduction(const PlacedRamp& ramp, const AxisLimitCurve& axis_
   const std::vector<Instant> instants = instants_of(ramp.law);
   Asks asks(axes);
   Way way(ramp, axis_limits);
-  const auto look = [&](const PathSample& at, profiles::PathMotion motion, double j) {
+  struct Jerks {
+    double before_mm_s3 = 0.0;
+    double after_mm_s3 = 0.0;
+  };
+  const auto look = [&](const PathSample& at, profiles::PathMotion motion, const Jerks& jerks) {
     motion.a_mm_s2 *= ramp.direction;
-    motion.j_mm_s3 = j;
+    motion.j_mm_s3 = jerks.before_mm_s3;
     asks.look(at, motion);
+    if (jerks.after_mm_s3 != jerks.before_mm_s3) {
+      motion.j_mm_s3 = jerks.after_mm_s3;
+      asks.look(at, motion);
+    }
   };
   const Instant* before = &instants.front();
   for (const Instant& now : instants) {
-    const BetweenInstants motion(*before, now);
-    for (; way.has_next() && way.distance_mm() < now.motion.s_mm; way.pass()) {
-      const profiles::PathMotion at = motion.at(way.distance_mm());
-      look(way.next(), at, before->j_after_mm_s3);
-      look(way.next(), at, now.j_before_mm_s3);
+    if (way.comes_before(now.motion.s_mm)) {
+      const BetweenInstants motion(*before, now);
+      for (; way.comes_before(now.motion.s_mm); way.pass()) {
+        look(way.next(), motion.at(way.distance_mm()), {before->j_after_mm_s3, now.j_before_mm_s3});
+      }
     }
-    const PathSample here = way.at(now.motion.s_mm);
-    look(here, now.motion, now.j_before_mm_s3);
-    look(here, now.motion, now.j_after_mm_s3);
+    look(way.at(now.motion.s_mm), now.motion, {now.j_before_mm_s3, now.j_after_mm_s3});
     before = &now;
   }
   return asks.ask();

@@ -38,6 +38,7 @@ class Instants {
  public:
   explicit Instants(const profiles::Transition& law) : law_(law) {
     static const std::array<double, kInstants + 1> kShares = make_shares();
+    all_.reserve(2 * kShares.size());
     for (const double share : kShares) {
       add(law.duration_s() * share);
     }
@@ -67,7 +68,14 @@ class Instants {
             .j_after_mm_s3 = motion.j_mm_s3};
   }
   void add(double t_s) { all_.push_back(instant(t_s)); }
-  void sort() { std::ranges::sort(all_, {}, &Instant::t_s); }
+  // A few behind all others that are in order.
+  void sort() {
+    const auto first = std::ranges::is_sorted_until(all_, {}, &Instant::t_s);
+    for (auto next = first; next != all_.end(); ++next) {
+      std::rotate(std::ranges::upper_bound(all_.begin(), next, next->t_s, {}, &Instant::t_s), next,
+                  next + 1);
+    }
+  }
   [[nodiscard]] double jerk(double t_s) const { return std::abs(law_.at(t_s).j_mm_s3); }
   [[nodiscard]] double jerk_of(std::size_t k) const { return std::abs(all_[k].motion.j_mm_s3); }
 

@@ -9,7 +9,8 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr std::size_t kRampPoints = 64;
+constexpr std::size_t kRampParts = 64;
+constexpr std::size_t kRampHalvings = 6;  // to one of them
 // A ramp between two points of it is no farther above the limit curve than they differ in feedrate.
 constexpr double kStrict = 5e-5;
 constexpr int kMaxHalvings = 16;
@@ -76,7 +77,8 @@ double Slope::allowed_from_mm(double v_mm_s) const {
 // What a ramp must give way by, from the points of it: each asks by the distance from which its
 // feedrate is allowed, and more the shorter the way to it. So no point between two others asks for
 // more than the upper one would at the place of the lower one; where that is no more than what is
-// given already, nobody looks between them, and elsewhere their distance is halved.
+// given already, nobody looks between them, and elsewhere their distance is halved. The lower half
+// comes first: mostly it is the one that asks for most.
 template <typename Ask>
 class Slope::Search {
  public:
@@ -84,15 +86,22 @@ class Slope::Search {
       : slope_(slope), ramp_(ramp), max_(least), ask_(ask) {}
 
   double most() {
-    std::array<Point, kRampPoints + 1> points;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      points[k] = point_at(ramp_.duration_s() * static_cast<double>(k) / kRampPoints);
-      if (k > 0) {
-        hear(points[k]);
+    std::array<Parts, kRampHalvings + 1> open;  // each halving leaves one behind
+    std::size_t count = 0;
+    open[count++] = {.low = point_at(0.0), .high = heard(kRampParts), .end = kRampParts};
+    while (count > 0) {
+      const Parts parts = open[--count];
+      if (!asks_for_more(parts.low, parts.high)) {
+        continue;
       }
-    }
-    for (std::size_t k = 1; k < points.size(); ++k) {
-      look_between(points[k - 1], points[k]);
+      if (parts.end - parts.begin == 1) {
+        look_between(parts.low, parts.high);
+        continue;
+      }
+      const std::size_t at = (parts.begin + parts.end) / 2;
+      const Point middle = heard(at);
+      open[count++] = {.low = middle, .high = parts.high, .begin = at, .end = parts.end};
+      open[count++] = {.low = parts.low, .high = middle, .begin = parts.begin, .end = at};
     }
     return max_;
   }
@@ -119,6 +128,26 @@ class Slope::Search {
     }
   }
 
+  // At the end of so many parts of the ramp.
+  Point heard(std::size_t parts) {
+    const Point point = point_at(ramp_.duration_s() * static_cast<double>(parts) / kRampParts);
+    hear(point);
+    return point;
+  }
+
+  // Whether any place between the points may.
+  [[nodiscard]] bool asks_for_more(const Point& low, const Point& high) const {
+    return high.allowed_from_mm > 0.0 && ask_(high.allowed_from_mm, low.s_mm) > max_;
+  }
+
+  // Of the ramp, from the begin of one to the end of another.
+  struct Parts {
+    Point low{};
+    Point high{};
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+
   struct Gap {
     Point low{};
     Point high{};
@@ -126,9 +155,9 @@ class Slope::Search {
   };
 
   [[nodiscard]] bool may_ask_for_more(const Gap& gap) const {
-    return gap.halvings < kMaxHalvings && gap.high.allowed_from_mm > 0.0 &&
+    return gap.halvings < kMaxHalvings &&
            gap.high.v_mm_s - gap.low.v_mm_s > kStrict * gap.high.v_mm_s &&
-           ask_(gap.high.allowed_from_mm, gap.low.s_mm) > max_;
+           asks_for_more(gap.low, gap.high);
   }
 
   void look_between(const Point& low, const Point& high) {
@@ -142,8 +171,8 @@ class Slope::Search {
       }
       const Point middle = point_at(0.5 * (gap.low.t_s + gap.high.t_s));
       hear(middle);
-      open[count++] = {.low = gap.low, .high = middle, .halvings = gap.halvings + 1};
       open[count++] = {.low = middle, .high = gap.high, .halvings = gap.halvings + 1};
+      open[count++] = {.low = gap.low, .high = middle, .halvings = gap.halvings + 1};
     }
   }
 
