@@ -70,10 +70,10 @@ class Instants {
   void add(double t_s) { all_.push_back(instant(t_s)); }
   // A few behind all others that are in order.
   void sort() {
-    const auto first = std::ranges::is_sorted_until(all_, {}, &Instant::t_s);
-    for (auto next = first; next != all_.end(); ++next) {
-      std::rotate(std::ranges::upper_bound(all_.begin(), next, next->t_s, {}, &Instant::t_s), next,
-                  next + 1);
+    const auto earlier = [](const Instant& a, const Instant& b) { return a.t_s < b.t_s; };
+    auto next = std::is_sorted_until(all_.begin(), all_.end(), earlier);
+    for (; next != all_.end(); ++next) {
+      std::rotate(std::upper_bound(all_.begin(), next, *next, earlier), next, next + 1);
     }
   }
   [[nodiscard]] double jerk(double t_s) const { return std::abs(law_.at(t_s).j_mm_s3); }
