@@ -14,7 +14,10 @@ target_compile_options(kerf_warnings INTERFACE
 
 function(kerf_precompile target)
   if(KERF_PRECOMPILED_HEADERS)
-    target_precompile_headers(${target} PRIVATE ${ARGN})
+    if(NOT ARGV1 STREQUAL "REUSE_FROM")
+      set(visibility PRIVATE)
+    endif()
+    target_precompile_headers(${target} ${visibility} ${ARGN})
     # In what it inlines from a precompiled standard header, GCC 12 no longer knows a system header, whose warnings it leaves out.
     target_compile_options(${target} PRIVATE
       $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-maybe-uninitialized;-Wno-stringop-overflow;-Wno-stringop-overread>)
@@ -40,6 +43,19 @@ function(kerf_library name)
   set_property(GLOBAL APPEND PROPERTY KERF_LIBRARIES ${target})
 endfunction()
 
+# What all tests are compiled with. Reading headers takes most of that time: it is done once, for all of them (kerf_test_headers).
+function(kerf_test_options target)
+  target_link_libraries(${target} PRIVATE kerf_warnings GTest::gtest_main Eigen3::Eigen tl::expected)
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/include")
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  target_compile_definitions(${target} PRIVATE KERF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  # Quicker to build; it is the libraries that need to be fast.
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-Og>)
+  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize" OR CMAKE_BUILD_TYPE STREQUAL "Debug")
+    target_compile_definitions(${target} PRIVATE KERF_SLOW_BUILD)  # fewer random cases
+  endif()
+endfunction()
+
 function(kerf_tests name)
   cmake_parse_arguments(arg "" "" "DEPENDS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
@@ -47,20 +63,16 @@ function(kerf_tests name)
     return()
   endif()
   add_executable(${name}_tests ${sources})
-  target_link_libraries(${name}_tests PRIVATE ${arg_DEPENDS} kerf_warnings GTest::gtest_main)
-  target_include_directories(${name}_tests PRIVATE "${PROJECT_SOURCE_DIR}")
-  target_compile_definitions(${name}_tests PRIVATE KERF_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
-  # Reading headers takes most of the time of a test's compilation.
-  if(KERF_PRECOMPILED_HEADERS)
-    target_link_libraries(${name}_tests PRIVATE Eigen3::Eigen tl::expected)
-    kerf_precompile(${name}_tests <algorithm> <array> <cmath> <cstdint> <fstream> <functional> <limits>
+  target_link_libraries(${name}_tests PRIVATE ${arg_DEPENDS})
+  kerf_test_options(${name}_tests)
+  if(NOT TARGET kerf_test_headers)
+    file(CONFIGURE OUTPUT "${PROJECT_BINARY_DIR}/test_headers.cpp" CONTENT "")
+    add_library(kerf_test_headers OBJECT "${PROJECT_BINARY_DIR}/test_headers.cpp")
+    kerf_test_options(kerf_test_headers)
+    kerf_precompile(kerf_test_headers <algorithm> <array> <cmath> <cstdint> <fstream> <functional> <limits>
       <map> <memory> <optional> <random> <sstream> <string> <vector> <gtest/gtest.h> <kerf/kerf.hpp>
       "${PROJECT_SOURCE_DIR}/curves/curve.hpp")
   endif()
-  # Quicker to build; it is the libraries that need to be fast.
-  target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-Og>)
-  if(CMAKE_CXX_FLAGS MATCHES "-fsanitize" OR CMAKE_BUILD_TYPE STREQUAL "Debug")
-    target_compile_definitions(${name}_tests PRIVATE KERF_SLOW_BUILD)  # fewer random cases
-  endif()
+  kerf_precompile(${name}_tests REUSE_FROM kerf_test_headers)
   gtest_discover_tests(${name}_tests NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600)
 endfunction()
