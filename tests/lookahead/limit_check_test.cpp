@@ -1,6 +1,7 @@
 #include "lookahead/optimum/solver/limit_check.hpp"
 
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -47,6 +48,42 @@ TEST(LimitCheck, SeesTheJerkAtAKnotWhereverInACellItLies) {
     cell.end = path(cell, cell.length_mm);
     EXPECT_NEAR(excess_of(cell, cruise, path, limits).jerk, 1.0, 1e-9) << i;
   }
+}
+
+// What a line's cell exceeds, it exceeds at an end, or where its feedrate is highest.
+TEST(LimitCheck, OfALineIsThatOfItsPlaces) {
+  std::mt19937_64 random(5);
+  const auto uniform = [&random](double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  };
+  PlanLimits limits;
+  limits.axes.fill({.velocity_mm_s = 60.0, .acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 1e4});
+  int peaks = 0;
+  for (int i = 0; i < 2000; ++i) {
+    PathSample end;
+    end.first = {uniform(-0.7, 0.7), uniform(-0.7, 0.7), uniform(-0.7, 0.7)};
+    end.feedrate_mm_s = 50.0;
+    const auto path = [&end](const Cell&, double) { return end; };
+    Cell cell{.length_mm = uniform(0.01, 0.5),
+              .begin = end,
+              .end = end,
+              .along = {.acceleration_mm_s2 = 900.0, .jerk_mm_s3 = 2e4},
+              .jumps_per_mm_s = {uniform(0.0, 2.0), 0.0, uniform(0.0, 2.0)}};
+    const double h = cell.length_mm;
+    const double from = uniform(100.0, 2500.0);
+    const SquaredFeed feed{.value = from,
+                           .slope = uniform(-0.5, 0.5) * from / h,
+                           .bend = uniform(-0.9, 0.9) * from / (h * h)};
+    const Excess looked = excess_of(cell, feed, path, limits);
+    cell.straight = true;
+    const Excess found = excess_of(cell, feed, path, limits);
+    EXPECT_NEAR(found.feedrate, looked.feedrate, 1e-12 * looked.feedrate) << i;
+    EXPECT_NEAR(found.acceleration, looked.acceleration, 1e-12 * looked.acceleration) << i;
+    EXPECT_NEAR(found.jerk, looked.jerk, 1e-12 * looked.jerk) << i;
+    const double peak = -feed.slope / feed.bend;
+    peaks += feed.bend < 0.0 && peak > 0.0 && peak < h ? 1 : 0;
+  }
+  EXPECT_GT(peaks, 200);
 }
 
 }  // namespace

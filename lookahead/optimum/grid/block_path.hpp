@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "lookahead/optimum/grid/cell.hpp"
@@ -28,6 +29,10 @@ class BlockPath {
   [[nodiscard]] std::vector<double> scan_places() const;
   // How far from the place the path's derivatives can be taken as one polynomial.
   [[nodiscard]] double piece_mm(double s_mm) const;
+  // A line, whose derivatives are the same everywhere, under one feedrate.
+  [[nodiscard]] bool is_straight() const {
+    return std::holds_alternative<curves::Line>(block_->curve) && block_->limit_curve.empty();
+  }
   // Derivatives may jump there.
   [[nodiscard]] bool joins_pieces(double s_mm) const;
   // An inner place where a cell must end: the third derivative jumps, the limit curve has a valley,

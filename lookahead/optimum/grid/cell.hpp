@@ -46,6 +46,7 @@ struct Cell {
   // The path at its ends, seen from within: derivatives may jump from a cell to the next.
   PathSample begin{};
   PathSample end{};
+  bool straight = false;  // of a line: the path's derivatives are the same all along it
   profiles::RampLimits along{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
   LimitOrigins along_from{};
   AllowedShares allowed{};

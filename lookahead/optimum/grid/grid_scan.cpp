@@ -152,6 +152,7 @@ Cell cell_between(const BlockPath& path, const curves::Stretch& stretch, const C
             .length_mm = stretch.end_mm - stretch.begin_mm,
             .begin = before != nullptr ? before->end : path.at(stretch.begin_mm + inside),
             .end = path.at(stretch.end_mm - inside),
+            .straight = path.is_straight(),
             .along = path.along(),
             .along_from = path.along_from()};
   if (cell.begin.feedrate_mm_s == cell.end.feedrate_mm_s) {

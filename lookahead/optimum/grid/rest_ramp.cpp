@@ -98,11 +98,16 @@ void refine_to_rest(std::vector<Cell>& cells, RestAt where, const PathAt& path,
   }
   const RestRamp ramp = rest_ramp(cells, where, limits);
   std::vector<Cell> refined;
+  refined.reserve(cells.size());
   double distance = 0.0;
   for (const Cell& cell : cells) {
     const double end = distance + cell.length_mm;
     std::vector<double> lengths = lengths_between(ramp, {distance, end});
     distance = end;
+    if (lengths.size() == 1) {
+      refined.push_back(cell);
+      continue;
+    }
     if (where == RestAt::end) {
       std::reverse(lengths.begin(), lengths.end());
     }

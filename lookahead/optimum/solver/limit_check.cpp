@@ -142,6 +142,15 @@ Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
         {.s_mm = s, .v_mm_s = v, .a_mm_s2 = 0.5 * slope, .j_mm_s3 = 0.5 * v * begin.bend}, cell,
         path_in(cell, {place, s}, path), limits, worst);
   };
+  const double peak = -begin.slope / (begin.bend * cell.length_mm);  // of the feedrate
+  const bool has_peak = begin.bend < 0.0 && peak > 0.0 && peak < 1.0;
+  // On a line each axis has its share of the path's motion: its acceleration is linear over the
+  // cell, its jerk goes with the feedrate.
+  if (cell.straight && !has_peak) {
+    look(0.0);
+    look(1.0);
+    return worst;
+  }
   const double curvature = std::max(curves::vec(cell.begin.second_per_mm).norm(),
                                     curves::vec(cell.end.second_per_mm).norm());
   const double parts =
@@ -163,8 +172,7 @@ Excess excess_of(const Cell& cell, const SquaredFeed& begin, const PathAt& path,
   }
   go_on_to(1.0 - kBeside / parts);
   go_on_to(1.0);
-  const double peak = -begin.slope / (begin.bend * cell.length_mm);  // of the feedrate
-  if (begin.bend < 0.0 && peak > 0.0 && peak < 1.0) {
+  if (has_peak) {
     look(peak);
   }
   return worst;

@@ -41,9 +41,14 @@ class Builder {
       const double cap = cells[i].shares.feedrate *
                          std::max(cells[i].begin.feedrate_mm_s, cells[i].end.feedrate_mm_s);
       forms.begin = forms_at(cells[i], cells[i].begin, limits);
-      forms.end = forms_at(cells[i], cells[i].end, limits);
       forms.at_begin = bounds_of(forms.begin, cap);
-      forms.at_end = bounds_of(forms.end, cap);
+      if (cells[i].straight) {
+        forms.end = forms.begin;
+        forms.at_end = forms.at_begin;
+      } else {
+        forms.end = forms_at(cells[i], cells[i].end, limits);
+        forms.at_end = bounds_of(forms.end, cap);
+      }
       if (i > 0) {
         join(forms_[i - 1], forms);
       }
