@@ -204,16 +204,19 @@ TEST(BarrierObjective, ItsGradientIsThatOfItsValue) {
       const CellSequence sequence = random_sequence(random, begin, cells);
       const BarrierObjective objective(sequence, limits);
       const BarrierWeights weights{.weight_s = 0.01, .relaxed = 0.2};
-      BandSystem system;
       const auto value = [&](std::vector<double> at) {
         objective.bind(at);
-        return objective.derive(at, weights, system).objective_s;
+        return objective.value(at, weights).objective_s;
       };
       std::vector<double> c(objective.size());
       for (double& coefficient : c) {
         coefficient = uniform(random, 80.0, 400.0);
       }
-      value(c);
+      objective.bind(c);
+      BandSystem system;
+      const BarrierObjective::Value derived = objective.derive(c, weights, system);
+      EXPECT_EQ(derived.objective_s, objective.value(c, weights).objective_s);
+      EXPECT_EQ(derived.time_s, objective.value(c, weights).time_s);
       const std::vector<double> gradient = system.gradient;
       const auto [first, end] = objective.free_rows();
       for (std::size_t i = first; i < end; ++i) {

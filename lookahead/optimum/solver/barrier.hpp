@@ -12,6 +12,9 @@ namespace kerf::lookahead {
 using SimdPair = Eigen::Array2d;
 inline constexpr std::size_t kSimdWidth = 2;
 
+// What is asked for of a sum of barriers.
+enum class Order { value, derivatives };
+
 // How sharp the barriers are.
 struct BarrierWeights {
   double weight_s = 0.0;     // of each

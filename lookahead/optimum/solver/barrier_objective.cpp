@@ -19,7 +19,7 @@ double square(double x) {
 
 struct BarrierObjective::Sums {
   const BarrierWeights* weights = nullptr;
-  BandSystem* system = nullptr;
+  BandSystem* system = nullptr;  // null: of the value alone
   double time_s = 0.0;
   double barrier_s = 0.0;
 };
@@ -102,15 +102,30 @@ void BarrierObjective::add_rest(const RestCell& rest, std::size_t outer,
   const double weight = sums.weights->weight_s;
   sums.time_s += t;
   sums.barrier_s += sum.value()[0];
+  if (sums.system == nullptr) {
+    return;
+  }
   sums.system->gradient[outer] += -0.5 * t / b + weight * slopes.rise[0] / rest.cap;
   sums.system->diagonal[outer] +=
       0.75 * t / (b * b) + sums.weights->stiffness_s * slopes.bend[0] / square(rest.cap);
+}
+
+BarrierObjective::Value BarrierObjective::value(const std::vector<double>& coefficients,
+                                                const BarrierWeights& weights) const {
+  return sum<Order::value>(coefficients, {.weights = &weights});
 }
 
 BarrierObjective::Value BarrierObjective::derive(const std::vector<double>& coefficients,
                                                  const BarrierWeights& weights,
                                                  BandSystem& system) const {
   system.clear(size());
+  return sum<Order::derivatives>(coefficients, {.weights = &weights, .system = &system});
+}
+
+template <Order order>
+BarrierObjective::Value BarrierObjective::sum(const std::vector<double>& coefficients,
+                                              Sums ends) const {
+  const BarrierWeights& weights = *ends.weights;
   const std::size_t count = range_.size();
   SimdPair time = SimdPair::Zero();
   SimdPair barrier_sum = SimdPair::Zero();
@@ -118,24 +133,27 @@ BarrierObjective::Value BarrierObjective::derive(const std::vector<double>& coef
   std::size_t i = 0;
   for (const CellPair& pair : rows_.pairs) {
     const std::size_t cells = std::min(kSimdWidth, count - i);
-    PairSums sums(pair, &coefficients[i], cells, weights);
+    PairSums<order> sums(pair, &coefficients[i], cells, weights);
     if (!sums.are_positive()) {
       return {.time_s = kUnbounded, .objective_s = kUnbounded};
     }
     time += sums.add_time();
     row = sums.add_limits(row);
     barrier_sum += sums.barrier();
-    sums.store(i, system);
+    if constexpr (order == Order::derivatives) {
+      sums.store(i, *ends.system);
+    }
     i += cells;
   }
-  Sums ends{.weights = &weights, .system = &system};
   if (launches()) {
     add_rest(launch_, 0, coefficients, ends);
   }
   if (lands()) {
     add_rest(landing_, size() - 1, coefficients, ends);
   }
-  fold_ends(system);
+  if constexpr (order == Order::derivatives) {
+    fold_ends(*ends.system);
+  }
   Value value;
   value.time_s = time.sum() + ends.time_s;
   const double objective = value.time_s + weights.weight_s * (barrier_sum.sum() + ends.barrier_s);

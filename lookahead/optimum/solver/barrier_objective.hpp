@@ -68,6 +68,8 @@ class BarrierObjective {
     double time_s = 0.0;
     double objective_s = 0.0;  // infinite where b is not positive
   };
+  [[nodiscard]] Value value(const std::vector<double>& coefficients,
+                            const BarrierWeights& weights) const;
   // At these coefficients, with the Newton system for the free rows.
   [[nodiscard]] Value derive(const std::vector<double>& coefficients, const BarrierWeights& weights,
                              BandSystem& system) const;
@@ -86,8 +88,11 @@ class BarrierObjective {
   };
   [[nodiscard]] RestCell rest_cell(const Cell& cell, const RestEnds& ends,
                                    double neighbour_mm) const;
-  // For the launch or landing, which meets the spline at its outermost coefficient.
   struct Sums;
+  // ends: what launch and landing are added to.
+  template <Order order>
+  [[nodiscard]] Value sum(const std::vector<double>& coefficients, Sums ends) const;
+  // For the launch or landing, which meets the spline at its outermost coefficient.
   void add_rest(const RestCell& rest, std::size_t outer, const std::vector<double>& coefficients,
                 Sums& sums) const;
   void fold_ends(BandSystem& system) const;

@@ -47,44 +47,44 @@ class Search {
   };
 
   // Newton steps until no more is left to gain.
-  //
-  // Where the stage before has ended, the force of each barrier that matters is its weight over the
-  // slack, and the slack has to shrink as the weight does. With the second derivatives of the
-  // barriers of the new weight, which are so much smaller, a Newton step goes that many times too
-  // far; with those of the old weight it goes there (it is the step of a primal-dual method
-  // [Nocedal, chapter 19]). So the first step of a stage takes these.
   void stage(const Goal& goal) {
-    const auto [share, done] = goal;
-    share_before_ = share_before_ > 0.0 ? share_before_ : share;
-    const auto count = static_cast<double>(objective_.size());
-    if (!is_part_) {
-      if (time_s_ == 0.0) {
-        time_s_ = objective_.derive(feed_->coefficients, {.relaxed = 1.0}, system_).time_s;
-      }
-      feed_->mean_s = time_s_ / count;
-    }
-    BarrierWeights weights{.weight_s = share * feed_->mean_s,
-                           .stiffness_s = share_before_ * feed_->mean_s,
-                           .relaxed = kRelaxed * share};
-    double before = objective_.derive(feed_->coefficients, weights, system_).objective_s;
-    weights.stiffness_s = weights.weight_s;
-    share_before_ = share;
+    begin(goal.share);
     for (int k = 0; k < kStepsOfStage; ++k) {
-      const double gain = step(weights, before);
-      if (gain < done * weights.weight_s * count) {
+      if (step_ends(goal)) {
         return;
       }
     }
   }
 
  private:
-  // What the linear model promises; 0 where the search is stuck. value: of the objective, renewed
-  // as the system is.
-  double step(const BarrierWeights& weights, double& value) {
-    std::vector<double>& c = feed_->coefficients;
+  // The system of a stage at its first place.
+  //
+  // Where the stage before has ended, the force of each barrier that matters is its weight over the
+  // slack, and the slack has to shrink as the weight does. With the second derivatives of the
+  // barriers of the new weight, which are so much smaller, a Newton step goes that many times too
+  // far; with those of the old weight it goes there (it is the step of a primal-dual method
+  // [Nocedal, chapter 19]). So the first step of a stage takes these.
+  void begin(double share) {
+    if (!is_part_) {
+      if (time_s_ == 0.0) {
+        time_s_ = objective_.value(feed_->coefficients, {.relaxed = 1.0}).time_s;
+      }
+      feed_->mean_s = time_s_ / static_cast<double>(objective_.size());
+    }
+    const double share_before = share_ > 0.0 ? share_ : share;
+    share_ = share;
+    weights_ = {.weight_s = share * feed_->mean_s,
+                .stiffness_s = share_before * feed_->mean_s,
+                .relaxed = kRelaxed * share};
+    value_s_ = objective_.derive(feed_->coefficients, weights_, system_).objective_s;
+    weights_.stiffness_s = weights_.weight_s;
+  }
+
+  // A step; whether the stage ends with it: no more is left to gain, or the search is stuck.
+  bool step_ends(const Goal& goal) {
     const BandSystem::Rows rows = objective_.free_rows();
-    if (!solve(rows, weights)) {
-      return 0.0;
+    if (!solve(rows)) {
+      return true;
     }
     ++feed_->newton_steps;
     double slope = 0.0;
@@ -92,35 +92,44 @@ class Search {
       slope += system_.gradient[i] * change_[i];
     }
     objective_.bind_change(change_);
-    trial_.resize(c.size());
+    const double least_s = goal.done * weights_.weight_s * static_cast<double>(objective_.size());
+    const bool is_last = -slope < least_s;
     double length = 1.0;
     for (int k = 0; k < kHalvings; ++k) {
-      // Each by itself: one that falls steeply would hold up all others.
-      for (std::size_t i = 0; i < c.size(); ++i) {
-        trial_[i] = std::max(c[i] + length * change_[i], (1.0 - kToZero) * c[i]);
-      }
-      const BarrierObjective::Value now = objective_.derive(trial_, weights, system_);
-      if (now.objective_s <= value + kArmijo * length * slope) {
-        c.swap(trial_);
-        value = now.objective_s;
+      try_step(length);
+      // What is derived behind the last step would have this stage's weights.
+      const BarrierObjective::Value now = is_last ? objective_.value(trial_, weights_)
+                                                  : objective_.derive(trial_, weights_, system_);
+      if (now.objective_s <= value_s_ + kArmijo * length * slope) {
+        feed_->coefficients.swap(trial_);
+        value_s_ = now.objective_s;
         time_s_ = now.time_s;
-        return -slope;
+        return is_last;
       }
       length *= 0.5;
     }
-    return 0.0;
+    return true;
+  }
+
+  // Each coefficient by itself: one that falls steeply would hold up all others.
+  void try_step(double length) {
+    const std::vector<double>& c = feed_->coefficients;
+    trial_.resize(c.size());
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      trial_[i] = std::max(c[i] + length * change_[i], (1.0 - kToZero) * c[i]);
+    }
   }
 
   // BarrierWeights of very different steepness leave the system positive definite by less than
   // rounding takes away: then a little is added to its diagonal.
-  bool solve(const BandSystem::Rows& rows, const BarrierWeights& weights) {
+  bool solve(const BandSystem::Rows& rows) {
     change_.assign(objective_.size(), 0.0);
     if (system_.solve(rows, change_)) {
       return true;
     }
     double damping = kFirstDamping;
     for (int k = 0; k < kDampings; ++k) {
-      static_cast<void>(objective_.derive(feed_->coefficients, weights, system_));
+      static_cast<void>(objective_.derive(feed_->coefficients, weights_, system_));
       for (double& d : system_.diagonal) {
         d *= 1.0 + damping;
       }
@@ -136,8 +145,10 @@ class Search {
   OptimalFeed* feed_;
   bool is_part_ = false;
   BandSystem system_;
-  double share_before_ = 0.0;  // the stage before; 0: none
-  double time_s_ = 0.0;        // at the coefficients; 0: not known yet
+  BarrierWeights weights_{};
+  double share_ = 0.0;    // of the weights; 0: none yet
+  double value_s_ = 0.0;  // of the objective at the coefficients, renewed as the system is
+  double time_s_ = 0.0;   // at the coefficients; 0: not known yet
   std::vector<double> change_;
   std::vector<double> trial_;
 };

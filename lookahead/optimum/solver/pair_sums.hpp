@@ -16,8 +16,9 @@ struct SimdRow {
   SimdPair r2;
 };
 
-// The contribution of two cells to the objective and to the Newton system. A form over fewer
-// coefficients costs less.
+// The contribution of two cells to the objective and, with its derivatives, to the Newton system. A
+// form over fewer coefficients costs less.
+template <Order order>
 class PairSums {
  public:
   PairSums(const CellPair& pair, const double* coefficients, std::size_t cells,
@@ -66,7 +67,7 @@ class PairSums {
                           {SimdPair::Zero(), 1.0 - pair.end, pair.end});
   }
   // Into the rows of as many cells as there are.
-  void store(std::size_t at, BandSystem& system) const {
+  void store(std::size_t at, BandSystem& system) const requires(order == Order::derivatives) {
     for (std::size_t lane = 0; lane < cells_; ++lane) {
       const auto l = static_cast<Eigen::Index>(lane);
       const std::size_t i = at + lane;
@@ -125,6 +126,9 @@ class PairSums {
     return row;
   }
   void add(const SimdRow& row, const Barrier::Slopes& slopes) {
+    if constexpr (order == Order::value) {
+      return;
+    }
     const auto& [rise, bend] = slopes;
     const SimdPair b0 = bend * row.r0;
     const SimdPair b1 = bend * row.r1;
@@ -140,6 +144,9 @@ class PairSums {
     s_ += b0 * row.r2;
   }
   void add_first(const SimdPair& r0, const SimdPair& r1, const Barrier::Slopes& slopes) {
+    if constexpr (order == Order::value) {
+      return;
+    }
     const SimdPair rise = weight_s_ * slopes.rise;
     const SimdPair b0 = stiffness_s_ * slopes.bend * r0;
     const SimdPair b1 = stiffness_s_ * slopes.bend * r1;
@@ -150,6 +157,9 @@ class PairSums {
     f0_ += b0 * r1;
   }
   void add_last(const SimdPair& r1, const SimdPair& r2, const Barrier::Slopes& slopes) {
+    if constexpr (order == Order::value) {
+      return;
+    }
     const SimdPair rise = weight_s_ * slopes.rise;
     const SimdPair b1 = stiffness_s_ * slopes.bend * r1;
     const SimdPair b2 = stiffness_s_ * slopes.bend * r2;
@@ -160,6 +170,9 @@ class PairSums {
     f1_ += b1 * r2;
   }
   void add_middle(const SimdPair& r1, const Barrier::Slopes& slopes) {
+    if constexpr (order == Order::value) {
+      return;
+    }
     g1_ += weight_s_ * slopes.rise * r1;
     d1_ += stiffness_s_ * slopes.bend * r1 * r1;
   }
