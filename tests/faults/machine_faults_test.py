@@ -202,4 +202,4 @@ class MachineFaults(Case):
 
 
 if __name__ == "__main__":
-    main()
+    main(at_once=4)

@@ -295,4 +295,4 @@ class ProcessFaults(Case):
 
 
 if __name__ == "__main__":
-    main()
+    main(at_once=4)

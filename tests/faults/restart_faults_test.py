@@ -77,4 +77,4 @@ class RestartFaults(Case):
 
 
 if __name__ == "__main__":
-    main()
+    main(at_once=4)

@@ -104,4 +104,4 @@ class Channel(ControlCase):
 
 
 if __name__ == "__main__":
-    main()
+    main(at_once=4)

@@ -2,6 +2,7 @@
 
 Exit statuses, streams, signals and files; the figures themselves are other tests' business.
 """
+import concurrent.futures
 import pathlib
 import shutil
 import subprocess
@@ -34,5 +35,25 @@ class Case(unittest.TestCase):
         return done
 
 
-def main():
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+class AtOnce(unittest.TestSuite):
+    def __init__(self, suite, count):
+        super().__init__(suite)
+        self.count = count
+
+    def cases(self, suite):
+        for test in suite:
+            yield from self.cases(test) if isinstance(test, unittest.TestSuite) else [test]
+
+    def run(self, result, debug=False):
+        with concurrent.futures.ThreadPoolExecutor(self.count) as pool:
+            list(pool.map(lambda case: case.run(result), self.cases(self)))
+        return result
+
+
+def main(at_once=1):
+    """at_once: of cases that mostly wait for a run's own time, how many run beside each other."""
+    class Runner(unittest.TextTestRunner):
+        def run(self, test):
+            return super().run(AtOnce(test, at_once))
+
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], testRunner=Runner)

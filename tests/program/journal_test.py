@@ -212,4 +212,4 @@ class Journal(Case):
 
 
 if __name__ == "__main__":
-    main()
+    main(at_once=4)

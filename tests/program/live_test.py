@@ -187,4 +187,4 @@ class ProgressBar(Case):
 
 
 if __name__ == "__main__":
-    main()
+    main(at_once=4)
