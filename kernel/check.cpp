@@ -223,6 +223,7 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
   }
   checker.finish(report);
   report.nominal_s = checker.least_time().nominal_s();
+  report.length_mm = checker.least_time().length_mm();
   const std::vector<diagnostics::Diagnostic>& found = path.diagnostics();
   report.diagnostics.insert(report.diagnostics.end(), found.begin(), found.end());
   name_files(path.reader(), report.diagnostics);

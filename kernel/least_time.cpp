@@ -76,6 +76,7 @@ void LeastTime::count(const parser::Move& move, Way way) {
   }
   seconds_ += share * way.time_s;
   nominal_s_ += way.time_s;
+  length_mm_ += way.length_mm;
 }
 
 }  // namespace kerf

@@ -25,6 +25,8 @@ class LeastTime {
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
   // The same for the path as it is programmed.
   [[nodiscard]] double nominal_s() const noexcept { return nominal_s_; }
+  // Of the path as it is programmed.
+  [[nodiscard]] double length_mm() const noexcept { return length_mm_; }
 
  private:
   struct Way {
@@ -38,6 +40,7 @@ class LeastTime {
   double fastest_mm_s_;
   double seconds_ = 0.0;
   double nominal_s_ = 0.0;
+  double length_mm_ = 0.0;
 };
 
 }  // namespace kerf

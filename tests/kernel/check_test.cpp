@@ -164,6 +164,11 @@ TEST(Check, TakesTheBulgeOfACurveIntoTheExtents) {
   EXPECT_NEAR(report.extents.max_mm[1], 5.0, 1e-9);
 }
 
+TEST(Check, HasTheLengthOfAllMovesAsTheyAreProgrammed) {
+  EXPECT_EQ(check("G1 X3 Y4 F600\nG0 X0 Y0\nG4 P2\nM2\n").length_mm, 10.0);
+  EXPECT_NEAR(check("G2 X20 Y0 R10 F600\nM2\n").length_mm, 10.0 * std::acos(-1.0), 1e-12);
+}
+
 TEST(Check, SaysThatAProgramDoesNotMove) {
   const CheckReport report = check("G21 G90\nM3 S100\nG4 P1\nM2\n");
   EXPECT_FALSE(report.has_errors());

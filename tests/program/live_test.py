@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import pty
+import re
 import select
 import signal
 import subprocess
@@ -158,24 +159,45 @@ class Signals(Case):
 
 
 class ProgressBar(Case):
-    def test_appears_on_a_terminal_after_a_second_and_goes(self):
+    def on_a_terminal(self, *words):
+        """The process, and what its terminal shows, piece by piece."""
         master, slave = pty.openpty()
-        slow = "G21 G90\nF1200\nG1 X50\nM30\n"  # 2.5 s
-        process = subprocess.Popen([KERF, "run", self.path("slow.ngc", slow)], stdout=subprocess.PIPE, stderr=slave,
-                                   env={**os.environ, "TERM": "xterm"})
+        process = subprocess.Popen([KERF, *words], stdout=subprocess.PIPE, stderr=slave, env={**os.environ, "TERM": "xterm"})
+        self.addCleanup(process.kill)
+        self.addCleanup(os.close, master)
         os.close(slave)
-        shown = b""
-        while True:
-            if select.select([master], [], [], 60)[0]:
+
+        def pieces():
+            while select.select([master], [], [], 60)[0]:
                 try:
                     piece = os.read(master, 4096)
                 except OSError:
-                    break
+                    return
                 if not piece:
-                    break
-                shown += piece
+                    return
+                yield piece
+        return process, pieces()
+
+    def test_of_a_dry_run_says_how_far_it_is_and_what_is_left(self):
+        long = "G21 G90 G61\nF600\n" + "G1 X200\nG1 X0\n" * 1000 + "M30\n"  # 40,000 s, all of them alike
+        process, pieces = self.on_a_terminal("dry-run", self.path("long.ngc", long))
+        shown = b""
+        for piece in pieces:
+            shown += piece
+            if re.search(rb"[1-9] %, [^\r]* left\r", shown):
+                process.send_signal(signal.SIGINT)
+                break
         process.communicate(timeout=60)
-        os.close(master)
+        self.assertEqual(process.returncode, 130)
+        shares = [int(share) for share in re.findall(rb"(\d+) %", shown)]
+        self.assertEqual(shares, sorted(shares))
+        self.assertLess(shares[0], 50)
+
+    def test_appears_on_a_terminal_after_a_second_and_goes(self):
+        slow = "G21 G90\nF1200\nG1 X50\nM30\n"  # 2.5 s
+        process, pieces = self.on_a_terminal("run", self.path("slow.ngc", slow))
+        shown = b"".join(pieces)
+        process.communicate(timeout=60)
         self.assertEqual(process.returncode, 0)
         self.assertIn(b"running", shown)
         self.assertIn(b" %", shown)

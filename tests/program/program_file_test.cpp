@@ -163,5 +163,14 @@ TEST(Progress, IsTheShareOfThePathThatTheWholeTextWillGive) {
   EXPECT_DOUBLE_EQ(progress.share(), 1.0);
 }
 
+TEST(Progress, IsTheShareOfThePathThatACheckHasFound) {
+  Progress progress(400.0);
+  EXPECT_EQ(progress.share(), 0.0);
+  progress.set_read(1.0);
+  progress.set_planned(100.0);
+  progress.set_done(50.0);
+  EXPECT_DOUBLE_EQ(progress.share(), 0.125);
+}
+
 }  // namespace
 }  // namespace kerf::program

@@ -21,6 +21,7 @@ struct CheckedPath {
   std::optional<curves::Extents> extents;    // none: no path
   std::optional<curves::Extents> cutting{};  // none: nothing is cut
   curves::AuxiliaryExtents extra_extents{};
+  double length_mm = 0.0;              // of all that is run; 0: nobody knows
   std::optional<ScannedCurve> scan{};  // for the plot
 };
 

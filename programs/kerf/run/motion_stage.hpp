@@ -32,6 +32,7 @@ class MotionStage {
         text_(ends.text),
         outputs_(ends.outputs),
         report_(ends.report),
+        progress_(order.path.length_mm),
         ticks_({.settings = order.settings,
                 .spindle_timeout_s = order.options.driver.spindle_timeout_s,
                 .keeps_flight = order.options.flight_file.has_value()},

@@ -58,7 +58,8 @@ void judge(const ProgramCheck& how, const CheckReport& found, FileReport& report
   }
   how.path = {.extents = found.moves ? std::optional(found.extents) : std::nullopt,
               .cutting = cutting,
-              .extra_extents = found.extra_extents};
+              .extra_extents = found.extra_extents,
+              .length_mm = found.length_mm};
 }
 
 // For the page: of a program that would run but for the travel, or is not to run.

@@ -18,13 +18,16 @@ ReadingAhead::~ReadingAhead() {
 }
 
 bool ReadingAhead::plan() {
-  while (kernel_->plan()) {
+  while (true) {
+    const bool wants_text = kernel_->plan();
     progress_->set_planned(kernel_->totals().path_length_mm);
+    if (!wants_text) {
+      return false;
+    }
     if (!wait()) {
       return error_.has_value();
     }
   }
-  return false;
 }
 
 tl::expected<TextPiece, std::string> ReadingAhead::read() {

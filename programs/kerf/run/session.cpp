@@ -192,7 +192,7 @@ class Session {
     }
     if (start_.place()) {
       kernel_options_.start_in_program = start_.place();
-      kernel_options_.nominal_s = 0.0;  // it is that of the whole program
+      kernel_options_.nominal_s = path_.length_mm = 0.0;  // they are those of the whole program
     }
     file.rewind();
     if (options_.plot_file) {
