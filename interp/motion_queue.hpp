@@ -25,7 +25,11 @@ namespace kerf::interp {
 class MotionQueue {
  public:
   static constexpr std::size_t kPieces = 1024;
-  static constexpr std::size_t kPhases = 4096;
+  static constexpr std::size_t kPhases = 8192;
+  // So many stay free of what is planned ahead: room for a plan that takes over, and for what was
+  // planned last and waits.
+  static constexpr std::size_t kPhasesKeptFree = 3072;
+  static constexpr std::size_t kPhasesOfTakeover = 2048;  // before it is planned, at the least
   static constexpr std::size_t kOutputChanges = 1024;
   static constexpr std::size_t kLineChanges = 16'384;
   static constexpr std::size_t kTakeovers = 4;

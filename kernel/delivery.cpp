@@ -45,8 +45,12 @@ void Delivery::send_path() {
 }
 
 bool Delivery::deliver(std::int64_t horizon) {
+  return deliver(horizon, interp::MotionQueue::kPhasesKeptFree);
+}
+
+bool Delivery::deliver(std::int64_t horizon, std::size_t kept_free) {
   send_path();
-  while (phases_sent_ < outbox_.phases.size()) {
+  while (phases_sent_ < outbox_.phases.size() && queue_->phases_free() > kept_free) {
     const interp::Phase& phase = outbox_.phases[phases_sent_];
     if (phase.begin.tick > horizon) {
       break;
@@ -83,7 +87,7 @@ Delivery::HandedOver Delivery::take_over(lookahead::Outbox&& plan, std::uint32_t
   const bool drops = later != outbox_.phases.end();
   outbox_.phases.erase(later, outbox_.phases.end());
   append(outbox_.phases, plan.phases);
-  deliver(std::numeric_limits<std::int64_t>::max());
+  deliver(std::numeric_limits<std::int64_t>::max(), 0);
   queue_->push(interp::Takeover{.from = from,
                                 .plan = takeover_plan,
                                 .tick = first_tick(begin),

@@ -19,7 +19,7 @@ class Delivery {
   // Moves phases up to tick `horizon` into the queue; pieces, line changes and output changes as
   // far as there is room. A phase goes only after the piece it begins on, the line changes up to
   // there and the output changes that it counts. True: all phases were moved; what only later
-  // phases need may remain.
+  // phases need may remain. Room for a plan that takes over stays free.
   bool deliver(std::int64_t horizon);
 
   // A new plan takes over from that one where it begins; phases that wait and begin later than that
@@ -46,6 +46,7 @@ class Delivery {
   [[nodiscard]] std::int64_t frozen_until_tick() const noexcept { return frozen_until_tick_; }
 
  private:
+  bool deliver(std::int64_t horizon, std::size_t kept_free);
   [[nodiscard]] bool may_follow(const interp::Phase& phase) const;
   // The path up to its end and the output changes that it counts are in the queue.
   [[nodiscard]] bool may_end_with(const interp::Phase& phase) const;

@@ -215,7 +215,8 @@ bool Kernel::Impl::try_change_plan() {
   if (is_at_feed_0()) {
     return false;  // it holds, until there is another
   }
-  if (queue_.phases_free() < interp::MotionQueue::kPhases / 2 + delivery_.outbox().phases.size()) {
+  if (queue_.phases_free() <
+      interp::MotionQueue::kPhasesOfTakeover + delivery_.outbox().phases.size()) {
     return false;
   }
   lookahead::Outbox plan;

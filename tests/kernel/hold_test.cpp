@@ -55,6 +55,36 @@ TEST(Hold, MayComeWhileTheToolBrakesAndAgainBehindIt) {
   }
 }
 
+// A plan that reaches as far as it may fills the queue; there is room for a hold and an override.
+TEST(Hold, IsHeededHoweverFarIsPlanned) {
+  std::string text = "G21 G90 G61 F600\n";
+  for (int i = 0; i < 200; ++i) {
+    text += "G1 X200\nG1 X0\n";  // 20 s each
+  }
+  for (const bool holds : {true, false}) {
+    Kernel kernel(default_machine(), {.horizon_s = 3600.0, .one_thread = true});
+    kernel.feed(text);
+    kernel.finish();
+    Setpoint setpoint;
+    for (int i = 0; i < 5000; ++i) {
+      ASSERT_EQ(kernel.next(setpoint), TickStatus::running);
+    }
+    if (holds) {
+      kernel.hold();
+    } else {
+      ASSERT_TRUE(kernel.set_overrides({.feed = 0.5}));
+    }
+    TickStatus status = TickStatus::running;
+    double before_mm = 0.0;
+    for (int i = 0; i < 500; ++i) {
+      before_mm = setpoint.position_mm[0];
+      status = kernel.next(setpoint);
+    }
+    EXPECT_EQ(status, holds ? TickStatus::held : TickStatus::running);
+    EXPECT_NEAR(setpoint.position_mm[0] - before_mm, holds ? 0.0 : 0.005, 1e-5);
+  }
+}
+
 TEST(Hold, OfTheSameTickGivesTheSameTicks) {
   const WatchedProgram program{.text = mixed_program()};
   const WatchedRun one = run_held(program, {500});

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Each exit status of `kerf`, and that README.md, docs/json.md, the schema of the control channel and the help name them all."""
+import json
 import os
 import pathlib
 import re
@@ -37,6 +38,16 @@ class ExitStatus(Case):
             process.send_signal(number)
             process.communicate(timeout=60)
             self.assertEqual(process.returncode, status)
+
+    def test_of_a_dry_run_that_is_asked_to_stop_and_does_so_at_once(self):
+        long = self.path("long.ngc", "G21 G90 G61\nF600\n" + "G1 X200\nG1 X0\n" * 1000 + "M30\n")  # 40,000 s
+        process = subprocess.Popen([KERF, "dry-run", long, "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.kill)
+        time.sleep(1.0)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130, err)
+        self.assertLess(json.loads(out)["cycle_time_s"], 20_000)
 
     def test_of_a_wait_that_nobody_can_answer_is_that_of_a_program_error_before_any_motion(self):
         for wait in ("M0", "M60", "T2 M6"):

@@ -20,6 +20,9 @@ PlanningBeside::~PlanningBeside() {
 }
 
 void PlanningBeside::reach_tick() {
+  if (stop_requested()) {  // the ticks are faster than any stop that is planned beside them
+    finish();
+  }
   while (lacks_plan()) {
     const std::uint64_t block = kernel_->detail().block;
     kernel_->make_room();

@@ -24,7 +24,8 @@ class PlanningBeside {
 
   // Before each tick.
   void reach_tick();
-  // After the last tick: what the kernel says may be read from then on.
+  // Waits for a plan that begins now. After the last tick: what the kernel says may be read from
+  // then on.
   void finish();
 
  private:
