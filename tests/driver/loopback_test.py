@@ -220,4 +220,4 @@ class Loopback(Case):
 
 
 if __name__ == "__main__":
-    main(at_once=4)
+    main(at_once=2)

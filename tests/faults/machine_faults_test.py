@@ -202,4 +202,4 @@ class MachineFaults(Case):
 
 
 if __name__ == "__main__":
-    main(at_once=4)
+    main(at_once=2)

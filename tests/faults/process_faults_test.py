@@ -295,4 +295,4 @@ class ProcessFaults(Case):
 
 
 if __name__ == "__main__":
-    main(at_once=4)
+    main(at_once=2)

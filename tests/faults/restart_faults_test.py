@@ -77,4 +77,4 @@ class RestartFaults(Case):
 
 
 if __name__ == "__main__":
-    main(at_once=4)
+    main(at_once=2)

@@ -104,4 +104,4 @@ class Channel(ControlCase):
 
 
 if __name__ == "__main__":
-    main(at_once=4)
+    main(at_once=2)

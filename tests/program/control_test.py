@@ -236,4 +236,4 @@ class Control(ControlCase):
 
 
 if __name__ == "__main__":
-    main(at_once=4)
+    main(at_once=2)

@@ -133,4 +133,4 @@ class Keys(Case):
 
 
 if __name__ == "__main__":
-    main(at_once=4)
+    main(at_once=2)

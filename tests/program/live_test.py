@@ -209,4 +209,4 @@ class ProgressBar(Case):
 
 
 if __name__ == "__main__":
-    main(at_once=4)
+    main(at_once=2)

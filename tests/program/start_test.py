@@ -212,4 +212,4 @@ def off_line(place, a, b):
 
 
 if __name__ == "__main__":
-    main(at_once=4)
+    main(at_once=2)

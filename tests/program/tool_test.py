@@ -70,4 +70,4 @@ class Tools(ControlCase):
 
 
 if __name__ == "__main__":
-    main(at_once=4)
+    main(at_once=2)
