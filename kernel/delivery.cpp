@@ -45,14 +45,14 @@ void Delivery::send_path() {
 }
 
 bool Delivery::deliver(std::int64_t horizon) {
-  return deliver(horizon, interp::MotionQueue::kPhasesKeptFree);
+  return deliver(Until{.horizon = horizon, .phases_free = interp::MotionQueue::kPhasesKeptFree});
 }
 
-bool Delivery::deliver(std::int64_t horizon, std::size_t kept_free) {
+bool Delivery::deliver(const Until& until) {
   send_path();
-  while (phases_sent_ < outbox_.phases.size() && queue_->phases_free() > kept_free) {
+  while (phases_sent_ < outbox_.phases.size() && queue_->phases_free() > until.phases_free) {
     const interp::Phase& phase = outbox_.phases[phases_sent_];
-    if (phase.begin.tick > horizon) {
+    if (phase.begin.tick > until.horizon) {
       break;
     }
     send_changes_before(phase);
@@ -87,7 +87,7 @@ Delivery::HandedOver Delivery::take_over(lookahead::Outbox&& plan, std::uint32_t
   const bool drops = later != outbox_.phases.end();
   outbox_.phases.erase(later, outbox_.phases.end());
   append(outbox_.phases, plan.phases);
-  deliver(std::numeric_limits<std::int64_t>::max(), 0);
+  deliver(Until{.horizon = std::numeric_limits<std::int64_t>::max(), .phases_free = 0});
   queue_->push(interp::Takeover{.from = from,
                                 .plan = takeover_plan,
                                 .tick = first_tick(begin),

@@ -46,7 +46,11 @@ class Delivery {
   [[nodiscard]] std::int64_t frozen_until_tick() const noexcept { return frozen_until_tick_; }
 
  private:
-  bool deliver(std::int64_t horizon, std::size_t kept_free);
+  struct Until {
+    std::int64_t horizon = 0;
+    std::size_t phases_free = 0;  // in the queue
+  };
+  bool deliver(const Until& until);
   [[nodiscard]] bool may_follow(const interp::Phase& phase) const;
   // The path up to its end and the output changes that it counts are in the queue.
   [[nodiscard]] bool may_end_with(const interp::Phase& phase) const;

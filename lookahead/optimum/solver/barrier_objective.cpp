@@ -122,7 +122,7 @@ BarrierObjective::Value BarrierObjective::derive(const std::vector<double>& coef
   return sum<Order::derivatives>(coefficients, {.weights = &weights, .system = &system});
 }
 
-template <Order order>
+template <Order kOrder>
 BarrierObjective::Value BarrierObjective::sum(const std::vector<double>& coefficients,
                                               Sums ends) const {
   const BarrierWeights& weights = *ends.weights;
@@ -133,14 +133,14 @@ BarrierObjective::Value BarrierObjective::sum(const std::vector<double>& coeffic
   std::size_t i = 0;
   for (const CellPair& pair : rows_.pairs) {
     const std::size_t cells = std::min(kSimdWidth, count - i);
-    PairSums<order> sums(pair, &coefficients[i], cells, weights);
+    PairSums<kOrder> sums(pair, &coefficients[i], cells, weights);
     if (!sums.are_positive()) {
       return {.time_s = kUnbounded, .objective_s = kUnbounded};
     }
     time += sums.add_time();
     row = sums.add_limits(row);
     barrier_sum += sums.barrier();
-    if constexpr (order == Order::derivatives) {
+    if constexpr (kOrder == Order::derivatives) {
       sums.store(i, *ends.system);
     }
     i += cells;
@@ -151,7 +151,7 @@ BarrierObjective::Value BarrierObjective::sum(const std::vector<double>& coeffic
   if (lands()) {
     add_rest(landing_, size() - 1, coefficients, ends);
   }
-  if constexpr (order == Order::derivatives) {
+  if constexpr (kOrder == Order::derivatives) {
     fold_ends(*ends.system);
   }
   Value value;

@@ -90,7 +90,7 @@ class BarrierObjective {
                                    double neighbour_mm) const;
   struct Sums;
   // ends: what launch and landing are added to.
-  template <Order order>
+  template <Order kOrder>
   [[nodiscard]] Value sum(const std::vector<double>& coefficients, Sums ends) const;
   // For the launch or landing, which meets the spline at its outermost coefficient.
   void add_rest(const RestCell& rest, std::size_t outer, const std::vector<double>& coefficients,

@@ -18,7 +18,7 @@ struct SimdRow {
 
 // The contribution of two cells to the objective and, with its derivatives, to the Newton system. A
 // form over fewer coefficients costs less.
-template <Order order>
+template <Order kOrder>
 class PairSums {
  public:
   PairSums(const CellPair& pair, const double* coefficients, std::size_t cells,
@@ -67,7 +67,7 @@ class PairSums {
                           {SimdPair::Zero(), 1.0 - pair.end, pair.end});
   }
   // Into the rows of as many cells as there are.
-  void store(std::size_t at, BandSystem& system) const requires(order == Order::derivatives) {
+  void store(std::size_t at, BandSystem& system) const requires(kOrder == Order::derivatives) {
     for (std::size_t lane = 0; lane < cells_; ++lane) {
       const auto l = static_cast<Eigen::Index>(lane);
       const std::size_t i = at + lane;
@@ -126,7 +126,7 @@ class PairSums {
     return row;
   }
   void add(const SimdRow& row, const Barrier::Slopes& slopes) {
-    if constexpr (order == Order::value) {
+    if constexpr (kOrder == Order::value) {
       return;
     }
     const auto& [rise, bend] = slopes;
@@ -144,7 +144,7 @@ class PairSums {
     s_ += b0 * row.r2;
   }
   void add_first(const SimdPair& r0, const SimdPair& r1, const Barrier::Slopes& slopes) {
-    if constexpr (order == Order::value) {
+    if constexpr (kOrder == Order::value) {
       return;
     }
     const SimdPair rise = weight_s_ * slopes.rise;
@@ -157,7 +157,7 @@ class PairSums {
     f0_ += b0 * r1;
   }
   void add_last(const SimdPair& r1, const SimdPair& r2, const Barrier::Slopes& slopes) {
-    if constexpr (order == Order::value) {
+    if constexpr (kOrder == Order::value) {
       return;
     }
     const SimdPair rise = weight_s_ * slopes.rise;
@@ -170,7 +170,7 @@ class PairSums {
     f1_ += b1 * r2;
   }
   void add_middle(const SimdPair& r1, const Barrier::Slopes& slopes) {
-    if constexpr (order == Order::value) {
+    if constexpr (kOrder == Order::value) {
       return;
     }
     g1_ += weight_s_ * slopes.rise * r1;
