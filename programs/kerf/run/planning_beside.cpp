@@ -21,7 +21,7 @@ PlanningBeside::~PlanningBeside() {
 
 void PlanningBeside::reach_tick() {
   if (stop_requested()) {  // the ticks are faster than any stop that is planned beside them
-    finish();
+    await_plan();
   }
   while (lacks_plan()) {
     const std::uint64_t block = kernel_->detail().block;
@@ -45,7 +45,7 @@ bool PlanningBeside::lacks_plan() {
   return kernel_->needs_plan();
 }
 
-void PlanningBeside::finish() {
+void PlanningBeside::await_plan() {
   for (const std::uint64_t number = ask(); !wait_for(number);) {
   }
 }

@@ -26,7 +26,7 @@ class PlanningBeside {
   void reach_tick();
   // Waits for a plan that begins now. After the last tick: what the kernel says may be read from
   // then on.
-  void finish();
+  void await_plan();
 
  private:
   // So many ticks make room for more to plan.

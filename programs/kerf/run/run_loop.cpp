@@ -82,7 +82,7 @@ RunOutcome run_in_threads(Kernel& kernel, const RunStage& stage, TickJudge& judg
       is_last = taker.take(tick);
     }
   }
-  planning.finish();
+  planning.await_plan();
   outcome.figures = judge.figures();
   return outcome;
 }
