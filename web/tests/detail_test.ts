@@ -134,6 +134,19 @@ test("each stretch has the colour of all the ticks that it stands for", () => {
   leavesNoneOut(); // the finest
 });
 
+test("lines that are made between frames are there for the next one", () => {
+  const paint = new PathPaint(pathOf(5000, wave));
+  let asked = 0;
+  const colouring = { legend: { kind: "scale", title: "", quantity: "share", most: 1 } as const, valueOf: () => (++asked, 1), rgbOf: () => [1, 0, 0] as const };
+  paint.colour(colouring, null, { rgb: [1, 1, 1], dark: false, accent: "#000000", faint: "#000000", text: "" });
+  assert.ok(!paint.makeFor(whole(1e4), -Infinity), "without time the view lacks some");
+  assert.ok(!paint.paintFor(whole(1e4), -Infinity)!.isWhole);
+  assert.ok(paint.makeFor(whole(1e4), Infinity));
+  asked = 0;
+  assert.ok(paint.paintFor(whole(1e4), -Infinity)!.isWhole, "and a frame needs no time for them");
+  assert.equal(asked, 0);
+});
+
 test("while nothing but the instant moves no chunk of the path is looked at", () => {
   const paint = new PathPaint(pathOf(5000, wave));
   const colouring = { legend: { kind: "scale", title: "", quantity: "share", most: 1 } as const, valueOf: () => 1, rgbOf: () => [1, 0, 0] as const };

@@ -1,4 +1,5 @@
 // Plans that tests make up.
+import type { LineNumbers } from "../src/plan/by_line.ts";
 import { Plan } from "../src/plan/plan.ts";
 import type { Decoded, Header } from "../src/plan/decode.ts";
 
@@ -61,4 +62,11 @@ export function planOf(runs: readonly MadeRun[], source: string | null = null, s
     ]),
   };
   return new Plan(decoded);
+}
+
+// In the order of the lines.
+export function numbersOf(lines: LineNumbers): [number, number][] {
+  const pairs: [number, number][] = [];
+  lines.forEach((number, line) => pairs.push([line, number]));
+  return pairs.sort((a, b) => a[0] - b[0]);
 }

@@ -1,13 +1,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { accountOf, fitsOf, headingsOf, total } from "../src/plan/account.ts";
+import { ByLine } from "../src/plan/by_line.ts";
 import { decodePlan, unpackNumbers } from "../src/plan/decode.ts";
 import { RunKind, lastAtOrBefore, type Path } from "../src/plan/plan.ts";
 import { Pyramid } from "../src/plan/pyramid.ts";
 import { drawnColumns, drawnLimits } from "../src/views/columns.ts";
 import { colouringOf, innerColumns } from "../src/views/path_colours.ts";
 import { pointingOf, tickNear, type Pointing } from "../src/views/pick.ts";
-import { planOf } from "./helper.ts";
+import { numbersOf, planOf } from "./helper.ts";
 
 // 0, 1, -1, 64, then back to 0: steps 0, 1, -2, 65, -64 as zigzag 0, 2, 3, 130 (two bytes), 127.
 test("numbers are packed as differences of seven bits a byte", () => {
@@ -67,9 +68,17 @@ test("time is split by what the machine does, by tool and by line", () => {
   assert.deepEqual(account.whole, { cut: 75, rapid: 10, rest: 30, toolChange: 501 });
   assert.equal(total(account.whole), 616);
   assert.deepEqual(account.tools.map((part) => [part.name, total(part.split)]), [["no tool", 510], ["T4", 106]]);
-  assert.deepEqual([...account.lines], [[1, 10], [2, 501], [3, 75], [4, 30]]);
+  assert.deepEqual(numbersOf(account.lines), [[1, 10], [2, 501], [3, 75], [4, 30]]);
   assert.equal(account.firstTick.get(3), 511, "the first of the times that a line runs");
   assert.deepEqual(account.operations, []);
+});
+
+test("a line without a number has none, and 0 is one", () => {
+  const lines = new ByLine(4);
+  lines.set(3, 0);
+  lines.set(1, 7.5);
+  assert.deepEqual([-1, 0, 1, 2, 3, 4, 5].map((line) => lines.get(line)), [undefined, undefined, 7.5, undefined, 0, undefined, undefined]);
+  assert.deepEqual(numbersOf(lines), [[1, 7.5], [3, 0]]);
 });
 
 test("headings are the comments that stand alone in a line", () => {

@@ -1,4 +1,5 @@
 // Where the time of a program goes: by what the machine does, by tool, by operation, by line.
+import { ByLine, type LineNumbers } from "./by_line.ts";
 import { RunKind, lastPart, type Plan } from "./plan.ts";
 
 export interface Split {
@@ -31,17 +32,31 @@ export interface Heading {
   readonly text: string;
 }
 
+// By its first letter: hardly any line of a long program is one, and to take each apart takes long.
+function mayBeComment(source: string, begin: number, end: number): boolean {
+  let at = begin;
+  while (at < end && source.charCodeAt(at) <= 0x20) ++at;
+  return "(;Nn".includes(source.charAt(at));
+}
+
+function commentOf(line: string): string {
+  const comment = /^\s*(?:N\d+\s*)?(?:\(([^()]*)\)|;(.*))\s*$/i.exec(line);
+  return (comment?.[1] ?? comment?.[2] ?? "").trim();
+}
+
 // The operations of a program as CAM posts mark them: a line that is nothing but a comment, the last one of several that
 // follow each other without motion between. Words to the operator and those that machines act on are none.
 export function headingsOf(source: string): Heading[] {
   const found: Heading[] = [];
-  source.split("\n").forEach((text, i) => {
-    const comment = /^\s*(?:N\d+\s*)?(?:\(([^()]*)\)|;(.*))\s*$/i.exec(text);
-    const words = (comment?.[1] ?? comment?.[2] ?? "").trim();
+  for (let line = 1, begin = 0; begin < source.length; ++line) {
+    const next = source.indexOf("\n", begin);
+    const end = next < 0 ? source.length : next;
+    const words = mayBeComment(source, begin, end) ? commentOf(source.slice(begin, end)) : "";
     if (words !== "" && !/^(msg|print|debug|log|logopen|logappend|logclose|probeopen|probeclose|abort)\b\s*,/i.test(words)) {
-      found.push({ line: i + 1, text: words });
+      found.push({ line, text: words });
     }
-  });
+    begin = end + 1;
+  }
   return found;
 }
 
@@ -50,8 +65,8 @@ export interface Account {
   readonly tools: readonly Part[];
   readonly operations: readonly Part[]; // empty without headings
   readonly files: readonly Part[]; // the program and those of its subprograms; empty without subprograms in files
-  readonly lines: ReadonlyMap<number, number>; // ticks of each line of the program that takes time
-  readonly firstTick: ReadonlyMap<number, number>; // at which it begins for the first time
+  readonly lines: LineNumbers; // ticks of each line of the program that takes time
+  readonly firstTick: LineNumbers; // at which it begins for the first time
 }
 
 // Which heading a line belongs to: the last one at or before it; -1: none.
@@ -66,46 +81,62 @@ function headingOf(headings: readonly Heading[], line: number): number {
   return low - 1;
 }
 
+// Of runs that some number tells apart, in the order in which they come.
+class Parts {
+  private readonly parts = new Map<number, Part>();
+  private readonly begin: (number: number) => { name: string; line: number };
+  private number = NaN; // of the run before: most are of its part
+  private split = none();
+
+  constructor(begin: (number: number) => { name: string; line: number }) {
+    this.begin = begin;
+  }
+
+  of(number: number): Split {
+    if (number === this.number) return this.split;
+    let part = this.parts.get(number);
+    if (!part) this.parts.set(number, (part = { ...this.begin(number), split: none() }));
+    this.number = number;
+    return (this.split = part.split);
+  }
+
+  get count(): number {
+    return this.parts.size;
+  }
+
+  get thatTook(): Part[] {
+    return [...this.parts.values()].filter((part) => total(part.split) > 0);
+  }
+}
+
 export function accountOf(plan: Plan): Account {
-  const whole = none();
-  const tools = new Map<number, Part>();
-  const operations = new Map<number, Part>();
-  const files = new Map<number, Part>();
-  const lines = new Map<number, number>();
-  const firstTick = new Map<number, number>();
   const headings = plan.source === null ? [] : headingsOf(plan.source);
   const runs = plan.motion?.runs;
+  const lastLine = runs?.line.reduce((last, line) => Math.max(last, line), 0) ?? 0;
+  let line = 0;
   let own = 0; // the line of the program, or from which the subprogram was called
+  const whole = none();
+  const tools = new Parts((tool) => ({ name: tool === 0 ? "no tool" : `T${tool}`, line }));
+  const files = new Parts((file) => ({ name: lastPart(plan.fileName(file)), line }));
+  const operations = new Parts((h) => ({ name: headings[h]?.text ?? "before the first heading", line: headings[h]?.line ?? own }));
+  const lines = new ByLine(lastLine);
+  const firstTick = new ByLine(lastLine);
   for (let i = 0; runs && i < runs.tick.length; ++i) {
-    const ticks = plan.runEnd(i) - runs.tick[i]!;
+    const begin = runs.tick[i]!;
+    const ticks = plan.runEnd(i) - begin;
     const where = PLACE[runs.kind[i] as RunKind]!;
-    const line = runs.line[i]!;
-    whole[where] += ticks;
-    const tool = runs.tool[i]!;
-    let part = tools.get(tool);
-    if (!part) tools.set(tool, (part = { name: tool === 0 ? "no tool" : `T${tool}`, line, split: none() }));
-    part.split[where] += ticks;
     const file = runs.file[i]!;
-    let text = files.get(file);
-    if (!text) files.set(file, (text = { name: lastPart(plan.fileName(file)), line, split: none() }));
-    text.split[where] += ticks;
+    line = runs.line[i]!;
     if (file === 0) own = line; // lines of subprograms in files are numbered by themselves
-    if (headings.length > 0) {
-      const h = headingOf(headings, own);
-      let operation = operations.get(h);
-      if (!operation) {
-        const heading = headings[h];
-        operation = { name: heading?.text ?? "before the first heading", line: heading?.line ?? own, split: none() };
-        operations.set(h, operation);
-      }
-      operation.split[where] += ticks;
-    }
+    whole[where] += ticks;
+    tools.of(runs.tool[i]!)[where] += ticks;
+    files.of(file)[where] += ticks;
+    if (headings.length > 0) operations.of(headingOf(headings, own))[where] += ticks;
     if (file !== 0) continue;
     if (ticks > 0) lines.set(line, (lines.get(line) ?? 0) + ticks);
-    if (!firstTick.has(line)) firstTick.set(line, runs.tick[i]!);
+    if (firstTick.get(line) === undefined) firstTick.set(line, begin);
   }
-  const took = (parts: Map<number, Part>): Part[] => [...parts.values()].filter((part) => total(part.split) > 0);
-  return { whole, tools: took(tools), operations: took(operations), files: files.size > 1 ? took(files) : [], lines, firstTick };
+  return { whole, tools: tools.thatTook, operations: operations.thatTook, files: files.count > 1 ? files.thatTook : [], lines, firstTick };
 }
 
 export interface Fit {

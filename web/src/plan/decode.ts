@@ -129,6 +129,14 @@ export function unpackNumbers(bytes: Uint8Array, count: number, unit: number): F
   let at = 0;
   let last = 0;
   for (let i = 0; i < count; ++i) {
+    const small = bytes[at]!;
+    if (small < 0x80) {
+      // Most are of one byte, and of a long program there are millions.
+      ++at;
+      last += (small >> 1) ^ -(small & 1);
+      numbers[i] = last * unit;
+      continue;
+    }
     let step = 0;
     let weight = 1;
     let byte = 0;

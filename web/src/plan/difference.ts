@@ -104,7 +104,8 @@ export function pairLines(base: string, other: string): LinePair[] {
 export function lineRows(base: Ran, other: Ran): LineRow[] {
   const texts = [base, other].map(({ plan }) => plan.source);
   const isSame = texts[0] === null || texts[1] === null || texts[0] === texts[1];
-  const numbers = new Set([...base.account.lines.keys(), ...other.account.lines.keys()]);
+  const numbers = new Set<number>();
+  for (const { account } of [base, other]) account.lines.forEach((_ticks, line) => numbers.add(line));
   const pairs = isSame ? [...numbers].sort((x, y) => x - y).map((line) => ({ base: line, other: line })) : pairLines(texts[0]!, texts[1]!);
   const lines = texts.map((text) => text?.split("\n") ?? []);
   const seconds = ({ plan, account }: Ran, line: number): number => (account.lines.get(line) ?? 0) * plan.period_s;

@@ -1,5 +1,6 @@
 // Where plans come from: embedded in the page (embedded.ts), computed in the browser (../playground.ts), or sent by a server,
 // which has its place here and is not written yet. Whoever shows them knows none of the three.
+import type { LineNumbers } from "./by_line.ts";
 import type { Plan } from "./plan.ts";
 
 // Plans that stand side by side.
@@ -14,7 +15,7 @@ export interface Progress {
   readonly ticks: number;
   readonly left_s: number | null; // the kernel's estimate; null: it has none
   readonly line: number; // the last one whose ticks are known
-  readonly lines: ReadonlyMap<number, number>; // their ticks
+  readonly lines: LineNumbers; // their ticks
 }
 
 export interface PlanSource {

@@ -51,27 +51,39 @@ export class PathPaint {
     this.chunks.forEach((chunk, i) => this.make(i, chunk.levels.length - 1));
   }
 
-  // Until: on the clock of performance.now(). Null: as it was painted last.
+  // Makes what the view lacks, until then on the clock of performance.now(). False: it still lacks some.
+  makeFor(sight: Sight, until_ms: number): boolean {
+    return this.makeLevels(levelsFor(this.chunks, sight, MOST_STRETCHES), until_ms);
+  }
+
+  // As before, and what is drawn then. Null: as it was painted last.
   paintFor(sight: Sight, until_ms: number): Painted | null {
     // While only the instant moves, no chunk is looked at.
     const at = `${Array.from(sight.projection).join()} ${sight.pixelsPerMm}`;
     if (at === this.wholeAt) return null;
     const wanted = levelsFor(this.chunks, sight, MOST_STRETCHES);
-    let isWhole = true;
+    const isWhole = this.makeLevels(wanted, until_ms);
     const levels = wanted.map((level, i) => {
-      if (level === NOT_SEEN || this.made.has(i * MOST_LEVELS + level)) return level;
-      if (performance.now() < until_ms) {
-        this.make(i, level);
-        return level;
-      }
-      isWhole = false;
-      while (!this.made.has(i * MOST_LEVELS + level)) ++level; // the coarsest is always there
+      while (level !== NOT_SEEN && !this.isMade(i, level)) ++level; // the coarsest is always there
       return level;
     });
     this.wholeAt = isWhole ? at : "";
     if (this.shown && levels.every((level, i) => level === this.shown![i])) return isWhole ? null : { parts: this.partsAt(levels), isWhole };
     this.shown = levels;
     return { parts: this.partsAt(levels), isWhole };
+  }
+
+  private isMade(chunk: number, level: number): boolean {
+    return this.made.has(chunk * MOST_LEVELS + level);
+  }
+
+  private makeLevels(levels: Int8Array, until_ms: number): boolean {
+    for (const [i, level] of levels.entries()) {
+      if (level === NOT_SEEN || this.isMade(i, level)) continue;
+      if (performance.now() >= until_ms) return false;
+      this.make(i, level);
+    }
+    return true;
   }
 
   private partsAt(levels: Int8Array): Stretches[] {

@@ -7,7 +7,7 @@ import { MOST_STRETCHES, PathPaint } from "./path_paint.ts";
 import { MOST_OF_MARK, markOf, type Triple } from "./stretches.ts";
 import { Strokes } from "./thick_lines.ts";
 
-const PAINT_MS = 3; // of a frame, for lines in other fineness
+const PAINT_MS = 3; // at once, for lines in other fineness
 
 function lineBox(min: Triple, max: Triple, colour: string): THREE.LineSegments {
   const geometry = new THREE.EdgesGeometry(new THREE.BoxGeometry(max[0] - min[0], max[1] - min[1], max[2] - min[2]));
@@ -88,7 +88,12 @@ export class PathScene {
     this.mark.fill([markOf(plan, { first, last }, ground)]);
   }
 
-  // Before a frame. False: the next one shows more.
+  // Some of the lines that a view lacks. True: now it has all.
+  makeLines(projection: THREE.Matrix4, pixelsPerMm: number): boolean {
+    return this.paint?.makeFor({ projection: projection.elements, pixelsPerMm }, performance.now() + PAINT_MS) ?? true;
+  }
+
+  // Before a frame. False: not all lines are as fine as they should be.
   prepare(projection: THREE.Matrix4, pixelsPerMm: number): boolean {
     for (const object of [this.zero, this.tool]) object.scale.setScalar(1 / pixelsPerMm);
     const painted = this.paint?.paintFor({ projection: projection.elements, pixelsPerMm }, performance.now() + PAINT_MS);

@@ -11,6 +11,9 @@ import { PathPointer } from "./path_pointer.ts";
 import { PathScene } from "./path_scene.ts";
 import { boxOfCut } from "./stretches.ts";
 
+const SHOW_MS = 250; // so often a view that becomes finer is drawn
+const PAUSE_MS = 5; // for all else that the page has to do
+
 export class PathView {
   readonly element: HTMLElement;
   colouring: Colouring | null = null;
@@ -24,6 +27,7 @@ export class PathView {
   private places: Place[] = [];
   private plan: Plan | null = null; // null: it has no path
   private scheduled = false;
+  private refining: ReturnType<typeof setTimeout> | undefined;
   private ground: Ground;
   private readonly store: Store;
 
@@ -112,6 +116,7 @@ export class PathView {
   private draw(): void {
     if (this.scheduled) return;
     this.scheduled = true;
+    clearTimeout(this.refining); // the frame sees to it
     requestAnimationFrame(() => {
       this.scheduled = false;
       const began = performance.now();
@@ -132,6 +137,17 @@ export class PathView {
     pen.setTransform(window.devicePixelRatio, 0, 0, window.devicePixelRatio, 0, 0);
     drawOverlay({ pen, width, height, camera, ground: this.ground }, this.store.state.units, this.plan ? this.places : []);
     this.canvas.dataset["whole"] = String(isWhole);
-    if (!isWhole) this.draw();
+    if (!isWhole) this.refine();
+  }
+
+  // Makes finer lines until the view has all or more of them are worth a frame: where the processor draws, one takes long.
+  private refine(): void {
+    const drawn_ms = performance.now();
+    const goOn = (): void => {
+      const isWhole = this.scene.makeLines(this.camera.projection, this.camera.camera.zoom);
+      if (isWhole || performance.now() > drawn_ms + SHOW_MS) this.draw();
+      else this.refining = setTimeout(goOn, PAUSE_MS);
+    };
+    goOn();
   }
 }

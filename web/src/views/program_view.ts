@@ -2,6 +2,7 @@
 import { EditorState, RangeSetBuilder, StateEffect, StateField, type Extension, type Text } from "@codemirror/state";
 import { Decoration, EditorView, GutterMarker, WidgetType, gutter, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
+import type { LineNumbers } from "../plan/by_line.ts";
 import type { Diagnostic } from "../plan/decode.ts";
 import type { Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
@@ -161,16 +162,16 @@ export class ProgramView {
   }
 
   // The ticks of some lines of a plan that is on its way.
-  showLines(lines: ReadonlyMap<number, number>): void {
+  showLines(lines: LineNumbers): void {
     if (!this.plan || !this.account) return;
     this.account = { ...this.account, lines };
     this.findLongest(lines);
     this.view?.dispatch({ effects: setPlan.of(this.plan) });
   }
 
-  private findLongest(lines: ReadonlyMap<number, number>): void {
+  private findLongest(lines: LineNumbers): void {
     this.longest = 1;
-    for (const ticks of lines.values()) this.longest = Math.max(this.longest, ticks);
+    lines.forEach((ticks) => (this.longest = Math.max(this.longest, ticks)));
   }
 
   private editor(text: string): EditorView {
