@@ -26,6 +26,10 @@ EM_JS(void, tell_progress,
       (const std::uint32_t* lines, std::size_t count, double ticks, double left_s),
       { Module["told"](HEAPU32.slice(lines >> 2, (lines >> 2) + count), ticks, left_s); });
 
+// What there is of the plan before its times: a plan document.
+EM_JS(void, tell_path, (const char* document, std::size_t bytes),
+      { Module["toldPath"](HEAPU8.slice(document, document + bytes)); });
+
 namespace {
 
 using kerf::MachineSettings;
@@ -96,8 +100,9 @@ kerf::program::Options options_of(const Json& order) {
 }
 
 // {"files": [{"name", "text"}, ...], "machine": {"name", "text"}, "profile": "s-curve",
-// "feed_override": 1.0}. The first file is the program, the others its subprograms; an empty text
-// is the default machine. With "path_alone": true no time is planned, and the answer is there soon.
+// "feed_override": 1.0, "path_first": true}. The first file is the program, the others its
+// subprograms; an empty text is the default machine. With "path_first": true the path is told
+// before its times are planned.
 std::string plan(const Json& order) {
   const Json& machine = order.at("machine");
   const auto machine_name = machine.at("name").get<std::string>();
@@ -117,9 +122,13 @@ std::string plan(const Json& order) {
   }
   write_files(order.at("files"));
   // The page has the text.
-  kerf::program::PageRecord record{.wants_source = false,
-                                   .wants_path_alone = order.value("path_alone", false),
-                                   .watch = ProgressTeller{}};
+  kerf::program::PageRecord record{.wants_source = false, .watch = ProgressTeller{}};
+  if (order.at("path_first").get<bool>()) {
+    record.show_path = [&](const kerf::program::FileReport& report) {
+      const std::string document = plan_document(report, settings, record);
+      tell_path(document.data(), document.size());
+    };
+  }
   const auto report = kerf::program::process_file(
       std::filesystem::path(order.at("files").at(0).at("name").get<std::string>()).filename(),
       options, settings, &record);

@@ -59,16 +59,20 @@ class PlanGatherer {
   static constexpr std::int64_t kTicksOfWatch = 64;
 };
 
+struct FileReport;
+
 // A program for the page: its text before it runs, what it did after. A comparison wants the text
 // alone.
 struct PageRecord {
   bool wants_motion = true;
   bool wants_source = true;
-  bool wants_path_alone = false;             // nothing is planned
+  // Called with what is known of a program that is about to be planned, its path among it. Empty:
+  // nobody wants it before its motion.
+  std::function<void(const FileReport&)> show_path{};
   PlanGatherer::Watch watch{};               // of who waits for the motion
   std::optional<std::string> source{};       // none: not wanted, or longer than kMaxSourceBytes
   std::optional<curves::Extents> extents{};  // of the path, also of one that leaves the travel
-  std::optional<PlannedPath> planned{};      // where no motion is, but the path is known
+  std::optional<PlannedPath> planned{};      // before the motion, or of what is not to move
   std::optional<PlanGatherer> motion{};      // none: nothing has moved
 
   static constexpr std::uint64_t kMaxSourceBytes = std::uint64_t{256} << 20U;

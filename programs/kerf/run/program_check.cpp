@@ -62,13 +62,19 @@ void judge(const ProgramCheck& how, const CheckReport& found, FileReport& report
               .length_mm = found.length_mm};
 }
 
-// For the page: of a program that would run but for the travel, or is not to run.
-void look_at_path(const ProgramCheck& how, ProgramFile& file, ExitStatus status) {
-  if (how.page != nullptr && how.page->extents &&
-      (status == ExitStatus::machine_fault ||
-       (status == ExitStatus::done && how.page->wants_path_alone))) {
+// For the page: of a program that would run but for the travel, or whose path is wanted before.
+void look_at_path(const ProgramCheck& how, ProgramFile& file, const FileReport& report) {
+  PageRecord* page = how.page;
+  if (page == nullptr || !page->extents) {
+    return;
+  }
+  const bool is_shown = report.status == ExitStatus::done && page->show_path;
+  if (is_shown || report.status == ExitStatus::machine_fault) {
     file.rewind();
-    path_pass(file, how.settings, how.kernel_options, *how.page);
+    path_pass(file, how.settings, how.kernel_options, *page);
+  }
+  if (is_shown) {
+    page->show_path(report);
   }
 }
 
@@ -94,9 +100,9 @@ bool check_program(const ProgramCheck& how, ProgramFile& file, FileReport& repor
   } else {
     judge(how, *found, report);
     fill_in_blocks(report.diagnostics, file);
-    look_at_path(how, file, report.status);
+    look_at_path(how, file, report);
   }
-  return report.status == ExitStatus::done && (how.page == nullptr || !how.page->wants_path_alone);
+  return report.status == ExitStatus::done;
 }
 
 }  // namespace kerf::program

@@ -9,6 +9,7 @@ declare module "kerf-kernel" {
   }
   interface Options {
     locateFile(name: string): string;
+    toldPath(document: Uint8Array<ArrayBuffer>): void; // before it plans
     told(lines: Uint32Array<ArrayBuffer>, ticks: number, left_s: number): void; // while it plans
     instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void): object;
   }

@@ -2,13 +2,14 @@
 import makeKernel, { type Kernel } from "kerf-kernel";
 import type { Order, Reply } from "./browser_kernel.ts";
 
-const SHORT = 10_000; // characters of a program that is planned at once
+const SHORT = 10_000; // characters of a program whose path needs no picture before its times
 
 let kernel: Promise<Kernel> | null = null;
 
 function instantiated(module: WebAssembly.Module): Promise<Kernel> {
   return makeKernel({
     locateFile: (name) => name, // nothing is loaded
+    toldPath: (document) => reply(document, true),
     told(lines, ticks, left_s) {
       self.postMessage({ lines, ticks, left_s } satisfies Reply, { transfer: [lines.buffer] });
     },
@@ -19,8 +20,9 @@ function instantiated(module: WebAssembly.Module): Promise<Kernel> {
   });
 }
 
-function planned(running: Kernel, order: object): Uint8Array<ArrayBuffer> {
-  const bytes = new TextEncoder().encode(JSON.stringify(order));
+function planned(running: Kernel, order: Order): Uint8Array<ArrayBuffer> {
+  const isLong = order.files[0].text.length >= SHORT;
+  const bytes = new TextEncoder().encode(JSON.stringify({ ...order, path_first: isLong }));
   const at = running._malloc(bytes.length);
   running.HEAPU8.set(bytes, at);
   const answer = running._kerf_plan(at, bytes.length);
@@ -28,19 +30,18 @@ function planned(running: Kernel, order: object): Uint8Array<ArrayBuffer> {
   return running.HEAPU8.slice(answer, answer + running._kerf_plan_bytes());
 }
 
-async function answer(order: Order, isPathAlone: boolean): Promise<void> {
-  if (isPathAlone && order.files[0].text.length < SHORT) return;
-  const reply: Reply = await kernel!
-    .then((running) => ({ bytes: planned(running, { ...order, path_alone: isPathAlone }), isPathAlone }))
-    .catch((error: unknown) => ({ failure: String(error) }));
-  self.postMessage(reply, "bytes" in reply ? { transfer: [reply.bytes.buffer] } : {});
+function reply(bytes: Uint8Array<ArrayBuffer>, isPathAlone: boolean): void {
+  self.postMessage({ bytes, isPathAlone } satisfies Reply, { transfer: [bytes.buffer] });
 }
 
-self.onmessage = async ({ data }: MessageEvent<WebAssembly.Module | object>) => {
+self.onmessage = async ({ data }: MessageEvent<WebAssembly.Module | Order>) => {
   if (data instanceof WebAssembly.Module) {
     kernel = instantiated(data);
     return;
   }
-  await answer(data as Order, true);
-  await answer(data as Order, false);
+  try {
+    reply(planned(await kernel!, data), false);
+  } catch (error) {
+    self.postMessage({ failure: String(error) } satisfies Reply);
+  }
 };
