@@ -6,6 +6,15 @@
 
 namespace kerf {
 
+namespace {
+
+// What is next to nothing would be a cruise of years.
+double heeded_share(double feed) {
+  return feed < Overrides::kLeastFeed ? 0.0 : feed;
+}
+
+}  // namespace
+
 void Kernel::Impl::hold() {
   holds_ = wants_hold_ = true;
   wants_resume_ = false;
@@ -28,10 +37,12 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
   }
   const bool was_at_feed_0 = is_at_feed_0();
   interpolator_.override_spindle_by(overrides.spindle);
-  const double feed_before = std::exchange(feed_, overrides.feed > 0.0 ? overrides.feed : feed_);
+  const double feed = heeded_share(overrides.feed);
+  const double feed_before = std::exchange(feed_, feed > 0.0 ? feed : feed_);
   wants_change_ |= feed_ != feed_before || overrides.rapid != overrides_.rapid ||
                    overrides.spindle != overrides_.spindle;
   overrides_ = overrides;
+  overrides_.feed = feed;
   follow_feed_0(was_at_feed_0);
   plan();
   return true;
@@ -41,10 +52,9 @@ bool Kernel::Impl::set_feed_inputs(const FeedInputs& inputs) {
   if (!is_possible(inputs)) {
     return false;
   }
-  const bool changes = inputs.adaptive > 0.0 && inputs.adaptive != adaptive_;
-  inputs_ = inputs;
-  if (changes) {
-    adaptive_ = inputs.adaptive;
+  inputs_ = {.adaptive = heeded_share(inputs.adaptive), .stop = inputs.stop};
+  if (inputs_.adaptive > 0.0 && inputs_.adaptive != adaptive_) {
+    adaptive_ = inputs_.adaptive;
     wants_change_ = true;
     follow_feed_0(is_at_feed_0());
   }

@@ -125,8 +125,9 @@ struct TickDetail {
 };
 
 /// What an operator makes of the feedrates of a program, as shares of them. Limits of path and axes
-/// hold whatever they are.
+/// hold whatever they are. A share of feedrates below kLeastFeed is taken for 0.
 struct Overrides {
+  static constexpr double kLeastFeed = 1e-6;
   double feed = 1.0;     ///< of programmed feedrates, 0 to 2; at 0 the tool holds
   double rapid = 1.0;    ///< of rapids, 0.05 to 1
   double spindle = 1.0;  ///< of the spindle's speed, and so of feedrates of G95, 0.1 to 2
@@ -137,7 +138,8 @@ struct Overrides {
 /// Each is a number within its range.
 KERF_API bool is_possible(const Overrides& overrides) noexcept;
 
-/// What the machine makes of the feedrates of a program, where the program lets it.
+/// What the machine makes of the feedrates of a program, where the program lets it. A share below
+/// Overrides::kLeastFeed is taken for 0.
 struct FeedInputs {
   double adaptive =
       1.0;            ///< share of all feedrates, rapids too, under M52 P1; 0 to 1, at 0 it holds

@@ -86,6 +86,22 @@ TEST(Override, FromTheBeginGivesTheTicksOfAProgramOfThatFeedrate) {
   }
 }
 
+// Nothing of the plan may grow with the time that a feedrate next to 0 takes.
+TEST(Override, OfNextToNothingIsPlannedAsSoonAsAnyOther) {
+  const std::string text = "G21 G90\nG1 X400 F6000\nG0 X10\nM2\n";
+  for (const double feed : {1e-4, 1e-6, 1e-9, 1e-300}) {
+    SCOPED_TRACE(feed);
+    const auto run = run_with(text, {}, {{500, {.feed = feed}}, {900, {.feed = 1.0}}});
+    EXPECT_EQ(run.complaint, "");
+  }
+  const auto whole = ticks_of(mixed_program(), {});
+  for (std::int64_t tick = 1; tick < whole.back().tick; tick += 811) {
+    SCOPED_TRACE(tick);
+    const OverridesAt overrides{{tick, {.feed = 1e-5}}, {tick + 300, {.feed = 1.0}}};
+    expect_whole(run_with(mixed_program(), {}, overrides), whole);
+  }
+}
+
 // From 100 to 50 mm/s under A = 2000 and J = 50,000 takes dv/A + A/J = 65 ms; the other way the
 // same.
 TEST(Override, OnALineTakesTheTimeOfAnSCurveAndDoesNotDiveBelow) {

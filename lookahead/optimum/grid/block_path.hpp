@@ -33,6 +33,8 @@ class BlockPath {
   [[nodiscard]] bool is_straight() const {
     return std::holds_alternative<curves::Line>(block_->curve) && block_->limit_curve.empty();
   }
+  // Its limits let a motion come down to a lower feedrate.
+  [[nodiscard]] bool slows() const { return block_->slows; }
   // Derivatives may jump there.
   [[nodiscard]] bool joins_pieces(double s_mm) const;
   // An inner place where a cell must end: the third derivative jumps, the limit curve has a valley,
