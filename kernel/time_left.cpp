@@ -17,38 +17,47 @@ TimeLeft::TimeLeft(const lookahead::PlanLimits& limits, double nominal_s)
     : fastest_mm_s_(LeastTime::fastest_mm_s(limits)), whole_nominal_s_(nominal_s) {}
 
 void TimeLeft::push(const lookahead::Block& block) {
-  const double feedrate_mm_s = std::min(block.feedrate_mm_s, fastest_mm_s_);
-  pushed_.path_mm += block.extra.alone ? 0.0 : block.length_mm;
-  pushed_.nominal_s += block.length_mm / feedrate_mm_s;
+  const double nominal_s = block.length_mm / std::min(block.feedrate_mm_s, fastest_mm_s_);
+  if (block.extra.alone) {
+    push_rest(nominal_s);
+    return;
+  }
+  pushed_.path_mm += block.length_mm;
+  pushed_.nominal_s += nominal_s;
   marks_.push_back(pushed_);
 }
 
 void TimeLeft::push_rest(double duration_s) {
-  pushed_.nominal_s += duration_s;
+  pushed_.rest_s += duration_s;
   marks_.push_back(pushed_);
 }
 
-double TimeLeft::nominal_at_s(double path_mm) {
+void TimeLeft::reach(double path_mm) {
   while (!marks_.empty() && marks_.front().path_mm <= path_mm) {
+    rest_to_run_s_ += marks_.front().rest_s - behind_.rest_s;
     behind_ = marks_.front();
     marks_.pop_front();
   }
-  if (marks_.empty()) {
-    return behind_.nominal_s;
+  done_nominal_s_ = behind_.nominal_s;
+  if (!marks_.empty()) {
+    const Mark& next = marks_.front();
+    const double share = (path_mm - behind_.path_mm) / (next.path_mm - behind_.path_mm);
+    done_nominal_s_ += std::max(share, 0.0) * (next.nominal_s - behind_.nominal_s);
   }
-  const Mark& next = marks_.front();
-  const double share = (path_mm - behind_.path_mm) / (next.path_mm - behind_.path_mm);
-  return behind_.nominal_s + std::max(share, 0.0) * (next.nominal_s - behind_.nominal_s);
 }
 
 void TimeLeft::follow(const ToolPlace& tool) {
-  const double done_s = nominal_at_s(tool.path_mm);
+  const double done_before_s = done_nominal_s_;
+  reach(tool.path_mm);
+  double passed_s = std::max(tool.moved_s - tool_.moved_s, 0.0);
+  const double rested_s = std::min(rest_to_run_s_, passed_s);
+  rest_to_run_s_ -= rested_s;
+  passed_s -= rested_s;
+  in_motion_s_ += passed_s;
   if (tool.feed_override > 0.0) {
     // No machine is faster than that: a tool that is has not come down to the override yet.
-    expected_s_ += std::min((done_s - done_nominal_s_) / tool.feed_override,
-                            std::max(tool.moved_s - tool_.moved_s, 0.0));
+    expected_s_ += std::min((done_nominal_s_ - done_before_s) / tool.feed_override, passed_s);
   }
-  done_nominal_s_ = done_s;
   tool_ = tool;
 }
 
@@ -56,9 +65,10 @@ std::optional<double> TimeLeft::left_s() const {
   if (!(whole_nominal_s_ > 0.0) || !(tool_.feed_override > 0.0)) {
     return std::nullopt;
   }
-  const double left_s = std::max(whole_nominal_s_ - done_nominal_s_, 0.0) / tool_.feed_override;
-  const bool is_judged = tool_.moved_s > kJudgedFrom_s && expected_s_ > 0.0;
-  return left_s * (is_judged ? tool_.moved_s / expected_s_ : 1.0);
+  const double motion_s = std::max(whole_nominal_s_ - pushed_.rest_s - done_nominal_s_, 0.0);
+  const bool is_judged = in_motion_s_ > kJudgedFrom_s && expected_s_ > 0.0;
+  const double pace = (is_judged ? in_motion_s_ / expected_s_ : 1.0) / tool_.feed_override;
+  return pace * motion_s + rest_to_run_s_ + pushed_.rest_s - behind_.rest_s;
 }
 
 }  // namespace kerf

@@ -10,8 +10,9 @@ namespace kerf {
 
 // The idea: a program's nominal time, length over feedrate, is known from its check, and so is the
 // nominal time of the path that the tool has behind it. What the machine took for that, beside what
-// it would take at the feedrate, is what it will take for the rest. Weakness: a program whose end
-// is of another kind than its begin is judged by the begin.
+// it would take at the feedrate, is what it will take for the rest. Dwells take what they say.
+// Weakness: a program whose end is of another kind than its begin is judged by the begin, and
+// dwells that are not read yet count as motion.
 class TimeLeft {
  public:
   // Of the whole program (CheckReport::nominal_s); 0: nobody knows.
@@ -34,8 +35,9 @@ class TimeLeft {
   struct Mark {
     double path_mm = 0.0;
     double nominal_s = 0.0;
+    double rest_s = 0.0;  // of dwells, and of axes that turn alone: the path stands still
   };
-  [[nodiscard]] double nominal_at_s(double path_mm);
+  void reach(double path_mm);
 
   double fastest_mm_s_;
   double whole_nominal_s_;
@@ -43,7 +45,9 @@ class TimeLeft {
   Mark pushed_{};           // the end of all
   Mark behind_{};           // the latest that the tool has passed
   double done_nominal_s_ = 0.0;
-  double expected_s_ = 0.0;  // nominal, at the overrides that were in force
+  double rest_to_run_s_ = 0.0;  // where the tool is
+  double in_motion_s_ = 0.0;
+  double expected_s_ = 0.0;  // of that, nominal, at the overrides that were in force
   ToolPlace tool_{};
 };
 

@@ -175,6 +175,32 @@ TEST(ProgramNotes, KnowTheTimeThatIsLeftBehindALowOverride) {
   }
 }
 
+// A dwell was over at its begin, and then it made all motion seem slower than it is.
+TEST(ProgramNotes, KnowTheTimeThatIsLeftInADwellAndBehindIt) {
+  const std::string text =
+      "G21 G90 G61\nG4 P5\nG1 X200 F3000\nG4 P3\nG1 X0\nG1 X50 F1500\nG4 P2\nM2\n";
+  bool read = false;
+  const auto whole_text = [&]() -> std::string_view {
+    return std::exchange(read, true) ? std::string_view() : std::string_view(text);
+  };
+  Kernel kernel(default_machine(),
+                {.tells_operator = true,
+                 .nominal_s = check_program(whole_text, default_machine()).nominal_s});
+  kernel.feed(text);
+  kernel.finish();
+  std::vector<double> said_s;
+  Setpoint setpoint;
+  for (auto status = TickStatus::running; status == TickStatus::running;) {
+    kernel.plan();
+    status = kernel.tick(setpoint);
+    said_s.push_back(kernel.left_s().value_or(0.0));
+  }
+  for (std::size_t tick = 1; tick < said_s.size(); tick += 250) {
+    const double left_s = static_cast<double>(said_s.size() - tick) * 1e-3;
+    EXPECT_NEAR(said_s.at(tick), left_s, 0.02 * left_s + 0.1) << "tick " << tick;
+  }
+}
+
 // A raster of short and long moves: the first part is like the rest.
 TEST(ProgramNotes, KnowTheTimeThatIsLeftAndFollowTheOverride) {
   std::string text = "G21 G90 G64 P0.01 F6000\n";
