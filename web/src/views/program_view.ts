@@ -21,7 +21,7 @@ const activeLine = StateField.define<DecorationSet>({
       if (effect.value < 1 || effect.value > doc.lines) return Decoration.none;
       return Decoration.set([Decoration.line({ class: "cm-now" }).range(doc.line(effect.value).from)]);
     }
-    return decorations;
+    return decorations.map(transaction.changes);
   },
   provide: (field) => EditorView.decorations.from(field),
 });
