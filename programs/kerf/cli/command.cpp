@@ -69,7 +69,8 @@ class AllPrograms {
   void process(const std::string& path, const NamedMachine& machine) {
     const Options options = options_on(machine, options_);
     const MachineSettings& settings = machine.chosen.settings;
-    PageRecord record{.wants_source = !options.leaves_out_source};
+    PageRecord record{.wants_source = !options.leaves_out_source,
+                      .quotes_text = !options.leaves_out_source};
     reports_.push_back(process_file(path, options, settings, page_ ? &record : nullptr));
     const FileReport& report = reports_.back();
     status_ = first_failure({status_, report.status, print_report(report, options)});

@@ -164,13 +164,12 @@ void add_codes(Json& header, Sections& sections, const std::string& name, const 
                        [](const CodeRun& run) { return std::int64_t{run.codes}; });
 }
 
-void add_notes(Json& header, Sections& sections, const PlanGatherer& motion) {
-  add_codes(header, sections, "codes", motion.codes());
-  add_codes(header, sections, "words", motion.words());
-  Json& messages = header["messages"] = Json::array();
+Json messages_json(const PlanGatherer& motion) {
+  Json messages = Json::array();
   for (const ProgramMessage& message : motion.messages()) {
     messages.push_back({{"line", message.line}, {"text", message.text}});
   }
+  return messages;
 }
 
 // A short text is as it is.
@@ -202,7 +201,12 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
                           const PageRecord& record) {
   Json header;
   header["version"] = kPlanVersion;
-  const FileReport named = with_file_names(report);
+  FileReport named = with_file_names(report);
+  if (!record.quotes_text) {
+    for (diagnostics::Diagnostic& diagnostic : named.diagnostics) {
+      diagnostic.block = {};
+    }
+  }
   header["report"] = Json::parse(json_report(named));
   header["diagnostics"] = Json::parse(json_diagnostics({named}))["diagnostics"];
   header["machine"] = machine_json(settings);
@@ -217,7 +221,9 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
     add_columns(header, sections, record.motion->columns());
     add_path(header, sections, record.motion->path());
     add_runs(header, sections, record.motion->runs());
-    add_notes(header, sections, *record.motion);
+    add_codes(header, sections, "codes", record.motion->codes());
+    add_codes(header, sections, "words", record.motion->words());
+    header["messages"] = record.quotes_text ? messages_json(*record.motion) : Json::array();
   }
   if (!record.motion && record.planned) {
     add_path(header, sections, record.planned->outline());
