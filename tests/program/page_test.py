@@ -103,6 +103,22 @@ class Report(Case):
         self.assertEqual(text.count("<script"), 1)
         self.assertEqual(plans_of(self.page)[0][1]["source"].decode(), HOSTILE)
 
+    def test_takes_the_end_of_a_rapid_for_no_cut(self):
+        text = "G21 G90 G61\nG0 X30 Y30\nG1 F1200 X40\nG4 P0.1\nG0 X-40 Y-40\nG4 P0.1\nM2\n"
+        self.report(self.path("far.ngc", text))
+        [(_, sections)] = plans_of(self.page)
+        x, rapid = sections["path.x"], sections["path.rapid"]
+        cut = [place for i in range(1, len(x)) if not rapid[i] for place in (x[i - 1], x[i])]
+        self.assertAlmostEqual(min(cut), 30, delta=1e-3)
+        self.assertAlmostEqual(max(cut), 40, delta=1e-3)
+
+    def test_leaves_all_of_the_text_out_where_that_is_asked_for(self):
+        for text, status in ("(MSG, secret)\nG1 F100 X1\n", 0), ("G1 F100 X1 (secret)\nG1 G2 X2 (secret)\n", 1):
+            self.report("--no-source", self.path("hidden.ngc", text), status=status)
+            [(header, sections)] = plans_of(self.page)
+            self.assertNotIn("secret", json.dumps(header))
+            self.assertFalse([name for name, part in sections.items() if isinstance(part, bytes) and b"secret" in part])
+
     def test_leaves_the_text_out_where_that_is_asked_for(self):
         program = self.path("square.ngc", SQUARE)
         self.assertIn("with the program's text", self.report(program).stderr)

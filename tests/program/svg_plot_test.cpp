@@ -70,6 +70,8 @@ TEST(SvgPlot, DrawsLongProgramsAsBandsAndShortOnesAsCurves) {
 
 TEST(SvgPlot, FramesTheCutAndClipsTheWayToIt) {
   PlotData data({.min_mm = {300.0, 300.0, 0.0}, .max_mm = {400.0, 350.0, 0.0}});
+  data.add({.tick = -2, .limit = interp::Constraint::rest});  // a dwell at zero cuts nothing
+  data.add({.tick = -1, .limit = interp::Constraint::rest});
   data.add({.tick = 0, .rapid = true, .motion = {.v_mm_s = 10.0}});
   data.add(
       {.tick = 1, .rapid = true, .motion = {.v_mm_s = 10.0}, .position_mm = {300.0, 300.0, 0.0}});

@@ -35,7 +35,7 @@ PaperBox box_around(const std::vector<OutlinePoint>& points) {
   std::optional<PaperBox> cut;
   for (std::size_t i = 0; i < points.size(); ++i) {
     include(all, points[i].at);
-    if (i > 0 && !points[i].rapid) {
+    if (i > 0 && !points[i].rapid && points[i].at != points[i - 1].at) {
       include(cut, points[i - 1].at);
       include(cut, points[i].at);
     }

@@ -11,6 +11,8 @@ namespace kerf::program {
 struct PaperPoint {
   double u_mm = 0.0;
   double v_mm = 0.0;
+
+  friend bool operator==(const PaperPoint&, const PaperPoint&) = default;
 };
 
 enum class View : unsigned char { top, isometric };

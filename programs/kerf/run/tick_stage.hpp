@@ -52,7 +52,11 @@ class TickStage {
     if (state.inputs.emergency_loop_open && !emergency_) {
       emergency_ = EmergencyLoop{.line = setpoint.line, .tick = setpoint.tick};
     }
-    const TickRecord record = record_of(setpoint, detail, state);
+    TickRecord record = record_of(setpoint, detail, state);
+    if (kind_of(record) == TickKind::rest) {
+      record.rapid = was_rapid_;  // the way to the rest is still that of the motion
+    }
+    was_rapid_ = record.rapid;
     time_.add(record);
     flight_.add(record);
     return record;
@@ -103,6 +107,7 @@ class TickStage {
   FlightRecorder flight_;
   RunStatistics statistics_;
   TimeAccount time_;
+  bool was_rapid_ = false;
   MachineFault fault_{};
   std::optional<EmergencyLoop> emergency_;
 };
