@@ -57,10 +57,14 @@ unique_ptr<T> make_unique_for_overwrite() {
   return unique_ptr<T>(new T);
 }
 
-inline to_chars_result to_chars(char* first, char* last, double value, chars_format /*fixed*/,
+inline to_chars_result to_chars(char* first, char* last, double value, chars_format format,
                                 int precision) {
   fmt::memory_buffer text;
-  fmt::format_to(fmt::appender(text), "{:.{}f}", value, precision);
+  if (format == chars_format::fixed) {
+    fmt::format_to(fmt::appender(text), "{:.{}f}", value, precision);
+  } else {
+    fmt::format_to(fmt::appender(text), "{:.{}g}", value, precision);
+  }
   return kerf::libcxx14::copied(first, last, text);
 }
 
