@@ -34,17 +34,21 @@ export function luminance([r, g, b]: Rgb): number {
   return 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
 }
 
-// A colour of parts so that it stands out from the ground by 3 to 1 (WCAG 1.4.11).
+const SHARES = 40;
+const DARKEST = 0.1; // of the bound on light ground: what is darker is seen well as it is
+
+// A colour of parts so that it stands out from the ground by 3 to 1 (WCAG 1.4.11), and lighter ones stay lighter than others:
+// on light ground all are darkened in proportion, on dark ground lightened.
 export function visibleOn(colour: Rgb, ground: Rgb): Rgb {
   const below = luminance(ground);
-  const towards: Rgb = below < 0.2 ? [1, 1, 1] : [0, 0, 0];
-  let shown = colour;
-  for (let share = 0; share <= 1; share += 0.05) {
-    shown = mixed(colour, towards, share);
-    const above = luminance(shown);
-    if ((Math.max(above, below) + 0.05) / (Math.min(above, below) + 0.05) >= 3) break;
+  const isDark = below < 0.2;
+  const bound = isDark ? 3 * (below + 0.05) - 0.05 : (below + 0.05) / 3 - 0.05;
+  const wanted = isDark ? bound + (1 - bound) * luminance(colour) : bound * (DARKEST + (1 - DARKEST) * luminance(colour));
+  for (let i = 0; i <= SHARES; ++i) {
+    const shown = mixed(colour, isDark ? [1, 1, 1] : [0, 0, 0], i / SHARES);
+    if (isDark ? luminance(shown) >= wanted : luminance(shown) <= wanted) return shown;
   }
-  return shown;
+  return isDark ? [1, 1, 1] : [0, 0, 0];
 }
 
 const TOOLS = ["#7a7f87", "#1f77b4", "#d95f02", "#1b9e77", "#c51b7d", "#7570b3", "#8c6d1f", "#17a2b8", "#e7298a"].map(rgbOf);

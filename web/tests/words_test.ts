@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { luminance, mixed, rgbOf, scaleColour, visibleOn } from "../src/colours.ts";
+import { luminance, mixed, rgbOf, scaleColour, visibleOn, type Rgb } from "../src/colours.ts";
 import { fromFragment, initialState, toFragment } from "../src/state.ts";
 import { clock, lengthText, percent, plain, shortTime, unitOf } from "../src/units.ts";
 
@@ -50,6 +50,15 @@ test("the scale gets lighter evenly on both grounds", () => {
       assert.ok(light > last, `${i} of 20`);
       last = light;
     }
+  }
+});
+
+test("what stands out from its ground stays lighter or darker than the others", () => {
+  // A rest, the programmed feedrate and the path's acceleration: on white ground all are too light as they are.
+  const [rest, feed, acceleration] = ["#e3e6ea", "#9aa3ad", "#a878cc"].map(rgbOf) as [Rgb, Rgb, Rgb];
+  for (const ground of ["#ffffff", "#171c24"].map(rgbOf)) {
+    const [a, b, c] = [rest, feed, acceleration].map((colour) => luminance(visibleOn(colour, ground))) as [number, number, number];
+    assert.ok((a + 0.05) / (b + 0.05) > 1.5 && b > c, `${a}, ${b}, ${c}`);
   }
 });
 
