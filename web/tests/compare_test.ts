@@ -26,6 +26,20 @@ test("sets two machines side by side", async () => {
   await page.context().close();
 });
 
+test("programs of one name have numbers, and the first that runs is the base", async () => {
+  const [slow, fast] = [600, 1200].map((feed) => programFile(`G21 G90 G61 F${feed}\nG1 X20\nM2\n`, `f${feed}/part.ngc`));
+  const wrong = programFile("G1 G2 X5\nM2\n", "wrong.ngc");
+  const { page, said } = await openReport([wrong, slow!, fast!]);
+  const options = await page.locator("select[aria-label=Program] option").allTextContents();
+  assert.match(options[1]!, /^part\.ngc \(1\): /);
+  assert.match(options[2]!, /^part\.ngc \(2\): /);
+  await page.locator("select[aria-label=Program]").selectOption("2");
+  await page.locator("[data-tab=difference]").click();
+  assert.deepEqual((await page.locator("[data-test=difference-whole] th").allTextContents()).slice(1, 3), ["part.ngc (1)", "part.ngc (2)"]);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("two programs are compared line by line, those first that differ most", async () => {
   const before = programFile("G21 G90 G61 F600\nG1 X20\nG1 Y20\nG1 X0\nG1 Y0\nM2\n", "before.ngc");
   const after = programFile("(new post)\nG21 G90 G61 F600\nG1 X20\nF1200\nG1 Y20\nG1 X0\nM2\n", "after.ngc");

@@ -1,9 +1,9 @@
 // Opens reports as their readers meet them: from disk in Chromium without a network, beside what kerf says in JSON and in its
 // trace.
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { after } from "node:test";
 import { pathToFileURL } from "node:url";
 import { chromium, type Browser, type Page } from "playwright-core";
@@ -66,6 +66,7 @@ export const openReport = (words: readonly string[], fragment = ""): Promise<Ope
 
 export function programFile(text: string | Buffer, name = `${++count}.ngc`): string {
   const file = join(folder, name);
+  mkdirSync(dirname(file), { recursive: true });
   writeFileSync(file, text);
   return file;
 }

@@ -31,6 +31,7 @@ export class EmbeddedSource implements PlanSource {
     }
     const [first, ...others] = plans;
     if (!first) throw new Error("there is no plan in this page");
-    show({ plans: [first, ...others], base: 0 });
+    const runs = plans.findIndex((plan) => plan.motion !== null);
+    show({ plans: [first, ...others], base: Math.max(0, runs) });
   }
 }

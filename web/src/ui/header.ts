@@ -9,12 +9,18 @@ import { choice, h, select } from "./dom.ts";
 export const nameOf = (plan: Plan): string => lastPart(plan.header.report.file);
 const machineOf = (plan: Plan): string => lastPart(plan.header.report.machine);
 
+// Those that nothing tells apart with their number: "part.ngc (2)". keys: what tells them apart.
+export function numbered(names: readonly string[], keys = names): string[] {
+  const count = (key: string, before: number): number => keys.filter((one, i) => one === key && i < before).length;
+  return names.map((name, i) => (count(keys[i]!, keys.length) > 1 ? `${name} (${count(keys[i]!, i) + 1})` : name));
+}
+
 // What tells plans apart: the program where these differ, the machine, the profile.
 export function namesOf({ plans, names }: Shown): readonly string[] {
   if (names) return names;
   const parts = plans.map((plan) => [nameOf(plan), machineOf(plan), plan.header.report.profile]);
   const differing = [0, 1, 2].filter((k) => parts.some((part) => part[k] !== parts[0]![k]));
-  return parts.map((part) => (differing.length > 0 ? differing : [0]).map((k) => part[k]).join(", "));
+  return numbered(parts.map((part) => (differing.length > 0 ? differing : [0]).map((k) => part[k]).join(", ")));
 }
 
 export class Header {
@@ -50,11 +56,11 @@ export class Header {
     const text = plan.source === null ? "without the program\u2019s text" : "with the program\u2019s text";
     this.what.textContent = `${report.machine === "default" ? "default machine" : machineOf(plan)}, ${report.profile}, ${text}`;
     this.several.hidden = plans.length < 2;
+    const told = names ?? numbered(plans.map((one) => `${nameOf(one)}${one.header.report.machine === "default" ? "" : `, ${machineOf(one)}`}`));
     this.several.replaceChildren(
       ...plans.map((one, i) => {
-        const { cycle_time_s: seconds, machine } = one.header.report;
-        const where = machine === "default" ? "" : `, ${machineOf(one)}`;
-        return h("option", { value: String(i) }, `${names?.[i] ?? `${nameOf(one)}${where}`}: ${seconds === undefined ? "does not run" : clock(seconds)}`);
+        const seconds = one.header.report.cycle_time_s;
+        return h("option", { value: String(i) }, `${told[i]!}: ${seconds === undefined ? "does not run" : clock(seconds)}`);
       }),
     );
     this.several.value = String(this.store.state.plan);
