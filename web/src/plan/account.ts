@@ -1,6 +1,6 @@
 // Where the time of a program goes: by what the machine does, by tool, by operation, by line.
 import { ByLine, type LineNumbers } from "./by_line.ts";
-import { RunKind, lastPart, type Plan } from "./plan.ts";
+import { RunKind, type Plan } from "./plan.ts";
 
 export interface Split {
   cut: number; // all in ticks
@@ -64,7 +64,6 @@ export interface Account {
   readonly whole: Split;
   readonly tools: readonly Part[];
   readonly operations: readonly Part[]; // empty without headings
-  readonly files: readonly Part[]; // the program and those of its subprograms; empty without subprograms in files
   readonly lines: LineNumbers; // ticks of each line of the program that takes time
   readonly firstTick: LineNumbers; // at which it begins for the first time
 }
@@ -100,10 +99,6 @@ class Parts {
     return (this.split = part.split);
   }
 
-  get count(): number {
-    return this.parts.size;
-  }
-
   get thatTook(): Part[] {
     return [...this.parts.values()].filter((part) => total(part.split) > 0);
   }
@@ -114,29 +109,23 @@ export function accountOf(plan: Plan): Account {
   const runs = plan.motion?.runs;
   const lastLine = runs?.line.reduce((last, line) => Math.max(last, line), 0) ?? 0;
   let line = 0;
-  let own = 0; // the line of the program, or from which the subprogram was called
   const whole = none();
   const tools = new Parts((tool) => ({ name: tool === 0 ? "no tool" : `T${tool}`, line }));
-  const files = new Parts((file) => ({ name: lastPart(plan.fileName(file)), line }));
-  const operations = new Parts((h) => ({ name: headings[h]?.text ?? "before the first heading", line: headings[h]?.line ?? own }));
+  const operations = new Parts((h) => ({ name: headings[h]?.text ?? "before the first heading", line: headings[h]?.line ?? line }));
   const lines = new ByLine(lastLine);
   const firstTick = new ByLine(lastLine);
   for (let i = 0; runs && i < runs.tick.length; ++i) {
     const begin = runs.tick[i]!;
     const ticks = plan.runEnd(i) - begin;
     const where = PLACE[runs.kind[i] as RunKind]!;
-    const file = runs.file[i]!;
     line = runs.line[i]!;
-    if (file === 0) own = line; // lines of subprograms in files are numbered by themselves
     whole[where] += ticks;
     tools.of(runs.tool[i]!)[where] += ticks;
-    files.of(file)[where] += ticks;
-    if (headings.length > 0) operations.of(headingOf(headings, own))[where] += ticks;
-    if (file !== 0) continue;
+    if (headings.length > 0) operations.of(headingOf(headings, line))[where] += ticks;
     if (ticks > 0) lines.set(line, (lines.get(line) ?? 0) + ticks);
     if (firstTick.get(line) === undefined) firstTick.set(line, begin);
   }
-  return { whole, tools: tools.thatTook, operations: operations.thatTook, files: files.count > 1 ? files.thatTook : [], lines, firstTick };
+  return { whole, tools: tools.thatTook, operations: operations.thatTook, lines, firstTick };
 }
 
 export interface Fit {

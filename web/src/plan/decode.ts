@@ -101,7 +101,6 @@ export interface Header {
   };
   readonly constraints: readonly ConstraintData[];
   readonly has_source: boolean;
-  readonly files?: readonly string[]; // of subprograms: file 1, 2, ... of the runs
   readonly extents?: { readonly min_mm: Triple; readonly max_mm: Triple }; // also of a path that leaves the travel
   readonly last_tick?: number; // these only of a program that ran
   readonly ticks_per_column?: number;

@@ -13,7 +13,6 @@ export enum RunKind {
 export interface Runs {
   readonly tick: Float64Array;
   readonly line: Float64Array;
-  readonly file: Float64Array; // 0: the program; else one of header.files, from 1 on
   readonly tool: Float64Array;
   readonly kind: Uint8Array;
 }
@@ -85,7 +84,6 @@ function motionOf(decoded: Decoded, path: Path | null): Motion | null {
   const runs: Runs = {
     tick: of("runs.tick"),
     line: of("runs.line"),
-    file: numbers.get("runs.file") ?? new Float64Array(of("runs.tick").length),
     tool: of("runs.tool"),
     kind: wanted(bytes, "runs.kind").slice(),
   };
@@ -192,19 +190,13 @@ export class Plan {
 
   // Whether two runs are of one line.
   isSameLine(a: number, b: number): boolean {
-    const { line, file } = this.motion!.runs;
-    return line[a] === line[b] && file[a] === file[b];
+    const { line } = this.motion!.runs;
+    return line[a] === line[b];
   }
 
-  fileName(file: number): string {
-    return file === 0 ? this.header.report.file : (this.header.files?.[file - 1] ?? "");
-  }
-
-  // "line 12", "line 3 of drill.ngc"
+  // "line 12"
   placeAt(tick: number): string {
-    const { line, file } = this.motion?.runs ?? {};
-    const run = this.runAt(tick);
-    return `line ${line?.[run] ?? 0}${file?.[run] ? ` of ${lastPart(this.fileName(file[run]!))}` : ""}`;
+    return `line ${this.motion?.runs.line[this.runAt(tick)] ?? 0}`;
   }
 
   runEnd(run: number): number {

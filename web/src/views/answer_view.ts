@@ -6,6 +6,7 @@ import type { Progress, Shown } from "../plan/source.ts";
 import { usesOf } from "../plan/uses.ts";
 import type { Store } from "../state.ts";
 import { h, table } from "../ui/dom.ts";
+import { nameOf, numbered } from "../ui/header.ts";
 import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf } from "../units.ts";
 import { fitCard, fitText, rangeText } from "./fit_card.ts";
 import { waitingTexts } from "./waiting.ts";
@@ -172,7 +173,6 @@ export class AnswerView {
     add("What limits the feed", this.constraintsTable());
     if (this.account!.tools.length > 1 || this.account!.whole.toolChange > 0) add("By tool", this.partsTable("tool", this.account!.tools));
     if (this.account!.operations.length > 0) add("By operation, as the comments name them", this.partsTable("operation", this.account!.operations));
-    if (this.account!.files.length > 0) add("By file, with subprograms", this.partsTable("file", this.account!.files));
     addOffsets();
     add("Largest figures", this.usesTable());
     add("The plan", table(["", ""], [["program", report.file], ["machine", report.machine], ["profile", report.profile], ...(report.feed_override === 1 ? [] : [["feed override", `${plain(100 * report.feed_override)} %`]]), ["path", `${lengthText(report.path_length_mm ?? 0, units)} ${lengthUnit(units)} in ${report.blocks ?? 0} blocks`], ["ticks", `${report.ticks ?? 0} of ${plain(1000 * plan.period_s)} ms`]], "plan"));
@@ -182,11 +182,12 @@ export class AnswerView {
   // Each with its difference from the base.
   private othersTable(): HTMLElement {
     const { plans, base } = this.shown!;
+    const names = numbered(plans.map(nameOf), plans.map((plan) => `${nameOf(plan)}, ${plan.header.report.machine}`));
     return table(
       ["program", "machine", "time", "difference"],
       plans.map((plan, i) => {
-        const { file, machine, cycle_time_s: seconds } = plan.header.report;
-        const name = h("button", { type: "button", class: "link", click: () => this.store.showPlan(i, "answer") }, file.split("/").pop() ?? file);
+        const { machine, cycle_time_s: seconds } = plan.header.report;
+        const name = h("button", { type: "button", class: "link", click: () => this.store.showPlan(i, "answer") }, names[i]!);
         const time = seconds === undefined ? "does not run" : clock(seconds);
         return [name, machine === "default" ? machine : machine.split("/").pop() ?? machine, time, i === base ? "" : this.differenceOf(plan)];
       }),

@@ -244,11 +244,10 @@ export class ProgramView {
     const { instant } = this.store;
     const runs = plan?.motion?.runs;
     const run = plan?.runAt(instant) ?? 0;
-    const isInSubprogram = (runs?.file[run] ?? 0) > 0;
     // First, for the editor asks the browser where things are: a word written before has all of the page laid out for that.
-    this.markLine(isInSubprogram ? 0 : (runs?.line[run] ?? 0), scroll);
+    this.markLine(runs?.line[run] ?? 0, scroll);
     this.words.textContent = plan?.inForceAt("words", instant) ?? "";
-    this.codes.textContent = `${isInSubprogram ? `${plan!.placeAt(instant)}: ` : ""}${plan?.inForceAt("codes", instant) ?? ""}`;
+    this.codes.textContent = plan?.inForceAt("codes", instant) ?? "";
     if (plan?.source === null) this.message.textContent = `The program's text is not in this report. The tool is in ${plan.placeAt(instant)}.`;
   }
 
