@@ -15,6 +15,17 @@ test("a line that is clicked moves the instant to where it begins", async () => 
   await page.context().close();
 });
 
+test("a line that takes no time leads to where the next begins that does", async () => {
+  const file = programFile("G21 G90 G61 F600\nG1 X5\n(contour)\nF300\nG1 X9\nM2\n");
+  const { page, said } = await openReport([file]);
+  await page.locator(".cm-line", { hasText: "(contour)" }).click();
+  const tick = traceOf(file).findIndex((row) => row.line === 5);
+  assert.match(await textOf(page, "instant"), new RegExp(`tick ${tick}, line 5$`));
+  assert.match(await textOf(page, "words"), /F300/);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("a place on the path that is pointed at shows its line and instant, and goes again", async () => {
   const { page, said } = await openReport([pocket], "#tick=1000");
   const before = await textOf(page, "instant");

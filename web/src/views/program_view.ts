@@ -227,11 +227,21 @@ export class ProgramView {
     return true;
   }
 
+  // When the line is in force: of one that takes no time, where the next begins that does.
+  private tickOf(line: number): number | undefined {
+    const { motion } = this.plan ?? {};
+    for (; motion && line <= this.view!.state.doc.lines; ++line) {
+      const tick = this.account!.firstTick.get(line);
+      if (tick !== undefined) return tick;
+    }
+    return motion?.lastTick;
+  }
+
   private pointed(event: MouseEvent, view: EditorView, chosen: boolean): boolean {
     if (!chosen && (event.buttons !== 0 || this.store.state.playing)) return false;
     const at = view.posAtCoords({ x: event.clientX, y: event.clientY }, false);
     const line = view.state.doc.lineAt(at).number;
-    const tick = this.account?.firstTick.get(line);
+    const tick = this.tickOf(line);
     if (tick === undefined) return false;
     if (chosen) this.store.set({ tick, hover: null, playing: false }, "program");
     else if (line !== this.line) this.store.set({ hover: tick }, "program");
