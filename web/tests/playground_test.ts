@@ -93,6 +93,19 @@ test("what is typed is planned, and an error stands at its line until it is mend
   assert.equal(await shownTime(), clock(timeOf(join(folder, "typed.ngc"))));
 });
 
+test("the text may be deleted and another one typed", async () => {
+  await open("Open a program", join(SOURCE, "programs", "pocket.ngc"));
+  const editor = page.locator(".program-view .cm-content");
+  await editor.click();
+  await after_(async () => {
+    await page.keyboard.press("Control+a");
+    await page.keyboard.press("Delete");
+    await page.keyboard.type("G1 F600 X10\nM2\n");
+  });
+  program("G1 F600 X10\nM2\n", "other.ngc");
+  await page.waitForFunction((time) => document.querySelector('[data-test="cycle-time"]')?.textContent === time, clock(timeOf(join(folder, "other.ngc"))), { timeout: 30_000 });
+});
+
 test("the path of a program that takes long to plan is there before its times", async () => {
   let estimate_s = 0;
   let early: string[] = [];
