@@ -34,7 +34,7 @@ export function fitCard(plan: Plan, units: Units, openAll: () => void): HTMLElem
   const fits = fitsOf(plan);
   const over = fits.filter((fit) => fit.over > 0);
   const known = fits.some((fit) => fit.travel[0] !== null || fit.travel[1] !== null);
-  const verdict = over.length > 0 ? "does not fit" : known ? "fits the travel" : "no travel known";
+  const verdict = fits.length === 0 ? "does not move" : over.length > 0 ? "does not fit" : known ? "fits the travel" : "no travel known";
   const rows = fits.map((fit) =>
     h("div", { class: fit.over > 0 ? "bad" : "" }, `${fit.axis.toUpperCase()} ${fitText(fit, units)}${fit.over > 0 ? `, over by ${lengthText(fit.over, units)}` : ""}`),
   );
@@ -42,7 +42,7 @@ export function fitCard(plan: Plan, units: Units, openAll: () => void): HTMLElem
     "div",
     {},
     h("h2", {}, `Travel, ${lengthUnit(units)}`),
-    h("div", { class: `big ${over.length > 0 ? "bad" : "good"}`, "data-test": "fit-verdict" }, verdict),
+    h("div", { class: `big ${over.length > 0 ? "bad" : known ? "good" : ""}`, "data-test": "fit-verdict" }, verdict),
     h("div", { class: "soft rows", "data-test": "extents" }, ...rows),
   );
   return h("div", { class: "card fit", "data-test": "fit" }, path, offsetPart(plan, units, openAll));

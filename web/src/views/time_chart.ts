@@ -132,7 +132,7 @@ export class TimeChart {
     const { min: lowest, max: highest } = plan.series(`${track}.${this.quantity}`).range(0, plan.motion!.columns);
     const least = 1e-5 * Math.max(-lowest, highest);
     const text = (value: number): string => plain(Math.abs(value) < least ? 0 : value * factor, min === max ? 4 : 3);
-    this.value.textContent = min === max ? text(max) : `${text(min)}\u2026${text(max)}`;
+    this.value.textContent = min === max ? text(max) : `${text(min)}\u2026\u200b${text(max)}`;
   }
 }
 
