@@ -9,7 +9,7 @@ from command_line import Case, SOURCE, SQUARE, WRONG, main
 
 class Json(Case):
     KEYS = ("schema_version", "file", "command", "exit_status", "machine", "profile", "feed_override", "period_s", "path_boxes", "fit", "cycle_time_s", "ticks",
-            "path_length_mm", "blocks", "extents", "path_modes", "waits", "deviation", "time_split", "approach", "max", "limits_exceeded", "chord_error_mm", "contour_error",
+            "path_length_mm", "blocks", "extents", "path_modes", "waits", "deviation", "time_split", "time_by_tool", "time_by_operation", "approach", "max", "limits_exceeded", "chord_error_mm", "contour_error",
             "following_error", "starved_ticks", "warnings", "errors", "elapsed")
 
     def test_a_feed_override_is_what_an_operator_would_make_of_the_feedrate(self):
@@ -48,12 +48,32 @@ class Json(Case):
         self.assertAlmostEqual(split["tool_change_s"], 7.5, delta=0.0021)
         self.assertAlmostEqual(split["rest_s"], 4.0, delta=0.0081)
         self.assertAlmostEqual(sum(split.values()), report["cycle_time_s"], places=9)
+        by_tool = {part.pop("tool"): part for part in report["time_by_tool"]}
+        self.assertEqual(list(by_tool), ["no tool", "T2"])
+        for key, seconds in split.items():
+            self.assertAlmostEqual(sum(part[key] for part in by_tool.values()), seconds, places=9)
         self.assertEqual(json.loads(self.kerf("check", part, "--machine", slow, "--json").stdout)["waits"], report["waits"])
         tapping = self.path("tapping.ngc", "G21 G90 G0 Z5\nM3 S500\nG84 X1 Y1 Z-5 R1 F500\nG86 X3 Y1 Z-5 R1 P0 F500\nM5\nM2\n")
         report = json.loads(self.kerf("dry-run", tapping, "--machine", slow, "--json").stdout)
         self.assertEqual([wait["line"] for wait in report["waits"]["first"]], [2, 4])
         self.assertIn("waits           spindle start in line 3 (2 s), M0 in line 5, spindle start in line 8 (2 s), M6 to T2 in line 9 (7.5 s), M60 in line 10; "
                       "11.5 s of the cycle time", self.kerf("dry-run", part, "--machine", slow).stdout)
+
+    def test_parts_the_time_by_operation_as_the_comments_name_them(self):
+        part = self.path("operations.ngc", "G21 G90 G61 F600\nG0 Z5\n(rough)\nG1 X10\nN40 ; finish\n(MSG, no heading)\nG1 X15\nG4 P2\nG0 X0\nM2\n")
+        report = json.loads(self.kerf("dry-run", part, "--json").stdout)
+        rough, finish = report["time_by_operation"][1:]
+        self.assertEqual([(rough["operation"], rough["line"]), (finish["operation"], finish["line"])], [("rough", 3), ("finish", 5)])
+        self.assertNotIn("line", report["time_by_operation"][0])
+        self.assertAlmostEqual(rough["cutting_s"], 1.0, delta=0.1)
+        self.assertAlmostEqual(finish["cutting_s"], 0.5, delta=0.1)
+        self.assertAlmostEqual(finish["rest_s"], 2.0, delta=0.003)
+        for key, seconds in report["time_split"].items():
+            self.assertAlmostEqual(sum(one[key] for one in report["time_by_operation"]), seconds, places=9)
+        lines = self.kerf("dry-run", part).stdout.splitlines()
+        at = next(i for i, line in enumerate(lines) if line.startswith("  by operation"))
+        self.assertRegex(lines[at], r"^  by operation    0:00:00\.\d{3}  before the first heading$")
+        self.assertRegex(lines[at + 2], r"^                  0:00:0[23]\.\d{3}  finish: cutting 0:00:00\.\d{3}, rapid 0:00:00\.\d{3}, rest 0:00:0[12]\.\d{3}$")
 
     def test_names_the_path_modes_that_ran_and_who_named_them(self):
         text = "G21 G90 F3000\nG1 X20\nY20\nG61\nX0\nG61.1\nY0\nM2\n"

@@ -95,6 +95,24 @@ void set_plan(Json& json, const FileReport& report) {
   json["deviation"] = deviation_json(plan.deviation);
 }
 
+Json parts_json(const std::vector<TimePart>& parts, const char* name, double period_s) {
+  Json rows = Json::array();
+  for (const TimePart& part : parts) {
+    const auto seconds = [period_s](std::int64_t ticks) {
+      return static_cast<double>(ticks) * period_s;
+    };
+    Json& row = rows.emplace_back(Json{{name, part.name}});
+    if (part.line > 0) {
+      row["line"] = part.line;
+    }
+    row["cutting_s"] = seconds(part.time.cutting);
+    row["rapid_s"] = seconds(part.time.rapid);
+    row["rest_s"] = seconds(part.time.rest);
+    row["tool_change_s"] = seconds(part.time.tool_change);
+  }
+  return rows;
+}
+
 void set_motion(Json& json, const FileReport& report) {
   const MotionReport& motion = *report.motion;
   const auto seconds = [&report](std::int64_t ticks) {
@@ -104,6 +122,10 @@ void set_motion(Json& json, const FileReport& report) {
                         {"rapid_s", seconds(motion.time.rapid)},
                         {"rest_s", seconds(motion.time.rest)},
                         {"tool_change_s", seconds(motion.time.tool_change)}};
+  if (report.command != Subcommand::run) {
+    json["time_by_tool"] = parts_json(motion.parts.tools, "tool", report.period_s);
+    json["time_by_operation"] = parts_json(motion.parts.operations, "operation", report.period_s);
+  }
   json["approach"] = {{"time_s", seconds(motion.time.approach)},
                       {"cycle_time_without_s", seconds(report.plan->ticks - motion.time.approach)}};
   json["max"] = {{"path", peaks_json(motion.path)},

@@ -21,6 +21,7 @@
 #include "programs/kerf/report/speed_account.hpp"
 #include "programs/kerf/report/start_report.hpp"
 #include "programs/kerf/report/time_histogram.hpp"
+#include "programs/kerf/report/time_parts.hpp"
 #include "programs/kerf/report/time_split.hpp"
 #include "smoothing/path_deviations.hpp"
 
@@ -67,6 +68,7 @@ struct MotionReport {
   double mean_contour_error_mm = 0.0;
   std::array<double, 3> max_following_error_mm{};
   TimeSplit time{};
+  TimeParts parts{};  // empty of a run by the clock
   std::uint64_t starved_ticks = 0;
 };
 

@@ -17,6 +17,8 @@ namespace kerf::program {
 
 namespace {
 
+constexpr std::size_t kPartsShown = 30;  // tools, and operations; the JSON report has them all
+
 std::string percent(double value, double limit) {
   return std::isfinite(limit) ? fmt::format("{:.0f} %", 100.0 * value / limit) : "-";
 }
@@ -140,6 +142,27 @@ std::string time_text(const TimeSplit& time, double period_s) {
   return named > 1 ? text : "";
 }
 
+// Every tool where there are several, and every operation.
+void append_parts(std::string& text, const FileReport& report) {
+  const TimeParts& parts = report.motion->parts;
+  const auto append = [&](std::string_view what, const std::vector<TimePart>& rows) {
+    for (std::size_t i = 0; i < rows.size() && i < kPartsShown; ++i) {
+      const std::string split = time_text(rows[i].time, report.period_s);
+      fmt::format_to(std::back_inserter(text), "  {:<15} {}  {}{}\n", i == 0 ? what : "",
+                     clock_time(static_cast<double>(rows[i].ticks()) * report.period_s),
+                     visible(rows[i].name), split.empty() ? "" : ": " + split);
+    }
+    if (rows.size() > kPartsShown) {
+      fmt::format_to(std::back_inserter(text), "  {:<15} and {} more\n", "",
+                     rows.size() - kPartsShown);
+    }
+  };
+  if (parts.tools.size() > 1) {
+    append("by tool", parts.tools);
+  }
+  append("by operation", parts.operations);
+}
+
 void append_motion(std::string& text, const FileReport& report) {
   const MotionReport& motion = *report.motion;
   const auto out = std::back_inserter(text);
@@ -173,6 +196,9 @@ void append_time(std::string& text, const FileReport& report) {
           report.motion ? time_text(report.motion->time, report.period_s) : "";
       !split.empty()) {
     fmt::format_to(out, "  time            {}\n", split);
+  }
+  if (report.motion) {
+    append_parts(text, report);
   }
   if (report.motion && report.motion->time.approach > 0) {
     fmt::format_to(out, "  approach        {}\n", approach_text(report));

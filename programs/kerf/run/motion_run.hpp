@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <kerf/kernel.hpp>
 #include <kerf/machine.hpp>
@@ -23,6 +24,7 @@ struct CheckedPath {
   curves::AuxiliaryExtents extra_extents{};
   double length_mm = 0.0;              // of all that is run; 0: nobody knows
   std::optional<ScannedCurve> scan{};  // for the plot
+  std::vector<Heading> headings{};     // of a program that runs without a clock
 };
 
 struct MotionOrder {

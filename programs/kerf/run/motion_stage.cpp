@@ -39,6 +39,9 @@ RunStage MotionStage::stage_with(Feeder& feeder) {
 void MotionStage::finish(const End& end) {
   report_motion(report_, end.kernel, ticks_.statistics(), end.outcome);
   report_.motion->time = ticks_.time_split();
+  if (const auto& parts = outputs_.recorder().parts) {
+    report_.motion->parts = parts->parts();
+  }
   if (const auto& speed = outputs_.recorder().speed) {
     report_.speed = speed->report();
   }

@@ -14,6 +14,7 @@
 #include "programs/kerf/page/plan_gatherer.hpp"
 #include "programs/kerf/plot/plot_data.hpp"
 #include "programs/kerf/report/speed_account.hpp"
+#include "programs/kerf/report/time_parts.hpp"
 #include "programs/kerf/run/trace_writer.hpp"
 
 namespace kerf::program {
@@ -22,10 +23,11 @@ struct Recorder {
   std::optional<TraceWriter> trace;
   std::optional<PlotData> plot;
   std::optional<SpeedAccount> speed;
+  std::optional<PartsAccount> parts;
   PlanGatherer* page = nullptr;  // of whom asks for the page
 
   [[nodiscard]] bool wants_ticks() const noexcept {
-    return trace || plot || speed || page != nullptr;
+    return trace || plot || speed || parts || page != nullptr;
   }
 
   // The rest of the motion would not be in the trace.
@@ -40,6 +42,9 @@ struct Recorder {
     }
     if (speed) {
       speed->add(record);
+    }
+    if (parts) {
+      parts->add(record);
     }
     if (page != nullptr) {
       page->add(record);

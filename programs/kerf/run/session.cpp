@@ -16,6 +16,7 @@
 #include "programs/kerf/run/motion_run.hpp"
 #include "programs/kerf/run/plan_run.hpp"
 #include "programs/kerf/run/program_check.hpp"
+#include "programs/kerf/run/program_headings.hpp"
 #include "programs/kerf/run/program_mark.hpp"
 #include "programs/kerf/run/start_choice.hpp"
 
@@ -195,6 +196,10 @@ class Session {
       kernel_options_.nominal_s = path_.length_mm = 0.0;  // they are those of the whole program
     }
     file.rewind();
+    if (options_.command != Subcommand::run) {
+      path_.headings = headings_in(file);
+      file.rewind();
+    }
     if (options_.plot_file) {
       path_.scan = first_scan(file, settings_, kernel_options_);
       file.rewind();
