@@ -121,7 +121,9 @@ void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, E
     }
   }
   if (parts.empty()) {
-    emitter.emit_rest_here(outbox);
+    // Of a dwell the rest is still to come.
+    const auto* dwell = ahead.empty() ? nullptr : std::get_if<Rest>(&ahead.front());
+    emitter.emit_rest_here(dwell != nullptr ? dwell->line : 0, outbox);
   } else {
     emitter.come_to_rest(outbox);
   }

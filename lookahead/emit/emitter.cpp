@@ -218,8 +218,10 @@ void Emitter::note_sent_by(const Emitter& copy) {
   output_changes_sent_ = copy.output_changes_sent_;
 }
 
-void Emitter::emit_rest_here(Outbox& outbox) {
-  outbox.phases.push_back(rest_phase(0.0));
+void Emitter::emit_rest_here(std::uint32_t line, Outbox& outbox) {
+  interp::Phase phase = rest_phase(0.0);
+  phase.line = line != 0 ? line : place_.line;
+  outbox.phases.push_back(phase);
 }
 
 void Emitter::keep(const Outbox& outbox, std::size_t first) {

@@ -161,6 +161,7 @@ TEST(Hold, StopsTheClockOfADwell) {
   const WatchedRun run = run_held(program, {dwells->tick + 100});
   EXPECT_EQ(run.complaint, "");
   EXPECT_EQ(run.first_held().position_mm[0], 10.0);
+  EXPECT_EQ(run.first_held().line, 3U);
   EXPECT_EQ(run.count(TickStatus::held), kHeldTicks);
   EXPECT_EQ(run.count(TickStatus::running) + 1, static_cast<std::int64_t>(whole.size()));
 }
