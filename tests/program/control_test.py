@@ -17,7 +17,7 @@ class Control(ControlCase):
         client.read_until(type="event", state="held")
         client.write('{"command":"status"}\n')
         held = client.read_until(type="status")
-        self.assertEqual((held["state"], held["feedrate_mm_s"], held["line"]), ("held", 0, 2))
+        self.assertEqual((held["state"], held["feedrate_mm_s"], held["line"], held["block"]), ("held", 0, 2, 2))
         self.assertTrue(0 < held["position_mm"]["x"] < 400)
         self.assertIn("G90", held["codes"].split())
         answer = client.ask("override", feed_percent=200, spindle_percent=110)

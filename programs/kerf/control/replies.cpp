@@ -96,6 +96,7 @@ std::string status_json(const ControllerStatus& status, parser::Letters extra) {
             {"state", key_of_name(name_of(status.state))},
             {"waits_for", name_of(status.waits_for)},
             {"line", at.line},
+            {"block", status.block},
             {"tick", at.tick},
             {"run_s", status.run_s},
             {"left_s", status.left_s ? Json(*status.left_s) : Json()}};
