@@ -142,7 +142,7 @@ std::string time_text(const TimeSplit& time, double period_s) {
   return named > 1 ? text : "";
 }
 
-// Every tool where there are several, and every operation.
+// Where there are several.
 void append_parts(std::string& text, const FileReport& report) {
   const TimeParts& parts = report.motion->parts;
   const auto append = [&](std::string_view what, const std::vector<TimePart>& rows) {
@@ -160,7 +160,9 @@ void append_parts(std::string& text, const FileReport& report) {
   if (parts.tools.size() > 1) {
     append("by tool", parts.tools);
   }
-  append("by operation", parts.operations);
+  if (parts.operations.size() > 1) {
+    append("by operation", parts.operations);
+  }
 }
 
 void append_motion(std::string& text, const FileReport& report) {
