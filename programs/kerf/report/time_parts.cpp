@@ -57,7 +57,7 @@ bool is_acted_on(std::string_view words) {
     return false;
   }
   std::string first(trimmed(words.substr(0, comma)));
-  std::ranges::transform(first, first.begin(), [](char c) {
+  std::transform(first.begin(), first.end(), first.begin(), [](char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   });
   return std::ranges::find(kWords, first) != kWords.end();
