@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "interp/motion.hpp"
 #include "lookahead/optimum/grid/grid.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 #include "lookahead/optimum/steepest_braking.hpp"
@@ -22,7 +21,7 @@ constexpr std::array<double, 6> kDistances{1.01, 1.3, 1.7, 2.2, 3.1, 4.6};
 constexpr std::array<double, kStopDistances.size()> kDistancesOfAny{1.7, 3.1, 5.6};
 constexpr std::size_t kMinCells = 3;
 // More come of a way that is no way: near a rest, at a crawl.
-constexpr std::size_t kMaxCells = interp::StopAhead::kPhases / 2;
+constexpr std::size_t kMaxCells = WayAhead::kMaxBlocks;
 constexpr double kCellsOfWay = 40.0;
 // Of the limits that hold where the motion is, for an S-curve on a curve.
 constexpr std::array<double, 3> kShares{1.0, 0.7, 0.5};
@@ -126,10 +125,14 @@ void StopSearch::begin_with_s_curve(double distance_mm, std::vector<Cell>& cells
 
 bool StopSearch::reaches_end(double distance_mm) const {
   std::vector<Cell> cells = way_.cells();
-  return cut_at(distance_mm, way_.path(), cells);
+  return way_.knows(distance_mm) && cut_at(distance_mm, way_.path(), cells);
 }
 
 std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_end) const {
+  if (!way_.knows(distance_mm)) {
+    is_end = false;  // over more blocks than there may be cells
+    return std::nullopt;
+  }
   const PathAt path = way_.path();
   CellSequence sequence{.begin = from_->state, .cells = way_.cells()};
   is_end = cut_at(distance_mm, path, sequence.cells);

@@ -72,6 +72,14 @@ std::optional<std::size_t> WayAhead::cell_at(const Sought& sought) const {
   return i;
 }
 
+bool WayAhead::knows(double distance_mm) const {
+  double way_mm = 0.0;
+  for (const Cell& cell : cells_) {
+    way_mm += cell.length_mm;
+  }
+  return !has_more_blocks_ || distance_mm < way_mm;
+}
+
 void WayAhead::take_blocks(const BrakingFrom& from) {
   const double back_mm = junction_zone_mm(from.state, limits_);
   const double far_mm = farthest_mm(from, limits_);
@@ -81,6 +89,10 @@ void WayAhead::take_blocks(const BrakingFrom& from) {
   };
   double way_mm = -from.s_mm;
   for (std::size_t i = 0; i < from.blocks.size() && way_mm < far_mm && !last_is_cut_; ++i) {
+    if (i > kMaxBlocks) {
+      has_more_blocks_ = true;
+      break;
+    }
     const Block& block = *from.blocks[i];
     NearBlock near = near_block(
         block, {.begin_mm = i == 0 ? from.s_mm - back_mm : 0.0, .end_mm = far_mm - way_mm});
@@ -116,6 +128,7 @@ void WayAhead::take_cells(const BrakingFrom& from) {
     }
     cells_.push_back(cell);
     if (cell.rest_after) {
+      has_more_blocks_ = has_more_blocks_ && i + 1 == waiting_.size();
       break;
     }
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "interp/motion.hpp"
 #include "lookahead/optimum/braking.hpp"
 #include "lookahead/optimum/grid/cell.hpp"
 #include "lookahead/optimum/grid/waiting_cells.hpp"
@@ -13,10 +14,13 @@
 
 namespace kerf::lookahead {
 
-// From the motion on, up to a rest or as far as braking may take. Cells end where the plan so far
-// changes its jerk (BrakingFrom::ends).
+// From the motion on, up to a rest, as far as braking may take, or over kMaxBlocks. Cells end where
+// the plan so far changes its jerk (BrakingFrom::ends).
 class WayAhead {
  public:
+  // A way to rest with as many cells does not fit into what stands ready for a late planner.
+  static constexpr std::size_t kMaxBlocks = interp::StopAhead::kPhases / 2;
+
   WayAhead(const BrakingFrom& from, const PlanLimits& limits);
 
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
@@ -27,6 +31,8 @@ class WayAhead {
     std::size_t from = 0;  // no cell before this one is looked at
   };
   [[nodiscard]] std::optional<std::size_t> cell_at(const Sought& sought) const;
+  // False: so far it goes on over blocks that were not looked at.
+  [[nodiscard]] bool knows(double distance_mm) const;
   [[nodiscard]] PathAt path() const { return waiting_.path_of(blocks_); }
   // Of BrakingFrom::blocks.
   [[nodiscard]] std::size_t block_of(const Cell& cell) const {
@@ -48,6 +54,7 @@ class WayAhead {
   std::uint64_t first_ = 0;  // of blocks_: the one that the motion is on
   double first_begin_mm_ = 0.0;
   bool last_is_cut_ = false;
+  bool has_more_blocks_ = false;
   std::vector<Cell> cells_;
 };
 
