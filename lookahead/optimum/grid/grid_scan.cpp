@@ -229,8 +229,7 @@ void GridScan::find_quiet(const BlockPath& path, const std::vector<Cell>& cells,
   if (path.slows()) {
     // A ramp is as long as what is left of the feedrate at its end: that may be next to none.
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      quiet_mm_[i + 1] =
-          std::max(quiet_mm_[i + 1], -ramp_mm(cells[i], feeds_mm_s_[i + 1], limits));
+      quiet_mm_[i + 1] = std::max(quiet_mm_[i + 1], -ramp_mm(cells[i], feeds_mm_s_[i + 1], limits));
     }
   }
   limit_growth(places_mm_, kFeatureGrowth, feature_mm_);
