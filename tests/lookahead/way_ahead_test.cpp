@@ -13,6 +13,7 @@ constexpr double kLine_mm = 0.02;
 
 std::vector<Block> dense_lines(int count, const PlanLimits& limits) {
   std::vector<parser::Move> moves;
+  moves.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     moves.push_back(line_move({{kLine_mm * i, 0, 0}, {kLine_mm * (i + 1), 0, 0}}, 250.0));
   }

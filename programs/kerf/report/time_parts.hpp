@@ -1,7 +1,6 @@
 // Where the time of a run goes by tool and by operation.
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -57,7 +56,12 @@ class PartsAccount {
     std::int32_t tool = 0;
     std::size_t heading = 0;
 
-    friend auto operator<=>(const Place&, const Place&) = default;
+    friend bool operator==(const Place&, const Place&) = default;
+  };
+  struct Order {
+    bool operator()(const Place& a, const Place& b) const {
+      return a.tool != b.tool ? a.tool < b.tool : a.heading < b.heading;
+    }
   };
   struct Rest {
     Place place{};
@@ -69,7 +73,7 @@ class PartsAccount {
   [[nodiscard]] Place place_of(const TickRecord& record);
 
   std::vector<Heading> headings_;
-  std::map<Place, TimeSplit> places_;
+  std::map<Place, TimeSplit, Order> places_;
   Place counted_{};  // the last one, which most ticks have
   TimeSplit* of_counted_ = nullptr;
   std::vector<Rest> rests_;  // of the present rest

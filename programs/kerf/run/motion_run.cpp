@@ -113,9 +113,6 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     order.page->motion->set_watch(order.page->watch);
     outputs->recorder().page = &*order.page->motion;
   }
-  if (!has_clock) {
-    outputs->recorder().parts.emplace(order.path.headings);
-  }
   if (outputs->recorder().plot && order.path.scan) {
     outputs->recorder().plot->add_scan(*order.path.scan);
   }

@@ -39,6 +39,9 @@ class MotionStage {
                machine) {
     ticks_.enable({.mm = order.kernel_options.start_mm,
                    .extra_rad_mm = order.kernel_options.start_extra_rad_mm});
+    if (order.options.command != Subcommand::run) {
+      outputs_.recorder().parts.emplace(order.path.headings);
+    }
   }
 
   [[nodiscard]] const MotionOrder& order() const noexcept { return order_; }
