@@ -206,6 +206,9 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
     for (diagnostics::Diagnostic& diagnostic : named.diagnostics) {
       diagnostic.block = {};
     }
+    if (named.motion) {
+      named.motion->parts.operations.clear();  // they have the words of comments
+    }
   }
   header["report"] = Json::parse(json_report(named));
   header["diagnostics"] = Json::parse(json_diagnostics({named}))["diagnostics"];

@@ -66,7 +66,7 @@ struct FileReport;
 struct PageRecord {
   bool wants_motion = true;
   bool wants_source = true;
-  bool quotes_text = true;  // blocks of errors, and messages to the operator
+  bool quotes_text = true;  // blocks of errors, messages to the operator, headings
   // Called with what is known of a program that is about to be planned, its path among it. Empty:
   // nobody wants it before its motion.
   std::function<void(const FileReport&)> show_path{};
