@@ -1,5 +1,6 @@
 // Messages and codes reach the operator as the tool comes to their blocks, not as text is read.
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -146,10 +147,9 @@ TEST(ProgramNotes, HaveFAsWrittenAndSAndTOfTheBlockThatTheToolIsAt) {
   EXPECT_EQ(at(3.5), "F60 S9000 T7");
 }
 
-// Found with a client: while the tool comes down to an override of a tenth it is faster than that,
-// and the rest was said to be a quarter shorter.
-TEST(ProgramNotes, KnowTheTimeThatIsLeftBehindALowOverride) {
-  const std::string text = "G21 G90 G61\nG1 X200 F3000\nG1 X0 Y30\nM2\n";
+// What is said of the time that is left at each tick of the text's run, on the default machine.
+std::vector<double> said_left_s(const std::string& text,
+                                const std::function<void(Kernel&, std::size_t tick)>& command) {
   bool read = false;
   const auto whole_text = [&]() -> std::string_view {
     return std::exchange(read, true) ? std::string_view() : std::string_view(text);
@@ -162,13 +162,23 @@ TEST(ProgramNotes, KnowTheTimeThatIsLeftBehindALowOverride) {
   std::vector<double> said_s;
   Setpoint setpoint;
   for (auto status = TickStatus::running; status == TickStatus::running;) {
-    if (said_s.size() == 1000) {
-      kernel.set_overrides({.feed = 0.1});
-    }
+    command(kernel, said_s.size());
     kernel.plan();
     status = kernel.tick(setpoint);
     said_s.push_back(kernel.left_s().value_or(0.0));
   }
+  return said_s;
+}
+
+// Found with a client: while the tool comes down to an override of a tenth it is faster than that,
+// and the rest was said to be a quarter shorter.
+TEST(ProgramNotes, KnowTheTimeThatIsLeftBehindALowOverride) {
+  const std::vector<double> said_s = said_left_s("G21 G90 G61\nG1 X200 F3000\nG1 X0 Y30\nM2\n",
+                                                 [](Kernel& kernel, std::size_t tick) {
+                                                   if (tick == 1000) {
+                                                     kernel.set_overrides({.feed = 0.1});
+                                                   }
+                                                 });
   for (const std::size_t tick : {1030U, 1100U, 1500U, 3000U, 20'000U}) {
     const double left_s = static_cast<double>(said_s.size() - tick) * 1e-3;
     EXPECT_NEAR(said_s.at(tick), left_s, 0.04 * left_s) << "tick " << tick;
@@ -177,24 +187,9 @@ TEST(ProgramNotes, KnowTheTimeThatIsLeftBehindALowOverride) {
 
 // A dwell was over at its begin, and then it made all motion seem slower than it is.
 TEST(ProgramNotes, KnowTheTimeThatIsLeftInADwellAndBehindIt) {
-  const std::string text =
-      "G21 G90 G61\nG4 P5\nG1 X200 F3000\nG4 P3\nG1 X0\nG1 X50 F1500\nG4 P2\nM2\n";
-  bool read = false;
-  const auto whole_text = [&]() -> std::string_view {
-    return std::exchange(read, true) ? std::string_view() : std::string_view(text);
-  };
-  Kernel kernel(default_machine(),
-                {.tells_operator = true,
-                 .nominal_s = check_program(whole_text, default_machine()).nominal_s});
-  kernel.feed(text);
-  kernel.finish();
-  std::vector<double> said_s;
-  Setpoint setpoint;
-  for (auto status = TickStatus::running; status == TickStatus::running;) {
-    kernel.plan();
-    status = kernel.tick(setpoint);
-    said_s.push_back(kernel.left_s().value_or(0.0));
-  }
+  const std::vector<double> said_s =
+      said_left_s("G21 G90 G61\nG4 P5\nG1 X200 F3000\nG4 P3\nG1 X0\nG1 X50 F1500\nG4 P2\nM2\n",
+                  [](Kernel& /*kernel*/, std::size_t /*tick*/) {});
   for (std::size_t tick = 1; tick < said_s.size(); tick += 250) {
     const double left_s = static_cast<double>(said_s.size() - tick) * 1e-3;
     EXPECT_NEAR(said_s.at(tick), left_s, 0.02 * left_s + 0.1) << "tick " << tick;
