@@ -1,5 +1,5 @@
-// Records ticks: the trace, the plot, the account of the active constraints, the page; any of them
-// or none.
+// Records ticks: the trace, the plot, the accounts of the active constraints and of tools and
+// operations, the page; any of them or none.
 #pragma once
 
 #include <atomic>
