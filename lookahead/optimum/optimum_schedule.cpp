@@ -26,7 +26,9 @@ ClassicalSchedule::Settings classical(const OptimumSchedule::Settings& settings)
 }  // namespace
 
 OptimumSchedule::OptimumSchedule(const Settings& settings)
-    : settings_(settings), classical_(classical(settings)), waiting_(settings.limits) {}
+    : settings_(settings),
+      classical_(classical(settings)),
+      waiting_(settings.limits, settings.ready_blocks) {}
 
 void OptimumSchedule::push(const Window<Block>& blocks) {
   if (classical_.push(blocks)) {

@@ -55,5 +55,51 @@ TEST(IndependentLine, IsNoArc) {
   EXPECT_FALSE(is_independent_line(arc.front(), {.begin = kRest, .end = kRest}));
 }
 
+// The feedrate from which the S-curve comes to rest over so many lines, without acceleration at the
+// ends of each.
+double brakes_from_mm_s(int count, double length_mm) {
+  const profiles::Profile s_curve(profiles::ProfileKind::s_curve);
+  const profiles::RampLimits ramp = line_of(length_mm).limits.ramp;
+  double v = 0.0;
+  for (int i = 0; i < count; ++i) {
+    double low = v;
+    double high = v + 200.0;
+    for (int step = 0; step < 60; ++step) {
+      const double middle = 0.5 * (low + high);
+      (s_curve.length_mm({middle, v}, ramp) < length_mm ? low : high) = middle;
+    }
+    v = low;
+  }
+  return v;
+}
+
+TEST(LinesAhead, AreLongEnoughWhereTheSCurveBrakesLineByLine) {
+  constexpr int kLines = 200;
+  for (const double length_mm : {0.005, 0.02, 0.1, 0.5}) {
+    const double v = brakes_from_mm_s(kLines, length_mm);
+    for (const double share : {0.9, 1.1}) {
+      LinesAhead lines(kLines);
+      for (int i = 0; i < kLines; ++i) {
+        EXPECT_TRUE(lines.are_long_enough()) << "there are fewer";
+        lines.push(line_of(length_mm), share * v);
+      }
+      EXPECT_EQ(lines.are_long_enough(), share < 1.0) << length_mm << " mm from " << v << " mm/s";
+    }
+  }
+}
+
+TEST(LinesAhead, AreTheLastOnes) {
+  LinesAhead lines(10);
+  lines.push(line_of(100.0), 100.0);
+  for (int i = 0; i < 9; ++i) {
+    lines.push(line_of(0.02), 100.0);
+  }
+  EXPECT_TRUE(lines.are_long_enough()) << "on the first";
+  lines.push(line_of(0.02), 100.0);
+  EXPECT_FALSE(lines.are_long_enough());
+  lines.clear();
+  EXPECT_TRUE(lines.are_long_enough());
+}
+
 }  // namespace
 }  // namespace kerf::lookahead::test

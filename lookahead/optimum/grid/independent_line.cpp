@@ -30,4 +30,29 @@ bool is_independent_line(const Block& block, const LineJunctions& junctions) {
   return way_mm <= block.length_mm;
 }
 
+void LinesAhead::clear() {
+  lines_.clear();
+  fall_ = 0.0;
+}
+
+void LinesAhead::push(const Block& line, double v_begin_mm_s) {
+  const profiles::RampLimits& ramp = line.limits.ramp;
+  const double fall = std::min(0.75 * ramp.jerk_mm_s3 * line.length_mm * line.length_mm,
+                               1.5 * ramp.acceleration_mm_s2 * line.length_mm * v_begin_mm_s);
+  lines_.push_back({.v_begin_mm_s = v_begin_mm_s, .fall = fall});
+  fall_ += fall;
+  if (lines_.size() > most_) {
+    fall_ -= lines_.front().fall;
+    lines_.pop_front();
+  }
+}
+
+bool LinesAhead::are_long_enough() const {
+  if (lines_.size() < most_) {
+    return true;
+  }
+  const double v = lines_.front().v_begin_mm_s;
+  return fall_ >= v * v * v;
+}
+
 }  // namespace kerf::lookahead

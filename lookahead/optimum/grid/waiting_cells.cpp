@@ -42,6 +42,7 @@ void WaitingCells::push(const Window<Block>& blocks) {
   if (!open_) {
     open_ = OpenBlock{.number = number, .whole_line = true};
     lines_ = number;
+    ahead_.clear();
     return;
   }
   if (!open_->whole_line) {
@@ -52,7 +53,8 @@ void WaitingCells::push(const Window<Block>& blocks) {
   LineEnd end{.junction = junction_of(query, limits_)};
   const bool rests = end.junction.feedrate_mm_s == 0.0;
   end.is_cruise = rests || passed_as_cruise(query, end.junction.feedrate_mm_s, limits_);
-  if (!close_as_line(end, blocks)) {
+  ahead_.push(*query.before, open_->line_begin.feedrate_mm_s);
+  if (!(rests || ahead_.are_long_enough()) || !close_as_line(end, blocks)) {
     make_cells_of_lines(blocks);
     return;
   }
@@ -62,6 +64,7 @@ void WaitingCells::push(const Window<Block>& blocks) {
                     .line_begin = end.junction};
   if (rests) {
     lines_ = number;
+    ahead_.clear();
   }
 }
 
@@ -124,6 +127,7 @@ void WaitingCells::push_cells(std::uint64_t number, const Window<Block>& blocks)
     } else if (number + 1 == pushed_) {
       next.whole_line = true;
       lines_ = number;
+      ahead_.clear();
     }
     close_as_cells(end, blocks);
   }

@@ -8,6 +8,7 @@
 
 #include "lookahead/optimum/grid/cell.hpp"
 #include "lookahead/optimum/grid/cell_stops.hpp"
+#include "lookahead/optimum/grid/independent_line.hpp"
 #include "lookahead/optimum/grid/junction_share.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 #include "lookahead/path/junction.hpp"
@@ -32,7 +33,9 @@ struct FrontBlocks {
 // first block that cannot makes cells of them and of all that follows up to the next rest.
 class WaitingCells {
  public:
-  explicit WaitingCells(const PlanLimits& limits) : limits_(limits) {}
+  // lines_ahead: what LinesAhead looks at.
+  explicit WaitingCells(const PlanLimits& limits, std::size_t lines_ahead = 500)
+      : limits_(limits), ahead_(lines_ahead) {}
 
   // The window's last block.
   void push(const Window<Block>& blocks);
@@ -121,7 +124,8 @@ class WaitingCells {
   std::uint64_t pushed_ = 0;
   std::uint64_t done_ = 0;  // blocks that have left the window
   std::uint64_t lines_ =
-      0;  // the first block since the last rest, while whole lines are all there is
+      0;              // the first block since the last rest, while whole lines are all there is
+  LinesAhead ahead_;  // the last of those
   std::optional<OpenBlock> open_;
   std::deque<WaitingCell> cells_;
 };
