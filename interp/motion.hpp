@@ -77,7 +77,7 @@ struct Takeover {
 
 // A way to rest for a tick by which nothing else has come: the planning thread is late.
 struct StopAhead {
-  static constexpr std::size_t kPhases = 512;
+  static constexpr std::size_t kPhases = 2048;
 
   std::uint32_t from = 0;
   std::uint32_t plan = 0;

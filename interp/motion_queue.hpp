@@ -24,7 +24,7 @@ namespace kerf::interp {
 // over.
 class MotionQueue {
  public:
-  static constexpr std::size_t kPieces = 1024;
+  static constexpr std::size_t kPieces = 4096;
   static constexpr std::size_t kPhases = 8192;
   // So many stay free of what is planned ahead: room for a plan that takes over, and for what was
   // planned last and waits.

@@ -74,15 +74,14 @@ std::optional<PlanStop> first_of_shortest(const Emitter& emitter,
 std::optional<PlanStop> first_of_any(const Emitter& emitter, const std::vector<const Block*>& ahead,
                                      std::int64_t tick, const PlanLimits& limits) {
   const auto motions = motions_to_stop_from(emitter, tick, limits);
-  for (const StopDistance distance : kStopDistances) {
-    for (const EmittedItems::Motion& motion : motions) {
-      const BrakingFrom from = braking_from(emitter.kept(), motion, ahead);
-      if (auto parts = find_any_braking(from, limits, distance)) {
-        return PlanStop{.from = motion, .parts = *std::move(parts)};
-      }
-    }
+  std::vector<BrakingFrom> from;
+  for (const EmittedItems::Motion& motion : motions) {
+    from.push_back(braking_from(emitter.kept(), motion, ahead));
   }
-  return std::nullopt;
+  auto found = find_any_braking(from, limits);
+  return found ? std::optional(
+                     PlanStop{.from = motions[found->motion], .parts = std::move(found->parts)})
+               : std::nullopt;
 }
 
 }  // namespace

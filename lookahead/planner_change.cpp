@@ -150,8 +150,10 @@ bool Planner::emit_first_part(const PlanChange& change, ChangedPlan& changed, Ou
 
 // Ticks see a jump of direction or curvature behind the motion as long as it is near: what is left
 // of a block is planned with a little of the way behind, or the whole block with the one before it.
+// Where the way to rest goes over more blocks than there may be cells, the motion rests.
 bool Planner::begin_in_motion(InMotion from) {
-  if (waiting_.empty() || !std::holds_alternative<Block>(waiting_.front())) {
+  if (waiting_.empty() || !std::holds_alternative<Block>(waiting_.front()) ||
+      from.stop->parts.back().block >= kMaxCellsInMotion) {
     return false;
   }
   OptimumSchedule::Begin begin = motion_of(*from.stop);

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 namespace kerf::profiles {
 
@@ -90,6 +91,46 @@ CellLaw CellLaw::ramp(const RampStart& begin, double duration_s) noexcept {
   law.length_mm_ = end.s_mm;
   law.v_end_mm_s_ = end.v_mm_s;
   return law;
+}
+
+// Newton's steps where they stay within what is left of the range, else its half.
+double CellLaw::time_at_s(double s_mm) const noexcept {
+  constexpr int kMaxSteps = 100;
+  constexpr double kRounding = 1e-15;
+  double low_s = 0.0;
+  double high_s = duration_s_;
+  double t_s = std::clamp(s_mm / length_mm_, 0.0, 1.0) * duration_s_;
+  for (int i = 0; i < kMaxSteps && high_s - low_s > kRounding * duration_s_; ++i) {
+    const PathMotion motion = at(t_s);
+    const double miss_mm = motion.s_mm - s_mm;
+    if (miss_mm == 0.0) {
+      break;
+    }
+    (miss_mm > 0.0 ? high_s : low_s) = t_s;
+    const double next_s = t_s - miss_mm / motion.v_mm_s;
+    const bool is_inside = next_s > low_s && next_s < high_s;
+    const double before_s = std::exchange(t_s, is_inside ? next_s : 0.5 * (low_s + high_s));
+    if (std::abs(t_s - before_s) <= kRounding * duration_s_) {
+      break;
+    }
+  }
+  return t_s;
+}
+
+CellLaw CellLaw::part(const Times& times) const noexcept {
+  const PathMotion begin = at(times.begin_s);
+  const bool to_end = times.end_s >= duration_s_;
+  const double way_mm = (to_end ? length_mm_ : at(times.end_s).s_mm) - begin.s_mm;
+  if (kind_ == Kind::between) {
+    return between(
+        {.v_mm_s = begin.v_mm_s, .a_mm_s2 = begin.a_mm_s2, .bend_per_s2 = begin_.bend_per_s2},
+        way_mm);
+  }
+  if (kind_ == Kind::landing && to_end) {
+    return landing(begin.v_mm_s, way_mm);
+  }
+  return ramp({.v_mm_s = begin.v_mm_s, .a_mm_s2 = begin.a_mm_s2, .j_mm_s3 = begin.j_mm_s3},
+              times.end_s - times.begin_s);
 }
 
 PathMotion CellLaw::ramp_at(double t_s) const noexcept {

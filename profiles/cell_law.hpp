@@ -43,6 +43,14 @@ class CellLaw {
   [[nodiscard]] double length_mm() const noexcept { return length_mm_; }
   // Motion t_s after the start; s counts from 0 there. t_s outside [0, duration] is clamped.
   [[nodiscard]] PathMotion at(double t_s) const noexcept;
+  // When the motion has come that far. Outside [0, length] it is clamped.
+  [[nodiscard]] double time_at_s(double s_mm) const noexcept;
+  // What the law does between two times: 0 <= begin < end <= duration.
+  struct Times {
+    double begin_s = 0.0;
+    double end_s = 0.0;
+  };
+  [[nodiscard]] CellLaw part(const Times& times) const noexcept;
 
  private:
   enum class Kind : std::uint8_t { between, launch, landing, ramp };

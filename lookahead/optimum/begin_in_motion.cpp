@@ -7,8 +7,6 @@ namespace kerf::lookahead {
 
 namespace {
 
-// The answer is urgent, and what follows is added later.
-constexpr std::size_t kMaxCells = 600;
 constexpr std::size_t kMinCells = 3;
 // On the way that it would take to rest.
 constexpr double kCellsToRest = 40.0;
@@ -46,7 +44,7 @@ std::size_t prepare_to_begin(const BeginInMotion& from, WaitingCells& waiting,
   if (waiting.size() < kMinCells) {
     return 0;
   }
-  const std::size_t count = std::min(waiting.size(), kMaxCells);
+  const std::size_t count = std::min(waiting.size(), kMaxCellsInMotion);
   plan_way_to_rest(from.to_rest, count, waiting);
   return count;
 }

@@ -10,6 +10,9 @@
 
 namespace kerf::lookahead {
 
+// More cells are not planned first: the answer is urgent, and what follows is added later.
+inline constexpr std::size_t kMaxCellsInMotion = 600;
+
 struct BeginInMotion {
   double s_mm = 0.0;        // on the first block
   bool has_before = false;  // the window begins with the block before the first, which is over

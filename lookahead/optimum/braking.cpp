@@ -12,6 +12,7 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kRounded = 1.0 + 1e-9;
+constexpr double kNoWay_mm = 1e-12;
 
 std::optional<std::vector<BrakingPart>> stop_on_line(const BrakingFrom& from,
                                                      const PlanLimits& limits) {
@@ -32,23 +33,99 @@ std::optional<std::vector<BrakingPart>> stop_on_line(const BrakingFrom& from,
   if (!stop || from.s_mm + stop->length_mm() > block.length_mm - kAtBlockEnd_mm) {
     return std::nullopt;
   }
-  return parts_of(*stop, block, from.s_mm);
+  return parts_of(laws_of(*stop), from);
+}
+
+// Lays laws along the blocks. Whatever ends a block is cut there: a phase is on one curve.
+class PartsOnBlocks {
+ public:
+  explicit PartsOnBlocks(const BrakingFrom& from) : from_(&from), s_mm_(from.s_mm) {}
+
+  // False: the law leaves the blocks.
+  bool add(const BrakingLaw& law) {
+    Begin begin;
+    while (law.law.length_mm() - begin.way_mm > kNoWay_mm) {
+      if (on_ == from_->blocks.size()) {
+        return false;
+      }
+      begin = add_on_block(law, begin);
+    }
+    return true;
+  }
+  [[nodiscard]] bool rests_hardly_before_block_end() const {
+    return !parts_.empty() &&
+           parts_.back().s_end_mm > from_->blocks[parts_.back().block]->length_mm - kAtBlockEnd_mm;
+  }
+  std::vector<BrakingPart> take() { return std::move(parts_); }
+
+ private:
+  // Of what is left of a law.
+  struct Begin {
+    double t_s = 0.0;
+    double way_mm = 0.0;
+  };
+
+  Begin add_on_block(const BrakingLaw& whole, const Begin& begin) {
+    const profiles::CellLaw& law = whole.law;
+    const Block& block = *from_->blocks[on_];
+    const double to_block_end_mm = begin.way_mm + block.length_mm - s_mm_;
+    const bool ends_block = law.length_mm() >= to_block_end_mm - kNoWay_mm;
+    const bool goes_on = law.length_mm() > to_block_end_mm + kNoWay_mm;
+    const Begin end{.t_s = goes_on ? law.time_at_s(to_block_end_mm) : law.duration_s(),
+                    .way_mm = ends_block ? to_block_end_mm : law.length_mm()};
+    s_mm_ += end.way_mm - begin.way_mm;
+    const LimitOrigins& limits = block.limits.from;
+    parts_.push_back({.block = on_,
+                      .law = begin.t_s > 0.0 || goes_on
+                                 ? law.part({.begin_s = begin.t_s, .end_s = end.t_s})
+                                 : law,
+                      .s_end_mm = ends_block ? block.length_mm : s_mm_,
+                      .ends_block = ends_block,
+                      .limit = whole.is_steady ? limits.acceleration : limits.jerk});
+    if (ends_block) {
+      ++on_;
+      s_mm_ = 0.0;
+    }
+    return end;
+  }
+
+  const BrakingFrom* from_;
+  std::size_t on_ = 0;
+  double s_mm_;
+  std::vector<BrakingPart> parts_;
+};
+
+// search: made where it is needed, once for all distances.
+std::optional<std::vector<BrakingPart>> any_from(const BrakingFrom& from, const PlanLimits& limits,
+                                                 StopDistance distance,
+                                                 std::optional<StopSearch>& search) {
+  if (from.blocks.empty()) {
+    return std::nullopt;
+  }
+  if (!search) {
+    if (auto parts = stop_on_line(from, limits)) {
+      return parts;
+    }
+    search.emplace(from, limits);
+  }
+  return search->any(distance);
 }
 
 }  // namespace
 
-std::vector<BrakingPart> parts_of(const profiles::SCurveStop& stop, const Block& block,
-                                  double s_mm) {
-  std::vector<BrakingPart> parts;
-  for (const auto& [law, limit] : {std::pair{&stop.falling, block.limits.from.jerk},
-                                   std::pair{&stop.steady, block.limits.from.acceleration},
-                                   std::pair{&stop.landing, block.limits.from.jerk}}) {
-    if (law->duration_s() > 0.0) {
-      s_mm += law->length_mm();
-      parts.push_back({.law = *law, .s_end_mm = s_mm, .limit = limit});
+std::optional<std::vector<BrakingPart>> parts_of(std::span<const BrakingLaw> laws,
+                                                 const BrakingFrom& from) {
+  PartsOnBlocks parts(from);
+  for (const BrakingLaw& law : laws) {
+    if (!parts.add(law)) {
+      return std::nullopt;
     }
   }
-  return parts;
+  return parts.rests_hardly_before_block_end() ? std::nullopt : std::optional(parts.take());
+}
+
+std::array<BrakingLaw, 3> laws_of(const profiles::SCurveStop& stop) {
+  return {{{.law = stop.falling}, {.law = stop.steady, .is_steady = true}, {.law = stop.landing}}};
 }
 
 std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
@@ -60,14 +137,17 @@ std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
   return parts ? std::move(parts) : StopSearch(from, limits).shortest();
 }
 
-std::optional<std::vector<BrakingPart>> find_any_braking(const BrakingFrom& from,
-                                                         const PlanLimits& limits,
-                                                         StopDistance distance) {
-  if (from.blocks.empty()) {
-    return std::nullopt;
+std::optional<FoundBraking> find_any_braking(const std::vector<BrakingFrom>& motions,
+                                             const PlanLimits& limits) {
+  std::vector<std::optional<StopSearch>> searches(motions.size());
+  for (const StopDistance distance : kStopDistances) {
+    for (std::size_t i = 0; i < motions.size(); ++i) {
+      if (auto parts = any_from(motions[i], limits, distance, searches[i])) {
+        return FoundBraking{.motion = i, .parts = *std::move(parts)};
+      }
+    }
   }
-  auto parts = stop_on_line(from, limits);
-  return parts ? std::move(parts) : StopSearch(from, limits).any(distance);
+  return std::nullopt;
 }
 
 }  // namespace kerf::lookahead

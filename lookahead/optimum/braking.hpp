@@ -3,13 +3,14 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lookahead/optimum/grid/cell.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/limits.hpp"
+#include "profiles/cell_law.hpp"
 #include "profiles/s_curve_stop.hpp"
 #include "profiles/time_law.hpp"
 
@@ -48,9 +49,17 @@ struct BrakingPart {
   Constraint limit{};
 };
 
-// Of a stop within the block that the motion is on.
-std::vector<BrakingPart> parts_of(const profiles::SCurveStop& stop, const Block& block,
-                                  double s_mm);
+// A part of the way to rest that does not end with blocks.
+struct BrakingLaw {
+  profiles::CellLaw law{};
+  bool is_steady = false;  // its acceleration is constant; else it rides on the jerk
+};
+
+// Of the way to rest that the laws are, one after the other from the motion on. Nothing: they leave
+// the blocks, or rest so near the end of one that what would be left is hardly a curve.
+std::optional<std::vector<BrakingPart>> parts_of(std::span<const BrakingLaw> laws,
+                                                 const BrakingFrom& from);
+std::array<BrakingLaw, 3> laws_of(const profiles::SCurveStop& stop);
 
 // On a line alone, the S-curve from any acceleration to rest, in closed form. Elsewhere the search
 // for the time optimum to a rest that is a little farther each time, from what the closed form
@@ -60,14 +69,15 @@ std::vector<BrakingPart> parts_of(const profiles::SCurveStop& stop, const Block&
 std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
                                                      const PlanLimits& limits);
 
-// Any way, for it is cheap: on a line as above, else one S-curve, or the optimum to a rest at one
-// distance, far enough that there is a way in most cases. Where there is none, a try costs several
-// times what one costs that ends well: other places come before other distances.
-enum class StopDistance : std::uint8_t { near, far, farthest };
-inline constexpr std::array kStopDistances{StopDistance::near, StopDistance::far,
-                                           StopDistance::farthest};
-std::optional<std::vector<BrakingPart>> find_any_braking(const BrakingFrom& from,
-                                                         const PlanLimits& limits,
-                                                         StopDistance distance);
+// Any way from any of the motions, for it is cheap: on a line as above, else one S-curve, or the
+// optimum to a rest at one distance, far enough that there is a way in most cases. Where there is
+// none, a try costs several times what one costs that ends well: other motions come before other
+// distances.
+struct FoundBraking {
+  std::size_t motion = 0;
+  std::vector<BrakingPart> parts;
+};
+std::optional<FoundBraking> find_any_braking(const std::vector<BrakingFrom>& motions,
+                                             const PlanLimits& limits);
 
 }  // namespace kerf::lookahead

@@ -54,9 +54,7 @@ class Steps {
         path_(way.path()),
         limits_(&limits),
         landing_(landing),
-        now_{.s_mm = way.cells().front().s_begin_mm,
-             .v_mm_s = begin.v_mm_s,
-             .a_mm_s2 = begin.a_mm_s2} {}
+        now_{.v_mm_s = begin.v_mm_s, .a_mm_s2 = begin.a_mm_s2} {}
 
   std::optional<std::vector<profiles::CellLaw>> to_rest() {
     const Cell& first = way_->cells().front();
@@ -87,14 +85,14 @@ class Steps {
     PathSample path{};
   };
 
-  // Nothing: it lies behind the block.
+  // Nothing: it lies behind what is known.
   [[nodiscard]] std::optional<Place> at(double s_mm) const {
-    const auto index = way_->cell_at({.s_mm = s_mm, .from = cell_});
-    if (!index) {
+    const auto place = way_->place_at({.way_mm = s_mm, .from = cell_});
+    if (!place) {
       return std::nullopt;
     }
-    const Cell& cell = way_->cells()[*index];
-    return Place{.cell = &cell, .path = path_(cell, s_mm)};
+    const Cell& cell = way_->cells()[place->cell];
+    return Place{.cell = &cell, .path = path_(cell, place->s_mm)};
   }
 
   // The jerk that leads to rest in 2 v / |a|.
@@ -152,7 +150,7 @@ class Steps {
             .a_mm_s2 = now_.a_mm_s2 + t * jerk_mm_s3};
   }
 
-  // False: the limits leave no jerk, or the way leaves the block.
+  // False: the limits leave no jerk, or the way leaves what is known.
   bool go_on(const Place& place) {
     const Range here = jerks(place, now_.v_mm_s, 0.0);
     double jerk_mm_s3 = here.low;
@@ -175,7 +173,9 @@ class Steps {
     laws_.push_back(profiles::CellLaw::ramp(
         {.v_mm_s = now_.v_mm_s, .a_mm_s2 = now_.a_mm_s2, .j_mm_s3 = jerk_mm_s3}, step_s_));
     now_ = end_of_step(jerk_mm_s3);
-    cell_ = way_->cell_at({.s_mm = now_.s_mm, .from = cell_}).value_or(cell_);
+    if (const auto now = way_->place_at({.way_mm = now_.s_mm, .from = cell_})) {
+      cell_ = now->cell;
+    }
     return true;
   }
 
@@ -183,7 +183,7 @@ class Steps {
   PathAt path_;
   const PlanLimits* limits_;
   double landing_;
-  profiles::PathMotion now_;  // s counts on the block
+  profiles::PathMotion now_;  // s counts from the begin
   double step_s_ = 0.0;
   std::size_t cell_ = 0;
   std::vector<profiles::CellLaw> laws_;

@@ -17,7 +17,7 @@ namespace kerf::lookahead {
 // It has a way where the search has none: the motion may be at a limit already.
 //
 // Some ways, the one that lands last first; whether the limits hold between the ends of steps and
-// while it lands, the caller looks at. None: the way leaves the block, or comes to a place that
+// while it lands, the caller looks at. None: the way leaves what is known, or comes to a place that
 // leaves no jerk.
 //
 // Weakness: that may be where limits close in faster than a step sees, as where an axis turns that

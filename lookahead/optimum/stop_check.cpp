@@ -24,24 +24,24 @@ class StopCheck {
   StopCheck(const WayAhead& way, const PlanLimits& limits)
       : way_(&way), path_(way.path()), limits_(&limits) {}
 
-  // s counts on the block. The ends of cells that were passed since the place before have bounds of
-  // their own, for the higher of the two feedrates.
+  // s counts from the motion. The ends of cells that were passed since the place before have bounds
+  // of their own, for the higher of the two feedrates.
   bool keeps_limits(profiles::PathMotion motion) {
     const std::vector<Cell>& cells = way_->cells();
-    const auto here = way_->cell_at({.s_mm = motion.s_mm, .from = cell_});
+    const auto here = way_->place_at({.way_mm = motion.s_mm, .from = cell_});
     if (!here) {
       return false;
     }
     profiles::PathMotion passing = motion;
     passing.v_mm_s = std::max(v_mm_s_, motion.v_mm_s);
-    for (; cell_ < *here; ++cell_) {
+    for (; cell_ < here->cell; ++cell_) {
       if (!is_within(passing, cells[cell_], cells[cell_].length_mm) ||
           !is_within(passing, cells[cell_ + 1], 0.0)) {
         return false;
       }
     }
     v_mm_s_ = motion.v_mm_s;
-    return is_within(motion, cells[cell_], motion.s_mm - cells[cell_].s_begin_mm);
+    return is_within(motion, cells[cell_], here->s_mm - cells[cell_].s_begin_mm);
   }
 
  private:
@@ -60,11 +60,10 @@ class StopCheck {
 
 }  // namespace
 
-bool keeps_limits(std::span<const profiles::CellLaw> laws, const WayAhead& way,
-                  const PlanLimits& limits) {
+bool keeps_limits(std::span<const BrakingLaw> laws, const WayAhead& way, const PlanLimits& limits) {
   StopCheck check(way, limits);
-  double way_mm = way.cells().front().s_begin_mm;
-  for (const profiles::CellLaw& law : laws) {
+  double way_mm = 0.0;
+  for (const auto& [law, is_steady] : laws) {
     const int looks = law.duration_s() > 0.0 ? looks_at(law, limits.period_s) : -1;
     for (int look = 0; look <= looks; ++look) {
       profiles::PathMotion motion = law.at(law.duration_s() * look / looks);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "interp/motion.hpp"
 #include "lookahead/optimum/grid/grid.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 #include "lookahead/optimum/steepest_braking.hpp"
@@ -21,7 +22,7 @@ constexpr std::array<double, 6> kDistances{1.01, 1.3, 1.7, 2.2, 3.1, 4.6};
 constexpr std::array<double, kStopDistances.size()> kDistancesOfAny{1.7, 3.1, 5.6};
 constexpr std::size_t kMinCells = 3;
 // More come of a way that is no way: near a rest, at a crawl.
-constexpr std::size_t kMaxCells = WayAhead::kMaxBlocks;
+constexpr std::size_t kMaxCells = 256;
 constexpr double kCellsOfWay = 40.0;
 // Of the limits that hold where the motion is, for an S-curve on a curve.
 constexpr std::array<double, 3> kShares{1.0, 0.7, 0.5};
@@ -61,6 +62,20 @@ bool cut_at(double distance_mm, const PathAt& path, std::vector<Cell>& cells) {
     way += cell.length_mm;
   }
   return true;
+}
+
+double way_mm(const std::vector<BrakingPart>& parts) {
+  double sum_mm = 0.0;
+  for (const BrakingPart& part : parts) {
+    sum_mm += part.law.at(part.law.duration_s()).s_mm;
+  }
+  return sum_mm;
+}
+
+std::optional<std::vector<BrakingPart>> shorter(std::optional<std::vector<BrakingPart>> one,
+                                                std::optional<std::vector<BrakingPart>> other) {
+  const bool is_one = one && !(other && way_mm(*other) < way_mm(*one));
+  return is_one ? std::move(one) : std::move(other);
 }
 
 }  // namespace
@@ -129,8 +144,9 @@ bool StopSearch::reaches_end(double distance_mm) const {
 }
 
 std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_end) const {
-  if (!way_.knows(distance_mm)) {
-    is_end = false;  // over more blocks than there may be cells
+  const auto rest = way_.place_at({.way_mm = distance_mm});
+  if (!way_.knows(distance_mm) || (rest && rest->cell >= kMaxCells)) {
+    is_end = false;
     return std::nullopt;
   }
   const PathAt path = way_.path();
@@ -172,15 +188,15 @@ std::optional<std::vector<BrakingPart>> StopSearch::any(StopDistance distance) c
   return distance == StopDistance::farthest ? steepest() : std::nullopt;
 }
 
-// The distance grows until a way is found, that of steps at the latest, and is then divided down to
-// kStep.
+// The distance grows until a way is found, that of the S-curve or of steps at the latest, and is
+// then divided down to kStep.
 std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
   if (way_.cells().empty() || s_curve_.back().s_mm < kAtBlockEnd_mm) {
     return in_closed_form();
   }
-  std::optional<std::vector<BrakingPart>> best = steepest();
+  std::optional<std::vector<BrakingPart>> best = shorter(s_curve_parts(1.0), steepest());
   double too_short_mm = 0.0;
-  double distance_mm = best ? best->back().s_end_mm - from_->s_mm : kUnbounded;
+  double distance_mm = best ? way_mm(*best) : kUnbounded;
   bool is_end = false;
   const auto try_at = [&](double to_rest_mm) {
     if (const auto plan = to_rest_at(to_rest_mm, is_end)) {
@@ -205,34 +221,43 @@ std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
 
 std::optional<std::vector<BrakingPart>> StopSearch::in_closed_form() const {
   for (std::size_t i = 0; i < kShares.size() && !way_.cells().empty(); ++i) {
-    const auto stop = s_curve(kShares[i]);
-    if (stop &&
-        keeps_limits(std::array{stop->falling, stop->steady, stop->landing}, way_, *limits_)) {
-      return parts_of(*stop, *from_->blocks.front(), from_->s_mm);
+    if (auto parts = s_curve_parts(kShares[i])) {
+      return parts;
     }
   }
   return std::nullopt;
+}
+
+std::optional<std::vector<BrakingPart>> StopSearch::s_curve_parts(double share) const {
+  const auto stop = s_curve(share);
+  return stop ? parts_along(laws_of(*stop)) : std::nullopt;
 }
 
 std::optional<std::vector<BrakingPart>> StopSearch::steepest() const {
   if (way_.cells().empty()) {
     return std::nullopt;
   }
-  const Block& block = *from_->blocks.front();
-  for (const std::vector<profiles::CellLaw>& laws :
+  for (const std::vector<profiles::CellLaw>& steps :
        steepest_braking(from_->state, way_, *limits_)) {
-    if (!keeps_limits(laws, way_, *limits_)) {
-      continue;
+    std::vector<BrakingLaw> laws;
+    laws.reserve(steps.size());
+    for (const profiles::CellLaw& law : steps) {
+      laws.push_back({.law = law});
     }
-    std::vector<BrakingPart> parts;
-    double s_mm = from_->s_mm;
-    for (const profiles::CellLaw& law : laws) {
-      s_mm += law.length_mm();
-      parts.push_back({.law = law, .s_end_mm = s_mm, .limit = block.limits.from.jerk});
+    if (auto parts = parts_along(laws)) {
+      return parts;
     }
-    return parts;
   }
   return std::nullopt;
+}
+
+std::optional<std::vector<BrakingPart>> StopSearch::parts_along(
+    std::span<const BrakingLaw> laws) const {
+  if (!keeps_limits(laws, way_, *limits_)) {
+    return std::nullopt;
+  }
+  auto parts = parts_of(laws, *from_);
+  return parts && parts->size() <= interp::StopAhead::kPhases ? std::move(parts) : std::nullopt;
 }
 
 std::vector<BrakingPart> StopSearch::parts(const OptimalPlan& plan) const {

@@ -1,7 +1,10 @@
 // The way to rest by the search for the time optimum.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "lookahead/optimum/braking.hpp"
@@ -9,6 +12,11 @@
 #include "lookahead/optimum/way_ahead.hpp"
 
 namespace kerf::lookahead {
+
+// Of a rest that may be any one, over the way of the S-curve.
+enum class StopDistance : std::uint8_t { near, far, farthest };
+inline constexpr std::array kStopDistances{StopDistance::near, StopDistance::far,
+                                           StopDistance::farthest};
 
 // The search over the cells ahead, to a rest at one distance after the other.
 //
@@ -34,7 +42,11 @@ class StopSearch {
  private:
   [[nodiscard]] std::optional<profiles::SCurveStop> s_curve(double share) const;
   [[nodiscard]] std::optional<std::vector<BrakingPart>> in_closed_form() const;
+  [[nodiscard]] std::optional<std::vector<BrakingPart>> s_curve_parts(double share) const;
   [[nodiscard]] std::optional<std::vector<BrakingPart>> steepest() const;
+  // Nothing: they exceed a limit, or cannot stand ready for a late planner.
+  [[nodiscard]] std::optional<std::vector<BrakingPart>> parts_along(
+      std::span<const BrakingLaw> laws) const;
   void take_s_curve();
   void begin_with_s_curve(double distance_mm, std::vector<Cell>& cells) const;
   // The distance reaches to the end of what is known: a rest at it is there.

@@ -19,7 +19,14 @@ constexpr double kMinFar_mm = 1.0;
 // A curve so many times as long as what is looked at of it.
 constexpr double kWorthCutting = 1.5;
 
-double farthest_mm(const BrakingFrom& from, const PlanLimits& limits) {
+constexpr std::size_t kManyBlocks = 256;
+
+struct Reach {
+  double farthest_mm = 0.0;
+  double gentle_mm = 0.0;  // of an S-curve at half of the weakest limits
+};
+
+Reach reach_of(const BrakingFrom& from, const PlanLimits& limits) {
   profiles::RampLimits weakest = from.blocks.front()->along.ramp;
   for (const MotionLimits& axis : limits.axes) {
     weakest.acceleration_mm_s2 = std::min(weakest.acceleration_mm_s2, axis.acceleration_mm_s2);
@@ -27,7 +34,10 @@ double farthest_mm(const BrakingFrom& from, const PlanLimits& limits) {
   }
   const double a = std::max(from.state.a_mm_s2, 0.0);
   const double v = from.state.v_mm_s + a * a / weakest.jerk_mm_s3;
-  return kMinFar_mm + kFarthest * v * v / weakest.acceleration_mm_s2;
+  const double steady_mm = v * v / weakest.acceleration_mm_s2;
+  return {
+      .farthest_mm = kMinFar_mm + kFarthest * steady_mm,
+      .gentle_mm = kMinFar_mm + steady_mm + v * weakest.acceleration_mm_s2 / weakest.jerk_mm_s3};
 }
 
 // A block of which only a stretch is looked at: a curve may be long. begin_mm: of the stretch, on
@@ -60,36 +70,31 @@ WayAhead::WayAhead(const BrakingFrom& from, const PlanLimits& limits)
   take_cells(from);
 }
 
-std::optional<std::size_t> WayAhead::cell_at(const Sought& sought) const {
-  std::size_t i = sought.from;
-  while (i < cells_.size() && cells_[i].s_end_mm() < sought.s_mm && !cells_[i].ends_block) {
-    ++i;
-  }
-  if (i == cells_.size() ||
-      (cells_[i].ends_block && sought.s_mm > cells_[i].s_end_mm() - kAtBlockEnd_mm)) {
+std::optional<WayAhead::Place> WayAhead::place_at(const Sought& sought) const {
+  if (cells_.empty() || sought.way_mm > ways_mm_.back() - kAtBlockEnd_mm) {
     return std::nullopt;
   }
-  return i;
+  std::size_t i = sought.from;
+  while (ways_mm_[i] < sought.way_mm) {
+    ++i;
+  }
+  return Place{.cell = i, .s_mm = cells_[i].s_end_mm() - (ways_mm_[i] - sought.way_mm)};
 }
 
 bool WayAhead::knows(double distance_mm) const {
-  double way_mm = 0.0;
-  for (const Cell& cell : cells_) {
-    way_mm += cell.length_mm;
-  }
-  return !has_more_blocks_ || distance_mm < way_mm;
+  return !has_more_blocks_ || (!cells_.empty() && distance_mm < ways_mm_.back());
 }
 
 void WayAhead::take_blocks(const BrakingFrom& from) {
   const double back_mm = junction_zone_mm(from.state, limits_);
-  const double far_mm = farthest_mm(from, limits_);
+  const auto [far_mm, gentle_mm] = reach_of(from, limits_);
   const auto add = [this](Block block) {
     blocks_.push_back(std::move(block));
     waiting_.push_as_cells(blocks_);
   };
   double way_mm = -from.s_mm;
   for (std::size_t i = 0; i < from.blocks.size() && way_mm < far_mm && !last_is_cut_; ++i) {
-    if (i > kMaxBlocks) {
+    if (i > kMaxBlocks || (i > kManyBlocks && way_mm > gentle_mm)) {
       has_more_blocks_ = true;
       break;
     }
@@ -135,6 +140,10 @@ void WayAhead::take_cells(const BrakingFrom& from) {
   cut_at_ends(from, path);
   if (last_is_cut_ && !cells_.empty() && cells_.back().block + 1 == blocks_.size()) {
     cells_.back().ends_block = false;
+  }
+  double way_mm = 0.0;
+  for (const Cell& cell : cells_) {
+    ways_mm_.push_back(way_mm += cell.length_mm);
   }
 }
 

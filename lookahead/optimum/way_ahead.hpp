@@ -14,23 +14,28 @@
 
 namespace kerf::lookahead {
 
-// From the motion on, up to a rest, as far as braking may take, or over kMaxBlocks. Cells end where
-// the plan so far changes its jerk (BrakingFrom::ends).
+// From the motion on, up to a rest, or as far as braking may take: over many short blocks as far as
+// a gentle S-curve takes, and over kMaxBlocks at the most. Cells end where the plan so far changes
+// its jerk (BrakingFrom::ends).
 class WayAhead {
  public:
-  // A way to rest with as many cells does not fit into what stands ready for a late planner.
-  static constexpr std::size_t kMaxBlocks = interp::StopAhead::kPhases / 2;
+  // A way to rest over more does not fit into what stands ready for a late planner.
+  static constexpr std::size_t kMaxBlocks = interp::StopAhead::kPhases;
 
   WayAhead(const BrakingFrom& from, const PlanLimits& limits);
 
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
-  // The cell that holds a place on the first block; nothing: it lies at the block's end or behind
-  // it.
-  struct Sought {
+  // A place in a cell; s counts as the cell's does.
+  struct Place {
+    std::size_t cell = 0;
     double s_mm = 0.0;
+  };
+  // So far from the motion; nothing: that is at the end of what is known, or behind it.
+  struct Sought {
+    double way_mm = 0.0;
     std::size_t from = 0;  // no cell before this one is looked at
   };
-  [[nodiscard]] std::optional<std::size_t> cell_at(const Sought& sought) const;
+  [[nodiscard]] std::optional<Place> place_at(const Sought& sought) const;
   // False: so far it goes on over blocks that were not looked at.
   [[nodiscard]] bool knows(double distance_mm) const;
   [[nodiscard]] PathAt path() const { return waiting_.path_of(blocks_); }
@@ -56,6 +61,7 @@ class WayAhead {
   bool last_is_cut_ = false;
   bool has_more_blocks_ = false;
   std::vector<Cell> cells_;
+  std::vector<double> ways_mm_;  // to the end of each
 };
 
 }  // namespace kerf::lookahead

@@ -114,6 +114,25 @@ TEST(Hold, OnALineBrakesInTheShortestWay) {
   }
 }
 
+// 5,000 lines of 0.02 mm: the way to rest goes over 700 of them.
+TEST(Hold, OnLinesOfLessThanATickBrakesAsOnTheLineThatTheyMake) {
+  WatchedProgram program{.text = "G21 G90 G61 F12000\nG1 X20\n"};
+  for (int i = 1; i <= 5000; ++i) {
+    program.text += "X" + std::to_string(20.0 + 0.02 * i) + "\n";
+  }
+  program.text += "M2\n";
+  const auto whole = ticks_of(program.text);
+  for (const std::int64_t tick : {150, 300, 450}) {
+    const WatchedRun run = run_held(program, {tick});
+    expect_whole(run, whole);
+    constexpr double kWay_mm = 200.0 * 200.0 / 4000.0 + 200.0 * 2000.0 / 1e5;
+    constexpr double kMost_mm = 200.0 * 0.02;  // until it begins
+    EXPECT_LT(run.first_held().s_mm - run.ticks[static_cast<std::size_t>(tick)].s_mm,
+              1.06 * kWay_mm + kMost_mm);
+    EXPECT_LT(run.ticks.back().tick, whole.back().tick + 400);
+  }
+}
+
 // On the butterfly an axis rides on its limit of jerk there. The first other setpoint comes within
 // 20 ms.
 TEST(Hold, BrakesSoonWhereAnAxisNeedsAllOfItsJerk) {

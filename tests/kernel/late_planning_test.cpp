@@ -47,6 +47,27 @@ TEST(LatePlanning, IsARestOnThePathWithinTheLimitsWhereverItBegins) {
   }
 }
 
+// 5,000 lines of 0.02 mm, straight on: a way to rest from 200 mm/s goes over 700 of them.
+std::string dense_program() {
+  std::string text = "G21 G90 G61 F12000\nG1 X20\n";
+  for (int i = 1; i <= 5000; ++i) {
+    text += "X" + std::to_string(20.0 + 0.02 * i) + "\n";
+  }
+  return text + "M2\n";
+}
+
+TEST(LatePlanning, OnLinesOfLessThanATickIsOneRest) {
+  const auto whole = ticks_of(dense_program());
+  for (std::int64_t tick = 100; tick + 300 < whole.back().tick; tick += 150) {
+    SCOPED_TRACE("tick " + std::to_string(tick));
+    const WatchedRun run = run_late(dense_program(), {}, tick);
+    expect_whole(run, whole);
+    EXPECT_GT(run.count(TickStatus::starved), 0);
+    // Behind a rest it takes as long again to the end, and kLate while nothing was planned.
+    EXPECT_LT(run.ticks.back().tick, whole.back().tick + kLate + 300);
+  }
+}
+
 TEST(LatePlanning, ThatIsNeverLateChangesNoTick) {
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
     const KernelOptions options{.profile = {.kind = kind}};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -99,6 +100,55 @@ TEST(CellLaw, LaunchAndLandingHaveTheJerkThatTheirLengthAsksFor) {
     EXPECT_NEAR(down.at(0.75 - t).s_mm, 2.0 - up.at(t).s_mm, 1e-14);
     EXPECT_NEAR(down.at(0.75 - t).v_mm_s, up.at(t).v_mm_s, 1e-14);
     EXPECT_NEAR(down.at(0.75 - t).a_mm_s2, -up.at(t).a_mm_s2, 1e-12);
+  }
+}
+
+// One of each kind.
+std::vector<CellLaw> random_laws(Draw& draw) {
+  const auto [begin, h] = random_cell(draw);
+  const double duration_s = draw.log_uniform({1e-5, 1.0});
+  const double v = begin.v_mm_s;
+  const double a = draw.uniform({-0.4, 2.0}) * v / duration_s;  // v stays above 0
+  const double jerk = draw.uniform({-0.4, 2.0}) * v / (duration_s * duration_s);
+  return {CellLaw::between(begin, h), CellLaw::launch(v, h), CellLaw::landing(v, h),
+          CellLaw::ramp({.v_mm_s = v, .a_mm_s2 = a, .j_mm_s3 = jerk}, duration_s)};
+}
+
+TEST(CellLaw, KnowsWhenItIsAtAPlace) {
+  Draw draw(4);
+  for (int i = 0; i < 2000; ++i) {
+    for (const CellLaw& law : random_laws(draw)) {
+      const double way_mm = draw.uniform({0.0, 1.0}) * law.length_mm();
+      const double t = law.time_at_s(way_mm);
+      ASSERT_GE(t, 0.0);
+      ASSERT_LE(t, law.duration_s());
+      ASSERT_NEAR(law.at(t).s_mm, way_mm, 1e-12 * law.length_mm()) << i;
+    }
+  }
+}
+
+TEST(CellLaw, MovesInAPartAsInTheWhole) {
+  Draw draw(5);
+  for (int i = 0; i < 2000; ++i) {
+    for (const CellLaw& law : random_laws(draw)) {
+      const double begin_s = draw.once_in(4) ? 0.0 : draw.uniform({0.0, 0.5}) * law.duration_s();
+      const double end_s =
+          draw.once_in(4) ? law.duration_s() : draw.uniform({0.6, 1.0}) * law.duration_s();
+      const CellLaw part = law.part({.begin_s = begin_s, .end_s = end_s});
+      ASSERT_NEAR(part.duration_s(), end_s - begin_s, 1e-8 * law.duration_s()) << i;
+      const double v_size = std::max(law.v_begin_mm_s(), law.v_end_mm_s());
+      for (const double share : {0.0, 0.3, 0.8, 1.0}) {
+        const double t = share * (end_s - begin_s);
+        const PathMotion there = law.at(begin_s + t);
+        const PathMotion found = part.at(t);
+        ASSERT_NEAR(found.s_mm, there.s_mm - law.at(begin_s).s_mm, 1e-8 * law.length_mm()) << i;
+        ASSERT_NEAR(found.v_mm_s, there.v_mm_s, 1e-7 * v_size) << i;
+        ASSERT_NEAR(found.a_mm_s2, there.a_mm_s2, 1e-6 * v_size / law.duration_s()) << i;
+      }
+      if (end_s == law.duration_s()) {
+        ASSERT_NEAR(part.v_end_mm_s(), law.v_end_mm_s(), 1e-7 * v_size) << i;
+      }
+    }
   }
 }
 
