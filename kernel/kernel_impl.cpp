@@ -34,6 +34,9 @@ void Kernel::Impl::follow_tool() {
     notes_.reach_end();
   } else {
     notes_.reach(interpolator_.reached_block());
+    if (notes_.has_more_to_say()) {
+      notes_.announce(pipeline_.rest_block_at(interpolator_.plan_tick() + announced_ticks_));
+    }
   }
   notes_.follow({.path_mm = interpolator_.reached_path_mm(),
                  .moved_s = static_cast<double>(interpolator_.plan_tick()) * period_s_,

@@ -49,6 +49,8 @@ class KERF_LOCAL Kernel::Impl {
         margin_ticks_(static_cast<std::int64_t>(std::ceil(kMargin_s / settings.limits.period_s))),
         first_part_ticks_(
             static_cast<std::int64_t>(std::ceil(kFirstPart_s / settings.limits.period_s))),
+        announced_ticks_(
+            static_cast<std::int64_t>(std::ceil(kAnnounced_s / settings.limits.period_s))),
         keeps_stop_(!options.one_thread),
         begins_with_(options.begins_with) {
     interpolator_.begin_with(options.start_outputs);
@@ -137,6 +139,9 @@ class KERF_LOCAL Kernel::Impl {
   static constexpr int kMaxRefusals = 4;  // after so many the margin does not grow
   // Of a plan with other feedrates so much is handed over at once.
   static constexpr double kFirstPart_s = 0.1;
+  // What the program says at a rest comes so long before it: then the thread that plans tells it
+  // before the one that ticks is there, and waits.
+  static constexpr double kAnnounced_s = 0.03;
   // Of the horizon: less than this is not worth a stop ahead of its own while there is as much.
   static constexpr std::int64_t kPartsOfHorizon = 8;
   // Of blocks, which take as long as the search over them.
@@ -225,6 +230,7 @@ class KERF_LOCAL Kernel::Impl {
   std::int64_t horizon_ticks_;
   std::int64_t margin_ticks_;
   std::int64_t first_part_ticks_;
+  std::int64_t announced_ticks_;
   bool keeps_stop_;
   std::int64_t committed_until_tick_ = 0;
   // The latest that was committed.

@@ -93,6 +93,9 @@ class Pipeline {
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept {
     return planner_.emitted_until_tick();
   }
+  [[nodiscard]] std::uint64_t rest_block_at(std::int64_t tick) const {
+    return planner_.rest_block_at(tick);
+  }
   // The ticks before this one have been run.
   void forget_before(std::int64_t tick);
 

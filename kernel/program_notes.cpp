@@ -80,11 +80,15 @@ void ProgramNotes::move(const parser::Move& move) {
   }
 }
 
-void ProgramNotes::reach(std::uint64_t block) {
+void ProgramNotes::announce(std::uint64_t block) {
   while (!messages_.empty() && messages_.front().block <= block) {
     reached_messages_.push_back(std::move(messages_.front().message));
     messages_.pop_front();
   }
+}
+
+void ProgramNotes::reach(std::uint64_t block) {
+  announce(block);
   if (ahead_.empty() || ahead_.front().block > block) {
     return;
   }

@@ -33,6 +33,9 @@ class ProgramNotes final : public PipelineObserver {
   // The tool has come to this block (parser::Move::block), or to the program's end.
   void reach(std::uint64_t block);
   void reach_end();
+  // The tool is about to come to it: what the program says is there before it is.
+  void announce(std::uint64_t block);
+  [[nodiscard]] bool has_more_to_say() const noexcept { return !messages_.empty(); }
   void follow(const TimeLeft::ToolPlace& tool) { time_left_.follow(tool); }
 
   // Those of the blocks that were reached since the last call.

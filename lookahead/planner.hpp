@@ -162,6 +162,12 @@ class Planner {
   [[nodiscard]] std::uint32_t wait() const noexcept { return waits_emitted_; }
   // Where the plan emitted so far ends; time goes on from there.
   [[nodiscard]] std::int64_t emitted_until_tick() const noexcept { return emitter_.now().tick; }
+  // Of the program, where the motion rests for it at that tick; 0: it does not, or no farther is
+  // planned.
+  [[nodiscard]] std::uint64_t rest_block_at(std::int64_t tick) const {
+    const auto motion = emitter_.kept().at(tick);
+    return motion ? motion->phase.rest_block : 0;
+  }
   // What was emitted ends at rest.
   [[nodiscard]] bool ends_at_rest() const { return emitter_.ends_at_rest(); }
   // The number of the plan that is being emitted.

@@ -146,10 +146,10 @@ TEST(Controller, TellsEachChangeOfStateAndEachMessageOnce) {
     const auto message = shop.controller.message(events[i].message);
     told.emplace_back(message ? message->text : name_of(events[i].state));
   }
-  EXPECT_EQ(told, (std::vector<std::string>{"idle", "running", "waiting", "tool 2", "running",
+  EXPECT_EQ(told, (std::vector<std::string>{"idle", "running", "tool 2", "waiting", "running",
                                             "at 50.000000", "holding", "held", "running", "idle"}));
-  EXPECT_EQ(events[2].waits_for, WaitsFor::answer);
-  EXPECT_EQ(events[2].line, 4);
+  EXPECT_EQ(events[3].waits_for, WaitsFor::answer);
+  EXPECT_EQ(events[3].line, 4);
   EXPECT_EQ(shop.controller.status().next_event, count + 1);
 }
 

@@ -224,7 +224,7 @@ class Control(ControlCase):
         client.write('{"command":"status"}\n')
         stopped = client.read_until(type="status")
         self.assertEqual((stopped["feedrate_mm_s"], stopped["state"], stopped["feed_stop"]), (0, "running", True))
-        for wrong in ({"analog": 1, "value": 0.5}, {"digital": 2, "value": 1}, {"analog": 2, "value": 1.5}):
+        for wrong in ({"analog": 1, "value": 0.5}, {"digital": 2, "value": 1}, {"digital": 5, "value": 0.5}, {"digital": 5, "value": 2}, {"analog": 2, "value": 1.5}):
             self.assertFalse(client.ask("input", **wrong)["accepted"], wrong)
         for text in ('{"command":"input"}', '{"command":"input","analog":2}', '{"command":"input","analog":2,"digital":5,"value":1}'):
             client.write(text + "\n")

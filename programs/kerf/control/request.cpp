@@ -70,6 +70,9 @@ std::string read_input(RequestKeys& keys, ControlRequest& request) {
     return "input takes analog or digital, a number, and value";
   }
   request.value = value.value_or(0.0);
+  if (keys.has("digital") && request.value != 0.0 && request.value != 1.0) {
+    return "the value of a digital input is 0 or 1";
+  }
   return keys.complaint();
 }
 
