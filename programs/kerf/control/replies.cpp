@@ -21,10 +21,14 @@ std::string line_of(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace) + '\n';
 }
 
-// Without what rounding adds to 110.
-double percent_of(double share) {
+// Without what other units and rounding add to 110 %.
+double rounded(double value) {
   constexpr double kDigits = 1e6;
-  return std::round(100.0 * share * kDigits) / kDigits;
+  return std::round(value * kDigits) / kDigits;
+}
+
+double percent_of(double share) {
+  return rounded(100.0 * share);
 }
 
 Json answer_json(const std::string& id, const std::string& name, ControllerState state) {
@@ -127,7 +131,7 @@ std::string status_json(const ControllerStatus& status, parser::Letters extra) {
   json["codes"] = std::string_view(status.codes.data(), status.codes.size())
                       .substr(0, ::strnlen(status.codes.data(), status.codes.size()));
   json["tool"] = at.outputs.tool;
-  json["spindle_per_min"] = 60.0 * at.outputs.spindle_rad_s / kRadPerRevolution;
+  json["spindle_per_min"] = rounded(60.0 * at.outputs.spindle_rad_s / kRadPerRevolution);
   json["mist"] = at.outputs.mist;
   json["flood"] = at.outputs.flood;
   json["next_event"] = status.next_event;
