@@ -101,8 +101,8 @@ double time_of(const std::vector<parser::Move>& moves) {
 }
 
 // Found with a client: 9,000 lines of 0.02 mm took nine times as long, for the rest at the window's
-// end was braked for line by line. A plan's cells reach over little more of them than the way to
-// rest, so the shortest are a little slower.
+// end was braked for line by line. The look-ahead of 1,000 blocks reaches little farther over the
+// shortest than the way to rest.
 TEST(Optimum, OfManyShortLinesIsThatOfTheLineWhichTheyMake) {
   for (const double length_mm : {0.02, 0.1, 0.5}) {
     const int count = static_cast<int>(60.0 / length_mm);
