@@ -58,6 +58,7 @@ TEST(CommandLine, BoundsTheTimeOfAProgramAndTheSizeOfATrace) {
   EXPECT_EQ(of({"--max-time", "5min"}).max_time_s, 300.0);
   EXPECT_EQ(of({"--max-time", "2h"}).max_time_s, 7200.0);
   EXPECT_EQ(of({"--max-time", "0.5d"}).max_time_s, 43'200.0);
+  EXPECT_EQ(of({"--trace", "t.csv", "--trace-from", "0"}).trace_from_s, 0.0);
   EXPECT_EQ(of({"--max-trace", "1000"}).max_trace_bytes, 1000U);
   EXPECT_EQ(of({"--max-trace", "1.5kB"}).max_trace_bytes, 1500U);
   EXPECT_EQ(of({"--max-trace", "2GB"}).max_trace_bytes, 2'000'000'000U);
@@ -182,6 +183,9 @@ TEST(CommandLine, SaysWhatIsWrong) {
   EXPECT_NE(refusal({"check", "a.ngc", "--trace", "t.csv"}), "accepted");
   EXPECT_NE(refusal({"dry-run", "a.ngc", "--json", "--trace", "-"}), "accepted");
   EXPECT_NE(refusal({"check", "-", "-"}), "accepted");
+  for (const char* const option : {"--start", "--g54", "--max-time", "--from-line"}) {
+    EXPECT_NE(refusal({"dry-run", "a.ngc", option, ""}).find(option), std::string::npos);
+  }
 }
 
 TEST(CommandLine, GivesHelpAndVersionWithoutAFile) {

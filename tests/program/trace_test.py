@@ -29,7 +29,7 @@ class Trace(Case):
     def rows(self, program, *options, name="trace.csv"):
         trace = self.path(name)
         self.kerf("dry-run", "-q", program, "--trace", trace, *options)
-        if name.endswith(".npy"):
+        if name.lower().endswith(".npy"):
             return read_npy(trace)
         with open(trace) as file:
             return list(csv.DictReader(file))
@@ -58,7 +58,7 @@ class Trace(Case):
         self.assertEqual(self.rows(program, "--trace-from", "0.25", "--trace-to", "0.3s"), whole[250:301])
         self.assertEqual(self.rows(program, "--trace-every", "100", "--trace-from", "0.25"), whole[300::100])
         self.assertEqual(self.rows(program, "--trace-from", "1h"), [])
-        self.assertEqual(self.rows(program, "--trace-from", "1h", name="none.npy"), [])
+        self.assertEqual(self.rows(program, "--trace-from", "1h", name="none.NPY"), [])
 
     def test_tells_how_many_rows_there_are_where_it_ends_early(self):
         trace = self.path("cut.npy")

@@ -25,6 +25,12 @@ const std::map<std::string, parser::Dialect> kDialects{{"fanuc", parser::Dialect
 const std::map<std::string, FeedUnit> kFeedUnits{
     {"mm/s", FeedUnit::mm_s}, {"mm/min", FeedUnit::mm_min}, {"inch/min", FeedUnit::inch_min}};
 
+// An empty word, as of an unset variable, is no value.
+CLI::Validator something() {
+  return {[](std::string& word) { return std::string(word.empty() ? "a value is missing" : ""); },
+          ""};
+}
+
 // For a word that stands for a value. CLI::CheckedTransformer would name the values as numbers.
 template <typename Target, typename Value>
 auto setter(Target& target, const std::map<std::string, Value>& values) {
@@ -95,6 +101,7 @@ void add_common(CLI::App& command, OptionWords& words) {
   command
       .add_option("--max-time", words.max_time,
                   "machine time that the program may take: 90, 90s, 5min, 2h, 30d (default: 30d)")
+      ->check(something())
       ->type_name("TIME");
   command
       .add_option("--max-moves", options.max_moves,
@@ -105,10 +112,12 @@ void add_common(CLI::App& command, OptionWords& words) {
       .add_option("--start", words.start,
                   "where the tool is at the start, on the machine in mm, or first-move: where the "
                   "first moves lead (default: 0,0,0)")
+      ->check(something())
       ->type_name("X,Y,Z");
   command
       .add_option("--g54", words.g54,
                   "origin of G54 on the machine in mm (default: that of the machine file)")
+      ->check(something())
       ->type_name("X,Y,Z");
   command
       .add_option_function<std::string>(
@@ -131,8 +140,10 @@ void add_outputs(CLI::App& command, OptionWords& words) {
       ->check(CLI::Range(std::int64_t{1}, kMaxCounted))
       ->type_name("N");
   command.add_option("--trace-from", words.trace_from, "no row before: 90, 90s, 5min")
+      ->check(something())
       ->type_name("TIME");
   command.add_option("--trace-to", words.trace_to, "no row after: 90, 90s, 5min")
+      ->check(something())
       ->type_name("TIME");
   command
       .add_option("--max-trace", words.max_trace,
@@ -151,6 +162,7 @@ void add_outputs(CLI::App& command, OptionWords& words) {
   command
       .add_option("--from-line", words.from_line,
                   "start at this line: 12, or 12:3 as it runs for the third time")
+      ->check(something())
       ->type_name("N");
   command.add_flag("--safe-line", options.takes_safe_line,
                    "where one cannot start at that line, start at the nearest before it");

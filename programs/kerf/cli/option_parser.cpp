@@ -50,6 +50,7 @@ struct TimeWord {
   std::string_view name;
   const std::string& word;  // empty: not given
   double& value_s;
+  bool may_be_0 = false;
 };
 
 std::optional<std::string> read_time(const TimeWord& time) {
@@ -57,7 +58,7 @@ std::optional<std::string> read_time(const TimeWord& time) {
     return std::nullopt;
   }
   const auto value_s = duration_s_of(time.word);
-  if (!value_s) {
+  if (!value_s || (*value_s == 0.0 && !time.may_be_0)) {
     return std::string(time.name) + " takes seconds, or a number with s, min, h or d; found " +
            time.word;
   }
@@ -66,10 +67,11 @@ std::optional<std::string> read_time(const TimeWord& time) {
 }
 
 std::optional<std::string> read_times(const OptionWords& words, Options& options) {
-  for (const TimeWord& time : {TimeWord{"--max-time", words.max_time, options.max_time_s},
-                               TimeWord{"--trace-from", words.trace_from, options.trace_from_s},
-                               TimeWord{"--trace-to", words.trace_to, options.trace_to_s},
-                               TimeWord{"--time", words.measured, options.measured_s}}) {
+  for (const TimeWord& time :
+       {TimeWord{"--max-time", words.max_time, options.max_time_s},
+        TimeWord{"--trace-from", words.trace_from, options.trace_from_s, true},
+        TimeWord{"--trace-to", words.trace_to, options.trace_to_s},
+        TimeWord{"--time", words.measured, options.measured_s}}) {
     if (auto message = read_time(time)) {
       return message;
     }

@@ -49,7 +49,7 @@ std::optional<double> amount_of(std::string_view text, const std::array<Unit, kU
 std::optional<double> duration_s_of(std::string_view text) {
   constexpr double kMax_s = 1e10;
   const auto time = amount_of(text, kTimeUnits);
-  return time && *time > 0.0 && *time <= kMax_s ? time : std::nullopt;
+  return time && *time >= 0.0 && *time <= kMax_s ? time : std::nullopt;
 }
 
 std::optional<std::uint64_t> bytes_of(std::string_view text) {

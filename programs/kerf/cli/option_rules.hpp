@@ -15,8 +15,8 @@ namespace kerf::program {
 // "all", or numbers from 1 to 9 with commas between them; nothing where it is neither.
 std::optional<parser::BlockDelete> block_delete_of(std::string_view text);
 
-// "90", "90s", "5min", "2.5h", "30d" in seconds; nothing where it is none of these, not more than 0
-// or more than 1e10 s.
+// "90", "90s", "5min", "2.5h", "30d" in seconds; nothing where it is none of these, below 0 or
+// more than 1e10 s.
 std::optional<double> duration_s_of(std::string_view text);
 
 // "1000", "500MB", "4GiB" in bytes, at least 1; kB, MB, GB, TB are powers of 1000, KiB to TiB of

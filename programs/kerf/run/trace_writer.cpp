@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <boost/algorithm/string/predicate.hpp>
+
 #include "programs/kerf/run/trace_npy.hpp"
 
 namespace kerf::program {
@@ -13,7 +15,7 @@ TraceWriter::TraceWriter(OutputFile file, const TraceSettings& settings)
     : file_(std::move(file)),
       clock_(settings.period_s),
       settings_(settings),
-      is_npy_(file_.name().ends_with(".npy")),
+      is_npy_(boost::algorithm::iends_with(file_.name(), ".npy")),
       buffer_(kBufferBytes) {
   const std::string header =
       is_npy_ ? npy_header(settings_.columns, 0) : trace_header(settings_.columns);
