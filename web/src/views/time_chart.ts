@@ -9,6 +9,7 @@ import type { Ground } from "./ground.ts";
 export const AXIS_PIXELS = 62;
 const RIGHT_PIXELS = 12;
 const TIME_AXIS_PIXELS = 22;
+const HALF_LABEL_PIXELS = 7; // of the 0 at the lower end of an axis
 
 // Between two marks of the time axis.
 const TIME_STEPS_S = [
@@ -77,7 +78,7 @@ export class TimeChart {
     const options: uPlot.Options = {
       width: this.host.clientWidth,
       height: this.host.clientHeight,
-      padding: [4, RIGHT_PIXELS, 2, 0],
+      padding: [4, RIGHT_PIXELS, hasTimes ? 2 : HALF_LABEL_PIXELS, 0],
       legend: { show: false },
       cursor: { show: true, x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
       scales: { x: { time: false, range: () => [this.span.from * plan.period_s, this.span.to * plan.period_s] }, y: { range: () => this.rangeSeen(charted, signed) } },
