@@ -6,6 +6,7 @@ import { App, type Extras } from "./app.ts";
 import { BrowserKernel, type Answer, type Order, type TextFile } from "./plan/browser_kernel.ts";
 import { inflatedText } from "./plan/embedded.ts";
 import type { Plan } from "./plan/plan.ts";
+import { programFirst } from "./plan/program_files.ts";
 import type { PlanSource, Progress, Shown } from "./plan/source.ts";
 import { h, select } from "./ui/dom.ts";
 import { started } from "./ui/started.ts";
@@ -75,7 +76,7 @@ class Playground implements PlanSource {
       "div",
       { class: "tools order" },
       h("span", {}, "Program"),
-      this.opener("Open a program, and with it its subprograms", true, ([first, ...others]) => this.change({ files: [first!, ...others] })),
+      this.opener("Open a program, and with it its subprograms", true, ([first, ...others]) => this.change({ files: programFirst([first!, ...others]) })),
       examples,
       h("span", {}, "Machine"),
       this.opener("Open a machine file", false, ([first]) => this.setMachine(first!)),

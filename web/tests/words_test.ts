@@ -1,8 +1,21 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { luminance, mixed, rgbOf, scaleColour, visibleOn, type Rgb } from "../src/colours.ts";
+import type { TextFile } from "../src/plan/browser_kernel.ts";
+import { programFirst } from "../src/plan/program_files.ts";
 import { fromFragment, initialState, toFragment } from "../src/state.ts";
 import { clock, lengthText, percent, plain, shortTime, unitOf } from "../src/units.ts";
+
+test("the program is the file that no other calls", () => {
+  const file = (name: string, text: string): TextFile => ({ name, text });
+  const firstOf = (...files: [TextFile, ...TextFile[]]): string[] => programFirst(files).map(({ name }) => name);
+  const part = file("part.ngc", "G21\no<bolt.circle> call [3]\nO <drill>  CALL\nM2\n");
+  assert.deepEqual(firstOf(file("bolt.circle.ngc", "o<bolt.circle> sub"), file("drill.ngc", "o<drill> sub"), part), ["part.ngc", "bolt.circle.ngc", "drill.ngc"]);
+  assert.deepEqual(firstOf(file("O0100.nc", "M99"), file("a.nc", "M98 P100 L2\nM30")), ["a.nc", "O0100.nc"]);
+  assert.deepEqual(firstOf(file("O0100.nc", "M99"), file("a.nc", "M98 P1000\nM30")), ["O0100.nc", "a.nc"], "another number");
+  assert.deepEqual(firstOf(file("a.ngc", "M2"), file("b.ngc", "M2")), ["a.ngc", "b.ngc"], "nothing is called");
+  assert.deepEqual(firstOf(file("a.ngc", "o<b> call"), file("b.ngc", "o<a> call")), ["a.ngc", "b.ngc"]);
+});
 
 test("times are read as clocks", () => {
   assert.equal(clock(5.19), "5.190 s");
