@@ -1,6 +1,7 @@
 #include "interp/tick_chord.hpp"
 
 #include <algorithm>
+#include <variant>
 
 namespace kerf::interp {
 
@@ -31,7 +32,13 @@ void TickChord::pass(const CurvePiece& piece) noexcept {
   }
 }
 
+// The second setpoint itself is not looked at.
 double TickChord::error_mm(const TickPlace& end) const noexcept {
+  const bool junction = end.piece.curve != piece_.curve && piece_.curve != 0;
+  if (!junction && passed_points_ == 0 &&
+      std::holds_alternative<curves::Line>(end.piece.geometry)) {
+    return 0.0;
+  }
   double error = 0.0;
   const auto look_at = [&](const Position& point) {
     error = std::max(error, distance_to_chord_mm(point, begin_mm_, end.position_mm));
@@ -40,8 +47,10 @@ double TickChord::error_mm(const TickPlace& end) const noexcept {
     look_at(curves::position_at(piece.geometry, s_mm));
   };
   const double s_junction = curves::s_end_mm(piece_.geometry);
-  const bool junction = end.piece.curve != piece_.curve && piece_.curve != 0;
-  for (std::size_t k = 1; k <= kPoints; ++k) {
+  if (junction) {
+    look(piece_, s_junction);
+  }
+  for (std::size_t k = 1; k < kPoints; ++k) {
     const double share = static_cast<double>(k) / kPoints;
     if (junction) {
       look(piece_, s_begin_mm_ + share * (s_junction - s_begin_mm_));
