@@ -65,17 +65,13 @@ double duration_from_rest_s(Schedule& schedule, const FirstBlocks& first,
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings) {
   Fallback whole;
-  double whole_mm = 0.0;
-  double all_mm = 0.0;
   bool is_cheap = true;
   for (std::size_t i = 0; i < planned.count; ++i) {
     const Cell& cell = (*planned.cells)[i];
-    all_mm += cell.length_mm;
     if (cell.ends_block) {
       is_cheap &= is_cheap_to_plan(blocks[whole.blocks], settings.limits);
       ++whole.blocks;
       whole.cells = i + 1;
-      whole_mm = all_mm;
     }
   }
   is_cheap |= planned.tried || (planned.count <= kFewCells && has_singular_place(planned));
@@ -83,9 +79,8 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Windo
   if (!is_asked) {
     return std::nullopt;
   }
-  const double limit_s = planned.duration_s * whole_mm / all_mm;
   const bool is_faster =
-      classical_s({.blocks = &blocks, .count = whole.blocks}, settings) < limit_s;
+      classical_s({.blocks = &blocks, .count = whole.blocks}, settings) < planned.blocks_s;
   return is_faster ? std::optional(whole) : std::nullopt;
 }
 

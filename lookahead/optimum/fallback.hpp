@@ -26,9 +26,9 @@ double duration_from_rest_s(Schedule& schedule, const FirstBlocks& first, const 
 struct PlannedCells {
   const WaitingCells* cells = nullptr;
   std::size_t count = 0;
-  double duration_s = 0.0;  // as duration_from_rest_s()
-  bool failed = false;      // a search did not end well, over these cells or more
-  bool tried = false;       // and the duration is that of what would be run instead
+  double blocks_s = 0.0;  // to the end of the last whole block: in motion, where more follows
+  bool failed = false;    // a search did not end well, over these cells or more
+  bool tried = false;     // and the duration is that of what would be run instead
 };
 
 // The whole blocks at their front that follow the classical plan.
@@ -37,11 +37,12 @@ struct Fallback {
   std::size_t cells = 0;
 };
 
-// The blocks over which the classical schedule, from rest to rest, is faster than the plans found.
-// Nothing: it is slower, or would cost too much to find out. Where the searches ended well it is
-// asked for lines and arcs, for curves without limits of axes, and for short curves that come to
-// rest within or whose curvature jumps: the others are planned in less time than it takes. Where
-// they did not, the blocks are at least two, or what would be run instead was tried.
+// The blocks over which the classical schedule, from rest to rest, is faster than the plans found,
+// which may pass the end of the last one in motion. Nothing: it is slower, or would cost too much
+// to find out. Where the searches ended well it is asked for lines and arcs, for curves without
+// limits of axes, and for short curves that come to rest within or whose curvature jumps: the
+// others are planned in less time than it takes. Where they did not, the blocks are at least two,
+// or what would be run instead was tried.
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings);
 

@@ -87,19 +87,23 @@ FoundPlan WindowSearch::over(const Indices& waiting) const {
 PlannedCells WindowSearch::planned_to_block_end(const FoundPlan& found) const {
   const WaitingCells& waiting = *cells_.waiting;
   PlanClock clock(settings_.limits->period_s);
-  clock.advance(found.plan->duration_s());
   PlannedCells planned{.cells = &waiting,
                        .count = found.count,
                        .failed = found.is_shorter || found.plan->slowed_down()};
+  const auto add = [&](const OptimalPlan& plan) {
+    const double to_end_s = plan.to_block_end_s();
+    planned.blocks_s = to_end_s > 0.0 ? clock.now_s() + to_end_s : planned.blocks_s;
+    clock.advance(plan.duration_s());
+  };
+  add(*found.plan);
   while (planned.count < waiting.size() && !waiting[planned.count - 1].ends_block &&
          waiting[planned.count - 1].rest_after) {
     const FoundPlan next = over({.begin = planned.count, .end = waiting.size()});
     planned.count += next.count;
     clock.align_to_tick();
-    clock.advance(next.plan->duration_s());
+    add(*next.plan);
     planned.failed |= next.plan->slowed_down();
   }
-  planned.duration_s = clock.now_s();
   return planned;
 }
 

@@ -8,6 +8,7 @@
 
 #include "lookahead/optimum/grid/grid.hpp"
 #include "lookahead/optimum/solver/optimal_plan.hpp"
+#include "tests/curves/reference_nurbs.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {
@@ -113,6 +114,28 @@ TEST(Optimum, OfManyShortLinesIsThatOfTheLineWhichTheyMake) {
     }
     EXPECT_NEAR(time_of(moves), one_s, (length_mm < 0.1 ? 0.05 : 0.01) * one_s) << length_mm;
   }
+}
+
+// Found with a client: the S-curve of the line alone was taken to be faster, at the cost of the
+// curve per millimetre, and the whole curve followed the S-curve.
+TEST(Optimum, OfALongCurveIsTheSameBehindALineThatLeadsIn) {
+  constexpr std::size_t kPoints = 400;
+  curves::NurbsData wave;
+  wave.knots = curves::testing::uniform_knots(3, kPoints);
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const double x = 0.25 * static_cast<double>(i);
+    wave.points.push_back({.position_mm = {x, 3.0 * std::sin(2.0 * x), 0.0}});
+  }
+  const curves::Position& end = wave.points[0].position_mm;
+  const Eigen::Vector3d along =
+      (curves::vec(wave.points[1].position_mm) - curves::vec(end)).normalized();
+  const auto led_in_by = [&](double length_mm) {
+    const Eigen::Vector3d begin = curves::vec(end) - length_mm * along;
+    return time_of(
+        {line_move({{begin[0], begin[1], begin[2]}, end}, 200.0), nurbs_move(wave, 200.0)});
+  };
+  const double short_s = led_in_by(3.0);
+  EXPECT_LT(led_in_by(40.0), short_s + 37.0 / 100.0) << "over the line at half its feedrate";
 }
 
 TEST(Optimum, AtAVeryLowFeedrateTakesTheTimeOfTheCruise) {

@@ -85,6 +85,16 @@ double OptimalPlan::duration_s() const {
   return sum;
 }
 
+double OptimalPlan::to_block_end_s() const {
+  double sum = 0.0;
+  double to_end = 0.0;
+  for (std::size_t i = 0; i < sequence_.cells.size(); ++i) {
+    sum += law_from({.cell = i}, kUnbounded).duration_s();
+    to_end = sequence_.cells[i].ends_block ? sum : to_end;
+  }
+  return to_end;
+}
+
 CellSequence OptimalPlan::rest_from(const PlanPlace& place) const {
   CellSequence sequence{.begin = state_at(place), .cells = {}};
   for (std::size_t i = place.cell; i < sequence_.cells.size(); ++i) {
