@@ -16,9 +16,7 @@ bool Kernel::Impl::plan() {
     return false;
   }
   follow_machine();
-  if (!asks_) {  // the machine may have braked some ticks ago
-    pipeline_.forget_before(now);
-  }
+  forget_before(now);
   follow_place();
   follow_commands();
   if (keeps_stop_ && !runs_low()) {
@@ -27,6 +25,14 @@ bool Kernel::Impl::plan() {
   const bool wants_text = fill_queue();
   hand_over();
   return wants_text;
+}
+
+// The tick side may be on another plan by now, from a tick before: the machine may have braked, a
+// plan that was to take over may be refused, and a stop ahead taken.
+void Kernel::Impl::forget_before(std::int64_t tick) {
+  if (!asks_ && !takeover_ && !queue_.stop_taken()) {
+    pipeline_.forget_before(tick);
+  }
 }
 
 void Kernel::Impl::follow_tool() {
@@ -125,9 +131,7 @@ void Kernel::Impl::hand_on() {
   const std::int64_t now = interpolator_.plan_tick();
   delivery_.deliver(now + horizon_ticks_);
   hand_over();
-  if (!asks_) {
-    pipeline_.forget_before(now);
-  }
+  forget_before(now);
 }
 
 bool Kernel::Impl::is_nearly_half_ahead() const noexcept {
@@ -200,6 +204,7 @@ bool Kernel::Impl::follow_stop_ahead() {
     settle(false);  // it was to replace the plan before
   }
   pipeline_.follow_stop_ahead(*stop_ahead_);
+  fail_with_check();
   delivery_.follow_stop();
   committed_until_tick_ = interpolator_.plan_tick();
   return true;
@@ -234,11 +239,12 @@ TickStatus Kernel::Impl::tick(Setpoint& setpoint) noexcept {
   if (status == TickStatus::finished && end_ && judges_end_) {
     judge_.judge_end(setpoint, *end_);
   }
-  if (status == TickStatus::waiting) {
-    return status_at_wait();
-  }
-  const bool ends = status == TickStatus::finished || (status == TickStatus::starved && broken_);
-  return !ends ? status : has_fault() || wrong_ ? TickStatus::failed : TickStatus::finished;
+  const TickStatus heeded = status == TickStatus::waiting ? status_at_wait() : status;
+  // Of a broken plan nothing follows a rest but a wait that is not answered yet.
+  const bool rests = status == TickStatus::starved || status == TickStatus::held ||
+                     (status == TickStatus::waiting && heeded == TickStatus::running);
+  const bool ends = status == TickStatus::finished || (rests && broken_);
+  return !ends ? heeded : has_fault() || wrong_ ? TickStatus::failed : TickStatus::finished;
 }
 
 TickStatus Kernel::Impl::status_at_wait() const noexcept {

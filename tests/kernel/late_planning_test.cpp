@@ -68,6 +68,59 @@ TEST(LatePlanning, OnLinesOfLessThanATickIsOneRest) {
   }
 }
 
+// Found with a client: ticks go on within the searches for plans that are to take over, which come
+// too late then. What they left behind was forgotten, and the plan that stayed in force could not
+// be taken up again.
+TEST(LatePlanning, OfAPlanThatIsToTakeOverLeavesTheOneBeforeAsItWas) {
+  constexpr std::int64_t kCommands = 2500;  // calls
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const auto one_of = [&](int count) { return static_cast<int>(random() >> 1U) % count; };
+    Kernel* ticked = nullptr;
+    Setpoint setpoint;
+    TickStatus status = TickStatus::running;
+    TickChecker checker(mill().limits, true);
+    KernelOptions options;
+    options.plan_log = [&](std::string_view line) {
+      for (int i = 5 + one_of(55); ticked != nullptr && i > 0 && line.starts_with("search over");
+           --i) {
+        status = ticked->tick(setpoint);
+        checker.add({.setpoint = setpoint, .feedrate_mm_s = 2.0 * kFastest_mm_s});
+      }
+    };
+    Kernel kernel(mill(), options);
+    kernel.feed(dense_program());
+    kernel.finish();
+    bool single = false;
+    std::int64_t next = 30;
+    for (std::int64_t call = 0;
+         call < kMaxTicks && status != TickStatus::finished && status != TickStatus::failed;
+         ++call) {
+      kernel.plan();
+      ticked = &kernel;
+      if (call == next && call < kCommands) {
+        next += 15 + one_of(40);
+        const int what = one_of(5);
+        if (what < 2) {
+          kernel.set_overrides({.feed = 0.1 + 0.2 * one_of(7)});
+        } else if (what == 2) {
+          kernel.set_single_block(single = !single);
+        } else {
+          what == 3 ? kernel.hold() : kernel.resume();
+        }
+      } else if (call >= kCommands && call % 100 == 0) {
+        kernel.set_single_block(false);
+        kernel.resume();
+      }
+      status = kernel.tick(setpoint);
+      checker.add({.setpoint = setpoint, .feedrate_mm_s = 2.0 * kFastest_mm_s});
+    }
+    ASSERT_EQ(complaint_at_end(status, checker, kernel), "");
+    EXPECT_EQ(setpoint.position_mm[0], 120.0);
+  }
+}
+
 TEST(LatePlanning, ThatIsNeverLateChangesNoTick) {
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
     const KernelOptions options{.profile = {.kind = kind}};
