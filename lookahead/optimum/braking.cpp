@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kRounded = 1.0 + 1e-9;
 constexpr double kNoWay_mm = 1e-12;
+constexpr double kHardly = 0.01;  // of a block that is short itself
 
 std::optional<std::vector<BrakingPart>> stop_on_line(const BrakingFrom& from,
                                                      const PlanLimits& limits) {
@@ -53,8 +54,11 @@ class PartsOnBlocks {
     return true;
   }
   [[nodiscard]] bool rests_hardly_before_block_end() const {
-    return !parts_.empty() &&
-           parts_.back().s_end_mm > from_->blocks[parts_.back().block]->length_mm - kAtBlockEnd_mm;
+    if (parts_.empty()) {
+      return false;
+    }
+    const double length_mm = from_->blocks[parts_.back().block]->length_mm;
+    return length_mm - parts_.back().s_end_mm < std::min(kAtBlockEnd_mm, kHardly * length_mm);
   }
   std::vector<BrakingPart> take() { return std::move(parts_); }
 

@@ -71,12 +71,12 @@ WayAhead::WayAhead(const BrakingFrom& from, const PlanLimits& limits)
 }
 
 std::optional<WayAhead::Place> WayAhead::place_at(const Sought& sought) const {
-  if (cells_.empty() || sought.way_mm > ways_mm_.back() - kAtBlockEnd_mm) {
-    return std::nullopt;
-  }
   std::size_t i = sought.from;
-  while (ways_mm_[i] < sought.way_mm) {
+  while (i + 1 < cells_.size() && ways_mm_[i] < sought.way_mm) {
     ++i;
+  }
+  if (i + 1 >= cells_.size() && sought.way_mm > ways_mm_.back() - kAtBlockEnd_mm) {
+    return std::nullopt;
   }
   return Place{.cell = i, .s_mm = cells_[i].s_end_mm() - (ways_mm_[i] - sought.way_mm)};
 }

@@ -31,6 +31,14 @@ TEST(OverrideSteps, MayComeEveryTenMilliseconds) {
   }
 }
 
+// Found by a soak: on blocks of some nanometres next to no feedrate left no place for a rest.
+TEST(RandomCommandsAgain, EndOnBlocksOfNanometresAtNextToNoFeedrate) {
+  for (const std::uint64_t seed : {92'013'302U, 92'014'781U}) {
+    const CommandedRun run = commanded_run(seed);
+    EXPECT_EQ(run.complaint, "") << "seed " << seed;
+  }
+}
+
 // Held a billionth of a millimetre before a rest: 28,872 cells of 1e-13 mm, and no memory left.
 TEST(RandomCommandsAgain, HoldAtACrawlBesideARest) {
   const CommandedRun run = commanded_run(6'000'505);
