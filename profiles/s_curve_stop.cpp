@@ -32,7 +32,7 @@ std::optional<SCurveStop> s_curve_stop(const PathMotion& from, const RampLimits&
     v_steady = stop.falling.v_end_mm_s();
   }
   const double steady_s = (v_steady - v_landing) / low;
-  if (steady_s * low < -kRounding * v) {
+  if (steady_s * low < -kRounding * std::max(v, a * a / jerk)) {  // the highest to come, about
     return std::nullopt;
   }
   if (steady_s > 0.0) {

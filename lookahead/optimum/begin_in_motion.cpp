@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "lookahead/optimum/grid/speed_estimate.hpp"
+
 namespace kerf::lookahead {
 
 namespace {
@@ -31,16 +33,28 @@ void plan_way_to_rest(const std::vector<BeginInMotion::Feed>& to_rest, std::size
   }
 }
 
+// Until the acceleration is 0, at the limit of jerk.
+double rise_mm(const StartState& state, const Cell& first, const PlanLimits& limits) {
+  const double a = std::max(state.a_mm_s2, 0.0);
+  const double t_s = a / tangential_jerk_mm_s3(first, first.begin, limits);
+  return t_s * (state.v_mm_s + a * t_s / 3.0);
+}
+
 }  // namespace
 
-std::size_t prepare_to_begin(const BeginInMotion& from, WaitingCells& waiting,
-                             Window<Block>& blocks) {
+std::size_t prepare_to_begin(const BeginInMotion& from, const PlanLimits& limits,
+                             WaitingCells& waiting, Window<Block>& blocks) {
   waiting.begin_at({.block = from.has_before ? 1U : 0U, .s_mm = from.s_mm}, blocks);
   if (from.has_before) {
     blocks.pop_front();
     waiting.block_done();
   }
-  waiting.refine_begin(from.to_rest.back().way_mm / kCellsToRest, blocks);
+  if (waiting.empty()) {
+    return 0;
+  }
+  waiting.refine_begin({.finest_mm = from.to_rest.back().way_mm / kCellsToRest,
+                        .rise_mm = rise_mm(from.state, waiting[0], limits)},
+                       blocks);
   if (waiting.size() < kMinCells) {
     return 0;
   }

@@ -11,7 +11,7 @@
 namespace kerf::lookahead {
 
 // More cells are not planned first: the answer is urgent, and what follows is added later.
-inline constexpr std::size_t kMaxCellsInMotion = 600;
+inline constexpr std::size_t kMaxCellsInMotion = 800;
 
 struct BeginInMotion {
   double s_mm = 0.0;        // on the first block
@@ -27,7 +27,7 @@ struct BeginInMotion {
 
 // Lets the waiting cells begin where the motion is, with the way to rest as what is planned so far.
 // So many of them are to be planned first; 0: there are too few.
-std::size_t prepare_to_begin(const BeginInMotion& from, WaitingCells& waiting,
-                             Window<Block>& blocks);
+std::size_t prepare_to_begin(const BeginInMotion& from, const PlanLimits& limits,
+                             WaitingCells& waiting, Window<Block>& blocks);
 
 }  // namespace kerf::lookahead

@@ -46,7 +46,7 @@ bool OptimumSchedule::begin(const Begin& from, bool closed, Window<Block>& block
   if (closed) {
     waiting_.close(blocks);
   }
-  const std::size_t count = prepare_to_begin(from, waiting_, blocks);
+  const std::size_t count = prepare_to_begin(from, settings_.limits, waiting_, blocks);
   if (count == 0) {
     return false;
   }

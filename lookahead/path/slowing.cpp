@@ -20,8 +20,10 @@ constexpr double kAtRest_mm_s = 1e-6;
 constexpr double kInside = 0.999;
 // The way is drawn out by so much more than what a stop from there takes.
 constexpr double kStretch = 1.05;
-// A search needs room below a bound; at the begin, where it has none, so much of the feedrate.
+// A search needs room below a bound; at the begin, where it has none, so much of the feedrate, and
+// more of it where the motion still speeds up with all of its jerk.
 constexpr double kRoom = 1e-3;
+constexpr double kRoomOfRise = 4e-3;
 constexpr int kSamples = 200;  // of the bound on a block
 
 // As seen from a frame that moves with the feedrate it slows down to.
@@ -174,9 +176,12 @@ double Slowing::bound_mm_s(const Ahead& ahead) const {
   }
   const double rise_s = std::max(motion_.a_mm_s2, 0.0) / ramp_.jerk_mm_s3;
   const profiles::PathMotion peak = down->at(rise_s);
-  const double near_mm = way_mm <= peak.s_mm ? way_mm : std::max(peak.s_mm, way_mm / stretch_);
-  const double v = feedrate_behind(*down, near_mm);
-  return v + kRoom * peak.v_mm_s * std::clamp((v - to_mm_s) / (peak.v_mm_s - to_mm_s), 0.0, 1.0);
+  const bool rises = way_mm <= peak.s_mm;
+  const double v = feedrate_behind(*down, rises ? way_mm : std::max(peak.s_mm, way_mm / stretch_));
+  // As long as it rises it may be all but where the bound is.
+  const double above = rises ? 1.0 : std::clamp((v - to_mm_s) / (peak.v_mm_s - to_mm_s), 0.0, 1.0);
+  const double beside_rise = peak.s_mm > 0.0 ? std::clamp(2.0 - way_mm / peak.s_mm, 0.0, 1.0) : 0.0;
+  return v + (kRoom + kRoomOfRise * beside_rise) * above * peak.v_mm_s;
 }
 
 double Slowing::way_mm(double to_mm_s) const {

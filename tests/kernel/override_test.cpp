@@ -38,6 +38,35 @@ std::string mixed_program_at(const std::string& feedrate) {
   return std::regex_replace(mixed_program(), std::regex("F[0-9]+"), "F" + feedrate);
 }
 
+// Found with a client: over half of the ramp to the feedrate no plan was found from the motion,
+// which has all of its jerk there, and the tool came to rest.
+TEST(Override, WhileALineSpeedsUpLeadsToItsFeedrateWithoutARest) {
+  for (const double share : {0.9, 0.5, 0.1}) {
+    for (std::int64_t asked = 12; asked <= 64; asked += 4) {
+      SCOPED_TRACE("at tick " + std::to_string(asked) + " " + std::to_string(share));
+      Kernel kernel(mill());
+      kernel.feed("G21 G90 G61\nG1 X100 F6000\nM2\n");
+      kernel.finish();
+      TickChecker checker(mill().limits, true);
+      Setpoint setpoint;
+      double least_mm_s = 100.0 * share;
+      TickStatus status = TickStatus::running;
+      while (status == TickStatus::running) {
+        status = kernel.next(setpoint);
+        checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
+        if (setpoint.tick == asked) {
+          least_mm_s = std::min(least_mm_s, setpoint.v_mm_s);
+          kernel.set_overrides({.feed = share});
+        } else if (setpoint.tick > asked && setpoint.position_mm[0] < 60.0) {
+          EXPECT_GT(setpoint.v_mm_s, 0.98 * least_mm_s) << setpoint.tick;
+          ASSERT_FALSE(HasFailure());
+        }
+      }
+      EXPECT_EQ(complaint_at_end(status, checker, kernel), "");
+    }
+  }
+}
+
 TEST(Override, LeavesPathAndLimitsWhereverItIsAskedFor) {
   for (const ProfileKind kind : {ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::quintic,
                                  ProfileKind::time_optimal}) {

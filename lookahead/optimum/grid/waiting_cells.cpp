@@ -20,6 +20,7 @@ std::optional<JunctionLimits> limits_at(const CellJunction& junction) {
 
 // Of the way from a motion to a cell, how long the cell may be.
 constexpr double kOfWay = 0.05;
+constexpr double kCellsOfRise = 300.0;
 
 // A little more than an S-curve takes between rest and the feedrate at the cell's begin.
 double ramp_mm(const Cell& cell, const PlanLimits& limits) {
@@ -167,8 +168,9 @@ void WaitingCells::begin_at(const Place& place, const Window<Block>& blocks) {
   }
 }
 
-void WaitingCells::refine_begin(double finest_mm, const Window<Block>& blocks) {
+void WaitingCells::refine_begin(const BeginCells& order, const Window<Block>& blocks) {
   const PathAt path = path_of(blocks);
+  const double rise_mm = order.rise_mm > order.finest_mm ? order.rise_mm : 0.0;
   std::deque<WaitingCell> refined;
   double way_mm = 0.0;
   for (const WaitingCell& waiting : cells_) {
@@ -181,8 +183,9 @@ void WaitingCells::refine_begin(double finest_mm, const Window<Block>& blocks) {
     std::vector<double> lengths;
     double left_mm = cell.length_mm;
     while (left_mm > 0.0) {
-      const double part_mm =
-          way_mm > ramp_mm(cell, limits_) ? left_mm : std::max(finest_mm, kOfWay * way_mm);
+      const double part_mm = way_mm > ramp_mm(cell, limits_) ? left_mm
+                             : way_mm < rise_mm ? std::min(order.finest_mm, rise_mm / kCellsOfRise)
+                                                : std::max(order.finest_mm, kOfWay * way_mm);
       lengths.push_back(left_mm < 1.5 * part_mm ? left_mm : part_mm);
       left_mm -= lengths.back();
       way_mm += lengths.back();

@@ -62,8 +62,14 @@ class WaitingCells {
   };
   void begin_at(const Place& place, const Window<Block>& blocks);
   // Divides the first cells: no longer than finest_mm, and than a small part of the way up to them
-  // where that is more, until the motion may have come to its feedrate from any other.
-  void refine_begin(double finest_mm, const Window<Block>& blocks);
+  // where that is more, until the motion may have come to its feedrate from any other. Over rise_mm
+  // the jerk is to be all but constant, while that of a cell goes with the feedrate: there are
+  // more.
+  struct BeginCells {
+    double finest_mm = 0.0;
+    double rise_mm = 0.0;
+  };
+  void refine_begin(const BeginCells& order, const Window<Block>& blocks);
   void plan_at(std::size_t i, double planned_squared) {
     cells_[i].cell.planned_squared = planned_squared;
   }

@@ -27,6 +27,7 @@ constexpr double kMinHalved_mm = 1e-6;
 constexpr double kSlight = 1.01;  // slowing down by it is no loss to speak of
 // Of a limit, at the places where it is looked at; what is between two of them is a little more.
 constexpr double kHolds = 0.9999;
+constexpr double kRounded = 1.0 + 1e-9;
 constexpr double kSlower = 0.999;
 constexpr double kMinFactor = 1e-6;
 constexpr int kSlowings = 3;
@@ -193,6 +194,10 @@ void OptimalPlan::check(const SplineRange& range, const PathAt& path, const Plan
       excess = excess_of_rest(cell, state_at({.cell = i}).v_mm_s, false, path, limits);
     } else {
       excess = excess_of(cell, feed_at({.cell = i}), path, limits);
+    }
+    // A motion that a classical plan has brought there may begin at the limit itself.
+    if (i == 0 && !sequence_.begin.at_rest() && excess.acceleration <= kRounded) {
+      excess.acceleration = std::min(excess.acceleration, kHolds);
     }
     take_off_feedrate(excess.feedrate, cell.shares.feedrate);
     take_off(excess.acceleration, cell.shares.acceleration);
