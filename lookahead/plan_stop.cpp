@@ -75,6 +75,7 @@ std::optional<PlanStop> first_of_any(const Emitter& emitter, const std::vector<c
                                      std::int64_t tick, const PlanLimits& limits) {
   const auto motions = motions_to_stop_from(emitter, tick, limits);
   std::vector<BrakingFrom> from;
+  from.reserve(motions.size());
   for (const EmittedItems::Motion& motion : motions) {
     from.push_back(braking_from(emitter.kept(), motion, ahead));
   }

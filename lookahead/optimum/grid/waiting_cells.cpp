@@ -30,6 +30,13 @@ double ramp_mm(const Cell& cell, const PlanLimits& limits) {
   return v * v / a + v * a / j;
 }
 
+// Of a cell so far behind the begin.
+double longest_mm(const WaitingCells::BeginCells& order, double way_mm) {
+  const bool rises = way_mm < order.rise_mm && order.rise_mm > order.finest_mm;
+  return rises ? std::min(order.finest_mm, order.rise_mm / kCellsOfRise)
+               : std::max(order.finest_mm, kOfWay * way_mm);
+}
+
 }  // namespace
 
 PathAt WaitingCells::path_of(const Window<Block>& blocks) const {
@@ -170,7 +177,6 @@ void WaitingCells::begin_at(const Place& place, const Window<Block>& blocks) {
 
 void WaitingCells::refine_begin(const BeginCells& order, const Window<Block>& blocks) {
   const PathAt path = path_of(blocks);
-  const double rise_mm = order.rise_mm > order.finest_mm ? order.rise_mm : 0.0;
   std::deque<WaitingCell> refined;
   double way_mm = 0.0;
   for (const WaitingCell& waiting : cells_) {
@@ -183,9 +189,7 @@ void WaitingCells::refine_begin(const BeginCells& order, const Window<Block>& bl
     std::vector<double> lengths;
     double left_mm = cell.length_mm;
     while (left_mm > 0.0) {
-      const double part_mm = way_mm > ramp_mm(cell, limits_) ? left_mm
-                             : way_mm < rise_mm ? std::min(order.finest_mm, rise_mm / kCellsOfRise)
-                                                : std::max(order.finest_mm, kOfWay * way_mm);
+      const double part_mm = way_mm > ramp_mm(cell, limits_) ? left_mm : longest_mm(order, way_mm);
       lengths.push_back(left_mm < 1.5 * part_mm ? left_mm : part_mm);
       left_mm -= lengths.back();
       way_mm += lengths.back();
