@@ -267,25 +267,14 @@ export class ProgramView {
     this.line = line;
     const { doc } = this.view.state;
     const inside = line >= 1 && line <= doc.lines;
-    this.view.dispatch({ effects: setLine.of(line) });
-    if (scroll && inside && !this.isSeen(line)) {
-      this.scrollTo(line);
-      this.rest();
+    const effects: StateEffect<unknown>[] = [setLine.of(line)];
+    if (scroll && inside) {
+      const seen = this.isSeen(line);
+      // The editor may still be on its way elsewhere, so it is told of a line that is seen, too.
+      effects.push(EditorView.scrollIntoView(doc.line(line).from, { y: seen ? "nearest" : "center" }));
+      if (!seen) this.rest();
     }
-  }
-
-  // Within the panel: the editor would scroll the page as well, whose reader may look at something else.
-  private scrollTo(line: number, again = true): void {
-    const view = this.view!;
-    const { top, height } = view.lineBlockAt(view.state.doc.line(line).from);
-    view.scrollDOM.scrollTop = top - 0.5 * (view.scrollDOM.clientHeight - height);
-    // The heights of lines that were never seen are estimates.
-    view.requestMeasure({
-      read: () => this.isSeen(line),
-      write: (seen) => {
-        if (!seen && again) this.scrollTo(line, false);
-      },
-    });
+    this.view.dispatch({ effects });
   }
 
   private rest(): void {
