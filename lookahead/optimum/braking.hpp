@@ -61,11 +61,10 @@ std::optional<std::vector<BrakingPart>> parts_of(std::span<const BrakingLaw> law
                                                  const BrakingFrom& from);
 std::array<BrakingLaw, 3> laws_of(const profiles::SCurveStop& stop);
 
-// On a line alone, the S-curve from any acceleration to rest, in closed form. Elsewhere the search
-// for the time optimum to a rest that is a little farther each time, from what the closed form
-// takes with the limits at this place on: the first that it finds. It is at most kStep longer than
-// the shortest that it could have found. Nothing: no way was found; from a place farther on there
-// may be one, as where the plan already lands.
+// On a line alone, the S-curve from any acceleration to rest, in closed form. Elsewhere the
+// shortest that is found of that S-curve, laid over the blocks, of steps, and of time optima to
+// rests at distances between; over more than some hundred cells of the first two alone. Nothing: no
+// way was found; from a place farther on there may be one, as where the plan already lands.
 std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
                                                      const PlanLimits& limits);
 

@@ -4,20 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/lookahead/braking_from.hpp"
 #include "tests/lookahead/programs.hpp"
 
 namespace kerf::lookahead::test {
 namespace {
 
 constexpr double kLine_mm = 0.02;
-
-BrakingFrom from_begin_of(const std::vector<Block>& blocks, double v_mm_s) {
-  BrakingFrom from{.blocks = {}, .state = {.v_mm_s = v_mm_s}};
-  for (const Block& block : blocks) {
-    from.blocks.push_back(&block);
-  }
-  return from;
-}
 
 // From v, jerk J to the acceleration A, that acceleration, and jerk J to rest.
 TEST(Braking, OverManyShortLinesIsThatOnTheLineWhichTheyMake) {
