@@ -70,11 +70,14 @@ bool is_starved(const Controller& controller) noexcept {
   return what == WaitsFor::text || what == WaitsFor::planning;
 }
 
-// Idle before the program is no end.
-bool is_over(ControllerState state, const RealTimeOrder& order) noexcept {
-  return (state == ControllerState::idle &&
-          (order.by.has_started() || order.by.has_stopped() || stop_requested())) ||
-         state == ControllerState::fault ||
+// Idle before the program is no end. To be asked before the tick: a start that comes behind it
+// would be taken for a program that has ended.
+bool is_end_where_idle(const RealTimeOrder& order) noexcept {
+  return order.by.has_started() || order.by.has_stopped() || stop_requested();
+}
+
+bool is_over(ControllerState state, bool ends_idle, const RealTimeOrder& order) noexcept {
+  return (state == ControllerState::idle && ends_idle) || state == ControllerState::fault ||
          (state == ControllerState::emergency_stop && !order.controller.drives_on());
 }
 
@@ -145,6 +148,7 @@ class Ticks {
     Setpoint setpoint;
     controller.set_program_inputs(stage_.ticks.program_inputs());
     controller.set_door(stage_.ticks.inputs().door_open);
+    const bool ends_idle = is_end_where_idle(order_);
     const ControllerState state = controller.tick(setpoint);
     if (controller.has_new_place()) {
       stage_.ticks.enable({.mm = setpoint.position_mm, .extra_rad_mm = setpoint.extra_rad_mm});
@@ -165,7 +169,8 @@ class Ticks {
         controller.fail();
       }
     }
-    return (is_over(state, order_) && aftermath_.is_over(stage_.ticks, setpoint.v_mm_s)) ||
+    return (is_over(state, ends_idle, order_) &&
+            aftermath_.is_over(stage_.ticks, setpoint.v_mm_s)) ||
            outcome_.hung;
   }
 
