@@ -95,10 +95,27 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
   emitter_.keep(outbox, outbox.phases.size() - 1);
   held_ = true;
   resume();
-  if (!change.needs_stop) {  // the rest may be over at once
-    emit_first_part(change, changed, outbox);
+  if (!change.needs_stop || stop->parts.empty()) {  // the rest may be over at once
+    go_on_from_rest(change, changed, outbox);
   }
   return changed;
+}
+
+void Planner::go_on_from_rest(const PlanChange& change, ChangedPlan& changed, Outbox& outbox) {
+  const Emitter emitter = emitter_;
+  const std::deque<Item> waiting = waiting_;
+  const Outbox to_rest = outbox;
+  if (!emit_first_part(change, changed, outbox)) {
+    go_back(emitter, waiting);
+    outbox = to_rest;
+  }
+}
+
+// What was planned behind it is dropped.
+void Planner::go_back(const Emitter& emitter, const std::deque<Item>& waiting) {
+  empty_window();
+  emitter_ = emitter;
+  waiting_ = waiting;
 }
 
 void Planner::take_modes(const PlanChange& change) {
@@ -124,9 +141,7 @@ bool Planner::go_on_in_motion(InMotion from, const PlanChange& change, ChangedPl
   }
   outbox.clear();
   changed.stop.reset();
-  empty_window();
-  emitter_ = emitter;
-  waiting_ = waiting;
+  go_back(emitter, waiting);
   return false;
 }
 

@@ -67,6 +67,24 @@ TEST(Override, WhileALineSpeedsUpLeadsToItsFeedrateWithoutARest) {
   }
 }
 
+// Found with a client: where the plan of the other feedrate began at the rest of a corner, the tool
+// waited there for what comes behind it.
+TEST(Override, RightBeforeARestIsNoWaitForThePlanBehindIt) {
+  for (std::int64_t asked = 100; asked <= 200; asked += 2) {
+    const WatchedRun run =
+        run_ticks({.text = "G21 G90 G61\nG1 X10 F6000\nX0\nX10\nM2\n"},
+                  [asked](Kernel& kernel, const WatchedRun& ran, Setpoint& setpoint) {
+                    kernel.plan();
+                    if (ran.next() == asked) {
+                      kernel.set_overrides({.feed = 0.9});
+                    }
+                    return kernel.tick(setpoint);
+                  });
+    EXPECT_EQ(run.complaint, "") << asked;
+    EXPECT_EQ(run.count(TickStatus::starved), 0) << asked;
+  }
+}
+
 TEST(Override, LeavesPathAndLimitsWhereverItIsAskedFor) {
   for (const ProfileKind kind : {ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::quintic,
                                  ProfileKind::time_optimal}) {
