@@ -27,6 +27,7 @@ Controller::Impl::Impl(MachineSettings settings, KernelOptions options)
 }
 
 tl::expected<void, Refusal> Controller::Impl::give(Command command) {
+  look_at_tick();
   follow_manual();
   if (const std::string_view why = door_refusal(command); !why.empty()) {
     return tl::unexpected(Refusal{.state = state_.state(), .command = command, .reason = why});
@@ -120,6 +121,7 @@ bool Controller::Impl::set_feed_inputs(const FeedInputs& inputs) {
   if (!is_possible(inputs)) {
     return false;
   }
+  look_at_tick();
   operator_.feed_inputs = inputs;
   published_.write(operator_);
   if (has_program()) {

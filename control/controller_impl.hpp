@@ -15,6 +15,7 @@
 #include "control/messages.hpp"
 #include "control/snapshot.hpp"
 #include "control/state_word.hpp"
+#include "interp/tick_calls.hpp"
 
 namespace kerf {
 
@@ -79,6 +80,12 @@ class KERF_LOCAL Controller::Impl {
   [[nodiscard]] static bool is_by_hand(ControllerState state) noexcept {
     return state == ControllerState::jogging || state == ControllerState::returning ||
            state == ControllerState::homing;
+  }
+  // Before what follows the ticks, or is for them to see (KernelOptions::plan_clock).
+  void look_at_tick() const {
+    if (options_.plan_clock) {
+      calls_.follow(options_.plan_clock, [] {});
+    }
   }
   // The table, and what it cannot say.
   [[nodiscard]] Answer answer_now(ControllerState state, Command command) const noexcept;
@@ -193,6 +200,7 @@ class KERF_LOCAL Controller::Impl {
   control::Messages messages_;
   // Of the tick side.
   std::atomic<std::int64_t> tick_ = 0;  // to be written by it alone
+  interp::TickCalls calls_;
   bool has_new_place_ = false;
   ProgramInputs inputs_{};
   TickDetail detail_{};

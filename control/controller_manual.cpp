@@ -15,6 +15,7 @@ tl::expected<control::ManualMove, std::string_view> Controller::Impl::move_of(
 }
 
 tl::expected<void, Refusal> Controller::Impl::jog(const Jog& jog) {
+  look_at_tick();
   follow_manual();
   for (auto seen = state_.load();;) {
     const auto refused = [&](std::string_view why) {
@@ -81,6 +82,7 @@ void Controller::Impl::queue_jog(const Jog& jog) {
 void Controller::Impl::run(const control::ManualMove& move) {
   manual_.kernel = control::kernel_of(move, here(), settings_, options_);
   manual_.ends = false;
+  look_at_tick();
   by_hand_ = true;
   running_.store(manual_.kernel.get(), std::memory_order_release);
 }

@@ -10,6 +10,7 @@ namespace kerf {
 using State = ControllerState;
 
 tl::expected<void, Refusal> Controller::Impl::run_mdi(std::string_view line) {
+  look_at_tick();
   follow_manual();
   for (auto seen = state_.load();;) {
     const auto refused = [&](std::string_view why) {
@@ -102,6 +103,7 @@ void Controller::Impl::start(std::unique_ptr<Kernel> kernel, Runs what) {
 
 void Controller::Impl::run_program() {
   spindle_share_ = operator_.overrides.spindle;
+  look_at_tick();
   by_hand_ = false;
   running_.store(kernel_.get(), std::memory_order_release);
 }
@@ -121,6 +123,7 @@ void Controller::Impl::finish() {
 }
 
 bool Controller::Impl::plan() {
+  look_at_tick();
   follow_manual();
   follow_door();
   const bool runs = has_program();

@@ -6,6 +6,7 @@ namespace kerf {
 using State = ControllerState;
 
 ControllerState Controller::Impl::tick(Setpoint& setpoint) noexcept {
+  const interp::TickCalls::Call call(calls_);
   Kernel* const kernel = running_.load(std::memory_order_acquire);
   Ticked ticked{.before = state_.load()};
   if (kernel != nullptr) {

@@ -193,7 +193,8 @@ std::unique_ptr<Kernel> kernel_of(const ManualMove& move, const Setpoint& at,
                     .start_outputs = at.outputs,
                     .one_line = true,
                     .dialect = Dialect::rs274,
-                    .plan_log = options.plan_log};
+                    .plan_log = options.plan_log,
+                    .plan_clock = options.plan_clock};
   own.start_outputs.surface = {};  // the spindle does not follow
   auto kernel = std::make_unique<Kernel>(plain, own);
   kernel->feed(program_of(move, place_of(at)));

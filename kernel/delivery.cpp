@@ -88,6 +88,7 @@ Delivery::HandedOver Delivery::take_over(lookahead::Outbox&& plan, std::uint32_t
   outbox_.phases.erase(later, outbox_.phases.end());
   append(outbox_.phases, plan.phases);
   deliver(Until{.horizon = std::numeric_limits<std::int64_t>::max(), .phases_free = 0});
+  look_();
   queue_->push(interp::Takeover{.from = from,
                                 .plan = takeover_plan,
                                 .tick = first_tick(begin),
@@ -104,7 +105,7 @@ void Delivery::append_path(const lookahead::Outbox& plan) {
 }
 
 bool Delivery::commit(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from) {
-  return write_stop(ahead, from) ? queue_->commit(interp::MotionQueue::Ahead::written) : commit();
+  return write_stop(ahead, from) ? commit(interp::MotionQueue::Ahead::written) : commit();
 }
 
 bool Delivery::write_stop(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from) {
@@ -126,6 +127,7 @@ bool Delivery::write_stop(const lookahead::Planner::PlannedStopAhead& ahead, std
 void Delivery::follow_stop() {
   outbox_.phases.clear();
   phases_sent_ = 0;
+  look_();
   queue_->release_stop();
 }
 

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 #include "interp/motion_queue.hpp"
 #include "lookahead/planner.hpp"
@@ -11,7 +13,9 @@ namespace kerf {
 
 class Delivery {
  public:
-  explicit Delivery(interp::MotionQueue& queue) : queue_(&queue) {}
+  // look: called right before each change that the tick side sees.
+  Delivery(interp::MotionQueue& queue, std::function<void()> look)
+      : queue_(&queue), look_(std::move(look)) {}
 
   // Planned motion that waits to be delivered.
   [[nodiscard]] lookahead::Outbox& outbox() { return outbox_; }
@@ -35,7 +39,7 @@ class Delivery {
                        const lookahead::Planner::PlannedStopAhead* ahead = nullptr);
 
   // The tick side gets what was moved. False: it has taken the stop ahead, and goes no farther.
-  bool commit() { return queue_->commit(interp::MotionQueue::Ahead::none); }
+  bool commit() { return commit(interp::MotionQueue::Ahead::none); }
   // The same, with a way to rest for the tick by which nothing else has come. That goes without
   // where it does not fit.
   bool commit(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from);
@@ -51,6 +55,10 @@ class Delivery {
     std::size_t phases_free = 0;  // in the queue
   };
   bool deliver(const Until& until);
+  bool commit(interp::MotionQueue::Ahead ahead) {
+    look_();
+    return queue_->commit(ahead);
+  }
   [[nodiscard]] bool may_follow(const interp::Phase& phase) const;
   // The path up to its end and the output changes that it counts are in the queue.
   [[nodiscard]] bool may_end_with(const interp::Phase& phase) const;
@@ -64,6 +72,7 @@ class Delivery {
   void forget_sent();
 
   interp::MotionQueue* queue_;
+  std::function<void()> look_;
   lookahead::Outbox outbox_;
   std::size_t pieces_sent_ = 0;
   std::size_t line_changes_sent_ = 0;

@@ -127,19 +127,19 @@ void Kernel::Impl::follow_commands() {
     held_wait_.store(0, std::memory_order_relaxed);  // another plan has no wait there
     wants_hold_ = holds_;
   }
-  if (!takeover_ && wants_hold_ && interpolator_.plan_tick() >= next_hold_tick_) {
+  if (!takeover_ && wants_hold_ && now() >= next_hold_tick_) {
     wants_hold_ = !try_hold();
   }
-  if (!takeover_ && wants_change_ && interpolator_.plan_tick() >= next_try_tick_) {
+  if (!takeover_ && wants_change_ && now() >= next_try_tick_) {
     wants_change_ = !try_change_plan();
-    next_try_tick_ = wants_change_ ? interpolator_.plan_tick() + margin_ticks_ : 0;
+    next_try_tick_ = wants_change_ ? now() + margin_ticks_ : 0;
   }
 }
 
 // A wait that the tool has not come to is not answered, nor one for the machine. In single block a
 // question to it may be asked already while the block before it waits.
 void Kernel::Impl::go_on() {
-  const bool is_there = interpolator_.plan_tick() >= pipeline_.emitted_until_tick();
+  const bool is_there = now() >= pipeline_.emitted_until_tick();
   const bool is_for_machine = asks_ && !pipeline_.waits_for_resume();
   if (!pipeline_.is_held() && (!is_there || is_for_machine)) {
     return;
@@ -151,9 +151,9 @@ void Kernel::Impl::go_on() {
 }
 
 std::int64_t Kernel::Impl::takeover_tick() const {
-  const std::int64_t now = interpolator_.plan_tick();
-  const std::int64_t last = std::max(pipeline_.emitted_until_tick(), now);
-  return std::min(now + (margin_ticks_ << refusals_), last);
+  const std::int64_t tick = now();
+  const std::int64_t last = std::max(pipeline_.emitted_until_tick(), tick);
+  return std::min(tick + (margin_ticks_ << refusals_), last);
 }
 
 bool Kernel::Impl::hand_over(lookahead::Outbox&& plan, std::uint32_t from,
@@ -199,7 +199,7 @@ bool Kernel::Impl::try_hold() {
   if (!(stops_ ? pipeline_.stop(tick, plan) : pipeline_.hold(tick, plan))) {
     // A trapezoid that brakes all it can is stopped no sooner by any bounded jerk, for hundreds of
     // ticks on end: a search at each of them would leave no time to plan.
-    next_hold_tick_ = interpolator_.plan_tick() + margin_ticks_ / 2;
+    next_hold_tick_ = now() + margin_ticks_ / 2;
     return false;
   }
   if (!plan.phases.empty()) {

@@ -8,15 +8,15 @@
 namespace kerf {
 
 bool Kernel::Impl::plan() {
-  const std::int64_t now = interpolator_.plan_tick();
   if (tells_) {
     follow_tool();
   }
+  const std::int64_t begin = now();
   if (!follow_stop_ahead()) {
     return false;
   }
   follow_machine();
-  forget_before(now);
+  forget_before(begin);
   follow_place();
   follow_commands();
   if (keeps_stop_ && !runs_low()) {
@@ -92,7 +92,7 @@ double Kernel::Impl::feed_share() const noexcept {
 
 bool Kernel::Impl::fill_queue() {
   int taken = 0;
-  while (!broken_ && delivery_.deliver(interpolator_.plan_tick() + horizon_ticks_)) {
+  while (!broken_ && delivery_.deliver(now() + horizon_ticks_)) {
     const bool was_finished = pipeline_.is_finished();
     switch (pipeline_.step(delivery_.outbox())) {
       case Pipeline::Step::planned:
@@ -106,6 +106,7 @@ bool Kernel::Impl::fill_queue() {
           wrong_ = pipeline_.path().has_errors();
         }
         if (const auto inquiry = pipeline_.take_inquiry()) {
+          static_cast<void>(now());
           interpolator_.watch().ask(*inquiry);
           asks_ = true;
         }
@@ -128,17 +129,18 @@ void Kernel::Impl::hand_on() {
   if (keeps_stop_) {
     return;
   }
-  const std::int64_t now = interpolator_.plan_tick();
-  delivery_.deliver(now + horizon_ticks_);
+  const std::int64_t tick = now();
+  delivery_.deliver(tick + horizon_ticks_);
   hand_over();
-  forget_before(now);
+  forget_before(tick);
 }
 
-bool Kernel::Impl::is_nearly_half_ahead() const noexcept {
-  return delivery_.frozen_until_tick() - interpolator_.plan_tick() > horizon_ticks_ * 7 / 16;
+bool Kernel::Impl::is_nearly_half_ahead() const {
+  return delivery_.frozen_until_tick() - now() > horizon_ticks_ * 7 / 16;
 }
 
 void Kernel::Impl::hand_over() {
+  const std::int64_t tick_now = now();
   if (pipeline_.is_held() || pipeline_.awaits_answer()) {
     queue_.commit();  // the stop ahead stays: the plan may be refused
     return;
@@ -148,14 +150,13 @@ void Kernel::Impl::hand_over() {
     return;
   }
   const std::int64_t until = delivery_.frozen_until_tick();
-  const std::int64_t now = interpolator_.plan_tick();
   const std::int64_t part = horizon_ticks_ / kPartsOfHorizon;
-  if (until - committed_until_tick_ < part && committed_until_tick_ - now > part) {
+  if (until - committed_until_tick_ < part && committed_until_tick_ - tick_now > part) {
     return;
   }
   // Near the end of what is in the queue, or before it where there is no way to rest from there.
   // Without one the stop ahead stays as it is, and is tried again with what is planned by then.
-  const std::int64_t earliest = std::max(committed_until_tick_, now) + 1;
+  const std::int64_t earliest = std::max(committed_until_tick_, tick_now) + 1;
   if (earliest > pipeline_.emitted_until_tick()) {
     return;
   }
@@ -206,7 +207,7 @@ bool Kernel::Impl::follow_stop_ahead() {
   pipeline_.follow_stop_ahead(*stop_ahead_);
   fail_with_check();
   delivery_.follow_stop();
-  committed_until_tick_ = interpolator_.plan_tick();
+  committed_until_tick_ = now();
   return true;
 }
 
@@ -220,7 +221,7 @@ void Kernel::Impl::follow_machine() {
   }
   if (answer->has_braked) {
     delivery_.follow_stop();
-    committed_until_tick_ = interpolator_.plan_tick();
+    committed_until_tick_ = now();
     wants_hold_ = holds_ || stops_ || is_at_feed_0();
   }
   pipeline_.follow(*answer);
@@ -228,6 +229,7 @@ void Kernel::Impl::follow_machine() {
 }
 
 TickStatus Kernel::Impl::tick(Setpoint& setpoint) noexcept {
+  const interp::TickCalls::Call call(calls_);
   const TickStatus status = interpolator_.next(setpoint);
   if (status == TickStatus::starved) {
     judge_.starve();

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include <kerf/kernel.hpp>
 
 #include "interp/interpolator.hpp"
+#include "interp/tick_calls.hpp"
 #include "kernel/delivery.hpp"
 #include "kernel/pipeline.hpp"
 #include "kernel/program_notes.hpp"
@@ -52,7 +54,8 @@ class KERF_LOCAL Kernel::Impl {
         announced_ticks_(
             static_cast<std::int64_t>(std::ceil(kAnnounced_s / settings.limits.period_s))),
         keeps_stop_(!options.one_thread),
-        begins_with_(options.begins_with) {
+        begins_with_(options.begins_with),
+        plan_clock_(options.plan_clock) {
     interpolator_.begin_with(options.start_outputs);
   }
 
@@ -76,8 +79,8 @@ class KERF_LOCAL Kernel::Impl {
 
   TickStatus next(Setpoint& setpoint);
 
-  [[nodiscard]] bool runs_low() const noexcept {
-    return committed_until_tick_ - interpolator_.plan_tick() <= horizon_ticks_ / 2;
+  [[nodiscard]] bool runs_low() const {
+    return committed_until_tick_ - now() <= horizon_ticks_ / 2;
   }
 
   void plan_to_rest();
@@ -147,6 +150,15 @@ class KERF_LOCAL Kernel::Impl {
   // Of blocks, which take as long as the search over them.
   static constexpr int kManyTaken = 10;
 
+  // How far the ticks are on the plan. All that is planned and goes by them looks here first: right
+  // before it reads what else the tick side says, and before it changes what that sees.
+  [[nodiscard]] std::int64_t now() const {
+    std::int64_t tick = interpolator_.plan_tick();
+    if (plan_clock_) {
+      calls_.follow(plan_clock_, [&] { tick = interpolator_.plan_tick(); });
+    }
+    return tick;
+  }
   // Nothing that was read is left to be run.
   [[nodiscard]] bool has_run_all() const noexcept;
   // The tool is at the program's end, and nobody ended it earlier.
@@ -161,7 +173,7 @@ class KERF_LOCAL Kernel::Impl {
   bool fill_queue();
 
   // Of the horizon: a caller that goes by runs_low() comes again in time.
-  [[nodiscard]] bool is_nearly_half_ahead() const noexcept;
+  [[nodiscard]] bool is_nearly_half_ahead() const;
 
   // What is in the queue, to the tick side.
   void hand_over();
@@ -265,7 +277,9 @@ class KERF_LOCAL Kernel::Impl {
   std::int64_t next_try_tick_ = 0;
   int refusals_ = 0;  // in a row: planning took longer than the margin
   ProgramState begins_with_;
-  Delivery delivery_{queue_};
+  std::function<bool(std::int64_t)> plan_clock_;  // KernelOptions
+  interp::TickCalls calls_;
+  Delivery delivery_{queue_, [this] { static_cast<void>(now()); }};
 };
 
 }  // namespace kerf

@@ -38,7 +38,7 @@ LineChange change(std::size_t i, double step_mm) {
 
 TEST(Delivery, APhaseWaitsForTheLinesUpToItsBegin) {
   const auto queue = std::make_unique<MotionQueue>();
-  Delivery delivery(*queue);
+  Delivery delivery(*queue, [] {});
   lookahead::Outbox& outbox = delivery.outbox();
   outbox.pieces.push_back(piece(10.0));
   // One more than the ring holds lies before the second phase.
@@ -58,7 +58,7 @@ TEST(Delivery, MoreLinesThanTheRingHoldsReachTheirTicks) {
   constexpr std::size_t kLines = 50'000;
   constexpr double kLength_mm = kStep_mm * kLines;
   const auto queue = std::make_unique<MotionQueue>();
-  Delivery delivery(*queue);
+  Delivery delivery(*queue, [] {});
   interp::Interpolator interpolator(*queue, kTs, {});
   lookahead::Outbox& outbox = delivery.outbox();
   outbox.pieces.push_back(piece(kLength_mm));
@@ -97,7 +97,7 @@ lookahead::Outbox plan_that_takes_over() {
 TEST(Delivery, SaysWhetherThePlanBeforeATakeoverWasHandedOverToItsEnd) {
   for (const std::int64_t horizon : {std::int64_t{10}, kFar}) {
     const auto queue = std::make_unique<MotionQueue>();
-    Delivery delivery(*queue);
+    Delivery delivery(*queue, [] {});
     delivery.outbox().pieces.push_back(piece(30.0));
     delivery.outbox().phases = {cruise_phase(0.0, 10.0), cruise_phase(10.0, 10.0)};
     delivery.deliver(horizon);
@@ -114,7 +114,7 @@ TEST(Delivery, SaysWhetherThePlanBeforeATakeoverWasHandedOverToItsEnd) {
 // The ring has no room for the path of the way to rest.
 TEST(Delivery, HandsOverNoPlanWhoseWayToRestDoesNotFit) {
   const auto queue = std::make_unique<MotionQueue>();
-  Delivery delivery(*queue);
+  Delivery delivery(*queue, [] {});
   delivery.outbox().pieces.push_back(piece(30.0));
   delivery.outbox().phases = {cruise_phase(0.0, 10.0), cruise_phase(10.0, 10.0)};
   delivery.deliver(10);

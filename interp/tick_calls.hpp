@@ -1,0 +1,55 @@
+// The calls of a tick, as another thread sees them.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+
+namespace kerf::interp {
+
+// Counts them at their begin and at their end, so that whoever looks knows of what it saw between
+// which two it was.
+class TickCalls {
+ public:
+  // Around each call. Real time: stores, no more.
+  class Call {
+   public:
+    explicit Call(TickCalls& calls) noexcept : calls_(&calls) {
+      calls_->count();
+      std::atomic_thread_fence(std::memory_order_release);
+    }
+    ~Call() { calls_->count(); }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+
+   private:
+    TickCalls* calls_;
+  };
+
+  // Another thread. Reads between two calls, and again until the clock lets the number of calls
+  // pass.
+  template <typename Clock, typename Read>
+  void follow(const Clock& clock, const Read& read) const {
+    while (true) {
+      const std::int64_t seen = bounds_.load(std::memory_order_acquire);
+      if (seen % 2 != 0) {
+        std::this_thread::yield();
+        continue;
+      }
+      read();
+      std::atomic_thread_fence(std::memory_order_acquire);
+      if (bounds_.load(std::memory_order_relaxed) == seen && clock(seen / 2)) {
+        return;
+      }
+    }
+  }
+
+ private:
+  void count() noexcept {
+    bounds_.store(bounds_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+  }
+
+  std::atomic<std::int64_t> bounds_ = 0;
+};
+
+}  // namespace kerf::interp
