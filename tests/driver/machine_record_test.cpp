@@ -36,7 +36,7 @@ class Records : public testing::Test {
       states_.push_back(machine.read());
     }
     machine.disable();
-    EXPECT_EQ((*writer)->finish(), std::nullopt);
+    EXPECT_EQ((*writer)->finish({}), std::nullopt);
   }
   [[nodiscard]] std::string bytes() const {
     std::ifstream file(path_, std::ios::binary);
@@ -138,7 +138,7 @@ TEST_F(Records, Row72AFullDiskOrASlowOneHoldsUpNoTick) {
   for (int i = 0; i < 20'000; ++i) {
     (*full)->push({});
   }
-  const auto error = (*full)->finish();
+  const auto error = (*full)->finish({});
   ASSERT_TRUE(error);
   EXPECT_NE(error->find("No space left on device"), std::string::npos) << *error;
 
@@ -147,7 +147,7 @@ TEST_F(Records, Row72AFullDiskOrASlowOneHoldsUpNoTick) {
   for (int i = 0; i < 200'000; ++i) {  // at once: far faster than any disk
     (*slow)->push({});
   }
-  const auto lost = (*slow)->finish();
+  const auto lost = (*slow)->finish({});
   ASSERT_TRUE(lost);
   EXPECT_NE(lost->find("the record lacks "), std::string::npos) << *lost;
   EXPECT_FALSE(std::filesystem::exists(path_));
@@ -175,7 +175,7 @@ TEST_F(Records, AreWrittenAndAnsweredWithoutAllocationsLocksOrWritesInTheTick) {
     EXPECT_EQ(run(machine), DriveFault::none);
   }
   EXPECT_EQ(Trap::counts().total(), 0);
-  ASSERT_EQ((*writer)->finish(), std::nullopt);
+  ASSERT_EQ((*writer)->finish({}), std::nullopt);
   ReplayingMachine replay(RecordReader::open(path_, kPeriod_s).value());
   {
     const Trap trap;

@@ -2,14 +2,16 @@
 """A run from its record, as its users meet it: TEST.py KERF SOURCE_DIR [NAME...]"""
 import pathlib
 import sys
+import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "program"))
-from command_line import Case, SOURCE, main  # noqa: E402
+from command_line import SOURCE, main  # noqa: E402
+from control_channel import ControlCase  # noqa: E402
 
 CIRCLE = f"{SOURCE}/programs/circle.ngc"
 
 
-class Records(Case):
+class Records(ControlCase):
     def record(self, command, program, *options):
         record = self.path(f"{command}.rec")
         self.kerf(command, "-q", program, "--record", record, *options)
@@ -24,6 +26,61 @@ class Records(Case):
 
     def test_a_dry_run_has_the_record_of_the_run(self):
         self.assertEqual(self.record("dry-run", CIRCLE), self.record("run", CIRCLE))
+
+    def repeat(self, status):
+        """Twice, with and without a clock of its own: each has the record of the first, to the last byte."""
+        first = pathlib.Path(self.path("run.rec")).read_bytes()
+        for command in ("dry-run", "run"):
+            with self.subTest(command=command):
+                self.kerf(command, "-q", self.path("part.ngc"), "--replay", self.path("run.rec"), "--record", self.path("again.rec"), status=status)
+                self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), first)
+
+    def test_a_run_under_commands_is_repeated_from_its_record_to_the_last_bit(self):
+        process, client = self.start("G21 G90 G61\nG1 X60 F6000\nG2 X80 Y20 R20\n(a blend)\nG64 P0.1\nG1 Y40\nX40\nM0\nX20\nM2\n",
+                                     ["--record", self.path("run.rec"), "-q"])
+        client.ask("override", feed_percent=70.3)
+        time.sleep(0.2)
+        client.ask("hold")
+        client.read_until(type="event", state="held")
+        self.assertTrue(client.ask("jog", z_mm=2)["accepted"])
+        client.read_until(type="event", state="held")
+        self.assertFalse(client.ask("start")["accepted"])
+        client.ask("resume")
+        client.read_until(type="event", state="running")
+        client.ask("override", feed_percent=0)
+        client.ask("override", feed_percent=120, rapid_percent=50)
+        client.read_until(type="event", state="waiting", waits_for="answer")
+        client.ask("single_block", on=True)
+        client.ask("resume")
+        client.read_until(type="event", state="waiting", waits_for="answer")
+        client.ask("resume")
+        self.end(process, 0)
+        self.repeat(0)
+
+    def test_a_run_that_begins_with_lines_and_is_stopped_is_repeated(self):
+        process, client = self.start(options=["--record", self.path("run.rec"), "-q", "--wait-start"])
+        client.read_until(type="event", state="idle")
+        self.assertTrue(client.ask("mdi", line="G10 L2 P1 X5")["accepted"])
+        client.read_until(type="event", state="idle")
+        self.assertTrue(client.ask("start")["accepted"])
+        time.sleep(0.3)
+        client.ask("stop")
+        self.end(process, 7)
+        self.repeat(7)
+
+    def test_an_emergency_stop_is_repeated_at_its_tick(self):
+        process, client = self.start(options=["--record", self.path("run.rec"), "-q"])
+        time.sleep(0.3)
+        client.ask("emergency_stop")
+        self.end(process, 8)
+        self.repeat(8)
+
+    def test_a_record_with_commands_takes_no_others(self):
+        process, client = self.start(options=["--record", self.path("run.rec"), "-q"])
+        client.ask("stop")
+        self.end(process, 7)
+        done = self.kerf("run", self.path("part.ngc"), "--replay", self.path("run.rec"), "--control", self.path("socket"), status=2)
+        self.assertIn("it goes without --control", done.stderr)
 
     def test_row_71_a_machine_that_answers_another_run_is_a_fault_at_its_line(self):
         self.record("dry-run", CIRCLE)

@@ -32,7 +32,7 @@ TEST(RecorderThreads, Row72DropAndCountWhatATraceIsTooSlowFor) {
   constexpr std::int64_t kPushed = 500'000;  // at once: far faster than they can be written
   Recorder recorder;
   recorder.trace.emplace(TraceWriter::create(folder / "t.csv", {}).value());
-  RecorderThread thread(recorder);
+  RecorderThread thread(recorder, true);
   for (std::int64_t tick = 0; tick < kPushed; ++tick) {
     thread.push(record_at(tick));
   }

@@ -188,18 +188,18 @@ class ControlChannel::Server {
         overrides.feed = request.feed.value_or(overrides.feed);
         overrides.rapid = request.rapid.value_or(overrides.rapid);
         overrides.spindle = request.spindle.value_or(overrides.spindle);
-        return by_->controller().set_overrides(overrides);
+        return by_->give(overrides);
       }
       case ControlRequest::Kind::single_block:
-        return by_->controller().set_single_block(request.on);
+        return by_->give(SingleBlock{.is_on = request.on});
       case ControlRequest::Kind::optional_stop:
-        return by_->controller().set_optional_stop(request.on);
+        return by_->give(OptionalStop{.is_on = request.on});
       case ControlRequest::Kind::block_delete:
-        return by_->controller().set_block_delete(request.switches);
+        return by_->give(request.switches);
       case ControlRequest::Kind::mdi:
         return run_mdi(request.line);
       case ControlRequest::Kind::jog:
-        return by_->controller().jog(request.jog);
+        return by_->give(request.jog);
       case ControlRequest::Kind::input:
         return set_input(request);
       case ControlRequest::Kind::fault:
@@ -209,7 +209,7 @@ class ControlChannel::Server {
         return tl::unexpected(Refusal{.state = by_->status().state,
                                       .reason = "only the simulated table can be broken"});
       case ControlRequest::Kind::tool:
-        return by_->controller().set_tool(request.tool);
+        return by_->give(request.tool);
       case ControlRequest::Kind::command:
       case ControlRequest::Kind::status:
       case ControlRequest::Kind::events:
@@ -219,7 +219,7 @@ class ControlChannel::Server {
   }
   // With the first error of a line that has one.
   tl::expected<void, Refusal> run_mdi(const std::string& line) {
-    auto given = by_->controller().run_mdi(line);
+    auto given = by_->give(MdiLine{.text = line});
     if (!given && given.error().of_line) {
       const auto& found = by_->controller().program()->diagnostics();
       const auto error = std::ranges::find(found, Severity::error, &Diagnostic::severity);
@@ -241,10 +241,7 @@ class ControlChannel::Server {
     } else {
       return refused("[inputs] of the machine file does not name it");
     }
-    if (!by_->controller().set_feed_inputs(inputs)) {
-      return refused("value is to be 0 to 1");
-    }
-    return {};
+    return by_->give(inputs);
   }
 
   Order order_;

@@ -66,7 +66,7 @@ void Keys::press(char key) {
   } else if (key == '-') {
     change_feed(feed_percent(status) - kFeedStep_percent);
   } else if (key == 's') {
-    static_cast<void>(by_->controller().set_single_block(!status.single_block));
+    static_cast<void>(by_->give(SingleBlock{.is_on = !status.single_block}));
   } else if (key == 'q') {
     static_cast<void>(by_->give(Asked::stop));
   } else {
@@ -81,14 +81,14 @@ void Keys::move_by_hand(char key) {
   } else if (axis != std::string_view::npos) {
     Jog step{.is_step = true};
     step.mm[axis % step.mm.size()] = axis < step.mm.size() ? -kStep_mm : kStep_mm;
-    static_cast<void>(by_->controller().jog(step));
+    static_cast<void>(by_->give(step));
   }
 }
 
 void Keys::change_feed(int percent) {
   Overrides overrides = by_->status().overrides;
   overrides.feed = 0.01 * std::clamp(percent, 0, kMaxFeed_percent);
-  static_cast<void>(by_->controller().set_overrides(overrides));
+  static_cast<void>(by_->give(overrides));
 }
 
 std::string status_line(const ControllerStatus& status) {

@@ -15,20 +15,41 @@ void Operator::drop_orders() {
 }
 
 void Operator::carry_out() {
-  std::vector<std::function<void()>> orders;
-  {
-    const std::lock_guard lock(mutex_);
-    orders.swap(orders_);
+  while (pace_ != nullptr && !pace_->look(controller_->status().setpoint.tick)) {
   }
-  for (const auto& order : orders) {
-    order();
+  if (pace_ != nullptr && pace_->is_repeated()) {
+    carry_out_once_more();
+  } else {
+    carry_out_what_was_asked();
   }
   if (!is_attended_) {
     stop_at_door();
   }
   if (starts_ && controller_->status().state == ControllerState::idle) {
     starts_ = false;
-    has_stopped_ = !give(kerf::Command::start);  // the search was stopped
+    has_stopped_ = !execute(kerf::Command::start);  // the search was stopped
+  }
+}
+
+void Operator::carry_out_what_was_asked() {
+  std::vector<std::function<void()>> orders;
+  {
+    const std::lock_guard lock(mutex_);
+    orders.swap(orders_);
+  }
+  is_asked_ = true;
+  for (const auto& order : orders) {
+    order();
+  }
+  is_asked_ = false;
+}
+
+// What was refused then is refused again.
+void Operator::carry_out_once_more() {
+  while (const auto text = pace_->next_order()) {
+    if (const auto order = order_from(*text)) {
+      static_cast<void>(execute(*order));
+    }
   }
 }
 
@@ -38,17 +59,57 @@ void Operator::stop_at_door() {
       status.state == ControllerState::running || status.state == ControllerState::waiting ||
       status.state == ControllerState::holding || status.state == ControllerState::held;
   if (status.door_open && goes_on) {
-    static_cast<void>(give(kerf::Command::stop));  // refused: it has come to its end
+    static_cast<void>(execute(kerf::Command::stop));  // refused: it has come to its end
   }
 }
 
 tl::expected<void, Refusal> Operator::home_and_start() {
-  auto given = give(kerf::Command::home);
+  auto given = execute(kerf::Command::home);
   starts_ = given.has_value();
   return given;
 }
 
-tl::expected<void, Refusal> Operator::give(kerf::Command command) {
+tl::expected<void, Refusal> Operator::give(const OperatorOrder& order) {
+  if (is_asked_ && pace_ != nullptr) {
+    pace_->note(text_of(order));
+  }
+  return execute(order);
+}
+
+tl::expected<void, Refusal> Operator::execute(const OperatorOrder& order) {
+  struct Execute {
+    Operator& by;
+    Controller& controller;
+    tl::expected<void, Refusal> operator()(kerf::Command of) const { return by.execute(of); }
+    tl::expected<void, Refusal> operator()(const Overrides& of) const {
+      return controller.set_overrides(of);
+    }
+    tl::expected<void, Refusal> operator()(SingleBlock of) const {
+      return controller.set_single_block(of.is_on);
+    }
+    tl::expected<void, Refusal> operator()(OptionalStop of) const {
+      return controller.set_optional_stop(of.is_on);
+    }
+    tl::expected<void, Refusal> operator()(const BlockDelete& of) const {
+      return controller.set_block_delete(of);
+    }
+    tl::expected<void, Refusal> operator()(const FeedInputs& of) const {
+      if (controller.set_feed_inputs(of)) {
+        return {};
+      }
+      return tl::unexpected(
+          Refusal{.state = controller.status().state, .reason = "value is to be 0 to 1"});
+    }
+    tl::expected<void, Refusal> operator()(const Tool& of) const { return controller.set_tool(of); }
+    tl::expected<void, Refusal> operator()(const Jog& of) const { return controller.jog(of); }
+    tl::expected<void, Refusal> operator()(const MdiLine& of) const {
+      return controller.run_mdi(of.text);
+    }
+  };
+  return std::visit(Execute{*this, *controller_}, order);
+}
+
+tl::expected<void, Refusal> Operator::execute(kerf::Command command) {
   if (command == kerf::Command::stop && !has_started_ &&
       controller_->status().state == ControllerState::idle) {
     has_stopped_ = true;

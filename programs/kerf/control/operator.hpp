@@ -8,42 +8,59 @@
 
 #include <kerf/controller.hpp>
 
+#include "programs/kerf/control/operator_order.hpp"
+#include "programs/kerf/control/plan_pace.hpp"
+
 namespace kerf::program {
 
 // The orders of all of them, in the order in which they came. The thread that plans carries them
 // out; the emergency stop is done at once, by whoever asks.
 class Operator {
  public:
-  // is_attended: somebody can let a program go on. Else an open door stops it.
-  Operator(Controller& controller, bool is_attended) noexcept
-      : controller_(&controller), is_attended_(is_attended) {}
+  // is_attended: somebody can let a program go on. Else an open door stops it. pace: notes what is
+  // carried out, or says it, and then nobody else is heard; null: neither.
+  Operator(Controller& controller, bool is_attended, PlanPace* pace = nullptr) noexcept
+      : controller_(&controller), pace_(pace), is_attended_(is_attended) {}
 
   // Any thread.
   void ask(std::function<void()> order);
-  void emergency_stop() noexcept { controller_->emergency_stop(); }
+  void emergency_stop() noexcept {
+    has_emergency_ = true;
+    controller_->emergency_stop();
+  }
+  [[nodiscard]] bool has_emergency() const noexcept { return has_emergency_; }
   [[nodiscard]] ControllerStatus status() const noexcept { return controller_->status(); }
-  // For what is no command without a value; its threads are the same.
-  [[nodiscard]] Controller& controller() const noexcept { return *controller_; }
+  // For what it says.
+  [[nodiscard]] const Controller& controller() const noexcept { return *controller_; }
 
   // No more are carried out: who asked is going.
   void drop_orders();
 
   // In the thread that plans, as all below.
   void carry_out();
-  tl::expected<void, Refusal> give(kerf::Command command);
+  tl::expected<void, Refusal> give(const OperatorOrder& order);
   // Behind the search for the home switches; where that is refused or stopped, no program runs.
   tl::expected<void, Refusal> home_and_start();
+  // The system ends the run, program or not.
+  void note_stop() noexcept { has_stopped_ = true; }
 
   // Any thread. Somebody stopped the program, or what comes before it.
   [[nodiscard]] bool has_stopped() const noexcept { return has_stopped_; }
   [[nodiscard]] bool has_started() const noexcept { return has_started_; }
 
  private:
+  tl::expected<void, Refusal> execute(const OperatorOrder& order);
+  tl::expected<void, Refusal> execute(kerf::Command command);
+  void carry_out_what_was_asked();
+  void carry_out_once_more();
   void stop_at_door();
 
   Controller* controller_;
+  PlanPace* pace_;
   bool is_attended_;
-  bool starts_ = false;  // once it is idle
+  bool starts_ = false;    // once it is idle
+  bool is_asked_ = false;  // what is given now
+  std::atomic<bool> has_emergency_ = false;
   std::atomic<bool> has_started_ = false;
   std::atomic<bool> has_stopped_ = false;
   std::mutex mutex_;

@@ -79,8 +79,8 @@ std::vector<std::string> Driver::warnings() const {
   return {"an earlier run did not end cleanly: its " + record_file_ + ".incomplete is replaced"};
 }
 
-std::optional<std::string> Driver::finish() {
-  return record_ == nullptr ? std::nullopt : record_->finish();
+std::optional<std::string> Driver::finish(std::string_view plan_record) {
+  return record_ == nullptr ? std::nullopt : record_->finish(plan_record);
 }
 
 std::size_t Driver::calls_left() const noexcept {

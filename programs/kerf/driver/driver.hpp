@@ -39,8 +39,9 @@ class Driver {
   }
   // An earlier run left this behind.
   [[nodiscard]] std::vector<std::string> warnings() const;
-  // After the last tick. Error: why the record is not whole.
-  [[nodiscard]] std::optional<std::string> finish();
+  // After the last tick, with what the planning side did, where that is to be kept. Error: why the
+  // record is not whole.
+  [[nodiscard]] std::optional<std::string> finish(std::string_view plan_record);
   // Of a record that is replayed: how many calls of it never came.
   [[nodiscard]] std::size_t calls_left() const noexcept;
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <sys/mman.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <boost/crc.hpp>
 #include <spdlog/fmt/fmt.h>
@@ -18,28 +19,32 @@ namespace {
 constexpr std::array<char, 8> kHeadMark{'K', 'E', 'R', 'F', 'R', 'E', 'C', '1'};
 constexpr std::array<char, 8> kEndMark{'K', 'E', 'R', 'F', 'E', 'N', 'D', '1'};
 
-// At the beginning with the period, at the end with the number of calls.
-struct RecordBound {
-  std::array<char, 8> mark{};
+struct RecordHead {
+  std::array<char, 8> mark = kHeadMark;
   double period_s = 0.0;
-  std::uint64_t calls = 0;
+  std::uint64_t nothing = 0;
   std::uint64_t checksum = 0;  // of what stands before it
 };
-static_assert(sizeof(RecordBound) == 32 && std::is_trivially_copyable_v<RecordBound>);
+struct RecordEnd {
+  std::array<char, 8> mark = kEndMark;
+  std::uint64_t plan_bytes = 0;  // between the calls and this
+  std::uint64_t calls = 0;
+  std::uint64_t checksum = 0;  // of the plan's bytes and what stands before it here
+};
+static_assert(sizeof(RecordHead) == 32 && std::is_trivially_copyable_v<RecordHead>);
+static_assert(sizeof(RecordEnd) == 32 && std::is_trivially_copyable_v<RecordEnd>);
 
-std::uint64_t checksum_of(const RecordBound& bound) noexcept {
+template <typename Bound>
+std::uint64_t checksum_of(const Bound& bound, std::string_view before = {}) noexcept {
   boost::crc_32_type sum;
-  sum.process_bytes(&bound, offsetof(RecordBound, checksum));
+  sum.process_bytes(before.data(), before.size());
+  sum.process_bytes(&bound, offsetof(Bound, checksum));
   return sum.checksum();
 }
 
-RecordBound sealed(RecordBound bound) noexcept {
-  bound.checksum = checksum_of(bound);
-  return bound;
-}
-
-std::span<const std::byte> bytes_of(const RecordBound& bound) noexcept {
-  return std::as_bytes(std::span(&bound, 1));
+template <typename T>
+std::span<const std::byte> bytes_of(const T& value) noexcept {
+  return std::as_bytes(std::span(&value, 1));
 }
 
 }  // namespace
@@ -51,7 +56,9 @@ tl::expected<std::unique_ptr<RecordWriter>, std::string> RecordWriter::create(
     return tl::unexpected(file.error());
   }
   std::unique_ptr<RecordWriter> writer(new RecordWriter(*std::move(file), when_full));
-  writer->write(bytes_of(sealed({.mark = kHeadMark, .period_s = period_s})));
+  RecordHead head{.period_s = period_s};
+  head.checksum = checksum_of(head);
+  writer->write(bytes_of(head));
   writer->thread_ = std::thread([own = writer.get()] { own->work(); });
   return writer;
 }
@@ -73,11 +80,14 @@ void RecordWriter::push(const RecordedCall& call) noexcept {
   }
 }
 
-std::optional<std::string> RecordWriter::finish() {
+std::optional<std::string> RecordWriter::finish(std::string_view plan_record) {
   join();
   const bool is_whole = dropped_ == 0;
   if (is_whole) {
-    write(bytes_of(sealed({.mark = kEndMark, .calls = written_})));
+    RecordEnd end{.plan_bytes = plan_record.size(), .calls = written_};
+    end.checksum = checksum_of(end, plan_record);
+    write(std::as_bytes(std::span(plan_record)));
+    write(bytes_of(end));
   }
   if (const int closing = file_.finish(is_whole && error_ == 0); error_ == 0) {
     error_ = closing;
@@ -132,7 +142,7 @@ tl::expected<RecordReader, std::string> RecordReader::open(const std::string& pa
     return refuse(error_text(errno));
   }
   const auto bytes = static_cast<std::size_t>(about.st_size);
-  if (bytes < 2 * sizeof(RecordBound)) {
+  if (bytes < sizeof(RecordHead) + sizeof(RecordEnd)) {
     return refuse("no record of a machine, or a torn one");
   }
   void* const map =
@@ -147,6 +157,28 @@ tl::expected<RecordReader, std::string> RecordReader::open(const std::string& pa
   return reader;
 }
 
+std::string RecordReader::plan_record_in(const std::string& path) {
+  const auto file = open_regular(path);
+  struct stat about {};
+  RecordEnd end;
+  if (!file || ::fstat(file->number(), &about) != 0 ||
+      about.st_size < static_cast<off_t>(sizeof(RecordHead) + sizeof end)) {
+    return {};
+  }
+  const auto at_end = about.st_size - static_cast<off_t>(sizeof end);
+  const auto read = [&file](void* to, std::size_t bytes, off_t at) {
+    return ::pread(file->number(), to, bytes, at) == static_cast<ssize_t>(bytes);
+  };
+  if (!read(&end, sizeof end, at_end) || end.mark != kEndMark ||
+      end.plan_bytes > static_cast<std::uint64_t>(at_end)) {
+    return {};
+  }
+  std::string plan(end.plan_bytes, '\0');
+  const bool is_whole = read(plan.data(), plan.size(), at_end - static_cast<off_t>(plan.size())) &&
+                        end.checksum == checksum_of(end, plan);
+  return is_whole ? plan : std::string();
+}
+
 RecordReader::~RecordReader() {
   if (map_ != nullptr) {
     ::munmap(map_, bytes_);
@@ -154,20 +186,29 @@ RecordReader::~RecordReader() {
 }
 
 RecordReader::RecordReader(RecordReader&& other) noexcept
-    : map_(std::exchange(other.map_, nullptr)), bytes_(other.bytes_), calls_(other.calls_) {}
+    : map_(std::exchange(other.map_, nullptr)),
+      bytes_(other.bytes_),
+      calls_(other.calls_),
+      plan_record_(other.plan_record_) {}
 
 std::optional<std::string> RecordReader::look(double period_s) {
   const auto* const at = static_cast<const std::byte*>(map_);
-  RecordBound head;
-  RecordBound end;
+  RecordHead head;
+  RecordEnd end;
   std::memcpy(&head, at, sizeof head);
   std::memcpy(&end, at + bytes_ - sizeof end, sizeof end);
   if (head.mark != kHeadMark || head.checksum != checksum_of(head)) {
     return "no record of a machine, or of another version of kerf";
   }
-  const std::size_t between = bytes_ - 2 * sizeof(RecordBound);
-  if (end.mark != kEndMark || end.checksum != checksum_of(end) ||
-      between % sizeof(RecordedCall) != 0 || end.calls != between / sizeof(RecordedCall)) {
+  const std::size_t between = bytes_ - sizeof head - sizeof end;
+  const bool fits = end.mark == kEndMark && end.plan_bytes <= between &&
+                    (between - end.plan_bytes) % sizeof(RecordedCall) == 0 &&
+                    end.calls == (between - end.plan_bytes) / sizeof(RecordedCall);
+  if (fits) {
+    const void* const plan = at + sizeof head + (between - end.plan_bytes);
+    plan_record_ = {static_cast<const char*>(plan), static_cast<std::size_t>(end.plan_bytes)};
+  }
+  if (!fits || end.checksum != checksum_of(end, plan_record_)) {
     return "the record is torn: its end is missing";
   }
   if (head.period_s != period_s) {

@@ -44,9 +44,10 @@ class RecordWriter {
   // For the tick: allocates nothing, takes no lock, and waits only where it was asked for. What is
   // dropped is counted.
   void push(const RecordedCall& call) noexcept;
-  // Writes what is left; no push() may follow. A record that was not finished has no end, and not
-  // its name. Error: why it is not whole.
-  [[nodiscard]] std::optional<std::string> finish();
+  // Writes what is left, and what the planning side did (PlanRecord); empty: that is not kept. No
+  // push() may follow. A record that was not finished has no end, and not its name. Error: why it
+  // is not whole.
+  [[nodiscard]] std::optional<std::string> finish(std::string_view plan_record);
 
   [[nodiscard]] bool follows_incomplete() const noexcept { return file_.follows_incomplete(); }
 
@@ -74,11 +75,16 @@ class RecordReader {
  public:
   // Error: why it cannot be read, is torn, or is no record of this kind, with the path.
   static tl::expected<RecordReader, std::string> open(const std::string& path, double period_s);
+  // plan_record() of such a file, without a look at the rest. Empty: there is none, or it is no
+  // whole record.
+  static std::string plan_record_in(const std::string& path);
   ~RecordReader();
   RecordReader(RecordReader&& other) noexcept;
   RecordReader& operator=(RecordReader&&) = delete;
 
   [[nodiscard]] std::span<const RecordedCall> calls() const noexcept { return calls_; }
+  // What the planning side did; empty: it was not kept.
+  [[nodiscard]] std::string_view plan_record() const noexcept { return plan_record_; }
 
  private:
   RecordReader(void* map, std::size_t bytes) noexcept : map_(map), bytes_(bytes) {}
@@ -88,6 +94,7 @@ class RecordReader {
   void* map_ = nullptr;
   std::size_t bytes_ = 0;
   std::span<const RecordedCall> calls_;
+  std::string_view plan_record_;
 };
 
 }  // namespace kerf::program

@@ -23,12 +23,16 @@ int max_late_periods(const Options& options) {
   return options.driver.max_late_periods.value_or(options.realtime ? kOfRealTime : 0);
 }
 
-tl::expected<void, Refusal> begin(Operator& by, const Options& options) {
+bool waits_for_start(const MotionOrder& order) {
+  return order.plan != nullptr ? order.plan->waits_for_start : order.options.waits_for_start;
+}
+
+tl::expected<void, Refusal> begin(Operator& by, const MotionOrder& order) {
   static_cast<void>(by.give(kerf::Command::enable));  // it is off: not refused
-  if (options.homes) {
-    return options.waits_for_start ? by.give(kerf::Command::home) : by.home_and_start();
+  if (order.options.homes) {
+    return waits_for_start(order) ? by.give(kerf::Command::home) : by.home_and_start();
   }
-  return options.waits_for_start ? tl::expected<void, Refusal>() : by.give(kerf::Command::start);
+  return waits_for_start(order) ? tl::expected<void, Refusal>() : by.give(kerf::Command::start);
 }
 
 // What the controller said last.
@@ -53,17 +57,44 @@ ControlChannel::Order channel_order(MotionStage& stage, Driver& driver) {
           .others_answer = stage.order().has_keys};
 }
 
-void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver& driver) {
+// None: a run that leaves no record, or text that comes as it runs, which nobody can have come
+// again.
+void choose_pace(const MotionOrder& order, const FileReport& report, bool is_attended,
+                 std::optional<PlanPace>& pace) {
+  if (order.plan != nullptr) {
+    pace.emplace(*order.plan, PlanPace::Does::repeats);
+  } else if (!order.options.record_file.empty() && !report.live) {
+    PlanRecord record;
+    record.is_attended = is_attended;
+    record.waits_for_start = order.options.waits_for_start;
+    pace.emplace(std::move(record), PlanPace::Does::notes);
+  }
+}
+
+// Nothing: the ticks are those of the program alone.
+std::string kept_of(const std::optional<PlanPace>& pace, const RunOutcome& outcome) {
+  const PlanRecord record = pace ? pace->record() : PlanRecord();
+  return record.has_orders() || outcome.starved_ticks > 0 ? record.bytes() : std::string();
+}
+
+std::string run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver& driver) {
   const MotionOrder& order = stage.order();
   FileReport& report = stage.report();
-  const bool waits = order.options.waits_for_start;
+  const bool is_attended =
+      order.plan != nullptr ? order.plan->is_attended : order.has_keys || control.has_value();
+  std::optional<PlanPace> pace;
+  choose_pace(order, report, is_attended, pace);
   KernelOptions options = order.kernel_options;
-  options.checks_travel = options.checks_travel || waits;  // an operator's line may change offsets
+  // An operator's line may change offsets.
+  options.checks_travel = options.checks_travel || waits_for_start(order);
+  if (pace) {
+    options.plan_clock = [&pace](std::int64_t ticks) { return pace->look(ticks); };
+  }
   Controller controller(order.settings, options);
-  Operator by(controller, order.has_keys || control.has_value());
-  if (const auto begun = begin(by, order.options); !begun) {
+  Operator by(controller, is_attended, pace ? &*pace : nullptr);
+  if (const auto begun = begin(by, order); !begun) {
     report.fail(ExitStatus::machine_fault, std::string(begun.error().reason));
-    return;
+    return {};
   }
   ControllerPlanning planning(controller);
   Feeder feeder = stage.feeder(planning);
@@ -91,7 +122,8 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver
                                 .by = by,
                                 .period_s = report.period_s,
                                 .realtime = order.options.realtime,
-                                .max_late_periods = max_late_periods(order.options)},
+                                .max_late_periods = max_late_periods(order.options),
+                                .pace = pace ? &*pace : nullptr},
                                stage.stage_with(feeder));
     controller.plan();  // what the program said last
   }
@@ -109,21 +141,22 @@ void run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver
     by.carry_out();  // what came too late is refused
     channel->finish(report.status);
   }
+  return kept_of(pace, outcome);
 }
 
 }  // namespace
 
-void run_machine(MotionStage& stage, Driver& driver) {
+std::string run_machine(MotionStage& stage, Driver& driver) {
   std::optional<ControlEndpoint> control;
   if (stage.order().options.control) {
     auto opened = open_control(*stage.order().options.control);
     if (!opened) {
       stage.report().fail(ExitStatus::io_error, opened.error());
-      return;
+      return {};
     }
     control = *std::move(opened);
   }
-  run_with(std::move(control), stage, driver);
+  return run_with(std::move(control), stage, driver);
 }
 
 }  // namespace kerf::program

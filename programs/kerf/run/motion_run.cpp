@@ -80,9 +80,10 @@ void dry_run(MotionStage& stage) {
 }  // namespace
 
 void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
-  const bool has_clock = order.options.command == Subcommand::run;
+  const bool is_run = order.options.command == Subcommand::run;
+  const bool has_clock = is_run && order.plan == nullptr;
   // A dry run shows what the simulated table does.
-  auto driver = Driver::open({.driver = has_clock ? order.options.driver : DriverSettings{},
+  auto driver = Driver::open({.driver = is_run ? order.options.driver : DriverSettings{},
                               .settings = order.settings,
                               .record_file = order.options.record_file,
                               .replay_file = order.options.replay_file,
@@ -118,12 +119,13 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
   }
   MotionStage stage(order, {.text = text, .outputs = *outputs, .report = report},
                     driver->machine());
-  if (has_clock) {
-    run_machine(stage, *driver);
+  std::string plan_record;
+  if (is_run || order.plan != nullptr) {
+    plan_record = run_machine(stage, *driver);
   } else {
     dry_run(stage);
   }
-  if (const auto error = driver->finish()) {
+  if (const auto error = driver->finish(plan_record)) {
     report.fail(ExitStatus::io_error, *error);
   }
   if (const std::size_t left = driver->calls_left();

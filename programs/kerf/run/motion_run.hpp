@@ -8,6 +8,7 @@
 #include <kerf/machine.hpp>
 
 #include "curves/position.hpp"
+#include "programs/kerf/control/plan_record.hpp"
 #include "programs/kerf/io/text_feed.hpp"
 #include "programs/kerf/options.hpp"
 #include "programs/kerf/page/plan_gatherer.hpp"
@@ -36,6 +37,7 @@ struct MotionOrder {
   bool has_keys = false;             // somebody is at the terminal
   PageRecord* page = nullptr;        // to be filled in, where it is not null
   JournalWriter* journal = nullptr;  // of Subcommand::run; null: none is kept
+  const PlanRecord* plan = nullptr;  // of the run that is repeated; null: of none under commands
 };
 
 // Runs the text to its end, or to where it is stopped (dry-run: without a clock; run: by it), with

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/run/real_time_thread.hpp"
@@ -21,12 +22,14 @@ constexpr std::chrono::milliseconds kPlanningPause{1};
 // Keeps the queue of the kernel full until the last tick.
 class PlanningThread {
  public:
-  PlanningThread(Feeder& feeder, Operator& by) : feeder_(&feeder), by_(&by) {
+  PlanningThread(Feeder& feeder, const RealTimeOrder& order)
+      : feeder_(&feeder), by_(&order.by), pace_(order.pace) {
     feeder_->pump();  // the first tick finds its motion planned
     thread_ = std::thread([this] { work(); });
   }
   ~PlanningThread() {
     over_.store(true, std::memory_order_relaxed);
+    end_pace();
     thread_.join();
   }
   PlanningThread(const PlanningThread&) = delete;
@@ -43,21 +46,46 @@ class PlanningThread {
   void work() noexcept {
     try {
       while (!over_.load(std::memory_order_relaxed)) {
-        if (stop_requested() || stops_.load(std::memory_order_relaxed)) {
-          feeder_->stop();
-        }
+        stop_if_asked();
         by_->carry_out();
         feeder_->pump();
-        std::this_thread::sleep_for(kPlanningPause);
+        if (!repeats()) {
+          std::this_thread::sleep_for(kPlanningPause);
+        }
       }
     } catch (...) {
       error_ = std::current_exception();
       failed_.store(true, std::memory_order_release);
+      end_pace();
+    }
+  }
+
+  void stop_if_asked() {
+    const bool is_asked = repeats() ? pace_->next_is_end()
+                                    : stop_requested() || stops_.load(std::memory_order_relaxed);
+    if (!is_asked || std::exchange(has_stopped_, true)) {
+      return;
+    }
+    if (pace_ != nullptr) {
+      pace_->note_end();
+    }
+    feeder_->stop();
+    if (repeats()) {
+      by_->note_stop();
+    }
+  }
+
+  [[nodiscard]] bool repeats() const noexcept { return pace_ != nullptr && pace_->is_repeated(); }
+  void end_pace() {
+    if (pace_ != nullptr) {
+      pace_->end();
     }
   }
 
   Feeder* feeder_;
   Operator* by_;
+  PlanPace* pace_;
+  bool has_stopped_ = false;
   std::exception_ptr error_;
   std::atomic<bool> failed_{false};
   std::atomic<bool> over_{false};
@@ -116,7 +144,7 @@ class Ticks {
     TickTimer timer(order_.period_s);
     bool is_over = false;
     while (!is_over) {
-      const double gap_s = timer.wait();
+      const double gap_s = repeats() ? 0.0 : timer.wait();
       const std::int64_t begin_ns = TickTimer::now_ns();
       if (gap_s > 0.0) {
         outcome_.gap = TickGap{.duration_s = gap_s, .line = record_.line, .tick = record_.tick};
@@ -142,9 +170,7 @@ class Ticks {
   // True: it was the last one.
   bool tick(RecorderThread& recorder, PlanningThread& planning) noexcept {
     Controller& controller = order_.controller;
-    if (emergency_stop_requested()) {
-      controller.emergency_stop();
-    }
+    follow_emergency();
     Setpoint setpoint;
     controller.set_program_inputs(stage_.ticks.program_inputs());
     controller.set_door(stage_.ticks.inputs().door_open);
@@ -174,9 +200,27 @@ class Ticks {
            outcome_.hung;
   }
 
+  // One that the machine does not ask for: it is in no record of what the machine says.
+  void follow_emergency() noexcept {
+    const std::int64_t tick = record_.tick + 1;
+    const bool is_repeated = order_.pace != nullptr && order_.pace->begin_tick(tick);
+    if (emergency_stop_requested() || is_repeated) {
+      order_.controller.emergency_stop();
+    }
+    if (order_.pace != nullptr && !was_emergency_ &&
+        (emergency_stop_requested() || order_.by.has_emergency())) {
+      was_emergency_ = true;
+      order_.pace->note_emergency(tick);
+    }
+  }
+  [[nodiscard]] bool repeats() const noexcept {
+    return order_.pace != nullptr && order_.pace->is_repeated();
+  }
+
   const RealTimeOrder& order_;
   const RunStage& stage_;
   RunOutcome& outcome_;
+  bool was_emergency_ = false;
   StarvationJudge judge_;
   Aftermath aftermath_;
   double max_delay_s_;
@@ -188,9 +232,10 @@ class Ticks {
 RunOutcome run_in_real_time(const RealTimeOrder& order, const RunStage& stage) {
   expect_emergency_stop();
   RunOutcome outcome;
-  RecorderThread recorder(stage.recorder);
+  const bool has_clock = order.pace == nullptr || !order.pace->is_repeated();
+  RecorderThread recorder(stage.recorder, has_clock);
   {
-    PlanningThread planning(stage.feeder, order.by);
+    PlanningThread planning(stage.feeder, order);
     // Behind the other threads: they are not for real time.
     std::optional<RealTimeThread> real_time;
     if (order.realtime) {

@@ -4,7 +4,8 @@
 
 namespace kerf::program {
 
-RecorderThread::RecorderThread(Recorder& recorder) : recorder_(&recorder) {
+RecorderThread::RecorderThread(Recorder& recorder, bool has_clock)
+    : recorder_(&recorder), has_clock_(has_clock) {
   if (recorder.wants_ticks()) {
     thread_ = std::thread([this] { work(); });
   }
@@ -15,8 +16,12 @@ RecorderThread::~RecorderThread() {
 }
 
 void RecorderThread::push(const TickRecord& record) noexcept {
-  if (thread_.joinable() && !ring_->push(record)) {
-    ++dropped_;
+  while (thread_.joinable() && !ring_->push(record)) {
+    if (has_clock_ || has_failed_.load(std::memory_order_relaxed)) {
+      ++dropped_;
+      return;
+    }
+    std::this_thread::yield();
   }
 }
 
@@ -46,6 +51,7 @@ void RecorderThread::work() noexcept {
     }
   } catch (...) {
     error_ = std::current_exception();  // the motion goes on without
+    has_failed_.store(true, std::memory_order_relaxed);
   }
 }
 

@@ -52,11 +52,12 @@ struct Recorder {
   }
 };
 
-// A recorder behind a ring, with a thread of its own. push() is for the tick: it waits for nothing
-// and never sees the disk. Records that do not fit into the ring are dropped and counted.
+// A recorder behind a ring, with a thread of its own. push() is for the tick: by the clock it waits
+// for nothing and never sees the disk. Records that do not fit into the ring are dropped and
+// counted then.
 class RecorderThread {
  public:
-  explicit RecorderThread(Recorder& recorder);
+  RecorderThread(Recorder& recorder, bool has_clock);
   ~RecorderThread();
   RecorderThread(const RecorderThread&) = delete;
   RecorderThread& operator=(const RecorderThread&) = delete;
@@ -76,8 +77,10 @@ class RecorderThread {
   void join() noexcept;
 
   Recorder* recorder_;
+  bool has_clock_;
   std::unique_ptr<Ring> ring_ = std::make_unique<Ring>();
   std::atomic<bool> over_{false};
+  std::atomic<bool> has_failed_{false};
   std::exception_ptr error_;
   std::uint64_t dropped_ = 0;
   std::thread thread_;

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "programs/kerf/driver/machine_record.hpp"
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/keyboard.hpp"
 #include "programs/kerf/io/log.hpp"
@@ -82,6 +83,9 @@ class Session {
       kernel_options_.subprograms =
           mark_.noting(subprograms_beside(path, options_.dialect.value_or(settings_.dialect)));
     }
+    if (!read_plan_record()) {
+      return std::move(report_);
+    }
     if (options_.command != Subcommand::run || !begin_run(path)) {
       check_and_run(path);
     }
@@ -89,14 +93,30 @@ class Session {
   }
 
  private:
+  // Of the run that is repeated. False: it cannot be, with these options.
+  bool read_plan_record() {
+    if (options_.replay_file.empty()) {
+      return true;
+    }
+    plan_ = PlanRecord::from_bytes(RecordReader::plan_record_in(options_.replay_file));
+    if (plan_ && options_.control) {
+      report_.fail(ExitStatus::wrong_use,
+                   options_.replay_file + ": the record has commands: it goes without --control");
+      return false;
+    }
+    kernel_options_.one_thread = kernel_options_.one_thread && !plan_;
+    return true;
+  }
+
   // True: it is over. Another run has the machine, or the text came as it ran.
   bool begin_run(const std::string& path) {
     if (!lock()) {
       return true;
     }
     Descriptor source = ProgramFile::open_live(path);
-    has_keys_ = !source.is_open() && Keyboard::has_terminal();
-    kernel_options_.refuses_waits = !has_keys_ && !options_.control;
+    has_keys_ = !source.is_open() && !plan_ && Keyboard::has_terminal();
+    kernel_options_.refuses_waits =
+        !has_keys_ && !options_.control && !(plan_ && plan_->is_attended);
     if (source.is_open() && std::holds_alternative<AtFirstMove>(options_.start)) {
       report_.fail(ExitStatus::wrong_use, "--start first-move needs a FILE that can be read twice");
       return true;
@@ -228,7 +248,8 @@ class Session {
                 .shows_progress = shows_progress_,
                 .has_keys = has_keys_,
                 .page = page_,
-                .journal = start_.journal()},
+                .journal = start_.journal(),
+                .plan = plan_ ? &*plan_ : nullptr},
                text, report_);
   }
 
@@ -237,7 +258,8 @@ class Session {
   PageRecord* page_;
   bool shows_progress_;
   bool has_keys_ = false;
-  MachineLock machine_lock_;  // of a run
+  std::optional<PlanRecord> plan_{};  // of a run under commands that is repeated
+  MachineLock machine_lock_;          // of a run
   ProgramMark mark_;
   RunStart start_;
   KernelOptions kernel_options_;
