@@ -203,6 +203,7 @@ class Planner {
   void take_back(const EmittedItems::Motion& from, std::size_t changing);
   // In program order: a wait comes before it where a block of the program ends in single block.
   void accept(Item item);
+  static bool is_step(const Item& item);
   [[nodiscard]] bool steps_before(const Item& next) const;
   void end_with_step();
   // Of what waits: a wait behind the first block of the program that ends with this item or later.
@@ -256,27 +257,30 @@ class Planner {
   PlanWaits waits_pushed_{};
   bool spindle_turns_ = false;  // behind what was pushed
   bool stops_ = false;          // at the rest of the plan that is not settled yet
+  // The place in the program of what was taken last, or the tool is on; nothing: none, or it
+  // was taken back.
+  struct ProgramPlace {
+    std::uint32_t line = 0;
+    std::uint64_t run_block = 0;  // 0: of a rest, which has none
+    std::uint32_t end_line = 0;   // where it ends
+  };
   struct Before {
     Emitter emitter;
     std::deque<Item> changing;           // the first that waited
     std::size_t others = 0;              // that waited behind them
     std::unique_ptr<Schedule> schedule;  // its end takes time, and the plan may be urgent
     bool waits = false;
+    std::uint32_t waits_emitted = 0;
     bool asks_machine = false;
     FeedOverride by{};
     bool single_block = false;
+    std::optional<ProgramPlace> last{};
     bool is_cut = false;
   };
   std::optional<Before> before_;  // the plan that is not settled yet
   bool is_cut_ = false;           // what was emitted ends in motion, and its plan is gone
   FeedOverride by_{};
   bool single_block_ = false;
-  // The place in the program of what was taken last; nothing: none, or it was taken back.
-  struct ProgramPlace {
-    std::uint32_t line = 0;
-    std::uint64_t run_block = 0;  // 0: of a rest, which has none
-    std::uint32_t end_line = 0;   // where it ends
-  };
   // A curve that stands for several lines counts as the first of them, so a block ends with it.
   static ProgramPlace place_of(const Item& item);
   static bool is_same_block(const ProgramPlace& before, const ProgramPlace& after);

@@ -191,6 +191,7 @@ bool Planner::begin_in_motion(InMotion from) {
     blocks_.push_back(last_part_of(*std::move(from.before), zone_mm));
     optimum.push_in_motion(blocks_);
   }
+  last_ = place_of(waiting_.front());
   blocks_.push_back(std::move(std::get<Block>(waiting_.front())));
   waiting_.pop_front();
   optimum.push_in_motion(blocks_);

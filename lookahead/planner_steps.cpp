@@ -1,4 +1,5 @@
 // Single block: where a block of the program ends.
+#include <algorithm>
 #include <utility>
 
 #include "lookahead/planner.hpp"
@@ -20,8 +21,13 @@ bool Planner::is_same_block(const ProgramPlace& before, const ProgramPlace& afte
          (before.run_block == after.run_block || before.run_block == 0 || after.run_block == 0);
 }
 
+bool Planner::is_step(const Item& item) {
+  const auto* rest = std::get_if<Rest>(&item);
+  return rest != nullptr && rest->steps;
+}
+
 bool Planner::steps_before(const Item& next) const {
-  return single_block_ && last_ && !is_same_block(*last_, place_of(next));
+  return single_block_ && !is_step(next) && last_ && !is_same_block(*last_, place_of(next));
 }
 
 void Planner::end_with_step() {
@@ -39,11 +45,13 @@ void Planner::step_behind(std::size_t item) {
   }
 }
 
+// They are put where they belong again as the blocks are taken; but where the tool has come to the
+// end of one, its step is all that is left to say so.
 void Planner::forget_steps() {
-  std::erase_if(waiting_, [](const Item& item) {
-    const auto* rest = std::get_if<Rest>(&item);
-    return rest != nullptr && rest->steps;
-  });
+  const bool is_at_step =
+      single_block_ && !emitter_.is_on_block() && !waiting_.empty() && is_step(waiting_.front());
+  waiting_.erase(std::remove_if(waiting_.begin() + (is_at_step ? 1 : 0), waiting_.end(), is_step),
+                 waiting_.end());
 }
 
 }  // namespace kerf::lookahead

@@ -72,9 +72,11 @@ void Planner::take_back(const EmittedItems::Motion& from, std::size_t changing) 
              .others = waiting_.size() - first,
              .schedule = std::move(schedule),
              .waits = waits_,
+             .waits_emitted = waits_emitted_,
              .asks_machine = asks_machine_,
              .by = by_,
              .single_block = single_block_,
+             .last = last_,
              .is_cut = is_cut_});
   waits_ = is_cut_ = false;
   last_.reset();
@@ -219,9 +221,11 @@ void Planner::settle(bool accepted) {
     emitter_.restore(std::move(before_->emitter));
     wait_as_before();
     waits_ = before_->waits;
+    waits_emitted_ = before_->waits_emitted;
     asks_machine_ = before_->asks_machine;
     by_ = before_->by;
     single_block_ = before_->single_block;
+    last_ = before_->last;
     held_ = false;
     is_cut_ = before_->is_cut || !emitter_.ends_at_rest();
     if (!is_cut_) {
@@ -253,6 +257,7 @@ void Planner::begin_rest_of_block(double before_mm) {
   if (!emitter_.is_on_block()) {
     return;
   }
+  last_ = place_of(waiting_.front());
   const auto whole = std::make_shared<const Block>(std::move(std::get<Block>(waiting_.front())));
   if (auto remainder = remainder_of(whole, emitter_.curve_mm() - before_mm)) {
     waiting_.front() = std::move(*remainder);
