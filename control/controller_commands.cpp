@@ -175,7 +175,9 @@ void Controller::Impl::follow_door() {
   const State state = state_.state();
   const bool may_go_on =
       state == State::running || (state == State::waiting && !waits_for_answer_.load());
-  if (may_go_on || ((state == State::jogging || state == State::returning) && !manual_.stops)) {
+  const bool goes_by_hand = (state == State::jogging || state == State::returning) &&
+                            (!manual_.stops || manual_.next);  // a jog that stops, and another
+  if (may_go_on || goes_by_hand) {
     static_cast<void>(give(Command::hold));  // refused: it has come to an end meanwhile
   } else if (state == State::homing && !manual_.stops) {
     static_cast<void>(give(Command::stop));

@@ -145,8 +145,8 @@ class KERF_LOCAL Controller::Impl {
   // Plans the program and tells what it says, if it ran at the last plan() or began since. True: it
   // wants text.
   bool hear_out();
-  // What the program says where the tool is.
-  void tell();
+  // What the program says where the tool is. True: it said something.
+  bool tell();
   void tell_failure_of_line();
 
   // What a tick found, and the state before it: a command that came meanwhile knows better.

@@ -54,6 +54,7 @@ bool Controller::Impl::renews(const Jog& jog) const noexcept {
 
 void Controller::Impl::begin_jog(const Jog& jog, const control::ManualMove& move) {
   manual_.jog = jog;
+  manual_.stops = false;  // it was the one before
   manual_.renewed_tick = tick_.load();
   if (is_suspended_) {
     manual_.way_back.push_back(control::place_of(here()));

@@ -138,14 +138,17 @@ bool Controller::Impl::hear_out() {
   if (!std::exchange(ran_, false)) {
     return false;
   }
-  const bool wants_text = kernel_->plan();
-  tell();
+  bool wants_text = kernel_->plan();
+  if (tell()) {
+    wants_text = kernel_->plan();  // it may have waited for that
+  }
   tell_failure_of_line();
   return wants_text;
 }
 
-void Controller::Impl::tell() {
-  for (const ProgramMessage& message : kernel_->take_messages()) {
+bool Controller::Impl::tell() {
+  const std::vector<ProgramMessage> messages = kernel_->take_messages();
+  for (const ProgramMessage& message : messages) {
     events_.note({.kind = ControllerEvent::Kind::message,
                   .state = state_.state(),
                   .message = messages_.add(message)});
@@ -155,6 +158,7 @@ void Controller::Impl::tell() {
   operator_.codes = {};
   std::ranges::copy(codes, operator_.codes.begin());
   published_.write(operator_);
+  return !messages.empty();
 }
 
 // Once it runs: nobody but its operator would hear of it.

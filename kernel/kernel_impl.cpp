@@ -23,7 +23,9 @@ bool Kernel::Impl::plan() {
     return false;
   }
   const bool wants_text = fill_queue();
-  hand_over();
+  if (!tells_ || !announces_now()) {
+    hand_over();
+  }
   return wants_text;
 }
 
@@ -47,6 +49,16 @@ void Kernel::Impl::follow_tool() {
   notes_.follow({.path_mm = interpolator_.reached_path_mm(),
                  .moved_s = static_cast<double>(interpolator_.plan_tick()) * period_s_,
                  .feed_override = feed_share()});
+}
+
+// Where the tool rests and nothing was planned yet, a message would come behind the wait that is
+// planned now. So it is told first, and the next call hands over.
+bool Kernel::Impl::announces_now() {
+  if (!keeps_stop_ || !notes_.has_more_to_say() || committed_until_tick_ > now()) {
+    return false;
+  }
+  notes_.announce(pipeline_.rest_block_at(now() + announced_ticks_));
+  return notes_.has_messages();
 }
 
 // Also in what it began with: a program that is refused leaves that.

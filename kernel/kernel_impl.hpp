@@ -165,6 +165,7 @@ class KERF_LOCAL Kernel::Impl {
   [[nodiscard]] bool has_come_to_end() const noexcept;
   // To where the tool is.
   void follow_tool();
+  bool announces_now();
   // Ticks that were run, as far as it is known on which plan.
   void forget_before(std::int64_t tick);
   [[nodiscard]] double feed_share() const noexcept;

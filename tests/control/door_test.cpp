@@ -47,6 +47,25 @@ TEST(Doors, LetAProgramGoOnAtAResumeOnceTheyAreClosed) {
   EXPECT_EQ(shop.setpoint.position_mm, ticks_of(mixed_program()).back().position_mm);
 }
 
+// Found with a client: a jog that was given while the one before it stopped went on.
+TEST(Doors, StopAJogThatBeganBehindAStopToo) {
+  for (const bool opens_early : {false, true}) {
+    Shop shop;
+    shop.give(Command::enable);
+    ASSERT_TRUE(shop.controller.jog({.mm = {20.0}}));
+    shop.tick(300);
+    shop.give(Command::stop);
+    ASSERT_TRUE(shop.controller.jog({.mm = {100.0}, .is_step = true, .step_mm_s = 20.0}));
+    shop.tick(opens_early ? 2 : 500);
+    ASSERT_EQ(shop.controller.status().state, State::jogging);
+    shop.controller.set_door(true);
+    shop.tick(300);
+    EXPECT_EQ(shop.controller.status().state, State::idle);
+    EXPECT_EQ(shop.setpoint.v_mm_s, 0.0);
+    EXPECT_LT(shop.setpoint.position_mm[0], 20.0);
+  }
+}
+
 TEST(Doors, MayBeOpenWhileAProgramWaitsForAnAnswer) {
   Shop shop;
   shop.give(Command::enable);

@@ -153,6 +153,29 @@ TEST(Controller, TellsEachChangeOfStateAndEachMessageOnce) {
   EXPECT_EQ(shop.controller.status().next_event, count + 1);
 }
 
+// Found with a client: before the first motion, and between two waits in a row, nothing was planned
+// that a message could be told ahead of.
+TEST(Controller, TellsMessagesBeforeTheWaitThatTheyComeWithThoughNothingMoves) {
+  Shop shop;
+  shop.give(Command::enable);
+  shop.start("(MSG, first)\nM0\n(MSG, second)\nM0\nG21 G90 G1 X1 F600\nM2\n");
+  shop.tick_until(State::waiting);
+  shop.tick(20);
+  shop.give(Command::resume);
+  shop.tick(20);
+  ASSERT_EQ(shop.controller.status().state, State::waiting);
+  std::array<ControllerEvent, 16> events;
+  const std::size_t count = shop.controller.events_since(1, events);
+  std::vector<std::string> told;
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool is_message = events.at(i).kind == ControllerEvent::Kind::message;
+    told.emplace_back(is_message ? shop.controller.message(events.at(i).message)->text
+                                 : std::string(name_of(events.at(i).state)));
+  }
+  EXPECT_EQ(told, (std::vector<std::string>{"idle", "running", "first", "waiting", "running",
+                                            "second", "waiting"}));
+}
+
 TEST(Controller, ShowsTheCodesInForceWhereTheToolIs) {
   Shop shop;
   shop.begin("G21 G90 G61\nG1 X100 F6000\nG20 G1 X5\nM2\n");
