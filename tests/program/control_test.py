@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """`kerf run --control`: another program watches a run and commands it."""
 import pathlib
+import socket
 import time
 
 from command_line import SOURCE, main
@@ -200,6 +201,18 @@ class Control(ControlCase):
         self.assertTrue(client.ask("stop")["accepted"])
         self.assertEqual(client.read_until(type="end")["exit_status"], 7)
         process.wait(timeout=60)
+
+    def test_a_run_that_nobody_can_let_go_on_is_stopped(self):
+        for program, options, commands in ((LINE, [], [("hold", {}, "held")]), (LINE, [], [("override", {"feed_percent": 0}, None)]),
+                                           (LINE, ["--wait-start"], []), ("G21 G90\nG1 X1 F6000\nM0\nM2\n", [], [])):
+            with self.subTest(options=options, commands=commands):
+                process, client = self.start(program, options)
+                for command, more, state in commands:
+                    self.assertTrue(client.ask(command, **more)["accepted"])
+                    if state:
+                        client.read_until(type="event", state=state)
+                client.connection.shutdown(socket.SHUT_WR)
+                self.assertEqual(process.wait(timeout=60), 7)
 
     def test_a_home_switch_that_is_not_there(self):
         table = (pathlib.Path(SOURCE) / "programs/machines/table.toml").read_text()

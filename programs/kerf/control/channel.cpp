@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <future>
 #include <optional>
 #include <thread>
 #include <unistd.h>
@@ -57,11 +58,19 @@ class ControlChannel::Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
+  void close() {
+    std::promise<void> closed;
+    asio::post(context_, [this, &closed] {
+      is_over_ = true;
+      closed.set_value();
+    });
+    closed.get_future().wait();
+  }
   void finish(ExitStatus status) {
     asio::post(context_, [this, status] {
-      is_over_ = true;
       tell_events();
       tell_all(end_json(status));
+      has_ended_ = true;
     });
     const auto deadline = Clock::now() + kFarewell;
     while (!is_told_ && Clock::now() < deadline) {
@@ -99,11 +108,14 @@ class ControlChannel::Server {
       tell_events();
       tell_statuses();
       stop_where_nobody_answers();
-      is_told_ = is_over_ && std::ranges::all_of(clients_, &ControlClient::has_written);
+      is_told_ = has_ended_ && std::ranges::all_of(clients_, &ControlClient::has_written);
       beat();
     });
   }
   void tell_all(const std::string& line) {
+    if (has_ended_) {
+      return;
+    }
     for (const auto& client : clients_) {
       client->write(line);
     }
@@ -124,6 +136,9 @@ class ControlChannel::Server {
     }
   }
   void tell_statuses() {
+    if (has_ended_) {
+      return;
+    }
     const auto now = Clock::now();
     for (const auto& client : clients_) {
       if (client->every.count() > 0 && now >= client->next_status) {
@@ -136,16 +151,24 @@ class ControlChannel::Server {
   void stop_where_nobody_answers() {
     const bool answers =
         order_.others_answer || acceptor_ || std::ranges::any_of(clients_, &ControlClient::reads);
-    if (!answers && by_->status().waits_for == WaitsFor::answer) {
-      by_->ask([by = by_] {
-        if (by->status().waits_for == WaitsFor::answer) {
-          static_cast<void>(by->give(kerf::Command::stop));
+    if (!answers && stands_until_asked(by_->status())) {
+      by_->ask([this] {
+        if (stands_until_asked(by_->status())) {
+          static_cast<void>(by_->give(kerf::Command::stop));
         }
       });
     }
   }
+  [[nodiscard]] bool stands_until_asked(const ControllerStatus& status) const noexcept {
+    return status.waits_for == WaitsFor::answer || status.state == ControllerState::held ||
+           (status.state == ControllerState::idle && order_.waits_for_start) ||
+           (status.state == ControllerState::running && status.overrides.feed == 0.0);
+  }
 
   void answer(const std::shared_ptr<ControlClient>& client, std::string_view line) {
+    if (has_ended_) {
+      return;
+    }
     auto request = control_request(line);
     if (!request) {
       client->write(bad_request_json(request.error(), by_->status().state));
@@ -253,7 +276,8 @@ class ControlChannel::Server {
   std::vector<std::shared_ptr<ControlClient>> clients_;
   std::string wrong_line_;  // of the thread that plans
   std::uint64_t next_event_ = 1;
-  bool is_over_ = false;
+  bool is_over_ = false;    // no commands any more
+  bool has_ended_ = false;  // nothing is said any more
   std::atomic<bool> is_told_ = false;
   std::thread thread_;
 };
@@ -261,6 +285,10 @@ class ControlChannel::Server {
 ControlChannel::ControlChannel(ControlEndpoint endpoint, Operator& by, Order order)
     : server_(std::make_unique<Server>(std::move(endpoint), by, std::move(order))) {}
 ControlChannel::~ControlChannel() = default;
+
+void ControlChannel::close() {
+  server_->close();
+}
 
 void ControlChannel::finish(ExitStatus status) {
   server_->finish(status);

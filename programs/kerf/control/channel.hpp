@@ -27,14 +27,17 @@ class ControlChannel {
     FeedInputNumbers feed_inputs{};
     std::function<bool(const PlannedFault&)> break_down{};  // false: nothing that can be broken
     bool others_answer = false;
+    bool waits_for_start = false;
   };
   ControlChannel(ControlEndpoint endpoint, Operator& by, Order order);
   ~ControlChannel();
   ControlChannel(const ControlChannel&) = delete;
   ControlChannel& operator=(const ControlChannel&) = delete;
 
-  // No more commands are taken. What happened until then and how the run ended is told to all that
-  // still read, within a second.
+  // From now on commands are refused; those that came before wait for the thread that plans.
+  void close();
+  // What happened until then and how the run ended is told to all that still read, within a second;
+  // nothing follows it. Precondition: close().
   void finish(ExitStatus status);
 
  private:

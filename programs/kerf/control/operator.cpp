@@ -76,6 +76,18 @@ tl::expected<void, Refusal> Operator::give(const OperatorOrder& order) {
   return execute(order);
 }
 
+void Operator::end_run() noexcept {
+  ends_ = true;
+  starts_ = false;
+  has_stopped_ = true;
+}
+
+std::string_view Operator::refusal_to_begin() const noexcept {
+  const bool is_over =
+      (has_started_ || has_stopped_) && controller_->status().state == ControllerState::idle;
+  return ends_ ? "the run ends" : is_over ? "the run is over" : "";
+}
+
 tl::expected<void, Refusal> Operator::execute(const OperatorOrder& order) {
   struct Execute {
     Operator& by;
@@ -106,6 +118,13 @@ tl::expected<void, Refusal> Operator::execute(const OperatorOrder& order) {
       return controller.run_mdi(of.text);
     }
   };
+  const auto* command = std::get_if<kerf::Command>(&order);
+  const bool begins =
+      std::holds_alternative<Jog>(order) || std::holds_alternative<MdiLine>(order) ||
+      (command != nullptr && (*command == kerf::Command::start || *command == kerf::Command::home));
+  if (const std::string_view why = refusal_to_begin(); begins && !why.empty()) {
+    return tl::unexpected(Refusal{.state = controller_->status().state, .reason = why});
+  }
   return std::visit(Execute{*this, *controller_}, order);
 }
 
@@ -123,7 +142,7 @@ tl::expected<void, Refusal> Operator::execute(kerf::Command command) {
     const bool is_by_hand = before == ControllerState::jogging ||
                             before == ControllerState::returning ||
                             before == ControllerState::homing;
-    has_stopped_ = has_stopped_ || !is_by_hand;
+    has_stopped_ = has_stopped_ || !is_by_hand || std::exchange(starts_, false);
   }
   return given;
 }

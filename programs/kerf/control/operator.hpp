@@ -4,6 +4,7 @@
 #include <atomic>
 #include <functional>
 #include <mutex>
+#include <string_view>
 #include <vector>
 
 #include <kerf/controller.hpp>
@@ -41,8 +42,8 @@ class Operator {
   tl::expected<void, Refusal> give(const OperatorOrder& order);
   // Behind the search for the home switches; where that is refused or stopped, no program runs.
   tl::expected<void, Refusal> home_and_start();
-  // The system ends the run, program or not.
-  void note_stop() noexcept { has_stopped_ = true; }
+  // The run ends, program or not: nothing begins to move any more.
+  void end_run() noexcept;
 
   // Any thread. Somebody stopped the program, or what comes before it.
   [[nodiscard]] bool has_stopped() const noexcept { return has_stopped_; }
@@ -51,6 +52,8 @@ class Operator {
  private:
   tl::expected<void, Refusal> execute(const OperatorOrder& order);
   tl::expected<void, Refusal> execute(kerf::Command command);
+  // Why nothing begins now; empty: it may. A run has one program, and is over once that is.
+  [[nodiscard]] std::string_view refusal_to_begin() const noexcept;
   void carry_out_what_was_asked();
   void carry_out_once_more();
   void stop_at_door();
@@ -59,6 +62,7 @@ class Operator {
   PlanPace* pace_;
   bool is_attended_;
   bool starts_ = false;    // once it is idle
+  bool ends_ = false;      // end_run()
   bool is_asked_ = false;  // what is given now
   std::atomic<bool> has_emergency_ = false;
   std::atomic<bool> has_started_ = false;

@@ -54,7 +54,8 @@ ControlChannel::Order channel_order(MotionStage& stage, Driver& driver) {
           .extra = stage.report().extra_axes,
           .feed_inputs = stage.order().settings.program.feed_inputs,
           .break_down = [&driver](const PlannedFault& fault) { return driver.break_down(fault); },
-          .others_answer = stage.order().has_keys};
+          .others_answer = stage.order().has_keys,
+          .waits_for_start = waits_for_start(stage.order())};
 }
 
 // None: a run that leaves no record, or text that comes as it runs, which nobody can have come
@@ -138,6 +139,7 @@ std::string run_with(std::optional<ControlEndpoint> control, MotionStage& stage,
        .is_unhomed = last.unhomed != 0,
        .is_emergency = last.state == ControllerState::emergency_stop});
   if (channel) {
+    channel->close();
     by.carry_out();  // what came too late is refused
     channel->finish(report.status);
   }

@@ -69,10 +69,8 @@ class PlanningThread {
     if (pace_ != nullptr) {
       pace_->note_end();
     }
+    by_->end_run();
     feeder_->stop();
-    if (repeats()) {
-      by_->note_stop();
-    }
   }
 
   [[nodiscard]] bool repeats() const noexcept { return pace_ != nullptr && pace_->is_repeated(); }

@@ -1,0 +1,111 @@
+#include "programs/kerf/control/operator.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/control/shop.hpp"
+
+namespace kerf::program {
+namespace {
+
+using test::Shop;
+using State = ControllerState;
+
+// A round of the thread that plans, and a tick behind it.
+void tick(Operator& by, Shop& shop, int count = 1) {
+  for (int i = 0; i < count; ++i) {
+    by.carry_out();
+    shop.tick();
+  }
+}
+
+void expect_refused(const tl::expected<void, Refusal>& given, const std::string& reason) {
+  ASSERT_FALSE(given);
+  EXPECT_EQ(given.error().reason, reason);
+}
+
+TEST(Operator, StartsTheProgramOnceItsAxesAreHomed) {
+  Shop shop(test::mill_with_switches());
+  Operator by(shop.controller, true);
+  shop.give(kerf::Command::enable);
+  ASSERT_TRUE(by.home_and_start());
+  for (int i = 0; i < test::kMaxTicks && !by.has_started(); ++i) {
+    tick(by, shop);
+  }
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::text);
+  EXPECT_EQ(shop.controller.status().unhomed, 0U);
+  EXPECT_FALSE(by.has_stopped());
+}
+
+// Found with a client: a stop in the last way of the search let the program begin.
+TEST(Operator, StartsNoProgramWhereTheSearchForHomeIsStopped) {
+  for (const bool is_late : {false, true}) {
+    Shop shop(test::mill_with_switches());
+    Operator by(shop.controller, true);
+    shop.give(kerf::Command::enable);
+    ASSERT_TRUE(by.home_and_start());
+    tick(by, shop, 50);
+    for (int i = 0; i < test::kMaxTicks && is_late && shop.controller.status().unhomed != 0; ++i) {
+      tick(by, shop);
+    }
+    ASSERT_EQ(shop.controller.status().state, State::homing);
+    ASSERT_TRUE(by.give(kerf::Command::stop));
+    tick(by, shop, 2000);
+    EXPECT_EQ(shop.controller.status().state, State::idle);
+    EXPECT_FALSE(by.has_started());
+    EXPECT_TRUE(by.has_stopped());
+  }
+}
+
+// Found with a client: what came between the last tick and the end of the run replaced the program
+// that the report is about, or was accepted, and nothing moved.
+TEST(Operator, BeginsNothingBehindTheProgram) {
+  Shop shop;
+  Operator by(shop.controller, true);
+  shop.give(kerf::Command::enable);
+  ASSERT_TRUE(by.give(MdiLine{.text = "G0 X1"}));
+  shop.tick_until(State::idle);
+  ASSERT_TRUE(by.give(kerf::Command::start));
+  shop.controller.feed("G21 G90 G1 F600 X2\nM2\n");
+  shop.controller.finish();
+  shop.tick_until(State::idle);
+  const Kernel* const program = shop.controller.program();
+  expect_refused(by.give(kerf::Command::start), "the run is over");
+  expect_refused(by.give(MdiLine{.text = "G1 X9999"}), "the run is over");
+  expect_refused(by.give(Jog{.mm = {1.0}, .is_step = true}), "the run is over");
+  expect_refused(by.give(kerf::Command::home), "the run is over");
+  EXPECT_EQ(shop.controller.program(), program);
+  EXPECT_TRUE(by.give(Overrides{.feed = 0.5}));
+}
+
+// Found with a client: a stop by the system before the program was given once, in vain, and what
+// began behind it waited for its text for ever.
+TEST(Operator, BeginsNothingOnceTheRunEnds) {
+  Shop shop;
+  Operator by(shop.controller, true);
+  shop.give(kerf::Command::enable);
+  by.end_run();
+  EXPECT_TRUE(by.has_stopped());
+  expect_refused(by.give(kerf::Command::start), "the run ends");
+  expect_refused(by.give(MdiLine{.text = "G0 X1"}), "the run ends");
+  EXPECT_FALSE(by.has_started());
+}
+
+TEST(Operator, GoesOnNoMoreWithAJogOnceTheRunEnds) {
+  Shop shop;
+  Operator by(shop.controller, true);
+  shop.give(kerf::Command::enable);
+  ASSERT_TRUE(by.give(Jog{.mm = {20.0}}));
+  tick(by, shop, 200);
+  by.end_run();
+  ASSERT_TRUE(shop.controller.give(kerf::Command::stop));
+  for (int i = 0; i < 1000; ++i) {
+    static_cast<void>(by.give(Jog{.mm = {20.0}}));
+    tick(by, shop);
+  }
+  EXPECT_EQ(shop.controller.status().state, State::idle);
+}
+
+}  // namespace
+}  // namespace kerf::program
