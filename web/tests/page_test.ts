@@ -42,6 +42,31 @@ test("says that the text was left out, and works without it", async () => {
   await page.context().close();
 });
 
+test("stays at its head where it is too narrow for panels side by side", async () => {
+  const { page, said } = await openReport([pocket]);
+  await page.setViewportSize({ width: 820, height: 900 });
+  await page.reload();
+  await page.waitForSelector("header");
+  for (const tick of [60_000, 400, 105_000]) {
+    await goTo(page, tick);
+    await page.waitForTimeout(300);
+    assert.equal(await page.evaluate(() => scrollY), 0);
+  }
+  await page.locator(".program-view").evaluate((panel) => panel.scrollIntoView());
+  for (const tick of [60_000, 400, 105_000]) {
+    await goTo(page, tick);
+    await page.waitForTimeout(300);
+    const isSeen = await page.locator(".cm-now").evaluate((line) => {
+      const at = line.getBoundingClientRect();
+      const panel = line.closest(".cm-scroller")!.getBoundingClientRect();
+      return at.top >= panel.top && at.bottom <= panel.bottom;
+    });
+    assert.ok(isSeen, `the line of tick ${tick}`);
+  }
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("shows inches, feeds per second and the dark theme, and keeps them in the address", async () => {
   const { page, said } = await openReport([pocket]);
   await page.locator("button", { hasText: /^inch$/ }).click();

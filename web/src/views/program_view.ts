@@ -1,5 +1,5 @@
 // The program's text with the time that each line takes, and errors and warnings at their lines.
-import { EditorState, RangeSetBuilder, StateEffect, StateField, type Extension, type Text } from "@codemirror/state";
+import { EditorState, RangeSetBuilder, StateEffect, StateField, type Extension, type SelectionRange, type Text } from "@codemirror/state";
 import { Decoration, EditorView, GutterMarker, WidgetType, gutter, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
 import type { LineNumbers } from "../plan/by_line.ts";
@@ -93,6 +93,16 @@ export interface Editing {
 }
 
 // Of any text that an editor shows.
+// The editor would scroll the page as well, whose reader may look at something else.
+function scrollWithin(view: EditorView, range: SelectionRange, { y }: { y: string }): boolean {
+  const { scrollDOM: panel } = view;
+  const line = view.lineBlockAt(range.head);
+  const top = line.top + view.documentPadding.top;
+  const least = top + line.height - panel.clientHeight;
+  panel.scrollTop = y === "center" ? (top + least) / 2 : Math.max(Math.min(panel.scrollTop, top), least);
+  return true;
+}
+
 export const look = EditorView.theme({
   "&": { height: "100%", fontSize: "13px", color: "var(--text)", backgroundColor: "var(--panel)" },
   ".cm-scroller": { fontFamily: "ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, monospace", lineHeight: "1.5" },
@@ -194,6 +204,7 @@ export class ProgramView {
       diagnostics,
       look,
       EditorView.contentAttributes.of({ "aria-label": label, "aria-readonly": String(editing === null) }),
+      editing ? [] : EditorView.scrollHandler.of(scrollWithin),
       EditorView.updateListener.of((update) => {
         if (update.docChanged) editing?.changed(update.state.doc.toString());
       }),
