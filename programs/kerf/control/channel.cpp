@@ -19,6 +19,7 @@
 #include "programs/kerf/control/client.hpp"
 #include "programs/kerf/control/replies.hpp"
 #include "programs/kerf/control/request.hpp"
+#include "programs/kerf/control/request_execution.hpp"
 
 namespace kerf::program {
 
@@ -36,7 +37,10 @@ constexpr std::chrono::seconds kFarewell{1};
 class ControlChannel::Server {
  public:
   Server(ControlEndpoint endpoint, Operator& by, Order order)
-      : order_(std::move(order)), by_(&by), socket_path_(endpoint.socket_path) {
+      : order_(std::move(order)),
+        by_(&by),
+        socket_path_(endpoint.socket_path),
+        requests_(by, {.feed_inputs = order_.feed_inputs, .break_down = order_.break_down}) {
     if (endpoint.listens.is_open()) {
       acceptor_.emplace(context_, asio::local::stream_protocol(),
                         std::move(endpoint.listens).release());
@@ -193,7 +197,7 @@ class ControlChannel::Server {
       client->write(accepted_json(*request, by_->status().state));
     } else {
       by_->ask([this, client, request = *std::move(request)] {
-        const auto done = carry_out(request);
+        const auto done = requests_.carry_out(request);
         const ControllerState state = by_->status().state;
         asio::post(context_, [client, line = done ? accepted_json(request, state)
                                                   : refused_json(request, done.error().state,
@@ -203,70 +207,6 @@ class ControlChannel::Server {
       });
     }
   }
-  // In the thread that plans.
-  tl::expected<void, Refusal> carry_out(const ControlRequest& request) {
-    switch (request.kind) {
-      case ControlRequest::Kind::override: {
-        Overrides overrides = by_->status().overrides;
-        overrides.feed = request.feed.value_or(overrides.feed);
-        overrides.rapid = request.rapid.value_or(overrides.rapid);
-        overrides.spindle = request.spindle.value_or(overrides.spindle);
-        return by_->give(overrides);
-      }
-      case ControlRequest::Kind::single_block:
-        return by_->give(SingleBlock{.is_on = request.on});
-      case ControlRequest::Kind::optional_stop:
-        return by_->give(OptionalStop{.is_on = request.on});
-      case ControlRequest::Kind::block_delete:
-        return by_->give(request.switches);
-      case ControlRequest::Kind::mdi:
-        return run_mdi(request.line);
-      case ControlRequest::Kind::jog:
-        return by_->give(request.jog);
-      case ControlRequest::Kind::input:
-        return set_input(request);
-      case ControlRequest::Kind::fault:
-        if (order_.break_down && order_.break_down(request.fault)) {
-          return {};
-        }
-        return tl::unexpected(Refusal{.state = by_->status().state,
-                                      .reason = "only the simulated table can be broken"});
-      case ControlRequest::Kind::tool:
-        return by_->give(request.tool);
-      case ControlRequest::Kind::command:
-      case ControlRequest::Kind::status:
-      case ControlRequest::Kind::events:
-        break;
-    }
-    return by_->give(request.command);
-  }
-  // With the first error of a line that has one.
-  tl::expected<void, Refusal> run_mdi(const std::string& line) {
-    auto given = by_->give(MdiLine{.text = line});
-    if (!given && given.error().of_line) {
-      const auto& found = by_->controller().program()->diagnostics();
-      const auto error = std::ranges::find(found, Severity::error, &Diagnostic::severity);
-      wrong_line_ = error->message + " [" + identifier(*error->page) + "]";
-      given.error().reason = wrong_line_;
-    }
-    return given;
-  }
-  tl::expected<void, Refusal> set_input(const ControlRequest& request) {
-    const ControllerStatus status = by_->status();
-    const auto refused = [&](std::string_view why) {
-      return tl::unexpected(Refusal{.state = status.state, .reason = why});
-    };
-    FeedInputs inputs = status.feed_inputs;
-    if (request.analog && order_.feed_inputs.adaptive_feed == request.analog) {
-      inputs.adaptive = request.value;
-    } else if (request.digital && order_.feed_inputs.feed_stop == request.digital) {
-      inputs.stop = request.value != 0.0;
-    } else {
-      return refused("[inputs] of the machine file does not name it");
-    }
-    return by_->give(inputs);
-  }
-
   Order order_;
   Operator* by_;
   std::string socket_path_;
@@ -274,7 +214,7 @@ class ControlChannel::Server {
   std::optional<asio::local::stream_protocol::acceptor> acceptor_;
   asio::steady_timer timer_{context_};
   std::vector<std::shared_ptr<ControlClient>> clients_;
-  std::string wrong_line_;  // of the thread that plans
+  RequestExecution requests_;  // of the thread that plans
   std::uint64_t next_event_ = 1;
   bool is_over_ = false;    // no commands any more
   bool has_ended_ = false;  // nothing is said any more

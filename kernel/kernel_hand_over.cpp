@@ -1,0 +1,109 @@
+// What goes from the planning side of a kernel to its ticks, and what it learns of them.
+#include <algorithm>
+#include <utility>
+
+#include "kernel/kernel_impl.hpp"
+
+namespace kerf {
+
+// The tick side may wait for it, and goes on while more is planned.
+void Kernel::Impl::hand_on() {
+  if (keeps_stop_) {
+    return;
+  }
+  const std::int64_t tick = now();
+  delivery_.deliver(tick + horizon_ticks_);
+  hand_over();
+  forget_before(tick);
+}
+
+void Kernel::Impl::hand_over() {
+  const std::int64_t tick_now = now();
+  if (pipeline_.is_held() || pipeline_.awaits_answer()) {
+    queue_.commit();  // the stop ahead stays: the plan may be refused
+    return;
+  }
+  if (!keeps_stop_ || (delivery_.outbox().phases.empty() && pipeline_.ends_at_rest())) {
+    commit();
+    return;
+  }
+  const std::int64_t until = delivery_.frozen_until_tick();
+  const std::int64_t part = horizon_ticks_ / kPartsOfHorizon;
+  if (until - committed_until_tick_ < part && committed_until_tick_ - tick_now > part) {
+    return;
+  }
+  // Near the end of what is in the queue, or before it where there is no way to rest from there.
+  // Without one the stop ahead stays as it is, and is tried again with what is planned by then.
+  const std::int64_t earliest = std::max(committed_until_tick_, tick_now) + 1;
+  if (earliest > pipeline_.emitted_until_tick()) {
+    return;
+  }
+  for (std::int64_t tick = until - margin_ticks_, step = margin_ticks_;; tick -= step *= 2) {
+    if (commit_with_stop(std::max(tick, earliest))) {
+      return;
+    }
+    if (tick <= earliest) {
+      return;
+    }
+  }
+}
+
+bool Kernel::Impl::commit_with_stop(std::int64_t tick) {
+  auto ahead = pipeline_.stop_ahead(tick);
+  if (!ahead) {
+    return false;
+  }
+  const std::int64_t until = ahead->stop.from.when.tick;
+  delivery_.deliver(until);
+  if (delivery_.commit(*ahead, pipeline_.plan())) {
+    committed_until_tick_ = until;
+    stop_ahead_ = std::move(ahead);
+  }
+  return true;
+}
+
+void Kernel::Impl::commit() {
+  if (delivery_.commit()) {
+    committed_until_tick_ = delivery_.frozen_until_tick();
+  }
+}
+
+bool Kernel::Impl::follow_stop_ahead() {
+  if (!queue_.stop_taken()) {
+    return true;
+  }
+  const std::uint32_t in_force = interpolator_.answer().in_force;
+  if (takeover_ && takeover_->stop && takeover_->stop->plan == in_force) {
+    auto stop = std::move(takeover_->stop);
+    settle(true);
+    stop_ahead_ = std::move(stop);
+  } else if (in_force != stop_ahead_->plan) {
+    return false;
+  } else if (takeover_) {
+    settle(false);  // it was to replace the plan before
+  }
+  pipeline_.follow_stop_ahead(*stop_ahead_);
+  fail_with_check();
+  delivery_.follow_stop();
+  committed_until_tick_ = now();
+  return true;
+}
+
+void Kernel::Impl::follow_machine() {
+  const interp::InquiryAnswer* answer = asks_ ? interpolator_.watch().answer() : nullptr;
+  if (answer == nullptr) {
+    return;
+  }
+  if (takeover_) {
+    settle(interpolator_.answer().in_force == takeover_->plan);
+  }
+  if (answer->has_braked) {
+    delivery_.follow_stop();
+    committed_until_tick_ = now();
+    wants_hold_ = holds_ || stops_ || is_at_feed_0();
+  }
+  pipeline_.follow(*answer);
+  asks_ = false;
+}
+
+}  // namespace kerf
