@@ -196,7 +196,7 @@ bool Controller::Impl::change(control::StateWord::Seen& from, State to) noexcept
     has_failed_ = to == State::fault;
   }
   if (before != to) {
-    events_.note({.state = to, .waits_for = waits_for(to), .line = line_.load()});
+    note_state(to, line_.load());
   }
   return true;
 }

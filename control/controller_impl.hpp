@@ -158,6 +158,8 @@ class KERF_LOCAL Controller::Impl {
   void follow(Ticked tick, const Kernel& kernel) noexcept;
   void end(ControllerState next) noexcept;
   [[nodiscard]] WaitsFor waits_for(ControllerState state) const noexcept;
+  // An event of that state.
+  void note_state(ControllerState state, std::uint32_t line) noexcept;
   // Spindle and coolant stay as the program left them, and are off without drives.
   void rest() noexcept;
   void publish() noexcept;
@@ -172,6 +174,7 @@ class KERF_LOCAL Controller::Impl {
   std::atomic<bool> wants_text_ = false;
   std::atomic<bool> is_text_late_ = false;
   std::atomic<bool> waits_for_answer_ = false;
+  std::atomic<WaitCause> wait_cause_ = WaitCause::none;  // of that
   std::atomic<bool> door_open_ = false;
   std::atomic<std::uint32_t> line_ = 0;
   std::atomic<Kernel*> running_ = nullptr;

@@ -45,6 +45,7 @@ TickStatus Controller::Impl::tick(Kernel& kernel, State state) noexcept {
 }
 
 void Controller::Impl::follow(Ticked tick, const Kernel& kernel) noexcept {
+  wait_cause_.store(detail_.wait_cause, std::memory_order_relaxed);
   waits_for_answer_.store(tick.status == TickStatus::waiting, std::memory_order_relaxed);
   const auto change_if = [&](State from, State to) {
     if (tick.before.state() == from) {
@@ -106,9 +107,17 @@ void Controller::Impl::tell_wait() noexcept {
   const State state = state_.state();
   const WaitsFor waits = waits_for(state);
   if (state == State::waiting && told_wait_ != WaitsFor::nothing && waits != told_wait_) {
-    events_.note({.state = state, .waits_for = waits, .line = last_.line});
+    note_state(state, last_.line);
   }
   told_wait_ = waits;
+}
+
+void Controller::Impl::note_state(State state, std::uint32_t line) noexcept {
+  const WaitsFor waits = waits_for(state);
+  events_.note({.state = state,
+                .waits_for = waits,
+                .wait_cause = waits == WaitsFor::answer ? wait_cause_.load() : WaitCause::none,
+                .line = line});
 }
 
 void Controller::Impl::leave_for(State next) noexcept {
@@ -148,6 +157,7 @@ ControllerStatus Controller::Impl::status() const noexcept {
   status.state = state_.state();
   status.next_event = events_.next_number();
   status.waits_for = waits_for(status.state);
+  status.wait_cause = status.waits_for == WaitsFor::answer ? wait_cause_.load() : WaitCause::none;
   return status;
 }
 

@@ -46,6 +46,7 @@ class EventLog {
   static constexpr unsigned kNumberBit = 48;
   static constexpr std::uint64_t kNumberMask = 0xffff;
   static constexpr unsigned kKindBit = 47;
+  static constexpr unsigned kCauseBit = 44;
   static constexpr unsigned kWaitsBit = 40;
   static constexpr unsigned kStateBit = 32;
 
@@ -53,6 +54,7 @@ class EventLog {
     return (event.number & kNumberMask) << kNumberBit |
            static_cast<std::uint64_t>(event.kind) << kKindBit |
            static_cast<std::uint64_t>(event.waits_for) << kWaitsBit |
+           static_cast<std::uint64_t>(event.wait_cause) << kCauseBit |
            static_cast<std::uint64_t>(event.state) << kStateBit |
            (event.kind == ControllerEvent::Kind::message ? event.message : event.line);
   }
@@ -60,7 +62,8 @@ class EventLog {
     ControllerEvent event{.number = number,
                           .kind = static_cast<ControllerEvent::Kind>(word >> kKindBit & 1U),
                           .state = static_cast<ControllerState>(word >> kStateBit & 0xffU),
-                          .waits_for = static_cast<WaitsFor>(word >> kWaitsBit & 0x7fU)};
+                          .waits_for = static_cast<WaitsFor>(word >> kWaitsBit & 0xfU),
+                          .wait_cause = static_cast<WaitCause>(word >> kCauseBit & 0x7U)};
     (event.kind == ControllerEvent::Kind::message ? event.message : event.line) =
         static_cast<std::uint32_t>(word);
     return event;

@@ -99,6 +99,8 @@ constexpr std::array<std::string_view, kCommands> kCommandNames{
     "enable",        "disable",        "start", "hold",     "resume",
     "stop",          "emergency stop", "reset", "override", "single block",
     "optional stop", "block delete",   "mdi",   "jog",      "home"};
+constexpr std::array<std::string_view, 6> kCauseNames{
+    "none", "program stop", "optional stop", "pallet change", "tool change", "block end"};
 constexpr std::array<std::string_view, 4> kWaitNames{"nothing", "answer", "text", "planning"};
 
 }  // namespace
@@ -121,6 +123,9 @@ std::string_view name_of(Command command) noexcept {
 }
 std::string_view name_of(WaitsFor what) noexcept {
   return kWaitNames[static_cast<std::size_t>(what)];
+}
+std::string_view name_of(WaitCause cause) noexcept {
+  return kCauseNames[static_cast<std::size_t>(cause)];
 }
 
 }  // namespace v0

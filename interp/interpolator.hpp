@@ -46,6 +46,9 @@ class Interpolator {
 
   // Phase::wait of the present rest. Of the thread that calls next().
   [[nodiscard]] std::uint32_t wait() const noexcept { return phase_.wait; }
+  [[nodiscard]] WaitCause wait_cause() const noexcept {
+    return phase_.wait != 0 ? phase_.wait_cause : WaitCause::none;
+  }
 
   // Setpoint::s_mm of the latest tick. Any thread.
   [[nodiscard]] double reached_path_mm() const noexcept {

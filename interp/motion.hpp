@@ -63,6 +63,7 @@ struct Phase {
   bool ends_at_rest = false;
   bool holds = false;      // the rest at its end is a feed hold
   std::uint32_t wait = 0;  // counts the waits for an answer, of which its end is one; 0: it is none
+  WaitCause wait_cause = WaitCause::none;
   bool ends_program = false;
 };
 

@@ -119,7 +119,8 @@ class KERF_LOCAL Kernel::Impl {
     return {.curve_parameter = interpolator_.curve_parameter(),
             .chord_error_mm = judge_.latest_chord_error_mm(),
             .deviation_mm = interpolator_.deviation_mm(),
-            .block = interpolator_.reached_block()};
+            .block = interpolator_.reached_block(),
+            .wait_cause = interpolator_.wait_cause()};
   }
   [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
   [[nodiscard]] const std::vector<PathControlUse>& path_controls() const noexcept {

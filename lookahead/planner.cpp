@@ -133,9 +133,11 @@ void Planner::push_rest(double duration_s, const RestPlace& at) {
       .duration_s = duration_s, .line = at.line, .run_block = at.run_block, .follows = at.follows});
 }
 
-void Planner::push_wait(const std::optional<interp::OutputChange>& change, const RestPlace& at) {
+void Planner::push_wait(const std::optional<interp::OutputChange>& change, WaitCause cause,
+                        const RestPlace& at) {
   assert(settings_.may_hold && wants_block());
-  accept(Rest{.line = at.line, .run_block = at.run_block, .waits = true, .change = change});
+  accept(Rest{
+      .line = at.line, .run_block = at.run_block, .waits = true, .cause = cause, .change = change});
 }
 
 void Planner::push_machine_wait(const RestPlace& at) {
@@ -240,6 +242,7 @@ void Planner::emit_rest(Outbox& outbox) {
   waits_ = rest_.waits;
   asks_machine_ = rest_.asks_machine;
   outbox.phases.back().wait = waits_ ? ++waits_emitted_ : 0;
+  outbox.phases.back().wait_cause = rest_.cause;
   rest_pending_ = false;
   to_rest_ = rest_.ends_program;
 }

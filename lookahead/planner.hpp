@@ -63,7 +63,8 @@ class Planner {
   void push_rest(double duration_s, const RestPlace& at);
   // The tool stops and waits for resume(), after the change where there is one. Precondition:
   // wants_block().
-  void push_wait(const std::optional<interp::OutputChange>& change, const RestPlace& at);
+  void push_wait(const std::optional<interp::OutputChange>& change, WaitCause cause,
+                 const RestPlace& at);
   [[nodiscard]] bool waits_at(parser::EventKind kind) const noexcept;
   // The same until the machine has answered. Precondition: wants_block(), or the block of its
   // motion was pushed last.

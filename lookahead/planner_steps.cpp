@@ -31,15 +31,17 @@ bool Planner::steps_before(const Item& next) const {
 }
 
 void Planner::end_with_step() {
-  end_with({.line = last_->end_line, .waits = true, .steps = true});
+  end_with({.line = last_->end_line, .waits = true, .cause = WaitCause::block_end, .steps = true});
 }
 
 void Planner::step_behind(std::size_t item) {
   for (; single_block_ && item + 1 < waiting_.size(); ++item) {
     const ProgramPlace place = place_of(waiting_[item]);
     if (!is_same_block(place, place_of(waiting_[item + 1]))) {
-      waiting_.insert(waiting_.begin() + static_cast<std::ptrdiff_t>(item) + 1,
-                      Rest{.line = place.end_line, .waits = true, .steps = true});
+      waiting_.insert(
+          waiting_.begin() + static_cast<std::ptrdiff_t>(item) + 1,
+          Rest{
+              .line = place.end_line, .waits = true, .cause = WaitCause::block_end, .steps = true});
       return;
     }
   }

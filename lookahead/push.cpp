@@ -110,13 +110,28 @@ double note_wait(const parser::EventMove& event, std::uint32_t line, Planner& pl
   return duration_s;
 }
 
+WaitCause cause_of(parser::EventKind kind) {
+  switch (kind) {
+    case parser::EventKind::program_stop:
+      return WaitCause::program_stop;
+    case parser::EventKind::optional_stop:
+      return WaitCause::optional_stop;
+    case parser::EventKind::pallet_change:
+      return WaitCause::pallet_change;
+    case parser::EventKind::tool_change:
+      return WaitCause::tool_change;
+    default:
+      return WaitCause::none;
+  }
+}
+
 void push_event(const parser::EventMove& event, const Planner::RestPlace& at, Planner& planner) {
   const auto change = output_change_of(event);
   const double duration_s = note_wait(event, at.line, planner);
   if (event.kind == parser::EventKind::ask_machine) {
     planner.push_machine_wait(at);
   } else if (planner.waits_at(event.kind)) {
-    planner.push_wait(change, at);
+    planner.push_wait(change, cause_of(event.kind), at);
   } else if (!change) {
     planner.push_rest(0.0, at);
   } else if (parser::is_at_motion(event.kind)) {

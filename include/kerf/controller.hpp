@@ -64,6 +64,7 @@ enum class WaitsFor : std::uint8_t {
 KERF_API std::string_view name_of(ControllerState state) noexcept;
 KERF_API std::string_view name_of(Command command) noexcept;
 KERF_API std::string_view name_of(WaitsFor what) noexcept;
+KERF_API std::string_view name_of(WaitCause cause) noexcept;
 
 /// What a state makes of a command.
 struct Answer {
@@ -108,8 +109,9 @@ struct ControllerEvent {
   Kind kind = Kind::state;
   ControllerState state = ControllerState::off;  ///< behind it
   WaitsFor waits_for = WaitsFor::nothing;
-  std::uint32_t line = 0;     ///< of a state: where the tool was
-  std::uint32_t message = 0;  ///< of a message: Controller::message() has it
+  WaitCause wait_cause = WaitCause::none;  ///< of WaitsFor::answer
+  std::uint32_t line = 0;                  ///< of a state: where the tool was
+  std::uint32_t message = 0;               ///< of a message: Controller::message() has it
 };
 
 /// What an operator sees, of one tick.
@@ -118,8 +120,9 @@ struct ControllerStatus {
 
   ControllerState state = ControllerState::off;
   WaitsFor waits_for = WaitsFor::nothing;
-  std::uint64_t next_event = 1;    ///< that number will have the next event
-  std::uint64_t programs = 0;      ///< started, ever
+  WaitCause wait_cause = WaitCause::none;  ///< of WaitsFor::answer
+  std::uint64_t next_event = 1;            ///< that number will have the next event
+  std::uint64_t programs = 0;              ///< started, ever
   double run_s = 0.0;              ///< how long the present or last program has run, rests included
   std::optional<double> left_s{};  ///< Kernel::left_s(), as of the latest plan()
   Overrides overrides{};

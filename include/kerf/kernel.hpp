@@ -128,6 +128,7 @@ struct TickDetail {
   /// How many blocks of the program's run the tool has come to; a block of a loop counts as often
   /// as it runs.
   std::uint64_t block = 0;
+  WaitCause wait_cause = WaitCause::none;  ///< of TickStatus::waiting
 };
 
 /// What an operator makes of the feedrates of a program, as shares of them. Limits of path and axes

@@ -88,5 +88,15 @@ enum class TickStatus : std::uint8_t {
   emergency_stop,  ///< at rest after an emergency stop; the setpoint repeats the last
 };
 
+/// What lets a program wait for an answer.
+enum class WaitCause : std::uint8_t {
+  none,
+  program_stop,   ///< M0
+  optional_stop,  ///< M1
+  pallet_change,  ///< M60
+  tool_change,    ///< M6
+  block_end,      ///< single block
+};
+
 }  // namespace v0
 }  // namespace kerf

@@ -19,7 +19,8 @@ struct Rest {
   std::uint32_t line = 0;       // 0: that of the last motion
   std::uint64_t run_block = 0;  // parser::Move::block; 0: of none
   bool ends_program = false;
-  bool waits = false;         // until resume()
+  bool waits = false;  // until resume()
+  WaitCause cause = WaitCause::none;
   bool asks_machine = false;  // it waits for the machine's answer
   bool steps = false;         // it is no item of the program: a block ends in single block
   parser::FollowedOverrides follows{};

@@ -19,18 +19,27 @@ TEST(EventLog, GivesEventsBackInTheirOrder) {
   log->note({.state = ControllerState::held, .line = 4'000'000'000});
   log->note({.state = ControllerState::waiting, .waits_for = WaitsFor::planning, .line = 7});
   log->note({.kind = Kind::message, .state = ControllerState::running, .message = 12});
-  EXPECT_EQ(log->next_number(), 4);
+  log->note({.state = ControllerState::waiting,
+             .waits_for = WaitsFor::answer,
+             .wait_cause = WaitCause::block_end,
+             .line = 8});
+  EXPECT_EQ(log->next_number(), 5);
   std::array<ControllerEvent, 8> events;
-  ASSERT_EQ(log->since(0, events), 3);
+  ASSERT_EQ(log->since(0, events), 4);
   EXPECT_EQ(events[0].number, 1);
   EXPECT_EQ(events[0].state, ControllerState::held);
   EXPECT_EQ(events[0].line, 4'000'000'000);
   EXPECT_EQ(events[1].waits_for, WaitsFor::planning);
   EXPECT_EQ(events[2].kind, Kind::message);
+  EXPECT_EQ(events[1].wait_cause, WaitCause::none);
   EXPECT_EQ(events[2].message, 12);
-  ASSERT_EQ(log->since(3, events), 1);
+  EXPECT_EQ(events[3].kind, Kind::state);
+  EXPECT_EQ(events[3].waits_for, WaitsFor::answer);
+  EXPECT_EQ(events[3].wait_cause, WaitCause::block_end);
+  EXPECT_EQ(events[3].line, 8);
+  ASSERT_EQ(log->since(3, events), 2);
   EXPECT_EQ(events[0].number, 3);
-  EXPECT_EQ(log->since(4, events), 0);
+  EXPECT_EQ(log->since(5, events), 0);
 }
 
 TEST(EventLog, ForgetsTheOldestAndGivesNoMoreThanThereIsRoomFor) {

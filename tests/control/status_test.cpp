@@ -176,6 +176,32 @@ TEST(Controller, TellsMessagesBeforeTheWaitThatTheyComeWithThoughNothingMoves) {
                                             "second", "waiting"}));
 }
 
+TEST(Controller, SaysWhatAsksForAnAnswer) {
+  Shop shop;
+  shop.give(Command::enable);
+  ASSERT_TRUE(shop.controller.set_optional_stop(true));
+  shop.start("G21 G90 F6000\nM0\nG1 X1\nM1\nX2\nM60\nX3\nT1 M6\nX4\nX5\nM2\n");
+  for (const WaitCause cause :
+       {WaitCause::program_stop, WaitCause::optional_stop, WaitCause::pallet_change,
+        WaitCause::tool_change, WaitCause::block_end}) {
+    shop.tick_until(State::waiting);
+    EXPECT_EQ(shop.controller.status().wait_cause, cause) << name_of(cause);
+    std::array<ControllerEvent, 1> last;
+    ASSERT_EQ(shop.controller.events_since(shop.controller.status().next_event - 1, last), 1U);
+    EXPECT_EQ(last[0].state, State::waiting);
+    EXPECT_EQ(last[0].wait_cause, cause);
+    if (cause == WaitCause::tool_change) {
+      ASSERT_TRUE(shop.controller.set_single_block(true));
+    } else if (cause == WaitCause::block_end) {
+      ASSERT_TRUE(shop.controller.set_single_block(false));
+    }
+    shop.give(Command::resume);
+    shop.tick();
+    EXPECT_EQ(shop.controller.status().wait_cause, WaitCause::none);
+  }
+  shop.tick_until(State::idle);
+}
+
 TEST(Controller, ShowsTheCodesInForceWhereTheToolIs) {
   Shop shop;
   shop.begin("G21 G90 G61\nG1 X100 F6000\nG20 G1 X5\nM2\n");

@@ -21,6 +21,13 @@ std::string line_of(const Json& json) {
   return json.dump(-1, ' ', true, Json::error_handler_t::replace) + '\n';
 }
 
+// Where it waits for an answer.
+void set_wait_cause(Json& json, WaitCause cause) {
+  if (cause != WaitCause::none) {
+    json["wait_cause"] = key_of_name(name_of(cause));
+  }
+}
+
 // Without what other units and rounding add to 110 %.
 double rounded(double value) {
   constexpr double kDigits = 1e6;
@@ -84,6 +91,7 @@ std::string event_json(const ControllerEvent& event, const std::optional<Program
     json["event"] = "state";
     json["state"] = key_of_name(name_of(event.state));
     json["waits_for"] = name_of(event.waits_for);
+    set_wait_cause(json, event.wait_cause);
     json["line"] = event.line;
   } else {
     json["event"] = message ? kKinds.at(static_cast<std::size_t>(message->kind)) : kKinds[0];
@@ -98,12 +106,13 @@ std::string status_json(const ControllerStatus& status, parser::Letters extra) {
   const Setpoint& at = status.setpoint;
   Json json{{"type", "status"},
             {"state", key_of_name(name_of(status.state))},
-            {"waits_for", name_of(status.waits_for)},
-            {"line", at.line},
-            {"block", status.block},
-            {"tick", at.tick},
-            {"run_s", status.run_s},
-            {"left_s", status.left_s ? Json(*status.left_s) : Json()}};
+            {"waits_for", name_of(status.waits_for)}};
+  set_wait_cause(json, status.wait_cause);
+  json["line"] = at.line;
+  json["block"] = status.block;
+  json["tick"] = at.tick;
+  json["run_s"] = status.run_s;
+  json["left_s"] = status.left_s ? Json(*status.left_s) : Json();
   set_position(json, at, extra);
   json["path_mm"] = at.s_mm;
   json["feedrate_mm_s"] = at.v_mm_s;
