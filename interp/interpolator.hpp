@@ -64,7 +64,7 @@ class Interpolator {
   // The tick of the next setpoint in the plan's time, which stands still while starved. May be read
   // by the planning thread.
   [[nodiscard]] std::int64_t plan_tick() const noexcept {
-    return plan_tick_.load(std::memory_order_relaxed);
+    return plan_tick_.load(std::memory_order_acquire);
   }
 
   // May be read by the planning thread.

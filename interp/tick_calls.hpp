@@ -11,13 +11,10 @@ namespace kerf::interp {
 // which two it was.
 class TickCalls {
  public:
-  // Around each call. Real time: stores, no more.
+  // Around each call. Real time.
   class Call {
    public:
-    explicit Call(TickCalls& calls) noexcept : calls_(&calls) {
-      calls_->count();
-      std::atomic_thread_fence(std::memory_order_release);
-    }
+    explicit Call(TickCalls& calls) noexcept : calls_(&calls) { calls_->count(); }
     ~Call() { calls_->count(); }
     Call(const Call&) = delete;
     Call& operator=(const Call&) = delete;
@@ -26,8 +23,8 @@ class TickCalls {
     TickCalls* calls_;
   };
 
-  // Another thread. Reads between two calls, and again until the clock lets the number of calls
-  // pass.
+  // Another thread. Reads, with acquiring loads, between two calls, and again until the clock lets
+  // the number of calls pass.
   template <typename Clock, typename Read>
   void follow(const Clock& clock, const Read& read) const {
     while (true) {
@@ -37,7 +34,6 @@ class TickCalls {
         continue;
       }
       read();
-      std::atomic_thread_fence(std::memory_order_acquire);
       if (bounds_.load(std::memory_order_relaxed) == seen && clock(seen / 2)) {
         return;
       }
@@ -46,7 +42,7 @@ class TickCalls {
 
  private:
   void count() noexcept {
-    bounds_.store(bounds_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+    bounds_.fetch_add(1, std::memory_order_acq_rel);
   }
 
   std::atomic<std::int64_t> bounds_ = 0;
