@@ -261,6 +261,7 @@ void Planner::begin_rest_of_block(double before_mm) {
   const auto whole = std::make_shared<const Block>(std::move(std::get<Block>(waiting_.front())));
   if (auto remainder = remainder_of(whole, emitter_.curve_mm() - before_mm)) {
     waiting_.front() = std::move(*remainder);
+    last_ = place_of(waiting_.front());  // of a curve for several lines: farther
     emitter_.begin_remainder(before_mm);
   } else {
     emitter_.end_block(Block(*whole));

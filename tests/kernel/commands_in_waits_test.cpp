@@ -121,5 +121,38 @@ TEST(CommandsInWaits, AHoldAtAWaitIsHeldWhateverWasRefusedBefore) {
   }
 }
 
+// Found with a client: the rest of a curve that stands for several lines has the line of where it
+// begins, and was taken for another block.
+TEST(CommandsInWaits, AHoldInSingleBlockIsNoEndOfACurveThatStandsForSeveralLines) {
+  const std::string text =
+      "G21 G90 G64 P0.02 Q0.02 F3000\nG1 X1 Y0.01\nX2 Y0\nX3 Y0.01\nX4 Y0\nX5 Y0.01\nX6 Y0\n"
+      "X7 Y0\nX8 Y0.01\nG1 X20\nM2\n";
+  for (std::int64_t hold = 40; hold < 240; hold += 10) {
+    for (const bool is_early : {true, false}) {
+      SCOPED_TRACE("hold at " + std::to_string(hold) + (is_early ? ", on before" : ", on in it"));
+      int waits = 0;
+      const WatchedRun run =
+          run_ticks({.text = text, .options = {.waits = true}},
+                    [&](Kernel& kernel, const WatchedRun& ran, Setpoint& setpoint) {
+                      kernel.plan();
+                      if (ran.next() == (is_early ? 30 : hold + 100)) {
+                        kernel.set_single_block(true);
+                      } else if (ran.next() == hold) {
+                        kernel.hold();
+                      } else if (ran.next() == hold + 200) {
+                        kernel.resume();
+                      } else if (ran.next() > hold + 200 && ran.next() % 50 == 0 &&
+                                 ran.statuses.back() == TickStatus::waiting) {
+                        ++waits;
+                        kernel.resume();
+                      }
+                      return kernel.tick(setpoint);
+                    });
+      ASSERT_EQ(run.complaint, "");
+      EXPECT_GE(waits, 1);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kerf::test
