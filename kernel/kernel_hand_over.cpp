@@ -27,8 +27,12 @@ void Kernel::Impl::hand_over() {
     commit();
     return;
   }
-  const std::int64_t until = delivery_.frozen_until_tick();
   const std::int64_t part = horizon_ticks_ / kPartsOfHorizon;
+  std::int64_t until = delivery_.frozen_until_tick();
+  if (until - committed_until_tick_ < part) {
+    // A ramp is one phase, and may be longer than the horizon: the way to rest leads from within.
+    until = std::max(until, std::min(pipeline_.emitted_until_tick(), tick_now + horizon_ticks_));
+  }
   if (until - committed_until_tick_ < part && committed_until_tick_ - tick_now > part) {
     return;
   }

@@ -121,6 +121,37 @@ TEST(LatePlanning, OfAPlanThatIsToTakeOverLeavesTheOneBeforeAsItWas) {
   }
 }
 
+// Found with a client: a ramp of one phase that is longer than the horizon got on by a tick at each
+// call, then rested.
+TEST(LatePlanning, OfSomeTimesAHorizonIsEnoughForARampThatIsLongerThanIt) {
+  MachineSettings slow = mill();
+  slow.limits.path.acceleration_mm_s2 = 500.0;
+  slow.limits.path.jerk_mm_s3 = 10'000.0;
+  for (MotionLimits& axis : slow.limits.axes) {
+    axis = slow.limits.path;
+  }
+  const std::string text = "G21 G90 G61\nG1 X100 F9000\nM2\n";
+  for (const ProfileKind kind :
+       {ProfileKind::time_optimal, ProfileKind::s_curve, ProfileKind::sine, ProfileKind::quintic}) {
+    for (const std::int64_t each : {1, 2, 10, 25}) {
+      SCOPED_TRACE(std::string(name_of(kind)) + ", plan() each " + std::to_string(each));
+      const WatchedProgram program{
+          .text = text, .options = {.profile = {.kind = kind}}, .settings = slow};
+      const WatchedRun whole = watched_run(program, [](Kernel&, const WatchedRun&) {});
+      const WatchedRun run =
+          run_ticks(program, [each](Kernel& kernel, const WatchedRun& ran, Setpoint& setpoint) {
+            if (ran.next() % each == 0) {
+              kernel.plan();
+            }
+            return kernel.tick(setpoint);
+          });
+      ASSERT_EQ(run.complaint, "");
+      EXPECT_EQ(run.count(TickStatus::starved), 0);
+      EXPECT_EQ(run.next(), whole.next());
+    }
+  }
+}
+
 TEST(LatePlanning, ThatIsNeverLateChangesNoTick) {
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
     const KernelOptions options{.profile = {.kind = kind}};
