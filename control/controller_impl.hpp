@@ -15,7 +15,6 @@
 #include "control/messages.hpp"
 #include "control/snapshot.hpp"
 #include "control/state_word.hpp"
-#include "interp/tick_calls.hpp"
 
 namespace kerf {
 
@@ -83,8 +82,11 @@ class KERF_LOCAL Controller::Impl {
   }
   // Before what follows the ticks, or is for them to see (KernelOptions::plan_clock).
   void look_at_tick() const {
-    if (options_.plan_clock) {
-      calls_.follow(options_.plan_clock, [] {});
+    while (options_.plan_clock) {
+      const std::int64_t bounds = tick_bounds_.load();
+      if (bounds % 2 == 0 && options_.plan_clock(bounds / 2)) {
+        return;
+      }
     }
   }
   // The table, and what it cannot say.
@@ -202,8 +204,8 @@ class KERF_LOCAL Controller::Impl {
   control::EventLog events_;
   control::Messages messages_;
   // Of the tick side.
-  std::atomic<std::int64_t> tick_ = 0;  // to be written by it alone
-  interp::TickCalls calls_;
+  std::atomic<std::int64_t> tick_ = 0;         // to be written by it alone
+  std::atomic<std::int64_t> tick_bounds_ = 0;  // two a tick: where it begins, and where it ends
   bool has_new_place_ = false;
   ProgramInputs inputs_{};
   TickDetail detail_{};

@@ -6,7 +6,7 @@ namespace kerf {
 using State = ControllerState;
 
 ControllerState Controller::Impl::tick(Setpoint& setpoint) noexcept {
-  const interp::TickCalls::Call call(calls_);
+  tick_bounds_.fetch_add(1);
   Kernel* const kernel = running_.load(std::memory_order_acquire);
   Ticked ticked{.before = state_.load()};
   if (kernel != nullptr) {
@@ -21,7 +21,9 @@ ControllerState Controller::Impl::tick(Setpoint& setpoint) noexcept {
   }
   tell_wait();
   setpoint = last_;
-  return state_.state();
+  const State state = state_.state();
+  tick_bounds_.fetch_add(1);
+  return state;
 }
 
 TickStatus Controller::Impl::tick(Kernel& kernel, State state) noexcept {
@@ -54,7 +56,11 @@ void Controller::Impl::follow(Ticked tick, const Kernel& kernel) noexcept {
   };
   switch (tick.status) {
     case TickStatus::running:
-      change_if(State::waiting, State::running);
+      if (is_text_late_.load(std::memory_order_relaxed) && detail_.wait_cause != WaitCause::none) {
+        change_if(State::running, State::waiting);  // the wait is answered, and nothing follows
+      } else {
+        change_if(State::waiting, State::running);
+      }
       break;
     case TickStatus::starved:
     case TickStatus::waiting:

@@ -37,6 +37,32 @@ TEST(Controller, SaysWhatItWaitsFor) {
   EXPECT_EQ(shop.setpoint.position_mm[0], 200.0);
 }
 
+// Found with a client: it was said to run.
+TEST(Controller, WaitsForTextBehindAWaitThatIsAnswered) {
+  Shop shop;
+  shop.give(Command::enable);
+  shop.give(Command::start);
+  shop.controller.feed("G21 G90 G1 X1 F600\nM0\n");
+  const auto tick = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      if (shop.controller.plan()) {
+        shop.controller.text_is_late();
+      }
+      shop.controller.tick(shop.setpoint);
+    }
+  };
+  tick(1000);
+  ASSERT_EQ(shop.controller.status().waits_for, WaitsFor::answer);
+  shop.give(Command::resume);
+  tick(50);
+  EXPECT_EQ(shop.controller.status().state, State::waiting);
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::text);
+  shop.controller.feed("G1 X2\n");
+  shop.controller.finish();
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 2.0);
+}
+
 TEST(Controller, WaitsForTextBehindAHoldAsItDidBefore) {
   Shop shop;
   const auto tick_until = [&](State state) {
