@@ -7,6 +7,17 @@
 
 namespace kerf {
 
+Outputs Kernel::Impl::outputs_at_begin(const KernelOptions& options) {
+  Outputs outputs = options.start_outputs;
+  if (const auto* left = options.begins_with.content()) {
+    const parser::AllowedOverrides& allowed = left->of_reader.modal.overrides;
+    outputs.follows_speed_override = allowed.speed;
+    outputs.follows_adaptive_feed = allowed.adaptive_feed;
+    outputs.heeds_feed_stop = allowed.feed_hold;
+  }
+  return outputs;
+}
+
 bool Kernel::Impl::plan() {
   if (tells_) {
     follow_tool();

@@ -56,7 +56,7 @@ class KERF_LOCAL Kernel::Impl {
         keeps_stop_(!options.one_thread),
         begins_with_(options.begins_with),
         plan_clock_(options.plan_clock) {
-    interpolator_.begin_with(options.start_outputs);
+    interpolator_.begin_with(outputs_at_begin(options));
   }
 
   void feed(std::string_view text) { pipeline_.feed(text); }
@@ -151,6 +151,8 @@ class KERF_LOCAL Kernel::Impl {
   // Of blocks, which take as long as the search over them.
   static constexpr int kManyTaken = 10;
 
+  // M48 to M53 of a line without motion are in force though no tick has had them.
+  [[nodiscard]] static Outputs outputs_at_begin(const KernelOptions& options);
   // How far the ticks are on the plan. All that is planned and goes by them looks here first: right
   // before it reads what else the tick side says, and before it changes what that sees.
   [[nodiscard]] std::int64_t now() const {

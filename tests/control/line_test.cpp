@@ -63,6 +63,32 @@ TEST(Line, KeepsSpindleCoolantAndOutputsOn) {
   EXPECT_FALSE(shop.setpoint.outputs.flood);
 }
 
+// Found with a client: a line without motion had no tick that it could have counted for.
+TEST(Line, FollowsOverridesAndInputsAsTheLineBeforeAllows) {
+  LineShop shop;
+  shop.run_mdi("G21 M52 P1");
+  ASSERT_TRUE(shop.controller.set_feed_inputs({.adaptive = 0.0}));
+  ASSERT_TRUE(shop.controller.run_mdi("G1 X20 F6000"));
+  shop.tick(1000);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 0.0);
+  ASSERT_TRUE(shop.controller.set_feed_inputs({.adaptive = 1.0}));
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 20.0);
+
+  shop.run_mdi("M52 P0");
+  shop.run_mdi("M53 P0");
+  ASSERT_TRUE(shop.controller.set_feed_inputs({.adaptive = 0.0, .stop = true}));
+  shop.run_mdi("G1 X30");
+  EXPECT_EQ(shop.setpoint.position_mm[0], 30.0);
+
+  shop.run_mdi("M3 S1000");
+  shop.run_mdi("M51 P0");
+  ASSERT_TRUE(shop.controller.set_overrides({.spindle = 0.5}));
+  shop.run_mdi("G1 X40");
+  constexpr double kProgrammed_rad_s = 1000.0 * 2.0 * 3.14159265358979323846 / 60.0;
+  EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, kProgrammed_rad_s, 1e-9);
+}
+
 TEST(Line, TurnsTheSpindleAsWasProgrammedWhenTheOverrideHasChanged) {
   LineShop shop;
   constexpr double kWhole_rad_s = 600.0 * 2.0 * 3.14159265358979323846 / 60.0;
