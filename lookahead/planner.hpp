@@ -219,8 +219,10 @@ class Planner {
   };
   bool go_on_in_motion(InMotion from, const PlanChange& change, ChangedPlan& changed,
                        Outbox& outbox);
-  // Where nothing is found that a way to rest goes on from, the plan ends at that rest.
-  void go_on_from_rest(const PlanChange& change, ChangedPlan& changed, Outbox& outbox);
+  // With a first part of what follows where the rest may be over at once. Where nothing is found
+  // that a way to rest goes on from, the plan ends at that rest.
+  void go_on_from_rest(const std::vector<BrakingPart>& parts, const PlanChange& change,
+                       ChangedPlan& changed, Outbox& outbox);
   void go_back(const Emitter& emitter, const std::deque<Item>& waiting);
   bool begin_in_motion(InMotion from);
   bool take_blocks_in_motion(std::size_t taken);

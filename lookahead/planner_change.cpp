@@ -91,17 +91,19 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
   } else {
     limit_waiting();
   }
-  emit_stop(stop->parts, waiting_, emitter_, outbox);
-  emitter_.keep(outbox, outbox.phases.size() - 1);
-  held_ = true;
-  resume();
-  if (!change.needs_stop || stop->parts.empty()) {  // the rest may be over at once
-    go_on_from_rest(change, changed, outbox);
-  }
+  go_on_from_rest(stop->parts, change, changed, outbox);
   return changed;
 }
 
-void Planner::go_on_from_rest(const PlanChange& change, ChangedPlan& changed, Outbox& outbox) {
+void Planner::go_on_from_rest(const std::vector<BrakingPart>& parts, const PlanChange& change,
+                              ChangedPlan& changed, Outbox& outbox) {
+  emit_stop(parts, waiting_, emitter_, outbox);
+  emitter_.keep(outbox, outbox.phases.size() - 1);
+  held_ = true;
+  resume();
+  if (change.needs_stop && !parts.empty()) {
+    return;  // there is time to plan
+  }
   const Emitter emitter = emitter_;
   const std::deque<Item> waiting = waiting_;
   const Outbox to_rest = outbox;

@@ -94,10 +94,13 @@ class ControlChannel::Server {
     });
   }
   void add(Descriptor in, Descriptor out) {
-    clients_.push_back(
-        std::make_shared<ControlClient>(context_, std::move(in), std::move(out),
-                                        [this](const std::shared_ptr<ControlClient>& client,
-                                               std::string_view line) { answer(client, line); }));
+    clients_.push_back(std::make_shared<ControlClient>(
+        context_, std::move(in), std::move(out),
+        [this](const std::shared_ptr<ControlClient>& client, std::string_view line) {
+          if (!has_ended_) {
+            answer(client, line);
+          }
+        }));
     clients_.back()->write(hello_json(order_.file));
     clients_.back()->read();
   }
@@ -170,9 +173,6 @@ class ControlChannel::Server {
   }
 
   void answer(const std::shared_ptr<ControlClient>& client, std::string_view line) {
-    if (has_ended_) {
-      return;
-    }
     auto request = control_request(line);
     if (!request) {
       client->write(bad_request_json(request.error(), by_->status().state));

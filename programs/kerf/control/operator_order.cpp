@@ -95,7 +95,7 @@ Jog jog_from(const Json& json) {
 }
 
 std::optional<OperatorOrder> order_of(const Json& json) {
-  const std::string& kind = json.at(0).get_ref<const std::string&>();
+  const auto& kind = json.at(0).get_ref<const std::string&>();
   if (kind == "command") {
     return command_from(json);
   }

@@ -78,6 +78,36 @@ std::string kept_of(const std::optional<PlanPace>& pace, const RunOutcome& outco
   return record.has_orders() || outcome.starved_ticks > 0 ? record.bytes() : std::string();
 }
 
+// With all who look at it, and the keys.
+RunOutcome run_watched(MotionStage& stage, Controller& controller, Operator& by, Feeder& feeder,
+                       PlanPace* pace) {
+  const MotionOrder& order = stage.order();
+  FileReport& report = stage.report();
+  std::optional<JournalThread> journal;
+  if (order.journal != nullptr) {
+    journal.emplace(controller, *order.journal);
+  }
+  const MessagePrinter messages(controller, report.file);
+  std::optional<Keys> keys;
+  if (order.has_keys) {
+    keys.emplace(by);
+  }
+  if (order.has_keys && order.shows_progress) {
+    fmt::print(stderr, "{}\n", Keys::kWhatTheyDo);
+  }
+  const auto bar = stage.progress_bar([&controller] { return status_line(controller.status()); },
+                                      ProgressBar::Left::not_said);  // the status says it
+  RunOutcome outcome = run_in_real_time({.controller = controller,
+                                         .by = by,
+                                         .period_s = report.period_s,
+                                         .realtime = order.options.realtime,
+                                         .max_late_periods = max_late_periods(order.options),
+                                         .pace = pace},
+                                        stage.stage_with(feeder));
+  controller.plan();  // what the program said last
+  return outcome;
+}
+
 std::string run_with(std::optional<ControlEndpoint> control, MotionStage& stage, Driver& driver) {
   const MotionOrder& order = stage.order();
   FileReport& report = stage.report();
@@ -99,35 +129,11 @@ std::string run_with(std::optional<ControlEndpoint> control, MotionStage& stage,
   }
   ControllerPlanning planning(controller);
   Feeder feeder = stage.feeder(planning);
-  RunOutcome outcome;
   std::optional<ControlChannel> channel;
   if (control) {
     channel.emplace(*std::move(control), by, channel_order(stage, driver));
   }
-  {
-    std::optional<JournalThread> journal;
-    if (order.journal != nullptr) {
-      journal.emplace(controller, *order.journal);
-    }
-    const MessagePrinter messages(controller, report.file);
-    std::optional<Keys> keys;
-    if (order.has_keys) {
-      keys.emplace(by);
-    }
-    if (order.has_keys && order.shows_progress) {
-      fmt::print(stderr, "{}\n", Keys::kWhatTheyDo);
-    }
-    const auto bar = stage.progress_bar([&controller] { return status_line(controller.status()); },
-                                        ProgressBar::Left::not_said);  // the status says it
-    outcome = run_in_real_time({.controller = controller,
-                                .by = by,
-                                .period_s = report.period_s,
-                                .realtime = order.options.realtime,
-                                .max_late_periods = max_late_periods(order.options),
-                                .pace = pace ? &*pace : nullptr},
-                               stage.stage_with(feeder));
-    controller.plan();  // what the program said last
-  }
+  const RunOutcome outcome = run_watched(stage, controller, by, feeder, pace ? &*pace : nullptr);
   Kernel none(order.settings, options);
   const ControllerStatus last = controller.status();
   stage.finish(

@@ -77,6 +77,16 @@ void dry_run(MotionStage& stage) {
   }
 }
 
+// Returns what run_machine() does.
+std::string drive(MotionStage& stage, Driver& driver) {
+  const MotionOrder& order = stage.order();
+  if (order.options.command == Subcommand::run || order.plan != nullptr) {
+    return run_machine(stage, driver);
+  }
+  dry_run(stage);
+  return {};
+}
+
 }  // namespace
 
 void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
@@ -119,13 +129,7 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
   }
   MotionStage stage(order, {.text = text, .outputs = *outputs, .report = report},
                     driver->machine());
-  std::string plan_record;
-  if (is_run || order.plan != nullptr) {
-    plan_record = run_machine(stage, *driver);
-  } else {
-    dry_run(stage);
-  }
-  if (const auto error = driver->finish(plan_record)) {
+  if (const auto error = driver->finish(drive(stage, *driver))) {
     report.fail(ExitStatus::io_error, *error);
   }
   if (const std::size_t left = driver->calls_left();
