@@ -234,8 +234,8 @@ class KERF_API Controller {
   /// Any thread; takes no lock.
   [[nodiscard]] std::size_t events_since(std::uint64_t number,
                                          std::span<ControllerEvent> events) const noexcept;
-  /// Of an event; nothing: it is forgotten, 64 others came after it. Of a text that is longer than
-  /// 500 bytes, these. Any thread; takes no lock, allocates.
+  /// Of an event; nothing: it is forgotten, 1,024 others came after it. Of a text that is longer
+  /// than 500 bytes, these. Any thread; takes no lock, allocates.
   [[nodiscard]] std::optional<ProgramMessage> message(std::uint32_t number) const;
 
  private:
