@@ -87,7 +87,7 @@ void Kernel::Impl::follow_feed_0(bool was_at_feed_0) {
 
 void Kernel::Impl::set_single_block(bool on) {
   single_block_ = on;
-  pipeline_.keep_lines_apart(on);
+  pipeline_.keep_blocks_apart(on);
   wants_change_ = true;
   next_try_tick_ = 0;
   plan();

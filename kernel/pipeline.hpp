@@ -46,7 +46,7 @@ class Pipeline {
     program().set_optional_stop(on);
     planner_.set_optional_stop(on);
   }
-  void keep_lines_apart(bool on) noexcept { program().keep_lines_apart(on); }
+  void keep_blocks_apart(bool on) noexcept { program().keep_blocks_apart(on); }
   void set_tool(const Tool& tool) { program().set_tool(tool); }
   void set_block_delete(const BlockDelete& switches) { program().set_block_delete(switches); }
 

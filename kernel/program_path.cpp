@@ -140,9 +140,6 @@ bool ProgramPath::read_move() {
   if (!(start_ && start_->leaves_out(move.block)) && refuses(move)) {
     return true;
   }
-  if (keeps_lines_apart_) {
-    move.merge_tolerance_mm = 0.0;
-  }
   if (const auto taken = smoother_.push(move); !taken) {
     fail(taken.error(), errors::kCurveRefused);
   }

@@ -43,8 +43,7 @@ class ProgramPath {
 
   // Of text that is not read yet.
   void set_optional_stop(bool on) { waits_.set_optional_stop(on); }
-  // Lines that G64 would make one curve of stay apart.
-  void keep_lines_apart(bool on) noexcept { keeps_lines_apart_ = on; }
+  void keep_blocks_apart(bool on) noexcept { smoother_.keep_blocks_apart(on); }
   // Its length may lead what is read from now on beyond the travel, which is checked therefore.
   void set_tool(const Tool& tool) {
     reader_.set_tool(tool);
@@ -107,7 +106,6 @@ class ProgramPath {
 
   Order order_;
   bool has_all_text_ = false;
-  bool keeps_lines_apart_ = false;
 
   parser::ProgramReader reader_;
   TravelCheck travel_;

@@ -44,7 +44,14 @@ double way_through_jump_mm(const CornerShape& shape, double feedrate_mm_s,
   return 1.5 * shape.bend_per_mm * v2 * feedrate_mm_s / settings.jerk_mm_s3;
 }
 
+bool Blender::are_of_two_blocks(const Held& before, const Held& after) {
+  return before.segment.mark_at(before.length_mm).run_block != after.segment.mark_at(0.0).run_block;
+}
+
 double Blender::wanted_way_mm(const Held& before, const Held& after) const {
+  if (keeps_blocks_apart_ && are_of_two_blocks(before, after)) {
+    return 0.0;
+  }
   if (!may_bend(before.segment) || !may_bend(after.segment) || after.segment.continues) {
     return 0.0;
   }

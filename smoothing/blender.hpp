@@ -38,6 +38,9 @@ class Blender {
   // Releases the held segments, up to their programmed end.
   void flush(std::vector<PathSegment>& out);
 
+  // Corners between two blocks of the program that are not released yet stay as they are.
+  void keep_blocks_apart(bool on) noexcept { keeps_blocks_apart_ = on; }
+
   [[nodiscard]] const PathDeviations& deviations() const noexcept { return deviations_; }
 
  private:
@@ -55,6 +58,7 @@ class Blender {
     double deviation_mm = 0.0;
   };
 
+  static bool are_of_two_blocks(const Held& before, const Held& after);
   [[nodiscard]] double wanted_way_mm(const Held& before, const Held& after) const;
   // The largest blend up to way_mm that stays within the tolerance.
   [[nodiscard]] std::optional<Chosen> choose(const Held& before, const Held& after, double way_mm);
@@ -65,6 +69,7 @@ class Blender {
                   std::vector<PathSegment>& out) const;
 
   BlendSettings settings_;
+  bool keeps_blocks_apart_ = false;
   std::optional<Held> first_;
   std::optional<Held> second_;
   PathDeviations deviations_;

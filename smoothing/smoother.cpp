@@ -16,7 +16,7 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
     return {};
   }
   made_.clear();
-  if (Compressor::takes(move) && changes_.empty()) {
+  if (!keeps_blocks_apart_ && Compressor::takes(move) && changes_.empty()) {
     if (!compressor_.continues(move)) {
       compressor_.flush(made_);
     }

@@ -30,6 +30,11 @@ class Smoother {
   tl::expected<void, PathError> push(const parser::Move& move);
   // Releases all that is held back: the path ends where the program does so far.
   void flush();
+  // What is pushed from now on is neither merged nor blended with another block of the program.
+  void keep_blocks_apart(bool on) noexcept {
+    keeps_blocks_apart_ = on;
+    blender_.keep_blocks_apart(on);
+  }
   // False: push more moves, or flush.
   bool next(Output& output);
 
@@ -49,6 +54,7 @@ class Smoother {
   BlendSettings settings_;
   Compressor compressor_;
   Blender blender_;
+  bool keeps_blocks_apart_ = false;
   std::vector<PathSegment> made_;  // of one move
   struct EndOfPath {};             // for now
   std::deque<std::variant<PathSegment, parser::Move, EndOfPath>> queue_;

@@ -273,9 +273,9 @@ class KERF_API Kernel {
   [[nodiscard]] bool asks_machine() noexcept;
 
   /// The tool comes to rest at the junction behind each block of the program and waits for
-  /// resume(); ticks are `waiting` then. From then on G64 makes no curve of several lines; those of
-  /// which it has made one by then are one block. Switched on in motion, the first is the block at
-  /// whose end the limits still let it rest.
+  /// resume(); ticks are `waiting` then. From then on G64 makes no curve of several blocks and
+  /// leaves their corners as they are; lines of which it has made one by then are one block.
+  /// Switched on in motion, the first is the block at whose end the limits still let it rest.
   /// Planning side.
   void set_single_block(bool on);
 

@@ -126,11 +126,36 @@ TEST(SingleBlock, SwitchedOnInMotionRestsAtTheNextJoint) {
   }
 }
 
-// Within 0.2 mm the corners between the lines become curves, on which a line goes over into the
-// next: the block ends with the curve.
-TEST(SingleBlock, RestsBetweenBlendedLines) {
+// Within 0.2 mm the corners between the lines would become curves.
+TEST(SingleBlock, RestsInTheCornersThatG64WouldBlend) {
+  const std::string lines = "G1 X20\nY20\nX0\nY0\nM2\n";
+  const SteppedRun run = run_stepped("G21 G90 G64 P0.2 F3000\n" + lines, {}, {});
+  expect_whole(run.run, ticks_of("G21 G90 G61 F3000\n" + lines));
+  EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{2, 3, 4, 5}));
+  const std::vector<Position> corners{{20.0, 0.0, 0.0}, {20.0, 20.0, 0.0}, {0.0, 20.0, 0.0}, {}};
+  ASSERT_EQ(run.waits.size(), corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    EXPECT_EQ(run.waits[i].position_mm, corners[i]) << i;
+  }
+}
+
+// Of which G64 makes one smooth curve: the jumps of its curvature are no joints of blocks.
+TEST(SingleBlock, LeavesACurveOfOneBlockSmooth) {
+  const std::string text =
+      "G6.2 P3 K0 X0 Y0 R1 F3000\nK0 X10 Y0 R1\nK0 X20 Y10 R1\nK1 X30 Y-10 R1\nK2 X40 Y10 R1\n"
+      "K3 X50 Y0 R1\nK4\nK4\nK4\nG1 X60\nM2\n";
+  const SteppedRun run = run_stepped("G21 G90 G64 P0.1\n" + text, {}, {});
+  const SteppedRun exact = run_stepped("G21 G90 G61\n" + text, {}, {});
+  EXPECT_EQ(run.run.complaint, "");
+  EXPECT_EQ(exact.run.complaint, "");
+  EXPECT_EQ(run.waits.size(), exact.waits.size());
+  EXPECT_LT(run.run.ticks.size(), exact.run.ticks.size());
+}
+
+// A blend that was made by then stays, and is of the block that follows it.
+TEST(SingleBlock, SwitchedOnInMotionRestsBehindBlendsThatAreMade) {
   const std::string text = "G21 G90 G64 P0.2 F3000\nG1 X20\nY20\nX0\nY0\nM2\n";
-  const SteppedRun run = run_stepped(text, {}, {});
+  const SteppedRun run = run_stepped(text, {}, {.on_before = 100});
   expect_whole(run.run, ticks_of(text));
   EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{3, 4, 5, 5}));
 }
