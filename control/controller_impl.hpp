@@ -176,6 +176,7 @@ class KERF_LOCAL Controller::Impl {
   std::atomic<bool> wants_text_ = false;
   std::atomic<bool> is_text_late_ = false;
   std::atomic<bool> waits_for_answer_ = false;
+  std::atomic<bool> waits_for_machine_ = false;
   std::atomic<WaitCause> wait_cause_ = WaitCause::none;  // of that
   std::atomic<bool> door_open_ = false;
   std::atomic<std::uint32_t> line_ = 0;

@@ -49,6 +49,7 @@ TickStatus Controller::Impl::tick(Kernel& kernel, State state) noexcept {
 void Controller::Impl::follow(Ticked tick, const Kernel& kernel) noexcept {
   wait_cause_.store(detail_.wait_cause, std::memory_order_relaxed);
   waits_for_answer_.store(tick.status == TickStatus::waiting, std::memory_order_relaxed);
+  waits_for_machine_.store(detail_.waits_for_machine, std::memory_order_relaxed);
   const auto change_if = [&](State from, State to) {
     if (tick.before.state() == from) {
       change(tick.before, to);
@@ -56,8 +57,9 @@ void Controller::Impl::follow(Ticked tick, const Kernel& kernel) noexcept {
   };
   switch (tick.status) {
     case TickStatus::running:
-      if (is_text_late_.load(std::memory_order_relaxed) && detail_.wait_cause != WaitCause::none) {
-        change_if(State::running, State::waiting);  // the wait is answered, and nothing follows
+      if (detail_.waits_for_machine ||  // or the wait is answered, and nothing follows
+          (is_text_late_.load(std::memory_order_relaxed) && detail_.wait_cause != WaitCause::none)) {
+        change_if(State::running, State::waiting);
       } else {
         change_if(State::waiting, State::running);
       }
@@ -142,6 +144,9 @@ bool Controller::Impl::drives_on() const noexcept {
 }
 
 WaitsFor Controller::Impl::waits_for(State state) const noexcept {
+  if (waits_for_machine_.load() && (state == State::waiting || state == State::holding)) {
+    return WaitsFor::machine;
+  }
   return state != State::waiting    ? WaitsFor::nothing
          : waits_for_answer_.load() ? WaitsFor::answer
          : wants_text_.load()       ? WaitsFor::text

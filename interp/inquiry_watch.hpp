@@ -82,6 +82,8 @@ class InquiryWatch {
   [[nodiscard]] bool has_braked() const noexcept { return found_.has_braked; }
   // A tick at rest behind it. True: there is an answer now.
   [[nodiscard]] bool wait(const Position& rest_mm, std::int64_t plan_tick) noexcept;
+  // The machine could have answered by now.
+  [[nodiscard]] bool has_heard() const noexcept { return ticks_at_rest_ > 1; }
 
  private:
   [[nodiscard]] bool touches_as_asked() const noexcept {

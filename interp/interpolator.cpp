@@ -213,6 +213,7 @@ TickStatus Interpolator::brake() noexcept {
 TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   begin_tick();
   tick_begun_ = false;
+  rests_for_machine_ = false;
   ++now_.tick;
   if (is_emergency()) {
     const TickStatus braked = brake();

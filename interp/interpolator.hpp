@@ -50,6 +50,9 @@ class Interpolator {
     return phase_.wait != 0 ? phase_.wait_cause : WaitCause::none;
   }
 
+  // The latest tick rested for what the machine has not answered. Of the same thread.
+  [[nodiscard]] bool rests_for_machine() const noexcept { return rests_for_machine_; }
+
   // Setpoint::s_mm of the latest tick. Any thread.
   [[nodiscard]] double reached_path_mm() const noexcept {
     return reached_path_mm_.load(std::memory_order_relaxed);
@@ -135,6 +138,7 @@ class Interpolator {
   EmergencyBrake brake_;
   InquiryWatch watch_;
   std::int64_t pause_ticks_ = 0;  // left, behind an answer of the machine
+  bool rests_for_machine_ = false;
   bool has_phase_ = false;
   bool has_next_ = false;  // of the plan in force, when the tick looked: more may come at any time
   bool tick_begun_ = false;

@@ -85,7 +85,9 @@ bool Interpolator::waits_for_machine() noexcept {
   const Inquiry* question = question_here();
   if (question != nullptr && watch_.wait(now_.position_mm, plan_tick())) {
     pause_ticks_ = question->pause_ticks;
-  } else if (question == nullptr && pause_ticks_ > 0) {
+  } else if (question != nullptr) {
+    rests_for_machine_ = watch_.has_heard();
+  } else if (pause_ticks_ > 0) {
     --pause_ticks_;
     plan_tick_.store(plan_tick() + 1, std::memory_order_relaxed);
     return true;

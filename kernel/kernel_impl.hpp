@@ -120,7 +120,8 @@ class KERF_LOCAL Kernel::Impl {
             .chord_error_mm = judge_.latest_chord_error_mm(),
             .deviation_mm = interpolator_.deviation_mm(),
             .block = interpolator_.reached_block(),
-            .wait_cause = interpolator_.wait_cause()};
+            .wait_cause = interpolator_.wait_cause(),
+            .waits_for_machine = interpolator_.rests_for_machine()};
   }
   [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
   [[nodiscard]] const std::vector<PathControlUse>& path_controls() const noexcept {

@@ -59,6 +59,7 @@ enum class WaitsFor : std::uint8_t {
   answer,    ///< resume: M0, M1, M60, M6, or the end of a block in single block
   text,      ///< feed() or finish()
   planning,  ///< plan() is late
+  machine,   ///< an input (M66), or the spindle that comes up to speed
 };
 
 KERF_API std::string_view name_of(ControllerState state) noexcept;

@@ -129,6 +129,8 @@ struct TickDetail {
   /// as it runs.
   std::uint64_t block = 0;
   WaitCause wait_cause = WaitCause::none;  ///< of TickStatus::waiting
+  /// At rest until the machine answers: an input (M66), or the spindle that comes up to speed.
+  bool waits_for_machine = false;
 };
 
 /// What an operator makes of the feedrates of a program, as shares of them. Limits of path and axes

@@ -1,4 +1,5 @@
 // What an operator sees and is told, from any thread.
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <string>
@@ -61,6 +62,43 @@ TEST(Controller, WaitsForTextBehindAWaitThatIsAnswered) {
   shop.controller.finish();
   shop.tick_until(State::idle);
   EXPECT_EQ(shop.setpoint.position_mm[0], 2.0);
+}
+
+TEST(Controller, SaysThatItWaitsForTheMachine) {
+  Controller controller(mill(), {.asks_machine = true});
+  ASSERT_TRUE(controller.give(Command::enable));
+  ASSERT_TRUE(controller.give(Command::start));
+  controller.feed("G21 G90 G1 X1 F600\nM66 P5 L0\nM66 P5 L3 Q9\nG1 X2\nM2\n");
+  controller.finish();
+  Setpoint setpoint;
+  const auto tick = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      controller.plan();
+      controller.tick(setpoint);
+    }
+    return controller.status();
+  };
+  EXPECT_EQ(tick(500).state, State::waiting);
+  EXPECT_EQ(tick(1).waits_for, WaitsFor::machine);
+  EXPECT_EQ(controller.give(Command::resume).error().reason, "it waits for no answer");
+  ASSERT_TRUE(controller.give(Command::hold));
+  EXPECT_EQ(tick(1).state, State::holding);
+  EXPECT_EQ(tick(1).waits_for, WaitsFor::machine);
+  controller.set_program_inputs({.digital = 1U << 5U});
+  EXPECT_EQ(tick(100).state, State::held);
+  EXPECT_EQ(tick(1).waits_for, WaitsFor::nothing);
+  ASSERT_TRUE(controller.give(Command::resume));
+  EXPECT_EQ(tick(1000).state, State::idle);
+  EXPECT_EQ(setpoint.position_mm[0], 2.0);
+  // What is answered at once is no wait.
+  std::array<ControllerEvent, ControllerEvent::kKept> events;
+  const std::size_t count = controller.events_since(1, events);
+  EXPECT_EQ(std::count_if(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(count),
+                          [](const ControllerEvent& event) {
+                            return event.kind == ControllerEvent::Kind::state &&
+                                   event.state == State::waiting;
+                          }),
+            1);
 }
 
 TEST(Controller, WaitsForTextBehindAHoldAsItDidBefore) {
