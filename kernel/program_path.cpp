@@ -102,7 +102,7 @@ ProgramPath::Next ProgramPath::next_as_programmed(Output& output) {
 }
 
 void ProgramPath::note_path_control(const parser::Move& move) {
-  if (move.probes) {
+  if (move.probes || move.in_cycle) {
     return;
   }
   const PathControlUse use{.control = {.mode = move.mode,

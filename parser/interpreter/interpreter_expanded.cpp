@@ -101,6 +101,7 @@ void Interpreter::push_cycle_step(const RunningBlock& at, const CycleStep& step,
                                   double feedrate_mm_s) {
   ModalState& state = memory_.state;
   Move& move = at.push_move(state);
+  move.in_cycle = true;
   if (move.mode == PathMode::blend) {
     move.mode = PathMode::exact_path;
     move.blend_tolerance_mm = 0.0;

@@ -22,7 +22,7 @@ Move& MoveSink::push_move(const ModalState& state) const {
   move.source = source;
   move.block = block_number;
   move.start_mm = state.position_mm;
-  move.rapid = false;
+  move.rapid = move.in_cycle = move.probes = false;
   move.feedrate_mm_s = 0.0;
   move.follows = {.feed = state.overrides.feed,
                   .spindle = state.feed_mode == FeedMode::per_revolution && state.overrides.speed,

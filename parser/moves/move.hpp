@@ -175,6 +175,7 @@ struct Move {
   double merge_tolerance_mm = 0.0;  // G64 Q, P or the machine's; 0: no lines are merged
   bool mode_by_program = false;     // else the machine's
   bool probes = false;              // it ends in an exact stop, whatever the path mode is
+  bool in_cycle = false;            // G81 and so on: on the exact path, whatever the path mode is
   std::uint64_t block = 0;  // of the program's run, counted from 1: a line of a loop is many
 };
 

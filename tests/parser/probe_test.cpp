@@ -142,5 +142,17 @@ TEST(Probe, IsAModeOfItsOwn) {
   EXPECT_EQ(steps_of("F60 G38.3 X5\nX15").at(1), "2: line to 10 0 0 feed 1 exact stop");
 }
 
+// The places of moves are used again.
+TEST(Probing, AndCyclesAreOverWithTheirBlock) {
+  const Program program = read_program(
+      "G21 G90 F600 G0 X0 Z10\nG38.3 X5\nG1 X6\nG81 X8 Z-1 R2\nG80\nG1 X9\nM2\n", with_block());
+  ASSERT_FALSE(program.has_errors);
+  for (const Move& move : program.moves) {
+    EXPECT_EQ(move.probes, move.source.line == 2 && std::holds_alternative<LineMove>(move.shape))
+        << text_of(move);
+    EXPECT_EQ(move.in_cycle, move.source.line == 4) << text_of(move);
+  }
+}
+
 }  // namespace
 }  // namespace kerf::parser

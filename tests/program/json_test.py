@@ -89,6 +89,10 @@ class Json(Case):
                                         "[program]\npath_mode = 'G61'\n")
         report = json.loads(self.kerf("dry-run", "--json", "--machine", exact, self.path("modes.ngc", text)).stdout)
         self.assertEqual(report["path_modes"][0], {"mode": "G61", "by": "machine"})
+        # A canned cycle and a probe run on the exact path in every mode: they name none.
+        program = self.path("drill.ngc", "G21 G90 F600 S1000 M3\nG0 X10 Z5\nG81 X20 Z-2 R2\nG80\nG38.3 Z3\nG1 X30\nM2\n")
+        modes = json.loads(self.kerf("dry-run", program, "--json").stdout)["path_modes"]
+        self.assertEqual([mode["mode"] for mode in modes], ["G64"])
         self.assertEqual(report["deviation"]["max_mm"], 0.0)
 
     def test_is_one_object_with_the_documented_keys(self):
