@@ -51,6 +51,14 @@ class Compare(Case):
         self.assertEqual(places[(None, 7)]["second"]["text"], "N6 G4 P1.5")
         self.assertEqual(abs(lines[0]["difference_s"]), max(abs(line["difference_s"]) for line in lines))
 
+    def test_says_where_a_program_that_does_not_fit_would(self):
+        slow, _ = self.both()
+        far = self.path("far.ngc", "G21 G90 G61 F3000\nG1 X100\nX620\nM2\n")
+        done = self.kerf("compare", slow, far, status=4)
+        self.assertEqual(done.stdout, "far.ngc: does not fit\n"
+                         "  x               0.000 to 620.000 mm, over by 120.000 mm; travel -500 to 500 mm\n"
+                         "  would fit       G54 X between -600.000 and -120.000\n")
+
     def test_names_as_many_lines_as_are_asked_for(self):
         slow, fast = self.both()
         difference = self.compare(slow, fast, "--lines", "2")["difference"]

@@ -8,6 +8,7 @@
 
 #include "programs/kerf/io/number_text.hpp"
 #include "programs/kerf/io/visible_text.hpp"
+#include "programs/kerf/report/extents_text.hpp"
 
 namespace kerf::program {
 
@@ -81,7 +82,7 @@ std::string name_of(const FileReport& report) {
 
 std::string comparison_text(const ComparedReports& compared) {
   if (compared.comparison == nullptr) {
-    return {};
+    return misfit_text(compared.first) + misfit_text(compared.second);
   }
   const Comparison& comparison = *compared.comparison;
   std::string text;

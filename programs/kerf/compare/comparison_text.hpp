@@ -15,7 +15,7 @@ struct ComparedReports {
   const Comparison* comparison = nullptr;
 };
 
-// Some lines of text, each with its newline; empty without a comparison.
+// Some lines of text, each with its newline. Without a comparison, how those that do not fit would.
 [[nodiscard]] std::string comparison_text(const ComparedReports& compared);
 
 // One object on one line, with its end.
