@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "lookahead/classical/classical_schedule.hpp"
 #include "lookahead/path/block_builder.hpp"
 
 namespace kerf::lookahead {
@@ -58,16 +57,19 @@ OptimumSchedule::Settings Planner::optimum_settings() const {
           .observer = settings_.observer};
 }
 
+ClassicalSchedule::Settings Planner::classical_settings() const {
+  return {.limits = settings_.limits,
+          .profile = settings_.profile,
+          .ready_blocks = ready_blocks(),
+          .longest_cruise_s = settings_.longest_phase_s,
+          .observer = settings_.observer};
+}
+
 std::unique_ptr<Schedule> Planner::new_schedule() const {
   if (is_optimum(settings_)) {
     return std::make_unique<OptimumSchedule>(optimum_settings());
   }
-  return std::make_unique<ClassicalSchedule>(
-      ClassicalSchedule::Settings{.limits = settings_.limits,
-                                  .profile = settings_.profile,
-                                  .ready_blocks = ready_blocks(),
-                                  .longest_cruise_s = settings_.longest_phase_s,
-                                  .observer = settings_.observer});
+  return std::make_unique<ClassicalSchedule>(classical_settings());
 }
 
 bool Planner::has_room() const noexcept {
@@ -219,6 +221,8 @@ bool Planner::emit_next(Outbox& outbox) {
     emitter_.keep(outbox, first);
     if (stands_in_ && !emitter_.is_on_block() && emitter_.ends_at_rest()) {
       empty_window();
+    } else if (stands_in_ && outbox.phases.size() > first) {
+      return_to_profile(outbox.phases.back());
     }
     return emitted;
   }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "interp/outputs.hpp"
+#include "lookahead/classical/classical_schedule.hpp"
 #include "lookahead/emit/emitter.hpp"
 #include "lookahead/emit/schedule.hpp"
 #include "lookahead/optimum/optimum_schedule.hpp"
@@ -128,9 +129,9 @@ class Planner {
   Outbox follow_probe(const ProbeStop& stop);
   // Goes on with other feedrates, or with or without a wait at each block's end, from a tick or
   // some later, in motion where a plan from there is found, else from the rest that hold() would
-  // find; the profile of the settings is back after the next rest. The outbox, which is empty
-  // before, gets phases up to until_tick; they go on as the plan of emit() does. None where nothing
-  // was emitted that could change. Precondition: as hold(), but that it may be held.
+  // find; the profile of the settings is back after the next rest or cruise. The outbox, which is
+  // empty before, gets phases up to until_tick; they go on as the plan of emit() does. None where
+  // nothing was emitted that could change. Precondition: as hold(), but that it may be held.
   struct PlanChange {
     FeedOverride by{};
     // The tool rests and waits at the junction behind each block of the program; a curve that
@@ -193,6 +194,7 @@ class Planner {
   void end_with(const Rest& rest);
   [[nodiscard]] std::size_t ready_blocks() const;
   [[nodiscard]] OptimumSchedule::Settings optimum_settings() const;
+  [[nodiscard]] ClassicalSchedule::Settings classical_settings() const;
   [[nodiscard]] std::unique_ptr<Schedule> new_schedule() const;
   bool hold_at(const PlanStop& stop, Outbox& outbox);
   [[nodiscard]] std::optional<PlanStop> find_stop_at(std::int64_t tick) const;
@@ -226,6 +228,9 @@ class Planner {
   void go_back(const Emitter& emitter, const std::deque<Item>& waiting);
   bool begin_in_motion(InMotion from);
   bool take_blocks_in_motion(std::size_t taken);
+  // Where the stand-in cruises on a block, its junctions are far and the profile of the settings
+  // can go on from there: it does.
+  void return_to_profile(const interp::Phase& phase);
   // Those of the change, for what waits.
   void take_modes(const PlanChange& change);
   // False: there is no motion, or no way to rest behind it.
@@ -288,7 +293,10 @@ class Planner {
   static ProgramPlace place_of(const Item& item);
   static bool is_same_block(const ProgramPlace& before, const ProgramPlace& after);
   std::optional<ProgramPlace> last_{};
-  bool stands_in_ = false;  // a time optimum, for the profile of the settings, to the next rest
+  // A time optimum, for the profile of the settings, to the next rest or cruise.
+  bool stands_in_ = false;
+  std::int64_t next_return_tick_ = 0;
+  std::int64_t between_returns_ = 0;  // ticks
   Emitter emitter_;
 };
 

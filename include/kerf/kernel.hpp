@@ -257,9 +257,9 @@ class KERF_API Kernel {
   /// Goes on with other feedrates some milliseconds later, on the same path, without a stop where
   /// the limits allow; a feedrate that is too high by then falls as fast as they allow. The last
   /// one counts. At feed 0 the tool holds until another value comes. The profile of the options is
-  /// back after the next rest: until then the motion is time-optimal. Where the program forbids it
-  /// (M49, M50 P0, M51 P0, tapping) the programmed feedrate or speed is kept. False: a value is out
-  /// of its range, and nothing changes. Planning side.
+  /// back after the next rest or cruise: until then the motion is time-optimal. Where the program
+  /// forbids it (M49, M50 P0, M51 P0, tapping) the programmed feedrate or speed is kept. False: a
+  /// value is out of its range, and nothing changes. Planning side.
   bool set_overrides(const Overrides& overrides);
 
   /// Follows the machine's inputs, in the way of set_overrides(). Where the tool is, the program

@@ -68,6 +68,12 @@ void ClassicalSchedule::push(const Block& block, const Block* before) {
   }
 }
 
+bool ClassicalSchedule::begin(double v_mm_s) {
+  backward_pass(window_, settings_.profile);
+  v_mm_s_ = v_mm_s;
+  return begin_in_motion(window_.front(), v_mm_s, settings_.profile);
+}
+
 void ClassicalSchedule::plan_window(Supply supply) {
   backward_pass(window_, settings_.profile);
   if (supply == Supply::to_rest) {

@@ -33,6 +33,8 @@ class ClassicalSchedule final : public Schedule {
   void push(const Window<Block>& blocks) override;
   // before: the block that it joins; null: it begins at rest.
   void push(const Block& block, const Block* before);
+  // Begins in motion, at an acceleration of 0, on what was pushed. False: it cannot, from there.
+  [[nodiscard]] bool begin(double v_mm_s);
   [[nodiscard]] bool empty() const override { return window_.empty(); }
   [[nodiscard]] bool has_room() const override { return true; }
   bool emit(Window<Block>& blocks, Supply supply, Emitter& emitter, Outbox& outbox) override;

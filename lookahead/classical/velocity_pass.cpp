@@ -41,6 +41,16 @@ void backward_pass(Window<WindowSegment>& window, const profiles::Profile& profi
   }
 }
 
+bool begin_in_motion(WindowSegment& first, double v_mm_s, const profiles::Profile& profile) {
+  if (v_mm_s > first.segment.limits.feedrate_mm_s ||
+      reach_backward_mm_s(first.segment, {.v_end_mm_s = first.v_end_mm_s, .cap_mm_s = v_mm_s},
+                          profile) < v_mm_s) {
+    return false;
+  }
+  keep_surest(first, v_mm_s, profile);
+  return true;
+}
+
 Ending ending_of(const WindowSegment& item, const SegmentEnds& wanted,
                  const profiles::Profile& profile) {
   assert(wanted.v_begin_mm_s <= item.sure.v_begin_mm_s);

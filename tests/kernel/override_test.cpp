@@ -67,6 +67,31 @@ TEST(Override, WhileALineSpeedsUpLeadsToItsFeedrateWithoutARest) {
   }
 }
 
+// The way down to it is no profile's own: it begins with any acceleration.
+TEST(Override, GoesOnWithTheChosenProfileFromACruise) {
+  const auto braking = [](const WatchedRun& run) {
+    std::vector<double> a_mm_s2;
+    for (auto tick = run.ticks.rbegin(); tick->v_mm_s < 49.9; ++tick) {
+      a_mm_s2.push_back(tick->a_mm_s2);
+    }
+    return a_mm_s2;
+  };
+  for (const ProfileKind kind : {ProfileKind::sine, ProfileKind::quintic, ProfileKind::sigmoid,
+                                 ProfileKind::sine_series, ProfileKind::s_curve}) {
+    SCOPED_TRACE(name_of(kind));
+    const KernelOptions options{.profile = {.kind = kind}};
+    const WatchedRun whole = run_with("G21 G90 G61\nG1 X400 F3000\nM2\n", options, {});
+    const WatchedRun run =
+        run_with("G21 G90 G61\nG1 X400 F6000\nM2\n", options, {{1000, {.feed = 0.5}}});
+    EXPECT_EQ(whole.complaint + run.complaint, "");
+    const std::vector<double> of_profile = braking(whole);
+    const std::vector<double> found = braking(run);
+    ASSERT_NEAR(static_cast<double>(found.size()), static_cast<double>(of_profile.size()), 1.0);
+    // The least may lie between two ticks: half of what the jerk of 5e4 mm/s^3 makes of one.
+    EXPECT_NEAR(*std::ranges::min_element(found), *std::ranges::min_element(of_profile), 25.0);
+  }
+}
+
 // Found with a client: where the plan of the other feedrate began at the rest of a corner, the tool
 // waited there for what comes behind it.
 TEST(Override, RightBeforeARestIsNoWaitForThePlanBehindIt) {
