@@ -18,16 +18,17 @@ double heeded_share(double feed) {
 void Kernel::Impl::hold() {
   holds_ = wants_hold_ = true;
   wants_resume_ = false;
+  next_hold_tick_ = 0;
   plan();
 }
 
 // A hold at a wait ends, and the wait is answered by the next; at feed 0 it is answered, too.
 void Kernel::Impl::resume() {
   holds_ = false;
-  wants_hold_ = stops_ || is_at_feed_0();
+  wants_hold_ = stops_;
   const bool was_at_wait = holds_at_wait();
   held_wait_.store(0, std::memory_order_relaxed);
-  wants_resume_ = !was_at_wait && !stops_ && (!is_at_feed_0() || pipeline_.waits());
+  wants_resume_ = !was_at_wait && !stops_;
   plan();
 }
 
@@ -43,6 +44,7 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
                    overrides.spindle != overrides_.spindle;
   overrides_ = overrides;
   overrides_.feed = feed;
+  stop_feed();
   follow_feed_0(was_at_feed_0);
   plan();
   return true;
@@ -53,6 +55,7 @@ bool Kernel::Impl::set_feed_inputs(const FeedInputs& inputs) {
     return false;
   }
   inputs_ = {.adaptive = heeded_share(inputs.adaptive), .stop = inputs.stop};
+  stop_feed();
   if (inputs_.adaptive > 0.0 && inputs_.adaptive != adaptive_) {
     adaptive_ = inputs_.adaptive;
     wants_change_ = true;
@@ -60,6 +63,12 @@ bool Kernel::Impl::set_feed_inputs(const FeedInputs& inputs) {
   }
   plan();
   return true;
+}
+
+void Kernel::Impl::stop_feed() {
+  pipeline_.stop_feed({.by_override = overrides_.feed == 0.0,
+                       .by_adaptive = inputs_.adaptive == 0.0,
+                       .by_machine = inputs_.stop});
 }
 
 bool Kernel::Impl::inputs_stop() const noexcept {
@@ -122,6 +131,10 @@ void Kernel::Impl::follow_commands() {
   if (!takeover_ && wants_resume_ && (!wants_hold_ || pipeline_.waits())) {
     go_on();
     wants_resume_ = false;
+    wants_hold_ = wants_hold_ || is_at_feed_0();
+  }
+  if (!takeover_ && !holds_ && !stops_ && pipeline_.feed_lets_go()) {
+    pipeline_.resume();
   }
   if (held_wait_.load(std::memory_order_relaxed) != 0 && !takeover_ && !holds_at_wait()) {
     held_wait_.store(0, std::memory_order_relaxed);  // another plan has no wait there
@@ -176,7 +189,8 @@ bool Kernel::Impl::try_hold() {
   if (has_stopped_) {
     return true;
   }
-  if (pipeline_.is_held()) {
+  const bool is_there = now() >= pipeline_.emitted_until_tick();
+  if (pipeline_.is_held() && (is_there || !pipeline_.is_held_by_feed())) {
     if (stops_) {
       judges_end_ = false;
       has_stopped_ = true;
@@ -196,7 +210,10 @@ bool Kernel::Impl::try_hold() {
   lookahead::Outbox plan;
   const std::uint32_t from = pipeline_.plan();
   const std::int64_t tick = takeover_tick();
-  if (!(stops_ ? pipeline_.stop(tick, plan) : pipeline_.hold(tick, plan))) {
+  const bool held = stops_   ? pipeline_.stop(tick, plan)
+                    : holds_ ? pipeline_.hold(tick, plan)
+                             : pipeline_.hold_feed(tick, plan);
+  if (!held) {
     // A trapezoid that brakes all it can is stopped no sooner by any bounded jerk, for hundreds of
     // ticks on end: a search at each of them would leave no time to plan.
     next_hold_tick_ = now() + margin_ticks_ / 2;

@@ -19,7 +19,7 @@ void Kernel::Impl::hand_on() {
 
 void Kernel::Impl::hand_over() {
   const std::int64_t tick_now = now();
-  if (pipeline_.is_held() || pipeline_.awaits_answer()) {
+  if ((pipeline_.is_held() && !pipeline_.is_held_by_feed()) || pipeline_.awaits_answer()) {
     queue_.commit();  // the stop ahead stays: the plan may be refused
     return;
   }

@@ -200,6 +200,8 @@ class KERF_LOCAL Kernel::Impl {
   [[nodiscard]] bool is_at_feed_0() const noexcept {
     return (overrides_.feed == 0.0 && !keeps_feed_) || is_stopped_;
   }
+  // To the plan: what does not begin to move.
+  void stop_feed();
   // Whether the machine's inputs stop the tool where it is.
   [[nodiscard]] bool inputs_stop() const noexcept;
   // Whether the program keeps its feedrate there.

@@ -156,6 +156,10 @@ bool Pipeline::hold(std::int64_t tick, lookahead::Outbox& outbox) {
   return took_over(planner_.hold(tick, outbox), outbox);
 }
 
+bool Pipeline::hold_feed(std::int64_t tick, lookahead::Outbox& outbox) {
+  return took_over(planner_.hold_feed(tick, outbox), outbox);
+}
+
 std::optional<lookahead::Planner::ChangedPlan> Pipeline::change_plan(
     const lookahead::Planner::PlanChange& change, lookahead::Outbox& outbox) {
   auto changed = planner_.change_plan(change, outbox);

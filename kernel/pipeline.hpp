@@ -59,6 +59,11 @@ class Pipeline {
   void plan_to_rest() { planner_.plan_to_rest(); }
   // Planner::hold, into an outbox that is empty.
   bool hold(std::int64_t tick, lookahead::Outbox& outbox);
+  // Planner's.
+  void stop_feed(const lookahead::StoppedFeed& stopped) noexcept { planner_.stop_feed(stopped); }
+  [[nodiscard]] bool is_held_by_feed() const noexcept { return planner_.is_held_by_feed(); }
+  [[nodiscard]] bool feed_lets_go() const noexcept { return planner_.feed_lets_go(); }
+  bool hold_feed(std::int64_t tick, lookahead::Outbox& outbox);
   // Planner::change_plan, into an outbox that is empty.
   std::optional<lookahead::Planner::ChangedPlan> change_plan(
       const lookahead::Planner::PlanChange& change, lookahead::Outbox& outbox);

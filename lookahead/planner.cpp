@@ -215,6 +215,10 @@ bool Planner::emit_next(Outbox& outbox) {
   take_waiting();
   const std::size_t first = outbox.phases.size();
   if (!schedule_->empty()) {
+    if (is_stopped_by_feed()) {
+      hold_by_feed(outbox);
+      return true;
+    }
     const Supply supply =
         to_rest_ ? Supply::to_rest : (wants_block() ? Supply::wanted : Supply::full);
     const bool emitted = schedule_->emit(blocks_, supply, emitter_, outbox);
@@ -233,6 +237,22 @@ bool Planner::emit_next(Outbox& outbox) {
   }
   to_rest_ = rest_.ends_program;
   return false;
+}
+
+// Within a tap nothing is stopped.
+bool Planner::is_stopped_by_feed() const {
+  return settings_.may_hold && emitter_.ends_at_rest() && stopped_feed_.stops(blocks_[0].follows) &&
+         (blocks_[0].follows.hold || emitter_.kept().ends_following_hold());
+}
+
+void Planner::hold_by_feed(Outbox& outbox) {
+  const std::size_t first = outbox.phases.size();
+  held_by_feed_ = blocks_[0].follows;
+  held_ = true;
+  empty_window();
+  emitter_.emit_rest_here(0, outbox);
+  outbox.phases.back().holds = true;
+  emitter_.keep(outbox, first);
 }
 
 void Planner::emit_rest(Outbox& outbox) {

@@ -94,9 +94,21 @@ class Planner {
   // rest as soon as the limits allow, or at the rest of the present plan if that is as near. The
   // outbox, which is empty before, gets its phases, and what they begin on; none where the program
   // has ended by then, or waits() at the rest of the present plan. What follows waits for resume().
-  // Precondition: may_hold, it does not hold. False: no way was found, and nothing has changed; ask
-  // again with a later tick, or when more was emitted.
+  // Precondition: may_hold, it does not hold but by the feed. False: no way was found, and nothing
+  // has changed; ask again with a later tick, or when more was emitted.
   bool hold(std::int64_t tick, Outbox& outbox);
+  // From now on nothing begins to move that the feed stops: the plan is held there, at rest, and
+  // goes on with resume(). What was emitted is not taken back.
+  void stop_feed(const StoppedFeed& stopped) noexcept { stopped_feed_ = stopped; }
+  // It is held there.
+  [[nodiscard]] bool is_held_by_feed() const noexcept { return held_ && held_by_feed_.has_value(); }
+  // The same, and the feed stops it no more.
+  [[nodiscard]] bool feed_lets_go() const noexcept {
+    return is_held_by_feed() && !stopped_feed_.stops(*held_by_feed_);
+  }
+  // As hold(), because the feed stops. False as well where the tool rests by then, and what follows
+  // is left to stop_feed(), or not stopped.
+  bool hold_feed(std::int64_t tick, Outbox& outbox);
   // The end of what was emitted before the plan that is to take over is lost: it is no way to rest.
   void cut_plan_before() { before_->is_cut = true; }
   // Whether the tick side took the plan that was to take over. If not, there is none any more; ask
@@ -190,6 +202,11 @@ class Planner {
   // From what was taken back, as much as there is room for.
   void take_waiting();
   bool emit_next(Outbox& outbox);
+  // What is emitted next begins to move from rest, and the feed stops it.
+  [[nodiscard]] bool is_stopped_by_feed() const;
+  void hold_by_feed(Outbox& outbox);
+  // Of what was emitted behind the rest; a dwell that lasts follows what stops it by itself.
+  [[nodiscard]] bool feed_stops_behind(const EmittedItems::Motion& rest) const;
   void emit_rest(Outbox& outbox);
   void end_with(const Rest& rest);
   [[nodiscard]] std::size_t ready_blocks() const;
@@ -259,6 +276,8 @@ class Planner {
   std::uint64_t pushed_blocks_ = 0;
   std::deque<Item> waiting_;  // was taken back, and goes before what comes
   bool held_ = false;
+  StoppedFeed stopped_feed_{};
+  std::optional<parser::FollowedOverrides> held_by_feed_{};  // what it holds follows these
   bool waits_ = false;
   bool asks_machine_ = false;  // what it waits for, if it does
   std::uint32_t waits_emitted_ = 0;

@@ -65,7 +65,7 @@ Block last_part_of(Block block, double length_mm) {
 
 std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& change, Outbox& outbox) {
   assert(settings_.may_hold && !before_ && outbox.phases.empty());
-  if (held_) {
+  if (held_ && !held_by_feed_) {
     take_modes(change);
     limit_waiting();
     return ChangedPlan{};
@@ -84,7 +84,9 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
     empty_window();
     take_modes(change);
     limit_waiting();
-    begin_rest_of_block();
+    if (!held_) {
+      begin_rest_of_block();
+    }
     return ChangedPlan{};
   }
   InMotion from{.stop = &*stop};
@@ -163,7 +165,7 @@ bool Planner::go_on_in_motion(InMotion from, const PlanChange& change, ChangedPl
 
 bool Planner::emit_first_part(const PlanChange& change, ChangedPlan& changed, Outbox& outbox) {
   for (std::int64_t until = change.until_tick, step = 1; step <= kMaxSteps; until += step *= 2) {
-    while (!waits_ && emitter_.now().tick < until && emit_next(outbox)) {
+    while (!waits_ && !held_ && emitter_.now().tick < until && emit_next(outbox)) {
     }
     if (outbox.phases.empty()) {
       return false;

@@ -38,7 +38,7 @@ std::vector<const Block*> Planner::blocks_ahead() const {
 }
 
 bool Planner::hold(std::int64_t tick, Outbox& outbox) {
-  assert(settings_.may_hold && !held_ && !before_ && outbox.phases.empty());
+  assert(settings_.may_hold && !before_ && outbox.phases.empty());
   const auto stop = find_stop_at(tick);
   if (stop && waits_ && emitter_.kept().is_last(stop->from)) {
     return !asks_machine_;
@@ -46,11 +46,35 @@ bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   return stop && stop->from.phase.follows_hold && hold_at(*stop, outbox);
 }
 
+bool Planner::hold_feed(std::int64_t tick, Outbox& outbox) {
+  assert(settings_.may_hold && !before_ && outbox.phases.empty());
+  const auto stop = find_stop_at(tick);
+  if (!stop || !stop->from.phase.follows_hold) {
+    return false;
+  }
+  const bool rests = stop->parts.empty() && stop->from.when.tick <= tick;
+  return (!rests || feed_stops_behind(stop->from)) && hold_at(*stop, outbox);
+}
+
+bool Planner::feed_stops_behind(const EmittedItems::Motion& rest) const {
+  const EmittedItems& kept = emitter_.kept();
+  if (kept.is_last(rest)) {
+    return false;
+  }
+  const EmittedItems::Blocks emitted = kept.blocks_from(rest);
+  const Block* next = emitted.blocks.empty() ? kept.block_behind(rest) : emitted.blocks.front();
+  if (next == nullptr && emitter_.is_on_block() && !blocks_.empty()) {
+    next = &blocks_[0];
+  }
+  return next == nullptr || stopped_feed_.stops(next->follows);
+}
+
 std::optional<PlanStop> Planner::find_stop_at(std::int64_t tick) const {
   return find_stop(emitter_, blocks_ahead(), {.tick = tick}, settings_.limits);
 }
 
 bool Planner::hold_at(const PlanStop& stop, Outbox& outbox) {
+  assert(!held_ || held_by_feed_);
   if (stop.from.phase.ends_program) {
     return !is_cut_;
   }
@@ -78,13 +102,14 @@ void Planner::take_back(const EmittedItems::Motion& from, std::size_t changing) 
              .single_block = single_block_,
              .last = last_,
              .is_cut = is_cut_});
-  waits_ = is_cut_ = false;
+  waits_ = is_cut_ = held_ = false;
+  held_by_feed_.reset();
   last_.reset();
   emitter_.take_back(from, waiting_);
 }
 
 std::optional<Planner::PlannedStopAhead> Planner::stop_ahead(std::int64_t tick) {
-  assert(settings_.may_hold && !held_);
+  assert(settings_.may_hold && (!held_ || held_by_feed_));
   const std::vector<const Block*> blocks = blocks_ahead();
   auto stop =
       find_stop(emitter_, blocks, {.tick = tick, .effort = StopEffort::any}, settings_.limits);
@@ -165,7 +190,7 @@ Rest Planner::drop_to_machine_wait(double s_mm) {
 }
 
 bool Planner::stop(std::int64_t tick, Outbox& outbox) {
-  assert(settings_.may_hold && !held_ && !before_ && outbox.phases.empty());
+  assert(settings_.may_hold && !before_ && outbox.phases.empty());
   const auto stop = find_stop_at(tick);
   if (!stop || !stop->from.phase.follows_hold || !hold_at(*stop, outbox)) {
     return false;
@@ -242,6 +267,7 @@ void Planner::settle(bool accepted) {
 
 void Planner::resume() {
   waits_ = false;
+  held_by_feed_.reset();
   if (!held_) {
     return;
   }

@@ -149,6 +149,16 @@ EmittedItems::Blocks EmittedItems::blocks_from(const Motion& motion) const {
   return found;
 }
 
+const Block* EmittedItems::block_behind(const Motion& rest) const {
+  for (std::size_t i = 0; i < items_.size() && items_[i].item; ++i) {
+    const auto* block = std::get_if<Block>(&*items_[i].item);
+    if (block != nullptr && items_[i].first_phase > rest.number) {
+      return block;
+    }
+  }
+  return nullptr;
+}
+
 EmittedItems::TakenBack EmittedItems::take_back(const Motion& motion, const EmitPlace& present,
                                                 std::deque<Item>& ahead) {
   TakenBack taken{.begin = present};

@@ -79,6 +79,10 @@ class EmittedItems {
   };
   // Within a tick it may have left a rest already.
   [[nodiscard]] bool ends_at_rest() const { return phases_.empty() || phases_.back().ends_at_rest; }
+  // Its last phase follows a feed hold.
+  [[nodiscard]] bool ends_following_hold() const {
+    return phases_.empty() || phases_.back().follows_hold;
+  }
   // It rests, and nothing was emitted behind it.
   [[nodiscard]] bool is_last(const Motion& motion) const {
     return motion.at_rest() && motion.number + 1 >= phase_count_ &&
@@ -105,6 +109,9 @@ class EmittedItems {
     bool rest_follows = false;  // else what has not ended follows
   };
   [[nodiscard]] Blocks blocks_from(const Motion& motion) const;
+
+  // The first block that begins behind the rest and has ended. Null: there is none.
+  [[nodiscard]] const Block* block_behind(const Motion& rest) const;
 
   // Takes back what follows the motion. The items go to the front of `ahead`, which
   // begins with the item that has not ended, if there is one; present: the place behind all. A

@@ -196,7 +196,8 @@ void Emitter::emit_rest(const Rest& rest, Outbox& outbox) {
     emit_change(*rest.change, outbox);
   }
   interp::Phase phase = rest_phase(rest.duration_s);
-  phase.line = rest.line != 0 ? rest.line : place_.line;
+  place_.line = rest.line != 0 ? rest.line : place_.line;
+  phase.line = place_.line;
   phase.rest_block = rest.run_block;
   phase.follows_feed = rest.follows.feed;
   phase.follows_hold = rest.follows.hold;

@@ -14,6 +14,18 @@ struct FeedOverride {
   friend bool operator==(const FeedOverride&, const FeedOverride&) = default;
 };
 
+// What is at 0, or asks the tool to stop: nothing that follows it begins to move.
+struct StoppedFeed {
+  bool by_override = false;
+  bool by_adaptive = false;
+  bool by_machine = false;
+
+  [[nodiscard]] bool stops(const parser::FollowedOverrides& follows) const {
+    return (by_override && follows.feed) || (by_adaptive && follows.adaptive) ||
+           (by_machine && follows.feed_stop);
+  }
+};
+
 // Of a programmed feedrate.
 inline double share_of(const FeedOverride& by, const parser::FollowedOverrides& follows) {
   return (follows.feed ? by.feed : 1.0) * (follows.spindle ? by.spindle : 1.0) *

@@ -118,7 +118,11 @@ class Interpreter {
   Done begin_curve(const RunningBlock& at);
   Done spline(const RunningBlock& at);
   Done drill(const RunningBlock& at);
-  void push_cycle_step(const RunningBlock& at, const CycleStep& step, double feedrate_mm_s);
+  struct CycleFeed {
+    double feedrate_mm_s = 0.0;
+    bool rapids_stop = true;  // at a feed override of 0; the feed of a tap does not
+  };
+  void push_cycle_step(const RunningBlock& at, const CycleStep& step, const CycleFeed& feed);
   Done probe(const RunningBlock& at);
 
   ProgramMemory memory_;

@@ -90,7 +90,7 @@ Done Interpreter::drill(const RunningBlock& at) {
     follow_overrides(at, state, {.feed = false, .speed = false, .feed_hold = before.feed_hold});
   }
   for (const CycleStep& step : cycle_steps_) {
-    push_cycle_step(at, step, *feedrate);
+    push_cycle_step(at, step, {.feedrate_mm_s = *feedrate, .rapids_stop = before.feed});
   }
   follow_overrides(at, state, before);
   return {};
@@ -98,7 +98,7 @@ Done Interpreter::drill(const RunningBlock& at) {
 
 // Cycles run on the exact path, also while G64 would let the corners go.
 void Interpreter::push_cycle_step(const RunningBlock& at, const CycleStep& step,
-                                  double feedrate_mm_s) {
+                                  const CycleFeed& feed) {
   ModalState& state = memory_.state;
   Move& move = at.push_move(state);
   move.in_cycle = true;
@@ -116,7 +116,8 @@ void Interpreter::push_cycle_step(const RunningBlock& at, const CycleStep& step,
     case StepKind::feed:
       move.shape = LineMove{step.end_mm};
       move.rapid = step.kind == StepKind::rapid;
-      move.feedrate_mm_s = move.rapid ? 0.0 : feedrate_mm_s;
+      move.feedrate_mm_s = move.rapid ? 0.0 : feed.feedrate_mm_s;
+      move.follows.feed = move.rapid ? feed.rapids_stop : move.follows.feed;
       state.position_mm = step.end_mm;
       break;
     case StepKind::dwell:

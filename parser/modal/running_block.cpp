@@ -26,7 +26,8 @@ Move& MoveSink::push_move(const ModalState& state) const {
   move.feedrate_mm_s = 0.0;
   move.follows = {.feed = state.overrides.feed,
                   .spindle = state.feed_mode == FeedMode::per_revolution && state.overrides.speed,
-                  .adaptive = state.overrides.adaptive_feed};
+                  .adaptive = state.overrides.adaptive_feed,
+                  .feed_stop = state.overrides.feed_hold};
   if (auxiliary_axes != 0) {
     move.auxiliary = auxiliary_move(state.auxiliary_deg_mm, state.auxiliary_deg_mm);
   }

@@ -150,12 +150,13 @@ struct EventMove {
 
 using kerf::PathMode;
 
-// The overrides that a feedrate follows: M48 to M52, G95, tapping.
+// What a feedrate follows: M48 to M53, G95, tapping.
 struct FollowedOverrides {
   bool feed = true;
   bool hold = true;       // a feed hold; not within a tap, whose spindle would turn on
   bool spindle = false;   // of G95: what the spindle makes of its speed
   bool adaptive = false;  // rapids too
+  bool feed_stop = true;  // of the machine; rapids too
 
   friend bool operator==(const FollowedOverrides&, const FollowedOverrides&) = default;
 };
@@ -174,8 +175,8 @@ struct Move {
   double blend_tolerance_mm = 0.0;  // G64 P or the machine's; 0: no corner is cut
   double merge_tolerance_mm = 0.0;  // G64 Q, P or the machine's; 0: no lines are merged
   bool mode_by_program = false;     // else the machine's
-  bool probes = false;              // it ends in an exact stop, whatever the path mode is
   bool in_cycle = false;            // G81 and so on: on the exact path, whatever the path mode is
+  bool probes = false;              // it ends in an exact stop, whatever the path mode is
   std::uint64_t block = 0;  // of the program's run, counted from 1: a line of a loop is many
 };
 
