@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { clock } from "../src/units.ts";
 import type { Page } from "playwright-core";
-import { kerf, openReport, pocket, programFile, textOf } from "./report.ts";
+import { fragmentOf, kerf, openReport, pocket, programFile, textOf } from "./report.ts";
 
 // A view that is moved is drawn coarsely, and then whole.
 async function drawnWhole(page: Page): Promise<void> {
@@ -102,6 +102,17 @@ test("each colour has its legend, and a part of one that is clicked dims the oth
   assert.ok(!before.equals(await page.locator(".path-view canvas").first().screenshot()), "the picture is another one");
   await page.locator(".legend.parts button").first().click();
   assert.equal(await page.locator(".legend.parts button.dimmed").count(), 0);
+  // Of a scale, a quarter.
+  await page.locator("[data-test=colour]").selectOption("feed");
+  const whole = await page.locator(".path-view canvas").first().screenshot();
+  const quarters = await page.locator(".legend .ramp button").evaluateAll((all) => all.map((one) => one.getAttribute("aria-label")!));
+  const marks = await page.locator(".legend .marks span").allTextContents();
+  assert.deepEqual(quarters, [0, 1, 2, 3].map((i) => `${marks[i]} to ${marks[i + 1]} mm/min`));
+  await page.locator(".legend .ramp button").last().click();
+  assert.equal(await page.locator(".legend .ramp button.dimmed").count(), 3);
+  await page.waitForTimeout(200);
+  assert.ok(!whole.equals(await page.locator(".path-view canvas").first().screenshot()), "the slower ways are dimmed");
+  assert.match(await fragmentOf(page), /shown=3/);
   assert.deepEqual(said, []);
   await page.context().close();
 });

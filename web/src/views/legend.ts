@@ -3,35 +3,45 @@ import { hexOf, scaleColour } from "../colours.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { MM_PER_INCH, percent, plain, unitOf } from "../units.ts";
-import { chosenParts, type Colouring } from "./path_colours.ts";
+import { SCALE_PARTS, chosenParts, type Colouring } from "./path_colours.ts";
+
+// A part of a legend, to be chosen beside those that are; with none of them all are.
+function partButton(part: { id: number; label: string | null }, chosen: readonly number[] | null, store: Store, ...content: HTMLElement[]): HTMLElement {
+  const isChosen = chosen?.includes(part.id) ?? false;
+  const choose = (): void => {
+    const others = chosen ?? [];
+    const now = isChosen ? others.filter((one) => one !== part.id) : [...others, part.id];
+    store.set({ shown: now.length > 0 ? now : null }, "page");
+  };
+  const button = h("button", { type: "button", "aria-pressed": String(isChosen), class: chosen === null || isChosen ? "" : "dimmed", click: choose }, ...content);
+  if (part.label !== null) button.title = part.label;
+  if (part.label !== null) button.setAttribute("aria-label", part.label);
+  return button;
+}
 
 export function legendOf(colouring: Colouring, store: Store, dark: boolean, allTicks: number): HTMLElement {
   const { legend } = colouring;
-  const { state } = store;
+  const chosen = chosenParts(legend, store.state.shown);
   if (legend.kind === "parts") {
-    const shown = chosenParts(legend, state.shown);
     const items = legend.parts.map(({ id, name, colour, ticks }) => {
       const swatch = h("i", { class: "swatch" });
       swatch.style.backgroundColor = hexOf(colour);
-      const chosen = shown === null || shown.includes(id);
-      const choose = (): void => {
-        const others = shown ?? [];
-        const now = others.includes(id) ? others.filter((one) => one !== id) : [...others, id];
-        store.set({ shown: now.length > 0 ? now : null }, "page");
-      };
-      return h("button", { type: "button", "aria-pressed": String(shown !== null && chosen), class: chosen ? "" : "dimmed", click: choose }, swatch, `${name} `, h("span", { class: "soft" }, percent(ticks / Math.max(1, allTicks))));
+      return partButton({ id, label: null }, chosen, store, swatch, h("span", {}, `${name} `), h("span", { class: "soft" }, percent(ticks / Math.max(1, allTicks))));
     });
     return h("div", { class: "legend parts", "aria-label": legend.title }, h("div", { class: "legend-title" }, legend.title), ...items);
   }
+  const { units } = store.state;
   const { factor, unit } =
     legend.quantity === "v"
-      ? unitOf("v", "mm", state.units)
+      ? unitOf("v", "mm", units)
       : legend.quantity === "length"
-        ? { factor: state.units.length === "inch" ? 1000 / MM_PER_INCH : 1000, unit: state.units.length === "inch" ? "thou" : "\u00b5m" }
+        ? { factor: units.length === "inch" ? 1000 / MM_PER_INCH : 1000, unit: units.length === "inch" ? "thou" : "\u00b5m" }
         : { factor: 100, unit: "%" };
-  const ramp = h("div", { class: "ramp" });
+  const mark = (i: number): string => plain((i / SCALE_PARTS) * legend.most * factor, 3);
+  const parts = Array.from({ length: SCALE_PARTS }, (_, i) => partButton({ id: i, label: `${mark(i)} to ${mark(i + 1)} ${unit}` }, chosen, store));
+  const ramp = h("div", { class: "ramp" }, ...parts);
   const stops = Array.from({ length: 17 }, (_, i) => hexOf(scaleColour(i / 16, dark)));
   ramp.style.backgroundImage = `linear-gradient(to right, ${stops.join(", ")})`;
-  const marks = [0, 0.25, 0.5, 0.75, 1].map((share) => h("span", {}, plain(share * legend.most * factor, 3)));
-  return h("div", { class: "legend scale" }, h("div", { class: "legend-title" }, `${legend.title}, ${unit}`), ramp, h("div", { class: "marks" }, ...marks));
+  const marks = Array.from({ length: SCALE_PARTS + 1 }, (_, i) => h("span", {}, mark(i)));
+  return h("div", { class: "legend scale", "aria-label": legend.title }, h("div", { class: "legend-title" }, `${legend.title}, ${unit}`), ramp, h("div", { class: "marks" }, ...marks));
 }

@@ -15,9 +15,14 @@ export interface Colouring {
   rgbOf(value: number): Rgb;
 }
 
+// A scale has parts of the same width.
+export const SCALE_PARTS = 4;
+export const scalePart = (share: number): number => Math.min(SCALE_PARTS - 1, Math.max(0, Math.floor(SCALE_PARTS * share)));
+
 // Of the parts that were chosen those that the legend has; null: none was, or none of them is there.
 export function chosenParts(legend: Legend, chosen: readonly number[] | null): readonly number[] | null {
-  const there = legend.kind === "parts" ? (chosen ?? []).filter((id) => legend.parts.some((part) => part.id === id)) : [];
+  const has = legend.kind === "parts" ? (id: number) => legend.parts.some((part) => part.id === id) : (id: number) => id >= 0 && id < SCALE_PARTS;
+  const there = (chosen ?? []).filter(has);
   return there.length > 0 ? there : null;
 }
 

@@ -2,7 +2,7 @@
 import { rgbOf } from "../colours.ts";
 import type { Path } from "../plan/plan.ts";
 import type { Ground } from "./ground.ts";
-import type { Colouring } from "./path_colours.ts";
+import { scalePart, type Colouring } from "./path_colours.ts";
 import { NOT_SEEN, chunksOf, levelsFor, type Chunk, type Sight } from "./path_detail.ts";
 import { linesBetween, rapidWays, type Stretches } from "./stretches.ts";
 
@@ -40,8 +40,8 @@ export class PathPaint {
     this.tint = (from, to, into, at) => {
       const value = colouring.valueOf(tick[from]!, tick[to]!);
       let bytes: number[] | undefined;
-      if (steps) bytes = steps[Math.round(256 * Math.min(1, Math.max(0, value)))];
-      else if (parts !== null && !parts.includes(value)) bytes = faint;
+      if (parts !== null && !parts.includes(steps ? scalePart(value) : value)) bytes = faint;
+      else if (steps) bytes = steps[Math.round(256 * Math.min(1, Math.max(0, value)))];
       else if (!(bytes = known.get(value))) known.set(value, (bytes = bytesOf(colouring.rgbOf(value))));
       into.set(bytes!, at);
     };
