@@ -50,7 +50,7 @@ export class App {
   private readonly difference: DifferenceView;
   private readonly playBar: PlayBar;
   private readonly main = h("main", {});
-  private readonly legend = h("div", {});
+  private readonly legend = h("div", { class: "legend-corner" });
   private readonly colour = h("select", { "aria-label": "Colour of the path" });
   private readonly tracks = h("select", { "aria-label": "Along the path, or an axis" });
   private readonly tabs: Tabs;
@@ -76,6 +76,7 @@ export class App {
     this.tabs = this.makeTabs();
     root.replaceChildren(this.header.element, ...(extras.bar ? [extras.bar] : []), this.answer.strip, this.main);
     this.main.append(this.spacePanel(), this.timePanel(), this.sidePanel());
+    this.path?.avoid(this.legend);
     this.listen();
     this.show();
   }

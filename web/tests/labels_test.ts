@@ -16,3 +16,11 @@ test("names beside each other stay where they are", () => {
   assert.equal(labels.freeY({ left: 180, width: 80, y: 50 }), 50);
   assert.equal(labels.freeY({ left: 100, width: 80, y: 50 + LINE_PX }), 50 + LINE_PX);
 });
+
+test("a name keeps off what covers the lower right corner", () => {
+  const labels = new Labels({ left: 200, top: 100 });
+  assert.equal(labels.freeY({ left: 100, width: 80, y: 150 }), 150, "beside it");
+  assert.equal(labels.freeY({ left: 150, width: 80, y: 60 }), 60, "above it");
+  assert.equal(labels.freeY({ left: 150, width: 80, y: 150 }), 100 - LINE_PX / 2);
+  assert.equal(labels.freeY({ left: 190, width: 80, y: 180 }), 100 - 1.5 * LINE_PX, "above the other");
+});

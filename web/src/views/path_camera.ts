@@ -8,6 +8,8 @@ export type Side = (typeof SIDES)[number];
 const DIRECTIONS: Record<Side, Triple> = { top: [0, 0, 1], front: [0, -1, 0], right: [1, 0, 0], iso: [-1, -1.4, 1.1] };
 
 const WAYS: Readonly<Record<string, readonly [right: number, down: number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+const LEAST_SHARE = 0.75;
+const MOST_ZOOM = 1e5;
 const KEY_ANGLE_RAD = Math.PI / 36;
 const KEY_PIXELS = 40;
 const KEY_ZOOM = 1.25;
@@ -17,11 +19,49 @@ export interface Box {
   readonly max: Triple;
 }
 
+export interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+type Point = readonly [right: number, up: number];
+
+// Whether one of the lines between the points comes into the lower right corner of a view about their middle.
+function leadsInto(corner: Size, view: Size, points: readonly Point[]): boolean {
+  const STEPS = 16;
+  const isIn = (right: number, up: number): boolean => right > view.width / 2 - corner.width && up < corner.height - view.height / 2;
+  return points.some((a, i) =>
+    points.slice(i).some((b) => {
+      for (let step = 0; step <= STEPS; ++step) {
+        const share = step / STEPS;
+        if (isIn(a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]))) return true;
+      }
+      return false;
+    }),
+  );
+}
+
+// Where the corners of something, about its middle, fit into a view whose lower right corner is covered: in pixels from the
+// view's middle, and how large. In all of the view where they keep off that corner or would be much smaller beside it; else
+// beside or above what covers it.
+export function placeFor(points: readonly Point[], view: Size, covered: Size): { zoom: number; right: number; up: number } {
+  const size = { width: 2 * Math.max(...points.map(([right]) => Math.abs(right))), height: 2 * Math.max(...points.map(([, up]) => Math.abs(up))) };
+  const fits = (width: number, height: number): number => Math.min(0.86 * Math.min(width / Math.max(size.width, 1e-3), height / Math.max(size.height, 1e-3)), MOST_ZOOM);
+  const whole = { zoom: fits(view.width, view.height), right: 0, up: 0 };
+  if (!leadsInto(covered, view, points.map(([right, up]) => [whole.zoom * right, whole.zoom * up]))) return whole;
+  const beside = { zoom: fits(view.width - covered.width, view.height), right: -covered.width / 2, up: 0 };
+  const above = { zoom: fits(view.width, view.height - covered.height), right: 0, up: covered.height / 2 };
+  const free = beside.zoom > above.zoom ? beside : above;
+  return free.zoom > LEAST_SHARE * whole.zoom ? free : whole;
+}
+
 export class PathCamera {
+  private covered: Size = { width: 0, height: 0 }; // of the lower right corner
   readonly camera = new THREE.OrthographicCamera();
   private readonly controls: OrbitControls;
   private box: Box = { min: [0, 0, 0], max: [0, 0, 0] }; // of what is to be seen
   private reach = 4; // farther than anything that is drawn
+  private isFitted = false; // and no hand has moved it
   private readonly element: HTMLElement;
   private readonly settled: () => void;
 
@@ -36,6 +76,7 @@ export class PathCamera {
     this.controls.zoomToCursor = true;
     this.controls.screenSpacePanning = true;
     this.controls.addEventListener("change", changed);
+    this.controls.addEventListener("start", () => (this.isFitted = false));
     this.controls.addEventListener("end", settled);
   }
 
@@ -69,6 +110,13 @@ export class PathCamera {
     this.fit();
   }
 
+  // What covers the corner is another one: a view that nobody has moved makes room for the first.
+  cover(size: Size): void {
+    const isFirst = this.covered.width === 0;
+    this.covered = size;
+    if (isFirst && this.isFitted) this.fit();
+  }
+
   // As near as all of the box is seen.
   fit(): void {
     const { min, max } = this.box;
@@ -78,16 +126,18 @@ export class PathCamera {
     this.camera.position.copy(middle).add(offset);
     this.camera.lookAt(middle);
     this.camera.updateMatrixWorld();
-    let [width, height] = [0, 0];
-    for (let corner = 0; corner < 8; ++corner) {
+    const corners = Array.from({ length: 8 }, (_, corner): Point => {
       const point = new THREE.Vector3(corner & 1 ? max[0] : min[0], corner & 2 ? max[1] : min[1], corner & 4 ? max[2] : min[2]);
       point.applyMatrix4(this.camera.matrixWorldInverse);
-      width = Math.max(width, 2 * Math.abs(point.x));
-      height = Math.max(height, 2 * Math.abs(point.y));
-    }
-    const { clientWidth, clientHeight } = this.element;
-    const zoom = 0.86 * Math.min(clientWidth / Math.max(width, 1e-3), clientHeight / Math.max(height, 1e-3));
-    this.camera.zoom = Math.min(zoom, 1e5);
+      return [point.x, point.y];
+    });
+    const { clientWidth: width, clientHeight: height } = this.element;
+    const { zoom, right, up } = placeFor(corners, { width, height }, this.covered);
+    this.camera.zoom = zoom;
+    const shift = new THREE.Vector3(-right, -up, 0).divideScalar(this.camera.zoom).applyQuaternion(this.camera.quaternion);
+    this.controls.target.add(shift);
+    this.camera.position.add(shift);
+    this.isFitted = true;
     this.update();
   }
 
@@ -101,6 +151,7 @@ export class PathCamera {
       this.look(flat ? "top" : "iso");
       return;
     }
+    this.isFitted = false;
     this.controls.target.set(tx!, ty!, tz!);
     this.camera.position.set(px!, py!, pz!);
     this.camera.zoom = zoom!;
@@ -128,6 +179,7 @@ export class PathCamera {
     } else {
       return;
     }
+    this.isFitted = false;
     event.preventDefault();
     this.settled();
   }

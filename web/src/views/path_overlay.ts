@@ -5,7 +5,7 @@ import { fitsOf } from "../plan/account.ts";
 import type { Path, Plan } from "../plan/plan.ts";
 import { MM_PER_INCH, lengthText, lengthUnit, plain, type Units } from "../units.ts";
 import type { Ground } from "./ground.ts";
-import { Labels } from "./labels.ts";
+import { Labels, type Corner } from "./labels.ts";
 import type { Triple } from "./stretches.ts";
 
 // A place with a name.
@@ -43,6 +43,7 @@ export interface Overlay {
   readonly height: number;
   readonly camera: THREE.OrthographicCamera;
   readonly ground: Ground;
+  readonly covered: Corner; // by the legend
 }
 
 export function drawOverlay(overlay: Overlay, units: Units, places: readonly Place[]): void {
@@ -93,10 +94,10 @@ function drawScale({ pen, height, camera, ground }: Overlay, units: Units): void
   pen.fillText(`${plain(size, 1)} ${lengthUnit(units)}`, left + (size * perUnit) / 2, height - 34);
 }
 
-function drawPlaces({ pen, width, height, camera, ground }: Overlay, places: readonly Place[]): void {
+function drawPlaces({ pen, width, height, camera, ground, covered }: Overlay, places: readonly Place[]): void {
   pen.font = "12px system-ui, sans-serif";
   pen.textAlign = "left";
-  const labels = new Labels();
+  const labels = new Labels(covered);
   for (const { at, text } of places) {
     const point = new THREE.Vector3(...at).project(camera);
     const [x, y] = [((point.x + 1) * width) / 2, ((1 - point.y) * height) / 2];

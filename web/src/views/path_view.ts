@@ -4,7 +4,7 @@ import type { Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import type { Ground } from "./ground.ts";
-import { PathCamera, type Side } from "./path_camera.ts";
+import { PathCamera, type Size, type Side } from "./path_camera.ts";
 import { chosenParts, colouringOf, type Colouring } from "./path_colours.ts";
 import { drawOverlay, placesOf, type Place } from "./path_overlay.ts";
 import { PathPointer } from "./path_pointer.ts";
@@ -25,6 +25,7 @@ export class PathView {
   private readonly camera: PathCamera;
   private readonly pointer: PathPointer;
   private places: Place[] = [];
+  private corner: Size = { width: 0, height: 0 }; // that is covered, the lower right one
   private plan: Plan | null = null; // null: it has no path
   private scheduled = false;
   private refining: ReturnType<typeof setTimeout> | undefined;
@@ -102,6 +103,17 @@ export class PathView {
     this.draw();
   }
 
+  // What stands over its lower right corner: names of places keep off it.
+  avoid(element: HTMLElement): void {
+    const margin = parseFloat(getComputedStyle(element).right) || 0;
+    new ResizeObserver(([entry]) => {
+      const { width, height } = entry!.contentRect;
+      this.corner = width > 0 ? { width: width + margin, height: height + margin } : { width, height };
+      this.camera.cover(this.corner);
+      this.draw();
+    }).observe(element);
+  }
+
   private resize(): void {
     const { clientWidth: width, clientHeight: height } = this.element;
     if (width === 0 || height === 0) return;
@@ -135,7 +147,8 @@ export class PathView {
     const { clientWidth: width, clientHeight: height } = this.element;
     const pen = this.overlay.getContext("2d")!;
     pen.setTransform(window.devicePixelRatio, 0, 0, window.devicePixelRatio, 0, 0);
-    drawOverlay({ pen, width, height, camera, ground: this.ground }, this.store.state.units, this.plan ? this.places : []);
+    const covered = { left: width - this.corner.width, top: height - this.corner.height };
+    drawOverlay({ pen, width, height, camera, ground: this.ground, covered }, this.store.state.units, this.plan ? this.places : []);
     this.canvas.dataset["whole"] = String(isWhole);
     if (!isWhole) this.refine();
   }

@@ -92,7 +92,6 @@ export interface Editing {
   changed(text: string): void;
 }
 
-// Of any text that an editor shows.
 // The editor would scroll the page as well, whose reader may look at something else.
 function scrollWithin(view: EditorView, range: SelectionRange, { y }: { y: string }): boolean {
   const { scrollDOM: panel } = view;
@@ -103,6 +102,7 @@ function scrollWithin(view: EditorView, range: SelectionRange, { y }: { y: strin
   return true;
 }
 
+// Of any text that an editor shows.
 export const look = EditorView.theme({
   "&": { height: "100%", fontSize: "13px", color: "var(--text)", backgroundColor: "var(--panel)" },
   ".cm-scroller": { fontFamily: "ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, monospace", lineHeight: "1.5" },
