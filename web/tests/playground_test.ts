@@ -143,6 +143,21 @@ test("another profile and another machine take their own time", async () => {
   await after_(() => page.locator('select[aria-label="Profile"]').selectOption("time-optimal"));
 });
 
+test("another tolerance of the machine takes its own time", async () => {
+  const file = program("G21 G90 F6000\nG1 X20\nY20\nX0\nY0\nM2\n", "corners.ngc");
+  await open("Open a program", file);
+  const limits = "[path]\nmax_velocity_mm_s = 150\nmax_acceleration_mm_s2 = 2000\nmax_jerk_mm_s3 = 50000\n";
+  const times: number[] = [];
+  for (const tolerance of ["0.01", "0.5"]) {
+    const machine = program(`${limits}[program]\npath_mode = "G64 P${tolerance} Q${tolerance}"\n`, `p${tolerance}.toml`);
+    await open("Open a machine file", machine);
+    times.push(timeOf("--machine", machine, file));
+    assert.equal(await shownTime(), clock(times.at(-1)!));
+  }
+  assert.ok(times[1]! < times[0]!);
+  await after_(() => page.locator('select[aria-label="Example machine"]').selectOption("table.toml"));
+});
+
 test("a machine file that is wrong is refused with its place", async () => {
   await open("Open a machine file", program("[path]\nmax_velocty_mm_s = 5\n", "wrong.toml"));
   assert.match((await page.locator(".refusal").textContent()) ?? "", /wrong\.toml:2:1: error: unknown key 'max_velocty_mm_s'/);
