@@ -58,7 +58,8 @@ void Controller::Impl::follow(Ticked tick, const Kernel& kernel) noexcept {
   switch (tick.status) {
     case TickStatus::running:
       if (detail_.waits_for_machine ||  // or the wait is answered, and nothing follows
-          (is_text_late_.load(std::memory_order_relaxed) && detail_.wait_cause != WaitCause::none)) {
+          (is_text_late_.load(std::memory_order_relaxed) &&
+           detail_.wait_cause != WaitCause::none)) {
         change_if(State::running, State::waiting);
       } else {
         change_if(State::waiting, State::running);

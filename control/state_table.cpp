@@ -101,7 +101,8 @@ constexpr std::array<std::string_view, kCommands> kCommandNames{
     "optional stop", "block delete",   "mdi",   "jog",      "home"};
 constexpr std::array<std::string_view, 6> kCauseNames{
     "none", "program stop", "optional stop", "pallet change", "tool change", "block end"};
-constexpr std::array<std::string_view, 5> kWaitNames{"nothing", "answer", "text", "planning", "machine"};
+constexpr std::array<std::string_view, 5> kWaitNames{"nothing", "answer", "text", "planning",
+                                                     "machine"};
 
 }  // namespace
 
