@@ -6,15 +6,6 @@
 
 namespace kerf {
 
-namespace {
-
-// What is next to nothing would be a cruise of years.
-double heeded_share(double feed) {
-  return feed < Overrides::kLeastFeed ? 0.0 : feed;
-}
-
-}  // namespace
-
 void Kernel::Impl::hold() {
   holds_ = wants_hold_ = true;
   wants_resume_ = false;
@@ -30,68 +21,6 @@ void Kernel::Impl::resume() {
   held_wait_.store(0, std::memory_order_relaxed);
   wants_resume_ = !was_at_wait && !stops_;
   plan();
-}
-
-bool Kernel::Impl::set_overrides(const Overrides& overrides) {
-  if (!is_possible(overrides)) {
-    return false;
-  }
-  const bool was_at_feed_0 = is_at_feed_0();
-  interpolator_.override_spindle_by(overrides.spindle);
-  const double feed = heeded_share(overrides.feed);
-  const double feed_before = std::exchange(feed_, feed > 0.0 ? feed : feed_);
-  wants_change_ |= feed_ != feed_before || overrides.rapid != overrides_.rapid ||
-                   overrides.spindle != overrides_.spindle;
-  overrides_ = overrides;
-  overrides_.feed = feed;
-  stop_feed();
-  follow_feed_0(was_at_feed_0);
-  plan();
-  return true;
-}
-
-bool Kernel::Impl::set_feed_inputs(const FeedInputs& inputs) {
-  if (!is_possible(inputs)) {
-    return false;
-  }
-  inputs_ = {.adaptive = heeded_share(inputs.adaptive), .stop = inputs.stop};
-  stop_feed();
-  if (inputs_.adaptive > 0.0 && inputs_.adaptive != adaptive_) {
-    adaptive_ = inputs_.adaptive;
-    wants_change_ = true;
-    follow_feed_0(is_at_feed_0());
-  }
-  plan();
-  return true;
-}
-
-void Kernel::Impl::stop_feed() {
-  pipeline_.stop_feed({.by_override = overrides_.feed == 0.0,
-                       .by_adaptive = inputs_.adaptive == 0.0,
-                       .by_machine = inputs_.stop});
-}
-
-bool Kernel::Impl::inputs_stop() const noexcept {
-  const interp::Interpolator::Heeded heeded = interpolator_.heeded();
-  return (heeded.feed_stop && inputs_.stop) || (heeded.adaptive_feed && inputs_.adaptive == 0.0);
-}
-
-void Kernel::Impl::follow_place() {
-  const bool was_at_feed_0 = is_at_feed_0();
-  is_stopped_ = inputs_stop();
-  keeps_feed_ = feed_is_kept();
-  if (is_at_feed_0() != was_at_feed_0) {
-    follow_feed_0(was_at_feed_0);
-  }
-}
-
-void Kernel::Impl::follow_feed_0(bool was_at_feed_0) {
-  // A wait is not answered by it.
-  const bool releases =
-      was_at_feed_0 && !is_at_feed_0() && (pipeline_.is_held() || takeover_.has_value());
-  next_try_tick_ = 0;
-  wants_hold_ = holds_ || stops_ || is_at_feed_0();
-  wants_resume_ = !wants_hold_ && (wants_resume_ || releases);
 }
 
 void Kernel::Impl::set_single_block(bool on) {
@@ -128,13 +57,8 @@ void Kernel::Impl::follow_commands() {
   if (takeover_ && interpolator_.answer().plan == takeover_->plan) {
     settle(interpolator_.answer().in_force == takeover_->plan);
   }
-  if (!takeover_ && wants_resume_ && (!wants_hold_ || pipeline_.waits())) {
-    go_on();
-    wants_resume_ = false;
-    wants_hold_ = wants_hold_ || is_at_feed_0();
-  }
-  if (!takeover_ && !holds_ && !stops_ && pipeline_.feed_lets_go()) {
-    pipeline_.resume();
+  if (!takeover_) {
+    follow_resume();
   }
   if (held_wait_.load(std::memory_order_relaxed) != 0 && !takeover_ && !holds_at_wait()) {
     held_wait_.store(0, std::memory_order_relaxed);  // another plan has no wait there
@@ -146,6 +70,17 @@ void Kernel::Impl::follow_commands() {
   if (!takeover_ && wants_change_ && now() >= next_try_tick_) {
     wants_change_ = !try_change_plan();
     next_try_tick_ = wants_change_ ? now() + margin_ticks_ : 0;
+  }
+}
+
+void Kernel::Impl::follow_resume() {
+  if (wants_resume_ && (!wants_hold_ || pipeline_.waits())) {
+    go_on();
+    wants_resume_ = false;
+    wants_hold_ = wants_hold_ || is_at_feed_0();
+  }
+  if (!holds_ && !stops_ && pipeline_.feed_lets_go()) {
+    pipeline_.resume();
   }
 }
 
@@ -185,12 +120,23 @@ bool Kernel::Impl::hand_over(lookahead::Outbox&& plan, std::uint32_t from,
   return true;
 }
 
+// Where the feed is to stop what begins, the tool may still be on its way there.
+bool Kernel::Impl::is_at_hold() const {
+  return pipeline_.is_held() &&
+         (!pipeline_.is_held_by_feed() || now() >= pipeline_.emitted_until_tick());
+}
+
+bool Kernel::Impl::plan_hold(std::int64_t tick, lookahead::Outbox& plan) {
+  return stops_   ? pipeline_.stop(tick, plan)
+         : holds_ ? pipeline_.hold(tick, plan)
+                  : pipeline_.hold_feed(tick, plan);
+}
+
 bool Kernel::Impl::try_hold() {
   if (has_stopped_) {
     return true;
   }
-  const bool is_there = now() >= pipeline_.emitted_until_tick();
-  if (pipeline_.is_held() && (is_there || !pipeline_.is_held_by_feed())) {
+  if (is_at_hold()) {
     if (stops_) {
       judges_end_ = false;
       has_stopped_ = true;
@@ -210,10 +156,7 @@ bool Kernel::Impl::try_hold() {
   lookahead::Outbox plan;
   const std::uint32_t from = pipeline_.plan();
   const std::int64_t tick = takeover_tick();
-  const bool held = stops_   ? pipeline_.stop(tick, plan)
-                    : holds_ ? pipeline_.hold(tick, plan)
-                             : pipeline_.hold_feed(tick, plan);
-  if (!held) {
+  if (!plan_hold(tick, plan)) {
     // A trapezoid that brakes all it can is stopped no sooner by any bounded jerk, for hundreds of
     // ticks on end: a search at each of them would leave no time to plan.
     next_hold_tick_ = now() + margin_ticks_ / 2;

@@ -226,6 +226,9 @@ class KERF_LOCAL Kernel::Impl {
   // A plan that takes over. False: it did not fit, and is dropped.
   bool hand_over(lookahead::Outbox&& plan, std::uint32_t from,
                  const lookahead::Planner::PlannedStopAhead* ahead = nullptr);
+  void follow_resume();
+  [[nodiscard]] bool is_at_hold() const;
+  bool plan_hold(std::int64_t tick, lookahead::Outbox& plan);
   bool try_hold();
   bool try_change_plan();
 

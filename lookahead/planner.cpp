@@ -239,22 +239,6 @@ bool Planner::emit_next(Outbox& outbox) {
   return false;
 }
 
-// Within a tap nothing is stopped.
-bool Planner::is_stopped_by_feed() const {
-  return settings_.may_hold && emitter_.ends_at_rest() && stopped_feed_.stops(blocks_[0].follows) &&
-         (blocks_[0].follows.hold || emitter_.kept().ends_following_hold());
-}
-
-void Planner::hold_by_feed(Outbox& outbox) {
-  const std::size_t first = outbox.phases.size();
-  held_by_feed_ = blocks_[0].follows;
-  held_ = true;
-  empty_window();
-  emitter_.emit_rest_here(0, outbox);
-  outbox.phases.back().holds = true;
-  emitter_.keep(outbox, first);
-}
-
 void Planner::emit_rest(Outbox& outbox) {
   if (rest_.duration_s > 2.0 * rest_part_s_) {
     emitter_.emit_rest(

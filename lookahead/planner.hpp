@@ -238,6 +238,7 @@ class Planner {
   };
   bool go_on_in_motion(InMotion from, const PlanChange& change, ChangedPlan& changed,
                        Outbox& outbox);
+  void change_at_rest(const PlanChange& change);
   // With a first part of what follows where the rest may be over at once. Where nothing is found
   // that a way to rest goes on from, the plan ends at that rest.
   void go_on_from_rest(const std::vector<BrakingPart>& parts, const PlanChange& change,
@@ -245,6 +246,7 @@ class Planner {
   void go_back(const Emitter& emitter, const std::deque<Item>& waiting);
   bool begin_in_motion(InMotion from);
   bool take_blocks_in_motion(std::size_t taken);
+  void stand_in();
   // Where the stand-in cruises on a block, its junctions are far and the profile of the settings
   // can go on from there: it does.
   void return_to_profile(const interp::Phase& phase);

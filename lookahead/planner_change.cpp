@@ -1,7 +1,6 @@
 // Goes on with another plan, in motion: overrides, and single block.
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -20,19 +19,6 @@ constexpr double kFarRest_s = 0.02;
 constexpr auto kAllItems = std::numeric_limits<std::size_t>::max();
 // From ticks so far apart, twice as far each time, a way to rest is sought.
 constexpr std::int64_t kMaxSteps = 64;
-
-// Where the profile could not go on it is tried again so much later, twice as late each time.
-constexpr double kBetweenReturns_s = 0.1;
-
-// The optimum comes to a feedrate in the end, and goes on with next to no acceleration.
-bool is_steady(const interp::Phase& phase, double period_s) {
-  constexpr double kOfFeedrate = 1e-6;  // in a tick
-  constexpr double kOverPhase = 1e-4;
-  const profiles::PathMotion end = phase.law.at(phase.law.duration_s());
-  const profiles::Ramp ramp = phase.law.ramp();
-  return std::abs(end.a_mm_s2) * period_s <= kOfFeedrate * end.v_mm_s &&
-         std::abs(ramp.v_end_mm_s - ramp.v_begin_mm_s) <= kOverPhase * end.v_mm_s;
-}
 
 OptimumSchedule::Begin motion_of(const PlanStop& stop) {
   constexpr int kPointsOfPart = 4;
@@ -81,12 +67,7 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
     if (is_cut_) {
       return std::nullopt;
     }
-    empty_window();
-    take_modes(change);
-    limit_waiting();
-    if (!held_) {
-      begin_rest_of_block();
-    }
+    change_at_rest(change);
     return ChangedPlan{};
   }
   InMotion from{.stop = &*stop};
@@ -109,6 +90,16 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
   }
   go_on_from_rest(stop->parts, change, changed, outbox);
   return changed;
+}
+
+// Of what was emitted nothing is left.
+void Planner::change_at_rest(const PlanChange& change) {
+  empty_window();
+  take_modes(change);
+  limit_waiting();
+  if (!held_) {
+    begin_rest_of_block();
+  }
 }
 
 void Planner::go_on_from_rest(const std::vector<BrakingPart>& parts, const PlanChange& change,
@@ -204,9 +195,7 @@ bool Planner::begin_in_motion(InMotion from) {
   auto schedule = std::make_unique<OptimumSchedule>(optimum_settings());
   OptimumSchedule& optimum = *schedule;
   schedule_ = std::move(schedule);
-  stands_in_ = settings_.profile.kind() != profiles::ProfileKind::time_optimal;
-  next_return_tick_ = 0;
-  between_returns_ = std::llround(kBetweenReturns_s / settings_.limits.period_s);
+  stand_in();
   if (begin.has_before) {
     blocks_.push_back(last_part_of(*std::move(from.before), zone_mm));
     optimum.push_in_motion(blocks_);
@@ -237,44 +226,6 @@ bool Planner::take_blocks_in_motion(std::size_t taken) {
     waiting_.pop_front();
   }
   return true;
-}
-
-void Planner::return_to_profile(const interp::Phase& phase) {
-  const profiles::PathMotion end = phase.law.at(phase.law.duration_s());
-  if (!emitter_.is_on_block() || !is_steady(phase, settings_.limits.period_s) ||
-      emitter_.now().tick < next_return_tick_ ||
-      emitter_.curve_mm() < junction_zone_mm({.v_mm_s = end.v_mm_s}, settings_.limits)) {
-    return;
-  }
-  next_return_tick_ = emitter_.now().tick + between_returns_;
-  between_returns_ *= 2;
-  for (std::size_t i = 1; i < blocks_.size(); ++i) {
-    if (blocks_[i].slows) {
-      return;
-    }
-  }
-  const Block& present = blocks_[0];
-  auto whole = present.whole ? present.whole : std::make_shared<const Block>(present);
-  if (whole->slows) {
-    auto with_limits = std::make_shared<Block>(*whole);
-    set_limits(by_, settings_.limits, scan_for_, *with_limits);
-    whole = std::move(with_limits);
-  }
-  std::optional<Block> remainder = remainder_of(whole, emitter_.curve_mm());
-  if (!remainder) {
-    return;
-  }
-  auto schedule = std::make_unique<ClassicalSchedule>(classical_settings());
-  schedule->push(*remainder, nullptr);
-  for (std::size_t i = 1; i < blocks_.size(); ++i) {
-    schedule->push(blocks_[i], i > 1 ? &blocks_[i - 1] : &*remainder);
-  }
-  if (schedule->begin(end.v_mm_s)) {
-    blocks_[0] = *std::move(remainder);
-    emitter_.begin_remainder(0.0);
-    schedule_ = std::move(schedule);
-    stands_in_ = false;
-  }
 }
 
 std::size_t Planner::let_slow_down(const OptimumSchedule::Begin& from) {

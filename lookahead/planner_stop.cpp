@@ -46,29 +46,6 @@ bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   return stop && stop->from.phase.follows_hold && hold_at(*stop, outbox);
 }
 
-bool Planner::hold_feed(std::int64_t tick, Outbox& outbox) {
-  assert(settings_.may_hold && !before_ && outbox.phases.empty());
-  const auto stop = find_stop_at(tick);
-  if (!stop || !stop->from.phase.follows_hold) {
-    return false;
-  }
-  const bool rests = stop->parts.empty() && stop->from.when.tick <= tick;
-  return (!rests || feed_stops_behind(stop->from)) && hold_at(*stop, outbox);
-}
-
-bool Planner::feed_stops_behind(const EmittedItems::Motion& rest) const {
-  const EmittedItems& kept = emitter_.kept();
-  if (kept.is_last(rest)) {
-    return false;
-  }
-  const EmittedItems::Blocks emitted = kept.blocks_from(rest);
-  const Block* next = emitted.blocks.empty() ? kept.block_behind(rest) : emitted.blocks.front();
-  if (next == nullptr && emitter_.is_on_block() && !blocks_.empty()) {
-    next = &blocks_[0];
-  }
-  return next == nullptr || stopped_feed_.stops(next->follows);
-}
-
 std::optional<PlanStop> Planner::find_stop_at(std::int64_t tick) const {
   return find_stop(emitter_, blocks_ahead(), {.tick = tick}, settings_.limits);
 }
