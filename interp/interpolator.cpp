@@ -62,8 +62,7 @@ void Interpolator::advance_outputs() noexcept {
 void Interpolator::note_heeded() noexcept {
   heeded_.store({.adaptive_feed = now_.outputs.follows_adaptive_feed,
                  .feed_stop = now_.outputs.heeds_feed_stop,
-                 .feed_override = phase_.follows_feed,
-                 .hold = phase_.follows_hold},
+                 .feed_override = phase_.follows_feed},
                 std::memory_order_relaxed);
 }
 

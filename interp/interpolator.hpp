@@ -79,14 +79,13 @@ class Interpolator {
     return reached_block_.load(std::memory_order_relaxed);
   }
 
-  // What counts where the tool is: inputs of the machine (M52, M53), the operator's feed override
-  // and hold. May be read by any thread. As aligned as it is large: clang calls a library for an
+  // What counts where the tool is: inputs of the machine (M52, M53), the operator's feed override.
+  // May be read by any thread. As aligned as it is large: clang calls a library for an
   // atomic that is not.
   struct alignas(4) Heeded {
     bool adaptive_feed = false;
     bool feed_stop = true;
     bool feed_override = true;
-    bool hold = true;
   };
   [[nodiscard]] Heeded heeded() const noexcept { return heeded_.load(std::memory_order_relaxed); }
 

@@ -56,9 +56,11 @@ struct Phase {
   std::uint64_t output_changes = 0;  // so many of the program's are in force from its begin on
   std::uint32_t plan = 0;            // counts the plans that took over from another one
   bool rapid = false;
-  bool follows_feed = true;   // the operator's feed override
-  bool follows_hold = true;   // a feed hold
-  double deviation_mm = 0.0;  // the largest of its block from the programmed path
+  bool follows_feed = true;       // the operator's feed override
+  bool follows_hold = true;       // a feed hold
+  bool follows_adaptive = false;  // the machine's share of the feedrate
+  bool heeds_feed_stop = true;    // of the machine
+  double deviation_mm = 0.0;      // the largest of its block from the programmed path
   ActiveConstraint active_constraint{};
   bool ends_at_rest = false;
   bool holds = false;      // the rest at its end is a feed hold

@@ -40,7 +40,8 @@ void Kernel::Impl::settle(bool accepted) {
     }
   }
   if (!accepted) {
-    (takeover_->changes_plan ? wants_change_ : wants_hold_) = true;
+    (takeover_->changes_plan ? wants_change_ : wants_hold_) =
+        takeover_->changes_plan || holds_ || stops_;
     committed_until_tick_ = takeover_->committed_before;
   }
   has_stopped_ = has_stopped_ || (accepted && takeover_->ends_program);
@@ -67,6 +68,9 @@ void Kernel::Impl::follow_commands() {
   if (!takeover_ && wants_hold_ && now() >= next_hold_tick_) {
     wants_hold_ = !try_hold();
   }
+  if (!takeover_ && !holds_ && !stops_ && stops_feed() && now() >= next_hold_tick_) {
+    try_hold_feed();
+  }
   if (!takeover_ && wants_change_ && now() >= next_try_tick_) {
     wants_change_ = !try_change_plan();
     next_try_tick_ = wants_change_ ? now() + margin_ticks_ : 0;
@@ -77,7 +81,6 @@ void Kernel::Impl::follow_resume() {
   if (wants_resume_ && (!wants_hold_ || pipeline_.waits())) {
     go_on();
     wants_resume_ = false;
-    wants_hold_ = wants_hold_ || is_at_feed_0();
   }
   if (!holds_ && !stops_ && pipeline_.feed_lets_go()) {
     pipeline_.resume();
@@ -89,7 +92,8 @@ void Kernel::Impl::follow_resume() {
 void Kernel::Impl::go_on() {
   const bool is_there = now() >= pipeline_.emitted_until_tick();
   const bool is_for_machine = asks_ && !pipeline_.waits_for_resume();
-  if (!pipeline_.is_held() && (!is_there || is_for_machine)) {
+  const bool stays = pipeline_.is_held_by_feed() && !pipeline_.feed_lets_go();
+  if (stays || (!pipeline_.is_held() && (!is_there || is_for_machine))) {
     return;
   }
   if (pipeline_.waits()) {
@@ -126,10 +130,20 @@ bool Kernel::Impl::is_at_hold() const {
          (!pipeline_.is_held_by_feed() || now() >= pipeline_.emitted_until_tick());
 }
 
-bool Kernel::Impl::plan_hold(std::int64_t tick, lookahead::Outbox& plan) {
-  return stops_   ? pipeline_.stop(tick, plan)
-         : holds_ ? pipeline_.hold(tick, plan)
-                  : pipeline_.hold_feed(tick, plan);
+bool Kernel::Impl::has_room_to_hold() {
+  return queue_.phases_free() >= interp::StopAhead::kPhases + delivery_.outbox().phases.size();
+}
+
+bool Kernel::Impl::hand_over_hold(lookahead::Outbox&& plan, std::uint32_t from) {
+  takeover_ = {.plan = plan.phases.front().plan,
+               .ends_program = stops_,
+               .committed_before = committed_until_tick_};
+  if (!hand_over(std::move(plan), from)) {
+    return false;
+  }
+  committed_until_tick_ = delivery_.frozen_until_tick();
+  fail_with_check();
+  return true;
 }
 
 bool Kernel::Impl::try_hold() {
@@ -144,19 +158,13 @@ bool Kernel::Impl::try_hold() {
     }
     return true;
   }
-  if (!holds_ && !stops_ && pipeline_.waits()) {
-    return false;  // at feed 0, once the wait is answered
-  }
-  if (!interpolator_.heeded().hold) {
-    return false;  // behind the tap
-  }
-  if (queue_.phases_free() < interp::StopAhead::kPhases + delivery_.outbox().phases.size()) {
+  if (!has_room_to_hold()) {
     return false;
   }
   lookahead::Outbox plan;
   const std::uint32_t from = pipeline_.plan();
   const std::int64_t tick = takeover_tick();
-  if (!plan_hold(tick, plan)) {
+  if (!(stops_ ? pipeline_.stop(tick, plan) : pipeline_.hold(tick, plan))) {
     // A trapezoid that brakes all it can is stopped no sooner by any bounded jerk, for hundreds of
     // ticks on end: a search at each of them would leave no time to plan.
     next_hold_tick_ = now() + margin_ticks_ / 2;
@@ -164,15 +172,9 @@ bool Kernel::Impl::try_hold() {
   }
   if (!plan.phases.empty()) {
     judges_end_ = !stops_;
-    takeover_ = {.plan = plan.phases.front().plan,
-                 .ends_program = stops_,
-                 .committed_before = committed_until_tick_};
-    if (!hand_over(std::move(plan), from)) {
-      return false;
-    }
-    committed_until_tick_ = delivery_.frozen_until_tick();
-    fail_with_check();
-  } else if (!stops_ && pipeline_.waits()) {
+    return hand_over_hold(std::move(plan), from);
+  }
+  if (!stops_ && pipeline_.waits()) {
     held_wait_.store(pipeline_.wait(), std::memory_order_relaxed);
   }
   return true;

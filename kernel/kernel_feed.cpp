@@ -18,7 +18,6 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
   if (!is_possible(overrides)) {
     return false;
   }
-  const bool was_at_feed_0 = is_at_feed_0();
   interpolator_.override_spindle_by(overrides.spindle);
   const double feed = heeded_share(overrides.feed);
   const double feed_before = std::exchange(feed_, feed > 0.0 ? feed : feed_);
@@ -27,7 +26,6 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
   overrides_ = overrides;
   overrides_.feed = feed;
   stop_feed();
-  follow_feed_0(was_at_feed_0);
   plan();
   return true;
 }
@@ -41,7 +39,6 @@ bool Kernel::Impl::set_feed_inputs(const FeedInputs& inputs) {
   if (inputs_.adaptive > 0.0 && inputs_.adaptive != adaptive_) {
     adaptive_ = inputs_.adaptive;
     wants_change_ = true;
-    follow_feed_0(is_at_feed_0());
   }
   plan();
   return true;
@@ -51,29 +48,35 @@ void Kernel::Impl::stop_feed() {
   pipeline_.stop_feed({.by_override = overrides_.feed == 0.0,
                        .by_adaptive = inputs_.adaptive == 0.0,
                        .by_machine = inputs_.stop});
+  next_hold_tick_ = next_try_tick_ = 0;
 }
 
-bool Kernel::Impl::inputs_stop() const noexcept {
+bool Kernel::Impl::is_at_feed_0() const noexcept {
   const interp::Interpolator::Heeded heeded = interpolator_.heeded();
-  return (heeded.feed_stop && inputs_.stop) || (heeded.adaptive_feed && inputs_.adaptive == 0.0);
+  return (heeded.feed_override && overrides_.feed == 0.0) || (heeded.feed_stop && inputs_.stop) ||
+         (heeded.adaptive_feed && inputs_.adaptive == 0.0);
 }
 
-void Kernel::Impl::follow_place() {
-  const bool was_at_feed_0 = is_at_feed_0();
-  is_stopped_ = inputs_stop();
-  keeps_feed_ = feed_is_kept();
-  if (is_at_feed_0() != was_at_feed_0) {
-    follow_feed_0(was_at_feed_0);
+bool Kernel::Impl::stops_feed() const noexcept {
+  return overrides_.feed == 0.0 || inputs_.adaptive == 0.0 || inputs_.stop;
+}
+
+void Kernel::Impl::try_hold_feed() {
+  if (pipeline_.is_held() && (is_at_hold() || !pipeline_.is_held_by_feed())) {
+    return;
   }
-}
-
-void Kernel::Impl::follow_feed_0(bool was_at_feed_0) {
-  // A wait is not answered by it.
-  const bool releases =
-      was_at_feed_0 && !is_at_feed_0() && (pipeline_.is_held() || takeover_.has_value());
-  next_try_tick_ = 0;
-  wants_hold_ = holds_ || stops_ || is_at_feed_0();
-  wants_resume_ = !wants_hold_ && (wants_resume_ || releases);
+  if (!has_room_to_hold()) {
+    return;
+  }
+  lookahead::Outbox plan;
+  const std::uint32_t from = pipeline_.plan();
+  if (!pipeline_.hold_feed(takeover_tick(), plan)) {
+    next_hold_tick_ = now() + margin_ticks_ / 2;
+    return;
+  }
+  if (!plan.phases.empty()) {
+    static_cast<void>(hand_over_hold(std::move(plan), from));
+  }
 }
 
 }  // namespace kerf

@@ -36,19 +36,30 @@ void Kernel::Impl::hand_over() {
   if (until - committed_until_tick_ < part && committed_until_tick_ - tick_now > part) {
     return;
   }
-  // Near the end of what is in the queue, or before it where there is no way to rest from there.
-  // Without one the stop ahead stays as it is, and is tried again with what is planned by then.
-  const std::int64_t earliest = std::max(committed_until_tick_, tick_now) + 1;
-  if (earliest > pipeline_.emitted_until_tick()) {
+  commit_up_to(until);
+}
+
+// Near the end of what is in the queue, or before it where there is no way to rest from there.
+// Without one the stop ahead stays as it is, and is tried again with what is planned by then.
+void Kernel::Impl::commit_up_to(std::int64_t until) {
+  const std::int64_t emitted = pipeline_.emitted_until_tick();
+  const std::int64_t earliest = std::max(committed_until_tick_, now()) + 1;
+  if (earliest > emitted) {
     return;
   }
-  for (std::int64_t tick = until - margin_ticks_, step = margin_ticks_;; tick -= step *= 2) {
-    if (commit_with_stop(std::max(tick, earliest))) {
+  std::int64_t tick = until - margin_ticks_;
+  for (std::int64_t step = margin_ticks_; tick > earliest; tick -= step *= 2) {
+    if (commit_with_stop(tick)) {
       return;
     }
-    if (tick <= earliest) {
-      return;
-    }
+  }
+  if (commit_with_stop(earliest)) {
+    return;
+  }
+  // Within a ramp that takes all of the acceleration there may be none, and behind it there is.
+  tick = until + 1;
+  for (std::int64_t step = margin_ticks_; tick < emitted && !commit_with_stop(tick);) {
+    tick += step *= 2;
   }
 }
 
@@ -104,7 +115,7 @@ void Kernel::Impl::follow_machine() {
   if (answer->has_braked) {
     delivery_.follow_stop();
     committed_until_tick_ = now();
-    wants_hold_ = holds_ || stops_ || is_at_feed_0();
+    wants_hold_ = holds_ || stops_;
   }
   pipeline_.follow(*answer);
   asks_ = false;

@@ -28,7 +28,6 @@ bool Kernel::Impl::plan() {
   }
   follow_machine();
   forget_before(begin);
-  follow_place();
   follow_commands();
   if (keeps_stop_ && !runs_low()) {
     return false;
@@ -193,8 +192,7 @@ void Kernel::Impl::reach_tick() {
 TickStatus Kernel::Impl::next(Setpoint& setpoint) {
   keeps_stop_ = false;
   const bool is_asked = wants_hold_ || wants_resume_ || wants_change_ || takeover_ ||
-                        inputs_stop() != is_stopped_ || feed_is_kept() != keeps_feed_ ||
-                        (asks_ && interpolator_.watch().answer() != nullptr);
+                        stops_feed() || (asks_ && interpolator_.watch().answer() != nullptr);
   if ((is_asked || runs_low()) && plan() && runs_low()) {
     plan_to_rest();
   }

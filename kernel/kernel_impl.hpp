@@ -185,6 +185,8 @@ class KERF_LOCAL Kernel::Impl {
   // What was just planned, before the end of plan(), where no way to rest is kept behind it.
   void hand_on();
 
+  // With a way to rest from there or near it, if there is one.
+  void commit_up_to(std::int64_t until);
   // False: there is no way to rest from the tick on.
   bool commit_with_stop(std::int64_t tick);
 
@@ -197,19 +199,12 @@ class KERF_LOCAL Kernel::Impl {
   // The machine has answered what the program asked.
   void follow_machine();
   // At feed 0 the tool holds though nobody asked for it, and goes on by itself.
-  [[nodiscard]] bool is_at_feed_0() const noexcept {
-    return (overrides_.feed == 0.0 && !keeps_feed_) || is_stopped_;
-  }
+  [[nodiscard]] bool is_at_feed_0() const noexcept;
+  // Something of what may come holds then.
+  [[nodiscard]] bool stops_feed() const noexcept;
+  void try_hold_feed();
   // To the plan: what does not begin to move.
   void stop_feed();
-  // Whether the machine's inputs stop the tool where it is.
-  [[nodiscard]] bool inputs_stop() const noexcept;
-  // Whether the program keeps its feedrate there.
-  [[nodiscard]] bool feed_is_kept() const noexcept { return !interpolator_.heeded().feed_override; }
-  // What both say there, if that is another thing.
-  void follow_place();
-  // It holds at feed 0, and goes on with another.
-  void follow_feed_0(bool was_at_feed_0);
   // From a hold or a wait.
   void go_on();
   [[nodiscard]] TickStatus status_at_wait() const noexcept;
@@ -228,8 +223,10 @@ class KERF_LOCAL Kernel::Impl {
                  const lookahead::Planner::PlannedStopAhead* ahead = nullptr);
   void follow_resume();
   [[nodiscard]] bool is_at_hold() const;
-  bool plan_hold(std::int64_t tick, lookahead::Outbox& plan);
   bool try_hold();
+  [[nodiscard]] bool has_room_to_hold();
+  // A plan that comes to rest. False: it did not fit.
+  bool hand_over_hold(lookahead::Outbox&& plan, std::uint32_t from);
   bool try_change_plan();
 
   void fail_with_check() {
@@ -261,11 +258,9 @@ class KERF_LOCAL Kernel::Impl {
   std::optional<lookahead::Planner::PlannedStopAhead> stop_ahead_{};
   Overrides overrides_{};
   FeedInputs inputs_{};
-  double feed_ = 1.0;        // the latest override above 0
-  double adaptive_ = 1.0;    // the latest of the inputs above 0
-  bool is_stopped_ = false;  // by the inputs
-  bool keeps_feed_ = false;  // the program allows no other
-  bool asks_ = false;        // the program asks the machine, which has not answered
+  double feed_ = 1.0;      // the latest override above 0
+  double adaptive_ = 1.0;  // the latest of the inputs above 0
+  bool asks_ = false;      // the program asks the machine, which has not answered
   bool single_block_ = false;
   bool holds_ = false;        // the operator asked for it; a feed override of 0 is not among this
   bool stops_ = false;        // each hold is a stop

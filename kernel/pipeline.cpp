@@ -148,8 +148,9 @@ void Pipeline::follow(const interp::InquiryAnswer& answer) {
                                              .value = answer.value,
                                              .place_mm = answer.place_mm,
                                              .rest_mm = answer.rest_mm});
-  planner_.push_rest(static_cast<double>(inquiry_.pause_ticks) * period_s_,
-                     {.line = line, .run_block = inquiry_.block});
+  planner_.push_rest(
+      static_cast<double>(inquiry_.pause_ticks) * period_s_,
+      {.line = line, .run_block = inquiry_.block, .follows = {.feed = false, .feed_stop = false}});
 }
 
 bool Pipeline::hold(std::int64_t tick, lookahead::Outbox& outbox) {

@@ -241,8 +241,12 @@ bool Planner::emit_next(Outbox& outbox) {
 
 void Planner::emit_rest(Outbox& outbox) {
   if (rest_.duration_s > 2.0 * rest_part_s_) {
-    emitter_.emit_rest(
-        {.duration_s = rest_part_s_, .line = rest_.line, .run_block = rest_.run_block}, outbox);
+    emitter_.emit_rest({.duration_s = rest_part_s_,
+                        .line = rest_.line,
+                        .run_block = rest_.run_block,
+                        .follows = rest_.follows,
+                        .change = std::exchange(rest_.change, std::nullopt)},
+                       outbox);
     rest_.duration_s -= rest_part_s_;
     return;
   }

@@ -43,6 +43,10 @@ struct PlannerSettings {
   std::shared_ptr<const PlanObserver> observer{};  // null: nobody is told
 };
 
+// Behind a rest that is farther nothing is planned yet that takes over there: nothing else could be
+// asked for before the tool has come to it.
+inline constexpr double kFarRest_s = 0.02;
+
 // Push blocks while wants_block() is true, and call emit() for motion; each call emits a part of
 // the plan. The window always ends at rest, so a stop can follow whatever has been emitted.
 class Planner {
@@ -106,8 +110,9 @@ class Planner {
   [[nodiscard]] bool feed_lets_go() const noexcept {
     return is_held_by_feed() && !stopped_feed_.stops(*held_by_feed_);
   }
-  // As hold(), because the feed stops. False as well where the tool rests by then, and what follows
-  // is left to stop_feed(), or not stopped.
+  // As hold(), because the feed stops: what was emitted and follows it, or the motion that begins
+  // so behind a rest that is near. False as well where there is none; stop_feed() sees to all that
+  // is not emitted yet.
   bool hold_feed(std::int64_t tick, Outbox& outbox);
   // The end of what was emitted before the plan that is to take over is lost: it is no way to rest.
   void cut_plan_before() { before_->is_cut = true; }
@@ -205,8 +210,9 @@ class Planner {
   // What is emitted next begins to move from rest, and the feed stops it.
   [[nodiscard]] bool is_stopped_by_feed() const;
   void hold_by_feed(Outbox& outbox);
-  // Of what was emitted behind the rest; a dwell that lasts follows what stops it by itself.
-  [[nodiscard]] bool feed_stops_behind(const EmittedItems::Motion& rest) const;
+  [[nodiscard]] std::optional<PlanStop> feed_stop_from(std::int64_t tick) const;
+  // Not within a tap.
+  [[nodiscard]] bool may_hold_at(const EmittedItems::Motion& motion) const;
   void emit_rest(Outbox& outbox);
   void end_with(const Rest& rest);
   [[nodiscard]] std::size_t ready_blocks() const;

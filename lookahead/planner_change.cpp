@@ -14,7 +14,6 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr double kFarRest_s = 0.02;
 // The limits of all that waits may change.
 constexpr auto kAllItems = std::numeric_limits<std::size_t>::max();
 // From ticks so far apart, twice as far each time, a way to rest is sought.
@@ -57,7 +56,6 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
     return ChangedPlan{};
   }
   const auto stop = find_stop(emitter_, blocks_ahead(), {.tick = change.tick}, settings_.limits);
-  // Behind a rest that is far nothing else could be asked for before the tool has come to it.
   const double wait_s = static_cast<double>(stop ? stop->from.when.tick - change.tick : 0) *
                         settings_.limits.period_s;
   if (!stop || (stop->parts.empty() && wait_s > kFarRest_s)) {

@@ -1,9 +1,34 @@
-// What the feed stops: at a feed of 0 nothing begins to move that follows it.
+// What the feed stops: at a feed of 0 what follows it holds, and nothing begins to move.
+#include <algorithm>
 #include <cassert>
+#include <variant>
 
 #include "lookahead/planner.hpp"
 
 namespace kerf::lookahead {
+
+namespace {
+
+parser::FollowedOverrides followed_by(const interp::Phase& phase) {
+  return {.feed = phase.follows_feed,
+          .hold = phase.follows_hold,
+          .adaptive = phase.follows_adaptive,
+          .feed_stop = phase.heeds_feed_stop};
+}
+
+// The item that is run next, or the first motion; all that there is where none is known.
+parser::FollowedOverrides followed_next(const std::deque<Item>& waiting) {
+  const auto* rest = waiting.empty() ? nullptr : std::get_if<Rest>(&waiting.front());
+  if (rest != nullptr && rest->duration_s > 0.0) {
+    return rest->follows;
+  }
+  const auto block = std::ranges::find_if(
+      waiting, [](const Item& item) { return std::holds_alternative<Block>(item); });
+  return block != waiting.end() ? std::get<Block>(*block).follows
+                                : parser::FollowedOverrides{.adaptive = true};
+}
+
+}  // namespace
 
 // Within a tap nothing is stopped.
 bool Planner::is_stopped_by_feed() const {
@@ -23,25 +48,38 @@ void Planner::hold_by_feed(Outbox& outbox) {
 
 bool Planner::hold_feed(std::int64_t tick, Outbox& outbox) {
   assert(settings_.may_hold && !before_ && outbox.phases.empty());
-  const auto stop = find_stop_at(tick);
-  if (!stop || !stop->from.phase.follows_hold) {
+  const auto stop = feed_stop_from(tick);
+  if (!stop || !hold_at(*stop, outbox)) {
     return false;
   }
-  const bool rests = stop->parts.empty() && stop->from.when.tick <= tick;
-  return (!rests || feed_stops_behind(stop->from)) && hold_at(*stop, outbox);
+  held_by_feed_ = followed_next(waiting_);
+  return true;
 }
 
-bool Planner::feed_stops_behind(const EmittedItems::Motion& rest) const {
+// Where a rest of the plan is as near as any other, it counts what begins behind that.
+std::optional<PlanStop> Planner::feed_stop_from(std::int64_t tick) const {
   const EmittedItems& kept = emitter_.kept();
-  if (kept.is_last(rest)) {
-    return false;
+  const EmittedItems::Motion motion = emitter_.motion_at(tick);
+  std::int64_t rests_from = tick;
+  if (stopped_feed_.stops(followed_by(motion.phase)) && motion.phase.follows_hold) {
+    if (kept.dwells(motion)) {
+      return PlanStop{.from = motion};
+    }
+    if (!motion.at_rest()) {
+      auto stop = find_stop_at(tick);
+      if (!stop || !stop->parts.empty()) {
+        return stop;
+      }
+      rests_from = stop->from.when.tick;
+    }
   }
-  const EmittedItems::Blocks emitted = kept.blocks_from(rest);
-  const Block* next = emitted.blocks.empty() ? kept.block_behind(rest) : emitted.blocks.front();
-  if (next == nullptr && emitter_.is_on_block() && !blocks_.empty()) {
-    next = &blocks_[0];
-  }
-  return next == nullptr || stopped_feed_.stops(next->follows);
+  const auto rest = kept.rest_before(rests_from, [this](const interp::Phase& before,
+                                                        const interp::Phase& begins) {
+    return stopped_feed_.stops(followed_by(begins)) && (begins.follows_hold || before.follows_hold);
+  });
+  const bool is_near =
+      rest && static_cast<double>(rest->when.tick - tick) * settings_.limits.period_s <= kFarRest_s;
+  return is_near ? std::optional(PlanStop{.from = *rest}) : std::nullopt;
 }
 
 }  // namespace kerf::lookahead

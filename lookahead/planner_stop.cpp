@@ -43,7 +43,21 @@ bool Planner::hold(std::int64_t tick, Outbox& outbox) {
   if (stop && waits_ && emitter_.kept().is_last(stop->from)) {
     return !asks_machine_;
   }
-  return stop && stop->from.phase.follows_hold && hold_at(*stop, outbox);
+  return stop && may_hold_at(stop->from) && hold_at(*stop, outbox);
+}
+
+// Behind a tap the tool may rest at the end of its last motion.
+bool Planner::may_hold_at(const EmittedItems::Motion& motion) const {
+  if (motion.phase.follows_hold) {
+    return true;
+  }
+  const bool is_tap_left =
+      !blocks_.empty() ? !blocks_[0].follows.hold
+      : rest_pending_  ? !rest_.follows.hold
+      : !waiting_.empty()
+          ? std::visit([](const auto& item) { return !item.follows.hold; }, waiting_.front())
+          : false;
+  return emitter_.kept().is_last(motion) && !is_tap_left;
 }
 
 std::optional<PlanStop> Planner::find_stop_at(std::int64_t tick) const {
@@ -169,7 +183,7 @@ Rest Planner::drop_to_machine_wait(double s_mm) {
 bool Planner::stop(std::int64_t tick, Outbox& outbox) {
   assert(settings_.may_hold && !before_ && outbox.phases.empty());
   const auto stop = find_stop_at(tick);
-  if (!stop || !stop->from.phase.follows_hold || !hold_at(*stop, outbox)) {
+  if (!stop || !may_hold_at(stop->from) || !hold_at(*stop, outbox)) {
     return false;
   }
   if (held_) {

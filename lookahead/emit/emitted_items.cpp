@@ -149,14 +149,21 @@ EmittedItems::Blocks EmittedItems::blocks_from(const Motion& motion) const {
   return found;
 }
 
-const Block* EmittedItems::block_behind(const Motion& rest) const {
-  for (std::size_t i = 0; i < items_.size() && items_[i].item; ++i) {
-    const auto* block = std::get_if<Block>(&*items_[i].item);
-    if (block != nullptr && items_[i].first_phase > rest.number) {
-      return block;
+std::optional<EmittedItems::Motion> EmittedItems::rest_before(std::int64_t tick,
+                                                              const Stops& stops) const {
+  const std::uint64_t first = phase_count_ - phases_.size();
+  for (std::size_t i = 0; i + 1 < phases_.size(); ++i) {
+    const interp::Phase& rest = phases_[i];
+    const std::int64_t rests_at = end_tick(rest);
+    if (rest.ends_at_rest && rests_at >= tick && phases_[i + 1].law.length_mm() > 0.0 &&
+        stops(rest, phases_[i + 1])) {
+      return Motion{.when = {.tick = rests_at},
+                    .curve_mm = rest.s_end_mm,
+                    .phase = rest,
+                    .number = first + i};
     }
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 EmittedItems::TakenBack EmittedItems::take_back(const Motion& motion, const EmitPlace& present,
@@ -213,7 +220,10 @@ std::optional<Rest> EmittedItems::part(Rest& rest, const interp::TickTime& begin
     return std::nullopt;
   }
   rest.duration_s = run_s;
-  return Rest{.duration_s = left_s, .line = rest.line};
+  return Rest{.duration_s = left_s,
+              .line = rest.line,
+              .run_block = rest.run_block,
+              .follows = rest.follows};
 }
 
 }  // namespace kerf::lookahead

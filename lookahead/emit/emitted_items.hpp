@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -110,8 +111,14 @@ class EmittedItems {
   };
   [[nodiscard]] Blocks blocks_from(const Motion& motion) const;
 
-  // The first block that begins behind the rest and has ended. Null: there is none.
-  [[nodiscard]] const Block* block_behind(const Motion& rest) const;
+  // The rest at the tick or later behind which the first motion begins for which `stops` holds, of
+  // the rest and the motion. Nothing: there is none.
+  using Stops = std::function<bool(const interp::Phase& rest, const interp::Phase& begins)>;
+  [[nodiscard]] std::optional<Motion> rest_before(std::int64_t tick, const Stops& stops) const;
+  // At the tick it rests in a dwell that is not over.
+  [[nodiscard]] bool dwells(const Motion& motion) const {
+    return motion.at_rest() && end_tick(motion.phase) > motion.when.tick;
+  }
 
   // Takes back what follows the motion. The items go to the front of `ahead`, which
   // begins with the item that has not ended, if there is one; present: the place behind all. A

@@ -135,6 +135,8 @@ void Emitter::emit(const Block& block, const profiles::TimeLaw& law, double s_en
                            .rapid = block.rapid,
                            .follows_feed = block.follows.feed,
                            .follows_hold = block.follows.hold,
+                           .follows_adaptive = block.follows.adaptive,
+                           .heeds_feed_stop = block.follows.feed_stop,
                            .deviation_mm = block.deviation_mm});
   place_.s_mm = s_end_mm;
   place_.curve_mm = block.on_whole_mm(s_end_mm);
@@ -201,6 +203,8 @@ void Emitter::emit_rest(const Rest& rest, Outbox& outbox) {
   phase.rest_block = rest.run_block;
   phase.follows_feed = rest.follows.feed;
   phase.follows_hold = rest.follows.hold;
+  phase.follows_adaptive = rest.follows.adaptive;
+  phase.heeds_feed_stop = rest.follows.feed_stop;
   phase.ends_program = rest.ends_program;
   outbox.phases.push_back(phase);
   clock_.advance(rest.duration_s);

@@ -67,6 +67,31 @@ TEST(Override, WhileALineSpeedsUpLeadsToItsFeedrateWithoutARest) {
   }
 }
 
+// Found with a client: from none of the ticks of a long ramp a way to rest was found, and where the
+// queue ended there the tool rested for ever.
+TEST(Override, OfATrapezoidLeadsBeyondARampWithoutAWayToRest) {
+  MachineSettings machine = default_machine();
+  machine.limits.path = {.velocity_mm_s = 250.0, .acceleration_mm_s2 = 2500.0, .jerk_mm_s3 = 5e4};
+  machine.limits.axes = {MotionLimits{200.0, 2000.0, 4e4}, MotionLimits{150.0, 3000.0, 2e4},
+                         MotionLimits{80.0, 800.0, 1.5e4}};
+  const WatchedRun run =
+      run_ticks({.text = "G21 G90 G61 F8647\nG1 X2.635949 Y2.023274\nG1 X9.857683 Y7.566456\n"
+                         "G1 X14.688382 Y14.449174\n"
+                         "G3 X11.844012893459 Y32.412707275220 I-10.703268821443 J7.512187743351\n"
+                         "G1 X7.260464 Y35.859311\nM2\n",
+                 .options = {.profile = {.kind = ProfileKind::trapezoid}},
+                 .settings = machine},
+                [](Kernel& kernel, const WatchedRun& ran, Setpoint& setpoint) {
+                  kernel.plan();
+                  if (ran.next() == 28) {
+                    EXPECT_TRUE(kernel.set_overrides({.feed = 1.5}));
+                  }
+                  return kernel.tick(setpoint);
+                });
+  EXPECT_EQ(run.complaint, "");
+  EXPECT_LE(run.count(TickStatus::starved), 1);  // before the first plan
+}
+
 // The way down to it is no profile's own: it begins with any acceleration.
 TEST(Override, GoesOnWithTheChosenProfileFromACruise) {
   const auto braking = [](const WatchedRun& run) {

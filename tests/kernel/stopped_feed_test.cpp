@@ -1,7 +1,8 @@
 // A feed of 0 and a feed stop where the tool is at rest: what counts is what it is about to do.
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <kerf/kernel.hpp>
@@ -168,6 +169,94 @@ TEST(StoppedFeed, LetsNoTapBegin) {
   });
   EXPECT_EQ(run.complaint, "");
   EXPECT_EQ(run.ticks.back().position_mm[0], 50.0);
+}
+
+// Found with a client, which had what follows here.
+struct Stand {
+  std::string text;
+  std::int64_t asked = 0;  // before this tick the feed is stopped, and let go before tick 4000
+  bool by_machine = false;
+  std::vector<double> at_mm{};  // where it stands then
+};
+
+WatchedRun run_stand(const Stand& stand, KernelOptions options = {}) {
+  options.waits = true;
+  return run_ahead(stand.text, options, [&](Kernel& kernel, const WatchedRun& run) {
+    if (run.next() == stand.asked || run.next() == 4000) {
+      const bool stops = run.next() == stand.asked;
+      EXPECT_TRUE(stand.by_machine ? kernel.set_feed_inputs({.stop = stops})
+                                   : kernel.set_overrides({.feed = stops ? 0.0 : 1.0}));
+    }
+    if (run.next() > 4000 && run.statuses.back() == TickStatus::waiting) {
+      kernel.resume();
+    }
+  });
+}
+
+// The plan is emitted as far as the wait by then.
+TEST(StoppedFeed, CountsOnTheWayToAWait) {
+  for (const bool by_machine : {false, true}) {
+    const WatchedRun run = run_stand({.text = "G21 G90 G61 F3000\nG1 X10\nM0\nX20\nM2\n",
+                                      .asked = 60,
+                                      .by_machine = by_machine});
+    EXPECT_EQ(run.complaint, "");
+    EXPECT_EQ(run.statuses.at(3999), TickStatus::held);
+    EXPECT_NEAR(run.ticks.at(3999).position_mm[0], 3.5, 0.1);  // 50 mm/s for 10 ms, and 2.25 mm
+    EXPECT_EQ(run.ticks.back().position_mm[0], 20.0);
+  }
+}
+
+// Also where that is emitted already, and the tool is on something that does not follow.
+TEST(StoppedFeed, HoldsWhatIsPlannedToBegin) {
+  const std::string begin = "G21 G90 G61 F3000\n";
+  for (const Stand& stand :
+       {Stand{
+            .text = begin + "M49\nG1 X1\nG4 P0.2\nM48\nG1 Y2\nM2\n", .asked = 138, .at_mm = {1, 0}},
+        Stand{.text = begin + "G1 X1\nM49\nG1 Y2\nM48\nG1 X3\nM2\n", .asked = 88, .at_mm = {1, 2}},
+        Stand{.text = begin + "G1 X1\nM53 P0\nG1 Y2\nM53 P1\nG1 X3\nM2\n",
+        .asked = 88,
+        .by_machine = true,
+        .at_mm = {1, 2}},
+        Stand{.text = begin + "G1 X1\nG4 P0.15\nG1 Y2\nM0\nG1 X3\nM2\n",
+        .asked = 138,
+        .at_mm = {1, 0}}}) {
+    const WatchedRun run = run_stand(stand);
+    EXPECT_EQ(run.complaint, "") << stand.text;
+    EXPECT_EQ(run.ticks.at(3999).position_mm[0], stand.at_mm[0]) << stand.text;
+    EXPECT_EQ(run.ticks.at(3999).position_mm[1], stand.at_mm[1]) << stand.text;
+    EXPECT_GT(run.ticks.size(), 4000U);
+  }
+}
+
+// Whether it comes to rest before that line, or passes a rest that it would have come to anyway.
+TEST(StoppedFeed, LeavesALineThatDoesNotFollowWhereverItIsAskedFor) {
+  const std::string text = "G21 G90 G61 F3000\nG1 X1\nM49\nG1 Y2\nM48\nG1 X3\nM2\n";
+  for (std::int64_t asked = 40; asked < 190; asked += 5) {
+    const WatchedRun run = run_stand({.text = text, .asked = asked});
+    EXPECT_EQ(run.complaint, "") << asked;
+    EXPECT_EQ(run.ticks.at(3999).position_mm[1], 2.0) << asked;
+    for (std::size_t i = 1; i < run.ticks.size(); ++i) {  // no rest within the line
+      if (run.ticks[i].line == 4 && run.ticks[i].position_mm[1] > 0.0 &&
+          run.ticks[i].position_mm[1] < 2.0) {
+        ASSERT_GT(run.ticks[i].v_mm_s, 0.0) << asked << " " << i;
+      }
+    }
+  }
+}
+
+// What held it counts for what is next, whatever else stops meanwhile.
+TEST(StoppedFeed, LetsGoWhatNothingStopsAnyMore) {
+  const std::string text = "G21 G90 G61 F3000\nM49\nG1 X1\nG1 Y2\nM2\n";
+  const WatchedRun run = run_ahead(text, kOptimum, [](Kernel& kernel, const WatchedRun& now) {
+    if (now.next() == 70 || now.next() == 300) {
+      EXPECT_TRUE(kernel.set_feed_inputs({.stop = now.next() == 70}));
+    } else if (now.next() == 200) {
+      EXPECT_TRUE(kernel.set_overrides({.feed = 0.0}));
+    }
+  });
+  EXPECT_EQ(run.complaint, "");
+  EXPECT_EQ(run.ticks.at(299).position_mm[1], 0.0);
+  EXPECT_LT(run.ticks.size(), 1000U);
 }
 
 }  // namespace
