@@ -16,8 +16,9 @@
 #include "programs/kerf/run/session.hpp"
 
 // There is no machine behind a page.
-void kerf::program::run_machine(MotionStage& stage, Driver& /*driver*/) {
+std::string kerf::program::run_machine(MotionStage& stage, Driver& /*driver*/) {
   stage.report().fail(ExitStatus::settings_error, "nothing runs in a browser");
+  return {};
 }
 
 // To the worker: of each line that is planned since the last call its number and its ticks; all
