@@ -86,7 +86,7 @@ std::optional<std::string> RecordWriter::finish(std::string_view plan_record) {
   if (is_whole) {
     RecordEnd end{.plan_bytes = plan_record.size(), .calls = written_};
     end.checksum = checksum_of(end, plan_record);
-    write(std::as_bytes(std::span(plan_record)));
+    write(std::as_bytes(std::span(plan_record.data(), plan_record.size())));
     write(bytes_of(end));
   }
   if (const int closing = file_.finish(is_whole && error_ == 0); error_ == 0) {
