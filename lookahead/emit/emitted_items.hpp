@@ -17,7 +17,7 @@ namespace kerf::lookahead {
 
 struct Rest {
   double duration_s = 0.0;
-  std::uint32_t line = 0;       // 0: that of the last motion
+  std::uint32_t line = 0;       // 0: that before
   std::uint64_t run_block = 0;  // parser::Move::block; 0: of none
   bool ends_program = false;
   bool waits = false;  // until resume()

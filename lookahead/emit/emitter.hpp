@@ -130,7 +130,7 @@ class Emitter {
   // On the present curve.
   [[nodiscard]] double curve_mm() const noexcept { return place_.curve_mm; }
   [[nodiscard]] const interp::TickTime& now() const noexcept { return clock_.now(); }
-  // A rest of no duration, of no item, in the line; 0: in that of the last motion.
+  // A rest of no duration, of no item, in the line; 0: in that of the motion or rest before.
   void emit_rest_here(std::uint32_t line, Outbox& outbox);
 
  private:
