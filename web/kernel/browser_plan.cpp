@@ -90,7 +90,8 @@ class ProgressTeller {
 };
 
 kerf::program::Options options_of(const Json& order) {
-  kerf::program::Options options{.command = kerf::program::Subcommand::report};
+  kerf::program::Options options;
+  options.command = kerf::program::Subcommand::report;
   options.profile = kerf::profile_kind(order.at("profile").get<std::string>()).value();
   options.feed_override = order.at("feed_override").get<double>();
   options.explained_speed.emplace();
