@@ -115,6 +115,9 @@ class Compare(Case):
                       ("-", "--machine", MACHINE, "--machine", MACHINE), (slow, fast, *("--machine", MACHINE) * 3)):
             self.assertNotEqual(self.kerf("compare", *words, status=2).stderr, "")
 
+    def test_asks_for_files_as_the_other_commands_do(self):
+        self.assertIn("Usage: kerf compare [OPTIONS] FILE...\n", self.kerf("compare", "--help").stdout)
+
 
 if __name__ == "__main__":
     main()

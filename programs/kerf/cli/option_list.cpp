@@ -261,7 +261,6 @@ CLI::App* add_command(CLI::App& app, Subcommand command, const std::string& desc
     files->expected(1);
   }
   if (command == Subcommand::compare) {
-    files->expected(1, 2);
     add_comparison(*added, words.options);
   } else if (makes_page(command)) {
     add_page(*added, command, words.options);

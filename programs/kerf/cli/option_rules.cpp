@@ -163,7 +163,8 @@ std::optional<std::string> contradiction_of_comparison(const Options& options) {
   if (options.machine_files.size() > 2) {
     return "compare takes at most two machines";
   }
-  if (options.files.size() < 2 && options.machine_files.size() < 2) {
+  const std::size_t files = options.files.size();
+  if (files > 2 || (files < 2 && options.machine_files.size() < 2)) {
     return "compare takes two FILEs, or one and --machine twice";
   }
   return std::nullopt;
