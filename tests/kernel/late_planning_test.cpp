@@ -1,11 +1,6 @@
-// A planning thread that is late, suspended or dead: the tool comes to rest on the path, and goes
-// on once there is a plan again.
+// Planning that is late or ends: the tool comes to rest on the path, and goes on once there is a
+// plan again.
 #include <algorithm>
-#include <atomic>
-#include <csignal>
-#include <pthread.h>
-#include <random>
-#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -221,112 +216,6 @@ TEST(LatePlanning, AndLateTextAreARestWithinTheLimits) {
     EXPECT_EQ(checker.complaint(), "");
     EXPECT_FALSE(kernel.fault());
   }
-}
-
-// The planning thread of a real program: a signal's handler runs in it and blocks it wherever it
-// is.
-std::atomic<bool> blocks = false;
-std::atomic<bool> is_blocked = false;
-
-void block_thread(int /*signal*/) {
-  is_blocked = true;
-  while (blocks) {
-  }
-  is_blocked = false;
-}
-
-enum class Operator : std::uint8_t { none, changes_the_feed };
-
-class PlanningThread {
- public:
-  PlanningThread(Kernel& kernel, Operator by)
-      : thread_([this, &kernel, by] {
-          constexpr std::int64_t kPlansOfAFeed = 7;
-          while (!over_) {
-            if (by == Operator::changes_the_feed && plans_ % kPlansOfAFeed == 0) {
-              kernel.set_overrides({.feed = 0.4 + 0.1 * static_cast<double>(plans_ % 13)});
-            }
-            kernel.plan();
-            ++plans_;
-          }
-        }) {}
-  ~PlanningThread() {
-    over_ = true;
-    thread_.join();
-  }
-  PlanningThread(const PlanningThread&) = delete;
-  PlanningThread& operator=(const PlanningThread&) = delete;
-
-  void block() {
-    blocks = true;
-    pthread_kill(thread_.native_handle(), SIGUSR1);
-    while (!is_blocked) {
-      std::this_thread::yield();
-    }
-  }
-  static void release() { blocks = false; }
-  // Waits for so many more calls.
-  void plan(std::int64_t calls) {
-    for (const std::int64_t until = plans_ + calls; plans_ < until;) {
-      std::this_thread::yield();
-    }
-  }
-
- private:
-  std::atomic<bool> over_ = false;
-  std::atomic<std::int64_t> plans_ = 0;
-  std::thread thread_;
-};
-
-void expect_rests_where_blocked(int runs, Operator by) {
-  struct sigaction action {};
-  action.sa_handler = block_thread;
-  ASSERT_EQ(sigaction(SIGUSR1, &action, nullptr), 0);
-  const auto whole = ticks_of(mixed_program());
-  std::mt19937 random(1709);
-  for (int i = 0; i < runs; ++i) {
-    const auto late_from =
-        static_cast<std::int64_t>(random() % static_cast<std::uint32_t>(whole.back().tick));
-    SCOPED_TRACE("seed 1709, run " + std::to_string(i) + ", tick " + std::to_string(late_from));
-    Kernel kernel(mill());
-    kernel.feed(mixed_program());
-    kernel.finish();
-    TickChecker checker(mill().limits, true);
-    WatchedRun run;
-    TickStatus status = TickStatus::running;
-    PlanningThread planning(kernel, by);
-    planning.plan(2);
-    while (status != TickStatus::finished && status != TickStatus::failed &&
-           run.ticks.size() < kMaxTicks) {
-      const auto tick = static_cast<std::int64_t>(run.ticks.size());
-      if (tick == late_from) {
-        planning.block();
-      } else if (tick == late_from + kLate) {
-        PlanningThread::release();
-      }
-      if (tick < late_from || tick > late_from + kLate) {
-        planning.plan(tick % 50 == 0 ? 1 : 0);
-      }
-      Setpoint setpoint;
-      status = kernel.tick(setpoint);
-      checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
-      run.ticks.push_back(setpoint);
-      run.statuses.push_back(status);
-    }
-    PlanningThread::release();
-    run.complaint = complaint_at_end(status, checker, kernel);
-    expect_whole(run, whole);
-    ASSERT_FALSE(testing::Test::HasFailure());
-  }
-}
-
-TEST(LatePlanning, MayBeBlockedAnywhere) {
-  expect_rests_where_blocked(40, Operator::none);
-}
-
-// Ticks come far faster than planning, so most plans that are to take over are refused.
-TEST(LatePlanning, MayBeBlockedAnywhereWhileTheFeedChanges) {
-  expect_rests_where_blocked(10, Operator::changes_the_feed);
 }
 
 }  // namespace
