@@ -20,6 +20,10 @@ namespace {
 
 constexpr int kDegree = 5;
 constexpr double kTangential = 1e-6;  // of a turn
+// Of what a side itself turns along the way. A blend for a corner between lines slows down where
+// they meet, and so has half of the curvature of its sides there: beside such a turn that swing of
+// the curvature asks for more jerk than the turn.
+constexpr double kSlight = 0.3;
 
 // s' and s'' by w at the begin of a blend; at its end s'' has the other sign.
 struct ArcLengthRates {
@@ -69,7 +73,7 @@ std::optional<curves::NurbsCurve> curve_between_lines(const curves::Line& before
 
 std::optional<curves::NurbsCurve> curve_between(const Corner& corner, double way_mm) {
   const double length_mm = curves::length_mm(*corner.before);
-  const ArcLengthRates rates = rates_at_begin(is_tangential(corner), way_mm);
+  const ArcLengthRates rates = rates_at_begin(is_tangential(corner, way_mm), way_mm);
   const EndDerivatives begin(curves::derivatives_at(*corner.before, length_mm - way_mm), rates);
   const EndDerivatives end(curves::derivatives_at(*corner.after, way_mm),
                            {rates.first_mm, -rates.second_mm});
@@ -83,8 +87,9 @@ std::optional<curves::NurbsCurve> curve_between(const Corner& corner, double way
 
 }  // namespace
 
-bool is_tangential(const Corner& corner) {
-  return shape_of(corner).turn < kTangential;
+bool is_tangential(const Corner& corner, double way_mm) {
+  const CornerShape shape = shape_of(corner);
+  return shape.turn < std::max(kTangential, kSlight * shape.curvature_per_mm * way_mm);
 }
 
 std::optional<Blend> make_blend(const Corner& corner, double way_mm) {

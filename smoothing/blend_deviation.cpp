@@ -118,7 +118,7 @@ PathDeviation deviation_of(const Blend& blend, const Corner& corner, double way_
   const double reach_mm = kReach * way_mm;
   const Stretch taken_before{std::max(0.0, before_mm - reach_mm), before_mm};
   const Stretch taken_after{0.0, std::min(reach_mm, after_mm)};
-  const bool tangential = is_tangential(corner);
+  const bool tangential = is_tangential(corner, way_mm);
   Places places{};
   PathDeviation largest;
   double w_largest = 0.0;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "smoothing/segment_builder.hpp"
 #include "tests/smoothing/polylines.hpp"
 #include "tests/smoothing/smoothed.hpp"
 
@@ -76,6 +77,31 @@ TEST(Blend, GoesOnWithDirectionAndCurvatureOfAnArcAndALine) {
   EXPECT_TRUE(smoothed.segments[2].continues);
   EXPECT_GT(smoothed.deviation.distance_mm, 0.005);
   EXPECT_LE(smoothed.deviation.distance_mm, 0.01);
+}
+
+// The turn adds 3/4 of it over the way to the curvature at the most, and takes nothing away.
+TEST(Blend, BetweenArcsThatHardlyTurnKeepsTheirCurvature) {
+  const double radius = 5.0;
+  const double turn = 1e-3;
+  const double way = 0.2;
+  const auto arc = [radius](const Position& from, double direction_rad) {
+    const Position centre{from[0] - radius * std::sin(direction_rad),
+                          from[1] + radius * std::cos(direction_rad), 0.0};
+    std::vector<smoothing::PathSegment> segments;
+    EXPECT_TRUE(smoothing::append_segments(
+        arc_move({.start_mm = from, .centre_mm = centre, .angle_rad = 1.0}, {}), segments));
+    return segments.front().curve;
+  };
+  const Curve before = arc({0.0, 0.0, 0.0}, 0.0);
+  const Curve after = arc(curves::position_at(before, curves::length_mm(before)), 1.0 + turn);
+  const auto blend = smoothing::make_blend({.before = &before, .after = &after}, way);
+  ASSERT_TRUE(blend.has_value());
+  for (int i = 0; i <= 100; ++i) {
+    const double s = blend->curve.length_mm() * i / 100.0;
+    const double curvature = vec(blend->curve.derivatives_at(s).second_per_mm).norm();
+    EXPECT_GE(curvature, 0.999 / radius);
+    EXPECT_LE(curvature, 1.001 * (1.0 / radius + 0.75 * turn / way));
+  }
 }
 
 TEST(Blend, IsNoneWhereThePathTurnsBack) {

@@ -138,7 +138,7 @@ TEST(CurvatureJumps, BecomeARampBetweenALineAndATangentArc) {
   std::vector<smoothing::PathSegment> arcs;
   ASSERT_TRUE(smoothing::append_segments(arc_after, arcs));
   const smoothing::Corner corner{.before = &line, .after = &arcs.front().curve};
-  ASSERT_TRUE(smoothing::is_tangential(corner));
+  ASSERT_TRUE(smoothing::is_tangential(corner, 0.5));
   const auto blend = smoothing::make_blend(corner, 0.5);
   ASSERT_TRUE(blend);
   double most = 0.0;
