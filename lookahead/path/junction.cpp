@@ -13,6 +13,8 @@ constexpr double kConstantVelocityTicks = 3.0;  // the support of a third differ
 // Below these a junction is as smooth as positions in double precision can tell.
 constexpr double kSmoothTangent = 1e-12;
 constexpr double kSmoothCurvature_per_mm = 1e-12;
+// Of the jerk: what is less is left of rounding, and no place is slower for it.
+constexpr double kHardlySeen = 1e-5;
 // Two parts at constant velocity at most fill a block; that much less, and sums of their lengths
 // fit after rounding too.
 constexpr double kBelowRounding = 1.0 - 1e-9;
@@ -67,6 +69,46 @@ double saved_s(double feedrate_mm_s, const Block& before, const Block& after) {
   return kFastest.duration_s(
       feedrate_mm_s, {.acceleration_mm_s2 = std::min(a.acceleration_mm_s2, b.acceleration_mm_s2),
                       .jerk_mm_s3 = std::min(a.jerk_mm_s3, b.jerk_mm_s3)});
+}
+
+// About what the shorter block takes from rest to rest, by a lower bound: its jerk alone.
+double stopping_s(const Block& before, const Block& after) {
+  const double length_mm = std::min(before.length_mm, after.length_mm);
+  const double jerk = std::min(before.limits.ramp.jerk_mm_s3, after.limits.ramp.jerk_mm_s3);
+  return std::cbrt(32.0 * length_mm / jerk);
+}
+
+// Nothing is lost by a stop: neither the time of braking and accelerating nor that on the way.
+bool is_better_stopped(double feedrate_mm_s, const Block& before, const Block& after,
+                       double constant_velocity_s) {
+  const double passing_s = std::min(before.length_mm, after.length_mm) / feedrate_mm_s;
+  return saved_s(feedrate_mm_s, before, after) < 2.0 * constant_velocity_s &&
+         stopping_s(before, after) < passing_s;
+}
+
+// The jump has no share in the limits of any axis at this feedrate.
+bool is_hardly_seen(const BlockEnd& before, const BlockEnd& after, double feedrate_mm_s,
+                    const PlanLimits& limits) {
+  const double v = feedrate_mm_s;
+  const double ts = limits.period_s;
+  const auto is_little = [&](double turn, double bend, const MotionLimits& axis) {
+    const MotionLimits& path = limits.path;
+    const double jerk = limit_or_path(axis.jerk_mm_s3, path.jerk_mm_s3);
+    const double acceleration = limit_or_path(axis.acceleration_mm_s2, path.acceleration_mm_s2);
+    return v * turn / ts <= kHardlySeen * acceleration &&
+           v * turn / (ts * ts) + 0.75 * v * v * bend / ts <= kHardlySeen * jerk;
+  };
+  bool all = is_little(path_step_of(before, after), 0.0, limits.path);
+  for (std::size_t k = 0; k < limits.axes.size(); ++k) {
+    all = all &&
+          is_little(std::abs(after.first[k] - before.first[k]),
+                    std::abs(after.second_per_mm[k] - before.second_per_mm[k]), limits.axes[k]);
+  }
+  for (std::size_t k = 0; k < limits.extra.size(); ++k) {
+    all = all &&
+          is_little(std::abs(after.extra_per_mm[k] - before.extra_per_mm[k]), 0.0, limits.extra[k]);
+  }
+  return all;
 }
 
 }  // namespace
@@ -147,14 +189,14 @@ Junction junction_of(const JunctionQuery& query, const PlanLimits& limits) {
     return {.feedrate_mm_s = cap};
   }
   const double corner = corner_feedrate_mm_s(before.end, after.begin, limits);
-  if (corner == kUnbounded) {
+  if (corner == kUnbounded || is_hardly_seen(before.end, after.begin, cap, limits)) {
     return {.feedrate_mm_s = cap};
   }
   const double constant_velocity = kConstantVelocityTicks * limits.period_s;
   const double fits =
       kBelowRounding * std::min(before.length_mm, after.length_mm) / (2.0 * constant_velocity);
   const double feedrate = std::min({cap, corner, fits});
-  if (saved_s(feedrate, before, after) < 2.0 * constant_velocity) {
+  if (is_better_stopped(feedrate, before, after, constant_velocity)) {
     return {.feedrate_mm_s = 0.0};
   }
   return {.feedrate_mm_s = feedrate, .constant_velocity_s = constant_velocity};

@@ -80,11 +80,14 @@ double largest_axis_jerk_mm_s3(const std::vector<Block>& blocks, const Motion& m
 }
 
 TEST(ContinuingBlocks, ArePassedWithoutConstantVelocity) {
-  const std::vector<Block> compared = cut_bow(false);
-  const std::vector<Block> continuing = cut_bow(true);
+  std::vector<Block> compared = cut_bow(false);
+  std::vector<Block> continuing = cut_bow(true);
+  for (std::vector<Block>* blocks : {&compared, &continuing}) {
+    blocks->back().begin.first[1] += 1e-5;
+  }
   ASSERT_GT(
       junction_of({.before = &compared[0], .after = &compared[1]}, mill()).constant_velocity_s, 0.0)
-      << "rounding is to show";
+      << "the turn is to show";
   const Junction junction =
       junction_of({.before = &continuing[0], .after = &continuing[1]}, mill());
   EXPECT_EQ(junction.constant_velocity_s, 0.0);

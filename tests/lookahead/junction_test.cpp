@@ -177,6 +177,37 @@ TEST(Junction, IsNoFasterThanTwoPartsAtConstantVelocityFitIntoTheShorterBlock) {
             0.999 * blocks[1].length_mm);
 }
 
+// Rest to rest a line of length L takes (32 L / J)^(1/3), passed it takes 6 Ts: of 0.02 mm 11.7 and
+// of 0.002 mm 5.4 ms.
+TEST(Junction, OfShortLinesIsPassedWhereAStopInEachTakesLonger) {
+  const PlanLimits limits =
+      axis_limits({.velocity_mm_s = 500.0, .acceleration_mm_s2 = 1e5, .jerk_mm_s3 = 4e5});
+  const auto feedrate = [&limits](double length) {
+    const auto blocks =
+        blocks_of({line_move({{0, 0, 0}, {length, 0, 0}}, 100.0),
+                   line_move({{length, 0, 0}, {2 * length, 0.002 * length, 0}}, 100.0)},
+                  limits);
+    return junction_of({.before = &blocks[0], .after = &blocks[1]}, limits).feedrate_mm_s;
+  };
+  EXPECT_NEAR(feedrate(0.02), 0.02 / (6.0 * kTs), 1e-6);
+  EXPECT_EQ(feedrate(0.002), 0.0);
+}
+
+// 250 mm/s times 1e-9 in a tick is 0.25 mm/s3, and times 1e-7 it is 25.
+TEST(Junction, IsNoneWhereAllThatTurnsIsRounding) {
+  const PlanLimits limits =
+      axis_limits({.velocity_mm_s = 250.0, .acceleration_mm_s2 = 2500.0, .jerk_mm_s3 = 5e4});
+  const auto junction = [&limits](double turn) {
+    const auto blocks = blocks_of({line_move({{0, 0, 0}, {0.2, 0, 0}}, 250.0),
+                                   line_move({{0.2, 0, 0}, {0.4, 0.2 * turn, 0}}, 250.0)},
+                                  limits);
+    return junction_of({.before = &blocks[0], .after = &blocks[1]}, limits);
+  };
+  EXPECT_EQ(junction(1e-9).feedrate_mm_s, 250.0);
+  EXPECT_EQ(junction(1e-9).constant_velocity_s, 0.0);
+  EXPECT_GT(junction(1e-7).constant_velocity_s, 0.0);
+}
+
 TEST(Junction, PassesACornerWhereNothingLimitsJerk) {
   const PlanLimits limits = axis_limits({.velocity_mm_s = 100.0, .acceleration_mm_s2 = 3000.0});
   const auto blocks = blocks_of(
