@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kAhead = 24;           // of them, behind which corners are known
 constexpr std::size_t kLongestLine = 65536;  // in lines of the program
-constexpr double kShortestLine = 0.01;       // of the tolerance
+constexpr double kShortestLine = 0.25;       // of the tolerance
 
 double distance_mm(const Vertex& a, const Vertex& b) {
   return (curves::vec(b.point_mm) - curves::vec(a.point_mm)).norm();
