@@ -100,13 +100,17 @@ void PlanCheck::forget_before(std::uint64_t curve) {
 // Whether the new plan has the tool where the old one had it, its ticks show.
 void PlanCheck::take_over(const interp::Phase& phase) {
   takes_over_ = false;
+  leave_block();
   before_takeover_ = Place{.front = forgotten_ + front_,
                            .begun = begun_,
                            .curve = curve_,
                            .s_mm = s_mm_,
                            .path_mm = path_mm_};
   planned_to_curve_ = std::max(planned_to_curve_, curve_);
-  if (phase.curve > planned_to_curve_ || phase.curve < forgotten_) {
+  // Where a block is planned to its end, another plan may begin with the next.
+  const bool is_next = !begun_ && phase.curve == curve_ + 1 && phase.s_begin_mm == 0.0 &&
+                       phase.path_begin_mm == path_mm_ && !is_empty();
+  if ((phase.curve > planned_to_curve_ && !is_next) || phase.curve < forgotten_) {
     fail(phase.line, "a plan takes over on block " + std::to_string(phase.curve) + ", and blocks " +
                          std::to_string(forgotten_ + 1) + " to " +
                          std::to_string(planned_to_curve_) + " are planned");

@@ -95,6 +95,28 @@ TEST(PlanCheck, FindsAPlanThatGoesOnAndComesNowhere) {
   EXPECT_NE(fault_of(phases), "");
 }
 
+// The way to rest from where the first plan has come to.
+std::string fault_of_takeover(const interp::Phase& planned, const interp::Phase& takes_over) {
+  PlanCheck check;
+  check.pushed(block(10.0, 3));
+  check.pushed(block(5.0, 4));
+  lookahead::Outbox outbox;
+  outbox.phases = {planned};
+  check.emitted(outbox);
+  check.taken_over();
+  outbox.phases = {takes_over};
+  check.emitted(outbox);
+  return check.fault() ? check.fault()->what : "";
+}
+
+TEST(PlanCheck, LetsAPlanTakeOverAtTheBeginOfABlockBehindOneThatIsPlannedToItsEnd) {
+  EXPECT_EQ(fault_of_takeover(phase(1, {0, 10}), phase(2, {0, 2}, 10.0)), "");
+  EXPECT_NE(fault_of_takeover(phase(1, {0, 9}), phase(2, {0, 2}, 10.0)), "");
+  EXPECT_NE(fault_of_takeover(phase(1, {0, 10}), phase(2, {1, 2}, 10.0)), "");
+  EXPECT_NE(fault_of_takeover(phase(1, {0, 10}), phase(2, {0, 2}, 9.0)), "");
+  EXPECT_NE(fault_of_takeover(phase(1, {0, 10}), phase(3, {0, 2}, 10.0)), "");
+}
+
 TEST(PlanCheck, LetsAStoppedProgramEndWhereItIs) {
   PlanCheck check;
   check.pushed(block(10.0, 3));
