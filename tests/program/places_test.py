@@ -37,6 +37,10 @@ class Start(Case):
     def test_at_the_first_moves_is_the_end_of_a_first_cut(self):
         self.assertEqual(self.first_row(self.path("cut.ngc", "G21 G90 F600\nG1 X7 Y3\nG1 X9 Z4\nM2\n"), "--start", "first-move"), [7, 3, 0])
 
+    def test_starts_where_a_rapid_to_machine_zero_leads(self):
+        part = self.path("zero.ngc", "G21 G90 G61\nG0 X0 Y0 Z0\nG4 P0.01\nG1 X10 F1000\nG1 Y10\nM2\n")
+        self.assertEqual(self.first_row(part, "--start", "first-move"), [0, 0, 0])
+
     def test_at_the_first_moves_counts_the_work_offset(self):
         part = self.path("part.ngc", PART)
         self.assertEqual(self.first_row(part, "--start", "first-move", "--g54", "10,20,-5"), [110, 70, 25])

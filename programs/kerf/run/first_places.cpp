@@ -22,25 +22,27 @@ struct FirstPlace {
   double mm = 0.0;
 };
 
+enum class LookAt : std::uint8_t { rapids, cuts };
+
 class FirstPlaces {
  public:
   // False: what follows does not matter.
-  bool look_at(const parser::Move& move) {
+  bool look_at(const parser::Move& move, LookAt what) {
     const parser::Point* const end = parser::end_mm(move);
     if (end == nullptr) {
       return true;
     }
-    if (!move.rapid && has_moved_) {
+    if (!move.rapid && what == LookAt::rapids) {
       return false;
     }
     for (std::size_t k = 0; k < 3; ++k) {
       if (!places_[k] && (*end)[k] != move.start_mm[k]) {
         places_[k] = FirstPlace{.block = move.block, .mm = (*end)[k]};
-        has_moved_ = true;
       }
     }
     return move.rapid && !(places_[0] && places_[1] && places_[2]);
   }
+  [[nodiscard]] bool is_empty() const { return !places_[0] && !places_[1] && !places_[2]; }
 
   [[nodiscard]] Position from(const Position& start_mm) const {
     Position position = start_mm;
@@ -74,8 +76,15 @@ class FirstPlaces {
 
  private:
   std::array<std::optional<FirstPlace>, 3> places_{};
-  bool has_moved_ = false;
 };
+
+// A rapid to where the tool is already is no move, so rapids are read from where no program leads.
+Position away_from(Position start_mm) {
+  for (double& mm : start_mm) {
+    mm += 0.123456789;
+  }
+  return start_mm;
+}
 
 // A program that goes on for longer before its first cut may be a loop that never cuts.
 constexpr int kMaxMoves = 1'000'000;
@@ -114,8 +123,14 @@ tl::expected<Position, std::string> first_places(ProgramFile& file, const Machin
                                                  const KernelOptions& options) {
   FirstPlaces places;
   parser::ReaderOptions from = reader_options(settings, options);
-  auto read =
-      read_moves(file, from, [&](const parser::Move& move) { return places.look_at(move); });
+  tl::expected<void, std::string> read;
+  for (const LookAt what : {LookAt::rapids, LookAt::cuts}) {
+    from.start_mm = what == LookAt::rapids ? away_from(options.start_mm) : options.start_mm;
+    if (read && places.is_empty()) {
+      read = read_moves(file, from,
+                        [&](const parser::Move& move) { return places.look_at(move, what); });
+    }
+  }
   // From there they must lead to the same places.
   from.start_mm = places.from(options.start_mm);
   bool agrees = true;
