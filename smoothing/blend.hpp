@@ -50,7 +50,8 @@ CornerShape shape_of(const Corner& corner);
 CornerShape shape_between(const curves::PathDerivatives& before,
                           const curves::PathDerivatives& after);
 
-// Direction goes on, as good as: curvature alone jumps, or turns more along the way than the corner.
+// Direction goes on, as good as: curvature alone jumps, or it turns the path more over the way than
+// the corner does.
 bool is_tangential(const Corner& corner, double way_mm);
 
 // The largest distance between the blend and the parts of the curves that it replaces, in either
