@@ -13,8 +13,9 @@ constexpr double kConstantVelocityTicks = 3.0;  // the support of a third differ
 // Below these a junction is as smooth as positions in double precision can tell.
 constexpr double kSmoothTangent = 1e-12;
 constexpr double kSmoothCurvature_per_mm = 1e-12;
-// Of the jerk: what is less is left of rounding, and no place is slower for it.
-constexpr double kHardlySeen = 1e-5;
+// Of the limits: what takes less is rounding, also where ten of them are seen together (a tick may
+// be a millionth above its limits).
+constexpr double kHardlySeen = 1e-7;
 // Two parts at constant velocity at most fill a block; that much less, and sums of their lengths
 // fit after rounding too.
 constexpr double kBelowRounding = 1.0 - 1e-9;

@@ -193,7 +193,7 @@ TEST(Junction, OfShortLinesIsPassedWhereAStopInEachTakesLonger) {
   EXPECT_EQ(feedrate(0.002), 0.0);
 }
 
-// 250 mm/s times 1e-9 in a tick is 0.25 mm/s3, and times 1e-7 it is 25.
+// 250 mm/s times 1e-11 in a tick is 0.0025 mm/s3, and times 1e-9 it is 0.25.
 TEST(Junction, IsNoneWhereAllThatTurnsIsRounding) {
   const PlanLimits limits =
       axis_limits({.velocity_mm_s = 250.0, .acceleration_mm_s2 = 2500.0, .jerk_mm_s3 = 5e4});
@@ -203,9 +203,9 @@ TEST(Junction, IsNoneWhereAllThatTurnsIsRounding) {
                                   limits);
     return junction_of({.before = &blocks[0], .after = &blocks[1]}, limits);
   };
-  EXPECT_EQ(junction(1e-9).feedrate_mm_s, 250.0);
-  EXPECT_EQ(junction(1e-9).constant_velocity_s, 0.0);
-  EXPECT_GT(junction(1e-7).constant_velocity_s, 0.0);
+  EXPECT_EQ(junction(1e-11).feedrate_mm_s, 250.0);
+  EXPECT_EQ(junction(1e-11).constant_velocity_s, 0.0);
+  EXPECT_GT(junction(1e-9).constant_velocity_s, 0.0);
 }
 
 TEST(Junction, PassesACornerWhereNothingLimitsJerk) {
