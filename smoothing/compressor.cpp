@@ -16,6 +16,14 @@ double distance_mm(const Vertex& a, const Vertex& b) {
   return (curves::vec(b.point_mm) - curves::vec(a.point_mm)).norm();
 }
 
+double aside_mm(const curves::Position& point, const curves::Position& begin,
+                 const curves::Position& end) {
+  const Eigen::Vector3d way = curves::vec(end) - curves::vec(begin);
+  const Eigen::Vector3d seen = curves::vec(point) - curves::vec(begin);
+  const double share = std::clamp(seen.dot(way) / way.squaredNorm(), 0.0, 1.0);
+  return (seen - share * way).norm();
+}
+
 }  // namespace
 
 bool Compressor::takes(const parser::Move& move) {
@@ -54,10 +62,9 @@ void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, d
   }
   short_.reset();
   // A spline that goes on has begun with the tolerance that there was.
-  const double away = distance_mm(run_.back(), vertex);
-  if (!tail_ && away <= kShortestLine * move.merge_tolerance_mm) {
-    curves_.widen_beside(away);
+  if (!tail_ && distance_mm(run_.back(), vertex) <= kShortestLine * move.merge_tolerance_mm) {
     short_ = vertex;
+    left_out_.push_back(end);
     return;
   }
   append(vertex);
@@ -71,6 +78,10 @@ void Compressor::append(Vertex vertex) {
   // Lines that lead back to where the run begins miss it by rounding: what is left is no line.
   if (length_mm >= parser::kShortestWay_mm) {
     vertex.w_mm = run_.back().w_mm + length_mm;
+    for (const curves::Position& point : left_out_) {
+      curves_.widen_beside(aside_mm(point, run_.back().point_mm, vertex.point_mm));
+    }
+    left_out_.clear();
     run_.push_back(vertex);
   }
 }
@@ -79,6 +90,7 @@ void Compressor::append(Vertex vertex) {
 void Compressor::append_short() {
   if (run_.size() > 1 && is_of_one_feedrate(run_.back(), *short_)) {
     Vertex end = run_.back();
+    left_out_.push_back(end.point_mm);
     end.point_mm = short_->point_mm;
     run_.pop_back();
     append(end);
@@ -96,6 +108,7 @@ void Compressor::flush(std::vector<PathSegment>& out) {
     reduce(true, out);
   }
   run_.clear();
+  left_out_.clear();
   breaks_.clear();
   tail_.reset();
 }

@@ -76,9 +76,10 @@ class Compressor {
   void drop_front(std::size_t vertices);
 
   RunCurves curves_;
-  Polyline run_;                     // from where it has not left yet
-  std::optional<Vertex> short_;      // behind it: the end of lines too short to be of the path
-  std::size_t scanned_ = 0;          // vertices up to here are no corners
+  Polyline run_;                 // from where it has not left yet
+  std::optional<Vertex> short_;  // behind it: the end of lines too short to be of the path
+  std::vector<curves::Position> left_out_;  // since the run's last vertex
+  std::size_t scanned_ = 0;                 // vertices up to here are no corners
   std::size_t straight_ = 0;         // up to here the run is straight; 0: it is not known to be
   std::size_t awaited_ = kWindow;    // vertices before the next look
   std::vector<std::size_t> breaks_;  // of the last window, behind what has left
