@@ -17,7 +17,7 @@ double distance_mm(const Vertex& a, const Vertex& b) {
 }
 
 double aside_mm(const curves::Position& point, const curves::Position& begin,
-                 const curves::Position& end) {
+                const curves::Position& end) {
   const Eigen::Vector3d way = curves::vec(end) - curves::vec(begin);
   const Eigen::Vector3d seen = curves::vec(point) - curves::vec(begin);
   const double share = std::clamp(seen.dot(way) / way.squaredNorm(), 0.0, 1.0);
