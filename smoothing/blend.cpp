@@ -21,8 +21,8 @@ namespace {
 constexpr int kDegree = 5;
 constexpr double kTangential = 1e-6;  // of a turn
 // Of what a side itself turns along the way. A blend for a corner between lines slows down where
-// they meet, and so has half of the curvature of its sides there: beside such a turn that swing of
-// the curvature asks for more jerk than the turn.
+// they meet, and between curves its curvature swings by half of theirs: beside a slighter turn that
+// swing asks for more jerk than the turn.
 constexpr double kSlight = 0.3;
 
 // s' and s'' by w at the begin of a blend; at its end s'' has the other sign.
