@@ -1,6 +1,7 @@
 // Joints whose turn is what rounding of the coordinates leaves, and rows of very short lines.
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 #include <string>
 
@@ -18,10 +19,10 @@ using profiles::ProfileKind;
 constexpr double kRadius_mm = 5.0;
 
 std::string point(double angle_rad, int decimals) {
-  char text[80];
-  std::snprintf(text, sizeof text, "X%.*f Y%.*f", decimals, kRadius_mm * std::cos(angle_rad),
+  std::array<char, 80> text{};
+  std::snprintf(text.data(), text.size(), "X%.*f Y%.*f", decimals, kRadius_mm * std::cos(angle_rad),
                 decimals, kRadius_mm * std::sin(angle_rad));
-  return text;
+  return text.data();
 }
 
 // A circle in so many arcs, from the tool's place.
