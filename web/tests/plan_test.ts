@@ -22,15 +22,26 @@ test("numbers beyond 32 bits keep every bit", () => {
   assert.deepEqual([...unpackNumbers(Uint8Array.from([0x80, 0x80, 0x80, 0x80, 0x80, 64]), 1, 1)], [2 ** 40]);
 });
 
+function made(magic: string, header: object, data: number[] = []): Uint8Array {
+  const text = new TextEncoder().encode(JSON.stringify(header));
+  return Uint8Array.from([...new TextEncoder().encode(magic), text.length & 255, text.length >> 8, 0, 0, ...text, ...data]);
+}
+
 test("what is no plan, or of another version, is refused", () => {
-  const made = (magic: string, header: object): Uint8Array => {
-    const text = new TextEncoder().encode(JSON.stringify(header));
-    return Uint8Array.from([...new TextEncoder().encode(magic), text.length & 255, text.length >> 8, 0, 0, ...text]);
-  };
   assert.throws(() => decodePlan(made("KERFPLAY", {})), /no plan/);
   assert.throws(() => decodePlan(made("KERFPLAN", { version: 99, sections: [] })), /version 99/);
   assert.throws(() => decodePlan(made("KERFPLAN", { version: 2, sections: [{ name: "x", coding: "bytes", count: 5, bytes: 5 }] })), /ends early/);
   assert.equal(decodePlan(made("KERFPLAN", { version: 2, sections: [] })).header.version, 2);
+});
+
+test("a section of numbers is unpacked when it is asked for, and only then does it end early", () => {
+  const section = (name: string, count: number): object => ({ name, coding: "differences", unit: 0.5, count, bytes: 2 });
+  const { numbers } = decodePlan(made("KERFPLAN", { version: 2, sections: [section("whole", 2), section("short", 3)] }, [2, 4, 2, 4]));
+  assert.deepEqual([...numbers.keys()], ["whole", "short"]);
+  assert.deepEqual([...numbers.get("whole")!], [0.5, 1.5]);
+  assert.equal(numbers.get("whole"), numbers.get("whole"));
+  assert.throws(() => numbers.get("short"), /end early/);
+  assert.equal(numbers.get("none"), undefined);
 });
 
 test("a pyramid finds minimum and maximum of every range as a look at all values does", () => {

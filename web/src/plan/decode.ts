@@ -113,9 +113,37 @@ export interface Header {
   readonly sections: readonly Section[];
 }
 
+export type Numbers = Pick<ReadonlyMap<string, Float64Array>, "get" | "has" | "keys">;
+
+// Each section is unpacked when it is first asked for: of a long program most are never seen.
+class PackedNumbers implements Numbers {
+  private readonly packed = new Map<string, { bytes: Uint8Array; count: number; unit: number }>();
+  private readonly unpacked = new Map<string, Float64Array>();
+
+  add(name: string, bytes: Uint8Array, count: number, unit: number): void {
+    this.packed.set(name, { bytes, count, unit });
+  }
+
+  has(name: string): boolean {
+    return this.packed.has(name);
+  }
+
+  keys(): MapIterator<string> {
+    return this.packed.keys();
+  }
+
+  // Throws where the section holds fewer numbers than it says.
+  get(name: string): Float64Array | undefined {
+    let numbers = this.unpacked.get(name);
+    const section = this.packed.get(name);
+    if (!numbers && section) this.unpacked.set(name, (numbers = unpackNumbers(section.bytes, section.count, section.unit)));
+    return numbers;
+  }
+}
+
 export interface Decoded {
   readonly header: Header;
-  readonly numbers: ReadonlyMap<string, Float64Array>;
+  readonly numbers: Numbers;
   readonly bytes: ReadonlyMap<string, Uint8Array>;
 }
 
@@ -165,7 +193,7 @@ export function decodePlan(bytes: Uint8Array): Decoded {
   if (header.version !== PLAN_VERSION) {
     throw new Error(`the plan has version ${header.version}, this page reads ${PLAN_VERSION}`);
   }
-  const numbers = new Map<string, Float64Array>();
+  const numbers = new PackedNumbers();
   const raw = new Map<string, Uint8Array>();
   let at = begin + size;
   for (const section of header.sections) {
@@ -175,7 +203,7 @@ export function decodePlan(bytes: Uint8Array): Decoded {
     }
     at += section.bytes;
     if (section.coding === "differences") {
-      numbers.set(section.name, unpackNumbers(part, section.count, section.unit ?? 1));
+      numbers.add(section.name, part, section.count, section.unit ?? 1);
     } else {
       raw.set(section.name, part);
     }

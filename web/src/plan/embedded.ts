@@ -10,10 +10,33 @@ function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
-// What base64 of a zlib stream stands for.
+// What base64 of a zlib stream stands for. The bytes go straight into the stream: a blob or a response between would send
+// them to another process and back.
 export async function inflatedText(base64: string): Promise<Uint8Array<ArrayBuffer>> {
-  const stream = new Blob([bytesOf(base64)]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  const { readable, writable } = new DecompressionStream("deflate");
+  const writer = writable.getWriter();
+  const written = Promise.all([writer.write(bytesOf(base64)), writer.close()]);
+  const parts: Uint8Array[] = [];
+  let size = 0;
+  const reader = readable.getReader();
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    parts.push(part.value);
+    size += part.value.length;
+  }
+  await written;
+  const whole = new Uint8Array(size);
+  let at = 0;
+  for (const part of parts) {
+    whole.set(part, at);
+    at += part.length;
+  }
+  return whole;
+}
+
+// The plans stand behind the script, which begins while the browser still reads them.
+async function allRead(document: Document): Promise<void> {
+  if (document.readyState !== "loading") return;
+  await new Promise((resolve) => document.addEventListener("DOMContentLoaded", resolve, { once: true }));
 }
 
 export class EmbeddedSource implements PlanSource {
@@ -24,6 +47,7 @@ export class EmbeddedSource implements PlanSource {
   }
 
   async open(show: (shown: Shown) => void): Promise<void> {
+    await allRead(this.document);
     const plans: Plan[] = [];
     for (const element of this.document.querySelectorAll('script[type="application/x-kerf-plan"]')) {
       plans.push(new Plan(decodePlan(await inflatedText(element.textContent ?? ""))));

@@ -65,7 +65,7 @@ function findToolChanges(runs: Runs): void {
   }
 }
 
-function wanted<T>(sections: ReadonlyMap<string, T>, name: string): T {
+function wanted<T>(sections: { get(name: string): T | undefined }, name: string): T {
   const found = sections.get(name);
   if (!found) throw new Error(`the plan lacks ${name}`);
   return found;
@@ -147,8 +147,8 @@ export class Plan {
       const min = single ?? this.decoded.numbers.get(`${name}.min`);
       const max = single ?? this.decoded.numbers.get(`${name}.max`);
       if (!min || !max) throw new Error(`the plan lacks ${name}`);
-      const low = Float32Array.from(min);
-      pyramid = new Pyramid(low, single ? low : Float32Array.from(max));
+      const low = new Float32Array(min);
+      pyramid = new Pyramid(low, single ? low : new Float32Array(max));
       this.pyramids.set(name, pyramid);
     }
     return pyramid;

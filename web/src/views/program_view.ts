@@ -1,5 +1,5 @@
 // The program's text with the time that each line takes, and errors and warnings at their lines.
-import { EditorState, RangeSetBuilder, StateEffect, StateField, type Extension, type SelectionRange, type Text } from "@codemirror/state";
+import { EditorState, RangeSetBuilder, StateEffect, StateField, Text, type Extension, type SelectionRange } from "@codemirror/state";
 import { Decoration, EditorView, GutterMarker, WidgetType, gutter, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
 import type { LineNumbers } from "../plan/by_line.ts";
@@ -92,6 +92,9 @@ export interface Editing {
   changed(text: string): void;
 }
 
+// What the editor would make of a text, which it splits by a pattern: of a million lines that takes twice as long.
+const docOf = (text: string): Text | string => (text.includes("\r") ? text : Text.of(text.split("\n")));
+
 // The editor would scroll the page as well, whose reader may look at something else.
 function scrollWithin(view: EditorView, range: SelectionRange, { y }: { y: string }): boolean {
   const { scrollDOM: panel } = view;
@@ -165,8 +168,25 @@ export class ProgramView {
     this.message.hidden = plan.source !== null;
     if (this.view?.state.doc.toString() !== plan.source) {
       this.view?.destroy();
-      this.view = plan.source === null ? null : this.editor(plan.source);
+      this.view = null;
+      this.build(plan);
     }
+    this.showPlan(plan);
+  }
+
+  // Behind the next frame: to lay out a million lines takes as long as all else, and the answer and the path need not wait.
+  private build(plan: Plan): void {
+    const { source } = plan;
+    if (source === null) return;
+    const built = (): void => {
+      if (this.plan !== plan || this.view) return;
+      this.view = this.editor(source);
+      this.showPlan(plan);
+    };
+    requestAnimationFrame(() => setTimeout(built));
+  }
+
+  private showPlan(plan: Plan): void {
     this.view?.dispatch({ effects: setPlan.of(plan) });
     this.showInstant(true);
   }
@@ -216,7 +236,7 @@ export class ProgramView {
         },
       }),
     ];
-    return new EditorView({ state: EditorState.create({ doc: text, extensions }), parent: this.root, root: this.root });
+    return new EditorView({ state: EditorState.create({ doc: docOf(text), extensions }), parent: this.root, root: this.root });
   }
 
   private marker(line: number): TimeMarker | null {
