@@ -153,6 +153,12 @@ TEST(SingularCurves, TheVelocityOfAnAxisHoldsBetweenSamples) {
   }
 }
 
+// Found by a soak: a rest at the curve's begin gave the cells behind it back what a jump within
+// took.
+TEST(SingularCurves, AJumpOfCurvatureKeepsItsShareWhereTheCurveBeginsAtRest) {
+  EXPECT_EQ(judged_case(65000193, profiles::ProfileKind::time_optimal, 20.0).complaint, "");
+}
+
 // The sine series has its peaks of jerk near its ends, between instants that are looked at.
 TEST(SingularCurves, TheJerkOfAnAxisHoldsAtThePeaksOfALaw) {
   EXPECT_EQ(judged_case(1003143, profiles::ProfileKind::sine_series, 60.0).complaint, "");

@@ -139,11 +139,17 @@ std::vector<Cell> grid_of(const BlockPath& path, const EndJunctions& ends,
   stops = apart(stops, seen);
   std::vector<std::size_t> boundaries;
   std::vector<Cell> cells = cells_between(path, stops, seen, boundaries);
-  for (std::size_t i = 0; i < stops.size(); ++i) {
+  const auto share = [&](std::size_t i) {
     if (stops[i].junction && !stops[i].rest) {
       share_limits(cells, boundaries[i], *stops[i].junction, limits);
     }
+  };
+  // The ends last: what a rest there gives back to the cells is not what jumps within take.
+  for (std::size_t i = 1; i + 1 < stops.size(); ++i) {
+    share(i);
   }
+  share(0);
+  share(stops.size() - 1);
   bind_zones(ends.zones, cells);
   return cells;
 }

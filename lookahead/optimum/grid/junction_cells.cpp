@@ -1,6 +1,7 @@
 // What junctions leave to the cells beside them.
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "lookahead/optimum/grid/junction_share.hpp"
@@ -11,6 +12,10 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kSupportTicks = 3.0;  // of a third difference
+// The feedrate is not below 0 before a junction or behind it, so at feedrate v the acceleration is
+// sqrt(2 J v) at the most. Where the path bends J may be more than on a straight line; so much
+// more.
+constexpr double kMostOfJerk = 2.0;
 
 }  // namespace
 
@@ -18,9 +23,11 @@ double zone_mm(const Cell& cell, const curves::PathDerivatives& end, const Junct
                const PlanLimits& limits) {
   const JumpShares& shares = junction.shares;
   const double t = kSupportTicks * limits.period_s;
-  const double a = shares.tangential * tangential_acceleration_mm_s2(cell, end, limits);
-  const double j = shares.cells * tangential_jerk_mm_s3(cell, end, limits);
-  return t * (junction.feedrate_mm_s + t * (a + 0.5 * t * j));
+  const double v = junction.feedrate_mm_s;
+  const double j = tangential_jerk_mm_s3(cell, end, limits);
+  const double a = std::min(shares.tangential * tangential_acceleration_mm_s2(cell, end, limits),
+                            std::sqrt(2.0 * kMostOfJerk * j * v));
+  return t * (v + t * (a + 0.5 * t * shares.cells * j));
 }
 
 namespace {
