@@ -204,28 +204,9 @@ void Blender::emit_blend(Chosen chosen, const Held& before, Held& after,
   segment.mode = parser::PathMode::blend;
   segment.deviation_mm = chosen.deviation_mm;
   segment.continues = !before.is_gone || before.follows_blend || before.segment.continues;
-  if (before.is_gone) {
-    segment.changes = before.segment.changes;
-  }
   after.cut_begin_mm = chosen.way_mm;
   after.follows_blend = true;
-  if (after.segment.changes.empty()) {
-    out.push_back(std::move(segment));
-    return;
-  }
-  const double s = chosen.blend.s_corner_mm;
-  PathSegment second = segment;
-  second.continues = true;
-  second.curve = *curves::part(segment.curve, {s, curves::length_mm(segment.curve)});
-  segment.curve = *curves::part(segment.curve, {0.0, s});
-  shift_marks(second, s);
-  second.source = {.line = second.marks.front().line, .column = after.segment.source.column};
-  second.run_block = second.marks.front().run_block;
-  segment.corner_block = 0;  // `second` leads into it
-  std::erase_if(segment.marks, [s](const LineMark& mark) { return mark.s_mm >= s; });
-  second.changes = std::exchange(after.segment.changes, {});
   out.push_back(std::move(segment));
-  out.push_back(std::move(second));
 }
 
 }  // namespace kerf::smoothing

@@ -41,11 +41,11 @@ bool Compressor::continues(const parser::Move& move) const {
                           move.start_mm == last().point_mm);
 }
 
-void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, double beside_mm) {
+void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, const About& about) {
   assert(takes(move) && (run_.empty() || continues(move)));
   const curves::Position& end = std::get<parser::LineMove>(move.shape).end_mm;
   if (run_.empty()) {
-    curves_.begin(move, beside_mm);
+    curves_.begin(move, about.beside_mm);
     run_.push_back({.point_mm = move.start_mm, .source = move.source});
     scanned_ = 0;
   }
@@ -62,7 +62,8 @@ void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, d
   }
   short_.reset();
   // A spline that goes on has begun with the tolerance that there was.
-  if (!tail_ && distance_mm(run_.back(), vertex) <= kShortestLine * move.merge_tolerance_mm) {
+  if (!tail_ && !about.has_changes &&
+      distance_mm(run_.back(), vertex) <= kShortestLine * move.merge_tolerance_mm) {
     short_ = vertex;
     left_out_.push_back(end);
     return;

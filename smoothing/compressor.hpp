@@ -35,6 +35,13 @@ namespace kerf::smoothing {
 
 class Compressor {
  public:
+  // What a move does not say.
+  struct About {
+    double beside_mm = 0.0;    // how far the run's lines are from the program, less than the
+                               // tolerance; of the run's first move counts
+    bool has_changes = false;  // outputs change where it begins: it is left out at no length
+  };
+
   // travel: no curve leaves it.
   explicit Compressor(const std::optional<curves::Extents>& travel) : curves_({.travel = travel}) {}
 
@@ -44,9 +51,8 @@ class Compressor {
   [[nodiscard]] bool continues(const parser::Move& move) const;
 
   // Precondition: takes() and, unless empty, continues(). A move of no length is left out.
-  // beside_mm: how far the run's lines are from the program, less than the tolerance; of the run's
-  // first move counts.
-  void push(const parser::Move& move, std::vector<PathSegment>& out, double beside_mm = 0.0);
+  void push(const parser::Move& move, std::vector<PathSegment>& out) { push(move, out, {}); }
+  void push(const parser::Move& move, std::vector<PathSegment>& out, const About& about);
   // The run ends with what was pushed.
   void flush(std::vector<PathSegment>& out);
 

@@ -35,7 +35,7 @@ std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathS
   };
   const auto add = [&](LineMark mark, double s_mm) {
     mark.s_mm = marks.empty() ? 0.0 : std::max(s_mm, marks.back().s_mm);
-    if (marks.empty() || marks.back().line != mark.line) {
+    if (marks.empty() || marks.back().run_block != mark.run_block) {
       marks.push_back(mark);
     }
   };

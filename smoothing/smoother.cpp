@@ -16,11 +16,12 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
     return {};
   }
   made_.clear();
-  if (!keeps_blocks_apart_ && Compressor::takes(move) && changes_.empty()) {
+  if (!keeps_blocks_apart_ && Compressor::takes(move)) {
     if (!compressor_.continues(move)) {
       compressor_.flush(made_);
     }
-    compressor_.push(move, made_);
+    compressor_.push(move, made_, {.has_changes = !changes_.empty()});
+    come_with(move);
     queue_made();
     return {};
   }
@@ -37,9 +38,13 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
   if (std::holds_alternative<parser::NurbsMove>(move.shape) && may_bend(made_.front())) {
     smooth_jumps(move);
   }
-  made_.front().changes = std::exchange(changes_, {});
+  come_with(move);
   queue_made();
   return {};
+}
+
+void Smoother::come_with(const parser::Move& move) {
+  output_changes_.come_with(move.block, std::exchange(changes_, {}));
 }
 
 void Smoother::smooth_jumps(const parser::Move& move) {
@@ -82,7 +87,7 @@ void Smoother::fit_lines(const SampledCurve& lines, const parser::Move& move,
                     .block = move.block};
   for (const curves::Position& end_mm : lines.points_mm) {
     line.shape = parser::LineMove{end_mm};
-    compressor_.push(line, made_, lines.beside_mm);
+    compressor_.push(line, made_, {.beside_mm = lines.beside_mm});
     line.start_mm = end_mm;
   }
   compressor_.flush(made_);
@@ -108,8 +113,12 @@ void Smoother::blend_next() {
   } else {
     blender_.flush(blended_);
   }
-  std::move(blended_.begin(), blended_.end(), std::back_inserter(outputs_));
+  for (PathSegment& segment : blended_) {
+    output_changes_.cut(std::move(segment), cut_);
+  }
   blended_.clear();
+  std::move(cut_.begin(), cut_.end(), std::back_inserter(outputs_));
+  cut_.clear();
   if (auto* move = std::get_if<parser::Move>(&item)) {
     outputs_.emplace_back(std::move(*move));
   }

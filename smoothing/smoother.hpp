@@ -11,6 +11,7 @@
 #include "smoothing/blender.hpp"
 #include "smoothing/compressor.hpp"
 #include "smoothing/curvature_jumps.hpp"
+#include "smoothing/output_changes.hpp"
 #include "smoothing/path_deviations.hpp"
 #include "smoothing/path_segment.hpp"
 
@@ -43,6 +44,8 @@ class Smoother {
 
  private:
   void queue_made();
+  // The changes since the last move, with this one.
+  void come_with(const parser::Move& move);
   // Of a NURBS in G64: takes jumps of the curvature out of what was made of it.
   void smooth_jumps(const parser::Move& move);
   void fit_lines(const SampledCurve& lines, const parser::Move& move,
@@ -58,8 +61,10 @@ class Smoother {
   std::vector<PathSegment> made_;  // of one move
   struct EndOfPath {};             // for now
   std::deque<std::variant<PathSegment, parser::Move, EndOfPath>> queue_;
-  std::vector<PathSegment> blended_;  // of one step
-  std::vector<parser::EventMove> changes_;
+  std::vector<PathSegment> blended_;        // of one step
+  std::vector<PathSegment> cut_;            // the same, in parts
+  std::vector<parser::EventMove> changes_;  // since the last move
+  OutputChanges output_changes_;
   std::vector<Output> outputs_;
   std::size_t taken_ = 0;
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,11 +26,12 @@ struct Tick {
   Outputs seen;  // by the simulated table
 };
 
-std::vector<Tick> run(std::string_view program) {
+using kerf::profiles::ProfileKind;
+
+// The S-curve's cruise is the programmed feedrate to the last digit.
+std::vector<Tick> run(std::string_view program, ProfileKind kind = ProfileKind::s_curve) {
   const kerf::MachineSettings settings = kerf::default_machine();
-  // Its cruise is the programmed feedrate to the last digit.
-  const kerf::profiles::Profile profile(kerf::profiles::ProfileKind::s_curve);
-  kerf::Kernel kernel(settings, {.profile = profile});
+  kerf::Kernel kernel(settings, {.profile = kerf::profiles::Profile(kind)});
   kerf::machine::SimulatedTable table(settings.table);
   table.enable({});
   kernel.feed(program);
@@ -76,6 +78,33 @@ TEST(OutputChanges, AtMotionComeAtTheJunctionWithoutARest) {
 TEST(OutputChanges, AtMotionComeWhereABlendTakesAllOfTheirBlock) {
   const auto ticks = run("G21 G90 G64 P0.2 Q0\nM62 P1\nG1 X0.02 F3000\nY5\nM2\n");
   EXPECT_EQ(first(ticks, [](const Tick& tick) { return tick.seen.digital == 2; }).tick, 0);
+}
+
+// A laser's power at every line of an engraving. Without it the circle is one curve.
+TEST(OutputChanges, AtMotionLeaveMergedLinesAsFastAsTheyAre) {
+  const auto circle = [](int lines_per_change) {
+    std::string program = "G21 G90 G64 P0.01 Q0.01 F3000\n";
+    for (int i = 0; i <= 200; ++i) {
+      const double angle = kTwoPi * i / 200.0;
+      program += lines_per_change > 0 && i % lines_per_change == 0
+                     ? "M67 E0 Q" + std::to_string(i + 1) + "\n"
+                     : "\n";
+      program += "G1 X" + std::to_string(10.0 * std::cos(angle)) + " Y" +
+                 std::to_string(10.0 * std::sin(angle)) + "\n";
+    }
+    return run(program + "M2\n", ProfileKind::time_optimal);
+  };
+  const auto plain = circle(0);
+  for (const int step : {1, 5}) {
+    const auto ticks = circle(step);
+    EXPECT_LE(ticks.size(), plain.size() + 1);
+    for (const Tick& tick : ticks) {
+      const int line = (static_cast<int>(tick.setpoint.line) - 3) / 2;  // its number on the circle
+      if (line > 0 && tick.setpoint.v_mm_s > 0.0) {
+        ASSERT_EQ(tick.seen.analog[0], line / step * step + 1) << tick.setpoint.line;
+      }
+    }
+  }
 }
 
 TEST(OutputChanges, AtMotionWaitForAMotionAcrossRests) {
