@@ -18,6 +18,8 @@ constexpr double kMaxTicks = 8.0;
 // Where the feedrate rises or falls for seconds, a window is to reach from a rest to the next one:
 // it has no more cells than this on the way up, and as many on the way down.
 constexpr double kMaxOnLeg = 1000.0;
+// Behind a ramp to a feedrate next to none a tick goes nowhere: a block has no more cells for that.
+constexpr double kMostWhereSlow = 20'000.0;
 constexpr double kGrowth = 0.08;  // of a cell over its distance from where something happens
 // Curvature, or a change of feedrate, takes part in the limits where it takes this share of one.
 constexpr double kTakesPart = 0.05;
@@ -166,6 +168,10 @@ GridScan::GridScan(const BlockPath& path, const EndFeeds& ends, const std::vecto
     : places_mm_(places_of(path, ends, stops)) {
   const std::vector<Cell> cells = cells_between(path, places_mm_, stops);
   feeds_mm_s_ = estimate_feeds(cells, ends, limits);
+  const double behind_ramp_mm = kMaxTicks * limits.period_s * cells.back().end.feedrate_mm_s;
+  if (path.slows() && behind_ramp_mm < length_mm() / kMostWhereSlow) {
+    least_mm_ = length_mm() / kMostWhereSlow;
+  }
   find_motion(cells, limits);
   find_quiet(path, cells, ends, limits);
 }
@@ -249,7 +255,8 @@ double GridScan::cell_mm(double s_mm) const {
   const auto at = [&](const std::vector<double>& values) {
     return values[from] + share * (values[to] - values[from]);
   };
-  const double of_motion = std::max(at(motion_mm_), std::min(kGrowth * at(quiet_mm_), at(cap_mm_)));
+  const double of_motion =
+      std::max({at(motion_mm_), least_mm_, std::min(kGrowth * at(quiet_mm_), at(cap_mm_))});
   return std::max(min_mm(), std::min(at(feature_mm_), of_motion));
 }
 
