@@ -10,29 +10,46 @@ namespace kerf::smoothing {
 
 namespace {
 
-// A change that would come closer than this to the one before or to the end comes a little sooner.
+// Changes that are closer than this come together; one that is closer to the end comes so far from
+// it.
 constexpr double kShortestPart_mm = 1e-6;
 
-bool begins(const PathSegment& segment, std::uint64_t block) {
-  return segment.run_block == block ||
-         std::ranges::any_of(segment.marks,
-                             [&](const LineMark& mark) { return mark.run_block == block; });
+bool begins_on(const PathSegment& part, std::uint64_t block) {
+  return part.run_block == block || std::ranges::any_of(part.marks, [&](const LineMark& mark) {
+           return mark.run_block == block;
+         });
 }
 
-// Precondition: the segment has marks, and the stretch is no shorter than kShortestPart_mm.
-PathSegment part_of(const PathSegment& segment, const curves::Stretch& stretch) {
-  PathSegment part = segment;
-  part.curve = *curves::part(segment.curve, stretch);
-  std::erase_if(part.marks, [&](const LineMark& mark) { return mark.s_mm >= stretch.end_mm; });
-  shift_marks(part, stretch.begin_mm);
-  part.source = {.line = part.marks.front().line, .column = segment.source.column};
-  part.run_block = part.marks.front().run_block;
-  part.continues = segment.continues || stretch.begin_mm > 0.0;
-  if (!begins(part, segment.corner_block)) {
-    part.corner_block = 0;
+// A segment in parts. Of a row of many thousand lines each part has its own marks only.
+class Parts {
+ public:
+  // Precondition: it has marks.
+  explicit Parts(PathSegment segment)
+      : curve_(std::move(segment.curve)),
+        marks_(std::exchange(segment.marks, {})),
+        like_(std::move(segment)) {}
+
+  // Precondition: it begins with a mark and is no shorter than kShortestPart_mm.
+  [[nodiscard]] PathSegment part(const curves::Stretch& stretch) const {
+    PathSegment part = like_;
+    part.curve = *curves::part(curve_, stretch);
+    const auto first = std::ranges::upper_bound(marks_, stretch.begin_mm, {}, &LineMark::s_mm) - 1;
+    part.marks.assign(first, std::ranges::lower_bound(marks_, stretch.end_mm, {}, &LineMark::s_mm));
+    shift_marks(part, stretch.begin_mm);
+    part.source.line = part.marks.front().line;
+    part.run_block = part.marks.front().run_block;
+    part.continues = like_.continues || stretch.begin_mm > 0.0;
+    if (!begins_on(part, like_.corner_block)) {
+      part.corner_block = 0;
+    }
+    return part;
   }
-  return part;
-}
+
+ private:
+  curves::Curve curve_;
+  std::vector<LineMark> marks_;
+  PathSegment like_;
+};
 
 }  // namespace
 
@@ -49,11 +66,16 @@ void OutputChanges::cut(PathSegment segment, std::vector<PathSegment>& out) {
   };
   const double length_mm = curves::length_mm(segment.curve);
   std::vector<Place> places{{}};
-  // Also of moves that have no mark of their own.
+  // Also of moves that have no mark of their own. Behind the end there are marks of what a blend
+  // took.
   const auto look = [&](const LineMark& mark) {
+    if (mark.s_mm > 0.0 && mark.s_mm >= length_mm) {
+      return;
+    }
+    const double s = std::min(mark.s_mm, length_mm - kShortestPart_mm);
     for (; !waiting_.empty() && waiting_.front().block <= mark.run_block; waiting_.pop_front()) {
-      if (std::min(mark.s_mm - places.back().s_mm, length_mm - mark.s_mm) >= kShortestPart_mm) {
-        places.push_back({.s_mm = mark.s_mm});
+      if (s - places.back().s_mm >= kShortestPart_mm) {
+        places.push_back({.s_mm = s});
       }
       std::ranges::move(waiting_.front().changes, std::back_inserter(places.back().changes));
     }
@@ -65,11 +87,11 @@ void OutputChanges::cut(PathSegment segment, std::vector<PathSegment>& out) {
     out.push_back(std::move(segment));
     return;
   }
+  const Parts parts(std::move(segment));
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const bool is_last = i + 1 == places.size();
-    PathSegment& part = out.emplace_back(
-        part_of(segment, {places[i].s_mm, is_last ? length_mm : places[i + 1].s_mm}));
-    part.changes = std::move(places[i].changes);
+    const double end_mm = i + 1 < places.size() ? places[i + 1].s_mm : length_mm;
+    out.push_back(parts.part({places[i].s_mm, end_mm}));
+    out.back().changes = std::move(places[i].changes);
   }
 }
 

@@ -39,7 +39,7 @@ std::vector<PathSegment> smoothed(const std::vector<Move>& moves) {
   std::vector<PathSegment> segments;
   const auto take = [&] {
     for (smoothing::Smoother::Output output; smoother.next(output);) {
-      segments.push_back(std::get<PathSegment>(output));
+      segments.push_back(std::get<PathSegment>(std::move(output)));
     }
   };
   for (const Move& move : moves) {
@@ -123,6 +123,51 @@ TEST(OutputChangesOnThePath, ComeWhereTheirMovesBegin) {
       }
     }
     EXPECT_EQ(found, wanted);
+  }
+}
+
+// Found by a review: a blend takes the last lines of a row, and the row still had their marks. And
+// a vertex within a nanometre of where the blend begins.
+TEST(OutputChangesOnThePath, ComeWhereTheirMovesBeginInABlendThatTakesSeveralLines) {
+  for (int i = -30; i <= 30; ++i) {
+    std::vector<Position> points;
+    for (int x = 0; x <= 48; ++x) {
+      points.push_back({static_cast<double>(x), 0.0, 0.0});
+    }
+    points.push_back({49.434880 + 1e-7 * i, 0.0, 0.0});
+    points.push_back({50.0, 0.0, 0.0});
+    points.push_back({50.0, 0.6, 0.0});
+    for (int y = 1; y <= 49; ++y) {
+      points.push_back({50.0, static_cast<double>(y), 0.0});
+    }
+    const std::vector<Move> moves = lines_through(points, {.corner_mm = 0.1, .merge_mm = 0.02});
+    const std::set<std::uint64_t> wanted = every(1, moves.size());
+    std::set<std::uint64_t> found;
+    for (const PathSegment& segment : smoothed(with_changes(moves, wanted))) {
+      const Position place = curves::position_at(segment.curve, 0.0);
+      for (const parser::EventMove& change : segment.changes) {
+        const auto block = static_cast<std::uint64_t>(change.value);
+        found.insert(block);
+        const Position& begin = moves[block - 1].start_mm;
+        EXPECT_LT((curves::vec(place) - curves::vec(begin)).norm(), 0.12) << i << ", " << block;
+      }
+    }
+    EXPECT_EQ(found, wanted) << i;
+  }
+}
+
+TEST(OutputChangesOnThePath, LeaveAPartTheMarksOfItsOwnLines) {
+  std::vector<Position> points;
+  for (int x = 0; x <= 1000; ++x) {
+    points.push_back({0.1 * x, 0.0, 0.0});
+  }
+  const std::vector<Move> moves = lines_through(points, {});
+  const std::vector<PathSegment> parts = smoothed(with_changes(moves, every(2, moves.size())));
+  ASSERT_EQ(parts.size(), 500U);
+  for (const PathSegment& part : parts) {
+    EXPECT_EQ(part.marks.size(), 2U);
+    EXPECT_LE(part.marks.capacity(), 4U)
+        << "many thousand parts of a row had those of all its lines";
   }
 }
 
