@@ -51,7 +51,7 @@ double curvature_bound_mm_s(const NurbsCurve& curve, double s_mm, const ScanLimi
     return std::max(2.0 / curvature, d) / limits.period_s;  // it may segment the whole circle
   }
   return curvature > 0.0 ? 2.0 / limits.period_s * std::sqrt(2.0 * d / curvature - d * d)
-                         : limits.feedrate_mm_s;
+                         : kUnbounded;
 }
 
 double tick_bound_mm_s(const ContinuedCurve& path, double s_mm, const ScanLimits& limits) {
