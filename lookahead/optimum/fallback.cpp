@@ -31,6 +31,7 @@ bool has_singular_place(const PlannedCells& planned) {
 double classical_s(const FirstBlocks& first, const ClassicalSchedule::Settings& settings) {
   ClassicalSchedule::Settings trial = settings;
   trial.observer = nullptr;  // nothing of it is run
+  trial.longest_cruise_s = kUnbounded;
   ClassicalSchedule schedule(trial);
   return duration_from_rest_s(schedule, first, settings.limits);
 }

@@ -191,6 +191,12 @@ TEST(Override, OfNextToNothingIsPlannedAsSoonAsAnyOther) {
     const auto run = run_with(text, {}, {{500, {.feed = feed}}, {900, {.feed = 1.0}}});
     EXPECT_EQ(run.complaint, "");
   }
+  const std::string circle = "G21 G90 G61\nG1 X0 F3000\nG2 X0 I30\nM2\n";
+  using At = std::pair<std::string, std::int64_t>;
+  for (const auto& [curves, tick] : {At{circle, 476}, At{shipped_program("star.ngc"), 1456}}) {
+    const auto run = run_with(curves, {}, {{tick, {.feed = 1e-6}}, {tick + 300, {.feed = 1.0}}});
+    EXPECT_EQ(run.complaint, "") << tick;
+  }
   const auto whole = ticks_of(mixed_program(), {});
   for (std::int64_t tick = 1; tick < whole.back().tick; tick += 811) {
     SCOPED_TRACE(tick);
