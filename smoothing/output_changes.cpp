@@ -77,11 +77,14 @@ void OutputChanges::cut(PathSegment segment, std::vector<PathSegment>& out) {
       if (s - places.back().s_mm >= kShortestPart_mm) {
         places.push_back({.s_mm = s});
       }
-      std::ranges::move(waiting_.front().changes, std::back_inserter(places.back().changes));
+      std::vector<parser::EventMove>& changes = waiting_.front().changes;
+      std::move(changes.begin(), changes.end(), std::back_inserter(places.back().changes));
     }
   };
   look(segment.mark_at(0.0));
-  std::ranges::for_each(segment.marks, look);
+  for (const LineMark& mark : segment.marks) {
+    look(mark);
+  }
   if (places.size() == 1) {
     segment.changes = std::move(places.front().changes);
     out.push_back(std::move(segment));
