@@ -201,7 +201,7 @@ bool Planner::begin_in_motion(InMotion from) {
   last_ = place_of(waiting_.front());
   blocks_.push_back(std::move(std::get<Block>(waiting_.front())));
   waiting_.pop_front();
-  optimum.push_in_motion(blocks_);
+  optimum.push_in_motion(blocks_, begin.has_before ? begin.state.v_mm_s : 0.0);
   return take_blocks_in_motion(blocks_.size()) && optimum.begin(begin, to_rest_, blocks_);
 }
 

@@ -38,8 +38,8 @@ void OptimumSchedule::push(const Window<Block>& blocks) {
   }
 }
 
-void OptimumSchedule::push_in_motion(const Window<Block>& blocks) {
-  waiting_.push_as_cells(blocks);
+void OptimumSchedule::push_in_motion(const Window<Block>& blocks, double passed_mm_s) {
+  waiting_.push_as_cells(blocks, passed_mm_s);
 }
 
 bool OptimumSchedule::begin(const Begin& from, bool closed, Window<Block>& blocks) {

@@ -48,8 +48,9 @@ class OptimumSchedule final : public Schedule {
   // A motion that this plan goes on from.
   using Begin = BeginInMotion;
   // Push the blocks with this one where a motion goes on, as far as they are known, and call
-  // begin(). closed: a rest follows them. False: no plan was found.
-  void push_in_motion(const Window<Block>& blocks);
+  // begin(). closed: a rest follows them. False: no plan was found. passed_mm_s: at which the
+  // motion has just passed the junction before the block; 0: it has not.
+  void push_in_motion(const Window<Block>& blocks, double passed_mm_s = 0.0);
   [[nodiscard]] bool begin(const Begin& from, bool closed, Window<Block>& blocks);
 
   void push(const Window<Block>& blocks) override;

@@ -45,6 +45,15 @@ TEST(RandomCommandsAgain, HoldAtACrawlBesideARest) {
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
+// A corner that the S-curve had just passed would be a stop for the time optimum that took over:
+// its ticks still see the corner.
+TEST(RandomCommandsAgain, ChangeThePlanRightBehindACorner) {
+  for (const std::uint64_t seed : {92'000'583U, 92'003'656U}) {
+    const CommandedRun run = commanded_run(seed);
+    EXPECT_EQ(run.complaint, "") << run.commands;
+  }
+}
+
 // Stopped at the end of the last block before a rest, where rounding leaves some feedrate.
 TEST(RandomCommandsAgain, StopWhereNoBlockIsLeft) {
   const CommandedRun run = commanded_run(6'001'417);

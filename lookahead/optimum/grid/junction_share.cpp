@@ -29,6 +29,8 @@ constexpr double kAllShares = 0.99;
 constexpr double kDynamic = 0.998;
 constexpr double kMaxOfTurn = 0.1;
 constexpr double kMinDynamic = 0.75;
+// Of the feedrate now, that at a junction just behind it.
+constexpr double kAtMostOfPassed = 2.0;
 constexpr double kSmooth = 1e-9;    // of the path's feedrate and of further axes
 constexpr double kStepPeak = 0.75;  // of a step of acceleration in a third difference
 
@@ -254,6 +256,12 @@ CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limi
     }
   }
   return fastest;
+}
+
+CellJunction passed_junction_of(const JunctionQuery& query, double v_mm_s,
+                                const PlanLimits& limits) {
+  const Jump jump{.before = query.before->end, .after = query.after->begin};
+  return {.limits = junction_limits_with(jump, kAtMostOfPassed * v_mm_s, kShares.back(), limits)};
 }
 
 // With the largest share that leaves room for more than a cruise it could not be passed so fast.

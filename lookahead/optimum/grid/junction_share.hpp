@@ -58,6 +58,10 @@ struct CellJunction {
 };
 
 CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limits);
+// One that the motion has just passed at about this feedrate, whatever a plan of now would do
+// there: ticks still see its jump. The motion beside it is almost a cruise.
+CellJunction passed_junction_of(const JunctionQuery& query, double v_mm_s,
+                                const PlanLimits& limits);
 
 // Whether a junction passed at this feedrate takes so much of the limits that the motion beside it
 // is a cruise.

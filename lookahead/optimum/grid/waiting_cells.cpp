@@ -115,13 +115,18 @@ void WaitingCells::make_cells_of_lines(const Window<Block>& blocks) {
   }
 }
 
-void WaitingCells::push_cells(std::uint64_t number, const Window<Block>& blocks) {
+void WaitingCells::push_cells(std::uint64_t number, const Window<Block>& blocks,
+                              double passed_mm_s) {
   OpenBlock next{.number = number};  // behind a stop
   const Block& after = numbered(number, blocks);
   next.own = end_feeds_of(BlockPath(after, limits_), limits_);
   if (open_) {
     const Block& before = numbered(open_->number, blocks);
-    next.begin = cell_junction_of({.before = &before, .after = &after}, limits_);
+    const JunctionQuery query{.before = &before, .after = &after};
+    next.begin = cell_junction_of(query, limits_);
+    if (next.begin.is_stop() && passed_mm_s > 0.0) {
+      next.begin = passed_junction_of(query, passed_mm_s, limits_);
+    }
     next.v_before_mm_s = open_->own.v_end_mm_s;
     BlockJunction end{.junction = next.begin, .v_beyond_mm_s = next.own.v_begin_mm_s};
     if (!next.begin.is_stop()) {

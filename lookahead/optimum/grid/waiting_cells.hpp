@@ -40,10 +40,10 @@ class WaitingCells {
   // The window's last block.
   void push(const Window<Block>& blocks);
   // The same, as cells though it may be an independent line, even behind a rest: the motion may be
-  // on it already.
-  void push_as_cells(const Window<Block>& blocks) {
+  // on it already. passed_mm_s: at which it has just passed the junction before; 0: it has not.
+  void push_as_cells(const Window<Block>& blocks, double passed_mm_s = 0.0) {
     const std::uint64_t number = pushed_++;
-    push_cells(number, blocks);
+    push_cells(number, blocks, passed_mm_s);
     open_->whole_line = false;
   }
   // The last block that was pushed ends at rest.
@@ -123,7 +123,7 @@ class WaitingCells {
   bool close_as_line(const LineEnd& end, const Window<Block>& blocks);
   // The lines since the last rest and the blocks after them, up to the last one pushed.
   void make_cells_of_lines(const Window<Block>& blocks);
-  void push_cells(std::uint64_t number, const Window<Block>& blocks);
+  void push_cells(std::uint64_t number, const Window<Block>& blocks, double passed_mm_s = 0.0);
   void close_as_cells(const BlockJunction& end, const Window<Block>& blocks);
 
   PlanLimits limits_;
