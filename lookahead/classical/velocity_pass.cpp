@@ -42,7 +42,9 @@ void backward_pass(Window<WindowSegment>& window, const profiles::Profile& profi
 }
 
 bool begin_in_motion(WindowSegment& first, double v_mm_s, const profiles::Profile& profile) {
+  const Slope& rise = first.segment.rise;
   if (v_mm_s > first.segment.limits.feedrate_mm_s ||
+      (!rise.empty() && v_mm_s > rise.bottom_mm_s()) ||
       reach_backward_mm_s(first.segment, {.v_end_mm_s = first.v_end_mm_s, .cap_mm_s = v_mm_s},
                           profile) < v_mm_s) {
     return false;

@@ -50,8 +50,8 @@ struct Ending {
   double v_end_mm_s = 0.0;
   bool is_slowed = false;  // the end of the sure plan, slowed down to that beginning
 };
-// The window begins in motion, at that feedrate and an acceleration of 0. False: from there it
-// cannot come to rest. Precondition: backward_pass().
+// The window begins in motion, at that feedrate and an acceleration of 0. False: that is
+// too fast there, or from there it cannot come to rest. Precondition: backward_pass().
 bool begin_in_motion(WindowSegment& first, double v_mm_s, const profiles::Profile& profile);
 
 // The nearest end to wanted.v_end that can be joined. Precondition: wanted.v_begin is at most that

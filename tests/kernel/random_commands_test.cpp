@@ -48,10 +48,14 @@ TEST(RandomCommandsAgain, HoldAtACrawlBesideARest) {
 // A corner that the S-curve had just passed would be a stop for the time optimum that took over:
 // its ticks still see the corner.
 TEST(RandomCommandsAgain, ChangeThePlanRightBehindACorner) {
-  for (const std::uint64_t seed : {92'000'583U, 92'003'656U}) {
-    const CommandedRun run = commanded_run(seed);
-    EXPECT_EQ(run.complaint, "") << run.commands;
-  }
+  const CommandedRun run = commanded_run(92'000'583);
+  EXPECT_EQ(run.complaint, "") << run.commands;
+}
+
+// The time optimum that stood in was faster than the profile may be where that came back.
+TEST(RandomCommandsAgain, ComeBackToTheProfileInABend) {
+  const CommandedRun run = commanded_run(92'003'656);
+  EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
 // Stopped at the end of the last block before a rest, where rounding leaves some feedrate.
