@@ -55,10 +55,11 @@ class Channel(ControlCase):
 
     def test_a_socket_is_for_its_owner_and_goes_with_the_run(self):
         where = self.path("kerf.sock")
+        slow = "G21 G90\nG1 X400 F400\nM2\n"  # 60 s: a busy computer takes seconds for what comes before the stop
         stale = socket.socket(socket.AF_UNIX)
         stale.bind(where)
         stale.close()  # nobody listens any more
-        process = self.run_kerf(where)
+        process = self.run_kerf(where, slow)
         deadline = time.monotonic() + 60
         connection = socket.socket(socket.AF_UNIX)
         self.addCleanup(connection.close)
@@ -71,7 +72,7 @@ class Channel(ControlCase):
         connection.settimeout(60)
         client = self.client(connection)
         self.assertEqual(stat.S_IMODE(os.stat(where).st_mode), 0o600)
-        second = self.run_kerf(where)
+        second = self.run_kerf(where, slow)
         self.assertEqual(second.wait(timeout=60), 5)
         self.assertIn(b"Address already in use", second.stderr.read())
         other = socket.socket(socket.AF_UNIX)
