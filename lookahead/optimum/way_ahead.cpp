@@ -88,11 +88,12 @@ bool WayAhead::knows(double distance_mm) const {
 void WayAhead::take_blocks(const BrakingFrom& from) {
   const double back_mm = junction_zone_mm(from.state, limits_);
   const auto [far_mm, gentle_mm] = reach_of(from, limits_);
-  const auto add = [this](Block block) {
+  const auto add = [this](Block block, double passed_mm_s = 0.0) {
     blocks_.push_back(std::move(block));
-    waiting_.push_as_cells(blocks_);
+    waiting_.push_as_cells(blocks_, passed_mm_s);
   };
   double way_mm = -from.s_mm;
+  double passed_mm_s = 0.0;
   for (std::size_t i = 0; i < from.blocks.size() && way_mm < far_mm && !last_is_cut_; ++i) {
     if (i > kMaxBlocks || (i > kManyBlocks && way_mm > gentle_mm)) {
       has_more_blocks_ = true;
@@ -109,8 +110,9 @@ void WayAhead::take_blocks(const BrakingFrom& from) {
       add(near_block(before, {.begin_mm = before.length_mm - back_mm, .end_mm = before.length_mm})
               .block);
       first_ = 1;
+      passed_mm_s = from.state.v_mm_s;
     }
-    add(std::move(near.block));
+    add(std::move(near.block), std::exchange(passed_mm_s, 0.0));
     last_is_cut_ = !near.ends_block;
     way_mm += block.length_mm;
   }

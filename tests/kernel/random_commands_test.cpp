@@ -50,6 +50,8 @@ TEST(RandomCommandsAgain, HoldAtACrawlBesideARest) {
 TEST(RandomCommandsAgain, ChangeThePlanRightBehindACorner) {
   const CommandedRun run = commanded_run(92'000'583);
   EXPECT_EQ(run.complaint, "") << run.commands;
+  const CommandedRun steps = commanded_run(92'015'521, Commands::override_steps);
+  EXPECT_EQ(steps.complaint, "") << steps.commands;
 }
 
 // The time optimum that stood in was faster than the profile may be where that came back.

@@ -261,7 +261,12 @@ CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limi
 CellJunction passed_junction_of(const JunctionQuery& query, double v_mm_s,
                                 const PlanLimits& limits) {
   const Jump jump{.before = query.before->end, .after = query.after->begin};
-  return {.limits = junction_limits_with(jump, kAtMostOfPassed * v_mm_s, kShares.back(), limits)};
+  const double v = kAtMostOfPassed * v_mm_s;
+  const auto* const enough = std::ranges::find_if(kShares, [&](const JumpShares& shares) {
+    return corner_feedrate_mm_s(jump.before, jump.after, jump_limits(limits, shares)) >= v;
+  });
+  const JumpShares& shares = enough == kShares.end() ? kShares.back() : *enough;
+  return {.limits = junction_limits_with(jump, v, shares, limits)};
 }
 
 // With the largest share that leaves room for more than a cruise it could not be passed so fast.

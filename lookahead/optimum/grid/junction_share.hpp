@@ -59,7 +59,7 @@ struct CellJunction {
 
 CellJunction cell_junction_of(const JunctionQuery& query, const PlanLimits& limits);
 // One that the motion has just passed at about this feedrate, whatever a plan of now would do
-// there: ticks still see its jump. The motion beside it is almost a cruise.
+// there: ticks still see its jump.
 CellJunction passed_junction_of(const JunctionQuery& query, double v_mm_s,
                                 const PlanLimits& limits);
 
