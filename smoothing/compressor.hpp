@@ -39,7 +39,7 @@ class Compressor {
   struct About {
     double beside_mm = 0.0;    // how far the run's lines are from the program, less than the
                                // tolerance; of the run's first move counts
-    bool has_changes = false;  // outputs change where it begins: it is left out at no length
+    bool has_changes = false;  // outputs change where it begins: it is kept, however short
   };
 
   // travel: no curve leaves it.

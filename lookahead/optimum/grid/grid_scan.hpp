@@ -42,7 +42,7 @@ class GridScan {
   std::vector<double> quiet_mm_;  // the distance from places that are not quiet
   std::vector<double> cap_mm_;    // in which the bound of the feedrate changes by a part of it
   std::vector<double> feature_mm_;
-  double least_mm_ = 0.0;  // that the motion asks for
+  double least_mm_ = 0.0;  // of what the motion asks for; see kMostWhereSlow
 };
 
 // The cell of a block on a stretch of it. before: the cell that ends where it begins, if nothing
