@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "smoothing/blend.hpp"
+#include "smoothing/segment_marks.hpp"
 #include "smoothing/travel.hpp"
 
 namespace kerf::smoothing {

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "smoothing/blender.hpp"
+#include "smoothing/segment_marks.hpp"
 
 namespace kerf::smoothing {
 

@@ -1,7 +1,7 @@
+#include "smoothing/segment_marks.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "smoothing/blender.hpp"
 
 namespace kerf::smoothing {
 
