@@ -105,10 +105,10 @@ class Planner {
   // goes on with resume(). What was emitted is not taken back.
   void stop_feed(const StoppedFeed& stopped) noexcept { stopped_feed_ = stopped; }
   // It is held there.
-  [[nodiscard]] bool is_held_by_feed() const noexcept { return held_ && held_by_feed_.has_value(); }
+  [[nodiscard]] bool is_held_by_feed() const noexcept { return held_ && held_->by_feed; }
   // The same, and the feed stops it no more.
   [[nodiscard]] bool feed_lets_go() const noexcept {
-    return is_held_by_feed() && !stopped_feed_.stops(*held_by_feed_);
+    return is_held_by_feed() && !stopped_feed_.stops(*held_->by_feed);
   }
   // As hold(), because the feed stops: what was emitted and follows it, or the motion that begins
   // so behind a rest that is near. False as well where there is none; stop_feed() sees to all that
@@ -173,7 +173,7 @@ class Planner {
   bool stop(std::int64_t tick, Outbox& outbox);
   // Ends the program where it is held. Precondition: is_held(), settle().
   void stop_held();
-  [[nodiscard]] bool is_held() const noexcept { return held_; }
+  [[nodiscard]] bool is_held() const noexcept { return held_.has_value(); }
   // What was emitted ends in a wait, and its number (Phase::wait).
   [[nodiscard]] bool waits() const noexcept { return waits_; }
   // It is for resume(), not for the machine.
@@ -283,9 +283,11 @@ class Planner {
   double rest_part_s_;
   std::uint64_t pushed_blocks_ = 0;
   std::deque<Item> waiting_;  // was taken back, and goes before what comes
-  bool held_ = false;
+  struct Held {
+    std::optional<parser::FollowedOverrides> by_feed{};  // what it holds follows these
+  };
+  std::optional<Held> held_{};
   StoppedFeed stopped_feed_{};
-  std::optional<parser::FollowedOverrides> held_by_feed_{};  // what it holds follows these
   bool waits_ = false;
   bool asks_machine_ = false;  // what it waits for, if it does
   std::uint32_t waits_emitted_ = 0;

@@ -50,7 +50,7 @@ Block last_part_of(Block block, double length_mm) {
 
 std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& change, Outbox& outbox) {
   assert(settings_.may_hold && !before_ && outbox.phases.empty());
-  if (held_ && !held_by_feed_) {
+  if (held_ && !is_held_by_feed()) {
     take_modes(change);
     limit_waiting();
     return ChangedPlan{};
@@ -104,7 +104,7 @@ void Planner::go_on_from_rest(const std::vector<BrakingPart>& parts, const PlanC
                               ChangedPlan& changed, Outbox& outbox) {
   emit_stop(parts, waiting_, emitter_, outbox);
   emitter_.keep(outbox, outbox.phases.size() - 1);
-  held_ = true;
+  held_.emplace();
   resume();
   if (change.needs_stop && !parts.empty()) {
     return;  // there is time to plan

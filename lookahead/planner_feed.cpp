@@ -38,8 +38,7 @@ bool Planner::is_stopped_by_feed() const {
 
 void Planner::hold_by_feed(Outbox& outbox) {
   const std::size_t first = outbox.phases.size();
-  held_by_feed_ = blocks_[0].follows;
-  held_ = true;
+  held_ = {.by_feed = blocks_[0].follows};
   empty_window();
   emitter_.emit_rest_here(0, outbox);
   outbox.phases.back().holds = true;
@@ -52,7 +51,9 @@ bool Planner::hold_feed(std::int64_t tick, Outbox& outbox) {
   if (!stop || !hold_at(*stop, outbox)) {
     return false;
   }
-  held_by_feed_ = followed_next(waiting_);
+  if (held_) {
+    held_->by_feed = followed_next(waiting_);
+  }
   return true;
 }
 

@@ -65,12 +65,12 @@ std::optional<PlanStop> Planner::find_stop_at(std::int64_t tick) const {
 }
 
 bool Planner::hold_at(const PlanStop& stop, Outbox& outbox) {
-  assert(!held_ || held_by_feed_);
+  assert(!held_ || is_held_by_feed());
   if (stop.from.phase.ends_program) {
     return !is_cut_;
   }
   take_back(stop.from, needed_for(stop.parts));
-  held_ = true;
+  held_.emplace();
   emit_stop(stop.parts, waiting_, emitter_, outbox);
   outbox.phases.back().holds = true;
   emitter_.keep(outbox, outbox.phases.size() - 1);
@@ -93,14 +93,14 @@ void Planner::take_back(const EmittedItems::Motion& from, std::size_t changing) 
              .single_block = single_block_,
              .last = last_,
              .is_cut = is_cut_});
-  waits_ = is_cut_ = held_ = false;
-  held_by_feed_.reset();
+  waits_ = is_cut_ = false;
+  held_.reset();
   last_.reset();
   emitter_.take_back(from, waiting_);
 }
 
 std::optional<Planner::PlannedStopAhead> Planner::stop_ahead(std::int64_t tick) {
-  assert(settings_.may_hold && (!held_ || held_by_feed_));
+  assert(settings_.may_hold && (!held_ || is_held_by_feed()));
   const std::vector<const Block*> blocks = blocks_ahead();
   auto stop =
       find_stop(emitter_, blocks, {.tick = tick, .effort = StopEffort::any}, settings_.limits);
@@ -130,14 +130,15 @@ Outbox Planner::follow_stop_ahead(const PlannedStopAhead& taken) {
   Outbox outbox;
   emit_stop(taken.stop.parts, waiting_, emitter_, outbox);
   emitter_.keep(outbox, outbox.phases.size() - 1);
-  held_ = true;
+  held_.emplace();
   resume();
   return outbox;
 }
 
 Outbox Planner::follow_probe(const ProbeStop& stop) {
   empty_window();
-  waits_ = is_cut_ = held_ = false;
+  waits_ = is_cut_ = false;
+  held_.reset();
   last_.reset();
   emitter_.take_back(emitter_.motion_at(stop.tick), waiting_);
   emitter_.repeat_plan(stop.plan);
@@ -197,7 +198,7 @@ bool Planner::stop(std::int64_t tick, Outbox& outbox) {
 
 void Planner::stop_held() {
   assert(held_);
-  held_ = false;
+  held_.reset();
   waiting_.clear();
   end_with({.ends_program = true});
 }
@@ -242,14 +243,14 @@ void Planner::settle(bool accepted) {
     by_ = before_->by;
     single_block_ = before_->single_block;
     last_ = before_->last;
-    held_ = false;
+    held_.reset();
     is_cut_ = before_->is_cut || !emitter_.ends_at_rest();
     if (!is_cut_) {
       begin_rest_of_block();
     }
   } else if (stops_) {
     waiting_.clear();
-    held_ = false;
+    held_.reset();
     to_rest_ = true;
   }
   stops_ = false;
@@ -258,11 +259,9 @@ void Planner::settle(bool accepted) {
 
 void Planner::resume() {
   waits_ = false;
-  held_by_feed_.reset();
-  if (!held_) {
+  if (!std::exchange(held_, std::nullopt)) {
     return;
   }
-  held_ = false;
   if (emitter_.is_on_block() && std::get<Block>(waiting_.front()).slows) {
     set_limits(by_, settings_.limits, scan_for_, std::get<Block>(waiting_.front()));
   }
