@@ -15,6 +15,7 @@ import { legendOf } from "./views/legend.ts";
 import type { Ground } from "./views/ground.ts";
 import { SIDES } from "./views/path_camera.ts";
 import { coloursOf } from "./views/path_colours.ts";
+import { pathDrawing } from "./views/path_drawing.ts";
 import { PathView } from "./views/path_view.ts";
 import { ProgramView, type Editing } from "./views/program_view.ts";
 import { TimeView } from "./views/time_view.ts";
@@ -56,7 +57,7 @@ export class App {
   private readonly tabs: Tabs;
   private readonly address: Address;
 
-  constructor(root: HTMLElement, shown: Shown, extras: Extras = {}) {
+  constructor(root: HTMLElement, shown: Shown, extras: Extras = {}, drawing = pathDrawing()) {
     this.shown = shown;
     this.extras = extras;
     this.store = new Store({ ...initialState(), ...fromFragment(location.hash) });
@@ -68,7 +69,7 @@ export class App {
     this.header = new Header(this.store);
     // The first to hear of an instant: it asks the browser where things are, before others have changed them.
     this.program = new ProgramView(this.store, extras.editing ?? null);
-    this.path = this.makePath(ground);
+    this.path = drawing && new PathView(drawing, this.store, ground);
     this.time = new TimeView(this.store, ground);
     this.answer = new AnswerView(this.store);
     this.difference = new DifferenceView(this.store);
@@ -91,14 +92,6 @@ export class App {
   showProgress(progress: Progress): void {
     this.answer.showProgress(progress);
     this.program.showLines(progress.lines);
-  }
-
-  private makePath(ground: Ground): PathView | null {
-    try {
-      return new PathView(this.store, ground);
-    } catch {
-      return null; // no WebGL: the panel says so, all else works
-    }
   }
 
   private get plan(): Plan {

@@ -2,7 +2,9 @@
 import { App } from "./app.ts";
 import { EmbeddedSource } from "./plan/embedded.ts";
 import { started } from "./ui/started.ts";
+import { pathDrawing } from "./views/path_drawing.ts";
 
 void started(async (root) => {
-  await new EmbeddedSource(document).open((shown) => new App(root, shown));
+  const drawing = pathDrawing(); // its shaders are compiled while the plans are read
+  await new EmbeddedSource(document).open((shown) => new App(root, shown, {}, drawing));
 });

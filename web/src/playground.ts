@@ -11,6 +11,7 @@ import type { PlanSource, Progress, Shown } from "./plan/source.ts";
 import { h, select } from "./ui/dom.ts";
 import { started } from "./ui/started.ts";
 import { clock } from "./units.ts";
+import { pathDrawing } from "./views/path_drawing.ts";
 import { look } from "./views/program_view.ts";
 
 declare const KERF_WORKER: string;
@@ -185,6 +186,7 @@ class Playground implements PlanSource {
 
 void started(async (root) => {
   root.replaceChildren(h("div", { class: "empty" }, "The kernel starts\u2026"));
+  const drawing = pathDrawing();
   const element = document.querySelector('script[type="application/x-kerf-kernel"]')!;
   const module = await WebAssembly.compile(await inflatedText(element.textContent ?? ""));
   element.remove();
@@ -194,6 +196,6 @@ void started(async (root) => {
   playground.onProgress = (progress) => app?.showProgress(progress);
   await playground.open((shown) => {
     if (app) app.replace(shown);
-    else app = new App(root, shown, playground.extras());
+    else app = new App(root, shown, playground.extras(), drawing);
   });
 });

@@ -9,11 +9,11 @@ import { Strokes } from "./thick_lines.ts";
 
 const PAINT_MS = 3; // at once, for lines in other fineness
 
-function lineBox(min: Triple, max: Triple, colour: string): THREE.LineSegments {
-  const geometry = new THREE.EdgesGeometry(new THREE.BoxGeometry(max[0] - min[0], max[1] - min[1], max[2] - min[2]));
-  const box = new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: colour }));
-  box.position.set((min[0] + max[0]) / 2, (min[1] + max[1]) / 2, (min[2] + max[2]) / 2);
-  return box;
+// From 0 to 1 along each axis.
+function unitBox(): THREE.LineSegments<THREE.EdgesGeometry, THREE.LineBasicMaterial> {
+  const geometry = new THREE.EdgesGeometry(new THREE.BoxGeometry(1, 1, 1));
+  geometry.translate(0.5, 0.5, 0.5);
+  return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial());
 }
 
 function toolCone(): THREE.Mesh<THREE.BufferGeometry, THREE.MeshBasicMaterial> {
@@ -27,7 +27,7 @@ export class PathScene {
   readonly scene = new THREE.Scene();
   private readonly lines = new Strokes(MOST_STRETCHES, 2.2);
   private readonly mark = new Strokes(MOST_OF_MARK + 2, 8); // a broad band below the path, whose colours stay as they are
-  private readonly furniture = new THREE.Group();
+  private readonly travel = unitBox();
   private readonly zero = new THREE.AxesHelper(26); // this and the tool are placed in millimetres and drawn in pixels
   private readonly tool = toolCone();
   private paint: PathPaint | null = null;
@@ -39,7 +39,7 @@ export class PathScene {
     this.mark.object.renderOrder = -1;
     (this.zero.material as THREE.LineBasicMaterial).depthTest = false;
     this.zero.renderOrder = 5;
-    this.scene.add(this.lines.object, this.mark.object, this.furniture, this.zero, this.tool);
+    this.scene.add(this.lines.object, this.mark.object, this.travel, this.zero, this.tool);
   }
 
   show(path: Path | null): void {
@@ -53,12 +53,11 @@ export class PathScene {
 
   // Travel box and work offset.
   furnish(plan: Plan, ground: Ground): void {
-    this.furniture.clear();
     const travel = plan.header.machine.axes.slice(0, 3).map((axis) => axis.travel);
-    if (plan.path && travel.every(([min, max]) => min !== null && max !== null)) {
-      const corner = (i: 0 | 1): Triple => [travel[0]![i]!, travel[1]![i]!, travel[2]![i]!];
-      this.furniture.add(lineBox(corner(0), corner(1), ground.faint));
-    }
+    this.travel.visible = plan.path !== null && travel.every(([min, max]) => min !== null && max !== null);
+    this.travel.position.set(...travel.map(([min]) => min ?? 0) as Triple);
+    this.travel.scale.set(...travel.map(([min, max]) => (max ?? 0) - (min ?? 0)) as Triple);
+    this.travel.material.color.set(ground.faint);
     const work = plan.header.machine.work_offsets[0];
     this.zero.position.set(...(work ? [...work.origin_mm] : [0, 0, 0]) as Triple);
     this.tool.material.color.set(ground.accent);

@@ -1,14 +1,15 @@
 // The path in space: what is drawn, from where, and what is pointed at.
-import * as THREE from "three";
+import type * as THREE from "three";
 import type { Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import type { Ground } from "./ground.ts";
 import { PathCamera, type Size, type Side } from "./path_camera.ts";
 import { chosenParts, colouringOf, type Colouring } from "./path_colours.ts";
+import type { PathDrawing } from "./path_drawing.ts";
 import { drawOverlay, placesOf, type Place } from "./path_overlay.ts";
 import { PathPointer } from "./path_pointer.ts";
-import { PathScene } from "./path_scene.ts";
+import type { PathScene } from "./path_scene.ts";
 import { boxOfCut } from "./stretches.ts";
 
 const SHOW_MS = 250; // so often a view that becomes finer is drawn
@@ -18,10 +19,10 @@ export class PathView {
   readonly element: HTMLElement;
   colouring: Colouring | null = null;
   onColouring: (colouring: Colouring) => void = () => undefined;
-  private readonly canvas = h("canvas", { tabindex: "0", role: "application", "aria-label": "Tool path. Drag or arrow keys to turn, right drag or Shift to move, wheel, plus and minus to zoom" });
+  private readonly canvas: HTMLCanvasElement;
   private readonly overlay = h("canvas", { class: "overlay", "aria-hidden": "true" });
   private readonly renderer: THREE.WebGLRenderer;
-  private readonly scene = new PathScene();
+  private readonly scene: PathScene;
   private readonly camera: PathCamera;
   private readonly pointer: PathPointer;
   private places: Place[] = [];
@@ -32,13 +33,12 @@ export class PathView {
   private ground: Ground;
   private readonly store: Store;
 
-  // Throws where the browser has no WebGL.
-  constructor(store: Store, ground: Ground) {
+  constructor({ canvas, renderer, scene }: PathDrawing, store: Store, ground: Ground) {
+    this.canvas = canvas;
+    this.renderer = renderer;
+    this.scene = scene;
     this.store = store;
     this.ground = ground;
-    THREE.ColorManagement.enabled = false; // colours are drawn as they are
-    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true });
-    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
     this.camera = new PathCamera(this.canvas, () => this.draw(), () => store.set({ camera: this.camera.text }, "path"));
     this.pointer = new PathPointer(store, this.canvas, () => this.camera.projection);
     this.element = h("div", { class: "path-view" }, this.canvas, this.overlay, this.pointer.tip);
