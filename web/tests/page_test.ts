@@ -42,6 +42,23 @@ test("says that the text was left out, and works without it", async () => {
   await page.context().close();
 });
 
+test("says where the browser has no WebGL, and shows all but the path", async () => {
+  const { page } = await openReport([pocket]);
+  await page.addInitScript(() => {
+    const contextOf = HTMLCanvasElement.prototype.getContext as (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) => RenderingContext | null;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, kind: string, ...rest: unknown[]) {
+      return kind.startsWith("webgl") ? null : contextOf.call(this, kind, ...rest);
+    } as typeof HTMLCanvasElement.prototype.getContext;
+  });
+  await page.reload();
+  await page.waitForSelector("header");
+  await goTo(page, 30_000);
+  assert.match((await page.locator(".space-panel .empty").textContent())!, /no WebGL/);
+  assert.equal(await page.locator(".path-view").count(), 0);
+  assert.match(await textOf(page, "limit-now"), /\w/);
+  await page.context().close();
+});
+
 test("stays at its head where it is too narrow for panels side by side", async () => {
   const { page, said } = await openReport([pocket]);
   await page.setViewportSize({ width: 820, height: 900 });
