@@ -68,7 +68,7 @@ void Kernel::Impl::follow_commands() {
   if (!takeover_ && wants_hold_ && now() >= next_hold_tick_) {
     wants_hold_ = !try_hold();
   }
-  if (!takeover_ && !holds_ && !stops_ && stops_feed() && now() >= next_hold_tick_) {
+  if (!takeover_ && !holds_ && !stops_ && stopped_feed_.any() && now() >= next_hold_tick_) {
     try_hold_feed();
   }
   if (!takeover_ && wants_change_ && now() >= next_try_tick_) {

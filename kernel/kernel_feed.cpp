@@ -25,6 +25,7 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
                    overrides.spindle != overrides_.spindle;
   overrides_ = overrides;
   overrides_.feed = feed;
+  stopped_feed_.by_override = feed == 0.0;
   stop_feed();
   plan();
   return true;
@@ -34,10 +35,12 @@ bool Kernel::Impl::set_feed_inputs(const FeedInputs& inputs) {
   if (!is_possible(inputs)) {
     return false;
   }
-  inputs_ = {.adaptive = heeded_share(inputs.adaptive), .stop = inputs.stop};
+  const double adaptive = heeded_share(inputs.adaptive);
+  stopped_feed_.by_adaptive = adaptive == 0.0;
+  stopped_feed_.by_machine = inputs.stop;
   stop_feed();
-  if (inputs_.adaptive > 0.0 && inputs_.adaptive != adaptive_) {
-    adaptive_ = inputs_.adaptive;
+  if (adaptive > 0.0 && adaptive != adaptive_) {
+    adaptive_ = adaptive;
     wants_change_ = true;
   }
   plan();
@@ -45,20 +48,15 @@ bool Kernel::Impl::set_feed_inputs(const FeedInputs& inputs) {
 }
 
 void Kernel::Impl::stop_feed() {
-  pipeline_.stop_feed({.by_override = overrides_.feed == 0.0,
-                       .by_adaptive = inputs_.adaptive == 0.0,
-                       .by_machine = inputs_.stop});
+  pipeline_.stop_feed(stopped_feed_);
   next_hold_tick_ = next_try_tick_ = 0;
 }
 
 bool Kernel::Impl::is_at_feed_0() const noexcept {
   const interp::Interpolator::Heeded heeded = interpolator_.heeded();
-  return (heeded.feed_override && overrides_.feed == 0.0) || (heeded.feed_stop && inputs_.stop) ||
-         (heeded.adaptive_feed && inputs_.adaptive == 0.0);
-}
-
-bool Kernel::Impl::stops_feed() const noexcept {
-  return overrides_.feed == 0.0 || inputs_.adaptive == 0.0 || inputs_.stop;
+  return stopped_feed_.stops({.feed = heeded.feed_override,
+                              .adaptive = heeded.adaptive_feed,
+                              .feed_stop = heeded.feed_stop});
 }
 
 void Kernel::Impl::try_hold_feed() {

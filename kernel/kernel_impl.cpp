@@ -192,7 +192,7 @@ void Kernel::Impl::reach_tick() {
 TickStatus Kernel::Impl::next(Setpoint& setpoint) {
   keeps_stop_ = false;
   const bool is_asked = wants_hold_ || wants_resume_ || wants_change_ || takeover_ ||
-                        stops_feed() || (asks_ && interpolator_.watch().answer() != nullptr);
+                        stopped_feed_.any() || (asks_ && interpolator_.watch().answer() != nullptr);
   if ((is_asked || runs_low()) && plan() && runs_low()) {
     plan_to_rest();
   }

@@ -200,8 +200,6 @@ class KERF_LOCAL Kernel::Impl {
   void follow_machine();
   // At feed 0 the tool holds though nobody asked for it, and goes on by itself.
   [[nodiscard]] bool is_at_feed_0() const noexcept;
-  // Something of what may come holds then.
-  [[nodiscard]] bool stops_feed() const noexcept;
   void try_hold_feed();
   // To the plan: what does not begin to move.
   void stop_feed();
@@ -257,10 +255,10 @@ class KERF_LOCAL Kernel::Impl {
   // The latest that was committed.
   std::optional<lookahead::Planner::PlannedStopAhead> stop_ahead_{};
   Overrides overrides_{};
-  FeedInputs inputs_{};
-  double feed_ = 1.0;      // the latest override above 0
-  double adaptive_ = 1.0;  // the latest of the inputs above 0
-  bool asks_ = false;      // the program asks the machine, which has not answered
+  lookahead::StoppedFeed stopped_feed_{};  // by those, and by the inputs
+  double feed_ = 1.0;                      // the latest override above 0
+  double adaptive_ = 1.0;                  // the latest of the inputs above 0
+  bool asks_ = false;                      // the program asks the machine, which has not answered
   bool single_block_ = false;
   bool holds_ = false;        // the operator asked for it; a feed override of 0 is not among this
   bool stops_ = false;        // each hold is a stop

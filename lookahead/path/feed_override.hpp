@@ -20,7 +20,8 @@ struct StoppedFeed {
   bool by_adaptive = false;
   bool by_machine = false;
 
-  [[nodiscard]] bool stops(const parser::FollowedOverrides& follows) const {
+  [[nodiscard]] bool any() const noexcept { return by_override || by_adaptive || by_machine; }
+  [[nodiscard]] bool stops(const parser::FollowedOverrides& follows) const noexcept {
     return (by_override && follows.feed) || (by_adaptive && follows.adaptive) ||
            (by_machine && follows.feed_stop);
   }
