@@ -104,7 +104,7 @@ void Planner::go_on_from_rest(const std::vector<BrakingPart>& parts, const PlanC
                               ChangedPlan& changed, Outbox& outbox) {
   emit_stop(parts, waiting_, emitter_, outbox);
   emitter_.keep(outbox, outbox.phases.size() - 1);
-  held_.emplace();
+  held_ = Held{};
   resume();
   if (change.needs_stop && !parts.empty()) {
     return;  // there is time to plan

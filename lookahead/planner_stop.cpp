@@ -70,7 +70,7 @@ bool Planner::hold_at(const PlanStop& stop, Outbox& outbox) {
     return !is_cut_;
   }
   take_back(stop.from, needed_for(stop.parts));
-  held_.emplace();
+  held_ = Held{};
   emit_stop(stop.parts, waiting_, emitter_, outbox);
   outbox.phases.back().holds = true;
   emitter_.keep(outbox, outbox.phases.size() - 1);
@@ -130,7 +130,7 @@ Outbox Planner::follow_stop_ahead(const PlannedStopAhead& taken) {
   Outbox outbox;
   emit_stop(taken.stop.parts, waiting_, emitter_, outbox);
   emitter_.keep(outbox, outbox.phases.size() - 1);
-  held_.emplace();
+  held_ = Held{};
   resume();
   return outbox;
 }
