@@ -15,7 +15,7 @@ import { legendOf } from "./views/legend.ts";
 import type { Ground } from "./views/ground.ts";
 import { SIDES } from "./views/path_camera.ts";
 import { coloursOf } from "./views/path_colours.ts";
-import { pathDrawing } from "./views/path_drawing.ts";
+import type { PathDrawing } from "./views/path_drawing.ts";
 import { PathView } from "./views/path_view.ts";
 import { ProgramView, type Editing } from "./views/program_view.ts";
 import { TimeView } from "./views/time_view.ts";
@@ -57,7 +57,7 @@ export class App {
   private readonly tabs: Tabs;
   private readonly address: Address;
 
-  constructor(root: HTMLElement, shown: Shown, extras: Extras = {}, drawing = pathDrawing()) {
+  constructor(root: HTMLElement, shown: Shown, drawing: PathDrawing | null, extras: Extras = {}) {
     this.shown = shown;
     this.extras = extras;
     this.store = new Store({ ...initialState(), ...fromFragment(location.hash) });

@@ -6,5 +6,5 @@ import { pathDrawing } from "./views/path_drawing.ts";
 
 void started(async (root) => {
   const drawing = pathDrawing(); // its shaders are compiled while the plans are read
-  await new EmbeddedSource(document).open((shown) => new App(root, shown, {}, drawing));
+  await new EmbeddedSource(document).open((shown) => new App(root, shown, drawing));
 });

@@ -196,6 +196,6 @@ void started(async (root) => {
   playground.onProgress = (progress) => app?.showProgress(progress);
   await playground.open((shown) => {
     if (app) app.replace(shown);
-    else app = new App(root, shown, playground.extras(), drawing);
+    else app = new App(root, shown, drawing, playground.extras());
   });
 });

@@ -3,26 +3,29 @@ import * as THREE from "three";
 import { h } from "../ui/dom.ts";
 import { PathScene } from "./path_scene.ts";
 
-export class PathDrawing {
-  readonly canvas = h("canvas", { tabindex: "0", role: "application", "aria-label": "Tool path. Drag or arrow keys to turn, right drag or Shift to move, wheel, plus and minus to zoom" });
+export interface PathDrawing {
+  readonly canvas: HTMLCanvasElement;
   readonly renderer: THREE.WebGLRenderer;
-  readonly scene = new PathScene();
-
-  // Throws where the browser has no WebGL. Its shaders are compiled beside what the page does next: made early, they are ready
-  // by the first frame.
-  constructor() {
-    THREE.ColorManagement.enabled = false; // colours are drawn as they are
-    this.renderer = new THREE.WebGLRenderer({ canvas: this.canvas, antialias: true });
-    this.renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
-    this.renderer.compile(this.scene.scene, new THREE.OrthographicCamera());
-  }
+  readonly scene: PathScene;
 }
 
-// Null: no WebGL. The panel says so, and all else works.
-export function pathDrawing(): PathDrawing | null {
+function rendererOn(canvas: HTMLCanvasElement): THREE.WebGLRenderer | null {
   try {
-    return new PathDrawing();
+    return new THREE.WebGLRenderer({ canvas, antialias: true });
   } catch {
     return null;
   }
+}
+
+// Null: the browser has no WebGL. Its shaders are compiled beside what the page does next: made early, they are ready by the
+// first frame.
+export function pathDrawing(): PathDrawing | null {
+  THREE.ColorManagement.enabled = false; // colours are drawn as they are
+  const canvas = h("canvas", { tabindex: "0", role: "application", "aria-label": "Tool path. Drag or arrow keys to turn, right drag or Shift to move, wheel, plus and minus to zoom" });
+  const renderer = rendererOn(canvas);
+  if (!renderer) return null;
+  renderer.outputColorSpace = THREE.LinearSRGBColorSpace;
+  const scene = new PathScene();
+  renderer.compile(scene.scene, new THREE.OrthographicCamera());
+  return { canvas, renderer, scene };
 }
