@@ -55,8 +55,10 @@ bool Kernel::Impl::holds_at_wait() const noexcept {
 }
 
 void Kernel::Impl::follow_commands() {
-  if (takeover_ && interpolator_.answer().plan == takeover_->plan) {
-    settle(interpolator_.answer().in_force == takeover_->plan);
+  // Read once: right behind the plan the tick side may take its stop ahead.
+  const interp::PlanInForce::Answer answer = interpolator_.answer();
+  if (takeover_ && answer.plan == takeover_->plan) {
+    settle(answer.in_force == takeover_->plan);
   }
   if (!takeover_) {
     follow_resume();

@@ -52,12 +52,14 @@ std::vector<EmittedItems::Motion> motions_to_stop_from(const Emitter& emitter, s
   return motions;
 }
 
-double rests_at_tick(const PlanStop& stop, double period_s) {
-  double duration_s = stop.from.when.offset_s;
+// A rest begins for all that follows at the tick behind it.
+std::int64_t rest_tick(const PlanStop& stop, double period_s) {
+  PlanClock clock(period_s);
+  clock.set(stop.from.when);
   for (const BrakingPart& part : stop.parts) {
-    duration_s += part.law.duration_s();
+    clock.advance(part.law.duration_s());
   }
-  return static_cast<double>(stop.from.when.tick) + duration_s / period_s;
+  return clock.next_tick();
 }
 
 std::optional<PlanStop> first_of_shortest(const Emitter& emitter,
@@ -98,7 +100,7 @@ std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<cons
                                       ? first_of_any(emitter, ahead, tick, limits)
                                       : first_of_shortest(emitter, ahead, tick, limits);
   const auto rest = emitter.kept().rest_after(tick);
-  if (rest && !(found && rests_at_tick(*found, limits.period_s) < static_cast<double>(*rest))) {
+  if (rest && !(found && rest_tick(*found, limits.period_s) < *rest)) {
     return PlanStop{.from = emitter.motion_at(*rest)};
   }
   return found;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kRounded = 1.0 + 1e-9;
 constexpr double kNoWay_mm = 1e-12;
+constexpr double kNoTime_s = 1e-12;
 constexpr double kHardly = 0.01;  // of a block that is short itself
 
 std::optional<std::vector<BrakingPart>> stop_on_line(const BrakingFrom& from,
@@ -42,10 +43,12 @@ class PartsOnBlocks {
  public:
   explicit PartsOnBlocks(const BrakingFrom& from) : from_(&from), s_mm_(from.s_mm) {}
 
-  // False: the law leaves the blocks.
+  // False: the law leaves the blocks. The last microseconds before a rest are hardly a way, and
+  // without them its acceleration would jump.
   bool add(const BrakingLaw& law) {
     Begin begin;
-    while (law.law.length_mm() - begin.way_mm > kNoWay_mm) {
+    while (law.law.length_mm() - begin.way_mm > kNoWay_mm ||
+           law.law.duration_s() - begin.t_s > kNoTime_s) {
       if (on_ == from_->blocks.size()) {
         return false;
       }
