@@ -12,7 +12,7 @@ import { h, select } from "./ui/dom.ts";
 import { started } from "./ui/started.ts";
 import { clock } from "./units.ts";
 import { pathDrawing } from "./views/path_drawing.ts";
-import { look } from "./views/program_view.ts";
+import { look } from "./views/program_marks.ts";
 
 declare const KERF_WORKER: string;
 declare const KERF_EXAMPLES: readonly [TextFile, ...TextFile[]];

@@ -1,134 +1,21 @@
 // The program's text with the time that each line takes, and errors and warnings at their lines.
-import { EditorState, RangeSetBuilder, StateEffect, StateField, Text, type Extension, type SelectionRange } from "@codemirror/state";
-import { Decoration, EditorView, GutterMarker, WidgetType, gutter, keymap, lineNumbers, type DecorationSet } from "@codemirror/view";
+import { EditorState, type Extension, type StateEffect } from "@codemirror/state";
+import { EditorView, gutter, keymap, lineNumbers } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
 import type { LineNumbers } from "../plan/by_line.ts";
-import type { Diagnostic } from "../plan/decode.ts";
 import type { Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { shortTime } from "../units.ts";
+import { TimeMarker, activeLine, diagnostics, docOf, look, scrollWithin, setLine, setPlan } from "./program_marks.ts";
 
 const JUMP_MS = 100;
-
-const setLine = StateEffect.define<number>(); // 1-based; 0: none
-const activeLine = StateField.define<DecorationSet>({
-  create: () => Decoration.none,
-  update(decorations, transaction) {
-    for (const effect of transaction.effects) {
-      if (!effect.is(setLine)) continue;
-      const { doc } = transaction.state;
-      if (effect.value < 1 || effect.value > doc.lines) return Decoration.none;
-      return Decoration.set([Decoration.line({ class: "cm-now" }).range(doc.line(effect.value).from)]);
-    }
-    return decorations.map(transaction.changes);
-  },
-  provide: (field) => EditorView.decorations.from(field),
-});
-
-class TimeMarker extends GutterMarker {
-  private readonly text: string;
-  private readonly share: number; // of the line that takes longest
-
-  constructor(text: string, share: number) {
-    super();
-    this.text = text;
-    this.share = share;
-  }
-
-  override eq(other: TimeMarker): boolean {
-    return this.text === other.text && this.share === other.share;
-  }
-
-  override toDOM(): HTMLElement {
-    const element = h("div", { class: "cm-time" }, this.text);
-    element.style.backgroundSize = `${Math.round(100 * this.share)}% 100%`;
-    return element;
-  }
-}
-
-class DiagnosticWidget extends WidgetType {
-  private readonly diagnostic: Diagnostic;
-
-  constructor(diagnostic: Diagnostic) {
-    super();
-    this.diagnostic = diagnostic;
-  }
-
-  override eq(other: DiagnosticWidget): boolean {
-    return this.diagnostic === other.diagnostic;
-  }
-
-  override toDOM(): HTMLElement {
-    const { id, severity, message, remedy, column } = this.diagnostic;
-    return h("div", { class: `cm-diagnostic cm-${severity}` }, h("b", {}, `${severity} ${id}`), ` ${message} (column ${column})`, h("div", { class: "cm-remedy" }, remedy));
-  }
-}
-
-function diagnosticsOf(plan: Plan, doc: Text): DecorationSet {
-  const builder = new RangeSetBuilder<Decoration>();
-  const here = plan.header.diagnostics.filter((one) => one.line >= 1 && one.line <= doc.lines && one.file === plan.header.report.file);
-  here.sort((a, b) => a.line - b.line);
-  for (const diagnostic of here) {
-    const { to } = doc.line(diagnostic.line);
-    builder.add(to, to, Decoration.widget({ widget: new DiagnosticWidget(diagnostic), block: true, side: 1 }));
-  }
-  return builder.finish();
-}
-
-const setPlan = StateEffect.define<Plan>();
-const diagnostics = StateField.define<DecorationSet>({
-  create: () => Decoration.none,
-  update(decorations, transaction) {
-    const planned = transaction.effects.find((effect) => effect.is(setPlan));
-    return planned ? diagnosticsOf(planned.value as Plan, transaction.state.doc) : decorations.map(transaction.changes);
-  },
-  provide: (field) => EditorView.decorations.from(field),
-});
 
 // Of a program that is written here: what the editor can do, and who wants to know the text.
 export interface Editing {
   readonly extension: Extension;
   changed(text: string): void;
 }
-
-// What the editor would make of a text, which it splits by a pattern: of a million lines that takes twice as long.
-const docOf = (text: string): Text | string => (text.includes("\r") ? text : Text.of(text.split("\n")));
-
-// The editor would scroll the page as well, whose reader may look at something else.
-function scrollWithin(view: EditorView, range: SelectionRange, { y }: { y: string }): boolean {
-  const { scrollDOM: panel } = view;
-  const line = view.lineBlockAt(range.head);
-  const top = line.top + view.documentPadding.top;
-  const least = top + line.height - panel.clientHeight;
-  panel.scrollTop = y === "center" ? (top + least) / 2 : Math.max(Math.min(panel.scrollTop, top), least);
-  return true;
-}
-
-// Of any text that an editor shows.
-export const look = EditorView.theme({
-  "&": { height: "100%", fontSize: "13px", color: "var(--text)", backgroundColor: "var(--panel)" },
-  ".cm-scroller": { fontFamily: "ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, monospace", lineHeight: "1.5" },
-  ".cm-content": { caretColor: "var(--accent)" },
-  "&.cm-focused": { outline: "2px solid var(--accent)", outlineOffset: "-2px" },
-  ".cm-gutters": { backgroundColor: "var(--panel)", color: "var(--soft)", borderRight: "1px solid var(--line)" },
-  ".cm-now": { backgroundColor: "var(--mark)", boxShadow: "inset 3px 0 0 var(--accent)" },
-  ".cm-time": {
-    padding: "0 6px",
-    textAlign: "right",
-    minWidth: "52px",
-    color: "var(--text)",
-    backgroundImage: "linear-gradient(var(--mark), var(--mark))",
-    backgroundRepeat: "no-repeat",
-    backgroundPosition: "right",
-    backgroundSize: "0 100%",
-  },
-  ".cm-selectionBackground": { backgroundColor: "var(--mark) !important" },
-  ".cm-diagnostic": { fontFamily: "system-ui, sans-serif", padding: "4px 8px", whiteSpace: "normal", boxSizing: "border-box", maxWidth: "calc(100cqw - 110px)" },
-  ".cm-error": { backgroundColor: "var(--error-ground)", color: "var(--error)" },
-  ".cm-warning": { backgroundColor: "var(--warning-ground)", color: "var(--warning)" },
-  ".cm-remedy": { color: "var(--text)" },
-});
 
 export class ProgramView {
   readonly element: HTMLElement;
