@@ -70,6 +70,10 @@ bool Kernel::Impl::commit_with_stop(std::int64_t tick) {
   }
   const std::int64_t until = ahead->stop.from.when.tick;
   delivery_.deliver(until);
+  if (ahead->stop.from.at_rest() && until == pipeline_.emitted_until_tick()) {
+    // The plan ends with that rest: what waits there or ends the program is the plan's own.
+    return delivery_.outbox().phases.empty() && commit();
+  }
   if (delivery_.commit(*ahead, pipeline_.plan())) {
     committed_until_tick_ = until;
     stop_ahead_ = std::move(ahead);
@@ -77,10 +81,12 @@ bool Kernel::Impl::commit_with_stop(std::int64_t tick) {
   return true;
 }
 
-void Kernel::Impl::commit() {
+bool Kernel::Impl::commit() {
   if (delivery_.commit()) {
     committed_until_tick_ = delivery_.frozen_until_tick();
+    return true;
   }
+  return false;
 }
 
 bool Kernel::Impl::follow_stop_ahead() {

@@ -190,7 +190,8 @@ class KERF_LOCAL Kernel::Impl {
   // False: there is no way to rest from the tick on.
   bool commit_with_stop(std::int64_t tick);
 
-  void commit();
+  // False: the tick side has taken the stop ahead.
+  bool commit();
 
   // Where the tick side has taken the stop ahead, the plan goes on from its rest. False: it is just
   // taking it.

@@ -195,7 +195,13 @@ EmittedItems::TakenBack EmittedItems::take_back(const Motion& motion, const Emit
   }
   Entry& entry = items_.back();
   if (entry.item && std::holds_alternative<Rest>(*entry.item)) {
-    if (auto left = part(std::get<Rest>(*entry.item), motion.phase.begin, motion.when.tick)) {
+    if (entry.first_phase < motion.number) {
+      return taken;  // it is over, and behind it a rest of no item
+    }
+    auto& rest = std::get<Rest>(*entry.item);
+    if (rest.duration_s > 0.0 && !(since_s(motion.phase.begin, motion.when.tick) > 0.0)) {
+      drop_last();  // it has not begun
+    } else if (auto left = part(rest, motion.phase.begin, motion.when.tick)) {
       ahead.push_front(*left);
     }
     return taken;
