@@ -110,20 +110,16 @@ bool Kernel::Impl::follow_stop_ahead() {
   return true;
 }
 
-void Kernel::Impl::follow_machine() {
-  const interp::InquiryAnswer* answer = asks_ ? interpolator_.watch().answer() : nullptr;
-  if (answer == nullptr) {
-    return;
-  }
+void Kernel::Impl::follow_machine(const interp::InquiryAnswer& answer) {
   if (takeover_) {
     settle(interpolator_.answer().in_force == takeover_->plan);
   }
-  if (answer->has_braked) {
+  if (answer.has_braked) {
     delivery_.follow_stop();
     committed_until_tick_ = now();
     wants_hold_ = holds_ || stops_;
   }
-  pipeline_.follow(*answer);
+  pipeline_.follow(answer);
   asks_ = false;
 }
 

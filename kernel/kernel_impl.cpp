@@ -23,10 +23,14 @@ bool Kernel::Impl::plan() {
     follow_tool();
   }
   const std::int64_t begin = now();
+  // Read first: the plan that it came on is the one that is followed then.
+  const interp::InquiryAnswer* answer = asks_ ? interpolator_.watch().answer() : nullptr;
   if (!follow_stop_ahead()) {
     return false;
   }
-  follow_machine();
+  if (answer != nullptr) {
+    follow_machine(*answer);
+  }
   forget_before(begin);
   follow_commands();
   if (keeps_stop_ && !runs_low()) {

@@ -198,7 +198,7 @@ class KERF_LOCAL Kernel::Impl {
   bool follow_stop_ahead();
 
   // The machine has answered what the program asked.
-  void follow_machine();
+  void follow_machine(const interp::InquiryAnswer& answer);
   // At feed 0 the tool holds though nobody asked for it, and goes on by itself.
   [[nodiscard]] bool is_at_feed_0() const noexcept;
   void try_hold_feed();

@@ -148,6 +148,9 @@ void Pipeline::follow(const interp::InquiryAnswer& answer) {
                                              .value = answer.value,
                                              .place_mm = answer.place_mm,
                                              .rest_mm = answer.rest_mm});
+  if (finished_) {
+    return;  // a stop has come right behind the answer
+  }
   planner_.push_rest(
       static_cast<double>(inquiry_.pause_ticks) * period_s_,
       {.line = line, .run_block = inquiry_.block, .follows = {.feed = false, .feed_stop = false}});
