@@ -197,7 +197,7 @@ void Planner::finish(std::uint32_t line) {
 }
 
 void Planner::end_with(const Rest& rest) {
-  last_ = rest.waits && !rest.asks_machine ? std::nullopt : std::optional(place_of(rest));
+  last_ = place_behind(rest);
   rest_ = rest;
   rest_pending_ = true;
   to_rest_ = true;

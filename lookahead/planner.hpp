@@ -320,6 +320,10 @@ class Planner {
   bool single_block_ = false;
   // A curve that stands for several lines counts as the first of them, so a block ends with it.
   static ProgramPlace place_of(const Item& item);
+  // Nothing: behind a wait none is needed.
+  static std::optional<ProgramPlace> place_behind(const Item& item);
+  // Behind what was emitted.
+  [[nodiscard]] std::optional<ProgramPlace> place_emitted() const;
   static bool is_same_block(const ProgramPlace& before, const ProgramPlace& after);
   std::optional<ProgramPlace> last_{};
   // A time optimum, for the profile of the settings, to the next rest or cruise.

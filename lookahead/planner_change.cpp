@@ -84,6 +84,7 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
       return changed;
     }
   } else {
+    last_ = place_emitted();
     limit_waiting();
   }
   go_on_from_rest(stop->parts, change, changed, outbox);
@@ -93,6 +94,7 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
 // Of what was emitted nothing is left.
 void Planner::change_at_rest(const PlanChange& change) {
   empty_window();
+  last_ = place_emitted();
   take_modes(change);
   limit_waiting();
   if (!held_) {

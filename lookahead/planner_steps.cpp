@@ -16,6 +16,17 @@ Planner::ProgramPlace Planner::place_of(const Item& item) {
           .end_line = block.mark_at(block.length_mm).line};
 }
 
+std::optional<Planner::ProgramPlace> Planner::place_behind(const Item& item) {
+  const auto* rest = std::get_if<Rest>(&item);
+  const bool has_waited = rest != nullptr && rest->waits && !rest->asks_machine;
+  return has_waited ? std::nullopt : std::optional(place_of(item));
+}
+
+std::optional<Planner::ProgramPlace> Planner::place_emitted() const {
+  const Item* item = emitter_.kept().last_item();
+  return item != nullptr ? place_behind(*item) : std::nullopt;
+}
+
 bool Planner::is_same_block(const ProgramPlace& before, const ProgramPlace& after) {
   return before.line == after.line &&
          (before.run_block == after.run_block || before.run_block == 0 || after.run_block == 0);

@@ -89,6 +89,10 @@ class EmittedItems {
     return motion.at_rest() && motion.number + 1 >= phase_count_ &&
            end_tick(motion.phase) <= motion.when.tick;
   }
+  // That was emitted to its end; null: what was emitted ends within another, or it is not kept.
+  [[nodiscard]] const Item* last_item() const {
+    return items_.empty() || !items_.back().item ? nullptr : &*items_.back().item;
+  }
   // Where the phases end that end within the ticks.
   [[nodiscard]] std::vector<Motion> ends_within(const Ticks& ticks) const;
   // Where the phases behind the motion end, on their curves, at most so many.

@@ -126,6 +126,27 @@ TEST(SingleBlock, SwitchedOnInMotionRestsAtTheNextJoint) {
   }
 }
 
+// The tool already brakes there: a corner that is exact, one behind a dwell.
+TEST(SingleBlock, SwitchedOnBeforeARestWaitsThere) {
+  for (const std::string rest : {"", "G4 P0.05\n"}) {
+    const std::string text = "G21 G90 G61 F6000\nG1 X50\n" + rest + "G1 X0\nM2\n";
+    for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+      const KernelOptions options{.profile = {.kind = kind}};
+      const auto whole = ticks_of(text, options);
+      const auto rests = std::ranges::find(whole, 50.0, &Setpoint::s_mm)->tick;
+      for (std::int64_t before = 11; before < 150; before += 3) {
+        SCOPED_TRACE(rest + std::string(name_of(kind)) + ", " + std::to_string(before));
+        const SteppedRun run = run_stepped(text, options, {.on_before = rests - before});
+        expect_whole(run.run, whole);
+        ASSERT_FALSE(run.waits.empty());
+        EXPECT_EQ(run.waits.front().position_mm[0], 50.0);
+        EXPECT_EQ(run.waits.size(), rest.empty() ? 2U : 3U);
+        ASSERT_FALSE(testing::Test::HasFailure());
+      }
+    }
+  }
+}
+
 // Within 0.2 mm the corners between the lines would become curves.
 TEST(SingleBlock, RestsInTheCornersThatG64WouldBlend) {
   const std::string lines = "G1 X20\nY20\nX0\nY0\nM2\n";
