@@ -72,6 +72,9 @@ Delivery::HandedOver Delivery::take_over(lookahead::Outbox&& plan, std::uint32_t
   const interp::TickTime begin = plan.phases.front().begin;
   const std::uint32_t takeover_plan = plan.phases.front().plan;
   append_path(plan);
+  if (ahead != nullptr) {
+    append_path(ahead->outbox);
+  }
   send_path();
   if (queue_->phases_free() < outbox_.phases.size() + plan.phases.size() ||
       !may_end_with(plan.phases.back()) ||
@@ -105,13 +108,13 @@ void Delivery::append_path(const lookahead::Outbox& plan) {
 }
 
 bool Delivery::commit(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from) {
+  append_path(ahead.outbox);
+  send_path();
   return write_stop(ahead, from) ? commit(interp::MotionQueue::Ahead::written) : commit();
 }
 
 bool Delivery::write_stop(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from) {
   const std::vector<interp::Phase>& phases = ahead.outbox.phases;
-  append_path(ahead.outbox);
-  send_path();
   if (phases.size() > interp::StopAhead::kPhases || !may_end_with(phases.back())) {
     return false;
   }

@@ -65,7 +65,7 @@ class Delivery {
   // The path up to there is in the queue.
   [[nodiscard]] bool reaches(std::uint64_t on_curve, double at_mm) const;
   void append_path(const lookahead::Outbox& plan);
-  // False: the path up to its rest does not fit.
+  // False: the path up to its rest, which is in the outbox or sent, does not fit.
   bool write_stop(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from);
   void send_path();
   void send_changes_before(const interp::Phase& phase);

@@ -136,5 +136,21 @@ TEST(Delivery, HandsOverNoPlanWhoseWayToRestDoesNotFit) {
   EXPECT_EQ(delivery.take_over(plan_that_takes_over(), 0, &ahead), Delivery::HandedOver::for_good);
 }
 
+// It has been made, and is not made again.
+TEST(Delivery, KeepsThePathOfAWayToRestWhosePlanDoesNotFit) {
+  const auto queue = std::make_unique<MotionQueue>();
+  Delivery delivery(*queue, [] {});
+  lookahead::Planner::PlannedStopAhead ahead;
+  ahead.plan = 2;
+  ahead.outbox.pieces = {piece(1.0)};
+  ahead.outbox.phases = {of_plan(2, cruise_phase(10.0, 10.0))};
+  lookahead::Outbox plan = plan_that_takes_over();
+  plan.phases.back().output_changes = MotionQueue::kOutputChanges + 1;
+  plan.output_changes.resize(MotionQueue::kOutputChanges + 1);
+  EXPECT_EQ(delivery.take_over(std::move(plan), 0, &ahead), Delivery::HandedOver::no);
+  delivery.deliver(kFar);
+  EXPECT_NE(queue->next_piece(), nullptr);
+}
+
 }  // namespace
 }  // namespace kerf
