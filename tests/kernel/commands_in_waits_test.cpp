@@ -1,5 +1,7 @@
 // Waits under commands, while ticks go on within the planning, so that plans that are to take over
 // are refused now and then.
+#include <algorithm>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -150,6 +152,71 @@ TEST(CommandsInWaits, AHoldInSingleBlockIsNoEndOfACurveThatStandsForSeveralLines
                     });
       ASSERT_EQ(run.complaint, "");
       EXPECT_GE(waits, 1);
+    }
+  }
+}
+
+// Forty ticks come at one of the looks that the planning takes at them. Behind the second one a
+// plan for the command is made, which is handed over at the fourth: it is refused.
+class LateCommand {
+ public:
+  explicit LateCommand(int look) : looks_(look) {}
+
+  [[nodiscard]] KernelOptions options() {
+    KernelOptions options;
+    options.plan_clock = [this](std::int64_t /*ticks*/) {
+      if (is_late_ && looks_-- == 0) {
+        for (int i = 0; i < 40; ++i) {
+          kernel_->tick(setpoint_);
+        }
+      }
+      return true;
+    };
+    return options;
+  }
+  void give(Kernel& kernel, const std::function<void()>& command) {
+    kernel_ = &kernel;
+    is_late_ = true;
+    command();
+    is_late_ = false;
+  }
+
+ private:
+  Kernel* kernel_ = nullptr;
+  Setpoint setpoint_{};
+  int looks_ = 0;
+  bool is_late_ = false;
+};
+
+// Found by reading: what was emitted before the plan that was refused was cut, and nobody asked for
+// another plan.
+TEST(CommandsInWaits, AHoldThatIsLateAndTakenBackLeavesNoRest) {
+  using Commands = std::function<void(Kernel&, bool begins)>;
+  const std::vector<Commands> commands{
+      [](Kernel& kernel, bool begins) { begins ? kernel.hold() : kernel.resume(); },
+      [](Kernel& kernel, bool begins) { kernel.set_overrides({.feed = begins ? 0.0 : 1.0}); },
+  };
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    for (const int look : {2, 3}) {
+      SCOPED_TRACE(std::to_string(i) + ", look " + std::to_string(look));
+      constexpr std::int64_t kAt = 400;
+      LateCommand late(look);
+      const WatchedRun run =
+          run_ticks({.text = "G21 G90 G61 F6000\nG1 X200\nM2\n", .options = late.options()},
+                    [&](Kernel& kernel, const WatchedRun& ran, Setpoint& setpoint) {
+                      kernel.plan();
+                      if (ran.next() == kAt) {
+                        late.give(kernel, [&] { commands[i](kernel, true); });
+                        commands[i](kernel, false);
+                      }
+                      return kernel.tick(setpoint);
+                    });
+      EXPECT_EQ(run.ticks.back().position_mm[0], 200.0);
+      for (const Setpoint& at : run.ticks) {
+        if (at.s_mm > 1.0 && at.s_mm < 199.0) {
+          ASSERT_GT(at.v_mm_s, 0.0) << at.s_mm;
+        }
+      }
     }
   }
 }
