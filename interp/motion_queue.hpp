@@ -30,7 +30,7 @@ class MotionQueue {
   // planned last and waits.
   static constexpr std::size_t kPhasesKeptFree = 3072;
   static constexpr std::size_t kPhasesOfTakeover = 2048;  // before it is planned, at the least
-  static constexpr std::size_t kOutputChanges = 1024;
+  static constexpr std::size_t kOutputChanges = 4096;
   static constexpr std::size_t kLineChanges = 16'384;
   static constexpr std::size_t kTakeovers = 4;
 

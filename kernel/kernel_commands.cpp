@@ -204,7 +204,7 @@ bool Kernel::Impl::try_change_plan() {
                                                .adaptive = adaptive_},
                                         .single_block = single_block_,
                                         .tick = tick,
-                                        .until_tick = tick + first_part_ticks_,
+                                        .until_tick = tick + (first_part_ticks_ >> shortenings_),
                                         .needs_stop = keeps_stop_},
                                        plan);
   if (!changed) {
@@ -217,8 +217,10 @@ bool Kernel::Impl::try_change_plan() {
                  .stop = std::move(changed->stop)};
     const auto* stop = takeover_->stop ? &*takeover_->stop : nullptr;
     if (!hand_over(std::move(plan), from, stop)) {
+      shortenings_ = std::min(shortenings_ + 1, kMaxShortenings);
       return false;
     }
+    shortenings_ = 0;
     committed_until_tick_ =
         stop != nullptr ? stop->stop.from.when.tick : delivery_.frozen_until_tick();
     fail_with_check();

@@ -141,7 +141,8 @@ class KERF_LOCAL Kernel::Impl {
  private:
   // A plan that takes over does so so long after it is asked for.
   static constexpr double kMargin_s = 0.01;
-  static constexpr int kMaxRefusals = 4;  // after so many the margin does not grow
+  static constexpr int kMaxRefusals = 4;     // after so many the margin does not grow
+  static constexpr int kMaxShortenings = 6;  // and after so many the first part stays as it is
   // Of a plan with other feedrates so much is handed over at once.
   static constexpr double kFirstPart_s = 0.1;
   // What the program says at a rest comes so long before it: then the thread that plans tells it
@@ -279,7 +280,8 @@ class KERF_LOCAL Kernel::Impl {
   // For what no way was found, of a hold and of a change of feed.
   std::int64_t next_hold_tick_ = 0;
   std::int64_t next_try_tick_ = 0;
-  int refusals_ = 0;  // in a row: planning took longer than the margin
+  int refusals_ = 0;     // in a row: planning took longer than the margin
+  int shortenings_ = 0;  // in a row: the first part of a plan did not fit, and is half as long then
   ProgramState begins_with_;
   std::function<bool(std::int64_t)> plan_clock_;  // KernelOptions
   TickCalls calls_;
