@@ -25,11 +25,17 @@ const writing = [history(), keymap.of([...defaultKeymap, ...historyKeymap])];
 
 const isSame = (a: Order, b: Order): boolean => a.files === b.files && a.machine === b.machine && a.profile === b.profile && a.feed_override === b.feed_override;
 
+interface Planned {
+  readonly order: Order;
+  readonly plan: Plan;
+}
+
 class Playground implements PlanSource {
   private readonly kernel: BrowserKernel;
   private order: Order;
+  private shown: Order | null = null; // whose plan is seen
   private kept: Order | null = null; // that others are compared with; null: with none
-  private planned: { order: Order; plan: Plan }[] = []; // the last ones
+  private planned: Planned[] = [];
   private tell: (shown: Shown) => void = () => undefined;
   onProgress: (progress: Progress) => void = () => undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -119,7 +125,7 @@ class Playground implements PlanSource {
 
   // From now on others are compared with the run that is shown, or again with none.
   private toggleKept(): void {
-    this.kept = this.kept ? null : this.order;
+    this.kept = this.kept ? null : this.shown;
     this.keep.setAttribute("aria-pressed", String(this.kept !== null));
     void this.plan();
   }
@@ -132,29 +138,41 @@ class Playground implements PlanSource {
   private async plan(): Promise<void> {
     clearTimeout(this.timer);
     this.status.textContent = "planning\u2026";
-    const { order } = this;
-    const base = this.kept ?? order;
+    const { order, kept } = this;
     const answers: Answer[] = [];
-    for (const one of isSame(base, order) ? [order] : [order, base]) {
+    for (const one of kept && !isSame(kept, order) ? [order, kept] : [order]) {
       const answer = await this.answerTo(one);
       if (!answer || order !== this.order) return; // the next answer is on its way
       answers.push(answer);
     }
-    this.show(answers);
+    this.show(answers, order);
   }
 
   private async answerTo(order: Order): Promise<Answer | null> {
     const known = this.planned.find((one) => isSame(one.order, order));
-    if (known) return { plan: known.plan, took_s: 0 };
+    if (known) {
+      this.kernel.stop();
+      return { plan: known.plan, took_s: 0 };
+    }
+    // What is typed by then has made it an older one, whose text is not to take the place of that.
+    const isPresent = (): boolean => order === this.order;
     const answer = await this.kernel.plan(order, {
-      showPath: (plan) => this.tell({ plans: [plan], base: 0 }),
-      showProgress: (progress) => this.onProgress(progress),
+      showPath: (plan) => isPresent() && this.tell({ plans: [plan], base: 0 }),
+      showProgress: (progress) => isPresent() && this.onProgress(progress),
     });
-    if (answer && "plan" in answer) this.planned = [{ order, plan: answer.plan }, ...this.planned].slice(0, 2);
+    if (answer && "plan" in answer) this.remember({ order, plan: answer.plan });
     return answer;
   }
 
-  private show(answers: readonly Answer[]): void {
+  // The last two, and the one that others are compared with.
+  private remember(planned: Planned): void {
+    const { kept } = this;
+    const isKept = ({ order }: Planned): boolean => kept !== null && isSame(order, kept);
+    const others = this.planned.filter((one) => !isKept(one));
+    this.planned = [planned, ...others.slice(0, 1), ...this.planned.filter(isKept)];
+  }
+
+  private show(answers: readonly Answer[], order: Order): void {
     const refused = answers.flatMap((answer) => ("refused" in answer ? answer.refused : []));
     this.refusal.hidden = refused.length === 0;
     this.refusal.textContent = refused.join("\n");
@@ -164,6 +182,7 @@ class Playground implements PlanSource {
       return;
     }
     this.status.textContent = `planned in ${clock(answers.reduce((sum, answer) => sum + ("took_s" in answer ? answer.took_s : 0), 0))}`;
+    this.shown = order;
     this.tell({ plans: [plan, ...base], base: base.length, ...(base.length > 0 ? { names: ["now", "before"] } : {}) });
   }
 

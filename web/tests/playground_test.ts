@@ -195,6 +195,81 @@ test("a feed override takes the time that kerf says, and can be compared", async
   await page.locator("button", { hasText: "compare with this run" }).click();
 });
 
+// Whose path is shown long before its times.
+const slowProgram = (name: string): string => {
+  const lines = Array.from({ length: 5000 }, (_, i) => `G1 X${(80 * Math.sin(i * i)).toFixed(3)} Y${(60 * Math.cos(3 * i * i)).toFixed(3)}`);
+  return program(["G21 G90 G61 F6000", ...lines, "M2", ""].join("\n"), name);
+};
+const written = (): Promise<string> => page.locator(".program-view .cm-line").first().textContent().then((text) => text ?? "");
+
+test("no older text takes the place of what is written, and no older run that of what is shown", async () => {
+  await open("Open a program", slowProgram("written.ngc"));
+  const compare = page.locator("button", { hasText: "compare with this run" });
+  await page.locator("[data-tab=difference]").click();
+  await after_(() => compare.click());
+  await page.locator(".program-view .cm-content").press("Control+Home");
+  for (const [key, expected] of [["1", "(1)G21 G90 G61 F6000"], ["2", "(1)(2)G21 G90 G61 F6000"]] as const) {
+    const editor = await page.locator(".program-view .cm-editor").elementHandle();
+    await after_(async () => {
+      await page.keyboard.type(`(${key})`);
+      const end = Date.now() + 120_000;
+      while (Date.now() < end && !/^planned/.test((await page.locator("[data-test=status]").textContent()) ?? "")) {
+        assert.equal(await written(), expected);
+        await page.waitForTimeout(50);
+      }
+    });
+    assert.equal(await written(), expected);
+    assert.ok(await editor!.evaluate((element) => element.isConnected), "the same editor, with its caret");
+  }
+  await after_(() => compare.click());
+});
+
+test("a key within the path's patience is not lost", async () => {
+  await open("Open a program", slowProgram("typed_on.ngc"));
+  const content = page.locator(".program-view .cm-content");
+  await content.press("Control+Home");
+  await after_(async () => {
+    let text = "";
+    for (const key of "(abcdef") {
+      await page.keyboard.type(key);
+      text += key;
+      for (let i = 0; i < 13; ++i) {
+        assert.equal(await written(), `${text}G21 G90 G61 F6000`);
+        await page.waitForTimeout(50);
+      }
+    }
+    await page.keyboard.type(")");
+    await page.evaluate(() => (document.querySelector('[data-test="status"]')!.textContent = ""));
+  });
+  assert.equal(await written(), "(abcdef)G21 G90 G61 F6000");
+});
+
+test("what is chosen again before another plan is there stays", async () => {
+  await open("Open a program", slowProgram("chosen.ngc"));
+  const time = await shownTime();
+  const profile = page.locator('select[aria-label="Profile"]');
+  await profile.selectOption("quintic");
+  await page.waitForTimeout(900);
+  await after_(() => profile.selectOption("time-optimal"));
+  for (let i = 0; i < 60; ++i) {
+    assert.equal(await page.locator("[data-test=planning]").count(), 0);
+    assert.equal(await shownTime(), time);
+    await page.waitForTimeout(100);
+  }
+});
+
+test("a run that was refused is not kept to be compared with", async () => {
+  await open("Open a program", program("G21 G90 G61 F1200\nG1 X100\nM2\n", "kept.ngc"));
+  await open("Open a machine file", program("[path]\nmax_velocty_mm_s = 5\n", "wrong.toml"));
+  const compare = page.locator("button", { hasText: "compare with this run" });
+  await page.locator("[data-tab=difference]").click();
+  await after_(() => compare.click());
+  await after_(() => page.locator('select[aria-label="Example machine"]').selectOption("table.toml"));
+  assert.equal(await page.locator(".refusal").isVisible(), false);
+  assert.equal(await shownTime(), clock(timeOf(join(folder, "kept.ngc"))));
+  await after_(() => compare.click());
+});
+
 test("a subprogram is found beside its program", async () => {
   const main = program("o<line> call [7]\nM2\n", "main.ngc");
   await open("Open a program", main, program("o<line> sub\nG1 F300 X#1\no<line> endsub\nM2\n", "line.ngc"));

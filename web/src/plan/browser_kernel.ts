@@ -69,13 +69,17 @@ export class BrowserKernel {
     this.module = module;
   }
 
-  // null: a newer order has taken its place.
+  // The order that is being worked on, if there is one, gets no answer.
+  stop(): void {
+    if (!this.abandon) return;
+    this.abandon();
+    this.worker?.terminate();
+    this.worker = null;
+  }
+
+  // null: a newer order has taken its place, or it was stopped.
   plan(order: Order, waits: Waiting): Promise<Answer | null> {
-    if (this.abandon) {
-      this.abandon();
-      this.worker?.terminate();
-      this.worker = null;
-    }
+    this.stop();
     const worker = (this.worker ??= this.start());
     const began_ms = performance.now();
     return new Promise((resolve) => {
