@@ -26,6 +26,24 @@ test("sets two machines side by side", async () => {
   await page.context().close();
 });
 
+test("a run that ends early has no cycle time, and none is compared with it", async () => {
+  const [slow, fast] = [60, 1200].map((feed) => programFile(`G21 G90 G61\nG1 X19.999 F${feed}\nM2\n`, `f${feed}.ngc`));
+  const { page, said } = await openReport([slow!, fast!, "--max-time", "20s"]);
+  assert.deepEqual(JSON.parse(kerf("dry-run", "--json", "--max-time", "20s", slow!).out).exit_status, 1);
+  const select = page.locator("select[aria-label=Program]");
+  assert.equal((await select.locator("option").allTextContents())[0], "f60.ngc: ends early");
+  await select.selectOption("0");
+  assert.match(await textOf(page, "failed"), /^Ends early/);
+  assert.equal(await page.locator("[data-test=cycle-time]").count(), 0);
+  await select.selectOption("1");
+  assert.equal(await textOf(page, "cycle-time"), clock(JSON.parse(kerf("dry-run", "--json", fast!).out).cycle_time_s));
+  assert.equal(await page.locator("[data-test=time-difference]").count(), 0);
+  await page.locator("[data-tab=difference]").click();
+  assert.match((await page.locator(".compared").textContent()) ?? "", /f60\.ngc ends early: there is nothing to compare/);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("programs of one name have numbers, and the first that runs is the base", async () => {
   const [slow, fast] = [600, 1200].map((feed) => programFile(`G21 G90 G61 F${feed}\nG1 X20\nM2\n`, `f${feed}/part.ngc`));
   const wrong = programFile("G1 G2 X5\nM2\n", "wrong.ngc");

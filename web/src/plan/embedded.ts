@@ -55,7 +55,7 @@ export class EmbeddedSource implements PlanSource {
     }
     const [first, ...others] = plans;
     if (!first) throw new Error("there is no plan in this page");
-    const runs = plans.findIndex((plan) => plan.motion !== null);
+    const runs = plans.findIndex((plan) => plan.cycle_s !== undefined);
     show({ plans: [first, ...others], base: Math.max(0, runs) });
   }
 }

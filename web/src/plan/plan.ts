@@ -121,6 +121,17 @@ export class Plan {
     return this.header.report.period_s;
   }
 
+  // Of a run that came to its end; undefined: it did not, or does not run at all.
+  get cycle_s(): number | undefined {
+    const { exit_status, cycle_time_s } = this.header.report;
+    return exit_status === 0 ? cycle_time_s : undefined;
+  }
+
+  // It ran, and a fault or a bound of time ended it early.
+  get endsEarly(): boolean {
+    return this.motion !== null && this.header.report.exit_status !== 0;
+  }
+
   // "path", "x", "y", ...
   get tracks(): string[] {
     return ["path", ...this.header.machine.axes.map((axis) => axis.name)];

@@ -23,6 +23,9 @@ export function namesOf({ plans, names }: Shown): readonly string[] {
   return numbered(parts.map((part) => (differing.length > 0 ? differing : [0]).map((k) => part[k]).join(", ")));
 }
 
+// Of how long it takes.
+export const cycleText = (plan: Plan): string => (plan.cycle_s !== undefined ? clock(plan.cycle_s) : plan.endsEarly ? "ends early" : "does not run");
+
 export class Header {
   readonly element: HTMLElement;
   private readonly title = h("h1", {});
@@ -59,8 +62,7 @@ export class Header {
     const told = names ?? numbered(plans.map((one) => `${nameOf(one)}${one.header.report.machine === "default" ? "" : `, ${machineOf(one)}`}`));
     this.several.replaceChildren(
       ...plans.map((one, i) => {
-        const seconds = one.header.report.cycle_time_s;
-        return h("option", { value: String(i) }, `${told[i]!}: ${seconds === undefined ? "does not run" : clock(seconds)}`);
+        return h("option", { value: String(i) }, `${told[i]!}: ${cycleText(one)}`);
       }),
     );
     this.several.value = String(this.store.state.plan);

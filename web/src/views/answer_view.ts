@@ -6,7 +6,7 @@ import type { Progress, Shown } from "../plan/source.ts";
 import { usesOf } from "../plan/uses.ts";
 import type { Store } from "../state.ts";
 import { h, table } from "../ui/dom.ts";
-import { nameOf, numbered } from "../ui/header.ts";
+import { cycleText, nameOf, numbered } from "../ui/header.ts";
 import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf } from "../units.ts";
 import { fitCard, fitText, rangeText } from "./fit_card.ts";
 import { waitingTexts } from "./waiting.ts";
@@ -95,12 +95,18 @@ export class AnswerView {
       const failed = this.card("Does not run", "failed", h("div", { class: "big bad" }, errorCount(messages)), h("div", { class: "soft" }, messages.first));
       return plan.header.extents ? [failed, this.fitCard()] : [failed];
     }
-    return [this.timeCard(), this.fitCard(), this.limitsCard(), this.exactCard(), this.linesCard()].filter((card): card is HTMLElement => card !== null);
+    return [plan.endsEarly ? this.earlyEndCard() : this.timeCard(), this.fitCard(), this.limitsCard(), this.exactCard(), this.linesCard()].filter((card): card is HTMLElement => card !== null);
   }
 
   private waitingCard(): HTMLElement {
     const [whole, soFar] = waitingTexts(this.progress, this.plan!.period_s);
     return this.card("Cycle time", "planning", h("div", { class: "big", "data-test": "estimate" }, whole), h("div", { class: "soft", "data-test": "so-far" }, soFar));
+  }
+
+  // What ran until then is shown, but its time is no cycle time.
+  private earlyEndCard(): HTMLElement {
+    const { first } = messagesOf(this.plan!);
+    return this.card("Ends early", "failed", h("div", { class: "big bad" }, `after ${this.seconds(this.plan!.motion!.lastTick)}`), h("div", { class: "soft" }, first));
   }
 
   private timeCard(): HTMLElement {
@@ -186,18 +192,17 @@ export class AnswerView {
     return table(
       ["program", "machine", "time", "difference"],
       plans.map((plan, i) => {
-        const { machine, cycle_time_s: seconds } = plan.header.report;
+        const { machine } = plan.header.report;
         const name = h("button", { type: "button", class: "link", click: () => this.store.showPlan(i, "answer") }, names[i]!);
-        const time = seconds === undefined ? "does not run" : clock(seconds);
-        return [name, machine === "default" ? machine : machine.split("/").pop() ?? machine, time, i === base ? "" : this.differenceOf(plan)];
+        return [name, machine === "default" ? machine : machine.split("/").pop() ?? machine, cycleText(plan), i === base ? "" : this.differenceOf(plan)];
       }),
       "side-by-side",
     );
   }
 
-  // From the base; empty where one of the two does not run.
+  // From the base; empty where one of the two does not run to its end.
   private differenceOf(plan: Plan): string {
-    const [before, after] = [this.shown!.plans[this.shown!.base], plan].map((one) => one?.header.report.cycle_time_s);
+    const [before, after] = [this.shown!.plans[this.shown!.base], plan].map((one) => one?.cycle_s);
     return before === undefined || after === undefined ? "" : difference(before, after);
   }
 

@@ -41,9 +41,9 @@ export class DifferenceView {
   build(): void {
     const { pair } = this;
     if (!pair || this.element.firstChild) return;
-    const dead = [pair.base, pair.other].find(({ plan }) => plan.motion === null);
+    const dead = [pair.base, pair.other].find(({ plan }) => plan.cycle_s === undefined);
     if (dead) {
-      this.element.append(h("p", { class: "empty" }, `${dead.name} does not run: there is nothing to compare.`));
+      this.element.append(h("p", { class: "empty" }, `${dead.name} ${dead.plan.endsEarly ? "ends early" : "does not run"}: there is nothing to compare.`));
       return;
     }
     this.rows = lineRows(pair.base, pair.other);
