@@ -33,6 +33,23 @@ test("keeps every peak, and draws at most 300,000 vertices", async () => {
   await page.context().close();
 });
 
+// Of a move of some ticks, and of a program whose columns stand for many.
+test("the legend says what limits the feed as the table does", async () => {
+  const long = ["G21 G90 G61 F6000"];
+  for (let i = 0; i < 4000; ++i) long.push(`G1 X${i % 2 === 0 ? 10 : 0}`);
+  for (const text of ["G21 G90 G61\nG1 X0.001 F6000\nM2\n", [...long, "M2", ""].join("\n")]) {
+    const { page, said } = await openReport([programFile(text)]);
+    await page.locator("[data-test=colour]").selectOption("limit");
+    await page.locator("[data-tab=answer]").click();
+    const rows = await page.locator("[data-test=constraints] tbody tr").evaluateAll((all) => all.map((row) => row.lastElementChild!.textContent));
+    const parts = await page.locator(".legend.parts button .soft").allTextContents();
+    assert.ok(rows.length > 0);
+    assert.deepEqual(parts, rows);
+    assert.deepEqual(said, []);
+    await page.context().close();
+  }
+});
+
 // What a hand does with the view: turns it, comes nearer, moves it. Calls `look` after each step.
 async function wander(page: Page, look: () => Promise<void>): Promise<void> {
   const box = (await page.locator(".path-view").boundingBox())!;

@@ -92,11 +92,15 @@ function largestFeed(plan: Plan): number {
 }
 
 function byLimit(plan: Plan, ground: Rgb): Colouring {
-  const { limit, ticksPerColumn } = plan.motion!;
-  const { constraints } = plan.header;
+  const { limit } = plan.motion!;
+  const { constraints, report } = plan.header;
   const counts = new Uint32Array(256);
+  // As the report tells them: a column has the limit alone that lasts longest in it.
   const ticks = new Map<number, number>();
-  for (const id of limit) ticks.set(id, (ticks.get(id) ?? 0) + ticksPerColumn);
+  constraints.forEach(({ key }, id) => {
+    const told = report.speed_limits?.[key];
+    if (told) ticks.set(id, told.time_s / plan.period_s);
+  });
   return byPart((from, to) => mostFrequent(limit, ...columnsOf(plan, from, to), counts), ticks, {
     title: "what limits the feed",
     name: (id) => constraints[id]?.text ?? String(id),
@@ -136,7 +140,7 @@ function byTravel(plan: Plan, path: Path, ground: Rgb): Colouring {
   const last = (to: number): number => ways[Math.max(0, lastAtOrBefore(path.tick, to))]!;
   return byPart((_from, to) => last(to), ticks, {
     title: "the path as it is planned",
-    name: (id) => (id === 1 ? "leads out of the travel" : "within the travel"),
+    name: (id) => (id === 1 ? "leads out of the travel" : "within the travel of X, Y and Z"),
     colour: (id) => visibleOn(rgbOf(id === 1 ? "#c62828" : "#7d8590"), ground),
   });
 }
