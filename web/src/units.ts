@@ -24,17 +24,26 @@ export function lengthText(mm: number, units: Units): string {
   return units.length === "mm" ? fixed(mm, 3) : fixed(mm / MM_PER_INCH, 4);
 }
 
+// A bound that is written so is kept by what lies within it.
+export function boundText(mm: number, bound: "least" | "most", units: Units): string {
+  const [value, decimals] = units.length === "mm" ? [mm, 3] : [mm / MM_PER_INCH, 4];
+  const scaled = value * 10 ** decimals;
+  const rounding = 1e-6;
+  const inwards = bound === "least" ? Math.ceil(scaled - rounding) : Math.floor(scaled + rounding);
+  return fixed(inwards / 10 ** decimals, decimals);
+}
+
 export const lengthUnit = (units: Units): string => (units.length === "mm" ? "mm" : "in");
 
-// "1:02:03.4", "2:03.45", "3.456 s"
-export function clock(seconds: number): string {
+// "1:02:03.4", "2:03.45", "3.456 s"; from a minute on with other decimals where they are given.
+export function clock(seconds: number, given?: number): string {
   const s = Math.max(0, seconds);
   if (s < 60) return `${s.toFixed(3)} s`;
-  const decimals = s < 3600 ? 2 : 1;
+  const decimals = given ?? (s < 3600 ? 2 : 1);
   const whole = Number(s.toFixed(decimals));
   const hours = Math.floor(whole / 3600);
   const minutes = Math.floor((whole % 3600) / 60);
-  const rest = (whole % 60).toFixed(decimals).padStart(decimals + 3, "0");
+  const rest = (whole % 60).toFixed(decimals).padStart(decimals > 0 ? decimals + 3 : 2, "0");
   return hours > 0 ? `${hours}:${String(minutes).padStart(2, "0")}:${rest}` : `${minutes}:${rest}`;
 }
 

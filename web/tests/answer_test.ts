@@ -49,6 +49,28 @@ test("lists a warning once, with what to do", async () => {
   await page.context().close();
 });
 
+test("a further axis that leaves its travel is no program that fits", async () => {
+  const table = readFileSync(join(SOURCE, "programs", "machines", "table.toml"), "utf8");
+  const turning = programFile(`${table}\n[axes.a]\nmin_deg = -90\nmax_deg = 90\nmax_velocity_deg_s = 90\nmax_acceleration_deg_s2 = 900\nmax_jerk_deg_s3 = 9000\n`, "turning.toml");
+  const program = programFile("G21 G90 F600\nG1 X10 A100\nM2\n");
+  const { page, said } = await openReport([program, "--machine", turning]);
+  assert.match(await textOf(page, "failed"), /a goes 10 deg beyond its upper limit of 90 deg$/);
+  assert.equal(await textOf(page, "fit-verdict"), "X, Y and Z fit");
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("an offset that is written as the page tells it fits", async () => {
+  const program = programFile("G21 G90 F6000\nG1 X33.33346\nM30\n");
+  const { page, said } = await openReport([program]);
+  const [, most] = /X \S+ to (\d+\.\d+)/.exec(shown(await textOf(page, "offset-in-force")))!;
+  assert.equal(most, "466.666", "the travel ends at 500");
+  assert.equal(kerf("dry-run", "-q", "--g54", `${most},0,0`, "--start", `${most},0,0`, program).status, 0);
+  assert.equal(kerf("dry-run", "-q", "--g54", "466.667,0,0", "--start", "466.667,0,0", program).status, 4);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("says by how much a program does not fit, and how far the offset may move", async () => {
   const { page, said } = await openReport([programFile("G21 G90 F6000\nG1 X520\nG1 X-100\nM30\n")]);
   // The travel of X is -500 to 500.

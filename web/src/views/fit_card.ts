@@ -3,7 +3,7 @@ import { fitsOf, type Fit } from "../plan/account.ts";
 import type { OffsetRange } from "../plan/decode.ts";
 import type { Plan } from "../plan/plan.ts";
 import { h } from "../ui/dom.ts";
-import { lengthText, lengthUnit, type Units } from "../units.ts";
+import { boundText, lengthText, lengthUnit, type Units } from "../units.ts";
 
 export function fitText(fit: Fit, units: Units): string {
   return `${lengthText(fit.min, units)} to ${lengthText(fit.max, units)}`;
@@ -13,8 +13,8 @@ export function fitText(fit: Fit, units: Units): string {
 export function rangeText(range: OffsetRange | undefined, units: Units): string {
   if (range === undefined) return "does not move it";
   if (!range.fits_somewhere) return "no place: larger than the travel";
-  const end = (value: number | null): string => (value === null ? "any" : lengthText(value, units));
-  return `${end(range.min_mm)} to ${end(range.max_mm)}`;
+  const end = (value: number | null, bound: "least" | "most"): string => (value === null ? "any" : boundText(value, bound, units));
+  return `${end(range.min_mm, "least")} to ${end(range.max_mm, "most")}`;
 }
 
 // "-12 to 340" of "-12.000 to 340.000": the card is narrow.
@@ -34,7 +34,10 @@ export function fitCard(plan: Plan, units: Units, openAll: () => void): HTMLElem
   const fits = fitsOf(plan);
   const over = fits.filter((fit) => fit.over > 0);
   const known = fits.some((fit) => fit.travel[0] !== null || fit.travel[1] !== null);
-  const verdict = fits.length === 0 ? "does not move" : over.length > 0 ? "does not fit" : known ? "fits the travel" : "no travel known";
+  // Of a program that is refused another axis may be what leaves its travel.
+  const fitsAll = plan.motion !== null || plan.header.report.exit_status === 0;
+  const good = over.length === 0 && known && fitsAll;
+  const verdict = fits.length === 0 ? "does not move" : over.length > 0 ? "does not fit" : !known ? "no travel known" : fitsAll ? "fits the travel" : "X, Y and Z fit";
   const rows = fits.map((fit) =>
     h("div", { class: fit.over > 0 ? "bad" : "" }, `${fit.axis.toUpperCase()} ${fitText(fit, units)}${fit.over > 0 ? `, over by ${lengthText(fit.over, units)}` : ""}`),
   );
@@ -42,7 +45,7 @@ export function fitCard(plan: Plan, units: Units, openAll: () => void): HTMLElem
     "div",
     {},
     h("h2", {}, `Travel, ${lengthUnit(units)}`),
-    h("div", { class: `big ${over.length > 0 ? "bad" : known ? "good" : ""}`, "data-test": "fit-verdict" }, verdict),
+    h("div", { class: `big ${over.length > 0 ? "bad" : good ? "good" : ""}`, "data-test": "fit-verdict" }, verdict),
     h("div", { class: "soft rows", "data-test": "extents" }, ...rows),
   );
   return h("div", { class: "card fit", "data-test": "fit" }, path, offsetPart(plan, units, openAll));

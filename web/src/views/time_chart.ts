@@ -16,10 +16,11 @@ const TIME_STEPS_S = [
   ...[-5, -4, -3, -2, -1, 0].flatMap((power) => [1, 2, 5].map((digit) => digit * 10 ** power)),
   ...[10, 15, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 14400, 36000, 86400, 864000],
 ];
-// "0.25 s", but "8:20" and "2:00:00" from a minute on.
-function timeText(seconds: number): string {
-  const text = seconds >= 60 ? clock(seconds) : `${Number(seconds.toPrecision(6))} s`;
-  return seconds >= 60 ? text.replace(/\.0*$/, "") : text;
+// "0.25 s", but "8:20" and "2:00:00" from a minute on; with the decimals that marks so far apart need.
+export function timeText(seconds: number, step_s: number): string {
+  if (seconds < 60) return `${Number(seconds.toPrecision(6))} s`;
+  const decimals = Math.max(0, -Math.floor(Math.log10(step_s) + 1e-9));
+  return clock(seconds, decimals);
 }
 
 // What all charts show.
@@ -83,7 +84,7 @@ export class TimeChart {
       cursor: { show: true, x: false, y: false, points: { show: false }, drag: { x: true, y: false, setScale: false } },
       scales: { x: { time: false, range: () => [this.span.from * plan.period_s, this.span.to * plan.period_s] }, y: { range: () => this.rangeSeen(charted, signed) } },
       axes: [
-        { ...axis, size: hasTimes ? TIME_AXIS_PIXELS : 0, values: hasTimes ? (_u, ticks) => ticks.map(timeText) : () => [], gap: 2, space: 90, incrs: TIME_STEPS_S },
+        { ...axis, size: hasTimes ? TIME_AXIS_PIXELS : 0, values: hasTimes ? (_u, ticks, _axis, _space, step) => ticks.map((seconds) => timeText(seconds, step)) : () => [], gap: 2, space: 90, incrs: TIME_STEPS_S },
         { ...axis, size: AXIS_PIXELS, space: 18, values: (_u, ticks) => ticks.map((value) => Number(value.toPrecision(6)).toLocaleString("en").replaceAll(",", "\u2009")) },
       ],
       series: [{}, { stroke: ground.accent, width: 1.25, points: { show: false } }, { stroke: ground.accent, width: 1.25, points: { show: false } }],
