@@ -238,7 +238,7 @@ export class App {
       "4": () => this.path?.look("iso"),
     };
     const action = actions[event.key];
-    if (!action || (event.key === " " && target.tagName === "BUTTON")) return;
+    if (!action || (event.key === " " && /^(button|summary)$/i.test(target.tagName))) return;
     event.preventDefault();
     action();
   }

@@ -17,6 +17,9 @@ export interface Editing {
   changed(text: string): void;
 }
 
+// As the editor has them.
+const linesOf = (text: string | null): string | undefined => (text?.includes("\r") ? text.replace(/\r\n?/g, "\n") : text ?? undefined);
+
 export class ProgramView {
   readonly element: HTMLElement;
   private readonly host = h("div", { class: "editor" });
@@ -53,7 +56,7 @@ export class ProgramView {
     this.findLongest(account.lines);
     this.host.hidden = plan.source === null;
     this.message.hidden = plan.source !== null;
-    if (this.view?.state.doc.toString() !== plan.source) {
+    if (this.view?.state.doc.toString() !== linesOf(plan.source)) {
       this.view?.destroy();
       this.view = null;
       this.build(plan);
