@@ -84,6 +84,8 @@ class Journal(Case):
 
             read_until(type="event", state="idle")
             for command, after in commands:
+                if command == {"command": "hold"}:
+                    time.sleep(2.5)  # the run has come to a place that the journal has
                 ours.sendall(json.dumps(command).encode() + b"\n")
                 read_until(type="answer", accepted=True)
                 if after:
@@ -99,7 +101,9 @@ class Journal(Case):
         tool = ({"command": "tool", "number": 2, "length_mm": 30}, None)
         way = "G1 X1 Z1\n" + "".join(f"X{k}\n" for k in range(2, 60)) + "M2\n"
         moved, changed = "G21 G90 G61 F600\nG54\n" + way, "G21 G90 G61 F600\nG43 H2\n" + way
-        for text, commands, off_mm in ((moved, [line, start], 50), (changed, [tool, start], 30)):
+        # Held, the tool is on the path as long as nobody jogs.
+        hold = ({"command": "hold"}, {"state": "held"})
+        for text, commands, off_mm in ((moved, [line, start], 50), (changed, [tool, start], 30), (moved, [line, start, hold], 50)):
             with self.subTest(off_mm=off_mm):
                 stderr = self.kerf("run", self.killed_under_commands(text, commands), "--continue", status=1).stderr
                 found = re.search(r"([\d.]+) mm from where the program leads by itself", stderr)

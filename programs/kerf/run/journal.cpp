@@ -1,5 +1,6 @@
 #include "programs/kerf/run/journal.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <fcntl.h>
@@ -63,6 +64,13 @@ JournalledPlace place_of(const Json& record) {
           .state = record.at("state")};
 }
 
+bool is_on_path(std::string_view state) {
+  using State = ControllerState;
+  return std::ranges::any_of(
+      std::array{State::running, State::waiting, State::holding, State::stopping},
+      [state](State on_path) { return name_of(on_path) == state; });
+}
+
 // False: it is of another version, or of nothing that is known.
 bool take(const Json& record, std::optional<Journal>& journal) {
   try {
@@ -71,6 +79,7 @@ bool take(const Json& record, std::optional<Journal>& journal) {
       journal = Journal{.run = run_of(record)};
     } else if (kind == "place" && journal) {
       journal->place = place_of(record);
+      journal->on_path = is_on_path(journal->place->state) ? journal->place : journal->on_path;
     } else if (kind == "end" && journal) {
       journal->exit_status = record.at("exit_status").get<int>();
     } else {

@@ -39,8 +39,10 @@ struct JournalledPlace {
 struct Journal {
   JournalledRun run{};                     // the last one in it
   std::optional<JournalledPlace> place{};  // its last one
-  std::optional<int> exit_status{};        // of its end; nothing: it was not brought to one
-  std::size_t valid_bytes = 0;             // what is behind them is torn
+  // The last one on the program's path: held, the tool may have been moved by hand.
+  std::optional<JournalledPlace> on_path{};
+  std::optional<int> exit_status{};  // of its end; nothing: it was not brought to one
+  std::size_t valid_bytes = 0;       // what is behind them is torn
 
   // The block at which the tool was last.
   [[nodiscard]] std::uint64_t block() const noexcept {

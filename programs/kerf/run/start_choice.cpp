@@ -1,13 +1,9 @@
 #include "programs/kerf/run/start_choice.hpp"
 
-#include <algorithm>
-#include <array>
 #include <string>
-#include <string_view>
 #include <unistd.h>
 #include <utility>
 
-#include <kerf/controller.hpp>
 #include <spdlog/fmt/fmt.h>
 
 #include "programs/kerf/io/interrupt.hpp"
@@ -43,13 +39,6 @@ bool says_yes(const std::string& question) {
 }
 
 constexpr double kOnPath_mm = 1e-3;
-
-bool is_on_path(std::string_view state) {
-  using State = ControllerState;
-  return std::ranges::any_of(
-      std::array{State::running, State::waiting, State::holding, State::stopping},
-      [state](State on_path) { return name_of(on_path) == state; });
-}
 
 // At the line of the options, or the last place before a block of the program's run.
 class Choice {
@@ -93,10 +82,10 @@ class Choice {
                              order_.options.driver.name == "simulated"};
   }
   // What an operator commanded in that run, and what the machine answered, is not in the program.
-  // At the place where it began, and while the tool moves by hand, it is elsewhere anyway.
+  // At the place where it began the tool is elsewhere anyway.
   bool leads_to(const Journal& journal) {
-    const auto& place = journal.place;
-    if (!place || place->block <= journal.run.blocks_before + 1 || !is_on_path(place->state)) {
+    const auto& place = journal.on_path;
+    if (!place || place->block <= journal.run.blocks_before + 1) {
       return true;
     }
     file_.rewind();
