@@ -58,6 +58,97 @@ TEST(Operator, StartsNoProgramWhereTheSearchForHomeIsStopped) {
   }
 }
 
+// Found by reading: a door that was closed again before the search had come to rest let it begin.
+TEST(Operator, StartsNoProgramWhereTheDoorEndsTheSearchForHome) {
+  for (const bool is_late : {false, true}) {
+    Shop shop(test::mill_with_switches());
+    Operator by(shop.controller, true);
+    shop.give(kerf::Command::enable);
+    ASSERT_TRUE(by.home_and_start());
+    tick(by, shop, 50);
+    for (int i = 0; i < test::kMaxTicks && is_late && shop.controller.status().unhomed != 0; ++i) {
+      tick(by, shop);
+    }
+    shop.controller.set_door(true);
+    tick(by, shop, 3);
+    shop.controller.set_door(false);
+    tick(by, shop, 2000);
+    EXPECT_EQ(shop.controller.status().state, State::idle);
+    EXPECT_FALSE(by.has_started());
+    EXPECT_TRUE(by.has_stopped());
+  }
+}
+
+// Found by reading: the tick at which a move by hand ended was there before the stop, which was
+// taken for that move's.
+TEST(Operator, EndsTheProgramWhereAMoveByHandEndsBeforeTheStopIsHeard) {
+  Shop shop;
+  Operator by(shop.controller, true);
+  shop.give(kerf::Command::enable);
+  ASSERT_TRUE(by.give(kerf::Command::start));
+  shop.controller.feed("G21 G90 G1 F600 X20\nM2\n");
+  shop.controller.finish();
+  tick(by, shop, 300);
+  ASSERT_TRUE(by.give(kerf::Command::hold));
+  shop.tick_until(State::held);
+  ASSERT_TRUE(by.give(Jog{.mm = {1.0}, .is_step = true}));
+  tick(by, shop, 20);
+  ASSERT_EQ(shop.controller.status().state, State::jogging);
+  Setpoint setpoint;
+  for (int i = 0; i < 2000; ++i) {
+    shop.controller.tick(setpoint);
+  }
+  ASSERT_TRUE(by.give(kerf::Command::stop));
+  tick(by, shop, 500);
+  EXPECT_EQ(shop.controller.status().state, State::idle);
+  EXPECT_TRUE(by.has_stopped());
+}
+
+int ticks_of_search() {
+  Shop shop(test::mill_with_switches());
+  Operator by(shop.controller, true);
+  shop.give(kerf::Command::enable);
+  EXPECT_TRUE(by.give(kerf::Command::home));
+  int ticks = 0;
+  for (; ticks < test::kMaxTicks && shop.controller.status().state != State::idle; ++ticks) {
+    tick(by, shop);
+  }
+  return ticks;
+}
+
+TEST(Operator, StartsNoProgramWhereTheSearchForHomeEndsBeforeTheStopIsHeard) {
+  Shop shop(test::mill_with_switches());
+  Operator by(shop.controller, true);
+  shop.give(kerf::Command::enable);
+  ASSERT_TRUE(by.home_and_start());
+  tick(by, shop, ticks_of_search() - 20);
+  Setpoint setpoint;
+  for (int i = 0; i < 100; ++i) {
+    shop.controller.tick(setpoint);
+  }
+  ASSERT_EQ(shop.controller.status().state, State::homing);
+  EXPECT_TRUE(by.give(kerf::Command::stop));
+  tick(by, shop, 500);
+  EXPECT_EQ(shop.controller.status().state, State::idle);
+  EXPECT_FALSE(by.has_started());
+  EXPECT_TRUE(by.has_stopped());
+}
+
+// Found by reading: a key in the last milliseconds of a run was carried out once the keyboard was
+// gone.
+TEST(Operator, CarriesOutNothingOfWhoIsGone) {
+  Shop shop;
+  Operator by(shop.controller, true);
+  int done = 0;
+  const int gone = 0;
+  const int stays = 0;
+  by.ask(&gone, [&done] { done += 1; });
+  by.ask(&stays, [&done] { done += 10; });
+  by.drop_orders(&gone);
+  by.carry_out();
+  EXPECT_EQ(done, 10);
+}
+
 // Found with a client: what came between the last tick and the end of the run replaced the program
 // that the report is about, or was accepted, and nothing moved.
 TEST(Operator, BeginsNothingBehindTheProgram) {

@@ -54,7 +54,7 @@ class ControlChannel::Server {
   ~Server() {
     context_.stop();
     thread_.join();
-    by_->drop_orders();  // they would answer to clients
+    by_->drop_orders(this);  // they would answer to clients
     if (!socket_path_.empty()) {
       ::unlink(socket_path_.c_str());
     }
@@ -159,7 +159,7 @@ class ControlChannel::Server {
     const bool answers =
         order_.others_answer || acceptor_ || std::ranges::any_of(clients_, &ControlClient::reads);
     if (!answers && stands_until_asked(by_->status())) {
-      by_->ask([this] {
+      by_->ask(this, [this] {
         if (stands_until_asked(by_->status())) {
           static_cast<void>(by_->give(kerf::Command::stop));
         }
@@ -169,7 +169,8 @@ class ControlChannel::Server {
   [[nodiscard]] bool stands_until_asked(const ControllerStatus& status) const noexcept {
     return status.waits_for == WaitsFor::answer || status.state == ControllerState::held ||
            (status.state == ControllerState::idle && order_.waits_for_start) ||
-           (status.state == ControllerState::running && status.overrides.feed == 0.0);
+           (status.state == ControllerState::running &&
+            status.overrides.feed < Overrides::kLeastFeed);
   }
 
   void answer(const std::shared_ptr<ControlClient>& client, std::string_view line) {
@@ -196,7 +197,7 @@ class ControlChannel::Server {
       by_->emergency_stop();
       client->write(accepted_json(*request, by_->status().state));
     } else {
-      by_->ask([this, client, request = *std::move(request)] {
+      by_->ask(this, [this, client, request = *std::move(request)] {
         const auto done = requests_.carry_out(request);
         const ControllerState state = by_->status().state;
         asio::post(context_, [client, line = done ? accepted_json(request, state)

@@ -38,6 +38,7 @@ Keys::~Keys() {
   if (thread_.joinable()) {
     thread_.join();
   }
+  by_->drop_orders(this);
 }
 
 void Keys::read() {
@@ -46,7 +47,7 @@ void Keys::read() {
     if (key == kEscape) {
       by_->emergency_stop();
     } else if (key) {
-      by_->ask([this, key] { press(*key); });
+      by_->ask(this, [this, key] { press(*key); });
     }
   }
 }

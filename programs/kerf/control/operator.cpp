@@ -4,14 +4,14 @@
 
 namespace kerf::program {
 
-void Operator::ask(std::function<void()> order) {
+void Operator::ask(const void* asker, std::function<void()> order) {
   const std::lock_guard lock(mutex_);
-  orders_.push_back(std::move(order));
+  orders_.push_back({asker, std::move(order)});
 }
 
-void Operator::drop_orders() {
+void Operator::drop_orders(const void* asker) {
   const std::lock_guard lock(mutex_);
-  orders_.clear();
+  std::erase_if(orders_, [asker](const Asked& one) { return one.asker == asker; });
 }
 
 void Operator::carry_out() {
@@ -25,21 +25,28 @@ void Operator::carry_out() {
   if (!is_attended_) {
     stop_at_door();
   }
-  if (starts_ && controller_->status().state == ControllerState::idle) {
-    starts_ = false;
-    has_stopped_ = !execute(kerf::Command::start);  // the search was stopped
+  start_behind_search();
+}
+
+void Operator::start_behind_search() {
+  const ControllerStatus status = controller_->status();
+  if (!starts_ || (status.state != ControllerState::idle && !status.door_open)) {
+    return;
   }
+  starts_ = false;
+  const bool is_homed = !status.door_open && status.unhomed == 0;
+  has_stopped_ = !is_homed || !execute(kerf::Command::start);
 }
 
 void Operator::carry_out_what_was_asked() {
-  std::vector<std::function<void()>> orders;
+  std::vector<Asked> orders;
   {
     const std::lock_guard lock(mutex_);
     orders.swap(orders_);
   }
   is_asked_ = true;
-  for (const auto& order : orders) {
-    order();
+  for (const Asked& one : orders) {
+    one.order();
   }
   is_asked_ = false;
 }
@@ -128,22 +135,29 @@ tl::expected<void, Refusal> Operator::execute(const OperatorOrder& order) {
   return std::visit(Execute{*this, *controller_}, order);
 }
 
+// By what it found: a move by hand may have been over, and the program have gone on.
+tl::expected<void, Refusal> Operator::note_stop(tl::expected<void, Refusal> given) {
+  using State = ControllerState;
+  const State now = controller_->status().state;
+  const bool is_before_program = !has_started_ && now == State::idle;
+  const bool stops_by_hand = now == State::jogging || now == State::returning ||
+                             now == State::homing || now == State::held || is_before_program;
+  const bool stops_program = (given && !stops_by_hand) || std::exchange(starts_, false);
+  has_stopped_ = has_stopped_ || stops_program;
+  return stops_program ? tl::expected<void, Refusal>{} : std::move(given);
+}
+
 tl::expected<void, Refusal> Operator::execute(kerf::Command command) {
   if (command == kerf::Command::stop && !has_started_ &&
       controller_->status().state == ControllerState::idle) {
     has_stopped_ = true;
     return {};
   }
-  const ControllerState before = controller_->status().state;
   auto given = controller_->give(command);
-  if (given && command == kerf::Command::start) {
-    has_started_ = true;
-  } else if (given && command == kerf::Command::stop) {
-    const bool is_by_hand = before == ControllerState::jogging ||
-                            before == ControllerState::returning ||
-                            before == ControllerState::homing;
-    has_stopped_ = has_stopped_ || !is_by_hand || std::exchange(starts_, false);
+  if (command == kerf::Command::stop) {
+    return note_stop(std::move(given));
   }
+  has_started_ = has_started_ || (given && command == kerf::Command::start);
   return given;
 }
 

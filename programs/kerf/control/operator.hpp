@@ -23,8 +23,8 @@ class Operator {
   Operator(Controller& controller, bool is_attended, PlanPace* pace = nullptr) noexcept
       : controller_(&controller), pace_(pace), is_attended_(is_attended) {}
 
-  // Any thread.
-  void ask(std::function<void()> order);
+  // Any thread. asker: who may drop it.
+  void ask(const void* asker, std::function<void()> order);
   void emergency_stop() noexcept {
     has_emergency_ = true;
     controller_->emergency_stop();
@@ -34,8 +34,9 @@ class Operator {
   // For what it says.
   [[nodiscard]] const Controller& controller() const noexcept { return *controller_; }
 
-  // No more are carried out: who asked is going.
-  void drop_orders();
+  // Who asked is going: none of its orders is carried out any more. In the thread that plans, or
+  // once that has ended.
+  void drop_orders(const void* asker);
 
   // In the thread that plans, as all below.
   void carry_out();
@@ -57,6 +58,9 @@ class Operator {
   void carry_out_what_was_asked();
   void carry_out_once_more();
   void stop_at_door();
+  // The program, once the search for the home switches has come to its end.
+  void start_behind_search();
+  tl::expected<void, Refusal> note_stop(tl::expected<void, Refusal> given);
 
   Controller* controller_;
   PlanPace* pace_;
@@ -68,7 +72,11 @@ class Operator {
   std::atomic<bool> has_started_ = false;
   std::atomic<bool> has_stopped_ = false;
   std::mutex mutex_;
-  std::vector<std::function<void()>> orders_;
+  struct Asked {
+    const void* asker = nullptr;
+    std::function<void()> order;
+  };
+  std::vector<Asked> orders_;
 };
 
 }  // namespace kerf::program
