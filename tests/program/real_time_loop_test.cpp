@@ -1,10 +1,13 @@
 #include "programs/kerf/run/real_time_loop.hpp"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <string>
 #include <string_view>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <kerf/controller.hpp>
@@ -42,7 +45,7 @@ class StartedWithinATick final : public machine::Machine {
     if (++writes_ != kStart) {
       return;
     }
-    by_->ask([this] { EXPECT_TRUE(by_->give(kerf::Command::start)); });
+    by_->ask(this, [this] { EXPECT_TRUE(by_->give(kerf::Command::start)); });
     for (int i = 0; i < 5000 && !by_->has_started(); ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -56,6 +59,71 @@ class StartedWithinATick final : public machine::Machine {
   Operator* by_;
   int writes_ = 0;
 };
+
+// An emergency stop that cuts the drives: the loop is open, and a drive has tripped.
+class CutOff final : public machine::Machine {
+ public:
+  explicit CutOff(const MachineSettings& settings) : table_(settings.table) {}
+
+  void enable(const machine::AxisPlaces& places) noexcept override { table_.enable(places); }
+  void disable() noexcept override { table_.disable(); }
+  void write(const Setpoint& setpoint) noexcept override {
+    table_.write(setpoint);
+    ++writes_;
+  }
+  [[nodiscard]] machine::MachineState read() const noexcept override {
+    machine::MachineState state = table_.read();
+    if (writes_ > kCut) {
+      state.inputs.emergency_loop_open = true;
+      state.fault = machine::DriveFault::drive_tripped;
+      state.axes.fill(writes_ > kCut + kBrakes ? machine::AxisState::off
+                                               : machine::AxisState::stopping);
+    }
+    return state;
+  }
+
+ private:
+  static constexpr int kCut = 200;
+  static constexpr int kBrakes = 300;
+
+  machine::SimulatedTable table_;
+  int writes_ = 0;
+};
+
+std::vector<ControllerState> states_told(const Controller& controller) {
+  std::array<ControllerEvent, ControllerEvent::kKept> events;
+  std::vector<ControllerState> states;
+  const std::size_t count = controller.events_since(1, events);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (events[i].kind == ControllerEvent::Kind::state) {
+      states.push_back(events[i].state);
+    }
+  }
+  return states;
+}
+
+// Found by reading: each tick was an emergency stop, and then a fault again.
+TEST(RealTimeLoop, IsInFaultOnceWhereAnEmergencyStopCutsTheDrives) {
+  const MachineSettings settings = default_machine();
+  Controller controller(settings, {.asks_machine = true});
+  Operator by(controller, true);
+  ASSERT_TRUE(by.give(kerf::Command::enable));
+  ASSERT_TRUE(by.give(kerf::Command::start));
+  CutOff machine(settings);
+  TickStage ticks({.settings = settings}, machine);
+  ticks.enable({});
+  WholeText text("G21 G90 G61 G1 F6000 X200\nM2\n");
+  Progress progress;
+  ControllerPlanning planning(controller);
+  Feeder feeder(planning, text, progress);
+  Recorder recorder;
+  run_in_real_time({.controller = controller, .by = by, .period_s = settings.limits.period_s},
+                   {feeder, ticks, recorder, progress});
+  const std::vector<ControllerState> states = states_told(controller);
+  EXPECT_EQ(controller.status().state, ControllerState::fault);
+  EXPECT_EQ(std::ranges::count(states, ControllerState::fault), 1);
+  EXPECT_LE(std::ranges::count(states, ControllerState::emergency_stop), 1);
+}
 
 TEST(RealTimeLoop, RunsAProgramThatIsStartedBetweenATickAndItsEnd) {
   const MachineSettings settings = default_machine();

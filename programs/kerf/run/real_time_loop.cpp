@@ -173,7 +173,7 @@ class Ticks {
     controller.set_program_inputs(stage_.ticks.program_inputs());
     controller.set_door(stage_.ticks.inputs().door_open);
     const bool ends_idle = is_end_where_idle(order_);
-    const ControllerState state = controller.tick(setpoint);
+    const ControllerState state = state_ = controller.tick(setpoint);
     if (controller.has_new_place()) {
       stage_.ticks.enable({.mm = setpoint.position_mm, .extra_rad_mm = setpoint.extra_rad_mm});
     }
@@ -183,7 +183,7 @@ class Ticks {
     recorder.push(record_);
     stage_.progress.set_done(record_.motion.s_mm);
     if (stage_.ticks.emergency()) {
-      controller.emergency_stop();
+      emergency_stop();
     }
     judge_.count(is_starved(controller), outcome_);
     if (stage_.ticks.fault().kind != machine::DriveFault::none) {
@@ -198,12 +198,18 @@ class Ticks {
            outcome_.hung;
   }
 
+  // Behind a fault nothing is driven any more.
+  void emergency_stop() noexcept {
+    if (state_ != ControllerState::fault) {
+      order_.controller.emergency_stop();
+    }
+  }
   // One that the machine does not ask for: it is in no record of what the machine says.
   void follow_emergency() noexcept {
     const std::int64_t tick = record_.tick + 1;
     const bool is_repeated = order_.pace != nullptr && order_.pace->begin_tick(tick);
     if (emergency_stop_requested() || is_repeated) {
-      order_.controller.emergency_stop();
+      emergency_stop();
     }
     if (order_.pace != nullptr && !was_emergency_ &&
         (emergency_stop_requested() || order_.by.has_emergency())) {
@@ -218,6 +224,7 @@ class Ticks {
   const RealTimeOrder& order_;
   const RunStage& stage_;
   RunOutcome& outcome_;
+  ControllerState state_ = ControllerState::off;  // at the latest tick
   bool was_emergency_ = false;
   StarvationJudge judge_;
   Aftermath aftermath_;
