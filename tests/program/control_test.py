@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """`kerf run --control`: another program watches a run and commands it."""
+import json
 import pathlib
 import socket
 import time
@@ -213,6 +214,14 @@ class Control(ControlCase):
                         client.read_until(type="event", state=state)
                 client.connection.shutdown(socket.SHUT_WR)
                 self.assertEqual(process.wait(timeout=60), 7)
+
+    def test_a_client_that_has_said_all_hears_its_answers(self):
+        process, client = self.start(LINE, [])
+        client.write('{"command":"hold","id":1}\n{"command":"resume","id":2}\n{"command":"events","since":1}\n')
+        client.connection.shutdown(socket.SHUT_WR)
+        heard = [json.loads(line) for line in client.reader]
+        self.assertEqual([one["id"] for one in heard if one["type"] == "answer"], [1, 2])
+        process.wait(timeout=60)
 
     def test_a_home_switch_that_is_not_there(self):
         table = (pathlib.Path(SOURCE) / "programs/machines/table.toml").read_text()

@@ -197,13 +197,14 @@ class ControlChannel::Server {
       by_->emergency_stop();
       client->write(accepted_json(*request, by_->status().state));
     } else {
+      client->begin_answer();
       by_->ask(this, [this, client, request = *std::move(request)] {
         const auto done = requests_.carry_out(request);
         const ControllerState state = by_->status().state;
         asio::post(context_, [client, line = done ? accepted_json(request, state)
                                                   : refused_json(request, done.error().state,
                                                                  done.error().reason)] {
-          client->write(line);
+          client->end_answer(line);
         });
       });
     }

@@ -63,6 +63,12 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
       write_next();
     }
   }
+  // A line is answered from another thread: with end_answer(), in this one.
+  void begin_answer() { ++unanswered_; }
+  void end_answer(std::string line) {
+    --unanswered_;
+    write(std::move(line));
+  }
   void close() {
     boost::system::error_code ignored;
     in_.close(ignored);
@@ -84,10 +90,13 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
   static constexpr std::size_t kLongestLine = 65'536;
   static constexpr std::size_t kMaxWaiting = 1U << 20U;  // bytes
 
-  // It may still be told what happens.
+  // It may still be told what happens; where it ends with what it reads, what was asked for.
   void stop_reading() {
     reads_ = false;
-    if (!out_) {
+    close_where_over();
+  }
+  void close_where_over() {
+    if (!reads_ && !out_ && unanswered_ == 0 && lines_.empty()) {
       close();
     }
   }
@@ -104,6 +113,8 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
           self->lines_.pop_front();
           if (!self->lines_.empty()) {
             self->write_next();
+          } else {
+            self->close_where_over();
           }
         });
   }
@@ -116,6 +127,7 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
   bool is_too_long_ = false;
   std::deque<std::string> lines_;
   std::size_t waiting_bytes_ = 0;
+  int unanswered_ = 0;
   bool is_open_ = true;
   bool reads_ = true;
 };
