@@ -195,13 +195,9 @@ EmittedItems::TakenBack EmittedItems::take_back(const Motion& motion, const Emit
   }
   Entry& entry = items_.back();
   if (entry.item && std::holds_alternative<Rest>(*entry.item)) {
-    if (entry.first_phase < motion.number) {
-      return taken;  // it is over, and behind it a rest of no item
-    }
-    auto& rest = std::get<Rest>(*entry.item);
-    if (rest.duration_s > 0.0 && !(since_s(motion.phase.begin, motion.when.tick) > 0.0)) {
-      drop_last();  // it has not begun
-    } else if (auto left = part(rest, motion.phase.begin, motion.when.tick)) {
+    if (!has_begun(entry, motion)) {
+      drop_last();
+    } else if (auto left = part(entry, motion)) {
       ahead.push_front(*left);
     }
     return taken;
@@ -218,9 +214,17 @@ EmittedItems::TakenBack EmittedItems::take_back(const Motion& motion, const Emit
   return taken;
 }
 
-std::optional<Rest> EmittedItems::part(Rest& rest, const interp::TickTime& begin,
-                                       std::int64_t tick) const {
-  const double run_s = since_s(begin, tick);
+bool EmittedItems::has_begun(const Entry& entry, const Motion& motion) const {
+  return is_behind(entry, motion) || !(std::get<Rest>(*entry.item).duration_s > 0.0) ||
+         since_s(motion.phase.begin, motion.when.tick) > 0.0;
+}
+
+std::optional<Rest> EmittedItems::part(Entry& entry, const Motion& motion) const {
+  if (is_behind(entry, motion)) {
+    return std::nullopt;
+  }
+  auto& rest = std::get<Rest>(*entry.item);
+  const double run_s = since_s(motion.phase.begin, motion.when.tick);
   const double left_s = rest.duration_s - run_s;
   if (!(left_s > kTickRounding * period_s_)) {
     return std::nullopt;

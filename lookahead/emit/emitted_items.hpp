@@ -140,9 +140,14 @@ class EmittedItems {
     std::uint64_t first_phase = 0;
   };
 
+  // The motion is in a rest of no item behind it.
+  [[nodiscard]] static bool is_behind(const Entry& entry, const Motion& motion) noexcept {
+    return entry.first_phase < motion.number;
+  }
+  // Of a rest; one of no duration has.
+  [[nodiscard]] bool has_begun(const Entry& entry, const Motion& motion) const;
   // What is left of a dwell; nothing: it is over.
-  [[nodiscard]] std::optional<Rest> part(Rest& rest, const interp::TickTime& begin,
-                                         std::int64_t tick) const;
+  [[nodiscard]] std::optional<Rest> part(Entry& entry, const Motion& motion) const;
   [[nodiscard]] interp::TickTime end_of(const interp::Phase& phase) const;
   [[nodiscard]] std::int64_t end_tick(const interp::Phase& phase) const;
   [[nodiscard]] double since_s(const interp::TickTime& begin, std::int64_t tick) const {

@@ -136,7 +136,7 @@ tl::expected<void, Refusal> Operator::execute(const OperatorOrder& order) {
 }
 
 // By what it found: a move by hand may have been over, and the program have gone on.
-tl::expected<void, Refusal> Operator::note_stop(tl::expected<void, Refusal> given) {
+tl::expected<void, Refusal> Operator::note_stop(const tl::expected<void, Refusal>& given) {
   using State = ControllerState;
   const State now = controller_->status().state;
   const bool is_before_program = !has_started_ && now == State::idle;
@@ -144,7 +144,7 @@ tl::expected<void, Refusal> Operator::note_stop(tl::expected<void, Refusal> give
                              now == State::homing || now == State::held || is_before_program;
   const bool stops_program = (given && !stops_by_hand) || std::exchange(starts_, false);
   has_stopped_ = has_stopped_ || stops_program;
-  return stops_program ? tl::expected<void, Refusal>{} : std::move(given);
+  return stops_program ? tl::expected<void, Refusal>{} : given;
 }
 
 tl::expected<void, Refusal> Operator::execute(kerf::Command command) {
@@ -155,7 +155,7 @@ tl::expected<void, Refusal> Operator::execute(kerf::Command command) {
   }
   auto given = controller_->give(command);
   if (command == kerf::Command::stop) {
-    return note_stop(std::move(given));
+    return note_stop(given);
   }
   has_started_ = has_started_ || (given && command == kerf::Command::start);
   return given;

@@ -60,7 +60,7 @@ class Operator {
   void stop_at_door();
   // The program, once the search for the home switches has come to its end.
   void start_behind_search();
-  tl::expected<void, Refusal> note_stop(tl::expected<void, Refusal> given);
+  tl::expected<void, Refusal> note_stop(const tl::expected<void, Refusal>& given);
 
   Controller* controller_;
   PlanPace* pace_;
