@@ -202,16 +202,25 @@ const slowProgram = (name: string): string => {
 };
 const written = (): Promise<string> => page.locator(".program-view .cm-line").first().textContent().then((text) => text ?? "");
 
+// The editor shows a key a moment later; then it is to stay.
+async function keyIsThere(expected: string): Promise<void> {
+  for (let i = 0; i < 40 && (await written()) !== expected; ++i) await page.waitForTimeout(25);
+  assert.equal(await written(), expected);
+}
+
 test("no older text takes the place of what is written, and no older run that of what is shown", async () => {
   await open("Open a program", slowProgram("written.ngc"));
   const compare = page.locator("button", { hasText: "compare with this run" });
   await page.locator("[data-tab=difference]").click();
   await after_(() => compare.click());
-  await page.locator(".program-view .cm-content").press("Control+Home");
+  await page.locator("[data-tab=program]").click();
+  await page.locator(".program-view .cm-content").click();
+  await page.keyboard.press("Control+Home");
   for (const [key, expected] of [["1", "(1)G21 G90 G61 F6000"], ["2", "(1)(2)G21 G90 G61 F6000"]] as const) {
     const editor = await page.locator(".program-view .cm-editor").elementHandle();
     await after_(async () => {
       await page.keyboard.type(`(${key})`);
+      await keyIsThere(expected);
       const end = Date.now() + 120_000;
       while (Date.now() < end && !/^planned/.test((await page.locator("[data-test=status]").textContent()) ?? "")) {
         assert.equal(await written(), expected);
@@ -221,18 +230,21 @@ test("no older text takes the place of what is written, and no older run that of
     assert.equal(await written(), expected);
     assert.ok(await editor!.evaluate((element) => element.isConnected), "the same editor, with its caret");
   }
+  await page.locator("[data-tab=difference]").click();
   await after_(() => compare.click());
 });
 
 test("a key within the path's patience is not lost", async () => {
   await open("Open a program", slowProgram("typed_on.ngc"));
-  const content = page.locator(".program-view .cm-content");
-  await content.press("Control+Home");
+  await page.locator("[data-tab=program]").click();
+  await page.locator(".program-view .cm-content").click();
+  await page.keyboard.press("Control+Home");
   await after_(async () => {
     let text = "";
     for (const key of "(abcdef") {
       await page.keyboard.type(key);
       text += key;
+      await keyIsThere(`${text}G21 G90 G61 F6000`);
       for (let i = 0; i < 13; ++i) {
         assert.equal(await written(), `${text}G21 G90 G61 F6000`);
         await page.waitForTimeout(50);
