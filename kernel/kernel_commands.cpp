@@ -42,7 +42,7 @@ void Kernel::Impl::settle(bool accepted) {
   if (!accepted) {
     (takeover_->changes_plan ? wants_change_ : wants_hold_) =
         takeover_->changes_plan || holds_ || stops_;
-    // What was emitted before is cut, and the hold may be wanted no more.
+    // What was emitted before may be cut, and the hold be wanted no more.
     wants_change_ |= pipeline_.awaits_answer();
     committed_until_tick_ = takeover_->committed_before;
   }

@@ -72,7 +72,11 @@ bool Kernel::Impl::commit_with_stop(std::int64_t tick) {
   delivery_.deliver(until);
   if (ahead->stop.from.at_rest() && until == pipeline_.emitted_until_tick()) {
     // The plan ends with that rest: what waits there or ends the program is the plan's own.
-    return delivery_.outbox().phases.empty() && commit();
+    if (!delivery_.outbox().phases.empty()) {
+      return false;
+    }
+    commit();
+    return true;
   }
   if (delivery_.commit(*ahead, pipeline_.plan())) {
     committed_until_tick_ = until;
@@ -81,12 +85,10 @@ bool Kernel::Impl::commit_with_stop(std::int64_t tick) {
   return true;
 }
 
-bool Kernel::Impl::commit() {
+void Kernel::Impl::commit() {
   if (delivery_.commit()) {
     committed_until_tick_ = delivery_.frozen_until_tick();
-    return true;
   }
-  return false;
 }
 
 bool Kernel::Impl::follow_stop_ahead() {

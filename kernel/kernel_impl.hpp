@@ -188,11 +188,10 @@ class KERF_LOCAL Kernel::Impl {
 
   // With a way to rest from there or near it, if there is one.
   void commit_up_to(std::int64_t until);
-  // False: there is no way to rest from the tick on.
+  // False: there is no way to rest from the tick on, or it is the plan's own, which does not fit.
   bool commit_with_stop(std::int64_t tick);
 
-  // False: the tick side has taken the stop ahead.
-  bool commit();
+  void commit();
 
   // Where the tick side has taken the stop ahead, the plan goes on from its rest. False: it is just
   // taking it.
