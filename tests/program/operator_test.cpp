@@ -20,6 +20,14 @@ void tick(Operator& by, Shop& shop, int count = 1) {
   }
 }
 
+// late: all switches are found, and the tool is on its last way.
+void tick_into_search(Operator& by, Shop& shop, bool late) {
+  tick(by, shop, 50);
+  for (int i = 0; i < test::kMaxTicks && late && shop.controller.status().unhomed != 0; ++i) {
+    tick(by, shop);
+  }
+}
+
 void expect_refused(const tl::expected<void, Refusal>& given, const std::string& reason) {
   ASSERT_FALSE(given);
   EXPECT_EQ(given.error().reason, reason);
@@ -45,10 +53,7 @@ TEST(Operator, StartsNoProgramWhereTheSearchForHomeIsStopped) {
     Operator by(shop.controller, true);
     shop.give(kerf::Command::enable);
     ASSERT_TRUE(by.home_and_start());
-    tick(by, shop, 50);
-    for (int i = 0; i < test::kMaxTicks && is_late && shop.controller.status().unhomed != 0; ++i) {
-      tick(by, shop);
-    }
+    tick_into_search(by, shop, is_late);
     ASSERT_EQ(shop.controller.status().state, State::homing);
     ASSERT_TRUE(by.give(kerf::Command::stop));
     tick(by, shop, 2000);
@@ -65,10 +70,7 @@ TEST(Operator, StartsNoProgramWhereTheDoorEndsTheSearchForHome) {
     Operator by(shop.controller, true);
     shop.give(kerf::Command::enable);
     ASSERT_TRUE(by.home_and_start());
-    tick(by, shop, 50);
-    for (int i = 0; i < test::kMaxTicks && is_late && shop.controller.status().unhomed != 0; ++i) {
-      tick(by, shop);
-    }
+    tick_into_search(by, shop, is_late);
     shop.controller.set_door(true);
     tick(by, shop, 3);
     shop.controller.set_door(false);

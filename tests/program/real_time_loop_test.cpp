@@ -32,6 +32,22 @@ class WholeText final : public TextFeed {
   bool was_read_ = false;
 };
 
+// Of the default machine.
+RunOutcome run_on(machine::Machine& machine, Controller& controller, Operator& by,
+                  std::string program) {
+  const MachineSettings settings = default_machine();
+  TickStage ticks({.settings = settings}, machine);
+  ticks.enable({});
+  WholeText text(std::move(program));
+  Progress progress;
+  ControllerPlanning planning(controller);
+  Feeder feeder(planning, text, progress);
+  Recorder recorder;
+  return run_in_real_time(
+      {.controller = controller, .by = by, .period_s = settings.limits.period_s},
+      {feeder, ticks, recorder, progress});
+}
+
 // A table under which the program is started within a tick, behind its setpoint.
 class StartedWithinATick final : public machine::Machine {
  public:
@@ -110,15 +126,7 @@ TEST(RealTimeLoop, IsInFaultOnceWhereAnEmergencyStopCutsTheDrives) {
   ASSERT_TRUE(by.give(kerf::Command::enable));
   ASSERT_TRUE(by.give(kerf::Command::start));
   CutOff machine(settings);
-  TickStage ticks({.settings = settings}, machine);
-  ticks.enable({});
-  WholeText text("G21 G90 G61 G1 F6000 X200\nM2\n");
-  Progress progress;
-  ControllerPlanning planning(controller);
-  Feeder feeder(planning, text, progress);
-  Recorder recorder;
-  run_in_real_time({.controller = controller, .by = by, .period_s = settings.limits.period_s},
-                   {feeder, ticks, recorder, progress});
+  run_on(machine, controller, by, "G21 G90 G61 G1 F6000 X200\nM2\n");
   const std::vector<ControllerState> states = states_told(controller);
   EXPECT_EQ(controller.status().state, ControllerState::fault);
   EXPECT_EQ(std::ranges::count(states, ControllerState::fault), 1);
@@ -131,16 +139,7 @@ TEST(RealTimeLoop, RunsAProgramThatIsStartedBetweenATickAndItsEnd) {
   Operator by(controller, true);
   ASSERT_TRUE(by.give(kerf::Command::enable));
   StartedWithinATick machine(settings, by);
-  TickStage ticks({.settings = settings}, machine);
-  ticks.enable({});
-  WholeText text("G21 G90 G61 G1 F600 X0.5\nM2\n");
-  Progress progress;
-  ControllerPlanning planning(controller);
-  Feeder feeder(planning, text, progress);
-  Recorder recorder;
-  const RunOutcome outcome =
-      run_in_real_time({.controller = controller, .by = by, .period_s = settings.limits.period_s},
-                       {feeder, ticks, recorder, progress});
+  const RunOutcome outcome = run_on(machine, controller, by, "G21 G90 G61 G1 F600 X0.5\nM2\n");
   EXPECT_FALSE(outcome.hung);
   EXPECT_EQ(controller.status().state, ControllerState::idle);
   EXPECT_EQ(controller.status().setpoint.position_mm[0], 0.5);
