@@ -111,6 +111,14 @@ class Table(Case):
         # X went to its place of rest before Y looked for its switch.
         self.assertEqual(jumps[1][0][0], 2.0)
 
+    def test_a_run_that_looked_for_home_is_repeated_from_its_record(self):
+        machine = self.path("switches.toml", SWITCHES)
+        program = self.path("way.ngc", "G21 G90 G61 F3000\nG1 X5\nY95\nM2\n")
+        self.kerf("run", "-q", program, "--machine", machine, "--home", "--record", self.path("first.rec"))
+        for command in ("run", "dry-run"):  # by the record alone
+            self.kerf(command, "-q", program, "--machine", machine, "--replay", self.path("first.rec"), "--record", self.path("again.rec"))
+            self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), pathlib.Path(self.path("first.rec")).read_bytes())
+
 
 if __name__ == "__main__":
     main()

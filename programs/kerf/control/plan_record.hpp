@@ -13,9 +13,11 @@ namespace kerf::program {
 // an order. About 2 KB a second.
 class PlanRecord {
  public:
-  // Of the run: somebody could answer a wait, and it began with none.
+  // Of the run: somebody could answer a wait, it began with none, and with a search for the home
+  // switches.
   bool is_attended = false;
   bool waits_for_start = false;
+  bool homes = false;
   // Before this tick came an emergency stop that no machine asked for.
   std::optional<std::int64_t> emergency_tick{};
 

@@ -27,9 +27,13 @@ bool waits_for_start(const MotionOrder& order) {
   return order.plan != nullptr ? order.plan->waits_for_start : order.options.waits_for_start;
 }
 
+bool homes(const MotionOrder& order) {
+  return order.plan != nullptr ? order.plan->homes : order.options.homes;
+}
+
 tl::expected<void, Refusal> begin(Operator& by, const MotionOrder& order) {
   static_cast<void>(by.give(kerf::Command::enable));  // it is off: not refused
-  if (order.options.homes) {
+  if (homes(order)) {
     return waits_for_start(order) ? by.give(kerf::Command::home) : by.home_and_start();
   }
   return waits_for_start(order) ? tl::expected<void, Refusal>() : by.give(kerf::Command::start);
@@ -68,14 +72,19 @@ void choose_pace(const MotionOrder& order, const FileReport& report, bool is_att
     PlanRecord record;
     record.is_attended = is_attended;
     record.waits_for_start = order.options.waits_for_start;
+    record.homes = order.options.homes;
     pace.emplace(std::move(record), PlanPace::Does::notes);
   }
 }
 
-// Nothing: the ticks are those of the program alone.
-std::string kept_of(const std::optional<PlanPace>& pace, const RunOutcome& outcome) {
+// Nothing: the ticks are those of the program alone. Not so where a door stopped it or a search for
+// the home switches went on, each at the tick at which planning saw it.
+std::string kept_of(const std::optional<PlanPace>& pace, const RunOutcome& outcome,
+                    const Operator& by) {
   const PlanRecord record = pace ? pace->record() : PlanRecord();
-  return record.has_orders() || outcome.starved_ticks > 0 ? record.bytes() : std::string();
+  const bool is_kept =
+      record.has_orders() || outcome.starved_ticks > 0 || by.has_stopped() || record.homes;
+  return is_kept ? record.bytes() : std::string();
 }
 
 // With all who look at it, and the keys.
@@ -149,7 +158,7 @@ std::string run_with(std::optional<ControlEndpoint> control, MotionStage& stage,
     by.carry_out();  // what came too late is refused
     channel->finish(report.status);
   }
-  return kept_of(pace, outcome);
+  return kept_of(pace, outcome, by);
 }
 
 }  // namespace
