@@ -210,6 +210,7 @@ class KERF_LOCAL Controller::Impl {
   bool has_new_place_ = false;
   ProgramInputs inputs_{};
   TickDetail detail_{};
+  bool is_held_by_feed_ = false;  // it runs, and was held at the latest tick
   Setpoint last_{};
   WaitsFor told_wait_ = WaitsFor::nothing;
   control::Snapshot<ControllerStatus> snapshot_;

@@ -15,6 +15,7 @@ ControllerState Controller::Impl::tick(Setpoint& setpoint) noexcept {
     rest();
   }
   last_.tick = tick_.fetch_add(1, std::memory_order_relaxed);
+  is_held_by_feed_ = ticked.status == TickStatus::held && ticked.before.state() == State::running;
   publish();
   if (kernel != nullptr) {
     follow(ticked, *kernel);
@@ -109,6 +110,7 @@ void Controller::Impl::rest() noexcept {
 void Controller::Impl::publish() noexcept {
   snapshot_.write({.programs = programs_.load(),
                    .run_s = static_cast<double>(run_ticks_.load()) * settings_.limits.period_s,
+                   .is_held_by_feed = is_held_by_feed_,
                    .block = detail_.block,
                    .setpoint = last_});
 }
@@ -161,6 +163,10 @@ ControllerStatus Controller::Impl::status() const noexcept {
   const Published by = published_.read();
   status.overrides = by.overrides;
   status.feed_inputs = by.feed_inputs;
+  // Behind a resume it may rest for a moment, too.
+  status.is_held_by_feed =
+      status.is_held_by_feed && (by.overrides.feed < Overrides::kLeastFeed || by.feed_inputs.stop ||
+                                 by.feed_inputs.adaptive < Overrides::kLeastFeed);
   status.single_block = by.single_block;
   status.optional_stop = by.optional_stop;
   status.block_delete = by.block_delete;

@@ -128,6 +128,7 @@ struct ControllerStatus {
   std::optional<double> left_s{};  ///< Kernel::left_s(), as of the latest plan()
   Overrides overrides{};
   FeedInputs feed_inputs{};
+  bool is_held_by_feed = false;  ///< it runs, and rests: by the feed override or those inputs
   bool single_block = false;
   bool optional_stop = false;
   BlockDelete block_delete{};

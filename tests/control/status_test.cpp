@@ -38,6 +38,40 @@ TEST(Controller, SaysWhatItWaitsFor) {
   EXPECT_EQ(shop.setpoint.position_mm[0], 200.0);
 }
 
+TEST(Controller, SaysThatTheFeedHoldsIt) {
+  Shop shop;
+  shop.give(Command::enable);
+  shop.give(Command::start);
+  shop.controller.feed("G21 G90\nM52 P1 G1 X200 F600\nM53 P0 X400\nM2\n");
+  shop.controller.finish();
+  shop.tick(100);
+  const auto is_held = [&shop] {
+    shop.tick(300);
+    return shop.controller.status().is_held_by_feed;
+  };
+  EXPECT_FALSE(is_held());
+  for (const auto& [feed, inputs] : {std::pair{0.0, FeedInputs{}},
+                                     {1.0, FeedInputs{.stop = true}},
+                                     {1.0, FeedInputs{.adaptive = 0.0}}}) {
+    ASSERT_TRUE(shop.controller.set_overrides({.feed = feed}));
+    ASSERT_TRUE(shop.controller.set_feed_inputs(inputs));
+    EXPECT_TRUE(is_held());
+    EXPECT_EQ(shop.controller.status().state, State::running);
+    shop.give(Command::hold);
+    EXPECT_FALSE(is_held());  // by the operator
+    shop.give(Command::resume);
+    EXPECT_TRUE(is_held());
+    ASSERT_TRUE(shop.controller.set_overrides({}));
+    ASSERT_TRUE(shop.controller.set_feed_inputs({}));
+    EXPECT_FALSE(is_held());
+  }
+  shop.tick(25000);
+  ASSERT_EQ(shop.controller.status().setpoint.line, 3U);
+  ASSERT_TRUE(shop.controller.set_feed_inputs({.stop = true}));
+  EXPECT_FALSE(is_held());  // it goes on under M53 P0
+  EXPECT_GT(shop.setpoint.v_mm_s, 0.0);
+}
+
 // Found with a client: it was said to run.
 TEST(Controller, WaitsForTextBehindAWaitThatIsAnswered) {
   Shop shop;

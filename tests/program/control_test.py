@@ -215,6 +215,17 @@ class Control(ControlCase):
                 client.connection.shutdown(socket.SHUT_WR)
                 self.assertEqual(process.wait(timeout=60), 7)
 
+    def test_a_run_that_an_input_of_the_feed_holds_is_stopped_once_nobody_can_set_it(self):
+        table = (pathlib.Path(SOURCE) / "programs/machines/table.toml").read_text()
+        machine = self.path("inputs.toml", table + "\n[inputs]\nadaptive_feed = 2\nfeed_stop = 5\n")
+        for setting in ({"digital": 5, "value": 1}, {"analog": 2, "value": 0}):
+            with self.subTest(setting=setting):
+                process, client = self.start("G21 G90\nM52 P1\nG1 X400 F6000\nM2\n", ["--machine", machine])
+                client.read_until(type="event", state="running")
+                self.assertTrue(client.ask("input", **setting)["accepted"])
+                client.connection.shutdown(socket.SHUT_WR)
+                self.assertEqual(process.wait(timeout=60), 7)
+
     def test_a_client_that_has_said_all_hears_its_answers(self):
         process, client = self.start(LINE, [])
         client.write('{"command":"hold","id":1}\n{"command":"resume","id":2}\n{"command":"events","since":1}\n')

@@ -169,8 +169,7 @@ class ControlChannel::Server {
   [[nodiscard]] bool stands_until_asked(const ControllerStatus& status) const noexcept {
     return status.waits_for == WaitsFor::answer || status.state == ControllerState::held ||
            (status.state == ControllerState::idle && order_.waits_for_start) ||
-           (status.state == ControllerState::running &&
-            status.overrides.feed < Overrides::kLeastFeed);
+           (status.state == ControllerState::running && status.is_held_by_feed);
   }
 
   void answer(const std::shared_ptr<ControlClient>& client, std::string_view line) {
