@@ -2,12 +2,13 @@
 """The ways into `kerf run --control`: pipes, standard input and output, a socket; and what ends them."""
 import contextlib
 import os
+import pathlib
 import socket
 import stat
 import subprocess
 import time
 
-from command_line import KERF, main
+from command_line import KERF, SOURCE, main
 from control_channel import Client, ControlCase, LINE
 
 
@@ -86,6 +87,13 @@ class Channel(ControlCase):
         self.assertEqual(client.read_until(type="end")["exit_status"], 7)
         self.assertEqual(watcher.read_until(type="end")["exit_status"], 7)
         self.assertEqual(process.wait(timeout=60), 7)
+        self.assertFalse(os.path.exists(where))
+
+    def test_the_socket_of_a_run_that_may_not_begin_goes_with_it(self):
+        table = pathlib.Path(SOURCE, "programs/machines/table.toml").read_text()
+        switch = "[axes.x]\nhome_switch_mm = -499\nhome_search_mm_s = -100\n"
+        where = self.path("kerf.sock")
+        self.kerf("run", self.path("part.ngc", LINE), "--machine", self.path("m.toml", table.replace("[axes.x]\n", switch)), "--control", where, status=4)
         self.assertFalse(os.path.exists(where))
 
     def test_a_client_that_does_not_read_keeps_nobody_waiting(self):

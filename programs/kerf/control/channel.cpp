@@ -7,7 +7,6 @@
 #include <future>
 #include <optional>
 #include <thread>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -39,7 +38,7 @@ class ControlChannel::Server {
   Server(ControlEndpoint endpoint, Operator& by, Order order)
       : order_(std::move(order)),
         by_(&by),
-        socket_path_(endpoint.socket_path),
+        file_(std::move(endpoint.file)),
         requests_(by, {.feed_inputs = order_.feed_inputs, .break_down = order_.break_down}) {
     if (endpoint.listens.is_open()) {
       acceptor_.emplace(context_, asio::local::stream_protocol(),
@@ -55,9 +54,6 @@ class ControlChannel::Server {
     context_.stop();
     thread_.join();
     by_->drop_orders(this);  // they would answer to clients
-    if (!socket_path_.empty()) {
-      ::unlink(socket_path_.c_str());
-    }
   }
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
@@ -210,9 +206,9 @@ class ControlChannel::Server {
   }
   Order order_;
   Operator* by_;
-  std::string socket_path_;
   asio::io_context context_;
   std::optional<asio::local::stream_protocol::acceptor> acceptor_;
+  SocketFile file_;  // gone before nobody listens
   asio::steady_timer timer_{context_};
   std::vector<std::shared_ptr<ControlClient>> clients_;
   RequestExecution requests_;  // of the thread that plans

@@ -93,6 +93,7 @@ tl::expected<ControlEndpoint, std::string> listen_at(const std::string& path) {
       !somebody_listens(address) && ::unlink(path.c_str()) == 0) {
     error = bind_privately(socket.number(), address);
   }
+  SocketFile file(error == 0 ? path : std::string());
   constexpr int kBacklog = 8;
   if (error == 0 && ::listen(socket.number(), kBacklog) != 0) {
     error = errno;
@@ -100,7 +101,7 @@ tl::expected<ControlEndpoint, std::string> listen_at(const std::string& path) {
   if (error != 0) {
     return failed(path, error_text(error));
   }
-  return ControlEndpoint{.listens = std::move(socket), .socket_path = path};
+  return ControlEndpoint{.listens = std::move(socket), .file = std::move(file)};
 }
 
 }  // namespace
