@@ -156,6 +156,7 @@ class Ticks {
       is_over = tick(recorder, planning);
       outcome_.tick_times.add(TickTimer::now_ns() - begin_ns);
       if (planning.failed()) {
+        stage_.ticks.disable();
         planning.rethrow();
       }
     }
