@@ -40,6 +40,7 @@ void restore_modes(const ModalState& from, ModalState& state) {
   state.path_mode_by_program = from.path_mode_by_program;
   state.spindle_speed = from.spindle_speed;
   state.spindle = from.spindle;
+  state.speed_units = from.speed_units;
   state.surface_speed = from.surface_speed;
   state.mist = from.mist;
   state.flood = from.flood;

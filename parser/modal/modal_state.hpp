@@ -109,6 +109,7 @@ struct ModalState {
   double merge_tolerance_mm = 0.0;
   bool path_mode_by_program = false;  // else the machine's
   double spindle_speed = 0.0;         // S: revolutions per minute; m or feet per minute under G96
+  Units speed_units = Units::mm;      // in force where S was given
   Spindle spindle = Spindle::off;
   SurfaceSpeedMode surface_speed;
   double tool = 0.0;  // selected by T, for the next M6

@@ -21,7 +21,7 @@ SurfaceFollowing surface_following(const ModalState& state) {
   if (!state.surface_speed.active) {
     return {};
   }
-  const double metre_mm = state.units == Units::inch ? 12.0 * 25.4 : 1000.0;
+  const double metre_mm = state.speed_units == Units::inch ? 12.0 * 25.4 : 1000.0;
   const Coordinates::ProgramX x = state.coordinates.program_x();
   return {.mm_s = state.spindle_speed * metre_mm / kSecondsPerMinute,
           .max_per_min = state.surface_speed.max_per_min,
@@ -99,6 +99,7 @@ Done set_speed(const RunningBlock& at, ModalState& state) {
     state.surface_speed.max_per_min = word.value;
   } else {
     state.spindle_speed = word.value;
+    state.speed_units = state.units;
   }
   return {};
 }

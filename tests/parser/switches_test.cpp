@@ -96,6 +96,16 @@ TEST(Spindle, KeepsTheSurfaceSpeedWhereItIsTold) {
   EXPECT_EQ(first_message("G96 S1 D-1"), "1:8: error: G96: D (highest speed) must not be negative");
 }
 
+// 300 feet/min, at 25.4 mm from X0; the same in G21. As LinuxCNC, which hears of S with its unit.
+TEST(Spindle, KeepsTheSurfaceSpeedWhereTheUnitsChange) {
+  EXPECT_EQ(lines_of("G20 G90 G96 S300 D10000 M3\nG0 X1\nG21\nG97 M3").back(),
+            "4: spindle cw 572.957795131");
+  EXPECT_EQ(lines_of("G21 G90 G96 S100 D10000 M3\nG0 X50\nG20\nG97 M3").back(),
+            "4: spindle cw 318.309886184");
+  EXPECT_EQ(lines_of("G20 G96 S300 D10000 M3\nG0 X1\nM70\nG21\nG96 S7\nM72\nG97 M3").back(),
+            "7: spindle cw 572.957795131");
+}
+
 TEST(OverrideSwitches, TellWhatTheyChange) {
   EXPECT_EQ(lines_of("M48\nM51 P0\nM51\nM49\nM49"),
             (Lines{"2: speed override 0", "3: speed override 1", "4: speed override 0"}));
