@@ -50,7 +50,8 @@ ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& o
       smoother_(blend_settings(settings)),
       end_{.position_mm = options.start_mm, .extra_rad_mm = options.start_extra_rad_mm} {
   if (options.start_in_program && !order.as_programmed) {
-    start_.emplace(*options.start_in_program, settings, end_);
+    start_.emplace(*options.start_in_program, settings,
+                   options_for(order, reader_options(settings, options)).answers, end_);
     reader_.ask_machine(false);
   }
 }

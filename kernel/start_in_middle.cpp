@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
 
 #include "curves/curve.hpp"
+#include "parser/moves/auxiliary_axes.hpp"
 #include "parser/moves/short_moves.hpp"
+#include "parser/spindle_io/spindle.hpp"
 #include "smoothing/segment_builder.hpp"
 
 namespace kerf {
@@ -15,6 +19,10 @@ using parser::EventKind;
 using parser::EventMove;
 
 constexpr double kFeedrateOfNone_mm_s = 5.0;  // down to a place before the program has any
+
+bool turns(const EventMove& spindle) {
+  return spindle.kind == EventKind::spindle_cw || spindle.kind == EventKind::spindle_ccw;
+}
 
 // M62 and M64 switch the same output.
 EventKind at_rest(EventKind kind) {
@@ -32,6 +40,17 @@ PlaceOfTool begin_of(const StartInMiddle::Output& output) {
   return {.position_mm = pause.start_mm, .extra_rad_mm = pause.auxiliary.begin_rad_mm};
 }
 
+// A, B and C alone move at a feedrate in rad/s.
+bool goes_through_mm(const smoothing::PathSegment& segment) {
+  const curves::AuxiliaryAxisMotion& extra = segment.extra;
+  for (std::size_t axis = 0; extra.alone && axis < curves::kAuxiliaryAxes; ++axis) {
+    if (!parser::is_rotary(axis) && extra.begin_rad_mm[axis] != extra.end_rad_mm[axis]) {
+      return true;
+    }
+  }
+  return !extra.alone;
+}
+
 diagnostics::SourcePosition source_of(const StartInMiddle::Output& output) {
   const auto* segment = std::get_if<smoothing::PathSegment>(&output);
   return segment != nullptr ? segment->source : std::get<parser::Move>(output).source;
@@ -43,7 +62,10 @@ class Way {
   Way(const diagnostics::SourcePosition& source, std::uint64_t block, const PlaceOfTool& tool)
       : source_(source), block_(block), at_(tool) {}
 
-  void event(const EventMove& event) { out_.emplace_back(from_here(event)); }
+  template <typename Shape>
+  void stay(const Shape& shape) {
+    out_.emplace_back(from_here(shape));
+  }
   void go(const PlaceOfTool& to, std::optional<double> feedrate_mm_s) {
     parser::Move move = from_here(parser::LineMove{to.position_mm});
     move.auxiliary.end_rad_mm = to.extra_rad_mm;
@@ -101,6 +123,7 @@ void SwitchedState::add(const EventMove& event) {
     case EventKind::spindle_off:
     case EventKind::spindle_orient:
       spindle_ = event;
+      spindle_->taps = false;  // it starts, in the air
       break;
     case EventKind::mist_on:
       mist_ = event;
@@ -120,13 +143,10 @@ void SwitchedState::add(const EventMove& event) {
   }
 }
 
-std::vector<EventMove> SwitchedState::outputs_and_spindle() const {
+std::vector<EventMove> SwitchedState::outputs() const {
   std::vector<EventMove> events;
   for (const auto& [key, event] : others_) {
     events.push_back(event);
-  }
-  if (spindle_) {
-    events.push_back(*spindle_);
   }
   return events;
 }
@@ -147,8 +167,9 @@ std::uint64_t first_block(const smoothing::Smoother::Output& output) {
 }
 
 StartInMiddle::StartInMiddle(const StartInProgram& start, const MachineSettings& settings,
-                             const PlaceOfTool& tool)
+                             parser::MachineSource answers, const PlaceOfTool& tool)
     : start_(start),
+      answers_(std::move(answers)),
       tool_(tool),
       safe_z_mm_(std::min(settings.program.safe_z_mm, settings.table.axes[2].travel.max_mm)),
       highest_mm_(tool.position_mm[2]),
@@ -162,7 +183,7 @@ bool StartInMiddle::leaves_out(const Output& output) {
     for (const EventMove& change : segment->changes) {
       switched_.add(change);
     }
-    if (!segment->rapid) {
+    if (!segment->rapid && goes_through_mm(*segment)) {
       feedrate_mm_s_ = segment->feedrate_mm_s;
     }
     highest_mm_ = std::max(highest_mm_, curves::extents(segment->curve).max_mm[2]);
@@ -178,25 +199,35 @@ std::vector<StartInMiddle::Output> StartInMiddle::way_to(const Output& first) co
                                    tool_.position_mm[2], target.position_mm[2]});
   Way way(source_of(first), start_.blocks_before + 1, tool_);
   if (start_.waits) {
-    way.event({.kind = EventKind::program_stop});
+    way.stay(EventMove{.kind = EventKind::program_stop});
   }
   PlaceOfTool up = tool_;
   up.position_mm[2] = safe_mm;
   way.go(up, std::nullopt);
   if (switched_.tool()) {
-    way.event(*switched_.tool());
+    way.stay(*switched_.tool());
   }
-  for (const EventMove& event : switched_.outputs_and_spindle()) {
-    way.event(event);
+  for (const EventMove& output : switched_.outputs()) {
+    way.stay(output);
+  }
+  if (const auto& spindle = switched_.spindle()) {
+    way.stay(*spindle);
+    const auto wait = turns(*spindle)
+                          ? parser::wait_for_speed(answers_, 0.0, turns_per_min(*spindle))
+                          : std::nullopt;
+    if (wait) {
+      std::visit([&way](const auto& shape) { way.stay(shape); }, *wait);
+    }
   }
   PlaceOfTool above = target;
   above.position_mm[2] = safe_mm;
   way.go(above, std::nullopt);
   for (const EventMove& event : switched_.coolant()) {
-    way.event(event);
+    way.stay(event);
   }
   const auto* segment = std::get_if<smoothing::PathSegment>(&first);
-  way.go(target, segment != nullptr && !segment->rapid ? segment->feedrate_mm_s : feedrate_mm_s_);
+  const bool has_feedrate = segment != nullptr && !segment->rapid && goes_through_mm(*segment);
+  way.go(target, has_feedrate ? segment->feedrate_mm_s : feedrate_mm_s_);
   return std::move(way).take();
 }
 

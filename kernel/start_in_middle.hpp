@@ -10,6 +10,7 @@
 #include <kerf/machine.hpp>
 
 #include "kernel/tick_judge.hpp"
+#include "parser/modal/machine_source.hpp"
 #include "smoothing/smoother.hpp"
 
 namespace kerf {
@@ -21,8 +22,11 @@ class SwitchedState {
   void add(const parser::EventMove& event);
 
   [[nodiscard]] const std::optional<parser::EventMove>& tool() const noexcept { return tool_; }
-  // Outputs, what the overrides are for, the spindle.
-  [[nodiscard]] std::vector<parser::EventMove> outputs_and_spindle() const;
+  // And what the overrides are for.
+  [[nodiscard]] std::vector<parser::EventMove> outputs() const;
+  [[nodiscard]] const std::optional<parser::EventMove>& spindle() const noexcept {
+    return spindle_;
+  }
   [[nodiscard]] std::vector<parser::EventMove> coolant() const;
 
  private:
@@ -44,8 +48,9 @@ class StartInMiddle {
  public:
   using Output = smoothing::Smoother::Output;
 
+  // answers: as of the run, which waits for the spindle behind a start of its own, too.
   StartInMiddle(const StartInProgram& start, const MachineSettings& settings,
-                const PlaceOfTool& tool);
+                parser::MachineSource answers, const PlaceOfTool& tool);
 
   // The reader's moves that belong to the part.
   [[nodiscard]] bool leaves_out(std::uint64_t block) const noexcept {
@@ -58,10 +63,11 @@ class StartInMiddle {
 
  private:
   StartInProgram start_;
+  parser::MachineSource answers_;
   PlaceOfTool tool_;
   double safe_z_mm_;  // infinite: the highest place of the part
   double highest_mm_;
-  double feedrate_mm_s_;
+  double feedrate_mm_s_;  // of the latest move that goes through mm
   SwitchedState switched_;
 };
 

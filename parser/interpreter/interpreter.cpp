@@ -209,9 +209,9 @@ void Interpreter::bring_back(const MoveSink& at, const ModalState& saved) {
   }
   if (state.spindle != before.spindle || state.spindle_speed != before.spindle_speed) {
     if (state.spindle == Spindle::off) {
-      at.push_event(state, {EventKind::spindle_off});
+      spindle_.turn_off(at, state);
     } else {
-      at.push_event(state, spindle_.turn(state, state.spindle));
+      spindle_.turn_on(at, state, memory_.answers);
     }
   }
   bring_back_coolant(at, before, state);

@@ -127,24 +127,33 @@ void SpindleDrive::follow_moved_axis(const MoveSink& at, const ModalState& state
   }
 }
 
-void SpindleDrive::wait_for_speed(const RunningBlock& at, const ModalState& state,
-                                  const MachineSource& machine) {
-  const double sign = state.spindle == Spindle::clockwise ? 1.0 : -1.0;
-  const double before_per_min = std::exchange(turns_per_min_, sign * spindle_per_min(state));
+std::optional<SpindleWait> wait_for_speed(const MachineSource& machine, double from_per_min,
+                                          double to_per_min) {
   if (!machine.waits_for_spindle) {
-    return;
+    return std::nullopt;
   }
   if (machine.is_asked) {
-    at.push_event(state, {.kind = EventKind::ask_machine,
-                          .question = {.kind = MachineQuestion::Kind::at_speed}});
-    return;
+    return EventMove{.kind = EventKind::ask_machine,
+                     .question = {.kind = MachineQuestion::Kind::at_speed}};
   }
-  const double time_s = machine.assumed != nullptr
-                            ? machine.assumed->spindle_time_s(before_per_min, turns_per_min_)
-                            : 0.0;
-  if (time_s > 0.0) {
-    at.push_move(state).shape = DwellMove{time_s};
+  const double time_s =
+      machine.assumed != nullptr ? machine.assumed->spindle_time_s(from_per_min, to_per_min) : 0.0;
+  return time_s > 0.0 ? std::optional<SpindleWait>(DwellMove{time_s}) : std::nullopt;
+}
+
+void SpindleDrive::turn_on(const MoveSink& at, const ModalState& state,
+                           const MachineSource& machine) {
+  const EventMove event = turn(state, state.spindle);
+  at.push_event(state, event);
+  const double before_per_min = std::exchange(turns_per_min_, turns_per_min(event));
+  if (const auto wait = wait_for_speed(machine, before_per_min, turns_per_min_)) {
+    std::visit([&](const auto& shape) { at.push_move(state).shape = shape; }, *wait);
   }
+}
+
+void SpindleDrive::turn_off(const MoveSink& at, const ModalState& state) {
+  turns_per_min_ = 0.0;
+  at.push_event(state, {EventKind::spindle_off});
 }
 
 Done SpindleDrive::start(const RunningBlock& at, ModalState& state, const MachineSource& machine) {
@@ -154,9 +163,8 @@ Done SpindleDrive::start(const RunningBlock& at, ModalState& state, const Machin
     return orient_spindle(at, state);
   }
   if (code == 50) {
-    turns_per_min_ = 0.0;
     state.spindle = Spindle::off;
-    at.push_event(state, {EventKind::spindle_off});
+    turn_off(at, state);
     return {};
   }
   if (code != kNoCode) {
@@ -164,8 +172,7 @@ Done SpindleDrive::start(const RunningBlock& at, ModalState& state, const Machin
   }
   const bool changed = code != kNoCode || at.block.has('S') || at.codes.has(Group::spindle_mode);
   if (changed && state.spindle != Spindle::off) {
-    at.push_move(state).shape = turn(state, state.spindle);
-    wait_for_speed(at, state, machine);
+    turn_on(at, state, machine);
   }
   return {};
 }

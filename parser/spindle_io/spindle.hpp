@@ -1,6 +1,9 @@
 // The spindle: S, G96, G97, M3, M4, M5, M19.
 #pragma once
 
+#include <optional>
+#include <variant>
+
 #include "parser/modal/machine_source.hpp"
 #include "parser/modal/running_block.hpp"
 
@@ -12,6 +15,17 @@ Done set_speed(const RunningBlock& at, ModalState& state);
 // is now.
 double spindle_per_min(const ModalState& state);
 
+// Clockwise positive: of spindle_cw and spindle_ccw.
+inline double turns_per_min(const EventMove& event) {
+  return event.kind == EventKind::spindle_cw ? event.value : -event.value;
+}
+
+// What waits until the spindle turns as it was told: a question to the machine, or as long as an
+// assumed one takes. Nothing: nothing waits.
+using SpindleWait = std::variant<EventMove, DwellMove>;
+std::optional<SpindleWait> wait_for_speed(const MachineSource& machine, double from_per_min,
+                                          double to_per_min);
+
 // What the machine was told last.
 class SpindleDrive {
  public:
@@ -21,11 +35,11 @@ class SpindleDrive {
   void follow_moved_axis(const MoveSink& at, const ModalState& state);
   // The event that turns the spindle at the speed that S and G96 give at this place.
   EventMove turn(const ModalState& state, Spindle direction);
+  // The same as the state has it, and the wait for it.
+  void turn_on(const MoveSink& at, const ModalState& state, const MachineSource& machine);
+  void turn_off(const MoveSink& at, const ModalState& state);
 
  private:
-  void wait_for_speed(const RunningBlock& at, const ModalState& state,
-                      const MachineSource& machine);
-
   SurfaceFollowing followed_{};
   double turns_per_min_ = 0.0;  // clockwise positive
 };

@@ -132,6 +132,49 @@ TEST(StartInMiddle, ToolSpindleAndCoolantAreThereBeforeTheToolGoesDown) {
   EXPECT_TRUE(std::ranges::none_of(ticks, [](const Setpoint& t) { return t.outputs.tool == 1; }));
 }
 
+// How long the tool rests with a spindle that turns, on its way to the start.
+double rest_s(const std::vector<Setpoint>& ticks) {
+  const auto rests = [](const Setpoint& tick) {
+    return tick.outputs.spindle_rad_s != 0.0 && tick.v_mm_s == 0.0;
+  };
+  const auto begin = std::ranges::find_if(ticks, rests);
+  return static_cast<double>(std::find_if_not(begin, ticks.end(), rests) - begin) *
+         default_machine().limits.period_s;
+}
+
+TEST(StartInMiddle, TheToolWaitsForTheSpindleAsBehindM3) {
+  MachineSettings settings = machine_up_to(25.0);
+  settings.program.waits_for_spindle = true;
+  settings.simulation.spindle_rad_s2 = 100.0;
+  constexpr double kTime_s = 3000.0 * 2.0 * M_PI / 60.0 / 100.0;
+  EXPECT_NEAR(rest_s(ticks_from(kTwoTools, 14, settings)), kTime_s, 0.01);
+}
+
+TEST(StartInMiddle, TheSpindleStartsAlsoWhereATapTurnedItLast) {
+  MachineSettings settings = machine_up_to(25.0);
+  settings.program.spindle_start_s = 3.0;
+  const std::string text =
+      "G21 G90 G94 G61 F300\nG0 Z10\nS300 M3\nG84 X0 Y0 Z-2 R2\nG80\nG0 X20\nG1 Z-1\nX40\nM2\n";
+  EXPECT_NEAR(rest_s(ticks_from(text, 7, settings)), 3.0, 0.01);
+}
+
+// Of A alone F is in degrees a minute: 3600 are 1.05 rad/s.
+TEST(StartInMiddle, TheFeedrateOfARotaryAxisIsNotThatOfTheWayDown) {
+  MachineSettings settings = machine_up_to(25.0);
+  settings.program.extra_axes = parser::letters('A');
+  settings.limits.extra[0] = {
+      .velocity_mm_s = 6.0, .acceleration_mm_s2 = 60.0, .jerk_mm_s3 = 600.0};
+  const std::string text = "G21 G90 G61\nG0 X10 Z-50\nG1 X20 F600\nA90 F3600\nX30 F600\nM2\n";
+  for (const std::uint64_t blocks_before : {3U, 4U}) {
+    const auto ticks = ticks_from(text, blocks_before, settings);
+    const auto fastest = std::ranges::max(ticks, {}, [](const Setpoint& tick) {
+      return tick.rapid || tick.position_mm[2] > 24.0 ? 0.0 : tick.v_mm_s;
+    });
+    EXPECT_NEAR(fastest.v_mm_s, 10.0, 1e-6) << blocks_before;
+    EXPECT_LT(ticks.size(), 12000U) << blocks_before;
+  }
+}
+
 TEST(StartInMiddle, AtItsFirstBlockAProgramIsTheWhole) {
   const auto whole = test::ticks_of("G21 G90 G61 F1200\nG1 X10\nY10\nM2\n");
   const auto started = ticks_from("G21 G90 G61 F1200\nG1 X10\nY10\nM2\n", 0, test::mill());
