@@ -10,7 +10,6 @@ namespace kerf::parser {
 
 namespace {
 
-constexpr Tenths kG40 = 400;
 constexpr Tenths kG41 = 410;
 constexpr Tenths kG411 = 411;
 constexpr Tenths kG421 = 421;

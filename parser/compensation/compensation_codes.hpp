@@ -6,6 +6,8 @@
 
 namespace kerf::parser {
 
+inline constexpr Tenths kG40 = 400;
+
 // What moves the coordinates, takes another tool or goes elsewhere must wait for G40, as with
 // LinuxCNC. A G40 in the same block comes after the plane and M6 and before the rest.
 Done allowed_while_compensating(const RunningBlock& at, const ModalState& state);

@@ -207,6 +207,7 @@ void Interpreter::bring_back(const MoveSink& at, const ModalState& saved) {
   if (compensation_.on()) {
     keep_contour_in_place(at, before);
   }
+  bring_back_compensation(at, saved);
   if (state.spindle != before.spindle || state.spindle_speed != before.spindle_speed) {
     if (state.spindle == Spindle::off) {
       spindle_.turn_off(at, state);
@@ -216,6 +217,22 @@ void Interpreter::bring_back(const MoveSink& at, const ModalState& saved) {
   }
   bring_back_coolant(at, before, state);
   follow_overrides(at, state, saved.overrides);
+}
+
+// Off comes back. G41 and G42 would need an entry.
+void Interpreter::bring_back_compensation(const MoveSink& at, const ModalState& saved) {
+  ModalState& state = memory_.state;
+  if (saved.cutter_compensation == state.cutter_compensation) {
+    return;
+  }
+  if (saved.cutter_compensation == kG40) {
+    compensation_.stop();
+    state.cutter_compensation = kG40;
+    return;
+  }
+  diagnostics_->add({at.source.line, 1, at.source.file}, errors::kSavedCompensation,
+                    "the saved modes (M70, M73) have G41 or G42, which is off or on the other side "
+                    "by now: it cannot come back without a move on to the contour");
 }
 
 // M72, or the return from a subprogram with M73, has brought modes back: the plane and the place of

@@ -85,6 +85,7 @@ class Interpreter {
   void compensate_moves(const diagnostics::SourcePosition& source);
   void bring_back(const MoveSink& at, const ModalState& saved);
   void keep_contour_in_place(const MoveSink& at, const ModalState& before);
+  void bring_back_compensation(const MoveSink& at, const ModalState& saved);
 
   // recovery.cpp
   void recover(const RunningBlock& at);

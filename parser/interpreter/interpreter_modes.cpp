@@ -18,7 +18,6 @@ constexpr Tenths kG28 = 280;
 constexpr Tenths kStoreG28 = 281;
 constexpr Tenths kG30 = 300;
 constexpr Tenths kStoreG30 = 301;
-constexpr Tenths kG40 = 400;
 constexpr Tenths kG52 = 520;
 constexpr Tenths kG92 = 920;
 

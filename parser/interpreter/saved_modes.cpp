@@ -29,6 +29,7 @@ void restore_modes(const ModalState& from, ModalState& state) {
   state.units = from.units;
   state.incremental = from.incremental;
   state.absolute_centre = from.absolute_centre;
+  state.to_initial_level = from.to_initial_level;
   state.feed_mode = from.feed_mode;
   state.feedrate_mm_s = from.feedrate_mm_s;
   state.feed_per_revolution_mm = from.feed_per_revolution_mm;
@@ -39,8 +40,8 @@ void restore_modes(const ModalState& from, ModalState& state) {
   state.merge_tolerance_mm = from.merge_tolerance_mm;
   state.path_mode_by_program = from.path_mode_by_program;
   state.spindle_speed = from.spindle_speed;
-  state.spindle = from.spindle;
   state.speed_units = from.speed_units;
+  state.spindle = from.spindle;
   state.surface_speed = from.surface_speed;
   state.mist = from.mist;
   state.flood = from.flood;

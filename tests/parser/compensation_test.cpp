@@ -136,6 +136,7 @@ TEST(Compensation, LetsNoSavedModesMoveTheContour) {
       "6:1: the saved modes (M70, M73) have another plane or other offsets: they cannot come "
       "back while cutter compensation is active\n");
   EXPECT_EQ(messages("F600 M70\n" + std::string(kOn) + "M72\nX60\nG40 Y40\nM2\n"), "");
+  EXPECT_EQ(messages("F600\n" + std::string(kOn) + "M70\nX60\nM72\nX70\nG40 Y40\nM2\n"), "");
 }
 
 TEST(Compensation, ChecksItsWords) {
