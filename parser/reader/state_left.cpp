@@ -26,6 +26,7 @@ void end_program(ModalState& state) {
   state.overrides = {};
   state.spindle = Spindle::off;
   state.motion = Motion::line;
+  state.cycle = {};
   state.mist = state.flood = false;
 }
 

@@ -89,6 +89,18 @@ TEST(Line, FollowsOverridesAndInputsAsTheLineBeforeAllows) {
   EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, kProgrammed_rad_s, 1e-9);
 }
 
+// Found by reading: the hole behind M2 was taken for one more of the series before it, and the tool
+// went back to the height of that.
+TEST(Line, ACycleBehindAnEndOfTheProgramGoesBackToWhereItBegan) {
+  LineShop shop;
+  shop.run_mdi("G21 G90 G0 Z20");
+  shop.run_mdi("G98 G81 X0 Y0 Z-5 R2 F6000");
+  shop.run_mdi("M2");
+  shop.run_mdi("Z60");
+  shop.run_mdi("G98 G81 X10 Y0 Z-5 R2");
+  EXPECT_EQ(shop.setpoint.position_mm[2], 60.0);
+}
+
 TEST(Line, TurnsTheSpindleAsWasProgrammedWhenTheOverrideHasChanged) {
   LineShop shop;
   constexpr double kWhole_rad_s = 600.0 * 2.0 * 3.14159265358979323846 / 60.0;
