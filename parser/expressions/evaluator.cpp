@@ -11,9 +11,6 @@ namespace kerf::parser {
 
 namespace {
 
-// How far from a whole number a variable's number may be [rs274: 5.00005 is #5, 5.001 is refused].
-constexpr double kWholeTolerance = 1e-4;
-
 bool same_name(std::string_view a, std::string_view b) {
   return upper(a) == upper(b);
 }

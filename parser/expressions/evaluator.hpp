@@ -16,6 +16,10 @@
 
 namespace kerf::parser {
 
+// How far from a whole number the number of a variable or a label may be [rs274: 5.00005 is #5,
+// 5.001 is refused].
+inline constexpr double kWholeTolerance = 1e-4;
+
 // A place in a line.
 struct Cursor {
   std::string_view line;

@@ -218,11 +218,12 @@ void Flow::call_sub(const Statement& statement) {
     if (!number) {
       return;
     }
-    if (*number != std::floor(*number) || *number < 0.0) {
+    const double whole = std::round(*number);
+    if (std::fabs(*number - whole) > kWholeTolerance || whole < 0.0) {
       return fault(current_, statement.label_at, errors::kNoLabel,
                    joined({"the label must be a whole number, found ", shortest(*number)}));
     }
-    call_.label = shortest(*number);
+    call_.label = shortest(whole);
   } else {
     call_.label = text_->labels().name(statement.label);
   }

@@ -127,21 +127,31 @@ bool has_axis_user(const RunningBlock& at, Motion in_force) {
   }
 }
 
-// G10, G28, G30, G52 and G92 take the axis words; beside a motion code they would be in doubt. Of a
-// rapid it is plain what it means: `G0 G91 G28 Z0` is usual with Fanuc.
+// Both would take the axis words.
+Done fail_of_two(const RunningBlock& at, Group taker, Group other) {
+  const Word& second = at.code_word(other);
+  return fail(second.offset, errors::kTwoAxisUsers,
+              joined({upper(at.block.text(at.code_word(taker))), " and ",
+                      upper(at.block.text(second)), " both use the axis words"}));
+}
+
+// G10, G28, G30, G52 and G92 take the axis words; beside a motion code or G43.1 they would be in
+// doubt. Of a rapid it is plain what it means: `G0 G91 G28 Z0` is usual with Fanuc.
 [[gnu::cold]] Done check_axis_taker(const RunningBlock& at, Group taker) {
-  if (!at.codes.has(Group::motion) || at.codes[Group::motion] == 800 ||
-      !at.block.has_any(at.axis_letters())) {
+  if (!at.block.has_any(at.axis_letters())) {
+    return {};
+  }
+  if (taker != Group::length_offset && offset_takes_axes(at.block, at.codes)) {
+    return fail_of_two(at, taker, Group::length_offset);
+  }
+  if (!at.codes.has(Group::motion) || at.codes[Group::motion] == 800) {
     return {};
   }
   const Tenths code = at.codes[taker];
   if (at.codes[Group::motion] == 0 && (code == kG28 || code == kG30)) {
     return {};
   }
-  const Word& motion = at.code_word(Group::motion);
-  return fail(motion.offset, errors::kTwoAxisUsers,
-              joined({upper(at.block.text(at.code_word(taker))), " and ",
-                      upper(at.block.text(motion)), " both use the axis words"}));
+  return fail_of_two(at, taker, Group::motion);
 }
 
 [[gnu::cold]] Done explain_idle_axes(const RunningBlock& at) {
@@ -206,7 +216,7 @@ AxisUse axis_use_of(const RunningBlock& at, Motion in_force) {
 // Of axis words one is the taker, or a motion.
 Done check_axis_words(const RunningBlock& at, Group taker, Motion in_force) {
   if (taker != Group::count) {
-    return at.codes.has(Group::motion) ? check_axis_taker(at, taker) : Done{};
+    return check_axis_taker(at, taker);
   }
   const Letters turns = at.codes[Group::spindle] == 190 ? letters('R') : 0;  // M19 R
   const Letters moving = (at.axis_letters() | letters('I', 'J', 'K', 'R')) & ~turns;

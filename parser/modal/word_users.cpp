@@ -81,9 +81,12 @@ Group taker_of_axes(const BlockWords& block, const BlockCodes& codes) {
   if (codes.has(Group::mirror)) {
     return Group::mirror;
   }
-  const Tenths length = codes[Group::length_offset];
-  const bool takes = length == 431 || (length == 432 && !block.has('H'));
-  return takes ? Group::length_offset : Group::count;
+  return offset_takes_axes(block, codes) ? Group::length_offset : Group::count;
+}
+
+bool offset_takes_axes(const BlockWords& block, const BlockCodes& codes) {
+  const Tenths code = codes[Group::length_offset];
+  return code == 431 || (code == 432 && !block.has('H'));
 }
 
 }  // namespace kerf::parser

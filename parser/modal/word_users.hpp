@@ -16,5 +16,7 @@ int users_of(const BlockCodes& codes, char letter);
 // G43.2 without H, G51, G68. Group::count where there is none. Precondition: the block has axis
 // words.
 Group taker_of_axes(const BlockWords& block, const BlockCodes& codes);
+// G43.1 and G43.2 without H do, whoever else takes them.
+bool offset_takes_axes(const BlockWords& block, const BlockCodes& codes);
 
 }  // namespace kerf::parser
