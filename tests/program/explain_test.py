@@ -87,6 +87,13 @@ class Explain(Case):
         self.assertEqual(block["spindle_speed"], 500.0)
         self.assertEqual(block["position_mm"]["x"], 3.0)
 
+    def test_shows_the_feed_of_a_turn(self):
+        path = self.path("turn.ngc", "G21 G90 G95 S1000 M3\nG1 X10 F0.2\nX20\nG94 F600\nX30\nM30\n")
+        for line, per_turn, feedrate, text in ((3, 0.2, None, " 0.2 mm/rev"), (5, None, 10.0, " 600 mm/min")):
+            block = json.loads(self.kerf("explain", path, "--line", str(line), "--json").stdout)["block"]
+            self.assertEqual((block["feed_mm_rev"], block["feedrate_mm_s"]), (per_turn, feedrate))
+            self.assertIn(text, self.kerf("explain", path, "--line", str(line)).stdout)
+
     def test_shows_the_offsets_in_force(self):
         path = self.path("offsets.ngc", "G21 G90\nG10 L2 P2 X10 Y20 Z0 R90\nG55 T1 M6\nG43.1 Z12.5\nM8\nG0 X1 Y2 Z3\nM30\n")
         block = json.loads(self.kerf("explain", path, "--line", "7", "--json").stdout)["block"]

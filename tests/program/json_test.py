@@ -120,6 +120,14 @@ class Json(Case):
         self.assertEqual(report["exit_status"], 1)
         self.assertEqual([error["line"] for error in report["errors"]], [3, 5])
 
+    def test_names_the_file_of_a_subprogram_that_is_wrong(self):
+        self.path("wrong_sub.ngc", "o<wrong_sub> sub\nG1 X5 D3\no<wrong_sub> endsub\nM2\n")
+        report = json.loads(self.kerf("check", "--json", self.path("main.ngc", "G21 G90\nG0 X1\no<wrong_sub> call\nM2\n"), status=1).stdout)
+        error, = report["errors"]
+        self.assertEqual((error["line"], pathlib.Path(error["file"]).name), (2, "wrong_sub.ngc"))
+        warning, = [one for one in report["warnings"] if "D3" in one]
+        self.assertRegex(warning, r"^line 2 of .*wrong_sub.ngc: ")
+
     def test_says_by_how_much_a_figure_exceeds_its_limit(self):
         # A law without jerk, on a machine with one.
         program = os.path.join(SOURCE, "programs/circle.ngc")

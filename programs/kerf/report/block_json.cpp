@@ -27,6 +27,8 @@ Json outputs_json(const parser::SwitchedOutputs& outputs) {
 Json state_json(const parser::WatchedBlock& block, parser::Letters extra) {
   const parser::ModalState& state = block.state;
   const parser::WorkOffset& work = state.coordinates.work(state.coordinates.system());
+  const bool is_per_turn = state.feed_mode == parser::FeedMode::per_revolution;
+  const auto turn_mm = is_per_turn ? state.feed_per_revolution_mm : std::nullopt;
   Json json = {{"text", block.text},
                {"codes", parser::codes_in_force(state)},
                {"position_mm", axes_json(state.position_mm)},
@@ -38,6 +40,7 @@ Json state_json(const parser::WatchedBlock& block, parser::Letters extra) {
                {"corner_tolerance_mm", state.blend_tolerance_mm},
                {"merge_tolerance_mm", state.merge_tolerance_mm},
                {"feedrate_mm_s", state.feedrate_mm_s ? Json(*state.feedrate_mm_s) : Json()},
+               {"feed_mm_rev", turn_mm ? Json(*turn_mm) : Json()},
                {"spindle_speed", state.spindle_speed},
                {"tool", state.loaded_tool},
                {"selected_tool", state.tool},

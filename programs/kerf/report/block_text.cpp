@@ -23,6 +23,12 @@ std::string point_text(const parser::Point& point_mm) {
 }
 
 std::string feed_text(const parser::ModalState& state, FeedUnit unit) {
+  if (state.feed_mode == parser::FeedMode::per_revolution && state.feed_per_revolution_mm) {
+    const bool in_inches = unit == FeedUnit::inch_min;
+    return fmt::format("{} {}",
+                       short_number(*state.feed_per_revolution_mm / (in_inches ? 25.4 : 1.0)),
+                       in_inches ? "inch/rev" : "mm/rev");
+  }
   return state.feedrate_mm_s
              ? fmt::format("{} {}", short_number(per_mm_s(unit) * *state.feedrate_mm_s),
                            name_of(unit))

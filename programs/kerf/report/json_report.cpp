@@ -216,13 +216,18 @@ void set_messages(Json& json, const FileReport& report) {
   for (const diagnostics::Diagnostic& diagnostic : report.diagnostics) {
     if (diagnostic.severity == diagnostics::Severity::warning) {
       json["warnings"].push_back(
-          fmt::format("line {}: {}", diagnostic.source.line, diagnostic.message));
-    } else {
-      json["errors"].push_back({{"line", diagnostic.source.line},
-                                {"column", diagnostic.source.column},
-                                {"message", diagnostic.message},
-                                {"id", diagnostics::identifier(*diagnostic.page)}});
+          fmt::format("line {}{}: {}", diagnostic.source.line,
+                      diagnostic.file.empty() ? "" : " of " + diagnostic.file, diagnostic.message));
+      continue;
     }
+    Json error = {{"line", diagnostic.source.line},
+                  {"column", diagnostic.source.column},
+                  {"message", diagnostic.message},
+                  {"id", diagnostics::identifier(*diagnostic.page)}};
+    if (!diagnostic.file.empty()) {
+      error["file"] = diagnostic.file;
+    }
+    json["errors"].push_back(std::move(error));
   }
   for (const std::string& warning : report.warnings) {
     json["warnings"].push_back(warning);

@@ -12,13 +12,12 @@ export interface Messages {
 
 export function messagesOf({ header }: Plan): Messages {
   const { report, diagnostics } = header;
-  const text = ({ severity, id, file, line, message, remedy }: (typeof diagnostics)[number]): string => {
-    const where = file === report.file ? `line ${line}` : `line ${line} of ${lastPart(file)}`;
-    return `${severity} ${id}, ${where}: ${message}. ${remedy}`;
-  };
+  type Diagnostic = (typeof diagnostics)[number];
+  const place = ({ file, line }: Diagnostic, named: string): string => (file === report.file ? `line ${line}` : `line ${line} of ${named}`);
+  const text = (one: Diagnostic): string => `${one.severity} ${one.id}, ${place(one, lastPart(one.file))}: ${one.message}. ${one.remedy}`;
   const of = (severity: "error" | "warning"): string[] => diagnostics.filter((one) => one.severity === severity).map(text);
   // The report repeats those that have a place in the program: errors with their number, warnings with their line.
-  const repeated = new Set(diagnostics.map(({ line, message }) => `line ${line}: ${message}`));
+  const repeated = new Set(diagnostics.map((one) => `${place(one, one.file)}: ${one.message}`));
   return {
     errors: [...of("error"), ...report.errors.filter((one) => one.id === undefined).map((one) => one.message)],
     warnings: [...of("warning"), ...report.warnings.filter((one) => !repeated.has(one))],
