@@ -24,7 +24,7 @@ struct CruisePoint {
 // What is left of a segment once its first part has left.
 void cut_front(VelocitySegment& segment, const CruisePoint& cut) {
   const double way_mm = cut.s_mm - segment.s_begin_mm;
-  segment.length_mm -= way_mm;
+  segment.length_mm = segment.s_begin_mm + segment.length_mm - cut.s_mm;
   segment.s_begin_mm = cut.s_mm;
   segment.begin_constant_velocity_s = 0.0;
   if (!segment.rise.empty()) {
@@ -139,8 +139,10 @@ void ClassicalSchedule::emit_cruise(const Block& block, const SegmentPlan& plan,
   left_ = plan;
   left_->begin_constant_velocity = {};
   left_->acceleration = {};
-  left_->cruise =
-      profiles::Transition::cruise(v_mm_s_, plan.cruise.length_mm() - part.cruise.length_mm());
+  // By the end, not by what has left: over thousands of parts the rounding of each would add up.
+  const double behind_mm = plan.deceleration.length_mm() + plan.end_constant_velocity.length_mm();
+  left_->cruise = profiles::Transition::cruise(
+      v_mm_s_, end_mm(window_[0].segment, block) - behind_mm - emitter.s_mm());
 }
 
 // Moves the end to what can be joined.
