@@ -196,8 +196,15 @@ BlockLimits nurbs_limits(const curves::NurbsCurve& curve, double feedrate_mm_s,
       moved.push_back(k);
     }
   }
+  double fastest_squared = 0.0;  // of all axes at once
+  for (const std::size_t k : moved) {
+    fastest_squared += square(limits.axes[k].velocity_mm_s);
+  }
   BlockLimits block = along_path(feedrate_mm_s, limits.path);
   const auto [weakest, from] = weakest_of(moved, limits);
+  if (!moved.empty()) {
+    bind_feedrate(block, {std::sqrt(fastest_squared), from.feedrate});
+  }
   bind_acceleration(block, {weakest.acceleration_mm_s2, from.acceleration});
   bind_jerk(block, {weakest.jerk_mm_s3, from.jerk});
   return block;
