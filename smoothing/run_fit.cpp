@@ -150,7 +150,7 @@ class Fitting {
 
   // The sharpest vertex of the span, where it is to be a corner.
   [[nodiscard]] std::size_t sharpest(std::size_t k) const {
-    std::size_t found = std::clamp<std::size_t>(vertex(k), 1, stretch_.last - 1);
+    std::size_t found = std::max<std::size_t>(std::min(vertex(k), stretch_.last - 1), 1);
     double most = -1.0;
     const std::size_t from = std::max<std::size_t>(vertex(k), 1);
     for (std::size_t i = from; i <= std::min(vertex(k + 1), stretch_.last - 1); ++i) {
