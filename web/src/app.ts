@@ -168,6 +168,8 @@ export class App {
     if (this.path) this.path.onColouring = () => this.showLegend();
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.retheme());
     document.addEventListener("keydown", (event) => this.key(event));
+    // A link to another place of the same page; what somebody writes in it would be lost.
+    if (!this.extras.editing) window.addEventListener("hashchange", () => location.reload());
   }
 
   private retheme(): void {

@@ -84,6 +84,16 @@ test("stays at its head where it is too narrow for panels side by side", async (
   await page.context().close();
 });
 
+test("goes where a link to another place of the same page leads", async () => {
+  const { page, said } = await openReport([pocket]);
+  await Promise.all([page.waitForEvent("load"), page.evaluate(() => (location.hash = "tick=1000&theme=dark"))]);
+  await page.waitForSelector("header");
+  assert.match(await fragmentOf(page), /tick=1000/);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset["theme"]), "dark");
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("shows inches, feeds per second and the dark theme, and keeps them in the address", async () => {
   const { page, said } = await openReport([pocket]);
   await page.locator("button", { hasText: /^inch$/ }).click();
