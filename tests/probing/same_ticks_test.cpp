@@ -78,14 +78,18 @@ TEST(SameTicks, TheWarpedGridLiesBelowTheSurfaceByWhatTheProgramSays) {
   const HeightMap map = bumps();
   const TableRun run = whole_run(touching(map, true), kWarpedGrid);
   std::size_t corners = 0;
-  for (const Setpoint& tick : run.ticks) {
-    const auto& p = tick.position_mm;
-    const bool at_column = std::abs(p[0] - 10.0) < 0.02 || std::abs(p[0] - 20.0) < 0.02;
-    if (tick.line == 22 && at_column && p[2] < -5.0) {
-      const auto column = static_cast<std::size_t>(std::lround(p[0] / 10.0)) + 1;
-      const auto row = static_cast<std::size_t>(std::lround(p[1] / 10.0)) + 1;
-      EXPECT_NEAR(p[2], map.heights_mm[row * map.columns + column] - 1.0, 0.06);
-      ++corners;
+  for (std::size_t i = 1; i < run.ticks.size(); ++i) {
+    const auto& from = run.ticks[i - 1].position_mm;
+    const auto& to = run.ticks[i].position_mm;
+    for (const double column_mm : {10.0, 20.0}) {
+      const double share = (column_mm - from[0]) / (to[0] - from[0]);
+      if (run.ticks[i].line == 22 && share > 0.0 && share <= 1.0 && to[2] < -5.0) {
+        const auto column = static_cast<std::size_t>(std::lround(column_mm / 10.0)) + 1;
+        const auto row = static_cast<std::size_t>(std::lround(to[1] / 10.0)) + 1;
+        const double z_mm = from[2] + share * (to[2] - from[2]);
+        EXPECT_NEAR(z_mm, map.heights_mm[row * map.columns + column] - 1.0, 0.06);
+        ++corners;
+      }
     }
   }
   EXPECT_GE(corners, 6u);
