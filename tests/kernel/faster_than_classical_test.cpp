@@ -112,6 +112,19 @@ TEST(TimeOptimum, IsNoSlowerThanClassicalProfilesOnTinyCurvesWithJumpsOfCurvatur
   }
 }
 
+// Found by reading: the barriers of the search took a part of the time, which at a low feedrate was
+// 5 to 1,000 ticks.
+TEST(TimeOptimum, IsNoSlowerAtLowFeedrates) {
+  for (const int feed_mm_min : {20, 60, 200, 600}) {
+    const std::string begin = "G21 G90 G64 P0.01 F" + std::to_string(feed_mm_min) + "\n";
+    for (const char* path : {"G1 X30\nY30\nM2\n", "G1 X400\nY400\nM2\n",
+                             "G1 X30 Y1\nX60\nG2 X70 Y-10 R10\nG1 X90 Y-60\nX91\nX92 Y5\nM2\n"}) {
+      expect_no_slower({.name = begin + path, .text = begin + path, .settings = default_machine()},
+                       kRivals);
+    }
+  }
+}
+
 std::string zigzag(std::size_t lines) {
   std::string text = "G21 G90 G61 F6000\n";
   for (std::size_t i = 1; i <= lines; ++i) {

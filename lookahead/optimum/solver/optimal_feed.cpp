@@ -12,10 +12,14 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kFirstGuess = 0.3;  // of the estimate's squared feedrate
-// All barriers together, over the time: the first and the last of kStages.
+// All barriers together, over the time: the first and the last of kStages. What they take off the
+// feedrate is some times as much of the time; where that is ticks, as at low feedrates, stages
+// follow until it is less than kLost of one.
 constexpr double kFirstShare = 1e-1;
 constexpr double kLastShare = 1e-4;
 constexpr int kStages = 7;
+constexpr double kLost = 0.25;
+constexpr double kSame = 1.001;
 // Of the slack that a barrier of a typical multiplier keeps: one whose limit, raised by a part,
 // takes as much off the time of its cell.
 constexpr double kRelaxed = 1.0;
@@ -40,6 +44,8 @@ class Search {
       : objective_(sequence, limits, range), feed_(&feed), is_part_(true) {}
 
   [[nodiscard]] const BarrierObjective& objective() const { return objective_; }
+  // At the coefficients of the latest stage.
+  [[nodiscard]] double time_s() const { return time_s_; }
 
   struct Goal {
     double share = 0.0;  // of all barriers in the time
@@ -187,11 +193,18 @@ OptimalFeed find_optimal_feed(const CellSequence& sequence, const PlanLimits& li
   feed.coefficients = first_guess(sequence, limits);
   Search search(sequence, limits, feed);
   search.objective().bind(feed.coefficients);
-  for (int i = 0; i + 1 < kStages; ++i) {
-    search.stage({.share = kFirstShare * std::pow(kLastShare / kFirstShare, i / (kStages - 1.0)),
-                  .done = kRoughly});
+  const auto share_of = [](int stage) {
+    return kFirstShare * std::pow(kLastShare / kFirstShare, stage / (kStages - 1.0));
+  };
+  int stage = 0;
+  for (; stage + 1 < kStages; ++stage) {
+    search.stage({.share = share_of(stage), .done = kRoughly});
   }
-  search.stage({.share = kLastShare, .done = kStageDone});
+  feed.last_share = std::min(kLastShare, kLost * limits.period_s / search.time_s());
+  for (; share_of(stage) > kSame * feed.last_share; ++stage) {
+    search.stage({.share = share_of(stage), .done = kRoughly});
+  }
+  search.stage({.share = feed.last_share, .done = kStageDone});
   return feed;
 }
 
@@ -199,10 +212,11 @@ int refine_optimal_feed(const CellSequence& sequence, const PlanLimits& limits,
                         const SplineRange& range, OptimalFeed& feed) {
   const auto begin = feed.coefficients.begin() + static_cast<std::ptrdiff_t>(range.begin);
   OptimalFeed part{.coefficients = {begin, begin + static_cast<std::ptrdiff_t>(range.size() + 2)},
-                   .mean_s = feed.mean_s};
+                   .mean_s = feed.mean_s,
+                   .last_share = feed.last_share};
   Search search(sequence, limits, range, part);
   search.objective().bind(part.coefficients);
-  search.stage({.share = kLastShare, .done = kStageDone});
+  search.stage({.share = feed.last_share, .done = kStageDone});
   std::ranges::copy(part.coefficients, begin);
   return part.newton_steps;
 }

@@ -82,6 +82,7 @@ class OptimalPlan {
   std::vector<CellBasis> basis_;
   std::vector<double> coefficients_;
   Excess excess_{};
+  double aim_of_feedrate_ = kAim;  // where a check found it exceeded
   int newton_steps_ = 0;
   bool slowed_down_ = false;
 };

@@ -28,6 +28,8 @@ constexpr double kSlight = 1.01;  // slowing down by it is no loss to speak of
 // Of a limit, at the places where it is looked at; what is between two of them is a little more.
 constexpr double kHolds = 0.9999;
 constexpr double kRounded = 1.0 + 1e-9;
+// A relaxed barrier lets a limit be exceeded by some times the share that weighs it.
+constexpr double kOfShare = 5.0;
 constexpr double kSlower = 0.999;
 constexpr double kMinFactor = 1e-6;
 constexpr int kSlowings = 3;
@@ -38,9 +40,9 @@ void take_off(double excess, double& share) {
   }
 }
 
-void take_off_feedrate(double excess, double& share) {
+void take_off_feedrate(double excess, double aim, double& share) {
   if (excess > 1.0) {
-    share *= kAim / excess;
+    share *= aim / excess;
   }
 }
 
@@ -63,6 +65,7 @@ std::optional<OptimalPlan> OptimalPlan::find(CellSequence sequence, const PathAt
   plan.basis_ = feed_basis(plan.sequence_.spline_lengths_mm());
   OptimalFeed feed = find_optimal_feed(plan.sequence_, limits);
   plan.coefficients_ = feed.coefficients;
+  plan.aim_of_feedrate_ = 1.0 - kOfShare * feed.last_share;
   std::vector<Excess> found(plan.sequence_.cells.size());
   plan.check(plan.whole_spline(), path, limits, found);
   double least = plan.excess_.largest();
@@ -199,7 +202,7 @@ void OptimalPlan::check(const SplineRange& range, const PathAt& path, const Plan
     if (i == 0 && !sequence_.begin.at_rest() && excess.acceleration <= kRounded) {
       excess.acceleration = std::min(excess.acceleration, kHolds);
     }
-    take_off_feedrate(excess.feedrate, cell.shares.feedrate);
+    take_off_feedrate(excess.feedrate, aim_of_feedrate_, cell.shares.feedrate);
     take_off(excess.acceleration, cell.shares.acceleration);
     take_off(excess.jerk, cell.shares.jerk);
   }
