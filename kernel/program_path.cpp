@@ -32,10 +32,21 @@ smoothing::BlendSettings blend_settings(const MachineSettings& settings) {
   return blend;
 }
 
-parser::ReaderOptions options_for(const ProgramPath::Order& order, parser::ReaderOptions options) {
-  options.watcher = order.watcher;
-  options.answers.is_asked = order.asks_machine;
-  return options;
+parser::ReaderOptions options_for(const ProgramPath::Order& order, const MachineSettings& settings,
+                                  const KernelOptions& options) {
+  parser::ReaderOptions reader = reader_options(settings, options);
+  reader.watcher = order.watcher;
+  reader.answers.is_asked = order.asks_machine;
+  if (options.start_in_program) {
+    reader.answers.asked_from_block = options.start_in_program->blocks_before + 1;
+  }
+  return reader;
+}
+
+bool asks(const ProgramPath::Output& output) {
+  const auto* move = std::get_if<parser::Move>(&output);
+  const auto* event = move != nullptr ? std::get_if<parser::EventMove>(&move->shape) : nullptr;
+  return event != nullptr && event->kind == parser::EventKind::ask_machine;
 }
 
 }  // namespace
@@ -43,7 +54,7 @@ parser::ReaderOptions options_for(const ProgramPath::Order& order, parser::Reade
 ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& options,
                          const Order& order)
     : order_(order),
-      reader_(options_for(order, reader_options(settings, options))),
+      reader_(options_for(order, settings, options)),
       travel_(settings),
       checks_travel_(options.checks_travel),
       waits_(options),
@@ -51,8 +62,7 @@ ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& o
       end_{.position_mm = options.start_mm, .extra_rad_mm = options.start_extra_rad_mm} {
   if (options.start_in_program && !order.as_programmed) {
     start_.emplace(*options.start_in_program, settings,
-                   options_for(order, reader_options(settings, options)).answers, end_);
-    reader_.ask_machine(false);
+                   options_for(order, settings, options).answers, end_);
   }
 }
 
@@ -83,11 +93,11 @@ bool ProgramPath::next_to_run(Output& output) {
     }
     if (!start_->leaves_out(output)) {
       for (Output& part : start_->way_to(output)) {
+        way_asks_ |= asks(part);
         way_to_start_.push_back(std::move(part));
       }
       way_to_start_.push_back(std::move(output));
       start_.reset();
-      reader_.ask_machine(order_.asks_machine);  // what was read before was not run
     }
   }
   output = std::move(way_to_start_.front());
@@ -162,6 +172,9 @@ bool ProgramPath::refuses(const parser::Move& move) {
 }
 
 void ProgramPath::answer(const parser::MachineAnswer& answer) {
+  if (std::exchange(way_asks_, false)) {
+    return;  // the reader knows nothing of it, and may have a question of its own by now
+  }
   if (parser::is_probe(*reader_.question())) {
     end_.position_mm = answer.rest_mm;
   }

@@ -114,6 +114,7 @@ class ProgramPath {
   smoothing::Smoother smoother_;
   std::optional<StartInMiddle> start_;  // until its block comes
   std::deque<Output> way_to_start_;     // and the first output behind it
+  bool way_asks_ = false;               // the machine, which has not answered
   std::vector<PathControlUse> path_controls_;
   PlaceOfTool end_{};                   // of the move read last
   diagnostics::SourcePosition source_;  // of the move read last, or of the segment that was cut

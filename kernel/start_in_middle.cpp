@@ -213,7 +213,8 @@ std::vector<StartInMiddle::Output> StartInMiddle::way_to(const Output& first) co
   if (const auto& spindle = switched_.spindle()) {
     way.stay(*spindle);
     const auto wait = turns(*spindle)
-                          ? parser::wait_for_speed(answers_, 0.0, turns_per_min(*spindle))
+                          ? parser::wait_for_speed(answers_, start_.blocks_before + 1,
+                                                   {.to_per_min = turns_per_min(*spindle)})
                           : std::nullopt;
     if (wait) {
       std::visit([&way](const auto& shape) { way.stay(shape); }, *wait);

@@ -24,9 +24,6 @@ void ProgramReader::set_block_delete(const BlockDelete& switches) {
 void ProgramReader::set_tool(const Tool& tool) {
   run_->set_tool(tool);
 }
-void ProgramReader::ask_machine(bool on) {
-  run_->ask_machine(on);
-}
 bool ProgramReader::next(Move& move) {
   return run_->next(move);
 }

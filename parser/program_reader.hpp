@@ -40,8 +40,6 @@ class ProgramReader {
   // Of blocks that are not read yet.
   void set_block_delete(const BlockDelete& switches);
   void set_tool(const Tool& tool);
-  // Whether G38 and M66 wait for the machine (MachineSource::is_asked).
-  void ask_machine(bool on);
 
   // The next move, if the bytes so far make one up. False: feed() more, or the end if finished.
   bool next(Move& move);

@@ -66,7 +66,7 @@ Expected<std::optional<ProbeWay>> read_probe(const RunningBlock& at, const Modal
 Done run_probe(const RunningBlock& at, ModalState& state, const MachineSource& machine,
                const ProbeMove& asked) {
   const bool off = leaves_contact(state.motion);
-  if (machine.is_asked) {
+  if (machine.asks_in(at.block_number)) {
     const MachineQuestion question{.kind = off ? MachineQuestion::Kind::contact_end
                                                : MachineQuestion::Kind::contact};
     at.push_event(state, {.kind = EventKind::probe_begin, .question = question});

@@ -41,8 +41,13 @@ class AssumedMachine {
 struct MachineSource {
   // The reader waits at G38 and M66 for the machine's answer. Else a machine is assumed.
   bool is_asked = false;
+  std::uint64_t asked_from_block = 0;               // Move::block; what comes before is not run
   bool waits_for_spindle = false;                   // behind M3, M4 and a new S: the same
   std::shared_ptr<const AssumedMachine> assumed{};  // null: nothing is touched, inputs are low
+
+  [[nodiscard]] bool asks_in(std::uint64_t block) const noexcept {
+    return is_asked && block >= asked_from_block;
+  }
 };
 
 }  // namespace kerf::parser

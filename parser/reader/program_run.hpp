@@ -42,7 +42,6 @@ class ProgramRun {
   ProgramInput& input() { return input_; }
   void set_block_delete(const BlockDelete& switches) { options_.block_delete = switches; }
   void set_tool(const Tool& tool) { interpreter_.memory().machine.tools.put(tool); }
-  void ask_machine(bool on) { interpreter_.memory().answers.is_asked = on; }
   bool next(Move& move);  // program_lines.cpp
   [[nodiscard]] const std::optional<MachineQuestion>& question() const { return question_; }
   void answer(const MachineAnswer& answer);

@@ -89,7 +89,7 @@ Done wait_for_input(const RunningBlock& at, ModalState& state, const MachineSour
                      : static_cast<Kind>(static_cast<int>(Kind::digital) + static_cast<int>(kind)),
       .channel = *input,
       .max_wait_s = *wait_s};
-  if (machine.is_asked) {
+  if (machine.asks_in(at.block_number)) {
     at.push_event(state, {.kind = EventKind::ask_machine, .question = asked});
   } else {
     assume_input(at, state, machine.assumed.get(), asked);

@@ -127,17 +127,18 @@ void SpindleDrive::follow_moved_axis(const MoveSink& at, const ModalState& state
   }
 }
 
-std::optional<SpindleWait> wait_for_speed(const MachineSource& machine, double from_per_min,
-                                          double to_per_min) {
+std::optional<SpindleWait> wait_for_speed(const MachineSource& machine, std::uint64_t block,
+                                          const SpeedChange& change) {
   if (!machine.waits_for_spindle) {
     return std::nullopt;
   }
-  if (machine.is_asked) {
+  if (machine.asks_in(block)) {
     return EventMove{.kind = EventKind::ask_machine,
                      .question = {.kind = MachineQuestion::Kind::at_speed}};
   }
-  const double time_s =
-      machine.assumed != nullptr ? machine.assumed->spindle_time_s(from_per_min, to_per_min) : 0.0;
+  const double time_s = machine.assumed != nullptr ? machine.assumed->spindle_time_s(
+                                                         change.from_per_min, change.to_per_min)
+                                                   : 0.0;
   return time_s > 0.0 ? std::optional<SpindleWait>(DwellMove{time_s}) : std::nullopt;
 }
 
@@ -146,7 +147,9 @@ void SpindleDrive::turn_on(const MoveSink& at, const ModalState& state,
   const EventMove event = turn(state, state.spindle);
   at.push_event(state, event);
   const double before_per_min = std::exchange(turns_per_min_, turns_per_min(event));
-  if (const auto wait = wait_for_speed(machine, before_per_min, turns_per_min_)) {
+  if (const auto wait =
+          wait_for_speed(machine, at.block_number,
+                         {.from_per_min = before_per_min, .to_per_min = turns_per_min_})) {
     std::visit([&](const auto& shape) { at.push_move(state).shape = shape; }, *wait);
   }
 }

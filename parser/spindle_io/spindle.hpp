@@ -1,6 +1,7 @@
 // The spindle: S, G96, G97, M3, M4, M5, M19.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <variant>
 
@@ -20,11 +21,17 @@ inline double turns_per_min(const EventMove& event) {
   return event.kind == EventKind::spindle_cw ? event.value : -event.value;
 }
 
-// What waits until the spindle turns as it was told: a question to the machine, or as long as an
-// assumed one takes. Nothing: nothing waits.
+// Clockwise positive.
+struct SpeedChange {
+  double from_per_min = 0.0;
+  double to_per_min = 0.0;
+};
+
+// What waits, in that block, until the spindle turns as it was told: a question to the machine, or
+// as long as an assumed one takes. Nothing: nothing waits.
 using SpindleWait = std::variant<EventMove, DwellMove>;
-std::optional<SpindleWait> wait_for_speed(const MachineSource& machine, double from_per_min,
-                                          double to_per_min);
+std::optional<SpindleWait> wait_for_speed(const MachineSource& machine, std::uint64_t block,
+                                          const SpeedChange& change);
 
 // What the machine was told last.
 class SpindleDrive {
