@@ -71,8 +71,7 @@ bool Kernel::Impl::announces_now() {
   if (!keeps_stop_ || !notes_.has_more_to_say() || committed_until_tick_ > now()) {
     return false;
   }
-  notes_.announce(pipeline_.rest_block_at(now() + announced_ticks_));
-  return notes_.has_messages();
+  return notes_.announce(pipeline_.rest_block_at(now() + announced_ticks_));
 }
 
 // Also in what it began with: a program that is refused leaves that.

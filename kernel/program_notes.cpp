@@ -80,11 +80,13 @@ void ProgramNotes::move(const parser::Move& move) {
   }
 }
 
-void ProgramNotes::announce(std::uint64_t block) {
+bool ProgramNotes::announce(std::uint64_t block) {
+  const std::size_t before = reached_messages_.size();
   while (!messages_.empty() && messages_.front().block <= block) {
     reached_messages_.push_back(std::move(messages_.front().message));
     messages_.pop_front();
   }
+  return reached_messages_.size() > before;
 }
 
 void ProgramNotes::reach(std::uint64_t block) {

@@ -34,11 +34,11 @@ class ProgramNotes final : public PipelineObserver {
   void reach(std::uint64_t block);
   void reach_end();
   // The tool is about to come to it: what the program says is there before it is.
-  void announce(std::uint64_t block);
+  // True: it says something.
+  bool announce(std::uint64_t block);
   [[nodiscard]] bool has_more_to_say() const noexcept { return !messages_.empty(); }
   void follow(const TimeLeft::ToolPlace& tool) { time_left_.follow(tool); }
 
-  [[nodiscard]] bool has_messages() const noexcept { return !reached_messages_.empty(); }
   // Those of the blocks that were reached since the last call.
   std::vector<ProgramMessage> take_messages();
   // "G1 G17 G21 ...", behind the words of the block that was reached.

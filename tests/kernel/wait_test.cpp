@@ -55,6 +55,15 @@ TEST(Wait, IsForAnAnswerAtStopsAndToolChanges) {
             (std::vector<double>{10.0, 20.0, 30.0, 40.0}));
 }
 
+// Found by reading: where a message was not taken, the next one kept all that follows from the
+// ticks for ever.
+TEST(Wait, IsLeftThoughNobodyTakesTheMessages) {
+  EXPECT_EQ(
+      waits_of("(MSG, a)\nG21 G90 G1 X10 F6000\nM0\nX20\n(MSG, b)\nX30\nM0\n(MSG, c)\nX50\nM2\n",
+               {.waits = true, .tells_operator = true}),
+      (std::vector<double>{10.0, 30.0}));
+}
+
 TEST(Wait, IsNoneWhereNobodyAnswers) {
   EXPECT_EQ(waits_of(kStops, {}), std::vector<double>{});
 }
