@@ -30,6 +30,7 @@ Pipeline::Pipeline(const Order& order)
                 .optional_stop = order.options.optional_stop,
                 .tool_change_s = order.settings.program.tool_change_s,
                 .spindle_start_s = order.settings.program.spindle_start_s,
+                .spindle_turns = order.options.start_outputs.spindle_rad_s != 0.0,
                 .may_hold = order.may_hold,
                 .observer = order.options.plan_log
                                 ? std::make_shared<const PlanNotes>(order.options.plan_log)

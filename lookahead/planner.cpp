@@ -42,6 +42,7 @@ Planner::Planner(const PlannerSettings& settings)
       schedule_(new_schedule()),
       rest_part_s_(rest_part_s(settings)),
       emitter_(settings.limits.period_s, settings.may_hold) {
+  spindle_turns_ = settings.spindle_turns;
   assert(settings.window_blocks >= 2 && settings.window_cells >= 100);
 }
 
@@ -166,13 +167,16 @@ double Planner::duration_s(const parser::EventMove& event) noexcept {
   switch (event.kind) {
     case EventKind::spindle_cw:
     case EventKind::spindle_ccw:
-      return std::exchange(spindle_turns_, true) || event.taps ? 0.0 : settings_.spindle_start_s;
+      return std::exchange(spindle_turns_, event.value != 0.0) || !spindle_turns_ || event.taps
+                 ? 0.0
+                 : settings_.spindle_start_s;
     case EventKind::spindle_off:
     case EventKind::spindle_orient:
     case EventKind::program_end:
       spindle_turns_ = false;
       return 0.0;
     case EventKind::tool_change:
+      spindle_turns_ = false;
       return waits_at(event.kind) ? 0.0 : settings_.tool_change_s;
     default:
       return 0.0;

@@ -39,6 +39,7 @@ struct PlannerSettings {
   // How long an M6 that does not wait takes, and the start of the spindle.
   double tool_change_s = 0.0;
   double spindle_start_s = 0.0;
+  bool spindle_turns = false;  // at the begin
   bool may_hold = false;  // what was emitted is kept until it is run, so that it can be taken back
   std::shared_ptr<const PlanObserver> observer{};  // null: nobody is told
 };

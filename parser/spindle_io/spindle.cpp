@@ -160,6 +160,9 @@ void SpindleDrive::turn_off(const MoveSink& at, const ModalState& state) {
 }
 
 Done SpindleDrive::start(const RunningBlock& at, ModalState& state, const MachineSource& machine) {
+  if (state.spindle == Spindle::off) {  // M6 stops it, too
+    turns_per_min_ = 0.0;
+  }
   const Tenths code = at.codes[Group::spindle];
   if (code == 190) {
     turns_per_min_ = 0.0;

@@ -56,6 +56,33 @@ TEST(Tap, MayBeStoppedBehindItWhereTextIsLate) {
   EXPECT_EQ(status, TickStatus::finished);
 }
 
+std::size_t ticks_with(double spindle_start_s, const std::string& text,
+                       const KernelOptions& options = {}) {
+  MachineSettings machine = mill();
+  machine.program.spindle_start_s = spindle_start_s;
+  const WatchedRun run = run_ticks({.text = text, .options = options, .settings = machine},
+                                   [](Kernel& kernel, const WatchedRun&, Setpoint& setpoint) {
+                                     kernel.plan();
+                                     return kernel.tick(setpoint);
+                                   });
+  EXPECT_EQ(run.complaint, "");
+  return run.ticks.size();
+}
+
+// Found by reading: behind M6, which stops it, and behind S0 it was taken to turn already.
+TEST(SpindleStart, TakesItsTimeWheneverItStoodBefore) {
+  const auto starts_of = [](const std::string& text, const KernelOptions& options = {}) {
+    return static_cast<double>(ticks_with(2.0, text, options) - ticks_with(0.0, text, options)) /
+           2000.0;
+  };
+  EXPECT_NEAR(starts_of("G21 G90 F3000\nM3 S600\nG1 X1\nT2 M6\nM3 S600\nX2\nM2\n"), 2.0, 0.01);
+  EXPECT_NEAR(starts_of("G21 G90 F3000\nM3 S0\nG1 X1\nM3 S600\nX2\nM2\n"), 1.0, 0.01);
+  EXPECT_NEAR(starts_of("G21 G90 F3000\nM3 S600\nG1 X1\nS900\nX2\nM2\n"), 1.0, 0.01);
+  KernelOptions turns;
+  turns.start_outputs.spindle_rad_s = 60.0;
+  EXPECT_NEAR(starts_of("G21 G90 F3000\nM3 S600\nG1 X1\nM2\n", turns), 0.0, 0.01);
+}
+
 // Its output changes at the begin of the time that it takes.
 TEST(SpindleStart, BeginsWithItsTime) {
   MachineSettings machine = mill();
