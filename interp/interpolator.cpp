@@ -192,8 +192,8 @@ TickStatus Interpolator::brake() noexcept {
   for (std::size_t i = 0; i < MotionQueue::kPhases; ++i) {
     const Phase* next = plan_.next_phase();
     if (next == nullptr || next->curve > piece_.curve ||
-        (next->curve == piece_.curve && next->s_begin_mm > motion.s_mm)) {
-      break;
+        (next->curve == piece_.curve && next->s_begin_mm >= motion.s_mm)) {
+      break;  // a rest right here, and what follows it, did not come
     }
     phase_ = *next;
     plan_.pop_phase();

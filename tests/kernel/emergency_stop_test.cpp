@@ -190,6 +190,31 @@ TEST(EmergencyStop, TurnsSpindleAndCoolantOffAtOnce) {
   EXPECT_FALSE(stopped.ticks[2].outputs.flood);
 }
 
+// Found by reading: the rests and blocks behind a dwell in which it came were taken for run, and
+// what they switch for in force.
+TEST(EmergencyStop, InADwellLeavesWhatComesBehindIt) {
+  Kernel kernel(mill(), {.tells_operator = true});
+  kernel.feed("G21 G90\nG1 X10 F6000\nG4 P0.15\nG91 M9\nG4 P0.1\nM64 P3\nG1 X5\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  TickStatus status = TickStatus::starved;
+  for (int ticks_of_dwell = 0; ticks_of_dwell < 50;) {
+    kernel.plan();
+    status = kernel.tick(setpoint);
+    ticks_of_dwell += setpoint.line == 3 ? 1 : 0;
+  }
+  const std::uint64_t block = kernel.detail().block;
+  kernel.emergency_stop();
+  for (int i = 0; i < 10; ++i) {
+    kernel.plan();
+    status = kernel.tick(setpoint);
+    EXPECT_EQ(setpoint.line, 3U);
+    EXPECT_EQ(kernel.detail().block, block);
+  }
+  EXPECT_EQ(status, TickStatus::emergency_stop);
+  EXPECT_NE(std::string(kernel.active_codes()).find("G90"), std::string::npos);
+}
+
 TEST(EmergencyStop, HasTheLastWord) {
   Kernel kernel(mill());
   kernel.feed("G21 G90\nG1 X1000 F6000\nM2\n");
