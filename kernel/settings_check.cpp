@@ -107,9 +107,15 @@ std::optional<diagnostics::Diagnostic> settings_fault(const MachineSettings& set
 }
 
 KernelOptions resting_options(const KernelOptions& given) {
-  return check_start(given) ? KernelOptions{.start_mm = given.start_mm,
-                                            .start_extra_rad_mm = given.start_extra_rad_mm}
-                            : KernelOptions{};
+  KernelOptions options;
+  if (check_start(given)) {
+    options.start_mm = given.start_mm;
+    options.start_extra_rad_mm = given.start_extra_rad_mm;
+  }
+  options.start_outputs = given.start_outputs;
+  options.begins_with = given.begins_with;
+  options.tells_operator = given.tells_operator;
+  return options;
 }
 
 }  // namespace kerf

@@ -94,6 +94,21 @@ void expect_refused(const MachineSettings& settings, const KernelOptions& option
   }
 }
 
+// Found by reading: a bad horizon opened a clamp.
+TEST(SettingsCheck, ARefusedProgramLeavesOutputsAsTheyAre) {
+  KernelOptions options;
+  options.horizon_s = 0.0;
+  options.start_outputs.digital = 0xffU;
+  options.start_outputs.tool = 7;
+  options.start_outputs.flood = true;
+  Kernel kernel(default_machine(), options);
+  kernel.feed("G1 X10 F600\nM2\n");
+  kernel.finish();
+  interp::Setpoint setpoint;
+  EXPECT_EQ(kernel.next(setpoint), interp::TickStatus::failed);
+  EXPECT_EQ(setpoint.outputs, options.start_outputs);
+}
+
 TEST(SettingsCheck, Row52RefusesAnImpossibleValueOfEveryFieldOfTheMachine) {
   const std::vector<Field> fields = all_fields();
   ASSERT_GT(fields.size(), 200U);
