@@ -26,6 +26,20 @@ class ExitStatus(Case):
             with self.subTest(words=words):
                 self.kerf(*words, status=status)
 
+    def test_of_files_that_would_be_written_over_however_they_are_named(self):
+        square = pathlib.Path(self.path("square.ngc", SQUARE))
+        folder = square.parent
+        (folder / "link.ngc").symlink_to(square)
+        os.link(square, folder / "hard.ngc")
+        for name in (square, f"{folder}/./square.ngc", folder / "link.ngc", folder / "hard.ngc"):
+            for option in ("--trace", "--log", "--record", "--plot"):
+                with self.subTest(name=name, option=option):
+                    self.assertIn("is not to be written over", self.kerf("dry-run", square, option, name, status=2).stderr)
+                    self.assertEqual(square.read_text(), SQUARE)
+        twice = self.path("twice")
+        self.assertIn("would be written twice", self.kerf("dry-run", square, "--trace", twice, "--plot", f"{folder}/./twice", status=2).stderr)
+        self.kerf("dry-run", square, "--trace", "/dev/null", "--plot", "/dev/null")
+
     def test_of_what_is_asked_to_stop(self):
         long = self.path("long.ngc", LONG)
         for status, number in ((129, signal.SIGHUP), (130, signal.SIGINT), (143, signal.SIGTERM)):

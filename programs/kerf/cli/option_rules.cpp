@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <filesystem>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -138,19 +139,40 @@ std::optional<std::string> contradiction_of_streams(const Options& options) {
   return std::nullopt;
 }
 
-// What is read is not written over.
+// However they are named; also where they are not there yet. A device is no file.
+bool are_one_file(const std::string& one, const std::string& other) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (one.empty() || other.empty() || one == "-" || other == "-" ||
+      (fs::exists(one, error) && !fs::is_regular_file(one, error))) {
+    return false;
+  }
+  const fs::path whole = fs::weakly_canonical(one, error);
+  return fs::equivalent(one, other, error) ||
+         (!whole.empty() && whole == fs::weakly_canonical(other, error));
+}
+
+// What is read is not written over, and no file is written twice.
 std::optional<std::string> contradiction_of_files(const Options& options) {
   std::vector<std::string> read = options.files;
   read.insert(read.end(), options.machine_files.begin(), options.machine_files.end());
   read.push_back(options.machine_file.value_or(""));
   read.push_back(options.tool_file.value_or(""));
   read.push_back(options.replay_file);
-  for (const std::string& written :
-       {options.trace_file.value_or(""), options.plot_file.value_or(""),
-        options.flight_file.value_or(""), options.log_file.value_or(""), options.record_file,
-        options.journal_file, options.page_file}) {
-    if (!written.empty() && written != "-" && std::ranges::find(read, written) != read.end()) {
-      return written + " is read: it is not to be written over";
+  const std::array written{options.trace_file.value_or(""),
+                           options.plot_file.value_or(""),
+                           options.flight_file.value_or(""),
+                           options.log_file.value_or(""),
+                           options.record_file,
+                           options.journal_file,
+                           options.page_file};
+  for (auto file = written.begin(); file != written.end(); ++file) {
+    const auto is_it = [&file](const std::string& other) { return are_one_file(*file, other); };
+    if (std::ranges::any_of(read, is_it)) {
+      return *file + " is read: it is not to be written over";
+    }
+    if (std::any_of(file + 1, written.end(), is_it)) {
+      return *file + " would be written twice";
     }
   }
   return std::nullopt;
