@@ -373,5 +373,20 @@ TEST_F(Loopback, AllocatesLocksAndWaitsForNothingInATick) {
   EXPECT_EQ(state().fault, DriveFault::no_answer);
 }
 
+// Found by reading: before the first answer a home switch that an axis stands on was taken for
+// open, and the search for another one ended as the answer came.
+TEST(LoopbackInputs, AreThoseOfTheGreetingUntilAnAnswerComes) {
+  LoopbackPair pair([](LoopbackPeer& peer, const ToldFrame& told) {
+    machine::MachineState state = peer.table().read();
+    state.inputs.home = 2U;
+    peer.answer_with(told.setpoint.tick, state);
+  });
+  ASSERT_TRUE(pair.opened) << pair.opened.error();
+  EXPECT_EQ(pair.machine().read().inputs.home, 2U);
+  pair.machine().enable({});
+  EXPECT_EQ(pair.machine().read().inputs.home, 2U);
+  EXPECT_EQ(pair.machine().read().axes[0], AxisState::on);
+}
+
 }  // namespace
 }  // namespace kerf::program::test

@@ -4,6 +4,7 @@ import csv
 import os
 import pathlib
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -177,6 +178,17 @@ class Loopback(Case):
         self.assertIn("the door is open", err)
         self.assertEqual(self.rows()[-1][1], 60)
         machine.communicate(timeout=60)
+
+    def test_a_machine_whose_queue_is_full_does_not_answer(self):
+        self.socket = self.path("full.sock")
+        self.file = self.path("machine.toml", MACHINE.format(timeout_s=TIMEOUT_S, socket=self.socket))
+        with socket.socket(socket.AF_UNIX, socket.SOCK_SEQPACKET) as listener:
+            listener.bind(self.socket)
+            listener.listen(1)  # and nobody accepts
+            for _ in range(3):
+                kerf = self.start_kerf()
+                kerf.communicate(timeout=30)
+                self.assertEqual(kerf.returncode, 5)
 
     def test_a_program_probes_a_workpiece_that_the_machine_file_knows_nothing_of(self):
         machine = self.start_machine("workpiece")

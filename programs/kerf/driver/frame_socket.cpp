@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <poll.h>
 #include <span>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/un.h>
 
 #include <spdlog/fmt/fmt.h>
@@ -17,7 +19,8 @@ namespace {
 
 constexpr const char* kHangsUp = "the machine hangs up";
 
-tl::expected<Descriptor, int> connect_to(const std::string& path) {
+// Whose queue is full does not answer, either.
+tl::expected<Descriptor, int> connect_to(const std::string& path, double timeout_s) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   if (path.size() >= sizeof address.sun_path) {
@@ -28,9 +31,14 @@ tl::expected<Descriptor, int> connect_to(const std::string& path) {
   // The address is that of a path, which the call takes as one of any family.
   const auto* const any =
       reinterpret_cast<const sockaddr*>(&address);  // NOLINT(*-reinterpret-cast)
+  const auto wait_for = [&socket](timeval time) {
+    static_cast<void>(::setsockopt(socket.number(), SOL_SOCKET, SO_SNDTIMEO, &time, sizeof time));
+  };
+  wait_for({.tv_sec = static_cast<time_t>(std::ceil(timeout_s)), .tv_usec = 0});
   if (!socket.is_open() || ::connect(socket.number(), any, sizeof address) != 0) {
-    return tl::unexpected(errno);
+    return tl::unexpected(errno == EAGAIN ? ETIMEDOUT : errno);
   }
+  wait_for({});
   // As much as the system gives: the frames of a time-out and more wait for who is late.
   constexpr int kRoomBytes = 1 << 20;
   static_cast<void>(
@@ -42,7 +50,7 @@ tl::expected<Descriptor, int> connect_to(const std::string& path) {
 
 tl::expected<FrameSocket, std::string> FrameSocket::open(const std::string& path,
                                                          double timeout_s) {
-  auto connected = connect_to(path);
+  auto connected = connect_to(path, timeout_s);
   if (!connected) {
     return tl::unexpected(path + ": " + error_text(connected.error()));
   }
@@ -75,10 +83,12 @@ std::string FrameSocket::greet(double timeout_s) {
   if (received.what != Received::What::frame) {
     return kHangsUp;
   }
-  return received.answer
-             ? ""
-             : fmt::format("the machine answers {} bytes that are no answer of version {}",
-                           received.bytes, kFrameVersion);
+  if (!received.answer) {
+    return fmt::format("the machine answers {} bytes that are no answer of version {}",
+                       received.bytes, kFrameVersion);
+  }
+  greeting_ = *received.answer;
+  return "";
 }
 
 bool FrameSocket::send(const ToldFrame& told) noexcept {

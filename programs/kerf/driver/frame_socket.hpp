@@ -41,12 +41,16 @@ class FrameSocket {
   Received receive() noexcept;
   void hang_up() noexcept;
 
+  // What the machine answered first.
+  [[nodiscard]] const AnswerFrame& greeting() const noexcept { return greeting_; }
+
  private:
   explicit FrameSocket(Descriptor socket) noexcept : socket_(std::move(socket)) {}
   // Empty: it answers.
   [[nodiscard]] std::string greet(double timeout_s);
 
   Descriptor socket_;
+  AnswerFrame greeting_{};
 };
 
 }  // namespace kerf::program

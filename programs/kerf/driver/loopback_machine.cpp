@@ -69,6 +69,9 @@ LoopbackMachine::LoopbackMachine(FrameSocket socket, const Order& order) noexcep
   for (std::size_t axis = 0; axis < max_following_error_mm_.size(); ++axis) {
     max_following_error_mm_[axis] = order.table.axes[axis].max_following_error_mm;
   }
+  if (const machine::MachineState& first = socket_.greeting().state; is_finite(first)) {
+    state_.inputs = first.inputs;
+  }
 }
 
 void LoopbackMachine::enable(const AxisPlaces& places) noexcept {
@@ -81,7 +84,7 @@ void LoopbackMachine::enable(const AxisPlaces& places) noexcept {
     return;
   }
   pending_.forget();
-  state_ = {.actual_mm = places.mm, .extra_rad_mm = places.extra_rad_mm};
+  state_ = {.actual_mm = places.mm, .extra_rad_mm = places.extra_rad_mm, .inputs = state_.inputs};
   state_.axes.fill(AxisState::on);
   tell(told_places(places));
 }
