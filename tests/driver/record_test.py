@@ -75,6 +75,23 @@ class Records(ControlCase):
         self.end(process, 8)
         self.repeat(8)
 
+    def test_a_longer_program_than_that_of_a_record_with_commands_is_another_run(self):
+        process, client = self.start(options=["--record", self.path("run.rec"), "-q"])
+        client.ask("hold")
+        client.read_until(type="event", state="held")
+        client.ask("resume")
+        self.end(process, 0)
+        longer = self.path("longer.ngc", pathlib.Path(self.path("part.ngc")).read_text().replace("M2", "X300\nX350\n" * 1500 + "M2"))
+        for command in ("run", "dry-run"):
+            done = self.kerf(command, "-q", longer, "--replay", self.path("run.rec"), status=4)
+            self.assertIn("another one than that of the record", done.stderr)
+
+    def test_a_run_that_is_refused_leaves_an_older_record(self):
+        first = self.record("dry-run", CIRCLE)
+        self.kerf("dry-run", CIRCLE, "--record", self.path("dry-run.rec"), "--trace", "/nowhere/t.csv", status=5)
+        self.assertEqual(pathlib.Path(self.path("dry-run.rec")).read_bytes(), first)
+        self.assertFalse(pathlib.Path(self.path("dry-run.rec.incomplete")).exists())
+
     def test_a_record_with_commands_takes_no_others(self):
         process, client = self.start(options=["--record", self.path("run.rec"), "-q"])
         client.ask("stop")

@@ -55,16 +55,13 @@ tl::expected<std::unique_ptr<RecordWriter>, std::string> RecordWriter::create(
   if (!file) {
     return tl::unexpected(file.error());
   }
-  std::unique_ptr<RecordWriter> writer(new RecordWriter(*std::move(file), when_full));
-  RecordHead head{.period_s = period_s};
-  head.checksum = checksum_of(head);
-  writer->write(bytes_of(head));
+  std::unique_ptr<RecordWriter> writer(new RecordWriter(*std::move(file), period_s, when_full));
   writer->thread_ = std::thread([own = writer.get()] { own->work(); });
   return writer;
 }
 
-RecordWriter::RecordWriter(OutputFile file, WhenFull when_full)
-    : file_(std::move(file)), when_full_(when_full) {}
+RecordWriter::RecordWriter(OutputFile file, double period_s, WhenFull when_full)
+    : file_(std::move(file)), period_s_(period_s), when_full_(when_full) {}
 
 RecordWriter::~RecordWriter() {
   join();
@@ -84,6 +81,7 @@ std::optional<std::string> RecordWriter::finish(std::string_view plan_record) {
   join();
   const bool is_whole = dropped_ == 0;
   if (is_whole) {
+    write_head();
     RecordEnd end{.plan_bytes = plan_record.size(), .calls = written_};
     end.checksum = checksum_of(end, plan_record);
     write(std::as_bytes(std::span(plan_record.data(), plan_record.size())));
@@ -114,6 +112,7 @@ void RecordWriter::work() noexcept {
   for (bool last_round = false; !last_round;) {
     last_round = over_.load(std::memory_order_acquire);
     ring_->consume_all([this](const RecordedCall& call) {
+      write_head();
       write(std::as_bytes(std::span(&call, 1)));
       ++written_;
     });
@@ -121,6 +120,16 @@ void RecordWriter::work() noexcept {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
+}
+
+// With the first call: a run that is refused before leaves an older record.
+void RecordWriter::write_head() noexcept {
+  if (std::exchange(has_head_, true)) {
+    return;
+  }
+  RecordHead head{.period_s = period_s_};
+  head.checksum = checksum_of(head);
+  write(bytes_of(head));
 }
 
 void RecordWriter::write(std::span<const std::byte> bytes) noexcept {

@@ -55,12 +55,15 @@ class RecordWriter {
   static constexpr std::size_t kRingCalls = 8192;
   using Ring = boost::lockfree::spsc_queue<RecordedCall, boost::lockfree::capacity<kRingCalls>>;
 
-  RecordWriter(OutputFile file, WhenFull when_full);
+  RecordWriter(OutputFile file, double period_s, WhenFull when_full);
   void work() noexcept;
+  void write_head() noexcept;
   void write(std::span<const std::byte> bytes) noexcept;
   void join() noexcept;
 
   OutputFile file_;
+  double period_s_;
+  bool has_head_ = false;  // the file
   WhenFull when_full_;
   std::unique_ptr<Ring> ring_ = std::make_unique<Ring>();
   std::atomic<bool> over_{false};
