@@ -162,6 +162,13 @@ class MachineFaults(Case):
                       "--record", self.path("again.rec"), status=7)
             self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), pathlib.Path(self.path("first.rec")).read_bytes())
 
+    def test_a_run_whose_emergency_loop_opened_is_repeated_from_its_record(self):
+        self.run_with(fault("emergency_loop"), status=8, options=("--record", self.path("first.rec")))
+        for command in ("run", "dry-run"):
+            self.kerf(command, "-q", self.path("way.ngc"), "--machine", self.path("m.toml", MACHINE), "--replay", self.path("first.rec"),
+                      "--record", self.path("again.rec"), status=8)
+            self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), pathlib.Path(self.path("first.rec")).read_bytes())
+
     def test_a_spindle_that_does_not_start_is_a_fault_after_its_time_out(self):
         report, rows = self.run_with(fault("spindle_stuck", at_s=0), before="S1000 M3\n", status=4)
         self.assertEqual(report["fault"]["kind"], "spindle_too_slow")

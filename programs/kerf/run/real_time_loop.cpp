@@ -24,7 +24,9 @@ class PlanningThread {
  public:
   PlanningThread(Feeder& feeder, const RealTimeOrder& order)
       : feeder_(&feeder), by_(&order.by), pace_(order.pace) {
-    feeder_->pump();  // the first tick finds its motion planned
+    if (!repeats()) {
+      feeder_->pump();  // the first tick finds its motion planned
+    }
     thread_ = std::thread([this] { work(); });
   }
   ~PlanningThread() {
@@ -45,6 +47,9 @@ class PlanningThread {
  private:
   void work() noexcept {
     try {
+      if (repeats()) {
+        feeder_->pump();  // here: it may wait for ticks
+      }
       while (!over_.load(std::memory_order_relaxed)) {
         stop_if_asked();
         by_->carry_out();
