@@ -1,6 +1,7 @@
 #include "kernel/time_left.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernel/least_time.hpp"
 
@@ -14,10 +15,18 @@ constexpr double kJudgedFrom_s = 1.0;
 }  // namespace
 
 TimeLeft::TimeLeft(const lookahead::PlanLimits& limits, double nominal_s)
-    : fastest_mm_s_(LeastTime::fastest_mm_s(limits)), whole_nominal_s_(nominal_s) {}
+    : fastest_mm_s_(LeastTime::fastest_mm_s(limits)),
+      extra_(limits.extra),
+      whole_nominal_s_(nominal_s) {}
 
+// As LeastTime counts it.
 void TimeLeft::push(const lookahead::Block& block) {
-  const double nominal_s = block.length_mm / std::min(block.feedrate_mm_s, fastest_mm_s_);
+  const double machine_mm_s = block.extra.alone ? kUnbounded : fastest_mm_s_;
+  double nominal_s = block.length_mm / std::min(block.feedrate_mm_s, machine_mm_s);
+  for (std::size_t axis = 0; axis < extra_.size(); ++axis) {
+    const double way = std::abs(block.extra.end_rad_mm[axis] - block.extra.begin_rad_mm[axis]);
+    nominal_s = std::max(nominal_s, way / extra_[axis].velocity_mm_s);
+  }
   if (block.extra.alone) {
     push_rest(nominal_s);
     return;

@@ -1,6 +1,7 @@
 // How long what is left of a program takes.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <optional>
 
@@ -40,6 +41,7 @@ class TimeLeft {
   void reach(double path_mm);
 
   double fastest_mm_s_;
+  std::array<MotionLimits, kAuxiliaryAxes> extra_;
   double whole_nominal_s_;
   std::deque<Mark> marks_;  // ends of what lies ahead of the tool
   Mark pushed_{};           // the end of all
