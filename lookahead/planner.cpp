@@ -41,8 +41,8 @@ Planner::Planner(const PlannerSettings& settings)
       scan_for_(scan_for_plan(settings)),
       schedule_(new_schedule()),
       rest_part_s_(rest_part_s(settings)),
+      spindle_turns_(settings.spindle_turns),
       emitter_(settings.limits.period_s, settings.may_hold) {
-  spindle_turns_ = settings.spindle_turns;
   assert(settings.window_blocks >= 2 && settings.window_cells >= 100);
 }
 

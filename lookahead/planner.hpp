@@ -293,8 +293,8 @@ class Planner {
   bool asks_machine_ = false;  // what it waits for, if it does
   std::uint32_t waits_emitted_ = 0;
   PlanWaits waits_pushed_{};
-  bool spindle_turns_ = false;  // behind what was pushed
-  bool stops_ = false;          // at the rest of the plan that is not settled yet
+  bool spindle_turns_;  // behind what was pushed
+  bool stops_ = false;  // at the rest of the plan that is not settled yet
   // The place in the program of what was taken last, or the tool is on; nothing: none, or it
   // was taken back.
   struct ProgramPlace {

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -166,13 +167,15 @@ std::optional<std::string> contradiction_of_files(const Options& options) {
                            options.record_file,
                            options.journal_file,
                            options.page_file};
-  for (auto file = written.begin(); file != written.end(); ++file) {
-    const auto is_it = [&file](const std::string& other) { return are_one_file(*file, other); };
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    const auto is_it = [&file = written[i]](const std::string& other) {
+      return are_one_file(file, other);
+    };
     if (std::ranges::any_of(read, is_it)) {
-      return *file + " is read: it is not to be written over";
+      return written[i] + " is read: it is not to be written over";
     }
-    if (std::any_of(file + 1, written.end(), is_it)) {
-      return *file + " would be written twice";
+    if (std::ranges::any_of(std::span(written).subspan(i + 1), is_it)) {
+      return written[i] + " would be written twice";
     }
   }
   return std::nullopt;
