@@ -68,6 +68,17 @@ class Records(ControlCase):
         self.end(process, 7)
         self.repeat(7)
 
+    def test_a_start_in_the_middle_that_was_confirmed_by_a_client_is_repeated(self):
+        text = "G21 G90 G61 F6000\n" + "".join(f"G1 X{10 * i}\n" for i in range(1, 8)) + "M2\n"
+        process, client = self.start(text, ["--from-line", "5", "--record", self.path("run.rec"), "-q"])
+        client.read_until(type="event", state="waiting")
+        self.assertTrue(client.ask("resume")["accepted"])
+        self.end(process, 0)
+        first = pathlib.Path(self.path("run.rec")).read_bytes()
+        for command in ("dry-run", "run"):
+            self.kerf(command, "-q", self.path("part.ngc"), "--from-line", "5", "--replay", self.path("run.rec"), "--record", self.path("again.rec"))
+            self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), first)
+
     def test_an_emergency_stop_is_repeated_at_its_tick(self):
         process, client = self.start(options=["--record", self.path("run.rec"), "-q"])
         time.sleep(0.3)

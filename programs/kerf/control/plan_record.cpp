@@ -72,7 +72,9 @@ std::string PlanRecord::bytes() const {
   PlanRecord whole = *this;
   whole.finish();
   std::string bytes;
-  append((is_attended ? 1U : 0U) | (waits_for_start ? 2U : 0U) | (homes ? 4U : 0U), bytes);
+  append((is_attended ? 1U : 0U) | (waits_for_start ? 2U : 0U) | (homes ? 4U : 0U) |
+             (start_waits ? 8U : 0U),
+         bytes);
   append(emergency_tick ? folded(*emergency_tick) + 1 : 0, bytes);
   return bytes + whole.entries_;
 }
@@ -87,6 +89,7 @@ std::optional<PlanRecord> PlanRecord::from_bytes(std::string_view bytes) {
   record.is_attended = (*flags & 1U) != 0;
   record.waits_for_start = (*flags & 2U) != 0;
   record.homes = (*flags & 4U) != 0;
+  record.start_waits = (*flags & 8U) != 0;
   if (*emergency != 0) {
     record.emergency_tick = unfolded(*emergency - 1);
   }

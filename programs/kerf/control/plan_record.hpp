@@ -13,11 +13,12 @@ namespace kerf::program {
 // an order. About 2 KB a second.
 class PlanRecord {
  public:
-  // Of the run: somebody could answer a wait, it began with none, and with a search for the home
-  // switches.
+  // Of the run: somebody could answer a wait, it began with none, with a search for the home
+  // switches, and its start in the middle waited to be confirmed.
   bool is_attended = false;
   bool waits_for_start = false;
   bool homes = false;
+  bool start_waits = false;
   // Before this tick came an emergency stop that no machine asked for.
   std::optional<std::int64_t> emergency_tick{};
 

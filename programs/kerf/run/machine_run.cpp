@@ -73,6 +73,8 @@ void choose_pace(const MotionOrder& order, const FileReport& report, bool is_att
     record.is_attended = is_attended;
     record.waits_for_start = order.options.waits_for_start;
     record.homes = order.options.homes;
+    const auto& start = order.kernel_options.start_in_program;
+    record.start_waits = start && start->waits;
     pace.emplace(std::move(record), PlanPace::Does::notes);
   }
 }

@@ -207,7 +207,8 @@ class Session {
                         .settings = settings_,
                         .kernel_options = kernel_options_,
                         .mark = mark_,
-                        .has_keys = has_keys_},
+                        .has_keys = has_keys_,
+                        .plan = plan_ ? &*plan_ : nullptr},
                        file, report_)) {
       return;
     }

@@ -142,6 +142,10 @@ class Choice {
     if (!order_.options.quiet || order_.has_keys) {
       write_error_line(start_text(report_));
     }
+    if (order_.plan != nullptr) {
+      start.waits = order_.plan->start_waits;
+      return start;
+    }
     if (order_.options.command != Subcommand::run || order_.options.is_confirmed) {
       return start;
     }

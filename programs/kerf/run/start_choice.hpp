@@ -7,6 +7,7 @@
 #include <kerf/kernel.hpp>
 #include <kerf/machine.hpp>
 
+#include "programs/kerf/control/plan_record.hpp"
 #include "programs/kerf/io/program_file.hpp"
 #include "programs/kerf/options.hpp"
 #include "programs/kerf/report/report.hpp"
@@ -20,7 +21,8 @@ struct StartOrder {
   const MachineSettings& settings;
   const KernelOptions& kernel_options;
   const ProgramMark& mark;
-  bool has_keys = false;  // somebody is at the terminal
+  bool has_keys = false;             // somebody is at the terminal
+  const PlanRecord* plan = nullptr;  // of the run that is repeated: confirmed as then
 };
 
 // Of one run: its start, where the options name a line or a journal to go on from, and its journal.
