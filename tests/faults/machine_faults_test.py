@@ -155,19 +155,18 @@ class MachineFaults(Case):
         self.assertGreaterEqual(slowed, AT)
         self.assertLessEqual(slowed, AT + 100)  # in real time, on a busy computer
 
-    def test_a_run_that_the_door_stopped_is_repeated_from_its_record(self):
-        self.run_with(fault("door_open"), status=7, options=("--record", self.path("first.rec")))
+    def check_is_repeated_from_its_record(self, cause, status):
+        self.run_with(cause, status=status, options=("--record", self.path("first.rec")))
         for command in ("run", "dry-run"):
             self.kerf(command, "-q", self.path("way.ngc"), "--machine", self.path("m.toml", MACHINE), "--replay", self.path("first.rec"),
-                      "--record", self.path("again.rec"), status=7)
+                      "--record", self.path("again.rec"), status=status)
             self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), pathlib.Path(self.path("first.rec")).read_bytes())
 
+    def test_a_run_that_the_door_stopped_is_repeated_from_its_record(self):
+        self.check_is_repeated_from_its_record(fault("door_open"), 7)
+
     def test_a_run_whose_emergency_loop_opened_is_repeated_from_its_record(self):
-        self.run_with(fault("emergency_loop"), status=8, options=("--record", self.path("first.rec")))
-        for command in ("run", "dry-run"):
-            self.kerf(command, "-q", self.path("way.ngc"), "--machine", self.path("m.toml", MACHINE), "--replay", self.path("first.rec"),
-                      "--record", self.path("again.rec"), status=8)
-            self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), pathlib.Path(self.path("first.rec")).read_bytes())
+        self.check_is_repeated_from_its_record(fault("emergency_loop"), 8)
 
     def test_a_spindle_that_does_not_start_is_a_fault_after_its_time_out(self):
         report, rows = self.run_with(fault("spindle_stuck", at_s=0), before="S1000 M3\n", status=4)
