@@ -27,8 +27,7 @@ Controller::Impl::Impl(MachineSettings settings, KernelOptions options)
 }
 
 tl::expected<void, Refusal> Controller::Impl::give(Command command) {
-  look_at_tick();
-  follow_manual();
+  follow_ticks();
   if (const std::string_view why = door_refusal(command); !why.empty()) {
     return tl::unexpected(Refusal{.state = state_.state(), .command = command, .reason = why});
   }
@@ -121,7 +120,7 @@ bool Controller::Impl::set_feed_inputs(const FeedInputs& inputs) {
   if (!is_possible(inputs)) {
     return false;
   }
-  look_at_tick();
+  look_at_ticks();
   operator_.feed_inputs = inputs;
   published_.write(operator_);
   if (has_program()) {
@@ -169,10 +168,10 @@ std::string_view Controller::Impl::door_refusal(Command command) const noexcept 
 
 // A wait for an answer goes on by resume alone, which is refused.
 void Controller::Impl::follow_door() {
-  if (!door_open_.load()) {
+  if (!seen_.door_open) {
     return;
   }
-  const State state = state_.state();
+  const State state = seen_.state;
   const bool may_go_on =
       state == State::running || (state == State::waiting && !waits_for_answer_.load());
   const bool goes_by_hand = (state == State::jogging || state == State::returning) &&

@@ -15,6 +15,7 @@
 #include "control/messages.hpp"
 #include "control/snapshot.hpp"
 #include "control/state_word.hpp"
+#include "interp/tick_calls.hpp"
 
 namespace kerf {
 
@@ -50,7 +51,7 @@ class KERF_LOCAL Controller::Impl {
   void set_program_inputs(const ProgramInputs& inputs) noexcept { inputs_ = inputs; }
   [[nodiscard]] const TickDetail& detail() const noexcept { return detail_; }
 
-  void set_home_switches(AxisSet closed) noexcept { home_search_.see(closed, last_); }
+  void set_home_switches(AxisSet closed) noexcept { closed_ = closed; }
   void set_door(bool is_open) noexcept { door_open_.store(is_open, std::memory_order_relaxed); }
   [[nodiscard]] bool has_new_place() const noexcept { return has_new_place_; }
   [[nodiscard]] AxisSet unhomed() const noexcept { return home_search_.unhomed(); }
@@ -80,15 +81,20 @@ class KERF_LOCAL Controller::Impl {
     return state == ControllerState::jogging || state == ControllerState::returning ||
            state == ControllerState::homing;
   }
-  // Before what follows the ticks, or is for them to see (KernelOptions::plan_clock).
-  void look_at_tick() const {
-    while (options_.plan_clock) {
-      const std::int64_t bounds = tick_bounds_.load();
-      if (bounds % 2 == 0 && options_.plan_clock(bounds / 2)) {
-        return;
-      }
-    }
-  }
+  // Of the ticks, all between the same two: what planning goes by.
+  struct Seen {
+    Kernel* running = nullptr;
+    ControllerState state = ControllerState::off;
+    bool door_open = false;
+    std::int64_t ticks = 0;
+    Setpoint at{};
+  };
+  // Before what follows the ticks (KernelOptions::plan_clock).
+  void look_at_ticks();
+  // What moves by hand, and homing, go on as they are seen then.
+  void follow_ticks();
+  // From the next tick on it has what was written for it.
+  void tell_ticks();
   // The table, and what it cannot say.
   [[nodiscard]] Answer answer_now(ControllerState state, Command command) const noexcept;
   // StateWord::change, with the event.
@@ -114,10 +120,13 @@ class KERF_LOCAL Controller::Impl {
   void start(std::unique_ptr<Kernel> kernel, Runs what);
   // The ticks are those of the program from now on.
   void run_program();
+  // The same of any kernel.
+  void run(Kernel& kernel);
   // A program runs, or is held while the tool moves by hand.
-  [[nodiscard]] bool has_program() const noexcept {
-    return is_suspended_ || (kernel_ && running_.load() == kernel_.get());
+  [[nodiscard]] bool has_program(const Kernel* running) const noexcept {
+    return is_suspended_ || (kernel_ && running == kernel_.get());
   }
+  [[nodiscard]] bool has_program() const noexcept { return has_program(running_.load()); }
   // Of the latest tick. Where the state says that the tool rests, it rests there.
   [[nodiscard]] Setpoint here() const noexcept { return snapshot_.read().setpoint; }
 
@@ -163,7 +172,7 @@ class KERF_LOCAL Controller::Impl {
   // An event of that state.
   void note_state(ControllerState state, std::uint32_t line) noexcept;
   // Spindle and coolant stay as the program left them, and are off without drives.
-  void rest() noexcept;
+  void rest(bool has_news) noexcept;
   void publish() noexcept;
   void tell_wait() noexcept;
 
@@ -180,8 +189,8 @@ class KERF_LOCAL Controller::Impl {
   std::atomic<WaitCause> wait_cause_ = WaitCause::none;  // of that
   std::atomic<bool> door_open_ = false;
   std::atomic<std::uint32_t> line_ = 0;
-  std::atomic<Kernel*> running_ = nullptr;
-  std::atomic<bool> by_hand_ = false;  // what runs is no program
+  std::atomic<Kernel*> running_ = nullptr;  // until the tick side is at its end
+  std::atomic<bool> by_hand_ = false;       // what runs is no program
   std::unique_ptr<Kernel> kernel_;
   Published operator_{};
   double spindle_share_ = 1.0;  // of the programmed speed, in the latest outputs
@@ -204,10 +213,13 @@ class KERF_LOCAL Controller::Impl {
   control::Snapshot<Published> published_;
   control::EventLog events_;
   control::Messages messages_;
+  Seen seen_{};  // at the latest look at the ticks
+  interp::TickCalls calls_;
   // Of the tick side.
-  std::atomic<std::int64_t> tick_ = 0;         // to be written by it alone
-  std::atomic<std::int64_t> tick_bounds_ = 0;  // two a tick: where it begins, and where it ends
+  std::atomic<std::int64_t> tick_ = 0;  // to be written by it alone
+  Kernel* ticked_ = nullptr;            // running_, from the tick on that was told
   bool has_new_place_ = false;
+  std::optional<AxisSet> closed_{};  // home switches, as of last_: for the next tick
   ProgramInputs inputs_{};
   TickDetail detail_{};
   bool is_held_by_feed_ = false;  // it runs, and was held at the latest tick

@@ -9,14 +9,40 @@ namespace kerf {
 
 using State = ControllerState;
 
+void Controller::Impl::look_at_ticks() {
+  const auto read = [this] {
+    seen_ = {.running = running_.load(),
+             .state = state_.state(),
+             .door_open = door_open_.load(),
+             .ticks = tick_.load(),
+             .at = here()};
+    home_search_.look();
+  };
+  if (options_.plan_clock) {
+    calls_.follow(options_.plan_clock, read);
+  } else {
+    read();
+  }
+}
+
+void Controller::Impl::follow_ticks() {
+  look_at_ticks();
+  follow_manual();
+  look_at_ticks();  // planning takes its time
+}
+
+void Controller::Impl::tell_ticks() {
+  const auto at_once = [](std::int64_t /*ticks*/) { return true; };
+  options_.plan_clock ? calls_.tell(options_.plan_clock) : calls_.tell(at_once);
+}
+
 tl::expected<control::ManualMove, std::string_view> Controller::Impl::move_of(
     const Jog& jog) const {
   return control::move_of(jog, here(), home_search_.unhomed(), settings_);
 }
 
 tl::expected<void, Refusal> Controller::Impl::jog(const Jog& jog) {
-  look_at_tick();
-  follow_manual();
+  follow_ticks();
   for (auto seen = state_.load();;) {
     const auto refused = [&](std::string_view why) {
       return tl::unexpected(Refusal{.state = seen.state(), .command = Command::jog, .reason = why});
@@ -28,7 +54,7 @@ tl::expected<void, Refusal> Controller::Impl::jog(const Jog& jog) {
       return refused(why);
     }
     if (seen.state() == State::jogging && renews(jog)) {
-      manual_.renewed_tick = tick_.load();
+      manual_.renewed_tick = seen_.ticks;
       return {};
     }
     const auto move = move_of(jog);
@@ -55,7 +81,7 @@ bool Controller::Impl::renews(const Jog& jog) const noexcept {
 void Controller::Impl::begin_jog(const Jog& jog, const control::ManualMove& move) {
   manual_.jog = jog;
   manual_.stops = false;  // it was the one before
-  manual_.renewed_tick = tick_.load();
+  manual_.renewed_tick = seen_.ticks;
   if (is_suspended_) {
     manual_.way_back.push_back(control::place_of(here()));
   }
@@ -83,13 +109,18 @@ void Controller::Impl::queue_jog(const Jog& jog) {
 void Controller::Impl::run(const control::ManualMove& move) {
   manual_.kernel = control::kernel_of(move, here(), settings_, options_);
   manual_.ends = false;
-  look_at_tick();
   by_hand_ = true;
-  running_.store(manual_.kernel.get(), std::memory_order_release);
+  run(*manual_.kernel);
+}
+
+void Controller::Impl::run(Kernel& kernel) {
+  running_.store(&kernel);
+  seen_.running = &kernel;
+  tell_ticks();
 }
 
 void Controller::Impl::end_move() {
-  if (running_.load() != nullptr && !std::exchange(manual_.ends, true)) {
+  if (seen_.running != nullptr && !std::exchange(manual_.ends, true)) {
     manual_.kernel->stop();
   }
 }
@@ -101,11 +132,11 @@ void Controller::Impl::stop_manual() {
 }
 
 void Controller::Impl::follow_manual() {
-  switch (state_.state()) {
+  switch (seen_.state) {
     case State::off:
     case State::emergency_stop:
     case State::fault:
-      if (running_.load() == nullptr) {
+      if (seen_.running == nullptr) {
         is_suspended_ = false;
         manual_ = {};
         home_search_.drop_place();
@@ -136,13 +167,13 @@ void Controller::Impl::leave_manual_for(State next) {
 }
 
 void Controller::Impl::follow_jog() {
-  if (running_.load() != nullptr) {
-    manual_.kernel->plan();
+  if (seen_.running != nullptr) {
     const double silent_s =
-        static_cast<double>(tick_.load() - manual_.renewed_tick) * settings_.limits.period_s;
+        static_cast<double>(seen_.ticks - manual_.renewed_tick) * settings_.limits.period_s;
     if (!manual_.jog.is_step && silent_s > settings_.manual.jog_timeout_s) {
       stop_manual();
     }
+    manual_.kernel->plan();
     return;
   }
   if (const auto next = std::exchange(manual_.next, std::nullopt)) {
@@ -163,7 +194,7 @@ bool Controller::Impl::begin_return() {
 
 // One move after the other, each to where a jog began.
 void Controller::Impl::follow_return() {
-  if (manual_.kernel && running_.load() != nullptr) {
+  if (manual_.kernel && seen_.running != nullptr) {
     manual_.kernel->plan();
     return;
   }
@@ -194,23 +225,23 @@ void Controller::Impl::end_suspended() {
 }
 
 void Controller::Impl::follow_homing() {
-  if (running_.load() != nullptr) {
-    manual_.kernel->plan();
-    if (const auto complaint = home_search_.complaint(tick_.load())) {
+  if (seen_.running != nullptr) {
+    if (const auto complaint = home_search_.complaint(seen_.ticks)) {
       fail_to_home(*complaint);
     } else if (home_search_.has_found()) {
       end_move();
     }
+    manual_.kernel->plan();
     return;
   }
   if (manual_.stops) {
-    if (!home_search_.is_placing(here())) {
+    if (!home_search_.is_placing(seen_.at)) {
       leave_manual_for(State::idle);
     }
     return;
   }
   control::HomeSearch::Move move;
-  const control::HomeSearch::Next next = home_search_.next(here(), move);
+  const control::HomeSearch::Next next = home_search_.next(seen_.at, move);
   if (state_.state() != State::homing) {
     if (state_.state() == State::fault) {  // it came while an axis got its place
       home_search_.forget_homes();
@@ -225,6 +256,9 @@ void Controller::Impl::follow_homing() {
       break;
     }
     case control::HomeSearch::Next::waits:
+      break;
+    case control::HomeSearch::Next::gives_place:
+      tell_ticks();
       break;
     case control::HomeSearch::Next::done:
       leave_manual_for(State::idle);

@@ -10,8 +10,7 @@ namespace kerf {
 using State = ControllerState;
 
 tl::expected<void, Refusal> Controller::Impl::run_mdi(std::string_view line) {
-  look_at_tick();
-  follow_manual();
+  follow_ticks();
   for (auto seen = state_.load();;) {
     const auto refused = [&](std::string_view why) {
       return tl::unexpected(Refusal{.state = seen.state(), .command = Command::mdi, .reason = why});
@@ -103,9 +102,8 @@ void Controller::Impl::start(std::unique_ptr<Kernel> kernel, Runs what) {
 
 void Controller::Impl::run_program() {
   spindle_share_ = operator_.overrides.spindle;
-  look_at_tick();
   by_hand_ = false;
-  running_.store(kernel_.get(), std::memory_order_release);
+  run(*kernel_);
 }
 
 void Controller::Impl::feed(std::string_view text) {
@@ -123,10 +121,9 @@ void Controller::Impl::finish() {
 }
 
 bool Controller::Impl::plan() {
-  look_at_tick();
-  follow_manual();
+  follow_ticks();
   follow_door();
-  const bool runs = has_program();
+  const bool runs = has_program(seen_.running);
   const bool wants_text = hear_out() && runs;
   ran_ = runs;
   wants_text_.store(wants_text, std::memory_order_relaxed);

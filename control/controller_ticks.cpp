@@ -6,13 +6,19 @@ namespace kerf {
 using State = ControllerState;
 
 ControllerState Controller::Impl::tick(Setpoint& setpoint) noexcept {
-  tick_bounds_.fetch_add(1);
-  Kernel* const kernel = running_.load(std::memory_order_acquire);
+  const interp::TickCalls::Call call(calls_);
+  if (closed_) {
+    home_search_.see(*closed_, last_);
+  }
+  if (call.has_news()) {
+    ticked_ = running_.load(std::memory_order_acquire);
+  }
+  Kernel* const kernel = ticked_;
   Ticked ticked{.before = state_.load()};
   if (kernel != nullptr) {
     ticked.status = tick(*kernel, ticked.before.state());
   } else {
-    rest();
+    rest(call.has_news());
   }
   last_.tick = tick_.fetch_add(1, std::memory_order_relaxed);
   is_held_by_feed_ = ticked.status == TickStatus::held && ticked.before.state() == State::running;
@@ -22,9 +28,7 @@ ControllerState Controller::Impl::tick(Setpoint& setpoint) noexcept {
   }
   tell_wait();
   setpoint = last_;
-  const State state = state_.state();
-  tick_bounds_.fetch_add(1);
-  return state;
+  return state_.state();
 }
 
 TickStatus Controller::Impl::tick(Kernel& kernel, State state) noexcept {
@@ -88,6 +92,7 @@ void Controller::Impl::follow(Ticked tick, const Kernel& kernel) noexcept {
 
 // The planning side ends what was moved by hand.
 void Controller::Impl::end(State next) noexcept {
+  ticked_ = nullptr;
   running_.store(nullptr, std::memory_order_release);
   auto seen = state_.load();
   while (seen.state() != State::emergency_stop && seen.state() != State::fault &&
@@ -95,8 +100,8 @@ void Controller::Impl::end(State next) noexcept {
   }
 }
 
-void Controller::Impl::rest() noexcept {
-  has_new_place_ = state_.state() == State::homing && home_search_.take_place(last_);
+void Controller::Impl::rest(bool has_news) noexcept {
+  has_new_place_ = has_news && state_.state() == State::homing && home_search_.take_place(last_);
   last_.v_mm_s = last_.a_mm_s2 = last_.j_mm_s3 = 0.0;
   last_.velocity_mm_s = last_.acceleration_mm_s2 = {};
   last_.limit = Constraint::rest;
@@ -111,6 +116,7 @@ void Controller::Impl::publish() noexcept {
   snapshot_.write({.programs = programs_.load(),
                    .run_s = static_cast<double>(run_ticks_.load()) * settings_.limits.period_s,
                    .is_held_by_feed = is_held_by_feed_,
+                   .door_open = door_open_.load(std::memory_order_relaxed),
                    .block = detail_.block,
                    .setpoint = last_});
 }
@@ -173,7 +179,6 @@ ControllerStatus Controller::Impl::status() const noexcept {
   status.codes = by.codes;
   status.left_s = by.left_s;
   status.unhomed = home_search_.unhomed();
-  status.door_open = door_open_.load();
   status.state = state_.state();
   status.next_event = events_.next_number();
   status.waits_for = waits_for(status.state);

@@ -77,7 +77,7 @@ HomeSearch::Next HomeSearch::next(const Setpoint& at, Move& move) {
 
 // Before the first tick nobody has read them: an axis that stands on its own would go on into it.
 bool HomeSearch::waits_for_switches(const Setpoint& at) {
-  if (has_seen_.load()) {
+  if (seen_.is_known) {
     return false;
   }
   if (!std::exchange(waits_, true)) {
@@ -105,7 +105,7 @@ HomeSearch::Next HomeSearch::give_place() {
   shift_mm_ = of_axis().switch_mm - found_mm_.load(std::memory_order_relaxed);
   step_ = Step::place;
   shifts_.store(true, std::memory_order_release);
-  return Next::waits;
+  return Next::gives_place;
 }
 
 // Once the tick side has taken the place.
@@ -149,7 +149,7 @@ HomeSearch::Next HomeSearch::look(Step step, bool closed, const Move& move, std:
   step_ = step;
   out = move;
   begun_tick_ = tick;
-  closed_at_begin_ = closed_.load();
+  closed_at_begin_ = seen_.closed;
   ++looks_;
   watch_.store({.axis = static_cast<std::uint8_t>(axis()), .closed = closed, .look = looks_});
   return Next::moves;
@@ -162,7 +162,7 @@ std::optional<std::string> HomeSearch::complaint(std::int64_t tick) const {
   if (step_ == Step::go_home) {
     return std::nullopt;
   }
-  const auto changed = static_cast<AxisSet>((closed_.load() ^ closed_at_begin_) & unhomed());
+  const auto changed = static_cast<AxisSet>((seen_.closed ^ closed_at_begin_) & unhomed());
   for (std::size_t other = 0; other < homing_.size(); ++other) {
     if (other != axis() && (changed & bit_of(other)) != 0) {
       return std::string("homing ") + kNames[axis()] + ": the switch of " + kNames[other] +

@@ -34,16 +34,19 @@ class HomeSearch {
   };
   enum class Next : std::uint8_t {
     moves,
-    waits,  // for the tick side: ask again
+    waits,        // for the tick side: ask again
+    gives_place,  // the same, and it is to be told of it
     done,
     failed,  // failure() says why
   };
   // At rest. `at`: where that is.
   Next next(const Setpoint& at, Move& move);
-  // While it moves: what was looked for is there.
-  [[nodiscard]] bool has_found() const noexcept {
-    return found_.load(std::memory_order_acquire) == looks_;
+  // What the tick side has seen by now is what all this goes by.
+  void look() noexcept {
+    seen_ = {.closed = closed_.load(), .is_known = has_seen_.load(), .found = found_.load()};
   }
+  // While it moves: what was looked for is there.
+  [[nodiscard]] bool has_found() const noexcept { return seen_.found == looks_; }
   // While it moves; nothing: all is well.
   [[nodiscard]] std::optional<std::string> complaint(std::int64_t tick) const;
   [[nodiscard]] const std::string& failure() const noexcept { return failure_; }
@@ -65,7 +68,7 @@ class HomeSearch {
   [[nodiscard]] std::size_t axis() const { return order_[axes_done_]; }
   [[nodiscard]] const AxisHoming& of_axis() const { return homing_[axis()]; }
   [[nodiscard]] bool is_closed(std::size_t axis) const noexcept {
-    return ((closed_.load() >> axis) & 1U) != 0;
+    return ((seen_.closed >> axis) & 1U) != 0;
   }
   // Until the switch is closed, or open.
   Next look(Step step, bool closed, const Move& move, std::int64_t tick, Move& out);
@@ -90,6 +93,12 @@ class HomeSearch {
   bool waits_ = false;  // for the first look at the switches, since begun_tick_
   AxisSet closed_at_begin_ = 0;
   std::string failure_;
+  struct Seen {
+    AxisSet closed = 0;
+    bool is_known = false;
+    std::uint16_t found = 0;
+  };
+  Seen seen_{};
   std::uint16_t looks_ = 1;  // counts moves: what an earlier one finds late is not taken for this
   // Between the sides.
   // As aligned as it is large: clang calls a library for an atomic that is not.

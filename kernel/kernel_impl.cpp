@@ -154,7 +154,7 @@ bool Kernel::Impl::is_nearly_half_ahead() const {
 }
 
 TickStatus Kernel::Impl::tick(Setpoint& setpoint) noexcept {
-  const TickCalls::Call call(calls_);
+  const interp::TickCalls::Call call(calls_);
   const TickStatus status = interpolator_.next(setpoint);
   if (status == TickStatus::starved) {
     judge_.starve();

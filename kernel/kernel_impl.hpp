@@ -13,10 +13,10 @@
 #include <kerf/kernel.hpp>
 
 #include "interp/interpolator.hpp"
+#include "interp/tick_calls.hpp"
 #include "kernel/delivery.hpp"
 #include "kernel/pipeline.hpp"
 #include "kernel/program_notes.hpp"
-#include "kernel/tick_calls.hpp"
 #include "kernel/tick_judge.hpp"
 
 namespace kerf {
@@ -283,7 +283,7 @@ class KERF_LOCAL Kernel::Impl {
   int shortenings_ = 0;  // in a row: the first part of a plan did not fit, and is half as long then
   ProgramState begins_with_;
   std::function<bool(std::int64_t)> plan_clock_;  // KernelOptions
-  TickCalls calls_;
+  interp::TickCalls calls_;
   Delivery delivery_{queue_, [this] { static_cast<void>(now()); }};
 };
 

@@ -132,8 +132,8 @@ struct ControllerStatus {
   bool single_block = false;
   bool optional_stop = false;
   BlockDelete block_delete{};
-  AxisSet unhomed = 0;  ///< have a home switch that was not found
-  bool door_open = false;
+  AxisSet unhomed = 0;      ///< have a home switch that was not found
+  bool door_open = false;   ///< at the latest tick
   std::uint64_t block = 0;  ///< TickDetail::block of the present or last program
   Setpoint setpoint{};      ///< its tick counts from the controller's first
   /// "G1 G17 G21 ...": in force where the tool is, cut off where they are longer; the rest is 0.
@@ -210,7 +210,8 @@ class KERF_API Controller {
   /// Kernel::detail(); without a program that of the last one. Of the thread that calls tick().
   [[nodiscard]] TickDetail detail() const noexcept;
 
-  /// Which home switches are closed, as of the latest setpoint. Of the thread that calls tick().
+  /// Which home switches are closed, as of the latest setpoint. The next tick() sees it. Of the
+  /// thread that calls tick().
   void set_home_switches(AxisSet closed) noexcept;
   /// While the door is open nothing begins to move: programs in motion are held, jogs and homing
   /// stopped, by plan(); resume, start, mdi, jog and home are refused. Nothing goes on by itself

@@ -100,10 +100,12 @@ struct KernelOptions {
   /// feedrates, searches. Called by what plans, on the planning side; empty: nobody is told.
   std::function<void(std::string_view line)> plan_log{};
   /// Asked by the planning side each time that it looks how far the ticks are, with how many calls
-  /// of tick() are over; false: it looks again at once. Where the ticks have a thread of their own,
-  /// this is all that makes two runs of the same text under the same commands differ: whoever notes
-  /// what it was asked, and lets the same pass in a later run, each when the ticks are there, has
-  /// every plan take over at the same tick. Throws nothing. Empty: nobody is asked.
+  /// of tick() are over; false: it looks again at once. -1: the latest look that it let pass came
+  /// to nothing, for a tick was faster; what it gives then does not count. Where the ticks have a
+  /// thread of their own, this is all that makes two runs of the same text under the same commands
+  /// differ: whoever notes what it was asked, and lets the same pass in a later run, each when the
+  /// ticks are there, has every plan take over at the same tick. Throws nothing. Empty: nobody is
+  /// asked.
   std::function<bool(std::int64_t ticks)> plan_clock{};
 };
 

@@ -4,8 +4,12 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
+#include <random>
 #include <string>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -83,7 +87,7 @@ TEST(Homing, BeginsBeforeTheFirstTickWithAnyAxisOnItsSwitch) {
 TEST(Homing, BeginsOnASwitchThatIsClosed) {
   HomingShop shop;
   shop.off_mm = {-107.0, 0.0, 0.0};
-  shop.tick();
+  shop.tick(2);  // the second one sees it
   shop.home();
   EXPECT_NEAR(shop.true_mm(0), -100.0, 1.001e-3);
 }
@@ -222,6 +226,95 @@ TEST(Homing, WorksWithTheTicksInAThreadOfTheirOwn) {
   for (const double at_mm : controller.status().setpoint.position_mm) {
     EXPECT_NEAR(at_mm, -100.0, 1e-9);
   }
+}
+
+// A search for the switches whose ticks come while the controller looks at them, as those of
+// another thread may: at random in the first run, in a later one where the looks of the first say
+// so.
+class TickedInLooks {
+ public:
+  explicit TickedInLooks(unsigned seed) : random_(seed), repeats_(false) {}
+  explicit TickedInLooks(std::vector<std::int64_t> looks)
+      : repeats_(true), looks_(std::move(looks)) {}
+
+  void home() {
+    KernelOptions options;
+    options.plan_clock = [this](std::int64_t ticks) {
+      return repeats_ ? repeat(ticks) : note(ticks);
+    };
+    Controller controller(shop_.machine, options);
+    controller_ = &controller;
+    EXPECT_TRUE(controller.give(Command::enable));
+    EXPECT_TRUE(controller.give(Command::home));
+    while (controller.status().state == State::homing && places_mm.size() < kMostTicks) {
+      controller.plan();
+      if (!repeats_) {
+        tick();
+      }
+    }
+    ASSERT_EQ(controller.status().state, State::idle);
+    EXPECT_EQ(controller.status().unhomed, 0U);
+  }
+  [[nodiscard]] std::vector<std::int64_t> looks() const { return looks_; }
+
+  std::vector<Position> places_mm;
+  int taken_back = 0;
+
+ private:
+  static constexpr std::size_t kMostTicks = 100'000;
+
+  void tick() {
+    controller_->tick(shop_.setpoint);
+    places_mm.push_back(shop_.setpoint.position_mm);
+    controller_->set_home_switches(shop_.closed());
+  }
+  bool note(std::int64_t ticks) {
+    if (ticks < 0) {
+      looks_.pop_back();
+      ++taken_back;
+      return true;
+    }
+    looks_.push_back(ticks);
+    const bool is_of_controller = ticks == static_cast<std::int64_t>(places_mm.size());
+    if (controller_ != nullptr && is_of_controller && random_() % 8 == 0) {
+      tick();
+    }
+    return true;
+  }
+  bool repeat(std::int64_t ticks) {
+    EXPECT_GE(ticks, 0);
+    if (next_ < looks_.size() && looks_[next_] == ticks) {
+      ++next_;
+      return true;
+    }
+    tick();
+    return places_mm.size() > kMostTicks;
+  }
+
+  std::mt19937 random_;
+  bool repeats_;
+  std::vector<std::int64_t> looks_;
+  std::size_t next_ = 0;
+  Shop shop_{mill_with_switches()};  // for its switches; its own controller rests
+  Controller* controller_ = nullptr;
+};
+
+// Found with eight runs beside each other: one of ten was not repeated from its record.
+TEST(Homing, IsRepeatedByTheLooksOfPlanningWhereverTicksCameBetween) {
+  int taken_back = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    TickedInLooks first(seed);
+    first.home();
+    taken_back += first.taken_back;
+    TickedInLooks again(first.looks());
+    again.home();
+    first.places_mm.resize(std::min(first.places_mm.size(), again.places_mm.size()));
+    EXPECT_GT(first.places_mm.size(), 1000U);
+    again.places_mm.resize(first.places_mm.size());
+    ASSERT_EQ(first.places_mm, again.places_mm);
+  }
+  EXPECT_GT(taken_back, 0);
 }
 
 TEST(Homing, IsAskedForAgainBehindAFault) {

@@ -51,6 +51,23 @@ TEST(PlanRecord, GivesBackLooksAndOrdersInTheirOrder) {
   EXPECT_EQ(read->bytes(), sample_record().bytes());
 }
 
+TEST(PlanRecord, HasNoLookThatWasTakenBack) {
+  PlanRecord record;
+  record.take_back_look();  // of nothing
+  record.add_look(4);
+  record.add_look(5);
+  record.add_look(5);
+  record.take_back_look();
+  record.add_look(6);
+  record.take_back_look();
+  record.add_look(7);
+  record.finish();
+  PlanRecord::Reader reader(record);
+  for (const std::int64_t tick : {4, 5, 7}) {
+    EXPECT_TRUE(reader.take_look(tick)) << tick;
+  }
+}
+
 TEST(PlanRecord, KnowsWhetherAnybodyAskedForAnything) {
   PlanRecord record;
   record.add_look(1);

@@ -22,7 +22,7 @@ MAY_INCLUDE = {
     "smoothing": {"diagnostics", "parser", "curves"},
     "lookahead": {"diagnostics", "parser", "smoothing", "curves", "profiles", "interp"},
     "kernel": {"diagnostics", "parser", "smoothing", "lookahead", "curves", "profiles", "interp", "machine"},
-    "control": set(),
+    "control": {"interp"},
 }
 LIBRARY = set(MAY_INCLUDE)
 

@@ -15,7 +15,9 @@ void Operator::drop_orders(const void* asker) {
 }
 
 void Operator::carry_out() {
-  while (pace_ != nullptr && !pace_->look(controller_->status().setpoint.tick)) {
+  ControllerStatus seen = controller_->status();
+  while (pace_ != nullptr && !pace_->look(seen.setpoint.tick)) {
+    seen = controller_->status();
   }
   if (pace_ != nullptr && pace_->is_repeated()) {
     carry_out_once_more();
@@ -23,7 +25,7 @@ void Operator::carry_out() {
     carry_out_what_was_asked();
   }
   if (!is_attended_) {
-    stop_at_door();
+    stop_at_door(seen);
   }
   start_behind_search();
 }
@@ -60,8 +62,7 @@ void Operator::carry_out_once_more() {
   }
 }
 
-void Operator::stop_at_door() {
-  const ControllerStatus status = controller_->status();
+void Operator::stop_at_door(const ControllerStatus& status) {
   const bool goes_on =
       status.state == ControllerState::running || status.state == ControllerState::waiting ||
       status.state == ControllerState::holding || status.state == ControllerState::held;

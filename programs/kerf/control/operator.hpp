@@ -57,7 +57,7 @@ class Operator {
   [[nodiscard]] std::string_view refusal_to_begin() const noexcept;
   void carry_out_what_was_asked();
   void carry_out_once_more();
-  void stop_at_door();
+  void stop_at_door(const ControllerStatus& status);
   // The program, once the search for the home switches has come to its end.
   void start_behind_search();
   tl::expected<void, Refusal> note_stop(const tl::expected<void, Refusal>& given);

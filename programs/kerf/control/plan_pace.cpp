@@ -9,6 +9,10 @@ bool PlanPace::look(std::int64_t tick) {
   if (is_over_) {
     return true;
   }
+  if (tick == kTakenBack) {  // never of a run once more: its ticks wait
+    record_.take_back_look();
+    return true;
+  }
   if (!repeated_) {
     record_.add_look(tick);
     return true;

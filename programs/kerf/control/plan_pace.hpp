@@ -58,6 +58,7 @@ class PlanPace {
 
  private:
   static constexpr std::int64_t kNone = -1;
+  static constexpr std::int64_t kTakenBack = -1;  // KernelOptions::plan_clock
   static constexpr std::string_view kEnd = "end";
 
   PlanRecord record_;

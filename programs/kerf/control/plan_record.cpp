@@ -52,6 +52,12 @@ void PlanRecord::add_look(std::int64_t tick) {
   ++looks_;
 }
 
+void PlanRecord::take_back_look() {
+  if (looks_ > 0) {  // else an order came behind it
+    --looks_;
+  }
+}
+
 void PlanRecord::add_order(std::string_view text) {
   finish();
   append(kOrder, entries_);

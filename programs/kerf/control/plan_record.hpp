@@ -23,6 +23,8 @@ class PlanRecord {
   std::optional<std::int64_t> emergency_tick{};
 
   void add_look(std::int64_t tick);
+  // The latest one came to nothing.
+  void take_back_look();
   void add_order(std::string_view text);
   [[nodiscard]] bool has_orders() const noexcept { return has_orders_ || emergency_tick; }
 
