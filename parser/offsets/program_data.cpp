@@ -15,11 +15,13 @@ Point difference(const Point& a, const Point& b) {
 }
 
 // As the system would place it with its origin at zero, so that the tool's place gets the
-// coordinates of the words.
+// coordinates of the words, and keeps those that the system gives it now where there is no word.
 void place_origin(const RunningBlock& at, const ModalState& state, std::size_t system,
                   WorkOffset& offset) {
   const Point words = axis_words_mm(at.block, state.units);
-  Point program = state.coordinates.to_program(state.position_mm);
+  Coordinates now = state.coordinates;
+  now.select(system);
+  Point program = now.to_program(state.position_mm);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     program[axis] = at.block.has(axis_letter(axis)) ? words[axis] : program[axis];
   }
