@@ -58,7 +58,7 @@ void CutterCompensation::finish(const diagnostics::DiagnosticPlace& place) {
 
 void CutterCompensation::take(const Move& move, diagnostics::DiagnosticPlace place) {
   place_ = std::move(place);
-  if (!busy() || start_.radius_mm == 0.0) {
+  if (!busy() || (start_.radius_mm == 0.0 && !displaced_)) {
     ready().push() = move;
     leaving_ = false;
     return;
@@ -163,6 +163,11 @@ void CutterCompensation::take_entry(const Move& move) {
                   " mm long, it must be longer than the tool radius of ", in_mm(start_.radius_mm),
                   " mm"}));
   }
+  if (start_.radius_mm == 0.0) {  // it leads from beside a contour to the path; the rest is that
+    settle_last();
+    send_all();
+    displaced_ = false;
+  }
 }
 
 void CutterCompensation::take_contour(const Move& move) {
@@ -196,13 +201,16 @@ void CutterCompensation::take_contour(const Move& move) {
 }
 
 void CutterCompensation::take_exit(const Move& move) {
-  if (end_of(move) == nullptr) {
+  const bool is_arc = std::holds_alternative<ArcMove>(move.shape);
+  const bool is_curve = std::holds_alternative<NurbsMove>(move.shape);
+  if (end_of(move) == nullptr && !is_curve) {
     hold(move, HeldRole::idle);
     return;
   }
-  if (std::holds_alternative<ArcMove>(move.shape)) {
+  if (is_arc || is_curve) {
     faults_.push_back({place_, &errors::kCompensationExitOnArc,
-                       "the first move after G40 must be a straight line, not an arc"});
+                       joined({"the first move after G40 must be a straight line, not ",
+                               is_arc ? "an arc" : "a curve"})});
     send_all();
     ready().push() = move;
   } else {

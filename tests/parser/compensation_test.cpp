@@ -67,6 +67,17 @@ TEST(Compensation, TakesAnArcTooSmallToBeAMoveForNone) {
   }
 }
 
+// Found by a review: the curve began where the path is, with the tool still beside it.
+TEST(Compensation, LeavesByALineAndNoCurve) {
+  for (const char* const curve : {"G5 X90 Y30 I10 J0 P0 Q-10", "G5.1 X90 Y30 I10 J10",
+                                  "G5.2 X60 Y10 P1 L3\nX90 Y30 P1\nG5.3"}) {
+    const std::string found = messages(std::string(kOn) + "G40\n" + curve + "\nG1 X100\nM2\n");
+    EXPECT_NE(found.find("the first move after G40 must be a straight line, not a curve"),
+              std::string::npos)
+        << curve << ": " << found;
+  }
+}
+
 TEST(Compensation, RunsWhatItHoldsWhereTheTextEndsWithoutM2) {
   EXPECT_EQ(moves(kOn), "1: line to 20 5 0 feed 10\n2: line to 50 5 0 feed 10\n");
   EXPECT_EQ(moves("O1\nG41 D2 G1 F600 X20\nX50\nO2\nM99\n", Dialect::fanuc),
