@@ -72,5 +72,19 @@ TEST(TimedPath, DividesWhereARapidBeginsAndEnds) {
   EXPECT_EQ(points[3].rapid, false);
 }
 
+// Found with the dots of an engraving: thinning them went on for ever.
+TEST(TimedPath, HasBoundedMemoryWhereRapidsBeginAndEndEverywhere) {
+  TimedPath path({.tolerance_mm = 1e-6, .max_points = 500});
+  for (std::int64_t tick = 0; tick <= 50'000; ++tick) {
+    TimedPoint point = point_at(tick);
+    point.rapid = tick / 3 % 2 == 0;
+    path.add(point);
+  }
+  const std::vector<TimedPoint> points = path.points();
+  EXPECT_LE(points.size(), 501U);
+  EXPECT_GT(points.size(), 50U);
+  EXPECT_LE(largest_error_mm(points, 50'000), path.tolerance_mm());
+}
+
 }  // namespace
 }  // namespace kerf::program

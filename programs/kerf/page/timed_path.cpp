@@ -12,7 +12,7 @@ TimedPath::TimedPath(const Settings& settings)
 
 bool TimedPath::extends(const TimedPoint& point) {
   const TimedPoint& from = kept_.back();
-  if (last_ && point.rapid != last_->rapid) {
+  if (tells_rapids_ && last_ && point.rapid != last_->rapid) {
     return false;
   }
   const auto ticks = static_cast<double>(point.tick - from.tick);
@@ -61,9 +61,20 @@ void TimedPath::add(const TimedPoint& point) {
   }
 }
 
+// A wider sleeve drops no place where a rapid begins or ends: there may be too many of them.
+bool TimedPath::is_full_of_rapids() const {
+  std::size_t changes = 0;
+  for (std::size_t i = 1; i < kept_.size(); ++i) {
+    changes += kept_[i].rapid != kept_[i - 1].rapid ? 1U : 0U;
+  }
+  return 2 * changes >= kept_.size();
+}
+
 void TimedPath::thin() {
   tolerance_mm_ *= 2.0;
+  tells_rapids_ = tells_rapids_ && !is_full_of_rapids();
   TimedPath thinner({.tolerance_mm = tolerance_mm_, .max_points = kept_.size() + 2});
+  thinner.tells_rapids_ = tells_rapids_;
   for (const TimedPoint& point : kept_) {
     thinner.append(point);
   }

@@ -20,7 +20,8 @@ struct TimedPoint {
 // Points go in tick by tick; one is kept where the straight line over time from the last kept point
 // would be more than the tolerance off in X, Y or Z, or where a rapid begins or ends. So place and
 // feedrate between kept points follow from them. When they run out the tolerance doubles and the
-// path is thinned by the same rule.
+// path is thinned by the same rule. Where half of the points were begins and ends of rapids, those
+// are no longer kept, and a stretch is what it ends as.
 //
 // The rule is a sleeve: the slopes over time that pass every point since the last kept one within
 // the tolerance form an interval for each axis, which only narrows. A point is constant work.
@@ -52,6 +53,7 @@ class TimedPath {
   void append(const TimedPoint& point);
   void keep(const TimedPoint& point);
   void thin();
+  [[nodiscard]] bool is_full_of_rapids() const;
 
   double tolerance_mm_;
   double error_mm_;
@@ -60,6 +62,7 @@ class TimedPath {
   std::optional<TimedPoint> last_;  // the newest point, unless it is kept
   std::array<Slope, 3> slopes_{};
   bool narrowed_ = false;
+  bool tells_rapids_ = true;
 };
 
 }  // namespace kerf::program
