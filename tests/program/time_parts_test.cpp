@@ -30,7 +30,7 @@ struct Part {
 };
 
 TimeParts parts_of(std::vector<Heading> headings, const std::vector<Part>& parts) {
-  PartsAccount account(std::move(headings));
+  PartsAccount account(std::move(headings), ToolChange::takes_none);
   TickRecord record;
   for (const Part& part : parts) {
     for (std::int64_t i = 0; i < part.ticks; ++i) {

@@ -14,8 +14,9 @@ struct Part {
   std::int32_t tool = 0;
 };
 
-TimeSplit split_of(const std::vector<Part>& parts) {
-  TimeAccount account;
+TimeSplit split_of(const std::vector<Part>& parts,
+                   ToolChange tool_change = ToolChange::takes_none) {
+  TimeAccount account(tool_change);
   std::int64_t tick = 0;
   TickRecord record;
   for (const Part& part : parts) {
@@ -59,6 +60,24 @@ TEST(TimeSplit, CountsTheRapidsBeforeTheFirstCutAsTheApproach) {
             0);
 }
 
+TEST(TimeSplit, CountsAToolChangeThatTakesItsTimeWithTheNewTool) {
+  const TimeSplit split = split_of({{.ticks = 10, .tool = 1},
+                                    {.ticks = 5, .kind = TickKind::rest, .line = 3, .tool = 2},
+                                    {.ticks = 4, .kind = TickKind::rest, .line = 4, .tool = 2},
+                                    {.ticks = 1, .line = 5, .tool = 2}},
+                                   ToolChange::takes_time);
+  EXPECT_EQ(split.tool_change, 5);
+  EXPECT_EQ(split.rest, 4);
+}
+
+TEST(TimeSplit, CountsADwellBehindAToolChangeThatTakesNoTimeAsARest) {
+  const TimeSplit split = split_of({{.ticks = 10, .tool = 1},
+                                    {.ticks = 5, .kind = TickKind::rest, .line = 3, .tool = 2},
+                                    {.ticks = 1, .line = 4, .tool = 2}});
+  EXPECT_EQ(split.rest, 5);
+  EXPECT_EQ(split.tool_change, 0);
+}
+
 TEST(TimeSplit, TakesTheRestsOfALineThatAnotherToolFollowsForAToolChange) {
   const TimeSplit split = split_of({{.ticks = 10},
                                     {.ticks = 5, .kind = TickKind::rest, .line = 2},
@@ -72,7 +91,7 @@ TEST(TimeSplit, TakesTheRestsOfALineThatAnotherToolFollowsForAToolChange) {
 }
 
 TEST(TimeSplit, OfNoTicksIsNothing) {
-  const TimeSplit split = TimeAccount().split();
+  const TimeSplit split = TimeAccount(ToolChange::takes_none).split();
   EXPECT_EQ(split.cutting + split.rapid + split.rest + split.tool_change, 0);
 }
 

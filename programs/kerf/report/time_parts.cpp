@@ -128,7 +128,7 @@ void PartsAccount::add(const TickRecord& record) {
       kind_of(record) == TickKind::rest && !rests_.empty() && record.line == last_.line;
   if (!goes_on) {
     end_rest();
-    tool_before_ = has_last_ ? last_.tool : 0;
+    tool_before_ = tool_change_ == ToolChange::takes_none ? record.tool : last_.tool;
   }
   last_ = record;
   has_last_ = true;

@@ -43,7 +43,8 @@ struct TimeParts {
 class PartsAccount {
  public:
   // headings: in ascending order of their lines.
-  explicit PartsAccount(std::vector<Heading> headings) : headings_(std::move(headings)) {}
+  PartsAccount(std::vector<Heading> headings, ToolChange tool_change)
+      : headings_(std::move(headings)), tool_change_(tool_change) {}
 
   // Ticks come in ascending order.
   void add(const TickRecord& record);
@@ -73,6 +74,7 @@ class PartsAccount {
   [[nodiscard]] Place place_of(const TickRecord& record);
 
   std::vector<Heading> headings_;
+  ToolChange tool_change_;
   std::map<Place, TimeSplit, Order> places_;
   Place counted_{};  // the last one, which most ticks have
   TimeSplit* of_counted_ = nullptr;

@@ -27,7 +27,7 @@ void TimeAccount::add(const TickRecord& record) noexcept {
   if (!goes_on) {
     end_rest(split_);
     rest_ = 0;
-    tool_before_ = has_last_ ? last_.tool : 0;
+    tool_before_ = tool_change_ == ToolChange::takes_none ? record.tool : last_.tool;
   }
   last_ = record;
   has_last_ = true;

@@ -16,10 +16,16 @@ struct TimeSplit {
   std::int64_t approach = 0;  // of the rapids those before the first cut; 0 without one
 };
 
+// Where changes take time, of the machine or until somebody answers, the new tool is there from the
+// first tick of it on; so it is in the rest behind one that takes none.
+enum class ToolChange : std::uint8_t { takes_none, takes_time };
+
 // Rests of one line, one after the other, are a tool change if the spindle has another tool behind
 // them.
 class TimeAccount {
  public:
+  explicit TimeAccount(ToolChange tool_change) noexcept : tool_change_(tool_change) {}
+
   // Ticks come in ascending order. Real time: constant work.
   void add(const TickRecord& record) noexcept;
   // Up to the tick that was added last.
@@ -28,6 +34,7 @@ class TimeAccount {
  private:
   void end_rest(TimeSplit& split) const noexcept;
 
+  ToolChange tool_change_;
   TimeSplit split_{};
   TickRecord last_{};
   bool has_last_ = false;

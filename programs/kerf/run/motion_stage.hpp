@@ -34,13 +34,14 @@ class MotionStage {
         report_(ends.report),
         progress_(order.path.length_mm),
         ticks_({.settings = order.settings,
+                .tool_change = tool_change_in(order),
                 .spindle_timeout_s = order.options.driver.spindle_timeout_s,
                 .keeps_flight = order.options.flight_file.has_value()},
                machine) {
     ticks_.enable({.mm = order.kernel_options.start_mm,
                    .extra_rad_mm = order.kernel_options.start_extra_rad_mm});
     if (order.options.command != Subcommand::run) {
-      outputs_.recorder().parts.emplace(order.path.headings);
+      outputs_.recorder().parts.emplace(order.path.headings, tool_change_in(order));
     }
   }
 
@@ -70,6 +71,12 @@ class MotionStage {
   void finish(const End& end);
 
  private:
+  [[nodiscard]] static ToolChange tool_change_in(const MotionOrder& order) noexcept {
+    const bool waits = order.options.command == Subcommand::run || order.plan != nullptr;
+    const bool takes_time =
+        waits || order.settings.program.tool_change_s >= order.settings.limits.period_s;
+    return takes_time ? ToolChange::takes_time : ToolChange::takes_none;
+  }
   void report_end(const End& end);
   void report_program(const End& end);
   void write_flight();

@@ -21,6 +21,7 @@ class TickStage {
  public:
   struct Order {
     const MachineSettings& settings;
+    ToolChange tool_change = ToolChange::takes_none;
     double spindle_timeout_s = 5.0;
     bool keeps_flight = false;  // flight() is wanted
   };
@@ -29,7 +30,8 @@ class TickStage {
         watch_(order.spindle_timeout_s, order.settings.limits.period_s),
         flight_(order.keeps_flight ? order.settings.limits.period_s
                                    : std::numeric_limits<double>::infinity()),
-        statistics_(order.settings.limits.period_s, order.settings.program.extra_axes != 0) {}
+        statistics_(order.settings.limits.period_s, order.settings.program.extra_axes != 0),
+        time_(order.tool_change) {}
 
   // Real time, as take().
   void enable(const machine::AxisPlaces& places) noexcept {
