@@ -98,6 +98,14 @@ TEST(LineMatch, TakesManyLinesWithoutOneInCommon) {
   EXPECT_EQ(pairs[0].second.last, 200'001U);
 }
 
+TEST(LineMatch, KnowsCommentsAndSequenceNumbersWhereverTheyStand) {
+  const std::string alike = "1=1 2=2 3=3";
+  EXPECT_EQ(pairs_of({"a", "(x; y) G1 X50", "b"}, {"a", "G1X50 ; (no", "b"}), alike);
+  EXPECT_EQ(pairs_of({"a", "/N10 G0 X1", "/2 N7 M0"}, {"a", "/ N11 G0 X1", "/2N9M0"}), alike);
+  EXPECT_EQ(pairs_of({"a", "/N10 G0 X1"}, {"a", "N10 G0 X1"}), "1=1 2=2") << "changed";
+  EXPECT_EQ(pairs_of({"a", "/N10 G0 X1", "b"}, {"a", "b"}), "1=1 2= 3=2");
+}
+
 TEST(LineMatch, CountsLinesAsTheyAreReadWhateverEndsThem) {
   EXPECT_EQ(lines_of("a\nb\r\n\rc"), (Lines{"a", "b", "", "c"}));
   EXPECT_EQ(lines_of(""), Lines{});

@@ -14,13 +14,13 @@ namespace {
 
 using LineKeys = std::vector<std::size_t>;
 
-// What a line says: without comments, blanks and N, in capitals.
+// What a line says: without comments, blanks and N, in capitals. A slash before N stays.
 std::string meaning_of(std::string_view line) {
   std::string text;
   bool comment = false;
   for (const char c : line) {
     comment = comment || c == '(';
-    if (c == ';') {
+    if (c == ';' && !comment) {
       break;
     }
     if (!comment && std::isspace(static_cast<unsigned char>(c)) == 0) {
@@ -28,11 +28,17 @@ std::string meaning_of(std::string_view line) {
     }
     comment = comment && c != ')';
   }
-  std::size_t digits = 1;
-  while (digits < text.size() && std::isdigit(static_cast<unsigned char>(text[digits])) != 0) {
-    ++digits;
+  const auto behind_digits = [&text](std::size_t at) {
+    while (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0) {
+      ++at;
+    }
+    return at;
+  };
+  const std::size_t number = text.starts_with('/') ? behind_digits(1) : 0;
+  if (number < text.size() && text[number] == 'N' && behind_digits(number + 1) > number + 1) {
+    text.erase(number, behind_digits(number + 1) - number);
   }
-  return text.starts_with('N') && digits > 1 ? text.substr(digits) : text;
+  return text;
 }
 
 // The same number for lines that say the same.
