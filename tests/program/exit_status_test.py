@@ -40,6 +40,18 @@ class ExitStatus(Case):
         self.assertIn("would be written twice", self.kerf("dry-run", square, "--trace", twice, "--plot", f"{folder}/./twice", status=2).stderr)
         self.kerf("dry-run", square, "--trace", "/dev/null", "--plot", "/dev/null")
 
+    def test_of_a_subprogram_that_would_be_written_over(self):
+        main = self.path("main.ngc", "G21 G61 F600\no<hole> call\nM2\n")
+        hole = self.path("hole.ngc", "o<hole> sub\nG1 X1\no<hole> endsub\n")
+        fanuc = self.path("O0007", "O7\nG1 X1\nM99\n")
+        for option in ("--trace", "--log", "--record", "--plot"):
+            for name in (hole, fanuc):
+                with self.subTest(name=name, option=option):
+                    before = pathlib.Path(name).read_text()
+                    self.assertIn("may be a subprogram", self.kerf("dry-run", main, option, name, status=2).stderr)
+                    self.assertEqual(pathlib.Path(name).read_text(), before)
+        self.kerf("dry-run", main, "--trace", self.path("O7.csv"), "--log", self.path("new.ngc"))
+
     def test_of_what_is_asked_to_stop(self):
         long = self.path("long.ngc", LONG)
         for status, number in ((129, signal.SIGHUP), (130, signal.SIGINT), (143, signal.SIGTERM)):

@@ -184,6 +184,23 @@ class Report(Case):
         self.kerf("report", program, status=2)  # no -o
         self.kerf("report", "-", "-o", self.page, "--machine", "a", "--machine", "b", status=2, stdin=SQUARE)
 
+    def test_leaves_the_page_without_data_as_it_is(self):
+        program = self.path("square.ngc", SQUARE)
+        self.assertIn("not to be written over", self.kerf("report", program, "-o", self.template, "--page", self.template, status=2).stderr)
+        copy, beside = self.path("kerf"), self.path("page.html", TEMPLATE)
+        pathlib.Path(copy).write_bytes(pathlib.Path(KERF).read_bytes())
+        os.chmod(copy, 0o755)
+        done = subprocess.run([copy, "report", program, "-o", beside], capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("not to be written over", done.stderr)
+        for path in (self.template, beside):
+            self.assertEqual(pathlib.Path(path).read_text(), TEMPLATE)
+
+    def test_ends_where_rapids_begin_and_end_everywhere(self):
+        self.report(self.path("dots.ngc", "G21 G90 G61 F3000\n#1=0\nG91\no1 while [#1 LT 80000]\nG0 X0.003\nG1 X0.003\n#1=[#1+1]\no1 endwhile\nM2\n"))
+        [(_, sections)] = plans_of(self.page)
+        self.assertGreater(len(sections["path.tick"]), 1000)
+
     def test_names_the_place_of_the_page_where_it_is_in_none(self):
         copy = self.path("kerf")
         pathlib.Path(copy).write_bytes(pathlib.Path(KERF).read_bytes())

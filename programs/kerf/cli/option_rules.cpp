@@ -12,6 +12,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "profiles/sigmoid.hpp"
+#include "programs/kerf/io/subprogram_folder.hpp"
 
 namespace kerf::program {
 
@@ -160,6 +161,7 @@ std::optional<std::string> contradiction_of_files(const Options& options) {
   read.push_back(options.machine_file.value_or(""));
   read.push_back(options.tool_file.value_or(""));
   read.push_back(options.replay_file);
+  read.push_back(options.page_template.value_or(""));
   const std::array written{options.trace_file.value_or(""),
                            options.plot_file.value_or(""),
                            options.flight_file.value_or(""),
@@ -173,6 +175,12 @@ std::optional<std::string> contradiction_of_files(const Options& options) {
     };
     if (std::ranges::any_of(read, is_it)) {
       return written[i] + " is read: it is not to be written over";
+    }
+    const auto may_call_it = [&file = written[i]](const std::string& program) {
+      return program != "-" && may_be_subprogram(file, program);
+    };
+    if (!written[i].empty() && std::ranges::any_of(options.files, may_call_it)) {
+      return written[i] + " may be a subprogram: it is not to be written over";
     }
     if (std::ranges::any_of(std::span(written).subspan(i + 1), is_it)) {
       return written[i] + " would be written twice";

@@ -114,4 +114,19 @@ parser::SubprogramSource subprograms_beside(const std::string& program, parser::
   return [folder](std::string_view name) { return folder->find(name); };
 }
 
+bool may_be_subprogram(const std::string& file, const std::string& program) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path path(file);
+  const fs::path folder = fs::path(program).parent_path();
+  const std::string stem = path.stem().string();
+  const std::string extension = path.extension().string();
+  const bool is_number = stem.size() > 1 && (stem[0] == 'O' || stem[0] == 'o') &&
+                         stem.find_first_not_of("0123456789", 1) == std::string::npos;
+  const bool is_named_so = extension == ".ngc" || extension == ".nc" || extension == ".NC" ||
+                           (extension.empty() && is_number);
+  return is_named_so && fs::is_regular_file(path, error) &&
+         lies_there({.folder = folder, .path = path});
+}
+
 }  // namespace kerf::program

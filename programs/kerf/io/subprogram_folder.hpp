@@ -14,4 +14,7 @@ namespace kerf::program {
 // refused. Files of more than 64 MiB and files that cannot be read count as missing.
 parser::SubprogramSource subprograms_beside(const std::string& program, parser::Dialect dialect);
 
+// Whether `file`, as it is there, may be one of those, in whichever dialect.
+bool may_be_subprogram(const std::string& file, const std::string& program);
+
 }  // namespace kerf::program

@@ -50,7 +50,7 @@ tl::expected<PageTemplate, std::string> read_page_template(
       asked_for ? std::vector<fs::path>{*asked_for} : usual_places();
   for (const fs::path& place : places) {
     if (auto text = text_of(place)) {
-      return PageTemplate{*std::move(text)};
+      return PageTemplate{.text = *std::move(text), .path = place.string()};
     }
   }
   if (asked_for) {
@@ -68,6 +68,10 @@ tl::expected<PageFile, std::string> PageFile::create(const std::string& path,
   if (head == std::string::npos) {
     return tl::unexpected(fmt::format(
         "the page without data is of another version of kerf; this one needs {}", kPlanVersion));
+  }
+  std::error_code error;
+  if (fs::equivalent(path, page_template.path, error)) {
+    return tl::unexpected(path + " is the page without data: it is not to be written over");
   }
   auto file = OutputFile::create(path);
   if (!file) {

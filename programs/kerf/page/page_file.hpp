@@ -16,6 +16,7 @@ namespace kerf::program {
 // The page without data.
 struct PageTemplate {
   std::string text;
+  std::string path;
 };
 
 // The one that was asked for, else page.html beside the executable, else
