@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <poll.h>
@@ -35,7 +36,14 @@ tl::expected<Descriptor, int> connect_to(const std::string& path, double timeout
     static_cast<void>(::setsockopt(socket.number(), SOL_SOCKET, SO_SNDTIMEO, &time, sizeof time));
   };
   wait_for({.tv_sec = static_cast<time_t>(std::ceil(timeout_s)), .tv_usec = 0});
-  if (!socket.is_open() || ::connect(socket.number(), any, sizeof address) != 0) {
+  const auto is_connected = [&] {
+    int result = -1;
+    do {
+      result = ::connect(socket.number(), any, sizeof address);
+    } while (result != 0 && errno == EINTR);
+    return result == 0;
+  };
+  if (!socket.is_open() || !is_connected()) {
     return tl::unexpected(errno == EAGAIN ? ETIMEDOUT : errno);
   }
   wait_for({});
@@ -44,6 +52,19 @@ tl::expected<Descriptor, int> connect_to(const std::string& path, double timeout
   static_cast<void>(
       ::setsockopt(socket.number(), SOL_SOCKET, SO_SNDBUF, &kRoomBytes, sizeof kRoomBytes));
   return socket;
+}
+
+// A signal ends no wait.
+bool has_input_within(double timeout_s, const Descriptor& socket) {
+  using Clock = std::chrono::steady_clock;
+  const auto until = Clock::now() + std::chrono::duration<double>(timeout_s);
+  pollfd waits{.fd = socket.number(), .events = POLLIN, .revents = 0};
+  int ready = -1;
+  do {
+    const std::chrono::duration<double, std::milli> left = until - Clock::now();
+    ready = ::poll(&waits, 1, static_cast<int>(std::max(left.count(), 0.0)));
+  } while (ready < 0 && errno == EINTR);
+  return ready > 0;
 }
 
 }  // namespace
@@ -75,8 +96,7 @@ std::string FrameSocket::greet(double timeout_s) {
   if (!send({.call = MachineCall::disable})) {
     return errno == EPIPE || errno == ECONNRESET ? kHangsUp : error_text(errno);
   }
-  pollfd waits{.fd = socket_.number(), .events = POLLIN, .revents = 0};
-  if (::poll(&waits, 1, static_cast<int>(timeout_s * 1e3)) <= 0) {
+  if (!has_input_within(timeout_s, socket_)) {
     return fmt::format("the machine does not answer within {} s", timeout_s);
   }
   const Received received = receive();
