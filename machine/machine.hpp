@@ -88,6 +88,9 @@ class Machine {
   virtual void write(const Setpoint& setpoint) noexcept = 0;
   // As of the last of these calls.
   [[nodiscard]] virtual MachineState read() const noexcept = 0;
+  // That is as of this tick's setpoint or a later one. False: so a machine that answers later will
+  // say at a later call.
+  [[nodiscard]] virtual bool has_answered(std::int64_t /*tick*/) const noexcept { return true; }
 };
 
 }  // namespace kerf::machine

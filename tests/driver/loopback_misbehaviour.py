@@ -8,6 +8,7 @@ SOURCE, SOCKET, HOW = sys.argv[1:4]
 FROM = int(sys.argv[4]) if len(sys.argv) > 4 else 0
 AT_REST_MM = 1e-3  # a period, of an axis that lags; the program moves by 0.02
 WORKPIECE_MM = -3.0  # its top
+END_MM = 40.0  # of the program, where late_trip trips
 OPEN_FRAMES = 3000  # how long the door is open
 DELAY_S = float(sys.argv[5]) if len(sys.argv) > 5 else 0.0
 sys.path.insert(0, f"{SOURCE}/examples")
@@ -60,8 +61,10 @@ def main():
                     continue
                 if HOW == "trip" and number == FROM:
                     machine.stop(FOLLOWING_ERROR, 1)
+                if HOW == "late_trip" and told.call == WRITE and machine.told[0] == END_MM:
+                    machine.stop(FOLLOWING_ERROR, 0)
                 answer = machine.answer(told.tick)
-                if HOW == "late" and number >= FROM:
+                if HOW in ("late", "late_trip") and number >= FROM:
                     held.append((time.monotonic() + DELAY_S, answer))
                     while held and held[0][0] <= time.monotonic():
                         connection.send(held.pop(0)[1])

@@ -3,6 +3,7 @@
 import csv
 import os
 import pathlib
+import re
 import signal
 import socket
 import subprocess
@@ -80,6 +81,24 @@ class Loopback(Case):
         told = [[line.split(",")[:4] for line in pathlib.Path(self.path(name)).read_text().splitlines()] for name in ("t.csv", "d.csv")]
         self.assertEqual(told[0], told[1])
 
+    def test_a_run_ends_with_what_a_late_machine_says_of_its_last_setpoint(self):
+        for how, status in (("late", 0), ("late_trip", 4)):
+            with self.subTest(how=how):
+                machine = self.start_machine(how, "1", str(0.3 * TIMEOUT_S))
+                program = self.path("way.ngc", WAY.replace("X200", "X40"))
+                first = self.path("first.rec")
+                done = self.kerf("run", "-q", program, "--machine", self.file, "--record", first, "--trace", self.path("t.csv"), status=status)
+                self.assertEqual("machine fault: following error of axis x too large" in done.stderr, status == 4, done.stderr)
+                out, _ = machine.communicate(timeout=60)
+                # It was told to stay where it is meanwhile, which is no part of the program.
+                told = int(re.search(r"told to be off at rest (\d+) ticks in a row", out)[1])
+                self.assertGreater(told, len(self.rows()) + 10)
+                self.assertEqual(self.rows()[-1][1], 40)
+                for command in ("run", "dry-run"):
+                    again = self.path("again.rec")
+                    self.kerf(command, "-q", program, "--machine", self.file, "--replay", first, "--record", again, status=status)
+                    self.assertEqual(pathlib.Path(first).read_bytes(), pathlib.Path(again).read_bytes())
+
     def test_row_70_a_machine_that_is_killed_is_a_fault(self):
         machine = self.start_machine("well")
         kerf = self.start_kerf()
@@ -125,7 +144,8 @@ class Loopback(Case):
         self.assertEqual(kerf.returncode, 0, err)
         out, _ = machine.communicate(timeout=60)
         ticks = [round(t / 0.001) for t, _ in self.rows()]
-        self.assertIn(f"at rest {len(ticks)} ticks in a row", out)
+        told = int(re.search(r"at rest (\d+) ticks in a row", out)[1])
+        self.assertGreaterEqual(told, len(ticks))  # behind the program's last one it waits for the answer
         self.assertEqual(ticks, list(range(len(ticks))))
         self.assertGreater(len(ticks), 2000)
         self.assertEqual(self.rows()[-1][1], 40)

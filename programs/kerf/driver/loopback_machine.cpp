@@ -145,6 +145,7 @@ void LoopbackMachine::take_answers() noexcept {
     if (!told) {
       note(DriveFault::bad_answer);
     } else if (!told->is_forgotten) {
+      answered_tick_ = told->tick;
       take(received.answer->state);
       judge_place(*told);
     }

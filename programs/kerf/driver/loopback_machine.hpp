@@ -42,6 +42,9 @@ class LoopbackMachine final : public machine::Machine {
   void set_unhomed(machine::AxisBits axes) noexcept override { gate_.set_unhomed(axes); }
   void write(const machine::Setpoint& setpoint) noexcept override;
   [[nodiscard]] machine::MachineState read() const noexcept override { return state_; }
+  [[nodiscard]] bool has_answered(std::int64_t tick) const noexcept override {
+    return is_over_ || answered_tick_ >= tick;
+  }
 
  private:
   LoopbackMachine(FrameSocket socket, const Order& order) noexcept;
@@ -86,6 +89,7 @@ class LoopbackMachine final : public machine::Machine {
   Position max_following_error_mm_{};
   std::size_t timeout_periods_;
   Pending pending_;
+  std::int64_t answered_tick_ = -1;
   bool is_over_ = false;     // the connection
   bool is_disabled_ = true;  // the last thing that was told
   machine::MachineState state_{.fault = machine::DriveFault::not_enabled};

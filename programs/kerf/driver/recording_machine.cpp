@@ -37,6 +37,12 @@ void ReplayingMachine::write(const Setpoint& setpoint) noexcept {
   follow({.setpoint = setpoint});
 }
 
+bool ReplayingMachine::has_answered(std::int64_t /*tick*/) const noexcept {
+  const auto calls = record_.calls();
+  const auto told = next_ < calls.size() ? told_from(calls[next_].told) : std::nullopt;
+  return !told || told->call != MachineCall::write;
+}
+
 void ReplayingMachine::follow(const ToldFrame& told) noexcept {
   if (state_.fault == DriveFault::another_run) {
     return;

@@ -22,6 +22,9 @@ class RecordingMachine final : public machine::Machine {
   void set_unhomed(machine::AxisBits axes) noexcept override { inner_->set_unhomed(axes); }
   void write(const machine::Setpoint& setpoint) noexcept override;
   [[nodiscard]] machine::MachineState read() const noexcept override { return inner_->read(); }
+  [[nodiscard]] bool has_answered(std::int64_t tick) const noexcept override {
+    return inner_->has_answered(tick);
+  }
 
  private:
   void keep(const ToldFrame& told) noexcept;
@@ -40,6 +43,8 @@ class ReplayingMachine final : public machine::Machine {
   void disable() noexcept override;
   void write(const machine::Setpoint& setpoint) noexcept override;
   [[nodiscard]] machine::MachineState read() const noexcept override { return state_; }
+  // Not where the record goes on with setpoints.
+  [[nodiscard]] bool has_answered(std::int64_t tick) const noexcept override;
 
   // Calls of the record that have not come.
   [[nodiscard]] std::size_t calls_left() const noexcept {

@@ -165,6 +165,9 @@ class Ticks {
         planning.rethrow();
       }
     }
+    if (state_ == ControllerState::idle && !outcome_.gap) {
+      stage_.ticks.hear_out(setpoint_, [&] { static_cast<void>(repeats() ? 0.0 : timer.wait()); });
+    }
     stage_.ticks.disable();
     outcome_.late_ticks = timer.late();
     outcome_.delays = timer.delays();
@@ -175,7 +178,7 @@ class Ticks {
   bool tick(RecorderThread& recorder, PlanningThread& planning) noexcept {
     Controller& controller = order_.controller;
     follow_emergency();
-    Setpoint setpoint;
+    Setpoint& setpoint = setpoint_;
     controller.set_program_inputs(stage_.ticks.program_inputs());
     controller.set_door(stage_.ticks.inputs().door_open);
     const bool ends_idle = is_end_where_idle(order_);
@@ -231,6 +234,7 @@ class Ticks {
   const RunStage& stage_;
   RunOutcome& outcome_;
   ControllerState state_ = ControllerState::off;  // at the latest tick
+  Setpoint setpoint_{};                           // of that
   bool was_emergency_ = false;
   StarvationJudge judge_;
   Aftermath aftermath_;

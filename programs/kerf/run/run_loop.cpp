@@ -24,6 +24,9 @@ class TickTaker {
     stage_.progress.set_done(record.motion.s_mm);
     outcome_.trace_ended = stage_.recorder.trace_ended();
     starvation_.count(tick.status == TickStatus::starved, outcome_);
+    if (tick.status == TickStatus::finished) {
+      stage_.ticks.hear_out(tick.setpoint, [] {});
+    }
     if (tick.status == TickStatus::finished || tick.status == TickStatus::failed || outcome_.hung ||
         stage_.ticks.fault().kind != machine::DriveFault::none || outcome_.trace_ended) {
       return true;

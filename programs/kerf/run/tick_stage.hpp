@@ -43,14 +43,9 @@ class TickStage {
 
   // Real time: allocates nothing, takes no lock, throws nothing.
   TickRecord take(const Setpoint& setpoint, const TickDetail& detail) noexcept {
-    machine_->write(setpoint);
-    state_ = machine_->read();
+    tell(setpoint);
     const machine::MachineState& state = state_;
     statistics_.add(setpoint, state);
-    if (const MachineFault seen = watch_.look(setpoint, state);
-        fault_.kind == machine::DriveFault::none) {
-      fault_ = seen;
-    }
     if (state.inputs.emergency_loop_open && !emergency_) {
       emergency_ = EmergencyLoop{.line = setpoint.line, .tick = setpoint.tick};
     }
@@ -62,6 +57,20 @@ class TickStage {
     time_.add(record);
     flight_.add(record);
     return record;
+  }
+
+  // Behind the last tick, which is at rest: setpoints there follow, one a call of `next_period`,
+  // until the machine has answered to it. A fault that is found so is the run's.
+  template <typename NextPeriod>
+  void hear_out(Setpoint last, const NextPeriod& next_period) noexcept {
+    const std::int64_t tick = last.tick;
+    last.v_mm_s = last.a_mm_s2 = last.j_mm_s3 = 0.0;
+    last.velocity_mm_s = last.acceleration_mm_s2 = {};
+    while (fault_.kind == machine::DriveFault::none && follows() && !machine_->has_answered(tick)) {
+      next_period();
+      ++last.tick;
+      tell(last);
+    }
   }
 
   // As of the latest tick.
@@ -99,6 +108,14 @@ class TickStage {
   [[nodiscard]] const FlightRecorder& flight() const noexcept { return flight_; }
 
  private:
+  void tell(const Setpoint& setpoint) noexcept {
+    machine_->write(setpoint);
+    state_ = machine_->read();
+    if (const MachineFault seen = watch_.look(setpoint, state_);
+        fault_.kind == machine::DriveFault::none) {
+      fault_ = seen;
+    }
+  }
   [[nodiscard]] bool has(machine::AxisState wanted) const noexcept {
     return std::find(state_.axes.begin(), state_.axes.end(), wanted) != state_.axes.end();
   }
