@@ -117,6 +117,7 @@ void Kernel::Impl::follow_machine(const interp::InquiryAnswer& answer) {
     settle(interpolator_.answer().in_force == takeover_->plan);
   }
   if (answer.has_braked) {
+    notes_.end_path_at(interpolator_.reached_path_mm());
     delivery_.follow_stop();
     committed_until_tick_ = now();
     wants_hold_ = holds_ || stops_;

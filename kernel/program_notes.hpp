@@ -38,6 +38,7 @@ class ProgramNotes final : public PipelineObserver {
   bool announce(std::uint64_t block);
   [[nodiscard]] bool has_more_to_say() const noexcept { return !messages_.empty(); }
   void follow(const TimeLeft::ToolPlace& tool) { time_left_.follow(tool); }
+  void end_path_at(double path_mm) { time_left_.end_path_at(path_mm); }
 
   // Those of the blocks that were reached since the last call.
   std::vector<ProgramMessage> take_messages();

@@ -41,6 +41,14 @@ void TimeLeft::push_rest(double duration_s) {
   marks_.push_back(pushed_);
 }
 
+void TimeLeft::end_path_at(double path_mm) {
+  rest_to_run_s_ += pushed_.rest_s - behind_.rest_s;
+  pushed_.path_mm = path_mm;
+  behind_ = pushed_;
+  marks_.clear();
+  done_nominal_s_ = behind_.nominal_s;
+}
+
 void TimeLeft::reach(double path_mm) {
   while (!marks_.empty() && marks_.front().path_mm <= path_mm) {
     rest_to_run_s_ += marks_.front().rest_s - behind_.rest_s;

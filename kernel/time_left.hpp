@@ -23,6 +23,9 @@ class TimeLeft {
   void push(const lookahead::Block& block);
   void push_rest(double duration_s);
 
+  // What was pushed ends here, where the tool rests: a probe has found what it looked for.
+  void end_path_at(double path_mm);
+
   struct ToolPlace {
     double path_mm = 0.0;
     double moved_s = 0.0;  // without holds and waits
