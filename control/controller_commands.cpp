@@ -9,6 +9,8 @@ using State = ControllerState;
 
 namespace {
 
+constexpr int kMostNotes = 4;  // of one change: the other side does not change it for ever
+
 // Behind a resume: the tick side has seen the motion already, or even the next wait.
 bool has_gone_on(State state) noexcept {
   return state == State::running || state == State::waiting;
@@ -194,8 +196,14 @@ bool Controller::Impl::change(control::StateWord::Seen& from, State to) noexcept
   if (to == State::fault || to == State::off) {
     has_failed_ = to == State::fault;
   }
-  if (before != to) {
-    note_state(to, line_.load());
+  if (before == to) {
+    return true;
+  }
+  note_state(to, line_.load());
+  State now = state_.state();
+  for (int i = 0; now != to && i < kMostNotes; ++i) {
+    note_state(to = now, line_.load());
+    now = state_.state();
   }
   return true;
 }

@@ -97,7 +97,8 @@ class KERF_LOCAL Controller::Impl {
   void tell_ticks();
   // The table, and what it cannot say.
   [[nodiscard]] Answer answer_now(ControllerState state, Command command) const noexcept;
-  // StateWord::change, with the event.
+  // StateWord::change, with the event. Where the other side was faster with the next one the last
+  // event is of the state that it is in all the same.
   bool change(control::StateWord::Seen& from, ControllerState to) noexcept;
   // What comes before the state changes: of a start, the kernel.
   std::unique_ptr<Kernel> prepare(Command command);

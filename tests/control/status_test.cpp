@@ -162,6 +162,27 @@ TEST(Controller, WaitsForTextBehindAHoldAsItDidBefore) {
 }
 
 // On this line X is the path length, of one tick or of another, never of two.
+// A thread that had changed the state could tell of it behind the one that changed it next.
+TEST(Controller, TellsLastOfTheStateThatItIsInWhicheverThreadChangedIt) {
+  for (int round = 0; round < 300; ++round) {
+    Shop shop;
+    std::thread button([&] {
+      for (int i = 0; i < 20; ++i) {
+        shop.controller.emergency_stop();
+      }
+    });
+    for (int i = 0; i < 20; ++i) {
+      static_cast<void>(shop.controller.give(Command::reset));
+      static_cast<void>(shop.controller.give(Command::enable));
+    }
+    button.join();
+    std::array<ControllerEvent, ControllerEvent::kKept> events;
+    const std::size_t count = shop.controller.events_since(1, events);
+    ASSERT_GT(count, 0U);
+    ASSERT_EQ(events[count - 1].state, shop.controller.status().state) << round;
+  }
+}
+
 TEST(Controller, ShowsEachThreadAWholeTick) {
   Shop shop;
   shop.begin("G21 G90\nG1 X1000 F6000\nM2\n");
