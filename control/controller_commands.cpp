@@ -165,7 +165,7 @@ Answer Controller::Impl::answer_now(State state, Command command) const noexcept
 std::string_view Controller::Impl::door_refusal(Command command) const noexcept {
   const bool moves = command == Command::resume || command == Command::start ||
                      command == Command::mdi || command == Command::jog || command == Command::home;
-  return moves && door_open_.load() ? "the door is open" : std::string_view{};
+  return moves && door_open_.load() ? kDoorIsOpen : std::string_view{};
 }
 
 // A wait for an answer goes on by resume alone, which is refused.
@@ -185,7 +185,7 @@ void Controller::Impl::follow_door() {
   } else {
     return;
   }
-  say("the door is open");
+  say(std::string(kDoorIsOpen));
 }
 
 bool Controller::Impl::change(control::StateWord::Seen& from, State to) noexcept {

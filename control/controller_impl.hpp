@@ -77,6 +77,8 @@ class KERF_LOCAL Controller::Impl {
     std::array<char, ControllerStatus::kMaxCodes> codes{};
   };
 
+  static constexpr std::string_view kDoorIsOpen = "the door is open";
+
   [[nodiscard]] static bool is_by_hand(ControllerState state) noexcept {
     return state == ControllerState::jogging || state == ControllerState::returning ||
            state == ControllerState::homing;
@@ -143,6 +145,8 @@ class KERF_LOCAL Controller::Impl {
   void end_move();
   // The same, and nothing by hand follows.
   void stop_manual();
+  // At rest: somebody told it to stop, or the door does.
+  bool stops_at_rest();
   [[nodiscard]] bool renews(const Jog& jog) const noexcept;
   void begin_jog(const Jog& jog, const control::ManualMove& move);
   void queue_jog(const Jog& jog);

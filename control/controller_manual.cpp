@@ -177,7 +177,7 @@ void Controller::Impl::follow_jog() {
     return;
   }
   if (const auto next = std::exchange(manual_.next, std::nullopt)) {
-    const auto move = move_of(*next);
+    const auto move = seen_.door_open ? tl::unexpected(kDoorIsOpen) : move_of(*next);
     if (move) {
       begin_jog(*next, *move);
       return;
@@ -192,13 +192,21 @@ bool Controller::Impl::begin_return() {
   return seen.state() == State::held && change(seen, State::returning);
 }
 
+// While the door is open no next move begins.
+bool Controller::Impl::stops_at_rest() {
+  if (seen_.door_open && !std::exchange(manual_.stops, true)) {
+    say(std::string(kDoorIsOpen));
+  }
+  return manual_.stops;
+}
+
 // One move after the other, each to where a jog began.
 void Controller::Impl::follow_return() {
   if (manual_.kernel && seen_.running != nullptr) {
     manual_.kernel->plan();
     return;
   }
-  if (manual_.stops) {
+  if (stops_at_rest()) {
     leave_manual_for(State::held);
     return;
   }
@@ -234,7 +242,7 @@ void Controller::Impl::follow_homing() {
     manual_.kernel->plan();
     return;
   }
-  if (manual_.stops) {
+  if (stops_at_rest()) {
     if (!home_search_.is_placing(seen_.at)) {
       leave_manual_for(State::idle);
     }

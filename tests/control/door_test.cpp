@@ -66,6 +66,32 @@ TEST(Doors, StopAJogThatBeganBehindAStopToo) {
   }
 }
 
+// Found by reading: the move that was to follow began, and was stopped then.
+TEST(Doors, LetNothingFollowThatOpenAsAMoveByHandComesToRest) {
+  for (int opens_behind = 0; opens_behind < 4; ++opens_behind) {
+    Shop shop;
+    shop.give(Command::enable);
+    ASSERT_TRUE(shop.controller.jog({.mm = {1.0}, .is_step = true, .step_mm_s = 20.0}));
+    ASSERT_TRUE(shop.controller.jog({.mm = {0.0, 5.0}, .is_step = true, .step_mm_s = 20.0}));
+    for (int ticks = 0; shop.setpoint.position_mm[0] < 1.0 && ticks < 1000; ++ticks) {
+      shop.tick();
+    }
+    // At rest there; the first tick sees it, whose plan() begins the move.
+    ASSERT_EQ(shop.setpoint.position_mm[1], 0.0);
+    for (int i = 0; i < opens_behind; ++i) {
+      shop.controller.tick(shop.setpoint);
+    }
+    shop.controller.set_door(true);
+    shop.controller.plan();
+    for (int i = 0; i < 100; ++i) {
+      shop.tick();
+    }
+    EXPECT_EQ(shop.controller.status().state, State::idle);
+    EXPECT_EQ(shop.setpoint.position_mm, (Position{1.0, 0.0, 0.0})) << opens_behind;
+    EXPECT_NE(shop.told().find("the door is open"), std::string::npos) << shop.told();
+  }
+}
+
 TEST(Doors, MayBeOpenWhileAProgramWaitsForAnAnswer) {
   Shop shop;
   shop.give(Command::enable);
