@@ -70,7 +70,8 @@ bool Kernel::Impl::commit_with_stop(std::int64_t tick) {
   }
   const std::int64_t until = ahead->stop.from.when.tick;
   delivery_.deliver(until);
-  if (ahead->stop.from.at_rest() && until == pipeline_.emitted_until_tick()) {
+  if (pipeline_.ends_at_rest() && ahead->stop.from.at_rest() &&
+      until == pipeline_.emitted_until_tick()) {
     // The plan ends with that rest: what waits there or ends the program is the plan's own.
     if (!delivery_.outbox().phases.empty()) {
       return false;

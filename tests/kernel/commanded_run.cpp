@@ -186,6 +186,7 @@ CommandedRun commanded_run(std::uint64_t seed, Commands commands) {
   Operator by(kernel, orders);
   Setpoint setpoint;
   double off_mm = 0.0;
+  bool starves_in_motion = false;
   TickStatus status = TickStatus::running;
   for (; !is_over(status) && run.ticks < kMaxTicks; ++run.ticks) {
     const bool in_time = by.before(run.ticks);
@@ -204,6 +205,7 @@ CommandedRun commanded_run(std::uint64_t seed, Commands commands) {
       checker.add({.setpoint = setpoint, .feedrate_mm_s = 150.0});
     }
     off_mm = std::max(off_mm, off_path_mm(whole, setpoint));
+    starves_in_motion |= status == TickStatus::starved && setpoint.v_mm_s != 0.0;
     for (const double x : setpoint.position_mm) {
       run.fingerprint = run.fingerprint * 1'099'511'628'211U + std::bit_cast<std::uint64_t>(x);
     }
@@ -216,6 +218,7 @@ CommandedRun commanded_run(std::uint64_t seed, Commands commands) {
     }
   };
   complain(kernel.fault().has_value(), kernel.fault() ? kernel.fault()->what : "");
+  complain(starves_in_motion, "starves in motion");
   complain(off_mm > 1e-9, std::to_string(off_mm) + " mm off the path");
   complain(!is_over(status), "does not end");
   complain(setpoint.v_mm_s != 0.0, "ends in motion");

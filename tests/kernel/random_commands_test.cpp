@@ -54,6 +54,13 @@ TEST(RandomCommandsAgain, ChangeThePlanRightBehindACorner) {
   EXPECT_EQ(steps.complaint, "") << steps.commands;
 }
 
+// A part of the next ramp, shorter than a tick, was planned behind the rest: that was taken for the
+// plan's end, and the tool was left in the ramp without a way to rest.
+TEST(RandomCommandsAgain, RestWherePlanningIsLateRightBehindARest) {
+  const CommandedRun run = commanded_run(95'000'872);
+  EXPECT_EQ(run.complaint, "") << run.commands;
+}
+
 // The time optimum that stood in was faster than the profile may be where that came back.
 TEST(RandomCommandsAgain, ComeBackToTheProfileInABend) {
   const CommandedRun run = commanded_run(92'003'656);
