@@ -157,6 +157,20 @@ Done check_centre_words(const BlockWords& block, Plane plane) {
   return {};
 }
 
+// The end of an arc that is its start but for the rounding of offsets, turns and G91 is its start:
+// the arc is a whole turn, no way of some 1e-16 mm.
+void close_circle(const Point& start_mm, ArcMove& arc) {
+  constexpr double kLargestAngle_rad = 1e-6;
+  const PlaneAxes axes = axes_of(arc.plane);
+  const InPlane start = in_plane(start_mm, axes);
+  const double chord_mm = distance(start, in_plane(arc.end_mm, axes));
+  const double radius_mm = distance(start, in_plane(arc.centre_mm, axes));
+  if (chord_mm <= std::min(kShortestWay_mm, kLargestAngle_rad * radius_mm)) {
+    arc.end_mm[axes.first] = start_mm[axes.first];
+    arc.end_mm[axes.second] = start_mm[axes.second];
+  }
+}
+
 }  // namespace
 
 Expected<ArcMove> build_arc(const BlockWords& block, const ModalState& state, const Point& end_mm) {
@@ -173,6 +187,9 @@ Expected<ArcMove> build_arc(const BlockWords& block, const ModalState& state, co
                   });
   if (!done) {
     return fault_of(done);
+  }
+  if (!block.has('R')) {
+    close_circle(state.position_mm, arc);
   }
   return arc;
 }

@@ -38,16 +38,6 @@ Done check_machine_coordinates(const RunningBlock& at, const ModalState& state) 
   return {};
 }
 
-// The end of an arc that is its start but for the rounding of offsets, turns and G91 is its start:
-// the arc is a whole turn, no way of some 1e-16 mm.
-void close_circle(const Point& start_mm, PlaneAxes axes, Point& end_mm) {
-  constexpr double kRounding_mm = 1e-9;
-  if (distance(in_plane(start_mm, axes), in_plane(end_mm, axes)) <= kRounding_mm) {
-    end_mm[axes.first] = start_mm[axes.first];
-    end_mm[axes.second] = start_mm[axes.second];
-  }
-}
-
 Done check_arc(const RunningBlock& at, const ModalState& state) {
   const Point& factor = state.coordinates.scaling().factor;
   const PlaneAxes plane_axes = axes_of(state.plane);
@@ -224,7 +214,6 @@ Done Interpreter::arc_move(const RunningBlock& at) {
   if (!auxiliary_end) {
     return fault_of(auxiliary_end);
   }
-  close_circle(state.position_mm, axes_of(state.plane), *end);
   Expected<ArcMove> arc = build_arc(at.block, state, *end);
   if (!arc) {
     return fault_of(arc);
@@ -237,7 +226,7 @@ Done Interpreter::arc_move(const RunningBlock& at) {
   move.shape = *arc;
   move.feedrate_mm_s = *feedrate;
   carry_auxiliary(at, state, move, *auxiliary_end);
-  state.position_mm = *end;
+  state.position_mm = arc->end_mm;
   return {};
 }
 
