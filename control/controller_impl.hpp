@@ -208,6 +208,7 @@ class KERF_LOCAL Controller::Impl {
     Jog jog{};
     std::optional<Jog> next{};
     std::int64_t renewed_tick = 0;
+    std::int64_t next_tick = 0;                    // `next` was given last
     bool ends = false;                             // the kernel was told to stop
     bool stops = false;                            // somebody told it so
     std::vector<control::AxisTargets> way_back{};  // its first place is that of the hold

@@ -9,6 +9,12 @@ namespace kerf {
 
 using State = ControllerState;
 
+namespace {
+
+constexpr std::string_view kNotGivenAgain = "it was not given again";
+
+}  // namespace
+
 void Controller::Impl::look_at_ticks() {
   const auto read = [this] {
     seen_ = {.running = running_.load(),
@@ -91,12 +97,17 @@ void Controller::Impl::begin_jog(const Jog& jog, const control::ManualMove& move
 // Behind the present one, which ends early unless it is a step.
 void Controller::Impl::queue_jog(const Jog& jog) {
   std::optional<Jog>& next = manual_.next;
-  if (next && next->is_step && jog.is_step && next->step_mm_s == jog.step_mm_s) {
+  manual_.next_tick = seen_.ticks;
+  if (next && next->is_step && jog.is_step) {
     for (std::size_t axis = 0; axis < jog.mm.size(); ++axis) {
       next->mm[axis] += jog.mm[axis];
     }
     for (std::size_t axis = 0; axis < kAuxiliaryAxes; ++axis) {
       next->extra_rad_mm[axis] += jog.extra_rad_mm[axis];
+    }
+    next->step_mm_s = jog.step_mm_s;
+    if (next == Jog{.is_step = true, .step_mm_s = jog.step_mm_s}) {
+      next.reset();  // there and back
     }
   } else {
     next = jog;
@@ -167,19 +178,25 @@ void Controller::Impl::leave_manual_for(State next) {
 }
 
 void Controller::Impl::follow_jog() {
+  const auto is_silent_since = [this](std::int64_t tick) {
+    return static_cast<double>(seen_.ticks - tick) * settings_.limits.period_s >
+           settings_.manual.jog_timeout_s;
+  };
   if (seen_.running != nullptr) {
-    const double silent_s =
-        static_cast<double>(seen_.ticks - manual_.renewed_tick) * settings_.limits.period_s;
-    if (!manual_.jog.is_step && silent_s > settings_.manual.jog_timeout_s) {
+    if (!manual_.jog.is_step && !manual_.ends && is_silent_since(manual_.renewed_tick)) {
       stop_manual();
     }
     manual_.kernel->plan();
     return;
   }
   if (const auto next = std::exchange(manual_.next, std::nullopt)) {
-    const auto move = seen_.door_open ? tl::unexpected(kDoorIsOpen) : move_of(*next);
+    const bool is_stale = !next->is_step && is_silent_since(manual_.next_tick);
+    const auto move = seen_.door_open ? tl::unexpected(kDoorIsOpen)
+                      : is_stale      ? tl::unexpected(kNotGivenAgain)
+                                      : move_of(*next);
     if (move) {
       begin_jog(*next, *move);
+      manual_.renewed_tick = manual_.next_tick;
       return;
     }
     say("the jog that was to follow is left out: " + std::string(move.error()));

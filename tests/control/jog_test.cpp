@@ -175,5 +175,62 @@ TEST(Jog, IsSlowAndWithoutTravelWhileNotHomed) {
             "the axes are not homed: home first");
 }
 
+// Found with a client: it began ten seconds after the key was let go.
+TEST(Jog, DoesNotBeginBehindAnotherWhereItWasNotGivenAgain) {
+  Shop shop;
+  shop.give(Command::enable);
+  ASSERT_TRUE(shop.controller.jog({.mm = {50.0}, .is_step = true, .step_mm_s = 20.0}));
+  shop.tick(5);
+  ASSERT_TRUE(shop.controller.jog({.mm = {0.0, 50.0}}));
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm, (Position{50.0, 0.0, 0.0}));
+  EXPECT_EQ(shop.told(), "the jog that was to follow is left out: it was not given again");
+}
+
+TEST(Jog, BeginsBehindAnotherAsLongAsItIsGivenAgain) {
+  Shop shop;
+  shop.give(Command::enable);
+  ASSERT_TRUE(shop.controller.jog({.mm = {10.0}, .is_step = true, .step_mm_s = 20.0}));
+  for (int i = 0; i < 10; ++i) {
+    ASSERT_TRUE(shop.controller.jog({.mm = {0.0, 50.0}}));
+    shop.tick(100);
+  }
+  EXPECT_GT(shop.setpoint.position_mm[1], 5.0);
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 10.0);
+}
+
+// Found with a client: the one before ran out of time while it came to rest for this one.
+TEST(Jog, BeginsBehindAContinuousOneWheneverThatWasGivenLast) {
+  for (int after = 400; after <= 500; after += 10) {
+    Shop shop;
+    shop.give(Command::enable);
+    ASSERT_TRUE(shop.controller.jog({.mm = {50.0}}));
+    shop.tick(after);
+    ASSERT_TRUE(shop.controller.jog({.mm = {0.0, 5.0}, .is_step = true, .step_mm_s = 50.0}));
+    shop.tick_until(State::idle);
+    EXPECT_EQ(shop.setpoint.position_mm[1], 5.0) << after;
+  }
+}
+
+TEST(Jog, AddsUpStepsOfAnySpeed) {
+  Shop shop;
+  shop.give(Command::enable);
+  const auto step = [&](double mm, double mm_s) {
+    ASSERT_TRUE(shop.controller.jog({.mm = {mm}, .is_step = true, .step_mm_s = mm_s}));
+  };
+  step(10.0, 50.0);
+  step(10.0, 20.0);
+  step(10.0, 30.0);
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 30.0);
+  step(1.0, 50.0);
+  step(5.0, 50.0);
+  step(-5.0, 50.0);
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 31.0);
+  EXPECT_EQ(shop.told(), "") << "there is nothing to say";
+}
+
 }  // namespace
 }  // namespace kerf::test
