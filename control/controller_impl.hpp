@@ -117,6 +117,7 @@ class KERF_LOCAL Controller::Impl {
     return home_search_.unhomed() != 0 && !settings_.manual.runs_unhomed;
   }
   enum class Runs : std::uint8_t { program, line };
+  [[nodiscard]] KernelOptions options_from_here(Runs what);
   [[nodiscard]] std::unique_ptr<Kernel> kernel_from_here(Runs what);
   // Fed and planned.
   [[nodiscard]] std::unique_ptr<Kernel> kernel_of_line(std::string_view line);

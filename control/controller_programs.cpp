@@ -9,6 +9,16 @@ namespace kerf {
 
 using State = ControllerState;
 
+namespace {
+
+bool is_of_line(const Diagnostic& found) {
+  return found.severity == Severity::error && found.source.file == 0;
+}
+
+constexpr double kLongestHorizon_s = 3600.0;  // that KernelOptions takes
+
+}  // namespace
+
 tl::expected<void, Refusal> Controller::Impl::run_mdi(std::string_view line) {
   follow_ticks();
   for (auto seen = state_.load();;) {
@@ -42,17 +52,32 @@ tl::expected<void, Refusal> Controller::Impl::run_mdi(std::string_view line) {
   }
 }
 
+// What stands behind a wait of the line is read only once it is over. So the line is planned
+// without any first. A subprogram may go elsewhere by what the machine says: it counts as it runs.
 std::unique_ptr<Kernel> Controller::Impl::kernel_of_line(std::string_view line) {
-  auto kernel = kernel_from_here(Runs::line);
-  kernel->feed(line);
-  kernel->feed("\n");
-  kernel->finish();
-  kernel->plan();
+  const auto plan = [line](Kernel& kernel) {
+    kernel.feed(line);
+    kernel.feed("\n");
+    kernel.finish();
+    kernel.plan();
+  };
+  KernelOptions options = options_from_here(Runs::line);
+  options.waits = options.asks_machine = options.tells_operator = false;
+  options.assumes_contact = true;
+  options.horizon_s = kLongestHorizon_s;
+  options.plan_log = {};
+  options.plan_clock = {};
+  auto kernel = std::make_unique<Kernel>(settings_, options);
+  plan(*kernel);
+  if (!std::ranges::any_of(kernel->diagnostics(), is_of_line)) {
+    kernel = kernel_from_here(Runs::line);
+    plan(*kernel);
+  }
   return kernel;
 }
 
 // A program behind programs begins as the first one; behind lines, with what they left.
-std::unique_ptr<Kernel> Controller::Impl::kernel_from_here(Runs what) {
+KernelOptions Controller::Impl::options_from_here(Runs what) {
   const Setpoint at = here();
   KernelOptions options = options_;
   if (what == Runs::line || programs_.load() > 0) {
@@ -78,7 +103,11 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_from_here(Runs what) {
   options.tells_operator = true;
   options.optional_stop = operator_.optional_stop;
   options.block_delete = operator_.block_delete;
-  auto kernel = std::make_unique<Kernel>(settings_, options);
+  return options;
+}
+
+std::unique_ptr<Kernel> Controller::Impl::kernel_from_here(Runs what) {
+  auto kernel = std::make_unique<Kernel>(settings_, options_from_here(what));
   if (operator_.overrides != Overrides{}) {
     kernel->set_overrides(operator_.overrides);
   }
