@@ -83,10 +83,18 @@ bool Planner::wants_block() const noexcept {
 
 void Planner::push(Block block) {
   ++pushed_blocks_;
+  for (const interp::OutputChange& change : std::exchange(changes_for_next_, {})) {
+    emitter_.change_at_block(pushed_blocks_, change);
+  }
   if (by_ != FeedOverride{}) {
     set_limits(by_, settings_.limits, scan_for_, block);
   }
   accept(std::move(block));
+}
+
+void Planner::accept_rest(Rest rest) {
+  rest.changes_before = std::exchange(changes_for_next_, {});
+  accept(std::move(rest));
 }
 
 void Planner::accept(Item item) {
@@ -132,20 +140,21 @@ void Planner::take_waiting() {
 
 void Planner::push_rest(double duration_s, const RestPlace& at) {
   assert(duration_s >= 0.0 && wants_block());
-  accept(Rest{
+  accept_rest(Rest{
       .duration_s = duration_s, .line = at.line, .run_block = at.run_block, .follows = at.follows});
 }
 
 void Planner::push_wait(const std::optional<interp::OutputChange>& change, WaitCause cause,
                         const RestPlace& at) {
   assert(settings_.may_hold && wants_block());
-  accept(Rest{
+  accept_rest(Rest{
       .line = at.line, .run_block = at.run_block, .waits = true, .cause = cause, .change = change});
 }
 
 void Planner::push_machine_wait(const RestPlace& at) {
   assert(settings_.may_hold && !rest_pending_);
-  accept(Rest{.line = at.line, .run_block = at.run_block, .waits = true, .asks_machine = true});
+  accept_rest(
+      Rest{.line = at.line, .run_block = at.run_block, .waits = true, .asks_machine = true});
 }
 
 bool Planner::waits_at(parser::EventKind kind) const noexcept {
@@ -155,11 +164,11 @@ bool Planner::waits_at(parser::EventKind kind) const noexcept {
 void Planner::push_change_at_rest(const interp::OutputChange& change, const RestPlace& at,
                                   double duration_s) {
   assert(wants_block());
-  accept(Rest{.duration_s = duration_s,
-              .line = at.line,
-              .run_block = at.run_block,
-              .follows = at.follows,
-              .change = change});
+  accept_rest(Rest{.duration_s = duration_s,
+                   .line = at.line,
+                   .run_block = at.run_block,
+                   .follows = at.follows,
+                   .change = change});
 }
 
 double Planner::duration_s(const parser::EventMove& event) noexcept {
@@ -193,6 +202,10 @@ void Planner::note_wait(const PlanWait& wait) noexcept {
 
 void Planner::push_change_at_motion(const interp::OutputChange& change) {
   emitter_.change_at_block(pushed_blocks_ + 1, change);
+}
+
+void Planner::push_change_at_next(const interp::OutputChange& change) {
+  changes_for_next_.push_back(change);
 }
 
 void Planner::finish(std::uint32_t line) {
@@ -249,6 +262,7 @@ void Planner::emit_rest(Outbox& outbox) {
                         .line = rest_.line,
                         .run_block = rest_.run_block,
                         .follows = rest_.follows,
+                        .changes_before = std::exchange(rest_.changes_before, {}),
                         .change = std::exchange(rest_.change, std::nullopt)},
                        outbox);
     rest_.duration_s -= rest_part_s_;

@@ -84,6 +84,8 @@ class Planner {
                            double duration_s = 0.0);
   // The change takes effect at the first tick on the block that is pushed next.
   void push_change_at_motion(const interp::OutputChange& change);
+  // The same at the first tick of what is pushed next, be it a rest.
+  void push_change_at_next(const interp::OutputChange& change);
   // The program ends, at rest, after what has been pushed. Precondition: wants_block().
   void finish(std::uint32_t line);
 
@@ -230,6 +232,7 @@ class Planner {
   void take_back(const EmittedItems::Motion& from, std::size_t changing);
   // In program order: a wait comes before it where a block of the program ends in single block.
   void accept(Item item);
+  void accept_rest(Rest rest);
   static bool is_step(const Item& item);
   [[nodiscard]] bool steps_before(const Item& next) const;
   void end_with_step();
@@ -283,6 +286,7 @@ class Planner {
   Rest rest_{};  // what is left of it
   double rest_part_s_;
   std::uint64_t pushed_blocks_ = 0;
+  std::vector<interp::OutputChange> changes_for_next_;
   std::deque<Item> waiting_;  // was taken back, and goes before what comes
   struct Held {
     std::optional<parser::FollowedOverrides> by_feed{};  // what it holds follows these

@@ -134,6 +134,8 @@ void push_event(const parser::EventMove& event, const Planner::RestPlace& at, Pl
     planner.push_wait(change, cause_of(event.kind), at);
   } else if (!change) {
     planner.push_rest(0.0, at);
+  } else if (parser::is_of_override(event.kind)) {
+    planner.push_change_at_next(*change);
   } else if (parser::is_at_motion(event.kind)) {
     planner.push_change_at_motion(*change);
   } else {

@@ -32,6 +32,7 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
   }
   if (std::holds_alternative<parser::DwellMove>(move.shape) ||
       std::holds_alternative<parser::EventMove>(move.shape)) {
+    queue_changes_before(move);
     queue_.emplace_back(move);
     return {};
   }
@@ -41,6 +42,17 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
   come_with(move);
   queue_made();
   return {};
+}
+
+void Smoother::queue_changes_before(const parser::Move& rest) {
+  for (const parser::EventMove& change : changes_) {
+    if (parser::is_of_override(change.kind)) {
+      parser::Move before = rest;
+      before.shape = change;
+      queue_.emplace_back(std::move(before));
+    }
+  }
+  std::erase_if(changes_, [](const auto& change) { return parser::is_of_override(change.kind); });
 }
 
 void Smoother::come_with(const parser::Move& move) {

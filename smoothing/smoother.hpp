@@ -44,6 +44,8 @@ class Smoother {
 
  private:
   void queue_made();
+  // Of the changes since the last move those that do not wait for motion.
+  void queue_changes_before(const parser::Move& rest);
   // The changes since the last move, with this one.
   void come_with(const parser::Move& move);
   // Of a NURBS in G64: takes jumps of the curvature out of what was made of it.

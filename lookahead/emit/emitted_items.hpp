@@ -25,6 +25,8 @@ struct Rest {
   bool asks_machine = false;  // it waits for the machine's answer
   bool steps = false;         // it is no item of the program: a block ends in single block
   parser::FollowedOverrides follows{};
+  std::vector<interp::OutputChange>
+      changes_before{};  // that were for the next item, whatever it is
   std::optional<interp::OutputChange> change{};
 };
 

@@ -194,6 +194,9 @@ void Emitter::emit_rest(const Rest& rest, Outbox& outbox) {
     kept_->begin(place_);
     kept_->end(rest);
   }
+  for (const interp::OutputChange& change : rest.changes_before) {
+    emit_change(change, outbox);
+  }
   if (rest.change) {
     emit_change(*rest.change, outbox);
   }

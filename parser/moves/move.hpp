@@ -108,12 +108,16 @@ struct MachineAnswer {
   Point rest_mm{};        // of a probe: where the axes rest now
 };
 
-// M62, M63, M67 and M48 to M53: the change comes with the next motion, and the tool does not rest
-// for it.
+// M48 to M53: the change comes with what follows, be it a rest.
+inline bool is_of_override(EventKind kind) {
+  return kind == EventKind::speed_override || kind == EventKind::adaptive_feed ||
+         kind == EventKind::feed_stop;
+}
+
+// Those, and M62, M63 and M67, which come with the next motion: the tool does not rest for them.
 inline bool is_at_motion(EventKind kind) {
   return kind == EventKind::digital_at_motion || kind == EventKind::analog_at_motion ||
-         kind == EventKind::speed_override || kind == EventKind::adaptive_feed ||
-         kind == EventKind::feed_stop;
+         is_of_override(kind);
 }
 
 // M0, M60, M6, and M1 where optional stops are on: somebody is to do something and say so.

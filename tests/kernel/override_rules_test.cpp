@@ -66,6 +66,45 @@ TEST(Override, Of0HoldsNothingWhereTheProgramForbidsIt) {
   }
 }
 
+// Found with a client: behind M49 the spindle started at its override, and came to the programmed
+// speed with the next motion alone.
+TEST(Override, OfTheSpindleCountsAtRestsAsTheProgramHasItThere) {
+  constexpr double kProgrammed = 2.0 * 3.14159265358979323846 * 1000.0 / 60.0;
+  MachineSettings settings = mill();
+  settings.program.spindle_start_s = 0.2;
+  Kernel kernel(settings, {.waits = true});
+  kernel.feed(
+      "G21 G90\nM49\nM62 P1\nM3 S1000\nG4 P0.1\nM48\nM0\nM49\nM53 P0\nM0\nG1 X1 F600\nM2\n");
+  kernel.finish();
+  ASSERT_TRUE(kernel.set_overrides({.spindle = 0.5}));
+  Setpoint setpoint;
+  std::vector<double> shares;  // each of the programmed speed, one after the other
+  int waits = 0;
+  for (auto status = TickStatus::running;
+       status != TickStatus::finished && status != TickStatus::failed;) {
+    status = kernel.next(setpoint);
+    const double share = setpoint.outputs.spindle_rad_s / kProgrammed;
+    if (share > 0.0 && (shares.empty() || std::abs(share - shares.back()) > 1e-9)) {
+      shares.push_back(share);
+    }
+    if (status == TickStatus::waiting) {
+      ++waits;
+      EXPECT_NEAR(share, waits == 1 ? 0.5 : 1.0, 1e-9);
+      EXPECT_EQ(setpoint.outputs.heeds_feed_stop, waits == 1);
+      EXPECT_EQ(setpoint.outputs.digital, 0U) << "M62 comes with a motion";
+      kernel.resume();
+    }
+    if (setpoint.v_mm_s > 0.0) {
+      EXPECT_EQ(setpoint.outputs.digital, 2U);
+    }
+  }
+  EXPECT_EQ(waits, 2);
+  ASSERT_EQ(shares.size(), 3U);
+  EXPECT_NEAR(shares[0], 1.0, 1e-9);
+  EXPECT_NEAR(shares[1], 0.5, 1e-9);
+  EXPECT_NEAR(shares[2], 1.0, 1e-9);
+}
+
 // A tap that stops while its spindle turns breaks. What is asked for within it counts behind it.
 TEST(Tap, IsStoppedByNothingButAnEmergencyStop) {
   const std::string text =
