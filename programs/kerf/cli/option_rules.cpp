@@ -177,7 +177,7 @@ std::optional<std::string> contradiction_of_files(const Options& options) {
       return written[i] + " is read: it is not to be written over";
     }
     const auto may_call_it = [&file = written[i]](const std::string& program) {
-      return program != "-" && may_be_subprogram(file, program);
+      return program != "-" && may_be_subprogram({.path = file, .program = program});
     };
     if (!written[i].empty() && std::ranges::any_of(options.files, may_call_it)) {
       return written[i] + " may be a subprogram: it is not to be written over";

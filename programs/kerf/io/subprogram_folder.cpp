@@ -114,11 +114,11 @@ parser::SubprogramSource subprograms_beside(const std::string& program, parser::
   return [folder](std::string_view name) { return folder->find(name); };
 }
 
-bool may_be_subprogram(const std::string& file, const std::string& program) {
+bool may_be_subprogram(const FileOf& file) {
   namespace fs = std::filesystem;
   std::error_code error;
-  const fs::path path(file);
-  const fs::path folder = fs::path(program).parent_path();
+  const fs::path path(file.path);
+  const fs::path folder = fs::path(file.program).parent_path();
   const std::string stem = path.stem().string();
   const std::string extension = path.extension().string();
   const bool is_number = stem.size() > 1 && (stem[0] == 'O' || stem[0] == 'o') &&

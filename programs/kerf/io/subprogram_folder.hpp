@@ -14,7 +14,11 @@ namespace kerf::program {
 // refused. Files of more than 64 MiB and files that cannot be read count as missing.
 parser::SubprogramSource subprograms_beside(const std::string& program, parser::Dialect dialect);
 
-// Whether `file`, as it is there, may be one of those, in whichever dialect.
-bool may_be_subprogram(const std::string& file, const std::string& program);
+struct FileOf {
+  const std::string& path;
+  const std::string& program;
+};
+// Whether the file, as it is there, may be one of those, in whichever dialect.
+bool may_be_subprogram(const FileOf& file);
 
 }  // namespace kerf::program
