@@ -10,7 +10,7 @@
 namespace kerf::program {
 
 // Two kinds of entry: it looked how far the ticks are (KernelOptions::plan_clock), and it was given
-// an order. About 2 KB a second.
+// an order. Some 2 KB a second of a program, 7 KB of a search for the home switches.
 class PlanRecord {
  public:
   // Of the run: somebody could answer a wait, it began with none, with a search for the home
