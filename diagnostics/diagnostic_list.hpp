@@ -31,8 +31,8 @@ class DiagnosticList {
   // The place as it is known now, while its line is being read.
   [[nodiscard]] DiagnosticPlace place(SourcePosition source) const;
 
-  // The line that is being read: its text goes with what is said about it. `text` must be good
-  // until the next call.
+  // The line that is being read: its text goes with what is said about it, also once more text was
+  // fed, as of a probe that is answered later.
   void at_line(std::uint32_t number, std::string_view text) {
     line_ = number;
     text_ = text;
@@ -62,7 +62,7 @@ class DiagnosticList {
   std::uint16_t file_ = 0;
   std::string_view file_name_;
   std::uint32_t line_ = 0;
-  std::string_view text_;
+  std::string text_;
 };
 
 }  // namespace kerf::diagnostics

@@ -138,6 +138,23 @@ TEST(Probe, WaitsForTheMachineThatIsAsked) {
   EXPECT_EQ(move.start_mm, (Point{0.0, 0.0, -3.5}));
 }
 
+// Views into the text that is fed go with what is fed next.
+TEST(Probe, IsShownWithItsLineWhereMoreTextCameBeforeTheAnswer) {
+  ReaderOptions options;
+  options.answers.is_asked = true;
+  ProgramReader reader(options);
+  const std::string probe = "G38.2 Z-5 F60 (the top of the work)";
+  reader.feed(probe + "\nG1 X1\n");
+  Move move;
+  while (reader.next(move)) {
+  }
+  ASSERT_TRUE(reader.question());
+  reader.feed(std::string(1000, ' ') + "\nM2\n");
+  reader.answer({.found = false});
+  ASSERT_EQ(reader.diagnostics().size(), 1U);
+  EXPECT_EQ(reader.diagnostics().front().block.text, probe);
+}
+
 TEST(Probe, IsAModeOfItsOwn) {
   EXPECT_EQ(steps_of("F60 G38.3 X5\nX15").at(1), "2: line to 10 0 0 feed 1 exact stop");
 }
