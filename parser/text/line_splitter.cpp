@@ -15,9 +15,12 @@ std::size_t find(const std::string& bytes, char wanted, std::size_t from) {
 void LineSplitter::feed(std::string_view bytes) {
   buffer_.erase(0, at_);
   scanned_ = scanned_ > at_ ? scanned_ - at_ : 0;
-  at_ = 0;
   buffer_.append(bytes);
-  next_cr_ = find(buffer_, '\r', scanned_);
+  // What was looked through before is not again, however much of it is still to be read.
+  for (LineEnd& end : ends_) {
+    end.next = find(buffer_, end.byte, end.next < at_ ? scanned_ : end.next - at_);
+  }
+  at_ = 0;
 }
 
 // What belongs to the line end before: one LF behind a CR, any CRs behind an LF. (LF CR LF counts
@@ -35,11 +38,12 @@ void LineSplitter::skip_rest_of_line_end() {
 
 std::size_t LineSplitter::find_line_end() {
   const std::size_t from = std::max(at_, scanned_);
-  const std::size_t lf = find(buffer_, '\n', from);
-  if (next_cr_ < from) {
-    next_cr_ = find(buffer_, '\r', from);
+  for (LineEnd& end : ends_) {
+    if (end.next < from) {
+      end.next = find(buffer_, end.byte, from);
+    }
   }
-  return std::min(lf, next_cr_);
+  return std::min(ends_[0].next, ends_[1].next);
 }
 
 bool LineSplitter::drop_rest_of_long_line() {
@@ -55,7 +59,7 @@ bool LineSplitter::drop_rest_of_long_line() {
 }
 
 void LineSplitter::take(std::size_t length, NumberedLine& line) {
-  line = {std::string_view(buffer_).substr(at_, length), ++lines_, false};
+  line = {std::string_view(buffer_).substr(at_, length), ++lines_};
   at_ += length;
 }
 

@@ -1,6 +1,7 @@
 // Bytes in pieces to numbered lines.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,7 +16,7 @@ struct NumberedLine {
 };
 
 // CR, LF, CRLF and LFCR each end a line, wherever the pieces are cut. What is held is the rest of
-// the piece fed last and at most kMaxLine bytes of an unfinished line.
+// the pieces fed and not read, and at most kMaxLine bytes of an unfinished line.
 class LineSplitter {
  public:
   static constexpr std::size_t kMaxLine = std::size_t{64} * 1024;
@@ -37,7 +38,12 @@ class LineSplitter {
   std::string buffer_;
   std::size_t at_ = 0;       // start of the next line
   std::size_t scanned_ = 0;  // no line end before this
-  std::size_t next_cr_ = 0;  // place of the first CR from at_ on, or the buffer's end
+  // The first place from at_ on with each, or the buffer's end.
+  struct LineEnd {
+    char byte;
+    std::size_t next = 0;
+  };
+  std::array<LineEnd, 2> ends_{LineEnd{'\r'}, LineEnd{'\n'}};
   std::uint32_t lines_ = 0;
   char ended_by_ = '\0';  // the byte that ended the line before
   bool dropping_ = false;

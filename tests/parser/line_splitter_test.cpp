@@ -1,6 +1,7 @@
 #include "parser/text/line_splitter.hpp"
 
 #include <ostream>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,32 @@ TEST(LineSplitter, HoldsNoMoreThanALineOfALineThatNeverEnds) {
     ASSERT_LE(splitter.held_bytes(), 2 * (piece.size() + LineSplitter::kMaxLine));
   }
   EXPECT_EQ(lines, 1);
+}
+
+TEST(LineSplitter, FindsTheSameLinesHoweverMuchIsFedBeforeTheyAreRead) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 200; ++round) {
+    std::string text;
+    for (int i = 0; i < 60; ++i) {
+      text += "ab\r\n"[random() % 4];
+    }
+    LineSplitter splitter;
+    std::vector<Found> found;
+    NumberedLine line;
+    for (std::size_t at = 0; at < text.size();) {
+      const std::size_t piece = 1 + random() % 9;
+      splitter.feed(std::string_view(text).substr(at, piece));
+      at += piece;
+      for (std::size_t i = random() % 4; i > 0 && splitter.next(line); --i) {
+        found.push_back({std::string(line.text), line.number});
+      }
+    }
+    splitter.finish();
+    while (splitter.next(line)) {
+      found.push_back({std::string(line.text), line.number});
+    }
+    EXPECT_EQ(found, split(text, text.size())) << round;
+  }
 }
 
 TEST(LineSplitter, AnEmptyTextHasNoLine) {
