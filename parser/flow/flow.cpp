@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "diagnostics/errors/pages.hpp"
+#include "parser/flow/statement_text.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {
@@ -16,9 +17,8 @@ Flow::Flow(const ReaderOptions& options, ProgramInput& input, Evaluator& evaluat
       interpreter_(&interpreter) {}
 
 void Flow::start(const NumberedLine& line, Start how) {
-  main_ = std::make_unique<ProgramText>(TextOrigin{.dialect = options_->dialect,
-                                                   .block_delete = options_->block_delete,
-                                                   .first_line = line.number});
+  main_ = std::make_unique<ProgramText>(
+      TextOrigin{.dialect = options_->dialect, .first_line = line.number});
   text_ = main_.get();
   main_->take(line);
   report_faults(*main_);
@@ -64,6 +64,7 @@ bool Flow::grow() {
   const bool more = input_->next(line);
   if (more) {
     main_->take(line);
+    line.left_out = is_left_out(line.text, options_->block_delete);
   } else if (input_->finished()) {
     main_->close();
   }
@@ -218,12 +219,15 @@ bool Flow::take_line(NumberedLine& line) {
     return false;
   }
   if (stored.statement == 0) {
-    line = {stored.view(), text_->number_of(current_), stored.too_long != 0};
+    line = {.text = stored.view(),
+            .number = text_->number_of(current_),
+            .too_long = stored.too_long != 0,
+            .left_out = stored.left_out != 0};
     return true;
   }
   run(stored.statement);
   if (has_ready_) {
-    line = {scratch_, text_->number_of(current_), false};
+    line = {.text = scratch_, .number = text_->number_of(current_)};
   }
   return std::exchange(has_ready_, false);
 }

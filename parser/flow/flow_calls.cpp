@@ -6,6 +6,7 @@
 #include "diagnostics/errors/pages.hpp"
 #include "parser/flow/flow.hpp"
 #include "parser/flow/statement_reader.hpp"
+#include "parser/flow/statement_text.hpp"
 #include "parser/text/text.hpp"
 
 namespace kerf::parser {
@@ -57,7 +58,6 @@ ProgramText* Flow::load(const std::string& label) {
   bytes = bytes.substr(0, bytes.find_last_not_of("\x1A\r\n \t") + 1);  // as a program may end
   files_.push_back(std::make_unique<ProgramText>(
       TextOrigin{.dialect = options_->dialect,
-                 .block_delete = options_->block_delete,
                  .file = static_cast<std::uint16_t>(files_.size() + 1),
                  .file_name = std::move(source->file)}));
   file = files_.back().get();
@@ -65,6 +65,7 @@ ProgramText* Flow::load(const std::string& label) {
   lines.feed(bytes);
   lines.finish();
   for (NumberedLine line; !file->closed() && lines.next(line);) {
+    line.left_out = is_left_out(line.text, options_->block_delete);
     file->take(line);
   }
   file->close();

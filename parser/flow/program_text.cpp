@@ -42,7 +42,7 @@ void ProgramText::take(const NumberedLine& line) {
   }
   const bool first_block = !any_block_;
   anything_ = any_block_ = true;
-  if (text[first] == '/' && origin_.block_delete.leaves_out(text, first)) {
+  if (line.left_out) {
     return;
   }
   const BlockStart start = find_block_start(text);
@@ -72,7 +72,7 @@ void ProgramText::take_statement(std::uint32_t line, std::string_view text, std:
   Statement& statement =
       statements_.emplace_back(read ? *read : Statement{.keyword = Keyword::wrong});
   statement.line = line;
-  store_[line].statement = index & 0x7FFFFFFFU;
+  store_[line].statement = index & 0x3FFFFFFFU;
   if (!read) {
     diagnostics::Fault& fault = *read.error();
     faults_.push_back({line, fault.offset, fault.page, std::move(fault.message)});

@@ -22,7 +22,6 @@ namespace kerf::parser {
 
 struct TextOrigin {
   Dialect dialect = Dialect::rs274;
-  BlockDelete block_delete{};    // lines that it leaves out are no statements
   std::uint32_t first_line = 1;  // the number of the first line taken in
   std::uint16_t file = 0;        // as in SourcePosition
   std::string file_name{};       // empty: the program itself
@@ -36,7 +35,8 @@ class ProgramText {
   ProgramText(const ProgramText&) = delete;
   ProgramText& operator=(const ProgramText&) = delete;
 
-  // Precondition: not closed(). A closing '%' closes the text.
+  // Precondition: not closed(). A closing '%' closes the text. A line that is left out is no
+  // statement.
   void take(const NumberedLine& line);
   // No line follows.
   void close();

@@ -36,6 +36,11 @@ std::size_t skip_blanks(std::string_view line, std::size_t at) {
   return at;
 }
 
+bool is_left_out(std::string_view line, const BlockDelete& switches) {
+  const std::size_t at = skip_blanks(line, 0);
+  return at < line.size() && line[at] == '/' && switches.leaves_out(line, at);
+}
+
 std::size_t behind_keyword(std::string_view line, std::size_t at, std::string_view keyword) {
   for (const char wanted : keyword) {
     at = skip_blanks(line, at);

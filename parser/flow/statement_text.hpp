@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include <kerf/program_data.hpp>
+
 #include "parser/flow/statement.hpp"
 
 namespace kerf::parser {
@@ -31,6 +33,8 @@ bool only_comment_left(std::string_view line, std::size_t at);
 // Offset behind the bracket that closes the one at `at`; nothing where none does.
 std::optional<std::size_t> behind_brackets(std::string_view line, std::size_t at);
 std::size_t skip_blanks(std::string_view line, std::size_t at);
+// By block delete.
+bool is_left_out(std::string_view line, const BlockDelete& switches);
 // Offset behind `keyword` at `at`, whatever its case and the blanks in it; 0: no.
 std::size_t behind_keyword(std::string_view line, std::size_t at, std::string_view keyword);
 

@@ -18,6 +18,7 @@ std::uint32_t TextStore::append(const NumberedLine& line) {
   stored.text = place;
   stored.length = static_cast<std::uint32_t>(line.text.size());
   stored.too_long = line.too_long ? 1 : 0;
+  stored.left_out = line.left_out ? 1 : 0;
   used_ += line.text.size();
   text_bytes_ += line.text.size();
   return lines_++;

@@ -15,8 +15,9 @@ namespace kerf::parser {
 struct StoredLine {
   const char* text = nullptr;
   std::uint32_t length = 0;
-  std::uint32_t statement : 31 = 0;  // index of the flow statement it is; 0: a plain line
+  std::uint32_t statement : 30 = 0;  // index of the flow statement it is; 0: a plain line
   std::uint32_t too_long : 1 = 0;
+  std::uint32_t left_out : 1 = 0;
 
   [[nodiscard]] std::string_view view() const { return {text, length}; }
 };

@@ -126,8 +126,7 @@ void ProgramRun::read_line(const NumberedLine& line) {
   if (at == line.text.size()) {
     return;
   }
-  if ((line.text[at] == '%' && read_percent(line, at)) ||
-      (line.text[at] == '/' && options_.block_delete.leaves_out(line.text, at))) {
+  if (line.left_out || (line.text[at] == '%' && read_percent(line, at))) {
     return;
   }
   if (options_.watcher != nullptr) {

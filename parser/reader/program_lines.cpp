@@ -75,16 +75,17 @@ void ProgramRun::reach_end() {
 }
 
 // Whether the text has to be kept from this line on.
-bool ProgramRun::begins_flow(std::string_view text) const {
+bool ProgramRun::begins_flow(const NumberedLine& line) const {
   if (rules_.macro_statements && flow_.keeps_from_start()) {
     return true;
   }
+  if (line.left_out) {
+    return false;
+  }
+  const std::string_view text = line.text;
   std::size_t at = skip_blanks(text, 0);
   const char first = at == text.size() ? ' ' : text[at];
   if (first == 'N' || first == 'n' || first == '/') {
-    if (first == '/' && options_.block_delete.leaves_out(text, at)) {
-      return false;
-    }
     at = find_block_start(text).at;
   }
   if (!may_be_statement(text, at, rules_)) {
@@ -97,6 +98,7 @@ bool ProgramRun::begins_flow(std::string_view text) const {
 
 bool ProgramRun::next_plain_line(NumberedLine& line) {
   if (input_.next(line)) {
+    line.left_out = is_left_out(line.text, options_.block_delete);
     return true;
   }
   if (input_.refused()) {
@@ -114,7 +116,7 @@ bool ProgramRun::next_line(NumberedLine& line) {
       if (!next_plain_line(line)) {
         return false;
       }
-      if (!begins_flow(line.text)) {
+      if (!begins_flow(line)) {
         return true;
       }
       flow_.start(line, {.keeping = flow_.keeps_from_start()});

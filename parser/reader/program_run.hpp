@@ -65,7 +65,7 @@ class ProgramRun {
   void report_idle_program();
   bool next_line(NumberedLine& line);
   bool next_plain_line(NumberedLine& line);
-  bool begins_flow(std::string_view text) const;
+  bool begins_flow(const NumberedLine& line) const;
   bool read_percent(const NumberedLine& line, std::size_t at);
   void read_rest(const NumberedLine& line);
   void reach_end();

@@ -13,6 +13,7 @@ struct NumberedLine {
   std::string_view text;  // without its end; valid until the next call of the splitter
   std::uint32_t number = 0;
   bool too_long = false;  // text is then its beginning, the rest is dropped
+  bool left_out = false;  // by a switch of block delete, as they stood when it was read
 };
 
 // CR, LF, CRLF and LFCR each end a line, wherever the pieces are cut. What is held is the rest of

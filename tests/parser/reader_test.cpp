@@ -79,6 +79,56 @@ TEST(ProgramReader, LeavesOutDeletedBlocksWhenAsked) {
   EXPECT_TRUE(read_program(text).has_errors);
 }
 
+// A program and what comes after its switches were changed.
+std::string moves_of_halves(const std::string& before, const BlockDelete& switches,
+                            const std::string& behind) {
+  ProgramReader reader{ReaderOptions{}};
+  std::string moves;
+  Move move;
+  const auto fetch = [&] {
+    while (reader.next(move)) {
+      moves += text_of(move) + '\n';
+    }
+  };
+  reader.feed(before);
+  fetch();
+  reader.set_block_delete(switches);
+  reader.feed(behind);
+  reader.finish();
+  fetch();
+  for (const auto& diagnostic : reader.diagnostics()) {
+    moves += to_string(diagnostic, "p") + '\n';
+  }
+  return moves;
+}
+
+TEST(ProgramReader, LeavesOutStatementsAsPlainBlocksBySwitchesThatCameBeforeThem) {
+  const std::string sub = "G21 G90 F600\no1 sub\nG1 Y7\no1 endsub\n";
+  EXPECT_EQ(moves_of_halves(sub, BlockDelete::all(), "/o1 call\n/G1 Y3\nG1 X2\nM2\n"),
+            moves_of_halves(sub, BlockDelete{}, "\n\nG1 X2\nM2\n"));
+}
+
+TEST(ProgramReader, KeepsWhatASwitchLeftOutWhereItIsReadAgain) {
+  ReaderOptions options;
+  options.block_delete = BlockDelete::all();
+  ProgramReader reader(options);
+  reader.feed("G21 G90 F600\no1 repeat [2]\n/o2 call\n/G1 Y3\nG1 X1\nG1 X2\no1 endrepeat\n");
+  Move move;
+  ASSERT_TRUE(reader.next(move));
+  reader.set_block_delete(BlockDelete{});
+  reader.feed("M2\n");
+  reader.finish();
+  int lines = 1;
+  while (reader.next(move)) {
+    if (const auto* line = std::get_if<LineMove>(&move.shape)) {
+      ++lines;
+      EXPECT_EQ(line->end_mm[1], 0.0);
+    }
+  }
+  EXPECT_EQ(lines, 4);
+  EXPECT_FALSE(reader.has_errors());
+}
+
 TEST(ProgramReader, RoundsCoordinatesBelowTheResolutionAndSaysSoOnce) {
   const Program program =
       read_program("G0 X1\nX0.00000000004\nG0 X-0.000000000004 Y2\nG1 X3 F0.0000000001\nM2\n");
