@@ -49,7 +49,7 @@ bool ProgramReader::at_end() const {
   return run_->at_end();
 }
 bool ProgramReader::has_errors() const {
-  return run_->diagnostics().has_errors();
+  return run_->has_errors();
 }
 std::size_t ProgramReader::held_bytes() const {
   return run_->held_bytes();

@@ -64,6 +64,7 @@ class ProgramReader {
 
   // True once the program's end was met: M2, M30, the closing % or the last byte.
   [[nodiscard]] bool at_end() const;
+  // Those of what runs: what is said of text behind the program's end is in diagnostics() alone.
   [[nodiscard]] bool has_errors() const;
   // Bytes of program text held because it may be read again; 0 for a program without flow.
   [[nodiscard]] std::size_t held_bytes() const;

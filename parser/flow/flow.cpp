@@ -60,13 +60,17 @@ bool Flow::grow() {
   if (main_->closed()) {
     return false;
   }
+  const bool matters = !has_ended_ || needs_rest();
   NumberedLine line;
   const bool more = input_->next(line);
   if (more) {
-    main_->take(line);
     line.left_out = is_left_out(line.text, options_->block_delete);
+    main_->take(line);
   } else if (input_->finished()) {
     main_->close();
+  }
+  if (!matters && !failed_at_end_) {
+    failed_at_end_ = diagnostics_->has_errors();
   }
   report_faults(*main_);
   return more;

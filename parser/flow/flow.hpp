@@ -73,15 +73,20 @@ class Flow {
   // False: there is nothing to return to, it is the main program.
   bool return_from_call(const Return& from);
 
-  // The program has ended; the rest of its text is looked through for structures left open.
+  // The program has ended; the rest of its text is looked through for what closes a structure that
+  // is open.
   void take_rest() {
+    has_ended_ = true;
     while (grow()) {
     }
   }
   // Something of the text that is still to come can make it wrong.
   [[nodiscard]] bool needs_rest() const {
-    return active_ && main_->structure_open() && !main_->closed();
+    return active_ && !failed_at_end_ && main_->structure_open() && !main_->closed();
   }
+  // Whether what runs is wrong. Of what stands behind the end that is said, too, but it is never
+  // run and may come when nobody reads any more.
+  [[nodiscard]] bool failed() const { return failed_at_end_.value_or(diagnostics_->has_errors()); }
   // Of a file as in SourcePosition; empty for 0.
   [[nodiscard]] std::string_view file_name(std::uint16_t file) const {
     return file == 0 ? std::string_view() : files_[file - 1U]->origin().file_name;
@@ -227,7 +232,9 @@ class Flow {
   bool active_ = false;
   bool keeping_ = false;  // only because statements may come
   bool has_called_ = false;
-  bool forgotten_ = false;  // text before what is held has been dropped
+  bool forgotten_ = false;               // text before what is held has been dropped
+  bool has_ended_ = false;               // the program
+  std::optional<bool> failed_at_end_{};  // nothing: what stands behind that was not read
   bool stopped_ = false;
 };
 

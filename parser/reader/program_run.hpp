@@ -47,6 +47,7 @@ class ProgramRun {
   void answer(const MachineAnswer& answer);
   [[nodiscard]] bool at_end() const { return ended_ && all_fetched_ && !flow_.needs_rest(); }
   [[nodiscard]] const diagnostics::DiagnosticList& diagnostics() const { return diagnostics_; }
+  [[nodiscard]] bool has_errors() const { return flow_.failed(); }
   [[nodiscard]] const std::vector<NumberedMessage>& messages() const { return messages_; }
   [[nodiscard]] const ModalState& modal_state() const { return interpreter_.state(); }
   [[nodiscard]] ReaderState state_left(

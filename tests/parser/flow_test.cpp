@@ -169,6 +169,35 @@ TEST(Subprogram, M99EndsTheMainProgramWithAWarning) {
             "3:1: warning: blocks after the program's end are never executed\n");
 }
 
+TEST(Subprogram, ThatIsWrongBehindTheEndFailsNoProgramHoweverTheTextCame) {
+  const std::string program = "o1 sub\nG0 X7\no1 endsub\no1 call\nM2\n";
+  const std::string behind = "o2 sub\nG0 X1\no1 sub\n";
+  EXPECT_NE(messages_of(program + behind).find("error"), std::string::npos);
+  for (const bool is_whole : {true, false}) {
+    ProgramReader reader{ReaderOptions{}};
+    reader.feed(is_whole ? program + behind : program);
+    Move move;
+    while (reader.next(move)) {
+    }
+    EXPECT_TRUE(reader.at_end());
+    EXPECT_FALSE(reader.has_errors());
+  }
+}
+
+TEST(Subprogram, ThatIsLeftOpenAtTheEndFailsTheProgram) {
+  ProgramReader reader{ReaderOptions{}};
+  reader.feed("G0 X1\no1 if [1]\nM2\n");
+  Move move;
+  while (reader.next(move)) {
+  }
+  EXPECT_FALSE(reader.at_end());
+  reader.feed("G0 X2\n");
+  reader.finish();
+  while (reader.next(move)) {
+  }
+  EXPECT_TRUE(reader.has_errors());
+}
+
 TEST(Subprogram, SaysWhatIsWrongWithACall) {
   EXPECT_EQ(messages_of("M98\nM2\n"), "1:1: error: M98 needs P (the subprogram's number)\n");
   EXPECT_EQ(messages_of("M98 P\nM2\n"),
