@@ -183,6 +183,13 @@ TickStatus Kernel::Impl::status_at_wait() const noexcept {
                                                             : TickStatus::waiting;
 }
 
+// At a hold or a wait that is over by the plan, which has nothing behind it.
+bool Kernel::Impl::rests_behind_wait(TickStatus status) const noexcept {
+  const std::uint32_t wait = interpolator_.wait();
+  return status == TickStatus::held || (status == TickStatus::running && wait != 0 &&
+                                        wait == answered_wait_.load(std::memory_order_relaxed));
+}
+
 void Kernel::Impl::reach_tick() {
   while (interpolator_.pass_what_is_over()) {
     plan();
@@ -196,12 +203,16 @@ TickStatus Kernel::Impl::next(Setpoint& setpoint) {
   keeps_stop_ = false;
   const bool is_asked = wants_hold_ || wants_resume_ || wants_change_ || takeover_ ||
                         stopped_feed_.any() || (asks_ && interpolator_.watch().answer() != nullptr);
-  if ((is_asked || runs_low()) && plan() && runs_low()) {
+  const bool wants_text = (is_asked || runs_low()) && plan();
+  if (wants_text && runs_low()) {
     plan_to_rest();
   }
   reach_tick();
   const TickStatus status = tick(setpoint);
   // There is one thread: what is not planned now never is.
+  if (wants_text && rests_behind_wait(status)) {
+    return TickStatus::starved;
+  }
   if (status == TickStatus::starved && pipeline_.is_finished()) {
     pipeline_.fail_without_plan(setpoint.line);
     fail_with_check();

@@ -207,6 +207,7 @@ class KERF_LOCAL Kernel::Impl {
   // From a hold or a wait.
   void go_on();
   [[nodiscard]] TickStatus status_at_wait() const noexcept;
+  [[nodiscard]] bool rests_behind_wait(TickStatus status) const noexcept;
   // The plan rests at a wait, which is for after the hold.
   [[nodiscard]] bool holds_at_wait() const noexcept;
   // What was asked for and could not be done yet: the tick side has not answered, or no way to rest

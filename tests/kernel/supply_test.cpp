@@ -62,6 +62,51 @@ TEST(Stop, WorksInAProgramThatEndsWithItsLastByte) {
   EXPECT_EQ(setpoint.line, 1U);
 }
 
+Setpoint next_of(Kernel& kernel, int ticks, TickStatus last) {
+  Setpoint setpoint;
+  TickStatus status = TickStatus::failed;
+  for (int i = 0; i < ticks; ++i) {
+    status = kernel.next(setpoint);
+  }
+  EXPECT_EQ(status, last);
+  return setpoint;
+}
+
+// A caller with one thread feeds where it starves.
+TEST(Kernel, StarvesBehindAnAnsweredWaitWhereTheTextStopsComing) {
+  Kernel kernel(mill(), {.waits = true});
+  kernel.feed("G21 G90 G1 X1 F600\nM0\n");
+  next_of(kernel, 1000, TickStatus::waiting);
+  kernel.resume();
+  next_of(kernel, 100, TickStatus::starved);
+  kernel.feed("G1 X2\nM2\n");
+  kernel.finish();
+  EXPECT_EQ(next_of(kernel, 1000, TickStatus::finished).position_mm[0], 2.0);
+}
+
+TEST(Kernel, StarvesBehindAHoldWhereTheTextStopsComing) {
+  Kernel kernel(mill());
+  kernel.feed("G21 G90 G1 X1 F600\n");
+  next_of(kernel, 1000, TickStatus::starved);
+  kernel.hold();
+  next_of(kernel, 100, TickStatus::held);
+  kernel.resume();
+  next_of(kernel, 100, TickStatus::starved);
+  kernel.feed("G1 X2\nM2\n");
+  kernel.finish();
+  EXPECT_EQ(next_of(kernel, 1000, TickStatus::finished).position_mm[0], 2.0);
+}
+
+TEST(Kernel, KeepsNothingOfWhatComesBehindTheEnd) {
+  Kernel kernel(mill());
+  kernel.feed("G21 G90 G1 X1 F600\nM2\n");
+  next_of(kernel, 1000, TickStatus::finished);
+  kernel.feed("G1 X2 F-1\nsomething\n");
+  kernel.finish();
+  next_of(kernel, 10, TickStatus::finished);
+  EXPECT_FALSE(kernel.has_errors());
+}
+
 TEST(Stop, DoesNothingOnceTheProgramHasEnded) {
   Kernel kernel(mill());
   kernel.feed("G21 G90 G1 X1 F6000\nM2\n");
