@@ -35,7 +35,12 @@ class ProgramPath {
 
   ProgramPath(const MachineSettings& settings, const KernelOptions& options, const Order& order);
 
-  void feed(std::string_view text) { reader_.feed(text); }
+  // Behind the program's end or an error nothing is read.
+  void feed(std::string_view text) {
+    if (!ended_) {
+      reader_.feed(text);
+    }
+  }
   void finish() {
     reader_.finish();
     has_all_text_ = true;
