@@ -122,6 +122,8 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_from_here(Runs what) {
 
 void Controller::Impl::start(std::unique_ptr<Kernel> kernel, Runs what) {
   kernel_ = std::move(kernel);
+  is_text_late_.store(false, std::memory_order_relaxed);
+  wants_text_.store(false, std::memory_order_relaxed);
   ran_line_ = what == Runs::line;
   told_failure_ = false;
   ran_ = true;
@@ -135,16 +137,17 @@ void Controller::Impl::run_program() {
   run(*kernel_);
 }
 
+// An operator's line is whole: what comes while it runs is of a program that is over.
 void Controller::Impl::feed(std::string_view text) {
   is_text_late_.store(false, std::memory_order_relaxed);
-  if (has_program()) {
+  if (has_program() && !ran_line_) {
     kernel_->feed(text);
   }
 }
 
 void Controller::Impl::finish() {
   is_text_late_.store(false, std::memory_order_relaxed);
-  if (has_program()) {
+  if (has_program() && !ran_line_) {
     kernel_->finish();
   }
 }

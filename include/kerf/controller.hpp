@@ -189,7 +189,8 @@ class KERF_API Controller {
   /// the tools as they were (Kernel::start_counts_on_tools()).
   tl::expected<void, Refusal> set_tool(const Tool& tool);
 
-  /// To the present program; text is dropped where there is none.
+  /// To the present program; where there is none, as while an operator's line runs, text is
+  /// dropped.
   void feed(std::string_view text);
   /// No more text follows.
   void finish();

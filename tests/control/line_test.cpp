@@ -48,6 +48,36 @@ TEST(Line, BeginsBehindAProgramsEndWhereThatLeavesIt) {
   }
 }
 
+// A sender may not know yet that its program was stopped.
+TEST(Line, IsNotGoneOnWithByTextOfAProgramThatIsOver) {
+  LineShop shop;
+  ASSERT_TRUE(shop.controller.run_mdi("M0"));
+  shop.tick_until(State::waiting);
+  shop.controller.feed("G1 X40 F6000\n");
+  shop.controller.finish();
+  shop.give(Command::resume);
+  shop.tick_until(State::idle);
+  EXPECT_EQ(shop.setpoint.position_mm[0], 0.0);
+}
+
+TEST(Line, WaitsForNoTextWhereAProgramBeforeItDid) {
+  LineShop shop;
+  shop.give(Command::start);
+  shop.controller.feed("G21 G90 G1 X1 F6000\n");
+  for (int i = 0; i < 1000; ++i) {
+    shop.tick();
+    if (shop.controller.status().waits_for == WaitsFor::text) {
+      shop.controller.text_is_late();
+    }
+  }
+  shop.give(Command::stop);
+  shop.tick_until(State::idle);
+  ASSERT_TRUE(shop.controller.set_overrides({.feed = 0.0}));
+  ASSERT_TRUE(shop.controller.run_mdi("G1 X5 F600"));
+  EXPECT_EQ(shop.tick(100), State::running);
+  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::nothing);
+}
+
 TEST(Line, KeepsSpindleCoolantAndOutputsOn) {
   LineShop shop;
   ASSERT_TRUE(shop.controller.set_overrides({.spindle = 0.5}));
