@@ -72,6 +72,9 @@ class Errors(Case):
         self.assertIn("z 0.000 to 31.000 mm", self.kerf("check", program, "--machine", machine).stdout)
         wrong = self.kerf("check", program, "--tools", self.path("wrong.tbl", "T1\nT2 D-1\n"), status=3)
         self.assertIn("wrong.tbl:2:4: error: D (diameter) must not be negative", wrong.stderr)
+        # Longer than a machine file may be; cut off within a number it would be another length.
+        long = "T1 Z3\n" + ";" + "-" * (1 << 21) + "\nT7 Z30\n"
+        self.assertIn("z 0.000 to 31.000 mm", self.kerf("check", program, "--tools", self.path("long.tbl", long)).stdout)
         missing = self.kerf("check", program, "--tools", self.path("none.tbl"), status=5)
         self.assertIn("none.tbl: error: ", missing.stderr)
 

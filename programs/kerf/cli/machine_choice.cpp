@@ -16,18 +16,20 @@ namespace kerf::program {
 
 namespace {
 
-// One byte more than a machine file may have: the parser says that it is too long.
-constexpr std::size_t kMaxBytes = (std::size_t{1} << 20U) + 1;
+constexpr std::size_t kMiB = std::size_t{1} << 20U;
+constexpr std::size_t kMaxMachineMiB = 1;
+constexpr std::size_t kMaxToolsMiB = 16;
+constexpr std::size_t kMaxSurfaceMiB = 128;  // 1000 x 1000 points take some 30
 
-// Error: why it cannot be read.
-tl::expected<std::string, std::string> read_text(const std::string& path) {
+// Of a longer file a little more than that. Error: why it cannot be read.
+tl::expected<std::string, std::string> read_text(const std::string& path, std::size_t max_mib) {
   const auto file = open_regular(path);
   if (!file) {
     return tl::unexpected(file.error());
   }
   std::string text;
   std::array<char, 16'384> buffer{};
-  while (text.size() < kMaxBytes) {
+  while (text.size() <= max_mib * kMiB) {
     const ssize_t count = ::read(file->number(), buffer.data(), buffer.size());
     if (count == 0) {
       break;
@@ -46,9 +48,23 @@ tl::unexpected<MachineRefusal> unreadable(const std::string& path, const std::st
       MachineRefusal{.status = ExitStatus::io_error, .messages = {path + ": error: " + why}});
 }
 
+// A whole file that a machine file names.
+tl::expected<std::string, MachineRefusal> read_part(const std::string& path, std::size_t max_mib) {
+  auto text = read_text(path, max_mib);
+  if (!text) {
+    return unreadable(path, text.error());
+  }
+  if (text->size() > max_mib * kMiB) {
+    return tl::unexpected(
+        MachineRefusal{.messages = {fmt::format("{}: error: larger than {} MiB", path, max_mib)}});
+  }
+  return *std::move(text);
+}
+
 tl::expected<ChosenMachine, MachineRefusal> read_machine(const std::string& path,
                                                          Checksum& checksum) {
-  const auto text = read_text(path);
+  // Its parser says that one is too long.
+  const auto text = read_text(path, kMaxMachineMiB);
   if (!text) {
     return unreadable(path, text.error());
   }
@@ -66,9 +82,9 @@ tl::expected<ChosenMachine, MachineRefusal> read_machine(const std::string& path
 
 tl::expected<parser::ToolTable, MachineRefusal> read_tools(const std::string& path,
                                                            Checksum& checksum) {
-  const auto text = read_text(path);
+  const auto text = read_part(path, kMaxToolsMiB);
   if (!text) {
-    return unreadable(path, text.error());
+    return tl::unexpected(text.error());
   }
   checksum.add("\ntools\n");
   checksum.add(*text);
@@ -85,9 +101,9 @@ tl::expected<parser::ToolTable, MachineRefusal> read_tools(const std::string& pa
 }
 
 tl::expected<HeightMap, MachineRefusal> read_surface(const std::string& path) {
-  const auto text = read_text(path);
+  const auto text = read_part(path, kMaxSurfaceMiB);
   if (!text) {
-    return unreadable(path, text.error());
+    return tl::unexpected(text.error());
   }
   auto map = read_height_map(*text);
   if (map) {
