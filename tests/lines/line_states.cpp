@@ -94,7 +94,8 @@ int run(const std::vector<std::string>& words) {
   const auto dialect = words.at(2) == "fanuc" ? parser::Dialect::fanuc : parser::Dialect::rs274;
   MachineOrder order;
   order.file = words.at(1);
-  const auto machine = choose_machine(order);
+  std::vector<std::string> named;
+  const auto machine = choose_machine(order, named);
   auto file = ProgramFile::open(program);
   if (!machine || !file) {
     std::cerr << "the program or the machine file cannot be read\n";

@@ -52,6 +52,34 @@ class ExitStatus(Case):
                     self.assertEqual(pathlib.Path(name).read_text(), before)
         self.kerf("dry-run", main, "--trace", self.path("O7.csv"), "--log", self.path("new.ngc"))
 
+    def test_of_files_of_the_machine_that_would_be_written_over(self):
+        square = self.path("square.ngc", SQUARE)
+        table = self.path("tools.tbl", "T1 Z3\n")
+        surface = self.path("map.txt", "0 0 1\n10 0 1\n0 10 1\n10 10 1\n")
+        limits = "[path]\nmax_velocity_mm_s = 90\nmax_acceleration_mm_s2 = 900\nmax_jerk_mm_s3 = 9000\n"
+        mill = self.path("mill.toml", limits + '[tools]\nfile = "tools.tbl"\n[probe]\nheight_map = "map.txt"\n')
+        for name in (table, surface):
+            for option in ("--trace", "--log", "--record", "--plot"):
+                with self.subTest(name=name, option=option):
+                    before = pathlib.Path(name).read_text()
+                    self.assertIn("is not to be written over", self.kerf("dry-run", square, "--machine", mill, option, name, status=2).stderr)
+                    self.assertEqual(pathlib.Path(name).read_text(), before)
+        # Also where the machine file is refused for what is in the table.
+        wrong = self.path("tools.tbl", "T1 D-1\n")
+        self.kerf("dry-run", square, "--machine", mill, "--log", wrong, status=2)
+        self.assertEqual(pathlib.Path(wrong).read_text(), "T1 D-1\n")
+
+    def test_of_programs_that_an_output_would_write_over_until_it_is_whole(self):
+        program = self.path("a.csv.incomplete", SQUARE)
+        self.kerf("dry-run", program, "--trace", self.path("a.csv"), status=2)
+        self.assertEqual(pathlib.Path(program).read_text(), SQUARE)
+
+    def test_of_empty_names_of_files(self):
+        square = self.path("square.ngc", SQUARE)
+        for command, option in (("run", "--replay"), ("run", "--journal"), ("run", "--record"), ("run", "--flight-recorder"), ("dry-run", "--tools")):
+            with self.subTest(option=option):
+                self.kerf(command, square, option, "", status=2)
+
     def test_of_what_is_asked_to_stop(self):
         long = self.path("long.ngc", LONG)
         for status, number in ((129, signal.SIGHUP), (130, signal.SIGINT), (143, signal.SIGTERM)):

@@ -50,6 +50,20 @@ TEST_F(SubprogramFolder, LeavesTheFolderForNoName) {
   EXPECT_FALSE(source()("sub")) << "a folder is no file";
 }
 
+TEST_F(SubprogramFolder, MayHaveOneWithoutExtensionInFanucAlone) {
+  write("POCKET", "text");
+  write("O7", "text");
+  const std::string program = (folder_ / "main.nc").string();
+  const auto may_be = [&](const char* name, bool is_fanuc) {
+    const std::string path = (folder_ / name).string();
+    return may_be_subprogram({.path = path, .program = program, .is_fanuc = is_fanuc});
+  };
+  EXPECT_TRUE(may_be("POCKET", true));
+  EXPECT_FALSE(may_be("POCKET", false));
+  EXPECT_TRUE(may_be("O7", false));
+  EXPECT_FALSE(may_be("HOLE", true)) << "there is none";
+}
+
 TEST_F(SubprogramFolder, KnowsHowFanucProgramsAreNamed) {
   write("O0007.NC", "seven");
   write("12345.ngc", "long");

@@ -1,9 +1,11 @@
 #include "programs/kerf/cli/command.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <string>
 #include <unistd.h>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "programs/kerf/cli/option_parser.hpp"
 #include "programs/kerf/cli/page_maker.hpp"
 #include "programs/kerf/cli/report_output.hpp"
+#include "programs/kerf/cli/written_files.hpp"
 #include "programs/kerf/compare/comparison.hpp"
 #include "programs/kerf/compare/comparison_text.hpp"
 #include "programs/kerf/io/interrupt.hpp"
@@ -135,8 +138,9 @@ ExitStatus show_comparison(const Options& options, const std::vector<NamedMachin
   return first_failure({status, printed, print_document(reports, options)});
 }
 
-ExitStatus process_all(const Options& options) {
-  const auto machines = choose_machines(options);
+using Machines = tl::expected<std::vector<NamedMachine>, MachineRefusal>;
+
+ExitStatus process_all(const Options& options, const Machines& machines) {
   if (machines && options.command == Subcommand::tick_cost) {
     return show_tick_cost(options, machines->front().chosen.settings);
   }
@@ -145,6 +149,18 @@ ExitStatus process_all(const Options& options) {
   }
   return options.command == Subcommand::compare ? show_comparison(options, *machines)
                                                 : AllPrograms(options).process(*machines);
+}
+
+// Before the first file is opened: what machine files name is read, too.
+std::optional<std::string> written_over(const Options& options, const Machines& machines,
+                                        std::vector<std::string> named) {
+  const auto is_fanuc = [](const NamedMachine& machine) {
+    return machine.chosen.settings.dialect == parser::Dialect::fanuc;
+  };
+  const bool may_be_fanuc = options.dialect
+                                ? options.dialect == parser::Dialect::fanuc
+                                : machines.has_value() && std::ranges::any_of(*machines, is_fanuc);
+  return written_over(options, {.files = std::move(named), .is_fanuc = may_be_fanuc});
 }
 
 }  // namespace
@@ -160,13 +176,19 @@ int run_command(int argc, char** argv) {
       return to_int(asked_for ? printed : leave->status);
     }
     const auto& options = std::get<Options>(parsed);
+    std::vector<std::string> named;
+    const Machines machines = choose_machines(options, named);
+    if (const auto message = written_over(options, machines, std::move(named))) {
+      write_error_line("kerf: " + visible(*message));
+      return to_int(ExitStatus::wrong_use);
+    }
     if (const auto opened = open_log(
             {.quiet = options.quiet, .level = options.log_level, .file = options.log_file});
         !opened) {
       spdlog::error("{}", visible(opened.error()));
       return to_int(ExitStatus::io_error);
     }
-    const ExitStatus status = process_all(options);
+    const ExitStatus status = process_all(options, machines);
     const auto logged = close_log();
     if (!logged) {
       spdlog::error("{}", visible(logged.error()));

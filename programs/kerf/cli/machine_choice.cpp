@@ -117,7 +117,8 @@ tl::expected<HeightMap, MachineRefusal> read_surface(const std::string& path) {
 
 }  // namespace
 
-tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineOrder& order) {
+tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineOrder& order,
+                                                           std::vector<std::string>& named) {
   ChosenMachine machine{.settings = default_machine()};
   Checksum checksum;
   if (order.file) {
@@ -128,10 +129,14 @@ tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineOrder& o
     machine = *std::move(read);
   }
   MachineSettings& settings = machine.settings;
-  std::string tools = order.tools.value_or("");
-  if (tools.empty() && !settings.tool_file.empty()) {
-    tools = std::filesystem::path(*order.file).replace_filename(settings.tool_file).string();
-  }
+  const auto beside = [&](const std::string& name) {
+    named.push_back(std::filesystem::path(*order.file).replace_filename(name).string());
+    return named.back();
+  };
+  const std::string listed = settings.tool_file.empty() ? "" : beside(settings.tool_file);
+  const std::string surface =
+      settings.height_map_file.empty() ? "" : beside(settings.height_map_file);
+  const std::string tools = order.tools.value_or(listed);
   if (!tools.empty()) {
     auto table = read_tools(tools, checksum);
     if (!table) {
@@ -139,9 +144,8 @@ tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineOrder& o
     }
     settings.program.tools = *std::move(table);
   }
-  if (!settings.height_map_file.empty()) {
-    auto map = read_surface(
-        std::filesystem::path(*order.file).replace_filename(settings.height_map_file).string());
+  if (!surface.empty()) {
+    auto map = read_surface(surface);
     if (!map) {
       return tl::unexpected(map.error());
     }
@@ -155,7 +159,8 @@ tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineOrder& o
   return machine;
 }
 
-tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(const Options& options) {
+tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(
+    const Options& options, std::vector<std::string>& named) {
   std::vector<std::optional<std::string>> files(options.machine_files.begin(),
                                                 options.machine_files.end());
   if (files.empty()) {
@@ -164,7 +169,7 @@ tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(const Op
   std::vector<NamedMachine> machines;
   for (const auto& file : files) {
     auto chosen =
-        choose_machine({.file = file, .tools = options.tool_file, .g54_mm = options.g54_mm});
+        choose_machine({.file = file, .tools = options.tool_file, .g54_mm = options.g54_mm}, named);
     if (!chosen) {
       return tl::unexpected(chosen.error());
     }

@@ -33,16 +33,19 @@ struct ChosenMachine {
   std::uint64_t checksum = 0;  // of the texts of both files, and of G54 where the order has it
 };
 
-// A tool table that the machine file names is looked for beside it.
-tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineOrder& order);
+// A tool table or height map that the machine file names is looked for beside it; `named` gets
+// their paths, also where they are refused.
+tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineOrder& order,
+                                                           std::vector<std::string>& named);
 
 struct NamedMachine {
   std::optional<std::string> file;
   ChosenMachine chosen;
 };
 
-// All that the options name, in their order; without any the default table.
-tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(const Options& options);
+// All that the options name, in their order; without any the default table. `named` as above.
+tl::expected<std::vector<NamedMachine>, MachineRefusal> choose_machines(
+    const Options& options, std::vector<std::string>& named);
 
 // The options of a program that runs on this machine.
 [[nodiscard]] Options options_on(const NamedMachine& machine, const Options& options);

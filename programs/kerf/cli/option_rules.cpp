@@ -12,7 +12,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "profiles/sigmoid.hpp"
-#include "programs/kerf/io/subprogram_folder.hpp"
+#include "programs/kerf/cli/written_files.hpp"
 
 namespace kerf::program {
 
@@ -141,52 +141,8 @@ std::optional<std::string> contradiction_of_streams(const Options& options) {
   return std::nullopt;
 }
 
-// However they are named; also where they are not there yet. A device is no file.
-bool are_one_file(const std::string& one, const std::string& other) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  if (one.empty() || other.empty() || one == "-" || other == "-" ||
-      (fs::exists(one, error) && !fs::is_regular_file(one, error))) {
-    return false;
-  }
-  const fs::path whole = fs::weakly_canonical(one, error);
-  return fs::equivalent(one, other, error) ||
-         (!whole.empty() && whole == fs::weakly_canonical(other, error));
-}
-
-// What is read is not written over, and no file is written twice.
 std::optional<std::string> contradiction_of_files(const Options& options) {
-  std::vector<std::string> read = options.files;
-  read.insert(read.end(), options.machine_files.begin(), options.machine_files.end());
-  read.push_back(options.machine_file.value_or(""));
-  read.push_back(options.tool_file.value_or(""));
-  read.push_back(options.replay_file);
-  read.push_back(options.page_template.value_or(""));
-  const std::array written{options.trace_file.value_or(""),
-                           options.plot_file.value_or(""),
-                           options.flight_file.value_or(""),
-                           options.log_file.value_or(""),
-                           options.record_file,
-                           options.journal_file,
-                           options.page_file};
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    const auto is_it = [&file = written[i]](const std::string& other) {
-      return are_one_file(file, other);
-    };
-    if (std::ranges::any_of(read, is_it)) {
-      return written[i] + " is read: it is not to be written over";
-    }
-    const auto may_call_it = [&file = written[i]](const std::string& program) {
-      return program != "-" && may_be_subprogram({.path = file, .program = program});
-    };
-    if (!written[i].empty() && std::ranges::any_of(options.files, may_call_it)) {
-      return written[i] + " may be a subprogram: it is not to be written over";
-    }
-    if (std::ranges::any_of(std::span(written).subspan(i + 1), is_it)) {
-      return written[i] + " would be written twice";
-    }
-  }
-  return std::nullopt;
+  return written_over(options, {});
 }
 
 std::optional<std::string> contradiction_of_comparison(const Options& options) {

@@ -11,8 +11,6 @@ namespace kerf::program {
 
 namespace {
 
-constexpr const char* kIncomplete = ".incomplete";
-
 // /dev/stdout where that is a file: it would lose its name to ours.
 bool is_standard_stream(const struct stat& file) {
   const auto is = [&file](int descriptor) {
@@ -37,6 +35,10 @@ std::string regular_target(const std::string& path) {
 
 }  // namespace
 
+std::string incomplete_name(const std::string& path) {
+  return path + ".incomplete";
+}
+
 tl::expected<OutputFile, std::string> OutputFile::create(const std::string& path) {
   if (path == "-") {
     OutputFile output("<stdout>", Descriptor(::dup(STDOUT_FILENO)));
@@ -46,7 +48,7 @@ tl::expected<OutputFile, std::string> OutputFile::create(const std::string& path
     return output;
   }
   const std::string target = regular_target(path);
-  const std::string place = target.empty() ? path : target + kIncomplete;
+  const std::string place = target.empty() ? path : incomplete_name(target);
   const bool follows_incomplete = !target.empty() && ::access(place.c_str(), F_OK) == 0;
   OutputFile file(
       path, Descriptor(::open(place.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)));
@@ -60,7 +62,7 @@ tl::expected<OutputFile, std::string> OutputFile::create(const std::string& path
 
 OutputFile::~OutputFile() {
   if (descriptor_.is_open() && !final_path_.empty() && !written_) {
-    ::unlink((final_path_ + kIncomplete).c_str());
+    ::unlink(incomplete_name(final_path_).c_str());
   }
 }
 
@@ -93,7 +95,7 @@ int OutputFile::finish(bool whole) noexcept {
   if (const int error = descriptor_.close(); error != 0 || !whole || final_path_.empty()) {
     return error;
   }
-  if (std::rename((final_path_ + kIncomplete).c_str(), final_path_.c_str()) != 0) {
+  if (std::rename(incomplete_name(final_path_).c_str(), final_path_.c_str()) != 0) {
     return errno;
   }
   final_path_.clear();
@@ -101,7 +103,7 @@ int OutputFile::finish(bool whole) noexcept {
 }
 
 std::string OutputFile::remains() const {
-  return final_path_.empty() ? "" : "; what was written is in " + final_path_ + kIncomplete;
+  return final_path_.empty() ? "" : "; what was written is in " + incomplete_name(final_path_);
 }
 
 }  // namespace kerf::program

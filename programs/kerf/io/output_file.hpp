@@ -10,6 +10,9 @@
 
 namespace kerf::program {
 
+// What a regular file is called until it is whole.
+std::string incomplete_name(const std::string& path);
+
 // Until then it is called NAME.incomplete, whatever ends the process. With its first bytes a NAME
 // of an earlier run is removed. What is no regular file (a pipe, a device) is written as it is.
 // Where nothing was written and finish() was not called, nothing is left.

@@ -124,7 +124,7 @@ bool may_be_subprogram(const FileOf& file) {
   const bool is_number = stem.size() > 1 && (stem[0] == 'O' || stem[0] == 'o') &&
                          stem.find_first_not_of("0123456789", 1) == std::string::npos;
   const bool is_named_so = extension == ".ngc" || extension == ".nc" || extension == ".NC" ||
-                           (extension.empty() && is_number);
+                           (extension.empty() && (is_number || file.is_fanuc));
   return is_named_so && fs::is_regular_file(path, error) &&
          lies_there({.folder = folder, .path = path});
 }
