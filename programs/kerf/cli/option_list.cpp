@@ -75,6 +75,7 @@ void add_common(CLI::App& command, OptionWords& words) {
   Options& options = words.options;
   command
       .add_option("--tools", options.tool_file, "tool table (default: that of the machine file)")
+      ->check(something())
       ->type_name("FILE");
   command.add_option("--profile", words.profile, "feedrate profile")
       ->check(CLI::IsMember(profile_names()))
@@ -148,14 +149,17 @@ void add_outputs(CLI::App& command, OptionWords& words) {
   command
       .add_option("--max-trace", words.max_trace,
                   "size that the trace may have: 1000, 500MB, 4GiB (default: 4GiB)")
+      ->check(something())
       ->type_name("SIZE");
   command
       .add_option("--record", options.record_file,
                   "write what the machine is told and answers, tick by tick")
+      ->check(something())
       ->type_name("FILE");
   command
       .add_option("--replay", options.replay_file,
                   "the machine answers as in this record, and is to be told the same")
+      ->check(something())
       ->type_name("FILE");
   command.add_option("--plot", options.plot_file, "draw the path and v, a, j over time")
       ->type_name("FILE.svg");
@@ -232,10 +236,12 @@ void add_run(CLI::App& command, Options& options) {
   command
       .add_option("--flight-recorder", options.flight_file,
                   "after a fault: the ticks of its last 5 s, as --trace has them")
+      ->check(something())
       ->type_name("FILE.csv");
   command
       .add_option("--journal", options.journal_file,
                   "keep there how far the run has come, once a second")
+      ->check(something())
       ->type_name("FILE");
   command.add_flag("--continue", options.continues,
                    "go on where the journal ends (default: that of --journal, else FILE.journal)");
