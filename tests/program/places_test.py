@@ -34,6 +34,10 @@ class Start(Case):
         self.assertEqual(report["path_length_mm"], 32 + 20 + 32)
         self.assertEqual(report["extents"]["min_mm"], {"x": 100, "y": 50, "z": -2})
 
+    def test_at_the_first_moves_is_the_first_of_a_block_with_several(self):
+        for first, place in (("G0 X10 Y20\nG81 X10 Y20 Z-5 R2 F100", [10, 20, 2]), ("G28 Z50\nG0 X10 Y20\nG1 Z-1 F100", [10, 20, 50])):
+            self.assertEqual(self.first_row(self.path("several.ngc", "G21 G90\n" + first + "\nM2\n"), "--start", "first-move"), place)
+
     def test_at_the_first_moves_is_the_end_of_a_first_cut(self):
         self.assertEqual(self.first_row(self.path("cut.ngc", "G21 G90 F600\nG1 X7 Y3\nG1 X9 Z4\nM2\n"), "--start", "first-move"), [7, 3, 0])
 

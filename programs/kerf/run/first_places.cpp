@@ -16,6 +16,8 @@ namespace kerf::program {
 
 namespace {
 
+constexpr double kRounding_mm = 1e-9;
+
 // Where a block brings an axis.
 struct FirstPlace {
   std::uint64_t block = 0;  // as Move::block
@@ -61,9 +63,15 @@ class FirstPlaces {
     return last;
   }
 
+  // As read from another start: they depend on none.
+  [[nodiscard]] bool lead_as(const FirstPlaces& other) const {
+    return std::ranges::equal(places_, other.places_, [](const auto& one, const auto& two) {
+      return one.has_value() == two.has_value() &&
+             (!one || (one->block == two->block && std::abs(one->mm - two->mm) <= kRounding_mm));
+    });
+  }
   // The same blocks, if they move it, bring the tool to the same places. False: they do not.
   [[nodiscard]] bool agrees(const parser::Move& move) const {
-    constexpr double kRounding_mm = 1e-9;
     const parser::Point* const end = parser::end_mm(move);
     for (std::size_t k = 0; end != nullptr && k < 3; ++k) {
       if (places_[k] && places_[k]->block == move.block &&
@@ -79,9 +87,9 @@ class FirstPlaces {
 };
 
 // A rapid to where the tool is already is no move, so rapids are read from where no program leads.
-Position away_from(Position start_mm) {
+Position away_from(Position start_mm, double times) {
   for (double& mm : start_mm) {
-    mm += 0.123456789;
+    mm += times * 0.123456789;
   }
   return start_mm;
 }
@@ -121,24 +129,32 @@ tl::expected<void, std::string> read_moves(
 
 tl::expected<Position, std::string> first_places(ProgramFile& file, const MachineSettings& settings,
                                                  const KernelOptions& options) {
-  FirstPlaces places;
   parser::ReaderOptions from = reader_options(settings, options);
-  tl::expected<void, std::string> read;
-  for (const LookAt what : {LookAt::rapids, LookAt::cuts}) {
-    from.start_mm = what == LookAt::rapids ? away_from(options.start_mm) : options.start_mm;
-    if (read && places.is_empty()) {
-      read = read_moves(file, from,
-                        [&](const parser::Move& move) { return places.look_at(move, what); });
-    }
-  }
-  // From there they must lead to the same places.
-  from.start_mm = places.from(options.start_mm);
+  const auto read_from = [&](const Position& start_mm, const auto& look_at) {
+    from.start_mm = start_mm;
+    return read_moves(file, from, look_at);
+  };
+  FirstPlaces places;
+  FirstPlaces again;
+  auto read = read_from(away_from(options.start_mm, 1.0), [&](const parser::Move& move) {
+    return places.look_at(move, LookAt::rapids);
+  });
   bool agrees = true;
-  if (read) {
-    read = read_moves(file, from, [&](const parser::Move& move) {
-      agrees = agrees && places.agrees(move);
-      return agrees && move.block <= places.last_block();
-    });
+  if (read && !places.is_empty()) {
+    read = read_from(away_from(options.start_mm, 2.0),
+                     [&](const parser::Move& move) { return again.look_at(move, LookAt::rapids); });
+    agrees = places.lead_as(again);
+  } else if (read) {
+    // A cut may be an arc, which there is from its own start alone: from where it leads it must
+    // lead to the same places.
+    read = read_from(options.start_mm,
+                     [&](const parser::Move& move) { return places.look_at(move, LookAt::cuts); });
+    if (read) {
+      read = read_from(places.from(options.start_mm), [&](const parser::Move& move) {
+        agrees = agrees && places.agrees(move);
+        return agrees && move.block <= places.last_block();
+      });
+    }
   }
   if (!read) {
     return tl::unexpected(read.error());
@@ -148,7 +164,7 @@ tl::expected<Position, std::string> first_places(ProgramFile& file, const Machin
                           ": its first moves are relative to the start (G91), so --start "
                           "first-move has no place; take --start X,Y,Z");
   }
-  return from.start_mm;
+  return places.from(options.start_mm);
 }
 
 }  // namespace kerf::program
