@@ -46,6 +46,12 @@ TEST(Fit, SaysNothingOfWhatFits) {
   EXPECT_FALSE(fit_of({}, table())) << "without motion";
 }
 
+// Coordinates are sums that are rounded, and the machine is as generous.
+TEST(Fit, IsNotMissedByRounding) {
+  EXPECT_TRUE(fit_of(path_along_x(10.0, 300.0 + 1e-12), table())->fits());
+  EXPECT_FALSE(fit_of(path_along_x(10.0, 300.001), table())->fits());
+}
+
 TEST(Fit, SaysSoWhereNoOffsetWouldDo) {
   const FitReport longer = *fit_of(path_along_x(0.0, 450.5), table());
   EXPECT_EQ(describe(longer), Words{"no G54 X: the path is 50.500 mm longer than the travel"});

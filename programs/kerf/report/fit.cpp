@@ -5,6 +5,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "machine/envelope.hpp"
 #include "programs/kerf/io/number_text.hpp"
 
 namespace kerf::program {
@@ -12,9 +13,9 @@ namespace kerf::program {
 namespace {
 
 double over_mm(const AxisRange& range, const Travel& travel) {
-  return range.is_empty()
-             ? 0.0
-             : std::max({0.0, travel.min_mm - range.min_mm, range.max_mm - travel.max_mm});
+  const double over_mm =
+      range.is_empty() ? 0.0 : std::max(travel.min_mm - range.min_mm, range.max_mm - travel.max_mm);
+  return over_mm > machine::kTravelToleranceMm ? over_mm : 0.0;
 }
 
 OffsetRange range_of(const AxisRange& path, const Travel& travel, double origin_mm) {
