@@ -49,11 +49,13 @@ void judge(const ProgramCheck& how, const CheckReport& found, FileReport& report
     report.status = ExitStatus::machine_fault;
   }
   const auto cutting = found.cuts ? std::optional(found.cutting_extents) : std::nullopt;
-  if (found.moves) {
+  // Of a program with an error only what stands before it is known.
+  const bool is_whole = found.moves && !found.has_errors();
+  if (is_whole) {
     report.boxes = PathBoxes{.all = found.extents, .cutting = cutting, .work = found.work_extents};
     report.fit = fit_of(found, how.settings);
   }
-  if (how.page != nullptr && found.moves) {
+  if (how.page != nullptr && is_whole) {
     how.page->extents = found.extents;
   }
   how.path = {.extents = found.moves ? std::optional(found.extents) : std::nullopt,
