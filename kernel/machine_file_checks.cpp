@@ -25,12 +25,16 @@ void raise(double& possible, double planned) {
 void raise_silent_drive(MachineSettings& settings, std::size_t axis,
                         const std::function<bool(std::string_view)>& has_key) {
   const lookahead::MotionLimits& limits = settings.limits.axes[axis];
+  const lookahead::MotionLimits& path = settings.limits.path;
   AxisDrive& drive = settings.table.axes[axis];
   if (!has_key(kDriveVelocity)) {
-    raise(drive.drive_velocity_mm_s, limits.velocity_mm_s);
+    raise(drive.drive_velocity_mm_s,
+          std::isfinite(limits.velocity_mm_s) ? limits.velocity_mm_s : path.velocity_mm_s);
   }
   if (!has_key(kDriveAcceleration)) {
-    raise(drive.drive_acceleration_mm_s2, limits.acceleration_mm_s2);
+    raise(drive.drive_acceleration_mm_s2, std::isfinite(limits.acceleration_mm_s2)
+                                              ? limits.acceleration_mm_s2
+                                              : path.acceleration_mm_s2);
   }
 }
 

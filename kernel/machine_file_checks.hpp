@@ -21,7 +21,8 @@ struct KeyProblem {
 };
 
 // A plan must not ask more than the motor can do: a drive that the file does not describe can do
-// twice what the limits ask, or the default if that is more.
+// twice what the limits of the axis ask, or without any those of the path, or the default if that
+// is more.
 void raise_silent_drive(MachineSettings& settings, std::size_t axis,
                         const std::function<bool(std::string_view)>& has_key);
 

@@ -77,8 +77,14 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
   if (const auto path = subsection(file, "path")) {
     read_numbers(*path, path_rules(), 0);
   }
-  if (const auto axes = subsection(file, "axes")) {
+  const auto axes = subsection(file, "axes");
+  if (axes) {
     read_axes(*axes);
+  }
+  for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
+    if (!axes || !axes->table->contains(kAxisNames[axis])) {
+      raise_silent_drive(settings_, axis, [](std::string_view) { return false; });
+    }
   }
   if (const auto offsets = subsection(file, "offsets")) {
     read_offsets(*offsets);
